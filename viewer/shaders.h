@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The five programs of a picture: depth of shapes (as any light or the camera sees them), lit shapes, ground, sky, lines.
+#pragma once
+
+namespace epode::viewer {
+
+struct ProgramText {
+    const char* name;
+    const char* vertex;
+    const char* fragment;
+};
+
+extern const char* const kShaderHead;  // version, uniform block and the shared functions; comes before each text below
+extern const ProgramText kDepthProgram, kShapeProgram, kGroundProgram, kSkyProgram, kLineProgram;
+
+}  // namespace epode::viewer
