@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Memory for one step: bump allocation, scopes that give back what was taken inside them, and no allocation
+// once the arena has seen its largest step. While it is too small it chains further blocks; `reset` then
+// replaces them by one block of the size that was needed, so a steady scene allocates nothing.
+// A request that cannot be met returns an empty span and sets `failed`, which the step turns into a
+// refused step: nothing is half done.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+
+#include "base/config.h"
+#include "base/memory.h"
+
+namespace epode {
+
+struct ArenaBlock {
+    ArenaBlock* next;
+    std::size_t size;  // bytes behind the header
+};
+
+class Arena {
+  public:
+    Arena() = default;
+    Arena(const Arena&) = delete;
+    Arena& operator=(const Arena&) = delete;
+    ~Arena() { free_all(); }
+
+    // `count` uninitialised objects, cache-line aligned.
+    template <typename T>
+    [[nodiscard]] std::span<T> take(int count)
+    {
+        static_assert(std::is_trivially_destructible_v<T>);
+        if (count <= 0) return {};
+        void* p = take_bytes(sizeof(T) * std::size_t(count));
+        if (!p) return {};
+        return {static_cast<T*>(p), std::size_t(count)};
+    }
+
+    // The same, every byte zero.
+    template <typename T>
+    [[nodiscard]] std::span<T> take_zeroed(int count)
+    {
+        auto s = take<T>(count);
+        if (!s.empty()) __builtin_memset(static_cast<void*>(s.data()), 0, s.size_bytes());
+        return s;
+    }
+
+    bool failed() const { return failed_; }
+
+    // Forgets everything taken; merges chained blocks into one.
+    void reset()
+    {
+        if (first_ && first_->next) {
+            const std::size_t wanted = high_water_ + high_water_ / 5;
+            free_all();
+            add_block(wanted);
+        }
+        current_ = first_;
+        used_ = 0;
+        total_ = 0;
+        failed_ = false;
+    }
+
+    // Takes since the construction of a Scope are given back at its end.
+    class Scope {
+      public:
+        explicit Scope(Arena& arena)
+            : arena_(arena), block_(arena.current_), used_(arena.used_), total_(arena.total_)
+        {
+        }
+        Scope(const Scope&) = delete;
+        Scope& operator=(const Scope&) = delete;
+        ~Scope()
+        {
+            // Blocks chained inside the scope stay for reuse by the rest of the step.
+            arena_.current_ = block_ ? block_ : arena_.first_;
+            arena_.used_ = used_;
+            arena_.total_ = total_;
+        }
+
+      private:
+        Arena& arena_;
+        ArenaBlock* block_;
+        std::size_t used_, total_;
+    };
+
+  private:
+    friend class Scope;
+    static constexpr std::size_t kFirst = 64 * 1024;
+
+    void* take_bytes(std::size_t bytes)
+    {
+        const std::size_t size = (bytes + kCacheLine - 1) & ~(kCacheLine - 1);
+        if (!current_ || used_ + size > current_->size) {
+            if (!advance(size)) {
+                failed_ = true;
+                return nullptr;
+            }
+        }
+        void* p = reinterpret_cast<char*>(current_) + kHeader + used_;
+        used_ += size;
+        total_ += size;
+        high_water_ = std::max(high_water_, total_);
+        return p;
+    }
+
+    // Moves on to a block with room for `size`, an existing one if possible.
+    bool advance(std::size_t size)
+    {
+        while (current_ && current_->next) {
+            current_ = current_->next;
+            used_ = 0;
+            if (size <= current_->size) return true;
+        }
+        return add_block(std::max(size, std::max(kFirst, total_)));
+    }
+
+    bool add_block(std::size_t size);
+    void free_all();
+
+    static constexpr std::size_t kHeader = kCacheLine;
+    ArenaBlock* first_ = nullptr;
+    ArenaBlock* current_ = nullptr;
+    std::size_t used_ = 0;        // bytes of the current block
+    std::size_t total_ = 0;       // bytes taken now
+    std::size_t high_water_ = 0;  // most bytes ever taken at once
+    bool failed_ = false;
+};
+
+inline bool Arena::add_block(std::size_t size)
+{
+    auto* block = static_cast<ArenaBlock*>(allocate(size + kHeader));
+    if (!block) return false;
+    *block = {nullptr, size};
+    if (current_) current_->next = block;
+    if (!first_) first_ = block;
+    current_ = block;
+    used_ = 0;
+    return true;
+}
+
+inline void Arena::free_all()
+{
+    while (first_) {
+        ArenaBlock* next = first_->next;
+        release(first_, first_->size + kHeader);
+        first_ = next;
+    }
+    current_ = nullptr;
+    used_ = 0;
+}
+
+}  // namespace epode

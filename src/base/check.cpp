@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The one place that reports refused calls, and the one place (Debug only) that stops the program.
+#include "base/check.h"
+
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+
+#include "base/messages.h"
+
+namespace epode {
+namespace {
+
+[[gnu::format(printf, 2, 3)]] void report(int number, const char* format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    deliver(Channel::kDebug, number, format, arguments);
+    va_end(arguments);
+}
+
+}  // namespace
+
+void refuse(const char* text, const char* function, std::atomic<bool>& told)
+{
+    // With a handler every refusal is delivered; without one stderr hears of each call site once.
+    if (!handler(Channel::kDebug) && told.exchange(true)) return;
+    report(d_ERR_UASSERT, "%s in %s()", text, function);
+}
+
+#if !defined(NDEBUG)
+void assertion_failed(const char* expression, const char* file, int line)
+{
+    std::fprintf(stderr, "\nepode: assertion \"%s\" failed [%s:%d]\n", expression, file, line);
+    std::abort();
+}
+#endif
+
+}  // namespace epode

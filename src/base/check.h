@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Four strengths of checking.
+//   EPODE_ASSERT(c)              the library's own reasoning; Debug builds only; stops the program there.
+//   EPODE_USER(c, result)        an argument of a public call, in Release too: the call is refused and returns
+//                                `result` (nothing for void functions), one message goes through the debug
+//                                handler in ODE's words ("Bad argument(s) in dFoo()"); without a handler it is
+//                                printed once per call site.
+//   EPODE_USER_SAY(c, text, r)   the same with a text of its own.
+//   usable(x)                    is a number that a client hands in finite?
+// Refusing instead of ODE's abort() is the first promise of the project: no argument may bring a host down.
+#pragma once
+
+#include <atomic>
+
+#include "base/config.h"
+
+namespace epode {
+
+// Reports a refused public call: `text in function()`. `told` remembers that a call site has printed.
+[[gnu::cold]] void refuse(const char* text, const char* function, std::atomic<bool>& told);
+
+#if defined(NDEBUG)
+#define EPODE_ASSERT(condition) ((void)sizeof(!(condition)))
+#else
+[[noreturn]] void assertion_failed(const char* expression, const char* file, int line);
+#define EPODE_ASSERT(condition) \
+    ((condition) ? (void)0 : ::epode::assertion_failed(#condition, __FILE__, __LINE__))
+#endif
+
+#define EPODE_USER_SAY(condition, text, ...)                 \
+    do {                                                     \
+        if (!(condition)) [[unlikely]] {                     \
+            static std::atomic<bool> epode_told{false};      \
+            ::epode::refuse(text, __func__, epode_told);     \
+            return __VA_ARGS__;                              \
+        }                                                    \
+    } while (false)
+
+#define EPODE_USER(condition, ...) EPODE_USER_SAY(condition, "Bad argument(s)" __VA_OPT__(, ) __VA_ARGS__)
+
+// Largest magnitude accepted from a client; beyond it squares and volumes overflow.
+inline constexpr Real kAbsurd = kSingle ? Real(1e18) : Real(1e100);
+
+constexpr bool usable(Real x) { return x >= -kAbsurd && x <= kAbsurd; }
+constexpr bool usable_or_infinite(Real x) { return usable(x) || x == kInf || x == -kInf; }
+
+inline bool usable(const Real* values, int count)
+{
+    for (int i = 0; i < count; ++i)
+        if (!usable(values[i])) return false;
+    return true;
+}
+
+}  // namespace epode

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// All memory of the library goes through the client's dSetAllocHandler family. Every allocation may fail;
+// callers test for null. `allocate` hands back `alignment`-aligned memory whatever the client's hook does.
+#pragma once
+
+#include <cstddef>
+
+#include "ode/memory.h"
+
+namespace epode {
+
+struct MemoryHooks {
+    dAllocFunction* alloc = nullptr;
+    dReallocFunction* realloc = nullptr;
+    dFreeFunction* free = nullptr;
+};
+
+MemoryHooks& memory_hooks() noexcept;
+
+// Straight through the hooks, malloc alignment: what dAlloc, dRealloc and dFree do.
+void* raw_allocate(std::size_t size) noexcept;
+void* raw_reallocate(void* pointer, std::size_t old_size, std::size_t new_size) noexcept;
+void raw_free(void* pointer, std::size_t size) noexcept;
+
+// 64-byte aligned blocks over the hooks. `release` takes the size that was asked for.
+void* allocate(std::size_t size) noexcept;
+void release(void* pointer, std::size_t size) noexcept;
+
+// How many allocations the process has made: tests prove with it that a warm step makes none.
+std::size_t allocation_count() noexcept;
+
+}  // namespace epode

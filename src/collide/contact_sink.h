@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Where pair functions put their contacts: the client's array of dContactGeom, walked with the client's
+// stride, never beyond the client's room. A pair function is pure, (shape a, pose A, shape b, pose B, sink);
+// who the geoms are is filled in by the dispatcher (collide/collide.cpp).
+//   normal: unit, world, from b into a: moving a by depth * normal separates the two.
+//   depth:  >= 0 along that normal; touching counts.
+#pragma once
+
+#include <span>
+
+#include "math/vec.h"
+#include "ode/contact.h"
+
+namespace epode {
+
+struct ContactPoint {
+    Vec3 position;
+    Vec3 normal;
+    Real depth = 0;
+    int side1 = -1;
+    int side2 = -1;
+};
+
+class ContactSink {
+  public:
+    ContactSink(dContactGeom* first, int stride, int room, bool unimportant)
+        : first_(first), stride_(stride), room_(room), unimportant_(unimportant)
+    {
+    }
+
+    int count() const { return count_; }
+    int room() const { return room_; }
+    bool full() const { return count_ >= room_; }
+    bool unimportant() const { return unimportant_; }  // the caller takes any contacts that fit
+
+    // False when there was no room.
+    bool add(const ContactPoint& point);
+
+    // A manifold of one normal: keeps the best `min(4, room)` points when there are more: the deepest, then
+    // the one farthest from it, then those that span the largest area; ties by index. Implemented in
+    // contact_sink.cpp.
+    void add_manifold(std::span<const ContactPoint> points);
+
+    dContactGeom* at(int i) const
+    {
+        return reinterpret_cast<dContactGeom*>(reinterpret_cast<char*>(first_) + std::ptrdiff_t(i) * stride_);
+    }
+
+  private:
+    dContactGeom* first_;
+    int stride_;
+    int room_;
+    bool unimportant_;
+    int count_ = 0;
+};
+
+}  // namespace epode
