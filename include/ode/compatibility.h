@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Names of earlier releases, for programs written from the 0.039 user guide: the rotation
+// conversions under their old names, the StepFast1 stepper and its automatic disabling. They all
+// work; what each does in today's terms stands beside it. (The capped-cylinder names are in
+// collision.h and mass.h.)
+#ifndef _ODE_COMPATIBILITY_H_
+#define _ODE_COMPATIBILITY_H_
+
+#include <ode/common.h>
+
+/** Old names of dRfromQ, dQfromR, dDQfromW; note the order of the arguments. */
+#define dQtoR(q, R) dRfromQ((R), (q))
+#define dRtoQ(R, q) dQfromR((q), (R))
+#define dWtoDQ(w, q, dq) dDQfromW((dq), (w), (q))
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Advance the world by stepsize seconds with the small-step solver: the step is cut into
+    maxiterations (>= 1) equal small steps, and in each of them every joint is solved on its own as a
+    rigid block. Time and memory grow linearly with the number of joints. More iterations give more
+    accuracy; joint ERP and CFM keep the meaning they have for the whole step. May be mixed freely
+    with dWorldStep and dWorldQuickStep on the same world. Returns 1 when the world was stepped,
+    0 when the call was refused (null world, stepsize not positive and finite, maxiterations < 1). */
+ODE_API int dWorldStepFast1(dWorldID w, dReal stepsize, int maxiterations);
+
+/** The world's auto-enable depth of the guide: an int that is stored and given back (waking
+    through joints always reaches the whole island). */
+ODE_API void dWorldSetAutoEnableDepthSF1(dWorldID w, int autoEnableDepth);
+ODE_API int dWorldGetAutoEnableDepthSF1(dWorldID w);
+
+/** Old names of the body's auto-disable settings. The threshold sets the linear (m/s) and the
+    angular (rad/s) threshold to the same value and reads back the linear one; steps and flag are
+    those of dBodySetAutoDisableSteps and dBodySetAutoDisableFlag. */
+ODE_API void dBodySetAutoDisableThresholdSF1(dBodyID b, dReal autoDisableThreshold);
+ODE_API dReal dBodyGetAutoDisableThresholdSF1(dBodyID b);
+ODE_API void dBodySetAutoDisableStepsSF1(dBodyID b, int AutoDisableSteps);
+ODE_API int dBodyGetAutoDisableStepsSF1(dBodyID b);
+ODE_API void dBodySetAutoDisableSF1(dBodyID b, int doAutoDisable);
+ODE_API int dBodyGetAutoDisableSF1(dBodyID b);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// How the library speaks: three channels (error, debug, message), each with a handler that the
+// program may install.
+//
+// What the library itself does with them: an argument that makes no sense (null or wrong object,
+// NaN, zero axis, negative size ...) makes that one call *refused*. A refused call changes nothing,
+// returns 0 / NULL where it returns something, and reports once through the debug handler with number
+// d_ERR_UASSERT and a text of the form "what is wrong in function()". If no handler is installed
+// the text goes to stderr once per place in the code. The program always goes on. The
+// original library calls abort() there; that is the one deliberate difference in this interface.
+#ifndef _ODE_ERROR_H_
+#define _ODE_ERROR_H_
+
+#include <ode/odeconfig.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A handler. errnum: one of the d_ERR_... numbers of common.h, 0 when unknown; msg: printf format;
+    ap: its arguments, which the handler may consume once. */
+typedef void dMessageFunction(int errnum, const char *msg, va_list ap);
+
+/** Install the handler of dError / dDebug / dMessage; NULL brings the default back, which prints to
+    stderr. Process-wide; install handlers before other threads use the library. A handler may leave
+    by longjmp or by a C++ exception. */
+ODE_API void dSetErrorHandler(dMessageFunction *fn);
+ODE_API void dSetDebugHandler(dMessageFunction *fn);
+ODE_API void dSetMessageHandler(dMessageFunction *fn);
+
+/** The handler installed by the program, or NULL when it is the default one. */
+ODE_API dMessageFunction *dGetErrorHandler(void);
+ODE_API dMessageFunction *dGetDebugHandler(void);
+ODE_API dMessageFunction *dGetMessageHandler(void);
+
+/** For programs: report a fatal user-level error and leave the process with exit(1), also when a
+    handler returns. num: error number, shown unless 0; msg, ...: as for printf. */
+ODE_API void ODE_NORETURN dError(int num, const char *msg, ...);
+
+/** For programs: report a broken assumption and abort(), also when a handler returns. */
+ODE_API void ODE_NORETURN dDebug(int num, const char *msg, ...);
+
+/** Report something worth knowing and go on. */
+ODE_API void dMessage(int num, const char *msg, ...);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

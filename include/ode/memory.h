@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Memory of the library. Objects (worlds, bodies, joints, geoms, spaces) come from dAlloc and go
+// to dFree with the size they were asked with, so a program can place or count them.
+// Set handlers before the first object exists: memory must be freed by the partner of what gave it.
+#ifndef _ODE_MEMORY_H_
+#define _ODE_MEMORY_H_
+
+#include <ode/odeconfig.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** Gives `size` bytes aligned for any type, or NULL. */
+typedef void *dAllocFunction(dsizeint size);
+/** Resizes a block from oldsize to newsize bytes, keeping the common part. */
+typedef void *dReallocFunction(void *ptr, dsizeint oldsize, dsizeint newsize);
+/** Takes back a block of `size` bytes. */
+typedef void dFreeFunction(void *ptr, dsizeint size);
+
+/** Install a handler; NULL brings malloc / realloc / free back. Process-wide. */
+ODE_API void dSetAllocHandler(dAllocFunction *fn);
+ODE_API void dSetReallocHandler(dReallocFunction *fn);
+ODE_API void dSetFreeHandler(dFreeFunction *fn);
+
+/** The installed handler, or NULL when it is the default one. */
+ODE_API dAllocFunction *dGetAllocHandler(void);
+ODE_API dReallocFunction *dGetReallocHandler(void);
+ODE_API dFreeFunction *dGetFreeHandler(void);
+
+/** Use the handlers (or the defaults). dFree(NULL, n) does nothing and calls no handler. */
+ODE_API void *dAlloc(dsizeint size);
+ODE_API void *dRealloc(void *ptr, dsizeint oldsize, dsizeint newsize);
+ODE_API void dFree(void *ptr, dsizeint size);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
