@@ -5,6 +5,8 @@
 // p_world = position + R p_body, and q1 q2 rotates by q2 first.
 #pragma once
 
+#include <initializer_list>
+
 #include "math/mat.h"
 
 namespace epode {

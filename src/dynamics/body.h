@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The body that the user holds. Its first block is visible through the ABI: clients keep the pointers that
+// dBodyGetPosition and its sisters return, so the address and ODE's padded layout never change. Solvers work
+// on their own copy (rows/row_system.h).
+//
+//   x' = v,  m v' = f;   I w' = t - w x I w, I = R I_body R^T;   q' = 1/2 (0, w) q
+#pragma once
+
+#include "base/array.h"
+#include "base/handle.h"
+#include "math/pose.h"
+#include "ode/mass.h"
+#include "ode/objects.h"
+
+namespace epode {
+
+struct World;
+struct Joint;
+struct JointNode;
+
+// When a body may fall asleep; thresholds are kept squared, as they are compared.
+struct SleepRule {
+    Real linear_threshold2 = Real(0.01) * Real(0.01);
+    Real angular_threshold2 = Real(0.01) * Real(0.01);
+    int steps = 10;
+    Real time = 0;
+    int samples = 1;
+};
+
+struct DampingRule {
+    Real linear_scale = 0, angular_scale = 0;
+    Real linear_threshold2 = Real(0.01) * Real(0.01);
+    Real angular_threshold2 = Real(0.01) * Real(0.01);
+};
+
+struct Body : Tagged {
+    explicit Body(World& world);
+    ~Body();
+
+    // ---- visible through the ABI ----
+    alignas(kCacheLine) Real pos[4] = {};
+    Real q[4] = {1, 0, 0, 0};
+    Real R[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    Real lvel[4] = {};
+    Real avel[4] = {};
+    Real facc[4] = {};  // force and torque accumulators, world frame
+    Real tacc[4] = {};
+
+    // ---- read once a step ----
+    Real inv_mass = 1;           // 0: kinematic
+    Sym3 inertia{1, 1, 1};       // body frame, about the centre
+    Sym3 inv_inertia{1, 1, 1};   // 0: kinematic
+    bool disabled = false;
+    bool gravity = true;
+    bool gyroscopic = true;
+    bool finite_rotation = false;
+    bool auto_disable = false;
+    Vec3 finite_axis;            // zero: none
+    Real max_angular_speed = kInf;
+    DampingRule damping;
+    int island_index = -1;       // place in its island during a step, else -1
+
+    // ---- rest ----
+    World* world;
+    Body* next = nullptr;        // world's list, newest first
+    Body* prev = nullptr;
+    JointNode* joints = nullptr; // most recently attached first
+    dxGeom* first_geom = nullptr;  // list of geoms; only step/link.cpp looks inside
+    void* data = nullptr;
+    void (*moved)(dBodyID) = nullptr;
+    dMass mass;                  // as the user gave it, kept while kinematic
+    SleepRule sleep;
+    int idle_steps_left = 0;
+    Real idle_time_left = 0;
+    Array<Vec3> sample_v, sample_w;  // rings of sleep.samples velocities
+    int sample_next = 0;
+    bool samples_ready = false;
+
+    Pose pose() const { return load_pose(pos, R); }
+    Vec3 position() const { return load(pos); }
+    Mat3 rotation() const { return load_mat(R); }
+    Quat orientation() const { return load_quat(q); }
+    Vec3 velocity() const { return load(lvel); }
+    Vec3 angular_velocity() const { return load(avel); }
+    bool kinematic() const { return inv_mass == 0; }
+    Vec3 point_velocity(Vec3 point) const
+    {
+        return velocity() + cross(angular_velocity(), point - position());
+    }
+};
+
+template <>
+struct HandleOf<Body> {
+    using Id = dBodyID;
+    static constexpr Tag kTag = Tag::kBody;
+};
+
+Body* create_body(World& world);
+void destroy_body(Body& body);  // its joints are detached; geoms are the caller's business (step/link)
+
+void set_orientation(Body& body, Quat unit);   // writes q and R
+bool set_mass(Body& body, const dMass& mass);  // false: not positive definite or off-centre, nothing changed
+void set_kinematic(Body& body);
+void set_dynamic(Body& body);
+void set_auto_disable(Body& body, bool on);
+bool set_sleep_samples(Body& body, int samples);
+void wake(Body& body);  // clears `disabled` and reloads the idle counters
+
+}  // namespace epode

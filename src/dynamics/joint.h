@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What all joints have in common: the two bodies, their place in the lists, feedback and last impulses; and
+// JointType, the table of functions that makes one type out of a file in joints/. Node 0 holds "body 1" of
+// the mathematics and is never empty on an acting joint: attaching (0, B) stores B at node 0 and sets
+// `reverse`, as ODE does, so rows are always written from node 0's side.
+#pragma once
+
+#include "base/handle.h"
+#include "dynamics/body.h"
+#include "ode/objects.h"
+#include "rows/row.h"
+
+namespace epode {
+
+class RowWriter;
+struct StepInfo;
+struct JointGroup;
+struct Joint;
+
+// Membership of a joint in one body's list.
+struct JointNode {
+    Joint* joint = nullptr;
+    Body* body = nullptr;
+    JointNode* next = nullptr;
+    JointNode* prev = nullptr;
+};
+
+struct JointType {
+    int number;        // dJointType
+    const char* name;  // as in the C names: "Ball", "Hinge2"
+    int max_rows;
+    bool needs_two_bodies;
+    // Writes the rows of this step; may note limit states in the joint. Called once a step and, by steppers
+    // with inner steps, again at inner poses.
+    void (*emit)(Joint&, RowWriter&);
+    void (*attached)(Joint&);                       // bodies have changed: recompute relative values
+    bool (*set_param)(Joint&, int param, Real value);  // false: unknown here
+    bool (*get_param)(const Joint&, int param, Real& value);
+    void (*destroy)(Joint&);
+};
+
+struct Joint : Tagged {
+    Joint(const JointType& type, World& world);
+    ~Joint();
+
+    const JointType* type;
+    World* world;              // null once its world is gone and only a group keeps it
+    JointGroup* group = nullptr;
+    int group_index = -1;
+    Joint* next = nullptr;     // world's list, newest first
+    Joint* prev = nullptr;
+    JointNode node[2];
+    bool reverse = false;
+    bool disabled = false;
+    int island_mark = 0;       // step number of the last visit
+    dJointFeedback* feedback = nullptr;
+    void* data = nullptr;
+    Real impulse[kMaxJointRows] = {};  // of the last step, for warm starting
+    int impulse_rows = 0;
+
+    Body* body1() const { return node[0].body; }
+    Body* body2() const { return node[1].body; }
+    bool attached() const { return node[0].body != nullptr; }
+    // Body as the user numbered them.
+    Body* user_body(int i) const { return node[reverse ? 1 - i : i].body; }
+};
+
+template <>
+struct HandleOf<Joint> {
+    using Id = dJointID;
+    static constexpr Tag kTag = Tag::kJoint;
+};
+
+void detach(Joint& joint);                     // leaves both body lists
+void attach(Joint& joint, Body* a, Body* b);   // arguments already checked
+void link_into_world(Joint& joint, JointGroup* group);
+void destroy_joint(Joint& joint);
+
+// Acts in the step: not disabled and at least one body that can move.
+inline bool acting(const Joint& j)
+{
+    return !j.disabled && ((j.body1() && j.body1()->inv_mass > 0) || (j.body2() && j.body2()->inv_mass > 0));
+}
+
+}  // namespace epode

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A world: its parameters, its bodies and joints in ODE's order (newest first), and the memory of its steps.
+// `step_state` belongs to step/, the only folder that knows what survives from one step to the next.
+#pragma once
+
+#include "base/arena.h"
+#include "base/handle.h"
+#include "dynamics/body.h"
+#include "dynamics/joint.h"
+#include "ode/ext.h"
+
+namespace epode {
+
+struct StepState;
+
+struct World : Tagged {
+    World();
+    ~World();
+
+    Body* bodies = nullptr;
+    Joint* joints = nullptr;
+    int body_count = 0;
+    int joint_count = 0;
+
+    Vec3 gravity;
+    Real erp = Real(0.2);
+    Real cfm = kSingle ? Real(1e-5) : Real(1e-10);
+    Real contact_max_vel = kInf;
+    Real contact_layer = 0;
+    int quick_iterations = 20;
+    Real quick_w = Real(1.3);
+    Real warm_starting = Real(0.9);  // share of the last impulse that QuickStep starts from
+    int auto_enable_depth = 3;       // of the 0.039 guide; stored, never used by it either
+    int islands_max_threads = 0;     // 0: unlimited
+
+    // Seeds of new bodies.
+    bool auto_disable = false;
+    SleepRule sleep;
+    DampingRule damping;
+    Real max_angular_speed = kInf;
+
+    void* data = nullptr;
+    std::uint64_t step_count = 0;
+    bool stepping = false;           // calls that would pull the step's feet away are refused meanwhile
+    bool report_wanted = false;
+    dWorldStepReport report{};
+
+    Arena arena;
+    StepState* step_state = nullptr;
+    void (*free_step_state)(StepState*) = nullptr;
+};
+
+template <>
+struct HandleOf<World> {
+    using Id = dWorldID;
+    static constexpr Tag kTag = Tag::kWorld;
+};
+
+}  // namespace epode

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// One scalar constraint as a joint states it: facts, no policy.
+//
+//   J v = lin1.v1 + ang1.w1 + lin2.v2 + ang2.w2     relative velocity along the row
+//   error                                           position error; positive wants J v > 0
+//   speed                                           wanted J v besides the correction of the error
+//   lo <= lambda <= hi                              bounds of the constraint force (N or N m)
+//
+// What a stepper asks for is made of this in rows/policy.cpp:  J v + (cfm/h)(h lambda) = c, where
+// c = min(erp/h * error + speed, cap), and not less than the rebound where there is one.
+// ODE's joints write c directly; keeping error and rate apart lets one text of a joint serve steppers that
+// treat position error differently (idea: MuJoCo's constraint rows, ODE's getInfo2).
+#pragma once
+
+#include "math/vec.h"
+
+namespace epode {
+
+enum class RowKind : unsigned char {
+    kLock,      // equality of a joint: hold it hard
+    kLimit,     // stop or motor: bounded
+    kNormal,    // contact normal, lambda >= 0
+    kFriction,  // bounded by a share of another row's force, or by a constant
+};
+
+struct Row {
+    Vec3 lin1, ang1, lin2, ang2;
+    Real error = 0;
+    Real erp = 0;            // share of the error to remove in one step
+    Real cfm = 0;            // softness, velocity per force times h (ODE's CFM)
+    Real speed = 0;
+    Real cap = kInf;         // largest c that correction and speed together may ask for
+    Real rebound = 0;        // J v wanted after an impact; used when `rebounds`
+    Real lo = -kInf, hi = kInf;
+    int parent = -1;         // row of the same joint whose force times `hi` bounds this row; -1: constant bounds
+    RowKind kind = RowKind::kLock;
+    bool rebounds = false;
+    bool soft = false;       // the user chose erp or cfm for this row: take them literally
+};
+
+inline constexpr int kMaxJointRows = 6;
+
+}  // namespace epode

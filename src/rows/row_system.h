@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// One island as a solver sees it: bodies, rows and numbers, no joints and no world. With impulses p = h lambda
+//
+//   M (v - v*) = J^T p,     w_i = J_i v + C_i p_i - c_i
+//   lo_i < p_i < hi_i -> w_i = 0;   p_i = lo_i -> w_i >= 0;   p_i = hi_i -> w_i <= 0
+//
+// where v* is the velocity after all external forces, C = cfm/h, and friction rows take their bounds from
+// their parent's impulse. A solver leaves p and v; who it was, the caller need not know.
+#pragma once
+
+#include <span>
+
+#include "math/mat.h"
+#include "rows/row.h"
+
+namespace epode {
+
+// 128 bytes in double: what sweeps touch comes first.
+struct SolverBody {
+    Vec3 v, w;             // in: v*; out: the answer
+    Real inv_mass = 0;     // zero for kinematic bodies
+    Sym3 inv_inertia;      // world frame
+    Real mass = 0;         // of the exact solver; 0 when inv_mass is 0
+    Sym3 inertia;          // world frame
+};
+
+// The numbers that a policy makes of a Row.
+struct RowNumbers {
+    Real c = 0;         // wanted J v, m/s or rad/s
+    Real C = 0;         // softness of p: cfm / h
+    Real lo = -kInf;    // bounds of p; for rows with a parent: hi is the friction coefficient, lo = -hi
+    Real hi = kInf;
+    Real p = 0;         // impulse: warm start in, answer out
+    int parent = -1;    // row of the island, or -1
+};
+
+// The rows of one joint.
+struct RowBlock {
+    int first = 0;
+    int count = 0;
+    int body1 = 0;      // index into bodies
+    int body2 = -1;     // -1: the world
+    bool contact = false;
+};
+
+struct RowSystem {
+    Real h = 0;
+    std::span<SolverBody> bodies;
+    std::span<const Row> rows;
+    std::span<RowNumbers> numbers;   // parallel to rows
+    std::span<RowBlock> blocks;      // in joint order, covering rows without gaps
+};
+
+// How a solver with inner steps drives the model between its solves. Implemented by step/, which knows joints.
+struct Substeps {
+    void* model = nullptr;
+    // v += h M^-1 f with gravity and gyroscopic torque, in the SolverBodies.
+    void (*apply_forces)(void* model, RowSystem& system, Real h) = nullptr;
+    // x += h v; refreshes the rotation and world inertia in the SolverBodies.
+    void (*advance)(void* model, RowSystem& system, Real h) = nullptr;
+    // Rewrites Jacobians and errors of all non-contact blocks at the present pose (row counts do not change).
+    void (*refresh)(void* model, RowSystem& system, Real h) = nullptr;
+};
+
+// J_i v of row r between bodies a and b (null: world).
+inline Real row_velocity(const Row& r, const SolverBody& a, const SolverBody* b)
+{
+    Real s = dot(r.lin1, a.v) + dot(r.ang1, a.w);
+    if (b) s += dot(r.lin2, b->v) + dot(r.ang2, b->w);
+    return s;
+}
+
+// v += M^-1 J^T dp
+inline void apply_impulse(const Row& r, Real dp, SolverBody& a, SolverBody* b)
+{
+    a.v += (a.inv_mass * dp) * r.lin1;
+    a.w += dp * (a.inv_inertia * r.ang1);
+    if (b) {
+        b->v += (b->inv_mass * dp) * r.lin2;
+        b->w += dp * (b->inv_inertia * r.ang2);
+    }
+}
+
+// J M^-1 J^T of one row, without C.
+inline Real row_mobility(const Row& r, const SolverBody& a, const SolverBody* b)
+{
+    Real s = a.inv_mass * length2(r.lin1) + dot(r.ang1, a.inv_inertia * r.ang1);
+    if (b) s += b->inv_mass * length2(r.lin2) + dot(r.ang2, b->inv_inertia * r.ang2);
+    return s;
+}
+
+}  // namespace epode
