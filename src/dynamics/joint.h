@@ -75,7 +75,8 @@ struct HandleOf<Joint> {
 
 void detach(Joint& joint);                     // leaves both body lists
 void attach(Joint& joint, Body* a, Body* b);   // arguments already checked
-void link_into_world(Joint& joint, JointGroup* group);
+[[nodiscard]] bool link_into_world(Joint& joint, JointGroup* group);  // false: no memory, nothing done
+void unlink_from_world(Joint& joint);          // `world` becomes null; a group may still keep the joint
 void destroy_joint(Joint& joint);
 
 // Acts in the step: not disabled and at least one body that can move.

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Birth, death and invariants of bodies: q is a unit quaternion and R its matrix, inv_mass and inv_inertia are
+// zero for a kinematic body and the inverses of the stored mass otherwise.
+#include "dynamics/body.h"
+
+#include "base/pool.h"
+#include "dynamics/joint.h"
+#include "dynamics/world.h"
+
+namespace epode {
+namespace {
+
+dMass unit_mass()
+{
+    dMass m{};
+    m.mass = m.I[0] = m.I[5] = m.I[10] = 1;
+    return m;
+}
+
+// Sylvester's criterion, relative to the size of the entries.
+bool positive_definite(const Sym3& s)
+{
+    const Real minor2 = s.xx * s.yy - s.xy * s.xy;
+    const Real minor3 = determinant(full(s));
+    const Real size = max_component({s.xx, s.yy, s.zz});
+    return s.xx > 0 && s.yy > 0 && s.zz > 0 && minor2 > 0 && minor3 > 0 && size < kInf;
+}
+
+void link(Body& body, World& world)
+{
+    body.next = world.bodies;
+    if (body.next) body.next->prev = &body;
+    world.bodies = &body;
+    ++world.body_count;
+}
+
+void unlink(Body& body)
+{
+    (body.prev ? body.prev->next : body.world->bodies) = body.next;
+    if (body.next) body.next->prev = body.prev;
+    --body.world->body_count;
+}
+
+}  // namespace
+
+Body::Body(World& w) : Tagged(Tag::kBody), world(&w), mass(unit_mass())
+{
+    auto_disable = w.auto_disable;
+    sleep = w.sleep;
+    damping = w.damping;
+    max_angular_speed = w.max_angular_speed;
+    idle_steps_left = sleep.steps;
+    idle_time_left = sleep.time;
+}
+
+Body::~Body() = default;
+
+Body* create_body(World& world)
+{
+    Body* body = Pool<Body>::create(world);
+    if (!body) return nullptr;
+    if (!set_sleep_samples(*body, world.sleep.samples)) {
+        Pool<Body>::destroy(body);
+        return nullptr;
+    }
+    link(*body, world);
+    return body;
+}
+
+void destroy_body(Body& body)
+{
+    while (body.joints) detach(*body.joints->joint);
+    unlink(body);
+    Pool<Body>::destroy(&body);
+}
+
+void set_orientation(Body& body, Quat unit)
+{
+    store_quat(body.q, unit);
+    store_mat(body.R, to_matrix(unit));
+}
+
+bool set_mass(Body& body, const dMass& mass)
+{
+    const Sym3 inertia = symmetric_part(load_mat(mass.I));
+    Mat3 inverse;
+    if (!usable(mass.mass) || !(mass.mass > 0) || !usable(mass.c, 3) || !usable(mass.I, 12)) return false;
+    if (max_component(abs(load(mass.c))) > kEpsilon || !positive_definite(inertia)) return false;
+    if (!invert(full(inertia), inverse)) return false;
+    body.mass = mass;
+    body.inertia = inertia;
+    body.inv_mass = 1 / mass.mass;
+    body.inv_inertia = symmetric_part(inverse);
+    return true;
+}
+
+void set_kinematic(Body& body)
+{
+    body.inv_mass = 0;
+    body.inv_inertia = Sym3{};
+}
+
+void set_dynamic(Body& body)
+{
+    const dMass stored = body.mass;
+    set_mass(body, stored);
+}
+
+// Switching it off also wakes the body and takes the idle rules of the world again, as ODE does.
+void set_auto_disable(Body& body, bool on)
+{
+    body.auto_disable = on;
+    if (on) return;
+    body.disabled = false;
+    body.sleep.steps = body.world->sleep.steps;
+    body.sleep.time = body.world->sleep.time;
+    set_sleep_samples(body, body.world->sleep.samples);
+}
+
+bool set_sleep_samples(Body& body, int samples)
+{
+    Array<Vec3> v, w;
+    if (!v.resize(samples) || !w.resize(samples)) return false;
+    body.sample_v.swap(v);
+    body.sample_w.swap(w);
+    body.sleep.samples = samples;
+    body.sample_next = 0;
+    body.samples_ready = false;
+    return true;
+}
+
+void wake(Body& body)
+{
+    body.disabled = false;
+    body.idle_steps_left = body.sleep.steps;
+    body.idle_time_left = body.sleep.time;
+}
+
+}  // namespace epode

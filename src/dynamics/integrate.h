@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// From forces to velocities and from velocities to poses: semi-implicit Euler, as ODE's.
+#pragma once
+
+#include "dynamics/body.h"
+
+namespace epode {
+
+// Torque of gyroscopic precession over a step h, so chosen that no spin rate makes it unstable; zero when the
+// body does not want it.
+Vec3 gyroscopic_torque(const Body& body, Vec3 angular_velocity, Real h);
+
+// Limits the spin, then x += h v and the orientation accordingly. Velocities are those in the body.
+void advance_pose(Body& body, Real h);
+
+// Velocity damping after a step, as ODE applies it (independent of h).
+void damp(Body& body);
+
+}  // namespace epode

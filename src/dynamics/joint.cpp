@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Attaching and detaching: each body keeps a doubly linked list of its joints, the most recent first, so that
+// a thousand contacts on one body come and go at constant cost.
+#include "dynamics/joint.h"
+
+#include "dynamics/joint_group.h"
+#include "dynamics/world.h"
+
+namespace epode {
+namespace {
+
+void enter(JointNode& node, Body* body)
+{
+    node.body = body;
+    if (!body) return;
+    node.prev = nullptr;
+    node.next = body->joints;
+    if (node.next) node.next->prev = &node;
+    body->joints = &node;
+}
+
+void leave(JointNode& node)
+{
+    if (node.body) {
+        (node.prev ? node.prev->next : node.body->joints) = node.next;
+        if (node.next) node.next->prev = node.prev;
+    }
+    node.body = nullptr;
+    node.next = node.prev = nullptr;
+}
+
+}  // namespace
+
+Joint::Joint(const JointType& t, World& w) : Tagged(Tag::kJoint), type(&t), world(&w)
+{
+    node[0].joint = node[1].joint = this;
+}
+
+Joint::~Joint() = default;
+
+void detach(Joint& joint)
+{
+    leave(joint.node[0]);
+    leave(joint.node[1]);
+    joint.impulse_rows = 0;
+}
+
+void attach(Joint& joint, Body* a, Body* b)
+{
+    detach(joint);
+    joint.reverse = a == nullptr;
+    if (joint.reverse) a = b, b = nullptr;
+    enter(joint.node[0], a);
+    enter(joint.node[1], b);
+    if (a) joint.type->attached(joint);
+}
+
+bool link_into_world(Joint& joint, JointGroup* group)
+{
+    if (group) {
+        if (!group->joints.push(&joint)) return false;
+        joint.group = group;
+        joint.group_index = group->joints.size() - 1;
+    }
+    World& world = *joint.world;
+    joint.next = world.joints;
+    if (joint.next) joint.next->prev = &joint;
+    world.joints = &joint;
+    ++world.joint_count;
+    return true;
+}
+
+void unlink_from_world(Joint& joint)
+{
+    if (!joint.world) return;
+    (joint.prev ? joint.prev->next : joint.world->joints) = joint.next;
+    if (joint.next) joint.next->prev = joint.prev;
+    --joint.world->joint_count;
+    joint.world = nullptr;
+    joint.next = joint.prev = nullptr;
+}
+
+void destroy_joint(Joint& joint)
+{
+    detach(joint);
+    unlink_from_world(joint);
+    joint.type->destroy(joint);
+}
+
+}  // namespace epode

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A world that dies takes its bodies and its ungrouped joints along. Joints in a group stay in the group's
+// care, without world and bodies, until the group is emptied: the order in which clients tear down does not
+// matter.
+#include "dynamics/world.h"
+
+#include "base/messages.h"
+
+namespace epode {
+
+World::World() : Tagged(Tag::kWorld) {}
+
+World::~World()
+{
+    while (bodies) destroy_body(*bodies);
+    while (joints) {
+        Joint& joint = *joints;
+        if (joint.group) {
+            note(0, "warning: destroying world containing grouped joints");
+            detach(joint);
+            unlink_from_world(joint);
+        } else {
+            destroy_joint(joint);
+        }
+    }
+    if (step_state) free_step_state(step_state);
+}
+
+}  // namespace epode
