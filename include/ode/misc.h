@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// misc.
+// Random numbers and helpers for looking at and comparing matrices.
+// The generator is s = 1664525 s + 1013904223 mod 2^32 (the constants of Numerical Recipes), one
+// state for the process, starting at 0: fine for repeatable test scenes, not for statistics. Matrices are
+// padded as in matrix.h.
 #ifndef _ODE_MISC_H_
 #define _ODE_MISC_H_
 
@@ -11,21 +14,46 @@
 extern "C" {
 #endif
 
-
-ODE_API void dClearUpperTriangle(dReal *A, int n);
-ODE_API void dMakeRandomMatrix(dReal *A, int n, int m, dReal range);
-ODE_API void dMakeRandomVector(dReal *A, int n, dReal range);
-ODE_API dReal dMaxDifference(const dReal *A, const dReal *B, int n, int m);
-ODE_API dReal dMaxDifferenceLowerTriangle(const dReal *A, const dReal *B, int n);
-ODE_API void dPrintMatrix(const dReal *A, int n, int m, const char *fmt, FILE *f);
-ODE_API unsigned long dRand(void);
-ODE_API unsigned long dRandGetSeed(void);
-ODE_API int dRandInt(int n);
-ODE_API dReal dRandReal(void);
-ODE_API void dRandSetSeed(unsigned long s);
+/** 1 when the generator gives its known first numbers. The state is kept. */
 ODE_API int dTestRand(void);
 
+/** The next number, 0 ... 2^32 - 1. */
+ODE_API unsigned long dRand(void);
+
+/** The generator's state; setting it makes what follows repeatable. */
+ODE_API unsigned long dRandGetSeed(void);
+ODE_API void dRandSetSeed(unsigned long s);
+
+/** An integer 0 ... n-1 from one draw of dRand; 0 when n <= 1. */
+ODE_API int dRandInt(int n);
+
+/** A real in [0, 1] from one draw of dRand; both ends can occur. */
+ODE_API dReal dRandReal(void);
+
+/** Print an n x m matrix, each element with the printf format fmt, a line per row. */
+ODE_API void dPrintMatrix(const dReal *A, int n, int m, const char *fmt, FILE *f);
+
+/** Fill a vector of n, or an n x m matrix (row by row, padding untouched), with reals from
+    -range ... range. */
+ODE_API void dMakeRandomVector(dReal *A, int n, dReal range);
+ODE_API void dMakeRandomMatrix(dReal *A, int n, int m, dReal range);
+
+/** Zero the elements above the diagonal of an n x n matrix. */
+ODE_API void dClearUpperTriangle(dReal *A, int n);
+
+/** The largest absolute difference of two n x m matrices, or of two n x n lower triangles
+    (diagonal included). */
+ODE_API dReal dMaxDifference(const dReal *A, const dReal *B, int n, int m);
+ODE_API dReal dMaxDifferenceLowerTriangle(const dReal *A, const dReal *B, int n);
+
 #ifdef __cplusplus
+}
+#endif
+
+#ifdef __cplusplus
+/** dPrintMatrix to the standard output. */
+static inline void dPrintMatrix(const dReal *A, int n, int m, const char *fmt = "%10.4f ") {
+  dPrintMatrix(A, n, m, fmt, stdout);
 }
 #endif
 
