@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// C's stdio rather than a stream: a full disk shows in ferror and fclose, and with its reason in errno.
+#include "cli/trace.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+
+namespace epode::cli {
+
+Trace::~Trace()
+{
+    if (file_) std::fclose(file_);
+}
+
+bool Trace::open(const std::string& path, const scenes::Scene& scene)
+{
+    file_ = std::fopen(path.c_str(), "w");
+    if (!file_) {
+        problem_ = std::strerror(errno);
+        return false;
+    }
+    fmt::print(file_, "time,energy,kinetic,penetration,joint_error,residual,ms,contacts");
+    for (size_t i = 0; i < scene.tracked.size(); ++i) fmt::print(file_, ",x{0},y{0},z{0}", i);
+    fmt::print(file_, "\n");
+    return true;
+}
+
+void Trace::add(const scenes::Scene& scene, const scenes::Quality& quality, const scenes::RunRecord& record)
+{
+    if (!file_ || std::ferror(file_)) return;
+    std::string line = fmt::format("{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},", scene.time(), quality.energy(), quality.kinetic,
+                                   quality.penetration, quality.joint_error);
+    if (record.has_residual) line += fmt::format("{:.6g}", record.last_residual);
+    line += fmt::format(",{:.4g},{}", scene.times().total_ms(), scene.contacts().size());
+    for (dBodyID body : scene.tracked) {
+        const dReal* pos = dBodyGetPosition(body);
+        line += fmt::format(",{:.9g},{:.9g},{:.9g}", pos[0], pos[1], pos[2]);
+    }
+    line += '\n';
+    std::fwrite(line.data(), 1, line.size(), file_);
+}
+
+bool Trace::close()
+{
+    if (!file_) return true;
+    const bool written = !std::ferror(file_);
+    const bool closed = std::fclose(file_) == 0;
+    if (!written || !closed) problem_ = errno ? std::strerror(errno) : "write error";
+    file_ = nullptr;
+    return written && closed;
+}
+
+}  // namespace epode::cli

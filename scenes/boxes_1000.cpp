@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Boxes-1000, the benchmark scene: a loose 10 x 10 x 10 grid of unit boxes dropped into a pit, dt 1/60, friction 0.6. Layers are shifted and
+// turned a little so that nothing balances by symmetry. It falls, crowds and comes to rest: collision and contact rows in one figure.
+#include "scenes/build.h"
+
+namespace epode::scenes {
+
+namespace {
+
+constexpr int kSide = 10;
+
+void build(Scene& scene)
+{
+    Lcg random(scene.seed());
+    const double pitch = 1.2, half = 7;
+    add_ground(scene);
+    add_pit(scene, half, half, 10);
+    for (int layer = 0; layer < kSide; ++layer) {
+        for (int i = 0; i < kSide * kSide; ++i) {
+            const Vec grid{(i % kSide - 0.5 * (kSide - 1)) * pitch, (i / kSide - 0.5 * (kSide - 1)) * pitch, 1 + layer * pitch};
+            const Vec shift{random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05), 0};
+            add_box(scene, {1, 1, 1}, 1000, grid + shift, turn(kZ, random.uniform(-0.05, 0.05)));
+        }
+    }
+    set_view(scene, {-17, -21, 18}, {0, 0.4, 3.6});
+}
+
+}  // namespace
+
+extern const Recipe kBoxes1000 = {"boxes-1000", "10 x 10 x 10 unit boxes dropped into a pit; the benchmark scene", 1.0 / 60, 6,
+                                  Stepper::kQuick, build};
+
+}  // namespace epode::scenes

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Words for building scenes: a body with its shape and mass in one call, static shapes, joints that are recorded for measuring.
+// Densities in kg/m3, sizes in metres, angles in radians. Boxes by full side lengths, capsules and cylinders along their local z.
+#pragma once
+
+#include "scenes/scene.h"
+
+namespace epode::scenes {
+
+struct Vec {
+    double x = 0, y = 0, z = 0;
+};
+inline Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vec operator*(double s, Vec a) { return {s * a.x, s * a.y, s * a.z}; }
+
+struct Turn {
+    double w = 1, x = 0, y = 0, z = 0;  // unit quaternion
+};
+Turn turn(Vec axis, double angle);  // axis of any length but zero
+Turn operator*(Turn a, Turn b);     // b first
+Vec rotate(Turn q, Vec v);
+
+constexpr Vec kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
+constexpr double kPi = 3.14159265358979323846;
+
+// Dynamic bodies: one geom, its mass, one pose.
+dBodyID add_sphere(Scene& scene, double radius, double density, Vec pos);
+dBodyID add_box(Scene& scene, Vec size, double density, Vec pos, Turn q = {});
+dBodyID add_capsule(Scene& scene, double radius, double length, double density, Vec pos, Turn q = {});
+dBodyID add_cylinder(Scene& scene, double radius, double length, double density, Vec pos, Turn q = {});
+// A capsule from one point to another, its caps included.
+dBodyID add_limb(Scene& scene, double radius, double density, Vec from, Vec to);
+
+// One more geom on a body, without mass, at a pose relative to it.
+dGeomID attach_box(Scene& scene, dBodyID body, Vec size, Vec offset, Turn q = {});
+dGeomID attach_sphere(Scene& scene, dBodyID body, double radius, Vec offset);
+dGeomID attach_cylinder(Scene& scene, dBodyID body, double radius, double length, Vec offset, Turn q = {});
+
+// Static shapes.
+dGeomID add_ground(Scene& scene, double height = 0);
+dGeomID add_static_box(Scene& scene, Vec size, Vec pos, Turn q = {});
+// Four thick walls around the origin; inner sides 2*half_x by 2*half_y.
+void add_pit(Scene& scene, double half_x, double half_y, double height);
+
+void set_velocity(dBodyID body, Vec linear, Vec angular = {});
+// What a body touches: its geoms have category `category` and meet only categories in `collide`.
+void set_bits(dBodyID body, unsigned long category, unsigned long collide);
+
+// Joints. body2 may be null: the world.
+dJointID add_ball(Scene& scene, dBodyID body1, dBodyID body2, Vec anchor);
+dJointID add_hinge(Scene& scene, dBodyID body1, dBodyID body2, Vec anchor, Vec axis);
+dJointID add_universal(Scene& scene, dBodyID body1, dBodyID body2, Vec anchor, Vec axis1, Vec axis2);
+dJointID add_hinge2(Scene& scene, dBodyID body1, dBodyID body2, Vec anchor, Vec axis1, Vec axis2);
+dJointID add_slider(Scene& scene, dBodyID body1, dBodyID body2, Vec axis);
+dJointID add_fixed(Scene& scene, dBodyID body1, dBodyID body2);
+void set_hinge_stops(dJointID joint, double low, double high);
+void set_universal_stops(dJointID joint, double low1, double high1, double low2, double high2);
+
+void set_view(Scene& scene, Vec eye, Vec target);
+
+// x' = 1664525 x + 1013904223 mod 2^32 (Numerical Recipes): few lines, the same numbers everywhere; the high bits are used.
+class Lcg {
+  public:
+    explicit Lcg(std::uint32_t seed) : state_(seed * 2654435761u + 1u) {}
+    std::uint32_t next() { return state_ = state_ * 1664525u + 1013904223u; }
+    double uniform(double low, double high) { return low + (high - low) * (next() >> 8) / 16777216.0; }
+    int below(int count) { return int((std::uint64_t(next() >> 8) * unsigned(count)) >> 24); }
+    Turn any_turn() { return turn({uniform(-1, 1), uniform(-1, 1), uniform(0.1, 1)}, uniform(-kPi, kPi)); }
+
+  private:
+    std::uint32_t state_;
+};
+
+}  // namespace epode::scenes

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What Epode's library has beyond ODE's, found at run time: a program built with this runs on any libode.so.8 and says what is missing.
+// dlsym rather than weak symbols: a weak reference is settled when the program is linked, and then it no longer starts on the other library.
+#pragma once
+
+#include <ode/ode.h>
+
+#include <optional>
+#include <string>
+
+namespace epode::scenes {
+
+struct StepReport {
+    double residual = 0;  // worst error of the step's complementarity problem over its islands, 0: solved exactly
+    int islands = 0, bodies = 0, joints = 0, rows = 0;
+    int iterations = 0, fallbacks = 0, contained_islands = 0;
+};
+
+bool has_step_fast();
+// dWorldStepFast1; 0 where the library has none.
+int step_fast(dWorldID world, dReal dt, int small_steps);
+
+// Residuals cost time, so a world reports only when asked to. False where the library cannot.
+bool request_step_report(dWorldID world, bool on);
+std::optional<StepReport> step_report(dWorldID world);
+
+// The file of the libode that this process runs on, "statically linked" when there is none.
+std::string loaded_library();
+
+}  // namespace epode::scenes

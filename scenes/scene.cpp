@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The life of a scene and one step of it. Contacts use friction that scales with the normal force (dContactApprox1), as real friction does.
+// Pairs that a joint connects are left out: their overlap is meant.
+#include "scenes/scene.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "scenes/extensions.h"
+
+namespace epode::scenes {
+
+namespace {
+
+constexpr int kMaxContactsPerPair = 32;
+constexpr int kDefaultSweeps = 20;
+constexpr int kDefaultSmallSteps = 4;
+
+using Clock = std::chrono::steady_clock;
+
+double milliseconds(Clock::time_point from, Clock::time_point to)
+{
+    return std::chrono::duration<double, std::milli>(to - from).count();
+}
+
+bool moves(dBodyID body) { return body && dBodyIsEnabled(body); }
+
+}  // namespace
+
+const char* name_of(Stepper stepper)
+{
+    switch (stepper) {
+        case Stepper::kExact: return "exact";
+        case Stepper::kQuick: return "quick";
+        case Stepper::kFast: return "fast";
+    }
+    return "";
+}
+
+bool stepper_named(const std::string& name, Stepper& stepper)
+{
+    for (Stepper candidate : {Stepper::kExact, Stepper::kQuick, Stepper::kFast}) {
+        if (name == name_of(candidate)) {
+            stepper = candidate;
+            return true;
+        }
+    }
+    return false;
+}
+
+bool available(Stepper stepper) { return stepper != Stepper::kFast || has_step_fast(); }
+
+Runtime::Runtime()
+{
+    dInitODE2(0);
+    dAllocateODEDataForThread(dAllocateMaskAll);
+}
+
+Runtime::~Runtime() { dCloseODE(); }
+
+Scene::Scene(const Recipe& recipe, std::uint32_t seed)
+    : recipe_(recipe), seed_(seed), world_(dWorldCreate()), space_(dHashSpaceCreate(nullptr)),
+      contact_group_(dJointGroupCreate(0))
+{
+    dHashSpaceSetLevels(space_, -3, 5);
+    dWorldSetGravity(world_, 0, 0, dReal(-9.81));
+    surface.mode = dContactApprox1;
+    surface.mu = dReal(0.6);
+    recipe.build(*this);
+    if (tracked.empty() && !bodies_.empty()) tracked.push_back(bodies_.front());
+}
+
+Scene::~Scene()
+{
+    dJointGroupDestroy(contact_group_);
+    dSpaceDestroy(space_);
+    dWorldDestroy(world_);
+}
+
+void Scene::add_joint(dJointID joint)
+{
+    JointRecord record{joint, {0, 0, 0}};
+    dBodyID body1 = dJointGetBody(joint, 0), body2 = dJointGetBody(joint, 1);
+    if (body1) {
+        const dReal* origin = body2 ? dBodyGetPosition(body2) : nullptr;
+        dVector3 local;
+        dBodyGetPosRelPoint(body1, origin ? origin[0] : 0, origin ? origin[1] : 0, origin ? origin[2] : 0, local);
+        std::copy_n(local, 3, record.reference);
+    }
+    joints_.push_back(record);
+}
+
+void Scene::near_callback(void* scene, dGeomID geom1, dGeomID geom2)
+{
+    static_cast<Scene*>(scene)->collide_pair(geom1, geom2);
+}
+
+void Scene::collide_pair(dGeomID geom1, dGeomID geom2)
+{
+    if (dGeomIsSpace(geom1) || dGeomIsSpace(geom2)) {
+        dSpaceCollide2(geom1, geom2, this, &near_callback);
+        return;
+    }
+    dBodyID body1 = dGeomGetBody(geom1), body2 = dGeomGetBody(geom2);
+    if (!moves(body1) && !moves(body2)) return;
+    if (body1 && body2 && dAreConnectedExcluding(body1, body2, dJointTypeContact)) return;
+
+    dContact contact[kMaxContactsPerPair];
+    const int wanted = std::clamp(contacts_per_pair, 1, kMaxContactsPerPair);
+    const int count = dCollide(geom1, geom2, wanted, &contact[0].geom, sizeof(dContact));
+    for (int i = 0; i < count; ++i) {
+        contact[i].surface = surface;
+        if (!on_contact || on_contact(geom1, geom2, contact[i])) make_contact(body1, body2, contact[i]);
+    }
+}
+
+void Scene::make_contact(dBodyID body1, dBodyID body2, dContact& contact)
+{
+    const dContactGeom& g = contact.geom;
+    for (int copy = 0; copy < contact_copies; ++copy) {
+        dJointAttach(dJointCreateContact(world_, contact_group_, &contact), body1, body2);
+        contacts_.push_back({g.g1, g.g2, {g.pos[0], g.pos[1], g.pos[2]}, {g.normal[0], g.normal[1], g.normal[2]}, g.depth});
+    }
+}
+
+int Scene::advance(Stepper stepper, double dt)
+{
+    const dReal h = dReal(dt);
+    if (stepper == Stepper::kExact) return dWorldStep(world_, h);
+    if (stepper == Stepper::kFast) {
+        return step_fast(world_, h, iterations_ > 0 ? iterations_ : kDefaultSmallSteps);
+    }
+    dWorldSetQuickStepNumIterations(world_, iterations_ > 0 ? iterations_ : kDefaultSweeps);
+    return dWorldQuickStep(world_, h);
+}
+
+bool Scene::step(Stepper stepper, double dt)
+{
+    for (auto& hook : hooks_) hook(time_, dt);
+    contacts_.clear();
+
+    const auto start = Clock::now();
+    dSpaceCollide(space_, this, &near_callback);
+    const auto collided = Clock::now();
+    const int ok = advance(stepper, dt);
+    const auto stepped = Clock::now();
+    dJointGroupEmpty(contact_group_);
+    const auto emptied = Clock::now();
+
+    times_ = {milliseconds(start, collided), milliseconds(collided, stepped), milliseconds(stepped, emptied)};
+    time_ += dt;
+    return ok != 0;
+}
+
+}  // namespace epode::scenes
