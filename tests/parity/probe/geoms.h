@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Random geoms of every class of the pair table, in random poses, for the pair_* and geom_* cases.
+//
+// A geom of each kind knows the radius of a ball about its position that holds it; two geoms are put at a
+// distance of 0.2 to 1.05 times the sum of their radii, which makes roughly half of the poses hits and
+// many of the rest near misses.
+#pragma once
+
+#include "case_list.h"
+
+#include <array>
+
+namespace parity {
+
+enum class Kind { kSphere, kBox, kCapsule, kCylinder, kPlane, kRay, kTransform };
+
+constexpr std::array<Kind, 7> kKinds = {Kind::kSphere, Kind::kBox,  Kind::kCapsule,  Kind::kCylinder,
+                                        Kind::kPlane,  Kind::kRay, Kind::kTransform};
+
+const char* kind_name(Kind kind);
+
+struct Placed {
+    dGeomID geom;
+    double radius;
+};
+
+Placed make_geom(Kind kind, dSpaceID space, Random& random);
+
+// Puts the geom at the point in a random orientation; a plane gets a random normal and passes near the point.
+void place_geom(const Placed& placed, Kind kind, const Vec3& point, Random& random);
+
+}  // namespace parity
