@@ -77,6 +77,13 @@ Vec sky_direction(int i) {
     return {ring * std::cos(turn), ring * std::sin(turn), z};
 }
 
+void set_spiral(Frame& frame) {
+    for (int i = 0; i < kSpiral; ++i) {
+        const float radius = std::sqrt((static_cast<float>(i) + 0.5f) / kSpiral), turn = kGoldenAngle * static_cast<float>(i);
+        store(frame.spiral[i], {radius * std::cos(turn), radius * std::sin(turn), 0}, 0);
+    }
+}
+
 void set_lights(Frame& frame, const Picture& picture) {
     Bounds region = lit_region(picture);
     if (picture.ground) region.lo.z = std::min(region.lo.z, std::max(picture.ground_height, region.lo.z - (region.hi.z - region.lo.z)));
@@ -111,6 +118,7 @@ Frame make_frame(const Picture& picture) {
     store(frame.view_forward, -1 * basis.back, 0);
     store(frame.viewport, {width, height, 0.5f * picture.line_width * height / 720}, 0);
     set_lights(frame, picture);
+    set_spiral(frame);
     return frame;
 }
 

@@ -12,6 +12,7 @@
 namespace epode::viewer {
 
 constexpr int kSkyLights = 48;
+constexpr int kSpiral = 32;
 constexpr int kSunMapSide = 4096;
 constexpr int kSkyMapSide = 768;
 
@@ -30,6 +31,7 @@ struct Frame {
     float sun_direction[4];         // w: normal offset against self-shadow
     float options[4];               // grid spacing, sky's normal offset, unused, unused
     float viewport[4];              // width, height, half line width in pixels, unused
+    float spiral[kSpiral][4];       // points spread evenly over the unit disc: where a soft shadow is sampled
 };
 
 Frame make_frame(const Picture& picture);

@@ -33,8 +33,8 @@ void bind_inputs(GLuint program) {
     const GLuint block = glGetUniformBlockIndex(program, "Frame");
     if (block != GL_INVALID_INDEX) glUniformBlockBinding(program, block, 0);
     glUseProgram(program);
-    const char* const samplers[] = {"sun_depth", "sun_shadow", "sky_shadow"};
-    for (int unit = 0; unit < 3; ++unit) glUniform1i(glGetUniformLocation(program, samplers[unit]), unit);
+    const char* const samplers[] = {"sun_depth", "sun_shadow", "sky_shadow", "places", "normals", "paints"};
+    for (int unit = 0; unit < 6; ++unit) glUniform1i(glGetUniformLocation(program, samplers[unit]), unit);
 }
 
 }  // namespace
@@ -90,19 +90,45 @@ GLuint make_depth_sampler(bool comparing) {
     return sampler;
 }
 
-GLuint make_canvas(int width, int height, int samples) {
-    GLuint canvas = 0, buffers[2] = {0, 0};
-    glGenFramebuffers(1, &canvas);
-    glBindFramebuffer(GL_FRAMEBUFFER, canvas);
-    glGenRenderbuffers(2, buffers);
-    const GLenum formats[2] = {GL_SRGB8_ALPHA8, GL_DEPTH_COMPONENT32F};
-    const GLenum places[2] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
-    for (int i = 0; i < 2; ++i) {
-        glBindRenderbuffer(GL_RENDERBUFFER, buffers[i]);
-        glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, formats[i], width, height);
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, places[i], GL_RENDERBUFFER, buffers[i]);
-    }
+namespace {
+
+GLuint make_framebuffer() {
+    GLuint framebuffer = 0;
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    return framebuffer;
+}
+
+void attach_buffer(GLenum place, GLenum format, int width, int height, int samples) {
+    GLuint buffer = 0;
+    glGenRenderbuffers(1, &buffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, buffer);
+}
+
+}  // namespace
+
+GLuint make_canvas(int width, int height) {
+    const GLuint canvas = make_framebuffer();
+    attach_buffer(GL_COLOR_ATTACHMENT0, GL_SRGB8_ALPHA8, width, height, 0);
     return canvas;
+}
+
+Surfaces make_surfaces(int width, int height) {
+    Surfaces surfaces;
+    surfaces.framebuffer = make_framebuffer();
+    const GLenum formats[3] = {GL_RGBA32F, GL_RGBA16F, GL_RGBA8};
+    const GLenum places[3] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2};
+    glGenTextures(3, surfaces.textures);
+    for (int i = 0; i < 3; ++i) {
+        glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, surfaces.textures[i]);
+        glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, kSamples, formats[i], width, height, GL_TRUE);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, places[i], GL_TEXTURE_2D_MULTISAMPLE, surfaces.textures[i], 0);
+    }
+    attach_buffer(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, width, height, kSamples);
+    glDrawBuffers(3, places);
+    return surfaces;
 }
 
 bool complete(const char* what, std::string& error) {

@@ -13,7 +13,8 @@
 
 namespace epode::viewer {
 
-// 0 on failure. Uniform block `Frame` is bound to point 0, the samplers sun_depth, sun_shadow, sky_shadow to units 0, 1, 2.
+// 0 on failure. Uniform block `Frame` is bound to point 0, the samplers sun_depth, sun_shadow, sky_shadow,
+// places, normals, paints to units 0 to 5.
 GLuint make_program(const ProgramText& text, std::string& error);
 
 // A square depth texture, with `layers` > 0 an array of them. Outside it all is lit.
@@ -22,8 +23,16 @@ GLuint make_depth_map(GLenum target, GLenum format, int side, int layers);
 // Comparing: linear-filtered shadow test. Otherwise: the depth itself, unfiltered.
 GLuint make_depth_sampler(bool comparing);
 
-// A framebuffer with colour (sRGB) and depth; samples 0: not multisampled.
-GLuint make_canvas(int width, int height, int samples);
+// A framebuffer of one sRGB colour.
+GLuint make_canvas(int width, int height);
+
+// Three colour textures with kSamples samples a pixel (place and kind, normal, paint), and depth: what is seen, before light.
+constexpr int kSamples = 4;
+struct Surfaces {
+    GLuint framebuffer = 0;
+    GLuint textures[3] = {0, 0, 0};
+};
+Surfaces make_surfaces(int width, int height);
 
 bool complete(const char* what, std::string& error);
 

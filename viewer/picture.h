@@ -53,11 +53,11 @@ struct Picture {
     bool ground = true;              // an endless floor at z = ground_height
     float ground_height = 0;
     float grid = 1;                  // spacing of the floor's lines; 0: none
-    float sun[3] = {-0.62f, -0.30f, 0.78f};  // towards the sun, any length
+    float sun[3] = {-0.60f, -0.50f, 0.80f};  // towards the sun, any length
     float line_width = 3;            // pixels in a picture 720 high, scaled with the height
 };
 
-constexpr int kMaxPictureSide = 8192;
+constexpr int kMaxPictureSide = 4096;
 
 // Renders and writes an 8-bit RGB PNG. On failure returns false, error says why in words, and no file is begun.
 bool write_png(const Picture& picture, const char* path, std::string& error);

@@ -3,8 +3,8 @@
 //
 // One picture, in passes:
 //   1. the depth of all shapes as the sun sees them, then as each point of the sky sees them (coarser meshes: these shadows are soft);
-//   2. the depth of all shapes as the camera sees them, so that the costly light is computed once per pixel and not once per hidden layer;
-//   3. lit shapes, ground, sky; 4. lines, in full where visible, faint where hidden; 5. four samples become one pixel, read back.
+//   2. shapes and ground as the camera sees them: place, normal and paint of four samples a pixel, not yet lit;
+//   3. light and sky, once per pixel and surface; 4. lines over it, faint where hidden; 5. the canvas is read back.
 // Shapes are instanced: one draw call per mesh and pass, however many there are. A shadow volume or ray tracer would give sharper truth, but
 // a rasteriser in software draws a thousand shapes in a second and a GPU draws them in no time, with the same text.
 #include "renderer.h"
@@ -19,9 +19,6 @@
 namespace epode::viewer {
 
 namespace {
-
-constexpr int kSamples = 4;
-constexpr float kHiddenLine = 0.28f;
 
 // Instances that share a mesh, at two levels of detail.
 struct Batch {
@@ -42,13 +39,14 @@ private:
     void use_shapes_view(GLuint program, const Mat4& view);
     void draw_shapes(bool fine);
     bool draw_maps(std::string& error);
-    void draw_shapes_lit();
+    bool draw_surfaces(std::string& error);
+    bool draw_light(std::string& error);
     void draw_lines();
-    void read_back(GLuint canvas, std::vector<std::uint8_t>& rgb);
+    void read_back(std::vector<std::uint8_t>& rgb);
 
     const Picture& picture_;
     Frame frame_;
-    GLuint depth_ = 0, shape_ = 0, ground_ = 0, sky_ = 0, line_ = 0;
+    GLuint depth_ = 0, shape_ = 0, ground_ = 0, light_ = 0, line_ = 0;
     std::vector<Batch> batches_;
     GLuint lines_ = 0, empty_ = 0;
     GLsizei line_count_ = 0;
@@ -107,7 +105,7 @@ Mat4 clip_of_map(const Mat4& map) {
 
 bool Renderer::make_programs(std::string& error) {
     return (depth_ = make_program(kDepthProgram, error)) && (shape_ = make_program(kShapeProgram, error)) &&
-           (ground_ = make_program(kGroundProgram, error)) && (sky_ = make_program(kSkyProgram, error)) &&
+           (ground_ = make_program(kGroundProgram, error)) && (light_ = make_program(kLightProgram, error)) &&
            (line_ = make_program(kLineProgram, error));
 }
 
@@ -119,8 +117,8 @@ void Renderer::make_batches() {
         (is_round ? round : shape.kind == ShapeKind::kBox ? boxes : cylinders).push_back(instance_of(shape));
     }
     if (!boxes.empty()) batches_.push_back(make_batch(boxes, rounded_box(2), rounded_box(1)));
-    if (!round.empty()) batches_.push_back(make_batch(round, rounded_box(8), rounded_box(3)));
-    if (!cylinders.empty()) batches_.push_back(make_batch(cylinders, rounded_cylinder(48, 2), rounded_cylinder(16, 1)));
+    if (!round.empty()) batches_.push_back(make_batch(round, rounded_box(6), rounded_box(2)));
+    if (!cylinders.empty()) batches_.push_back(make_batch(cylinders, rounded_cylinder(48, 2), rounded_cylinder(12, 1)));
 }
 
 void Renderer::make_lines() {
@@ -146,6 +144,7 @@ bool Renderer::prepare(std::string& error) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_FRAMEBUFFER_SRGB);
+    glEnable(GL_CULL_FACE);
     return true;
 }
 
@@ -195,13 +194,34 @@ bool Renderer::draw_maps(std::string& error) {
     return true;
 }
 
-void Renderer::draw_shapes_lit() {
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    use_shapes_view(depth_, frame_.camera);
-    draw_shapes(true);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+bool Renderer::draw_surfaces(std::string& error) {
+    const Surfaces surfaces = make_surfaces(picture_.width, picture_.height);
+    if (!complete("a canvas of this size", error)) return false;
+    glViewport(0, 0, picture_.width, picture_.height);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     use_shapes_view(shape_, frame_.camera);
     draw_shapes(true);
+    glDisable(GL_CULL_FACE);
+    if (picture_.ground) {
+        glBindVertexArray(empty_);
+        glUseProgram(ground_);
+        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    }
+    for (GLuint i = 0; i < 3; ++i) {
+        glActiveTexture(GL_TEXTURE3 + i);
+        glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, surfaces.textures[i]);
+    }
+    return true;
+}
+
+bool Renderer::draw_light(std::string& error) {
+    make_canvas(picture_.width, picture_.height);
+    if (!complete("a canvas of this size", error)) return false;
+    glDisable(GL_DEPTH_TEST);
+    glBindVertexArray(empty_);
+    glUseProgram(light_);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    return true;
 }
 
 void Renderer::draw_lines() {
@@ -209,22 +229,11 @@ void Renderer::draw_lines() {
     glUseProgram(line_);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    glDepthMask(GL_FALSE);
-    const GLint opacity = glGetUniformLocation(line_, "opacity");
-    for (const bool hidden : {false, true}) {
-        glDepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
-        glUniform1f(opacity, hidden ? kHiddenLine : 1.0f);
-        glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, line_count_);
-    }
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, line_count_);
 }
 
-void Renderer::read_back(GLuint canvas, std::vector<std::uint8_t>& rgb) {
+void Renderer::read_back(std::vector<std::uint8_t>& rgb) {
     const int width = picture_.width, height = picture_.height;
-    const GLuint plain = make_canvas(width, height, 0);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, plain);
-    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, plain);
     const std::size_t row = static_cast<std::size_t>(width) * 3;
     rgb.resize(row * static_cast<std::size_t>(height));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -236,23 +245,9 @@ void Renderer::read_back(GLuint canvas, std::vector<std::uint8_t>& rgb) {
 }
 
 bool Renderer::draw(std::vector<std::uint8_t>& rgb, std::string& error) {
-    if (!draw_maps(error)) return false;
-    GLint samples = 0;
-    glGetIntegerv(GL_MAX_SAMPLES, &samples);
-    const GLuint canvas = make_canvas(picture_.width, picture_.height, std::min(samples, kSamples));
-    if (!complete("a canvas of this size", error)) return false;
-    glViewport(0, 0, picture_.width, picture_.height);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    draw_shapes_lit();
-    glBindVertexArray(empty_);
-    if (picture_.ground) {
-        glUseProgram(ground_);
-        glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-    }
-    glUseProgram(sky_);
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    if (!draw_maps(error) || !draw_surfaces(error) || !draw_light(error)) return false;
     draw_lines();
-    read_back(canvas, rgb);
+    read_back(rgb);
     return complete("to read the picture back", error);
 }
 

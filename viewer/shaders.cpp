@@ -8,12 +8,16 @@
 // Sky: kSkyLights hard shadows, one hardware-filtered comparison each, weighted by the cosine to the surface.
 // Ground: lines whose coverage is integrated over the pixel's footprint (a box filter of a periodic pulse), so they neither shimmer nor break
 // far away; beyond a few view distances the floor dissolves into the colour of the horizon.
+// Deferred: shapes and ground only write where and what they are, four samples a pixel; light is computed once per pixel and surface, so its
+// cost follows the picture's size and not the number of triangles. Samples of one pixel that agree in place, direction and colour share one
+// computation; only where surfaces meet are there more.
 #include "shaders.h"
 
 namespace epode::viewer {
 
 const char* const kShaderHead = R"(#version 330 core
 #define SKY_LIGHTS 48
+#define SPIRAL 32
 layout(std140) uniform Frame {
     mat4 camera;
     mat4 sun;
@@ -23,6 +27,7 @@ layout(std140) uniform Frame {
     vec4 view_right, view_up, view_forward;
     vec4 sun_right, sun_up, sun_direction;
     vec4 options, viewport;
+    vec4 spiral[SPIRAL];
 };
 )"
                                 R"(
@@ -30,18 +35,14 @@ layout(std140) uniform Frame {
 uniform sampler2D sun_depth;
 uniform sampler2DShadow sun_shadow;
 uniform sampler2DArrayShadow sky_shadow;
+uniform sampler2DMS places, normals, paints;
 
 const vec3 kSunLight = vec3(1.0, 0.90, 0.76) * 2.05;
-const vec3 kZenith = vec3(0.23, 0.40, 0.66);
+const vec3 kZenith = vec3(0.20, 0.37, 0.64);
 const vec3 kHorizon = vec3(0.74, 0.81, 0.87);
-const vec3 kGround = vec3(0.46, 0.455, 0.44);
+const vec3 kGroundPaint = vec3(0.655, 0.65, 0.64);
 const float kSunWidth = 0.045;    // diameter of the sun over its distance: five times the real one, as thin haze makes it
 const float kSunTexel = 1.0 / 4096.0;
-
-vec2 spiral(int i, int count) {
-    float radius = sqrt((float(i) + 0.5) / float(count)), turn = 2.39996323 * float(i);
-    return radius * vec2(cos(turn), sin(turn));
-}
 
 float sun_visible(vec3 p, vec3 n) {
     vec3 q = (sun * vec4(p + n * sun_direction.w, 1.0)).xyz;
@@ -52,19 +53,19 @@ float sun_visible(vec3 p, vec3 n) {
     float width_of_depth = kSunWidth * range / side;
     float reach = clamp(0.5 * width_of_depth * q.z, 2.0 * kSunTexel, 60.0 * kSunTexel);
     float blockers = 0.0, depth = 0.0;
-    for (int i = 0; i < 24; ++i) {
-        vec2 o = spiral(i, 24) * reach;
+    for (int i = 0; i < SPIRAL; ++i) {
+        vec2 o = spiral[i].xy * reach;
         float d = texture(sun_depth, q.xy + o).r;
         if (d < q.z + dot(o, slope)) { blockers += 1.0; depth += q.z + dot(o, slope) - d; }
     }
     if (blockers == 0.0) return 1.0;
     float radius = max(0.5 * width_of_depth * depth / blockers, 1.3 * kSunTexel);
     float lit = 0.0;
-    for (int i = 0; i < 40; ++i) {
-        vec2 o = spiral(i, 40) * radius;
+    for (int i = 0; i < SPIRAL; ++i) {
+        vec2 o = spiral[i].xy * radius;
         lit += texture(sun_shadow, vec3(q.xy + o, min(q.z + dot(o, slope), 1.0)));
     }
-    return lit / 40.0;
+    return lit / float(SPIRAL);
 }
 
 vec3 sky_light(vec3 p, vec3 n) {
@@ -82,7 +83,7 @@ vec3 sky_light(vec3 p, vec3 n) {
 
 vec3 sky_color(vec3 ray) {
     float height = max(ray.z, 0.0);
-    return mix(kHorizon, kZenith, 1.0 - exp(-3.2 * height));
+    return mix(kHorizon, kZenith, 1.0 - exp(-5.0 * height));
 }
 
 float haze(vec3 p) {
@@ -111,9 +112,9 @@ layout(location = 3) in vec4 row_y;
 layout(location = 4) in vec4 row_z;
 layout(location = 5) in vec4 core;
 layout(location = 6) in vec3 color;
-out vec3 world, normal, paint;
+out vec3 normal, paint;
+centroid out vec3 world;
 uniform mat4 view;
-invariant gl_Position;
 void main() {
     vec4 local = vec4(corner * core.xyz + direction * core.w, 1.0);
     world = vec3(dot(row_x, local), dot(row_y, local), dot(row_z, local));
@@ -127,26 +128,22 @@ constexpr char kNothing[] = R"(
 void main() {}
 )";
 
+// What a surface writes of itself: place and kind (0 sky, 1 shape, 2 ground), normal, sRGB paint.
 constexpr char kShapeFragment[] = R"(
-in vec3 world, normal, paint;
-out vec4 result;
+in vec3 normal, paint;
+centroid in vec3 world;
+layout(location = 0) out vec4 place;
+layout(location = 1) out vec4 direction;
+layout(location = 2) out vec4 surface;
 void main() {
-    vec3 n = normalize(normal);
-    vec3 albedo = to_linear(paint);
-    float facing = dot(n, sun_direction.xyz);
-    float lit = facing > 0.0 ? facing * sun_visible(world, n) : 0.0;
-    vec3 bounce = kGround * (0.5 - 0.5 * n.z) * 0.75;
-    vec3 light = albedo * (kSunLight * lit + sky_light(world, n) + bounce);
-    vec3 to_eye = normalize(eye.xyz - world);
-    float shine = pow(max(dot(n, normalize(to_eye + sun_direction.xyz)), 0.0), 48.0);
-    float rim = pow(1.0 - max(dot(n, to_eye), 0.0), 5.0);
-    light += kSunLight * (lit > 0.0 ? lit / facing : 0.0) * shine * 0.10 + sky_color(reflect(-to_eye, n)) * rim * 0.12;
-    result = vec4(mix(exposed(light), exposed(kHorizon), haze(world)), 1.0);
+    place = vec4(world, 1.0);
+    direction = vec4(normalize(normal), 0.0);
+    surface = vec4(paint, 1.0);
 }
 )";
 
 constexpr char kGroundVertex[] = R"(
-out vec3 world;
+centroid out vec3 world;
 void main() {
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
     world = vec3(target.xy + corner * 60.0 * eye.w, target.w);
@@ -155,41 +152,84 @@ void main() {
 )";
 
 constexpr char kGroundFragment[] = R"(
-in vec3 world;
-out vec4 result;
+centroid in vec3 world;
+layout(location = 0) out vec4 place;
+layout(location = 1) out vec4 direction;
+layout(location = 2) out vec4 surface;
 // Part of the footprint `w` around x (in periods) that a line of width `part` at the whole numbers covers.
 vec2 integral(vec2 x, float part) { return floor(x) * part + min(fract(x), part); }
-float covered(vec2 x, float part) {
-    vec2 w = max(fwidth(x), 1e-5);
+float covered(vec2 x, vec2 footprint, float part) {
+    vec2 w = max(footprint, 1e-5);
     x += 0.5 * part;
     vec2 cover = (integral(x + 0.5 * w, part) - integral(x - 0.5 * w, part)) / w;
     return cover.x + cover.y - cover.x * cover.y;
 }
 void main() {
-    vec3 n = vec3(0.0, 0.0, 1.0);
-    vec3 albedo = kGround;
+    vec3 paint = kGroundPaint;
+    vec2 footprint = fwidth(world.xy);
     if (options.x > 0.0) {
-        vec2 cell = world.xy / options.x;
-        albedo *= 1.0 - 0.16 * covered(cell, 0.018) - 0.16 * covered(cell / 5.0, 0.007);
+        float every = covered(world.xy / options.x, footprint / options.x, 0.018);
+        float fifth = covered(world.xy / (5.0 * options.x), footprint / (5.0 * options.x), 0.007);
+        paint *= 1.0 - 0.09 * every - 0.09 * fifth;
     }
-    vec3 light = albedo * (kSunLight * sun_direction.z * sun_visible(world, n) + sky_light(world, n));
-    result = vec4(mix(exposed(light), exposed(kHorizon), haze(world)), 1.0);
+    place = vec4(world, 2.0);
+    direction = vec4(0.0, 0.0, 1.0, 0.0);
+    surface = vec4(paint, 1.0);
 }
 )";
 
-constexpr char kSkyVertex[] = R"(
+constexpr char kLightVertex[] = R"(
 out vec3 ray;
 void main() {
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0;
     ray = view_forward.xyz + corner.x * view_right.xyz + corner.y * view_up.xyz;
-    gl_Position = vec4(corner, 1.0, 1.0);
+    gl_Position = vec4(corner, 0.0, 1.0);
 }
 )";
 
-constexpr char kSkyFragment[] = R"(
+constexpr char kLightFragment[] = R"(
 in vec3 ray;
 out vec4 result;
-void main() { result = vec4(exposed(sky_color(normalize(ray))), 1.0); }
+const int kSamples = 4;
+vec3 lit(vec4 place, vec3 n, vec3 paint) {
+    bool is_shape = place.w < 1.5;
+    vec3 p = place.xyz;
+    float facing = dot(n, sun_direction.xyz);
+    float visible = facing > 0.0 ? sun_visible(p, n) : 0.0;
+    vec3 bounce = to_linear(kGroundPaint) * (0.5 - 0.5 * n.z) * 0.75;
+    vec3 light = to_linear(paint) * (kSunLight * max(facing, 0.0) * visible + sky_light(p, n) + bounce);
+    if (is_shape) {
+        vec3 to_eye = normalize(eye.xyz - p);
+        float shine = pow(max(dot(n, normalize(to_eye + sun_direction.xyz)), 0.0), 48.0);
+        float rim = pow(1.0 - max(dot(n, to_eye), 0.0), 5.0);
+        light += kSunLight * visible * shine * 0.10 + sky_color(reflect(-to_eye, n)) * rim * 0.12;
+    }
+    return mix(exposed(light), exposed(kHorizon), haze(p));
+}
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    vec3 direction = normalize(ray);
+    vec3 sky_here = exposed(sky_color(direction));
+    vec4 place[kSamples];
+    vec3 normal[kSamples], paint[kSamples], color[kSamples];
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < kSamples; ++i) {
+        place[i] = texelFetch(places, pixel, i);
+        normal[i] = texelFetch(normals, pixel, i).xyz;
+        paint[i] = texelFetch(paints, pixel, i).rgb;
+        color[i] = sky_here;
+        bool known = place[i].w < 0.5;
+        for (int k = 0; k < i && !known; ++k) {
+            float apart = length(place[i].xyz - place[k].xyz);
+            known = place[i].w == place[k].w && dot(normal[i], normal[k]) > 0.9 && distance(paint[i], paint[k]) < 0.02 &&
+                    apart < 0.01 * length(place[i].xyz - eye.xyz);
+            if (known) color[i] = color[k];
+        }
+        if (!known) color[i] = lit(place[i], normal[i], paint[i]);
+        sum += color[i];
+    }
+    result = vec4(sum / float(kSamples), 1.0);
+}
 )";
 
 constexpr char kLineVertex[] = R"(
@@ -197,15 +237,20 @@ layout(location = 0) in vec3 first;
 layout(location = 1) in vec3 second;
 layout(location = 2) in vec3 color;
 out vec3 paint;
+noperspective out float across;
+out float depth;
 void main() {
     vec4 a = camera * vec4(first, 1.0), b = camera * vec4(second, 1.0);
-    float near = 0.005 * eye.w;
+    float near = 0.02 * eye.w;
     vec4 a_seen = a.w < near && b.w > near ? mix(a, b, (near - a.w) / (b.w - a.w)) : a;
     vec4 b_seen = b.w < near && a.w > near ? mix(b, a, (near - b.w) / (a.w - b.w)) : b;
     vec2 along = (b_seen.xy / b_seen.w - a_seen.xy / a_seen.w) * viewport.xy;
     vec2 side = length(along) > 1e-6 ? normalize(vec2(-along.y, along.x)) : vec2(1.0, 0.0);
+    float half_width = viewport.z + 1.0;
     vec4 p = (gl_VertexID >> 1) == 0 ? a_seen : b_seen;
-    p.xy += side * (float(gl_VertexID & 1) * 2.0 - 1.0) * 2.0 * viewport.z / viewport.xy * p.w;
+    depth = p.w;
+    across = (float(gl_VertexID & 1) * 2.0 - 1.0) * half_width;
+    p.xy += side * across * 2.0 / viewport.xy * p.w;
     paint = color;
     gl_Position = p;
 }
@@ -213,9 +258,18 @@ void main() {
 
 constexpr char kLineFragment[] = R"(
 in vec3 paint;
+noperspective in float across;
+in float depth;
 out vec4 result;
-uniform float opacity;
-void main() { result = vec4(to_linear(paint), opacity); }
+void main() {
+    float opacity = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        vec4 place = texelFetch(places, ivec2(gl_FragCoord.xy), i);
+        bool hidden = place.w > 0.5 && dot(place.xyz - eye.xyz, view_forward.xyz) < depth;
+        opacity += hidden ? 0.07 : 0.25;
+    }
+    result = vec4(to_linear(paint), opacity * clamp(viewport.z + 0.5 - abs(across), 0.0, 1.0));
+}
 )";
 
 }  // namespace
@@ -223,7 +277,7 @@ void main() { result = vec4(to_linear(paint), opacity); }
 const ProgramText kDepthProgram = {"depth", kShapeVertex, kNothing};
 const ProgramText kShapeProgram = {"shape", kShapeVertex, kShapeFragment};
 const ProgramText kGroundProgram = {"ground", kGroundVertex, kGroundFragment};
-const ProgramText kSkyProgram = {"sky", kSkyVertex, kSkyFragment};
+const ProgramText kLightProgram = {"light", kLightVertex, kLightFragment};
 const ProgramText kLineProgram = {"line", kLineVertex, kLineFragment};
 
 }  // namespace epode::viewer

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The five programs of a picture: depth of shapes (as any light or the camera sees them), lit shapes, ground, sky, lines.
+// The five programs of a picture: depth of shapes as a light sees them, surfaces of shapes, surface of the ground,
+// light (and sky), lines.
 #pragma once
 
 namespace epode::viewer {
@@ -13,6 +14,6 @@ struct ProgramText {
 };
 
 extern const char* const kShaderHead;  // version, uniform block and the shared functions; comes before each text below
-extern const ProgramText kDepthProgram, kShapeProgram, kGroundProgram, kSkyProgram, kLineProgram;
+extern const ProgramText kDepthProgram, kShapeProgram, kGroundProgram, kLightProgram, kLineProgram;
 
 }  // namespace epode::viewer
