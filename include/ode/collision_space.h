@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Spaces.
+// Spaces: containers of geoms that find the pairs whose bounding boxes overlap. A space is itself a
+// geom without a place and can be a member of another space.
+// While a space is being collided it is locked: the callback must not add, remove, destroy or move
+// its members (such calls are refused); making joints, dCollide, enabling and reading are allowed.
 #ifndef _ODE_COLLISION_SPACE_H_
 #define _ODE_COLLISION_SPACE_H_
 
@@ -12,7 +15,18 @@ extern "C" {
 #endif
 
 struct dContactGeom;
+
+/** What dSpaceCollide and dSpaceCollide2 call for each pair; data is the caller's. A member that is
+    a space comes as a geom (dGeomIsSpace tells). */
 typedef void dNearCallback(void *data, dGeomID o1, dGeomID o2);
+
+/** A space that tests every pair: the quickest for a few dozen geoms. space: the parent, or 0. */
+ODE_API dSpaceID dSimpleSpaceCreate(dSpaceID space);
+
+/** A space for many geoms of similar and different sizes. space: the parent, or 0. */
+ODE_API dSpaceID dHashSpaceCreate(dSpaceID space);
+
+/** Axis orders for sweep-and-prune spaces: 2 bits per axis, the first one lowest. */
 #define dSAP_AXES_XYZ ((0) | (1 << 2) | (2 << 4))
 #define dSAP_AXES_XZY ((0) | (2 << 2) | (1 << 4))
 #define dSAP_AXES_YXZ ((1) | (0 << 2) | (2 << 4))
@@ -20,24 +34,43 @@ typedef void dNearCallback(void *data, dGeomID o1, dGeomID o2);
 #define dSAP_AXES_ZXY ((2) | (0 << 2) | (1 << 4))
 #define dSAP_AXES_ZYX ((2) | (1 << 2) | (0 << 4))
 
-ODE_API dSpaceID dHashSpaceCreate(dSpaceID space);
-ODE_API void dHashSpaceGetLevels(dSpaceID space, int *minlevel, int *maxlevel);
+/** Destroy a space; with it, in cleanup mode, its members, else they only leave it. */
+ODE_API void dSpaceDestroy(dSpaceID space);
+
+/** Cell sizes 2^minlevel ... 2^maxlevel metres of a hash space, default -3 and 10. minlevel >
+    maxlevel is refused. They are for speed only: no pair is lost whatever they are. Null pointers are skipped
+    on reading. */
 ODE_API void dHashSpaceSetLevels(dSpaceID space, int minlevel, int maxlevel);
-ODE_API dSpaceID dSimpleSpaceCreate(dSpaceID space);
-ODE_API void dSpaceAdd(dSpaceID, dGeomID);
-ODE_API void dSpaceClean(dSpaceID);
-ODE_API void dSpaceDestroy(dSpaceID);
-ODE_API int dSpaceGetClass(dSpaceID space);
-ODE_API int dSpaceGetCleanup(dSpaceID space);
-ODE_API dGeomID dSpaceGetGeom(dSpaceID, int i);
-ODE_API int dSpaceGetManualCleanup(dSpaceID space);
-ODE_API int dSpaceGetNumGeoms(dSpaceID);
-ODE_API int dSpaceGetSublevel(dSpaceID space);
-ODE_API int dSpaceQuery(dSpaceID, dGeomID);
-ODE_API void dSpaceRemove(dSpaceID, dGeomID);
+ODE_API void dHashSpaceGetLevels(dSpaceID space, int *minlevel, int *maxlevel);
+
+/** Whether destroying the space destroys its members, default 1. */
 ODE_API void dSpaceSetCleanup(dSpaceID space, int mode);
-ODE_API void dSpaceSetManualCleanup(dSpaceID space, int mode);
+ODE_API int dSpaceGetCleanup(dSpaceID space);
+
+/** A number that decides which of two spaces dSpaceCollide2 opens: the one with the higher
+    sublevel. Default 0; the program keeps it. */
 ODE_API void dSpaceSetSublevel(dSpaceID space, int sublevel);
+ODE_API int dSpaceGetSublevel(dSpaceID space);
+
+/** A hint on the lifetime of per-thread caches. This library has none; the value is only stored. */
+ODE_API void dSpaceSetManualCleanup(dSpaceID space, int mode);
+ODE_API int dSpaceGetManualCleanup(dSpaceID space);
+
+/** Add a geom that is in no space; take a member out; ask whether a geom is a direct member (1 or 0). */
+ODE_API void dSpaceAdd(dSpaceID space, dGeomID geom);
+ODE_API void dSpaceRemove(dSpaceID space, dGeomID geom);
+ODE_API int dSpaceQuery(dSpaceID space, dGeomID geom);
+
+/** Compute the bounding boxes of moved members now. dSpaceCollide does it by itself. */
+ODE_API void dSpaceClean(dSpaceID space);
+
+/** Direct members: how many, and number i of 0 ... n-1 in no promised order, which may change when
+    geoms move. A bad index is refused. */
+ODE_API int dSpaceGetNumGeoms(dSpaceID space);
+ODE_API dGeomID dSpaceGetGeom(dSpaceID space, int i);
+
+/** The class number of the space: dSimpleSpaceClass, dHashSpaceClass, ... */
+ODE_API int dSpaceGetClass(dSpaceID space);
 
 #ifdef __cplusplus
 }
