@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// How this library was built, in ODE's words. A client asks for a token to learn whether a feature may be used, so a
+// token stands here only while the feature does.
+#include "ode/common.h"
+
+#include <cstring>
+
+#include "base/check.h"
+
+using namespace epode;
+
+namespace {
+
+constexpr const char* kConfiguration = kSingle ? "ODE ODE_single_precision" : "ODE ODE_double_precision";
+
+// Is the text at `place`, of this length, bounded by spaces or the ends of the configuration?
+bool is_word(const char* place, std::size_t length)
+{
+    const bool begins = place == kConfiguration || place[-1] == ' ';
+    return begins && (place[length] == ' ' || place[length] == 0);
+}
+
+}  // namespace
+
+extern "C" const char* dGetConfiguration(void) { return kConfiguration; }
+
+extern "C" int dCheckConfiguration(const char* token)
+{
+    EPODE_USER(token, 0);
+    const std::size_t length = std::strlen(token);
+    if (length == 0 || std::strchr(token, ' ')) return 0;
+    for (const char* at = std::strstr(kConfiguration, token); at; at = std::strstr(at + 1, token))
+        if (is_word(at, length)) return 1;
+    return 0;
+}
