@@ -12,7 +12,7 @@
 namespace epode::viewer {
 
 constexpr int kSkyLights = 48;
-constexpr int kSpiral = 32;
+constexpr int kSpiral = 48;
 constexpr int kSunMapSide = 4096;
 constexpr int kSkyMapSide = 768;
 

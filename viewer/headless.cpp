@@ -4,7 +4,8 @@
 // EGL without surfaces (EGL_MESA_platform_surfaceless, EGL_KHR_surfaceless_context): Mesa's software rasteriser serves it on a machine with
 // neither GPU nor X; where the platform is not offered, the default display is tried. The libraries are opened by libepoxy at first use and
 // not linked, so that `epode` starts on a machine without OpenGL; epoxy ends the process when a library is absent, hence the look
-// beforehand. GLX was rejected (needs X), OSMesa too (Mesa drops it).
+// beforehand. The display itself stays initialised: EGL counts no users of it, so closing it could take it from another part of the program,
+// and Mesa, unloaded on the way, leaves blocks behind that a leak checker can no longer name. GLX was rejected (needs X), OSMesa too (Mesa drops it).
 #include "headless.h"
 
 #include <dlfcn.h>
@@ -67,7 +68,6 @@ Headless::~Headless() {
     if (!display_) return;
     eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     if (context_) eglDestroyContext(display_, context_);
-    eglTerminate(display_);
 }
 
 }  // namespace epode::viewer

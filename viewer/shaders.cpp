@@ -17,7 +17,7 @@ namespace epode::viewer {
 
 const char* const kShaderHead = R"(#version 330 core
 #define SKY_LIGHTS 48
-#define SPIRAL 32
+#define SPIRAL 48
 layout(std140) uniform Frame {
     mat4 camera;
     mat4 sun;
@@ -38,9 +38,9 @@ uniform sampler2DArrayShadow sky_shadow;
 uniform sampler2DMS places, normals, paints;
 
 const vec3 kSunLight = vec3(1.0, 0.90, 0.76) * 2.05;
-const vec3 kZenith = vec3(0.20, 0.37, 0.64);
-const vec3 kHorizon = vec3(0.74, 0.81, 0.87);
-const vec3 kGroundPaint = vec3(0.655, 0.65, 0.64);
+const vec3 kZenith = vec3(0.17, 0.36, 0.68);
+const vec3 kHorizon = vec3(0.77, 0.86, 0.95);
+const vec3 kGroundPaint = vec3(0.66, 0.65, 0.635);
 const float kSunWidth = 0.045;    // diameter of the sun over its distance: five times the real one, as thin haze makes it
 const float kSunTexel = 1.0 / 4096.0;
 
@@ -83,7 +83,7 @@ vec3 sky_light(vec3 p, vec3 n) {
 
 vec3 sky_color(vec3 ray) {
     float height = max(ray.z, 0.0);
-    return mix(kHorizon, kZenith, 1.0 - exp(-5.0 * height));
+    return mix(kHorizon, kZenith, 1.0 - exp(-6.0 * height));
 }
 
 float haze(vec3 p) {
@@ -95,7 +95,7 @@ float haze(vec3 p) {
 vec3 exposed(vec3 color) {
     float y = max(dot(color, vec3(0.2126, 0.7152, 0.0722)), 1e-5);
     float white = 1.9;
-    return color * (1.0 + y / (white * white)) / (1.0 + y) * 1.28;
+    return color * (1.0 + y / (white * white)) / (1.0 + y) * 1.2;
 }
 
 vec3 to_linear(vec3 c) { return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c)); }
