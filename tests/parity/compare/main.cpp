@@ -4,8 +4,8 @@
 // parity_compare OURS.txt REFERENCE.txt TOLERANCES.tsv DIFFERENCES.tsv
 //
 // Compares two record files of parity_probe and prints the parity table: per case the records, the worst
-// relative difference and what is allowed, and for contacts the poses and how they agree. Exit status 0 if all
-// is within tolerance, 1 if not, 2 if the files cannot be compared (among that: the same library twice).
+// relative difference and what is allowed, and for contacts the poses and how they agree. Exit status 0 if
+// all is within tolerance, 1 if not, 2 if the files cannot be compared (among that: the same library twice).
 #include "tally.h"
 
 #include <cstdio>
@@ -15,13 +15,12 @@ namespace {
 
 using Tallies = std::map<std::string, CaseTally>;
 
-bool compare_files(RecordFile& ours, RecordFile& reference, const RuleTable& table, Tallies& tallies) {
+bool compare_files(RecordFile& ours, RecordFile& reference, const RuleTable& table, Tallies& tallies)
+{
     Block a, b;
     for (;;) {
         const bool more_a = ours.next(a), more_b = reference.next(b);
-        if (!more_a || !more_b) {
-            return more_a == more_b;
-        }
+        if (!more_a || !more_b) { return more_a == more_b; }
         if (a.case_name != b.case_name || a.name != b.name) {
             std::printf("the files part at %s %s and %s %s\n", a.case_name.c_str(), a.name.c_str(),
                         b.case_name.c_str(), b.name.c_str());
@@ -31,43 +30,41 @@ bool compare_files(RecordFile& ours, RecordFile& reference, const RuleTable& tab
     }
 }
 
-const char* verdict(const CaseTally& tally) {
-    return tally.passes() ? "ok" : "FAILS";
-}
+const char* verdict(const CaseTally& tally) { return tally.passes() ? "ok" : "FAILS"; }
 
-void print_values(const Tallies& tallies) {
-    std::printf("\n%-36s %8s %8s %12s %9s %7s  %s\n", "case", "blocks", "records", "worst", "allowed", "beyond",
-                "verdict (worst at)");
+void print_values(const Tallies& tallies)
+{
+    std::printf("\n%-36s %8s %8s %12s %9s %7s  %s\n", "case", "blocks", "records", "worst", "allowed",
+                "beyond", "verdict (worst at)");
     for (const auto& [name, tally] : tallies) {
         if (!tally.is_pair) {
-            std::printf("%-36s %8ld %8ld %12.3g %9.1g %7ld  %s  %s\n", name.c_str(), tally.blocks, tally.records,
-                        tally.worst, tally.allowed, tally.failed_blocks(), verdict(tally), tally.worst_at.c_str());
+            std::printf("%-36s %8ld %8ld %12.3g %9.1g %7ld  %s  %s\n", name.c_str(), tally.blocks,
+                        tally.records, tally.worst, tally.allowed, tally.failed_blocks(), verdict(tally),
+                        tally.worst_at.c_str());
         }
     }
 }
 
-void print_pairs(const Tallies& tallies) {
-    std::printf("\n%-26s %6s %6s %6s %8s %8s %7s %9s %7s %6s %11s  %s\n", "pair", "poses", "hits", "misses", "touching",
-                "disagree", "depth", "shallower", "normal", "stuck", "worst depth", "verdict");
+void print_pairs(const Tallies& tallies)
+{
+    std::printf("\n%-26s %6s %6s %6s %8s %8s %7s %9s %7s %6s %11s  %s\n", "pair", "poses", "hits", "misses",
+                "touching", "disagree", "depth", "shallower", "normal", "stuck", "worst depth", "verdict");
     for (const auto& [name, tally] : tallies) {
         if (tally.is_pair) {
             const PairTally& p = tally.pairs;
-            std::printf("%-26s %6ld %6ld %6ld %8ld %8ld %7ld %9ld %7ld %6ld %11.3g  %s\n", name.c_str(), p.poses,
-                        p.both_hit, p.both_miss, p.touching_disagree, p.disagree, p.other_depth, p.shallower,
-                        p.other_normal, p.inseparable, p.worst_depth, verdict(tally));
+            std::printf("%-26s %6ld %6ld %6ld %8ld %8ld %7ld %9ld %7ld %6ld %11.3g  %s\n", name.c_str(),
+                        p.poses, p.both_hit, p.both_miss, p.touching_disagree, p.disagree, p.other_depth,
+                        p.shallower, p.other_normal, p.inseparable, p.worst_depth, verdict(tally));
         }
     }
 }
 
-void print_failures(const Tallies& tallies) {
+void print_failures(const Tallies& tallies)
+{
     for (const auto& [name, tally] : tallies) {
-        if (tally.passes()) {
-            continue;
-        }
+        if (tally.passes()) { continue; }
         std::printf("\n%s\n", name.c_str());
-        for (const std::string& error : tally.structure_errors) {
-            std::printf("  %s\n", error.c_str());
-        }
+        for (const std::string& error : tally.structure_errors) { std::printf("  %s\n", error.c_str()); }
         for (const auto& [family, count] : tally.failed_families) {
             std::printf("  %-40s %ld blocks beyond\n", family.c_str(), count);
         }
@@ -81,13 +78,12 @@ void print_failures(const Tallies& tallies) {
     }
 }
 
-void print_differences(const RuleTable& table, const Tallies& tallies) {
+void print_differences(const RuleTable& table, const Tallies& tallies)
+{
     std::set<std::string> used;
     for (const auto& [name, tally] : tallies) {
         for (const auto& [rule, rule_tally] : tally.rules) {
-            if (!rule->difference.empty()) {
-                used.insert(rule->difference);
-            }
+            if (!rule->difference.empty()) { used.insert(rule->difference); }
         }
     }
     std::printf("\nintended differences met by these rules:\n");
@@ -96,20 +92,21 @@ void print_differences(const RuleTable& table, const Tallies& tallies) {
     }
 }
 
-int count_failures(const Tallies& tallies) {
+int count_failures(const Tallies& tallies)
+{
     int failures = 0;
-    for (const auto& [name, tally] : tallies) {
-        failures += tally.passes() ? 0 : 1;
-    }
+    for (const auto& [name, tally] : tallies) { failures += tally.passes() ? 0 : 1; }
     return failures;
 }
 
-int run(char** paths) {
+int run(char** paths)
+{
     RecordFile ours(paths[0]), reference(paths[1]);
     RuleTable table;
     std::string error;
     if (!ours.is_open() || !reference.is_open() || !read_rules(paths[2], paths[3], table, error)) {
-        std::fprintf(stderr, "parity_compare: %s\n", error.empty() ? "cannot read the records" : error.c_str());
+        std::fprintf(stderr, "parity_compare: %s\n",
+                     error.empty() ? "cannot read the records" : error.c_str());
         return 2;
     }
     std::printf("ours      %s\nreference %s\n", ours.library().c_str(), reference.library().c_str());
@@ -124,14 +121,16 @@ int run(char** paths) {
     print_failures(tallies);
     print_differences(table, tallies);
     const int failures = count_failures(tallies);
-    std::printf("\n%zu cases, %d beyond tolerance%s\n", tallies.size(), failures, complete ? "" : ", files INCOMPLETE");
+    std::printf("\n%zu cases, %d beyond tolerance%s\n", tallies.size(), failures,
+                complete ? "" : ", files INCOMPLETE");
     return failures == 0 && complete && !tallies.empty() ? 0 : 1;
 }
 
 }  // namespace
 }  // namespace parity
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv)
+{
     if (argc != 5) {
         std::fprintf(stderr, "usage: parity_compare OURS.txt REFERENCE.txt TOLERANCES.tsv DIFFERENCES.tsv\n");
         return 2;

@@ -3,10 +3,10 @@
 //
 // Comparison of the contacts of one pose: "count depth nx ny nz sum separated".
 //
-// Near touching, hit or miss is decided by rounding; there a disagreement is counted apart. A depth is the least
-// distance that separates the two, or an upper bound of it: under the rule "shallower" ours may
-// be smaller, if moving by it does separate. Normals are compared only where depths agree, and then a different normal
-// is a tie between two directions of (nearly) the same depth; it is counted, and fails no pose.
+// Near touching, hit or miss is decided by rounding; there a disagreement is counted apart. A depth is the
+// least distance that separates the two, or an upper bound of it: under the rule "shallower" ours may be
+// smaller, if moving by it does separate. Normals are compared only where depths agree, and then a different
+// normal is a tie between two directions of (nearly) the same depth; it is counted, and fails no pose.
 #include "tally.h"
 
 #include <algorithm>
@@ -15,11 +15,13 @@
 namespace parity {
 namespace {
 
-double cosine(const std::vector<double>& a, const std::vector<double>& b) {
+double cosine(const std::vector<double>& a, const std::vector<double>& b)
+{
     return a[2] * b[2] + a[3] * b[3] + a[4] * b[4];
 }
 
-bool compare_hit_and_miss(const Rule& rule, double depth, PairTally& tally) {
+bool compare_hit_and_miss(const Rule& rule, double depth, PairTally& tally)
+{
     if (depth <= rule.floor) {
         ++tally.touching_disagree;
         return true;
@@ -31,7 +33,8 @@ bool compare_hit_and_miss(const Rule& rule, double depth, PairTally& tally) {
 }  // namespace
 
 bool compare_pose(const Rule& rule, const std::vector<double>& ours, const std::vector<double>& reference,
-                  PairTally& tally) {
+                  PairTally& tally)
+{
     ++tally.poses;
     const bool ours_hits = ours[0] > 0, reference_hits = reference[0] > 0;
     if (!ours_hits && !reference_hits) {

@@ -29,14 +29,14 @@ struct Block {
 };
 
 class RecordFile {
-public:
+  public:
     explicit RecordFile(const std::string& path);
 
     bool is_open() const { return input_.is_open(); }
     const std::string& library() const { return library_; }
     bool next(Block& block);  // false at the end
 
-private:
+  private:
     bool read_record();
 
     std::ifstream input_;

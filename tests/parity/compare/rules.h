@@ -7,10 +7,11 @@
 //   case-glob  key-glob  kind  tolerance  floor  fraction  difference
 // kind exact    the texts are equal
 //      scaled   |a - b| <= tolerance * max(|value| over the block's records under this rule, floor)
-//      pair     contacts of a pose: depths within the tolerance, a hit or miss may differ for depths up to floor
-//      shallower  as pair, but a smaller depth that also separates the two is right as well
-// key-glob is matched against "block/key". fraction is the share of a case's blocks that may be out of tolerance; it
-// is 0, or the rule names the intended difference (a row of differences.tsv) that it comes from.
+//      pair     contacts of a pose: depths within the tolerance, a hit or miss may differ for depths up to
+//      floor shallower  as pair, but a smaller depth that also separates the two is right as well
+// key-glob is matched against "block/key". fraction is the share of a case's blocks that may be out of
+// tolerance; it is 0, or the rule names the intended difference (a row of differences.tsv) that it comes
+// from.
 #pragma once
 
 #include <map>
@@ -39,7 +40,8 @@ struct RuleTable {
 };
 
 // Reads both tables; writes what is wrong with them into error.
-bool read_rules(const std::string& rules_path, const std::string& differences_path, RuleTable& table, std::string& error);
+bool read_rules(const std::string& rules_path, const std::string& differences_path, RuleTable& table,
+                std::string& error);
 
 bool glob_match(const char* pattern, const char* text);
 

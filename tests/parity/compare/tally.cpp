@@ -16,45 +16,42 @@ struct Match {
     const Rule* rule;
 };
 
-std::string family_of(const std::string& block) {
+std::string family_of(const std::string& block)
+{
     const std::size_t slash = block.rfind('/');
     return slash == std::string::npos ? std::string("-") : block.substr(0, slash);
 }
 
-std::string full_key(const Record& record) {
-    return record.block + "/" + record.key;
+std::string full_key(const Record& record) { return record.block + "/" + record.key; }
+
+void fail(CaseTally& tally, RuleTally& rule, const std::string& block)
+{
+    if (rule.failed_blocks.insert(block).second) { ++tally.failed_families[family_of(block)]; }
 }
 
-void fail(CaseTally& tally, RuleTally& rule, const std::string& block) {
-    if (rule.failed_blocks.insert(block).second) {
-        ++tally.failed_families[family_of(block)];
-    }
-}
-
-double finite_size(const std::vector<double>& values) {
+double finite_size(const std::vector<double>& values)
+{
     double size = 0;
     for (const double value : values) {
-        if (std::isfinite(value)) {
-            size = std::max(size, std::fabs(value));
-        }
+        if (std::isfinite(value)) { size = std::max(size, std::fabs(value)); }
     }
     return size;
 }
 
 // Infinity for values of which one is not a number or only one infinite.
-double difference(const std::vector<double>& a, const std::vector<double>& b) {
+double difference(const std::vector<double>& a, const std::vector<double>& b)
+{
     double worst = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        if (a[i] == b[i]) {
-            continue;
-        }
+        if (a[i] == b[i]) { continue; }
         const double distance = std::fabs(a[i] - b[i]);
         worst = std::max(worst, std::isfinite(distance) ? distance : INFINITY);
     }
     return worst;
 }
 
-void note_worst(CaseTally& tally, RuleTally& rule_tally, double relative, const Record& record) {
+void note_worst(CaseTally& tally, RuleTally& rule_tally, double relative, const Record& record)
+{
     if (relative > rule_tally.worst) {
         rule_tally.worst = relative;
         rule_tally.worst_at = full_key(record);
@@ -66,7 +63,8 @@ void note_worst(CaseTally& tally, RuleTally& rule_tally, double relative, const 
     }
 }
 
-void compare_scaled(const std::vector<Match>& matches, const Rule& rule, CaseTally& tally) {
+void compare_scaled(const std::vector<Match>& matches, const Rule& rule, CaseTally& tally)
+{
     double scale = rule.floor;
     for (const Match& match : matches) {
         if (match.rule == &rule) {
@@ -75,21 +73,19 @@ void compare_scaled(const std::vector<Match>& matches, const Rule& rule, CaseTal
     }
     RuleTally& rule_tally = tally.rules[&rule];
     for (const Match& match : matches) {
-        if (match.rule != &rule) {
-            continue;
-        }
+        if (match.rule != &rule) { continue; }
         const bool comparable = match.ours->numeric && match.reference->numeric &&
                                 match.ours->values.size() == match.reference->values.size();
-        const double distance = comparable ? difference(match.ours->values, match.reference->values) : INFINITY;
+        const double distance =
+            comparable ? difference(match.ours->values, match.reference->values) : INFINITY;
         const double relative = distance == 0 ? 0 : distance / scale;
         note_worst(tally, rule_tally, relative, *match.ours);
-        if (!(relative <= rule.tolerance)) {
-            fail(tally, rule_tally, match.ours->block);
-        }
+        if (!(relative <= rule.tolerance)) { fail(tally, rule_tally, match.ours->block); }
     }
 }
 
-void compare_exact(const Match& match, CaseTally& tally) {
+void compare_exact(const Match& match, CaseTally& tally)
+{
     RuleTally& rule_tally = tally.rules[match.rule];
     if (match.ours->text != match.reference->text) {
         note_worst(tally, rule_tally, 1, *match.ours);
@@ -97,7 +93,8 @@ void compare_exact(const Match& match, CaseTally& tally) {
     }
 }
 
-void compare_pair(const Match& match, CaseTally& tally) {
+void compare_pair(const Match& match, CaseTally& tally)
+{
     tally.is_pair = true;
     RuleTally& rule_tally = tally.rules[match.rule];
     if (match.ours->values.size() != 7 || match.reference->values.size() != 7 ||
@@ -106,7 +103,9 @@ void compare_pair(const Match& match, CaseTally& tally) {
     }
 }
 
-std::vector<Match> match_records(const Block& ours, const Block& reference, const RuleTable& table, CaseTally& tally) {
+std::vector<Match> match_records(const Block& ours, const Block& reference, const RuleTable& table,
+                                 CaseTally& tally)
+{
     std::vector<Match> matches;
     std::size_t i = 0, j = 0;
     while (i < ours.records.size() || j < reference.records.size()) {
@@ -117,7 +116,8 @@ std::vector<Match> match_records(const Block& ours, const Block& reference, cons
         }
         const Rule* rule = table.find(ours.case_name, full_key(ours.records[i]));
         if (rule == nullptr) {
-            tally.structure_errors.push_back("no rule for " + ours.case_name + " " + full_key(ours.records[i]));
+            tally.structure_errors.push_back("no rule for " + ours.case_name + " " +
+                                             full_key(ours.records[i]));
             return matches;
         }
         matches.push_back({&ours.records[i++], &reference.records[j++], rule});
@@ -127,7 +127,8 @@ std::vector<Match> match_records(const Block& ours, const Block& reference, cons
 
 }  // namespace
 
-void compare_blocks(const Block& ours, const Block& reference, const RuleTable& table, CaseTally& tally) {
+void compare_blocks(const Block& ours, const Block& reference, const RuleTable& table, CaseTally& tally)
+{
     const std::vector<Match> matches = match_records(ours, reference, table, tally);
     std::vector<const Rule*> scaled;
     for (const Match& match : matches) {
@@ -142,14 +143,13 @@ void compare_blocks(const Block& ours, const Block& reference, const RuleTable& 
             compare_pair(match, tally);
         }
     }
-    for (const Rule* rule : scaled) {
-        compare_scaled(matches, *rule, tally);
-    }
+    for (const Rule* rule : scaled) { compare_scaled(matches, *rule, tally); }
     tally.records += static_cast<long>(matches.size());
     ++tally.blocks;
 }
 
-long CaseTally::failed_blocks() const {
+long CaseTally::failed_blocks() const
+{
     long count = 0;
     for (const auto& [rule, rule_tally] : rules) {
         count += static_cast<long>(rule_tally.failed_blocks.size());
@@ -157,7 +157,8 @@ long CaseTally::failed_blocks() const {
     return count;
 }
 
-bool CaseTally::passes() const {
+bool CaseTally::passes() const
+{
     const double total = static_cast<double>(is_pair ? records : blocks);
     const auto within = [&](const auto& entry) {
         return static_cast<double>(entry.second.failed_blocks.size()) <= entry.first->fraction * total;

@@ -8,16 +8,18 @@
 namespace parity {
 namespace {
 
-void put_accumulators(Output& out, const std::string& key, dBodyID b) {
+void put_accumulators(Output& out, const std::string& key, dBodyID b)
+{
     out.put(key + ".force", dBodyGetForce(b), 3);
     out.put(key + ".torque", dBodyGetTorque(b), 3);
 }
 
-void put_flags(Output& out, const std::string& key, dBodyID b) {
-    out.put(key + ".flags", {static_cast<double>(dBodyIsEnabled(b)), static_cast<double>(dBodyIsKinematic(b)),
-                             static_cast<double>(dBodyGetGravityMode(b)), dBodyGetGyroscopicMode(b) != 0 ? 1.0 : 0.0,
-                             static_cast<double>(dBodyGetFiniteRotationMode(b)),
-                             static_cast<double>(dBodyGetNumJoints(b))});
+void put_flags(Output& out, const std::string& key, dBodyID b)
+{
+    out.put(key + ".flags",
+            {static_cast<double>(dBodyIsEnabled(b)), static_cast<double>(dBodyIsKinematic(b)),
+             static_cast<double>(dBodyGetGravityMode(b)), dBodyGetGyroscopicMode(b) != 0 ? 1.0 : 0.0,
+             static_cast<double>(dBodyGetFiniteRotationMode(b)), static_cast<double>(dBodyGetNumJoints(b))});
     dVector3 axis = {0, 0, 0, 0};
     dBodyGetFiniteRotationAxis(b, axis);
     out.put(key + ".finite-axis", axis, 3);
@@ -27,30 +29,37 @@ void put_flags(Output& out, const std::string& key, dBodyID b) {
     out.put_matrix3(key + ".inertia", mass.I);
 }
 
-PARITY_CASE(body_initial_state) {
+PARITY_CASE(body_initial_state)
+{
     const dWorldID world = dWorldCreate();
     const dBodyID body = dBodyCreate(world);
     out.put_body("new", body);
     out.put_matrix3("new.rot", dBodyGetRotation(body));
     put_accumulators(out, "new", body);
     put_flags(out, "new", body);
-    out.put("links", {dBodyGetData(body) == nullptr ? 1.0 : 0.0, dBodyGetFirstGeom(body) == nullptr ? 1.0 : 0.0,
-                      dBodyGetWorld(body) == world ? 1.0 : 0.0});
+    out.put("links",
+            {dBodyGetData(body) == nullptr ? 1.0 : 0.0, dBodyGetFirstGeom(body) == nullptr ? 1.0 : 0.0,
+             dBodyGetWorld(body) == world ? 1.0 : 0.0});
     dWorldDestroy(world);
 }
 
 using ForceCall = void (*)(dBodyID, const Vec3& f, const Vec3& p);
 
-PARITY_CASE(body_forces) {
+PARITY_CASE(body_forces)
+{
     const std::pair<const char*, ForceCall> calls[] = {
         {"force", [](dBodyID b, const Vec3& f, const Vec3&) { dBodyAddForce(b, f.x, f.y, f.z); }},
         {"torque", [](dBodyID b, const Vec3& f, const Vec3&) { dBodyAddTorque(b, f.x, f.y, f.z); }},
         {"rel-force", [](dBodyID b, const Vec3& f, const Vec3&) { dBodyAddRelForce(b, f.x, f.y, f.z); }},
         {"rel-torque", [](dBodyID b, const Vec3& f, const Vec3&) { dBodyAddRelTorque(b, f.x, f.y, f.z); }},
-        {"at-pos", [](dBodyID b, const Vec3& f, const Vec3& p) { dBodyAddForceAtPos(b, f.x, f.y, f.z, p.x, p.y, p.z); }},
-        {"at-rel-pos", [](dBodyID b, const Vec3& f, const Vec3& p) { dBodyAddForceAtRelPos(b, f.x, f.y, f.z, p.x, p.y, p.z); }},
-        {"rel-at-pos", [](dBodyID b, const Vec3& f, const Vec3& p) { dBodyAddRelForceAtPos(b, f.x, f.y, f.z, p.x, p.y, p.z); }},
-        {"rel-at-rel-pos", [](dBodyID b, const Vec3& f, const Vec3& p) { dBodyAddRelForceAtRelPos(b, f.x, f.y, f.z, p.x, p.y, p.z); }},
+        {"at-pos", [](dBodyID b, const Vec3& f,
+                      const Vec3& p) { dBodyAddForceAtPos(b, f.x, f.y, f.z, p.x, p.y, p.z); }},
+        {"at-rel-pos", [](dBodyID b, const Vec3& f,
+                          const Vec3& p) { dBodyAddForceAtRelPos(b, f.x, f.y, f.z, p.x, p.y, p.z); }},
+        {"rel-at-pos", [](dBodyID b, const Vec3& f,
+                          const Vec3& p) { dBodyAddRelForceAtPos(b, f.x, f.y, f.z, p.x, p.y, p.z); }},
+        {"rel-at-rel-pos", [](dBodyID b, const Vec3& f,
+                              const Vec3& p) { dBodyAddRelForceAtRelPos(b, f.x, f.y, f.z, p.x, p.y, p.z); }},
         {"set-force", [](dBodyID b, const Vec3& f, const Vec3&) { dBodySetForce(b, f.x, f.y, f.z); }},
         {"set-torque", [](dBodyID b, const Vec3& f, const Vec3&) { dBodySetTorque(b, f.x, f.y, f.z); }},
     };
@@ -71,7 +80,8 @@ PARITY_CASE(body_forces) {
     }
 }
 
-PARITY_CASE(body_transforms) {
+PARITY_CASE(body_transforms)
+{
     const dWorldID world = dWorldCreate();
     const dBodyID body = dBodyCreate(world);
     for (int pose = 0; pose < 30; ++pose) {
@@ -102,16 +112,19 @@ PARITY_CASE(body_transforms) {
 
 using BodySetting = void (*)(dBodyID, Random&);
 
-PARITY_CASE(body_integration) {
+PARITY_CASE(body_integration)
+{
     const std::pair<const char*, BodySetting> settings[] = {
         {"plain", [](dBodyID, Random&) {}},
         {"finite", [](dBodyID b, Random&) { dBodySetFiniteRotationMode(b, 1); }},
-        {"finite-slow", [](dBodyID b, Random&) {
+        {"finite-slow",
+         [](dBodyID b, Random&) {
              dBodySetFiniteRotationMode(b, 1);
              const dReal* w = dBodyGetAngularVel(b);
              dBodySetAngularVel(b, w[0] * 1e-4, w[1] * 1e-4, w[2] * 1e-4);
          }},
-        {"finite-axis", [](dBodyID b, Random& random) {
+        {"finite-axis",
+         [](dBodyID b, Random& random) {
              const Vec3 n = random.direction();
              dBodySetFiniteRotationMode(b, 1);
              dBodySetFiniteRotationAxis(b, 2 * n.x, 2 * n.y, 2 * n.z);
@@ -120,15 +133,21 @@ PARITY_CASE(body_integration) {
         {"no-gravity", [](dBodyID b, Random&) { dBodySetGravityMode(b, 0); }},
         {"max-speed", [](dBodyID b, Random&) { dBodySetMaxAngularSpeed(b, 3); }},
         {"damping", [](dBodyID b, Random& random) { dBodySetDamping(b, random.unit(), random.unit()); }},
-        {"damping-threshold", [](dBodyID b, Random& random) {
+        {"damping-threshold",
+         [](dBodyID b, Random& random) {
              dBodySetDamping(b, random.unit(), random.unit());
              dBodySetLinearDampingThreshold(b, 4);
              dBodySetAngularDampingThreshold(b, 4);
          }},
         {"kinematic", [](dBodyID b, Random&) { dBodySetKinematic(b); }},
-        {"dynamic-again", [](dBodyID b, Random&) { dBodySetKinematic(b); dBodySetDynamic(b); }},
+        {"dynamic-again",
+         [](dBodyID b, Random&) {
+             dBodySetKinematic(b);
+             dBodySetDynamic(b);
+         }},
         {"disabled", [](dBodyID b, Random&) { dBodyDisable(b); }},
-        {"fast", [](dBodyID b, Random& random) {
+        {"fast",
+         [](dBodyID b, Random& random) {
              const Vec3 w = random.in_cube(100);
              dBodySetAngularVel(b, w.x, w.y, w.z);
          }},

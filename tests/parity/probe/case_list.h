@@ -28,7 +28,7 @@ struct CaseEntry {
 
 }  // namespace parity
 
-#define PARITY_CASE(name)                                                                     \
+#define PARITY_CASE(name)                                                                                \
     static void case_##name([[maybe_unused]] parity::Output& out, [[maybe_unused]] parity::Random& rng); \
-    static const parity::CaseEntry case_entry_##name(#name, &case_##name);                    \
+    static const parity::CaseEntry case_entry_##name(#name, &case_##name);                               \
     static void case_##name([[maybe_unused]] parity::Output& out, [[maybe_unused]] parity::Random& rng)

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Geoms alone: bounding boxes, point depths, parameters, poses with body and offset, point transforms, and the
-// contact rules that do not depend on a random pose (same body, room, order of the two geoms).
+// Geoms alone: bounding boxes, point depths, parameters, poses with body and offset, point transforms, and
+// the contact rules that do not depend on a random pose (same body, room, order of the two geoms).
 #include "geoms.h"
 
 namespace parity {
 namespace {
 
-PARITY_CASE(geom_aabb) {
+PARITY_CASE(geom_aabb)
+{
     for (const Kind kind : kKinds) {
         for (int pose = 0; pose < 50; ++pose) {
             const Placed placed = make_geom(kind, nullptr, rng);
@@ -31,11 +32,14 @@ PARITY_CASE(geom_aabb) {
     }
 }
 
-PARITY_CASE(geom_point_depth) {
+PARITY_CASE(geom_point_depth)
+{
     for (int i = 0; i < 200; ++i) {
         const Vec3 at = rng.in_cube(1), p = rng.in_cube(1.5);
-        const Placed sphere = make_geom(Kind::kSphere, nullptr, rng), box = make_geom(Kind::kBox, nullptr, rng),
-                     capsule = make_geom(Kind::kCapsule, nullptr, rng), plane = make_geom(Kind::kPlane, nullptr, rng);
+        const Placed sphere = make_geom(Kind::kSphere, nullptr, rng),
+                     box = make_geom(Kind::kBox, nullptr, rng),
+                     capsule = make_geom(Kind::kCapsule, nullptr, rng),
+                     plane = make_geom(Kind::kPlane, nullptr, rng);
         place_geom(sphere, Kind::kSphere, at, rng);
         place_geom(box, Kind::kBox, at, rng);
         place_geom(capsule, Kind::kCapsule, at, rng);
@@ -47,13 +51,12 @@ PARITY_CASE(geom_point_depth) {
         // Outside a box only the sign has a meaning (differences.md, C6).
         const double depth = dGeomBoxPointDepth(box.geom, p.x, p.y, p.z);
         out.put("box" + n, {depth >= 0 ? depth : -1.0});
-        for (const Placed& placed : {sphere, box, capsule, plane}) {
-            dGeomDestroy(placed.geom);
-        }
+        for (const Placed& placed : {sphere, box, capsule, plane}) { dGeomDestroy(placed.geom); }
     }
 }
 
-void put_pose(Output& out, const std::string& key, dGeomID g) {
+void put_pose(Output& out, const std::string& key, dGeomID g)
+{
     dVector3 p = {0, 0, 0, 0};
     dQuaternion q = {0, 0, 0, 0};
     dMatrix3 R = {0};
@@ -72,7 +75,8 @@ void put_pose(Output& out, const std::string& key, dGeomID g) {
     out.put(key + ".is-offset", {static_cast<double>(dGeomIsOffset(g))});
 }
 
-void random_matrix(dMatrix3 R, dQuaternion q, Random& random) {
+void random_matrix(dMatrix3 R, dQuaternion q, Random& random)
+{
     const Quat r = random.rotation(3);
     q[0] = r.w;
     q[1] = r.x;
@@ -81,7 +85,8 @@ void random_matrix(dMatrix3 R, dQuaternion q, Random& random) {
     dRfromQ(R, q);
 }
 
-PARITY_CASE(geom_offsets) {
+PARITY_CASE(geom_offsets)
+{
     for (int i = 0; i < 20; ++i) {
         out.open_block("t" + std::to_string(i));
         const dWorldID world = dWorldCreate();
@@ -135,15 +140,17 @@ PARITY_CASE(geom_offsets) {
     }
 }
 
-PARITY_CASE(geom_defaults) {
+PARITY_CASE(geom_defaults)
+{
     for (const Kind kind : kKinds) {
         out.open_block(kind_name(kind));
         const Placed placed = make_geom(kind, nullptr, rng);
         const dGeomID g = placed.geom;
-        out.put("defaults", {static_cast<double>(dGeomGetClass(g)), static_cast<double>(dGeomIsEnabled(g)),
-                             static_cast<double>(dGeomIsSpace(g)), dGeomGetBody(g) == nullptr ? 0.0 : 1.0,
-                             dGeomGetSpace(g) == nullptr ? 0.0 : 1.0, dGeomGetData(g) == nullptr ? 0.0 : 1.0,
-                             static_cast<double>(dGeomGetCategoryBits(g)), static_cast<double>(dGeomGetCollideBits(g))});
+        out.put("defaults",
+                {static_cast<double>(dGeomGetClass(g)), static_cast<double>(dGeomIsEnabled(g)),
+                 static_cast<double>(dGeomIsSpace(g)), dGeomGetBody(g) == nullptr ? 0.0 : 1.0,
+                 dGeomGetSpace(g) == nullptr ? 0.0 : 1.0, dGeomGetData(g) == nullptr ? 0.0 : 1.0,
+                 static_cast<double>(dGeomGetCategoryBits(g)), static_cast<double>(dGeomGetCollideBits(g))});
         dGeomDestroy(g);
     }
     const dGeomID ray = dCreateRay(nullptr, 4);
@@ -154,7 +161,8 @@ PARITY_CASE(geom_defaults) {
     out.put("start", start, 3);
     out.put("direction", direction, 3);
     out.put("length", {dGeomRayGetLength(ray), static_cast<double>(dGeomRayGetClosestHit(ray)),
-                       static_cast<double>(dGeomRayGetFirstContact(ray)), static_cast<double>(dGeomRayGetBackfaceCull(ray))});
+                       static_cast<double>(dGeomRayGetFirstContact(ray)),
+                       static_cast<double>(dGeomRayGetBackfaceCull(ray))});
     dGeomDestroy(ray);
 }
 

@@ -16,7 +16,7 @@ namespace parity {
 
 enum class Kind { kSphere, kBox, kCapsule, kCylinder, kPlane, kRay, kTransform };
 
-constexpr std::array<Kind, 7> kKinds = {Kind::kSphere, Kind::kBox,  Kind::kCapsule,  Kind::kCylinder,
+constexpr std::array<Kind, 7> kKinds = {Kind::kSphere, Kind::kBox, Kind::kCapsule,  Kind::kCylinder,
                                         Kind::kPlane,  Kind::kRay, Kind::kTransform};
 
 const char* kind_name(Kind kind);

@@ -11,18 +11,22 @@
 namespace parity {
 namespace {
 
-void fill(dVector3 out, const Vec3& v) {
+void fill(dVector3 out, const Vec3& v)
+{
     out[0] = v.x;
     out[1] = v.y;
     out[2] = v.z;
     out[3] = 0;
 }
 
-double distance(const dVector3 a, const dVector3 b) {
-    return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
+double distance(const dVector3 a, const dVector3 b)
+{
+    return std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
+                     (a[2] - b[2]) * (a[2] - b[2]));
 }
 
-PARITY_CASE(geom_closest_segments) {
+PARITY_CASE(geom_closest_segments)
+{
     for (int i = 0; i < 300; ++i) {
         dVector3 a1, a2, b1, b2, p = {0, 0, 0, 0}, q = {0, 0, 0, 0};
         fill(a1, rng.in_cube(1));
@@ -36,7 +40,8 @@ PARITY_CASE(geom_closest_segments) {
 }
 
 // Parallel segments have many closest pairs; their distance is one.
-PARITY_CASE(geom_closest_parallel_segments) {
+PARITY_CASE(geom_closest_parallel_segments)
+{
     for (int i = 0; i < 100; ++i) {
         const Vec3 d = rng.direction(), at = rng.in_cube(1), other = rng.in_cube(1);
         const double length = rng.range(0.1, 2), b_length = rng.sign() * rng.range(0.1, 2);
@@ -55,7 +60,8 @@ struct BoxPose {
     dMatrix3 R = {0};
 };
 
-BoxPose random_box(Random& random, double spread) {
+BoxPose random_box(Random& random, double spread)
+{
     BoxPose box;
     const Quat r = random.rotation(3.1);
     const dQuaternion q = {r.w, r.x, r.y, r.z};
@@ -65,14 +71,17 @@ BoxPose random_box(Random& random, double spread) {
     return box;
 }
 
-PARITY_CASE(geom_box_touches_box) {
+PARITY_CASE(geom_box_touches_box)
+{
     for (int i = 0; i < 500; ++i) {
         const BoxPose a = random_box(rng, 0.7), b = random_box(rng, 0.7);
-        out.put("t" + std::to_string(i), {static_cast<double>(dBoxTouchesBox(a.p, a.R, a.side, b.p, b.R, b.side))});
+        out.put("t" + std::to_string(i),
+                {static_cast<double>(dBoxTouchesBox(a.p, a.R, a.side, b.p, b.R, b.side))});
     }
 }
 
-PARITY_CASE(geom_box_box) {
+PARITY_CASE(geom_box_box)
+{
     for (int i = 0; i < 300; ++i) {
         out.open_block("t" + std::to_string(i));
         const BoxPose a = random_box(rng, 0.5), b = random_box(rng, 0.5);
@@ -80,16 +89,15 @@ PARITY_CASE(geom_box_box) {
         dVector3 normal = {0, 0, 0, 0};
         dReal depth = 0;
         int code = 0;
-        const int count = dBoxBox(a.p, a.R, a.side, b.p, b.R, b.side, normal, &depth, &code, 8, contacts, sizeof(dContactGeom));
+        const int count = dBoxBox(a.p, a.R, a.side, b.p, b.R, b.side, normal, &depth, &code, 8, contacts,
+                                  sizeof(dContactGeom));
         out.put("hit", {count > 0 ? 1.0 : 0.0});
         if (count > 0) {
             out.put("normal", normal, 3);
             out.put("depth", {depth});
             out.put("code", {static_cast<double>(code)});
             double deepest = 0;
-            for (int k = 0; k < count; ++k) {
-                deepest = std::max(deepest, contacts[k].depth);
-            }
+            for (int k = 0; k < count; ++k) { deepest = std::max(deepest, contacts[k].depth); }
             out.put("deepest", {deepest});
         }
     }

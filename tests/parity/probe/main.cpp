@@ -18,14 +18,16 @@
 
 namespace parity {
 
-std::vector<Case>& case_list() {
+std::vector<Case>& case_list()
+{
     static std::vector<Case> list;
     return list;
 }
 
 namespace {
 
-std::string mapped_library() {
+std::string mapped_library()
+{
     std::ifstream maps("/proc/self/maps");
     for (std::string line; std::getline(maps, line);) {
         const std::size_t path = line.find('/');
@@ -36,27 +38,27 @@ std::string mapped_library() {
     return "none";
 }
 
-void run_case(const Case& chosen) {
+void run_case(const Case& chosen)
+{
     Output out(chosen.name);
     Random random(chosen.name);
     chosen.run(out, random);
 }
 
-int list_cases() {
-    for (const Case& one : case_list()) {
-        std::printf("%s\n", one.name);
-    }
+int list_cases()
+{
+    for (const Case& one : case_list()) { std::printf("%s\n", one.name); }
     return 0;
 }
 
-int run_all() {
-    for (const Case& one : case_list()) {
-        run_case(one);
-    }
+int run_all()
+{
+    for (const Case& one : case_list()) { run_case(one); }
     return 0;
 }
 
-int run_named(int count, char** names) {
+int run_named(int count, char** names)
+{
     for (int i = 0; i < count; ++i) {
         const auto same = [&](const Case& one) { return std::strcmp(one.name, names[i]) == 0; };
         const auto found = std::find_if(case_list().begin(), case_list().end(), same);
@@ -69,16 +71,15 @@ int run_named(int count, char** names) {
     return 0;
 }
 
-int run(int argc, char** argv) {
+int run(int argc, char** argv)
+{
     const auto by_name = [](const Case& a, const Case& b) { return std::strcmp(a.name, b.name) < 0; };
     std::sort(case_list().begin(), case_list().end(), by_name);
     if (argc < 2) {
         std::fprintf(stderr, "usage: parity_probe CASE... | --all | --list\n");
         return 2;
     }
-    if (std::strcmp(argv[1], "--list") == 0) {
-        return list_cases();
-    }
+    if (std::strcmp(argv[1], "--list") == 0) { return list_cases(); }
     std::printf("#library %s\n", mapped_library().c_str());
     dInitODE2(0);
     dAllocateODEDataForThread(dAllocateMaskAll);
@@ -91,6 +92,4 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace parity
 
-int main(int argc, char** argv) {
-    return parity::run(argc, argv);
-}
+int main(int argc, char** argv) { return parity::run(argc, argv); }

@@ -7,13 +7,15 @@
 namespace parity {
 namespace {
 
-void put_mass(Output& out, const std::string& key, const dMass& m) {
+void put_mass(Output& out, const std::string& key, const dMass& m)
+{
     out.put(key + ".mass", {m.mass});
     out.put(key + ".centre", m.c, 3);
     out.put_matrix3(key + ".inertia", m.I);
 }
 
-void put_shapes(Output& out, Random& random) {
+void put_shapes(Output& out, Random& random)
+{
     dMass m;
     const double density = random.range(0.1, 10), x = random.range(0.1, 2), y = random.range(0.1, 2),
                  z = random.range(0.1, 2);
@@ -40,11 +42,13 @@ void put_shapes(Output& out, Random& random) {
     }
 }
 
-void put_chain(Output& out, Random& random) {
+void put_chain(Output& out, Random& random)
+{
     dMass sum, part;
     dMassSetBox(&sum, random.range(0.5, 3), random.range(0.2, 1), random.range(0.2, 1), random.range(0.2, 1));
     for (int i = 0; i < 4; ++i) {
-        dMassSetCapsule(&part, random.range(0.5, 3), 1 + random.below(3), random.range(0.1, 0.5), random.range(0.1, 1));
+        dMassSetCapsule(&part, random.range(0.5, 3), 1 + random.below(3), random.range(0.1, 0.5),
+                        random.range(0.1, 1));
         const Vec3 t = random.in_cube(2), axis = random.direction();
         dMatrix3 R = {0};
         dRFromAxisAndAngle(R, axis.x, axis.y, axis.z, random.range(-3, 3));
@@ -65,21 +69,24 @@ void put_chain(Output& out, Random& random) {
     out.put("check", {static_cast<double>(dMassCheck(&sum))});
 }
 
-PARITY_CASE(mass_shapes) {
+PARITY_CASE(mass_shapes)
+{
     for (int i = 0; i < 20; ++i) {
         out.open_block("t" + std::to_string(i));
         put_shapes(out, rng);
     }
 }
 
-PARITY_CASE(mass_chains) {
+PARITY_CASE(mass_chains)
+{
     for (int i = 0; i < 20; ++i) {
         out.open_block("t" + std::to_string(i));
         put_chain(out, rng);
     }
 }
 
-PARITY_CASE(mass_check) {
+PARITY_CASE(mass_check)
+{
     for (int i = 0; i < 100; ++i) {
         dMass m;
         dMassSetParameters(&m, rng.range(-0.2, 2), rng.range(-1, 1), rng.range(-1, 1), rng.range(-1, 1),

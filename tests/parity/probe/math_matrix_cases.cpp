@@ -10,17 +10,17 @@
 namespace parity {
 namespace {
 
-int padded(int n) {
-    return n <= 1 ? n : (n + 3) & ~3;
-}
+int padded(int n) { return n <= 1 ? n : (n + 3) & ~3; }
 
 using Matrix = std::vector<dReal>;
 
-std::size_t cells(int rows, int columns) {
+std::size_t cells(int rows, int columns)
+{
     return static_cast<std::size_t>(rows) * static_cast<std::size_t>(padded(columns));
 }
 
-Matrix random_matrix(Random& random, int rows, int columns) {
+Matrix random_matrix(Random& random, int rows, int columns)
+{
     Matrix a(cells(rows, columns), 0.0);
     for (int i = 0; i < rows; ++i) {
         for (int j = 0; j < columns; ++j) {
@@ -31,7 +31,8 @@ Matrix random_matrix(Random& random, int rows, int columns) {
 }
 
 // B B' + n/4: symmetric, with eigenvalues well away from zero.
-Matrix random_definite(Random& random, int n) {
+Matrix random_definite(Random& random, int n)
+{
     const Matrix b = random_matrix(random, n, n);
     Matrix a(cells(n, n), 0.0);
     const int skip = padded(n);
@@ -47,7 +48,8 @@ Matrix random_definite(Random& random, int n) {
     return a;
 }
 
-void put_lower(Output& out, const std::string& key, const Matrix& a, int n, int skip, bool diagonal) {
+void put_lower(Output& out, const std::string& key, const Matrix& a, int n, int skip, bool diagonal)
+{
     Matrix values;
     for (int i = 0; i < n; ++i) {
         for (int j = 0; j < i + (diagonal ? 1 : 0); ++j) {
@@ -57,7 +59,8 @@ void put_lower(Output& out, const std::string& key, const Matrix& a, int n, int 
     out.put(key, values.data(), static_cast<int>(values.size()));
 }
 
-PARITY_CASE(math_products) {
+PARITY_CASE(math_products)
+{
     for (int i = 0; i < 40; ++i) {
         out.open_block("t" + std::to_string(i));
         const int p = 1 + rng.below(9), q = 1 + rng.below(9), r = 1 + rng.below(9);
@@ -74,7 +77,8 @@ PARITY_CASE(math_products) {
     }
 }
 
-PARITY_CASE(math_cholesky) {
+PARITY_CASE(math_cholesky)
+{
     for (int n = 1; n <= 20; ++n) {
         out.open_block("n" + std::to_string(n));
         const Matrix a = random_definite(rng, n);
@@ -92,11 +96,13 @@ PARITY_CASE(math_cholesky) {
     }
 }
 
-PARITY_CASE(math_ldlt) {
+PARITY_CASE(math_ldlt)
+{
     for (int n = 1; n <= 20; ++n) {
         out.open_block("n" + std::to_string(n));
         const int skip = padded(n);
-        Matrix l = random_definite(rng, n), d(static_cast<std::size_t>(skip), 0.0), b = random_matrix(rng, n, 1);
+        Matrix l = random_definite(rng, n), d(static_cast<std::size_t>(skip), 0.0),
+               b = random_matrix(rng, n, 1);
         dFactorLDLT(l.data(), d.data(), n, skip);
         put_lower(out, "factor", l, n, skip, false);
         out.put("diagonal", d.data(), n);
@@ -115,19 +121,16 @@ PARITY_CASE(math_ldlt) {
 }
 
 // Row and column r of a permuted factorisation removed; the factor that remains is compared where defined.
-PARITY_CASE(math_ldlt_remove) {
+PARITY_CASE(math_ldlt_remove)
+{
     for (int n = 2; n <= 16; ++n) {
         out.open_block("n" + std::to_string(n));
         const int rows = n + 2, skip = padded(rows), r = rng.below(n);
         Matrix a = random_definite(rng, rows);
         std::vector<dReal*> row_pointers;
         std::vector<int> p;
-        for (int i = 0; i < rows; ++i) {
-            row_pointers.push_back(a.data() + i * padded(rows));
-        }
-        for (int i = 0; i < n; ++i) {
-            p.push_back((i + 1) % rows);
-        }
+        for (int i = 0; i < rows; ++i) { row_pointers.push_back(a.data() + i * padded(rows)); }
+        for (int i = 0; i < n; ++i) { p.push_back((i + 1) % rows); }
         Matrix l(cells(rows, rows), 0.0), d(static_cast<std::size_t>(skip), 0.0);
         for (int i = 0; i < n; ++i) {
             for (int j = 0; j <= i; ++j) {
@@ -143,30 +146,28 @@ PARITY_CASE(math_ldlt_remove) {
     }
 }
 
-PARITY_CASE(math_ldlt_add) {
+PARITY_CASE(math_ldlt_add)
+{
     for (int n = 2; n <= 12; ++n) {
         out.open_block("n" + std::to_string(n));
         const int skip = padded(n);
         Matrix l = random_definite(rng, n), d(static_cast<std::size_t>(skip), 0.0);
         const Matrix a = random_matrix(rng, 1, n);
         Matrix change = a;
-        for (dReal& value : change) {
-            value *= 0.1;
-        }
+        for (dReal& value : change) { value *= 0.1; }
         dFactorLDLT(l.data(), d.data(), n, skip);
         dLDLTAddTL(l.data(), d.data(), change.data(), n, skip);
         Matrix inner;  // row and column 0 are left stale by definition
         for (int i = 1; i < n; ++i) {
-            for (int j = 1; j < i; ++j) {
-                inner.push_back(l[static_cast<std::size_t>(i * skip + j)]);
-            }
+            for (int j = 1; j < i; ++j) { inner.push_back(l[static_cast<std::size_t>(i * skip + j)]); }
             inner.push_back(d[static_cast<std::size_t>(i)]);
         }
         out.put("factor", inner.data(), static_cast<int>(inner.size()));
     }
 }
 
-PARITY_CASE(math_remove_row) {
+PARITY_CASE(math_remove_row)
+{
     for (int n = 2; n <= 9; ++n) {
         Matrix a = random_definite(rng, n);
         dRemoveRowCol(a.data(), n, padded(n), rng.below(n));

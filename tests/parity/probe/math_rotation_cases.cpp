@@ -9,7 +9,8 @@
 namespace parity {
 namespace {
 
-PARITY_CASE(math_rotations) {
+PARITY_CASE(math_rotations)
+{
     for (int i = 0; i < 100; ++i) {
         out.open_block("t" + std::to_string(i));
         const Vec3 a = rng.in_cube(2), b = rng.in_cube(2);
@@ -34,9 +35,11 @@ PARITY_CASE(math_rotations) {
 }
 
 // Turns near 180 degrees about and between the axes: every branch of the matrix to quaternion conversion.
-PARITY_CASE(math_quaternion_branches) {
+PARITY_CASE(math_quaternion_branches)
+{
     for (int i = 0; i < 60; ++i) {
-        const Vec3 axis{i % 3 == 0 ? 1.0 : rng.range(-1, 1), i % 3 == 1 ? 1.0 : rng.range(-1, 1), i % 3 == 2 ? 1.0 : rng.range(-1, 1)};
+        const Vec3 axis{i % 3 == 0 ? 1.0 : rng.range(-1, 1), i % 3 == 1 ? 1.0 : rng.range(-1, 1),
+                        i % 3 == 2 ? 1.0 : rng.range(-1, 1)};
         dMatrix3 R = {0};
         dQuaternion q = {0, 0, 0, 0};
         dRFromAxisAndAngle(R, axis.x, axis.y, axis.z, rng.range(2.5, 3.14));
@@ -45,7 +48,8 @@ PARITY_CASE(math_quaternion_branches) {
     }
 }
 
-PARITY_CASE(math_quaternions) {
+PARITY_CASE(math_quaternions)
+{
     for (int i = 0; i < 60; ++i) {
         out.open_block("t" + std::to_string(i));
         const dQuaternion b = {rng.range(-1, 1), rng.range(-1, 1), rng.range(-1, 1), rng.range(-1, 1)};
@@ -65,7 +69,8 @@ PARITY_CASE(math_quaternions) {
     }
 }
 
-PARITY_CASE(math_normalise) {
+PARITY_CASE(math_normalise)
+{
     for (int i = 0; i < 60; ++i) {
         out.open_block("t" + std::to_string(i));
         const double scale = std::pow(10.0, rng.range(-200, 200));
@@ -87,11 +92,10 @@ PARITY_CASE(math_normalise) {
     out.put("ok", {static_cast<double>(dSafeNormalize3(zero3)), static_cast<double>(dSafeNormalize4(zero4))});
 }
 
-PARITY_CASE(math_random) {
+PARITY_CASE(math_random)
+{
     dRandSetSeed(0);
-    for (int i = 0; i < 20; ++i) {
-        out.put("rand" + std::to_string(i), {static_cast<double>(dRand())});
-    }
+    for (int i = 0; i < 20; ++i) { out.put("rand" + std::to_string(i), {static_cast<double>(dRand())}); }
     static const int limits[] = {1, 2, 3, 4, 5, 16, 17, 100, 256, 257, 1000, 65536, 65537, 1000000};
     for (const int limit : limits) {
         out.open_block("below" + std::to_string(limit));
@@ -102,9 +106,7 @@ PARITY_CASE(math_random) {
         out.put("seed", {static_cast<double>(dRandGetSeed())});
     }
     out.open_block("real");
-    for (int i = 0; i < 20; ++i) {
-        out.put("real" + std::to_string(i), {dRandReal()});
-    }
+    for (int i = 0; i < 20; ++i) { out.put("real" + std::to_string(i), {dRandReal()}); }
     dReal vector[5], matrix[12] = {0};
     dMakeRandomVector(vector, 5, 3.0);
     dMakeRandomMatrix(matrix, 3, 4, 2.0);

@@ -17,7 +17,7 @@
 namespace parity {
 
 class Output {
-public:
+  public:
     explicit Output(std::string case_name);
     ~Output();
 
@@ -28,7 +28,7 @@ public:
     void put_matrix3(const std::string& key, const dReal* rows_of_four);
     void put_body(const std::string& name, dBodyID body);
 
-private:
+  private:
     void start_line(const std::string& key);
     void close_block();
 

@@ -23,7 +23,7 @@ struct Quat {
 };
 
 class Random {
-public:
+  public:
     explicit Random(std::string_view seed_text);
 
     double unit();                          // in [0,1)
@@ -32,10 +32,10 @@ public:
     double sign();                          // -1 or +1
 
     Vec3 in_cube(double half_side);
-    Vec3 direction();                       // unit vector, uniform on the sphere
-    Quat rotation(double max_angle);        // about a random axis, |angle| <= max_angle
+    Vec3 direction();                 // unit vector, uniform on the sphere
+    Quat rotation(double max_angle);  // about a random axis, |angle| <= max_angle
 
-private:
+  private:
     std::uint64_t state_;
 };
 

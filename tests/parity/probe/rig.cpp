@@ -9,25 +9,27 @@
 
 namespace parity {
 
-const char* attach_name(Attach attach) {
+const char* attach_name(Attach attach)
+{
     switch (attach) {
-    case Attach::kAB: return "AB";
-    case Attach::kBA: return "BA";
-    case Attach::kA0: return "A0";
-    case Attach::kOA: return "0A";
+        case Attach::kAB:
+            return "AB";
+        case Attach::kBA:
+            return "BA";
+        case Attach::kA0:
+            return "A0";
+        case Attach::kOA:
+            return "0A";
     }
     return "?";
 }
 
-std::vector<Attach> all_attachments() {
-    return {Attach::kAB, Attach::kBA, Attach::kA0, Attach::kOA};
-}
+std::vector<Attach> all_attachments() { return {Attach::kAB, Attach::kBA, Attach::kA0, Attach::kOA}; }
 
-std::vector<Attach> two_body_attachments() {
-    return {Attach::kAB, Attach::kBA};
-}
+std::vector<Attach> two_body_attachments() { return {Attach::kAB, Attach::kBA}; }
 
-void set_random_mass(dBodyID body, Random& random) {
+void set_random_mass(dBodyID body, Random& random)
+{
     const double total = random.range(0.5, 3.0);
     const double x = random.range(0.3, 1.2), y = random.range(0.3, 1.2), z = random.range(0.3, 1.2);
     const double principal[3] = {total / 12 * (y * y + z * z), total / 12 * (x * x + z * z),
@@ -49,7 +51,8 @@ void set_random_mass(dBodyID body, Random& random) {
     dBodySetMass(body, &mass);
 }
 
-void set_random_pose(dBodyID body, Random& random, double half_side) {
+void set_random_pose(dBodyID body, Random& random, double half_side)
+{
     const Vec3 p = random.in_cube(half_side);
     const Quat r = random.rotation(3.1);
     const dQuaternion q = {r.w, r.x, r.y, r.z};
@@ -58,12 +61,11 @@ void set_random_pose(dBodyID body, Random& random, double half_side) {
 }
 
 Rig::Rig(Random& random, Attach attach)
-    : world_(dWorldCreate()), a_(dBodyCreate(world_)), b_(nullptr), attach_(attach) {
+    : world_(dWorldCreate()), a_(dBodyCreate(world_)), b_(nullptr), attach_(attach)
+{
     static const double sizes[3] = {0.01, 0.002, 0.05};
     step_size_ = sizes[random.below(3)];
-    if (attach == Attach::kAB || attach == Attach::kBA) {
-        b_ = dBodyCreate(world_);
-    }
+    if (attach == Attach::kAB || attach == Attach::kBA) { b_ = dBodyCreate(world_); }
     const Vec3 g = random.in_cube(10.0);
     dWorldSetGravity(world_, g.x, g.y, g.z);
     dWorldSetERP(world_, random.range(0.1, 0.9));
@@ -76,20 +78,28 @@ Rig::Rig(Random& random, Attach attach)
     }
 }
 
-Rig::~Rig() {
-    dWorldDestroy(world_);
-}
+Rig::~Rig() { dWorldDestroy(world_); }
 
-void Rig::attach(dJointID joint) const {
+void Rig::attach(dJointID joint) const
+{
     switch (attach_) {
-    case Attach::kAB: dJointAttach(joint, a_, b_); break;
-    case Attach::kBA: dJointAttach(joint, b_, a_); break;
-    case Attach::kA0: dJointAttach(joint, a_, nullptr); break;
-    case Attach::kOA: dJointAttach(joint, nullptr, a_); break;
+        case Attach::kAB:
+            dJointAttach(joint, a_, b_);
+            break;
+        case Attach::kBA:
+            dJointAttach(joint, b_, a_);
+            break;
+        case Attach::kA0:
+            dJointAttach(joint, a_, nullptr);
+            break;
+        case Attach::kOA:
+            dJointAttach(joint, nullptr, a_);
+            break;
     }
 }
 
-void Rig::disturb_body(dBodyID body, Random& random, double distance, double angle) {
+void Rig::disturb_body(dBodyID body, Random& random, double distance, double angle)
+{
     const dReal* p = dBodyGetPosition(body);
     const Vec3 d = random.in_cube(distance);
     dBodySetPosition(body, p[0] + d.x, p[1] + d.y, p[2] + d.z);
@@ -100,19 +110,17 @@ void Rig::disturb_body(dBodyID body, Random& random, double distance, double ang
 }
 
 // With two bodies each takes half of the disturbance, so that their relative motion stays in bounds.
-void Rig::disturb(Random& random, double distance, double angle) {
+void Rig::disturb(Random& random, double distance, double angle)
+{
     const double share = b_ != nullptr ? 0.5 : 1.0;
     disturb_body(a_, random, distance * share, angle * share);
-    if (b_ != nullptr) {
-        disturb_body(b_, random, distance * share, angle * share);
-    }
+    if (b_ != nullptr) { disturb_body(b_, random, distance * share, angle * share); }
 }
 
-void Rig::push(Random& random, double speed) {
+void Rig::push(Random& random, double speed)
+{
     for (const dBodyID body : {a_, b_}) {
-        if (body == nullptr) {
-            continue;
-        }
+        if (body == nullptr) { continue; }
         const Vec3 v = random.in_cube(speed), w = random.in_cube(speed);
         const Vec3 f = random.in_cube(5.0), t = random.in_cube(2.0);
         dBodySetLinearVel(body, v.x, v.y, v.z);
@@ -122,14 +130,14 @@ void Rig::push(Random& random, double speed) {
     }
 }
 
-void Rig::put_bodies(Output& out, const std::string& when) const {
+void Rig::put_bodies(Output& out, const std::string& when) const
+{
     out.put_body(when + ".A", a_);
-    if (b_ != nullptr) {
-        out.put_body(when + ".B", b_);
-    }
+    if (b_ != nullptr) { out.put_body(when + ".B", b_); }
 }
 
-void put_vector(Output& out, const std::string& key, dJointID joint, Get3 get) {
+void put_vector(Output& out, const std::string& key, dJointID joint, Get3 get)
+{
     dVector3 v = {0, 0, 0, 0};
     get(joint, v);
     out.put(key, v, 3);
@@ -137,14 +145,17 @@ void put_vector(Output& out, const std::string& key, dJointID joint, Get3 get) {
 
 namespace {
 
-void put_feedback(Output& out, const dJointFeedback& feedback) {
+void put_feedback(Output& out, const dJointFeedback& feedback)
+{
     out.put("f1", feedback.f1, 3);
     out.put("t1", feedback.t1, 3);
     out.put("f2", feedback.f2, 3);
     out.put("t2", feedback.t2, 3);
 }
 
-void run_trial(Output& out, Random& random, const JointBench& bench, const JointVariant& variant, Attach attach) {
+void run_trial(Output& out, Random& random, const JointBench& bench, const JointVariant& variant,
+               Attach attach)
+{
     Rig rig(random, attach);
     const dJointID joint = bench.create(rig, random);
     rig.disturb(random, bench.distance, bench.angle);
@@ -161,7 +172,8 @@ void run_trial(Output& out, Random& random, const JointBench& bench, const Joint
 
 }  // namespace
 
-void run_bench(Output& out, Random& random, const JointBench& bench) {
+void run_bench(Output& out, Random& random, const JointBench& bench)
+{
     for (const JointVariant& variant : bench.variants) {
         for (const Attach attach : bench.attachments) {
             for (int pose = 0; pose < bench.poses; ++pose) {

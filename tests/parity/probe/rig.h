@@ -25,7 +25,7 @@ std::vector<Attach> all_attachments();
 std::vector<Attach> two_body_attachments();
 
 class Rig {
-public:
+  public:
     Rig(Random& random, Attach attach);
     ~Rig();
     Rig(const Rig&) = delete;
@@ -41,7 +41,7 @@ public:
     void push(Random& random, double speed);
     void put_bodies(Output& out, const std::string& when) const;
 
-private:
+  private:
     void disturb_body(dBodyID body, Random& random, double distance, double angle);
 
     dWorldID world_;

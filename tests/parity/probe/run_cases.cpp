@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Runs of 100 steps that are not chaotic, so that rounding does not grow: pendulum, chain of eight links, slider
-// running into its stop, motor hinge, sliding boxes, a settled stack and pyramid, a buggy on the plane.
+// Runs of 100 steps that are not chaotic, so that rounding does not grow: pendulum, chain of eight links,
+// slider running into its stop, motor hinge, sliding boxes, a settled stack and pyramid, a buggy on the
+// plane.
 #include "case_list.h"
 
 #include <vector>
@@ -18,7 +19,8 @@ struct World {
     double mu = 0.5;
 
     World() { dWorldSetGravity(world, 0, 0, -9.81); }
-    ~World() {
+    ~World()
+    {
         dJointGroupDestroy(contacts);
         dSpaceDestroy(space);
         dWorldDestroy(world);
@@ -27,7 +29,8 @@ struct World {
     World& operator=(const World&) = delete;
 };
 
-void near(void* data, dGeomID a, dGeomID b) {
+void near(void* data, dGeomID a, dGeomID b)
+{
     World& w = *static_cast<World*>(data);
     dContact found[16] = {};
     const dBodyID first = dGeomGetBody(a), second = dGeomGetBody(b);
@@ -42,7 +45,8 @@ void near(void* data, dGeomID a, dGeomID b) {
     }
 }
 
-void run(World& w, int steps, double step_size) {
+void run(World& w, int steps, double step_size)
+{
     for (int i = 0; i < steps; ++i) {
         dSpaceCollide(w.space, &w, &near);
         dWorldStep(w.world, step_size);
@@ -50,7 +54,8 @@ void run(World& w, int steps, double step_size) {
     }
 }
 
-dBodyID add_body(World& w, double x, double y, double z) {
+dBodyID add_body(World& w, double x, double y, double z)
+{
     const dBodyID body = dBodyCreate(w.world);
     dMass mass;
     dMassSetBoxTotal(&mass, 1, 0.3, 0.4, 0.5);
@@ -59,7 +64,8 @@ dBodyID add_body(World& w, double x, double y, double z) {
     return body;
 }
 
-dBodyID add_box(World& w, double side_x, double side_y, double side_z, double x, double y, double z) {
+dBodyID add_box(World& w, double side_x, double side_y, double side_z, double x, double y, double z)
+{
     const dBodyID body = dBodyCreate(w.world);
     dMass mass;
     dMassSetBox(&mass, 1, side_x, side_y, side_z);
@@ -69,13 +75,13 @@ dBodyID add_box(World& w, double side_x, double side_y, double side_z, double x,
     return body;
 }
 
-void put_all(Output& out, const std::vector<dBodyID>& bodies) {
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        out.put_body("body" + std::to_string(i), bodies[i]);
-    }
+void put_all(Output& out, const std::vector<dBodyID>& bodies)
+{
+    for (std::size_t i = 0; i < bodies.size(); ++i) { out.put_body("body" + std::to_string(i), bodies[i]); }
 }
 
-PARITY_CASE(run_pendulum) {
+PARITY_CASE(run_pendulum)
+{
     World w;
     const dBodyID body = add_body(w, 1, 0, 0);
     const dJointID hinge = dJointCreateHinge(w.world, nullptr);
@@ -87,7 +93,8 @@ PARITY_CASE(run_pendulum) {
     out.put("angle", {dJointGetHingeAngle(hinge), dJointGetHingeAngleRate(hinge)});
 }
 
-PARITY_CASE(run_chain) {
+PARITY_CASE(run_chain)
+{
     World w;
     std::vector<dBodyID> links;
     for (int i = 0; i < 8; ++i) {
@@ -100,7 +107,8 @@ PARITY_CASE(run_chain) {
     put_all(out, links);
 }
 
-PARITY_CASE(run_slider_on_stop) {
+PARITY_CASE(run_slider_on_stop)
+{
     World w;
     const dBodyID body = add_body(w, 0, 0, 2);
     const dJointID slider = dJointCreateSlider(w.world, nullptr);
@@ -114,7 +122,8 @@ PARITY_CASE(run_slider_on_stop) {
     out.put("position", {dJointGetSliderPosition(slider), dJointGetSliderPositionRate(slider)});
 }
 
-PARITY_CASE(run_motor_hinge) {
+PARITY_CASE(run_motor_hinge)
+{
     World w;
     const dBodyID base = add_body(w, 0, 0, 0), arm = add_body(w, 1, 0, 0);
     const dJointID hold = dJointCreateFixed(w.world, nullptr), hinge = dJointCreateHinge(w.world, nullptr);
@@ -132,7 +141,8 @@ PARITY_CASE(run_motor_hinge) {
     out.put("angle", {dJointGetHingeAngle(hinge), dJointGetHingeAngleRate(hinge)});
 }
 
-void run_sliding_box(Output& out, int mode, double mu) {
+void run_sliding_box(Output& out, int mode, double mu)
+{
     World w;
     w.mode = mode;
     w.mu = mu;
@@ -144,7 +154,8 @@ void run_sliding_box(Output& out, int mode, double mu) {
     put_all(out, {box});
 }
 
-PARITY_CASE(run_sliding_box) {
+PARITY_CASE(run_sliding_box)
+{
     out.open_block("force-limit");
     run_sliding_box(out, dContactApprox0, 0.3);
     out.open_block("coulomb");
@@ -153,19 +164,19 @@ PARITY_CASE(run_sliding_box) {
     run_sliding_box(out, dContactApprox1, 0);
 }
 
-PARITY_CASE(run_stack) {
+PARITY_CASE(run_stack)
+{
     World w;
     dCreatePlane(w.space, 0, 0, 1, 0);
     dWorldSetCFM(w.world, 1e-6);
     std::vector<dBodyID> boxes;
-    for (int i = 0; i < 5; ++i) {
-        boxes.push_back(add_box(w, 1, 1, 0.5, 0, 0, 0.25 + 0.5 * i));
-    }
+    for (int i = 0; i < 5; ++i) { boxes.push_back(add_box(w, 1, 1, 0.5, 0, 0, 0.25 + 0.5 * i)); }
     run(w, 100, 0.01);
     put_all(out, boxes);
 }
 
-PARITY_CASE(run_pyramid) {
+PARITY_CASE(run_pyramid)
+{
     World w;
     dCreatePlane(w.space, 0, 0, 1, 0);
     dWorldSetCFM(w.world, 1e-6);
@@ -179,7 +190,8 @@ PARITY_CASE(run_pyramid) {
     put_all(out, boxes);
 }
 
-PARITY_CASE(run_spheres) {
+PARITY_CASE(run_spheres)
+{
     World w;
     dCreatePlane(w.space, 0, 0, 1, 0);
     std::vector<dBodyID> balls;
@@ -193,7 +205,8 @@ PARITY_CASE(run_spheres) {
     put_all(out, balls);
 }
 
-PARITY_CASE(run_buggy) {
+PARITY_CASE(run_buggy)
+{
     World w;
     dCreatePlane(w.space, 0, 0, 1, 0);
     dWorldSetCFM(w.world, 1e-6);

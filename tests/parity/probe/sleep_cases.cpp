@@ -9,7 +9,8 @@ namespace parity {
 namespace {
 
 // One digit per step: is the body enabled after it?
-std::string enabled_sequence(dWorldID world, dBodyID body, int steps, double step_size) {
+std::string enabled_sequence(dWorldID world, dBodyID body, int steps, double step_size)
+{
     std::string digits;
     for (int i = 0; i < steps; ++i) {
         dWorldStep(world, step_size);
@@ -18,11 +19,13 @@ std::string enabled_sequence(dWorldID world, dBodyID body, int steps, double ste
     return digits;
 }
 
-void null_joint(dWorldID world, dBodyID a, dBodyID b) {
+void null_joint(dWorldID world, dBodyID a, dBodyID b)
+{
     dJointAttach(dJointCreateNull(world, nullptr), a, b);
 }
 
-PARITY_CASE(sleep_counters) {
+PARITY_CASE(sleep_counters)
+{
     for (int trial = 0; trial < 60; ++trial) {
         out.open_block("t" + std::to_string(trial));
         const dWorldID world = dWorldCreate();
@@ -31,9 +34,7 @@ PARITY_CASE(sleep_counters) {
         dWorldSetAutoDisableTime(world, rng.unit() < 0.5 ? 0.0 : rng.range(0, 0.2));
         dWorldSetAutoDisableAverageSamplesCount(world, static_cast<unsigned>(rng.below(5)));
         const dBodyID body = dBodyCreate(world);
-        if (trial % 5 != 0) {
-            null_joint(world, body, nullptr);
-        }
+        if (trial % 5 != 0) { null_joint(world, body, nullptr); }
         dBodySetLinearVel(body, rng.unit() < 0.5 ? 0.0 : rng.range(0.005, 0.02), 0, 0);
         if (rng.unit() < 0.3) {
             dBodySetLinearDamping(body, 0.1);
@@ -44,13 +45,15 @@ PARITY_CASE(sleep_counters) {
         dBodyEnable(body);
         out.put_text("again", enabled_sequence(world, body, 30, 0.01));
         dBodySetAutoDisableFlag(body, 0);
-        out.put("cleared", {static_cast<double>(dBodyIsEnabled(body)), static_cast<double>(dBodyGetAutoDisableFlag(body)),
+        out.put("cleared", {static_cast<double>(dBodyIsEnabled(body)),
+                            static_cast<double>(dBodyGetAutoDisableFlag(body)),
                             static_cast<double>(dBodyGetAutoDisableSteps(body))});
         dWorldDestroy(world);
     }
 }
 
-PARITY_CASE(sleep_pair_wakes) {
+PARITY_CASE(sleep_pair_wakes)
+{
     for (int kind = 0; kind < 8; ++kind) {
         out.open_block("k" + std::to_string(kind));
         const dWorldID world = dWorldCreate();
@@ -62,15 +65,9 @@ PARITY_CASE(sleep_pair_wakes) {
         dJointSetBallAnchor(ab, 0.5, 0, 0);
         dJointAttach(bc, b, c);
         dJointSetBallAnchor(bc, 1.5, 0, 0);
-        if (kind & 1) {
-            dBodySetKinematic(b);
-        }
-        if (kind & 2) {
-            dJointDisable(bc);
-        }
-        if (kind & 4) {
-            dBodySetKinematic(c);
-        }
+        if (kind & 1) { dBodySetKinematic(b); }
+        if (kind & 2) { dJointDisable(bc); }
+        if (kind & 4) { dBodySetKinematic(c); }
         dBodyDisable(b);
         dBodyDisable(c);
         dBodyAddForce(c, 1, 2, 3);
@@ -78,8 +75,9 @@ PARITY_CASE(sleep_pair_wakes) {
         for (int step = 0; step < 3; ++step) {
             dWorldStep(world, 0.01);
             const std::string when = "s" + std::to_string(step);
-            out.put(when + ".enabled", {static_cast<double>(dBodyIsEnabled(a)), static_cast<double>(dBodyIsEnabled(b)),
-                                        static_cast<double>(dBodyIsEnabled(c))});
+            out.put(when + ".enabled",
+                    {static_cast<double>(dBodyIsEnabled(a)), static_cast<double>(dBodyIsEnabled(b)),
+                     static_cast<double>(dBodyIsEnabled(c))});
             out.put_body(when + ".a", a);
             out.put_body(when + ".b", b);
             out.put_body(when + ".c", c);
@@ -91,11 +89,10 @@ PARITY_CASE(sleep_pair_wakes) {
 
 std::string moved_order;
 
-void note_moved(dBodyID body) {
-    moved_order += static_cast<const char*>(dBodyGetData(body));
-}
+void note_moved(dBodyID body) { moved_order += static_cast<const char*>(dBodyGetData(body)); }
 
-PARITY_CASE(body_moved_order) {
+PARITY_CASE(body_moved_order)
+{
     static char names[8][2] = {"a", "b", "c", "d", "e", "f", "g", "h"};
     for (int trial = 0; trial < 40; ++trial) {
         out.open_block("t" + std::to_string(trial));
@@ -105,9 +102,7 @@ PARITY_CASE(body_moved_order) {
             bodies[i] = dBodyCreate(world);
             dBodySetData(bodies[i], names[i]);
             dBodySetMovedCallback(bodies[i], &note_moved);
-            if (rng.unit() < 0.2) {
-                dBodyDisable(bodies[i]);
-            }
+            if (rng.unit() < 0.2) { dBodyDisable(bodies[i]); }
         }
         for (int k = 0; k < trial % 9; ++k) {
             const int i = rng.below(8), j = rng.below(8);
@@ -124,7 +119,8 @@ PARITY_CASE(body_moved_order) {
 }
 
 // Joint lists: newest first for each body; re-attachment moves to the front.
-PARITY_CASE(body_joint_order) {
+PARITY_CASE(body_joint_order)
+{
     static char names[10][2] = {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"};
     for (int trial = 0; trial < 30; ++trial) {
         out.open_block("t" + std::to_string(trial));
@@ -147,9 +143,7 @@ PARITY_CASE(body_joint_order) {
             }
             out.put_text("order" + std::to_string(i), order);
             for (int j = 0; j < 4; ++j) {
-                if (j == i) {
-                    continue;
-                }
+                if (j == i) { continue; }
                 dJointID found[10];
                 const int count = dConnectingJointList(bodies[i], bodies[j], found);
                 const dJointID one = dConnectingJoint(bodies[i], bodies[j]);

@@ -9,7 +9,8 @@ namespace parity {
 namespace {
 
 template <int kAxes>
-dJointID create_user(const Rig& rig, Random& random) {
+dJointID create_user(const Rig& rig, Random& random)
+{
     const dJointID joint = dJointCreateAMotor(rig.world(), nullptr);
     rig.attach(joint);
     dJointSetAMotorMode(joint, dAMotorUser);
@@ -22,7 +23,8 @@ dJointID create_user(const Rig& rig, Random& random) {
     return joint;
 }
 
-dJointID create_euler(const Rig& rig, Random& random) {
+dJointID create_euler(const Rig& rig, Random& random)
+{
     const dJointID joint = dJointCreateAMotor(rig.world(), nullptr);
     rig.attach(joint);
     const Quat q = random.rotation(3.0);
@@ -33,7 +35,8 @@ dJointID create_euler(const Rig& rig, Random& random) {
     return joint;
 }
 
-void put_amotor(Output& out, const std::string& when, dJointID joint) {
+void put_amotor(Output& out, const std::string& when, dJointID joint)
+{
     const int axes = dJointGetAMotorNumAxes(joint);
     out.put(when + ".mode", {static_cast<double>(dJointGetAMotorMode(joint)), static_cast<double>(axes)});
     for (int i = 0; i < axes; ++i) {
@@ -48,19 +51,22 @@ void put_amotor(Output& out, const std::string& when, dJointID joint) {
     }
 }
 
-void add_torques(dJointID joint, Random& random) {
+void add_torques(dJointID joint, Random& random)
+{
     const Vec3 t = random.in_cube(5);
     dJointAddAMotorTorques(joint, t.x, t.y, t.z);
 }
 
-void all_motors(dJointID joint, Random& random) {
+void all_motors(dJointID joint, Random& random)
+{
     for (int i = 0; i < dJointGetAMotorNumAxes(joint); ++i) {
         dJointSetAMotorParam(joint, dParamVel + i * dParamGroup, random.range(-3, 3));
         dJointSetAMotorParam(joint, dParamFMax + i * dParamGroup, random.range(0.1, 200));
     }
 }
 
-std::vector<JointVariant> variants_of(int axes) {
+std::vector<JointVariant> variants_of(int axes)
+{
     std::vector<JointVariant> variants;
     for (int i = 0; i < axes; ++i) {
         const std::string prefix = "axis" + std::to_string(i) + "-";
@@ -71,25 +77,23 @@ std::vector<JointVariant> variants_of(int axes) {
     return variants;
 }
 
-PARITY_CASE(step_amotor_user1) {
-    run_bench(out, rng, {create_user<1>, put_amotor, variants_of(1)});
-}
+PARITY_CASE(step_amotor_user1) { run_bench(out, rng, {create_user<1>, put_amotor, variants_of(1)}); }
 
-PARITY_CASE(step_amotor_user2) {
+PARITY_CASE(step_amotor_user2)
+{
     JointBench bench{create_user<2>, put_amotor, variants_of(2)};
     bench.poses = 10;
     run_bench(out, rng, bench);
 }
 
-PARITY_CASE(step_amotor_user3) {
+PARITY_CASE(step_amotor_user3)
+{
     JointBench bench{create_user<3>, put_amotor, variants_of(3)};
     bench.poses = 7;
     run_bench(out, rng, bench);
 }
 
-PARITY_CASE(step_amotor_euler) {
-    run_bench(out, rng, {create_euler, put_amotor, variants_of(3)});
-}
+PARITY_CASE(step_amotor_euler) { run_bench(out, rng, {create_euler, put_amotor, variants_of(3)}); }
 
 }  // namespace
 }  // namespace parity

@@ -8,7 +8,8 @@
 namespace parity {
 namespace {
 
-dJointID create_hinge(const Rig& rig, Random& random) {
+dJointID create_hinge(const Rig& rig, Random& random)
+{
     const dJointID joint = dJointCreateHinge(rig.world(), nullptr);
     rig.attach(joint);
     const Vec3 p = random.in_cube(1.0), n = random.direction();
@@ -17,7 +18,8 @@ dJointID create_hinge(const Rig& rig, Random& random) {
     return joint;
 }
 
-void put_hinge(Output& out, const std::string& when, dJointID joint) {
+void put_hinge(Output& out, const std::string& when, dJointID joint)
+{
     put_vector(out, when + ".anchor", joint, &dJointGetHingeAnchor);
     put_vector(out, when + ".anchor2", joint, &dJointGetHingeAnchor2);
     put_vector(out, when + ".axis", joint, &dJointGetHingeAxis);
@@ -26,7 +28,8 @@ void put_hinge(Output& out, const std::string& when, dJointID joint) {
     put_params(out, when + ".params", joint, &dJointGetHingeParam, 0);
 }
 
-dJointID create_slider(const Rig& rig, Random& random) {
+dJointID create_slider(const Rig& rig, Random& random)
+{
     const dJointID joint = dJointCreateSlider(rig.world(), nullptr);
     rig.attach(joint);
     const Vec3 n = random.direction();
@@ -34,14 +37,16 @@ dJointID create_slider(const Rig& rig, Random& random) {
     return joint;
 }
 
-void put_slider(Output& out, const std::string& when, dJointID joint) {
+void put_slider(Output& out, const std::string& when, dJointID joint)
+{
     put_vector(out, when + ".axis", joint, &dJointGetSliderAxis);
     out.put(when + ".position", {dJointGetSliderPosition(joint)});
     out.put(when + ".rate", {dJointGetSliderPositionRate(joint)});
     put_params(out, when + ".params", joint, &dJointGetSliderParam, 0);
 }
 
-PARITY_CASE(step_hinge) {
+PARITY_CASE(step_hinge)
+{
     JointBench bench{create_hinge, put_hinge, limit_variants(&dJointSetHingeParam, 0, "")};
     bench.variants.push_back({"add-torque", [](dJointID joint, Random& random) {
                                   dJointAddHingeTorque(joint, random.range(-5, 5));
@@ -57,7 +62,8 @@ PARITY_CASE(step_hinge) {
     run_bench(out, rng, bench);
 }
 
-PARITY_CASE(step_slider) {
+PARITY_CASE(step_slider)
+{
     JointBench bench{create_slider, put_slider, limit_variants(&dJointSetSliderParam, 0, "")};
     bench.distance = 0.35;
     bench.variants.push_back({"add-force", [](dJointID joint, Random& random) {

@@ -9,7 +9,8 @@
 namespace parity {
 namespace {
 
-void put_points(Rig& rig, Random& random, int points, int mode, double mu) {
+void put_points(Rig& rig, Random& random, int points, int mode, double mu)
+{
     static const double corner[4][2] = {{-0.5, -0.4}, {0.5, -0.45}, {0.1, 0.5}, {-0.4, 0.45}};
     for (int i = 0; i < points; ++i) {
         dContact contact = dContact();
@@ -25,12 +26,14 @@ void put_points(Rig& rig, Random& random, int points, int mode, double mu) {
     }
 }
 
-void step_and_put(Output& out, Rig& rig) {
+void step_and_put(Output& out, Rig& rig)
+{
     out.put("step", {static_cast<double>(dWorldStep(rig.world(), rig.step_size()))});
     rig.put_bodies(out, "after");
 }
 
-void run_points(Output& out, Random& random, int points, int mode, const char* name) {
+void run_points(Output& out, Random& random, int points, int mode, const char* name)
+{
     for (const Attach attach : all_attachments()) {
         for (int pose = 0; pose < 20; ++pose) {
             out.open_block(std::string(name) + "/" + attach_name(attach) + "/p" + std::to_string(pose));
@@ -45,7 +48,8 @@ void run_points(Output& out, Random& random, int points, int mode, const char* n
     }
 }
 
-PARITY_CASE(step_contacts_many) {
+PARITY_CASE(step_contacts_many)
+{
     run_points(out, rng, 3, dContactApprox0, "three-approx0");
     run_points(out, rng, 3, dContactApprox1, "three-approx1");
     run_points(out, rng, 4, dContactApprox0, "four-approx0");
@@ -54,7 +58,8 @@ PARITY_CASE(step_contacts_many) {
 }
 
 // A tree: body i hangs on an earlier body (or the world) by a random joint; some get a contact as well.
-dJointID random_joint(dWorldID world, Random& random, dBodyID first, dBodyID second) {
+dJointID random_joint(dWorldID world, Random& random, dBodyID first, dBodyID second)
+{
     const Vec3 p = random.in_cube(1.0), n = random.direction();
     const int kind = random.below(4);
     if (kind == 0) {
@@ -86,7 +91,8 @@ dJointID random_joint(dWorldID world, Random& random, dBodyID first, dBodyID sec
     return fixed;
 }
 
-void add_contact(dWorldID world, Random& random, dBodyID first, dBodyID second) {
+void add_contact(dWorldID world, Random& random, dBodyID first, dBodyID second)
+{
     dContact contact = dContact();
     const dReal* p = dBodyGetPosition(first);
     const Vec3 off = random.in_cube(0.5), n = random.direction();
@@ -102,7 +108,8 @@ void add_contact(dWorldID world, Random& random, dBodyID first, dBodyID second) 
     dJointAttach(dJointCreateContact(world, nullptr, &contact), first, second);
 }
 
-PARITY_CASE(step_trees) {
+PARITY_CASE(step_trees)
+{
     for (int trial = 0; trial < 60; ++trial) {
         out.open_block("t" + std::to_string(trial));
         const dWorldID world = dWorldCreate();
@@ -119,7 +126,8 @@ PARITY_CASE(step_trees) {
             const int partner = rng.below(i + 1) - 1;
             random_joint(world, rng, body, partner < 0 ? nullptr : bodies[static_cast<std::size_t>(partner)]);
             if (rng.unit() < 0.5) {
-                add_contact(world, rng, body, partner < 0 ? nullptr : bodies[static_cast<std::size_t>(partner)]);
+                add_contact(world, rng, body,
+                            partner < 0 ? nullptr : bodies[static_cast<std::size_t>(partner)]);
             }
             bodies.push_back(body);
         }

@@ -10,17 +10,17 @@
 namespace parity {
 namespace {
 
-Vec3 perpendicular_to(const Vec3& n, Random& random) {
+Vec3 perpendicular_to(const Vec3& n, Random& random)
+{
     const Vec3 d = random.direction();
     const Vec3 c{n.y * d.z - n.z * d.y, n.z * d.x - n.x * d.z, n.x * d.y - n.y * d.x};
     const double length = std::sqrt(c.x * c.x + c.y * c.y + c.z * c.z);
-    if (length < 0.1) {
-        return perpendicular_to(n, random);
-    }
+    if (length < 0.1) { return perpendicular_to(n, random); }
     return {c.x / length, c.y / length, c.z / length};
 }
 
-dJointID create_universal(const Rig& rig, Random& random) {
+dJointID create_universal(const Rig& rig, Random& random)
+{
     const dJointID joint = dJointCreateUniversal(rig.world(), nullptr);
     rig.attach(joint);
     const Vec3 p = random.in_cube(1.0), n = random.direction(), m = perpendicular_to(n, random);
@@ -30,7 +30,8 @@ dJointID create_universal(const Rig& rig, Random& random) {
     return joint;
 }
 
-void put_universal(Output& out, const std::string& when, dJointID joint) {
+void put_universal(Output& out, const std::string& when, dJointID joint)
+{
     put_vector(out, when + ".anchor", joint, &dJointGetUniversalAnchor);
     put_vector(out, when + ".anchor2", joint, &dJointGetUniversalAnchor2);
     put_vector(out, when + ".axis1", joint, &dJointGetUniversalAxis1);
@@ -43,20 +44,23 @@ void put_universal(Output& out, const std::string& when, dJointID joint) {
     put_params(out, when + ".params2", joint, &dJointGetUniversalParam, dParamGroup);
 }
 
-dJointID create_hinge2(const Rig& rig, Random& random) {
+dJointID create_hinge2(const Rig& rig, Random& random)
+{
     const dJointID joint = dJointCreateHinge2(rig.world(), nullptr);
     rig.attach(joint);
     const Vec3 p = random.in_cube(1.0), n = random.direction(), m = perpendicular_to(n, random);
     const double lean = random.range(-0.5, 0.5);  // the two axes need not be perpendicular
     const double length = std::sqrt(1 + lean * lean);
     const dVector3 axis1 = {n.x, n.y, n.z, 0};
-    const dVector3 axis2 = {(m.x + lean * n.x) / length, (m.y + lean * n.y) / length, (m.z + lean * n.z) / length, 0};
+    const dVector3 axis2 = {(m.x + lean * n.x) / length, (m.y + lean * n.y) / length,
+                            (m.z + lean * n.z) / length, 0};
     dJointSetHinge2Anchor(joint, p.x, p.y, p.z);
     dJointSetHinge2Axes(joint, axis1, axis2);
     return joint;
 }
 
-void put_hinge2(Output& out, const std::string& when, dJointID joint) {
+void put_hinge2(Output& out, const std::string& when, dJointID joint)
+{
     put_vector(out, when + ".anchor", joint, &dJointGetHinge2Anchor);
     put_vector(out, when + ".anchor2", joint, &dJointGetHinge2Anchor2);
     put_vector(out, when + ".axis1", joint, &dJointGetHinge2Axis1);
@@ -69,13 +73,15 @@ void put_hinge2(Output& out, const std::string& when, dJointID joint) {
                                    dJointGetHinge2Param(joint, dParamSuspensionCFM)});
 }
 
-PARITY_CASE(step_universal) {
+PARITY_CASE(step_universal)
+{
     JointBench bench{create_universal, put_universal, limit_variants(&dJointSetUniversalParam, 0, "axis1-")};
     add_variants(bench.variants, limit_variants(&dJointSetUniversalParam, dParamGroup, "axis2-"));
     bench.variants.push_back({"both-motors", [](dJointID joint, Random& random) {
                                   for (const int group : {0, static_cast<int>(dParamGroup)}) {
                                       dJointSetUniversalParam(joint, dParamVel + group, random.range(-3, 3));
-                                      dJointSetUniversalParam(joint, dParamFMax + group, random.range(0.1, 200));
+                                      dJointSetUniversalParam(joint, dParamFMax + group,
+                                                              random.range(0.1, 200));
                                   }
                               }});
     bench.variants.push_back({"add-torques", [](dJointID joint, Random& random) {
@@ -86,19 +92,22 @@ PARITY_CASE(step_universal) {
 }
 
 // Zero offsets of the angles. Both are kept only with two bodies attached (differences.md, D13).
-PARITY_CASE(step_universal_offsets) {
+PARITY_CASE(step_universal_offsets)
+{
     JointBench bench{create_universal, put_universal, {}};
     bench.attachments = {Attach::kAB};
     bench.variants.push_back({"offsets", [](dJointID joint, Random& random) {
                                   dVector3 n = {0, 0, 0, 0};
                                   dJointGetUniversalAxis1(joint, n);
-                                  dJointSetUniversalAxis1Offset(joint, n[0], n[1], n[2], random.range(-0.5, 0.5),
+                                  dJointSetUniversalAxis1Offset(joint, n[0], n[1], n[2],
+                                                                random.range(-0.5, 0.5),
                                                                 random.range(-0.5, 0.5));
                               }});
     run_bench(out, rng, bench);
 }
 
-PARITY_CASE(step_hinge2) {
+PARITY_CASE(step_hinge2)
+{
     JointBench bench{create_hinge2, put_hinge2, limit_variants(&dJointSetHinge2Param, 0, "axis1-")};
     bench.attachments = two_body_attachments();
     add_variants(bench.variants, limit_variants(&dJointSetHinge2Param, dParamGroup, "axis2-"));
@@ -110,14 +119,15 @@ PARITY_CASE(step_hinge2) {
                                   const Vec3 t = random.in_cube(5);
                                   dJointAddHinge2Torques(joint, t.x, t.y);
                               }});
-    bench.variants.push_back({"one-axis", [](dJointID joint, Random& random) {
-                                  const Vec3 n = random.direction();
-                                  dVector3 other = {0, 0, 0, 0};
-                                  dJointGetHinge2Axis2(joint, other);
-                                  const Vec3 p = perpendicular_to({other[0], other[1], other[2]}, random);
-                                  const dVector3 axis = {p.x + 0.2 * n.x, p.y + 0.2 * n.y, p.z + 0.2 * n.z, 0};
-                                  dJointSetHinge2Axes(joint, axis, nullptr);
-                              }});
+    bench.variants.push_back(
+        {"one-axis", [](dJointID joint, Random& random) {
+             const Vec3 n = random.direction();
+             dVector3 other = {0, 0, 0, 0};
+             dJointGetHinge2Axis2(joint, other);
+             const Vec3 p = perpendicular_to({other[0], other[1], other[2]}, random);
+             const dVector3 axis = {p.x + 0.2 * n.x, p.y + 0.2 * n.y, p.z + 0.2 * n.z, 0};
+             dJointSetHinge2Axes(joint, axis, nullptr);
+         }});
     run_bench(out, rng, bench);
 }
 

@@ -7,33 +7,39 @@
 namespace parity {
 namespace {
 
-void put_world(Output& out, const std::string& key, dWorldID w) {
+void put_world(Output& out, const std::string& key, dWorldID w)
+{
     dVector3 g = {0, 0, 0, 0};
     dWorldGetGravity(w, g);
     out.put(key + ".gravity", g, 3);
     out.put(key + ".erp-cfm", {dWorldGetERP(w), dWorldGetCFM(w)});
-    out.put(key + ".auto-disable", {dWorldGetAutoDisableFlag(w) != 0 ? 1.0 : 0.0, dWorldGetAutoDisableLinearThreshold(w),
-                                    dWorldGetAutoDisableAngularThreshold(w),
-                                    static_cast<double>(dWorldGetAutoDisableSteps(w)), dWorldGetAutoDisableTime(w),
-                                    static_cast<double>(dWorldGetAutoDisableAverageSamplesCount(w))});
-    out.put(key + ".damping", {dWorldGetLinearDamping(w), dWorldGetAngularDamping(w), dWorldGetLinearDampingThreshold(w),
-                               dWorldGetAngularDampingThreshold(w), dWorldGetMaxAngularSpeed(w)});
+    out.put(key + ".auto-disable",
+            {dWorldGetAutoDisableFlag(w) != 0 ? 1.0 : 0.0, dWorldGetAutoDisableLinearThreshold(w),
+             dWorldGetAutoDisableAngularThreshold(w), static_cast<double>(dWorldGetAutoDisableSteps(w)),
+             dWorldGetAutoDisableTime(w), static_cast<double>(dWorldGetAutoDisableAverageSamplesCount(w))});
+    out.put(key + ".damping",
+            {dWorldGetLinearDamping(w), dWorldGetAngularDamping(w), dWorldGetLinearDampingThreshold(w),
+             dWorldGetAngularDampingThreshold(w), dWorldGetMaxAngularSpeed(w)});
     out.put(key + ".contact", {dWorldGetContactMaxCorrectingVel(w), dWorldGetContactSurfaceLayer(w)});
-    out.put(key + ".quick", {static_cast<double>(dWorldGetQuickStepNumIterations(w)), dWorldGetQuickStepW(w)});
+    out.put(key + ".quick",
+            {static_cast<double>(dWorldGetQuickStepNumIterations(w)), dWorldGetQuickStepW(w)});
     out.put(key + ".threads", {static_cast<double>(dWorldGetStepIslandsProcessingMaxThreadCount(w))});
     out.put(key + ".data", {dWorldGetData(w) == nullptr ? 0.0 : 1.0});
 }
 
-void put_copied(Output& out, const std::string& key, dBodyID b) {
-    out.put(key + ".auto-disable", {static_cast<double>(dBodyGetAutoDisableFlag(b)), dBodyGetAutoDisableLinearThreshold(b),
-                                    dBodyGetAutoDisableAngularThreshold(b),
-                                    static_cast<double>(dBodyGetAutoDisableSteps(b)), dBodyGetAutoDisableTime(b),
-                                    static_cast<double>(dBodyGetAutoDisableAverageSamplesCount(b))});
-    out.put(key + ".damping", {dBodyGetLinearDamping(b), dBodyGetAngularDamping(b), dBodyGetLinearDampingThreshold(b),
-                               dBodyGetAngularDampingThreshold(b), dBodyGetMaxAngularSpeed(b)});
+void put_copied(Output& out, const std::string& key, dBodyID b)
+{
+    out.put(key + ".auto-disable",
+            {static_cast<double>(dBodyGetAutoDisableFlag(b)), dBodyGetAutoDisableLinearThreshold(b),
+             dBodyGetAutoDisableAngularThreshold(b), static_cast<double>(dBodyGetAutoDisableSteps(b)),
+             dBodyGetAutoDisableTime(b), static_cast<double>(dBodyGetAutoDisableAverageSamplesCount(b))});
+    out.put(key + ".damping",
+            {dBodyGetLinearDamping(b), dBodyGetAngularDamping(b), dBodyGetLinearDampingThreshold(b),
+             dBodyGetAngularDampingThreshold(b), dBodyGetMaxAngularSpeed(b)});
 }
 
-void set_all(dWorldID w, Random& random) {
+void set_all(dWorldID w, Random& random)
+{
     dWorldSetGravity(w, random.range(-9, 9), random.range(-9, 9), random.range(-9, 9));
     dWorldSetERP(w, random.range(-1, 2));
     dWorldSetCFM(w, random.range(0, 1));
@@ -53,7 +59,8 @@ void set_all(dWorldID w, Random& random) {
     dWorldSetQuickStepW(w, random.range(0.5, 2));
 }
 
-PARITY_CASE(world_parameters) {
+PARITY_CASE(world_parameters)
+{
     const dWorldID world = dWorldCreate();
     put_world(out, "default", world);
     const dBodyID early = dBodyCreate(world);
@@ -73,7 +80,8 @@ PARITY_CASE(world_parameters) {
     dWorldDestroy(world);
 }
 
-PARITY_CASE(world_impulse) {
+PARITY_CASE(world_impulse)
+{
     const dWorldID world = dWorldCreate();
     for (int i = 0; i < 10; ++i) {
         const Vec3 impulse = rng.in_cube(10);
@@ -85,17 +93,14 @@ PARITY_CASE(world_impulse) {
 }
 
 // Exact binary fractions, so that the last digit says how position and velocity are advanced.
-PARITY_CASE(world_free_fall) {
+PARITY_CASE(world_free_fall)
+{
     const dWorldID world = dWorldCreate();
     dWorldSetGravity(world, 0, 0, -9.81);
     const dBodyID body = dBodyCreate(world);
-    for (int i = 0; i < 100; ++i) {
-        dWorldStep(world, 0.01);
-    }
+    for (int i = 0; i < 100; ++i) { dWorldStep(world, 0.01); }
     out.put_body("exact", body);
-    for (int i = 0; i < 100; ++i) {
-        dWorldQuickStep(world, 0.01);
-    }
+    for (int i = 0; i < 100; ++i) { dWorldQuickStep(world, 0.01); }
     out.put_body("quick", body);
     dWorldDestroy(world);
 }
