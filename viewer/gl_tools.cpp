@@ -5,18 +5,22 @@
 // access (4.5) would read better but shuts out drivers for nothing.
 #include "gl_tools.h"
 
-#include <vector>
+#include "frame.h"
 
 namespace epode::viewer {
 
 namespace {
 
+// The sizes that C++ and GLSL must agree on are written once, in the headers, and handed to GLSL here.
+std::string opening(GLenum stage) {
+    const auto define = [](const char* name, int value) { return std::string("#define ") + name + " " + std::to_string(value) + "\n"; };
+    return "#version 330 core\n" + define("SKY_LIGHTS", kSkyLights) + define("SPIRAL", kSpiral) + define("SUN_MAP_SIDE", kSunMapSide) +
+           define("SAMPLES", kSamples) + (stage == GL_FRAGMENT_SHADER ? "#define FRAGMENT\n" : "");
+}
+
 GLuint compile(GLenum stage, const char* name, const char* text, std::string& error) {
-    const std::string head = kShaderHead;
-    const std::size_t first_line = head.find('\n') + 1;
-    const std::string version = head.substr(0, first_line) + (stage == GL_FRAGMENT_SHADER ? "#define FRAGMENT\n" : "");
-    const std::string rest = head.substr(first_line);
-    const char* const parts[] = {version.c_str(), rest.c_str(), text};
+    const std::string first = opening(stage);
+    const char* const parts[] = {first.c_str(), kShaderHead, text};
     const GLuint shader = glCreateShader(stage);
     glShaderSource(shader, 3, parts, nullptr);
     glCompileShader(shader);

@@ -15,10 +15,7 @@
 
 namespace epode::viewer {
 
-const char* const kShaderHead = R"(#version 330 core
-#define SKY_LIGHTS 48
-#define SPIRAL 48
-layout(std140) uniform Frame {
+const char* const kShaderHead = R"(layout(std140) uniform Frame {
     mat4 camera;
     mat4 sun;
     mat4 sky[SKY_LIGHTS];
@@ -42,7 +39,7 @@ const vec3 kZenith = vec3(0.17, 0.36, 0.68);
 const vec3 kHorizon = vec3(0.77, 0.86, 0.95);
 const vec3 kGroundPaint = vec3(0.66, 0.65, 0.635);
 const float kSunWidth = 0.045;    // diameter of the sun over its distance: five times the real one, as thin haze makes it
-const float kSunTexel = 1.0 / 4096.0;
+const float kSunTexel = 1.0 / float(SUN_MAP_SIDE);
 
 float sun_visible(vec3 p, vec3 n) {
     vec3 q = (sun * vec4(p + n * sun_direction.w, 1.0)).xyz;
@@ -190,7 +187,7 @@ void main() {
 constexpr char kLightFragment[] = R"(
 in vec3 ray;
 out vec4 result;
-const int kSamples = 4;
+const int kSamples = SAMPLES;
 vec3 lit(vec4 place, vec3 n, vec3 paint) {
     bool is_shape = place.w < 1.5;
     vec3 p = place.xyz;
@@ -263,10 +260,10 @@ in float depth;
 out vec4 result;
 void main() {
     float opacity = 0.0;
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < SAMPLES; ++i) {
         vec4 place = texelFetch(places, ivec2(gl_FragCoord.xy), i);
         bool hidden = place.w > 0.5 && dot(place.xyz - eye.xyz, view_forward.xyz) < depth;
-        opacity += hidden ? 0.07 : 0.25;
+        opacity += (hidden ? 0.28 : 1.0) / float(SAMPLES);
     }
     result = vec4(to_linear(paint), opacity * clamp(viewport.z + 0.5 - abs(across), 0.0, 1.0));
 }

@@ -13,7 +13,7 @@ struct ProgramText {
     const char* fragment;
 };
 
-extern const char* const kShaderHead;  // version, uniform block and the shared functions; comes before each text below
+extern const char* const kShaderHead;  // uniform block and shared functions, before each text below (gl_tools.cpp adds version and sizes)
 extern const ProgramText kDepthProgram, kShapeProgram, kGroundProgram, kLightProgram, kLineProgram;
 
 }  // namespace epode::viewer
