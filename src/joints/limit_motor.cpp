@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See limit_motor.h. Stops are limits of position: they act from the first step that begins beyond them.
+#include "joints/limit_motor.h"
+
+#include "dynamics/world.h"
+#include "joints/parts.h"
+
+namespace epode {
+
+bool usable_param(int param, Real value)
+{
+    const int kind = param & (dParamGroup - 1);
+    const bool may_be_infinite = kind == dParamLoStop || kind == dParamHiStop || kind == dParamFMax;
+    return may_be_infinite ? usable_or_infinite(value) : usable(value);
+}
+
+LimitMotor::LimitMotor(const World& world) : cfm(world.cfm), stop_erp(world.erp), stop_cfm(world.cfm) {}
+
+bool LimitMotor::set(int param, Real value)
+{
+    switch (param) {
+        case dParamLoStop: lo = value; break;
+        case dParamHiStop: hi = value; break;
+        case dParamVel: vel = value; break;
+        case dParamFMax: if (value >= 0) fmax = value; break;
+        case dParamFudgeFactor: if (value >= 0 && value <= 1) fudge = value; break;
+        case dParamBounce: bounce = value; break;
+        case dParamCFM: cfm = value, cfm_chosen = true; break;
+        case dParamStopERP: stop_erp = value, stop_chosen = true; break;
+        case dParamStopCFM: stop_cfm = value, stop_chosen = true; break;
+        default: return false;
+    }
+    return true;
+}
+
+bool LimitMotor::get(int param, Real& value) const
+{
+    switch (param) {
+        case dParamLoStop: value = lo; break;
+        case dParamHiStop: value = hi; break;
+        case dParamVel: value = vel; break;
+        case dParamFMax: value = fmax; break;
+        case dParamFudgeFactor: value = fudge; break;
+        case dParamBounce: value = bounce; break;
+        case dParamCFM: value = cfm; break;
+        case dParamStopERP: value = stop_erp; break;
+        case dParamStopCFM: value = stop_cfm; break;
+        default: return false;
+    }
+    return true;
+}
+
+Row angular_jacobian(const Joint& j, Vec3 axis)
+{
+    Row row;
+    row.ang1 = axis;
+    if (j.body2()) row.ang2 = -axis;
+    return row;
+}
+
+Row sliding_jacobian(const Joint& j, Vec3 axis)
+{
+    Row row;
+    row.lin1 = axis;
+    if (j.body2()) {
+        row.lin2 = -axis;
+        row.ang1 = row.ang2 = Real(0.5) * cross(j.body2()->position() - j.body1()->position(), axis);
+    }
+    return row;
+}
+
+void LimitMotor::emit_angular(const Joint& j, RowWriter& out, Vec3 axis, Real angle)
+{
+    emit(j, out, angular_jacobian(j, axis), angle, dot(axis, relative_angular_velocity(j)));
+}
+
+void LimitMotor::emit_linear(const Joint& j, RowWriter& out, Vec3 axis, Real position)
+{
+    emit(j, out, sliding_jacobian(j, axis), position, dot(axis, relative_velocity(j)));
+}
+
+void LimitMotor::emit(const Joint& j, RowWriter& out, const Row& jacobian, Real value, Real rate)
+{
+    if (!out.info().inner) note(value, rate);
+    const bool unlimited_pull = pulls_away() && fmax == kInf && lo < hi;
+    if (stop_ == Stop::kNone || unlimited_pull) return emit_motor(j, out, jacobian);
+    write_stop(out, jacobian, value);
+    if (fmax > 0 && fmax < kInf && lo < hi && !out.info().inner) push(j, out, jacobian);
+}
+
+void LimitMotor::emit_motor(const Joint&, RowWriter& out, const Row& jacobian)
+{
+    if (!(fmax > 0)) return;
+    Row& row = out.row(RowKind::kLimit) = jacobian;
+    row.kind = RowKind::kLimit;
+    row.speed = vel;
+    row.erp = out.info().erp;
+    row.cfm = cfm;
+    row.soft = cfm_chosen;
+    row.lo = -fmax;
+    row.hi = fmax;
+}
+
+// Decides the state of this step.
+void LimitMotor::note(Real value, Real rate)
+{
+    stop_ = Stop::kNone;
+    rebounds_ = false;
+    if (!has_stops()) return;
+    if (value <= lo) stop_ = Stop::kLow;
+    else if (value >= hi) stop_ = Stop::kHigh;
+    const bool hits = (stop_ == Stop::kLow && rate < 0) || (stop_ == Stop::kHigh && rate > 0);
+    rebounds_ = hits && bounce > 0 && lo < hi;
+    rebound_ = -bounce * rate;
+}
+
+void LimitMotor::write_stop(RowWriter& out, const Row& jacobian, Real value) const
+{
+    const bool servo = lo == hi;
+    Row& row = out.row() = jacobian;
+    row.kind = servo ? RowKind::kLock : RowKind::kLimit;
+    row.error = (stop_ == Stop::kLow ? lo : hi) - value;
+    row.erp = stop_erp;
+    row.cfm = stop_cfm;
+    row.soft = stop_chosen;
+    row.rebounds = rebounds_;
+    row.rebound = rebound_;
+    if (servo) return;
+    (stop_ == Stop::kLow ? row.lo : row.hi) = 0;
+}
+
+bool LimitMotor::pulls_away() const
+{
+    return (stop_ == Stop::kLow && vel > 0) || (stop_ == Stop::kHigh && vel < 0);
+}
+
+// The motor's force outright, since the row belongs to the stop.
+void LimitMotor::push(const Joint& j, RowWriter& out, const Row& jacobian) const
+{
+    Real f = pulls_away() ? fmax * fudge : fmax;
+    if (vel < 0 || (vel == 0 && stop_ == Stop::kLow)) f = -f;
+    out.apply(0, f * jacobian.lin1, f * jacobian.ang1);
+    if (j.body2()) out.apply(1, f * jacobian.lin2, f * jacobian.ang2);
+}
+
+}  // namespace epode

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// One axis of a joint with stops, a motor and a bounce. With value x and rate x' = J v along the axis:
+//
+//   between the stops    J v = vel,              |lambda| <= fmax
+//   x <= lo              J v >= erp/h (lo - x),  lambda >= 0
+//   x >= hi              J v <= erp/h (hi - x),  lambda <= 0
+//   lo = hi              J v = erp/h (lo - x),   unbounded: a servo spring through stop ERP and CFM
+//
+// One row serves stop or motor, not both: at a stop the motor's whole force acts as an external force of the
+// step, scaled by the fudge factor when it pulls away (the meaning that ODE's guide gives to dParamFudgeFactor).
+// An unlimited motor that pulls away from a stop keeps the row instead: an infinite force cannot be added.
+#pragma once
+
+#include "dynamics/joint.h"
+#include "rows/row_writer.h"
+
+namespace epode {
+
+struct World;
+
+// Is this number fit for this parameter (of any group)? Only stops and FMax may be infinite.
+bool usable_param(int param, Real value);
+
+struct LimitMotor {
+    explicit LimitMotor(const World& world);
+
+    bool set(int param, Real value);              // false: unknown here
+    bool get(int param, Real& value) const;
+    bool has_stops() const { return lo <= hi && lo < kInf && hi > -kInf && (lo > -kInf || hi < kInf); }
+
+    // At most one row. `value` is read only when there are stops. Whether a stop acts, and how it rebounds, is
+    // decided at the first call of a step and kept at inner poses, so that the number of rows stays the same.
+    void emit_angular(const Joint& j, RowWriter& out, Vec3 axis, Real angle);
+    void emit_linear(const Joint& j, RowWriter& out, Vec3 axis, Real position);
+    void emit(const Joint& j, RowWriter& out, const Row& jacobian, Real value, Real rate);
+    // The motor alone, whatever the stops.
+    void emit_motor(const Joint& j, RowWriter& out, const Row& jacobian);
+
+    Real lo = -kInf, hi = kInf;
+    Real vel = 0, fmax = 0, fudge = 1, bounce = 0;
+    Real cfm, stop_erp, stop_cfm;
+    bool cfm_chosen = false, stop_chosen = false;  // set by the client, not the world's
+
+  private:
+    enum class Stop : unsigned char { kNone, kLow, kHigh };
+
+    void note(Real value, Real rate);
+    void write_stop(RowWriter& out, const Row& jacobian, Real value) const;
+    void push(const Joint& j, RowWriter& out, const Row& jacobian) const;
+    bool pulls_away() const;
+
+    Stop stop_ = Stop::kNone;  // of the present step
+    bool rebounds_ = false;
+    Real rebound_ = 0;
+};
+
+Row angular_jacobian(const Joint& j, Vec3 axis);
+Row sliding_jacobian(const Joint& j, Vec3 axis);
+
+}  // namespace epode

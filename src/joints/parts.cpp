@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The angle of a hinge comes from the relative quaternion, not from two directions and an arc cosine: it
+// is then exact to rounding at every angle. Orientation error: twice the vector part of the error quaternion.
+#include "joints/parts.h"
+
+#include "dynamics/world.h"
+#include "math/trig.h"
+
+namespace epode {
+
+void AnchorPair::set(const Joint& j, Vec3 world_point)
+{
+    for (int i = 0; i < 2; ++i) local[i] = point_to_local(j.node[i].body, world_point);
+}
+
+void AxisPair::set(const Joint& j, Vec3 unit)
+{
+    for (int i = 0; i < 2; ++i) local[i] = direction_to_local(j.node[i].body, unit);
+}
+
+OwnSoftness::OwnSoftness(const World& world) : erp(world.erp), cfm(world.cfm) {}
+
+bool OwnSoftness::set(int param, Real value)
+{
+    if (param != dParamERP && param != dParamCFM) return false;
+    (param == dParamERP ? erp : cfm) = value;
+    return chosen = true;
+}
+
+bool OwnSoftness::get(int param, Real& value) const
+{
+    if (param != dParamERP && param != dParamCFM) return false;
+    value = param == dParamERP ? erp : cfm;
+    return true;
+}
+
+Vec3 relative_velocity(const Joint& j)
+{
+    const Vec3 v = j.body1()->velocity();
+    return j.body2() ? v - j.body2()->velocity() : v;
+}
+
+Vec3 relative_angular_velocity(const Joint& j)
+{
+    const Vec3 w = j.body1()->angular_velocity();
+    return j.body2() ? w - j.body2()->angular_velocity() : w;
+}
+
+Quat relative_orientation(const Joint& j)
+{
+    return conjugate(orientation_of(j.body1())) * orientation_of(j.body2());
+}
+
+Quat rotation_about(Vec3 unit, Real angle)
+{
+    const Real half = Real(0.5) * angle;
+    const Vec3 v = sin(half) * unit;
+    return {cos(half), v.x, v.y, v.z};
+}
+
+Real hinge_angle(Quat q1, Quat q2, Quat zero, Vec3 axis_local)
+{
+    const Quat q = conjugate(q1) * q2 * conjugate(zero);
+    const Real s = length(q.vec());
+    Real theta = 2 * atan2(s, dot(q.vec(), axis_local) >= 0 ? q.w : -q.w);
+    if (theta > kPi) theta -= 2 * kPi;
+    return -theta;
+}
+
+Quat hinge_zero(Quat q1, Quat q2, Vec3 axis_local, Real angle)
+{
+    return rotation_about(axis_local, angle) * (conjugate(q1) * q2);
+}
+
+Row& point_row(const Joint& j, RowWriter& out, Vec3 d, Vec3 r1, Vec3 r2, Real error)
+{
+    Row& row = out.row();
+    row.lin1 = d;
+    row.ang1 = cross(r1, d);
+    if (j.body2()) {
+        row.lin2 = -d;
+        row.ang2 = cross(d, r2);
+    }
+    row.error = error;
+    return row;
+}
+
+Row& angular_row(const Joint& j, RowWriter& out, Vec3 d, Real error)
+{
+    Row& row = out.row();
+    row.ang1 = d;
+    if (j.body2()) row.ang2 = -d;
+    row.error = error;
+    return row;
+}
+
+Row& sliding_row(const Joint& j, RowWriter& out, Vec3 d, Real error)
+{
+    Row& row = out.row();
+    row.lin1 = d;
+    if (j.body2()) {
+        row.lin2 = -d;
+        row.ang1 = row.ang2 = Real(0.5) * cross(j.body2()->position() - j.body1()->position(), d);
+    }
+    row.error = error;
+    return row;
+}
+
+void lock_point(const Joint& j, RowWriter& out, const AnchorPair& anchor, const OwnSoftness* own)
+{
+    const Vec3 a1 = anchor.world(j, 0), a2 = anchor.world(j, 1);
+    const Vec3 r1 = a1 - j.body1()->position();
+    const Vec3 r2 = j.body2() ? a2 - j.body2()->position() : Vec3{};
+    const Vec3 error = a2 - a1;
+    for (int i = 0; i < 3; ++i) {
+        Vec3 d;
+        d.set(i, 1);
+        Row& row = point_row(j, out, d, r1, r2, error[i]);
+        if (own) own->apply_to(row);
+    }
+}
+
+void lock_orientation(const Joint& j, RowWriter& out, Quat zero)
+{
+    const Quat q = relative_orientation(j) * conjugate(zero);
+    const Vec3 turn = q.w < 0 ? -q.vec() : q.vec();
+    const Vec3 error = Real(2) * direction_to_world(j.body1(), turn);
+    for (int i = 0; i < 3; ++i) {
+        Vec3 d;
+        d.set(i, 1);
+        angular_row(j, out, d, error[i]);
+    }
+}
+
+void lock_axis(const Joint& j, RowWriter& out, const AxisPair& axis)
+{
+    const Vec3 a1 = axis.world(j, 0);
+    const Vec3 u = cross(a1, axis.world(j, 1));
+    Vec3 p, q;
+    plane_space(a1, p, q);
+    angular_row(j, out, p, dot(u, p));
+    angular_row(j, out, q, dot(u, q));
+}
+
+namespace {
+
+void accumulate(Real* sum, Vec3 add) { store(sum, load(sum) + add); }
+
+}  // namespace
+
+void add_torque(Joint& j, Vec3 torque)
+{
+    if (Body* b = j.body1()) accumulate(b->tacc, torque);
+    if (Body* b = j.body2()) accumulate(b->tacc, -torque);
+}
+
+void add_sliding_force(Joint& j, Vec3 force)
+{
+    Body *b1 = j.body1(), *b2 = j.body2();
+    if (!b1) return;
+    accumulate(b1->facc, force);
+    if (!b2) return;
+    accumulate(b2->facc, -force);
+    const Vec3 torque = Real(0.5) * cross(b2->position() - b1->position(), force);
+    accumulate(b1->tacc, torque);
+    accumulate(b2->tacc, torque);
+}
+
+}  // namespace epode

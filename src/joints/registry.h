@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// How a file of this folder becomes a joint type: the list joint_types.inc is expanded into one JointType per
+// struct, JOINT_DEFINE fills it from the struct's members, and create_joint/checked are what the C functions
+// stand on. A list and not self-registration: no order of static initialisation, and no linker may drop a
+// type from an archive.
+#pragma once
+
+#include "base/pool.h"
+#include "dynamics/joint.h"
+#include "dynamics/joint_group.h"
+#include "dynamics/world.h"
+#include "rows/row_writer.h"
+
+namespace epode {
+
+template <typename T>
+struct JointTypeOf;
+
+#define JOINT_TYPE(Name, Number)                              \
+    struct Name;                                              \
+    extern const JointType k##Name##Type;                     \
+    template <>                                               \
+    struct JointTypeOf<Name> {                                \
+        static const JointType& get() { return k##Name##Type; } \
+        static constexpr int kNumber = Number;                \
+        static constexpr const char* kRefusal = "joint type is not " #Name; \
+    };
+#include "joints/joint_types.inc"
+#undef JOINT_TYPE
+
+// The type with this number of the interface, or null.
+const JointType* joint_type(int number);
+
+// Says in words what a struct lacks to be a joint type. Optional members: bodies_changed(), set_param(int, Real),
+// get_param(int, Real&), kNeedsTwoBodies.
+template <typename T>
+consteval bool is_joint_type()
+{
+    static_assert(std::is_base_of_v<Joint, T>, "a joint type derives from Joint");
+    static_assert(requires { int{T::kMaxRows}; }, "a joint type states kMaxRows, the most rows it ever writes");
+    static_assert(T::kMaxRows <= kMaxJointRows, "a joint type writes at most kMaxJointRows rows");
+    static_assert(requires(T& t, RowWriter& out) { t.emit(out); },
+                  "a joint type writes its rows in void emit(RowWriter&)");
+    static_assert(!requires(T& t, Real v) { t.set_param(0, v); } || requires(const T& t, Real& v) { t.get_param(0, v); },
+                  "a joint type that lets a parameter be set lets it be read: bool get_param(int, Real&) const");
+    return true;
+}
+template <typename T>
+concept JointLike = is_joint_type<T>();
+
+template <JointLike T>
+constexpr JointType describe_joint(const char* name)
+{
+    JointType type{};
+    type.number = JointTypeOf<T>::kNumber;
+    type.name = name;
+    type.max_rows = T::kMaxRows;
+    type.needs_two_bodies = requires { T::kNeedsTwoBodies; };
+    type.emit = [](Joint& j, RowWriter& out) { static_cast<T&>(j).emit(out); };
+    type.attached = [](Joint& j) {
+        if constexpr (requires(T& t) { t.bodies_changed(); }) static_cast<T&>(j).bodies_changed();
+        else (void)j;
+    };
+    type.set_param = [](Joint& j, int param, Real value) {
+        if constexpr (requires(T& t) { t.set_param(param, value); })
+            return static_cast<T&>(j).set_param(param, value);
+        else
+            return (void)j, (void)param, (void)value, false;
+    };
+    type.get_param = [](const Joint& j, int param, Real& value) {
+        if constexpr (requires(const T& t) { t.get_param(param, value); })
+            return static_cast<const T&>(j).get_param(param, value);
+        else
+            return (void)j, (void)param, (void)value, false;
+    };
+    type.destroy = [](Joint& j) { Pool<T>::destroy(static_cast<T*>(&j)); };
+    return type;
+}
+
+#define JOINT_DEFINE(Name) constinit const JointType k##Name##Type = describe_joint<Name>(#Name)
+
+// False after a refusal in the name of the C function `caller`.
+inline bool demand(bool condition, const char* caller)
+{
+    if (condition) [[likely]]
+        return true;
+    static std::atomic<bool> told{false};
+    refuse("Bad argument(s)", caller, told);
+    return false;
+}
+
+// The new joint, or null: bad handles, or memory is exhausted.
+template <JointLike T, typename... Arguments>
+dJointID create_joint_for(const char* caller, dWorldID w, dJointGroupID g, const Arguments&... arguments)
+{
+    World* world = from_handle<World>(w);
+    JointGroup* group = from_handle<JointGroup>(g);
+    if (!demand(world && (group || !g), caller)) return nullptr;
+    T* joint = Pool<T>::create(JointTypeOf<T>::get(), *world, arguments...);
+    if (!joint) return nullptr;
+    if (link_into_world(*joint, group)) return to_handle<Joint>(joint);
+    Pool<T>::destroy(joint);
+    return nullptr;
+}
+
+template <JointLike T>
+dJointID create_joint(dWorldID w, dJointGroupID g, const char* caller = __builtin_FUNCTION())
+{
+    return create_joint_for<T>(caller, w, g);
+}
+
+// The joint behind a handle, or null after a refusal in ODE's words on behalf of the C function `caller`.
+template <typename T>
+T* checked(dJointID id, const char* caller = __builtin_FUNCTION())
+{
+    Joint* joint = from_handle<Joint>(id);
+    if (joint && joint->type == &JointTypeOf<T>::get()) return static_cast<T*>(joint);
+    static std::atomic<bool> told{false};
+    refuse(joint ? JointTypeOf<T>::kRefusal : "bad joint argument", caller, told);
+    return nullptr;
+}
+
+}  // namespace epode
