@@ -7,6 +7,8 @@
 
 #ifdef EPODE_HAVE_VIEWER
 
+#include <cmath>
+#include <cstdint>
 #include <map>
 
 #include "viewer/picture.h"
@@ -22,6 +24,9 @@ using viewer::Shape;
 using viewer::ShapeKind;
 
 constexpr Color kStone{0.62f, 0.61f, 0.59f};
+
+// Neighbours in the order of making lie in rows; multiplying by an odd constant and keeping the high bits breaks the stripes.
+int mixed(int number) { return int((std::uint32_t(number) * 2654435761u) >> 24); }
 
 bool set_size(dGeomID geom, Shape& shape)
 {
@@ -68,7 +73,7 @@ void add_shapes(const scenes::Scene& scene, Picture& picture)
         Shape shape;
         if (!set_size(geom, shape)) continue;
         dBodyID body = dGeomGetBody(geom);
-        shape.color = body ? viewer::palette(number[body]) : kStone;
+        shape.color = body ? viewer::palette(mixed(number[body])) : kStone;
         viewer::set_pose(shape, dGeomGetPosition(geom), dGeomGetRotation(geom));
         picture.shapes.push_back(shape);
     }
@@ -108,9 +113,11 @@ void set_camera(const scenes::Scene& scene, Picture& picture)
         picture.camera = viewer::frame_shapes(picture.shapes, aspect);
         return;
     }
+    const dReal* follow = scene.view.follow ? dBodyGetPosition(scene.view.follow) : nullptr;
     for (int i = 0; i < 3; ++i) {
-        picture.camera.eye[i] = float(scene.view.eye[i]);
-        picture.camera.target[i] = float(scene.view.target[i]);
+        const double shift = follow && i < 2 && std::isfinite(follow[i]) ? follow[i] : 0;
+        picture.camera.eye[i] = float(scene.view.eye[i] + shift);
+        picture.camera.target[i] = float(scene.view.target[i] + shift);
     }
 }
 

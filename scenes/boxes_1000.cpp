@@ -14,17 +14,18 @@ constexpr int kSide = 10;
 void build(Scene& scene)
 {
     Lcg random(scene.seed());
-    const double pitch = 1.2, half = 7;
+    const double pitch = 1.4, half = 7;
     add_ground(scene);
-    add_pit(scene, half, half, 10);
+    add_pit(scene, half, half, 7);
     for (int layer = 0; layer < kSide; ++layer) {
         for (int i = 0; i < kSide * kSide; ++i) {
             const Vec grid{(i % kSide - 0.5 * (kSide - 1)) * pitch, (i / kSide - 0.5 * (kSide - 1)) * pitch, 1 + layer * pitch};
             const Vec shift{random.uniform(-0.05, 0.05), random.uniform(-0.05, 0.05), 0};
-            add_box(scene, {1, 1, 1}, 1000, grid + shift, turn(kZ, random.uniform(-0.05, 0.05)));
+            const Turn tilt = turn({random.uniform(-1, 1), random.uniform(-1, 1), 1}, random.uniform(-0.2, 0.2));
+            add_box(scene, {1, 1, 1}, 1000, grid + shift, tilt);
         }
     }
-    set_view(scene, {-17, -21, 18}, {0, 0.4, 3.6});
+    set_view(scene, {-17, -21, 23}, {0, 0.6, 3.2});
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ void build(Scene& scene)
     }
     scene.tracked = {scene.bodies()[kPlanks / 2]};
     dWorldSetContactSurfaceLayer(scene.world(), dReal(0.001));
-    set_view(scene, {-4.5, -9.5, 4.4}, {0, 0, 1.7});
+    set_view(scene, {-4.5, -11.5, 4.6}, {0.1, 0, 1.5});
 }
 
 }  // namespace

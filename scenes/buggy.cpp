@@ -90,7 +90,8 @@ void build(Scene& scene)
     scene.before_step([wheels](double time, double dt) { drive(wheels, time, dt); });
     scene.surface.mu = dReal(1.0);
     dWorldSetContactSurfaceLayer(scene.world(), dReal(0.001));
-    set_view(scene, {10, -13, 5.5}, {10.5, 0, 0.6});
+    set_view(scene, {4.2, -7.2, 3.0}, {-0.6, 0, 0.5});
+    scene.view.follow = chassis;
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ dGeomID add_static_box(Scene& scene, Vec size, Vec pos, Turn q)
 
 void add_pit(Scene& scene, double half_x, double half_y, double height)
 {
-    const double thick = 1;
+    const double thick = 0.6;
     for (double side : {-1.0, 1.0}) {
         add_static_box(scene, {thick, 2 * (half_y + thick), height}, {side * (half_x + thick / 2), 0, height / 2});
         add_static_box(scene, {2 * half_x, thick, height}, {0, side * (half_y + thick / 2), height / 2});

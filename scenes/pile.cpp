@@ -27,9 +27,9 @@ void add_one(Scene& scene, Lcg& random, Vec pos)
 void build(Scene& scene)
 {
     Lcg random(scene.seed());
-    const double pitch = 0.72, half = 3.0;
+    const double pitch = 0.72, half = 2.9;
     add_ground(scene);
-    add_pit(scene, half, half, 2.5);
+    add_pit(scene, half, half, 2.0);
     for (int i = 0; i < kCount; ++i) {
         const int column = i % kAcross, row = i / kAcross % kAcross, layer = i / (kAcross * kAcross);
         const Vec grid{(column - 0.5 * (kAcross - 1)) * pitch, (row - 0.5 * (kAcross - 1)) * pitch, 0.8 + layer * pitch};
@@ -37,7 +37,7 @@ void build(Scene& scene)
     }
     dWorldSetContactSurfaceLayer(scene.world(), dReal(0.001));
     dWorldSetContactMaxCorrectingVel(scene.world(), 5);
-    set_view(scene, {-7.5, -9.5, 9.5}, {0.1, 0.3, 0.7});
+    set_view(scene, {-5.5, -7.0, 8.2}, {0.05, 0.25, 0.6});
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ struct View {
     bool set = false;
     double eye[3] = {0, 0, 0};
     double target[3] = {0, 0, 0};
+    dBodyID follow = nullptr;  // eye and target move over the floor with this body
 };
 
 struct StepTimes {

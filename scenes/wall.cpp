@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Wall: 10 courses of bricks in running bond, half bricks at the ends, hit by an iron cannon ball of 220 kg at 25 m/s. A stack at rest,
+// Wall: 10 courses of bricks in running bond, half bricks at the ends, hit by an iron cannon ball of 220 kg at 20 m/s. A stack at rest,
 // then an impact, then many small islands: what an iterative solver, its warm start and its sleeping see in one run.
 #include "scenes/build.h"
 
@@ -31,7 +31,7 @@ void build(Scene& scene)
     }
 
     dBodyID ball = add_sphere(scene, 0.19, 7700, {0.15, -9, 1.0});
-    set_velocity(ball, {0, 25, 1.6});
+    set_velocity(ball, {0, 20, 2.0});
 
     dWorldSetContactSurfaceLayer(scene.world(), dReal(0.001));
     scene.tracked = {ball};
@@ -40,6 +40,6 @@ void build(Scene& scene)
 
 }  // namespace
 
-extern const Recipe kWall = {"wall", "a brick wall of 10 courses hit by a cannon ball", 0.005, 3, Stepper::kQuick, build};
+extern const Recipe kWall = {"wall", "a brick wall of 10 courses hit by a cannon ball", 0.005, 2, Stepper::kQuick, build};
 
 }  // namespace epode::scenes

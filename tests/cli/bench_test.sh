@@ -1,0 +1,39 @@
+#!/bin/bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+#
+# The benchmark program: that it measures what it says and refuses what it cannot. How fast anything is, is no matter of a test.
+set -uo pipefail
+program=$1
+compare=$2
+source "$(dirname "$0")/harness.sh"
+
+expect 0 wall --steps 10 --repeat 2
+for key in library ms_median ms_p10 ms_p90 ms_collide ms_step ms_empty penetration_worst energy_end; do has out "^$key +[0-9/-]"; done
+has out '^library +/.*libode'
+expect 0 wall --steps 10 --repeat 2 --json
+holds "$(number ms_p10) <= $(number ms_median) && $(number ms_median) <= $(number ms_p90) && $(number ms_step) > 0"
+holds "$(number steps) == 10 && $(number contacts_mean) > 100 && $(number nans) == 0"
+
+# The islands have the rows they are named for, on any library.
+expect 0 exact-sizes --steps 2 --repeat 1
+(($(grep -cE '^(chain|box|stack|wall) ' "$work/out") == 20)) || fail 'exact-sizes has not 20 cases'
+awk '/^(chain|box|stack|wall) / && ($3 < $2 - 0.05 || $3 > $2 + 0.05) { print; bad = 1 } END { exit bad }' "$work/out" ||
+    fail 'an island of exact-sizes has other rows than its name says'
+expect 0 exact-sizes --steps 2 --repeat 1 --json
+has out '"kind": "wall", "rows": 288'
+
+expect 2
+expect 2 no-such-scene
+has err 'exact-sizes pendulum'
+expect 2 wall --stepper best
+expect 2 exact-sizes --stepper quick
+expect 2 wall --repeat 0
+
+program=$compare
+expect 2 --unknown
+expect 2 --rounds none
+expect 2 /no/such/program
+has err 'no program'
+
+finish
