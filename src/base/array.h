@@ -32,6 +32,7 @@ class Array {
     ~Array() { reset(); }
 
     int size() const { return size_; }
+    int capacity() const { return capacity_; }
     bool empty() const { return size_ == 0; }
     T* data() { return data_; }
     const T* data() const { return data_; }

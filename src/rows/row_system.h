@@ -48,7 +48,7 @@ struct RowBlock {
 struct RowSystem {
     Real h = 0;
     std::span<SolverBody> bodies;
-    std::span<const Row> rows;
+    std::span<Row> rows;
     std::span<RowNumbers> numbers;   // parallel to rows
     std::span<RowBlock> blocks;      // in joint order, covering rows without gaps
 };
@@ -60,8 +60,9 @@ struct Substeps {
     void (*apply_forces)(void* model, RowSystem& system, Real h) = nullptr;
     // x += h v; refreshes the rotation and world inertia in the SolverBodies.
     void (*advance)(void* model, RowSystem& system, Real h) = nullptr;
-    // Rewrites Jacobians and errors of all non-contact blocks at the present pose (row counts do not change).
-    void (*refresh)(void* model, RowSystem& system, Real h) = nullptr;
+    // Rewrites Jacobians and errors of all rows at the present pose. Row counts, kinds and bounds stay; the
+    // error of a contact that has opened is negative: the gap that is still free.
+    void (*refresh)(void* model, RowSystem& system) = nullptr;
 };
 
 // J_i v of row r between bodies a and b (null: world).

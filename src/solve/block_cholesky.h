@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// H = L L^T for symmetric positive definite matrices of 6x6 blocks, one block row per body. The arithmetic is
+// in double whatever the library's Real is: weights of 1/CFM leave no digits to spare.
+#pragma once
+
+#include <span>
+
+#include "base/arena.h"
+#include "solve/ordering.h"
+
+namespace epode {
+
+class BlockCholesky {
+  public:
+    static constexpr int kBlock = 36;  // doubles of a block, column-major
+
+    // Chooses the order and takes the memory; false: out of memory.
+    bool analyse(int n, std::span<const BodyPair> pairs, Arena& arena);
+
+    // Where H[a][a] and, for a pair that was announced, the block between two bodies live. `transposed`: the
+    // stored block is H[b][a] instead of H[a][b].
+    double* diagonal(int body) { return diagonal_.data() + kBlock * structure_.position[std::size_t(body)]; }
+    double* between(int a, int b, bool& transposed);
+
+    void clear();                  // H = 0
+    int factor();                  // in place; returns how many pivots had to be replaced
+    void solve(std::span<double> x);  // x = H^-1 x, six numbers per body in body order
+
+  private:
+    void eliminate_column(int k);
+    void subtract_outer(int k);
+
+    int n_ = 0;
+    int bad_pivots_ = 0;
+    FactorStructure structure_;
+    std::span<double> diagonal_;  // n blocks, then their lower triangles L with reciprocal diagonals
+    std::span<double> lower_;     // blocks below the diagonal, column by column
+    std::span<double> work_;      // 6 n
+};
+
+}  // namespace epode

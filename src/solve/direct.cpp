@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// dWorldStep: ODE's mixed complementarity problem, exactly. Friction limits make it non-convex; ODE defines
+// the answer in two phases, each a strictly convex box problem with one solution (C > 0):
+//
+//   1. without the rows that have a parent (their bounds are 0)           -> p1
+//   2. all rows, with limits  hi = mu |p1[parent]|,  lo = -hi, frozen     -> p
+//
+// Phase 1 must be exact including the split among redundant contacts, since phase 2 inherits it as limits.
+// Per phase: active set from the warm start, interior point where the guess does not settle, then the active
+// set again from its tags; the better answer by natural residual counts. Nothing is ever printed.
+// The alternative, Dantzig's principal pivoting on the dense J M^-1 J^T, is what ODE does: cubic in the rows,
+// and a pivot near zero on redundant contacts ends it.
+#include <algorithm>
+#include <cmath>
+
+#include "solve/active_set.h"
+#include "solve/interior_point.h"
+#include "solve/residual.h"
+#include "solve/solver.h"
+
+namespace epode {
+namespace {
+
+constexpr double kPromised = 1e-9;  // natural residual that an answer must have
+constexpr int kQuickRounds = 20;    // of the first active set
+constexpr double kInteriorTolerance = 2e-10;
+
+class DirectSolve {
+  public:
+    bool prepare(RowSystem& system, Arena& arena)
+    {
+        const int m = int(system.rows.size());
+        if (!problem_.build(system, arena)) return false;
+        state_.lo = arena.take<double>(m);
+        state_.hi = arena.take<double>(m);
+        state_.p = arena.take<double>(m);
+        state_.tag = arena.take<BoxState::Tag>(m);
+        state_.v = arena.take<double>(problem_.unknowns());
+        kept_ = arena.take<double>(m);
+        scratch_ = arena.take<double>(problem_.unknowns());
+        return !arena.failed() && active_.prepare(problem_, arena);
+    }
+
+    // Both phases; false: out of memory.
+    bool run(RowSystem& system, Arena& arena, SolveReport& report)
+    {
+        const bool friction = set_bounds_without_friction(system);
+        for (std::size_t i = 0; i < state_.p.size(); ++i) guess(i, double(system.numbers[i].p));
+        if (!solve_phase(arena, report)) return false;
+        if (friction) {
+            for (std::size_t i = 0; i < state_.p.size(); ++i)
+                if (system.numbers[i].parent >= 0) freeze_limit(i, system);
+            if (!solve_phase(arena, report)) return false;
+        }
+        problem_.store(system, state_.p);
+        report.residual = Real(problem_.residual(state_, scratch_));
+        return true;
+    }
+
+  private:
+    bool set_bounds_without_friction(const RowSystem& system)
+    {
+        bool friction = false;
+        for (std::size_t i = 0; i < state_.p.size(); ++i) {
+            const RowNumbers& n = system.numbers[i];
+            const bool empty = !(problem_.row(int(i)).d > 0);
+            friction |= n.parent >= 0;
+            state_.lo[i] = n.parent >= 0 || empty ? 0 : double(n.lo);
+            state_.hi[i] = n.parent >= 0 || empty ? 0 : double(n.hi);
+        }
+        return friction;
+    }
+
+    void freeze_limit(std::size_t i, const RowSystem& system)
+    {
+        const double normal = std::fabs(state_.p[std::size_t(system.numbers[i].parent)]);
+        // An infinite coefficient on no load is no friction, as ODE decides it.
+        state_.hi[i] = normal > 0 && problem_.row(int(i)).d > 0 ? double(system.numbers[i].hi) * normal : 0;
+        state_.lo[i] = -state_.hi[i];
+        guess(i, double(system.numbers[i].p));
+    }
+
+    void guess(std::size_t i, double p)
+    {
+        const double lo = state_.lo[i], hi = state_.hi[i];
+        state_.p[i] = std::min(std::max(p, lo), hi);
+        // A width that is below rounding of the impulse is no freedom.
+        if (!((hi - lo) * problem_.row(int(i)).d > 1e-13 * problem_.scale())) {
+            state_.tag[i] = BoxState::kFixed;
+            state_.p[i] = state_.lo[i];
+        } else if (lo > -HUGE_VAL && lo < 0 && hi < HUGE_VAL && p != 0 && (p <= lo || p >= hi)) {
+            state_.tag[i] = p <= lo ? BoxState::kLower : BoxState::kUpper;
+        } else {
+            state_.tag[i] = BoxState::kFree;
+        }
+    }
+
+    bool solve_phase(Arena& arena, SolveReport& report)
+    {
+        if (active_.solve(problem_, state_, {kQuickRounds, false}, report.iterations)) return true;
+        report.fallback = true;
+        if (!interior_ready_ && !(interior_ready_ = interior_.prepare(problem_, arena))) return false;
+        interior_.solve(problem_, state_, kInteriorTolerance, report.iterations);
+        keep_better_of_polish(report);
+        return true;
+    }
+
+    // The active set from the interior point's tags usually ends exactly; if it does not, the interior answer
+    // stands as it is.
+    void keep_better_of_polish(SolveReport& report)
+    {
+        const double before = problem_.residual(state_, scratch_);
+        std::copy(state_.p.begin(), state_.p.end(), kept_.begin());
+        const int rounds = 30 + problem_.row_count() / 2;
+        const bool exact = active_.solve(problem_, state_, {before > kPromised ? rounds : 8, true},
+                                         report.iterations);
+        if (exact) return;
+        for (std::size_t i = 0; i < state_.p.size(); ++i)
+            state_.p[i] = std::min(std::max(state_.p[i], state_.lo[i]), state_.hi[i]);
+        if (problem_.residual(state_, scratch_) > before)
+            std::copy(kept_.begin(), kept_.end(), state_.p.begin());
+    }
+
+    ExactProblem problem_;
+    ActiveSet active_;
+    InteriorPoint interior_;
+    bool interior_ready_ = false;
+    BoxState state_;
+    std::span<double> kept_, scratch_;
+};
+
+bool solve_direct(RowSystem& system, const SolverSettings&, Arena& arena, SolveReport& report)
+{
+    if (system.rows.empty()) return true;
+    Arena::Scope scope(arena);
+    DirectSolve direct;
+    return direct.prepare(system, arena) && direct.run(system, arena, report);
+}
+
+}  // namespace
+
+const Solver kDirect{"direct", false, solve_direct};
+
+}  // namespace epode

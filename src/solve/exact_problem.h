@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The island as the exact solver works on it: dynamic bodies only, in double, with the two operations that
+// all methods share, for a diagonal weight D >= 0 on the rows:
+//
+//   factor:  H = M + J^T D J                      (one 6x6 block per body and per touching pair)
+//   solve:   x = H^-1 x
+//
+// Why the primal H and not the dual A = J M^-1 J^T: H has six unknowns per body however many rows act on it,
+// stays positive definite whatever the rows' redundancy, and is as sparse as the body graph.
+#pragma once
+
+#include <span>
+
+#include "base/arena.h"
+#include "rows/row_system.h"
+#include "solve/block_cholesky.h"
+
+namespace epode {
+
+struct ExactRow {
+    double J[12];      // of body a, then of body b
+    double c, C, d;    // d = J M^-1 J^T + C
+    double weight_min; // smallest softness that the factor may see, so that C = 0 has a finite weight
+    int a, b;          // dynamic bodies; b = -1: only one
+    int pair;          // index into the slots of H
+};
+
+// The box problem of one phase and its present iterate.
+struct BoxState {
+    enum Tag : unsigned char { kLower, kFree, kUpper, kFixed };
+    std::span<double> lo, hi, p, v;
+    std::span<Tag> tag;
+};
+
+class ExactProblem {
+  public:
+    // False: out of memory.
+    bool build(const RowSystem& system, Arena& arena);
+
+    int row_count() const { return int(rows_.size()); }
+    int unknowns() const { return int(v_star_.size()); }
+    const ExactRow& row(int i) const { return rows_[std::size_t(i)]; }
+    double scale() const { return scale_; }  // typical velocity of the problem, m/s
+
+    int factor(std::span<const double> D);
+    void solve(std::span<double> x) { H_.solve(x); }
+
+    // r = M (v* - v) + J^T p
+    void momentum_residual(std::span<const double> v, std::span<const double> p, std::span<double> r) const;
+    // v = v* + M^-1 J^T p
+    void velocities(std::span<const double> p, std::span<double> v) const;
+
+    double jv(const ExactRow& row, std::span<const double> v) const;
+    static void add_jt(const ExactRow& row, double s, std::span<double> x);
+
+    // Natural residual, relative to scale(), for bounds lo and hi; `v` is scratch.
+    double residual(const BoxState& state, std::span<double> v) const;
+
+    // The answer into the system: velocities of dynamic bodies and impulses.
+    void store(RowSystem& system, std::span<const double> p) const;
+
+  private:
+    struct BodyMass {
+        double mass, inv_mass;
+        double I[6], inv_I[6];  // xx yy zz xy xz yz
+    };
+    struct PairSlots {
+        double *aa, *bb, *ab;
+        bool transposed;
+    };
+
+    bool number_bodies(const RowSystem& system, Arena& arena);
+    bool slot_pairs(const RowSystem& system, Arena& arena);
+    void fill_rows(const RowSystem& system);
+    void fill_row(const Row& row, const RowNumbers& n, const RowBlock& block, const RowSystem& system,
+                  ExactRow& out) const;
+
+    std::span<int> dynamic_;       // island body -> dynamic index or -1
+    std::span<BodyMass> masses_;
+    std::span<double> v_star_;
+    std::span<ExactRow> rows_;
+    std::span<PairSlots> slots_;   // one per block of rows
+    BlockCholesky H_;
+    double scale_ = 1;
+};
+
+}  // namespace epode

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Mehrotra's predictor-corrector (SIAM J. Optim. 2, 1992). Per finite bound a slack s, a variable of its own
+// (p - lo loses all digits near the end), and a multiplier z:
+//
+//   r1 = M (v* - v) + J^T p      r2 = c - J v - C p + zl - zu
+//   rl = p - lo - sl             ru = hi - p - su
+//   ds_l = dp + rl,  ds_u = ru - dp,  dz = (t - z ds)/s
+//   theta = C + zl/sl + zu/su,  D = 1/theta,  e = r2 + (tl - zl rl)/sl - (tu - zu ru)/su
+//   H dv = r1 + J^T D e,  dp = D (e - J dv)
+//
+// Predictor t = -s z, then t = sigma mu/d - s z - ds dz with sigma = (mu_aff/mu)^3; rows are weighted by
+// d = J M^-1 J^T + C, so that mu is a velocity squared and rows of different kinds agree.
+#include "solve/interior_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epode {
+namespace {
+
+constexpr int kMostIterations = 60;
+constexpr int kStall = 8;            // iterations without a tenth of progress
+constexpr double kStepShare = 0.995;
+
+}  // namespace
+
+bool InteriorPoint::prepare(const ExactProblem& problem, Arena& arena)
+{
+    rows_ = arena.take<RowState>(problem.row_count());
+    D_ = arena.take<double>(problem.row_count());
+    r1_ = arena.take<double>(problem.unknowns());
+    dv_ = arena.take<double>(problem.unknowns());
+    return !arena.failed();
+}
+
+bool InteriorPoint::solve(ExactProblem& problem, BoxState& state, double tolerance, int& iterations)
+{
+    start(problem, state);
+    double best = HUGE_VAL;
+    int stall = 0;
+    bool reached = false;
+    for (int k = 0; k < kMostIterations; ++k) {
+        const double measure = residuals(problem, state);
+        reached = measure <= tolerance * problem.scale();
+        stall = measure < 0.9 * best ? 0 : stall + 1;
+        best = std::min(best, measure);
+        if (reached || stall >= kStall || !(measure < HUGE_VAL)) break;
+        ++iterations;
+        factor(problem, state);
+        for (RowState& row : rows_) row.lower.t = -row.lower.s * row.lower.z, row.upper.t = -row.upper.s * row.upper.z;
+        direction(problem, state);
+
+        const double mu = complementarity(problem, 0);
+        const double affine = complementarity(problem, longest_step());
+        const double ratio = mu > 0 ? affine / mu : 0;
+        const double target = ratio * ratio * ratio * mu;
+        for (std::size_t i = 0; i < rows_.size(); ++i)
+            for (Side* side : {&rows_[i].lower, &rows_[i].upper})
+                side->t = target / problem.row(int(i)).d - side->s * side->z - side->ds * side->dz;
+        direction(problem, state);
+        advance(state, std::min(1.0, kStepShare * longest_step()));
+    }
+    tag(problem, state);
+    return reached;
+}
+
+void InteriorPoint::start(const ExactProblem& problem, BoxState& state)
+{
+    const double scale = problem.scale();
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        RowState& row = rows_[i];
+        row = {};
+        const double d = problem.row(int(i)).d;
+        if (state.tag[i] == BoxState::kFixed) {
+            state.p[i] = state.lo[i];
+            continue;
+        }
+        row.lower.present = state.lo[i] > -HUGE_VAL;
+        row.upper.present = state.hi[i] < HUGE_VAL;
+        const double margin = std::min(0.5 * (state.hi[i] - state.lo[i]), 0.1 * scale / d);
+        state.p[i] = std::min(std::max(state.p[i], state.lo[i] + margin), state.hi[i] - margin);
+        const auto place = [&](Side& side, double s) {
+            side.s = side.present ? s : 1;
+            side.z = side.present ? std::min(0.01 * scale * scale / (d * s), 10 * scale) : 0;
+        };
+        place(row.lower, state.p[i] - state.lo[i]);
+        place(row.upper, state.hi[i] - state.p[i]);
+    }
+    problem.velocities(state.p, state.v);
+}
+
+double InteriorPoint::residuals(const ExactProblem& problem, const BoxState& state)
+{
+    problem.momentum_residual(state.v, state.p, r1_);
+    double worst = 0;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        if (state.tag[i] == BoxState::kFixed) continue;
+        const ExactRow& row = problem.row(int(i));
+        RowState& x = rows_[i];
+        x.r2 = row.c - problem.jv(row, state.v) - row.C * state.p[i] + x.lower.z - x.upper.z;
+        x.lower.r = x.lower.present ? state.p[i] - state.lo[i] - x.lower.s : 0;
+        x.upper.r = x.upper.present ? state.hi[i] - state.p[i] - x.upper.s : 0;
+        worst = std::max(worst, std::fabs(x.r2));
+        for (const Side* side : {&x.lower, &x.upper})
+            if (side->present) worst = std::max(worst, std::min(side->s * row.d, side->z));
+    }
+    return worst;
+}
+
+// Mean of s z over all bounds after a step of the present direction, as velocity squared.
+double InteriorPoint::complementarity(const ExactProblem& problem, double step) const
+{
+    double sum = 0;
+    int count = 0;
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+        for (const Side* side : {&rows_[i].lower, &rows_[i].upper}) {
+            if (!side->present) continue;
+            sum += (side->s + step * side->ds) * (side->z + step * side->dz) * problem.row(int(i)).d;
+            ++count;
+        }
+    return count ? sum / count : 0;
+}
+
+void InteriorPoint::factor(ExactProblem& problem, const BoxState& state)
+{
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const ExactRow& row = problem.row(int(i));
+        const RowState& x = rows_[i];
+        const double theta = row.C + x.lower.z / x.lower.s + x.upper.z / x.upper.s;
+        D_[i] = state.tag[i] == BoxState::kFixed ? 0 : 1 / std::max(theta, row.weight_min);
+    }
+    problem.factor(D_);
+}
+
+void InteriorPoint::direction(ExactProblem& problem, const BoxState& state)
+{
+    std::copy(r1_.begin(), r1_.end(), dv_.begin());
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        if (state.tag[i] == BoxState::kFixed) continue;
+        RowState& x = rows_[i];
+        x.e = x.r2;
+        if (x.lower.present) x.e += (x.lower.t - x.lower.z * x.lower.r) / x.lower.s;
+        if (x.upper.present) x.e -= (x.upper.t - x.upper.z * x.upper.r) / x.upper.s;
+        ExactProblem::add_jt(problem.row(int(i)), D_[i] * x.e, dv_);
+    }
+    problem.solve(dv_);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        if (state.tag[i] == BoxState::kFixed) continue;
+        RowState& x = rows_[i];
+        x.dp = D_[i] * (x.e - problem.jv(problem.row(int(i)), dv_));
+        const auto finish = [](Side& side, double ds) {
+            if (!side.present) return;
+            side.ds = ds;
+            side.dz = (side.t - side.z * ds) / side.s;
+        };
+        finish(x.lower, x.dp + x.lower.r);
+        finish(x.upper, x.upper.r - x.dp);
+    }
+}
+
+// Up to which all slacks and multipliers stay positive.
+double InteriorPoint::longest_step() const
+{
+    double step = 1 / kStepShare;
+    for (const RowState& row : rows_)
+        for (const Side* side : {&row.lower, &row.upper}) {
+            if (!side->present) continue;
+            if (side->ds < 0) step = std::min(step, -side->s / side->ds);
+            if (side->dz < 0) step = std::min(step, -side->z / side->dz);
+        }
+    return step;
+}
+
+void InteriorPoint::advance(BoxState& state, double step)
+{
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        RowState& x = rows_[i];
+        if (state.tag[i] == BoxState::kFixed) continue;
+        state.p[i] += step * x.dp;
+        for (Side* side : {&x.lower, &x.upper}) {
+            if (!side->present) continue;
+            side->s += step * side->ds;
+            side->z += step * side->dz;
+        }
+    }
+    for (std::size_t i = 0; i < state.v.size(); ++i) state.v[i] += step * dv_[i];
+}
+
+void InteriorPoint::tag(const ExactProblem& problem, BoxState& state) const
+{
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const RowState& x = rows_[i];
+        if (state.tag[i] == BoxState::kFixed) continue;
+        const double d = problem.row(int(i)).d;
+        state.tag[i] = BoxState::kFree;
+        if (x.lower.present && x.lower.s * d < x.lower.z) {
+            state.tag[i] = BoxState::kLower;
+            state.p[i] = state.lo[i];
+        } else if (x.upper.present && x.upper.s * d < x.upper.z) {
+            state.tag[i] = BoxState::kUpper;
+            state.p[i] = state.hi[i];
+        }
+    }
+}
+
+}  // namespace epode

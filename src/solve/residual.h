@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The common yardstick of all solvers: the natural residual of the boxed complementarity problem,
+//
+//   r = max_i d_i |p_i - clip(p_i - w_i/d_i, lo_i, hi_i)| / scale,
+//   w = J v + C p - c with v recomputed from p,  d_i = J_i M^-1 J_i^T + C_i,
+//   scale = max_i max(|c_i - J_i v*|, |c_i|), 1 if that is 0.
+//
+// Zero exactly at the solution; d makes every row a velocity, so rows of different kinds compare.
+#pragma once
+
+#include <span>
+
+#include "base/arena.h"
+#include "rows/row_system.h"
+
+namespace epode {
+
+// `v_star` are the bodies before the solve. lo/hi: the bounds that count, friction limits resolved.
+// Negative when the arena is exhausted.
+Real natural_residual(const RowSystem& system, std::span<const SolverBody> v_star, std::span<const Real> lo,
+                      std::span<const Real> hi, Arena& arena);
+
+// Bounds with friction limits taken from the parents' present impulses: what iterative solvers aim at.
+void present_bounds(const RowSystem& system, std::span<Real> lo, std::span<Real> hi);
+
+}  // namespace epode

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What every solver is: a function from a RowSystem with numbers for the whole step (rows/policy.h, p = warm
+// start) to velocities and impulses. Steppers differ in this one argument.
+#pragma once
+
+#include <cstdint>
+
+#include "base/arena.h"
+#include "rows/row_system.h"
+
+namespace epode {
+
+struct SolverSettings {
+    int iterations = 20;
+    Real w = Real(1.3);                // over-relaxation
+    std::uint64_t seed = 0;            // function of world, step and island: for shuffles
+    const Substeps* substeps = nullptr;
+    bool want_residual = false;        // costs an evaluation
+};
+
+struct SolveReport {
+    Real residual = 0;   // natural residual, relative (solve/residual.h)
+    int iterations = 0;
+    bool fallback = false;
+};
+
+struct Solver {
+    const char* name;
+    bool substeps;  // advances poses itself through SolverSettings::substeps
+    // False: out of memory, nothing usable was computed.
+    bool (*solve)(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report);
+};
+
+#define SOLVER(name) extern const Solver k##name;
+#include "solve/solvers.inc"
+#undef SOLVER
+
+}  // namespace epode

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Joints are asked once for their rows; room for six rows each is taken from the arena, and what is written
+// stays contiguous. Forces of joints (a motor against its stop) must be in the accumulators before v* is
+// formed, so rows come first.
+#include "step/assemble.h"
+
+#include "dynamics/integrate.h"
+#include "rows/policy.h"
+
+namespace epode {
+namespace {
+
+void add_gravity(Body& body, Vec3 g)
+{
+    if (body.gravity) store(body.facc, load(body.facc) + body.mass.mass * g);
+}
+
+void add_applied(const RowWriter& out, Joint& joint)
+{
+    for (int k = 0; k < 2; ++k)
+        if (Body* body = joint.node[k].body) {
+            store(body->facc, load(body->facc) + out.force(k));
+            store(body->tacc, load(body->tacc) + out.torque(k));
+        }
+}
+
+// Emits all joints of the island; returns the number of rows and of joints that have any.
+void emit_rows(const StepInfo& info, std::span<Joint*> joints, IslandWork& work, int& rows, int& blocks)
+{
+    for (Joint* joint : joints) {
+        RowWriter out(&work.system.rows[std::size_t(rows)], info);
+        joint->type->emit(*joint, out);
+        if (out.applied()) add_applied(out, *joint);
+        if (out.count() == 0) continue;
+        const Body* b2 = joint->body2();
+        work.joints[std::size_t(blocks)] = joint;
+        work.system.blocks[std::size_t(blocks)] = {rows, out.count(), joint->body1()->island_index,
+                                                   b2 ? b2->island_index : -1,
+                                                   joint->type->number == dJointTypeContact};
+        rows += out.count();
+        ++blocks;
+    }
+}
+
+}  // namespace
+
+StepInfo step_info(const World& world, Real h)
+{
+    StepInfo info;
+    info.h = h;
+    info.fps = 1 / h;
+    info.erp = world.erp;
+    info.cfm = world.cfm;
+    info.contact_layer = world.contact_layer;
+    info.contact_max_vel = world.contact_max_vel;
+    return info;
+}
+
+void load_inertia(const Body& body, SolverBody& out)
+{
+    const Mat3 R = body.rotation();
+    out.inv_mass = body.inv_mass;
+    out.inv_inertia = rotate(R, body.inv_inertia);
+    out.mass = body.kinematic() ? 0 : body.mass.mass;
+    out.inertia = body.kinematic() ? Sym3{} : rotate(R, body.inertia);
+}
+
+void load_velocity(const Body& body, SolverBody& out)
+{
+    out.v = body.velocity();
+    out.w = body.angular_velocity();
+}
+
+void add_forces(const Body& body, Real h, SolverBody& out)
+{
+    const Vec3 torque = load(body.tacc) + gyroscopic_torque(body, out.w, h);
+    out.v += (h * out.inv_mass) * load(body.facc);
+    out.w += h * (out.inv_inertia * torque);
+}
+
+bool assemble(World& world, Island island, Real h, bool inner_steps, Arena& arena, IslandWork& work)
+{
+    const int joint_count = int(island.joints.size());
+    work.island = island;
+    work.joints = arena.take<Joint*>(joint_count);
+    work.system.h = h;
+    work.system.bodies = arena.take<SolverBody>(int(island.bodies.size()));
+    work.system.blocks = arena.take<RowBlock>(joint_count);
+    work.system.rows = arena.take<Row>(joint_count * kMaxJointRows);
+    if (arena.failed()) return false;
+
+    for (Body* body : island.bodies) add_gravity(*body, world.gravity);
+    int rows = 0, blocks = 0;
+    emit_rows(step_info(world, h), island.joints, work, rows, blocks);
+    work.joints = work.joints.first(std::size_t(blocks));
+    work.system.blocks = work.system.blocks.first(std::size_t(blocks));
+    work.system.rows = work.system.rows.first(std::size_t(rows));
+    work.system.numbers = arena.take<RowNumbers>(rows);
+    if (arena.failed()) return false;
+
+    for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+        load_inertia(*island.bodies[i], work.system.bodies[i]);
+        load_velocity(*island.bodies[i], work.system.bodies[i]);
+        if (!inner_steps) add_forces(*island.bodies[i], h, work.system.bodies[i]);
+    }
+    for (const RowBlock& block : work.system.blocks)
+        for (int i = block.first; i < block.first + block.count; ++i)
+            work.system.numbers[std::size_t(i)] =
+                ode_baumgarte(work.system.rows[std::size_t(i)], h, block.first);
+    return true;
+}
+
+}  // namespace epode

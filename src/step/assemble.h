@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// An island as joints and bodies becomes an island as rows and numbers.
+#pragma once
+
+#include "base/arena.h"
+#include "dynamics/island.h"
+#include "rows/row_system.h"
+#include "rows/row_writer.h"
+
+namespace epode {
+
+// An island under work: what the solver sees, and who is behind it.
+struct IslandWork {
+    Island island;
+    std::span<Joint*> joints;  // parallel to system.blocks: those that gave rows
+    RowSystem system;
+};
+
+StepInfo step_info(const World& world, Real h);
+
+// Gravity and the joints' own forces enter the bodies' accumulators, rows and numbers are written, and the
+// SolverBodies hold v: the present velocities if the solver makes inner steps, else v* after all forces.
+// False: out of memory.
+bool assemble(World& world, Island island, Real h, bool inner_steps, Arena& arena, IslandWork& work);
+
+// The part that inner steps repeat.
+void load_inertia(const Body& body, SolverBody& out);
+void load_velocity(const Body& body, SolverBody& out);
+void add_forces(const Body& body, Real h, SolverBody& out);  // v += h M^-1 (accumulated + gyroscopic)
+
+}  // namespace epode

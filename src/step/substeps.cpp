@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Inner steps move the real bodies: joints read their poses from there, and after the last inner step nothing
+// is left to integrate.
+#include "step/substeps.h"
+
+#include "dynamics/integrate.h"
+
+namespace epode {
+namespace {
+
+SubstepModel& model_of(void* p) { return *static_cast<SubstepModel*>(p); }
+
+void apply_forces(void* p, RowSystem& system, Real h)
+{
+    SubstepModel& model = model_of(p);
+    for (std::size_t i = 0; i < system.bodies.size(); ++i)
+        add_forces(*model.work.island.bodies[i], h, system.bodies[i]);
+}
+
+void advance(void* p, RowSystem& system, Real h)
+{
+    SubstepModel& model = model_of(p);
+    for (std::size_t i = 0; i < system.bodies.size(); ++i) {
+        Body& body = *model.work.island.bodies[i];
+        SolverBody& s = system.bodies[i];
+        const Vec3 v0 = body.velocity(), w0 = body.angular_velocity();
+        store(body.lvel, s.v);
+        store(body.avel, s.w);
+        advance_pose(body, h);
+        s.w = body.angular_velocity();  // may have been capped
+        load_inertia(body, s);
+        // The body's own velocity stays that of the beginning of the step until the step is accepted.
+        store(body.lvel, v0);
+        store(body.avel, w0);
+    }
+}
+
+void refresh(void* p, RowSystem& system)
+{
+    SubstepModel& model = model_of(p);
+    for (std::size_t k = 0; k < system.blocks.size(); ++k) {
+        const RowBlock& block = system.blocks[k];
+        Row rows[kMaxJointRows];
+        RowWriter out(rows, model.info);
+        model.work.joints[k]->type->emit(*model.work.joints[k], out);
+        for (int i = 0; i < block.count && i < out.count(); ++i) {
+            Row& row = system.rows[std::size_t(block.first + i)];
+            const Row old = row;
+            row = rows[i];
+            // Decided at the beginning of the step, by the velocities of then.
+            row.rebounds = old.rebounds;
+            row.rebound = old.rebound;
+        }
+    }
+}
+
+}  // namespace
+
+Substeps SubstepModel::callbacks() { return {this, apply_forces, advance, refresh}; }
+
+}  // namespace epode

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Feedback is J^T lambda with lambda = p / h, a force; that of body 2 is left alone when there is none, as
+// ODE does.
+#include "step/write_back.h"
+
+namespace epode {
+namespace {
+
+void write_feedback(const Joint& joint, const RowBlock& block, const RowSystem& system)
+{
+    Vec3 f1, t1, f2, t2;
+    for (int i = block.first; i < block.first + block.count; ++i) {
+        const Row& row = system.rows[std::size_t(i)];
+        const Real lambda = system.numbers[std::size_t(i)].p / system.h;
+        f1 += lambda * row.lin1, t1 += lambda * row.ang1;
+        f2 += lambda * row.lin2, t2 += lambda * row.ang2;
+    }
+    store(joint.feedback->f1, f1);
+    store(joint.feedback->t1, t1);
+    if (!joint.body2()) return;
+    store(joint.feedback->f2, f2);
+    store(joint.feedback->t2, t2);
+}
+
+}  // namespace
+
+bool sound(const RowSystem& system)
+{
+    for (const SolverBody& b : system.bodies)
+        for (Real x : {b.v.x, b.v.y, b.v.z, b.w.x, b.w.y, b.w.z})
+            if (!usable(x)) return false;
+    for (const RowNumbers& n : system.numbers)
+        if (!usable(n.p)) return false;
+    return true;
+}
+
+void write_back(const IslandWork& work)
+{
+    for (std::size_t i = 0; i < work.system.bodies.size(); ++i) {
+        store(work.island.bodies[i]->lvel, work.system.bodies[i].v);
+        store(work.island.bodies[i]->avel, work.system.bodies[i].w);
+    }
+    for (std::size_t k = 0; k < work.joints.size(); ++k) {
+        Joint& joint = *work.joints[k];
+        const RowBlock& block = work.system.blocks[k];
+        for (int i = 0; i < block.count; ++i)
+            joint.impulse[i] = work.system.numbers[std::size_t(block.first + i)].p;
+        joint.impulse_rows = block.count;
+        if (joint.feedback) write_feedback(joint, block, work.system);
+    }
+}
+
+}  // namespace epode

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// From a solved island back to what the user holds.
+#pragma once
+
+#include "step/assemble.h"
+
+namespace epode {
+
+// True when every velocity and impulse of the island is a usable number.
+bool sound(const RowSystem& system);
+
+// Velocities to the bodies, impulses and feedback to the joints.
+void write_back(const IslandWork& work);
+
+}  // namespace epode
