@@ -11,8 +11,8 @@
 #ifndef _ODE_COLLISION_H_
 #define _ODE_COLLISION_H_
 
-#include <ode/common.h>
 #include <ode/collision_space.h>
+#include <ode/common.h>
 #include <ode/contact.h>
 
 #ifdef __cplusplus
@@ -27,11 +27,11 @@ extern "C" {
 ODE_API void dGeomDestroy(dGeomID geom);
 
 /** A pointer of the program's, NULL at first. */
-ODE_API void dGeomSetData(dGeomID geom, void *data);
-ODE_API void *dGeomGetData(dGeomID geom);
+ODE_API void dGeomSetData(dGeomID geom, void* data);
+ODE_API void* dGeomGetData(dGeomID geom);
 
-/** Put the geom on a body, whose pose it then shares (an offset is dropped); 0 takes it off, and it stays where it is.
-    A geom on a body moves with it, and setting the geom's pose moves the body. */
+/** Put the geom on a body, whose pose it then shares (an offset is dropped); 0 takes it off, and it stays
+   where it is. A geom on a body moves with it, and setting the geom's pose moves the body. */
 ODE_API void dGeomSetBody(dGeomID geom, dBodyID body);
 ODE_API dBodyID dGeomGetBody(dGeomID geom);
 
@@ -42,8 +42,8 @@ ODE_API void dGeomSetQuaternion(dGeomID geom, const dQuaternion Q);
 
 /** Pointers to 3 (4) and 12 reals; valid until the geom is changed, moved to another body or
     destroyed. */
-ODE_API const dReal *dGeomGetPosition(dGeomID geom);
-ODE_API const dReal *dGeomGetRotation(dGeomID geom);
+ODE_API const dReal* dGeomGetPosition(dGeomID geom);
+ODE_API const dReal* dGeomGetRotation(dGeomID geom);
 
 /** Copies; the padding is not written. */
 ODE_API void dGeomCopyPosition(dGeomID geom, dVector3 pos);
@@ -73,31 +73,28 @@ ODE_API int dGeomIsEnabled(dGeomID geom);
 /* ---- low-level control ---- */
 
 /** controlClass of dGeomLowLevelControl. */
-enum {
-  dGeomCommonControlClass = 0,
-  dGeomColliderControlClass = 1
-};
+enum { dGeomCommonControlClass = 0, dGeomColliderControlClass = 1 };
 
 /** controlCode. */
 enum {
-  dGeomCommonAnyControlCode = 0,
-  dGeomColliderSetMergeSphereContactsControlCode = 1,
-  dGeomColliderGetMergeSphereContactsControlCode = 2
+    dGeomCommonAnyControlCode = 0,
+    dGeomColliderSetMergeSphereContactsControlCode = 1,
+    dGeomColliderGetMergeSphereContactsControlCode = 2
 };
 
 /** Values of the merge control: how contacts of a sphere with neighbouring triangles are merged. */
 enum {
-  dGeomColliderMergeContactsValue__Default = 0,
-  dGeomColliderMergeContactsValue_None = 1,
-  dGeomColliderMergeContactsValue_Normals = 2,
-  dGeomColliderMergeContactsValue_Full = 3
+    dGeomColliderMergeContactsValue__Default = 0,
+    dGeomColliderMergeContactsValue_None = 1,
+    dGeomColliderMergeContactsValue_Normals = 2,
+    dGeomColliderMergeContactsValue_Full = 3
 };
 
-/** Settings of single classes. *dataSize is the size of *dataValue. Returns 1 when done; 0, with the size needed in *dataSize,
-    when size or pointer do not fit; a control the geom does not have gives size 0 and 0. Only triangle
-    meshes have controls. */
-ODE_API int dGeomLowLevelControl(dGeomID geom, int controlClass, int controlCode, void *dataValue,
-                                 int *dataSize);
+/** Settings of single classes. *dataSize is the size of *dataValue. Returns 1 when done; 0, with the size
+   needed in *dataSize, when size or pointer do not fit; a control the geom does not have gives size 0 and 0.
+   Only triangle meshes have controls. */
+ODE_API int dGeomLowLevelControl(dGeomID geom, int controlClass, int controlCode, void* dataValue,
+                                 int* dataSize);
 
 /* ---- points and vectors: as the functions of bodies. Geoms without a pose give the input back. ---- */
 
@@ -122,9 +119,9 @@ ODE_API void dGeomClearOffset(dGeomID geom);
 ODE_API int dGeomIsOffset(dGeomID geom);
 
 /** The offset in the body's frame; zero and identity when there is none. */
-ODE_API const dReal *dGeomGetOffsetPosition(dGeomID geom);
+ODE_API const dReal* dGeomGetOffsetPosition(dGeomID geom);
 ODE_API void dGeomCopyOffsetPosition(dGeomID geom, dVector3 pos);
-ODE_API const dReal *dGeomGetOffsetRotation(dGeomID geom);
+ODE_API const dReal* dGeomGetOffsetRotation(dGeomID geom);
 ODE_API void dGeomCopyOffsetRotation(dGeomID geom, dMatrix3 R);
 ODE_API void dGeomGetOffsetQuaternion(dGeomID geom, dQuaternion result);
 
@@ -140,48 +137,46 @@ ODE_API void dGeomGetOffsetQuaternion(dGeomID geom, dQuaternion result);
     Returns how many entries were written. g1 belongs to o1, g2 to o2; the normal points into g1.
     Two geoms of the same body, or a geom with itself, give 0. Bits, enabling and bounding boxes
     are not looked at. Refused before dInitODE2. */
-ODE_API int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, int skip);
+ODE_API int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom* contact, int skip);
 
-/** Call the callback once for each pair of direct members of the space that are enabled, not on the same body,
-    not filtered by their bits, and whose bounding boxes touch. Geoms of zero size are skipped. The order of pairs and
-    within a pair is not promised. */
-ODE_API void dSpaceCollide(dSpaceID space, void *data, dNearCallback *callback);
+/** Call the callback once for each pair of direct members of the space that are enabled, not on the same
+   body, not filtered by their bits, and whose bounding boxes touch. Geoms of zero size are skipped. The order
+   of pairs and within a pair is not promised. */
+ODE_API void dSpaceCollide(dSpaceID space, void* data, dNearCallback* callback);
 
 /** The same between two geoms or spaces: each pair has one from the first and one from the second
     argument, in this order. Of two spaces with different sublevels the higher one is opened and the
     other passed whole; with equal sublevels both are opened; the same space twice is dSpaceCollide. */
-ODE_API void dSpaceCollide2(dGeomID space1, dGeomID space2, void *data, dNearCallback *callback);
+ODE_API void dSpaceCollide2(dGeomID space1, dGeomID space2, void* data, dNearCallback* callback);
 
 /* ======================================================================== classes */
 
 /** How many classes a program can add. */
-enum {
-  dMaxUserClasses = 4
-};
+enum { dMaxUserClasses = 4 };
 
 /** What dGeomGetClass answers. */
 enum {
-  dSphereClass = 0,
-  dBoxClass,
-  dCapsuleClass,
-  dCylinderClass,
-  dPlaneClass,
-  dRayClass,
-  dConvexClass,
-  dGeomTransformClass,
-  dTriMeshClass,
-  dHeightfieldClass,
+    dSphereClass = 0,
+    dBoxClass,
+    dCapsuleClass,
+    dCylinderClass,
+    dPlaneClass,
+    dRayClass,
+    dConvexClass,
+    dGeomTransformClass,
+    dTriMeshClass,
+    dHeightfieldClass,
 
-  dFirstSpaceClass,
-  dSimpleSpaceClass = dFirstSpaceClass,
-  dHashSpaceClass,
-  dSweepAndPruneSpaceClass,
-  dQuadTreeSpaceClass,
-  dLastSpaceClass = dQuadTreeSpaceClass,
+    dFirstSpaceClass,
+    dSimpleSpaceClass = dFirstSpaceClass,
+    dHashSpaceClass,
+    dSweepAndPruneSpaceClass,
+    dQuadTreeSpaceClass,
+    dLastSpaceClass = dQuadTreeSpaceClass,
 
-  dFirstUserClass,
-  dLastUserClass = dFirstUserClass + dMaxUserClasses - 1,
-  dGeomNumClasses
+    dFirstUserClass,
+    dLastUserClass = dFirstUserClass + dMaxUserClasses - 1,
+    dGeomNumClasses
 };
 
 /* Sizes below must not be negative; 0 is allowed and makes the geom invisible to spaces. Changing a
@@ -217,7 +212,7 @@ ODE_API dReal dGeomPlanePointDepth(dGeomID plane, dReal x, dReal y, dReal z);
 
 ODE_API dGeomID dCreateCapsule(dSpaceID space, dReal radius, dReal length);
 ODE_API void dGeomCapsuleSetParams(dGeomID capsule, dReal radius, dReal length);
-ODE_API void dGeomCapsuleGetParams(dGeomID capsule, dReal *radius, dReal *length);
+ODE_API void dGeomCapsuleGetParams(dGeomID capsule, dReal* radius, dReal* length);
 ODE_API dReal dGeomCapsulePointDepth(dGeomID capsule, dReal x, dReal y, dReal z);
 
 /* The capsule's old name. */
@@ -231,7 +226,7 @@ ODE_API dReal dGeomCapsulePointDepth(dGeomID capsule, dReal x, dReal y, dReal z)
 
 ODE_API dGeomID dCreateCylinder(dSpaceID space, dReal radius, dReal length);
 ODE_API void dGeomCylinderSetParams(dGeomID cylinder, dReal radius, dReal length);
-ODE_API void dGeomCylinderGetParams(dGeomID cylinder, dReal *radius, dReal *length);
+ODE_API void dGeomCylinderGetParams(dGeomID cylinder, dReal* radius, dReal* length);
 
 /* ---- ray: from its position along its own z axis ----
    A contact of a ray: pos = where it hits, depth = distance from its start, normal = surface normal
@@ -245,11 +240,10 @@ ODE_API dReal dGeomRayGetLength(dGeomID ray);
 ODE_API void dGeomRaySet(dGeomID ray, dReal px, dReal py, dReal pz, dReal dx, dReal dy, dReal dz);
 ODE_API void dGeomRayGet(dGeomID ray, dVector3 start, dVector3 dir);
 
-/** Flags for shapes with many hits, all 0 by default: take the first one found; ignore faces seen from behind;
-    give the closest hit only. The first two functions are the old form of the first two flags. */
+/** Flags for shapes with many hits, all 0 by default: take the first one found; ignore faces seen from
+   behind; give the closest hit only. The first two functions are the old form of the first two flags. */
 ODE_API_DEPRECATED ODE_API void dGeomRaySetParams(dGeomID ray, int FirstContact, int BackfaceCull);
-ODE_API_DEPRECATED ODE_API void dGeomRayGetParams(dGeomID ray, int *FirstContact,
-                                                  int *BackfaceCull);
+ODE_API_DEPRECATED ODE_API void dGeomRayGetParams(dGeomID ray, int* FirstContact, int* BackfaceCull);
 ODE_API void dGeomRaySetFirstContact(dGeomID ray, int firstContact);
 ODE_API int dGeomRayGetFirstContact(dGeomID ray);
 ODE_API void dGeomRaySetBackfaceCull(dGeomID ray, int backfaceCull);
@@ -278,10 +272,10 @@ ODE_API_DEPRECATED ODE_API int dGeomTransformGetInfo(dGeomID transform);
 /* ---- height fields: types ---- */
 
 struct dxHeightfieldData;
-typedef struct dxHeightfieldData *dHeightfieldDataID;
+typedef struct dxHeightfieldData* dHeightfieldDataID;
 
 /** The height of sample (x, z). */
-typedef dReal dHeightfieldGetHeight(void *p_user_data, int x, int z);
+typedef dReal dHeightfieldGetHeight(void* p_user_data, int x, int z);
 
 /* ======================================================================== helpers */
 
@@ -291,15 +285,15 @@ ODE_API void dClosestLineSegmentPoints(const dVector3 a1, const dVector3 a2, con
                                        const dVector3 b2, dVector3 cp1, dVector3 cp2);
 
 /** 1 when two boxes (centre p, rotation R, full sides) touch or overlap, else 0. */
-ODE_API int dBoxTouchesBox(const dVector3 _p1, const dMatrix3 R1, const dVector3 side1,
-                           const dVector3 _p2, const dMatrix3 R2, const dVector3 side2);
+ODE_API int dBoxTouchesBox(const dVector3 _p1, const dMatrix3 R1, const dVector3 side1, const dVector3 _p2,
+                           const dMatrix3 R2, const dVector3 side2);
 
-/** Contacts of two boxes. Written: normal (from box 1 to box 2), the greatest depth, *return_code (1-3 face of
-    box 1, 4-6 face of box 2, 7-15 a pair of edges), and pos and depth of as many contacts as
-    fit (flags and skip as for dCollide). Returns their number, 0 when the boxes are apart. */
+/** Contacts of two boxes. Written: normal (from box 1 to box 2), the greatest depth, *return_code (1-3 face
+   of box 1, 4-6 face of box 2, 7-15 a pair of edges), and pos and depth of as many contacts as fit (flags and
+   skip as for dCollide). Returns their number, 0 when the boxes are apart. */
 ODE_API int dBoxBox(const dVector3 p1, const dMatrix3 R1, const dVector3 side1, const dVector3 p2,
-                    const dMatrix3 R2, const dVector3 side2, dVector3 normal, dReal *depth,
-                    int *return_code, int flags, dContactGeom *contact, int skip);
+                    const dMatrix3 R2, const dVector3 side2, dVector3 normal, dReal* depth, int* return_code,
+                    int flags, dContactGeom* contact, int skip);
 
 /** A bounding box without bounds: an aabb function for user classes. */
 ODE_API void dInfiniteAABB(dGeomID geom, dReal aabb[6]);
@@ -310,10 +304,10 @@ ODE_API void dInfiniteAABB(dGeomID geom, dReal aabb[6]);
 typedef void dGetAABBFn(dGeomID geom, dReal aabb[6]);
 
 /** Finds contacts of o1 (of the class the function belongs to) and o2, as dCollide. */
-typedef int dColliderFn(dGeomID o1, dGeomID o2, int flags, dContactGeom *contact, int skip);
+typedef int dColliderFn(dGeomID o1, dGeomID o2, int flags, dContactGeom* contact, int skip);
 
 /** Gives the function that collides the user class with class num, or 0. Asked once per class. */
-typedef dColliderFn *dGetColliderFnFn(int num);
+typedef dColliderFn* dGetColliderFnFn(int num);
 
 /** Called when a geom of the class is destroyed, before its data goes. */
 typedef void dGeomDtorFn(dGeomID o);
@@ -323,26 +317,26 @@ typedef int dAABBTestFn(dGeomID o1, dGeomID o2, dReal aabb[6]);
 
 /** A class of the program's own. collider and aabb must be given, the other functions may be 0. */
 typedef struct dGeomClass {
-  int bytes; /**< size of the class's data in each geom */
-  dGetColliderFnFn *collider;
-  dGetAABBFn *aabb;
-  dAABBTestFn *aabb_test;
-  dGeomDtorFn *dtor;
+    int bytes; /**< size of the class's data in each geom */
+    dGetColliderFnFn* collider;
+    dGetAABBFn* aabb;
+    dAABBTestFn* aabb_test;
+    dGeomDtorFn* dtor;
 } dGeomClass;
 
 /** Register a class; returns its number, dFirstUserClass and up. Refused (-1) when the description is bad or
     dMaxUserClasses are taken. dCloseODE forgets the classes. */
-ODE_API int dCreateGeomClass(const dGeomClass *classptr);
+ODE_API int dCreateGeomClass(const dGeomClass* classptr);
 
 /** The data of a user-class geom: `bytes` bytes, zero at first. */
-ODE_API void *dGeomGetClassData(dGeomID geom);
+ODE_API void* dGeomGetClassData(dGeomID geom);
 
 /** A geom of a user class, in no space. */
 ODE_API dGeomID dCreateGeom(int classnum);
 
 /** Collide classes i and j with this function from now on (and j with i by turning it round); 0
     lets the pair not collide at all. Process-wide, until dCloseODE. Needs an open library. */
-ODE_API void dSetColliderOverride(int i, int j, dColliderFn *fn);
+ODE_API void dSetColliderOverride(int i, int j, dColliderFn* fn);
 
 #ifdef __cplusplus
 }

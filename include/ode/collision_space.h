@@ -18,7 +18,7 @@ struct dContactGeom;
 
 /** What dSpaceCollide and dSpaceCollide2 call for each pair; data is the caller's. A member that is
     a space comes as a geom (dGeomIsSpace tells). */
-typedef void dNearCallback(void *data, dGeomID o1, dGeomID o2);
+typedef void dNearCallback(void* data, dGeomID o1, dGeomID o2);
 
 /** A space that tests every pair: the quickest for a few dozen geoms. space: the parent, or 0. */
 ODE_API dSpaceID dSimpleSpaceCreate(dSpaceID space);
@@ -41,7 +41,7 @@ ODE_API void dSpaceDestroy(dSpaceID space);
     maxlevel is refused. They are for speed only: no pair is lost whatever they are. Null pointers are skipped
     on reading. */
 ODE_API void dHashSpaceSetLevels(dSpaceID space, int minlevel, int maxlevel);
-ODE_API void dHashSpaceGetLevels(dSpaceID space, int *minlevel, int *maxlevel);
+ODE_API void dHashSpaceGetLevels(dSpaceID space, int* minlevel, int* maxlevel);
 
 /** Whether destroying the space destroys its members, default 1. */
 ODE_API void dSpaceSetCleanup(dSpaceID space, int mode);

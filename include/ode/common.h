@@ -4,8 +4,8 @@
 // Types shared by the whole interface: the real number, vectors and matrices, object handles,
 // joint types and joint parameter numbers, joint feedback, and the scalar functions by precision.
 //
-// Conventions of every header: SI units (m, kg, s, N, N m, rad) if the program keeps to them; right-handed frames;
-// a vector argument is 3 reals with one real of padding; a matrix is stored by rows, each row padded
+// Conventions of every header: SI units (m, kg, s, N, N m, rad) if the program keeps to them; right-handed
+// frames; a vector argument is 3 reals with one real of padding; a matrix is stored by rows, each row padded
 // to 4 reals; a rotation maps body coordinates to world coordinates, p_world = x + R p_body; a
 // quaternion is (w, x, y, z). "int used as a flag": 0 is no, everything else yes.
 // Handles are opaque pointers; 0 is "none". Results of the form `const dReal *` point into the
@@ -13,8 +13,8 @@
 #ifndef _ODE_COMMON_H_
 #define _ODE_COMMON_H_
 
-#include <ode/odeconfig.h>
 #include <ode/error.h>
+#include <ode/odeconfig.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -55,138 +55,120 @@ typedef duint32 dTriIndex;
 /* ---- indices into vectors and matrices ---- */
 
 /** Space axes. */
-typedef enum {
-  dSA__MIN,
-  dSA_X = dSA__MIN,
-  dSA_Y,
-  dSA_Z,
-  dSA__MAX
-} dSpaceAxis;
+typedef enum { dSA__MIN, dSA_X = dSA__MIN, dSA_Y, dSA_Z, dSA__MAX } dSpaceAxis;
 
 /** The two parts of a rigid motion. */
-typedef enum {
-  dMD__MIN,
-  dMD_LINEAR = dMD__MIN,
-  dMD_ANGULAR,
-  dMD__MAX
-} dMotionDynamics;
+typedef enum { dMD__MIN, dMD_LINEAR = dMD__MIN, dMD_ANGULAR, dMD__MAX } dMotionDynamics;
 
 /** The six components of a rigid motion, linear ones first. */
 typedef enum {
-  dDA__MIN,
-  dDA__L_MIN = dDA__MIN,
-  dDA_LX = dDA__L_MIN,
-  dDA_LY,
-  dDA_LZ,
-  dDA__L_MAX,
-  dDA__A_MIN = dDA__L_MAX,
-  dDA_AX = dDA__A_MIN,
-  dDA_AY,
-  dDA_AZ,
-  dDA__A_MAX,
-  dDA__MAX = dDA__A_MAX
+    dDA__MIN,
+    dDA__L_MIN = dDA__MIN,
+    dDA_LX = dDA__L_MIN,
+    dDA_LY,
+    dDA_LZ,
+    dDA__L_MAX,
+    dDA__A_MIN = dDA__L_MAX,
+    dDA_AX = dDA__A_MIN,
+    dDA_AY,
+    dDA_AZ,
+    dDA__A_MAX,
+    dDA__MAX = dDA__A_MAX
 } dDynamicsAxis;
 
 /** Elements of a dVector3: three axes and the padding. */
 typedef enum {
-  dV3E__MIN,
-  dV3E__AXES_MIN = dV3E__MIN,
-  dV3E_X = dV3E__AXES_MIN,
-  dV3E_Y,
-  dV3E_Z,
-  dV3E__AXES_MAX,
-  dV3E_PAD = dV3E__AXES_MAX,
-  dV3E__MAX,
-  dV3E__AXES_COUNT = dV3E__AXES_MAX - dV3E__AXES_MIN
+    dV3E__MIN,
+    dV3E__AXES_MIN = dV3E__MIN,
+    dV3E_X = dV3E__AXES_MIN,
+    dV3E_Y,
+    dV3E_Z,
+    dV3E__AXES_MAX,
+    dV3E_PAD = dV3E__AXES_MAX,
+    dV3E__MAX,
+    dV3E__AXES_COUNT = dV3E__AXES_MAX - dV3E__AXES_MIN
 } dVec3Element;
 
 /** Elements of a dVector4. */
-typedef enum {
-  dV4E__MIN,
-  dV4E_X = dV4E__MIN,
-  dV4E_Y,
-  dV4E_Z,
-  dV4E_O,
-  dV4E__MAX
-} dVec4Element;
+typedef enum { dV4E__MIN, dV4E_X = dV4E__MIN, dV4E_Y, dV4E_Z, dV4E_O, dV4E__MAX } dVec4Element;
 
 /** Elements of a dMatrix3: three rows of three and the padding; dM3E_XY is row x, column y. */
 typedef enum {
-  dM3E__MIN,
-  dM3E__X_MIN = dM3E__MIN,
-  dM3E__X_AXES_MIN = dM3E__X_MIN,
-  dM3E_XX = dM3E__X_AXES_MIN,
-  dM3E_XY,
-  dM3E_XZ,
-  dM3E__X_AXES_MAX,
-  dM3E_XPAD = dM3E__X_AXES_MAX,
-  dM3E__X_MAX,
+    dM3E__MIN,
+    dM3E__X_MIN = dM3E__MIN,
+    dM3E__X_AXES_MIN = dM3E__X_MIN,
+    dM3E_XX = dM3E__X_AXES_MIN,
+    dM3E_XY,
+    dM3E_XZ,
+    dM3E__X_AXES_MAX,
+    dM3E_XPAD = dM3E__X_AXES_MAX,
+    dM3E__X_MAX,
 
-  dM3E__Y_MIN = dM3E__X_MAX,
-  dM3E__Y_AXES_MIN = dM3E__Y_MIN,
-  dM3E_YX = dM3E__Y_AXES_MIN,
-  dM3E_YY,
-  dM3E_YZ,
-  dM3E__Y_AXES_MAX,
-  dM3E_YPAD = dM3E__Y_AXES_MAX,
-  dM3E__Y_MAX,
+    dM3E__Y_MIN = dM3E__X_MAX,
+    dM3E__Y_AXES_MIN = dM3E__Y_MIN,
+    dM3E_YX = dM3E__Y_AXES_MIN,
+    dM3E_YY,
+    dM3E_YZ,
+    dM3E__Y_AXES_MAX,
+    dM3E_YPAD = dM3E__Y_AXES_MAX,
+    dM3E__Y_MAX,
 
-  dM3E__Z_MIN = dM3E__Y_MAX,
-  dM3E__Z_AXES_MIN = dM3E__Z_MIN,
-  dM3E_ZX = dM3E__Z_AXES_MIN,
-  dM3E_ZY,
-  dM3E_ZZ,
-  dM3E__Z_AXES_MAX,
-  dM3E_ZPAD = dM3E__Z_AXES_MAX,
-  dM3E__Z_MAX,
+    dM3E__Z_MIN = dM3E__Y_MAX,
+    dM3E__Z_AXES_MIN = dM3E__Z_MIN,
+    dM3E_ZX = dM3E__Z_AXES_MIN,
+    dM3E_ZY,
+    dM3E_ZZ,
+    dM3E__Z_AXES_MAX,
+    dM3E_ZPAD = dM3E__Z_AXES_MAX,
+    dM3E__Z_MAX,
 
-  dM3E__MAX = dM3E__Z_MAX
+    dM3E__MAX = dM3E__Z_MAX
 } dMat3Element;
 
 /** Elements of a dMatrix4, rows x, y, z, o. */
 typedef enum {
-  dM4E__MIN,
-  dM4E__X_MIN = dM4E__MIN,
-  dM4E_XX = dM4E__X_MIN,
-  dM4E_XY,
-  dM4E_XZ,
-  dM4E_XO,
-  dM4E__X_MAX,
+    dM4E__MIN,
+    dM4E__X_MIN = dM4E__MIN,
+    dM4E_XX = dM4E__X_MIN,
+    dM4E_XY,
+    dM4E_XZ,
+    dM4E_XO,
+    dM4E__X_MAX,
 
-  dM4E__Y_MIN = dM4E__X_MAX,
-  dM4E_YX = dM4E__Y_MIN,
-  dM4E_YY,
-  dM4E_YZ,
-  dM4E_YO,
-  dM4E__Y_MAX,
+    dM4E__Y_MIN = dM4E__X_MAX,
+    dM4E_YX = dM4E__Y_MIN,
+    dM4E_YY,
+    dM4E_YZ,
+    dM4E_YO,
+    dM4E__Y_MAX,
 
-  dM4E__Z_MIN = dM4E__Y_MAX,
-  dM4E_ZX = dM4E__Z_MIN,
-  dM4E_ZY,
-  dM4E_ZZ,
-  dM4E_ZO,
-  dM4E__Z_MAX,
+    dM4E__Z_MIN = dM4E__Y_MAX,
+    dM4E_ZX = dM4E__Z_MIN,
+    dM4E_ZY,
+    dM4E_ZZ,
+    dM4E_ZO,
+    dM4E__Z_MAX,
 
-  dM4E__O_MIN = dM4E__Z_MAX,
-  dM4E_OX = dM4E__O_MIN,
-  dM4E_OY,
-  dM4E_OZ,
-  dM4E_OO,
-  dM4E__O_MAX,
+    dM4E__O_MIN = dM4E__Z_MAX,
+    dM4E_OX = dM4E__O_MIN,
+    dM4E_OY,
+    dM4E_OZ,
+    dM4E_OO,
+    dM4E__O_MAX,
 
-  dM4E__MAX = dM4E__O_MAX
+    dM4E__MAX = dM4E__O_MAX
 } dMat4Element;
 
 /** Elements of a quaternion: the real part R first, then the vector part I, J, K. */
 typedef enum {
-  dQUE__MIN,
-  dQUE_R = dQUE__MIN,
-  dQUE__AXIS_MIN,
-  dQUE_I = dQUE__AXIS_MIN,
-  dQUE_J,
-  dQUE_K,
-  dQUE__AXIS_MAX,
-  dQUE__MAX = dQUE__AXIS_MAX
+    dQUE__MIN,
+    dQUE_R = dQUE__MIN,
+    dQUE__AXIS_MIN,
+    dQUE_I = dQUE__AXIS_MIN,
+    dQUE_J,
+    dQUE_K,
+    dQUE__AXIS_MAX,
+    dQUE__MAX = dQUE__AXIS_MAX
 } dQuatElement;
 
 /* ---- vectors and matrices ---- */
@@ -253,45 +235,46 @@ struct dxGeom;
 struct dxJoint;
 struct dxJointGroup;
 
-typedef struct dxWorld *dWorldID;           /**< a dynamics world */
-typedef struct dxSpace *dSpaceID;           /**< a collision space; also usable as a dGeomID by cast */
-typedef struct dxBody *dBodyID;             /**< a rigid body */
-typedef struct dxGeom *dGeomID;             /**< a collision shape */
-typedef struct dxJoint *dJointID;           /**< a joint, contacts included */
-typedef struct dxJointGroup *dJointGroupID; /**< a set of joints that die together */
+typedef struct dxWorld* dWorldID;           /**< a dynamics world */
+typedef struct dxSpace* dSpaceID;           /**< a collision space; also usable as a dGeomID by cast */
+typedef struct dxBody* dBodyID;             /**< a rigid body */
+typedef struct dxGeom* dGeomID;             /**< a collision shape */
+typedef struct dxJoint* dJointID;           /**< a joint, contacts included */
+typedef struct dxJointGroup* dJointGroupID; /**< a set of joints that die together */
 
 /* ---- numbers ---- */
 
 /** Error numbers given to message handlers. */
 enum {
-  d_ERR_UNKNOWN = 0,
-  d_ERR_IASSERT, /**< the library's own assumption failed */
-  d_ERR_UASSERT, /**< an argument was refused */
-  d_ERR_LCP      /**< trouble in a constraint solver */
+    d_ERR_UNKNOWN = 0,
+    d_ERR_IASSERT, /**< the library's own assumption failed */
+    d_ERR_UASSERT, /**< an argument was refused */
+    d_ERR_LCP      /**< trouble in a constraint solver */
 };
 
 /** What dJointGetType answers. */
 typedef enum {
-  dJointTypeNone = 0,
-  dJointTypeBall,
-  dJointTypeHinge,
-  dJointTypeSlider,
-  dJointTypeContact,
-  dJointTypeUniversal,
-  dJointTypeHinge2,
-  dJointTypeFixed,
-  dJointTypeNull,
-  dJointTypeAMotor,
-  dJointTypeLMotor,
-  dJointTypePlane2D,
-  dJointTypePR,
-  dJointTypePU,
-  dJointTypePiston,
-  dJointTypeDBall,
-  dJointTypeDHinge,
-  dJointTypeTransmission
+    dJointTypeNone = 0,
+    dJointTypeBall,
+    dJointTypeHinge,
+    dJointTypeSlider,
+    dJointTypeContact,
+    dJointTypeUniversal,
+    dJointTypeHinge2,
+    dJointTypeFixed,
+    dJointTypeNull,
+    dJointTypeAMotor,
+    dJointTypeLMotor,
+    dJointTypePlane2D,
+    dJointTypePR,
+    dJointTypePU,
+    dJointTypePiston,
+    dJointTypeDBall,
+    dJointTypeDHinge,
+    dJointTypeTransmission
 } dJointType;
 
+// clang-format off
 /* Joint parameter numbers: one block of names per joint axis, the blocks dParamGroup apart. The two
    macros only write the enumerators. */
 #define D_ALL_PARAM_NAMES(start) \
@@ -346,27 +329,24 @@ enum {
   D_ALL_PARAM_NAMES_X(0x200, 3)
   dParamGroup = 0x100 /**< distance of the blocks */
 };
+// clang-format on
 
 /** Modes of the angular motor. */
 enum {
-  dAMotorUser = 0, /**< the program sets axes and angles */
-  dAMotorEuler = 1 /**< axes and angles follow from the bodies' orientations */
+    dAMotorUser = 0, /**< the program sets axes and angles */
+    dAMotorEuler = 1 /**< axes and angles follow from the bodies' orientations */
 };
 
 /** Modes of the transmission joint. */
-enum {
-  dTransmissionParallelAxes = 0,
-  dTransmissionIntersectingAxes = 1,
-  dTransmissionChainDrive = 2
-};
+enum { dTransmissionParallelAxes = 0, dTransmissionIntersectingAxes = 1, dTransmissionChainDrive = 2 };
 
 /** What a joint did in the last step: force (N) and torque about the body's centre (N m), world
     frame, on the first (f1, t1) and second (f2, t2) body. See dJointSetFeedback. */
 typedef struct dJointFeedback {
-  dVector3 f1;
-  dVector3 t1;
-  dVector3 f2;
-  dVector3 t2;
+    dVector3 f1;
+    dVector3 t1;
+    dVector3 f2;
+    dVector3 t2;
 } dJointFeedback;
 
 /** Say that a geom's pose changed behind the library's back: its bounding box will be computed
@@ -378,10 +358,10 @@ ODE_API dGeomID dGeomGetBodyNext(dGeomID geom);
 
 /** How this library was built: words separated by single spaces, for example "ODE" and
     "ODE_double_precision". */
-ODE_API const char *dGetConfiguration(void);
+ODE_API const char* dGetConfiguration(void);
 
 /** 1 when `token` is one whole word of dGetConfiguration() (case counts), else 0. */
-ODE_API int dCheckConfiguration(const char *token);
+ODE_API int dCheckConfiguration(const char* token);
 
 #ifdef __cplusplus
 }

@@ -14,15 +14,15 @@ extern "C" {
 
 /** What the last step of a world did. */
 typedef struct dWorldStepReport {
-  unsigned struct_size;  /**< sizeof(dWorldStepReport), set by the caller */
-  int islands;           /**< islands that were simulated */
-  int bodies;            /**< bodies in them */
-  int joints;            /**< joints in them that gave at least one row */
-  int rows;              /**< constraint rows, all islands together */
-  double residual;       /**< worst natural residual over the islands, relative; 0 = solved exactly */
-  int iterations;        /**< solver iterations, or pivots of the exact solver, summed over islands */
-  int fallbacks;         /**< islands that needed a more careful method than the first one */
-  int contained_islands; /**< islands kept from spreading bad numbers: velocities kept, forces zero */
+    unsigned struct_size;  /**< sizeof(dWorldStepReport), set by the caller */
+    int islands;           /**< islands that were simulated */
+    int bodies;            /**< bodies in them */
+    int joints;            /**< joints in them that gave at least one row */
+    int rows;              /**< constraint rows, all islands together */
+    double residual;       /**< worst natural residual over the islands, relative; 0 = solved exactly */
+    int iterations;        /**< solver iterations, or pivots of the exact solver, summed over islands */
+    int fallbacks;         /**< islands that needed a more careful method than the first one */
+    int contained_islands; /**< islands kept from spreading bad numbers: velocities kept, forces zero */
 } dWorldStepReport;
 
 /** Switch the report on (1) or off (0, the default). Off costs nothing; on costs one more evaluation
@@ -34,10 +34,10 @@ ODE_API int dWorldGetStepReportMode(dWorldID world);
     are written, so an older program keeps working with a newer library. Returns 1, or 0 when the
     mode is off, no step has been made since it was switched on, or the call is refused (null
     argument, struct_size smaller than itself). */
-ODE_API int dWorldGetStepReport(dWorldID world, dWorldStepReport *report);
+ODE_API int dWorldGetStepReport(dWorldID world, dWorldStepReport* report);
 
-/** Part of the last step's constraint forces that dWorldQuickStep (and dWorldStepFast1) starts from, 0 ... 1; default 0.9,
-    0 starts from nothing as the original does. Contacts find their forces again although they are
+/** Part of the last step's constraint forces that dWorldQuickStep (and dWorldStepFast1) starts from, 0 ... 1;
+   default 0.9, 0 starts from nothing as the original does. Contacts find their forces again although they are
     new joints in every step. Values outside 0 ... 1 are refused. */
 ODE_API void dWorldSetQuickStepWarmStarting(dWorldID world, dReal factor);
 ODE_API dReal dWorldGetQuickStepWarmStarting(dWorldID world);

@@ -21,93 +21,91 @@ typedef struct dMass dMass;
 
 /** 1 when the mass is positive and both I and the inertia about the centre of mass are positive
     definite, else 0 with a message. */
-ODE_API int dMassCheck(const dMass *m);
+ODE_API int dMassCheck(const dMass* m);
 
 /** Everything zero. */
-ODE_API void dMassSetZero(dMass *m);
+ODE_API void dMassSetZero(dMass* m);
 
 /** Give all values: mass, centre (cgx, cgy, cgz), and the six different elements of I. */
-ODE_API void dMassSetParameters(dMass *m, dReal themass, dReal cgx, dReal cgy, dReal cgz,
-                                dReal I11, dReal I22, dReal I33, dReal I12, dReal I13, dReal I23);
+ODE_API void dMassSetParameters(dMass* m, dReal themass, dReal cgx, dReal cgy, dReal cgz, dReal I11,
+                                dReal I22, dReal I33, dReal I12, dReal I13, dReal I23);
 
 /** A full sphere: m = 4/3 pi r^3 density, I = 2/5 m r^2. Centre at the origin, as for all shapes
     here. The ...Total form takes the mass instead of the density. */
-ODE_API void dMassSetSphere(dMass *m, dReal density, dReal radius);
-ODE_API void dMassSetSphereTotal(dMass *m, dReal total_mass, dReal radius);
+ODE_API void dMassSetSphere(dMass* m, dReal density, dReal radius);
+ODE_API void dMassSetSphereTotal(dMass* m, dReal total_mass, dReal radius);
 
 /** A capsule. direction: 1, 2, 3 for its axis along x, y, z (else refused); length: of the
     cylindrical part, without the caps. */
-ODE_API void dMassSetCapsule(dMass *m, dReal density, int direction, dReal radius, dReal length);
-ODE_API void dMassSetCapsuleTotal(dMass *m, dReal total_mass, int direction, dReal radius,
-                                  dReal length);
+ODE_API void dMassSetCapsule(dMass* m, dReal density, int direction, dReal radius, dReal length);
+ODE_API void dMassSetCapsuleTotal(dMass* m, dReal total_mass, int direction, dReal radius, dReal length);
 
 /** A cylinder with flat ends. direction: 1, 2, 3 for x, y, z (else refused). */
-ODE_API void dMassSetCylinder(dMass *m, dReal density, int direction, dReal radius, dReal length);
-ODE_API void dMassSetCylinderTotal(dMass *m, dReal total_mass, int direction, dReal radius,
-                                   dReal length);
+ODE_API void dMassSetCylinder(dMass* m, dReal density, int direction, dReal radius, dReal length);
+ODE_API void dMassSetCylinderTotal(dMass* m, dReal total_mass, int direction, dReal radius, dReal length);
 
 /** A box with full side lengths lx, ly, lz. */
-ODE_API void dMassSetBox(dMass *m, dReal density, dReal lx, dReal ly, dReal lz);
-ODE_API void dMassSetBoxTotal(dMass *m, dReal total_mass, dReal lx, dReal ly, dReal lz);
+ODE_API void dMassSetBox(dMass* m, dReal density, dReal lx, dReal ly, dReal lz);
+ODE_API void dMassSetBoxTotal(dMass* m, dReal total_mass, dReal lx, dReal ly, dReal lz);
 
 /** Scale mass and inertia to the new mass; the centre stays. */
-ODE_API void dMassAdjust(dMass *m, dReal newmass);
+ODE_API void dMassAdjust(dMass* m, dReal newmass);
 
 /** Move the material by (x, y, z) relative to the origin: the centre moves along and I is taken
     about the same origin as before. */
-ODE_API void dMassTranslate(dMass *m, dReal x, dReal y, dReal z);
+ODE_API void dMassTranslate(dMass* m, dReal x, dReal y, dReal z);
 
 /** Turn the material about the origin: I becomes R I R^T, c becomes R c. */
-ODE_API void dMassRotate(dMass *m, const dMatrix3 R);
+ODE_API void dMassRotate(dMass* m, const dMatrix3 R);
 
 /** a becomes the union of a and b, which must be given about the same origin and in the same axes. */
-ODE_API void dMassAdd(dMass *a, const dMass *b);
+ODE_API void dMassAdd(dMass* a, const dMass* b);
 
 /** Old names of dMassSetCapsule and dMassSetCapsuleTotal. */
-ODE_API_DEPRECATED ODE_API void dMassSetCappedCylinder(dMass *m, dReal density, int direction,
-                                                       dReal radius, dReal length);
-ODE_API_DEPRECATED ODE_API void dMassSetCappedCylinderTotal(dMass *m, dReal total_mass,
-                                                            int direction, dReal radius,
-                                                            dReal length);
+ODE_API_DEPRECATED ODE_API void dMassSetCappedCylinder(dMass* m, dReal density, int direction, dReal radius,
+                                                       dReal length);
+ODE_API_DEPRECATED ODE_API void dMassSetCappedCylinderTotal(dMass* m, dReal total_mass, int direction,
+                                                            dReal radius, dReal length);
 
 /** The mass itself. In C++ it has members that call the functions above and starts as zero; the
     layout is the same as in C. */
 struct dMass {
-  dReal mass; /**< kg */
-  dVector3 c; /**< centre of mass, body frame, m */
-  dMatrix3 I; /**< inertia about the body's origin, body axes, kg m^2 */
+    dReal mass; /**< kg */
+    dVector3 c; /**< centre of mass, body frame, m */
+    dMatrix3 I; /**< inertia about the body's origin, body axes, kg m^2 */
 
 #ifdef __cplusplus
-  dMass() { dMassSetZero(this); }
-  void setZero() { dMassSetZero(this); }
-  void setParameters(dReal themass, dReal cgx, dReal cgy, dReal cgz, dReal I11, dReal I22,
-                     dReal I33, dReal I12, dReal I13, dReal I23) {
-    dMassSetParameters(this, themass, cgx, cgy, cgz, I11, I22, I33, I12, I13, I23);
-  }
-  void setSphere(dReal density, dReal radius) { dMassSetSphere(this, density, radius); }
-  void setSphereTotal(dReal total, dReal radius) { dMassSetSphereTotal(this, total, radius); }
-  void setCapsule(dReal density, int direction, dReal radius, dReal length) {
-    dMassSetCapsule(this, density, direction, radius, length);
-  }
-  void setCapsuleTotal(dReal total, int direction, dReal radius, dReal length) {
-    dMassSetCapsuleTotal(this, total, direction, radius, length);
-  }
-  void setCylinder(dReal density, int direction, dReal radius, dReal length) {
-    dMassSetCylinder(this, density, direction, radius, length);
-  }
-  void setCylinderTotal(dReal total, int direction, dReal radius, dReal length) {
-    dMassSetCylinderTotal(this, total, direction, radius, length);
-  }
-  void setBox(dReal density, dReal lx, dReal ly, dReal lz) {
-    dMassSetBox(this, density, lx, ly, lz);
-  }
-  void setBoxTotal(dReal total, dReal lx, dReal ly, dReal lz) {
-    dMassSetBoxTotal(this, total, lx, ly, lz);
-  }
-  void adjust(dReal newmass) { dMassAdjust(this, newmass); }
-  void translate(dReal x, dReal y, dReal z) { dMassTranslate(this, x, y, z); }
-  void rotate(const dMatrix3 R) { dMassRotate(this, R); }
-  void add(const dMass *b) { dMassAdd(this, b); }
+    dMass() { dMassSetZero(this); }
+    void setZero() { dMassSetZero(this); }
+    void setParameters(dReal themass, dReal cgx, dReal cgy, dReal cgz, dReal I11, dReal I22, dReal I33,
+                       dReal I12, dReal I13, dReal I23)
+    {
+        dMassSetParameters(this, themass, cgx, cgy, cgz, I11, I22, I33, I12, I13, I23);
+    }
+    void setSphere(dReal density, dReal radius) { dMassSetSphere(this, density, radius); }
+    void setSphereTotal(dReal total, dReal radius) { dMassSetSphereTotal(this, total, radius); }
+    void setCapsule(dReal density, int direction, dReal radius, dReal length)
+    {
+        dMassSetCapsule(this, density, direction, radius, length);
+    }
+    void setCapsuleTotal(dReal total, int direction, dReal radius, dReal length)
+    {
+        dMassSetCapsuleTotal(this, total, direction, radius, length);
+    }
+    void setCylinder(dReal density, int direction, dReal radius, dReal length)
+    {
+        dMassSetCylinder(this, density, direction, radius, length);
+    }
+    void setCylinderTotal(dReal total, int direction, dReal radius, dReal length)
+    {
+        dMassSetCylinderTotal(this, total, direction, radius, length);
+    }
+    void setBox(dReal density, dReal lx, dReal ly, dReal lz) { dMassSetBox(this, density, lx, ly, lz); }
+    void setBoxTotal(dReal total, dReal lx, dReal ly, dReal lz) { dMassSetBoxTotal(this, total, lx, ly, lz); }
+    void adjust(dReal newmass) { dMassAdjust(this, newmass); }
+    void translate(dReal x, dReal y, dReal z) { dMassTranslate(this, x, y, z); }
+    void rotate(const dMatrix3 R) { dMassRotate(this, R); }
+    void add(const dMass* b) { dMassAdd(this, b); }
 #endif
 };
 

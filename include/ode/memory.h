@@ -14,26 +14,26 @@ extern "C" {
 #endif
 
 /** Gives `size` bytes aligned for any type, or NULL. */
-typedef void *dAllocFunction(dsizeint size);
+typedef void* dAllocFunction(dsizeint size);
 /** Resizes a block from oldsize to newsize bytes, keeping the common part. */
-typedef void *dReallocFunction(void *ptr, dsizeint oldsize, dsizeint newsize);
+typedef void* dReallocFunction(void* ptr, dsizeint oldsize, dsizeint newsize);
 /** Takes back a block of `size` bytes. */
-typedef void dFreeFunction(void *ptr, dsizeint size);
+typedef void dFreeFunction(void* ptr, dsizeint size);
 
 /** Install a handler; NULL brings malloc / realloc / free back. Process-wide. */
-ODE_API void dSetAllocHandler(dAllocFunction *fn);
-ODE_API void dSetReallocHandler(dReallocFunction *fn);
-ODE_API void dSetFreeHandler(dFreeFunction *fn);
+ODE_API void dSetAllocHandler(dAllocFunction* fn);
+ODE_API void dSetReallocHandler(dReallocFunction* fn);
+ODE_API void dSetFreeHandler(dFreeFunction* fn);
 
 /** The installed handler, or NULL when it is the default one. */
-ODE_API dAllocFunction *dGetAllocHandler(void);
-ODE_API dReallocFunction *dGetReallocHandler(void);
-ODE_API dFreeFunction *dGetFreeHandler(void);
+ODE_API dAllocFunction* dGetAllocHandler(void);
+ODE_API dReallocFunction* dGetReallocHandler(void);
+ODE_API dFreeFunction* dGetFreeHandler(void);
 
 /** Use the handlers (or the defaults). dFree(NULL, n) does nothing and calls no handler. */
-ODE_API void *dAlloc(dsizeint size);
-ODE_API void *dRealloc(void *ptr, dsizeint oldsize, dsizeint newsize);
-ODE_API void dFree(void *ptr, dsizeint size);
+ODE_API void* dAlloc(dsizeint size);
+ODE_API void* dRealloc(void* ptr, dsizeint oldsize, dsizeint newsize);
+ODE_API void dFree(void* ptr, dsizeint size);
 
 #ifdef __cplusplus
 }

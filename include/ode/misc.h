@@ -31,20 +31,20 @@ ODE_API int dRandInt(int n);
 ODE_API dReal dRandReal(void);
 
 /** Print an n x m matrix, each element with the printf format fmt, a line per row. */
-ODE_API void dPrintMatrix(const dReal *A, int n, int m, const char *fmt, FILE *f);
+ODE_API void dPrintMatrix(const dReal* A, int n, int m, const char* fmt, FILE* f);
 
 /** Fill a vector of n, or an n x m matrix (row by row, padding untouched), with reals from
     -range ... range. */
-ODE_API void dMakeRandomVector(dReal *A, int n, dReal range);
-ODE_API void dMakeRandomMatrix(dReal *A, int n, int m, dReal range);
+ODE_API void dMakeRandomVector(dReal* A, int n, dReal range);
+ODE_API void dMakeRandomMatrix(dReal* A, int n, int m, dReal range);
 
 /** Zero the elements above the diagonal of an n x n matrix. */
-ODE_API void dClearUpperTriangle(dReal *A, int n);
+ODE_API void dClearUpperTriangle(dReal* A, int n);
 
 /** The largest absolute difference of two n x m matrices, or of two n x n lower triangles
     (diagonal included). */
-ODE_API dReal dMaxDifference(const dReal *A, const dReal *B, int n, int m);
-ODE_API dReal dMaxDifferenceLowerTriangle(const dReal *A, const dReal *B, int n);
+ODE_API dReal dMaxDifference(const dReal* A, const dReal* B, int n, int m);
+ODE_API dReal dMaxDifferenceLowerTriangle(const dReal* A, const dReal* B, int n);
 
 #ifdef __cplusplus
 }
@@ -52,8 +52,9 @@ ODE_API dReal dMaxDifferenceLowerTriangle(const dReal *A, const dReal *B, int n)
 
 #ifdef __cplusplus
 /** dPrintMatrix to the standard output. */
-static inline void dPrintMatrix(const dReal *A, int n, int m, const char *fmt = "%10.4f ") {
-  dPrintMatrix(A, n, m, fmt, stdout);
+static inline void dPrintMatrix(const dReal* A, int n, int m, const char* fmt = "%10.4f ")
+{
+    dPrintMatrix(A, n, m, fmt, stdout);
 }
 #endif
 

@@ -16,8 +16,8 @@
 #define _ODE_OBJECTS_H_
 
 #include <ode/common.h>
-#include <ode/mass.h>
 #include <ode/contact.h>
+#include <ode/mass.h>
 #include <ode/threading.h>
 
 #ifdef __cplusplus
@@ -30,12 +30,13 @@ extern "C" {
 ODE_API dWorldID dWorldCreate(void);
 
 /** Destroy a world with all its bodies and all its joints that are in no joint group. Geoms survive
-    without a body. Joints in groups lose their world and bodies (a message is sent for each) and go with their group. */
+    without a body. Joints in groups lose their world and bodies (a message is sent for each) and go with
+   their group. */
 ODE_API void dWorldDestroy(dWorldID world);
 
 /** A pointer of the program's, NULL at first; the library never looks at it. */
-ODE_API void dWorldSetData(dWorldID world, void *data);
-ODE_API void *dWorldGetData(dWorldID world);
+ODE_API void dWorldSetData(dWorldID world, void* data);
+ODE_API void* dWorldGetData(dWorldID world);
 
 /** Gravity, m/s^2, default (0, 0, 0). Acts on every body whose gravity mode is on. */
 ODE_API void dWorldSetGravity(dWorldID world, dReal x, dReal y, dReal z);
@@ -52,8 +53,8 @@ ODE_API dReal dWorldGetERP(dWorldID world);
 ODE_API void dWorldSetCFM(dWorldID world, dReal cfm);
 ODE_API dReal dWorldGetCFM(dWorldID world);
 
-/** Most threads that work on islands in a step; 0 (the default, dWORLDSTEP_THREADCOUNT_UNLIMITED) sets no limit. It
-    is a limit only: a world that has been given no threads steps on the calling thread. */
+/** Most threads that work on islands in a step; 0 (the default, dWORLDSTEP_THREADCOUNT_UNLIMITED) sets no
+   limit. It is a limit only: a world that has been given no threads steps on the calling thread. */
 #define dWORLDSTEP_THREADCOUNT_UNLIMITED dTHREADING_THREAD_COUNT_UNLIMITED
 ODE_API void dWorldSetStepIslandsProcessingMaxThreadCount(dWorldID world, unsigned count);
 ODE_API unsigned dWorldGetStepIslandsProcessingMaxThreadCount(dWorldID world);
@@ -63,18 +64,17 @@ ODE_API unsigned dWorldGetStepIslandsProcessingMaxThreadCount(dWorldID world);
 #define dWORLDSTEP_RESERVEFACTOR_DEFAULT 1.2f
 #define dWORLDSTEP_RESERVESIZE_DEFAULT 65536U
 typedef struct {
-  unsigned struct_size;
-  float reserve_factor;
-  unsigned reserve_minimum;
+    unsigned struct_size;
+    float reserve_factor;
+    unsigned reserve_minimum;
 } dWorldStepReserveInfo;
 
 /** Where step memory comes from. struct_size: sizeof of the struct, set by the caller. */
 typedef struct {
-  unsigned struct_size;
-  void *(*alloc_block)(dsizeint block_size);
-  void *(*shrink_block)(void *block_pointer, dsizeint block_current_size,
-                        dsizeint block_smaller_size);
-  void (*free_block)(void *block_pointer, dsizeint block_current_size);
+    unsigned struct_size;
+    void* (*alloc_block)(dsizeint block_size);
+    void* (*shrink_block)(void* block_pointer, dsizeint block_current_size, dsizeint block_smaller_size);
+    void (*free_block)(void* block_pointer, dsizeint block_current_size);
 } dWorldStepMemoryFunctionsInfo;
 
 /* ---- stepping ---- */
@@ -125,14 +125,12 @@ ODE_API void dWorldSetAutoDisableLinearThreshold(dWorldID world, dReal linear_av
 ODE_API dReal dWorldGetAutoDisableLinearThreshold(dWorldID world);
 
 /** Threshold of the angular speed, rad/s, default 0.01. */
-ODE_API void dWorldSetAutoDisableAngularThreshold(dWorldID world,
-                                                  dReal angular_average_threshold);
+ODE_API void dWorldSetAutoDisableAngularThreshold(dWorldID world, dReal angular_average_threshold);
 ODE_API dReal dWorldGetAutoDisableAngularThreshold(dWorldID world);
 
 /** Over how many steps velocities are averaged (as vectors, so swinging cancels), default 1 = the
     current velocity; 0: never disable. */
-ODE_API void dWorldSetAutoDisableAverageSamplesCount(dWorldID world,
-                                                     unsigned int average_samples_count);
+ODE_API void dWorldSetAutoDisableAverageSamplesCount(dWorldID world, unsigned int average_samples_count);
 ODE_API int dWorldGetAutoDisableAverageSamplesCount(dWorldID world);
 
 /** Idle steps needed, default 10. */
@@ -170,7 +168,8 @@ ODE_API dReal dWorldGetMaxAngularSpeed(dWorldID world);
 /* ======================================================================== bodies */
 
 /** A new body in the world: at the origin, not rotated, at rest, mass 1 kg with unit inertia,
-    enabled; gravity and gyroscopic mode on; auto-disable, damping and speed limit as the world has them now. */
+    enabled; gravity and gyroscopic mode on; auto-disable, damping and speed limit as the world has them now.
+ */
 ODE_API dBodyID dBodyCreate(dWorldID world);
 
 /** Destroy a body. Its geoms stay where they are, without a body. Its joints stay, detached from
@@ -180,8 +179,8 @@ ODE_API void dBodyDestroy(dBodyID body);
 ODE_API dWorldID dBodyGetWorld(dBodyID body);
 
 /** A pointer of the program's, NULL at first. */
-ODE_API void dBodySetData(dBodyID body, void *data);
-ODE_API void *dBodyGetData(dBodyID body);
+ODE_API void dBodySetData(dBodyID body, void* data);
+ODE_API void* dBodyGetData(dBodyID body);
 
 /* ---- pose and velocity ----
    Setters move the body at once, with its geoms; they do not wake it and call no callback. After a
@@ -201,11 +200,11 @@ ODE_API void dBodySetAngularVel(dBodyID body, dReal x, dReal y, dReal z);
 
 /** Pointers into the body: 3 (4), 12, 4 reals. They stay valid as long as the body, and show its
     current state. */
-ODE_API const dReal *dBodyGetPosition(dBodyID body);
-ODE_API const dReal *dBodyGetRotation(dBodyID body);
-ODE_API const dReal *dBodyGetQuaternion(dBodyID body);
-ODE_API const dReal *dBodyGetLinearVel(dBodyID body);
-ODE_API const dReal *dBodyGetAngularVel(dBodyID body);
+ODE_API const dReal* dBodyGetPosition(dBodyID body);
+ODE_API const dReal* dBodyGetRotation(dBodyID body);
+ODE_API const dReal* dBodyGetQuaternion(dBodyID body);
+ODE_API const dReal* dBodyGetLinearVel(dBodyID body);
+ODE_API const dReal* dBodyGetAngularVel(dBodyID body);
 
 /** Copies of the pose: 3, 12 and 4 reals are written. */
 ODE_API void dBodyCopyPosition(dBodyID body, dVector3 pos);
@@ -217,8 +216,8 @@ ODE_API void dBodyCopyQuaternion(dBodyID body, dQuaternion quat);
 /** Give the body a mass; it becomes dynamic. Refused when the centre of mass is not at the origin or
     dMassCheck says no. dBodyGetMass also works on a kinematic body, which keeps its mass in
     store. */
-ODE_API void dBodySetMass(dBodyID body, const dMass *mass);
-ODE_API void dBodyGetMass(dBodyID body, dMass *mass);
+ODE_API void dBodySetMass(dBodyID body, const dMass* mass);
+ODE_API void dBodyGetMass(dBodyID body, dMass* mass);
 
 /** Add to the forces (N) and torques (N m) of the next step. They act during the whole step and are zeroed
     after it. "Rel" before Force / Torque: given in body axes. AtPos: the force acts at the point p
@@ -227,19 +226,16 @@ ODE_API void dBodyAddForce(dBodyID body, dReal fx, dReal fy, dReal fz);
 ODE_API void dBodyAddTorque(dBodyID body, dReal fx, dReal fy, dReal fz);
 ODE_API void dBodyAddRelForce(dBodyID body, dReal fx, dReal fy, dReal fz);
 ODE_API void dBodyAddRelTorque(dBodyID body, dReal fx, dReal fy, dReal fz);
-ODE_API void dBodyAddForceAtPos(dBodyID body, dReal fx, dReal fy, dReal fz, dReal px, dReal py,
-                                dReal pz);
-ODE_API void dBodyAddForceAtRelPos(dBodyID body, dReal fx, dReal fy, dReal fz, dReal px, dReal py,
-                                   dReal pz);
-ODE_API void dBodyAddRelForceAtPos(dBodyID body, dReal fx, dReal fy, dReal fz, dReal px, dReal py,
-                                   dReal pz);
-ODE_API void dBodyAddRelForceAtRelPos(dBodyID body, dReal fx, dReal fy, dReal fz, dReal px,
-                                      dReal py, dReal pz);
+ODE_API void dBodyAddForceAtPos(dBodyID body, dReal fx, dReal fy, dReal fz, dReal px, dReal py, dReal pz);
+ODE_API void dBodyAddForceAtRelPos(dBodyID body, dReal fx, dReal fy, dReal fz, dReal px, dReal py, dReal pz);
+ODE_API void dBodyAddRelForceAtPos(dBodyID body, dReal fx, dReal fy, dReal fz, dReal px, dReal py, dReal pz);
+ODE_API void dBodyAddRelForceAtRelPos(dBodyID body, dReal fx, dReal fy, dReal fz, dReal px, dReal py,
+                                      dReal pz);
 
 /** The sums so far, as pointers into the body (3 reals), and setting them outright. A disabled
     body keeps its sums until it moves again. */
-ODE_API const dReal *dBodyGetForce(dBodyID body);
-ODE_API const dReal *dBodyGetTorque(dBodyID body);
+ODE_API const dReal* dBodyGetForce(dBodyID body);
+ODE_API const dReal* dBodyGetTorque(dBodyID body);
 ODE_API void dBodySetForce(dBodyID body, dReal x, dReal y, dReal z);
 ODE_API void dBodySetTorque(dBodyID body, dReal x, dReal y, dReal z);
 
@@ -313,8 +309,7 @@ ODE_API void dBodySetAutoDisableAngularThreshold(dBodyID body, dReal angular_ave
 ODE_API dReal dBodyGetAutoDisableAngularThreshold(dBodyID body);
 
 /** Changing the count throws the samples gathered so far away. */
-ODE_API void dBodySetAutoDisableAverageSamplesCount(dBodyID body,
-                                                    unsigned int average_samples_count);
+ODE_API void dBodySetAutoDisableAverageSamplesCount(dBodyID body, unsigned int average_samples_count);
 ODE_API int dBodyGetAutoDisableAverageSamplesCount(dBodyID body);
 
 /** New values count from the next restart of the idle counters. */
@@ -323,8 +318,8 @@ ODE_API int dBodyGetAutoDisableSteps(dBodyID body);
 ODE_API void dBodySetAutoDisableTime(dBodyID body, dReal time);
 ODE_API dReal dBodyGetAutoDisableTime(dBodyID body);
 
-/** Switch automatic disabling on or off. Off also enables the body and takes steps, time and sample count over from the
-    world. */
+/** Switch automatic disabling on or off. Off also enables the body and takes steps, time and sample count
+   over from the world. */
 ODE_API void dBodySetAutoDisableFlag(dBodyID body, int do_auto_disable);
 ODE_API int dBodyGetAutoDisableFlag(dBodyID body);
 
@@ -369,7 +364,7 @@ ODE_API dJointID dJointCreateNull(dWorldID world, dJointGroupID group);
 
 /** A contact. *contact is copied; geom.g1 and geom.g2 do not choose the bodies, dJointAttach does.
     Meant to live for one step: put it in a group and empty the group after the step. */
-ODE_API dJointID dJointCreateContact(dWorldID world, dJointGroupID group, const dContact *contact);
+ODE_API dJointID dJointCreateContact(dWorldID world, dJointGroupID group, const dContact* contact);
 
 /** Destroy a joint. A joint in a group is left alone: it goes with its group. */
 ODE_API void dJointDestroy(dJointID joint);
@@ -382,9 +377,9 @@ ODE_API void dJointGroupDestroy(dJointGroupID group);
 ODE_API void dJointGroupEmpty(dJointGroupID group);
 
 /** Attach to two bodies, or to one body and the world (the other being 0); (0, 0) detaches. The bodies must
-    be different and of the joint's world; hinge-2 needs both. (0, body) is allowed: the joint then counts the world
-    as its first body, and angles and positions change sign accordingly. Attaching anew keeps the
-    anchor and axes in the new first body's frame. */
+    be different and of the joint's world; hinge-2 needs both. (0, body) is allowed: the joint then counts the
+   world as its first body, and angles and positions change sign accordingly. Attaching anew keeps the anchor
+   and axes in the new first body's frame. */
 ODE_API void dJointAttach(dJointID joint, dBodyID body1, dBodyID body2);
 
 /** How many bodies are attached (0, 1, 2), and which: index 0 or 1 as in dJointAttach, 0 when there
@@ -398,25 +393,25 @@ ODE_API void dJointDisable(dJointID joint);
 ODE_API int dJointIsEnabled(dJointID joint);
 
 /** A pointer of the program's, NULL at first. */
-ODE_API void dJointSetData(dJointID joint, void *data);
-ODE_API void *dJointGetData(dJointID joint);
+ODE_API void dJointSetData(dJointID joint, void* data);
+ODE_API void* dJointGetData(dJointID joint);
 
 ODE_API dJointType dJointGetType(dJointID joint);
 
 /** Where each step writes the joint's forces (common.h); the struct belongs to the program and must
     outlive its use. NULL (default): nowhere. With one body attached only f1 and t1 are written.
     Motor forces applied while at a stop, and the dJointAdd... functions, are not included. */
-ODE_API void dJointSetFeedback(dJointID joint, dJointFeedback *feedback);
-ODE_API dJointFeedback *dJointGetFeedback(dJointID joint);
+ODE_API void dJointSetFeedback(dJointID joint, dJointFeedback* feedback);
+ODE_API dJointFeedback* dJointGetFeedback(dJointID joint);
 
 /** A joint between the two bodies, most recently attached first, or 0. One of the bodies may be 0:
     the world. The list form writes all of them to the caller's array (as many as
     dBodyGetNumJoints says are enough) and returns how many. */
 ODE_API dJointID dConnectingJoint(dBodyID body1, dBodyID body2);
-ODE_API int dConnectingJointList(dBodyID body1, dBodyID body2, dJointID *list);
+ODE_API int dConnectingJointList(dBodyID body1, dBodyID body2, dJointID* list);
 
-/** 1 when a joint connects the two bodies directly, else 0. body1 must not be 0, body2 may be. The second form does not
-    count joints of the given type (usually dJointTypeContact). */
+/** 1 when a joint connects the two bodies directly, else 0. body1 must not be 0, body2 may be. The second
+   form does not count joints of the given type (usually dJointTypeContact). */
 ODE_API int dAreConnected(dBodyID body1, dBodyID body2);
 ODE_API int dAreConnectedExcluding(dBodyID body1, dBodyID body2, int joint_type);
 
@@ -446,8 +441,8 @@ ODE_API dReal dJointGetBallParam(dJointID joint, int parameter);
 ODE_API void dJointSetHingeAnchor(dJointID joint, dReal x, dReal y, dReal z);
 
 /** As dJointSetHingeAnchor, with body 2's anchor moved by (ax, ay, az) when body 2 is the world. */
-ODE_API void dJointSetHingeAnchorDelta(dJointID joint, dReal x, dReal y, dReal z, dReal ax,
-                                       dReal ay, dReal az);
+ODE_API void dJointSetHingeAnchorDelta(dJointID joint, dReal x, dReal y, dReal z, dReal ax, dReal ay,
+                                       dReal az);
 ODE_API void dJointSetHingeAxis(dJointID joint, dReal x, dReal y, dReal z);
 
 /** Sets the axis and shifts the zero so that the angle now reads -angle. */
@@ -473,8 +468,8 @@ ODE_API void dJointSetSliderAxis(dJointID joint, dReal x, dReal y, dReal z);
 
 /** Sets the axis, with the zero position shifted by (ax, ay, az) when body 2 is the world: the
     position then reads -(axis . a). */
-ODE_API void dJointSetSliderAxisDelta(dJointID joint, dReal x, dReal y, dReal z, dReal ax,
-                                      dReal ay, dReal az);
+ODE_API void dJointSetSliderAxisDelta(dJointID joint, dReal x, dReal y, dReal z, dReal ax, dReal ay,
+                                      dReal az);
 ODE_API void dJointSetSliderParam(dJointID joint, int parameter, dReal value);
 
 /** Force along the axis, N; the torque that keeps angular momentum is added too. */
@@ -486,7 +481,8 @@ ODE_API dReal dJointGetSliderPositionRate(dJointID joint);
 ODE_API void dJointGetSliderAxis(dJointID joint, dVector3 result);
 ODE_API dReal dJointGetSliderParam(dJointID joint, int parameter);
 
-/* ======================================================================== universal: 4 rows + 2 limits/motors
+/* ======================================================================== universal: 4 rows + 2
+   limits/motors
 
    A common point, and axis 1 (of body 1) kept perpendicular to axis 2 (of body 2): a cardan joint.
    Defaults x and y. Parameters: axis 1, and axis 2 with the names ending in 2. */
@@ -496,10 +492,10 @@ ODE_API void dJointSetUniversalAxis1(dJointID joint, dReal x, dReal y, dReal z);
 ODE_API void dJointSetUniversalAxis2(dJointID joint, dReal x, dReal y, dReal z);
 
 /** Set an axis and shift the zeros so that the angles now read offset1 and offset2. */
-ODE_API void dJointSetUniversalAxis1Offset(dJointID joint, dReal x, dReal y, dReal z,
-                                           dReal offset1, dReal offset2);
-ODE_API void dJointSetUniversalAxis2Offset(dJointID joint, dReal x, dReal y, dReal z,
-                                           dReal offset1, dReal offset2);
+ODE_API void dJointSetUniversalAxis1Offset(dJointID joint, dReal x, dReal y, dReal z, dReal offset1,
+                                           dReal offset2);
+ODE_API void dJointSetUniversalAxis2Offset(dJointID joint, dReal x, dReal y, dReal z, dReal offset1,
+                                           dReal offset2);
 ODE_API void dJointSetUniversalParam(dJointID joint, int parameter, dReal value);
 ODE_API void dJointAddUniversalTorques(dJointID joint, dReal torque1, dReal torque2);
 
@@ -511,7 +507,7 @@ ODE_API dReal dJointGetUniversalParam(dJointID joint, int parameter);
 
 /** Angles between each body and the cross piece about its axis, rad, and their rates, rad/s. The
     first form writes both angles. */
-ODE_API void dJointGetUniversalAngles(dJointID joint, dReal *angle1, dReal *angle2);
+ODE_API void dJointGetUniversalAngles(dJointID joint, dReal* angle1, dReal* angle2);
 ODE_API dReal dJointGetUniversalAngle1(dJointID joint);
 ODE_API dReal dJointGetUniversalAngle2(dJointID joint);
 ODE_API dReal dJointGetUniversalAngle1Rate(dJointID joint);
@@ -527,7 +523,7 @@ ODE_API dReal dJointGetUniversalAngle2Rate(dJointID joint);
 ODE_API void dJointSetHinge2Anchor(dJointID joint, dReal x, dReal y, dReal z);
 
 /** Set axis 1 and axis 2, each 3 reals; NULL keeps one (not both). Parallel axes are refused. */
-ODE_API void dJointSetHinge2Axes(dJointID joint, const dReal *axis1, const dReal *axis2);
+ODE_API void dJointSetHinge2Axes(dJointID joint, const dReal* axis1, const dReal* axis2);
 
 /** Old forms that set one axis. */
 ODE_API_DEPRECATED ODE_API void dJointSetHinge2Axis1(dJointID joint, dReal x, dReal y, dReal z);

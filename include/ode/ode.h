@@ -5,23 +5,23 @@
 #ifndef _ODE_ODE_H_
 #define _ODE_ODE_H_
 
-#include <ode/odeconfig.h>
-#include <ode/compatibility.h>
+#include <ode/collision.h>
+#include <ode/collision_space.h>
 #include <ode/common.h>
-#include <ode/odeinit.h>
+#include <ode/compatibility.h>
 #include <ode/contact.h>
 #include <ode/error.h>
-#include <ode/memory.h>
-#include <ode/odemath.h>
-#include <ode/matrix.h>
-#include <ode/timer.h>
-#include <ode/rotation.h>
 #include <ode/mass.h>
+#include <ode/matrix.h>
+#include <ode/memory.h>
 #include <ode/misc.h>
 #include <ode/objects.h>
-#include <ode/collision_space.h>
-#include <ode/collision.h>
+#include <ode/odeconfig.h>
+#include <ode/odeinit.h>
+#include <ode/odemath.h>
+#include <ode/rotation.h>
 #include <ode/threading.h>
+#include <ode/timer.h>
 #include <ode/version.h>
 
 #endif

@@ -8,14 +8,14 @@
 #ifndef _ODE_ODECONFIG_H_
 #define _ODE_ODECONFIG_H_
 
-#include <stddef.h>
+#include <float.h>
 #include <limits.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <stdarg.h>
-#include <math.h>
 #include <string.h>
-#include <float.h>
 
 #include <ode/precision.h>
 

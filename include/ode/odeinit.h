@@ -15,14 +15,14 @@ extern "C" {
 
 /** Flags of dInitODE2. */
 enum dInitODEFlags {
-  dInitFlagManualThreadCleanup = 0x00000001 /**< threads call dCleanupODEAllDataForThread themselves */
+    dInitFlagManualThreadCleanup = 0x00000001 /**< threads call dCleanupODEAllDataForThread themselves */
 };
 
 /** Flags of dAllocateODEDataForThread. */
 enum dAllocateODEDataFlags {
-  dAllocateFlagBasicData = 0,               /**< what every call may need */
-  dAllocateFlagCollisionData = 0x00000001,  /**< what dCollide may need */
-  dAllocateMaskAll = ~0                     /**< everything */
+    dAllocateFlagBasicData = 0,              /**< what every call may need */
+    dAllocateFlagCollisionData = 0x00000001, /**< what dCollide may need */
+    dAllocateMaskAll = ~0                    /**< everything */
 };
 
 /** Same as dInitODE2(0) followed by dAllocateODEDataForThread(dAllocateMaskAll). */

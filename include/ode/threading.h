@@ -18,43 +18,42 @@ extern "C" {
 #define dTHREADING_THREAD_COUNT_UNLIMITED 0U
 
 struct dxThreadingImplementation;
-typedef struct dxThreadingImplementation *dThreadingImplementationID;
+typedef struct dxThreadingImplementation* dThreadingImplementationID;
 
 /* ---- mutexes, in groups ---- */
 
 typedef unsigned dmutexindex_t; /**< number of a mutex in its group */
 struct dxMutexGroup;
-typedef struct dxMutexGroup *dMutexGroupID;
+typedef struct dxMutexGroup* dMutexGroupID;
 
 /** Make Mutex_count mutexes; the names (may be NULL) are for debugging. NULL on failure. */
-typedef dMutexGroupID dMutexGroupAllocFunction(dThreadingImplementationID impl,
-                                               dmutexindex_t Mutex_count,
-                                               const char *const *Mutex_names_ptr);
+typedef dMutexGroupID dMutexGroupAllocFunction(dThreadingImplementationID impl, dmutexindex_t Mutex_count,
+                                               const char* const* Mutex_names_ptr);
 typedef void dMutexGroupFreeFunction(dThreadingImplementationID impl, dMutexGroupID mutex_group);
-typedef void dMutexGroupMutexLockFunction(dThreadingImplementationID impl,
-                                          dMutexGroupID mutex_group, dmutexindex_t mutex_index);
-typedef void dMutexGroupMutexUnlockFunction(dThreadingImplementationID impl,
-                                            dMutexGroupID mutex_group, dmutexindex_t mutex_index);
+typedef void dMutexGroupMutexLockFunction(dThreadingImplementationID impl, dMutexGroupID mutex_group,
+                                          dmutexindex_t mutex_index);
+typedef void dMutexGroupMutexUnlockFunction(dThreadingImplementationID impl, dMutexGroupID mutex_group,
+                                            dmutexindex_t mutex_index);
 
 /* ---- calls ---- */
 
 struct dxCallReleasee;
-typedef struct dxCallReleasee *dCallReleaseeID; /**< a call that waits for others */
+typedef struct dxCallReleasee* dCallReleaseeID; /**< a call that waits for others */
 struct dxCallWait;
-typedef struct dxCallWait *dCallWaitID; /**< something a thread can wait on until a call is done */
+typedef struct dxCallWait* dCallWaitID; /**< something a thread can wait on until a call is done */
 
 typedef dsizeint ddependencycount_t;  /**< how many calls must finish first */
 typedef ddiffint ddependencychange_t; /**< change of that number */
 typedef dsizeint dcallindex_t;        /**< which of several equal calls this is */
 
 /** The work itself. Returns non-zero on success. */
-typedef int dThreadedCallFunction(void *call_context, dcallindex_t instance_index,
+typedef int dThreadedCallFunction(void* call_context, dcallindex_t instance_index,
                                   dCallReleaseeID this_releasee);
 
 /** A span of time: seconds and nanoseconds. */
 typedef struct dxThreadedWaitTime {
-  time_t wait_sec;
-  unsigned long wait_nsec;
+    time_t wait_sec;
+    unsigned long wait_nsec;
 } dThreadedWaitTime;
 
 typedef dCallWaitID dThreadedCallWaitAllocFunction(dThreadingImplementationID impl);
@@ -63,22 +62,22 @@ typedef void dThreadedCallWaitFreeFunction(dThreadingImplementationID impl, dCal
 
 /** Hand in a call. It starts when dependencies_count calls naming it as their dependent have
     finished. out_summary_fault, out_post_releasee, dependent_releasee, call_wait, call_name may be NULL. */
-typedef void dThreadedCallPostFunction(
-    dThreadingImplementationID impl, int *out_summary_fault, dCallReleaseeID *out_post_releasee,
-    ddependencycount_t dependencies_count, dCallReleaseeID dependent_releasee,
-    dCallWaitID call_wait, dThreadedCallFunction *call_func, void *call_context,
-    dcallindex_t instance_index, const char *call_name);
+typedef void dThreadedCallPostFunction(dThreadingImplementationID impl, int* out_summary_fault,
+                                       dCallReleaseeID* out_post_releasee,
+                                       ddependencycount_t dependencies_count,
+                                       dCallReleaseeID dependent_releasee, dCallWaitID call_wait,
+                                       dThreadedCallFunction* call_func, void* call_context,
+                                       dcallindex_t instance_index, const char* call_name);
 
 /** Add to the number of calls a waiting call depends on. */
-typedef void dThreadedCallDependenciesCountAlterFunction(
-    dThreadingImplementationID impl, dCallReleaseeID target_releasee,
-    ddependencychange_t dependencies_count_change);
+typedef void dThreadedCallDependenciesCountAlterFunction(dThreadingImplementationID impl,
+                                                         dCallReleaseeID target_releasee,
+                                                         ddependencychange_t dependencies_count_change);
 
 /** Wait for a call. timeout_time_ptr NULL: for ever. out_wait_status (may be NULL): 1 done, 0 timed out. */
-typedef void dThreadedCallWaitFunction(dThreadingImplementationID impl, int *out_wait_status,
-                                       dCallWaitID call_wait,
-                                       const dThreadedWaitTime *timeout_time_ptr,
-                                       const char *wait_name);
+typedef void dThreadedCallWaitFunction(dThreadingImplementationID impl, int* out_wait_status,
+                                       dCallWaitID call_wait, const dThreadedWaitTime* timeout_time_ptr,
+                                       const char* wait_name);
 
 /** How many threads serve. */
 typedef unsigned dThreadingImplThreadCountRetrieveFunction(dThreadingImplementationID impl);
@@ -89,19 +88,19 @@ typedef int dThreadingImplResourcesForCallsPreallocateFunction(
 
 /** The table. struct_size: sizeof(dThreadingFunctionsInfo), set by who fills it. */
 typedef struct dxThreadingFunctionsInfo {
-  unsigned struct_size;
-  dMutexGroupAllocFunction *alloc_mutex_group;
-  dMutexGroupFreeFunction *free_mutex_group;
-  dMutexGroupMutexLockFunction *lock_group_mutex;
-  dMutexGroupMutexUnlockFunction *unlock_group_mutex;
-  dThreadedCallWaitAllocFunction *alloc_call_wait;
-  dThreadedCallWaitResetFunction *reset_call_wait;
-  dThreadedCallWaitFreeFunction *free_call_wait;
-  dThreadedCallPostFunction *post_call;
-  dThreadedCallDependenciesCountAlterFunction *alter_call_dependencies_count;
-  dThreadedCallWaitFunction *wait_call;
-  dThreadingImplThreadCountRetrieveFunction *retrieve_thread_count;
-  dThreadingImplResourcesForCallsPreallocateFunction *preallocate_resources_for_calls;
+    unsigned struct_size;
+    dMutexGroupAllocFunction* alloc_mutex_group;
+    dMutexGroupFreeFunction* free_mutex_group;
+    dMutexGroupMutexLockFunction* lock_group_mutex;
+    dMutexGroupMutexUnlockFunction* unlock_group_mutex;
+    dThreadedCallWaitAllocFunction* alloc_call_wait;
+    dThreadedCallWaitResetFunction* reset_call_wait;
+    dThreadedCallWaitFreeFunction* free_call_wait;
+    dThreadedCallPostFunction* post_call;
+    dThreadedCallDependenciesCountAlterFunction* alter_call_dependencies_count;
+    dThreadedCallWaitFunction* wait_call;
+    dThreadingImplThreadCountRetrieveFunction* retrieve_thread_count;
+    dThreadingImplResourcesForCallsPreallocateFunction* preallocate_resources_for_calls;
 } dThreadingFunctionsInfo;
 
 #ifdef __cplusplus
