@@ -62,7 +62,9 @@ bool compare_pose(const Rule& rule, const std::vector<double>& ours, const std::
     }
     tally.worst_depth = std::max(tally.worst_depth, std::fabs(change));
     tally.other_normal += cosine(ours, reference) < 1 - 1e-6 ? 1 : 0;
-    return true;
+    const bool same_set = ours[0] == reference[0] && std::fabs(ours[5] - reference[5]) <= 8 * rule.tolerance;
+    tally.other_count += same_set ? 0 : 1;
+    return same_set || rule.kind != RuleKind::kContacts;
 }
 
 }  // namespace parity

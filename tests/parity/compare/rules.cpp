@@ -27,6 +27,7 @@ bool parse_kind(const std::string& word, RuleKind& kind)
     const std::pair<const char*, RuleKind> names[] = {{"exact", RuleKind::kExact},
                                                       {"scaled", RuleKind::kScaled},
                                                       {"pair", RuleKind::kPair},
+                                                      {"contacts", RuleKind::kContacts},
                                                       {"shallower", RuleKind::kShallower}};
     for (const auto& [name, value] : names) {
         if (word == name) {

@@ -20,7 +20,7 @@
 
 namespace parity {
 
-enum class RuleKind { kExact, kScaled, kPair, kShallower };
+enum class RuleKind { kExact, kScaled, kPair, kContacts, kShallower };
 
 struct Rule {
     std::string case_glob;

@@ -24,6 +24,7 @@ struct PairTally {
     long other_depth = 0;        // both hit, depths differ by more than the tolerance
     long shallower = 0;          // of which ours is smaller and separates
     long other_normal = 0;       // depths agree, normals do not
+    long other_count = 0;        // depths agree, number or sum do not
     long inseparable = 0;        // ours does not separate, the reference does
     double worst_depth = 0;
 };

@@ -48,7 +48,7 @@ PARITY_CASE(geom_point_depth)
         out.put("sphere" + n, {dGeomSpherePointDepth(sphere.geom, p.x, p.y, p.z)});
         out.put("capsule" + n, {dGeomCapsulePointDepth(capsule.geom, p.x, p.y, p.z)});
         out.put("plane" + n, {dGeomPlanePointDepth(plane.geom, p.x, p.y, p.z)});
-        // Outside a box only the sign has a meaning (differences.md, C6).
+        // Outside a box only the sign has a meaning (differences.tsv, C6).
         const double depth = dGeomBoxPointDepth(box.geom, p.x, p.y, p.z);
         out.put("box" + n, {depth >= 0 ? depth : -1.0});
         for (const Placed& placed : {sphere, box, capsule, plane}) { dGeomDestroy(placed.geom); }

@@ -43,6 +43,7 @@ PARITY_CASE(geom_closest_segments)
 PARITY_CASE(geom_closest_parallel_segments)
 {
     for (int i = 0; i < 100; ++i) {
+        out.open_block("t" + std::to_string(i));
         const Vec3 d = rng.direction(), at = rng.in_cube(1), other = rng.in_cube(1);
         const double length = rng.range(0.1, 2), b_length = rng.sign() * rng.range(0.1, 2);
         dVector3 a1, a2, b1, b2, p = {0, 0, 0, 0}, q = {0, 0, 0, 0};
@@ -51,7 +52,7 @@ PARITY_CASE(geom_closest_parallel_segments)
         fill(b1, other);
         fill(b2, {other.x + b_length * d.x, other.y + b_length * d.y, other.z + b_length * d.z});
         dClosestLineSegmentPoints(a1, a2, b1, b2, p, q);
-        out.put("d" + std::to_string(i), {distance(p, q)});
+        out.put("distance", {distance(p, q)});
     }
 }
 

@@ -114,7 +114,7 @@ PARITY_CASE(space_nested)
             for (int i = 0; i < 24; ++i) {
                 const dGeomID geom = add_member(i % 3 == 0 ? top : i % 3 == 1 ? left : right, rng, i);
                 dGeomEnable(
-                    geom);  // the walked side of a space-space query ignores the flag (differences.md, C9)
+                    geom);  // the walked side of a space-space query ignores the flag (differences.tsv, C9)
             }
             dSpaceCollide(top, nullptr, &note_pair);
             out.put_text("top", sorted_report());

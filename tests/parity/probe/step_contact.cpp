@@ -4,7 +4,7 @@
 // One dWorldStep with a contact joint: every surface flag alone and in combination, on one contact point, and
 // boxes on several points, where the friction limits come from the frictionless solution.
 //
-// Coefficients of exactly 0 for rolling and negative ones are left out (differences.md, D18).
+// Coefficients of exactly 0 for rolling and negative ones are left out (differences.tsv, D18).
 #include "rig.h"
 
 #include <cmath>

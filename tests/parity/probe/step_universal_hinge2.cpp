@@ -91,7 +91,7 @@ PARITY_CASE(step_universal)
     run_bench(out, rng, bench);
 }
 
-// Zero offsets of the angles. Both are kept only with two bodies attached (differences.md, D13).
+// Zero offsets of the angles. Both are kept only with two bodies attached (differences.tsv, D13).
 PARITY_CASE(step_universal_offsets)
 {
     JointBench bench{create_universal, put_universal, {}};
