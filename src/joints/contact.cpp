@@ -37,7 +37,7 @@ Row& Contact::contact_row(RowWriter& out, Vec3 d) const
 {
     const Vec3 p = load(contact.geom.pos);
     const Vec3 r2 = body2() ? p - body2()->position() : Vec3{};
-    return point_row(*this, out, d, p - body1()->position(), r2, 0);
+    return add_row(out, point_jacobian(*this, d, p - body1()->position(), r2), 0);
 }
 
 void Contact::emit(RowWriter& out) const
@@ -114,7 +114,7 @@ void Contact::write_rolling(RowWriter& out, Vec3 t1, Vec3 t2, Vec3 n) const
     const Real rho[3] = {s.rho, has(dContactAxisDep) ? s.rho2 : s.rho, has(dContactAxisDep) ? s.rhoN : s.rho};
     constexpr int kApproximation[3] = {dContactApprox1_1, dContactApprox1_2, dContactApprox1_N};
     for (int i = 0; i < 3; ++i)
-        if (rho[i] > 0) bound(angular_row(*this, out, axis[i], 0), rho[i], kApproximation[i]);
+        if (rho[i] > 0) bound(add_row(out, angular_jacobian(*this, axis[i]), 0), rho[i], kApproximation[i]);
 }
 
 namespace {

@@ -52,25 +52,6 @@ bool LimitMotor::get(int param, Real& value) const
     return true;
 }
 
-Row angular_jacobian(const Joint& j, Vec3 axis)
-{
-    Row row;
-    row.ang1 = axis;
-    if (j.body2()) row.ang2 = -axis;
-    return row;
-}
-
-Row sliding_jacobian(const Joint& j, Vec3 axis)
-{
-    Row row;
-    row.lin1 = axis;
-    if (j.body2()) {
-        row.lin2 = -axis;
-        row.ang1 = row.ang2 = Real(0.5) * cross(j.body2()->position() - j.body1()->position(), axis);
-    }
-    return row;
-}
-
 void LimitMotor::emit_angular(const Joint& j, RowWriter& out, Vec3 axis, Real angle)
 {
     emit(j, out, angular_jacobian(j, axis), angle, dot(axis, relative_angular_velocity(j)));
@@ -85,18 +66,16 @@ void LimitMotor::emit(const Joint& j, RowWriter& out, const Row& jacobian, Real 
 {
     if (!out.info().inner) note(value, rate);
     const bool unlimited_pull = pulls_away() && fmax == kInf && lo < hi;
-    if (stop_ == Stop::kNone || unlimited_pull) return emit_motor(j, out, jacobian);
+    if (stop_ == Stop::kNone || unlimited_pull) return emit_motor(out, jacobian);
     write_stop(out, jacobian, value);
     if (fmax > 0 && fmax < kInf && lo < hi && !out.info().inner) push(j, out, jacobian);
 }
 
-void LimitMotor::emit_motor(const Joint&, RowWriter& out, const Row& jacobian)
+void LimitMotor::emit_motor(RowWriter& out, const Row& jacobian) const
 {
     if (!(fmax > 0)) return;
-    Row& row = out.row(RowKind::kLimit) = jacobian;
-    row.kind = RowKind::kLimit;
+    Row& row = add_row(out, jacobian, 0, RowKind::kLimit);
     row.speed = vel;
-    row.erp = out.info().erp;
     row.cfm = cfm;
     row.soft = cfm_chosen;
     row.lo = -fmax;
@@ -119,9 +98,8 @@ void LimitMotor::note(Real value, Real rate)
 void LimitMotor::write_stop(RowWriter& out, const Row& jacobian, Real value) const
 {
     const bool servo = lo == hi;
-    Row& row = out.row() = jacobian;
-    row.kind = servo ? RowKind::kLock : RowKind::kLimit;
-    row.error = (stop_ == Stop::kLow ? lo : hi) - value;
+    const Real error = (stop_ == Stop::kLow ? lo : hi) - value;
+    Row& row = add_row(out, jacobian, error, servo ? RowKind::kLock : RowKind::kLimit);
     row.erp = stop_erp;
     row.cfm = stop_cfm;
     row.soft = stop_chosen;

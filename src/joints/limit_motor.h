@@ -36,7 +36,7 @@ struct LimitMotor {
     void emit_linear(const Joint& j, RowWriter& out, Vec3 axis, Real position);
     void emit(const Joint& j, RowWriter& out, const Row& jacobian, Real value, Real rate);
     // The motor alone, whatever the stops.
-    void emit_motor(const Joint& j, RowWriter& out, const Row& jacobian);
+    void emit_motor(RowWriter& out, const Row& jacobian) const;
 
     Real lo = -kInf, hi = kInf;
     Real vel = 0, fmax = 0, fudge = 1, bounce = 0;
@@ -55,8 +55,5 @@ struct LimitMotor {
     bool rebounds_ = false;
     Real rebound_ = 0;
 };
-
-Row angular_jacobian(const Joint& j, Vec3 axis);
-Row sliding_jacobian(const Joint& j, Vec3 axis);
 
 }  // namespace epode

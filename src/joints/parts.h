@@ -70,10 +70,20 @@ Real hinge_angle(Quat q1, Quat q2, Quat zero, Vec3 axis_local);
 // The zero for which hinge_angle reads `angle` now.
 Quat hinge_zero(Quat q1, Quat q2, Vec3 axis_local, Real angle = 0);
 
-// ---- rows ----
-Row& point_row(const Joint& j, RowWriter& out, Vec3 d, Vec3 r1, Vec3 r2, Real error);
-Row& angular_row(const Joint& j, RowWriter& out, Vec3 d, Real error);
-Row& sliding_row(const Joint& j, RowWriter& out, Vec3 d, Real error);
+// Any unit vector perpendicular to the unit vector n.
+inline Vec3 some_perpendicular(Vec3 n)
+{
+    Vec3 p, q;
+    plane_space(n, p, q);
+    return p;
+}
+
+// ---- rows; only the Jacobian of the Row is set, error and bounds are the caller's ----
+Row point_jacobian(const Joint& j, Vec3 d, Vec3 r1, Vec3 r2);
+Row angular_jacobian(const Joint& j, Vec3 d);
+Row sliding_jacobian(const Joint& j, Vec3 d);
+// A fresh row of the writer with the Jacobian of another.
+Row& add_row(RowWriter& out, const Row& jacobian, Real error, RowKind kind = RowKind::kLock);
 
 // Three rows: the anchors coincide.
 void lock_point(const Joint& j, RowWriter& out, const AnchorPair& anchor, const OwnSoftness* own = nullptr);

@@ -81,14 +81,15 @@ constexpr JointType describe_joint(const char* name)
 
 #define JOINT_DEFINE(Name) constinit const JointType k##Name##Type = describe_joint<Name>(#Name)
 
-// False after a refusal in the name of the C function `caller`.
+// Refuses a call in the name of the C function `caller`: EPODE_USER for helpers that many functions share.
+[[gnu::cold]] void refuse_for(const char* caller, const char* text);
+
+// False after a refusal.
 inline bool demand(bool condition, const char* caller)
 {
-    if (condition) [[likely]]
-        return true;
-    static std::atomic<bool> told{false};
-    refuse("Bad argument(s)", caller, told);
-    return false;
+    if (!condition) [[unlikely]]
+        refuse_for(caller, "Bad argument(s)");
+    return condition;
 }
 
 // The new joint, or null: bad handles, or memory is exhausted.
@@ -117,8 +118,7 @@ T* checked(dJointID id, const char* caller = __builtin_FUNCTION())
 {
     Joint* joint = from_handle<Joint>(id);
     if (joint && joint->type == &JointTypeOf<T>::get()) return static_cast<T*>(joint);
-    static std::atomic<bool> told{false};
-    refuse(joint ? JointTypeOf<T>::kRefusal : "bad joint argument", caller, told);
+    refuse_for(caller, joint ? JointTypeOf<T>::kRefusal : "Bad argument(s)");
     return nullptr;
 }
 

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Angular motor: up to three axes about which the relative rotation has stops and motors; no anchor.
+//   rows  J = [ 0, a, 0, -a ],  a = axis i, given in the world, body 1 or body 2
+// User mode: the client names axes and angles. Euler mode: axis 0 is fixed in body 1, axis 2 in body 2,
+// axis 1 = a2 x a0 / |..|; with references b1 (axis 2 seen from body 1) and b2 (axis 0 seen from body 2) taken
+// when mode or axes are set,
+//   angle0 = -atan2(a2.(a0 x b1), a2.b1),  angle1 = -atan2(a2.a0, a2.(a0 x a1)),  angle2 = -atan2(b2.a1, b2.(a1 x a2))
+// and motors work along a1 x a2, a1, a0 x a1: the directions that change one angle and leave the others.
+#include "joints/access.h"
+#include "math/trig.h"
+
+namespace epode {
+
+struct AMotor : Joint {
+    static constexpr int kMaxRows = 3;
+    AMotor(const JointType& t, World& w) : Joint(t, w), motor{LimitMotor(w), LimitMotor(w), LimitMotor(w)} {}
+
+    int mode = dAMotorUser;
+    int count = 0;
+    int rel[3] = {0, 0, 0};  // 0 world, 1 body 1, 2 body 2 (internal numbers)
+    Vec3 axis_local[3];
+    Real angle[3] = {0, 0, 0};
+    Vec3 reference1, reference2;
+    LimitMotor motor[3];
+
+    const Body* frame(int i) const { return rel[i] == 0 ? nullptr : node[rel[i] - 1].body; }
+    Vec3 given_axis(int i) const { return direction_to_world(frame(i), axis_local[i]); }
+    int user_rel(int r) const { return reverse && r > 0 ? 3 - r : r; }
+
+    void plain_axes(Vec3 a[3]) const;
+    void motor_axes(Vec3 a[3]) const;
+    void set_axis(int i, int r, Vec3 unit);
+    void take_references();
+    void update_angles();
+    void emit(RowWriter& out);
+
+    static bool in_groups(int param) { return param >= 0 && param < 3 * dParamGroup; }
+    bool set_param(int param, Real value)
+    {
+        return in_groups(param) && motor[param / dParamGroup].set(param % dParamGroup, value);
+    }
+    bool get_param(int param, Real& value) const
+    {
+        return in_groups(param) && motor[param / dParamGroup].get(param % dParamGroup, value);
+    }
+};
+
+JOINT_DEFINE(AMotor);
+
+void AMotor::plain_axes(Vec3 a[3]) const
+{
+    for (int i = 0; i < 3; ++i) a[i] = given_axis(i);
+    if (mode == dAMotorEuler) a[1] = normalized_or(cross(a[2], a[0]), Vec3{});
+}
+
+void AMotor::motor_axes(Vec3 a[3]) const
+{
+    plain_axes(a);
+    if (mode != dAMotorEuler) return;
+    const Vec3 first = cross(a[1], a[2]), last = cross(a[0], a[1]);
+    a[0] = first, a[2] = last;
+}
+
+void AMotor::set_axis(int i, int r, Vec3 unit)
+{
+    rel[i] = r;
+    axis_local[i] = direction_to_local(frame(i), unit);
+    if (mode == dAMotorEuler) take_references();
+}
+
+void AMotor::take_references()
+{
+    if (!attached()) return;
+    reference1 = direction_to_local(body1(), given_axis(2));
+    reference2 = direction_to_local(body2(), given_axis(0));
+}
+
+void AMotor::update_angles()
+{
+    Vec3 a[3];
+    plain_axes(a);
+    const Vec3 b1 = direction_to_world(body1(), reference1), b2 = direction_to_world(body2(), reference2);
+    angle[0] = -atan2(dot(a[2], cross(a[0], b1)), dot(a[2], b1));
+    angle[1] = -atan2(dot(a[2], a[0]), dot(a[2], cross(a[0], a[1])));
+    angle[2] = -atan2(dot(b2, a[1]), dot(b2, cross(a[1], a[2])));
+}
+
+void AMotor::emit(RowWriter& out)
+{
+    if (mode == dAMotorEuler) update_angles();
+    Vec3 a[3];
+    motor_axes(a);
+    for (int i = 0; i < count; ++i) motor[i].emit_angular(*this, out, a[i], angle[i]);
+}
+
+namespace {
+
+AMotor* motor_for_axis(dJointID id, int i, const char* caller)
+{
+    AMotor* j = checked<AMotor>(id, caller);
+    return j && demand(i >= 0 && i < 3, caller) ? j : nullptr;
+}
+
+}  // namespace
+}  // namespace epode
+
+using namespace epode;
+
+extern "C" {
+
+dJointID dJointCreateAMotor(dWorldID w, dJointGroupID g) { return create_joint<AMotor>(w, g); }
+
+void dJointSetAMotorNumAxes(dJointID id, int count)
+{
+    AMotor* j = checked<AMotor>(id);
+    if (j) j->count = j->mode == dAMotorEuler ? 3 : count < 0 ? 0 : count > 3 ? 3 : count;
+}
+
+void dJointSetAMotorAxis(dJointID id, int i, int rel, dReal x, dReal y, dReal z)
+{
+    AMotor* j = motor_for_axis(id, i, __func__);
+    Vec3 axis{x, y, z};
+    if (!j || !demand(rel >= 0 && rel <= 2 && usable(axis) && normalize(axis), __func__)) return;
+    const int internal = j->user_rel(rel);
+    const bool fits = j->mode != dAMotorEuler || i == 1 || internal == i / 2 + 1;
+    if (demand(fits, __func__)) j->set_axis(i, internal, axis);
+}
+
+// In Euler mode, axis 1 follows from the others and the angles are computed.
+void dJointSetAMotorAngle(dJointID id, int i, dReal angle)
+{
+    AMotor* j = motor_for_axis(id, i, __func__);
+    if (j && demand(usable(angle) && j->mode == dAMotorUser, __func__)) j->angle[i] = angle;
+}
+
+void dJointSetAMotorMode(dJointID id, int mode)
+{
+    AMotor* j = checked<AMotor>(id);
+    if (!j || !demand(mode == dAMotorUser || mode == dAMotorEuler, __func__)) return;
+    j->mode = mode;
+    if (mode != dAMotorEuler) return;
+    j->count = 3;
+    j->take_references();
+}
+
+int dJointGetAMotorNumAxes(dJointID id)
+{
+    const AMotor* j = checked<AMotor>(id);
+    return j ? j->count : 0;
+}
+
+void dJointGetAMotorAxis(dJointID id, int i, dVector3 result)
+{
+    const AMotor* j = motor_for_axis(id, i, __func__);
+    if (!j || !demand(result, __func__)) return;
+    Vec3 a[3];
+    j->motor_axes(a);
+    store(result, a[i]);
+}
+
+int dJointGetAMotorAxisRel(dJointID id, int i)
+{
+    const AMotor* j = motor_for_axis(id, i, __func__);
+    return j ? j->user_rel(j->rel[i]) : 0;
+}
+
+dReal dJointGetAMotorAngle(dJointID id, int i)
+{
+    const AMotor* j = motor_for_axis(id, i, __func__);
+    return j ? j->angle[i] : 0;
+}
+
+dReal dJointGetAMotorAngleRate(dJointID id, int i)
+{
+    const AMotor* j = motor_for_axis(id, i, __func__);
+    if (!j || !j->attached()) return 0;
+    Vec3 a[3];
+    j->motor_axes(a);
+    const Real rate = dot(a[i], relative_angular_velocity(*j));
+    return j->reverse ? -rate : rate;
+}
+
+int dJointGetAMotorMode(dJointID id)
+{
+    const AMotor* j = checked<AMotor>(id);
+    return j ? j->mode : 0;
+}
+
+// Along the axes themselves, in Euler mode too.
+void dJointAddAMotorTorques(dJointID id, dReal torque1, dReal torque2, dReal torque3)
+{
+    AMotor* j = joint_for_point<AMotor>(id, {torque1, torque2, torque3});
+    if (!j) return;
+    const Vec3 torque{torque1, torque2, torque3};
+    Vec3 a[3], sum;
+    j->plain_axes(a);
+    for (int i = 0; i < j->count; ++i) sum += torque[i] * a[i];
+    add_torque(*j, j->reverse ? -sum : sum);
+}
+
+void dJointSetAMotorParam(dJointID id, int param, dReal value) { set_joint_param<AMotor>(id, param, value); }
+dReal dJointGetAMotorParam(dJointID id, int param) { return get_joint_param<AMotor>(id, param); }
+
+}  // extern "C"

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Hinge: an anchor and an axis in common.
+//   C(x) = x2 + R2 s2 - x1 - R1 s1 = 0                  three rows of a ball
+//          (a1 x a2).p = 0,  (a1 x a2).q = 0            a1 = R1 a; p, q perpendicular to a1
+//   J    = [ 0, p, 0, -p ],  [ 0, q, 0, -q ]
+//   stop and motor along  [ 0, a1, 0, -a1 ],  value = rotation of body 1 against body 2 about a1
+// Attached as (0, B), a client reads the angle and its rate negated, but stops and motor keep the sign of
+// node 0: visible behaviour of ODE.
+#include "joints/access.h"
+
+namespace epode {
+
+struct Hinge : Joint {
+    static constexpr int kMaxRows = 6;
+    Hinge(const JointType& t, World& w) : Joint(t, w), motor(w) {}
+
+    AnchorPair anchor;
+    AxisPair axis{{{1, 0, 0}, {1, 0, 0}}};
+    Quat zero;  // q1^-1 q2 where the angle is zero
+    LimitMotor motor;
+
+    Real sign() const { return reverse ? Real(-1) : Real(1); }
+    Vec3 axis_world() const { return axis.world(*this, 0); }
+    Real angle() const
+    {
+        return hinge_angle(orientation_of(body1()), orientation_of(body2()), zero, axis.local[0]);
+    }
+    Real rate() const { return dot(axis_world(), relative_angular_velocity(*this)); }
+    void set_zero(Real reading = 0)
+    {
+        zero = hinge_zero(orientation_of(body1()), orientation_of(body2()), axis.local[0], reading);
+    }
+    void set_anchor(Vec3 point) { anchor.set(*this, point), set_zero(); }
+    void set_axis(Vec3 unit, Real reading = 0) { axis.set(*this, unit), set_zero(reading); }
+
+    void emit(RowWriter& out)
+    {
+        lock_point(*this, out, anchor);
+        lock_axis(*this, out, axis);
+        motor.emit_angular(*this, out, axis_world(), motor.has_stops() ? angle() : 0);
+    }
+    void bodies_changed()
+    {
+        anchor.reattach(*this);
+        axis.reattach(*this);
+        set_zero();
+    }
+    bool set_param(int param, Real value) { return motor.set(param, value); }
+    bool get_param(int param, Real& value) const { return motor.get(param, value); }
+};
+
+JOINT_DEFINE(Hinge);
+
+}  // namespace epode
+
+using namespace epode;
+
+extern "C" {
+
+dJointID dJointCreateHinge(dWorldID w, dJointGroupID g) { return create_joint<Hinge>(w, g); }
+
+void dJointSetHingeAnchor(dJointID id, dReal x, dReal y, dReal z)
+{
+    if (Hinge* j = joint_for_point<Hinge>(id, {x, y, z})) j->set_anchor({x, y, z});
+}
+
+// With the world as second body its anchor lies at the given point plus (ax, ay, az).
+void dJointSetHingeAnchorDelta(dJointID id, dReal x, dReal y, dReal z, dReal ax, dReal ay, dReal az)
+{
+    Hinge* j = joint_for_point<Hinge>(id, {x, y, z});
+    if (!j || !demand(usable(Vec3{ax, ay, az}), __func__)) return;
+    j->set_anchor({x, y, z});
+    if (!j->body2()) j->anchor.local[1] = Vec3{x, y, z} + Vec3{ax, ay, az};
+}
+
+void dJointSetHingeAxis(dJointID id, dReal x, dReal y, dReal z)
+{
+    Vec3 axis{x, y, z};
+    if (Hinge* j = joint_for_axis<Hinge>(id, axis)) j->set_axis(axis);
+}
+
+// The angle then reads -angle, however the joint is attached.
+void dJointSetHingeAxisOffset(dJointID id, dReal x, dReal y, dReal z, dReal angle)
+{
+    Vec3 axis{x, y, z};
+    Hinge* j = joint_for_axis<Hinge>(id, axis);
+    if (j && demand(usable(angle), __func__)) j->set_axis(axis, -j->sign() * angle);
+}
+
+void dJointGetHingeAnchor(dJointID id, dVector3 result)
+{
+    if (const Hinge* j = joint_for_result<Hinge>(id, result)) store(result, j->anchor.of_user(*j, 0));
+}
+
+void dJointGetHingeAnchor2(dJointID id, dVector3 result)
+{
+    const Hinge* j = checked<Hinge>(id);
+    if (j && demand(result, __func__)) store(result, j->anchor.of_user(*j, 1));
+}
+
+void dJointGetHingeAxis(dJointID id, dVector3 result)
+{
+    if (const Hinge* j = joint_for_result<Hinge>(id, result)) store(result, j->axis_world());
+}
+
+dReal dJointGetHingeAngle(dJointID id)
+{
+    const Hinge* j = attached_joint<Hinge>(id);
+    return j ? j->sign() * j->angle() : 0;
+}
+
+dReal dJointGetHingeAngleRate(dJointID id)
+{
+    const Hinge* j = attached_joint<Hinge>(id);
+    return j ? j->sign() * j->rate() : 0;
+}
+
+void dJointAddHingeTorque(dJointID id, dReal torque)
+{
+    Hinge* j = joint_for_number<Hinge>(id, torque);
+    if (j && j->attached()) add_torque(*j, j->sign() * torque * j->axis_world());
+}
+
+void dJointSetHingeParam(dJointID id, int param, dReal value) { set_joint_param<Hinge>(id, param, value); }
+dReal dJointGetHingeParam(dJointID id, int param) { return get_joint_param<Hinge>(id, param); }
+
+}  // extern "C"

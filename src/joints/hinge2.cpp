@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Hinge-2: body 1 a chassis with a steering axis a1, body 2 a wheel with its own axis a2, one common point.
+//   C(x) = d.(x2 + R2 s2 - x1 - R1 s1) = 0     d = a1 (suspension, its own ERP and CFM), then p, q
+//          c0 s - s0 c = 0                     the angle between the axes stays what it was when they were set:
+//   s = |a1 x a2|, c = a1.a2;                  J = [ 0, n, 0, -n ],  n = a1 x a2 / s
+//   stops and motor about a1; motor alone about a2.
+// p, q are perpendicular to a1, so that only the first row is softened. Angle 1 is the turn of body 1 against
+// body 2 about a1; angle 2 grows with the wheel's own turn about a2, opposite to its rate: ODE's convention.
+#include "joints/access.h"
+#include "math/trig.h"
+
+namespace epode {
+
+struct Hinge2 : Joint {
+    static constexpr int kMaxRows = 6;
+    static constexpr bool kNeedsTwoBodies = true;
+    Hinge2(const JointType& t, World& w)
+        : Joint(t, w), motor{LimitMotor(w), LimitMotor(w)}, suspension(w) {}
+
+    AnchorPair anchor;
+    Vec3 axis_local[2] = {{1, 0, 0}, {0, 1, 0}};  // each in its own body
+    // Directions in body i perpendicular to axis i: the first points along the other axis when set.
+    Vec3 across[2], beyond[2];
+    Real s0 = 1, c0 = 0;
+    LimitMotor motor[2];
+    OwnSoftness suspension;
+
+    bool complete() const { return body1() && body2(); }
+    Vec3 axis(int i) const { return direction_to_world(node[i].body, axis_local[i]); }
+    Real angle(int i) const
+    {
+        const Vec3 other = direction_to_local(node[i].body, axis(1 - i));
+        return -atan2(dot(beyond[i], other), dot(across[i], other));
+    }
+    Real rate(int i) const { return dot(axis(i), relative_angular_velocity(*this)); }
+
+    void take_pose();
+    void set_anchor(Vec3 point) { anchor.set(*this, point), take_pose(); }
+    void set_axes(const Vec3* a1, const Vec3* a2);
+    void emit(RowWriter& out);
+    void bodies_changed() { anchor.reattach(*this), take_pose(); }
+    bool set_param(int param, Real value);
+    bool get_param(int param, Real& value) const;
+};
+
+JOINT_DEFINE(Hinge2);
+
+// The present directions of the axes are the zero of both angles.
+void Hinge2::take_pose()
+{
+    const Vec3 a1 = axis(0), a2 = axis(1);
+    s0 = length(cross(a1, a2));
+    c0 = dot(a1, a2);
+    for (int i = 0; i < 2; ++i) {
+        const Vec3 other = direction_to_local(node[i].body, axis(1 - i));
+        across[i] = other - dot(axis_local[i], other) * axis_local[i];
+        if (!normalize(across[i])) across[i] = some_perpendicular(axis_local[i]);
+        beyond[i] = cross(axis_local[i], across[i]);
+    }
+}
+
+void Hinge2::set_axes(const Vec3* a1, const Vec3* a2)
+{
+    if (a1) axis_local[0] = direction_to_local(body1(), *a1);
+    if (a2) axis_local[1] = direction_to_local(body2(), *a2);
+    take_pose();
+}
+
+void Hinge2::emit(RowWriter& out)
+{
+    const Vec3 a1 = axis(0), a2 = axis(1);
+    const Vec3 p1 = anchor.world(*this, 0), p2 = anchor.world(*this, 1);
+    const Vec3 r1 = p1 - body1()->position(), r2 = p2 - body2()->position();
+    Vec3 p, q;
+    plane_space(a1, p, q);
+    suspension.apply_to(add_row(out, point_jacobian(*this, a1, r1, r2), dot(a1, p2 - p1)));
+    add_row(out, point_jacobian(*this, p, r1, r2), dot(p, p2 - p1));
+    add_row(out, point_jacobian(*this, q, r1, r2), dot(q, p2 - p1));
+
+    Vec3 n = cross(a1, a2);
+    const Real s = length(n), c = dot(a1, a2);
+    if (!normalize(n)) n = p;
+    add_row(out, angular_jacobian(*this, n), c0 * s - s0 * c);
+
+    motor[0].emit_angular(*this, out, a1, motor[0].has_stops() ? angle(0) : 0);
+    motor[1].emit_motor(out, angular_jacobian(*this, a2));
+}
+
+bool Hinge2::set_param(int param, Real value)
+{
+    if ((param & 0xff00) == dParamGroup2) return motor[1].set(param & 0xff, value);
+    if (param == dParamSuspensionERP) return suspension.set(dParamERP, value);
+    if (param == dParamSuspensionCFM) return suspension.set(dParamCFM, value);
+    return motor[0].set(param, value);
+}
+
+bool Hinge2::get_param(int param, Real& value) const
+{
+    if ((param & 0xff00) == dParamGroup2) return motor[1].get(param & 0xff, value);
+    if (param == dParamSuspensionERP) return suspension.get(dParamERP, value);
+    if (param == dParamSuspensionCFM) return suspension.get(dParamCFM, value);
+    return motor[0].get(param, value);
+}
+
+namespace {
+
+Hinge2* complete_joint(dJointID id, const char* caller)
+{
+    Hinge2* j = checked<Hinge2>(id, caller);
+    return j && j->complete() ? j : nullptr;
+}
+
+void set_axes(dJointID id, const Real* axis1, const Real* axis2, const char* caller)
+{
+    Hinge2* j = checked<Hinge2>(id, caller);
+    if (!j || !demand((axis1 || axis2) && j->complete(), caller)) return;
+    Vec3 a1 = axis1 ? load(axis1) : j->axis(0), a2 = axis2 ? load(axis2) : j->axis(1);
+    if (!demand(usable(a1) && usable(a2) && normalize(a1) && normalize(a2), caller)) return;
+    if (length(cross(a1, a2)) <= 4 * kEpsilon)
+        return refuse_for(caller, "Hinge2 axes must be chosen to be linearly independent");
+    j->set_axes(axis1 ? &a1 : nullptr, axis2 ? &a2 : nullptr);
+}
+
+void get_axis(dJointID id, int i, Real* result, const char* caller)
+{
+    const Hinge2* j = checked<Hinge2>(id, caller);
+    if (!j || !demand(result, caller)) return;
+    store(result, demand(j->node[i].body, caller) ? j->axis(i) : Vec3{});
+}
+
+Real angle_of(dJointID id, int i, const char* caller)
+{
+    const Hinge2* j = complete_joint(id, caller);
+    return j ? j->angle(i) : 0;
+}
+
+Real rate_of(dJointID id, int i, const char* caller)
+{
+    const Hinge2* j = complete_joint(id, caller);
+    return j ? j->rate(i) : 0;
+}
+
+}  // namespace
+}  // namespace epode
+
+using namespace epode;
+
+extern "C" {
+
+dJointID dJointCreateHinge2(dWorldID w, dJointGroupID g) { return create_joint<Hinge2>(w, g); }
+
+void dJointSetHinge2Anchor(dJointID id, dReal x, dReal y, dReal z)
+{
+    if (Hinge2* j = joint_for_point<Hinge2>(id, {x, y, z})) j->set_anchor({x, y, z});
+}
+
+void dJointSetHinge2Axes(dJointID id, const dReal* axis1, const dReal* axis2) { set_axes(id, axis1, axis2, __func__); }
+
+void dJointSetHinge2Axis1(dJointID id, dReal x, dReal y, dReal z)
+{
+    const dReal axis[3] = {x, y, z};
+    set_axes(id, axis, nullptr, __func__);
+}
+
+void dJointSetHinge2Axis2(dJointID id, dReal x, dReal y, dReal z)
+{
+    const dReal axis[3] = {x, y, z};
+    set_axes(id, nullptr, axis, __func__);
+}
+
+void dJointGetHinge2Anchor(dJointID id, dVector3 result)
+{
+    if (const Hinge2* j = joint_for_result<Hinge2>(id, result)) store(result, j->anchor.of_user(*j, 0));
+}
+
+void dJointGetHinge2Anchor2(dJointID id, dVector3 result)
+{
+    const Hinge2* j = checked<Hinge2>(id);
+    if (j && demand(result, __func__)) store(result, j->anchor.of_user(*j, 1));
+}
+
+void dJointGetHinge2Axis1(dJointID id, dVector3 result) { get_axis(id, 0, result, __func__); }
+void dJointGetHinge2Axis2(dJointID id, dVector3 result) { get_axis(id, 1, result, __func__); }
+dReal dJointGetHinge2Angle1(dJointID id) { return angle_of(id, 0, __func__); }
+dReal dJointGetHinge2Angle2(dJointID id) { return angle_of(id, 1, __func__); }
+dReal dJointGetHinge2Angle1Rate(dJointID id) { return rate_of(id, 0, __func__); }
+dReal dJointGetHinge2Angle2Rate(dJointID id) { return rate_of(id, 1, __func__); }
+
+void dJointAddHinge2Torques(dJointID id, dReal torque1, dReal torque2)
+{
+    Hinge2* j = joint_for_number<Hinge2>(id, torque1);
+    if (!j || !demand(usable(torque2), __func__) || !j->complete()) return;
+    add_torque(*j, torque1 * j->axis(0) + torque2 * j->axis(1));
+}
+
+void dJointSetHinge2Param(dJointID id, int param, dReal value) { set_joint_param<Hinge2>(id, param, value); }
+dReal dJointGetHinge2Param(dJointID id, int param) { return get_joint_param<Hinge2>(id, param); }
+
+}  // extern "C"

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Null: no rows, J has no line. It only connects two bodies, for islands and dAreConnected.
+#include "joints/registry.h"
+
+namespace epode {
+
+struct Null : Joint {
+    static constexpr int kMaxRows = 0;
+    Null(const JointType& t, World& w) : Joint(t, w) {}
+    void emit(RowWriter&) const {}
+};
+
+JOINT_DEFINE(Null);
+
+}  // namespace epode
+
+extern "C" dJointID dJointCreateNull(dWorldID w, dJointGroupID g) { return epode::create_joint<epode::Null>(w, g); }
