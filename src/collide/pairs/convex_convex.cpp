@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Any two convex solids. First the normal and the depth (least_overlap, or GJK when only the radii touch), then the
+// manifold by what the solids show each other along the normal:
+//   face against anything  the other's feature cut by the sides of the face (true circle for a cylinder's end);
+//                          the points below the face, each with its own depth
+//   two discs              the lens that two circles share: their crossings and the innermost point of each rim
+//   two lines side by side both ends of the common stretch
+//   else                   one point between the two nearest features
+// Points of a face contact lie on the incident solid, as for boxes. The true deepest point is always among them.
+#include "collide/pairs/pairs.h"
+#include "geometry/closest.h"
+#include "geometry/epa.h"
+#include "geometry/gjk.h"
+
+namespace epode {
+
+namespace {
+
+constexpr Real kFaceSine2 = kSingle ? Real(1e-7) : Real(1e-12);  // normal against face normal
+constexpr Real kLineSine2 = Real(1e-4);                          // "nearly parallel" lines
+
+struct Manifold {
+    static constexpr int kMax = Polygon::kMax;
+    union {
+        ContactPoint points[kMax];  // in a union: left unwritten until added
+    };
+    int count = 0;
+    Real most = 0;
+    Manifold() {}
+    void add(Vec3 position, Vec3 normal, Real depth)
+    {
+        if (depth < 0 || count == kMax) return;
+        if (depth > most) most = depth;
+        points[count++] = {position, normal, depth};
+    }
+};
+
+// Newell's normal; zero for fewer than three points.
+Vec3 face_normal(const Polygon& f)
+{
+    Vec3 n;
+    for (int i = 1; i + 1 < f.count; ++i)
+        n += cross(f.points[i] - f.points[0], f.points[i + 1] - f.points[0]);
+    return normalize(n) ? n : Vec3{};
+}
+
+bool faces(const Polygon& f, Vec3 direction)
+{
+    if (f.count < 3) return false;
+    const Vec3 n = face_normal(f);
+    return dot(n, direction) > 0 && length2(cross(n, direction)) < kFaceSine2;
+}
+
+bool is_end(const ConvexView& v, const Polygon& f) { return v.rim_radius > 0 && f.count == kRimPoints; }
+
+Vec3 centre_of(const Polygon& f)
+{
+    Vec3 c;
+    for (int i = 0; i < f.count; ++i) c += f.points[i];
+    return c / Real(f.count);
+}
+
+// The part of the incident polygon over the disc, edges cut by the true circle, and the rim points under it.
+void clip_to_disc(const Polygon& rim, Vec3 centre, Real radius, Vec3 axis, Polygon& incident)
+{
+    Polygon cut;
+    const auto flat = [&](Vec3 x) { return x - dot(axis, x) * axis; };
+    const Real r2 = radius * radius * (1 + 64 * kEpsilon);
+    const int edges = incident.count > 2 ? incident.count : incident.count - 1;
+    for (int i = 0; i < edges; ++i) {
+        const Vec3 p = incident.points[i], q = incident.points[i + 1 < incident.count ? i + 1 : 0];
+        const Vec3 o = flat(p - centre), d = flat(q - p);
+        const Real dd = length2(d), od = dot(o, d), oo = length2(o);
+        if (oo <= r2) cut.add(p);
+        const Real disc = od * od - dd * (oo - radius * radius);
+        if (!(dd > 0) || !(disc > 0)) continue;
+        const Real root = std::sqrt(disc), t1 = (-od - root) / dd, t2 = (-od + root) / dd;
+        if (oo > r2 && t1 > 0 && t1 < 1) cut.add(p + t1 * (q - p));
+        const bool q_inside = length2(o + d) <= r2;
+        if (!q_inside && t2 > 0 && t2 < 1) cut.add(p + t2 * (q - p));
+        if (q_inside && i + 1 == edges && incident.count == 2) cut.add(q);
+    }
+    if (incident.count > 2) {
+        const Vec3 n = face_normal(incident);
+        const Real lean = dot(n, axis);
+        Polygon inside;
+        for (int i = 0; i < rim.count && lean != 0; ++i) {  // the rim point moved along the axis into the face
+            Polygon one;
+            one.add(rim.points[i] + (dot(n, incident.points[0] - rim.points[i]) / lean) * axis);
+            clip_to_prism(one, incident, n, 0);
+            if (one.count > 0) inside.add(one.points[0]);
+        }
+        for (int i = 0; i < inside.count; ++i) cut.add(inside.points[i]);
+    }
+    incident = cut;
+}
+
+// What two nearly parallel discs share, seen along the axis; points in the plane of the second.
+void lens(const Polygon& rim1, Vec3 c1, Real r1, const Polygon& rim2, Vec3 c2, Real r2, Vec3 axis, Polygon& out)
+{
+    Vec3 across = c2 - c1;
+    across = across - dot(axis, across) * axis;
+    const Real distance = length(across);
+    const Vec3 rise = c2 - c1 - across;
+    if (distance <= std::fabs(r1 - r2)) {  // one within the other: the smaller rim at its fixed directions
+        for (int i = 0; i < kRimPoints; i += 2)
+            out.add(r1 < r2 ? rim1.points[i] + rise : rim2.points[i]);
+        return;
+    }
+    if (distance > r1 + r2 || !(distance > 0)) return;
+    const Vec3 u = across / distance, v = cross(axis, u);
+    const Real x = (distance * distance + r1 * r1 - r2 * r2) / (2 * distance);
+    const Real y2 = r1 * r1 - x * x, y = y2 > 0 ? std::sqrt(y2) : Real(0);
+    const Vec3 base = c1 + rise;
+    out.add(base + r1 * u), out.add(base + x * u + y * v), out.add(c2 - r2 * u), out.add(base + x * u - y * v);
+}
+
+// One side of a manifold.
+struct Side {
+    const ConvexView& view;
+    const Polygon& feature;
+};
+
+// `inward`: from the incident solid into the reference one, along which depth grows.
+void face_contacts(const Side& reference, const Side& incident, Vec3 inward, bool reference_is_a, Real depth,
+                   Manifold& out)
+{
+    const Vec3 normal = reference_is_a ? inward : -inward;
+    const Real radii = reference.view.radius + incident.view.radius;
+    const Real size = reference.view.size + incident.view.size;
+    Polygon cut;
+    const Vec3 axis = -inward;
+    const bool round = is_end(reference.view, reference.feature);
+    const Vec3 centre = centre_of(reference.feature);
+    if (round && is_end(incident.view, incident.feature) &&
+        length2(cross(incident.view.pose.R.column(2), axis)) < Real(1e-3)) {
+        lens(reference.feature, centre, reference.view.rim_radius, incident.feature, centre_of(incident.feature),
+             incident.view.rim_radius, axis, cut);
+    } else {
+        for (int i = 0; i < incident.feature.count; ++i) cut.add(incident.feature.points[i]);
+        if (round)
+            clip_to_disc(reference.feature, centre, reference.view.rim_radius, axis, cut);
+        else
+            clip_to_prism(cut, reference.feature, axis, 32 * kEpsilon * size);
+    }
+    const Vec3 own = incident.view.radius * inward;
+    const Vec3 plane = incident.view.pose.R.column(2);
+    const Vec3 c2 = centre_of(incident.feature);
+    const bool level = is_end(incident.view, incident.feature) && std::fabs(dot(plane, axis)) > Real(0.5);
+    const Real hair = 32 * kEpsilon * size;
+    for (int i = 0; i < cut.count; ++i) {
+        Vec3 x = cut.points[i];
+        if (level) x += (dot(plane, c2 - x) / dot(plane, axis)) * axis;  // into the plane of the incident end
+        Real d = dot(inward, x - centre) + radii;
+        if (d < 0 && d >= -hair) d = 0;
+        out.add(x + own, normal, d);
+    }
+    if (out.count == 0 || out.most < depth + radii - Real(1e-5) * size)
+        out.add(incident.view.support(inward) + own, normal, depth + radii > 0 ? depth + radii : Real(0));
+}
+
+// The straight line that a solid shows along `direction`: an edge or side line nearly across it, else a point.
+struct Shown {
+    Vec3 from, to;
+    bool line = false;
+};
+
+Shown shown(const ConvexView& v, const Polygon& f, Vec3 direction, Real lean)
+{
+    Shown s;
+    s.from = s.to = v.support(direction);
+    if (is_end(v, f) || f.count < 2) return s;
+    int best = 0;
+    for (int i = 1; i < f.count; ++i)
+        if (dot(direction, f.points[i]) > dot(direction, f.points[best])) best = i;
+    const int around[2] = {best + 1 < f.count ? best + 1 : 0, best > 0 ? best - 1 : f.count - 1};
+    Real least = lean;
+    for (const int i : around) {
+        const Vec3 d = f.points[i] - f.points[best];
+        const Real fall = -dot(direction, d), long_ = length(d);
+        if (long_ > 0 && fall < least * long_) least = fall / long_, s.from = f.points[best], s.to = f.points[i], s.line = true;
+    }
+    return s;
+}
+
+// Both ends of the common stretch of two nearly parallel lines; false when they are not, or have none.
+bool side_by_side(const Shown& a, const Shown& b, Vec3 normal, Real radii, Real depth, Real own, Manifold& out)
+{
+    if (!a.line || !b.line) return false;
+    Vec3 u = a.to - a.from, v = b.to - b.from;
+    const Real length_a = length(u);
+    if (!normalize(u) || !normalize(v) || length2(cross(u, v)) > kLineSine2) return false;
+    const Real s1 = dot(u, b.from - a.from), s2 = dot(u, b.to - a.from);
+    const Real lo = std::fmax(Real(0), std::fmin(s1, s2)), hi = std::fmin(length_a, std::fmax(s1, s2));
+    if (!(hi - lo > Real(1e-6) * length_a)) return false;
+    const Real slope = 1 / dot(u, v);
+    Manifold ends;
+    for (const Real s : {lo, hi}) {
+        const Vec3 x = a.from + s * u, y = b.from + (s - s1) * slope * v;
+        Real d = dot(normal, y - x);
+        if (d > depth) d = depth;
+        ends.add(x + (Real(0.5) * (d + radii) - own) * normal, normal, d + radii);
+    }
+    if (ends.count == 0 || ends.most < depth + radii - Real(1e-5) * length_a) return false;
+    for (int i = 0; i < ends.count; ++i) out.add(ends.points[i].position, normal, ends.points[i].depth);
+    return true;
+}
+
+void single(const Side& a, const Side& b, Vec3 normal, Real depth, Manifold& out)
+{
+    const Real radii = a.view.radius + b.view.radius;
+    const Real total = depth + radii > 0 ? depth + radii : Real(0);
+    const Real lean = Real(0.02), exact = kSingle ? Real(1e-3) : Real(1e-6);
+    if (side_by_side(shown(a.view, a.feature, -normal, lean), shown(b.view, b.feature, normal, lean), normal, radii,
+                     depth, a.view.radius, out))
+        return;
+    const Shown p = shown(a.view, a.feature, -normal, exact), q = shown(b.view, b.feature, normal, exact);
+    Vec3 x, y;
+    closest_segment_points(p.from + depth * normal, p.to + depth * normal, q.from, q.to, x, y);
+    x = x - depth * normal;
+    const Vec3 low_a = x - a.view.radius * normal, high_b = y + b.view.radius * normal;
+    out.add(Real(0.5) * (low_a + high_b), normal, total);
+}
+
+}  // namespace
+
+void convex_manifold(const ConvexView& a, const ConvexView& b, Vec3 normal, Real depth, ContactSink& sink)
+{
+    Polygon fa, fb;
+    a.feature(-normal, fa);
+    b.feature(normal, fb);
+    const Side sa = {a, fa}, sb = {b, fb};
+    Manifold out;
+    if (faces(fa, -normal))
+        face_contacts(sa, sb, normal, true, depth, out);
+    else if (faces(fb, normal))
+        face_contacts(sb, sa, -normal, false, depth, out);
+    else
+        single(sa, sb, normal, depth, out);
+    sink.add_manifold({out.points, std::size_t(out.count)});
+}
+
+void convex_convex(const ConvexView& a, const ConvexView& b, ContactSink& sink)
+{
+    const Real radii = a.radius + b.radius, reach = a.size + b.size + radii;
+    const Real apart = length(b.pose.p - a.pose.p);
+    const Real touch = 64 * kEpsilon * (reach + apart);
+    if (apart > reach + touch) return;
+    if (radii > 0) {  // the cores may be apart
+        const Distance d = gjk_distance(a, b, radii);
+        if (d.distance > radii) return;
+        Vec3 normal = d.on_a - d.on_b;
+        if (d.distance > touch && normalize(normal)) return convex_manifold(a, b, normal, -d.distance, sink);
+    }
+    const Overlap o = least_overlap(a, b);
+    if (o.depth >= -touch - radii) convex_manifold(a, b, o.normal, o.depth > 0 ? o.depth : Real(0), sink);
+}
+
+}  // namespace epode

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The pair functions: pure, from two placed shapes to contacts. Each serves one order of the two classes; for the
+// other order the dispatcher swaps the arguments and turns the normals round. Which pairs exist: collide/pairs.inc.
+// Planes have no pose and ignore theirs; of a ray's pose only the origin and the third column are read.
+#pragma once
+
+#include "collide/contact_sink.h"
+#include "geometry/convex_view.h"
+#include "geometry/shapes.h"
+
+namespace epode {
+
+#define PAIR(First, Second, function) \
+    void function(const First& a, const Pose& A, const Second& b, const Pose& B, ContactSink& sink);
+#include "collide/pairs.inc"
+#undef PAIR
+
+// Any two convex solids, by their views. The answer for classes without a pair function of their own.
+void convex_convex(const ConvexView& a, const ConvexView& b, ContactSink& sink);
+
+// The manifold when the normal is known. `depth` is that of the cores: radii not counted, negative when only the
+// inflated solids touch.
+void convex_manifold(const ConvexView& a, const ConvexView& b, Vec3 normal, Real depth, ContactSink& sink);
+
+// The rule for two balls, to which capsules come down; `fallback` is the normal for equal centres.
+bool ball_contact(Vec3 a, Real ra, Vec3 b, Real rb, Vec3 fallback, ContactPoint& out);
+
+}  // namespace epode

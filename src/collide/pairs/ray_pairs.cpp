@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Rays: x(t) = o + t d, 0 <= t <= length. Every solid here is convex, so the line is inside it for one interval
+// [enter, leave]. A ray that starts outside stops at `enter`; one that starts inside stops at the far wall, `leave`,
+// and its normal is turned inward, against the ray. A start on the surface is a hit at depth 0 with the outward
+// normal. Contact: position the hit, depth t, one contact at most.
+#include "collide/pairs/pairs.h"
+
+namespace epode {
+
+namespace {
+
+struct Line {
+    Vec3 o, d;  // in the solid's frame, d unit
+    Vec3 at(Real t) const { return o + t * d; }
+};
+
+Line line_of(const Pose& ray, const Pose& solid)
+{
+    return {solid.to_local(ray.p), transposed_times(solid.R, ray.R.column(2))};
+}
+
+struct Interval {
+    Real enter = -kInf, leave = kInf;
+    Vec3 enter_normal, leave_normal;  // outward
+    bool empty() const { return !(enter <= leave); }
+    void cut(Real from, Vec3 from_normal, Real to, Vec3 to_normal)
+    {
+        if (from > enter) enter = from, enter_normal = from_normal;
+        if (to < leave) leave = to, leave_normal = to_normal;
+    }
+    void clear() { enter = kInf, leave = -kInf; }
+};
+
+void cut_slab(const Line& line, int axis, Real half, Interval& in)
+{
+    const Real o = line.o[axis], d = line.d[axis];
+    if (d == 0) {
+        if (std::fabs(o) > half) in.clear();
+        return;
+    }
+    Vec3 n;
+    n.set(axis, d > 0 ? Real(-1) : Real(1));
+    const Real near = d > 0 ? -half : half;
+    in.cut((near - o) / d, n, (-near - o) / d, -n);
+}
+
+// Roots of a t^2 + 2 b t + c, smaller first, without cancellation; false when there are none.
+bool roots(Real a, Real b, Real c, Real& lower, Real& upper)
+{
+    const Real disc = b * b - a * c;
+    if (!(disc >= 0) || !(a > 0)) return false;
+    const Real q = b > 0 ? -b - std::sqrt(disc) : -b + std::sqrt(disc);
+    const Real t1 = q / a, t2 = q != 0 ? c / q : t1;
+    lower = t1 < t2 ? t1 : t2;
+    upper = t1 < t2 ? t2 : t1;
+    return true;
+}
+
+// The infinite tube of radius r about z.
+void cut_tube(const Line& line, Real r, Interval& in)
+{
+    const Real a = line.d.x * line.d.x + line.d.y * line.d.y;
+    // From the point of the line nearest to the axis, so that far origins keep their digits.
+    const Real t0 = a > 0 ? -(line.o.x * line.d.x + line.o.y * line.d.y) / a : Real(0);
+    const Vec3 p = line.at(t0);
+    const Real room = (r - std::sqrt(p.x * p.x + p.y * p.y)) * (r + std::sqrt(p.x * p.x + p.y * p.y));
+    if (room < 0) return in.clear();
+    if (!(a > 4 * kEpsilon * kEpsilon)) return;  // along the axis, inside the tube
+    const Real reach = std::sqrt(room / a);
+    const auto outward = [&](Real t) {
+        const Vec3 q = line.at(t);
+        return normalized_or(Vec3{q.x, q.y, 0}, {1, 0, 0});
+    };
+    in.cut(t0 - reach, outward(t0 - reach), t0 + reach, outward(t0 + reach));
+}
+
+// The ball of radius r about c.
+Interval ball(const Line& line, Vec3 c, Real r)
+{
+    Interval in;
+    const Vec3 o = line.o - c;
+    Real lower, upper;
+    if (!roots(length2(line.d), dot(o, line.d), length2(o) - r * r, lower, upper)) {
+        in.clear();
+        return in;
+    }
+    in.enter = lower, in.leave = upper;
+    in.enter_normal = normalized_or(o + lower * line.d, {1, 0, 0});
+    in.leave_normal = normalized_or(o + upper * line.d, {1, 0, 0});
+    return in;
+}
+
+// The smallest interval around both.
+void join(const Interval& other, Interval& in)
+{
+    if (other.empty()) return;
+    if (in.empty()) {
+        in = other;
+        return;
+    }
+    if (other.enter < in.enter) in.enter = other.enter, in.enter_normal = other.enter_normal;
+    if (other.leave > in.leave) in.leave = other.leave, in.leave_normal = other.leave_normal;
+}
+
+void hit(const Ray& ray, const Pose& R, const Pose& solid, const Interval& in, Real size, ContactSink& sink)
+{
+    if (in.empty() || !(ray.length >= 0)) return;
+    const Real skin = 8 * kEpsilon * size;
+    const bool outside = in.enter >= -skin;
+    const Real t = outside ? in.enter : in.leave;
+    if (!(t >= -skin) || t > ray.length) return;
+    const Vec3 n = solid.R * (outside ? in.enter_normal : in.leave_normal);
+    const Real depth = t > 0 ? t : Real(0);
+    sink.add({R.p + depth * R.R.column(2), outside || t <= skin ? n : -n, depth});
+}
+
+}  // namespace
+
+void ray_sphere(const Ray& a, const Pose& A, const Sphere& b, const Pose& B, ContactSink& sink)
+{
+    const Pose centred = {B.p, Mat3::identity()};
+    hit(a, A, centred, ball(line_of(A, centred), {}, b.radius), b.radius, sink);
+}
+
+void ray_box(const Ray& a, const Pose& A, const Box& b, const Pose& B, ContactSink& sink)
+{
+    const Line line = line_of(A, B);
+    Interval in;
+    for (int i = 0; i < 3; ++i) cut_slab(line, i, b.half[i], in);
+    hit(a, A, B, in, max_component(b.half), sink);
+}
+
+void ray_cylinder(const Ray& a, const Pose& A, const Cylinder& b, const Pose& B, ContactSink& sink)
+{
+    const Line line = line_of(A, B);
+    Interval in;
+    cut_slab(line, 2, b.half_length, in);
+    cut_tube(line, b.radius, in);
+    hit(a, A, B, in, b.radius + b.half_length, sink);
+}
+
+void ray_capsule(const Ray& a, const Pose& A, const Capsule& b, const Pose& B, ContactSink& sink)
+{
+    const Line line = line_of(A, B);
+    Interval in;
+    cut_tube(line, b.radius, in);
+    // Only the tube's part between the caps: beyond it, the caps decide.
+    Interval middle = in;
+    cut_slab(line, 2, b.half_length, middle);
+    Interval all;
+    all.clear();
+    if (!in.empty() && !middle.empty()) join(middle, all);
+    join(ball(line, {0, 0, -b.half_length}, b.radius), all);
+    join(ball(line, {0, 0, b.half_length}, b.radius), all);
+    hit(a, A, B, all, b.radius + b.half_length, sink);
+}
+
+void ray_plane(const Ray& a, const Pose& A, const Plane& b, const Pose&, ContactSink& sink)
+{
+    const Vec3 d = A.R.column(2);
+    const Real above = dot(b.normal, A.p) - b.d, rate = dot(b.normal, d);
+    if (rate == 0 || !(a.length >= 0)) return;
+    const Real t = -above / rate;
+    if (!(t >= 0) || t > a.length) return;
+    sink.add({A.p + t * d, above >= 0 ? b.normal : -b.normal, t > 0 ? t : Real(0)});
+}
+
+}  // namespace epode

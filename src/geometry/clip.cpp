@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Polygon clipping: see clip.h. Every vertex is kept or dropped by its own signed distance, and each edge whose
+// ends differ adds one point, so the order of the survivors follows the order of the input.
+#include "geometry/clip.h"
+
+namespace epode {
+
+void clip(Polygon& polygon, Vec3 normal, Real limit, Real slack)
+{
+    const int count = polygon.count;
+    if (count == 0) return;
+    Real distance[Polygon::kMax];
+    bool all = true;
+    for (int i = 0; i < count; ++i) {
+        distance[i] = dot(normal, polygon.points[i]) - limit;
+        all = all && distance[i] <= slack;
+    }
+    if (all) return;
+    Polygon copy;
+    for (int i = 0; i < count; ++i) copy.add(polygon.points[i]);
+    const Vec3* old = copy.points;
+    polygon.count = 0;
+    for (int i = 0; i < count; ++i) {
+        const bool in = distance[i] <= slack;
+        if (in) polygon.add(old[i]);
+        const int j = i + 1 < count ? i + 1 : 0;
+        if (in == (distance[j] <= slack) || (count == 2 && i == 1)) continue;
+        const Real inside = in ? distance[i] : distance[j];
+        const Real d = distance[i] - distance[j];
+        if (inside >= 0) continue;  // the kept end lies on the plane already
+        polygon.add(old[i] + (distance[i] / d) * (old[j] - old[i]));
+    }
+}
+
+void clip_to_prism(Polygon& polygon, const Polygon& reference, Vec3 normal, Real slack)
+{
+    for (int i = 0; i < reference.count && polygon.count > 0; ++i) {
+        const Vec3 p = reference.points[i], q = reference.points[i + 1 < reference.count ? i + 1 : 0];
+        Vec3 outward = cross(q - p, normal);
+        if (normalize(outward)) clip(polygon, outward, dot(outward, p), slack);
+    }
+}
+
+}  // namespace epode

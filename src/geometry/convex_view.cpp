@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Support points and features of the primitives, each in its own frame. On a tie (a direction along the axis of a
+// cylinder, say) the middle of the feature is returned: it depends on no rounding.
+#include "geometry/convex_view.h"
+
+namespace epode {
+
+namespace {
+
+template <class Shape>
+const Shape& as(const void* shape)
+{
+    return *static_cast<const Shape*>(shape);
+}
+
+constexpr Real pick(Real d, Real h) { return d > 0 ? h : d < 0 ? -h : Real(0); }
+
+Vec3 point_support(const void*, Vec3) { return {}; }
+void point_feature(const void*, Vec3, Polygon& out) { out.add({}); }
+
+Vec3 box_support(const void* shape, Vec3 d)
+{
+    const Vec3 h = as<Box>(shape).half;
+    return {pick(d.x, h.x), pick(d.y, h.y), pick(d.z, h.z)};
+}
+
+void box_feature(const void* shape, Vec3 d, Polygon& out)
+{
+    const Vec3 h = as<Box>(shape).half, m = abs(d);
+    const int k = m.x >= m.y ? (m.x >= m.z ? 0 : 2) : (m.y >= m.z ? 1 : 2);
+    const int k1 = (k + 1) % 3, k2 = (k + 2) % 3;
+    const Real side = d[k] < 0 ? -1 : 1;
+    for (int i = 0; i < 4; ++i) {
+        Vec3 p;
+        p.set(k, side * h[k]);
+        p.set(k1, (i == 0 || i == 3) ? h[k1] : -h[k1]);
+        p.set(k2, side * (i < 2 ? h[k2] : -h[k2]));
+        out.add(p);
+    }
+}
+
+Vec3 segment_support(const void* shape, Vec3 d) { return {0, 0, pick(d.z, as<Capsule>(shape).half_length)}; }
+void segment_feature(const void* shape, Vec3, Polygon& out)
+{
+    const Real h = as<Capsule>(shape).half_length;
+    out.add({0, 0, -h}), out.add({0, 0, h});
+}
+
+Vec3 cylinder_support(const void* shape, Vec3 d)
+{
+    const Cylinder& c = as<Cylinder>(shape);
+    const Real rho = std::sqrt(d.x * d.x + d.y * d.y);
+    const Real z = pick(d.z, c.half_length);
+    if (!(rho > 4 * kEpsilon * std::fabs(d.z))) return {0, 0, z};
+    return {c.radius * d.x / rho, c.radius * d.y / rho, z};
+}
+
+// The end when it looks along d within 45 degrees, else the side line.
+void cylinder_feature(const void* shape, Vec3 d, Polygon& out)
+{
+    const Cylinder& c = as<Cylinder>(shape);
+    const Real rho = std::sqrt(d.x * d.x + d.y * d.y);
+    if (rho > std::fabs(d.z)) {
+        const Real x = c.radius * d.x / rho, y = c.radius * d.y / rho;
+        out.add({x, y, -c.half_length}), out.add({x, y, c.half_length});
+        return;
+    }
+    constexpr Real kHalf = Real(0.70710678118654752440);
+    constexpr Real kX[kRimPoints] = {1, kHalf, 0, -kHalf, -1, -kHalf, 0, kHalf};
+    const Real side = d.z < 0 ? -1 : 1;
+    for (int i = 0; i < kRimPoints; ++i)  // sine of the i-th angle = cosine of the one two places before
+        out.add({c.radius * kX[i], side * c.radius * kX[(i + 6) % kRimPoints], side * c.half_length});
+}
+
+}  // namespace
+
+ConvexView view_of(const Sphere& sphere, const Pose& pose)
+{
+    return {.shape = &sphere, .local_support = point_support, .local_feature = point_feature, .pose = pose,
+            .radius = sphere.radius, .size = 0, .face_axes = 0, .edge_axes = 0, .rim_radius = 0};
+}
+ConvexView view_of(const Box& box, const Pose& pose)
+{
+    return {.shape = &box, .local_support = box_support, .local_feature = box_feature, .pose = pose, .radius = 0,
+            .size = length(box.half), .face_axes = 7, .edge_axes = 7, .rim_radius = 0};
+}
+ConvexView view_of(const Capsule& capsule, const Pose& pose)
+{
+    return {.shape = &capsule, .local_support = segment_support, .local_feature = segment_feature, .pose = pose,
+            .radius = capsule.radius, .size = capsule.half_length, .face_axes = 0, .edge_axes = 4, .rim_radius = 0};
+}
+ConvexView view_of(const Cylinder& cylinder, const Pose& pose)
+{
+    return {.shape = &cylinder, .local_support = cylinder_support, .local_feature = cylinder_feature, .pose = pose,
+            .radius = 0, .size = std::sqrt(cylinder.radius * cylinder.radius + cylinder.half_length * cylinder.half_length),
+            .face_axes = 4, .edge_axes = 4, .rim_radius = cylinder.radius};
+}
+
+}  // namespace epode

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A convex solid as the general algorithms see it: its farthest point in a direction, the flat feature that looks
+// that way, and a radius by which the whole is inflated (spheres and capsules are a point and a segment with a
+// radius). The view does not own the shape. Directions and points of the callbacks are in the shape's own frame.
+// A view also says which of its local axes are symmetric face normals and which are edge directions: with those the
+// penetration of the primitives is refined to rounding (least_overlap, in epa.h). A polyhedron leaves both empty.
+#pragma once
+
+#include "geometry/clip.h"
+#include "geometry/shapes.h"
+
+namespace epode {
+
+struct ConvexView {
+    const void* shape = nullptr;
+    Vec3 (*local_support)(const void* shape, Vec3 direction) = nullptr;
+    // Face (counter-clockwise from outside), segment or point that looks most along `direction`.
+    void (*local_feature)(const void* shape, Vec3 direction, Polygon& out) = nullptr;
+    Pose pose;
+    Real radius = 0;      // inflation
+    Real size = 1;        // farthest point from the pose's origin, without the radius
+    int face_axes = 0;    // bit i: +-column i is a face normal
+    int edge_axes = 0;    // bit i: straight edges or side lines run along column i
+    Real rim_radius = 0;  // > 0: round rims about column 2
+
+    Vec3 support(Vec3 direction) const
+    {
+        return pose.to_world(local_support(shape, transposed_times(pose.R, direction)));
+    }
+    void feature(Vec3 direction, Polygon& out) const
+    {
+        const int first = out.count;
+        local_feature(shape, transposed_times(pose.R, direction), out);
+        for (int i = first; i < out.count; ++i) out.points[i] = pose.to_world(out.points[i]);
+    }
+};
+
+ConvexView view_of(const Sphere& sphere, const Pose& pose);
+ConvexView view_of(const Box& box, const Pose& pose);
+ConvexView view_of(const Capsule& capsule, const Pose& pose);
+ConvexView view_of(const Cylinder& cylinder, const Pose& pose);
+
+// A cylinder's end is drawn as a polygon of this many corners; a true rim point is added where it is deepest.
+inline constexpr int kRimPoints = 8;
+
+}  // namespace epode

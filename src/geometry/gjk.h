@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Distance of two convex solids that do not overlap (Gilbert, Johnson, Keerthi 1988): the point of
+// C = { x - y : x in a, y in b } nearest to the origin, sought on simplices of support points.
+// The nearest point on a simplex is found by trying its faces from small to large (Ericson 2004), in place of
+// Johnson's recursion, whose determinants cancel badly on thin simplices.
+// Overlapping solids end with distance 0; their depth is epa.h's business.
+#pragma once
+
+#include "geometry/convex_view.h"
+
+namespace epode {
+
+struct Distance {
+    Real distance = 0;  // between the cores: radii are not subtracted; 0: they overlap or touch
+    Vec3 on_a, on_b;    // closest points of the cores, meaningful when distance > 0
+};
+
+// Stops early with a lower bound once the distance is known to exceed `limit`.
+Distance gjk_distance(const ConvexView& a, const ConvexView& b, Real limit = kInf);
+
+}  // namespace epode
