@@ -46,14 +46,14 @@ bool compare_pose(const Rule& rule, const std::vector<double>& ours, const std::
     }
     ++tally.both_hit;
     const double change = ours[1] - reference[1];
-    const bool separates = ours[6] >= reference[6];
-    if (!separates) {
+    if (ours[6] < reference[6]) {
         ++tally.inseparable;
         return false;
     }
     if (!(std::fabs(change) <= rule.tolerance)) {
         ++tally.other_depth;
-        if (rule.kind == RuleKind::kShallower && change < 0 && ours[6] == 1) {
+        const bool valid = ours[6] == 1 && (change < 0 || reference[6] == 0);
+        if (rule.kind == RuleKind::kShallower && valid) {
             ++tally.shallower;
             return true;
         }

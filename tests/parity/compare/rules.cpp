@@ -24,11 +24,9 @@ bool is_content(const std::string& line) { return !line.empty() && line[0] != '#
 
 bool parse_kind(const std::string& word, RuleKind& kind)
 {
-    const std::pair<const char*, RuleKind> names[] = {{"exact", RuleKind::kExact},
-                                                      {"scaled", RuleKind::kScaled},
-                                                      {"pair", RuleKind::kPair},
-                                                      {"contacts", RuleKind::kContacts},
-                                                      {"shallower", RuleKind::kShallower}};
+    const std::pair<const char*, RuleKind> names[] = {
+        {"exact", RuleKind::kExact}, {"scaled", RuleKind::kScaled},     {"least", RuleKind::kLeast},
+        {"pair", RuleKind::kPair},   {"contacts", RuleKind::kContacts}, {"shallower", RuleKind::kShallower}};
     for (const auto& [name, value] : names) {
         if (word == name) {
             kind = value;

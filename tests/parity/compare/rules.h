@@ -7,6 +7,7 @@
 //   case-glob  key-glob  kind  tolerance  floor  fraction  difference
 // kind exact    the texts are equal
 //      scaled   |a - b| <= tolerance * max(|value| over the block's records under this rule, floor)
+//      least    ours is at most the reference, by the same measure
 //      pair     contacts of a pose: depths within the tolerance, a hit or miss may differ for depths up to
 //      floor shallower  as pair, but a smaller depth that also separates the two is right as well
 // key-glob is matched against "block/key". fraction is the share of a case's blocks that may be out of
@@ -20,7 +21,7 @@
 
 namespace parity {
 
-enum class RuleKind { kExact, kScaled, kPair, kContacts, kShallower };
+enum class RuleKind { kExact, kScaled, kLeast, kPair, kContacts, kShallower };
 
 struct Rule {
     std::string case_glob;

@@ -39,11 +39,11 @@ double finite_size(const std::vector<double>& values)
 }
 
 // Infinity for values of which one is not a number or only one infinite.
-double difference(const std::vector<double>& a, const std::vector<double>& b)
+double difference(const std::vector<double>& a, const std::vector<double>& b, bool one_sided)
 {
     double worst = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
-        if (a[i] == b[i]) { continue; }
+        if (a[i] == b[i] || (one_sided && a[i] < b[i])) { continue; }
         const double distance = std::fabs(a[i] - b[i]);
         worst = std::max(worst, std::isfinite(distance) ? distance : INFINITY);
     }
@@ -76,8 +76,9 @@ void compare_scaled(const std::vector<Match>& matches, const Rule& rule, CaseTal
         if (match.rule != &rule) { continue; }
         const bool comparable = match.ours->numeric && match.reference->numeric &&
                                 match.ours->values.size() == match.reference->values.size();
-        const double distance =
-            comparable ? difference(match.ours->values, match.reference->values) : INFINITY;
+        const double distance = comparable ? difference(match.ours->values, match.reference->values,
+                                                        rule.kind == RuleKind::kLeast)
+                                           : INFINITY;
         const double relative = distance == 0 ? 0 : distance / scale;
         note_worst(tally, rule_tally, relative, *match.ours);
         if (!(relative <= rule.tolerance)) { fail(tally, rule_tally, match.ours->block); }
@@ -135,7 +136,7 @@ void compare_blocks(const Block& ours, const Block& reference, const RuleTable& 
         tally.rules[match.rule].rule = match.rule;
         if (match.rule->kind == RuleKind::kExact) {
             compare_exact(match, tally);
-        } else if (match.rule->kind == RuleKind::kScaled) {
+        } else if (match.rule->kind == RuleKind::kScaled || match.rule->kind == RuleKind::kLeast) {
             if (std::find(scaled.begin(), scaled.end(), match.rule) == scaled.end()) {
                 scaled.push_back(match.rule);
             }
