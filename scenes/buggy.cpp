@@ -43,7 +43,7 @@ void steer(dJointID joint, double angle)
 }
 
 // Straight over the ramp, then a curve to the left.
-double steering_at(double time) { return time < 3.2 ? 0.0 : 0.22; }
+double steering_at(double time) { return time < 4.6 ? 0.0 : -0.2; }
 
 void drive(const Wheels& wheels, double time, double dt)
 {
@@ -52,7 +52,8 @@ void drive(const Wheels& wheels, double time, double dt)
         if (i < 2) {
             steer(wheels.joint[i], steering_at(time));
         } else {
-            dJointSetHinge2Param(wheels.joint[i], dParamVel2, dReal(kSpeed / kWheelRadius));
+            // Rates count body 1 against body 2: the wheel turns forward, about +y, when the chassis turns back against it.
+            dJointSetHinge2Param(wheels.joint[i], dParamVel2, dReal(-kSpeed / kWheelRadius));
             dJointSetHinge2Param(wheels.joint[i], dParamFMax2, 450);
         }
     }
@@ -90,13 +91,13 @@ void build(Scene& scene)
     scene.before_step([wheels](double time, double dt) { drive(wheels, time, dt); });
     scene.surface.mu = dReal(1.0);
     dWorldSetContactSurfaceLayer(scene.world(), dReal(0.001));
-    set_view(scene, {4.2, -7.2, 3.0}, {-0.6, 0, 0.5});
+    set_view(scene, {6.5, -9.5, 3.8}, {-2.6, 0, 0.5});
     scene.view.follow = chassis;
 }
 
 }  // namespace
 
-extern const Recipe kBuggy = {"buggy", "a car on four hinge-2 wheels with springs and motors, over a ramp", 0.005, 5, Stepper::kExact,
+extern const Recipe kBuggy = {"buggy", "a car on four hinge-2 wheels with springs and motors, over a ramp", 0.005, 6, Stepper::kExact,
                               build};
 
 }  // namespace epode::scenes

@@ -127,6 +127,14 @@ dGeomID add_ground(Scene& scene, double height)
     return plane;
 }
 
+dGeomID add_floor(Scene& scene, double height)
+{
+    dGeomID plane = add_ground(scene, height);
+    dGeomSetCategoryBits(plane, 0);
+    dGeomSetCollideBits(plane, 0);
+    return plane;
+}
+
 dGeomID add_static_box(Scene& scene, Vec size, Vec pos, Turn q)
 {
     const dQuaternion quaternion = {dReal(q.w), dReal(q.x), dReal(q.y), dReal(q.z)};

@@ -41,6 +41,8 @@ dGeomID attach_cylinder(Scene& scene, dBodyID body, double radius, double length
 
 // Static shapes.
 dGeomID add_ground(Scene& scene, double height = 0);
+// A floor to look at: nothing touches it.
+dGeomID add_floor(Scene& scene, double height = 0);
 dGeomID add_static_box(Scene& scene, Vec size, Vec pos, Turn q = {});
 // Four thick walls around the origin; inner sides 2*half_x by 2*half_y.
 void add_pit(Scene& scene, double half_x, double half_y, double height);

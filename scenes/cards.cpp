@@ -17,13 +17,15 @@ struct Board {
     double length = 0.9, width = 0.6, thick = 0.03;
 };
 
+constexpr double kOverlap = 0.0005;  // so that edges which touch are seen to touch
+
 // Two boards whose upper edges touch at x, leaning by `lean` from the vertical, feet at z. Returns the height of the top.
 double add_tent(Scene& scene, const Board& board, double x, double z, double lean, double density)
 {
     const double up = 0.5 * board.length * std::cos(lean) + 0.5 * board.thick * std::sin(lean);
     const double out = 0.5 * board.length * std::sin(lean) + 0.5 * board.thick * std::cos(lean);
     for (double side : {-1.0, 1.0}) {
-        add_box(scene, {board.thick, board.width, board.length}, density, {x + side * out, 0, z + up}, turn(kY, -side * lean));
+        add_box(scene, {board.thick, board.width, board.length}, density, {x + side * (out - kOverlap), 0, z + up - kOverlap}, turn(kY, -side * lean));
     }
     return z + 2 * up;
 }
@@ -31,7 +33,7 @@ double add_tent(Scene& scene, const Board& board, double x, double z, double lea
 void build(Scene& scene)
 {
     const Board board;
-    const double lean = 0.32, density = 600, pitch = 0.66;
+    const double lean = 0.25, density = 600, pitch = 0.66;
     add_ground(scene);
     double z = 0;
     for (int storey = 0; storey < kStoreys; ++storey) {

@@ -37,6 +37,7 @@ void build(Scene& scene)
 
     scene.tracked = {heavy};
     scene.conservative = true;
+    add_floor(scene);
     set_view(scene, {3, -24, 7}, {1, 0, 5.4});
 }
 

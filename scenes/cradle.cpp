@@ -31,6 +31,7 @@ void build(Scene& scene)
     scene.surface.bounce = 1;
     scene.surface.bounce_vel = 0;
     scene.tracked = {scene.bodies().front(), scene.bodies().back()};
+    add_floor(scene);
     set_view(scene, {-1.0, -4.2, 1.4}, {-0.05, 0, 0.75});
 }
 

@@ -17,16 +17,17 @@ constexpr double kDensity = 2000, kThick = 0.05;
 
 struct Linkage {
     double ground, crank, coupler, rocker;
+    double side;  // of the line from crank to rocker on which coupler and rocker meet
 };
 
-// Where circles around a and b with radii ra and rb meet, on the left of a->b. All in the plane y = const.
-Vec meet(Vec a, double ra, Vec b, double rb)
+// Where circles around a and b with radii ra and rb meet, on the left of a->b, or for side = -1 on the right. All in the plane y = const.
+Vec meet(Vec a, double ra, Vec b, double rb, double side)
 {
     const Vec ab = b - a;
     const double d = std::sqrt(ab.x * ab.x + ab.z * ab.z);
     const double along = (ra * ra - rb * rb + d * d) / (2 * d), up = std::sqrt(ra * ra - along * along);
     const Vec e = (1 / d) * ab;
-    return a + along * e + up * Vec{-e.z, 0, e.x};
+    return a + along * e + side * up * Vec{-e.z, 0, e.x};
 }
 
 dBodyID add_bar(Scene& scene, Vec from, Vec to)
@@ -40,7 +41,7 @@ dJointID add_linkage(Scene& scene, const Linkage& sizes, Vec a, double crank_ang
 {
     const Vec d = a + sizes.ground * kX;
     const Vec b = a + sizes.crank * Vec{std::cos(crank_angle), 0, std::sin(crank_angle)};
-    const Vec c = meet(b, sizes.coupler, d, sizes.rocker);
+    const Vec c = meet(b, sizes.coupler, d, sizes.rocker, sizes.side);
     dBodyID crank = add_bar(scene, a, b), coupler = add_bar(scene, b, c), rocker = add_bar(scene, c, d);
     dJointID drive = add_hinge(scene, crank, nullptr, a, kY);
     add_hinge(scene, crank, coupler, b, kY);
@@ -51,12 +52,13 @@ dJointID add_linkage(Scene& scene, const Linkage& sizes, Vec a, double crank_ang
 
 void build(Scene& scene)
 {
-    dJointID drive = add_linkage(scene, {1.0, 0.35, 0.95, 0.75}, {-1.4, 0, 0.8}, 1.0);
+    dJointID drive = add_linkage(scene, {1.0, 0.35, 0.95, 0.75, 1}, {-1.4, 0, 0.8}, 1.0);
     dJointSetHingeParam(drive, dParamVel, dReal(2 * kPi));
     dJointSetHingeParam(drive, dParamFMax, 200);
-    // Hung from above: b and c lie below the ground link, so it swings like a pendulum.
-    add_linkage(scene, {0.8, 0.9, 0.9, 0.7}, {0.6, 0, 1.9}, -1.9);
+    // Hung from above: coupler and rocker meet below the ground link, so it swings like a pendulum.
+    add_linkage(scene, {1.0, 0.8, 0.6, 0.8, -1}, {0.5, 0, 1.9}, -1.65);
     scene.tracked = {scene.bodies()[1], scene.bodies()[4]};
+    add_floor(scene);
     set_view(scene, {0.4, -5.2, 1.9}, {0.25, 0, 1.15});
 }
 

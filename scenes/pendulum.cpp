@@ -22,6 +22,7 @@ void build(Scene& scene)
     add_hinge(scene, bob, nullptr, pivot, kY);
 
     scene.conservative = true;
+    add_floor(scene);
     set_view(scene, {1.6, -5.2, 2.1}, {0.1, 0, 1.25});
 }
 

@@ -42,7 +42,7 @@ void build(Scene& scene)
 
 }  // namespace
 
-extern const Recipe kPile = {"pile", "1,000 mixed spheres, boxes, capsules and cylinders poured into a pit", 0.01, 5,
+extern const Recipe kPile = {"pile", "1,000 mixed spheres, boxes, capsules and cylinders poured into a pit", 0.005, 4,
                              Stepper::kQuick, build};
 
 }  // namespace epode::scenes
