@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A geom: a shape with a pose, a bounding box, filter bits and a place in at most one space. Its type is a table of
+// functions (GeomType), so that classes made at run time are no different from built-in ones.
+//   pose      own arrays; or the body's arrays, shared; or, on a body with an offset, own arrays that are
+//             composed (pose = body * offset) when somebody asks for them after the body has moved.
+//   body      known as an opaque id, two pointers to its pose and the head of its list of geoms: this folder knows
+//             nothing of dynamics (step/link introduces the two).
+//   moving    marks the geom and queues it, and each space above it, for the next cleaning; what does not move costs
+//             nothing then.
+#pragma once
+
+#include "base/handle.h"
+#include "geometry/shapes.h"
+#include "ode/collision.h"
+
+namespace epode {
+
+struct Geom;
+struct Space;
+struct TransformGeom;
+
+struct GeomType {
+    int number = -1;                                     // dSphereClass ...
+    bool placeable = true;
+    Aabb (*aabb)(Geom& geom) = nullptr;                  // in the world
+    bool (*zero_sized)(const Geom& geom) = nullptr;      // spaces ignore such geoms; null: never
+    void (*destroy)(Geom* geom) = nullptr;               // runs the destructor, gives the memory back
+    bool (*may_touch)(Geom& geom, Geom& other) = nullptr;  // a last look before a pair is reported; null: yes
+};
+
+// Where the body keeps what its geoms need; all null when there is none.
+struct BodyLink {
+    dBodyID id = nullptr;
+    const Real* position = nullptr;
+    const Real* rotation = nullptr;
+    dxGeom** first_geom = nullptr;
+};
+
+// Pose of a geom in its body's frame, in ODE's layout because clients may hold pointers to it.
+struct GeomOffset {
+    Real position[4] = {};
+    Real rotation[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+};
+
+struct Geom : Tagged {
+    explicit Geom(const GeomType& geom_type);
+    Geom(const Geom&) = delete;
+    Geom& operator=(const Geom&) = delete;
+
+    const GeomType* type;
+    Space* space = nullptr;
+    int slot = -1;               // place among the members of its space
+    bool enabled = true;
+    bool queued = false;         // its space will look at it at the next cleaning
+    bool box_stale = true;
+    bool pose_stale = false;     // only with an offset
+    unsigned long category = ~0ul;
+    unsigned long collide = ~0ul;
+    void* data = nullptr;
+    const Real* position;        // where the pose is
+    const Real* rotation;
+    BodyLink body;
+    Geom* body_next = nullptr;   // geoms of the same body, newest first
+    Geom* body_prev = nullptr;
+    GeomOffset* offset = nullptr;
+    TransformGeom* holders = nullptr;  // transforms that place this geom
+    Aabb box;
+    Real own_position[4] = {};
+    Real own_rotation[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+};
+
+template <>
+struct HandleOf<Geom> {
+    using Id = dGeomID;
+    static constexpr Tag kTag = Tag::kGeom;
+};
+
+// A geom that consists of one of the plain shapes.
+template <typename Shape>
+struct ShapeGeom : Geom {
+    explicit ShapeGeom(const GeomType& geom_type) : Geom(geom_type) {}
+    Shape shape;
+};
+
+bool is_space(const Geom& geom);
+bool in_locked_space(const Geom& geom);
+
+// ---- pose and box, computed when stale ----
+void refresh_pose(Geom& geom);
+Pose pose_of(Geom& geom);
+const Aabb& box_of(Geom& geom);
+
+// The pose or the shape has changed.
+void mark_moved(Geom& geom);
+
+// Writes the pose of a geom without a body.
+void write_own_pose(Geom& geom, const Pose& pose);
+
+// ---- body and offset; `link.first_geom` gets the geom in front ----
+void link_body(Geom& geom, const BodyLink& link);
+void unlink_body(Geom& geom);                 // the geom keeps its pose in the world
+bool ensure_offset(Geom& geom);               // identity if new; false when memory is exhausted
+void drop_offset(Geom& geom);                 // back to the body's pose
+
+// Destroys the geom and for a space in cleanup mode its members. The caller has checked the locks.
+void destroy_geom(Geom& geom);
+
+}  // namespace epode

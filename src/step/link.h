@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The only file that knows both bodies and geoms. A body holds the head of a list of geoms and never looks into
+// it; a geom holds pointers to its body's pose and never asks whose they are.
+#pragma once
+
+#include "collide/geom.h"
+#include "dynamics/body.h"
+
+namespace epode {
+
+// Puts the geom on another body, or on none: then it keeps its pose in the world. A new body drops the offset.
+void attach_geom(Geom& geom, Body* body);
+
+Body* body_of(const Geom& geom);
+
+// The body's pose has changed: its geoms are marked. Costs a few instructions per geom. Not to be called from
+// several threads at once for bodies whose geoms share a space.
+void body_moved(Body& body);
+
+// The body is about to go: its geoms stay where they are.
+void release_geoms(Body& body);
+
+// Whether a geom of the body lies in a space that is being collided, so that the body must not be moved.
+bool in_locked_space(const Body& body);
+
+// Moves the geom, or its body so that the geom gets there.
+void place_geom(Geom& geom, const Pose& pose);
+
+}  // namespace epode
