@@ -47,16 +47,16 @@ void print_values(const Tallies& tallies)
 
 void print_pairs(const Tallies& tallies)
 {
-    std::printf("\n%-26s %6s %6s %6s %8s %8s %7s %9s %7s %6s %6s %11s  %s\n", "pair", "poses", "hits",
-                "misses", "touching", "disagree", "depth", "shallower", "normal", "count", "stuck",
+    std::printf("\n%-26s %6s %6s %6s %8s %8s %8s %7s %9s %7s %6s %6s %11s  %s\n", "pair", "poses", "hits",
+                "misses", "touching", "disagree", "refmiss", "depth", "shallower", "normal", "count", "stuck",
                 "worst depth", "verdict");
     for (const auto& [name, tally] : tallies) {
         if (tally.is_pair) {
             const PairTally& p = tally.pairs;
-            std::printf("%-26s %6ld %6ld %6ld %8ld %8ld %7ld %9ld %7ld %6ld %6ld %11.3g  %s\n", name.c_str(),
-                        p.poses, p.both_hit, p.both_miss, p.touching_disagree, p.disagree, p.other_depth,
-                        p.shallower, p.other_normal, p.other_count, p.inseparable, p.worst_depth,
-                        verdict(tally));
+            std::printf("%-26s %6ld %6ld %6ld %8ld %8ld %8ld %7ld %9ld %7ld %6ld %6ld %11.3g  %s\n",
+                        name.c_str(), p.poses, p.both_hit, p.both_miss, p.touching_disagree, p.disagree,
+                        p.reference_misses, p.other_depth, p.shallower, p.other_normal, p.other_count,
+                        p.inseparable, p.worst_depth, verdict(tally));
         }
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Comparison of the contacts of one pose: "count depth nx ny nz sum separated".
+// Comparison of the contacts of one pose: "count depth nx ny nz sum separated shared".
 //
 // Near touching, hit or miss is decided by rounding; there a disagreement is counted apart. A depth is the
 // least distance that separates the two, or an upper bound of it: under the rule "shallower" ours may be
@@ -20,10 +20,16 @@ double cosine(const std::vector<double>& a, const std::vector<double>& b)
     return a[2] * b[2] + a[3] * b[3] + a[4] * b[4];
 }
 
-bool compare_hit_and_miss(const Rule& rule, double depth, PairTally& tally)
+bool compare_hit_and_miss(const Rule& rule, const std::vector<double>& ours,
+                          const std::vector<double>& reference, PairTally& tally)
 {
-    if (depth <= rule.floor) {
+    const bool ours_hits = ours[0] > 0;
+    if ((ours_hits ? ours[1] : reference[1]) <= rule.floor) {
         ++tally.touching_disagree;
+        return true;
+    }
+    if (rule.kind == RuleKind::kShallower && ours_hits && ours[7] == 1 && ours[6] == 1) {
+        ++tally.reference_misses;
         return true;
     }
     ++tally.disagree;
@@ -36,14 +42,13 @@ bool compare_pose(const Rule& rule, const std::vector<double>& ours, const std::
                   PairTally& tally)
 {
     ++tally.poses;
+    tally.missed += ours[0] == 0 && ours[7] == 1 ? 1 : 0;
     const bool ours_hits = ours[0] > 0, reference_hits = reference[0] > 0;
     if (!ours_hits && !reference_hits) {
         ++tally.both_miss;
-        return true;
+        return ours[7] == 0;
     }
-    if (ours_hits != reference_hits) {
-        return compare_hit_and_miss(rule, ours_hits ? ours[1] : reference[1], tally);
-    }
+    if (ours_hits != reference_hits) { return compare_hit_and_miss(rule, ours, reference, tally); }
     ++tally.both_hit;
     const double change = ours[1] - reference[1];
     if (ours[6] < reference[6]) {

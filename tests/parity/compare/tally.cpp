@@ -98,7 +98,7 @@ void compare_pair(const Match& match, CaseTally& tally)
 {
     tally.is_pair = true;
     RuleTally& rule_tally = tally.rules[match.rule];
-    if (match.ours->values.size() != 7 || match.reference->values.size() != 7 ||
+    if (match.ours->values.size() != 8 || match.reference->values.size() != 8 ||
         !compare_pose(*match.rule, match.ours->values, match.reference->values, tally.pairs)) {
         rule_tally.failed_blocks.insert(full_key(*match.ours));
     }

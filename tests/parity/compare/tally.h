@@ -21,6 +21,8 @@ struct PairTally {
     long poses = 0, both_hit = 0, both_miss = 0;
     long touching_disagree = 0;  // hit or miss differs, depth within the touch tolerance
     long disagree = 0;           // hit or miss differs by more
+    long reference_misses = 0;   // of the rest: the reference misses a proven overlap
+    long missed = 0;             // ours misses a proven overlap
     long other_depth = 0;        // both hit, depths differ by more than the tolerance
     long shallower = 0;          // of which ours is smaller and separates
     long other_normal = 0;       // depths agree, normals do not

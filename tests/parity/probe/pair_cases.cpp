@@ -3,11 +3,13 @@
 //
 // Contacts of every ordered pair of geom classes on 1,000 random poses each.
 //
-// One record per pose: "count depth nx ny nz sum separated". depth and normal are those of the deepest
+// One record per pose: "count depth nx ny nz sum separated shared". depth and normal are those of the deepest
 // contact, sum is the sum of all depths. separated tells whether the pair is apart (or only touching) after
 // the first geom has been moved out along the normal by the depth and a hair: a result of which that is true
 // is a valid separation, whoever computed it. A minimal depth then follows from comparing two valid answers.
+// shared is 1 where a point well inside both was found by sampling: then a miss is wrong, whoever reports it.
 #include "geoms.h"
+#include "inside.h"
 
 #include <algorithm>
 
@@ -16,6 +18,7 @@ namespace {
 
 constexpr int kPoses = 1000;
 constexpr int kRoom = 32;
+constexpr double kMargin = 0.01;  // of a sampled point inside both
 
 int collide(dGeomID a, dGeomID b, std::array<dContactGeom, kRoom>& contacts)
 {
@@ -42,12 +45,12 @@ double is_apart_after_move(dGeomID a, dGeomID b, const dContactGeom& deepest)
     return 1;
 }
 
-void put_pose(Output& out, const std::string& key, dGeomID a, dGeomID b, bool rays)
+void put_pose(Output& out, const std::string& key, dGeomID a, dGeomID b, bool rays, double shared)
 {
     std::array<dContactGeom, kRoom> contacts = {};
     const int count = collide(a, b, contacts);
     if (count == 0) {
-        out.put(key, {0, 0, 0, 0, 0, 0, 1});
+        out.put(key, {0, 0, 0, 0, 0, 0, 1, shared});
         return;
     }
     const auto shallower = [](const dContactGeom& x, const dContactGeom& y) { return x.depth < y.depth; };
@@ -56,7 +59,7 @@ void put_pose(Output& out, const std::string& key, dGeomID a, dGeomID b, bool ra
     for (int i = 0; i < count; ++i) { sum += contacts[static_cast<std::size_t>(i)].depth; }
     const double apart = rays ? 1 : is_apart_after_move(a, b, deepest);
     out.put(key, {static_cast<double>(count), deepest.depth, deepest.normal[0], deepest.normal[1],
-                  deepest.normal[2], sum, apart});
+                  deepest.normal[2], sum, apart, shared});
 }
 
 void put_pair(Output& out, Random& random, Kind first, Kind second)
@@ -68,7 +71,10 @@ void put_pair(Output& out, Random& random, Kind first, Kind second)
         place_geom(a, first, at, random);
         place_geom(b, second, {at.x + distance * away.x, at.y + distance * away.y, at.z + distance * away.z},
                    random);
-        put_pose(out, std::to_string(pose), a.geom, b.geom, is_ray_pair(first, second));
+        Random samples("inside" + std::to_string(pose));
+        const bool rays = is_ray_pair(first, second);
+        const double shared = !rays && share_a_point(a, b, kMargin, samples) ? 1 : 0;
+        put_pose(out, std::to_string(pose), a.geom, b.geom, rays, shared);
         dGeomDestroy(a.geom);
         dGeomDestroy(b.geom);
     }
