@@ -13,6 +13,8 @@ namespace epode {
 
 namespace {
 
+constexpr Real kFaceMargin = Real(1e-5);  // of the sizes
+
 struct Frames {
     Mat3 C, absC;
     Vec3 pa, pb;  // from a to b, in a's frame and in b's
@@ -35,12 +37,12 @@ struct Search {
     int code = 0;
     bool flip = false;  // the axis points from b to a
     // False: apart along this axis.
-    bool offer(Real overlap, Real handicap, Real along, int c, Real touch)
+    bool offer(Real overlap, Real handicap, Real along, int c, Real touch, Real margin = 0)
     {
         if (overlap < -touch) return false;
         if (overlap < 0) overlap = 0;
-        if (overlap * handicap < score) {
-            score = overlap * handicap;
+        if (overlap * handicap + margin < score) {
+            score = overlap * handicap + margin;
             depth = overlap;
             code = c;
             flip = along < 0;
@@ -53,10 +55,11 @@ bool search_faces(const Frames& f, Vec3 ha, Vec3 hb, Real touch, Search& s)
 {
     for (int i = 0; i < 3; ++i)
         if (!s.offer(ha[i] + dot(f.absC.row(i), hb) - std::fabs(f.pa[i]), 1, f.pa[i], 1 + i, touch)) return false;
-    // The second box's faces must be better by more than rounding, so that equal boxes keep their roles.
-    const Real slack = 1 + Real(1e-6);
+    // The second box's faces must be better by more than the jitter of a resting stack, so that boxes lying flat on
+    // each other keep their roles.
+    const Real margin = kFaceMargin * (max_component(ha) + max_component(hb));
     for (int j = 0; j < 3; ++j)
-        if (!s.offer(hb[j] + dot(f.absC.column(j), ha) - std::fabs(f.pb[j]), slack, f.pb[j], 4 + j, touch))
+        if (!s.offer(hb[j] + dot(f.absC.column(j), ha) - std::fabs(f.pb[j]), 1, f.pb[j], 4 + j, touch, margin))
             return false;
     return true;
 }

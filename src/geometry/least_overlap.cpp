@@ -16,7 +16,7 @@ namespace {
 
 // Polished directions must beat exact ones by this part of the size: resting contacts keep their face normals.
 constexpr Real kFacePreference = kSingle ? Real(1e-5) : Real(1e-9);
-constexpr Real kCoarse = Real(1e-4);  // of the size: how near the polytope must come before polishing
+constexpr Real kCoarse = Real(2e-6);  // of the size: how near the polytope must come before polishing
 
 // A direction and its opposite; false when one proves the shapes apart.
 bool offer(const ConvexView& a, const ConvexView& b, Vec3 n, Real handicap, Real enough, Overlap& best)

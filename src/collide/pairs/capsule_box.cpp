@@ -13,7 +13,7 @@ namespace epode {
 
 namespace {
 
-constexpr Real kAligned = Real(1e-5);  // sine between normal and face normal
+constexpr Real kAligned = Real(1e-3);  // sine between normal and face normal
 
 // Everything in the box's frame.
 struct Case {
@@ -76,8 +76,21 @@ int aligned_axis(Vec3 n, Real sine)
     return -1;
 }
 
-// Two points on a face or along an edge; false when the stretch is no longer than a point.
-bool stretch(const Case& c, Vec3 normal, const Pose& B, ContactSink& sink)
+// How deep the axis point p lies below face `axis`, or below the edge along `axis`, measured along the normal.
+Real below_face(const Case& c, int axis, Vec3 normal, Vec3 p)
+{
+    const Real n = normal[axis];
+    return (c.half[axis] - (n < 0 ? -p[axis] : p[axis])) / std::fabs(n);
+}
+Real below_edge(const Case& c, int axis, Vec3 normal, Vec3 p)
+{
+    Vec3 n = normal;
+    n.set(axis, 0);
+    return dot(abs(n), c.half) - dot(n, p);
+}
+
+// Two points on a face or along an edge; false when there is no stretch, or it misses the deepest point.
+bool stretch(const Case& c, Vec3 normal, Real depth, const Pose& B, ContactSink& sink)
 {
     const Vec3 d = c.to - c.from;
     const int face = aligned_axis(normal, kAligned);
@@ -89,14 +102,16 @@ bool stretch(const Case& c, Vec3 normal, const Pose& B, ContactSink& sink)
     if (!(hi - lo > Real(1e-6))) return false;
     ContactPoint points[2];
     int count = 0;
+    Real most = -kInf;
     for (const Real t : {lo, hi}) {
-        const Vec3 p = c.at(t);
-        const Real depth = dot(normal, clamp_to_box(p, c.half) - p);
-        const Real over_face = dot(abs(normal), c.half) - dot(normal, p);
-        if (ball_at(c, t, normal, face >= 0 ? over_face : depth, B, points[count])) ++count;
+        const Real below = face >= 0 ? below_face(c, face, normal, c.at(t)) : below_edge(c, edge, normal, c.at(t));
+        const Real at_end = below < depth ? below : depth;
+        if (at_end > most) most = at_end;
+        if (ball_at(c, t, normal, at_end, B, points[count])) ++count;
     }
+    if (count == 0 || most < depth - Real(1e-5) * (max_component(c.half) + length(d))) return false;
     sink.add_manifold({points, std::size_t(count)});
-    return count > 0;
+    return true;
 }
 
 // Where an axis that pierces the box is deepest along `normal`: nearest to the supporting edge or face.
@@ -131,7 +146,7 @@ void capsule_box(const Capsule& a, const Pose& A, const Box& b, const Pose& B, C
         way_out(c, n, depth);
         t = deepest_parameter(c, n);
     }
-    if (stretch(c, n, B, sink)) return;
+    if (stretch(c, n, depth, B, sink)) return;
     ContactPoint point;
     if (ball_at(c, t, n, depth, B, point)) sink.add(point);
 }

@@ -56,11 +56,12 @@ void capsule_capsule(const Capsule& a, const Pose& A, const Capsule& b, const Po
     int count = 0;
     Real most = -1;
     if (hi - lo > Real(1e-6) * (u.half + v.half))
-        for (const Real t : {lo, hi}) {
-            const Vec3 x = u.at(t);
-            if (!ball_contact(x, a.radius, v.at(v.nearest(x)), b.radius, fallback, ends[count])) continue;
-            if (ends[count].depth > most) most = ends[count].depth;
-            ++count;
+        for (const Real t : {lo, hi}) {  // one normal for both, so that a turn by rounding cannot part them
+            const Vec3 x = u.at(t), n = deepest.normal;
+            const Real gap = dot(n, x - v.at(v.nearest(x))), depth = a.radius + b.radius - gap;
+            if (depth < 0) continue;
+            if (depth > most) most = depth;
+            ends[count++] = {x + Real(0.5) * (b.radius - a.radius - gap) * n, n, depth};
         }
     // One point when the axes cross instead of running side by side.
     if (count < 2 || most < deepest.depth - Real(1e-5) * (a.radius + b.radius))

@@ -18,8 +18,8 @@ namespace epode {
 
 namespace {
 
-constexpr Real kFaceSine2 = kSingle ? Real(1e-7) : Real(1e-12);  // normal against face normal
-constexpr Real kLineSine2 = Real(1e-4);                          // "nearly parallel" lines
+constexpr Real kFaceSine2 = Real(1e-6);  // normal against face normal, beyond the jitter of resting solids
+constexpr Real kLineSine2 = Real(1e-4);  // "nearly parallel" lines
 
 struct Manifold {
     static constexpr int kMax = Polygon::kMax;
@@ -131,7 +131,8 @@ void face_contacts(const Side& reference, const Side& incident, Vec3 inward, boo
     const Real radii = reference.view.radius + incident.view.radius;
     const Real size = reference.view.size + incident.view.size;
     Polygon cut;
-    const Vec3 axis = -inward;
+    Vec3 axis = face_normal(reference.feature);
+    const Real lean = -dot(axis, inward);  // almost one: the normal may lean a little from the face normal
     const bool round = is_end(reference.view, reference.feature);
     const Vec3 centre = centre_of(reference.feature);
     if (round && is_end(incident.view, incident.feature) &&
@@ -153,7 +154,8 @@ void face_contacts(const Side& reference, const Side& incident, Vec3 inward, boo
     for (int i = 0; i < cut.count; ++i) {
         Vec3 x = cut.points[i];
         if (level) x += (dot(plane, c2 - x) / dot(plane, axis)) * axis;  // into the plane of the incident end
-        Real d = dot(inward, x - centre) + radii;
+        const Real below = -dot(axis, x - centre) / lean;
+        Real d = (below < depth ? below : depth) + radii;
         if (d < 0 && d >= -hair) d = 0;
         out.add(x + own, normal, d);
     }

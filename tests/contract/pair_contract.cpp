@@ -1,0 +1,467 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What every pair function owes, tried for each line of collide/pairs.inc in seeded random poses, many of them
+// aligned or almost so, because that is where manifolds break:
+//   hit or miss and depth as a brute-force sweep over 20 000 directions finds them; the normal is unit, and moving
+//   the first solid along it by the depth parts the two; points lie in both solids; the room is never exceeded, and
+//   less room still holds a contact; the same class exchanged gives the opposite normal and the same depth; a tiny
+//   motion of a resting solid moves its contacts but little; zero sizes and equal centres give numbers.
+// The reference knows the solids only by the support and membership functions written here.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <type_traits>
+#include <vector>
+
+#include "collide/pairs/pairs.h"
+
+using namespace epode;
+
+namespace {
+
+constexpr Real kTight = kSingle ? Real(2e-4) : Real(1e-7);  // for sizes near one
+constexpr int kDirections = 20000;
+constexpr int kPoses = 400;
+
+class Dice {
+  public:
+    explicit Dice(unsigned seed) : engine_(seed) {}
+    Real unit() { return Real(double(engine_() >> 11) * 0x1p-53); }
+    Real between(Real lo, Real hi) { return lo + (hi - lo) * unit(); }
+    Vec3 direction()
+    {
+        for (;;) {
+            Vec3 v = {between(-1, 1), between(-1, 1), between(-1, 1)};
+            if (length2(v) < 1 && length2(v) > Real(0.01) && normalize(v)) return v;
+        }
+    }
+    // A third of the rotations is aligned with the axes, a third nearly so.
+    Mat3 rotation()
+    {
+        const Real kind = unit();
+        if (kind < Real(0.33)) return quarter_turns();
+        if (kind < Real(0.66)) return turn(direction(), std::pow(Real(10), between(-7, -1))) * quarter_turns();
+        return turn(direction(), between(0, 2 * kPi));
+    }
+    static Mat3 turn(Vec3 axis, Real angle)
+    {
+        const Real s = std::sin(angle / 2);
+        Quat q = {std::cos(angle / 2), s * axis.x, s * axis.y, s * axis.z};
+        normalize(q);
+        return to_matrix(q);
+    }
+
+  private:
+    Mat3 quarter_turns()
+    {
+        const int i = int(unit() * 3), j = int(unit() * 4);
+        Vec3 axis;
+        axis.set(i, 1);
+        Mat3 m = Mat3::identity();
+        const Mat3 quarter = i == 0   ? Mat3{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}
+                             : i == 1 ? Mat3{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}
+                                      : Mat3{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}};
+        for (int k = 0; k < j; ++k) m = quarter * m;
+        return m;
+    }
+    std::mt19937_64 engine_;
+};
+
+// ---- the solids, by mathematics of their own ----
+Real side(Real d, Real h) { return d < 0 ? -h : h; }
+
+Vec3 farthest(const Sphere& s, Vec3 d) { return s.radius * d; }
+Vec3 farthest(const Box& b, Vec3 d) { return {side(d.x, b.half.x), side(d.y, b.half.y), side(d.z, b.half.z)}; }
+Vec3 farthest(const Capsule& c, Vec3 d) { return c.radius * d + Vec3{0, 0, side(d.z, c.half_length)}; }
+Vec3 farthest(const Cylinder& c, Vec3 d)
+{
+    const Real rho = std::hypot(d.x, d.y), k = rho > 0 ? c.radius / rho : 0;
+    return {k * d.x, k * d.y, side(d.z, c.half_length)};
+}
+
+// Positive outside, roughly a distance.
+Real beyond(const Sphere& s, Vec3 p) { return length(p) - s.radius; }
+Real beyond(const Box& b, Vec3 p) { return max_component(abs(p) - b.half); }
+Real beyond(const Capsule& c, Vec3 p)
+{
+    const Real z = std::clamp(p.z, -c.half_length, c.half_length);
+    return length(p - Vec3{0, 0, z}) - c.radius;
+}
+Real beyond(const Cylinder& c, Vec3 p)
+{
+    return std::max(std::hypot(p.x, p.y) - c.radius, std::fabs(p.z) - c.half_length);
+}
+Real beyond(const Plane& plane, Vec3 p) { return dot(plane.normal, p) - plane.d; }
+
+Real reach(const Sphere& s) { return s.radius; }
+Real reach(const Box& b) { return length(b.half); }
+Real reach(const Capsule& c) { return c.radius + c.half_length; }
+Real reach(const Cylinder& c) { return std::hypot(c.radius, c.half_length); }
+Real reach(const Ray& r) { return r.length; }
+
+void roll(Dice& dice, Sphere& s) { s.radius = dice.between(Real(0.2), 1); }
+void roll(Dice& dice, Box& b)
+{
+    b.half = {dice.between(Real(0.1), 1), dice.between(Real(0.1), 1), dice.between(Real(0.1), 1)};
+    if (dice.unit() < Real(0.2)) b.half = {Real(0.5), Real(0.5), Real(0.5)};
+}
+template <class Round>
+    requires std::is_same_v<Round, Capsule> || std::is_same_v<Round, Cylinder>
+void roll(Dice& dice, Round& c)
+{
+    c.radius = dice.between(Real(0.1), 1), c.half_length = dice.between(Real(0.1), 1);
+    if (dice.unit() < Real(0.2)) c.radius = Real(0.5), c.half_length = Real(0.5);
+}
+void roll(Dice& dice, Plane& p) { p.normal = dice.unit() < Real(0.5) ? Vec3{0, 0, 1} : dice.direction(), p.d = dice.between(-1, 1); }
+void roll(Dice& dice, Ray& r) { r.length = dice.between(0, 4); }
+
+template <class A, class B>
+struct Scene {
+    A a;
+    Pose pa;
+    B b;
+    Pose pb;
+};
+
+template <class S>
+constexpr bool kSolid = !std::is_same_v<S, Plane> && !std::is_same_v<S, Ray>;
+
+// How far b's solid reaches beyond the start of a's along n: moving a by this parts them.
+template <class A, class B>
+Real overlap_along(const Scene<A, B>& s, Vec3 n)
+{
+    const Real low = dot(n, s.pa.to_world(farthest(s.a, transposed_times(s.pa.R, -n))));
+    if constexpr (std::is_same_v<B, Plane>)
+        return dot(n, s.b.normal) > 1 - 16 * kEpsilon ? s.b.d - low : kInf;
+    else
+        return dot(n, s.pb.to_world(farthest(s.b, transposed_times(s.pb.R, n)))) - low;
+}
+
+const std::vector<Vec3>& sphere_points()
+{
+    static const std::vector<Vec3> points = [] {
+        std::vector<Vec3> out;
+        const Real golden = kPi * (3 - std::sqrt(Real(5)));
+        for (int i = 0; i < kDirections; ++i) {
+            const Real z = 1 - (2 * Real(i) + 1) / kDirections, r = std::sqrt(1 - z * z);
+            Vec3 n = {r * std::cos(golden * Real(i)), r * std::sin(golden * Real(i)), z};
+            normalize(n);
+            out.push_back(n);
+        }
+        return out;
+    }();
+    return points;
+}
+
+// Least overlap: the sweep, the axes of both solids and their products, and a pattern search from the best few.
+template <class A, class B>
+Real least(const Scene<A, B>& s)
+{
+    if constexpr (std::is_same_v<B, Plane>) return overlap_along(s, s.b.normal);
+    std::vector<std::pair<Real, Vec3>> found;
+    const auto offer = [&](Vec3 n) { found.push_back({overlap_along(s, n), n}); };
+    for (const Vec3& n : sphere_points()) offer(n);
+    for (int i = 0; i < 3; ++i)
+        for (const Real sign : {Real(1), Real(-1)}) {
+            offer(sign * s.pa.R.column(i)), offer(sign * s.pb.R.column(i));
+            for (int j = 0; j < 3; ++j) {
+                Vec3 n = cross(s.pa.R.column(i), s.pb.R.column(j));
+                if (normalize(n)) offer(sign * n);
+            }
+        }
+    Vec3 between = s.pa.p - s.pb.p;
+    if (normalize(between)) offer(between);
+    std::partial_sort(found.begin(), found.begin() + 6, found.end(),
+                      [](const auto& x, const auto& y) { return x.first < y.first; });
+    Real best = kInf;
+    for (int k = 0; k < 6; ++k) {
+        auto [h, n] = found[std::size_t(k)];
+        for (Real step = Real(0.03); step > Real(1e-7);) {
+            Vec3 u, v;
+            plane_space(n, u, v);
+            bool better = false;
+            for (int i = 0; i < 16; ++i) {
+                const Real angle = Real(i) * kPi / 8;
+                Vec3 m = n + step * (std::cos(angle) * u + std::sin(angle) * v);
+                normalize(m);
+                const Real g = overlap_along(s, m);
+                if (g < h) h = g, n = m, better = true;
+            }
+            if (!better) step *= Real(0.5);
+        }
+        best = std::min(best, h);
+    }
+    return best;
+}
+
+struct Found {
+    dContactGeom contacts[16];
+    int count = 0;
+    Real depth = -1;
+};
+
+template <class A, class B, class F>
+Found collide(F function, const Scene<A, B>& s, int room = 16)
+{
+    Found f;
+    for (dContactGeom& c : f.contacts) c.depth = -7;
+    ContactSink sink(f.contacts, int(sizeof(dContactGeom)), room, false);
+    function(s.a, s.pa, s.b, s.pb, sink);
+    f.count = sink.count();
+    for (int i = 0; i < f.count; ++i) f.depth = std::max(f.depth, f.contacts[i].depth);
+    return f;
+}
+
+template <class A, class B>
+Scene<A, B> random_scene(Dice& dice)
+{
+    Scene<A, B> s;
+    roll(dice, s.a), roll(dice, s.b);
+    s.pa = {dice.between(0, 2) * dice.direction(), dice.rotation()};
+    s.pb = {{}, dice.rotation()};
+    if constexpr (std::is_same_v<B, Plane>)
+        s.pa.p = (s.b.d + dice.between(Real(-0.2), reach(s.a))) * s.b.normal + dice.direction();
+    else
+        s.pb.p = s.pa.p + dice.between(0, Real(1.05)) * (reach(s.a) + reach(s.b)) * dice.direction();
+    return s;
+}
+
+void check_numbers(const Found& f)
+{
+    for (int i = 0; i < f.count; ++i) {
+        const dContactGeom& c = f.contacts[i];
+        const Vec3 n = load(c.normal), p = load(c.pos);
+        ASSERT_NEAR(length(n), 1, 16 * kEpsilon);
+        ASSERT_GE(c.depth, 0);
+        ASSERT_TRUE(std::isfinite(c.depth) && std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+    }
+    for (int i = f.count; i < 16; ++i) ASSERT_EQ(f.contacts[i].depth, Real(-7)) << "wrote beyond its count";
+}
+
+// An edge axis must beat faces by kEdgeHandicap between boxes; nothing else may miss the least depth.
+template <class A, class B>
+constexpr Real kLoss = std::is_same_v<A, Box> && std::is_same_v<B, Box> ? Real(1.06) : Real(1.0001);
+
+template <class A, class B, class F>
+void check_depth(F function, const Scene<A, B>& s)
+{
+    const Found f = collide(function, s);
+    check_numbers(f);
+    const Real truth = least(s);
+    if (f.count == 0) {
+        ASSERT_LT(truth, Real(1e-4)) << "missed";
+        return;
+    }
+    ASSERT_GT(truth, -kTight) << "reported while apart";
+    const Vec3 n = load(f.contacts[0].normal);
+    constexpr Real loss = kLoss<A, B>;
+    ASSERT_LE(f.depth, truth * loss + Real(2e-6)) << "too deep";
+    ASSERT_NEAR(f.depth, overlap_along(s, n), Real(5e-5) + (loss - 1) * truth) << "moving apart does not part";
+    for (int i = 0; i < f.count; ++i) {
+        const Vec3 p = load(f.contacts[i].pos);
+        const Real slack = f.contacts[i].depth + Real(1e-4);
+        ASSERT_LE(beyond(s.a, s.pa.to_local(p)), slack);
+        ASSERT_LE(beyond(s.b, std::is_same_v<B, Plane> ? p : s.pb.to_local(p)), slack);
+    }
+}
+
+template <class A, class B, class F>
+void check_room(F function, const Scene<A, B>& s)
+{
+    const Found all = collide(function, s);
+    ASSERT_LE(all.count, 4);
+    for (int room = 1; room <= 3; ++room) {
+        const Found f = collide(function, s, room);
+        check_numbers(f);
+        ASSERT_EQ(f.count, std::min(room, all.count));
+        if (f.count > 0) {
+            ASSERT_NEAR(f.depth, all.depth, Real(1e-4)) << "the deepest must survive";
+        }
+    }
+}
+
+template <class A, class F>
+void check_exchange(F function, const Scene<A, A>& s)
+{
+    const Found f = collide(function, s), g = collide(function, Scene<A, A>{s.b, s.pb, s.a, s.pa});
+    if (f.count == 0 || g.count == 0) {
+        ASSERT_LE(std::max(f.depth, g.depth), Real(1e-6));
+        return;
+    }
+    constexpr Real loss = kLoss<A, A>;
+    ASSERT_NEAR(f.depth, g.depth, Real(3e-6) + (loss - 1) * f.depth);
+}
+
+// First place where a ray changes sides, by marching and bisection.
+template <class B>
+Real march(const Scene<Ray, B>& s, bool& hit)
+{
+    constexpr int kSteps = 4000;
+    const auto outside = [&](Real t) {
+        const Vec3 p = s.pa.p + t * s.pa.R.column(2);
+        return beyond(s.b, std::is_same_v<B, Plane> ? p : s.pb.to_local(p)) > 0;
+    };
+    const bool start = outside(0);
+    for (int i = 1; i <= kSteps; ++i) {
+        Real lo = s.a.length * Real(i - 1) / kSteps, hi = s.a.length * Real(i) / kSteps;
+        if (outside(hi) == start) continue;
+        for (int k = 0; k < 60; ++k) (outside((lo + hi) / 2) == start ? lo : hi) = (lo + hi) / 2;
+        hit = true;
+        return hi;
+    }
+    hit = false;
+    return 0;
+}
+
+template <class B, class F>
+void check_ray(F function, const Scene<Ray, B>& s)
+{
+    const Found f = collide(function, s);
+    check_numbers(f);
+    ASSERT_LE(f.count, 1);
+    bool hit = false;
+    const Real t = march(s, hit);
+    const Vec3 d = s.pa.R.column(2);
+    if (hit) {
+        ASSERT_EQ(f.count, 1) << "missed at " << t;
+        ASSERT_NEAR(f.depth, t, 100 * kTight);
+    }
+    if (f.count == 0) return;
+    const Vec3 n = load(f.contacts[0].normal), p = load(f.contacts[0].pos);
+    ASSERT_LE(dot(n, d), 100 * kEpsilon) << "the normal must face the ray";
+    ASSERT_LE(length(p - (s.pa.p + f.depth * d)), kTight);
+    const auto out = [&](Vec3 x) { return beyond(s.b, std::is_same_v<B, Plane> ? x : s.pb.to_local(x)); };
+    ASSERT_NEAR(out(p), 0, 10 * kTight);
+    ASSERT_GT(std::fabs(out(p + Real(1e-3) * n) - out(p - Real(1e-3) * n)), Real(1e-4)) << "normal along the surface";
+}
+
+template <class A, class B, class F>
+void check_pair(F function)
+{
+    Dice dice(unsigned(sizeof(A) * 31 + sizeof(B)));
+    const int poses = std::is_same_v<A, Ray> || std::is_same_v<B, Plane> ? 10 * kPoses : kPoses;
+    int hits = 0;
+    for (int i = 0; i < poses; ++i) {
+        const Scene<A, B> s = random_scene<A, B>(dice);
+        SCOPED_TRACE(i);
+        if constexpr (std::is_same_v<A, Ray>) {
+            check_ray(function, s);
+        } else {
+            check_depth(function, s);
+            check_room(function, s);
+            if constexpr (std::is_same_v<A, B>) check_exchange(function, s);
+        }
+        hits += collide(function, s).count > 0;
+        if (testing::Test::HasFatalFailure()) return;
+    }
+    EXPECT_GT(hits, poses / 8) << "the poses do not try the function";
+    EXPECT_LT(hits, poses) << "no pose was apart";
+}
+
+// Far more poses without the sweep: whatever is reported must be true.
+template <class A, class B, class F>
+void check_claims(F function)
+{
+    if constexpr (kSolid<A>) {
+        Dice dice(77);
+        for (int i = 0; i < 20 * kPoses; ++i) {
+            const Scene<A, B> s = random_scene<A, B>(dice);
+            SCOPED_TRACE(i);
+            const Found f = collide(function, s);
+            check_numbers(f);
+            if (f.count > 0) {
+                const Real along = overlap_along(s, load(f.contacts[0].normal));
+                constexpr Real loss = kLoss<A, B>;
+                ASSERT_NEAR(f.depth, along, Real(5e-5) + (loss - 1) * std::fabs(along));
+            }
+            if (testing::Test::HasFatalFailure()) return;
+        }
+    }
+}
+
+template <class S>
+void flatten(Dice& dice, S& s)
+{
+    if constexpr (std::is_same_v<S, Sphere>) s.radius = 0;
+    if constexpr (std::is_same_v<S, Box>) s.half.set(int(dice.unit() * 3), 0);
+    if constexpr (std::is_same_v<S, Box>)
+        if (dice.unit() < Real(0.3)) s.half = {};
+    if constexpr (std::is_same_v<S, Capsule> || std::is_same_v<S, Cylinder>)
+        dice.unit() < Real(0.5) ? s.radius = 0 : s.half_length = 0;
+    if constexpr (std::is_same_v<S, Ray>) s.length = 0;
+}
+
+template <class A, class B, class F>
+void check_degenerate(F function)
+{
+    Dice dice(5);
+    for (int i = 0; i < 4 * kPoses; ++i) {
+        Scene<A, B> s = random_scene<A, B>(dice);
+        if (dice.unit() < Real(0.5)) s.pb.p = s.pa.p;
+        if (dice.unit() < Real(0.3)) s.pb.R = s.pa.R;
+        if (dice.unit() < Real(0.5)) flatten(dice, s.a);
+        if (dice.unit() < Real(0.5)) flatten(dice, s.b);
+        SCOPED_TRACE(i);
+        check_numbers(collide(function, s));
+        const Real scale = std::pow(Real(10), dice.between(-6, 6));
+        s.pa.p *= scale, s.pb.p *= scale;
+        check_numbers(collide(function, s));
+        if (testing::Test::HasFatalFailure()) return;
+    }
+}
+
+// Largest distance from a contact of one manifold to the nearest of the other.
+Real wander(const Found& f, const Found& g)
+{
+    Real most = 0;
+    for (int i = 0; i < f.count; ++i) {
+        Real nearest = kInf;
+        for (int j = 0; j < g.count; ++j)
+            nearest = std::min(nearest, length(load(f.contacts[i].pos) - load(g.contacts[j].pos)));
+        most = std::max(most, nearest);
+    }
+    return most;
+}
+
+// a stands or lies on b, a little sunk in; then everything is shaken by a millionth.
+template <class A, class B, class F>
+void check_steady(F function)
+{
+    if constexpr (kSolid<A>) {
+        Dice dice(11);
+        for (int i = 0; i < kPoses; ++i) {
+            Scene<A, B> s = random_scene<A, B>(dice);
+            s.pa.R = s.pb.R = Mat3::identity();
+            if (dice.unit() < Real(0.5)) s.pa.R = Dice::turn({1, 0, 0}, kPi / 2);
+            if constexpr (std::is_same_v<B, Plane>) s.b = {};
+            s.pb.p = {};
+            s.pa.p = {dice.between(Real(-0.05), Real(0.05)), dice.between(Real(-0.05), Real(0.05)), 0};
+            const Real sunk = overlap_along(s, {0, 0, 1});
+            s.pa.p.z += sunk - Real(0.004);
+            const Found f = collide(function, s);
+            ASSERT_GT(f.count, 0);
+            Scene<A, B> t = s;
+            t.pa.p += Real(1e-6) * dice.direction();
+            t.pa.R = Dice::turn(dice.direction(), Real(1e-6)) * t.pa.R;
+            const Found g = collide(function, t);
+            SCOPED_TRACE(i);
+            ASSERT_EQ(f.count, g.count);
+            ASSERT_LE(wander(f, g), Real(1e-3));
+            ASSERT_LE(wander(g, f), Real(1e-3));
+            ASSERT_LE(length(load(f.contacts[0].normal) - load(g.contacts[0].normal)), Real(1e-4));
+        }
+    }
+}
+
+}  // namespace
+
+#define PAIR(First, Second, function)                                                                  \
+    TEST(PairContract, function##_against_sweep) { check_pair<First, Second>(function); }              \
+    TEST(PairContract, function##_claims) { check_claims<First, Second>(function); }                   \
+    TEST(PairContract, function##_degenerate) { check_degenerate<First, Second>(function); }           \
+    TEST(PairContract, function##_steady) { check_steady<First, Second>(function); }
+#include "collide/pairs.inc"
+#undef PAIR
