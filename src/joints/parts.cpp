@@ -6,6 +6,7 @@
 #include "joints/parts.h"
 
 #include "dynamics/world.h"
+#include "math/rotation.h"
 #include "math/trig.h"
 
 namespace epode {
@@ -51,13 +52,6 @@ Vec3 relative_angular_velocity(const Joint& j)
 Quat relative_orientation(const Joint& j)
 {
     return conjugate(orientation_of(j.body1())) * orientation_of(j.body2());
-}
-
-Quat rotation_about(Vec3 unit, Real angle)
-{
-    const Real half = Real(0.5) * angle;
-    const Vec3 v = sin(half) * unit;
-    return {cos(half), v.x, v.y, v.z};
 }
 
 Real hinge_angle(Quat q1, Quat q2, Quat zero, Vec3 axis_local)

@@ -62,8 +62,6 @@ Vec3 relative_velocity(const Joint& j);          // v1 - v2
 Vec3 relative_angular_velocity(const Joint& j);  // w1 - w2
 Quat relative_orientation(const Joint& j);       // q1^-1 q2
 
-Quat rotation_about(Vec3 unit, Real angle);
-
 // Rotation of frame 1 against frame 2 about a unit axis given in frame 1, in [-pi, pi]; zero where
 // q1^-1 q2 = zero.
 Real hinge_angle(Quat q1, Quat q2, Quat zero, Vec3 axis_local);

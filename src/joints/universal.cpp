@@ -9,6 +9,7 @@
 // angle 2 the cross against body 2 about a2. Attached as (0, B), the client's axis 1 is the internal axis 2
 // (the world's), angle1 = internal angle2, angle2 = -internal angle1; stops and motors keep internal numbers.
 #include "joints/access.h"
+#include "math/rotation.h"
 
 namespace epode {
 
@@ -27,10 +28,10 @@ struct Universal : Joint {
     // The cross with its first arm exactly on axis i and the second nearly on the other.
     Quat cross_orientation(int i) const
     {
+        Mat3 R;
         const Vec3 a = axis(i);
-        Vec3 b = axis(1 - i) - dot(a, axis(1 - i)) * a;
-        if (!normalize(b)) b = some_perpendicular(a);
-        return to_quat(from_columns(a, b, cross(a, b)));
+        if (!rotation_from_axes(a, axis(1 - i), R)) rotation_from_axes(a, some_perpendicular(a), R);
+        return to_quat(R);
     }
     // Rotation of body i against the cross about axis i; the second angle has the opposite sense.
     Real body_angle(int i) const

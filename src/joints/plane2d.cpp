@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Plane joint: body 1 stays in the world's plane z = 0 and turns about z only.
+//   C(x)  = z1 = 0             J = [ z, 0 ]
+//   w1.x  = 0,  w1.y = 0       J = [ 0, x ], [ 0, y ]
+//   and, where given force: motors along [ x, .. ], [ y, .. ] and about [ 0, z ]
+// The two angular rows hold rates, not angles: a tilt that the body already has stays, as in ODE, where clients
+// reset the orientation now and then. Body 2, should there be one, feels only the motors.
+#include "joints/access.h"
+
+namespace epode {
+
+struct Plane2D : Joint {
+    static constexpr int kMaxRows = 6;
+    Plane2D(const JointType& t, World& w) : Joint(t, w), motor_x(w), motor_y(w), motor_angle(w) {}
+
+    LimitMotor motor_x, motor_y, motor_angle;  // their stops are never tested
+
+    void emit(RowWriter& out)
+    {
+        const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
+        Row& height = out.row();
+        height.lin1 = z;
+        height.error = -body1()->position().z;
+        out.row().ang1 = x;
+        out.row().ang1 = y;
+        motor_x.emit_motor(out, sliding_jacobian(*this, x));
+        motor_y.emit_motor(out, sliding_jacobian(*this, y));
+        motor_angle.emit_motor(out, angular_jacobian(*this, z));
+    }
+};
+
+JOINT_DEFINE(Plane2D);
+
+namespace {
+
+void set_motor(dJointID id, LimitMotor Plane2D::* motor, int param, Real value, const char* caller)
+{
+    Plane2D* j = checked<Plane2D>(id, caller);
+    if (j && demand(usable_param(param, value), caller)) (j->*motor).set(param, value);
+}
+
+}  // namespace
+}  // namespace epode
+
+using namespace epode;
+
+extern "C" {
+
+dJointID dJointCreatePlane2D(dWorldID w, dJointGroupID g) { return create_joint<Plane2D>(w, g); }
+
+void dJointSetPlane2DXParam(dJointID id, int param, dReal value)
+{
+    set_motor(id, &Plane2D::motor_x, param, value, __func__);
+}
+
+void dJointSetPlane2DYParam(dJointID id, int param, dReal value)
+{
+    set_motor(id, &Plane2D::motor_y, param, value, __func__);
+}
+
+void dJointSetPlane2DAngleParam(dJointID id, int param, dReal value)
+{
+    set_motor(id, &Plane2D::motor_angle, param, value, __func__);
+}
+
+}  // extern "C"

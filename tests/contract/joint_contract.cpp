@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What every line of joint_types.inc must keep, whoever wrote it: rows within the stated number; Jacobians that
+// are the derivative of their errors; action equals reaction, in force and in moment; (A,B) and (B,A) the same
+// constraint; parameters read as they were set. Random poses, fixed seed.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+
+#include "../unit/joints/rig.h"
+#include "ode/contact.h"
+#include "ode/objects.h"
+
+namespace epode::test {
+namespace {
+
+constexpr Real kTight = kSingle ? Real(2e-4) : Real(1e-9);
+constexpr Real kDifference = kSingle ? Real(3e-2) : Real(1e-5);
+
+// Uniform numbers from a linear congruence: the contract needs variety, not quality.
+struct Dice {
+    std::uint32_t state = 12345;
+    Real next()
+    {
+        state = state * 1664525u + 1013904223u;
+        return Real(state >> 8) / Real(1 << 23) - 1;
+    }
+    Vec3 vector()
+    {
+        const Real x = next(), y = next(), z = next();
+        return {x, y, z};
+    }
+    Vec3 unit() { return normalized_or(vector(), {1, 0, 0}); }
+    Quat rotation()
+    {
+        const Vec3 axis = unit();
+        return turn(axis, 3 * next());
+    }
+};
+
+struct Case {
+    int number;
+    const char* name;
+};
+
+std::vector<Case> all_types()
+{
+    return {
+#define JOINT_TYPE(Name, Number) {Number, #Name},
+#include "joints/joint_types.inc"
+#undef JOINT_TYPE
+    };
+}
+
+dContact some_contact(Vec3 point, Vec3 normal)
+{
+    dContact c{};
+    c.surface.mode = dContactRolling | dContactApprox1;
+    c.surface.mu = 1;
+    c.surface.rho = Real(0.1);
+    store(c.geom.pos, point);
+    store(c.geom.normal, normal);
+    return c;
+}
+
+// Geometry of a joint at which all its equality errors vanish.
+struct Geometry {
+    Vec3 anchor, axis1, axis2;
+    explicit Geometry(Dice& dice)
+    {
+        anchor = dice.vector();
+        axis1 = dice.unit();
+        axis2 = normalized_or(cross(axis1, dice.unit()), {0, 1, 0});
+    }
+};
+
+dJointID create(dWorldID w, int number, const Geometry& g, bool swapped = false)
+{
+    switch (number) {
+        case dJointTypeBall: return dJointCreateBall(w, nullptr);
+        case dJointTypeHinge: return dJointCreateHinge(w, nullptr);
+        case dJointTypeSlider: return dJointCreateSlider(w, nullptr);
+        case dJointTypeUniversal: return dJointCreateUniversal(w, nullptr);
+        case dJointTypeHinge2: return dJointCreateHinge2(w, nullptr);
+        case dJointTypeFixed: return dJointCreateFixed(w, nullptr);
+        case dJointTypeNull: return dJointCreateNull(w, nullptr);
+        case dJointTypeAMotor: return dJointCreateAMotor(w, nullptr);
+        case dJointTypeContact: {
+            const dContact c = some_contact(g.anchor, swapped ? -g.axis1 : g.axis1);
+            return dJointCreateContact(w, nullptr, &c);
+        }
+        default: return nullptr;
+    }
+}
+
+// `swapped`: the joint is attached the other way round, and axes change places with their bodies.
+void set_geometry(dJointID j, int number, const Geometry& g, bool swapped = false)
+{
+    const Vec3 p = g.anchor, a = swapped ? g.axis2 : g.axis1, b = swapped ? g.axis1 : g.axis2;
+    const dReal a4[4] = {a.x, a.y, a.z, 0}, b4[4] = {b.x, b.y, b.z, 0};
+    switch (number) {
+        case dJointTypeBall: dJointSetBallAnchor(j, p.x, p.y, p.z); break;
+        case dJointTypeHinge:
+            dJointSetHingeAnchor(j, p.x, p.y, p.z);
+            dJointSetHingeAxis(j, g.axis1.x, g.axis1.y, g.axis1.z);
+            break;
+        case dJointTypeSlider: dJointSetSliderAxis(j, g.axis1.x, g.axis1.y, g.axis1.z); break;
+        case dJointTypeUniversal:
+            dJointSetUniversalAnchor(j, p.x, p.y, p.z);
+            dJointSetUniversalAxis1(j, a.x, a.y, a.z);
+            dJointSetUniversalAxis2(j, b.x, b.y, b.z);
+            break;
+        case dJointTypeHinge2:
+            dJointSetHinge2Anchor(j, p.x, p.y, p.z);
+            dJointSetHinge2Axes(j, a4, b4);
+            break;
+        case dJointTypeFixed: dJointSetFixed(j); break;
+        case dJointTypeAMotor:
+            dJointSetAMotorNumAxes(j, 3);
+            dJointSetAMotorAxis(j, 0, 1, a.x, a.y, a.z);
+            dJointSetAMotorAxis(j, 1, 2, b.x, b.y, b.z);
+            dJointSetAMotorAxis(j, 2, 0, p.x, p.y, p.z);
+            for (int i = 0; i < 3; ++i) dJointSetAMotorParam(j, dParamFMax + i * dParamGroup, 1);
+            break;
+        default: break;
+    }
+}
+
+using Line = std::array<Real, 12>;
+
+Line line(const Row& r)
+{
+    Line out{};
+    store(&out[0], r.lin1), store(&out[3], r.ang1), store(&out[6], r.lin2), store(&out[9], r.ang2);
+    return out;
+}
+
+Real product(const Line& a, const Line& b)
+{
+    Real s = 0;
+    for (int i = 0; i < 12; ++i) s += a[i] * b[i];
+    return s;
+}
+
+std::vector<Line> equality_lines(const std::vector<Row>& rows)
+{
+    std::vector<Line> out;
+    for (const Row& r : rows)
+        if (r.kind == RowKind::kLock) out.push_back(line(r));
+    return out;
+}
+
+// What is left of x after taking out its part in the span of `lines` (orthonormalised on the way).
+Line outside_span(std::vector<Line> lines, Line x)
+{
+    std::vector<Line> basis;
+    for (Line l : lines) {
+        for (int pass = 0; pass < 2; ++pass)
+            for (const Line& b : basis) {
+                const Real k = product(l, b);
+                for (int i = 0; i < 12; ++i) l[i] -= k * b[i];
+            }
+        const Real size = std::sqrt(product(l, l));
+        if (size < 1e-6) continue;
+        for (Real& v : l) v /= size;
+        basis.push_back(l);
+    }
+    for (int pass = 0; pass < 2; ++pass)
+        for (const Line& b : basis) {
+            const Real k = product(x, b);
+            for (int i = 0; i < 12; ++i) x[i] -= k * b[i];
+        }
+    return x;
+}
+
+Real size(const Line& x) { return std::sqrt(product(x, x)); }
+
+class JointContract : public testing::TestWithParam<Case> {
+  protected:
+    Rig rig;
+    Dice dice;
+
+    struct Scene {
+        Body *a, *b;
+        Geometry geometry;
+        dJointID joint;
+    };
+    Scene scene(bool one_body = false, bool swapped = false)
+    {
+        const Vec3 xa = dice.vector(), xb = dice.vector();
+        const Quat qa = dice.rotation(), qb = dice.rotation();
+        const Geometry g(dice);
+        Scene s{rig.body(xa, qa), one_body ? nullptr : rig.body(xb, qb), g, nullptr};
+        s.joint = create(rig.id(), GetParam().number, g, swapped);
+        if (s.joint) {
+            swapped ? Rig::join(s.joint, s.b, s.a) : Rig::join(s.joint, s.a, s.b);
+            set_geometry(s.joint, GetParam().number, g, swapped);
+        }
+        return s;
+    }
+    const JointType& type() const { return *joint_type(GetParam().number); }
+};
+
+TEST_P(JointContract, is_in_the_table_under_its_number_and_name)
+{
+    const JointType* t = joint_type(GetParam().number);
+    ASSERT_NE(t, nullptr);
+    EXPECT_EQ(t->number, GetParam().number);
+    EXPECT_STREQ(t->name, GetParam().name);
+    EXPECT_TRUE(t->emit && t->attached && t->set_param && t->get_param && t->destroy);
+}
+
+TEST_P(JointContract, is_exercised_by_this_file)
+{
+    const Scene s = scene();
+    ASSERT_NE(s.joint, nullptr) << "teach create() and set_geometry() of joint_contract.cpp this type";
+    EXPECT_EQ(from_handle<Joint>(s.joint)->type, &type());
+}
+
+TEST_P(JointContract, writes_finite_rows_within_its_number)
+{
+    for (int trial = 0; trial < 20; ++trial) {
+        const Scene s = scene(trial % 2 == 1 && !type().needs_two_bodies);
+        const Emitted e = rig.emit(s.joint);
+        EXPECT_LE(int(e.rows.size()), type().max_rows);
+        for (const Row& r : e.rows) {
+            for (Real v : line(r)) EXPECT_TRUE(usable(v));
+            EXPECT_TRUE(usable(r.error) && usable(r.speed) && usable(r.erp) && usable(r.cfm));
+            EXPECT_LE(r.lo, 0);
+            EXPECT_GE(r.hi, 0);
+            EXPECT_LT(r.parent, int(e.rows.size()));
+            if (r.kind != RowKind::kLock) continue;
+            EXPECT_NEAR(r.error, 0, 100 * kEpsilon) << "at the pose of setting";
+        }
+    }
+}
+
+// d(error)/dt = -S J v with ones on the diagonal of S: each row's error falls at the rate its own J measures,
+// up to motions that other rows of the joint forbid.
+TEST_P(JointContract, jacobian_is_the_derivative_of_the_error)
+{
+    const Real t = kSingle ? Real(1e-3) : Real(1e-6);
+    for (int trial = 0; trial < 10; ++trial) {
+        const bool one_body = trial % 2 == 1 && !type().needs_two_bodies;
+        const Scene s = scene(one_body);
+        const std::vector<Row> rows = rig.emit(s.joint).rows;
+        const std::vector<Line> lines = equality_lines(rows);
+        std::vector<Line> slope(lines.size());
+        for (int k = 0; k < (one_body ? 6 : 12); ++k) {
+            Body* b = k < 6 ? s.a : s.b;
+            const Vec3 x = b->position();
+            const Quat q = b->orientation();
+            Vec3 d;
+            d.set(k % 3, 1);
+            std::vector<Row> at[2];
+            for (int side = 0; side < 2; ++side) {
+                const Real step = side ? t : -t;
+                if (k % 6 < 3) Rig::place(b, x + step * d, q);
+                else Rig::place(b, x, turn(d, step) * q);
+                at[side] = rig.emit(s.joint).rows;
+            }
+            Rig::place(b, x, q);
+            for (std::size_t i = 0, r = 0; i < rows.size(); ++i)
+                if (rows[i].kind == RowKind::kLock) slope[r++][k] = (at[1][i].error - at[0][i].error) / (2 * t);
+        }
+        for (std::size_t r = 0; r < lines.size(); ++r) {
+            Line sum{};
+            for (int k = 0; k < 12; ++k) sum[k] = slope[r][k] + lines[r][k];
+            std::vector<Line> others = lines;
+            others.erase(others.begin() + std::ptrdiff_t(r));
+            EXPECT_LT(size(outside_span(others, sum)), kDifference) << "row " << r << " trial " << trial;
+        }
+    }
+}
+
+TEST_P(JointContract, makes_neither_momentum_nor_moment)
+{
+    for (int trial = 0; trial < 10; ++trial) {
+        const Scene s = scene();
+        for (const Row& r : rig.emit(s.joint).rows) {
+            const Vec3 moment = cross(s.a->position(), r.lin1) + r.ang1 + cross(s.b->position(), r.lin2) + r.ang2;
+            EXPECT_LT(length(r.lin1 + r.lin2), kTight);
+            EXPECT_LT(length(moment), kTight);
+        }
+    }
+}
+
+TEST_P(JointContract, is_the_same_constraint_with_bodies_exchanged)
+{
+    for (int trial = 0; trial < 10; ++trial) {
+        const Dice before = dice;
+        const Scene straight = scene();
+        dice = before;
+        const Scene crossed = scene(false, true);
+        const std::vector<Row> one = rig.emit(straight.joint).rows, two = rig.emit(crossed.joint).rows;
+        ASSERT_EQ(one.size(), two.size());
+        std::vector<Line> a, b;
+        for (const Row& r : one) a.push_back(line(r));
+        for (const Row& r : two) {
+            Line l = line(r);
+            for (int i = 0; i < 6; ++i) std::swap(l[i], l[i + 6]);
+            b.push_back(l);
+        }
+        for (const Line& l : b) EXPECT_LT(size(outside_span(a, l)), kTight);
+        for (const Line& l : a) EXPECT_LT(size(outside_span(b, l)), kTight);
+    }
+}
+
+TEST_P(JointContract, leaves_the_world_out_of_one_body_rows)
+{
+    if (type().needs_two_bodies) GTEST_SKIP() << "needs two bodies";
+    const Scene s = scene(true);
+    for (const Row& r : rig.emit(s.joint).rows) {
+        EXPECT_EQ(length2(r.lin2), 0);
+        EXPECT_EQ(length2(r.ang2), 0);
+    }
+}
+
+TEST_P(JointContract, reversed_to_the_world_holds_the_same_pose)
+{
+    if (type().needs_two_bodies) GTEST_SKIP() << "needs two bodies";
+    const Geometry g(dice);
+    Body* b = rig.body(dice.vector(), dice.rotation());
+    const dJointID j = create(rig.id(), GetParam().number, g);
+    Rig::join(j, nullptr, b);
+    set_geometry(j, GetParam().number, g);
+    EXPECT_TRUE(from_handle<Joint>(j)->reverse);
+    for (const Row& r : rig.emit(j).rows) EXPECT_NEAR(r.error, 0, 100 * kEpsilon);
+}
+
+TEST_P(JointContract, reads_every_parameter_it_lets_be_set)
+{
+    const Scene s = scene();
+    Joint& j = *from_handle<Joint>(s.joint);
+    for (int group = 0; group < 4; ++group)
+        for (int p = 0; p < dParamsInGroup; ++p) {
+            const int param = group * dParamGroup + p;
+            const Real wanted = Real(0.25) + Real(p) / 64 + Real(group) / 256;
+            const bool known = type().set_param(j, param, wanted);
+            Real value = -1;
+            EXPECT_EQ(type().get_param(j, param, value), known) << std::hex << param;
+            EXPECT_EQ(value, known ? wanted : -1) << std::hex << param;
+        }
+    // Setting one did not disturb another.
+    for (int group = 0; group < 4; ++group)
+        for (int p = 0; p < dParamsInGroup; ++p) {
+            const Real wanted = Real(0.25) + Real(p) / 64 + Real(group) / 256;
+            Real value = wanted;
+            type().get_param(j, group * dParamGroup + p, value);
+            EXPECT_EQ(value, wanted) << group << ' ' << p;
+        }
+}
+
+TEST_P(JointContract, keeps_its_row_count_at_inner_poses)
+{
+    const Scene s = scene();
+    Joint& j = *from_handle<Joint>(s.joint);
+    if (j.type->number == dJointTypeContact) GTEST_SKIP() << "contacts are written once a step";
+    for (int group = 0; group < 3; ++group) {
+        type().set_param(j, group * dParamGroup + dParamLoStop, Real(-0.2));
+        type().set_param(j, group * dParamGroup + dParamHiStop, Real(0.2));
+        type().set_param(j, group * dParamGroup + dParamFMax, 0);
+    }
+    for (int trial = 0; trial < 20; ++trial) {
+        rig.info.inner = false;
+        Rig::place(s.a, dice.vector(), dice.rotation());
+        const std::vector<Row> first = rig.emit(s.joint).rows;
+        rig.info.inner = true;
+        Rig::place(s.a, dice.vector(), dice.rotation());
+        const Emitted inner = rig.emit(s.joint);
+        EXPECT_FALSE(inner.applied);
+        ASSERT_EQ(inner.rows.size(), first.size());
+        for (std::size_t i = 0; i < first.size(); ++i) {
+            EXPECT_EQ(inner.rows[i].lo, first[i].lo);
+            EXPECT_EQ(inner.rows[i].hi, first[i].hi);
+            EXPECT_EQ(inner.rows[i].kind, first[i].kind);
+        }
+    }
+}
+
+TEST_P(JointContract, survives_the_loss_of_its_bodies_and_a_new_attachment)
+{
+    const Scene s = scene();
+    Joint& j = *from_handle<Joint>(s.joint);
+    destroy_body(*s.b);
+    EXPECT_FALSE(j.attached());
+    Body* c = rig.body(dice.vector(), dice.rotation());
+    Rig::join(s.joint, s.a, c);
+    EXPECT_LE(int(rig.emit(s.joint).rows.size()), type().max_rows);
+}
+
+INSTANTIATE_TEST_SUITE_P(AllTypes, JointContract, testing::ValuesIn(all_types()),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+}  // namespace
+}  // namespace epode::test
