@@ -22,7 +22,8 @@ enum class Tag : std::uint32_t {
     kGeom = 0x0de00005,
 };
 
-// What every object behind a handle starts with; `serial` is unique in the process and never reused.
+// What every object behind a handle starts with; `serial` tells objects of one kind apart
+// (bodies: within their world) and is never reused.
 struct Tagged {
     explicit Tagged(Tag t) : tag(t) {}
     ~Tagged() { *const_cast<volatile Tag*>(&tag) = Tag::kDead; }  // volatile: the store must survive

@@ -65,6 +65,7 @@ Body* create_body(World& world)
         Pool<Body>::destroy(body);
         return nullptr;
     }
+    body->serial = ++world.bodies_made;
     link(*body, world);
     return body;
 }

@@ -22,6 +22,7 @@ struct World : Tagged {
     Body* bodies = nullptr;
     Joint* joints = nullptr;
     int body_count = 0;
+    std::uint64_t bodies_made = 0;   // gives each body its serial
     int joint_count = 0;
 
     Vec3 gravity;
@@ -33,7 +34,7 @@ struct World : Tagged {
     Real quick_w = Real(1.3);
     Real warm_starting = Real(0.9);  // share of the last impulse that QuickStep starts from
     int auto_enable_depth = 3;       // of the 0.039 guide; stored, never used by it either
-    int islands_max_threads = 0;     // 0: unlimited
+    unsigned islands_max_threads = 0;  // 0: unlimited
 
     // Seeds of new bodies.
     bool auto_disable = false;
@@ -45,6 +46,7 @@ struct World : Tagged {
     std::uint64_t step_count = 0;
     bool stepping = false;           // calls that would pull the step's feet away are refused meanwhile
     bool report_wanted = false;
+    bool report_made = false;        // a step has been made since it was wanted
     dWorldStepReport report{};
 
     Arena arena;

@@ -74,11 +74,10 @@ void ActiveSet::settle(const ExactProblem& problem, BoxState& state)
 
 double ActiveSet::refine(ExactProblem& problem, BoxState& state)
 {
-    const double small = 1e-14 * problem.scale();
+    const double small = 1e-15 * problem.scale();
     double worst = 0, before = HUGE_VAL;
     for (int pass = 0; pass < 8; ++pass) {
-        problem.momentum_residual(state.v, state.p, r_);
-        worst = 0;
+        worst = problem.momentum_residual(state.v, state.p, r_);
         for (std::size_t i = 0; i < state.p.size(); ++i) {
             if (!(D_[i] > 0)) continue;
             const ExactRow& row = problem.row(int(i));

@@ -197,8 +197,8 @@ int ExactProblem::factor(std::span<const double> D)
     return H_.factor();
 }
 
-void ExactProblem::momentum_residual(std::span<const double> v, std::span<const double> p,
-                                     std::span<double> r) const
+double ExactProblem::momentum_residual(std::span<const double> v, std::span<const double> p,
+                                       std::span<double> r) const
 {
     for (std::size_t n = 0; n < masses_.size(); ++n) {
         const BodyMass& mass = masses_[n];
@@ -209,6 +209,15 @@ void ExactProblem::momentum_residual(std::span<const double> v, std::span<const 
     }
     for (std::size_t i = 0; i < rows_.size(); ++i)
         if (p[i] != 0) add_jt(rows_[i], p[i], r);
+    double worst = 0;
+    for (std::size_t n = 0; n < masses_.size(); ++n) {
+        const BodyMass& mass = masses_[n];
+        double turn[3];
+        multiply(mass.inv_I, &r[6 * n + 3], turn);
+        for (std::size_t i = 0; i < 3; ++i)
+            worst = std::max({worst, std::fabs(mass.inv_mass * r[6 * n + i]), std::fabs(turn[i])});
+    }
+    return worst;
 }
 
 void ExactProblem::velocities(std::span<const double> p, std::span<double> v) const

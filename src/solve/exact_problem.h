@@ -47,8 +47,8 @@ class ExactProblem {
     int factor(std::span<const double> D);
     void solve(std::span<double> x) { H_.solve(x); }
 
-    // r = M (v* - v) + J^T p
-    void momentum_residual(std::span<const double> v, std::span<const double> p, std::span<double> r) const;
+    // r = M (v* - v) + J^T p; returns the largest component of M^-1 r, a velocity.
+    double momentum_residual(std::span<const double> v, std::span<const double> p, std::span<double> r) const;
     // v = v* + M^-1 J^T p
     void velocities(std::span<const double> p, std::span<double> v) const;
 

@@ -176,6 +176,7 @@ bool step_world(World& world, const Solver& solver, Real h, int iterations)
         step_island(context, islands[i]);
     }
     state->contacts.end();
+    world.report_made = true;
     world.stepping = false;
     return true;
 }

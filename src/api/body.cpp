@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Bodies: life, pose, velocity, mass, forces, frames, joints. What decides when they sleep, damp and turn is
+// in body_rules.cpp.
+#include "api/body_handle.h"
+#include "math/rotation.h"
+#include "ode/ode.h"
+#include "step/link.h"
+
+using namespace epode;
+
+namespace {
+
+Vec3 world_arm(const Body& body, Vec3 relative) { return body.rotation() * relative; }
+
+// Force f and torque about the centre by an arm.
+void push(Body& body, Vec3 f, Vec3 arm)
+{
+    store(body.facc, load(body.facc) + f);
+    store(body.tacc, load(body.tacc) + cross(arm, f));
+}
+
+void twist(Body& body, Vec3 t) { store(body.tacc, load(body.tacc) + t); }
+
+}  // namespace
+
+extern "C" {
+
+dBodyID dBodyCreate(dWorldID w)
+{
+    World* world = from_handle<World>(w);
+    EPODE_USER(world, nullptr);
+    return to_handle(create_body(*world));
+}
+
+void dBodyDestroy(dBodyID b)
+{
+    BODY_OR();
+    EPODE_USER_SAY(!body->world->stepping, "Invalid operation during a step");
+    release_geoms(*body);
+    destroy_body(*body);
+}
+
+dWorldID dBodyGetWorld(dBodyID b)
+{
+    BODY_OR(nullptr);
+    return to_handle(body->world);
+}
+
+void dBodySetData(dBodyID b, void* data)
+{
+    BODY_OR();
+    body->data = data;
+}
+
+void* dBodyGetData(dBodyID b)
+{
+    BODY_OR(nullptr);
+    return body->data;
+}
+
+// ---- pose and velocity --------------------------------------------------------------------------------------
+
+void dBodySetPosition(dBodyID b, dReal x, dReal y, dReal z)
+{
+    BODY_OR();
+    USABLE3(x, y, z);
+    EPODE_USER_SAY(geoms_unlocked(*body), "Invalid operation for locked space");
+    store(body->pos, {x, y, z});
+    body_moved(*body);
+}
+
+void dBodySetRotation(dBodyID b, const dMatrix3 R)
+{
+    BODY_OR();
+    EPODE_USER(R && usable(R, 3) && usable(R + 4, 3) && usable(R + 8, 3));
+    Mat3 clean = load_mat(R);
+    EPODE_USER(orthonormalize(clean));
+    EPODE_USER_SAY(geoms_unlocked(*body), "Invalid operation for locked space");
+    Quat q = to_quat(clean);
+    normalize(q);
+    store_quat(body->q, q);
+    store_mat(body->R, clean);
+    body_moved(*body);
+}
+
+void dBodySetQuaternion(dBodyID b, const dQuaternion q)
+{
+    BODY_OR();
+    EPODE_USER(q && usable(q, 4));
+    Quat unit = load_quat(q);
+    EPODE_USER(normalize(unit));
+    EPODE_USER_SAY(geoms_unlocked(*body), "Invalid operation for locked space");
+    set_orientation(*body, unit);
+    body_moved(*body);
+}
+
+#define BODY_VECTOR(Name, member)                                                     \
+    void dBodySet##Name(dBodyID b, dReal x, dReal y, dReal z)                         \
+    {                                                                                 \
+        BODY_OR();                                                                    \
+        USABLE3(x, y, z);                                                             \
+        store(body->member, {x, y, z});                                               \
+    }                                                                                 \
+    const dReal* dBodyGet##Name(dBodyID b)                                            \
+    {                                                                                 \
+        BODY_OR(nullptr);                                                             \
+        return body->member;                                                          \
+    }
+
+BODY_VECTOR(LinearVel, lvel)
+BODY_VECTOR(AngularVel, avel)
+BODY_VECTOR(Force, facc)
+BODY_VECTOR(Torque, tacc)
+
+const dReal* dBodyGetPosition(dBodyID b)
+{
+    BODY_OR(nullptr);
+    return body->pos;
+}
+
+const dReal* dBodyGetRotation(dBodyID b)
+{
+    BODY_OR(nullptr);
+    return body->R;
+}
+
+const dReal* dBodyGetQuaternion(dBodyID b)
+{
+    BODY_OR(nullptr);
+    return body->q;
+}
+
+void dBodyCopyPosition(dBodyID b, dVector3 pos)
+{
+    BODY_OR();
+    EPODE_USER(pos);
+    store(pos, body->position());
+}
+
+void dBodyCopyRotation(dBodyID b, dMatrix3 R)
+{
+    BODY_OR();
+    EPODE_USER(R);
+    store_mat(R, body->rotation());
+}
+
+void dBodyCopyQuaternion(dBodyID b, dQuaternion q)
+{
+    BODY_OR();
+    EPODE_USER(q);
+    store_quat(q, body->orientation());
+}
+
+// ---- mass ---------------------------------------------------------------------------------------------------
+
+void dBodySetMass(dBodyID b, const dMass* mass)
+{
+    BODY_OR();
+    EPODE_USER(mass);
+    EPODE_USER_SAY(max_component(abs(load(mass->c))) <= kEpsilon,
+                   "The centre of mass must be at the origin");
+    EPODE_USER_SAY(set_mass(*body, *mass), "The mass must be positive and its inertia positive definite");
+}
+
+void dBodyGetMass(dBodyID b, dMass* mass)
+{
+    BODY_OR();
+    EPODE_USER(mass);
+    *mass = body->mass;
+}
+
+void dBodySetDynamic(dBodyID b)
+{
+    BODY_OR();
+    set_dynamic(*body);
+}
+
+void dBodySetKinematic(dBodyID b)
+{
+    BODY_OR();
+    set_kinematic(*body);
+}
+
+int dBodyIsKinematic(dBodyID b)
+{
+    BODY_OR(0);
+    return body->kinematic();
+}
+
+// ---- forces -------------------------------------------------------------------------------------------------
+
+void dBodyAddForce(dBodyID b, dReal fx, dReal fy, dReal fz)
+{
+    BODY_OR();
+    USABLE3(fx, fy, fz);
+    push(*body, {fx, fy, fz}, {});
+}
+
+void dBodyAddTorque(dBodyID b, dReal fx, dReal fy, dReal fz)
+{
+    BODY_OR();
+    USABLE3(fx, fy, fz);
+    twist(*body, {fx, fy, fz});
+}
+
+void dBodyAddRelForce(dBodyID b, dReal fx, dReal fy, dReal fz)
+{
+    BODY_OR();
+    USABLE3(fx, fy, fz);
+    push(*body, world_arm(*body, {fx, fy, fz}), {});
+}
+
+void dBodyAddRelTorque(dBodyID b, dReal fx, dReal fy, dReal fz)
+{
+    BODY_OR();
+    USABLE3(fx, fy, fz);
+    twist(*body, world_arm(*body, {fx, fy, fz}));
+}
+
+void dBodyAddForceAtPos(dBodyID b, dReal fx, dReal fy, dReal fz, dReal px, dReal py, dReal pz)
+{
+    BODY_OR();
+    USABLE3(fx, fy, fz);
+    USABLE3(px, py, pz);
+    push(*body, {fx, fy, fz}, Vec3{px, py, pz} - body->position());
+}
+
+void dBodyAddForceAtRelPos(dBodyID b, dReal fx, dReal fy, dReal fz, dReal px, dReal py, dReal pz)
+{
+    BODY_OR();
+    USABLE3(fx, fy, fz);
+    USABLE3(px, py, pz);
+    push(*body, {fx, fy, fz}, world_arm(*body, {px, py, pz}));
+}
+
+void dBodyAddRelForceAtPos(dBodyID b, dReal fx, dReal fy, dReal fz, dReal px, dReal py, dReal pz)
+{
+    BODY_OR();
+    USABLE3(fx, fy, fz);
+    USABLE3(px, py, pz);
+    push(*body, world_arm(*body, {fx, fy, fz}), Vec3{px, py, pz} - body->position());
+}
+
+void dBodyAddRelForceAtRelPos(dBodyID b, dReal fx, dReal fy, dReal fz, dReal px, dReal py, dReal pz)
+{
+    BODY_OR();
+    USABLE3(fx, fy, fz);
+    USABLE3(px, py, pz);
+    push(*body, world_arm(*body, {fx, fy, fz}), world_arm(*body, {px, py, pz}));
+}
+
+// ---- frames -------------------------------------------------------------------------------------------------
+
+#define BODY_TRANSFORM(Name, expression)                                                         \
+    void dBody##Name(dBodyID b, dReal px, dReal py, dReal pz, dVector3 result)                   \
+    {                                                                                            \
+        BODY_OR();                                                                               \
+        EPODE_USER(result);                                                                      \
+        const Vec3 p{px, py, pz};                                                                \
+        store(result, expression);                                                               \
+    }
+
+BODY_TRANSFORM(GetRelPointPos, body->pose().to_world(p))
+BODY_TRANSFORM(GetRelPointVel, body->velocity() + cross(body->angular_velocity(), world_arm(*body, p)))
+BODY_TRANSFORM(GetPointVel, body->point_velocity(p))
+BODY_TRANSFORM(GetPosRelPoint, body->pose().to_local(p))
+BODY_TRANSFORM(VectorToWorld, world_arm(*body, p))
+BODY_TRANSFORM(VectorFromWorld, transposed_times(body->rotation(), p))
+
+// ---- joints -------------------------------------------------------------------------------------------------
+
+int dBodyGetNumJoints(dBodyID b)
+{
+    BODY_OR(0);
+    int count = 0;
+    for (JointNode* n = body->joints; n; n = n->next) ++count;
+    return count;
+}
+
+dJointID dBodyGetJoint(dBodyID b, int index)
+{
+    BODY_OR(nullptr);
+    JointNode* n = index < 0 ? nullptr : body->joints;
+    for (int i = 0; n && i < index; ++i) n = n->next;
+    return n ? to_handle(n->joint) : nullptr;
+}
+
+void dBodySetMovedCallback(dBodyID b, void (*callback)(dBodyID))
+{
+    BODY_OR();
+    body->moved = callback;
+}
+
+}  // extern "C"

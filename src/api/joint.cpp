@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What can be done with any joint: attach, enable, ask, group, and find by bodies. Functions of one type stand
+// in that type's file.
+#include "base/pool.h"
+#include "dynamics/joint_group.h"
+#include "dynamics/world.h"
+#include "ode/ode.h"
+
+using namespace epode;
+
+namespace {
+
+// The first joint at or after `n` in body a's list whose other end is `b` (null: the world).
+JointNode* find_connection(JointNode* n, const Body* b)
+{
+    for (; n; n = n->next) {
+        Joint& joint = *n->joint;
+        if (joint.node[n == &joint.node[0] ? 1 : 0].body == b) return n;
+    }
+    return nullptr;
+}
+
+bool stepping(const Joint& joint) { return joint.world && joint.world->stepping; }
+
+bool stepping(const JointGroup& group)
+{
+    for (const Joint* joint : group.joints)
+        if (stepping(*joint)) return true;
+    return false;
+}
+
+// A null or live handle.
+bool valid_or_null(dBodyID id) { return !id || from_handle<Body>(id); }
+
+}  // namespace
+
+#define JOINT_OR(...)                           \
+    Joint* const joint = from_handle<Joint>(j); \
+    EPODE_USER(joint != nullptr __VA_OPT__(, ) __VA_ARGS__)
+
+#define GROUP_OR(...)                                     \
+    JointGroup* const group = from_handle<JointGroup>(g); \
+    EPODE_USER(group != nullptr __VA_OPT__(, ) __VA_ARGS__)
+
+extern "C" {
+
+void dJointDestroy(dJointID j)
+{
+    JOINT_OR();
+    EPODE_USER_SAY(!stepping(*joint), "Invalid operation during a step");
+    // The group owns it; clients of ODE call this on grouped joints without harm.
+    if (!joint->group) destroy_joint(*joint);
+}
+
+dJointGroupID dJointGroupCreate(int) { return to_handle(Pool<JointGroup>::create()); }
+
+void dJointGroupDestroy(dJointGroupID g)
+{
+    GROUP_OR();
+    EPODE_USER_SAY(!stepping(*group), "Invalid operation during a step");
+    empty_group(*group);
+    Pool<JointGroup>::destroy(group);
+}
+
+void dJointGroupEmpty(dJointGroupID g)
+{
+    GROUP_OR();
+    EPODE_USER_SAY(!stepping(*group), "Invalid operation during a step");
+    empty_group(*group);
+}
+
+void dJointAttach(dJointID j, dBodyID b1, dBodyID b2)
+{
+    JOINT_OR();
+    EPODE_USER(valid_or_null(b1) && valid_or_null(b2));
+    Body* const a = from_handle<Body>(b1);
+    Body* const b = from_handle<Body>(b2);
+    EPODE_USER_SAY(!stepping(*joint), "Invalid operation during a step");
+    EPODE_USER_SAY(!a || a != b, "can't have body1==body2");
+    EPODE_USER_SAY((!a || a->world == joint->world) && (!b || b->world == joint->world),
+                   "joint and bodies must be in same world");
+    EPODE_USER_SAY(!joint->type->needs_two_bodies || (a == nullptr) == (b == nullptr),
+                   "joint can not be attached to just one body");
+    attach(*joint, a, b);
+}
+
+int dJointGetNumBodies(dJointID j)
+{
+    JOINT_OR(0);
+    return (joint->body1() != nullptr) + (joint->body2() != nullptr);
+}
+
+dBodyID dJointGetBody(dJointID j, int index)
+{
+    JOINT_OR(nullptr);
+    if (index < 0 || index > 1) return nullptr;
+    const Body* body = joint->user_body(index);
+    return body ? to_handle(body) : nullptr;
+}
+
+void dJointEnable(dJointID j)
+{
+    JOINT_OR();
+    joint->disabled = false;
+}
+
+void dJointDisable(dJointID j)
+{
+    JOINT_OR();
+    joint->disabled = true;
+    joint->impulse_rows = 0;
+}
+
+int dJointIsEnabled(dJointID j)
+{
+    JOINT_OR(0);
+    return !joint->disabled;
+}
+
+void dJointSetData(dJointID j, void* data)
+{
+    JOINT_OR();
+    joint->data = data;
+}
+
+void* dJointGetData(dJointID j)
+{
+    JOINT_OR(nullptr);
+    return joint->data;
+}
+
+dJointType dJointGetType(dJointID j)
+{
+    JOINT_OR(dJointTypeNone);
+    return dJointType(joint->type->number);
+}
+
+void dJointSetFeedback(dJointID j, dJointFeedback* feedback)
+{
+    JOINT_OR();
+    joint->feedback = feedback;
+}
+
+dJointFeedback* dJointGetFeedback(dJointID j)
+{
+    JOINT_OR(nullptr);
+    return joint->feedback;
+}
+
+// ---- joints by bodies ---------------------------------------------------------------------------------------
+
+dJointID dConnectingJoint(dBodyID b1, dBodyID b2)
+{
+    EPODE_USER((b1 || b2) && valid_or_null(b1) && valid_or_null(b2), nullptr);
+    const Body* a = from_handle<Body>(b1 ? b1 : b2);
+    const JointNode* n = find_connection(a->joints, from_handle<Body>(b1 ? b2 : nullptr));
+    return n ? to_handle(n->joint) : nullptr;
+}
+
+int dConnectingJointList(dBodyID b1, dBodyID b2, dJointID* list)
+{
+    EPODE_USER((b1 || b2) && valid_or_null(b1) && valid_or_null(b2) && list, 0);
+    const Body* a = from_handle<Body>(b1 ? b1 : b2);
+    const Body* b = from_handle<Body>(b1 ? b2 : nullptr);
+    int count = 0;
+    for (JointNode* n = find_connection(a->joints, b); n; n = find_connection(n->next, b))
+        list[count++] = to_handle(n->joint);
+    return count;
+}
+
+int dAreConnected(dBodyID b1, dBodyID b2)
+{
+    Body* const a = from_handle<Body>(b1);
+    EPODE_USER(a && valid_or_null(b2), 0);
+    return find_connection(a->joints, from_handle<Body>(b2)) != nullptr;
+}
+
+int dAreConnectedExcluding(dBodyID b1, dBodyID b2, int joint_type)
+{
+    Body* const a = from_handle<Body>(b1);
+    EPODE_USER(a && valid_or_null(b2), 0);
+    const Body* b = from_handle<Body>(b2);
+    for (JointNode* n = find_connection(a->joints, b); n; n = find_connection(n->next, b))
+        if (n->joint->type->number != joint_type) return 1;
+    return 0;
+}
+
+}  // extern "C"

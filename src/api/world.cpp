@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Worlds: creation, parameters, the three steppers. Parameters take any finite value that ODE takes; NaN is
+// refused, infinity only where it means "no limit".
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "base/pool.h"
+#include "dynamics/world.h"
+#include "ode/ode.h"
+#include "step/link.h"
+#include "step/step.h"
+
+using namespace epode;
+
+namespace {
+
+// Thresholds are kept squared.
+Real square(Real x) { return x * x; }
+
+}  // namespace
+
+// The world behind the handle, or the call is refused with the given result.
+#define WORLD_OR(...)                         \
+    World* const world = from_handle<World>(w); \
+    EPODE_USER(world != nullptr __VA_OPT__(, ) __VA_ARGS__)
+
+extern "C" {
+
+dWorldID dWorldCreate() { return to_handle(Pool<World>::create()); }
+
+void dWorldDestroy(dWorldID w)
+{
+    WORLD_OR();
+    EPODE_USER_SAY(!world->stepping, "Invalid operation during a step");
+    for (Body* b = world->bodies; b; b = b->next) release_geoms(*b);
+    Pool<World>::destroy(world);
+}
+
+void dWorldSetData(dWorldID w, void* data)
+{
+    WORLD_OR();
+    world->data = data;
+}
+
+void* dWorldGetData(dWorldID w)
+{
+    WORLD_OR(nullptr);
+    return world->data;
+}
+
+void dWorldSetGravity(dWorldID w, dReal x, dReal y, dReal z)
+{
+    WORLD_OR();
+    EPODE_USER(usable(x) && usable(y) && usable(z));
+    world->gravity = {x, y, z};
+}
+
+void dWorldGetGravity(dWorldID w, dVector3 gravity)
+{
+    WORLD_OR();
+    EPODE_USER(gravity);
+    store(gravity, world->gravity);
+}
+
+// A plain number of the world: setter with its condition, getter.
+#define WORLD_NUMBER(Type, Name, member, condition)     \
+    void dWorldSet##Name(dWorldID w, Type value)        \
+    {                                                   \
+        WORLD_OR();                                     \
+        EPODE_USER(condition);                          \
+        world->member = value;                          \
+    }                                                   \
+    Type dWorldGet##Name(dWorldID w)                    \
+    {                                                   \
+        WORLD_OR(0);                                    \
+        return world->member;                           \
+    }
+
+WORLD_NUMBER(dReal, ERP, erp, usable(value))
+WORLD_NUMBER(dReal, CFM, cfm, usable(value) && value >= 0)
+WORLD_NUMBER(unsigned, StepIslandsProcessingMaxThreadCount, islands_max_threads, true)
+WORLD_NUMBER(int, QuickStepNumIterations, quick_iterations, true)
+WORLD_NUMBER(dReal, QuickStepW, quick_w, usable(value))
+WORLD_NUMBER(dReal, ContactMaxCorrectingVel, contact_max_vel, usable_or_infinite(value))
+WORLD_NUMBER(dReal, ContactSurfaceLayer, contact_layer, usable(value))
+WORLD_NUMBER(int, AutoDisableSteps, sleep.steps, true)
+WORLD_NUMBER(dReal, AutoDisableTime, sleep.time, usable_or_infinite(value))
+WORLD_NUMBER(dReal, LinearDamping, damping.linear_scale, usable(value))
+WORLD_NUMBER(dReal, AngularDamping, damping.angular_scale, usable(value))
+WORLD_NUMBER(dReal, MaxAngularSpeed, max_angular_speed, !std::isnan(value))
+WORLD_NUMBER(dReal, QuickStepWarmStarting, warm_starting, value >= 0 && value <= 1)
+WORLD_NUMBER(int, AutoEnableDepthSF1, auto_enable_depth, true)
+
+// A threshold, kept squared.
+#define WORLD_THRESHOLD(Name, member)                   \
+    void dWorldSet##Name(dWorldID w, dReal value)       \
+    {                                                   \
+        WORLD_OR();                                     \
+        EPODE_USER(usable_or_infinite(value));          \
+        world->member = square(value);                  \
+    }                                                   \
+    dReal dWorldGet##Name(dWorldID w)                   \
+    {                                                   \
+        WORLD_OR(0);                                    \
+        return std::sqrt(world->member);                \
+    }
+
+WORLD_THRESHOLD(AutoDisableLinearThreshold, sleep.linear_threshold2)
+WORLD_THRESHOLD(AutoDisableAngularThreshold, sleep.angular_threshold2)
+WORLD_THRESHOLD(LinearDampingThreshold, damping.linear_threshold2)
+WORLD_THRESHOLD(AngularDampingThreshold, damping.angular_threshold2)
+
+void dWorldSetAutoDisableAverageSamplesCount(dWorldID w, unsigned int count)
+{
+    WORLD_OR();
+    EPODE_USER(count <= 1u << 20);
+    world->sleep.samples = int(count);
+}
+
+int dWorldGetAutoDisableAverageSamplesCount(dWorldID w)
+{
+    WORLD_OR(0);
+    return world->sleep.samples;
+}
+
+void dWorldSetAutoDisableFlag(dWorldID w, int on)
+{
+    WORLD_OR();
+    world->auto_disable = on != 0;
+}
+
+int dWorldGetAutoDisableFlag(dWorldID w)
+{
+    WORLD_OR(0);
+    return world->auto_disable;
+}
+
+void dWorldSetDamping(dWorldID w, dReal linear, dReal angular)
+{
+    dWorldSetLinearDamping(w, linear);
+    dWorldSetAngularDamping(w, angular);
+}
+
+void dWorldImpulseToForce(dWorldID w, dReal stepsize, dReal ix, dReal iy, dReal iz, dVector3 force)
+{
+    WORLD_OR();
+    EPODE_USER(force && usable(stepsize) && stepsize != 0 && usable(ix) && usable(iy) && usable(iz));
+    store(force, Vec3{ix, iy, iz} * (1 / stepsize));
+}
+
+// ---- stepping -----------------------------------------------------------------------------------------------
+
+int dWorldStep(dWorldID w, dReal stepsize)
+{
+    WORLD_OR(0);
+    EPODE_USER(usable(stepsize) && stepsize > 0, 0);
+    EPODE_USER_SAY(!world->stepping, "Invalid operation during a step", 0);
+    return step_world(*world, kDirect, stepsize, 0);
+}
+
+int dWorldQuickStep(dWorldID w, dReal stepsize)
+{
+    WORLD_OR(0);
+    EPODE_USER(usable(stepsize) && stepsize > 0, 0);
+    EPODE_USER_SAY(!world->stepping, "Invalid operation during a step", 0);
+    return step_world(*world, kQuick, stepsize, world->quick_iterations);
+}
+
+int dWorldStepFast1(dWorldID w, dReal stepsize, int maxiterations)
+{
+    WORLD_OR(0);
+    EPODE_USER(usable(stepsize) && stepsize > 0 && maxiterations >= 1, 0);
+    EPODE_USER_SAY(!world->stepping, "Invalid operation during a step", 0);
+    return step_world(*world, kTgs, stepsize, maxiterations);
+}
+
+// ---- report (ode/ext.h) -------------------------------------------------------------------------------------
+
+void dWorldSetStepReportMode(dWorldID w, int mode)
+{
+    WORLD_OR();
+    EPODE_USER(mode == 0 || mode == 1);
+    if (mode && !world->report_wanted) world->report_made = false;
+    world->report_wanted = mode != 0;
+}
+
+int dWorldGetStepReportMode(dWorldID w)
+{
+    WORLD_OR(0);
+    return world->report_wanted;
+}
+
+int dWorldGetStepReport(dWorldID w, dWorldStepReport* report)
+{
+    WORLD_OR(0);
+    EPODE_USER(report && report->struct_size >= sizeof report->struct_size, 0);
+    if (!world->report_wanted || !world->report_made) return 0;
+    const unsigned size = report->struct_size;
+    std::memcpy(report, &world->report, std::min<std::size_t>(size, sizeof *report));
+    report->struct_size = size;
+    return 1;
+}
+
+}  // extern "C"
