@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Four kinds of island: chains of ball joints (3 rows a link, all equalities), a box on the floor (12 rows: 4 contacts with friction),
-// stacks (12 rows a box) and walls of bricks in running bond (24 rows a brick above the first course), most of them inequalities. A world
-// holds as many equal islands as make about 600 rows, so that small ones are timed above the clock's grain.
-// Before each step every body is put back to its start with a small velocity from a generator of our own: so any library solves the same
-// problems, and one that lets a stack fall is not rewarded with fewer rows. The figure is the time of dWorldStep alone, per island.
+// Four kinds of island: chains of ball joints (3 rows a link, all equalities), a box on the floor (12 rows: 4
+// contacts with friction), stacks (12 rows a box) and walls of bricks in running bond (24 rows a brick above
+// the first course), most of them inequalities. A world holds as many equal islands as make about 600 rows,
+// so that small ones are timed above the clock's grain. Before each step every body is put back to its start
+// with a small velocity from a generator of our own: so any library solves the same problems, and one that
+// lets a stack fall is not rewarded with fewer rows. The figure is the time of dWorldStep alone, per island.
 #include "bench/exact_sizes.h"
 
 #include <fmt/format.h>
@@ -57,7 +58,8 @@ void add_chain(Scene& scene, const Case& c, Vec at)
 void add_stack(Scene& scene, const Case& c, Vec at)
 {
     const double pitch = 0.5 - kOverlap;
-    for (int i = 0; i < c.size; ++i) add_box(scene, {1, 1, 0.5}, 1000, at + Vec{0, 0, 0.25 - kOverlap + pitch * i});
+    for (int i = 0; i < c.size; ++i)
+        add_box(scene, {1, 1, 0.5}, 1000, at + Vec{0, 0, 0.25 - kOverlap + pitch * i});
 }
 
 void add_wall(Scene& scene, const Case& c, Vec at)
@@ -65,20 +67,20 @@ void add_wall(Scene& scene, const Case& c, Vec at)
     const double pitch = 0.5 - kOverlap;
     for (int course = 0; course < c.height; ++course) {
         for (int i = 0; i < c.size - course; ++i) {
-            add_box(scene, {1, 0.5, 0.5}, 1000, at + Vec{1.05 * (i + 0.5 * course), 0, 0.25 - kOverlap + pitch * course});
+            add_box(scene, {1, 0.5, 0.5}, 1000,
+                    at + Vec{1.05 * (i + 0.5 * course), 0, 0.25 - kOverlap + pitch * course});
         }
     }
 }
 
 constexpr Case kCases[] = {
-    {"chain", 12, 4, 0, add_chain},   {"chain", 24, 8, 0, add_chain},   {"chain", 60, 20, 0, add_chain},
-    {"chain", 96, 32, 0, add_chain},  {"chain", 150, 50, 0, add_chain}, {"chain", 201, 67, 0, add_chain},
-    {"chain", 300, 100, 0, add_chain},
-    {"box", 12, 1, 0, add_stack},     {"stack", 24, 2, 0, add_stack},   {"stack", 60, 5, 0, add_stack},
-    {"stack", 96, 8, 0, add_stack},   {"stack", 156, 13, 0, add_stack}, {"stack", 204, 17, 0, add_stack},
-    {"stack", 300, 25, 0, add_stack},
-    {"wall", 48, 2, 2, add_wall},     {"wall", 84, 3, 2, add_wall},     {"wall", 108, 3, 3, add_wall},
-    {"wall", 168, 4, 3, add_wall},    {"wall", 192, 4, 4, add_wall},    {"wall", 288, 6, 3, add_wall},
+    {"chain", 12, 4, 0, add_chain},    {"chain", 24, 8, 0, add_chain},   {"chain", 60, 20, 0, add_chain},
+    {"chain", 96, 32, 0, add_chain},   {"chain", 150, 50, 0, add_chain}, {"chain", 201, 67, 0, add_chain},
+    {"chain", 300, 100, 0, add_chain}, {"box", 12, 1, 0, add_stack},     {"stack", 24, 2, 0, add_stack},
+    {"stack", 60, 5, 0, add_stack},    {"stack", 96, 8, 0, add_stack},   {"stack", 156, 13, 0, add_stack},
+    {"stack", 204, 17, 0, add_stack},  {"stack", 300, 25, 0, add_stack}, {"wall", 48, 2, 2, add_wall},
+    {"wall", 84, 3, 2, add_wall},      {"wall", 108, 3, 3, add_wall},    {"wall", 168, 4, 3, add_wall},
+    {"wall", 192, 4, 4, add_wall},     {"wall", 288, 6, 3, add_wall},
 };
 
 struct Result {
@@ -103,7 +105,8 @@ class Start {
     {
         const auto push = [&random] { return random.uniform(-0.05, 0.05); };
         for (const Pose& pose : poses_) {
-            const dQuaternion q = {dReal(pose.turn.w), dReal(pose.turn.x), dReal(pose.turn.y), dReal(pose.turn.z)};
+            const dQuaternion q = {dReal(pose.turn.w), dReal(pose.turn.x), dReal(pose.turn.y),
+                                   dReal(pose.turn.z)};
             dBodySetPosition(pose.body, dReal(pose.at.x), dReal(pose.at.y), dReal(pose.at.z));
             dBodySetQuaternion(pose.body, q);
             const Vec linear{push(), push(), push()};
@@ -165,8 +168,9 @@ int bench_exact_sizes(const SizesOptions& options)
         const Result result = time_best(c, options);
         not_finite += result.not_finite;
         if (options.json) {
-            fmt::print("{}    {{\"kind\": \"{}\", \"rows\": {}, \"rows_found\": {:.1f}, \"us_per_step\": {:.4g}}}", separator, c.kind,
-                       c.rows, result.rows, result.us);
+            fmt::print(
+                "{}    {{\"kind\": \"{}\", \"rows\": {}, \"rows_found\": {:.1f}, \"us_per_step\": {:.4g}}}",
+                separator, c.kind, c.rows, result.rows, result.us);
         } else {
             fmt::print("{:<6} {:>4} {:>7.1f} {:>10.2f}\n", c.kind, c.rows, result.rows, result.us);
         }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Times the exact stepper on islands of 12 to 300 rows, where a dense method is at home and a cleverer one must show that it costs nothing.
+// Times the exact stepper on islands of 12 to 300 rows, where a dense method is at home and a cleverer one
+// must show that it costs nothing.
 #pragma once
 
 namespace epode::bench {

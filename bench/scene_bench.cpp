@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Every repeat makes the same scene anew and gives the same contacts, so step i costs the same work each time: the least of its times over
-// the repeats is what it costs, the rest is the machine's other business. Quantiles are then taken over the steps.
-// Measuring stands outside the timed parts; the step report is left off while timing, for it is not free.
+// Every repeat makes the same scene anew and gives the same contacts, so step i costs the same work each
+// time: the least of its times over the repeats is what it costs, the rest is the machine's other business.
+// Quantiles are then taken over the steps. Measuring stands outside the timed parts; the step report is left
+// off while timing, for it is not free.
 #include "bench/scene_bench.h"
 
 #include <fmt/format.h>
@@ -41,8 +42,8 @@ void keep_least(StepTimes& least, const StepTimes& now)
     least.empty_ms = std::min(least.empty_ms, now.empty_ms);
 }
 
-void run_once(const SceneOptions& options, const scenes::Recipe& recipe, scenes::Stepper stepper, double dt, int steps, bool first,
-              Figures& figures)
+void run_once(const SceneOptions& options, const scenes::Recipe& recipe, scenes::Stepper stepper, double dt,
+              int steps, bool first, Figures& figures)
 {
     scenes::Scene scene(recipe, options.seed);
     scene.set_iterations(options.iterations);
@@ -82,11 +83,13 @@ struct Line {
 
 std::string number(double value) { return std::isfinite(value) ? fmt::format("{:.6g}", value) : "null"; }
 
-std::vector<Line> describe(const Figures& figures, const scenes::Recipe& recipe, scenes::Stepper stepper, double dt,
-                           const SceneOptions& options)
+std::vector<Line> describe(const Figures& figures, const scenes::Recipe& recipe, scenes::Stepper stepper,
+                           double dt, const SceneOptions& options)
 {
     const auto total = pick(figures.best, [](const StepTimes& t) { return t.total_ms(); });
-    const auto part = [&](double (*f)(const StepTimes&)) { return number(quantile(pick(figures.best, f), 0.5)); };
+    const auto part = [&](double (*f)(const StepTimes&)) {
+        return number(quantile(pick(figures.best, f), 0.5));
+    };
     return {{"scene", recipe.name, true},
             {"library", scenes::loaded_library(), true},
             {"stepper", scenes::name_of(stepper), true},
@@ -120,7 +123,8 @@ void print(const std::vector<Line>& lines, bool json)
         const Line& line = lines[i];
         const char* quote = line.quoted ? "\"" : "";
         if (json) {
-            fmt::print("  \"{}\": {}{}{}{}\n", line.key, quote, line.text, quote, i + 1 < lines.size() ? "," : "");
+            fmt::print("  \"{}\": {}{}{}{}\n", line.key, quote, line.text, quote,
+                       i + 1 < lines.size() ? "," : "");
         } else {
             fmt::print("{:<18} {}\n", line.key, line.text);
         }
@@ -148,7 +152,9 @@ int bench_scene(const SceneOptions& options)
     if (!options.stepper.empty() && !scenes::stepper_named(options.stepper, stepper)) {
         return refuse(fmt::format("there is no stepper '{}'. Steppers: exact quick fast", options.stepper));
     }
-    if (!scenes::available(stepper)) return refuse(fmt::format("{} has no '{}' stepper", scenes::loaded_library(), scenes::name_of(stepper)));
+    if (!scenes::available(stepper))
+        return refuse(
+            fmt::format("{} has no '{}' stepper", scenes::loaded_library(), scenes::name_of(stepper)));
 
     const double dt = options.dt > 0 ? options.dt : recipe->dt;
     const int steps = options.steps > 0 ? options.steps : int(std::ceil(recipe->seconds / dt - 1e-9));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Times one scene: the same steps, repeated from a fresh start, split into collide, step and empty, with the quality beside the time, since a
-// fast wrong answer is no answer.
+// Times one scene: the same steps, repeated from a fresh start, split into collide, step and empty, with the
+// quality beside the time, since a fast wrong answer is no answer.
 #pragma once
 
 #include <cstdint>

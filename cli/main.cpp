@@ -16,10 +16,15 @@ void add_run_options(CLI::App& command, RunOptions& options)
     command.add_option("scene", options.scene, "one of `epode list`")->required();
     command.add_option("--stepper", options.stepper, "exact, quick or fast; default: the scene's own");
     command.add_option("--dt", options.dt, "step size in seconds; default: the scene's own")->check(positive);
-    auto* steps = command.add_option("--steps", options.steps, "number of steps")->check(CLI::Range(1, 100'000'000));
-    auto* seconds = command.add_option("--seconds", options.seconds, "simulated time; default: the scene's own")->check(positive);
+    auto* steps =
+        command.add_option("--steps", options.steps, "number of steps")->check(CLI::Range(1, 100'000'000));
+    auto* seconds =
+        command.add_option("--seconds", options.seconds, "simulated time; default: the scene's own")
+            ->check(positive);
     steps->excludes(seconds);
-    command.add_option("--iterations", options.iterations, "sweeps of quick (default 20), small steps of fast (default 4)")
+    command
+        .add_option("--iterations", options.iterations,
+                    "sweeps of quick (default 20), small steps of fast (default 4)")
         ->check(CLI::Range(1, 1'000'000));
     command.add_option("--seed", options.seed, "of the scenes that are poured at random (default 1)");
     command.add_flag("--json", options.json, "report as one JSON object");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Geoms become shapes, one colour per body, static ones in stone; joints become lines from anchor to body centres. Planes other than the
-// floor z = h are not drawn: they have no end.
+// Geoms become shapes, one colour per body, static ones in stone; joints become lines from anchor to body
+// centres. Planes other than the floor z = h are not drawn: they have no end.
 #include "cli/picture.h"
 
 #ifdef EPODE_HAVE_VIEWER
@@ -25,7 +25,8 @@ using viewer::ShapeKind;
 
 constexpr Color kStone{0.62f, 0.61f, 0.59f};
 
-// Neighbours in the order of making lie in rows; multiplying by an odd constant and keeping the high bits breaks the stripes.
+// Neighbours in the order of making lie in rows; multiplying by an odd constant and keeping the high bits
+// breaks the stripes.
 int mixed(int number) { return int((std::uint32_t(number) * 2654435761u) >> 24); }
 
 bool set_size(dGeomID geom, Shape& shape)
@@ -50,7 +51,8 @@ bool set_size(dGeomID geom, Shape& shape)
             shape.kind = ShapeKind::kCylinder;
             dGeomCylinderGetParams(geom, &radius, &length);
             break;
-        default: return false;
+        default:
+            return false;
     }
     shape.size[0] = float(radius);
     shape.size[1] = float(length);
@@ -82,11 +84,20 @@ void add_shapes(const scenes::Scene& scene, Picture& picture)
 bool anchor_of(dJointID joint, dVector3 anchor)
 {
     switch (dJointGetType(joint)) {
-        case dJointTypeBall: dJointGetBallAnchor(joint, anchor); return true;
-        case dJointTypeHinge: dJointGetHingeAnchor(joint, anchor); return true;
-        case dJointTypeUniversal: dJointGetUniversalAnchor(joint, anchor); return true;
-        case dJointTypeHinge2: dJointGetHinge2Anchor(joint, anchor); return true;
-        default: return false;
+        case dJointTypeBall:
+            dJointGetBallAnchor(joint, anchor);
+            return true;
+        case dJointTypeHinge:
+            dJointGetHingeAnchor(joint, anchor);
+            return true;
+        case dJointTypeUniversal:
+            dJointGetUniversalAnchor(joint, anchor);
+            return true;
+        case dJointTypeHinge2:
+            dJointGetHinge2Anchor(joint, anchor);
+            return true;
+        default:
+            return false;
     }
 }
 

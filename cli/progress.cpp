@@ -19,10 +19,13 @@ using Clock = std::chrono::steady_clock;
 }  // namespace
 
 Progress::Progress(std::string name, int steps, bool wanted)
-    : name_(std::move(name)), steps_(steps), wanted_(wanted), terminal_(isatty(STDERR_FILENO) == 1), start_(Clock::now()),
+    : name_(std::move(name)),
+      steps_(steps),
+      wanted_(wanted),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      start_(Clock::now()),
       next_(start_ + (terminal_ ? 1000ms : 2000ms))
-{
-}
+{}
 
 Progress::~Progress()
 {
@@ -36,8 +39,9 @@ void Progress::show(int done, size_t contacts)
     const auto now = Clock::now();
     if (now < next_) return;
     const double spent = std::chrono::duration<double>(now - start_).count();
-    const std::string line = fmt::format("{}: step {} of {} ({} %), {} contacts, about {:.0f} s left", name_, done, steps_,
-                                         100LL * done / steps_, contacts, spent * (steps_ - done) / done);
+    const std::string line =
+        fmt::format("{}: step {} of {} ({} %), {} contacts, about {:.0f} s left", name_, done, steps_,
+                    100LL * done / steps_, contacts, spent * (steps_ - done) / done);
     if (terminal_) {
         fmt::print(stderr, "\r\033[K{}", line);
     } else {

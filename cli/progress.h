@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// One line on stderr that says how far a long run is. It appears only where a person looks (a terminal) and only after a second, so short runs
-// stay clean; where stderr is a file or a pipe, a run of more than two seconds writes a plain line every ten.
+// One line on stderr that says how far a long run is. It appears only where a person looks (a terminal) and
+// only after a second, so short runs stay clean; where stderr is a file or a pipe, a run of more than two
+// seconds writes a plain line every ten.
 #pragma once
 
 #include <chrono>

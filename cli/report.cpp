@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What each figure means is said beside it, since it depends on the scene: energy is conserved only where there is no friction, motor or
-// impact, momentum only where nothing outside acts. Elsewhere the same figures tell how much went, not how wrong it is.
+// What each figure means is said beside it, since it depends on the scene: energy is conserved only where
+// there is no friction, motor or impact, momentum only where nothing outside acts. Elsewhere the same figures
+// tell how much went, not how wrong it is.
 #include "cli/report.h"
 
 #include <fmt/format.h>
@@ -80,18 +81,22 @@ std::vector<double> pick(const RunRecord& record, double (*part)(const StepTimes
     return values;
 }
 
-void describe_setting(const Scene& scene, const RunPlan& plan, const RunRecord& record, const Outcome& outcome, FieldList& out)
+void describe_setting(const Scene& scene, const RunPlan& plan, const RunRecord& record,
+                      const Outcome& outcome, FieldList& out)
 {
     const std::string stepper = scenes::name_of(plan.stepper);
-    out.string("scene", scene.recipe().name, "scene", fmt::format("{} - {}", scene.recipe().name, scene.recipe().description));
+    out.string("scene", scene.recipe().name, "scene",
+               fmt::format("{} - {}", scene.recipe().name, scene.recipe().description));
     out.string("stepper", stepper, "stepper",
                plan.iterations > 0 ? fmt::format("{}, {} iterations", stepper, plan.iterations) : stepper);
     out.number("iterations", plan.iterations);
     out.number("seed", plan.seed);
     out.number("dt", plan.dt);
-    out.number("steps", record.steps, "steps",
-               fmt::format("{} of {:.4g} ms, {:.4g} s simulated{}", record.steps, plan.dt * 1e3, scene.time(),
-                           record.steps < plan.steps ? fmt::format(" (stopped early, {} were asked)", plan.steps) : ""));
+    out.number(
+        "steps", record.steps, "steps",
+        fmt::format(
+            "{} of {:.4g} ms, {:.4g} s simulated{}", record.steps, plan.dt * 1e3, scene.time(),
+            record.steps < plan.steps ? fmt::format(" (stopped early, {} were asked)", plan.steps) : ""));
     out.number("steps_asked", plan.steps);
     out.number("seconds", scene.time());
     out.string("library", outcome.library, "library", outcome.library);
@@ -123,7 +128,8 @@ void describe_time(const RunRecord& record, FieldList& out)
 void describe_errors(const Scene& scene, const RunRecord& record, FieldList& out)
 {
     const bool touched = record.contacts_max > 0;
-    out.number("penetration", record.penetration, "worst penetration", touched ? meters(record.penetration) : "no contacts");
+    out.number("penetration", record.penetration, "worst penetration",
+               touched ? meters(record.penetration) : "no contacts");
     out.number("joint_error", record.joint_error, "worst joint error",
                scene.joints().empty() ? "no joints" : meters(record.joint_error));
     if (record.has_residual) {
@@ -140,11 +146,13 @@ void describe_energy(const Scene& scene, const RunRecord& record, FieldList& out
 {
     const double change = relative(record.last.energy() - record.first.energy(), record.energy_scale);
     const double rise = relative(record.energy_peak_rise, record.energy_scale);
-    const char* meaning = scene.conservative ? "lossless scene: should stay 0" : "friction, impacts or motors act";
+    const char* meaning =
+        scene.conservative ? "lossless scene: should stay 0" : "friction, impacts or motors act";
     out.number("energy_start", record.first.energy());
     out.number("energy_end", record.last.energy());
     out.number("energy_change", change, "energy drift",
-               fmt::format("{}, highest rise {} of {:.3g} J moved ({})", percent(change), percent(rise), record.energy_scale, meaning));
+               fmt::format("{}, highest rise {} of {:.3g} J moved ({})", percent(change), percent(rise),
+                           record.energy_scale, meaning));
     out.number("energy_rise", rise);
     out.raw("energy_conserved_by_scene", scene.conservative ? "true" : "false", {}, {});
 }
@@ -155,8 +163,10 @@ void describe_momentum(const Scene& scene, const RunRecord& record, FieldList& o
     const double spin = relative(record.spin_drift, record.spin_scale);
     const std::string text =
         scene.isolated
-            ? fmt::format("linear {:.1e}, angular {:.1e} relative (isolated scene: should stay 0)", linear, spin)
-            : fmt::format("not an isolated scene: supports gave up to {:.3g} kg m/s against gravity", record.momentum_drift);
+            ? fmt::format("linear {:.1e}, angular {:.1e} relative (isolated scene: should stay 0)", linear,
+                          spin)
+            : fmt::format("not an isolated scene: supports gave up to {:.3g} kg m/s against gravity",
+                          record.momentum_drift);
     out.number("momentum_drift", record.momentum_drift, "momentum drift", text);
     out.number("momentum_drift_relative", linear);
     out.number("angular_momentum_drift", record.spin_drift);
@@ -167,7 +177,8 @@ void describe_momentum(const Scene& scene, const RunRecord& record, FieldList& o
 
 }  // namespace
 
-std::vector<Field> describe(const Scene& scene, const RunPlan& plan, const RunRecord& record, const Outcome& outcome)
+std::vector<Field> describe(const Scene& scene, const RunPlan& plan, const RunRecord& record,
+                            const Outcome& outcome)
 {
     FieldList out;
     describe_setting(scene, plan, record, outcome, out);
@@ -197,7 +208,8 @@ std::string as_json(const std::vector<Field>& fields)
 {
     std::string object = "{\n";
     for (size_t i = 0; i < fields.size(); ++i) {
-        object += fmt::format("  \"{}\": {}{}\n", fields[i].key, fields[i].json, i + 1 < fields.size() ? "," : "");
+        object +=
+            fmt::format("  \"{}\": {}{}\n", fields[i].key, fields[i].json, i + 1 < fields.size() ? "," : "");
     }
     return object + "}\n";
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The report of a run: one list of named fields, printed as a table for people or as one JSON object for programs. Both come from the same
-// list, so they cannot disagree.
+// The report of a run: one list of named fields, printed as a table for people or as one JSON object for
+// programs. Both come from the same list, so they cannot disagree.
 #pragma once
 
 #include <cstdint>
@@ -28,9 +28,9 @@ struct Outcome {
 };
 
 struct Field {
-    std::string key;      // of the JSON object
-    std::string json;     // ready to print: a number, a quoted string, null, a bool
-    std::string label;    // of the table; empty: this field is for programs only
+    std::string key;    // of the JSON object
+    std::string json;   // ready to print: a number, a quoted string, null, a bool
+    std::string label;  // of the table; empty: this field is for programs only
     std::string text;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The run itself: settle what was asked, step, watch, report. Files are opened before the first step, so that a wrong path costs no time.
+// The run itself: settle what was asked, step, watch, report. Files are opened before the first step, so that
+// a wrong path costs no time.
 #include "cli/run.h"
 
 #include <fmt/format.h>
@@ -38,7 +39,8 @@ int unknown_scene(const std::string& name)
     return refuse(text);
 }
 
-// What was asked, completed by the scene's own values. False and a message on a contradiction or an impossible value.
+// What was asked, completed by the scene's own values. False and a message on a contradiction or an
+// impossible value.
 bool settle(const RunOptions& options, const scenes::Recipe& recipe, RunPlan& plan, std::string& problem)
 {
     plan.stepper = recipe.stepper;
@@ -47,15 +49,16 @@ bool settle(const RunOptions& options, const scenes::Recipe& recipe, RunPlan& pl
         return false;
     }
     if (!scenes::available(plan.stepper)) {
-        problem = fmt::format("{} has no '{}' stepper. Steppers it has: exact quick", scenes::loaded_library(),
-                              scenes::name_of(plan.stepper));
+        problem = fmt::format("{} has no '{}' stepper. Steppers it has: exact quick",
+                              scenes::loaded_library(), scenes::name_of(plan.stepper));
         return false;
     }
     plan.dt = options.dt > 0 ? options.dt : recipe.dt;
     const double seconds = options.seconds > 0 ? options.seconds : recipe.seconds;
     const double steps = options.steps > 0 ? options.steps : std::ceil(seconds / plan.dt - 1e-9);
     if (!(steps >= 1 && steps <= kMaxSteps)) {
-        problem = fmt::format("{:g} s at a step of {:g} s is not between 1 and {} steps", seconds, plan.dt, kMaxSteps);
+        problem = fmt::format("{:g} s at a step of {:g} s is not between 1 and {} steps", seconds, plan.dt,
+                              kMaxSteps);
         return false;
     }
     plan.steps = int(steps);
@@ -64,8 +67,10 @@ bool settle(const RunOptions& options, const scenes::Recipe& recipe, RunPlan& pl
     return true;
 }
 
-// Runs until done, or until numbers stop being numbers: what follows would say nothing. The rows of the trace are written as they come.
-void simulate(scenes::Scene& scene, const RunPlan& plan, scenes::RunRecord& record, Trace& trace, Outcome& outcome, bool quiet)
+// Runs until done, or until numbers stop being numbers: what follows would say nothing. The rows of the trace
+// are written as they come.
+void simulate(scenes::Scene& scene, const RunPlan& plan, scenes::RunRecord& record, Trace& trace,
+              Outcome& outcome, bool quiet)
 {
     Progress progress(scene.recipe().name, plan.steps, !quiet);
     for (int i = 0; i < plan.steps; ++i) {
@@ -105,7 +110,8 @@ int carry_out(const RunOptions& options, const scenes::Recipe& recipe, const Run
 
     const bool drawn = write_picture(scene, options.picture);
     const bool traced = trace.close();
-    if (!traced) fmt::print(stderr, "epode: cannot write the trace '{}': {}\n", options.trace, trace.problem());
+    if (!traced)
+        fmt::print(stderr, "epode: cannot write the trace '{}': {}\n", options.trace, trace.problem());
 
     const auto fields = describe(scene, plan, record, outcome);
     fmt::print("{}", options.json ? as_json(fields) : as_table(fields));
@@ -123,15 +129,18 @@ int run(const RunOptions& options)
     RunPlan plan;
     std::string problem;
     if (!settle(options, *recipe, plan, problem)) return refuse(problem);
-    if (!options.picture.empty() && !can_draw()) return refuse("this build has no viewer, so --picture is not to be had");
+    if (!options.picture.empty() && !can_draw())
+        return refuse("this build has no viewer, so --picture is not to be had");
     return carry_out(options, *recipe, plan);
 }
 
 int list_scenes()
 {
     size_t width = 0;
-    for (const scenes::Recipe* recipe : scenes::all_recipes()) width = std::max(width, std::string(recipe->name).size());
-    for (const scenes::Recipe* recipe : scenes::all_recipes()) fmt::print("{:<{}}  {}\n", recipe->name, width, recipe->description);
+    for (const scenes::Recipe* recipe : scenes::all_recipes())
+        width = std::max(width, std::string(recipe->name).size());
+    for (const scenes::Recipe* recipe : scenes::all_recipes())
+        fmt::print("{:<{}}  {}\n", recipe->name, width, recipe->description);
     return kFine;
 }
 

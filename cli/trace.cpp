@@ -33,8 +33,8 @@ bool Trace::open(const std::string& path, const scenes::Scene& scene)
 void Trace::add(const scenes::Scene& scene, const scenes::Quality& quality, const scenes::RunRecord& record)
 {
     if (!file_ || std::ferror(file_)) return;
-    std::string line = fmt::format("{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},", scene.time(), quality.energy(), quality.kinetic,
-                                   quality.penetration, quality.joint_error);
+    std::string line = fmt::format("{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},", scene.time(), quality.energy(),
+                                   quality.kinetic, quality.penetration, quality.joint_error);
     if (record.has_residual) line += fmt::format("{:.6g}", record.last_residual);
     line += fmt::format(",{:.4g},{}", scene.times().total_ms(), scene.contacts().size());
     for (dBodyID body : scene.tracked) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The trace of a run: a CSV file, one line per step under one line of names, so that any plotting program reads it.
+// The trace of a run: a CSV file, one line per step under one line of names, so that any plotting program
+// reads it.
 #pragma once
 
 #include <cstdio>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Bridge: 24 planks hinged to each other and, at both ends, to the world; crates fall on it. A redundant closed loop through the world (all
-// axes parallel) under load, with contacts on joints: the mixture that separates joint solvers from contact solvers.
+// Bridge: 24 planks hinged to each other and, at both ends, to the world; crates fall on it. A redundant
+// closed loop through the world (all axes parallel) under load, with contacts on joints: the mixture that
+// separates joint solvers from contact solvers.
 #include "scenes/build.h"
 
 namespace epode::scenes {
@@ -28,7 +29,8 @@ void build(Scene& scene)
     }
     add_hinge(scene, previous, nullptr, {-left, 0, height - plank.z / 2}, kY);
     for (int i = 0; i < 6; ++i) {
-        add_box(scene, {0.5, 0.5, 0.5}, 400, {-2.5 + i, (i % 2 ? 0.2 : -0.2), height + 0.8 + 0.3 * i}, turn(kZ, 0.3 * i));
+        add_box(scene, {0.5, 0.5, 0.5}, 400, {-2.5 + i, (i % 2 ? 0.2 : -0.2), height + 0.8 + 0.3 * i},
+                turn(kZ, 0.3 * i));
     }
     scene.tracked = {scene.bodies()[kPlanks / 2]};
     dWorldSetContactSurfaceLayer(scene.world(), dReal(0.001));
@@ -37,6 +39,13 @@ void build(Scene& scene)
 
 }  // namespace
 
-extern const Recipe kBridge = {"bridge", "24 planks on hinges between two towers, loaded with crates", 0.005, 4, Stepper::kQuick, build};
+extern const Recipe kBridge = {
+    .name = "bridge",
+    .description = "24 planks on hinges between two towers, loaded with crates",
+    .dt = 0.005,
+    .seconds = 4,
+    .stepper = Stepper::kQuick,
+    .build = build,
+};
 
 }  // namespace epode::scenes

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Buggy: a chassis on four hinge-2 wheels drives up a ramp, jumps, and steers into a curve. Each wheel's suspension is a spring and damper
-// given as ERP and CFM for the step in use, h k / (h k + c) and 1 / (h k + c); a hinge-2 has no other spring. The rear wheels are driven by
-// motors of limited torque, the front ones steered by a motor that follows an angle; the rear ones are locked straight by stops.
+// Buggy: a chassis on four hinge-2 wheels drives up a ramp, jumps, and steers into a curve. Each wheel's
+// suspension is a spring and damper given as ERP and CFM for the step in use, h k / (h k + c) and 1 / (h k +
+// c); a hinge-2 has no other spring. The rear wheels are driven by motors of limited torque, the front ones
+// steered by a motor that follows an angle; the rear ones are locked straight by stops.
 #include <algorithm>
 
 #include "scenes/build.h"
@@ -52,7 +53,8 @@ void drive(const Wheels& wheels, double time, double dt)
         if (i < 2) {
             steer(wheels.joint[i], steering_at(time));
         } else {
-            // Rates count body 1 against body 2: the wheel turns forward, about +y, when the chassis turns back against it.
+            // Rates count body 1 against body 2: the wheel turns forward, about +y, when the chassis turns
+            // back against it.
             dJointSetHinge2Param(wheels.joint[i], dParamVel2, dReal(-kSpeed / kWheelRadius));
             dJointSetHinge2Param(wheels.joint[i], dParamFMax2, 450);
         }
@@ -97,7 +99,13 @@ void build(Scene& scene)
 
 }  // namespace
 
-extern const Recipe kBuggy = {"buggy", "a car on four hinge-2 wheels with springs and motors, over a ramp", 0.005, 6, Stepper::kExact,
-                              build};
+extern const Recipe kBuggy = {
+    .name = "buggy",
+    .description = "a car on four hinge-2 wheels with springs and motors, over a ramp",
+    .dt = 0.005,
+    .seconds = 6,
+    .stepper = Stepper::kExact,
+    .build = build,
+};
 
 }  // namespace epode::scenes

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See build.h. Quaternions are made with the C library's sine here, not with the library's own dQFromAxisAndAngle, so that a scene starts
-// from the same bits whichever libode it runs on.
+// See build.h. Quaternions are made with the C library's sine here, not with the library's own
+// dQFromAxisAndAngle, so that a scene starts from the same bits whichever libode it runs on.
 #include "scenes/build.h"
 
 #include <cmath>
@@ -77,7 +77,8 @@ dBodyID add_box(Scene& scene, Vec size, double density, Vec pos, Turn q)
 {
     dMass mass;
     dMassSetBox(&mass, dReal(density), dReal(size.x), dReal(size.y), dReal(size.z));
-    return make_body(scene, dCreateBox(scene.space(), dReal(size.x), dReal(size.y), dReal(size.z)), mass, pos, q);
+    return make_body(scene, dCreateBox(scene.space(), dReal(size.x), dReal(size.y), dReal(size.z)), mass, pos,
+                     q);
 }
 
 dBodyID add_capsule(Scene& scene, double radius, double length, double density, Vec pos, Turn q)
@@ -101,13 +102,15 @@ dBodyID add_limb(Scene& scene, double radius, double density, Vec from, Vec to)
     // The shortest turn from z to `along`; opposite to z any axis across will do.
     const Vec axis{-along.y, along.x, 0};
     const double across = std::sqrt(axis.x * axis.x + axis.y * axis.y);
-    const Turn q = across > 1e-9 * length ? turn(axis, std::atan2(across, along.z)) : turn(kX, along.z > 0 ? 0 : kPi);
+    const Turn q =
+        across > 1e-9 * length ? turn(axis, std::atan2(across, along.z)) : turn(kX, along.z > 0 ? 0 : kPi);
     return add_capsule(scene, radius, length - 2 * radius, density, 0.5 * (from + to), q);
 }
 
 dGeomID attach_box(Scene& scene, dBodyID body, Vec size, Vec offset, Turn q)
 {
-    return attach(scene, body, dCreateBox(scene.space(), dReal(size.x), dReal(size.y), dReal(size.z)), offset, q);
+    return attach(scene, body, dCreateBox(scene.space(), dReal(size.x), dReal(size.y), dReal(size.z)), offset,
+                  q);
 }
 
 dGeomID attach_sphere(Scene& scene, dBodyID body, double radius, Vec offset)
@@ -149,7 +152,8 @@ void add_pit(Scene& scene, double half_x, double half_y, double height)
 {
     const double thick = 0.6;
     for (double side : {-1.0, 1.0}) {
-        add_static_box(scene, {thick, 2 * (half_y + thick), height}, {side * (half_x + thick / 2), 0, height / 2});
+        add_static_box(scene, {thick, 2 * (half_y + thick), height},
+                       {side * (half_x + thick / 2), 0, height / 2});
         add_static_box(scene, {2 * half_x, thick, height}, {0, side * (half_y + thick / 2), height / 2});
     }
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Words for building scenes: a body with its shape and mass in one call, static shapes, joints that are recorded for measuring.
-// Densities in kg/m3, sizes in metres, angles in radians. Boxes by full side lengths, capsules and cylinders along their local z.
+// Words for building scenes: a body with its shape and mass in one call, static shapes, joints that are
+// recorded for measuring. Densities in kg/m3, sizes in metres, angles in radians. Boxes by full side lengths,
+// capsules and cylinders along their local z.
 #pragma once
 
 #include "scenes/scene.h"
@@ -63,7 +64,8 @@ void set_universal_stops(dJointID joint, double low1, double high1, double low2,
 
 void set_view(Scene& scene, Vec eye, Vec target);
 
-// x' = 1664525 x + 1013904223 mod 2^32 (Numerical Recipes): few lines, the same numbers everywhere; the high bits are used.
+// x' = 1664525 x + 1013904223 mod 2^32 (Numerical Recipes): few lines, the same numbers everywhere; the high
+// bits are used.
 class Lcg {
   public:
     explicit Lcg(std::uint32_t seed) : state_(seed * 2654435761u + 1u) {}

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Card house: three storeys of thin boards leaning on each other in pairs, with boards laid across. It stands by friction alone: a stepper
-// whose friction creeps, or whose contacts push, brings it down within seconds.
+// Card house: three storeys of thin boards leaning on each other in pairs, with boards laid across. It stands
+// by friction alone: a stepper whose friction creeps, or whose contacts push, brings it down within seconds.
 #include <cmath>
 
 #include "scenes/build.h"
@@ -19,13 +19,15 @@ struct Board {
 
 constexpr double kOverlap = 0.0005;  // so that edges which touch are seen to touch
 
-// Two boards whose upper edges touch at x, leaning by `lean` from the vertical, feet at z. Returns the height of the top.
+// Two boards whose upper edges touch at x, leaning by `lean` from the vertical, feet at z. Returns the height
+// of the top.
 double add_tent(Scene& scene, const Board& board, double x, double z, double lean, double density)
 {
     const double up = 0.5 * board.length * std::cos(lean) + 0.5 * board.thick * std::sin(lean);
     const double out = 0.5 * board.length * std::sin(lean) + 0.5 * board.thick * std::cos(lean);
     for (double side : {-1.0, 1.0}) {
-        add_box(scene, {board.thick, board.width, board.length}, density, {x + side * (out - kOverlap), 0, z + up - kOverlap}, turn(kY, -side * lean));
+        add_box(scene, {board.thick, board.width, board.length}, density,
+                {x + side * (out - kOverlap), 0, z + up - kOverlap}, turn(kY, -side * lean));
     }
     return z + 2 * up;
 }
@@ -39,7 +41,8 @@ void build(Scene& scene)
     for (int storey = 0; storey < kStoreys; ++storey) {
         const int tents = kStoreys - storey;
         double top = z;
-        for (int i = 0; i < tents; ++i) top = add_tent(scene, board, (i - 0.5 * (tents - 1)) * pitch, z, lean, density);
+        for (int i = 0; i < tents; ++i)
+            top = add_tent(scene, board, (i - 0.5 * (tents - 1)) * pitch, z, lean, density);
         for (int i = 0; i + 1 < tents; ++i) {
             const double x = (i - 0.5 * (tents - 2)) * pitch;
             add_box(scene, {pitch - 0.005, board.width, board.thick}, density, {x, 0, top + board.thick / 2});
@@ -53,6 +56,13 @@ void build(Scene& scene)
 
 }  // namespace
 
-extern const Recipe kCards = {"cards", "a card house of three storeys, standing by friction alone", 0.005, 3, Stepper::kExact, build};
+extern const Recipe kCards = {
+    .name = "cards",
+    .description = "a card house of three storeys, standing by friction alone",
+    .dt = 0.005,
+    .seconds = 3,
+    .stepper = Stepper::kExact,
+    .build = build,
+};
 
 }  // namespace epode::scenes

@@ -2,7 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The list of scenes: scenes.inc expanded twice, once to declare each recipe, once to collect them.
-// An explicit list and not self-registration: static libraries drop objects nobody names, and the order stays the one that is written down.
+// An explicit list and not self-registration: static libraries drop objects nobody names, and the order stays
+// the one that is written down.
 #include "scenes/scene.h"
 
 namespace epode::scenes {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Chain: 32 capsule links on ball joints, hung from the world, with a ball of 100 times a link's mass at the free end, let go horizontally.
-// The mass ratio makes iterative solvers stretch it: at the bottom of the swing the first joint holds five times the ball's weight through
-// links that weigh almost nothing. An exact solver keeps it together. Nothing collides.
+// Chain: 32 capsule links on ball joints, hung from the world, with a ball of 100 times a link's mass at the
+// free end, let go horizontally. The mass ratio makes iterative solvers stretch it: at the bottom of the
+// swing the first joint holds five times the ball's weight through links that weigh almost nothing. An exact
+// solver keeps it together. Nothing collides.
 #include "scenes/build.h"
 
 namespace epode::scenes {
@@ -43,7 +44,13 @@ void build(Scene& scene)
 
 }  // namespace
 
-extern const Recipe kChain = {"chain", "32 links on ball joints with 100 times a link's mass at the end, let go horizontally",
-                              1.0 / 240, 5, Stepper::kExact, build};
+extern const Recipe kChain = {
+    .name = "chain",
+    .description = "32 links on ball joints with 100 times a link's mass at the end, let go horizontally",
+    .dt = 1.0 / 240,
+    .seconds = 5,
+    .stepper = Stepper::kExact,
+    .build = build,
+};
 
 }  // namespace epode::scenes

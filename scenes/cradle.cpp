@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Newton's cradle: five steel balls hung on hinges, the first raised, contacts that bounce fully. The balls hang 2 mm apart: contacts of one
-// step are solved together, and a row of touching balls would share the impulse; apart, the blow goes down the row ball by ball.
+// Newton's cradle: five steel balls hung on hinges, the first raised, contacts that bounce fully. The balls
+// hang 2 mm apart: contacts of one step are solved together, and a row of touching balls would share the
+// impulse; apart, the blow goes down the row ball by ball.
 #include "scenes/build.h"
 
 namespace epode::scenes {
@@ -37,6 +38,13 @@ void build(Scene& scene)
 
 }  // namespace
 
-extern const Recipe kCradle = {"cradle", "Newton's cradle: five balls on hinges with full bounce", 0.001, 5, Stepper::kExact, build};
+extern const Recipe kCradle = {
+    .name = "cradle",
+    .description = "Newton's cradle: five balls on hinges with full bounce",
+    .dt = 0.001,
+    .seconds = 5,
+    .stepper = Stepper::kExact,
+    .build = build,
+};
 
 }  // namespace epode::scenes

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Dominoes: 40 stones along an S-curve, the first one pushed. Impacts travel through the row; each stone is a resting contact, a falling body
-// and a pusher in turn. The run is judged at its end: every stone must lie.
+// Dominoes: 40 stones along an S-curve, the first one pushed. Impacts travel through the row; each stone is a
+// resting contact, a falling body and a pusher in turn. The run is judged at its end: every stone must lie.
 #include <cmath>
 
 #include "scenes/build.h"
@@ -37,6 +37,13 @@ void build(Scene& scene)
 
 }  // namespace
 
-extern const Recipe kDominoes = {"dominoes", "40 dominoes along an S-curve, the first one pushed", 0.01, 8, Stepper::kQuick, build};
+extern const Recipe kDominoes = {
+    .name = "dominoes",
+    .description = "40 dominoes along an S-curve, the first one pushed",
+    .dt = 0.01,
+    .seconds = 8,
+    .stepper = Stepper::kQuick,
+    .build = build,
+};
 
 }  // namespace epode::scenes

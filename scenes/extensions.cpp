@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Names and layouts of ode/ext.h, repeated here by hand because the headers of ODE itself do not have them. struct_size guards the layout:
-// the library fills no more than it is told there is room for.
+// Names and layouts of ode/ext.h, repeated here by hand because the headers of ODE itself do not have them.
+// struct_size guards the layout: the library fills no more than it is told there is room for.
 #include "scenes/extensions.h"
 
 #include <dlfcn.h>
@@ -77,7 +77,8 @@ std::string loaded_library()
     std::ifstream maps("/proc/self/maps");
     for (std::string line; std::getline(maps, line);) {
         const size_t path = line.find('/');
-        if (path != std::string::npos && line.find("/libode", path) != std::string::npos) return line.substr(path);
+        if (path != std::string::npos && line.find("/libode", path) != std::string::npos)
+            return line.substr(path);
     }
     return "statically linked";
 }

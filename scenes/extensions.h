@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What Epode's library has beyond ODE's, found at run time: a program built with this runs on any libode.so.8 and says what is missing.
-// dlsym rather than weak symbols: a weak reference is settled when the program is linked, and then it no longer starts on the other library.
+// What Epode's library has beyond ODE's, found at run time: a program built with this runs on any libode.so.8
+// and says what is missing. dlsym rather than weak symbols: a weak reference is settled when the program is
+// linked, and then it no longer starts on the other library.
 #pragma once
 
 #include <ode/ode.h>
@@ -13,7 +14,8 @@
 namespace epode::scenes {
 
 struct StepReport {
-    double residual = 0;  // worst error of the step's complementarity problem over its islands, 0: solved exactly
+    double residual =
+        0;  // worst error of the step's complementarity problem over its islands, 0: solved exactly
     int islands = 0, bodies = 0, joints = 0, rows = 0;
     int iterations = 0, fallbacks = 0, contained_islands = 0;
 };

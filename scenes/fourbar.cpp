@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Four-bar linkages: closed loops of four hinges with parallel axes. Counted blindly each has 3 bodies, 18 freedoms, and 4 hinges, 20 rows, so it
-// should not move; it does, because three rows of the twenty only repeat others. The row matrix is singular: the case where a
-// factorisation without regularisation breaks. One linkage is driven by a motor in its crank (Grashof: shortest + longest < sum of the
-// others, so the crank goes round); the other swings freely and must keep its energy.
+// Four-bar linkages: closed loops of four hinges with parallel axes. Counted blindly each has 3 bodies, 18
+// freedoms, and 4 hinges, 20 rows, so it should not move; it does, because three rows of the twenty only
+// repeat others. The row matrix is singular: the case where a factorisation without regularisation breaks.
+// One linkage is driven by a motor in its crank (Grashof: shortest + longest < sum of the others, so the
+// crank goes round); the other swings freely and must keep its energy.
 #include <cmath>
 
 #include "scenes/build.h"
@@ -20,7 +21,8 @@ struct Linkage {
     double side;  // of the line from crank to rocker on which coupler and rocker meet
 };
 
-// Where circles around a and b with radii ra and rb meet, on the left of a->b, or for side = -1 on the right. All in the plane y = const.
+// Where circles around a and b with radii ra and rb meet, on the left of a->b, or for side = -1 on the right.
+// All in the plane y = const.
 Vec meet(Vec a, double ra, Vec b, double rb, double side)
 {
     const Vec ab = b - a;
@@ -64,7 +66,13 @@ void build(Scene& scene)
 
 }  // namespace
 
-extern const Recipe kFourbar = {"fourbar", "two four-bar linkages, redundant closed loops, one driven and one swinging", 0.005, 10,
-                                Stepper::kExact, build};
+extern const Recipe kFourbar = {
+    .name = "fourbar",
+    .description = "two four-bar linkages, redundant closed loops, one driven and one swinging",
+    .dt = 0.005,
+    .seconds = 10,
+    .stepper = Stepper::kExact,
+    .build = build,
+};
 
 }  // namespace epode::scenes

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See measure.h. A kinematic body has a mass on paper only and is left out of energy and momentum; a body without gravity has no potential.
+// See measure.h. A kinematic body has a mass on paper only and is left out of energy and momentum; a body
+// without gravity has no potential.
 #include "scenes/measure.h"
 
 #include <algorithm>
@@ -66,7 +67,8 @@ Vec moved(const JointRecord& record)
     dBodyID body1 = dJointGetBody(record.joint, 0), body2 = dJointGetBody(record.joint, 1);
     if (!body1) return {};
     dVector3 expected;
-    dBodyGetRelPointPos(body1, dReal(record.reference[0]), dReal(record.reference[1]), dReal(record.reference[2]), expected);
+    dBodyGetRelPointPos(body1, dReal(record.reference[0]), dReal(record.reference[1]),
+                        dReal(record.reference[2]), expected);
     return (body2 ? vec(dBodyGetPosition(body2)) : Vec{}) - vec(expected);
 }
 
@@ -77,8 +79,8 @@ bool finite(const dReal* v, int count)
 
 bool finite(dBodyID body)
 {
-    return finite(dBodyGetPosition(body), 3) && finite(dBodyGetQuaternion(body), 4) && finite(dBodyGetLinearVel(body), 3) &&
-           finite(dBodyGetAngularVel(body), 3);
+    return finite(dBodyGetPosition(body), 3) && finite(dBodyGetQuaternion(body), 4) &&
+           finite(dBodyGetLinearVel(body), 3) && finite(dBodyGetAngularVel(body), 3);
 }
 
 void add_motion(const Scene& scene, Quality& quality)
@@ -121,17 +123,23 @@ double joint_error(const JointRecord& record)
     dJointID joint = record.joint;
     dVector3 axis;
     switch (dJointGetType(joint)) {
-        case dJointTypeBall: return length(anchor_gap(joint, dJointGetBallAnchor, dJointGetBallAnchor2));
-        case dJointTypeHinge: return length(anchor_gap(joint, dJointGetHingeAnchor, dJointGetHingeAnchor2));
-        case dJointTypeUniversal: return length(anchor_gap(joint, dJointGetUniversalAnchor, dJointGetUniversalAnchor2));
+        case dJointTypeBall:
+            return length(anchor_gap(joint, dJointGetBallAnchor, dJointGetBallAnchor2));
+        case dJointTypeHinge:
+            return length(anchor_gap(joint, dJointGetHingeAnchor, dJointGetHingeAnchor2));
+        case dJointTypeUniversal:
+            return length(anchor_gap(joint, dJointGetUniversalAnchor, dJointGetUniversalAnchor2));
         case dJointTypeHinge2:
             dJointGetHinge2Axis1(joint, axis);
-            return length(without(anchor_gap(joint, dJointGetHinge2Anchor, dJointGetHinge2Anchor2), vec(axis)));
+            return length(
+                without(anchor_gap(joint, dJointGetHinge2Anchor, dJointGetHinge2Anchor2), vec(axis)));
         case dJointTypeSlider:
             dJointGetSliderAxis(joint, axis);
             return length(without(moved(record), vec(axis)));
-        case dJointTypeFixed: return length(moved(record));
-        default: return 0;
+        case dJointTypeFixed:
+            return length(moved(record));
+        default:
+            return 0;
     }
 }
 
@@ -176,7 +184,8 @@ Quality RunRecord::observe(const Scene& scene)
     max_speed = std::max(max_speed, last.max_speed);
     not_finite = std::max(not_finite, last.not_finite);
 
-    energy_scale = std::max({energy_scale, last.kinetic, std::abs(last.potential - first.potential), std::abs(last.energy() - first.energy())});
+    energy_scale = std::max({energy_scale, last.kinetic, std::abs(last.potential - first.potential),
+                             std::abs(last.energy() - first.energy())});
     energy_peak_rise = std::max(energy_peak_rise, last.energy() - first.energy());
     const Vec impulse = (last.mass * scene.time()) * gravity_of(scene.world());
     momentum_drift = std::max(momentum_drift, length(load(last.momentum) - load(first.momentum) - impulse));

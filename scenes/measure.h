@@ -3,9 +3,10 @@
 //
 // The quality of a state, by the public API only, so that any library is judged by the same ruler.
 //   penetration   the deepest contact of the last collision pass, m
-//   joint error   the distance that a joint lets its two anchors part, m; along a slider's axis and a suspension's travel they may
-//   energy        kinetic, 1/2 m v.v + 1/2 w.I w, and potential, -m g.x; springs (soft constraints) are not counted
-//   momentum      linear sum m v; angular about the common centre of mass, which uniform gravity does not change
+//   joint error   the distance that a joint lets its two anchors part, m; along a slider's axis and a
+//   suspension's travel they may energy        kinetic, 1/2 m v.v + 1/2 w.I w, and potential, -m g.x; springs
+//   (soft constraints) are not counted momentum      linear sum m v; angular about the common centre of mass,
+//   which uniform gravity does not change
 // Angles between joint axes are not part of joint error: metres and radians have no common maximum.
 #pragma once
 
@@ -19,10 +20,10 @@ struct Quality {
     double kinetic = 0, potential = 0;
     double mass = 0;
     double momentum[3] = {0, 0, 0};
-    double spin[3] = {0, 0, 0};                     // angular momentum about the centre of mass
-    double momentum_scale = 0, spin_scale = 0;      // sums of the magnitudes of the parts
+    double spin[3] = {0, 0, 0};                 // angular momentum about the centre of mass
+    double momentum_scale = 0, spin_scale = 0;  // sums of the magnitudes of the parts
     double max_speed = 0;
-    int not_finite = 0;                             // bodies with a number that is NaN or infinite
+    int not_finite = 0;  // bodies with a number that is NaN or infinite
 
     double energy() const { return kinetic + potential; }
 };

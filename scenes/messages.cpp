@@ -26,7 +26,10 @@ void note(const char* kind, int number, const char* text, va_list arguments)
 
 void on_message(int number, const char* text, va_list arguments) { note("message", number, text, arguments); }
 void on_error(int number, const char* text, va_list arguments) { note("error", number, text, arguments); }
-void on_debug(int number, const char* text, va_list arguments) { note("failed check", number, text, arguments); }
+void on_debug(int number, const char* text, va_list arguments)
+{
+    note("failed check", number, text, arguments);
+}
 
 }  // namespace
 

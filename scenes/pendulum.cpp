@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Pendulum: a steel ball on a light rod, one body, hinged to the world and let go at 60 degrees. Not chaotic and without loss, so energy and
-// period tell the integrator's error. The period of the small swing is 2 pi sqrt(I / (m g l)), here about 2.1 s; at 60 degrees 7 % longer.
+// Pendulum: a steel ball on a light rod, one body, hinged to the world and let go at 60 degrees. Not chaotic
+// and without loss, so energy and period tell the integrator's error. The period of the small swing is 2 pi
+// sqrt(I / (m g l)), here about 2.1 s; at 60 degrees 7 % longer.
 #include "scenes/build.h"
 
 namespace epode::scenes {
@@ -28,7 +29,13 @@ void build(Scene& scene)
 
 }  // namespace
 
-extern const Recipe kPendulum = {"pendulum", "a ball on a rod, hinged to the world, let go at 60 degrees", 0.01, 10,
-                                 Stepper::kExact, build};
+extern const Recipe kPendulum = {
+    .name = "pendulum",
+    .description = "a ball on a rod, hinged to the world, let go at 60 degrees",
+    .dt = 0.01,
+    .seconds = 10,
+    .stepper = Stepper::kExact,
+    .build = build,
+};
 
 }  // namespace epode::scenes

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Pyramid: 15 rows of boxes, 120 in all, each standing on two below, one box thick. It should stand still for ever; creep and sway show how
-// much error a stepper leaves each step, since the weight of 14 rows goes through every box of the lowest.
+// Pyramid: 15 rows of boxes, 120 in all, each standing on two below, one box thick. It should stand still for
+// ever; creep and sway show how much error a stepper leaves each step, since the weight of 14 rows goes
+// through every box of the lowest.
 #include "scenes/build.h"
 
 namespace epode::scenes {
@@ -29,6 +30,13 @@ void build(Scene& scene)
 
 }  // namespace
 
-extern const Recipe kPyramid = {"pyramid", "120 boxes in 15 rows, one box thick, standing still", 0.01, 5, Stepper::kQuick, build};
+extern const Recipe kPyramid = {
+    .name = "pyramid",
+    .description = "120 boxes in 15 rows, one box thick, standing still",
+    .dt = 0.01,
+    .seconds = 5,
+    .stepper = Stepper::kQuick,
+    .build = build,
+};
 
 }  // namespace epode::scenes

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Ragdolls: six figures fall onto a flight of stairs. Each has 11 limbs of human proportion (1.75 m, water's density) and 10 joints: a ball
-// in the neck, universal joints with stops in waist, shoulders and hips, hinges with stops in elbows and knees.
-// Shoulders are universal and not ball joints: a ball joint has no stops, and an arm through the chest is not a ragdoll.
+// Ragdolls: six figures fall onto a flight of stairs. Each has 11 limbs of human proportion (1.75 m, water's
+// density) and 10 joints: a ball in the neck, universal joints with stops in waist, shoulders and hips,
+// hinges with stops in elbows and knees. Shoulders are universal and not ball joints: a ball joint has no
+// stops, and an arm through the chest is not a ragdoll.
 #include "scenes/build.h"
 
 namespace epode::scenes {
@@ -63,7 +64,8 @@ void add_ragdoll(Scene& scene, const Figure& f, Vec velocity)
     for (size_t i = first; i < scene.bodies().size(); ++i) set_velocity(scene.bodies()[i], velocity);
 }
 
-// Limbs of one figure pass through each other except where they matter for the looks: figures meet only other figures and the stairs.
+// Limbs of one figure pass through each other except where they matter for the looks: figures meet only other
+// figures and the stairs.
 void separate_limbs(Scene& scene, size_t first, int figure)
 {
     for (size_t i = first; i < scene.bodies().size(); ++i) {
@@ -84,7 +86,8 @@ void build(Scene& scene)
     Lcg random(scene.seed());
     for (int figure = 0; figure < 6; ++figure) {
         const size_t first = scene.bodies().size();
-        const Vec at{-0.7 + 0.8 * (figure % 2), -2.0 + 0.8 * figure, kSteps * rise + 0.15 + 0.1 * (figure % 3)};
+        const Vec at{-0.7 + 0.8 * (figure % 2), -2.0 + 0.8 * figure,
+                     kSteps * rise + 0.15 + 0.1 * (figure % 3)};
         add_ragdoll(scene, {at, turn(kZ, random.uniform(-0.7, 0.7))}, {random.uniform(1.6, 2.4), 0, 0});
         separate_limbs(scene, first, figure);
     }
@@ -96,7 +99,13 @@ void build(Scene& scene)
 
 }  // namespace
 
-extern const Recipe kRagdolls = {"ragdolls", "six ragdolls of 11 limbs falling down a flight of stairs", 0.005, 4, Stepper::kQuick,
-                                 build};
+extern const Recipe kRagdolls = {
+    .name = "ragdolls",
+    .description = "six ragdolls of 11 limbs falling down a flight of stairs",
+    .dt = 0.005,
+    .seconds = 4,
+    .stepper = Stepper::kQuick,
+    .build = build,
+};
 
 }  // namespace epode::scenes

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Satellite: six bodies joined by every articulated joint type tumble in empty space, with no gravity and nothing to touch. Whatever the
-// joints do inside, linear and angular momentum of the whole must stay: any drift is an error of the library.
+// Satellite: six bodies joined by every articulated joint type tumble in empty space, with no gravity and
+// nothing to touch. Whatever the joints do inside, linear and angular momentum of the whole must stay: any
+// drift is an error of the library.
 #include "scenes/build.h"
 
 namespace epode::scenes {
@@ -41,7 +42,13 @@ void build(Scene& scene)
 
 }  // namespace
 
-extern const Recipe kSatellite = {"satellite", "six jointed bodies tumbling in empty space: momentum must stay", 0.005, 10,
-                                  Stepper::kExact, build};
+extern const Recipe kSatellite = {
+    .name = "satellite",
+    .description = "six jointed bodies tumbling in empty space: momentum must stay",
+    .dt = 0.005,
+    .seconds = 10,
+    .stepper = Stepper::kExact,
+    .build = build,
+};
 
 }  // namespace epode::scenes

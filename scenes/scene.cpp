@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The life of a scene and one step of it. Contacts use friction that scales with the normal force (dContactApprox1), as real friction does.
-// Pairs that a joint connects are left out: their overlap is meant.
+// The life of a scene and one step of it. Contacts use friction that scales with the normal force
+// (dContactApprox1), as real friction does. Pairs that a joint connects are left out: their overlap is meant.
 #include "scenes/scene.h"
 
 #include <algorithm>
@@ -32,9 +32,12 @@ bool moves(dBodyID body) { return body && dBodyIsEnabled(body); }
 const char* name_of(Stepper stepper)
 {
     switch (stepper) {
-        case Stepper::kExact: return "exact";
-        case Stepper::kQuick: return "quick";
-        case Stepper::kFast: return "fast";
+        case Stepper::kExact:
+            return "exact";
+        case Stepper::kQuick:
+            return "quick";
+        case Stepper::kFast:
+            return "fast";
     }
     return "";
 }
@@ -61,7 +64,10 @@ Runtime::Runtime()
 Runtime::~Runtime() { dCloseODE(); }
 
 Scene::Scene(const Recipe& recipe, std::uint32_t seed)
-    : recipe_(recipe), seed_(seed), world_(dWorldCreate()), space_(dHashSpaceCreate(nullptr)),
+    : recipe_(recipe),
+      seed_(seed),
+      world_(dWorldCreate()),
+      space_(dHashSpaceCreate(nullptr)),
       contact_group_(dJointGroupCreate(0))
 {
     dHashSpaceSetLevels(space_, -3, 5);
@@ -86,7 +92,8 @@ void Scene::add_joint(dJointID joint)
     if (body1) {
         const dReal* origin = body2 ? dBodyGetPosition(body2) : nullptr;
         dVector3 local;
-        dBodyGetPosRelPoint(body1, origin ? origin[0] : 0, origin ? origin[1] : 0, origin ? origin[2] : 0, local);
+        dBodyGetPosRelPoint(body1, origin ? origin[0] : 0, origin ? origin[1] : 0, origin ? origin[2] : 0,
+                            local);
         std::copy_n(local, 3, record.reference);
     }
     joints_.push_back(record);
@@ -121,7 +128,8 @@ void Scene::make_contact(dBodyID body1, dBodyID body2, dContact& contact)
     const dContactGeom& g = contact.geom;
     for (int copy = 0; copy < contact_copies; ++copy) {
         dJointAttach(dJointCreateContact(world_, contact_group_, &contact), body1, body2);
-        contacts_.push_back({g.g1, g.g2, {g.pos[0], g.pos[1], g.pos[2]}, {g.normal[0], g.normal[1], g.normal[2]}, g.depth});
+        contacts_.push_back(
+            {g.g1, g.g2, {g.pos[0], g.pos[1], g.pos[2]}, {g.normal[0], g.normal[1], g.normal[2]}, g.depth});
     }
 }
 

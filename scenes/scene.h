@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A scene is a world, a space and everything in them, built by a recipe, stepped the way the guide's "typical simulation code" does it:
-// collide, make contact joints, step, empty the contact group. It speaks only the public C API, so the same binary runs on any libode.so.8.
-// A recipe is plain data and one function rather than a subclass: a scene then is one file, one build function and one line in scenes.inc.
-// What the last step did (contacts, times) stays readable until the next one; measure.h judges it.
+// A scene is a world, a space and everything in them, built by a recipe, stepped the way the guide's "typical
+// simulation code" does it: collide, make contact joints, step, empty the contact group. It speaks only the
+// public C API, so the same binary runs on any libode.so.8. A recipe is plain data and one function rather
+// than a subclass: a scene then is one file, one build function and one line in scenes.inc. What the last
+// step did (contacts, times) stays readable until the next one; measure.h judges it.
 #pragma once
 
 #include <ode/ode.h>
@@ -91,7 +92,8 @@ class Scene {
     const std::vector<dGeomID>& geoms() const { return geoms_; }
     const std::vector<JointRecord>& joints() const { return joints_; }
 
-    // Sweeps of dWorldQuickStep, small steps of dWorldStepFast1; the exact stepper has none. 0: the defaults, 20 and 4.
+    // Sweeps of dWorldQuickStep, small steps of dWorldStepFast1; the exact stepper has none. 0: the defaults,
+    // 20 and 4.
     void set_iterations(int iterations) { iterations_ = iterations; }
     // False when the library reports that the step failed.
     bool step(Stepper stepper, double dt);
@@ -99,14 +101,15 @@ class Scene {
     const std::vector<ContactRecord>& contacts() const { return contacts_; }
     const StepTimes& times() const { return times_; }
 
-    // How contacts are made: every contact starts as `surface`, then `on_contact` may change it or, by false, refuse it.
+    // How contacts are made: every contact starts as `surface`, then `on_contact` may change it or, by false,
+    // refuse it.
     dSurfaceParameters surface{};
     int contacts_per_pair = 4;
     int contact_copies = 1;
     std::function<bool(dGeomID, dGeomID, dContact&)> on_contact;
 
     // What the recipe knows about its own physics, for whoever judges the run.
-    bool isolated = false;      // no gravity, nothing but its own bodies acts: linear and angular momentum must stay
+    bool isolated = false;      // nothing acts but its own bodies: momentum must stay
     bool conservative = false;  // no friction, no motor, no impact: energy must stay
     std::vector<dBodyID> tracked;
     View view;

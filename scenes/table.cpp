@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Table: what rests on more supports than it needs. A four-legged table (legs are rigid: four feet with four contacts each, where three
-// points would do) carries a box, and beside it a box stands with every contact made twice. The forces are not unique, the motion is:
-// nothing may move. The matrix of the contact rows is singular; a stepper must not mind.
+// Table: what rests on more supports than it needs. A four-legged table (legs are rigid: four feet with four
+// contacts each, where three points would do) carries a box, and beside it a box stands with every contact
+// made twice. The forces are not unique, the motion is: nothing may move. The matrix of the contact rows is
+// singular; a stepper must not mind.
 #include "scenes/build.h"
 
 namespace epode::scenes {
@@ -49,7 +50,13 @@ void build(Scene& scene)
 
 }  // namespace
 
-extern const Recipe kTable = {"table", "a laden four-legged table and a box, at rest on twice as many contacts as there are", 0.01, 3,
-                              Stepper::kExact, build};
+extern const Recipe kTable = {
+    .name = "table",
+    .description = "a laden four-legged table and a box, at rest on twice as many contacts as there are",
+    .dt = 0.01,
+    .seconds = 3,
+    .stepper = Stepper::kExact,
+    .build = build,
+};
 
 }  // namespace epode::scenes

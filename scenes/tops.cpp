@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Tops: three spinning tops on the floor with friction, a gyroscope that precesses on a ball joint, and a box that floats without gravity and
-// turns about its middle axis, which is unstable: every few seconds it flips (Dzhanibekov). Spin is where an explicit gyroscopic term gains
-// energy and an implicit one loses it; the box's energy and spin are constants of the motion.
+// Tops: three spinning tops on the floor with friction, a gyroscope that precesses on a ball joint, and a box
+// that floats without gravity and turns about its middle axis, which is unstable: every few seconds it flips
+// (Dzhanibekov). Spin is where an explicit gyroscopic term gains energy and an implicit one loses it; the
+// box's energy and spin are constants of the motion.
 #include "scenes/build.h"
 
 namespace epode::scenes {
 
 namespace {
 
-// A disc on a thin stem with a round tip. Masses first, then shapes: the body's origin stays the centre of mass.
+// A disc on a thin stem with a round tip. Masses first, then shapes: the body's origin stays the centre of
+// mass.
 dBodyID add_top(Scene& scene, Vec tip, double radius, Turn lean, double spin)
 {
     const double height = 0.9 * radius, tip_radius = 0.1 * radius;
@@ -53,7 +55,13 @@ void build(Scene& scene)
 
 }  // namespace
 
-extern const Recipe kTops = {"tops", "spinning tops, a gyroscope, and a floating box that flips about its middle axis", 0.002, 5,
-                             Stepper::kExact, build};
+extern const Recipe kTops = {
+    .name = "tops",
+    .description = "spinning tops, a gyroscope, and a floating box that flips about its middle axis",
+    .dt = 0.002,
+    .seconds = 5,
+    .stepper = Stepper::kExact,
+    .build = build,
+};
 
 }  // namespace epode::scenes

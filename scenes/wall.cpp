@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Wall: 10 courses of bricks in running bond, half bricks at the ends, hit by an iron cannon ball of 220 kg at 20 m/s. A stack at rest,
-// then an impact, then many small islands: what an iterative solver, its warm start and its sleeping see in one run.
+// Wall: 10 courses of bricks in running bond, half bricks at the ends, hit by an iron cannon ball of 220 kg
+// at 20 m/s. A stack at rest, then an impact, then many small islands: what an iterative solver, its warm
+// start and its sleeping see in one run.
 #include "scenes/build.h"
 
 namespace epode::scenes {
@@ -40,6 +41,13 @@ void build(Scene& scene)
 
 }  // namespace
 
-extern const Recipe kWall = {"wall", "a brick wall of 10 courses hit by a cannon ball", 0.005, 2, Stepper::kQuick, build};
+extern const Recipe kWall = {
+    .name = "wall",
+    .description = "a brick wall of 10 courses hit by a cannon ball",
+    .dt = 0.005,
+    .seconds = 2,
+    .stepper = Stepper::kQuick,
+    .build = build,
+};
 
 }  // namespace epode::scenes
