@@ -15,18 +15,25 @@ namespace {
 
 constexpr Real kFaceMargin = Real(1e-5);  // of the sizes
 
+// Plain arrays: the loops below run over axes.
 struct Frames {
-    Mat3 C, absC;
-    Vec3 pa, pb;  // from a to b, in a's frame and in b's
+    Real c[3][3], m[3][3];  // C and |C|
+    Real ha[3], hb[3];
+    Real pa[3], pb[3];      // from a to b, in a's frame and in b's
+    Real touch;
 };
 
-Frames frames_of(const Pose& A, const Pose& B)
+Frames frames_of(const Box& a, const Pose& A, const Box& b, const Pose& B)
 {
     Frames f;
-    f.C = transpose(A.R) * B.R;
-    f.absC = {abs(f.C.row0), abs(f.C.row1), abs(f.C.row2)};
-    f.pa = transposed_times(A.R, B.p - A.p);
-    f.pb = transposed_times(f.C, f.pa);
+    const Mat3 C = transpose(A.R) * B.R;
+    store(f.c[0], C.row0), store(f.c[1], C.row1), store(f.c[2], C.row2);
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) f.m[i][j] = std::fabs(f.c[i][j]);
+    store(f.ha, a.half), store(f.hb, b.half);
+    const Vec3 p = transposed_times(A.R, B.p - A.p);
+    store(f.pa, p), store(f.pb, transposed_times(C, p));
+    f.touch = 8 * kEpsilon * (max_component(a.half) + max_component(b.half) + max_component(abs(p)));
     return f;
 }
 
@@ -51,43 +58,43 @@ struct Search {
     }
 };
 
-bool search_faces(const Frames& f, Vec3 ha, Vec3 hb, Real touch, Search& s)
+bool search_faces(const Frames& f, Search& s)
 {
-    for (int i = 0; i < 3; ++i)
-        if (!s.offer(ha[i] + dot(f.absC.row(i), hb) - std::fabs(f.pa[i]), 1, f.pa[i], 1 + i, touch)) return false;
+    for (int i = 0; i < 3; ++i) {
+        const Real rb = f.m[i][0] * f.hb[0] + f.m[i][1] * f.hb[1] + f.m[i][2] * f.hb[2];
+        if (!s.offer(f.ha[i] + rb - std::fabs(f.pa[i]), 1, f.pa[i], 1 + i, f.touch)) return false;
+    }
     // The second box's faces must be better by more than the jitter of a resting stack, so that boxes lying flat on
     // each other keep their roles.
-    const Real margin = kFaceMargin * (max_component(ha) + max_component(hb));
-    for (int j = 0; j < 3; ++j)
-        if (!s.offer(hb[j] + dot(f.absC.column(j), ha) - std::fabs(f.pb[j]), 1, f.pb[j], 4 + j, touch, margin))
-            return false;
+    const Real size = std::fmax(f.ha[0], std::fmax(f.ha[1], f.ha[2])) + std::fmax(f.hb[0], std::fmax(f.hb[1], f.hb[2]));
+    for (int j = 0; j < 3; ++j) {
+        const Real ra = f.m[0][j] * f.ha[0] + f.m[1][j] * f.ha[1] + f.m[2][j] * f.ha[2];
+        if (!s.offer(f.hb[j] + ra - std::fabs(f.pb[j]), 1, f.pb[j], 4 + j, f.touch, kFaceMargin * size)) return false;
+    }
     return true;
 }
 
-bool search_edges(const Frames& f, Vec3 ha, Vec3 hb, Real touch, Search& s)
+bool search_edges(const Frames& f, Search& s)
 {
+    constexpr int kNext[3] = {1, 2, 0}, kLast[3] = {2, 0, 1};
     for (int i = 0; i < 3; ++i) {
-        const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+        const int i1 = kNext[i], i2 = kLast[i];
         for (int j = 0; j < 3; ++j) {
-            const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-            const Real c = f.C.row(i)[j];
-            const Real sine2 = 1 - c * c;
+            const int j1 = kNext[j], j2 = kLast[j];
+            const Real sine2 = 1 - f.c[i][j] * f.c[i][j];
             if (sine2 < Real(1e-6)) continue;  // parallel edges: a face direction does as well
-            const Real k = 1 / std::sqrt(sine2);
-            const Real along = f.pa[i2] * f.C.row(i1)[j] - f.pa[i1] * f.C.row(i2)[j];
-            const Real ra = ha[i1] * f.absC.row(i2)[j] + ha[i2] * f.absC.row(i1)[j];
-            const Real rb = hb[j1] * f.absC.row(i)[j2] + hb[j2] * f.absC.row(i)[j1];
-            if (!s.offer((ra + rb - std::fabs(along)) * k, kEdgeHandicap, along, 7 + 3 * i + j, touch)) return false;
+            const Real along = f.pa[i2] * f.c[i1][j] - f.pa[i1] * f.c[i2][j];
+            const Real ra = f.ha[i1] * f.m[i2][j] + f.ha[i2] * f.m[i1][j];
+            const Real rb = f.hb[j1] * f.m[i][j2] + f.hb[j2] * f.m[i][j1];
+            const Real overlap = ra + rb - std::fabs(along);  // times |L| = sqrt(sine2) <= 1
+            if (overlap > s.score) continue;                  // cannot win, nor part
+            if (!s.offer(overlap / std::sqrt(sine2), kEdgeHandicap, along, 7 + 3 * i + j, f.touch)) return false;
         }
     }
     return true;
 }
 
-bool search(const Frames& f, Vec3 ha, Vec3 hb, Search& s)
-{
-    const Real touch = 8 * kEpsilon * (max_component(ha) + max_component(hb) + max_component(abs(f.pa)));
-    return search_faces(f, ha, hb, touch, s) && search_edges(f, ha, hb, touch, s);
-}
+bool search(const Frames& f, Search& s) { return search_faces(f, s) && search_edges(f, s); }
 
 // Both boxes seen from the reference one: its frame, and the other's pose in it.
 struct Incident {
@@ -170,14 +177,15 @@ void lowest_corner(const Pose& A, const Box& b, const Pose& B, bool reference_is
 bool boxes_touch(const Box& a, const Pose& A, const Box& b, const Pose& B)
 {
     Search s;
-    return search(frames_of(A, B), a.half, b.half, s);
+    return search(frames_of(a, A, b, B), s);
 }
 
 bool box_box_manifold(const Box& a, const Pose& A, const Box& b, const Pose& B, BoxBox& out)
 {
-    const Frames f = frames_of(A, B);
+    const Frames f = frames_of(a, A, b, B);
     Search s;
-    if (!search(f, a.half, b.half, s)) return false;
+    if (!search(f, s)) return false;
+    const Mat3 C = {load(f.c[0]), load(f.c[1]), load(f.c[2])};
     out.code = s.code;
     out.depth = s.depth;
     out.count = 0;
@@ -185,11 +193,11 @@ bool box_box_manifold(const Box& a, const Pose& A, const Box& b, const Pose& B, 
     if (s.code <= 3) {
         const int k = s.code - 1;
         out.normal = sign * A.R.column(k);
-        face_points(a.half, {f.pa, f.C, b.half}, k, sign, A, out);
+        face_points(a.half, {load(f.pa), C, b.half}, k, sign, A, out);
     } else if (s.code <= 6) {
         const int k = s.code - 4;
         out.normal = sign * B.R.column(k);
-        face_points(b.half, {-f.pb, transpose(f.C), a.half}, k, -sign, B, out);
+        face_points(b.half, {-load(f.pb), transpose(C), a.half}, k, -sign, B, out);
     } else {
         const int i = (s.code - 7) / 3, j = (s.code - 7) % 3;
         out.normal = normalized_or(sign * cross(A.R.column(i), B.R.column(j)), {1, 0, 0});

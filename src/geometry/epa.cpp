@@ -133,17 +133,15 @@ bool Polytope::grow(Vec3 p)
 {
     edge_count_ = 0;
     const Real hair = 4 * kEpsilon * scale_;
-    int kept = 0;
-    for (int i = 0; i < face_count_; ++i) {
-        const Face f = faces_[i];
-        const bool seen = f.distance == kInf ? false : dot(f.normal(), p) - f.distance > hair;
-        if (!seen) {
-            faces_[kept++] = f;
+    for (int i = 0; i < face_count_;) {
+        const Face& f = faces_[i];
+        if (f.distance == kInf || !(dot(f.normal(), p) - f.distance > hair)) {
+            ++i;
             continue;
         }
         for (int k = 0; k < 3; ++k) add_edge(f.v[k], f.v[(k + 1) % 3]);
+        faces_[i] = faces_[--face_count_];
     }
-    face_count_ = kept;
     if (edge_count_ == 0) return false;
     const int tip = vertex_count_;
     store(vertices_[vertex_count_++], p);

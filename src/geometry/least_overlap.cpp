@@ -9,6 +9,7 @@
 // The slope of h at n is its support point, since h is homogeneous of degree one; for a rim of radius r about u,
 // with m the unit part of n across u and w = u x m, the second derivative is  r / |n - (n.u)u|  w w^T.
 #include "geometry/epa.h"
+#include "geometry/root.h"
 
 namespace epode {
 
@@ -53,29 +54,6 @@ struct Arc {
     Real slope(Real t) const { return dot(q - t * p, extent(a, b, direction(t)).point); }
 };
 
-// The root of a rising slope between lo (slope < 0) and hi (> 0): false position, the Illinois way.
-Real root(const Arc& arc, Real lo, Real at_lo, Real hi, Real at_hi)
-{
-    int side = 0;
-    Real t = lo;
-    for (int i = 0; i < 40 && hi - lo > 4 * kEpsilon; ++i) {
-        t = lo + (hi - lo) * (at_lo / (at_lo - at_hi));
-        if (!(t > lo && t < hi)) t = Real(0.5) * (lo + hi);
-        const Real s = arc.slope(t);
-        if (s == 0) return t;
-        if (s < 0) {
-            lo = t, at_lo = s;
-            if (side < 0) at_hi *= Real(0.5);
-            side = -1;
-        } else {
-            hi = t, at_hi = s;
-            if (side > 0) at_lo *= Real(0.5);
-            side = 1;
-        }
-    }
-    return t;
-}
-
 // Least h near n among the directions perpendicular to `edge`.
 void polish_about(const ConvexView& a, const ConvexView& b, Vec3 edge, Vec3 n, Real handicap, Overlap& best)
 {
@@ -88,7 +66,9 @@ void polish_about(const ConvexView& a, const ConvexView& b, Vec3 edge, Vec3 n, R
     for (Real step = Real(1e-4); at_zero != 0 && step < 1; step *= 8) {
         const Real at_step = arc.slope(way * step);
         if (way * at_step >= 0) {
-            t = way > 0 ? root(arc, inner, at_inner, step, at_step) : root(arc, -step, at_step, inner, at_inner);
+            const auto slope = [&arc](Real x) { return arc.slope(x); };
+            t = way > 0 ? rising_root(slope, inner, at_inner, step, at_step)
+                        : rising_root(slope, -step, at_step, inner, at_inner);
             break;
         }
         inner = way * step, at_inner = at_step;

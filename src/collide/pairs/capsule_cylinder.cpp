@@ -5,8 +5,8 @@
 // axis to the cylinder is a convex function of the parameter, and its least value is found by a bracketed root of
 // the slope; exact where GJK would crawl round the rim. Axis inside: the general answer, polished to rounding.
 #include "collide/pairs/pairs.h"
-#include "geometry/closest.h"
 #include "geometry/epa.h"
+#include "geometry/root.h"
 
 namespace epode {
 
@@ -32,23 +32,10 @@ struct Case {
 // Least distance over t in [0, 1]; of several equally near points any one will do, the manifold spreads them.
 Real nearest(const Case& c)
 {
-    Real lo = 0, hi = 1, at_lo = c.slope(0), at_hi = c.slope(1);
-    if (at_lo >= 0) return 0;
-    if (at_hi <= 0) return 1;
-    int side = 0;
-    Real t = Real(0.5);
-    for (int i = 0; i < 60 && hi - lo > 2 * kEpsilon; ++i) {
-        t = lo + (hi - lo) * (at_lo / (at_lo - at_hi));
-        if (!(t > lo && t < hi)) t = Real(0.5) * (lo + hi);
-        const Real s = c.slope(t);
-        if (s == 0) break;
-        (s < 0 ? lo : hi) = t;
-        (s < 0 ? at_lo : at_hi) = s;
-        if (s < 0 && side < 0) at_hi *= Real(0.5);
-        if (s > 0 && side > 0) at_lo *= Real(0.5);
-        side = s < 0 ? -1 : 1;
-    }
-    return t;
+    const Real at_from = c.slope(0), at_to = c.slope(1);
+    if (at_from >= 0) return 0;
+    if (at_to <= 0) return 1;
+    return rising_root([&c](Real t) { return c.slope(t); }, 0, at_from, 1, at_to);
 }
 
 }  // namespace
