@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// How this library was built, in ODE's words. A client asks for a token to learn whether a feature may be used, so a
-// token stands here only while the feature does.
+// How this library was built, in ODE's words. A client asks for a token to learn whether a feature may be
+// used, so a token stands here only while the feature does.
 #include "ode/common.h"
 
 #include <cstring>

@@ -16,10 +16,7 @@ namespace {
 
 constexpr const char* kBadDirection = "bad direction number";
 
-MassProperties properties_of(const dMass& m)
-{
-    return {m.mass, load(m.c), symmetric_part(load_mat(m.I))};
-}
+MassProperties properties_of(const dMass& m) { return {m.mass, load(m.c), symmetric_part(load_mat(m.I))}; }
 
 bool check_and_tell(const MassProperties& p)
 {

@@ -5,6 +5,8 @@
 // NaN (dPlaneSpace of a vector that is not a unit one), we refuse or normalise.
 #include "ode/odemath.h"
 
+#include <cmath>
+
 #include "base/check.h"
 #include "math/rotation.h"
 
@@ -15,7 +17,7 @@ namespace {
 bool normalize3(Real* a)
 {
     Vec3 v = load(a);
-    if (!normalize(v)) return false;
+    if (std::isnan(v.x + v.y + v.z) || !normalize(v)) return false;
     store(a, v);
     return true;
 }
@@ -23,7 +25,7 @@ bool normalize3(Real* a)
 bool normalize4(Real* a)
 {
     Quat v = load_quat(a);
-    if (!normalize(v)) return false;
+    if (std::isnan(v.w + v.x + v.y + v.z) || !normalize(v)) return false;
     store_quat(a, v);
     return true;
 }

@@ -2,9 +2,9 @@
 // Copyright (c) 2026 The Epode authors
 //
 // ODE's public generator: s' = 1664525 s + 1013904223 mod 2^32 (Knuth & Lewis, in Press et al., "Numerical
-// Recipes"), kept because clients rely on the very sequence. One state for the process, here an atomic, so that
-// threads that draw at once get different numbers. Our solvers do not use it (base/random.h).
-// With it the helpers of misc.h that test programs are written with; matrices there are padded by dPAD.
+// Recipes"), kept because clients rely on the very sequence. One state for the process, here an atomic, so
+// that threads that draw at once get different numbers. Our solvers do not use it (base/random.h). With it
+// the helpers of misc.h that test programs are written with; matrices there are padded by dPAD.
 #include <atomic>
 #include <cmath>
 #include <cstdint>
@@ -26,8 +26,7 @@ constexpr std::uint32_t following(std::uint32_t s) { return 1664525u * s + 10139
 std::uint32_t draw()
 {
     std::uint32_t s = g_state.load(std::memory_order_relaxed);
-    while (!g_state.compare_exchange_weak(s, following(s), std::memory_order_relaxed)) {
-    }
+    while (!g_state.compare_exchange_weak(s, following(s), std::memory_order_relaxed)) {}
     return following(s);
 }
 

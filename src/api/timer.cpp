@@ -5,10 +5,10 @@
 // nanoseconds of the monotonic clock: ODE reads the wall clock in microseconds, which jumps when it is set.
 // A slot lasts from its event to the next one; the closing event stands for the whole. Averages run over the
 // lists that dTimerEnd has closed, slot by slot.
+#include <time.h>
 #include <cstdio>
 #include <cstring>
 #include <mutex>
-#include <time.h>
 
 #include "ode/timer.h"
 

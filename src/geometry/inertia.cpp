@@ -8,8 +8,8 @@
 // Meshes: signed tetrahedra from a reference point to each triangle (Lien & Kajiya, "A symbolic method for
 // calculating the integral properties of arbitrary nonconvex polyhedra", IEEE CG&A 4(10), 1984):
 //   integral of x x^T over (0,a,b,c) = det/120 (s s^T + a a^T + b b^T + c c^T), s = a + b + c.
-// Mirtich's projected line integrals give the same numbers with far more cases. The reference point is a vertex:
-// about a far origin the sums would cancel.
+// Mirtich's projected line integrals give the same numbers with far more cases. The reference point is a
+// vertex: about a far origin the sums would cancel.
 #include "geometry/inertia.h"
 
 #include "base/check.h"
@@ -23,18 +23,12 @@ Sym3 operator+(const Sym3& a, const Sym3& b)
     return {a.xx + b.xx, a.yy + b.yy, a.zz + b.zz, a.xy + b.xy, a.xz + b.xz, a.yz + b.yz};
 }
 
-Sym3 operator*(Real s, const Sym3& a)
-{
-    return {s * a.xx, s * a.yy, s * a.zz, s * a.xy, s * a.xz, s * a.yz};
-}
+Sym3 operator*(Real s, const Sym3& a) { return {s * a.xx, s * a.yy, s * a.zz, s * a.xy, s * a.xz, s * a.yz}; }
 
 Sym3 outer(Vec3 v) { return {v.x * v.x, v.y * v.y, v.z * v.z, v.x * v.y, v.x * v.z, v.y * v.z}; }
 
 // tr(S) 1 - S: turns second moments into inertia.
-Sym3 inertia_of(const Sym3& S)
-{
-    return {S.yy + S.zz, S.xx + S.zz, S.xx + S.yy, -S.xy, -S.xz, -S.yz};
-}
+Sym3 inertia_of(const Sym3& S) { return {S.yy + S.zz, S.xx + S.zz, S.xx + S.yy, -S.xy, -S.xz, -S.yz}; }
 
 // A unit point mass at v.
 Sym3 point_inertia(Vec3 v) { return inertia_of(outer(v)); }

@@ -38,8 +38,8 @@ MassProperties united(const MassProperties& p, const MassProperties& q);
 
 enum class MassFault { kNone, kMass, kInertia, kCenter };
 
-// What keeps these numbers from belonging to a rigid body: a mass that is not positive, an inertia that is not
-// positive definite about the origin, or not about the centre.
+// What keeps these numbers from belonging to a rigid body: a mass that is not positive, an inertia that is
+// not positive definite about the origin, or not about the centre.
 MassFault mass_fault(const MassProperties& p);
 
 // Every number finite and of sane size (base/check.h).
@@ -54,10 +54,10 @@ class MeshMoments {
 
   private:
     bool started_ = false;
-    Vec3 reference_;    // the integrals are taken about the first vertex
-    Real volume_ = 0;   // integral of 1
-    Vec3 first_;        // integral of x
-    Sym3 second_;       // integral of x x^T
+    Vec3 reference_;   // the integrals are taken about the first vertex
+    Real volume_ = 0;  // integral of 1
+    Vec3 first_;       // integral of x
+    Sym3 second_;      // integral of x x^T
 };
 
 }  // namespace epode

@@ -35,9 +35,11 @@ Real dot(const Real* a, const Real* b, int n);
 void subtract_scaled(Real* y, Real s, const Real* x, int n);
 
 // A(p x r) = B C, B^T C, B C^T. A must not overlap B or C; its padding stays as it is.
-void multiply(Real* A, const Real* B, const Real* C, int p, int q, int r);                   // B p x q, C q x r
-void multiply_transposed_left(Real* A, const Real* B, const Real* C, int p, int q, int r);   // B q x p, C q x r
-void multiply_transposed_right(Real* A, const Real* B, const Real* C, int p, int q, int r);  // B p x q, C r x q
+void multiply(Real* A, const Real* B, const Real* C, int p, int q, int r);  // B p x q, C q x r
+void multiply_transposed_left(Real* A, const Real* B, const Real* C, int p, int q,
+                              int r);  // B q x p, C q x r
+void multiply_transposed_right(Real* A, const Real* B, const Real* C, int p, int q,
+                               int r);  // B p x q, C r x q
 
 // Deletes row and column r of an n x n matrix in place; the stride stays, what falls out is left behind.
 void remove_row_and_column(Real* A, int n, int stride, int r);

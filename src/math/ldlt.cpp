@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Everything walks rows. Removing row r from L D L^T leaves the rows above it alone; below it, with l the part
-// of column r under the diagonal, the trailing block becomes L3 D3 L3^T + D_r l l^T, which is an update
+// Everything walks rows. Removing row r from L D L^T leaves the rows above it alone; below it, with l the
+// part of column r under the diagonal, the trailing block becomes L3 D3 L3^T + D_r l l^T, which is an update
 // with a positive weight and therefore stable. (ODE's interface also offers the original matrix for this;
 // it is not needed.)
 #include "math/ldlt.h"

@@ -5,8 +5,8 @@
 // allocator beyond. alloca would be simpler, but a large matrix would then overrun a small thread's stack.
 #pragma once
 
-#include "base/memory.h"
 #include "base/config.h"
+#include "base/memory.h"
 
 namespace epode {
 
