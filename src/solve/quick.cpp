@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// dWorldQuickStep: a fixed number of projected SOR sweeps over
+//
+//   q_i = clip(p_i + W (c_i - J_i v - C_i p_i) / d_i, lo_i, hi_i),   d_i = J_i M^-1 J_i^T + C_i
+//
+// with friction limits that follow their parent's present impulse. The order is joints, then contacts, each
+// contact's normal before its tangents. ODE visits all normals before all tangents and shuffles; a fixed
+// order needs no random numbers and walks memory forwards.
+#include <algorithm>
+
+#include "solve/contact_set.h"
+#include "solve/residual.h"
+#include "solve/row_sweep.h"
+#include "solve/solver.h"
+
+namespace epode {
+namespace {
+
+struct Sweeps {
+    ContactSet contacts;
+    RowSweep others;
+
+    bool pack(const RowSystem& system, Real w, Arena& arena)
+    {
+        auto packed = arena.take<bool>(int(system.blocks.size()));
+        return !packed.empty() && contacts.pack(system, w, packed, arena) && others.pack(system, w, packed, arena);
+    }
+
+    void run(std::span<Velocity> bodies, int iterations)
+    {
+        others.apply_impulses(bodies);
+        contacts.apply_impulses(bodies);
+        for (int i = 0; i < iterations; ++i) {
+            const bool backwards = i % 2 != 0;
+            others.sweep(bodies, backwards);
+            contacts.sweep(bodies, backwards);
+        }
+    }
+};
+
+bool residual_of(const RowSystem& system, std::span<const SolverBody> before, Arena& arena, Real& out)
+{
+    auto lo = arena.take<Real>(int(system.rows.size()));
+    auto hi = arena.take<Real>(int(system.rows.size()));
+    if (arena.failed()) return false;
+    present_bounds(system, lo, hi);
+    out = natural_residual(system, before, lo, hi, arena);
+    return out >= 0;
+}
+
+bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
+{
+    report.iterations = std::max(settings.iterations, 0);
+    if (system.rows.empty()) return true;
+    if (settings.iterations <= 0) {  // ODE's meaning: constraints without effect
+        for (RowNumbers& n : system.numbers) n.p = 0;
+        return true;
+    }
+    Arena::Scope scope(arena);
+    std::span<SolverBody> before;
+    if (settings.want_residual) {
+        before = arena.take<SolverBody>(int(system.bodies.size()));
+        if (before.empty()) return false;
+        std::copy(system.bodies.begin(), system.bodies.end(), before.begin());
+    }
+    Sweeps sweeps;
+    auto velocities = take_velocities(system, arena);
+    if (velocities.empty() || !sweeps.pack(system, settings.w, arena)) return false;
+    load_velocities(system, velocities);
+    sweeps.run(velocities, settings.iterations);
+    store_velocities(velocities, system);
+    sweeps.others.store_impulses(system.numbers);
+    sweeps.contacts.store_impulses(system.numbers);
+    return !settings.want_residual || residual_of(system, before, arena, report.residual);
+}
+
+}  // namespace
+
+const Solver kQuick{"quick", false, solve_quick};
+
+}  // namespace epode

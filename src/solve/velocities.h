@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What a sweep changes, and nothing else: one cache line per body (half of one in float), while masses stay
+// where only preparation reads them. The slot behind the last body is the world: it is gathered like any body,
+// and since its inverse mass is zero, scattering to it changes nothing.
+#pragma once
+
+#include <span>
+
+#include "base/arena.h"
+#include "rows/row_system.h"
+
+namespace epode {
+
+struct alignas(8 * sizeof(Real)) Velocity {
+    Vec3 v;
+    Real unused1;
+    Vec3 w;
+    Real unused2;
+};
+
+// Room for the bodies and the world; empty when the arena is exhausted.
+inline std::span<Velocity> take_velocities(const RowSystem& system, Arena& arena)
+{
+    return arena.take<Velocity>(int(system.bodies.size()) + 1);
+}
+
+inline void load_velocities(const RowSystem& system, std::span<Velocity> out)
+{
+    for (std::size_t i = 0; i < system.bodies.size(); ++i) out[i] = {system.bodies[i].v, 0, system.bodies[i].w, 0};
+    out.back() = {};
+}
+
+inline void store_velocities(std::span<const Velocity> from, RowSystem& system)
+{
+    for (std::size_t i = 0; i < system.bodies.size(); ++i) {
+        system.bodies[i].v = from[i].v;
+        system.bodies[i].w = from[i].w;
+    }
+}
+
+// Where a block's second body is in the velocities.
+inline int second_slot(const RowSystem& system, const RowBlock& block)
+{
+    return block.body2 >= 0 ? block.body2 : int(system.bodies.size());
+}
+
+}  // namespace epode
