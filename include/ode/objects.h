@@ -357,6 +357,8 @@ ODE_API dJointID dJointCreateHinge2(dWorldID world, dJointGroupID group);
 ODE_API dJointID dJointCreateUniversal(dWorldID world, dJointGroupID group);
 ODE_API dJointID dJointCreateFixed(dWorldID world, dJointGroupID group);
 ODE_API dJointID dJointCreateAMotor(dWorldID world, dJointGroupID group);
+ODE_API dJointID dJointCreateLMotor(dWorldID world, dJointGroupID group);
+ODE_API dJointID dJointCreatePlane2D(dWorldID world, dJointGroupID group);
 
 /** A joint that only connects: it has no constraint but joins islands and counts in
     dAreConnected. */
@@ -592,6 +594,34 @@ ODE_API dReal dJointGetAMotorParam(dJointID joint, int parameter);
 
 /** Torques about the axes in use, N m. */
 ODE_API void dJointAddAMotorTorques(dJointID joint, dReal torque1, dReal torque2, dReal torque3);
+
+/* ======================================================================== linear motor: up to 3 rows
+
+   Motors on the relative velocity of the bodies' centres along up to three axes; no other constraint. It has
+   no stops. Parameters of axis 0, 1, 2: plain names, names ending in 2, in 3. */
+
+/** Axes in use, 0 ... 3, default 0. */
+ODE_API void dJointSetLMotorNumAxes(dJointID joint, int num);
+ODE_API int dJointGetLMotorNumAxes(dJointID joint);
+
+/** Axis anum (0, 1, 2) and what it turns with: rel 0 the world, 1 body 1, 2 body 2 (body 1 when there is no
+    body 2). (x, y, z) is in the world frame in any case. */
+ODE_API void dJointSetLMotorAxis(dJointID joint, int anum, int rel, dReal x, dReal y, dReal z);
+
+/** The axis as it is stored: in the frame of the body it turns with, or in the world's. */
+ODE_API void dJointGetLMotorAxis(dJointID joint, int anum, dVector3 result);
+ODE_API void dJointSetLMotorParam(dJointID joint, int parameter, dReal value);
+ODE_API dReal dJointGetLMotorParam(dJointID joint, int parameter);
+
+/* ======================================================================== plane: 3 rows + 3 motors
+
+   Keeps body 1 in the world's plane z = 0, turning about z only; attach it as (body, 0). It removes rates of
+   tilt, not a tilt that is there: put the body upright first, and set its orientation back now and then. Its
+   motors work along x, along y and about z; they have no stops. Parameters: the plain names. */
+
+ODE_API void dJointSetPlane2DXParam(dJointID joint, int parameter, dReal value);
+ODE_API void dJointSetPlane2DYParam(dJointID joint, int parameter, dReal value);
+ODE_API void dJointSetPlane2DAngleParam(dJointID joint, int parameter, dReal value);
 
 #ifdef __cplusplus
 }

@@ -87,6 +87,8 @@ dJointID create(dWorldID w, int number, const Geometry& g, bool swapped = false)
         case dJointTypeFixed: return dJointCreateFixed(w, nullptr);
         case dJointTypeNull: return dJointCreateNull(w, nullptr);
         case dJointTypeAMotor: return dJointCreateAMotor(w, nullptr);
+        case dJointTypeLMotor: return dJointCreateLMotor(w, nullptr);
+        case dJointTypePlane2D: return dJointCreatePlane2D(w, nullptr);
         case dJointTypeContact: {
             const dContact c = some_contact(g.anchor, swapped ? -g.axis1 : g.axis1);
             return dJointCreateContact(w, nullptr, &c);
@@ -123,6 +125,13 @@ void set_geometry(dJointID j, int number, const Geometry& g, bool swapped = fals
             dJointSetAMotorAxis(j, 1, 2, b.x, b.y, b.z);
             dJointSetAMotorAxis(j, 2, 0, p.x, p.y, p.z);
             for (int i = 0; i < 3; ++i) dJointSetAMotorParam(j, dParamFMax + i * dParamGroup, 1);
+            break;
+        case dJointTypeLMotor:
+            dJointSetLMotorNumAxes(j, 3);
+            dJointSetLMotorAxis(j, 0, 1, a.x, a.y, a.z);
+            dJointSetLMotorAxis(j, 1, 2, b.x, b.y, b.z);
+            dJointSetLMotorAxis(j, 2, 0, p.x, p.y, p.z);
+            for (int i = 0; i < 3; ++i) dJointSetLMotorParam(j, dParamFMax + i * dParamGroup, 1);
             break;
         default: break;
     }
@@ -201,6 +210,9 @@ class JointContract : public testing::TestWithParam<Case> {
         return s;
     }
     const JointType& type() const { return *joint_type(GetParam().number); }
+    // Plane2D holds body 1 to a fixed plane of the world, whatever body 2 and the pose of setting, and lets a
+    // tilt be: promises about pairs of bodies are not its own (tests/unit/joints/plane2d_test.cpp has them).
+    bool bound_to_the_world() const { return GetParam().number == dJointTypePlane2D; }
 };
 
 TEST_P(JointContract, is_in_the_table_under_its_number_and_name)
@@ -231,7 +243,7 @@ TEST_P(JointContract, writes_finite_rows_within_its_number)
             EXPECT_LE(r.lo, 0);
             EXPECT_GE(r.hi, 0);
             EXPECT_LT(r.parent, int(e.rows.size()));
-            if (r.kind != RowKind::kLock) continue;
+            if (r.kind != RowKind::kLock || bound_to_the_world()) continue;
             EXPECT_NEAR(r.error, 0, 100 * kEpsilon) << "at the pose of setting";
         }
     }
@@ -241,6 +253,7 @@ TEST_P(JointContract, writes_finite_rows_within_its_number)
 // up to motions that other rows of the joint forbid.
 TEST_P(JointContract, jacobian_is_the_derivative_of_the_error)
 {
+    if (bound_to_the_world()) GTEST_SKIP() << "holds one body to a plane of the world";
     const Real t = kSingle ? Real(1e-3) : Real(1e-6);
     for (int trial = 0; trial < 10; ++trial) {
         const bool one_body = trial % 2 == 1 && !type().needs_two_bodies;
@@ -277,6 +290,7 @@ TEST_P(JointContract, jacobian_is_the_derivative_of_the_error)
 
 TEST_P(JointContract, makes_neither_momentum_nor_moment)
 {
+    if (bound_to_the_world()) GTEST_SKIP() << "holds one body to a plane of the world";
     for (int trial = 0; trial < 10; ++trial) {
         const Scene s = scene();
         for (const Row& r : rig.emit(s.joint).rows) {
@@ -289,6 +303,7 @@ TEST_P(JointContract, makes_neither_momentum_nor_moment)
 
 TEST_P(JointContract, is_the_same_constraint_with_bodies_exchanged)
 {
+    if (bound_to_the_world()) GTEST_SKIP() << "holds one body to a plane of the world";
     for (int trial = 0; trial < 10; ++trial) {
         const Dice before = dice;
         const Scene straight = scene();
@@ -320,6 +335,7 @@ TEST_P(JointContract, leaves_the_world_out_of_one_body_rows)
 
 TEST_P(JointContract, reversed_to_the_world_holds_the_same_pose)
 {
+    if (bound_to_the_world()) GTEST_SKIP() << "holds one body to a plane of the world";
     if (type().needs_two_bodies) GTEST_SKIP() << "needs two bodies";
     const Geometry g(dice);
     Body* b = rig.body(dice.vector(), dice.rotation());
