@@ -97,7 +97,8 @@ void sphere_cylinder(const Sphere& a, const Pose& A, const Cylinder& b, const Po
     const Real distance = by_end ? end : side;  // <= 0: the centre is inside
     if (distance > a.radius) return;
     const Vec3 n = B.R * (by_end ? axial : radial);
-    sink.add({A.p - a.radius * n, n, a.radius - distance});
+    const Real in = !by_end && rho < a.radius ? rho : a.radius;  // sideways no farther than the cylinder's axis
+    sink.add({A.p - in * n, n, a.radius - distance});
 }
 
 }  // namespace epode
