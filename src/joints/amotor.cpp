@@ -5,7 +5,7 @@
 //   rows  J = [ 0, a, 0, -a ],  a = axis i, given in the world, body 1 or body 2
 // User mode: the client names axes and angles. Euler mode: axis 0 is fixed in body 1, axis 2 in body 2,
 // axis 1 = a2 x a0 / |..|; with references b1 (axis 2 seen from body 1) and b2 (axis 0 seen from body 2) taken
-// when mode or axes are set,
+// when mode or axes are set (body 1 and 2 as the client counts them),
 //   angle0 = -atan2(a2.(a0 x b1), a2.b1),  angle1 = -atan2(a2.a0, a2.(a0 x a1)),  angle2 = -atan2(b2.a1, b2.(a1 x a2))
 // and motors work along a1 x a2, a1, a0 x a1: the directions that change one angle and leave the others.
 #include "joints/access.h"
@@ -73,15 +73,15 @@ void AMotor::set_axis(int i, int r, Vec3 unit)
 void AMotor::take_references()
 {
     if (!attached()) return;
-    reference1 = direction_to_local(body1(), given_axis(2));
-    reference2 = direction_to_local(body2(), given_axis(0));
+    reference1 = direction_to_local(user_body(0), given_axis(2));
+    reference2 = direction_to_local(user_body(1), given_axis(0));
 }
 
 void AMotor::update_angles()
 {
     Vec3 a[3];
     plain_axes(a);
-    const Vec3 b1 = direction_to_world(body1(), reference1), b2 = direction_to_world(body2(), reference2);
+    const Vec3 b1 = direction_to_world(user_body(0), reference1), b2 = direction_to_world(user_body(1), reference2);
     angle[0] = -atan2(dot(a[2], cross(a[0], b1)), dot(a[2], b1));
     angle[1] = -atan2(dot(a[2], a[0]), dot(a[2], cross(a[0], a[1])));
     angle[2] = -atan2(dot(b2, a[1]), dot(b2, cross(a[1], a[2])));
@@ -92,7 +92,9 @@ void AMotor::emit(RowWriter& out)
     if (mode == dAMotorEuler) update_angles();
     Vec3 a[3];
     motor_axes(a);
-    for (int i = 0; i < count; ++i) motor[i].emit_angular(*this, out, a[i], angle[i]);
+    // Attached as (0, B), Euler angles run against the axes; stops act on the internal sense, as a hinge's do.
+    const Real sense = reverse && mode == dAMotorEuler ? Real(-1) : Real(1);
+    for (int i = 0; i < count; ++i) motor[i].emit_angular(*this, out, a[i], sense * angle[i]);
 }
 
 namespace {
@@ -115,7 +117,7 @@ dJointID dJointCreateAMotor(dWorldID w, dJointGroupID g) { return create_joint<A
 void dJointSetAMotorNumAxes(dJointID id, int count)
 {
     AMotor* j = checked<AMotor>(id);
-    if (j) j->count = j->mode == dAMotorEuler ? 3 : count < 0 ? 0 : count > 3 ? 3 : count;
+    if (j && demand(count >= 0 && count <= 3, __func__)) j->count = j->mode == dAMotorEuler ? 3 : count;
 }
 
 void dJointSetAMotorAxis(dJointID id, int i, int rel, dReal x, dReal y, dReal z)
@@ -123,9 +125,8 @@ void dJointSetAMotorAxis(dJointID id, int i, int rel, dReal x, dReal y, dReal z)
     AMotor* j = motor_for_axis(id, i, __func__);
     Vec3 axis{x, y, z};
     if (!j || !demand(rel >= 0 && rel <= 2 && usable(axis) && normalize(axis), __func__)) return;
-    const int internal = j->user_rel(rel);
-    const bool fits = j->mode != dAMotorEuler || i == 1 || internal == i / 2 + 1;
-    if (demand(fits, __func__)) j->set_axis(i, internal, axis);
+    const bool fits = j->mode != dAMotorEuler || i == 1 || rel == i / 2 + 1;
+    if (demand(fits, __func__)) j->set_axis(i, j->user_rel(rel), axis);
 }
 
 // In Euler mode, axis 1 follows from the others and the angles are computed.
