@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kFeasible = 1e-11;  // relative tolerance of a sign, in units of the problem's velocity scale
 constexpr int kPatience = 5;         // rounds without progress before single flips
+constexpr int kMostPasses = 8;       // of refinement
 
 }  // namespace
 
@@ -72,28 +73,35 @@ void ActiveSet::settle(const ExactProblem& problem, BoxState& state)
     }
 }
 
-double ActiveSet::refine(ExactProblem& problem, BoxState& state)
+void ActiveSet::refine(ExactProblem& problem, BoxState& state)
 {
     const double small = 1e-15 * problem.scale();
-    double worst = 0, before = HUGE_VAL;
-    for (int pass = 0; pass < 8; ++pass) {
-        worst = problem.momentum_residual(state.v, state.p, r_);
+    double before = HUGE_VAL;
+    for (int pass = 0; pass < kMostPasses; ++pass) {
+        problem.momentum_change(state.v, r_);
         for (std::size_t i = 0; i < state.p.size(); ++i) {
-            if (!(D_[i] > 0)) continue;
             const ExactRow& row = problem.row(int(i));
-            r2_[i] = row.c - problem.jv(row, state.v) - row.C * state.p[i];
-            worst = std::max(worst, std::fabs(r2_[i]));
-            ExactProblem::add_jt(row, D_[i] * r2_[i], r_);
+            double push = state.p[i];
+            if (D_[i] > 0) {
+                r2_[i] = row.c - ExactProblem::jv(row, state.v.data()) - row.C * state.p[i];
+                push += D_[i] * r2_[i];
+            }
+            if (push != 0) ExactProblem::add_jt(row, push, r_.data());
         }
-        // The first pass also brings v in line with rows that have just been fixed.
-        if (pass > 0 && (worst <= small || worst >= 0.25 * before)) break;
-        before = pass > 0 ? worst : HUGE_VAL;
         problem.solve(r_);
         for (std::size_t i = 0; i < state.p.size(); ++i)
-            if (D_[i] > 0) state.p[i] += D_[i] * (r2_[i] - problem.jv(problem.row(int(i)), r_));
-        for (std::size_t i = 0; i < state.v.size(); ++i) state.v[i] += r_[i];
+            if (D_[i] > 0) state.p[i] += D_[i] * (r2_[i] - ExactProblem::jv(problem.row(int(i)), r_.data()));
+        double change = 0;
+        for (std::size_t i = 0; i < state.v.size(); ++i) {
+            state.v[i] += r_[i];
+            change = std::max(change, std::fabs(r_[i]));
+        }
+        // Corrections shrink by about the same factor each time: stop when the next one would be below
+        // rounding, or when they have stopped shrinking. The first pass mostly moves v, it proves nothing.
+        if (pass > 0 && (change >= 0.5 * before || change * (change / before) <= small)) break;
+        if (change == 0) break;
+        before = change;
     }
-    return worst;
 }
 
 int ActiveSet::find_wrong(const ExactProblem& problem, const BoxState& state)
@@ -107,7 +115,7 @@ int ActiveSet::find_wrong(const ExactProblem& problem, const BoxState& state)
             const double slack = tolerance / row.d;
             wrong = state.p[i] < state.lo[i] - slack || state.p[i] > state.hi[i] + slack;
         } else if (state.tag[i] != BoxState::kFixed) {
-            const double w = problem.jv(row, state.v) + row.C * state.p[i] - row.c;
+            const double w = ExactProblem::jv(row, state.v.data()) + row.C * state.p[i] - row.c;
             wrong = state.tag[i] == BoxState::kLower ? w < -tolerance : w > tolerance;
         }
         if (wrong) wrong_[std::size_t(count++)] = int(i);

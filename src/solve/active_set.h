@@ -24,7 +24,7 @@ class ActiveSet {
 
   private:
     void settle(const ExactProblem& problem, BoxState& state);
-    double refine(ExactProblem& problem, BoxState& state);
+    void refine(ExactProblem& problem, BoxState& state);
     int find_wrong(const ExactProblem& problem, const BoxState& state);
     static void flip(BoxState& state, int i);
 

@@ -15,7 +15,7 @@ namespace epode {
 namespace {
 
 constexpr int kB = BlockCholesky::kBlock;
-using Lane = double __attribute__((vector_size(16), aligned(8), may_alias));
+using Lane = DoubleLane;
 
 // C -= A B^T, all 6x6 column-major.
 void subtract_product(double* C, const double* A, const double* B)
@@ -67,6 +67,31 @@ void solve_right(double* X, const double* L)
         }
         const double d = L[6 * c + c];
         x[3 * c] = s0 * d, x[3 * c + 1] = s1 * d, x[3 * c + 2] = s2 * d;
+    }
+}
+
+// y -= L x
+void subtract_times(double* y, const double* L, const double* x)
+{
+    const Lane* l = reinterpret_cast<const Lane*>(L);
+    Lane* out = reinterpret_cast<Lane*>(y);
+    Lane s0 = out[0], s1 = out[1], s2 = out[2];
+    for (int c = 0; c < 6; ++c) {
+        s0 -= l[3 * c] * x[c];
+        s1 -= l[3 * c + 1] * x[c];
+        s2 -= l[3 * c + 2] * x[c];
+    }
+    out[0] = s0, out[1] = s1, out[2] = s2;
+}
+
+// y -= L^T x
+void subtract_transposed_times(double* y, const double* L, const double* x)
+{
+    const Lane* l = reinterpret_cast<const Lane*>(L);
+    const Lane* in = reinterpret_cast<const Lane*>(x);
+    for (int c = 0; c < 6; ++c) {
+        const Lane s = l[3 * c] * in[0] + l[3 * c + 1] * in[1] + l[3 * c + 2] * in[2];
+        y[c] -= s[0] + s[1];
     }
 }
 
@@ -156,24 +181,14 @@ void BlockCholesky::solve(std::span<double> x)
     for (int k = 0; k < n_; ++k) {
         double* xk = work_.data() + 6 * k;
         solve_lower(xk, diagonal_.data() + kB * k);
-        for (int e = structure_.first[std::size_t(k)]; e < structure_.first[std::size_t(k) + 1]; ++e) {
-            double* xi = work_.data() + 6 * structure_.rows[std::size_t(e)];
-            const double* L = lower_.data() + kB * e;
-            for (int c = 0; c < 6; ++c)
-                for (int r = 0; r < 6; ++r) xi[r] -= L[6 * c + r] * xk[c];
-        }
+        for (int e = structure_.first[std::size_t(k)]; e < structure_.first[std::size_t(k) + 1]; ++e)
+            subtract_times(work_.data() + 6 * structure_.rows[std::size_t(e)], lower_.data() + kB * e, xk);
     }
     for (int k = n_ - 1; k >= 0; --k) {
         double* xk = work_.data() + 6 * k;
-        for (int e = structure_.first[std::size_t(k)]; e < structure_.first[std::size_t(k) + 1]; ++e) {
-            const double* xi = work_.data() + 6 * structure_.rows[std::size_t(e)];
-            const double* L = lower_.data() + kB * e;
-            for (int c = 0; c < 6; ++c) {
-                double s = 0;
-                for (int r = 0; r < 6; ++r) s += L[6 * c + r] * xi[r];
-                xk[c] -= s;
-            }
-        }
+        for (int e = structure_.first[std::size_t(k)]; e < structure_.first[std::size_t(k) + 1]; ++e)
+            subtract_transposed_times(xk, lower_.data() + kB * e,
+                                      work_.data() + 6 * structure_.rows[std::size_t(e)]);
         solve_lower_transposed(xk, diagonal_.data() + kB * k);
     }
     for (int body = 0; body < n_; ++body)

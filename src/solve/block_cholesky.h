@@ -12,6 +12,9 @@
 
 namespace epode {
 
+// Two doubles at a time: what the baseline of x86-64 has. Blocks of six are three of them.
+using DoubleLane = double __attribute__((vector_size(16), aligned(8), may_alias));
+
 class BlockCholesky {
   public:
     static constexpr int kBlock = 36;  // doubles of a block, column-major

@@ -44,7 +44,7 @@ class DirectSolve {
     }
 
     // Both phases; false: out of memory.
-    bool run(RowSystem& system, Arena& arena, SolveReport& report)
+    bool run(RowSystem& system, bool want_residual, Arena& arena, SolveReport& report)
     {
         const bool friction = set_bounds_without_friction(system);
         for (std::size_t i = 0; i < state_.p.size(); ++i) guess(i, double(system.numbers[i].p));
@@ -55,7 +55,7 @@ class DirectSolve {
             if (!solve_phase(arena, report)) return false;
         }
         problem_.store(system, state_.p);
-        report.residual = Real(problem_.residual(state_, scratch_));
+        if (want_residual) report.residual = Real(problem_.residual(state_, scratch_));
         return true;
     }
 
@@ -131,12 +131,12 @@ class DirectSolve {
     std::span<double> kept_, scratch_;
 };
 
-bool solve_direct(RowSystem& system, const SolverSettings&, Arena& arena, SolveReport& report)
+bool solve_direct(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
 {
     if (system.rows.empty()) return true;
     Arena::Scope scope(arena);
     DirectSolve direct;
-    return direct.prepare(system, arena) && direct.run(system, arena, report);
+    return direct.prepare(system, arena) && direct.run(system, settings.want_residual, arena, report);
 }
 
 }  // namespace

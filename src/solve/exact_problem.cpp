@@ -29,9 +29,11 @@ void put(Vec3 a, double* out) { out[0] = a.x, out[1] = a.y, out[2] = a.z; }
 // block += s x y^T, 6x6 column-major
 void add_outer(double* block, double s, const double* x, const double* y)
 {
+    const DoubleLane* a = reinterpret_cast<const DoubleLane*>(x);
+    DoubleLane* out = reinterpret_cast<DoubleLane*>(block);
     for (int c = 0; c < 6; ++c) {
         const double sy = s * y[c];
-        for (int r = 0; r < 6; ++r) block[6 * c + r] += x[r] * sy;
+        for (int r = 0; r < 3; ++r) out[3 * c + r] += a[r] * sy;
     }
 }
 
@@ -105,7 +107,7 @@ void ExactProblem::fill_rows(const RowSystem& system)
             ExactRow& row = rows_[at];
             row.pair = int(k);
             fill_row(system.rows[at], system.numbers[at], block, system, row);
-            scale_ = std::max(scale_, std::fabs(row.c - jv(row, v_star_)));
+            scale_ = std::max(scale_, std::fabs(row.c - jv(row, v_star_.data())));
         }
     }
     if (!(scale_ > 0)) scale_ = 1;
@@ -150,26 +152,6 @@ void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock&
     out.weight_min = 1e-11 * out.d;
 }
 
-double ExactProblem::jv(const ExactRow& row, std::span<const double> v) const
-{
-    const double* a = v.data() + 6 * row.a;
-    double s = 0;
-    for (int i = 0; i < 6; ++i) s += row.J[i] * a[i];
-    if (row.b < 0) return s;
-    const double* b = v.data() + 6 * row.b;
-    for (int i = 0; i < 6; ++i) s += row.J[6 + i] * b[i];
-    return s;
-}
-
-void ExactProblem::add_jt(const ExactRow& row, double s, std::span<double> x)
-{
-    double* a = x.data() + 6 * row.a;
-    for (int i = 0; i < 6; ++i) a[i] += s * row.J[i];
-    if (row.b < 0) return;
-    double* b = x.data() + 6 * row.b;
-    for (int i = 0; i < 6; ++i) b[i] += s * row.J[6 + i];
-}
-
 int ExactProblem::factor(std::span<const double> D)
 {
     H_.clear();
@@ -197,8 +179,7 @@ int ExactProblem::factor(std::span<const double> D)
     return H_.factor();
 }
 
-double ExactProblem::momentum_residual(std::span<const double> v, std::span<const double> p,
-                                       std::span<double> r) const
+void ExactProblem::momentum_change(std::span<const double> v, std::span<double> r) const
 {
     for (std::size_t n = 0; n < masses_.size(); ++n) {
         const BodyMass& mass = masses_[n];
@@ -207,24 +188,13 @@ double ExactProblem::momentum_residual(std::span<const double> v, std::span<cons
         for (std::size_t i = 0; i < 3; ++i) r[6 * n + i] = mass.mass * dv[i];
         multiply(mass.I, dv + 3, &r[6 * n + 3]);
     }
-    for (std::size_t i = 0; i < rows_.size(); ++i)
-        if (p[i] != 0) add_jt(rows_[i], p[i], r);
-    double worst = 0;
-    for (std::size_t n = 0; n < masses_.size(); ++n) {
-        const BodyMass& mass = masses_[n];
-        double turn[3];
-        multiply(mass.inv_I, &r[6 * n + 3], turn);
-        for (std::size_t i = 0; i < 3; ++i)
-            worst = std::max({worst, std::fabs(mass.inv_mass * r[6 * n + i]), std::fabs(turn[i])});
-    }
-    return worst;
 }
 
 void ExactProblem::velocities(std::span<const double> p, std::span<double> v) const
 {
     std::fill(v.begin(), v.end(), 0.0);
     for (std::size_t i = 0; i < rows_.size(); ++i)
-        if (p[i] != 0) add_jt(rows_[i], p[i], v);
+        if (p[i] != 0) add_jt(rows_[i], p[i], v.data());
     for (std::size_t n = 0; n < masses_.size(); ++n) {
         const BodyMass& mass = masses_[n];
         double turn[3];
@@ -244,7 +214,7 @@ double ExactProblem::residual(const BoxState& state, std::span<double> v) const
         const ExactRow& row = rows_[i];
         if (!(row.d > 0)) continue;
         const double p = state.p[i];
-        const double w = jv(row, v) + row.C * p - row.c;
+        const double w = jv(row, v.data()) + row.C * p - row.c;
         const double clipped = std::min(std::max(p - w / row.d, state.lo[i]), state.hi[i]);
         worst = std::max(worst, row.d * std::fabs(p - clipped));
     }

@@ -47,13 +47,13 @@ class ExactProblem {
     int factor(std::span<const double> D);
     void solve(std::span<double> x) { H_.solve(x); }
 
-    // r = M (v* - v) + J^T p; returns the largest component of M^-1 r, a velocity.
-    double momentum_residual(std::span<const double> v, std::span<const double> p, std::span<double> r) const;
+    // r = M (v* - v)
+    void momentum_change(std::span<const double> v, std::span<double> r) const;
     // v = v* + M^-1 J^T p
     void velocities(std::span<const double> p, std::span<double> v) const;
 
-    double jv(const ExactRow& row, std::span<const double> v) const;
-    static void add_jt(const ExactRow& row, double s, std::span<double> x);
+    static double jv(const ExactRow& row, const double* v);             // J v
+    static void add_jt(const ExactRow& row, double s, double* x);       // x += J^T s
 
     // Natural residual, relative to scale(), for bounds lo and hi; `v` is scratch.
     double residual(const BoxState& state, std::span<double> v) const;
@@ -85,5 +85,28 @@ class ExactProblem {
     BlockCholesky H_;
     double scale_ = 1;
 };
+
+inline double ExactProblem::jv(const ExactRow& row, const double* v)
+{
+    const auto six = [](const double* J, const double* x) {
+        const auto* a = reinterpret_cast<const DoubleLane*>(J);
+        const auto* b = reinterpret_cast<const DoubleLane*>(x);
+        const DoubleLane s = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        return s[0] + s[1];
+    };
+    const double s = six(row.J, v + 6 * row.a);
+    return row.b < 0 ? s : s + six(row.J + 6, v + 6 * row.b);
+}
+
+inline void ExactProblem::add_jt(const ExactRow& row, double s, double* x)
+{
+    const auto six = [s](const double* J, double* y) {
+        const auto* a = reinterpret_cast<const DoubleLane*>(J);
+        auto* b = reinterpret_cast<DoubleLane*>(y);
+        for (int i = 0; i < 3; ++i) b[i] += a[i] * s;
+    };
+    six(row.J, x + 6 * row.a);
+    if (row.b >= 0) six(row.J + 6, x + 6 * row.b);
+}
 
 }  // namespace epode

@@ -93,13 +93,14 @@ void InteriorPoint::start(const ExactProblem& problem, BoxState& state)
 
 double InteriorPoint::residuals(const ExactProblem& problem, const BoxState& state)
 {
-    problem.momentum_residual(state.v, state.p, r1_);
+    problem.momentum_change(state.v, r1_);
     double worst = 0;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
-        if (state.tag[i] == BoxState::kFixed) continue;
         const ExactRow& row = problem.row(int(i));
+        if (state.p[i] != 0) ExactProblem::add_jt(row, state.p[i], r1_.data());
+        if (state.tag[i] == BoxState::kFixed) continue;
         RowState& x = rows_[i];
-        x.r2 = row.c - problem.jv(row, state.v) - row.C * state.p[i] + x.lower.z - x.upper.z;
+        x.r2 = row.c - ExactProblem::jv(row, state.v.data()) - row.C * state.p[i] + x.lower.z - x.upper.z;
         x.lower.r = x.lower.present ? state.p[i] - state.lo[i] - x.lower.s : 0;
         x.upper.r = x.upper.present ? state.hi[i] - state.p[i] - x.upper.s : 0;
         worst = std::max(worst, std::fabs(x.r2));
@@ -143,13 +144,13 @@ void InteriorPoint::direction(ExactProblem& problem, const BoxState& state)
         x.e = x.r2;
         if (x.lower.present) x.e += (x.lower.t - x.lower.z * x.lower.r) / x.lower.s;
         if (x.upper.present) x.e -= (x.upper.t - x.upper.z * x.upper.r) / x.upper.s;
-        ExactProblem::add_jt(problem.row(int(i)), D_[i] * x.e, dv_);
+        ExactProblem::add_jt(problem.row(int(i)), D_[i] * x.e, dv_.data());
     }
     problem.solve(dv_);
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         if (state.tag[i] == BoxState::kFixed) continue;
         RowState& x = rows_[i];
-        x.dp = D_[i] * (x.e - problem.jv(problem.row(int(i)), dv_));
+        x.dp = D_[i] * (x.e - ExactProblem::jv(problem.row(int(i)), dv_.data()));
         const auto finish = [](Side& side, double ds) {
             if (!side.present) return;
             side.ds = ds;

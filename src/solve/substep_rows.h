@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What a row asks for in one of n inner steps, hs = h/n.
+//
+// ODE's pair is a spring k and damper d at step h: ERP = h k/(h k + d), CFM = 1/(h k + d). The same k and d at
+// hs are
+//   CFM_s = CFM / (1 - ERP (1 - 1/n)),   ERP_s = (ERP/n) / (1 - ERP (1 - 1/n)).
+// A row without position error (motor, friction) is a damper: k = 0, and its CFM stays what it is.
+//
+// Contacts whose softness nobody chose are springs relative to the mass they feel (frequency f, damping
+// ratio z, w = 2 pi f):  a1 = 2 z + hs w,  a2 = hs w a1,  rate = w/a1,  C = d/a2   (after Box2D's soft step by
+// Catto, 2022: relaxed without bias afterwards, so the push-out velocity does not stay).
+#pragma once
+
+#include <algorithm>
+
+#include "rows/row.h"
+
+namespace epode {
+
+struct Substep {
+    Real hs;
+    int n;
+};
+
+// J v + C p = c while correcting; afterwards, relaxing, `c_relaxed`.
+struct RowAim {
+    Real rate;       // correcting velocity per error
+    Real push;       // its largest value
+    Real C;
+    bool spring;     // softness that was chosen: the error term belongs to the force and stays when relaxing
+};
+
+// Above this share of the row's own mobility, CFM is meant as softness and not as regularisation.
+inline constexpr Real kSoftShare = Real(1e-3);
+
+inline RowAim map_row(const Row& row, const Substep& step, Real mobility)
+{
+    const bool damper = row.kind == RowKind::kFriction || (row.kind == RowKind::kLimit && row.error == 0);
+    const Real erp = damper ? 0 : row.erp;
+    const Real share = Real(1) / Real(step.n);
+    const Real rest = 1 - erp * (1 - share);
+    RowAim aim;
+    aim.rate = erp * share / rest / step.hs;
+    aim.push = kInf;
+    aim.C = row.cfm / rest / step.hs;
+    aim.spring = row.soft || aim.C > kSoftShare * mobility;
+    return aim;
+}
+
+inline RowAim default_contact(const Substep& step, Real mobility, bool against_static)
+{
+    constexpr Real kFrequency = 60, kDampingRatio = 10, kPushOut = 3;
+    const Real f = std::min(kFrequency, Real(0.125) / step.hs) * (against_static ? 2 : 1);
+    const Real w = 2 * kPi * f;
+    const Real a1 = 2 * kDampingRatio + step.hs * w;
+    const Real a2 = step.hs * w * a1;
+    return {w / a1, kPushOut, mobility / a2, false};
+}
+
+}  // namespace epode
