@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A binary tree of boxes for things that come, move and go. Each leaf carries the client's box and number; each
+// inner node the union of its children. A leaf is inserted beside the node whose surface grows least on the way
+// down (Goldsmith and Salmon 1987, greedy); many changes at once are cheaper as a rebuild from above (split in the
+// middle of the longest axis). Rotations, the usual remedy for what single changes do to a tree, are left out:
+// after as many changes as 4 times its leaves, or when too high for the walk's stack, the tree is rebuilt.
+// Boxes must be ordered and finite (bounded()), or areas would not be numbers.
+#pragma once
+
+#include "base/array.h"
+#include "geometry/shapes.h"
+
+namespace epode {
+
+// Within reach of the tree: squares of such sides are far from overflow in float, too.
+constexpr bool bounded(const Aabb& box)
+{
+    constexpr Real reach = Real(1e15);
+    return box.lo.x >= -reach && box.lo.y >= -reach && box.lo.z >= -reach && box.hi.x <= reach &&
+           box.hi.y <= reach && box.hi.z <= reach && box.lo.x <= box.hi.x && box.lo.y <= box.hi.y &&
+           box.lo.z <= box.hi.z;
+}
+
+constexpr Aabb merge(const Aabb& a, const Aabb& b) { return {min(a.lo, b.lo), max(a.hi, b.hi)}; }
+
+constexpr bool contains(const Aabb& outer, const Aabb& inner)
+{
+    return outer.lo.x <= inner.lo.x && outer.lo.y <= inner.lo.y && outer.lo.z <= inner.lo.z &&
+           outer.hi.x >= inner.hi.x && outer.hi.y >= inner.hi.y && outer.hi.z >= inner.hi.z;
+}
+
+class DynamicTree {
+  public:
+    // The leaf's name, or -1 when memory is exhausted (nothing has changed then).
+    int insert(const Aabb& box, int item);
+    void remove(int leaf);
+    void move(int leaf, const Aabb& box);
+
+    // For many changes at once: leaves are put in anywhere or get their boxes, then the tree is built anew, before
+    // which it must not be asked. False when memory is exhausted.
+    int insert_loose(const Aabb& box, int item);
+    void set_box(int leaf, const Aabb& box);
+    [[nodiscard]] bool rebuild();
+
+    // Whether the tree may be asked; if not, rebuild() is due.
+    bool sound() const { return sound_; }
+
+    const Aabb& box(int leaf) const { return nodes_[leaf].box; }
+    void set_item(int leaf, int item) { nodes_[leaf].item = item; }
+    int leaf_count() const { return leaves_; }
+    int height() const;
+    void clear();
+
+    // visit(item) for every leaf whose box meets `box`, in no promised order.
+    template <typename Visit>
+    void query(const Aabb& box, Visit&& visit) const
+    {
+        if (root_ < 0) return;
+        int stack[kMaxHeight + 2];
+        int top = 0;
+        stack[top++] = root_;
+        while (top > 0) {
+            const Node& node = nodes_.data()[stack[--top]];
+            if (!overlap(node.box, box)) continue;
+            if (node.child < 0) {
+                visit(node.item);
+            } else {
+                stack[top++] = node.other;
+                stack[top++] = node.child;
+            }
+        }
+    }
+
+  private:
+    static constexpr int kMaxHeight = 60;
+    struct Node {
+        Aabb box;
+        int parent = -1;
+        int child = -1;  // -1: a leaf
+        union {
+            int other = -1;  // second child
+            int item;        // of a leaf
+        };
+        int next_free = -1;
+    };
+
+    int take_node();
+    void give_node(int node);
+    void attach(int leaf, int pair, int sibling);
+    int detach(int leaf);
+    void refit_above(int node);
+    int depth_of(int node) const;
+    int insert_beside(int sibling, const Aabb& box, int item);
+    int find_sibling(const Aabb& box);
+    int build(int* first, int count, int depth, int& spare);
+    int split(int* first, int count, int depth) const;
+    void changed(int leaf);
+
+    Array<Node> nodes_;
+    int root_ = -1;
+    int free_ = -1;
+    int leaves_ = 0;
+    int changes_ = 0;  // since the last rebuild
+    bool sound_ = true;
+};
+
+}  // namespace epode

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Three stages, each run only when asked for: true boxes (update), tree (update_tree), pairs (find_pairs).
+// When memory runs out a stage reports it and leaves its work list as it was, so that a later call can succeed.
+#include "collide/broadphase.h"
+
+#include <algorithm>
+
+namespace epode {
+namespace {
+
+bool before(const SlotPair& a, const SlotPair& b)
+{
+    return a.newer != b.newer ? a.newer > b.newer : a.older > b.older;
+}
+
+Aabb grow(const Aabb& box, Real margin)
+{
+    const Vec3 m{margin, margin, margin};
+    return {box.lo - m, box.hi + m};
+}
+
+}  // namespace
+
+bool Broadphase::reserve(int slots)
+{
+    const int old = proxies_.size();
+    if (slots <= old) return true;
+    // Work lists hold each slot at most once: with this room their pushes cannot fail.
+    if (!escaped_.reserve(slots) || !fresh_.reserve(slots) || !unbounded_.reserve(slots) ||
+        !proxies_.resize(slots))
+        return false;
+    for (int i = old; i < slots; ++i) proxies_[i] = Proxy{};
+    return true;
+}
+
+void Broadphase::update(int slot, const Aabb& box, bool present)
+{
+    Proxy& p = proxies_[slot];
+    if (!present) {
+        if (p.present) withdraw(slot);
+        return;
+    }
+    const Vec3 a = abs(box.lo - p.box.lo), b = abs(box.hi - p.box.hi);
+    p.shift = max_component(max(a, b));
+    p.box = box;
+    const bool kept = p.present && !p.escaped && p.leaf >= 0 && contains(tree_.box(p.leaf), box);
+    p.present = true;
+    if (kept || p.escaped) return;
+    p.escaped = true;
+    (void)escaped_.push(slot);
+}
+
+void Broadphase::withdraw(int slot)
+{
+    Proxy& p = proxies_[slot];
+    leave_tree(p);
+    leave_unbounded(slot);
+    p.present = p.settled = false;
+    stale_pairs_ = true;
+}
+
+void Broadphase::remove(int slot)
+{
+    if (proxies_[slot].present) withdraw(slot);
+}
+
+void Broadphase::clear()
+{
+    tree_.clear();
+    for (Proxy& p : proxies_) p = Proxy{};
+    for (Array<int>* list : {&unbounded_, &escaped_, &fresh_}) list->clear();
+    pairs_.clear();
+    stale_pairs_ = false;
+}
+
+void Broadphase::renumber(std::span<const int> new_slot, int count)
+{
+    drop_stale_pairs();
+    for (SlotPair& pair : pairs_)
+        pair = {new_slot[std::size_t(pair.newer)], new_slot[std::size_t(pair.older)]};
+    for (Array<int>* list : {&unbounded_, &escaped_, &fresh_}) {
+        int kept = 0;
+        for (int slot : *list)
+            if (new_slot[std::size_t(slot)] >= 0) (*list)[kept++] = new_slot[std::size_t(slot)];
+        list->truncate(kept);
+    }
+    for (std::size_t i = 0; i < new_slot.size(); ++i) {
+        const int to = new_slot[i];
+        if (to < 0) continue;
+        proxies_[to] = proxies_[int(i)];
+        if (proxies_[to].leaf >= 0) tree_.set_item(proxies_[to].leaf, to);
+    }
+    for (int i = count; i < proxies_.size(); ++i) proxies_[i] = Proxy{};
+}
+
+const Aabb& Broadphase::fat_box(const Proxy& proxy) const
+{
+    return proxy.leaf >= 0 ? tree_.box(proxy.leaf) : proxy.box;
+}
+
+bool Broadphase::update_tree()
+{
+    if (escaped_.empty() && tree_.sound()) return true;
+    const bool in_bulk = escaped_.size() > 32 && escaped_.size() > tree_.leaf_count() / 6;
+    int done = 0;
+    bool placed = true;
+    while (done < escaped_.size() && (placed = place(escaped_[done], in_bulk))) ++done;
+    std::copy(escaped_.begin() + done, escaped_.end(), escaped_.begin());
+    escaped_.truncate(escaped_.size() - done);
+    return (tree_.sound() || tree_.rebuild()) && placed;
+}
+
+// A box that has never moved gets no margin: most of those never will.
+Aabb Broadphase::fatten(const Proxy& p)
+{
+    const Real size = max_component(p.box.hi - p.box.lo);
+    const Real shift = p.shift < size ? p.shift : size;  // also when it is not a number
+    return p.settled ? grow(p.box, std::clamp(4 * shift, Real(0.02) * size, Real(0.25) * size)) : p.box;
+}
+
+void Broadphase::leave_unbounded(int slot)
+{
+    const int* at = std::find(unbounded_.begin(), unbounded_.end(), slot);
+    if (at != unbounded_.end()) unbounded_.remove_swap(int(at - unbounded_.begin()));
+}
+
+void Broadphase::leave_tree(Proxy& p)
+{
+    if (p.leaf >= 0) tree_.remove(p.leaf);
+    p.leaf = -1;
+}
+
+// Gives the slot its new place, among the leaves or the unbounded boxes.
+bool Broadphase::place(int slot, bool in_bulk)
+{
+    Proxy& p = proxies_[slot];
+    p.escaped = false;
+    if (!p.present) return true;
+    leave_unbounded(slot);
+    if (!bounded(p.box)) {
+        leave_tree(p);
+        (void)unbounded_.push(slot);
+    } else if (p.leaf < 0) {
+        p.leaf = in_bulk ? tree_.insert_loose(fatten(p), slot) : tree_.insert(fatten(p), slot);
+        p.escaped = p.leaf < 0;
+        if (p.escaped) return false;
+    } else if (in_bulk) {
+        tree_.set_box(p.leaf, fatten(p));
+    } else {
+        tree_.move(p.leaf, fatten(p));
+    }
+    p.settled = true;
+    if (!p.fresh) (void)fresh_.push(slot);
+    p.fresh = true;
+    return true;
+}
+
+bool Broadphase::find_pairs()
+{
+    if (!update_tree()) return false;
+    if (fresh_.empty() && !stale_pairs_) return true;
+    drop_stale_pairs();
+    if (fresh_.empty()) return true;
+    order_fresh();
+    found_older_.clear();
+    found_newer_.clear();
+    for (int slot : fresh_)
+        if (!collect(slot)) return false;
+    if (!merge_found()) return false;
+    for (int slot : fresh_) proxies_[slot].fresh = false;
+    fresh_.clear();
+    return true;
+}
+
+// Pairs of slots that have gone or will be asked again.
+void Broadphase::drop_stale_pairs()
+{
+    auto stale = [&](int slot) {
+        const Proxy& p = proxies_.data()[slot];
+        return !p.present || p.fresh;
+    };
+    int kept = 0;
+    for (const SlotPair& pair : pairs_)
+        if (!stale(pair.newer) && !stale(pair.older)) pairs_.data()[kept++] = pair;
+    pairs_.truncate(kept);
+    stale_pairs_ = false;
+}
+
+// Newest first, so that the partners found come out almost in order.
+void Broadphase::order_fresh()
+{
+    if (fresh_.size() < proxies_.size() / 8) {
+        std::sort(fresh_.begin(), fresh_.end(), [](int a, int b) { return a > b; });
+        return;
+    }
+    fresh_.clear();
+    for (int slot = proxies_.size(); slot-- > 0;)
+        if (proxies_[slot].fresh) (void)fresh_.push(slot);
+}
+
+// Two fresh slots find each other; only the newer one keeps the pair.
+bool Broadphase::collect(int slot)
+{
+    const Proxy& p = proxies_[slot];
+    if (!p.present) return true;
+    bool room = true;
+    const int first = found_older_.size();
+    query_fat(fat_box(p), [&](int other) {
+        if (other < slot)
+            room = found_older_.push({slot, other}) && room;
+        else if (other > slot && !proxies_.data()[other].fresh)
+            room = found_newer_.push({other, slot}) && room;
+    });
+    std::sort(found_older_.begin() + first, found_older_.end(), before);
+    return room;
+}
+
+bool Broadphase::merge_found()
+{
+    std::sort(found_newer_.begin(), found_newer_.end(), before);
+    const int found = found_older_.size() + found_newer_.size();
+    if (pairs_.empty() && found_newer_.empty()) {
+        pairs_.swap(found_older_);
+        return true;
+    }
+    // Two merges; the second one goes backwards inside pairs_, which needs no third list.
+    if (!merged_.resize(found) || !pairs_.reserve(pairs_.size() + found)) return false;
+    std::merge(found_older_.begin(), found_older_.end(), found_newer_.begin(), found_newer_.end(),
+               merged_.begin(), before);
+    int a = pairs_.size() - 1, b = found - 1;
+    if (!pairs_.resize(pairs_.size() + found)) return false;
+    for (int to = pairs_.size() - 1; b >= 0; --to) {
+        const bool old_last = a >= 0 && before(merged_[b], pairs_[a]);
+        pairs_[to] = old_last ? pairs_[a--] : merged_[b--];
+    }
+    return true;
+}
+
+}  // namespace epode

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Which members of a space may touch. Members are slots 0, 1, ... in order of joining; each has its true box and a
+// fat one round it that goes into a tree. As long as the true box stays inside the fat one, nothing happens: the
+// list of pairs with overlapping fat boxes stays as it is from call to call, and a settled scene pays only for the
+// walk over it. A member that leaves its fat box gets a new one (larger by 4 times its last shift, within 2-25 % of
+// its size) and is asked for its pairs again; these are sorted and merged into the list.
+// The list is ordered by (newer slot, older slot), both descending, whatever the history of motion: the order of
+// callbacks depends on nothing but the order of joining.
+// Boxes without bounds, and those that are not ordered, lie in a short list that is tested against everything.
+// Rejected: hash grids (rebuilt each step, poor with mixed sizes) and a sort along an axis (clusters on floors).
+#pragma once
+
+#include <span>
+
+#include "bvh/dynamic_tree.h"
+
+namespace epode {
+
+struct SlotPair {
+    int newer, older;
+};
+
+class Broadphase {
+  public:
+    // Room for slots below `slots`. False when memory is exhausted.
+    [[nodiscard]] bool reserve(int slots);
+
+    int slots() const { return proxies_.size(); }
+
+    // A slot has joined or changed; absent ones have no pairs.
+    void update(int slot, const Aabb& box, bool present);
+    void remove(int slot);
+    void clear();
+
+    // Slots have been renumbered without changing their order; new_slot[i] = -1 for removed ones.
+    void renumber(std::span<const int> new_slot, int count);
+
+    // Brings tree and pairs up to date. False when memory is exhausted: pairs() must not be used then.
+    [[nodiscard]] bool find_pairs();
+    std::span<const SlotPair> pairs() const { return pairs_.span(); }
+
+    bool present(int slot) const { return proxies_.data()[slot].present; }
+    const Aabb& box(int slot) const { return proxies_.data()[slot].box; }
+
+    // visit(slot) for every present slot whose box meets `box`, in no promised order. False when the tree could not
+    // be brought up to date; nothing has been visited then.
+    template <typename Visit>
+    [[nodiscard]] bool query(const Aabb& box, Visit&& visit)
+    {
+        if (!update_tree()) return false;
+        query_fat(box, [&](int slot) {
+            if (overlap(proxies_.data()[slot].box, box)) visit(slot);
+        });
+        return true;
+    }
+
+  private:
+    struct Proxy {
+        Aabb box;
+        Real shift = 0;        // how far it moved when it last changed
+        int leaf = -1;         // in the tree; -1: none
+        bool present = false;
+        bool settled = false;  // has had a place: gets a margin when it leaves it
+        bool escaped = false;  // waits for a new fat box
+        bool fresh = false;    // waits for its pairs
+    };
+
+    template <typename Visit>
+    void query_fat(const Aabb& box, Visit&& visit) const
+    {
+        tree_.query(box, visit);
+        for (int slot : unbounded_)
+            if (overlap(proxies_.data()[slot].box, box)) visit(slot);
+    }
+
+    [[nodiscard]] bool update_tree();
+    [[nodiscard]] bool place(int slot, bool in_bulk);
+    void withdraw(int slot);
+    void leave_tree(Proxy& proxy);
+    void leave_unbounded(int slot);
+    static Aabb fatten(const Proxy& proxy);
+    void drop_stale_pairs();
+    [[nodiscard]] bool collect(int slot);
+    [[nodiscard]] bool merge_found();
+    void order_fresh();
+    const Aabb& fat_box(const Proxy& proxy) const;
+
+    Array<Proxy> proxies_;
+    DynamicTree tree_;
+    Array<int> unbounded_;
+    Array<int> escaped_;
+    Array<int> fresh_;
+    Array<SlotPair> pairs_, merged_;
+    Array<SlotPair> found_older_, found_newer_;  // partners older / newer than the fresh slot
+    bool stale_pairs_ = false;
+};
+
+}  // namespace epode

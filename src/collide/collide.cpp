@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The dispatcher. Pair functions are pure; a thunk made from each line of pairs.inc takes shapes out of geoms. What
+// a transform holds is never moved: its pose is handed along (only functions of the program, which read the pose
+// from the geom, see it placed for the time of the call).
+// A pair served in the other order: normals are negated, g1 with g2 and side1 with side2 exchanged.
+#include "collide/collide.h"
+
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+#include "base/lifecycle.h"
+#include "collide/pairs/pairs.h"
+#include "collide/registry.h"
+#include "collide/user_class.h"
+
+namespace epode {
+namespace {
+
+using PairThunk = void (*)(const Geom& a, const Pose& A, const Geom& b, const Pose& B, ContactSink& sink);
+
+template <auto function, typename First, typename Second>
+void thunk(const Geom& a, const Pose& A, const Geom& b, const Pose& B, ContactSink& sink)
+{
+    function(static_cast<const ShapeGeom<First>&>(a).shape, A, static_cast<const ShapeGeom<Second>&>(b).shape, B,
+             sink);
+}
+
+struct Collider {
+    PairThunk pair = nullptr;
+    dColliderFn* user = nullptr;
+    bool reversed = false;
+    bool disabled = false;  // by the program
+    bool settled = true;    // false: a user class has not been asked yet
+};
+
+// Read by every dCollide of any thread, written hardly ever: an entry is published by its flags.
+class ColliderEntry {
+  public:
+    void set(const Collider& c)
+    {
+        pair_.store(c.pair, std::memory_order_relaxed);
+        user_.store(c.user, std::memory_order_relaxed);
+        const int flags = (c.reversed ? 1 : 0) | (c.disabled ? 2 : 0) | (c.settled ? 4 : 0);
+        flags_.store(flags, std::memory_order_release);
+    }
+    Collider get() const
+    {
+        const int flags = flags_.load(std::memory_order_acquire);
+        return {pair_.load(std::memory_order_relaxed), user_.load(std::memory_order_relaxed),
+                (flags & 1) != 0, (flags & 2) != 0, (flags & 4) != 0};
+    }
+
+  private:
+    std::atomic<PairThunk> pair_{nullptr};
+    std::atomic<dColliderFn*> user_{nullptr};
+    std::atomic<int> flags_{0};
+};
+
+struct ColliderTable {
+    ColliderTable();
+    void fill();
+    void set_both(int i, int j, Collider collider)
+    {
+        entries[i][j].set(collider);
+        collider.reversed = !collider.reversed;
+        if (i != j) entries[j][i].set(collider);
+    }
+    ColliderEntry entries[dGeomNumClasses][dGeomNumClasses];
+};
+
+// Spaces and transforms are opened, whatever they meet: user classes are not asked about them.
+bool is_opened(int number)
+{
+    return number == dGeomTransformClass || (number >= dFirstSpaceClass && number <= dLastSpaceClass);
+}
+
+void ColliderTable::fill()
+{
+    for (int i = 0; i < dGeomNumClasses; ++i)
+        for (int j = 0; j < dGeomNumClasses; ++j) {
+            const bool ask = (is_user_class(i) || is_user_class(j)) && !is_opened(i) && !is_opened(j);
+            entries[i][j].set({.settled = !ask});
+        }
+#define PAIR(First, Second, function)                                   \
+    set_both(GeomTraits<First>::kNumber, GeomTraits<Second>::kNumber, \
+             {.pair = thunk<&function, First, Second>});
+#include "collide/pairs.inc"
+#undef PAIR
+}
+
+ColliderTable& table()
+{
+    static ColliderTable the_table;
+    return the_table;
+}
+
+void restore_table() { table().fill(); }
+
+ColliderTable::ColliderTable()
+{
+    fill();
+    (void)on_last_close(restore_table);
+}
+
+// What the class i, if it is the program's, offers against j.
+dColliderFn* offer(int i, int j)
+{
+    const dGeomClass* description = user_description(i);
+    return description ? description->collider(j) : nullptr;
+}
+
+// The collider of the two classes; a user class is asked once and the answer, also "none", remembered.
+Collider collider_of(int i, int j)
+{
+    Collider known = table().entries[i][j].get();
+    if (known.settled) return known;
+    Collider found;
+    if (dColliderFn* direct = offer(i, j)) {
+        found.user = direct;
+    } else if (dColliderFn* turned = offer(j, i)) {
+        found.user = turned;
+        found.reversed = true;
+    }
+    table().set_both(i, j, found);
+    return found;
+}
+
+// A geom where it is taken to be, and whom its contacts shall name.
+struct Placed {
+    Geom* geom;
+    Pose pose;
+    Geom* named;
+    bool elsewhere = false;  // not at its own pose
+};
+
+Placed in_place(Geom& geom) { return {&geom, pose_of(geom), &geom}; }
+
+// What the transform holds, at its place in the world. An outer transform that wants to be named stays so.
+Placed opened(const Placed& outer, const TransformGeom& transform)
+{
+    Geom* inner = transform.inner;
+    const bool pinned = outer.named != outer.geom || transform.info != 0;
+    return {inner, outer.pose * pose_of(*inner), pinned ? outer.named : inner, true};
+}
+
+void reverse(dContactGeom& c)
+{
+    for (int i = 0; i < 3; ++i) c.normal[i] = -c.normal[i];
+    std::swap(c.g1, c.g2);
+    std::swap(c.side1, c.side2);
+}
+
+void run_pair(PairThunk pair, const Placed& a, const Placed& b, ContactArray& out)
+{
+    ContactSink sink(out.at(out.count), out.stride, out.room - out.count, out.unimportant);
+    pair(*a.geom, a.pose, *b.geom, b.pose, sink);
+    for (int i = 0; i < sink.count(); ++i) {
+        dContactGeom& c = *sink.at(i);
+        c.g1 = to_handle(a.named);
+        c.g2 = to_handle(b.named);
+    }
+    out.count += sink.count();
+}
+
+int call_user(dColliderFn* function, const Placed& a, const Placed& b, const ContactArray& out)
+{
+    if (a.elsewhere) {
+        const PlacedElsewhere there(*a.geom, a.pose);
+        Placed settled = a;
+        settled.elsewhere = false;
+        return call_user(function, settled, b, out);
+    }
+    if (b.elsewhere) {
+        const PlacedElsewhere there(*b.geom, b.pose);
+        Placed settled = b;
+        settled.elsewhere = false;
+        return call_user(function, a, settled, out);
+    }
+    const int room = out.room - out.count;
+    const int flags = room | (out.unimportant ? int(CONTACTS_UNIMPORTANT) : 0);
+    const int found = function(to_handle(a.geom), to_handle(b.geom), flags, out.at(out.count), out.stride);
+    return std::clamp(found, 0, room);
+}
+
+void run_user(dColliderFn* function, const Placed& a, const Placed& b, ContactArray& out)
+{
+    const int found = call_user(function, a, b, out);
+    for (int i = out.count; i < out.count + found; ++i) {
+        dContactGeom& c = *out.at(i);
+        if (a.named != a.geom) c.g1 = to_handle(a.named);
+        if (b.named != b.geom) c.g2 = to_handle(b.named);
+    }
+    out.count += found;
+}
+
+void collide_placed(const Placed& a, const Placed& b, ContactArray& out)
+{
+    if (out.full()) return;
+    const Collider collider = collider_of(a.geom->type->number, b.geom->type->number);
+    if (collider.disabled || is_forgotten(*a.geom) || is_forgotten(*b.geom)) return;
+    if (!collider.pair && !collider.user) {
+        // Transforms have no entry unless the program has overridden them.
+        if (const TransformGeom* ta = as_transform(*a.geom)) {
+            if (ta->inner) collide_placed(opened(a, *ta), b, out);
+        } else if (const TransformGeom* tb = as_transform(*b.geom)) {
+            if (tb->inner) collide_placed(a, opened(b, *tb), out);
+        }
+        return;
+    }
+    const int before = out.count;
+    const Placed &first = collider.reversed ? b : a, &second = collider.reversed ? a : b;
+    if (collider.pair)
+        run_pair(collider.pair, first, second, out);
+    else
+        run_user(collider.user, first, second, out);
+    if (collider.reversed)
+        for (int i = before; i < out.count; ++i) reverse(*out.at(i));
+}
+
+void collide_members(void* data, dGeomID o1, dGeomID o2)
+{
+    collide(*from_handle<Geom>(o1), *from_handle<Geom>(o2), *static_cast<ContactArray*>(data));
+}
+
+bool overridden(const Geom& a, const Geom& b)
+{
+    const Collider collider = collider_of(a.type->number, b.type->number);
+    return collider.user || collider.disabled;
+}
+
+}  // namespace
+
+void collide(Geom& a, Geom& b, ContactArray& out)
+{
+    if (&a == &b || out.full() || (a.body.id && a.body.id == b.body.id)) return;
+    if ((is_space(a) || is_space(b)) && !overridden(a, b))
+        collide_across(a, b, &out, collide_members);
+    else
+        collide_placed(in_place(a), in_place(b), out);
+}
+
+void override_collider(int i, int j, dColliderFn* function)
+{
+    table().set_both(i, j, {.user = function, .disabled = !function});
+}
+
+}  // namespace epode
+
+using namespace epode;
+
+extern "C" int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom* contact, int skip)
+{
+    EPODE_GEOM(a, o1, 0);
+    EPODE_GEOM(b, o2, 0);
+    EPODE_USER(contact && skip >= int(sizeof(dContactGeom)), 0);
+    EPODE_USER_SAY((flags & 0xffff) != 0, "no contacts requested", 0);
+    ContactArray out{contact, skip, flags & 0xffff, (unsigned(flags) & CONTACTS_UNIMPORTANT) != 0};
+    collide(*a, *b, out);
+    return out.count;
+}
+
+extern "C" void dSetColliderOverride(int i, int j, dColliderFn* fn)
+{
+    EPODE_USER(i >= 0 && i < dGeomNumClasses && j >= 0 && j < dGeomNumClasses);
+    override_collider(i, j, fn);
+}

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// From two geoms to contacts: the table of pair functions by class, with reversed entries, overrides and the
+// functions of user classes; transforms and spaces are opened on the way.
+#pragma once
+
+#include "collide/geom.h"
+
+namespace epode {
+
+// The client's array, walked with the client's stride.
+struct ContactArray {
+    dContactGeom* first;
+    int stride;
+    int room;
+    bool unimportant;  // any contacts will do
+    int count = 0;
+
+    bool full() const { return count >= room; }
+    dContactGeom* at(int i) const
+    {
+        return reinterpret_cast<dContactGeom*>(reinterpret_cast<char*>(first) + std::ptrdiff_t(i) * stride);
+    }
+};
+
+// Appends the contacts of a and b; g1 belongs to a.
+void collide(Geom& a, Geom& b, ContactArray& out);
+
+// `function` serves (i, j) and, turned round, (j, i); null: the pair does not collide. Until the last close.
+void override_collider(int i, int j, dColliderFn* function);
+
+}  // namespace epode

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What all geoms share: pose, box, queueing, body list, end of life.
+#include "collide/geom.h"
+
+#include <algorithm>
+#include <atomic>
+#include <new>
+
+#include "base/memory.h"
+#include "collide/space.h"
+#include "collide/transform.h"
+
+namespace epode {
+namespace {
+
+std::atomic<std::uint64_t> g_serial{0};
+
+void use_own_pose(Geom& geom)
+{
+    geom.position = geom.own_position;
+    geom.rotation = geom.own_rotation;
+}
+
+}  // namespace
+
+Geom::Geom(const GeomType& geom_type)
+    : Tagged(Tag::kGeom), type(&geom_type), position(own_position), rotation(own_rotation)
+{
+    serial = g_serial.fetch_add(1, std::memory_order_relaxed) + 1;
+}
+
+bool is_space(const Geom& geom)
+{
+    return geom.type->number >= dFirstSpaceClass && geom.type->number <= dLastSpaceClass;
+}
+
+bool in_locked_space(const Geom& geom) { return geom.space && geom.space->locks > 0; }
+
+void refresh_pose(Geom& geom)
+{
+    if (!geom.pose_stale) return;
+    geom.pose_stale = false;
+    const Pose pose = load_pose(geom.body.position, geom.body.rotation) *
+                      load_pose(geom.offset->position, geom.offset->rotation);
+    store(geom.own_position, pose.p);
+    store_mat(geom.own_rotation, pose.R);
+}
+
+Pose pose_of(Geom& geom)
+{
+    refresh_pose(geom);
+    return load_pose(geom.position, geom.rotation);
+}
+
+const Aabb& box_of(Geom& geom)
+{
+    if (geom.box_stale) {
+        refresh_pose(geom);
+        geom.box_stale = false;
+        geom.box = geom.type->aabb(geom);
+    }
+    return geom.box;
+}
+
+void mark_moved(Geom& geom)
+{
+    geom.pose_stale = geom.offset != nullptr;
+    for (TransformGeom* holder = geom.holders; holder; holder = holder->next_holder) mark_moved(*holder);
+    // A queued member implies that everything above it is queued and stale already.
+    for (Geom* g = &geom;; g = g->space) {
+        g->box_stale = true;
+        if (!g->space || g->queued) return;
+        enqueue(*g->space, *g);
+    }
+}
+
+void write_own_pose(Geom& geom, const Pose& pose)
+{
+    store(geom.own_position, pose.p);
+    store_mat(geom.own_rotation, pose.R);
+    mark_moved(geom);
+}
+
+void link_body(Geom& geom, const BodyLink& link)
+{
+    geom.body = link;
+    geom.position = link.position;
+    geom.rotation = link.rotation;
+    geom.body_prev = nullptr;
+    geom.body_next = from_handle<Geom>(*link.first_geom);
+    if (geom.body_next) geom.body_next->body_prev = &geom;
+    *link.first_geom = to_handle(&geom);
+}
+
+void unlink_body(Geom& geom)
+{
+    if (!geom.body.id) return;
+    const Pose pose = pose_of(geom);
+    drop_offset(geom);
+    if (geom.body_next) geom.body_next->body_prev = geom.body_prev;
+    if (geom.body_prev)
+        geom.body_prev->body_next = geom.body_next;
+    else
+        *geom.body.first_geom = to_handle(geom.body_next);
+    geom.body_next = geom.body_prev = nullptr;
+    geom.body = {};
+    store(geom.own_position, pose.p);
+    store_mat(geom.own_rotation, pose.R);
+    use_own_pose(geom);
+}
+
+bool ensure_offset(Geom& geom)
+{
+    if (geom.offset) return true;
+    void* memory = allocate(sizeof(GeomOffset));
+    if (!memory) return false;
+    geom.offset = new (memory) GeomOffset;
+    geom.pose_stale = true;
+    use_own_pose(geom);
+    return true;
+}
+
+void drop_offset(Geom& geom)
+{
+    if (!geom.offset) return;
+    release(geom.offset, sizeof(GeomOffset));
+    geom.offset = nullptr;
+    geom.pose_stale = false;
+    geom.position = geom.body.position;
+    geom.rotation = geom.body.rotation;
+}
+
+void destroy_geom(Geom& geom)
+{
+    if (is_space(geom)) empty_space(static_cast<Space&>(geom));
+    while (geom.holders) set_transform_geom(*geom.holders, nullptr);
+    if (geom.space) remove_member(*geom.space, geom);
+    unlink_body(geom);
+    geom.type->destroy(&geom);
+}
+
+}  // namespace epode

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Membership and cleaning.
+#include "collide/space.h"
+
+#include <algorithm>
+
+namespace epode {
+namespace {
+
+// Closes the gaps; false when memory is exhausted (nothing has changed then).
+bool compact(Space& space)
+{
+    Array<int> new_slot;
+    if (!new_slot.reserve(space.members.size())) return false;
+    int kept = 0;
+    for (Geom* geom : space.members) (void)new_slot.push(geom ? kept++ : -1);
+    space.broadphase.renumber(new_slot.span(), kept);
+    int queued = 0;
+    for (int slot : space.queue)
+        if (new_slot[slot] >= 0) space.queue[queued++] = new_slot[slot];
+    space.queue.truncate(queued);
+    for (int i = 0; i < space.members.size(); ++i)
+        if (Geom* geom = space.members[i]) {
+            geom->slot = new_slot[i];
+            space.members[geom->slot] = geom;
+        }
+    space.members.truncate(kept);
+    return true;
+}
+
+bool has_gaps(const Space& space) { return space.count != space.members.size(); }
+
+// One more slot in every list that is indexed by slots or holds them.
+bool make_room(Space& space)
+{
+    const int wanted = space.members.size() + 1;
+    if (space.broadphase.slots() >= wanted) return true;
+    if (space.count < space.members.size() / 2) return compact(space);
+    const int room = std::max(8, wanted + wanted / 2);
+    return space.members.reserve(room) && space.queue.reserve(room) && space.broadphase.reserve(room);
+}
+
+bool zero_sized(const Geom& geom) { return geom.type->zero_sized && geom.type->zero_sized(geom); }
+
+}  // namespace
+
+Space* space_from(dSpaceID id)
+{
+    Geom* geom = from_handle<Geom>(reinterpret_cast<dGeomID>(id));
+    return geom && is_space(*geom) ? static_cast<Space*>(geom) : nullptr;
+}
+
+dSpaceID id_of(const Space* space) { return reinterpret_cast<dSpaceID>(to_handle<Geom>(space)); }
+
+bool add_member(Space& space, Geom& geom)
+{
+    if (!make_room(space)) return false;
+    geom.space = &space;
+    geom.slot = space.members.size();
+    geom.queued = false;
+    (void)space.members.push(&geom);
+    ++space.count;
+    mark_moved(geom);
+    return true;
+}
+
+void remove_member(Space& space, Geom& geom)
+{
+    space.members[geom.slot] = nullptr;
+    space.broadphase.remove(geom.slot);
+    geom.space = nullptr;
+    geom.slot = -1;
+    geom.queued = false;
+    if (--space.count == 0) {
+        space.members.clear();
+        space.queue.clear();
+        space.broadphase.clear();
+    }
+    mark_moved(space);
+}
+
+void empty_space(Space& space)
+{
+    for (int slot = space.members.size(); slot-- > 0;) {
+        // The last member clears the list; a user's destructor function may take others with it.
+        Geom* geom = slot < space.members.size() ? space.members[slot] : nullptr;
+        if (!geom) continue;
+        if (space.cleanup)
+            destroy_geom(*geom);
+        else
+            remove_member(space, *geom);
+    }
+}
+
+Geom* member(Space& space, int index)
+{
+    if (has_gaps(space) && space.locks == 0) (void)compact(space);
+    if (!has_gaps(space)) return space.members[space.count - 1 - index];
+    for (int slot = space.members.size(); slot-- > 0;)
+        if (space.members[slot] && index-- == 0) return space.members[slot];
+    return nullptr;
+}
+
+bool is_inside(const Geom& geom, const Space& space)
+{
+    for (const Geom* g = &geom; g; g = g->space)
+        if (g == &space) return true;
+    return false;
+}
+
+void enqueue(Space& space, Geom& geom)
+{
+    // Room was made when the member joined; only a move during the cleaning itself may need more.
+    geom.queued = space.queue.push(geom.slot);
+}
+
+void clean(Space& space)
+{
+    if (space.locks > 0 || space.queue.empty()) return;
+    SpaceLock lock(space);
+    const int due = space.queue.size();
+    for (int i = 0; i < due; ++i) {
+        const int slot = space.queue[i];
+        Geom* geom = space.members[slot];
+        if (!geom || !geom->queued) continue;
+        geom->queued = false;
+        if (is_space(*geom)) clean(static_cast<Space&>(*geom));
+        const Aabb& box = box_of(*geom);
+        space.broadphase.update(slot, box, !zero_sized(*geom));
+    }
+    // Members that a user's box function has moved wait for the next time.
+    std::copy(space.queue.begin() + due, space.queue.end(), space.queue.begin());
+    space.queue.truncate(space.queue.size() - due);
+}
+
+Aabb space_aabb(Geom& geom)
+{
+    Space& space = static_cast<Space&>(geom);
+    clean(space);
+    Aabb all{};
+    bool first = true;
+    for (Geom* m : space.members) {
+        if (!m) continue;
+        all = first ? box_of(*m) : merge(all, box_of(*m));
+        first = false;
+    }
+    return all;
+}
+
+}  // namespace epode

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Which pairs a space reports, and in which order: newer members before older ones, as a function of the order of
+// joining alone. Where memory for the broadphase is lacking all pairs are tried; that finds the same ones.
+#include <algorithm>
+
+#include "collide/space.h"
+
+namespace epode {
+namespace {
+
+struct Report {
+    void* data;
+    dNearCallback* callback;
+    void operator()(Geom& a, Geom& b) const { callback(data, to_handle(&a), to_handle(&b)); }
+};
+
+// All that decides but enabling and boxes.
+bool may_meet(Geom& a, Geom& b)
+{
+    if (&a == &b || (a.body.id && a.body.id == b.body.id)) return false;
+    if (!(a.category & b.collide) && !(b.category & a.collide)) return false;
+    return !(a.type->may_touch && !a.type->may_touch(a, b)) && !(b.type->may_touch && !b.type->may_touch(b, a));
+}
+
+void report_pairs(Space& space, const Report& report)
+{
+    ++space.pair_walks;
+    const auto pairs = space.broadphase.pairs();
+    for (const SlotPair& pair : pairs) {
+        if (!overlap(space.broadphase.box(pair.newer), space.broadphase.box(pair.older))) continue;
+        Geom *a = space.members.data()[pair.newer], *b = space.members.data()[pair.older];
+        if (a->enabled && b->enabled && may_meet(*a, *b)) report(*a, *b);
+    }
+    --space.pair_walks;
+}
+
+void report_all_pairs(Space& space, const Report& report)
+{
+    const Broadphase& boxes = space.broadphase;
+    for (int i = space.members.size(); i-- > 0;) {
+        if (!space.members[i] || !boxes.present(i)) continue;
+        for (int j = i; j-- > 0;) {
+            Geom *a = space.members[i], *b = space.members[j];
+            if (!b || !boxes.present(j) || !overlap(boxes.box(i), boxes.box(j))) continue;
+            if (a->enabled && b->enabled && may_meet(*a, *b)) report(*a, *b);
+        }
+    }
+}
+
+// Members of the space that meet a box, newest first; the list lends the space's memory.
+class Candidates {
+  public:
+    Candidates(Space& space, const Aabb& box) : space_(space)
+    {
+        slots_.swap(space.scratch);
+        slots_.clear();
+        bool room = true;
+        const bool asked =
+            space.broadphase.query(box, [&](int slot) { room = slots_.push(slot) && room; });
+        complete_ = asked && room;
+        std::sort(slots_.begin(), slots_.end(), [](int a, int b) { return a > b; });
+    }
+    ~Candidates() { slots_.swap(space_.scratch); }
+    Candidates(const Candidates&) = delete;
+    Candidates& operator=(const Candidates&) = delete;
+
+    template <typename Visit>
+    void for_each(const Aabb& box, Visit&& visit) const
+    {
+        if (complete_) {
+            for (int slot : slots_) visit(*space_.members[slot]);
+            return;
+        }
+        for (int slot = space_.members.size(); slot-- > 0;)
+            if (space_.members[slot] && space_.broadphase.present(slot) &&
+                overlap(space_.broadphase.box(slot), box))
+                visit(*space_.members[slot]);
+    }
+
+  private:
+    Space& space_;
+    Array<int> slots_;
+    bool complete_ = false;
+};
+
+// Enabled members against one geom; `report` is told (geom, member).
+template <typename Tell>
+void report_members(Space& space, Geom& geom, const Aabb& box, const Tell& tell)
+{
+    const Candidates candidates(space, box);
+    candidates.for_each(box, [&](Geom& m) {
+        if (m.enabled && may_meet(geom, m)) tell(geom, m);
+    });
+}
+
+// A space against a geom, or against a space that is taken as a geom.
+template <typename Tell>
+void space_with_geom(Space& space, Geom& geom, const Tell& tell)
+{
+    clean(space);
+    const Aabb box = box_of(geom);
+    SpaceLock lock(space);
+    report_members(space, geom, box, tell);
+}
+
+// Every pair across: the space with fewer members is walked, the other one is asked.
+template <typename Tell>
+void space_with_space(Space& walked, Space& asked, const Tell& tell)
+{
+    clean(walked);
+    clean(asked);
+    SpaceLock lock_walked(walked), lock_asked(asked);
+    for (int slot = walked.members.size(); slot-- > 0;) {
+        Geom* geom = walked.members[slot];
+        if (!geom || !geom->enabled || !walked.broadphase.present(slot)) continue;
+        report_members(asked, *geom, walked.broadphase.box(slot), tell);
+    }
+}
+
+}  // namespace
+
+void collide_space(Space& space, void* data, dNearCallback* callback)
+{
+    clean(space);
+    SpaceLock lock(space);
+    const Report report{data, callback};
+    // During a walk over the pair list it must stay; then it is up to date already.
+    if (space.pair_walks > 0 || space.broadphase.find_pairs())
+        report_pairs(space, report);
+    else
+        report_all_pairs(space, report);
+}
+
+void collide_across(Geom& first, Geom& second, void* data, dNearCallback* callback)
+{
+    const Report report{data, callback};
+    const auto swapped = [&](Geom& a, Geom& b) { report(b, a); };
+    Space* s1 = is_space(first) ? static_cast<Space*>(&first) : nullptr;
+    Space* s2 = is_space(second) ? static_cast<Space*>(&second) : nullptr;
+    // Of two spaces the one of higher sublevel is opened.
+    if (s1 && s2 && s1->sublevel != s2->sublevel) (s1->sublevel > s2->sublevel ? s2 : s1) = nullptr;
+
+    if (!s1 && !s2) {
+        if (overlap(box_of(first), box_of(second)) && may_meet(first, second)) report(first, second);
+    } else if (!s2) {
+        space_with_geom(*s1, second, swapped);
+    } else if (!s1) {
+        space_with_geom(*s2, first, report);
+    } else if (s1 == s2) {
+        collide_space(*s1, data, callback);
+    } else if (s1->count < s2->count) {
+        space_with_space(*s1, *s2, report);
+    } else {
+        space_with_space(*s2, *s1, swapped);
+    }
+}
+
+}  // namespace epode

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The geom transform, an old way to place a geom relative to a body: it holds one geom, whose pose is then
+// meant in the transform's frame. It collides as that geom placed at transform * geom.
+#pragma once
+
+#include "collide/geom.h"
+
+namespace epode {
+
+struct TransformGeom : Geom {
+    explicit TransformGeom(const GeomType& transform_type) : Geom(transform_type) {}
+    Geom* inner = nullptr;
+    TransformGeom* next_holder = nullptr;  // further transforms that hold the same geom
+    int cleanup = 0;                       // whether the geom dies with the transform
+    int info = 0;                          // whether contacts name the transform
+};
+
+// Null if it is none.
+TransformGeom* as_transform(Geom& geom);
+
+// Lets go the present geom, without destroying it, and takes another one or none.
+void set_transform_geom(TransformGeom& transform, Geom* inner);
+
+// Puts a geom elsewhere for the time of a scope: user functions read the pose with dGeomGetPosition.
+class PlacedElsewhere {
+  public:
+    PlacedElsewhere(Geom& geom, const Pose& pose);
+    ~PlacedElsewhere();
+    PlacedElsewhere(const PlacedElsewhere&) = delete;
+    PlacedElsewhere& operator=(const PlacedElsewhere&) = delete;
+
+  private:
+    Geom& geom_;
+    const Real *old_position_, *old_rotation_;
+    Aabb old_box_;
+    bool old_stale_;
+    Real position_[4] = {}, rotation_[12];
+};
+
+}  // namespace epode

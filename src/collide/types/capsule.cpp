@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Capsule: the points within `radius` of the segment |z| <= half_length on the local z axis.
+#include "collide/registry.h"
+
+#include <algorithm>
+
+namespace epode {
+namespace {
+
+const Capsule& shape(const Geom& geom) { return static_cast<const ShapeGeom<Capsule>&>(geom).shape; }
+
+Aabb aabb(Geom& geom)
+{
+    const Capsule& s = shape(geom);
+    const Vec3 c = load(geom.position), axis = load_mat(geom.rotation).column(2);
+    const Vec3 e = s.half_length * abs(axis) + Vec3{s.radius, s.radius, s.radius};
+    return {c - e, c + e};
+}
+
+bool zero_sized(const Geom& geom) { return shape(geom).radius == 0; }
+
+bool legal(Real radius, Real length)
+{
+    return usable(radius) && usable(length) && radius >= 0 && length >= 0;
+}
+
+}  // namespace
+
+const GeomType kCapsuleType = {.number = dCapsuleClass,
+                               .aabb = aabb,
+                               .zero_sized = zero_sized,
+                               .destroy = destroy_pooled<ShapeGeom<Capsule>>};
+
+}  // namespace epode
+
+using namespace epode;
+
+extern "C" dGeomID dCreateCapsule(dSpaceID space, dReal radius, dReal length)
+{
+    EPODE_USER(legal(radius, length), nullptr);
+    EPODE_PARENT_SPACE(space, nullptr);
+    return create_shape(space, Capsule{radius, length / 2});
+}
+
+extern "C" void dGeomCapsuleSetParams(dGeomID capsule, dReal radius, dReal length)
+{
+    EPODE_GEOM_AS(Capsule, geom, capsule);
+    EPODE_USER(legal(radius, length));
+    EPODE_UNLOCKED(geom);
+    geom->shape = {radius, length / 2};
+    mark_moved(*geom);
+}
+
+extern "C" void dGeomCapsuleGetParams(dGeomID capsule, dReal* radius, dReal* length)
+{
+    EPODE_GEOM_AS(Capsule, geom, capsule);
+    EPODE_USER(radius && length);
+    *radius = geom->shape.radius;
+    *length = 2 * geom->shape.half_length;
+}
+
+extern "C" dReal dGeomCapsulePointDepth(dGeomID capsule, dReal x, dReal y, dReal z)
+{
+    EPODE_GEOM_AS(Capsule, geom, capsule, 0);
+    Vec3 q = pose_of(*geom).to_local({x, y, z});
+    q.z -= std::clamp(q.z, -geom->shape.half_length, geom->shape.half_length);
+    return geom->shape.radius - length(q);
+}

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Cylinder: x^2 + y^2 <= radius^2, |z| <= half_length.
+//   half extent of the bounding box along world axis i, a = R z being the axis:
+//   half_length |a_i| + radius sqrt(1 - a_i^2): the ends' centre and the most of a circle perpendicular to a.
+#include "collide/registry.h"
+
+#include <algorithm>
+
+namespace epode {
+namespace {
+
+const Cylinder& shape(const Geom& geom) { return static_cast<const ShapeGeom<Cylinder>&>(geom).shape; }
+
+Real extent(const Cylinder& s, Real a)
+{
+    return s.half_length * std::fabs(a) + s.radius * std::sqrt(std::max(Real(0), 1 - a * a));
+}
+
+Aabb aabb(Geom& geom)
+{
+    const Cylinder& s = shape(geom);
+    const Vec3 c = load(geom.position), a = load_mat(geom.rotation).column(2);
+    const Vec3 e{extent(s, a.x), extent(s, a.y), extent(s, a.z)};
+    return {c - e, c + e};
+}
+
+bool zero_sized(const Geom& geom) { return shape(geom).radius == 0 || shape(geom).half_length == 0; }
+
+bool legal(Real radius, Real length)
+{
+    return usable(radius) && usable(length) && radius >= 0 && length >= 0;
+}
+
+}  // namespace
+
+const GeomType kCylinderType = {.number = dCylinderClass,
+                                .aabb = aabb,
+                                .zero_sized = zero_sized,
+                                .destroy = destroy_pooled<ShapeGeom<Cylinder>>};
+
+}  // namespace epode
+
+using namespace epode;
+
+extern "C" dGeomID dCreateCylinder(dSpaceID space, dReal radius, dReal length)
+{
+    EPODE_USER(legal(radius, length), nullptr);
+    EPODE_PARENT_SPACE(space, nullptr);
+    return create_shape(space, Cylinder{radius, length / 2});
+}
+
+extern "C" void dGeomCylinderSetParams(dGeomID cylinder, dReal radius, dReal length)
+{
+    EPODE_GEOM_AS(Cylinder, geom, cylinder);
+    EPODE_USER(legal(radius, length));
+    EPODE_UNLOCKED(geom);
+    geom->shape = {radius, length / 2};
+    mark_moved(*geom);
+}
+
+extern "C" void dGeomCylinderGetParams(dGeomID cylinder, dReal* radius, dReal* length)
+{
+    EPODE_GEOM_AS(Cylinder, geom, cylinder);
+    EPODE_USER(radius && length);
+    *radius = geom->shape.radius;
+    *length = 2 * geom->shape.half_length;
+}

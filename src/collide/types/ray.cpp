@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Ray: the segment from the geom's position along its z axis. An infinite length is taken as the longest that
+// numbers bear. Setting start and direction is in api/geom_placement.cpp, since it may move a body.
+#include "collide/registry.h"
+
+#include <algorithm>
+
+namespace epode {
+namespace {
+
+Aabb aabb(Geom& geom)
+{
+    const Real length = static_cast<const RayGeom&>(geom).shape.length;
+    const Vec3 a = load(geom.position), b = a + length * load_mat(geom.rotation).column(2);
+    return {min(a, b), max(a, b)};
+}
+
+Real bearable(Real length) { return std::clamp(length, -kAbsurd, kAbsurd); }
+
+}  // namespace
+
+const GeomType kRayType = {.number = dRayClass, .aabb = aabb, .destroy = destroy_pooled<RayGeom>};
+
+}  // namespace epode
+
+using namespace epode;
+
+extern "C" dGeomID dCreateRay(dSpaceID space, dReal length)
+{
+    EPODE_USER(usable_or_infinite(length), nullptr);
+    EPODE_PARENT_SPACE(space, nullptr);
+    return create_shape(space, Ray{bearable(length)});
+}
+
+extern "C" void dGeomRaySetLength(dGeomID ray, dReal length)
+{
+    EPODE_GEOM_AS(Ray, geom, ray);
+    EPODE_USER(usable_or_infinite(length));
+    EPODE_UNLOCKED(geom);
+    geom->shape.length = bearable(length);
+    mark_moved(*geom);
+}
+
+extern "C" dReal dGeomRayGetLength(dGeomID ray)
+{
+    EPODE_GEOM_AS(Ray, geom, ray, 0);
+    return geom->shape.length;
+}
+
+extern "C" void dGeomRayGet(dGeomID ray, dVector3 start, dVector3 dir)
+{
+    EPODE_GEOM_AS(Ray, geom, ray);
+    EPODE_USER(start && dir);
+    const Pose pose = pose_of(*geom);
+    store(start, pose.p);
+    store(dir, pose.R.column(2));
+}
+
+extern "C" void dGeomRaySetFirstContact(dGeomID ray, int on)
+{
+    EPODE_GEOM_AS(Ray, geom, ray);
+    geom->first_contact = on != 0;
+}
+
+extern "C" int dGeomRayGetFirstContact(dGeomID ray)
+{
+    EPODE_GEOM_AS(Ray, geom, ray, 0);
+    return geom->first_contact;
+}
+
+extern "C" void dGeomRaySetBackfaceCull(dGeomID ray, int on)
+{
+    EPODE_GEOM_AS(Ray, geom, ray);
+    geom->backface_cull = on != 0;
+}
+
+extern "C" int dGeomRayGetBackfaceCull(dGeomID ray)
+{
+    EPODE_GEOM_AS(Ray, geom, ray, 0);
+    return geom->backface_cull;
+}
+
+extern "C" void dGeomRaySetClosestHit(dGeomID ray, int on)
+{
+    EPODE_GEOM_AS(Ray, geom, ray);
+    geom->closest_hit = on != 0;
+}
+
+extern "C" int dGeomRayGetClosestHit(dGeomID ray)
+{
+    EPODE_GEOM_AS(Ray, geom, ray, 0);
+    return geom->closest_hit;
+}
+
+extern "C" void dGeomRaySetParams(dGeomID ray, int first_contact, int backface_cull)
+{
+    EPODE_GEOM_AS(Ray, geom, ray);
+    geom->first_contact = first_contact != 0;
+    geom->backface_cull = backface_cull != 0;
+}
+
+extern "C" void dGeomRayGetParams(dGeomID ray, int* first_contact, int* backface_cull)
+{
+    EPODE_GEOM_AS(Ray, geom, ray);
+    EPODE_USER(first_contact && backface_cull);
+    *first_contact = geom->first_contact;
+    *backface_cull = geom->backface_cull;
+}

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Sphere: |x| <= radius.
+#include "collide/registry.h"
+
+namespace epode {
+namespace {
+
+const Sphere& shape(const Geom& geom) { return static_cast<const ShapeGeom<Sphere>&>(geom).shape; }
+
+Aabb aabb(Geom& geom)
+{
+    const Real r = shape(geom).radius;
+    const Vec3 c = load(geom.position), e{r, r, r};
+    return {c - e, c + e};
+}
+
+bool zero_sized(const Geom& geom) { return shape(geom).radius == 0; }
+
+}  // namespace
+
+const GeomType kSphereType = {.number = dSphereClass,
+                              .aabb = aabb,
+                              .zero_sized = zero_sized,
+                              .destroy = destroy_pooled<ShapeGeom<Sphere>>};
+
+}  // namespace epode
+
+using namespace epode;
+
+extern "C" dGeomID dCreateSphere(dSpaceID space, dReal radius)
+{
+    EPODE_USER(usable(radius) && radius >= 0, nullptr);
+    EPODE_PARENT_SPACE(space, nullptr);
+    return create_shape(space, Sphere{radius});
+}
+
+extern "C" void dGeomSphereSetRadius(dGeomID sphere, dReal radius)
+{
+    EPODE_GEOM_AS(Sphere, geom, sphere);
+    EPODE_USER(usable(radius) && radius >= 0);
+    EPODE_UNLOCKED(geom);
+    geom->shape.radius = radius;
+    mark_moved(*geom);
+}
+
+extern "C" dReal dGeomSphereGetRadius(dGeomID sphere)
+{
+    EPODE_GEOM_AS(Sphere, geom, sphere, 0);
+    return geom->shape.radius;
+}
+
+extern "C" dReal dGeomSpherePointDepth(dGeomID sphere, dReal x, dReal y, dReal z)
+{
+    EPODE_GEOM_AS(Sphere, geom, sphere, 0);
+    return geom->shape.radius - length(Vec3{x, y, z} - pose_of(*geom).p);
+}

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The geom transform. The geom inside remembers who holds it (a list, since several transforms may hold one
+// geom), so that neither can outlive the other unnoticed, and so that a change of it moves the transforms.
+#include "collide/transform.h"
+
+#include "collide/registry.h"
+
+namespace epode {
+namespace {
+
+Aabb aabb(Geom& geom)
+{
+    TransformGeom& transform = static_cast<TransformGeom&>(geom);
+    if (!transform.inner) return {};
+    Geom& inner = *transform.inner;
+    const PlacedElsewhere placed(inner, pose_of(transform) * pose_of(inner));
+    return inner.type->aabb(inner);
+}
+
+bool zero_sized(const Geom& geom)
+{
+    const Geom* inner = static_cast<const TransformGeom&>(geom).inner;
+    return inner && inner->type->zero_sized && inner->type->zero_sized(*inner);
+}
+
+void drop_inner(TransformGeom& transform)
+{
+    Geom* old = transform.inner;
+    set_transform_geom(transform, nullptr);
+    if (old && transform.cleanup) destroy_geom(*old);
+}
+
+void destroy(Geom* geom)
+{
+    TransformGeom* transform = static_cast<TransformGeom*>(geom);
+    drop_inner(*transform);
+    Pool<TransformGeom>::destroy(transform);
+}
+
+// Whether `transform` would come to hold itself.
+bool holds(Geom& geom, const TransformGeom& transform)
+{
+    for (Geom* g = &geom; g;) {
+        if (g == &transform) return true;
+        TransformGeom* next = as_transform(*g);
+        g = next ? next->inner : nullptr;
+    }
+    return false;
+}
+
+}  // namespace
+
+const GeomType kTransformType = {.number = dGeomTransformClass,
+                                 .aabb = aabb,
+                                 .zero_sized = zero_sized,
+                                 .destroy = destroy};
+
+TransformGeom* as_transform(Geom& geom)
+{
+    return geom.type == &kTransformType ? static_cast<TransformGeom*>(&geom) : nullptr;
+}
+
+void set_transform_geom(TransformGeom& transform, Geom* inner)
+{
+    if (transform.inner) {
+        TransformGeom** link = &transform.inner->holders;
+        while (*link != &transform) link = &(*link)->next_holder;
+        *link = transform.next_holder;
+    }
+    transform.inner = inner;
+    transform.next_holder = nullptr;
+    if (inner) {
+        transform.next_holder = inner->holders;
+        inner->holders = &transform;
+    }
+    mark_moved(transform);
+}
+
+PlacedElsewhere::PlacedElsewhere(Geom& geom, const Pose& pose)
+    : geom_(geom),
+      old_position_(geom.position),
+      old_rotation_(geom.rotation),
+      old_box_(geom.box),
+      old_stale_(geom.box_stale)
+{
+    store(position_, pose.p);
+    store_mat(rotation_, pose.R);
+    geom.position = position_;
+    geom.rotation = rotation_;
+    geom.box_stale = true;
+}
+
+PlacedElsewhere::~PlacedElsewhere()
+{
+    geom_.position = old_position_;
+    geom_.rotation = old_rotation_;
+    geom_.box = old_box_;
+    geom_.box_stale = old_stale_;
+}
+
+}  // namespace epode
+
+using namespace epode;
+
+extern "C" dGeomID dCreateGeomTransform(dSpaceID space)
+{
+    EPODE_PARENT_SPACE(space, nullptr);
+    return to_handle<Geom>(create_geom<Transform>(space));
+}
+
+extern "C" void dGeomTransformSetGeom(dGeomID transform, dGeomID obj)
+{
+    EPODE_GEOM_AS(Transform, holder, transform);
+    Geom* inner = from_handle<Geom>(obj);
+    EPODE_USER(!obj || inner);
+    EPODE_UNLOCKED(holder);
+    if (inner == holder->inner) return;
+    if (inner) {
+        EPODE_PLACEABLE(inner);
+        EPODE_USER(!holds(*inner, *holder));
+        EPODE_USER_SAY(!inner->space, "GeomTransform encapsulated object must not be in a space");
+        EPODE_USER_SAY(!inner->body.id, "GeomTransform encapsulated object must not be attached to a body");
+    }
+    drop_inner(*holder);
+    set_transform_geom(*holder, inner);
+}
+
+extern "C" dGeomID dGeomTransformGetGeom(dGeomID transform)
+{
+    EPODE_GEOM_AS(Transform, holder, transform, nullptr);
+    return to_handle<Geom>(holder->inner);
+}
+
+extern "C" void dGeomTransformSetCleanup(dGeomID transform, int mode)
+{
+    EPODE_GEOM_AS(Transform, holder, transform);
+    holder->cleanup = mode;
+}
+
+extern "C" int dGeomTransformGetCleanup(dGeomID transform)
+{
+    EPODE_GEOM_AS(Transform, holder, transform, 0);
+    return holder->cleanup;
+}
+
+extern "C" void dGeomTransformSetInfo(dGeomID transform, int mode)
+{
+    EPODE_GEOM_AS(Transform, holder, transform);
+    holder->info = mode;
+}
+
+extern "C" int dGeomTransformGetInfo(dGeomID transform)
+{
+    EPODE_GEOM_AS(Transform, holder, transform, 0);
+    return holder->info;
+}
