@@ -16,6 +16,7 @@ inline constexpr int kLanes = 16 / int(sizeof(Real));
 
 // The second argument wins when the first is not a number.
 inline Lanes at_most(Lanes bound, Lanes x) { return bound < x ? bound : x; }
+inline Real at_most(Real bound, Real x) { return bound < x ? bound : x; }
 inline Lanes at_least(Lanes bound, Lanes x) { return bound > x ? bound : x; }
 
 struct LaneVec3 {

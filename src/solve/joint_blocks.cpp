@@ -174,6 +174,16 @@ void JointBlocks::add_impulses(std::span<RowNumbers> numbers) const
             numbers[std::size_t(block.source + i)].p += rows_[std::size_t(block.first + i)].p;
 }
 
+void JointBlocks::describe(std::span<RowNumbers> numbers) const
+{
+    for (const JointBlock& block : blocks_)
+        for (int i = 0; i < block.count; ++i) {
+            const JointRow& row = rows_[std::size_t(block.first + i)];
+            RowNumbers& n = numbers[std::size_t(block.source + i)];
+            n.c = row.c, n.C = row.C, n.p = row.p;
+        }
+}
+
 void JointBlocks::rebound(const RowSystem& system, std::span<Velocity> bodies)
 {
     for (JointBlock& block : blocks_) {
@@ -181,7 +191,8 @@ void JointBlocks::rebound(const RowSystem& system, std::span<Velocity> bodies)
         bool any = false;
         for (int i = 0; i < block.count; ++i) {
             const Row& row = system.rows[std::size_t(block.source + i)];
-            if (!row.rebounds || system.numbers[std::size_t(block.source + i)].p == 0) continue;
+            const Real carried = system.numbers[std::size_t(block.source + i)].p + rows[i].p;
+            if (!row.rebounds || carried == 0) continue;
             rows[i].c_relaxed = row.rebound;
             any = true;
         }

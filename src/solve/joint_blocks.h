@@ -45,9 +45,9 @@ class JointBlocks {
     void apply_impulses(std::span<Velocity> bodies) const;   // v += M^-1 J^T p
     void sweep(std::span<Velocity> bodies, bool relax);
     void add_impulses(std::span<RowNumbers> numbers) const;  // numbers.p += p
+    void describe(std::span<RowNumbers> numbers) const;      // c, C and p of the correcting problem
 
-    // One more sweep in which rows that rebound, and have carried an impulse, reach their rebound.
-    // `totals` are the impulses of the step so far; what the sweep adds is left in p as a difference.
+    // One more visit to joints with rows that rebound and have carried an impulse: they reach their rebound.
     void rebound(const RowSystem& system, std::span<Velocity> bodies);
 
     bool empty() const { return blocks_.empty(); }

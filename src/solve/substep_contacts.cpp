@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The same formula for one contact and for several in lanes: `begin_pass` writes what a sweep reads.
+#include "solve/substep_contacts.h"
+
+#include <algorithm>
+
+namespace epode {
+namespace {
+
+template <typename T>
+void begin_pass(const NormalAim<T>& aim, int pass, Real per_hs, T& c, T& keep, T& gain)
+{
+    const T pushed = at_most(aim.push, aim.rate[pass] * aim.error);
+    const T closing = per_hs * aim.error;
+    const auto open = aim.error < T{};
+    c = at_most(aim.cap, (open ? closing : pushed) + aim.speed);
+    keep = open ? T{} + 1 : aim.keep[pass];
+    gain = open ? aim.hard_gain : aim.gain[pass];
+}
+
+NormalAim<Real> aim_of(const Row& row, const Substep& step, Real mobility, bool against_static)
+{
+    const RowAim aim = row.soft ? map_row(row, step, mobility) : default_contact(step, mobility, against_static);
+    NormalAim<Real> out{};
+    if (!(mobility > 0)) return out;
+    out.error = row.error, out.speed = row.speed, out.cap = row.cap;
+    out.push = aim.push;
+    out.hard_gain = 1 / mobility;
+    const Real gain = 1 / (mobility + aim.C);
+    out.rate[0] = aim.rate, out.gain[0] = gain, out.keep[0] = 1 - gain * aim.C;
+    out.rate[1] = aim.spring ? out.rate[0] : 0;
+    out.gain[1] = aim.spring ? gain : out.hard_gain;
+    out.keep[1] = aim.spring ? out.keep[0] : 1;
+    return out;
+}
+
+void set_lane(const NormalAim<Real>& a, int lane, NormalAim<Lanes>& out)
+{
+    out.error[lane] = a.error, out.speed[lane] = a.speed, out.cap[lane] = a.cap, out.push[lane] = a.push;
+    out.hard_gain[lane] = a.hard_gain;
+    for (int k = 0; k < 2; ++k) {
+        out.rate[k][lane] = a.rate[k], out.gain[k][lane] = a.gain[k], out.keep[k][lane] = a.keep[k];
+    }
+}
+
+// Friction and rolling rows are dampers: the same in every pass.
+void set_tangent_numbers(RowSystem& system, const RowBlock& block, const Substep& step)
+{
+    RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
+    const Row* rows = &system.rows[std::size_t(block.first)];
+    numbers[0].c = numbers[0].C = 0;  // aimed anew in every pass
+    for (int k = 1; k < block.count; ++k) {
+        numbers[k].c = std::min(rows[k].speed, rows[k].cap);
+        numbers[k].C = rows[k].cfm / step.hs;
+    }
+}
+
+const SolverBody* body_or_null(const RowSystem& system, int index)
+{
+    return index >= 0 ? &system.bodies[std::size_t(index)] : nullptr;
+}
+
+}  // namespace
+
+bool SubstepContacts::prepare(RowSystem& system, const Substep& step, Arena& arena)
+{
+    hs_ = step.hs;
+    auto skip = arena.take<bool>(int(system.blocks.size()));
+    if (skip.empty()) return false;
+    for (const RowBlock& block : system.blocks)
+        if (block.contact) set_tangent_numbers(system, block, step);
+    if (!set_.pack(system, 1, skip, arena)) return false;
+    for (std::size_t i = 0; i < skip.size(); ++i) skip[i] = skip[i] || !system.blocks[i].contact;
+    if (!others_.pack(system, 1, skip, arena)) return false;
+    aims_ = arena.take_zeroed<NormalAim<Lanes>>(int(set_.points().size()));
+    other_aims_ = arena.take<NormalAim<Real>>(int(others_.blocks().size()));
+    if (arena.failed()) return false;
+    aim(system, step);
+    return true;
+}
+
+void SubstepContacts::aim(const RowSystem& system, const Substep& step)
+{
+    const auto aim_block = [&](int row, int body1, int body2) {
+        const SolverBody& a = system.bodies[std::size_t(body1)];
+        const SolverBody* b = body_or_null(system, std::size_t(body2) < system.bodies.size() ? body2 : -1);
+        const Row& normal = system.rows[std::size_t(row)];
+        const bool against_static = !b || !(a.inv_mass > 0) || !(b->inv_mass > 0);
+        return aim_of(normal, step, row_mobility(normal, a, b), against_static);
+    };
+    for (const ContactBatch& batch : set_.batches())
+        for (int i = batch.first; i < batch.first + batch.count; ++i)
+            for (int lane = 0; lane < kLanes; ++lane) {
+                const int row = set_.sources()[std::size_t(i)].row[lane];
+                if (row >= 0)
+                    set_lane(aim_block(row, batch.body1[lane], batch.body2[lane]), lane, aims_[std::size_t(i)]);
+            }
+    for (std::size_t i = 0; i < other_aims_.size(); ++i) {
+        const PackedBlock& block = others_.blocks()[i];
+        other_aims_[i] = aim_block(others_.rows()[std::size_t(block.first)].source, block.body1, block.body2);
+    }
+}
+
+void SubstepContacts::apply_impulses(std::span<Velocity> bodies) const
+{
+    set_.apply_impulses(bodies);
+    others_.apply_impulses(bodies);
+}
+
+void SubstepContacts::sweep(std::span<Velocity> bodies, bool relax)
+{
+    const int pass = relax ? 1 : 0;
+    const Real per_hs = 1 / hs_;
+    for (std::size_t i = 0; i < aims_.size(); ++i) {
+        ContactPoint& p = set_.points()[i];
+        begin_pass(aims_[i], pass, per_hs, p.c[0], p.keep[0], p.gain[0]);
+    }
+    for (std::size_t i = 0; i < other_aims_.size(); ++i) {
+        PackedRow& row = others_.rows()[std::size_t(others_.blocks()[i].first)];
+        begin_pass(other_aims_[i], pass, per_hs, row.c, row.keep, row.gain);
+    }
+    others_.sweep(bodies, relax);
+    set_.sweep(bodies, relax);
+}
+
+void SubstepContacts::follow_motion(std::span<const Velocity> bodies)
+{
+    for (const ContactBatch& batch : set_.batches())
+        for (int i = batch.first; i < batch.first + batch.count; ++i)
+            aims_[std::size_t(i)].error -= hs_ * normal_velocity(batch, set_.points()[std::size_t(i)], bodies);
+    for (std::size_t i = 0; i < other_aims_.size(); ++i) {
+        const PackedBlock& block = others_.blocks()[i];
+        other_aims_[i].error -= hs_ * row_velocity(others_.rows()[std::size_t(block.first)],
+                                                   bodies[std::size_t(block.body1)],
+                                                   bodies[std::size_t(block.body2)]);
+    }
+}
+
+void SubstepContacts::add_impulses(std::span<RowNumbers> numbers)
+{
+    for (std::size_t i = 0; i < aims_.size(); ++i) {
+        const ContactSource& source = set_.sources()[i];
+        for (int lane = 0; lane < kLanes; ++lane) {
+            if (source.row[lane] < 0) continue;
+            for (int k = 0; k < (source.friction[lane] ? 3 : 1); ++k)
+                numbers[std::size_t(source.row[lane] + k)].p += set_.points()[i].p[k][lane];
+        }
+    }
+    for (const PackedRow& row : others_.rows()) numbers[std::size_t(row.source)].p += row.p;
+}
+
+void SubstepContacts::describe(std::span<RowNumbers> numbers)
+{
+    set_.store_impulses(numbers);
+    others_.store_impulses(numbers);
+    const auto describe_normal = [&](int row, Real c, Real keep, Real gain) {
+        numbers[std::size_t(row)].c = c;
+        numbers[std::size_t(row)].C = gain > 0 ? (1 - keep) / gain : 0;
+    };
+    for (std::size_t i = 0; i < aims_.size(); ++i) {
+        const ContactPoint& p = set_.points()[i];
+        for (int lane = 0; lane < kLanes; ++lane)
+            if (const int row = set_.sources()[i].row[lane]; row >= 0)
+                describe_normal(row, p.c[0][lane], p.keep[0][lane], p.gain[0][lane]);
+    }
+    for (const PackedBlock& block : others_.blocks()) {
+        const PackedRow& row = others_.rows()[std::size_t(block.first)];
+        describe_normal(row.source, row.c, row.keep, row.gain);
+    }
+}
+
+}  // namespace epode
