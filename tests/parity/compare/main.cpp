@@ -8,6 +8,7 @@
 // all is within tolerance, 1 if not, 2 if the files cannot be compared (among that: the same library twice).
 #include "tally.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace parity {
@@ -61,15 +62,25 @@ void print_pairs(const Tallies& tallies)
     }
 }
 
+// The states that disagree most, by number of blocks.
+void print_families(const CaseTally& tally)
+{
+    std::vector<std::pair<long, std::string>> worst;
+    for (const auto& [family, count] : tally.failed_families) worst.emplace_back(-count, family);
+    std::sort(worst.begin(), worst.end());
+    const std::size_t shown = std::min<std::size_t>(worst.size(), 12);
+    for (std::size_t i = 0; i < shown; ++i)
+        std::printf("  %-40s %ld beyond\n", worst[i].second.c_str(), -worst[i].first);
+    if (shown < worst.size()) std::printf("  and %zu more states\n", worst.size() - shown);
+}
+
 void print_failures(const Tallies& tallies)
 {
     for (const auto& [name, tally] : tallies) {
         if (tally.passes()) { continue; }
         std::printf("\n%s\n", name.c_str());
         for (const std::string& error : tally.structure_errors) { std::printf("  %s\n", error.c_str()); }
-        for (const auto& [family, count] : tally.failed_families) {
-            std::printf("  %-40s %ld blocks beyond\n", family.c_str(), count);
-        }
+        print_families(tally);
         for (const auto& [rule, rule_tally] : tally.rules) {
             if (!rule_tally.failed_blocks.empty()) {
                 std::printf("  rule %s %s: %zu beyond, worst %.3g at %s, first %s\n", rule->case_glob.c_str(),
