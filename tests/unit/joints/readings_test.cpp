@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Signs and zeros of anchors, axes, angles, positions and rates, as clients of ODE know them.
+#include <gtest/gtest.h>
+
+#include "ode/objects.h"
+#include "rig.h"
+
+namespace epode::test {
+namespace {
+
+constexpr Real kNear = kSingle ? Real(1e-5) : Real(1e-12);
+constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
+
+struct Readings : testing::Test {
+    Rig rig;
+    Body* a = rig.body({0, 0, 0});
+    Body* b = rig.body({2, 0, 0});
+    dVector3 r = {0, 0, 0, 0};
+};
+
+TEST_F(Readings, a_ball_keeps_its_local_anchor_from_attachment_to_attachment)
+{
+    const dJointID j = dJointCreateBall(rig.id(), nullptr);
+    Rig::join(j, a);
+    dJointSetBallAnchor(j, 1, 0, 0);
+    Body* c = rig.body({5, 0, 0});
+    Rig::join(j, c);
+    dJointGetBallAnchor(j, r);
+    EXPECT_EQ(r[0], 6);
+    Rig::join(j, nullptr, a);
+    dJointGetBallAnchor(j, r);
+    EXPECT_EQ(r[0], 6);
+    dJointGetBallAnchor2(j, r);
+    EXPECT_EQ(r[0], 6);
+}
+
+TEST_F(Readings, an_anchor_set_before_attaching_is_lost)
+{
+    const dJointID j = dJointCreateBall(rig.id(), nullptr);
+    dJointSetBallAnchor(j, 1, 2, 3);
+    r[0] = 77;
+    dJointGetBallAnchor(j, r);
+    EXPECT_EQ(r[0], 77) << "untouched without bodies";
+    Rig::join(j, b);
+    dJointGetBallAnchor(j, r);
+    EXPECT_EQ(r[0], 2) << "the body's position";
+}
+
+TEST_F(Readings, hinge_angle_is_the_turn_of_body_1_and_negated_when_reversed)
+{
+    for (const bool reversed : {false, true}) {
+        Rig::place(a, {0, 0, 0});
+        const dJointID j = dJointCreateHinge(rig.id(), nullptr);
+        reversed ? Rig::join(j, nullptr, a) : Rig::join(j, a);
+        dJointSetHingeAxis(j, 0, 0, 2);
+        Rig::place(a, {0, 0, 0}, turn(kZ, Real(0.3)));
+        Rig::velocity(a, {}, {0, 0, 4});
+        const Real sign = reversed ? -1 : 1;
+        EXPECT_NEAR(dJointGetHingeAngle(j), sign * Real(0.3), kNear);
+        EXPECT_NEAR(dJointGetHingeAngleRate(j), sign * 4, kNear);
+        dJointAddHingeTorque(j, 5);
+        EXPECT_NEAR(a->tacc[2], sign * 5, kNear);
+        a->tacc[2] = 0;
+        // Stops keep the internal sign in both cases.
+        dJointSetHingeParam(j, dParamHiStop, Real(0.2));
+        const Emitted e = rig.emit(j);
+        ASSERT_EQ(e.rows.size(), 6u);
+        EXPECT_NEAR(e.rows[5].error, -0.1, 10 * kNear);
+    }
+}
+
+TEST_F(Readings, hinge_angle_wraps_at_half_a_turn)
+{
+    const dJointID j = dJointCreateHinge(rig.id(), nullptr);
+    Rig::join(j, a);
+    dJointSetHingeAxis(j, 0, 0, 1);
+    for (const Real angle : {Real(-3), Real(-0.1), Real(2), Real(3.1)}) {
+        Rig::place(a, {0, 0, 0}, turn(kZ, angle));
+        EXPECT_NEAR(dJointGetHingeAngle(j), angle, kNear);
+    }
+    Rig::place(a, {0, 0, 0}, turn(kZ, 4));
+    EXPECT_NEAR(dJointGetHingeAngle(j), 4 - 2 * kPi, kNear);
+}
+
+TEST_F(Readings, hinge_offset_reads_minus_the_given_angle)
+{
+    Rig::place(a, {0, 0, 0}, turn({1, 2, 3}, 1));
+    for (const bool reversed : {false, true}) {
+        const dJointID j = dJointCreateHinge(rig.id(), nullptr);
+        reversed ? Rig::join(j, nullptr, a) : Rig::join(j, a, b);
+        dJointSetHingeAxisOffset(j, 0, 1, 0, Real(0.3));
+        EXPECT_NEAR(dJointGetHingeAngle(j), -0.3, kNear);
+    }
+}
+
+TEST_F(Readings, slider_position_grows_as_body_1_goes_along_the_axis)
+{
+    const dJointID j = dJointCreateSlider(rig.id(), nullptr);
+    Rig::join(j, a, b);
+    dJointSetSliderAxis(j, 0, 3, 0);
+    EXPECT_EQ(dJointGetSliderPosition(j), 0);
+    Rig::place(a, {0, Real(0.5), 0});
+    Rig::velocity(b, {0, 2, 0});
+    EXPECT_NEAR(dJointGetSliderPosition(j), 0.5, kNear);
+    EXPECT_NEAR(dJointGetSliderPositionRate(j), -2, kNear);
+    dJointAddSliderForce(j, 4);
+    EXPECT_NEAR(a->facc[1], 4, kNear);
+    EXPECT_NEAR(b->facc[1], -4, kNear);
+    EXPECT_NEAR(a->tacc[2] + b->tacc[2] - 2 * 4, 0, kNear) << "balances the couple of the forces";
+}
+
+TEST_F(Readings, slider_reversed_negates_and_delta_moves_the_zero)
+{
+    dJointID j = dJointCreateSlider(rig.id(), nullptr);
+    Rig::join(j, nullptr, a);
+    dJointSetSliderAxis(j, 1, 0, 0);
+    Rig::place(a, {Real(0.25), 0, 0});
+    EXPECT_EQ(dJointGetSliderPosition(j), Real(-0.25));
+    j = dJointCreateSlider(rig.id(), nullptr);
+    Rig::join(j, a);
+    dJointSetSliderAxisDelta(j, 1, 0, 0, Real(0.5), 0, 0);
+    EXPECT_EQ(dJointGetSliderPosition(j), Real(-0.5));
+}
+
+TEST_F(Readings, fixed_takes_the_pose_only_when_told)
+{
+    const dJointID j = dJointCreateFixed(rig.id(), nullptr);
+    Rig::join(j, b);
+    EXPECT_EQ(rig.emit(j).rows[0].error, -2) << "pulled to the world's origin";
+    dJointSetFixed(j);
+    EXPECT_EQ(rig.emit(j).rows[0].error, 0);
+    dJointSetFixedParam(j, dParamERP, Real(0.75));
+    EXPECT_EQ(rig.emit(j).rows[0].erp, Real(0.75));
+    EXPECT_EQ(rig.emit(j).rows[3].erp, rig.info.erp) << "angular rows keep the world's";
+}
+
+TEST_F(Readings, universal_angles_turn_body_1_and_the_cross)
+{
+    const dJointID j = dJointCreateUniversal(rig.id(), nullptr);
+    Rig::join(j, a, b);
+    dJointSetUniversalAxis1(j, 1, 0, 0);
+    dJointSetUniversalAxis2(j, 0, 1, 0);
+    Rig::place(a, {0, 0, 0}, turn(kX, Real(0.2)));
+    EXPECT_NEAR(dJointGetUniversalAngle1(j), 0.2, kNear);
+    EXPECT_NEAR(dJointGetUniversalAngle2(j), 0, kNear);
+    Rig::place(b, {2, 0, 0}, turn(kY, Real(-0.4)));
+    dReal angle1, angle2;
+    dJointGetUniversalAngles(j, &angle1, &angle2);
+    EXPECT_NEAR(angle1, 0.2, kNear);
+    EXPECT_NEAR(angle2, 0.4, kNear);
+}
+
+TEST_F(Readings, universal_reversed_exchanges_axes_angles_and_torques)
+{
+    const dJointID j = dJointCreateUniversal(rig.id(), nullptr);
+    Rig::join(j, nullptr, a);
+    dJointSetUniversalAxis1(j, 1, 0, 0);
+    dJointSetUniversalAxis2(j, 0, 1, 0);
+    Rig::place(a, {0, 0, 0}, turn(kY, Real(0.3)));
+    EXPECT_NEAR(dJointGetUniversalAngle1(j), 0, kNear);
+    EXPECT_NEAR(dJointGetUniversalAngle2(j), -0.3, kNear);
+    dJointAddUniversalTorques(j, 1, 2);
+    EXPECT_NEAR(a->tacc[0], -1, kNear);
+    EXPECT_NEAR(a->tacc[1], -2, kNear);
+}
+
+TEST_F(Readings, universal_offsets_read_as_given_in_every_attachment)
+{
+    for (int way = 0; way < 3; ++way) {
+        Rig::place(a, {0, 0, 0}, turn({1, 2, 3}, 1));
+        const dJointID j = dJointCreateUniversal(rig.id(), nullptr);
+        Rig::join(j, way == 2 ? nullptr : a, way == 1 ? nullptr : b);
+        dJointSetUniversalAxis1(j, 1, 0, 0);
+        dJointSetUniversalAxis2Offset(j, 0, 1, 0, Real(0.2), Real(0.4));
+        EXPECT_NEAR(dJointGetUniversalAngle1(j), 0.2, kNear) << way;
+        EXPECT_NEAR(dJointGetUniversalAngle2(j), 0.4, kNear) << way;
+    }
+}
+
+struct Wheel : Readings {
+    dJointID j = dJointCreateHinge2(rig.id(), nullptr);
+    void SetUp() override
+    {
+        Rig::join(j, a, b);
+        dJointSetHinge2Anchor(j, 2, 0, 0);
+        const dReal steering[4] = {0, 0, 1, 0}, spin[4] = {0, 1, 0, 0};
+        dJointSetHinge2Axes(j, steering, spin);
+    }
+};
+
+TEST_F(Wheel, turns_with_its_own_sign_and_rates_with_the_other)
+{
+    Rig::place(b, {2, 0, 0}, turn(kY, Real(0.3)));
+    Rig::velocity(b, {}, {0, 1, 0});
+    EXPECT_NEAR(dJointGetHinge2Angle2(j), 0.3, kNear);
+    EXPECT_NEAR(dJointGetHinge2Angle2Rate(j), -1, kNear);
+    Rig::place(b, {2, 0, 0}, turn(kZ, Real(-0.2)));
+    EXPECT_NEAR(dJointGetHinge2Angle1(j), 0.2, kNear);
+}
+
+TEST_F(Wheel, suspension_is_soft_along_the_steering_axis_only)
+{
+    dJointSetHinge2Param(j, dParamSuspensionERP, Real(0.5));
+    dJointSetHinge2Param(j, dParamSuspensionCFM, Real(0.01));
+    Rig::place(b, {Real(2.1), 0, Real(0.1)});
+    const std::vector<Row> rows = rig.emit(j).rows;
+    EXPECT_NEAR(rig.c(rows[0]), 5, 1e-4);
+    EXPECT_TRUE(rows[0].soft);
+    EXPECT_EQ(rows[0].cfm, Real(0.01));
+    EXPECT_EQ(rows[1].cfm, rig.info.cfm);
+    EXPECT_NEAR(std::fabs(rig.c(rows[1])) + std::fabs(rig.c(rows[2])), 2, 1e-4);
+}
+
+TEST_F(Wheel, refuses_axes_that_leave_it_undefined)
+{
+    const dReal up[4] = {0, 0, 5, 0}, zero[4] = {0, 0, 0, 0};
+    dJointSetHinge2Axes(j, nullptr, up);
+    dJointSetHinge2Axes(j, zero, nullptr);
+    dJointSetHinge2Axes(j, nullptr, nullptr);
+    dJointGetHinge2Axis2(j, r);
+    EXPECT_EQ(r[1], 1);
+    const dJointID unattached = dJointCreateHinge2(rig.id(), nullptr);
+    dJointSetHinge2Axes(unattached, up, nullptr);
+    dJointGetHinge2Axis1(unattached, r);
+    EXPECT_EQ(r[1], 0);
+    EXPECT_EQ(dJointGetHinge2Angle1(unattached), 0);
+}
+
+TEST_F(Wheel, never_tests_stops_on_the_wheel)
+{
+    dJointSetHinge2Param(j, dParamLoStop2, Real(0.5));
+    dJointSetHinge2Param(j, dParamHiStop2, Real(0.6));
+    EXPECT_EQ(rig.emit(j).rows.size(), 4u);
+    dJointSetHinge2Param(j, dParamFMax2, 3);
+    EXPECT_EQ(rig.emit(j).rows.size(), 5u);
+    EXPECT_EQ(dJointGetHinge2Param(j, dParamFMax), 0);
+}
+
+TEST_F(Readings, euler_motor_separates_the_three_turns)
+{
+    for (const bool reversed : {false, true}) {
+        Rig::place(a, {0, 0, 0});
+        const dJointID j = dJointCreateAMotor(rig.id(), nullptr);
+        reversed ? Rig::join(j, nullptr, a) : Rig::join(j, a);
+        dJointSetAMotorMode(j, dAMotorEuler);
+        dJointSetAMotorAxis(j, 0, 1, 1, 0, 0);
+        dJointSetAMotorAxis(j, 2, 2, 0, 0, 1);
+        EXPECT_EQ(dJointGetAMotorNumAxes(j), 3);
+        EXPECT_EQ(dJointGetAMotorAxisRel(j, 0), 1);
+        const Vec3 axes[3] = {kX, kY, kZ};
+        for (int k = 0; k < 3; ++k) {
+            Rig::place(a, {0, 0, 0}, turn(axes[k], Real(0.2)));
+            Rig::velocity(a, {}, axes[k]);
+            rig.emit(j);
+            for (int i = 0; i < 3; ++i) {
+                const Real sign = reversed ? -1 : 1;
+                EXPECT_NEAR(dJointGetAMotorAngle(j, i), i == k ? sign * Real(0.2) : 0, kNear) << k << i;
+                EXPECT_NEAR(dJointGetAMotorAngleRate(j, i), i == k ? sign : 0, 0.3 * (i != k) + kNear);
+            }
+        }
+    }
+}
+
+TEST_F(Readings, euler_stops_restrain_in_both_attachments)
+{
+    for (const bool reversed : {false, true}) {
+        Rig::place(a, {0, 0, 0});
+        const dJointID j = dJointCreateAMotor(rig.id(), nullptr);
+        reversed ? Rig::join(j, nullptr, a) : Rig::join(j, a);
+        dJointSetAMotorMode(j, dAMotorEuler);
+        dJointSetAMotorAxis(j, 0, 1, 1, 0, 0);
+        dJointSetAMotorAxis(j, 2, 2, 0, 0, 1);
+        dJointSetAMotorParam(j, dParamLoStop, Real(-0.1));
+        dJointSetAMotorParam(j, dParamHiStop, Real(0.1));
+        Rig::place(a, {0, 0, 0}, turn(kX, Real(0.2)));
+        const Emitted e = rig.emit(j);
+        ASSERT_EQ(e.rows.size(), 1u);
+        EXPECT_NEAR(e.rows[0].ang1.x, 1, kNear);
+        EXPECT_NEAR(rig.c(e.rows[0]), -2, 1e-4) << "back towards the range";
+    }
+}
+
+TEST_F(Readings, user_motor_stores_axes_where_they_are_fixed)
+{
+    const dJointID j = dJointCreateAMotor(rig.id(), nullptr);
+    Rig::join(j, a, b);
+    dJointSetAMotorNumAxes(j, 2);
+    dJointSetAMotorAxis(j, 0, 1, 0, 2, 0);
+    dJointSetAMotorAxis(j, 1, 2, 0, 0, 1);
+    Rig::place(a, {0, 0, 0}, turn(kZ, kPi / 2));
+    dJointGetAMotorAxis(j, 0, r);
+    EXPECT_NEAR(r[0], -1, kNear);
+    dJointSetAMotorAngle(j, 1, Real(0.5));
+    dJointSetAMotorParam(j, dParamHiStop2, Real(0.4));
+    const Emitted e = rig.emit(j);
+    ASSERT_EQ(e.rows.size(), 1u);
+    EXPECT_NEAR(e.rows[0].error, -0.1, kNear);
+    dJointAddAMotorTorques(j, 1, 2, 4);
+    EXPECT_NEAR(b->tacc[0], 1, kNear);
+    EXPECT_NEAR(b->tacc[2], -2, kNear) << "the third axis is not in use";
+    dJointSetAMotorNumAxes(j, 4);
+    EXPECT_EQ(dJointGetAMotorNumAxes(j), 2);
+    dJointSetAMotorAxis(j, 3, 0, 1, 0, 0);
+    EXPECT_EQ(dJointGetAMotorAngle(j, -1), 0);
+}
+
+TEST_F(Readings, wrong_types_stale_handles_and_bad_numbers_change_nothing)
+{
+    const dJointID ball = dJointCreateBall(rig.id(), nullptr), hinge = dJointCreateHinge(rig.id(), nullptr);
+    Rig::join(hinge, a);
+    dJointSetHingeAxis(hinge, 0, 0, 1);
+    EXPECT_EQ(dJointGetHingeAngle(ball), 0);
+    EXPECT_EQ(dJointGetHingeAngle(nullptr), 0);
+    EXPECT_EQ(dJointGetSliderPosition(hinge), 0);
+    dJointSetHingeAxis(hinge, 0, 0, 0);
+    dJointSetHingeAxis(hinge, std::numeric_limits<Real>::quiet_NaN(), 0, 1);
+    dJointGetHingeAxis(hinge, r);
+    EXPECT_EQ(r[2], 1);
+    dJointSetHingeAnchor(hinge, kInf, 0, 0);
+    dJointGetHingeAnchor(hinge, r);
+    EXPECT_EQ(r[0], 0);
+    dJointGetHingeAnchor(hinge, nullptr);
+    dJointAddHingeTorque(hinge, kInf);
+    EXPECT_EQ(a->tacc[2], 0);
+    destroy_joint(*from_handle<Joint>(ball));
+    dJointSetBallAnchor(ball, 1, 2, 3);
+    EXPECT_EQ(dJointGetBallParam(ball, dParamERP), 0);
+    EXPECT_EQ(dJointCreateBall(nullptr, nullptr), nullptr);
+}
+
+TEST_F(Readings, readings_of_a_joint_without_bodies_are_zero)
+{
+    const dJointID hinge = dJointCreateHinge(rig.id(), nullptr), slider = dJointCreateSlider(rig.id(), nullptr);
+    const dJointID universal = dJointCreateUniversal(rig.id(), nullptr);
+    EXPECT_EQ(dJointGetHingeAngle(hinge) + dJointGetHingeAngleRate(hinge), 0);
+    EXPECT_EQ(dJointGetSliderPosition(slider) + dJointGetSliderPositionRate(slider), 0);
+    EXPECT_EQ(dJointGetUniversalAngle1(universal) + dJointGetUniversalAngle2Rate(universal), 0);
+    dJointAddHingeTorque(hinge, 1);
+    dJointAddSliderForce(slider, 1);
+    dJointAddUniversalTorques(universal, 1, 1);
+    dJointSetSliderAxis(slider, 1, 0, 0);
+}
+
+}  // namespace
+}  // namespace epode::test
