@@ -50,10 +50,10 @@ bool ActiveSet::solve(ExactProblem& problem, BoxState& state, const ActiveSetSet
         if (progress) fewest = wrong, patience = kPatience;
         if (!progress && patience-- <= 0) {
             if (!settings.single_flips) return false;
-            flip(state, wrong_[std::size_t(wrong) - 1]);
+            state.flip(wrong_[std::size_t(wrong) - 1]);
             continue;
         }
-        for (int k = 0; k < wrong; ++k) flip(state, wrong_[std::size_t(k)]);
+        for (int k = 0; k < wrong; ++k) state.flip(wrong_[std::size_t(k)]);
     }
     return false;
 }
@@ -121,15 +121,6 @@ int ActiveSet::find_wrong(const ExactProblem& problem, const BoxState& state)
         if (wrong) wrong_[std::size_t(count++)] = int(i);
     }
     return count;
-}
-
-void ActiveSet::flip(BoxState& state, int i)
-{
-    const auto k = std::size_t(i);
-    if (state.tag[k] != BoxState::kFree)
-        state.tag[k] = BoxState::kFree;
-    else
-        state.tag[k] = state.p[k] < state.lo[k] ? BoxState::kLower : BoxState::kUpper;
 }
 
 }  // namespace epode

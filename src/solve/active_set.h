@@ -26,7 +26,6 @@ class ActiveSet {
     void settle(const ExactProblem& problem, BoxState& state);
     void refine(ExactProblem& problem, BoxState& state);
     int find_wrong(const ExactProblem& problem, const BoxState& state);
-    static void flip(BoxState& state, int i);
 
     std::span<double> D_, r_, r2_;
     std::span<int> wrong_;

@@ -8,7 +8,7 @@
 //   2. all rows, with limits  hi = mu |p1[parent]|,  lo = -hi, frozen     -> p
 //
 // Phase 1 must be exact including the split among redundant contacts, since phase 2 inherits it as limits.
-// Per phase: active set from the warm start, interior point where the guess does not settle, then the active
+// Per phase: active set from the warm start (on the dense dual matrix for small islands), interior point where the guess does not settle, then the active
 // set again from its tags; the better answer by natural residual counts. Nothing is ever printed.
 // The alternative, Dantzig's principal pivoting on the dense J M^-1 J^T, is what ODE does: cubic in the rows,
 // and a pivot near zero on redundant contacts ends it.
@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include "solve/active_set.h"
+#include "solve/dense_active_set.h"
 #include "solve/interior_point.h"
 #include "solve/residual.h"
 #include "solve/solver.h"
@@ -32,6 +33,7 @@ class DirectSolve {
     bool prepare(RowSystem& system, Arena& arena)
     {
         const int m = int(system.rows.size());
+        small_ = m <= DenseActiveSet::kMostRows;
         if (!problem_.build(system, arena)) return false;
         state_.lo = arena.take<double>(m);
         state_.hi = arena.take<double>(m);
@@ -40,7 +42,7 @@ class DirectSolve {
         state_.v = arena.take<double>(problem_.unknowns());
         kept_ = arena.take<double>(m);
         scratch_ = arena.take<double>(problem_.unknowns());
-        return !arena.failed() && active_.prepare(problem_, arena);
+        return !arena.failed() && (small_ ? dense_.prepare(problem_, system.blocks, arena) : prepare_sparse(system, arena));
     }
 
     // Both phases; false: out of memory.
@@ -48,13 +50,13 @@ class DirectSolve {
     {
         const bool friction = set_bounds_without_friction(system);
         for (std::size_t i = 0; i < state_.p.size(); ++i) guess(i, double(system.numbers[i].p));
-        if (!solve_phase(arena, report)) return false;
+        if (!solve_phase(system, arena, report)) return false;
         if (friction) {
             for (std::size_t i = 0; i < state_.p.size(); ++i)
                 if (system.numbers[i].parent >= 0) freeze_limit(i, system);
-            if (!solve_phase(arena, report)) return false;
+            if (!solve_phase(system, arena, report)) return false;
         }
-        problem_.store(system, state_.p);
+        problem_.store(system, state_.p, scratch_);
         if (want_residual) report.residual = Real(problem_.residual(state_, scratch_));
         return true;
     }
@@ -97,10 +99,20 @@ class DirectSolve {
         }
     }
 
-    bool solve_phase(Arena& arena, SolveReport& report)
+    bool prepare_sparse(const RowSystem& system, Arena& arena)
     {
-        if (active_.solve(problem_, state_, {kQuickRounds, false}, report.iterations)) return true;
+        sparse_ready_ = problem_.build_factor(system, arena) && active_.prepare(problem_, arena);
+        return sparse_ready_;
+    }
+
+    bool solve_phase(const RowSystem& system, Arena& arena, SolveReport& report)
+    {
+        const ActiveSetSettings settings{kQuickRounds, false};
+        if (small_ ? dense_.solve(problem_, state_, settings, report.iterations)
+                   : active_.solve(problem_, state_, settings, report.iterations))
+            return true;
         report.fallback = true;
+        if (!sparse_ready_ && !prepare_sparse(system, arena)) return false;
         if (!interior_ready_ && !(interior_ready_ = interior_.prepare(problem_, arena))) return false;
         interior_.solve(problem_, state_, kInteriorTolerance, report.iterations);
         keep_better_of_polish(report);
@@ -125,8 +137,10 @@ class DirectSolve {
 
     ExactProblem problem_;
     ActiveSet active_;
+    DenseActiveSet dense_;
     InteriorPoint interior_;
-    bool interior_ready_ = false;
+    bool small_ = false;  // few rows: the dense matrix first
+    bool sparse_ready_ = false, interior_ready_ = false;
     BoxState state_;
     std::span<double> kept_, scratch_;
 };

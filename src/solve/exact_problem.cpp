@@ -42,7 +42,7 @@ void add_outer(double* block, double s, const double* x, const double* y)
 bool ExactProblem::build(const RowSystem& system, Arena& arena)
 {
     rows_ = arena.take<ExactRow>(int(system.rows.size()));
-    if (arena.failed() || !number_bodies(system, arena) || !slot_pairs(system, arena)) return false;
+    if (arena.failed() || !number_bodies(system, arena)) return false;
     fill_rows(system);
     return true;
 }
@@ -73,7 +73,7 @@ bool ExactProblem::number_bodies(const RowSystem& system, Arena& arena)
     return true;
 }
 
-bool ExactProblem::slot_pairs(const RowSystem& system, Arena& arena)
+bool ExactProblem::build_factor(const RowSystem& system, Arena& arena)
 {
     const int blocks = int(system.blocks.size());
     auto pairs = arena.take<BodyPair>(blocks);
@@ -121,7 +121,6 @@ void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock&
     out.c = n.c;
     out.C = n.C;
     out.b = -1;
-    std::fill_n(out.J, 12, 0.0);
     const auto take = [&](int island_body, Vec3 lin, Vec3 ang) {
         if (island_body < 0) return;
         const SolverBody& s = system.bodies[std::size_t(island_body)];
@@ -150,6 +149,17 @@ void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock&
     }
     out.d = mobility + out.C;
     out.weight_min = 1e-11 * out.d;
+}
+
+void ExactProblem::response(const ExactRow& row, double* twelve) const
+{
+    for (int k = 0; k < 2; ++k) {
+        const int index = k == 0 ? row.a : row.b;
+        if (index < 0) return;
+        const BodyMass& mass = masses_[std::size_t(index)];
+        for (int i = 0; i < 3; ++i) twelve[6 * k + i] = mass.inv_mass * row.J[6 * k + i];
+        multiply(mass.inv_I, row.J + 6 * k + 3, twelve + 6 * k + 3);
+    }
 }
 
 int ExactProblem::factor(std::span<const double> D)
@@ -221,17 +231,15 @@ double ExactProblem::residual(const BoxState& state, std::span<double> v) const
     return worst / scale_;
 }
 
-void ExactProblem::store(RowSystem& system, std::span<const double> p) const
+void ExactProblem::store(RowSystem& system, std::span<const double> p, std::span<double> v) const
 {
     for (std::size_t i = 0; i < rows_.size(); ++i) system.numbers[i].p = Real(p[i]);
-    // From the impulses, not from the iterate: momentum is then conserved to rounding.
-    for (std::size_t k = 0; k < system.blocks.size(); ++k) {
-        const RowBlock& block = system.blocks[k];
-        SolverBody& a = system.bodies[std::size_t(block.body1)];
-        SolverBody* b = block.body2 >= 0 ? &system.bodies[std::size_t(block.body2)] : nullptr;
-        for (int i = block.first; i < block.first + block.count; ++i)
-            if (p[std::size_t(i)] != 0)
-                apply_impulse(system.rows[std::size_t(i)], Real(p[std::size_t(i)]), a, b);
+    velocities(p, v);
+    for (std::size_t k = 0; k < dynamic_.size(); ++k) {
+        if (dynamic_[k] < 0) continue;
+        const double* six = v.data() + 6 * dynamic_[k];
+        system.bodies[k].v = {Real(six[0]), Real(six[1]), Real(six[2])};
+        system.bodies[k].w = {Real(six[3]), Real(six[4]), Real(six[5])};
     }
 }
 

@@ -32,12 +32,20 @@ struct BoxState {
     enum Tag : unsigned char { kLower, kFree, kUpper, kFixed };
     std::span<double> lo, hi, p, v;
     std::span<Tag> tag;
+
+    // The other side of a wrong guess: a bound row becomes free, a free one goes to the bound it has passed.
+    void flip(int i)
+    {
+        const auto k = std::size_t(i);
+        tag[k] = tag[k] != kFree ? kFree : p[k] < lo[k] ? kLower : kUpper;
+    }
 };
 
 class ExactProblem {
   public:
-    // False: out of memory.
+    // False: out of memory. The factor of H is prepared by a call of its own: not every method needs it.
     bool build(const RowSystem& system, Arena& arena);
+    bool build_factor(const RowSystem& system, Arena& arena);
 
     int row_count() const { return int(rows_.size()); }
     int unknowns() const { return int(v_star_.size()); }
@@ -55,11 +63,17 @@ class ExactProblem {
     static double jv(const ExactRow& row, const double* v);             // J v
     static void add_jt(const ExactRow& row, double s, double* x);       // x += J^T s
 
+    // M^-1 J^T of one row, and what an impulse there adds to J v of another one.
+    void response(const ExactRow& row, double* twelve) const;
+    static double coupling(const ExactRow& row, const double* response, const ExactRow& other);
+    double needed_velocity(int i) const { return row(i).c - jv(row(i), v_star_.data()); }  // c - J v*
+
     // Natural residual, relative to scale(), for bounds lo and hi; `v` is scratch.
     double residual(const BoxState& state, std::span<double> v) const;
 
-    // The answer into the system: velocities of dynamic bodies and impulses.
-    void store(RowSystem& system, std::span<const double> p) const;
+    // The answer into the system: impulses, and velocities from the impulses rather than from the iterate, so
+    // that momentum is conserved to rounding. `v` is scratch.
+    void store(RowSystem& system, std::span<const double> p, std::span<double> v) const;
 
   private:
     struct BodyMass {
@@ -72,7 +86,6 @@ class ExactProblem {
     };
 
     bool number_bodies(const RowSystem& system, Arena& arena);
-    bool slot_pairs(const RowSystem& system, Arena& arena);
     void fill_rows(const RowSystem& system);
     void fill_row(const Row& row, const RowNumbers& n, const RowBlock& block, const RowSystem& system,
                   ExactRow& out) const;
@@ -96,6 +109,20 @@ inline double ExactProblem::jv(const ExactRow& row, const double* v)
     };
     const double s = six(row.J, v + 6 * row.a);
     return row.b < 0 ? s : s + six(row.J + 6, v + 6 * row.b);
+}
+
+inline double ExactProblem::coupling(const ExactRow& row, const double* response, const ExactRow& other)
+{
+    const auto six = [](const double* J, const double* x) {
+        return J[0] * x[0] + J[1] * x[1] + J[2] * x[2] + J[3] * x[3] + J[4] * x[4] + J[5] * x[5];
+    };
+    double s = 0;
+    if (other.a == row.a) s += six(other.J, response);
+    if (row.b >= 0 && other.a == row.b) s += six(other.J, response + 6);
+    if (other.b < 0) return s;
+    if (other.b == row.a) s += six(other.J + 6, response);
+    if (other.b == row.b) s += six(other.J + 6, response + 6);
+    return s;
 }
 
 inline void ExactProblem::add_jt(const ExactRow& row, double s, double* x)
