@@ -19,18 +19,21 @@ namespace {
 constexpr Real kFacePreference = kSingle ? Real(1e-5) : Real(1e-9);
 constexpr Real kCoarse = Real(2e-6);  // of the size: how near the polytope must come before polishing
 
-// A direction and its opposite; false when one proves the shapes apart.
+bool symmetric(const ConvexView& v) { return v.face_axes != 0 || v.edge_axes != 0; }
+
+// The better sign of a direction; false when it proves the shapes apart. Shapes that name their axes are symmetric
+// about their centres, so the sign against the line of centres is the better one.
 bool offer(const ConvexView& a, const ConvexView& b, Vec3 n, Real handicap, Real enough, Overlap& best)
 {
-    for (const Vec3 m : {n, -n}) {
-        const Real h = extent(a, b, m).h;
-        if (h + handicap < best.depth) best.depth = h, best.normal = m;
-    }
+    const Vec3 m = dot(n, b.pose.p - a.pose.p) > 0 ? -n : n;
+    const Real h = extent(a, b, m).h;
+    if (h + handicap < best.depth) best.depth = h, best.normal = m;
     return best.depth >= enough;
 }
 
 bool offer_exact(const ConvexView& a, const ConvexView& b, Real handicap, Real enough, Overlap& best)
 {
+    if (!symmetric(a) || !symmetric(b)) return true;
     for (const ConvexView* v : {&a, &b})
         for (int i = 0; i < 3; ++i)
             if ((v->face_axes >> i & 1) && !offer(a, b, v->pose.R.column(i), v == &a ? 0 : handicap, enough, best))
@@ -115,6 +118,29 @@ void polish_rims(const ConvexView& a, const ConvexView& b, Vec3 n, Real handicap
 
 }  // namespace
 
+namespace {
+
+// Edges that lie nearly across the guess: those the view names, else those of the feature it shows.
+void polish_edges(const ConvexView& v, Vec3 outward, const ConvexView& a, const ConvexView& b, Vec3 guess,
+                  Overlap& best)
+{
+    constexpr Real kAcross = Real(0.1);
+    if (symmetric(v)) {
+        for (int i = 0; i < 3; ++i)
+            if ((v.edge_axes >> i & 1) && std::fabs(dot(v.pose.R.column(i), guess)) < kAcross)
+                polish_about(a, b, v.pose.R.column(i), guess, 0, best);
+        return;
+    }
+    Polygon f;
+    v.feature(outward, f);
+    for (int i = 0; i < f.count && f.count > 1; ++i) {
+        Vec3 edge = f.points[i + 1 < f.count ? i + 1 : 0] - f.points[i];
+        if (normalize(edge) && std::fabs(dot(edge, guess)) < kAcross) polish_about(a, b, edge, guess, 0, best);
+    }
+}
+
+}  // namespace
+
 Overlap least_overlap(const ConvexView& a, const ConvexView& b)
 {
     const Real size = a.size + b.size;
@@ -130,10 +156,8 @@ Overlap least_overlap(const ConvexView& a, const ConvexView& b)
     const Vec3 guess = coarse.normal;
     if (!polishable) return coarse;
     best = coarse.depth + handicap < best.depth ? coarse : best;
-    for (const ConvexView* v : {&a, &b})
-        for (int i = 0; i < 3; ++i)
-            if ((v->edge_axes >> i & 1) && std::fabs(dot(v->pose.R.column(i), guess)) < Real(0.1))
-                polish_about(a, b, v->pose.R.column(i), guess, 0, best);
+    polish_edges(a, -guess, a, b, guess, best);
+    polish_edges(b, guess, a, b, guess, best);
     if (a.rim_radius > 0 && b.rim_radius > 0) polish_rims(a, b, best.normal, 0, best);
     return best;
 }

@@ -22,7 +22,7 @@ Real rising_root(const Function& f, Real lo, Real at_lo, Real hi, Real at_hi)
         t = lo + width * (bisect ? Real(0.5) : at_lo / (at_lo - at_hi));
         if (!(t > lo && t < hi)) t = Real(0.5) * (lo + hi);
         if (!bisect) {
-            if (t - last <= 2 * kEpsilon && last - t <= 2 * kEpsilon) return t;
+            if (t - last <= 32 * kEpsilon && last - t <= 32 * kEpsilon) return t;
             last = t;
         }
         const Real s = f(t);

@@ -58,37 +58,44 @@ bool roots(Real a, Real b, Real c, Real& lower, Real& upper)
     return true;
 }
 
+// Both quadratics are solved from the point of the line nearest to the solid's centre, so that rays from afar keep
+// their digits.
+Real nearest_to(const Line& line, Vec3 centre) { return dot(centre - line.o, line.d); }
+
 // The infinite tube of radius r about z.
 void cut_tube(const Line& line, Real r, Interval& in)
 {
-    const Real a = line.d.x * line.d.x + line.d.y * line.d.y;
-    // From the point of the line nearest to the axis, so that far origins keep their digits.
-    const Real t0 = a > 0 ? -(line.o.x * line.d.x + line.o.y * line.d.y) / a : Real(0);
-    const Vec3 p = line.at(t0);
-    const Real room = (r - std::sqrt(p.x * p.x + p.y * p.y)) * (r + std::sqrt(p.x * p.x + p.y * p.y));
-    if (room < 0) return in.clear();
-    if (!(a > 4 * kEpsilon * kEpsilon)) return;  // along the axis, inside the tube
-    const Real reach = std::sqrt(room / a);
+    const Real base = nearest_to(line, {});
+    const Vec3 p = line.at(base);
+    const Real a = line.d.x * line.d.x + line.d.y * line.d.y, rho = std::sqrt(p.x * p.x + p.y * p.y);
+    const Real c = (rho - r) * (rho + r);
+    if (!(a > kEpsilon * kEpsilon)) {  // along the axis
+        if (c > 0) in.clear();
+        return;
+    }
+    Real lower, upper;
+    if (!roots(a, p.x * line.d.x + p.y * line.d.y, c, lower, upper)) return in.clear();
     const auto outward = [&](Real t) {
-        const Vec3 q = line.at(t);
+        const Vec3 q = p + t * line.d;
         return normalized_or(Vec3{q.x, q.y, 0}, {1, 0, 0});
     };
-    in.cut(t0 - reach, outward(t0 - reach), t0 + reach, outward(t0 + reach));
+    in.cut(base + lower, outward(lower), base + upper, outward(upper));
 }
 
 // The ball of radius r about c.
 Interval ball(const Line& line, Vec3 c, Real r)
 {
     Interval in;
-    const Vec3 o = line.o - c;
+    const Real base = nearest_to(line, c);
+    const Vec3 p = line.at(base) - c;
+    const Real distance = length(p);
     Real lower, upper;
-    if (!roots(length2(line.d), dot(o, line.d), length2(o) - r * r, lower, upper)) {
+    if (!roots(length2(line.d), dot(p, line.d), (distance - r) * (distance + r), lower, upper)) {
         in.clear();
         return in;
     }
-    in.enter = lower, in.leave = upper;
-    in.enter_normal = normalized_or(o + lower * line.d, {1, 0, 0});
-    in.leave_normal = normalized_or(o + upper * line.d, {1, 0, 0});
+    in.cut(base + lower, normalized_or(p + lower * line.d, {1, 0, 0}), base + upper,
+           normalized_or(p + upper * line.d, {1, 0, 0}));
     return in;
 }
 

@@ -89,7 +89,7 @@ TEST(Closest, StretchAboveAFaceGivesItsMiddle)
 
 TEST(RisingRoot, FindsKinksAndSmoothRoots)
 {
-    const auto kink = [](Real t) { return t < Real(0.3) ? Real(-1e-7) : t - Real(0.3); };
+    const auto kink = [](Real t) { return t < Real(0.3) ? -1000 * kEpsilon : t - Real(0.3); };
     EXPECT_NEAR(rising_root(kink, Real(0), kink(0), Real(1), kink(1)), Real(0.3), Real(1e-6));
     int calls = 0;
     const auto smooth = [&calls](Real t) { return ++calls, t * t * t + t - 1; };

@@ -156,6 +156,25 @@ TEST(Convex, InflatedCoresUseTheirDistance)
     }
 }
 
+TEST(Convex, CylinderOnHullIsAsExactAsCylinderOnBox)
+{
+    Dice dice{std::mt19937_64(7)};
+    int hits = 0;
+    for (int i = 0; i < 500; ++i) {
+        const Box box = {dice.point(Real(0.2), 1)};
+        const Hull hull = hull_of(box);
+        const Cylinder c = {dice.between(Real(0.2), 1), dice.between(Real(0.2), 1)};
+        const Pose A = dice.pose(1), B = dice.pose(Real(0.5));
+        const Overlap on_box = least_overlap(view_of(c, A), view_of(box, B));
+        const Overlap on_hull = least_overlap(view_of(c, A), view_of_hull(hull, B));
+        EXPECT_EQ(on_box.depth < -kTight, on_hull.depth < -kTight);
+        if (on_box.depth < 0) continue;
+        ++hits;
+        EXPECT_NEAR(on_box.depth, on_hull.depth, kSingle ? Real(1e-3) : Real(1e-5));
+    }
+    EXPECT_GT(hits, 100);
+}
+
 TEST(Convex, CylinderNormalsAreExact)
 {
     Dice dice{std::mt19937_64(6)};
