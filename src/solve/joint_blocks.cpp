@@ -121,7 +121,7 @@ void JointBlocks::visit(const JointBlock& block, std::span<Velocity> bodies, boo
 {
     JointRow* rows = &rows_[std::size_t(block.first)];
     Velocity &a = bodies[std::size_t(block.body1)], &b = bodies[std::size_t(block.body2)];
-    Real residual[kMaxJointRows], dp[kMaxJointRows];
+    Real residual[kMaxJointRows] = {}, dp[kMaxJointRows] = {};
     for (int i = 0; i < block.count; ++i) {
         const Real c = relax ? rows[i].c_relaxed : rows[i].c;
         dp[i] = residual[i] = c - velocity(rows[i], a, b) - rows[i].C * rows[i].p;
