@@ -76,13 +76,6 @@ void mark_moved(Geom& geom)
     }
 }
 
-void write_own_pose(Geom& geom, const Pose& pose)
-{
-    store(geom.own_position, pose.p);
-    store_mat(geom.own_rotation, pose.R);
-    mark_moved(geom);
-}
-
 void link_body(Geom& geom, const BodyLink& link)
 {
     geom.body = link;

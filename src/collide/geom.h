@@ -28,6 +28,7 @@ struct GeomType {
     bool (*zero_sized)(const Geom& geom) = nullptr;      // spaces ignore such geoms; null: never
     void (*destroy)(Geom* geom) = nullptr;               // runs the destructor, gives the memory back
     bool (*may_touch)(Geom& geom, Geom& other) = nullptr;  // a last look before a pair is reported; null: yes
+    int (*control)(Geom& geom, int control_class, int code, void* data, int* size) = nullptr;  // null: none
 };
 
 // Where the body keeps what its geoms need; all null when there is none.
@@ -94,9 +95,6 @@ const Aabb& box_of(Geom& geom);
 
 // The pose or the shape has changed.
 void mark_moved(Geom& geom);
-
-// Writes the pose of a geom without a body.
-void write_own_pose(Geom& geom, const Pose& pose);
 
 // ---- body and offset; `link.first_geom` gets the geom in front ----
 void link_body(Geom& geom, const BodyLink& link);

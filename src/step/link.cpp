@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Placing a geom that has an offset o on its body: body = pose * o^-1, so that body * o = pose.
+// Placing a geom with an offset (p_o, R_o) at (p, R): its body gets R R_o^T and p - R_body p_o.
 #include "step/link.h"
 
 #include "math/rotation.h"
@@ -11,11 +11,7 @@ namespace {
 
 Geom* first_geom(const Body& body) { return from_handle<Geom>(body.first_geom); }
 
-Pose inverse(const Pose& pose)
-{
-    const Mat3 Rt = transpose(pose.R);
-    return {-(Rt * pose.p), Rt};
-}
+Vec3 offset_position(const Geom& geom) { return geom.offset ? load(geom.offset->position) : Vec3{}; }
 
 }  // namespace
 
@@ -50,20 +46,34 @@ bool in_locked_space(const Body& body)
     return false;
 }
 
-void place_geom(Geom& geom, const Pose& pose)
+void set_geom_position(Geom& geom, Vec3 position)
+{
+    if (Body* body = body_of(geom)) {
+        store(body->pos, position - body->rotation() * offset_position(geom));
+        body_moved(*body);
+    } else {
+        store(geom.own_position, position);
+        mark_moved(geom);
+    }
+}
+
+bool set_geom_rotation(Geom& geom, const Mat3& R)
 {
     Body* body = body_of(geom);
     if (!body) {
-        write_own_pose(geom, pose);
-        return;
+        store_mat(geom.own_rotation, R);
+        mark_moved(geom);
+        return true;
     }
-    const Pose target =
-        geom.offset ? pose * inverse(load_pose(geom.offset->position, geom.offset->rotation)) : pose;
-    store(body->pos, target.p);
-    Mat3 R = target.R;
-    Quat q;
-    if (orthonormalize(R) && normalize(q = to_quat(R))) set_orientation(*body, q);
-    body_moved(*body);
+    Mat3 target = geom.offset ? R * transpose(load_mat(geom.offset->rotation)) : R;
+    if (!orthonormalize(target)) return false;
+    const Vec3 position = pose_of(geom).p;
+    Quat q = to_quat(target);
+    normalize(q);
+    store_quat(body->q, q);
+    store_mat(body->R, target);
+    set_geom_position(geom, position);
+    return true;
 }
 
 }  // namespace epode

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What all spaces have in common.
+#include "collide/registry.h"
+
+using namespace epode;
+
+extern "C" {
+
+void dSpaceDestroy(dSpaceID id)
+{
+    EPODE_SPACE(space, id);
+    EPODE_USER_SAY(may_destroy(*space), EPODE_LOCKED_TEXT);
+    destroy_geom(*space);
+}
+
+void dSpaceSetCleanup(dSpaceID id, int mode)
+{
+    EPODE_SPACE(space, id);
+    space->cleanup = mode != 0;
+}
+
+int dSpaceGetCleanup(dSpaceID id)
+{
+    EPODE_SPACE(space, id, 0);
+    return space->cleanup;
+}
+
+void dSpaceSetSublevel(dSpaceID id, int sublevel)
+{
+    EPODE_SPACE(space, id);
+    space->sublevel = sublevel;
+}
+
+int dSpaceGetSublevel(dSpaceID id)
+{
+    EPODE_SPACE(space, id, 0);
+    return space->sublevel;
+}
+
+void dSpaceSetManualCleanup(dSpaceID id, int mode)
+{
+    EPODE_SPACE(space, id);
+    space->manual_cleanup = mode != 0;
+}
+
+int dSpaceGetManualCleanup(dSpaceID id)
+{
+    EPODE_SPACE(space, id, 0);
+    return space->manual_cleanup;
+}
+
+void dSpaceAdd(dSpaceID id, dGeomID geom_id)
+{
+    EPODE_SPACE(space, id);
+    EPODE_GEOM(geom, geom_id);
+    EPODE_USER_SAY(space->locks == 0, EPODE_LOCKED_TEXT);
+    EPODE_USER_SAY(!geom->space, "geom is already in a space");
+    EPODE_USER_SAY(!geom->holders, "GeomTransform encapsulated object must not be in a space");
+    EPODE_USER_SAY(!is_space(*geom) || !is_inside(*space, static_cast<Space&>(*geom)),
+                   "a space cannot be put inside itself");
+    EPODE_USER_SAY(add_member(*space, *geom), "out of memory");
+}
+
+void dSpaceRemove(dSpaceID id, dGeomID geom_id)
+{
+    EPODE_SPACE(space, id);
+    EPODE_GEOM(geom, geom_id);
+    EPODE_USER_SAY(space->locks == 0, EPODE_LOCKED_TEXT);
+    EPODE_USER_SAY(geom->space == space, "object is not in this space");
+    remove_member(*space, *geom);
+}
+
+int dSpaceQuery(dSpaceID id, dGeomID geom_id)
+{
+    EPODE_SPACE(space, id, 0);
+    EPODE_GEOM(geom, geom_id, 0);
+    return geom->space == space;
+}
+
+void dSpaceClean(dSpaceID id)
+{
+    EPODE_SPACE(space, id);
+    clean(*space);
+}
+
+int dSpaceGetNumGeoms(dSpaceID id)
+{
+    EPODE_SPACE(space, id, 0);
+    return space->count;
+}
+
+dGeomID dSpaceGetGeom(dSpaceID id, int i)
+{
+    EPODE_SPACE(space, id, nullptr);
+    EPODE_USER_SAY(i >= 0 && i < space->count, "index out of range", nullptr);
+    return to_handle(member(*space, i));
+}
+
+int dSpaceGetClass(dSpaceID id)
+{
+    EPODE_SPACE(space, id, -1);
+    return space->type->number;
+}
+
+void dSpaceCollide(dSpaceID id, void* data, dNearCallback* callback)
+{
+    EPODE_SPACE(space, id);
+    EPODE_USER(callback);
+    collide_space(*space, data, callback);
+}
+
+void dSpaceCollide2(dGeomID o1, dGeomID o2, void* data, dNearCallback* callback)
+{
+    EPODE_GEOM(first, o1);
+    EPODE_GEOM(second, o2);
+    EPODE_USER(callback);
+    collide_across(*first, *second, data, callback);
+}
+
+}  // extern "C"
