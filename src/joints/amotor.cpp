@@ -4,9 +4,10 @@
 // Angular motor: up to three axes about which the relative rotation has stops and motors; no anchor.
 //   rows  J = [ 0, a, 0, -a ],  a = axis i, given in the world, body 1 or body 2
 // User mode: the client names axes and angles. Euler mode: axis 0 is fixed in body 1, axis 2 in body 2,
-// axis 1 = a2 x a0 / |..|; with references b1 (axis 2 seen from body 1) and b2 (axis 0 seen from body 2) taken
-// when mode or axes are set (body 1 and 2 as the client counts them),
-//   angle0 = -atan2(a2.(a0 x b1), a2.b1),  angle1 = -atan2(a2.a0, a2.(a0 x a1)),  angle2 = -atan2(b2.a1, b2.(a1 x a2))
+// axis 1 = a2 x a0 / |..|; with references b1 (axis 2 seen from body 1) and b2 (axis 0 seen from body 2)
+// taken when mode or axes are set (body 1 and 2 as the client counts them),
+//   angle0 = -atan2(a2.(a0 x b1), a2.b1),  angle1 = -atan2(a2.a0, a2.(a0 x a1)),  angle2 = -atan2(b2.a1,
+//   b2.(a1 x a2))
 // and motors work along a1 x a2, a1, a0 x a1: the directions that change one angle and leave the others.
 #include "joints/access.h"
 #include "math/trig.h"
@@ -81,7 +82,8 @@ void AMotor::update_angles()
 {
     Vec3 a[3];
     plain_axes(a);
-    const Vec3 b1 = direction_to_world(user_body(0), reference1), b2 = direction_to_world(user_body(1), reference2);
+    const Vec3 b1 = direction_to_world(user_body(0), reference1),
+               b2 = direction_to_world(user_body(1), reference2);
     angle[0] = -atan2(dot(a[2], cross(a[0], b1)), dot(a[2], b1));
     angle[1] = -atan2(dot(a[2], a[0]), dot(a[2], cross(a[0], a[1])));
     angle[2] = -atan2(dot(b2, a[1]), dot(b2, cross(a[1], a[2])));
@@ -92,7 +94,8 @@ void AMotor::emit(RowWriter& out)
     if (mode == dAMotorEuler) update_angles();
     Vec3 a[3];
     motor_axes(a);
-    // Attached as (0, B), Euler angles run against the axes; stops act on the internal sense, as a hinge's do.
+    // Attached as (0, B), Euler angles run against the axes; stops act on the internal sense, as a hinge's
+    // do.
     const Real sense = reverse && mode == dAMotorEuler ? Real(-1) : Real(1);
     for (int i = 0; i < count; ++i) motor[i].emit_angular(*this, out, a[i], sense * angle[i]);
 }

@@ -7,10 +7,10 @@
 //   friction   J v  = motion along t1, t2,       |lambda| <= mu   or  mu times the normal force
 //   rolling    the relative angular velocity about t1, t2, n vanishes within the same kind of bounds
 //   J = [ d, r1 x d, -d, -(r2 x d) ] for d = n, t1, t2;   [ 0, d, 0, -d ] for rolling
-// Friction bounds per direction (a pyramid), as ODE's interface defines its coefficients. A rolling coefficient
-// of zero writes no row, where ODE writes an empty one that can stop its exact solver.
-#include "joints/access.h"
+// Friction bounds per direction (a pyramid), as ODE's interface defines its coefficients. A rolling
+// coefficient of zero writes no row, where ODE writes an empty one that can stop its exact solver.
 #include "ode/contact.h"
+#include "joints/access.h"
 
 namespace epode {
 

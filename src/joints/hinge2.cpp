@@ -3,7 +3,8 @@
 //
 // Hinge-2: body 1 a chassis with a steering axis a1, body 2 a wheel with its own axis a2, one common point.
 //   C(x) = d.(x2 + R2 s2 - x1 - R1 s1) = 0     d = a1 (suspension, its own ERP and CFM), then p, q
-//          c0 s - s0 c = 0                     the angle between the axes stays what it was when they were set:
+//          c0 s - s0 c = 0                     the angle between the axes stays what it was when they were
+//          set:
 //   s = |a1 x a2|, c = a1.a2;                  J = [ 0, n, 0, -n ],  n = a1 x a2 / s
 //   stops and motor about a1; motor alone about a2.
 // p, q are perpendicular to a1, so that only the first row is softened. Angle 1 is the turn of body 1 against
@@ -16,8 +17,7 @@ namespace epode {
 struct Hinge2 : Joint {
     static constexpr int kMaxRows = 6;
     static constexpr bool kNeedsTwoBodies = true;
-    Hinge2(const JointType& t, World& w)
-        : Joint(t, w), motor{LimitMotor(w), LimitMotor(w)}, suspension(w) {}
+    Hinge2(const JointType& t, World& w) : Joint(t, w), motor{LimitMotor(w), LimitMotor(w)}, suspension(w) {}
 
     AnchorPair anchor;
     Vec3 axis_local[2] = {{1, 0, 0}, {0, 1, 0}};  // each in its own body
@@ -156,7 +156,10 @@ void dJointSetHinge2Anchor(dJointID id, dReal x, dReal y, dReal z)
     if (Hinge2* j = joint_for_point<Hinge2>(id, {x, y, z})) j->set_anchor({x, y, z});
 }
 
-void dJointSetHinge2Axes(dJointID id, const dReal* axis1, const dReal* axis2) { set_axes(id, axis1, axis2, __func__); }
+void dJointSetHinge2Axes(dJointID id, const dReal* axis1, const dReal* axis2)
+{
+    set_axes(id, axis1, axis2, __func__);
+}
 
 void dJointSetHinge2Axis1(dJointID id, dReal x, dReal y, dReal z)
 {

@@ -21,16 +21,35 @@ LimitMotor::LimitMotor(const World& world) : cfm(world.cfm), stop_erp(world.erp)
 bool LimitMotor::set(int param, Real value)
 {
     switch (param) {
-        case dParamLoStop: lo = value; break;
-        case dParamHiStop: hi = value; break;
-        case dParamVel: vel = value; break;
-        case dParamFMax: if (value >= 0) fmax = value; break;
-        case dParamFudgeFactor: if (value >= 0 && value <= 1) fudge = value; break;
-        case dParamBounce: bounce = value; break;
-        case dParamCFM: cfm = value, cfm_chosen = true; break;
-        case dParamStopERP: stop_erp = value, stop_chosen = true; break;
-        case dParamStopCFM: stop_cfm = value, stop_chosen = true; break;
-        default: return false;
+        case dParamLoStop:
+            lo = value;
+            break;
+        case dParamHiStop:
+            hi = value;
+            break;
+        case dParamVel:
+            vel = value;
+            break;
+        case dParamFMax:
+            if (value >= 0) fmax = value;
+            break;
+        case dParamFudgeFactor:
+            if (value >= 0 && value <= 1) fudge = value;
+            break;
+        case dParamBounce:
+            bounce = value;
+            break;
+        case dParamCFM:
+            cfm = value, cfm_chosen = true;
+            break;
+        case dParamStopERP:
+            stop_erp = value, stop_chosen = true;
+            break;
+        case dParamStopCFM:
+            stop_cfm = value, stop_chosen = true;
+            break;
+        default:
+            return false;
     }
     return true;
 }
@@ -38,16 +57,35 @@ bool LimitMotor::set(int param, Real value)
 bool LimitMotor::get(int param, Real& value) const
 {
     switch (param) {
-        case dParamLoStop: value = lo; break;
-        case dParamHiStop: value = hi; break;
-        case dParamVel: value = vel; break;
-        case dParamFMax: value = fmax; break;
-        case dParamFudgeFactor: value = fudge; break;
-        case dParamBounce: value = bounce; break;
-        case dParamCFM: value = cfm; break;
-        case dParamStopERP: value = stop_erp; break;
-        case dParamStopCFM: value = stop_cfm; break;
-        default: return false;
+        case dParamLoStop:
+            value = lo;
+            break;
+        case dParamHiStop:
+            value = hi;
+            break;
+        case dParamVel:
+            value = vel;
+            break;
+        case dParamFMax:
+            value = fmax;
+            break;
+        case dParamFudgeFactor:
+            value = fudge;
+            break;
+        case dParamBounce:
+            value = bounce;
+            break;
+        case dParamCFM:
+            value = cfm;
+            break;
+        case dParamStopERP:
+            value = stop_erp;
+            break;
+        case dParamStopCFM:
+            value = stop_cfm;
+            break;
+        default:
+            return false;
     }
     return true;
 }
@@ -88,8 +126,10 @@ void LimitMotor::note(Real value, Real rate)
     stop_ = Stop::kNone;
     rebounds_ = false;
     if (!has_stops()) return;
-    if (value <= lo) stop_ = Stop::kLow;
-    else if (value >= hi) stop_ = Stop::kHigh;
+    if (value <= lo)
+        stop_ = Stop::kLow;
+    else if (value >= hi)
+        stop_ = Stop::kHigh;
     const bool hits = (stop_ == Stop::kLow && rate < 0) || (stop_ == Stop::kHigh && rate > 0);
     rebounds_ = hits && bounce > 0 && lo < hi;
     rebound_ = -bounce * rate;

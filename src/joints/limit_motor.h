@@ -9,8 +9,9 @@
 //   lo = hi              J v = erp/h (lo - x),   unbounded: a servo spring through stop ERP and CFM
 //
 // One row serves stop or motor, not both: at a stop the motor's whole force acts as an external force of the
-// step, scaled by the fudge factor when it pulls away (the meaning that ODE's guide gives to dParamFudgeFactor).
-// An unlimited motor that pulls away from a stop keeps the row instead: an infinite force cannot be added.
+// step, scaled by the fudge factor when it pulls away (the meaning that ODE's guide gives to
+// dParamFudgeFactor). An unlimited motor that pulls away from a stop keeps the row instead: an infinite force
+// cannot be added.
 #pragma once
 
 #include "dynamics/joint.h"
@@ -26,12 +27,13 @@ bool usable_param(int param, Real value);
 struct LimitMotor {
     explicit LimitMotor(const World& world);
 
-    bool set(int param, Real value);              // false: unknown here
+    bool set(int param, Real value);  // false: unknown here
     bool get(int param, Real& value) const;
     bool has_stops() const { return lo <= hi && lo < kInf && hi > -kInf && (lo > -kInf || hi < kInf); }
 
-    // At most one row. `value` is read only when there are stops. Whether a stop acts, and how it rebounds, is
-    // decided at the first call of a step and kept at inner poses, so that the number of rows stays the same.
+    // At most one row. `value` is read only when there are stops. Whether a stop acts, and how it rebounds,
+    // is decided at the first call of a step and kept at inner poses, so that the number of rows stays the
+    // same.
     void emit_angular(const Joint& j, RowWriter& out, Vec3 axis, Real angle);
     void emit_linear(const Joint& j, RowWriter& out, Vec3 axis, Real position);
     void emit(const Joint& j, RowWriter& out, const Row& jacobian, Real value, Real rate);

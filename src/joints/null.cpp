@@ -16,4 +16,7 @@ JOINT_DEFINE(Null);
 
 }  // namespace epode
 
-extern "C" dJointID dJointCreateNull(dWorldID w, dJointGroupID g) { return epode::create_joint<epode::Null>(w, g); }
+extern "C" dJointID dJointCreateNull(dWorldID w, dJointGroupID g)
+{
+    return epode::create_joint<epode::Null>(w, g);
+}

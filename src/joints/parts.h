@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The pieces that joints are made of. x1, R1, v1, w1: position, rotation and velocities of the body at node 0;
-// likewise 2, which may be missing: then its frame is the world's. Every error is written so that, with the
-// rows before it satisfied,  d(error)/dt = -J v:  a stepper that asks for J v = (erp/h) error removes it.
+// The pieces that joints are made of. x1, R1, v1, w1: position, rotation and velocities of the body at node
+// 0; likewise 2, which may be missing: then its frame is the world's. Every error is written so that, with
+// the rows before it satisfied,  d(error)/dt = -J v:  a stepper that asks for J v = (erp/h) error removes it.
 //
 //   point row along d         J = [ d,  r1 x d,  -d,  -(r2 x d) ]
 //   angular row about d       J = [ 0,  d,        0,  -d ]
 //   sliding row along d       J = [ d,  a,       -d,   a ],   a = 1/2 (x2 - x1) x d
 //
-// The torque arm of the sliding row splits the couple of the two forces evenly, so no angular momentum is made.
+// The torque arm of the sliding row splits the couple of the two forces evenly, so no angular momentum is
+// made.
 #pragma once
 
 #include "dynamics/joint.h"
@@ -91,7 +92,7 @@ void lock_orientation(const Joint& j, RowWriter& out, Quat zero);
 void lock_axis(const Joint& j, RowWriter& out, const AxisPair& axis);
 
 // ---- forces that a client adds ----
-void add_torque(Joint& j, Vec3 torque);       // on body 1, the opposite on body 2
-void add_sliding_force(Joint& j, Vec3 force); // likewise at the centres, the couple split evenly
+void add_torque(Joint& j, Vec3 torque);        // on body 1, the opposite on body 2
+void add_sliding_force(Joint& j, Vec3 force);  // likewise at the centres, the couple split evenly
 
 }  // namespace epode

@@ -18,13 +18,13 @@ namespace epode {
 template <typename T>
 struct JointTypeOf;
 
-#define JOINT_TYPE(Name, Number)                              \
-    struct Name;                                              \
-    extern const JointType k##Name##Type;                     \
-    template <>                                               \
-    struct JointTypeOf<Name> {                                \
-        static const JointType& get() { return k##Name##Type; } \
-        static constexpr int kNumber = Number;                \
+#define JOINT_TYPE(Name, Number)                                            \
+    struct Name;                                                            \
+    extern const JointType k##Name##Type;                                   \
+    template <>                                                             \
+    struct JointTypeOf<Name> {                                              \
+        static const JointType& get() { return k##Name##Type; }             \
+        static constexpr int kNumber = Number;                              \
         static constexpr const char* kRefusal = "joint type is not " #Name; \
     };
 #include "joints/joint_types.inc"
@@ -33,18 +33,22 @@ struct JointTypeOf;
 // The type with this number of the interface, or null.
 const JointType* joint_type(int number);
 
-// Says in words what a struct lacks to be a joint type. Optional members: bodies_changed(), set_param(int, Real),
-// get_param(int, Real&), kNeedsTwoBodies.
+// Says in words what a struct lacks to be a joint type. Optional members: bodies_changed(), set_param(int,
+// Real), get_param(int, Real&), kNeedsTwoBodies.
 template <typename T>
 consteval bool is_joint_type()
 {
     static_assert(std::is_base_of_v<Joint, T>, "a joint type derives from Joint");
-    static_assert(requires { int{T::kMaxRows}; }, "a joint type states kMaxRows, the most rows it ever writes");
+    static_assert(
+        requires { int{T::kMaxRows}; }, "a joint type states kMaxRows, the most rows it ever writes");
     static_assert(T::kMaxRows <= kMaxJointRows, "a joint type writes at most kMaxJointRows rows");
-    static_assert(requires(T& t, RowWriter& out) { t.emit(out); },
-                  "a joint type writes its rows in void emit(RowWriter&)");
-    static_assert(!requires(T& t, Real v) { t.set_param(0, v); } || requires(const T& t, Real& v) { t.get_param(0, v); },
-                  "a joint type that lets a parameter be set lets it be read: bool get_param(int, Real&) const");
+    static_assert(
+        requires(T & t, RowWriter & out) { t.emit(out); },
+        "a joint type writes its rows in void emit(RowWriter&)");
+    static_assert(
+        !requires(T & t, Real v) { t.set_param(0, v); } ||
+            requires(const T& t, Real& v) { t.get_param(0, v); },
+        "a joint type that lets a parameter be set lets it be read: bool get_param(int, Real&) const");
     return true;
 }
 template <typename T>
@@ -60,11 +64,13 @@ constexpr JointType describe_joint(const char* name)
     type.needs_two_bodies = requires { T::kNeedsTwoBodies; };
     type.emit = [](Joint& j, RowWriter& out) { static_cast<T&>(j).emit(out); };
     type.attached = [](Joint& j) {
-        if constexpr (requires(T& t) { t.bodies_changed(); }) static_cast<T&>(j).bodies_changed();
-        else (void)j;
+        if constexpr (requires(T & t) { t.bodies_changed(); })
+            static_cast<T&>(j).bodies_changed();
+        else
+            (void)j;
     };
     type.set_param = [](Joint& j, int param, Real value) {
-        if constexpr (requires(T& t) { t.set_param(param, value); })
+        if constexpr (requires(T & t) { t.set_param(param, value); })
             return static_cast<T&>(j).set_param(param, value);
         else
             return (void)j, (void)param, (void)value, false;

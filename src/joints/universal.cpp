@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Universal (Cardan) joint: a common point, and an axis a1 fixed in body 1 perpendicular to a2 fixed in body 2.
+// Universal (Cardan) joint: a common point, and an axis a1 fixed in body 1 perpendicular to a2 fixed in
+// body 2.
 //   C(x) = x2 + R2 s2 - x1 - R1 s1 = 0       three rows of a ball
 //          -a1.a2 = 0                        J = [ 0, n, 0, -n ],  n = a1 x a2 / |a1 x a2|
 //   stops and motors along a1 and a2.
@@ -46,7 +47,8 @@ struct Universal : Joint {
     {
         const Real reading[2] = {reading1, -reading2};
         for (int i = 0; i < 2; ++i)
-            zero[i] = hinge_zero(orientation_of(node[i].body), cross_orientation(i), axis_local[i], reading[i]);
+            zero[i] =
+                hinge_zero(orientation_of(node[i].body), cross_orientation(i), axis_local[i], reading[i]);
     }
     void set_user_zero(Real reading1, Real reading2)
     {
@@ -191,7 +193,10 @@ void dJointAddUniversalTorques(dJointID id, dReal torque1, dReal torque2)
     add_torque(*j, j->reverse ? -torque : torque);
 }
 
-void dJointSetUniversalParam(dJointID id, int param, dReal value) { set_joint_param<Universal>(id, param, value); }
+void dJointSetUniversalParam(dJointID id, int param, dReal value)
+{
+    set_joint_param<Universal>(id, param, value);
+}
 dReal dJointGetUniversalParam(dJointID id, int param) { return get_joint_param<Universal>(id, param); }
 
 }  // extern "C"

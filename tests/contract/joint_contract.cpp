@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What every line of joint_types.inc must keep, whoever wrote it: rows within the stated number; Jacobians that
-// are the derivative of their errors; action equals reaction, in force and in moment; (A,B) and (B,A) the same
-// constraint; parameters read as they were set. Random poses, fixed seed.
+// What every line of joint_types.inc must keep, whoever wrote it: rows within the stated number; Jacobians
+// that are the derivative of their errors; action equals reaction, in force and in moment; (A,B) and (B,A)
+// the same constraint; parameters read as they were set. Random poses, fixed seed.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -79,21 +79,32 @@ struct Geometry {
 dJointID create(dWorldID w, int number, const Geometry& g, bool swapped = false)
 {
     switch (number) {
-        case dJointTypeBall: return dJointCreateBall(w, nullptr);
-        case dJointTypeHinge: return dJointCreateHinge(w, nullptr);
-        case dJointTypeSlider: return dJointCreateSlider(w, nullptr);
-        case dJointTypeUniversal: return dJointCreateUniversal(w, nullptr);
-        case dJointTypeHinge2: return dJointCreateHinge2(w, nullptr);
-        case dJointTypeFixed: return dJointCreateFixed(w, nullptr);
-        case dJointTypeNull: return dJointCreateNull(w, nullptr);
-        case dJointTypeAMotor: return dJointCreateAMotor(w, nullptr);
-        case dJointTypeLMotor: return dJointCreateLMotor(w, nullptr);
-        case dJointTypePlane2D: return dJointCreatePlane2D(w, nullptr);
+        case dJointTypeBall:
+            return dJointCreateBall(w, nullptr);
+        case dJointTypeHinge:
+            return dJointCreateHinge(w, nullptr);
+        case dJointTypeSlider:
+            return dJointCreateSlider(w, nullptr);
+        case dJointTypeUniversal:
+            return dJointCreateUniversal(w, nullptr);
+        case dJointTypeHinge2:
+            return dJointCreateHinge2(w, nullptr);
+        case dJointTypeFixed:
+            return dJointCreateFixed(w, nullptr);
+        case dJointTypeNull:
+            return dJointCreateNull(w, nullptr);
+        case dJointTypeAMotor:
+            return dJointCreateAMotor(w, nullptr);
+        case dJointTypeLMotor:
+            return dJointCreateLMotor(w, nullptr);
+        case dJointTypePlane2D:
+            return dJointCreatePlane2D(w, nullptr);
         case dJointTypeContact: {
             const dContact c = some_contact(g.anchor, swapped ? -g.axis1 : g.axis1);
             return dJointCreateContact(w, nullptr, &c);
         }
-        default: return nullptr;
+        default:
+            return nullptr;
     }
 }
 
@@ -103,12 +114,16 @@ void set_geometry(dJointID j, int number, const Geometry& g, bool swapped = fals
     const Vec3 p = g.anchor, a = swapped ? g.axis2 : g.axis1, b = swapped ? g.axis1 : g.axis2;
     const dReal a4[4] = {a.x, a.y, a.z, 0}, b4[4] = {b.x, b.y, b.z, 0};
     switch (number) {
-        case dJointTypeBall: dJointSetBallAnchor(j, p.x, p.y, p.z); break;
+        case dJointTypeBall:
+            dJointSetBallAnchor(j, p.x, p.y, p.z);
+            break;
         case dJointTypeHinge:
             dJointSetHingeAnchor(j, p.x, p.y, p.z);
             dJointSetHingeAxis(j, g.axis1.x, g.axis1.y, g.axis1.z);
             break;
-        case dJointTypeSlider: dJointSetSliderAxis(j, g.axis1.x, g.axis1.y, g.axis1.z); break;
+        case dJointTypeSlider:
+            dJointSetSliderAxis(j, g.axis1.x, g.axis1.y, g.axis1.z);
+            break;
         case dJointTypeUniversal:
             dJointSetUniversalAnchor(j, p.x, p.y, p.z);
             dJointSetUniversalAxis1(j, a.x, a.y, a.z);
@@ -118,7 +133,9 @@ void set_geometry(dJointID j, int number, const Geometry& g, bool swapped = fals
             dJointSetHinge2Anchor(j, p.x, p.y, p.z);
             dJointSetHinge2Axes(j, a4, b4);
             break;
-        case dJointTypeFixed: dJointSetFixed(j); break;
+        case dJointTypeFixed:
+            dJointSetFixed(j);
+            break;
         case dJointTypeAMotor:
             dJointSetAMotorNumAxes(j, 3);
             dJointSetAMotorAxis(j, 0, 1, a.x, a.y, a.z);
@@ -133,7 +150,8 @@ void set_geometry(dJointID j, int number, const Geometry& g, bool swapped = fals
             dJointSetLMotorAxis(j, 2, 0, p.x, p.y, p.z);
             for (int i = 0; i < 3; ++i) dJointSetLMotorParam(j, dParamFMax + i * dParamGroup, 1);
             break;
-        default: break;
+        default:
+            break;
     }
 }
 
@@ -270,13 +288,16 @@ TEST_P(JointContract, jacobian_is_the_derivative_of_the_error)
             std::vector<Row> at[2];
             for (int side = 0; side < 2; ++side) {
                 const Real step = side ? t : -t;
-                if (k % 6 < 3) Rig::place(b, x + step * d, q);
-                else Rig::place(b, x, turn(d, step) * q);
+                if (k % 6 < 3)
+                    Rig::place(b, x + step * d, q);
+                else
+                    Rig::place(b, x, turn(d, step) * q);
                 at[side] = rig.emit(s.joint).rows;
             }
             Rig::place(b, x, q);
             for (std::size_t i = 0, r = 0; i < rows.size(); ++i)
-                if (rows[i].kind == RowKind::kLock) slope[r++][k] = (at[1][i].error - at[0][i].error) / (2 * t);
+                if (rows[i].kind == RowKind::kLock)
+                    slope[r++][k] = (at[1][i].error - at[0][i].error) / (2 * t);
         }
         for (std::size_t r = 0; r < lines.size(); ++r) {
             Line sum{};
@@ -294,7 +315,8 @@ TEST_P(JointContract, makes_neither_momentum_nor_moment)
     for (int trial = 0; trial < 10; ++trial) {
         const Scene s = scene();
         for (const Row& r : rig.emit(s.joint).rows) {
-            const Vec3 moment = cross(s.a->position(), r.lin1) + r.ang1 + cross(s.b->position(), r.lin2) + r.ang2;
+            const Vec3 moment =
+                cross(s.a->position(), r.lin1) + r.ang1 + cross(s.b->position(), r.lin2) + r.ang2;
             EXPECT_LT(length(r.lin1 + r.lin2), kTight);
             EXPECT_LT(length(moment), kTight);
         }

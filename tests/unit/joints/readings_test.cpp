@@ -332,7 +332,8 @@ TEST_F(Readings, wrong_types_stale_handles_and_bad_numbers_change_nothing)
 
 TEST_F(Readings, readings_of_a_joint_without_bodies_are_zero)
 {
-    const dJointID hinge = dJointCreateHinge(rig.id(), nullptr), slider = dJointCreateSlider(rig.id(), nullptr);
+    const dJointID hinge = dJointCreateHinge(rig.id(), nullptr),
+                   slider = dJointCreateSlider(rig.id(), nullptr);
     const dJointID universal = dJointCreateUniversal(rig.id(), nullptr);
     EXPECT_EQ(dJointGetHingeAngle(hinge) + dJointGetHingeAngleRate(hinge), 0);
     EXPECT_EQ(dJointGetSliderPosition(slider) + dJointGetSliderPositionRate(slider), 0);
