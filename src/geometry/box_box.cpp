@@ -2,8 +2,9 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Box against box: see box_box.h.
-// With C = A^T B and p = A^T (b - a), the overlap along a unit axis L is  r_a(L) + r_b(L) - |p . L|, where r(L) is
-// the box's half extent along L. For L = a_i x b_j every projection is a product of entries of C, and |L|^2 = 1 - C_ij^2.
+// With C = A^T B and p = A^T (b - a), the overlap along a unit axis L is  r_a(L) + r_b(L) - |p . L|, where
+// r(L) is the box's half extent along L. For L = a_i x b_j every projection is a product of entries of C, and
+// |L|^2 = 1 - C_ij^2.
 #include "geometry/box_box.h"
 
 #include "geometry/clip.h"
@@ -19,7 +20,7 @@ constexpr Real kFaceMargin = Real(1e-5);  // of the sizes
 struct Frames {
     Real c[3][3], m[3][3];  // C and |C|
     Real ha[3], hb[3];
-    Real pa[3], pb[3];      // from a to b, in a's frame and in b's
+    Real pa[3], pb[3];  // from a to b, in a's frame and in b's
     Real touch;
 };
 
@@ -64,12 +65,14 @@ bool search_faces(const Frames& f, Search& s)
         const Real rb = f.m[i][0] * f.hb[0] + f.m[i][1] * f.hb[1] + f.m[i][2] * f.hb[2];
         if (!s.offer(f.ha[i] + rb - std::fabs(f.pa[i]), 1, f.pa[i], 1 + i, f.touch)) return false;
     }
-    // The second box's faces must be better by more than the jitter of a resting stack, so that boxes lying flat on
-    // each other keep their roles.
-    const Real size = std::fmax(f.ha[0], std::fmax(f.ha[1], f.ha[2])) + std::fmax(f.hb[0], std::fmax(f.hb[1], f.hb[2]));
+    // The second box's faces must be better by more than the jitter of a resting stack, so that boxes lying
+    // flat on each other keep their roles.
+    const Real size =
+        std::fmax(f.ha[0], std::fmax(f.ha[1], f.ha[2])) + std::fmax(f.hb[0], std::fmax(f.hb[1], f.hb[2]));
     for (int j = 0; j < 3; ++j) {
         const Real ra = f.m[0][j] * f.ha[0] + f.m[1][j] * f.ha[1] + f.m[2][j] * f.ha[2];
-        if (!s.offer(f.hb[j] + ra - std::fabs(f.pb[j]), 1, f.pb[j], 4 + j, f.touch, kFaceMargin * size)) return false;
+        if (!s.offer(f.hb[j] + ra - std::fabs(f.pb[j]), 1, f.pb[j], 4 + j, f.touch, kFaceMargin * size))
+            return false;
     }
     return true;
 }
@@ -88,7 +91,8 @@ bool search_edges(const Frames& f, Search& s)
             const Real rb = f.hb[j1] * f.m[i][j2] + f.hb[j2] * f.m[i][j1];
             const Real overlap = ra + rb - std::fabs(along);  // times |L| = sqrt(sine2) <= 1
             if (overlap > s.score) continue;                  // cannot win, nor part
-            if (!s.offer(overlap / std::sqrt(sine2), kEdgeHandicap, along, 7 + 3 * i + j, f.touch)) return false;
+            if (!s.offer(overlap / std::sqrt(sine2), kEdgeHandicap, along, 7 + 3 * i + j, f.touch))
+                return false;
         }
     }
     return true;

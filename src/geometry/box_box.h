@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Two boxes, by the separating axis theorem (Gottschalk, Lin, Manocha 1996): of the 15 directions that can part two
-// boxes - 3 face normals each and 9 products of edges - the one of least overlap is the contact normal.
-// Faces: the other box's face that looks at the reference face is cut by the reference face's sides; the points
-// below the reference face are the contacts. Edges: one point between the two edges.
-// An edge direction must win by a factor, because near-parallel edges imitate face normals and the manifold would
-// fall from four points to one and back. Rejected: GJK/EPA here; it is slower and its normals are less steady.
+// Two boxes, by the separating axis theorem (Gottschalk, Lin, Manocha 1996): of the 15 directions that can
+// part two boxes - 3 face normals each and 9 products of edges - the one of least overlap is the contact
+// normal. Faces: the other box's face that looks at the reference face is cut by the reference face's sides;
+// the points below the reference face are the contacts. Edges: one point between the two edges. An edge
+// direction must win by a factor, because near-parallel edges imitate face normals and the manifold would
+// fall from four points to one and back. Rejected: GJK/EPA here; it is slower and its normals are less
+// steady.
 #pragma once
 
 #include "geometry/shapes.h"
@@ -17,9 +18,9 @@ inline constexpr Real kEdgeHandicap = Real(1.05);
 
 struct BoxBox {
     static constexpr int kMax = 8;
-    int code = 0;     // 1-3: face of box 1; 4-6: face of box 2; 7-15: edges; 0: apart
-    Vec3 normal;      // unit, from box 1 towards box 2
-    Real depth = 0;   // largest, along the normal
+    int code = 0;    // 1-3: face of box 1; 4-6: face of box 2; 7-15: edges; 0: apart
+    Vec3 normal;     // unit, from box 1 towards box 2
+    Real depth = 0;  // largest, along the normal
     int count = 0;
     Vec3 points[kMax];
     Real depths[kMax];  // each >= 0

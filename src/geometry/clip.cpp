@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Polygon clipping: see clip.h. Every vertex is kept or dropped by its own signed distance, and each edge whose
-// ends differ adds one point, so the order of the survivors follows the order of the input.
+// Polygon clipping: see clip.h. Every vertex is kept or dropped by its own signed distance, and each edge
+// whose ends differ adds one point, so the order of the survivors follows the order of the input.
 #include "geometry/clip.h"
 
 namespace epode {

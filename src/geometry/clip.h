@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Convex polygons of a fixed capacity, and cutting them by half-spaces (Sutherland and Hodgman 1974). The points
-// need not be exactly coplanar: cutting only interpolates along edges. A polygon of two points is a segment, of one
-// a point; both are cut correctly.
+// Convex polygons of a fixed capacity, and cutting them by half-spaces (Sutherland and Hodgman 1974). The
+// points need not be exactly coplanar: cutting only interpolates along edges. A polygon of two points is a
+// segment, of one a point; both are cut correctly.
 #pragma once
 
 #include "math/vec.h"
@@ -23,8 +23,8 @@ struct Polygon {
     }
 };
 
-// Keeps the part with normal . x <= limit. Points outside by no more than `slack` stay as they are: flush faces
-// would otherwise sprout pairs of nearly equal points.
+// Keeps the part with normal . x <= limit. Points outside by no more than `slack` stay as they are: flush
+// faces would otherwise sprout pairs of nearly equal points.
 void clip(Polygon& polygon, Vec3 normal, Real limit, Real slack);
 
 // Cuts by the sides of `reference`, a convex polygon that runs counter-clockwise about `normal`.

@@ -71,7 +71,8 @@ Real closest_to_box(Vec3 a, Vec3 b, Vec3 half)
     for (int i = 0; i < breaks.count; ++i) {
         const Real right = breaks.t[i], at_right = slope(a, d, half, right);
         if (enter < 0 && at_right >= -flat)
-            enter = at_right > at_left ? left + (right - left) * clamp01(-at_left / (at_right - at_left)) : right;
+            enter =
+                at_right > at_left ? left + (right - left) * clamp01(-at_left / (at_right - at_left)) : right;
         if (enter >= 0 && at_right > flat) {
             const Real leave = left + (right - left) * clamp01(-at_left / (at_right - at_left));
             return Real(0.5) * (enter + (leave > enter ? leave : enter));

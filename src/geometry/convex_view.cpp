@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Support points and features of the primitives, each in its own frame. On a tie (a direction along the axis of a
-// cylinder, say) the middle of the feature is returned: it depends on no rounding.
+// Support points and features of the primitives, each in its own frame. On a tie (a direction along the axis
+// of a cylinder, say) the middle of the feature is returned: it depends on no rounding.
 #include "geometry/convex_view.h"
 
 namespace epode {
@@ -78,24 +78,52 @@ void cylinder_feature(const void* shape, Vec3 d, Polygon& out)
 
 ConvexView view_of(const Sphere& sphere, const Pose& pose)
 {
-    return {.shape = &sphere, .local_support = point_support, .local_feature = point_feature, .pose = pose,
-            .radius = sphere.radius, .size = 0, .face_axes = 0, .edge_axes = 0, .rim_radius = 0};
+    return {.shape = &sphere,
+            .local_support = point_support,
+            .local_feature = point_feature,
+            .pose = pose,
+            .radius = sphere.radius,
+            .size = 0,
+            .face_axes = 0,
+            .edge_axes = 0,
+            .rim_radius = 0};
 }
 ConvexView view_of(const Box& box, const Pose& pose)
 {
-    return {.shape = &box, .local_support = box_support, .local_feature = box_feature, .pose = pose, .radius = 0,
-            .size = length(box.half), .face_axes = 7, .edge_axes = 7, .rim_radius = 0};
+    return {.shape = &box,
+            .local_support = box_support,
+            .local_feature = box_feature,
+            .pose = pose,
+            .radius = 0,
+            .size = length(box.half),
+            .face_axes = 7,
+            .edge_axes = 7,
+            .rim_radius = 0};
 }
 ConvexView view_of(const Capsule& capsule, const Pose& pose)
 {
-    return {.shape = &capsule, .local_support = segment_support, .local_feature = segment_feature, .pose = pose,
-            .radius = capsule.radius, .size = capsule.half_length, .face_axes = 0, .edge_axes = 4, .rim_radius = 0};
+    return {.shape = &capsule,
+            .local_support = segment_support,
+            .local_feature = segment_feature,
+            .pose = pose,
+            .radius = capsule.radius,
+            .size = capsule.half_length,
+            .face_axes = 0,
+            .edge_axes = 4,
+            .rim_radius = 0};
 }
 ConvexView view_of(const Cylinder& cylinder, const Pose& pose)
 {
-    return {.shape = &cylinder, .local_support = cylinder_support, .local_feature = cylinder_feature, .pose = pose,
-            .radius = 0, .size = std::sqrt(cylinder.radius * cylinder.radius + cylinder.half_length * cylinder.half_length),
-            .face_axes = 4, .edge_axes = 4, .rim_radius = cylinder.radius};
+    return {
+        .shape = &cylinder,
+        .local_support = cylinder_support,
+        .local_feature = cylinder_feature,
+        .pose = pose,
+        .radius = 0,
+        .size = std::sqrt(cylinder.radius * cylinder.radius + cylinder.half_length * cylinder.half_length),
+        .face_axes = 4,
+        .edge_axes = 4,
+        .rim_radius = cylinder.radius};
 }
 
 }  // namespace epode

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A convex solid as the general algorithms see it: its farthest point in a direction, the flat feature that looks
-// that way, and a radius by which the whole is inflated (spheres and capsules are a point and a segment with a
-// radius). The view does not own the shape. Directions and points of the callbacks are in the shape's own frame.
-// A view also says which of its local axes are symmetric face normals and which are edge directions: with those the
-// penetration of the primitives is refined to rounding (least_overlap, in epa.h). Only a shape that is symmetric about
-// its origin may name axes; a polyhedron leaves both empty.
+// A convex solid as the general algorithms see it: its farthest point in a direction, the flat feature that
+// looks that way, and a radius by which the whole is inflated (spheres and capsules are a point and a segment
+// with a radius). The view does not own the shape. Directions and points of the callbacks are in the shape's
+// own frame. A view also says which of its local axes are symmetric face normals and which are edge
+// directions: with those the penetration of the primitives is refined to rounding (least_overlap, in epa.h).
+// Only a shape that is symmetric about its origin may name axes; a polyhedron leaves both empty.
 #pragma once
 
 #include "geometry/clip.h"

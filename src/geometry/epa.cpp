@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The expanding polytope: see epa.h. Vertices and faces live in arrays on the stack; a run that would outgrow them
-// stops with the best normal found, which is a true upper bound of the depth.
+// The expanding polytope: see epa.h. Vertices and faces live in arrays on the stack; a run that would outgrow
+// them stops with the best normal found, which is a true upper bound of the depth.
 #include "geometry/epa.h"
 
 #include <utility>
@@ -107,7 +107,8 @@ bool Polytope::add_face(int i, int j, int k)
     if (face_count_ == kFaces) return false;
     Face& f = faces_[face_count_++];
     f.v[0] = i, f.v[1] = j, f.v[2] = k;
-    const Vec3 origin = load(vertices_[i]), e1 = load(vertices_[j]) - origin, e2 = load(vertices_[k]) - origin;
+    const Vec3 origin = load(vertices_[i]), e1 = load(vertices_[j]) - origin,
+               e2 = load(vertices_[k]) - origin;
     Vec3 normal = cross(e1, e2);
     const Real area2 = length2(normal);
     const bool flat = !(area2 > 16 * kEpsilon * kEpsilon * length2(e1) * length2(e2)) || !normalize(normal);

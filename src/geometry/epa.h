@@ -2,12 +2,15 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Penetration of two convex solids: the least distance by which one must be moved to part them.
-// With C = { y - x : x in a, y in b } and its support function h(n) = max over C of n . c, moving a by h(n) n parts
-// the solids for every unit n, so the depth is the least h(n); a negative h(n) proves that they are apart already.
-//   expand:        grows a polytope inside C from four support points, always at the face plane nearest to (or
-//                  farthest beyond) the origin: van den Bergen's expanding polytope (2001), but with signed plane
-//                  distances, so that it needs no enclosing simplex from GJK and also answers "apart".
-//   least_overlap: the same answer to rounding for the primitives: directions that can be least (faces, products of
+// With C = { y - x : x in a, y in b } and its support function h(n) = max over C of n . c, moving a by h(n) n
+// parts the solids for every unit n, so the depth is the least h(n); a negative h(n) proves that they are
+// apart already.
+//   expand:        grows a polytope inside C from four support points, always at the face plane nearest to
+//   (or
+//                  farthest beyond) the origin: van den Bergen's expanding polytope (2001), but with signed
+//                  plane distances, so that it needs no enclosing simplex from GJK and also answers "apart".
+//   least_overlap: the same answer to rounding for the primitives: directions that can be least (faces,
+//   products of
 //                  edges) are tried exactly, the others are polished by root finding on the slope of h.
 // Rejected: MPR; its normal is only roughly the least one and jumps from step to step.
 #pragma once

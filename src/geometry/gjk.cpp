@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// GJK: see gjk.h. At most four vertices are kept with the points of a and b they come from; weights of the nearest
-// point give the closest points. Iterations are bounded; each must shorten the vector to the origin.
+// GJK: see gjk.h. At most four vertices are kept with the points of a and b they come from; weights of the
+// nearest point give the closest points. Iterations are bounded; each must shorten the vector to the origin.
 #include "geometry/gjk.h"
 
 #include <initializer_list>
@@ -35,7 +35,8 @@ struct Part {
     Real distance2 = kInf;
 };
 
-void consider(const Simplex& s, std::initializer_list<int> index, std::initializer_list<Real> weight, Part& best)
+void consider(const Simplex& s, std::initializer_list<int> index, std::initializer_list<Real> weight,
+              Part& best)
 {
     Vec3 p;
     int k = 0;
@@ -44,7 +45,8 @@ void consider(const Simplex& s, std::initializer_list<int> index, std::initializ
     if (!(d < best.distance2)) return;
     best.distance2 = d;
     best.count = 0;
-    for (const int i : index) best.weight[best.count] = weight.begin()[best.count], best.index[best.count++] = i;
+    for (const int i : index)
+        best.weight[best.count] = weight.begin()[best.count], best.index[best.count++] = i;
 }
 
 void consider_edge(const Simplex& s, int i, int j, Part& best)

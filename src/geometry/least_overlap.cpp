@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The least of h(n) over unit n, to rounding: see epa.h. A face of C belongs to one of these kinds, by what touches:
+// The least of h(n) over unit n, to rounding: see epa.h. A face of C belongs to one of these kinds, by what
+// touches:
 //   face and point        n = a face normal                     tried exactly
 //   edge and edge         n = product of two edge directions    tried exactly
 //   round and edge/point  n perpendicular to an edge direction  one unknown: root of the slope
 //   rim and rim           n free                                two unknowns: Newton
-// The slope of h at n is its support point, since h is homogeneous of degree one; for a rim of radius r about u,
-// with m the unit part of n across u and w = u x m, the second derivative is  r / |n - (n.u)u|  w w^T.
+// The slope of h at n is its support point, since h is homogeneous of degree one; for a rim of radius r about
+// u, with m the unit part of n across u and w = u x m, the second derivative is  r / |n - (n.u)u|  w w^T.
 #include "geometry/epa.h"
 #include "geometry/root.h"
 
@@ -15,14 +16,15 @@ namespace epode {
 
 namespace {
 
-// Polished directions must beat exact ones by this part of the size: resting contacts keep their face normals.
+// Polished directions must beat exact ones by this part of the size: resting contacts keep their face
+// normals.
 constexpr Real kFacePreference = kSingle ? Real(1e-5) : Real(1e-9);
 constexpr Real kCoarse = Real(2e-6);  // of the size: how near the polytope must come before polishing
 
 bool symmetric(const ConvexView& v) { return v.face_axes != 0 || v.edge_axes != 0; }
 
-// The better sign of a direction; false when it proves the shapes apart. Shapes that name their axes are symmetric
-// about their centres, so the sign against the line of centres is the better one.
+// The better sign of a direction; false when it proves the shapes apart. Shapes that name their axes are
+// symmetric about their centres, so the sign against the line of centres is the better one.
 bool offer(const ConvexView& a, const ConvexView& b, Vec3 n, Real handicap, Real enough, Overlap& best)
 {
     const Vec3 m = dot(n, b.pose.p - a.pose.p) > 0 ? -n : n;
@@ -36,7 +38,8 @@ bool offer_exact(const ConvexView& a, const ConvexView& b, Real handicap, Real e
     if (!symmetric(a) || !symmetric(b)) return true;
     for (const ConvexView* v : {&a, &b})
         for (int i = 0; i < 3; ++i)
-            if ((v->face_axes >> i & 1) && !offer(a, b, v->pose.R.column(i), v == &a ? 0 : handicap, enough, best))
+            if ((v->face_axes >> i & 1) &&
+                !offer(a, b, v->pose.R.column(i), v == &a ? 0 : handicap, enough, best))
                 return false;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
@@ -135,7 +138,8 @@ void polish_edges(const ConvexView& v, Vec3 outward, const ConvexView& a, const 
     v.feature(outward, f);
     for (int i = 0; i < f.count && f.count > 1; ++i) {
         Vec3 edge = f.points[i + 1 < f.count ? i + 1 : 0] - f.points[i];
-        if (normalize(edge) && std::fabs(dot(edge, guess)) < kAcross) polish_about(a, b, edge, guess, 0, best);
+        if (normalize(edge) && std::fabs(dot(edge, guess)) < kAcross)
+            polish_about(a, b, edge, guess, 0, best);
     }
 }
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The root of a rising function between two ends of opposite sign: false position in the Illinois form (Dowell and
-// Jarratt 1971), with a bisection whenever a step has not halved the bracket. Slopes here have kinks, beside which
-// plain false position creeps. At most about two evaluations per bit; near a smooth root six to ten in all.
+// The root of a rising function between two ends of opposite sign: false position in the Illinois form
+// (Dowell and Jarratt 1971), with a bisection whenever a step has not halved the bracket. Slopes here have
+// kinks, beside which plain false position creeps. At most about two evaluations per bit; near a smooth root
+// six to ten in all.
 #pragma once
 
 #include "base/config.h"

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What every pair function owes, tried for each line of collide/pairs.inc in seeded random poses, many of them
-// aligned or almost so, because that is where manifolds break:
-//   hit or miss and depth as a brute-force sweep over 20 000 directions finds them; the normal is unit, and moving
-//   the first solid along it by the depth parts the two; points lie in both solids; the room is never exceeded, and
-//   less room still holds a contact; the same class exchanged gives the opposite normal and the same depth; a tiny
-//   motion of a resting solid moves its contacts but little; zero sizes and equal centres give numbers.
+// What every pair function owes, tried for each line of collide/pairs.inc in seeded random poses, many of
+// them aligned or almost so, because that is where manifolds break:
+//   hit or miss and depth as a brute-force sweep over 20 000 directions finds them; the normal is unit, and
+//   moving the first solid along it by the depth parts the two; points lie in both solids; the room is never
+//   exceeded, and less room still holds a contact; the same class exchanged gives the opposite normal and the
+//   same depth; a tiny motion of a resting solid moves its contacts but little; zero sizes and equal centres
+//   give numbers.
 // The reference knows the solids only by the support and membership functions written here.
 #include <gtest/gtest.h>
 
@@ -22,8 +23,8 @@ using namespace epode;
 
 namespace {
 
-constexpr Real kTight = kSingle ? Real(2e-4) : Real(1e-7);  // for sizes near one
-constexpr Real kClaim = kSingle ? Real(4e-3) : Real(5e-5);  // depth against the reported normal
+constexpr Real kTight = kSingle ? Real(2e-4) : Real(1e-7);   // for sizes near one
+constexpr Real kClaim = kSingle ? Real(4e-3) : Real(5e-5);   // depth against the reported normal
 constexpr Real kDeeper = kSingle ? Real(6e-3) : Real(2e-6);  // depth against the least one
 constexpr int kDirections = 20000;
 constexpr int kPoses = 400;
@@ -45,7 +46,8 @@ class Dice {
     {
         const Real kind = unit();
         if (kind < Real(0.33)) return quarter_turns();
-        if (kind < Real(0.66)) return turn(direction(), std::pow(Real(10), between(-7, -1))) * quarter_turns();
+        if (kind < Real(0.66))
+            return turn(direction(), std::pow(Real(10), between(-7, -1))) * quarter_turns();
         return turn(direction(), between(0, 2 * kPi));
     }
     static Mat3 turn(Vec3 axis, Real angle)
@@ -76,7 +78,10 @@ class Dice {
 Real side(Real d, Real h) { return d < 0 ? -h : h; }
 
 Vec3 farthest(const Sphere& s, Vec3 d) { return s.radius * d; }
-Vec3 farthest(const Box& b, Vec3 d) { return {side(d.x, b.half.x), side(d.y, b.half.y), side(d.z, b.half.z)}; }
+Vec3 farthest(const Box& b, Vec3 d)
+{
+    return {side(d.x, b.half.x), side(d.y, b.half.y), side(d.z, b.half.z)};
+}
 Vec3 farthest(const Capsule& c, Vec3 d) { return c.radius * d + Vec3{0, 0, side(d.z, c.half_length)}; }
 Vec3 farthest(const Cylinder& c, Vec3 d)
 {
@@ -111,13 +116,16 @@ void roll(Dice& dice, Box& b)
     if (dice.unit() < Real(0.2)) b.half = {Real(0.5), Real(0.5), Real(0.5)};
 }
 template <class Round>
-    requires std::is_same_v<Round, Capsule> || std::is_same_v<Round, Cylinder>
+requires std::is_same_v<Round, Capsule> || std::is_same_v<Round, Cylinder>
 void roll(Dice& dice, Round& c)
 {
     c.radius = dice.between(Real(0.1), 1), c.half_length = dice.between(Real(0.1), 1);
     if (dice.unit() < Real(0.2)) c.radius = Real(0.5), c.half_length = Real(0.5);
 }
-void roll(Dice& dice, Plane& p) { p.normal = dice.unit() < Real(0.5) ? Vec3{0, 0, 1} : dice.direction(), p.d = dice.between(-1, 1); }
+void roll(Dice& dice, Plane& p)
+{
+    p.normal = dice.unit() < Real(0.5) ? Vec3{0, 0, 1} : dice.direction(), p.d = dice.between(-1, 1);
+}
 void roll(Dice& dice, Ray& r) { r.length = dice.between(0, 4); }
 
 template <class A, class B>
@@ -158,7 +166,8 @@ const std::vector<Vec3>& sphere_points()
     return points;
 }
 
-// Least overlap: the sweep, the axes of both solids and their products, and a pattern search from the best few.
+// Least overlap: the sweep, the axes of both solids and their products, and a pattern search from the best
+// few.
 template <class A, class B>
 Real least(const Scene<A, B>& s)
 {
@@ -245,7 +254,7 @@ void check_numbers(const Found& f)
 
 // An edge axis must beat faces by kEdgeHandicap between boxes; nothing else may miss the least depth.
 template <class A, class B>
-constexpr Real kLoss = std::is_same_v<A, Box> && std::is_same_v<B, Box> ? Real(1.06) : Real(1.0001);
+constexpr Real kLoss = std::is_same_v<A, Box>&& std::is_same_v<B, Box> ? Real(1.06) : Real(1.0001);
 
 template <class A, class B, class F>
 void check_depth(F function, const Scene<A, B>& s)
@@ -279,9 +288,7 @@ void check_room(F function, const Scene<A, B>& s)
         const Found f = collide(function, s, room);
         check_numbers(f);
         ASSERT_EQ(f.count, std::min(room, all.count));
-        if (f.count > 0) {
-            ASSERT_NEAR(f.depth, all.depth, Real(1e-4)) << "the deepest must survive";
-        }
+        if (f.count > 0) { ASSERT_NEAR(f.depth, all.depth, Real(1e-4)) << "the deepest must survive"; }
     }
 }
 
@@ -337,7 +344,8 @@ void check_ray(F function, const Scene<Ray, B>& s)
     ASSERT_LE(length(p - (s.pa.p + f.depth * d)), kTight);
     const auto out = [&](Vec3 x) { return beyond(s.b, std::is_same_v<B, Plane> ? x : s.pb.to_local(x)); };
     ASSERT_NEAR(out(p), 0, 10 * kTight);
-    ASSERT_GT(std::fabs(out(p + Real(1e-3) * n) - out(p - Real(1e-3) * n)), Real(1e-4)) << "normal along the surface";
+    ASSERT_GT(std::fabs(out(p + Real(1e-3) * n) - out(p - Real(1e-3) * n)), Real(1e-4))
+        << "normal along the surface";
 }
 
 template <class A, class B, class F>
@@ -460,10 +468,10 @@ void check_steady(F function)
 
 }  // namespace
 
-#define PAIR(First, Second, function)                                                                  \
-    TEST(PairContract, function##_against_sweep) { check_pair<First, Second>(function); }              \
-    TEST(PairContract, function##_claims) { check_claims<First, Second>(function); }                   \
-    TEST(PairContract, function##_degenerate) { check_degenerate<First, Second>(function); }           \
+#define PAIR(First, Second, function)                                                        \
+    TEST(PairContract, function##_against_sweep) { check_pair<First, Second>(function); }    \
+    TEST(PairContract, function##_claims) { check_claims<First, Second>(function); }         \
+    TEST(PairContract, function##_degenerate) { check_degenerate<First, Second>(function); } \
     TEST(PairContract, function##_steady) { check_steady<First, Second>(function); }
 #include "collide/pairs.inc"
 #undef PAIR

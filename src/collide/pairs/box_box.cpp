@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Box against box: the manifold of geometry/box_box.h, thinned to the four points that hold a box best.
-#include "collide/pairs/pairs.h"
 #include "geometry/box_box.h"
+#include "collide/pairs/pairs.h"
 
 namespace epode {
 

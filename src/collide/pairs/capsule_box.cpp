@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Capsule against box. Outside: the point of the axis nearest to the box gives normal and depth, exactly. With the
-// axis inside the box: the least of the overlaps along the box's faces and along axis x edges (separating axes of a
-// segment and a box), plus the radius.
-// When the normal is a face normal, the axis is cut by the sides of that face and both ends touch, each with its
-// own depth; likewise along an edge when the axis runs along it.
+// Capsule against box. Outside: the point of the axis nearest to the box gives normal and depth, exactly.
+// With the axis inside the box: the least of the overlaps along the box's faces and along axis x edges
+// (separating axes of a segment and a box), plus the radius. When the normal is a face normal, the axis is
+// cut by the sides of that face and both ends touch, each with its own depth; likewise along an edge when the
+// axis runs along it.
 #include "collide/pairs/pairs.h"
 #include "geometry/closest.h"
 
@@ -76,7 +76,8 @@ int aligned_axis(Vec3 n, Real sine)
     return -1;
 }
 
-// How deep the axis point p lies below face `axis`, or below the edge along `axis`, measured along the normal.
+// How deep the axis point p lies below face `axis`, or below the edge along `axis`, measured along the
+// normal.
 Real below_face(const Case& c, int axis, Vec3 normal, Vec3 p)
 {
     const Real n = normal[axis];
@@ -104,7 +105,8 @@ bool stretch(const Case& c, Vec3 normal, Real depth, const Pose& B, ContactSink&
     int count = 0;
     Real most = -kInf;
     for (const Real t : {lo, hi}) {
-        const Real below = face >= 0 ? below_face(c, face, normal, c.at(t)) : below_edge(c, edge, normal, c.at(t));
+        const Real below =
+            face >= 0 ? below_face(c, face, normal, c.at(t)) : below_edge(c, edge, normal, c.at(t));
         const Real at_end = below < depth ? below : depth;
         if (at_end > most) most = at_end;
         if (ball_at(c, t, normal, at_end, B, points[count])) ++count;

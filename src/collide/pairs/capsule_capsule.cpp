@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Capsule against capsule: balls at the closest points of the two axes; when the axes are nearly parallel, balls at
-// both ends of the stretch where the capsules lie side by side, so that one rests on the other without rocking.
+// Capsule against capsule: balls at the closest points of the two axes; when the axes are nearly parallel,
+// balls at both ends of the stretch where the capsules lie side by side, so that one rests on the other
+// without rocking.
 #include "collide/pairs/pairs.h"
 #include "geometry/closest.h"
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Capsule against cylinder. The axis of the capsule outside the cylinder: the distance of a point moving along the
-// axis to the cylinder is a convex function of the parameter, and its least value is found by a bracketed root of
-// the slope; exact where GJK would crawl round the rim. Axis inside: the general answer, polished to rounding.
+// Capsule against cylinder. The axis of the capsule outside the cylinder: the distance of a point moving
+// along the axis to the cylinder is a convex function of the parameter, and its least value is found by a
+// bracketed root of the slope; exact where GJK would crawl round the rim. Axis inside: the general answer,
+// polished to rounding.
 #include "collide/pairs/pairs.h"
 #include "geometry/epa.h"
 #include "geometry/root.h"

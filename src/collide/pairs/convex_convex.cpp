@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Any two convex solids. First the normal and the depth (least_overlap, or GJK when only the radii touch), then the
-// manifold by what the solids show each other along the normal:
-//   face against anything  the other's feature cut by the sides of the face (true circle for a cylinder's end);
+// Any two convex solids. First the normal and the depth (least_overlap, or GJK when only the radii touch),
+// then the manifold by what the solids show each other along the normal:
+//   face against anything  the other's feature cut by the sides of the face (true circle for a cylinder's
+//   end);
 //                          the points below the face, each with its own depth
-//   two discs              the lens that two circles share: their crossings and the innermost point of each rim
-//   two lines side by side both ends of the common stretch
-//   else                   one point between the two nearest features
-// Points of a face contact lie on the incident solid, as for boxes. The true deepest point is always among them.
+//   two discs              the lens that two circles share: their crossings and the innermost point of each
+//   rim two lines side by side both ends of the common stretch else                   one point between the
+//   two nearest features
+// Points of a face contact lie on the incident solid, as for boxes. The true deepest point is always among
+// them.
 #include "collide/pairs/pairs.h"
 #include "geometry/closest.h"
 #include "geometry/epa.h"
@@ -86,7 +88,8 @@ void clip_to_disc(const Polygon& rim, Vec3 centre, Real radius, Vec3 axis, Polyg
         const Vec3 n = face_normal(incident);
         const Real lean = dot(n, axis);
         Polygon inside;
-        for (int i = 0; i < rim.count && lean != 0; ++i) {  // the rim point moved along the axis into the face
+        for (int i = 0; i < rim.count && lean != 0;
+             ++i) {  // the rim point moved along the axis into the face
             Polygon one;
             one.add(rim.points[i] + (dot(n, incident.points[0] - rim.points[i]) / lean) * axis);
             clip_to_prism(one, incident, n, 0);
@@ -98,15 +101,15 @@ void clip_to_disc(const Polygon& rim, Vec3 centre, Real radius, Vec3 axis, Polyg
 }
 
 // What two nearly parallel discs share, seen along the axis; points in the plane of the second.
-void lens(const Polygon& rim1, Vec3 c1, Real r1, const Polygon& rim2, Vec3 c2, Real r2, Vec3 axis, Polygon& out)
+void lens(const Polygon& rim1, Vec3 c1, Real r1, const Polygon& rim2, Vec3 c2, Real r2, Vec3 axis,
+          Polygon& out)
 {
     Vec3 across = c2 - c1;
     across = across - dot(axis, across) * axis;
     const Real distance = length(across);
     const Vec3 rise = c2 - c1 - across;
     if (distance <= std::fabs(r1 - r2)) {  // one within the other: the smaller rim at its fixed directions
-        for (int i = 0; i < kRimPoints; i += 2)
-            out.add(r1 < r2 ? rim1.points[i] + rise : rim2.points[i]);
+        for (int i = 0; i < kRimPoints; i += 2) out.add(r1 < r2 ? rim1.points[i] + rise : rim2.points[i]);
         return;
     }
     if (distance > r1 + r2 || !(distance > 0)) return;
@@ -114,7 +117,8 @@ void lens(const Polygon& rim1, Vec3 c1, Real r1, const Polygon& rim2, Vec3 c2, R
     const Real x = (distance * distance + r1 * r1 - r2 * r2) / (2 * distance);
     const Real y2 = r1 * r1 - x * x, y = y2 > 0 ? std::sqrt(y2) : Real(0);
     const Vec3 base = c1 + rise;
-    out.add(base + r1 * u), out.add(base + x * u + y * v), out.add(c2 - r2 * u), out.add(base + x * u - y * v);
+    out.add(base + r1 * u), out.add(base + x * u + y * v), out.add(c2 - r2 * u),
+        out.add(base + x * u - y * v);
 }
 
 // One side of a manifold.
@@ -137,8 +141,8 @@ void face_contacts(const Side& reference, const Side& incident, Vec3 inward, boo
     const Vec3 centre = centre_of(reference.feature);
     if (round && is_end(incident.view, incident.feature) &&
         length2(cross(incident.view.pose.R.column(2), axis)) < Real(1e-3)) {
-        lens(reference.feature, centre, reference.view.rim_radius, incident.feature, centre_of(incident.feature),
-             incident.view.rim_radius, axis, cut);
+        lens(reference.feature, centre, reference.view.rim_radius, incident.feature,
+             centre_of(incident.feature), incident.view.rim_radius, axis, cut);
     } else {
         for (int i = 0; i < incident.feature.count; ++i) cut.add(incident.feature.points[i]);
         if (round)
@@ -163,7 +167,8 @@ void face_contacts(const Side& reference, const Side& incident, Vec3 inward, boo
         out.add(incident.view.support(inward) + own, normal, depth + radii > 0 ? depth + radii : Real(0));
 }
 
-// The straight line that a solid shows along `direction`: an edge or side line nearly across it, else a point.
+// The straight line that a solid shows along `direction`: an edge or side line nearly across it, else a
+// point.
 struct Shown {
     Vec3 from, to;
     bool line = false;
@@ -182,13 +187,15 @@ Shown shown(const ConvexView& v, const Polygon& f, Vec3 direction, Real lean)
     for (const int i : around) {
         const Vec3 d = f.points[i] - f.points[best];
         const Real fall = -dot(direction, d), long_ = length(d);
-        if (long_ > 0 && fall < least * long_) least = fall / long_, s.from = f.points[best], s.to = f.points[i], s.line = true;
+        if (long_ > 0 && fall < least * long_)
+            least = fall / long_, s.from = f.points[best], s.to = f.points[i], s.line = true;
     }
     return s;
 }
 
 // Both ends of the common stretch of two nearly parallel lines; false when they are not, or have none.
-bool side_by_side(const Shown& a, const Shown& b, Vec3 normal, Real radii, Real depth, Real own, Manifold& out)
+bool side_by_side(const Shown& a, const Shown& b, Vec3 normal, Real radii, Real depth, Real own,
+                  Manifold& out)
 {
     if (!a.line || !b.line) return false;
     Vec3 u = a.to - a.from, v = b.to - b.from;
@@ -215,8 +222,8 @@ void single(const Side& a, const Side& b, Vec3 normal, Real depth, Manifold& out
     const Real radii = a.view.radius + b.view.radius;
     const Real total = depth + radii > 0 ? depth + radii : Real(0);
     const Real lean = Real(0.02), exact = kSingle ? Real(1e-3) : Real(1e-6);
-    if (side_by_side(shown(a.view, a.feature, -normal, lean), shown(b.view, b.feature, normal, lean), normal, radii,
-                     depth, a.view.radius, out))
+    if (side_by_side(shown(a.view, a.feature, -normal, lean), shown(b.view, b.feature, normal, lean), normal,
+                     radii, depth, a.view.radius, out))
         return;
     const Shown p = shown(a.view, a.feature, -normal, exact), q = shown(b.view, b.feature, normal, exact);
     Vec3 x, y;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Cylinder against box and cylinder: the general convex answer; true rims and side lines come from the views, and
-// the normals are exact (geometry/epa.h).
+// Cylinder against box and cylinder: the general convex answer; true rims and side lines come from the views,
+// and the normals are exact (geometry/epa.h).
 #include "collide/pairs/pairs.h"
 
 namespace epode {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Box, capsule and cylinder against a plane: the half-space n . x <= d is never passed through, so the contacts are
-// simply the lowest points of the solid, each with its own depth d - n . x.
-// Cylinder: the lower end's rim carries the contacts. Four rim points at fixed directions of the body are used, and
-// as the cylinder tilts, the one nearest to the true lowest point is turned towards it, fully by a tilt of
-// kFullTilt; so the points move continuously, and from there on the deepest point is exact. Lying on its side, the
-// lowest points of both rims.
+// Box, capsule and cylinder against a plane: the half-space n . x <= d is never passed through, so the
+// contacts are simply the lowest points of the solid, each with its own depth d - n . x. Cylinder: the lower
+// end's rim carries the contacts. Four rim points at fixed directions of the body are used, and as the
+// cylinder tilts, the one nearest to the true lowest point is turned towards it, fully by a tilt of
+// kFullTilt; so the points move continuously, and from there on the deepest point is exact. Lying on its
+// side, the lowest points of both rims.
 #include "collide/pairs/pairs.h"
 
 namespace epode {
@@ -25,7 +25,8 @@ struct Below {
     }
 };
 
-// Four rim directions about the axis (unit, local xy), the one nearest to `low` turned towards it by `weight`.
+// Four rim directions about the axis (unit, local xy), the one nearest to `low` turned towards it by
+// `weight`.
 void rim_directions(Real low_x, Real low_y, Real weight, Real (&out)[4][2])
 {
     constexpr Real kX[4] = {-1, 1, 0, 0}, kY[4] = {0, 0, -1, 1};
@@ -34,7 +35,8 @@ void rim_directions(Real low_x, Real low_y, Real weight, Real (&out)[4][2])
         out[i][0] = kX[i], out[i][1] = kY[i];
         if (kX[i] * low_x + kY[i] * low_y > kX[nearest] * low_x + kY[nearest] * low_y) nearest = i;
     }
-    const Real x = kX[nearest] + weight * (low_x - kX[nearest]), y = kY[nearest] + weight * (low_y - kY[nearest]);
+    const Real x = kX[nearest] + weight * (low_x - kX[nearest]),
+               y = kY[nearest] + weight * (low_y - kY[nearest]);
     const Real k = std::sqrt(x * x + y * y);
     out[nearest][0] = x / k, out[nearest][1] = y / k;
 }
@@ -51,7 +53,8 @@ void box_plane(const Box& a, const Pose& A, const Plane& b, const Pose&, Contact
     int count = 0;
     const Real tie = 16 * kEpsilon * (reach + std::fabs(clearance));
     for (int i = 0; i < 8; ++i) {
-        const Vec3 v = {i & 4 ? -a.half.x : a.half.x, i & 2 ? -a.half.y : a.half.y, i & 1 ? -a.half.z : a.half.z};
+        const Vec3 v = {i & 4 ? -a.half.x : a.half.x, i & 2 ? -a.half.y : a.half.y,
+                        i & 1 ? -a.half.z : a.half.z};
         const Real depth = -(clearance + dot(n, v));
         if (!(depth >= 0) || (count == 4 && depth <= lowest[3].depth + tie)) continue;
         int k = count < 4 ? count++ : 3;

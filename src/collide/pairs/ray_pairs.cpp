@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Rays: x(t) = o + t d, 0 <= t <= length. Every solid here is convex, so the line is inside it for one interval
-// [enter, leave]. A ray that starts outside stops at `enter`; one that starts inside stops at the far wall, `leave`,
-// and its normal is turned inward, against the ray. A start on the surface is a hit at depth 0 with the outward
-// normal. Contact: position the hit, depth t, one contact at most.
+// Rays: x(t) = o + t d, 0 <= t <= length. Every solid here is convex, so the line is inside it for one
+// interval [enter, leave]. A ray that starts outside stops at `enter`; one that starts inside stops at the
+// far wall, `leave`, and its normal is turned inward, against the ray. A start on the surface is a hit at
+// depth 0 with the outward normal. Contact: position the hit, depth t, one contact at most.
 #include "collide/pairs/pairs.h"
 
 namespace epode {
@@ -58,8 +58,8 @@ bool roots(Real a, Real b, Real c, Real& lower, Real& upper)
     return true;
 }
 
-// Both quadratics are solved from the point of the line nearest to the solid's centre, so that rays from afar keep
-// their digits.
+// Both quadratics are solved from the point of the line nearest to the solid's centre, so that rays from afar
+// keep their digits.
 Real nearest_to(const Line& line, Vec3 centre) { return dot(centre - line.o, line.d); }
 
 // The infinite tube of radius r about z.

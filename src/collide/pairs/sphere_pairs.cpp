@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Sphere against sphere, box, capsule, cylinder and plane: one contact, closed forms. The sphere's centre c is
-// compared with the nearest point q of the other solid: normal (c - q)/|c - q|, depth r - |c - q|; with the centre
-// inside, the nearest face is the way out and its distance is added to the radius.
+// Sphere against sphere, box, capsule, cylinder and plane: one contact, closed forms. The sphere's centre c
+// is compared with the nearest point q of the other solid: normal (c - q)/|c - q|, depth r - |c - q|; with
+// the centre inside, the nearest face is the way out and its distance is added to the radius.
 #include "collide/pairs/pairs.h"
 #include "geometry/closest.h"
 
@@ -97,7 +97,8 @@ void sphere_cylinder(const Sphere& a, const Pose& A, const Cylinder& b, const Po
     const Real distance = by_end ? end : side;  // <= 0: the centre is inside
     if (distance > a.radius) return;
     const Vec3 n = B.R * (by_end ? axial : radial);
-    const Real in = !by_end && rho < a.radius ? rho : a.radius;  // sideways no farther than the cylinder's axis
+    const Real in =
+        !by_end && rho < a.radius ? rho : a.radius;  // sideways no farther than the cylinder's axis
     sink.add({A.p - in * n, n, a.radius - distance});
 }
 

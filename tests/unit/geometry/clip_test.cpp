@@ -20,7 +20,8 @@ constexpr Real kTight = kSingle ? Real(1e-4) : Real(1e-10);
 Real area(const Polygon& p)
 {
     Vec3 sum;
-    for (int i = 1; i + 1 < p.count; ++i) sum += cross(p.points[i] - p.points[0], p.points[i + 1] - p.points[0]);
+    for (int i = 1; i + 1 < p.count; ++i)
+        sum += cross(p.points[i] - p.points[0], p.points[i + 1] - p.points[0]);
     return Real(0.5) * sum.z;
 }
 

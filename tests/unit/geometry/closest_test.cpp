@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Closest points of segments and boxes against dense sampling, and the cases where a formula divides by nothing.
+// Closest points of segments and boxes against dense sampling, and the cases where a formula divides by
+// nothing.
 #include "geometry/closest.h"
 
 #include <gtest/gtest.h>
@@ -37,9 +38,10 @@ TEST(Closest, SegmentsAgreeWithSampling)
 {
     std::mt19937_64 engine(1);
     for (int i = 0; i < 2000; ++i) {
-        Vec3 a1 = random_point(engine), a2 = random_point(engine), b1 = random_point(engine), b2 = random_point(engine);
+        Vec3 a1 = random_point(engine), a2 = random_point(engine), b1 = random_point(engine),
+             b2 = random_point(engine);
         if (i % 4 == 1) b2 = b1 + Real(0.7) * (a2 - a1);  // parallel
-        if (i % 4 == 2) b2 = b1;                           // a point
+        if (i % 4 == 2) b2 = b1;                          // a point
         if (i % 8 == 3) a2 = a1, b2 = b1;
         Vec3 p, q;
         closest_segment_points(a1, a2, b1, b2, p, q);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// GJK and the polytope on a polyhedron that knows nothing of boxes: eight points. Both must agree with the box
-// functions, which share no code with them; and the convex pair must make manifolds of such a polyhedron.
+// GJK and the polytope on a polyhedron that knows nothing of boxes: eight points. Both must agree with the
+// box functions, which share no code with them; and the convex pair must make manifolds of such a polyhedron.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,8 @@ struct Hull {
 Vec3 hull_support(const void* shape, Vec3 d)
 {
     const Hull& hull = *static_cast<const Hull*>(shape);
-    return *std::max_element(hull.points, hull.points + 8, [d](Vec3 a, Vec3 b) { return dot(a, d) < dot(b, d); });
+    return *std::max_element(hull.points, hull.points + 8,
+                             [d](Vec3 a, Vec3 b) { return dot(a, d) < dot(b, d); });
 }
 
 void hull_feature(const void* shape, Vec3 d, Polygon& out)
@@ -42,7 +43,8 @@ Hull hull_of(const Box& b)
 {
     Hull h;
     for (int i = 0; i < 8; ++i)
-        h.points[i] = {i & 1 ? b.half.x : -b.half.x, i & 2 ? b.half.y : -b.half.y, i & 4 ? b.half.z : -b.half.z};
+        h.points[i] = {i & 1 ? b.half.x : -b.half.x, i & 2 ? b.half.y : -b.half.y,
+                       i & 4 ? b.half.z : -b.half.z};
     return h;
 }
 
@@ -116,7 +118,8 @@ TEST(Convex, GjkDistanceIsBelowEveryPairOfPoints)
 TEST(Convex, GjkStopsAtTheLimit)
 {
     const Box box;
-    const Distance d = gjk_distance(view_of(box, Pose{}), view_of(box, Pose{{50, 3, 2}, Mat3::identity()}), 1);
+    const Distance d =
+        gjk_distance(view_of(box, Pose{}), view_of(box, Pose{{50, 3, 2}, Mat3::identity()}), 1);
     EXPECT_GT(d.distance, 1);
     EXPECT_LE(d.distance, 50);
 }
