@@ -34,9 +34,11 @@ inline bool normalize(Quat& q)
         if (!(std::fabs(c) <= m)) m = std::fabs(c);
     if (!(m > 0) || !(m < kInf)) return false;
     const Quat u = {q.w / m, q.x / m, q.y / m, q.z / m};
-    const Real k = Real(1) / std::sqrt(u.w * u.w + u.x * u.x + u.y * u.y + u.z * u.z);
+    const Real n = std::sqrt(u.w * u.w + u.x * u.x + u.y * u.y + u.z * u.z);
+    if (!(n > 0)) return false;  // a NaN that the comparisons above have passed over
+    const Real k = Real(1) / n;
     q = {u.w * k, u.x * k, u.y * k, u.z * k};
-    return k > 0;
+    return true;
 }
 
 // Rotation matrix of q; q is not normalised here (dRfromQ).

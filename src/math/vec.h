@@ -61,7 +61,9 @@ inline bool normalize(Vec3& a)
     const Real m = max_component(abs(a));
     if (!(m > 0) || !(m < kInf)) return false;
     const Vec3 b = a / m;
-    a = b / length(b);
+    const Real n = length(b);
+    if (!(n > 0)) return false;  // a NaN that the comparisons above have passed over
+    a = b / n;
     return true;
 }
 

@@ -64,6 +64,22 @@ TEST(Vec, normalize_keeps_the_direction_at_any_size)
     EXPECT_EQ(zero, Vec3{});
 }
 
+TEST(Vec, normalize_refuses_a_nan_in_any_place_and_changes_nothing)
+{
+    const Real nan = std::numeric_limits<Real>::quiet_NaN();
+    for (int i = 0; i < 4; ++i) {
+        Real numbers[4] = {1, 2, 3, 4};
+        numbers[i] = nan;
+        Quat q = load_quat(numbers);
+        EXPECT_FALSE(normalize(q));
+        EXPECT_EQ(i == 3 ? q.w : q.z, i == 3 ? 1 : 4);
+        if (i == 3) continue;
+        Vec3 v = load(numbers);
+        EXPECT_FALSE(normalize(v));
+        EXPECT_EQ(i == 2 ? v.x : v.z, i == 2 ? 1 : 3);
+    }
+}
+
 TEST(Vec, plane_space_completes_a_right_handed_frame)
 {
     RandomNumbers random(3);
