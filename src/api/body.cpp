@@ -66,7 +66,7 @@ void dBodySetPosition(dBodyID b, dReal x, dReal y, dReal z)
 {
     BODY_OR();
     USABLE3(x, y, z);
-    EPODE_USER_SAY(geoms_unlocked(*body), "Invalid operation for locked space");
+    EPODE_USER_SAY(!in_locked_space(*body), "Invalid operation for locked space");
     store(body->pos, {x, y, z});
     body_moved(*body);
 }
@@ -77,7 +77,7 @@ void dBodySetRotation(dBodyID b, const dMatrix3 R)
     EPODE_USER(R && usable(R, 3) && usable(R + 4, 3) && usable(R + 8, 3));
     Mat3 clean = load_mat(R);
     EPODE_USER(orthonormalize(clean));
-    EPODE_USER_SAY(geoms_unlocked(*body), "Invalid operation for locked space");
+    EPODE_USER_SAY(!in_locked_space(*body), "Invalid operation for locked space");
     Quat q = to_quat(clean);
     normalize(q);
     store_quat(body->q, q);
@@ -91,7 +91,7 @@ void dBodySetQuaternion(dBodyID b, const dQuaternion q)
     EPODE_USER(q && usable(q, 4));
     Quat unit = load_quat(q);
     EPODE_USER(normalize(unit));
-    EPODE_USER_SAY(geoms_unlocked(*body), "Invalid operation for locked space");
+    EPODE_USER_SAY(!in_locked_space(*body), "Invalid operation for locked space");
     set_orientation(*body, unit);
     body_moved(*body);
 }

@@ -42,6 +42,8 @@ Quat turned(const Body& body, Vec3 w, Real h)
 Vec3 gyroscopic_torque(const Body& body, Vec3 w, Real h)
 {
     if (!body.gyroscopic || body.kinematic()) return {};
+    const Sym3& J = body.inertia;
+    if (J.xx == J.yy && J.yy == J.zz && J.xy == 0 && J.xz == 0 && J.yz == 0) return {};  // L is parallel to w
     const Mat3 I = full(rotate(body.rotation(), body.inertia));
     const Vec3 L = I * w;
     Mat3 M_inverse;

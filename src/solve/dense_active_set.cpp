@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace epode {
 namespace {
@@ -23,8 +22,8 @@ constexpr int kPatience = 5;
 constexpr int kMostPasses = 6;
 constexpr double kSettled = 4e-15;  // of the problem's scale: nothing left to correct
 
-// x[first..last) . y[first..last), first being even
-double inner(const double* x, const double* y, int first, int last)
+// x[first..last) . y[first..last), first being even. Inlined: most are short.
+[[gnu::always_inline]] inline double inner(const double* x, const double* y, int first, int last)
 {
     const auto* a = reinterpret_cast<const DoubleLane*>(x);
     const auto* b = reinterpret_cast<const DoubleLane*>(y);
@@ -74,19 +73,36 @@ bool DenseActiveSet::prepare(const ExactProblem& problem, std::span<const RowBlo
     return true;
 }
 
-// The block of A between two joints that share a body, x not before y.
+// The block of A between two joints that share a body, x not before y: J_x M^-1 J_y^T over the shared bodies.
 void DenseActiveSet::couple(const ExactProblem& problem, const RowBlock& x, const RowBlock& y)
 {
+    const ExactRow& rx = problem.row(x.first);
+    const ExactRow& ry = problem.row(y.first);
+    struct Shared {
+        int in_x, in_y;  // where the shared body's six numbers begin
+    } shared[2];
+    int count = 0;
+    if (rx.a == ry.a) shared[count++] = {0, 0};
+    if (ry.b >= 0 && rx.a == ry.b) shared[count++] = {0, 6};
+    if (rx.b >= 0 && rx.b == ry.a) shared[count++] = {6, 0};
+    if (rx.b >= 0 && rx.b == ry.b) shared[count++] = {6, 6};
+
     for (int i = x.first; i < x.first + x.count; ++i)
-        for (int j = y.first; j < y.first + y.count && j <= i; ++j)
-            row(i)[j] = row(j)[i] =
-                ExactProblem::coupling(problem.row(i), &response_[12 * std::size_t(i)], problem.row(j));
-    for (const auto& [block, other] : {std::pair{x, y}, std::pair{y, x}})
+        for (int j = y.first; j < y.first + y.count && j <= i; ++j) {
+            double s = 0;
+            for (int k = 0; k < count; ++k)
+                s += six_dot(&response_[12 * std::size_t(i)] + shared[k].in_x, problem.row(j).J + shared[k].in_y);
+            row(i)[j] = row(j)[i] = s;
+        }
+    const auto widen = [this](const RowBlock& block, const RowBlock& other) {
         for (int i = block.first; i < block.first + block.count; ++i) {
             const auto k = std::size_t(i);
             begin_[k] = std::min(begin_[k], other.first & ~1);
             end_[k] = std::max(end_[k], other.first + other.count);
         }
+    };
+    widen(x, y);
+    widen(y, x);
 }
 
 bool DenseActiveSet::solve(const ExactProblem& problem, BoxState& state, const ActiveSetSettings& settings,

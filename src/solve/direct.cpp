@@ -33,8 +33,8 @@ class DirectSolve {
     bool prepare(RowSystem& system, Arena& arena)
     {
         const int m = int(system.rows.size());
-        small_ = m <= DenseActiveSet::kMostRows;
         if (!problem_.build(system, arena)) return false;
+        small_ = m <= DenseActiveSet::kMostRows && m <= problem_.unknowns();
         state_.lo = arena.take<double>(m);
         state_.hi = arena.take<double>(m);
         state_.p = arena.take<double>(m);

@@ -63,9 +63,8 @@ class ExactProblem {
     static double jv(const ExactRow& row, const double* v);             // J v
     static void add_jt(const ExactRow& row, double s, double* x);       // x += J^T s
 
-    // M^-1 J^T of one row, and what an impulse there adds to J v of another one.
+    // M^-1 J^T of one row.
     void response(const ExactRow& row, double* twelve) const;
-    static double coupling(const ExactRow& row, const double* response, const ExactRow& other);
     double needed_velocity(int i) const { return row(i).c - jv(row(i), v_star_.data()); }  // c - J v*
 
     // Natural residual, relative to scale(), for bounds lo and hi; `v` is scratch.
@@ -99,30 +98,18 @@ class ExactProblem {
     double scale_ = 1;
 };
 
-inline double ExactProblem::jv(const ExactRow& row, const double* v)
+inline double six_dot(const double* x, const double* y)
 {
-    const auto six = [](const double* J, const double* x) {
-        const auto* a = reinterpret_cast<const DoubleLane*>(J);
-        const auto* b = reinterpret_cast<const DoubleLane*>(x);
-        const DoubleLane s = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-        return s[0] + s[1];
-    };
-    const double s = six(row.J, v + 6 * row.a);
-    return row.b < 0 ? s : s + six(row.J + 6, v + 6 * row.b);
+    const auto* a = reinterpret_cast<const DoubleLane*>(x);
+    const auto* b = reinterpret_cast<const DoubleLane*>(y);
+    const DoubleLane s = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    return s[0] + s[1];
 }
 
-inline double ExactProblem::coupling(const ExactRow& row, const double* response, const ExactRow& other)
+inline double ExactProblem::jv(const ExactRow& row, const double* v)
 {
-    const auto six = [](const double* J, const double* x) {
-        return J[0] * x[0] + J[1] * x[1] + J[2] * x[2] + J[3] * x[3] + J[4] * x[4] + J[5] * x[5];
-    };
-    double s = 0;
-    if (other.a == row.a) s += six(other.J, response);
-    if (row.b >= 0 && other.a == row.b) s += six(other.J, response + 6);
-    if (other.b < 0) return s;
-    if (other.b == row.a) s += six(other.J + 6, response);
-    if (other.b == row.b) s += six(other.J + 6, response + 6);
-    return s;
+    const double s = six_dot(row.J, v + 6 * row.a);
+    return row.b < 0 ? s : s + six_dot(row.J + 6, v + 6 * row.b);
 }
 
 inline void ExactProblem::add_jt(const ExactRow& row, double s, double* x)
