@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace epode {
 namespace {
@@ -213,7 +214,9 @@ bool ContactSet::pack(const RowSystem& system, Real w, std::span<bool> packed, A
     const int count = batches_.empty() ? 0 : batches_.back().first + batches_.back().count;
     points_ = arena.take_zeroed<ContactPoint>(count);
     sources_ = arena.take<ContactSource>(count);
+    order_ = arena.take<int>(int(batches_.size()));
     if (arena.failed()) return false;
+    for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = int(i);
     fill(system, w);
     return true;
 }
@@ -332,13 +335,27 @@ void ContactSet::apply_impulses(std::span<Velocity> bodies) const
     }
 }
 
-void ContactSet::sweep(std::span<Velocity> bodies, bool backwards)
+void ContactSet::shuffle(CounterRandom& random)
 {
-    const std::size_t n = batches_.size();
+    for (int i = 1; i < int(order_.size()); ++i) std::swap(order_[std::size_t(i)], order_[std::size_t(random.below(i + 1))]);
+}
+
+void ContactSet::sweep(std::span<Velocity> bodies)
+{
+    const std::size_t n = order_.size();
     for (std::size_t i = 0; i < n; ++i) {
-        const ContactBatch& batch = batches_[backwards ? n - 1 - i : i];
+        if (i + 2 < n) prefetch(batches_[std::size_t(order_[i + 2])]);
+        const ContactBatch& batch = batches_[std::size_t(order_[i])];
         sweep_batch(batch, &points_[std::size_t(batch.first)], bodies);
     }
+}
+
+// The order is random, but known: the lines are on their way while another batch is computed.
+void ContactSet::prefetch(const ContactBatch& batch) const
+{
+    const char* from = reinterpret_cast<const char*>(&points_[std::size_t(batch.first)]);
+    const std::size_t bytes = std::size_t(batch.count) * sizeof(ContactPoint);
+    for (std::size_t at = 0; at < bytes; at += kCacheLine) __builtin_prefetch(from + at, 1);
 }
 
 void ContactSet::store_impulses(std::span<RowNumbers> numbers) const

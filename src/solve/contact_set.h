@@ -19,6 +19,7 @@
 #include <span>
 
 #include "base/arena.h"
+#include "base/random.h"
 #include "rows/row_system.h"
 #include "simd/lanes.h"
 #include "solve/velocities.h"
@@ -51,7 +52,8 @@ class ContactSet {
     bool pack(const RowSystem& system, Real w, std::span<bool> packed, Arena& arena);
 
     void apply_impulses(std::span<Velocity> bodies) const;   // v += M^-1 J^T p
-    void sweep(std::span<Velocity> bodies, bool backwards);
+    void shuffle(CounterRandom& random);                     // the order of the sweeps to come
+    void sweep(std::span<Velocity> bodies);
     void store_impulses(std::span<RowNumbers> numbers) const;
 
     std::span<ContactBatch> batches() { return batches_; }
@@ -63,8 +65,8 @@ class ContactSet {
         int block, count;
         int body1, body2;
     };
-    struct Pairing;
 
+    void prefetch(const ContactBatch& batch) const;
     void find_manifolds(const RowSystem& system, std::span<bool> packed);
     void batch_manifolds(const RowSystem& system, std::span<bool> used);
     void fill(const RowSystem& system, Real w);
@@ -73,6 +75,7 @@ class ContactSet {
     std::span<Manifold> manifolds_;
     std::span<int> chosen_;               // kLanes manifolds per batch, -1: none
     std::span<ContactBatch> batches_;
+    std::span<int> order_;                // of the batches in a sweep
     std::span<ContactPoint> points_;
     std::span<ContactSource> sources_;
     int manifold_count_ = 0;

@@ -64,8 +64,9 @@ const SolverBody* body_or_null(const RowSystem& system, int index)
 
 }  // namespace
 
-bool SubstepContacts::prepare(RowSystem& system, const Substep& step, Arena& arena)
+bool SubstepContacts::prepare(RowSystem& system, const Substep& step, std::uint64_t seed, Arena& arena)
 {
+    random_ = CounterRandom(seed);
     hs_ = step.hs;
     auto skip = arena.take<bool>(int(system.blocks.size()));
     if (skip.empty()) return false;
@@ -122,7 +123,8 @@ void SubstepContacts::sweep(std::span<Velocity> bodies, bool relax)
         begin_pass(other_aims_[i], pass, per_hs, row.c, row.keep, row.gain);
     }
     others_.sweep(bodies, relax);
-    set_.sweep(bodies, relax);
+    set_.shuffle(random_);
+    set_.sweep(bodies);
 }
 
 void SubstepContacts::follow_motion(std::span<const Velocity> bodies)

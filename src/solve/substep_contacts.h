@@ -26,7 +26,7 @@ struct NormalAim {
 class SubstepContacts {
   public:
     // `system.numbers` hold bounds and warm start of one inner step; c and C are set here. False: out of memory.
-    bool prepare(RowSystem& system, const Substep& step, Arena& arena);
+    bool prepare(RowSystem& system, const Substep& step, std::uint64_t seed, Arena& arena);
 
     void apply_impulses(std::span<Velocity> bodies) const;
     void sweep(std::span<Velocity> bodies, bool relax);
@@ -43,6 +43,7 @@ class SubstepContacts {
     std::span<NormalAim<Lanes>> aims_;        // per point of the set
     std::span<NormalAim<Real>> other_aims_;   // per block of the others
     Real hs_ = 0;
+    CounterRandom random_{0};
 };
 
 }  // namespace epode

@@ -31,7 +31,7 @@ class SmallSteps {
     {
     }
 
-    bool prepare(bool want_residual, Arena& arena)
+    bool prepare(const SolverSettings& settings, Arena& arena)
     {
         // Numbers of the whole step become those of a small one.
         const Real share = Real(1) / Real(step_.n);
@@ -41,12 +41,13 @@ class SmallSteps {
         }
         velocities_ = take_velocities(system_, arena);
         if (velocities_.empty() || !joints_.prepare(system_, arena)) return false;
-        if (!contacts_.prepare(system_, step_, arena)) return false;
-        if (want_residual) {
+        if (!contacts_.prepare(system_, step_, settings.seed, arena)) return false;
+        if (settings.want_residual) {
             before_ = arena.take<SolverBody>(int(system_.bodies.size()));
             described_ = arena.take<RowNumbers>(int(system_.numbers.size()));
             lo_ = arena.take<Real>(int(system_.numbers.size()));
             hi_ = arena.take<Real>(int(system_.numbers.size()));
+            if (arena.failed()) return false;
             std::copy(system_.numbers.begin(), system_.numbers.end(), described_.begin());
         }
         for (RowNumbers& n : system_.numbers) n.p = 0;  // from here on the sum
@@ -153,7 +154,7 @@ bool solve_tgs(RowSystem& system, const SolverSettings& settings, Arena& arena, 
     }
     Arena::Scope scope(arena);
     SmallSteps steps(system, model, n);
-    return steps.prepare(settings.want_residual, arena) && steps.run(arena, report);
+    return steps.prepare(settings, arena) && steps.run(arena, report);
 }
 
 }  // namespace
