@@ -79,7 +79,7 @@ bool share_a_point(const Placed& a, const Placed& b, double margin, Random& rand
     const Placed& centre = dGeomGetClass(a.geom) == dPlaneClass ? b : a;
     if (dGeomGetClass(centre.geom) == dPlaneClass) { return false; }
     const dReal* c = dGeomGetPosition(centre.geom);
-    for (int i = 0; i < 150; ++i) {
+    for (int i = 0; i < 500; ++i) {
         const Vec3 d = random.in_cube(centre.radius);
         const Vec3 p{c[0] + d.x, c[1] + d.y, c[2] + d.z};
         if (depth_in(a.geom, p) > margin && depth_in(b.geom, p) > margin) { return true; }

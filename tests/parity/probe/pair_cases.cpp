@@ -19,6 +19,7 @@ namespace {
 constexpr int kPoses = 1000;
 constexpr int kRoom = 32;
 constexpr double kMargin = 0.01;  // of a sampled point inside both
+constexpr double kLeft = 1e-3;    // overlap that may be left after separating
 
 int collide(dGeomID a, dGeomID b, std::array<dContactGeom, kRoom>& contacts)
 {
@@ -28,8 +29,10 @@ int collide(dGeomID a, dGeomID b, std::array<dContactGeom, kRoom>& contacts)
 bool is_ray_pair(Kind a, Kind b) { return a == Kind::kRay || b == Kind::kRay; }
 
 // Moves the geom that can move; a plane cannot, so then the other goes the opposite way.
-double is_apart_after_move(dGeomID a, dGeomID b, const dContactGeom& deepest)
+double is_apart_after_move(const Placed& first, const Placed& second, const dContactGeom& deepest,
+                           Random& samples)
 {
+    const dGeomID a = first.geom, b = second.geom;
     const double way = deepest.depth * (1 + 1e-6) + 1e-6;
     const bool move_first = dGeomGetClass(a) != dPlaneClass;
     const dGeomID moved = move_first ? a : b;
@@ -40,15 +43,17 @@ double is_apart_after_move(dGeomID a, dGeomID b, const dContactGeom& deepest)
     std::array<dContactGeom, kRoom> contacts;
     const int count = collide(a, b, contacts);
     for (int i = 0; i < count; ++i) {
-        if (contacts[static_cast<std::size_t>(i)].depth > 1e-3) { return 0; }
+        if (contacts[static_cast<std::size_t>(i)].depth > kLeft) { return 0; }
     }
-    return 1;
+    return share_a_point(first, second, kLeft, samples) ? 0 : 1;
 }
 
-void put_pose(Output& out, const std::string& key, dGeomID a, dGeomID b, bool rays, double shared)
+void put_pose(Output& out, const std::string& key, const Placed& a, const Placed& b, bool rays)
 {
+    Random samples("inside" + key);
+    const double shared = !rays && share_a_point(a, b, kMargin, samples) ? 1 : 0;
     std::array<dContactGeom, kRoom> contacts = {};
-    const int count = collide(a, b, contacts);
+    const int count = collide(a.geom, b.geom, contacts);
     if (count == 0) {
         out.put(key, {0, 0, 0, 0, 0, 0, 1, shared});
         return;
@@ -57,7 +62,7 @@ void put_pose(Output& out, const std::string& key, dGeomID a, dGeomID b, bool ra
     const dContactGeom deepest = *std::max_element(contacts.begin(), contacts.begin() + count, shallower);
     double sum = 0;
     for (int i = 0; i < count; ++i) { sum += contacts[static_cast<std::size_t>(i)].depth; }
-    const double apart = rays ? 1 : is_apart_after_move(a, b, deepest);
+    const double apart = rays ? 1 : is_apart_after_move(a, b, deepest, samples);
     out.put(key, {static_cast<double>(count), deepest.depth, deepest.normal[0], deepest.normal[1],
                   deepest.normal[2], sum, apart, shared});
 }
@@ -71,10 +76,7 @@ void put_pair(Output& out, Random& random, Kind first, Kind second)
         place_geom(a, first, at, random);
         place_geom(b, second, {at.x + distance * away.x, at.y + distance * away.y, at.z + distance * away.z},
                    random);
-        Random samples("inside" + std::to_string(pose));
-        const bool rays = is_ray_pair(first, second);
-        const double shared = !rays && share_a_point(a, b, kMargin, samples) ? 1 : 0;
-        put_pose(out, std::to_string(pose), a.geom, b.geom, rays, shared);
+        put_pose(out, std::to_string(pose), a, b, is_ray_pair(first, second));
         dGeomDestroy(a.geom);
         dGeomDestroy(b.geom);
     }

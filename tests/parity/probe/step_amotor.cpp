@@ -3,7 +3,7 @@
 //
 // One dWorldStep with an angular motor: user mode with one to three axes of every frame (world, first body,
 // second body) and given angles, and Euler mode, where the library computes the angles itself.
-#include "limits.h"
+#include "limit_states.h"
 
 namespace parity {
 namespace {

@@ -3,7 +3,7 @@
 //
 // One dWorldStep with the joints that have no limits: ball, fixed (with and without dJointSetFixed), null,
 // and with a free body, disabled joints, kinematic partners and re-attachment.
-#include "limits.h"
+#include "limit_states.h"
 
 namespace parity {
 namespace {

@@ -3,7 +3,7 @@
 //
 // One dWorldStep with a hinge and with a slider: every state of their single limit and motor, every way of
 // attaching, and the helpers that apply torque or force or shift the zero.
-#include "limits.h"
+#include "limit_states.h"
 
 namespace parity {
 namespace {

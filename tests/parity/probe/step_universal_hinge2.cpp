@@ -3,7 +3,7 @@
 //
 // One dWorldStep with a universal joint and with a hinge-2: two limited axes each; the suspension and the
 // axis-to-axis angle of the latter.
-#include "limits.h"
+#include "limit_states.h"
 
 #include <cmath>
 

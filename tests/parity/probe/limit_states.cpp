@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See limits.h. Bounce variants meet both signs of the approach velocity because velocities are random; fudge
-// variants meet a motor pushing into and away from the stop because the motor velocity's sign is random.
-#include "limits.h"
+// See limit_states.h. Bounce variants meet both signs of the approach velocity because velocities are random;
+// fudge variants meet a motor pushing into and away from the stop because the motor velocity's sign is
+// random.
+#include "limit_states.h"
 
 namespace parity {
 namespace {
