@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The tree of boxes against a list of boxes.
+#include "bvh/dynamic_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "../math/random_numbers.h"
+
+namespace epode {
+namespace {
+
+struct Entry {
+    int leaf;
+    Aabb box;
+};
+
+Aabb random_box(RandomNumbers& random)
+{
+    const Vec3 c = 10 * random.vec(), e = abs(random.vec()) * random.in(Real(0.1), 2);
+    return {c - e, c + e};
+}
+
+std::vector<int> ask(const DynamicTree& tree, const Aabb& box)
+{
+    std::vector<int> found;
+    tree.query(box, [&](int item) { found.push_back(item); });
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+std::vector<int> ask(const std::vector<Entry>& entries, const Aabb& box)
+{
+    std::vector<int> found;
+    for (std::size_t i = 0; i < entries.size(); ++i)
+        if (entries[i].leaf >= 0 && overlap(entries[i].box, box)) found.push_back(int(i));
+    return found;
+}
+
+TEST(DynamicTree, finds_what_a_list_finds_through_random_changes)
+{
+    RandomNumbers random(1);
+    DynamicTree tree;
+    std::vector<Entry> entries(200, Entry{-1, {}});
+    for (int step = 0; step < 6000; ++step) {
+        const int i = random.below(200);
+        Entry& entry = entries[std::size_t(i)];
+        entry.box = random_box(random);
+        if (entry.leaf < 0) {
+            entry.leaf = tree.insert(entry.box, i);
+        } else if (random.below(3) == 0) {
+            tree.remove(entry.leaf);
+            entry.leaf = -1;
+        } else {
+            tree.move(entry.leaf, entry.box);
+        }
+        const Aabb box = random_box(random);
+        ASSERT_EQ(ask(tree, box), ask(entries, box)) << "step " << step;
+    }
+}
+
+TEST(DynamicTree, loose_insertion_and_rebuild_give_the_same_answers)
+{
+    RandomNumbers random(2);
+    DynamicTree tree;
+    std::vector<Entry> entries;
+    for (int i = 0; i < 500; ++i) {
+        const Aabb box = random_box(random);
+        entries.push_back({tree.insert_loose(box, i), box});
+    }
+    EXPECT_FALSE(tree.sound());
+    ASSERT_TRUE(tree.rebuild());
+    EXPECT_TRUE(tree.sound());
+    for (int k = 0; k < 200; ++k) {
+        const Aabb box = random_box(random);
+        ASSERT_EQ(ask(tree, box), ask(entries, box));
+    }
+}
+
+TEST(DynamicTree, stays_low_when_boxes_come_in_a_row)
+{
+    DynamicTree tree;
+    for (int i = 0; i < 3000; ++i) (void)tree.insert({{Real(i), 0, 0}, {Real(i) + 1, 1, 1}}, i);
+    EXPECT_LE(tree.height(), 60);
+    EXPECT_EQ(ask(tree, {{Real(0.5), 0, 0}, {Real(1.5), 1, 1}}), (std::vector<int>{0, 1}));
+}
+
+TEST(DynamicTree, bears_many_equal_boxes)
+{
+    DynamicTree tree;
+    for (int i = 0; i < 2000; ++i) (void)tree.insert_loose({{0, 0, 0}, {1, 1, 1}}, i);
+    ASSERT_TRUE(tree.rebuild());
+    EXPECT_LE(tree.height(), 40);
+    EXPECT_EQ(ask(tree, {{1, 1, 1}, {2, 2, 2}}).size(), 2000u);
+    EXPECT_TRUE(ask(tree, {{Real(1.01), 1, 1}, {2, 2, 2}}).empty());
+}
+
+TEST(DynamicTree, knows_which_boxes_it_can_hold)
+{
+    EXPECT_TRUE(bounded({{-1, -1, -1}, {1, 1, 1}}));
+    EXPECT_TRUE(bounded({{1, 1, 1}, {1, 1, 1}}));
+    EXPECT_FALSE(bounded({{-kInf, -1, -1}, {1, 1, 1}}));
+    EXPECT_FALSE(bounded({{-1, -1, 2}, {1, 1, 1}}));
+    EXPECT_FALSE(bounded({{-1, -1, -1}, {1, 1, std::numeric_limits<Real>::quiet_NaN()}}));
+}
+
+}  // namespace
+}  // namespace epode
