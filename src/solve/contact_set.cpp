@@ -16,6 +16,8 @@ namespace {
 
 constexpr int kManifoldPoints = 4;
 constexpr int kWindow = 48;  // manifolds looked at for a free lane
+constexpr int kFullShuffle = 1536;  // batches, about 3 MB
+constexpr int kRun = 32;
 
 struct Arms {
     Vec3 r1, r2;
@@ -335,9 +337,18 @@ void ContactSet::apply_impulses(std::span<Velocity> bodies) const
     }
 }
 
+// Islands that no longer fit the caches keep neighbours together: runs are shuffled, then what is in each run.
 void ContactSet::shuffle(CounterRandom& random)
 {
-    for (int i = 1; i < int(order_.size()); ++i) std::swap(order_[std::size_t(i)], order_[std::size_t(random.below(i + 1))]);
+    const int n = int(order_.size());
+    const int run = n > kFullShuffle ? kRun : n;
+    int* order = order_.data();
+    for (int i = 1; i < n / std::max(run, 1); ++i) {
+        const int j = random.below(i + 1);
+        if (j != i) std::swap_ranges(order + i * run, order + (i + 1) * run, order + j * run);
+    }
+    for (int first = 0; first < n; first += run)
+        for (int i = 1; i < std::min(run, n - first); ++i) std::swap(order[first + i], order[first + random.below(i + 1)]);
 }
 
 void ContactSet::sweep(std::span<Velocity> bodies)
