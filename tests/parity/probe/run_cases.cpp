@@ -168,14 +168,14 @@ PARITY_CASE(run_sliding_box)
 // much harder, the original's LCP solver gives up in the first steps ("s <= 0") and boxes creep away: no
 // reference.
 constexpr double kPressed = 1e-3;
-constexpr double kStackSoftness = 1e-2;
+constexpr double softness = 1e-2;
 
 double stack_height(int level) { return 0.25 + 0.5 * level - kPressed * (2 * level + 1); }
 
-PARITY_CASE(run_stack)
+void run_stack(Output& out, double softness)
 {
     World w;
-    dWorldSetCFM(w.world, kStackSoftness);
+    dWorldSetCFM(w.world, softness);
     dCreatePlane(w.space, 0, 0, 1, 0);
     std::vector<dBodyID> boxes;
     for (int i = 0; i < 5; ++i) { boxes.push_back(add_box(w, 1, 1, 0.5, 0, 0, stack_height(i))); }
@@ -183,10 +183,18 @@ PARITY_CASE(run_stack)
     put_all(out, boxes);
 }
 
-PARITY_CASE(run_pyramid)
+PARITY_CASE(run_stack)
+{
+    out.open_block("soft");
+    run_stack(out, 1e-2);
+    out.open_block("hard");
+    run_stack(out, 1e-5);
+}
+
+void run_pyramid(Output& out, double softness)
 {
     World w;
-    dWorldSetCFM(w.world, kStackSoftness);
+    dWorldSetCFM(w.world, softness);
     dCreatePlane(w.space, 0, 0, 1, 0);
     std::vector<dBodyID> boxes;
     for (int row = 0; row < 4; ++row) {
@@ -196,6 +204,14 @@ PARITY_CASE(run_pyramid)
     }
     run(w, 100, 0.01);
     put_all(out, boxes);
+}
+
+PARITY_CASE(run_pyramid)
+{
+    out.open_block("soft");
+    run_pyramid(out, 1e-2);
+    out.open_block("hard");
+    run_pyramid(out, 1e-5);
 }
 
 PARITY_CASE(run_spheres)
