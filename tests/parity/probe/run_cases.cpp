@@ -164,11 +164,9 @@ PARITY_CASE(run_sliding_box)
     run_sliding_box(out, dContactApprox1, 0);
 }
 
-// How much a stack starts pressed together per box, and how soft its contacts are. From exact touching, or
-// much harder, the original's LCP solver gives up in the first steps ("s <= 0") and boxes creep away: no
-// reference.
+// How much a stack starts pressed together per box: from exact touching the original's LCP solver gives up in
+// the first steps ("s <= 0") and boxes creep away, which is no reference.
 constexpr double kPressed = 1e-3;
-constexpr double softness = 1e-2;
 
 double stack_height(int level) { return 0.25 + 0.5 * level - kPressed * (2 * level + 1); }
 
