@@ -20,6 +20,7 @@ enum class Tag : std::uint32_t {
     kJoint = 0x0de00003,
     kJointGroup = 0x0de00004,
     kGeom = 0x0de00005,
+    kHeightfieldData = 0x0de00006,
 };
 
 // What every object behind a handle starts with; `serial` tells objects of one kind apart

@@ -88,6 +88,7 @@ void ColliderTable::fill()
     set_both(GeomTraits<First>::kNumber, GeomTraits<Second>::kNumber, \
              {.pair = thunk<&function, First, Second>});
 #include "collide/pairs.inc"
+#include "collide/terrain_pairs.inc"
 #undef PAIR
 }
 

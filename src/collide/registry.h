@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "base/pool.h"
 #include "collide/geom.h"
+#include "collide/heightfield.h"
 #include "collide/space.h"
 #include "collide/transform.h"
 

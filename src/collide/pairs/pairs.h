@@ -7,6 +7,7 @@
 #pragma once
 
 #include "collide/contact_sink.h"
+#include "collide/heightfield.h"
 #include "geometry/convex_view.h"
 #include "geometry/shapes.h"
 
@@ -15,6 +16,7 @@ namespace epode {
 #define PAIR(First, Second, function) \
     void function(const First& a, const Pose& A, const Second& b, const Pose& B, ContactSink& sink);
 #include "collide/pairs.inc"
+#include "collide/terrain_pairs.inc"
 #undef PAIR
 
 // Any two convex solids, by their views. The answer for classes without a pair function of their own.

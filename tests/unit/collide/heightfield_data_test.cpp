@@ -55,15 +55,15 @@ TEST_F(HeightfieldData, all_builders_mean_the_same_field)
     short shorts[6];
     float singles[6];
     double doubles[6];
-    for (int k = 0; k < 6; ++k) shorts[k] = bytes[k], singles[k] = bytes[k], doubles[k] = bytes[k];
     for (int kind = 0; kind < 4; ++kind) {
+        for (int k = 0; k < 6; ++k) shorts[k] = bytes[k], singles[k] = bytes[k], doubles[k] = bytes[k];
         switch (kind) {
             case 0: dGeomHeightfieldDataBuildByte(data, bytes, 1, 2, 1, 3, 2, 2, 5, 1, 0); break;
             case 1: dGeomHeightfieldDataBuildShort(data, shorts, 1, 2, 1, 3, 2, 2, 5, 1, 0); break;
             case 2: dGeomHeightfieldDataBuildSingle(data, singles, 1, 2, 1, 3, 2, 2, 5, 1, 0); break;
             default: dGeomHeightfieldDataBuildDouble(data, doubles, 1, 2, 1, 3, 2, 2, 5, 1, 0); break;
         }
-        std::fill(doubles, doubles + 6, 77);  // the copy does not mind
+        for (int k = 0; k < 6; ++k) shorts[k] = 77, singles[k] = 77, doubles[k] = 77;  // the copy does not mind
         dGeomHeightfieldSetHeightfieldData(geom, data);
         expect_box(geom, {-1, 1, 4, 29, -0.5, 0.5});
         EXPECT_NEAR(height_at(0, 0), 2 * 6 + 5, 1e-4);

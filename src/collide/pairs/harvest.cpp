@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See harvest.h. When the room is full, every manifold is thinned to four points at once; should that not help,
+// as on a surface of needles, the manifolds that are least deep go.
+#include "collide/pairs/harvest.h"
+
+namespace epode {
+
+namespace {
+
+constexpr Real kSameNormal = Real(1) - (kSingle ? Real(1e-6) : Real(1e-9));
+constexpr Real kLikeNormal = Real(0.998);  // cosine of 3.6 degrees
+
+}  // namespace
+
+void Harvest::add(Vec3 position, Vec3 normal, Real depth)
+{
+    for (int k = 0; k < count_; ++k) {
+        ContactPoint& p = points_[k];
+        if (length2(p.position - position) > same2_ || dot(p.normal, normal) < kSameNormal) continue;
+        if (depth > p.depth) p.depth = depth;
+        return;
+    }
+    if (count_ == kRoom) make_room();
+    points_[count_++] = {position, normal, depth};
+}
+
+void Harvest::sort_out()
+{
+    // Insertion by depth; stable.
+    for (int k = 1; k < count_; ++k) {
+        const ContactPoint p = points_[k];
+        int at = k;
+        for (; at > 0 && points_[at - 1].depth < p.depth; --at) points_[at] = points_[at - 1];
+        points_[at] = p;
+    }
+    // The deepest point that is left founds a manifold and collects its like, order kept.
+    manifolds_ = 0;
+    for (int first = 0; first < count_;) {
+        starts_[manifolds_++] = first;
+        const Vec3 normal = points_[first].normal;
+        int end = first + 1;
+        for (int k = end; k < count_; ++k) {
+            if (dot(points_[k].normal, normal) < kLikeNormal) continue;
+            const ContactPoint p = points_[k];
+            for (int at = k; at > end; --at) points_[at] = points_[at - 1];
+            points_[end++] = p;
+        }
+        first = end;
+    }
+    starts_[manifolds_] = count_;
+}
+
+int Harvest::thinned(int manifold, int quota, ContactPoint* out) const
+{
+    dContactGeom kept[kPerManifold];
+    ContactSink choice(kept, sizeof(dContactGeom), quota < kPerManifold ? quota : kPerManifold, false);
+    const int first = starts_[manifold], count = starts_[manifold + 1] - first;
+    choice.add_manifold({points_ + first, std::size_t(count)});
+    for (int k = 0; k < choice.count(); ++k) out[k] = {load(kept[k].pos), load(kept[k].normal), kept[k].depth};
+    return choice.count();
+}
+
+void Harvest::make_room()
+{
+    sort_out();
+    int kept = 0;
+    for (int m = 0; m < manifolds_ && kept + kPerManifold <= kRoom - kRoom / 4; ++m) {
+        ContactPoint best[kPerManifold];
+        const int n = thinned(m, kPerManifold, best);
+        for (int k = 0; k < n; ++k) points_[kept++] = best[k];  // never beyond what has been read
+    }
+    count_ = kept;
+}
+
+void Harvest::deliver(ContactSink& sink)
+{
+    sort_out();
+    for (int m = 0; m < manifolds_ && !sink.full(); ++m) {
+        // An equal share each; what earlier ones left over goes to the later.
+        const int left = sink.room() - sink.count(), waiting = manifolds_ - m;
+        const int quota = left > waiting ? left / waiting : 1;
+        ContactPoint best[kPerManifold];
+        const int n = thinned(m, quota, best);
+        for (int k = 0; k < n; ++k) sink.add(best[k]);
+    }
+}
+
+}  // namespace epode

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Contacts with a surface of many facets, gathered one by one and then thinned: a bounded number, no allocation.
+// Contacts whose normals differ by little form a manifold; of each at most four points stay, chosen as for any
+// manifold (contact_sink.h), and the client's room is shared among the manifolds, the deepest first. All ties are
+// broken by the order of arrival.
+#pragma once
+
+#include "collide/contact_sink.h"
+
+namespace epode {
+
+class Harvest {
+  public:
+    // Positions closer than `same` with like normals are one contact.
+    explicit Harvest(Real same) : same2_(same * same) {}
+
+    void add(Vec3 position, Vec3 normal, Real depth);
+    void deliver(ContactSink& sink);
+
+  private:
+    static constexpr int kRoom = 64;
+    static constexpr int kPerManifold = 4;
+
+    void sort_out();  // by manifold, the deepest manifold first; starts_ gets their first places
+    int thinned(int manifold, int quota, ContactPoint* out) const;
+    void make_room();
+
+    union {
+        ContactPoint points_[kRoom];  // in a union: left unwritten until added
+    };
+    int count_ = 0;
+    int starts_[kRoom + 1];
+    int manifolds_ = 0;
+    Real same2_;
+};
+
+}  // namespace epode

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Height field: the geom and its data object. Data are checked when they are built, all samples of them: a number
+// that is none is refused there, and what a callback or an array that is not copied gives later counts as 0.
+#include <type_traits>
+
+#include "base/memory.h"
+#include "collide/registry.h"
+
+namespace epode {
+namespace {
+
+using HeightfieldGeom = ShapeGeom<Heightfield>;
+
+// The field's box turned into the world. Every coordinate is a sum of products of which some may be infinite, of
+// one sign for each bound.
+Aabb aabb(Geom& geom)
+{
+    const Pose pose = load_pose(geom.position, geom.rotation);
+    const HeightfieldData* d = static_cast<const HeightfieldGeom&>(geom).shape.field();
+    if (!d) return {pose.p, pose.p};
+    const Real x = d->wrap ? kInf : d->width / 2, z = d->wrap ? kInf : d->depth / 2;
+    const Vec3 lo{-x, d->lowest, -z}, hi{x, d->highest, z};
+    Aabb box{pose.p, pose.p};
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) {
+            const Real r = pose.R.row(i)[k];
+            if (r == 0) continue;
+            box.lo.set(i, box.lo[i] + (r > 0 ? r * lo[k] : r * hi[k]));
+            box.hi.set(i, box.hi[i] + (r > 0 ? r * hi[k] : r * lo[k]));
+        }
+    return box;
+}
+
+constexpr GeomType heightfield_type(bool placeable)
+{
+    return {.number = dHeightfieldClass,
+            .placeable = placeable,
+            .aabb = aabb,
+            .destroy = destroy_pooled<HeightfieldGeom>};
+}
+
+const GeomType kFixedHeightfieldType = heightfield_type(false);
+
+// ---- building ----
+
+struct Layout {
+    Real width, depth;
+    int nx, nz;
+    Real scale, offset, thickness;
+    int wrap;
+};
+
+bool fits(const Layout& l)
+{
+    return usable(l.width) && usable(l.depth) && l.width > 0 && l.depth > 0 && l.nx >= 2 && l.nz >= 2 &&
+           usable(l.scale) && usable(l.offset) && usable(l.thickness) && l.thickness >= 0;
+}
+
+void take(const Layout& l, HeightfieldData& d)
+{
+    d.width = l.width, d.depth = l.depth;
+    d.nx = l.nx, d.nz = l.nz;
+    d.scale = l.scale, d.offset = l.offset, d.thickness = l.thickness;
+    d.wrap = l.wrap != 0;
+}
+
+struct Range {
+    Real low, high;
+};
+
+// False when a sample is not a usable number.
+template <typename Sample>
+bool range_of(const Sample* samples, std::size_t count, Range& out)
+{
+    Sample low = samples[0], high = samples[0];
+    for (std::size_t k = 0; k < count; ++k) {
+        if constexpr (std::is_floating_point_v<Sample>)
+            if (!usable(Real(samples[k])) || !(samples[k] >= -std::numeric_limits<Sample>::max()) ||
+                !(samples[k] <= std::numeric_limits<Sample>::max()))
+                return false;
+        low = samples[k] < low ? samples[k] : low;
+        high = samples[k] > high ? samples[k] : high;
+    }
+    out = {Real(low), Real(high)};
+    return true;
+}
+
+// The reason of a refusal, or null.
+template <typename Sample>
+const char* build(dHeightfieldDataID id, const Sample* samples, int copy, const Layout& layout,
+                  HeightfieldData::Source source)
+{
+    HeightfieldData* d = from_handle<HeightfieldData>(id);
+    Range range;
+    if (!d || !samples || !fits(layout)) return "Bad argument(s)";
+    const std::size_t count = std::size_t(layout.nx) * std::size_t(layout.nz);
+    if (!range_of(samples, count, range)) return "height is not a usable number";
+    if (!usable(range.low * layout.scale + layout.offset) || !usable(range.high * layout.scale + layout.offset))
+        return "height is not a usable number";
+    void* block = nullptr;
+    if (copy) {
+        block = allocate(count * sizeof(Sample));
+        if (!block) return "out of memory";
+        std::memcpy(block, samples, count * sizeof(Sample));
+    }
+    d->drop_samples();
+    take(layout, *d);
+    d->copy = block;
+    d->copy_size = block ? count * sizeof(Sample) : 0;
+    d->samples = block ? block : samples;
+    d->source = source;
+    d->set_bounds(range.low, range.high);
+    return nullptr;
+}
+
+}  // namespace
+
+const GeomType kHeightfieldType = heightfield_type(true);
+
+}  // namespace epode
+
+using namespace epode;
+
+#define EPODE_BUILD_HEIGHTFIELD(source)                                                                  \
+    const Layout layout{width, depth, widthSamples, depthSamples, scale, offset, thickness, bWrap};      \
+    const char* const refusal =                                                                          \
+        build(d, pHeightData, bCopyHeightData, layout, HeightfieldData::Source::source);                 \
+    EPODE_USER_SAY(!refusal, refusal)
+
+extern "C" {
+
+dHeightfieldDataID dGeomHeightfieldDataCreate(void) { return to_handle(Pool<HeightfieldData>::create()); }
+
+void dGeomHeightfieldDataDestroy(dHeightfieldDataID d)
+{
+    HeightfieldData* data = from_handle<HeightfieldData>(d);
+    EPODE_USER(data);
+    Pool<HeightfieldData>::destroy(data);
+}
+
+void dGeomHeightfieldDataBuildCallback(dHeightfieldDataID d, void* pUserData, dHeightfieldGetHeight* pCallback,
+                                       dReal width, dReal depth, int widthSamples, int depthSamples, dReal scale,
+                                       dReal offset, dReal thickness, int bWrap)
+{
+    HeightfieldData* data = from_handle<HeightfieldData>(d);
+    const Layout layout{width, depth, widthSamples, depthSamples, scale, offset, thickness, bWrap};
+    EPODE_USER(data && pCallback && fits(layout));
+    data->drop_samples();
+    take(layout, *data);
+    data->callback = pCallback;
+    data->user = pUserData;
+    data->source = HeightfieldData::Source::kCallback;
+    data->lowest = -kInf;
+    data->highest = kInf;
+}
+
+void dGeomHeightfieldDataBuildByte(dHeightfieldDataID d, const unsigned char* pHeightData, int bCopyHeightData,
+                                   dReal width, dReal depth, int widthSamples, int depthSamples, dReal scale,
+                                   dReal offset, dReal thickness, int bWrap)
+{
+    EPODE_BUILD_HEIGHTFIELD(kBytes);
+}
+
+void dGeomHeightfieldDataBuildShort(dHeightfieldDataID d, const short* pHeightData, int bCopyHeightData, dReal width,
+                                    dReal depth, int widthSamples, int depthSamples, dReal scale, dReal offset,
+                                    dReal thickness, int bWrap)
+{
+    EPODE_BUILD_HEIGHTFIELD(kShorts);
+}
+
+void dGeomHeightfieldDataBuildSingle(dHeightfieldDataID d, const float* pHeightData, int bCopyHeightData,
+                                     dReal width, dReal depth, int widthSamples, int depthSamples, dReal scale,
+                                     dReal offset, dReal thickness, int bWrap)
+{
+    EPODE_BUILD_HEIGHTFIELD(kFloats);
+}
+
+void dGeomHeightfieldDataBuildDouble(dHeightfieldDataID d, const double* pHeightData, int bCopyHeightData,
+                                     dReal width, dReal depth, int widthSamples, int depthSamples, dReal scale,
+                                     dReal offset, dReal thickness, int bWrap)
+{
+    EPODE_BUILD_HEIGHTFIELD(kDoubles);
+}
+
+void dGeomHeightfieldDataSetBounds(dHeightfieldDataID d, dReal minHeight, dReal maxHeight)
+{
+    HeightfieldData* data = from_handle<HeightfieldData>(d);
+    EPODE_USER(data && data->source != HeightfieldData::Source::kNone);
+    const Real low = minHeight * data->scale + data->offset, high = maxHeight * data->scale + data->offset;
+    EPODE_USER(usable_or_infinite(low) && usable_or_infinite(high));
+    data->set_bounds(minHeight, maxHeight);
+}
+
+dGeomID dCreateHeightfield(dSpaceID space, dHeightfieldDataID data, int bPlaceable)
+{
+    EPODE_USER(!data || from_handle<HeightfieldData>(data), nullptr);
+    EPODE_PARENT_SPACE(space, nullptr);
+    HeightfieldGeom* geom = create_geom<Heightfield>(space);
+    if (!geom) return nullptr;
+    if (!bPlaceable) geom->type = &kFixedHeightfieldType;
+    if (data) dGeomHeightfieldSetHeightfieldData(to_handle<Geom>(geom), data);
+    return to_handle<Geom>(geom);
+}
+
+void dGeomHeightfieldSetHeightfieldData(dGeomID g, dHeightfieldDataID d)
+{
+    EPODE_GEOM_AS(Heightfield, geom, g);
+    const HeightfieldData* data = from_handle<HeightfieldData>(d);
+    EPODE_USER(data || !d);
+    EPODE_UNLOCKED(geom);
+    geom->shape = {data, data ? data->serial : 0};
+    mark_moved(*geom);
+}
+
+dHeightfieldDataID dGeomHeightfieldGetHeightfieldData(dGeomID g)
+{
+    EPODE_GEOM_AS(Heightfield, geom, g, nullptr);
+    const Heightfield& shape = geom->shape;
+    const bool alive = shape.data && shape.data->tag == Tag::kHeightfieldData && shape.data->serial == shape.serial;
+    return alive ? to_handle(shape.data) : nullptr;
+}
+
+}  // extern "C"

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A triangle v0, v1, v2, counter-clockwise about its unit normal n; its plane is n . x = c. Seen as a convex
+// solid it is flat: support points and the one face, no radius.
+// The prism of a triangle about a direction d are all points that a move along d brings onto it: it is bounded by
+// three planes through the edges, with outward normals (edge x d). About n these are the points whose foot on the
+// plane lies in the triangle; about the vertical, the column over and under it.
+#pragma once
+
+#include "geometry/convex_view.h"
+
+namespace epode {
+
+struct Triangle {
+    Vec3 v[3];
+    Vec3 n;
+    Real c = 0;
+
+    Vec3 edge(int k) const { return v[(k + 1) % 3] - v[k]; }
+    Real height(Vec3 p) const { return dot(n, p) - c; }  // of p above the plane
+};
+
+// False for a triangle without area.
+bool make_triangle(Vec3 v0, Vec3 v1, Vec3 v2, Triangle& out);
+
+// The pose is the identity: the view is in the triangle's own frame.
+ConvexView view_of(const Triangle& triangle);
+
+struct Stretch {
+    Real from = 0, to = 1;
+    bool empty() const { return !(from <= to); }
+};
+
+// The part of a..b within the prism about `direction`, widened by `slack`.
+Stretch within_prism(const Triangle& triangle, Vec3 direction, Vec3 a, Vec3 b, Real slack);
+
+// Cuts a polygon by the prism about `direction`.
+void clip_to_prism(Polygon& polygon, const Triangle& triangle, Vec3 direction, Real slack);
+
+}  // namespace epode
