@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// One facet of a height field against one solid, in the field's frame (y up). The ground is solid down to any depth:
+// under each facet stands an endless column. Contacts go to the harvest, all facets' together.
+// A contact normal that is not the facet's own must crest there (Terrain::crests): the surface lies below it on all
+// sides. At flat and hollow edges none does, so a solid that slides over them meets no bumps.
+#pragma once
+
+#include "collide/heightfield.h"
+#include "collide/pairs/harvest.h"
+
+namespace epode {
+
+struct Meeting {
+    const Terrain& terrain;
+    const ConvexView& solid;
+    Aabb box;    // of the solid
+    Real slack;  // rounding of coordinates
+    Harvest& out;
+};
+
+inline constexpr Vec3 kUp{0, 1, 0};
+inline constexpr Real kSteepest = Real(1e-3);  // least upward part of a contact normal
+
+// A sphere or capsule: all points within r of the segment a..b.
+struct RoundCore {
+    Vec3 a, b;
+    Real r;
+};
+void round_on_facet(const RoundCore& core, const Facet& facet, Meeting& meeting);
+
+// A box or a cylinder, by the view in `meeting`.
+void solid_on_facet(const Facet& facet, Meeting& meeting);
+
+}  // namespace epode

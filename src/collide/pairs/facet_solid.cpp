@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A box or cylinder against a facet: of all directions that can part the solid and the facet's column, and that are
+// upward, the one of least overlap; then the manifold along it. Along the facet's normal: the lower faces of the solid
+// cut by the column, each point with its own depth below the facet. Along another, the facet's edge or corner is
+// what pushes: the manifold of two convex solids.
+// Rejected: each column as a solid of its own with GJK/EPA; it meets the walls between columns, which do not exist.
+#include "collide/pairs/facet.h"
+#include "collide/pairs/pairs.h"
+#include "geometry/epa.h"
+
+namespace epode {
+
+namespace {
+
+constexpr Real kFaceFirst = Real(0.95);  // another direction must beat the face's by this factor
+constexpr Real kFaceLean = Real(0.17);   // faces that look down by more than 10 degrees carry contacts
+
+// The search for the direction of least overlap between the solid and the column under a facet.
+class LeastRise {
+  public:
+    LeastRise(const Facet& facet, const Meeting& meeting) : facet_(facet), m_(meeting) {}
+
+    // False: the solid does not touch the column.
+    bool search()
+    {
+        depth = overlap_along(facet_.n);
+        normal = facet_.n;
+        if (depth < 0) return false;
+        return walls() && solid_faces() && edges() && rim();
+    }
+
+    Vec3 normal;
+    Real depth = 0;
+
+  private:
+    Real overlap_along(Vec3 n) const
+    {
+        const Real low = dot(n, m_.solid.support(-n));
+        Real top = -kInf;
+        for (const Vec3 v : facet_.v) top = dot(n, v) > top ? dot(n, v) : top;
+        return top - low;
+    }
+
+    // False when the direction (either sense that is not downward) parts the two.
+    bool offer(Vec3 n)
+    {
+        if (n.y < 0) n = -n;
+        const Real d = overlap_along(n);
+        if (d < -m_.slack) return false;
+        if (n.y < kSteepest) return n.y > 0 || overlap_along(-n) >= -m_.slack;
+        if (d < kFaceFirst * depth && m_.terrain.crests(facet_, n)) depth = d, normal = n;
+        return true;
+    }
+
+    bool offer_cross(Vec3 a, Vec3 b)
+    {
+        Vec3 n = cross(a, b);
+        return length2(n) <= Real(1e-6) * length2(a) * length2(b) || !normalize(n) || offer(n);
+    }
+
+    bool walls()
+    {
+        for (int k = 0; k < 3; ++k) {
+            Vec3 n = cross(facet_.edge(k), kUp);
+            if (normalize(n) && overlap_along(n) < -m_.slack) return false;
+        }
+        return true;
+    }
+
+    bool solid_faces()
+    {
+        for (int i = 0; i < 3; ++i)
+            if ((m_.solid.face_axes >> i & 1) && !offer(m_.solid.pose.R.column(i))) return false;
+        return true;
+    }
+
+    bool edges()
+    {
+        for (int i = 0; i < 3; ++i) {
+            if (!(m_.solid.edge_axes >> i & 1)) continue;
+            const Vec3 axis = m_.solid.pose.R.column(i);
+            if (!offer_cross(axis, kUp)) return false;
+            for (int k = 0; k < 3; ++k)
+                if (!offer_cross(axis, facet_.edge(k))) return false;
+        }
+        return true;
+    }
+
+    // A round rim on a ridge has no finite list of directions.
+    bool rim()
+    {
+        if (!(m_.solid.rim_radius > 0) || !m_.terrain.has_ridge(facet_)) return true;
+        const Overlap o = least_overlap(m_.solid, view_of(facet_));
+        if (o.normal.y < 0) return true;
+        if (o.depth < -m_.slack) return false;
+        const bool better = o.normal.y >= kSteepest && o.depth < kFaceFirst * depth;
+        if (better && m_.terrain.crests(facet_, o.normal)) depth = o.depth > 0 ? o.depth : 0, normal = o.normal;
+        return true;
+    }
+
+    const Facet& facet_;
+    const Meeting& m_;
+};
+
+void press(Polygon& low, const Facet& f, Meeting& m)
+{
+    clip_to_prism(low, f, kUp, m.slack);
+    for (int k = 0; k < low.count; ++k) {
+        const Real depth = -f.height(low.points[k]);
+        if (depth >= -m.slack) m.out.add(low.points[k], f.n, depth > 0 ? depth : 0);
+    }
+}
+
+void press_point(Vec3 p, const Facet& f, Meeting& m)
+{
+    Polygon one;
+    one.add(p);
+    press(one, f, m);
+}
+
+// Where the true rims pass over the facet's edges: on a ridge, these are the deepest points.
+void press_rims(const Facet& f, Meeting& m)
+{
+    const Vec3 axis = m.solid.pose.R.column(2);
+    const Real r = m.solid.rim_radius;
+    for (const Vec3 end : {axis, -axis}) {
+        const Vec3 centre = m.solid.support(end);
+        for (int k = 0; k < 3; ++k) {
+            Vec3 wall = cross(f.edge(k), kUp);
+            const Real offset = dot(wall, f.v[k] - centre);
+            wall -= dot(wall, axis) * axis;  // within the plane of the end
+            const Real steep = length(wall), s = offset / steep;
+            if (!(std::fabs(s) < r)) continue;
+            const Vec3 out = wall / steep, along = std::sqrt(r * r - s * s) * cross(axis, out);
+            press_point(centre + s * out + along, f, m);
+            press_point(centre + s * out - along, f, m);
+        }
+    }
+}
+
+// The lower faces of the solid that lie over the facet.
+void press_faces(const Facet& f, Meeting& m)
+{
+    const ConvexView& s = m.solid;
+    for (int i = 0; i < 3; ++i) {
+        if (!(s.face_axes >> i & 1)) continue;
+        const Vec3 axis = s.pose.R.column(i), down = dot(axis, f.n) > 0 ? -axis : axis;
+        if (-dot(down, f.n) < kFaceLean) continue;
+        Polygon face;
+        s.feature(down, face);
+        press(face, f, m);
+    }
+    if (!(s.rim_radius > 0)) return;
+    const Vec3 axis = s.pose.R.column(2);
+    const Vec3 aside = dot(axis, f.n) * axis - f.n;
+    if (length2(aside) > kFaceLean * kFaceLean) {
+        Polygon line;
+        s.feature(aside, line);
+        press(line, f, m);
+    }
+    press_point(s.support(-f.n), f, m);  // the lowest of the true rim, not of its polygon
+    press_rims(f, m);
+}
+
+// A crest of the surface pushes into the solid.
+void press_crest(const Facet& f, Vec3 normal, Real depth, Meeting& m)
+{
+    dContactGeom found[4];
+    ContactSink sink(found, sizeof(dContactGeom), 4, false);
+    convex_manifold(m.solid, view_of(f), normal, depth, sink);
+    const Vec3 margin{m.slack, m.slack, m.slack};
+    for (int k = 0; k < sink.count(); ++k) {
+        const Vec3 p = load(found[k].pos);
+        if (overlap({p - margin, p + margin}, m.box)) m.out.add(p, load(found[k].normal), found[k].depth);
+    }
+}
+
+}  // namespace
+
+void solid_on_facet(const Facet& f, Meeting& m)
+{
+    LeastRise least(f, m);
+    if (!least.search()) return;
+    if (dot(least.normal, f.n) > Real(1) - Real(1e-9))
+        press_faces(f, m);
+    else
+        press_crest(f, least.normal, least.depth, m);
+}
+
+}  // namespace epode
