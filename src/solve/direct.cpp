@@ -41,6 +41,7 @@ class DirectSolve {
         state_.tag = arena.take<BoxState::Tag>(m);
         state_.v = arena.take<double>(problem_.unknowns());
         kept_ = arena.take<double>(m);
+        begun_ = arena.take<double>(m);
         scratch_ = arena.take<double>(problem_.unknowns());
         return !arena.failed() && (small_ ? dense_.prepare(problem_, system.blocks, arena) : prepare_sparse(system, arena));
     }
@@ -108,12 +109,15 @@ class DirectSolve {
     bool solve_phase(const RowSystem& system, Arena& arena, SolveReport& report)
     {
         const ActiveSetSettings settings{kQuickRounds, false};
+        std::copy(state_.p.begin(), state_.p.end(), begun_.begin());
         if (small_ ? dense_.solve(problem_, state_, settings, report.iterations)
                    : active_.solve(problem_, state_, settings, report.iterations))
             return true;
         report.fallback = true;
         if (!sparse_ready_ && !prepare_sparse(system, arena)) return false;
         if (!interior_ready_ && !(interior_ready_ = interior_.prepare(problem_, arena))) return false;
+        // A wrong guess of the active set may have left impulses of any size.
+        std::copy(begun_.begin(), begun_.end(), state_.p.begin());
         interior_.solve(problem_, state_, kInteriorTolerance, report.iterations);
         keep_better_of_polish(report);
         return true;
@@ -142,7 +146,7 @@ class DirectSolve {
     bool small_ = false;  // few rows: the dense matrix first
     bool sparse_ready_ = false, interior_ready_ = false;
     BoxState state_;
-    std::span<double> kept_, scratch_;
+    std::span<double> kept_, begun_, scratch_;
 };
 
 bool solve_direct(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)

@@ -107,10 +107,20 @@ void ExactProblem::fill_rows(const RowSystem& system)
             ExactRow& row = rows_[at];
             row.pair = int(k);
             fill_row(system.rows[at], system.numbers[at], block, system, row);
-            scale_ = std::max(scale_, std::fabs(row.c - jv(row, v_star_.data())));
+            scale_ = std::max({scale_, std::fabs(needed_velocity(i)), 1e-3 * motion(row)});
         }
     }
     if (!(scale_ > 0)) scale_ = 1;
+}
+
+// |J| |v*|: what J v* is a difference of.
+double ExactProblem::motion(const ExactRow& row) const
+{
+    double s = 0;
+    for (int i = 0; i < 6; ++i) s += std::fabs(row.J[i] * v_star_[std::size_t(6 * row.a + i)]);
+    if (row.b < 0) return s;
+    for (int i = 0; i < 6; ++i) s += std::fabs(row.J[6 + i] * v_star_[std::size_t(6 * row.b + i)]);
+    return s;
 }
 
 void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock& block, const RowSystem& system,

@@ -50,7 +50,9 @@ class ExactProblem {
     int row_count() const { return int(rows_.size()); }
     int unknowns() const { return int(v_star_.size()); }
     const ExactRow& row(int i) const { return rows_[std::size_t(i)]; }
-    double scale() const { return scale_; }  // typical velocity of the problem, m/s
+    // Typical velocity of the problem, m/s: the largest that a row has to change, but not below a thousandth of
+    // the velocities themselves, whose rounding nobody can undercut.
+    double scale() const { return scale_; }
 
     int factor(std::span<const double> D);
     void solve(std::span<double> x) { H_.solve(x); }
@@ -86,6 +88,7 @@ class ExactProblem {
 
     bool number_bodies(const RowSystem& system, Arena& arena);
     void fill_rows(const RowSystem& system);
+    double motion(const ExactRow& row) const;
     void fill_row(const Row& row, const RowNumbers& n, const RowBlock& block, const RowSystem& system,
                   ExactRow& out) const;
 
