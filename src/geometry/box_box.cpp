@@ -79,6 +79,8 @@ bool search_faces(const Frames& f, Search& s)
 
 bool search_edges(const Frames& f, Search& s)
 {
+    const Real size =
+        std::fmax(f.ha[0], std::fmax(f.ha[1], f.ha[2])) + std::fmax(f.hb[0], std::fmax(f.hb[1], f.hb[2]));
     constexpr int kNext[3] = {1, 2, 0}, kLast[3] = {2, 0, 1};
     for (int i = 0; i < 3; ++i) {
         const int i1 = kNext[i], i2 = kLast[i];
@@ -91,7 +93,7 @@ bool search_edges(const Frames& f, Search& s)
             const Real rb = f.hb[j1] * f.m[i][j2] + f.hb[j2] * f.m[i][j1];
             const Real overlap = ra + rb - std::fabs(along);  // times |L| = sqrt(sine2) <= 1
             if (overlap > s.score) continue;                  // cannot win, nor part
-            if (!s.offer(overlap / std::sqrt(sine2), kEdgeHandicap, along, 7 + 3 * i + j, f.touch))
+            if (!s.offer(overlap / std::sqrt(sine2), kEdgeHandicap, along, 7 + 3 * i + j, f.touch, kFaceMargin * size))
                 return false;
         }
     }

@@ -96,8 +96,7 @@ void AMotor::emit(RowWriter& out)
     motor_axes(a);
     // Attached as (0, B), Euler angles run against the axes; stops act on the internal sense, as a hinge's
     // do.
-    const Real sense = reverse && mode == dAMotorEuler ? Real(-1) : Real(1);
-    for (int i = 0; i < count; ++i) motor[i].emit_angular(*this, out, a[i], sense * angle[i]);
+    for (int i = 0; i < count; ++i) motor[i].emit_angular(*this, out, a[i], angle[i]);
 }
 
 namespace {

@@ -11,7 +11,8 @@
 //   H dv = r1 + J^T D e,  dp = D (e - J dv)
 //
 // Predictor t = -s z, then t = sigma mu/d - s z - ds dz with sigma = (mu_aff/mu)^3; rows are weighted by
-// d = J M^-1 J^T + C, so that mu is a velocity squared and rows of different kinds agree.
+// d = J M^-1 J^T + C, so that mu is a velocity squared and rows of different kinds agree. Without the centrality
+// correctors (Gondzio, Comput. Optim. Appl. 6, 1996) a few outlying products stall it on sliding stacks.
 #include "solve/interior_point.h"
 
 #include <algorithm>
@@ -23,6 +24,8 @@ namespace {
 constexpr int kMostIterations = 60;
 constexpr int kStall = 8;            // iterations without a tenth of progress
 constexpr double kStepShare = 0.995;
+constexpr int kCorrectors = 3;
+constexpr double kLonger = 0.3;      // step that a corrector tries to gain
 
 }  // namespace
 
@@ -60,6 +63,7 @@ bool InteriorPoint::solve(ExactProblem& problem, BoxState& state, double toleran
             for (Side* side : {&rows_[i].lower, &rows_[i].upper})
                 side->t = target / problem.row(int(i)).d - side->s * side->z - side->ds * side->dz;
         direction(problem, state);
+        correct_centrality(problem, state, target);
         advance(state, std::min(1.0, kStepShare * longest_step()));
     }
     tag(problem, state);
@@ -158,6 +162,35 @@ void InteriorPoint::direction(ExactProblem& problem, const BoxState& state)
         };
         finish(x.lower, x.dp + x.lower.r);
         finish(x.upper, x.upper.r - x.dp);
+    }
+}
+
+// Gondzio's correctors: where a longer step would leave products far from the target, aim at the nearest bound
+// of [1/10, 10] of it instead; each costs one more solution with the same factor. They are kept only while they
+// lengthen the step.
+void InteriorPoint::correct_centrality(ExactProblem& problem, const BoxState& state, double target)
+{
+    double step = longest_step();
+    for (int k = 0; k < kCorrectors && step < 1; ++k) {
+        const double wanted = std::min(1.0, step + kLonger);
+        for (std::size_t i = 0; i < rows_.size(); ++i) {
+            const double aim = target / problem.row(int(i)).d;
+            for (Side* side : {&rows_[i].lower, &rows_[i].upper}) {
+                side->kept = side->t;
+                if (!side->present) continue;
+                const double product = (side->s + wanted * side->ds) * (side->z + wanted * side->dz);
+                const double inside = std::min(std::max(product, 0.1 * aim), 10 * aim);
+                side->t += std::max(inside - product, -10 * aim);
+            }
+        }
+        direction(problem, state);
+        const double longer = longest_step();
+        if (longer < step + 0.1 * kLonger) {
+            for (RowState& row : rows_) row.lower.t = row.lower.kept, row.upper.t = row.upper.kept;
+            direction(problem, state);
+            return;
+        }
+        step = longer;
     }
 }
 

@@ -20,7 +20,7 @@ class InteriorPoint {
   private:
     // One side of one row: slack and multiplier, and their directions. `z` is 0 where there is no bound.
     struct Side {
-        double s, z, ds, dz, r, t;
+        double s, z, ds, dz, r, t, kept;
         bool present;
     };
     struct RowState {
@@ -33,6 +33,7 @@ class InteriorPoint {
     double complementarity(const ExactProblem& problem, double step) const;
     void factor(ExactProblem& problem, const BoxState& state);
     void direction(ExactProblem& problem, const BoxState& state);
+    void correct_centrality(ExactProblem& problem, const BoxState& state, double target);
     double longest_step() const;
     void advance(BoxState& state, double step);
     void tag(const ExactProblem& problem, BoxState& state) const;
