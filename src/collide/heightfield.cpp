@@ -56,12 +56,21 @@ Real HeightfieldData::sample(int i, int j) const
     const std::ptrdiff_t at = i + std::ptrdiff_t(j) * nx;
     Real value = 0;
     switch (source) {
-        case Source::kCallback: value = callback(user, i, j); break;
-        case Source::kBytes: return Real(static_cast<const unsigned char*>(samples)[at]);
-        case Source::kShorts: return Real(static_cast<const short*>(samples)[at]);
-        case Source::kFloats: value = Real(static_cast<const float*>(samples)[at]); break;
-        case Source::kDoubles: value = Real(static_cast<const double*>(samples)[at]); break;
-        case Source::kNone: break;
+        case Source::kCallback:
+            value = callback(user, i, j);
+            break;
+        case Source::kBytes:
+            return Real(static_cast<const unsigned char*>(samples)[at]);
+        case Source::kShorts:
+            return Real(static_cast<const short*>(samples)[at]);
+        case Source::kFloats:
+            value = Real(static_cast<const float*>(samples)[at]);
+            break;
+        case Source::kDoubles:
+            value = Real(static_cast<const double*>(samples)[at]);
+            break;
+        case Source::kNone:
+            break;
     }
     return usable(value) ? value : Real(0);
 }
@@ -80,10 +89,12 @@ const HeightfieldData* Heightfield::field() const
 }
 
 Terrain::Terrain(const HeightfieldData& data)
-    : data_(data), x0_(-data.width / 2), z0_(-data.depth / 2), dx_(data.width / Real(data.nx - 1)),
+    : data_(data),
+      x0_(-data.width / 2),
+      z0_(-data.depth / 2),
+      dx_(data.width / Real(data.nx - 1)),
       dz_(data.depth / Real(data.nz - 1))
-{
-}
+{}
 
 bool Terrain::has(int i, int j) const
 {

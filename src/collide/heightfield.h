@@ -5,8 +5,8 @@
 //   x_i = -width/2 + i width/(nx-1),  z_j = -depth/2 + j depth/(nz-1),  y_ij = scale sample_ij + offset
 // or, wrapped, the same rectangle repeated without end (the last column and row stand for the first).
 // Cell (i, j) has the corners A(i,j) B(i+1,j) C(i,j+1) D(i+1,j+1) and two facets, A C B and D B C.
-// Many geoms may share one data object and none owns it; each remembers its serial, so that a destroyed one is
-// recognised. Reading is free of side effects: fields may be collided on several threads.
+// Many geoms may share one data object and none owns it; each remembers its serial, so that a destroyed one
+// is recognised. Reading is free of side effects: fields may be collided on several threads.
 #pragma once
 
 #include "base/handle.h"
@@ -23,9 +23,9 @@ struct HeightfieldData : Tagged {
 
     enum class Source : unsigned char { kNone, kCallback, kBytes, kShorts, kFloats, kDoubles };
 
-    Source source = Source::kNone;      // kNone: not built yet, collides with nothing
+    Source source = Source::kNone;  // kNone: not built yet, collides with nothing
     bool wrap = false;
-    const void* samples = nullptr;      // the client's or the copy
+    const void* samples = nullptr;  // the client's or the copy
     void* copy = nullptr;
     std::size_t copy_size = 0;
     dHeightfieldGetHeight* callback = nullptr;
@@ -33,9 +33,9 @@ struct HeightfieldData : Tagged {
     Real width = 1, depth = 1;
     int nx = 2, nz = 2;
     Real scale = 1, offset = 0, thickness = 0;
-    Real lowest = 0, highest = 0;       // for the bounding box; `lowest` includes the thickness
+    Real lowest = 0, highest = 0;  // for the bounding box; `lowest` includes the thickness
 
-    Real sample(int i, int j) const;    // inside the rectangle
+    Real sample(int i, int j) const;  // inside the rectangle
     Real height(int i, int j) const { return scale * sample(i, j) + offset; }
     void set_bounds(Real low_sample, Real high_sample);
     void drop_samples();
@@ -70,13 +70,13 @@ class Terrain {
     Vec3 cell() const { return {dx_, 0, dz_}; }
     int cells_x() const { return data_.nx - 1; }
     int cells_z() const { return data_.nz - 1; }
-    bool has(int i, int j) const;              // is there such a sample?
+    bool has(int i, int j) const;  // is there such a sample?
     Vec3 vertex(int i, int j) const;
     Facet facet(int i, int j, bool upper) const;
 
-    // Is what the facet shows along n (unit, upwards) a place where the surface stays below the plane across n?
-    // Only there can a solid that touches the facet be pushed along n: at flat and hollow edges n must be that of
-    // a face.
+    // Is what the facet shows along n (unit, upwards) a place where the surface stays below the plane across
+    // n? Only there can a solid that touches the facet be pushed along n: at flat and hollow edges n must be
+    // that of a face.
     bool crests(const Facet& facet, Vec3 n) const;
 
     // Does the surface fall away behind an edge of the facet?

@@ -25,7 +25,10 @@ void triangle_feature(const void* shape, Vec3 d, Polygon& out)
     out.add(t.v[0]), out.add(t.v[from_above ? 1 : 2]), out.add(t.v[from_above ? 2 : 1]);
 }
 
-Vec3 outward(const Triangle& t, int k, Vec3 direction) { return normalized_or(cross(t.edge(k), direction), Vec3{}); }
+Vec3 outward(const Triangle& t, int k, Vec3 direction)
+{
+    return normalized_or(cross(t.edge(k), direction), Vec3{});
+}
 
 }  // namespace
 
@@ -42,8 +45,15 @@ ConvexView view_of(const Triangle& triangle)
 {
     Real size2 = 0;
     for (const Vec3 v : triangle.v) size2 = length2(v) > size2 ? length2(v) : size2;
-    return {.shape = &triangle, .local_support = triangle_support, .local_feature = triangle_feature, .pose = {},
-            .radius = 0, .size = std::sqrt(size2), .face_axes = 0, .edge_axes = 0, .rim_radius = 0};
+    return {.shape = &triangle,
+            .local_support = triangle_support,
+            .local_feature = triangle_feature,
+            .pose = {},
+            .radius = 0,
+            .size = std::sqrt(size2),
+            .face_axes = 0,
+            .edge_axes = 0,
+            .rim_radius = 0};
 }
 
 Stretch within_prism(const Triangle& triangle, Vec3 direction, Vec3 a, Vec3 b, Real slack)

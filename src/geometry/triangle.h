@@ -3,9 +3,9 @@
 //
 // A triangle v0, v1, v2, counter-clockwise about its unit normal n; its plane is n . x = c. Seen as a convex
 // solid it is flat: support points and the one face, no radius.
-// The prism of a triangle about a direction d are all points that a move along d brings onto it: it is bounded by
-// three planes through the edges, with outward normals (edge x d). About n these are the points whose foot on the
-// plane lies in the triangle; about the vertical, the column over and under it.
+// The prism of a triangle about a direction d are all points that a move along d brings onto it: it is
+// bounded by three planes through the edges, with outward normals (edge x d). About n these are the points
+// whose foot on the plane lies in the triangle; about the vertical, the column over and under it.
 #pragma once
 
 #include "geometry/convex_view.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Linear motor: up to three axes along which the relative velocity of the two centres is driven; no anchor, no
-// stops.
+// Linear motor: up to three axes along which the relative velocity of the two centres is driven; no anchor,
+// no stops.
 //   rows  J = [ a, c, -a, c ],  c = 1/2 (x2 - x1) x a,  a = axis i, given in the world, body 1 or body 2
 //         J v = vel_i,  |lambda| <= fmax_i
-// Stops are kept as numbers but never tested: without an anchor there is no position to test. An axis that was
-// never set is zero and writes no row.
-// The axis is read back as it is stored, in the frame it moves with: ODE's clients know it so.
+// Stops are kept as numbers but never tested: without an anchor there is no position to test. An axis that
+// was never set is zero and writes no row. The axis is read back as it is stored, in the frame it moves with:
+// ODE's clients know it so.
 #include "joints/access.h"
 
 namespace epode {

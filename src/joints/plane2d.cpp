@@ -5,8 +5,8 @@
 //   C(x)  = z1 = 0             J = [ z, 0 ]
 //   w1.x  = 0,  w1.y = 0       J = [ 0, x ], [ 0, y ]
 //   and, where given force: motors along [ x, .. ], [ y, .. ] and about [ 0, z ]
-// The two angular rows hold rates, not angles: a tilt that the body already has stays, as in ODE, where clients
-// reset the orientation now and then. Body 2, should there be one, feels only the motors.
+// The two angular rows hold rates, not angles: a tilt that the body already has stays, as in ODE, where
+// clients reset the orientation now and then. Body 2, should there be one, feels only the motors.
 #include "joints/access.h"
 
 namespace epode {
@@ -35,7 +35,7 @@ JOINT_DEFINE(Plane2D);
 
 namespace {
 
-void set_motor(dJointID id, LimitMotor Plane2D::* motor, int param, Real value, const char* caller)
+void set_motor(dJointID id, LimitMotor Plane2D::*motor, int param, Real value, const char* caller)
 {
     Plane2D* j = checked<Plane2D>(id, caller);
     if (j && demand(usable_param(param, value), caller)) (j->*motor).set(param, value);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// One facet of a height field against one solid, in the field's frame (y up). The ground is solid down to any depth:
-// under each facet stands an endless column. Contacts go to the harvest, all facets' together.
-// A contact normal that is not the facet's own must crest there (Terrain::crests): the surface lies below it on all
-// sides. At flat and hollow edges none does, so a solid that slides over them meets no bumps.
+// One facet of a height field against one solid, in the field's frame (y up). The ground is solid down to any
+// depth: under each facet stands an endless column. Contacts go to the harvest, all facets' together. A
+// contact normal that is not the facet's own must crest there (Terrain::crests): the surface lies below it on
+// all sides. At flat and hollow edges none does, so a solid that slides over them meets no bumps.
 #pragma once
 
 #include "collide/heightfield.h"

@@ -57,9 +57,11 @@ void round_on_facet(const RoundCore& s, const Facet& f, Meeting& m)
         Vec3 p, q;
         closest_segment_points(s.a, s.b, v, v + e, p, q);
         beside_edge(s, f, p, q, m);
-        if (!(length2(axis) > 0) || length2(cross(axis, e)) > Real(1e-2) * length2(axis) * length2(e)) continue;
+        if (!(length2(axis) > 0) || length2(cross(axis, e)) > Real(1e-2) * length2(axis) * length2(e))
+            continue;
         // Side by side: both ends of the common stretch.
-        for (const Vec3 end : {s.a, s.b}) beside_edge(s, f, end, v + closest_on_segment(v, v + e, end) * e, m);
+        for (const Vec3 end : {s.a, s.b})
+            beside_edge(s, f, end, v + closest_on_segment(v, v + e, end) * e, m);
         for (const Vec3 end : {v, v + e})
             beside_edge(s, f, s.a + closest_on_segment(s.a, s.b, end) * axis, end, m);
     }

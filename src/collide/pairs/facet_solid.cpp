@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A box or cylinder against a facet: of all directions that can part the solid and the facet's column, and that are
-// upward, the one of least overlap; then the manifold along it. Along the facet's normal: the lower faces of the solid
-// cut by the column, each point with its own depth below the facet. Along another, the facet's edge or corner is
-// what pushes: the manifold of two convex solids.
-// Rejected: each column as a solid of its own with GJK/EPA; it meets the walls between columns, which do not exist.
+// A box or cylinder against a facet: of all directions that can part the solid and the facet's column, and
+// that are upward, the one of least overlap; then the manifold along it. Along the facet's normal: the lower
+// faces of the solid cut by the column, each point with its own depth below the facet. Along another, the
+// facet's edge or corner is what pushes: the manifold of two convex solids. Rejected: each column as a solid
+// of its own with GJK/EPA; it meets the walls between columns, which do not exist.
 #include "collide/pairs/facet.h"
 #include "collide/pairs/pairs.h"
 #include "geometry/epa.h"
@@ -96,7 +96,8 @@ class LeastRise {
         if (o.normal.y < 0) return true;
         if (o.depth < -m_.slack) return false;
         const bool better = o.normal.y >= kSteepest && o.depth < kFaceFirst * depth;
-        if (better && m_.terrain.crests(facet_, o.normal)) depth = o.depth > 0 ? o.depth : 0, normal = o.normal;
+        if (better && m_.terrain.crests(facet_, o.normal))
+            depth = o.depth > 0 ? o.depth : 0, normal = o.normal;
         return true;
     }
 

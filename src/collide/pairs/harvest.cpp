@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See harvest.h. When the room is full, every manifold is thinned to four points at once; should that not help,
-// as on a surface of needles, the manifolds that are least deep go.
+// See harvest.h. When the room is full, every manifold is thinned to four points at once; should that not
+// help, as on a surface of needles, the manifolds that are least deep go.
 #include "collide/pairs/harvest.h"
 
 namespace epode {
@@ -58,7 +58,8 @@ int Harvest::thinned(int manifold, int quota, ContactPoint* out) const
     ContactSink choice(kept, sizeof(dContactGeom), quota < kPerManifold ? quota : kPerManifold, false);
     const int first = starts_[manifold], count = starts_[manifold + 1] - first;
     choice.add_manifold({points_ + first, std::size_t(count)});
-    for (int k = 0; k < choice.count(); ++k) out[k] = {load(kept[k].pos), load(kept[k].normal), kept[k].depth};
+    for (int k = 0; k < choice.count(); ++k)
+        out[k] = {load(kept[k].pos), load(kept[k].normal), kept[k].depth};
     return choice.count();
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Contacts with a surface of many facets, gathered one by one and then thinned: a bounded number, no allocation.
-// Contacts whose normals differ by little form a manifold; of each at most four points stay, chosen as for any
-// manifold (contact_sink.h), and the client's room is shared among the manifolds, the deepest first. All ties are
-// broken by the order of arrival.
+// Contacts with a surface of many facets, gathered one by one and then thinned: a bounded number, no
+// allocation. Contacts whose normals differ by little form a manifold; of each at most four points stay,
+// chosen as for any manifold (contact_sink.h), and the client's room is shared among the manifolds, the
+// deepest first. All ties are broken by the order of arrival.
 #pragma once
 
 #include "collide/contact_sink.h"

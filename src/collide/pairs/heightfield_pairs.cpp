@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Sphere, capsule, box and cylinder against a height field. Facets whose cells lie under the solid's box are taken one
-// after the other (facet.h). Three answers need no facets: above the highest sample there is nothing; below the
-// lowest, one contact straight up; and where all samples lie in one plane, the plane's own pair function answers, so
-// that a flat field is a plane, exactly.
+// Sphere, capsule, box and cylinder against a height field. Facets whose cells lie under the solid's box are
+// taken one after the other (facet.h). Three answers need no facets: above the highest sample there is
+// nothing; below the lowest, one contact straight up; and where all samples lie in one plane, the plane's own
+// pair function answers, so that a flat field is a plane, exactly.
 #include "collide/pairs/facet.h"
 #include "collide/pairs/pairs.h"
 
@@ -24,16 +24,21 @@ struct Cells {
     int i0, i1, j0, j1;  // inclusive
 };
 
+// Of a field without end, a solid is tested against this many cells to each side at most.
+constexpr Real kReach = 128;
+
 // The cells under the box; false when there are none or the place is out of all measure.
 bool cells_under(const Terrain& t, const Aabb& box, Cells& out)
 {
     const Vec3 o = t.low_corner(), cell = t.cell();
-    const Real from[2] = {(box.lo.x - o.x) / cell.x, (box.lo.z - o.z) / cell.z};
-    const Real to[2] = {(box.hi.x - o.x) / cell.x, (box.hi.z - o.z) / cell.z};
+    Real from[2] = {(box.lo.x - o.x) / cell.x, (box.lo.z - o.z) / cell.z};
+    Real to[2] = {(box.hi.x - o.x) / cell.x, (box.hi.z - o.z) / cell.z};
     const int count[2] = {t.cells_x(), t.cells_z()};
     int lo[2], hi[2];
     constexpr Real kFar = 1e9;
     for (int a = 0; a < 2; ++a) {
+        const Real middle = Real(0.5) * (from[a] + to[a]);
+        if (t.endless() && to[a] - from[a] > 2 * kReach) from[a] = middle - kReach, to[a] = middle + kReach;
         if (!(from[a] > -kFar && to[a] < kFar)) return false;
         if (!t.endless() && (to[a] < 0 || from[a] > Real(count[a]))) return false;
         lo[a] = int(std::floor(from[a])), hi[a] = int(std::floor(to[a]));
@@ -70,7 +75,10 @@ bool inside(const Terrain& t, const Aabb& box)
     return t.endless() || (box.lo.x >= o.x && box.lo.z >= o.z && box.hi.x <= -o.x && box.hi.z <= -o.z);
 }
 
-void meet(const Sphere& a, const Pose& A, const Facet& f, Meeting& m) { round_on_facet({A.p, A.p, a.radius}, f, m); }
+void meet(const Sphere& a, const Pose& A, const Facet& f, Meeting& m)
+{
+    round_on_facet({A.p, A.p, a.radius}, f, m);
+}
 void meet(const Capsule& a, const Pose& A, const Facet& f, Meeting& m)
 {
     const Vec3 half = a.half_length * A.R.column(2);
@@ -79,10 +87,19 @@ void meet(const Capsule& a, const Pose& A, const Facet& f, Meeting& m)
 void meet(const Box&, const Pose&, const Facet& f, Meeting& m) { solid_on_facet(f, m); }
 void meet(const Cylinder&, const Pose&, const Facet& f, Meeting& m) { solid_on_facet(f, m); }
 
-void on_plane(const Sphere& a, const Pose& A, const Plane& p, ContactSink& s) { sphere_plane(a, A, p, {}, s); }
-void on_plane(const Capsule& a, const Pose& A, const Plane& p, ContactSink& s) { capsule_plane(a, A, p, {}, s); }
+void on_plane(const Sphere& a, const Pose& A, const Plane& p, ContactSink& s)
+{
+    sphere_plane(a, A, p, {}, s);
+}
+void on_plane(const Capsule& a, const Pose& A, const Plane& p, ContactSink& s)
+{
+    capsule_plane(a, A, p, {}, s);
+}
 void on_plane(const Box& a, const Pose& A, const Plane& p, ContactSink& s) { box_plane(a, A, p, {}, s); }
-void on_plane(const Cylinder& a, const Pose& A, const Plane& p, ContactSink& s) { cylinder_plane(a, A, p, {}, s); }
+void on_plane(const Cylinder& a, const Pose& A, const Plane& p, ContactSink& s)
+{
+    cylinder_plane(a, A, p, {}, s);
+}
 
 // Contacts in the field's frame.
 template <typename Shape>
@@ -131,11 +148,13 @@ void collide_field(const Shape& a, const Pose& A, const Heightfield& b, const Po
 
 }  // namespace
 
-void sphere_heightfield(const Sphere& a, const Pose& A, const Heightfield& b, const Pose& B, ContactSink& sink)
+void sphere_heightfield(const Sphere& a, const Pose& A, const Heightfield& b, const Pose& B,
+                        ContactSink& sink)
 {
     collide_field(a, A, b, B, sink);
 }
-void capsule_heightfield(const Capsule& a, const Pose& A, const Heightfield& b, const Pose& B, ContactSink& sink)
+void capsule_heightfield(const Capsule& a, const Pose& A, const Heightfield& b, const Pose& B,
+                         ContactSink& sink)
 {
     collide_field(a, A, b, B, sink);
 }
@@ -143,7 +162,8 @@ void box_heightfield(const Box& a, const Pose& A, const Heightfield& b, const Po
 {
     collide_field(a, A, b, B, sink);
 }
-void cylinder_heightfield(const Cylinder& a, const Pose& A, const Heightfield& b, const Pose& B, ContactSink& sink)
+void cylinder_heightfield(const Cylinder& a, const Pose& A, const Heightfield& b, const Pose& B,
+                          ContactSink& sink)
 {
     collide_field(a, A, b, B, sink);
 }

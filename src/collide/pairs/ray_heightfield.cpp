@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A ray against a height field: the ray's shadow walks over the grid from cell to cell (Amanatides and Woo 1987),
-// and over the diagonal of each cell, so that it is always over one facet. Its height above that facet is linear
-// on the way, and a change of sign is a hit. The sign is carried from facet to facet, hence no ray slips through an
-// edge and none hits one twice.
-// All hits are reported, the nearest first, as far as the room goes; normals point up out of the ground, from
-// whichever side the ray comes. A field without end is walked for kMaxCells at most.
+// A ray against a height field: the ray's shadow walks over the grid from cell to cell (Amanatides and Woo
+// 1987), and over the diagonal of each cell, so that it is always over one facet. Its height above that facet
+// is linear on the way, and a change of sign is a hit. The sign is carried from facet to facet, hence no ray
+// slips through an edge and none hits one twice. All hits are reported, the nearest first, as far as the room
+// goes; normals point up out of the ground, from whichever side the ray comes. A field without end is walked
+// for kMaxCells at most.
 #include "collide/heightfield.h"
 #include "collide/pairs/pairs.h"
 
@@ -18,9 +18,9 @@ constexpr int kMaxCells = 1 << 22;
 
 struct Walk {
     const Terrain& terrain;
-    Vec3 o, d;             // in the field's frame
-    Real u, v, du, dv;     // place and speed of the shadow, in cells
-    Real from, to;         // of the ray's parameter
+    Vec3 o, d;          // in the field's frame
+    Real u, v, du, dv;  // place and speed of the shadow, in cells
+    Real from, to;      // of the ray's parameter
     Vec3 at(Real t) const { return o + t * d; }
 };
 
@@ -39,7 +39,7 @@ void cut(Real o, Real d, Real lo, Real hi, Real& from, Real& to)
 int sign(Real x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
 struct Crossing {
-    int side = 0;          // above, on or below the surface at the last place
+    int side = 0;  // above, on or below the surface at the last place
     bool started = false;
 };
 
@@ -79,7 +79,8 @@ void walk(const Walk& w, ContactSink& sink)
     const Terrain& terrain = w.terrain;
     const Real u = w.u + w.from * w.du, v = w.v + w.from * w.dv;
     if (!(std::fabs(u) < Real(1e9) && std::fabs(v) < Real(1e9))) return;
-    int i = start_cell(u, terrain.cells_x(), terrain.endless()), j = start_cell(v, terrain.cells_z(), terrain.endless());
+    int i = start_cell(u, terrain.cells_x(), terrain.endless()),
+        j = start_cell(v, terrain.cells_z(), terrain.endless());
     Crossing crossing;
     Real t = w.from;
     for (int step = 0; step < kMaxCells; ++step) {
@@ -96,11 +97,14 @@ void walk(const Walk& w, ContactSink& sink)
         };
         const Real first_end = split ? diagonal : end;
         if (!cross_facet(w, terrain.facet(i, j, upper(t, first_end)), t, first_end, crossing, sink)) return;
-        if (split && !cross_facet(w, terrain.facet(i, j, upper(diagonal, end)), diagonal, end, crossing, sink)) return;
+        if (split &&
+            !cross_facet(w, terrain.facet(i, j, upper(diagonal, end)), diagonal, end, crossing, sink))
+            return;
         if (end >= w.to) return;
         t = end;
         (tu < tv ? i : j) += (tu < tv ? w.du : w.dv) > 0 ? 1 : -1;
-        if (!terrain.endless() && (i < 0 || j < 0 || i >= terrain.cells_x() || j >= terrain.cells_z())) return;
+        if (!terrain.endless() && (i < 0 || j < 0 || i >= terrain.cells_x() || j >= terrain.cells_z()))
+            return;
     }
 }
 
@@ -112,8 +116,15 @@ void ray_heightfield(const Ray& a, const Pose& A, const Heightfield& b, const Po
     if (!data || !(a.length >= 0)) return;
     const Terrain terrain(*data);
     const Vec3 corner = terrain.low_corner(), cell = terrain.cell();
-    Walk w{.terrain = terrain, .o = B.to_local(A.p), .d = transposed_times(B.R, A.R.column(2)), .u = 0, .v = 0,
-           .du = 0, .dv = 0, .from = 0, .to = a.length};
+    Walk w{.terrain = terrain,
+           .o = B.to_local(A.p),
+           .d = transposed_times(B.R, A.R.column(2)),
+           .u = 0,
+           .v = 0,
+           .du = 0,
+           .dv = 0,
+           .from = 0,
+           .to = a.length};
     w.u = (w.o.x - corner.x) / cell.x, w.v = (w.o.z - corner.z) / cell.z;
     w.du = w.d.x / cell.x, w.dv = w.d.z / cell.z;
     if (data->wrap) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Height field: the geom and its data object. Data are checked when they are built, all samples of them: a number
-// that is none is refused there, and what a callback or an array that is not copied gives later counts as 0.
+// Height field: the geom and its data object. Data are checked when they are built, all samples of them: a
+// number that is none is refused there, and what a callback or an array that is not copied gives later counts
+// as 0.
 #include <type_traits>
 
 #include "base/memory.h"
@@ -13,8 +14,8 @@ namespace {
 
 using HeightfieldGeom = ShapeGeom<Heightfield>;
 
-// The field's box turned into the world. Every coordinate is a sum of products of which some may be infinite, of
-// one sign for each bound.
+// The field's box turned into the world. Every coordinate is a sum of products of which some may be infinite,
+// of one sign for each bound.
 Aabb aabb(Geom& geom)
 {
     const Pose pose = load_pose(geom.position, geom.rotation);
@@ -97,7 +98,8 @@ const char* build(dHeightfieldDataID id, const Sample* samples, int copy, const 
     if (!d || !samples || !fits(layout)) return "Bad argument(s)";
     const std::size_t count = std::size_t(layout.nx) * std::size_t(layout.nz);
     if (!range_of(samples, count, range)) return "height is not a usable number";
-    if (!usable(range.low * layout.scale + layout.offset) || !usable(range.high * layout.scale + layout.offset))
+    if (!usable(range.low * layout.scale + layout.offset) ||
+        !usable(range.high * layout.scale + layout.offset))
         return "height is not a usable number";
     void* block = nullptr;
     if (copy) {
@@ -123,10 +125,10 @@ const GeomType kHeightfieldType = heightfield_type(true);
 
 using namespace epode;
 
-#define EPODE_BUILD_HEIGHTFIELD(source)                                                                  \
-    const Layout layout{width, depth, widthSamples, depthSamples, scale, offset, thickness, bWrap};      \
-    const char* const refusal =                                                                          \
-        build(d, pHeightData, bCopyHeightData, layout, HeightfieldData::Source::source);                 \
+#define EPODE_BUILD_HEIGHTFIELD(source)                                                             \
+    const Layout layout{width, depth, widthSamples, depthSamples, scale, offset, thickness, bWrap}; \
+    const char* const refusal =                                                                     \
+        build(d, pHeightData, bCopyHeightData, layout, HeightfieldData::Source::source);            \
     EPODE_USER_SAY(!refusal, refusal)
 
 extern "C" {
@@ -140,9 +142,10 @@ void dGeomHeightfieldDataDestroy(dHeightfieldDataID d)
     Pool<HeightfieldData>::destroy(data);
 }
 
-void dGeomHeightfieldDataBuildCallback(dHeightfieldDataID d, void* pUserData, dHeightfieldGetHeight* pCallback,
-                                       dReal width, dReal depth, int widthSamples, int depthSamples, dReal scale,
-                                       dReal offset, dReal thickness, int bWrap)
+void dGeomHeightfieldDataBuildCallback(dHeightfieldDataID d, void* pUserData,
+                                       dHeightfieldGetHeight* pCallback, dReal width, dReal depth,
+                                       int widthSamples, int depthSamples, dReal scale, dReal offset,
+                                       dReal thickness, int bWrap)
 {
     HeightfieldData* data = from_handle<HeightfieldData>(d);
     const Layout layout{width, depth, widthSamples, depthSamples, scale, offset, thickness, bWrap};
@@ -156,30 +159,30 @@ void dGeomHeightfieldDataBuildCallback(dHeightfieldDataID d, void* pUserData, dH
     data->highest = kInf;
 }
 
-void dGeomHeightfieldDataBuildByte(dHeightfieldDataID d, const unsigned char* pHeightData, int bCopyHeightData,
-                                   dReal width, dReal depth, int widthSamples, int depthSamples, dReal scale,
-                                   dReal offset, dReal thickness, int bWrap)
+void dGeomHeightfieldDataBuildByte(dHeightfieldDataID d, const unsigned char* pHeightData,
+                                   int bCopyHeightData, dReal width, dReal depth, int widthSamples,
+                                   int depthSamples, dReal scale, dReal offset, dReal thickness, int bWrap)
 {
     EPODE_BUILD_HEIGHTFIELD(kBytes);
 }
 
-void dGeomHeightfieldDataBuildShort(dHeightfieldDataID d, const short* pHeightData, int bCopyHeightData, dReal width,
-                                    dReal depth, int widthSamples, int depthSamples, dReal scale, dReal offset,
-                                    dReal thickness, int bWrap)
+void dGeomHeightfieldDataBuildShort(dHeightfieldDataID d, const short* pHeightData, int bCopyHeightData,
+                                    dReal width, dReal depth, int widthSamples, int depthSamples, dReal scale,
+                                    dReal offset, dReal thickness, int bWrap)
 {
     EPODE_BUILD_HEIGHTFIELD(kShorts);
 }
 
 void dGeomHeightfieldDataBuildSingle(dHeightfieldDataID d, const float* pHeightData, int bCopyHeightData,
-                                     dReal width, dReal depth, int widthSamples, int depthSamples, dReal scale,
-                                     dReal offset, dReal thickness, int bWrap)
+                                     dReal width, dReal depth, int widthSamples, int depthSamples,
+                                     dReal scale, dReal offset, dReal thickness, int bWrap)
 {
     EPODE_BUILD_HEIGHTFIELD(kFloats);
 }
 
 void dGeomHeightfieldDataBuildDouble(dHeightfieldDataID d, const double* pHeightData, int bCopyHeightData,
-                                     dReal width, dReal depth, int widthSamples, int depthSamples, dReal scale,
-                                     dReal offset, dReal thickness, int bWrap)
+                                     dReal width, dReal depth, int widthSamples, int depthSamples,
+                                     dReal scale, dReal offset, dReal thickness, int bWrap)
 {
     EPODE_BUILD_HEIGHTFIELD(kDoubles);
 }
@@ -218,7 +221,8 @@ dHeightfieldDataID dGeomHeightfieldGetHeightfieldData(dGeomID g)
 {
     EPODE_GEOM_AS(Heightfield, geom, g, nullptr);
     const Heightfield& shape = geom->shape;
-    const bool alive = shape.data && shape.data->tag == Tag::kHeightfieldData && shape.data->serial == shape.serial;
+    const bool alive =
+        shape.data && shape.data->tag == Tag::kHeightfieldData && shape.data->serial == shape.serial;
     return alive ? to_handle(shape.data) : nullptr;
 }
 

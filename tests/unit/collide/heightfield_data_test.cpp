@@ -20,8 +20,10 @@ void expect_box(dGeomID g, std::initializer_list<double> expected)
     const Box box(g);
     int k = 0;
     for (const double e : expected) {
-        if (std::isinf(e)) EXPECT_EQ(box.v[k], dReal(e)) << k;
-        else EXPECT_NEAR(box.v[k], e, 1e-5) << k;
+        if (std::isinf(e))
+            EXPECT_EQ(box.v[k], dReal(e)) << k;
+        else
+            EXPECT_NEAR(box.v[k], e, 1e-5) << k;
         ++k;
     }
 }
@@ -58,12 +60,21 @@ TEST_F(HeightfieldData, all_builders_mean_the_same_field)
     for (int kind = 0; kind < 4; ++kind) {
         for (int k = 0; k < 6; ++k) shorts[k] = bytes[k], singles[k] = bytes[k], doubles[k] = bytes[k];
         switch (kind) {
-            case 0: dGeomHeightfieldDataBuildByte(data, bytes, 1, 2, 1, 3, 2, 2, 5, 1, 0); break;
-            case 1: dGeomHeightfieldDataBuildShort(data, shorts, 1, 2, 1, 3, 2, 2, 5, 1, 0); break;
-            case 2: dGeomHeightfieldDataBuildSingle(data, singles, 1, 2, 1, 3, 2, 2, 5, 1, 0); break;
-            default: dGeomHeightfieldDataBuildDouble(data, doubles, 1, 2, 1, 3, 2, 2, 5, 1, 0); break;
+            case 0:
+                dGeomHeightfieldDataBuildByte(data, bytes, 1, 2, 1, 3, 2, 2, 5, 1, 0);
+                break;
+            case 1:
+                dGeomHeightfieldDataBuildShort(data, shorts, 1, 2, 1, 3, 2, 2, 5, 1, 0);
+                break;
+            case 2:
+                dGeomHeightfieldDataBuildSingle(data, singles, 1, 2, 1, 3, 2, 2, 5, 1, 0);
+                break;
+            default:
+                dGeomHeightfieldDataBuildDouble(data, doubles, 1, 2, 1, 3, 2, 2, 5, 1, 0);
+                break;
         }
-        for (int k = 0; k < 6; ++k) shorts[k] = 77, singles[k] = 77, doubles[k] = 77;  // the copy does not mind
+        for (int k = 0; k < 6; ++k)
+            shorts[k] = 77, singles[k] = 77, doubles[k] = 77;  // the copy does not mind
         dGeomHeightfieldSetHeightfieldData(geom, data);
         expect_box(geom, {-1, 1, 4, 29, -0.5, 0.5});
         EXPECT_NEAR(height_at(0, 0), 2 * 6 + 5, 1e-4);
@@ -112,7 +123,8 @@ TEST_F(HeightfieldData, refuses_what_is_no_field_and_keeps_what_it_had)
 {
     dGeomHeightfieldDataBuildDouble(data, cone, 1, 4, 4, 3, 3, 1, 0, 1, 0);
     MessageRecorder heard;
-    const auto build = [&](dHeightfieldDataID d, const double* h, Real w, Real l, int nx, int nz, Real scale) {
+    const auto build = [&](dHeightfieldDataID d, const double* h, Real w, Real l, int nx, int nz,
+                           Real scale) {
         dGeomHeightfieldDataBuildDouble(d, h, 1, w, l, nx, nz, scale, 0, 1, 0);
         return heard.take();
     };
@@ -205,7 +217,8 @@ TEST(Spaces, refuse_hints_that_mean_nothing)
     EXPECT_EQ(dQuadTreeSpaceCreate(nullptr, centre, nullptr, 3), nullptr);
     EXPECT_EQ(dQuadTreeSpaceCreate(nullptr, centre, centre, -1), nullptr);
     EXPECT_NE(heard.take(), "");
-    for (const int order : {dSAP_AXES_XYZ, dSAP_AXES_XZY, dSAP_AXES_YXZ, dSAP_AXES_YZX, dSAP_AXES_ZXY, dSAP_AXES_ZYX}) {
+    for (const int order :
+         {dSAP_AXES_XYZ, dSAP_AXES_XZY, dSAP_AXES_YXZ, dSAP_AXES_YZX, dSAP_AXES_ZXY, dSAP_AXES_ZYX}) {
         const dSpaceID space = dSweepAndPruneSpaceCreate(nullptr, order);
         ASSERT_NE(space, nullptr);
         EXPECT_EQ(dSpaceGetClass(space), dSweepAndPruneSpaceClass);

@@ -26,7 +26,8 @@ TEST(HeightfieldRay, agrees_with_measured_numbers_of_the_original)
     const Probe probe;
     const Vec3 n{Real(-0.408248), Real(0.816497), Real(-0.408248)};
     for (const Real from : {Real(3), Real(-3)}) {
-        const std::vector<Found> f = probe.cast(ground, {Real(-0.5), from, Real(-0.6)}, {0, from > 0 ? Real(-1) : Real(1), 0});
+        const std::vector<Found> f =
+            probe.cast(ground, {Real(-0.5), from, Real(-0.6)}, {0, from > 0 ? Real(-1) : Real(1), 0});
         ASSERT_EQ(f.size(), 1u);
         EXPECT_NEAR(f[0].pos.y, 0.45, 1e-6);
         EXPECT_LT(length(f[0].normal - n), 2e-6) << "up, from below too";
@@ -43,7 +44,8 @@ TEST(HeightfieldRay, samples_run_fastest_along_x)
     const double rows[2][3] = {{0, 1, 2}, {10, 11, 12}};
     const Ground ground(3, 2, 2, 1, [&](int i, int j) { return rows[j][i]; });
     const Probe probe;
-    const Real at[3][3] = {{Real(-0.99), Real(-0.49), Real(0.11)}, {Real(0.99), Real(-0.49), Real(2.09)},
+    const Real at[3][3] = {{Real(-0.99), Real(-0.49), Real(0.11)},
+                           {Real(0.99), Real(-0.49), Real(2.09)},
                            {Real(-0.99), Real(0.49), Real(9.91)}};
     for (const auto& p : at) {
         const std::vector<Found> f = probe.cast(ground, {p[0], 50, p[1]}, {0, -1, 0});
@@ -105,16 +107,19 @@ TEST(HeightfieldRay, slips_through_no_seam_corner_or_diagonal)
             EXPECT_EQ(probe.cast(ground, p + Vec3{0, 5, 0}, {0, -1, 0}).size(), 1u) << i << ' ' << j;
             EXPECT_EQ(probe.cast(ground, p - Vec3{0, 5, 0}, {0, 1, 0}).size(), 1u) << i << ' ' << j;
             if (i > 2 && j > 2 && i < 30 && j < 30)
-                for (const Vec3 lean : {Vec3{Real(0.1), 0, 0}, Vec3{0, 0, Real(0.1)}, Vec3{Real(0.1), 0, Real(-0.1)}}) {
+                for (const Vec3 lean :
+                     {Vec3{Real(0.1), 0, 0}, Vec3{0, 0, Real(0.1)}, Vec3{Real(0.1), 0, Real(-0.1)}}) {
                     const Vec3 from = p + Vec3{0, 5, 0};
-                    EXPECT_EQ(probe.cast(ground, from, Vec3{0, -1, 0} + lean).size() % 2, 1u) << i << ' ' << j;
+                    EXPECT_EQ(probe.cast(ground, from, Vec3{0, -1, 0} + lean).size() % 2, 1u)
+                        << i << ' ' << j;
                 }
         }
 }
 
 TEST(HeightfieldRay, follows_a_wrapped_field_and_a_turned_one)
 {
-    const Ground ground(5, 5, 4, 4, [](int i, int j) { return i % 4 == 2 && j % 4 == 2 ? 1 : 0; }, true);
+    const Ground ground(
+        5, 5, 4, 4, [](int i, int j) { return i % 4 == 2 && j % 4 == 2 ? 1 : 0; }, true);
     const Probe probe;
     const std::vector<Found> f = probe.cast(ground, {-50, Real(0.5), 0}, {1, 0, 0}, 100);
     EXPECT_EQ(f.size(), 50u) << "25 hills, each entered and left";

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Solids on height fields: a flat field is a plane, a slope is a tilted plane, seams are not felt, crests are met
-// head-on, valleys from both sides, spheres agree with brute force over all triangles, and whatever has sunk in is
-// pushed out again.
+// Solids on height fields: a flat field is a plane, a slope is a tilted plane, seams are not felt, crests are
+// met head-on, valleys from both sides, spheres agree with brute force over all triangles, and whatever has
+// sunk in is pushed out again.
+#include "base/check.h"
 #include "base/memory.h"
 #include "terrain.h"
 
@@ -30,7 +31,8 @@ void expect_same(std::vector<Found> a, std::vector<Found> b)
     for (const Found& x : a) {
         Real least = kInf;
         for (const Found& y : b) {
-            const Real off = length(x.pos - y.pos) + length(x.normal - y.normal) + std::fabs(x.depth - y.depth);
+            const Real off =
+                length(x.pos - y.pos) + length(x.normal - y.normal) + std::fabs(x.depth - y.depth);
             least = off < least ? off : least;
         }
         EXPECT_LT(least, 10 * kTight);
@@ -42,13 +44,15 @@ TEST(Heightfield, flat_and_sloping_fields_are_planes_in_any_pose)
     const Real sx = Real(0.3), sz = Real(-0.2);
     RandomNumbers dice(1);
     for (const bool tilted : {false, true}) {
-        const Ground ground(21, 17, 20, 16, [&](int i, int j) { return tilted ? sx * Real(i) + sz * Real(j) : 0; });
+        const Ground ground(21, 17, 20, 16,
+                            [&](int i, int j) { return tilted ? sx * Real(i) + sz * Real(j) : 0; });
         const Vec3 up = normalized_or(tilted ? Vec3{-sx, 1, -sz} : Vec3{0, 1, 0}, {});
         const Vec3 on = ground.at(0, 0);
         Solids solids(Real(0.8));
         const dGeomID plane = dCreatePlane(nullptr, 0, 1, 0, 0);
         for (int trial = 0; trial < 200; ++trial) {
-            const Pose field{trial % 2 ? 5 * dice.vec() : Vec3{}, trial % 2 ? to_matrix(dice.rotation()) : Mat3::identity()};
+            const Pose field{trial % 2 ? 5 * dice.vec() : Vec3{},
+                             trial % 2 ? to_matrix(dice.rotation()) : Mat3::identity()};
             place(ground.geom, field.p, field.R);
             const Vec3 n = field.R * up;
             dGeomPlaneSetParams(plane, n.x, n.y, n.z, dot(n, field.to_world(on)));
@@ -105,8 +109,9 @@ TEST(Heightfield, a_ridge_carries_what_lies_across_it)
             const bool round = dGeomGetClass(g) == dCapsuleClass;
             // Box flat, cylinder upright, capsule along x.
             const Mat3 R = round ? from_columns({0, 1, 0}, {0, 0, 1}, {1, 0, 0})
-                                 : dGeomGetClass(g) == dCylinderClass ? from_columns({0, 0, 1}, {1, 0, 0}, {0, 1, 0})
-                                                                      : Mat3::identity();
+                           : dGeomGetClass(g) == dCylinderClass
+                               ? from_columns({0, 0, 1}, {1, 0, 0}, {0, 1, 0})
+                               : Mat3::identity();
             place(g, {x, 0, Real(0.3)}, R);
             const Real low = farthest(g, -up).y;
             place(g, {x, 1 - low - Real(0.01), Real(0.3)}, R);
@@ -263,12 +268,86 @@ TEST(Heightfield, serves_both_orders_and_small_rooms_without_allocating)
             EXPECT_TRUE(ahead[k].pos == back[k].pos && ahead[k].depth == back[k].depth);
             EXPECT_EQ(ahead[k].normal, -back[k].normal);
         }
-        for (int room = 1; room < 6; ++room) EXPECT_NEAR(deepest(contacts(g, ground.geom, room)), deepest(ahead), 1e-12);
+        for (int room = 1; room < 6; ++room)
+            EXPECT_NEAR(deepest(contacts(g, ground.geom, room)), deepest(ahead), 1e-12);
         dContactGeom few[8];
         const std::size_t before = allocation_count();
         dCollide(g, ground.geom, 8, few, sizeof(dContactGeom));
         EXPECT_EQ(allocation_count(), before);
     }
+}
+
+TEST(Heightfield, odd_sizes_and_places_do_no_harm)
+{
+    RandomNumbers dice(10);
+    for (const bool wrap : {false, true}) {
+        const Ground ground(
+            11, 11, 10, 10, [&](int, int) { return dice.in(0, Real(0.4)); }, wrap);
+        for (const double size : {0.0, 1e-30, 1e-9, 1.0, 1e4, 1e12}) {
+            Solids odd{Real(size)};
+            for (const double x : {0.0, 1e-12, 5.0, 1e3, 1e9, 1e15})
+                for (const dGeomID g : odd.all) {
+                    const bool slow = wrap && size > 10 && (x > 0 || dGeomGetClass(g) == dCylinderClass);
+                    if (slow) continue;  // tens of thousands of cells each
+                    place(g, {Real(x), Real(0.2), Real(-x / 2)}, to_matrix(dice.rotation()));
+                    for (const Found& f : contacts(g, ground.geom)) {
+                        EXPECT_TRUE(usable(f.depth) && usable(f.pos.x) && usable(f.pos.y) && usable(f.pos.z));
+                        EXPECT_GT(f.normal.y, 0);
+                    }
+                }
+        }
+    }
+}
+
+void contact_joints(void* data, dGeomID a, dGeomID b)
+{
+    const auto* where = static_cast<std::pair<dWorldID, dJointGroupID>*>(data);
+    dContact c[8] = {};
+    const int n = dCollide(a, b, 8, &c[0].geom, sizeof(dContact));
+    for (int k = 0; k < n; ++k) {
+        c[k].surface.mode = dContactApprox1;
+        c[k].surface.mu = 1;
+        dJointAttach(dJointCreateContact(where->first, where->second, &c[k]), dGeomGetBody(a),
+                     dGeomGetBody(b));
+    }
+}
+
+TEST(Heightfield, dropped_boxes_come_to_rest_on_rough_ground)
+{
+    RandomNumbers dice(12);
+    const Ground ground(41, 41, 40, 40, [&](int, int) { return dice.in(0, Real(0.4)); });
+    std::pair<dWorldID, dJointGroupID> where(dWorldCreate(), dJointGroupCreate(0));
+    dWorldSetGravity(where.first, 0, Real(-9.81), 0);
+    const dSpaceID space = dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XZY);
+    std::vector<dGeomID> boxes;
+    for (int k = 0; k < 9; ++k) {
+        const dGeomID box = dCreateBox(space, Real(0.8), Real(0.4), Real(0.6));
+        const dBodyID body = dBodyCreate(where.first);
+        dMass mass;
+        dMassSetBoxTotal(&mass, 1, Real(0.8), Real(0.4), Real(0.6));
+        dBodySetMass(body, &mass);
+        dGeomSetBody(box, body);
+        place(box, {Real(k % 3) * 4 - 4, 2, Real(k / 3) * 4 - 4}, to_matrix(dice.rotation()));
+        boxes.push_back(box);
+    }
+    Real sunk_most = -kInf;
+    dSpaceAdd(space, ground.geom);
+    for (int step = 0; step < 800; ++step) {
+        dSpaceCollide(space, &where, contact_joints);
+        dWorldStep(where.first, Real(0.01));
+        dJointGroupEmpty(where.second);
+        if (step % 50 == 0)
+            for (const dGeomID box : boxes) sunk_most = std::fmax(sunk_most, sunk(ground, box));
+    }
+    EXPECT_LT(sunk_most, Real(0.1)) << "the impact, 2 m down at 0.01 s, and no deeper";
+    for (const dGeomID box : boxes) {
+        EXPECT_LT(length(load(dBodyGetLinearVel(dGeomGetBody(box)))), 1e-3);
+        EXPECT_LT(sunk(ground, box), Real(0.01));
+    }
+    dSpaceRemove(space, ground.geom);
+    dSpaceDestroy(space);
+    dJointGroupDestroy(where.second);
+    dWorldDestroy(where.first);
 }
 
 TEST(Heightfield, wrapped_fields_repeat_without_a_seam)
@@ -279,7 +358,8 @@ TEST(Heightfield, wrapped_fields_repeat_without_a_seam)
         for (double& s : row) s = dice.in(0, 1);
     for (int k = 0; k < 6; ++k) sample[5][k] = sample[0][k];
     for (int k = 0; k < 6; ++k) sample[k][5] = sample[k][0];
-    const Ground ground(6, 6, 5, 5, [&](int i, int j) { return sample[j][i]; }, true);
+    const Ground ground(
+        6, 6, 5, 5, [&](int i, int j) { return sample[j][i]; }, true);
     Solids solids(Real(0.5));
     int met = 0, differ = 0;
     for (int trial = 0; trial < 200; ++trial)

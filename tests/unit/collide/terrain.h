@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A height field for tests, with the facets written out once more, independently of the library, for brute force.
+// A height field for tests, with the facets written out once more, independently of the library, for brute
+// force.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -128,7 +129,8 @@ inline Vec3 farthest(dGeomID g, Vec3 direction)
     const Vec3 d = transposed_times(pose.R, direction);
     Real r = 0, l = 0;
     switch (dGeomGetClass(g)) {
-        case dSphereClass: return pose.p + dGeomSphereGetRadius(g) * direction;
+        case dSphereClass:
+            return pose.p + dGeomSphereGetRadius(g) * direction;
         case dBoxClass: {
             dVector3 s;
             dGeomBoxGetLengths(g, s);
@@ -141,7 +143,8 @@ inline Vec3 farthest(dGeomID g, Vec3 direction)
         default: {
             dGeomCylinderGetParams(g, &r, &l);
             const Real rho = std::sqrt(d.x * d.x + d.y * d.y);
-            return pose.to_world({rho > 0 ? r * d.x / rho : 0, rho > 0 ? r * d.y / rho : 0, d.z < 0 ? -l / 2 : l / 2});
+            return pose.to_world(
+                {rho > 0 ? r * d.x / rho : 0, rho > 0 ? r * d.y / rho : 0, d.z < 0 ? -l / 2 : l / 2});
         }
     }
 }

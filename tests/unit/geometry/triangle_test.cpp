@@ -94,8 +94,7 @@ TEST(Triangle, prisms_cut_polygons_to_the_triangle)
         Polygon big;  // a large square in the plane, whose part over the triangle is the triangle
         Vec3 p, q;
         plane_space(t.n, p, q);
-        for (int k = 0; k < 4; ++k)
-            big.add(t.v[0] + (k == 0 || k == 3 ? 9 : -9) * p + (k < 2 ? 9 : -9) * q);
+        for (int k = 0; k < 4; ++k) big.add(t.v[0] + (k == 0 || k == 3 ? 9 : -9) * p + (k < 2 ? 9 : -9) * q);
         clip_to_prism(big, t, t.n, 0);
         ASSERT_GE(big.count, 3);
         for (const Vec3 v : t.v) {
