@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// QuickStep's solver against the exact one and against what must hold for any number of sweeps: bounds, momentum,
+// the meaning of the parameters.
+#include <gtest/gtest.h>
+
+#include "solve/residual.h"
+#include "solve/solver.h"
+#include "systems.h"
+
+namespace {
+
+using namespace epode_test;
+
+SolveReport run(const Solver& solver, Problem& p, int iterations = 20, Real w = Real(1.3), std::uint64_t seed = 1)
+{
+    Arena arena;
+    SolverSettings settings;
+    settings.iterations = iterations, settings.w = w, settings.seed = seed, settings.want_residual = true;
+    SolveReport report;
+    RowSystem system = p.system();
+    EXPECT_TRUE(solver.solve(system, settings, arena, report));
+    return report;
+}
+
+Real difference(const Problem& a, const Problem& b)
+{
+    Real worst = 0;
+    for (std::size_t i = 0; i < a.bodies.size(); ++i) {
+        worst = std::max(worst, max_component(abs(a.bodies[i].v - b.bodies[i].v)));
+        worst = std::max(worst, max_component(abs(a.bodies[i].w - b.bodies[i].w)));
+    }
+    return worst;
+}
+
+void expect_within_bounds(const Problem& p)
+{
+    for (const RowNumbers& n : p.numbers) {
+        const Real hi = n.parent < 0 ? n.hi : n.hi * std::fabs(p.numbers[std::size_t(n.parent)].p);
+        const Real lo = n.parent < 0 ? n.lo : -hi;
+        EXPECT_GE(n.p, lo - 1e-12 * std::fabs(lo));
+        EXPECT_LE(n.p, hi + 1e-12 * std::fabs(hi));
+    }
+}
+
+TEST(Quick, ReachesTheExactAnswerWithoutFriction)
+{
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        RandomKind kind;
+        kind.mu = -1, kind.joints = 3, kind.heaviest = 3, kind.cfm = Real(5e-3);
+        Problem exact = random_problem(seed, kind), quick = random_problem(seed, kind);
+        run(kDirect, exact);
+        run(kQuick, quick, 2000);
+        EXPECT_LT(difference(exact, quick), kSingle ? 1e-2 : 1e-6) << "seed " << seed;
+    }
+}
+
+TEST(Quick, PackedContactsEqualTheSameRowsInGeneralForm)
+{
+    // A block that is not marked as a contact takes the general path; with one manifold per pair of bodies and
+    // everything converged both must end in the same place.
+    RandomKind kind;
+    kind.joints = 0, kind.contacts = 5, kind.heaviest = 2, kind.cfm = Real(1e-3);
+    Problem packed = random_problem(7, kind), general = random_problem(7, kind);
+    for (RowBlock& block : general.blocks) block.contact = false;
+    const SolveReport a = run(kQuick, packed, 3000, 1), b = run(kQuick, general, 3000, 1);
+    EXPECT_LT(a.residual, kSingle ? 1e-4 : 1e-10);
+    EXPECT_LT(b.residual, kSingle ? 1e-4 : 1e-10);
+    EXPECT_LT(difference(packed, general), kSingle ? 1e-3 : 1e-8);
+}
+
+TEST(Quick, OneVisitIsTheSameOnBothPaths)
+{
+    // One contact, one sweep, no coupling between blocks: the two paths compute the same Gauss-Seidel visit.
+    for (const bool proportional : {true, false}) {
+        Problem packed, general;
+        for (Problem* p : {&packed, &general}) {
+            p->body({0, 0, 0}, 2, {1, 2, 3});
+            p->body({0, Real(.3), 2}, 1, {2, 1, 1});
+            p->bodies[0].v = {Real(.3), Real(.1), 1}, p->bodies[1].w = {Real(.2), -1, Real(.5)};
+            p->contact(1, 0, {Real(.2), Real(.4), 1}, {0, 0, 1}, Real(.01), Real(.4), Real(1e-3), proportional);
+        }
+        general.blocks[0].contact = false;
+        run(kQuick, packed, 1);
+        run(kQuick, general, 1);
+        EXPECT_LT(difference(packed, general), 50 * kEpsilon);
+        EXPECT_NE(packed.numbers[0].p, 0);
+        for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(packed.numbers[i].p, general.numbers[i].p, 50 * kEpsilon);
+    }
+}
+
+TEST(Quick, ResidualFallsWithSweeps)
+{
+    Real last = kInf;
+    for (const int sweeps : {5, 50, 500, 5000}) {
+        Problem p = pyramid(6, Real(.5), Real(1e-5));
+        const SolveReport report = run(kQuick, p, sweeps);
+        EXPECT_EQ(report.iterations, sweeps);
+        EXPECT_LT(report.residual, last);
+        last = report.residual;
+    }
+    EXPECT_LT(last, 1e-2);
+}
+
+TEST(Quick, BoundsHoldAfterAnyNumberOfSweeps)
+{
+    for (std::uint64_t seed = 1; seed <= 30; ++seed)
+        for (const int sweeps : {1, 3, 20}) {
+            Problem p = random_problem(seed, {});
+            for (RowNumbers& n : p.numbers) n.p = Dice(seed).real(-5, 5);  // a warm start from anywhere
+            run(kQuick, p, sweeps);
+            expect_within_bounds(p);
+        }
+}
+
+TEST(Quick, VelocitiesAreThoseOfTheImpulses)
+{
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        RandomKind kind;
+        kind.contacts = 20, kind.kinematic = seed % 2;
+        Problem p = random_problem(seed, kind), by_hand = p;
+        for (RowNumbers& n : p.numbers) n.p = Real(.1);
+        run(kQuick, p, 20);
+        for (const RowBlock& block : p.blocks)
+            for (int i = block.first; i < block.first + block.count; ++i)
+                apply_impulse(p.rows[std::size_t(i)], p.numbers[std::size_t(i)].p,
+                              by_hand.bodies[std::size_t(block.body1)],
+                              block.body2 >= 0 ? &by_hand.bodies[std::size_t(block.body2)] : nullptr);
+        EXPECT_LT(difference(p, by_hand), kSingle ? 1e-3 : 1e-11);
+    }
+}
+
+TEST(Quick, MomentumOfFreeBodiesIsKept)
+{
+    RandomKind kind;
+    kind.contacts = 12;
+    Problem p = random_problem(3, kind);
+    for (RowBlock& block : p.blocks)
+        if (block.body2 < 0) block.count = 0;  // nothing outside acts
+    const auto momentum = [&](Vec3& linear, Vec3& angular) {
+        linear = angular = {};
+        for (std::size_t i = 0; i < p.bodies.size(); ++i) {
+            const SolverBody& b = p.bodies[i];
+            linear += b.mass * b.v;
+            angular += cross(p.places[i], b.mass * b.v) + b.inertia * b.w;
+        }
+    };
+    Vec3 l0, a0, l1, a1;
+    momentum(l0, a0);
+    const Vec3 v0 = p.bodies[0].v;
+    run(kQuick, p, 20);
+    momentum(l1, a1);
+    EXPECT_FALSE(p.bodies[0].v == v0);
+    EXPECT_LT(max_component(abs(l1 - l0)), kSingle ? 1e-3 : 1e-11);
+    EXPECT_LT(max_component(abs(a1 - a0)), kSingle ? 1e-3 : 1e-11);
+}
+
+TEST(Quick, NoSweepsMeansNoConstraints)
+{
+    for (const int sweeps : {0, -5}) {
+        Problem p = random_problem(5, {}), before = p;
+        for (RowNumbers& n : p.numbers) n.p = 1;
+        run(kQuick, p, sweeps);
+        EXPECT_EQ(difference(p, before), 0);
+        for (const RowNumbers& n : p.numbers) EXPECT_EQ(n.p, 0);
+    }
+}
+
+TEST(Quick, NoRowsIsNoWork)
+{
+    Problem p;
+    p.body({}, 1);
+    EXPECT_EQ(run(kQuick, p).residual, 0);
+}
+
+TEST(Quick, KinematicBodiesKeepTheirVelocity)
+{
+    RandomKind kind;
+    kind.kinematic = true, kind.contacts = 30;
+    Problem p = random_problem(11, kind);
+    const SolverBody before = p.bodies[0];
+    run(kQuick, p);
+    EXPECT_TRUE(p.bodies[0].v == before.v && p.bodies[0].w == before.w);
+}
+
+TEST(Quick, InfiniteFrictionWithoutLoadSticks)
+{
+    // ODE's QuickStep: infinity times zero bounds nothing.
+    for (const bool packed : {true, false}) {
+        Problem p;
+        p.body({0, 0, Real(.5)}, 1);
+        p.bodies[0].v = {1, 0, 1};  // sliding and leaving
+        p.contact(0, -1, {0, 0, 0}, {0, 0, 1}, 0, kInf, Real(1e-9));
+        p.blocks[0].contact = packed;
+        run(kQuick, p, 200);
+        EXPECT_EQ(p.numbers[0].p, 0);
+        EXPECT_LT(std::fabs(p.bodies[0].v.x + Real(.5) * -p.bodies[0].w.y), 1e-3);
+    }
+}
+
+TEST(Quick, EmptyRowsAreIgnored)
+{
+    Problem p;
+    p.body({0, 0, Real(.5)}, 1);
+    p.contact(0, -1, {0, 0, 0}, {0, 0, 1}, 0, Real(.5), 0);
+    Row empty;
+    empty.kind = RowKind::kFriction, empty.lo = -1, empty.hi = 1;
+    p.block(0, -1, true, {empty});
+    p.numbers.back().p = 3;
+    p.pull({0, 0, Real(-9.81)});
+    run(kQuick, p);
+    EXPECT_EQ(p.numbers.back().p, 0);
+    EXPECT_TRUE(std::isfinite(p.bodies[0].v.z));
+}
+
+TEST(Quick, EverySafeOverRelaxationConverges)
+{
+    for (const Real w : {Real(.3), Real(1), Real(1.3), Real(1.7)}) {
+        Problem p = chain(12, 5, Real(1e-6));
+        EXPECT_LT(run(kQuick, p, 1500, w).residual, kSingle ? 1e-3 : 1e-9) << w;
+    }
+}
+
+TEST(Quick, SameSeedSameBitsOtherSeedOtherOrder)
+{
+    Problem a = pyramid(6, Real(.5)), b = pyramid(6, Real(.5)), c = pyramid(6, Real(.5));
+    run(kQuick, a, 20, Real(1.3), 42);
+    run(kQuick, b, 20, Real(1.3), 42);
+    run(kQuick, c, 20, Real(1.3), 43);
+    EXPECT_EQ(difference(a, b), 0);
+    EXPECT_GT(difference(a, c), 0);
+}
+
+TEST(Quick, WarmStartAtTheAnswerStaysThere)
+{
+    Problem p = pyramid(5, Real(.5), Real(1e-3));
+    const Problem start = p;
+    run(kQuick, p, 20000, 1);
+    Problem again = start;
+    for (std::size_t i = 0; i < p.numbers.size(); ++i) again.numbers[i].p = p.numbers[i].p;
+    EXPECT_LT(run(kQuick, again, 1, 1).residual, kSingle ? 1e-3 : 1e-9);
+}
+
+TEST(Quick, FrictionlessAndRollingContactsShareAnIsland)
+{
+    Problem p = pyramid(3, -1, Real(1e-6));
+    Row normal = p.point_row(0, -1, {0, 0, 0}, {0, 0, 1}, Real(.2), Real(1e-6));
+    normal.kind = RowKind::kNormal, normal.lo = 0;
+    std::vector<Row> of{normal};
+    for (const Vec3 axis : {Vec3{1, 0, 0}, Vec3{0, 1, 0}}) {
+        Row roll;
+        roll.ang1 = axis, roll.kind = RowKind::kFriction, roll.cfm = Real(1e-6);
+        roll.hi = Real(.1), roll.lo = Real(-.1), roll.parent = 0;
+        of.push_back(roll);
+    }
+    p.block(0, -1, true, of);
+    const SolveReport report = run(kQuick, p, 5000);
+    EXPECT_LT(report.residual, 1e-2);
+    expect_within_bounds(p);
+}
+
+}  // namespace
