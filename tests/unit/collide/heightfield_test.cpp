@@ -134,7 +134,7 @@ TEST(Heightfield, a_peak_carries_a_box_and_a_ball)
         place(g, {0, 1 - farthest(g, {0, -1, 0}).y - Real(0.02), 0});
         const std::vector<Found> f = contacts(g, ground.geom);
         ASSERT_FALSE(f.empty());
-        EXPECT_NEAR(deepest(f), 0.02, 1e-9);
+        EXPECT_NEAR(deepest(f), 0.02, kTight);
         EXPECT_LT(length(f[0].normal - Vec3{0, 1, 0}), 1e-6);
     }
 }
@@ -372,11 +372,11 @@ TEST(Heightfield, wrapped_fields_repeat_without_a_seam)
             place(g, p + away, R);
             const std::vector<Found> there = contacts(g, ground.geom);
             ASSERT_EQ(here.empty(), there.empty());
-            differ += std::fabs(deepest(here) - deepest(there)) > 1e-9 ? 1 : 0;
+            differ += std::fabs(deepest(here) - deepest(there)) > kTight ? 1 : 0;
             met += here.empty() ? 0 : 1;
         }
     EXPECT_GT(met, 300);
-    EXPECT_LE(differ, 2) << "deep on a peak, which of two directions is least may hang on rounding";
+    EXPECT_LE(differ, kSingle ? 8 : 2) << "deep on a peak, which of two directions is least may hang on rounding";
 }
 
 TEST(Heightfield, off_the_rectangle_there_is_nothing)
