@@ -10,7 +10,8 @@
 //   theta = C + zl/sl + zu/su,  D = 1/theta,  e = r2 + (tl - zl rl)/sl - (tu - zu ru)/su
 //   H dv = r1 + J^T D e,  dp = D (e - J dv)
 //
-// Predictor t = -s z, then t = sigma mu/d - s z - ds dz with sigma = (mu_aff/mu)^3; rows are weighted by
+// Predictor t = -s z with step a, then t = sigma mu/d - s z - a^2 ds dz with sigma = (mu_aff/mu)^3 (the second
+// order counts for as much as the predictor could go: Colombo & Gondzio, Comput. Optim. Appl. 41, 2008); rows are weighted by
 // d = J M^-1 J^T + C, so that mu is a velocity squared and rows of different kinds agree. Without the centrality
 // correctors (Gondzio, Comput. Optim. Appl. 6, 1996) a few outlying products stall it on sliding stacks.
 #include "solve/interior_point.h"
@@ -22,7 +23,8 @@ namespace epode {
 namespace {
 
 constexpr int kMostIterations = 60;
-constexpr int kStall = 8;            // iterations without a tenth of progress
+constexpr int kPatience = 2;         // iterations without a tenth of progress before recentring
+constexpr int kStall = 12;           // and before giving up
 constexpr double kStepShare = 0.995;
 constexpr int kCorrectors = 3;
 constexpr double kLonger = 0.3;      // step that a corrector tries to gain
@@ -41,33 +43,54 @@ bool InteriorPoint::prepare(const ExactProblem& problem, Arena& arena)
 bool InteriorPoint::solve(ExactProblem& problem, BoxState& state, double tolerance, int& iterations)
 {
     start(problem, state);
-    double best = HUGE_VAL;
+    double mark = HUGE_VAL;  // where progress is counted from
     int stall = 0;
     bool reached = false;
     for (int k = 0; k < kMostIterations; ++k) {
         const double measure = residuals(problem, state);
         reached = measure <= tolerance * problem.scale();
-        stall = measure < 0.9 * best ? 0 : stall + 1;
-        best = std::min(best, measure);
+        if (measure < 0.9 * mark)
+            mark = measure, stall = 0;
+        else
+            ++stall;
         if (reached || stall >= kStall || !(measure < HUGE_VAL)) break;
         ++iterations;
         factor(problem, state);
-        for (RowState& row : rows_) row.lower.t = -row.lower.s * row.lower.z, row.upper.t = -row.upper.s * row.upper.z;
-        direction(problem, state);
-
-        const double mu = complementarity(problem, 0);
-        const double affine = complementarity(problem, longest_step());
-        const double ratio = mu > 0 ? affine / mu : 0;
-        const double target = ratio * ratio * ratio * mu;
-        for (std::size_t i = 0; i < rows_.size(); ++i)
-            for (Side* side : {&rows_[i].lower, &rows_[i].upper})
-                side->t = target / problem.row(int(i)).d - side->s * side->z - side->ds * side->dz;
-        direction(problem, state);
+        const double target = stall < kPatience ? aim(problem, state) : recentre(problem, state);
         correct_centrality(problem, state, target);
         advance(state, std::min(1.0, kStepShare * longest_step()));
     }
     tag(problem, state);
     return reached;
+}
+
+// Predictor and corrector; returns the complementarity aimed at.
+double InteriorPoint::aim(ExactProblem& problem, const BoxState& state)
+{
+    for (RowState& row : rows_)
+        for (Side* side : {&row.lower, &row.upper}) side->t = -side->s * side->z;
+    direction(problem, state);
+    const double mu = complementarity(problem, 0);
+    const double reach = std::min(1.0, longest_step());
+    const double affine = complementarity(problem, reach);
+    const double ratio = mu > 0 ? affine / mu : 0;
+    const double target = ratio * ratio * ratio * mu;
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+        for (Side* side : {&rows_[i].lower, &rows_[i].upper})
+            side->t = target / problem.row(int(i)).d - side->s * side->z - reach * reach * side->ds * side->dz;
+    direction(problem, state);
+    return target;
+}
+
+// Where predictor and corrector no longer get on, a few products are far off the mean: back towards the middle.
+double InteriorPoint::recentre(ExactProblem& problem, const BoxState& state)
+{
+    const double target = 0.5 * complementarity(problem, 0);
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+        for (Side* side : {&rows_[i].lower, &rows_[i].upper})
+            side->t = target / problem.row(int(i)).d - side->s * side->z;
+    direction(problem, state);
+    return target;
 }
 
 void InteriorPoint::start(const ExactProblem& problem, BoxState& state)
@@ -93,6 +116,14 @@ void InteriorPoint::start(const ExactProblem& problem, BoxState& state)
         place(row.upper, state.hi[i] - state.p[i]);
     }
     problem.velocities(state.p, state.v);
+    // What the rows' velocities lack at this point, multipliers of the right sign take over.
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        if (state.tag[i] == BoxState::kFixed) continue;
+        const ExactRow& row = problem.row(int(i));
+        const double w = ExactProblem::jv(row, state.v.data()) + row.C * state.p[i] - row.c;
+        if (rows_[i].lower.present && w > 0) rows_[i].lower.z += w;
+        if (rows_[i].upper.present && w < 0) rows_[i].upper.z -= w;
+    }
 }
 
 double InteriorPoint::residuals(const ExactProblem& problem, const BoxState& state)

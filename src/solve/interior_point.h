@@ -33,6 +33,8 @@ class InteriorPoint {
     double complementarity(const ExactProblem& problem, double step) const;
     void factor(ExactProblem& problem, const BoxState& state);
     void direction(ExactProblem& problem, const BoxState& state);
+    double aim(ExactProblem& problem, const BoxState& state);
+    double recentre(ExactProblem& problem, const BoxState& state);
     void correct_centrality(ExactProblem& problem, const BoxState& state, double target);
     double longest_step() const;
     void advance(BoxState& state, double step);
