@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The small systems of one joint: A x = b with A symmetric positive semidefinite, at most 6x6, A = L D L^T.
-// A pivot that has lost all its digits belongs to a row that repeats others (a hinge whose stop coincides with
-// its axis rows, say); its unknown becomes zero, which is a solution whenever one exists.
+// A pivot that has lost all its digits belongs to a row that repeats others (a hinge whose stop coincides
+// with its axis rows, say); its unknown becomes zero, which is a solution whenever one exists.
 #pragma once
 
 #include "base/config.h"

@@ -15,7 +15,7 @@ namespace epode {
 namespace {
 
 constexpr int kManifoldPoints = 4;
-constexpr int kWindow = 48;  // manifolds looked at for a free lane
+constexpr int kWindow = 48;         // manifolds looked at for a free lane
 constexpr int kFullShuffle = 1536;  // batches, about 3 MB
 constexpr int kRun = 32;
 
@@ -120,14 +120,14 @@ struct Gathered {
     LaneVec3 v1, w1, v2, w2;
 };
 
-LaneVec3 gather(std::span<const Velocity> bodies, const int* index, Vec3 Velocity::* part)
+LaneVec3 gather(std::span<const Velocity> bodies, const int* index, Vec3 Velocity::*part)
 {
     LaneVec3 out;
     for (int lane = 0; lane < kLanes; ++lane) out.set(lane, bodies[std::size_t(index[lane])].*part);
     return out;
 }
 
-void scatter(const LaneVec3& a, std::span<Velocity> bodies, const int* index, Vec3 Velocity::* part)
+void scatter(const LaneVec3& a, std::span<Velocity> bodies, const int* index, Vec3 Velocity::*part)
 {
     for (int lane = 0; lane < kLanes; ++lane) bodies[std::size_t(index[lane])].*part = a.get(lane);
 }
@@ -156,7 +156,8 @@ Lanes friction(ContactPoint& point, int k, Lanes u, Lanes normal)
 // Solves one contact and returns the change of its impulse, a vector of the world.
 LaneVec3 visit(ContactPoint& point, const LaneVec3& u)
 {
-    const Lanes q0 = at_least(Lanes{}, point.keep[0] * point.p[0] + point.gain[0] * (point.c[0] - dot(point.n, u)));
+    const Lanes q0 =
+        at_least(Lanes{}, point.keep[0] * point.p[0] + point.gain[0] * (point.c[0] - dot(point.n, u)));
     const Lanes d0 = q0 - point.p[0];
     const Lanes q1 = friction(point, 1, dot(point.t1, u) + point.k_n1 * d0, q0);
     const Lanes d1 = q1 - point.p[1];
@@ -252,8 +253,10 @@ void ContactSet::batch_manifolds(const RowSystem& system, std::span<bool> used)
     const auto fits = [&](const Manifold& m, const int* lanes, int taken) {
         for (int lane = 0; lane < taken; ++lane) {
             const Manifold& other = manifolds_[std::size_t(lanes[lane])];
-            if (overlaps(system.bodies, m.body1, other.body1) || overlaps(system.bodies, m.body1, other.body2) ||
-                overlaps(system.bodies, m.body2, other.body1) || overlaps(system.bodies, m.body2, other.body2))
+            if (overlaps(system.bodies, m.body1, other.body1) ||
+                overlaps(system.bodies, m.body1, other.body2) ||
+                overlaps(system.bodies, m.body2, other.body1) ||
+                overlaps(system.bodies, m.body2, other.body2))
                 return false;
         }
         return true;
@@ -302,7 +305,8 @@ void ContactSet::fill(const RowSystem& system, Real w)
     }
 }
 
-void ContactSet::fill_lane(const RowSystem& system, Real w, const Manifold& manifold, ContactBatch& batch, int lane)
+void ContactSet::fill_lane(const RowSystem& system, Real w, const Manifold& manifold, ContactBatch& batch,
+                           int lane)
 {
     const auto set_body = [&](int body, int& index, Lanes& inv_mass, LaneSym3& inv_inertia) {
         index = body;
@@ -337,7 +341,8 @@ void ContactSet::apply_impulses(std::span<Velocity> bodies) const
     }
 }
 
-// Islands that no longer fit the caches keep neighbours together: runs are shuffled, then what is in each run.
+// Islands that no longer fit the caches keep neighbours together: runs are shuffled, then what is in each
+// run.
 void ContactSet::shuffle(CounterRandom& random)
 {
     const int n = int(order_.size());
@@ -348,7 +353,8 @@ void ContactSet::shuffle(CounterRandom& random)
         if (j != i) std::swap_ranges(order + i * run, order + (i + 1) * run, order + j * run);
     }
     for (int first = 0; first < n; first += run)
-        for (int i = 1; i < std::min(run, n - first); ++i) std::swap(order[first + i], order[first + random.below(i + 1)]);
+        for (int i = 1; i < std::min(run, n - first); ++i)
+            std::swap(order[first + i], order[first + random.below(i + 1)]);
 }
 
 void ContactSet::sweep(std::span<Velocity> bodies)

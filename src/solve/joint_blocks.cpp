@@ -51,9 +51,8 @@ void fill_matrix(const JointRow* rows, JointBlock& block)
     for (int i = 0; i < block.count; ++i) {
         for (int j = 0; j <= i; ++j) {
             const JointRow &r = rows[i], &s = rows[j];
-            block.A[i][j] = block.A[j][i] =
-                (block.inv_mass1 * dot(r.lin1, s.lin1) + dot(r.ang1, s.turn1)) +
-                (block.inv_mass2 * dot(r.lin2, s.lin2) + dot(r.ang2, s.turn2));
+            block.A[i][j] = block.A[j][i] = (block.inv_mass1 * dot(r.lin1, s.lin1) + dot(r.ang1, s.turn1)) +
+                                            (block.inv_mass2 * dot(r.lin2, s.lin2) + dot(r.ang2, s.turn2));
         }
         block.A[i][i] += rows[i].C;
     }

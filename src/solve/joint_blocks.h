@@ -19,16 +19,16 @@ namespace epode {
 
 struct JointRow {
     Vec3 lin1, ang1, lin2, ang2;
-    Vec3 turn1, turn2;       // I^-1 ang
+    Vec3 turn1, turn2;  // I^-1 ang
     Real c, c_relaxed, C;
-    Real lo, hi, p;          // of a row with a parent: hi is the coefficient
-    int parent;              // within the block, or -1
+    Real lo, hi, p;  // of a row with a parent: hi is the coefficient
+    int parent;      // within the block, or -1
 };
 
 struct JointBlock {
-    int first, count;        // in the rows of the set
-    int source;              // first row of the system
-    int body1, body2;        // into the velocities
+    int first, count;  // in the rows of the set
+    int source;        // first row of the system
+    int body1, body2;  // into the velocities
     Real inv_mass1, inv_mass2;
     bool bounded;
     Real A[kMaxJointRows][kMaxJointRows];  // J M^-1 J^T + C
@@ -37,12 +37,13 @@ struct JointBlock {
 
 class JointBlocks {
   public:
-    // Takes the blocks that are no contacts, and their bounds and warm start from the numbers; false: out of memory.
+    // Takes the blocks that are no contacts, and their bounds and warm start from the numbers; false: out of
+    // memory.
     bool prepare(const RowSystem& system, Arena& arena);
     // Reads the rows at the present pose.
     void refresh(const RowSystem& system, const Substep& step);
 
-    void apply_impulses(std::span<Velocity> bodies) const;   // v += M^-1 J^T p
+    void apply_impulses(std::span<Velocity> bodies) const;  // v += M^-1 J^T p
     void sweep(std::span<Velocity> bodies, bool relax);
     void add_impulses(std::span<RowNumbers> numbers) const;  // numbers.p += p
     void describe(std::span<RowNumbers> numbers) const;      // c, C and p of the correcting problem

@@ -5,11 +5,11 @@
 //
 //   q_i = clip(p_i + W (c_i - J_i v - C_i p_i) / d_i, lo_i, hi_i),   d_i = J_i M^-1 J_i^T + C_i
 //
-// with friction limits that follow their parent's present impulse. Joints come first, forwards and backwards by
-// turns, which carries an impulse through a chain in both directions; then contacts, each one's normal before
-// its tangents, in a new random order in every sweep: any fixed order tilts a stack a little, always to the
-// same side, and a stack at rest trembles twice as much for it. ODE shuffles every eight sweeps, from the
-// process-wide dRand; here the numbers are a function of the step and the island.
+// with friction limits that follow their parent's present impulse. Joints come first, forwards and backwards
+// by turns, which carries an impulse through a chain in both directions; then contacts, each one's normal
+// before its tangents, in a new random order in every sweep: any fixed order tilts a stack a little, always
+// to the same side, and a stack at rest trembles twice as much for it. ODE shuffles every eight sweeps, from
+// the process-wide dRand; here the numbers are a function of the step and the island.
 #include <algorithm>
 
 #include "solve/contact_set.h"
@@ -27,7 +27,8 @@ struct Sweeps {
     bool pack(const RowSystem& system, Real w, Arena& arena)
     {
         auto packed = arena.take<bool>(int(system.blocks.size()));
-        return !packed.empty() && contacts.pack(system, w, packed, arena) && others.pack(system, w, packed, arena);
+        return !packed.empty() && contacts.pack(system, w, packed, arena) &&
+               others.pack(system, w, packed, arena);
     }
 
     void run(std::span<Velocity> bodies, int iterations, std::uint64_t seed)

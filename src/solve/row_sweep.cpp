@@ -32,7 +32,8 @@ void apply(const PackedRow& row, const PackedBlock& block, Real dp, Velocity& a,
     b.w += dp * row.turn2;
 }
 
-void pack_row(const Row& row, const RowNumbers& n, const SolverBody& a, const SolverBody* b, Real w, PackedRow& out)
+void pack_row(const Row& row, const RowNumbers& n, const SolverBody& a, const SolverBody* b, Real w,
+              PackedRow& out)
 {
     out.lin1 = row.lin1, out.ang1 = row.ang1;
     out.turn1 = a.inv_inertia * row.ang1;
@@ -64,8 +65,8 @@ bool RowSweep::pack(const RowSystem& system, Real w, std::span<const bool> skip,
         const RowBlock& block = system.blocks[i];
         const SolverBody& a = system.bodies[std::size_t(block.body1)];
         const SolverBody* b = block.body2 >= 0 ? &system.bodies[std::size_t(block.body2)] : nullptr;
-        blocks_[std::size_t(next_block++)] = {next_row, block.count, block.body1, second_slot(system, block),
-                                              a.inv_mass, b ? b->inv_mass : 0};
+        blocks_[std::size_t(next_block++)] = {
+            next_row, block.count, block.body1, second_slot(system, block), a.inv_mass, b ? b->inv_mass : 0};
         for (int k = block.first; k < block.first + block.count; ++k) {
             PackedRow& out = rows_[std::size_t(next_row + k - block.first)];
             const RowNumbers& n = system.numbers[std::size_t(k)];

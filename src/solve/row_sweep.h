@@ -16,16 +16,16 @@ namespace epode {
 
 struct PackedRow {
     Vec3 lin1, ang1, lin2, ang2;
-    Vec3 turn1, turn2;          // I^-1 ang
-    Real c, keep, gain, p;      // q = clip(keep p + gain (c - J v))
-    Real lo, hi;                // of a row with a parent: hi is the coefficient
-    int parent;                 // packed row, or -1
-    int source;                 // row of the system
+    Vec3 turn1, turn2;      // I^-1 ang
+    Real c, keep, gain, p;  // q = clip(keep p + gain (c - J v))
+    Real lo, hi;            // of a row with a parent: hi is the coefficient
+    int parent;             // packed row, or -1
+    int source;             // row of the system
 };
 
 struct PackedBlock {
     int first, count;
-    int body1, body2;           // into the velocities
+    int body1, body2;  // into the velocities
     Real inv_mass1, inv_mass2;
 };
 
@@ -34,7 +34,7 @@ class RowSweep {
     // Packs the blocks not marked in `skip`; false: out of memory.
     bool pack(const RowSystem& system, Real w, std::span<const bool> skip, Arena& arena);
 
-    void apply_impulses(std::span<Velocity> bodies) const;   // v += M^-1 J^T p
+    void apply_impulses(std::span<Velocity> bodies) const;  // v += M^-1 J^T p
     void sweep(std::span<Velocity> bodies, bool backwards);
     void store_impulses(std::span<RowNumbers> numbers) const;
 

@@ -22,7 +22,8 @@ void begin_pass(const NormalAim<T>& aim, int pass, Real per_hs, T& c, T& keep, T
 
 NormalAim<Real> aim_of(const Row& row, const Substep& step, Real mobility, bool against_static)
 {
-    const RowAim aim = row.soft ? map_row(row, step, mobility) : default_contact(step, mobility, against_static);
+    const RowAim aim =
+        row.soft ? map_row(row, step, mobility) : default_contact(step, mobility, against_static);
     NormalAim<Real> out{};
     if (!(mobility > 0)) return out;
     out.error = row.error, out.speed = row.speed, out.cap = row.cap;
@@ -96,7 +97,8 @@ void SubstepContacts::aim(const RowSystem& system, const Substep& step)
             for (int lane = 0; lane < kLanes; ++lane) {
                 const int row = set_.sources()[std::size_t(i)].row[lane];
                 if (row >= 0)
-                    set_lane(aim_block(row, batch.body1[lane], batch.body2[lane]), lane, aims_[std::size_t(i)]);
+                    set_lane(aim_block(row, batch.body1[lane], batch.body2[lane]), lane,
+                             aims_[std::size_t(i)]);
             }
     for (std::size_t i = 0; i < other_aims_.size(); ++i) {
         const PackedBlock& block = others_.blocks()[i];
@@ -131,12 +133,13 @@ void SubstepContacts::follow_motion(std::span<const Velocity> bodies)
 {
     for (const ContactBatch& batch : set_.batches())
         for (int i = batch.first; i < batch.first + batch.count; ++i)
-            aims_[std::size_t(i)].error -= hs_ * normal_velocity(batch, set_.points()[std::size_t(i)], bodies);
+            aims_[std::size_t(i)].error -=
+                hs_ * normal_velocity(batch, set_.points()[std::size_t(i)], bodies);
     for (std::size_t i = 0; i < other_aims_.size(); ++i) {
         const PackedBlock& block = others_.blocks()[i];
-        other_aims_[i].error -= hs_ * row_velocity(others_.rows()[std::size_t(block.first)],
-                                                   bodies[std::size_t(block.body1)],
-                                                   bodies[std::size_t(block.body2)]);
+        other_aims_[i].error -=
+            hs_ * row_velocity(others_.rows()[std::size_t(block.first)], bodies[std::size_t(block.body1)],
+                               bodies[std::size_t(block.body2)]);
     }
 }
 

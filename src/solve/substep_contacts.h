@@ -25,13 +25,14 @@ struct NormalAim {
 
 class SubstepContacts {
   public:
-    // `system.numbers` hold bounds and warm start of one inner step; c and C are set here. False: out of memory.
+    // `system.numbers` hold bounds and warm start of one inner step; c and C are set here. False: out of
+    // memory.
     bool prepare(RowSystem& system, const Substep& step, std::uint64_t seed, Arena& arena);
 
     void apply_impulses(std::span<Velocity> bodies) const;
     void sweep(std::span<Velocity> bodies, bool relax);
-    void follow_motion(std::span<const Velocity> bodies);   // error -= hs J v
-    void add_impulses(std::span<RowNumbers> numbers);       // numbers.p += p
+    void follow_motion(std::span<const Velocity> bodies);  // error -= hs J v
+    void add_impulses(std::span<RowNumbers> numbers);      // numbers.p += p
     // The problem that the last correcting sweep worked on, into c, C and p: for the residual.
     void describe(std::span<RowNumbers> numbers);
 
@@ -40,8 +41,8 @@ class SubstepContacts {
 
     ContactSet set_;
     RowSweep others_;
-    std::span<NormalAim<Lanes>> aims_;        // per point of the set
-    std::span<NormalAim<Real>> other_aims_;   // per block of the others
+    std::span<NormalAim<Lanes>> aims_;       // per point of the set
+    std::span<NormalAim<Real>> other_aims_;  // per block of the others
     Real hs_ = 0;
     CounterRandom random_{0};
 };

@@ -3,14 +3,14 @@
 //
 // What a row asks for in one of n inner steps, hs = h/n.
 //
-// ODE's pair is a spring k and damper d at step h: ERP = h k/(h k + d), CFM = 1/(h k + d). The same k and d at
-// hs are
+// ODE's pair is a spring k and damper d at step h: ERP = h k/(h k + d), CFM = 1/(h k + d). The same k and d
+// at hs are
 //   CFM_s = CFM / (1 - ERP (1 - 1/n)),   ERP_s = (ERP/n) / (1 - ERP (1 - 1/n)).
 // A row without position error (motor, friction) is a damper: k = 0, and its CFM stays what it is.
 //
 // Contacts whose softness nobody chose are springs relative to the mass they feel (frequency f, damping
-// ratio z, w = 2 pi f):  a1 = 2 z + hs w,  a2 = hs w a1,  rate = w/a1,  C = d/a2   (after Box2D's soft step by
-// Catto, 2022: relaxed without bias afterwards, so the push-out velocity does not stay).
+// ratio z, w = 2 pi f):  a1 = 2 z + hs w,  a2 = hs w a1,  rate = w/a1,  C = d/a2   (after Box2D's soft step
+// by Catto, 2022: relaxed without bias afterwards, so the push-out velocity does not stay).
 #pragma once
 
 #include <algorithm>
@@ -26,10 +26,10 @@ struct Substep {
 
 // J v + C p = c while correcting; afterwards, relaxing, `c_relaxed`.
 struct RowAim {
-    Real rate;       // correcting velocity per error
-    Real push;       // its largest value
+    Real rate;  // correcting velocity per error
+    Real push;  // its largest value
     Real C;
-    bool spring;     // softness that was chosen: the error term belongs to the force and stays when relaxing
+    bool spring;  // softness that was chosen: the error term belongs to the force and stays when relaxing
 };
 
 // Above this share of the row's own mobility, CFM is meant as softness and not as regularisation.

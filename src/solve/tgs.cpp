@@ -9,9 +9,9 @@
 //   x += hs v
 //   solve again without correction            takes out the velocity that the correction put in
 //
-// After the last one, what carried load and came in fast rebounds. Errors of joints are measured anew at every
-// pose, so mass ratios that would need hundreds of sweeps settle in ten small steps; on regular stacks the
-// gain is nil. A step's impulse is the sum over its small steps; the next step starts from its n-th part.
+// After the last one, what carried load and came in fast rebounds. Errors of joints are measured anew at
+// every pose, so mass ratios that would need hundreds of sweeps settle in ten small steps; on regular stacks
+// the gain is nil. A step's impulse is the sum over its small steps; the next step starts from its n-th part.
 // The residual that is reported is that of the last small step after its correcting solve: for the step as a
 // whole no single problem exists.
 #include <algorithm>
@@ -28,8 +28,7 @@ class SmallSteps {
   public:
     SmallSteps(RowSystem& system, const Substeps& model, int n)
         : system_(system), model_(model), step_{system.h / Real(n), n}
-    {
-    }
+    {}
 
     bool prepare(const SolverSettings& settings, Arena& arena)
     {
@@ -73,7 +72,8 @@ class SmallSteps {
         model_.apply_forces(model_.model, system_, step_.hs);
         if (moved) model_.refresh(model_.model, system_);
         joints_.refresh(system_, step_);
-        if (last && !before_.empty()) std::copy(system_.bodies.begin(), system_.bodies.end(), before_.begin());
+        if (last && !before_.empty())
+            std::copy(system_.bodies.begin(), system_.bodies.end(), before_.begin());
         load_velocities(system_, velocities_);
         joints_.apply_impulses(velocities_);
         contacts_.apply_impulses(velocities_);
@@ -135,7 +135,7 @@ class SmallSteps {
     JointBlocks joints_;
     SubstepContacts contacts_;
     std::span<Velocity> velocities_;
-    std::span<SolverBody> before_;         // only when the residual is wanted
+    std::span<SolverBody> before_;  // only when the residual is wanted
     std::span<RowNumbers> described_;
     std::span<Real> lo_, hi_;
 };

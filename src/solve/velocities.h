@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What a sweep changes, and nothing else: one cache line per body (half of one in float), while masses stay
-// where only preparation reads them. The slot behind the last body is the world: it is gathered like any body,
-// and since its inverse mass is zero, scattering to it changes nothing.
+// where only preparation reads them. The slot behind the last body is the world: it is gathered like any
+// body, and since its inverse mass is zero, scattering to it changes nothing.
 #pragma once
 
 #include <span>
@@ -28,7 +28,8 @@ inline std::span<Velocity> take_velocities(const RowSystem& system, Arena& arena
 
 inline void load_velocities(const RowSystem& system, std::span<Velocity> out)
 {
-    for (std::size_t i = 0; i < system.bodies.size(); ++i) out[i] = {system.bodies[i].v, 0, system.bodies[i].w, 0};
+    for (std::size_t i = 0; i < system.bodies.size(); ++i)
+        out[i] = {system.bodies[i].v, 0, system.bodies[i].w, 0};
     out.back() = {};
 }
 

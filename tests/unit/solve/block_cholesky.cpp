@@ -38,8 +38,10 @@ void add_random(Dice& dice, BodyPair pair, BlockCholesky& H, std::vector<double>
                     double x = 0;
                     for (int k = 0; k < 6; ++k) x += B[6 * s + i][k] * B[6 * t + j][k];
                     dense[std::size_t((6 * body[s] + i) * 6 * n + 6 * body[t] + j)] += x;
-                    if (s == t) block[i + 6 * j] += x;
-                    else if (s == 0) block[transposed ? j + 6 * i : i + 6 * j] += x;
+                    if (s == t)
+                        block[i + 6 * j] += x;
+                    else if (s == 0)
+                        block[transposed ? j + 6 * i : i + 6 * j] += x;
                 }
         }
 }
@@ -64,7 +66,8 @@ TEST(BlockCholesky, SolvesWhatWasAssembled)
         std::vector<double> wanted, x(std::size_t(size), 0.0);
         for (int i = 0; i < size; ++i) wanted.push_back(double(dice.real(-1, 1)));
         for (int i = 0; i < size; ++i)
-            for (int j = 0; j < size; ++j) x[std::size_t(i)] += dense[std::size_t(i * size + j)] * wanted[std::size_t(j)];
+            for (int j = 0; j < size; ++j)
+                x[std::size_t(i)] += dense[std::size_t(i * size + j)] * wanted[std::size_t(j)];
         EXPECT_EQ(H.factor(), 0);
         H.solve(x);
         for (int i = 0; i < size; ++i) EXPECT_NEAR(x[std::size_t(i)], wanted[std::size_t(i)], 1e-9) << seed;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The exact solver against brute force (all 3^m active sets, each solved by dense elimination in long double),
-// and on what breaks pivoting methods: redundancy, CFM = 0, mass ratios.
+// The exact solver against brute force (all 3^m active sets, each solved by dense elimination in long
+// double), and on what breaks pivoting methods: redundancy, CFM = 0, mass ratios.
 #include <gtest/gtest.h>
 
 #include "solve/residual.h"
@@ -46,16 +46,17 @@ Dense dense(const Problem& p)
                           block.body2 >= 0 ? &bodies[std::size_t(block.body2)] : nullptr);
             for (const RowBlock& other : p.blocks)
                 for (int i = other.first; i < other.first + other.count; ++i)
-                    d.A[std::size_t(i * d.m + j)] = row_velocity(
-                        p.rows[std::size_t(i)], bodies[std::size_t(other.body1)],
-                        other.body2 >= 0 ? &bodies[std::size_t(other.body2)] : nullptr);
+                    d.A[std::size_t(i * d.m + j)] =
+                        row_velocity(p.rows[std::size_t(i)], bodies[std::size_t(other.body1)],
+                                     other.body2 >= 0 ? &bodies[std::size_t(other.body2)] : nullptr);
         }
     for (const RowBlock& block : p.blocks)
         for (int i = block.first; i < block.first + block.count; ++i) {
             const RowNumbers& n = p.numbers[std::size_t(i)];
             d.A[std::size_t(i * d.m + i)] += n.C;
-            d.b.push_back(n.c - row_velocity(p.rows[std::size_t(i)], p.bodies[std::size_t(block.body1)],
-                                             block.body2 >= 0 ? &p.bodies[std::size_t(block.body2)] : nullptr));
+            d.b.push_back(n.c -
+                          row_velocity(p.rows[std::size_t(i)], p.bodies[std::size_t(block.body1)],
+                                       block.body2 >= 0 ? &p.bodies[std::size_t(block.body2)] : nullptr));
             d.lo.push_back(n.lo), d.hi.push_back(n.hi);
         }
     return d;
@@ -66,8 +67,10 @@ bool solve_free(const Dense& d, const std::vector<int>& state, std::vector<Wide>
 {
     std::vector<int> free;
     for (int i = 0; i < d.m; ++i)
-        if (state[std::size_t(i)] == 1) free.push_back(i);
-        else p[std::size_t(i)] = state[std::size_t(i)] == 0 ? d.lo[std::size_t(i)] : d.hi[std::size_t(i)];
+        if (state[std::size_t(i)] == 1)
+            free.push_back(i);
+        else
+            p[std::size_t(i)] = state[std::size_t(i)] == 0 ? d.lo[std::size_t(i)] : d.hi[std::size_t(i)];
     const std::size_t n = free.size();
     std::vector<Wide> M(n * (n + 1));
     for (std::size_t r = 0; r < n; ++r) {
@@ -102,7 +105,8 @@ bool brute_force(const Dense& d, std::vector<Wide>& p)
         bool possible = true;
         for (int i = 0; i < d.m; ++i) {
             const auto k = std::size_t(i);
-            possible &= !(state[k] == 0 && !(d.lo[k] > -HUGE_VALL)) && !(state[k] == 2 && !(d.hi[k] < HUGE_VALL));
+            possible &=
+                !(state[k] == 0 && !(d.lo[k] > -HUGE_VALL)) && !(state[k] == 2 && !(d.hi[k] < HUGE_VALL));
         }
         p.assign(std::size_t(d.m), 0);
         if (!possible || !solve_free(d, state, p)) continue;
@@ -111,7 +115,7 @@ bool brute_force(const Dense& d, std::vector<Wide>& p)
             const auto k = std::size_t(i);
             Wide w = -d.b[k];
             for (int j = 0; j < d.m; ++j) w += d.A[k * std::size_t(d.m) + std::size_t(j)] * p[std::size_t(j)];
-            right = state[k] == 0 ? w >= -1e-12L
+            right = state[k] == 0   ? w >= -1e-12L
                     : state[k] == 2 ? w <= 1e-12L
                                     : p[k] >= d.lo[k] - 1e-12L && p[k] <= d.hi[k] + 1e-12L;
         }
@@ -137,7 +141,8 @@ TEST(Direct, AgreesWithBruteForceOverAllActiveSets)
             Row row = p.point_row(a, b == a ? -1 : b, dice.vec(1), dice.direction(), 0, Real(1e-3));
             row.speed = dice.real(-1, 1);
             const int kind = dice.below(3);
-            if (kind != 0) row.lo = kind == 1 ? 0 : -30, row.hi = kind == 1 ? kInf : 20, row.kind = RowKind::kLimit;
+            if (kind != 0)
+                row.lo = kind == 1 ? 0 : -30, row.hi = kind == 1 ? kInf : 20, row.kind = RowKind::kLimit;
             p.block(a, b == a ? -1 : b, false, {row});
         }
         const Dense d = dense(p);
@@ -145,7 +150,8 @@ TEST(Direct, AgreesWithBruteForceOverAllActiveSets)
         ASSERT_TRUE(brute_force(d, wanted)) << seed;
         run(p);
         for (int i = 0; i < m; ++i)
-            EXPECT_NEAR(p.numbers[std::size_t(i)].p, double(wanted[std::size_t(i)]), 1e-8) << seed << " row " << i;
+            EXPECT_NEAR(p.numbers[std::size_t(i)].p, double(wanted[std::size_t(i)]), 1e-8)
+                << seed << " row " << i;
     }
 }
 
@@ -200,13 +206,15 @@ TEST(Direct, MassRatioOfAMillion)
         EXPECT_LE(run(p).residual, kSingle ? 1e-3 : 1e-9) << ratio;
         Real carried = 0;
         for (std::size_t i = 0; i < p.numbers.size(); i += 6) carried += p.numbers[i].p;
-        EXPECT_NEAR(carried / ((1 + ratio) * p.h * Real(9.81)), 1, 1e-2);  // C p of the heavy one is 0.5 percent
+        EXPECT_NEAR(carried / ((1 + ratio) * p.h * Real(9.81)), 1,
+                    1e-2);  // C p of the heavy one is 0.5 percent
     }
 }
 
 TEST(Direct, StacksAndPyramids)
 {
-    Problem stack = box_grid(1, 1, 10, Real(.5), false, Real(1e-10)), wall = pyramid(10, Real(.5), Real(1e-10));
+    Problem stack = box_grid(1, 1, 10, Real(.5), false, Real(1e-10)),
+            wall = pyramid(10, Real(.5), Real(1e-10));
     EXPECT_LE(run(stack).residual, kSingle ? 1e-3 : 1e-9);
     EXPECT_LE(run(wall).residual, kSingle ? 1e-3 : 1e-9);
     for (const SolverBody& b : wall.bodies) EXPECT_LT(length(b.v), kSingle ? 1e-2 : 1e-6);
@@ -220,7 +228,8 @@ TEST(Direct, OverdeterminedLoopOfJoints)
         for (int i = 0; i < 3; ++i) p.body({Real(i), Real(i == 1), 0}, 1);
         for (int i = 0; i < 3; ++i)
             for (int k = 0; k < 2; ++k)
-                p.ball(i, (i + 1) % 3, Real(.5) * (p.places[std::size_t(i)] + p.places[std::size_t((i + 1) % 3)]), cfm);
+                p.ball(i, (i + 1) % 3,
+                       Real(.5) * (p.places[std::size_t(i)] + p.places[std::size_t((i + 1) % 3)]), cfm);
         p.ball(0, -1, p.places[0], cfm);
         p.pull({0, 0, Real(-9.81)});
         EXPECT_LE(run(p).residual, kSingle ? 1e-4 : 1e-9);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// QuickStep's solver against the exact one and against what must hold for any number of sweeps: bounds, momentum,
-// the meaning of the parameters.
+// QuickStep's solver against the exact one and against what must hold for any number of sweeps: bounds,
+// momentum, the meaning of the parameters.
 #include <gtest/gtest.h>
 
 #include "solve/residual.h"
@@ -13,7 +13,8 @@ namespace {
 
 using namespace epode_test;
 
-SolveReport run(const Solver& solver, Problem& p, int iterations = 20, Real w = Real(1.3), std::uint64_t seed = 1)
+SolveReport run(const Solver& solver, Problem& p, int iterations = 20, Real w = Real(1.3),
+                std::uint64_t seed = 1)
 {
     Arena arena;
     SolverSettings settings;
@@ -58,8 +59,8 @@ TEST(Quick, ReachesTheExactAnswerWithoutFriction)
 
 TEST(Quick, PackedContactsEqualTheSameRowsInGeneralForm)
 {
-    // A block that is not marked as a contact takes the general path; with one manifold per pair of bodies and
-    // everything converged both must end in the same place.
+    // A block that is not marked as a contact takes the general path; with one manifold per pair of bodies
+    // and everything converged both must end in the same place.
     RandomKind kind;
     kind.joints = 0, kind.contacts = 5, kind.heaviest = 2, kind.cfm = Real(1e-3);
     Problem packed = random_problem(7, kind), general = random_problem(7, kind);
@@ -79,14 +80,16 @@ TEST(Quick, OneVisitIsTheSameOnBothPaths)
             p->body({0, 0, 0}, 2, {1, 2, 3});
             p->body({0, Real(.3), 2}, 1, {2, 1, 1});
             p->bodies[0].v = {Real(.3), Real(.1), 1}, p->bodies[1].w = {Real(.2), -1, Real(.5)};
-            p->contact(1, 0, {Real(.2), Real(.4), 1}, {0, 0, 1}, Real(.01), Real(.4), Real(1e-3), proportional);
+            p->contact(1, 0, {Real(.2), Real(.4), 1}, {0, 0, 1}, Real(.01), Real(.4), Real(1e-3),
+                       proportional);
         }
         general.blocks[0].contact = false;
         run(kQuick, packed, 1);
         run(kQuick, general, 1);
         EXPECT_LT(difference(packed, general), 50 * kEpsilon);
         EXPECT_NE(packed.numbers[0].p, 0);
-        for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(packed.numbers[i].p, general.numbers[i].p, 50 * kEpsilon);
+        for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_NEAR(packed.numbers[i].p, general.numbers[i].p, 50 * kEpsilon);
     }
 }
 

@@ -71,7 +71,8 @@ struct Problem {
     }
 
     // mu < 0: no friction rows at all.
-    void contact(int body1, int body2, Vec3 at, Vec3 n, Real depth, Real mu, Real cfm, bool proportional = true)
+    void contact(int body1, int body2, Vec3 at, Vec3 n, Real depth, Real mu, Real cfm,
+                 bool proportional = true)
     {
         std::vector<Row> of{point_row(body1, body2, at, n, Real(0.2), cfm)};
         of[0].kind = RowKind::kNormal;
@@ -131,7 +132,8 @@ inline Problem random_problem(std::uint64_t seed, const RandomKind& kind)
     for (int i = 0; i < kind.bodies; ++i) {
         const bool fixed = kind.kinematic && i == 0;
         const Real mass = fixed ? 0 : std::pow(kind.heaviest, dice.real(0, 1));
-        const int b = p.body(dice.vec(3), mass, {dice.real(Real(.5), 2), dice.real(Real(.5), 2), dice.real(Real(.5), 2)});
+        const int b = p.body(dice.vec(3), mass,
+                             {dice.real(Real(.5), 2), dice.real(Real(.5), 2), dice.real(Real(.5), 2)});
         p.bodies[std::size_t(b)].v = dice.vec(1);
         p.bodies[std::size_t(b)].w = dice.vec(1);
     }
@@ -149,12 +151,14 @@ inline Problem random_problem(std::uint64_t seed, const RandomKind& kind)
     for (int i = 0; i < kind.contacts; ++i) {
         int a, b;
         pair(a, b);
-        p.contact(a, b, p.places[std::size_t(a)] + dice.vec(1), dice.direction(), dice.real(0, Real(0.01)), kind.mu, kind.cfm);
+        p.contact(a, b, p.places[std::size_t(a)] + dice.vec(1), dice.direction(), dice.real(0, Real(0.01)),
+                  kind.mu, kind.cfm);
     }
     return p;
 }
 
-// nx x ny x nz unit boxes on a floor, each face to face with four contacts, neighbours sideways too if `walls`.
+// nx x ny x nz unit boxes on a floor, each face to face with four contacts, neighbours sideways too if
+// `walls`.
 inline Problem box_grid(int nx, int ny, int nz, Real mu, bool sideways, Real cfm = Real(1e-8))
 {
     Problem p;
@@ -172,7 +176,8 @@ inline Problem box_grid(int nx, int ny, int nz, Real mu, bool sideways, Real cfm
             for (int x = 0; x < nx; ++x) {
                 const int a = index(x, y, z);
                 const Vec3 c = p.places[std::size_t(a)];
-                face(a, z > 0 ? index(x, y, z - 1) : -1, c - Vec3{0, 0, Real(.5)}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0});
+                face(a, z > 0 ? index(x, y, z - 1) : -1, c - Vec3{0, 0, Real(.5)}, {0, 0, 1}, {1, 0, 0},
+                     {0, 1, 0});
                 if (sideways && x > 0)
                     face(a, index(x - 1, y, z), c - Vec3{Real(.5), 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1});
                 if (sideways && y > 0)
@@ -194,8 +199,9 @@ inline Problem pyramid(int rows, Real mu, Real cfm = Real(1e-8))
             for (int side = 0; side < 2; ++side)
                 for (int corner = 0; corner < 4; ++corner) {
                     const Real from = side ? Real(0) : Real(-.5);
-                    const Vec3 at = p.places[std::size_t(first + i)] +
-                                    Vec3{from + Real(.5) * (corner & 1), (corner & 2) ? Real(.5) : Real(-.5), Real(-.5)};
+                    const Vec3 at =
+                        p.places[std::size_t(first + i)] +
+                        Vec3{from + Real(.5) * (corner & 1), (corner & 2) ? Real(.5) : Real(-.5), Real(-.5)};
                     p.contact(first + i, r ? below + i + side : -1, at, {0, 0, 1}, 0, mu, cfm);
                 }
         below = first;

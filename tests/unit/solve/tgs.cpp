@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// StepFast1's solver on a model of bodies without rotation, whose rows are measured anew at every pose, against
-// closed forms: the spring-damper that ERP and CFM stand for, rest, rebound, and the sums of impulses.
+// StepFast1's solver on a model of bodies without rotation, whose rows are measured anew at every pose,
+// against closed forms: the spring-damper that ERP and CFM stand for, rest, rebound, and the sums of
+// impulses.
 #include <gtest/gtest.h>
 
 #include "solve/block_ldlt.h"
@@ -253,7 +254,8 @@ TEST(Tgs, AnUnequalChainOfTenHoldsTogether)
     Real worst = 0;
     for (int step = 0; step < 200; ++step) {
         model.step(10);
-        for (std::size_t i = 0; i < p.bodies.size(); ++i) worst = std::max(worst, std::fabs(p.places[i].x - Real(i) - Real(.5)));
+        for (std::size_t i = 0; i < p.bodies.size(); ++i)
+            worst = std::max(worst, std::fabs(p.places[i].x - Real(i) - Real(.5)));
     }
     EXPECT_LT(worst, 0.02);
 }
@@ -280,7 +282,8 @@ TEST(BlockLdlt, SolvesAndSurvivesRepeatedRows)
             for (int j = 0; j < n; ++j)
                 for (int k = 0; k < rank; ++k) A[i][j] += B[i][k] * B[j][k];
         for (int i = 0; i < n; ++i)
-            for (int j = 0; j < n; ++j) b[i] += A[i][j] * Real(j + 1);  // a right-hand side that has a solution
+            for (int j = 0; j < n; ++j)
+                b[i] += A[i][j] * Real(j + 1);  // a right-hand side that has a solution
         BlockLdlt factors;
         factors.factor(A, n);
         std::copy(b, b + n, x);
