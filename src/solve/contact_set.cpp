@@ -19,43 +19,45 @@ constexpr int kWindow = 48;         // manifolds looked at for a free lane
 constexpr int kFullShuffle = 1536;  // batches, about 3 MB
 constexpr int kRun = 32;
 
-struct Arms {
-    Vec3 r1, r2;
-};
-
-bool same(Vec3 a, Vec3 b, Real tolerance) { return max_component(abs(a - b)) <= tolerance; }
-
-bool find_arm(const Vec3* d, const Vec3* a, int count, const Mat3& inverse, Vec3& r)
+bool is_arm(Vec3 r, const Vec3* d, const Vec3* a, int count)
 {
-    Vec3 sum;
-    Real size = 0;
     for (int k = 0; k < count; ++k) {
-        sum += cross(d[k], a[k]);
-        size = std::max(size, max_component(abs(a[k])));
+        const Real tolerance = 256 * kEpsilon * max_component(abs(a[k]));
+        if (!(max_component(abs(cross(r, d[k]) - a[k])) <= tolerance)) return false;
     }
-    r = count == 1 ? sum / length2(d[0]) : inverse * sum;
-    for (int k = 0; k < count; ++k)
-        if (!same(cross(r, d[k]), a[k], 256 * kEpsilon * size)) return false;
     return true;
 }
 
-bool find_arms(const Row* rows, int count, bool two, Arms& arms)
+// Nearly all contacts have three orthonormal directions: then the matrix is twice the identity.
+bool find_arm(const Vec3* d, const Vec3* a, int count, Vec3& r)
+{
+    Vec3 sum;
+    for (int k = 0; k < count; ++k) sum += cross(d[k], a[k]);
+    r = count == 1 ? sum / length2(d[0]) : Real(0.5) * sum;
+    if (is_arm(r, d, a, count)) return true;
+    if (count == 1) return false;
+    Mat3 matrix{}, inverse;
+    for (int k = 0; k < count; ++k) {
+        const Mat3 outer = {d[k].x * d[k], d[k].y * d[k], d[k].z * d[k]};
+        matrix = matrix + (length2(d[k]) * Mat3::identity() - outer);
+    }
+    if (!invert(matrix, inverse)) return false;
+    r = inverse * sum;
+    return is_arm(r, d, a, count);
+}
+
+bool find_arms(const Row* rows, int count, bool two, ContactArms& arms)
 {
     Vec3 d[3], a1[3], a2[3];
-    Mat3 normal_matrix{}, inverse{};
     for (int k = 0; k < count; ++k) {
         d[k] = rows[k].lin1, a1[k] = rows[k].ang1, a2[k] = -rows[k].ang2;
         if (two && !(rows[k].lin2 == -d[k])) return false;
-        const Real s = length2(d[k]);
-        const Mat3 outer = {d[k].x * d[k], d[k].y * d[k], d[k].z * d[k]};
-        normal_matrix = normal_matrix + (s * Mat3::identity() - outer);
     }
-    if (count == 1 ? !(length2(d[0]) > 0) : !invert(normal_matrix, inverse)) return false;
     arms.r2 = {};
-    return find_arm(d, a1, count, inverse, arms.r1) && (!two || find_arm(d, a2, count, inverse, arms.r2));
+    return find_arm(d, a1, count, arms.r1) && (!two || find_arm(d, a2, count, arms.r2));
 }
 
-bool has_contact_form(const RowSystem& system, const RowBlock& block)
+bool has_contact_form(const RowSystem& system, const RowBlock& block, ContactArms& arms)
 {
     if (!block.contact || (block.count != 1 && block.count != 3)) return false;
     const auto first = std::size_t(block.first);
@@ -65,7 +67,6 @@ bool has_contact_form(const RowSystem& system, const RowBlock& block)
         const RowNumbers& n = system.numbers[k];
         if (n.lo != -n.hi || !(n.hi >= 0) || (n.parent >= 0 && n.parent != block.first)) return false;
     }
-    Arms arms;
     return find_arms(&system.rows[first], block.count, block.body2 >= 0, arms);
 }
 
@@ -86,14 +87,13 @@ void fill_row(const RowNumbers& n, Real mobility, Real w, ContactPoint& point, i
     point.p[k][lane] = d > 0 ? n.p : 0;
 }
 
-void fill_point(const RowSystem& system, Real w, const RowBlock& block, ContactPoint& point, int lane)
+void fill_point(const RowSystem& system, Real w, const RowBlock& block, const ContactArms& arms,
+                ContactPoint& point, int lane)
 {
     const Row* rows = &system.rows[std::size_t(block.first)];
     const RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
     const SolverBody& a = system.bodies[std::size_t(block.body1)];
     const SolverBody* b = block.body2 >= 0 ? &system.bodies[std::size_t(block.body2)] : nullptr;
-    Arms arms;
-    find_arms(rows, block.count, b, arms);
     point.r1.set(lane, arms.r1);
     point.r2.set(lane, arms.r2);
     point.n.set(lane, rows[0].lin1);
@@ -207,7 +207,8 @@ bool ContactSet::pack(const RowSystem& system, Real w, std::span<bool> packed, A
     for (const RowBlock& block : system.blocks) contacts += block.contact;
     if (contacts == 0) return true;
     manifolds_ = arena.take<Manifold>(contacts);
-    if (manifolds_.empty()) return false;
+    arms_ = arena.take<ContactArms>(int(system.blocks.size()));
+    if (arena.failed()) return false;
     find_manifolds(system, packed);
     batches_ = arena.take<ContactBatch>(manifold_count_);
     chosen_ = arena.take<int>(manifold_count_ * kLanes);
@@ -230,7 +231,7 @@ void ContactSet::find_manifolds(const RowSystem& system, std::span<bool> packed)
     bool open = false;  // may the next block join the last manifold?
     for (std::size_t i = 0; i < system.blocks.size(); ++i) {
         const RowBlock& block = system.blocks[i];
-        packed[i] = has_contact_form(system, block);
+        packed[i] = has_contact_form(system, block, arms_[i]);
         if (!packed[i]) {
             open = false;
             continue;
@@ -321,7 +322,7 @@ void ContactSet::fill_lane(const RowSystem& system, Real w, const Manifold& mani
         const auto at = std::size_t(batch.first + i);
         sources_[at].row[lane] = block.first;
         sources_[at].friction[lane] = block.count == 3;
-        fill_point(system, w, block, points_[at], lane);
+        fill_point(system, w, block, arms_[std::size_t(manifold.block + i)], points_[at], lane);
     }
 }
 
