@@ -43,22 +43,23 @@ bool InteriorPoint::prepare(const ExactProblem& problem, Arena& arena)
 bool InteriorPoint::solve(ExactProblem& problem, BoxState& state, double tolerance, int& iterations)
 {
     start(problem, state);
-    double mark = HUGE_VAL;  // where progress is counted from
+    // Progress is counted from these marks; at a degenerate solution the measure only falls like the root of mu.
+    double mark = HUGE_VAL, mu_mark = HUGE_VAL, step = 1;
     int stall = 0;
     bool reached = false;
     for (int k = 0; k < kMostIterations; ++k) {
-        const double measure = residuals(problem, state);
+        const double measure = residuals(problem, state), mu = complementarity(problem, 0);
         reached = measure <= tolerance * problem.scale();
-        if (measure < 0.9 * mark)
-            mark = measure, stall = 0;
-        else
-            ++stall;
+        stall = measure < 0.9 * mark || mu < 0.5 * mu_mark ? 0 : stall + 1;
+        if (stall == 0) mark = std::min(mark, measure), mu_mark = std::min(mu_mark, mu);
         if (reached || stall >= kStall || !(measure < HUGE_VAL)) break;
         ++iterations;
         factor(problem, state);
-        const double target = stall < kPatience ? aim(problem, state) : recentre(problem, state);
+        const bool cramped = stall >= kPatience && step < 0.9;
+        const double target = cramped ? recentre(problem, state) : aim(problem, state);
         correct_centrality(problem, state, target);
-        advance(state, std::min(1.0, kStepShare * longest_step()));
+        step = std::min(1.0, kStepShare * longest_step());
+        advance(state, step);
     }
     tag(problem, state);
     return reached;
