@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Functions on plain numbers that ODE exports beside its geoms, and the low-level control that only meshes have.
+// Functions on plain numbers that ODE exports beside its geoms, and the low-level control that only meshes
+// have.
 #include <algorithm>
 
 #include "base/check.h"
@@ -30,7 +31,8 @@ void write_contacts(const BoxBox& m, int count, dContactGeom* contact, int skip)
         for (int k = 0; k < m.count; ++k)
             if (!written[k] && (best < 0 || (count < m.count && m.depths[k] > m.depths[best]))) best = k;
         written[best] = true;
-        auto* c = reinterpret_cast<dContactGeom*>(reinterpret_cast<char*>(contact) + std::ptrdiff_t(i) * skip);
+        auto* c =
+            reinterpret_cast<dContactGeom*>(reinterpret_cast<char*>(contact) + std::ptrdiff_t(i) * skip);
         store(c->pos, m.points[best]);
         c->depth = m.depths[best];
     }
@@ -65,7 +67,8 @@ int dBoxBox(const dVector3 p1, const dMatrix3 R1, const dVector3 side1, const dV
     EPODE_USER(normal && depth && return_code && contact && skip >= int(sizeof(dContactGeom)), 0);
     EPODE_USER_SAY((flags & 0xffff) != 0, "no contacts requested", 0);
     BoxBox m;
-    if (!box_box_manifold(box_of_sides(side1), load_pose(p1, R1), box_of_sides(side2), load_pose(p2, R2), m)) {
+    if (!box_box_manifold(box_of_sides(side1), load_pose(p1, R1), box_of_sides(side2), load_pose(p2, R2),
+                          m)) {
         *return_code = 0;
         return 0;
     }

@@ -38,10 +38,10 @@ bool usable_matrix(const dReal* R) { return R && usable(R, 3) && usable(R + 4, 3
 }  // namespace
 
 // A placeable geom on a body in no locked space, with an offset to write to.
-#define OFFSET_GEOM(geom, id)                                          \
-    EPODE_GEOM(geom, id);                                              \
-    EPODE_PLACEABLE(geom);                                             \
-    EPODE_USER_SAY(geom->body.id, "geom must be on a body");           \
+#define OFFSET_GEOM(geom, id)                                \
+    EPODE_GEOM(geom, id);                                    \
+    EPODE_PLACEABLE(geom);                                   \
+    EPODE_USER_SAY(geom->body.id, "geom must be on a body"); \
     EPODE_UNLOCKED(geom)
 #define OFFSET_READY(geom) EPODE_USER_SAY(ensure_offset(*geom), "out of memory")
 

@@ -115,18 +115,18 @@ void dGeomRaySet(dGeomID ray, dReal px, dReal py, dReal pz, dReal dx, dReal dy, 
 
 // ---- points and vectors; a geom without a pose gives them back ----
 
-#define MAP_FUNCTION(name, expression)                                      \
-    void name(dGeomID id, dReal px, dReal py, dReal pz, dVector3 result)    \
-    {                                                                       \
-        EPODE_GEOM(geom, id);                                               \
-        EPODE_USER(result);                                                 \
-        const Vec3 in{px, py, pz};                                          \
-        const Pose pose = geom->type->placeable ? pose_of(*geom) : Pose{};  \
-        store(result, expression);                                          \
+#define MAP_FUNCTION(name, expression)                                     \
+    void name(dGeomID id, dReal px, dReal py, dReal pz, dVector3 result)   \
+    {                                                                      \
+        EPODE_GEOM(geom, id);                                              \
+        EPODE_USER(result);                                                \
+        const Vec3 in{px, py, pz};                                         \
+        const Pose pose = geom->type->placeable ? pose_of(*geom) : Pose{}; \
+        store(result, expression);                                         \
     }
 MAP_FUNCTION(dGeomGetRelPointPos, pose.to_world(in))
 MAP_FUNCTION(dGeomGetPosRelPoint, pose.to_local(in))
-MAP_FUNCTION(dGeomVectorToWorld, pose.R * in)
+MAP_FUNCTION(dGeomVectorToWorld, pose.R* in)
 MAP_FUNCTION(dGeomVectorFromWorld, transposed_times(pose.R, in))
 #undef MAP_FUNCTION
 
@@ -139,7 +139,8 @@ void dGeomSetBody(dGeomID id, dBodyID body)
     EPODE_USER(!body || target);
     EPODE_USER_SAY(geom->type->placeable || !target, "geom must be placeable");
     EPODE_UNLOCKED(geom);
-    EPODE_USER_SAY(!target || !geom->holders, "GeomTransform encapsulated object must not be attached to a body");
+    EPODE_USER_SAY(!target || !geom->holders,
+                   "GeomTransform encapsulated object must not be attached to a body");
     if (geom->type->placeable) attach_geom(*geom, target);
 }
 

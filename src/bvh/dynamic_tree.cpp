@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A tree of n leaves has n - 1 inner nodes. Removal gives the parent of the leaf free and puts the sibling in its
-// place; insertion takes one and puts it above the chosen sibling.
+// A tree of n leaves has n - 1 inner nodes. Removal gives the parent of the leaf free and puts the sibling in
+// its place; insertion takes one and puts it above the chosen sibling.
 #include "bvh/dynamic_tree.h"
 
 #include <algorithm>
@@ -191,8 +191,8 @@ int DynamicTree::height() const
     return most;
 }
 
-// The leaves are found by a walk along the child links, which also gathers the inner nodes for reuse: both lists
-// live in `next_free`, so that only the array of leaves needs memory.
+// The leaves are found by a walk along the child links, which also gathers the inner nodes for reuse: both
+// lists live in `next_free`, so that only the array of leaves needs memory.
 bool DynamicTree::rebuild()
 {
     if (leaves_ < 2) return sound_ = true;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A binary tree of boxes for things that come, move and go. Each leaf carries the client's box and number; each
-// inner node the union of its children. A leaf is inserted beside the node whose surface grows least on the way
-// down (Goldsmith and Salmon 1987, greedy); many changes at once are cheaper as a rebuild from above (split in the
-// middle of the longest axis). Rotations, the usual remedy for what single changes do to a tree, are left out:
-// after as many changes as 4 times its leaves, or when too high for the walk's stack, the tree is rebuilt.
-// Boxes must be ordered and finite (bounded()), or areas would not be numbers.
+// A binary tree of boxes for things that come, move and go. Each leaf carries the client's box and number;
+// each inner node the union of its children. A leaf is inserted beside the node whose surface grows least on
+// the way down (Goldsmith and Salmon 1987, greedy); many changes at once are cheaper as a rebuild from above
+// (split in the middle of the longest axis). Rotations, the usual remedy for what single changes do to a
+// tree, are left out: after as many changes as 4 times its leaves, or when too high for the walk's stack, the
+// tree is rebuilt. Boxes must be ordered and finite (bounded()), or areas would not be numbers.
 #pragma once
 
 #include "base/array.h"
@@ -38,8 +38,8 @@ class DynamicTree {
     void remove(int leaf);
     void move(int leaf, const Aabb& box);
 
-    // For many changes at once: leaves are put in anywhere or get their boxes, then the tree is built anew, before
-    // which it must not be asked. False when memory is exhausted.
+    // For many changes at once: leaves are put in anywhere or get their boxes, then the tree is built anew,
+    // before which it must not be asked. False when memory is exhausted.
     int insert_loose(const Aabb& box, int item);
     void set_box(int leaf, const Aabb& box);
     [[nodiscard]] bool rebuild();
@@ -73,6 +73,14 @@ class DynamicTree {
         }
     }
 
+    // visit(item, item) for every two leaves whose boxes meet, each pair once. For many leaves this is
+    // several times quicker than a query for each: common ancestors are compared once.
+    template <typename Visit>
+    void query_pairs(Visit&& visit) const
+    {
+        if (root_ >= 0) pairs_within(root_, visit);
+    }
+
   private:
     static constexpr int kMaxHeight = 60;
     struct Node {
@@ -85,6 +93,38 @@ class DynamicTree {
         };
         int next_free = -1;
     };
+
+    template <typename Visit>
+    void pairs_within(int top, Visit& visit) const
+    {
+        const Node& node = nodes_.data()[top];
+        if (node.child < 0) return;
+        pairs_within(node.child, visit);
+        pairs_within(node.other, visit);
+        pairs_between(node.child, node.other, visit);
+    }
+
+    // Opens the larger of two nodes.
+    template <typename Visit>
+    void pairs_between(int a, int b, Visit& visit) const
+    {
+        const Node *na = nodes_.data() + a, *nb = nodes_.data() + b;
+        if (!overlap(na->box, nb->box)) return;
+        if (na->child < 0 && nb->child < 0) {
+            visit(na->item, nb->item);
+        } else if (nb->child < 0 || (na->child >= 0 && extent(na->box) >= extent(nb->box))) {
+            pairs_between(na->child, b, visit);
+            pairs_between(na->other, b, visit);
+        } else {
+            pairs_between(a, nb->child, visit);
+            pairs_between(a, nb->other, visit);
+        }
+    }
+    static constexpr Real extent(const Aabb& box)
+    {
+        const Vec3 s = box.hi - box.lo;
+        return s.x + s.y + s.z;
+    }
 
     int take_node();
     void give_node(int node);

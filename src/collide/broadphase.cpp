@@ -2,7 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Three stages, each run only when asked for: true boxes (update), tree (update_tree), pairs (find_pairs).
-// When memory runs out a stage reports it and leaves its work list as it was, so that a later call can succeed.
+// When memory runs out a stage reports it and leaves its work list as it was, so that a later call can
+// succeed.
 #include "collide/broadphase.h"
 
 #include <algorithm>
@@ -117,7 +118,7 @@ Aabb Broadphase::fatten(const Proxy& p)
 {
     const Real size = max_component(p.box.hi - p.box.lo);
     const Real shift = p.shift < size ? p.shift : size;  // also when it is not a number
-    return p.settled ? grow(p.box, std::clamp(4 * shift, Real(0.02) * size, Real(0.25) * size)) : p.box;
+    return p.settled ? grow(p.box, std::clamp(4 * shift, Real(0.02) * size, Real(0.1) * size)) : p.box;
 }
 
 void Broadphase::leave_unbounded(int slot)
@@ -163,12 +164,13 @@ bool Broadphase::find_pairs()
     if (fresh_.empty() && !stale_pairs_) return true;
     drop_stale_pairs();
     if (fresh_.empty()) return true;
-    order_fresh();
-    found_older_.clear();
-    found_newer_.clear();
-    for (int slot : fresh_)
-        if (!collect(slot)) return false;
-    if (!merge_found()) return false;
+    found_.clear();
+    bool complete = true;
+    if (fresh_.size() > tree_.leaf_count() / 3)
+        complete = collect_all();
+    else
+        for (int slot : fresh_) complete = complete && collect(slot);
+    if (!complete || !sort_found() || !merge_found()) return false;
     for (int slot : fresh_) proxies_[slot].fresh = false;
     fresh_.clear();
     return true;
@@ -188,52 +190,76 @@ void Broadphase::drop_stale_pairs()
     stale_pairs_ = false;
 }
 
-// Newest first, so that the partners found come out almost in order.
-void Broadphase::order_fresh()
-{
-    if (fresh_.size() < proxies_.size() / 8) {
-        std::sort(fresh_.begin(), fresh_.end(), [](int a, int b) { return a > b; });
-        return;
-    }
-    fresh_.clear();
-    for (int slot = proxies_.size(); slot-- > 0;)
-        if (proxies_[slot].fresh) (void)fresh_.push(slot);
-}
+bool Broadphase::found(int a, int b) { return found_.push(a > b ? SlotPair{a, b} : SlotPair{b, a}); }
 
-// Two fresh slots find each other; only the newer one keeps the pair.
+// The partners of one fresh slot. Two fresh slots find each other; the newer one keeps the pair.
 bool Broadphase::collect(int slot)
 {
     const Proxy& p = proxies_[slot];
     if (!p.present) return true;
     bool room = true;
-    const int first = found_older_.size();
     query_fat(fat_box(p), [&](int other) {
-        if (other < slot)
-            room = found_older_.push({slot, other}) && room;
-        else if (other > slot && !proxies_.data()[other].fresh)
-            room = found_newer_.push({other, slot}) && room;
+        if (other < slot || (other > slot && !proxies_.data()[other].fresh))
+            room = found(slot, other) && room;
     });
-    std::sort(found_older_.begin() + first, found_older_.end(), before);
     return room;
 }
 
-bool Broadphase::merge_found()
+// The pairs of all fresh slots at once.
+bool Broadphase::collect_all()
 {
-    std::sort(found_newer_.begin(), found_newer_.end(), before);
-    const int found = found_older_.size() + found_newer_.size();
-    if (pairs_.empty() && found_newer_.empty()) {
-        pairs_.swap(found_older_);
+    const Proxy* proxies = proxies_.data();
+    bool room = true;
+    const auto keep = [&](int a, int b) {
+        if (proxies[a].fresh || proxies[b].fresh) room = found(a, b) && room;
+    };
+    tree_.query_pairs(keep);
+    for (int i = 0; i < unbounded_.size(); ++i) {
+        const int slot = unbounded_[i];
+        tree_.query(proxies[slot].box, [&](int other) { keep(slot, other); });
+        for (int k = 0; k < i; ++k)
+            if (overlap(proxies[slot].box, proxies[unbounded_[k]].box)) keep(slot, unbounded_[k]);
+    }
+    return room;
+}
+
+// Many pairs go to one bucket per newer slot first; what is left to sort are a few partners each.
+bool Broadphase::sort_found()
+{
+    const int slots = proxies_.size();
+    if (found_.size() < slots / 8) {
+        std::sort(found_.begin(), found_.end(), before);
         return true;
     }
-    // Two merges; the second one goes backwards inside pairs_, which needs no third list.
-    if (!merged_.resize(found) || !pairs_.reserve(pairs_.size() + found)) return false;
-    std::merge(found_older_.begin(), found_older_.end(), found_newer_.begin(), found_newer_.end(),
-               merged_.begin(), before);
-    int a = pairs_.size() - 1, b = found - 1;
-    if (!pairs_.resize(pairs_.size() + found)) return false;
+    first_of_.clear();
+    if (!first_of_.resize(slots + 1) || !sorted_.resize(found_.size())) return false;
+    int* first = first_of_.data();
+    for (const SlotPair& pair : found_) ++first[pair.newer];
+    for (int slot = slots, sum = 0; slot >= 0; --slot) first[slot] = sum += first[slot];
+    // first[s] is the end of bucket s now; filling from behind turns it into the beginning.
+    for (const SlotPair& pair : found_) sorted_.data()[--first[pair.newer]] = pair;
+    for (int begin = 0; begin < sorted_.size();) {
+        int end = begin + 1;
+        while (end < sorted_.size() && sorted_.data()[end].newer == sorted_.data()[begin].newer) ++end;
+        std::sort(sorted_.data() + begin, sorted_.data() + end, before);
+        begin = end;
+    }
+    found_.swap(sorted_);
+    return true;
+}
+
+// Merges what was found into the list, from behind, so that it needs no second list.
+bool Broadphase::merge_found()
+{
+    if (pairs_.empty()) {
+        pairs_.swap(found_);
+        return true;
+    }
+    int a = pairs_.size() - 1, b = found_.size() - 1;
+    if (!pairs_.resize(pairs_.size() + found_.size())) return false;
     for (int to = pairs_.size() - 1; b >= 0; --to) {
-        const bool old_last = a >= 0 && before(merged_[b], pairs_[a]);
-        pairs_[to] = old_last ? pairs_[a--] : merged_[b--];
+        const bool old_last = a >= 0 && before(found_[b], pairs_[a]);
+        pairs_[to] = old_last ? pairs_[a--] : found_[b--];
     }
     return true;
 }

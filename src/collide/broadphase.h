@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Which members of a space may touch. Members are slots 0, 1, ... in order of joining; each has its true box and a
-// fat one round it that goes into a tree. As long as the true box stays inside the fat one, nothing happens: the
-// list of pairs with overlapping fat boxes stays as it is from call to call, and a settled scene pays only for the
-// walk over it. A member that leaves its fat box gets a new one (larger by 4 times its last shift, within 2-25 % of
-// its size) and is asked for its pairs again; these are sorted and merged into the list.
-// The list is ordered by (newer slot, older slot), both descending, whatever the history of motion: the order of
-// callbacks depends on nothing but the order of joining.
-// Boxes without bounds, and those that are not ordered, lie in a short list that is tested against everything.
-// Rejected: hash grids (rebuilt each step, poor with mixed sizes) and a sort along an axis (clusters on floors).
+// Which members of a space may touch. Members are slots 0, 1, ... in order of joining; each has its true box
+// and a fat one round it that goes into a tree. As long as the true box stays inside the fat one, nothing
+// happens: the list of pairs with overlapping fat boxes stays as it is from call to call, and a settled scene
+// pays only for the walk over it. A member that leaves its fat box gets a new one (larger by 4 times its last
+// shift, within 2-10 % of its size) and is asked for its pairs again; these are sorted and merged into the
+// list. The list is ordered by (newer slot, older slot), both descending, whatever the history of motion: the
+// order of callbacks depends on nothing but the order of joining. Boxes without bounds, and those that are
+// not ordered, lie in a short list that is tested against everything. Rejected: hash grids (rebuilt each
+// step, poor with mixed sizes) and a sort along an axis (clusters on floors).
 #pragma once
 
 #include <span>
@@ -44,8 +44,8 @@ class Broadphase {
     bool present(int slot) const { return proxies_.data()[slot].present; }
     const Aabb& box(int slot) const { return proxies_.data()[slot].box; }
 
-    // visit(slot) for every present slot whose box meets `box`, in no promised order. False when the tree could not
-    // be brought up to date; nothing has been visited then.
+    // visit(slot) for every present slot whose box meets `box`, in no promised order. False when the tree
+    // could not be brought up to date; nothing has been visited then.
     template <typename Visit>
     [[nodiscard]] bool query(const Aabb& box, Visit&& visit)
     {
@@ -59,8 +59,8 @@ class Broadphase {
   private:
     struct Proxy {
         Aabb box;
-        Real shift = 0;        // how far it moved when it last changed
-        int leaf = -1;         // in the tree; -1: none
+        Real shift = 0;  // how far it moved when it last changed
+        int leaf = -1;   // in the tree; -1: none
         bool present = false;
         bool settled = false;  // has had a place: gets a margin when it leaves it
         bool escaped = false;  // waits for a new fat box
@@ -82,9 +82,11 @@ class Broadphase {
     void leave_unbounded(int slot);
     static Aabb fatten(const Proxy& proxy);
     void drop_stale_pairs();
+    [[nodiscard]] bool collect_all();
     [[nodiscard]] bool collect(int slot);
+    [[nodiscard]] bool found(int a, int b);
+    [[nodiscard]] bool sort_found();
     [[nodiscard]] bool merge_found();
-    void order_fresh();
     const Aabb& fat_box(const Proxy& proxy) const;
 
     Array<Proxy> proxies_;
@@ -92,8 +94,9 @@ class Broadphase {
     Array<int> unbounded_;
     Array<int> escaped_;
     Array<int> fresh_;
-    Array<SlotPair> pairs_, merged_;
-    Array<SlotPair> found_older_, found_newer_;  // partners older / newer than the fresh slot
+    Array<SlotPair> pairs_;
+    Array<SlotPair> found_, sorted_;
+    Array<int> first_of_;  // by newer slot, for sorting
     bool stale_pairs_ = false;
 };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The dispatcher. Pair functions are pure; a thunk made from each line of pairs.inc takes shapes out of geoms. What
-// a transform holds is never moved: its pose is handed along (only functions of the program, which read the pose
-// from the geom, see it placed for the time of the call).
-// A pair served in the other order: normals are negated, g1 with g2 and side1 with side2 exchanged.
+// The dispatcher. Pair functions are pure; a thunk made from each line of pairs.inc takes shapes out of
+// geoms. What a transform holds is never moved: its pose is handed along (only functions of the program,
+// which read the pose from the geom, see it placed for the time of the call). A pair served in the other
+// order: normals are negated, g1 with g2 and side1 with side2 exchanged.
 #include "collide/collide.h"
 
 #include <algorithm>
@@ -24,8 +24,8 @@ using PairThunk = void (*)(const Geom& a, const Pose& A, const Geom& b, const Po
 template <auto function, typename First, typename Second>
 void thunk(const Geom& a, const Pose& A, const Geom& b, const Pose& B, ContactSink& sink)
 {
-    function(static_cast<const ShapeGeom<First>&>(a).shape, A, static_cast<const ShapeGeom<Second>&>(b).shape, B,
-             sink);
+    function(static_cast<const ShapeGeom<First>&>(a).shape, A, static_cast<const ShapeGeom<Second>&>(b).shape,
+             B, sink);
 }
 
 struct Collider {
@@ -84,7 +84,7 @@ void ColliderTable::fill()
             const bool ask = (is_user_class(i) || is_user_class(j)) && !is_opened(i) && !is_opened(j);
             entries[i][j].set({.settled = !ask});
         }
-#define PAIR(First, Second, function)                                   \
+#define PAIR(First, Second, function)                                 \
     set_both(GeomTraits<First>::kNumber, GeomTraits<Second>::kNumber, \
              {.pair = thunk<&function, First, Second>});
 #include "collide/pairs.inc"

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A geom: a shape with a pose, a bounding box, filter bits and a place in at most one space. Its type is a table of
-// functions (GeomType), so that classes made at run time are no different from built-in ones.
+// A geom: a shape with a pose, a bounding box, filter bits and a place in at most one space. Its type is a
+// table of functions (GeomType), so that classes made at run time are no different from built-in ones.
 //   pose      own arrays; or the body's arrays, shared; or, on a body with an offset, own arrays that are
 //             composed (pose = body * offset) when somebody asks for them after the body has moved.
-//   body      known as an opaque id, two pointers to its pose and the head of its list of geoms: this folder knows
+//   body      known as an opaque id, two pointers to its pose and the head of its list of geoms: this folder
+//   knows
 //             nothing of dynamics (step/link introduces the two).
-//   moving    marks the geom and queues it, and each space above it, for the next cleaning; what does not move costs
+//   moving    marks the geom and queues it, and each space above it, for the next cleaning; what does not
+//   move costs
 //             nothing then.
 #pragma once
 
@@ -22,11 +24,11 @@ struct Space;
 struct TransformGeom;
 
 struct GeomType {
-    int number = -1;                                     // dSphereClass ...
+    int number = -1;  // dSphereClass ...
     bool placeable = true;
-    Aabb (*aabb)(Geom& geom) = nullptr;                  // in the world
-    bool (*zero_sized)(const Geom& geom) = nullptr;      // spaces ignore such geoms; null: never
-    void (*destroy)(Geom* geom) = nullptr;               // runs the destructor, gives the memory back
+    Aabb (*aabb)(Geom& geom) = nullptr;                    // in the world
+    bool (*zero_sized)(const Geom& geom) = nullptr;        // spaces ignore such geoms; null: never
+    void (*destroy)(Geom* geom) = nullptr;                 // runs the destructor, gives the memory back
     bool (*may_touch)(Geom& geom, Geom& other) = nullptr;  // a last look before a pair is reported; null: yes
     int (*control)(Geom& geom, int control_class, int code, void* data, int* size) = nullptr;  // null: none
 };
@@ -52,18 +54,18 @@ struct Geom : Tagged {
 
     const GeomType* type;
     Space* space = nullptr;
-    int slot = -1;               // place among the members of its space
+    int slot = -1;  // place among the members of its space
     bool enabled = true;
-    bool queued = false;         // its space will look at it at the next cleaning
+    bool queued = false;  // its space will look at it at the next cleaning
     bool box_stale = true;
-    bool pose_stale = false;     // only with an offset
+    bool pose_stale = false;  // only with an offset
     unsigned long category = ~0ul;
     unsigned long collide = ~0ul;
     void* data = nullptr;
-    const Real* position;        // where the pose is
+    const Real* position;  // where the pose is
     const Real* rotation;
     BodyLink body;
-    Geom* body_next = nullptr;   // geoms of the same body, newest first
+    Geom* body_next = nullptr;  // geoms of the same body, newest first
     Geom* body_prev = nullptr;
     GeomOffset* offset = nullptr;
     TransformGeom* holders = nullptr;  // transforms that place this geom
@@ -98,9 +100,9 @@ void mark_moved(Geom& geom);
 
 // ---- body and offset; `link.first_geom` gets the geom in front ----
 void link_body(Geom& geom, const BodyLink& link);
-void unlink_body(Geom& geom);                 // the geom keeps its pose in the world
-bool ensure_offset(Geom& geom);               // identity if new; false when memory is exhausted
-void drop_offset(Geom& geom);                 // back to the body's pose
+void unlink_body(Geom& geom);    // the geom keeps its pose in the world
+bool ensure_offset(Geom& geom);  // identity if new; false when memory is exhausted
+void drop_offset(Geom& geom);    // back to the body's pose
 
 // Destroys the geom and for a space in cleanup mode its members. The caller has checked the locks.
 void destroy_geom(Geom& geom);

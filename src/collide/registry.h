@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The list of geom classes as types, and what the C functions of a class stand on: checked access and creation.
-// A list and not self-registration: no order of static initialisation, and no linker may drop a class.
+// The list of geom classes as types, and what the C functions of a class stand on: checked access and
+// creation. A list and not self-registration: no order of static initialisation, and no linker may drop a
+// class.
 #pragma once
 
 #include "base/check.h"
@@ -33,14 +34,14 @@ struct QuadTreeSpace;
 }  // namespace geom_names
 using namespace geom_names;
 
-#define GEOM_TYPE(Name, Number, Object, Refusal)                \
-    extern const GeomType k##Name##Type;                        \
-    template <>                                                 \
-    struct GeomTraits<Name> {                                   \
-        using Type = Object;                                    \
-        static constexpr int kNumber = Number;                  \
-        static constexpr const char* kRefusal = Refusal;        \
-        static const GeomType& get() { return k##Name##Type; }  \
+#define GEOM_TYPE(Name, Number, Object, Refusal)               \
+    extern const GeomType k##Name##Type;                       \
+    template <>                                                \
+    struct GeomTraits<Name> {                                  \
+        using Type = Object;                                   \
+        static constexpr int kNumber = Number;                 \
+        static constexpr const char* kRefusal = Refusal;       \
+        static const GeomType& get() { return k##Name##Type; } \
     };
 #include "collide/geom_types.inc"
 #undef GEOM_TYPE
@@ -93,14 +94,14 @@ bool may_destroy(const Geom& geom);
 #define EPODE_LOCKED_TEXT "Invalid operation for locked space"
 
 // `geom`: the live geom behind the handle, of any class or of one.
-#define EPODE_GEOM(geom, id, ...)                      \
+#define EPODE_GEOM(geom, id, ...)                                  \
     ::epode::Geom* geom = ::epode::from_handle<::epode::Geom>(id); \
     EPODE_USER(geom __VA_OPT__(, ) __VA_ARGS__)
-#define EPODE_GEOM_AS(Name, geom, id, ...)             \
-    auto* geom = ::epode::geom_as<Name>(id);           \
+#define EPODE_GEOM_AS(Name, geom, id, ...)   \
+    auto* geom = ::epode::geom_as<Name>(id); \
     EPODE_USER_SAY(geom, ::epode::GeomTraits<Name>::kRefusal __VA_OPT__(, ) __VA_ARGS__)
-#define EPODE_SPACE(space, id, ...)                    \
-    ::epode::Space* space = ::epode::space_from(id);   \
+#define EPODE_SPACE(space, id, ...)                  \
+    ::epode::Space* space = ::epode::space_from(id); \
     EPODE_USER_SAY(space, "argument not a space" __VA_OPT__(, ) __VA_ARGS__)
 #define EPODE_PLACEABLE(geom, ...) \
     EPODE_USER_SAY((geom)->type->placeable, "geom must be placeable" __VA_OPT__(, ) __VA_ARGS__)
@@ -108,6 +109,6 @@ bool may_destroy(const Geom& geom);
     EPODE_USER_SAY(!::epode::in_locked_space(*(geom)), EPODE_LOCKED_TEXT __VA_OPT__(, ) __VA_ARGS__)
 
 // The space argument of a create function: null, or a space that takes members now.
-#define EPODE_PARENT_SPACE(id, result)                                                             \
-    EPODE_USER_SAY(!(id) || ::epode::space_from(id), "argument not a space", result);              \
+#define EPODE_PARENT_SPACE(id, result)                                                \
+    EPODE_USER_SAY(!(id) || ::epode::space_from(id), "argument not a space", result); \
     EPODE_USER_SAY(!(id) || ::epode::space_from(id)->locks == 0, EPODE_LOCKED_TEXT, result)

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A space: a geom that holds geoms. All four classes of the interface (simple, hash, sweep and prune, quadtree) are
-// this one structure: they promise the same pairs and differ only in what their users may expect of speed, and the
-// broadphase serves each of them; levels, centres and axis orders are kept and answered, nothing more.
-//   members   slots in order of joining. A slot is not used twice until compact() closes the gaps, so that work
+// A space: a geom that holds geoms. All four classes of the interface (simple, hash, sweep and prune,
+// quadtree) are this one structure: they promise the same pairs and differ only in what their users may
+// expect of speed, and the broadphase serves each of them; levels, centres and axis orders are kept and
+// answered, nothing more.
+//   members   slots in order of joining. A slot is not used twice until compact() closes the gaps, so that
+//   work
 //             lists may name slots.
-//   locks     count the collisions in progress. A locked space refuses every change of its members, and is not
+//   locks     count the collisions in progress. A locked space refuses every change of its members, and is
+//   not
 //             cleaned: whoever looks sees it as it was when the outermost collision began.
 #pragma once
 
@@ -22,11 +25,11 @@ struct Space : Geom {
     Array<int> queue;      // slots of members that have moved
     Array<int> scratch;    // for answers of queries; whoever uses it swaps it out
     Broadphase broadphase;
-    int count = 0;         // members without the gaps
+    int count = 0;  // members without the gaps
     int locks = 0;
-    int pair_walks = 0;    // walks over the pair list in progress
+    int pair_walks = 0;  // walks over the pair list in progress
     int sublevel = 0;
-    bool cleanup = true;   // destroys its members with itself
+    bool cleanup = true;  // destroys its members with itself
     bool manual_cleanup = false;
     int min_level = -3, max_level = 10;
 };
@@ -43,20 +46,20 @@ class SpaceLock {
     Space& space_;
 };
 
-Space* space_from(dSpaceID id);                // null unless it is a live space
+Space* space_from(dSpaceID id);  // null unless it is a live space
 dSpaceID id_of(const Space* space);
 
 // ---- members; the caller has checked the locks ----
-bool add_member(Space& space, Geom& geom);     // false when memory is exhausted
+bool add_member(Space& space, Geom& geom);  // false when memory is exhausted
 void remove_member(Space& space, Geom& geom);
-void empty_space(Space& space);                // destroys or lets go all members, as `cleanup` says
-Geom* member(Space& space, int index);         // newest first
+void empty_space(Space& space);                        // destroys or lets go all members, as `cleanup` says
+Geom* member(Space& space, int index);                 // newest first
 bool is_inside(const Geom& geom, const Space& space);  // at any depth, or the space itself
 
 // ---- boxes ----
-void enqueue(Space& space, Geom& geom);        // the member has moved
-void clean(Space& space);                      // gives every queued member its box, at all depths
-Aabb space_aabb(Geom& space);                  // a GeomType's function
+void enqueue(Space& space, Geom& geom);  // the member has moved
+void clean(Space& space);                // gives every queued member its box, at all depths
+Aabb space_aabb(Geom& space);            // a GeomType's function
 
 // ---- collision ----
 void collide_space(Space& space, void* data, dNearCallback* callback);

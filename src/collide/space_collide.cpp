@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Which pairs a space reports, and in which order: newer members before older ones, as a function of the order of
-// joining alone. Where memory for the broadphase is lacking all pairs are tried; that finds the same ones.
+// Which pairs a space reports, and in which order: newer members before older ones, as a function of the
+// order of joining alone. Where memory for the broadphase is lacking all pairs are tried; that finds the same
+// ones.
 #include <algorithm>
 
 #include "collide/space.h"
@@ -21,7 +22,8 @@ bool may_meet(Geom& a, Geom& b)
 {
     if (&a == &b || (a.body.id && a.body.id == b.body.id)) return false;
     if (!(a.category & b.collide) && !(b.category & a.collide)) return false;
-    return !(a.type->may_touch && !a.type->may_touch(a, b)) && !(b.type->may_touch && !b.type->may_touch(b, a));
+    return !(a.type->may_touch && !a.type->may_touch(a, b)) &&
+           !(b.type->may_touch && !b.type->may_touch(b, a));
 }
 
 void report_pairs(Space& space, const Report& report)
@@ -57,8 +59,7 @@ class Candidates {
         slots_.swap(space.scratch);
         slots_.clear();
         bool room = true;
-        const bool asked =
-            space.broadphase.query(box, [&](int slot) { room = slots_.push(slot) && room; });
+        const bool asked = space.broadphase.query(box, [&](int slot) { room = slots_.push(slot) && room; });
         complete_ = asked && room;
         std::sort(slots_.begin(), slots_.end(), [](int a, int b) { return a > b; });
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The only file that knows both bodies and geoms. A body holds the head of a list of geoms and never looks into
-// it; a geom holds pointers to its body's pose and never asks whose they are.
+// The only file that knows both bodies and geoms. A body holds the head of a list of geoms and never looks
+// into it; a geom holds pointers to its body's pose and never asks whose they are.
 #pragma once
 
 #include "collide/geom.h"
@@ -10,7 +10,8 @@
 
 namespace epode {
 
-// Puts the geom on another body, or on none: then it keeps its pose in the world. A new body drops the offset.
+// Puts the geom on another body, or on none: then it keeps its pose in the world. A new body drops the
+// offset.
 void attach_geom(Geom& geom, Body* body);
 
 Body* body_of(const Geom& geom);
@@ -25,8 +26,8 @@ void release_geoms(Body& body);
 // Whether a geom of the body lies in a space that is being collided, so that the body must not be moved.
 bool in_locked_space(const Body& body);
 
-// Moves the geom, or its body so that the geom gets there; the other half of the geom's pose stays. A geom of its
-// own takes any matrix as it is; a body only what can be made a rotation (false: nothing has changed).
+// Moves the geom, or its body so that the geom gets there; the other half of the geom's pose stays. A geom of
+// its own takes any matrix as it is; a body only what can be made a rotation (false: nothing has changed).
 void set_geom_position(Geom& geom, Vec3 position);
 bool set_geom_rotation(Geom& geom, const Mat3& R);
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What every line of geom_types.inc must keep: its box holds the solid and no pose makes it stale; lengths read as they
-// were set; nonsense is refused and changes nothing; the pose obeys the rules of bodies and offsets; defaults.
+// What every line of geom_types.inc must keep: its box holds the solid and no pose makes it stale; lengths
+// read as they were set; nonsense is refused and changes nothing; the pose obeys the rules of bodies and
+// offsets; defaults.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -62,7 +63,8 @@ Case make_case(const std::string& name, int number)
         case dCapsuleClass:
             return {name, number, [] { return dCreateCapsule(nullptr, Real(0.3), 2); }, support_of<Capsule>};
         case dCylinderClass:
-            return {name, number, [] { return dCreateCylinder(nullptr, Real(0.8), 2); }, support_of<Cylinder>};
+            return {name, number, [] { return dCreateCylinder(nullptr, Real(0.8), 2); },
+                    support_of<Cylinder>};
         case dPlaneClass:
             return {name, number, [] { return dCreatePlane(nullptr, 0, 0, 1, 2); }, nullptr};
         case dRayClass:
@@ -80,7 +82,9 @@ Case make_case(const std::string& name, int number)
                         dGeomTransformSetCleanup(t, 1);
                         return t;
                     },
-                    [](dGeomID g, Vec3 d) { return pose(g).to_world({1, 2, 3}) + d; }};
+                    [](dGeomID g, Vec3 d) {
+                        return pose(g).to_world({1, 2, 3}) + d;
+                    }};
         case dHeightfieldClass:
             return {name, number, [] { return dCreateHeightfield(nullptr, slope(), 1); },
                     [](dGeomID g, Vec3 d) {
@@ -92,7 +96,8 @@ Case make_case(const std::string& name, int number)
         case dHashSpaceClass:
             return {name, number, [] { return as_geom(dHashSpaceCreate(nullptr)); }, nullptr};
         case dSweepAndPruneSpaceClass:
-            return {name, number, [] { return as_geom(dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ)); }, nullptr};
+            return {name, number, [] { return as_geom(dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ)); },
+                    nullptr};
         case dQuadTreeSpaceClass: {
             return {name, number,
                     [] {
@@ -400,7 +405,8 @@ TEST(GeomSizes, read_as_set_and_nonsense_is_refused)
     dGeomCapsuleSetParams(capsule, 2, 3), dGeomCylinderSetParams(cylinder, 4, 5), dGeomRaySetLength(ray, -3);
     EXPECT_EQ(heard.take(), "");
     dGeomSphereSetRadius(sphere, -1), dGeomBoxSetLengths(box, 1, kNan, 1);
-    dGeomCapsuleSetParams(capsule, -1, 1), dGeomCylinderSetParams(cylinder, 1, -1), dGeomRaySetLength(ray, kNan);
+    dGeomCapsuleSetParams(capsule, -1, 1), dGeomCylinderSetParams(cylinder, 1, -1),
+        dGeomRaySetLength(ray, kNan);
     EXPECT_EQ(heard.take(),
               "2: Bad argument(s) in dGeomSphereSetRadius()|2: Bad argument(s) in dGeomBoxSetLengths()|"
               "2: Bad argument(s) in dGeomCapsuleSetParams()|2: Bad argument(s) in dGeomCylinderSetParams()|"
@@ -482,9 +488,7 @@ TEST(GeomRay, set_gives_start_and_unit_direction_and_moves_its_body)
         EXPECT_NEAR(dir[1], -1, kTight);
         const Mat3 R = load_mat(dGeomGetRotation(ray));
         EXPECT_NEAR(determinant(R), 1, kTight) << "a proper rotation";
-        if (on_body) {
-            EXPECT_EQ(dBodyGetPosition(body)[1], 2);
-        }
+        if (on_body) { EXPECT_EQ(dBodyGetPosition(body)[1], 2); }
         dGeomSetBody(ray, body);
         EXPECT_EQ(heard.take(), "");
     }

@@ -3,8 +3,8 @@
 //
 // Box: |x_i| <= half_i.
 //   half extent of the bounding box along world axis i: sum_j |R_ij| half_j
-//   depth of a point q (local): inside min_i (half_i - |q_i|), outside minus the distance to the box. (The original
-//   measures outside points to the far face; its sign is the same.)
+//   depth of a point q (local): inside min_i (half_i - |q_i|), outside minus the distance to the box. (The
+//   original measures outside points to the far face; its sign is the same.)
 #include "collide/registry.h"
 
 namespace epode {
@@ -33,10 +33,8 @@ bool legal(Real lx, Real ly, Real lz)
 
 }  // namespace
 
-const GeomType kBoxType = {.number = dBoxClass,
-                           .aabb = aabb,
-                           .zero_sized = zero_sized,
-                           .destroy = destroy_pooled<ShapeGeom<Box>>};
+const GeomType kBoxType = {
+    .number = dBoxClass, .aabb = aabb, .zero_sized = zero_sized, .destroy = destroy_pooled<ShapeGeom<Box>>};
 
 }  // namespace epode
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Plane: the half-space normal . x <= d, in the world; it has no pose. Its bounding box is endless, but for a plane
-// across a world axis, which bounds one side.
+// Plane: the half-space normal . x <= d, in the world; it has no pose. Its bounding box is endless, but for a
+// plane across a world axis, which bounds one side.
 #include "collide/registry.h"
 
 namespace epode {
@@ -33,10 +33,8 @@ bool legal(Real a, Real b, Real c, Real d) { return usable(a) && usable(b) && us
 
 }  // namespace
 
-const GeomType kPlaneType = {.number = dPlaneClass,
-                             .placeable = false,
-                             .aabb = aabb,
-                             .destroy = destroy_pooled<ShapeGeom<Plane>>};
+const GeomType kPlaneType = {
+    .number = dPlaneClass, .placeable = false, .aabb = aabb, .destroy = destroy_pooled<ShapeGeom<Plane>>};
 
 }  // namespace epode
 

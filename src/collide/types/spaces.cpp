@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The four classes of spaces and the functions of a single class. What is special to a class of the original is
-// advice on its own data structure; it is checked and kept, and the broadphase needs none of it.
+// The four classes of spaces and the functions of a single class. What is special to a class of the original
+// is advice on its own data structure; it is checked and kept, and the broadphase needs none of it.
 #include "collide/registry.h"
 
 namespace epode {
@@ -56,7 +56,8 @@ extern "C" dSpaceID dSweepAndPruneSpaceCreate(dSpaceID space, int axisorder)
     return create_space<SweepAndPruneSpace>(space);
 }
 
-extern "C" dSpaceID dQuadTreeSpaceCreate(dSpaceID space, const dVector3 Center, const dVector3 Extents, int Depth)
+extern "C" dSpaceID dQuadTreeSpaceCreate(dSpaceID space, const dVector3 Center, const dVector3 Extents,
+                                         int Depth)
 {
     EPODE_USER(Center && Extents && usable(Center, 3) && usable(Extents, 3) && Depth >= 0, nullptr);
     EPODE_PARENT_SPACE(space, nullptr);

@@ -52,10 +52,8 @@ bool holds(Geom& geom, const TransformGeom& transform)
 
 }  // namespace
 
-const GeomType kTransformType = {.number = dGeomTransformClass,
-                                 .aabb = aabb,
-                                 .zero_sized = zero_sized,
-                                 .destroy = destroy};
+const GeomType kTransformType = {
+    .number = dGeomTransformClass, .aabb = aabb, .zero_sized = zero_sized, .destroy = destroy};
 
 TransformGeom* as_transform(Geom& geom)
 {

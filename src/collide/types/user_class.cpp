@@ -98,8 +98,8 @@ UserGeom* create_user_geom(int number)
 
 bool is_forgotten(const Geom& geom)
 {
-    return is_user_class(geom.type->number) &&
-           static_cast<const UserGeom&>(geom).generation != g_classes.generation.load(std::memory_order_relaxed);
+    return is_user_class(geom.type->number) && static_cast<const UserGeom&>(geom).generation !=
+                                                   g_classes.generation.load(std::memory_order_relaxed);
 }
 
 const GeomType* user_type(int number)
@@ -120,7 +120,8 @@ using namespace epode;
 
 extern "C" int dCreateGeomClass(const dGeomClass* classptr)
 {
-    EPODE_USER_SAY(classptr && classptr->bytes >= 0 && classptr->collider && classptr->aabb, "bad geom class", -1);
+    EPODE_USER_SAY(classptr && classptr->bytes >= 0 && classptr->collider && classptr->aabb, "bad geom class",
+                   -1);
     EPODE_USER(on_last_close(forget_classes), -1);
     const int number = add_class(*classptr);
     EPODE_USER_SAY(number >= 0, "too many user classes", -1);

@@ -81,6 +81,26 @@ TEST(DynamicTree, loose_insertion_and_rebuild_give_the_same_answers)
     }
 }
 
+TEST(DynamicTree, pairs_are_those_of_a_query_for_each_leaf)
+{
+    RandomNumbers random(3);
+    DynamicTree tree;
+    std::vector<Entry> entries;
+    for (int i = 0; i < 400; ++i) {
+        const Aabb box = random_box(random);
+        entries.push_back({tree.insert(box, i), box});
+    }
+    std::vector<std::pair<int, int>> expected, found;
+    for (int i = 0; i < 400; ++i)
+        for (int other : ask(entries, entries[std::size_t(i)].box))
+            if (other < i) expected.push_back({other, i});
+    tree.query_pairs([&](int a, int b) { found.push_back(std::minmax(a, b)); });
+    std::sort(expected.begin(), expected.end());
+    std::sort(found.begin(), found.end());
+    EXPECT_GT(found.size(), 50u);
+    EXPECT_EQ(found, expected);
+}
+
 TEST(DynamicTree, stays_low_when_boxes_come_in_a_row)
 {
     DynamicTree tree;

@@ -191,7 +191,8 @@ TEST_F(UserClass, collides_and_lives_through_the_programs_functions)
 {
     const int number = dCreateGeomClass(&description);
     EXPECT_EQ(number, dFirstUserClass);
-    dGeomID user = dCreateGeom(number), sphere = dCreateSphere(nullptr, 1), box = dCreateBox(nullptr, 1, 1, 1);
+    dGeomID user = dCreateGeom(number), sphere = dCreateSphere(nullptr, 1),
+            box = dCreateBox(nullptr, 1, 1, 1);
     int* memory = static_cast<int*>(dGeomGetClassData(user));
     EXPECT_EQ(*memory, 0);
     *memory = 42;
@@ -311,7 +312,8 @@ TEST(GeomTransform, collides_as_what_it_holds_where_it_holds_it)
 TEST(GeomTransform, box_follows_what_it_holds)
 {
     dSpaceID space = dHashSpaceCreate(nullptr);
-    dGeomID t = dCreateGeomTransform(space), sphere = dCreateSphere(nullptr, 1), target = dCreateSphere(space, 1);
+    dGeomID t = dCreateGeomTransform(space), sphere = dCreateSphere(nullptr, 1),
+            target = dCreateSphere(space, 1);
     dGeomSetPosition(target, 10, 0, 0);
     dGeomTransformSetGeom(t, sphere);
     EXPECT_TRUE(pairs_in(space).empty());
@@ -327,7 +329,8 @@ TEST(GeomTransform, refuses_what_it_cannot_hold)
 {
     MessageRecorder heard;
     dSpaceID space = dHashSpaceCreate(nullptr);
-    dGeomID t = dCreateGeomTransform(nullptr), u = dCreateGeomTransform(nullptr), inside = dCreateSphere(space, 1);
+    dGeomID t = dCreateGeomTransform(nullptr), u = dCreateGeomTransform(nullptr),
+            inside = dCreateSphere(space, 1);
     dGeomTransformSetGeom(t, inside);
     EXPECT_EQ(heard.take(),
               "2: GeomTransform encapsulated object must not be in a space in dGeomTransformSetGeom()");
@@ -372,7 +375,8 @@ TEST(GeomTransform, nested_composes_poses_and_cleanup)
 
 TEST(CollisionHelpers, boxes_that_overlap_touch_and_have_contacts)
 {
-    const dVector3 p1 = {0, 0, 0}, p2 = {dReal(0.1), dReal(0.2), dReal(0.9)}, side = {1, 1, 1}, far = {0, 0, 2};
+    const dVector3 p1 = {0, 0, 0}, p2 = {dReal(0.1), dReal(0.2), dReal(0.9)}, side = {1, 1, 1},
+                   far = {0, 0, 2};
     const dMatrix3 R = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
     EXPECT_EQ(dBoxTouchesBox(p1, R, side, p2, R, side), 1);
     EXPECT_EQ(dBoxTouchesBox(p1, R, side, far, R, side), 0);

@@ -95,7 +95,8 @@ void disturb(dSpaceID space, std::vector<dGeomID>& pool, RandomNumbers& random)
             dGeomSetCollideBits(g, 1ul << random.below(3));
             break;
         case 4:
-            if (dGeomGetClass(g) == dSphereClass) dGeomSphereSetRadius(g, random.below(3) ? random.in(0, 2) : 0);
+            if (dGeomGetClass(g) == dSphereClass)
+                dGeomSphereSetRadius(g, random.below(3) ? random.in(0, 2) : 0);
             break;
         case 5:
             jog(g, random, 8);
@@ -216,7 +217,8 @@ TEST_P(SpacePairs, of_many_joined_and_removed_in_any_order_stay_right)
     for (int round = 0; round < 10; ++round) {
         for (int i = 0; i < 100; ++i) jog(dCreateBox(space, 1, 1, 1), random, 4);
         ASSERT_EQ(pairs_in(space), brute_force(space));
-        for (int i = 0; i < 95; ++i) dGeomDestroy(dSpaceGetGeom(space, random.below(dSpaceGetNumGeoms(space))));
+        for (int i = 0; i < 95; ++i)
+            dGeomDestroy(dSpaceGetGeom(space, random.below(dSpaceGetNumGeoms(space))));
         ASSERT_EQ(pairs_in(space), brute_force(space));
     }
     while (dSpaceGetNumGeoms(space) > 0) dGeomDestroy(dSpaceGetGeom(space, 0));

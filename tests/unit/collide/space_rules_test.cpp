@@ -172,7 +172,8 @@ TEST(Space, destruction_is_refused_while_a_space_inside_is_locked)
     dSpaceID outer = dSimpleSpaceCreate(nullptr), inner = dHashSpaceCreate(outer);
     (void)dCreateSphere(inner, 1);
     (void)dCreateSphere(inner, 1);
-    dSpaceCollide(inner, outer, [](void* data, dGeomID, dGeomID) { dSpaceDestroy(static_cast<dSpaceID>(data)); });
+    dSpaceCollide(inner, outer,
+                  [](void* data, dGeomID, dGeomID) { dSpaceDestroy(static_cast<dSpaceID>(data)); });
     EXPECT_EQ(heard.take(), "2: Invalid operation for locked space in dSpaceDestroy()");
     EXPECT_EQ(dSpaceGetNumGeoms(inner), 2);
     dSpaceDestroy(outer);
@@ -201,7 +202,8 @@ TEST(Space, nested_in_another_is_reported_as_a_geom_with_the_box_of_its_members)
 
 TEST(Space, box_follows_a_member_asked_in_between)
 {
-    dSpaceID outer = dHashSpaceCreate(nullptr), middle = dHashSpaceCreate(outer), inner = dHashSpaceCreate(middle);
+    dSpaceID outer = dHashSpaceCreate(nullptr), middle = dHashSpaceCreate(outer),
+             inner = dHashSpaceCreate(middle);
     dGeomID g = dCreateSphere(inner, 1);
     for (int i = 1; i < 20; ++i) {
         dGeomSetPosition(g, dReal(i), 0, 0);

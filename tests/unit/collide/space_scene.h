@@ -68,7 +68,8 @@ inline bool should_meet(dGeomID a, dGeomID b)
 {
     if (zero_sized(a) || zero_sized(b) || a == b) return false;
     if (dGeomGetBody(a) && dGeomGetBody(a) == dGeomGetBody(b)) return false;
-    if (!(dGeomGetCategoryBits(a) & dGeomGetCollideBits(b)) && !(dGeomGetCategoryBits(b) & dGeomGetCollideBits(a)))
+    if (!(dGeomGetCategoryBits(a) & dGeomGetCollideBits(b)) &&
+        !(dGeomGetCategoryBits(b) & dGeomGetCollideBits(a)))
         return false;
     return boxes_overlap(a, b);
 }
