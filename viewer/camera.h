@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What the renderer asks of camera.cpp beyond picture.h: the camera as a matrix, and the ball around a shape by which views and shadows are
-// fitted. A ball rather than a box: it looks the same from all sides, so fitting needs one formula.
+// What the renderer asks of camera.cpp beyond picture.h: the camera as a matrix, and the ball around a shape
+// by which views and shadows are fitted. A ball rather than a box: it looks the same from all sides, so
+// fitting needs one formula.
 #pragma once
 
 #include "matrix.h"

@@ -2,11 +2,13 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Fitting the lights' maps to the shapes, and filling the uniform block.
-// A light is a parallel projection along its direction. Its map is the smallest square, in the light's axes, around the box of all shapes near
-// the camera's target; what stands outside that square neither casts nor receives (rays are parallel, so the shadow of the box on the ground
-// falls inside the square by itself). Casters nearer to the light than the box are kept by clamping their depth. The sky's directions are a
-// Fibonacci lattice on the half sphere: height z_i = (i + 1/2) / n gives equal areas, turning by the golden angle spreads them (Gonzalez 2010,
-// "Measurement of areas on a sphere using Fibonacci and latitude-longitude lattices").
+// A light is a parallel projection along its direction. Its map is the smallest square, in the light's axes,
+// around the box of all shapes near the camera's target; what stands outside that square neither casts nor
+// receives (rays are parallel, so the shadow of the box on the ground falls inside the square by itself).
+// Casters nearer to the light than the box are kept by clamping their depth. The sky's directions are a
+// Fibonacci lattice on the half sphere: height z_i = (i + 1/2) / n gives equal areas, turning by the golden
+// angle spreads them (Gonzalez 2010, "Measurement of areas on a sphere using Fibonacci and latitude-longitude
+// lattices").
 #include "frame.h"
 
 #include <algorithm>
@@ -26,7 +28,8 @@ struct Light {
 
 float clamped(float x, float lo, float hi) { return std::min(std::max(x, lo), hi); }
 
-Bounds lit_region(const Picture& picture) {
+Bounds lit_region(const Picture& picture)
+{
     const Vec target = vec(picture.camera.target);
     const float reach = kReach * view_distance(picture.camera);
     Bounds all, near;
@@ -38,22 +41,26 @@ Bounds lit_region(const Picture& picture) {
     }
     if (all.empty()) return near;
     const auto inside = [&](Vec p) {
-        return Vec{clamped(p.x, near.lo.x, near.hi.x), clamped(p.y, near.lo.y, near.hi.y), clamped(p.z, near.lo.z, near.hi.z)};
+        return Vec{clamped(p.x, near.lo.x, near.hi.x), clamped(p.y, near.lo.y, near.hi.y),
+                   clamped(p.z, near.lo.z, near.hi.z)};
     };
     all.lo = inside(all.lo);
     all.hi = inside(all.hi);
     return all;
 }
 
-Light fit_light(const Bounds& region, Vec to_light) {
+Light fit_light(const Bounds& region, Vec to_light)
+{
     Light light;
     light.basis = look_along(to_light, {0, 0, 1});
     Bounds seen;
     for (int corner = 0; corner < 8; ++corner) {
-        const Vec p = {(corner & 1 ? region.hi : region.lo).x, (corner & 2 ? region.hi : region.lo).y, (corner & 4 ? region.hi : region.lo).z};
+        const Vec p = {(corner & 1 ? region.hi : region.lo).x, (corner & 2 ? region.hi : region.lo).y,
+                       (corner & 4 ? region.hi : region.lo).z};
         seen.add({dot(p, light.basis.right), dot(p, light.basis.up), dot(p, light.basis.back)}, 0);
     }
-    // Behind the box by as far as its shadow can fall, so that depth still measures the distance from shadow to caster.
+    // Behind the box by as far as its shadow can fall, so that depth still measures the distance from shadow
+    // to caster.
     seen.lo.z -= (region.hi.z - region.lo.z) / std::max(light.basis.back.z, 0.1f);
     light.side = std::max({seen.hi.x - seen.lo.x, seen.hi.y - seen.lo.y, 1e-6f}) * 1.01f;
     light.range = std::max(seen.hi.z - seen.lo.z, 1e-6f);
@@ -64,29 +71,36 @@ Light fit_light(const Bounds& region, Vec to_light) {
     return light;
 }
 
-void store(float (&to)[4], Vec v, float w) {
+void store(float (&to)[4], Vec v, float w)
+{
     to[0] = v.x;
     to[1] = v.y;
     to[2] = v.z;
     to[3] = w;
 }
 
-Vec sky_direction(int i) {
+Vec sky_direction(int i)
+{
     const float z = (static_cast<float>(i) + 0.5f) / kSkyLights;
     const float ring = std::sqrt(1 - z * z), turn = kGoldenAngle * static_cast<float>(i);
     return {ring * std::cos(turn), ring * std::sin(turn), z};
 }
 
-void set_spiral(Frame& frame) {
+void set_spiral(Frame& frame)
+{
     for (int i = 0; i < kSpiral; ++i) {
-        const float radius = std::sqrt((static_cast<float>(i) + 0.5f) / kSpiral), turn = kGoldenAngle * static_cast<float>(i);
+        const float radius = std::sqrt((static_cast<float>(i) + 0.5f) / kSpiral),
+                    turn = kGoldenAngle * static_cast<float>(i);
         store(frame.spiral[i], {radius * std::cos(turn), radius * std::sin(turn), 0}, 0);
     }
 }
 
-void set_lights(Frame& frame, const Picture& picture) {
+void set_lights(Frame& frame, const Picture& picture)
+{
     Bounds region = lit_region(picture);
-    if (picture.ground) region.lo.z = std::min(region.lo.z, std::max(picture.ground_height, region.lo.z - (region.hi.z - region.lo.z)));
+    if (picture.ground)
+        region.lo.z =
+            std::min(region.lo.z, std::max(picture.ground_height, region.lo.z - (region.hi.z - region.lo.z)));
     const Light sun = fit_light(region, normalize(vec(picture.sun), {0, 0, 1}));
     frame.sun = sun.matrix;
     store(frame.sun_right, sun.basis.right, sun.side);
@@ -104,7 +118,8 @@ void set_lights(Frame& frame, const Picture& picture) {
 
 }  // namespace
 
-Frame make_frame(const Picture& picture) {
+Frame make_frame(const Picture& picture)
+{
     Frame frame{};
     const Camera& camera = picture.camera;
     const auto width = static_cast<float>(picture.width), height = static_cast<float>(picture.height);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The few verbs in which the renderer speaks to OpenGL 3.3. Only calls of the core profile that every driver since 2010 has; direct state
-// access (4.5) would read better but shuts out drivers for nothing.
+// The few verbs in which the renderer speaks to OpenGL 3.3. Only calls of the core profile that every driver
+// since 2010 has; direct state access (4.5) would read better but shuts out drivers for nothing.
 #include "gl_tools.h"
 
 #include "frame.h"
@@ -12,13 +12,18 @@ namespace epode::viewer {
 namespace {
 
 // The sizes that C++ and GLSL must agree on are written once, in the headers, and handed to GLSL here.
-std::string opening(GLenum stage) {
-    const auto define = [](const char* name, int value) { return std::string("#define ") + name + " " + std::to_string(value) + "\n"; };
-    return "#version 330 core\n" + define("SKY_LIGHTS", kSkyLights) + define("SPIRAL", kSpiral) + define("SUN_MAP_SIDE", kSunMapSide) +
-           define("SAMPLES", kSamples) + (stage == GL_FRAGMENT_SHADER ? "#define FRAGMENT\n" : "");
+std::string opening(GLenum stage)
+{
+    const auto define = [](const char* name, int value) {
+        return std::string("#define ") + name + " " + std::to_string(value) + "\n";
+    };
+    return "#version 330 core\n" + define("SKY_LIGHTS", kSkyLights) + define("SPIRAL", kSpiral) +
+           define("SUN_MAP_SIDE", kSunMapSide) + define("SAMPLES", kSamples) +
+           (stage == GL_FRAGMENT_SHADER ? "#define FRAGMENT\n" : "");
 }
 
-GLuint compile(GLenum stage, const char* name, const char* text, std::string& error) {
+GLuint compile(GLenum stage, const char* name, const char* text, std::string& error)
+{
     const std::string first = opening(stage);
     const char* const parts[] = {first.c_str(), kShaderHead, text};
     const GLuint shader = glCreateShader(stage);
@@ -33,7 +38,8 @@ GLuint compile(GLenum stage, const char* name, const char* text, std::string& er
     return 0;
 }
 
-void bind_inputs(GLuint program) {
+void bind_inputs(GLuint program)
+{
     const GLuint block = glGetUniformBlockIndex(program, "Frame");
     if (block != GL_INVALID_INDEX) glUniformBlockBinding(program, block, 0);
     glUseProgram(program);
@@ -43,7 +49,8 @@ void bind_inputs(GLuint program) {
 
 }  // namespace
 
-GLuint make_program(const ProgramText& text, std::string& error) {
+GLuint make_program(const ProgramText& text, std::string& error)
+{
     const GLuint vertex = compile(GL_VERTEX_SHADER, text.name, text.vertex, error);
     const GLuint fragment = vertex ? compile(GL_FRAGMENT_SHADER, text.name, text.fragment, error) : 0;
     if (!fragment) return 0;
@@ -63,7 +70,8 @@ GLuint make_program(const ProgramText& text, std::string& error) {
     return program;
 }
 
-GLuint make_depth_map(GLenum target, GLenum format, int side, int layers) {
+GLuint make_depth_map(GLenum target, GLenum format, int side, int layers)
+{
     GLuint map = 0;
     glGenTextures(1, &map);
     glBindTexture(target, map);
@@ -77,7 +85,8 @@ GLuint make_depth_map(GLenum target, GLenum format, int side, int layers) {
     return map;
 }
 
-GLuint make_depth_sampler(bool comparing) {
+GLuint make_depth_sampler(bool comparing)
+{
     GLuint sampler = 0;
     glGenSamplers(1, &sampler);
     const GLint filter = comparing ? GL_LINEAR : GL_NEAREST;
@@ -96,14 +105,16 @@ GLuint make_depth_sampler(bool comparing) {
 
 namespace {
 
-GLuint make_framebuffer() {
+GLuint make_framebuffer()
+{
     GLuint framebuffer = 0;
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     return framebuffer;
 }
 
-void attach_buffer(GLenum place, GLenum format, int width, int height, int samples) {
+void attach_buffer(GLenum place, GLenum format, int width, int height, int samples)
+{
     GLuint buffer = 0;
     glGenRenderbuffers(1, &buffer);
     glBindRenderbuffer(GL_RENDERBUFFER, buffer);
@@ -113,13 +124,15 @@ void attach_buffer(GLenum place, GLenum format, int width, int height, int sampl
 
 }  // namespace
 
-GLuint make_canvas(int width, int height) {
+GLuint make_canvas(int width, int height)
+{
     const GLuint canvas = make_framebuffer();
     attach_buffer(GL_COLOR_ATTACHMENT0, GL_SRGB8_ALPHA8, width, height, 0);
     return canvas;
 }
 
-Surfaces make_surfaces(int width, int height) {
+Surfaces make_surfaces(int width, int height)
+{
     Surfaces surfaces;
     surfaces.framebuffer = make_framebuffer();
     const GLenum formats[3] = {GL_RGBA32F, GL_RGBA16F, GL_RGBA8};
@@ -135,12 +148,13 @@ Surfaces make_surfaces(int width, int height) {
     return surfaces;
 }
 
-bool complete(const char* what, std::string& error) {
+bool complete(const char* what, std::string& error)
+{
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     const GLenum fault = glGetError();
     if (status == GL_FRAMEBUFFER_COMPLETE && fault == GL_NO_ERROR) return true;
-    error = std::string("no picture: OpenGL refuses ") + what + " (framebuffer status " + std::to_string(status) + ", error " +
-            std::to_string(fault) + ")";
+    error = std::string("no picture: OpenGL refuses ") + what + " (framebuffer status " +
+            std::to_string(status) + ", error " + std::to_string(fault) + ")";
     return false;
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Making OpenGL objects: programs, depth maps, the picture's canvas. Nothing is deleted here: the context of one picture owns it all
-// (headless.h). Failures return zero or false with the driver's own words in `error`.
+// Making OpenGL objects: programs, depth maps, the picture's canvas. Nothing is deleted here: the context of
+// one picture owns it all (headless.h). Failures return zero or false with the driver's own words in `error`.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -26,7 +26,8 @@ GLuint make_depth_sampler(bool comparing);
 // A framebuffer of one sRGB colour.
 GLuint make_canvas(int width, int height);
 
-// Three colour textures with kSamples samples a pixel (place and kind, normal, paint), and depth: what is seen, before light.
+// Three colour textures with kSamples samples a pixel (place and kind, normal, paint), and depth: what is
+// seen, before light.
 constexpr int kSamples = 4;
 struct Surfaces {
     GLuint framebuffer = 0;

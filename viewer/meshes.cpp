@@ -2,9 +2,10 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Building the two meshes of meshes.h, and the instance that fits one of them to a shape.
-// Rounded box: each of the six faces is a grid whose lines carry (corner sign, tilt a); n = normalize(axis + tan(a_u) u + tan(a_v) v), tilts
-// run from -45 to 45 degrees, so the six grids meet in the edges' middle and together cover the ball. With a core of size zero the same
-// mesh is a sphere without poles. Rounded cylinder: a profile of (ring, end, tilt) turned about z.
+// Rounded box: each of the six faces is a grid whose lines carry (corner sign, tilt a); n = normalize(axis +
+// tan(a_u) u + tan(a_v) v), tilts run from -45 to 45 degrees, so the six grids meet in the edges' middle and
+// together cover the ball. With a core of size zero the same mesh is a sphere without poles. Rounded
+// cylinder: a profile of (ring, end, tilt) turned about z.
 #include "meshes.h"
 
 #include <algorithm>
@@ -15,25 +16,32 @@ namespace epode::viewer {
 namespace {
 
 constexpr float kPi = 3.14159265f;
-constexpr float kBevel = 0.035f;  // of a box's or cylinder's smallest size: seen as an edge that shines, not as a changed shape
+constexpr float kBevel =
+    0.035f;  // of a box's or cylinder's smallest size: seen as an edge that shines, not as a changed shape
 
 struct GridLine {
     float corner, slope;
 };
 
-std::vector<GridLine> grid_lines(int steps) {
+std::vector<GridLine> grid_lines(int steps)
+{
     std::vector<GridLine> lines;
-    for (int i = -steps; i <= 0; ++i) lines.push_back({-1, std::tan(kPi / 4 * static_cast<float>(i) / static_cast<float>(steps))});
-    for (int i = 0; i <= steps; ++i) lines.push_back({1, std::tan(kPi / 4 * static_cast<float>(i) / static_cast<float>(steps))});
+    for (int i = -steps; i <= 0; ++i)
+        lines.push_back({-1, std::tan(kPi / 4 * static_cast<float>(i) / static_cast<float>(steps))});
+    for (int i = 0; i <= steps; ++i)
+        lines.push_back({1, std::tan(kPi / 4 * static_cast<float>(i) / static_cast<float>(steps))});
     return lines;
 }
 
-void add_quad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+void add_quad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d)
+{
     for (const std::uint32_t i : {a, b, c, a, c, d}) mesh.indices.push_back(i);
 }
 
-// Grid of (rows x columns) vertices whose first one is at `base`; (row, column) run counter-clockwise when not flipped.
-void add_grid(Mesh& mesh, std::uint32_t base, std::uint32_t rows, std::uint32_t columns, bool flipped) {
+// Grid of (rows x columns) vertices whose first one is at `base`; (row, column) run counter-clockwise when
+// not flipped.
+void add_grid(Mesh& mesh, std::uint32_t base, std::uint32_t rows, std::uint32_t columns, bool flipped)
+{
     for (std::uint32_t i = 0; i + 1 < rows; ++i) {
         for (std::uint32_t j = 0; j + 1 < columns; ++j) {
             const std::uint32_t a = base + i * columns + j, b = a + columns;
@@ -46,7 +54,8 @@ void add_grid(Mesh& mesh, std::uint32_t base, std::uint32_t rows, std::uint32_t 
     }
 }
 
-void add_face(Mesh& mesh, int axis, float side, const std::vector<GridLine>& lines) {
+void add_face(Mesh& mesh, int axis, float side, const std::vector<GridLine>& lines)
+{
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
     for (const GridLine& along_u : lines) {
@@ -70,17 +79,21 @@ struct ProfilePoint {
     float ring, end, tilt;
 };
 
-std::vector<ProfilePoint> cylinder_profile(int steps) {
+std::vector<ProfilePoint> cylinder_profile(int steps)
+{
     std::vector<ProfilePoint> profile = {{0, -1, -kPi / 2}};
-    for (int i = 0; i <= steps; ++i) profile.push_back({1, -1, -kPi / 2 * static_cast<float>(steps - i) / static_cast<float>(steps)});
-    for (int i = 0; i <= steps; ++i) profile.push_back({1, 1, kPi / 2 * static_cast<float>(i) / static_cast<float>(steps)});
+    for (int i = 0; i <= steps; ++i)
+        profile.push_back({1, -1, -kPi / 2 * static_cast<float>(steps - i) / static_cast<float>(steps)});
+    for (int i = 0; i <= steps; ++i)
+        profile.push_back({1, 1, kPi / 2 * static_cast<float>(i) / static_cast<float>(steps)});
     profile.push_back({0, 1, kPi / 2});
     return profile;
 }
 
 }  // namespace
 
-Mesh rounded_box(int steps) {
+Mesh rounded_box(int steps)
+{
     Mesh mesh;
     const std::vector<GridLine> lines = grid_lines(steps);
     for (int axis = 0; axis < 3; ++axis) {
@@ -90,7 +103,8 @@ Mesh rounded_box(int steps) {
     return mesh;
 }
 
-Mesh rounded_cylinder(int sides, int steps) {
+Mesh rounded_cylinder(int sides, int steps)
+{
     Mesh mesh;
     const std::vector<ProfilePoint> profile = cylinder_profile(steps);
     for (int i = 0; i <= sides; ++i) {
@@ -101,11 +115,13 @@ Mesh rounded_cylinder(int sides, int steps) {
             mesh.vertices.push_back({{p.ring * c, p.ring * s, p.end}, {out * c, out * s, up}});
         }
     }
-    add_grid(mesh, 0, static_cast<std::uint32_t>(sides) + 1, static_cast<std::uint32_t>(profile.size()), false);
+    add_grid(mesh, 0, static_cast<std::uint32_t>(sides) + 1, static_cast<std::uint32_t>(profile.size()),
+             false);
     return mesh;
 }
 
-Instance instance_of(const Shape& shape) {
+Instance instance_of(const Shape& shape)
+{
     Instance instance{};
     for (int i = 0; i < 3; ++i) {
         std::copy(shape.rot + 4 * i, shape.rot + 4 * i + 3, instance.row[i]);

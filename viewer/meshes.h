@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Two meshes draw every shape. Each shape is a core swept by a ball: sphere = point + ball, capsule = segment + ball, box and cylinder = a
-// smaller box or cylinder + a small ball, which rounds their edges so that they catch the light. A vertex holds the unit corner k of the core
-// and the unit direction n on the ball; an instance holds the core's half sizes h and the ball's radius r:
+// Two meshes draw every shape. Each shape is a core swept by a ball: sphere = point + ball, capsule = segment
+// + ball, box and cylinder = a smaller box or cylinder + a small ball, which rounds their edges so that they
+// catch the light. A vertex holds the unit corner k of the core and the unit direction n on the ball; an
+// instance holds the core's half sizes h and the ball's radius r:
 //     p = h * k + r n   (componentwise),   normal = n.
-// So normals are exact at any size, and spheres, capsules and boxes share one mesh; the alternative, scaled unit meshes, distorts the caps
-// of capsules and needs the inverse transpose for normals.
+// So normals are exact at any size, and spheres, capsules and boxes share one mesh; the alternative, scaled
+// unit meshes, distorts the caps of capsules and needs the inverse transpose for normals.
 #pragma once
 
 #include <cstdint>

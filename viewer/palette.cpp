@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The colours bodies get when nobody asks for others: earth and sea, of similar lightness so that none shouts, ordered so that neighbours
-// in the row differ in hue. Fixed values rather than hues turned by the golden angle: those give candy, never a palette.
+// The colours bodies get when nobody asks for others: earth and sea, of similar lightness so that none
+// shouts, ordered so that neighbours in the row differ in hue. Fixed values rather than hues turned by the
+// golden angle: those give candy, never a palette.
 #include "picture.h"
 
 namespace epode::viewer {
 
-Color palette(int index) {
+Color palette(int index)
+{
     constexpr Color kColors[] = {
         {0.800f, 0.357f, 0.263f},  // terracotta
         {0.918f, 0.741f, 0.478f},  // sand

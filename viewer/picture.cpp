@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// write_png: refuse what cannot be drawn, open a context, render, write. Each step says its own failure; the file is opened last, so a
-// picture that fails leaves no empty file behind.
+// write_png: refuse what cannot be drawn, open a context, render, write. Each step says its own failure; the
+// file is opened last, so a picture that fails leaves no empty file behind.
 #include "picture.h"
 
 #include "camera.h"
@@ -16,13 +16,16 @@ namespace {
 
 bool side_is_valid(int side) { return side >= 1 && side <= kMaxPictureSide; }
 
-bool check(const Picture& picture, const char* path, std::string& error) {
+bool check(const Picture& picture, const char* path, std::string& error)
+{
     if (!path || !*path) {
         error = "no picture: no file name given";
     } else if (!side_is_valid(picture.width) || !side_is_valid(picture.height)) {
         error = "no picture: width and height must lie between 1 and " + std::to_string(kMaxPictureSide);
     } else if (!valid(picture.camera)) {
-        error = "no picture: the camera needs finite numbers, an eye apart from its target and an opening between 1 and 170 degrees";
+        error =
+            "no picture: the camera needs finite numbers, an eye apart from its target and an opening "
+            "between 1 and 170 degrees";
     } else if (!finite(vec(picture.sun)) || !(std::fabs(picture.ground_height) < 1e15f)) {
         error = "no picture: the sun's direction or the ground's height is not finite";
     } else {
@@ -33,7 +36,8 @@ bool check(const Picture& picture, const char* path, std::string& error) {
 
 }  // namespace
 
-bool write_png(const Picture& picture, const char* path, std::string& error) {
+bool write_png(const Picture& picture, const char* path, std::string& error)
+{
     if (!check(picture, path, error)) return false;
     Headless context;
     std::vector<std::uint8_t> rgb;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A picture is plain data: shapes, lines, a camera, a size. write_png turns it into a file, offscreen, with no display and no GPU needed.
-// World: right-handed, z up, metres. Colours are the sRGB numbers 0..1 that one writes in a style sheet; light is computed in linear space.
-// What cannot be drawn (a pose that is not finite, a size that is not positive) is left out of the picture and the rest is drawn: the picture
-// of a simulation that went wrong is wanted most of all. Plain structs rather than a scene graph: a picture is made once and thrown away,
-// and the caller needs no knowledge of OpenGL, nor this library of ODE.
+// A picture is plain data: shapes, lines, a camera, a size. write_png turns it into a file, offscreen, with
+// no display and no GPU needed. World: right-handed, z up, metres. Colours are the sRGB numbers 0..1 that one
+// writes in a style sheet; light is computed in linear space. What cannot be drawn (a pose that is not
+// finite, a size that is not positive) is left out of the picture and the rest is drawn: the picture of a
+// simulation that went wrong is wanted most of all. Plain structs rather than a scene graph: a picture is
+// made once and thrown away, and the caller needs no knowledge of OpenGL, nor this library of ODE.
 #pragma once
 
 #include <span>
@@ -23,10 +24,12 @@ enum class ShapeKind { kSphere, kBox, kCapsule, kCylinder };
 struct Shape {
     ShapeKind kind = ShapeKind::kBox;
     // sphere: radius, unused, unused      box: full side lengths along local x, y, z
-    // capsule and cylinder: radius, length along local z (a capsule's length leaves out its two caps, as in ODE), unused
+    // capsule and cylinder: radius, length along local z (a capsule's length leaves out its two caps, as in
+    // ODE), unused
     float size[3] = {1, 1, 1};
     float pos[3] = {0, 0, 0};
-    float rot[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};  // ODE's dMatrix3: three rows of four, the fourth column unused
+    float rot[12] = {1, 0, 0, 0, 0, 1,
+                     0, 0, 0, 0, 1, 0};  // ODE's dMatrix3: three rows of four, the fourth column unused
     Color color;
 };
 
@@ -50,23 +53,26 @@ struct Picture {
     Camera camera;
     int width = 1280;
     int height = 720;
-    bool ground = true;              // an endless floor at z = ground_height
+    bool ground = true;  // an endless floor at z = ground_height
     float ground_height = 0;
-    float grid = 1;                  // spacing of the floor's lines; 0: none
+    float grid = 1;                          // spacing of the floor's lines; 0: none
     float sun[3] = {-0.60f, -0.50f, 0.80f};  // towards the sun, any length
-    float line_width = 3;            // pixels in a picture 720 high, scaled with the height
+    float line_width = 3;                    // pixels in a picture 720 high, scaled with the height
 };
 
 constexpr int kMaxPictureSide = 4096;
 
-// Renders and writes an 8-bit RGB PNG. On failure returns false, error says why in words, and no file is begun.
+// Renders and writes an 8-bit RGB PNG. On failure returns false, error says why in words, and no file is
+// begun.
 bool write_png(const Picture& picture, const char* path, std::string& error);
 
-// A three-quarter view in which every drawable shape is wholly visible. aspect = width / height. The eye looks from `azimuth` degrees
-// (counter-clockwise from +x, about z) and `elevation` degrees above the horizon.
+// A three-quarter view in which every drawable shape is wholly visible. aspect = width / height. The eye
+// looks from `azimuth` degrees (counter-clockwise from +x, about z) and `elevation` degrees above the
+// horizon.
 Camera frame_shapes(std::span<const Shape> shapes, float aspect, float azimuth = -62, float elevation = 17);
 
-// Where a world point appears: pixel[0] to the right, pixel[1] downwards from the upper left corner. False behind the eye.
+// Where a world point appears: pixel[0] to the right, pixel[1] downwards from the upper left corner. False
+// behind the eye.
 bool project(const Camera& camera, int width, int height, const float point[3], float pixel[2]);
 
 // An endless row of muted colours that sit well beside each other; the same index gives the same colour.
@@ -77,7 +83,8 @@ bool drawable(const Shape& shape);
 
 // Copies a pose in ODE's layout, whatever its precision.
 template <class Scalar>
-void set_pose(Shape& shape, const Scalar* pos, const Scalar* rot) {
+void set_pose(Shape& shape, const Scalar* pos, const Scalar* rot)
+{
     for (int i = 0; i < 3; ++i) shape.pos[i] = static_cast<float>(pos[i]);
     for (int i = 0; i < 12; ++i) shape.rot[i] = i % 4 == 3 ? 0.0f : static_cast<float>(rot[i]);
 }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// stb_image_write compiled here and nowhere else, as a header-only library with internal linkage and with warnings off (CMakeLists.txt).
-// libpng was rejected: one function is needed, and it would be one more library to install.
+// stb_image_write compiled here and nowhere else, as a header-only library with internal linkage and with
+// warnings off (CMakeLists.txt). libpng was rejected: one function is needed, and it would be one more
+// library to install.
 #include "png.h"
 
 #define STB_IMAGE_WRITE_STATIC
@@ -11,7 +12,8 @@
 
 namespace epode::viewer {
 
-bool write_rgb(const char* path, int width, int height, const std::uint8_t* rgb) {
+bool write_rgb(const char* path, int width, int height, const std::uint8_t* rgb)
+{
     return stbi_write_png(path, width, height, 3, rgb, 3 * width) != 0;
 }
 

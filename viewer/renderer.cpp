@@ -2,11 +2,15 @@
 // Copyright (c) 2026 The Epode authors
 //
 // One picture, in passes:
-//   1. the depth of all shapes as the sun sees them, then as each point of the sky sees them (coarser meshes: these shadows are soft);
-//   2. shapes and ground as the camera sees them: place, normal and paint of four samples a pixel, not yet lit;
-//   3. light and sky, once per pixel and surface; 4. lines over it, faint where hidden; 5. the canvas is read back.
-// Shapes are instanced: one draw call per mesh and pass, however many there are. A shadow volume or ray tracer would give sharper truth, but
-// a rasteriser in software draws a thousand shapes in a second and a GPU draws them in no time, with the same text.
+//   1. the depth of all shapes as the sun sees them, then as each point of the sky sees them (coarser meshes:
+//   these shadows are soft);
+//   2. shapes and ground as the camera sees them: place, normal and paint of four samples a pixel, not yet
+//   lit;
+//   3. light and sky, once per pixel and surface; 4. lines over it, faint where hidden; 5. the canvas is read
+//   back.
+// Shapes are instanced: one draw call per mesh and pass, however many there are. A shadow volume or ray
+// tracer would give sharper truth, but a rasteriser in software draws a thousand shapes in a second and a GPU
+// draws them in no time, with the same text.
 #include "renderer.h"
 
 #include <algorithm>
@@ -27,12 +31,12 @@ struct Batch {
 };
 
 class Renderer {
-public:
+  public:
     explicit Renderer(const Picture& picture) : picture_(picture), frame_(make_frame(picture)) {}
     bool prepare(std::string& error);
     bool draw(std::vector<std::uint8_t>& rgb, std::string& error);
 
-private:
+  private:
     bool make_programs(std::string& error);
     void make_batches();
     void make_lines();
@@ -52,13 +56,16 @@ private:
     GLsizei line_count_ = 0;
 };
 
-void set_pointer(GLuint location, GLint size, std::size_t stride, std::size_t offset, GLuint divisor) {
+void set_pointer(GLuint location, GLint size, std::size_t stride, std::size_t offset, GLuint divisor)
+{
     glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride), reinterpret_cast<const void*>(offset));
+    glVertexAttribPointer(location, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                          reinterpret_cast<const void*>(offset));
     glVertexAttribDivisor(location, divisor);
 }
 
-GLuint make_buffer(GLenum target, const void* data, std::size_t bytes) {
+GLuint make_buffer(GLenum target, const void* data, std::size_t bytes)
+{
     GLuint buffer = 0;
     glGenBuffers(1, &buffer);
     glBindBuffer(target, buffer);
@@ -66,27 +73,31 @@ GLuint make_buffer(GLenum target, const void* data, std::size_t bytes) {
     return buffer;
 }
 
-GLuint make_array() {
+GLuint make_array()
+{
     GLuint array = 0;
     glGenVertexArrays(1, &array);
     glBindVertexArray(array);
     return array;
 }
 
-GLuint make_mesh_array(const Mesh& mesh, GLuint instances) {
+GLuint make_mesh_array(const Mesh& mesh, GLuint instances)
+{
     const GLuint array = make_array();
     make_buffer(GL_ARRAY_BUFFER, mesh.vertices.data(), mesh.vertices.size() * sizeof(Vertex));
     set_pointer(0, 3, sizeof(Vertex), offsetof(Vertex, corner), 0);
     set_pointer(1, 3, sizeof(Vertex), offsetof(Vertex, normal), 0);
     make_buffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices.data(), mesh.indices.size() * sizeof(std::uint32_t));
     glBindBuffer(GL_ARRAY_BUFFER, instances);
-    for (GLuint i = 0; i < 3; ++i) set_pointer(2 + i, 4, sizeof(Instance), offsetof(Instance, row) + i * sizeof(float[4]), 1);
+    for (GLuint i = 0; i < 3; ++i)
+        set_pointer(2 + i, 4, sizeof(Instance), offsetof(Instance, row) + i * sizeof(float[4]), 1);
     set_pointer(5, 4, sizeof(Instance), offsetof(Instance, core), 1);
     set_pointer(6, 3, sizeof(Instance), offsetof(Instance, color), 1);
     return array;
 }
 
-Batch make_batch(const std::vector<Instance>& instances, const Mesh& fine, const Mesh& coarse) {
+Batch make_batch(const std::vector<Instance>& instances, const Mesh& fine, const Mesh& coarse)
+{
     Batch batch;
     const GLuint buffer = make_buffer(GL_ARRAY_BUFFER, instances.data(), instances.size() * sizeof(Instance));
     batch.fine = make_mesh_array(fine, buffer);
@@ -98,18 +109,21 @@ Batch make_batch(const std::vector<Instance>& instances, const Mesh& fine, const
 }
 
 // From the map's [0, 1]^3 back to OpenGL's [-1, 1]^3.
-Mat4 clip_of_map(const Mat4& map) {
+Mat4 clip_of_map(const Mat4& map)
+{
     const Mat4 widen = {{2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, -1, -1, -1, 1}};
     return widen * map;
 }
 
-bool Renderer::make_programs(std::string& error) {
+bool Renderer::make_programs(std::string& error)
+{
     return (depth_ = make_program(kDepthProgram, error)) && (shape_ = make_program(kShapeProgram, error)) &&
            (ground_ = make_program(kGroundProgram, error)) && (light_ = make_program(kLightProgram, error)) &&
            (line_ = make_program(kLineProgram, error));
 }
 
-void Renderer::make_batches() {
+void Renderer::make_batches()
+{
     std::vector<Instance> boxes, round, cylinders;
     for (const Shape& shape : picture_.shapes) {
         if (!drawable(shape)) continue;
@@ -118,10 +132,12 @@ void Renderer::make_batches() {
     }
     if (!boxes.empty()) batches_.push_back(make_batch(boxes, rounded_box(2), rounded_box(1)));
     if (!round.empty()) batches_.push_back(make_batch(round, rounded_box(6), rounded_box(2)));
-    if (!cylinders.empty()) batches_.push_back(make_batch(cylinders, rounded_cylinder(48, 2), rounded_cylinder(12, 1)));
+    if (!cylinders.empty())
+        batches_.push_back(make_batch(cylinders, rounded_cylinder(48, 2), rounded_cylinder(12, 1)));
 }
 
-void Renderer::make_lines() {
+void Renderer::make_lines()
+{
     std::vector<Line> lines;
     for (const Line& line : picture_.lines) {
         if (finite(vec(line.a)) && finite(vec(line.b))) lines.push_back(line);
@@ -134,7 +150,8 @@ void Renderer::make_lines() {
     set_pointer(2, 3, sizeof(Line), offsetof(Line, color), 1);
 }
 
-bool Renderer::prepare(std::string& error) {
+bool Renderer::prepare(std::string& error)
+{
     if (!make_programs(error)) return false;
     make_batches();
     make_lines();
@@ -148,19 +165,23 @@ bool Renderer::prepare(std::string& error) {
     return true;
 }
 
-void Renderer::use_shapes_view(GLuint program, const Mat4& view) {
+void Renderer::use_shapes_view(GLuint program, const Mat4& view)
+{
     glUseProgram(program);
     glUniformMatrix4fv(glGetUniformLocation(program, "view"), 1, GL_FALSE, view.m);
 }
 
-void Renderer::draw_shapes(bool fine) {
+void Renderer::draw_shapes(bool fine)
+{
     for (const Batch& batch : batches_) {
         glBindVertexArray(fine ? batch.fine : batch.coarse);
-        glDrawElementsInstanced(GL_TRIANGLES, fine ? batch.fine_count : batch.coarse_count, GL_UNSIGNED_INT, nullptr, batch.instances);
+        glDrawElementsInstanced(GL_TRIANGLES, fine ? batch.fine_count : batch.coarse_count, GL_UNSIGNED_INT,
+                                nullptr, batch.instances);
     }
 }
 
-bool Renderer::draw_maps(std::string& error) {
+bool Renderer::draw_maps(std::string& error)
+{
     GLuint target = 0;
     glGenFramebuffers(1, &target);
     glBindFramebuffer(GL_FRAMEBUFFER, target);
@@ -194,7 +215,8 @@ bool Renderer::draw_maps(std::string& error) {
     return true;
 }
 
-bool Renderer::draw_surfaces(std::string& error) {
+bool Renderer::draw_surfaces(std::string& error)
+{
     const Surfaces surfaces = make_surfaces(picture_.width, picture_.height);
     if (!complete("a canvas of this size", error)) return false;
     glViewport(0, 0, picture_.width, picture_.height);
@@ -214,7 +236,8 @@ bool Renderer::draw_surfaces(std::string& error) {
     return true;
 }
 
-bool Renderer::draw_light(std::string& error) {
+bool Renderer::draw_light(std::string& error)
+{
     make_canvas(picture_.width, picture_.height);
     if (!complete("a canvas of this size", error)) return false;
     glDisable(GL_DEPTH_TEST);
@@ -224,7 +247,8 @@ bool Renderer::draw_light(std::string& error) {
     return true;
 }
 
-void Renderer::draw_lines() {
+void Renderer::draw_lines()
+{
     glBindVertexArray(lines_);
     glUseProgram(line_);
     glEnable(GL_BLEND);
@@ -232,7 +256,8 @@ void Renderer::draw_lines() {
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, line_count_);
 }
 
-void Renderer::read_back(std::vector<std::uint8_t>& rgb) {
+void Renderer::read_back(std::vector<std::uint8_t>& rgb)
+{
     const int width = picture_.width, height = picture_.height;
     const std::size_t row = static_cast<std::size_t>(width) * 3;
     rgb.resize(row * static_cast<std::size_t>(height));
@@ -240,11 +265,13 @@ void Renderer::read_back(std::vector<std::uint8_t>& rgb) {
     glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, rgb.data());
     for (int low = 0, high = height - 1; low < high; ++low, --high) {
         const auto first = rgb.begin() + static_cast<std::ptrdiff_t>(row) * low;
-        std::swap_ranges(first, first + static_cast<std::ptrdiff_t>(row), rgb.begin() + static_cast<std::ptrdiff_t>(row) * high);
+        std::swap_ranges(first, first + static_cast<std::ptrdiff_t>(row),
+                         rgb.begin() + static_cast<std::ptrdiff_t>(row) * high);
     }
 }
 
-bool Renderer::draw(std::vector<std::uint8_t>& rgb, std::string& error) {
+bool Renderer::draw(std::vector<std::uint8_t>& rgb, std::string& error)
+{
     if (!draw_maps(error) || !draw_surfaces(error) || !draw_light(error)) return false;
     draw_lines();
     read_back(rgb);
@@ -253,7 +280,8 @@ bool Renderer::draw(std::vector<std::uint8_t>& rgb, std::string& error) {
 
 }  // namespace
 
-bool render(const Picture& picture, std::vector<std::uint8_t>& rgb, std::string& error) {
+bool render(const Picture& picture, std::vector<std::uint8_t>& rgb, std::string& error)
+{
     Renderer renderer(picture);
     return renderer.prepare(error) && renderer.draw(rgb, error);
 }

@@ -2,15 +2,16 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The shaders. All colour is linear; the target converts to sRGB.
-// Sun: percentage-closer soft shadows (Fernando 2005): the mean depth of what stands before the point gives the penumbra's width, over which a
-// fixed spiral of samples is averaged. The samples lie in the plane of the lit surface (receiver-plane bias), so wide penumbrae need no large
-// offset. No noise turns the spiral: two renders are the same and the PNG stays small.
-// Sky: kSkyLights hard shadows, one hardware-filtered comparison each, weighted by the cosine to the surface.
-// Ground: lines whose coverage is integrated over the pixel's footprint (a box filter of a periodic pulse), so they neither shimmer nor break
-// far away; beyond a few view distances the floor dissolves into the colour of the horizon.
-// Deferred: shapes and ground only write where and what they are, four samples a pixel; light is computed once per pixel and surface, so its
-// cost follows the picture's size and not the number of triangles. Samples of one pixel that agree in place, direction and colour share one
-// computation; only where surfaces meet are there more.
+// Sun: percentage-closer soft shadows (Fernando 2005): the mean depth of what stands before the point gives
+// the penumbra's width, over which a fixed spiral of samples is averaged. The samples lie in the plane of the
+// lit surface (receiver-plane bias), so wide penumbrae need no large offset. No noise turns the spiral: two
+// renders are the same and the PNG stays small. Sky: kSkyLights hard shadows, one hardware-filtered
+// comparison each, weighted by the cosine to the surface. Ground: lines whose coverage is integrated over the
+// pixel's footprint (a box filter of a periodic pulse), so they neither shimmer nor break far away; beyond a
+// few view distances the floor dissolves into the colour of the horizon. Deferred: shapes and ground only
+// write where and what they are, four samples a pixel; light is computed once per pixel and surface, so its
+// cost follows the picture's size and not the number of triangles. Samples of one pixel that agree in place,
+// direction and colour share one computation; only where surfaces meet are there more.
 #include "shaders.h"
 
 namespace epode::viewer {

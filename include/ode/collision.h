@@ -276,47 +276,53 @@ typedef struct dxHeightfieldData* dHeightfieldDataID;
 typedef dReal dHeightfieldGetHeight(void* p_user_data, int x, int z);
 
 /* ---- height fields ----
-   Ground given by heights over a rectangle, solid to any depth. In the geom's own frame y is up, x runs along the
-   width and z along the depth, and the origin is the middle of the rectangle. Sample (i, j), with i along x, is
-   element i + j * widthSamples; its height is sample * scale + offset. Each cell is two triangles, divided from
-   the corner (i + 1, j) to the corner (i, j + 1). For z up rotate the geom by 90 degrees about x.
-   Collides with spheres, boxes, capsules, cylinders and rays; normals point up out of the ground. A solid
-   wholly below the lowest sample under it gets one contact that pushes it straight up. A ray gets all its hits, the
-   nearest first. */
+   Ground given by heights over a rectangle, solid to any depth. In the geom's own frame y is up, x runs along
+   the width and z along the depth, and the origin is the middle of the rectangle. Sample (i, j), with i along
+   x, is element i + j * widthSamples; its height is sample * scale + offset. Each cell is two triangles,
+   divided from the corner (i + 1, j) to the corner (i, j + 1). For z up rotate the geom by 90 degrees about
+   x. Collides with spheres, boxes, capsules, cylinders and rays; normals point up out of the ground. A solid
+   wholly below the lowest sample under it gets one contact that pushes it straight up. A ray gets all its
+   hits, the nearest first. */
 
-/** The heights of one or more geoms. Destroy it after them; a geom whose data are gone collides with nothing. */
+/** The heights of one or more geoms. Destroy it after them; a geom whose data are gone collides with nothing.
+ */
 ODE_API dHeightfieldDataID dGeomHeightfieldDataCreate(void);
 ODE_API void dGeomHeightfieldDataDestroy(dHeightfieldDataID d);
 
 /** Set the heights from an array of a type, or by calling a function whenever one is needed.
     bCopyHeightData: 0 means that the program keeps the array alive. width, depth > 0: sides of the rectangle;
-    widthSamples, depthSamples >= 2: samples along them. thickness >= 0 lowers the bounding box's bottom, so that
-    spaces still report what has sunk that far. bWrap: the field repeats without end along x and z (then the last
-    column and row stand for the first, and the bounding box is infinite). Heights that are no usable numbers are
-    refused and nothing changes. Geoms that use the data already get their new box when they move or
-    are given the data again. */
+    widthSamples, depthSamples >= 2: samples along them. thickness >= 0 lowers the bounding box's bottom, so
+   that spaces still report what has sunk that far. bWrap: the field repeats without end along x and z (then
+   the last column and row stand for the first, and the bounding box is infinite). Heights that are no usable
+   numbers are refused and nothing changes. Geoms that use the data already get their new box when they move
+   or are given the data again. */
 ODE_API void dGeomHeightfieldDataBuildCallback(dHeightfieldDataID d, void* pUserData,
                                                dHeightfieldGetHeight* pCallback, dReal width, dReal depth,
                                                int widthSamples, int depthSamples, dReal scale, dReal offset,
                                                dReal thickness, int bWrap);
 ODE_API void dGeomHeightfieldDataBuildByte(dHeightfieldDataID d, const unsigned char* pHeightData,
                                            int bCopyHeightData, dReal width, dReal depth, int widthSamples,
-                                           int depthSamples, dReal scale, dReal offset, dReal thickness, int bWrap);
-ODE_API void dGeomHeightfieldDataBuildShort(dHeightfieldDataID d, const short* pHeightData, int bCopyHeightData,
-                                            dReal width, dReal depth, int widthSamples, int depthSamples,
-                                            dReal scale, dReal offset, dReal thickness, int bWrap);
-ODE_API void dGeomHeightfieldDataBuildSingle(dHeightfieldDataID d, const float* pHeightData, int bCopyHeightData,
-                                             dReal width, dReal depth, int widthSamples, int depthSamples,
-                                             dReal scale, dReal offset, dReal thickness, int bWrap);
-ODE_API void dGeomHeightfieldDataBuildDouble(dHeightfieldDataID d, const double* pHeightData, int bCopyHeightData,
-                                             dReal width, dReal depth, int widthSamples, int depthSamples,
-                                             dReal scale, dReal offset, dReal thickness, int bWrap);
+                                           int depthSamples, dReal scale, dReal offset, dReal thickness,
+                                           int bWrap);
+ODE_API void dGeomHeightfieldDataBuildShort(dHeightfieldDataID d, const short* pHeightData,
+                                            int bCopyHeightData, dReal width, dReal depth, int widthSamples,
+                                            int depthSamples, dReal scale, dReal offset, dReal thickness,
+                                            int bWrap);
+ODE_API void dGeomHeightfieldDataBuildSingle(dHeightfieldDataID d, const float* pHeightData,
+                                             int bCopyHeightData, dReal width, dReal depth, int widthSamples,
+                                             int depthSamples, dReal scale, dReal offset, dReal thickness,
+                                             int bWrap);
+ODE_API void dGeomHeightfieldDataBuildDouble(dHeightfieldDataID d, const double* pHeightData,
+                                             int bCopyHeightData, dReal width, dReal depth, int widthSamples,
+                                             int depthSamples, dReal scale, dReal offset, dReal thickness,
+                                             int bWrap);
 
 /** The range of samples (before scale and offset) that the bounding box is made of. Arrays know theirs; a
     callback's field has an infinite box until this is called. */
 ODE_API void dGeomHeightfieldDataSetBounds(dHeightfieldDataID d, dReal minHeight, dReal maxHeight);
 
-/** A field in the world: bPlaceable 0 for one that stays at the origin, not rotated. data may be 0 for now. */
+/** A field in the world: bPlaceable 0 for one that stays at the origin, not rotated. data may be 0 for now.
+ */
 ODE_API dGeomID dCreateHeightfield(dSpaceID space, dHeightfieldDataID data, int bPlaceable);
 ODE_API void dGeomHeightfieldSetHeightfieldData(dGeomID g, dHeightfieldDataID d);
 ODE_API dHeightfieldDataID dGeomHeightfieldGetHeightfieldData(dGeomID g);

@@ -37,10 +37,11 @@ ODE_API dSpaceID dHashSpaceCreate(dSpaceID space);
 /** A space for geoms that lie along an axis. axisorder: one of the codes above. */
 ODE_API dSpaceID dSweepAndPruneSpaceCreate(dSpaceID space, int axisorder);
 
-/** A space for a world of known extent: its centre, half sizes, and how often it is divided in four. Geoms outside
-    are found all the same. In this library hash, sweep-and-prune and quadtree spaces are one structure that needs
-    none of these hints: they are checked, and they are for speed only. */
-ODE_API dSpaceID dQuadTreeSpaceCreate(dSpaceID space, const dVector3 Center, const dVector3 Extents, int Depth);
+/** A space for a world of known extent: its centre, half sizes, and how often it is divided in four. Geoms
+   outside are found all the same. In this library hash, sweep-and-prune and quadtree spaces are one structure
+   that needs none of these hints: they are checked, and they are for speed only. */
+ODE_API dSpaceID dQuadTreeSpaceCreate(dSpaceID space, const dVector3 Center, const dVector3 Extents,
+                                      int Depth);
 
 /** Destroy a space; with it, in cleanup mode, its members, else they only leave it. */
 ODE_API void dSpaceDestroy(dSpaceID space);

@@ -60,7 +60,8 @@ void* dBodyGetData(dBodyID b)
     return body->data;
 }
 
-// ---- pose and velocity --------------------------------------------------------------------------------------
+// ---- pose and velocity
+// --------------------------------------------------------------------------------------
 
 void dBodySetPosition(dBodyID b, dReal x, dReal y, dReal z)
 {
@@ -96,17 +97,17 @@ void dBodySetQuaternion(dBodyID b, const dQuaternion q)
     body_moved(*body);
 }
 
-#define BODY_VECTOR(Name, member)                                                     \
-    void dBodySet##Name(dBodyID b, dReal x, dReal y, dReal z)                         \
-    {                                                                                 \
-        BODY_OR();                                                                    \
-        USABLE3(x, y, z);                                                             \
-        store(body->member, {x, y, z});                                               \
-    }                                                                                 \
-    const dReal* dBodyGet##Name(dBodyID b)                                            \
-    {                                                                                 \
-        BODY_OR(nullptr);                                                             \
-        return body->member;                                                          \
+#define BODY_VECTOR(Name, member)                             \
+    void dBodySet##Name(dBodyID b, dReal x, dReal y, dReal z) \
+    {                                                         \
+        BODY_OR();                                            \
+        USABLE3(x, y, z);                                     \
+        store(body->member, {x, y, z});                       \
+    }                                                         \
+    const dReal* dBodyGet##Name(dBodyID b)                    \
+    {                                                         \
+        BODY_OR(nullptr);                                     \
+        return body->member;                                  \
     }
 
 BODY_VECTOR(LinearVel, lvel)
@@ -153,14 +154,14 @@ void dBodyCopyQuaternion(dBodyID b, dQuaternion q)
     store_quat(q, body->orientation());
 }
 
-// ---- mass ---------------------------------------------------------------------------------------------------
+// ---- mass
+// ---------------------------------------------------------------------------------------------------
 
 void dBodySetMass(dBodyID b, const dMass* mass)
 {
     BODY_OR();
     EPODE_USER(mass);
-    EPODE_USER_SAY(max_component(abs(load(mass->c))) <= kEpsilon,
-                   "The centre of mass must be at the origin");
+    EPODE_USER_SAY(max_component(abs(load(mass->c))) <= kEpsilon, "The centre of mass must be at the origin");
     EPODE_USER_SAY(set_mass(*body, *mass), "The mass must be positive and its inertia positive definite");
 }
 
@@ -189,7 +190,8 @@ int dBodyIsKinematic(dBodyID b)
     return body->kinematic();
 }
 
-// ---- forces -------------------------------------------------------------------------------------------------
+// ---- forces
+// -------------------------------------------------------------------------------------------------
 
 void dBodyAddForce(dBodyID b, dReal fx, dReal fy, dReal fz)
 {
@@ -251,15 +253,16 @@ void dBodyAddRelForceAtRelPos(dBodyID b, dReal fx, dReal fy, dReal fz, dReal px,
     push(*body, world_arm(*body, {fx, fy, fz}), world_arm(*body, {px, py, pz}));
 }
 
-// ---- frames -------------------------------------------------------------------------------------------------
+// ---- frames
+// -------------------------------------------------------------------------------------------------
 
-#define BODY_TRANSFORM(Name, expression)                                                         \
-    void dBody##Name(dBodyID b, dReal px, dReal py, dReal pz, dVector3 result)                   \
-    {                                                                                            \
-        BODY_OR();                                                                               \
-        EPODE_USER(result);                                                                      \
-        const Vec3 p{px, py, pz};                                                                \
-        store(result, expression);                                                               \
+#define BODY_TRANSFORM(Name, expression)                                       \
+    void dBody##Name(dBodyID b, dReal px, dReal py, dReal pz, dVector3 result) \
+    {                                                                          \
+        BODY_OR();                                                             \
+        EPODE_USER(result);                                                    \
+        const Vec3 p{px, py, pz};                                              \
+        store(result, expression);                                             \
     }
 
 BODY_TRANSFORM(GetRelPointPos, body->pose().to_world(p))
@@ -269,7 +272,8 @@ BODY_TRANSFORM(GetPosRelPoint, body->pose().to_local(p))
 BODY_TRANSFORM(VectorToWorld, world_arm(*body, p))
 BODY_TRANSFORM(VectorFromWorld, transposed_times(body->rotation(), p))
 
-// ---- joints -------------------------------------------------------------------------------------------------
+// ---- joints
+// -------------------------------------------------------------------------------------------------
 
 int dBodyGetNumJoints(dBodyID b)
 {

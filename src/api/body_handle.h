@@ -9,8 +9,8 @@
 #include "dynamics/world.h"
 
 // The body behind the handle `b`, or the call is refused with the given result.
-#define BODY_OR(...)                                                  \
-    epode::Body* const body = epode::from_handle<epode::Body>(b);     \
+#define BODY_OR(...)                                              \
+    epode::Body* const body = epode::from_handle<epode::Body>(b); \
     EPODE_USER(body != nullptr __VA_OPT__(, ) __VA_ARGS__)
 
 #define USABLE3(x, y, z) EPODE_USER(epode::usable(x) && epode::usable(y) && epode::usable(z))

@@ -27,17 +27,17 @@ bool take_sleep_rule(Body& body)
 extern "C" {
 
 // A number of the body with a condition on new values.
-#define BODY_NUMBER(Type, Name, member, condition)  \
-    void dBodySet##Name(dBodyID b, Type value)      \
-    {                                               \
-        BODY_OR();                                  \
-        EPODE_USER(condition);                      \
-        body->member = value;                       \
-    }                                               \
-    Type dBodyGet##Name(dBodyID b)                  \
-    {                                               \
-        BODY_OR(0);                                 \
-        return body->member;                        \
+#define BODY_NUMBER(Type, Name, member, condition) \
+    void dBodySet##Name(dBodyID b, Type value)     \
+    {                                              \
+        BODY_OR();                                 \
+        EPODE_USER(condition);                     \
+        body->member = value;                      \
+    }                                              \
+    Type dBodyGet##Name(dBodyID b)                 \
+    {                                              \
+        BODY_OR(0);                                \
+        return body->member;                       \
     }
 
 BODY_NUMBER(int, AutoDisableSteps, sleep.steps, true)
@@ -47,17 +47,17 @@ BODY_NUMBER(dReal, AngularDamping, damping.angular_scale, usable(value))
 BODY_NUMBER(dReal, MaxAngularSpeed, max_angular_speed, !std::isnan(value))
 
 // A threshold, kept squared.
-#define BODY_THRESHOLD(Name, member)                \
-    void dBodySet##Name(dBodyID b, dReal value)     \
-    {                                               \
-        BODY_OR();                                  \
-        EPODE_USER(usable_or_infinite(value));      \
-        body->member = value * value;               \
-    }                                               \
-    dReal dBodyGet##Name(dBodyID b)                 \
-    {                                               \
-        BODY_OR(0);                                 \
-        return std::sqrt(body->member);             \
+#define BODY_THRESHOLD(Name, member)            \
+    void dBodySet##Name(dBodyID b, dReal value) \
+    {                                           \
+        BODY_OR();                              \
+        EPODE_USER(usable_or_infinite(value));  \
+        body->member = value * value;           \
+    }                                           \
+    dReal dBodyGet##Name(dBodyID b)             \
+    {                                           \
+        BODY_OR(0);                             \
+        return std::sqrt(body->member);         \
     }
 
 BODY_THRESHOLD(AutoDisableLinearThreshold, sleep.linear_threshold2)
@@ -66,16 +66,16 @@ BODY_THRESHOLD(LinearDampingThreshold, damping.linear_threshold2)
 BODY_THRESHOLD(AngularDampingThreshold, damping.angular_threshold2)
 
 // A yes or no.
-#define BODY_SWITCH(Name, member)                   \
-    void dBodySet##Name(dBodyID b, int value)       \
-    {                                               \
-        BODY_OR();                                  \
-        body->member = value != 0;                  \
-    }                                               \
-    int dBodyGet##Name(dBodyID b)                   \
-    {                                               \
-        BODY_OR(0);                                 \
-        return body->member;                        \
+#define BODY_SWITCH(Name, member)             \
+    void dBodySet##Name(dBodyID b, int value) \
+    {                                         \
+        BODY_OR();                            \
+        body->member = value != 0;            \
+    }                                         \
+    int dBodyGet##Name(dBodyID b)             \
+    {                                         \
+        BODY_OR(0);                           \
+        return body->member;                  \
     }
 
 BODY_SWITCH(GravityMode, gravity)
@@ -159,7 +159,8 @@ void dBodyGetFiniteRotationAxis(dBodyID b, dVector3 result)
     store(result, body->finite_axis);
 }
 
-// ---- names of the 0.039 guide -------------------------------------------------------------------------------
+// ---- names of the 0.039 guide
+// -------------------------------------------------------------------------------
 
 void dBodySetAutoDisableThresholdSF1(dBodyID b, dReal threshold)
 {

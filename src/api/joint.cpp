@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What can be done with any joint: attach, enable, ask, group, and find by bodies. Functions of one type stand
-// in that type's file.
+// What can be done with any joint: attach, enable, ask, group, and find by bodies. Functions of one type
+// stand in that type's file.
 #include "base/pool.h"
 #include "dynamics/joint_group.h"
 #include "dynamics/world.h"
@@ -149,7 +149,8 @@ dJointFeedback* dJointGetFeedback(dJointID j)
     return joint->feedback;
 }
 
-// ---- joints by bodies ---------------------------------------------------------------------------------------
+// ---- joints by bodies
+// ---------------------------------------------------------------------------------------
 
 dJointID dConnectingJoint(dBodyID b1, dBodyID b2)
 {

@@ -23,7 +23,7 @@ Real square(Real x) { return x * x; }
 }  // namespace
 
 // The world behind the handle, or the call is refused with the given result.
-#define WORLD_OR(...)                         \
+#define WORLD_OR(...)                           \
     World* const world = from_handle<World>(w); \
     EPODE_USER(world != nullptr __VA_OPT__(, ) __VA_ARGS__)
 
@@ -66,17 +66,17 @@ void dWorldGetGravity(dWorldID w, dVector3 gravity)
 }
 
 // A plain number of the world: setter with its condition, getter.
-#define WORLD_NUMBER(Type, Name, member, condition)     \
-    void dWorldSet##Name(dWorldID w, Type value)        \
-    {                                                   \
-        WORLD_OR();                                     \
-        EPODE_USER(condition);                          \
-        world->member = value;                          \
-    }                                                   \
-    Type dWorldGet##Name(dWorldID w)                    \
-    {                                                   \
-        WORLD_OR(0);                                    \
-        return world->member;                           \
+#define WORLD_NUMBER(Type, Name, member, condition) \
+    void dWorldSet##Name(dWorldID w, Type value)    \
+    {                                               \
+        WORLD_OR();                                 \
+        EPODE_USER(condition);                      \
+        world->member = value;                      \
+    }                                               \
+    Type dWorldGet##Name(dWorldID w)                \
+    {                                               \
+        WORLD_OR(0);                                \
+        return world->member;                       \
     }
 
 WORLD_NUMBER(dReal, ERP, erp, usable(value))
@@ -95,17 +95,17 @@ WORLD_NUMBER(dReal, QuickStepWarmStarting, warm_starting, value >= 0 && value <=
 WORLD_NUMBER(int, AutoEnableDepthSF1, auto_enable_depth, true)
 
 // A threshold, kept squared.
-#define WORLD_THRESHOLD(Name, member)                   \
-    void dWorldSet##Name(dWorldID w, dReal value)       \
-    {                                                   \
-        WORLD_OR();                                     \
-        EPODE_USER(usable_or_infinite(value));          \
-        world->member = square(value);                  \
-    }                                                   \
-    dReal dWorldGet##Name(dWorldID w)                   \
-    {                                                   \
-        WORLD_OR(0);                                    \
-        return std::sqrt(world->member);                \
+#define WORLD_THRESHOLD(Name, member)             \
+    void dWorldSet##Name(dWorldID w, dReal value) \
+    {                                             \
+        WORLD_OR();                               \
+        EPODE_USER(usable_or_infinite(value));    \
+        world->member = square(value);            \
+    }                                             \
+    dReal dWorldGet##Name(dWorldID w)             \
+    {                                             \
+        WORLD_OR(0);                              \
+        return std::sqrt(world->member);          \
     }
 
 WORLD_THRESHOLD(AutoDisableLinearThreshold, sleep.linear_threshold2)
@@ -151,7 +151,8 @@ void dWorldImpulseToForce(dWorldID w, dReal stepsize, dReal ix, dReal iy, dReal 
     store(force, Vec3{ix, iy, iz} * (1 / stepsize));
 }
 
-// ---- stepping -----------------------------------------------------------------------------------------------
+// ---- stepping
+// -----------------------------------------------------------------------------------------------
 
 int dWorldStep(dWorldID w, dReal stepsize)
 {
@@ -177,7 +178,8 @@ int dWorldStepFast1(dWorldID w, dReal stepsize, int maxiterations)
     return step_world(*world, kTgs, stepsize, maxiterations);
 }
 
-// ---- report (ode/ext.h) -------------------------------------------------------------------------------------
+// ---- report (ode/ext.h)
+// -------------------------------------------------------------------------------------
 
 void dWorldSetStepReportMode(dWorldID w, int mode)
 {

@@ -71,8 +71,7 @@ class Arena {
       public:
         explicit Scope(Arena& arena)
             : arena_(arena), block_(arena.current_), used_(arena.used_), total_(arena.total_)
-        {
-        }
+        {}
         Scope(const Scope&) = delete;
         Scope& operator=(const Scope&) = delete;
         ~Scope()

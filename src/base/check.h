@@ -3,10 +3,11 @@
 //
 // Four strengths of checking.
 //   EPODE_ASSERT(c)              the library's own reasoning; Debug builds only; stops the program there.
-//   EPODE_USER(c, result)        an argument of a public call, in Release too: the call is refused and returns
+//   EPODE_USER(c, result)        an argument of a public call, in Release too: the call is refused and
+//   returns
 //                                `result` (nothing for void functions), one message goes through the debug
-//                                handler in ODE's words ("Bad argument(s) in dFoo()"); without a handler it is
-//                                printed once per call site.
+//                                handler in ODE's words ("Bad argument(s) in dFoo()"); without a handler it
+//                                is printed once per call site.
 //   EPODE_USER_SAY(c, text, r)   the same with a text of its own.
 //   usable(x)                    is a number that a client hands in finite?
 // Refusing instead of ODE's abort() is the first promise of the project: no argument may bring a host down.
@@ -29,13 +30,13 @@ namespace epode {
     ((condition) ? (void)0 : ::epode::assertion_failed(#condition, __FILE__, __LINE__))
 #endif
 
-#define EPODE_USER_SAY(condition, text, ...)                 \
-    do {                                                     \
-        if (!(condition)) [[unlikely]] {                     \
-            static std::atomic<bool> epode_told{false};      \
-            ::epode::refuse(text, __func__, epode_told);     \
-            return __VA_ARGS__;                              \
-        }                                                    \
+#define EPODE_USER_SAY(condition, text, ...)             \
+    do {                                                 \
+        if (!(condition)) [[unlikely]] {                 \
+            static std::atomic<bool> epode_told{false};  \
+            ::epode::refuse(text, __func__, epode_told); \
+            return __VA_ARGS__;                          \
+        }                                                \
     } while (false)
 
 #define EPODE_USER(condition, ...) EPODE_USER_SAY(condition, "Bad argument(s)" __VA_OPT__(, ) __VA_ARGS__)

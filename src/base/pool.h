@@ -4,8 +4,8 @@
 // Chunked storage for the objects behind ODE's handles: addresses never change, and the memory of a destroyed
 // object stays readable, so that its overwritten tag can unmask a stale handle. Chunks are therefore kept
 // until the last object of the pool is gone and `trim` is called (dCloseODE). One pool per type and process:
-// handles of a destroyed world must be recognised too. A spin lock guards the free list, because worlds may be
-// built on several threads; held for a few instructions only.
+// handles of a destroyed world must be recognised too. A spin lock guards the free list, because worlds may
+// be built on several threads; held for a few instructions only.
 #pragma once
 
 #include <atomic>
@@ -32,12 +32,11 @@ class SlotPool {
   public:
     constexpr SlotPool(std::size_t slot_size, std::size_t slots_per_chunk)
         : slot_size_((slot_size + kCacheLine - 1) & ~(kCacheLine - 1)), slots_per_chunk_(slots_per_chunk)
-    {
-    }
+    {}
 
-    void* take() noexcept;            // null when memory is exhausted
-    void give(void* slot) noexcept;   // keeps the first 16 bytes of the slot (its tag) as they are
-    void trim() noexcept;             // frees all chunks if no slot is in use
+    void* take() noexcept;           // null when memory is exhausted
+    void give(void* slot) noexcept;  // keeps the first 16 bytes of the slot (its tag) as they are
+    void trim() noexcept;            // frees all chunks if no slot is in use
     std::size_t live() const { return live_; }
 
   private:

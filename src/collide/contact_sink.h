@@ -27,8 +27,7 @@ class ContactSink {
   public:
     ContactSink(dContactGeom* first, int stride, int room, bool unimportant)
         : first_(first), stride_(stride), room_(room), unimportant_(unimportant)
-    {
-    }
+    {}
 
     int count() const { return count_; }
     int room() const { return room_; }

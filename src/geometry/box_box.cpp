@@ -93,7 +93,8 @@ bool search_edges(const Frames& f, Search& s)
             const Real rb = f.hb[j1] * f.m[i][j2] + f.hb[j2] * f.m[i][j1];
             const Real overlap = ra + rb - std::fabs(along);  // times |L| = sqrt(sine2) <= 1
             if (overlap > s.score) continue;                  // cannot win, nor part
-            if (!s.offer(overlap / std::sqrt(sine2), kEdgeHandicap, along, 7 + 3 * i + j, f.touch, kFaceMargin * size))
+            if (!s.offer(overlap / std::sqrt(sine2), kEdgeHandicap, along, 7 + 3 * i + j, f.touch,
+                         kFaceMargin * size))
                 return false;
         }
     }

@@ -77,10 +77,7 @@ constexpr Sym3 symmetric_part(const Mat3& m)  // upper triangle
 {
     return {m.row0.x, m.row1.y, m.row2.z, m.row0.y, m.row0.z, m.row1.z};
 }
-constexpr Mat3 full(const Sym3& s)
-{
-    return {{s.xx, s.xy, s.xz}, {s.xy, s.yy, s.yz}, {s.xz, s.yz, s.zz}};
-}
+constexpr Mat3 full(const Sym3& s) { return {{s.xx, s.xy, s.xz}, {s.xy, s.yy, s.yz}, {s.xz, s.yz, s.zz}}; }
 // R S R^T: a body-frame tensor seen in the world.
 constexpr Sym3 rotate(const Mat3& R, const Sym3& s)
 {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Renders small scenes and judges the PNG: where a world point must appear follows from project(), where a shadow must fall from the sun's
-// direction by hand. Colours are compared by order (redder, darker), never by stored values: another driver may differ by a shade.
-// Skipped only where no EGL display can be opened; every other failure to draw is a failure of the test.
+// Renders small scenes and judges the PNG: where a world point must appear follows from project(), where a
+// shadow must fall from the sun's direction by hand. Colours are compared by order (redder, darker), never by
+// stored values: another driver may differ by a shade. Skipped only where no EGL display can be opened; every
+// other failure to draw is a failure of the test.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,14 +26,17 @@ struct Rgb {
     int sum() const { return r + g + b; }
 };
 
-Rgb pixel_of(const Image& image, int x, int y) {
-    const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+Rgb pixel_of(const Image& image, int x, int y)
+{
+    const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                                static_cast<std::size_t>(x));
     return {image.rgb[at], image.rgb[at + 1], image.rgb[at + 2]};
 }
 
 bool is_red(Rgb c) { return c.r > 2 * c.g && c.r > 2 * c.b && c.r > 60; }
 
-Shape make_shape(ShapeKind kind, float a, float b, float c, float x, float y, float z) {
+Shape make_shape(ShapeKind kind, float a, float b, float c, float x, float y, float z)
+{
     Shape shape;
     shape.kind = kind;
     shape.size[0] = a;
@@ -45,7 +49,8 @@ Shape make_shape(ShapeKind kind, float a, float b, float c, float x, float y, fl
     return shape;
 }
 
-Picture empty_scene() {
+Picture empty_scene()
+{
     Picture picture;
     picture.width = 640;
     picture.height = 360;
@@ -54,17 +59,19 @@ Picture empty_scene() {
     return picture;
 }
 
-Picture box_scene() {
+Picture box_scene()
+{
     Picture picture = empty_scene();
     picture.shapes.push_back(make_shape(ShapeKind::kBox, 1, 1, 1, 0, 0, 0.5f));
     return picture;
 }
 
 class PictureTest : public testing::Test {
-protected:
+  protected:
     ~PictureTest() override { std::remove(path_.c_str()); }
 
-    void draw(const Picture& picture) {
+    void draw(const Picture& picture)
+    {
         picture_ = picture;
         std::string error;
         const bool drawn = write_png(picture, path_.c_str(), error);
@@ -75,7 +82,8 @@ protected:
         ASSERT_EQ(image_.height, picture.height);
     }
 
-    Rgb at(float x, float y, float z) const {
+    Rgb at(float x, float y, float z) const
+    {
         const float point[3] = {x, y, z};
         float pixel[2] = {-1, -1};
         EXPECT_TRUE(project(picture_.camera, image_.width, image_.height, point, pixel));
@@ -85,19 +93,21 @@ protected:
         return inside ? pixel_of(image_, column, row) : Rgb{0, 0, 0};
     }
 
-    std::string path_ = testing::TempDir() + "epode_" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".png";
+    std::string path_ = testing::TempDir() + "epode_" +
+                        testing::UnitTest::GetInstance()->current_test_info()->name() + ".png";
     Picture picture_;
     Image image_;
 };
 
 // GTEST_SKIP and ASSERT leave only the function they stand in; this leaves the test as well.
-#define DRAW(picture)                            \
-    do {                                         \
-        draw(picture);                           \
+#define DRAW(picture)                                 \
+    do {                                              \
+        draw(picture);                                \
         if (IsSkipped() || HasFatalFailure()) return; \
     } while (false)
 
-TEST_F(PictureTest, BoxIsRedWhereItProjects) {
+TEST_F(PictureTest, BoxIsRedWhereItProjects)
+{
     DRAW(box_scene());
     EXPECT_TRUE(is_red(at(0, 0, 1)));
     EXPECT_TRUE(is_red(at(0, -0.5f, 0.5f)));
@@ -106,7 +116,8 @@ TEST_F(PictureTest, BoxIsRedWhereItProjects) {
     EXPECT_FALSE(is_red(at(0, 0, 1.6f)));
 }
 
-TEST_F(PictureTest, SkyDiffersFromGround) {
+TEST_F(PictureTest, SkyDiffersFromGround)
+{
     Picture picture = empty_scene();
     picture.camera.target[2] = 3;
     DRAW(picture);
@@ -115,7 +126,8 @@ TEST_F(PictureTest, SkyDiffersFromGround) {
     EXPECT_GT(std::abs(sky.sum() - ground.sum()) + std::abs(sky.b - ground.b), 30);
 }
 
-TEST_F(PictureTest, ShadowIsDarkerThanLitGround) {
+TEST_F(PictureTest, ShadowIsDarkerThanLitGround)
+{
     Picture picture = box_scene();
     picture.sun[0] = -0.6f;
     picture.sun[1] = -0.5f;
@@ -128,10 +140,12 @@ TEST_F(PictureTest, ShadowIsDarkerThanLitGround) {
     picture.sun[0] = 0.6f;
     picture.sun[1] = 0.5f;
     DRAW(picture);
-    EXPECT_GT(at(0.75f, 0.625f, 0).sum(), 0.9 * lit.sum()) << "with the sun turned round the same point is lit";
+    EXPECT_GT(at(0.75f, 0.625f, 0).sum(), 0.9 * lit.sum())
+        << "with the sun turned round the same point is lit";
 }
 
-TEST_F(PictureTest, TwoRendersAreIdentical) {
+TEST_F(PictureTest, TwoRendersAreIdentical)
+{
     Picture picture = box_scene();
     for (int i = 0; i < 60; ++i) {
         const auto at_x = static_cast<float>(i % 8) - 4, at_y = static_cast<float>(i / 8) - 4;
@@ -146,9 +160,11 @@ TEST_F(PictureTest, TwoRendersAreIdentical) {
     EXPECT_TRUE(first.rgb == image_.rgb);
 }
 
-// Seen from above, each kind reaches as far as its size says, along the axes its rotation says. Local z is turned to world x, local x to
-// world y, local y to world z: a transposed rotation would point the long axis to y.
-TEST_F(PictureTest, EveryKindHasItsSizeAndDirection) {
+// Seen from above, each kind reaches as far as its size says, along the axes its rotation says. Local z is
+// turned to world x, local x to world y, local y to world z: a transposed rotation would point the long axis
+// to y.
+TEST_F(PictureTest, EveryKindHasItsSizeAndDirection)
+{
     constexpr float kTurn[12] = {0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0};
     struct Case {
         ShapeKind kind;
@@ -177,7 +193,8 @@ TEST_F(PictureTest, EveryKindHasItsSizeAndDirection) {
     }
 }
 
-TEST_F(PictureTest, LinesAreDrawnAndFaintBehindShapes) {
+TEST_F(PictureTest, LinesAreDrawnAndFaintBehindShapes)
+{
     Picture picture = box_scene();
     const Color blue{0.05f, 0.10f, 0.90f};
     picture.lines.push_back({{0, -2, 0.5f}, {0, 2, 0.5f}, blue});
@@ -188,21 +205,25 @@ TEST_F(PictureTest, LinesAreDrawnAndFaintBehindShapes) {
     EXPECT_GT(hidden.b, face.b + 10) << "yet the line is guessed";
 }
 
-TEST_F(PictureTest, WhatCannotBeDrawnIsLeftOut) {
+TEST_F(PictureTest, WhatCannotBeDrawnIsLeftOut)
+{
     DRAW(box_scene());
     const Image clean = image_;
     Picture picture = box_scene();
-    picture.shapes.push_back(make_shape(ShapeKind::kSphere, 1, 0, 0, std::numeric_limits<float>::quiet_NaN(), 0, 0));
+    picture.shapes.push_back(
+        make_shape(ShapeKind::kSphere, 1, 0, 0, std::numeric_limits<float>::quiet_NaN(), 0, 0));
     picture.shapes.push_back(make_shape(ShapeKind::kSphere, -1, 0, 0, 0, 0, 0));
     picture.shapes.push_back(make_shape(ShapeKind::kBox, 1, 0, 1, 0, 0, 0));
-    picture.shapes.push_back(make_shape(ShapeKind::kCylinder, 1, std::numeric_limits<float>::infinity(), 0, 0, 0, 0));
+    picture.shapes.push_back(
+        make_shape(ShapeKind::kCylinder, 1, std::numeric_limits<float>::infinity(), 0, 0, 0, 0));
     picture.shapes.push_back(make_shape(ShapeKind::kBox, 1, 1, 1, 0, 0, 2));
     picture.shapes.back().rot[5] = std::numeric_limits<float>::infinity();
     DRAW(picture);
     EXPECT_TRUE(clean.rgb == image_.rgb);
 }
 
-TEST_F(PictureTest, EmptySceneAndOddSizesAreDrawn) {
+TEST_F(PictureTest, EmptySceneAndOddSizesAreDrawn)
+{
     Picture picture = empty_scene();
     picture.width = 3;
     picture.height = 1;
@@ -213,7 +234,8 @@ TEST_F(PictureTest, EmptySceneAndOddSizesAreDrawn) {
     DRAW(picture);
 }
 
-TEST(PictureErrors, AreSaidInWords) {
+TEST(PictureErrors, AreSaidInWords)
+{
     const Picture good = box_scene();
     std::string error;
     EXPECT_FALSE(write_png(good, nullptr, error));
@@ -230,20 +252,24 @@ TEST(PictureErrors, AreSaidInWords) {
     EXPECT_NE(error.find("camera"), std::string::npos);
 }
 
-TEST_F(PictureTest, UnwritablePathIsNamed) {
+TEST_F(PictureTest, UnwritablePathIsNamed)
+{
     DRAW(box_scene());
     std::string error;
     EXPECT_FALSE(write_png(picture_, "/no/such/folder/a.png", error));
     EXPECT_NE(error.find("/no/such/folder/a.png"), std::string::npos);
 }
 
-TEST(Framing, HoldsEveryShapeAndWastesLittle) {
+TEST(Framing, HoldsEveryShapeAndWastesLittle)
+{
     std::vector<Shape> shapes;
     for (int i = 0; i < 40; ++i) {
         const auto t = static_cast<float>(i);
-        shapes.push_back(make_shape(ShapeKind::kSphere, 0.2f, 0, 0, 5 * std::sin(t), 3 * std::cos(2 * t), 1 + std::sin(3 * t)));
+        shapes.push_back(make_shape(ShapeKind::kSphere, 0.2f, 0, 0, 5 * std::sin(t), 3 * std::cos(2 * t),
+                                    1 + std::sin(3 * t)));
     }
-    shapes.push_back(make_shape(ShapeKind::kSphere, std::numeric_limits<float>::quiet_NaN(), 0, 0, 1e9f, 0, 0));
+    shapes.push_back(
+        make_shape(ShapeKind::kSphere, std::numeric_limits<float>::quiet_NaN(), 0, 0, 1e9f, 0, 0));
     const Camera camera = frame_shapes(shapes, 16.0f / 9.0f);
     float low[2] = {1e9f, 1e9f}, high[2] = {-1e9f, -1e9f};
     for (std::size_t i = 0; i + 1 < shapes.size(); ++i) {
@@ -261,7 +287,8 @@ TEST(Framing, HoldsEveryShapeAndWastesLittle) {
     EXPECT_GT(std::max((high[0] - low[0]) / 1600, (high[1] - low[1]) / 900), 0.7f);
 }
 
-TEST(Framing, OfNothingIsAUsableCamera) {
+TEST(Framing, OfNothingIsAUsableCamera)
+{
     const Camera camera = frame_shapes({}, 1.5f);
     float pixel[2];
     EXPECT_TRUE(project(camera, 300, 200, camera.target, pixel));
@@ -269,7 +296,8 @@ TEST(Framing, OfNothingIsAUsableCamera) {
     EXPECT_NEAR(pixel[1], 100, 0.01);
 }
 
-TEST(Palette, RepeatsAndTakesAnyIndex) {
+TEST(Palette, RepeatsAndTakesAnyIndex)
+{
     for (int i = -20; i < 20; ++i) {
         const Color a = palette(i), b = palette(i + 8), next = palette(i + 1);
         EXPECT_EQ(a.r, b.r);

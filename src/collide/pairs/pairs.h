@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The pair functions: pure, from two placed shapes to contacts. Each serves one order of the two classes; for the
-// other order the dispatcher swaps the arguments and turns the normals round. Which pairs exist: collide/pairs.inc.
-// Planes have no pose and ignore theirs; of a ray's pose only the origin and the third column are read.
+// The pair functions: pure, from two placed shapes to contacts. Each serves one order of the two classes; for
+// the other order the dispatcher swaps the arguments and turns the normals round. Which pairs exist:
+// collide/pairs.inc. Planes have no pose and ignore theirs; of a ray's pose only the origin and the third
+// column are read.
 #pragma once
 
 #include "collide/contact_sink.h"
@@ -22,8 +23,8 @@ namespace epode {
 // Any two convex solids, by their views. The answer for classes without a pair function of their own.
 void convex_convex(const ConvexView& a, const ConvexView& b, ContactSink& sink);
 
-// The manifold when the normal is known. `depth` is that of the cores: radii not counted, negative when only the
-// inflated solids touch.
+// The manifold when the normal is known. `depth` is that of the cores: radii not counted, negative when only
+// the inflated solids touch.
 void convex_manifold(const ConvexView& a, const ConvexView& b, Vec3 normal, Real depth, ContactSink& sink);
 
 // The rule for two balls, to which capsules come down; `fallback` is the normal for equal centres.

@@ -376,7 +376,8 @@ TEST(Heightfield, wrapped_fields_repeat_without_a_seam)
             met += here.empty() ? 0 : 1;
         }
     EXPECT_GT(met, 300);
-    EXPECT_LE(differ, kSingle ? 8 : 2) << "deep on a peak, which of two directions is least may hang on rounding";
+    EXPECT_LE(differ, kSingle ? 8 : 2)
+        << "deep on a peak, which of two directions is least may hang on rounding";
 }
 
 TEST(Heightfield, off_the_rectangle_there_is_nothing)

@@ -25,7 +25,8 @@ constexpr double kBound = 2;
 TEST(Trig, sine_and_cosine_are_within_two_last_places)
 {
     RandomNumbers random(1);
-    for (Real range : {Real(0.01), Real(0.8), Real(3.2), Real(100), Real(1e4), Real(1e6), Real(1e8), Real(1e12)}) {
+    for (Real range :
+         {Real(0.01), Real(0.8), Real(3.2), Real(100), Real(1e4), Real(1e6), Real(1e8), Real(1e12)}) {
         double worst_sin = 0, worst_cos = 0;
         for (int i = 0; i < 100000; ++i) {
             Real x = random.in(-range, range);
