@@ -36,9 +36,10 @@ ODE_API int dWorldGetStepReportMode(dWorldID world);
     argument, struct_size smaller than itself). */
 ODE_API int dWorldGetStepReport(dWorldID world, dWorldStepReport* report);
 
-/** Part of the last step's constraint forces that dWorldQuickStep (and dWorldStepFast1) starts from, 0 ... 1;
-   default 0.9, 0 starts from nothing as the original does. Contacts find their forces again although they are
-    new joints in every step. Values outside 0 ... 1 are refused. */
+/** How far a step starts from the constraint forces of the last one, as a factor 0 ... 1 on each stepper's
+    usual share; default 1, 0 starts from nothing as the original does. Contacts find their forces again
+    although they are new joints in every step. The answer of dWorldStep does not depend on it, only the time
+    it takes. Values outside 0 ... 1 are refused. */
 ODE_API void dWorldSetQuickStepWarmStarting(dWorldID world, dReal factor);
 ODE_API dReal dWorldGetQuickStepWarmStarting(dWorldID world);
 

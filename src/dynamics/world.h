@@ -32,7 +32,7 @@ struct World : Tagged {
     Real contact_layer = 0;
     int quick_iterations = 20;
     Real quick_w = Real(1.3);
-    Real warm_starting = Real(0.9);  // share of the last impulse that QuickStep starts from
+    Real warm_starting = 1;          // times the solver's own share of the last impulses
     int auto_enable_depth = 3;       // of the 0.039 guide; stored, never used by it either
     unsigned islands_max_threads = 0;  // 0: unlimited
 

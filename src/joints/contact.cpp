@@ -23,7 +23,7 @@ struct Contact : Joint {
     bool has(int bits) const { return (contact.surface.mode & bits) != 0; }
 
     void emit(RowWriter& out) const;
-    Row& contact_row(RowWriter& out, Vec3 d) const;
+    Row& contact_row(RowWriter& out, Vec3 d, RowKind kind) const;
     void write_normal(RowWriter& out, Vec3 n) const;
     void write_sliding(RowWriter& out, Vec3 t1, Vec3 t2) const;
     void write_rolling(RowWriter& out, Vec3 t1, Vec3 t2, Vec3 n) const;
@@ -33,15 +33,15 @@ struct Contact : Joint {
 
 JOINT_DEFINE(Contact);
 
-Row& Contact::contact_row(RowWriter& out, Vec3 d) const
+Row& Contact::contact_row(RowWriter& out, Vec3 d, RowKind kind) const
 {
-    const Vec3 p = load(contact.geom.pos);
-    const Vec3 r2 = body2() ? p - body2()->position() : Vec3{};
-    return add_row(out, point_jacobian(*this, d, p - body1()->position(), r2), 0);
+    return out.row(point_jacobian(*this, d, out.arms().r1, out.arms().r2), 0, kind);
 }
 
 void Contact::emit(RowWriter& out) const
 {
+    const Vec3 p = load(contact.geom.pos);
+    out.contact_at(p - body1()->position(), body2() ? p - body2()->position() : Vec3{});
     const Vec3 n = reverse ? -load(contact.geom.normal) : load(contact.geom.normal);
     write_normal(out, n);
     const dSurfaceParameters& s = contact.surface;
@@ -55,8 +55,7 @@ void Contact::emit(RowWriter& out) const
 void Contact::write_normal(RowWriter& out, Vec3 n) const
 {
     const dSurfaceParameters& s = contact.surface;
-    Row& row = contact_row(out, n);
-    row.kind = RowKind::kNormal;
+    Row& row = contact_row(out, n, RowKind::kNormal);
     const Real excess = contact.geom.depth - out.info().contact_layer;
     row.error = excess > 0 ? excess : 0;
     row.speed = has(dContactMotionN) ? s.motionN : 0;
@@ -83,7 +82,6 @@ void Contact::tangents(Vec3 n, Vec3& t1, Vec3& t2) const
 
 void Contact::bound(Row& row, Real coefficient, int approximation) const
 {
-    row.kind = RowKind::kFriction;
     row.hi = coefficient;
     row.lo = -coefficient;
     if (has(approximation)) row.parent = 0;
@@ -94,13 +92,13 @@ void Contact::write_sliding(RowWriter& out, Vec3 t1, Vec3 t2) const
     const dSurfaceParameters& s = contact.surface;
     const Real mu2 = has(dContactMu2) ? s.mu2 : s.mu;
     if (s.mu > 0) {
-        Row& row = contact_row(out, t1);
+        Row& row = contact_row(out, t1, RowKind::kFriction);
         if (has(dContactMotion1)) row.speed = s.motion1;
         if (has(dContactSlip1)) row.cfm = s.slip1, row.soft = true;
         bound(row, s.mu, dContactApprox1_1);
     }
     if (mu2 > 0) {
-        Row& row = contact_row(out, t2);
+        Row& row = contact_row(out, t2, RowKind::kFriction);
         if (has(dContactMotion2)) row.speed = s.motion2;
         if (has(dContactSlip2)) row.cfm = s.slip2, row.soft = true;
         bound(row, mu2, dContactApprox1_2);
@@ -114,7 +112,7 @@ void Contact::write_rolling(RowWriter& out, Vec3 t1, Vec3 t2, Vec3 n) const
     const Real rho[3] = {s.rho, has(dContactAxisDep) ? s.rho2 : s.rho, has(dContactAxisDep) ? s.rhoN : s.rho};
     constexpr int kApproximation[3] = {dContactApprox1_1, dContactApprox1_2, dContactApprox1_N};
     for (int i = 0; i < 3; ++i)
-        if (rho[i] > 0) bound(add_row(out, angular_jacobian(*this, axis[i]), 0), rho[i], kApproximation[i]);
+        if (rho[i] > 0) bound(out.row(angular_jacobian(*this, axis[i]), 0, RowKind::kFriction), rho[i], kApproximation[i]);
 }
 
 namespace {

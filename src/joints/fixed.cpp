@@ -35,7 +35,7 @@ struct Fixed : Joint {
         for (int i = 0; i < 3; ++i) {
             Vec3 e;
             e.set(i, 1);
-            softness.apply_to(add_row(out, point_jacobian(*this, e, -o, Vec3{}), error[i]));
+            softness.apply_to(out.row(point_jacobian(*this, e, -o, Vec3{}), error[i]));
         }
         lock_orientation(*this, out, zero);
     }

@@ -75,14 +75,14 @@ void Hinge2::emit(RowWriter& out)
     const Vec3 r1 = p1 - body1()->position(), r2 = p2 - body2()->position();
     Vec3 p, q;
     plane_space(a1, p, q);
-    suspension.apply_to(add_row(out, point_jacobian(*this, a1, r1, r2), dot(a1, p2 - p1)));
-    add_row(out, point_jacobian(*this, p, r1, r2), dot(p, p2 - p1));
-    add_row(out, point_jacobian(*this, q, r1, r2), dot(q, p2 - p1));
+    suspension.apply_to(out.row(point_jacobian(*this, a1, r1, r2), dot(a1, p2 - p1)));
+    out.row(point_jacobian(*this, p, r1, r2), dot(p, p2 - p1));
+    out.row(point_jacobian(*this, q, r1, r2), dot(q, p2 - p1));
 
     Vec3 n = cross(a1, a2);
     const Real s = length(n), c = dot(a1, a2);
     if (!normalize(n)) n = p;
-    add_row(out, angular_jacobian(*this, n), c0 * s - s0 * c);
+    out.row(angular_jacobian(*this, n), c0 * s - s0 * c);
 
     motor[0].emit_angular(*this, out, a1, motor[0].has_stops() ? angle(0) : 0);
     motor[1].emit_motor(out, angular_jacobian(*this, a2));

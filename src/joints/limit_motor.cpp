@@ -100,7 +100,7 @@ void LimitMotor::emit_linear(const Joint& j, RowWriter& out, Vec3 axis, Real pos
     emit(j, out, sliding_jacobian(j, axis), position, dot(axis, relative_velocity(j)));
 }
 
-void LimitMotor::emit(const Joint& j, RowWriter& out, const Row& jacobian, Real value, Real rate)
+void LimitMotor::emit(const Joint& j, RowWriter& out, const Jacobian& jacobian, Real value, Real rate)
 {
     if (!out.info().inner) note(value, rate);
     const bool unlimited_pull = pulls_away() && fmax == kInf && lo < hi;
@@ -109,10 +109,10 @@ void LimitMotor::emit(const Joint& j, RowWriter& out, const Row& jacobian, Real 
     if (fmax > 0 && fmax < kInf && lo < hi && !out.info().inner) push(j, out, jacobian);
 }
 
-void LimitMotor::emit_motor(RowWriter& out, const Row& jacobian) const
+void LimitMotor::emit_motor(RowWriter& out, const Jacobian& jacobian) const
 {
     if (!(fmax > 0)) return;
-    Row& row = add_row(out, jacobian, 0, RowKind::kLimit);
+    Row& row = out.row(jacobian, 0, RowKind::kLimit);
     row.speed = vel;
     row.cfm = cfm;
     row.soft = cfm_chosen;
@@ -135,11 +135,11 @@ void LimitMotor::note(Real value, Real rate)
     rebound_ = -bounce * rate;
 }
 
-void LimitMotor::write_stop(RowWriter& out, const Row& jacobian, Real value) const
+void LimitMotor::write_stop(RowWriter& out, const Jacobian& jacobian, Real value) const
 {
     const bool servo = lo == hi;
     const Real error = (stop_ == Stop::kLow ? lo : hi) - value;
-    Row& row = add_row(out, jacobian, error, servo ? RowKind::kLock : RowKind::kLimit);
+    Row& row = out.row(jacobian, error, servo ? RowKind::kLock : RowKind::kLimit);
     row.erp = stop_erp;
     row.cfm = stop_cfm;
     row.soft = stop_chosen;
@@ -155,7 +155,7 @@ bool LimitMotor::pulls_away() const
 }
 
 // The motor's force outright, since the row belongs to the stop.
-void LimitMotor::push(const Joint& j, RowWriter& out, const Row& jacobian) const
+void LimitMotor::push(const Joint& j, RowWriter& out, const Jacobian& jacobian) const
 {
     Real f = pulls_away() ? fmax * fudge : fmax;
     if (vel < 0 || (vel == 0 && stop_ == Stop::kLow)) f = -f;

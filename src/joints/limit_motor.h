@@ -36,9 +36,9 @@ struct LimitMotor {
     // same.
     void emit_angular(const Joint& j, RowWriter& out, Vec3 axis, Real angle);
     void emit_linear(const Joint& j, RowWriter& out, Vec3 axis, Real position);
-    void emit(const Joint& j, RowWriter& out, const Row& jacobian, Real value, Real rate);
+    void emit(const Joint& j, RowWriter& out, const Jacobian& jacobian, Real value, Real rate);
     // The motor alone, whatever the stops.
-    void emit_motor(RowWriter& out, const Row& jacobian) const;
+    void emit_motor(RowWriter& out, const Jacobian& jacobian) const;
 
     Real lo = -kInf, hi = kInf;
     Real vel = 0, fmax = 0, fudge = 1, bounce = 0;
@@ -49,8 +49,8 @@ struct LimitMotor {
     enum class Stop : unsigned char { kNone, kLow, kHigh };
 
     void note(Real value, Real rate);
-    void write_stop(RowWriter& out, const Row& jacobian, Real value) const;
-    void push(const Joint& j, RowWriter& out, const Row& jacobian) const;
+    void write_stop(RowWriter& out, const Jacobian& jacobian, Real value) const;
+    void push(const Joint& j, RowWriter& out, const Jacobian& jacobian) const;
     bool pulls_away() const;
 
     Stop stop_ = Stop::kNone;  // of the present step

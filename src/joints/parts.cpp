@@ -68,44 +68,11 @@ Quat hinge_zero(Quat q1, Quat q2, Vec3 axis_local, Real angle)
     return rotation_about(axis_local, angle) * (conjugate(q1) * q2);
 }
 
-Row point_jacobian(const Joint& j, Vec3 d, Vec3 r1, Vec3 r2)
+Jacobian sliding_jacobian(const Joint& j, Vec3 d)
 {
-    Row row;
-    row.lin1 = d;
-    row.ang1 = cross(r1, d);
-    if (j.body2()) {
-        row.lin2 = -d;
-        row.ang2 = cross(d, r2);
-    }
-    return row;
-}
-
-Row angular_jacobian(const Joint& j, Vec3 d)
-{
-    Row row;
-    row.ang1 = d;
-    if (j.body2()) row.ang2 = -d;
-    return row;
-}
-
-Row sliding_jacobian(const Joint& j, Vec3 d)
-{
-    Row row;
-    row.lin1 = d;
-    if (j.body2()) {
-        row.lin2 = -d;
-        row.ang1 = row.ang2 = Real(0.5) * cross(j.body2()->position() - j.body1()->position(), d);
-    }
-    return row;
-}
-
-Row& add_row(RowWriter& out, const Row& jacobian, Real error, RowKind kind)
-{
-    Row& row = out.row(kind);
-    row.lin1 = jacobian.lin1, row.ang1 = jacobian.ang1;
-    row.lin2 = jacobian.lin2, row.ang2 = jacobian.ang2;
-    row.error = error;
-    return row;
+    if (!j.body2()) return {d, {}, {}, {}};
+    const Vec3 a = Real(0.5) * cross(j.body2()->position() - j.body1()->position(), d);
+    return {d, a, -d, a};
 }
 
 void lock_point(const Joint& j, RowWriter& out, const AnchorPair& anchor, const OwnSoftness* own)
@@ -117,7 +84,7 @@ void lock_point(const Joint& j, RowWriter& out, const AnchorPair& anchor, const 
     for (int i = 0; i < 3; ++i) {
         Vec3 d;
         d.set(i, 1);
-        Row& row = add_row(out, point_jacobian(j, d, r1, r2), error[i]);
+        Row& row = out.row(point_jacobian(j, d, r1, r2), error[i]);
         if (own) own->apply_to(row);
     }
 }
@@ -130,7 +97,7 @@ void lock_orientation(const Joint& j, RowWriter& out, Quat zero)
     for (int i = 0; i < 3; ++i) {
         Vec3 d;
         d.set(i, 1);
-        add_row(out, angular_jacobian(j, d), error[i]);
+        out.row(angular_jacobian(j, d), error[i]);
     }
 }
 
@@ -140,8 +107,8 @@ void lock_axis(const Joint& j, RowWriter& out, const AxisPair& axis)
     const Vec3 u = cross(a1, axis.world(j, 1));
     Vec3 p, q;
     plane_space(a1, p, q);
-    add_row(out, angular_jacobian(j, p), dot(u, p));
-    add_row(out, angular_jacobian(j, q), dot(u, q));
+    out.row(angular_jacobian(j, p), dot(u, p));
+    out.row(angular_jacobian(j, q), dot(u, q));
 }
 
 namespace {

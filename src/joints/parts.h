@@ -77,12 +77,14 @@ inline Vec3 some_perpendicular(Vec3 n)
     return p;
 }
 
-// ---- rows; only the Jacobian of the Row is set, error and bounds are the caller's ----
-Row point_jacobian(const Joint& j, Vec3 d, Vec3 r1, Vec3 r2);
-Row angular_jacobian(const Joint& j, Vec3 d);
-Row sliding_jacobian(const Joint& j, Vec3 d);
-// A fresh row of the writer with the Jacobian of another.
-Row& add_row(RowWriter& out, const Row& jacobian, Real error, RowKind kind = RowKind::kLock);
+// ---- rows ----
+inline Jacobian point_jacobian(const Joint& j, Vec3 d, Vec3 r1, Vec3 r2)
+{
+    if (!j.body2()) return {d, cross(r1, d), {}, {}};
+    return {d, cross(r1, d), -d, cross(d, r2)};
+}
+inline Jacobian angular_jacobian(const Joint& j, Vec3 d) { return {{}, d, {}, j.body2() ? -d : Vec3{}}; }
+Jacobian sliding_jacobian(const Joint& j, Vec3 d);
 
 // Three rows: the anchors coincide.
 void lock_point(const Joint& j, RowWriter& out, const AnchorPair& anchor, const OwnSoftness* own = nullptr);

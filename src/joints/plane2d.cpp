@@ -20,11 +20,9 @@ struct Plane2D : Joint {
     void emit(RowWriter& out)
     {
         const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
-        Row& height = out.row();
-        height.lin1 = z;
-        height.error = -body1()->position().z;
-        out.row().ang1 = x;
-        out.row().ang1 = y;
+        out.row({z, {}, {}, {}}, -body1()->position().z);
+        out.row({{}, x, {}, {}});
+        out.row({{}, y, {}, {}});
         motor_x.emit_motor(out, sliding_jacobian(*this, x));
         motor_y.emit_motor(out, sliding_jacobian(*this, y));
         motor_angle.emit_motor(out, angular_jacobian(*this, z));

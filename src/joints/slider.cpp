@@ -43,8 +43,8 @@ struct Slider : Joint {
         lock_orientation(*this, out, zero);
         Vec3 p, q;
         plane_space(axis_world(), p, q);
-        add_row(out, sliding_jacobian(*this, p), dot(p, lag()));
-        add_row(out, sliding_jacobian(*this, q), dot(q, lag()));
+        out.row(sliding_jacobian(*this, p), dot(p, lag()));
+        out.row(sliding_jacobian(*this, q), dot(q, lag()));
         motor.emit_linear(*this, out, motion_axis(), position());
     }
     void bodies_changed() { take_pose(); }

@@ -84,7 +84,7 @@ void Universal::emit(RowWriter& out)
     lock_point(*this, out, anchor);
     const Vec3 a1 = axis(0), a2 = axis(1);
     const Vec3 n = normalized_or(cross(a1, a2), some_perpendicular(a1));
-    add_row(out, angular_jacobian(*this, n), -dot(a1, a2));
+    out.row(angular_jacobian(*this, n), -dot(a1, a2));
     for (int i = 0; i < 2; ++i)
         motor[i].emit_angular(*this, out, axis(i), motor[i].has_stops() ? angle(i) : 0);
 }

@@ -1,17 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Facts to numbers: how a stepper wants position error removed.
+// Facts to numbers: how a stepper wants position error removed. ERP and CFM as the guide defines them: CFM
+// shifts J v by cfm * lambda, ERP asks for erp/h of the error. A rebound wins over the correction in the
+// direction in which the row can push.
 #pragma once
+
+#include <algorithm>
 
 #include "rows/row_system.h"
 
 namespace epode {
 
-// ODE's meaning, for the whole step h:  c = min(erp/h error + speed, cap), at least the rebound.
-RowNumbers ode_baumgarte(const Row& row, Real h, int block_first);
-
 // The wanted velocity of a row with a given correction rate instead of erp/h.
-Real wanted_velocity(const Row& row, Real rate);
+inline Real wanted_velocity(const Row& row, Real rate)
+{
+    Real c = std::min(rate * row.error + row.speed, row.cap);
+    if (row.rebounds) c = row.lo >= 0 ? std::max(c, row.rebound) : std::min(c, row.rebound);
+    return c;
+}
+
+// ODE's meaning, for the whole step h:  c = min(erp/h error + speed, cap), at least the rebound.
+inline RowNumbers ode_baumgarte(const Row& row, Real h, int block_first)
+{
+    RowNumbers n;
+    n.c = wanted_velocity(row, row.erp / h);
+    n.C = row.cfm / h;
+    if (row.parent >= 0) {
+        n.parent = block_first + row.parent;
+        n.hi = row.hi;
+        n.lo = -row.hi;
+    } else {
+        n.lo = row.lo * h;
+        n.hi = row.hi * h;
+    }
+    return n;
+}
 
 }  // namespace epode

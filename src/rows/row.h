@@ -25,8 +25,11 @@ enum class RowKind : unsigned char {
     kFriction,  // bounded by a share of another row's force, or by a constant
 };
 
-struct Row {
+struct Jacobian {
     Vec3 lin1, ang1, lin2, ang2;
+};
+
+struct Row : Jacobian {
     Real error = 0;
     Real erp = 0;            // share of the error to remove in one step
     Real cfm = 0;            // softness, velocity per force times h (ODE's CFM)
@@ -41,5 +44,10 @@ struct Row {
 };
 
 inline constexpr int kMaxJointRows = 6;
+
+// From the centres of the bodies to a contact point, world frame.
+struct ContactArms {
+    Vec3 r1, r2;
+};
 
 }  // namespace epode

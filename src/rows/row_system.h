@@ -42,7 +42,8 @@ struct RowBlock {
     int count = 0;
     int body1 = 0;      // index into bodies
     int body2 = -1;     // -1: the world
-    bool contact = false;
+    bool contact = false;  // rows of one contact point with these arms: normal, tangents, then rolling rows
+    ContactArms arms;
 };
 
 struct RowSystem {
@@ -60,8 +61,8 @@ struct Substeps {
     void (*apply_forces)(void* model, RowSystem& system, Real h) = nullptr;
     // x += h v; refreshes the rotation and world inertia in the SolverBodies.
     void (*advance)(void* model, RowSystem& system, Real h) = nullptr;
-    // Rewrites Jacobians and errors of all rows at the present pose. Row counts, kinds and bounds stay; the
-    // error of a contact that has opened is negative: the gap that is still free.
+    // Rewrites Jacobians and errors of all but the contacts' rows at the present pose. Row counts, kinds and
+    // bounds stay.
     void (*refresh)(void* model, RowSystem& system) = nullptr;
 };
 

@@ -27,17 +27,29 @@ class RowWriter {
     const StepInfo& info() const { return info_; }
     int count() const { return count_; }
 
-    // A fresh row with the world's ERP and CFM, no Jacobian, no bounds.
-    Row& row(RowKind kind = RowKind::kLock)
+    // A fresh row with the world's ERP and CFM and no bounds.
+    Row& row(const Jacobian& J, Real error = 0, RowKind kind = RowKind::kLock)
     {
         EPODE_ASSERT(count_ < kMaxJointRows);
         Row& r = rows_[count_++];
-        r = Row{};
+        static_cast<Jacobian&>(r) = J;
+        r.error = error;
         r.erp = info_.erp;
         r.cfm = info_.cfm;
+        r.speed = 0;
+        r.cap = kInf;
+        r.rebound = 0;
+        r.lo = -kInf, r.hi = kInf;
+        r.parent = -1;
         r.kind = kind;
+        r.rebounds = r.soft = false;
         return r;
     }
+
+    // All rows so far and to come are those of one contact point: J = [d, r1 x d, -d, -(r2 x d)] for normal
+    // and tangents. Solvers that pack contacts need the arms and not the products.
+    void contact_at(Vec3 r1, Vec3 r2) { arms_ = {r1, r2}; }
+    const ContactArms& arms() const { return arms_; }
 
     // Force and torque (about its centre) on the body at node 0 or 1 during this step.
     void apply(int node, Vec3 force, Vec3 torque)
@@ -57,6 +69,7 @@ class RowWriter {
     int count_ = 0;
     bool applied_ = false;
     Vec3 force_[2], torque_[2];
+    ContactArms arms_;
 };
 
 }  // namespace epode

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The arms come back out of the Jacobians: a_k = r x d_k for all rows means
-// (sum |d_k|^2 1 - d_k d_k^T) r = sum d_k x a_k. A block whose rows are not of that form is left to others.
+// Blocks that are not a normal row with none or two tangents are left to others.
 // Lanes are filled greedily from a short window of manifolds, in order, so that the packing is a function of
 // the island alone and neighbours in memory stay neighbours.
 #include "solve/contact_set.h"
@@ -19,45 +18,7 @@ constexpr int kWindow = 48;         // manifolds looked at for a free lane
 constexpr int kFullShuffle = 1536;  // batches, about 3 MB
 constexpr int kRun = 32;
 
-bool is_arm(Vec3 r, const Vec3* d, const Vec3* a, int count)
-{
-    for (int k = 0; k < count; ++k) {
-        const Real tolerance = 256 * kEpsilon * max_component(abs(a[k]));
-        if (!(max_component(abs(cross(r, d[k]) - a[k])) <= tolerance)) return false;
-    }
-    return true;
-}
-
-// Nearly all contacts have three orthonormal directions: then the matrix is twice the identity.
-bool find_arm(const Vec3* d, const Vec3* a, int count, Vec3& r)
-{
-    Vec3 sum;
-    for (int k = 0; k < count; ++k) sum += cross(d[k], a[k]);
-    r = count == 1 ? sum / length2(d[0]) : Real(0.5) * sum;
-    if (is_arm(r, d, a, count)) return true;
-    if (count == 1) return false;
-    Mat3 matrix{}, inverse;
-    for (int k = 0; k < count; ++k) {
-        const Mat3 outer = {d[k].x * d[k], d[k].y * d[k], d[k].z * d[k]};
-        matrix = matrix + (length2(d[k]) * Mat3::identity() - outer);
-    }
-    if (!invert(matrix, inverse)) return false;
-    r = inverse * sum;
-    return is_arm(r, d, a, count);
-}
-
-bool find_arms(const Row* rows, int count, bool two, ContactArms& arms)
-{
-    Vec3 d[3], a1[3], a2[3];
-    for (int k = 0; k < count; ++k) {
-        d[k] = rows[k].lin1, a1[k] = rows[k].ang1, a2[k] = -rows[k].ang2;
-        if (two && !(rows[k].lin2 == -d[k])) return false;
-    }
-    arms.r2 = {};
-    return find_arm(d, a1, count, arms.r1) && (!two || find_arm(d, a2, count, arms.r2));
-}
-
-bool has_contact_form(const RowSystem& system, const RowBlock& block, ContactArms& arms)
+bool has_contact_form(const RowSystem& system, const RowBlock& block)
 {
     if (!block.contact || (block.count != 1 && block.count != 3)) return false;
     const auto first = std::size_t(block.first);
@@ -67,7 +28,7 @@ bool has_contact_form(const RowSystem& system, const RowBlock& block, ContactArm
         const RowNumbers& n = system.numbers[k];
         if (n.lo != -n.hi || !(n.hi >= 0) || (n.parent >= 0 && n.parent != block.first)) return false;
     }
-    return find_arms(&system.rows[first], block.count, block.body2 >= 0, arms);
+    return true;
 }
 
 Real coupling(const Row& i, const Row& j, const SolverBody& a, const SolverBody* b)
@@ -87,15 +48,14 @@ void fill_row(const RowNumbers& n, Real mobility, Real w, ContactPoint& point, i
     point.p[k][lane] = d > 0 ? n.p : 0;
 }
 
-void fill_point(const RowSystem& system, Real w, const RowBlock& block, const ContactArms& arms,
-                ContactPoint& point, int lane)
+void fill_point(const RowSystem& system, Real w, const RowBlock& block, ContactPoint& point, int lane)
 {
     const Row* rows = &system.rows[std::size_t(block.first)];
     const RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
     const SolverBody& a = system.bodies[std::size_t(block.body1)];
     const SolverBody* b = block.body2 >= 0 ? &system.bodies[std::size_t(block.body2)] : nullptr;
-    point.r1.set(lane, arms.r1);
-    point.r2.set(lane, arms.r2);
+    point.r1.set(lane, block.arms.r1);
+    point.r2.set(lane, block.arms.r2);
     point.n.set(lane, rows[0].lin1);
     fill_row(numbers[0], row_mobility(rows[0], a, b), w, point, 0, lane);
     point.p[0][lane] = std::max(point.p[0][lane], Real(0));
@@ -207,7 +167,6 @@ bool ContactSet::pack(const RowSystem& system, Real w, std::span<bool> packed, A
     for (const RowBlock& block : system.blocks) contacts += block.contact;
     if (contacts == 0) return true;
     manifolds_ = arena.take<Manifold>(contacts);
-    arms_ = arena.take<ContactArms>(int(system.blocks.size()));
     if (arena.failed()) return false;
     find_manifolds(system, packed);
     batches_ = arena.take<ContactBatch>(manifold_count_);
@@ -231,7 +190,7 @@ void ContactSet::find_manifolds(const RowSystem& system, std::span<bool> packed)
     bool open = false;  // may the next block join the last manifold?
     for (std::size_t i = 0; i < system.blocks.size(); ++i) {
         const RowBlock& block = system.blocks[i];
-        packed[i] = has_contact_form(system, block, arms_[i]);
+        packed[i] = has_contact_form(system, block);
         if (!packed[i]) {
             open = false;
             continue;
@@ -322,7 +281,7 @@ void ContactSet::fill_lane(const RowSystem& system, Real w, const Manifold& mani
         const auto at = std::size_t(batch.first + i);
         sources_[at].row[lane] = block.first;
         sources_[at].friction[lane] = block.count == 3;
-        fill_point(system, w, block, arms_[std::size_t(manifold.block + i)], points_[at], lane);
+        fill_point(system, w, block, points_[at], lane);
     }
 }
 

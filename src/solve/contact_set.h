@@ -46,11 +46,6 @@ struct ContactSource {
     bool friction[kLanes];
 };
 
-// From the centres of the bodies to the contact.
-struct ContactArms {
-    Vec3 r1, r2;
-};
-
 class ContactSet {
   public:
     // Packs the blocks that have the form above and marks them; false: out of memory. `w`: over-relaxation.
@@ -77,7 +72,6 @@ class ContactSet {
     void fill(const RowSystem& system, Real w);
     void fill_lane(const RowSystem& system, Real w, const Manifold& manifold, ContactBatch& batch, int lane);
 
-    std::span<ContactArms> arms_;  // of the packed blocks
     std::span<Manifold> manifolds_;
     std::span<int> chosen_;  // kLanes manifolds per batch, -1: none
     std::span<ContactBatch> batches_;

@@ -159,6 +159,6 @@ bool solve_direct(RowSystem& system, const SolverSettings& settings, Arena& aren
 
 }  // namespace
 
-const Solver kDirect{"direct", false, solve_direct};
+const Solver kDirect{"direct", false, true, 1, solve_direct};
 
 }  // namespace epode

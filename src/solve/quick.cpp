@@ -82,6 +82,6 @@ bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena
 
 }  // namespace
 
-const Solver kQuick{"quick", false, solve_quick};
+const Solver kQuick{"quick", false, false, Real(0.6), solve_quick};
 
 }  // namespace epode

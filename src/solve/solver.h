@@ -28,7 +28,9 @@ struct SolveReport {
 
 struct Solver {
     const char* name;
-    bool substeps;  // advances poses itself through SolverSettings::substeps
+    bool substeps;    // advances poses itself through SolverSettings::substeps
+    bool needs_inertia;  // reads SolverBody::mass and inertia, not only the inverses
+    Real warm_share;  // of the last step's impulses that it starts from when the world asks for warm starting
     // False: out of memory, nothing usable was computed.
     bool (*solve)(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report);
 };

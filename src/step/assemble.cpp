@@ -12,6 +12,19 @@
 namespace epode {
 namespace {
 
+// A tensor of the body's frame in the world's; that of a sphere or cube is the same in all.
+Sym3 in_world(const Body& body, const Sym3& s)
+{
+    const bool isotropic = s.xx == s.yy && s.yy == s.zz && s.xy == 0 && s.xz == 0 && s.yz == 0;
+    return isotropic ? s : rotate(body.rotation(), s);
+}
+
+void load_mass(const Body& body, SolverBody& out)
+{
+    out.mass = body.kinematic() ? 0 : body.mass.mass;
+    out.inertia = body.kinematic() ? Sym3{} : in_world(body, body.inertia);
+}
+
 void add_gravity(Body& body, Vec3 g)
 {
     if (body.gravity) store(body.facc, load(body.facc) + body.mass.mass * g);
@@ -38,7 +51,7 @@ void emit_rows(const StepInfo& info, std::span<Joint*> joints, IslandWork& work,
         work.joints[std::size_t(blocks)] = joint;
         work.system.blocks[std::size_t(blocks)] = {rows, out.count(), joint->body1()->island_index,
                                                    b2 ? b2->island_index : -1,
-                                                   joint->type->number == dJointTypeContact};
+                                                   joint->type->number == dJointTypeContact, out.arms()};
         rows += out.count();
         ++blocks;
     }
@@ -60,11 +73,8 @@ StepInfo step_info(const World& world, Real h)
 
 void load_inertia(const Body& body, SolverBody& out)
 {
-    const Mat3 R = body.rotation();
     out.inv_mass = body.inv_mass;
-    out.inv_inertia = rotate(R, body.inv_inertia);
-    out.mass = body.kinematic() ? 0 : body.mass.mass;
-    out.inertia = body.kinematic() ? Sym3{} : rotate(R, body.inertia);
+    out.inv_inertia = in_world(body, body.inv_inertia);
 }
 
 void load_velocity(const Body& body, SolverBody& out)
@@ -80,7 +90,7 @@ void add_forces(const Body& body, Real h, SolverBody& out)
     out.w += h * (out.inv_inertia * torque);
 }
 
-bool assemble(World& world, Island island, Real h, bool inner_steps, Arena& arena, IslandWork& work)
+bool assemble(World& world, Island island, Real h, const Solver& solver, Arena& arena, IslandWork& work)
 {
     const int joint_count = int(island.joints.size());
     work.island = island;
@@ -98,12 +108,16 @@ bool assemble(World& world, Island island, Real h, bool inner_steps, Arena& aren
     work.system.blocks = work.system.blocks.first(std::size_t(blocks));
     work.system.rows = work.system.rows.first(std::size_t(rows));
     work.system.numbers = arena.take<RowNumbers>(rows);
+    work.tickets = arena.take<int>(blocks);
     if (arena.failed()) return false;
 
     for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-        load_inertia(*island.bodies[i], work.system.bodies[i]);
-        load_velocity(*island.bodies[i], work.system.bodies[i]);
-        if (!inner_steps) add_forces(*island.bodies[i], h, work.system.bodies[i]);
+        const Body& body = *island.bodies[i];
+        SolverBody& out = work.system.bodies[i];
+        load_inertia(body, out);
+        if (solver.needs_inertia) load_mass(body, out);
+        load_velocity(body, out);
+        if (!solver.substeps) add_forces(body, h, out);
     }
     for (const RowBlock& block : work.system.blocks)
         for (int i = block.first; i < block.first + block.count; ++i)

@@ -8,6 +8,7 @@
 #include "dynamics/island.h"
 #include "rows/row_system.h"
 #include "rows/row_writer.h"
+#include "solve/solver.h"
 
 namespace epode {
 
@@ -15,6 +16,7 @@ namespace epode {
 struct IslandWork {
     Island island;
     std::span<Joint*> joints;  // parallel to system.blocks: those that gave rows
+    std::span<int> tickets;    // likewise: what the contact cache knows contacts by
     RowSystem system;
 };
 
@@ -23,10 +25,10 @@ StepInfo step_info(const World& world, Real h);
 // Gravity and the joints' own forces enter the bodies' accumulators, rows and numbers are written, and the
 // SolverBodies hold v: the present velocities if the solver makes inner steps, else v* after all forces.
 // False: out of memory.
-bool assemble(World& world, Island island, Real h, bool inner_steps, Arena& arena, IslandWork& work);
+bool assemble(World& world, Island island, Real h, const Solver& solver, Arena& arena, IslandWork& work);
 
 // The part that inner steps repeat.
-void load_inertia(const Body& body, SolverBody& out);
+void load_inertia(const Body& body, SolverBody& out);  // the inverse only
 void load_velocity(const Body& body, SolverBody& out);
 void add_forces(const Body& body, Real h, SolverBody& out);  // v += h M^-1 (accumulated + gyroscopic)
 

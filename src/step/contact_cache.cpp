@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Row layout that is relied on here: a contact block begins with its normal row, whose lin1 is the normal and
-// whose ang1 is r1 x n; rows of kind kFriction with a linear part are tangents.
+// Row layout that is relied on here: a contact block begins with its normal row, whose lin1 is the normal; the
+// linear parts of the others are tangents.
 #include "step/contact_cache.h"
 
 #include <algorithm>
@@ -10,23 +10,8 @@
 namespace epode {
 namespace {
 
-constexpr Real kReach = Real(0.05);        // of the lever arm
-constexpr Real kSameNormal = Real(0.9);    // cosine
-
-struct Place {
-    std::uint64_t serial1, serial2;
-    Vec3 local, normal;
-};
-
-// The foot of the contact's line on body 1: n x (r1 x n) is the lever arm without its part along n. That
-// identifies a contact on a face as well as the point itself would, and needs nothing but the row.
-Place place_of(const Joint& joint, const Row& normal)
-{
-    const Body& body = *joint.body1();
-    const Vec3 arm = cross(normal.lin1, normal.ang1);
-    return {body.serial, joint.body2() ? joint.body2()->serial : 0, transposed_times(body.rotation(), arm),
-            normal.lin1};
-}
+constexpr Real kReach = Real(0.05);      // of the lever arm
+constexpr Real kSameNormal = Real(0.9);  // cosine
 
 }  // namespace
 
@@ -38,46 +23,53 @@ std::size_t ContactCache::hash(std::uint64_t a, std::uint64_t b)
     return std::size_t(z ^ (z >> 32));
 }
 
-void ContactCache::load(const Joint& joint, const RowBlock& block, RowSystem& system, Real share)
+ContactCache::Entry* ContactCache::find(const Entry& like)
 {
-    if (buckets_.empty() || share <= 0) return;
-    const Place place = place_of(joint, system.rows[std::size_t(block.first)]);
-    const Real reach = kReach * length(place.local) + kReach * kReach;
+    if (entries_.empty()) return nullptr;
+    const Real reach = kReach * length(like.place) + kReach * kReach;
     Entry* best = nullptr;
     Real best_distance2 = reach * reach;
     const auto mask = std::size_t(buckets_.size() - 1);
-    for (int i = buckets_[int(hash(place.serial1, place.serial2) & mask)]; i >= 0; i = entries_[i].next) {
+    for (int i = buckets_[int(hash(like.serial1, like.serial2) & mask)]; i >= 0; i = entries_[i].next) {
         Entry& e = entries_[i];
-        if (e.used || e.serial1 != place.serial1 || e.serial2 != place.serial2) continue;
-        if (dot(e.normal, place.normal) < kSameNormal) continue;
-        const Real distance2 = length2(e.place - place.local);
+        if (e.used || e.serial1 != like.serial1 || e.serial2 != like.serial2) continue;
+        if (dot(e.normal, like.normal) < kSameNormal) continue;
+        const Real distance2 = length2(e.place - like.place);
         if (distance2 <= best_distance2) best = &e, best_distance2 = distance2;
     }
-    if (!best) return;
-    best->used = true;
-    system.numbers[std::size_t(block.first)].p = share * best->push;
-    for (int i = block.first + 1; i < block.first + block.count; ++i) {
-        const Row& row = system.rows[std::size_t(i)];
-        system.numbers[std::size_t(i)].p = share * dot(best->friction, row.lin1);
-    }
+    return best;
 }
 
-bool ContactCache::begin(int contacts)
+int ContactCache::load(const Joint& joint, const RowBlock& block, RowSystem& system, Real share)
+{
+    const Body& body = *joint.body1();
+    const Entry fresh{body.serial, joint.body2() ? joint.body2()->serial : 0,
+                      transposed_times(body.rotation(), block.arms.r1),
+                      system.rows[std::size_t(block.first)].lin1, {}, 0, -1, false};
+    if (fresh_.size() >= fresh_.capacity()) return -1;
+    (void)fresh_.push(fresh);
+    if (Entry* old = share > 0 ? find(fresh) : nullptr) {
+        old->used = true;
+        system.numbers[std::size_t(block.first)].p = share * old->push;
+        for (int i = block.first + 1; i < block.first + block.count; ++i)
+            system.numbers[std::size_t(i)].p = share * dot(old->friction, system.rows[std::size_t(i)].lin1);
+    }
+    return fresh_.size() - 1;
+}
+
+void ContactCache::begin(int contacts)
 {
     fresh_.clear();
-    if (fresh_.reserve(contacts)) return true;
-    clear();
-    return false;
+    if (!fresh_.reserve(contacts)) clear();
 }
 
-void ContactCache::remember(const Joint& joint, const RowBlock& block, const RowSystem& system)
+void ContactCache::remember(int ticket, const RowBlock& block, const RowSystem& system)
 {
-    const Place place = place_of(joint, system.rows[std::size_t(block.first)]);
-    Entry e{place.serial1, place.serial2, place.local, place.normal, {}, 0, -1, false};
+    if (ticket < 0) return;
+    Entry& e = fresh_[ticket];
     e.push = system.numbers[std::size_t(block.first)].p;
     for (int i = block.first + 1; i < block.first + block.count; ++i)
         e.friction += system.numbers[std::size_t(i)].p * system.rows[std::size_t(i)].lin1;
-    if (fresh_.size() < fresh_.capacity()) (void)fresh_.push(e);
 }
 
 void ContactCache::end()

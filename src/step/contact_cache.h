@@ -16,13 +16,13 @@ namespace epode {
 
 class ContactCache {
   public:
-    // Writes `share` of the remembered impulses into the numbers of a contact block.
-    void load(const Joint& joint, const RowBlock& block, RowSystem& system, Real share);
-
-    // Begins remembering a new step with at most `contacts` contacts; false: out of memory, cache empty.
-    bool begin(int contacts);
-    void remember(const Joint& joint, const RowBlock& block, const RowSystem& system);
-    // What was remembered becomes what is loaded from.
+    // A step with at most `contacts` contacts begins. Out of memory: nothing is remembered.
+    void begin(int contacts);
+    // Notes a contact block and writes `share` of what is remembered of it into its numbers. Returns its ticket.
+    int load(const Joint& joint, const RowBlock& block, RowSystem& system, Real share);
+    // The answer for a ticket.
+    void remember(int ticket, const RowBlock& block, const RowSystem& system);
+    // The step is over: what it noted is what the next one loads from.
     void end();
     void clear();
 
@@ -37,6 +37,7 @@ class ContactCache {
         bool used;
     };
     static std::size_t hash(std::uint64_t a, std::uint64_t b);
+    Entry* find(const Entry& like);
 
     Array<Entry> entries_, fresh_;
     Array<int> buckets_;  // power of two many, index of the first entry or -1

@@ -21,14 +21,13 @@ namespace epode {
 namespace {
 
 // Solvers that iterate start from the impulses of the last step.
-void load_warm_start(const World& world, ContactCache& contacts, IslandWork& work)
+void load_warm_start(Real share, ContactCache& contacts, IslandWork& work)
 {
-    const Real share = world.warm_starting;
     for (std::size_t k = 0; k < work.joints.size(); ++k) {
         const Joint& joint = *work.joints[k];
         const RowBlock& block = work.system.blocks[k];
         if (block.contact) {
-            contacts.load(joint, block, work.system, share);
+            work.tickets[k] = contacts.load(joint, block, work.system, share);
         } else if (joint.impulse_rows == block.count) {
             for (int i = 0; i < block.count; ++i)
                 work.system.numbers[std::size_t(block.first + i)].p = share * joint.impulse[i];
@@ -115,13 +114,14 @@ void step_island(const StepContext& context, const Island& island)
     SolveReport report;
     SolverSettings settings = context.settings;
     std::span<SavedPose> saved;
-    bool solved = assemble(world, island, context.h, inner, world.arena, work);
+    bool solved = assemble(world, island, context.h, context.solver, world.arena, work);
     SubstepModel model{work, step_info(world, context.h)};
     if (solved) {
         model.info.inner = true;
         const Substeps callbacks = model.callbacks();
         settings.substeps = inner ? &callbacks : nullptr;
-        load_warm_start(world, context.contacts, work);
+        for (int& ticket : work.tickets) ticket = -1;
+        load_warm_start(world.warm_starting * context.solver.warm_share, context.contacts, work);
         if (inner) saved = save_poses(island, world.arena);
         solved = context.solver.solve(work.system, settings, world.arena, report) && sound(work.system);
     }
@@ -129,7 +129,7 @@ void step_island(const StepContext& context, const Island& island)
         write_back(work);
         for (std::size_t k = 0; k < work.joints.size(); ++k)
             if (work.system.blocks[k].contact)
-                context.contacts.remember(*work.joints[k], work.system.blocks[k], work.system);
+                context.contacts.remember(work.tickets[k], work.system.blocks[k], work.system);
     } else {
         restore_poses(island, saved);
         contain(work);
