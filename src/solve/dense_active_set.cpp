@@ -20,20 +20,17 @@ namespace {
 constexpr double kFeasible = 1e-11;
 constexpr int kPatience = 5;
 constexpr int kMostPasses = 6;
-constexpr double kSettled = 4e-15;  // of the problem's scale: nothing left to correct
+constexpr double kSettled = 1e-13;  // of the problem's scale: nothing left to correct
 
 // x[first..last) . y[first..last), first being even. Inlined: most are short.
 [[gnu::always_inline]] inline double inner(const double* x, const double* y, int first, int last)
 {
     const auto* a = reinterpret_cast<const DoubleLane*>(x);
     const auto* b = reinterpret_cast<const DoubleLane*>(y);
-    DoubleLane s{}, t{};
-    int k = first / 2;
-    for (; k + 2 <= last / 2; k += 2) s += a[k] * b[k], t += a[k + 1] * b[k + 1];
-    if (k < last / 2) s += a[k] * b[k];
-    s += t;
-    const double tail = (last & 1) && last > first ? x[last - 1] * y[last - 1] : 0;
-    return s[0] + s[1] + tail;
+    DoubleLane s{};
+    for (int k = first / 2; k < last / 2; ++k) s += a[k] * b[k];
+    const double sum = s[0] + s[1];
+    return (last & 1) && last > first ? sum + x[last - 1] * y[last - 1] : sum;
 }
 
 bool share_body(const ExactRow& x, const ExactRow& y)
@@ -69,7 +66,10 @@ bool DenseActiveSet::prepare(const ExactProblem& problem, std::span<const RowBlo
         for (std::size_t y = 0; y <= x; ++y)
             if (share_body(problem.row(blocks[x].first), problem.row(blocks[y].first)))
                 couple(problem, blocks[x], blocks[y]);
-    for (int i = 0; i < m_; ++i) row(i)[i] += problem.row(i).C;
+    for (int i = 0; i < m_; ++i) {
+        row(i)[i] += problem.row(i).C;
+        for (int j = begin_[std::size_t(i)]; j < i; ++j) row(j)[i] = row(i)[j];
+    }
     return true;
 }
 
@@ -87,13 +87,17 @@ void DenseActiveSet::couple(const ExactProblem& problem, const RowBlock& x, cons
     if (rx.b >= 0 && rx.b == ry.a) shared[count++] = {6, 0};
     if (rx.b >= 0 && rx.b == ry.b) shared[count++] = {6, 6};
 
-    for (int i = x.first; i < x.first + x.count; ++i)
-        for (int j = y.first; j < y.first + y.count && j <= i; ++j) {
-            double s = 0;
-            for (int k = 0; k < count; ++k)
-                s += six_dot(&response_[12 * std::size_t(i)] + shared[k].in_x, problem.row(j).J + shared[k].in_y);
-            row(i)[j] = row(j)[i] = s;
+    for (int i = x.first; i < x.first + x.count; ++i) {
+        double* Ai = row(i);
+        const double* response = &response_[12 * std::size_t(i)];
+        const int last = std::min(y.first + y.count, i + 1);
+        for (int j = y.first; j < last; ++j) {
+            const double* J = problem.row(j).J;
+            double s = six_dot(response + shared[0].in_x, J + shared[0].in_y);
+            if (count == 2) s += six_dot(response + shared[1].in_x, J + shared[1].in_y);
+            Ai[j] = s;
         }
+    }
     const auto widen = [this](const RowBlock& block, const RowBlock& other) {
         for (int i = block.first; i < block.first + block.count; ++i) {
             const auto k = std::size_t(i);

@@ -107,20 +107,26 @@ void ExactProblem::fill_rows(const RowSystem& system)
             ExactRow& row = rows_[at];
             row.pair = int(k);
             fill_row(system.rows[at], system.numbers[at], block, system, row);
-            scale_ = std::max({scale_, std::fabs(needed_velocity(i)), 1e-3 * motion(row)});
+            scale_ = std::max(scale_, velocity_scale(row));
         }
     }
     if (!(scale_ > 0)) scale_ = 1;
 }
 
-// |J| |v*|: what J v* is a difference of.
-double ExactProblem::motion(const ExactRow& row) const
+// max(|c - J v*|, |J| |v*| / 1000)
+double ExactProblem::velocity_scale(const ExactRow& row) const
 {
-    double s = 0;
-    for (int i = 0; i < 6; ++i) s += std::fabs(row.J[i] * v_star_[std::size_t(6 * row.a + i)]);
-    if (row.b < 0) return s;
-    for (int i = 0; i < 6; ++i) s += std::fabs(row.J[6 + i] * v_star_[std::size_t(6 * row.b + i)]);
-    return s;
+    double sum = 0, motion = 0;
+    const auto add = [&](const double* J, const double* v) {
+        for (int i = 0; i < 6; ++i) {
+            const double x = J[i] * v[i];
+            sum += x;
+            motion += std::fabs(x);
+        }
+    };
+    add(row.J, v_star_.data() + 6 * row.a);
+    if (row.b >= 0) add(row.J + 6, v_star_.data() + 6 * row.b);
+    return std::max(std::fabs(row.c - sum), 1e-3 * motion);
 }
 
 void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock& block, const RowSystem& system,

@@ -88,7 +88,7 @@ class ExactProblem {
 
     bool number_bodies(const RowSystem& system, Arena& arena);
     void fill_rows(const RowSystem& system);
-    double motion(const ExactRow& row) const;
+    double velocity_scale(const ExactRow& row) const;
     void fill_row(const Row& row, const RowNumbers& n, const RowBlock& block, const RowSystem& system,
                   ExactRow& out) const;
 
