@@ -96,9 +96,7 @@ TEST(Convergence, of_fast_steps_closes_the_gaps_of_a_chain_with_a_heavy_end)
     double before = 0;
     for (int n : {4, 12, 36}) {
         const double gap = worst_gap(n);
-        if (n > 4) {
-            EXPECT_LT(gap, 0.5 * before) << n << " small steps: second order promises a ninth";
-        }
+        if (n > 4) { EXPECT_LT(gap, 0.5 * before) << n << " small steps: second order promises a ninth"; }
         before = gap;
     }
     EXPECT_LT(before, 2e-3) << "a hundredth of a link";
@@ -115,9 +113,7 @@ TEST(Convergence, of_quick_steps_reports_a_falling_residual)
         dWorldQuickStep(quick->world, real(0.01));
         const double residual = quick->report().residual;
         EXPECT_GT(residual, 0) << "it is measured, not assumed";
-        if (iterations > 10) {
-            EXPECT_LT(residual, 0.6 * before + tol(1e-12, 1e-5));
-        }
+        if (iterations > 10) { EXPECT_LT(residual, 0.6 * before + tol(1e-12, 1e-5)); }
         before = residual;
     }
 }

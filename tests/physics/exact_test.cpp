@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // dWorldStep solves its problem: the natural residual of every island stays below 1e-9 (relative; 1e-4 in
-// single precision) on what breaks pivoting solvers - duplicate contacts, closed loops with redundant rows, no
-// CFM at all, mass ratios of a million, impacts - and nothing is ever printed.
+// single precision) on what breaks pivoting solvers - duplicate contacts, closed loops with redundant rows,
+// no CFM at all, mass ratios of a million, impacts - and nothing is ever printed.
 #include <algorithm>
 
 #include "rig.h"

@@ -55,7 +55,8 @@ TEST_P(Friction, stops_a_sliding_box_after_v2_over_2_mu_g)
     EXPECT_NEAR(velocity(box).x, 0, 1e-4);
 }
 
-// A box on a slope of angle a about the y axis, friction axes along the slope; its speed down it after a second.
+// A box on a slope of angle a about the y axis, friction axes along the slope; its speed down it after a
+// second.
 double speed_on_slope(Stepper stepper, double angle, double mu)
 {
     Sim sim(stepper);

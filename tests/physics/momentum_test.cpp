@@ -94,8 +94,8 @@ void join_contact(Sim& sim, dBodyID a, dBodyID b)
     attach(dJointCreateContact(sim.world, nullptr, &c), a, b);
 }
 
-const Kind kKinds[] = {{"ball", join_ball},           {"hinge", join_hinge},   {"slider", join_slider},
-                       {"universal", join_universal}, {"hinge2", join_hinge2}, {"fixed", join_fixed},
+const Kind kKinds[] = {{"ball", join_ball},           {"hinge", join_hinge},    {"slider", join_slider},
+                       {"universal", join_universal}, {"hinge2", join_hinge2},  {"fixed", join_fixed},
                        {"amotor", join_amotor},       {"contact", join_contact}};
 
 // Two bodies moving towards each other, at random otherwise.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Motors and stops. A motor changes the speed by FMax h / m per step until it has the wanted one; a stop takes
-// the speed, gives back its bounce, and closes a violation by ERP per step; a motor against its stop holds
-// with FMax.
+// Motors and stops. A motor changes the speed by FMax h / m per step until it has the wanted one; a stop
+// takes the speed, gives back its bounce, and closes a violation by ERP per step; a motor against its stop
+// holds with FMax.
 #include <algorithm>
 
 #include "rig.h"
@@ -103,7 +103,8 @@ TEST_P(Motor, a_violated_stop_closes_by_erp_per_step)
     place(b, {1.8, 0, 0});
     double beyond = 0.8;
     for (int i = 0; i < 20; ++i) {
-        // Held from both sides, the speed is erp / h times the distance in every step, the last one forgotten.
+        // Held from both sides, the speed is erp / h times the distance in every step, the last one
+        // forgotten.
         sim.advance(0.01);
         beyond *= 0.75;
         ASSERT_NEAR(position(b).x, 1 + beyond, 100 * kEpsilon) << "step " << i;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A physical pendulum released at theta0 swings with T = 4 K(sin(theta0/2)) sqrt(I/(m g l)), I about the pivot;
-// K(k) = pi / (2 agm(1, sqrt(1 - k^2))) (Gauss). The steppers are of first order: the error of the period
-// shrinks with the step. Small angles: two pendulums of one length but different inertia differ as they must.
+// A physical pendulum released at theta0 swings with T = 4 K(sin(theta0/2)) sqrt(I/(m g l)), I about the
+// pivot; K(k) = pi / (2 agm(1, sqrt(1 - k^2))) (Gauss). The steppers are of first order: the error of the
+// period shrinks with the step. Small angles: two pendulums of one length but different inertia differ as
+// they must.
 #include <algorithm>
 
 #include "rig.h"

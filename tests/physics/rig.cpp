@@ -135,9 +135,12 @@ dGeomID Sim::ground(double height) { return dCreatePlane(space, 0, 0, 1, real(he
 int Sim::advance(double h)
 {
     switch (stepper) {
-        case Stepper::kExact: return dWorldStep(world, real(h));
-        case Stepper::kQuick: return dWorldQuickStep(world, real(h));
-        case Stepper::kFast: return dWorldStepFast1(world, real(h), small_steps);
+        case Stepper::kExact:
+            return dWorldStep(world, real(h));
+        case Stepper::kQuick:
+            return dWorldQuickStep(world, real(h));
+        case Stepper::kFast:
+            return dWorldStepFast1(world, real(h), small_steps);
     }
     return 0;
 }

@@ -106,7 +106,8 @@ V3 momentum(const Sim& sim);
 V3 angular_momentum(const Sim& sim);  // about the origin
 double energy(const Sim& sim);        // kinetic, and potential in the world's gravity
 
-// A contact made by hand: at `at`, normal `n` into body 1, depth, between a body and the world or a second body.
+// A contact made by hand: at `at`, normal `n` into body 1, depth, between a body and the world or a second
+// body.
 dContact make_contact(V3 at, V3 n, double depth);
 
 // FNV-1a over the bits of all positions, orientations and velocities.

@@ -26,13 +26,20 @@ void build_pile(Sim& sim, Random& random)
 dJointID create(Sim& sim, int kind)
 {
     switch (kind) {
-        case 0: return dJointCreateHinge(sim.world, nullptr);
-        case 1: return dJointCreateBall(sim.world, nullptr);
-        case 2: return dJointCreateSlider(sim.world, nullptr);
-        case 3: return dJointCreateUniversal(sim.world, nullptr);
-        case 4: return dJointCreateHinge2(sim.world, nullptr);
-        case 5: return dJointCreateFixed(sim.world, nullptr);
-        default: return dJointCreateAMotor(sim.world, nullptr);
+        case 0:
+            return dJointCreateHinge(sim.world, nullptr);
+        case 1:
+            return dJointCreateBall(sim.world, nullptr);
+        case 2:
+            return dJointCreateSlider(sim.world, nullptr);
+        case 3:
+            return dJointCreateUniversal(sim.world, nullptr);
+        case 4:
+            return dJointCreateHinge2(sim.world, nullptr);
+        case 5:
+            return dJointCreateFixed(sim.world, nullptr);
+        default:
+            return dJointCreateAMotor(sim.world, nullptr);
     }
 }
 
@@ -48,7 +55,9 @@ void set_up(dJointID j, dReal x)
             dJointSetHingeParam(j, dParamLoStop, -1);
             dJointSetHingeParam(j, dParamHiStop, 1);
             break;
-        case dJointTypeBall: dJointSetBallAnchor(j, x, 0, 4); break;
+        case dJointTypeBall:
+            dJointSetBallAnchor(j, x, 0, 4);
+            break;
         case dJointTypeSlider:
             dJointSetSliderAxis(j, 1, real(0.5), 0);
             dJointSetSliderParam(j, dParamLoStop, real(-0.2));
@@ -68,7 +77,9 @@ void set_up(dJointID j, dReal x)
             dJointSetHinge2Param(j, dParamSuspensionERP, real(0.4));
             dJointSetHinge2Param(j, dParamSuspensionCFM, real(0.001));
             break;
-        case dJointTypeFixed: dJointSetFixed(j); break;
+        case dJointTypeFixed:
+            dJointSetFixed(j);
+            break;
         default:
             dJointSetAMotorMode(j, dAMotorEuler);
             dJointSetAMotorAxis(j, 0, 1, 1, 0, 0);
@@ -124,9 +135,12 @@ void build(Sim& sim, Scene scene, std::uint32_t seed)
     sim.surface.bounce = real(0.2);
     sim.surface.bounce_vel = real(0.5);
     switch (scene) {
-        case Scene::kPile: return build_pile(sim, random);
-        case Scene::kMachine: return build_machine(sim, random);
-        case Scene::kWall: return build_wall(sim, random);
+        case Scene::kPile:
+            return build_pile(sim, random);
+        case Scene::kMachine:
+            return build_machine(sim, random);
+        case Scene::kWall:
+            return build_wall(sim, random);
     }
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Three small scenes for the tests of determinism, threads and memory: a mixed pile, a machine with a joint of
-// every kind, a wall hit by a ball. Built without any function of libm, so that the bits are the same everywhere.
+// Three small scenes for the tests of determinism, threads and memory: a mixed pile, a machine with a joint
+// of every kind, a wall hit by a ball. Built without any function of libm, so that the bits are the same
+// everywhere.
 #pragma once
 
 #include "rig.h"

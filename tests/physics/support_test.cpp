@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Statics. What carries a body at rest sums to its weight and to no torque. A rigid table on four legs is
-// undetermined: of all answers the world's CFM picks the one of least sum of squares, which for a rectangle of
-// half sides a, b and a load at (x, y) is W/4 (1 + sx x/a + sy y/b), whatever the order of the contacts.
+// undetermined: of all answers the world's CFM picks the one of least sum of squares, which for a rectangle
+// of half sides a, b and a load at (x, y) is W/4 (1 + sx x/a + sy y/b), whatever the order of the contacts.
 #include <algorithm>
 #include <array>
 
@@ -51,8 +51,8 @@ TEST_P(Support, of_a_box_on_the_ground_sums_to_its_weight)
 
 // Legs at (+-a, +-b), the centre of mass at (x, y) between them, contacts made in the given order; the four
 // vertical forces in the order ++, +-, -+, --.
-std::array<double, 4> leg_forces(Stepper stepper, double x, double y, const std::array<int, 4>& order, int steps,
-                                 double cfm = -1)
+std::array<double, 4> leg_forces(Stepper stepper, double x, double y, const std::array<int, 4>& order,
+                                 int steps, double cfm = -1)
 {
     const double a = 0.8, b = 0.5, h = 0.01;
     Sim sim(stepper);

@@ -58,10 +58,10 @@ struct Trust : testing::Test {
             dBodyGetFiniteRotationAxis(each, axis);
             add(axis, 3);
             out.insert(out.end(),
-                       {dBodyGetLinearDamping(each), dBodyGetAngularDamping(each), dBodyGetMaxAngularSpeed(each),
-                        dBodyGetLinearDampingThreshold(each), dBodyGetAngularDampingThreshold(each),
-                        dBodyGetAutoDisableLinearThreshold(each), dBodyGetAutoDisableAngularThreshold(each),
-                        dBodyGetAutoDisableTime(each)});
+                       {dBodyGetLinearDamping(each), dBodyGetAngularDamping(each),
+                        dBodyGetMaxAngularSpeed(each), dBodyGetLinearDampingThreshold(each),
+                        dBodyGetAngularDampingThreshold(each), dBodyGetAutoDisableLinearThreshold(each),
+                        dBodyGetAutoDisableAngularThreshold(each), dBodyGetAutoDisableTime(each)});
         }
     }
     void read_world(Reals& out)
@@ -72,9 +72,9 @@ struct Trust : testing::Test {
         dWorldID w = sim.world;
         out.insert(out.end(), {dWorldGetERP(w), dWorldGetCFM(w), dWorldGetQuickStepW(w),
                                dWorldGetContactMaxCorrectingVel(w), dWorldGetContactSurfaceLayer(w),
-                               dWorldGetLinearDamping(w), dWorldGetAngularDamping(w), dWorldGetMaxAngularSpeed(w),
-                               dWorldGetAutoDisableTime(w), dWorldGetAutoDisableLinearThreshold(w),
-                               dWorldGetQuickStepWarmStarting(w)});
+                               dWorldGetLinearDamping(w), dWorldGetAngularDamping(w),
+                               dWorldGetMaxAngularSpeed(w), dWorldGetAutoDisableTime(w),
+                               dWorldGetAutoDisableLinearThreshold(w), dWorldGetQuickStepWarmStarting(w)});
     }
     void read_joints(Reals& out)
     {
@@ -93,9 +93,10 @@ struct Trust : testing::Test {
             out.insert(out.end(), v, v + 3);
         }
         for (int parameter = dParamLoStop; parameter < dParamLoStop + dParamsInGroup; ++parameter)
-            out.insert(out.end(),
-                       {dJointGetHingeParam(hinge, parameter), dJointGetSliderParam(slider, parameter),
-                        dJointGetUniversalParam(universal, parameter), dJointGetAMotorParam(amotor, parameter)});
+            out.insert(
+                out.end(),
+                {dJointGetHingeParam(hinge, parameter), dJointGetSliderParam(slider, parameter),
+                 dJointGetUniversalParam(universal, parameter), dJointGetAMotorParam(amotor, parameter)});
     }
     void read_geoms(Reals& out)
     {
@@ -138,7 +139,10 @@ struct Trust : testing::Test {
             EXPECT_EQ(messages.count(), 1) << name << " of " << bad << " said: " << messages.last();
         }
     }
-    void finite(const char* name, const std::function<void(dReal)>& call) { refuses(name, call, {kNaN, kInf, -kInf}); }
+    void finite(const char* name, const std::function<void(dReal)>& call)
+    {
+        refuses(name, call, {kNaN, kInf, -kInf});
+    }
     void number(const char* name, const std::function<void(dReal)>& call) { refuses(name, call, {kNaN}); }
 };
 
@@ -156,7 +160,8 @@ TEST_F(Trust, setters_of_bodies_refuse_what_is_no_number)
     finite("force at point", [&](dReal x) { dBodyAddForceAtPos(b, 1, 0, 0, 0, x, 0); });
     finite("force at relative point", [&](dReal x) { dBodyAddForceAtRelPos(b, 1, 0, 0, 0, 0, x); });
     finite("relative force at point", [&](dReal x) { dBodyAddRelForceAtPos(b, 1, x, 0, 0, 0, 0); });
-    finite("relative force at relative point", [&](dReal x) { dBodyAddRelForceAtRelPos(b, 1, 0, 0, 0, x, 0); });
+    finite("relative force at relative point",
+           [&](dReal x) { dBodyAddRelForceAtRelPos(b, 1, 0, 0, 0, x, 0); });
     finite("quaternion", [&](dReal x) {
         const dQuaternion q{1, x, 0, 0};
         dBodySetQuaternion(b, q);
