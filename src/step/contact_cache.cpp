@@ -26,15 +26,15 @@ std::size_t ContactCache::hash(std::uint64_t a, std::uint64_t b)
 ContactCache::Entry* ContactCache::find(const Entry& like)
 {
     if (entries_.empty()) return nullptr;
-    const Real reach = kReach * length(like.place) + kReach * kReach;
+    const Vec3 place = widen(like.place), normal = widen(like.normal);
     Entry* best = nullptr;
-    Real best_distance2 = reach * reach;
+    Real best_distance2 = kReach * kReach * (length2(place) + kReach * kReach);
     const auto mask = std::size_t(buckets_.size() - 1);
     for (int i = buckets_[int(hash(like.serial1, like.serial2) & mask)]; i >= 0; i = entries_[i].next) {
         Entry& e = entries_[i];
         if (e.used || e.serial1 != like.serial1 || e.serial2 != like.serial2) continue;
-        if (dot(e.normal, like.normal) < kSameNormal) continue;
-        const Real distance2 = length2(e.place - like.place);
+        if (dot(widen(e.normal), normal) < kSameNormal) continue;
+        const Real distance2 = length2(widen(e.place) - place);
         if (distance2 <= best_distance2) best = &e, best_distance2 = distance2;
     }
     return best;
@@ -44,15 +44,15 @@ int ContactCache::load(const Joint& joint, const RowBlock& block, RowSystem& sys
 {
     const Body& body = *joint.body1();
     const Entry fresh{body.serial, joint.body2() ? joint.body2()->serial : 0,
-                      transposed_times(body.rotation(), block.arms.r1),
-                      system.rows[std::size_t(block.first)].lin1, {}, 0, -1, false};
+                      narrow(transposed_times(body.rotation(), block.arms.r1)),
+                      narrow(system.rows[std::size_t(block.first)].lin1), {}, 0, -1, false};
     if (fresh_.size() >= fresh_.capacity()) return -1;
     (void)fresh_.push(fresh);
     if (Entry* old = share > 0 ? find(fresh) : nullptr) {
         old->used = true;
-        system.numbers[std::size_t(block.first)].p = share * old->push;
+        system.numbers[std::size_t(block.first)].p = share * Real(old->push);
         for (int i = block.first + 1; i < block.first + block.count; ++i)
-            system.numbers[std::size_t(i)].p = share * dot(old->friction, system.rows[std::size_t(i)].lin1);
+            system.numbers[std::size_t(i)].p = share * dot(widen(old->friction), system.rows[std::size_t(i)].lin1);
     }
     return fresh_.size() - 1;
 }
@@ -66,10 +66,11 @@ void ContactCache::begin(int contacts)
 void ContactCache::remember(int ticket, const RowBlock& block, const RowSystem& system)
 {
     if (ticket < 0) return;
-    Entry& e = fresh_[ticket];
-    e.push = system.numbers[std::size_t(block.first)].p;
+    Vec3 friction;
     for (int i = block.first + 1; i < block.first + block.count; ++i)
-        e.friction += system.numbers[std::size_t(i)].p * system.rows[std::size_t(i)].lin1;
+        friction += system.numbers[std::size_t(i)].p * system.rows[std::size_t(i)].lin1;
+    fresh_[ticket].push = float(system.numbers[std::size_t(block.first)].p);
+    fresh_[ticket].friction = narrow(friction);
 }
 
 void ContactCache::end()

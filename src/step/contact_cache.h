@@ -27,15 +27,22 @@ class ContactCache {
     void clear();
 
   private:
+    // Seven digits are plenty for a start value, and an entry is then one cache line.
+    struct Float3 {
+        float x, y, z;
+    };
     struct Entry {
         std::uint64_t serial1, serial2;
-        Vec3 place;     // lever arm from body 1, in its frame
-        Vec3 normal;    // world
-        Vec3 friction;  // world impulse
-        Real push;      // normal impulse
-        int next;       // entry in the same bucket, -1 at the end
+        Float3 place;     // lever arm from body 1, in its frame
+        Float3 normal;    // world
+        Float3 friction;  // world impulse
+        float push;       // normal impulse
+        int next;         // entry in the same bucket, -1 at the end
         bool used;
     };
+    static_assert(sizeof(Entry) == 64);
+    static Float3 narrow(Vec3 a) { return {float(a.x), float(a.y), float(a.z)}; }
+    static Vec3 widen(Float3 a) { return {a.x, a.y, a.z}; }
     static std::size_t hash(std::uint64_t a, std::uint64_t b);
     Entry* find(const Entry& like);
 
