@@ -17,6 +17,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "../effort.h"
 #include "collide/pairs/pairs.h"
 
 using namespace epode;
@@ -27,7 +28,7 @@ constexpr Real kTight = kSingle ? Real(2e-4) : Real(1e-7);   // for sizes near o
 constexpr Real kClaim = kSingle ? Real(4e-3) : Real(5e-5);   // depth against the reported normal
 constexpr Real kDeeper = kSingle ? Real(6e-3) : Real(2e-6);  // depth against the least one
 constexpr int kDirections = 20000;
-constexpr int kPoses = 400;
+constexpr int kPoses = tests::effort(400);
 
 class Dice {
   public:
