@@ -39,9 +39,21 @@ struct Problem {
         return int(bodies.size()) - 1;
     }
 
+    // The arms of a contact's rows (one, or three orthonormal directions): a = r x d.
+    static ContactArms arms_of(const std::vector<Row>& of)
+    {
+        ContactArms arms;
+        const Real share = of.size() == 1 ? Real(1) : Real(0.5);
+        for (std::size_t k = 0; k < of.size() && k < 3; ++k) {
+            arms.r1 += share * cross(of[k].lin1, of[k].ang1);
+            arms.r2 += share * cross(of[k].lin1, -of[k].ang2);
+        }
+        return arms;
+    }
+
     void block(int body1, int body2, bool contact, const std::vector<Row>& of)
     {
-        blocks.push_back({int(rows.size()), int(of.size()), body1, body2, contact});
+        blocks.push_back({int(rows.size()), int(of.size()), body1, body2, contact, arms_of(of)});
         const int first = int(rows.size());
         for (const Row& row : of) {
             rows.push_back(row);
