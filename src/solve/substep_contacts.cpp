@@ -1,23 +1,52 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The same formula for one contact and for several in lanes: `begin_pass` writes what a sweep reads.
+// `begin_pass` writes what a sweep reads, by the same formula for one contact and for several in a register.
 #include "solve/substep_contacts.h"
 
 #include <algorithm>
 
+#include "simd/registers.h"
+
 namespace epode {
 namespace {
 
+[[gnu::always_inline]] inline Real at_most(Real bound, Real x) { return bound < x ? bound : x; }
+
+// T: Real or Register.
 template <typename T>
-void begin_pass(const NormalAim<T>& aim, int pass, Real per_hs, T& c, T& keep, T& gain)
+struct PassInput {
+    T error, speed, cap, rate, push, gain, keep, hard_gain;
+};
+
+template <typename T>
+[[gnu::always_inline]] inline void begin_pass(const PassInput<T>& in, Real per_hs, T& c, T& keep, T& gain)
 {
-    const T pushed = at_most(aim.push, aim.rate[pass] * aim.error);
-    const T closing = per_hs * aim.error;
-    const auto open = aim.error < T{};
-    c = at_most(aim.cap, (open ? closing : pushed) + aim.speed);
-    keep = open ? T{} + 1 : aim.keep[pass];
-    gain = open ? aim.hard_gain : aim.gain[pass];
+    const T pushed = at_most(in.push, in.rate * in.error);
+    const T closing = per_hs * in.error;
+    const auto open = in.error < T{};
+    c = at_most(in.cap, (open ? closing : pushed) + in.speed);
+    keep = open ? T{} + 1 : in.keep;
+    gain = open ? in.hard_gain : in.gain;
+}
+
+void begin_pass(const NormalAim<Real>& a, int pass, Real per_hs, PackedRow& row)
+{
+    const PassInput<Real> in{a.error, a.speed,      a.cap,        a.rate[pass],
+                             a.push,  a.gain[pass], a.keep[pass], a.hard_gain};
+    begin_pass(in, per_hs, row.c, row.keep, row.gain);
+}
+
+void begin_pass(const NormalAim<Lanes>& a, int pass, Real per_hs, ContactPoint& point)
+{
+    for (int part = 0; part < kParts; ++part) {
+        const PassInput<Register> in{
+            load(a.error, part), load(a.speed, part),      load(a.cap, part),        load(a.rate[pass], part),
+            load(a.push, part),  load(a.gain[pass], part), load(a.keep[pass], part), load(a.hard_gain, part)};
+        Register c, keep, gain;
+        begin_pass(in, per_hs, c, keep, gain);
+        store(point.c[0], part, c), store(point.keep[0], part, keep), store(point.gain[0], part, gain);
+    }
 }
 
 NormalAim<Real> aim_of(const Row& row, const Substep& step, Real mobility, bool against_static)
@@ -116,13 +145,10 @@ void SubstepContacts::sweep(std::span<Velocity> bodies, bool relax)
 {
     const int pass = relax ? 1 : 0;
     const Real per_hs = 1 / hs_;
-    for (std::size_t i = 0; i < aims_.size(); ++i) {
-        ContactPoint& p = set_.points()[i];
-        begin_pass(aims_[i], pass, per_hs, p.c[0], p.keep[0], p.gain[0]);
-    }
+    for (std::size_t i = 0; i < aims_.size(); ++i) begin_pass(aims_[i], pass, per_hs, set_.points()[i]);
     for (std::size_t i = 0; i < other_aims_.size(); ++i) {
         PackedRow& row = others_.rows()[std::size_t(others_.blocks()[i].first)];
-        begin_pass(other_aims_[i], pass, per_hs, row.c, row.keep, row.gain);
+        begin_pass(other_aims_[i], pass, per_hs, row);
     }
     others_.sweep(bodies, relax);
     set_.shuffle(random_);
@@ -131,10 +157,13 @@ void SubstepContacts::sweep(std::span<Velocity> bodies, bool relax)
 
 void SubstepContacts::follow_motion(std::span<const Velocity> bodies)
 {
-    for (const ContactBatch& batch : set_.batches())
-        for (int i = batch.first; i < batch.first + batch.count; ++i)
-            aims_[std::size_t(i)].error -=
-                hs_ * normal_velocity(batch, set_.points()[std::size_t(i)], bodies);
+    Lanes approach[kManifoldPoints];
+    for (const ContactBatch& batch : set_.batches()) {
+        set_.normal_velocities(batch, bodies, approach);
+        for (int i = 0; i < batch.count; ++i)
+            for (int lane = 0; lane < kLanes; ++lane)
+                aims_[std::size_t(batch.first + i)].error[lane] -= hs_ * approach[i][lane];
+    }
     for (std::size_t i = 0; i < other_aims_.size(); ++i) {
         const PackedBlock& block = others_.blocks()[i];
         other_aims_[i].error -=

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What is done to packed contacts, once per kind of machine: the same text (contact_kernels.inc) compiled for
+// the baseline and for AVX2, with the same bits as result. The better one is chosen by asking the processor;
+// compiling the whole library for it would lock out the machines that lack it.
+#pragma once
+
+#include <span>
+
+#include "solve/contact_batch.h"
+#include "solve/velocities.h"
+
+namespace epode {
+
+// Plain pointers and counts: an inline function of a span, compiled for AVX2, could be the copy that the
+// linker keeps for everybody. `batch.first` counts from `points`, `order` from `batches`; a lone batch comes
+// with its own points.
+struct ContactKernels {
+    const char* name;
+    // In: arms, directions, c, p, mu, fixed, and C in `keep`. Out: couplings, gain, keep, p within its
+    // limits.
+    void (*prepare)(const ContactBatch& batch, ContactPoint* points, Real w);
+    // v += M^-1 J^T p
+    void (*apply_impulses)(const ContactBatch* batches, int count, const ContactPoint* points,
+                           Velocity* bodies);
+    void (*sweep)(const ContactBatch* batches, const int* order, int count, ContactPoint* points,
+                  Velocity* bodies);
+    // J_n v of the batch's points.
+    void (*normal_velocities)(const ContactBatch& batch, const ContactPoint* points, const Velocity* bodies,
+                              Lanes* out);
+};
+
+// Those that this machine can run; the first is the baseline, the last the fastest.
+std::span<const ContactKernels* const> contact_kernels();
+
+}  // namespace epode
