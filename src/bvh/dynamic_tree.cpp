@@ -196,8 +196,8 @@ int DynamicTree::height() const
 bool DynamicTree::rebuild()
 {
     if (leaves_ < 2) return sound_ = true;
-    Array<int> order;
-    if (!order.reserve(leaves_)) return false;
+    order_.clear();
+    if (!order_.reserve(leaves_)) return false;
     changes_ = 0;
     int spare = -1;
     int node = root_;
@@ -209,7 +209,7 @@ bool DynamicTree::rebuild()
             node = nodes_[node].child;
             continue;
         }
-        (void)order.push(node);
+        (void)order_.push(node);
         if (pending < 0) break;
         const int inner = pending;
         pending = nodes_[inner].next_free;
@@ -217,7 +217,7 @@ bool DynamicTree::rebuild()
         nodes_[inner].next_free = spare;
         spare = inner;
     }
-    root_ = build(order.data(), order.size(), 0, spare);
+    root_ = build(order_.data(), order_.size(), 0, spare);
     nodes_[root_].parent = -1;
     return sound_ = true;
 }

@@ -139,6 +139,7 @@ class DynamicTree {
     void changed(int leaf);
 
     Array<Node> nodes_;
+    Array<int> order_;  // leaves during a rebuild; kept, so that a steady scene allocates nothing
     int root_ = -1;
     int free_ = -1;
     int leaves_ = 0;

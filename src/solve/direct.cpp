@@ -26,6 +26,7 @@ namespace {
 
 constexpr double kPromised = 1e-9;  // natural residual that an answer must have
 constexpr int kQuickRounds = 20;    // of the first active set
+constexpr double kMostTrusted = 1e8;  // times the problem's velocity scale, of an impulse to start from
 constexpr double kInteriorTolerance = 2e-10;
 
 class DirectSolve {
@@ -88,6 +89,8 @@ class DirectSolve {
     void guess(std::size_t i, double p)
     {
         const double lo = state_.lo[i], hi = state_.hi[i];
+        // The last step's impulse only saves time; one of another size altogether would cost digits instead.
+        if (!(std::fabs(p) * problem_.row(int(i)).d <= kMostTrusted * problem_.scale())) p = 0;
         state_.p[i] = std::min(std::max(p, lo), hi);
         // A width that is below rounding of the impulse is no freedom.
         if (!((hi - lo) * problem_.row(int(i)).d > 1e-13 * problem_.scale())) {
