@@ -64,6 +64,8 @@ struct Substeps {
     // Rewrites Jacobians and errors of all but the contacts' rows at the present pose. Row counts, kinds and
     // bounds stay.
     void (*refresh)(void* model, RowSystem& system) = nullptr;
+    // Contact rows act at one point of the present pose again: what is applied then keeps angular momentum.
+    void (*gather_contacts)(void* model, RowSystem& system) = nullptr;
 };
 
 // J_i v of row r between bodies a and b (null: world).

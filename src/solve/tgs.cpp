@@ -62,6 +62,7 @@ class SmallSteps {
             move();
             relax(last);
         }
+        model_.gather_contacts(model_.model, system_);
         rebound_contacts();
         return true;
     }

@@ -55,7 +55,7 @@ struct Model {
             }
         Arena arena;
         SolveReport report;
-        const Substeps callbacks{this, apply_forces, advance, refresh};
+        const Substeps callbacks{this, apply_forces, advance, refresh, [](void*, RowSystem&) {}};
         SolverSettings settings;
         settings.iterations = n, settings.substeps = &callbacks, settings.want_residual = true;
         RowSystem system = p.system();
