@@ -11,7 +11,7 @@
 
 namespace epode {
 
-inline constexpr int kLanes = 4;
+inline constexpr int kLanes = 8;
 
 struct alignas(kLanes * sizeof(Real)) Lanes {
     Real at[kLanes];

@@ -15,7 +15,7 @@ inline constexpr int kManifoldPoints = 4;
 
 struct ContactPoint {
     LaneVec3 r1, r2, n, t1, t2;
-    Lanes k_n1, k_n2, k_12;              // coupling of normal and tangents
+    Lanes k_n1, k_n2, k_12;              // gain of the later row times coupling with the earlier
     Lanes c[3], keep[3], gain[3], p[3];  // n, t1, t2
     Lanes mu[2], fixed[2];               // limit of friction: mu p_n + fixed
 };

@@ -6,6 +6,7 @@
 #include "solve/contact_set.h"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 namespace epode {
@@ -35,18 +36,10 @@ void fill_row(const RowNumbers& n, ContactPoint& point, int k, int lane)
     point.p[k][lane] = n.p;
 }
 
-void clear(ContactPoint& point, int lane)
-{
-    static_assert(sizeof(ContactPoint) % sizeof(Lanes) == 0);
-    Lanes* fields = reinterpret_cast<Lanes*>(&point);
-    for (std::size_t i = 0; i < sizeof point / sizeof *fields; ++i) fields[i][lane] = 0;
-}
-
 void fill_point(const RowSystem& system, const RowBlock& block, ContactPoint& point, int lane)
 {
     const Row* rows = &system.rows[std::size_t(block.first)];
     const RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
-    if (block.count == 1) clear(point, lane);
     point.r1.set(lane, block.arms.r1);
     point.r2.set(lane, block.arms.r2);
     point.n.set(lane, rows[0].lin1);
@@ -157,11 +150,26 @@ void ContactSet::batch_manifolds(const RowSystem& system, std::span<bool> used)
     batches_ = batches_.first(batches);
 }
 
+// Will every number of the batch's points be written?
+bool ContactSet::is_full(const RowSystem& system, std::size_t b) const
+{
+    for (const int m : chosen_.subspan(b * kLanes, kLanes)) {
+        if (m < 0 || manifolds_[std::size_t(m)].count < batches_[b].count) return false;
+        const Manifold& manifold = manifolds_[std::size_t(m)];
+        for (int i = 0; i < manifold.count; ++i)
+            if (system.blocks[std::size_t(manifold.block + i)].count != 3) return false;
+    }
+    return true;
+}
+
 void ContactSet::fill(const RowSystem& system, Real w)
 {
     const Manifold none{0, 0, int(system.bodies.size()), int(system.bodies.size())};
     for (std::size_t b = 0; b < batches_.size(); ++b) {
         ContactBatch& batch = batches_[b];
+        if (!is_full(system, b))
+            std::memset(static_cast<void*>(&points_[std::size_t(batch.first)]), 0,
+                        std::size_t(batch.count) * sizeof(ContactPoint));
         for (int lane = 0; lane < kLanes; ++lane) {
             const int m = chosen_[b * kLanes + std::size_t(lane)];
             fill_lane(system, m >= 0 ? manifolds_[std::size_t(m)] : none, batch, lane);
@@ -186,7 +194,6 @@ void ContactSet::fill_lane(const RowSystem& system, const Manifold& manifold, Co
         const auto at = std::size_t(batch.first + i);
         if (i >= manifold.count) {
             sources_[at].row[lane] = -1;
-            clear(points_[at], lane);
             continue;
         }
         const RowBlock& block = system.blocks[std::size_t(manifold.block + i)];
@@ -226,6 +233,20 @@ void ContactSet::shuffle(CounterRandom& random)
 void ContactSet::sweep(std::span<Velocity> bodies)
 {
     kernels_->sweep(batches_.data(), order_.data(), int(order_.size()), points_.data(), bodies.data());
+}
+
+void ContactSet::relax_by(Real factor)
+{
+    const Lanes f = Lanes{} + factor, one = Lanes{} + Real(1);
+    for (ContactPoint& point : points_) {
+        for (int k = 0; k < 3; ++k) {
+            point.gain[k] = f * point.gain[k];
+            point.keep[k] = one - f * (one - point.keep[k]);
+        }
+        point.k_n1 = f * point.k_n1;
+        point.k_n2 = f * point.k_n2;
+        point.k_12 = f * point.k_12;
+    }
 }
 
 void ContactSet::store_impulses(std::span<RowNumbers> numbers) const

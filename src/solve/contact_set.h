@@ -35,6 +35,7 @@ class ContactSet {
     void apply_impulses(std::span<Velocity> bodies) const;  // v += M^-1 J^T p
     void shuffle(CounterRandom& random);                    // the order of the sweeps to come
     void sweep(std::span<Velocity> bodies);
+    void relax_by(Real factor);                             // multiplies the over-relaxation of the sweeps to come
     void store_impulses(std::span<RowNumbers> numbers) const;
     // J_n v of the points of a batch.
     void normal_velocities(const ContactBatch& batch, std::span<const Velocity> bodies,
@@ -52,6 +53,7 @@ class ContactSet {
 
     void find_manifolds(const RowSystem& system, std::span<bool> packed);
     void batch_manifolds(const RowSystem& system, std::span<bool> used);
+    bool is_full(const RowSystem& system, std::size_t batch) const;
     void fill(const RowSystem& system, Real w);
     void fill_lane(const RowSystem& system, const Manifold& manifold, ContactBatch& batch, int lane);
 

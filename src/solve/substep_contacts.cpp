@@ -12,6 +12,7 @@ namespace epode {
 namespace {
 
 [[gnu::always_inline]] inline Real at_most(Real bound, Real x) { return bound < x ? bound : x; }
+[[gnu::always_inline]] inline Real if_positive(Real test, Real yes, Real no) { return test > 0 ? yes : no; }
 
 // T: Real or Register.
 template <typename T>
@@ -20,21 +21,20 @@ struct PassInput {
 };
 
 template <typename T>
-[[gnu::always_inline]] inline void begin_pass(const PassInput<T>& in, Real per_hs, T& c, T& keep, T& gain)
+[[gnu::always_inline]] inline void begin_pass(const PassInput<T>& in, T one, T per_hs, T& c, T& keep, T& gain)
 {
+    const T open = -in.error;  // where positive
     const T pushed = at_most(in.push, in.rate * in.error);
-    const T closing = per_hs * in.error;
-    const auto open = in.error < T{};
-    c = at_most(in.cap, (open ? closing : pushed) + in.speed);
-    keep = open ? T{} + 1 : in.keep;
-    gain = open ? in.hard_gain : in.gain;
+    c = at_most(in.cap, if_positive(open, per_hs * in.error, pushed) + in.speed);
+    keep = if_positive(open, one, in.keep);
+    gain = if_positive(open, in.hard_gain, in.gain);
 }
 
 void begin_pass(const NormalAim<Real>& a, int pass, Real per_hs, PackedRow& row)
 {
     const PassInput<Real> in{a.error, a.speed,      a.cap,        a.rate[pass],
                              a.push,  a.gain[pass], a.keep[pass], a.hard_gain};
-    begin_pass(in, per_hs, row.c, row.keep, row.gain);
+    begin_pass(in, Real(1), per_hs, row.c, row.keep, row.gain);
 }
 
 void begin_pass(const NormalAim<Lanes>& a, int pass, Real per_hs, ContactPoint& point)
@@ -44,7 +44,7 @@ void begin_pass(const NormalAim<Lanes>& a, int pass, Real per_hs, ContactPoint& 
             load(a.error, part), load(a.speed, part),      load(a.cap, part),        load(a.rate[pass], part),
             load(a.push, part),  load(a.gain[pass], part), load(a.keep[pass], part), load(a.hard_gain, part)};
         Register c, keep, gain;
-        begin_pass(in, per_hs, c, keep, gain);
+        begin_pass(in, all(1), all(per_hs), c, keep, gain);
         store(point.c[0], part, c), store(point.keep[0], part, keep), store(point.gain[0], part, gain);
     }
 }

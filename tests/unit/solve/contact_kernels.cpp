@@ -71,7 +71,8 @@ TEST(ContactKernels, AllMachinesMakeTheSameBits)
     const auto all = contact_kernels();
     ASSERT_STREQ(all[0]->name, "baseline");
     if (all.size() == 1) GTEST_SKIP() << "this machine runs the baseline only";
-    std::vector<Problem> problems{box_grid(3, 3, 4, Real(0.5), true), pyramid(6, Real(0.4))};
+    std::vector<Problem> problems{box_grid(3, 3, 4, Real(0.5), true), box_grid(3, 2, 2, -1, false),
+                                  pyramid(6, Real(0.4))};
     for (std::uint64_t seed = 1; seed <= 5; ++seed) problems.push_back(warm_problem(seed));
     for (const Problem& problem : problems) {
         const Outcome expected = outcome_of(*all[0], problem, 12);
