@@ -237,16 +237,14 @@ void ContactSet::sweep(std::span<Velocity> bodies)
 
 void ContactSet::relax_by(Real factor)
 {
-    const Lanes f = Lanes{} + factor, one = Lanes{} + Real(1);
-    for (ContactPoint& point : points_) {
-        for (int k = 0; k < 3; ++k) {
-            point.gain[k] = f * point.gain[k];
-            point.keep[k] = one - f * (one - point.keep[k]);
+    for (ContactPoint& point : points_)
+        for (int lane = 0; lane < kLanes; ++lane) {
+            for (int k = 0; k < 3; ++k) {
+                point.gain[k][lane] *= factor;
+                point.keep[k][lane] = 1 - factor * (1 - point.keep[k][lane]);
+            }
+            for (Lanes* coupling : {&point.k_n1, &point.k_n2, &point.k_12}) (*coupling)[lane] *= factor;
         }
-        point.k_n1 = f * point.k_n1;
-        point.k_n2 = f * point.k_n2;
-        point.k_12 = f * point.k_12;
-    }
 }
 
 void ContactSet::store_impulses(std::span<RowNumbers> numbers) const
