@@ -149,7 +149,7 @@ static void check_vector_products(void)
 
 static void check_inverse(void)
 {
-    dReal A[12], inverse[12], one[12];
+    dReal A[12], inverse[12] = {0}, one[12];  /* a singular A would leave the inverse as it is */
     randomize(A, 12);
     for (int i = 0; i < 3; ++i) dACCESS33(A, i, i) += 5;
     const double det = (double)dInvertMatrix3(inverse, A);
