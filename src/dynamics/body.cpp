@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Birth, death and invariants of bodies: q is a unit quaternion and R its matrix, inv_mass and inv_inertia are
-// zero for a kinematic body and the inverses of the stored mass otherwise.
+// Birth, death and invariants of bodies: q is a unit quaternion and R its matrix, inv_mass and inv_inertia
+// are zero for a kinematic body and the inverses of the stored mass otherwise.
 #include "dynamics/body.h"
 
 #include "base/pool.h"

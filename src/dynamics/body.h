@@ -49,28 +49,28 @@ struct Body : Tagged {
     Real tacc[4] = {};
 
     // ---- read once a step ----
-    Real inv_mass = 1;           // 0: kinematic
-    Sym3 inertia{1, 1, 1};       // body frame, about the centre
-    Sym3 inv_inertia{1, 1, 1};   // 0: kinematic
+    Real inv_mass = 1;          // 0: kinematic
+    Sym3 inertia{1, 1, 1};      // body frame, about the centre
+    Sym3 inv_inertia{1, 1, 1};  // 0: kinematic
     bool disabled = false;
     bool gravity = true;
     bool gyroscopic = true;
     bool finite_rotation = false;
     bool auto_disable = false;
-    Vec3 finite_axis;            // zero: none
+    Vec3 finite_axis;  // zero: none
     Real max_angular_speed = kInf;
     DampingRule damping;
-    int island_index = -1;       // place in its island during a step, else -1
+    int island_index = -1;  // place in its island during a step, else -1
 
     // ---- rest ----
     World* world;
-    Body* next = nullptr;        // world's list, newest first
+    Body* next = nullptr;  // world's list, newest first
     Body* prev = nullptr;
-    JointNode* joints = nullptr; // most recently attached first
+    JointNode* joints = nullptr;   // most recently attached first
     dxGeom* first_geom = nullptr;  // list of geoms; only step/link.cpp looks inside
     void* data = nullptr;
     void (*moved)(dBodyID) = nullptr;
-    dMass mass;                  // as the user gave it, kept while kinematic
+    dMass mass;  // as the user gave it, kept while kinematic
     SleepRule sleep;
     int idle_steps_left = 0;
     Real idle_time_left = 0;

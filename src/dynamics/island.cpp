@@ -17,8 +17,7 @@ class Search {
           joints_(arena.take<Joint*>(world.joint_count)),
           stack_(arena.take<Body*>(world.body_count)),
           islands_(arena.take<Island>(world.body_count))
-    {
-    }
+    {}
 
     void grow_from(Body& seed)
     {

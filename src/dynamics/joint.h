@@ -35,7 +35,7 @@ struct JointType {
     // Writes the rows of this step; may note limit states in the joint. Called once a step and, by steppers
     // with inner steps, again at inner poses.
     void (*emit)(Joint&, RowWriter&);
-    void (*attached)(Joint&);                       // bodies have changed: recompute relative values
+    void (*attached)(Joint&);                          // bodies have changed: recompute relative values
     bool (*set_param)(Joint&, int param, Real value);  // false: unknown here
     bool (*get_param)(const Joint&, int param, Real& value);
     void (*destroy)(Joint&);
@@ -46,15 +46,15 @@ struct Joint : Tagged {
     ~Joint();
 
     const JointType* type;
-    World* world;              // null once its world is gone and only a group keeps it
+    World* world;  // null once its world is gone and only a group keeps it
     JointGroup* group = nullptr;
     int group_index = -1;
-    Joint* next = nullptr;     // world's list, newest first
+    Joint* next = nullptr;  // world's list, newest first
     Joint* prev = nullptr;
     JointNode node[2];
     bool reverse = false;
     bool disabled = false;
-    int island_mark = 0;       // step number of the last visit
+    int island_mark = 0;  // step number of the last visit
     dJointFeedback* feedback = nullptr;
     void* data = nullptr;
     Real impulse[kMaxJointRows] = {};  // of the last step, for warm starting
@@ -73,10 +73,10 @@ struct HandleOf<Joint> {
     static constexpr Tag kTag = Tag::kJoint;
 };
 
-void detach(Joint& joint);                     // leaves both body lists
-void attach(Joint& joint, Body* a, Body* b);   // arguments already checked
+void detach(Joint& joint);                                            // leaves both body lists
+void attach(Joint& joint, Body* a, Body* b);                          // arguments already checked
 [[nodiscard]] bool link_into_world(Joint& joint, JointGroup* group);  // false: no memory, nothing done
-void unlink_from_world(Joint& joint);          // `world` becomes null; a group may still keep the joint
+void unlink_from_world(Joint& joint);  // `world` becomes null; a group may still keep the joint
 void destroy_joint(Joint& joint);
 
 // Acts in the step: not disabled and at least one body that can move.

@@ -22,7 +22,7 @@ struct World : Tagged {
     Body* bodies = nullptr;
     Joint* joints = nullptr;
     int body_count = 0;
-    std::uint64_t bodies_made = 0;   // gives each body its serial
+    std::uint64_t bodies_made = 0;  // gives each body its serial
     int joint_count = 0;
 
     Vec3 gravity;
@@ -32,8 +32,8 @@ struct World : Tagged {
     Real contact_layer = 0;
     int quick_iterations = 20;
     Real quick_w = Real(1.3);
-    Real warm_starting = 1;          // times the solver's own share of the last impulses
-    int auto_enable_depth = 3;       // of the 0.039 guide; stored, never used by it either
+    Real warm_starting = 1;            // times the solver's own share of the last impulses
+    int auto_enable_depth = 3;         // of the 0.039 guide; stored, never used by it either
     unsigned islands_max_threads = 0;  // 0: unlimited
 
     // Seeds of new bodies.
@@ -44,9 +44,9 @@ struct World : Tagged {
 
     void* data = nullptr;
     std::uint64_t step_count = 0;
-    bool stepping = false;           // calls that would pull the step's feet away are refused meanwhile
+    bool stepping = false;  // calls that would pull the step's feet away are refused meanwhile
     bool report_wanted = false;
-    bool report_made = false;        // a step has been made since it was wanted
+    bool report_made = false;  // a step has been made since it was wanted
     dWorldStepReport report{};
 
     Arena arena;

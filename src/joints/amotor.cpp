@@ -94,8 +94,8 @@ void AMotor::emit(RowWriter& out)
     if (mode == dAMotorEuler) update_angles();
     Vec3 a[3];
     motor_axes(a);
-    // Attached as (0, B), Euler angles run against the axes; stops act on the internal sense, as a hinge's do.
-    // (ODE tests the angle as read and so drives the body away from the range.)
+    // Attached as (0, B), Euler angles run against the axes; stops act on the internal sense, as a hinge's
+    // do. (ODE tests the angle as read and so drives the body away from the range.)
     const Real sense = reverse && mode == dAMotorEuler ? Real(-1) : Real(1);
     for (int i = 0; i < count; ++i) motor[i].emit_angular(*this, out, a[i], sense * angle[i]);
 }

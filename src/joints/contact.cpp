@@ -112,7 +112,9 @@ void Contact::write_rolling(RowWriter& out, Vec3 t1, Vec3 t2, Vec3 n) const
     const Real rho[3] = {s.rho, has(dContactAxisDep) ? s.rho2 : s.rho, has(dContactAxisDep) ? s.rhoN : s.rho};
     constexpr int kApproximation[3] = {dContactApprox1_1, dContactApprox1_2, dContactApprox1_N};
     for (int i = 0; i < 3; ++i)
-        if (rho[i] > 0) bound(out.row(angular_jacobian(*this, axis[i]), 0, RowKind::kFriction), rho[i], kApproximation[i]);
+        if (rho[i] > 0)
+            bound(out.row(angular_jacobian(*this, axis[i]), 0, RowKind::kFriction), rho[i],
+                  kApproximation[i]);
 }
 
 namespace {

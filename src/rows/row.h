@@ -31,16 +31,16 @@ struct Jacobian {
 
 struct Row : Jacobian {
     Real error = 0;
-    Real erp = 0;            // share of the error to remove in one step
-    Real cfm = 0;            // softness, velocity per force times h (ODE's CFM)
+    Real erp = 0;  // share of the error to remove in one step
+    Real cfm = 0;  // softness, velocity per force times h (ODE's CFM)
     Real speed = 0;
-    Real cap = kInf;         // largest c that correction and speed together may ask for
-    Real rebound = 0;        // J v wanted after an impact; used when `rebounds`
+    Real cap = kInf;   // largest c that correction and speed together may ask for
+    Real rebound = 0;  // J v wanted after an impact; used when `rebounds`
     Real lo = -kInf, hi = kInf;
-    int parent = -1;         // row of the same joint whose force times `hi` bounds this row; -1: constant bounds
+    int parent = -1;  // row of the same joint whose force times `hi` bounds this row; -1: constant bounds
     RowKind kind = RowKind::kLock;
     bool rebounds = false;
-    bool soft = false;       // the user chose erp or cfm for this row: take them literally
+    bool soft = false;  // the user chose erp or cfm for this row: take them literally
 };
 
 inline constexpr int kMaxJointRows = 6;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// One island as a solver sees it: bodies, rows and numbers, no joints and no world. With impulses p = h lambda
+// One island as a solver sees it: bodies, rows and numbers, no joints and no world. With impulses p = h
+// lambda
 //
 //   M (v - v*) = J^T p,     w_i = J_i v + C_i p_i - c_i
 //   lo_i < p_i < hi_i -> w_i = 0;   p_i = lo_i -> w_i >= 0;   p_i = hi_i -> w_i <= 0
@@ -19,29 +20,29 @@ namespace epode {
 
 // 128 bytes in double: what sweeps touch comes first.
 struct SolverBody {
-    Vec3 v, w;             // in: v*; out: the answer
-    Real inv_mass = 0;     // zero for kinematic bodies
-    Sym3 inv_inertia;      // world frame
-    Real mass = 0;         // of the exact solver; 0 when inv_mass is 0
-    Sym3 inertia;          // world frame
+    Vec3 v, w;          // in: v*; out: the answer
+    Real inv_mass = 0;  // zero for kinematic bodies
+    Sym3 inv_inertia;   // world frame
+    Real mass = 0;      // of the exact solver; 0 when inv_mass is 0
+    Sym3 inertia;       // world frame
 };
 
 // The numbers that a policy makes of a Row.
 struct RowNumbers {
-    Real c = 0;         // wanted J v, m/s or rad/s
-    Real C = 0;         // softness of p: cfm / h
-    Real lo = -kInf;    // bounds of p; for rows with a parent: hi is the friction coefficient, lo = -hi
+    Real c = 0;       // wanted J v, m/s or rad/s
+    Real C = 0;       // softness of p: cfm / h
+    Real lo = -kInf;  // bounds of p; for rows with a parent: hi is the friction coefficient, lo = -hi
     Real hi = kInf;
-    Real p = 0;         // impulse: warm start in, answer out
-    int parent = -1;    // row of the island, or -1
+    Real p = 0;       // impulse: warm start in, answer out
+    int parent = -1;  // row of the island, or -1
 };
 
 // The rows of one joint.
 struct RowBlock {
     int first = 0;
     int count = 0;
-    int body1 = 0;      // index into bodies
-    int body2 = -1;     // -1: the world
+    int body1 = 0;         // index into bodies
+    int body2 = -1;        // -1: the world
     bool contact = false;  // rows of one contact point with these arms: normal, tangents, then rolling rows
     ContactArms arms;
 };
@@ -50,11 +51,12 @@ struct RowSystem {
     Real h = 0;
     std::span<SolverBody> bodies;
     std::span<Row> rows;
-    std::span<RowNumbers> numbers;   // parallel to rows
-    std::span<RowBlock> blocks;      // in joint order, covering rows without gaps
+    std::span<RowNumbers> numbers;  // parallel to rows
+    std::span<RowBlock> blocks;     // in joint order, covering rows without gaps
 };
 
-// How a solver with inner steps drives the model between its solves. Implemented by step/, which knows joints.
+// How a solver with inner steps drives the model between its solves. Implemented by step/, which knows
+// joints.
 struct Substeps {
     void* model = nullptr;
     // v += h M^-1 f with gravity and gyroscopic torque, in the SolverBodies.

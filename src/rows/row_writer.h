@@ -11,11 +11,11 @@
 namespace epode {
 
 struct StepInfo {
-    Real h = 0;    // step size, s
-    Real fps = 0;  // 1/h
-    Real erp = 0;  // of the world
-    Real cfm = 0;  // of the world
-    Real contact_layer = 0;     // depth that contacts are allowed to keep, m
+    Real h = 0;                   // step size, s
+    Real fps = 0;                 // 1/h
+    Real erp = 0;                 // of the world
+    Real cfm = 0;                 // of the world
+    Real contact_layer = 0;       // depth that contacts are allowed to keep, m
     Real contact_max_vel = kInf;  // cap of a contact's correcting velocity, m/s
     bool inner = false;           // an inner pose of a step already begun: row counts must not change
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Free rows satisfy w = J v + C p - c = 0; with D = 1/C on them and 0 elsewhere, eliminating p gives H dv = r.
-// p is carried as an unknown of its own through the KKT refinement and never recomputed as (c - J v)/C, which
-// would cost eps/C of it (8 digits at ODE's CFM):
+// Free rows satisfy w = J v + C p - c = 0; with D = 1/C on them and 0 elsewhere, eliminating p gives H dv =
+// r. p is carried as an unknown of its own through the KKT refinement and never recomputed as (c - J v)/C,
+// which would cost eps/C of it (8 digits at ODE's CFM):
 //
 //   r1 = M (v* - v) + J^T p,  r2 = c - J v - C p   (free rows)
 //   dv = H^-1 (r1 + J^T D r2),  dp = D (r2 - J dv)
@@ -66,9 +66,15 @@ void ActiveSet::settle(const ExactProblem& problem, BoxState& state)
         D_[i] = 0;
         switch (state.tag[i]) {
             case BoxState::kFixed:
-            case BoxState::kLower: state.p[i] = state.lo[i]; break;
-            case BoxState::kUpper: state.p[i] = state.hi[i]; break;
-            case BoxState::kFree: D_[i] = 1 / std::max(row.C, row.weight_min); break;
+            case BoxState::kLower:
+                state.p[i] = state.lo[i];
+                break;
+            case BoxState::kUpper:
+                state.p[i] = state.hi[i];
+                break;
+            case BoxState::kFree:
+                D_[i] = 1 / std::max(row.C, row.weight_min);
+                break;
         }
     }
 }

@@ -27,8 +27,8 @@ class BlockCholesky {
     double* diagonal(int body) { return diagonal_.data() + kBlock * structure_.position[std::size_t(body)]; }
     double* between(int a, int b, bool& transposed);
 
-    void clear();                  // H = 0
-    int factor();                  // in place; returns how many pivots had to be replaced
+    void clear();                     // H = 0
+    int factor();                     // in place; returns how many pivots had to be replaced
     void solve(std::span<double> x);  // x = H^-1 x, six numbers per body in body order
 
   private:

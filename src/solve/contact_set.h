@@ -35,7 +35,7 @@ class ContactSet {
     void apply_impulses(std::span<Velocity> bodies) const;  // v += M^-1 J^T p
     void shuffle(CounterRandom& random);                    // the order of the sweeps to come
     void sweep(std::span<Velocity> bodies);
-    void relax_by(Real factor);                             // multiplies the over-relaxation of the sweeps to come
+    void relax_by(Real factor);  // multiplies the over-relaxation of the sweeps to come
     void store_impulses(std::span<RowNumbers> numbers) const;
     // J_n v of the points of a batch.
     void normal_velocities(const ContactBatch& batch, std::span<const Velocity> bodies,

@@ -6,9 +6,9 @@
 // A_FF dp_F = -w_F by Cholesky, which is backward stable: one solution has a residual of rounding size, also
 // where redundant rows make A nearly singular. Only where a softness below 1e-11 d had to be raised in the
 // factor does it take a few rounds against the true A. Rules of flipping as in active_set.cpp.
-// A couples rows of joints that share a body, so each row is zero outside a range of columns, and each row of L
-// before its first column there (the envelope): a chain costs what a band matrix costs. Rows are padded to even
-// length; inner products run on two lanes with a fixed order of summation.
+// A couples rows of joints that share a body, so each row is zero outside a range of columns, and each row of
+// L before its first column there (the envelope): a chain costs what a band matrix costs. Rows are padded to
+// even length; inner products run on two lanes with a fixed order of summation.
 #include "solve/dense_active_set.h"
 
 #include <algorithm>

@@ -35,8 +35,8 @@ class DenseActiveSet {
     std::span<double> A_, L_, b_, r_, w_;  // A_ and L_: stride_ numbers a row
     std::span<double> response_;           // twelve numbers a row
     std::span<int> free_, wrong_;
-    std::span<int> begin_, end_;           // the columns of A's row that may not be zero
-    std::span<int> lead_;                  // the first column of L's row that may not be zero, even
+    std::span<int> begin_, end_;  // the columns of A's row that may not be zero
+    std::span<int> lead_;         // the first column of L's row that may not be zero, even
 };
 
 }  // namespace epode

@@ -8,10 +8,10 @@
 //   2. all rows, with limits  hi = mu |p1[parent]|,  lo = -hi, frozen     -> p
 //
 // Phase 1 must be exact including the split among redundant contacts, since phase 2 inherits it as limits.
-// Per phase: active set from the warm start (on the dense dual matrix for small islands), interior point where the guess does not settle, then the active
-// set again from its tags; the better answer by natural residual counts. Nothing is ever printed.
-// The alternative, Dantzig's principal pivoting on the dense J M^-1 J^T, is what ODE does: cubic in the rows,
-// and a pivot near zero on redundant contacts ends it.
+// Per phase: active set from the warm start (on the dense dual matrix for small islands), interior point
+// where the guess does not settle, then the active set again from its tags; the better answer by natural
+// residual counts. Nothing is ever printed. The alternative, Dantzig's principal pivoting on the dense J M^-1
+// J^T, is what ODE does: cubic in the rows, and a pivot near zero on redundant contacts ends it.
 #include <algorithm>
 #include <cmath>
 
@@ -24,8 +24,8 @@
 namespace epode {
 namespace {
 
-constexpr double kPromised = 1e-9;  // natural residual that an answer must have
-constexpr int kQuickRounds = 20;    // of the first active set
+constexpr double kPromised = 1e-9;    // natural residual that an answer must have
+constexpr int kQuickRounds = 20;      // of the first active set
 constexpr double kMostTrusted = 1e8;  // times the problem's velocity scale, of an impulse to start from
 constexpr double kInteriorTolerance = 2e-10;
 
@@ -44,7 +44,8 @@ class DirectSolve {
         kept_ = arena.take<double>(m);
         begun_ = arena.take<double>(m);
         scratch_ = arena.take<double>(problem_.unknowns());
-        return !arena.failed() && (small_ ? dense_.prepare(problem_, system.blocks, arena) : prepare_sparse(system, arena));
+        return !arena.failed() &&
+               (small_ ? dense_.prepare(problem_, system.blocks, arena) : prepare_sparse(system, arena));
     }
 
     // Both phases; false: out of memory.
@@ -133,8 +134,8 @@ class DirectSolve {
         const double before = problem_.residual(state_, scratch_);
         std::copy(state_.p.begin(), state_.p.end(), kept_.begin());
         const int rounds = 30 + problem_.row_count() / 2;
-        const bool exact = active_.solve(problem_, state_, {before > kPromised ? rounds : 8, true},
-                                         report.iterations);
+        const bool exact =
+            active_.solve(problem_, state_, {before > kPromised ? rounds : 8, true}, report.iterations);
         if (exact) return;
         for (std::size_t i = 0; i < state_.p.size(); ++i)
             state_.p[i] = std::min(std::max(state_.p[i], state_.lo[i]), state_.hi[i]);

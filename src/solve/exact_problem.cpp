@@ -129,8 +129,8 @@ double ExactProblem::velocity_scale(const ExactRow& row) const
     return std::max(std::fabs(row.c - sum), 1e-3 * motion);
 }
 
-void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock& block, const RowSystem& system,
-                            ExactRow& out) const
+void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock& block,
+                            const RowSystem& system, ExactRow& out) const
 {
     double* half = out.J;
     int* body = &out.a;

@@ -20,11 +20,11 @@
 namespace epode {
 
 struct ExactRow {
-    double J[12];      // of body a, then of body b
-    double c, C, d;    // d = J M^-1 J^T + C
-    double weight_min; // smallest softness that the factor may see, so that C = 0 has a finite weight
-    int a, b;          // dynamic bodies; b = -1: only one
-    int pair;          // index into the slots of H
+    double J[12];       // of body a, then of body b
+    double c, C, d;     // d = J M^-1 J^T + C
+    double weight_min;  // smallest softness that the factor may see, so that C = 0 has a finite weight
+    int a, b;           // dynamic bodies; b = -1: only one
+    int pair;           // index into the slots of H
 };
 
 // The box problem of one phase and its present iterate.
@@ -50,8 +50,8 @@ class ExactProblem {
     int row_count() const { return int(rows_.size()); }
     int unknowns() const { return int(v_star_.size()); }
     const ExactRow& row(int i) const { return rows_[std::size_t(i)]; }
-    // Typical velocity of the problem, m/s: the largest that a row has to change, but not below a thousandth of
-    // the velocities themselves, whose rounding nobody can undercut.
+    // Typical velocity of the problem, m/s: the largest that a row has to change, but not below a thousandth
+    // of the velocities themselves, whose rounding nobody can undercut.
     double scale() const { return scale_; }
 
     int factor(std::span<const double> D);
@@ -62,8 +62,8 @@ class ExactProblem {
     // v = v* + M^-1 J^T p
     void velocities(std::span<const double> p, std::span<double> v) const;
 
-    static double jv(const ExactRow& row, const double* v);             // J v
-    static void add_jt(const ExactRow& row, double s, double* x);       // x += J^T s
+    static double jv(const ExactRow& row, const double* v);        // J v
+    static void add_jt(const ExactRow& row, double s, double* x);  // x += J^T s
 
     // M^-1 J^T of one row.
     void response(const ExactRow& row, double* twelve) const;
@@ -92,11 +92,11 @@ class ExactProblem {
     void fill_row(const Row& row, const RowNumbers& n, const RowBlock& block, const RowSystem& system,
                   ExactRow& out) const;
 
-    std::span<int> dynamic_;       // island body -> dynamic index or -1
+    std::span<int> dynamic_;  // island body -> dynamic index or -1
     std::span<BodyMass> masses_;
     std::span<double> v_star_;
     std::span<ExactRow> rows_;
-    std::span<PairSlots> slots_;   // one per block of rows
+    std::span<PairSlots> slots_;  // one per block of rows
     BlockCholesky H_;
     double scale_ = 1;
 };

@@ -10,10 +10,11 @@
 //   theta = C + zl/sl + zu/su,  D = 1/theta,  e = r2 + (tl - zl rl)/sl - (tu - zu ru)/su
 //   H dv = r1 + J^T D e,  dp = D (e - J dv)
 //
-// Predictor t = -s z with step a, then t = sigma mu/d - s z - a^2 ds dz with sigma = (mu_aff/mu)^3 (the second
-// order counts for as much as the predictor could go: Colombo & Gondzio, Comput. Optim. Appl. 41, 2008); rows are weighted by
-// d = J M^-1 J^T + C, so that mu is a velocity squared and rows of different kinds agree. Without the centrality
-// correctors (Gondzio, Comput. Optim. Appl. 6, 1996) a few outlying products stall it on sliding stacks.
+// Predictor t = -s z with step a, then t = sigma mu/d - s z - a^2 ds dz with sigma = (mu_aff/mu)^3 (the
+// second order counts for as much as the predictor could go: Colombo & Gondzio, Comput. Optim. Appl. 41,
+// 2008); rows are weighted by d = J M^-1 J^T + C, so that mu is a velocity squared and rows of different
+// kinds agree. Without the centrality correctors (Gondzio, Comput. Optim. Appl. 6, 1996) a few outlying
+// products stall it on sliding stacks.
 #include "solve/interior_point.h"
 
 #include <algorithm>
@@ -23,11 +24,11 @@ namespace epode {
 namespace {
 
 constexpr int kMostIterations = 60;
-constexpr int kPatience = 2;         // iterations without a tenth of progress before recentring
-constexpr int kStall = 12;           // and before giving up
+constexpr int kPatience = 2;  // iterations without a tenth of progress before recentring
+constexpr int kStall = 12;    // and before giving up
 constexpr double kStepShare = 0.995;
 constexpr int kCorrectors = 3;
-constexpr double kLonger = 0.3;      // step that a corrector tries to gain
+constexpr double kLonger = 0.3;  // step that a corrector tries to gain
 
 }  // namespace
 
@@ -43,7 +44,8 @@ bool InteriorPoint::prepare(const ExactProblem& problem, Arena& arena)
 bool InteriorPoint::solve(ExactProblem& problem, BoxState& state, double tolerance, int& iterations)
 {
     start(problem, state);
-    // Progress is counted from these marks; at a degenerate solution the measure only falls like the root of mu.
+    // Progress is counted from these marks; at a degenerate solution the measure only falls like the root of
+    // mu.
     double mark = HUGE_VAL, mu_mark = HUGE_VAL, step = 1;
     int stall = 0;
     bool reached = false;
@@ -78,12 +80,14 @@ double InteriorPoint::aim(ExactProblem& problem, const BoxState& state)
     const double target = ratio * ratio * ratio * mu;
     for (std::size_t i = 0; i < rows_.size(); ++i)
         for (Side* side : {&rows_[i].lower, &rows_[i].upper})
-            side->t = target / problem.row(int(i)).d - side->s * side->z - reach * reach * side->ds * side->dz;
+            side->t =
+                target / problem.row(int(i)).d - side->s * side->z - reach * reach * side->ds * side->dz;
     direction(problem, state);
     return target;
 }
 
-// Where predictor and corrector no longer get on, a few products are far off the mean: back towards the middle.
+// Where predictor and corrector no longer get on, a few products are far off the mean: back towards the
+// middle.
 double InteriorPoint::recentre(ExactProblem& problem, const BoxState& state)
 {
     const double target = 0.5 * complementarity(problem, 0);
@@ -197,9 +201,9 @@ void InteriorPoint::direction(ExactProblem& problem, const BoxState& state)
     }
 }
 
-// Gondzio's correctors: where a longer step would leave products far from the target, aim at the nearest bound
-// of [1/10, 10] of it instead; each costs one more solution with the same factor. They are kept only while they
-// lengthen the step.
+// Gondzio's correctors: where a longer step would leave products far from the target, aim at the nearest
+// bound of [1/10, 10] of it instead; each costs one more solution with the same factor. They are kept only
+// while they lengthen the step.
 void InteriorPoint::correct_centrality(ExactProblem& problem, const BoxState& state, double target)
 {
     double step = longest_step();

@@ -21,8 +21,7 @@ class BitGraph {
           words_((std::size_t(n) + 63) / 64),
           bits_(arena.take_zeroed<std::uint64_t>(n * int(words_))),
           degree_(arena.take_zeroed<int>(n))
-    {
-    }
+    {}
 
     void connect(int a, int b)
     {

@@ -11,7 +11,8 @@
 // to the same side, and a stack at rest trembles twice as much for it. ODE shuffles every eight sweeps, from
 // the process-wide dRand; here the numbers are a function of the step and the island.
 // Over-relaxation carries impulses far but leaves the last row visited too much: the second half of
-// the sweeps over contacts is made with W = 1, which lets that settle (a third less trembling of 1,000 boxes).
+// the sweeps over contacts is made with W = 1, which lets that settle (a third less trembling of 1,000
+// boxes).
 #include <algorithm>
 
 #include "solve/contact_set.h"

@@ -14,21 +14,21 @@ namespace epode {
 
 struct SolverSettings {
     int iterations = 20;
-    Real w = Real(1.3);                // over-relaxation
-    std::uint64_t seed = 0;            // function of world, step and island: for shuffles
+    Real w = Real(1.3);      // over-relaxation
+    std::uint64_t seed = 0;  // function of world, step and island: for shuffles
     const Substeps* substeps = nullptr;
-    bool want_residual = false;        // costs an evaluation
+    bool want_residual = false;  // costs an evaluation
 };
 
 struct SolveReport {
-    Real residual = 0;   // natural residual, relative (solve/residual.h)
+    Real residual = 0;  // natural residual, relative (solve/residual.h)
     int iterations = 0;
     bool fallback = false;
 };
 
 struct Solver {
     const char* name;
-    bool substeps;    // advances poses itself through SolverSettings::substeps
+    bool substeps;       // advances poses itself through SolverSettings::substeps
     bool needs_inertia;  // reads SolverBody::mass and inertia, not only the inverses
     Real warm_share;  // of the last step's impulses that it starts from when the world asks for warm starting
     // False: out of memory, nothing usable was computed.

@@ -49,9 +49,12 @@ void emit_rows(const StepInfo& info, std::span<Joint*> joints, IslandWork& work,
         if (out.count() == 0) continue;
         const Body* b2 = joint->body2();
         work.joints[std::size_t(blocks)] = joint;
-        work.system.blocks[std::size_t(blocks)] = {rows, out.count(), joint->body1()->island_index,
+        work.system.blocks[std::size_t(blocks)] = {rows,
+                                                   out.count(),
+                                                   joint->body1()->island_index,
                                                    b2 ? b2->island_index : -1,
-                                                   joint->type->number == dJointTypeContact, out.arms()};
+                                                   joint->type->number == dJointTypeContact,
+                                                   out.arms()};
         rows += out.count();
         ++blocks;
     }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Row layout that is relied on here: a contact block begins with its normal row, whose lin1 is the normal; the
-// linear parts of the others are tangents.
+// Row layout that is relied on here: a contact block begins with its normal row, whose lin1 is the normal;
+// the linear parts of the others are tangents.
 #include "step/contact_cache.h"
 
 #include <algorithm>
@@ -43,16 +43,22 @@ ContactCache::Entry* ContactCache::find(const Entry& like)
 int ContactCache::load(const Joint& joint, const RowBlock& block, RowSystem& system, Real share)
 {
     const Body& body = *joint.body1();
-    const Entry fresh{body.serial, joint.body2() ? joint.body2()->serial : 0,
+    const Entry fresh{body.serial,
+                      joint.body2() ? joint.body2()->serial : 0,
                       narrow(transposed_times(body.rotation(), block.arms.r1)),
-                      narrow(system.rows[std::size_t(block.first)].lin1), {}, 0, -1, false};
+                      narrow(system.rows[std::size_t(block.first)].lin1),
+                      {},
+                      0,
+                      -1,
+                      false};
     if (fresh_.size() >= fresh_.capacity()) return -1;
     (void)fresh_.push(fresh);
     if (Entry* old = share > 0 ? find(fresh) : nullptr) {
         old->used = true;
         system.numbers[std::size_t(block.first)].p = share * Real(old->push);
         for (int i = block.first + 1; i < block.first + block.count; ++i)
-            system.numbers[std::size_t(i)].p = share * dot(widen(old->friction), system.rows[std::size_t(i)].lin1);
+            system.numbers[std::size_t(i)].p =
+                share * dot(widen(old->friction), system.rows[std::size_t(i)].lin1);
     }
     return fresh_.size() - 1;
 }

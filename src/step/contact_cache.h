@@ -4,8 +4,8 @@
 // ODE's contacts are new joints in every step; this cache finds last step's impulses for them. A contact is
 // known by its two bodies and its place in the first one's frame: among the old contacts of the pair, the
 // nearest within kReach of the lever arm and with a similar normal is taken, each at most once. The friction
-// impulse is kept as a world vector and projected on the new tangents. Bodies, not geoms, are the key: clients
-// need not fill dContactGeom::g1 and g2.
+// impulse is kept as a world vector and projected on the new tangents. Bodies, not geoms, are the key:
+// clients need not fill dContactGeom::g1 and g2.
 #pragma once
 
 #include "base/array.h"
@@ -18,7 +18,8 @@ class ContactCache {
   public:
     // A step with at most `contacts` contacts begins. Out of memory: nothing is remembered.
     void begin(int contacts);
-    // Notes a contact block and writes `share` of what is remembered of it into its numbers. Returns its ticket.
+    // Notes a contact block and writes `share` of what is remembered of it into its numbers. Returns its
+    // ticket.
     int load(const Joint& joint, const RowBlock& block, RowSystem& system, Real share);
     // The answer for a ticket.
     void remember(int ticket, const RowBlock& block, const RowSystem& system);
