@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Dynamics: worlds, rigid bodies, joints, and the functions that move them in time.
+// Dynamics: worlds, rigid bodies, joints, and the functions that move them in time. One long file, because
+// programs written for ODE include it by this name.
 //
 // A step of size h solves for the joint forces lambda (N, N m) of each island of connected bodies
 //     (J M^-1 J^T + CFM/h) lambda = rhs,   lo <= lambda <= hi,   J v+ = ERP/h * error - CFM lambda,
