@@ -102,7 +102,10 @@ bool assemble(World& world, Island island, Real h, const Solver& solver, Arena& 
     work.system.bodies = arena.take<SolverBody>(int(island.bodies.size()));
     work.system.blocks = arena.take<RowBlock>(joint_count);
     work.system.rows = arena.take<Row>(joint_count * kMaxJointRows);
-    if (arena.failed()) return false;
+    if (arena.failed()) {
+        work.joints = {};  // nothing was written there
+        return false;
+    }
 
     for (Body* body : island.bodies) add_gravity(*body, world.gravity);
     int rows = 0, blocks = 0;
