@@ -12,14 +12,15 @@ MAY_INCLUDE = {
     "base": set(),
     "math": {"base"},
     "simd": {"base", "math"},
+    "tasks": {"base"},
     "rows": {"base", "math"},
     "geometry": {"base", "math"},
     "bvh": {"base", "math", "simd", "geometry"},
     "dynamics": {"base", "math", "rows"},
     "joints": {"base", "math", "rows", "dynamics"},
-    "solve": {"base", "math", "simd", "rows"},
+    "solve": {"base", "math", "simd", "tasks", "rows"},
     "collide": {"base", "math", "simd", "geometry", "bvh"},
-    "step": {"base", "math", "simd", "rows", "geometry", "bvh", "dynamics", "joints", "solve", "collide"},
+    "step": {"base", "math", "simd", "tasks", "rows", "geometry", "bvh", "dynamics", "joints", "solve", "collide"},
 }
 MAY_INCLUDE["api"] = MAY_INCLUDE["step"] | {"step"}
 OUTSIDE = ["viewer", "scenes", "cli", "bench", "tests/parity", "tests/clients", "tests/physics", "tests/cli",

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Independent pieces of work on several cores. `for_each(count, body)` calls body(index, worker) once for
+// every index, in any order and on any worker 0 ... workers() - 1, and returns when all are done. What a
+// piece computes must depend on its index alone, never on its worker or on the order: then a result has the
+// same bits on any number of workers. `worker` is for scratch memory only.
+// A call from inside a piece runs its own pieces in place, one after another.
+#pragma once
+
+namespace epode {
+
+class Tasks {
+  public:
+    // `workers` counts the caller; at least 1.
+    explicit Tasks(int workers = 1) : workers_(workers < 1 ? 1 : workers) {}
+
+    int workers() const { return workers_; }
+
+    template <typename Body>
+    void for_each(int count, Body&& body) const
+    {
+        if (workers_ == 1 || count < 2) {
+            for (int i = 0; i < count; ++i) body(i, 0);
+            return;
+        }
+        run(
+            count, [](void* b, int i, int worker) { (*static_cast<Body*>(b))(i, worker); }, &body);
+    }
+
+  private:
+    using Piece = void (*)(void* body, int index, int worker);
+    void run(int count, Piece piece, void* body) const;
+
+    int workers_;
+};
+
+// Workers that the machine can run at once.
+int processor_count();
+
+}  // namespace epode

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Pieces are claimed one by one by compare-and-swap on a ticket that carries the number of the job, so that a
+// worker that wakes late can never take a piece of the next job by the old count. A step has many short
+// stages: workers spin for a while before they sleep, and the caller spins, then yields, for the last piece.
+// Plain pthreads: starting a std::thread can only fail by exception.
+#include "tasks/thread_pool.h"
+
+#include <unistd.h>
+
+#include <new>
+#include <thread>
+
+#include "base/lifecycle.h"
+#include "tasks/tasks.h"
+
+namespace epode {
+namespace {
+
+constexpr int kSpins = 4000;  // some ten microseconds
+constexpr std::size_t kStack = 512 * 1024;
+
+thread_local int t_worker = -1;  // what this thread is while it runs pieces
+
+void pause()
+{
+#if defined(__x86_64__) || defined(__i386__)
+    __builtin_ia32_pause();
+#endif
+}
+
+}  // namespace
+
+bool ThreadPool::run(int workers, int count, Piece piece, void* body)
+{
+    if (t_worker >= 0 || taken_.test_and_set(std::memory_order_acquire)) return false;
+    start_up_to((workers < count ? workers : count) - 1);
+    piece_.store(piece, std::memory_order_relaxed);
+    body_.store(body, std::memory_order_relaxed);
+    count_.store(count, std::memory_order_relaxed);
+    workers_.store(workers, std::memory_order_relaxed);
+    done_.store(0, std::memory_order_relaxed);
+    const unsigned job = news_.load(std::memory_order_relaxed) + 1;
+    ticket_.store((unsigned long long)job << 32, std::memory_order_release);
+    news_.store(job, std::memory_order_release);
+    news_.notify_all();
+
+    work(0);
+    for (int spins = 0; done_.load(std::memory_order_acquire) < count; ++spins)
+        spins < kSpins ? pause() : std::this_thread::yield();
+    ticket_.store((unsigned long long)job << 32 | kClosed, std::memory_order_release);
+    taken_.clear(std::memory_order_release);
+    return true;
+}
+
+void ThreadPool::work(int worker)
+{
+    t_worker = worker;
+    for (;;) {
+        unsigned long long ticket = ticket_.load(std::memory_order_acquire);
+        const int index = int(ticket & 0xffffffffu);
+        if (index >= count_.load(std::memory_order_relaxed)) break;
+        if (worker >= workers_.load(std::memory_order_relaxed)) break;
+        const Piece piece = piece_.load(std::memory_order_relaxed);
+        void* const body = body_.load(std::memory_order_relaxed);
+        if (!ticket_.compare_exchange_strong(ticket, ticket + 1, std::memory_order_acq_rel)) continue;
+        piece(body, index, worker);
+        done_.fetch_add(1, std::memory_order_release);
+    }
+    t_worker = -1;
+}
+
+unsigned ThreadPool::wait_for_news(unsigned seen)
+{
+    for (int spins = 0; spins < kSpins; ++spins) {
+        const unsigned news = news_.load(std::memory_order_acquire);
+        if (news != seen) return news;
+        pause();
+    }
+    news_.wait(seen, std::memory_order_acquire);
+    return news_.load(std::memory_order_acquire);
+}
+
+void ThreadPool::serve(int worker)
+{
+    // A job may have been posted before this thread came to run: it is looked at first.
+    unsigned seen = 0;
+    while (!ending_.load(std::memory_order_acquire)) {
+        work(worker);
+        seen = wait_for_news(seen);
+    }
+}
+
+void* ThreadPool::main_of(void* argument)
+{
+    Thread& self = *static_cast<Thread*>(argument);
+    self.pool->serve(self.worker);
+    return nullptr;
+}
+
+// Where the system refuses a thread, those that exist do the work.
+void ThreadPool::start_up_to(int threads)
+{
+    if (threads > kMostThreads) threads = kMostThreads;
+    if (thread_count_ >= threads) return;
+    pthread_attr_t attributes;
+    if (pthread_attr_init(&attributes) != 0) return;
+    pthread_attr_setstacksize(&attributes, kStack);
+    while (thread_count_ < threads) {
+        Thread& next = threads_[thread_count_];
+        next = {this, thread_count_ + 1, {}};
+        if (pthread_create(&next.id, &attributes, main_of, &next) != 0) break;
+        ++thread_count_;
+    }
+    pthread_attr_destroy(&attributes);
+}
+
+void ThreadPool::stop()
+{
+    while (taken_.test_and_set(std::memory_order_acquire)) std::this_thread::yield();
+    ending_.store(true, std::memory_order_release);
+    news_.fetch_add(1, std::memory_order_acq_rel);
+    news_.notify_all();
+    for (int i = 0; i < thread_count_; ++i) pthread_join(threads_[i].id, nullptr);
+    thread_count_ = 0;
+    ending_.store(false, std::memory_order_release);
+    taken_.clear(std::memory_order_release);
+}
+
+void ThreadPool::forget_threads()
+{
+    thread_count_ = 0;
+    ticket_.store(kClosed, std::memory_order_relaxed);
+    taken_.clear(std::memory_order_relaxed);
+    t_worker = -1;
+}
+
+// Never destroyed: threads may still wait in it when the process ends.
+ThreadPool& thread_pool()
+{
+    alignas(ThreadPool) static unsigned char memory[sizeof(ThreadPool)];
+    static ThreadPool* const pool = [] {
+        auto* made = new (memory) ThreadPool;
+        (void)on_last_close([] { thread_pool().stop(); });
+        pthread_atfork(nullptr, nullptr, [] { thread_pool().forget_threads(); });
+        return made;
+    }();
+    return *pool;
+}
+
+void Tasks::run(int count, Piece piece, void* body) const
+{
+    if (thread_pool().run(workers_, count, piece, body)) return;
+    const int self = t_worker >= 0 && t_worker < workers_ ? t_worker : 0;
+    for (int i = 0; i < count; ++i) piece(body, i, self);
+}
+
+int processor_count()
+{
+    const long n = sysconf(_SC_NPROCESSORS_ONLN);
+    return n < 1 ? 1 : n > ThreadPool::kMostThreads ? ThreadPool::kMostThreads : int(n);
+}
+
+}  // namespace epode

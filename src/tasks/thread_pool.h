@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The threads behind Tasks: one pool for the process, since worlds that step at the same time share the same
+// cores. A step that finds the pool taken by another world works alone: slower, with the same result.
+#pragma once
+
+#include <pthread.h>
+
+#include <atomic>
+
+namespace epode {
+
+class ThreadPool {
+  public:
+    using Piece = void (*)(void* body, int index, int worker);
+    static constexpr int kMostThreads = 64;
+
+    // The caller becomes worker 0 of at most `workers`. False: the pool is taken, nothing was run.
+    bool run(int workers, int count, Piece piece, void* body);
+
+    // Ends all threads; the next run starts new ones.
+    void stop();
+
+    // In the child of a fork, which has none of the threads.
+    void forget_threads();
+
+  private:
+    struct Thread {
+        ThreadPool* pool;
+        int worker;
+        pthread_t id;
+    };
+    static void* main_of(void* thread);
+    void start_up_to(int threads);
+    void serve(int worker);
+    void work(int worker);
+    unsigned wait_for_news(unsigned seen);
+
+    // A job. Its fields may be read by a late worker while the next job is written, and are then not used,
+    // since the ticket is closed in between.
+    std::atomic<Piece> piece_{nullptr};
+    std::atomic<void*> body_{nullptr};
+    std::atomic<int> count_{0};
+    std::atomic<int> workers_{0};
+    static constexpr int kClosed = 0x7fffffff;
+    std::atomic<unsigned long long> ticket_{kClosed};  // job number << 32 | next index
+    std::atomic<int> done_{0};
+
+    std::atomic<unsigned> news_{0};  // grows with every job and at the end
+    std::atomic<bool> ending_{false};
+    std::atomic_flag taken_ = ATOMIC_FLAG_INIT;
+    Thread threads_[kMostThreads] = {};
+    int thread_count_ = 0;
+};
+
+ThreadPool& thread_pool();
+
+}  // namespace epode
