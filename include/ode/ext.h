@@ -12,18 +12,49 @@
 extern "C" {
 #endif
 
-/** What the last step of a world did. */
+/** What the last step of a world did. Sums and worst values over its islands. Lengths in m, angles in
+    rad, energies in J. */
 typedef struct dWorldStepReport {
-    unsigned struct_size;  /**< sizeof(dWorldStepReport), set by the caller */
-    int islands;           /**< islands that were simulated */
-    int bodies;            /**< bodies in them */
-    int joints;            /**< joints in them that gave at least one row */
-    int rows;              /**< constraint rows, all islands together */
-    double residual;       /**< worst natural residual over the islands, relative; 0 = solved exactly */
-    int iterations;        /**< solver iterations, or pivots of the exact solver, summed over islands */
-    int fallbacks;         /**< islands that needed a more careful method than the first one */
-    int contained_islands; /**< islands kept from spreading bad numbers: velocities kept, forces zero */
+    unsigned struct_size;     /**< sizeof(dWorldStepReport), set by the caller */
+    int islands;              /**< islands that were simulated */
+    int bodies;               /**< bodies in them */
+    int joints;               /**< joints in them that gave at least one row */
+    int rows;                 /**< constraint rows, all islands together */
+    double residual;          /**< worst natural residual over the islands, relative; 0 = solved exactly */
+    int iterations;           /**< solver iterations, or pivots of the exact solver, summed over islands */
+    int fallbacks;            /**< islands that needed a more careful method than the first one */
+    int contained_islands;    /**< islands kept from spreading bad numbers: velocities kept, forces zero */
+    int factorisations;       /**< sparse factorisations, summed over islands */
+    double joint_error;       /**< worst distance that a joint should hold at zero, at the step's beginning */
+    double joint_angle_error; /**< the same for angles, rad */
+    double penetration;       /**< deepest contact beyond the surface layer, at the step's beginning */
+    double energy_before;     /**< kinetic energy plus that of weight, at the step's beginning */
+    double energy_after;      /**< the same at its end, before the bodies' own damping */
 } dWorldStepReport;
+
+/** How an island was solved. */
+typedef enum {
+    dIslandMethodNone,      /**< nothing to solve */
+    dIslandMethodDense,     /**< exact: active set on the dense matrix of a small island */
+    dIslandMethodActiveSet, /**< exact: active set on the sparse matrix */
+    dIslandMethodInterior,  /**< exact: interior point, then the active set from its answer */
+    dIslandMethodSweeps,    /**< dWorldQuickStep */
+    dIslandMethodSmallSteps /**< dWorldStepFast1 */
+} dIslandMethod;
+
+/** What the last step did with one island. Fields as in dWorldStepReport. */
+typedef struct dIslandStepReport {
+    unsigned struct_size; /**< sizeof(dIslandStepReport), set by the caller */
+    int method;           /**< one of dIslandMethod */
+    dBodyID body;         /**< a body of the island; it may have been destroyed since the step */
+    int bodies, joints, rows;
+    int iterations, factorisations;
+    int fallback;  /**< 1: needed a more careful method than the first one */
+    int contained; /**< 1: kept from spreading bad numbers */
+    double residual;
+    double joint_error, joint_angle_error, penetration;
+    double energy_before, energy_after;
+} dIslandStepReport;
 
 /** Switch the report on (1) or off (0, the default). Off costs nothing; on costs one more evaluation
     of the residual per step. Other values are refused. */
@@ -35,6 +66,19 @@ ODE_API int dWorldGetStepReportMode(dWorldID world);
     mode is off, no step has been made since it was switched on, or the call is refused (null
     argument, struct_size smaller than itself). */
 ODE_API int dWorldGetStepReport(dWorldID world, dWorldStepReport* report);
+
+/** The same for one island of the last step, 0 <= island < dWorldStepReport::islands, in the order in
+    which ODE finds them: from the youngest body on. Another index is refused. */
+ODE_API int dWorldGetIslandStepReport(dWorldID world, int island, dIslandStepReport* report);
+
+/** Over how many threads a step of this world may spread its islands, the caller's included; 1 is the
+    default, 0 means as many as the machine has processors, at most 64. A step has the same bits on any
+    number of threads. Callbacks run on the caller's thread only; memory handlers set by the program may be
+    called from the others. Threads are shared by all worlds, start with the first step that wants them and
+    end with the last dCloseODE. dWorldSetStepIslandsProcessingMaxThreadCount limits them further. Negative
+    numbers are refused. */
+ODE_API void dWorldSetStepThreads(dWorldID world, int threads);
+ODE_API int dWorldGetStepThreads(dWorldID world);
 
 /** How far a step starts from the constraint forces of the last one, as a factor 0 ... 1 on each stepper's
     usual share; default 1, 0 starts from nothing as the original does. Contacts find their forces again

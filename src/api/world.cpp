@@ -20,6 +20,15 @@ namespace {
 // Thresholds are kept squared.
 Real square(Real x) { return x * x; }
 
+// As much of a report as the caller's struct_size has room for.
+template <typename Report>
+void copy_report(const Report& from, Report* to)
+{
+    const unsigned size = to->struct_size;
+    std::memcpy(to, &from, std::min<std::size_t>(size, sizeof from));
+    to->struct_size = size;
+}
+
 }  // namespace
 
 // The world behind the handle, or the call is refused with the given result.
@@ -82,6 +91,7 @@ void dWorldGetGravity(dWorldID w, dVector3 gravity)
 WORLD_NUMBER(dReal, ERP, erp, usable(value))
 WORLD_NUMBER(dReal, CFM, cfm, usable(value) && value >= 0)
 WORLD_NUMBER(unsigned, StepIslandsProcessingMaxThreadCount, islands_max_threads, true)
+WORLD_NUMBER(int, StepThreads, step_threads, value >= 0 && value <= 64)
 WORLD_NUMBER(int, QuickStepNumIterations, quick_iterations, true)
 WORLD_NUMBER(dReal, QuickStepW, quick_w, usable(value))
 WORLD_NUMBER(dReal, ContactMaxCorrectingVel, contact_max_vel, usable_or_infinite(value))
@@ -200,9 +210,18 @@ int dWorldGetStepReport(dWorldID w, dWorldStepReport* report)
     WORLD_OR(0);
     EPODE_USER(report && report->struct_size >= sizeof report->struct_size, 0);
     if (!world->report_wanted || !world->report_made) return 0;
-    const unsigned size = report->struct_size;
-    std::memcpy(report, &world->report, std::min<std::size_t>(size, sizeof *report));
-    report->struct_size = size;
+    copy_report(world->report, report);
+    return 1;
+}
+
+int dWorldGetIslandStepReport(dWorldID w, int island, dIslandStepReport* report)
+{
+    WORLD_OR(0);
+    EPODE_USER(report && report->struct_size >= sizeof report->struct_size, 0);
+    if (!world->report_wanted || !world->report_made) return 0;
+    const auto islands = island_reports(*world);
+    EPODE_USER(island >= 0 && std::size_t(island) < islands.size(), 0);
+    copy_report(islands[std::size_t(island)], report);
     return 1;
 }
 

@@ -35,6 +35,7 @@ struct World : Tagged {
     Real warm_starting = 1;            // times the solver's own share of the last impulses
     int auto_enable_depth = 3;         // of the 0.039 guide; stored, never used by it either
     unsigned islands_max_threads = 0;  // 0: unlimited
+    int step_threads = 1;              // 0: one per processor
 
     // Seeds of new bodies.
     bool auto_disable = false;

@@ -60,6 +60,10 @@ class DirectSolve {
             if (!solve_phase(system, arena, report)) return false;
         }
         problem_.store(system, state_.p, scratch_);
+        report.factorisations = problem_.factorisations();
+        report.method = report.fallback ? dIslandMethodInterior
+                        : small_        ? dIslandMethodDense
+                                        : dIslandMethodActiveSet;
         if (want_residual) report.residual = Real(problem_.residual(state_, scratch_));
         return true;
     }
@@ -163,6 +167,6 @@ bool solve_direct(RowSystem& system, const SolverSettings& settings, Arena& aren
 
 }  // namespace
 
-const Solver kDirect{"direct", false, true, 1, solve_direct};
+const Solver kDirect{"direct", false, true, false, 1, solve_direct};
 
 }  // namespace epode

@@ -202,6 +202,7 @@ int ExactProblem::factor(std::span<const double> D)
         add_outer(s.bb, D[i], Jb, Jb);
         s.transposed ? add_outer(s.ab, D[i], Jb, Ja) : add_outer(s.ab, D[i], Ja, Jb);
     }
+    ++factorisations_;
     return H_.factor();
 }
 

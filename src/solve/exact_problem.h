@@ -55,6 +55,7 @@ class ExactProblem {
     double scale() const { return scale_; }
 
     int factor(std::span<const double> D);
+    int factorisations() const { return factorisations_; }
     void solve(std::span<double> x) { H_.solve(x); }
 
     // r = M (v* - v)
@@ -99,6 +100,7 @@ class ExactProblem {
     std::span<PairSlots> slots_;  // one per block of rows
     BlockCholesky H_;
     double scale_ = 1;
+    int factorisations_ = 0;
 };
 
 inline double six_dot(const double* x, const double* y)

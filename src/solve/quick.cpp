@@ -63,6 +63,7 @@ bool residual_of(const RowSystem& system, std::span<const SolverBody> before, Ar
 
 bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
 {
+    report.method = dIslandMethodSweeps;
     report.iterations = std::max(settings.iterations, 0);
     if (system.rows.empty()) return true;
     if (settings.iterations <= 0) {  // ODE's meaning: constraints without effect
@@ -89,6 +90,6 @@ bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena
 
 }  // namespace
 
-const Solver kQuick{"quick", false, false, Real(0.6), solve_quick};
+const Solver kQuick{"quick", false, false, false, Real(0.6), solve_quick};
 
 }  // namespace epode

@@ -8,7 +8,9 @@
 #include <cstdint>
 
 #include "base/arena.h"
+#include "ode/ext.h"
 #include "rows/row_system.h"
+#include "tasks/tasks.h"
 
 namespace epode {
 
@@ -18,11 +20,14 @@ struct SolverSettings {
     std::uint64_t seed = 0;  // function of world, step and island: for shuffles
     const Substeps* substeps = nullptr;
     bool want_residual = false;  // costs an evaluation
+    Tasks tasks;                 // for solvers with inner_tasks
 };
 
 struct SolveReport {
+    dIslandMethod method = dIslandMethodNone;
     Real residual = 0;  // natural residual, relative (solve/residual.h)
     int iterations = 0;
+    int factorisations = 0;
     bool fallback = false;
 };
 
@@ -30,6 +35,7 @@ struct Solver {
     const char* name;
     bool substeps;       // advances poses itself through SolverSettings::substeps
     bool needs_inertia;  // reads SolverBody::mass and inertia, not only the inverses
+    bool inner_tasks;    // has work for several workers in one large island
     Real warm_share;  // of the last step's impulses that it starts from when the world asks for warm starting
     // False: out of memory, nothing usable was computed.
     bool (*solve)(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report);

@@ -144,6 +144,7 @@ class SmallSteps {
 bool solve_tgs(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
 {
     const int n = std::max(1, settings.iterations);
+    report.method = dIslandMethodSmallSteps;
     report.iterations = 2 * n;
     const Substeps& model = *settings.substeps;
     if (system.rows.empty()) {  // free bodies move in small steps too: their rotation is better for it
@@ -160,6 +161,6 @@ bool solve_tgs(RowSystem& system, const SolverSettings& settings, Arena& arena, 
 
 }  // namespace
 
-const Solver kTgs{"tgs", true, false, Real(0.9), solve_tgs};
+const Solver kTgs{"tgs", true, false, false, Real(0.9), solve_tgs};
 
 }  // namespace epode

@@ -40,7 +40,7 @@ ContactCache::Entry* ContactCache::find(const Entry& like)
     return best;
 }
 
-int ContactCache::load(const Joint& joint, const RowBlock& block, RowSystem& system, Real share)
+void ContactCache::load(int ticket, const Joint& joint, const RowBlock& block, RowSystem& system, Real share)
 {
     const Body& body = *joint.body1();
     const Entry fresh{body.serial,
@@ -51,8 +51,8 @@ int ContactCache::load(const Joint& joint, const RowBlock& block, RowSystem& sys
                       0,
                       -1,
                       false};
-    if (fresh_.size() >= fresh_.capacity()) return -1;
-    (void)fresh_.push(fresh);
+    if (ticket >= fresh_.size()) return;
+    fresh_[ticket] = fresh;
     if (Entry* old = share > 0 ? find(fresh) : nullptr) {
         old->used = true;
         system.numbers[std::size_t(block.first)].p = share * Real(old->push);
@@ -60,18 +60,17 @@ int ContactCache::load(const Joint& joint, const RowBlock& block, RowSystem& sys
             system.numbers[std::size_t(i)].p =
                 share * dot(widen(old->friction), system.rows[std::size_t(i)].lin1);
     }
-    return fresh_.size() - 1;
 }
 
-void ContactCache::begin(int contacts)
+void ContactCache::begin(int tickets)
 {
     fresh_.clear();
-    if (!fresh_.reserve(contacts)) clear();
+    if (!fresh_.resize(tickets)) clear();
 }
 
 void ContactCache::remember(int ticket, const RowBlock& block, const RowSystem& system)
 {
-    if (ticket < 0) return;
+    if (ticket >= fresh_.size()) return;
     Vec3 friction;
     for (int i = block.first + 1; i < block.first + block.count; ++i)
         friction += system.numbers[std::size_t(i)].p * system.rows[std::size_t(i)].lin1;
@@ -79,8 +78,17 @@ void ContactCache::remember(int ticket, const RowBlock& block, const RowSystem& 
     fresh_[ticket].friction = narrow(friction);
 }
 
+void ContactCache::drop_unused()
+{
+    int used = 0;
+    for (int i = 0; i < fresh_.size(); ++i)
+        if (fresh_[i].serial1 != 0) fresh_[used++] = fresh_[i];
+    fresh_.truncate(used);
+}
+
 void ContactCache::end()
 {
+    drop_unused();
     entries_.swap(fresh_);
     int wanted = 16;
     while (wanted < 2 * entries_.size()) wanted *= 2;

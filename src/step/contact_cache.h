@@ -16,12 +16,13 @@ namespace epode {
 
 class ContactCache {
   public:
-    // A step with at most `contacts` contacts begins. Out of memory: nothing is remembered.
-    void begin(int contacts);
-    // Notes a contact block and writes `share` of what is remembered of it into its numbers. Returns its
-    // ticket.
-    int load(const Joint& joint, const RowBlock& block, RowSystem& system, Real share);
-    // The answer for a ticket.
+    // A step begins whose contacts have tickets 0 ... tickets - 1, not all of which need be used. Out of
+    // memory: nothing is remembered.
+    void begin(int tickets);
+    // Notes a contact block under its ticket and writes `share` of what is remembered of it into its numbers.
+    // This and `remember` may run at the same time for contacts of different bodies.
+    void load(int ticket, const Joint& joint, const RowBlock& block, RowSystem& system, Real share);
+    // The answer for a ticket that has been loaded.
     void remember(int ticket, const RowBlock& block, const RowSystem& system);
     // The step is over: what it noted is what the next one loads from.
     void end();
@@ -33,12 +34,12 @@ class ContactCache {
         float x, y, z;
     };
     struct Entry {
-        std::uint64_t serial1, serial2;
-        Float3 place;     // lever arm from body 1, in its frame
-        Float3 normal;    // world
-        Float3 friction;  // world impulse
-        float push;       // normal impulse
-        int next;         // entry in the same bucket, -1 at the end
+        std::uint64_t serial1, serial2;  // of the bodies; serial1 = 0: a ticket that was not used
+        Float3 place;                    // lever arm from body 1, in its frame
+        Float3 normal;                   // world
+        Float3 friction;                 // world impulse
+        float push;                      // normal impulse
+        int next;                        // entry in the same bucket, -1 at the end
         bool used;
     };
     static_assert(sizeof(Entry) == 64);
@@ -46,6 +47,7 @@ class ContactCache {
     static Vec3 widen(Float3 a) { return {a.x, a.y, a.z}; }
     static std::size_t hash(std::uint64_t a, std::uint64_t b);
     Entry* find(const Entry& like);
+    void drop_unused();
 
     Array<Entry> entries_, fresh_;
     Array<int> buckets_;  // power of two many, index of the first entry or -1

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The pipeline: sleep, islands, then each island from forces to poses. An island whose answer is not a number
-// is contained: it keeps its velocities, its constraints exert nothing, and the report counts it; the others
-// never notice.
+// The pipeline: sleep, islands, every island from forces to poses, then the callbacks. Islands know nothing
+// of each other, so they are the pieces of parallel work: large ones one after another with all workers on
+// each, if the solver can use them, and then the others at once, in parcels of about equal weight. Callbacks
+// come last, body by body in island order on the caller's thread: a program sees the same order on any
+// number of workers.
 #include "step/step.h"
 
 #include <algorithm>
@@ -12,71 +14,21 @@
 #include "dynamics/integrate.h"
 #include "dynamics/island.h"
 #include "dynamics/sleep.h"
-#include "step/assemble.h"
+#include "step/island_step.h"
 #include "step/link.h"
-#include "step/substeps.h"
-#include "step/write_back.h"
+#include "step/report.h"
+#include "tasks/tasks.h"
 
 namespace epode {
 namespace {
 
-// Solvers that iterate start from the impulses of the last step.
-void load_warm_start(Real share, ContactCache& contacts, IslandWork& work)
-{
-    for (std::size_t k = 0; k < work.joints.size(); ++k) {
-        const Joint& joint = *work.joints[k];
-        const RowBlock& block = work.system.blocks[k];
-        if (block.contact) {
-            work.tickets[k] = contacts.load(joint, block, work.system, share);
-        } else if (joint.impulse_rows == block.count) {
-            for (int i = 0; i < block.count; ++i)
-                work.system.numbers[std::size_t(block.first + i)].p = share * joint.impulse[i];
-        }
-    }
-}
+constexpr int kLarge = 256;   // joints of an island that is worth all workers
+constexpr int kParcel = 128;  // joints and bodies of a parcel of small islands
 
-struct SavedPose {
-    Real pos[4], q[4], R[12];
-};
-
-// Poses before inner steps, so that a failed island can be put back.
-std::span<SavedPose> save_poses(const Island& island, Arena& arena)
-{
-    auto saved = arena.take<SavedPose>(int(island.bodies.size()));
-    for (std::size_t i = 0; i < saved.size(); ++i) {
-        const Body& b = *island.bodies[i];
-        std::copy(b.pos, b.pos + 4, saved[i].pos);
-        std::copy(b.q, b.q + 4, saved[i].q);
-        std::copy(b.R, b.R + 12, saved[i].R);
-    }
-    return saved;
-}
-
-void restore_poses(const Island& island, std::span<const SavedPose> saved)
-{
-    for (std::size_t i = 0; i < saved.size(); ++i) {
-        Body& b = *island.bodies[i];
-        std::copy(saved[i].pos, saved[i].pos + 4, b.pos);
-        std::copy(saved[i].q, saved[i].q + 4, b.q);
-        std::copy(saved[i].R, saved[i].R + 12, b.R);
-    }
-}
-
-void contain(IslandWork& work)
-{
-    for (Joint* joint : work.joints) joint->impulse_rows = 0;
-    for (Body* body : work.island.bodies)
-        if (!usable(body->lvel, 3) || !usable(body->avel, 3)) {
-            store(body->lvel, {});
-            store(body->avel, {});
-        }
-}
-
-// Poses, callbacks, damping, accumulators: body by body.
-void finish_bodies(const Island& island, bool poses_done, Real h)
+// Geoms, callbacks, damping, accumulators: body by body.
+void finish_bodies(const Island& island)
 {
     for (Body* body : island.bodies) {
-        if (!poses_done) advance_pose(*body, h);
         body_moved(*body);
         if (body->moved) body->moved(to_handle(body));
         damp(*body);
@@ -85,58 +37,94 @@ void finish_bodies(const Island& island, bool poses_done, Real h)
     }
 }
 
-void add_to_report(dWorldStepReport& total, const IslandWork& work, const SolveReport& one, bool contained)
-{
-    ++total.islands;
-    total.bodies += int(work.island.bodies.size());
-    total.joints += int(work.joints.size());
-    total.rows += int(work.system.rows.size());
-    total.residual = std::max(total.residual, double(one.residual));
-    total.iterations += one.iterations;
-    total.fallbacks += one.fallback;
-    total.contained_islands += contained;
-}
+int weight(const Island& island) { return int(island.joints.size() + island.bodies.size()); }
 
-struct StepContext {
-    World& world;
-    const Solver& solver;
-    Real h;
-    SolverSettings settings;
-    ContactCache& contacts;
+class WorldStep {
+  public:
+    WorldStep(const StepContext& context, StepState& state, std::span<const Island> islands, int workers)
+        : context_(context), state_(state), islands_(islands), workers_(workers)
+    {}
+
+    // False: out of memory.
+    bool prepare()
+    {
+        Arena& arena = context_.world.arena;
+        first_contact_ = arena.take<int>(int(islands_.size()));
+        parcels_ = arena.take<int>(int(islands_.size()) + 1);
+        if (arena.failed() || !prepare_reports() || !prepare_arenas()) return false;
+        int contacts = 0;
+        for (std::size_t i = 0; i < islands_.size(); ++i) {
+            first_contact_[i] = contacts;
+            contacts += int(islands_[i].joints.size());
+        }
+        context_.contacts.begin(contacts);
+        return true;
+    }
+
+    void run()
+    {
+        const Tasks tasks(workers_), alone(1);
+        for (std::size_t i = 0; i < islands_.size(); ++i)
+            if (large(islands_[i])) step_one(int(i), tasks, 0);
+        tasks.for_each(cut_parcels(), [&](int p, int worker) {
+            const auto parcel = std::size_t(p);
+            for (int i = parcels_[parcel]; i < parcels_[parcel + 1]; ++i)
+                if (!large(islands_[std::size_t(i)])) step_one(i, alone, worker);
+        });
+    }
+
+  private:
+    bool large(const Island& island) const
+    {
+        return workers_ > 1 && context_.solver.inner_tasks && int(island.joints.size()) >= kLarge;
+    }
+
+    bool prepare_reports()
+    {
+        state_.reports.clear();
+        return !context_.world.report_wanted || state_.reports.resize(int(islands_.size()));
+    }
+
+    bool prepare_arenas()
+    {
+        while (state_.arenas.size() < workers_ - 1) {
+            void* memory = allocate(sizeof(Arena));
+            if (!memory) return false;
+            if (!state_.arenas.push(new (memory) Arena)) {
+                release(memory, sizeof(Arena));
+                return false;
+            }
+        }
+        for (Arena* arena : state_.arenas) arena->reset();
+        return true;
+    }
+
+    // Parcel p is the islands from parcels_[p] to parcels_[p + 1].
+    int cut_parcels()
+    {
+        int count = 0, load = kParcel;
+        for (std::size_t i = 0; i < islands_.size(); ++i) {
+            if (load >= kParcel) parcels_[std::size_t(count++)] = int(i), load = 0;
+            if (!large(islands_[i])) load += weight(islands_[i]);
+        }
+        parcels_[std::size_t(count)] = int(islands_.size());
+        return count;
+    }
+
+    void step_one(int i, const Tasks& tasks, int worker)
+    {
+        Arena& arena = worker == 0 ? context_.world.arena : *state_.arenas[worker - 1];
+        dIslandStepReport* report = context_.world.report_wanted ? &state_.reports[i] : nullptr;
+        const auto at = std::size_t(i);
+        step_island(context_, islands_[at], {i, first_contact_[at]}, tasks, arena, report);
+    }
+
+    const StepContext& context_;
+    StepState& state_;
+    std::span<const Island> islands_;
+    int workers_;
+    std::span<int> first_contact_, parcels_;
 };
-
-void step_island(const StepContext& context, const Island& island)
-{
-    World& world = context.world;
-    const bool inner = context.solver.substeps;
-    Arena::Scope scope(world.arena);
-    IslandWork work;
-    SolveReport report;
-    SolverSettings settings = context.settings;
-    std::span<SavedPose> saved;
-    bool solved = assemble(world, island, context.h, context.solver, world.arena, work);
-    SubstepModel model{work, step_info(world, context.h)};
-    if (solved) {
-        model.info.inner = true;
-        const Substeps callbacks = model.callbacks();
-        settings.substeps = inner ? &callbacks : nullptr;
-        for (int& ticket : work.tickets) ticket = -1;
-        load_warm_start(world.warm_starting * context.solver.warm_share, context.contacts, work);
-        if (inner) saved = save_poses(island, world.arena);
-        solved = context.solver.solve(work.system, settings, world.arena, report) && sound(work.system);
-    }
-    if (solved) {
-        write_back(work);
-        for (std::size_t k = 0; k < work.joints.size(); ++k)
-            if (work.system.blocks[k].contact)
-                context.contacts.remember(work.tickets[k], work.system.blocks[k], work.system);
-    } else {
-        restore_poses(island, saved);
-        contain(work);
-    }
-    finish_bodies(island, inner && solved, context.h);
-    if (world.report_wanted) add_to_report(world.report, work, report, !solved);
-}
 
 StepState* state_of(World& world)
 {
@@ -152,7 +140,23 @@ StepState* state_of(World& world)
     return world.step_state;
 }
 
+// Of the workers that the world asked for, those that ODE's own limit on islands leaves.
+int workers_of(const World& world)
+{
+    const int wanted = world.step_threads > 0 ? world.step_threads : processor_count();
+    const unsigned most = world.islands_max_threads;
+    return most == 0 ? wanted : int(std::min(unsigned(wanted), most));
+}
+
 }  // namespace
+
+StepState::~StepState()
+{
+    for (Arena* arena : arenas) {
+        arena->~Arena();
+        release(arena, sizeof(Arena));
+    }
+}
 
 bool step_world(World& world, const Solver& solver, Real h, int iterations)
 {
@@ -164,21 +168,23 @@ bool step_world(World& world, const Solver& solver, Real h, int iterations)
     std::span<Island> islands;
     if (!find_islands(world, world.arena, islands)) return false;
 
+    const StepContext context{world, solver, h, iterations, state->contacts};
+    WorldStep step(context, *state, islands, workers_of(world));
+    if (!step.prepare()) return false;
     world.stepping = true;
-    world.report = {};
-    state->contacts.begin(world.joint_count);
-    StepContext context{world, solver, h, {}, state->contacts};
-    context.settings.iterations = iterations;
-    context.settings.w = world.quick_w;
-    context.settings.want_residual = world.report_wanted;
-    for (std::size_t i = 0; i < islands.size(); ++i) {
-        context.settings.seed = world.step_count * 0x9e3779b97f4a7c15u + i;
-        step_island(context, islands[i]);
-    }
+    step.run();
     state->contacts.end();
-    world.report_made = true;
+    for (const Island& island : islands) finish_bodies(island);
+    if (world.report_wanted) world.report = sum_of(state->reports.span());
+    world.report_made = world.report_wanted;
     world.stepping = false;
     return true;
+}
+
+std::span<const dIslandStepReport> island_reports(const World& world)
+{
+    if (!world.report_made || !world.step_state) return {};
+    return world.step_state->reports.span();
 }
 
 }  // namespace epode

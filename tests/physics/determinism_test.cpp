@@ -13,9 +13,10 @@
 namespace epode::physics {
 namespace {
 
-std::uint64_t run(Scene scene, Stepper stepper, std::uint32_t seed = 1)
+std::uint64_t run(Scene scene, Stepper stepper, std::uint32_t seed = 1, int threads = 1)
 {
     Sim sim(stepper);
+    dWorldSetStepThreads(sim.world, threads);
     build(sim, scene, seed);
     sim.steps(steps_of(scene), 0.01);
     EXPECT_TRUE(finite_state(sim));
@@ -45,6 +46,56 @@ TEST(Determinism, gives_the_same_bits_on_every_compiler)
         }
     }
     EXPECT_TRUE(same) << "now: kGolden[3][3] = " << table << "}};";
+}
+
+// Every scene has islands for several threads; the step report, made by all of them, is a part of the answer.
+TEST(Threads, a_step_has_the_same_bits_on_any_number_of_them)
+{
+    for (Scene scene : kScenes)
+        for (Stepper stepper : kSteppers) {
+            const std::uint64_t alone = run(scene, stepper, 2);
+            for (int threads : {2, 3, 5, 8, 0})
+                EXPECT_EQ(run(scene, stepper, 2, threads), alone)
+                    << name_of(scene) << ' ' << name_of(stepper) << ' ' << threads;
+        }
+}
+
+std::vector<double> reports_of_many_islands(Stepper stepper, int threads)
+{
+    Sim sim(stepper);
+    dWorldSetStepThreads(sim.world, threads);
+    dWorldSetStepReportMode(sim.world, 1);
+    sim.gravity(0, 0, -9.81);
+    sim.ground();
+    Random random(3);
+    for (int i = 0; i < 150; ++i) {
+        const dBodyID box = sim.box({3.0 * i, 0, 0.5}, {1, 1, 1}, 1 + i % 7);
+        velocity(box, random.point(1), random.point(1));
+        if (i % 3 == 0) sim.box({3.0 * i, 0, 1.5}, {1, 1, 1}, 1);
+    }
+    std::vector<double> all;
+    for (int step = 0; step < 20; ++step) {
+        sim.step(0.01);
+        const dWorldStepReport total = sim.report();
+        EXPECT_GE(total.islands, 150);
+        all.insert(all.end(), {total.residual, total.energy_before, total.energy_after, total.penetration});
+        for (int i = 0; i < total.islands; ++i) {
+            dIslandStepReport one{};
+            one.struct_size = sizeof one;
+            EXPECT_EQ(dWorldGetIslandStepReport(sim.world, i, &one), 1);
+            all.insert(all.end(), {double(one.rows), one.residual, one.energy_after, double(one.method)});
+        }
+    }
+    all.push_back(double(hash_state(sim)));
+    return all;
+}
+
+TEST(Threads, many_islands_report_the_same_on_any_number_of_them)
+{
+    for (Stepper stepper : kSteppers) {
+        const std::vector<double> alone = reports_of_many_islands(stepper, 1);
+        for (int threads : {2, 3, 5, 8}) EXPECT_EQ(reports_of_many_islands(stepper, threads), alone);
+    }
 }
 
 TEST(Determinism, gives_the_same_bits_again)

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "step/island_step.h"
+
+#include <algorithm>
+
+#include "dynamics/integrate.h"
+#include "step/assemble.h"
+#include "step/report.h"
+#include "step/substeps.h"
+#include "step/write_back.h"
+
+namespace epode {
+namespace {
+
+struct SavedPose {
+    Real pos[4], q[4], R[12];
+};
+
+// Poses before inner steps, so that a failed island can be put back.
+std::span<SavedPose> save_poses(const Island& island, Arena& arena)
+{
+    auto saved = arena.take<SavedPose>(int(island.bodies.size()));
+    for (std::size_t i = 0; i < saved.size(); ++i) {
+        const Body& b = *island.bodies[i];
+        std::copy(b.pos, b.pos + 4, saved[i].pos);
+        std::copy(b.q, b.q + 4, saved[i].q);
+        std::copy(b.R, b.R + 12, saved[i].R);
+    }
+    return saved;
+}
+
+void restore_poses(const Island& island, std::span<const SavedPose> saved)
+{
+    for (std::size_t i = 0; i < saved.size(); ++i) {
+        Body& b = *island.bodies[i];
+        std::copy(saved[i].pos, saved[i].pos + 4, b.pos);
+        std::copy(saved[i].q, saved[i].q + 4, b.q);
+        std::copy(saved[i].R, saved[i].R + 12, b.R);
+    }
+}
+
+void contain(const IslandWork& work)
+{
+    for (Joint* joint : work.joints) joint->impulse_rows = 0;
+    for (Body* body : work.island.bodies)
+        if (!usable(body->lvel, 3) || !usable(body->avel, 3)) {
+            store(body->lvel, {});
+            store(body->avel, {});
+        }
+}
+
+class IslandStep {
+  public:
+    IslandStep(const StepContext& context, const Island& island, IslandPlace place, Arena& arena)
+        : context_(context), world_(context.world), place_(place), arena_(arena)
+    {
+        work_.island = island;
+    }
+
+    // False: out of memory, or an answer that is not a number.
+    bool solve(const Tasks& tasks, dIslandStepReport* report)
+    {
+        if (!assemble(world_, work_.island, context_.h, context_.solver, arena_, work_)) return false;
+        if (report) report_errors(work_, *report);
+        SubstepModel model{work_, step_info(world_, context_.h)};
+        model.info.inner = true;
+        const Substeps callbacks = model.callbacks();
+        const bool inner = context_.solver.substeps;
+        SolverSettings settings;
+        settings.iterations = context_.iterations;
+        settings.w = world_.quick_w;
+        settings.seed = world_.step_count * 0x9e3779b97f4a7c15u + std::uint64_t(place_.index);
+        settings.substeps = inner ? &callbacks : nullptr;
+        settings.want_residual = report != nullptr;
+        settings.tasks = tasks;
+        load_warm_start(world_.warm_starting * context_.solver.warm_share);
+        if (inner) saved_ = save_poses(work_.island, arena_);
+        SolveReport solved;
+        const bool sane =
+            context_.solver.solve(work_.system, settings, arena_, solved) && sound(work_.system);
+        if (report) report_solution(solved, *report);
+        return sane;
+    }
+
+    void accept()
+    {
+        write_back(work_);
+        for (std::size_t k = 0; k < work_.joints.size(); ++k)
+            if (work_.system.blocks[k].contact)
+                context_.contacts.remember(ticket(k), work_.system.blocks[k], work_.system);
+        if (context_.solver.substeps) return;  // poses are where the inner steps have put them
+        advance();
+    }
+
+    void refuse()
+    {
+        restore_poses(work_.island, saved_);
+        contain(work_);
+        advance();
+    }
+
+  private:
+    int ticket(std::size_t block) const { return place_.first_contact + int(block); }
+
+    // Every solver may start from the impulses of the last step.
+    void load_warm_start(Real share)
+    {
+        RowSystem& system = work_.system;
+        for (std::size_t k = 0; k < work_.joints.size(); ++k) {
+            const Joint& joint = *work_.joints[k];
+            const RowBlock& block = system.blocks[k];
+            if (block.contact) {
+                context_.contacts.load(ticket(k), joint, block, system, share);
+            } else if (joint.impulse_rows == block.count) {
+                for (int i = 0; i < block.count; ++i)
+                    system.numbers[std::size_t(block.first + i)].p = share * joint.impulse[i];
+            }
+        }
+    }
+
+    void advance()
+    {
+        for (Body* body : work_.island.bodies) advance_pose(*body, context_.h);
+    }
+
+    const StepContext& context_;
+    World& world_;
+    IslandPlace place_;
+    Arena& arena_;
+    IslandWork work_;
+    std::span<SavedPose> saved_;
+};
+
+}  // namespace
+
+void step_island(const StepContext& context, const Island& island, IslandPlace place, const Tasks& tasks,
+                 Arena& arena, dIslandStepReport* report)
+{
+    Arena::Scope scope(arena);
+    if (report) begin_report(context.world, island, *report);
+    IslandStep step(context, island, place, arena);
+    const bool solved = step.solve(tasks, report);
+    solved ? step.accept() : step.refuse();
+    if (report) end_report(context.world, island, !solved, *report);
+}
+
+}  // namespace epode

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// One island from forces to poses. It reads and writes its own bodies, joints and contacts only, so islands
+// may be stepped in any order and at the same time.
+#pragma once
+
+#include "dynamics/island.h"
+#include "dynamics/world.h"
+#include "solve/solver.h"
+#include "step/contact_cache.h"
+
+namespace epode {
+
+struct StepContext {
+    World& world;
+    const Solver& solver;
+    Real h;
+    int iterations;
+    ContactCache& contacts;
+};
+
+struct IslandPlace {
+    int index;          // of the island: part of the seed
+    int first_contact;  // its room in the contact cache: one entry per joint
+};
+
+// Velocities, impulses, feedback and poses of the island. An island whose answer is not a number is
+// contained: it keeps its velocities, its constraints exert nothing, and the others never notice.
+void step_island(const StepContext& context, const Island& island, IslandPlace place, const Tasks& tasks,
+                 Arena& arena, dIslandStepReport* report);
+
+}  // namespace epode

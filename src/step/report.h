@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What an island's step reports of itself: errors at its beginning, the answer's quality, energies before and
+// after.
+#pragma once
+
+#include <span>
+
+#include "ode/ext.h"
+#include "step/assemble.h"
+
+namespace epode {
+
+void begin_report(const World& world, const Island& island, dIslandStepReport& report);
+void report_errors(const IslandWork& work, dIslandStepReport& report);
+void report_solution(const SolveReport& solved, dIslandStepReport& report);
+void end_report(const World& world, const Island& island, bool contained, dIslandStepReport& report);
+
+// The step's report from those of its islands.
+dWorldStepReport sum_of(std::span<const dIslandStepReport> islands);
+
+}  // namespace epode

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The step report against what is known of the scene: energies in closed form, errors as they were set up,
+// sums over islands, and structs of other sizes than today's.
+#include "rig.h"
+
+namespace epode::physics {
+namespace {
+
+dIslandStepReport island(const Sim& sim, int index)
+{
+    dIslandStepReport r{};
+    r.struct_size = sizeof r;
+    EXPECT_EQ(dWorldGetIslandStepReport(sim.world, index, &r), 1);
+    return r;
+}
+
+class Report : public testing::Test {
+  protected:
+    Report() { dWorldSetStepReportMode(sim.world, 1); }
+    Sim sim;
+};
+
+TEST_F(Report, energy_is_that_of_motion_and_weight)
+{
+    sim.gravity(0, 0, -10);
+    const dBodyID b = sim.body({1, 2, 3}, 2, 4);
+    velocity(b, {1, 0, 2}, {0, 3, 0});
+    sim.advance(0.01);
+    const dWorldStepReport r = sim.report();
+    EXPECT_NEAR(r.energy_before, 0.5 * 2 * 5 + 0.5 * 4 * 9 + 2 * 10 * 3, tol(1e-12, 1e-4));
+    EXPECT_NEAR(r.energy_after, energy(sim), tol(1e-12, 1e-4));
+    dBodySetGravityMode(b, 0);
+    sim.advance(0.01);
+    EXPECT_NEAR(sim.report().energy_before, kinetic_energy(b), tol(1e-12, 1e-4)) << "it has no weight";
+}
+
+TEST_F(Report, errors_are_those_of_the_pose_at_the_beginning)
+{
+    const dBodyID a = sim.body({0, 0, 0}), b = sim.body({1, 0, 0});
+    const dJointID hinge = dJointCreateHinge(sim.world, nullptr);
+    dJointAttach(hinge, a, b);
+    dJointSetHingeAnchor(hinge, real(0.5), 0, 0);
+    dJointSetHingeAxis(hinge, 0, 0, 1);
+    place(b, {1.25, 0, 0});
+    dQuaternion tilt;
+    dQFromAxisAndAngle(tilt, 1, 0, 0, real(0.01));
+    dBodySetQuaternion(b, tilt);
+    const dBodyID c = sim.body({0, 5, 0});
+    const dContact touch = make_contact({0, 5, -1}, {0, 0, 1}, 0.125);
+    dJointAttach(dJointCreateContact(sim.world, sim.contacts, &touch), c, nullptr);
+    sim.advance(0.01);
+    const dWorldStepReport r = sim.report();
+    EXPECT_NEAR(r.joint_error, 0.25, tol(1e-12, 1e-6));
+    EXPECT_NEAR(r.joint_angle_error, std::sin(0.01), tol(1e-12, 1e-6));
+    EXPECT_NEAR(r.penetration, 0.125, tol(1e-12, 1e-6));
+    ASSERT_EQ(r.islands, 2);
+    EXPECT_EQ(island(sim, 0).body, c) << "from the youngest body on";
+    EXPECT_EQ(island(sim, 0).joint_error, 0);
+    EXPECT_EQ(island(sim, 1).penetration, 0);
+    EXPECT_EQ(island(sim, 1).rows, 5);
+}
+
+TEST_F(Report, the_whole_is_the_sum_of_its_islands)
+{
+    sim.gravity(0, 0, -9.81);
+    sim.ground();
+    for (int i = 0; i < 5; ++i) sim.box({3.0 * i, 0, 0.499}, {1, 1, 1}, 1 + i);
+    sim.body({0, 0, 9});
+    sim.steps(3, 0.01);
+    const dWorldStepReport r = sim.report();
+    ASSERT_EQ(r.islands, 6);
+    int rows = 0, bodies = 0, dense_or_sparse = 0, free = 0;
+    double before = 0, residual = 0;
+    for (int i = 0; i < r.islands; ++i) {
+        const dIslandStepReport one = island(sim, i);
+        rows += one.rows, bodies += one.bodies, before += one.energy_before;
+        residual = std::max(residual, one.residual);
+        free += one.method == dIslandMethodNone;
+        dense_or_sparse += one.method == dIslandMethodDense || one.method == dIslandMethodActiveSet;
+        EXPECT_FALSE(one.contained);
+    }
+    EXPECT_EQ(rows, r.rows);
+    EXPECT_EQ(bodies, 6);
+    EXPECT_EQ(before, r.energy_before);
+    EXPECT_EQ(residual, r.residual);
+    EXPECT_EQ(free, 1);
+    EXPECT_EQ(dense_or_sparse, 5) << "boxes at rest need no fallback";
+}
+
+TEST_F(Report, names_the_method_of_each_stepper)
+{
+    sim.ground();
+    sim.gravity(0, 0, -9.81);
+    sim.box({0, 0, 0.49}, {1, 1, 1}, 1);
+    sim.stepper = Stepper::kQuick;
+    sim.step(0.01);
+    EXPECT_EQ(island(sim, 0).method, dIslandMethodSweeps);
+    sim.stepper = Stepper::kFast;
+    sim.step(0.01);
+    EXPECT_EQ(island(sim, 0).method, dIslandMethodSmallSteps);
+}
+
+TEST_F(Report, an_island_that_is_not_there_is_refused)
+{
+    sim.body({0, 0, 0});
+    sim.advance(0.01);
+    dIslandStepReport r{};
+    r.struct_size = sizeof r;
+    Messages messages;
+    EXPECT_EQ(dWorldGetIslandStepReport(sim.world, 1, &r), 0);
+    EXPECT_EQ(dWorldGetIslandStepReport(sim.world, -1, &r), 0);
+    EXPECT_EQ(dWorldGetIslandStepReport(sim.world, 0, nullptr), 0);
+    EXPECT_EQ(messages.count(), 3);
+    r.struct_size = 8;  // an older program: only what fits is written
+    r.body = nullptr;
+    EXPECT_EQ(dWorldGetIslandStepReport(sim.world, 0, &r), 1);
+    EXPECT_EQ(r.body, nullptr);
+    EXPECT_EQ(r.struct_size, 8u);
+}
+
+TEST_F(Report, thread_counts_out_of_range_are_refused)
+{
+    Messages messages;
+    dWorldSetStepThreads(sim.world, 4);
+    dWorldSetStepThreads(sim.world, -1);
+    dWorldSetStepThreads(sim.world, 65);
+    EXPECT_EQ(dWorldGetStepThreads(sim.world), 4);
+    EXPECT_EQ(messages.count(), 2);
+}
+
+}  // namespace
+}  // namespace epode::physics
