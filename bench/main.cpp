@@ -6,7 +6,42 @@
 #include <CLI/CLI.hpp>
 
 #include "bench/exact_sizes.h"
+#include "bench/exact_table.h"
+#include "bench/pile.h"
 #include "bench/scene_bench.h"
+
+namespace {
+
+// Subcommands beside the names of scenes.
+CLI::App* add_exact_table(CLI::App& app, epode::bench::TableOptions& options)
+{
+    CLI::App* command = app.add_subcommand("exact-table", "dWorldStep on the problems of bench/exact");
+    command->add_option("--problem", options.problem, "one of them; default: all");
+    command->add_option("--velocities", options.velocities,
+                        "write the velocities after one step to this file");
+    command->add_option("--seconds", options.seconds, "time to spend on timing a problem (default 0.3)");
+    command->add_option("--steps", options.steps, "steps to time at most (default 2000)")
+        ->check(CLI::Range(1, 10'000'000));
+    return command;
+}
+
+struct PileOptions {
+    int count = 20, rows = 264;
+    double side = 2;
+    std::uint32_t seed = 1;
+};
+
+CLI::App* add_make_pile(CLI::App& app, PileOptions& options)
+{
+    CLI::App* command = app.add_subcommand("make-pile", "drop boxes, print a file for bench/data");
+    command->add_option("--count", options.count, "boxes (default 20)")->check(CLI::Range(1, 10'000));
+    command->add_option("--side", options.side, "of the area they fall on, m (default 2)");
+    command->add_option("--rows", options.rows, "rows at which they are caught (default 264)");
+    command->add_option("--seed", options.seed, "default 1");
+    return command;
+}
+
+}  // namespace
 
 int main(int argc, char** argv)
 {
@@ -14,8 +49,7 @@ int main(int argc, char** argv)
                  "epode_bench");
     epode::bench::SceneOptions options;
     app.add_option("scene", options.scene,
-                   "a scene of `epode list`, or exact-sizes: islands of 12 to 300 rows")
-        ->required();
+                   "a scene of `epode list`, or exact-sizes: islands of 12 to 300 rows");
     app.add_option("--stepper", options.stepper, "exact, quick or fast; default: the scene's own");
     app.add_option("--dt", options.dt, "step size in seconds; default: the scene's own")
         ->check(CLI::Range(1e-9, 1e9));
@@ -28,13 +62,21 @@ int main(int argc, char** argv)
         ->check(CLI::Range(1, 1'000'000));
     app.add_option("--seed", options.seed, "of scenes that are poured at random (default 1)");
     app.add_flag("--json", options.json, "print JSON");
+    epode::bench::TableOptions table;
+    CLI::App* exact_table = add_exact_table(app, table);
+    PileOptions pile;
+    CLI::App* make_pile = add_make_pile(app, pile);
+    app.require_subcommand(0, 1);
     try {
         app.parse(argc, argv);
+        if (app.get_subcommands().empty() && options.scene.empty()) throw CLI::RequiredError("scene");
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
 
     epode::scenes::Runtime runtime;
+    if (*exact_table) return epode::bench::bench_exact_table(table);
+    if (*make_pile) return epode::bench::print_pile(pile.count, pile.side, pile.rows, pile.seed);
     if (options.scene != "exact-sizes") return epode::bench::bench_scene(options);
     if (!options.stepper.empty() && options.stepper != "exact") {
         std::fputs("epode_bench: exact-sizes times the exact stepper only\n", stderr);

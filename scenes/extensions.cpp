@@ -28,6 +28,7 @@ Function find(const char* name)
 
 using StepFast = int (*)(dWorldID, dReal, int);
 using SetReportMode = void (*)(dWorldID, int);
+using SetWarmStarting = void (*)(dWorldID, dReal);
 using GetReport = int (*)(dWorldID, RawStepReport*);
 
 StepFast fast_function()
@@ -70,6 +71,14 @@ std::optional<StepReport> step_report(dWorldID world)
     report.fallbacks = raw.fallbacks;
     report.contained_islands = raw.contained_islands;
     return report;
+}
+
+bool set_warm_starting(dWorldID world, double factor)
+{
+    static const SetWarmStarting function = find<SetWarmStarting>("dWorldSetQuickStepWarmStarting");
+    if (!function) return false;
+    function(world, dReal(factor));
+    return true;
 }
 
 std::string loaded_library()

@@ -28,6 +28,9 @@ int step_fast(dWorldID world, dReal dt, int small_steps);
 bool request_step_report(dWorldID world, bool on);
 std::optional<StepReport> step_report(dWorldID world);
 
+// How much of the last step's forces a step starts from, 0 ... 1. False where the library always starts cold.
+bool set_warm_starting(dWorldID world, double factor);
+
 // The file of the libode that this process runs on, "statically linked" when there is none.
 std::string loaded_library();
 

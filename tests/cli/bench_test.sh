@@ -6,6 +6,7 @@
 set -uo pipefail
 program=$1
 compare=$2
+exact=$3
 source "$(dirname "$0")/harness.sh"
 
 expect 0 wall --steps 10 --repeat 2
@@ -23,17 +24,36 @@ awk '/^(chain|box|stack|wall) / && ($3 < $2 - 0.05 || $3 > $2 + 0.05) { print; b
 expect 0 exact-sizes --steps 2 --repeat 1 --json
 has out '"kind": "wall", "rows": 288'
 
+# Every problem of the exact stepper's table that a test has time for: solved (in single precision too), and the rows that it is named for.
+for problem in box:12 chain-8:24 pile-20:219 chain-32-heavy:96 chain-100:300 wall-16:300 ladder-64:1280; do
+    expect 0 exact-table --problem "${problem%:*}" --steps 1 --velocities "$work/velocities"
+    has out "^${problem/:/ } [0-9.]+ [0-9.]+ "
+    awk '!/^#/ && ($5 > 1e-5 || $8 + $10 > 0) { print; bad = 1 } END { exit bad }' "$work/out" || fail "exact-table: $problem is not solved"
+done
+(($(wc -l < "$work/velocities") == 192)) || fail 'exact-table has not written the velocities of 64 x 3 bodies'
+expect 0 make-pile --count 3 --rows 12
+has out '^contact [0-2] (-1|[0-2]) '
+expect 1 make-pile --count 1 --rows 1000
+
 expect 2
 expect 2 no-such-scene
 has err 'exact-sizes pendulum'
 expect 2 wall --stepper best
 expect 2 exact-sizes --stepper quick
 expect 2 wall --repeat 0
+expect 2 exact-table --problem none
+has err 'chain-4096'
+expect 2 exact-table --problem box --velocities /no/such/folder/file
 
 program=$compare
 expect 2 --unknown
 expect 2 --rounds none
 expect 2 /no/such/program
 has err 'no program'
+
+program=$exact
+expect 2 --only none
+has err 'no problem none'
+expect 2 --bench /no/such/program
 
 finish
