@@ -97,12 +97,14 @@ void dBodySetQuaternion(dBodyID b, const dQuaternion q)
     body_moved(*body);
 }
 
-#define BODY_VECTOR(Name, member)                             \
+// A vector of the body, and what else setting it means.
+#define BODY_VECTOR(Name, member, ...)                        \
     void dBodySet##Name(dBodyID b, dReal x, dReal y, dReal z) \
     {                                                         \
         BODY_OR();                                            \
         USABLE3(x, y, z);                                     \
         store(body->member, {x, y, z});                       \
+        __VA_ARGS__;                                          \
     }                                                         \
     const dReal* dBodyGet##Name(dBodyID b)                    \
     {                                                         \
@@ -111,7 +113,7 @@ void dBodySetQuaternion(dBodyID b, const dQuaternion q)
     }
 
 BODY_VECTOR(LinearVel, lvel)
-BODY_VECTOR(AngularVel, avel)
+BODY_VECTOR(AngularVel, avel, body->spin_excess = Vec3())
 BODY_VECTOR(Force, facc)
 BODY_VECTOR(Torque, tacc)
 

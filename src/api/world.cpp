@@ -188,6 +188,24 @@ int dWorldStepFast1(dWorldID w, dReal stepsize, int maxiterations)
     return step_world(*world, kTgs, stepsize, maxiterations);
 }
 
+// ---- accuracy (ode/ext.h)
+// -----------------------------------------------------------------------------------------------
+
+void dWorldSetExactRotation(dWorldID w, int mode)
+{
+    WORLD_OR();
+    EPODE_USER(mode == 0 || mode == 1);
+    EPODE_USER_SAY(!world->stepping, "Invalid operation during a step");
+    world->exact_rotation = mode != 0;
+    for (Body* b = world->bodies; b; b = b->next) b->spin_excess = {};
+}
+
+int dWorldGetExactRotation(dWorldID w)
+{
+    WORLD_OR(0);
+    return world->exact_rotation;
+}
+
 // ---- report (ode/ext.h)
 // -------------------------------------------------------------------------------------
 

@@ -94,6 +94,7 @@ bool set_mass(Body& body, const dMass& mass)
     body.inertia = inertia;
     body.inv_mass = 1 / mass.mass;
     body.inv_inertia = symmetric_part(inverse);
+    body.spin_excess = {};
     return true;
 }
 

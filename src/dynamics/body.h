@@ -58,6 +58,9 @@ struct Body : Tagged {
     bool finite_rotation = false;
     bool auto_disable = false;
     Vec3 finite_axis;  // zero: none
+    // With exact rotation: angular momentum, body frame, that the angular velocity does not show
+    // (dynamics/exact_spin.cpp). Else zero.
+    Vec3 spin_excess;
     Real max_angular_speed = kInf;
     DampingRule damping;
     int island_index = -1;  // place in its island during a step, else -1

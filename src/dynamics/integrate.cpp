@@ -14,18 +14,20 @@
 namespace epode {
 namespace {
 
-Quat turn_exactly(Quat q, Vec3 w, Real h)
-{
-    const Real angle = length(w) * h * Real(0.5);
-    const Vec3 v = (h * Real(0.5) * sinc(angle)) * w;
-    return Quat{epode::cos(angle), v.x, v.y, v.z} * q;
-}
-
 Quat turn_infinitesimally(Quat q, Vec3 w, Real h)
 {
     const Quat dq = Quat{0, w.x, w.y, w.z} * q;
     const Real k = h * Real(0.5);
     return {q.w + k * dq.w, q.x + k * dq.x, q.y + k * dq.y, q.z + k * dq.z};
+}
+
+}  // namespace
+
+Quat turn_exactly(Quat q, Vec3 w, Real h)
+{
+    const Real angle = length(w) * h * Real(0.5);
+    const Vec3 v = (h * Real(0.5) * sinc(angle)) * w;
+    return Quat{epode::cos(angle), v.x, v.y, v.z} * q;
 }
 
 Quat turned(const Body& body, Vec3 w, Real h)
@@ -36,8 +38,6 @@ Quat turned(const Body& body, Vec3 w, Real h)
     const Vec3 along = dot(body.finite_axis, w) * body.finite_axis;
     return turn_infinitesimally(turn_exactly(q, along, h), w - along, h);
 }
-
-}  // namespace
 
 Vec3 gyroscopic_torque(const Body& body, Vec3 w, Real h)
 {
@@ -71,8 +71,10 @@ void damp(Body& body)
     const DampingRule& rule = body.damping;
     if (rule.linear_scale != 0 && length2(body.velocity()) > rule.linear_threshold2)
         store(body.lvel, (1 - rule.linear_scale) * body.velocity());
-    if (rule.angular_scale != 0 && length2(body.angular_velocity()) > rule.angular_threshold2)
+    if (rule.angular_scale != 0 && length2(body.angular_velocity()) > rule.angular_threshold2) {
         store(body.avel, (1 - rule.angular_scale) * body.angular_velocity());
+        body.spin_excess *= 1 - rule.angular_scale;
+    }
 }
 
 }  // namespace epode

@@ -30,6 +30,7 @@ void put_to_sleep(Body& body)
     body.disabled = true;
     store(body.lvel, {});
     store(body.avel, {});
+    body.spin_excess = {};
 }
 
 }  // namespace

@@ -34,6 +34,7 @@ struct World : Tagged {
     Real quick_w = Real(1.3);
     Real warm_starting = 1;            // times the solver's own share of the last impulses
     int auto_enable_depth = 3;         // of the 0.039 guide; stored, never used by it either
+    bool exact_rotation = false;       // of dWorldStep and dWorldQuickStep
     unsigned islands_max_threads = 0;  // 0: unlimited
     int step_threads = 1;              // 0: one per processor
 

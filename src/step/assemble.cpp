@@ -6,6 +6,7 @@
 // formed, so rows come first.
 #include "step/assemble.h"
 
+#include "dynamics/exact_spin.h"
 #include "dynamics/integrate.h"
 #include "rows/policy.h"
 
@@ -93,6 +94,12 @@ void add_forces(const Body& body, Real h, SolverBody& out)
     out.w += h * (out.inv_inertia * torque);
 }
 
+void add_forces_exactly(Body& body, Real h, SolverBody& out)
+{
+    out.v += (h * out.inv_mass) * load(body.facc);
+    out.w = kicked_spin(body, load(body.tacc), out.w, h);
+}
+
 bool assemble(World& world, Island island, Real h, const Solver& solver, Arena& arena, IslandWork& work)
 {
     const int joint_count = int(island.joints.size());
@@ -118,12 +125,15 @@ bool assemble(World& world, Island island, Real h, const Solver& solver, Arena& 
     if (arena.failed()) return false;
 
     for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-        const Body& body = *island.bodies[i];
+        Body& body = *island.bodies[i];
         SolverBody& out = work.system.bodies[i];
         load_inertia(body, out);
         if (solver.needs_inertia) load_mass(body, out);
         load_velocity(body, out);
-        if (!solver.substeps) add_forces(body, h, out);
+        if (solver.substeps)
+            body.spin_excess = {};  // it turns bodies in its own way
+        else
+            world.exact_rotation ? add_forces_exactly(body, h, out) : add_forces(body, h, out);
     }
     for (const RowBlock& block : work.system.blocks)
         for (int i = block.first; i < block.first + block.count; ++i)

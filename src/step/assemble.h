@@ -30,6 +30,7 @@ bool assemble(World& world, Island island, Real h, const Solver& solver, Arena& 
 // The part that inner steps repeat.
 void load_inertia(const Body& body, SolverBody& out);  // the inverse only
 void load_velocity(const Body& body, SolverBody& out);
-void add_forces(const Body& body, Real h, SolverBody& out);  // v += h M^-1 (accumulated + gyroscopic)
+void add_forces(const Body& body, Real h, SolverBody& out);    // v += h M^-1 (accumulated + gyroscopic)
+void add_forces_exactly(Body& body, Real h, SolverBody& out);  // the same with exact rotation
 
 }  // namespace epode

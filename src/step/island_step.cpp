@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "dynamics/exact_spin.h"
 #include "dynamics/integrate.h"
 #include "step/assemble.h"
 #include "step/report.h"
@@ -43,11 +44,13 @@ void restore_poses(const Island& island, std::span<const SavedPose> saved)
 void contain(const IslandWork& work)
 {
     for (Joint* joint : work.joints) joint->impulse_rows = 0;
-    for (Body* body : work.island.bodies)
+    for (Body* body : work.island.bodies) {
+        body->spin_excess = {};
         if (!usable(body->lvel, 3) || !usable(body->avel, 3)) {
             store(body->lvel, {});
             store(body->avel, {});
         }
+    }
 }
 
 class IslandStep {
@@ -121,7 +124,10 @@ class IslandStep {
 
     void advance()
     {
-        for (Body* body : work_.island.bodies) advance_pose(*body, context_.h);
+        const bool free = work_.system.rows.empty();
+        for (Body* body : work_.island.bodies)
+            world_.exact_rotation ? advance_pose_exactly(*body, context_.h, free)
+                                  : advance_pose(*body, context_.h);
     }
 
     const StepContext& context_;

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The accurate way to turn a body (dWorldSetExactRotation), beside ODE's in integrate.h. The state is the
+// angular momentum; `Body::spin_excess` is what of it the stored angular velocity does not show.
+#pragma once
+
+#include "dynamics/body.h"
+
+namespace epode {
+
+// The angular velocity w of the world after torque and gyroscopic effect over a step h: the v* of
+// constraints. Leaves the momentum that this velocity lacks in the body's excess.
+Vec3 kicked_spin(Body& body, Vec3 torque, Vec3 w, Real h);
+
+// advance_pose with the exponential map. The body's angular velocity is that of the middle of the step;
+// `free`: no constraint has acted on it, and it becomes that of the end.
+void advance_pose_exactly(Body& body, Real h, bool free);
+
+}  // namespace epode
