@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solve/ordering.h"
+
 namespace epode {
 namespace {
 
@@ -117,7 +119,11 @@ void solve_lower_transposed(double* x, const double* L)
 bool BlockCholesky::analyse(int n, std::span<const BodyPair> pairs, Arena& arena)
 {
     n_ = n;
-    if (!order_minimum_degree(n, pairs, arena, structure_)) return false;
+    BodyGraph graph;
+    auto order = arena.take<int>(n);
+    if (arena.failed() || !build_body_graph(n, pairs, arena, graph) ||
+        !order_minimum_degree(graph, arena, order) || !find_structure(graph, order, arena, structure_))
+        return false;
     diagonal_ = arena.take<double>(kB * n);
     lower_ = arena.take<double>(kB * structure_.first[std::size_t(n)]);
     work_ = arena.take<double>(6 * n);

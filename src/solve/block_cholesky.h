@@ -8,7 +8,7 @@
 #include <span>
 
 #include "base/arena.h"
-#include "solve/ordering.h"
+#include "solve/symbolic.h"
 
 namespace epode {
 

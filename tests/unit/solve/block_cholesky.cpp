@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Block-sparse Cholesky and its elimination order against dense arithmetic.
+// Block-sparse Cholesky against dense arithmetic.
 #include "solve/block_cholesky.h"
 
 #include <gtest/gtest.h>
@@ -72,35 +72,6 @@ TEST(BlockCholesky, SolvesWhatWasAssembled)
         H.solve(x);
         for (int i = 0; i < size; ++i) EXPECT_NEAR(x[std::size_t(i)], wanted[std::size_t(i)], 1e-9) << seed;
     }
-}
-
-TEST(Ordering, IsAPermutationWithAscendingColumns)
-{
-    Dice dice(4);
-    const int n = 60;
-    const auto pairs = random_pairs(dice, n, 150);
-    Arena arena;
-    FactorStructure s;
-    ASSERT_TRUE(order_minimum_degree(n, pairs, arena, s));
-    std::vector<int> seen(std::size_t(n), 0);
-    for (const int at : s.position) ++seen[std::size_t(at)];
-    for (const int times : seen) EXPECT_EQ(times, 1);
-    for (int j = 0; j < n; ++j)
-        for (int k = s.first[std::size_t(j)]; k < s.first[std::size_t(j + 1)]; ++k) {
-            EXPECT_GT(s.rows[std::size_t(k)], k > s.first[std::size_t(j)] ? s.rows[std::size_t(k - 1)] : j);
-            EXPECT_LT(s.rows[std::size_t(k)], n);
-        }
-}
-
-TEST(Ordering, ATreeFillsNothing)
-{
-    const int n = 100;
-    std::vector<BodyPair> pairs;
-    for (int i = 1; i < n; ++i) pairs.push_back({i, (i - 1) / 3});
-    Arena arena;
-    FactorStructure s;
-    ASSERT_TRUE(order_minimum_degree(n, pairs, arena, s));
-    EXPECT_EQ(s.rows.size(), std::size_t(n - 1));
 }
 
 }  // namespace
