@@ -5,10 +5,12 @@
 // runs it on two of them in turn.
 #include <CLI/CLI.hpp>
 
+#include "bench/accuracy.h"
 #include "bench/exact_sizes.h"
 #include "bench/exact_table.h"
 #include "bench/pile.h"
 #include "bench/scene_bench.h"
+#include "scenes/extensions.h"
 
 namespace {
 
@@ -22,6 +24,28 @@ CLI::App* add_exact_table(CLI::App& app, epode::bench::TableOptions& options)
     command->add_option("--seconds", options.seconds, "time to spend on timing a problem (default 0.3)");
     command->add_option("--steps", options.steps, "steps to time at most (default 2000)")
         ->check(CLI::Range(1, 10'000'000));
+    return command;
+}
+
+struct AccuracyArguments {
+    epode::bench::AccuracyOptions options;
+    std::string stepper = "exact";
+};
+
+CLI::App* add_accuracy(CLI::App& app, AccuracyArguments& arguments)
+{
+    CLI::App* command = app.add_subcommand("accuracy", "one run of a test of bench/accuracy");
+    command->add_option("test", arguments.options.test, "rolling, bouncing, 666, elastic-666, grasp or whip")
+        ->required();
+    command->add_option("--stepper", arguments.stepper, "exact, quick or fast (default exact)");
+    command->add_option("--dt", arguments.options.dt, "step size in seconds (default 0.001)")
+        ->check(CLI::Range(1e-6, 1.0));
+    command->add_option("--variant", arguments.options.variant,
+                        "rolling: y, xy, xy-fdir; whip: plain, projected, nudged");
+    command->add_option("--trace", arguments.options.trace,
+                        "whip: write the gap after every step to this file");
+    command->add_option("--size", arguments.options.size,
+                        "grasp: load in N; whip: end mass in links; others: iterations");
     return command;
 }
 
@@ -64,8 +88,11 @@ int main(int argc, char** argv)
     app.add_flag("--json", options.json, "print JSON");
     epode::bench::TableOptions table;
     CLI::App* exact_table = add_exact_table(app, table);
+    AccuracyArguments accuracy;
+    CLI::App* accuracy_test = add_accuracy(app, accuracy);
     PileOptions pile;
     CLI::App* make_pile = add_make_pile(app, pile);
+    CLI::App* library = app.add_subcommand("library", "print the file of the libode at hand");
     app.require_subcommand(0, 1);
     try {
         app.parse(argc, argv);
@@ -75,7 +102,18 @@ int main(int argc, char** argv)
     }
 
     epode::scenes::Runtime runtime;
+    if (*library) {
+        std::puts(epode::scenes::loaded_library().c_str());
+        return 0;
+    }
     if (*exact_table) return epode::bench::bench_exact_table(table);
+    if (*accuracy_test) {
+        if (!epode::scenes::stepper_named(accuracy.stepper, accuracy.options.stepper)) {
+            std::fputs("epode_bench: steppers are exact, quick and fast\n", stderr);
+            return 2;
+        }
+        return epode::bench::bench_accuracy(accuracy.options);
+    }
     if (*make_pile) return epode::bench::print_pile(pile.count, pile.side, pile.rows, pile.seed);
     if (options.scene != "exact-sizes") return epode::bench::bench_scene(options);
     if (!options.stepper.empty() && options.stepper != "exact") {

@@ -27,7 +27,7 @@ Function find(const char* name)
 }
 
 using StepFast = int (*)(dWorldID, dReal, int);
-using SetReportMode = void (*)(dWorldID, int);
+using SetMode = void (*)(dWorldID, int);
 using SetWarmStarting = void (*)(dWorldID, dReal);
 using GetReport = int (*)(dWorldID, RawStepReport*);
 
@@ -48,7 +48,7 @@ int step_fast(dWorldID world, dReal dt, int small_steps)
 
 bool request_step_report(dWorldID world, bool on)
 {
-    static const SetReportMode function = find<SetReportMode>("dWorldSetStepReportMode");
+    static const SetMode function = find<SetMode>("dWorldSetStepReportMode");
     if (!function) return false;
     function(world, on ? 1 : 0);
     return true;
@@ -78,6 +78,14 @@ bool set_warm_starting(dWorldID world, double factor)
     static const SetWarmStarting function = find<SetWarmStarting>("dWorldSetQuickStepWarmStarting");
     if (!function) return false;
     function(world, dReal(factor));
+    return true;
+}
+
+bool set_step_projection(dWorldID world, int iterations)
+{
+    static const SetMode function = find<SetMode>("dWorldSetStepProjection");
+    if (!function) return false;
+    function(world, iterations);
     return true;
 }
 

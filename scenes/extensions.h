@@ -31,6 +31,9 @@ std::optional<StepReport> step_report(dWorldID world);
 // How much of the last step's forces a step starts from, 0 ... 1. False where the library always starts cold.
 bool set_warm_starting(dWorldID world, double factor);
 
+// How often joints are closed after each step, at most; 0: never. False where the library cannot.
+bool set_step_projection(dWorldID world, int iterations);
+
 // The file of the libode that this process runs on, "statically linked" when there is none.
 std::string loaded_library();
 

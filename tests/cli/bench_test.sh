@@ -7,6 +7,7 @@ set -uo pipefail
 program=$1
 compare=$2
 exact=$3
+accuracy=$4
 source "$(dirname "$0")/harness.sh"
 
 expect 0 wall --steps 10 --repeat 2
@@ -35,6 +36,15 @@ expect 0 make-pile --count 3 --rows 12
 has out '^contact [0-2] (-1|[0-2]) '
 expect 1 make-pile --count 1 --rows 1000
 
+# Tests that have a truth, briefly: a bounce loses what semi-implicit Euler loses, a chain of equal links gaps less than one.
+expect 0 accuracy bouncing --dt 0.1
+has out '^bouncing exact 0.1 - 0 [12][.][0-9]+e[+]06 .* messages 0 contacts'
+expect 0 accuracy rolling --variant y --dt 0.1
+awk '{ exit !($6 < 1e-5) }' "$work/out" || fail 'rolling is wrong'
+expect 0 accuracy whip --dt 0.01 --trace "$work/gaps"
+(($(wc -l < "$work/gaps") == 1000)) || fail 'whip has not traced 1,000 steps'
+awk '{ exit !($6 > 0.01 && $6 < 1) }' "$work/out" || fail 'whip has another gap than it had'
+
 expect 2
 expect 2 no-such-scene
 has err 'exact-sizes pendulum'
@@ -43,6 +53,8 @@ expect 2 exact-sizes --stepper quick
 expect 2 wall --repeat 0
 expect 2 exact-table --problem none
 has err 'chain-4096'
+expect 2 accuracy no-such-test
+expect 2 accuracy whip --stepper none
 expect 2 exact-table --problem box --velocities /no/such/folder/file
 
 program=$compare
@@ -55,5 +67,9 @@ program=$exact
 expect 2 --only none
 has err 'no problem none'
 expect 2 --bench /no/such/program
+
+program=$accuracy
+expect 2 --only none
+has err 'no test none'
 
 finish
