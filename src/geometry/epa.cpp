@@ -5,6 +5,7 @@
 // them stops with the best normal found, which is a true upper bound of the depth.
 #include "geometry/epa.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace epode {
@@ -39,11 +40,13 @@ class Polytope {
     const Face& face(int i) const { return faces_[i]; }
     bool room() const { return vertex_count_ < kVertices; }
     Vec3 sample(Vec3 n);
-    bool grow(Vec3 p);
+    bool grow(Vec3 p, int from);
 
   private:
     bool add_face(int i, int j, int k);
     void add_edge(int i, int j);
+    static bool share_edge(const Face& f, const Face& g);
+    int find_cap(Vec3 p, int from);
     Vec3 farther(Vec3 n, Vec3 from, Real& gain);
 
     const ConvexView& a_;
@@ -52,6 +55,7 @@ class Polytope {
     Real vertices_[kVertices][3];
     Face faces_[kFaces];
     int edges_[kEdges][2];
+    int seen_[kFaces];
     int vertex_count_ = 0, face_count_ = 0, edge_count_ = 0;
     Real scale_ = 0;
 };
@@ -129,20 +133,43 @@ void Polytope::add_edge(int i, int j)
     if (edge_count_ < kEdges) edges_[edge_count_][0] = i, edges_[edge_count_][1] = j, ++edge_count_;
 }
 
-// Replaces the faces that p can see by a fan from their horizon to p.
-bool Polytope::grow(Vec3 p)
+bool Polytope::share_edge(const Face& f, const Face& g)
+{
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k)
+            if (f.v[i] == g.v[(k + 1) % 3] && f.v[(i + 1) % 3] == g.v[k]) return true;
+    return false;
+}
+
+// The faces that p can see and that hang together with face `from`, as the first entries of `seen_`. Rounding
+// shows p faces elsewhere too, nearly in line with it: to remove those would tear the surface. A face
+// without area cannot be asked and goes with its neighbours.
+int Polytope::find_cap(Vec3 p, int from)
+{
+    const Real hair = 4 * kEpsilon * scale_;
+    int count = 0, cap = 1;
+    seen_[count++] = from;
+    for (int i = 0; i < face_count_; ++i) {
+        const Face& f = faces_[i];
+        if (i != from && (f.distance == kInf || dot(f.normal(), p) - f.distance > hair)) seen_[count++] = i;
+    }
+    for (int done = 0; done < cap; ++done)
+        for (int i = cap; i < count; ++i)
+            if (share_edge(faces_[seen_[done]], faces_[seen_[i]])) std::swap(seen_[cap++], seen_[i]);
+    return cap;
+}
+
+// Replaces the cap that p can see around face `from` by a fan from the cap's rim to p.
+bool Polytope::grow(Vec3 p, int from)
 {
     edge_count_ = 0;
-    const Real hair = 4 * kEpsilon * scale_;
-    for (int i = 0; i < face_count_;) {
-        const Face& f = faces_[i];
-        if (f.distance == kInf || !(dot(f.normal(), p) - f.distance > hair)) {
-            ++i;
-            continue;
-        }
+    const int cap = find_cap(p, from);
+    for (int i = 0; i < cap; ++i) {
+        const Face& f = faces_[seen_[i]];
         for (int k = 0; k < 3; ++k) add_edge(f.v[k], f.v[(k + 1) % 3]);
-        faces_[i] = faces_[--face_count_];
     }
+    std::sort(seen_, seen_ + cap);
+    for (int i = cap; i-- > 0;) faces_[seen_[i]] = faces_[--face_count_];
     if (edge_count_ == 0) return false;
     const int tip = vertex_count_;
     store(vertices_[vertex_count_++], p);
@@ -163,7 +190,7 @@ void expand(const ConvexView& a, const ConvexView& b, Real tolerance, Real enoug
         const Face f = polytope.face(k);
         if (best.depth - f.distance <= tolerance) return;
         const Vec3 p = polytope.sample(f.normal());
-        if (dot(f.normal(), p) - f.distance <= tolerance || !polytope.grow(p)) return;
+        if (dot(f.normal(), p) - f.distance <= tolerance || !polytope.grow(p, k)) return;
     }
 }
 
