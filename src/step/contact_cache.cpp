@@ -32,7 +32,8 @@ ContactCache::Entry* ContactCache::find(const Entry& like)
     const auto mask = std::size_t(buckets_.size() - 1);
     for (int i = buckets_[int(hash(like.serial1, like.serial2) & mask)]; i >= 0; i = entries_[i].next) {
         Entry& e = entries_[i];
-        if (e.used || e.serial1 != like.serial1 || e.serial2 != like.serial2) continue;
+        // The flag last: that of other bodies' entries may be changing on another thread.
+        if (e.serial1 != like.serial1 || e.serial2 != like.serial2 || e.used) continue;
         if (dot(widen(e.normal), normal) < kSameNormal) continue;
         const Real distance2 = length2(widen(e.place) - place);
         if (distance2 <= best_distance2) best = &e, best_distance2 = distance2;
