@@ -86,7 +86,7 @@ bool finite(const Problem& problem)
     return true;
 }
 
-void write_velocities(const Problem& problem, const char* name, std::FILE* file)
+void write_velocities(const Problem& problem, const std::string& name, std::FILE* file)
 {
     for (dBodyID body : problem.bodies()) {
         const dReal *v = dBodyGetLinearVel(body), *w = dBodyGetAngularVel(body);
@@ -101,7 +101,7 @@ bool run_problem(const ProblemRecipe& recipe, const TableOptions& options, std::
     const scenes::MessageCounter messages;
     const long before = peak_kilobytes();
     const auto problem = std::make_unique<Problem>();
-    if (!recipe.build(*problem, recipe.size)) return false;
+    if (!build_problem(*problem, recipe)) return false;
 
     problem->prepare(0);
     problem->step();
@@ -113,9 +113,10 @@ bool run_problem(const ProblemRecipe& recipe, const TableOptions& options, std::
     double cold = warm;
     if (scenes::set_warm_starting(problem->world(), 0)) cold = median_step(*problem, options);
     const Quality quality = judge(*problem);
-    fmt::print("{} {} {:.6f} {:.6f} {:.3e} {} {} {} {} {}\n", recipe.name, problem->rows(), cold, warm,
-               quality.residual, quality.islands, quality.fallbacks, quality.contained, grown,
-               messages.count());
+    const int copies = recipe.copies;
+    fmt::print("{} {} {:.6f} {:.6f} {:.3e} {} {} {} {} {}\n", recipe.name, problem->rows() / copies,
+               cold / copies, warm / copies, quality.residual, quality.islands, quality.fallbacks,
+               quality.contained, grown, messages.count());
     std::fflush(stdout);
     return sound;
 }

@@ -6,7 +6,6 @@
 #include <CLI/CLI.hpp>
 
 #include "bench/accuracy.h"
-#include "bench/exact_sizes.h"
 #include "bench/exact_table.h"
 #include "bench/pile.h"
 #include "bench/scene_bench.h"
@@ -72,12 +71,11 @@ int main(int argc, char** argv)
     CLI::App app("Times a scene: median, p10, p90 in ms per step, its parts, and the quality of the result.",
                  "epode_bench");
     epode::bench::SceneOptions options;
-    app.add_option("scene", options.scene,
-                   "a scene of `epode list`, or exact-sizes: islands of 12 to 300 rows");
+    app.add_option("scene", options.scene, "a scene of `epode list`");
     app.add_option("--stepper", options.stepper, "exact, quick or fast; default: the scene's own");
     app.add_option("--dt", options.dt, "step size in seconds; default: the scene's own")
         ->check(CLI::Range(1e-9, 1e9));
-    app.add_option("--steps", options.steps, "number of steps; default: the scene's own, exact-sizes: 60")
+    app.add_option("--steps", options.steps, "number of steps; default: the scene's own")
         ->check(CLI::Range(1, 10'000'000));
     app.add_option("--repeat", options.repeat, "runs, each from a fresh start (default 3)")
         ->check(CLI::Range(1, 10'000));
@@ -115,14 +113,5 @@ int main(int argc, char** argv)
         return epode::bench::bench_accuracy(accuracy.options);
     }
     if (*make_pile) return epode::bench::print_pile(pile.count, pile.side, pile.rows, pile.seed);
-    if (options.scene != "exact-sizes") return epode::bench::bench_scene(options);
-    if (!options.stepper.empty() && options.stepper != "exact") {
-        std::fputs("epode_bench: exact-sizes times the exact stepper only\n", stderr);
-        return 2;
-    }
-    epode::bench::SizesOptions sizes;
-    if (options.steps > 0) sizes.steps = options.steps;
-    sizes.repeat = options.repeat;
-    sizes.json = options.json;
-    return epode::bench::bench_exact_sizes(sizes);
+    return epode::bench::bench_scene(options);
 }

@@ -46,7 +46,7 @@ class Problem {
 
     // State number `draw`: 0 is the first; equal numbers give equal states.
     void prepare(std::uint32_t draw);
-    // One dWorldStep from the prepared state; its milliseconds.
+    // One dWorldStep from the prepared state; its milliseconds of one processor.
     double step();
 
     dWorldID world() const { return world_; }

@@ -146,7 +146,7 @@ int bench_scene(const SceneOptions& options)
     if (!recipe) {
         std::string names;
         for (const scenes::Recipe* known : scenes::all_recipes()) names += fmt::format(" {}", known->name);
-        return refuse(fmt::format("there is no scene '{}'. Scenes: exact-sizes{}", options.scene, names));
+        return refuse(fmt::format("there is no scene '{}'. Scenes:{}", options.scene, names));
     }
     scenes::Stepper stepper = recipe->stepper;
     if (!options.stepper.empty() && !scenes::stepper_named(options.stepper, stepper)) {

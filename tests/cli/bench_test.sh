@@ -17,20 +17,17 @@ expect 0 wall --steps 10 --repeat 2 --json
 holds "$(number ms_p10) <= $(number ms_median) && $(number ms_median) <= $(number ms_p90) && $(number ms_step) > 0"
 holds "$(number steps) == 10 && $(number contacts_mean) > 100 && $(number nans) == 0"
 
-# The islands have the rows they are named for, on any library.
-expect 0 exact-sizes --steps 2 --repeat 1
-(($(grep -cE '^(chain|box|stack|wall) ' "$work/out") == 20)) || fail 'exact-sizes has not 20 cases'
-awk '/^(chain|box|stack|wall) / && ($3 < $2 - 0.05 || $3 > $2 + 0.05) { print; bad = 1 } END { exit bad }' "$work/out" ||
-    fail 'an island of exact-sizes has other rows than its name says'
-expect 0 exact-sizes --steps 2 --repeat 1 --json
-has out '"kind": "wall", "rows": 288'
-
 # Every problem of the exact stepper's table that a test has time for: solved (in single precision too), and the rows that it is named for.
 for problem in box:12 chain-8:24 pile-20:219 chain-32-heavy:96 chain-100:300 wall-16:300 ladder-64:1280; do
     expect 0 exact-table --problem "${problem%:*}" --steps 1 --velocities "$work/velocities"
     has out "^${problem/:/ } [0-9.]+ [0-9.]+ "
     awk '!/^#/ && ($5 > 1e-5 || $8 + $10 > 0) { print; bad = 1 } END { exit bad }' "$work/out" || fail "exact-table: $problem is not solved"
 done
+for problem in chain-12 chain-24 chain-300 stack-12 stack-60 stack-300 gable-48 gable-108 gable-288; do
+    expect 0 exact-table --problem "size-$problem" --steps 1
+    has out "^size-$problem ${problem#*-} "
+done
+expect 0 exact-table --problem ladder-64 --steps 1 --velocities "$work/velocities"
 (($(wc -l < "$work/velocities") == 192)) || fail 'exact-table has not written the velocities of 64 x 3 bodies'
 expect 0 make-pile --count 3 --rows 12
 has out '^contact [0-2] (-1|[0-2]) '
@@ -47,9 +44,8 @@ awk '{ exit !($6 > 0.01 && $6 < 1) }' "$work/out" || fail 'whip has another gap 
 
 expect 2
 expect 2 no-such-scene
-has err 'exact-sizes pendulum'
+has err 'Scenes: pendulum'
 expect 2 wall --stepper best
-expect 2 exact-sizes --stepper quick
 expect 2 wall --repeat 0
 expect 2 exact-table --problem none
 has err 'chain-4096'
