@@ -8,6 +8,7 @@
 #include <span>
 
 #include "base/arena.h"
+#include "solve/front_kernels.h"
 #include "solve/symbolic.h"
 
 namespace epode {
@@ -19,12 +20,14 @@ class BlockCholesky {
   public:
     static constexpr int kBlock = 36;  // doubles of a block, column-major
 
-    // Chooses the order and takes the memory; false: out of memory.
-    bool analyse(int n, std::span<const BodyPair> pairs, Arena& arena);
+    // Takes the memory for a matrix of this structure, which must outlive it; false: out of memory.
+    bool prepare(const FactorPlan& plan, Arena& arena);
+    // Another kind of machine's kernels than the best: for tests.
+    void use(const FrontKernels& kernels) { kernels_ = &kernels; }
 
-    // Where H[a][a] and, for a pair that was announced, the block between two bodies live. `transposed`: the
-    // stored block is H[b][a] instead of H[a][b].
-    double* diagonal(int body) { return diagonal_.data() + kBlock * structure_.position[std::size_t(body)]; }
+    // Where H[a][a] and, for a pair that was announced, the block between two bodies live. Of a diagonal
+    // block the lower triangle counts. `transposed`: the stored block is H[b][a] instead of H[a][b].
+    double* diagonal(int body);
     double* between(int a, int b, bool& transposed);
 
     void clear();                     // H = 0
@@ -32,15 +35,13 @@ class BlockCholesky {
     void solve(std::span<double> x);  // x = H^-1 x, six numbers per body in body order
 
   private:
-    void eliminate_column(int k);
-    void subtract_outer(int k);
+    double* blocks_of(const Front& f) { return blocks_.data() + kBlock * std::size_t(f.block); }
+    void subtract_outer(const Front& f);
 
-    int n_ = 0;
-    int bad_pivots_ = 0;
-    FactorStructure structure_;
-    std::span<double> diagonal_;  // n blocks, then their lower triangles L with reciprocal diagonals
-    std::span<double> lower_;     // blocks below the diagonal, column by column
-    std::span<double> work_;      // 6 n
+    const FactorPlan* plan_ = nullptr;
+    const FrontKernels* kernels_ = nullptr;
+    std::span<double> blocks_;  // of all fronts: H, then L
+    std::span<double> work_;    // 6 n
 };
 
 }  // namespace epode

@@ -31,8 +31,9 @@ constexpr double kInteriorTolerance = 2e-10;
 
 class DirectSolve {
   public:
-    bool prepare(RowSystem& system, Arena& arena)
+    bool prepare(RowSystem& system, PlanCache* plans, Arena& arena)
     {
+        plans_ = plans;
         const int m = int(system.rows.size());
         if (!problem_.build(system, arena)) return false;
         small_ = m <= DenseActiveSet::kMostRows && m <= problem_.unknowns();
@@ -110,7 +111,7 @@ class DirectSolve {
 
     bool prepare_sparse(const RowSystem& system, Arena& arena)
     {
-        sparse_ready_ = problem_.build_factor(system, arena) && active_.prepare(problem_, arena);
+        sparse_ready_ = problem_.build_factor(system, plans_, arena) && active_.prepare(problem_, arena);
         return sparse_ready_;
     }
 
@@ -147,6 +148,7 @@ class DirectSolve {
             std::copy(kept_.begin(), kept_.end(), state_.p.begin());
     }
 
+    PlanCache* plans_ = nullptr;
     ExactProblem problem_;
     ActiveSet active_;
     DenseActiveSet dense_;
@@ -162,7 +164,7 @@ bool solve_direct(RowSystem& system, const SolverSettings& settings, Arena& aren
     if (system.rows.empty()) return true;
     Arena::Scope scope(arena);
     DirectSolve direct;
-    return direct.prepare(system, arena) && direct.run(system, settings.want_residual, arena, report);
+    return direct.prepare(system, settings.plans, arena) && direct.run(system, settings.want_residual, arena, report);
 }
 
 }  // namespace

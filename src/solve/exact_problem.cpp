@@ -73,7 +73,7 @@ bool ExactProblem::number_bodies(const RowSystem& system, Arena& arena)
     return true;
 }
 
-bool ExactProblem::build_factor(const RowSystem& system, Arena& arena)
+bool ExactProblem::build_factor(const RowSystem& system, PlanCache* plans, Arena& arena)
 {
     const int blocks = int(system.blocks.size());
     auto pairs = arena.take<BodyPair>(blocks);
@@ -87,7 +87,7 @@ bool ExactProblem::build_factor(const RowSystem& system, Arena& arena)
         if (b < 0) b = a;
         pairs[std::size_t(k)] = {a, b};
     }
-    if (!H_.analyse(int(masses_.size()), pairs, arena)) return false;
+    if (!plan_.take(int(masses_.size()), pairs, plans, arena) || !H_.prepare(plan_.plan(), arena)) return false;
     for (int k = 0; k < blocks; ++k) {
         const auto [a, b] = pairs[std::size_t(k)];
         PairSlots& s = slots_[std::size_t(k)];

@@ -16,6 +16,7 @@
 #include "base/arena.h"
 #include "rows/row_system.h"
 #include "solve/block_cholesky.h"
+#include "solve/plan_cache.h"
 
 namespace epode {
 
@@ -45,7 +46,8 @@ class ExactProblem {
   public:
     // False: out of memory. The factor of H is prepared by a call of its own: not every method needs it.
     bool build(const RowSystem& system, Arena& arena);
-    bool build_factor(const RowSystem& system, Arena& arena);
+    // `plans` may be null.
+    bool build_factor(const RowSystem& system, PlanCache* plans, Arena& arena);
 
     int row_count() const { return int(rows_.size()); }
     int unknowns() const { return int(v_star_.size()); }
@@ -98,6 +100,7 @@ class ExactProblem {
     std::span<double> v_star_;
     std::span<ExactRow> rows_;
     std::span<PairSlots> slots_;  // one per block of rows
+    PlanLease plan_;
     BlockCholesky H_;
     double scale_ = 1;
     int factorisations_ = 0;

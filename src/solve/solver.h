@@ -14,6 +14,8 @@
 
 namespace epode {
 
+class PlanCache;
+
 struct SolverSettings {
     int iterations = 20;
     Real w = Real(1.3);      // over-relaxation
@@ -21,6 +23,7 @@ struct SolverSettings {
     const Substeps* substeps = nullptr;
     bool want_residual = false;  // costs an evaluation
     Tasks tasks;                 // for solvers with inner_tasks
+    PlanCache* plans = nullptr;  // what the world keeps of structures that were analysed before
 };
 
 struct SolveReport {

@@ -1,22 +1,54 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The structure of the factor of H for an order of elimination.
+// The structure of the factor L of H = L L^T, found from the body graph alone: what a numeric factorisation
+// has to do, and where. Columns (bodies) with nearly equal structure are joined into a front: `width` columns
+// and, below them, `below` rows that at least one of the columns has,
+//
+//   front s:   [ D ]  width   rows        D lower triangular
+//              [ B ]  below   rows
+//
+// stored as one dense array of 6x6 blocks, row of blocks after row of blocks. When s is done, B B^T has to be
+// subtracted from the fronts that own its rows. Which blocks go where is written down here once, so that the
+// numeric part neither searches nor compares.
 #pragma once
 
 #include "solve/body_graph.h"
 
 namespace epode {
 
-// Column j of the factor has its diagonal block and blocks at rows[first[j]] .. rows[first[j+1] - 1], which
-// are positions in elimination order, ascending, all greater than j.
-struct FactorStructure {
-    std::span<int> position;  // body -> place in the elimination order
-    std::span<int> first;     // n + 1
-    std::span<int> rows;
+struct Front {
+    int first;         // its columns are first .. first + width - 1 in elimination order
+    int width, below;  // in bodies
+    int rows;          // its rows below begin here in FactorPlan::rows
+    int block;         // its blocks begin here; block (i, c) is i * width + c further on
+    int updates, update_count;  // in FactorPlan::updates
 };
 
-// False: out of memory.
-bool find_structure(const BodyGraph& graph, std::span<const int> order, Arena& arena, FactorStructure& out);
+// Rows begin .. begin + columns - 1 (counted below the columns) of a front are columns of `target`; row
+// begin + k of it is row places[place + k] of the target.
+struct FrontUpdate {
+    int target;
+    int begin, columns;
+    int place;
+};
+
+struct FactorPlan {
+    int bodies = 0;
+    int blocks = 0;              // 6x6 blocks of all fronts
+    std::span<int> position;     // body -> column
+    std::span<int> front_of;     // column -> front
+    std::span<Front> fronts;     // children before their parents
+    std::span<int> rows;         // columns, ascending within a front
+    std::span<FrontUpdate> updates;
+    std::span<int> places;
+
+    int row_count(const Front& f) const { return f.width + f.below; }
+    // Where the block of two columns lies, row >= column, if the structure has it.
+    int block_at(int row, int column) const;
+};
+
+// The plan for a given order of elimination. False: out of memory.
+bool make_plan(const BodyGraph& graph, std::span<const int> order, Arena& arena, FactorPlan& out);
 
 }  // namespace epode

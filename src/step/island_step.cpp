@@ -77,6 +77,7 @@ class IslandStep {
         settings.substeps = inner ? &callbacks : nullptr;
         settings.want_residual = report != nullptr;
         settings.tasks = tasks;
+        settings.plans = &context_.plans;
         load_warm_start(world_.warm_starting * context_.solver.warm_share);
         if (inner) saved_ = save_poses(work_.island, arena_);
         SolveReport solved;

@@ -18,6 +18,7 @@ struct StepContext {
     Real h;
     int iterations;
     ContactCache& contacts;
+    PlanCache& plans;
 };
 
 struct IslandPlace {

@@ -168,7 +168,7 @@ bool step_world(World& world, const Solver& solver, Real h, int iterations)
     std::span<Island> islands;
     if (!find_islands(world, world.arena, islands)) return false;
 
-    const StepContext context{world, solver, h, iterations, state->contacts};
+    const StepContext context{world, solver, h, iterations, state->contacts, state->plans};
     WorldStep step(context, *state, islands, workers_of(world));
     if (!step.prepare()) return false;
     world.stepping = true;

@@ -6,6 +6,7 @@
 
 #include "base/array.h"
 #include "dynamics/world.h"
+#include "solve/plan_cache.h"
 #include "solve/solver.h"
 #include "step/contact_cache.h"
 
@@ -16,6 +17,7 @@ struct StepState {
     ~StepState();
 
     ContactCache contacts;
+    PlanCache plans;
     Array<Arena*> arenas;              // of the workers besides the caller, who takes the world's
     Array<dIslandStepReport> reports;  // of the last step's islands, when they were wanted
 };

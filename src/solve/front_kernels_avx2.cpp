@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The front kernels compiled for AVX2, that is with 32-byte registers and without fused multiply-add, which
+// would round differently. CMake gives this file its flag; on other machines it is empty.
+#if defined(__x86_64__)
+#include "solve/front_kernels.inc"
+
+namespace epode {
+
+extern const FrontKernels kAvx2FrontKernels;
+const FrontKernels kAvx2FrontKernels{"avx2", factor, update, forward, backward};
+
+}  // namespace epode
+#endif
