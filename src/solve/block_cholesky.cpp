@@ -35,39 +35,24 @@ double* BlockCholesky::between(int a, int b, bool& transposed)
 
 void BlockCholesky::clear() { std::fill(blocks_.begin(), blocks_.end(), 0.0); }
 
-int BlockCholesky::factor()
+FrontLists BlockCholesky::lists() const
 {
-    int bad = 0;
-    for (const Front& f : plan_->fronts) {
-        bad += kernels_->factor(blocks_of(f), f.width, f.width + f.below);
-        subtract_outer(f);
-    }
-    return bad;
+    return {plan_->fronts.data(), plan_->rows.data(), plan_->updates.data(), plan_->places.data()};
 }
 
-void BlockCholesky::subtract_outer(const Front& f)
+int BlockCholesky::factor()
 {
-    for (int u = f.updates; u < f.updates + f.update_count; ++u) {
-        const FrontUpdate& update = plan_->updates[std::size_t(u)];
-        const Front& target = plan_->fronts[std::size_t(update.target)];
-        kernels_->update(blocks_of(f) + kBlock * (f.width + update.begin) * f.width, f.width, update.columns,
-                         f.below - update.begin, &plan_->places[std::size_t(update.place)],
-                         blocks_of(target), target.width);
-    }
+    return kernels_->factor(lists(), 0, int(plan_->fronts.size()), blocks_.data());
 }
 
 void BlockCholesky::solve(std::span<double> x)
 {
     double* work = work_.data();
-    const int* rows = plan_->rows.data();
+    const int fronts = int(plan_->fronts.size());
     for (int body = 0; body < plan_->bodies; ++body)
         std::copy_n(x.data() + 6 * body, 6, work + 6 * plan_->position[std::size_t(body)]);
-    for (const Front& f : plan_->fronts)
-        kernels_->forward(blocks_of(f), f.width, f.width + f.below, rows + f.rows, work + 6 * f.first, work);
-    for (std::size_t s = plan_->fronts.size(); s-- > 0;) {
-        const Front& f = plan_->fronts[s];
-        kernels_->backward(blocks_of(f), f.width, f.width + f.below, rows + f.rows, work + 6 * f.first, work);
-    }
+    kernels_->forward(lists(), 0, fronts, blocks_.data(), work);
+    kernels_->backward(lists(), 0, fronts, blocks_.data(), work);
     for (int body = 0; body < plan_->bodies; ++body)
         std::copy_n(work + 6 * plan_->position[std::size_t(body)], 6, x.data() + 6 * body);
 }

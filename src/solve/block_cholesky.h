@@ -35,8 +35,7 @@ class BlockCholesky {
     void solve(std::span<double> x);  // x = H^-1 x, six numbers per body in body order
 
   private:
-    double* blocks_of(const Front& f) { return blocks_.data() + kBlock * std::size_t(f.block); }
-    void subtract_outer(const Front& f);
+    FrontLists lists() const;
 
     const FactorPlan* plan_ = nullptr;
     const FrontKernels* kernels_ = nullptr;

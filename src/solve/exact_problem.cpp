@@ -87,7 +87,8 @@ bool ExactProblem::build_factor(const RowSystem& system, PlanCache* plans, Arena
         if (b < 0) b = a;
         pairs[std::size_t(k)] = {a, b};
     }
-    if (!plan_.take(int(masses_.size()), pairs, plans, arena) || !H_.prepare(plan_.plan(), arena)) return false;
+    if (!plan_.take(int(masses_.size()), pairs, plans, arena) || !H_.prepare(plan_.plan(), arena))
+        return false;
     for (int k = 0; k < blocks; ++k) {
         const auto [a, b] = pairs[std::size_t(k)];
         PairSlots& s = slots_[std::size_t(k)];

@@ -12,25 +12,28 @@
 
 #include <span>
 
+#include "solve/symbolic.h"
+
 namespace epode {
 
-// Plain pointers and counts, for the reason given in contact_kernels.h. `rows` counts all rows of a front.
+// The lists of a FactorPlan as plain pointers, for the reason given in contact_kernels.h.
+struct FrontLists {
+    const Front* fronts;
+    const int* rows;
+    const FrontUpdate* updates;
+    const int* places;
+};
+
+// On fronts begin .. end - 1 of a plan. `x` has six numbers per column.
 struct FrontKernels {
     const char* name;
 
-    // The lower triangle of the columns becomes L with reciprocal diagonal, the rows below B L^-T. Returns
-    // how many pivots had to be replaced.
-    int (*factor)(double* front, int width, int rows);
-
-    // target(places[i], places[j]) -= B_i B_j^T for rows j < columns, i >= j of the `count` rows at `from`.
-    void (*update)(const double* from, int width, int columns, int count, const int* places, double* target,
-                   int target_width);
-
-    // L y = x for the front's columns at `own`, then x_i -= B_i y for the rows below, at x + 6 below[i].
-    void (*forward)(const double* front, int width, int rows, const int* below, double* own, double* x);
-    // The transposed, in reverse.
-    void (*backward)(const double* front, int width, int rows, const int* below, double* own,
-                     const double* x);
+    // H becomes L: lower triangles with reciprocal diagonal. Returns how many pivots had to be replaced.
+    int (*factor)(const FrontLists& lists, int begin, int end, double* blocks);
+    // x = L^-1 x
+    void (*forward)(const FrontLists& lists, int begin, int end, const double* blocks, double* x);
+    // x = L^-T x, fronts in reverse
+    void (*backward)(const FrontLists& lists, int begin, int end, const double* blocks, double* x);
 };
 
 // Those that this machine can run; the first is the baseline, the last the fastest.

@@ -9,7 +9,7 @@
 namespace epode {
 
 extern const FrontKernels kAvx2FrontKernels;
-const FrontKernels kAvx2FrontKernels{"avx2", factor, update, forward, backward};
+const FrontKernels kAvx2FrontKernels{"avx2", factor, forward, backward};
 
 }  // namespace epode
 #endif

@@ -11,7 +11,7 @@ extern const FrontKernels kAvx2FrontKernels;
 
 namespace {
 
-constexpr FrontKernels kBaseline{"baseline", factor, update, forward, backward};
+constexpr FrontKernels kBaseline{"baseline", factor, forward, backward};
 
 #if defined(__x86_64__)
 constexpr const FrontKernels* kAll[] = {&kBaseline, &kAvx2FrontKernels};

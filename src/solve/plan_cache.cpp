@@ -128,7 +128,8 @@ bool PlanLease::take(int n, std::span<const BodyPair> pairs, PlanCache* cache, A
     }
     auto order = arena.take<int>(n);
     plan_ = &made_;
-    if (arena.failed() || !order_minimum_degree(graph, arena, order) || !make_plan(graph, order, arena, made_))
+    if (arena.failed() || !order_minimum_degree(graph, arena, order) ||
+        !make_plan(graph, order, arena, made_))
         return false;
     if (cache) cache->keep(graph, made_);
     return true;

@@ -46,8 +46,7 @@ class Planner {
         plan_.position = arena_.take<int>(n_);
         plan_.front_of = arena_.take<int>(n_);
         if (arena_.failed() || !tree_.build(graph_, order_, arena_)) return false;
-        for (int i = 0; i < n_; ++i)
-            tree_.for_row(i, [&](int k) { ++below_[std::size_t(k)]; });
+        for (int i = 0; i < n_; ++i) tree_.for_row(i, [&](int k) { ++below_[std::size_t(k)]; });
         join_columns();
         return number_columns() && find_rows() && find_updates();
     }
@@ -94,8 +93,7 @@ class Planner {
         }
         if (block > INT32_MAX / 64) return false;  // 34 million blocks are 10 GB
         plan_.blocks = int(block);
-        for (int j = n_ - 1; j >= 0; --j)
-            front[std::size_t(j)] = front[std::size_t(joined_[std::size_t(j)])];
+        for (int j = n_ - 1; j >= 0; --j) front[std::size_t(j)] = front[std::size_t(joined_[std::size_t(j)])];
         for (int j = 0; j < n_; ++j) {
             const int at = next[std::size_t(front[std::size_t(j)])]++;
             plan_.position[std::size_t(order_[std::size_t(j)])] = at;
@@ -179,8 +177,8 @@ class Planner {
     FactorPlan& plan_;
     int n_;
     EliminationTree tree_;
-    std::span<int> below_;   // of a column: entries below the diagonal
-    std::span<int> width_;   // of the front that ends in the column
+    std::span<int> below_;  // of a column: entries below the diagonal
+    std::span<int> width_;  // of the front that ends in the column
     std::span<int> joined_;
 };
 

@@ -18,10 +18,10 @@
 namespace epode {
 
 struct Front {
-    int first;         // its columns are first .. first + width - 1 in elimination order
-    int width, below;  // in bodies
-    int rows;          // its rows below begin here in FactorPlan::rows
-    int block;         // its blocks begin here; block (i, c) is i * width + c further on
+    int first;                  // its columns are first .. first + width - 1 in elimination order
+    int width, below;           // in bodies
+    int rows;                   // its rows below begin here in FactorPlan::rows
+    int block;                  // its blocks begin here; block (i, c) is i * width + c further on
     int updates, update_count;  // in FactorPlan::updates
 };
 
@@ -35,11 +35,11 @@ struct FrontUpdate {
 
 struct FactorPlan {
     int bodies = 0;
-    int blocks = 0;              // 6x6 blocks of all fronts
-    std::span<int> position;     // body -> column
-    std::span<int> front_of;     // column -> front
-    std::span<Front> fronts;     // children before their parents
-    std::span<int> rows;         // columns, ascending within a front
+    int blocks = 0;           // 6x6 blocks of all fronts
+    std::span<int> position;  // body -> column
+    std::span<int> front_of;  // column -> front
+    std::span<Front> fronts;  // children before their parents
+    std::span<int> rows;      // columns, ascending within a front
     std::span<FrontUpdate> updates;
     std::span<int> places;
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Block-sparse Cholesky against dense arithmetic.
+// The sparse factor against dense arithmetic, and every kind of machine's kernels against the baseline's.
 #include "solve/block_cholesky.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "solve/plan_cache.h"
 #include "systems.h"
 
 namespace {
@@ -46,32 +49,85 @@ void add_random(Dice& dice, BodyPair pair, BlockCholesky& H, std::vector<double>
         }
 }
 
-TEST(BlockCholesky, SolvesWhatWasAssembled)
-{
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+// A random positive definite matrix on random pairs, sparse and dense, with x and H x.
+struct System {
+    Arena arena;
+    PlanLease lease;
+    BlockCholesky H;
+    std::vector<double> dense, wanted, right;
+
+    System(std::uint64_t seed, int n, int pair_count)
+    {
         Dice dice(seed);
-        const int n = 2 + dice.below(25), size = 6 * n;
-        const auto pairs = random_pairs(dice, n, 2 * n);
-        Arena arena;
-        BlockCholesky H;
-        ASSERT_TRUE(H.analyse(n, pairs, arena));
+        const int size = 6 * n;
+        const auto pairs = random_pairs(dice, n, pair_count);
+        EXPECT_TRUE(lease.take(n, pairs, nullptr, arena));
+        EXPECT_TRUE(H.prepare(lease.plan(), arena));
         H.clear();
-        std::vector<double> dense(std::size_t(size * size));
+        dense.assign(std::size_t(size * size), 0);
         for (int b = 0; b < n; ++b)
             for (int i = 0; i < 6; ++i) {
                 H.diagonal(b)[7 * i] += 1;
                 dense[std::size_t((6 * b + i) * (size + 1))] += 1;
             }
         for (const BodyPair& pair : pairs) add_random(dice, pair, H, dense, n);
-        std::vector<double> wanted, x(std::size_t(size), 0.0);
+        right.assign(std::size_t(size), 0);
         for (int i = 0; i < size; ++i) wanted.push_back(double(dice.real(-1, 1)));
         for (int i = 0; i < size; ++i)
             for (int j = 0; j < size; ++j)
-                x[std::size_t(i)] += dense[std::size_t(i * size + j)] * wanted[std::size_t(j)];
-        EXPECT_EQ(H.factor(), 0);
-        H.solve(x);
-        for (int i = 0; i < size; ++i) EXPECT_NEAR(x[std::size_t(i)], wanted[std::size_t(i)], 1e-9) << seed;
+                right[std::size_t(i)] += dense[std::size_t(i * size + j)] * wanted[std::size_t(j)];
     }
+};
+
+TEST(BlockCholesky, SolvesWhatWasAssembled)
+{
+    for (const int n : {1, 2, 3, 4, 5, 7, 10, 15, 25, 50, 100, 200})
+        // From loose bodies over trees and meshes to nearly dense.
+        for (const int pairs : {0, n - 1, n, 2 * n, 5 * n, n > 25 ? 0 : n * n}) {
+            System s(std::uint64_t(n * 31 + pairs), n, pairs);
+            EXPECT_EQ(s.H.factor(), 0);
+            s.H.solve(s.right);
+            for (std::size_t i = 0; i < s.wanted.size(); ++i)
+                ASSERT_NEAR(s.right[i], s.wanted[i], 1e-8) << n << " bodies, " << pairs << " pairs";
+        }
+}
+
+TEST(BlockCholesky, HasTheSameBitsOnEveryMachine)
+{
+    for (const int n : {1, 2, 5, 20, 60, 150})
+        for (const int pairs : {n - 1, 2 * n, 4 * n}) {
+            std::vector<double> first;
+            for (const FrontKernels* kernels : front_kernels()) {
+                System s(std::uint64_t(n + pairs), n, pairs);
+                s.H.use(*kernels);
+                s.H.factor();
+                s.H.solve(s.right);
+                if (first.empty())
+                    first = s.right;
+                else
+                    ASSERT_EQ(first, s.right) << kernels->name << ' ' << n << ' ' << pairs;
+            }
+        }
+}
+
+TEST(BlockCholesky, CountsAndFreezesWhatIsNotPositive)
+{
+    const BodyPair pairs[] = {{0, 1}, {1, 2}};
+    Arena arena;
+    PlanLease lease;
+    BlockCholesky H;
+    ASSERT_TRUE(lease.take(3, pairs, nullptr, arena) && H.prepare(lease.plan(), arena));
+    H.clear();
+    for (int body = 0; body < 3; ++body)
+        for (int i = 0; i < 6; ++i) H.diagonal(body)[7 * i] = body == 1 && i == 2 ? -1 : 2;
+    EXPECT_EQ(H.factor(), 1);
+    std::vector<double> x(18, 1.0);
+    H.solve(x);
+    for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(x[i], i == 8 ? 0 : 0.5, 1e-15) << i;
+    H.clear();
+    for (int body = 0; body < 3; ++body)
+        for (int i = 0; i < 6; ++i) H.diagonal(body)[7 * i] = body == 2 ? std::nan("") : 2;
+    EXPECT_EQ(H.factor(), 6);
 }
 
 }  // namespace

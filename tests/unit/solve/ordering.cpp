@@ -64,14 +64,14 @@ struct Analysis {
     Arena arena;
     BodyGraph graph;
     std::span<int> order;
-    FactorStructure structure;
+    FactorPlan plan;
 
     Analysis(int n, const std::vector<BodyPair>& pairs)
     {
         order = arena.take<int>(n);
         EXPECT_TRUE(build_body_graph(n, pairs, arena, graph));
         EXPECT_TRUE(order_minimum_degree(graph, arena, order));
-        EXPECT_TRUE(find_structure(graph, order, arena, structure));
+        EXPECT_TRUE(make_plan(graph, order, arena, plan));
     }
 };
 
@@ -135,28 +135,75 @@ TEST(Ordering, IsAPermutationOfAnyGraph)
     }
 }
 
-TEST(Symbolic, IsWhatEliminationProduces)
+TEST(Symbolic, FrontsHoldWhatEliminationProduces)
 {
     Dice dice(5);
     for (int n = 1; n <= 120; ++n) {
         const auto pairs = random_pairs(dice, n, n % 4 * n);
         const Analysis a(n, pairs);
+        std::vector<int> body_at(std::size_t(n), -1);
+        for (int body = 0; body < n; ++body) body_at[std::size_t(a.plan.position[std::size_t(body)])] = body;
         Pattern p = pattern_of(n, pairs);
-        for (int j = 0; j < n; ++j) {
-            const int body = a.order[std::size_t(j)];
-            ASSERT_EQ(a.structure.position[std::size_t(body)], j);
-            std::set<int> wanted;
-            for (const int other : p[std::size_t(body)])
-                wanted.insert(a.structure.position[std::size_t(other)]);
-            const auto first = std::size_t(a.structure.first[std::size_t(j)]);
-            const auto count = std::size_t(a.structure.first[std::size_t(j) + 1]) - first;
-            const auto rows = a.structure.rows.subspan(first, count);
-            ASSERT_EQ(std::vector<int>(rows.begin(), rows.end()),
-                      std::vector<int>(wanted.begin(), wanted.end()))
-                << n << " " << j;
-            eliminate(p, body);
+        int column = 0, block = 0;
+        for (const Front& f : a.plan.fronts) {
+            ASSERT_EQ(f.first, column);
+            ASSERT_EQ(f.block, block);
+            block += f.width * (f.width + f.below);
+            for (; column < f.first + f.width; ++column) {
+                ASSERT_EQ(&a.plan.fronts[std::size_t(a.plan.front_of[std::size_t(column)])], &f);
+                std::set<int> fill;
+                for (const int other : p[std::size_t(body_at[std::size_t(column)])])
+                    fill.insert(a.plan.position[std::size_t(other)]);
+                const std::set<int> rows(a.plan.rows.begin() + f.rows,
+                                         a.plan.rows.begin() + f.rows + f.below);
+                for (const int row : fill)
+                    ASSERT_TRUE((row > column && row < f.first + f.width) || rows.contains(row)) << n;
+                // The last column has nothing that is zero.
+                if (column == f.first + f.width - 1) { ASSERT_EQ(fill, rows) << n; }
+                eliminate(p, body_at[std::size_t(column)]);
+            }
+        }
+        ASSERT_EQ(column, n);
+        ASSERT_EQ(block, a.plan.blocks);
+    }
+}
+
+TEST(Symbolic, UpdatesNameEveryRowOfEveryTarget)
+{
+    Dice dice(15);
+    for (int n = 2; n <= 100; n += 7) {
+        const Analysis a(n, random_pairs(dice, n, 2 * n));
+        for (const Front& f : a.plan.fronts) {
+            int begin = 0;
+            for (int u = f.updates; u < f.updates + f.update_count; ++u) {
+                const FrontUpdate& update = a.plan.updates[std::size_t(u)];
+                const Front& target = a.plan.fronts[std::size_t(update.target)];
+                ASSERT_EQ(update.begin, begin);
+                for (int i = begin; i < f.below; ++i) {
+                    const int row = a.plan.rows[std::size_t(f.rows + i)];
+                    const int place = a.plan.places[std::size_t(update.place + i - begin)];
+                    ASSERT_EQ(place < target.width
+                                  ? target.first + place
+                                  : a.plan.rows[std::size_t(target.rows + place - target.width)],
+                              row);
+                    ASSERT_EQ(i < begin + update.columns, place < target.width);
+                }
+                begin += update.columns;
+            }
+            ASSERT_EQ(begin, f.below);
         }
     }
+}
+
+// Entries of the factor below the diagonal when bodies are eliminated in this order.
+int fill_of(Pattern p, std::span<const int> order)
+{
+    int total = 0;
+    for (const int body : order) {
+        total += int(p[std::size_t(body)].size());
+        eliminate(p, body);
+    }
+    return total;
 }
 
 TEST(Ordering, FillsHardlyMoreThanExactMinimumDegree)
@@ -166,12 +213,13 @@ TEST(Ordering, FillsHardlyMoreThanExactMinimumDegree)
         for (int times = 1; times <= 3; ++times) {
             const auto pairs = random_pairs(dice, n, times * n);
             const int exact = fill_of_exact_minimum_degree(pattern_of(n, pairs));
-            EXPECT_LE(int(Analysis(n, pairs).structure.rows.size()), exact + exact / 10 + 3) << n;
+            EXPECT_LE(fill_of(pattern_of(n, pairs), Analysis(n, pairs).order), exact + exact / 10 + 3) << n;
         }
     }
     for (const int side : {5, 10, 16}) {
-        const int exact = fill_of_exact_minimum_degree(pattern_of(side * side, grid_of(side)));
-        EXPECT_LE(int(Analysis(side * side, grid_of(side)).structure.rows.size()), exact + exact / 10)
+        const Pattern p = pattern_of(side * side, grid_of(side));
+        EXPECT_LE(fill_of(p, Analysis(side * side, grid_of(side)).order),
+                  fill_of_exact_minimum_degree(p) * 11 / 10)
             << side;
     }
 }
@@ -181,18 +229,21 @@ TEST(Ordering, ATreeFillsNothing)
     const int n = 100;
     std::vector<BodyPair> pairs;
     for (int i = 1; i < n; ++i) pairs.push_back({i, (i - 1) / 3});
-    EXPECT_EQ(Analysis(n, pairs).structure.rows.size(), std::size_t(n - 1));
+    EXPECT_EQ(fill_of(pattern_of(n, pairs), Analysis(n, pairs).order), n - 1);
 }
 
 TEST(Ordering, AChainIsEatenFromBothEndsWithoutFill)
 {
     const int n = 1001;
     const Analysis a(n, chain_of(n));
-    EXPECT_EQ(a.structure.rows.size(), std::size_t(n - 1));
-    std::vector<int> height(std::size_t(n), 1);
-    for (int k = 0; k + 1 < n; ++k) {
-        const auto parent = std::size_t(a.structure.rows[std::size_t(a.structure.first[std::size_t(k)])]);
-        height[parent] = std::max(height[parent], height[std::size_t(k)] + 1);
+    EXPECT_EQ(fill_of(pattern_of(n, chain_of(n)), a.order), n - 1);
+    std::vector<int> height(a.plan.fronts.size(), 1);
+    for (std::size_t s = 0; s < a.plan.fronts.size(); ++s) {
+        const Front& f = a.plan.fronts[s];
+        if (!f.below) continue;
+        const auto parent = std::size_t(a.plan.front_of[std::size_t(a.plan.rows[std::size_t(f.rows)])]);
+        ASSERT_GT(parent, s);
+        height[parent] = std::max(height[parent], height[s] + 1);
     }
     EXPECT_LE(height.back(), n / 2 + 2);
 }
