@@ -26,80 +26,84 @@ constexpr int kMostPasses = 8;       // of refinement
 
 }  // namespace
 
-bool ActiveSet::prepare(const ExactProblem& problem, Arena& arena)
+bool ActiveSet::prepare(const ExactProblem& problem, int places, Arena& arena)
 {
-    D_ = arena.take<double>(problem.row_count());
-    r2_ = arena.take<double>(problem.row_count());
-    wrong_ = arena.take<int>(problem.row_count());
+    D_ = arena.take<double>(places);
+    w_ = arena.take<double>(places);
+    push_ = arena.take<double>(places);
+    wrong_ = arena.take<int>(places);
+    row_D_ = arena.take<double>(problem.row_count());
     r_ = arena.take<double>(problem.unknowns());
     return !arena.failed();
 }
 
-bool ActiveSet::solve(ExactProblem& problem, BoxState& state, const ActiveSetSettings& settings, int& rounds)
+bool ActiveSet::solve(ExactProblem& problem, PackedRows& rows, std::span<double> v,
+                      const ActiveSetSettings& settings, int& rounds)
 {
-    int fewest = problem.row_count() + 1, patience = kPatience;
-    problem.velocities(state.p, state.v);
+    int fewest = rows.count() + 1, patience = kPatience;
+    std::fill(row_D_.begin(), row_D_.end(), 0.0);
+    rows.velocities(problem, r_, v);
     for (int round = 0; round < settings.rounds; ++round) {
         ++rounds;
-        settle(problem, state);
-        problem.factor(D_);
-        refine(problem, state);
-        const int wrong = find_wrong(problem, state);
+        settle(rows);
+        rows.spread(D_, row_D_);
+        problem.factor(row_D_);
+        refine(problem, rows, v);
+        const int wrong = find_wrong(problem, rows, v);
         if (wrong == 0) return true;
         const bool progress = wrong < fewest;
         if (progress) fewest = wrong, patience = kPatience;
         if (!progress && patience-- <= 0) {
             if (!settings.single_flips) return false;
-            state.flip(wrong_[std::size_t(wrong) - 1]);
+            flip(rows, wrong_[std::size_t(wrong) - 1]);
             continue;
         }
-        for (int k = 0; k < wrong; ++k) state.flip(wrong_[std::size_t(k)]);
+        for (int k = 0; k < wrong; ++k) flip(rows, wrong_[std::size_t(k)]);
     }
     return false;
 }
 
 // Impulses on their bounds, weights for the others.
-void ActiveSet::settle(const ExactProblem& problem, BoxState& state)
+void ActiveSet::settle(PackedRows& rows)
 {
-    for (std::size_t i = 0; i < state.p.size(); ++i) {
-        const ExactRow& row = problem.row(int(i));
+    for (std::size_t i = 0; i < std::size_t(rows.count()); ++i) {
         D_[i] = 0;
-        switch (state.tag[i]) {
+        switch (rows.tag[i]) {
             case BoxState::kFixed:
+                break;
             case BoxState::kLower:
-                state.p[i] = state.lo[i];
+                rows.p[i] = rows.lo[i];
                 break;
             case BoxState::kUpper:
-                state.p[i] = state.hi[i];
+                rows.p[i] = rows.hi[i];
                 break;
             case BoxState::kFree:
-                D_[i] = 1 / std::max(row.C, row.weight_min);
+                D_[i] = 1 / std::max(rows.C[i], rows.weight_min[i]);
                 break;
         }
     }
 }
 
-void ActiveSet::refine(ExactProblem& problem, BoxState& state)
+void ActiveSet::refine(ExactProblem& problem, PackedRows& rows, std::span<double> v)
 {
     const double small = 1e-15 * problem.scale();
+    const auto n = std::size_t(rows.count());
+    const std::span<double> w = w_.first(n), push = push_.first(n);
     double before = HUGE_VAL;
     for (int pass = 0; pass < kMostPasses; ++pass) {
-        problem.momentum_change(state.v, r_);
-        for (std::size_t i = 0; i < state.p.size(); ++i) {
-            const ExactRow& row = problem.row(int(i));
-            double push = state.p[i];
-            if (D_[i] > 0) {
-                r2_[i] = row.c - ExactProblem::jv(row, state.v.data()) - row.C * state.p[i];
-                push += D_[i] * r2_[i];
-            }
-            if (push != 0) ExactProblem::add_jt(row, push, r_.data());
+        rows.momentum_change(problem, v, r_);
+        rows.products(v, w);
+        for (std::size_t i = 0; i < n; ++i) {
+            w[i] = rows.c[i] - w[i] - rows.C[i] * rows.p[i];
+            push[i] = rows.p[i] + D_[i] * w[i];
         }
+        rows.add_transposed(push, r_);
         problem.solve(r_);
-        for (std::size_t i = 0; i < state.p.size(); ++i)
-            if (D_[i] > 0) state.p[i] += D_[i] * (r2_[i] - ExactProblem::jv(problem.row(int(i)), r_.data()));
+        rows.products(r_, push);
+        for (std::size_t i = 0; i < n; ++i) rows.p[i] += D_[i] * (w[i] - push[i]);
         double change = 0;
-        for (std::size_t i = 0; i < state.v.size(); ++i) {
-            state.v[i] += r_[i];
+        for (std::size_t i = 0; i < v.size(); ++i) {
+            v[i] += r_[i];
             change = std::max(change, std::fabs(r_[i]));
         }
         // Corrections shrink by about the same factor each time: stop when the next one would be below
@@ -110,23 +114,33 @@ void ActiveSet::refine(ExactProblem& problem, BoxState& state)
     }
 }
 
-int ActiveSet::find_wrong(const ExactProblem& problem, const BoxState& state)
+int ActiveSet::find_wrong(const ExactProblem& problem, const PackedRows& rows, std::span<const double> v)
 {
     const double tolerance = kFeasible * problem.scale();
+    rows.products(v, w_);
     int count = 0;
-    for (std::size_t i = 0; i < state.p.size(); ++i) {
-        const ExactRow& row = problem.row(int(i));
+    for (std::size_t i = 0; i < std::size_t(rows.count()); ++i) {
         bool wrong = false;
-        if (state.tag[i] == BoxState::kFree) {
-            const double slack = tolerance / row.d;
-            wrong = state.p[i] < state.lo[i] - slack || state.p[i] > state.hi[i] + slack;
-        } else if (state.tag[i] != BoxState::kFixed) {
-            const double w = ExactProblem::jv(row, state.v.data()) + row.C * state.p[i] - row.c;
-            wrong = state.tag[i] == BoxState::kLower ? w < -tolerance : w > tolerance;
+        if (rows.tag[i] == BoxState::kFree) {
+            const double slack = tolerance * rows.inv_d[i];
+            wrong = rows.p[i] < rows.lo[i] - slack || rows.p[i] > rows.hi[i] + slack;
+        } else if (rows.tag[i] != BoxState::kFixed) {
+            const double w = w_[i] + rows.C[i] * rows.p[i] - rows.c[i];
+            wrong = rows.tag[i] == BoxState::kLower ? w < -tolerance : w > tolerance;
         }
         if (wrong) wrong_[std::size_t(count++)] = int(i);
     }
     return count;
+}
+
+// The other side of a wrong guess.
+void ActiveSet::flip(PackedRows& rows, int place)
+{
+    const auto i = std::size_t(place);
+    BoxState::Tag& tag = rows.tag[i];
+    tag = tag != BoxState::kFree   ? BoxState::kFree
+          : rows.p[i] < rows.lo[i] ? BoxState::kLower
+                                   : BoxState::kUpper;
 }
 
 }  // namespace epode

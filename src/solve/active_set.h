@@ -6,7 +6,7 @@
 // is then exact to rounding.
 #pragma once
 
-#include "solve/exact_problem.h"
+#include "solve/packed_rows.h"
 
 namespace epode {
 
@@ -17,17 +17,22 @@ struct ActiveSetSettings {
 
 class ActiveSet {
   public:
-    bool prepare(const ExactProblem& problem, Arena& arena);  // false: out of memory
+    bool prepare(const ExactProblem& problem, int places, Arena& arena);  // false: out of memory
 
-    // True: exact. False: the rounds are used up; `state` is the best that is at hand.
-    bool solve(ExactProblem& problem, BoxState& state, const ActiveSetSettings& settings, int& rounds);
+    // From rows.p and the tags to the answer in rows.p, with its velocities `v`, 6 per body. True: exact.
+    // False: the rounds are used up or do not help; what is there may be far off.
+    bool solve(ExactProblem& problem, PackedRows& rows, std::span<double> v,
+               const ActiveSetSettings& settings, int& rounds);
 
   private:
-    void settle(const ExactProblem& problem, BoxState& state);
-    void refine(ExactProblem& problem, BoxState& state);
-    int find_wrong(const ExactProblem& problem, const BoxState& state);
+    void settle(PackedRows& rows);
+    void refine(ExactProblem& problem, PackedRows& rows, std::span<double> v);
+    int find_wrong(const ExactProblem& problem, const PackedRows& rows, std::span<const double> v);
+    void flip(PackedRows& rows, int place);
 
-    std::span<double> D_, r_, r2_;
+    std::span<double> D_, w_, push_;  // per place
+    std::span<double> row_D_;         // of the problem's rows
+    std::span<double> r_;             // per unknown
     std::span<int> wrong_;
 };
 

@@ -111,7 +111,8 @@ class DirectSolve {
 
     bool prepare_sparse(const RowSystem& system, Arena& arena)
     {
-        sparse_ready_ = problem_.build_factor(system, plans_, arena) && active_.prepare(problem_, arena);
+        sparse_ready_ = problem_.build_factor(system, plans_, arena) && packed_.prepare(problem_, arena) &&
+                        active_.prepare(problem_, packed_.most_places(), arena);
         return sparse_ready_;
     }
 
@@ -119,15 +120,22 @@ class DirectSolve {
     {
         const ActiveSetSettings settings{kQuickRounds, false};
         std::copy(state_.p.begin(), state_.p.end(), begun_.begin());
-        if (small_ ? dense_.solve(problem_, state_, settings, report.iterations)
-                   : active_.solve(problem_, state_, settings, report.iterations))
+        if (small_) {
+            if (dense_.solve(problem_, state_, settings, report.iterations)) return true;
+            if (!sparse_ready_ && !prepare_sparse(system, arena)) return false;
+        }
+        packed_.pack(problem_, state_);
+        if (!small_ && active_.solve(problem_, packed_, state_.v, settings, report.iterations)) {
+            packed_.unpack(state_);
             return true;
+        }
         report.fallback = true;
-        if (!sparse_ready_ && !prepare_sparse(system, arena)) return false;
-        if (!interior_ready_ && !(interior_ready_ = interior_.prepare(problem_, arena))) return false;
+        if (!interior_ready_) interior_ready_ = interior_.prepare(problem_, packed_.most_places(), arena);
+        if (!interior_ready_) return false;
         // A wrong guess of the active set may have left impulses of any size.
-        std::copy(begun_.begin(), begun_.end(), state_.p.begin());
-        interior_.solve(problem_, state_, kInteriorTolerance, report.iterations);
+        packed_.take_impulses(begun_);
+        interior_.solve(problem_, packed_, state_.v, kInteriorTolerance, report.iterations);
+        packed_.unpack(state_);
         keep_better_of_polish(report);
         return true;
     }
@@ -139,8 +147,9 @@ class DirectSolve {
         const double before = problem_.residual(state_, scratch_);
         std::copy(state_.p.begin(), state_.p.end(), kept_.begin());
         const int rounds = 30 + problem_.row_count() / 2;
-        const bool exact =
-            active_.solve(problem_, state_, {before > kPromised ? rounds : 8, true}, report.iterations);
+        const bool exact = active_.solve(problem_, packed_, state_.v, {before > kPromised ? rounds : 8, true},
+                                         report.iterations);
+        packed_.unpack(state_);
         if (exact) return;
         for (std::size_t i = 0; i < state_.p.size(); ++i)
             state_.p[i] = std::min(std::max(state_.p[i], state_.lo[i]), state_.hi[i]);
@@ -150,6 +159,7 @@ class DirectSolve {
 
     PlanCache* plans_ = nullptr;
     ExactProblem problem_;
+    PackedRows packed_;
     ActiveSet active_;
     DenseActiveSet dense_;
     InteriorPoint interior_;

@@ -223,12 +223,17 @@ void ExactProblem::velocities(std::span<const double> p, std::span<double> v) co
     std::fill(v.begin(), v.end(), 0.0);
     for (std::size_t i = 0; i < rows_.size(); ++i)
         if (p[i] != 0) add_jt(rows_[i], p[i], v.data());
+    velocities_after(v, v);
+}
+
+void ExactProblem::velocities_after(std::span<const double> momentum, std::span<double> v) const
+{
     for (std::size_t n = 0; n < masses_.size(); ++n) {
         const BodyMass& mass = masses_[n];
         double turn[3];
-        multiply(mass.inv_I, &v[6 * n + 3], turn);
+        multiply(mass.inv_I, &momentum[6 * n + 3], turn);
         for (std::size_t i = 0; i < 3; ++i) {
-            v[6 * n + i] = v_star_[6 * n + i] + mass.inv_mass * v[6 * n + i];
+            v[6 * n + i] = v_star_[6 * n + i] + mass.inv_mass * momentum[6 * n + i];
             v[6 * n + 3 + i] = v_star_[6 * n + 3 + i] + turn[i];
         }
     }

@@ -64,6 +64,8 @@ class ExactProblem {
     void momentum_change(std::span<const double> v, std::span<double> r) const;
     // v = v* + M^-1 J^T p
     void velocities(std::span<const double> p, std::span<double> v) const;
+    // v = v* + M^-1 momentum; the two may be the same
+    void velocities_after(std::span<const double> momentum, std::span<double> v) const;
 
     static double jv(const ExactRow& row, const double* v);        // J v
     static void add_jt(const ExactRow& row, double s, double* x);  // x += J^T s

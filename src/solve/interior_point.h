@@ -5,43 +5,42 @@
 // the middle and needs no guess. The number of iterations hardly depends on the problem's size.
 #pragma once
 
-#include "solve/exact_problem.h"
+#include "solve/packed_rows.h"
 
 namespace epode {
 
 class InteriorPoint {
   public:
-    bool prepare(const ExactProblem& problem, Arena& arena);  // false: out of memory
+    bool prepare(const ExactProblem& problem, int places, Arena& arena);  // false: out of memory
 
-    // From state.p; afterwards p is on its bounds where it belongs and the tags say so. True when the
-    // tolerance (relative to the problem's scale) was reached.
-    bool solve(ExactProblem& problem, BoxState& state, double tolerance, int& iterations);
+    // From rows.p; afterwards p is on its bounds where it belongs and the tags say so. `v`: 6 per body, left
+    // at the velocities of the last iterate. True when the tolerance (relative to the problem's scale) was
+    // reached.
+    bool solve(ExactProblem& problem, PackedRows& rows, std::span<double> v, double tolerance,
+               int& iterations);
 
   private:
-    // One side of one row: slack and multiplier, and their directions. `z` is 0 where there is no bound.
-    struct Side {
-        double s, z, ds, dz, r, t, kept;
-        bool present;
-    };
-    struct RowState {
-        Side lower, upper;
-        double r2, e, dp;
-    };
-
-    void start(const ExactProblem& problem, BoxState& state);
-    double residuals(const ExactProblem& problem, const BoxState& state);  // returns the stop measure
-    double complementarity(const ExactProblem& problem, double step) const;
-    void factor(ExactProblem& problem, const BoxState& state);
-    void direction(ExactProblem& problem, const BoxState& state);
-    double aim(ExactProblem& problem, const BoxState& state);
-    double recentre(ExactProblem& problem, const BoxState& state);
-    void correct_centrality(ExactProblem& problem, const BoxState& state, double target);
+    void lay_out();
+    void start(const ExactProblem& problem, std::span<double> v);
+    void factor(ExactProblem& problem);
+    template <typename Push>
+    void direction(ExactProblem& problem, const Push& push);
+    double complementarity(double step) const;
     double longest_step() const;
-    void advance(BoxState& state, double step);
-    void tag(const ExactProblem& problem, BoxState& state) const;
+    double aim(ExactProblem& problem);
+    double recentre(ExactProblem& problem);
+    void correct_centrality(ExactProblem& problem, double target);
+    void tag();
 
-    std::span<RowState> rows_;
-    std::span<double> D_, r1_, dv_;
+    PackedRows* packed_ = nullptr;
+    InteriorRows rows_;
+    RowKernels::Residuals now_;
+    RowKernels::Direction ahead_;
+    int bounds_ = 0;                       // present ones
+    std::span<double> numbers_;            // all arrays of rows_
+    std::span<double> D_, r1_, dv_;        // D_ of the problem's rows
+    std::span<double> kept_dp_, kept_dv_;  // before a corrector
+    std::size_t places_ = 0;
 };
 
 }  // namespace epode

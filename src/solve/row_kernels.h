@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The passes over packed rows, once per kind of machine: the same text (row_kernels.inc) compiled for the
+// baseline and for AVX2, with the same bits as result; chosen by asking the processor, as contact_kernels.h
+// does. Plain pointers and counts for the reason given there.
+#pragma once
+
+namespace epode {
+
+// Rows between the same one or two bodies, four to a pack; `J` holds per pack the columns of body a, then
+// those of body b if there is one, four rows side by side.
+struct RowGroup {
+    const double* J;
+    int a, b;          // bodies; b = -1: only one
+    int first, count;  // packs
+};
+
+// One side of the box per row: distance s > 0 from the bound, multiplier z >= 0. Where there is no bound,
+// `present` and z are 0 and s is 1.
+struct InteriorSide {
+    double *s, *z, *present;
+    double* inv_s;
+    double *t, *kept;  // what s z is meant to change by, and the same before a corrector
+};
+
+struct InteriorRows {
+    const RowGroup* groups;
+    int group_count;
+    const double *c, *C, *d, *inv_d, *weight_min;
+    double *p, *lo, *hi;  // bounds: 0 where there is none
+    InteriorSide lower, upper;
+    double *r2, *e, *D, *dp;
+};
+
+struct RowKernels {
+    const char* name;
+    // out = J v
+    void (*products)(const RowGroup* groups, int count, const double* v, double* out);
+    // x += J^T s
+    void (*add_transposed)(const RowGroup* groups, int count, const double* s, double* x);
+
+    // A step along the direction, then the residuals there at velocities v: r2, D and r1 += J^T p. Returned:
+    // the worst of |r2| and min(s d, z), and the sum of s z d.
+    struct Residuals {
+        double worst, products;
+    };
+    Residuals (*advance)(const InteriorRows& rows, double step, const double* v, double* r1);
+
+    // t = target/d - s z - second ds dz with the present direction; x += J^T D e
+    void (*aim)(const InteriorRows& rows, double target, double second, double* x);
+    // t changed so that products that would leave [1/10, 10] of the target at step `wanted` come back.
+    void (*centre)(const InteriorRows& rows, double target, double wanted, double* x);
+
+    // The rest of the direction from dv. `shrink`: the largest -ds/s or -dz/z; `first`, `second`: by what the
+    // sum of s z d changes per step and per square of it.
+    struct Direction {
+        double shrink, first, second;
+    };
+    Direction (*finish)(const InteriorRows& rows, const double* dv);
+};
+
+const RowKernels& row_kernels();  // the best that this machine can run
+
+// All that it can run, for tests; the first is the baseline.
+int count_row_kernels();
+const RowKernels& row_kernels(int i);
+
+}  // namespace epode

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Packed rows against the same rows one by one, and the kernels of every machine against each other: all must
+// leave the same bits through an active set and an interior point.
+#include "solve/packed_rows.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <vector>
+
+#include "solve/active_set.h"
+#include "solve/interior_point.h"
+#include "systems.h"
+
+namespace {
+
+using namespace epode_test;
+
+// A box problem with its limits resolved: friction rows get constant ones, every fifth row is fixed.
+struct BoxCase {
+    Problem problem;
+    Arena arena;
+    ExactProblem exact;
+    std::vector<double> lo, hi, p, v;
+    std::vector<BoxState::Tag> tag;
+    BoxState state;
+
+    explicit BoxCase(std::uint64_t seed)
+    {
+        RandomKind kind;
+        kind.bodies = 30, kind.joints = 12, kind.contacts = 60, kind.heaviest = 5, kind.kinematic = true;
+        problem = random_problem(seed, kind);
+        const RowSystem system = problem.system();
+        EXPECT_TRUE(exact.build(system, arena) && exact.build_factor(system, arena));
+        Dice dice(seed + 50);
+        for (std::size_t i = 0; i < problem.rows.size(); ++i) {
+            const RowNumbers& n = problem.numbers[i];
+            lo.push_back(n.parent >= 0 ? -0.3 : double(n.lo));
+            hi.push_back(n.parent >= 0 ? 0.3 : double(n.hi));
+            p.push_back(std::min(std::max(double(dice.real(-1, 1)), lo.back()), hi.back()));
+            if (i % 5 == 4) lo.back() = hi.back() = p.back();
+            tag.push_back(i % 5 == 4 ? BoxState::kFixed : BoxState::kFree);
+        }
+        v.resize(std::size_t(exact.unknowns()));
+        state.lo = lo, state.hi = hi, state.p = p, state.v = v, state.tag = tag;
+    }
+};
+
+TEST(PackedRows, AreTheRowsOneByOne)
+{
+    for (std::uint64_t seed = 1; seed <= 4; ++seed)
+        for (int k = 0; k < count_row_kernels(); ++k) {
+            SCOPED_TRACE(row_kernels(k).name);
+            BoxCase box(seed);
+            PackedRows packed(row_kernels(k));
+            ASSERT_TRUE(packed.prepare(box.exact, box.arena));
+            packed.pack(box.exact, box.state);
+            Dice dice(seed + 7);
+            std::vector<double> v(box.v.size()), x(box.v.size()), expected(box.v.size());
+            for (double& each : v) each = double(dice.real(-1, 1));
+            std::vector<double> jv(std::size_t(packed.count())), s(jv.size());
+            packed.products(v, jv);
+            int seen = 0;
+            for (int i = 0; i < packed.count(); ++i) {
+                const int row = packed.row(i);
+                s[std::size_t(i)] = double(dice.real(-1, 1));
+                if (row < 0) continue;
+                ++seen;
+                EXPECT_NE(box.tag[std::size_t(row)], BoxState::kFixed);
+                const ExactRow& exact = box.exact.row(row);
+                EXPECT_NEAR(jv[std::size_t(i)], ExactProblem::jv(exact, v.data()), 1e-13);
+                ExactProblem::add_jt(exact, s[std::size_t(i)], expected.data());
+            }
+            EXPECT_EQ(seen, int(box.p.size() - box.p.size() / 5));
+            packed.add_transposed(s, x);
+            for (std::size_t i = 0; i < x.size(); ++i) EXPECT_NEAR(x[i], expected[i], 1e-12);
+
+            // Velocities count the fixed rows' impulses too.
+            std::vector<double> momentum(v.size()), from_all(v.size());
+            packed.velocities(box.exact, momentum, v);
+            box.exact.velocities(box.p, from_all);
+            for (std::size_t i = 0; i < v.size(); ++i) EXPECT_NEAR(v[i], from_all[i], 1e-12);
+        }
+}
+
+struct Outcome {
+    std::vector<double> p, v;
+    int iterations = 0;
+    bool interior = false, exact = false;
+};
+
+Outcome solve_with(const RowKernels& kernels, std::uint64_t seed)
+{
+    BoxCase box(seed);
+    PackedRows packed(kernels);
+    InteriorPoint interior;
+    ActiveSet active;
+    EXPECT_TRUE(packed.prepare(box.exact, box.arena));
+    EXPECT_TRUE(interior.prepare(box.exact, packed.most_places(), box.arena));
+    EXPECT_TRUE(active.prepare(box.exact, packed.most_places(), box.arena));
+    packed.pack(box.exact, box.state);
+    Outcome out;
+    out.interior = interior.solve(box.exact, packed, box.v, 2e-10, out.iterations);
+    out.exact = active.solve(box.exact, packed, box.v, {100, true}, out.iterations);
+    packed.unpack(box.state);
+    EXPECT_LT(box.exact.residual(box.state, box.v), 1e-12);
+    out.p = box.p, out.v = box.v;
+    return out;
+}
+
+TEST(RowKernels, AllMachinesMakeTheSameBits)
+{
+    ASSERT_STREQ(row_kernels(0).name, "baseline");
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+        const Outcome expected = solve_with(row_kernels(0), seed);
+        EXPECT_TRUE(expected.interior && expected.exact);
+        for (int k = 1; k < count_row_kernels(); ++k) {
+            SCOPED_TRACE(row_kernels(k).name);
+            const Outcome got = solve_with(row_kernels(k), seed);
+            EXPECT_EQ(expected.iterations, got.iterations);
+            EXPECT_EQ(std::memcmp(expected.p.data(), got.p.data(), 8 * got.p.size()), 0);
+            EXPECT_EQ(std::memcmp(expected.v.data(), got.v.data(), 8 * got.v.size()), 0);
+        }
+    }
+}
+
+}  // namespace
