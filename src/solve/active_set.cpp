@@ -23,6 +23,17 @@ namespace {
 constexpr double kFeasible = 1e-11;  // relative tolerance of a sign, in units of the problem's velocity scale
 constexpr int kPatience = 5;         // rounds without progress before single flips
 constexpr int kMostPasses = 8;       // of refinement
+constexpr int kFew = 8;              // wrong rows that are never hopeless
+
+// Of guesses that settle, half of the rows are never wrong, a quarter only once, and the number falls by more
+// than 0.6 in two rounds: 188 problems of walls, piles and pyramids, of which 5 would have settled in spite
+// of this (after 9 to 20 rounds) and 112 not. What does not settle is found out after 2 rounds instead of 15.
+bool hopeless(int wrong, const int* before, int count, int round)
+{
+    if (wrong <= kFew) return false;
+    return (round == 0 && 2 * wrong > count) || (round > 0 && 4 * wrong > count) ||
+           (round > 1 && wrong > 0.6 * before[1]);
+}
 
 }  // namespace
 
@@ -41,6 +52,7 @@ bool ActiveSet::solve(ExactProblem& problem, PackedRows& rows, std::span<double>
                       const ActiveSetSettings& settings, int& rounds)
 {
     int fewest = rows.count() + 1, patience = kPatience;
+    int before[2] = {};  // wrong rows one and two rounds ago
     std::fill(row_D_.begin(), row_D_.end(), 0.0);
     rows.velocities(problem, r_, v);
     for (int round = 0; round < settings.rounds; ++round) {
@@ -51,6 +63,8 @@ bool ActiveSet::solve(ExactProblem& problem, PackedRows& rows, std::span<double>
         refine(problem, rows, v);
         const int wrong = find_wrong(problem, rows, v);
         if (wrong == 0) return true;
+        if (!settings.single_flips && hopeless(wrong, before, rows.count(), round)) return false;
+        before[1] = before[0], before[0] = wrong;
         const bool progress = wrong < fewest;
         if (progress) fewest = wrong, patience = kPatience;
         if (!progress && patience-- <= 0) {
