@@ -12,7 +12,7 @@ namespace epode {
 
 struct ActiveSetSettings {
     int rounds = 30;
-    bool single_flips = false;  // when progress stops: flip one row at a time (Murty) instead of giving up
+    bool persistent = false;  // goes on where the guess looks hopeless, at last one row at a time (Murty)
 };
 
 class ActiveSet {
@@ -28,12 +28,14 @@ class ActiveSet {
     void settle(PackedRows& rows);
     void refine(ExactProblem& problem, PackedRows& rows, std::span<double> v);
     int find_wrong(const ExactProblem& problem, const PackedRows& rows, std::span<const double> v);
+    void flip_apart(const ExactProblem& problem, PackedRows& rows, int wrong);
     void flip(PackedRows& rows, int place);
 
     std::span<double> D_, w_, push_;  // per place
     std::span<double> row_D_;         // of the problem's rows
     std::span<double> r_;             // per unknown
     std::span<int> wrong_;
+    std::span<bool> touched_;  // per body
 };
 
 }  // namespace epode

@@ -124,7 +124,7 @@ bool DenseActiveSet::solve(const ExactProblem& problem, BoxState& state, const A
         if (progress) fewest = wrong, patience = kPatience;
         int first = 0;
         if (!progress && patience-- <= 0) {
-            if (!settings.single_flips) return false;
+            if (!settings.persistent) return false;
             first = wrong - 1;
         }
         for (int k = first; k < wrong; ++k) state.flip(wrong_[std::size_t(k)]);
