@@ -16,6 +16,7 @@
 #include <cmath>
 
 #include "solve/active_set.h"
+#include "solve/careful_set.h"
 #include "solve/dense_active_set.h"
 #include "solve/interior_point.h"
 #include "solve/residual.h"
@@ -24,9 +25,10 @@
 namespace epode {
 namespace {
 
-constexpr double kPromised = 1e-9;    // natural residual that an answer must have
-constexpr int kQuickRounds = 20;      // of the first active set
-constexpr double kMostTrusted = 1e8;  // times the problem's velocity scale, of an impulse to start from
+constexpr double kPromised = 1e-9;       // natural residual that an answer must have
+constexpr double kCarefulAbove = 1e-10;  // residual from which on an answer is worth more digits
+constexpr int kQuickRounds = 20;         // of the first active set
+constexpr double kMostTrusted = 1e8;     // times the problem's velocity scale, of an impulse to start from
 constexpr double kInteriorTolerance = 2e-10;
 
 class DirectSolve {
@@ -50,7 +52,7 @@ class DirectSolve {
     }
 
     // Both phases; false: out of memory.
-    bool run(RowSystem& system, bool want_residual, Arena& arena, SolveReport& report)
+    bool run(RowSystem& system, Arena& arena, SolveReport& report)
     {
         const bool friction = set_bounds_without_friction(system);
         for (std::size_t i = 0; i < state_.p.size(); ++i) guess(i, double(system.numbers[i].p));
@@ -65,7 +67,7 @@ class DirectSolve {
         report.method = report.fallback ? dIslandMethodInterior
                         : small_        ? dIslandMethodDense
                                         : dIslandMethodActiveSet;
-        if (want_residual) report.residual = Real(problem_.residual(state_, scratch_));
+        report.residual = Real(residual_);
         return true;
     }
 
@@ -118,6 +120,20 @@ class DirectSolve {
 
     bool solve_phase(const RowSystem& system, Arena& arena, SolveReport& report)
     {
+        if (!solve_box(system, arena, report)) return false;
+        residual_ = problem_.residual(state_, scratch_);
+        if (!(residual_ > kCarefulAbove)) return true;
+        if (!sparse_ready_ && !prepare_sparse(system, arena)) return false;
+        if (!careful_ready_ && !(careful_ready_ = careful_.prepare(problem_, arena))) return false;
+        residual_ = careful_.solve(problem_, state_, scratch_, report.iterations);
+        if (!(residual_ > kPromised) || !problem_.soften()) return true;
+        small_ = false;  // its matrix is that of the hard rows
+        std::copy(begun_.begin(), begun_.end(), state_.p.begin());
+        return solve_phase(system, arena, report);
+    }
+
+    bool solve_box(const RowSystem& system, Arena& arena, SolveReport& report)
+    {
         const ActiveSetSettings settings{kQuickRounds, false};
         std::copy(state_.p.begin(), state_.p.end(), begun_.begin());
         if (small_) {
@@ -163,8 +179,10 @@ class DirectSolve {
     ActiveSet active_;
     DenseActiveSet dense_;
     InteriorPoint interior_;
+    CarefulSet careful_;
     bool small_ = false;  // few rows: the dense matrix first
-    bool sparse_ready_ = false, interior_ready_ = false;
+    bool sparse_ready_ = false, interior_ready_ = false, careful_ready_ = false;
+    double residual_ = 0;  // that scratch_ and state_ have
     BoxState state_;
     std::span<double> kept_, begun_, scratch_;
 };
@@ -174,7 +192,7 @@ bool solve_direct(RowSystem& system, const SolverSettings& settings, Arena& aren
     if (system.rows.empty()) return true;
     Arena::Scope scope(arena);
     DirectSolve direct;
-    return direct.prepare(system, settings.plans, arena) && direct.run(system, settings.want_residual, arena, report);
+    return direct.prepare(system, settings.plans, arena) && direct.run(system, arena, report);
 }
 
 }  // namespace

@@ -11,19 +11,6 @@
 namespace epode {
 namespace {
 
-void multiply(const double* S, const double* x, double* y)
-{
-    y[0] = S[0] * x[0] + S[3] * x[1] + S[4] * x[2];
-    y[1] = S[3] * x[0] + S[1] * x[1] + S[5] * x[2];
-    y[2] = S[4] * x[0] + S[5] * x[1] + S[2] * x[2];
-}
-
-void copy(const Sym3& s, double* out)
-{
-    const double six[] = {s.xx, s.yy, s.zz, s.xy, s.xz, s.yz};
-    std::copy_n(six, 6, out);
-}
-
 void put(Vec3 a, double* out) { out[0] = a.x, out[1] = a.y, out[2] = a.z; }
 
 // block += s x y^T, 6x6 column-major
@@ -51,26 +38,60 @@ bool ExactProblem::number_bodies(const RowSystem& system, Arena& arena)
 {
     const int count = int(system.bodies.size());
     dynamic_ = arena.take<int>(count);
-    masses_ = arena.take<BodyMass>(count);
+    roots_ = arena.take<BodyRoot>(count);
     v_star_ = arena.take<double>(6 * count);
     if (arena.failed()) return false;
-    int n = 0;
+    std::size_t n = 0;
     for (int i = 0; i < count; ++i) {
         const SolverBody& body = system.bodies[std::size_t(i)];
-        dynamic_[std::size_t(i)] = body.inv_mass > 0 ? n : -1;
+        dynamic_[std::size_t(i)] = body.inv_mass > 0 ? int(n) : -1;
         if (body.inv_mass <= 0) continue;
-        BodyMass& mass = masses_[std::size_t(n)];
-        mass.mass = body.mass;
-        mass.inv_mass = body.inv_mass;
-        copy(body.inertia, mass.I);
-        copy(body.inv_inertia, mass.inv_I);
-        put(body.v, &v_star_[std::size_t(6 * n)]);
-        put(body.w, &v_star_[std::size_t(6 * n + 3)]);
-        ++n;
+        const BodyRoot& root = roots_[n] = root_of(body);
+        double* v = &v_star_[6 * n++];
+        put(body.v, v), put(body.w, v + 3);
+        for (int k = 0; k < 3; ++k) v[k] *= root.root;
+        v[3] = v[3] / root.r0 + root.l10 * v[4] + root.l20 * v[5];
+        v[4] = v[4] / root.r1 + root.l21 * v[5];
+        v[5] = v[5] / root.r2;
     }
-    masses_ = masses_.first(std::size_t(n));
-    v_star_ = v_star_.first(std::size_t(6 * n));
+    roots_ = roots_.first(n);
+    v_star_ = v_star_.first(6 * n);
     return true;
+}
+
+ExactProblem::BodyRoot ExactProblem::root_of(const SolverBody& body)
+{
+    constexpr double kFlat = 1e-14;  // of the diagonal: an inertia that is singular to rounding
+    const Sym3& I = body.inertia;
+    const auto reciprocal = [](double square, double diagonal) {
+        return 1 / std::sqrt(std::max(square, kFlat * diagonal));
+    };
+    BodyRoot out;
+    out.root = std::sqrt(double(body.mass));
+    out.inv_root = 1 / out.root;
+    out.r0 = reciprocal(I.xx, I.xx);
+    out.l10 = I.xy * out.r0;
+    out.l20 = I.xz * out.r0;
+    out.r1 = reciprocal(I.yy - out.l10 * out.l10, I.yy);
+    out.l21 = (I.yz - out.l20 * out.l10) * out.r1;
+    out.r2 = reciprocal(I.zz - out.l20 * out.l20 - out.l21 * out.l21, I.zz);
+    return out;
+}
+
+void ExactProblem::to_root(const BodyRoot& root, double* six)
+{
+    for (int i = 0; i < 3; ++i) six[i] *= root.inv_root;
+    six[3] *= root.r0;
+    six[4] = (six[4] - root.l10 * six[3]) * root.r1;
+    six[5] = (six[5] - root.l20 * six[3] - root.l21 * six[4]) * root.r2;
+}
+
+void ExactProblem::from_root(const BodyRoot& root, double* six)
+{
+    for (int i = 0; i < 3; ++i) six[i] *= root.inv_root;
+    six[5] *= root.r2;
+    six[4] = (six[4] - root.l21 * six[5]) * root.r1;
+    six[3] = (six[3] - root.l10 * six[4] - root.l20 * six[5]) * root.r0;
 }
 
 bool ExactProblem::build_factor(const RowSystem& system, PlanCache* plans, Arena& arena)
@@ -87,7 +108,7 @@ bool ExactProblem::build_factor(const RowSystem& system, PlanCache* plans, Arena
         if (b < 0) b = a;
         pairs[std::size_t(k)] = {a, b};
     }
-    if (!plan_.take(int(masses_.size()), pairs, plans, arena) || !H_.prepare(plan_.plan(), arena))
+    if (!plan_.take(int(roots_.size()), pairs, plans, arena) || !H_.prepare(plan_.plan(), arena))
         return false;
     for (int k = 0; k < blocks; ++k) {
         const auto [a, b] = pairs[std::size_t(k)];
@@ -108,33 +129,18 @@ void ExactProblem::fill_rows(const RowSystem& system)
             ExactRow& row = rows_[at];
             row.pair = int(k);
             fill_row(system.rows[at], system.numbers[at], block, system, row);
-            scale_ = std::max(scale_, velocity_scale(row));
         }
     }
     if (!(scale_ > 0)) scale_ = 1;
 }
 
-// max(|c - J v*|, |J| |v*| / 1000)
-double ExactProblem::velocity_scale(const ExactRow& row) const
-{
-    double sum = 0, motion = 0;
-    const auto add = [&](const double* J, const double* v) {
-        for (int i = 0; i < 6; ++i) {
-            const double x = J[i] * v[i];
-            sum += x;
-            motion += std::fabs(x);
-        }
-    };
-    add(row.J, v_star_.data() + 6 * row.a);
-    if (row.b >= 0) add(row.J + 6, v_star_.data() + 6 * row.b);
-    return std::max(std::fabs(row.c - sum), 1e-3 * motion);
-}
-
+// Also raises the scale to max(|c - J v*|, |J| |v*| / 1000).
 void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock& block,
-                            const RowSystem& system, ExactRow& out) const
+                            const RowSystem& system, ExactRow& out)
 {
     double* half = out.J;
     int* body = &out.a;
+    double sum = 0, motion = 0, mobility = 0;
     out.c = n.c;
     out.C = n.C;
     out.b = -1;
@@ -142,54 +148,44 @@ void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock&
         if (island_body < 0) return;
         const SolverBody& s = system.bodies[std::size_t(island_body)];
         const int index = dynamic_[std::size_t(island_body)];
+        const double along = dot(lin, s.v), about = dot(ang, s.w);
         if (index < 0) {
-            out.c -= double(dot(lin, s.v)) + double(dot(ang, s.w));
+            out.c -= along + about;
             return;
         }
+        sum += along + about;
+        motion += std::fabs(along) + std::fabs(about);
         put(lin, half), put(ang, half + 3);
+        to_root(roots_[std::size_t(index)], half);
+        mobility += six_dot(half, half);
         half = out.J + 6;
         *body = index;
         body = &out.b;
     };
     take(block.body1, row.lin1, row.ang1);
     take(block.body2, row.lin2, row.ang2);
-
-    double mobility = 0, y[3];
-    for (int k = 0; k < 2; ++k) {
-        const int index = k == 0 ? out.a : out.b;
-        if (index < 0) break;
-        const BodyMass& mass = masses_[std::size_t(index)];
-        const double* J = out.J + 6 * k;
-        multiply(mass.inv_I, J + 3, y);
-        mobility += mass.inv_mass * (J[0] * J[0] + J[1] * J[1] + J[2] * J[2]) +
-                    (J[3] * y[0] + J[4] * y[1] + J[5] * y[2]);
-    }
+    scale_ = std::max({scale_, std::fabs(out.c - sum), 1e-3 * motion});
     out.d = mobility + out.C;
     out.weight_min = 1e-11 * out.d;
 }
 
-void ExactProblem::response(const ExactRow& row, double* twelve) const
+bool ExactProblem::soften()
 {
-    for (int k = 0; k < 2; ++k) {
-        const int index = k == 0 ? row.a : row.b;
-        if (index < 0) return;
-        const BodyMass& mass = masses_[std::size_t(index)];
-        for (int i = 0; i < 3; ++i) twelve[6 * k + i] = mass.inv_mass * row.J[6 * k + i];
-        multiply(mass.inv_I, row.J + 6 * k + 3, twelve + 6 * k + 3);
+    bool any = false;
+    for (ExactRow& row : rows_) {
+        if (row.C > 0 || !(row.d > 0)) continue;
+        row.C = row.weight_min;
+        any = true;
     }
+    return any;
 }
 
 int ExactProblem::factor(std::span<const double> D)
 {
     H_.clear();
-    for (std::size_t n = 0; n < masses_.size(); ++n) {
+    for (std::size_t n = 0; n < roots_.size(); ++n) {
         double* h = H_.diagonal(int(n));
-        const BodyMass& mass = masses_[n];
-        h[0] = h[7] = h[14] = mass.mass;
-        h[21] = mass.I[0], h[28] = mass.I[1], h[35] = mass.I[2];
-        h[22] = h[27] = mass.I[3];
-        h[23] = h[33] = mass.I[4];
-        h[29] = h[34] = mass.I[5];
+        for (int i = 0; i < 6; ++i) h[7 * i] = 1;
     }
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         if (!(D[i] > 0)) continue;
@@ -209,39 +205,62 @@ int ExactProblem::factor(std::span<const double> D)
 
 void ExactProblem::momentum_change(std::span<const double> v, std::span<double> r) const
 {
-    for (std::size_t n = 0; n < masses_.size(); ++n) {
-        const BodyMass& mass = masses_[n];
-        double dv[6];
-        for (std::size_t i = 0; i < 6; ++i) dv[i] = v_star_[6 * n + i] - v[6 * n + i];
-        for (std::size_t i = 0; i < 3; ++i) r[6 * n + i] = mass.mass * dv[i];
-        multiply(mass.I, dv + 3, &r[6 * n + 3]);
-    }
+    for (std::size_t i = 0; i < v.size(); ++i) r[i] = v_star_[i] - v[i];
 }
 
 void ExactProblem::velocities(std::span<const double> p, std::span<double> v) const
 {
-    std::fill(v.begin(), v.end(), 0.0);
+    std::copy(v_star_.begin(), v_star_.end(), v.begin());
     for (std::size_t i = 0; i < rows_.size(); ++i)
         if (p[i] != 0) add_jt(rows_[i], p[i], v.data());
-    velocities_after(v, v);
 }
 
 void ExactProblem::velocities_after(std::span<const double> momentum, std::span<double> v) const
 {
-    for (std::size_t n = 0; n < masses_.size(); ++n) {
-        const BodyMass& mass = masses_[n];
-        double turn[3];
-        multiply(mass.inv_I, &momentum[6 * n + 3], turn);
-        for (std::size_t i = 0; i < 3; ++i) {
-            v[6 * n + i] = v_star_[6 * n + i] + mass.inv_mass * momentum[6 * n + i];
-            v[6 * n + 3 + i] = v_star_[6 * n + 3 + i] + turn[i];
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] = v_star_[i] + momentum[i];
+}
+
+// sums = J^T (p + low); an empty `low` is zero.
+void ExactProblem::sum_impulses(std::span<const double> p, std::span<const double> low,
+                                std::span<DoubleDouble> sums) const
+{
+    std::fill(sums.begin(), sums.end(), DoubleDouble{});
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const ExactRow& row = rows_[i];
+        if (p[i] == 0) continue;
+        const DoubleDouble impulse{p[i], low.empty() ? 0 : low[i]};
+        for (int k = 0; k < 12; ++k) {
+            const int body = k < 6 ? row.a : row.b;
+            if (body < 0) break;
+            DoubleDouble& sum = sums[std::size_t(6 * body + k % 6)];
+            sum = sum + impulse * row.J[k];
         }
     }
+}
+
+void ExactProblem::velocities(std::span<const double> p, std::span<const double> low,
+                              std::span<DoubleDouble> sums, std::span<double> v) const
+{
+    sum_impulses(p, low, sums);
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] = v_star_[i] + rounded(sums[i]);
+}
+
+void ExactProblem::apply(std::span<const double> p, std::span<DoubleDouble> sums, std::span<double> v,
+                         std::span<double> Ap) const
+{
+    sum_impulses(p, {}, sums);
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] = rounded(sums[i]);
+    for (std::size_t i = 0; i < Ap.size(); ++i) Ap[i] = jv(rows_[i], v.data()) + rows_[i].C * p[i];
 }
 
 double ExactProblem::residual(const BoxState& state, std::span<double> v) const
 {
     velocities(state.p, v);
+    return residual_at(state, v);
+}
+
+double ExactProblem::residual_at(const BoxState& state, std::span<const double> v) const
+{
     double worst = 0;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const ExactRow& row = rows_[i];
@@ -254,15 +273,17 @@ double ExactProblem::residual(const BoxState& state, std::span<double> v) const
     return worst / scale_;
 }
 
-void ExactProblem::store(RowSystem& system, std::span<const double> p, std::span<double> v) const
+void ExactProblem::store(RowSystem& system, std::span<const double> p, std::span<const double> v) const
 {
     for (std::size_t i = 0; i < rows_.size(); ++i) system.numbers[i].p = Real(p[i]);
-    velocities(p, v);
     for (std::size_t k = 0; k < dynamic_.size(); ++k) {
         if (dynamic_[k] < 0) continue;
-        const double* six = v.data() + 6 * dynamic_[k];
-        system.bodies[k].v = {Real(six[0]), Real(six[1]), Real(six[2])};
-        system.bodies[k].w = {Real(six[3]), Real(six[4]), Real(six[5])};
+        const auto first = std::size_t(6 * dynamic_[k]);
+        double change[6];
+        for (std::size_t i = 0; i < 6; ++i) change[i] = v[first + i] - v_star_[first + i];
+        from_root(roots_[std::size_t(dynamic_[k])], change);
+        system.bodies[k].v += Vec3{Real(change[0]), Real(change[1]), Real(change[2])};
+        system.bodies[k].w += Vec3{Real(change[3]), Real(change[4]), Real(change[5])};
     }
 }
 

@@ -1,19 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The island as the exact solver works on it: dynamic bodies only, in double, with the two operations that
-// all methods share, for a diagonal weight D >= 0 on the rows:
+// The island as the exact solver works on it: dynamic bodies only, in double, in coordinates in which every
+// body has mass and inertia 1. With M = L L^T, six by six per body,
 //
-//   factor:  H = M + J^T D J                      (one 6x6 block per body and per touching pair)
+//   v' = L^T v,  J' = J L^-T     so that  M (v - v*) = J^T p  reads  v' - v*' = J'^T p
+//
+// and with the two operations that all methods share, for a diagonal weight D >= 0 on the rows:
+//
+//   factor:  H = 1 + J'^T D J'                    (one 6x6 block per body and per touching pair)
 //   solve:   x = H^-1 x
 //
-// Why the primal H and not the dual A = J M^-1 J^T: H has six unknowns per body however many rows act on it,
+// In these coordinates a rod's inertia of 1:100 or a neighbour of a thousand times the mass does not enter
+// the rounding of a factor, which is eps max(D d) and nothing else. From here on v and J mean v' and J'. Why
+// the primal H and not the dual A = J M^-1 J^T: H has six unknowns per body however many rows act on it,
 // stays positive definite whatever the rows' redundancy, and is as sparse as the body graph.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "base/arena.h"
+#include "math/double_double.h"
 #include "rows/row_system.h"
 #include "solve/block_cholesky.h"
 #include "solve/plan_cache.h"
@@ -22,7 +30,7 @@ namespace epode {
 
 struct ExactRow {
     double J[12];       // of body a, then of body b
-    double c, C, d;     // d = J M^-1 J^T + C
+    double c, C, d;     // d = J J^T + C
     double weight_min;  // smallest softness that the factor may see, so that C = 0 has a finite weight
     int a, b;           // dynamic bodies; b = -1: only one
     int pair;           // index into the slots of H
@@ -56,35 +64,49 @@ class ExactProblem {
     // of the velocities themselves, whose rounding nobody can undercut.
     double scale() const { return scale_; }
 
+    // Rows without any softness that contradict each other have no solution. They get the least softness that
+    // a factor sees anyway; false: there are none.
+    bool soften();
+
     int factor(std::span<const double> D);
     int factorisations() const { return factorisations_; }
     void solve(std::span<double> x) { H_.solve(x); }
 
-    // r = M (v* - v)
+    // r = v* - v
     void momentum_change(std::span<const double> v, std::span<double> r) const;
-    // v = v* + M^-1 J^T p
+    // v = v* + J^T p
     void velocities(std::span<const double> p, std::span<double> v) const;
-    // v = v* + M^-1 momentum; the two may be the same
+    // v = v* + momentum; the two may be the same
     void velocities_after(std::span<const double> momentum, std::span<double> v) const;
+    // The same for p + low, with J^T (p + low) summed in twice the digits: `sums`, as many as unknowns.
+    void velocities(std::span<const double> p, std::span<const double> low, std::span<DoubleDouble> sums,
+                    std::span<double> v) const;
+    // Ap = J J^T p + C p, with J^T p summed in the same way; `v` is scratch.
+    void apply(std::span<const double> p, std::span<DoubleDouble> sums, std::span<double> v,
+               std::span<double> Ap) const;
 
     static double jv(const ExactRow& row, const double* v);        // J v
     static void add_jt(const ExactRow& row, double s, double* x);  // x += J^T s
 
-    // M^-1 J^T of one row.
-    void response(const ExactRow& row, double* twelve) const;
+    // M^-1 J^T of one row: J itself in these coordinates.
+    void response(const ExactRow& row, double* twelve) const { std::copy_n(row.J, 12, twelve); }
     double needed_velocity(int i) const { return row(i).c - jv(row(i), v_star_.data()); }  // c - J v*
 
     // Natural residual, relative to scale(), for bounds lo and hi; `v` is scratch.
     double residual(const BoxState& state, std::span<double> v) const;
+    // The same with velocities that belong to state.p, which may carry more digits than it.
+    double residual_at(const BoxState& state, std::span<const double> v) const;
 
-    // The answer into the system: impulses, and velocities from the impulses rather than from the iterate, so
-    // that momentum is conserved to rounding. `v` is scratch.
-    void store(RowSystem& system, std::span<const double> p, std::span<double> v) const;
+    // The answer into the system: impulses, and velocities that were computed from the impulses rather than
+    // from an iterate, so that momentum is conserved to rounding.
+    void store(RowSystem& system, std::span<const double> p, std::span<const double> v) const;
 
   private:
-    struct BodyMass {
-        double mass, inv_mass;
-        double I[6], inv_I[6];  // xx yy zz xy xz yz
+    // M = L L^T of one body: the root of the mass, and of the inertia l10 l20 l21 and the reciprocals of the
+    // diagonal.
+    struct BodyRoot {
+        double root, inv_root;
+        double l10, l20, l21, r0, r1, r2;
     };
     struct PairSlots {
         double *aa, *bb, *ab;
@@ -93,12 +115,16 @@ class ExactProblem {
 
     bool number_bodies(const RowSystem& system, Arena& arena);
     void fill_rows(const RowSystem& system);
-    double velocity_scale(const ExactRow& row) const;
+    static BodyRoot root_of(const SolverBody& body);
+    static void to_root(const BodyRoot& root, double* six);    // six = L^-1 six, of a row of J
+    static void from_root(const BodyRoot& root, double* six);  // six = L^-T six, of a change of velocity
+    void sum_impulses(std::span<const double> p, std::span<const double> low,
+                      std::span<DoubleDouble> sums) const;
     void fill_row(const Row& row, const RowNumbers& n, const RowBlock& block, const RowSystem& system,
-                  ExactRow& out) const;
+                  ExactRow& out);
 
     std::span<int> dynamic_;  // island body -> dynamic index or -1
-    std::span<BodyMass> masses_;
+    std::span<BodyRoot> roots_;
     std::span<double> v_star_;
     std::span<ExactRow> rows_;
     std::span<PairSlots> slots_;  // one per block of rows

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// mechanism_sweep [FIRST [COUNT [STEPS]]]: steps random mechanisms with dWorldStep and looks at every step:
+// natural residual at most 1e-9, nothing contained, nothing said, everything finite. One line per mechanism
+// that fails, then the totals; exit status 1 if any failed. What scripts/nightly runs in full and ctest in
+// part (mechanisms_test.cpp).
+//
+//   mechanism_sweep --reduce NUMBER STEP   leaves parts out of one failing step for as long as it fails
+#include <ode/ext.h>
+
+#include <algorithm>
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include "mechanism.h"
+
+namespace {
+
+using namespace epode::mechanisms;
+
+constexpr double kPromised = sizeof(dReal) == 8 ? 1e-9 : 1e-4;
+
+int said = 0;
+void hear(int, const char*, va_list) { ++said; }
+
+dWorldStepReport report_of(const Mechanism& m)
+{
+    dWorldStepReport r{};
+    r.struct_size = sizeof r;
+    dWorldGetStepReport(m.world, &r);
+    return r;
+}
+
+struct Totals {
+    int failed = 0, steps = 0, steps_failed = 0, fallbacks = 0, contained = 0, not_finite = 0;
+    long rows = 0, iterations = 0;
+    int most_rows = 0;
+    double worst = 0;
+    int decade[20] = {};  // how many steps have a residual of 1e-k
+};
+
+int decade_of(double residual)
+{
+    int k = 0;
+    for (double x = 1; k < 19 && residual < x; x *= 0.1) ++k;
+    return k;
+}
+
+void count(const dWorldStepReport& r, Totals& t)
+{
+    ++t.steps;
+    t.rows += r.rows;
+    t.most_rows = std::max(t.most_rows, r.rows);
+    t.iterations += r.iterations;
+    t.fallbacks += r.fallbacks > 0;
+    t.contained += r.contained_islands;
+    t.worst = std::max(t.worst, r.residual);
+    ++t.decade[decade_of(r.residual)];
+}
+
+void run(int number, int steps, Totals& totals)
+{
+    Mechanism m(number);
+    dWorldSetStepReportMode(m.world, 1);
+    int bad = 0, first = -1;
+    double worst = 0;
+    const int said_before = said, contained_before = totals.contained;
+    for (int i = 0; i < steps; ++i) {
+        m.collide();
+        m.step();
+        const dWorldStepReport r = report_of(m);
+        count(r, totals);
+        worst = std::max(worst, r.residual);
+        if (!(r.residual <= kPromised) || r.contained_islands) {
+            if (bad++ == 0) first = i;
+        }
+    }
+    const bool finite = m.finite();
+    totals.not_finite += !finite;
+    totals.steps_failed += bad;
+    if (bad == 0 && finite && said == said_before && totals.contained == contained_before) return;
+    ++totals.failed;
+    double fastest = 0;
+    for (const BodyState& s : m.state())
+        for (int i = 0; i < 3; ++i)
+            fastest = std::max({fastest, std::fabs(double(s.v[i])), std::fabs(double(s.w[i]))});
+    std::printf("%4d: %d steps, first %d, worst %.1e, contained %d, said %d, fastest %.1e | %s\n", number,
+                bad, first, worst, totals.contained - contained_before, said - said_before, fastest,
+                m.summary().c_str());
+}
+
+int sweep(int first, int number, int steps)
+{
+    Totals t;
+    for (int i = first; i < first + number; ++i) run(i, steps, t);
+    std::printf("%d mechanisms, %d steps, %ld rows (most %d), %ld iterations, %d steps with fallback\n",
+                number, t.steps, t.rows, t.most_rows, t.iterations, t.fallbacks);
+    std::printf(
+        "failed: %d mechanisms, %d steps; worst residual %.2e; contained %d; said %d; not finite %d\n",
+        t.failed, t.steps_failed, t.worst, t.contained, said, t.not_finite);
+    for (int k = 0; k < 20; ++k)
+        if (t.decade[k]) std::printf("  residual below 1e-%d: %d steps\n", k - 1, t.decade[k]);
+    return t.failed > 0;
+}
+
+double one_step(int number, const std::vector<BodyState>& from, const std::vector<bool>& without)
+{
+    Mechanism m(number, {}, without);
+    m.put(from);
+    dWorldSetStepReportMode(m.world, 1);
+    m.collide();
+    m.step();
+    return report_of(m).residual;
+}
+
+int reduce(int number, int step)
+{
+    Mechanism whole(number);
+    for (int i = 0; i < step; ++i) {
+        whole.collide();
+        whole.step();
+    }
+    const std::vector<BodyState> from = whole.state();
+    std::vector<bool> without(whole.parts.size(), false);
+    std::printf("%s\nstarted afresh: residual %.2e\n", whole.summary().c_str(),
+                one_step(number, from, without));
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (std::size_t k = 0; k < without.size(); ++k) {
+            if (without[k]) continue;
+            without[k] = true;
+            if (one_step(number, from, without) > kPromised)
+                changed = true;
+            else
+                without[k] = false;
+        }
+    }
+    std::printf("left: residual %.2e\n", one_step(number, from, without));
+    for (std::size_t k = 0; k < without.size(); ++k)
+        if (!without[k]) std::printf("  %3zu %s\n", k, whole.parts[k].c_str());
+    for (std::size_t i = 0; i < from.size(); ++i)
+        std::printf("  body %zu mass %.3g at %.6g %.6g %.6g, v %.3g %.3g %.3g, w %.3g %.3g %.3g\n", i,
+                    whole.mass[i], double(from[i].pos[0]), double(from[i].pos[1]), double(from[i].pos[2]),
+                    double(from[i].v[0]), double(from[i].v[1]), double(from[i].v[2]), double(from[i].w[0]),
+                    double(from[i].w[1]), double(from[i].w[2]));
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    dInitODE2(0);
+    dSetMessageHandler(&hear);
+    dSetDebugHandler(&hear);
+    dSetErrorHandler(&hear);
+    const auto number = [&](int k, int otherwise) { return argc > k ? std::atoi(argv[k]) : otherwise; };
+    const int status = argc > 3 && !std::strcmp(argv[1], "--reduce")
+                           ? reduce(number(2, 0), number(3, 0))
+                           : sweep(number(1, 0), number(2, 1000), number(3, 200));
+    dCloseODE();
+    return status;
+}
