@@ -56,7 +56,6 @@ bool ActiveSet::prepare(const ExactProblem& problem, int places, Arena& arena)
     push_ = arena.take<double>(places);
     wrong_ = arena.take<int>(places);
     touched_ = arena.take<bool>(problem.unknowns() / 6);
-    row_D_ = arena.take<double>(problem.row_count());
     r_ = arena.take<double>(problem.unknowns());
     return !arena.failed();
 }
@@ -67,13 +66,11 @@ bool ActiveSet::solve(ExactProblem& problem, PackedRows& rows, std::span<double>
     int fewest = rows.count() + 1, since = 0;
     int before[2] = {};  // wrong rows one and two rounds ago
     const bool friction = any_two_bounds(rows);
-    std::fill(row_D_.begin(), row_D_.end(), 0.0);
     rows.velocities(problem, r_, v);
     for (int round = 0; round < settings.rounds; ++round) {
         ++rounds;
         settle(rows);
-        rows.spread(D_, row_D_);
-        problem.factor(row_D_);
+        rows.factor(problem, D_);
         refine(problem, rows, v);
         const int wrong = find_wrong(problem, rows, v);
         if (wrong == 0) return true;

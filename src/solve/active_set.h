@@ -32,7 +32,6 @@ class ActiveSet {
     void flip(PackedRows& rows, int place);
 
     std::span<double> D_, w_, push_;  // per place
-    std::span<double> row_D_;         // of the problem's rows
     std::span<double> r_;             // per unknown
     std::span<int> wrong_;
     std::span<bool> touched_;  // per body

@@ -98,7 +98,7 @@ bool ExactProblem::build_factor(const RowSystem& system, PlanCache* plans, Arena
 {
     const int blocks = int(system.blocks.size());
     auto pairs = arena.take<BodyPair>(blocks);
-    slots_ = arena.take<PairSlots>(blocks);
+    pairs_ = arena.take<PairBlocks>(blocks);
     if (arena.failed()) return false;
     for (int k = 0; k < blocks; ++k) {
         const RowBlock& block = system.blocks[std::size_t(k)];
@@ -112,7 +112,7 @@ bool ExactProblem::build_factor(const RowSystem& system, PlanCache* plans, Arena
         return false;
     for (int k = 0; k < blocks; ++k) {
         const auto [a, b] = pairs[std::size_t(k)];
-        PairSlots& s = slots_[std::size_t(k)];
+        PairBlocks& s = pairs_[std::size_t(k)];
         s = {H_.diagonal(a), H_.diagonal(b), nullptr, false};
         if (a != b) s.ab = H_.between(a, b, s.transposed);
     }
@@ -180,17 +180,24 @@ bool ExactProblem::soften()
     return any;
 }
 
-int ExactProblem::factor(std::span<const double> D)
+// H = 1, M in these coordinates.
+void ExactProblem::begin_factor()
 {
     H_.clear();
     for (std::size_t n = 0; n < roots_.size(); ++n) {
         double* h = H_.diagonal(int(n));
         for (int i = 0; i < 6; ++i) h[7 * i] = 1;
     }
+    ++factorisations_;
+}
+
+int ExactProblem::factor(std::span<const double> D)
+{
+    begin_factor();
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         if (!(D[i] > 0)) continue;
         const ExactRow& row = rows_[i];
-        const PairSlots& s = slots_[std::size_t(row.pair)];
+        const PairBlocks& s = pairs_[std::size_t(row.pair)];
         const double* Ja = row.J;
         const double* Jb = row.J + 6;
         // A pair of which one body is kinematic has both slots on the dynamic one.
@@ -199,7 +206,14 @@ int ExactProblem::factor(std::span<const double> D)
         add_outer(s.bb, D[i], Jb, Jb);
         s.transposed ? add_outer(s.ab, D[i], Jb, Ja) : add_outer(s.ab, D[i], Ja, Jb);
     }
-    ++factorisations_;
+    return H_.factor();
+}
+
+int ExactProblem::factor(std::span<const RowGroup> groups, std::span<const double> D,
+                         const RowKernels& kernels)
+{
+    begin_factor();
+    kernels.assemble(groups.data(), int(groups.size()), D.data(), pairs_.data());
     return H_.factor();
 }
 

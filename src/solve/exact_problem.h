@@ -25,6 +25,7 @@
 #include "rows/row_system.h"
 #include "solve/block_cholesky.h"
 #include "solve/plan_cache.h"
+#include "solve/row_kernels.h"
 
 namespace epode {
 
@@ -33,7 +34,7 @@ struct ExactRow {
     double c, C, d;     // d = J J^T + C
     double weight_min;  // smallest softness that the factor may see, so that C = 0 has a finite weight
     int a, b;           // dynamic bodies; b = -1: only one
-    int pair;           // index into the slots of H
+    int pair;           // which of the pairs of bodies, for H
 };
 
 // The box problem of one phase and its present iterate.
@@ -68,7 +69,9 @@ class ExactProblem {
     // a factor sees anyway; false: there are none.
     bool soften();
 
+    // H with one weight per row, factored; the second with one per place of the packed rows.
     int factor(std::span<const double> D);
+    int factor(std::span<const RowGroup> groups, std::span<const double> D, const RowKernels& kernels);
     int factorisations() const { return factorisations_; }
     void solve(std::span<double> x) { H_.solve(x); }
 
@@ -108,11 +111,8 @@ class ExactProblem {
         double root, inv_root;
         double l10, l20, l21, r0, r1, r2;
     };
-    struct PairSlots {
-        double *aa, *bb, *ab;
-        bool transposed;
-    };
 
+    void begin_factor();
     bool number_bodies(const RowSystem& system, Arena& arena);
     void fill_rows(const RowSystem& system);
     static BodyRoot root_of(const SolverBody& body);
@@ -127,7 +127,7 @@ class ExactProblem {
     std::span<BodyRoot> roots_;
     std::span<double> v_star_;
     std::span<ExactRow> rows_;
-    std::span<PairSlots> slots_;  // one per block of rows
+    std::span<PairBlocks> pairs_;  // one per block of rows
     PlanLease plan_;
     BlockCholesky H_;
     double scale_ = 1;

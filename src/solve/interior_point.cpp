@@ -41,7 +41,6 @@ bool InteriorPoint::prepare(const ExactProblem& problem, int places, Arena& aren
 {
     places_ = std::size_t(places);
     numbers_ = arena.take<double>(kNumbers * places);
-    D_ = arena.take<double>(problem.row_count());
     kept_dp_ = arena.take<double>(places);
     r1_ = arena.take<double>(problem.unknowns());
     dv_ = arena.take<double>(problem.unknowns());
@@ -54,7 +53,6 @@ bool InteriorPoint::solve(ExactProblem& problem, PackedRows& rows, std::span<dou
 {
     packed_ = &rows;
     start(problem, v);
-    std::fill(D_.begin(), D_.end(), 0.0);
     // Progress is counted from these marks; at a degenerate solution the measure only falls like the root of
     // mu.
     double mark = HUGE_VAL, mu_mark = HUGE_VAL, step = 0;
@@ -72,7 +70,7 @@ bool InteriorPoint::solve(ExactProblem& problem, PackedRows& rows, std::span<dou
         if (reached || stall >= kStall || !(measure < HUGE_VAL) || !(mu < HUGE_VAL)) break;
         if (k == kMostIterations) break;
         ++iterations;
-        factor(problem);
+        rows.factor(problem, {rows_.D, std::size_t(rows.count())});
         const bool cramped = stall >= kPatience && step < 0.9;
         const double target = cramped ? recentre(problem) : aim(problem);
         correct_centrality(problem, target);
@@ -139,12 +137,6 @@ void InteriorPoint::start(const ExactProblem& problem, std::span<double> v)
         if (rows_.lower.present[i] > 0 && w[i] > 0) rows_.lower.z[i] += w[i];
         if (rows_.upper.present[i] > 0 && w[i] < 0) rows_.upper.z[i] -= w[i];
     }
-}
-
-void InteriorPoint::factor(ExactProblem& problem)
-{
-    packed_->spread({rows_.D, std::size_t(packed_->count())}, D_);
-    problem.factor(D_);
 }
 
 // `push` makes t and e and adds J^T D e to its argument.

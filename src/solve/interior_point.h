@@ -22,7 +22,6 @@ class InteriorPoint {
   private:
     void lay_out();
     void start(const ExactProblem& problem, std::span<double> v);
-    void factor(ExactProblem& problem);
     template <typename Push>
     void direction(ExactProblem& problem, const Push& push);
     double complementarity(double step) const;
@@ -36,9 +35,9 @@ class InteriorPoint {
     InteriorRows rows_;
     RowKernels::Residuals now_;
     RowKernels::Direction ahead_;
-    int bounds_ = 0;                       // present ones
-    std::span<double> numbers_;            // all arrays of rows_
-    std::span<double> D_, r1_, dv_;        // D_ of the problem's rows
+    int bounds_ = 0;             // present ones
+    std::span<double> numbers_;  // all arrays of rows_
+    std::span<double> r1_, dv_;
     std::span<double> kept_dp_, kept_dv_;  // before a corrector
     std::size_t places_ = 0;
 };

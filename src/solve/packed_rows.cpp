@@ -83,7 +83,7 @@ void PackedRows::put(const ExactProblem& problem, const BoxState& state, int i)
 void PackedRows::begin_group(const ExactRow& row)
 {
     fill_up();
-    groups[group_count_++] = {J_.data() + J_used_, row.a, row.b, int(place_count_) / kPack, 0};
+    groups[group_count_++] = {J_.data() + J_used_, row.a, row.b, int(place_count_) / kPack, 0, row.pair};
 }
 
 // Empty places up to the end of the pack.
@@ -129,12 +129,6 @@ void PackedRows::velocities(const ExactProblem& problem, std::span<double> momen
     std::copy(fixed_.begin(), fixed_.end(), momentum.begin());
     add_transposed(p, momentum);
     problem.velocities_after(momentum, v);
-}
-
-void PackedRows::spread(std::span<const double> D, std::span<double> of_rows) const
-{
-    for (std::size_t at = 0; at < row_.size(); ++at)
-        if (row_[at] >= 0) of_rows[std::size_t(row_[at])] = D[at];
 }
 
 }  // namespace epode

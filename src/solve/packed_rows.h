@@ -39,8 +39,11 @@ class PackedRows {
     void momentum_change(const ExactProblem& problem, std::span<const double> v, std::span<double> r) const;
     // v = v* + M^-1 J^T p; `momentum` is scratch
     void velocities(const ExactProblem& problem, std::span<double> momentum, std::span<double> v) const;
-    // Weights of places into weights of the problem's rows.
-    void spread(std::span<const double> D, std::span<double> of_rows) const;
+    // Factors H = M + J^T D J.
+    void factor(ExactProblem& problem, std::span<const double> D) const
+    {
+        problem.factor(groups, D, *kernels_);
+    }
 
     const RowKernels& kernels() const { return *kernels_; }
 

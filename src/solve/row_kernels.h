@@ -14,6 +14,14 @@ struct RowGroup {
     const double* J;
     int a, b;          // bodies; b = -1: only one
     int first, count;  // packs
+    int pair;          // where its blocks of H are
+};
+
+// The blocks of H = M + J^T D J that a pair of bodies contributes to, 6x6 column-major: H[a][a] and H[b][b],
+// of which the lower triangles count, and H[a][b] or, transposed, H[b][a].
+struct PairBlocks {
+    double *aa, *bb, *ab;
+    bool transposed;
 };
 
 // One side of the box per row: distance s > 0 from the bound, multiplier z >= 0. Where there is no bound,
@@ -39,6 +47,9 @@ struct RowKernels {
     void (*products)(const RowGroup* groups, int count, const double* v, double* out);
     // x += J^T s
     void (*add_transposed)(const RowGroup* groups, int count, const double* s, double* x);
+
+    // H += J^T D J
+    void (*assemble)(const RowGroup* groups, int count, const double* D, const PairBlocks* blocks);
 
     // A step along the direction, then the residuals there at velocities v: r2, D and r1 += J^T p. Returned:
     // the worst of |r2| and min(s d, z), and the sum of s z d.

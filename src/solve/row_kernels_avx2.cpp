@@ -9,7 +9,7 @@
 namespace epode {
 
 extern const RowKernels kAvx2RowKernels;
-const RowKernels kAvx2RowKernels{"avx2", products, add_transposed, advance, aim, centre, finish};
+const RowKernels kAvx2RowKernels{"avx2", products, add_transposed, assemble, advance, aim, centre, finish};
 
 }  // namespace epode
 #endif

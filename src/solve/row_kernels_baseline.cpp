@@ -11,7 +11,7 @@ extern const RowKernels kAvx2RowKernels;
 
 namespace {
 
-constexpr RowKernels kBaseline{"baseline", products, add_transposed, advance, aim, centre, finish};
+constexpr RowKernels kBaseline{"baseline", products, add_transposed, assemble, advance, aim, centre, finish};
 
 #if defined(__x86_64__)
 constexpr const RowKernels* kAll[] = {&kBaseline, &kAvx2RowKernels};
