@@ -30,6 +30,9 @@ typedef struct dWorldStepReport {
     double penetration;       /**< deepest contact beyond the surface layer, at the step's beginning */
     double energy_before;     /**< kinetic energy plus that of weight, at the step's beginning */
     double energy_after;      /**< the same at its end, before the bodies' own damping */
+    int projections;          /**< Newton steps of dWorldSetStepProjection, summed over islands */
+    int projections_open;     /**< islands that they left above the tolerance */
+    double projection_error;  /**< worst error that they left, in the unit of the tolerance */
 } dWorldStepReport;
 
 /** How an island was solved. */
@@ -54,6 +57,9 @@ typedef struct dIslandStepReport {
     double residual;
     double joint_error, joint_angle_error, penetration;
     double energy_before, energy_after;
+    int projections;
+    int projection_open; /**< 1: left above the tolerance */
+    double projection_error;
 } dIslandStepReport;
 
 /** Switch the report on (1) or off (0, the default). Off costs nothing; on costs one more evaluation
@@ -101,6 +107,11 @@ ODE_API dReal dWorldGetQuickStepWarmStarting(dWorldID world);
     before. Costs some 0.3 microseconds per body. Other values are refused, as is a call during a step. */
 ODE_API void dWorldSetExactRotation(dWorldID world, int mode);
 ODE_API int dWorldGetExactRotation(dWorldID world);
+
+ODE_API void dWorldSetStepProjection(dWorldID world, int iterations);
+ODE_API int dWorldGetStepProjection(dWorldID world);
+ODE_API void dWorldSetStepProjectionTolerance(dWorldID world, dReal tolerance);
+ODE_API dReal dWorldGetStepProjectionTolerance(dWorldID world);
 
 #ifdef __cplusplus
 }

@@ -7,8 +7,10 @@
 #include "dynamics/exact_spin.h"
 #include "dynamics/integrate.h"
 #include "step/assemble.h"
+#include "step/projection.h"
 #include "step/report.h"
 #include "step/substeps.h"
+#include "step/tension.h"
 #include "step/write_back.h"
 
 namespace epode {
@@ -66,6 +68,7 @@ class IslandStep {
     {
         if (!assemble(world_, work_.island, context_.h, context_.solver, arena_, work_)) return false;
         if (report) report_errors(work_, *report);
+        if (projects()) add_tension(work_, work_.system.bodies, arena_);
         SubstepModel model{work_, step_info(world_, context_.h)};
         model.info.inner = true;
         const Substeps callbacks = model.callbacks();
@@ -87,7 +90,7 @@ class IslandStep {
         return sane;
     }
 
-    void accept()
+    void accept(const Tasks& tasks, dIslandStepReport* report)
     {
         write_back(work_);
         for (std::size_t k = 0; k < work_.joints.size(); ++k)
@@ -95,6 +98,9 @@ class IslandStep {
                 context_.contacts.remember(ticket(k), work_.system.blocks[k], work_.system);
         if (context_.solver.substeps) return;  // poses are where the inner steps have put them
         advance();
+        if (!projects()) return;
+        const ProjectionReport done = project_poses(world_, work_, tasks, arena_);
+        if (report) report_projection(done, *report);
     }
 
     void refuse()
@@ -105,6 +111,7 @@ class IslandStep {
     }
 
   private:
+    bool projects() const { return world_.projection_iterations > 0 && &context_.solver == &kDirect; }
     int ticket(std::size_t block) const { return place_.first_contact + int(block); }
 
     // Every solver may start from the impulses of the last step.
@@ -148,7 +155,7 @@ void step_island(const StepContext& context, const Island& island, IslandPlace p
     if (report) begin_report(context.world, island, *report);
     IslandStep step(context, island, place, arena);
     const bool solved = step.solve(tasks, report);
-    solved ? step.accept() : step.refuse();
+    solved ? step.accept(tasks, report) : step.refuse();
     if (report) end_report(context.world, island, !solved, *report);
 }
 

@@ -59,6 +59,13 @@ void report_solution(const SolveReport& solved, dIslandStepReport& report)
     report.fallback = solved.fallback;
 }
 
+void report_projection(const ProjectionReport& done, dIslandStepReport& report)
+{
+    report.projections = done.iterations;
+    report.projection_open = done.open;
+    report.projection_error = done.error;
+}
+
 void end_report(const World& world, const Island& island, bool contained, dIslandStepReport& report)
 {
     report.contained = contained;
@@ -81,6 +88,9 @@ dWorldStepReport sum_of(std::span<const dIslandStepReport> islands)
         total.joint_error = std::max(total.joint_error, one.joint_error);
         total.joint_angle_error = std::max(total.joint_angle_error, one.joint_angle_error);
         total.penetration = std::max(total.penetration, one.penetration);
+        total.projections += one.projections;
+        total.projections_open += one.projection_open;
+        total.projection_error = std::max(total.projection_error, one.projection_error);
         total.energy_before += one.energy_before;
         total.energy_after += one.energy_after;
     }

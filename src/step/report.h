@@ -9,12 +9,14 @@
 
 #include "ode/ext.h"
 #include "step/assemble.h"
+#include "step/projection.h"
 
 namespace epode {
 
 void begin_report(const World& world, const Island& island, dIslandStepReport& report);
 void report_errors(const IslandWork& work, dIslandStepReport& report);
 void report_solution(const SolveReport& solved, dIslandStepReport& report);
+void report_projection(const ProjectionReport& done, dIslandStepReport& report);
 void end_report(const World& world, const Island& island, bool contained, dIslandStepReport& report);
 
 // The step's report from those of its islands.

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Newton's method on the position errors e(x) of the rows that hold positions, in the metric of the masses:
+//
+//   minimise  dx^T M dx / 2   subject to   J(x) dx = e(x),   or >= e with a force >= 0 for stops and contacts
+//   x <- x + a dx,  turns by the exponential map,  a = 1, or halved until sum (e/l)^2 falls
+//
+// which is the box problem of a step with v* = 0, c = e, so the exact solver solves it, redundant and
+// one-sided rows included; rows that contradict each other it leaves at their least squares. M contains the
+// joints' tension (step/tension): with the bare masses the metric would rather fold light links than move the
+// load by what their shortening needs, and Newton's steps do not get there. l is a row's lever, so a
+// tolerance is relative. No accepted step makes the errors worse; what is not accepted is taken back.
+//
+// Which rows: equalities and stops of joints, contact normals; not motors, friction, and what is a spring
+// (its softness more than a thousandth of the row's mobility). Errors are read from the joints at every pose;
+// contacts, and rows whose error does not answer to the pose (Plane2D's rates, angles that the client hands
+// in), follow the motion to first order: e <- e - J dx. A contact keeps half the tolerance, so that it is
+// still found in the next step.
+//
+// Velocities stay as the step has left them: the next step's solve projects them onto the constraints of the
+// corrected pose in any case, and that removes energy (a spin w loses the share (w h)^2), never adds any.
+// Rejected, tried on the chains of docs/solvers.md: adding dx/h to the velocities, with dx along the old rows
+// (SHAKE, Ryckaert, Ciccotti & Berendsen, J. Comp. Phys. 23, 1977) or along the new ones. That loses no
+// energy while w h is small, and gains without bound once a load of a hundred links shakes the chain.
+#include "step/projection.h"
+
+#include <algorithm>
+
+#include "dynamics/integrate.h"
+#include "step/tension.h"
+
+namespace epode {
+namespace {
+
+constexpr Real kSpringShare = Real(1e-3);            // of the mobility, above which softness is meant
+constexpr double kSoftness = kSingle ? 1e-6 : 1e-9;  // of the mobility, for redundant rows
+constexpr Real kLargestTurn = 1;                     // rad, of one Newton step
+constexpr int kMostHalvings = 5;
+
+// A row of the projection beside its Row in the system.
+struct Hold {
+    int source;      // row of the step
+    Real error;      // J dx = error
+    Real per_lever;  // 1/l
+    bool follows;    // the motion, as the pose does not tell its error
+};
+
+struct PoseBefore {
+    Vec3 p;
+    Quat q;
+};
+
+class Projection {
+  public:
+    Projection(const World& world, const IslandWork& work, Arena& arena)
+        : world_(world), work_(work), arena_(arena), info_(step_info(world, work.system.h))
+    {
+        info_.inner = true;
+    }
+
+    // False: out of memory, or nothing to hold.
+    bool prepare()
+    {
+        const int rows = int(work_.system.rows.size()), blocks = int(work_.system.blocks.size());
+        const int bodies = int(work_.system.bodies.size());
+        holds_ = arena_.take<Hold>(rows);
+        before_ = arena_.take<Hold>(rows);
+        system_.rows = arena_.take<Row>(rows);
+        system_.numbers = arena_.take<RowNumbers>(rows);
+        system_.blocks = arena_.take<RowBlock>(blocks);
+        from_ = arena_.take<int>(blocks);
+        system_.bodies = arena_.take<SolverBody>(bodies);
+        poses_ = arena_.take<PoseBefore>(bodies);
+        system_.h = 1;
+        if (arena_.failed()) return false;
+        choose_rows();
+        return !system_.rows.empty();
+    }
+
+    ProjectionReport run(const Tasks& tasks)
+    {
+        ProjectionReport report;
+        measure();
+        while (worst_ > world_.projection_tolerance && report.iterations < world_.projection_iterations) {
+            ++report.iterations;
+            if (!improve(tasks)) break;
+        }
+        report.error = double(worst_);
+        report.open = worst_ > world_.projection_tolerance;
+        return report;
+    }
+
+  private:
+    const SolverBody& step_body(int i) const { return work_.system.bodies[std::size_t(i)]; }
+    const Row& step_row(const Hold& hold) const { return work_.system.rows[std::size_t(hold.source)]; }
+    Body& body(std::size_t i) const { return *work_.island.bodies[i]; }
+    const SolverBody* second(const RowBlock& block) const
+    {
+        return block.body2 < 0 ? nullptr : &system_.bodies[std::size_t(block.body2)];
+    }
+
+    void choose_rows()
+    {
+        int rows = 0, blocks = 0;
+        Row now[kMaxJointRows];
+        for (std::size_t k = 0; k < work_.system.blocks.size(); ++k) {
+            const RowBlock& block = work_.system.blocks[k];
+            RowWriter out(now, info_);
+            if (!block.contact) work_.joints[k]->type->emit(*work_.joints[k], out);
+            const int first = rows;
+            const Real per_lever = 1 / lever(block);
+            for (int i = 0; i < block.count; ++i) {
+                const Row& row = work_.system.rows[std::size_t(block.first + i)];
+                if (!holds_position(row, block)) continue;
+                const bool follows = i >= out.count() || now[i].error == row.error;
+                const bool turns = row.lin1 == Vec3{} && row.lin2 == Vec3{};
+                Hold& hold = holds_[std::size_t(rows)];
+                hold = {block.first + i, 0, turns ? Real(1) : per_lever, follows};
+                hold.error = follows ? row.error - motion(row, block) : now[i].error;
+                if (row.kind == RowKind::kNormal) hold.error -= world_.projection_tolerance / 2 / per_lever;
+                system_.rows[std::size_t(rows++)] = i < out.count() ? now[i] : row;
+            }
+            if (rows == first) continue;
+            from_[std::size_t(blocks)] = int(k);
+            system_.blocks[std::size_t(blocks++)] = {first,       rows - first,  block.body1,
+                                                     block.body2, block.contact, block.arms};
+        }
+        system_.rows = system_.rows.first(std::size_t(rows));
+        system_.numbers = system_.numbers.first(std::size_t(rows));
+        system_.blocks = system_.blocks.first(std::size_t(blocks));
+        holds_ = holds_.first(std::size_t(rows));
+    }
+
+    bool holds_position(const Row& row, const RowBlock& block) const
+    {
+        if (row.kind == RowKind::kFriction) return false;
+        if (row.kind == RowKind::kLimit && row.lo != 0 && row.hi != 0) return false;  // a motor
+        const SolverBody* b = block.body2 < 0 ? nullptr : &step_body(block.body2);
+        return row.cfm / work_.system.h <= kSpringShare * row_mobility(row, step_body(block.body1), b);
+    }
+
+    // The longest lever of the block's rows, but not less than its bodies' radius of gyration.
+    Real lever(const RowBlock& block) const
+    {
+        Real longest = 0;
+        for (int k = 0; k < 2; ++k) {
+            const int at = k == 0 ? block.body1 : block.body2;
+            if (at < 0 || body(std::size_t(at)).kinematic()) continue;
+            const Body& b = body(std::size_t(at));
+            const Real most = std::max(b.inertia.xx, std::max(b.inertia.yy, b.inertia.zz));
+            longest = std::max(longest, std::sqrt(most * b.inv_mass));
+            for (int i = block.first; i < block.first + block.count; ++i) {
+                const Row& row = work_.system.rows[std::size_t(i)];
+                if (!(row.lin1 == Vec3{})) longest = std::max(longest, length(k == 0 ? row.ang1 : row.ang2));
+            }
+        }
+        return longest > 0 ? longest : 1;
+    }
+
+    // J times the step's displacement.
+    Real motion(const Row& row, const RowBlock& block) const
+    {
+        const Body& a = body(std::size_t(block.body1));
+        Real s = dot(row.lin1, a.velocity()) + dot(row.ang1, a.angular_velocity());
+        if (block.body2 >= 0) {
+            const Body& b = body(std::size_t(block.body2));
+            s += dot(row.lin2, b.velocity()) + dot(row.ang2, b.angular_velocity());
+        }
+        return work_.system.h * s;
+    }
+
+    void measure()
+    {
+        worst_ = merit_ = 0;
+        for (const Hold& hold : holds_) {
+            const Row& row = step_row(hold);
+            Real e = hold.error;
+            e = row.lo == 0 ? std::max(e, Real(0)) : row.hi == 0 ? std::max(-e, Real(0)) : std::fabs(e);
+            e *= hold.per_lever;
+            worst_ = std::max(worst_, e);
+            merit_ += e * e;
+        }
+    }
+
+    // One Newton step; false: none that makes the errors smaller.
+    bool improve(const Tasks& tasks)
+    {
+        Arena::Scope scope(arena_);
+        load_bodies();
+        load_numbers();
+        SolverSettings settings;
+        settings.tasks = tasks;
+        SolveReport report;
+        if (!kDirect.solve(system_, settings, arena_, report)) return false;
+        const Real merit = merit_;
+        Real share = first_share();
+        std::copy(holds_.begin(), holds_.end(), before_.begin());
+        for (int k = 0; k <= kMostHalvings && share > 0; ++k, share /= 2) {
+            move(share);
+            if (merit_ < merit) return true;
+        }
+        move(0);
+        return false;
+    }
+
+    void load_bodies()
+    {
+        for (std::size_t i = 0; i < system_.bodies.size(); ++i) {
+            const Body& b = body(i);
+            poses_[i] = {b.position(), b.orientation()};
+            SolverBody& s = system_.bodies[i];
+            s = work_.system.bodies[i];
+            s.v = s.w = {};
+            if (b.kinematic()) continue;
+            s.inertia = rotate(b.rotation(), b.inertia);
+            s.inv_inertia = rotate(b.rotation(), b.inv_inertia);
+        }
+        add_tension(work_, system_.bodies, arena_);
+    }
+
+    void load_numbers()
+    {
+        for (const RowBlock& block : system_.blocks)
+            for (int i = block.first; i < block.first + block.count; ++i) {
+                const Row& row = system_.rows[std::size_t(i)];
+                const Row& bounds = step_row(holds_[std::size_t(i)]);
+                RowNumbers& n = system_.numbers[std::size_t(i)];
+                n = {};
+                n.c = holds_[std::size_t(i)].error;
+                n.C = Real(kSoftness) *
+                      row_mobility(row, system_.bodies[std::size_t(block.body1)], second(block));
+                if (bounds.lo == 0) n.lo = 0;
+                if (bounds.hi == 0) n.hi = 0;
+            }
+    }
+
+    // Of the step, so that nothing turns further than kLargestTurn; 0: it is not a number.
+    Real first_share() const
+    {
+        Real most = 0;
+        for (const SolverBody& s : system_.bodies) {
+            const Real turn = length(s.w), way = length(s.v);
+            if (!usable(turn) || !usable(way)) return 0;
+            most = std::max(most, turn);
+        }
+        return most > kLargestTurn ? kLargestTurn / most : 1;
+    }
+
+    // Poses and errors after that share of the step.
+    void move(Real share)
+    {
+        for (std::size_t i = 0; i < poses_.size(); ++i) {
+            Body& b = body(i);
+            if (b.kinematic()) continue;
+            const SolverBody& s = system_.bodies[i];
+            store(b.pos, poses_[i].p + share * s.v);
+            Quat q = turn_exactly(poses_[i].q, s.w, share);
+            if (normalize(q)) set_orientation(b, q);
+        }
+        for (std::size_t k = 0; k < system_.blocks.size(); ++k) update(k, share);
+        measure();
+    }
+
+    void update(std::size_t k, Real share)
+    {
+        const RowBlock& block = system_.blocks[k];
+        Row now[kMaxJointRows];
+        RowWriter out(now, info_);
+        Joint& joint = *work_.joints[std::size_t(from_[k])];
+        if (!block.contact) joint.type->emit(joint, out);
+        const int base = work_.system.blocks[std::size_t(from_[k])].first;
+        for (int i = block.first; i < block.first + block.count; ++i) {
+            Hold& hold = holds_[std::size_t(i)];
+            Row& row = system_.rows[std::size_t(i)];
+            if (hold.follows) {
+                hold.error =
+                    before_[std::size_t(i)].error -
+                    share * row_velocity(row, system_.bodies[std::size_t(block.body1)], second(block));
+            } else if (const int at = hold.source - base; at < out.count()) {
+                hold.error = now[at].error;
+                static_cast<Jacobian&>(row) = now[at];
+            }
+        }
+    }
+
+    const World& world_;
+    const IslandWork& work_;
+    Arena& arena_;
+    StepInfo info_;
+    RowSystem system_;                // of one Newton step
+    std::span<Hold> holds_, before_;  // parallel to its rows
+    std::span<int> from_;             // block of the step that a block is of
+    std::span<PoseBefore> poses_;
+    Real worst_ = 0, merit_ = 0;  // largest e/l, sum of its squares
+};
+
+}  // namespace
+
+ProjectionReport project_poses(const World& world, const IslandWork& work, const Tasks& tasks, Arena& arena)
+{
+    Arena::Scope scope(arena);
+    Projection projection(world, work, arena);
+    return projection.prepare() ? projection.run(tasks) : ProjectionReport{};
+}
+
+}  // namespace epode

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Positions after the step: joints are closed and penetrations removed at the poses that the step has
+// reached.
+#pragma once
+
+#include "step/assemble.h"
+#include "tasks/tasks.h"
+
+namespace epode {
+
+struct ProjectionReport {
+    int iterations = 0;
+    double error = 0;   // worst left, relative to the levers
+    bool open = false;  // above the tolerance still
+};
+
+// The island's poses have been advanced by h with the velocities that its bodies have, its joints remember
+// the impulses of this step. Velocities stay. Out of memory: so do poses.
+ProjectionReport project_poses(const World& world, const IslandWork& work, const Tasks& tasks, Arena& arena);
+
+}  // namespace epode
