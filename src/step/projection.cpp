@@ -28,6 +28,8 @@
 #include <algorithm>
 
 #include "dynamics/integrate.h"
+#include "solve/dense_active_set.h"
+#include "solve/equalities.h"
 #include "step/tension.h"
 
 namespace epode {
@@ -118,6 +120,7 @@ class Projection {
                 Hold& hold = holds_[std::size_t(rows)];
                 hold = {block.first + i, 0, turns ? Real(1) : per_lever, follows};
                 hold.error = follows ? row.error - motion(row, block) : now[i].error;
+                one_sided_ |= row.lo == 0 || row.hi == 0;
                 if (row.kind == RowKind::kNormal) hold.error -= world_.projection_tolerance / 2 / per_lever;
                 system_.rows[std::size_t(rows++)] = i < out.count() ? now[i] : row;
             }
@@ -189,10 +192,7 @@ class Projection {
         Arena::Scope scope(arena_);
         load_bodies();
         load_numbers();
-        SolverSettings settings;
-        settings.tasks = tasks;
-        SolveReport report;
-        if (!kDirect.solve(system_, settings, arena_, report)) return false;
+        if (!solve(tasks)) return false;
         const Real merit = merit_;
         Real share = first_share();
         std::copy(holds_.begin(), holds_.end(), before_.begin());
@@ -202,6 +202,16 @@ class Projection {
         }
         move(0);
         return false;
+    }
+
+    bool solve(const Tasks& tasks)
+    {
+        const bool small = int(system_.rows.size()) <= DenseActiveSet::kMostRows;
+        if (!one_sided_ && !small) return solve_equalities(system_, arena_);
+        SolverSettings settings;
+        settings.tasks = tasks;
+        SolveReport report;
+        return kDirect.solve(system_, settings, arena_, report);
     }
 
     void load_bodies()
@@ -292,6 +302,7 @@ class Projection {
     std::span<Hold> holds_, before_;  // parallel to its rows
     std::span<int> from_;             // block of the step that a block is of
     std::span<PoseBefore> poses_;
+    bool one_sided_ = false;
     Real worst_ = 0, merit_ = 0;  // largest e/l, sum of its squares
 };
 

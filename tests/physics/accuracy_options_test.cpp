@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// dWorldSetExactRotation. What a rigid body keeps must be kept: a free top its energy and momentum, a heavy
+// The options of ode/ext.h that make dWorldStep more accurate.
+// dWorldSetExactRotation: what a rigid body keeps must be kept: a free top its energy and momentum, a heavy
 // top its energy and its precession, whose rate for a fast one is m g l / (I3 s) (1 + m g l It cos / (I3 s)^2
 // ...), taken here from a run with a sixteenth of the step. And what the client has asked for otherwise
 // stays.
@@ -214,6 +215,293 @@ TEST(ExactRotation, nothing_is_left_over_from_the_past)
     EXPECT_EQ(hash_state(used), hash_state(fresh));
 }
 
+// ---- projection ----
+
+dJointID ball(Sim& sim, dBodyID a, dBodyID b, V3 at)
+{
+    dJointID j = dJointCreateBall(sim.world, nullptr);
+    dJointAttach(j, a, b);
+    dJointSetBallAnchor(j, real(at.x), real(at.y), real(at.z));
+    return j;
+}
+
+dJointID hinge(Sim& sim, dBodyID a, dBodyID b, V3 at, V3 axis = {0, 1, 0})
+{
+    dJointID j = dJointCreateHinge(sim.world, nullptr);
+    dJointAttach(j, a, b);
+    dJointSetHingeAnchor(j, real(at.x), real(at.y), real(at.z));
+    dJointSetHingeAxis(j, real(axis.x), real(axis.y), real(axis.z));
+    return j;
+}
+
+// Distance between the two ends of the joint, of hinges and balls.
+double gap(dJointID j)
+{
+    dVector3 a, b;
+    if (dJointGetType(j) == dJointTypeBall) {
+        dJointGetBallAnchor(j, a);
+        dJointGetBallAnchor2(j, b);
+    } else {
+        dJointGetHingeAnchor(j, a);
+        dJointGetHingeAnchor2(j, b);
+    }
+    return length(vec(a) - vec(b));
+}
+
+struct Projection : testing::Test {
+    Sim sim;
+    Messages messages;
+    std::vector<dJointID> joints;
+    double worst = 0;
+    int open = 0;
+
+    Projection()
+    {
+        sim.gravity(0, 0, -9.81);
+        dWorldSetStepProjection(sim.world, 8);
+        dWorldSetStepReportMode(sim.world, 1);
+    }
+    void run(double seconds, double h, bool contacts = false)
+    {
+        for (int i = 0, n = int(seconds / h + 0.5); i < n; ++i) {
+            ASSERT_EQ(contacts ? sim.step(h) : sim.advance(h), 1);
+            for (dJointID j : joints) worst = std::max(worst, gap(j));
+            open += sim.report().projections_open;
+        }
+        EXPECT_TRUE(finite_state(sim));
+        EXPECT_EQ(messages.count(), 0) << messages.last();
+    }
+};
+
+// 32 links of 1 kg and 0.25 m let go horizontally, the last one heavier; plain dWorldStep opens such joints
+// by links (3.6 of them for equal masses at 1/60).
+struct WhippedChain : testing::TestWithParam<double> {};
+
+TEST_P(WhippedChain, stays_closed_at_every_mass_ratio)
+{
+    constexpr int kLinks = 32;
+    constexpr double kLink = 0.25;
+    for (double h : {1 / 60., 1 / 100.}) {
+        Sim sim;
+        sim.gravity(0, 0, -9.81);
+        dWorldSetStepProjection(sim.world, 8);
+        std::vector<dJointID> joints;
+        for (int i = 0; i < kLinks; ++i) {
+            dBodyID b = dBodyCreate(sim.world);
+            dMass m;
+            dMassSetCapsuleTotal(&m, 1, 1, real(0.05), real(0.15));
+            if (i == kLinks - 1) dMassSetSphereTotal(&m, real(GetParam()), real(0.1 * std::cbrt(GetParam())));
+            dBodySetMass(b, &m);
+            place(b, {(i + 0.5) * kLink, 0, 0});
+            joints.push_back(ball(sim, b, i ? sim.bodies.back() : nullptr, {i * kLink, 0, 0}));
+            sim.bodies.push_back(b);
+        }
+        const double E0 = energy(sim), fall = GetParam() * 9.81 * kLinks * kLink;
+        double worst = 0, rise = 0;
+        for (int i = 0, n = int(10 / h + 0.5); i < n; ++i) {
+            sim.advance(h);
+            for (dJointID j : joints) worst = std::max(worst, gap(j));
+            rise = std::max(rise, (energy(sim) - E0) / fall);
+        }
+        EXPECT_LT(worst, 0.01 * kLink) << "1/h = " << 1 / h;
+        EXPECT_LT(rise, tol(1e-3, 1e-2)) << "1/h = " << 1 / h;
+        EXPECT_TRUE(finite_state(sim));
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Ratios, WhippedChain, testing::Values(1., 10., 100., 1e4, 1e6));
+
+TEST_F(Projection, velocities_are_those_of_the_step)
+{
+    Sim plain;
+    plain.gravity(0, 0, -9.81);
+    for (Sim* s : {&sim, &plain}) {
+        dBodyID a = s->body({0.5, 0, 0}), b = s->body({1.5, 0, 0});
+        ball(*s, a, nullptr, {0, 0, 0}), ball(*s, b, a, {1, 0, 0});
+        velocity(a, {0, 0, 2}, {0, -4, 0}), velocity(b, {0, 0, 6}, {0, -4, 0});
+        s->advance(0.05);
+    }
+    EXPECT_GT(sim.report().projections, 0);
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_EQ(length(velocity(sim.bodies[i]) - velocity(plain.bodies[i])), 0);
+        EXPECT_EQ(length(spin(sim.bodies[i]) - spin(plain.bodies[i])), 0);
+        EXPECT_GT(length(position(sim.bodies[i]) - position(plain.bodies[i])), 1e-3);
+    }
+}
+
+// A parallelogram of bars on hinges, three rows too many, driven through its dead points.
+TEST_F(Projection, a_redundant_four_bar_goes_through_its_dead_points)
+{
+    dBodyID crank = sim.box({0, 0, 0.25}, {0.05, 0.05, 0.5}, 1);
+    dBodyID coupler = sim.box({0.5, 0, 0.5}, {1, 0.05, 0.05}, 2);
+    dBodyID rocker = sim.box({1, 0, 0.25}, {0.05, 0.05, 0.5}, 1);
+    joints = {hinge(sim, crank, nullptr, {0, 0, 0}), hinge(sim, coupler, crank, {0, 0, 0.5}),
+              hinge(sim, rocker, coupler, {1, 0, 0.5}), hinge(sim, nullptr, rocker, {1, 0, 0})};
+    dJointSetHingeParam(joints[0], dParamVel, 6);
+    dJointSetHingeParam(joints[0], dParamFMax, 200);
+    run(10, 1 / 60.);
+    EXPECT_LT(worst, 1e-3);
+    EXPECT_EQ(open, 0);
+    EXPECT_NEAR(std::fabs(dJointGetHingeAngleRate(joints[0])), 6, 0.5);
+}
+
+// A square mesh of bars on ball joints: many loops.
+TEST_F(Projection, a_net_of_loops_stays_closed)
+{
+    constexpr int kSide = 4;
+    std::vector<dBodyID> nodes;
+    for (int i = 0; i < kSide * kSide; ++i)
+        nodes.push_back(sim.sphere({double(i % kSide), double(i / kSide), 0}, 0.1, i ? 1 : 30));
+    const auto bar = [&](int i, int k) {
+        const V3 a = position(nodes[i]), b = position(nodes[k]), d = b - a;
+        dBodyID rod = sim.box(0.5 * (a + b), {0.1 + std::fabs(d.x), 0.1 + std::fabs(d.y), 0.1}, 0.5);
+        joints.push_back(ball(sim, rod, nodes[i], a));
+        joints.push_back(ball(sim, rod, nodes[k], b));
+    };
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) {
+            if (x + 1 < kSide) bar(y * kSide + x, y * kSide + x + 1);
+            if (y + 1 < kSide) bar(y * kSide + x, (y + 1) * kSide + x);
+        }
+    joints.push_back(ball(sim, nodes[kSide - 1], nullptr, position(nodes[kSide - 1])));
+    joints.push_back(ball(sim, nodes[kSide * (kSide - 1)], nullptr, position(nodes[kSide * (kSide - 1)])));
+    run(5, 1 / 60.);
+    EXPECT_LT(worst, 0.01);
+}
+
+// A body of length 1 pinned at both ends to points 1.5 apart: nothing can close this.
+TEST_F(Projection, joints_that_contradict_each_other_do_no_harm)
+{
+    dBodyID bar = sim.box({0, 0, 0}, {1, 0.1, 0.1}, 1);
+    joints = {ball(sim, bar, nullptr, {-0.5, 0, 0}), ball(sim, bar, nullptr, {0.5, 0, 0})};
+    dJointSetBallAnchor2(joints[0], real(-0.75), 0, 0);
+    dJointSetBallAnchor2(joints[1], real(0.75), 0, 0);
+    run(5, 1 / 60.);
+    EXPECT_GT(open, 200) << "and it says so";
+    EXPECT_NEAR(worst, 0.25, 0.02) << "the error is shared";
+    EXPECT_LT(length(position(bar)), 0.05);
+    EXPECT_LT(length(velocity(bar)), 0.1);
+    EXPECT_LT(length(spin(bar)), 0.1);
+}
+
+TEST_F(Projection, a_sunken_stack_is_lifted_without_a_jump)
+{
+    sim.surface.mu = 1;
+    sim.ground();
+    for (int i = 0; i < 5; ++i) sim.box({0, 0, 0.45 + 0.9 * i}, {1, 1, 1}, 1);
+    run(1 / 60., 1 / 60., true);
+    for (int i = 0; i < 5; ++i) EXPECT_NEAR(position(sim.bodies[i]).z, 0.5 + i, 2e-3) << i;
+    for (dBodyID b : sim.bodies) EXPECT_LT(velocity(b).z, 6.1) << "ERP: 0.2 of 0.1 m per contact and step";
+    dWorldSetContactMaxCorrectingVel(sim.world, real(0.1));
+    for (dBodyID b : sim.bodies) velocity(b, {0, 0, 0});
+    run(3, 1 / 60., true);
+    for (int i = 0; i < 5; ++i) {
+        EXPECT_NEAR(position(sim.bodies[i]).z, 0.5 + i, 2e-3) << i;
+        EXPECT_LT(length(velocity(sim.bodies[i])), 0.01) << i;
+        EXPECT_GE(sim.contact_count, 20) << "contacts are still found";
+    }
+}
+
+TEST_F(Projection, a_contact_that_opens_is_not_pulled_back)
+{
+    sim.gravity(0, 0, 0);
+    sim.ground();
+    dBodyID b = sim.sphere({0, 0, 0.49}, 0.5, 1);
+    velocity(b, {0, 0, 3});
+    run(0.01, 0.01, true);
+    EXPECT_NEAR(position(b).z, 0.49 + 0.03, 100 * kEpsilon);
+    EXPECT_EQ(sim.report().projections, 0);
+}
+
+TEST_F(Projection, a_stop_is_not_overrun)
+{
+    dBodyID b = sim.box({0.5, 0, 0}, {1, 0.1, 0.1}, 1);
+    joints = {hinge(sim, b, nullptr, {0, 0, 0})};
+    dJointSetHingeParam(joints[0], dParamLoStop, real(-0.5));
+    dJointSetHingeParam(joints[0], dParamHiStop, real(0.5));
+    double beyond = 0;
+    for (int i = 0; i < 300; ++i) {
+        const double before = std::fabs(dJointGetHingeAngle(joints[0]));
+        run(1 / 60., 1 / 60.);
+        // A stop acts from the first step that begins beyond it.
+        if (before > 0.5) beyond = std::max(beyond, std::fabs(dJointGetHingeAngle(joints[0])) - 0.5);
+    }
+    EXPECT_LT(beyond, tol(1.1e-4, 1.1e-3));
+    EXPECT_LT(worst, 1e-3);
+    EXPECT_NEAR(std::fabs(dJointGetHingeAngle(joints[0])), 0.5, 1e-3);
+}
+
+// lo = hi with stop ERP and CFM is a spring: it must sag, and swing, as it does without the projection.
+TEST_F(Projection, springs_are_left_alone)
+{
+    Sim plain;
+    plain.gravity(0, 0, -9.81);
+    double z[2];
+    for (int k = 0; k < 2; ++k) {
+        Sim& s = k ? plain : sim;
+        dBodyID b = s.body({0, 0, 0});
+        dJointID j = dJointCreateSlider(s.world, nullptr);
+        dJointAttach(j, b, nullptr);
+        dJointSetSliderAxis(j, 0, 0, 1);
+        const double h = 0.01, stiff = 100, damp = 1;
+        dJointSetSliderParam(j, dParamLoStop, 0);
+        dJointSetSliderParam(j, dParamHiStop, 0);
+        dJointSetSliderParam(j, dParamStopERP, real(h * stiff / (h * stiff + damp)));
+        dJointSetSliderParam(j, dParamStopCFM, real(1 / (h * stiff + damp)));
+        for (int i = 0; i < 77; ++i) s.advance(h);
+        z[k] = position(b).z;
+    }
+    EXPECT_LT(z[0], -0.05);
+    EXPECT_NEAR(z[0], z[1], tol(1e-9, 1e-5));
+}
+
+// A client that sets an angular motor's angles by hand, once: they do not tell where the body is.
+TEST_F(Projection, angles_that_do_not_follow_the_pose_turn_nothing_away)
+{
+    sim.gravity(0, 0, 0);
+    dBodyID b = sim.body({0, 0, 0});
+    dJointID j = dJointCreateAMotor(sim.world, nullptr);
+    dJointAttach(j, b, nullptr);
+    dJointSetAMotorNumAxes(j, 1);
+    dJointSetAMotorAxis(j, 0, 0, 0, 0, 1);
+    dJointSetAMotorParam(j, dParamHiStop, 0);
+    dJointSetAMotorParam(j, dParamLoStop, -dInfinity);
+    dJointSetAMotorAngle(j, 0, real(0.1));
+    run(0.01, 0.01);
+    EXPECT_NEAR(2 * std::asin(dBodyGetQuaternion(b)[3]), -0.1, 1e-3) << "once, by what was told";
+}
+
+TEST_F(Projection, all_joint_types_are_closed)
+{
+    dBodyID base = sim.box({0, 0, 0}, {1, 1, 0.2}, 50);
+    dBodySetGravityMode(base, 0);
+    dJointID j[5] = {dJointCreateHinge2(sim.world, nullptr), dJointCreateUniversal(sim.world, nullptr),
+                     dJointCreateSlider(sim.world, nullptr), dJointCreateFixed(sim.world, nullptr),
+                     dJointCreateHinge(sim.world, nullptr)};
+    for (int i = 0; i < 5; ++i) {
+        dBodyID b = sim.box({0.8 * std::cos(1.2 * i), 0.8 * std::sin(1.2 * i), -0.3}, {0.2, 0.3, 0.5}, 1);
+        dJointAttach(j[i], base, b);
+        velocity(b, {0, 0, 0}, {1.0 * i, 3, 2});
+    }
+    dJointSetHinge2Anchor(j[0], real(0.8), 0, 0);
+    const dReal up[3] = {0, 0, 1}, across[3] = {0, 1, 0};
+    dJointSetHinge2Axes(j[0], up, across);
+    const V3 u = position(sim.bodies[2]), h = position(sim.bodies[5]);
+    dJointSetUniversalAnchor(j[1], real(u.x), real(u.y), 0);
+    dJointSetUniversalAxis1(j[1], 1, 0, 0);
+    dJointSetUniversalAxis2(j[1], 0, 1, 0);
+    dJointSetSliderAxis(j[2], 0, 1, 0);
+    dJointSetFixed(j[3]);
+    dJointSetHingeAnchor(j[4], real(h.x), real(h.y), 0);
+    dJointSetHingeAxis(j[4], 1, 1, 0);
+    velocity(base, {0, 0, 0}, {0.5, 1, 2});
+    run(5, 1 / 60.);
+    EXPECT_EQ(open, 0);
+    EXPECT_GT(sim.report().joint_error + sim.report().joint_angle_error, 0);
+    EXPECT_LT(sim.report().joint_error, tol(1.1e-4, 1.1e-3));
+    EXPECT_LT(sim.report().joint_angle_error, tol(1.1e-4, 1.1e-3));
+}
+
 TEST(AccuracyOptions, refuse_values_that_mean_nothing)
 {
     Sim sim;
@@ -225,6 +513,23 @@ TEST(AccuracyOptions, refuse_values_that_mean_nothing)
     dWorldSetExactRotation(nullptr, 1);
     EXPECT_EQ(dWorldGetExactRotation(nullptr), 0);
     EXPECT_EQ(messages.count(), 4);
+}
+
+TEST(AccuracyOptions, of_the_projection_refuse_values_that_mean_nothing)
+{
+    Sim sim;
+    Messages messages;
+    const dWorldID w = sim.world;
+    EXPECT_EQ(dWorldGetStepProjection(w), 0);
+    EXPECT_NEAR(dWorldGetStepProjectionTolerance(w), tol(1e-4, 1e-3), 1e-9);
+    dWorldSetStepProjection(w, 3);
+    dWorldSetStepProjectionTolerance(w, real(1e-5));
+    for (int bad : {-1, 101}) dWorldSetStepProjection(w, bad);
+    for (double bad : {0.0, -1.0, 1.0, std::nan(""), double(dInfinity)})
+        dWorldSetStepProjectionTolerance(w, real(bad));
+    EXPECT_EQ(messages.count(), 7);
+    EXPECT_EQ(dWorldGetStepProjection(w), 3);
+    EXPECT_EQ(dWorldGetStepProjectionTolerance(w), real(1e-5));
 }
 
 }  // namespace

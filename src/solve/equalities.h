@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A problem whose rows are all equalities, to a few digits: what one step of Newton's method on positions
+// needs. The next step measures its error anew, so refining each to rounding would be wasted.
+#pragma once
+
+#include "base/arena.h"
+#include "rows/row_system.h"
+
+namespace epode {
+
+// J v + C p = c to about 1e-4 of the largest c, for every row, whatever bounds it has. False: out of memory.
+bool solve_equalities(RowSystem& system, Arena& arena);
+
+}  // namespace epode
