@@ -22,9 +22,9 @@ constexpr double kEnough = 1e-4;  // of the largest velocity that a row has to c
 
 class Equalities {
   public:
-    bool prepare(const RowSystem& system, Arena& arena)
+    bool prepare(const RowSystem& system, PlanCache* plans, Arena& arena)
     {
-        if (!problem_.build(system, arena) || !problem_.build_factor(system, arena)) return false;
+        if (!problem_.build(system, arena) || !problem_.build_factor(system, plans, arena)) return false;
         const int m = problem_.row_count();
         D_ = arena.take<double>(m);
         p_ = arena.take_zeroed<double>(m);
@@ -77,11 +77,11 @@ class Equalities {
 
 }  // namespace
 
-bool solve_equalities(RowSystem& system, Arena& arena)
+bool solve_equalities(RowSystem& system, PlanCache* plans, Arena& arena)
 {
     Arena::Scope scope(arena);
     Equalities equalities;
-    if (!equalities.prepare(system, arena)) return false;
+    if (!equalities.prepare(system, plans, arena)) return false;
     equalities.solve();
     equalities.store(system);
     return true;

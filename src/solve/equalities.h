@@ -10,7 +10,10 @@
 
 namespace epode {
 
-// J v + C p = c to about 1e-4 of the largest c, for every row, whatever bounds it has. False: out of memory.
-bool solve_equalities(RowSystem& system, Arena& arena);
+class PlanCache;
+
+// J v + C p = c to about 1e-4 of the largest c, for every row, whatever bounds it has. `plans` may be null.
+// False: out of memory.
+bool solve_equalities(RowSystem& system, PlanCache* plans, Arena& arena);
 
 }  // namespace epode

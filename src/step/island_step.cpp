@@ -99,7 +99,7 @@ class IslandStep {
         if (context_.solver.substeps) return;  // poses are where the inner steps have put them
         advance();
         if (!projects()) return;
-        const ProjectionReport done = project_poses(world_, work_, tasks, arena_);
+        const ProjectionReport done = project_poses(world_, work_, tasks, context_.plans, arena_);
         if (report) report_projection(done, *report);
     }
 

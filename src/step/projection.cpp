@@ -55,8 +55,8 @@ struct PoseBefore {
 
 class Projection {
   public:
-    Projection(const World& world, const IslandWork& work, Arena& arena)
-        : world_(world), work_(work), arena_(arena), info_(step_info(world, work.system.h))
+    Projection(const World& world, const IslandWork& work, PlanCache& plans, Arena& arena)
+        : world_(world), work_(work), plans_(plans), arena_(arena), info_(step_info(world, work.system.h))
     {
         info_.inner = true;
     }
@@ -207,9 +207,10 @@ class Projection {
     bool solve(const Tasks& tasks)
     {
         const bool small = int(system_.rows.size()) <= DenseActiveSet::kMostRows;
-        if (!one_sided_ && !small) return solve_equalities(system_, arena_);
+        if (!one_sided_ && !small) return solve_equalities(system_, &plans_, arena_);
         SolverSettings settings;
         settings.tasks = tasks;
+        settings.plans = &plans_;
         SolveReport report;
         return kDirect.solve(system_, settings, arena_, report);
     }
@@ -296,6 +297,7 @@ class Projection {
 
     const World& world_;
     const IslandWork& work_;
+    PlanCache& plans_;
     Arena& arena_;
     StepInfo info_;
     RowSystem system_;                // of one Newton step
@@ -308,10 +310,11 @@ class Projection {
 
 }  // namespace
 
-ProjectionReport project_poses(const World& world, const IslandWork& work, const Tasks& tasks, Arena& arena)
+ProjectionReport project_poses(const World& world, const IslandWork& work, const Tasks& tasks,
+                               PlanCache& plans, Arena& arena)
 {
     Arena::Scope scope(arena);
-    Projection projection(world, work, arena);
+    Projection projection(world, work, plans, arena);
     return projection.prepare() ? projection.run(tasks) : ProjectionReport{};
 }
 

@@ -5,6 +5,7 @@
 // reached.
 #pragma once
 
+#include "solve/plan_cache.h"
 #include "step/assemble.h"
 #include "tasks/tasks.h"
 
@@ -18,6 +19,7 @@ struct ProjectionReport {
 
 // The island's poses have been advanced by h with the velocities that its bodies have, its joints remember
 // the impulses of this step. Velocities stay. Out of memory: so do poses.
-ProjectionReport project_poses(const World& world, const IslandWork& work, const Tasks& tasks, Arena& arena);
+ProjectionReport project_poses(const World& world, const IslandWork& work, const Tasks& tasks,
+                               PlanCache& plans, Arena& arena);
 
 }  // namespace epode
