@@ -13,9 +13,13 @@
 // Predictor t = -s z, then t = sigma mu/d - s z - ds dz with sigma = (mu_aff/mu)^4; rows are weighted by d =
 // J M^-1 J^T + C, so that mu is a velocity squared and rows of different kinds agree. Without a centrality
 // corrector (Gondzio, Comput. Optim. Appl. 6, 1996) a few outlying products stall it on sliding stacks; a
-// second one gains less than it costs. On 84 problems of walls and piles these constants take 16.8 iterations
-// with 48.6 directions; three correctors, the cube and ds dz weighted by the predictor's step squared
-// (Colombo & Gondzio, Comput. Optim. Appl. 41, 2008) took 19.2 with 70.9.
+// second one gains less than it costs. On 76 problems of walls and piles these constants take 16.6 iterations
+// with 43.6 directions, and 16.0 with 47.2 if there may be two correctors. Not better: a second round of the
+// second order on the same factor (15.3 with 57.9), none at all (19.0 with 38.0), ds dz weighted by the
+// predictor's step squared (Colombo & Gondzio, Comput. Optim. Appl. 41, 2008: 19.2 with 70.9), a start from
+// ten sweeps of Gauss-Seidel (15.8), from the last step's friction (17.2), stopping at 1e-8 for the active
+// set to finish (15 and two rounds more; from 1e-6 it often does not). At a redundant solution half of the
+// iterations go into the split among rows that only C decides, from mu near C p^2 on.
 //
 // A direction costs two passes over the rows around the solution with H: one that makes t, e and J^T D e, one
 // that makes dp and all that is asked of the direction, since s dz + z ds = t.
@@ -33,6 +37,7 @@ constexpr int kStall = 12;    // and before giving up
 constexpr double kStepShare = 0.9999;
 constexpr int kCorrectors = 1;
 constexpr double kLonger = 0.3;  // step that a corrector tries to gain
+constexpr double kLong = 0.95;   // step that needs no corrector
 constexpr int kNumbers = 18;     // arrays per place
 
 }  // namespace
@@ -190,7 +195,7 @@ double InteriorPoint::recentre(ExactProblem& problem)
 // while they lengthen the step.
 void InteriorPoint::correct_centrality(ExactProblem& problem, double target)
 {
-    for (int k = 0; k < kCorrectors && longest_step() < 1; ++k) {
+    for (int k = 0; k < kCorrectors && longest_step() < kLong; ++k) {
         const double step = longest_step(), wanted = std::min(1.0, step + kLonger);
         const RowKernels::Direction before = ahead_;
         std::copy(dv_.begin(), dv_.end(), kept_dv_.begin());
