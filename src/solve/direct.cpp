@@ -27,7 +27,7 @@ namespace {
 
 constexpr double kPromised = 1e-9;       // natural residual that an answer must have
 constexpr double kCarefulAbove = 1e-10;  // residual from which on an answer is worth more digits
-constexpr int kQuickRounds = 20;         // of the first active set
+constexpr int kQuickRounds = 30;         // of the first active set
 constexpr double kMostTrusted = 1e8;     // times the problem's velocity scale, of an impulse to start from
 constexpr double kInteriorTolerance = 2e-10;
 
