@@ -27,7 +27,7 @@ namespace {
 using namespace scenes;
 
 constexpr int kLinks = 32;
-constexpr int kProjections = 10;  // at most, in a step
+constexpr int kProjections = 4;  // at most, in a step
 constexpr double kPitch = 0.25, kRadius = 0.05, kSeconds = 10;
 
 void build(Scene& scene, double end_mass)
