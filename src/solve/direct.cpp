@@ -25,17 +25,17 @@
 namespace epode {
 namespace {
 
-constexpr double kPromised = 1e-9;       // natural residual that an answer must have
-constexpr double kCarefulAbove = 1e-10;  // residual from which on an answer is worth more digits
-constexpr int kQuickRounds = 30;         // of the first active set
-constexpr double kMostTrusted = 1e8;     // times the problem's velocity scale, of an impulse to start from
+constexpr double kPromised = 1e-9;    // natural residual that an answer must have
+constexpr int kQuickRounds = 30;      // of the first active set
+constexpr double kMostTrusted = 1e8;  // times the problem's velocity scale, of an impulse to start from
 constexpr double kInteriorTolerance = 2e-10;
 
 class DirectSolve {
   public:
-    bool prepare(RowSystem& system, PlanCache* plans, Arena& arena)
+    bool prepare(RowSystem& system, const SolverSettings& settings, Arena& arena)
     {
-        plans_ = plans;
+        plans_ = settings.plans;
+        careful_above_ = settings.careful_above;
         const int m = int(system.rows.size());
         if (!problem_.build(system, arena)) return false;
         small_ = m <= DenseActiveSet::kMostRows && m <= problem_.unknowns();
@@ -122,7 +122,7 @@ class DirectSolve {
     {
         if (!solve_box(system, arena, report)) return false;
         residual_ = problem_.residual(state_, scratch_);
-        if (!(residual_ > kCarefulAbove)) return true;
+        if (!(residual_ > careful_above_)) return true;
         if (!sparse_ready_ && !prepare_sparse(system, arena)) return false;
         if (!careful_ready_ && !(careful_ready_ = careful_.prepare(problem_, arena))) return false;
         residual_ = careful_.solve(problem_, state_, scratch_, report.iterations);
@@ -173,6 +173,7 @@ class DirectSolve {
             std::copy(kept_.begin(), kept_.end(), state_.p.begin());
     }
 
+    double careful_above_ = 0;
     PlanCache* plans_ = nullptr;
     ExactProblem problem_;
     PackedRows packed_;
@@ -192,7 +193,7 @@ bool solve_direct(RowSystem& system, const SolverSettings& settings, Arena& aren
     if (system.rows.empty()) return true;
     Arena::Scope scope(arena);
     DirectSolve direct;
-    return direct.prepare(system, settings.plans, arena) && direct.run(system, arena, report);
+    return direct.prepare(system, settings, arena) && direct.run(system, arena, report);
 }
 
 }  // namespace

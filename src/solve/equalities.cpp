@@ -42,33 +42,37 @@ class Equalities {
         }
         problem_.factor(D_);
         problem_.velocities(p_, v_);
-        double largest = 0;
+        const double enough = kEnough * measure();
         for (int pass = 0; pass < kMostPasses; ++pass) {
-            const double worst = pass_once();
-            if (pass == 0) largest = worst;
-            if (worst <= kEnough * largest && pass > 0) return;
+            correct();
+            if (measure() <= enough) return;
         }
     }
 
     void store(RowSystem& system) { problem_.store(system, p_, v_); }
 
   private:
-    // Returns the largest |r2| that it has met.
-    double pass_once()
+    // r2, and its largest.
+    double measure()
     {
         double worst = 0;
-        problem_.momentum_change(v_, r_);
         for (std::size_t i = 0; i < D_.size(); ++i) {
             const ExactRow& row = problem_.row(int(i));
             r2_[i] = row.c - ExactProblem::jv(row, v_.data()) - row.C * p_[i];
             worst = std::max(worst, std::fabs(r2_[i]));
-            ExactProblem::add_jt(row, p_[i] + D_[i] * r2_[i], r_.data());
         }
+        return worst;
+    }
+
+    void correct()
+    {
+        problem_.momentum_change(v_, r_);
+        for (std::size_t i = 0; i < D_.size(); ++i)
+            ExactProblem::add_jt(problem_.row(int(i)), p_[i] + D_[i] * r2_[i], r_.data());
         problem_.solve(r_);
         for (std::size_t i = 0; i < D_.size(); ++i)
             p_[i] += D_[i] * (r2_[i] - ExactProblem::jv(problem_.row(int(i)), r_.data()));
         for (std::size_t i = 0; i < v_.size(); ++i) v_[i] += r_[i];
-        return worst;
     }
 
     ExactProblem problem_;

@@ -23,6 +23,9 @@ struct SolverSettings {
     const Substeps* substeps = nullptr;
     bool want_residual = false;  // costs an evaluation
     Tasks tasks;                 // for solvers with inner_tasks
+    // Of the exact solver: natural residual from which on it spends time on more digits; 1e-9 it always
+    // gives.
+    double careful_above = 1e-10;
     PlanCache* plans = nullptr;  // what the world keeps of structures that were analysed before
 };
 

@@ -81,6 +81,7 @@ class IslandStep {
         settings.want_residual = report != nullptr;
         settings.tasks = tasks;
         settings.plans = &context_.plans;
+        if (projects()) settings.careful_above = 1e-9;  // the projection corrects what positions would feel
         load_warm_start(world_.warm_starting * context_.solver.warm_share);
         if (inner) saved_ = save_poses(work_.island, arena_);
         SolveReport solved;
