@@ -108,15 +108,26 @@ ODE_API dReal dWorldGetQuickStepWarmStarting(dWorldID world);
 ODE_API void dWorldSetExactRotation(dWorldID world, int mode);
 ODE_API int dWorldGetExactRotation(dWorldID world);
 
-/** How many steps of Newton's method on positions may follow each dWorldStep, 0 (the default, as the original)
-    to 100; 4 are plenty for most, and most steps take one. dWorldStep solves for velocities: at its end joints
-    are open by about (w h)^2/2 of a lever that turns at w, and contacts keep the depth that their ERP leaves.
-    The projection closes joints (all rows that hold positions, and stops that act) and removes penetration,
-    moving bodies as little as their masses allow, until the worst error is below the tolerance. It never
-    pulls a contact or a stop that has opened. It leaves springs alone (rows whose softness, by CFM, is more
-    than a thousandth of what the bodies give), motors and friction. Contacts keep the surface layer, and half
-    the tolerance so that they are found again. Errors that contradict each other are left at their least
-    squares; a Newton step that does not make the errors smaller is shortened, and at last taken back.
+/** Into how many equal parts dWorldStep divides its step; 1 is the default. Each part is an exact solve of
+   its own with the poses, joints, stops and rebounds of that moment, while contacts stay those that the step
+    began with: their depth follows the motion, one that has opened may close but not enter, and a bounce
+    happens in the first part. Forces are held over the step. ERP and CFM keep their meaning for the whole
+    step: the parts use those that stand for the same spring and damper, so that a spring stays the same
+    spring. Joint feedback is the mean force over the step; damping, sleep and callbacks come once. Errors of
+    joints and of free motion fall as in as many steps, with one collision instead of n; time grows with n.
+    A projection (dWorldSetStepProjection) follows the last part. Values outside 1 ... 1000 are refused. */
+ODE_API void dWorldSetExactSubsteps(dWorldID world, int parts);
+ODE_API int dWorldGetExactSubsteps(dWorldID world);
+
+/** How many steps of Newton's method on positions may follow each dWorldStep, 0 (the default, as the
+   original) to 100; 4 are plenty for most, and most steps take one. dWorldStep solves for velocities: at its
+   end joints are open by about (w h)^2/2 of a lever that turns at w, and contacts keep the depth that their
+   ERP leaves. The projection closes joints (all rows that hold positions, and stops that act) and removes
+   penetration, moving bodies as little as their masses allow, until the worst error is below the tolerance.
+   It never pulls a contact or a stop that has opened. It leaves springs alone (rows whose softness, by CFM,
+   is more than a thousandth of what the bodies give), motors and friction. Contacts keep the surface layer,
+   and half the tolerance so that they are found again. Errors that contradict each other are left at their
+   least squares; a Newton step that does not make the errors smaller is shortened, and at last taken back.
     Velocities are not changed. The joints' tension is felt in the inertia of the bodies that they hold, where
     the step is too long to follow how fast it swings them (a light link that carries a heavy load): without
     that, such links thrash about. The step report tells what was done. Costs about as much again as the step.

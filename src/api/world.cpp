@@ -206,6 +206,7 @@ int dWorldGetExactRotation(dWorldID w)
     return world->exact_rotation;
 }
 
+WORLD_NUMBER(int, ExactSubsteps, exact_substeps, value >= 1 && value <= 1000)
 WORLD_NUMBER(int, StepProjection, projection_iterations, value >= 0 && value <= 100)
 WORLD_NUMBER(dReal, StepProjectionTolerance, projection_tolerance, value > 0 && value < 1)
 

@@ -7,7 +7,7 @@
 #include "dynamics/exact_spin.h"
 #include "dynamics/integrate.h"
 #include "step/assemble.h"
-#include "step/projection.h"
+#include "step/exact_substeps.h"
 #include "step/report.h"
 #include "step/substeps.h"
 #include "step/tension.h"
@@ -15,33 +15,6 @@
 
 namespace epode {
 namespace {
-
-struct SavedPose {
-    Real pos[4], q[4], R[12];
-};
-
-// Poses before inner steps, so that a failed island can be put back.
-std::span<SavedPose> save_poses(const Island& island, Arena& arena)
-{
-    auto saved = arena.take<SavedPose>(int(island.bodies.size()));
-    for (std::size_t i = 0; i < saved.size(); ++i) {
-        const Body& b = *island.bodies[i];
-        std::copy(b.pos, b.pos + 4, saved[i].pos);
-        std::copy(b.q, b.q + 4, saved[i].q);
-        std::copy(b.R, b.R + 12, saved[i].R);
-    }
-    return saved;
-}
-
-void restore_poses(const Island& island, std::span<const SavedPose> saved)
-{
-    for (std::size_t i = 0; i < saved.size(); ++i) {
-        Body& b = *island.bodies[i];
-        std::copy(saved[i].pos, saved[i].pos + 4, b.pos);
-        std::copy(saved[i].q, saved[i].q + 4, b.q);
-        std::copy(saved[i].R, saved[i].R + 12, b.R);
-    }
-}
 
 void contain(const IslandWork& work)
 {
@@ -58,7 +31,12 @@ void contain(const IslandWork& work)
 class IslandStep {
   public:
     IslandStep(const StepContext& context, const Island& island, IslandPlace place, Arena& arena)
-        : context_(context), world_(context.world), place_(place), arena_(arena)
+        : context_(context),
+          world_(context.world),
+          place_(place),
+          arena_(arena),
+          exact_(&context.solver == &kDirect),
+          small_(world_, work_.island, context.h, world_.exact_substeps, arena)
     {
         work_.island = island;
     }
@@ -66,7 +44,10 @@ class IslandStep {
     // False: out of memory, or an answer that is not a number.
     bool solve(const Tasks& tasks, dIslandStepReport* report)
     {
-        if (!assemble(world_, work_.island, context_.h, context_.solver, arena_, work_)) return false;
+        if (divides() && !small_.begin()) return false;
+        const Real h = divides() ? small_.small_step() : context_.h;
+        if (!assemble(world_, work_.island, h, context_.solver, arena_, work_)) return false;
+        if (divides()) small_.map(work_.system);
         if (report) report_errors(work_, *report);
         if (projects()) add_tension(work_, work_.system.bodies, arena_);
         SubstepModel model{work_, step_info(world_, context_.h)};
@@ -85,34 +66,36 @@ class IslandStep {
         load_warm_start(world_.warm_starting * context_.solver.warm_share);
         if (inner) saved_ = save_poses(work_.island, arena_);
         SolveReport solved;
-        const bool sane =
-            context_.solver.solve(work_.system, settings, arena_, solved) && sound(work_.system);
+        bool sane = context_.solver.solve(work_.system, settings, arena_, solved) && sound(work_.system);
+        if (sane && divides()) sane = small_.run(work_, settings, solved, projected_);
         if (report) report_solution(solved, *report);
         return sane;
     }
 
     void accept(const Tasks& tasks, dIslandStepReport* report)
     {
-        write_back(work_);
+        if (!divides()) write_back(work_);
         for (std::size_t k = 0; k < work_.joints.size(); ++k)
             if (work_.system.blocks[k].contact)
                 context_.contacts.remember(ticket(k), work_.system.blocks[k], work_.system);
         if (context_.solver.substeps) return;  // poses are where the inner steps have put them
-        advance();
-        if (!projects()) return;
-        const ProjectionReport done = project_poses(world_, work_, tasks, context_.plans, arena_);
-        if (report) report_projection(done, *report);
+        if (!divides()) {
+            advance();
+            if (projects()) projected_ = project_poses(world_, work_, tasks, context_.plans, arena_);
+        }
+        if (report && projects()) report_projection(projected_, *report);
     }
 
     void refuse()
     {
-        restore_poses(work_.island, saved_);
+        divides() ? small_.undo() : restore_poses(work_.island, saved_);
         contain(work_);
         advance();
     }
 
   private:
-    bool projects() const { return world_.projection_iterations > 0 && &context_.solver == &kDirect; }
+    bool projects() const { return exact_ && world_.projection_iterations > 0; }
+    bool divides() const { return exact_ && world_.exact_substeps > 1; }
     int ticket(std::size_t block) const { return place_.first_contact + int(block); }
 
     // Every solver may start from the impulses of the last step.
@@ -145,6 +128,9 @@ class IslandStep {
     Arena& arena_;
     IslandWork work_;
     std::span<SavedPose> saved_;
+    const bool exact_;
+    ExactSubsteps small_;
+    ProjectionReport projected_;
 };
 
 }  // namespace

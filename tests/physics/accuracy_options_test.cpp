@@ -505,6 +505,194 @@ TEST_F(Projection, all_joint_types_are_closed)
     EXPECT_LT(sim.report().joint_angle_error, tol(1.1e-4, 1.1e-3));
 }
 
+// ---- sub-steps ----
+
+// Joints without ERP and CFM have nothing that depends on h: n parts are n steps, with the forces of each.
+TEST(ExactSubsteps, are_as_many_steps)
+{
+    for (bool exact_rotation : {false, true}) {
+        Sim parts, steps;
+        constexpr int n = 4;
+        for (Sim* s : {&parts, &steps}) {
+            s->gravity(0, 0, -9.81);
+            dWorldSetERP(s->world, 0);
+            dWorldSetCFM(s->world, 0);
+            dWorldSetExactRotation(s->world, exact_rotation);
+            for (int i = 0; i < 3; ++i) {
+                dBodyID b = s->box({0.5 + i, 0, 0}, {1, 0.2, 0.1}, 1 + i);
+                hinge(*s, b, i ? s->bodies[std::size_t(i - 1)] : nullptr, {double(i), 0, 0}, {0.1 * i, 1, 0});
+            }
+            velocity(s->box({0, 5, 0}, {1, 2, 3}, 1), {1, 2, 3}, {1, 2, 3});
+        }
+        dWorldSetExactSubsteps(parts.world, n);
+        for (int i = 0; i < 50; ++i) {
+            dBodyAddForce(parts.bodies[1], 1, 2, 3);
+            parts.advance(0.0625);
+            for (int k = 0; k < n; ++k) {
+                dBodyAddForce(steps.bodies[1], 1, 2, 3);
+                steps.advance(0.0625 / n);
+            }
+        }
+        EXPECT_EQ(hash_state(parts), hash_state(steps)) << exact_rotation;
+    }
+}
+
+// m v' = -k z - d v - m g by implicit Euler with h/n; the pair of ERP and CFM is that of h.
+TEST(ExactSubsteps, a_spring_stays_the_same_spring)
+{
+    const double h = 0.05, stiff = 100, damp = 1, g = 9.81;
+    for (int n : {1, 3, 10}) {
+        Sim sim;
+        sim.gravity(0, 0, -g);
+        dWorldSetExactSubsteps(sim.world, n);
+        dBodyID b = sim.body({0, 0, 0});
+        dJointID j = dJointCreateSlider(sim.world, nullptr);
+        dJointAttach(j, b, nullptr);
+        dJointSetSliderAxis(j, 0, 0, 1);
+        dJointSetSliderParam(j, dParamLoStop, 0);
+        dJointSetSliderParam(j, dParamHiStop, 0);
+        dJointSetSliderParam(j, dParamStopERP, real(h * stiff / (h * stiff + damp)));
+        dJointSetSliderParam(j, dParamStopCFM, real(1 / (h * stiff + damp)));
+        double z = 0, v = 0;
+        const double hs = h / n;
+        for (int i = 0; i < 60; ++i) {
+            sim.advance(h);
+            for (int k = 0; k < n; ++k) {
+                v = (v - hs * (g + stiff * z)) / (1 + hs * damp + hs * hs * stiff);
+                z += hs * v;
+            }
+            ASSERT_NEAR(position(b).z, z, tol(1e-9, 1e-4)) << n << " parts, step " << i;
+        }
+    }
+}
+
+TEST(ExactSubsteps, feedback_is_the_mean_force)
+{
+    Sim sim;
+    sim.gravity(0, 0, -10);
+    dWorldSetExactSubsteps(sim.world, 5);
+    dBodyID b = sim.body({1, 0, 0}, 3, 1);
+    dJointID j = ball(sim, b, nullptr, {0, 0, 0});
+    dJointFeedback f;
+    dJointSetFeedback(j, &f);
+    // Swinging: the impulse of the joint is what momentum lacks.
+    for (int i = 0; i < 30; ++i) {
+        const V3 before = velocity(b);
+        dBodyAddForce(b, 1, 0, 2);
+        sim.advance(0.02);
+        const V3 lacks = 3.0 * (velocity(b) - before) - 0.02 * V3{1, 0, 2 - 30};
+        EXPECT_LT(length(0.02 * vec(f.f1) - lacks), tol(1e-12, 1e-4)) << i;
+    }
+}
+
+TEST(ExactSubsteps, bring_a_pendulum_nearer_to_its_motion)
+{
+    const auto angle_after = [](int parts, double h) {
+        Sim sim;
+        sim.gravity(0, 0, -9.81);
+        dWorldSetExactSubsteps(sim.world, parts);
+        dBodyID b = sim.box({0.5, 0, 0}, {1, 0.1, 0.1}, 1);
+        dJointID j = hinge(sim, b, nullptr, {0, 0, 0});
+        for (int i = 0, n = int(2 / h + 0.5); i < n; ++i) sim.advance(h);
+        return double(dJointGetHingeAngle(j));
+    };
+    const double exact = angle_after(1, 1 / 8192.);
+    const double one = std::fabs(angle_after(1, 1 / 64.) - exact),
+                 four = std::fabs(angle_after(4, 1 / 64.) - exact),
+                 sixteen = std::fabs(angle_after(16, 1 / 64.) - exact);
+    EXPECT_LT(four, 0.4 * one);
+    EXPECT_LT(sixteen, 0.4 * four + tol(1e-6, 1e-3));
+}
+
+TEST(ExactSubsteps, a_ball_bounces_once_at_the_beginning)
+{
+    const double h = 0.02, e = 0.8;
+    for (int n : {1, 4}) {
+        Sim sim;
+        sim.gravity(0, 0, -10);
+        dWorldSetExactSubsteps(sim.world, n);
+        sim.ground();
+        sim.surface.mode |= dContactBounce;
+        sim.surface.bounce = real(e);
+        sim.surface.bounce_vel = real(0.1);
+        dBodyID b = sim.sphere({0, 0, 0.4999}, 0.5, 1);
+        velocity(b, {0, 0, -3});
+        sim.step(h);
+        EXPECT_NEAR(velocity(b).z, e * 3 - 10 * h * (n - 1) / n, tol(1e-6, 1e-4)) << n;
+        double top = 0;
+        for (int i = 0; i < 1000; ++i) sim.step(h), top = std::max(top, position(b).z);
+        EXPECT_LT(top, 0.5 + e * e * 9 / 20 + 0.03) << n;
+        EXPECT_NEAR(position(b).z, 0.5, 0.02) << n;
+    }
+}
+
+// Thrown up from the ground so gently that it is back within the step.
+TEST(ExactSubsteps, a_contact_that_opens_closes_again_and_no_further)
+{
+    Sim sim;
+    sim.gravity(0, 0, -20);
+    dWorldSetExactSubsteps(sim.world, 20);
+    sim.ground();
+    dBodyID b = sim.sphere({0, 0, 0.5}, 0.5, 1);
+    velocity(b, {1, 0, 0.5});
+    sim.step(0.1);
+    ASSERT_GT(sim.contact_count, 0);
+    EXPECT_NEAR(position(b).z, 0.5, 1e-6);
+    EXPECT_NEAR(velocity(b).z, 0, 1e-6);
+}
+
+TEST(ExactSubsteps, a_stack_rests_and_its_momentum_is_what_forces_gave)
+{
+    Sim sim;
+    sim.gravity(0, 0, -9.81);
+    dWorldSetExactSubsteps(sim.world, 4);
+    dWorldSetStepReportMode(sim.world, 1);
+    sim.surface.mu = real(0.6);
+    sim.ground();
+    for (int i = 0; i < 5; ++i) sim.box({0, 0, 0.5 + i}, {1, 1, 1}, 1);
+    for (int i = 0; i < 120; ++i) {
+        sim.step(1 / 60.);
+        ASSERT_LT(sim.report().residual, tol(1e-9, 1e-4));
+    }
+    for (int i = 0; i < 5; ++i) {
+        EXPECT_NEAR(position(sim.bodies[std::size_t(i)]).z, 0.5 + i, 2e-3);
+        EXPECT_LT(length(velocity(sim.bodies[std::size_t(i)])), 1e-3);
+    }
+    // Two boxes that collide in the air keep their momentum and its moment.
+    Sim air;
+    dWorldSetExactSubsteps(air.world, 5);
+    air.surface.mu = real(0.5);
+    velocity(air.box({0, 0, 0}, {1, 1, 1}, 1), {1, 0, 0}, {0, 0, 0.5});
+    velocity(air.box({0.99, 0.3, 0.2}, {1, 1, 1}, 2), {-1, 0.2, 0}, {0.3, 0, 0});
+    const V3 P = momentum(air), L = angular_momentum(air);
+    air.step(1 / 60.);
+    ASSERT_GT(air.contact_count, 0);
+    EXPECT_LT(length(momentum(air) - P), tol(1e-12, 1e-5));
+    EXPECT_LT(length(angular_momentum(air) - L), tol(1e-3, 1e-3));
+}
+
+TEST(ExactSubsteps, a_stop_acts_within_the_step)
+{
+    double beyond[2];
+    for (int k = 0; k < 2; ++k) {
+        Sim sim;
+        sim.gravity(0, 0, -9.81);
+        dWorldSetExactSubsteps(sim.world, k ? 8 : 1);
+        dBodyID b = sim.box({0.5, 0, 0}, {1, 0.1, 0.1}, 1);
+        dJointID j = hinge(sim, b, nullptr, {0, 0, 0});
+        dJointSetHingeParam(j, dParamLoStop, real(-0.5));
+        dJointSetHingeParam(j, dParamHiStop, real(0.5));
+        dJointSetHingeParam(j, dParamBounce, real(0.5));
+        beyond[k] = 0;
+        for (int i = 0; i < 60; ++i) {
+            sim.advance(1 / 30.);
+            beyond[k] = std::max(beyond[k], std::fabs(dJointGetHingeAngle(j)) - 0.5);
+        }
+    }
+    EXPECT_GT(beyond[0], 0.01);
+    EXPECT_LT(beyond[1], 0.3 * beyond[0]);
+}
+
 TEST(AccuracyOptions, refuse_values_that_mean_nothing)
 {
     Sim sim;
@@ -518,7 +706,7 @@ TEST(AccuracyOptions, refuse_values_that_mean_nothing)
     EXPECT_EQ(messages.count(), 4);
 }
 
-TEST(AccuracyOptions, of_the_projection_refuse_values_that_mean_nothing)
+TEST(AccuracyOptions, of_steps_refuse_values_that_mean_nothing)
 {
     Sim sim;
     Messages messages;
@@ -527,6 +715,12 @@ TEST(AccuracyOptions, of_the_projection_refuse_values_that_mean_nothing)
     EXPECT_NEAR(dWorldGetStepProjectionTolerance(w), tol(1e-4, 1e-3), 1e-9);
     dWorldSetStepProjection(w, 3);
     dWorldSetStepProjectionTolerance(w, real(1e-5));
+    EXPECT_EQ(dWorldGetExactSubsteps(w), 1);
+    dWorldSetExactSubsteps(w, 7);
+    for (int bad : {0, -1, 1001}) dWorldSetExactSubsteps(w, bad);
+    EXPECT_EQ(dWorldGetExactSubsteps(w), 7);
+    EXPECT_EQ(messages.count(), 3);
+    messages.clear();
     for (int bad : {-1, 101}) dWorldSetStepProjection(w, bad);
     for (double bad : {0.0, -1.0, 1.0, std::nan(""), double(dInfinity)})
         dWorldSetStepProjectionTolerance(w, real(bad));

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A step of h as n exact steps of h/n with the contacts of its beginning (dWorldSetExactSubsteps).
+#pragma once
+
+#include "solve/solver.h"
+#include "step/assemble.h"
+#include "step/projection.h"
+#include "step/saved_pose.h"
+
+namespace epode {
+
+class ExactSubsteps {
+  public:
+    ExactSubsteps(World& world, const Island& island, Real h, int n, Arena& arena)
+        : world_(world), island_(island), hs_(h / Real(n)), n_(n), arena_(arena)
+    {}
+
+    Real small_step() const { return hs_; }
+
+    // Before anything is assembled: what the substeps begin from and return to. False: out of memory.
+    bool begin();
+    // Numbers of a small step into an island that has been assembled with small_step().
+    void map(RowSystem& system) const;
+    // `first` has been solved: it is carried out, then n - 1 more follow it. Its contacts end as the last
+    // substep leaves them. False: an answer that is not a number, or out of memory; then undo() it.
+    bool run(IslandWork& first, const SolverSettings& settings, SolveReport& report,
+             ProjectionReport& projected);
+    void undo();
+
+  private:
+    struct Before {
+        Vec3 v, w, excess, force, torque;
+    };
+    struct Feedback {
+        Vec3 f1, t1, f2, t2;
+        bool any;
+    };
+
+    bool next(IslandWork& first, const SolverSettings& settings, SolveReport& report, IslandWork& work);
+    void load_forces();
+    void carry_out(const IslandWork& work);
+    void add_feedback(const IslandWork& work);
+    void store_feedback() const;
+
+    World& world_;
+    const Island& island_;
+    const Real hs_;
+    const int n_;
+    Arena& arena_;
+    std::span<Before> before_;
+    std::span<SavedPose> poses_;
+    std::span<Feedback> feedback_;  // parallel to the island's joints
+};
+
+}  // namespace epode
