@@ -319,8 +319,9 @@ typedef enum {
     FudgeFactor: in [0,1], default 1; scales the force of a motor that pushes away from a stop.
     Bounce: restitution at a stop, default 0.
     CFM: softness of the powered axis off its stops. StopERP, StopCFM: correction rate and softness at
-      a stop. SuspensionERP, SuspensionCFM: of the hinge-2 suspension. ERP (with CFM): of ball and
-      fixed joints. All of these start as the world's ERP and CFM at the joint's creation. */
+      a stop. SuspensionERP, SuspensionCFM: of the hinge-2 suspension. ERP (with CFM): of ball,
+      fixed, double ball, double hinge and transmission joints. All of these start as the world's ERP and
+      CFM at the joint's creation. */
 enum {
   D_ALL_PARAM_NAMES(0)
   dParamsInGroup, /**< how many there are in a block */

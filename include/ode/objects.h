@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Dynamics: worlds, rigid bodies, joints, and the functions that move them in time. One long file, because
-// programs written for ODE include it by this name.
+// Dynamics: worlds, rigid bodies, joints of all types, and the functions that move them in time. What belongs
+// to one type of joint is in objects_joints.h, which this file includes: programs written for ODE know one.
 //
 // A step of size h solves for the joint forces lambda (N, N m) of each island of connected bodies
 //     (J M^-1 J^T + CFM/h) lambda = rhs,   lo <= lambda <= hi,   J v+ = ERP/h * error - CFM lambda,
@@ -360,6 +360,12 @@ ODE_API dJointID dJointCreateFixed(dWorldID world, dJointGroupID group);
 ODE_API dJointID dJointCreateAMotor(dWorldID world, dJointGroupID group);
 ODE_API dJointID dJointCreateLMotor(dWorldID world, dJointGroupID group);
 ODE_API dJointID dJointCreatePlane2D(dWorldID world, dJointGroupID group);
+ODE_API dJointID dJointCreatePR(dWorldID world, dJointGroupID group);
+ODE_API dJointID dJointCreatePU(dWorldID world, dJointGroupID group);
+ODE_API dJointID dJointCreatePiston(dWorldID world, dJointGroupID group);
+ODE_API dJointID dJointCreateDBall(dWorldID world, dJointGroupID group);
+ODE_API dJointID dJointCreateDHinge(dWorldID world, dJointGroupID group);
+ODE_API dJointID dJointCreateTransmission(dWorldID world, dJointGroupID group);
 
 /** A joint that only connects: it has no constraint but joins islands and counts in
     dAreConnected. */
@@ -380,9 +386,9 @@ ODE_API void dJointGroupDestroy(dJointGroupID group);
 ODE_API void dJointGroupEmpty(dJointGroupID group);
 
 /** Attach to two bodies, or to one body and the world (the other being 0); (0, 0) detaches. The bodies must
-    be different and of the joint's world; hinge-2 needs both. (0, body) is allowed: the joint then counts the
-   world as its first body, and angles and positions change sign accordingly. Attaching anew keeps the anchor
-   and axes in the new first body's frame. */
+    be different and of the joint's world; hinge-2 and transmission need both. (0, body) is allowed: the joint
+   then counts the world as its first body, and angles and positions change sign accordingly. Attaching anew
+   keeps the anchor and axes in the new first body's frame. */
 ODE_API void dJointAttach(dJointID joint, dBodyID body1, dBodyID body2);
 
 /** How many bodies are attached (0, 1, 2), and which: index 0 or 1 as in dJointAttach, 0 when there
@@ -418,214 +424,10 @@ ODE_API int dConnectingJointList(dBodyID body1, dBodyID body2, dJointID* list);
 ODE_API int dAreConnected(dBodyID body1, dBodyID body2);
 ODE_API int dAreConnectedExcluding(dBodyID body1, dBodyID body2, int joint_type);
 
-/* Functions named dJoint...Param read and write the parameters of common.h; unknown ones are ignored
-   and read as 0. The dJointAdd... functions apply a force or torque along the joint's axis to
-   body 1 and the opposite to body 2, for the next step. Rates and angles count body 1 relative to body 2. */
-
-/* ======================================================================== ball: 3 rows
-
-   Holds a point of body 1 to a point of body 2. Parameters: dParamERP, dParamCFM. */
-
-ODE_API void dJointSetBallAnchor(dJointID joint, dReal x, dReal y, dReal z);
-
-/** Sets only body 2's anchor, in body 2's frame (in the world's when there is no body 2). */
-ODE_API void dJointSetBallAnchor2(dJointID joint, dReal x, dReal y, dReal z);
-
-/** The anchor as body 1 (body 2) has it now, world frame; they differ by the joint's error. */
-ODE_API void dJointGetBallAnchor(dJointID joint, dVector3 result);
-ODE_API void dJointGetBallAnchor2(dJointID joint, dVector3 result);
-ODE_API void dJointSetBallParam(dJointID joint, int parameter, dReal value);
-ODE_API dReal dJointGetBallParam(dJointID joint, int parameter);
-
-/* ======================================================================== hinge: 5 rows + limit/motor
-
-   A common point and a common axis. Default axis x. */
-
-ODE_API void dJointSetHingeAnchor(dJointID joint, dReal x, dReal y, dReal z);
-
-/** As dJointSetHingeAnchor, with body 2's anchor moved by (ax, ay, az) when body 2 is the world. */
-ODE_API void dJointSetHingeAnchorDelta(dJointID joint, dReal x, dReal y, dReal z, dReal ax, dReal ay,
-                                       dReal az);
-ODE_API void dJointSetHingeAxis(dJointID joint, dReal x, dReal y, dReal z);
-
-/** Sets the axis and shifts the zero so that the angle now reads -angle. */
-ODE_API void dJointSetHingeAxisOffset(dJointID joint, dReal x, dReal y, dReal z, dReal angle);
-ODE_API void dJointSetHingeParam(dJointID joint, int parameter, dReal value);
-ODE_API void dJointAddHingeTorque(dJointID joint, dReal torque);
-
-ODE_API void dJointGetHingeAnchor(dJointID joint, dVector3 result);
-ODE_API void dJointGetHingeAnchor2(dJointID joint, dVector3 result);
-ODE_API void dJointGetHingeAxis(dJointID joint, dVector3 result);
-ODE_API dReal dJointGetHingeParam(dJointID joint, int parameter);
-
-/** Rotation of body 1 relative to body 2 about the axis since the anchor or axis was set, within
-    [-pi, pi], rad; and its rate, rad/s. Both change sign when attached as (0, body). */
-ODE_API dReal dJointGetHingeAngle(dJointID joint);
-ODE_API dReal dJointGetHingeAngleRate(dJointID joint);
-
-/* ======================================================================== slider: 5 rows + limit/motor
-
-   No relative rotation, translation along one axis only. Default axis x. It has no anchor. */
-
-ODE_API void dJointSetSliderAxis(dJointID joint, dReal x, dReal y, dReal z);
-
-/** Sets the axis, with the zero position shifted by (ax, ay, az) when body 2 is the world: the
-    position then reads -(axis . a). */
-ODE_API void dJointSetSliderAxisDelta(dJointID joint, dReal x, dReal y, dReal z, dReal ax, dReal ay,
-                                      dReal az);
-ODE_API void dJointSetSliderParam(dJointID joint, int parameter, dReal value);
-
-/** Force along the axis, N; the torque that keeps angular momentum is added too. */
-ODE_API void dJointAddSliderForce(dJointID joint, dReal force);
-
-/** How far body 1 has moved along the axis since the axis was set, m; and its rate, m/s. */
-ODE_API dReal dJointGetSliderPosition(dJointID joint);
-ODE_API dReal dJointGetSliderPositionRate(dJointID joint);
-ODE_API void dJointGetSliderAxis(dJointID joint, dVector3 result);
-ODE_API dReal dJointGetSliderParam(dJointID joint, int parameter);
-
-/* ======================================================================== universal: 4 rows + 2
-   limits/motors
-
-   A common point, and axis 1 (of body 1) kept perpendicular to axis 2 (of body 2): a cardan joint.
-   Defaults x and y. Parameters: axis 1, and axis 2 with the names ending in 2. */
-
-ODE_API void dJointSetUniversalAnchor(dJointID joint, dReal x, dReal y, dReal z);
-ODE_API void dJointSetUniversalAxis1(dJointID joint, dReal x, dReal y, dReal z);
-ODE_API void dJointSetUniversalAxis2(dJointID joint, dReal x, dReal y, dReal z);
-
-/** Set an axis and shift the zeros so that the angles now read offset1 and offset2. */
-ODE_API void dJointSetUniversalAxis1Offset(dJointID joint, dReal x, dReal y, dReal z, dReal offset1,
-                                           dReal offset2);
-ODE_API void dJointSetUniversalAxis2Offset(dJointID joint, dReal x, dReal y, dReal z, dReal offset1,
-                                           dReal offset2);
-ODE_API void dJointSetUniversalParam(dJointID joint, int parameter, dReal value);
-ODE_API void dJointAddUniversalTorques(dJointID joint, dReal torque1, dReal torque2);
-
-ODE_API void dJointGetUniversalAnchor(dJointID joint, dVector3 result);
-ODE_API void dJointGetUniversalAnchor2(dJointID joint, dVector3 result);
-ODE_API void dJointGetUniversalAxis1(dJointID joint, dVector3 result);
-ODE_API void dJointGetUniversalAxis2(dJointID joint, dVector3 result);
-ODE_API dReal dJointGetUniversalParam(dJointID joint, int parameter);
-
-/** Angles between each body and the cross piece about its axis, rad, and their rates, rad/s. The
-    first form writes both angles. */
-ODE_API void dJointGetUniversalAngles(dJointID joint, dReal* angle1, dReal* angle2);
-ODE_API dReal dJointGetUniversalAngle1(dJointID joint);
-ODE_API dReal dJointGetUniversalAngle2(dJointID joint);
-ODE_API dReal dJointGetUniversalAngle1Rate(dJointID joint);
-ODE_API dReal dJointGetUniversalAngle2Rate(dJointID joint);
-
-/* ======================================================================== hinge-2: 4 rows + 2 limits/motors
-
-   A car wheel: body 1 is the chassis with axis 1 (steering, also the direction of the suspension),
-   body 2 the wheel with axis 2 (spin). The angle between the axes is kept as set. Both bodies are
-   needed. Parameters: axis 1; axis 2 with names ending in 2 (motor only, its stops are not used);
-   dParamSuspensionERP and dParamSuspensionCFM for the play along axis 1. */
-
-ODE_API void dJointSetHinge2Anchor(dJointID joint, dReal x, dReal y, dReal z);
-
-/** Set axis 1 and axis 2, each 3 reals; NULL keeps one (not both). Parallel axes are refused. */
-ODE_API void dJointSetHinge2Axes(dJointID joint, const dReal* axis1, const dReal* axis2);
-
-/** Old forms that set one axis. */
-ODE_API_DEPRECATED ODE_API void dJointSetHinge2Axis1(dJointID joint, dReal x, dReal y, dReal z);
-ODE_API_DEPRECATED ODE_API void dJointSetHinge2Axis2(dJointID joint, dReal x, dReal y, dReal z);
-ODE_API void dJointSetHinge2Param(dJointID joint, int parameter, dReal value);
-ODE_API void dJointAddHinge2Torques(dJointID joint, dReal torque1, dReal torque2);
-
-ODE_API void dJointGetHinge2Anchor(dJointID joint, dVector3 result);
-ODE_API void dJointGetHinge2Anchor2(dJointID joint, dVector3 result);
-ODE_API void dJointGetHinge2Axis1(dJointID joint, dVector3 result);
-ODE_API void dJointGetHinge2Axis2(dJointID joint, dVector3 result);
-ODE_API dReal dJointGetHinge2Param(dJointID joint, int parameter);
-
-/** Steering angle of body 1 relative to body 2 about axis 1, within (-pi, pi]. */
-ODE_API dReal dJointGetHinge2Angle1(dJointID joint);
-
-/** Spin angle about axis 2, within (-pi, pi]: it grows as the wheel turns forward about axis 2. */
-ODE_API dReal dJointGetHinge2Angle2(dJointID joint);
-
-/** Rates of body 1 relative to body 2 about the axes, rad/s. Note that Angle2Rate therefore has the
-    opposite sign of the change of Angle2. */
-ODE_API dReal dJointGetHinge2Angle1Rate(dJointID joint);
-ODE_API dReal dJointGetHinge2Angle2Rate(dJointID joint);
-
-/* ======================================================================== fixed: 6 rows
-
-   Holds the relative pose. Two bodies that never part are better one body. Parameters: dParamERP
-   and dParamCFM, of the linear rows. */
-
-/** Take the current relative pose as the one to keep. Call it after attaching: attaching alone does
-    not. */
-ODE_API void dJointSetFixed(dJointID joint);
-ODE_API void dJointSetFixedParam(dJointID joint, int parameter, dReal value);
-ODE_API dReal dJointGetFixedParam(dJointID joint, int parameter);
-
-/* ======================================================================== angular motor: up to 3 rows
-
-   Motors and stops on relative rotation about up to three axes; no other constraint. Often used on top of
-   a ball joint. Parameters of axis 0, 1, 2: plain names, names ending in 2, in 3. */
-
-/** dAMotorUser (default): the program sets axes and, for stops, angles. dAMotorEuler: three axes,
-    of which the program sets axis 0 (fixed in body 1) and axis 2 (fixed in body 2), perpendicular
-    at that time; axis 1 and the Euler angles follow. */
-ODE_API void dJointSetAMotorMode(dJointID joint, int mode);
-ODE_API int dJointGetAMotorMode(dJointID joint);
-
-/** Axes in use, 0 ... 3, default 0; in Euler mode always 3. */
-ODE_API void dJointSetAMotorNumAxes(dJointID joint, int num);
-ODE_API int dJointGetAMotorNumAxes(dJointID joint);
-
-/** Axis anum (0, 1, 2) and what it moves with: rel 0 the world, 1 body 1, 2 body 2. (x, y, z) is in
-    the world frame in any case. */
-ODE_API void dJointSetAMotorAxis(dJointID joint, int anum, int rel, dReal x, dReal y, dReal z);
-ODE_API void dJointGetAMotorAxis(dJointID joint, int anum, dVector3 result);
-ODE_API int dJointGetAMotorAxisRel(dJointID joint, int anum);
-
-/** The angle that stops are compared with. User mode: what the program says, before each step; setting is
-    refused in Euler mode, where the last step's Euler angles are given. */
-ODE_API void dJointSetAMotorAngle(dJointID joint, int anum, dReal angle);
-ODE_API dReal dJointGetAMotorAngle(dJointID joint, int anum);
-
-/** Relative angular velocity about axis anum, rad/s. */
-ODE_API dReal dJointGetAMotorAngleRate(dJointID joint, int anum);
-ODE_API void dJointSetAMotorParam(dJointID joint, int parameter, dReal value);
-ODE_API dReal dJointGetAMotorParam(dJointID joint, int parameter);
-
-/** Torques about the axes in use, N m. */
-ODE_API void dJointAddAMotorTorques(dJointID joint, dReal torque1, dReal torque2, dReal torque3);
-
-/* ======================================================================== linear motor: up to 3 rows
-
-   Motors on the relative velocity of the bodies' centres along up to three axes; no other constraint. It has
-   no stops. Parameters of axis 0, 1, 2: plain names, names ending in 2, in 3. */
-
-/** Axes in use, 0 ... 3, default 0. */
-ODE_API void dJointSetLMotorNumAxes(dJointID joint, int num);
-ODE_API int dJointGetLMotorNumAxes(dJointID joint);
-
-/** Axis anum (0, 1, 2) and what it turns with: rel 0 the world, 1 body 1, 2 body 2 (body 1 when there is no
-    body 2). (x, y, z) is in the world frame in any case. */
-ODE_API void dJointSetLMotorAxis(dJointID joint, int anum, int rel, dReal x, dReal y, dReal z);
-
-/** The axis as it is stored: in the frame of the body it turns with, or in the world's. */
-ODE_API void dJointGetLMotorAxis(dJointID joint, int anum, dVector3 result);
-ODE_API void dJointSetLMotorParam(dJointID joint, int parameter, dReal value);
-ODE_API dReal dJointGetLMotorParam(dJointID joint, int parameter);
-
-/* ======================================================================== plane: 3 rows + 3 motors
-
-   Keeps body 1 in the world's plane z = 0, turning about z only; attach it as (body, 0). It removes rates of
-   tilt, not a tilt that is there: put the body upright first, and set its orientation back now and then. Its
-   motors work along x, along y and about z; they have no stops. Parameters: the plain names. */
-
-ODE_API void dJointSetPlane2DXParam(dJointID joint, int parameter, dReal value);
-ODE_API void dJointSetPlane2DYParam(dJointID joint, int parameter, dReal value);
-ODE_API void dJointSetPlane2DAngleParam(dJointID joint, int parameter, dReal value);
-
 #ifdef __cplusplus
 }
 #endif
+
+#include <ode/objects_joints.h>
 
 #endif

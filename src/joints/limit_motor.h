@@ -58,4 +58,14 @@ struct LimitMotor {
     Real rebound_ = 0;
 };
 
+// The rule of joints with two such axes: numbers of group 2 lose their group and go to the second axis, all
+// others go to the first as they are.
+template <typename Motor>
+Motor& motor_of(Motor (&pair)[2], int& param)
+{
+    if ((param & 0xff00) != dParamGroup2) return pair[0];
+    param &= 0xff;
+    return pair[1];
+}
+
 }  // namespace epode

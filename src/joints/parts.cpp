@@ -75,6 +75,13 @@ Jacobian sliding_jacobian(const Joint& j, Vec3 d)
     return {d, a, -d, a};
 }
 
+Real rate_along(const Joint& j, const Jacobian& row)
+{
+    const Body *b1 = j.body1(), *b2 = j.body2();
+    const Real rate = dot(row.lin1, b1->velocity()) + dot(row.ang1, b1->angular_velocity());
+    return b2 ? rate + dot(row.lin2, b2->velocity()) + dot(row.ang2, b2->angular_velocity()) : rate;
+}
+
 void lock_point(const Joint& j, RowWriter& out, const AnchorPair& anchor, const OwnSoftness* own)
 {
     const Vec3 a1 = anchor.world(j, 0), a2 = anchor.world(j, 1);
@@ -111,6 +118,17 @@ void lock_axis(const Joint& j, RowWriter& out, const AxisPair& axis)
     out.row(angular_jacobian(j, q), dot(u, q));
 }
 
+Jacobian parted_jacobian(const Joint& j, const AnchorPair& anchor, Vec3 d)
+{
+    const Vec3 p = anchor.world(j, 1);
+    return point_jacobian(j, d, p - j.body1()->position(), j.body2() ? p - j.body2()->position() : Vec3{});
+}
+
+void lock_level(const Joint& j, RowWriter& out, const AnchorPair& anchor, Vec3 d)
+{
+    out.row(parted_jacobian(j, anchor, d), dot(d, anchor.world(j, 1) - anchor.world(j, 0)));
+}
+
 namespace {
 
 void accumulate(Real* sum, Vec3 add) { store(sum, load(sum) + add); }
@@ -133,6 +151,16 @@ void add_sliding_force(Joint& j, Vec3 force)
     const Vec3 torque = Real(0.5) * cross(b2->position() - b1->position(), force);
     accumulate(b1->tacc, torque);
     accumulate(b2->tacc, torque);
+}
+
+void add_force_at(Joint& j, const AnchorPair& anchor, Vec3 force)
+{
+    Body *b1 = j.body1(), *b2 = j.body2();
+    if (b1) accumulate(b1->facc, force);
+    if (!b1 || !b2) return;
+    accumulate(b2->facc, -force);
+    accumulate(b1->tacc, cross(b1->rotation() * anchor.local[0], force));
+    accumulate(b2->tacc, cross(force, b2->rotation() * anchor.local[1]));
 }
 
 }  // namespace epode

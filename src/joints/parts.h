@@ -85,6 +85,7 @@ inline Jacobian point_jacobian(const Joint& j, Vec3 d, Vec3 r1, Vec3 r2)
 }
 inline Jacobian angular_jacobian(const Joint& j, Vec3 d) { return {{}, d, {}, j.body2() ? -d : Vec3{}}; }
 Jacobian sliding_jacobian(const Joint& j, Vec3 d);
+Real rate_along(const Joint& j, const Jacobian& row);  // J v
 
 // Three rows: the anchors coincide.
 void lock_point(const Joint& j, RowWriter& out, const AnchorPair& anchor, const OwnSoftness* own = nullptr);
@@ -93,8 +94,18 @@ void lock_orientation(const Joint& j, RowWriter& out, Quat zero);
 // Two rows: the axes stay parallel.
 void lock_axis(const Joint& j, RowWriter& out, const AxisPair& axis);
 
+// ---- anchors that may part along a line of body 1 (PR, PU, piston) ----
+// The row along a direction d of body 1 at body 2's anchor: the material points that are there now move
+// alike. With d turning with body 1, this is minus the exact rate of  d.(anchor 2 - anchor 1)  however far
+// they parted.
+Jacobian parted_jacobian(const Joint& j, const AnchorPair& anchor, Vec3 d);
+// One row: the anchors stay level along d.
+void lock_level(const Joint& j, RowWriter& out, const AnchorPair& anchor, Vec3 d);
+
 // ---- forces that a client adds ----
 void add_torque(Joint& j, Vec3 torque);        // on body 1, the opposite on body 2
 void add_sliding_force(Joint& j, Vec3 force);  // likewise at the centres, the couple split evenly
+// Likewise, each at its own anchor; against the world at the centre, the joint taking the couple.
+void add_force_at(Joint& j, const AnchorPair& anchor, Vec3 force);
 
 }  // namespace epode

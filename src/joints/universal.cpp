@@ -4,13 +4,12 @@
 // Universal (Cardan) joint: a common point, and an axis a1 fixed in body 1 perpendicular to a2 fixed in
 // body 2.
 //   C(x) = x2 + R2 s2 - x1 - R1 s1 = 0       three rows of a ball
-//          -a1.a2 = 0                        J = [ 0, n, 0, -n ],  n = a1 x a2 / |a1 x a2|
+//          -a1.a2 = 0                       and angles: see cross.h
 //   stops and motors along a1 and a2.
-// Angles are those of a cross whose arms are a1 and a2: angle 1 turns body 1 against the cross about a1,
-// angle 2 the cross against body 2 about a2. Attached as (0, B), the client's axis 1 is the internal axis 2
-// (the world's), angle1 = internal angle2, angle2 = -internal angle1; stops and motors keep internal numbers.
+// Attached as (0, B), the client's axis 1 is the internal axis 2 (the world's), angle1 = internal angle2,
+// angle2 = -internal angle1; stops and motors keep internal numbers.
 #include "joints/access.h"
-#include "math/rotation.h"
+#include "joints/cross.h"
 
 namespace epode {
 
@@ -19,62 +18,27 @@ struct Universal : Joint {
     Universal(const JointType& t, World& w) : Joint(t, w), motor{LimitMotor(w), LimitMotor(w)} {}
 
     AnchorPair anchor;
-    Vec3 axis_local[2] = {{1, 0, 0}, {0, 1, 0}};  // each in its own body
-    Quat zero[2];
+    Cross arms{{{1, 0, 0}, {0, 1, 0}}, {}};
     LimitMotor motor[2];
 
-    Vec3 axis(int i) const { return direction_to_world(node[i].body, axis_local[i]); }
-    Vec3 user_axis(int i) const { return axis(node_of(*this, i)); }
-
-    // The cross with its first arm exactly on axis i and the second nearly on the other.
-    Quat cross_orientation(int i) const
+    Vec3 user_axis(int i) const { return arms.axis(*this, node_of(*this, i)); }
+    Real user_angle(int i) const
     {
-        Mat3 R;
-        const Vec3 a = axis(i);
-        if (!rotation_from_axes(a, axis(1 - i), R)) rotation_from_axes(a, some_perpendicular(a), R);
-        return to_quat(R);
+        const Real angle = arms.angle(*this, node_of(*this, i));
+        return reverse && i == 1 ? -angle : angle;
     }
-    // Rotation of body i against the cross about axis i; the second angle has the opposite sense.
-    Real body_angle(int i) const
-    {
-        return hinge_angle(orientation_of(node[i].body), cross_orientation(i), zero[i], axis_local[i]);
-    }
-    Real angle(int i) const { return i == 0 ? body_angle(0) : -body_angle(1); }
-    Real user_angle(int i) const { return !reverse ? angle(i) : i == 0 ? angle(1) : -angle(0); }
-    Real user_rate(int i) const { return dot(user_axis(i), relative_angular_velocity(*this)); }
-
-    void set_zero(Real reading1 = 0, Real reading2 = 0)
-    {
-        const Real reading[2] = {reading1, -reading2};
-        for (int i = 0; i < 2; ++i)
-            zero[i] =
-                hinge_zero(orientation_of(node[i].body), cross_orientation(i), axis_local[i], reading[i]);
-    }
+    Real user_rate(int i) const { return arms.rate(*this, node_of(*this, i)); }
     void set_user_zero(Real reading1, Real reading2)
     {
-        reverse ? set_zero(-reading2, reading1) : set_zero(reading1, reading2);
+        reverse ? arms.set_zero(*this, -reading2, reading1) : arms.set_zero(*this, reading1, reading2);
     }
-    void set_anchor(Vec3 point) { anchor.set(*this, point), set_zero(); }
-    void set_user_axis(int i, Vec3 unit)
-    {
-        const int k = node_of(*this, i);
-        axis_local[k] = direction_to_local(node[k].body, unit);
-        set_zero();
-    }
+    void set_anchor(Vec3 point) { anchor.set(*this, point), arms.set_zero(*this); }
+    void set_user_axis(int i, Vec3 unit) { arms.set_axis(*this, node_of(*this, i), unit); }
 
     void emit(RowWriter& out);
-    void bodies_changed() { anchor.reattach(*this), set_zero(); }
-    LimitMotor& motor_of(int& param);
-    bool set_param(int param, Real value)
-    {
-        LimitMotor& m = motor_of(param);
-        return m.set(param, value);
-    }
-    bool get_param(int param, Real& value) const
-    {
-        const LimitMotor& m = const_cast<Universal*>(this)->motor_of(param);
-        return m.get(param, value);
-    }
+    void bodies_changed() { anchor.reattach(*this), arms.set_zero(*this); }
+    bool set_param(int param, Real value) { return motor_of(motor, param).set(param, value); }
+    bool get_param(int param, Real& value) const { return motor_of(motor, param).get(param, value); }
 };
 
 JOINT_DEFINE(Universal);
@@ -82,19 +46,10 @@ JOINT_DEFINE(Universal);
 void Universal::emit(RowWriter& out)
 {
     lock_point(*this, out, anchor);
-    const Vec3 a1 = axis(0), a2 = axis(1);
-    const Vec3 n = normalized_or(cross(a1, a2), some_perpendicular(a1));
-    out.row(angular_jacobian(*this, n), -dot(a1, a2));
+    arms.lock_right_angle(*this, out);
     for (int i = 0; i < 2; ++i)
-        motor[i].emit_angular(*this, out, axis(i), motor[i].has_stops() ? angle(i) : 0);
-}
-
-// Numbers of group 2 lose their group; all others go to the first axis as they are.
-LimitMotor& Universal::motor_of(int& param)
-{
-    if ((param & 0xff00) != dParamGroup2) return motor[0];
-    param &= 0xff;
-    return motor[1];
+        motor[i].emit_angular(*this, out, arms.axis(*this, i),
+                              motor[i].has_stops() ? arms.angle(*this, i) : 0);
 }
 
 namespace {
