@@ -68,4 +68,13 @@ Vec3 rotate(const Quat& q, const Vec3& v)
             v.z + q.w * t.z + q.x * t.y - q.y * t.x};
 }
 
+Vec3 perpendicular_to(const Vec3& n, Random& random)
+{
+    const Vec3 d = random.direction();
+    const Vec3 c{n.y * d.z - n.z * d.y, n.z * d.x - n.x * d.z, n.x * d.y - n.y * d.x};
+    const double length = std::sqrt(c.x * c.x + c.y * c.y + c.z * c.z);
+    if (length < 0.1) { return perpendicular_to(n, random); }
+    return {c.x / length, c.y / length, c.z / length};
+}
+
 }  // namespace parity

@@ -42,4 +42,7 @@ class Random {
 Quat multiply(const Quat& a, const Quat& b);
 Vec3 rotate(const Quat& q, const Vec3& v);
 
+// A unit vector perpendicular to the unit vector n.
+Vec3 perpendicular_to(const Vec3& n, Random& random);
+
 }  // namespace parity

@@ -5,6 +5,7 @@
 // matrix is thereby compared too. Inertia tensors go through dMassSetParameters, which copies them.
 #include "rig.h"
 
+#include <cmath>
 #include <cstdio>
 
 namespace parity {
@@ -130,6 +131,43 @@ void Rig::push(Random& random, double speed)
     }
 }
 
+void shift(dBodyID body, const Vec3& by)
+{
+    const dReal* p = dBodyGetPosition(body);
+    dBodySetPosition(body, p[0] + by.x, p[1] + by.y, p[2] + by.z);
+}
+
+void turn_around(dBodyID body, const Vec3& point, const Quat& q)
+{
+    const dReal *p = dBodyGetPosition(body), *old = dBodyGetQuaternion(body);
+    const Quat turned = multiply(q, {old[0], old[1], old[2], old[3]});
+    const Vec3 arm = rotate(q, {p[0] - point.x, p[1] - point.y, p[2] - point.z});
+    const dQuaternion result = {turned.w, turned.x, turned.y, turned.z};
+    dBodySetPosition(body, point.x + arm.x, point.y + arm.y, point.z + arm.z);
+    dBodySetQuaternion(body, result);
+}
+
+void turn(dBodyID body, const Vec3& axis, double angle)
+{
+    const dReal* p = dBodyGetPosition(body);
+    const double s = std::sin(angle / 2);
+    turn_around(body, {p[0], p[1], p[2]}, {std::cos(angle / 2), s * axis.x, s * axis.y, s * axis.z});
+}
+
+void stiffen(const Rig& rig)
+{
+    for (const dBodyID body : {rig.a(), rig.b()}) {
+        if (body == nullptr) { continue; }
+        dMass mass;
+        dBodyGetMass(body, &mass);
+        const double huge = 1e20;
+        dMassSetParameters(&mass, mass.mass, 0, 0, 0, huge, huge, huge, 0, 0, 0);
+        dBodySetMass(body, &mass);
+        dBodySetAngularVel(body, 0, 0, 0);
+        dBodySetTorque(body, 0, 0, 0);
+    }
+}
+
 void Rig::put_bodies(Output& out, const std::string& when) const
 {
     out.put_body(when + ".A", a_);
@@ -160,10 +198,12 @@ void run_trial(Output& out, Random& random, const JointBench& bench, const Joint
     const dJointID joint = bench.create(rig, random);
     rig.disturb(random, bench.distance, bench.angle);
     rig.push(random, 2.0);
+    if (bench.settle) { bench.settle(rig, joint, random); }
     variant.set(joint, random);
     dJointFeedback feedback = {};
     dJointSetFeedback(joint, &feedback);
     bench.put_getters(out, "before", joint);
+    if (bench.readings_only) { return; }
     out.put("step", {static_cast<double>(dWorldStep(rig.world(), rig.step_size()))});
     rig.put_bodies(out, "after");
     put_feedback(out, feedback);

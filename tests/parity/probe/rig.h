@@ -68,9 +68,20 @@ struct JointBench {
     int poses = 20;
     double distance = 0.1;  // of the disturbance after the joint's geometry is set
     double angle = 0.5;
+    // Where a random disturbance would meet an intended difference: further motion after it, before the
+    // variant.
+    std::function<void(const Rig&, dJointID, Random&)> settle = nullptr;
+    bool readings_only = false;  // no step
 };
 
 void run_bench(Output& out, Random& random, const JointBench& bench);
+
+// ---- motion for `settle` ----
+void shift(dBodyID body, const Vec3& by);
+void turn(dBodyID body, const Vec3& axis, double angle);           // about its centre
+void turn_around(dBodyID body, const Vec3& point, const Quat& q);  // about a point of the world
+// No spin, no torque, and too much inertia to get any: what lever arms do does not show.
+void stiffen(const Rig& rig);
 
 // Records shared by getters.
 using Get3 = void (*)(dJointID, dVector3);
