@@ -21,6 +21,7 @@ namespace {
 
 using namespace epode::mechanisms;
 
+constexpr double kTorn = 1e5;  // m/s or rad/s
 constexpr double kPromised = sizeof(dReal) == 8 ? 1e-9 : 1e-4;
 
 int said = 0;
@@ -38,7 +39,8 @@ struct Totals {
     int failed = 0, steps = 0, steps_failed = 0, fallbacks = 0, contained = 0, not_finite = 0;
     long rows = 0, iterations = 0;
     int most_rows = 0;
-    double worst = 0;
+    int torn = 0, torn_steps = 0, torn_steps_failed = 0;
+    double worst = 0, torn_worst = 0;
     int decade[20] = {};  // how many steps have a residual of 1e-k
 };
 
@@ -47,6 +49,23 @@ int decade_of(double residual)
     int k = 0;
     for (double x = 1; k < 19 && residual < x; x *= 0.1) ++k;
     return k;
+}
+
+double fastest(const Mechanism& m)
+{
+    double most = 0;
+    for (const BodyState& s : m.state())
+        for (int i = 0; i < 3; ++i)
+            most = std::max({most, std::fabs(double(s.v[i])), std::fabs(double(s.w[i]))});
+    return most;
+}
+
+void count_torn(const dWorldStepReport& r, Totals& t)
+{
+    ++t.torn_steps;
+    t.torn_steps_failed += !(r.residual <= kPromised);
+    t.torn_worst = std::max(t.torn_worst, r.residual);
+    t.contained += r.contained_islands;
 }
 
 void count(const dWorldStepReport& r, Totals& t)
@@ -68,10 +87,18 @@ void run(int number, int steps, Totals& totals)
     int bad = 0, first = -1;
     double worst = 0;
     const int said_before = said, contained_before = totals.contained;
+    bool torn = false;
     for (int i = 0; i < steps; ++i) {
         m.collide();
+        const bool now = torn || fastest(m) > kTorn;
+        totals.torn += now && !torn;
+        torn = now;
         m.step();
         const dWorldStepReport r = report_of(m);
+        if (torn) {
+            count_torn(r, totals);
+            continue;
+        }
         count(r, totals);
         worst = std::max(worst, r.residual);
         if (!(r.residual <= kPromised) || r.contained_islands) {
@@ -83,12 +110,8 @@ void run(int number, int steps, Totals& totals)
     totals.steps_failed += bad;
     if (bad == 0 && finite && said == said_before && totals.contained == contained_before) return;
     ++totals.failed;
-    double fastest = 0;
-    for (const BodyState& s : m.state())
-        for (int i = 0; i < 3; ++i)
-            fastest = std::max({fastest, std::fabs(double(s.v[i])), std::fabs(double(s.w[i]))});
     std::printf("%4d: %d steps, first %d, worst %.1e, contained %d, said %d, fastest %.1e | %s\n", number,
-                bad, first, worst, totals.contained - contained_before, said - said_before, fastest,
+                bad, first, worst, totals.contained - contained_before, said - said_before, fastest(m),
                 m.summary().c_str());
 }
 
@@ -101,6 +124,8 @@ int sweep(int first, int number, int steps)
     std::printf(
         "failed: %d mechanisms, %d steps; worst residual %.2e; contained %d; said %d; not finite %d\n",
         t.failed, t.steps_failed, t.worst, t.contained, said, t.not_finite);
+    std::printf("torn apart: %d mechanisms, %d steps, of which %d failed; worst residual %.2e\n", t.torn,
+                t.torn_steps, t.torn_steps_failed, t.torn_worst);
     for (int k = 0; k < 20; ++k)
         if (t.decade[k]) std::printf("  residual below 1e-%d: %d steps\n", k - 1, t.decade[k]);
     return t.failed > 0;
