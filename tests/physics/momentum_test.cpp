@@ -84,6 +84,53 @@ void join_amotor(Sim& sim, dBodyID a, dBodyID b)
     }
 }
 
+void join_pr(Sim& sim, dBodyID a, dBodyID b)
+{
+    dJointID j = attach(dJointCreatePR(sim.world, nullptr), a, b);
+    dJointSetPRAnchor(j, real(0.4), real(0.1), real(-0.2));
+    dJointSetPRAxis1(j, 1, 2, -1);
+    dJointSetPRAxis2(j, 1, 0, 1);
+    for (int group : {0, int(dParamGroup)}) {
+        dJointSetPRParam(j, dParamVel + group, 3);
+        dJointSetPRParam(j, dParamFMax + group, 2);
+    }
+}
+
+void join_pu(Sim& sim, dBodyID a, dBodyID b)
+{
+    dJointID j = attach(dJointCreatePU(sim.world, nullptr), a, b);
+    dJointSetPUAnchor(j, real(0.4), real(0.1), real(-0.2));
+    dJointSetPUAxis1(j, 1, 0, 0);
+    dJointSetPUAxis2(j, 0, 1, 0);
+    dJointSetPUAxis3(j, 1, 2, -1);
+    dJointSetPUParam(j, dParamVel3, 3);
+    dJointSetPUParam(j, dParamFMax3, 2);
+}
+
+void join_piston(Sim& sim, dBodyID a, dBodyID b)
+{
+    dJointID j = attach(dJointCreatePiston(sim.world, nullptr), a, b);
+    dJointSetPistonAnchor(j, real(0.4), real(0.1), real(-0.2));
+    dJointSetPistonAxis(j, 1, 2, -1);
+    dJointSetPistonParam(j, dParamVel, 3);
+    dJointSetPistonParam(j, dParamFMax, 2);
+}
+
+void join_dball(Sim& sim, dBodyID a, dBodyID b)
+{
+    dJointID j = attach(dJointCreateDBall(sim.world, nullptr), a, b);
+    dJointSetDBallAnchor1(j, real(0.4), real(0.1), real(-0.2));
+    dJointSetDBallAnchor2(j, real(0.7), real(0.4), real(0.2));
+}
+
+void join_dhinge(Sim& sim, dBodyID a, dBodyID b)
+{
+    dJointID j = attach(dJointCreateDHinge(sim.world, nullptr), a, b);
+    dJointSetDHingeAxis(j, 0, 0, 1);
+    dJointSetDHingeAnchor1(j, real(0.4), real(0.1), real(-0.2));
+    dJointSetDHingeAnchor2(j, real(0.7), real(0.4), real(-0.2));
+}
+
 void join_contact(Sim& sim, dBodyID a, dBodyID b)
 {
     dContact c = make_contact({0.4, 0.1, -0.2}, {0.6, 0, 0.8}, 0.01);
@@ -94,9 +141,11 @@ void join_contact(Sim& sim, dBodyID a, dBodyID b)
     attach(dJointCreateContact(sim.world, nullptr, &c), a, b);
 }
 
-const Kind kKinds[] = {{"ball", join_ball},           {"hinge", join_hinge},    {"slider", join_slider},
-                       {"universal", join_universal}, {"hinge2", join_hinge2},  {"fixed", join_fixed},
-                       {"amotor", join_amotor},       {"contact", join_contact}};
+const Kind kKinds[] = {
+    {"ball", join_ball},     {"hinge", join_hinge}, {"slider", join_slider}, {"universal", join_universal},
+    {"hinge2", join_hinge2}, {"fixed", join_fixed}, {"amotor", join_amotor}, {"contact", join_contact},
+    {"pr", join_pr},         {"pu", join_pu},       {"piston", join_piston}, {"dball", join_dball},
+    {"dhinge", join_dhinge}};
 
 // Two bodies moving towards each other, at random otherwise.
 void fill(Sim& sim, Random& random)
