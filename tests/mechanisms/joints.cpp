@@ -191,6 +191,72 @@ void plane2d(Draft& d)
     motor(dJointSetPlane2DAngleParam);
 }
 
+void pr(Draft& d)
+{
+    const Vec3 n = d.random.direction(), m = perpendicular(d.random, n);
+    if (d.joint) {
+        dJointSetPRAnchor(d.joint, dReal(d.anchor.x), dReal(d.anchor.y), dReal(d.anchor.z));
+        dJointSetPRAxis1(d.joint, dReal(n.x), dReal(n.y), dReal(n.z));
+        dJointSetPRAxis2(d.joint, dReal(m.x), dReal(m.y), dReal(m.z));
+    }
+    for (int group : {0, 0x100}) {
+        draw_stops(d, dJointSetPRParam, group);
+        draw_motor(d, dJointSetPRParam, group);
+    }
+}
+
+void pu(Draft& d)
+{
+    const Vec3 n = d.random.direction(), m = perpendicular(d.random, n), along = d.random.direction();
+    if (d.joint) {
+        dJointSetPUAnchor(d.joint, dReal(d.anchor.x), dReal(d.anchor.y), dReal(d.anchor.z));
+        dJointSetPUAxis1(d.joint, dReal(n.x), dReal(n.y), dReal(n.z));
+        dJointSetPUAxis2(d.joint, dReal(m.x), dReal(m.y), dReal(m.z));
+        dJointSetPUAxisP(d.joint, dReal(along.x), dReal(along.y), dReal(along.z));
+    }
+    for (int group : {0, 0x100, 0x200}) {
+        draw_stops(d, dJointSetPUParam, group);
+        draw_motor(d, dJointSetPUParam, group);
+    }
+}
+
+void piston(Draft& d)
+{
+    const Vec3 n = d.random.direction();
+    if (d.joint) {
+        dJointSetPistonAnchor(d.joint, dReal(d.anchor.x), dReal(d.anchor.y), dReal(d.anchor.z));
+        dJointSetPistonAxis(d.joint, dReal(n.x), dReal(n.y), dReal(n.z));
+    }
+    for (int group : {0, 0x100}) {
+        draw_stops(d, dJointSetPistonParam, group);
+        draw_motor(d, dJointSetPistonParam, group);
+    }
+}
+
+// The second anchor half a metre away.
+void dball(Draft& d)
+{
+    const Vec3 n = d.random.direction();
+    if (d.joint) {
+        dJointSetDBallAnchor1(d.joint, dReal(d.anchor.x), dReal(d.anchor.y), dReal(d.anchor.z));
+        dJointSetDBallAnchor2(d.joint, dReal(d.anchor.x + 0.5 * n.x), dReal(d.anchor.y + 0.5 * n.y),
+                              dReal(d.anchor.z + 0.5 * n.z));
+    }
+    draw_softness(d, dJointSetDBallParam);
+}
+
+void dhinge(Draft& d)
+{
+    const Vec3 n = d.random.direction(), m = perpendicular(d.random, n);
+    if (d.joint) {
+        dJointSetDHingeAxis(d.joint, dReal(n.x), dReal(n.y), dReal(n.z));
+        dJointSetDHingeAnchor1(d.joint, dReal(d.anchor.x), dReal(d.anchor.y), dReal(d.anchor.z));
+        dJointSetDHingeAnchor2(d.joint, dReal(d.anchor.x + 0.5 * m.x), dReal(d.anchor.y + 0.5 * m.y),
+                               dReal(d.anchor.z + 0.5 * m.z));
+    }
+    draw_softness(d, dJointSetDHingeParam);
+}
+
 struct Type {
     const char* name;
     dJointID (*create)(dWorldID, dJointGroupID);
@@ -209,6 +275,11 @@ const Type kTypes[kKinds] = {
     {"euler_motor", dJointCreateAMotor, euler_motor, false},
     {"linear_motor", dJointCreateLMotor, linear_motor, false},
     {"plane2d", dJointCreatePlane2D, plane2d, true},
+    {"pr", dJointCreatePR, pr, false},
+    {"pu", dJointCreatePU, pu, false},
+    {"piston", dJointCreatePiston, piston, false},
+    {"dball", dJointCreateDBall, dball, false},
+    {"dhinge", dJointCreateDHinge, dhinge, false},
 };
 
 }  // namespace

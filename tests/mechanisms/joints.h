@@ -24,6 +24,12 @@ enum Kind {
     kEulerMotor,
     kLinearMotor,
     kPlane2D,
+    kFirstKinds,  // up to here: the joints of mechanisms below kAllJoints
+    kPR = kFirstKinds,
+    kPU,
+    kPiston,
+    kDBall,
+    kDHinge,
     kKinds
 };
 

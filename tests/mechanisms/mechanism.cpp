@@ -57,6 +57,7 @@ void turn(Random& random, dBodyID body)
 Mechanism::Mechanism(int number, const Limits& limits, std::vector<bool> without)
     : world(dWorldCreate()),
       random_("mechanism " + std::to_string(number)),
+      kinds_(number < kAllJoints ? kFirstKinds : kKinds),
       without_(std::move(without)),
       contacts_(dJointGroupCreate(0))
 {
@@ -122,12 +123,12 @@ void Mechanism::add_joints()
     for (int i = 0; i < count; ++i) {
         if (flat_[std::size_t(i)]) add_joint(i, -1, kPlane2D, false);
         if (random_.unit() < 0.1) continue;  // a tree of its own
-        add(i, random_.below(i + 1) - 1, random_.below(kKinds));
+        add(i, random_.below(i + 1) - 1, random_.below(kinds_));
     }
     const double wanted = random_.unit() < 0.4 ? 0 : random_.range(0, 0.5);
     for (int k = 0; k < int(wanted * count + 0.5); ++k) {
         const int child = random_.below(count), parent = random_.below(count + 1) - 1;
-        if (child != parent) add(child, parent, random_.below(kKinds));
+        if (child != parent) add(child, parent, random_.below(kinds_));
     }
     const int again = made.empty() || random_.unit() < 0.6 ? 0 : 1 + random_.below(3);
     for (int k = 0; k < again; ++k) {

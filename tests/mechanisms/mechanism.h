@@ -25,6 +25,10 @@ struct BodyState {
     dReal pos[3], q[4], v[3], w[3];
 };
 
+// From this number on joints are drawn from all types but the transmission, below it from those that were
+// there first: so the numbers of failed mechanisms keep their meaning.
+constexpr int kAllJoints = 100000;
+
 struct Limits {
     int least_bodies = 2, most_bodies = 20;
     bool zero_cfm = true;  // may draw CFM = 0
@@ -75,6 +79,7 @@ class Mechanism {
     void draw_surface();
 
     parity::Random random_;
+    int kinds_;
     std::vector<bool> without_;
     std::vector<bool> flat_;  // held by a plane2d joint: starts at z = 0
     std::vector<Foot> feet_;

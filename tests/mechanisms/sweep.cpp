@@ -39,7 +39,7 @@ struct Totals {
     int failed = 0, steps = 0, steps_failed = 0, fallbacks = 0, contained = 0, not_finite = 0;
     long rows = 0, iterations = 0;
     int most_rows = 0;
-    int torn = 0, torn_steps = 0, torn_steps_failed = 0;
+    int torn = 0, torn_steps = 0, torn_steps_failed = 0, torn_contained = 0;
     double worst = 0, torn_worst = 0;
     int decade[20] = {};  // how many steps have a residual of 1e-k
 };
@@ -64,8 +64,8 @@ void count_torn(const dWorldStepReport& r, Totals& t)
 {
     ++t.torn_steps;
     t.torn_steps_failed += !(r.residual <= kPromised);
+    t.torn_contained += r.contained_islands;
     t.torn_worst = std::max(t.torn_worst, r.residual);
-    t.contained += r.contained_islands;
 }
 
 void count(const dWorldStepReport& r, Totals& t)
@@ -124,8 +124,9 @@ int sweep(int first, int number, int steps)
     std::printf(
         "failed: %d mechanisms, %d steps; worst residual %.2e; contained %d; said %d; not finite %d\n",
         t.failed, t.steps_failed, t.worst, t.contained, said, t.not_finite);
-    std::printf("torn apart: %d mechanisms, %d steps, of which %d failed; worst residual %.2e\n", t.torn,
-                t.torn_steps, t.torn_steps_failed, t.torn_worst);
+    std::printf(
+        "torn apart: %d mechanisms, %d steps, of which %d failed; worst residual %.2e; contained %d\n",
+        t.torn, t.torn_steps, t.torn_steps_failed, t.torn_worst, t.torn_contained);
     for (int k = 0; k < 20; ++k)
         if (t.decade[k]) std::printf("  residual below 1e-%d: %d steps\n", k - 1, t.decade[k]);
     return t.failed > 0;
