@@ -10,6 +10,7 @@
 #include "base/arena.h"
 #include "solve/front_kernels.h"
 #include "solve/symbolic.h"
+#include "tasks/tasks.h"
 
 namespace epode {
 
@@ -21,7 +22,7 @@ class BlockCholesky {
     static constexpr int kBlock = 36;  // doubles of a block, column-major
 
     // Takes the memory for a matrix of this structure, which must outlive it; false: out of memory.
-    bool prepare(const FactorPlan& plan, Arena& arena);
+    bool prepare(const FactorPlan& plan, const Tasks& tasks, Arena& arena);
     // Another kind of machine's kernels than the best: for tests.
     void use(const FrontKernels& kernels) { kernels_ = &kernels; }
 
@@ -36,11 +37,19 @@ class BlockCholesky {
 
   private:
     FrontLists lists() const;
+    // work(t, range) for all fronts of subtrees: at once, or one after another.
+    template <typename Work>
+    void for_subtrees(Work work) const;
+    template <typename Visit>
+    void for_borders(Visit visit);
+    int factor_top();
 
     const FactorPlan* plan_ = nullptr;
     const FrontKernels* kernels_ = nullptr;
     std::span<double> blocks_;  // of all fronts: H, then L
-    std::span<double> work_;    // 6 n
+    std::span<double> work_;    // six numbers per column of the plan
+    std::span<int> bad_;        // pivots, per subtree
+    Tasks tasks_;
 };
 
 }  // namespace epode

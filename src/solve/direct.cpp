@@ -36,6 +36,7 @@ class DirectSolve {
     {
         plans_ = settings.plans;
         careful_above_ = settings.careful_above;
+        tasks_ = settings.tasks;
         const int m = int(system.rows.size());
         if (!problem_.build(system, arena)) return false;
         small_ = m <= DenseActiveSet::kMostRows && m <= problem_.unknowns();
@@ -113,7 +114,8 @@ class DirectSolve {
 
     bool prepare_sparse(const RowSystem& system, Arena& arena)
     {
-        sparse_ready_ = problem_.build_factor(system, plans_, arena) && packed_.prepare(problem_, arena) &&
+        sparse_ready_ = problem_.build_factor(system, plans_, tasks_, arena) &&
+                        packed_.prepare(problem_, arena) &&
                         active_.prepare(problem_, packed_.most_places(), arena);
         return sparse_ready_;
     }
@@ -175,6 +177,7 @@ class DirectSolve {
 
     double careful_above_ = 0;
     PlanCache* plans_ = nullptr;
+    Tasks tasks_;
     ExactProblem problem_;
     PackedRows packed_;
     ActiveSet active_;
@@ -198,6 +201,6 @@ bool solve_direct(RowSystem& system, const SolverSettings& settings, Arena& aren
 
 }  // namespace
 
-const Solver kDirect{"direct", false, true, false, 1, solve_direct};
+const Solver kDirect{"direct", false, true, true, 1, solve_direct};
 
 }  // namespace epode

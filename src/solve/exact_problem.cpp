@@ -94,7 +94,7 @@ void ExactProblem::from_root(const BodyRoot& root, double* six)
     six[3] = (six[3] - root.l10 * six[4] - root.l20 * six[5]) * root.r0;
 }
 
-bool ExactProblem::build_factor(const RowSystem& system, PlanCache* plans, Arena& arena)
+bool ExactProblem::build_factor(const RowSystem& system, PlanCache* plans, const Tasks& tasks, Arena& arena)
 {
     const int blocks = int(system.blocks.size());
     auto pairs = arena.take<BodyPair>(blocks);
@@ -108,7 +108,7 @@ bool ExactProblem::build_factor(const RowSystem& system, PlanCache* plans, Arena
         if (b < 0) b = a;
         pairs[std::size_t(k)] = {a, b};
     }
-    if (!plan_.take(int(roots_.size()), pairs, plans, arena) || !H_.prepare(plan_.plan(), arena))
+    if (!plan_.take(int(roots_.size()), pairs, plans, arena) || !H_.prepare(plan_.plan(), tasks, arena))
         return false;
     for (int k = 0; k < blocks; ++k) {
         const auto [a, b] = pairs[std::size_t(k)];

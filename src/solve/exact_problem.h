@@ -56,7 +56,7 @@ class ExactProblem {
     // False: out of memory. The factor of H is prepared by a call of its own: not every method needs it.
     bool build(const RowSystem& system, Arena& arena);
     // `plans` may be null.
-    bool build_factor(const RowSystem& system, PlanCache* plans, Arena& arena);
+    bool build_factor(const RowSystem& system, PlanCache* plans, const Tasks& tasks, Arena& arena);
 
     int row_count() const { return int(rows_.size()); }
     int unknowns() const { return int(v_star_.size()); }

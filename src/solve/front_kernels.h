@@ -16,24 +16,37 @@
 
 namespace epode {
 
-// The lists of a FactorPlan as plain pointers, for the reason given in contact_kernels.h.
+// The lists of a FactorPlan as plain pointers, for the reason given in contact_kernels.h. `entries` are where
+// rows find their numbers in a vector: the plan's entries, or rows where it has none.
 struct FrontLists {
     const Front* fronts;
-    const int* rows;
+    const int* entries;
     const FrontUpdate* updates;
     const int* places;
 };
 
-// On fronts begin .. end - 1 of a plan. `x` has six numbers per column.
+// Fronts begin .. end - 1 of a plan, or of `which` if that is not null.
+struct FrontRange {
+    const int* which;
+    int begin, end;
+};
+
+// `x` has six numbers per column of the plan.
 struct FrontKernels {
     const char* name;
 
     // H becomes L: lower triangles with reciprocal diagonal. Returns how many pivots had to be replaced.
-    int (*factor)(const FrontLists& lists, int begin, int end, double* blocks);
+    int (*factor)(const FrontLists& lists, FrontRange range, double* blocks);
+    // The two parts of that for one front: its own columns, and the columns `from` .. `to` - 1 of the rows
+    // below that have to be changed by its outer product.
+    int (*factor_columns)(const FrontLists& lists, int front, double* blocks);
+    void (*subtract_outer)(const FrontLists& lists, int front, int from, int to, double* blocks);
+    // The blocks of a border go to the fronts that own its rows.
+    void (*add_border)(const FrontLists& lists, int border, double* blocks);
     // x = L^-1 x
-    void (*forward)(const FrontLists& lists, int begin, int end, const double* blocks, double* x);
-    // x = L^-T x, fronts in reverse
-    void (*backward)(const FrontLists& lists, int begin, int end, const double* blocks, double* x);
+    void (*forward)(const FrontLists& lists, FrontRange range, const double* blocks, double* x);
+    // x = L^-T x, in reverse
+    void (*backward)(const FrontLists& lists, FrontRange range, const double* blocks, double* x);
 };
 
 // Those that this machine can run; the first is the baseline, the last the fastest.

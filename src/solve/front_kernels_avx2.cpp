@@ -9,7 +9,8 @@
 namespace epode {
 
 extern const FrontKernels kAvx2FrontKernels;
-const FrontKernels kAvx2FrontKernels{"avx2", factor, forward, backward};
+const FrontKernels kAvx2FrontKernels{"avx2",     factor,  factor_columns, subtract_outer,
+                                     add_border, forward, backward};
 
 }  // namespace epode
 #endif

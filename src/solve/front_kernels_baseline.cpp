@@ -11,7 +11,8 @@ extern const FrontKernels kAvx2FrontKernels;
 
 namespace {
 
-constexpr FrontKernels kBaseline{"baseline", factor, forward, backward};
+constexpr FrontKernels kBaseline{"baseline", factor,  factor_columns, subtract_outer,
+                                 add_border, forward, backward};
 
 #if defined(__x86_64__)
 constexpr const FrontKernels* kAll[] = {&kBaseline, &kAvx2FrontKernels};

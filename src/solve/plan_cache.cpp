@@ -36,7 +36,8 @@ void for_arrays(BodyGraph& graph, FactorPlan& plan, Visit visit)
 {
     visit(graph.first), visit(graph.neighbour);
     visit(plan.position), visit(plan.front_of), visit(plan.fronts);
-    visit(plan.rows), visit(plan.updates), visit(plan.places);
+    visit(plan.rows), visit(plan.entries), visit(plan.updates), visit(plan.places);
+    visit(plan.subtrees), visit(plan.subtree_fronts);
 }
 
 }  // namespace

@@ -33,17 +33,31 @@ struct FrontUpdate {
     int place;
 };
 
+// A subtree of the tree of fronts, to be worked on beside others. What it subtracts from fronts outside is
+// gathered in a front of its own, the border, whose `width` columns are the rows of the subtree's root; it is
+// never factored, but added to the fronts that own its columns when all subtrees are done. There are subtrees
+// or not by the structure alone, so the sums are the same on any number of threads.
+struct Subtree {
+    int fronts, count;  // in FactorPlan::subtree_fronts, ascending
+    int root;           // the last of them
+    int border;         // index of the border
+};
+
 struct FactorPlan {
     int bodies = 0;
+    int columns = 0;          // the bodies', then those of the borders
     int blocks = 0;           // 6x6 blocks of all fronts
+    int top = 0, end = 0;     // fronts of subtrees, then from `top` those above them, from `end` borders
     std::span<int> position;  // body -> column
     std::span<int> front_of;  // column -> front
     std::span<Front> fronts;  // children before their parents
     std::span<int> rows;      // columns, ascending within a front
+    std::span<int> entries;   // the same, but of the border where the border takes what the row is owed
     std::span<FrontUpdate> updates;
     std::span<int> places;
+    std::span<Subtree> subtrees;
+    std::span<int> subtree_fronts;
 
-    int row_count(const Front& f) const { return f.width + f.below; }
     // Where the block of two columns lies, row >= column, if the structure has it.
     int block_at(int row, int column) const;
 };

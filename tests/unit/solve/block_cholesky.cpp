@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "solve/plan_cache.h"
@@ -62,7 +63,7 @@ struct System {
         const int size = 6 * n;
         const auto pairs = random_pairs(dice, n, pair_count);
         EXPECT_TRUE(lease.take(n, pairs, nullptr, arena));
-        EXPECT_TRUE(H.prepare(lease.plan(), arena));
+        EXPECT_TRUE(H.prepare(lease.plan(), Tasks(1), arena));
         H.clear();
         dense.assign(std::size_t(size * size), 0);
         for (int b = 0; b < n; ++b)
@@ -116,7 +117,7 @@ TEST(BlockCholesky, CountsAndFreezesWhatIsNotPositive)
     Arena arena;
     PlanLease lease;
     BlockCholesky H;
-    ASSERT_TRUE(lease.take(3, pairs, nullptr, arena) && H.prepare(lease.plan(), arena));
+    ASSERT_TRUE(lease.take(3, pairs, nullptr, arena) && H.prepare(lease.plan(), Tasks(1), arena));
     H.clear();
     for (int body = 0; body < 3; ++body)
         for (int i = 0; i < 6; ++i) H.diagonal(body)[7 * i] = body == 1 && i == 2 ? -1 : 2;
@@ -128,6 +129,128 @@ TEST(BlockCholesky, CountsAndFreezesWhatIsNotPositive)
     for (int body = 0; body < 3; ++body)
         for (int i = 0; i < 6; ++i) H.diagonal(body)[7 * i] = body == 2 ? std::nan("") : 2;
     EXPECT_EQ(H.factor(), 6);
+}
+
+// H = 1 + sum of B B^T over pairs, too large for a dense matrix.
+struct LargeSystem {
+    std::vector<BodyPair> pairs;
+    std::vector<std::array<double, 72>> B;  // 12 x 6, column by column: first half of body a
+    int n;
+    Arena arena;
+    PlanLease lease;
+    BlockCholesky H;
+
+    LargeSystem(std::vector<BodyPair> of, int bodies, const Tasks& tasks) : pairs(std::move(of)), n(bodies)
+    {
+        Dice dice(77);
+        B.resize(pairs.size());
+        for (auto& one : B)
+            for (double& x : one) x = double(dice.real(-1, 1));
+        EXPECT_TRUE(lease.take(n, pairs, nullptr, arena) && H.prepare(lease.plan(), tasks, arena));
+        H.clear();
+        for (int b = 0; b < n; ++b)
+            for (int i = 0; i < 6; ++i) H.diagonal(b)[7 * i] += 1;
+        for (std::size_t k = 0; k < pairs.size(); ++k) add(pairs[k], B[k].data());
+    }
+
+    void add(BodyPair pair, const double* b)
+    {
+        bool transposed = false;
+        add_product(H.diagonal(pair.a), b, b);
+        add_product(H.diagonal(pair.b), b + 6, b + 6);
+        double* between = H.between(pair.a, pair.b, transposed);
+        transposed ? add_product(between, b + 6, b) : add_product(between, b, b + 6);
+    }
+
+    static void add_product(double* block, const double* x, const double* y)
+    {
+        for (int r = 0; r < 6; ++r)
+            for (int c = 0; c < 6; ++c)
+                for (int k = 0; k < 6; ++k) block[r + 6 * c] += x[r + 12 * k] * y[c + 12 * k];
+    }
+
+    std::vector<double> times(const std::vector<double>& x) const
+    {
+        std::vector<double> y = x;
+        for (std::size_t k = 0; k < pairs.size(); ++k)
+            for (std::size_t c = 0; c < 6; ++c) {
+                const double* column = B[k].data() + 12 * c;
+                const auto a = std::size_t(6 * pairs[k].a), b = std::size_t(6 * pairs[k].b);
+                double s = 0;
+                for (std::size_t i = 0; i < 6; ++i) s += column[i] * x[a + i] + column[6 + i] * x[b + i];
+                for (std::size_t i = 0; i < 6; ++i) y[a + i] += column[i] * s, y[b + i] += column[6 + i] * s;
+            }
+        return y;
+    }
+
+    std::vector<double> solve(int bad_pivots = 0)
+    {
+        std::vector<double> x(std::size_t(6 * n));
+        for (std::size_t i = 0; i < x.size(); ++i) x[i] = double(i % 17) - 8;
+        EXPECT_EQ(H.factor(), bad_pivots);
+        H.solve(x);
+        return x;
+    }
+};
+
+std::vector<BodyPair> grid(int side, int depth)
+{
+    std::vector<BodyPair> pairs;
+    for (int v = 0; v < side * side * depth; ++v) {
+        if (v % side) pairs.push_back({v - 1, v});
+        if (v / side % side) pairs.push_back({v, v - side});
+        if (v >= side * side) pairs.push_back({v - side * side, v});
+    }
+    return pairs;
+}
+
+// Two long chains, a wall, a heap, and a chain beside the heap, all too large for one thread.
+std::vector<std::pair<std::vector<BodyPair>, int>> large_graphs()
+{
+    std::vector<BodyPair> chain, comb, loose = grid(9, 4);
+    for (int i = 1; i < 3000; ++i) chain.push_back({i - 1, i});
+    for (int i = 1; i < 4000; ++i) comb.push_back({i % 8 == 0 ? i - 8 : i - 1, i});
+    for (int i = 325; i < 2500; ++i) loose.push_back({i - 1, i});
+    return {{chain, 3000}, {comb, 4000}, {grid(24, 1), 576}, {grid(8, 6), 384}, {loose, 2500}};
+}
+
+TEST(BlockCholesky, SolvesLargeSystemsBySubtrees)
+{
+    int cut = 0;
+    for (const auto& [pairs, n] : large_graphs()) {
+        LargeSystem s(pairs, n, Tasks(1));
+        cut += s.lease.plan().subtrees.size() >= 2;
+        const auto x = s.solve(), back = s.times(x);
+        for (std::size_t i = 0; i < back.size(); ++i) ASSERT_NEAR(back[i], double(i % 17) - 8, 1e-8) << n;
+    }
+    EXPECT_GE(cut, 4);
+}
+
+TEST(BlockCholesky, HasTheSameBitsOnAnyNumberOfThreads)
+{
+    for (const auto& [pairs, n] : large_graphs()) {
+        const auto alone = LargeSystem(pairs, n, Tasks(1)).solve();
+        for (const int workers : {2, 3, 5, 8})
+            EXPECT_EQ(LargeSystem(pairs, n, Tasks(workers)).solve(), alone) << n << " on " << workers;
+    }
+}
+
+TEST(BlockCholesky, HasTheSameBitsOnEveryMachineBySubtrees)
+{
+    for (const auto& [pairs, n] : large_graphs()) {
+        LargeSystem one(pairs, n, Tasks(1)), other(pairs, n, Tasks(2));
+        one.H.use(*front_kernels().front());
+        other.H.use(*front_kernels().back());
+        EXPECT_EQ(one.solve(), other.solve()) << n;
+    }
+}
+
+TEST(BlockCholesky, CountsBadPivotsOfAllSubtrees)
+{
+    LargeSystem s(grid(24, 1), 576, Tasks(2));
+    int wanted = 0;
+    for (int body = 0; body < 576; body += 50, ++wanted) s.H.diagonal(body)[0] = -1e6;
+    s.solve(wanted);
 }
 
 }  // namespace

@@ -149,6 +149,10 @@ TEST(Symbolic, FrontsHoldWhatEliminationProduces)
             ASSERT_EQ(f.first, column);
             ASSERT_EQ(f.block, block);
             block += f.width * (f.width + f.below);
+            if (column >= n) {  // a border
+                column += f.width;
+                continue;
+            }
             for (; column < f.first + f.width; ++column) {
                 ASSERT_EQ(&a.plan.fronts[std::size_t(a.plan.front_of[std::size_t(column)])], &f);
                 std::set<int> fill;
@@ -163,36 +167,58 @@ TEST(Symbolic, FrontsHoldWhatEliminationProduces)
                 eliminate(p, body_at[std::size_t(column)]);
             }
         }
-        ASSERT_EQ(column, n);
+        ASSERT_EQ(column, a.plan.columns);
+        ASSERT_EQ(a.plan.columns > n, !a.plan.subtrees.empty());
         ASSERT_EQ(block, a.plan.blocks);
     }
+}
+
+// Column of row i of what an update changes: of a border, that of the subtree's row.
+int column_at(const FactorPlan& plan, int target, int place)
+{
+    const Front& f = plan.fronts[std::size_t(target)];
+    if (target >= plan.end) {
+        const Subtree& subtree = plan.subtrees[std::size_t(target - plan.end)];
+        return plan.rows[std::size_t(plan.fronts[std::size_t(subtree.root)].rows + place)];
+    }
+    return place < f.width ? f.first + place : plan.rows[std::size_t(f.rows + place - f.width)];
 }
 
 TEST(Symbolic, UpdatesNameEveryRowOfEveryTarget)
 {
     Dice dice(15);
-    for (int n = 2; n <= 100; n += 7) {
-        const Analysis a(n, random_pairs(dice, n, 2 * n));
-        for (const Front& f : a.plan.fronts) {
+    int borders = 0;
+    std::vector<std::pair<std::vector<BodyPair>, int>> graphs;
+    for (int n = 2; n <= 100; n += 7) graphs.push_back({random_pairs(dice, n, 2 * n), n});
+    graphs.push_back({chain_of(3000), 3000});
+    graphs.push_back({grid_of(28), 28 * 28});
+    for (const auto& [pairs, n] : graphs) {
+        const Analysis a(n, pairs);
+        for (int s = 0; s < int(a.plan.fronts.size()); ++s) {
+            const bool border = s >= a.plan.end;
+            borders += border;
+            const Front& f = a.plan.fronts[std::size_t(s)];
+            const Front& of =
+                border ? a.plan.fronts[std::size_t(a.plan.subtrees[std::size_t(s - a.plan.end)].root)] : f;
             int begin = 0;
             for (int u = f.updates; u < f.updates + f.update_count; ++u) {
                 const FrontUpdate& update = a.plan.updates[std::size_t(u)];
-                const Front& target = a.plan.fronts[std::size_t(update.target)];
+                // From inside a subtree nothing outside is touched.
+                ASSERT_TRUE(border || s >= a.plan.top || update.target < a.plan.top ||
+                            update.target >= a.plan.end);
                 ASSERT_EQ(update.begin, begin);
-                for (int i = begin; i < f.below; ++i) {
-                    const int row = a.plan.rows[std::size_t(f.rows + i)];
+                for (int i = begin; i < of.below; ++i) {
                     const int place = a.plan.places[std::size_t(update.place + i - begin)];
-                    ASSERT_EQ(place < target.width
-                                  ? target.first + place
-                                  : a.plan.rows[std::size_t(target.rows + place - target.width)],
-                              row);
-                    ASSERT_EQ(i < begin + update.columns, place < target.width);
+                    ASSERT_EQ(column_at(a.plan, update.target, place), a.plan.rows[std::size_t(of.rows + i)]);
+                    ASSERT_EQ(i < begin + update.columns,
+                              place < a.plan.fronts[std::size_t(update.target)].width);
                 }
                 begin += update.columns;
             }
-            ASSERT_EQ(begin, f.below);
+            ASSERT_EQ(begin, of.below);
         }
     }
+    EXPECT_GE(borders, 4);
 }
 
 // Entries of the factor below the diagonal when bodies are eliminated in this order.
