@@ -24,7 +24,8 @@ class Equalities {
   public:
     bool prepare(const RowSystem& system, PlanCache* plans, Arena& arena)
     {
-        if (!problem_.build(system, arena) || !problem_.build_factor(system, plans, Tasks(1), arena)) return false;
+        if (!problem_.build(system, arena) || !problem_.build_factor(system, plans, Tasks(1), arena))
+            return false;
         const int m = problem_.row_count();
         D_ = arena.take<double>(m);
         p_ = arena.take_zeroed<double>(m);

@@ -23,9 +23,9 @@ std::uint64_t run(Scene scene, Stepper stepper, std::uint32_t seed = 1)
 }
 
 // Rows: pile, machine, wall; columns: exact, quick, fast.
-constexpr std::uint64_t kGolden[3][3] = {{0xf418b301e27efcccu, 0xd3ee1583585efe11u, 0x0031e4700c7d30f2u},
+constexpr std::uint64_t kGolden[3][3] = {{0x4b404c7211547d48u, 0xd3ee1583585efe11u, 0x0031e4700c7d30f2u},
                                          {0xea124b9388c79c75u, 0xe88e9cdbcbb67aa0u, 0xbd41e19f26a20439u},
-                                         {0x62b11011ed0dea0fu, 0x825f9e0a25fdc6abu, 0x7582beaef7abfe88u}};
+                                         {0x79363544081ee20au, 0x825f9e0a25fdc6abu, 0x7582beaef7abfe88u}};
 
 TEST(Determinism, gives_the_same_bits_on_every_compiler)
 {
