@@ -120,17 +120,18 @@ ODE_API void dWorldSetExactSubsteps(dWorldID world, int parts);
 ODE_API int dWorldGetExactSubsteps(dWorldID world);
 
 /** How many steps of Newton's method on positions may follow each dWorldStep, 0 (the default, as the
-   original) to 100; 4 are plenty for most, and most steps take one. dWorldStep solves for velocities: at its
-   end joints are open by about (w h)^2/2 of a lever that turns at w, and contacts keep the depth that their
-   ERP leaves. The projection closes joints (all rows that hold positions, and stops that act) and removes
-   penetration, moving bodies as little as their masses allow, until the worst error is below the tolerance.
-   It never pulls a contact or a stop that has opened. It leaves springs alone (rows whose softness, by CFM,
-   is more than a thousandth of what the bodies give), motors and friction. Contacts keep the surface layer,
-   and half the tolerance so that they are found again. Errors that contradict each other are left at their
-   least squares; a Newton step that does not make the errors smaller is shortened, and at last taken back.
-    Velocities are not changed. The joints' tension is felt in the inertia of the bodies that they hold, where
-    the step is too long to follow how fast it swings them (a light link that carries a heavy load): without
-    that, such links thrash about. The step report tells what was done. Costs about as much again as the step.
+   original) to 100; 8 are plenty, and most steps take one. dWorldStep solves for velocities: at its end
+   joints are open by about (w h)^2/2 of a lever that turns at w, and more where a light link carries a heavy
+   load. The projection closes joints (all rows that hold positions, and stops that act) until the worst error
+   is below the tolerance, and takes from the depth of contacts the share that is their ERP, moving bodies as
+    little as their masses allow. Contacts and stops are then not pushed out by velocities, so nothing is
+    thrown off. It never pulls a contact or a stop that has opened. It leaves springs alone (rows whose
+    softness, by CFM, is more than a thousandth of what the bodies give), motors and friction. Contacts keep
+    the surface layer, and half the tolerance so that they are found again. Errors that contradict each other
+    are left at their least squares; a Newton step that does not make the errors smaller is shortened, and at
+    last taken back. Velocities are not changed. The joints' tension is felt in the inertia of the bodies that
+    they hold, where the step is too long to follow how fast it swings them: without that, light links under a
+    heavy load thrash about. The step report tells what was done. Costs about as much again as the step.
     Other values are refused. */
 ODE_API void dWorldSetStepProjection(dWorldID world, int iterations);
 ODE_API int dWorldGetStepProjection(dWorldID world);

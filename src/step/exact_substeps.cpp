@@ -176,7 +176,10 @@ bool ExactSubsteps::next(IslandWork& first, const SolverSettings& settings, Solv
     if (!assemble(world_, island_, hs_, kDirect, arena_, work)) return false;
     carry_contacts(first, work);
     map(work.system);
-    if (world_.projection_iterations > 0) add_tension(work, work.system.bodies, arena_);
+    if (world_.projection_iterations > 0) {
+        add_tension(work, work.system.bodies, arena_);
+        leave_depth_to_projection(work.system);
+    }
     load_warm_start(first, work);
     SolveReport one;
     if (!kDirect.solve(work.system, settings, arena_, one) || !sound(work.system)) return false;

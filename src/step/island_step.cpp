@@ -49,7 +49,10 @@ class IslandStep {
         if (!assemble(world_, work_.island, h, context_.solver, arena_, work_)) return false;
         if (divides()) small_.map(work_.system);
         if (report) report_errors(work_, *report);
-        if (projects()) add_tension(work_, work_.system.bodies, arena_);
+        if (projects()) {
+            add_tension(work_, work_.system.bodies, arena_);
+            leave_depth_to_projection(work_.system);
+        }
         SubstepModel model{work_, step_info(world_, context_.h)};
         model.info.inner = true;
         const Substeps callbacks = model.callbacks();

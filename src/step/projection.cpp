@@ -15,8 +15,11 @@
 // Which rows: equalities and stops of joints, contact normals; not motors, friction, and what is a spring
 // (its softness more than a thousandth of the row's mobility). Errors are read from the joints at every pose;
 // contacts, and rows whose error does not answer to the pose (Plane2D's rates, angles that the client hands
-// in), follow the motion to first order: e <- e - J dx. A contact keeps half the tolerance, so that it is
-// still found in the next step.
+// in), follow the motion to first order: e <- e - J dx. What is beyond a stop or inside a contact is removed
+// here and not by velocities, which would outlive the depth and throw the body off ("split impulses",
+// Guendelman, Bridson & Fedkiw, 2003). Contacts lose their ERP's share of the depth in a step: all at once, a
+// pile that is wedged pushes itself apart for ever. They keep half the tolerance, so that they are found
+// again.
 //
 // Velocities stay as the step has left them: the next step's solve projects them onto the constraints of the
 // corrected pose in any case, and that removes energy (a spin w loses the share (w h)^2), never adds any.
@@ -28,6 +31,7 @@
 #include <algorithm>
 
 #include "dynamics/integrate.h"
+#include "rows/policy.h"
 #include "solve/dense_active_set.h"
 #include "solve/equalities.h"
 #include "step/tension.h"
@@ -47,6 +51,13 @@ struct Hold {
     Real per_lever;  // 1/l
     bool follows;    // the motion, as the pose does not tell its error
 };
+
+bool is_spring(const Row& row, const RowBlock& block, const RowSystem& system)
+{
+    const SolverBody& a = system.bodies[std::size_t(block.body1)];
+    const SolverBody* b = block.body2 < 0 ? nullptr : &system.bodies[std::size_t(block.body2)];
+    return row.cfm / system.h > kSpringShare * row_mobility(row, a, b);
+}
 
 struct PoseBefore {
     Vec3 p;
@@ -121,7 +132,10 @@ class Projection {
                 hold = {block.first + i, 0, turns ? Real(1) : per_lever, follows};
                 hold.error = follows ? row.error - motion(row, block) : now[i].error;
                 one_sided_ |= row.lo == 0 || row.hi == 0;
-                if (row.kind == RowKind::kNormal) hold.error -= world_.projection_tolerance / 2 / per_lever;
+                if (row.kind == RowKind::kNormal) {
+                    hold.error -= world_.projection_tolerance / 2 / per_lever;
+                    if (hold.error > 0) hold.error *= std::min(row.erp, Real(1));
+                }
                 system_.rows[std::size_t(rows++)] = i < out.count() ? now[i] : row;
             }
             if (rows == first) continue;
@@ -139,8 +153,7 @@ class Projection {
     {
         if (row.kind == RowKind::kFriction) return false;
         if (row.kind == RowKind::kLimit && row.lo != 0 && row.hi != 0) return false;  // a motor
-        const SolverBody* b = block.body2 < 0 ? nullptr : &step_body(block.body2);
-        return row.cfm / work_.system.h <= kSpringShare * row_mobility(row, step_body(block.body1), b);
+        return !is_spring(row, block, work_.system);
     }
 
     // The longest lever of the block's rows, but not less than its bodies' radius of gyration.
@@ -309,6 +322,17 @@ class Projection {
 };
 
 }  // namespace
+
+void leave_depth_to_projection(RowSystem& system)
+{
+    for (const RowBlock& block : system.blocks)
+        for (int i = block.first; i < block.first + block.count; ++i) {
+            const Row& row = system.rows[std::size_t(i)];
+            const bool beyond = (row.lo == 0 && row.error > 0) || (row.hi == 0 && row.error < 0);
+            if (beyond && !is_spring(row, block, system))
+                system.numbers[std::size_t(i)].c = wanted_velocity(row, 0);
+        }
+}
 
 ProjectionReport project_poses(const World& world, const IslandWork& work, const Tasks& tasks,
                                PlanCache& plans, Arena& arena)

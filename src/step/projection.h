@@ -17,6 +17,9 @@ struct ProjectionReport {
     bool open = false;  // above the tolerance still
 };
 
+// With a projection to follow, velocities need not push bodies out of contacts and back from stops.
+void leave_depth_to_projection(RowSystem& system);
+
 // The island's poses have been advanced by h with the velocities that its bodies have, its joints remember
 // the impulses of this step. Velocities stay. Out of memory: so do poses.
 ProjectionReport project_poses(const World& world, const IslandWork& work, const Tasks& tasks,

@@ -393,16 +393,36 @@ TEST_F(Projection, a_sunken_stack_is_lifted_without_a_jump)
     sim.ground();
     for (int i = 0; i < 5; ++i) sim.box({0, 0, 0.45 + 0.9 * i}, {1, 1, 1}, 1);
     run(1 / 60., 1 / 60., true);
-    for (int i = 0; i < 5; ++i) EXPECT_NEAR(position(sim.bodies[i]).z, 0.5 + i, 2e-3) << i;
-    for (dBodyID b : sim.bodies) EXPECT_LT(velocity(b).z, 6.1) << "ERP: 0.2 of 0.1 m per contact and step";
-    dWorldSetContactMaxCorrectingVel(sim.world, real(0.1));
-    for (dBodyID b : sim.bodies) velocity(b, {0, 0, 0});
+    // Depths of 0.05 on the ground and 0.1 between boxes lose a fifth.
+    for (std::size_t i = 0; i < 5; ++i)
+        EXPECT_NEAR(position(sim.bodies[i]).z, 0.46 + 0.92 * double(i), 1e-3) << i;
+    for (dBodyID b : sim.bodies) EXPECT_LT(length(velocity(b)), tol(1e-6, 1e-3));
     run(3, 1 / 60., true);
-    for (int i = 0; i < 5; ++i) {
-        EXPECT_NEAR(position(sim.bodies[i]).z, 0.5 + i, 2e-3) << i;
-        EXPECT_LT(length(velocity(sim.bodies[i])), 0.01) << i;
+    for (std::size_t i = 0; i < 5; ++i) {
+        EXPECT_NEAR(position(sim.bodies[i]).z, 0.5 + double(i), 2e-3) << i;
+        EXPECT_LT(length(velocity(sim.bodies[i])), 1e-3) << i;
         EXPECT_GE(sim.contact_count, 20) << "contacts are still found";
     }
+}
+
+// A heap of boxes that falls and comes to rest: it must, and must not gain energy on the way.
+TEST_F(Projection, a_heap_comes_to_rest)
+{
+    Random random(3);
+    sim.surface.mu = real(0.6);
+    sim.ground();
+    for (int i = 0; i < 27; ++i) {
+        const V3 at{0.8 * (i % 3) + random.uniform(0, 0.1), 0.8 * (i / 3 % 3) + random.uniform(0, 0.1),
+                    1 + 0.9 * (i / 9)};
+        sim.box(at, {random.uniform(0.3, 0.7), random.uniform(0.3, 0.7), random.uniform(0.3, 0.7)}, 1);
+    }
+    double before = energy(sim);
+    for (int i = 0; i < 300; ++i) {
+        run(1 / 60., 1 / 60., true);
+        ASSERT_LT(energy(sim), before + 1) << i;
+        before = energy(sim);
+    }
+    for (dBodyID b : sim.bodies) EXPECT_LT(length(velocity(b)), 0.02);
 }
 
 TEST_F(Projection, a_contact_that_opens_is_not_pulled_back)
