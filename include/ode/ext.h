@@ -97,14 +97,14 @@ ODE_API dReal dWorldGetQuickStepWarmStarting(dWorldID world);
     Exactly means: the orientation turns by the exponential map, so a spin w held for h turns by w h and not
     by 2 atan(w h/2); and the gyroscopic torque follows the implicit midpoint rule with that map, so that a
     body on which nothing acts keeps its energy and its angular momentum, direction included, to rounding
-    (while |w| h < 2 rad; beyond, energy and |L| still). The original's rule damps tumbling away.
+    (while |w| h < 2 rad; beyond, mostly energy and |L| still). The original's rule damps tumbling away.
     Bodies under joints or contacts have the same torque in the velocity that the constraints start from;
     the angular velocity that is read of them is that of the middle of the last step, which satisfies the
     constraints; a body on which none has acted reads that of the end.
     Gyroscopic mode off (dBodySetGyroscopicMode) leaves the torque out and keeps the exact turn; a finite
     rotation axis (dBodySetFiniteRotationAxis in finite mode) still splits the turn as the client asked;
     the largest angular speed cuts in as always. dWorldStepFast1 is not affected: its small steps turn as
-    before. Costs some 0.3 microseconds per body. Other values are refused, as is a call during a step. */
+    before. Costs about 0.4 microseconds per body. Other values are refused, as is a call during a step. */
 ODE_API void dWorldSetExactRotation(dWorldID world, int mode);
 ODE_API int dWorldGetExactRotation(dWorldID world);
 
