@@ -2,8 +2,9 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Gyroscopic term: one Newton step of the implicit Euler equation for w (Lacoursiere, "Stabilizing gyroscopic
-// forces in rigid multibody simulations", 2006). With L = I w, M = I - h [L]x:
-//     t = (I M^-1 - 1) L / h,   to first order -w x L.
+// forces in rigid multibody simulations", 2006). With L = I w, M = I - h [L]x, M u = L:
+//     t = (I u - L) / h = L x u,   to first order -w x L;
+// taken in the body's frame, where I is at hand.
 // Orientation: q += h/2 (0, w) q and renormalised ("infinitesimal", ODE's default), or in finite mode the
 // exact turn q <- (cos a, w h/2 sinc a) q, a = |w| h/2; with a finite axis only the part of w along it is
 // turned exactly, the rest infinitesimally. (ODE advances that rest by h/2 only, a slip that we do not keep.)
@@ -44,11 +45,16 @@ Vec3 gyroscopic_torque(const Body& body, Vec3 w, Real h)
     if (!body.gyroscopic || body.kinematic()) return {};
     const Sym3& J = body.inertia;
     if (J.xx == J.yy && J.yy == J.zz && J.xy == 0 && J.xz == 0 && J.yz == 0) return {};  // L is parallel to w
-    const Mat3 I = full(rotate(body.rotation(), body.inertia));
-    const Vec3 L = I * w;
-    Mat3 M_inverse;
-    if (!invert(I - h * skew(L), M_inverse)) return {};
-    return (I * (M_inverse * L) - L) / h;
+    const Mat3 R = body.rotation();
+    const Vec3 L = J * transposed_times(R, w), k = h * L;
+    // Rows of M, and u by Cramer's rule.
+    const Vec3 x = {J.xx, J.xy + k.z, J.xz - k.y}, y = {J.xy - k.z, J.yy, J.yz + k.x},
+               z = {J.xz + k.y, J.yz - k.x, J.zz};
+    const Vec3 yz = cross(y, z), zx = cross(z, x), xy = cross(x, y);
+    const Real determinant = dot(x, yz);
+    if (!(determinant > 0) || !(determinant < kInf)) return {};
+    const Vec3 u = (1 / determinant) * (L.x * yz + L.y * zx + L.z * xy);
+    return R * cross(L, u);
 }
 
 void advance_pose(Body& body, Real h)

@@ -29,6 +29,12 @@ constexpr Quat operator*(Quat a, Quat b)
 // False and unchanged for a zero or non-finite quaternion.
 inline bool normalize(Quat& q)
 {
+    const Real n2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
+    if (n2 > Real(0.25) && n2 < 4) {  // a turned unit quaternion, as nearly always
+        const Real k = Real(1) / std::sqrt(n2);
+        q = {q.w * k, q.x * k, q.y * k, q.z * k};
+        return true;
+    }
     Real m = std::fabs(q.w);
     for (Real c : {q.x, q.y, q.z})
         if (!(std::fabs(c) <= m)) m = std::fabs(c);

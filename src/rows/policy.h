@@ -20,12 +20,12 @@ inline Real wanted_velocity(const Row& row, Real rate)
     return c;
 }
 
-// ODE's meaning, for the whole step h:  c = min(erp/h error + speed, cap), at least the rebound.
-inline RowNumbers ode_baumgarte(const Row& row, Real h, int block_first)
+// ODE's meaning, for the whole step h = 1/fps:  c = min(erp/h error + speed, cap), at least the rebound.
+inline RowNumbers ode_baumgarte(const Row& row, Real h, Real fps, int block_first)
 {
     RowNumbers n;
-    n.c = wanted_velocity(row, row.erp / h);
-    n.C = row.cfm / h;
+    n.c = wanted_velocity(row, row.erp * fps);
+    n.C = row.cfm * fps;
     if (row.parent >= 0) {
         n.parent = block_first + row.parent;
         n.hi = row.hi;
@@ -35,6 +35,10 @@ inline RowNumbers ode_baumgarte(const Row& row, Real h, int block_first)
         n.hi = row.hi * h;
     }
     return n;
+}
+inline RowNumbers ode_baumgarte(const Row& row, Real h, int block_first)
+{
+    return ode_baumgarte(row, h, 1 / h, block_first);
 }
 
 }  // namespace epode

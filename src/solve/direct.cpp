@@ -8,18 +8,19 @@
 //   2. all rows, with limits  hi = mu |p1[parent]|,  lo = -hi, frozen     -> p
 //
 // Phase 1 must be exact including the split among redundant contacts, since phase 2 inherits it as limits.
-// Per phase: active set from the warm start (on the dense dual matrix for small islands), interior point
-// where the guess does not settle, then the active set again from its tags; the better answer by natural
-// residual counts. Nothing is ever printed. The alternative, Dantzig's principal pivoting on the dense J M^-1
-// J^T, is what ODE does: cubic in the rows, and a pivot near zero on redundant contacts ends it.
+// Small islands are solved by a method of their own (small_island.h). Others, and those that it gives up, per
+// phase: active set from the warm start, interior point where the guess does not settle, then the active set
+// again from its tags; the better answer by natural residual counts. Nothing is ever printed. The
+// alternative, Dantzig's principal pivoting on the dense J M^-1 J^T, is what ODE does: cubic in the rows, and
+// a pivot near zero on redundant contacts ends it.
 #include <algorithm>
 #include <cmath>
 
 #include "solve/active_set.h"
 #include "solve/careful_set.h"
-#include "solve/dense_active_set.h"
 #include "solve/interior_point.h"
 #include "solve/residual.h"
+#include "solve/small_island.h"
 #include "solve/solver.h"
 
 namespace epode {
@@ -32,14 +33,15 @@ constexpr double kInteriorTolerance = 2e-10;
 
 class DirectSolve {
   public:
+    // `give_up_early`: fail where the active set does not settle, there is something better than the interior
+    // point.
+    explicit DirectSolve(bool give_up_early) : give_up_early_(give_up_early) {}
+
     bool prepare(RowSystem& system, const SolverSettings& settings, Arena& arena)
     {
-        plans_ = settings.plans;
         careful_above_ = settings.careful_above;
-        tasks_ = settings.tasks;
         const int m = int(system.rows.size());
         if (!problem_.build(system, arena)) return false;
-        small_ = m <= DenseActiveSet::kMostRows && m <= problem_.unknowns();
         state_.lo = arena.take<double>(m);
         state_.hi = arena.take<double>(m);
         state_.p = arena.take<double>(m);
@@ -48,26 +50,24 @@ class DirectSolve {
         kept_ = arena.take<double>(m);
         begun_ = arena.take<double>(m);
         scratch_ = arena.take<double>(problem_.unknowns());
-        return !arena.failed() &&
-               (small_ ? dense_.prepare(problem_, system.blocks, arena) : prepare_sparse(system, arena));
+        return !arena.failed() && problem_.build_factor(system, settings.plans, settings.tasks, arena) &&
+               packed_.prepare(problem_, arena) && active_.prepare(problem_, packed_.most_places(), arena);
     }
 
-    // Both phases; false: out of memory.
+    // Both phases; false: out of memory, or given up.
     bool run(RowSystem& system, Arena& arena, SolveReport& report)
     {
         const bool friction = set_bounds_without_friction(system);
         for (std::size_t i = 0; i < state_.p.size(); ++i) guess(i, double(system.numbers[i].p));
-        if (!solve_phase(system, arena, report)) return false;
+        if (!solve_phase(arena, report)) return false;
         if (friction) {
             for (std::size_t i = 0; i < state_.p.size(); ++i)
                 if (system.numbers[i].parent >= 0) freeze_limit(i, system);
-            if (!solve_phase(system, arena, report)) return false;
+            if (!solve_phase(arena, report)) return false;
         }
         problem_.store(system, state_.p, scratch_);
         report.factorisations = problem_.factorisations();
-        report.method = report.fallback ? dIslandMethodInterior
-                        : small_        ? dIslandMethodDense
-                                        : dIslandMethodActiveSet;
+        report.method = report.fallback ? dIslandMethodInterior : dIslandMethodActiveSet;
         report.residual = Real(residual_);
         return true;
     }
@@ -112,41 +112,28 @@ class DirectSolve {
         }
     }
 
-    bool prepare_sparse(const RowSystem& system, Arena& arena)
+    bool solve_phase(Arena& arena, SolveReport& report)
     {
-        sparse_ready_ = problem_.build_factor(system, plans_, tasks_, arena) &&
-                        packed_.prepare(problem_, arena) &&
-                        active_.prepare(problem_, packed_.most_places(), arena);
-        return sparse_ready_;
-    }
-
-    bool solve_phase(const RowSystem& system, Arena& arena, SolveReport& report)
-    {
-        if (!solve_box(system, arena, report)) return false;
+        if (!solve_box(arena, report)) return false;
         residual_ = problem_.residual(state_, scratch_);
         if (!(residual_ > careful_above_)) return true;
-        if (!sparse_ready_ && !prepare_sparse(system, arena)) return false;
         if (!careful_ready_ && !(careful_ready_ = careful_.prepare(problem_, arena))) return false;
         residual_ = careful_.solve(problem_, state_, scratch_, report.iterations);
         if (!(residual_ > kPromised) || !problem_.soften()) return true;
-        small_ = false;  // its matrix is that of the hard rows
         std::copy(begun_.begin(), begun_.end(), state_.p.begin());
-        return solve_phase(system, arena, report);
+        return solve_phase(arena, report);
     }
 
-    bool solve_box(const RowSystem& system, Arena& arena, SolveReport& report)
+    bool solve_box(Arena& arena, SolveReport& report)
     {
         const ActiveSetSettings settings{kQuickRounds, false};
         std::copy(state_.p.begin(), state_.p.end(), begun_.begin());
-        if (small_) {
-            if (dense_.solve(problem_, state_, settings, report.iterations)) return true;
-            if (!sparse_ready_ && !prepare_sparse(system, arena)) return false;
-        }
         packed_.pack(problem_, state_);
-        if (!small_ && active_.solve(problem_, packed_, state_.v, settings, report.iterations)) {
+        if (active_.solve(problem_, packed_, state_.v, settings, report.iterations)) {
             packed_.unpack(state_);
             return true;
         }
+        if (give_up_early_) return false;
         report.fallback = true;
         if (!interior_ready_) interior_ready_ = interior_.prepare(problem_, packed_.most_places(), arena);
         if (!interior_ready_) return false;
@@ -176,27 +163,45 @@ class DirectSolve {
     }
 
     double careful_above_ = 0;
-    PlanCache* plans_ = nullptr;
-    Tasks tasks_;
     ExactProblem problem_;
     PackedRows packed_;
     ActiveSet active_;
-    DenseActiveSet dense_;
     InteriorPoint interior_;
     CarefulSet careful_;
-    bool small_ = false;  // few rows: the dense matrix first
-    bool sparse_ready_ = false, interior_ready_ = false, careful_ready_ = false;
+    bool give_up_early_;
+    bool interior_ready_ = false, careful_ready_ = false;
     double residual_ = 0;  // that scratch_ and state_ have
     BoxState state_;
     std::span<double> kept_, begun_, scratch_;
 };
 
+bool solve_large(RowSystem& system, const SolverSettings& settings, bool pivot, Arena& arena,
+                 SolveReport& report)
+{
+    {
+        Arena::Scope scope(arena);
+        DirectSolve direct(pivot);
+        if (!direct.prepare(system, settings, arena)) return false;
+        if (direct.run(system, arena, report)) return true;
+    }
+    if (!pivot || arena.failed()) return false;
+    const SmallResult result = solve_by_pivoting(system, settings, arena, report);
+    if (result != SmallResult::kNotSolved) return result == SmallResult::kSolved;
+    return solve_large(system, settings, false, arena, report);
+}
+
 bool solve_direct(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
 {
     if (system.rows.empty()) return true;
-    Arena::Scope scope(arena);
-    DirectSolve direct;
-    return direct.prepare(system, settings, arena) && direct.run(system, arena, report);
+    switch (solve_small(system, settings, arena, report)) {
+        case SmallResult::kSolved:
+            return true;
+        case SmallResult::kNoMemory:
+            return false;
+        case SmallResult::kNotSolved:
+            break;
+    }
+    return solve_large(system, settings, can_pivot(system), arena, report);
 }
 
 }  // namespace

@@ -116,7 +116,8 @@ bool assemble(World& world, Island island, Real h, const Solver& solver, Arena& 
 
     for (Body* body : island.bodies) add_gravity(*body, world.gravity);
     int rows = 0, blocks = 0;
-    emit_rows(step_info(world, h), island.joints, work, rows, blocks);
+    const StepInfo info = step_info(world, h);
+    emit_rows(info, island.joints, work, rows, blocks);
     work.joints = work.joints.first(std::size_t(blocks));
     work.system.blocks = work.system.blocks.first(std::size_t(blocks));
     work.system.rows = work.system.rows.first(std::size_t(rows));
@@ -138,7 +139,7 @@ bool assemble(World& world, Island island, Real h, const Solver& solver, Arena& 
     for (const RowBlock& block : work.system.blocks)
         for (int i = block.first; i < block.first + block.count; ++i)
             work.system.numbers[std::size_t(i)] =
-                ode_baumgarte(work.system.rows[std::size_t(i)], h, block.first);
+                ode_baumgarte(work.system.rows[std::size_t(i)], h, info.fps, block.first);
     return true;
 }
 

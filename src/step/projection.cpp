@@ -32,7 +32,6 @@
 
 #include "dynamics/integrate.h"
 #include "rows/policy.h"
-#include "solve/dense_active_set.h"
 #include "solve/equalities.h"
 #include "step/tension.h"
 
@@ -42,6 +41,7 @@ namespace {
 constexpr Real kSpringShare = Real(1e-3);            // of the mobility, above which softness is meant
 constexpr double kSoftness = kSingle ? 1e-6 : 1e-9;  // of the mobility, for redundant rows
 constexpr Real kLargestTurn = 1;                     // rad, of one Newton step
+constexpr std::size_t kFewRows = 64;
 constexpr int kMostHalvings = 5;
 
 // A row of the projection beside its Row in the system.
@@ -219,7 +219,7 @@ class Projection {
 
     bool solve(const Tasks& tasks)
     {
-        const bool small = int(system_.rows.size()) <= DenseActiveSet::kMostRows;
+        const bool small = system_.rows.size() <= kFewRows;  // kDirect has a shorter way
         if (!one_sided_ && !small) return solve_equalities(system_, &plans_, arena_);
         SolverSettings settings;
         settings.tasks = tasks;

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Which islands are small, and for which method, is measured (docs/solvers.md), not derived.
+#include "solve/small_island.h"
+
+#include "solve/small_island.inc"
+
+namespace epode {
+namespace {
+
+constexpr std::size_t kMostBlocks = SmallIsland::kMostBlocks;
+constexpr std::size_t kPivotFirst = 36;  // rows up to which the active set is not tried before
+constexpr std::size_t kPivotMost = 64;   // rows up to which it beats the interior point
+
+enum class Method { kNewton, kPivoting };
+
+SmallResult solve_with(Method method, RowSystem& system, const SolverSettings& settings, Arena& arena,
+                       SolveReport& report)
+{
+    Arena::Scope scope(arena);
+    SmallIsland island;
+    if (!island.prepare(system, arena)) return SmallResult::kNoMemory;
+    if (method == Method::kPivoting && !island.bounded()) return SmallResult::kNotSolved;
+    const SmallResult result = method == Method::kNewton ? island.newton(system, arena, report.iterations)
+                                                         : island.pivoting(system, arena, report.iterations);
+    if (result != SmallResult::kSolved) return result;
+    island.store(system);
+    report.method = dIslandMethodDense;
+    report.factorisations += island.factorisations();
+    if (settings.want_residual) report.residual = Real(island.residual());
+    return result;
+}
+
+}  // namespace
+
+bool can_pivot(const RowSystem& system)
+{
+    return system.rows.size() <= kPivotMost && system.blocks.size() <= kMostBlocks;
+}
+
+SmallResult solve_by_pivoting(RowSystem& system, const SolverSettings& settings, Arena& arena,
+                              SolveReport& report)
+{
+    return solve_with(Method::kPivoting, system, settings, arena, report);
+}
+
+SmallResult solve_small(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
+{
+    std::size_t dynamic = 0;
+    for (const SolverBody& body : system.bodies) dynamic += body.inv_mass > 0;
+    if (system.blocks.size() > kMostBlocks) return SmallResult::kNotSolved;
+    if (system.rows.size() <= 6 * dynamic) {
+        const SmallResult result = solve_with(Method::kNewton, system, settings, arena, report);
+        if (result != SmallResult::kNotSolved || !can_pivot(system)) return result;
+        return solve_by_pivoting(system, settings, arena, report);
+    }
+    if (system.rows.size() > kPivotFirst) return SmallResult::kNotSolved;
+    return solve_by_pivoting(system, settings, arena, report);
+}
+
+}  // namespace epode

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Exact methods for islands so small that analysing them would cost more than solving them.
+#pragma once
+
+#include "solve/solver.h"
+
+namespace epode {
+
+// kNotSolved: the island is not of this kind, or not to be solved this way; `system` is as it was.
+enum class SmallResult { kSolved, kNotSolved, kNoMemory };
+
+// For chains, figures and a body or two on the ground; before anything else is tried.
+SmallResult solve_small(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report);
+
+// For heaps of a few bodies on which the active set did not settle.
+bool can_pivot(const RowSystem& system);
+SmallResult solve_by_pivoting(RowSystem& system, const SolverSettings& settings, Arena& arena,
+                              SolveReport& report);
+
+}  // namespace epode
