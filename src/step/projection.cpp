@@ -134,7 +134,10 @@ class Projection {
                 one_sided_ |= row.lo == 0 || row.hi == 0;
                 if (row.kind == RowKind::kNormal) {
                     hold.error -= world_.projection_tolerance / 2 / per_lever;
-                    if (hold.error > 0) hold.error *= std::min(row.erp, Real(1));
+                    const Real share = std::min(row.erp, Real(1));
+                    // The tolerance is one of the depth, not of the share that this step removes.
+                    if (hold.error > 0 && share > 0) hold.error *= share, hold.per_lever /= share;
+                    if (!(share > 0)) hold.error = std::min(hold.error, Real(0));
                 }
                 system_.rows[std::size_t(rows++)] = i < out.count() ? now[i] : row;
             }

@@ -399,7 +399,8 @@ TEST_F(Projection, a_sunken_stack_is_lifted_without_a_jump)
     for (dBodyID b : sim.bodies) EXPECT_LT(length(velocity(b)), tol(1e-6, 1e-3));
     run(3, 1 / 60., true);
     for (std::size_t i = 0; i < 5; ++i) {
-        EXPECT_NEAR(position(sim.bodies[i]).z, 0.5 + double(i), 2e-3) << i;
+        // Each contact keeps one and a half tolerances of 0.87 m.
+        EXPECT_NEAR(position(sim.bodies[i]).z, 0.5 + double(i), 1.4 * double(i + 1) * tol(1e-4, 1e-3)) << i;
         EXPECT_LT(length(velocity(sim.bodies[i])), 1e-3) << i;
         EXPECT_GE(sim.contact_count, 20) << "contacts are still found";
     }
@@ -630,6 +631,7 @@ TEST(ExactSubsteps, a_ball_bounces_once_at_the_beginning)
     for (int n : {1, 4}) {
         Sim sim;
         sim.gravity(0, 0, -10);
+        dWorldSetCFM(sim.world, 0);  // in single precision the default gives by millimetres
         dWorldSetExactSubsteps(sim.world, n);
         sim.ground();
         sim.surface.mode |= dContactBounce;
@@ -651,14 +653,15 @@ TEST(ExactSubsteps, a_contact_that_opens_closes_again_and_no_further)
 {
     Sim sim;
     sim.gravity(0, 0, -20);
+    dWorldSetCFM(sim.world, 0);
     dWorldSetExactSubsteps(sim.world, 20);
     sim.ground();
     dBodyID b = sim.sphere({0, 0, 0.5}, 0.5, 1);
     velocity(b, {1, 0, 0.5});
     sim.step(0.1);
     ASSERT_GT(sim.contact_count, 0);
-    EXPECT_NEAR(position(b).z, 0.5, 1e-6);
-    EXPECT_NEAR(velocity(b).z, 0, 1e-6);
+    EXPECT_NEAR(position(b).z, 0.5, tol(1e-6, 1e-5));
+    EXPECT_NEAR(velocity(b).z, 0, tol(1e-6, 1e-5));
 }
 
 TEST(ExactSubsteps, a_stack_rests_and_its_momentum_is_what_forces_gave)
