@@ -32,11 +32,11 @@ struct World : Tagged {
     Real contact_layer = 0;
     int quick_iterations = 20;
     Real quick_w = Real(1.3);
-    Real warm_starting = 1;            // times the solver's own share of the last impulses
-    int auto_enable_depth = 3;         // of the 0.039 guide; stored, never used by it either
-    bool exact_rotation = false;       // of dWorldStep and dWorldQuickStep
-    int exact_substeps = 1;            // of dWorldStep
-    int projection_iterations = 0;     // of positions after dWorldStep; 0: none
+    Real warm_starting = 1;         // times the solver's own share of the last impulses
+    int auto_enable_depth = 3;      // of the 0.039 guide; stored, never used by it either
+    bool exact_rotation = false;    // of dWorldStep and dWorldQuickStep
+    int exact_substeps = 1;         // of dWorldStep
+    int projection_iterations = 0;  // of positions after dWorldStep; 0: none
     Real projection_tolerance = kSingle ? Real(1e-3) : Real(1e-4);
     unsigned islands_max_threads = 0;  // 0: unlimited
     int step_threads = 1;              // 0: one per processor

@@ -118,8 +118,8 @@ PARITY_CASE(run_pr)
     }
 }
 
-// The slide is locked and the step is small: where anchors part, if only by the error of a step, the original's
-// forces differ (D35).
+// The slide is locked and the step is small: where anchors part, if only by the error of a step, the
+// original's forces differ (D35).
 PARITY_CASE(run_pu)
 {
     Hanging h;
