@@ -29,10 +29,11 @@ constexpr Quat operator*(Quat a, Quat b)
 // False and unchanged for a zero or non-finite quaternion.
 inline bool normalize(Quat& q)
 {
-    const Real n2 = q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z;
-    if (n2 > Real(0.25) && n2 < 4) {  // a turned unit quaternion, as nearly always
-        const Real k = Real(1) / std::sqrt(n2);
-        q = {q.w * k, q.x * k, q.y * k, q.z * k};
+    // In double, since near 1 a float's k is 1 and leaves an error of the length that adds up over the steps.
+    const double w = q.w, x = q.x, y = q.y, z = q.z, n2 = w * w + x * x + y * y + z * z;
+    if (n2 > 0.25 && n2 < 4) {  // a turned unit quaternion, as nearly always
+        const double k = 1 / std::sqrt(n2);
+        q = {Real(w * k), Real(x * k), Real(y * k), Real(z * k)};
         return true;
     }
     Real m = std::fabs(q.w);

@@ -66,6 +66,8 @@ void ContactCache::load(int ticket, const Joint& joint, const RowBlock& block, R
 void ContactCache::begin(int tickets)
 {
     fresh_.clear();
+    // With room to spare: the contacts of a settled pile still come and go.
+    if (tickets > fresh_.capacity() && !fresh_.reserve(tickets + tickets / 4)) return clear();
     if (!fresh_.resize(tickets)) clear();
 }
 

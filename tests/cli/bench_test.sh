@@ -59,13 +59,14 @@ expect 2 --rounds none
 expect 2 /no/such/program
 has err 'no program'
 
+here=(--bench "$1" --ours "$(dirname "$1")/../lib")
 program=$exact
-expect 2 --only none
+expect 2 --only none "${here[@]}"
 has err 'no problem none'
 expect 2 --bench /no/such/program
 
 program=$accuracy
-expect 2 --only none
+expect 2 --only none "${here[@]}"
 has err 'no test none'
 
 finish
