@@ -25,10 +25,13 @@ SmallResult solve_with(Method method, RowSystem& system, const SolverSettings& s
     const SmallResult result = method == Method::kNewton ? island.newton(system, arena, report.iterations)
                                                          : island.pivoting(system, arena, report.iterations);
     if (result != SmallResult::kSolved) return result;
+    // What these methods take for settled may still lack digits; the general path has more.
+    const double residual = island.residual();
+    if (!(residual <= settings.careful_above)) return SmallResult::kNotSolved;
     island.store(system);
     report.method = dIslandMethodDense;
     report.factorisations += island.factorisations();
-    if (settings.want_residual) report.residual = Real(island.residual());
+    report.residual = Real(residual);
     return result;
 }
 
