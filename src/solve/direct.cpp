@@ -19,7 +19,6 @@
 #include "solve/active_set.h"
 #include "solve/careful_set.h"
 #include "solve/interior_point.h"
-#include "solve/residual.h"
 #include "solve/small_island.h"
 #include "solve/solver.h"
 

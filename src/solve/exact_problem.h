@@ -91,10 +91,6 @@ class ExactProblem {
     static double jv(const ExactRow& row, const double* v);        // J v
     static void add_jt(const ExactRow& row, double s, double* x);  // x += J^T s
 
-    // M^-1 J^T of one row: J itself in these coordinates.
-    void response(const ExactRow& row, double* twelve) const { std::copy_n(row.J, 12, twelve); }
-    double needed_velocity(int i) const { return row(i).c - jv(row(i), v_star_.data()); }  // c - J v*
-
     // Natural residual, relative to scale(), for bounds lo and hi; `v` is scratch.
     double residual(const BoxState& state, std::span<double> v) const;
     // The same with velocities that belong to state.p, which may carry more digits than it.

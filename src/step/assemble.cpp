@@ -122,7 +122,6 @@ bool assemble(World& world, Island island, Real h, const Solver& solver, Arena& 
     work.system.blocks = work.system.blocks.first(std::size_t(blocks));
     work.system.rows = work.system.rows.first(std::size_t(rows));
     work.system.numbers = arena.take<RowNumbers>(rows);
-    work.tickets = arena.take<int>(blocks);
     if (arena.failed()) return false;
 
     for (std::size_t i = 0; i < island.bodies.size(); ++i) {

@@ -16,7 +16,6 @@ namespace epode {
 struct IslandWork {
     Island island;
     std::span<Joint*> joints;  // parallel to system.blocks: those that gave rows
-    std::span<int> tickets;    // likewise: what the contact cache knows contacts by
     RowSystem system;
 };
 
