@@ -16,6 +16,7 @@
 #include "dynamics/integrate.h"
 #include "rows/policy.h"
 #include "solve/substep_rows.h"
+#include "step/substeps.h"
 #include "step/tension.h"
 #include "step/write_back.h"
 
@@ -45,27 +46,12 @@ void for_each_contact(RowSystem& a, RowSystem& b, const Use& use)
     }
 }
 
-void gather(const Island& island, RowBlock& block, std::span<Row> rows)
-{
-    if (block.body2 < 0) return;
-    const Vec3 x1 = island.bodies[std::size_t(block.body1)]->position();
-    const Vec3 x2 = island.bodies[std::size_t(block.body2)]->position();
-    const Vec3 half_gap = Real(0.5) * ((x2 + block.arms.r2) - (x1 + block.arms.r1));
-    block.arms.r1 += half_gap;
-    block.arms.r2 -= half_gap;
-    for (Row& row : rows) {
-        if (row.lin1 == Vec3{}) continue;  // rolling rows have no arm
-        row.ang1 = cross(block.arms.r1, row.lin1);
-        row.ang2 = cross(block.arms.r2, row.lin2);
-    }
-}
-
 // The contacts of `first`, brought to the present poses, take the place of those that `work` has assembled.
 void carry_contacts(IslandWork& first, IslandWork& work)
 {
     for_each_contact(first.system, work.system, [&](RowBlock& from, RowBlock& to) {
         const auto rows = first.system.rows.subspan(std::size_t(from.first), std::size_t(from.count));
-        gather(work.island, from, rows);
+        gather_contact(work.island, from, rows);
         to.arms = from.arms;
         std::copy(rows.begin(), rows.end(), work.system.rows.begin() + to.first);
     });

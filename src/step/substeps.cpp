@@ -57,27 +57,30 @@ void refresh(void* p, RowSystem& system)
     }
 }
 
-// The arms are those of the beginning; half way between their ends lies the point that both bodies share.
 void gather_contacts(void* p, RowSystem& system)
 {
-    SubstepModel& model = model_of(p);
-    for (RowBlock& block : system.blocks) {
-        if (!block.contact || block.body2 < 0) continue;
-        const Vec3 x1 = model.work.island.bodies[std::size_t(block.body1)]->position();
-        const Vec3 x2 = model.work.island.bodies[std::size_t(block.body2)]->position();
-        const Vec3 half_gap = Real(0.5) * ((x2 + block.arms.r2) - (x1 + block.arms.r1));
-        block.arms.r1 += half_gap;
-        block.arms.r2 -= half_gap;
-        for (int i = block.first; i < block.first + block.count; ++i) {
-            Row& row = system.rows[std::size_t(i)];
-            if (row.lin1 == Vec3{}) continue;  // rolling rows have no arm
-            row.ang1 = cross(block.arms.r1, row.lin1);
-            row.ang2 = cross(block.arms.r2, row.lin2);
-        }
-    }
+    for (RowBlock& block : system.blocks)
+        if (block.contact)
+            gather_contact(model_of(p).work.island, block,
+                           system.rows.subspan(std::size_t(block.first), std::size_t(block.count)));
 }
 
 }  // namespace
+
+void gather_contact(const Island& island, RowBlock& block, std::span<Row> rows)
+{
+    if (block.body2 < 0) return;
+    const Vec3 x1 = island.bodies[std::size_t(block.body1)]->position();
+    const Vec3 x2 = island.bodies[std::size_t(block.body2)]->position();
+    const Vec3 half_gap = Real(0.5) * ((x2 + block.arms.r2) - (x1 + block.arms.r1));
+    block.arms.r1 += half_gap;
+    block.arms.r2 -= half_gap;
+    for (Row& row : rows) {
+        if (row.lin1 == Vec3{}) continue;  // rolling rows have no arm
+        row.ang1 = cross(block.arms.r1, row.lin1);
+        row.ang2 = cross(block.arms.r2, row.lin2);
+    }
+}
 
 Substeps SubstepModel::callbacks() { return {this, apply_forces, advance, refresh, gather_contacts}; }
 

@@ -16,4 +16,8 @@ struct SubstepModel {
     Substeps callbacks();
 };
 
+// Lets a contact of two bodies act at one point of their present poses again: its arms are those of earlier
+// ones, and half way between their ends lies the point that both bodies share.
+void gather_contact(const Island& island, RowBlock& block, std::span<Row> rows);
+
 }  // namespace epode
