@@ -104,7 +104,10 @@ bool ExactSubsteps::begin()
     before_ = arena_.take<Before>(int(island_.bodies.size()));
     feedback_ = arena_.take<Feedback>(int(island_.joints.size()));
     poses_ = save_poses(island_, arena_);
-    if (arena_.failed()) return false;
+    if (arena_.failed()) {
+        before_ = {};  // nothing was written there: there is nothing to undo
+        return false;
+    }
     for (std::size_t i = 0; i < before_.size(); ++i) {
         const Body& b = *island_.bodies[i];
         before_[i] = {b.velocity(), b.angular_velocity(), b.spin_excess, load(b.facc), load(b.tacc)};
