@@ -123,6 +123,7 @@ TEST(TrustMemory, a_thousand_boxes_are_stepped_on_a_stack_of_128_KiB)
         Sim sim(stepper);
         sim.small_steps = 4;
         build_block(sim, side, side);
+        ASSERT_EQ(sim.bodies.size(), std::size_t(side) * side * side);
         SmallStack job{&sim, stepper == Stepper::kExact ? 2 : 5};
         pthread_attr_t attributes;
         ASSERT_EQ(pthread_attr_init(&attributes), 0);
