@@ -15,6 +15,7 @@
 
 #include "base/config.h"
 #include "base/memory.h"
+#include "base/poison.h"
 
 namespace epode {
 
@@ -60,6 +61,7 @@ class Arena {
             free_all();
             add_block(wanted);
         }
+        poison_since(first_, 0);
         current_ = first_;
         used_ = 0;
         total_ = 0;
@@ -77,6 +79,7 @@ class Arena {
         ~Scope()
         {
             // Blocks chained inside the scope stay for reuse by the rest of the step.
+            arena_.poison_since(block_ ? block_ : arena_.first_, used_);
             arena_.current_ = block_ ? block_ : arena_.first_;
             arena_.used_ = used_;
             arena_.total_ = total_;
@@ -101,7 +104,8 @@ class Arena {
                 return nullptr;
             }
         }
-        void* p = reinterpret_cast<char*>(current_) + kHeader + used_;
+        void* p = memory_of(current_) + used_;
+        unpoison(p, bytes);
         used_ += size;
         total_ += size;
         high_water_ = std::max(high_water_, total_);
@@ -121,6 +125,8 @@ class Arena {
 
     bool add_block(std::size_t size);
     void free_all();
+    void poison_since(ArenaBlock* block, std::size_t used);
+    static char* memory_of(ArenaBlock* block) { return reinterpret_cast<char*>(block) + kHeader; }
 
     static constexpr std::size_t kHeader = kCacheLine;
     ArenaBlock* first_ = nullptr;
@@ -136,6 +142,7 @@ inline bool Arena::add_block(std::size_t size)
     auto* block = static_cast<ArenaBlock*>(allocate(size + kHeader));
     if (!block) return false;
     *block = {nullptr, size};
+    poison(memory_of(block), size);
     if (current_) current_->next = block;
     if (!first_) first_ = block;
     current_ = block;
@@ -147,11 +154,22 @@ inline void Arena::free_all()
 {
     while (first_) {
         ArenaBlock* next = first_->next;
+        unpoison(memory_of(first_), first_->size);
         release(first_, first_->size + kHeader);
         first_ = next;
     }
     current_ = nullptr;
     used_ = 0;
+}
+
+// What has been taken since `used` bytes of `block` were, up to the present end, holds nothing any more.
+inline void Arena::poison_since(ArenaBlock* block, std::size_t used)
+{
+    for (ArenaBlock* b = block; b; b = b->next) {
+        const std::size_t from = b == block ? used : 0, to = b == current_ ? used_ : b->size;
+        if (to > from) poison(memory_of(b) + from, to - from);
+        if (b == current_) return;
+    }
 }
 
 }  // namespace epode

@@ -3,8 +3,11 @@
 //
 // From ODE's opaque handles (dBodyID = dxBody*) to our objects and back: the only reinterpret_casts of the
 // tree live here. Every object begins with a Tag, overwritten when it dies; pools keep the memory readable,
-// so a null, stale or mistyped handle is recognised instead of followed. (A pointer that never came from us
-// cannot be recognised by anyone.)
+// so a null, stale or mistyped handle is recognised instead of followed. Objects are aligned to 64 bytes, and
+// the six low bits of a handle say which of the objects that have lived in the slot is meant: a stale handle
+// is recognised although its memory is in use again, until the 64th successor. Keeping freed slots unused for
+// a while would promise less and cost the warmth of a slot that is taken again at once. (A pointer that never
+// came from us cannot be recognised by anyone.)
 #pragma once
 
 #include <cstdint>
@@ -25,13 +28,15 @@ enum class Tag : std::uint32_t {
 
 // What every object behind a handle starts with; `serial` tells objects of one kind apart
 // (bodies: within their world) and is never reused.
-struct Tagged {
+struct alignas(kCacheLine) Tagged {
     explicit Tagged(Tag t) : tag(t) {}
     ~Tagged() { *const_cast<volatile Tag*>(&tag) = Tag::kDead; }  // volatile: the store must survive
     Tag tag;
-    std::uint32_t unused = 0;
+    std::uint32_t generation = 0;  // of the slot's objects, 0 ... 63; the pool counts
     std::uint64_t serial = 0;
 };
+
+inline constexpr std::uint32_t kGenerations = kCacheLine;
 
 // Each object type O specialises this: its C handle and its tag.
 template <typename O>
@@ -40,15 +45,20 @@ struct HandleOf;
 template <typename O>
 auto to_handle(const O* object)
 {
-    return reinterpret_cast<typename HandleOf<O>::Id>(const_cast<O*>(object));
+    using Id = typename HandleOf<O>::Id;
+    if (!object) return Id(nullptr);
+    return reinterpret_cast<Id>(reinterpret_cast<std::uintptr_t>(object) | object->generation);
 }
 
 // Null unless the handle names a live object of this kind.
 template <typename O>
 O* from_handle(typename HandleOf<O>::Id id)
 {
-    auto* object = reinterpret_cast<O*>(id);
-    return object && object->tag == HandleOf<O>::kTag ? object : nullptr;
+    const auto bits = reinterpret_cast<std::uintptr_t>(id);
+    auto* object = reinterpret_cast<O*>(bits & ~std::uintptr_t(kGenerations - 1));
+    const bool alive = object && object->tag == HandleOf<O>::kTag &&
+                       object->generation == std::uint32_t(bits & (kGenerations - 1));
+    return alive ? object : nullptr;
 }
 
 }  // namespace epode

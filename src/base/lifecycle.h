@@ -2,10 +2,10 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What must happen when the last dCloseODE balances the first dInitODE: user geom classes and collider
-// overrides are forgotten, empty pools give their chunks back. The folders that own such state hand in a
-// function here, so that the layer which counts (api) needs to know none of them.
-// A registration at run time, by the code that first creates the state, and not by static objects: those
-// would depend on initialisation order and on what a linker keeps of a static library.
+// overrides are forgotten, empty pools give back what the program's handlers gave. The folders that own such
+// state hand in a function here, so that the layer which counts (api) needs to know none of them. A
+// registration at run time, by the code that first creates the state, and not by static objects: those would
+// depend on initialisation order and on what a linker keeps of a static library.
 #pragma once
 
 namespace epode {

@@ -6,7 +6,24 @@
 
 #include <mutex>
 
+#include "base/lifecycle.h"
+#include "base/poison.h"
+
 namespace epode {
+namespace {
+
+std::atomic<SlotPool*> g_pools{nullptr};  // grows at its front only
+
+void trim_foreign() { SlotPool::trim_all(false); }
+
+// A host that unloads the library gets everything back. Handlers of the program may be gone by then: what
+// they gave stays theirs.
+[[gnu::destructor]] void trim_at_unload()
+{
+    if (!memory_hooks().free) SlotPool::trim_all(true);
+}
+
+}  // namespace
 
 void* SlotPool::take() noexcept
 {
@@ -15,6 +32,7 @@ void* SlotPool::take() noexcept
     void* slot = free_;
     free_ = link(slot);
     ++live_;
+    unpoison(slot, slot_size_);
     return slot;
 }
 
@@ -24,34 +42,67 @@ void SlotPool::give(void* slot) noexcept
     link(slot) = free_;
     free_ = slot;
     --live_;
-}
-
-void SlotPool::trim() noexcept
-{
-    std::lock_guard guard(lock_);
-    if (live_) return;
-    while (chunks_) {
-        Chunk* next = chunks_->next;
-        release(chunks_, kCacheLine + slot_size_ * slots_per_chunk_);
-        chunks_ = next;
-    }
-    free_ = nullptr;
+    poison(static_cast<char*>(slot) + kHead, slot_size_ - kHead);
 }
 
 bool SlotPool::grow()
 {
-    char* memory = static_cast<char*>(allocate(kCacheLine + slot_size_ * slots_per_chunk_));
-    if (!memory) return false;
-    auto* chunk = reinterpret_cast<Chunk*>(memory);
-    chunk->next = chunks_;
+    const bool foreign = memory_hooks().alloc != nullptr;
+    auto* chunk = static_cast<Chunk*>(allocate(chunk_size()));
+    if (!chunk) return false;
+    *chunk = {chunks_, foreign};
     chunks_ = chunk;
-    // Pushed from the last to the first, so that slots are handed out in address order.
+    for (std::size_t i = 0; i < slots_per_chunk_; ++i) {
+        new (slot_of(*chunk, i)) Tagged(Tag::kDead);
+        poison(slot_of(*chunk, i) + kHead, slot_size_ - kHead);
+    }
+    push_slots(*chunk);
+    if (!listed_) enlist();
+    return true;
+}
+
+void SlotPool::enlist()
+{
+    listed_ = true;
+    (void)on_last_close(trim_foreign);
+    next_pool_ = g_pools.load();
+    while (!g_pools.compare_exchange_weak(next_pool_, this)) {}
+}
+
+// From the last to the first, so that slots are handed out in address order.
+void SlotPool::push_slots(Chunk& chunk)
+{
     for (std::size_t i = slots_per_chunk_; i-- > 0;) {
-        void* slot = memory + kCacheLine + i * slot_size_;
+        void* slot = slot_of(chunk, i);
         link(slot) = free_;
         free_ = slot;
     }
-    return true;
+}
+
+void SlotPool::trim(bool all) noexcept
+{
+    std::lock_guard guard(lock_);
+    if (live_) return;
+    Chunk* kept = nullptr;
+    while (chunks_) {
+        Chunk* chunk = chunks_;
+        chunks_ = chunk->next;
+        if (all || chunk->foreign) {
+            unpoison(chunk, chunk_size());
+            release(chunk, chunk_size());
+        } else {
+            chunk->next = kept;
+            kept = chunk;
+        }
+    }
+    chunks_ = kept;
+    free_ = nullptr;
+    for (Chunk* chunk = chunks_; chunk; chunk = chunk->next) push_slots(*chunk);
+}
+
+void SlotPool::trim_all(bool all) noexcept
+{
+    for (SlotPool* pool = g_pools.load(); pool; pool = pool->next_pool_) pool->trim(all);
 }
 
 }  // namespace epode

@@ -194,6 +194,16 @@ struct Thing : Tagged {
     int value;
 };
 
+}  // namespace
+
+template <>
+struct HandleOf<Thing> {
+    using Id = struct dxThing*;
+    static constexpr Tag kTag = Tag::kBody;
+};
+
+namespace {
+
 TEST(Pool, objects_are_aligned_distinct_and_recognised_as_dead_afterwards)
 {
     Books books;
@@ -215,6 +225,45 @@ TEST(Pool, objects_are_aligned_distinct_and_recognised_as_dead_afterwards)
     Pool<Thing>::slots().trim();
     EXPECT_TRUE(Books::open().empty());
     EXPECT_EQ(Books::mismatches(), 0);
+}
+
+HandleOf<Thing>::Id handle_of(const Thing* thing) { return to_handle(thing); }
+
+TEST(Pool, a_stale_handle_is_recognised_until_its_slot_has_had_64_more_objects)
+{
+    Thing* thing = Pool<Thing>::create(0);
+    const auto stale = handle_of(thing);
+    EXPECT_EQ(from_handle<Thing>(stale), thing);
+    for (int k = 1; k < 64; ++k) {
+        Pool<Thing>::destroy(thing);
+        EXPECT_EQ(from_handle<Thing>(stale), nullptr);
+        ASSERT_EQ(Pool<Thing>::create(k), thing) << "the same slot";
+        EXPECT_EQ(from_handle<Thing>(stale), nullptr) << "object " << k;
+        EXPECT_EQ(from_handle<Thing>(handle_of(thing)), thing);
+    }
+    Pool<Thing>::destroy(thing);
+    EXPECT_EQ(from_handle<Thing>(nullptr), nullptr);
+    EXPECT_EQ(handle_of(nullptr), nullptr);
+}
+
+TEST(Pool, what_the_program_s_handlers_gave_goes_with_the_last_close_and_the_rest_stays)
+{
+    Pool<Thing>::slots().trim();
+    Thing* ours = Pool<Thing>::create(1);
+    Books books;
+    Books::allowed() = 10;
+    Thing* others[70];
+    for (Thing*& t : others) t = Pool<Thing>::create(2);
+    EXPECT_FALSE(Books::open().empty());
+    SlotPool::trim_all(false);
+    EXPECT_FALSE(Books::open().empty()) << "objects live";
+    for (Thing* t : others) Pool<Thing>::destroy(t);
+    Pool<Thing>::destroy(ours);
+    SlotPool::trim_all(false);
+    EXPECT_TRUE(Books::open().empty());
+    EXPECT_EQ(ours->tag, Tag::kDead) << "still readable";
+    EXPECT_EQ(Pool<Thing>::create(3), ours);
+    Pool<Thing>::destroy(ours);
 }
 
 TEST(Pool, answers_null_when_memory_is_exhausted_and_recovers)
