@@ -17,6 +17,7 @@ struct Axis {
     Vec3 middle, along;
     Real half;
     Vec3 at(Real t) const { return middle + t * along; }
+    bool within(Vec3 p) const { return std::fabs(dot(along, p - middle)) < Real(0.999) * half; }
     Real nearest(Vec3 p) const
     {
         const Real t = dot(along, p - middle);
@@ -35,6 +36,18 @@ Vec3 way_out(Vec3 u, Vec3 v)
     return n;
 }
 
+// Axes that cross between their ends: the normal is across both. The way from one closest point to the other
+// says the same only while it is long beside its rounding, and a capsule's length makes much of a small lean.
+bool crossed(Vec3 p, Real rp, Vec3 q, Real rq, Vec3 across, ContactPoint& out)
+{
+    const Real apart = dot(across, p - q), distance = std::fabs(apart);
+    if (distance > rp + rq) return false;
+    out.normal = apart < 0 ? -across : across;
+    out.depth = rp + rq - distance;
+    out.position = p + Real(0.5) * (rq - rp - distance) * out.normal;
+    return true;
+}
+
 }  // namespace
 
 void capsule_capsule(const Capsule& a, const Pose& A, const Capsule& b, const Pose& B, ContactSink& sink)
@@ -42,11 +55,14 @@ void capsule_capsule(const Capsule& a, const Pose& A, const Capsule& b, const Po
     const Axis u = {A.p, A.R.column(2), a.half_length}, v = {B.p, B.R.column(2), b.half_length};
     Vec3 p, q;
     closest_segment_points(u.at(-u.half), u.at(u.half), v.at(-v.half), v.at(v.half), p, q);
-    const Vec3 fallback = way_out(u.along, v.along);
-    ContactPoint deepest;
-    if (!ball_contact(p, a.radius, q, b.radius, fallback, deepest)) return;
+    const Vec3 across = way_out(u.along, v.along);
     const Real c = dot(u.along, v.along);
-    if (1 - c * c > kParallel) {
+    const bool parallel = !(1 - c * c > kParallel), crossing = !parallel && u.within(p) && v.within(q);
+    ContactPoint deepest;
+    if (!(crossing ? crossed(p, a.radius, q, b.radius, across, deepest)
+                   : ball_contact(p, a.radius, q, b.radius, across, deepest)))
+        return;
+    if (!parallel) {
         sink.add(deepest);
         return;
     }
