@@ -28,13 +28,18 @@ class LeastRise {
         depth = overlap_along(facet_.n);
         normal = facet_.n;
         if (depth < 0) return false;
-        return walls() && solid_faces() && edges() && rim();
+        if (!(walls() && solid_faces() && edges() && rim())) return false;
+        if (kFaceFirst * depth > elsewhere_) on_crest = false;
+        return true;
     }
 
     Vec3 normal;
     Real depth = 0;
+    bool on_crest = false;  // the normal is not the facet's own
 
   private:
+    void choose(Vec3 n, Real d) { normal = n, depth = d, on_crest = true; }
+
     Real overlap_along(Vec3 n) const
     {
         const Real low = dot(n, m_.solid.support(-n));
@@ -50,7 +55,11 @@ class LeastRise {
         const Real d = overlap_along(n);
         if (d < -m_.slack) return false;
         if (n.y < kSteepest) return n.y > 0 || overlap_along(-n) >= -m_.slack;
-        if (d < kFaceFirst * depth && m_.terrain.crests(facet_, n)) depth = d, normal = n;
+        if (!(d < kFaceFirst * depth)) return true;
+        if (m_.terrain.crests(facet_, n))
+            choose(n, d);
+        else
+            elsewhere_ = d < elsewhere_ ? d : elsewhere_;
         return true;
     }
 
@@ -64,7 +73,10 @@ class LeastRise {
     {
         for (int k = 0; k < 3; ++k) {
             Vec3 n = cross(facet_.edge(k), kUp);
-            if (normalize(n) && overlap_along(n) < -m_.slack) return false;
+            if (!normalize(n)) continue;
+            const Real d = overlap_along(n);
+            if (d < -m_.slack) return false;
+            elsewhere_ = d < elsewhere_ ? d : elsewhere_;
         }
         return true;
     }
@@ -96,13 +108,16 @@ class LeastRise {
         if (o.normal.y < 0) return true;
         if (o.depth < -m_.slack) return false;
         const bool better = o.normal.y >= kSteepest && o.depth < kFaceFirst * depth;
-        if (better && m_.terrain.crests(facet_, o.normal))
-            depth = o.depth > 0 ? o.depth : 0, normal = o.normal;
+        if (better && m_.terrain.crests(facet_, o.normal)) choose(o.normal, o.depth > 0 ? o.depth : 0);
         return true;
     }
 
     const Facet& facet_;
     const Meeting& m_;
+    // Least overlap in directions that are no contact's: aside, through the walls between columns, or against
+    // a surface that goes on rising. When it is less than a crest's, the solid is not on that crest: it has
+    // barely come under this facet, and what it really touches stands in another column.
+    Real elsewhere_ = kInf;
 };
 
 void press(Polygon& low, const Facet& f, Meeting& m)
@@ -184,10 +199,10 @@ void solid_on_facet(const Facet& f, Meeting& m)
 {
     LeastRise least(f, m);
     if (!least.search()) return;
-    if (dot(least.normal, f.n) > Real(1) - Real(1e-9))
-        press_faces(f, m);
-    else
+    if (least.on_crest)
         press_crest(f, least.normal, least.depth, m);
+    else
+        press_faces(f, m);
 }
 
 }  // namespace epode

@@ -312,12 +312,13 @@ void contact_joints(void* data, dGeomID a, dGeomID b)
     }
 }
 
-TEST(Heightfield, dropped_boxes_come_to_rest_on_rough_ground)
+void drop_boxes(unsigned seed)
 {
-    RandomNumbers dice(3);
+    RandomNumbers dice(seed);
     const Ground ground(41, 41, 40, 40, [&](int, int) { return dice.in(0, Real(0.4)); });
     std::pair<dWorldID, dJointGroupID> where(dWorldCreate(), dJointGroupCreate(0));
     dWorldSetGravity(where.first, 0, Real(-9.81), 0);
+    dWorldSetContactSurfaceLayer(where.first, Real(1e-3));
     const dSpaceID space = dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XZY);
     std::vector<dGeomID> boxes;
     for (int k = 0; k < 9; ++k) {
@@ -341,13 +342,18 @@ TEST(Heightfield, dropped_boxes_come_to_rest_on_rough_ground)
     }
     EXPECT_LT(sunk_most, Real(0.1)) << "the impact, 2 m down at 0.01 s, and no deeper";
     for (const dGeomID box : boxes) {
-        EXPECT_LT(length(load(dBodyGetLinearVel(dGeomGetBody(box)))), kSingle ? 2e-3 : 1e-3);
+        EXPECT_LT(length(load(dBodyGetLinearVel(dGeomGetBody(box)))), 1e-3) << "seed " << seed;
         EXPECT_LT(sunk(ground, box), Real(0.01));
     }
     dSpaceRemove(space, ground.geom);
     dSpaceDestroy(space);
     dJointGroupDestroy(where.second);
     dWorldDestroy(where.first);
+}
+
+TEST(Heightfield, dropped_boxes_come_to_rest_on_rough_ground)
+{
+    for (unsigned seed = 1; seed <= 3; ++seed) drop_boxes(seed);
 }
 
 TEST(Heightfield, wrapped_fields_repeat_without_a_seam)
