@@ -24,4 +24,7 @@
 #include <ode/timer.h>
 #include <ode/version.h>
 
+#include <ode/odecpp.h>
+#include <ode/odecpp_collision.h>
+
 #endif
