@@ -20,65 +20,8 @@ typedef struct {
 #define F(name) {#name, (AnyFunction)name},
 
 static const Entry kGuideFunctions[] = {
-    F(dBodyAddForce) F(dBodyAddForceAtPos) F(dBodyAddForceAtRelPos) F(dBodyAddRelForce) F(
-        dBodyAddRelForceAtPos) F(dBodyAddRelForceAtRelPos) F(dBodyAddRelTorque) F(dBodyAddTorque)
-        F(dBodyDisable) F(dBodyEnable) F(dBodyGetAngularVel) F(dBodyGetAutoDisableSF1) F(
-            dBodyGetAutoDisableStepsSF1) F(dBodyGetAutoDisableThresholdSF1) F(dBodyGetData) F(dBodyGetForce)
-            F(dBodyGetGravityMode) F(dBodyGetJoint) F(dBodyGetLinearVel) F(dBodyGetMass) F(
-                dBodyGetNumJoints) F(dBodyGetPointVel) F(dBodyGetPosRelPoint) F(dBodyGetPosition)
-                F(dBodyGetQuaternion) F(dBodyGetRelPointPos) F(dBodyGetRelPointVel) F(dBodyGetRotation) F(
-                    dBodyGetTorque) F(dBodyIsEnabled) F(dBodySetAngularVel) F(dBodySetAutoDisableSF1)
-                    F(dBodySetAutoDisableStepsSF1) F(dBodySetAutoDisableThresholdSF1) F(dBodySetData) F(
-                        dBodySetFiniteRotationAxis) F(dBodySetFiniteRotationMode) F(dBodySetForce)
-                        F(dBodySetGravityMode) F(dBodySetLinearVel) F(dBodySetMass) F(dBodySetPosition) F(
-                            dBodySetQuaternion) F(dBodySetRotation) F(dBodySetTorque) F(dBodyVectorFromWorld)
-                            F(dBodyVectorToWorld) F(dCloseODE) F(dJointAttach) F(dJointCreateAMotor) F(
-                                dJointCreateBall) F(dJointCreateContact)
-                                F(dJointCreateFixed) F(dJointCreateHinge) F(dJointCreateHinge2) F(
-                                    dJointCreateSlider) F(dJointCreateUniversal) F(dJointGetAMotorAngle)
-                                    F(dJointGetAMotorAxis) F(dJointGetAMotorAxisRel) F(dJointGetAMotorMode) F(
-                                        dJointGetAMotorNumAxes) F(dJointGetAMotorParam)
-                                        F(dJointGetBallAnchor) F(dJointGetBallAnchor2) F(dJointGetData) F(
-                                            dJointGetFeedback) F(dJointGetHinge2Anchor)
-                                            F(dJointGetHinge2Anchor2) F(dJointGetHinge2Angle1) F(
-                                                dJointGetHinge2Angle1Rate)
-                                                F(dJointGetHinge2Angle2Rate) F(dJointGetHinge2Axis1) F(
-                                                    dJointGetHinge2Axis2) F(dJointGetHinge2Param)
-                                                    F(
-                                                        dJointGetHingeAnchor) F(dJointGetHingeAnchor2)
-                                                        F(dJointGetHingeAngle) F(dJointGetHingeAngleRate) F(
-                                                            dJointGetHingeAxis) F(dJointGetHingeParam)
-                                                            F(dJointGetSliderAxis) F(dJointGetSliderParam) F(
-                                                                dJointGetSliderPosition) F(dJointGetSliderPositionRate)
-                                                                F(dJointGetType) F(dJointGetUniversalAnchor) F(
-                                                                    dJointGetUniversalAnchor2) F(dJointGetUniversalAxis1)
-                                                                    F(dJointGetUniversalAxis2) F(dJointGroupEmpty) F(dJointSetAMotorAngle) F(
-                                                                        dJointSetAMotorAxis) F(dJointSetAMotorMode)
-                                                                        F(dJointSetAMotorNumAxes) F(dJointSetAMotorParam) F(
-                                                                            dJointSetData) F(dJointSetFeedback)
-                                                                            F(dJointSetHinge2Anchor) F(dJointSetHinge2Axis1) F(dJointSetHinge2Axis2) F(
-                                                                                dJointSetHinge2Param) F(dJointSetHingeAnchor)
-                                                                                F(dJointSetHingeAxis) F(dJointSetHingeParam) F(
-                                                                                    dJointSetSliderAxis) F(dJointSetSliderParam) F(dJointSetUniversalAnchor)
-                                                                                    F(dJointSetUniversalAxis1) F(dJointSetUniversalAxis2) F(
-                                                                                        dMassSetBox) F(dMassSetBoxTotal) F(dMassSetCappedCylinder)
-                                                                                        F(dMassSetCappedCylinderTotal) F(
-                                                                                            dMassSetCylinder) F(dMassSetCylinderTotal)
-                                                                                            F(dMassSetSphere) F(dMassSetSphereTotal) F(
-                                                                                                dMassSetZero) F(dQMultiply0)
-                                                                                                F(dQMultiply1) F(dQMultiply2) F(
-                                                                                                    dQMultiply3) F(dQSetIdentity)
-                                                                                                    F(dRSetIdentity) F(
-                                                                                                        dWorldCreate) F(dWorldDestroy)
-                                                                                                        F(dWorldGetAutoEnableDepthSF1) F(
-                                                                                                            dWorldGetCFM) F(dWorldGetERP)
-                                                                                                            F(dWorldGetGravity)
-                                                                                                                F(dWorldSetAutoEnableDepthSF1)
-                                                                                                                    F(dWorldSetCFM) F(
-                                                                                                                        dWorldSetERP)
-                                                                                                                        F(dWorldSetGravity)
-                                                                                                                            F(dWorldStep)
-                                                                                                                                F(dWorldStepFast1)};
+#include "guide_names.inc"
+};
 
 /* The guide's constants; all that belong to one set must differ from each other. */
 static const int kContactBits[] = {
@@ -164,6 +107,10 @@ static int use_types_and_macros(void)
     dWorldDestroy(world);
     if (!(worst < 16 * (sizeof(dReal) == 8 ? DBL_EPSILON : FLT_EPSILON))) {
         fprintf(stderr, "dQtoR and dRtoQ disagree by %g\n", (double)worst);
+        return 1;
+    }
+    if (dParamGroup != dParamLoStop2 - dParamLoStop || dParamGroup != dParamLoStop3 - dParamLoStop2) {
+        fprintf(stderr, "dParamGroup is not the distance of the axes' parameters\n");
         return 1;
     }
     return big[15] != 0 || dAMotorUser == dAMotorEuler || dContactApprox1_1 == dContactApprox1_2;
