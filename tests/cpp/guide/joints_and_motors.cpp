@@ -20,6 +20,7 @@ void swing_a_pendulum()
     const dReal length = 1, gravity = REAL(9.81), step = REAL(0.001);
     dWorld world;
     world.setGravity(0, 0, -gravity);
+    world.setCFM(REAL(1e-9));  // the default of a library of floats is soft
     dBody rod(world);
     dMass mass;
     mass.setBoxTotal(3, REAL(0.001), REAL(0.001), length);
