@@ -23,9 +23,9 @@ std::uint64_t run(Scene scene, Stepper stepper, std::uint32_t seed = 1)
 }
 
 // Rows: pile, machine, wall; columns: exact, quick, fast.
-constexpr std::uint64_t kGolden[3][3] = {{0xc7b2b9f3388cc189u, 0x80ed017ed7923e3du, 0x59b1394f98432024u},
+constexpr std::uint64_t kGolden[3][3] = {{0xa805aaa30f599d9au, 0x80ed017ed7923e3du, 0x59b1394f98432024u},
                                          {0xd8200efbf209d58fu, 0x17e7bbd9bbfeed65u, 0x3e7b5b60bb6b804fu},
-                                         {0x67b71cee87cc3c06u, 0x1da634c122b9c75eu, 0x83084d08bd749dcfu}};
+                                         {0xd553516e78b478cbu, 0x1da634c122b9c75eu, 0x83084d08bd749dcfu}};
 
 TEST(Determinism, gives_the_same_bits_on_every_compiler)
 {
