@@ -123,7 +123,8 @@ ODE_API dReal dJointGetUniversalAngle2Rate(dJointID joint);
 
 ODE_API void dJointSetHinge2Anchor(dJointID joint, dReal x, dReal y, dReal z);
 
-/** Set axis 1 and axis 2, each 3 reals; NULL keeps one (not both). Parallel axes are refused. */
+/** Set axis 1 and axis 2, each 3 reals; NULL keeps one (not both). Two parallel axes are refused; one
+   alone may be parallel to the other until that is set too (while they are, one turn is left free). */
 ODE_API void dJointSetHinge2Axes(dJointID joint, const dReal* axis1, const dReal* axis2);
 
 /** Old forms that set one axis. */

@@ -118,7 +118,8 @@ void set_axes(dJointID id, const Real* axis1, const Real* axis2, const char* cal
     if (!j || !demand((axis1 || axis2) && j->complete(), caller)) return;
     Vec3 a1 = axis1 ? load(axis1) : j->axis(0), a2 = axis2 ? load(axis2) : j->axis(1);
     if (!demand(usable(a1) && usable(a2) && normalize(a1) && normalize(a2), caller)) return;
-    if (length(cross(a1, a2)) <= 4 * kEpsilon)
+    // One axis at a time may pass through a parallel pair: the other axis follows in the next call.
+    if (axis1 && axis2 && length(cross(a1, a2)) <= 4 * kEpsilon)
         return refuse_for(caller, "Hinge2 axes must be chosen to be linearly independent");
     j->set_axes(axis1 ? &a1 : nullptr, axis2 ? &a2 : nullptr);
 }

@@ -216,7 +216,7 @@ TEST_F(Wheel, suspension_is_soft_along_the_steering_axis_only)
 TEST_F(Wheel, refuses_axes_that_leave_it_undefined)
 {
     const dReal up[4] = {0, 0, 5, 0}, zero[4] = {0, 0, 0, 0};
-    dJointSetHinge2Axes(j, nullptr, up);
+    dJointSetHinge2Axes(j, up, up);
     dJointSetHinge2Axes(j, zero, nullptr);
     dJointSetHinge2Axes(j, nullptr, nullptr);
     dJointGetHinge2Axis2(j, r);
@@ -226,6 +226,32 @@ TEST_F(Wheel, refuses_axes_that_leave_it_undefined)
     dJointGetHinge2Axis1(unattached, r);
     EXPECT_EQ(r[1], 0);
     EXPECT_EQ(dJointGetHinge2Angle1(unattached), 0);
+}
+
+// dJointSetHinge2Axis1(y), then Axis2(x): on the way both axes are y, for y is the default of the second.
+TEST_F(Wheel, takes_its_axes_one_by_one_through_a_parallel_pair)
+{
+    const dReal up[4] = {0, 0, 1, 0}, side[4] = {1, 0, 0, 0};
+    dJointSetHinge2Axes(j, side, up);
+    dJointSetHinge2Axes(j, up, nullptr);
+    dJointSetHinge2Axes(j, nullptr, side);
+    dJointGetHinge2Axis1(j, r);
+    EXPECT_EQ(r[2], 1);
+    dJointGetHinge2Axis2(j, r);
+    EXPECT_EQ(r[0], 1);
+    EXPECT_EQ(dJointGetHinge2Angle1(j), 0);
+    EXPECT_EQ(dJointGetHinge2Angle2(j), 0);
+    dJointSetHinge2Axes(j, up, up);
+    dJointGetHinge2Axis2(j, r);
+    EXPECT_EQ(r[0], 1) << "both at once must differ";
+}
+
+TEST_F(Wheel, keeps_its_numbers_while_both_axes_are_one)
+{
+    const dReal axis[4] = {0, 0, 1, 0};
+    dJointSetHinge2Axes(j, nullptr, axis);
+    for (int step = 0; step < 10; ++step) dWorldStep(rig.id(), Real(0.01));
+    EXPECT_TRUE(std::isfinite(length(b->position() - a->position())));
 }
 
 TEST_F(Wheel, never_tests_stops_on_the_wheel)
