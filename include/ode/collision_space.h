@@ -14,16 +14,25 @@
 extern "C" {
 #endif
 
+/** @chapter spaces Spaces
+
+    Arguments:
+    - space: the space; of create functions the space to put the new one into, or 0.
+    - geom: a geom, or (cast) a space.
+
+    Refused: a space or geom that is 0 (where it may not be) or destroyed; changing, destroying or adding
+    to a space that is being collided. Nothing changes then, and the answer is 0. */
+
 struct dContactGeom;
 
-/** What dSpaceCollide and dSpaceCollide2 call for each pair; data is the caller's. A member that is
-    a space comes as a geom (dGeomIsSpace tells). */
+/** What dSpaceCollide and dSpaceCollide2 call for each pair; data is the caller's. A member that is a
+    space comes as a geom (dGeomIsSpace tells). */
 typedef void dNearCallback(void* data, dGeomID o1, dGeomID o2);
 
-/** A space that tests every pair: the quickest for a few dozen geoms. space: the parent, or 0. */
+/** A new space that tests every pair: the quickest for a few dozen geoms. space: the parent, or 0. [0.16] */
 ODE_API dSpaceID dSimpleSpaceCreate(dSpaceID space);
 
-/** A space for many geoms of similar and different sizes. space: the parent, or 0. */
+/** A new space for many geoms of similar and different sizes. space: the parent, or 0. [0.16] */
 ODE_API dSpaceID dHashSpaceCreate(dSpaceID space);
 
 /** Axis orders for sweep-and-prune spaces: 2 bits per axis, the first one lowest. */
@@ -34,51 +43,54 @@ ODE_API dSpaceID dHashSpaceCreate(dSpaceID space);
 #define dSAP_AXES_ZXY ((2) | (0 << 2) | (1 << 4))
 #define dSAP_AXES_ZYX ((2) | (1 << 2) | (0 << 4))
 
-/** A space for geoms that lie along an axis. axisorder: one of the codes above. */
+/** A space for geoms that lie along an axis. axisorder: one of the codes above. [0.16] */
 ODE_API dSpaceID dSweepAndPruneSpaceCreate(dSpaceID space, int axisorder);
 
-/** A space for a world of known extent: its centre, half sizes, and how often it is divided in four. Geoms
-   outside are found all the same. In this library hash, sweep-and-prune and quadtree spaces are one structure
-   that needs none of these hints: they are checked, and they are for speed only. */
+/** A space for a world of known extent: its Center and half sizes Extents (3 reals each, m), and Depth,
+    how often it is divided in four (not negative). Geoms outside are found all the same. In this library
+    hash, sweep-and-prune and quadtree spaces are one structure that needs none of these hints: they are
+    checked, and they are for speed only. [0.16] */
 ODE_API dSpaceID dQuadTreeSpaceCreate(dSpaceID space, const dVector3 Center, const dVector3 Extents,
                                       int Depth);
 
-/** Destroy a space; with it, in cleanup mode, its members, else they only leave it. */
+/** Destroy a space; with it, in cleanup mode, its members, else they only leave it. [0.16] */
 ODE_API void dSpaceDestroy(dSpaceID space);
 
-/** Cell sizes 2^minlevel ... 2^maxlevel metres of a hash space, default -3 and 10. minlevel >
-    maxlevel is refused. They are for speed only: no pair is lost whatever they are. Null pointers are skipped
-    on reading. */
+/** Cell sizes 2^minlevel ... 2^maxlevel metres of a hash space, default -3 and 10. minlevel > maxlevel is
+    refused. They are for speed only: no pair is lost whatever they are. Null pointers are skipped on
+    reading. [0.16] */
 ODE_API void dHashSpaceSetLevels(dSpaceID space, int minlevel, int maxlevel);
 ODE_API void dHashSpaceGetLevels(dSpaceID space, int* minlevel, int* maxlevel);
 
-/** Whether destroying the space destroys its members, default 1. */
+/** Whether (mode) destroying the space destroys its members, default 1. [0.16] */
 ODE_API void dSpaceSetCleanup(dSpaceID space, int mode);
 ODE_API int dSpaceGetCleanup(dSpaceID space);
 
-/** A number that decides which of two spaces dSpaceCollide2 opens: the one with the higher
-    sublevel. Default 0; the program keeps it. */
+/** A number sublevel that decides which of two spaces dSpaceCollide2 opens: the one with the higher
+    sublevel. Default 0; the program keeps it. [0.16] */
 ODE_API void dSpaceSetSublevel(dSpaceID space, int sublevel);
 ODE_API int dSpaceGetSublevel(dSpaceID space);
 
-/** A hint on the lifetime of per-thread caches. This library has none; the value is only stored. */
+/** A hint on the lifetime of per-thread caches. This library has none; the value mode is only stored.
+    [0.16] */
 ODE_API void dSpaceSetManualCleanup(dSpaceID space, int mode);
 ODE_API int dSpaceGetManualCleanup(dSpaceID space);
 
-/** Add a geom that is in no space; take a member out; ask whether a geom is a direct member (1 or 0). */
+/** Add a geom that is in no space; take a member out; ask whether a geom is a direct member (1 or 0).
+    [0.16] */
 ODE_API void dSpaceAdd(dSpaceID space, dGeomID geom);
 ODE_API void dSpaceRemove(dSpaceID space, dGeomID geom);
 ODE_API int dSpaceQuery(dSpaceID space, dGeomID geom);
 
-/** Compute the bounding boxes of moved members now. dSpaceCollide does it by itself. */
+/** Compute the bounding boxes of moved members now. dSpaceCollide does it by itself. [0.16] */
 ODE_API void dSpaceClean(dSpaceID space);
 
-/** Direct members: how many, and number i of 0 ... n-1 in no promised order, which may change when
-    geoms move. A bad index is refused. */
+/** Direct members: how many, and number i of 0 ... n-1 in no promised order, which may change when geoms
+    move. A bad index is refused. [0.16] */
 ODE_API int dSpaceGetNumGeoms(dSpaceID space);
 ODE_API dGeomID dSpaceGetGeom(dSpaceID space, int i);
 
-/** The class number of the space: dSimpleSpaceClass, dHashSpaceClass, ... */
+/** The class number of a space: dSimpleSpaceClass, dHashSpaceClass, ... [0.16] */
 ODE_API int dSpaceGetClass(dSpaceID space);
 
 #ifdef __cplusplus

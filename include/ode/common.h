@@ -223,6 +223,11 @@ typedef dReal dQuaternion[dQUE__MAX];
 #define dIsNan(x) ((x) != (x))
 #endif
 
+/** @chapter basics Basics: numbers, vectors, handles
+
+    Refused: as each function says. */
+
+/** The smaller, the greater of x and y. Nothing is refused. [0.16] */
 ODE_PURE_INLINE dReal dMin(dReal x, dReal y) { return y < x ? y : x; }
 ODE_PURE_INLINE dReal dMax(dReal x, dReal y) { return y > x ? y : x; }
 
@@ -350,18 +355,21 @@ typedef struct dJointFeedback {
     dVector3 t2;
 } dJointFeedback;
 
-/** Say that a geom's pose changed behind the library's back: its bounding box will be computed
-    anew. The setters and the steppers do this themselves. */
+/** Say that the pose of geom changed behind the library's back: its bounding box will be computed
+    anew. The setters and the steppers do this themselves. Refused: what is no
+    geom. [0.16] */
 ODE_API void dGeomMoved(dGeomID geom);
 
-/** The next geom of the same body, or 0: same as dBodyGetNextGeom. */
+/** The next geom of the same body after geom, or 0: same as dBodyGetNextGeom. A geom that is 0 or destroyed
+   is refused. [0.16] */
 ODE_API dGeomID dGeomGetBodyNext(dGeomID geom);
 
 /** How this library was built: words separated by single spaces, for example "ODE" and
-    "ODE_double_precision". */
+    "ODE_double_precision". It takes nothing and refuses nothing. [0.16] */
 ODE_API const char* dGetConfiguration(void);
 
-/** 1 when `token` is one whole word of dGetConfiguration() (case counts), else 0. */
+/** 1 when `token` is one whole word of dGetConfiguration() (case counts), else 0. A null token is refused: 0.
+ * [0.16] */
 ODE_API int dCheckConfiguration(const char* token);
 
 #ifdef __cplusplus

@@ -19,22 +19,34 @@
 extern "C" {
 #endif
 
-/** Advance the world by stepsize seconds with the small-step solver: the step is cut into
-    maxiterations (>= 1) equal small steps, and in each of them every joint is solved on its own as a
-    rigid block. Time and memory grow linearly with the number of joints. More iterations give more
-    accuracy; joint ERP and CFM keep the meaning they have for the whole step. May be mixed freely
-    with dWorldStep and dWorldQuickStep on the same world. Returns 1 when the world was stepped,
-    0 when the call was refused (null world, stepsize not positive and finite, maxiterations < 1). */
+/** @chapter old_names Names of the 0.039 guide
+
+    What programs written from the user guide of ODE 0.039 call and ODE 0.16 no longer has. Beside these,
+    collision.h keeps dCreateCCylinder and its relatives, mass.h dMassSetCappedCylinder.
+
+    Arguments:
+    - w: a world.
+    - b: a body.
+
+    Refused: a world or body that is 0 or destroyed, numbers that are not finite. Nothing changes then,
+    and getters answer 0. */
+
+/** Advance the world by stepsize seconds with the small-step solver: the step is cut into maxiterations
+    (>= 1) equal small steps, and in each of them every joint is solved on its own as a rigid block. Time
+    and memory grow linearly with the number of joints. More iterations give more accuracy; joint ERP and
+    CFM keep the meaning they have for the whole step. May be mixed freely with dWorldStep and
+    dWorldQuickStep on the same world. Returns 1 when the world was stepped, 0 when the call was refused
+    (null world, stepsize not positive and finite, maxiterations < 1). [guide] */
 ODE_API int dWorldStepFast1(dWorldID w, dReal stepsize, int maxiterations);
 
-/** The world's auto-enable depth of the guide: an int that is stored and given back (waking
-    through joints always reaches the whole island). */
+/** The world's autoEnableDepth of the guide: an int that is stored and given back (waking through joints
+    always reaches the whole island). [guide] */
 ODE_API void dWorldSetAutoEnableDepthSF1(dWorldID w, int autoEnableDepth);
 ODE_API int dWorldGetAutoEnableDepthSF1(dWorldID w);
 
-/** Old names of the body's auto-disable settings. The threshold sets the linear (m/s) and the
-    angular (rad/s) threshold to the same value and reads back the linear one; steps and flag are
-    those of dBodySetAutoDisableSteps and dBodySetAutoDisableFlag. */
+/** Old names of the body's auto-disable settings. autoDisableThreshold sets the linear (m/s) and the
+    angular (rad/s) threshold to the same value and reads back the linear one; AutoDisableSteps and
+    doAutoDisable are those of dBodySetAutoDisableSteps and dBodySetAutoDisableFlag. [guide] */
 ODE_API void dBodySetAutoDisableThresholdSF1(dBodyID b, dReal autoDisableThreshold);
 ODE_API dReal dBodyGetAutoDisableThresholdSF1(dBodyID b);
 ODE_API void dBodySetAutoDisableStepsSF1(dBodyID b, int AutoDisableSteps);

@@ -19,30 +19,35 @@
 extern "C" {
 #endif
 
+/** @chapter errors Errors and messages
+
+    Refused: nothing here; a null text is said to be one. */
+
 /** A handler. errnum: one of the d_ERR_... numbers of common.h, 0 when unknown; msg: printf format;
     ap: its arguments, which the handler may consume once. */
 typedef void dMessageFunction(int errnum, const char* msg, va_list ap);
 
-/** Install the handler of dError / dDebug / dMessage; NULL brings the default back, which prints to
+/** Install the handler fn of dError, dDebug, dMessage; NULL brings the default back, which prints to
     stderr. Process-wide; install handlers before other threads use the library. A handler may leave
-    by longjmp or by a C++ exception. */
+    by longjmp or by a C++ exception. [0.16] */
 ODE_API void dSetErrorHandler(dMessageFunction* fn);
 ODE_API void dSetDebugHandler(dMessageFunction* fn);
 ODE_API void dSetMessageHandler(dMessageFunction* fn);
 
-/** The handler installed by the program, or NULL when it is the default one. */
+/** The handler installed by the program, or NULL when it is the default one. [0.16] */
 ODE_API dMessageFunction* dGetErrorHandler(void);
 ODE_API dMessageFunction* dGetDebugHandler(void);
 ODE_API dMessageFunction* dGetMessageHandler(void);
 
 /** For programs: report a fatal user-level error and leave the process with exit(1), also when a
-    handler returns. num: error number, shown unless 0; msg, ...: as for printf. */
+    handler returns. num: error number, shown unless 0; msg, ...: as for printf. [0.16] */
 ODE_API void ODE_NORETURN dError(int num, const char* msg, ...);
 
-/** For programs: report a broken assumption and abort(), also when a handler returns. */
+/** For programs: report a broken assumption, as dError does (num, msg, ...), and abort(), also when a handler
+ * returns. [0.16] */
 ODE_API void ODE_NORETURN dDebug(int num, const char* msg, ...);
 
-/** Report something worth knowing and go on. */
+/** Report something worth knowing (num, msg, ... as for dError) and go on. [0.16] */
 ODE_API void dMessage(int num, const char* msg, ...);
 
 #ifdef __cplusplus

@@ -12,6 +12,14 @@
 extern "C" {
 #endif
 
+/** @chapter ext What this library adds
+
+    Arguments:
+    - world: the world.
+
+    Refused: a world that is 0 or destroyed, null pointers, numbers that are not finite, and what each
+   function names. Nothing changes then, and the answer is 0. */
+
 /** What the last step of a world did. Sums and worst values over its islands. Lengths in m, angles in
     rad, energies in J. */
 typedef struct dWorldStepReport {
@@ -62,19 +70,19 @@ typedef struct dIslandStepReport {
     double projection_error;
 } dIslandStepReport;
 
-/** Switch the report on (1) or off (0, the default). Off costs nothing; on costs one more evaluation
-    of the residual per step. Other values are refused. */
+/** Switch the report on (mode 1) or off (0, the default). Off costs nothing; on costs one more evaluation
+    of the residual per step. Other values are refused. [ours] */
 ODE_API void dWorldSetStepReportMode(dWorldID world, int mode);
 ODE_API int dWorldGetStepReportMode(dWorldID world);
 
-/** Copy the report of the last step. The caller sets report->struct_size; as many bytes as that
+/** Copy the report of the world's last step. The caller sets report->struct_size; as many bytes as that
     are written, so an older program keeps working with a newer library. Returns 1, or 0 when the
     mode is off, no step has been made since it was switched on, or the call is refused (null
-    argument, struct_size smaller than itself). */
+    argument, struct_size smaller than itself). [ours] */
 ODE_API int dWorldGetStepReport(dWorldID world, dWorldStepReport* report);
 
-/** The same for one island of the last step, 0 <= island < dWorldStepReport::islands, in the order in
-    which ODE finds them: from the youngest body on. Another index is refused. */
+/** The same, to report, for one island of the last step, 0 <= island < dWorldStepReport::islands, in the
+   order in which ODE finds them: from the youngest body on. Another index is refused. [ours] */
 ODE_API int dWorldGetIslandStepReport(dWorldID world, int island, dIslandStepReport* report);
 
 /** Over how many threads a step of this world may spread its islands, the caller's included; 1 is the
@@ -82,18 +90,18 @@ ODE_API int dWorldGetIslandStepReport(dWorldID world, int island, dIslandStepRep
     number of threads. Callbacks run on the caller's thread only; memory handlers set by the program may be
     called from the others. Threads are shared by all worlds, start with the first step that wants them and
     end with the last dCloseODE. dWorldSetStepIslandsProcessingMaxThreadCount limits them further. Negative
-    numbers are refused. */
+    numbers are refused. [ours] */
 ODE_API void dWorldSetStepThreads(dWorldID world, int threads);
 ODE_API int dWorldGetStepThreads(dWorldID world);
 
-/** How far a step starts from the constraint forces of the last one, as a factor 0 ... 1 on each stepper's
-    usual share; default 1, 0 starts from nothing as the original does. Contacts find their forces again
-    although they are new joints in every step. The answer of dWorldStep does not depend on it, only the time
-    it takes. Values outside 0 ... 1 are refused. */
+/** How far a step of the world starts from the constraint forces of the last one, as a factor 0 ... 1 on each
+   stepper's usual share; default 1, 0 starts from nothing as the original does. Contacts find their forces
+   again although they are new joints in every step. The answer of dWorldStep does not depend on it, only the
+   time it takes. Values outside 0 ... 1 are refused. [ours] */
 ODE_API void dWorldSetQuickStepWarmStarting(dWorldID world, dReal factor);
 ODE_API dReal dWorldGetQuickStepWarmStarting(dWorldID world);
 
-/** How dWorldStep and dWorldQuickStep turn bodies: 0 (the default) as the original does, 1 exactly.
+/** How dWorldStep and dWorldQuickStep turn bodies (mode): 0 (the default) as the original does, 1 exactly.
     Exactly means: the orientation turns by the exponential map, so a spin w held for h turns by w h and not
     by 2 atan(w h/2); and the gyroscopic torque follows the implicit midpoint rule with that map, so that a
     body on which nothing acts keeps its energy and its angular momentum, direction included, to rounding
@@ -104,7 +112,8 @@ ODE_API dReal dWorldGetQuickStepWarmStarting(dWorldID world);
     Gyroscopic mode off (dBodySetGyroscopicMode) leaves the torque out and keeps the exact turn; a finite
     rotation axis (dBodySetFiniteRotationAxis in finite mode) still splits the turn as the client asked;
     the largest angular speed cuts in as always. dWorldStepFast1 is not affected: its small steps turn as
-    before. Costs about 0.4 microseconds per body. Other values are refused, as is a call during a step. */
+    before. Costs about 0.4 microseconds per body. Other values are refused, as is a call during a step.
+   [ours] */
 ODE_API void dWorldSetExactRotation(dWorldID world, int mode);
 ODE_API int dWorldGetExactRotation(dWorldID world);
 
@@ -115,12 +124,13 @@ ODE_API int dWorldGetExactRotation(dWorldID world);
     step: the parts use those that stand for the same spring and damper, so that a spring stays the same
     spring. Joint feedback is the mean force over the step; damping, sleep and callbacks come once. Errors of
     joints and of free motion fall as in as many steps, with one collision instead of n; time grows with n.
-    A projection (dWorldSetStepProjection) follows the last part. Values outside 1 ... 1000 are refused. */
+    A projection (dWorldSetStepProjection) follows the last part. Values outside 1 ... 1000 are refused.
+   [ours] */
 ODE_API void dWorldSetExactSubsteps(dWorldID world, int parts);
 ODE_API int dWorldGetExactSubsteps(dWorldID world);
 
-/** How many steps of Newton's method on positions may follow each dWorldStep, 0 (the default, as the
-   original) to 100; 8 are plenty, and most steps take one. dWorldStep solves for velocities: at its end
+/** How many steps (iterations) of Newton's method on positions may follow each dWorldStep, 0 (the default, as
+   the original) to 100; 8 are plenty, and most steps take one. dWorldStep solves for velocities: at its end
    joints are open by about (w h)^2/2 of a lever that turns at w, and more where a light link carries a heavy
    load. The projection closes joints (all rows that hold positions, and stops that act) until the worst error
    is below the tolerance, and takes from the depth of contacts the share that is their ERP, moving bodies as
@@ -132,13 +142,13 @@ ODE_API int dWorldGetExactSubsteps(dWorldID world);
     last taken back. Velocities are not changed. The joints' tension is felt in the inertia of the bodies that
     they hold, where the step is too long to follow how fast it swings them: without that, light links under a
     heavy load thrash about. The step report tells what was done. Costs about as much again as the step.
-    Other values are refused. */
+    Other values are refused. [ours] */
 ODE_API void dWorldSetStepProjection(dWorldID world, int iterations);
 ODE_API int dWorldGetStepProjection(dWorldID world);
 
-/** The error that the projection need not remove: of angles in rad, of lengths as a share of the longest
-    lever (from the centre of a body to the joint, at least its radius of gyration). Default 1e-4 (1e-3 in
-    single precision); values outside 0 ... 1, and both ends, are refused. */
+/** The error (tolerance) that the projection need not remove: of angles in rad, of lengths as a share of the
+   longest lever (from the centre of a body to the joint, at least its radius of gyration). Default 1e-4 (1e-3
+   in single precision); values outside 0 ... 1, and both ends, are refused. [ours] */
 ODE_API void dWorldSetStepProjectionTolerance(dWorldID world, dReal tolerance);
 ODE_API dReal dWorldGetStepProjectionTolerance(dWorldID world);
 

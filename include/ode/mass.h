@@ -16,59 +16,78 @@
 extern "C" {
 #endif
 
+/** @chapter mass Mass of a body
+
+    Mass, centre of mass and inertia of shapes, and the arithmetic on them. All shapes have their centre
+    at the origin.
+
+    Arguments:
+    - m: the mass to write or to change.
+    - density: kg/m^3.
+    - total_mass: kg.
+    - direction: 1, 2, 3 for an axis along x, y, z.
+    - radius, length: m.
+    - lx, ly, lz: full side lengths, m.
+
+    Refused: null pointers, numbers that are not finite, another direction. A result that no real body can
+    have is stored, with a message. */
+
 struct dMass;
 typedef struct dMass dMass;
 
-/** 1 when the mass is positive and both I and the inertia about the centre of mass are positive
-    definite, else 0 with a message. */
+/** 1 when the mass *m is positive and both I and the inertia about the centre of mass are positive
+    definite, else 0 with a message. [0.16] */
 ODE_API int dMassCheck(const dMass* m);
 
-/** Everything zero. */
+/** Set everything to zero. [guide] */
 ODE_API void dMassSetZero(dMass* m);
 
-/** Give all values: mass, centre (cgx, cgy, cgz), and the six different elements of I. */
+/** Give all values: the mass themass (kg), the centre (cgx, cgy, cgz), m, and the six different elements
+    I11, I22, I33, I12, I13, I23 of the inertia about the origin, kg m^2. [0.16] */
 ODE_API void dMassSetParameters(dMass* m, dReal themass, dReal cgx, dReal cgy, dReal cgz, dReal I11,
                                 dReal I22, dReal I33, dReal I12, dReal I13, dReal I23);
 
-/** A full sphere: m = 4/3 pi r^3 density, I = 2/5 m r^2. Centre at the origin, as for all shapes
-    here. The ...Total form takes the mass instead of the density. */
+/** A full sphere of the given radius: m = 4/3 pi r^3 density, I = 2/5 m r^2. The ...Total forms, here and
+    below, take the mass instead of the density. [guide] */
 ODE_API void dMassSetSphere(dMass* m, dReal density, dReal radius);
 ODE_API void dMassSetSphereTotal(dMass* m, dReal total_mass, dReal radius);
 
-/** A capsule. direction: 1, 2, 3 for its axis along x, y, z (else refused); length: of the
-    cylindrical part, without the caps. */
+/** A capsule with its axis along direction; length is that of the cylindrical part, without the caps.
+    [0.16] */
 ODE_API void dMassSetCapsule(dMass* m, dReal density, int direction, dReal radius, dReal length);
 ODE_API void dMassSetCapsuleTotal(dMass* m, dReal total_mass, int direction, dReal radius, dReal length);
 
-/** A cylinder with flat ends. direction: 1, 2, 3 for x, y, z (else refused). */
+/** A cylinder with flat ends and its axis along direction. [guide] */
 ODE_API void dMassSetCylinder(dMass* m, dReal density, int direction, dReal radius, dReal length);
 ODE_API void dMassSetCylinderTotal(dMass* m, dReal total_mass, int direction, dReal radius, dReal length);
 
-/** A box with full side lengths lx, ly, lz. */
+/** A box with full side lengths lx, ly, lz. [guide] */
 ODE_API void dMassSetBox(dMass* m, dReal density, dReal lx, dReal ly, dReal lz);
 ODE_API void dMassSetBoxTotal(dMass* m, dReal total_mass, dReal lx, dReal ly, dReal lz);
 
-/** Scale mass and inertia to the new mass; the centre stays. */
+/** Scale mass and inertia to the mass newmass (kg); the centre stays. A mass of 0 cannot be scaled:
+    refused. [0.16] */
 ODE_API void dMassAdjust(dMass* m, dReal newmass);
 
-/** Move the material by (x, y, z) relative to the origin: the centre moves along and I is taken
-    about the same origin as before. */
+/** Move the material by (x, y, z), m, relative to the origin: the centre moves along and I is taken about
+    the same origin as before. [0.16] */
 ODE_API void dMassTranslate(dMass* m, dReal x, dReal y, dReal z);
 
-/** Turn the material about the origin: I becomes R I R^T, c becomes R c. */
+/** Turn the material about the origin by the rotation matrix R: I becomes R I R^T, c becomes R c. [0.16] */
 ODE_API void dMassRotate(dMass* m, const dMatrix3 R);
 
-/** a becomes the union of a and b, which must be given about the same origin and in the same axes. */
+/** *a becomes the union of *a and *b, which must be given about the same origin and in the same axes.
+    [0.16] */
 ODE_API void dMassAdd(dMass* a, const dMass* b);
 
-/** Old names of dMassSetCapsule and dMassSetCapsuleTotal. */
+/** Old names of dMassSetCapsule and dMassSetCapsuleTotal. [guide] */
 ODE_API_DEPRECATED ODE_API void dMassSetCappedCylinder(dMass* m, dReal density, int direction, dReal radius,
                                                        dReal length);
 ODE_API_DEPRECATED ODE_API void dMassSetCappedCylinderTotal(dMass* m, dReal total_mass, int direction,
                                                             dReal radius, dReal length);
 
-/** The mass itself. In C++ it has members that call the functions above and starts as zero; the
-    layout is the same as in C. */
+/** The mass itself. In C++ it has members that call the functions above and starts as zero; the layout is
+    the same as in C. */
 struct dMass {
     dReal mass; /**< kg */
     dVector3 c; /**< centre of mass, body frame, m */

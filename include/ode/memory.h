@@ -13,6 +13,10 @@
 extern "C" {
 #endif
 
+/** @chapter memory Memory
+
+    Refused: nothing; NULL is answered when there is no memory. */
+
 /** Gives `size` bytes aligned for any type, or NULL. */
 typedef void* dAllocFunction(dsizeint size);
 /** Resizes a block from oldsize to newsize bytes, keeping the common part. */
@@ -20,17 +24,19 @@ typedef void* dReallocFunction(void* ptr, dsizeint oldsize, dsizeint newsize);
 /** Takes back a block of `size` bytes. */
 typedef void dFreeFunction(void* ptr, dsizeint size);
 
-/** Install a handler; NULL brings malloc / realloc / free back. Process-wide. */
+/** Install a handler fn; NULL brings malloc / realloc / free back. Process-wide. [0.16] */
 ODE_API void dSetAllocHandler(dAllocFunction* fn);
 ODE_API void dSetReallocHandler(dReallocFunction* fn);
 ODE_API void dSetFreeHandler(dFreeFunction* fn);
 
-/** The installed handler, or NULL when it is the default one. */
+/** The installed handler, or NULL when it is the default one. [0.16] */
 ODE_API dAllocFunction* dGetAllocHandler(void);
 ODE_API dReallocFunction* dGetReallocHandler(void);
 ODE_API dFreeFunction* dGetFreeHandler(void);
 
-/** Use the handlers (or the defaults). dFree(NULL, n) does nothing and calls no handler. */
+/** Use the handlers (or the defaults): give size bytes; change the block ptr from oldsize to newsize bytes,
+   keeping what fits; take the block ptr of size bytes back. dFree(NULL, n) does nothing and calls no handler.
+   [0.16] */
 ODE_API void* dAlloc(dsizeint size);
 ODE_API void* dRealloc(void* ptr, dsizeint oldsize, dsizeint newsize);
 ODE_API void dFree(void* ptr, dsizeint size);

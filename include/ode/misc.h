@@ -14,35 +14,39 @@
 extern "C" {
 #endif
 
-/** 1 when the generator gives its known first numbers. The state is kept. */
+/** @chapter random Random numbers and test matrices
+
+    Refused: null pointers and sizes that are not positive. Nothing changes then, and the answer is 0. */
+
+/** 1 when the generator gives its known first numbers. The state is kept. [0.16] */
 ODE_API int dTestRand(void);
 
-/** The next number, 0 ... 2^32 - 1. */
+/** The next number, 0 ... 2^32 - 1. [0.16] */
 ODE_API unsigned long dRand(void);
 
-/** The generator's state; setting it makes what follows repeatable. */
+/** The generator's state; setting it to s makes what follows repeatable. [0.16] */
 ODE_API unsigned long dRandGetSeed(void);
 ODE_API void dRandSetSeed(unsigned long s);
 
-/** An integer 0 ... n-1 from one draw of dRand; 0 when n <= 1. */
+/** An integer 0 ... n-1 from one draw of dRand; 0 when n <= 1. [0.16] */
 ODE_API int dRandInt(int n);
 
-/** A real in [0, 1] from one draw of dRand; both ends can occur. */
+/** A real in [0, 1] from one draw of dRand; both ends can occur. [0.16] */
 ODE_API dReal dRandReal(void);
 
-/** Print an n x m matrix, each element with the printf format fmt, a line per row. */
+/** Print the n x m matrix A to the file f, each element with the printf format fmt, a line per row. [0.16] */
 ODE_API void dPrintMatrix(const dReal* A, int n, int m, const char* fmt, FILE* f);
 
-/** Fill a vector of n, or an n x m matrix (row by row, padding untouched), with reals from
-    -range ... range. */
+/** Fill a vector A of n, or an n x m matrix A (row by row, padding untouched), with reals from
+    -range ... range. [0.16] */
 ODE_API void dMakeRandomVector(dReal* A, int n, dReal range);
 ODE_API void dMakeRandomMatrix(dReal* A, int n, int m, dReal range);
 
-/** Zero the elements above the diagonal of an n x n matrix. */
+/** Zero the elements above the diagonal of the n x n matrix A. [0.16] */
 ODE_API void dClearUpperTriangle(dReal* A, int n);
 
-/** The largest absolute difference of two n x m matrices, or of two n x n lower triangles
-    (diagonal included). */
+/** The largest absolute difference of two n x m matrices A and B, or of two n x n lower triangles
+    (diagonal included). [0.16] */
 ODE_API dReal dMaxDifference(const dReal* A, const dReal* B, int n, int m);
 ODE_API dReal dMaxDifferenceLowerTriangle(const dReal* A, const dReal* B, int n);
 

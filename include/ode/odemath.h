@@ -21,8 +21,19 @@
 #define dVALIDMAT3(m) (dVALIDVEC4(m) && dVALIDVEC4((m) + 4) && dVALIDVEC4((m) + 8))
 #define dVALIDMAT4(m) (dVALIDMAT3(m) && dVALIDVEC4((m) + 12))
 
-/* ---- setting ---- */
+/** @chapter vectors Vectors and 3x3 matrices
 
+    Inline functions; matrices have rows of 4 reals. They check nothing: pointers must be good and sizes
+   right.
+
+    Arguments:
+    - res: where the result is written; a vector (3 reals) or a matrix (12 reals).
+    - a, b, c: vectors (3 reals) or matrices (12 reals), by the formula; a matrix is written as a capital
+   letter.
+
+    Refused: nothing. */
+
+/** res = (x, y, z) [0.16] */
 ODE_PURE_INLINE void dAssignVector3(dVector3 res, dReal x, dReal y, dReal z)
 {
     res[dV3E_X] = x;
@@ -30,24 +41,21 @@ ODE_PURE_INLINE void dAssignVector3(dVector3 res, dReal x, dReal y, dReal z)
     res[dV3E_Z] = z;
 }
 
+/** Set all of res to 0: 3 reals, 12 reals, 16 reals. [0.16] */
 ODE_PURE_INLINE void dZeroVector3(dVector3 res) { dAssignVector3(res, REAL(0.0), REAL(0.0), REAL(0.0)); }
-
 ODE_PURE_INLINE void dZeroMatrix3(dMatrix3 res)
 {
     dZeroVector3(res + dM3E__X_MIN);
     dZeroVector3(res + dM3E__Y_MIN);
     dZeroVector3(res + dM3E__Z_MIN);
 }
-
 ODE_PURE_INLINE void dZeroMatrix4(dMatrix4 res)
 {
     int i;
     for (i = 0; i < dM4E__MAX; ++i) res[i] = REAL(0.0);
 }
 
-/* ---- sums and multiples ---- */
-
-/** res = a_scale a + b_scale b + c_scale c */
+/** res = a_scale a + b_scale b + c_scale c [0.16] */
 ODE_PURE_INLINE void dAddThreeScaledVectors3(dReal* res, const dReal* a, const dReal* b, const dReal* c,
                                              dReal a_scale, dReal b_scale, dReal c_scale)
 {
@@ -55,7 +63,7 @@ ODE_PURE_INLINE void dAddThreeScaledVectors3(dReal* res, const dReal* a, const d
     for (i = 0; i < 3; ++i) res[i] = a_scale * a[i] + b_scale * b[i] + c_scale * c[i];
 }
 
-/** res = a_scale a + b_scale b */
+/** res = a_scale a + b_scale b [0.16] */
 ODE_PURE_INLINE void dAddScaledVectors3(dReal* res, const dReal* a, const dReal* b, dReal a_scale,
                                         dReal b_scale)
 {
@@ -63,77 +71,77 @@ ODE_PURE_INLINE void dAddScaledVectors3(dReal* res, const dReal* a, const dReal*
     for (i = 0; i < 3; ++i) res[i] = a_scale * a[i] + b_scale * b[i];
 }
 
-/** res = a + b_scale b */
+/** res = a + b_scale b [0.16] */
 ODE_PURE_INLINE void dAddVectorScaledVector3(dReal* res, const dReal* a, const dReal* b, dReal b_scale)
 {
     int i;
     for (i = 0; i < 3; ++i) res[i] = a[i] + b_scale * b[i];
 }
 
-/** res = a + b */
+/** res = a + b [0.16] */
 ODE_PURE_INLINE void dAddVectors3(dReal* res, const dReal* a, const dReal* b)
 {
     int i;
     for (i = 0; i < 3; ++i) res[i] = a[i] + b[i];
 }
 
-/** res = a - b */
+/** res = a - b [0.16] */
 ODE_PURE_INLINE void dSubtractVectors3(dReal* res, const dReal* a, const dReal* b)
 {
     int i;
     for (i = 0; i < 3; ++i) res[i] = a[i] - b[i];
 }
 
-/** res = nScale res */
+/** res = nScale res [0.16] */
 ODE_PURE_INLINE void dScaleVector3(dReal* res, dReal nScale)
 {
     int i;
     for (i = 0; i < 3; ++i) res[i] *= nScale;
 }
 
-/** res = -res */
+/** Turn a vector round: res = -res [0.16] */
 ODE_PURE_INLINE void dNegateVector3(dReal* res)
 {
     int i;
     for (i = 0; i < 3; ++i) res[i] = -res[i];
 }
 
-/* ---- copying ---- */
-
+/** res = a, 3 reals [0.16] */
 ODE_PURE_INLINE void dCopyVector3(dReal* res, const dReal* a)
 {
     int i;
     for (i = 0; i < 3; ++i) res[i] = a[i];
 }
 
-/** res = nScale a */
+/** res = nScale a [0.16] */
 ODE_PURE_INLINE void dCopyScaledVector3(dReal* res, const dReal* a, dReal nScale)
 {
     int i;
     for (i = 0; i < 3; ++i) res[i] = a[i] * nScale;
 }
 
-/** res = -a */
+/** res = -a [0.16] */
 ODE_PURE_INLINE void dCopyNegatedVector3(dReal* res, const dReal* a)
 {
     int i;
     for (i = 0; i < 3; ++i) res[i] = -a[i];
 }
 
+/** res = a, 4 reals [0.16] */
 ODE_PURE_INLINE void dCopyVector4(dReal* res, const dReal* a)
 {
     int i;
     for (i = 0; i < 4; ++i) res[i] = a[i];
 }
 
-/** Copy three rows with their padding: 12 reals. */
+/** Copy three rows with their padding: 12 reals. [0.16] */
 ODE_PURE_INLINE void dCopyMatrix4x4(dReal* res, const dReal* a)
 {
     int i;
     for (i = 0; i < 12; ++i) res[i] = a[i];
 }
 
-/** Copy three rows without their padding: 9 reals. */
+/** Copy three rows without their padding: 9 reals. [0.16] */
 ODE_PURE_INLINE void dCopyMatrix4x3(dReal* res, const dReal* a)
 {
     dCopyVector3(res, a);
@@ -141,20 +149,20 @@ ODE_PURE_INLINE void dCopyMatrix4x3(dReal* res, const dReal* a)
     dCopyVector3(res + 8, a + 8);
 }
 
-/** res = column n (0 ... 2) of the matrix a. res must not lie in a. */
+/** res = column n (0 ... 2) of the matrix a. res must not lie in a. [0.16] */
 ODE_PURE_INLINE void dGetMatrixColumn3(dReal* res, const dReal* a, unsigned n)
 {
     unsigned i;
     for (i = 0; i < 3; ++i) res[i] = a[4 * i + n];
 }
 
-/* ---- products of vectors ---- */
-
+/** The inner product a . b, of elements step_a and step_b reals apart. [0.16] */
 ODE_PURE_INLINE dReal _dCalcVectorDot3(const dReal* a, const dReal* b, unsigned step_a, unsigned step_b)
 {
     return a[0] * b[0] + a[step_a] * b[step_b] + a[2 * step_a] * b[2 * step_b];
 }
 
+/** The inner product a . b; the digits are the strides of a and b: 4 for a column of a matrix. [0.16] */
 ODE_PURE_INLINE dReal dCalcVectorDot3(const dReal* a, const dReal* b) { return _dCalcVectorDot3(a, b, 1, 1); }
 ODE_PURE_INLINE dReal dCalcVectorDot3_13(const dReal* a, const dReal* b)
 {
@@ -181,13 +189,13 @@ ODE_PURE_INLINE dReal dCalcVectorDot3_44(const dReal* a, const dReal* b)
     return _dCalcVectorDot3(a, b, 4, 4);
 }
 
-/** |a|^2 */
+/** The square of the length, |a|^2. [0.16] */
 ODE_PURE_INLINE dReal dCalcVectorLengthSquare3(const dReal* a) { return dCalcVectorDot3(a, a); }
 
-/** |a| */
+/** The length of a vector, |a|. [0.16] */
 ODE_PURE_INLINE dReal dCalcVectorLength3(const dReal* a) { return dSqrt(dCalcVectorLengthSquare3(a)); }
 
-/** |a - b| */
+/** The distance of two points, |a - b|. [0.16] */
 ODE_PURE_INLINE dReal dCalcPointsDistance3(const dReal* a, const dReal* b)
 {
     dReal d[3];
@@ -195,7 +203,7 @@ ODE_PURE_INLINE dReal dCalcPointsDistance3(const dReal* a, const dReal* b)
     return dCalcVectorLength3(d);
 }
 
-/** How far test_p lies under the plane through plane_p with unit normal plane_n (negative: above). */
+/** How far test_p lies under the plane through plane_p with unit normal plane_n (negative: above). [0.16] */
 ODE_PURE_INLINE dReal dCalcPointDepth3(const dReal* test_p, const dReal* plane_p, const dReal* plane_n)
 {
     dReal d[3];
@@ -203,6 +211,7 @@ ODE_PURE_INLINE dReal dCalcPointDepth3(const dReal* test_p, const dReal* plane_p
     return dCalcVectorDot3(d, plane_n);
 }
 
+/** res = a x b, of elements step_res, step_a and step_b reals apart. [0.16] */
 ODE_PURE_INLINE void _dCalcVectorCross3(dReal* res, const dReal* a, const dReal* b, unsigned step_res,
                                         unsigned step_a, unsigned step_b)
 {
@@ -213,7 +222,7 @@ ODE_PURE_INLINE void _dCalcVectorCross3(dReal* res, const dReal* a, const dReal*
     res[2 * step_res] = ax * by - ay * bx;
 }
 
-/** res = a x b; the digits are the strides of res, a, b. */
+/** res = a x b; the digits are the strides of res, a, b. [0.16] */
 ODE_PURE_INLINE void dCalcVectorCross3(dReal* res, const dReal* a, const dReal* b)
 {
     _dCalcVectorCross3(res, a, b, 1, 1, 1);
@@ -247,7 +256,7 @@ ODE_PURE_INLINE void dCalcVectorCross3_444(dReal* res, const dReal* a, const dRe
     _dCalcVectorCross3(res, a, b, 4, 4, 4);
 }
 
-/** res = res + a x b */
+/** res = res + a x b [0.16] */
 ODE_PURE_INLINE void dAddVectorCross3(dReal* res, const dReal* a, const dReal* b)
 {
     dReal c[3];
@@ -255,7 +264,7 @@ ODE_PURE_INLINE void dAddVectorCross3(dReal* res, const dReal* a, const dReal* b
     dAddVectors3(res, res, c);
 }
 
-/** res = res - a x b */
+/** res = res - a x b [0.16] */
 ODE_PURE_INLINE void dSubtractVectorCross3(dReal* res, const dReal* a, const dReal* b)
 {
     dReal c[3];
@@ -264,7 +273,7 @@ ODE_PURE_INLINE void dSubtractVectorCross3(dReal* res, const dReal* a, const dRe
 }
 
 /** Write the off-diagonal elements of [a], the matrix with [a] v = a x v, into rows of `skip` reals. The
-    diagonal is left as it is. */
+    diagonal is left as it is. [0.16] */
 ODE_PURE_INLINE void dSetCrossMatrixPlus(dReal* res, const dReal* a, unsigned skip)
 {
     const dReal x = a[0], y = a[1], z = a[2];
@@ -276,7 +285,7 @@ ODE_PURE_INLINE void dSetCrossMatrixPlus(dReal* res, const dReal* a, unsigned sk
     res[2 * skip + 1] = x;
 }
 
-/** The same for -[a], the transpose. */
+/** The same for -[a], the transpose: rows of `skip` reals. [0.16] */
 ODE_PURE_INLINE void dSetCrossMatrixMinus(dReal* res, const dReal* a, unsigned skip)
 {
     const dReal x = a[0], y = a[1], z = a[2];
@@ -288,9 +297,7 @@ ODE_PURE_INLINE void dSetCrossMatrixMinus(dReal* res, const dReal* a, unsigned s
     res[2 * skip + 1] = -x;
 }
 
-/* ---- products with matrices ---- */
-
-/** res = A b */
+/** res = A b [0.16] */
 ODE_PURE_INLINE void dMultiplyHelper0_331(dReal* res, const dReal* a, const dReal* b)
 {
     const dReal x = dCalcVectorDot3(a, b);
@@ -299,7 +306,7 @@ ODE_PURE_INLINE void dMultiplyHelper0_331(dReal* res, const dReal* a, const dRea
     dAssignVector3(res, x, y, z);
 }
 
-/** res = A^T b */
+/** res = A^T b [0.16] */
 ODE_PURE_INLINE void dMultiplyHelper1_331(dReal* res, const dReal* a, const dReal* b)
 {
     const dReal x = dCalcVectorDot3_41(a, b);
@@ -308,13 +315,13 @@ ODE_PURE_INLINE void dMultiplyHelper1_331(dReal* res, const dReal* a, const dRea
     dAssignVector3(res, x, y, z);
 }
 
-/** res = a B, a row times a matrix */
+/** res = a B, a row times a matrix [0.16] */
 ODE_PURE_INLINE void dMultiplyHelper0_133(dReal* res, const dReal* a, const dReal* b)
 {
     dMultiplyHelper1_331(res, b, a);
 }
 
-/** res = A^T b with b a column (stride 4) of a matrix */
+/** res = A^T b with b a column (stride 4) of a matrix [0.16] */
 ODE_PURE_INLINE void dMultiplyHelper1_133(dReal* res, const dReal* a, const dReal* b)
 {
     const dReal x = dCalcVectorDot3_44(a, b);
@@ -323,6 +330,7 @@ ODE_PURE_INLINE void dMultiplyHelper1_133(dReal* res, const dReal* a, const dRea
     dAssignVector3(res, x, y, z);
 }
 
+/** res = A b (0_331), A^T b (1_331), a B (0_133). res must be none of the arguments' storage. [0.16] */
 ODE_PURE_INLINE void dMultiply0_331(dReal* res, const dReal* a, const dReal* b)
 {
     dMultiplyHelper0_331(res, a, b);
@@ -336,29 +344,28 @@ ODE_PURE_INLINE void dMultiply0_133(dReal* res, const dReal* a, const dReal* b)
     dMultiplyHelper0_133(res, a, b);
 }
 
-/** res = A B. res must not be B. */
+/** res = A B. res must not be B. [0.16] */
 ODE_PURE_INLINE void dMultiply0_333(dReal* res, const dReal* a, const dReal* b)
 {
     unsigned i;
     for (i = 0; i < 12; i += 4) dMultiplyHelper0_133(res + i, a + i, b);
 }
 
-/** res = A^T B. res must be neither A nor B. */
+/** res = A^T B. res must be neither A nor B. [0.16] */
 ODE_PURE_INLINE void dMultiply1_333(dReal* res, const dReal* a, const dReal* b)
 {
     unsigned i;
     for (i = 0; i < 3; ++i) dMultiplyHelper1_133(res + 4 * i, b, a + i);
 }
 
-/** res = A B^T. res must not be B. */
+/** res = A B^T. res must not be B. [0.16] */
 ODE_PURE_INLINE void dMultiply2_333(dReal* res, const dReal* a, const dReal* b)
 {
     unsigned i;
     for (i = 0; i < 12; i += 4) dMultiplyHelper0_331(res + i, b, a + i);
 }
 
-/* The same, added to what res holds. */
-
+/** The same six products, added to what res holds. [0.16] */
 ODE_PURE_INLINE void dMultiplyAdd0_331(dReal* res, const dReal* a, const dReal* b)
 {
     dReal t[3];
@@ -397,7 +404,7 @@ ODE_PURE_INLINE void dMultiplyAdd2_333(dReal* res, const dReal* a, const dReal* 
     for (i = 0; i < 12; i += 4) dMultiplyAdd0_331(res + i, b, a + i);
 }
 
-/** Determinant of a 3x3 matrix: r0 . (r1 x r2). */
+/** Determinant of the 3x3 matrix mat: r0 . (r1 x r2). [0.16] */
 ODE_PURE_INLINE dReal dCalcMatrix3Det(const dReal* mat)
 {
     dReal c[3];
@@ -406,7 +413,7 @@ ODE_PURE_INLINE dReal dCalcMatrix3Det(const dReal* mat)
 }
 
 /** dst = ma^-1 by cofactors. Returns the determinant; when that is 0, dst is left as it is. dst must
-    not be ma. */
+    not be ma. [0.16] */
 ODE_PURE_INLINE dReal dInvertMatrix3(dReal* dst, const dReal* ma)
 {
     const dReal det = dCalcMatrix3Det(ma);
@@ -427,20 +434,25 @@ ODE_PURE_INLINE dReal dInvertMatrix3(dReal* dst, const dReal* ma)
 extern "C" {
 #endif
 
-/** Scale a vector of 3 (4) reals to length 1, safely for very large and very small ones. Returns 1,
-    or 0 with the vector unchanged when it is zero or not finite. */
+/** @chapter normalising Vectors: normalising
+
+    Refused: a null pointer; what each function names. Nothing is written then, and the answer is 0. */
+
+/** Scale a vector a of 3 (4) reals to length 1, safely for very large and very small ones. Returns 1,
+    or 0 with the vector unchanged when it is zero or not finite. [0.16] */
 ODE_API int dSafeNormalize3(dVector3 a);
 ODE_API int dSafeNormalize4(dVector4 a);
 
-/** The same for vectors known not to be zero. A zero vector is refused and stays as it is. */
+/** The same for a vector a known not to be zero. A zero vector is refused and stays as it is. [0.16] */
 ODE_API void dNormalize3(dVector3 a);
 ODE_API void dNormalize4(dVector4 a);
 
-/** Two unit vectors p and q that make (n, p, q) a right-handed orthonormal frame. n: unit vector. */
+/** Two unit vectors p and q that make (n, p, q) a right-handed orthonormal frame. n: unit vector; zero is
+    refused. [0.16] */
 ODE_API void dPlaneSpace(const dVector3 n, dVector3 p, dVector3 q);
 
 /** Make the rows of m orthonormal (Gram and Schmidt, first row leading, third = first x second, so no
-   reflection survives). Padding becomes 0. Returns 1, or 0 when a row degenerates. */
+   reflection survives). m: 12 reals; padding becomes 0. Returns 1, or 0 when a row degenerates. [0.16] */
 ODE_API int dOrthogonalizeR(dMatrix3 m);
 
 #ifdef __cplusplus

@@ -11,29 +11,33 @@
 extern "C" {
 #endif
 
+/** @chapter timers Timers
+
+    Refused: a null stopwatch, description or file. Nothing changes then, and the answer is 0. */
+
 /** A stopwatch. The members are the library's business; set it up with dStopwatchReset. */
 typedef struct dStopwatch {
     double time;
     unsigned long cc[2];
 } dStopwatch;
 
-/** Back to zero; start; stop, adding the time since the start; total in seconds. */
+/** The stopwatch s: back to zero; start; stop, adding the time since the start; total in seconds. [0.16] */
 ODE_API void dStopwatchReset(dStopwatch* s);
 ODE_API void dStopwatchStart(dStopwatch* s);
 ODE_API void dStopwatchStop(dStopwatch* s);
 ODE_API double dStopwatchTime(dStopwatch* s);
 
-/** Begin a new list of events; begin the next event (at most 100 count); end the list. The
-    descriptions are not copied and must live until the report. */
+/** Begin a new list of events; begin the next event (at most 100 count); end the list. A
+    description is not copied and must live until the report. [0.16] */
 ODE_API void dTimerStart(const char* description);
 ODE_API void dTimerNow(const char* description);
 ODE_API void dTimerEnd(void);
 
-/** Print the time and share of each event. average != 0: also the means over all lists so far whose events
-    were the same. */
+/** Print the time and share of each event to fout. average != 0: also the means over all lists so far whose
+   events were the same. [0.16] */
 ODE_API void dTimerReport(FILE* fout, int average);
 
-/** Ticks of the clock per second, and its smallest visible step in seconds. */
+/** Ticks of the clock per second, and its smallest visible step in seconds. [0.16] */
 ODE_API double dTimerTicksPerSecond(void);
 ODE_API double dTimerResolution(void);
 

@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+"""Reads the documentation of the public headers, for check_docs.py (is anything missing?) and doxygen_filter.py
+(the reference manual).
+
+The convention of include/ode: a comment that opens with two stars speaks of everything from it to the next empty
+line or the next comment of its own, a *run*: a setter and its getter, the eight ways to add a force. It names every
+argument and ends with where the definition comes from, in brackets:
+  [guide]  the user guide of ODE 0.039     [0.16]  the behaviour of ODE 0.16     [ours]  this library
+A comment that opens with "@chapter name Title" begins a chapter of the manual. Its paragraph "Arguments:" explains,
+one "- name, name: text" each, arguments that mean the same in all functions from there to the end of the file; a run
+need not repeat them. Its paragraph "Refused: ..." tells what every function of the chapter refuses."""
+import dataclasses
+import re
+
+SOURCES = ("guide", "0.16", "ours")
+_COMMENT = re.compile(r"/\*.*?\*/", re.S)
+_FUNCTION = re.compile(r"\b(?P<name>[A-Za-z_]\w*)\s*\((?P<args>[^()]*(?:\([^()]*\)[^()]*)*)\)\s*(?:;|\{)")
+
+
+@dataclasses.dataclass
+class Function:
+    name: str
+    parameters: list  # names; "" where the declaration leaves one out
+    line: int
+    inline: bool
+
+
+@dataclasses.dataclass
+class Run:
+    comment: str  # without stars; "" where there is none
+    begin: int  # offsets in the file's text: of the comment (or the first declaration) ...
+    body: int  # ... of what it speaks of
+    end: int
+    functions: list
+    macros: list  # names of function-like macros and constants
+    chapter: object = None
+
+    def sources(self):
+        found = re.search(r"\[([\w., ]+)\]\s*$", self.comment)
+        names = [name.strip() for name in found.group(1).split(",")] if found else []
+        return names if names and all(name in SOURCES for name in names) else []
+
+
+@dataclasses.dataclass
+class Chapter:
+    name: str
+    title: str
+    text: str
+    arguments: dict  # name: what it means, of this chapter and those before it in the file
+    refused: str
+    begin: int
+    end: int
+
+
+def chapters(text):
+    """The chapters of a header's text, in order."""
+    result, arguments = [], {}
+    for match in _COMMENT.finditer(text):
+        head = re.match(r"@chapter (\w+) ([^\n]+)\n?(.*)", plain(match.group(0)), re.S)
+        if not head:
+            continue
+        refused, said = "", []
+        for paragraph in re.split(r"\n\s*\n", head[3].strip()):
+            if paragraph.startswith("Arguments:"):
+                for names, meaning in re.findall(r"^- ([\w, ]+?): (.*?)(?=\n- |\Z)", paragraph, re.S | re.M):
+                    arguments |= {name.strip(): " ".join(meaning.split()) for name in names.split(",")}
+            else:
+                words, _, refusals = paragraph.partition("Refused: ")
+                refused = " ".join(refusals.split()) or refused
+                said.append(words.strip())
+        result.append(Chapter(head[1], head[2], "\n\n".join(said).strip(), dict(arguments), refused, match.start(),
+                              match.end()))
+    return result
+
+
+def plain(comment):
+    """The text of a comment without its frame."""
+    text = re.sub(r"^/\*\*?<?|\*/$", "", comment)
+    return re.sub(r"\n[ \t]*(?:\* ?)?", "\n", text).strip()
+
+
+def parameters(arguments):
+    names = []
+    depth, piece = 0, ""
+    for c in arguments + ",":
+        if c == "," and depth == 0:
+            names.append(_parameter(piece.strip()))
+            piece = ""
+            continue
+        depth += (c == "(") - (c == ")")
+        piece += c
+    return [name for name in names if name is not None]
+
+
+def _parameter(piece):
+    if piece in ("", "void", "..."):
+        return None
+    callback = re.search(r"\(\s*\*\s*(\w*)\s*\)\s*\(", piece)
+    if callback:
+        return callback.group(1)
+    words = re.findall(r"\w+", re.sub(r"\[[^\]]*\]", "", piece))
+    unnamed = len([w for w in words if w not in ("const", "struct", "unsigned", "signed", "long")]) < 2
+    return "" if unnamed and not (len(words) > 1 and words[-2] in ("unsigned", "long")) else words[-1]
+
+
+def blank_comments(text):
+    """The text with comments and the bodies of functions blanked out, all offsets kept."""
+    hide = lambda found: re.sub(r"[^\n]", " ", found.group(0))
+    text = re.sub(r"//[^\n]*", hide, _COMMENT.sub(hide, text))
+    body = re.compile(r"\)(?: const)?\s*\{")
+    position = 0
+    while found := body.search(text, position):
+        end, depth = found.end(), 1
+        while end < len(text) and depth:
+            depth += {"{": 1, "}": -1}.get(text[end], 0)
+            end += 1
+        text = text[:found.end()] + re.sub(r"[^\n]", " ", text[found.end():end - 1]) + text[end - 1:]
+        position = end
+    return text
+
+
+def _functions(code, offset, line_of):
+    found = []
+    for match in _FUNCTION.finditer(code):
+        head = code[:match.start()].rsplit(";", 1)[-1].rsplit("}", 1)[-1]
+        if "#define" in head.rsplit("\n", 1)[-1] or "typedef" in head or match["name"] in ("if", "while", "for", "sizeof"):
+            continue
+        if not re.search(r"\bODE_API\b|\bODE_PURE_INLINE\b|\bODE_INLINE\b", head):
+            continue
+        found.append(Function(match["name"], parameters(match["args"]), line_of(offset + match.start("name")),
+                              "ODE_API" not in head))
+    return found
+
+
+def runs(text):
+    """The runs of a header's text, in order. Anything outside `extern "C"` and include guards counts."""
+    line_of = lambda offset: text.count("\n", 0, offset) + 1
+    parts = chapters(text)
+    comments = {m.start(): m for m in _COMMENT.finditer(text) if text[text.rfind("\n", 0, m.start()) + 1:m.start()].strip() == ""
+                and not m.group(0).startswith("/**<")}
+    blank = blank_comments(text)
+    result, position = [], 0
+    starts = sorted(comments)
+    while position < len(text):
+        following = next((s for s in starts if s >= position), None)
+        paragraph = re.compile(r"\S", re.M).search(blank, position)
+        if paragraph is None and following is None:
+            break
+        if following is not None and (paragraph is None or following < paragraph.start()):
+            comment = comments[following]
+            body = comment.end()
+            documented = comment.group(0).startswith("/**") and re.match(r"[ \t]*\n[ \t]*\S", text[body:]) is not None
+            if not documented or next((s for s in starts if s > following and text[body:s].strip() == ""), None):
+                position = body
+                continue
+            begin, said = comment.start(), plain(comment.group(0))
+        else:
+            begin = body = paragraph.start()
+            said = ""
+        gap = re.compile(r"\n[ \t]*\n").search(text, body)
+        stop = min([gap.start() if gap else len(text)] + [s for s in starts if s > body])
+        # A body in braces may hold empty lines and comments: the run goes on to its end.
+        while blank.count("{", body, stop) > blank.count("}", body, stop):
+            if 'extern "C" {' in blank[body:stop] or blank[body:stop].lstrip().startswith("enum") and False:
+                break
+            gap = re.compile(r"\n[ \t]*\n").search(text, stop + 1)
+            stop = gap.start() if gap else len(text)
+        code = blank[body:stop]
+        macros = re.findall(r"^[ \t]*#define (\w+)", code, re.M)
+        part = next((c for c in reversed(parts) if c.begin < begin), None)
+        result.append(Run(said, begin, body, stop, _functions(code, body, line_of), macros, part))
+        position = max(stop, body + 1)
+    return result
