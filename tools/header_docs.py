@@ -23,7 +23,6 @@ class Function:
     name: str
     parameters: list  # names; "" where the declaration leaves one out
     line: int
-    inline: bool
 
 
 @dataclasses.dataclass
@@ -33,8 +32,7 @@ class Run:
     body: int  # ... of what it speaks of
     end: int
     functions: list
-    macros: list  # names of function-like macros and constants
-    chapter: object = None
+    chapter: object  # a Chapter, or None
 
     def sources(self):
         found = re.search(r"\[([\w., ]+)\]\s*$", self.comment)
@@ -124,51 +122,51 @@ def _functions(code, offset, line_of):
     found = []
     for match in _FUNCTION.finditer(code):
         head = code[:match.start()].rsplit(";", 1)[-1].rsplit("}", 1)[-1]
-        if "#define" in head.rsplit("\n", 1)[-1] or "typedef" in head or match["name"] in ("if", "while", "for", "sizeof"):
+        declared = re.search(r"\bODE_(?:API|PURE_INLINE|INLINE)\b", head)
+        if not declared or "typedef" in head or "#define" in head.rsplit("\n", 1)[-1]:
             continue
-        if not re.search(r"\bODE_API\b|\bODE_PURE_INLINE\b|\bODE_INLINE\b", head):
-            continue
-        found.append(Function(match["name"], parameters(match["args"]), line_of(offset + match.start("name")),
-                              "ODE_API" not in head))
+        found.append(Function(match["name"], parameters(match["args"]), line_of(offset + match.start("name"))))
     return found
 
 
+def _own_comments(text):
+    """Comments that stand at the beginning of a line, without those that belong to what is before them."""
+    for match in _COMMENT.finditer(text):
+        if text[:match.start()].endswith(("\n", "\n    ")) and not match.group(0).startswith("/**<"):
+            yield match
+
+
+def _end_of_run(text, blank, body, comments):
+    """The next empty line or comment, but not one inside braces."""
+    stop = body
+    while True:
+        gap = re.compile(r"\n[ \t]*\n").search(text, stop + 1)
+        stop = min([gap.start() if gap else len(text)] + [m.start() for m in comments if m.start() > max(body, stop)])
+        inside = blank.count("{", body, stop) > blank.count("}", body, stop)
+        if stop == len(text) or not inside or 'extern "C" {' in text[body:stop]:
+            return stop
+
+
 def runs(text):
-    """The runs of a header's text, in order. Anything outside `extern "C"` and include guards counts."""
+    """The runs of a header's text, in order; declarations without a comment make a run of their own."""
+    parts, blank = chapters(text), blank_comments(text)
+    comments = list(_own_comments(text))
     line_of = lambda offset: text.count("\n", 0, offset) + 1
-    parts = chapters(text)
-    comments = {m.start(): m for m in _COMMENT.finditer(text) if text[text.rfind("\n", 0, m.start()) + 1:m.start()].strip() == ""
-                and not m.group(0).startswith("/**<")}
-    blank = blank_comments(text)
     result, position = [], 0
-    starts = sorted(comments)
-    while position < len(text):
-        following = next((s for s in starts if s >= position), None)
-        paragraph = re.compile(r"\S", re.M).search(blank, position)
-        if paragraph is None and following is None:
-            break
-        if following is not None and (paragraph is None or following < paragraph.start()):
-            comment = comments[following]
-            body = comment.end()
-            documented = comment.group(0).startswith("/**") and re.match(r"[ \t]*\n[ \t]*\S", text[body:]) is not None
-            if not documented or next((s for s in starts if s > following and text[body:s].strip() == ""), None):
-                position = body
+    while True:
+        code = re.compile(r"\S").search(blank, position)
+        comment = next((m for m in comments if m.start() >= position), None)
+        if not code:
+            return result
+        begin = body = code.start()
+        said = ""
+        if comment and comment.start() < code.start():
+            speaks = comment.group(0).startswith("/**") and not blank[comment.end():code.start()].count("\n\n")
+            if not speaks or any(comment.end() <= m.start() < code.start() for m in comments):
+                position = comment.end()
                 continue
-            begin, said = comment.start(), plain(comment.group(0))
-        else:
-            begin = body = paragraph.start()
-            said = ""
-        gap = re.compile(r"\n[ \t]*\n").search(text, body)
-        stop = min([gap.start() if gap else len(text)] + [s for s in starts if s > body])
-        # A body in braces may hold empty lines and comments: the run goes on to its end.
-        while blank.count("{", body, stop) > blank.count("}", body, stop):
-            if 'extern "C" {' in blank[body:stop] or blank[body:stop].lstrip().startswith("enum") and False:
-                break
-            gap = re.compile(r"\n[ \t]*\n").search(text, stop + 1)
-            stop = gap.start() if gap else len(text)
-        code = blank[body:stop]
-        macros = re.findall(r"^[ \t]*#define (\w+)", code, re.M)
+            begin, body, said = comment.start(), comment.end(), plain(comment.group(0))
+        stop = _end_of_run(text, blank, body, comments)
         part = next((c for c in reversed(parts) if c.begin < begin), None)
-        result.append(Run(said, begin, body, stop, _functions(code, body, line_of), macros, part))
-        position = max(stop, body + 1)
-    return result
+        result.append(Run(said, begin, body, stop, _functions(blank[body:stop], body, line_of), part))
+        position = stop

@@ -306,7 +306,7 @@ ODE_API_DEPRECATED ODE_API void dGeomTransformSetInfo(dGeomID transform, int mod
 ODE_API_DEPRECATED ODE_API int dGeomTransformGetInfo(dGeomID transform);
 
 struct dxHeightfieldData;
-typedef struct dxHeightfieldData* dHeightfieldDataID;
+typedef struct dxHeightfieldData* dHeightfieldDataID; /**< the heights of height fields */
 
 /** The sample (x, z); it counts as 0 when it is no number. Must not change while a collision goes on. */
 typedef dReal dHeightfieldGetHeight(void* p_user_data, int x, int z);
@@ -421,11 +421,11 @@ typedef int dAABBTestFn(dGeomID o1, dGeomID o2, dReal aabb[6]);
 
 /** A class of the program's own. collider and aabb must be given, the other functions may be 0. */
 typedef struct dGeomClass {
-    int bytes; /**< size of the class's data in each geom */
-    dGetColliderFnFn* collider;
-    dGetAABBFn* aabb;
-    dAABBTestFn* aabb_test;
-    dGeomDtorFn* dtor;
+    int bytes;                  /**< size of the class's data in each geom */
+    dGetColliderFnFn* collider; /**< gives the functions that find contacts */
+    dGetAABBFn* aabb;           /**< computes the bounding box */
+    dAABBTestFn* aabb_test;     /**< saves closer tests, or 0 */
+    dGeomDtorFn* dtor;          /**< called when a geom is destroyed, or 0 */
 } dGeomClass;
 
 /** Register the class that *classptr describes; returns its number, dFirstUserClass and up. Refused (-1) when

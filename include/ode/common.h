@@ -20,14 +20,16 @@
 extern "C" {
 #endif
 
-/* Constants that <math.h> leaves out in strict standard modes. */
 #ifndef M_PI
+/** pi: <math.h> leaves it out in strict standard modes. */
 #define M_PI REAL(3.1415926535897932384626433832795029)
 #endif
 #ifndef M_PI_2
+/** pi / 2: <math.h> leaves it out in strict standard modes. */
 #define M_PI_2 REAL(1.5707963267948966192313216916398)
 #endif
 #ifndef M_SQRT1_2
+/** 1 / sqrt(2): <math.h> leaves it out in strict standard modes. */
 #define M_SQRT1_2 REAL(0.7071067811865475244008443621048490)
 #endif
 
@@ -173,17 +175,18 @@ typedef enum {
 
 /* ---- vectors and matrices ---- */
 
-typedef dReal dVector3[dV3E__MAX]; /**< x, y, z, padding */
-typedef dReal dVector4[dV4E__MAX];
-typedef dReal dMatrix3[dM3E__MAX]; /**< 3 rows of 4; element (i,j) at 4 i + j */
-typedef dReal dMatrix4[dM4E__MAX]; /**< 4 rows of 4 */
-typedef dReal dMatrix6[48];        /**< 6 rows of 8 */
-typedef dReal dQuaternion[dQUE__MAX];
-
-/* ---- scalar functions of the real type ---- */
+typedef dReal dVector3[dV3E__MAX];    /**< x, y, z, padding */
+typedef dReal dVector4[dV4E__MAX];    /**< x, y, z, o */
+typedef dReal dMatrix3[dM3E__MAX];    /**< 3 rows of 4; element (i,j) at 4 i + j */
+typedef dReal dMatrix4[dM4E__MAX];    /**< 4 rows of 4 */
+typedef dReal dMatrix6[48];           /**< 6 rows of 8 */
+typedef dReal dQuaternion[dQUE__MAX]; /**< w, x, y, z */
 
 #if defined(dSINGLE)
-#define REAL(x) (x##f) /**< a literal of the real type: REAL(0.5) */
+/** Scalar functions of the real type: a literal (REAL(0.5)), 1/x, the square root and 1 over it, sine,
+   cosine, absolute value, arcs, remainder, rounding down and up, the sign of b on a, the neighbour of x
+   towards y. */
+#define REAL(x) (x##f)
 #define dRecip(x) ((1.0f / (x)))
 #define dSqrt(x) (sqrtf(x))
 #define dRecipSqrt(x) ((1.0f / sqrtf(x)))
@@ -199,7 +202,10 @@ typedef dReal dQuaternion[dQUE__MAX];
 #define dCopySign(a, b) _ode_copysignf(a, b)
 #define dNextAfter(x, y) _ode_nextafterf(x, y)
 #else
-#define REAL(x) (x) /**< a literal of the real type: REAL(0.5) */
+/** Scalar functions of the real type: a literal (REAL(0.5)), 1/x, the square root and 1 over it, sine,
+   cosine, absolute value, arcs, remainder, rounding down and up, the sign of b on a, the neighbour of x
+   towards y. */
+#define REAL(x) (x)
 #define dRecip(x) (1.0 / (x))
 #define dSqrt(x) sqrt(x)
 #define dRecipSqrt(x) (1.0 / sqrt(x))
@@ -280,8 +286,8 @@ typedef enum {
 } dJointType;
 
 // clang-format off
-/* Joint parameter numbers: one block of names per joint axis, the blocks dParamGroup apart. The two
-   macros only write the enumerators. */
+/** Joint parameter numbers: one block of names per joint axis, the blocks dParamGroup apart. The two
+    macros only write the enumerators. */
 #define D_ALL_PARAM_NAMES(start) \
   dParamLoStop = start,          \
   dParamHiStop,                  \
@@ -298,6 +304,7 @@ typedef enum {
   dParamSuspensionCFM,           \
   dParamERP,
 
+/** The same for the block of axis x. */
 #define D_ALL_PARAM_NAMES_X(start, x) \
   dParamGroup##x = start,             \
   dParamLoStop##x = start,            \
@@ -349,10 +356,10 @@ enum { dTransmissionParallelAxes = 0, dTransmissionIntersectingAxes = 1, dTransm
 /** What a joint did in the last step: force (N) and torque about the body's centre (N m), world
     frame, on the first (f1, t1) and second (f2, t2) body. See dJointSetFeedback. */
 typedef struct dJointFeedback {
-    dVector3 f1;
-    dVector3 t1;
-    dVector3 f2;
-    dVector3 t2;
+    dVector3 f1; /**< force on body 1 */
+    dVector3 t1; /**< torque on body 1 */
+    dVector3 f2; /**< force on body 2 */
+    dVector3 t2; /**< torque on body 2 */
 } dJointFeedback;
 
 /** Say that the pose of geom changed behind the library's back: its bounding box will be computed

@@ -51,23 +51,28 @@ typedef struct dSurfaceParameters {
     dReal bounce_vel; /**< least approach speed for a bounce, m/s; negative: never */
     dReal soft_erp;   /**< part of the penetration corrected per step */
     dReal soft_cfm;   /**< softness, (m/s)/N times the step size; with soft_erp a spring and damper */
-    dReal motion1, motion2, motionN; /**< wanted velocity of body 1 relative to body 2, m/s */
-    dReal slip1, slip2;              /**< slip velocity per friction force, (m/s)/N */
+    dReal motion1;    /**< wanted velocity of body 1 relative to body 2 along direction 1, m/s */
+    dReal motion2;    /**< the same along direction 2 */
+    dReal motionN;    /**< the same along the normal */
+    dReal slip1;      /**< slip velocity per friction force along direction 1, (m/s)/N */
+    dReal slip2;      /**< the same along direction 2 */
 } dSurfaceParameters;
 
 /** Where the shapes meet. World frame. */
 typedef struct dContactGeom {
-    dVector3 pos;     /**< contact position, m */
-    dVector3 normal;  /**< unit vector into g1: moving g1 by depth * normal parts the shapes */
-    dReal depth;      /**< penetration along the normal, m, >= 0; for a ray the distance from its start */
-    dGeomID g1, g2;   /**< the shapes */
-    int side1, side2; /**< sub-element hit (triangle number), -1 when there is none */
+    dVector3 pos;    /**< contact position, m */
+    dVector3 normal; /**< unit vector into g1: moving g1 by depth * normal parts the shapes */
+    dReal depth;     /**< penetration along the normal, m, >= 0; for a ray the distance from its start */
+    dGeomID g1;      /**< the first shape */
+    dGeomID g2;      /**< the second shape */
+    int side1;       /**< sub-element of g1 that was hit (triangle number), -1 when there is none */
+    int side2;       /**< the same of g2 */
 } dContactGeom;
 
 /** Everything about one contact. */
 typedef struct dContact {
-    dSurfaceParameters surface;
-    dContactGeom geom;
+    dSurfaceParameters surface; /**< how the surfaces behave */
+    dContactGeom geom;          /**< where the shapes meet */
     dVector3 fdir1; /**< friction direction 1: unit, perpendicular to the normal, world frame; read with
                        dContactFDir1 only */
 } dContact;

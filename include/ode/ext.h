@@ -55,19 +55,25 @@ typedef enum {
 
 /** What the last step did with one island. Fields as in dWorldStepReport. */
 typedef struct dIslandStepReport {
-    unsigned struct_size; /**< sizeof(dIslandStepReport), set by the caller */
-    int method;           /**< one of dIslandMethod */
-    dBodyID body;         /**< a body of the island; it may have been destroyed since the step */
-    int bodies, joints, rows;
-    int iterations, factorisations;
-    int fallback;  /**< 1: needed a more careful method than the first one */
-    int contained; /**< 1: kept from spreading bad numbers */
-    double residual;
-    double joint_error, joint_angle_error, penetration;
-    double energy_before, energy_after;
-    int projections;
-    int projection_open; /**< 1: left above the tolerance */
-    double projection_error;
+    unsigned struct_size;     /**< sizeof(dIslandStepReport), set by the caller */
+    int method;               /**< one of dIslandMethod */
+    dBodyID body;             /**< a body of the island; it may have been destroyed since the step */
+    int bodies;               /**< its bodies */
+    int joints;               /**< its joints that gave at least one row */
+    int rows;                 /**< its constraint rows */
+    int iterations;           /**< as in dWorldStepReport, as are those below without a text of their own */
+    int factorisations;       /**< see dWorldStepReport */
+    int fallback;             /**< 1: needed a more careful method than the first one */
+    int contained;            /**< 1: kept from spreading bad numbers */
+    double residual;          /**< see dWorldStepReport */
+    double joint_error;       /**< see dWorldStepReport */
+    double joint_angle_error; /**< see dWorldStepReport */
+    double penetration;       /**< see dWorldStepReport */
+    double energy_before;     /**< see dWorldStepReport */
+    double energy_after;      /**< see dWorldStepReport */
+    int projections;          /**< see dWorldStepReport */
+    int projection_open;      /**< 1: left above the tolerance */
+    double projection_error;  /**< see dWorldStepReport */
 } dIslandStepReport;
 
 /** Switch the report on (mode 1) or off (0, the default). Off costs nothing; on costs one more evaluation

@@ -94,6 +94,7 @@ struct dMass {
     dMatrix3 I; /**< inertia about the body's origin, body axes, kg m^2 */
 
 #ifdef __cplusplus
+    /** A mass of zero; each member calls the dMass... function of its name. */
     dMass() { dMassSetZero(this); }
     void setZero() { dMassSetZero(this); }
     void setParameters(dReal themass, dReal cgx, dReal cgy, dReal cgz, dReal I11, dReal I22, dReal I33,

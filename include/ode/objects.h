@@ -71,21 +71,26 @@ ODE_API dReal dWorldGetCFM(dWorldID world);
 ODE_API void dWorldSetStepIslandsProcessingMaxThreadCount(dWorldID world, unsigned count);
 ODE_API unsigned dWorldGetStepIslandsProcessingMaxThreadCount(dWorldID world);
 
-/** How step memory is reserved: room for reserve_factor times what is needed, at least reserve_minimum
-    bytes. struct_size: sizeof of the struct, set by the caller. */
+/** What dWorldStepReserveInfo holds at first. */
 #define dWORLDSTEP_RESERVEFACTOR_DEFAULT 1.2f
 #define dWORLDSTEP_RESERVESIZE_DEFAULT 65536U
+
+/** How step memory is reserved: room for reserve_factor times what is needed, at least reserve_minimum
+    bytes. struct_size: sizeof of the struct, set by the caller. */
 typedef struct {
-    unsigned struct_size;
-    float reserve_factor;
-    unsigned reserve_minimum;
+    unsigned struct_size;     /**< sizeof(dWorldStepReserveInfo) */
+    float reserve_factor;     /**< how many times what is needed */
+    unsigned reserve_minimum; /**< bytes */
 } dWorldStepReserveInfo;
 
 /** Where step memory comes from. struct_size: sizeof of the struct, set by the caller. */
 typedef struct {
-    unsigned struct_size;
+    unsigned struct_size; /**< sizeof(dWorldStepMemoryFunctionsInfo) */
+    /** gives a block of block_size bytes, or NULL */
     void* (*alloc_block)(dsizeint block_size);
+    /** makes a block smaller; gives where it is now */
     void* (*shrink_block)(void* block_pointer, dsizeint block_current_size, dsizeint block_smaller_size);
+    /** takes a block back */
     void (*free_block)(void* block_pointer, dsizeint block_current_size);
 } dWorldStepMemoryFunctionsInfo;
 

@@ -33,7 +33,7 @@
 #endif
 #endif
 
-/* ODE_API_DEPRECATED: still there and working, but a newer name should be used. */
+/** Still there and working, but a newer name should be used. */
 #if defined(_MSC_VER)
 #define ODE_API_DEPRECATED __declspec(deprecated)
 #elif defined(__GNUC__)
@@ -42,17 +42,18 @@
 #define ODE_API_DEPRECATED
 #endif
 
-/* A function compiled into every file that uses it; no library symbol stands behind it. */
+/** A function compiled into every file that uses it; no library symbol stands behind it. */
 #define ODE_PURE_INLINE static __inline
 #define ODE_INLINE __inline
 
+/** C linkage. */
 #if defined(__cplusplus)
 #define ODE_EXTERN_C extern "C"
 #else
 #define ODE_EXTERN_C
 #endif
 
-/* The function does not come back to its caller. */
+/** The function does not come back to its caller. */
 #if defined(__GNUC__)
 #define ODE_NORETURN __attribute__((noreturn))
 #elif defined(_MSC_VER)
@@ -65,7 +66,9 @@
 
 #if defined(__x86_64__) && defined(__LP64__)
 
+/** An x86-64 system with 64-bit pointers. */
 #define X86_64_SYSTEM 1
+/** Integers by their width in bits. */
 typedef long dint64;
 typedef unsigned long duint64;
 typedef int dint32;
@@ -75,10 +78,10 @@ typedef unsigned short duint16;
 typedef signed char dint8;
 typedef unsigned char duint8;
 
-typedef dint64 dintptr;   /* holds a pointer, signed */
-typedef duint64 duintptr; /* holds a pointer, unsigned */
-typedef dint64 ddiffint;  /* difference of two sizes */
-typedef duint64 dsizeint; /* size of an object in bytes, count of elements */
+typedef dint64 dintptr;   /**< holds a pointer, signed */
+typedef duint64 duintptr; /**< holds a pointer, unsigned */
+typedef dint64 ddiffint;  /**< difference of two sizes */
+typedef duint64 dsizeint; /**< size of an object in bytes, count of elements */
 
 #else
 
@@ -101,16 +104,17 @@ typedef size_t dsizeint;
 
 /* ---- special reals ---- */
 
-/* Positive infinity of the real type: "no limit" wherever a limit is asked for. */
+/** Positive infinity of the real type: "no limit" wherever a limit is asked for. */
 #ifdef dSINGLE
 #define dInfinity ((float)INFINITY)
 #else
 #define dInfinity ((double)INFINITY)
 #endif
 
-/* A quiet not-a-number (of type float, as NAN is). */
+/** A quiet not-a-number (of type float, as NAN is). */
 #define dNaN NAN
 
+/** What dCopySign and dNextAfter (common.h) stand for. */
 #define _ode_copysignf(x, y) copysignf(x, y)
 #define _ode_copysign(x, y) copysign(x, y)
 #define _ode_nextafterf(x, y) nextafterf(x, y)

@@ -20,6 +20,7 @@
 
 #if !defined(dODECPP_WORLD_TEMPLATE_BASE) && !defined(dODECPP_BODY_TEMPLATE_BASE) && \
     !defined(dODECPP_JOINTGROUP_TEMPLATE_BASE) && !defined(dODECPP_JOINT_TEMPLATE_BASE)
+/** The class that holds an object's number. */
 #define dODECPP_WORLD_TEMPLATE_BASE dWorldDynamicIDContainer
 #define dODECPP_BODY_TEMPLATE_BASE dBodyDynamicIDContainer
 #define dODECPP_JOINTGROUP_TEMPLATE_BASE dJointGroupDynamicIDContainer

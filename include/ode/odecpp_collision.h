@@ -114,6 +114,7 @@ class dGeom {
 class dSpace : public dGeom {
   protected:
     dSpace() {}
+    /** Give up the space there is and take this one. */
     void own_space(dSpaceID space) { own(reinterpret_cast<dGeomID>(space)); }
 
   public:

@@ -48,6 +48,7 @@ class dWorldTemplate : public dWorldTemplateBase {
     void operator=(const dWorldTemplate&);
 
   protected:
+    /** The number, for derived classes; its change; the end of the object. */
     dWorldID get_id() const { return dWorldTemplateBase::_id; }
     void set_id(dWorldID value) { dWorldTemplateBase::_id = value; }
 
@@ -161,6 +162,7 @@ class dBodyTemplate : public dBodyTemplateBase {
     void operator=(const dBodyTemplate&);
 
   protected:
+    /** The number, for derived classes; its change; the end of the object. */
     dBodyID get_id() const { return dBodyTemplateBase::_id; }
     void set_id(dBodyID value) { dBodyTemplateBase::_id = value; }
     void destroy() { dBodyTemplateBase::destroy(); }
@@ -394,6 +396,7 @@ class dJointGroupTemplate : public dJointGroupTemplateBase {
     void operator=(const dJointGroupTemplate&);
 
   protected:
+    /** The number, for derived classes; its change; the end of the object. */
     dJointGroupID get_id() const { return dJointGroupTemplateBase::_id; }
     void set_id(dJointGroupID value) { dJointGroupTemplateBase::_id = value; }
     void destroy() { dJointGroupTemplateBase::destroy(); }

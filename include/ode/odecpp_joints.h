@@ -45,9 +45,11 @@ class dJointTemplate : public dJointTemplateBase {
     void operator=(const dJointTemplate&);
 
   protected:
+    /** This class. */
     typedef dJointTemplate<dJointTemplateBase, dWorldTemplateBase, dBodyTemplateBase> dBaseTemplate;
 
     dJointTemplate() {}
+    /** The number, for derived classes; its change; the end of the object. */
     dJointID get_id() const { return dJointTemplateBase::_id; }
     void set_id(dJointID value) { dJointTemplateBase::_id = value; }
     void destroy() { dJointTemplateBase::destroy(); }

@@ -17,8 +17,8 @@ extern "C" {
 
 /** A stopwatch. The members are the library's business; set it up with dStopwatchReset. */
 typedef struct dStopwatch {
-    double time;
-    unsigned long cc[2];
+    double time;         /**< the library's */
+    unsigned long cc[2]; /**< the library's */
 } dStopwatch;
 
 /** The stopwatch s: back to zero; start; stop, adding the time since the start; total in seconds. [0.16] */

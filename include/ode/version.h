@@ -6,6 +6,7 @@
 #ifndef _ODE_VERSION_H_
 #define _ODE_VERSION_H_
 
+/** The ODE release, a string. */
 #define dODE_VERSION "0.16.2"
 
 #endif
