@@ -17,6 +17,11 @@ SOURCE_WORDS = {"guide": "the user guide of ODE 0.039", "0.16": "ODE 0.16", "our
 # What the guide's chapters are about, by the beginnings of the names of ours.
 GUIDE_CHAPTERS = {"bod": "rigid body functions", "world": "world", "stepping": "world", "init": "world",
                   "mass": "mass functions", "rotation": "rotation functions", "old_names": "StepFast1"}
+# Parts of the manual (docs/parts.dox) by header.
+PARTS = {"objects": "dynamics", "contact": "dynamics", "objects_joints": "joint_types", "collision": "collision",
+         "collision_space": "collision", "collision_trimesh": "collision", "mass": "mathematics",
+         "rotation": "mathematics", "odemath": "mathematics", "matrix": "mathematics", "misc": "mathematics",
+         "compatibility": "names", "ext": "names"}
 GUIDE_JOINTS = "joint types and joint functions"
 GUIDE_NAMES = check_docs.guide_names()
 
@@ -24,6 +29,13 @@ GUIDE_NAMES = check_docs.guide_names()
 def escape(text):
     """Signs that Doxygen would take for commands of its own."""
     return re.sub(r"(?<![\w/])#(?=\w)", r"\\#", text.replace("<=", "&le;").replace(">=", "&ge;"))
+
+
+def linked(refused):
+    """What is refused, with a link where it says "as for" another chapter."""
+    chapter = {"worlds": "worlds", "bodies": "bodies", "geoms": "geoms", "ball joints": "ball"}
+    return re.sub(r"as for (worlds|bodies|geoms|ball joints)", lambda m: f'as for @ref {chapter[m[1]]} "{m[1]}"',
+                  escape(refused))
 
 
 def source_words(run, function):
@@ -45,19 +57,19 @@ def comment_of(run, function=None):
         if chapter and name in chapter.arguments:
             lines.append(f"@param {name} {escape(chapter.arguments[name])}")
     if function and chapter and chapter.refused:
-        lines.append(f"@par Refused\n{escape(chapter.refused)} Null, destroyed and wrong objects: see @ref refusals.")
+        lines.append(f"@par Refused\n{linked(chapter.refused)} See also @ref refusals.")
     if run.sources():
         lines.append("@par Defined by\n" + source_words(run, function and function.name))
     return "/** " + "\n".join(lines) + " */\n"
 
 
-def group_of(chapter):
-    listed = "".join(f"\n- `{name}`: {escape(meaning)}" for name, meaning in chapter.arguments.items())
+def group_of(chapter, part):
+    listed = "".join(f"\n- `{name}`: {escape(meaning)}" for name, meaning in chapter.explained.items())
     text = escape(chapter.text)
     if chapter.refused:
-        text += f"\n\n**Refused:** {escape(chapter.refused)}"
-    text += f"\n\nArguments:\n{listed}" if listed else ""
-    return f"/** @defgroup {chapter.name} {chapter.title}\n{text}\n@{{ */"
+        text += f"\n\n@par Refused\n{linked(chapter.refused)}"
+    text += f"\n\n@par Arguments\n{listed}" if listed else ""
+    return f"/** @defgroup {chapter.name} {chapter.title}\n@ingroup part_{part}\n{text}\n@{{ */"
 
 
 def start_of_declaration(blank, offset, floor):
@@ -76,7 +88,7 @@ def declarations(text, blank, run):
             yield run.body + match.start()
 
 
-def pieces(text):
+def pieces(text, part):
     """(begin, end, replacement) of everything that changes, in order."""
     blank = header_docs.blank_comments(text)
     head = re.match(r"(?://[^\n]*\n)+", text)
@@ -84,7 +96,7 @@ def pieces(text):
         said = "\n".join(line[2:].strip() for line in head.group(0).splitlines()[3:])
         yield head.start(), head.end(), "/** @file\n" + escape(said) + " */\n"
     for chapter in header_docs.chapters(text):
-        yield chapter.begin, chapter.end, ("\0" + group_of(chapter))
+        yield chapter.begin, chapter.end, ("\0" + group_of(chapter, part))
     for run in header_docs.runs(text):
         if not run.comment or run.comment.startswith("@chapter"):
             continue
@@ -135,9 +147,9 @@ def members(text):
     return "\n".join(out)
 
 
-def filtered(text):
+def filtered(text, part):
     result, position, is_open = [], 0, False
-    for begin, end, replacement in sorted(pieces(text), key=lambda piece: (piece[0], piece[1])):
+    for begin, end, replacement in sorted(pieces(text, part), key=lambda piece: (piece[0], piece[1])):
         result.append(text[position:begin])
         if replacement.startswith("\0"):
             replacement = ("/** @} */\n" if is_open else "") + replacement[1:]
@@ -153,4 +165,5 @@ def filtered(text):
 
 
 if __name__ == "__main__":
-    sys.stdout.write(filtered(pathlib.Path(sys.argv[1]).read_text(encoding="utf-8")))
+    header = pathlib.Path(sys.argv[1])
+    sys.stdout.write(filtered(header.read_text(encoding="utf-8"), PARTS.get(header.stem, "services")))

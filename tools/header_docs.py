@@ -46,6 +46,7 @@ class Chapter:
     title: str
     text: str
     arguments: dict  # name: what it means, of this chapter and those before it in the file
+    explained: dict  # those of this chapter alone
     refused: str
     begin: int
     end: int
@@ -58,17 +59,18 @@ def chapters(text):
         head = re.match(r"@chapter (\w+) ([^\n]+)\n?(.*)", plain(match.group(0)), re.S)
         if not head:
             continue
-        refused, said = "", []
+        refused, said, explained = "", [], {}
         for paragraph in re.split(r"\n\s*\n", head[3].strip()):
             if paragraph.startswith("Arguments:"):
                 for names, meaning in re.findall(r"^- ([\w, ]+?): (.*?)(?=\n- |\Z)", paragraph, re.S | re.M):
-                    arguments |= {name.strip(): " ".join(meaning.split()) for name in names.split(",")}
+                    explained |= {name.strip(): " ".join(meaning.split()) for name in names.split(",")}
             else:
                 words, _, refusals = paragraph.partition("Refused: ")
                 refused = " ".join(refusals.split()) or refused
                 said.append(words.strip())
-        result.append(Chapter(head[1], head[2], "\n\n".join(said).strip(), dict(arguments), refused, match.start(),
-                              match.end()))
+        arguments |= explained
+        result.append(Chapter(head[1], head[2], "\n\n".join(said).strip(), dict(arguments), explained, refused,
+                              match.start(), match.end()))
     return result
 
 

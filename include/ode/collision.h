@@ -376,7 +376,8 @@ ODE_API dHeightfieldDataID dGeomHeightfieldGetHeightfieldData(dGeomID g);
 
 /** @chapter collision_helpers Collision: helpers
 
-    Refused: null pointers and numbers that are not finite; nothing is written then, and the answer is 0. */
+    Refused: null pointers, and boxes with numbers that are not finite. Nothing is written then, and the
+   answer is 0. */
 
 /** The closest points cp1 and cp2 (3 reals each) of the segments a1-a2 and b1-b2; of parallel segments one
    pair of them. [0.16] */

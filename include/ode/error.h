@@ -21,7 +21,7 @@ extern "C" {
 
 /** @chapter errors Errors and messages
 
-    Refused: nothing here; a null text is said to be one. */
+    Refused: a null text given to dMessage. */
 
 /** A handler. errnum: one of the d_ERR_... numbers of common.h, 0 when unknown; msg: printf format;
     ap: its arguments, which the handler may consume once. */

@@ -440,8 +440,8 @@ ODE_API dReal dBodyGetMaxAngularSpeed(dBodyID body);
     - group: a group of joints, or (to make a joint alone) 0.
     - body1, body2: bodies of one world; 0 stands for the world.
 
-    Refused: a joint, group or body that is 0 (where it may not be) or destroyed; creating, attaching and
-    destroying within a step. Nothing changes then, and the answer is 0. */
+    Refused: a joint, group or body that is 0 (where it may not be) or destroyed; attaching and destroying
+    within a step. Nothing changes then, and the answer is 0. */
 
 /** A new joint of a type in the world, in the group or alone; attached to nothing and without effect so
     far. 0 when refused or out of memory. [guide, 0.16] */
