@@ -18,13 +18,13 @@ extern "C" {
 #define dTHREADING_THREAD_COUNT_UNLIMITED 0U
 
 struct dxThreadingImplementation;
-typedef struct dxThreadingImplementation* dThreadingImplementationID;
+typedef struct dxThreadingImplementation* dThreadingImplementationID; /**< a threading implementation */
 
 /* ---- mutexes, in groups ---- */
 
 typedef unsigned dmutexindex_t; /**< number of a mutex in its group */
 struct dxMutexGroup;
-typedef struct dxMutexGroup* dMutexGroupID;
+typedef struct dxMutexGroup* dMutexGroupID; /**< a group of mutexes */
 
 /** Make Mutex_count mutexes; the names (may be NULL) are for debugging. NULL on failure. */
 typedef dMutexGroupID dMutexGroupAllocFunction(dThreadingImplementationID impl, dmutexindex_t Mutex_count,
@@ -52,8 +52,8 @@ typedef int dThreadedCallFunction(void* call_context, dcallindex_t instance_inde
 
 /** A span of time: seconds and nanoseconds. */
 typedef struct dxThreadedWaitTime {
-    time_t wait_sec;
-    unsigned long wait_nsec;
+    time_t wait_sec;         /**< seconds */
+    unsigned long wait_nsec; /**< nanoseconds, below 10^9 */
 } dThreadedWaitTime;
 
 typedef dCallWaitID dThreadedCallWaitAllocFunction(dThreadingImplementationID impl);
@@ -88,19 +88,20 @@ typedef int dThreadingImplResourcesForCallsPreallocateFunction(
 
 /** The table. struct_size: sizeof(dThreadingFunctionsInfo), set by who fills it. */
 typedef struct dxThreadingFunctionsInfo {
-    unsigned struct_size;
-    dMutexGroupAllocFunction* alloc_mutex_group;
-    dMutexGroupFreeFunction* free_mutex_group;
-    dMutexGroupMutexLockFunction* lock_group_mutex;
-    dMutexGroupMutexUnlockFunction* unlock_group_mutex;
-    dThreadedCallWaitAllocFunction* alloc_call_wait;
-    dThreadedCallWaitResetFunction* reset_call_wait;
-    dThreadedCallWaitFreeFunction* free_call_wait;
-    dThreadedCallPostFunction* post_call;
-    dThreadedCallDependenciesCountAlterFunction* alter_call_dependencies_count;
-    dThreadedCallWaitFunction* wait_call;
-    dThreadingImplThreadCountRetrieveFunction* retrieve_thread_count;
-    dThreadingImplResourcesForCallsPreallocateFunction* preallocate_resources_for_calls;
+    unsigned struct_size;                               /**< sizeof(dThreadingFunctionsInfo) */
+    dMutexGroupAllocFunction* alloc_mutex_group;        /**< makes mutexes */
+    dMutexGroupFreeFunction* free_mutex_group;          /**< frees them */
+    dMutexGroupMutexLockFunction* lock_group_mutex;     /**< locks one */
+    dMutexGroupMutexUnlockFunction* unlock_group_mutex; /**< unlocks one */
+    dThreadedCallWaitAllocFunction* alloc_call_wait;    /**< makes something to wait on */
+    dThreadedCallWaitResetFunction* reset_call_wait;    /**< makes it fit for another use */
+    dThreadedCallWaitFreeFunction* free_call_wait;      /**< frees it */
+    dThreadedCallPostFunction* post_call;               /**< takes a call */
+    dThreadedCallDependenciesCountAlterFunction*
+        alter_call_dependencies_count;    /**< changes how many calls come first */
+    dThreadedCallWaitFunction* wait_call; /**< waits */
+    dThreadingImplThreadCountRetrieveFunction* retrieve_thread_count; /**< tells how many threads serve */
+    dThreadingImplResourcesForCallsPreallocateFunction* preallocate_resources_for_calls; /**< makes room */
 } dThreadingFunctionsInfo;
 
 #ifdef __cplusplus
