@@ -26,7 +26,12 @@ struct AMotor : Joint {
     Vec3 reference1, reference2;
     LimitMotor motor[3];
 
-    const Body* frame(int i) const { return rel[i] == 0 ? nullptr : node[rel[i] - 1].body; }
+    // In Euler mode the axis number decides, also when the joint is attached anew the other way round.
+    const Body* frame(int i) const
+    {
+        if (mode == dAMotorEuler && i != 1) return user_body(i / 2);
+        return rel[i] == 0 ? nullptr : node[rel[i] - 1].body;
+    }
     Vec3 given_axis(int i) const { return direction_to_world(frame(i), axis_local[i]); }
     int user_rel(int r) const { return reverse && r > 0 ? 3 - r : r; }
 
