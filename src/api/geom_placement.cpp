@@ -57,7 +57,7 @@ void dGeomSetQuaternion(dGeomID id, const dQuaternion q)
     MAY_MOVE(geom);
     Quat given = load_quat(q);
     EPODE_USER(!geom->body.id || normalize(given));
-    EPODE_USER(set_geom_rotation(*geom, to_matrix(given)));
+    EPODE_USER(set_geom_orientation(*geom, given));
 }
 
 const dReal* dGeomGetPosition(dGeomID id)

@@ -113,20 +113,22 @@ dColliderFn* offer(int i, int j)
     return description ? description->collider(j) : nullptr;
 }
 
-// The collider of the two classes; a user class is asked once and the answer, also "none", remembered.
+// The collider of the two classes; a user class is asked once and the answer, also "none", remembered. Of two
+// user classes the one registered first is asked first, so that the answer does not depend on the first call.
 Collider collider_of(int i, int j)
 {
-    Collider known = table().entries[i][j].get();
+    const Collider known = table().entries[i][j].get();
     if (known.settled) return known;
+    const int first = std::min(i, j), second = std::max(i, j);
     Collider found;
-    if (dColliderFn* direct = offer(i, j)) {
+    if (dColliderFn* direct = offer(first, second)) {
         found.user = direct;
-    } else if (dColliderFn* turned = offer(j, i)) {
+    } else if (dColliderFn* turned = offer(second, first)) {
         found.user = turned;
         found.reversed = true;
     }
-    table().set_both(i, j, found);
-    return found;
+    table().set_both(first, second, found);
+    return table().entries[i][j].get();
 }
 
 // A geom where it is taken to be, and whom its contacts shall name.

@@ -76,4 +76,14 @@ bool set_geom_rotation(Geom& geom, const Mat3& R)
     return true;
 }
 
+// Without an offset the body takes q itself: through the matrix it might come back as -q.
+bool set_geom_orientation(Geom& geom, Quat q)
+{
+    Body* body = body_of(geom);
+    if (!body || geom.offset) return set_geom_rotation(geom, to_matrix(q));
+    set_orientation(*body, q);
+    body_moved(*body);
+    return true;
+}
+
 }  // namespace epode
