@@ -46,6 +46,32 @@ void print_values(const Tallies& tallies)
     }
 }
 
+struct GroupTally {
+    long cases = 0, records = 0;
+    double worst = 0;
+};
+
+// The theme of a case: the first word of its name.
+std::string group_of(const std::string& case_name) { return case_name.substr(0, case_name.find('_')); }
+
+// Worst difference per theme, without the rules that let an intended difference pass.
+void print_groups(const Tallies& tallies)
+{
+    std::map<std::string, GroupTally> groups;
+    for (const auto& [name, tally] : tallies) {
+        GroupTally& group = groups[group_of(name)];
+        ++group.cases;
+        group.records += tally.records;
+        for (const auto& [rule, rule_tally] : tally.rules) {
+            if (rule->difference.empty()) { group.worst = std::max(group.worst, rule_tally.worst); }
+        }
+    }
+    std::printf("\n%-12s %6s %9s %12s\n", "theme", "cases", "records", "worst");
+    for (const auto& [name, group] : groups) {
+        std::printf("%-12s %6ld %9ld %12.3g\n", name.c_str(), group.cases, group.records, group.worst);
+    }
+}
+
 void print_pairs(const Tallies& tallies)
 {
     std::printf("\n%-26s %6s %6s %6s %8s %8s %8s %7s %9s %7s %6s %6s %11s  %s\n", "pair", "poses", "hits",
@@ -131,6 +157,7 @@ int run(char** paths)
     const bool complete = compare_files(ours, reference, table, tallies);
     print_values(tallies);
     print_pairs(tallies);
+    print_groups(tallies);
     print_failures(tallies);
     print_differences(table, tallies);
     const int failures = count_failures(tallies);

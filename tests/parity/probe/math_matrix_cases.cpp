@@ -172,7 +172,9 @@ PARITY_CASE(math_remove_row)
         Matrix a = random_definite(rng, n);
         dRemoveRowCol(a.data(), n, padded(n), rng.below(n));
         put_lower(out, "n" + std::to_string(n), a, n - 1, padded(n), true);
-        dClearUpperTriangle(a.data(), n - 1);
+        Matrix full = random_matrix(rng, n, n);
+        dClearUpperTriangle(full.data(), n);
+        out.put("cleared" + std::to_string(n), full.data(), n * padded(n));
         const Matrix b = random_definite(rng, n), c = random_definite(rng, n);
         out.put("difference" + std::to_string(n), {dMaxDifference(b.data(), c.data(), n, n),
                                                    dMaxDifferenceLowerTriangle(b.data(), c.data(), n)});

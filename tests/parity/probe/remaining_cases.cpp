@@ -163,8 +163,8 @@ PARITY_CASE(world_single_settings)
     dWorldDestroy(world);
 }
 
-// A moved geom is one whose box is made anew: a client that writes the pose of a geom itself says so. The
-// same without a reason changes nothing.
+// The box of a geom is made anew when it has moved. A client that writes into the position it was given says
+// so.
 PARITY_CASE(geom_marked_moved)
 {
     const dSpaceID space = dHashSpaceCreate(nullptr);
@@ -172,9 +172,12 @@ PARITY_CASE(geom_marked_moved)
     dReal box[6] = {0};
     dGeomGetAABB(g, box);
     out.put("before", box, 6);
+    const_cast<dReal*>(dGeomGetPosition(g))[0] = 5;
+    dGeomGetAABB(g, box);
+    out.put("unsaid", box, 6);
     dGeomMoved(g);
     dGeomGetAABB(g, box);
-    out.put("after", box, 6);
+    out.put("said", box, 6);
     dGeomGetAABB(reinterpret_cast<dGeomID>(space), box);
     out.put("space", box, 6);
     dSpaceDestroy(space);
