@@ -50,14 +50,18 @@ dContact random_contact(Random& random, int mode)
 
 using Step = int (*)(dWorldID, dReal);
 
-void put_step(Output& out, Random& random, int mode, Step step)
+void put_step(Output& out, Random& random, int mode, Step step, double friction)
 {
     const Attach way = all_attachments()[static_cast<std::size_t>(random.below(4))];
     out.open_block(std::to_string(mode) + "/" + attach_name(way));
     Rig rig(random, way);
     rig.push(random, 2.0);
     dWorldSetQuickStepNumIterations(rig.world(), 2000);
-    const dContact contact = random_contact(random, mode);
+    dContact contact = random_contact(random, mode);
+    for (dReal* coefficient : {&contact.surface.mu, &contact.surface.mu2, &contact.surface.rho,
+                               &contact.surface.rho2, &contact.surface.rhoN}) {
+        *coefficient *= friction;
+    }
     const dJointID joint = dJointCreateContact(rig.world(), nullptr, &contact);
     rig.attach(joint);
     dJointFeedback feedback = {};
@@ -81,15 +85,16 @@ int mode_of(int combination)
 PARITY_CASE(step_contact_flags)
 {
     for (int combination = 0; combination < 1 << kCount; ++combination) {
-        put_step(out, rng, mode_of(combination), &dWorldStep);
+        put_step(out, rng, mode_of(combination), &dWorldStep, 1);
     }
 }
 
-// QuickStep run to its end, under every 29th combination.
+// QuickStep run to its end, under every 29th combination. With more friction some of these have no end: the
+// limits follow the normal force, the normal force the friction, and both libraries go round in circles.
 PARITY_CASE(quick_contact_flags)
 {
     for (int combination = 0; combination < 1 << kCount; combination += 29) {
-        put_step(out, rng, mode_of(combination), &dWorldQuickStep);
+        put_step(out, rng, mode_of(combination), &dWorldQuickStep, 0.2);
     }
 }
 
