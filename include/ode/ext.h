@@ -95,8 +95,9 @@ ODE_API int dWorldGetIslandStepReport(dWorldID world, int island, dIslandStepRep
     default, 0 means as many as the machine has processors, at most 64. A step has the same bits on any
     number of threads. Callbacks run on the caller's thread only; memory handlers set by the program may be
     called from the others. Threads are shared by all worlds, start with the first step that wants them and
-    end with the last dCloseODE. dWorldSetStepIslandsProcessingMaxThreadCount limits them further. Negative
-    numbers are refused. [ours] */
+    end with the last dCloseODE. dWorldSetStepIslandsProcessingMaxThreadCount limits them further. While an
+    implementation is set by dWorldSetStepThreadingImplementation, its threads do the work and this number is
+    kept for later. Negative numbers are refused. [ours] */
 ODE_API void dWorldSetStepThreads(dWorldID world, int threads);
 ODE_API int dWorldGetStepThreads(dWorldID world);
 

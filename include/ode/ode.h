@@ -21,6 +21,7 @@
 #include <ode/odemath.h>
 #include <ode/rotation.h>
 #include <ode/threading.h>
+#include <ode/threading_impl.h>
 #include <ode/timer.h>
 #include <ode/version.h>
 

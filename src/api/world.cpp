@@ -12,6 +12,7 @@
 #include "ode/ode.h"
 #include "step/link.h"
 #include "step/step.h"
+#include "tasks/threading.h"
 
 using namespace epode;
 
@@ -91,6 +92,17 @@ void dWorldGetGravity(dWorldID w, dVector3 gravity)
 WORLD_NUMBER(dReal, ERP, erp, usable(value))
 WORLD_NUMBER(dReal, CFM, cfm, usable(value) && value >= 0)
 WORLD_NUMBER(unsigned, StepIslandsProcessingMaxThreadCount, islands_max_threads, true)
+void dWorldSetStepThreadingImplementation(dWorldID w, const dThreadingFunctionsInfo* functions,
+                                          dThreadingImplementationID impl)
+{
+    WORLD_OR();
+    EPODE_USER(!functions == !impl);
+    EPODE_USER_SAY(!functions || complete(*functions), "Bad threading functions info");
+    EPODE_USER_SAY(!world->stepping, "Invalid operation during a step");
+    world->threading = impl;
+    world->threading_functions = functions ? *functions : dThreadingFunctionsInfo{};
+}
+
 WORLD_NUMBER(int, StepThreads, step_threads, value >= 0 && value <= 64)
 WORLD_NUMBER(int, QuickStepNumIterations, quick_iterations, true)
 WORLD_NUMBER(dReal, QuickStepW, quick_w, usable(value))

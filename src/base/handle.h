@@ -24,6 +24,14 @@ enum class Tag : std::uint32_t {
     kJointGroup = 0x0de00004,
     kGeom = 0x0de00005,
     kHeightfieldData = 0x0de00006,
+    kThreading = 0x0de00011,
+    kThreadPool = 0x0de00012,
+    kMutexGroup = 0x0de00013,
+    kCall = 0x0de00014,
+    kCallWait = 0x0de00015,
+    kCooperative = 0x0de00016,
+    kResourceRequirements = 0x0de00017,
+    kResourceContainer = 0x0de00018,
 };
 
 // What every object behind a handle starts with; `serial` tells objects of one kind apart

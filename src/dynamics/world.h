@@ -10,6 +10,7 @@
 #include "dynamics/body.h"
 #include "dynamics/joint.h"
 #include "ode/ext.h"
+#include "ode/threading.h"
 
 namespace epode {
 
@@ -39,7 +40,9 @@ struct World : Tagged {
     int projection_iterations = 0;  // of positions after dWorldStep; 0: none
     Real projection_tolerance = kSingle ? Real(1e-3) : Real(1e-4);
     unsigned islands_max_threads = 0;  // 0: unlimited
-    int step_threads = 1;              // 0: one per processor
+    int step_threads = 1;              // 0: one per processor; not looked at while `threading` is set
+    dThreadingImplementationID threading = nullptr;
+    dThreadingFunctionsInfo threading_functions{};
 
     // Seeds of new bodies.
     bool auto_disable = false;

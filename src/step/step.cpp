@@ -37,11 +37,47 @@ void finish_bodies(const Island& island)
     }
 }
 
+// Who does the parts of a step: threads of our own, or calls of the implementation that the world was given.
+class Workers {
+  public:
+    Tasks of_islands, of_an_island;
+
+    // False: the implementation refused; the world is as it was.
+    bool hire(World& world)
+    {
+        if (!world.threading) {
+            of_islands = of_an_island = Tasks(number_for(world));
+            return true;
+        }
+        world.stepping = true;  // the implementation's functions are the program's, as callbacks are
+        const bool ready =
+            posting_.open(world.threading_functions, world.threading, world.islands_max_threads);
+        world.stepping = false;
+        of_islands = Tasks(posting_, true);
+        of_an_island = posting_.width() > 1 ? Tasks(posting_, false) : Tasks(1);
+        return ready;
+    }
+
+    void dismiss() { posting_.close(); }
+
+  private:
+    // Of the threads that the world asked for, those that ODE's own limit leaves.
+    static int number_for(const World& world)
+    {
+        const int wanted = world.step_threads > 0 ? world.step_threads : processor_count();
+        const unsigned most = world.islands_max_threads;
+        return most == 0 ? wanted : int(std::min(unsigned(wanted), most));
+    }
+
+    Posting posting_;
+};
+
 int weight(const Island& island) { return int(island.joints.size() + island.bodies.size()); }
 
 class WorldStep {
   public:
-    WorldStep(const StepContext& context, StepState& state, std::span<const Island> islands, int workers)
+    WorldStep(const StepContext& context, StepState& state, std::span<const Island> islands,
+              const Workers& workers)
         : context_(context), state_(state), islands_(islands), workers_(workers)
     {}
 
@@ -63,10 +99,10 @@ class WorldStep {
 
     void run()
     {
-        const Tasks tasks(workers_), alone(1);
+        const Tasks alone(1);
         for (std::size_t i = 0; i < islands_.size(); ++i)
-            if (large(islands_[i])) step_one(int(i), tasks, 0);
-        tasks.for_each(cut_parcels(), [&](int p, int worker) {
+            if (large(islands_[i])) step_one(int(i), workers_.of_an_island, 0);
+        workers_.of_islands.for_each(cut_parcels(), [&](int p, int worker) {
             const auto parcel = std::size_t(p);
             for (int i = parcels_[parcel]; i < parcels_[parcel + 1]; ++i)
                 if (!large(islands_[std::size_t(i)])) step_one(i, alone, worker);
@@ -76,7 +112,7 @@ class WorldStep {
   private:
     bool large(const Island& island) const
     {
-        return workers_ > 1 && context_.solver.inner_tasks && int(island.joints.size()) >= kLarge;
+        return workers_.of_an_island.workers() > 1 && context_.solver.inner_tasks && int(island.joints.size()) >= kLarge;
     }
 
     bool prepare_reports()
@@ -87,7 +123,7 @@ class WorldStep {
 
     bool prepare_arenas()
     {
-        while (state_.arenas.size() < workers_ - 1) {
+        while (state_.arenas.size() < workers_.of_islands.workers() - 1) {
             void* memory = allocate(sizeof(Arena));
             if (!memory) return false;
             if (!state_.arenas.push(new (memory) Arena)) {
@@ -122,7 +158,7 @@ class WorldStep {
     const StepContext& context_;
     StepState& state_;
     std::span<const Island> islands_;
-    int workers_;
+    const Workers& workers_;
     std::span<int> first_contact_, parcels_;
 };
 
@@ -140,14 +176,6 @@ StepState* state_of(World& world)
     return world.step_state;
 }
 
-// Of the workers that the world asked for, those that ODE's own limit on islands leaves.
-int workers_of(const World& world)
-{
-    const int wanted = world.step_threads > 0 ? world.step_threads : processor_count();
-    const unsigned most = world.islands_max_threads;
-    return most == 0 ? wanted : int(std::min(unsigned(wanted), most));
-}
-
 }  // namespace
 
 StepState::~StepState()
@@ -161,7 +189,8 @@ StepState::~StepState()
 bool step_world(World& world, const Solver& solver, Real h, int iterations)
 {
     StepState* state = state_of(world);
-    if (!state) return false;
+    Workers workers;
+    if (!state || !workers.hire(world)) return false;
     world.arena.reset();
     ++world.step_count;
     auto_disable(world, h);
@@ -169,10 +198,11 @@ bool step_world(World& world, const Solver& solver, Real h, int iterations)
     if (!find_islands(world, world.arena, islands)) return false;
 
     const StepContext context{world, solver, h, iterations, state->contacts, state->plans};
-    WorldStep step(context, *state, islands, workers_of(world));
+    WorldStep step(context, *state, islands, workers);
     if (!step.prepare()) return false;
     world.stepping = true;
     step.run();
+    workers.dismiss();
     state->contacts.end();
     for (const Island& island : islands) finish_bodies(island);
     if (world.report_wanted) world.report = sum_of(state->reports.span());

@@ -6,7 +6,12 @@
 // piece computes must depend on its index alone, never on its worker or on the order: then a result has the
 // same bits on any number of workers. `worker` is for scratch memory only.
 // A call from inside a piece runs its own pieces in place, one after another.
+//
+// The workers are either threads of the library's own pool (tasks/thread_pool.h) and the caller, or calls of a
+// threading implementation that the program has given (tasks/posting.h), which the caller only waits for.
 #pragma once
+
+#include "tasks/posting.h"
 
 namespace epode {
 
@@ -15,12 +20,17 @@ class Tasks {
     // `workers` counts the caller; at least 1.
     explicit Tasks(int workers = 1) : workers_(workers < 1 ? 1 : workers) {}
 
+    // Posted calls. A job of one piece is posted too, and not simply done here, if `even_one`.
+    explicit Tasks(const Posting& posting, bool even_one)
+        : workers_(posting.width() + 1), posting_(&posting), least_(even_one ? 1 : 2)
+    {}
+
     int workers() const { return workers_; }
 
     template <typename Body>
     void for_each(int count, Body&& body) const
     {
-        if (workers_ == 1 || count < 2) {
+        if (workers_ == 1 || count < least_) {
             for (int i = 0; i < count; ++i) body(i, 0);
             return;
         }
@@ -33,6 +43,8 @@ class Tasks {
     void run(int count, Piece piece, void* body) const;
 
     int workers_;
+    const Posting* posting_ = nullptr;
+    int least_ = 2;  // pieces that are not simply done here
 };
 
 // Workers that the machine can run at once.

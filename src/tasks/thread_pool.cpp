@@ -14,14 +14,13 @@
 
 #include "base/lifecycle.h"
 #include "tasks/tasks.h"
+#include "tasks/worker.h"
 
 namespace epode {
 namespace {
 
 constexpr int kSpins = 4000;  // some ten microseconds
 constexpr std::size_t kStack = 512 * 1024;
-
-thread_local int t_worker = -1;  // what this thread is while it runs pieces
 
 void pause()
 {
@@ -31,6 +30,8 @@ void pause()
 }
 
 }  // namespace
+
+constinit thread_local int t_worker = -1;
 
 bool ThreadPool::run(int workers, int count, Piece piece, void* body)
 {
@@ -56,7 +57,7 @@ bool ThreadPool::run(int workers, int count, Piece piece, void* body)
 
 void ThreadPool::work(int worker)
 {
-    t_worker = worker;
+    const AsWorker mark(worker);
     for (;;) {
         unsigned long long ticket = ticket_.load(std::memory_order_acquire);
         const int index = int(ticket & 0xffffffffu);
@@ -68,7 +69,6 @@ void ThreadPool::work(int worker)
         piece(body, index, worker);
         done_.fetch_add(1, std::memory_order_release);
     }
-    t_worker = -1;
 }
 
 unsigned ThreadPool::wait_for_news(unsigned seen)
@@ -151,7 +151,8 @@ ThreadPool& thread_pool()
 
 void Tasks::run(int count, Piece piece, void* body) const
 {
-    if (thread_pool().run(workers_, count, piece, body)) return;
+    if (posting_ && t_worker < 0) return posting_->run(workers_ - 1, count, piece, body);
+    if (!posting_ && thread_pool().run(workers_, count, piece, body)) return;
     const int self = t_worker >= 0 && t_worker < workers_ ? t_worker : 0;
     for (int i = 0; i < count; ++i) piece(body, i, self);
 }

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A job lives until its last call has come, which is usually before the wait is over. (Calls that an
+// implementation loses keep theirs: a few dozen bytes each time.)
+#include "tasks/posting.h"
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+#include "base/pool.h"
+#include "tasks/worker.h"
+
+namespace epode {
+namespace {
+
+struct Job {
+    Job(Posting::Piece p, void* b, int n, int users) : piece(p), body(b), count(n), references(users) {}
+
+    void work(int worker)
+    {
+        const AsWorker mark(worker);
+        int index;
+        while ((index = next.fetch_add(1, std::memory_order_relaxed)) < count) {
+            piece(body, index, worker);
+            done.fetch_add(1, std::memory_order_release);
+        }
+    }
+
+    void leave()
+    {
+        if (references.fetch_sub(1, std::memory_order_acq_rel) == 1) Pool<Job>::destroy(this);
+    }
+
+    const Posting::Piece piece;
+    void* const body;
+    const int count;
+    std::atomic<int> next{0}, done{0};
+    std::atomic<int> references;  // calls to come, and the thread that posts them
+};
+
+int take_part(void* context, dcallindex_t index, dCallReleaseeID)
+{
+    Job& job = *static_cast<Job*>(context);
+    job.work(int(index) + 1);
+    job.leave();
+    return 1;
+}
+
+int nothing(void*, dcallindex_t, dCallReleaseeID) { return 1; }
+
+}  // namespace
+
+bool Posting::open(const dThreadingFunctionsInfo& functions, dThreadingImplementationID impl, unsigned limit)
+{
+    functions_ = functions;
+    impl_ = impl;
+    const unsigned threads = std::clamp(functions_.retrieve_thread_count(impl), 1u, unsigned(kMostCalls));
+    width_ = int(limit ? std::min(threads, limit) : threads);
+    if (!functions_.preallocate_resources_for_calls(impl, ddependencycount_t(width_) + 1)) return false;
+    wait_ = functions_.alloc_call_wait(impl);
+    return wait_;
+}
+
+void Posting::close()
+{
+    if (wait_) functions_.free_call_wait(impl_, wait_);
+    wait_ = nullptr;
+}
+
+void Posting::post(int calls, void* job) const
+{
+    dCallReleaseeID all = nullptr;
+    if (calls > 1)
+        functions_.post_call(impl_, nullptr, &all, ddependencycount_t(calls), nullptr, wait_, nothing, nullptr,
+                             0, "step: all parts done");
+    for (int i = 0; i < calls; ++i)
+        functions_.post_call(impl_, nullptr, nullptr, 0, all, calls > 1 ? nullptr : wait_, take_part, job,
+                             dcallindex_t(i), "step: part");
+}
+
+void Posting::run(int calls, int count, Piece piece, void* body) const
+{
+    calls = std::min({calls, count, width_});
+    Job* const job = calls > 0 ? Pool<Job>::create(piece, body, count, calls + 1) : nullptr;
+    if (!job) {
+        for (int i = 0; i < count; ++i) piece(body, i, 0);
+        return;
+    }
+    functions_.reset_call_wait(impl_, wait_);
+    post(calls, job);
+    functions_.wait_call(impl_, nullptr, wait_, nullptr, "step");
+    job->work(0);
+    while (job->done.load(std::memory_order_acquire) < count) std::this_thread::yield();
+    job->leave();
+}
+
+}  // namespace epode
