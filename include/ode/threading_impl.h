@@ -49,10 +49,10 @@ ODE_API void dThreadingImplementationShutdownProcessing(dThreadingImplementation
     left. Without effect on a self-threaded implementation. */
 ODE_API void dThreadingImplementationCleanupForRestart(dThreadingImplementationID impl);
 
-/** Free an implementation with all its mutex groups and waits. Threads that are still on their way out after a
-    shutdown are waited for. Refused while threads serve without having been released, wait, or run a
-    call. A world that it is set on is not stepped any more (dWorldStep returns 0) until it gets another or
-    none. NULL is ignored. */
+/** Free an implementation with all its mutex groups and waits. Threads that are still on their way out after
+   a shutdown are waited for. Refused while threads serve without having been released, wait, or run a call. A
+   world that it is set on is not stepped any more (dWorldStep returns 0) until it gets another or none. NULL
+   is ignored. */
 ODE_API void dThreadingFreeImplementation(dThreadingImplementationID impl);
 
 /* ---- threads of the program ---- */
@@ -60,9 +60,9 @@ ODE_API void dThreadingFreeImplementation(dThreadingImplementationID impl);
 /** What a thread that begins to serve calls, with the context it was given. */
 typedef void(dThreadReadyToServeCallback)(void* callback_context);
 
-/** The calling thread serves a multi-threaded implementation until that is shut down; if it has been already, it
-    returns at once. readiness_callback (may be NULL) is called with callback_context when the thread has been
-    counted. Refused inside a call of the same implementation. */
+/** The calling thread serves a multi-threaded implementation until that is shut down; if it has been already,
+   it returns at once. readiness_callback (may be NULL) is called with callback_context when the thread has
+   been counted. Refused inside a call of the same implementation. */
 ODE_API void dExternalThreadingServeMultiThreadedImplementation(
     dThreadingImplementationID impl, dThreadReadyToServeCallback* readiness_callback, void* callback_context);
 
@@ -76,14 +76,14 @@ ODE_API dThreadingThreadPoolID dThreadingAllocateThreadPool(unsigned thread_coun
                                                             unsigned int ode_data_allocate_flags,
                                                             void* reserved);
 
-/** Let all threads of a pool serve a multi-threaded implementation; returns when they do. A pool serves one at a
-    time: one that was shut down is waited for, one that was not makes this call refused. Several pools
+/** Let all threads of a pool serve a multi-threaded implementation; returns when they do. A pool serves one
+   at a time: one that was shut down is waited for, one that was not makes this call refused. Several pools
     may serve the same implementation. If it has been shut down the threads come back at once. */
 ODE_API void dThreadingThreadPoolServeMultiThreadedImplementation(dThreadingThreadPoolID pool,
                                                                   dThreadingImplementationID impl);
 
-/** Wait until no thread of the pool serves; at once if none does. Refused if the implementation that they serve
-    has not been shut down. */
+/** Wait until no thread of the pool serves; at once if none does. Refused if the implementation that they
+   serve has not been shut down. */
 ODE_API void dThreadingThreadPoolWaitIdleState(dThreadingThreadPoolID pool);
 
 /** End the threads and free the pool, after waiting as above, and refused as above. NULL is ignored. */

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The threading implementations and pools of threads that the library offers to programs (ode/threading_impl.h).
+// The threading implementations and pools of threads that the library offers to programs
+// (ode/threading_impl.h).
 #include "tasks/threading.h"
 
 #include "base/check.h"
@@ -72,8 +73,8 @@ dThreadingThreadPoolID dThreadingAllocateThreadPool(unsigned thread_count, dsize
 {
     EPODE_USER(thread_count > 0 && thread_count <= ServingPool::kMostThreads, nullptr);
     if (!dAllocateODEDataForThread(ode_data_allocate_flags)) return nullptr;
-    return to_handle(ServingPool::create(
-        {thread_count, stack_size, dAllocateODEDataForThread, ode_data_allocate_flags}));
+    return to_handle(
+        ServingPool::create({thread_count, stack_size, dAllocateODEDataForThread, ode_data_allocate_flags}));
 }
 
 void dThreadingThreadPoolServeMultiThreadedImplementation(dThreadingThreadPoolID id,

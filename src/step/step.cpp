@@ -112,7 +112,8 @@ class WorldStep {
   private:
     bool large(const Island& island) const
     {
-        return workers_.of_an_island.workers() > 1 && context_.solver.inner_tasks && int(island.joints.size()) >= kLarge;
+        return workers_.of_an_island.workers() > 1 && context_.solver.inner_tasks &&
+               int(island.joints.size()) >= kLarge;
     }
 
     bool prepare_reports()

@@ -4,8 +4,8 @@
 // One lock for all of it: a call is a piece of work of microseconds at least, posted by few threads. The lock
 // is never held while a client's function runs, memory handlers included. A thread without work spins for
 // some microseconds before it sleeps, since a step posts its stages one shortly after another.
-// A call lives in a slot that its queue keeps, so that posting allocates nothing after `reserve`; the tag of a
-// slot that is free is dead, which unmasks a releasee kept for too long.
+// A call lives in a slot that its queue keeps, so that posting allocates nothing after `reserve`; the tag of
+// a slot that is free is dead, which unmasks a releasee kept for too long.
 #include "tasks/call_queue.h"
 
 #include "base/pool.h"
@@ -61,9 +61,9 @@ void pause()
 }  // namespace
 
 CallQueue::CallQueue(bool served)
-    : served_(served),
-      watch_(ForkRank::kCallQueue, this,
-             [](void* self, ForkStage stage) { static_cast<CallQueue*>(self)->act(stage); })
+    : served_(served), watch_(ForkRank::kCallQueue, this, [](void* self, ForkStage stage) {
+          static_cast<CallQueue*>(self)->act(stage);
+      })
 {}
 
 CallQueue::~CallQueue()

@@ -78,8 +78,8 @@ class CallQueue {
     CallWait* make_wait();
     bool free_wait(dCallWaitID wait);   // false: not ours, or in use
     bool reset_wait(dCallWaitID wait);  // likewise
-    // For ever, and therefore not at all: without a limit of time, when nothing was posted with it, it is that
-    // of a call which the thread is in, or nothing can end it. Unknown: not one of this queue's.
+    // For ever, and therefore not at all: without a limit of time, when nothing was posted with it, it is
+    // that of a call which the thread is in, or nothing can end it. Unknown: not one of this queue's.
     Waited wait(dCallWaitID wait, const Deadline& until);
 
     // Runs calls until close(). False: the calling thread is in a call of this queue.
@@ -121,7 +121,7 @@ class CallQueue {
 
     const bool served_;
     Lock lock_;
-    Condition work_, change_;     // for those who serve; for those who wait
+    Condition work_, change_;  // for those who serve; for those who wait
     int idle_servers_ = 0, idle_waiters_ = 0;
     std::atomic<unsigned> serving_{0};
     std::atomic<bool> closed_{false};

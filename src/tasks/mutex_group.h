@@ -16,8 +16,7 @@ struct MutexGroup : Tagged {
     static MutexGroup* create(dmutexindex_t count);  // null: out of memory
     static void destroy(MutexGroup* group);
 
-    explicit MutexGroup(pthread_mutex_t* m, dmutexindex_t n)
-        : Tagged(Tag::kMutexGroup), mutexes(m), count(n)
+    explicit MutexGroup(pthread_mutex_t* m, dmutexindex_t n) : Tagged(Tag::kMutexGroup), mutexes(m), count(n)
     {}
 
     bool lock(dmutexindex_t index);    // false: this thread has it already

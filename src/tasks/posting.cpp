@@ -73,8 +73,8 @@ void Posting::post(int calls, void* job) const
 {
     dCallReleaseeID all = nullptr;
     if (calls > 1)
-        functions_.post_call(impl_, nullptr, &all, ddependencycount_t(calls), nullptr, wait_, nothing, nullptr,
-                             0, "step: all parts done");
+        functions_.post_call(impl_, nullptr, &all, ddependencycount_t(calls), nullptr, wait_, nothing,
+                             nullptr, 0, "step: all parts done");
     for (int i = 0; i < calls; ++i)
         functions_.post_call(impl_, nullptr, nullptr, 0, all, calls > 1 ? nullptr : wait_, take_part, job,
                              dcallindex_t(i), "step: part");

@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Behind dThreadingThreadPoolID: threads that wait until they are told to serve a queue of calls, do so until
-// it is closed, and wait again. A pool serves one queue at a time. What would wait for threads that nobody has
-// told to leave is refused, since the one who could tell them may be the one who waits.
+// it is closed, and wait again. A pool serves one queue at a time. What would wait for threads that nobody
+// has told to leave is refused, since the one who could tell them may be the one who waits.
 #pragma once
 
 #include <pthread.h>
@@ -16,9 +16,9 @@ namespace epode {
 
 struct PoolSettings {
     unsigned threads;
-    std::size_t stack;          // bytes; 0: the system's default
-    int (*start)(unsigned);     // called by every thread first; 0 is failure
-    unsigned flags;             // for it
+    std::size_t stack;       // bytes; 0: the system's default
+    int (*start)(unsigned);  // called by every thread first; 0 is failure
+    unsigned flags;          // for it
 };
 
 class ServingPool : public Tagged {
@@ -51,12 +51,12 @@ class ServingPool : public Tagged {
     Lock lock_;
     Condition orders_, news_;  // for the threads; from them
     pthread_t* threads_ = nullptr;
-    unsigned count_ = 0;       // that were created
+    unsigned count_ = 0;  // that were created
     unsigned started_ = 0, failed_ = 0;
     CallQueue* queue_ = nullptr;
-    unsigned order_ = 0;      // grows with every queue to serve
-    unsigned ready_ = 0;      // threads that serve it
-    unsigned busy_ = 0;       // threads that have not left it
+    unsigned order_ = 0;  // grows with every queue to serve
+    unsigned ready_ = 0;  // threads that serve it
+    unsigned busy_ = 0;   // threads that have not left it
     bool ending_ = false;
     ForkWatch watch_;
 };

@@ -7,8 +7,8 @@
 // same bits on any number of workers. `worker` is for scratch memory only.
 // A call from inside a piece runs its own pieces in place, one after another.
 //
-// The workers are either threads of the library's own pool (tasks/thread_pool.h) and the caller, or calls of a
-// threading implementation that the program has given (tasks/posting.h), which the caller only waits for.
+// The workers are either threads of the library's own pool (tasks/thread_pool.h) and the caller, or calls of
+// a threading implementation that the program has given (tasks/posting.h), which the caller only waits for.
 #pragma once
 
 #include "tasks/posting.h"

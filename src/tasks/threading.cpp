@@ -104,7 +104,7 @@ void wait_call(dThreadingImplementationID impl, int* status, dCallWaitID wait,
 unsigned retrieve_thread_count(dThreadingImplementationID impl)
 {
     IMPLEMENTATION_OR(0);
-    return own->calls.serving();
+    return own->calls.closed() ? 0 : own->calls.serving();
 }
 
 int preallocate_resources_for_calls(dThreadingImplementationID impl, ddependencycount_t calls)
