@@ -10,9 +10,11 @@
 #include <ode/common.h>
 #include <ode/compatibility.h>
 #include <ode/contact.h>
+#include <ode/cooperative.h>
 #include <ode/error.h>
 #include <ode/mass.h>
 #include <ode/matrix.h>
+#include <ode/matrix_coop.h>
 #include <ode/memory.h>
 #include <ode/misc.h>
 #include <ode/objects.h>

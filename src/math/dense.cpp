@@ -30,6 +30,24 @@ Real dot(const Real* a, const Real* b, int n)
     return ((part[0] + part[4]) + (part[2] + part[6])) + ((part[1] + part[5]) + (part[3] + part[7]));
 }
 
+void GrowingDot::grow(const Real* a, const Real* b, int known)
+{
+    Real part[8];
+    std::copy_n(part_, 8, part);  // registers: the members might be what a and b point to
+    int i = at_;
+    for (; i + 8 <= known; i += 8)
+        for (int k = 0; k < 8; ++k) part[k] += a[i + k] * b[i + k];
+    std::copy_n(part, 8, part_);
+    at_ = i;
+}
+
+Real GrowingDot::finish(const Real* a, const Real* b, int n)
+{
+    grow(a, b, n);
+    for (int k = 0; at_ + k < n; ++k) part_[k] += a[at_ + k] * b[at_ + k];
+    return ((part_[0] + part_[4]) + (part_[2] + part_[6])) + ((part_[1] + part_[5]) + (part_[3] + part_[7]));
+}
+
 void subtract_scaled(Real* y, Real s, const Real* x, int n)
 {
     for (int i = 0; i < n; ++i) y[i] -= s * x[i];

@@ -31,6 +31,17 @@ constexpr T* row_of(T* matrix, int i, int stride)
 
 Real dot(const Real* a, const Real* b, int n);
 
+// The same sum over vectors whose numbers become known from the front on.
+class GrowingDot {
+  public:
+    void grow(const Real* a, const Real* b, int known);  // the first `known`, whole groups of eight of them
+    Real finish(const Real* a, const Real* b, int n);    // dot(a, b, n)
+
+  private:
+    Real part_[8] = {};
+    int at_ = 0;
+};
+
 // y -= s x
 void subtract_scaled(Real* y, Real s, const Real* x, int n);
 

@@ -56,11 +56,16 @@ bool Posting::open(const dThreadingFunctionsInfo& functions, dThreadingImplement
 {
     functions_ = functions;
     impl_ = impl;
-    const unsigned threads = std::clamp(functions_.retrieve_thread_count(impl), 1u, unsigned(kMostCalls));
-    width_ = int(limit ? std::min(threads, limit) : threads);
+    measure(limit);
     if (!functions_.preallocate_resources_for_calls(impl, ddependencycount_t(width_) + 1)) return false;
     wait_ = functions_.alloc_call_wait(impl);
     return wait_;
+}
+
+void Posting::measure(unsigned limit)
+{
+    const unsigned threads = std::clamp(functions_.retrieve_thread_count(impl_), 1u, unsigned(kMostCalls));
+    width_ = int(limit ? std::min(threads, limit) : threads);
 }
 
 void Posting::close()

@@ -31,6 +31,8 @@ class Posting {
     void close();
 
     int width() const { return width_; }
+    // Asks again how many threads there are.
+    void measure(unsigned limit);
 
     // piece(body, index, worker) once for each index; worker 1 ... width() in a call, 0 in this thread. Not
     // to be called by two threads at the same time.

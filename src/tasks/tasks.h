@@ -2,9 +2,10 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Independent pieces of work on several cores. `for_each(count, body)` calls body(index, worker) once for
-// every index, in any order and on any worker 0 ... workers() - 1, and returns when all are done. What a
-// piece computes must depend on its index alone, never on its worker or on the order: then a result has the
-// same bits on any number of workers. `worker` is for scratch memory only.
+// every index, on any worker 0 ... workers() - 1, and returns when all are done. What a piece computes must
+// depend on its index alone, never on its worker or on what runs beside it: then a result has the same bits
+// on any number of workers. `worker` is for scratch memory only. Pieces are begun in the order of their
+// indices: a piece may wait for what one with a lower index does.
 // A call from inside a piece runs its own pieces in place, one after another.
 //
 // The workers are either threads of the library's own pool (tasks/thread_pool.h) and the caller, or calls of
