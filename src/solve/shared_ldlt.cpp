@@ -14,11 +14,15 @@
 namespace epode {
 namespace {
 
-// From these sizes on two threads of a machine with two cores were faster than one.
-constexpr int kLeastFactor = 96, kLeastSolve = 512, kLeastScale = 1 << 16;
-constexpr int kRows = 4;    // of a piece of the factorisation: a row of L is fetched once for all of them
-constexpr int kBlock = 64;  // numbers of b in a piece of a solution
-constexpr int kChunk = 1 << 13;  // numbers in a piece of a scaling
+// To post a job and to wait for it takes some ten microseconds; what is smaller than this takes one thread
+// about a hundred.
+constexpr int kLeastFactor = 128, kLeastSolve = 1024, kLeastScale = 1 << 18;
+constexpr int kBlock = 64;       // numbers of b in a piece of a solution
+constexpr int kChunk = 1 << 14;  // numbers in a piece of a scaling
+
+// Rows in a piece of a factorisation: a row of L is fetched once for all of them, but what is left to do when
+// the piece before is done grows with their square.
+int rows_of_piece(int n) { return std::clamp(n / 100, 4, 16); }
 
 // How far something has come, for those who need it.
 class Progress {
@@ -63,9 +67,10 @@ void scale_row(Real* row, Real* d, int i)
 void factor_ldlt(Real* A, Real* d, int n, int stride, const Tasks& tasks)
 {
     if (tasks.workers() == 1 || n < kLeastFactor) return factor_ldlt(A, d, n, stride);
+    const int size = rows_of_piece(n);
     Progress rows;  // of L that are known
-    tasks.for_each(pieces_of(n, kRows), [&](int piece, int) {
-        const int first = piece * kRows, end = std::min(first + kRows, n);
+    tasks.for_each(pieces_of(n, size), [&](int piece, int) {
+        const int first = piece * size, end = std::min(first + size, n);
         for (int j = 0; j < first;) {
             const int known = std::min(rows.beyond(j), first);
             for (; j < known; ++j)

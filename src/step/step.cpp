@@ -141,8 +141,9 @@ class WorldStep {
     {
         int count = 0, load = kParcel;
         for (std::size_t i = 0; i < islands_.size(); ++i) {
+            if (large(islands_[i])) continue;
             if (load >= kParcel) parcels_[std::size_t(count++)] = int(i), load = 0;
-            if (!large(islands_[i])) load += weight(islands_[i]);
+            load += weight(islands_[i]);
         }
         parcels_[std::size_t(count)] = int(islands_.size());
         return count;
