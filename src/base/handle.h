@@ -32,6 +32,7 @@ enum class Tag : std::uint32_t {
     kCooperative = 0x0de00016,
     kResourceRequirements = 0x0de00017,
     kResourceContainer = 0x0de00018,
+    kPostedJob = 0x0de00019,
 };
 
 // What every object behind a handle starts with; `serial` tells objects of one kind apart

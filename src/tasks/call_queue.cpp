@@ -109,6 +109,7 @@ void CallQueue::give_back(Call& call)
         return;
     }
     call.tag = Tag::kDead;
+    call.generation = (call.generation + 1) % kGenerations;
     call.next = slots_;
     slots_ = &call;
 }

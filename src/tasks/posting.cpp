@@ -15,8 +15,10 @@
 namespace epode {
 namespace {
 
-struct Job {
-    Job(Posting::Piece p, void* b, int n, int users) : piece(p), body(b), count(n), references(users) {}
+struct Job : Tagged {
+    Job(Posting::Piece p, void* b, int n, int users)
+        : Tagged(Tag::kPostedJob), piece(p), body(b), count(n), references(users)
+    {}
 
     void work(int worker)
     {
