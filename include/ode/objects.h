@@ -65,13 +65,14 @@ ODE_API void dWorldSetCFM(dWorldID world, dReal cfm);
 ODE_API dReal dWorldGetCFM(dWorldID world);
 
 /** Who does the work of a world's steps: a threading implementation of the library (ode/threading_impl.h) or
-    of the program, given by its table functions_info (which is copied) and its handle threading_impl. Islands, and parts of large
-    islands, become calls of it, as many at a time as it has threads (at most 64), at least one; the thread that
-    steps waits for them. A step has the same bits as without. Both NULL, the default: the calling thread,
-    or those of dWorldSetStepThreads (ode/ext.h), which does not count while an implementation is set. One
-    implementation may serve several worlds, also at the same time. Refused: one of the two NULL, struct_size
-    too small or a function missing, during a step. When the implementation cannot prepare for a step (its
-    preallocation or its wait fails) the step returns 0 and the world stays as it was. [0.16] */
+    of the program, given by its table functions_info (which is copied) and its handle threading_impl.
+    Islands, and parts of large islands, become calls of it, as many at a time as it has threads (at most 64),
+    at least one; the thread that steps waits for them. A step has the same bits as without. Both NULL, the
+    default: the calling thread, or those of dWorldSetStepThreads (ode/ext.h), which does not count while an
+    implementation is set. One implementation may serve several worlds, also at the same time. Refused: one of
+    the two NULL, struct_size too small or a function missing, during a step. When the implementation cannot
+    prepare for a step (its preallocation or its wait fails) the step returns 0 and the world stays as it was.
+    [0.16] */
 ODE_API void dWorldSetStepThreadingImplementation(dWorldID world,
                                                   const dThreadingFunctionsInfo* functions_info,
                                                   dThreadingImplementationID threading_impl);

@@ -2,14 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The contract between a world and a threading implementation: a table of functions that hold mutexes, take
-// calls with dependencies, and wait for them. Two implementations come with the library
-// (ode/threading_impl.h); a program that brings threads of its own fills dThreadingFunctionsInfo and hands it
-// to dWorldSetStepThreadingImplementation or dCooperativeCreate together with a handle of its own choice,
-// which every function gets back as `impl`.
-//
-// A call is done when its function has returned and no calls that it depends on are left; it may add some to
-// itself while it runs. What is said of refusals below is what the library's own implementations do;
-// the library itself gives a program's implementation no cause for them.
+// calls with dependencies, and wait for them.
 #ifndef _ODE_THREADING_H_
 #define _ODE_THREADING_H_
 
@@ -19,6 +12,19 @@
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/** @chapter threading Threading implementations
+
+    The contract between a world and those who do the work of its steps. Two implementations come with the
+    library (@ref threading_impl "threads for steps"); a program that brings threads of its own fills the
+    table dThreadingFunctionsInfo and hands it to dWorldSetStepThreadingImplementation or dCooperativeCreate,
+    together with a handle of its own choice, which every function gets back as impl.
+
+    A call is done when its function has returned and no calls that it depends on are left; it may add some to
+    itself while it runs. What is said of refusals is what the library's own implementations do; the library
+    gives a program's implementation no cause for them.
+
+    Refused: as each function says. */
 
 /** A thread limit that limits nothing. */
 #define dTHREADING_THREAD_COUNT_UNLIMITED 0U
@@ -81,17 +87,20 @@ typedef void dThreadedCallWaitResetFunction(dThreadingImplementationID impl, dCa
 /** Free it. Refused while a call that was posted with it is not done, or a thread waits. NULL is ignored. */
 typedef void dThreadedCallWaitFreeFunction(dThreadingImplementationID impl, dCallWaitID call_wait);
 
-/** Hand in a call. It starts, on some thread, when `dependencies_count` calls that name it as their
+/** Hand in a call. It starts, on some thread, when dependencies_count calls that name it as their
     dependent_releasee are done; with none it may start before this function returns.
-    out_summary_fault: where 1 is written when the call is done and it or a call that it depended on, directly
-   or not, has returned 0; else 0. May be NULL; must stay valid until the call is done. out_post_releasee:
-   where the name of this call is written, which others need to precede it. It is good until the call is done.
-   May be NULL. dependent_releasee: the call that this one precedes, or NULL. It must count on one more
-   dependency than have been posted for it (refused otherwise). call_wait: told when the call is done, or
-   NULL. Several calls may share one: it then waits for all. call_func, call_context, instance_index: what is
-   called. call_name: for debugging, or NULL; a literal, since it must stay valid. A call that is refused, or
-   that there is no memory to keep, counts as done with a fault; where memory is out, a call without
-   dependencies is run at once by the thread that posts it. */
+    - out_summary_fault: where 1 is written when the call is done and it, or a call that it depended on,
+      directly or not, has returned 0; else 0. May be NULL; must stay valid until the call is done.
+    - out_post_releasee: where the name of this call is written, by which others precede it. It is good until
+      the call is done. May be NULL.
+    - dependent_releasee: the call that this one precedes, or NULL. It must count on one more dependency than
+      have been posted for it (refused otherwise).
+    - call_wait: told when the call is done, or NULL. Several calls may share one: it then waits for all.
+    - call_func, call_context, instance_index: what is called.
+    - call_name: for debugging, or NULL; a literal, since it must stay valid.
+
+    A call that is refused, or that there is no memory to keep, counts as done with a fault; where memory is
+    out, a call without dependencies is run at once by the thread that posts it. */
 typedef void dThreadedCallPostFunction(dThreadingImplementationID impl, int* out_summary_fault,
                                        dCallReleaseeID* out_post_releasee,
                                        ddependencycount_t dependencies_count,
@@ -100,18 +109,18 @@ typedef void dThreadedCallPostFunction(dThreadingImplementationID impl, int* out
                                        dcallindex_t instance_index, const char* call_name);
 
 /** Change the number of calls that a call which is not done depends on: before it starts, or by itself while
-   it runs. If none are left it starts, or is done if it has returned. Refused below the number of those that
-   have been posted for it and are not done. */
+    it runs. If none are left it starts, or is done if it has returned. Refused below the number of those that
+    have been posted for it and are not done. */
 typedef void dThreadedCallDependenciesCountAlterFunction(dThreadingImplementationID impl,
                                                          dCallReleaseeID target_releasee,
                                                          ddependencychange_t dependencies_count_change);
 
 /** Wait until all calls that were posted with call_wait are done. timeout_time_ptr: for how long at most (on
-   the monotonic clock); zero only asks; NULL for ever. out_wait_status, which may be NULL, is set to 1 if
-   they are done and to 0 if not. wait_name is for debugging, or NULL. ODE forbids waiting inside a call,
-   since it takes a thread away. Here the waiting thread runs other calls meanwhile, as it does when no thread
-   serves. A wait without a limit that nothing can end (nothing was posted; it is that of a call which the
-   thread is in) is refused with status 0. */
+    the monotonic clock); zero only asks; NULL for ever. out_wait_status, which may be NULL, is set to 1 if
+    they are done and to 0 if not. wait_name is for debugging, or NULL. ODE forbids waiting inside a call,
+    since it takes a thread away. Here the waiting thread runs other calls meanwhile, as it does when no
+    thread serves. A wait without a limit that nothing can end (nothing was posted; it is that of a call which
+    the thread is in) is refused with status 0. */
 typedef void dThreadedCallWaitFunction(dThreadingImplementationID impl, int* out_wait_status,
                                        dCallWaitID call_wait, const dThreadedWaitTime* timeout_time_ptr,
                                        const char* wait_name);
@@ -120,7 +129,7 @@ typedef void dThreadedCallWaitFunction(dThreadingImplementationID impl, int* out
 typedef unsigned dThreadingImplThreadCountRetrieveFunction(dThreadingImplementationID impl);
 
 /** Make room for so many calls at once, at most 65536. Returns 1, or 0 if there is none: then a step that
-   asked for it returns 0. */
+    asked for it returns 0. */
 typedef int dThreadingImplResourcesForCallsPreallocateFunction(
     dThreadingImplementationID impl, ddependencycount_t max_simultaneous_calls_estimate);
 
