@@ -2,7 +2,9 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What this library adds to ODE's interface. Not included by ode/ode.h: a program that includes
-// this file has decided to depend on this library and not on the original one.
+// this file has decided to depend on this library and not on the original one. One more name that only
+// libode_single has, dSinglePrecisionProgram_LinkWith_ode_single, is in ode/odeconfig.h: it keeps programs
+// for float and libraries for double apart.
 #ifndef _ODE_EXT_H_
 #define _ODE_EXT_H_
 

@@ -120,4 +120,30 @@ typedef size_t dsizeint;
 #define _ode_nextafterf(x, y) nextafterf(x, y)
 #define _ode_nextafter(x, y) nextafter(x, y)
 
+/* ---- the precision of a program and of its library ---- */
+
+/* A program for float that is linked with a library for double is refused, since only libode_single has the first
+   of these two names. A program for double that is linked with libode_single is refused, since that library asks
+   for the second name, which only programs for float bring along. The names are the linker's message. Programs
+   for double are not touched at all. */
+#if defined(dSINGLE) && defined(__ELF__) && defined(__GNUC__)
+#ifdef __cplusplus
+extern "C" {
+#endif
+ODE_API extern const char dSinglePrecisionProgram_LinkWith_ode_single;
+extern __attribute__((visibility("default"))) char dDoublePrecisionProgram_CompileWith_dIDESINGLE;
+#if !defined(EPODE_BUILDS_LIBRARY)
+#if defined(__has_attribute)
+#if __has_attribute(retain)
+__attribute__((retain))
+#endif
+#endif
+__attribute__((used)) static const char* const ode_wanted_library = &dSinglePrecisionProgram_LinkWith_ode_single;
+__attribute__((weak)) char dDoublePrecisionProgram_CompileWith_dIDESINGLE = 1;
+#endif
+#ifdef __cplusplus
+}
+#endif
+#endif
+
 #endif

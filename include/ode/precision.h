@@ -2,9 +2,9 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Chooses the real type of the whole interface: dSINGLE (float) or dDOUBLE (double).
-// A client may ask with -DdIDESINGLE or -DdIDEDOUBLE; without either it gets double, which is
-// what libode.so.8 is built with. The choice must match the library that is linked: the symbol
-// names are the same in both builds, so a mismatch is not noticed by the linker.
+// A program asks with -DdIDESINGLE or -DdIDEDOUBLE and links the library of that precision: libode_single or
+// libode. Without either it gets double. Functions have the same names in both, so a mistake would go unnoticed
+// and compute nonsense; ode/odeconfig.h sees to it that the linker refuses.
 #ifndef _ODE_PRECISION_H_
 #define _ODE_PRECISION_H_
 

@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+#
+# What `cmake --install` puts under a prefix. Nothing installed holds the prefix itself: the tree may be moved.
+#   include/ode/*.h   lib/libode.so.8 and libode_single.so.8 with their links   lib/pkgconfig/ode.pc, ode-single.pc
+#   lib/cmake/ode     bin/ode-config, bin/epode                                share/doc/epode
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(EPODE_ODE_VERSION 0.16.2)
+set(EPODE_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/ode)
+set(EPODE_PACKAGING ${CMAKE_SOURCE_DIR}/packaging)
+set(EPODE_OUT ${CMAKE_BINARY_DIR}/packaging)
+
+# The way from a folder of the installed tree back to its prefix.
+file(RELATIVE_PATH EPODE_PREFIX_FROM_PC /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+file(RELATIVE_PATH EPODE_PREFIX_FROM_BIN /${CMAKE_INSTALL_BINDIR} /)
+string(REGEX REPLACE "/$" "" EPODE_PREFIX_FROM_PC ${EPODE_PREFIX_FROM_PC})
+string(REGEX REPLACE "/$" "" EPODE_PREFIX_FROM_BIN ${EPODE_PREFIX_FROM_BIN})
+
+install(FILES ${EPODE_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ode)
+install(FILES LICENSE README.md CHANGES.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# install_ode(target NAME TARGET LIBRARY PC PRECISION FLAG): library, links and pkg-config file of one precision.
+function(install_ode target EXPORT LIBRARY PC PRECISION FLAG)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${EXPORT})
+  target_include_directories(${target} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  install(TARGETS ${target} EXPORT ode-targets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  configure_file(${EPODE_PACKAGING}/ode.pc.in ${EPODE_OUT}/${PC}.pc @ONLY)
+  install(FILES ${EPODE_OUT}/${PC}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endfunction()
+
+# The compiler's default in our headers is double, so ode.pc needs no flag, as Debian's has none.
+if("double" IN_LIST EPODE_PRECISIONS)
+  install_ode(ode ODE ode ode dDOUBLE "")
+endif()
+if("single" IN_LIST EPODE_PRECISIONS)
+  install_ode(ode_single ODE_single ode_single ode-single dSINGLE " -DdIDESINGLE")
+endif()
+
+# One file serves find_package(ODE) and find_package(ode): CMake looks for the name in lower case too.
+configure_file(${EPODE_PACKAGING}/ode-config.cmake.in ${EPODE_OUT}/ode-config.cmake @ONLY)
+write_basic_package_version_file(${EPODE_OUT}/ode-config-version.cmake VERSION ${EPODE_ODE_VERSION}
+                                 COMPATIBILITY AnyNewerVersion)
+install(FILES ${EPODE_OUT}/ode-config.cmake ${EPODE_OUT}/ode-config-version.cmake DESTINATION ${EPODE_CMAKE_DIR})
+install(EXPORT ode-targets NAMESPACE ODE:: DESTINATION ${EPODE_CMAKE_DIR})
+
+configure_file(${EPODE_PACKAGING}/ode-config.in ${EPODE_OUT}/ode-config @ONLY)
+install(PROGRAMS ${EPODE_OUT}/ode-config DESTINATION ${CMAKE_INSTALL_BINDIR})
+
+if(TARGET epode)
+  file(RELATIVE_PATH EPODE_LIB_FROM_BIN /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
+  set_target_properties(epode PROPERTIES INSTALL_RPATH "$ORIGIN/${EPODE_LIB_FROM_BIN}")
+  install(TARGETS epode RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
