@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
 #
-# needed.sh LIBRARY
-# The library calls itself libode.so.8 and needs nothing at run time but the C and C++ run-time libraries.
+# needed.sh LIBRARY SONAME
+# The library calls itself by that name and needs nothing at run time but the C and C++ run-time libraries.
 set -eu
 dynamic=$(LC_ALL=C readelf -d "$1")
 
 soname=$(echo "$dynamic" | sed -n 's/.*(SONAME).*\[\(.*\)\].*/\1/p')
-if [ "$soname" != libode.so.8 ]; then
-    echo "SONAME is '$soname', not libode.so.8"
+if [ "$soname" != "$2" ]; then
+    echo "SONAME is '$soname', not $2"
     exit 1
 fi
 
