@@ -122,10 +122,10 @@ typedef size_t dsizeint;
 
 /* ---- the precision of a program and of its library ---- */
 
-/* A program for float that is linked with a library for double is refused, since only libode_single has the first
-   of these two names. A program for double that is linked with libode_single is refused, since that library asks
-   for the second name, which only programs for float bring along. The names are the linker's message. Programs
-   for double are not touched at all. */
+/* A program for float that is linked with a library for double is refused, since only libode_single has the
+   first of these two names. A program for double that is linked with libode_single is refused, since that
+   library asks for the second name, which only programs for float bring along. The names are the linker's
+   message. Programs for double are not touched at all. */
 #if defined(dSINGLE) && defined(__ELF__) && defined(__GNUC__)
 #ifdef __cplusplus
 extern "C" {
@@ -138,7 +138,8 @@ extern __attribute__((visibility("default"))) char dDoublePrecisionProgram_Compi
 __attribute__((retain))
 #endif
 #endif
-__attribute__((used)) static const char* const ode_wanted_library = &dSinglePrecisionProgram_LinkWith_ode_single;
+__attribute__((used)) static const char* const ode_wanted_library =
+    &dSinglePrecisionProgram_LinkWith_ode_single;
 __attribute__((weak)) char dDoublePrecisionProgram_CompileWith_dIDESINGLE = 1;
 #endif
 #ifdef __cplusplus

@@ -30,3 +30,16 @@ static_assert(std::is_same_v<decltype(REAL(0.5)), dReal>);
 static_assert(std::is_same_v<dVector3, dReal[4]> && std::is_same_v<dMatrix3, dReal[12]>);
 static_assert(std::is_standard_layout_v<dMass> && std::is_trivially_copyable_v<dMass>);
 static_assert(sizeof(dODE_VERSION) == sizeof("0.16.2"));
+
+// The wrapper classes hold an id, and all but those of geoms and spaces a table of virtual functions: a
+// program may pass them between files that were compiled with other headers of ODE.
+template <class... Classes>
+constexpr bool all_have_size(unsigned size, bool polymorphic)
+{
+    return ((sizeof(Classes) == size && std::is_polymorphic_v<Classes> == polymorphic) && ...);
+}
+static_assert(all_have_size<dBody, dJointGroup, dJoint, dBallJoint, dHingeJoint, dSliderJoint,
+                            dUniversalJoint, dHinge2Joint, dPRJoint, dPUJoint, dPistonJoint, dFixedJoint,
+                            dContactJoint, dNullJoint, dAMotorJoint, dLMotorJoint, dWorld>(16, true));
+static_assert(all_have_size<dGeom, dSpace, dSimpleSpace, dHashSpace, dQuadTreeSpace, dSphere, dBox, dPlane,
+                            dCapsule, dCylinder, dRay, dGeomTransform>(8, false));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A rod on a hinge swings by a small angle: its period is 2 pi sqrt(I / (m g d)), here with I = I_c + m d^2 about
-// the hinge and d from the hinge to the centre. Measured between the first and the fifth passage.
+// A rod on a hinge swings by a small angle: its period is 2 pi sqrt(I / (m g d)), here with I = I_c + m d^2
+// about the hinge and d from the hinge to the centre. Measured between the first and the fifth passage.
 #include <ode/ode.h>
 
 #include <cmath>
@@ -43,6 +43,7 @@ int main()
     const double inertia = (kLength * kLength + kWidth * kWidth) / 12 + kLength * kLength / 4;
     const double wanted = 2 * M_PI * std::sqrt(inertia / (9.81 * kLength / 2));
     const double period = (last - first) / 2;
-    std::cout << "pendulum: period " << period << " s, wanted " << wanted << ", reals of " << sizeof(dReal) << '\n';
+    std::cout << "pendulum: period " << period << " s, wanted " << wanted << ", reals of " << sizeof(dReal)
+              << '\n';
     return passages == 5 && std::abs(period - wanted) < 2e-3 * wanted ? 0 : 1;
 }
