@@ -83,28 +83,60 @@ ODE_API void dWorldSetStepThreadingImplementation(dWorldID world,
 ODE_API void dWorldSetStepIslandsProcessingMaxThreadCount(dWorldID world, unsigned count);
 ODE_API unsigned dWorldGetStepIslandsProcessingMaxThreadCount(dWorldID world);
 
+/** @chapter step_memory Working memory of steps
+
+    A step takes its scratch memory in blocks that stay with the world: after the largest step of a scene no
+    more are asked for. The memory is made by the first step, or by the functions below, and has settings of
+    its own. Without them it comes from dAlloc.
+
+    Refused: a world that is 0 or destroyed; during a step. Nothing changes then.
+
+    @argument world the world */
+
+/** Let the world use the working memory of from_world, and its settings, from now on (it is made if
+    from_world has none); it is given back with the last world that uses it. The worlds must not step at the
+    same time: a step that would is refused. A world that has working memory already is refused; from_world
+    NULL takes it away first: the world's next step begins with memory and settings as in a new world. Returns
+    1, or 0 when refused or out of memory. [0.16] */
+ODE_API int dWorldUseSharedWorkingMemory(dWorldID world, dWorldID from_world);
+
+/** Give the blocks back at once, with what the world keeps to save time; settings stay, and no result
+    changes. Concerns all worlds that share the memory. [0.16] */
+ODE_API void dWorldCleanupWorkingMemory(dWorldID world);
+
 /** What dWorldStepReserveInfo holds at first. */
 #define dWORLDSTEP_RESERVEFACTOR_DEFAULT 1.2f
 #define dWORLDSTEP_RESERVESIZE_DEFAULT 65536U
 
-/** How step memory is reserved: room for reserve_factor times what is needed, at least reserve_minimum
-    bytes. struct_size: sizeof of the struct, set by the caller. */
+/** How much is taken in reserve. When blocks have become too small, they are replaced by one of reserve_factor
+    times what the largest step needed; no block is smaller than reserve_minimum. struct_size: sizeof of the
+    struct, set by the caller. */
 typedef struct {
     unsigned struct_size;     /**< sizeof(dWorldStepReserveInfo) */
-    float reserve_factor;     /**< how many times what is needed */
+    float reserve_factor;     /**< how many times what is needed, at least 1 */
     unsigned reserve_minimum; /**< bytes */
 } dWorldStepReserveInfo;
 
-/** Where step memory comes from. struct_size: sizeof of the struct, set by the caller. */
+/** Set the reserve for blocks taken from now on, to a copy of *policyinfo; NULL: back to the defaults. Returns
+    1, or 0 when refused (a factor below 1 or not finite, struct_size too small) or out of memory. [0.16] */
+ODE_API int dWorldSetStepMemoryReservationPolicy(dWorldID world, const dWorldStepReserveInfo* policyinfo);
+
+/** Where step memory comes from. The functions are called by one thread at a time, which with several threads
+    need not be the one that steps. struct_size: sizeof of the struct, set by the caller. */
 typedef struct {
     unsigned struct_size; /**< sizeof(dWorldStepMemoryFunctionsInfo) */
-    /** gives a block of block_size bytes, or NULL */
+    /** gives a block of block_size bytes aligned for any type, or NULL, with which the step returns 0 */
     void* (*alloc_block)(dsizeint block_size);
-    /** makes a block smaller; gives where it is now */
+    /** for programs that have one: the library does not shrink, and it may be NULL */
     void* (*shrink_block)(void* block_pointer, dsizeint block_current_size, dsizeint block_smaller_size);
-    /** takes a block back */
+    /** takes a block back, with the size that it was asked with */
     void (*free_block)(void* block_pointer, dsizeint block_current_size);
 } dWorldStepMemoryFunctionsInfo;
+
+/** Take blocks from a copy of *memfuncs from now on; NULL: from dAlloc again. Blocks that are there already go
+    back where they came from. Returns 1, or 0 when refused (alloc_block or free_block NULL, struct_size too
+    small) or out of memory. [0.16] */
+ODE_API int dWorldSetStepMemoryManager(dWorldID world, const dWorldStepMemoryFunctionsInfo* memfuncs);
 
 /** @chapter stepping Stepping
 

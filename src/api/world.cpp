@@ -180,7 +180,7 @@ int dWorldStep(dWorldID w, dReal stepsize)
 {
     WORLD_OR(0);
     EPODE_USER(usable(stepsize) && stepsize > 0, 0);
-    EPODE_USER_SAY(!world->stepping, "Invalid operation during a step", 0);
+    EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
     return step_world(*world, kDirect, stepsize, 0);
 }
 
@@ -188,7 +188,7 @@ int dWorldQuickStep(dWorldID w, dReal stepsize)
 {
     WORLD_OR(0);
     EPODE_USER(usable(stepsize) && stepsize > 0, 0);
-    EPODE_USER_SAY(!world->stepping, "Invalid operation during a step", 0);
+    EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
     return step_world(*world, kQuick, stepsize, world->quick_iterations);
 }
 
@@ -196,7 +196,7 @@ int dWorldStepFast1(dWorldID w, dReal stepsize, int maxiterations)
 {
     WORLD_OR(0);
     EPODE_USER(usable(stepsize) && stepsize > 0 && maxiterations >= 1, 0);
-    EPODE_USER_SAY(!world->stepping, "Invalid operation during a step", 0);
+    EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
     return step_world(*world, kTgs, stepsize, maxiterations);
 }
 

@@ -3,7 +3,8 @@
 //
 // Memory for one step: bump allocation, scopes that give back what was taken inside them, and no allocation
 // once the arena has seen its largest step. While it is too small it chains further blocks; `reset` then
-// replaces them by one block of the size that was needed, so a steady scene allocates nothing.
+// replaces them by one block of the size that was needed and the reserve of its supply on top, so a steady
+// scene allocates nothing.
 // A request that cannot be met returns an empty span and sets `failed`, which the step turns into a
 // refused step: nothing is half done.
 #pragma once
@@ -19,9 +20,18 @@
 
 namespace epode {
 
+// Where an arena's blocks come from, and how large they are.
+struct ArenaSupply {
+    dAllocFunction* alloc = nullptr;  // both null: the library's own memory
+    dFreeFunction* free = nullptr;
+    double factor = 1.2;              // a block that replaces others has this times what was needed,
+    std::size_t minimum = 64 * 1024;  // and none has less than this
+};
+
 struct ArenaBlock {
     ArenaBlock* next;
-    std::size_t size;  // bytes behind the header
+    std::size_t size;     // bytes behind the header
+    dFreeFunction* free;  // partner of what gave it, whatever the supply is by now; null: the library's
 };
 
 class Arena {
@@ -57,14 +67,25 @@ class Arena {
     void reset()
     {
         if (first_ && first_->next) {
-            const std::size_t wanted = high_water_ + high_water_ / 5;
             free_all();
-            add_block(wanted);
+            // A reserve that cannot be had is not a failure.
+            if (!add_block(reserve())) (void)add_block(high_water_);
         }
         poison_since(first_, 0);
         current_ = first_;
         used_ = 0;
         total_ = 0;
+        failed_ = false;
+    }
+
+    // Counts from the next block on.
+    void set_supply(const ArenaSupply& supply) { supply_ = supply; }
+
+    // Gives all blocks back; the next step starts from nothing.
+    void free_blocks()
+    {
+        free_all();
+        used_ = total_ = high_water_ = 0;
         failed_ = false;
     }
 
@@ -93,8 +114,6 @@ class Arena {
 
   private:
     friend class Scope;
-    static constexpr std::size_t kFirst = 64 * 1024;
-
     void* take_bytes(std::size_t bytes)
     {
         const std::size_t size = (bytes + kCacheLine - 1) & ~(kCacheLine - 1);
@@ -120,7 +139,14 @@ class Arena {
             used_ = 0;
             if (size <= current_->size) return true;
         }
-        return add_block(std::max(size, std::max(kFirst, total_)));
+        return add_block(std::max(size, std::max(supply_.minimum, total_)));
+    }
+
+    std::size_t reserve() const
+    {
+        const double wanted = double(high_water_) * supply_.factor;
+        const std::size_t bytes = wanted < 1e15 ? std::size_t(wanted) : high_water_;
+        return std::max((bytes + kCacheLine - 1) & ~(kCacheLine - 1), supply_.minimum);
     }
 
     bool add_block(std::size_t size);
@@ -135,32 +161,8 @@ class Arena {
     std::size_t total_ = 0;       // bytes taken now
     std::size_t high_water_ = 0;  // most bytes ever taken at once
     bool failed_ = false;
+    ArenaSupply supply_;
 };
-
-inline bool Arena::add_block(std::size_t size)
-{
-    auto* block = static_cast<ArenaBlock*>(allocate(size + kHeader));
-    if (!block) return false;
-    *block = {nullptr, size};
-    poison(memory_of(block), size);
-    if (current_) current_->next = block;
-    if (!first_) first_ = block;
-    current_ = block;
-    used_ = 0;
-    return true;
-}
-
-inline void Arena::free_all()
-{
-    while (first_) {
-        ArenaBlock* next = first_->next;
-        unpoison(memory_of(first_), first_->size);
-        release(first_, first_->size + kHeader);
-        first_ = next;
-    }
-    current_ = nullptr;
-    used_ = 0;
-}
 
 // What has been taken since `used` bytes of `block` were, up to the present end, holds nothing any more.
 inline void Arena::poison_since(ArenaBlock* block, std::size_t used)

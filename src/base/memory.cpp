@@ -49,10 +49,10 @@ void raw_free(void* pointer, std::size_t size) noexcept
     hook ? hook(pointer, size) : std::free(pointer);
 }
 
-void* allocate(std::size_t size) noexcept
+void* allocate_from(dAllocFunction* alloc, std::size_t size) noexcept
 {
     if (size > SIZE_MAX - kMargin) return nullptr;
-    void* raw = raw_allocate(size + kMargin);
+    void* raw = alloc(size + kMargin);
     if (!raw) return nullptr;
     const auto first = reinterpret_cast<std::uintptr_t>(raw) + sizeof(void*);
     const auto aligned = (first + kCacheLine - 1) & ~(std::uintptr_t(kCacheLine) - 1);
@@ -61,12 +61,16 @@ void* allocate(std::size_t size) noexcept
     return block;
 }
 
-void release(void* pointer, std::size_t size) noexcept
+void release_to(dFreeFunction* free, void* pointer, std::size_t size) noexcept
 {
     if (!pointer) return;
     void* raw;
     std::memcpy(&raw, reinterpret_cast<char*>(pointer) - sizeof(void*), sizeof raw);
-    raw_free(raw, size + kMargin);
+    free(raw, size + kMargin);
 }
+
+void* allocate(std::size_t size) noexcept { return allocate_from(&raw_allocate, size); }
+
+void release(void* pointer, std::size_t size) noexcept { release_to(&raw_free, pointer, size); }
 
 }  // namespace epode

@@ -28,6 +28,11 @@ void raw_free(void* pointer, std::size_t size) noexcept;
 void* allocate(std::size_t size) noexcept;
 void release(void* pointer, std::size_t size) noexcept;
 
+// The same over a pair of functions of the client's (step memory); they see the size with its margin, both
+// times the same.
+void* allocate_from(dAllocFunction* alloc, std::size_t size) noexcept;
+void release_to(dFreeFunction* free, void* pointer, std::size_t size) noexcept;
+
 // How many allocations the process has made: tests prove with it that a warm step makes none.
 std::size_t allocation_count() noexcept;
 

@@ -26,6 +26,7 @@ World::~World()
         }
     }
     if (step_state) free_step_state(step_state);
+    StepMemory::let_go(memory);
 }
 
 }  // namespace epode

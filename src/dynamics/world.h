@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A world: its parameters, its bodies and joints in ODE's order (newest first), and the memory of its steps.
+// A world: its parameters, its bodies and joints in ODE's order (newest first), and the memory of its steps:
+// `memory` is scratch, `step_state` what survives from one step to the next.
 // `step_state` belongs to step/, the only folder that knows what survives from one step to the next.
 #pragma once
 
-#include "base/arena.h"
 #include "base/handle.h"
+#include "base/step_memory.h"
 #include "dynamics/body.h"
 #include "dynamics/joint.h"
 #include "ode/ext.h"
@@ -57,7 +58,7 @@ struct World : Tagged {
     bool report_made = false;  // a step has been made since it was wanted
     dWorldStepReport report{};
 
-    Arena arena;
+    StepMemory* memory = nullptr;  // perhaps shared with other worlds; null: none yet
     StepState* step_state = nullptr;
     void (*free_step_state)(StepState*) = nullptr;
 };

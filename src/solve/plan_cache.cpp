@@ -117,6 +117,17 @@ void PlanCache::keep(const BodyGraph& graph, const FactorPlan& plan)
     oldest->used = ++time_;
 }
 
+void PlanCache::clear()
+{
+    const Lock lock(busy_);
+    for (Entry& e : entries_) {
+        e.memory.reset();
+        e.graph = {};
+        e.plan = {};
+        e.used = 0;
+    }
+}
+
 bool PlanLease::take(int n, std::span<const BodyPair> pairs, PlanCache* cache, Arena& arena)
 {
     BodyGraph graph;

@@ -31,6 +31,8 @@ class PlanCache {
     void give_back(const FactorPlan& plan);
     // Copies both; does nothing when there is no memory or no plan that may go.
     void keep(const BodyGraph& graph, const FactorPlan& plan);
+    // Forgets all plans and gives their memory back; none may be in use.
+    void clear();
 
   private:
     struct Entry {

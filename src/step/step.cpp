@@ -84,10 +84,10 @@ class WorldStep {
     // False: out of memory.
     bool prepare()
     {
-        Arena& arena = context_.world.arena;
+        Arena& arena = memory().arena(0);
         first_contact_ = arena.take<int>(int(islands_.size()));
         parcels_ = arena.take<int>(int(islands_.size()) + 1);
-        if (arena.failed() || !prepare_reports() || !prepare_arenas()) return false;
+        if (arena.failed() || !prepare_reports() || !memory().provide(workers_.of_islands.workers())) return false;
         int contacts = 0;
         for (std::size_t i = 0; i < islands_.size(); ++i) {
             first_contact_[i] = contacts;
@@ -122,19 +122,7 @@ class WorldStep {
         return !context_.world.report_wanted || state_.reports.resize(int(islands_.size()));
     }
 
-    bool prepare_arenas()
-    {
-        while (state_.arenas.size() < workers_.of_islands.workers() - 1) {
-            void* memory = allocate(sizeof(Arena));
-            if (!memory) return false;
-            if (!state_.arenas.push(new (memory) Arena)) {
-                release(memory, sizeof(Arena));
-                return false;
-            }
-        }
-        for (Arena* arena : state_.arenas) arena->reset();
-        return true;
-    }
+    StepMemory& memory() const { return *context_.world.memory; }
 
     // Parcel p is the islands from parcels_[p] to parcels_[p + 1].
     int cut_parcels()
@@ -151,10 +139,9 @@ class WorldStep {
 
     void step_one(int i, const Tasks& tasks, int worker)
     {
-        Arena& arena = worker == 0 ? context_.world.arena : *state_.arenas[worker - 1];
         dIslandStepReport* report = context_.world.report_wanted ? &state_.reports[i] : nullptr;
         const auto at = std::size_t(i);
-        step_island(context_, islands_[at], {i, first_contact_[at]}, tasks, arena, report);
+        step_island(context_, islands_[at], {i, first_contact_[at]}, tasks, memory().arena(worker), report);
     }
 
     const StepContext& context_;
@@ -178,39 +165,52 @@ StepState* state_of(World& world)
     return world.step_state;
 }
 
+// The step, with the world's working memory taken for it.
+bool step_in(World& world, StepState& state, const Solver& solver, Real h, int iterations)
+{
+    Workers workers;
+    if (!workers.hire(world)) return false;
+    ++world.step_count;
+    auto_disable(world, h);
+    std::span<Island> islands;
+    if (!find_islands(world, world.memory->arena(0), islands)) return false;
+
+    const StepContext context{world, solver, h, iterations, state.contacts, state.plans};
+    WorldStep step(context, state, islands, workers);
+    if (!step.prepare()) return false;
+    world.stepping = true;
+    step.run();
+    workers.dismiss();
+    state.contacts.end();
+    for (const Island& island : islands) finish_bodies(island);
+    if (world.report_wanted) world.report = sum_of(state.reports.span());
+    world.report_made = world.report_wanted;
+    world.stepping = false;
+    return true;
+}
+
 }  // namespace
 
-StepState::~StepState()
+StepMemory* working_memory(World& world)
 {
-    for (Arena* arena : arenas) {
-        arena->~Arena();
-        release(arena, sizeof(Arena));
-    }
+    if (!world.memory) world.memory = StepMemory::create();
+    return world.memory;
+}
+
+void free_working_memory(World& world)
+{
+    if (world.memory) world.memory->free_blocks();
+    if (world.step_state) world.step_state->plans.clear();
 }
 
 bool step_world(World& world, const Solver& solver, Real h, int iterations)
 {
     StepState* state = state_of(world);
-    Workers workers;
-    if (!state || !workers.hire(world)) return false;
-    world.arena.reset();
-    ++world.step_count;
-    auto_disable(world, h);
-    std::span<Island> islands;
-    if (!find_islands(world, world.arena, islands)) return false;
-
-    const StepContext context{world, solver, h, iterations, state->contacts, state->plans};
-    WorldStep step(context, *state, islands, workers);
-    if (!step.prepare()) return false;
-    world.stepping = true;
-    step.run();
-    workers.dismiss();
-    state->contacts.end();
-    for (const Island& island : islands) finish_bodies(island);
-    if (world.report_wanted) world.report = sum_of(state->reports.span());
-    world.report_made = world.report_wanted;
-    world.stepping = false;
-    return true;
+    StepMemory* memory = working_memory(world);
+    if (!state || !memory || !memory->begin()) return false;
+    const bool done = step_in(world, *state, solver, h, iterations);
+    memory->end();
+    return done;
 }
 
 std::span<const dIslandStepReport> island_reports(const World& world)

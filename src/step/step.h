@@ -14,15 +14,22 @@ namespace epode {
 
 // What survives from one step to the next.
 struct StepState {
-    ~StepState();
-
     ContactCache contacts;
     PlanCache plans;
-    Array<Arena*> arenas;              // of the workers besides the caller, who takes the world's
     Array<dIslandStepReport> reports;  // of the last step's islands, when they were wanted
 };
 
-// True when the step was made. False: memory was exhausted before anything had been changed.
+// In its own step, or its working memory in that of another world.
+inline bool in_step(const World& world) { return world.stepping || (world.memory && world.memory->in_use()); }
+
+// The world's working memory, made now if it has none; null when memory is exhausted.
+StepMemory* working_memory(World& world);
+
+// Gives back what the world's next step can make anew.
+void free_working_memory(World& world);
+
+// True when the step was made. False: memory was exhausted before anything had been changed, or another step
+// is using it.
 bool step_world(World& world, const Solver& solver, Real h, int iterations);
 
 // Of the last step; empty when no report was made.

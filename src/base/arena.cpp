@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Getting and giving back the blocks of an arena. The functions of a client's step memory are called by one
+// thread at a time: workers of a step may grow their arenas at once, and a client that replaces the step's
+// memory knows of one stepping thread. (The lock is recursive, for a client that steps another world inside.)
+#include "base/arena.h"
+
+#include <mutex>
+
+namespace epode {
+namespace {
+
+std::recursive_mutex g_client_functions;
+
+void* take_block(const ArenaSupply& supply, std::size_t size)
+{
+    if (!supply.alloc) return allocate(size);
+    std::lock_guard guard(g_client_functions);
+    return allocate_from(supply.alloc, size);
+}
+
+void give_block(dFreeFunction* free, void* block, std::size_t size)
+{
+    if (!free) return release(block, size);
+    std::lock_guard guard(g_client_functions);
+    release_to(free, block, size);
+}
+
+}  // namespace
+
+bool Arena::add_block(std::size_t size)
+{
+    if (size > SIZE_MAX - kHeader) return false;
+    auto* block = static_cast<ArenaBlock*>(take_block(supply_, size + kHeader));
+    if (!block) return false;
+    *block = {nullptr, size, supply_.alloc ? supply_.free : nullptr};
+    poison(memory_of(block), size);
+    if (current_) current_->next = block;
+    if (!first_) first_ = block;
+    current_ = block;
+    used_ = 0;
+    return true;
+}
+
+void Arena::free_all()
+{
+    while (first_) {
+        ArenaBlock* const block = first_;
+        first_ = block->next;
+        unpoison(memory_of(block), block->size);
+        give_block(block->free, block, block->size + kHeader);
+    }
+    current_ = nullptr;
+    used_ = 0;
+}
+
+}  // namespace epode
