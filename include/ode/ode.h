@@ -12,6 +12,7 @@
 #include <ode/contact.h>
 #include <ode/cooperative.h>
 #include <ode/error.h>
+#include <ode/export-dif.h>
 #include <ode/mass.h>
 #include <ode/matrix.h>
 #include <ode/matrix_coop.h>

@@ -19,6 +19,7 @@
 
 namespace epode {
 
+class DifWriter;
 struct Geom;
 struct Space;
 struct TransformGeom;
@@ -31,6 +32,7 @@ struct GeomType {
     void (*destroy)(Geom* geom) = nullptr;                 // runs the destructor, gives the memory back
     bool (*may_touch)(Geom& geom, Geom& other) = nullptr;  // a last look before a pair is reported; null: yes
     int (*control)(Geom& geom, int control_class, int code, void* data, int* size) = nullptr;  // null: none
+    void (*describe)(const Geom& geom, DifWriter& out) = nullptr;  // in dWorldExportDIF; null: nothing to say
 };
 
 // Where the body keeps what its geoms need; all null when there is none.

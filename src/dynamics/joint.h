@@ -14,6 +14,7 @@
 
 namespace epode {
 
+class DifWriter;
 class RowWriter;
 struct StepInfo;
 struct JointGroup;
@@ -38,6 +39,8 @@ struct JointType {
     void (*attached)(Joint&);                          // bodies have changed: recompute relative values
     bool (*set_param)(Joint&, int param, Real value);  // false: unknown here
     bool (*get_param)(const Joint&, int param, Real& value);
+    const char* dif_name;                            // in dWorldExportDIF
+    void (*describe)(const Joint&, DifWriter& out);  // its fields there
     void (*destroy)(Joint&);
 };
 

@@ -6,6 +6,7 @@
 // geometry do nothing and readings are zero, in silence, as in ODE.
 #pragma once
 
+#include "joints/describe.h"
 #include "joints/limit_motor.h"
 #include "joints/parts.h"
 #include "joints/registry.h"

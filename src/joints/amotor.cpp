@@ -16,6 +16,7 @@ namespace epode {
 
 struct AMotor : Joint {
     static constexpr int kMaxRows = 3;
+    static constexpr const char* kDifName = "ODE_angular_motor_joint";
     AMotor(const JointType& t, World& w) : Joint(t, w), motor{LimitMotor(w), LimitMotor(w), LimitMotor(w)} {}
 
     int mode = dAMotorUser;
@@ -51,9 +52,20 @@ struct AMotor : Joint {
     {
         return in_groups(param) && motor[param / dParamGroup].get(param % dParamGroup, value);
     }
+    void describe(DifWriter& out) const;
 };
 
 JOINT_DEFINE(AMotor);
+
+void AMotor::describe(DifWriter& out) const
+{
+    out.integer("num", count);
+    out.integer("mode", mode);
+    out.list("rel", {Real(rel[0]), Real(rel[1]), Real(rel[2])});
+    for (int i = 0; i < 3; ++i) epode::describe(out, "axis", axis_local[i], i + 1);
+    epode::describe(out, motor);
+    for (int i = 0; i < 3; ++i) out.real("angle", angle[i], i + 1);
+}
 
 void AMotor::plain_axes(Vec3 a[3]) const
 {

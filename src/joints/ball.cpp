@@ -11,6 +11,7 @@ namespace epode {
 
 struct Ball : Joint {
     static constexpr int kMaxRows = 3;
+    static constexpr const char* kDifName = "ball_joint";
     Ball(const JointType& t, World& w) : Joint(t, w), softness(w) {}
 
     AnchorPair anchor;
@@ -20,6 +21,7 @@ struct Ball : Joint {
     void bodies_changed() { anchor.reattach(*this); }
     bool set_param(int param, Real value) { return softness.set(param, value); }
     bool get_param(int param, Real& value) const { return softness.get(param, value); }
+    void describe(DifWriter& out) const { epode::describe(out, anchor); }
 };
 
 JOINT_DEFINE(Ball);

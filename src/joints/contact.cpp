@@ -16,6 +16,7 @@ namespace epode {
 
 struct Contact : Joint {
     static constexpr int kMaxRows = 6;
+    static constexpr const char* kDifName = "contact_joint";
     Contact(const JointType& t, World& w, const dContact& c) : Joint(t, w), contact(c) {}
 
     dContact contact;
@@ -29,9 +30,39 @@ struct Contact : Joint {
     void write_rolling(RowWriter& out, Vec3 t1, Vec3 t2, Vec3 n) const;
     void tangents(Vec3 n, Vec3& t1, Vec3& t2) const;
     void bound(Row& row, Real coefficient, int approximation) const;
+    void describe(DifWriter& out) const;
 };
 
 JOINT_DEFINE(Contact);
+
+void Contact::describe(DifWriter& out) const
+{
+    const dSurfaceParameters& s = contact.surface;
+    const auto field = [&](int bit, const char* name, Real value) {
+        if (has(bit)) out.real(name, value);
+    };
+    epode::describe(out, "pos", load(contact.geom.pos));
+    epode::describe(out, "normal", load(contact.geom.normal));
+    out.real("depth", contact.geom.depth);
+    out.real("mu", s.mu);
+    field(dContactMu2, "mu2", s.mu2);
+    field(dContactRolling, "rho", s.rho);
+    if (has(dContactRolling)) field(dContactAxisDep, "rho2", s.rho2);
+    if (has(dContactRolling)) field(dContactAxisDep, "rhoN", s.rhoN);
+    field(dContactBounce, "bounce", s.bounce);
+    field(dContactBounce, "bounce_vel", s.bounce_vel);
+    field(dContactSoftERP, "soft_ERP", s.soft_erp);
+    field(dContactSoftCFM, "soft_CFM", s.soft_cfm);
+    field(dContactMotion1, "motion1", s.motion1);
+    field(dContactMotion2, "motion2", s.motion2);
+    field(dContactMotionN, "motionN", s.motionN);
+    field(dContactSlip1, "slip1", s.slip1);
+    field(dContactSlip2, "slip2", s.slip2);
+    // Approximations 1_1, 1_2 and 1_N as bits of a number.
+    const int approximation = (s.mode & dContactApprox1) / dContactApprox1_1;
+    if (approximation) out.integer("friction_approximation", approximation);
+    if (has(dContactFDir1)) epode::describe(out, "fdir1", load(contact.fdir1));
+}
 
 Row& Contact::contact_row(RowWriter& out, Vec3 d, RowKind kind) const
 {

@@ -8,7 +8,7 @@
 // between two planes: exact to rounding all around. Universal and PU joints have it in common.
 #pragma once
 
-#include "joints/parts.h"
+#include "joints/describe.h"
 
 namespace epode {
 
@@ -25,6 +25,11 @@ struct Cross {
     {
         local[i] = direction_to_local(j.node[i].body, unit);
         set_zero(j);
+    }
+    void describe(DifWriter& out) const
+    {
+        for (int i = 0; i < 2; ++i) epode::describe(out, "axis", local[i], i + 1);
+        for (int i = 0; i < 2; ++i) epode::describe(out, "qrel", zero[i], i + 1);
     }
     void lock_right_angle(const Joint& j, RowWriter& out) const;
 

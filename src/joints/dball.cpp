@@ -11,6 +11,7 @@ namespace epode {
 
 struct DBall : Joint {
     static constexpr int kMaxRows = 1;
+    static constexpr const char* kDifName = "double_ball_joint";
     DBall(const JointType& t, World& w) : Joint(t, w), rod(w) {}
 
     Rod rod;
@@ -19,6 +20,7 @@ struct DBall : Joint {
     void bodies_changed() { rod.measure(*this); }
     bool set_param(int param, Real value) { return rod.softness.set(param, value); }
     bool get_param(int param, Real& value) const { return rod.softness.get(param, value); }
+    void describe(DifWriter& out) const { rod.describe(out); }
 };
 
 JOINT_DEFINE(DBall);

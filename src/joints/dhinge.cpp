@@ -15,6 +15,7 @@ namespace epode {
 
 struct DHinge : Joint {
     static constexpr int kMaxRows = 4;
+    static constexpr const char* kDifName = "double_hinge_joint";
     DHinge(const JointType& t, World& w) : Joint(t, w), rod(w) {}
 
     Rod rod;
@@ -25,9 +26,16 @@ struct DHinge : Joint {
     void bodies_changed() { rod.measure(*this); }
     bool set_param(int param, Real value) { return rod.softness.set(param, value); }
     bool get_param(int param, Real& value) const { return rod.softness.get(param, value); }
+    void describe(DifWriter& out) const;
 };
 
 JOINT_DEFINE(DHinge);
+
+void DHinge::describe(DifWriter& out) const
+{
+    rod.describe(out);
+    epode::describe(out, axis);
+}
 
 void DHinge::emit(RowWriter& out) const
 {

@@ -14,6 +14,7 @@ namespace epode {
 
 struct Fixed : Joint {
     static constexpr int kMaxRows = 6;
+    static constexpr const char* kDifName = "fixed_joint";
     Fixed(const JointType& t, World& w) : Joint(t, w), softness(w) {}
 
     Vec3 offset;
@@ -42,9 +43,16 @@ struct Fixed : Joint {
 
     bool set_param(int param, Real value) { return softness.set(param, value); }
     bool get_param(int param, Real& value) const { return softness.get(param, value); }
+    void describe(DifWriter& out) const;
 };
 
 JOINT_DEFINE(Fixed);
+
+void Fixed::describe(DifWriter& out) const
+{
+    epode::describe(out, "qrel", zero);
+    epode::describe(out, "offset", offset);
+}
 
 }  // namespace epode
 

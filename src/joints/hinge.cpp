@@ -14,6 +14,7 @@ namespace epode {
 
 struct Hinge : Joint {
     static constexpr int kMaxRows = 6;
+    static constexpr const char* kDifName = "hinge_joint";
     Hinge(const JointType& t, World& w) : Joint(t, w), motor(w) {}
 
     AnchorPair anchor;
@@ -49,9 +50,18 @@ struct Hinge : Joint {
     }
     bool set_param(int param, Real value) { return motor.set(param, value); }
     bool get_param(int param, Real& value) const { return motor.get(param, value); }
+    void describe(DifWriter& out) const;
 };
 
 JOINT_DEFINE(Hinge);
+
+void Hinge::describe(DifWriter& out) const
+{
+    epode::describe(out, anchor);
+    epode::describe(out, axis);
+    epode::describe(out, "qrel", zero);
+    epode::describe(out, motor);
+}
 
 }  // namespace epode
 

@@ -16,6 +16,7 @@ namespace epode {
 
 struct Hinge2 : Joint {
     static constexpr int kMaxRows = 6;
+    static constexpr const char* kDifName = "ODE_hinge2_joint";
     static constexpr bool kNeedsTwoBodies = true;
     Hinge2(const JointType& t, World& w) : Joint(t, w), motor{LimitMotor(w), LimitMotor(w)}, suspension(w) {}
 
@@ -43,9 +44,21 @@ struct Hinge2 : Joint {
     void bodies_changed() { anchor.reattach(*this), take_pose(); }
     bool set_param(int param, Real value);
     bool get_param(int param, Real& value) const;
+    void describe(DifWriter& out) const;
 };
 
 JOINT_DEFINE(Hinge2);
+
+void Hinge2::describe(DifWriter& out) const
+{
+    epode::describe(out, anchor);
+    for (int i = 0; i < 2; ++i) epode::describe(out, "axis", axis_local[i], i + 1);
+    epode::describe(out, "v1", across[0]);
+    epode::describe(out, "v2", beyond[0]);
+    out.real("susp_erp", suspension.erp);
+    out.real("susp_cfm", suspension.cfm);
+    epode::describe(out, motor);
+}
 
 // The present directions of the axes are the zero of both angles.
 void Hinge2::take_pose()

@@ -14,6 +14,7 @@ namespace epode {
 
 struct LMotor : Joint {
     static constexpr int kMaxRows = 3;
+    static constexpr const char* kDifName = "ODE_linear_motor_joint";
     LMotor(const JointType& t, World& w) : Joint(t, w), motor{LimitMotor(w), LimitMotor(w), LimitMotor(w)} {}
 
     int count = 0;
@@ -46,9 +47,18 @@ struct LMotor : Joint {
     {
         return in_groups(param) && motor[param / dParamGroup].get(param % dParamGroup, value);
     }
+    void describe(DifWriter& out) const;
 };
 
 JOINT_DEFINE(LMotor);
+
+void LMotor::describe(DifWriter& out) const
+{
+    out.integer("num", count);
+    out.list("rel", {Real(rel[0]), Real(rel[1]), Real(rel[2])});
+    for (int i = 0; i < 3; ++i) epode::describe(out, "axis", axis_local[i], i + 1);
+    epode::describe(out, motor);
+}
 
 }  // namespace epode
 

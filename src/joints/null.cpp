@@ -8,8 +8,10 @@ namespace epode {
 
 struct Null : Joint {
     static constexpr int kMaxRows = 0;
+    static constexpr const char* kDifName = "null_joint";
     Null(const JointType& t, World& w) : Joint(t, w) {}
     void emit(RowWriter&) const {}
+    void describe(DifWriter&) const {}
 };
 
 JOINT_DEFINE(Null);

@@ -14,6 +14,7 @@ namespace epode {
 
 struct Piston : Joint {
     static constexpr int kMaxRows = 6;
+    static constexpr const char* kDifName = "piston_joint";
     Piston(const JointType& t, World& w) : Joint(t, w), motor{LimitMotor(w), LimitMotor(w)} {}
 
     AnchorPair anchor;
@@ -44,9 +45,18 @@ struct Piston : Joint {
     void bodies_changed() { anchor.reattach(*this), axis.reattach(*this), set_zero(); }
     bool set_param(int param, Real value) { return motor_of(motor, param).set(param, value); }
     bool get_param(int param, Real& value) const { return motor_of(motor, param).get(param, value); }
+    void describe(DifWriter& out) const;
 };
 
 JOINT_DEFINE(Piston);
+
+void Piston::describe(DifWriter& out) const
+{
+    epode::describe(out, anchor);
+    epode::describe(out, axis);
+    epode::describe(out, "qrel", zero);
+    epode::describe(out, motor);
+}
 
 void Piston::emit(RowWriter& out)
 {

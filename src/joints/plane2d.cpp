@@ -13,6 +13,7 @@ namespace epode {
 
 struct Plane2D : Joint {
     static constexpr int kMaxRows = 6;
+    static constexpr const char* kDifName = "ODE_plane2d_joint";
     Plane2D(const JointType& t, World& w) : Joint(t, w), motor_x(w), motor_y(w), motor_angle(w) {}
 
     LimitMotor motor_x, motor_y, motor_angle;  // their stops are never tested
@@ -27,9 +28,17 @@ struct Plane2D : Joint {
         motor_y.emit_motor(out, sliding_jacobian(*this, y));
         motor_angle.emit_motor(out, angular_jacobian(*this, z));
     }
+    void describe(DifWriter& out) const;
 };
 
 JOINT_DEFINE(Plane2D);
+
+void Plane2D::describe(DifWriter& out) const
+{
+    epode::describe(out, motor_x, 1);
+    epode::describe(out, motor_y, 2);
+    epode::describe(out, motor_angle, 3);
+}
 
 namespace {
 

@@ -17,6 +17,7 @@ namespace epode {
 
 struct PR : Joint {
     static constexpr int kMaxRows = 6;
+    static constexpr const char* kDifName = "PR_joint";
     PR(const JointType& t, World& w) : Joint(t, w), motor{LimitMotor(w), LimitMotor(w)} {}
 
     AnchorPair anchor;
@@ -49,9 +50,21 @@ struct PR : Joint {
     }
     bool set_param(int param, Real value) { return motor_of(motor, param).set(param, value); }
     bool get_param(int param, Real& value) const { return motor_of(motor, param).get(param, value); }
+    void describe(DifWriter& out) const;
 };
 
 JOINT_DEFINE(PR);
+
+void PR::describe(DifWriter& out) const
+{
+    epode::describe(out, "anchor2", anchor.local[1]);
+    epode::describe(out, "axisR1", axis.local[0]);
+    epode::describe(out, "axisR2", axis.local[1]);
+    epode::describe(out, "axisP1", slide_local);
+    epode::describe(out, "qrel", zero);
+    epode::describe(out, "offset", anchor.local[0]);
+    epode::describe(out, motor);
+}
 
 void PR::emit(RowWriter& out)
 {

@@ -18,6 +18,7 @@ namespace epode {
 
 struct PU : Joint {
     static constexpr int kMaxRows = 6;
+    static constexpr const char* kDifName = "PU_joint";
     PU(const JointType& t, World& w) : Joint(t, w), motor{LimitMotor(w), LimitMotor(w), LimitMotor(w)} {}
 
     AnchorPair anchor;
@@ -58,9 +59,18 @@ struct PU : Joint {
     {
         return in_groups(param) && motor[param / dParamGroup].get(param % dParamGroup, value);
     }
+    void describe(DifWriter& out) const;
 };
 
 JOINT_DEFINE(PU);
+
+void PU::describe(DifWriter& out) const
+{
+    epode::describe(out, anchor);
+    arms.describe(out);
+    epode::describe(out, "axisP", slide_local);
+    epode::describe(out, motor);
+}
 
 void PU::emit(RowWriter& out)
 {

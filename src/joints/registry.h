@@ -46,6 +46,12 @@ consteval bool is_joint_type()
         requires(T & t, RowWriter & out) { t.emit(out); },
         "a joint type writes its rows in void emit(RowWriter&)");
     static_assert(
+        requires(const T& t, DifWriter& out) {
+            T::kDifName[0];
+            t.describe(out);
+        },
+        "a joint type tells what it is made of: kDifName and void describe(DifWriter&) const");
+    static_assert(
         !requires(T & t, Real v) { t.set_param(0, v); } ||
             requires(const T& t, Real& v) { t.get_param(0, v); },
         "a joint type that lets a parameter be set lets it be read: bool get_param(int, Real&) const");
@@ -81,6 +87,8 @@ constexpr JointType describe_joint(const char* name)
         else
             return (void)j, (void)param, (void)value, false;
     };
+    type.dif_name = T::kDifName;
+    type.describe = [](const Joint& j, DifWriter& out) { static_cast<const T&>(j).describe(out); };
     type.destroy = [](Joint& j) { Pool<T>::destroy(static_cast<T*>(&j)); };
     return type;
 }

@@ -9,7 +9,7 @@
 // numbers are then those of the frames to come.
 #pragma once
 
-#include "joints/parts.h"
+#include "joints/describe.h"
 
 namespace epode {
 
@@ -23,6 +23,12 @@ struct Rod {
     // The present distance is the one to keep.
     void measure(const Joint& j);
     void set_user_end(const Joint& j, int user_index, Vec3 point);
+    void describe(DifWriter& out) const
+    {
+        epode::describe(out, end);
+        out.real("distance", length);
+        epode::describe(out, softness);
+    }
     void lock(const Joint& j, RowWriter& out) const;
 };
 

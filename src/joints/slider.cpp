@@ -14,6 +14,7 @@ namespace epode {
 
 struct Slider : Joint {
     static constexpr int kMaxRows = 6;
+    static constexpr const char* kDifName = "slider_joint";
     Slider(const JointType& t, World& w) : Joint(t, w), motor(w) {}
 
     Vec3 axis_local{1, 0, 0};  // in body 1
@@ -50,9 +51,18 @@ struct Slider : Joint {
     void bodies_changed() { take_pose(); }
     bool set_param(int param, Real value) { return motor.set(param, value); }
     bool get_param(int param, Real& value) const { return motor.get(param, value); }
+    void describe(DifWriter& out) const;
 };
 
 JOINT_DEFINE(Slider);
+
+void Slider::describe(DifWriter& out) const
+{
+    epode::describe(out, "axis", axis_local, 1);
+    epode::describe(out, "qrel", zero);
+    epode::describe(out, "offset", offset);
+    epode::describe(out, motor);
+}
 
 }  // namespace epode
 

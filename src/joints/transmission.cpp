@@ -18,6 +18,7 @@ namespace epode {
 
 struct Transmission : Joint {
     static constexpr int kMaxRows = 1;
+    static constexpr const char* kDifName = "transmission_joint";
     static constexpr bool kNeedsTwoBodies = true;
     Transmission(const JointType& t, World& w) : Joint(t, w), softness(w) {}
 
@@ -51,6 +52,7 @@ struct Transmission : Joint {
     void bodies_changed() { fresh = true; }
     bool set_param(int param, Real value) { return softness.set(param, value); }
     bool get_param(int param, Real& value) const { return softness.get(param, value); }
+    void describe(DifWriter& out) const;
 
   private:
     bool find_mesh(bool other_side);
@@ -66,6 +68,17 @@ struct Transmission : Joint {
 };
 
 JOINT_DEFINE(Transmission);
+
+void Transmission::describe(DifWriter& out) const
+{
+    out.integer("mode", mode);
+    epode::describe(out, anchor);
+    for (int i = 0; i < 2; ++i) epode::describe(out, "axis", axis_local[i], i + 1);
+    for (int i = 0; i < 2; ++i) out.real("radius", radius[i], i + 1);
+    out.real("ratio", ratio);
+    out.real("backlash", backlash);
+    epode::describe(out, softness);
+}
 
 bool Transmission::find_mesh(bool other_side)
 {

@@ -15,6 +15,7 @@ namespace epode {
 
 struct Universal : Joint {
     static constexpr int kMaxRows = 6;
+    static constexpr const char* kDifName = "universal_joint";
     Universal(const JointType& t, World& w) : Joint(t, w), motor{LimitMotor(w), LimitMotor(w)} {}
 
     AnchorPair anchor;
@@ -39,9 +40,17 @@ struct Universal : Joint {
     void bodies_changed() { anchor.reattach(*this), arms.set_zero(*this); }
     bool set_param(int param, Real value) { return motor_of(motor, param).set(param, value); }
     bool get_param(int param, Real& value) const { return motor_of(motor, param).get(param, value); }
+    void describe(DifWriter& out) const;
 };
 
 JOINT_DEFINE(Universal);
+
+void Universal::describe(DifWriter& out) const
+{
+    epode::describe(out, anchor);
+    arms.describe(out);
+    epode::describe(out, motor);
+}
 
 void Universal::emit(RowWriter& out)
 {

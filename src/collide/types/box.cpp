@@ -5,6 +5,7 @@
 //   half extent of the bounding box along world axis i: sum_j |R_ij| half_j
 //   depth of a point q (local): inside min_i (half_i - |q_i|), outside minus the distance to the box. (The
 //   original measures outside points to the far face; its sign is the same.)
+#include "collide/describe.h"
 #include "collide/registry.h"
 
 namespace epode {
@@ -31,10 +32,20 @@ bool legal(Real lx, Real ly, Real lz)
     return usable(lx) && usable(ly) && usable(lz) && lx >= 0 && ly >= 0 && lz >= 0;
 }
 
+void describe_box(const Geom& geom, DifWriter& out)
+{
+    const Vec3 h = shape(geom).half;
+    out.text("type", "box");
+    out.list("sides", {2 * h.x, 2 * h.y, 2 * h.z});
+}
+
 }  // namespace
 
-const GeomType kBoxType = {
-    .number = dBoxClass, .aabb = aabb, .zero_sized = zero_sized, .destroy = destroy_pooled<ShapeGeom<Box>>};
+const GeomType kBoxType = {.number = dBoxClass,
+                           .aabb = aabb,
+                           .zero_sized = zero_sized,
+                           .destroy = destroy_pooled<ShapeGeom<Box>>,
+                           .describe = describe_box};
 
 }  // namespace epode
 

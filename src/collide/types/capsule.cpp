@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Capsule: the points within `radius` of the segment |z| <= half_length on the local z axis.
+#include "collide/describe.h"
 #include "collide/registry.h"
 
 #include <algorithm>
@@ -26,12 +27,20 @@ bool legal(Real radius, Real length)
     return usable(radius) && usable(length) && radius >= 0 && length >= 0;
 }
 
+void describe_capsule(const Geom& geom, DifWriter& out)
+{
+    out.text("type", "capsule");
+    out.real("radius", shape(geom).radius);
+    out.real("length", 2 * shape(geom).half_length);
+}
+
 }  // namespace
 
 const GeomType kCapsuleType = {.number = dCapsuleClass,
                                .aabb = aabb,
                                .zero_sized = zero_sized,
-                               .destroy = destroy_pooled<ShapeGeom<Capsule>>};
+                               .destroy = destroy_pooled<ShapeGeom<Capsule>>,
+                               .describe = describe_capsule};
 
 }  // namespace epode
 

@@ -4,6 +4,7 @@
 // Cylinder: x^2 + y^2 <= radius^2, |z| <= half_length.
 //   half extent of the bounding box along world axis i, a = R z being the axis:
 //   half_length |a_i| + radius sqrt(1 - a_i^2): the ends' centre and the most of a circle perpendicular to a.
+#include "collide/describe.h"
 #include "collide/registry.h"
 
 #include <algorithm>
@@ -33,12 +34,20 @@ bool legal(Real radius, Real length)
     return usable(radius) && usable(length) && radius >= 0 && length >= 0;
 }
 
+void describe_cylinder(const Geom& geom, DifWriter& out)
+{
+    out.text("type", "cylinder");
+    out.real("radius", shape(geom).radius);
+    out.real("length", 2 * shape(geom).half_length);
+}
+
 }  // namespace
 
 const GeomType kCylinderType = {.number = dCylinderClass,
                                 .aabb = aabb,
                                 .zero_sized = zero_sized,
-                                .destroy = destroy_pooled<ShapeGeom<Cylinder>>};
+                                .destroy = destroy_pooled<ShapeGeom<Cylinder>>,
+                                .describe = describe_cylinder};
 
 }  // namespace epode
 

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "base/memory.h"
+#include "collide/describe.h"
 #include "collide/registry.h"
 
 namespace epode {
@@ -34,12 +35,15 @@ Aabb aabb(Geom& geom)
     return box;
 }
 
+void describe_heightfield(const Geom&, DifWriter& out) { out.text("type", "heightfield"); }
+
 constexpr GeomType heightfield_type(bool placeable)
 {
     return {.number = dHeightfieldClass,
             .placeable = placeable,
             .aabb = aabb,
-            .destroy = destroy_pooled<HeightfieldGeom>};
+            .destroy = destroy_pooled<HeightfieldGeom>,
+            .describe = describe_heightfield};
 }
 
 const GeomType kFixedHeightfieldType = heightfield_type(false);

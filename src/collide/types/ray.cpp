@@ -3,6 +3,7 @@
 //
 // Ray: the segment from the geom's position along its z axis. An infinite length is taken as the longest that
 // numbers bear. Setting start and direction is in api/geom_placement.cpp, since it may move a body.
+#include "collide/describe.h"
 #include "collide/registry.h"
 
 #include <algorithm>
@@ -19,9 +20,16 @@ Aabb aabb(Geom& geom)
 
 Real bearable(Real length) { return std::clamp(length, -kAbsurd, kAbsurd); }
 
+void describe_ray(const Geom& geom, DifWriter& out)
+{
+    out.text("type", "ray");
+    out.real("length", static_cast<const RayGeom&>(geom).shape.length);
+}
+
 }  // namespace
 
-const GeomType kRayType = {.number = dRayClass, .aabb = aabb, .destroy = destroy_pooled<RayGeom>};
+const GeomType kRayType = {
+    .number = dRayClass, .aabb = aabb, .destroy = destroy_pooled<RayGeom>, .describe = describe_ray};
 
 }  // namespace epode
 

@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Sphere: |x| <= radius.
+#include "collide/describe.h"
 #include "collide/registry.h"
 
 namespace epode {
@@ -18,12 +19,19 @@ Aabb aabb(Geom& geom)
 
 bool zero_sized(const Geom& geom) { return shape(geom).radius == 0; }
 
+void describe_sphere(const Geom& geom, DifWriter& out)
+{
+    out.text("type", "sphere");
+    out.real("radius", shape(geom).radius);
+}
+
 }  // namespace
 
 const GeomType kSphereType = {.number = dSphereClass,
                               .aabb = aabb,
                               .zero_sized = zero_sized,
-                              .destroy = destroy_pooled<ShapeGeom<Sphere>>};
+                              .destroy = destroy_pooled<ShapeGeom<Sphere>>,
+                              .describe = describe_sphere};
 
 }  // namespace epode
 

@@ -4,6 +4,7 @@
 // The geom transform. The geom inside remembers who holds it (a list, since several transforms may hold one
 // geom), so that neither can outlive the other unnoticed, and so that a change of it moves the transforms.
 #include "collide/transform.h"
+#include "collide/describe.h"
 
 #include "collide/registry.h"
 
@@ -50,10 +51,23 @@ bool holds(Geom& geom, const TransformGeom& transform)
     return false;
 }
 
+void describe_transform(const Geom& geom, DifWriter& out)
+{
+    const Geom* inner = static_cast<const TransformGeom&>(geom).inner;
+    out.text("type", "transform");
+    if (!inner) return;
+    out.open("geom");
+    describe(out, *inner);
+    out.close();
+}
+
 }  // namespace
 
-const GeomType kTransformType = {
-    .number = dGeomTransformClass, .aabb = aabb, .zero_sized = zero_sized, .destroy = destroy};
+const GeomType kTransformType = {.number = dGeomTransformClass,
+                                 .aabb = aabb,
+                                 .zero_sized = zero_sized,
+                                 .destroy = destroy,
+                                 .describe = describe_transform};
 
 TransformGeom* as_transform(Geom& geom)
 {

@@ -3,6 +3,7 @@
 //
 // User classes: registration, geoms, and the bridge from GeomType's functions to the program's.
 #include "collide/user_class.h"
+#include "collide/describe.h"
 
 #include <atomic>
 #include <cstring>
@@ -61,9 +62,15 @@ void destroy(Geom* geom)
     Pool<UserGeom>::destroy(user);
 }
 
+void describe_user(const Geom&, DifWriter& out) { out.text("type", "user"); }
+
 constexpr GeomType type_of(int index)
 {
-    return {.number = dFirstUserClass + index, .aabb = aabb, .destroy = destroy, .may_touch = may_touch};
+    return {.number = dFirstUserClass + index,
+            .aabb = aabb,
+            .destroy = destroy,
+            .may_touch = may_touch,
+            .describe = describe_user};
 }
 
 constexpr GeomType kUserTypes[] = {type_of(0), type_of(1), type_of(2), type_of(3)};

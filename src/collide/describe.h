@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A geom as a table of dWorldExportDIF: flags and filter bits where they are not the default, then what its
+// type says. Its pose is left out, as in ODE: it is that of the body, or an offset that the format has no
+// field for.
+#pragma once
+
+#include "base/dif_writer.h"
+#include "collide/geom.h"
+
+namespace epode {
+
+// The fields, inside a table that the caller opens.
+void describe(DifWriter& out, const Geom& geom);
+
+}  // namespace epode
