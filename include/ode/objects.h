@@ -89,9 +89,7 @@ ODE_API unsigned dWorldGetStepIslandsProcessingMaxThreadCount(dWorldID world);
     more are asked for. The memory is made by the first step, or by the functions below, and has settings of
     its own. Without them it comes from dAlloc.
 
-    Refused: a world that is 0 or destroyed; during a step. Nothing changes then.
-
-    @argument world the world */
+    Refused: a world that is 0 or destroyed; during a step. Nothing changes then. */
 
 /** Let the world use the working memory of from_world, and its settings, from now on (it is made if
     from_world has none); it is given back with the last world that uses it. The worlds must not step at the
