@@ -4,6 +4,7 @@
 // dTestDataStructures: the containers that the library stands on, each against the plainest thing that could
 // do its work (a C array, a list of all boxes), on a few thousand random operations. For programs that want
 // to check an installed library; the tests of the project go further.
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 
@@ -84,26 +85,45 @@ bool check_arena()
     return !arena.failed();
 }
 
+struct Probe : Tagged {
+    explicit Probe(int n) : Tagged(Tag::kBody) { std::fill_n(numbers, kNumbers, n); }
+    static constexpr int kNumbers = 30;
+    int numbers[kNumbers];
+};
+
+bool keeps(const Probe& probe, int n)
+{
+    return probe.tag == Tag::kBody &&
+           std::count(probe.numbers, probe.numbers + Probe::kNumbers, n) == Probe::kNumbers;
+}
+
+// Objects come and go in random order; those alive keep their contents, the dead are marked as such.
 bool check_pool()
 {
     constexpr int kCount = 200;
-    constexpr std::size_t kSize = 48;
-    SlotPool pool(kSize, 16);
-    unsigned char* slots[kCount];
-    for (int i = 0; i < kCount; ++i) {
-        slots[i] = static_cast<unsigned char*>(pool.take());
-        if (!slots[i]) return false;
-        std::memset(slots[i], i, kSize);
+    Probe* probes[kCount] = {};
+    CounterRandom random(4);
+    bool good = true;
+    for (int turn = 0; turn < 3000 && good; ++turn) {
+        const int i = random.below(kCount);
+        Probe*& probe = probes[i];
+        if (!probe) {
+            probe = Pool<Probe>::create(i);
+            good = probe && reinterpret_cast<std::uintptr_t>(probe) % kCacheLine == 0;
+        } else {
+            good = keeps(*probe, i);
+            const Probe* const dead = probe;
+            Pool<Probe>::destroy(probe);
+            good = good && dead->tag == Tag::kDead;
+            probe = nullptr;
+        }
     }
-    bool good = pool.live() == kCount;
-    for (int i = 0; i < kCount; i += 2) pool.give(slots[i]);
-    // Slots in use keep what is in them; the slot given last is taken first.
-    for (int i = 1; i < kCount; i += 2)
-        for (std::size_t k = 0; k < kSize; ++k) good = good && slots[i][k] == i;
-    for (int i = (kCount - 1) / 2 * 2; i >= 0; i -= 2) good = good && pool.take() == slots[i];
-    for (unsigned char* slot : slots) pool.give(slot);
-    good = good && pool.live() == 0;
-    pool.trim();
+    for (int i = 0; i < kCount; ++i) {
+        if (!probes[i]) continue;
+        good = good && keeps(*probes[i], i);
+        Pool<Probe>::destroy(probes[i]);
+    }
+    Pool<Probe>::slots().trim();
     return good;
 }
 

@@ -8,9 +8,9 @@ namespace epode {
 
 void describe(DifWriter& out, const Geom& geom)
 {
-    if (!geom.enabled) out.integer("disabled", 1);
     if (geom.category != ~0ul) out.bits("category_bits", geom.category);
     if (geom.collide != ~0ul) out.bits("collide_bits", geom.collide);
+    if (!geom.enabled) out.integer("disabled", 1);
     if (geom.type->describe) geom.type->describe(geom, out);
 }
 

@@ -26,9 +26,12 @@ struct Cross {
         local[i] = direction_to_local(j.node[i].body, unit);
         set_zero(j);
     }
-    void describe(DifWriter& out) const
+    void describe_axes(DifWriter& out) const
     {
         for (int i = 0; i < 2; ++i) epode::describe(out, "axis", local[i], i + 1);
+    }
+    void describe_zero(DifWriter& out) const
+    {
         for (int i = 0; i < 2; ++i) epode::describe(out, "qrel", zero[i], i + 1);
     }
     void lock_right_angle(const Joint& j, RowWriter& out) const;

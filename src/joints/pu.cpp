@@ -67,8 +67,9 @@ JOINT_DEFINE(PU);
 void PU::describe(DifWriter& out) const
 {
     epode::describe(out, anchor);
-    arms.describe(out);
+    arms.describe_axes(out);
     epode::describe(out, "axisP", slide_local);
+    arms.describe_zero(out);
     epode::describe(out, motor);
 }
 

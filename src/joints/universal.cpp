@@ -48,7 +48,8 @@ JOINT_DEFINE(Universal);
 void Universal::describe(DifWriter& out) const
 {
     epode::describe(out, anchor);
-    arms.describe(out);
+    arms.describe_axes(out);
+    arms.describe_zero(out);
     epode::describe(out, motor);
 }
 

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A library that exports.sh and needed.sh must refuse: a foreign symbol, an undeclared one, another
-// name, and almost everything missing.
+// A library that exports.sh, needed.sh and allocations.sh must refuse: a foreign symbol, an undeclared one,
+// another name, almost everything missing, memory past the client's handlers.
+#include <stdlib.h>
+
 #define VISIBLE __attribute__((visibility("default")))
 
 VISIBLE int stray_symbol(void);
 VISIBLE int dUndeclared(void);
+VISIBLE void* stray_memory(void);
 
 int stray_symbol(void) { return 1; }
 int dUndeclared(void) { return 2; }
+void* stray_memory(void) { return malloc(8); }

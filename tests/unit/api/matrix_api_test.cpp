@@ -5,6 +5,7 @@
 // mathematics at every size is tested in unit/math.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -163,6 +164,104 @@ TEST(MatrixApi, exhausted_memory_is_an_answer_and_not_a_crash)
     EXPECT_EQ(inverse[0], 3);
     EXPECT_EQ(dInvertPDMatrix(A.data(), inverse.data(), n), 1);
     EXPECT_NEAR(inverse[0], 0.5, 1e-6);
+}
+
+// ---- properties, on random matrices with eigenvalues from 1 on ----
+
+constexpr double kRounding = sizeof(dReal) == 8 ? 1e-13 : 1e-5;
+
+struct Definite {
+    Definite(int size, unsigned long seed) : n(size), skip(dPAD(size)), a(std::size_t(n * skip))
+    {
+        dRandSetSeed(seed);
+        std::vector<dReal> g(a.size());
+        dMakeRandomMatrix(g.data(), n, n, 1);
+        dMultiply2(a.data(), g.data(), g.data(), n, n, n);
+        for (int i = 0; i < n; ++i) at(i, i) += dReal(n);
+    }
+    dReal& at(int i, int j) { return a[std::size_t(i * skip + j)]; }
+    int n, skip;
+    std::vector<dReal> a;
+};
+
+TEST(MatrixProperties, solutions_leave_a_residual_of_rounding_at_every_size_up_to_100)
+{
+    for (int n = 1; n <= 100; ++n) {
+        Definite m(n, unsigned(n));
+        std::vector<dReal> b(std::size_t(n), 0), cholesky = m.a, ldlt = m.a, d(b), inverse(m.a.size());
+        dMakeRandomVector(b.data(), n, 1);
+        std::vector<dReal> x = b, y = b, left(b);
+        ASSERT_EQ(dFactorCholesky(cholesky.data(), n), 1);
+        dSolveCholesky(cholesky.data(), x.data(), n);
+        dFactorLDLT(ldlt.data(), d.data(), n, m.skip);
+        dSolveLDLT(ldlt.data(), d.data(), y.data(), n, m.skip);
+        ASSERT_EQ(dInvertPDMatrix(m.a.data(), inverse.data(), n), 1);
+        for (const std::vector<dReal>* solution : {&x, &y}) {
+            dMultiply0(left.data(), m.a.data(), solution->data(), n, n, 1);
+            EXPECT_LE(dMaxDifference(left.data(), b.data(), n, 1), kRounding * n) << n;
+        }
+        std::vector<dReal> unit(m.a.size());
+        dMultiply0(unit.data(), m.a.data(), inverse.data(), n, n, n);
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j)
+                ASSERT_NEAR(unit[std::size_t(i * m.skip + j)], i == j ? 1 : 0, kRounding * n) << n;
+    }
+}
+
+// A chain of removals keeps the factors of what is left: 60 rows down to 1, in any order.
+TEST(MatrixProperties, removals_in_a_row_equal_refactorisation)
+{
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+        Definite m(60, seed);
+        std::vector<dReal*> rows;
+        std::vector<int> left;
+        for (int i = 0; i < m.n; ++i) rows.push_back(&m.at(i, 0)), left.push_back(m.n - 1 - i);
+        std::vector<dReal> L(m.a.size()), d(std::size_t(m.n));
+        const auto gather = [&](std::vector<dReal>& to) {
+            for (std::size_t i = 0; i < left.size(); ++i)
+                for (std::size_t j = 0; j <= i; ++j)
+                    to[i * std::size_t(m.skip) + j] =
+                        m.at(std::max(left[i], left[j]), std::min(left[i], left[j]));
+        };
+        gather(L);
+        dFactorLDLT(L.data(), d.data(), m.n, m.skip);
+        while (left.size() > 1) {
+            const int n2 = int(left.size()), r = dRandInt(n2);
+            dLDLTRemove(rows.data(), left.data(), L.data(), d.data(), m.n, n2, r, m.skip);
+            left.erase(left.begin() + r);
+            std::vector<dReal> fresh(L.size()), fresh_d(d.size());
+            gather(fresh);
+            dFactorLDLT(fresh.data(), fresh_d.data(), n2 - 1, m.skip);
+            for (int i = 0; i < n2 - 1; ++i) {
+                ASSERT_NEAR(d[std::size_t(i)] / fresh_d[std::size_t(i)], 1, 100 * kRounding) << n2;
+                for (int j = 0; j < i; ++j)
+                    ASSERT_NEAR(L[std::size_t(i * m.skip + j)], fresh[std::size_t(i * m.skip + j)],
+                                100 * kRounding)
+                        << n2;
+            }
+        }
+    }
+}
+
+// A row and column added by dLDLTAddTL and taken out by dLDLTRemove leave what was there without row 0.
+TEST(MatrixProperties, an_addition_at_the_top_left_is_a_change_of_the_first_row)
+{
+    for (int n = 2; n <= 60; n += 3) {
+        Definite m(n, 7u * unsigned(n));
+        std::vector<dReal> L = m.a, d(std::size_t(n), 0), a = d, changed = m.a, d2 = d;
+        dMakeRandomVector(a.data(), n, dReal(0.3));
+        dFactorLDLT(L.data(), d.data(), n, m.skip);
+        dLDLTAddTL(L.data(), d.data(), a.data(), n, m.skip);
+        for (int i = 0; i < n; ++i) changed[std::size_t(i * m.skip)] += a[std::size_t(i)];
+        dFactorLDLT(changed.data(), d2.data(), n, m.skip);
+        for (int i = 1; i < n; ++i) {
+            EXPECT_NEAR(d[std::size_t(i)] / d2[std::size_t(i)], 1, 100 * kRounding) << n;
+            for (int j = 1; j < i; ++j)
+                EXPECT_NEAR(L[std::size_t(i * m.skip + j)], changed[std::size_t(i * m.skip + j)],
+                            100 * kRounding)
+                    << n;
+        }
+    }
 }
 
 }  // namespace

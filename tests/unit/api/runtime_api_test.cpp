@@ -270,4 +270,44 @@ TEST(TimerApi, refuses_null)
               "2: Bad argument(s) in dTimerNow()|2: Bad argument(s) in dTimerReport()");
 }
 
+int times(const std::string& text, const std::string& part)
+{
+    int count = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+    return count;
+}
+
+TEST(SelfTestApi, passes_leaves_the_sequence_of_dRand_alone_and_gives_its_memory_back)
+{
+    dRandSetSeed(5);
+    dSetAllocHandler([](dsizeint size) { return ++g_live_blocks, std::malloc(size); });
+    dSetFreeHandler([](void* p, dsizeint) { --g_live_blocks, std::free(p); });
+    const int before = g_live_blocks;
+    testing::internal::CaptureStdout();
+    const int solved = dTestSolveLCP();
+    dTestDataStructures();
+    std::fflush(stdout);
+    const std::string told = testing::internal::GetCapturedStdout();
+    EXPECT_EQ(g_live_blocks, before);
+    dSetAllocHandler(nullptr);
+    dSetFreeHandler(nullptr);
+    EXPECT_EQ(solved, 1);
+    EXPECT_EQ(times(told, "passed"), 6) << told;
+    EXPECT_EQ(times(told, "FAILED"), 0) << told;
+    EXPECT_EQ(dRandGetSeed(), 5ul);
+}
+
+TEST(SelfTestApi, says_no_when_there_is_no_memory)
+{
+    dSetAllocHandler([](dsizeint) -> void* { return nullptr; });
+    testing::internal::CaptureStdout();
+    const int solved = dTestSolveLCP();
+    dTestDataStructures();
+    std::fflush(stdout);
+    const std::string told = testing::internal::GetCapturedStdout();
+    dSetAllocHandler(nullptr);
+    EXPECT_EQ(solved, 0);
+    EXPECT_EQ(times(told, "FAILED"), 6) << told;
+}
+
 }  // namespace
