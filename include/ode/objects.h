@@ -106,17 +106,18 @@ ODE_API void dWorldCleanupWorkingMemory(dWorldID world);
 #define dWORLDSTEP_RESERVEFACTOR_DEFAULT 1.2f
 #define dWORLDSTEP_RESERVESIZE_DEFAULT 65536U
 
-/** How much is taken in reserve. When blocks have become too small, they are replaced by one of reserve_factor
-    times what the largest step needed; no block is smaller than reserve_minimum. struct_size: sizeof of the
-    struct, set by the caller. */
+/** How much is taken in reserve. When blocks have become too small, they are replaced by one of
+   reserve_factor times what the largest step needed; no block is smaller than reserve_minimum. struct_size:
+   sizeof of the struct, set by the caller. */
 typedef struct {
     unsigned struct_size;     /**< sizeof(dWorldStepReserveInfo) */
     float reserve_factor;     /**< how many times what is needed, at least 1 */
     unsigned reserve_minimum; /**< bytes */
 } dWorldStepReserveInfo;
 
-/** Set the reserve for blocks taken from now on, to a copy of *policyinfo; NULL: back to the defaults. Returns
-    1, or 0 when refused (a factor below 1 or not finite, struct_size too small) or out of memory. [0.16] */
+/** Set the reserve for blocks taken from now on, to a copy of *policyinfo; NULL: back to the defaults.
+   Returns 1, or 0 when refused (a factor below 1 or not finite, struct_size too small) or out of memory.
+   [0.16] */
 ODE_API int dWorldSetStepMemoryReservationPolicy(dWorldID world, const dWorldStepReserveInfo* policyinfo);
 
 /** Where step memory comes from. The functions are called by one thread at a time, which with several threads
@@ -131,8 +132,8 @@ typedef struct {
     void (*free_block)(void* block_pointer, dsizeint block_current_size);
 } dWorldStepMemoryFunctionsInfo;
 
-/** Take blocks from a copy of *memfuncs from now on; NULL: from dAlloc again. Blocks that are there already go
-    back where they came from. Returns 1, or 0 when refused (alloc_block or free_block NULL, struct_size too
+/** Take blocks from a copy of *memfuncs from now on; NULL: from dAlloc again. Blocks that are there already
+   go back where they came from. Returns 1, or 0 when refused (alloc_block or free_block NULL, struct_size too
     small) or out of memory. [0.16] */
 ODE_API int dWorldSetStepMemoryManager(dWorldID world, const dWorldStepMemoryFunctionsInfo* memfuncs);
 
