@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // dWorldExportDIF of worlds with every setting, kind of body, geom and joint that Debian's library can write,
-// read back and compared field by field. Left out is what it cannot write (differences D42).
+// read back and compared field by field. Left out is what it cannot write (differences D44).
 #include "dif_reader.h"
 #include "rig.h"
 
