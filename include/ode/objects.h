@@ -150,8 +150,8 @@ ODE_API int dWorldSetStepMemoryManager(dWorldID world, const dWorldStepMemoryFun
     Time grows with the cube, memory with the square of the constraint rows in an island. Order:
     auto-disable test; islands; per island forces, rows, solution, new velocities, new positions, moved
     callbacks. Force and torque accumulators of stepped bodies are zero afterwards. Returns 1; 0 when
-    refused (stepsize not positive and finite) or out of memory, the world then being where it was.
-    [guide] */
+    refused (stepsize not positive and finite) or out of memory: poses, velocities and accumulators are
+    then as they were. [guide] */
 ODE_API int dWorldStep(dWorldID world, dReal stepsize);
 
 /** Advance by stepsize seconds with the iterative solver (projected successive over-relaxation): time and

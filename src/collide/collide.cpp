@@ -182,6 +182,7 @@ int call_user(dColliderFn* function, const Placed& a, const Placed& b, const Con
         settled.elsewhere = false;
         return call_user(function, a, settled, out);
     }
+    const GeomHold hold_a(*a.geom), hold_b(*b.geom), hold_named_a(*a.named), hold_named_b(*b.named);
     const int room = out.room - out.count;
     const int flags = room | (out.unimportant ? int(CONTACTS_UNIMPORTANT) : 0);
     const int found = function(to_handle(a.geom), to_handle(b.geom), flags, out.at(out.count), out.stride);

@@ -13,6 +13,8 @@
 //             nothing then.
 #pragma once
 
+#include <atomic>
+
 #include "base/handle.h"
 #include "geometry/shapes.h"
 #include "ode/collision.h"
@@ -71,6 +73,7 @@ struct Geom : Tagged {
     Geom* body_prev = nullptr;
     GeomOffset* offset = nullptr;
     TransformGeom* holders = nullptr;  // transforms that place this geom
+    std::atomic<int> users{0};         // calls into the program in progress that rely on this geom
     Aabb box;
     Real own_position[4] = {};
     Real own_rotation[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
@@ -87,6 +90,19 @@ template <typename Shape>
 struct ShapeGeom : Geom {
     explicit ShapeGeom(const GeomType& geom_type) : Geom(geom_type) {}
     Shape shape;
+};
+
+// Keeps a geom, while the program's own functions run, from being destroyed by them: what they return to still
+// needs it. Members of a locked space are safe without.
+class GeomHold {
+  public:
+    explicit GeomHold(Geom& geom) : geom_(geom) { geom_.users.fetch_add(1, std::memory_order_relaxed); }
+    GeomHold(const GeomHold&) = delete;
+    GeomHold& operator=(const GeomHold&) = delete;
+    ~GeomHold() { geom_.users.fetch_sub(1, std::memory_order_relaxed); }
+
+  private:
+    Geom& geom_;
 };
 
 bool is_space(const Geom& geom);

@@ -23,20 +23,23 @@ const GeomType* geom_type(int number)
 
 namespace {
 
-bool locked_inside(const Space& space)
+// The geom or one that would die with it is relied on.
+bool in_use(const Geom& geom)
 {
+    if (geom.users.load(std::memory_order_relaxed) > 0) return true;
+    if (const TransformGeom* transform = as_transform(const_cast<Geom&>(geom)))
+        return transform->inner && transform->cleanup && in_use(*transform->inner);
+    if (!is_space(geom)) return false;
+    const Space& space = static_cast<const Space&>(geom);
     if (space.locks > 0) return true;
     if (!space.cleanup) return false;
     for (const Geom* m : space.members)
-        if (m && is_space(*m) && locked_inside(static_cast<const Space&>(*m))) return true;
+        if (m && in_use(*m)) return true;
     return false;
 }
 
 }  // namespace
 
-bool may_destroy(const Geom& geom)
-{
-    return !in_locked_space(geom) && !(is_space(geom) && locked_inside(static_cast<const Space&>(geom)));
-}
+bool may_destroy(const Geom& geom) { return !in_locked_space(geom) && !in_use(geom); }
 
 }  // namespace epode

@@ -137,6 +137,7 @@ void collide_space(Space& space, void* data, dNearCallback* callback)
 void collide_across(Geom& first, Geom& second, void* data, dNearCallback* callback)
 {
     const Report report{data, callback};
+    const GeomHold hold_first(first), hold_second(second);
     const auto swapped = [&](Geom& a, Geom& b) { report(b, a); };
     Space* s1 = is_space(first) ? static_cast<Space*>(&first) : nullptr;
     Space* s2 = is_space(second) ? static_cast<Space*>(&second) : nullptr;

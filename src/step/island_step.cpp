@@ -138,15 +138,17 @@ class IslandStep {
 
 }  // namespace
 
-void step_island(const StepContext& context, const Island& island, IslandPlace place, const Tasks& tasks,
+bool step_island(const StepContext& context, const Island& island, IslandPlace place, const Tasks& tasks,
                  Arena& arena, dIslandStepReport* report)
 {
     Arena::Scope scope(arena);
     if (report) begin_report(context.world, island, *report);
     IslandStep step(context, island, place, arena);
     const bool solved = step.solve(tasks, report);
+    if (arena.failed()) return false;
     solved ? step.accept(tasks, report) : step.refuse();
     if (report) end_report(context.world, island, !solved, *report);
+    return !arena.failed();
 }
 
 }  // namespace epode

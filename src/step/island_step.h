@@ -27,8 +27,9 @@ struct IslandPlace {
 };
 
 // Velocities, impulses, feedback and poses of the island. An island whose answer is not a number is
-// contained: it keeps its velocities, its constraints exert nothing, and the others never notice.
-void step_island(const StepContext& context, const Island& island, IslandPlace place, const Tasks& tasks,
-                 Arena& arena, dIslandStepReport* report);
+// contained: it keeps its velocities, its constraints exert nothing, and the others never notice. False: out
+// of memory; the island's bodies are in no state to be seen then.
+[[nodiscard]] bool step_island(const StepContext& context, const Island& island, IslandPlace place,
+                               const Tasks& tasks, Arena& arena, dIslandStepReport* report);
 
 }  // namespace epode

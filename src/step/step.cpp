@@ -9,6 +9,7 @@
 #include "step/step.h"
 
 #include <algorithm>
+#include <atomic>
 #include <new>
 
 #include "dynamics/integrate.h"
@@ -17,6 +18,7 @@
 #include "step/island_step.h"
 #include "step/link.h"
 #include "step/report.h"
+#include "step/undo.h"
 #include "tasks/tasks.h"
 
 namespace epode {
@@ -88,6 +90,7 @@ class WorldStep {
         first_contact_ = arena.take<int>(int(islands_.size()));
         parcels_ = arena.take<int>(int(islands_.size()) + 1);
         if (arena.failed() || !prepare_reports() || !memory().provide(workers_.of_islands.workers())) return false;
+        if (!undo_.save(islands_, arena)) return false;
         int contacts = 0;
         for (std::size_t i = 0; i < islands_.size(); ++i) {
             first_contact_[i] = contacts;
@@ -97,7 +100,8 @@ class WorldStep {
         return true;
     }
 
-    void run()
+    // False: out of memory, and the bodies are as they were.
+    bool run()
     {
         const Tasks alone(1);
         for (std::size_t i = 0; i < islands_.size(); ++i)
@@ -107,6 +111,9 @@ class WorldStep {
             for (int i = parcels_[parcel]; i < parcels_[parcel + 1]; ++i)
                 if (!large(islands_[std::size_t(i)])) step_one(i, alone, worker);
         });
+        if (!out_of_memory_.load()) return true;
+        undo_.restore(islands_);
+        return false;
     }
 
   private:
@@ -139,9 +146,11 @@ class WorldStep {
 
     void step_one(int i, const Tasks& tasks, int worker)
     {
+        if (out_of_memory_.load(std::memory_order_relaxed)) return;
         dIslandStepReport* report = context_.world.report_wanted ? &state_.reports[i] : nullptr;
         const auto at = std::size_t(i);
-        step_island(context_, islands_[at], {i, first_contact_[at]}, tasks, memory().arena(worker), report);
+        if (!step_island(context_, islands_[at], {i, first_contact_[at]}, tasks, memory().arena(worker), report))
+            out_of_memory_.store(true);
     }
 
     const StepContext& context_;
@@ -149,6 +158,8 @@ class WorldStep {
     std::span<const Island> islands_;
     const Workers& workers_;
     std::span<int> first_contact_, parcels_;
+    StepUndo undo_;
+    std::atomic<bool> out_of_memory_{false};
 };
 
 StepState* state_of(World& world)
@@ -179,14 +190,16 @@ bool step_in(World& world, StepState& state, const Solver& solver, Real h, int i
     WorldStep step(context, state, islands, workers);
     if (!step.prepare()) return false;
     world.stepping = true;
-    step.run();
+    const bool made = step.run();
     workers.dismiss();
-    state.contacts.end();
-    for (const Island& island : islands) finish_bodies(island);
-    if (world.report_wanted) world.report = sum_of(state.reports.span());
-    world.report_made = world.report_wanted;
+    state.contacts.end();  // also of a step that was taken back: first guesses, no more
+    if (made) {
+        for (const Island& island : islands) finish_bodies(island);
+        if (world.report_wanted) world.report = sum_of(state.reports.span());
+    }
+    world.report_made = made && world.report_wanted;
     world.stepping = false;
-    return true;
+    return made;
 }
 
 }  // namespace

@@ -28,8 +28,8 @@ StepMemory* working_memory(World& world);
 // Gives back what the world's next step can make anew.
 void free_working_memory(World& world);
 
-// True when the step was made. False: memory was exhausted before anything had been changed, or another step
-// is using it.
+// True when the step was made. False: memory was exhausted or another step is using it; poses, velocities and
+// forces are as before (bodies that were found idle sleep, and those that an awake one reaches are awake).
 bool step_world(World& world, const Solver& solver, Real h, int iterations);
 
 // Of the last step; empty when no report was made.

@@ -50,6 +50,7 @@ struct Settings {
 struct Tally {  // shared with the children
     long operations, refused, sequences;
     long current;  // number of the sequence in play
+    long reached;  // operation of it that was begun last
     char complaint[256];
 };
 
@@ -74,7 +75,10 @@ bool play(const Operations& operations, bool plant, Tally* tally, std::FILE* rec
         player.script.record = record;
         player.model.forgetful = plant;
         bool good = true;
-        for (std::size_t i = 0; good && i < operations.size(); ++i) good = player.play(operations[i]);
+        for (std::size_t i = 0; good && i < operations.size(); ++i) {
+            if (tally) tally->reached = long(i);
+            good = player.play(operations[i]);
+        }
         good = good && player.check() && player.tear_down(operations.empty() ? 1 : operations[0]);
         complaint = player.complaint();
         if (tally) tally->operations += player.calls, tally->refused += player.refused, ++tally->sequences;
@@ -86,6 +90,8 @@ bool play(const Operations& operations, bool plant, Tally* tally, std::FILE* rec
     return complaint.empty();
 }
 
+bool g_quiet = false;
+
 // Runs `work` in a child; true when that ended well.
 template <typename Work>
 bool in_child(bool quiet, unsigned seconds, Work&& work)
@@ -94,6 +100,7 @@ bool in_child(bool quiet, unsigned seconds, Work&& work)
     const pid_t child = fork();
     if (child < 0) return false;
     if (child == 0) {
+        g_quiet = quiet;
         if (quiet && !(std::freopen("/dev/null", "w", stderr))) _exit(3);
         alarm(seconds);  // a hang is a failure
         std::exit(work() ? 0 : 1);
@@ -197,11 +204,20 @@ int run(const Settings& settings)
     if (good) return 0;
     std::printf("sequence %ld of seed %llu fails: %s\n", tally.current, (unsigned long long)settings.seed,
                 tally.complaint);
-    save_program(shrink(sequence(settings.seed, tally.current), settings.plant), settings, tally);
+    // What follows the failure cannot have caused it, unless it shows only at the end.
+    Operations whole = sequence(settings.seed, tally.current), part(whole);
+    part.resize(std::size_t(tally.reached) + 1);
+    save_program(shrink(fails(part, settings.plant) ? part : whole, settings.plant), settings, tally);
     return 1;
 }
 
 }  // namespace
 }  // namespace epode::sequences
+
+// The address sanitizer's report takes a second to write, and nobody reads that of a try.
+extern "C" void __asan_on_error()
+{
+    if (epode::sequences::g_quiet) _exit(3);
+}
 
 int main(int count, char** words) { return epode::sequences::run(epode::sequences::read(count, words)); }

@@ -61,6 +61,23 @@ void describe_transform(const Geom& geom, DifWriter& out)
     out.close();
 }
 
+// Whether `geom` goes when `transform` lets go what it holds.
+bool dies_with(const Geom& geom, const TransformGeom& transform)
+{
+    const TransformGeom* t = &transform;
+    while (t && t->inner && t->cleanup) {
+        if (t->inner == &geom) return true;
+        t = as_transform(*t->inner);
+    }
+    return false;
+}
+
+bool may_let_go(const TransformGeom& transform)
+{
+    if (transform.users.load(std::memory_order_relaxed) > 0) return false;
+    return !transform.inner || !transform.cleanup || may_destroy(*transform.inner);
+}
+
 }  // namespace
 
 const GeomType kTransformType = {.number = dGeomTransformClass,
@@ -129,9 +146,11 @@ extern "C" void dGeomTransformSetGeom(dGeomID transform, dGeomID obj)
     EPODE_USER(!obj || inner);
     EPODE_UNLOCKED(holder);
     if (inner == holder->inner) return;
+    EPODE_USER_SAY(may_let_go(*holder), "Invalid operation during a collision");
     if (inner) {
         EPODE_PLACEABLE(inner);
         EPODE_USER(!holds(*inner, *holder));
+        EPODE_USER_SAY(!dies_with(*inner, *holder), "the geom would die with the one that it replaces");
         EPODE_USER_SAY(!inner->space, "GeomTransform encapsulated object must not be in a space");
         EPODE_USER_SAY(!inner->body.id, "GeomTransform encapsulated object must not be attached to a body");
     }

@@ -41,6 +41,7 @@ void to_bounds(const Aabb& box, Real out[6])
 Aabb aabb(Geom& geom)
 {
     Real b[6] = {};
+    const GeomHold hold(geom);
     static_cast<UserGeom&>(geom).functions.aabb(to_handle(&geom), b);
     return {{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};
 }
@@ -49,6 +50,7 @@ bool may_touch(Geom& geom, Geom& other)
 {
     const auto test = static_cast<UserGeom&>(geom).functions.aabb_test;
     if (!test) return true;
+    const GeomHold hold_geom(geom), hold_other(other);
     Real bounds[6];
     to_bounds(box_of(other), bounds);
     return test(to_handle(&geom), to_handle(&other), bounds) != 0;
@@ -57,7 +59,10 @@ bool may_touch(Geom& geom, Geom& other)
 void destroy(Geom* geom)
 {
     UserGeom* user = static_cast<UserGeom*>(geom);
-    if (user->functions.dtor) user->functions.dtor(to_handle(geom));
+    if (user->functions.dtor) {
+        const GeomHold hold(*geom);  // once is enough
+        user->functions.dtor(to_handle(geom));
+    }
     release(user->memory, std::size_t(user->functions.bytes));
     Pool<UserGeom>::destroy(user);
 }
