@@ -89,7 +89,8 @@ class WorldStep {
         Arena& arena = memory().arena(0);
         first_contact_ = arena.take<int>(int(islands_.size()));
         parcels_ = arena.take<int>(int(islands_.size()) + 1);
-        if (arena.failed() || !prepare_reports() || !memory().provide(workers_.of_islands.workers())) return false;
+        if (arena.failed() || !prepare_reports() || !memory().provide(workers_.of_islands.workers()))
+            return false;
         if (!undo_.save(islands_, arena)) return false;
         int contacts = 0;
         for (std::size_t i = 0; i < islands_.size(); ++i) {
@@ -149,7 +150,8 @@ class WorldStep {
         if (out_of_memory_.load(std::memory_order_relaxed)) return;
         dIslandStepReport* report = context_.world.report_wanted ? &state_.reports[i] : nullptr;
         const auto at = std::size_t(i);
-        if (!step_island(context_, islands_[at], {i, first_contact_[at]}, tasks, memory().arena(worker), report))
+        if (!step_island(context_, islands_[at], {i, first_contact_[at]}, tasks, memory().arena(worker),
+                         report))
             out_of_memory_.store(true);
     }
 
