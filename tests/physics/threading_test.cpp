@@ -135,7 +135,6 @@ struct Watch {
     explicit Watch(unsigned threads) : built(threads) {}
 };
 Watch* g_watch = nullptr;
-thread_local int t_depth = 0;
 
 struct Watched {
     dThreadedCallFunction* function;
