@@ -46,6 +46,7 @@ struct alignas(kCacheLine) Tagged {
 };
 
 inline constexpr std::uint32_t kGenerations = kCacheLine;
+inline constexpr std::intptr_t kFirstPage = 4096;  // no object lies below
 
 // Each object type O specialises this: its C handle and its tag.
 template <typename O>
@@ -65,7 +66,8 @@ O* from_handle(typename HandleOf<O>::Id id)
 {
     const auto bits = reinterpret_cast<std::uintptr_t>(id);
     auto* object = reinterpret_cast<O*>(bits & ~std::uintptr_t(kGenerations - 1));
-    const bool alive = object && object->tag == HandleOf<O>::kTag &&
+    // Signed: neither the first page nor what no program is given, as (dBodyID)-1, is looked at.
+    const bool alive = std::intptr_t(bits) >= kFirstPage && object->tag == HandleOf<O>::kTag &&
                        object->generation == std::uint32_t(bits & (kGenerations - 1));
     return alive ? object : nullptr;
 }
