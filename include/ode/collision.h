@@ -319,7 +319,8 @@ typedef dReal dHeightfieldGetHeight(void* p_user_data, int x, int z);
    divided from the corner (i + 1, j) to the corner (i, j + 1). For z up rotate the geom by 90 degrees about
    x. Collides with spheres, boxes, capsules, cylinders and rays; normals point up out of the ground. A solid
    wholly below the lowest sample under it gets one contact that pushes it straight up. A ray gets all its
-   hits, the nearest first.
+   hits, the nearest first. Of a solid that covers more than 1,024 cells along x or z (256 of a field without
+   end) the middle ones are looked at.
 
    Arguments:
    - d: the data.

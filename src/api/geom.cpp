@@ -3,6 +3,7 @@
 //
 // What all classes of geoms have in common: life, data, class, bits, box, enabling.
 #include "collide/registry.h"
+#include "collide/height_function.h"
 
 using namespace epode;
 
@@ -11,6 +12,7 @@ extern "C" {
 void dGeomDestroy(dGeomID id)
 {
     EPODE_GEOM(geom, id);
+    EPODE_OUTSIDE_HEIGHT_FUNCTION();
     EPODE_USER_SAY(may_destroy(*geom), EPODE_LOCKED_TEXT);
     destroy_geom(*geom);
 }

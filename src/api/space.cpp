@@ -3,6 +3,7 @@
 //
 // What all spaces have in common.
 #include "collide/registry.h"
+#include "collide/height_function.h"
 
 using namespace epode;
 
@@ -11,6 +12,7 @@ extern "C" {
 void dSpaceDestroy(dSpaceID id)
 {
     EPODE_SPACE(space, id);
+    EPODE_OUTSIDE_HEIGHT_FUNCTION();
     EPODE_USER_SAY(may_destroy(*space), EPODE_LOCKED_TEXT);
     destroy_geom(*space);
 }
@@ -55,11 +57,13 @@ void dSpaceAdd(dSpaceID id, dGeomID geom_id)
 {
     EPODE_SPACE(space, id);
     EPODE_GEOM(geom, geom_id);
-    EPODE_USER_SAY(space->locks == 0, EPODE_LOCKED_TEXT);
+    EPODE_USER_SAY(takes_members(*space), EPODE_LOCKED_TEXT);
     EPODE_USER_SAY(!geom->space, "geom is already in a space");
     EPODE_USER_SAY(!geom->holders, "GeomTransform encapsulated object must not be in a space");
     EPODE_USER_SAY(!is_space(*geom) || !is_inside(*space, static_cast<Space&>(*geom)),
                    "a space cannot be put inside itself");
+    EPODE_USER_SAY(!is_space(*geom) || nesting_fits(*space, static_cast<Space&>(*geom)),
+                   "spaces are nested too deeply");
     EPODE_USER_SAY(add_member(*space, *geom), "out of memory");
 }
 

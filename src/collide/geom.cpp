@@ -127,6 +127,10 @@ void drop_offset(Geom& geom)
 
 void destroy_geom(Geom& geom)
 {
+    if (geom.dying) return;
+    geom.dying = true;
+    // Whatever the program does to the geom in its function is undone below.
+    if (geom.type->farewell) geom.type->farewell(geom);
     if (is_space(geom)) empty_space(static_cast<Space&>(geom));
     while (geom.holders) set_transform_geom(*geom.holders, nullptr);
     if (geom.space) remove_member(*geom.space, geom);

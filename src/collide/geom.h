@@ -32,6 +32,7 @@ struct GeomType {
     Aabb (*aabb)(Geom& geom) = nullptr;                    // in the world
     bool (*zero_sized)(const Geom& geom) = nullptr;        // spaces ignore such geoms; null: never
     void (*destroy)(Geom* geom) = nullptr;                 // runs the destructor, gives the memory back
+    void (*farewell)(Geom& geom) = nullptr;                // the first thing when it is destroyed; null: none
     bool (*may_touch)(Geom& geom, Geom& other) = nullptr;  // a last look before a pair is reported; null: yes
     int (*control)(Geom& geom, int control_class, int code, void* data, int* size) = nullptr;  // null: none
     void (*describe)(const Geom& geom, DifWriter& out) = nullptr;  // in dWorldExportDIF; null: nothing to say
@@ -63,6 +64,7 @@ struct Geom : Tagged {
     bool queued = false;  // its space will look at it at the next cleaning
     bool box_stale = true;
     bool pose_stale = false;  // only with an offset
+    bool dying = false;       // being destroyed: its class's function, or those of its members, are running
     unsigned long category = ~0ul;
     unsigned long collide = ~0ul;
     void* data = nullptr;

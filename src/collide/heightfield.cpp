@@ -8,6 +8,7 @@
 
 #include "base/check.h"
 #include "base/memory.h"
+#include "collide/height_function.h"
 
 namespace epode {
 
@@ -34,6 +35,8 @@ constexpr GridStep kAround[6] = {{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, 
 
 }  // namespace
 
+thread_local int InHeightFunction::depth = 0;
+
 HeightfieldData::HeightfieldData() : Tagged(Tag::kHeightfieldData)
 {
     serial = g_serial.fetch_add(1, std::memory_order_relaxed) + 1;
@@ -56,9 +59,11 @@ Real HeightfieldData::sample(int i, int j) const
     const std::ptrdiff_t at = i + std::ptrdiff_t(j) * nx;
     Real value = 0;
     switch (source) {
-        case Source::kCallback:
+        case Source::kCallback: {
+            const InHeightFunction calling;
             value = callback(user, i, j);
             break;
+        }
         case Source::kBytes:
             return Real(static_cast<const unsigned char*>(samples)[at]);
         case Source::kShorts:

@@ -26,7 +26,7 @@ namespace {
 // The geom or one that would die with it is relied on.
 bool in_use(const Geom& geom)
 {
-    if (geom.users.load(std::memory_order_relaxed) > 0) return true;
+    if (geom.dying || geom.users.load(std::memory_order_relaxed) > 0) return true;
     if (const TransformGeom* transform = as_transform(const_cast<Geom&>(geom)))
         return transform->inner && transform->cleanup && in_use(*transform->inner);
     if (!is_space(geom)) return false;

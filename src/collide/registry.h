@@ -111,4 +111,4 @@ bool may_destroy(const Geom& geom);
 // The space argument of a create function: null, or a space that takes members now.
 #define EPODE_PARENT_SPACE(id, result)                                                \
     EPODE_USER_SAY(!(id) || ::epode::space_from(id), "argument not a space", result); \
-    EPODE_USER_SAY(!(id) || ::epode::space_from(id)->locks == 0, EPODE_LOCKED_TEXT, result)
+    EPODE_USER_SAY(!(id) || takes_members(*::epode::space_from(id)), EPODE_LOCKED_TEXT, result)

@@ -42,6 +42,15 @@ bool make_room(Space& space)
     return space.members.reserve(room) && space.queue.reserve(room) && space.broadphase.reserve(room);
 }
 
+// Spaces in line downwards, the space included.
+int height(const Space& space)
+{
+    int most = 0;
+    for (const Geom* m : space.members)
+        if (m && is_space(*m)) most = std::max(most, height(static_cast<const Space&>(*m)));
+    return most + 1;
+}
+
 bool zero_sized(const Geom& geom) { return geom.type->zero_sized && geom.type->zero_sized(geom); }
 
 }  // namespace
@@ -87,7 +96,7 @@ void empty_space(Space& space)
         // The last member clears the list; a user's destructor function may take others with it.
         Geom* geom = slot < space.members.size() ? space.members[slot] : nullptr;
         if (!geom) continue;
-        if (space.cleanup)
+        if (space.cleanup && !geom->dying)
             destroy_geom(*geom);
         else
             remove_member(space, *geom);
@@ -108,6 +117,13 @@ bool is_inside(const Geom& geom, const Space& space)
     for (const Geom* g = &geom; g; g = g->space)
         if (g == &space) return true;
     return false;
+}
+
+bool nesting_fits(const Space& space, const Space& inner)
+{
+    int above = 0;
+    for (const Geom* g = &space; g; g = g->space) ++above;
+    return above + height(inner) <= kMostNested;
 }
 
 void enqueue(Space& space, Geom& geom)

@@ -18,6 +18,8 @@
 
 namespace epode {
 
+inline constexpr int kMostNested = 100;  // spaces in spaces, transforms in transforms
+
 struct Space : Geom {
     explicit Space(const GeomType& space_type) : Geom(space_type) {}
 
@@ -46,6 +48,9 @@ class SpaceLock {
     Space& space_;
 };
 
+// Neither being collided nor being destroyed.
+inline bool takes_members(const Space& space) { return space.locks == 0 && !space.dying; }
+
 Space* space_from(dSpaceID id);  // null unless it is a live space
 dSpaceID id_of(const Space* space);
 
@@ -55,6 +60,7 @@ void remove_member(Space& space, Geom& geom);
 void empty_space(Space& space);                        // destroys or lets go all members, as `cleanup` says
 Geom* member(Space& space, int index);                 // newest first
 bool is_inside(const Geom& geom, const Space& space);  // at any depth, or the space itself
+bool nesting_fits(const Space& space, const Space& inner);  // functions that walk down call themselves
 
 // ---- boxes ----
 void enqueue(Space& space, Geom& geom);  // the member has moved

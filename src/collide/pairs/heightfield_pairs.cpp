@@ -24,8 +24,9 @@ struct Cells {
     int i0, i1, j0, j1;  // inclusive
 };
 
-// Of a field without end, a solid is tested against this many cells to each side at most.
-constexpr Real kReach = 128;
+// A solid is tested against this many cells to each side at most; of a field without end, and of one that is
+// finite in name only.
+constexpr Real kReach = 128, kFiniteReach = 512;
 
 // The cells under the box; false when there are none or the place is out of all measure.
 bool cells_under(const Terrain& t, const Aabb& box, Cells& out)
@@ -37,10 +38,14 @@ bool cells_under(const Terrain& t, const Aabb& box, Cells& out)
     int lo[2], hi[2];
     constexpr Real kFar = 1e9;
     for (int a = 0; a < 2; ++a) {
-        const Real middle = Real(0.5) * (from[a] + to[a]);
-        if (t.endless() && to[a] - from[a] > 2 * kReach) from[a] = middle - kReach, to[a] = middle + kReach;
-        if (!(from[a] > -kFar && to[a] < kFar)) return false;
-        if (!t.endless() && (to[a] < 0 || from[a] > Real(count[a]))) return false;
+        if (!t.endless()) {
+            if (!(to[a] >= 0 && from[a] <= Real(count[a]))) return false;
+            from[a] = from[a] < 0 ? 0 : from[a];
+            to[a] = to[a] > Real(count[a]) ? Real(count[a]) : to[a];
+        }
+        const Real middle = Real(0.5) * (from[a] + to[a]), reach = t.endless() ? kReach : kFiniteReach;
+        if (to[a] - from[a] > 2 * reach) from[a] = middle - reach, to[a] = middle + reach;
+        if (!(from[a] > -kFar && to[a] < Real(2.1e9))) return false;
         lo[a] = int(std::floor(from[a])), hi[a] = int(std::floor(to[a]));
         if (t.endless()) continue;
         lo[a] = lo[a] < 0 ? 0 : lo[a] < count[a] ? lo[a] : count[a] - 1;

@@ -77,6 +77,7 @@ extern "C" void dGeomBoxGetLengths(dGeomID box, dVector3 result)
 extern "C" dReal dGeomBoxPointDepth(dGeomID box, dReal x, dReal y, dReal z)
 {
     EPODE_GEOM_AS(Box, geom, box, 0);
+    EPODE_USER(usable(x) && usable(y) && usable(z), 0);
     const Vec3 beyond = abs(pose_of(*geom).to_local({x, y, z})) - geom->shape.half;
     const Real nearest = max_component(beyond);
     return nearest <= 0 ? -nearest : -length(max(beyond, Vec3{}));

@@ -73,6 +73,7 @@ extern "C" void dGeomCapsuleGetParams(dGeomID capsule, dReal* radius, dReal* len
 extern "C" dReal dGeomCapsulePointDepth(dGeomID capsule, dReal x, dReal y, dReal z)
 {
     EPODE_GEOM_AS(Capsule, geom, capsule, 0);
+    EPODE_USER(usable(x) && usable(y) && usable(z), 0);
     Vec3 q = pose_of(*geom).to_local({x, y, z});
     q.z -= std::clamp(q.z, -geom->shape.half_length, geom->shape.half_length);
     return geom->shape.radius - length(q);

@@ -9,6 +9,7 @@
 #include "base/memory.h"
 #include "collide/describe.h"
 #include "collide/registry.h"
+#include "collide/height_function.h"
 
 namespace epode {
 namespace {
@@ -99,6 +100,7 @@ const char* build(dHeightfieldDataID id, const Sample* samples, int copy, const 
 {
     HeightfieldData* d = from_handle<HeightfieldData>(id);
     Range range;
+    if (InHeightFunction::now()) return EPODE_HEIGHT_FUNCTION_TEXT;
     if (!d || !samples || !fits(layout)) return "Bad argument(s)";
     const std::size_t count = std::size_t(layout.nx) * std::size_t(layout.nz);
     if (!range_of(samples, count, range)) return "height is not a usable number";
@@ -143,6 +145,7 @@ void dGeomHeightfieldDataDestroy(dHeightfieldDataID d)
 {
     HeightfieldData* data = from_handle<HeightfieldData>(d);
     EPODE_USER(data);
+    EPODE_OUTSIDE_HEIGHT_FUNCTION();
     Pool<HeightfieldData>::destroy(data);
 }
 
@@ -154,6 +157,7 @@ void dGeomHeightfieldDataBuildCallback(dHeightfieldDataID d, void* pUserData,
     HeightfieldData* data = from_handle<HeightfieldData>(d);
     const Layout layout{width, depth, widthSamples, depthSamples, scale, offset, thickness, bWrap};
     EPODE_USER(data && pCallback && fits(layout));
+    EPODE_OUTSIDE_HEIGHT_FUNCTION();
     data->drop_samples();
     take(layout, *data);
     data->callback = pCallback;

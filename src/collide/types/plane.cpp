@@ -67,5 +67,6 @@ extern "C" void dGeomPlaneGetParams(dGeomID plane, dVector4 result)
 extern "C" dReal dGeomPlanePointDepth(dGeomID plane, dReal x, dReal y, dReal z)
 {
     EPODE_GEOM_AS(Plane, geom, plane, 0);
+    EPODE_USER(usable(x) && usable(y) && usable(z), 0);
     return geom->shape.d - dot(geom->shape.normal, {x, y, z});
 }

@@ -13,10 +13,20 @@ constexpr GeomType space_type(int number)
     return {.number = number, .placeable = false, .aabb = space_aabb, .destroy = destroy_pooled<Space>};
 }
 
+constexpr const char* kTooDeep = "spaces are nested too deeply";
+
 template <typename Name>
 dSpaceID create_space(dSpaceID parent)
 {
     return id_of(create_geom<Name>(parent));
+}
+
+// A new space inside the parent would not be nested too deeply.
+bool fits_in(dSpaceID parent)
+{
+    int above = 0;
+    for (const Geom* g = space_from(parent); g; g = g->space) ++above;
+    return above < kMostNested;
 }
 
 // Three different axes, two bits each.
@@ -40,12 +50,14 @@ using namespace epode;
 extern "C" dSpaceID dSimpleSpaceCreate(dSpaceID space)
 {
     EPODE_PARENT_SPACE(space, nullptr);
+    EPODE_USER_SAY(fits_in(space), kTooDeep, nullptr);
     return create_space<SimpleSpace>(space);
 }
 
 extern "C" dSpaceID dHashSpaceCreate(dSpaceID space)
 {
     EPODE_PARENT_SPACE(space, nullptr);
+    EPODE_USER_SAY(fits_in(space), kTooDeep, nullptr);
     return create_space<HashSpace>(space);
 }
 
@@ -53,6 +65,7 @@ extern "C" dSpaceID dSweepAndPruneSpaceCreate(dSpaceID space, int axisorder)
 {
     EPODE_USER(legal_axes(axisorder), nullptr);
     EPODE_PARENT_SPACE(space, nullptr);
+    EPODE_USER_SAY(fits_in(space), kTooDeep, nullptr);
     return create_space<SweepAndPruneSpace>(space);
 }
 
@@ -61,6 +74,7 @@ extern "C" dSpaceID dQuadTreeSpaceCreate(dSpaceID space, const dVector3 Center, 
 {
     EPODE_USER(Center && Extents && usable(Center, 3) && usable(Extents, 3) && Depth >= 0, nullptr);
     EPODE_PARENT_SPACE(space, nullptr);
+    EPODE_USER_SAY(fits_in(space), kTooDeep, nullptr);
     return create_space<QuadTreeSpace>(space);
 }
 

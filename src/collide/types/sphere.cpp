@@ -62,5 +62,6 @@ extern "C" dReal dGeomSphereGetRadius(dGeomID sphere)
 extern "C" dReal dGeomSpherePointDepth(dGeomID sphere, dReal x, dReal y, dReal z)
 {
     EPODE_GEOM_AS(Sphere, geom, sphere, 0);
+    EPODE_USER(usable(x) && usable(y) && usable(z), 0);
     return geom->shape.radius - length(Vec3{x, y, z} - pose_of(*geom).p);
 }

@@ -6,7 +6,10 @@
 #include "collide/transform.h"
 #include "collide/describe.h"
 
+#include <algorithm>
+
 #include "collide/registry.h"
+#include "collide/height_function.h"
 
 namespace epode {
 namespace {
@@ -26,18 +29,38 @@ bool zero_sized(const Geom& geom)
     return inner && inner->type->zero_sized && inner->type->zero_sized(*inner);
 }
 
-void drop_inner(TransformGeom& transform)
+// What it held before goes last: its class's function may change anything, this transform included.
+void hold(TransformGeom& transform, Geom* inner)
 {
-    Geom* old = transform.inner;
-    set_transform_geom(transform, nullptr);
-    if (old && transform.cleanup) destroy_geom(*old);
+    Geom* const old = transform.inner;
+    const bool cleanup = transform.cleanup;
+    set_transform_geom(transform, inner);
+    if (old && cleanup) destroy_geom(*old);
 }
 
 void destroy(Geom* geom)
 {
     TransformGeom* transform = static_cast<TransformGeom*>(geom);
-    drop_inner(*transform);
+    while (transform->inner) hold(*transform, nullptr);
     Pool<TransformGeom>::destroy(transform);
+}
+
+// How many transforms stand in line below, the geom included; above, in the longest line, likewise.
+int line_below(const Geom& geom)
+{
+    int count = 0;
+    for (const Geom* g = &geom; g && g->type == &kTransformType;
+         g = static_cast<const TransformGeom*>(g)->inner)
+        ++count;
+    return count;
+}
+
+int line_above(const TransformGeom& transform)
+{
+    int most = 0;
+    for (const TransformGeom* h = transform.holders; h; h = h->next_holder)
+        most = std::max(most, line_above(*h));
+    return most + 1;
 }
 
 // Whether `transform` would come to hold itself.
@@ -144,6 +167,7 @@ extern "C" void dGeomTransformSetGeom(dGeomID transform, dGeomID obj)
     EPODE_GEOM_AS(Transform, holder, transform);
     Geom* inner = from_handle<Geom>(obj);
     EPODE_USER(!obj || inner);
+    EPODE_OUTSIDE_HEIGHT_FUNCTION();
     EPODE_UNLOCKED(holder);
     if (inner == holder->inner) return;
     EPODE_USER_SAY(may_let_go(*holder), "Invalid operation during a collision");
@@ -151,11 +175,13 @@ extern "C" void dGeomTransformSetGeom(dGeomID transform, dGeomID obj)
         EPODE_PLACEABLE(inner);
         EPODE_USER(!holds(*inner, *holder));
         EPODE_USER_SAY(!dies_with(*inner, *holder), "the geom would die with the one that it replaces");
+        EPODE_USER_SAY(line_below(*inner) + line_above(*holder) <= kMostNested,
+                       "geom transforms are nested too deeply");
         EPODE_USER_SAY(!inner->space, "GeomTransform encapsulated object must not be in a space");
         EPODE_USER_SAY(!inner->body.id, "GeomTransform encapsulated object must not be attached to a body");
     }
-    drop_inner(*holder);
-    set_transform_geom(*holder, inner);
+    EPODE_USER_SAY(!holder->cleanup || !holder->inner || may_destroy(*holder->inner), EPODE_LOCKED_TEXT);
+    hold(*holder, inner);
 }
 
 extern "C" dGeomID dGeomTransformGetGeom(dGeomID transform)

@@ -56,13 +56,15 @@ bool may_touch(Geom& geom, Geom& other)
     return test(to_handle(&geom), to_handle(&other), bounds) != 0;
 }
 
+void farewell(Geom& geom)
+{
+    const auto dtor = static_cast<UserGeom&>(geom).functions.dtor;
+    if (dtor) dtor(to_handle(&geom));
+}
+
 void destroy(Geom* geom)
 {
     UserGeom* user = static_cast<UserGeom*>(geom);
-    if (user->functions.dtor) {
-        const GeomHold hold(*geom);  // once is enough
-        user->functions.dtor(to_handle(geom));
-    }
     release(user->memory, std::size_t(user->functions.bytes));
     Pool<UserGeom>::destroy(user);
 }
@@ -74,6 +76,7 @@ constexpr GeomType type_of(int index)
     return {.number = dFirstUserClass + index,
             .aabb = aabb,
             .destroy = destroy,
+            .farewell = farewell,
             .may_touch = may_touch,
             .describe = describe_user};
 }
@@ -122,8 +125,9 @@ const GeomType* user_type(int number)
 const dGeomClass* user_description(int number)
 {
     std::lock_guard guard(g_classes.lock);
+    if (!is_user_class(number)) return nullptr;
     const int index = number - dFirstUserClass;
-    return index >= 0 && index < g_classes.count ? &g_classes.descriptions[index] : nullptr;
+    return index < g_classes.count ? &g_classes.descriptions[index] : nullptr;
 }
 
 }  // namespace epode
