@@ -263,6 +263,7 @@ void dBodyAddRelForceAtRelPos(dBodyID b, dReal fx, dReal fy, dReal fz, dReal px,
     {                                                                          \
         BODY_OR();                                                             \
         EPODE_USER(result);                                                    \
+        USABLE3(px, py, pz);                                                   \
         const Vec3 p{px, py, pz};                                              \
         store(result, expression);                                             \
     }

@@ -44,7 +44,7 @@ BODY_NUMBER(int, AutoDisableSteps, sleep.steps, true)
 BODY_NUMBER(dReal, AutoDisableTime, sleep.time, usable_or_infinite(value))
 BODY_NUMBER(dReal, LinearDamping, damping.linear_scale, usable(value))
 BODY_NUMBER(dReal, AngularDamping, damping.angular_scale, usable(value))
-BODY_NUMBER(dReal, MaxAngularSpeed, max_angular_speed, !std::isnan(value))
+BODY_NUMBER(dReal, MaxAngularSpeed, max_angular_speed, value >= 0)
 
 // A threshold, kept squared.
 #define BODY_THRESHOLD(Name, member)            \
@@ -164,14 +164,29 @@ void dBodyGetFiniteRotationAxis(dBodyID b, dVector3 result)
 
 void dBodySetAutoDisableThresholdSF1(dBodyID b, dReal threshold)
 {
-    dBodySetAutoDisableLinearThreshold(b, threshold);
-    dBodySetAutoDisableAngularThreshold(b, threshold);
+    BODY_OR();
+    EPODE_USER(usable_or_infinite(threshold));
+    body->sleep.linear_threshold2 = body->sleep.angular_threshold2 = threshold * threshold;
 }
 
-dReal dBodyGetAutoDisableThresholdSF1(dBodyID b) { return dBodyGetAutoDisableLinearThreshold(b); }
-void dBodySetAutoDisableStepsSF1(dBodyID b, int steps) { dBodySetAutoDisableSteps(b, steps); }
-int dBodyGetAutoDisableStepsSF1(dBodyID b) { return dBodyGetAutoDisableSteps(b); }
-void dBodySetAutoDisableSF1(dBodyID b, int on) { dBodySetAutoDisableFlag(b, on); }
-int dBodyGetAutoDisableSF1(dBodyID b) { return dBodyGetAutoDisableFlag(b); }
+dReal dBodyGetAutoDisableThresholdSF1(dBodyID b)
+{
+    BODY_OR(0);
+    return std::sqrt(body->sleep.linear_threshold2);
+}
+
+BODY_NUMBER(int, AutoDisableStepsSF1, sleep.steps, true)
+
+void dBodySetAutoDisableSF1(dBodyID b, int on)
+{
+    BODY_OR();
+    set_auto_disable(*body, on != 0);
+}
+
+int dBodyGetAutoDisableSF1(dBodyID b)
+{
+    BODY_OR(0);
+    return body->auto_disable;
+}
 
 }  // extern "C"

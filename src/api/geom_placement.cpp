@@ -119,7 +119,7 @@ void dGeomRaySet(dGeomID ray, dReal px, dReal py, dReal pz, dReal dx, dReal dy, 
     void name(dGeomID id, dReal px, dReal py, dReal pz, dVector3 result)   \
     {                                                                      \
         EPODE_GEOM(geom, id);                                              \
-        EPODE_USER(result);                                                \
+        EPODE_USER(result&& usable(px) && usable(py) && usable(pz));       \
         const Vec3 in{px, py, pz};                                         \
         const Pose pose = geom->type->placeable ? pose_of(*geom) : Pose{}; \
         store(result, expression);                                         \

@@ -114,33 +114,27 @@ extern "C" void dMassSetCylinderTotal(dMass* m, dReal total_mass, int direction,
     put_and_check(m, p);
 }
 
-extern "C" void dMassSetCapsule(dMass* m, dReal density, int direction, dReal radius, dReal length)
-{
-    EPODE_USER_SAY(is_direction(direction), kBadDirection);
-    const Real mass = density * capsule_volume(radius, length);
-    const MassProperties p = solid_capsule(mass, direction - 1, radius, length);
-    EPODE_USER(m && usable(p));
-    put_and_check(m, p);
-}
+// The capsule's functions and their old names, each of which names itself in a refusal.
+#define MASS_CAPSULE(Name)                                                                             \
+    extern "C" void dMassSet##Name(dMass* m, dReal density, int direction, dReal radius, dReal length) \
+    {                                                                                                  \
+        EPODE_USER_SAY(is_direction(direction), kBadDirection);                                        \
+        const Real mass = density * capsule_volume(radius, length);                                    \
+        const MassProperties p = solid_capsule(mass, direction - 1, radius, length);                   \
+        EPODE_USER(m&& usable(p));                                                                     \
+        put_and_check(m, p);                                                                           \
+    }                                                                                                  \
+    extern "C" void dMassSet##Name##Total(dMass* m, dReal total_mass, int direction, dReal radius,     \
+                                          dReal length)                                                \
+    {                                                                                                  \
+        EPODE_USER_SAY(is_direction(direction), kBadDirection);                                        \
+        const MassProperties p = solid_capsule(total_mass, direction - 1, radius, length);             \
+        EPODE_USER(m&& usable(p));                                                                     \
+        put_and_check(m, p);                                                                           \
+    }
 
-extern "C" void dMassSetCapsuleTotal(dMass* m, dReal total_mass, int direction, dReal radius, dReal length)
-{
-    EPODE_USER_SAY(is_direction(direction), kBadDirection);
-    const MassProperties p = solid_capsule(total_mass, direction - 1, radius, length);
-    EPODE_USER(m && usable(p));
-    put_and_check(m, p);
-}
-
-extern "C" void dMassSetCappedCylinder(dMass* m, dReal density, int direction, dReal radius, dReal length)
-{
-    dMassSetCapsule(m, density, direction, radius, length);
-}
-
-extern "C" void dMassSetCappedCylinderTotal(dMass* m, dReal total_mass, int direction, dReal radius,
-                                            dReal length)
-{
-    dMassSetCapsuleTotal(m, total_mass, direction, radius, length);
-}
+MASS_CAPSULE(Capsule)
+MASS_CAPSULE(CappedCylinder)
 
 extern "C" void dMassAdjust(dMass* m, dReal newmass)
 {

@@ -116,7 +116,11 @@ extern "C" void dScaleVector(dReal* a, const dReal* d, int n)
     for (int i = 0; i < n; ++i) a[i] *= d[i];
 }
 
-extern "C" void dVectorScale(dReal* a, const dReal* d, int n) { dScaleVector(a, d, n); }
+extern "C" void dVectorScale(dReal* a, const dReal* d, int n)
+{
+    EPODE_USER(n == 0 || (a && d && n > 0));
+    dScaleVector(a, d, n);
+}
 
 extern "C" void dSolveLDLT(const dReal* L, const dReal* d, dReal* b, int n, int nskip)
 {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 
 #include "ode/misc.h"
 
@@ -49,6 +50,28 @@ std::uint32_t fold(std::uint32_t r, std::uint32_t n)
 
 Real draw_in(Real range) { return (dRandReal() * 2 - 1) * range; }
 
+const char* skip_digits(const char* s, int most)
+{
+    for (int i = 0; i < most && *s >= '0' && *s <= '9'; ++i) ++s;
+    return s;
+}
+
+// A format that printf can be given together with one double: at most one conversion, of a floating type,
+// with width and precision of at most three digits that it states itself.
+bool prints_a_number(const char* format)
+{
+    int conversions = 0;
+    for (const char* s = format; *s; ++s) {
+        if (*s != '%') continue;
+        if (*++s == '%') continue;
+        while (*s && std::strchr("-+ #0", *s)) ++s;
+        s = skip_digits(s, 3);
+        if (*s == '.') s = skip_digits(s + 1, 3);
+        if (!*s || !std::strchr("eEfFgGaA", *s) || ++conversions > 1) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 extern "C" int dTestRand(void)
@@ -78,7 +101,7 @@ extern "C" dReal dRandReal(void) { return Real(double(draw()) / 4294967295.0); }
 
 extern "C" void dPrintMatrix(const dReal* A, int n, int m, const char* fmt, FILE* f)
 {
-    EPODE_USER(A && fmt && f);
+    EPODE_USER(A && fmt && f && prints_a_number(fmt));
     for (int i = 0; i < n; ++i) {
         for (int j = 0; j < m; ++j) std::fprintf(f, fmt, double(row_of(A, i, padded(m))[j]));
         std::fputc('\n', f);
@@ -87,14 +110,15 @@ extern "C" void dPrintMatrix(const dReal* A, int n, int m, const char* fmt, FILE
 
 extern "C" void dMakeRandomVector(dReal* A, int n, dReal range)
 {
-    EPODE_USER(A);
+    EPODE_USER(A && usable(range));
     for (int i = 0; i < n; ++i) A[i] = draw_in(range);
 }
 
 extern "C" void dMakeRandomMatrix(dReal* A, int n, int m, dReal range)
 {
-    EPODE_USER(A);
-    for (int i = 0; i < n; ++i) dMakeRandomVector(row_of(A, i, padded(m)), m, range);
+    EPODE_USER(A && usable(range));
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < m; ++j) row_of(A, i, padded(m))[j] = draw_in(range);
 }
 
 extern "C" void dClearUpperTriangle(dReal* A, int n)

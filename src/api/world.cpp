@@ -18,6 +18,9 @@ using namespace epode;
 
 namespace {
 
+// Beyond these a step would not come back for hours: a number that slipped, not one that somebody wants.
+constexpr int kMostIterations = 100000, kMostSmallSteps = 10000;
+
 // Thresholds are kept squared.
 Real square(Real x) { return x * x; }
 
@@ -104,7 +107,7 @@ void dWorldSetStepThreadingImplementation(dWorldID w, const dThreadingFunctionsI
 }
 
 WORLD_NUMBER(int, StepThreads, step_threads, value >= 0 && value <= 64)
-WORLD_NUMBER(int, QuickStepNumIterations, quick_iterations, true)
+WORLD_NUMBER(int, QuickStepNumIterations, quick_iterations, value <= kMostIterations)
 WORLD_NUMBER(dReal, QuickStepW, quick_w, usable(value))
 WORLD_NUMBER(dReal, ContactMaxCorrectingVel, contact_max_vel, usable_or_infinite(value))
 WORLD_NUMBER(dReal, ContactSurfaceLayer, contact_layer, usable(value))
@@ -112,7 +115,7 @@ WORLD_NUMBER(int, AutoDisableSteps, sleep.steps, true)
 WORLD_NUMBER(dReal, AutoDisableTime, sleep.time, usable_or_infinite(value))
 WORLD_NUMBER(dReal, LinearDamping, damping.linear_scale, usable(value))
 WORLD_NUMBER(dReal, AngularDamping, damping.angular_scale, usable(value))
-WORLD_NUMBER(dReal, MaxAngularSpeed, max_angular_speed, !std::isnan(value))
+WORLD_NUMBER(dReal, MaxAngularSpeed, max_angular_speed, value >= 0)
 WORLD_NUMBER(dReal, QuickStepWarmStarting, warm_starting, value >= 0 && value <= 1)
 WORLD_NUMBER(int, AutoEnableDepthSF1, auto_enable_depth, true)
 
@@ -162,8 +165,10 @@ int dWorldGetAutoDisableFlag(dWorldID w)
 
 void dWorldSetDamping(dWorldID w, dReal linear, dReal angular)
 {
-    dWorldSetLinearDamping(w, linear);
-    dWorldSetAngularDamping(w, angular);
+    WORLD_OR();
+    EPODE_USER(usable(linear) && usable(angular));
+    world->damping.linear_scale = linear;
+    world->damping.angular_scale = angular;
 }
 
 void dWorldImpulseToForce(dWorldID w, dReal stepsize, dReal ix, dReal iy, dReal iz, dVector3 force)
@@ -195,7 +200,7 @@ int dWorldQuickStep(dWorldID w, dReal stepsize)
 int dWorldStepFast1(dWorldID w, dReal stepsize, int maxiterations)
 {
     WORLD_OR(0);
-    EPODE_USER(usable(stepsize) && stepsize > 0 && maxiterations >= 1, 0);
+    EPODE_USER(usable(stepsize) && stepsize > 0 && maxiterations >= 1 && maxiterations <= kMostSmallSteps, 0);
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
     return step_world(*world, kTgs, stepsize, maxiterations);
 }

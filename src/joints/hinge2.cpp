@@ -140,8 +140,7 @@ void set_axes(dJointID id, const Real* axis1, const Real* axis2, const char* cal
 void get_axis(dJointID id, int i, Real* result, const char* caller)
 {
     const Hinge2* j = checked<Hinge2>(id, caller);
-    if (!j || !demand(result, caller)) return;
-    store(result, demand(j->node[i].body, caller) ? j->axis(i) : Vec3{});
+    if (j && demand(result && j->node[i].body, caller)) store(result, j->axis(i));
 }
 
 Real angle_of(dJointID id, int i, const char* caller)

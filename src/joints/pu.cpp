@@ -183,9 +183,10 @@ dReal dJointGetPUPositionRate(dJointID id)
 
 void dJointGetPUAngles(dJointID id, dReal* angle1, dReal* angle2)
 {
-    const PU* j = attached_joint<PU>(id);
-    if (angle1) *angle1 = j ? j->user_angle(0) : 0;
-    if (angle2) *angle2 = j ? j->user_angle(1) : 0;
+    const PU* j = checked<PU>(id);
+    if (!j) return;
+    if (angle1) *angle1 = j->attached() ? j->user_angle(0) : 0;
+    if (angle2) *angle2 = j->attached() ? j->user_angle(1) : 0;
 }
 
 dReal dJointGetPUAngle1(dJointID id) { return angle_of(id, 0, __func__); }

@@ -140,9 +140,10 @@ void dJointGetUniversalAxis2(dJointID id, dVector3 result)
 
 void dJointGetUniversalAngles(dJointID id, dReal* angle1, dReal* angle2)
 {
-    const Universal* j = attached_joint<Universal>(id);
-    if (angle1) *angle1 = j ? j->user_angle(0) : 0;
-    if (angle2) *angle2 = j ? j->user_angle(1) : 0;
+    const Universal* j = checked<Universal>(id);
+    if (!j) return;
+    if (angle1) *angle1 = j->attached() ? j->user_angle(0) : 0;
+    if (angle2) *angle2 = j->attached() ? j->user_angle(1) : 0;
 }
 
 dReal dJointGetUniversalAngle1(dJointID id) { return angle_of(id, 0, __func__); }
