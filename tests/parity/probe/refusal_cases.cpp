@@ -285,7 +285,6 @@ const Call kOurs[] = {
     {"amotor-rel-beyond", [](Scene& s) { dJointSetAMotorAxis(s.amotor, 0, 3, 1, 0, 0); }},
     {"dot-null", [](Scene&) { dDot(nullptr, kX, 3); }},
     {"set-zero-null", [](Scene&) { dSetZero(nullptr, 3); }},
-    {"space-add-itself", [](Scene& s) { dSpaceAdd(s.space, reinterpret_cast<dGeomID>(s.space)); }},
     {"transform-in-space", [](Scene& s) { dGeomTransformSetGeom(dCreateGeomTransform(nullptr), s.sphere); }},
     {"gravity-nan", [](Scene& s) { dWorldSetGravity(s.world, NAN, 0, 0); }},
     {"position-nan", [](Scene& s) { dBodySetPosition(s.a, 0, NAN, 0); }},

@@ -201,11 +201,11 @@ void grow(Tree& tree, dSpaceID parent, int depth, Random& random)
 
 PARITY_CASE(space_trees)
 {
-    for (int trial = 0; trial < 15; ++trial) {
+    for (int trial = 0; trial < 10; ++trial) {
         out.open_block("t" + std::to_string(trial));
         Tree tree;
         grow(tree, nullptr, 3, rng);
-        for (int round = 0; round < 3; ++round) {
+        for (int round = 0; round < 2; ++round) {
             const std::string r = "r" + std::to_string(round);
             dSpaceCollide(tree.spaces[0], nullptr, &note);
             put_found(out, r + ".top");
