@@ -3,8 +3,8 @@
 //
 // Bad calls: which are refused. The original ends the program on most of them, so each runs in a process of
 // its own; "refused" is a call that reached the debug handler, "taken" one that returned without a word. Ours
-// must refuse what the original refuses and take what it takes, except for the calls at the foot, on which the
-// two differ on purpose (differences.tsv, E1): their names begin with "ours-".
+// must refuse what the original refuses and take what it takes, except for the calls at the foot, on which
+// the two differ on purpose (differences.tsv, E1): their names begin with "ours-".
 #include "every_joint.h"
 
 #include <sys/wait.h>
