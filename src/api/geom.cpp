@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What all classes of geoms have in common: life, data, class, bits, box, enabling.
-#include "collide/registry.h"
 #include "collide/height_function.h"
+#include "collide/registry.h"
 
 using namespace epode;
 

@@ -94,8 +94,8 @@ struct ShapeGeom : Geom {
     Shape shape;
 };
 
-// Keeps a geom, while the program's own functions run, from being destroyed by them: what they return to still
-// needs it. Members of a locked space are safe without.
+// Keeps a geom, while the program's own functions run, from being destroyed by them: what they return to
+// still needs it. Members of a locked space are safe without.
 class GeomHold {
   public:
     explicit GeomHold(Geom& geom) : geom_(geom) { geom_.users.fetch_add(1, std::memory_order_relaxed); }

@@ -8,8 +8,8 @@
 
 #include "base/memory.h"
 #include "collide/describe.h"
-#include "collide/registry.h"
 #include "collide/height_function.h"
+#include "collide/registry.h"
 
 namespace epode {
 namespace {

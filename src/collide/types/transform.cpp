@@ -8,8 +8,8 @@
 
 #include <algorithm>
 
-#include "collide/registry.h"
 #include "collide/height_function.h"
+#include "collide/registry.h"
 
 namespace epode {
 namespace {
