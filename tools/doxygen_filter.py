@@ -20,7 +20,8 @@ GUIDE_CHAPTERS = {"bod": "rigid body functions", "world": "world", "stepping": "
 # Parts of the manual (docs/parts.dox) by header.
 PARTS = {"objects": "dynamics", "contact": "dynamics", "objects_joints": "joint_types", "collision": "collision",
          "collision_space": "collision", "collision_trimesh": "collision", "mass": "mathematics",
-         "rotation": "mathematics", "odemath": "mathematics", "matrix": "mathematics", "misc": "mathematics",
+         "rotation": "mathematics", "odemath": "mathematics", "matrix": "mathematics", "matrix_coop": "mathematics",
+         "misc": "mathematics",
          "compatibility": "names", "ext": "names"}
 GUIDE_JOINTS = "joint types and joint functions"
 GUIDE_NAMES = check_docs.guide_names()
