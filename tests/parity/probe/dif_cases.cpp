@@ -198,7 +198,6 @@ const Kind kinds[] = {
          dJointSetHinge2Param(j, dParamSuspensionCFM, random.range(0, 1));
      }},
     {"fixed", dJointCreateFixed, false, [](dJointID j, const Placement&, Random&) { dJointSetFixed(j); }},
-    {"null", dJointCreateNull, false, [](dJointID, const Placement&, Random&) {}},
     {"amotor", dJointCreateAMotor, false,
      [](dJointID j, const Placement& at, Random& random) {
          dJointSetAMotorNumAxes(j, 3);
