@@ -62,11 +62,12 @@ has err 'no program'
 here=(--bench "$1" --ours "$(dirname "$1")/../lib")
 program=$exact
 expect 2 --only none "${here[@]}"
-has err 'no problem none'
+# In single precision there is no library of ours that Debian's could be put in place of.
+[[ ! -e $(dirname "$1")/../lib/libode.so.8 ]] || has err 'no problem none'
 expect 2 --bench /no/such/program
 
 program=$accuracy
 expect 2 --only none "${here[@]}"
-has err 'no test none'
+[[ ! -e $(dirname "$1")/../lib/libode.so.8 ]] || has err 'no test none'
 
 finish
