@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <thread>
 
-#include "../effort.h"
 #include "scenes.h"
 
 namespace epode::physics {
@@ -117,7 +116,7 @@ TEST(Threads, many_islands_as_calls_give_the_bits_of_one_thread)
 
 TEST(Threads, parts_of_a_large_island_as_calls_give_the_bits_of_one_thread)
 {
-    const auto tree = [](Sim& sim) { build_tree(sim, tests::effort(5000)); };
+    const auto tree = [](Sim& sim) { build_tree(sim, 5000); };
     const std::uint64_t alone = run_built(Stepper::kExact, nullptr, tree, 2);
     for (unsigned threads : {1u, 2u, 4u}) {
         const Built built(threads);
@@ -227,7 +226,7 @@ TEST(Threads, a_large_island_is_shared_out_in_many_jobs)
     g_watch = &watch;
     const dThreadingFunctionsInfo table = watching_table();
     Sim sim(Stepper::kExact);
-    build_tree(sim, tests::effort(5000));
+    build_tree(sim, 5000);
     dWorldSetStepThreadingImplementation(sim.world, &table, watch.built.id);
     EXPECT_EQ(sim.advance(0.01), 1);
     EXPECT_GE(watch.waits, 3);
