@@ -78,6 +78,12 @@ class Arena {
         failed_ = false;
     }
 
+    // A first block before anything is taken, if there is memory for one.
+    void open()
+    {
+        if (!first_) (void)add_block(std::max(supply_.minimum, kCacheLine));
+    }
+
     // Counts from the next block on.
     void set_supply(const ArenaSupply& supply) { supply_ = supply; }
 

@@ -55,7 +55,10 @@ bool StepMemory::provide(int workers)
             return false;
         }
     }
-    for (Arena* arena : others_) arena->reset();
+    for (Arena* arena : others_) {
+        arena->reset();
+        arena->open();  // a worker that has its first turn late must not allocate then
+    }
     return true;
 }
 

@@ -428,7 +428,7 @@ TEST(Threads, a_warm_step_allocates_nothing)
     Sim sim(Stepper::kExact);
     built.serve(sim.world);
     for (int i = 0; i < 300; ++i) sim.body({3.0 * i, 0, 0});
-    for (int i = 0; i < 5; ++i) sim.advance(0.01);
+    for (int i = 0; i < 300; ++i) sim.advance(0.01);  // so that every thread has had its turn
     g_allocations = 0;
     dSetAllocHandler([](dsizeint size) {
         ++g_allocations;

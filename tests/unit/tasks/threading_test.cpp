@@ -548,8 +548,10 @@ TEST(Tasks, mutexes_exclude_and_cannot_block_their_own_thread)
     impl.f->free_mutex_group(impl.id, group);
     EXPECT_EQ(messages.take(), "2: Bad argument(s) in free_mutex_group()");
     impl.f->unlock_group_mutex(impl.id, group, 0);
+#if !defined(__SANITIZE_THREAD__)  // it reports what the library refuses
     impl.f->unlock_group_mutex(impl.id, group, 0);
     EXPECT_EQ(messages.take(), "2: The mutex is not locked by the calling thread in unlock_group_mutex()");
+#endif
     impl.f->lock_group_mutex(impl.id, group, 2);
     other.f->lock_group_mutex(other.id, group, 0);
     EXPECT_EQ(messages.take(),
@@ -562,11 +564,17 @@ TEST(Tasks, mutexes_exclude_and_cannot_block_their_own_thread)
     EXPECT_EQ(impl.f->alloc_mutex_group(impl.id, ~0u, nullptr), nullptr);
 }
 
-TEST(Tasks, absurd_pools_are_refused)
+// In a process of its own: other tests leave the library open.
+TEST(ClosedLibrary, has_no_pools)
 {
     MessageRecorder messages;
     EXPECT_EQ(dThreadingAllocateThreadPool(2, 0, 0, nullptr), nullptr);
     EXPECT_EQ(messages.take(), "2: Call dInitODE2 first in dAllocateODEDataForThread()");
+}
+
+TEST(Tasks, absurd_pools_are_refused)
+{
+    MessageRecorder messages;
     dInitODE2(0);
     EXPECT_EQ(dThreadingAllocateThreadPool(0, 0, 0, nullptr), nullptr);
     EXPECT_EQ(dThreadingAllocateThreadPool(~0u, 0, 0, nullptr), nullptr);
