@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A node of the tree over a mesh: four boxes on a grid of 256 steps a side, lo = origin + step * q, tested
+// four at a time. Vectors of 16 bytes are on every machine that we serve; every operation is done lane by
+// lane, so the answers do not depend on how.
+//   ray    a slab is met between (origin - o) inv + q (step inv) for its two q; o, inv: the ray's origin and
+//          the inverse of its direction, in which what is next to zero is replaced by something tiny.
+#pragma once
+
+#include <climits>
+#include <cmath>
+
+#include "geometry/shapes.h"
+
+namespace epode {
+
+inline constexpr float kMeshMargin = 0x1p-19f;
+inline constexpr int kMeshLeaf = 4;    // most triangles in one
+inline constexpr int kMeshDepth = 68;  // most levels of nodes
+inline constexpr int kMeshStack = 3 * kMeshDepth + 4;
+
+struct FloatBox {
+    float lo[3], hi[3];
+};
+
+inline FloatBox float_box(const Aabb& b)
+{
+    return {{float(b.lo.x), float(b.lo.y), float(b.lo.z)}, {float(b.hi.x), float(b.hi.y), float(b.hi.z)}};
+}
+
+// A negative child: up to four triangles side by side.
+struct MeshLeaf {
+    explicit MeshLeaf(int child) : first((-1 - child) >> 2), count(((-1 - child) & 3) + 1) {}
+    MeshLeaf(int first_place, int how_many) : first(first_place), count(how_many) {}
+    int child() const { return -1 - (first * 4 + count - 1); }
+    int first, count;
+};
+
+// A ray, unit direction, in the frame of the mesh.
+struct NodeRay {
+    NodeRay(Vec3 o, Vec3 d);
+    float origin[3], inverse[3];
+    bool down[3];  // runs against the axis
+};
+
+struct alignas(64) MeshNode {
+    static constexpr int kNone = INT_MIN;
+
+    float origin[3], step[3];
+    std::uint8_t lo[3][4], hi[3][4];
+    int child[4];
+
+    void set_grid(const FloatBox& all);
+    void set_box(int k, const FloatBox& box);  // within the grid
+    void set_none(int k);
+
+    // Bits of the children met.
+    unsigned met_by(const FloatBox& box) const;
+    unsigned met_by(const NodeRay& ray, float reach, float* near) const;
+    unsigned there() const;  // bits of the children that exist
+};
+static_assert(sizeof(MeshNode) == 64);
+
+namespace mesh_lanes {
+
+typedef float Floats __attribute__((vector_size(16)));
+typedef int Ints __attribute__((vector_size(16)));
+typedef std::uint8_t Bytes __attribute__((vector_size(4)));
+
+inline Floats floats(float x) { return Floats{x, x, x, x}; }
+inline Floats places(const std::uint8_t* q)
+{
+    Bytes bytes;
+    __builtin_memcpy(&bytes, q, 4);
+    return __builtin_convertvector(bytes, Floats);
+}
+inline Floats smaller(Floats a, Floats b) { return a < b ? a : b; }
+inline Floats larger(Floats a, Floats b) { return a > b ? a : b; }
+inline unsigned bits(Ints yes)
+{
+#if defined(__SSE2__)
+    typedef float Vector __attribute__((vector_size(16)));
+    return unsigned(__builtin_ia32_movmskps(Vector(yes)));
+#else
+    return unsigned((yes[0] & 1) | (yes[1] & 2) | (yes[2] & 4) | (yes[3] & 8));
+#endif
+}
+
+}  // namespace mesh_lanes
+
+inline unsigned MeshNode::there() const
+{
+    using namespace mesh_lanes;
+    Ints children;
+    __builtin_memcpy(&children, child, sizeof(children));
+    return bits(children != Ints{kNone, kNone, kNone, kNone});
+}
+
+inline unsigned MeshNode::met_by(const FloatBox& box) const
+{
+    using namespace mesh_lanes;
+    Ints apart{};
+    for (int i = 0; i < 3; ++i) {
+        const Floats base = floats(origin[i]), grain = floats(step[i]);
+        apart |= base + places(lo[i]) * grain > floats(box.hi[i]);
+        apart |= base + places(hi[i]) * grain < floats(box.lo[i]);
+    }
+    return ~bits(apart) & there();
+}
+
+inline unsigned MeshNode::met_by(const NodeRay& ray, float reach, float* near) const
+{
+    using namespace mesh_lanes;
+    Floats first = Floats{}, last = floats(reach);
+    for (int i = 0; i < 3; ++i) {
+        const Floats base = floats((origin[i] - ray.origin[i]) * ray.inverse[i]);
+        const Floats grain = floats(step[i] * ray.inverse[i]);
+        const Floats a = base + places(ray.down[i] ? hi[i] : lo[i]) * grain;
+        const Floats b = base + places(ray.down[i] ? lo[i] : hi[i]) * grain;
+        first = larger(a, first);
+        last = smaller(b, last);
+    }
+    __builtin_memcpy(near, &first, sizeof(first));
+    return bits(first <= last) & there();
+}
+
+}  // namespace epode

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Building. A range of triangles is cut in two where the sum over both sides of (surface of the box) x
+// (number of triangles) is least, among kBins - 1 places on each axis; a node takes four parts, always
+// cutting the one of the largest surface. Beyond kGreedy cuts on top of each other ranges are halved by
+// number, which bounds the depth at kGreedy + 27 for all meshes; so are triangles with one common centre.
+#include "bvh/mesh_tree.h"
+
+#include <algorithm>
+
+namespace epode {
+namespace {
+
+constexpr int kBins = 16;
+constexpr int kGreedy = 40;
+static_assert(kGreedy + 27 < kMeshDepth && TriangleMesh::kMostTriangles <= 1 << 27);
+
+constexpr FloatBox kEmpty = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+
+void enclose(FloatBox& all, const FloatBox& one)
+{
+    for (int i = 0; i < 3; ++i) {
+        all.lo[i] = one.lo[i] < all.lo[i] ? one.lo[i] : all.lo[i];
+        all.hi[i] = one.hi[i] > all.hi[i] ? one.hi[i] : all.hi[i];
+    }
+}
+
+// Half the surface.
+float surface(const FloatBox& b)
+{
+    const float x = b.hi[0] - b.lo[0], y = b.hi[1] - b.lo[1], z = b.hi[2] - b.lo[2];
+    return x * y + y * z + z * x;
+}
+
+// A triangle to be put into the tree.
+struct Item {
+    FloatBox box;
+    int triangle;
+    float twice_centre(int axis) const { return box.lo[axis] + box.hi[axis]; }
+};
+
+struct Part {
+    Item* first = nullptr;
+    int count = 0;
+    int cuts = 0;  // that made it
+    float surface = 0;
+};
+
+Part part_of(Item* first, int count, int cuts)
+{
+    FloatBox all = kEmpty;
+    for (int i = 0; i < count; ++i) enclose(all, first[i].box);
+    return {first, count, cuts, surface(all)};
+}
+
+struct Bin {
+    FloatBox box = kEmpty;
+    int count = 0;
+};
+
+struct Bins {
+    Bin at[3][kBins];
+    float low[3], per[3];  // bins per length; 0 where all centres are the same
+
+    int of(const Item& item, int axis) const
+    {
+        const int bin = int((item.twice_centre(axis) - low[axis]) * per[axis]);
+        return bin < kBins ? bin : kBins - 1;
+    }
+};
+
+void fill(Bins& bins, const Part& part)
+{
+    float high[3];
+    for (int i = 0; i < 3; ++i) bins.low[i] = high[i] = part.first[0].twice_centre(i);
+    for (int j = 1; j < part.count; ++j)
+        for (int i = 0; i < 3; ++i) {
+            const float c = part.first[j].twice_centre(i);
+            bins.low[i] = std::min(bins.low[i], c);
+            high[i] = std::max(high[i], c);
+        }
+    for (int i = 0; i < 3; ++i) {
+        const float range = high[i] - bins.low[i];
+        bins.per[i] = range > 0 ? kBins / range : 0;
+    }
+    for (int j = 0; j < part.count; ++j)
+        for (int i = 0; i < 3; ++i) {
+            Bin& bin = bins.at[i][bins.of(part.first[j], i)];
+            enclose(bin.box, part.first[j].box);
+            ++bin.count;
+        }
+}
+
+struct Cut {
+    int axis = -1;  // none
+    int bin = 0;    // the first of the second side
+    float cost = INFINITY;
+};
+
+void best_cut(const Bin* bins, int axis, Cut& best)
+{
+    float second[kBins];  // costs of the sides that begin with each bin
+    FloatBox all = kEmpty;
+    int count = 0;
+    for (int b = kBins - 1; b > 0; --b) {
+        enclose(all, bins[b].box);
+        count += bins[b].count;
+        second[b] = count > 0 ? surface(all) * float(count) : INFINITY;
+    }
+    all = kEmpty;
+    count = 0;
+    for (int b = 1; b < kBins; ++b) {
+        enclose(all, bins[b - 1].box);
+        count += bins[b - 1].count;
+        if (count == 0) continue;
+        const float cost = surface(all) * float(count) + second[b];
+        if (cost < best.cost) best = {axis, b, cost};
+    }
+}
+
+// Half of the triangles to each side, along the longest axis.
+int halve(const Part& part)
+{
+    FloatBox all = kEmpty;
+    for (int i = 0; i < part.count; ++i) enclose(all, part.first[i].box);
+    int axis = 0;
+    for (int i = 1; i < 3; ++i)
+        if (all.hi[i] - all.lo[i] > all.hi[axis] - all.lo[axis]) axis = i;
+    std::sort(part.first, part.first + part.count, [axis](const Item& a, const Item& b) {
+        const float ca = a.twice_centre(axis), cb = b.twice_centre(axis);
+        return ca != cb ? ca < cb : a.triangle < b.triangle;
+    });
+    return part.count / 2;
+}
+
+// Orders the items; how many of them make the first side.
+int divide(const Part& part)
+{
+    if (part.cuts >= kGreedy) return halve(part);
+    Bins bins;
+    fill(bins, part);
+    Cut cut;
+    for (int i = 0; i < 3; ++i)
+        if (bins.per[i] > 0) best_cut(bins.at[i], i, cut);
+    if (cut.axis < 0) return halve(part);
+    int left = 0, right = part.count;
+    while (left < right) {
+        if (bins.of(part.first[left], cut.axis) < cut.bin)
+            ++left;
+        else
+            std::swap(part.first[left], part.first[--right]);
+    }
+    return left;
+}
+
+// The part to be cut next: the largest that is too many for a leaf; else the largest at all. -1: none.
+int to_cut(const Part* parts, int count)
+{
+    int best = -1;
+    const auto rank = [&](int i) { return parts[i].count > kMeshLeaf; };
+    for (int i = 0; i < count; ++i) {
+        if (parts[i].count < 2) continue;
+        const bool better =
+            best < 0 || (rank(i) != rank(best) ? rank(i) : parts[i].surface > parts[best].surface);
+        if (better) best = i;
+    }
+    return best;
+}
+
+// Node by node from the root; the items stand in one array, in the end in the order of the leaves.
+class Builder {
+  public:
+    Builder(Array<MeshNode>& nodes, Item* items) : nodes_(nodes), items_(items) {}
+
+    // The new node, or -1 when memory is exhausted.
+    int build(const Part& whole)
+    {
+        if (!nodes_.push({})) return -1;
+        const int node = nodes_.size() - 1;
+        Part parts[4] = {whole};
+        int count = 1;
+        for (int i = 0; count < 4 && (i = to_cut(parts, count)) >= 0; ++count) cut(parts, count, i);
+        for (int k = 0; k < 4; ++k) {
+            int child = MeshNode::kNone;
+            if (k < count && parts[k].count <= kMeshLeaf)
+                child = MeshLeaf(int(parts[k].first - items_), parts[k].count).child();
+            else if (k < count && (child = build(parts[k])) < 0)
+                return -1;
+            nodes_[node].child[k] = child;
+        }
+        return node;
+    }
+
+  private:
+    // The second side is put behind the first, so that the parts stay in the order of their items.
+    static void cut(Part* parts, int count, int i)
+    {
+        const Part whole = parts[i];
+        const int left = divide(whole);
+        for (int k = count; k > i + 1; --k) parts[k] = parts[k - 1];
+        parts[i] = part_of(whole.first, left, whole.cuts + 1);
+        parts[i + 1] = part_of(whole.first + left, whole.count - left, whole.cuts + 1);
+    }
+
+    Array<MeshNode>& nodes_;
+    Item* items_;
+};
+
+// The power of two that brings x, positive, into 1/2 ... 1; next to zero, one that is still a number.
+Real scale_for(Real x)
+{
+    int exponent = 0;
+    (void)std::frexp(x, &exponent);
+    return std::ldexp(Real(1), std::min(-exponent, std::numeric_limits<Real>::max_exponent - 4));
+}
+
+FloatBox widened(FloatBox b)
+{
+    for (int i = 0; i < 3; ++i) {
+        b.lo[i] -= kMeshMargin;
+        b.hi[i] += kMeshMargin;
+    }
+    return b;
+}
+
+}  // namespace
+
+// Half of the corners before they are added or taken from each other: their sum might overflow.
+void MeshTree::set_frame(const TriangleMesh& mesh)
+{
+    box_ = mesh.box();
+    centre_ = Real(0.5) * box_.lo + Real(0.5) * box_.hi;
+    const Real half = max_component(Real(0.5) * box_.hi - Real(0.5) * box_.lo);
+    scale_ = half > 0 ? scale_for(half) : Real(1);
+}
+
+bool MeshTree::build(const TriangleMesh& mesh)
+{
+    MeshTree made;
+    made.set_frame(mesh);
+    const int count = mesh.triangle_count();
+    Array<Item> items;
+    if (!items.resize(count) || !made.order_.resize(count)) return false;
+    if (count > 0) {
+        for (int t = 0; t < count; ++t) {
+            const Aabb box = mesh.box(t);
+            items[t] = {widened(float_box({made.in_frame(box.lo), made.in_frame(box.hi)})), t};
+        }
+        if (Builder(made.nodes_, items.data()).build(part_of(items.data(), count, 0)) < 0) return false;
+        if (!made.bounds_.resize(made.nodes_.size())) return false;
+        for (int i = 0; i < count; ++i) made.order_[i] = items[i].triangle;
+        made.refit(mesh);
+    }
+    *this = static_cast<MeshTree&&>(made);
+    return true;
+}
+
+FloatBox MeshTree::bounds_of(const TriangleMesh& mesh, int child) const
+{
+    if (child >= 0) return bounds_.data()[child];
+    const MeshLeaf leaf(child);
+    FloatBox all = kEmpty;
+    for (int i = leaf.first; i < leaf.first + leaf.count; ++i) {
+        const Aabb box = mesh.box(order_.data()[i]);
+        enclose(all, widened(float_box({in_frame(box.lo), in_frame(box.hi)})));
+    }
+    return all;
+}
+
+void MeshTree::refit(const TriangleMesh& mesh)
+{
+    set_frame(mesh);
+    for (int n = nodes_.size() - 1; n >= 0; --n) {
+        MeshNode& node = nodes_[n];
+        FloatBox boxes[4], all = kEmpty;
+        for (int k = 0; k < 4; ++k) {
+            if (node.child[k] == MeshNode::kNone) continue;
+            boxes[k] = bounds_of(mesh, node.child[k]);
+            enclose(all, boxes[k]);
+        }
+        node.set_grid(all);
+        for (int k = 0; k < 4; ++k) {
+            if (node.child[k] == MeshNode::kNone)
+                node.set_none(k);
+            else
+                node.set_box(k, boxes[k]);
+        }
+        bounds_[n] = all;
+    }
+}
+
+// Cuts the ray by the mesh's box, a little widened, and moves it there. False when it passes by.
+bool MeshTree::enter(MeshRay& ray, Real from, Real& to) const
+{
+    const Real margin = Real(kMeshMargin) / scale_;
+    Real first = from, last = to;
+    for (int i = 0; i < 3; ++i) {
+        const Real lo = box_.lo[i] - margin - ray.origin[i], hi = box_.hi[i] + margin - ray.origin[i];
+        const Real d = ray.direction[i];
+        if (d == 0) {
+            if (lo > 0 || hi < 0) return false;
+            continue;
+        }
+        const Real a = lo / d, b = hi / d;
+        first = std::max(first, std::min(a, b));
+        last = std::min(last, std::max(a, b));
+    }
+    if (!(first <= last)) return false;
+    ray.origin += first * ray.direction;
+    ray.start = first;
+    to = last;
+    return true;
+}
+
+}  // namespace epode

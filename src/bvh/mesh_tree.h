@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The tree over the triangles of a mesh, asked by box and by ray. A node has four children and fills one
+// cache line: their boxes lie on a grid of its own, 256 steps to a side (8 bits a bound instead of 32 or 64).
+// The grids are in a frame of the whole mesh, [-1, 1] to the half of its largest side or less, where floats
+// are as good as anywhere; every box is larger by kMargin than what it holds, which is more than the rounding
+// of all that is done with it, so that nothing is ever missed. One grid for all nodes (16 bits) would be
+// simpler, but blind in a mesh of which one vertex lies far off. Built from above by binned surface area
+// (Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007). The depth is bounded, so
+// that walks need no more than a short stack. The order in which triangles are reported depends on how the
+// tree was made and on nothing else; refit() keeps it.
+#pragma once
+
+#include "bvh/mesh_node.h"
+#include "geometry/triangle_mesh.h"
+
+namespace epode {
+
+// A ray in the mesh's frame, as triangles are tested by it: moved to where it enters the mesh's box.
+struct MeshRay {
+    Vec3 origin;
+    Vec3 direction;  // unit
+    Real start = 0;  // how far it was moved
+};
+
+class MeshTree {
+  public:
+    // False when memory is exhausted: the tree is as it was.
+    [[nodiscard]] bool build(const TriangleMesh& mesh);
+
+    // After vertices have moved. Needs no memory.
+    void refit(const TriangleMesh& mesh);
+
+    // visit(triangle) for all that are not degenerate and whose boxes meet `box`, until it answers false.
+    template <typename Visit>
+    void query(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) const;
+
+    // visit(ray, triangle) for those, degenerate ones too, whose leaf the ray meets between `from` and `to`,
+    // near ones first as a rule. It answers how far the ray has still to be followed (from its unmoved
+    // origin); less than `from` ends it.
+    template <typename Visit>
+    void cast(Vec3 origin, Vec3 direction, Real from, Real to, Visit&& visit) const;
+
+    const Aabb& box() const { return box_; }  // of the mesh; the origin when it is empty
+    int node_count() const { return nodes_.size(); }
+
+  private:
+    struct Waiting {
+        int child;
+        float near;
+    };
+    bool enter(MeshRay& ray, Real from, Real& to) const;
+    Vec3 in_frame(Vec3 p) const { return scale_ * (p - centre_); }
+    void set_frame(const TriangleMesh& mesh);
+    FloatBox bounds_of(const TriangleMesh& mesh, int child) const;
+
+    Array<MeshNode> nodes_;   // children behind their parents
+    Array<FloatBox> bounds_;  // of each node, for refit()
+    Array<int> order_;        // triangles, those of a leaf side by side
+    Aabb box_;
+    Vec3 centre_;
+    Real scale_ = 1;  // a power of two
+};
+
+template <typename Visit>
+void MeshTree::query(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) const
+{
+    if (nodes_.empty() || !overlap(box, box_)) return;
+    const FloatBox asked = float_box({in_frame(max(box.lo, box_.lo)), in_frame(min(box.hi, box_.hi))});
+    int stack[kMeshStack];
+    int top = 0;
+    stack[top++] = 0;
+    while (top > 0) {
+        const int child = stack[--top];
+        if (child >= 0) {
+            const MeshNode& node = nodes_.data()[child];
+            const unsigned met = node.met_by(asked);
+            for (int k = 3; k >= 0; --k)
+                if (met >> k & 1) stack[top++] = node.child[k];
+            continue;
+        }
+        const MeshLeaf leaf(child);
+        for (int i = leaf.first; i < leaf.first + leaf.count; ++i) {
+            const int t = order_.data()[i];
+            if (overlap(mesh.box(t), box) && !mesh.degenerate(t) && !visit(t)) return;
+        }
+    }
+}
+
+template <typename Visit>
+void MeshTree::cast(Vec3 origin, Vec3 direction, Real from, Real to, Visit&& visit) const
+{
+    MeshRay ray{origin, direction, 0};
+    if (nodes_.empty() || !enter(ray, from, to)) return;
+    const NodeRay node_ray(in_frame(ray.origin), direction);
+    const auto left = [&] { return float(scale_ * (to - ray.start)) + kMeshMargin; };
+    float reach = left();
+    Waiting stack[kMeshStack];
+    int top = 0;
+    stack[top++] = {0, 0};
+    while (top > 0) {
+        const Waiting next = stack[--top];
+        if (next.near > reach) continue;
+        if (next.child >= 0) {
+            const MeshNode& node = nodes_.data()[next.child];
+            float near[4];
+            unsigned met = node.met_by(node_ray, reach, near);
+            const int base = top;
+            for (int k = 0; k < 4; ++k) {  // the nearest on top; of equal ones, the first
+                if (!(met >> k & 1)) continue;
+                int at = top++;
+                for (; at > base && stack[at - 1].near <= near[k]; --at) stack[at] = stack[at - 1];
+                stack[at] = {node.child[k], near[k]};
+            }
+            continue;
+        }
+        const MeshLeaf leaf(next.child);
+        for (int i = leaf.first; i < leaf.first + leaf.count; ++i) {
+            to = visit(ray, order_.data()[i]);
+            if (to < from) return;
+        }
+        reach = left();
+    }
+}
+
+}  // namespace epode

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A surface of triangles: vertices that may move, triangles that do not change, and what contacts need to
+// know of a triangle's surroundings. Edges are one edge when their ends are the same vertices or vertices at
+// exactly equal positions (many programs repeat the vertices for every triangle).
+//   flat      an edge whose two triangles differ by less than kFlatSine, or by less than rounding may have
+//             tilted them: `grain` is the relative rounding of the coordinates, that of float for float data.
+//   crowded   of more than two triangles at an edge, a triangle's neighbour is the one that bounds the space
+//             in front of it: the first that is met when its plane is turned about the edge towards its
+//             normal (radial-edge order; Weiler 1986). So the floor on either side of a wall meets the wall,
+//             the two sides of a doubled sheet are two sheets, and copies of a triangle do no harm. Where
+//             more than 32 meet, none has a neighbour.
+//   degenerate triangles, whose least altitude is no more than 4 grains of their largest coordinate, keep
+//             their numbers and have no normal; neighbours are sought beyond them, over their longest other
+//             edge.
+// Winding that differs from one triangle to the next is borne: a neighbour is seen as if wound as the one
+// that asks.
+#pragma once
+
+#include <cstdint>
+
+#include "base/array.h"
+#include "geometry/shapes.h"
+
+namespace epode {
+
+// `beyond` and `crests` are what a contact at the rim of a triangle is judged by: only crests may give
+// normals other than n.
+struct MeshTriangle {
+    Vec3 v[3];
+    Vec3 n;          // unit, right-handed from v
+    Vec3 beyond[3];  // unit normal of the neighbour over the edge v[k], v[(k+1)%3]; -n where there is none
+    std::uint8_t crests;  // bits 0-2: edge k is convex or a border; bits 3-5: such an edge ends at vertex k
+};
+
+struct MeshCorners {
+    int at[3];  // vertices
+};
+
+class TriangleMesh {
+  public:
+    static constexpr Real kFlatSine = Real(1e-3);
+    static constexpr int kMostTriangles = 1 << 27;
+
+    // Takes the arrays over; corners are in range, coordinates usable. False when memory is exhausted: then
+    // the mesh and both arrays are as before.
+    [[nodiscard]] bool build(Array<Vec3>& vertices, Array<MeshCorners>& triangles, Real grain);
+
+    // For moving vertices; refresh() is due then. What was one edge when the mesh was built stays one.
+    Vec3* vertices() { return vertices_.data(); }
+    void refresh();
+
+    int vertex_count() const { return vertices_.size(); }
+    int triangle_count() const { return triangles_.size(); }
+    Vec3 vertex(int i) const { return vertices_.data()[i]; }
+    const MeshCorners& corners(int t) const { return triangles_.data()[t]; }
+    Vec3 corner(int t, int k) const { return vertex(corners(t).at[k]); }
+    Vec3 normal(int t) const { return normals_.data()[t]; }  // zero when degenerate
+    bool degenerate(int t) const { return normal(t) == Vec3{}; }
+    std::uint8_t crests(int t) const { return crests_.data()[t]; }
+    int neighbour(int t, int k) const { return across_.data()[3 * t + k] >> 1; }  // over edge k; -1: none
+
+    // Not of a degenerate one.
+    MeshTriangle triangle(int t) const;
+
+    Aabb box(int t) const;
+    Aabb box() const;  // of all triangles; the origin when there are none
+
+  private:
+    // Half-edge 3 t + k runs from corner k of triangle t to the next one.
+    int start(int h) const { return weld_.data()[corners(h / 3).at[h % 3]]; }
+    int end(int h) const { return weld_.data()[corners(h / 3).at[(h + 1) % 3]]; }
+    Vec3 from(int h) const { return corner(h / 3, h % 3); }
+    Vec3 along(int h) const { return corner(h / 3, (h + 1) % 3) - from(h); }
+    Vec3 apex(int h) const { return corner(h / 3, (h + 2) % 3); }
+
+    // What lies over a half-edge: the half-edge of the neighbour, and its winding; none: -1.
+    struct Over {
+        int half_edge = -1;
+        bool turned = false;
+    };
+    [[nodiscard]] bool weld();
+    [[nodiscard]] bool link_edges();
+    void link_fan(const struct FanEdge* first, int count);
+    void measure(int t);
+    Over over(int h) const;
+    Over beyond_degenerate(int h) const;
+    void look_over(int h);
+
+    Array<Vec3> vertices_;
+    Array<MeshCorners> triangles_;
+    Array<int> weld_;             // of each vertex: the first at its position
+    Array<int> next_;             // of each half-edge: the next of the same edge, in a circle by number
+    Array<int> across_;           // of each half-edge: 2 neighbour + (1 if wound the other way), or -1
+    Array<Vec3> normals_;         // of each triangle
+    Array<float> tilt_;           // of each triangle: the sine by which rounding may tilt it
+    Array<std::uint8_t> crests_;  // of each triangle
+    Array<std::uint8_t> sharp_;   // of each welded vertex: an edge there crests
+    Real grain_ = kEpsilon;
+};
+
+}  // namespace epode
