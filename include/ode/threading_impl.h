@@ -39,7 +39,7 @@ extern "C" {
     is in use; waiting for threads that nobody has released; the rest as each function says. */
 
 struct dxThreadingThreadPool;
-typedef struct dxThreadingThreadPool* dThreadingThreadPoolID;
+typedef struct dxThreadingThreadPool* dThreadingThreadPoolID; /**< A pool of threads. */
 
 /* ---- implementations ---- */
 
