@@ -14,16 +14,17 @@ constexpr Real kLikeNormal = Real(0.998);  // cosine of 3.6 degrees
 
 }  // namespace
 
-void Harvest::add(Vec3 position, Vec3 normal, Real depth)
+void Harvest::add(const ContactPoint& point)
 {
     for (int k = 0; k < count_; ++k) {
         ContactPoint& p = points_[k];
-        if (length2(p.position - position) > same2_ || dot(p.normal, normal) < kSameNormal) continue;
-        if (depth > p.depth) p.depth = depth;
+        if (length2(p.position - point.position) > same2_ || dot(p.normal, point.normal) < kSameNormal)
+            continue;
+        if (point.depth > p.depth) p.depth = point.depth, p.side1 = point.side1, p.side2 = point.side2;
         return;
     }
     if (count_ == kRoom) make_room();
-    points_[count_++] = {position, normal, depth};
+    points_[count_++] = point;
 }
 
 void Harvest::sort_out()
@@ -59,7 +60,7 @@ int Harvest::thinned(int manifold, int quota, ContactPoint* out) const
     const int first = starts_[manifold], count = starts_[manifold + 1] - first;
     choice.add_manifold({points_ + first, std::size_t(count)});
     for (int k = 0; k < choice.count(); ++k)
-        out[k] = {load(kept[k].pos), load(kept[k].normal), kept[k].depth};
+        out[k] = {load(kept[k].pos), load(kept[k].normal), kept[k].depth, kept[k].side1, kept[k].side2};
     return choice.count();
 }
 

@@ -16,7 +16,11 @@ class Harvest {
     // Positions closer than `same` with like normals are one contact.
     explicit Harvest(Real same) : same2_(same * same) {}
 
-    void add(Vec3 position, Vec3 normal, Real depth);
+    void add(const ContactPoint& point);
+    void add(Vec3 position, Vec3 normal, Real depth, int side2 = -1)
+    {
+        add({position, normal, depth, -1, side2});
+    }
     void deliver(ContactSink& sink);
 
   private:

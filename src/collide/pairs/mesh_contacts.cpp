@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See mesh_contacts.h.
+#include "collide/pairs/mesh_contacts.h"
+
+#include <algorithm>
+
+#include "collide/pairs/mesh_facet.h"
+#include "collide/pairs/pairs.h"
+
+namespace epode {
+
+namespace {
+
+// Vertices out of a plane by less, as a part of their distance from the origin, are in it: mesh data is often
+// float.
+constexpr Real kFlat = kSingle ? 64 * kEpsilon : Real(2e-7);
+constexpr Real kSameWay = kSingle ? Real(1e-6) : Real(1e-9);  // 1 - cosine
+
+void on_plane(const Sphere& a, const Pose& A, const Plane& p, ContactSink& s)
+{
+    sphere_plane(a, A, p, {}, s);
+}
+void on_plane(const Capsule& a, const Pose& A, const Plane& p, ContactSink& s)
+{
+    capsule_plane(a, A, p, {}, s);
+}
+void on_plane(const Box& a, const Pose& A, const Plane& p, ContactSink& s) { box_plane(a, A, p, {}, s); }
+void on_plane(const Cylinder& a, const Pose& A, const Plane& p, ContactSink& s)
+{
+    cylinder_plane(a, A, p, {}, s);
+}
+
+void meet(const Sphere& a, const Pose& A, const MeshFacet& f, MeshMeeting& m)
+{
+    round_on_triangle({A.p, A.p, a.radius}, f, m);
+}
+void meet(const Capsule& a, const Pose& A, const MeshFacet& f, MeshMeeting& m)
+{
+    const Vec3 half = a.half_length * A.R.column(2);
+    round_on_triangle({A.p - half, A.p + half, a.radius}, f, m);
+}
+void meet(const Box&, const Pose&, const MeshFacet& f, MeshMeeting& m) { solid_on_triangle(f, m); }
+void meet(const Cylinder&, const Pose&, const MeshFacet& f, MeshMeeting& m) { solid_on_triangle(f, m); }
+
+template <typename Shape>
+constexpr bool kTwoSided = false;
+template <>
+constexpr bool kTwoSided<Box> = true;
+
+// The plane that the triangles make up, if they do, and if it goes on past the box.
+bool one_plane(const Surface& surface, const NearTriangles& near, const Aabb& box, Real slack, Plane& out)
+{
+    const TriangleMesh& mesh = surface.mesh;
+    if (!near.all() || near.count() == 0) return false;
+    const int first = *near.begin();
+    out.normal = mesh.normal(first);
+    out.d = dot(out.normal, mesh.corner(first, 0));
+    const Real reach = max_component(max(abs(box.lo), abs(box.hi)));
+    const Real tolerance = std::max(slack, kFlat * reach);
+    for (const int t : near) {
+        if (dot(mesh.normal(t), out.normal) < 1 - kSameWay) return false;
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 p = mesh.corner(t, k), q = mesh.corner(t, (k + 1) % 3);
+            if (std::fabs(dot(out.normal, p) - out.d) > tolerance) return false;
+            if (mesh.neighbour(t, k) < 0 && overlap({min(p, q), max(p, q)}, box)) return false;
+        }
+    }
+    return true;
+}
+
+// The first of the triangles that the point is over.
+int triangle_under(const Surface& surface, const NearTriangles& near, Vec3 p, Real slack)
+{
+    for (const int t : near) {
+        const Vec3 n = surface.mesh.normal(t);
+        bool in = true;
+        for (int k = 0; in && k < 3; ++k) {
+            const Vec3 v = surface.mesh.corner(t, k), e = surface.mesh.corner(t, (k + 1) % 3) - v;
+            in = dot(cross(n, e), p - v) >= -slack * length(e);
+        }
+        if (in) return t;
+    }
+    return *near.begin();
+}
+
+template <typename Shape>
+void contacts(const Shape& a, const Pose& A, const Surface& surface, const NearTriangles& near,
+              ContactSink& sink)
+{
+    if (near.count() == 0) return;
+    const ConvexView solid = view_of(a, A);
+    const Real slack = slack_of(solid);
+    Plane plane;
+    if (one_plane(surface, near, box_around(solid, slack), slack, plane) &&
+        dot(plane.normal, A.p) >= plane.d) {
+        const int before = sink.count();
+        on_plane(a, A, plane, sink);
+        for (int k = before; k < sink.count(); ++k)
+            sink.at(k)->side2 = triangle_under(surface, near, load(sink.at(k)->pos), slack);
+        return;
+    }
+    Harvest harvest(Real(1e-6) * (solid.size + solid.radius));
+    MeshMeeting meeting{surface.mesh, solid, slack, kTwoSided<Shape>, near.all(), harvest};
+    for (const int t : near) meet(a, A, facet_of(surface.mesh, t), meeting);
+    harvest.deliver(sink);
+}
+
+}  // namespace
+
+void NearTriangles::add(int triangle)
+{
+    if (count_ == kFew && many_.empty()) {
+        if (!many_.resize(4 * kFew)) return void(all_ = false);
+        std::copy(few_, few_ + count_, many_.data());
+        data_ = many_.data();
+    } else if (data_ != few_ && count_ == many_.size()) {
+        if (!many_.resize(2 * count_)) return void(all_ = false);
+        data_ = many_.data();
+    }
+    data_[count_++] = triangle;
+}
+
+void NearTriangles::find(const Surface& surface, const Aabb& box)
+{
+    surface.tree.query(surface.mesh, box, [this](int t) {
+        add(t);
+        return true;
+    });
+    std::sort(data_, data_ + count_);
+}
+
+Real slack_of(const ConvexView& solid)
+{
+    const Real reach = max_component(abs(solid.pose.p)) + solid.size + solid.radius;
+    return 64 * kEpsilon * reach;
+}
+
+Aabb box_around(const ConvexView& v, Real slack)
+{
+    const Real r = v.radius + slack;
+    const Vec3 more{r, r, r};
+    const Vec3 hi = {v.support({1, 0, 0}).x, v.support({0, 1, 0}).y, v.support({0, 0, 1}).z};
+    const Vec3 lo = {v.support({-1, 0, 0}).x, v.support({0, -1, 0}).y, v.support({0, 0, -1}).z};
+    return {lo - more, hi + more};
+}
+
+void mesh_contacts(const Sphere& a, const Pose& A, const Surface& surface, const NearTriangles& near,
+                   ContactSink& sink)
+{
+    contacts(a, A, surface, near, sink);
+}
+void mesh_contacts(const Capsule& a, const Pose& A, const Surface& surface, const NearTriangles& near,
+                   ContactSink& sink)
+{
+    contacts(a, A, surface, near, sink);
+}
+void mesh_contacts(const Box& a, const Pose& A, const Surface& surface, const NearTriangles& near,
+                   ContactSink& sink)
+{
+    contacts(a, A, surface, near, sink);
+}
+void mesh_contacts(const Cylinder& a, const Pose& A, const Surface& surface, const NearTriangles& near,
+                   ContactSink& sink)
+{
+    contacts(a, A, surface, near, sink);
+}
+
+}  // namespace epode

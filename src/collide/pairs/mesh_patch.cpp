@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Sutherland and Hodgman's cutting (1974) as in geometry/clip.h, with the mark of each corner carried along.
+#include "collide/pairs/mesh_patch.h"
+
+namespace epode {
+
+namespace {
+
+// Keeps the part with normal . x <= limit + slack.
+void cut(Patch& patch, Vec3 normal, Real limit, Real slack, bool seam)
+{
+    Real distance[Patch::kMax];
+    bool all = true;
+    for (int i = 0; i < patch.count; ++i) {
+        distance[i] = dot(normal, patch.points[i]) - limit;
+        all = all && distance[i] <= slack;
+    }
+    if (all) return;
+    Patch kept;
+    for (int i = 0; i < patch.count; ++i) {
+        const bool in = distance[i] <= slack;
+        if (in) kept.add(patch.points[i], patch.seam[i]);
+        const int j = i + 1 < patch.count ? i + 1 : 0;
+        if (in == (distance[j] <= slack) || (patch.count == 2 && i == 1)) continue;
+        if ((in ? distance[i] : distance[j]) >= 0) continue;  // the kept end lies on the plane already
+        const Real t = distance[i] / (distance[i] - distance[j]);
+        kept.add(patch.points[i] + t * (patch.points[j] - patch.points[i]), seam);
+    }
+    patch.count = 0;
+    for (int i = 0; i < kept.count; ++i) patch.add(kept.points[i], kept.seam[i]);
+}
+
+}  // namespace
+
+void cut_to_prism(Patch& patch, const MeshFacet& f, bool seams, Real slack)
+{
+    for (int k = 0; k < 3 && patch.count > 0; ++k) {
+        Vec3 out = cross(f.edge(k), f.n);
+        if (normalize(out)) cut(patch, out, dot(out, f.v[k]), slack, seams && f.rim[k] == Rim::kSeam);
+    }
+}
+
+}  // namespace epode

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The part of a polygon over a triangle of a mesh. Its corners know whether a seam has made them: such are no
+// corners of the contact patch, which goes on in the neighbour.
+#pragma once
+
+#include "collide/pairs/mesh_facet.h"
+
+namespace epode {
+
+struct Patch {
+    static constexpr int kMax = Polygon::kMax + 3;  // each cut adds one corner at most
+    union {
+        Vec3 points[kMax];  // in a union: left unwritten until added
+    };
+    bool seam[kMax];
+    int count = 0;
+    Patch() {}
+    void add(Vec3 p, bool by_seam)
+    {
+        if (count < kMax) points[count] = p, seam[count++] = by_seam;
+    }
+};
+
+// Cuts by the prism of the facet about its normal. `seams`: false makes all cuts count.
+void cut_to_prism(Patch& patch, const MeshFacet& facet, bool seams, Real slack);
+
+}  // namespace epode

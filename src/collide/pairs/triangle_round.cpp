@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A round core s of radius r against a triangle of a mesh, of which only the front pushes:
+//   over the triangle   ends of the part of s whose foot lies in it, depth r - height; where s pierces it, the
+//                       end that is through, if no crest is nearer (triangle_solid.cpp)
+//   beside a crest      nearest points p, q of s and the edge, along p - q
+// Ends that a seam has cut are left to the neighbour.
+#include "collide/pairs/mesh_facet.h"
+#include "geometry/closest.h"
+
+namespace epode {
+
+namespace {
+
+// The part of s whose foot lies in the triangle, and whether its ends are cut by seams.
+struct Part {
+    Stretch t;
+    bool seam_from = false, seam_to = false;
+};
+
+Part part_over(const RoundCore& s, const MeshFacet& f, const MeshMeeting& m)
+{
+    Part part;
+    for (int k = 0; k < 3; ++k) {
+        Vec3 out = cross(f.edge(k), f.n);
+        if (!normalize(out)) continue;
+        const Real at_a = dot(out, s.a - f.v[k]) - m.slack, at_b = dot(out, s.b - f.v[k]) - m.slack;
+        if (at_a > 0 && at_b > 0) return {{1, 0}};
+        if (at_a <= 0 && at_b <= 0) continue;
+        const Real t = at_a / (at_a - at_b);
+        if (at_a > 0 && t > part.t.from) part.t.from = t, part.seam_from = m.seam(f, k);
+        if (at_b > 0 && t < part.t.to) part.t.to = t, part.seam_to = m.seam(f, k);
+    }
+    return part;
+}
+
+// False when the contacts are already all there are.
+bool over(const RoundCore& s, const MeshFacet& f, MeshMeeting& m)
+{
+    const Part part = part_over(s, f, m);
+    if (part.t.empty()) return true;
+    const Vec3 p = s.a + part.t.from * (s.b - s.a), q = s.a + part.t.to * (s.b - s.a);
+    const Real at_p = f.height(p), at_q = f.height(q);
+    if (at_p < -m.slack && at_q < -m.slack) return true;  // under it, not through it
+    const bool pierces = at_p < -m.slack || at_q < -m.slack;
+    if (pierces && f.has_crest() && crest_pushes(f, m)) return false;
+    const auto add = [&](Vec3 x, Real height, bool cut) {
+        const bool through = height < -m.slack;
+        if (s.r >= height && (!cut || through)) m.out.add(x - s.r * f.n, f.n, s.r - height, f.index);
+    };
+    add(p, at_p, part.seam_from);
+    add(q, at_q, part.seam_to);
+    return true;
+}
+
+// A border that is hardly below the round: the surface goes on, for all we know (kLip).
+bool over_lip(const RoundCore& s, const MeshFacet& f, Vec3 p, Vec3 q, MeshMeeting& m)
+{
+    const Real height = f.height(p);
+    if (!(s.r - height < kLip * s.r)) return false;
+    const Real side2 = length2(p - q) - height * height, room = s.r * s.r - side2;
+    if (room > height * height) m.out.add(q, f.n, std::sqrt(room) - height, f.index);
+    return true;
+}
+
+void beside(const RoundCore& s, const MeshFacet& f, int edge, Vec3 p, Vec3 q, MeshMeeting& m)
+{
+    Vec3 n = p - q;
+    const Real distance = length(n);
+    if (distance > s.r || !(distance > m.slack) || !normalize(n)) return;
+    const Real near2 = m.slack * m.slack;
+    const int next = (edge + 1) % 3;
+    Crest crest;
+    if (length2(q - f.v[edge]) <= near2)
+        crest = crest_at_corner(m.mesh, f, edge, n);
+    else if (length2(q - f.v[next]) <= near2)
+        crest = crest_at_corner(m.mesh, f, next, n);
+    else
+        crest = crest_at_edge(f, edge, n);
+    if (!crest.stands || (crest.border && over_lip(s, f, p, q, m))) return;
+    m.out.add(p - s.r * n, n, s.r - distance, f.index);
+}
+
+}  // namespace
+
+void round_on_triangle(const RoundCore& s, const MeshFacet& f, MeshMeeting& m)
+{
+    const Real at_a = f.height(s.a), at_b = f.height(s.b);
+    if ((at_a > s.r && at_b > s.r) || at_a + at_b < -2 * m.slack) return;
+    if (!over(s, f, m)) return;
+    const Vec3 axis = s.b - s.a;
+    for (int k = 0; k < 3; ++k) {
+        if (!f.sharp[k] && !f.sharp[(k + 1) % 3]) continue;
+        const Vec3 v = f.v[k], e = f.edge(k);
+        Vec3 p, q;
+        closest_segment_points(s.a, s.b, v, v + e, p, q);
+        beside(s, f, k, p, q, m);
+        if (!(length2(axis) > 0) || length2(cross(axis, e)) > Real(1e-2) * length2(axis) * length2(e))
+            continue;
+        // Side by side: both ends of the common stretch.
+        for (const Vec3 end : {s.a, s.b}) beside(s, f, k, end, v + closest_on_segment(v, v + e, end) * e, m);
+        for (const Vec3 end : {v, v + e}) beside(s, f, k, s.a + closest_on_segment(s.a, s.b, end) * axis, end, m);
+    }
+}
+
+}  // namespace epode

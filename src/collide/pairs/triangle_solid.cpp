@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A box, cylinder or polyhedron against a triangle of a mesh: of all directions that can part the two the one of
+// least overlap (Gottschalk, Lin, Manocha 1996), among those that the mesh allows (mesh_facet.h), then the
+// manifold along it. Along the triangle's own normal: the faces of the solid that look at it, cut by its prism,
+// each point with its own depth. Along another, a crest pushes: the manifold of two convex solids.
+// The own normal points to the side on which the solid's middle is. A box or polyhedron in the back of a triangle
+// is pushed out backwards, a cylinder is not pushed, as in ODE.
+#include "collide/pairs/mesh_patch.h"
+#include "collide/pairs/pairs.h"
+#include "geometry/epa.h"
+#include "geometry/gjk.h"
+
+namespace epode {
+
+namespace {
+
+constexpr Real kFaceFirst = Real(0.95);  // another direction must beat the own normal by this factor
+constexpr Real kFaceLean = Real(0.17);   // faces that look down by more than 10 degrees carry contacts
+constexpr Real kAlongCrest = Real(0.2);  // a normal that leans along a crest by less is made upright to it
+
+// The search for the direction of least overlap that is allowed.
+class LeastWay {
+  public:
+    LeastWay(const MeshFacet& facet, const MeshMeeting& meeting) : f_(facet), m_(meeting) {}
+
+    // False: the two do not touch.
+    bool search()
+    {
+        normal = f_.n;
+        depth = f_.c - dot(f_.n, m_.solid.support(-f_.n));
+        own_ = depth;
+        if (depth < -m_.slack) return false;
+        if (!(axes() && exact())) return false;
+        if (on_crest && kFaceFirst * depth > blocked_) on_crest = false, normal = f_.n, depth = own_;
+        if (!on_crest && hollow_ < Real(0.5) * own_) return false;  // it touches the neighbour, not this one
+        return true;
+    }
+
+    Vec3 normal;
+    Real depth = 0;
+    bool on_crest = false;  // the normal is not the triangle's own
+
+  private:
+    Real overlap_along(Vec3 n) const
+    {
+        Real top = -kInf;
+        for (const Vec3 v : f_.v) top = dot(n, v) > top ? dot(n, v) : top;
+        return top - dot(n, m_.solid.support(-n));
+    }
+
+    // A direction and what moving the solid along it would take.
+    void consider(Vec3 n, Real d)
+    {
+        if (!(d < kFaceFirst * depth)) return;
+        const Shows shows = shown_along(f_, n);
+        if (shows.corners == 3) return;
+        if (shows.corners == 2) return judge(n, d, crest_at_edge(f_, shows.at, n), shows.at);
+        const Crest crest = crest_at_corner(m_.mesh, f_, shows.at, n);
+        if (crest.stands) return judge(n, d, crest, -1);
+        // The corner is not the top of its edges: upright to one of them it may be.
+        for (const int edge : {shows.at, (shows.at + 2) % 3}) {
+            Vec3 e = f_.edge(edge);
+            if (!normalize(e) || std::fabs(dot(n, e)) > kAlongCrest) continue;
+            Vec3 upright = n - dot(n, e) * e;
+            if (!normalize(upright)) continue;
+            const Crest beside = crest_at_edge(f_, edge, upright);
+            const Real across = overlap_along(upright);
+            if (beside.stands && across < kFaceFirst * depth) return judge(upright, across, beside, edge);
+        }
+        judge(n, d, crest, shows.at);
+    }
+
+    void judge(Vec3 n, Real d, Crest crest, int edge)
+    {
+        if (crest.stands) {
+            if (!crest.border || own_ > kLip * m_.solid.size) normal = n, depth = d > 0 ? d : 0, on_crest = true;
+            return;
+        }
+        blocked_ = d < blocked_ ? d : blocked_;
+        if (edge >= 0 && f_.rim[edge] == Rim::kHollow && d < hollow_) hollow_ = d;
+    }
+
+    // Both senses of an axis; false when it parts the two.
+    bool offer(Vec3 a)
+    {
+        const Real low = dot(a, m_.solid.support(-a)), high = dot(a, m_.solid.support(a));
+        Real least = kInf, most = -kInf;
+        for (const Vec3 v : f_.v) {
+            const Real at = dot(a, v);
+            least = at < least ? at : least, most = at > most ? at : most;
+        }
+        const Real up = most - low, down = high - least;
+        if (up < -m_.slack || down < -m_.slack) return false;
+        up <= down ? consider(a, up) : consider(-a, down);
+        return true;
+    }
+
+    bool offer_cross(Vec3 a, Vec3 b)
+    {
+        Vec3 n = cross(a, b);
+        return length2(n) <= Real(1e-6) * length2(a) * length2(b) || !normalize(n) || offer(n);
+    }
+
+    bool axes()
+    {
+        const ConvexView& s = m_.solid;
+        for (int i = 0; i < 3; ++i)
+            if ((s.face_axes >> i & 1) && !offer(s.pose.R.column(i))) return false;
+        for (int i = 0; i < 3; ++i)
+            for (int k = 0; k < 3; ++k)
+                if ((s.edge_axes >> i & 1) && !offer_cross(s.pose.R.column(i), f_.edge(k))) return false;
+        return true;
+    }
+
+    // What has no short list of directions: rims and polyhedra.
+    bool exact()
+    {
+        const ConvexView& s = m_.solid;
+        if (s.face_axes == 7) return true;
+        const ConvexView flat = view_of(f_);
+        if (!f_.has_crest()) return !(gjk_distance(s, flat).distance > m_.slack);
+        const Overlap o = least_overlap(s, flat);
+        if (o.depth < -m_.slack) return false;
+        consider(o.normal, o.depth);
+        return true;
+    }
+
+    const MeshFacet& f_;
+    const MeshMeeting& m_;
+    Real own_ = 0;
+    // Least overlap in directions that are no contact's. When it is less than a crest's, the solid is not on
+    // that crest: it has barely come over this triangle, and what it really touches is another.
+    Real blocked_ = kInf;
+    Real hollow_ = kInf;  // of these, against a neighbour that rises
+};
+
+void press(const Polygon& low, const MeshFacet& f, MeshMeeting& m)
+{
+    Patch patch;
+    for (int i = 0; i < low.count; ++i) patch.add(low.points[i], false);
+    cut_to_prism(patch, f, m.whole, m.slack);
+    for (int i = 0; i < patch.count; ++i) {
+        const Real depth = -f.height(patch.points[i]);
+        if (!patch.seam[i] && depth >= -m.slack)
+            m.out.add(patch.points[i], f.n, depth > 0 ? depth : 0, f.index);
+    }
+}
+
+void press_point(Vec3 p, const MeshFacet& f, MeshMeeting& m)
+{
+    Polygon one;
+    one.add(p);
+    press(one, f, m);
+}
+
+// Where the true rims pass over edges that are no seams: on a ridge, these are the deepest points.
+void press_rims(const MeshFacet& f, MeshMeeting& m)
+{
+    const Vec3 axis = m.solid.pose.R.column(2);
+    const Real r = m.solid.rim_radius;
+    for (const Vec3 end : {axis, -axis}) {
+        const Vec3 centre = m.solid.support(end);
+        for (int k = 0; k < 3; ++k) {
+            if (m.seam(f, k)) continue;
+            Vec3 wall = cross(f.edge(k), f.n);
+            const Real offset = dot(wall, f.v[k] - centre);
+            wall -= dot(wall, axis) * axis;  // within the plane of the end
+            const Real steep = length(wall), s = offset / steep;
+            if (!(std::fabs(s) < r)) continue;
+            const Vec3 out = wall / steep, along = std::sqrt(r * r - s * s) * cross(axis, out);
+            press_point(centre + s * out + along, f, m);
+            press_point(centre + s * out - along, f, m);
+        }
+    }
+}
+
+void press_face(Vec3 outward, const MeshFacet& f, MeshMeeting& m)
+{
+    if (-dot(outward, f.n) < kFaceLean) return;
+    Polygon face;
+    m.solid.feature(outward, face);
+    press(face, f, m);
+}
+
+void press_rounds(const MeshFacet& f, MeshMeeting& m)
+{
+    const Vec3 axis = m.solid.pose.R.column(2);
+    const Vec3 aside = dot(axis, f.n) * axis - f.n;
+    if (length2(aside) > kFaceLean * kFaceLean) {
+        Polygon line;
+        m.solid.feature(aside, line);
+        press(line, f, m);
+    }
+    press_point(m.solid.support(-f.n), f, m);  // the lowest of the true rim, not of its polygon
+    press_rims(f, m);
+}
+
+// The faces of the solid that look at the triangle.
+void press_faces(const MeshFacet& f, MeshMeeting& m)
+{
+    const ConvexView& s = m.solid;
+    for (int i = 0; i < 3; ++i) {
+        if (!(s.face_axes >> i & 1)) continue;
+        const Vec3 axis = s.pose.R.column(i);
+        press_face(dot(axis, f.n) > 0 ? -axis : axis, f, m);
+    }
+    if (s.rim_radius > 0) press_rounds(f, m);
+}
+
+// A crest of the surface pushes into the solid.
+void press_crest(const MeshFacet& f, Vec3 normal, Real depth, MeshMeeting& m)
+{
+    dContactGeom found[4];
+    ContactSink sink(found, sizeof(dContactGeom), 4, false);
+    convex_manifold(m.solid, view_of(f), normal, depth, sink);
+    for (int k = 0; k < sink.count(); ++k)
+        m.out.add(load(found[k].pos), load(found[k].normal), found[k].depth, f.index);
+}
+
+void meet_side(const MeshFacet& f, MeshMeeting& m)
+{
+    LeastWay least(f, m);
+    if (!least.search()) return;
+    if (least.on_crest)
+        press_crest(f, least.normal, least.depth, m);
+    else
+        press_faces(f, m);
+}
+
+}  // namespace
+
+void solid_on_triangle(const MeshFacet& f, MeshMeeting& m)
+{
+    if (f.height(m.solid.pose.p) >= -m.slack)
+        meet_side(f, m);
+    else if (m.two_sided)
+        meet_side(turned(f), m);
+}
+
+bool crest_pushes(const MeshFacet& f, MeshMeeting& m)
+{
+    LeastWay least(f, m);
+    if (!least.search() || !least.on_crest) return false;
+    press_crest(f, least.normal, least.depth, m);
+    return true;
+}
+
+}  // namespace epode
