@@ -21,6 +21,7 @@ class Harvest {
     {
         add({position, normal, depth, -1, side2});
     }
+    bool empty() const { return count_ == 0; }
     void deliver(ContactSink& sink);
 
   private:

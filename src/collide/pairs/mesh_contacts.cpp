@@ -124,6 +124,8 @@ void NearTriangles::add(int triangle)
 
 void NearTriangles::find(const Surface& surface, const Aabb& box)
 {
+    count_ = 0;
+    all_ = true;
     surface.tree.query(surface.mesh, box, [this](int t) {
         add(t);
         return true;

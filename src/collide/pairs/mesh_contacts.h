@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A solid against a mesh, everything in the mesh's frame: triangles whose boxes meet the solid's are gone through
-// in the order of their numbers (mesh_facet.h), their contacts gathered and thinned together (harvest.h). Where
-// all of them lie in one plane that goes on past the solid, the plane's own pair function answers: a flat
-// mesh, however finely cut, is a plane exactly.
+// A solid against a mesh, everything in the mesh's frame: triangles whose boxes meet the solid's are gone
+// through in the order of their numbers (mesh_facet.h), their contacts gathered and thinned together
+// (harvest.h). Where all of them lie in one plane that goes on past the solid, the plane's own pair function
+// answers: a flat mesh, however finely cut, is a plane exactly.
 #pragma once
 
 #include "bvh/mesh_tree.h"

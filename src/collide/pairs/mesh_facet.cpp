@@ -9,9 +9,9 @@ namespace epode {
 
 namespace {
 
-constexpr Real kLevel = kSingle ? Real(1e-4) : Real(1e-6);   // sine of an angle that counts as flat
-constexpr Real kSeam = kSingle ? Real(1e-4) : Real(1e-5);    // sine below which a patch goes on
-constexpr int kMostAround = 256;                             // triangles at a corner
+constexpr Real kLevel = kSingle ? Real(1e-4) : Real(1e-6);  // sine of an angle that counts as flat
+constexpr Real kSeam = kSingle ? Real(1e-4) : Real(1e-5);   // sine below which a patch goes on
+constexpr int kMostAround = 256;                            // triangles at a corner
 
 // `tilt`: n . into, negative when the neighbour falls away.
 Rim rim_of(bool crest, bool border, Real tilt)
@@ -22,10 +22,7 @@ Rim rim_of(bool crest, bool border, Real tilt)
     return tilt > TriangleMesh::kFlatSine ? Rim::kHollow : Rim::kFlat;
 }
 
-bool level_or_falls(Vec3 n, Vec3 along)
-{
-    return dot(n, along) <= kLevel * length(along);
-}
+bool level_or_falls(Vec3 n, Vec3 along) { return dot(n, along) <= kLevel * length(along); }
 
 int corner_at(const TriangleMesh& mesh, int t, Vec3 v)
 {

@@ -19,9 +19,10 @@ namespace epode {
 enum class Rim : unsigned char { kSeam, kFlat, kConvex, kHollow, kBorder };
 
 struct MeshFacet : Triangle {
-    Vec3 into[3];  // unit, across edge k into the neighbour, along its surface; zero for an edge without length
+    Vec3 into[3];  // unit, across edge k into the neighbour, along its surface; zero for an edge without
+                   // length
     Rim rim[3];
-    bool sharp[3];  // a crest may be at corner k
+    bool sharp[3];        // a crest may be at corner k
     bool behind = false;  // met from the back: everything is turned round
     int index = -1;
 

@@ -2,7 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // A round core s of radius r against a triangle of a mesh, of which only the front pushes:
-//   over the triangle   ends of the part of s whose foot lies in it, depth r - height; where s pierces it, the
+//   over the triangle   ends of the part of s whose foot lies in it, depth r - height; where s pierces it,
+//   the
 //                       end that is through, if no crest is nearer (triangle_solid.cpp)
 //   beside a crest      nearest points p, q of s and the edge, along p - q
 // Ends that a seam has cut are left to the neighbour.
@@ -100,7 +101,8 @@ void round_on_triangle(const RoundCore& s, const MeshFacet& f, MeshMeeting& m)
             continue;
         // Side by side: both ends of the common stretch.
         for (const Vec3 end : {s.a, s.b}) beside(s, f, k, end, v + closest_on_segment(v, v + e, end) * e, m);
-        for (const Vec3 end : {v, v + e}) beside(s, f, k, s.a + closest_on_segment(s.a, s.b, end) * axis, end, m);
+        for (const Vec3 end : {v, v + e})
+            beside(s, f, k, s.a + closest_on_segment(s.a, s.b, end) * axis, end, m);
     }
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A box, cylinder or polyhedron against a triangle of a mesh: of all directions that can part the two the one of
-// least overlap (Gottschalk, Lin, Manocha 1996), among those that the mesh allows (mesh_facet.h), then the
-// manifold along it. Along the triangle's own normal: the faces of the solid that look at it, cut by its prism,
-// each point with its own depth. Along another, a crest pushes: the manifold of two convex solids.
-// The own normal points to the side on which the solid's middle is. A box or polyhedron in the back of a triangle
+// A box, cylinder or polyhedron against a triangle of a mesh: of all directions that can part the two the one
+// of least overlap (Gottschalk, Lin, Manocha 1996), among those that the mesh allows (mesh_facet.h), then the
+// manifold along it. Along the triangle's own normal: the faces of the solid that look at it, cut by its
+// prism, each point with its own depth. Along another, a crest pushes: the manifold of two convex solids. The
+// own normal points to the side on which the solid's middle is. A box or polyhedron in the back of a triangle
 // is pushed out backwards, a cylinder is not pushed, as in ODE.
 #include "collide/pairs/mesh_patch.h"
 #include "collide/pairs/pairs.h"
@@ -75,7 +75,8 @@ class LeastWay {
     void judge(Vec3 n, Real d, Crest crest, int edge)
     {
         if (crest.stands) {
-            if (!crest.border || own_ > kLip * m_.solid.size) normal = n, depth = d > 0 ? d : 0, on_crest = true;
+            if (!crest.border || own_ > kLip * m_.solid.size)
+                normal = n, depth = d > 0 ? d : 0, on_crest = true;
             return;
         }
         blocked_ = d < blocked_ ? d : blocked_;

@@ -6,14 +6,14 @@
 #include "collide/pairs/triangle_triangle.h"
 
 #include "collide/pairs/mesh_patch.h"
-#include "collide/pairs/pairs.h"
+#include "geometry/closest.h"
 
 namespace epode {
 
 namespace {
 
-constexpr Real kFaceFirst = Real(0.95);  // edges must beat faces by this factor
-constexpr Real kBackLast = Real(0.5);    // the back of a triangle must beat fronts by this one
+constexpr Real kFaceFirst = Real(0.95);                     // edges must beat faces by this factor
+constexpr Real kFalls = kSingle ? Real(1e-4) : Real(1e-6);  // sine of an angle that counts as flat
 
 // The stretch of the common line within a triangle; `at`: heights of its corners over the other's plane.
 struct Span {
@@ -51,9 +51,7 @@ bool heights(const Triangle& t, const Triangle& over, Real slack, Real (&at)[3])
 
 class Crossing {
   public:
-    Crossing(const PlacedFacet& a, const PlacedFacet& b, Real slack, Harvest& out)
-        : a_(a), b_(b), slack_(slack), out_(out)
-    {}
+    Crossing(const PlacedFacet& a, const PlacedFacet& b, Real slack) : a_(a), b_(b), slack_(slack) {}
 
     bool crosses()
     {
@@ -71,104 +69,156 @@ class Crossing {
         return true;
     }
 
-    void meet(LastResort& last)
+    void meet(TrianglePush& out)
     {
-        offer(b_.f.n, 1, Kind::kFaceOfB);
-        offer(-a_.f.n, 1, Kind::kFaceOfA);
-        offer(-b_.f.n, kBackLast, Kind::kFaceOfB);
-        offer(a_.f.n, kBackLast, Kind::kFaceOfA);
+        offer_face(a_, b_, 1, 1), offer_face(b_, a_, -1, 1);
+        if (!b_.one_sided) offer_face(a_, b_, 1, -1);
+        if (!a_.one_sided) offer_face(b_, a_, -1, -1);
         for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) {
-                const Vec3 e = a_.f.edge(i), g = b_.f.edge(j);
-                Vec3 n = cross(e, g);
-                if (length2(n) <= Real(1e-6) * length2(e) * length2(g) || !normalize(n)) continue;
-                offer(n, kFaceFirst, Kind::kEdges), offer(-n, kFaceFirst, Kind::kEdges);
-            }
-        if (weighed_ < kInf) return press();
-        if (blocked_ < last.depth) last = {blocked_, {middle_, blocked_normal_, blocked_, a_.f.index, b_.f.index}};
+            for (int j = 0; j < 3; ++j) offer_edges(i, j);
+        out.allowed = weighed_ < kInf && fringe_ >= Real(0.5) * depth_;
+        out.normal = out.allowed ? normal_ : blocked_normal_;
+        out.depth = out.allowed ? depth_ : blocked_;
+        if (out.allowed && face_)
+            press(out);
+        else if (out.depth < kInf)
+            out.add(middle_, out.depth);
     }
 
   private:
-    enum class Kind { kFaceOfA, kFaceOfB, kEdges };
-
-    static Real highest(const Triangle& t, Vec3 n)
-    {
-        Real top = -kInf;
-        for (const Vec3 v : t.v) top = dot(n, v) > top ? dot(n, v) : top;
-        return top;
-    }
-
-    // May the mesh of `p` be pushed against along n, outwards?
-    static bool allows(const PlacedFacet& p, Vec3 n)
-    {
-        const Shows shows = shown_along(p.f, n);
-        if (shows.corners == 3) return true;
-        if (shows.corners == 2) return crest_at_edge(p.f, shows.at, n).stands;
-        MeshFacet own = facet_of(p.mesh, p.f.index);
-        return crest_at_corner(p.mesh, own, shows.at, transposed_times(p.pose.R, n)).stands;
-    }
-
-    void offer(Vec3 n, Real favour, Kind kind)
-    {
-        const Real depth = highest(b_.f, n) + highest(a_.f, -n), weighed = depth / favour;
-        if (weighed >= weighed_) return;
-        if (allows(b_, n) && allows(a_, -n)) {
-            weighed_ = weighed, depth_ = depth > 0 ? depth : 0, normal_ = n, kind_ = kind;
-        } else if (kind != Kind::kEdges && depth < blocked_) {
-            blocked_ = depth > 0 ? depth : 0, blocked_normal_ = n;
-        }
-    }
-
-    void press()
-    {
-        if (kind_ == Kind::kFaceOfB) return press_into(a_.f, b_.f, dot(normal_, b_.f.n) > 0 ? 1 : -1);
-        if (kind_ == Kind::kFaceOfA) return press_into(b_.f, a_.f, dot(normal_, a_.f.n) < 0 ? 1 : -1);
-        dContactGeom found[4];
-        ContactSink sink(found, sizeof(dContactGeom), 4, false);
-        convex_manifold(view_of(a_.f), view_of(b_.f), normal_, depth_, sink);
-        for (int k = 0; k < sink.count(); ++k) add(load(found[k].pos), found[k].depth);
-    }
-
-    // What of `t` lies on the wrong side of `face`.
-    void press_into(const MeshFacet& t, const MeshFacet& face, Real side)
-    {
+    // The part of `t` over `face`, and how deep it is on the side that is wrong when `side` is right.
+    struct Sunk {
         Patch patch;
-        for (const Vec3 v : t.v) patch.add(v, false);
-        cut_to_prism(patch, face, true, slack_);
-        for (int i = 0; i < patch.count; ++i) {
-            const Real depth = -side * face.height(patch.points[i]);
-            if (!patch.seam[i] && depth >= 0) add(patch.points[i], depth);
+        Real depth = 0;
+        int at = 0;  // the deepest corner
+        Sunk(const MeshFacet& t, const MeshFacet& face, Real side, Real slack)
+        {
+            for (const Vec3 v : t.v) patch.add(v, false);
+            cut_to_prism(patch, face, true, slack);
+            for (int i = 0; i < patch.count; ++i) {
+                const Real d = -side * face.height(patch.points[i]);
+                if (d > depth) depth = d, at = i;
+            }
+        }
+    };
+
+    // Does the mesh of `p` end along n at the point of its facet? On an edge it must fall behind the edge, at
+    // a corner all around; within the facet, the point is where the other mesh ends.
+    bool ends(const PlacedFacet& p, Vec3 point, Vec3 n) const
+    {
+        const MeshFacet& f = p.f;
+        int on[3], count = 0;
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 e = f.edge(k);
+            if (length2(cross(e, point - f.v[k])) <= slack_ * slack_ * length2(e)) on[count++] = k;
+        }
+        if (count == 0) return true;
+        if (count == 1) return f.rim[on[0]] == Rim::kBorder || dot(n, f.into[on[0]]) <= kFalls;
+        const int corner = on[1] == on[0] + 1 ? on[1] : 0;
+        const int other = corner == on[0] ? on[1] : on[0];
+        for (const int edge : {corner, other})
+            if (shows_edge(f, edge, n)) return f.rim[edge] == Rim::kBorder || dot(n, f.into[edge]) <= kFalls;
+        return crest_at_corner(p.mesh, facet_of(p.mesh, f.index), corner, transposed_times(p.pose.R, n))
+            .stands;
+    }
+    static bool shows_edge(const MeshFacet& f, int edge, Vec3 n)
+    {
+        const Shows shows = shown_along(f, n);
+        return shows.corners == 2 && shows.at == edge;
+    }
+
+    // `t` pushed to the front (side 1) or back of `face`; `sense`: 1 if t is a's, the normal points into a.
+    void offer_face(const PlacedFacet& t, const PlacedFacet& face, Real sense, Real side)
+    {
+        const Sunk sunk(t.f, face.f, side, slack_);
+        if (sunk.patch.count == 0) return;
+        const Vec3 outward = side * face.f.n;
+        if (side > 0 && sunk.depth < weighed_ && ends(t, sunk.patch.points[sunk.at], -outward)) {
+            weighed_ = sunk.depth, normal_ = sense * outward, depth_ = sunk.depth;
+            sunken_ = &t, face_ = &face;
+            return;
+        }
+        if (sunk.depth < blocked_) blocked_ = sunk.depth, blocked_normal_ = sense * outward;
+        if (side > 0 && sunk.depth < fringe_ && !flat_at(t.f, sunk.patch.points[sunk.at]))
+            fringe_ = sunk.depth;
+    }
+
+    // Is the point on an edge or at a corner where the surface is flat?
+    bool flat_at(const MeshFacet& f, Vec3 point) const
+    {
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 e = f.edge(k);
+            const bool on = length2(cross(e, point - f.v[k])) <= slack_ * slack_ * length2(e);
+            if (on && f.rim[k] != Rim::kSeam && f.rim[k] != Rim::kFlat) return false;
+        }
+        return true;
+    }
+
+    void offer_edges(int i, int j)
+    {
+        const Vec3 e = a_.f.edge(i), g = b_.f.edge(j);
+        Vec3 n = cross(e, g);
+        if (length2(n) <= Real(1e-4) * length2(e) * length2(g) || !normalize(n)) return;
+        for (const Vec3 m : {n, -n}) {
+            const Real depth = dot(m, b_.f.v[j] - a_.f.v[i]);
+            if (!(depth >= 0) || depth / kFaceFirst >= weighed_) continue;
+            if (!crest_at_edge(a_.f, i, -m).stands || !crest_at_edge(b_.f, j, m).stands) continue;
+            Vec3 p, q;
+            closest_segment_points(a_.f.v[i], a_.f.v[i] + e, b_.f.v[j], b_.f.v[j] + g, p, q);
+            if (length(q - p) > depth * Real(1.0001) + slack_) continue;  // they do not cross
+            weighed_ = depth / kFaceFirst, normal_ = m, depth_ = depth;
+            face_ = nullptr, middle_ = Real(0.5) * (p + q);
         }
     }
 
-    void add(Vec3 p, Real depth) { out_.add({p, normal_, depth, a_.f.index, b_.f.index}); }
+    void press(TrianglePush& out) const
+    {
+        const Sunk sunk(sunken_->f, face_->f, 1, slack_);
+        for (int i = 0; i < sunk.patch.count; ++i) {
+            const Vec3 p = sunk.patch.points[i];
+            const Real depth = -face_->f.height(p);
+            if (!sunk.patch.seam[i] && depth >= 0) out.add(p, depth);
+        }
+    }
 
     const PlacedFacet& a_;
     const PlacedFacet& b_;
     const Real slack_;
-    Harvest& out_;
     Real a_over_b_[3] = {}, b_over_a_[3] = {};
     Vec3 middle_;  // of the stretch that the two share
-    Real weighed_ = kInf, depth_ = 0, blocked_ = kInf;
+    Real weighed_ = kInf, depth_ = 0, blocked_ = kInf, fringe_ = kInf;
     Vec3 normal_, blocked_normal_;
-    Kind kind_ = Kind::kEdges;
+    const PlacedFacet* sunken_ = nullptr;
+    const PlacedFacet* face_ = nullptr;  // null: an edge pushes an edge
 };
 
 }  // namespace
 
-PlacedFacet placed(const TriangleMesh& mesh, int triangle, const Pose& pose)
+PlacedFacet placed(const TriangleMesh& mesh, int triangle, const Pose& pose, bool one_sided)
 {
-    PlacedFacet p{facet_of(mesh, triangle), mesh, pose};
+    PlacedFacet p{facet_of(mesh, triangle), mesh, pose, one_sided};
     for (int k = 0; k < 3; ++k) p.f.v[k] = pose.to_world(p.f.v[k]), p.f.into[k] = pose.R * p.f.into[k];
     p.f.n = pose.R * p.f.n;
     p.f.c = dot(p.f.n, p.f.v[0]);
     return p;
 }
 
-void triangle_triangle(const PlacedFacet& a, const PlacedFacet& b, Real slack, Harvest& out, LastResort& last)
+Real TrianglePush::overlap_along(Vec3 n) const
 {
-    Crossing crossing(a, b, slack, out);
-    if (crossing.crosses()) crossing.meet(last);
+    Real top = -kInf, low = kInf;
+    for (const Vec3 v : corners_b) top = dot(n, v) > top ? dot(n, v) : top;
+    for (const Vec3 v : corners_a) low = dot(n, v) < low ? dot(n, v) : low;
+    return top - low;
+}
+
+bool triangle_triangle(const PlacedFacet& a, const PlacedFacet& b, Real slack, TrianglePush& out)
+{
+    Crossing crossing(a, b, slack);
+    if (!crossing.crosses()) return false;
+    out.a = a.f.index, out.b = b.f.index;
+    for (int k = 0; k < 3; ++k) out.corners_a[k] = a.f.v[k], out.corners_b[k] = b.f.v[k];
+    crossing.meet(out);
+    return out.count > 0;
 }
 
 }  // namespace epode

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Solids on meshes of many triangles: a flat mesh is a plane, inner edges are not felt, crests push head-on, the
-// surface is found wherever brute force over all triangles finds it, and what has sunk in is pushed out.
+// Solids on meshes of many triangles: a flat mesh is a plane, inner edges are not felt, crests push head-on,
+// the surface is found wherever brute force over all triangles finds it, and what has sunk in is pushed out.
 #include "mesh_scene.h"
 
 namespace epode::test {
@@ -63,10 +63,9 @@ TYPED_TEST(MeshContacts, agree_with_brute_force_on_rough_ground)
         ASSERT_EQ(!found.empty(), least < 0) << least;
         if (found.empty()) continue;
         ++met;
-        if constexpr (std::is_same_v<Shape, Sphere>) {
-            EXPECT_NEAR(deepest(found)->depth, -least, kTight);
-        }
-        for (const Hit& h : found) EXPECT_TRUE(h.normal.z > 0 || least < Real(-0.1)) << h.normal.z << ' ' << least;
+        if constexpr (std::is_same_v<Shape, Sphere>) { EXPECT_NEAR(deepest(found)->depth, -least, kTight); }
+        for (const Hit& h : found)
+            EXPECT_TRUE(h.normal.z > 0 || least < Real(-0.1)) << h.normal.z << ' ' << least;
     }
     EXPECT_GT(met, 90);
 }

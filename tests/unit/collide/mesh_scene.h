@@ -160,6 +160,40 @@ inline std::vector<Corners> grid(int nx, int ny, const std::function<Real(int, i
     return out;
 }
 
+// A box of 12 triangles about the origin.
+inline std::vector<Corners> box_mesh(Vec3 h)
+{
+    std::vector<Corners> out;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int sign : {-1, 1}) {
+            const int u = (axis + 1) % 3, w = (axis + 2) % 3;
+            const auto at = [&](Real a, Real b) {
+                Vec3 p;
+                p.set(axis, Real(sign) * h[axis]);
+                p.set(u, a * h[u]);
+                p.set(w, Real(sign) * b * h[w]);
+                return p;
+            };
+            out.push_back({{at(-1, -1), at(1, -1), at(1, 1)}});
+            out.push_back({{at(-1, -1), at(1, 1), at(-1, 1)}});
+        }
+    return out;
+}
+
+inline Mat3 turn_about_z(Real angle)
+{
+    const Real c = std::cos(angle), s = std::sin(angle);
+    return {{c, -s, 0}, {s, c, 0}, {0, 0, 1}};
+}
+
+template <typename Shape>
+Real least_gap(const Shape& s, const Pose& pose, const Mesh& mesh)
+{
+    Real least = kInf;
+    for (const Corners& t : mesh.all) least = std::fmin(least, near_gap(s, pose, t));
+    return least;
+}
+
 inline void roll(RandomNumbers& dice, Sphere& s) { s.radius = dice.in(Real(0.2), 1); }
 inline void roll(RandomNumbers& dice, Box& b)
 {
