@@ -103,13 +103,14 @@ TEST(MeshMesh, spikes_and_rough_ground_push_boxes_up)
     RandomNumbers dice(3);
     const Mesh floor(grid(10, 10, [&](int, int) { return rough(dice, Real(0.5)); }));
     int met = 0;
-    for (int trial = 0; trial < 300; ++trial) {
+    for (int trial = 0; trial < 150; ++trial) {
         SCOPED_TRACE(trial);
         Box b;
         roll(dice, b);
         const Mesh box(box_mesh(b.half));
         Pose pose{{dice.in(3, 7), dice.in(3, 7), Real(2.5)}, to_matrix(dice.rotation())};
         // Down until it is a little in.
+        while (least_gap(b, pose, floor) > Real(0.1)) pose.p.z -= Real(0.1);
         while (least_gap(b, pose, floor) > Real(-0.02)) pose.p.z -= Real(0.01);
         for (int push = 0; push < 40; ++push) {
             const std::vector<Hit> found = crossings(box, pose, floor, {});
@@ -120,7 +121,7 @@ TEST(MeshMesh, spikes_and_rough_ground_push_boxes_up)
         }
         EXPECT_GT(least_gap(b, pose, floor), Real(-5e-3));
     }
-    EXPECT_EQ(met, 300);
+    EXPECT_EQ(met, 150);
 }
 
 }  // namespace
