@@ -227,6 +227,15 @@ ODE_API void dGeomSphereSetRadius(dGeomID sphere, dReal radius);
 ODE_API dReal dGeomSphereGetRadius(dGeomID sphere);
 ODE_API dReal dGeomSpherePointDepth(dGeomID sphere, dReal x, dReal y, dReal z);
 
+/** A convex polyhedron, in the geom's frame. [0.16]
+    planes: for each of the planecount faces its unit outward normal n and the distance d with n . p = d on
+    the face, 4 reals; read for sanity only, since the points say the same to more digits.
+    points: 3 reals for each of the pointcount points, m.
+    polygons: for each face the number of its corners and then their indices into the points,
+    counter-clockwise seen from outside. */
+ODE_API dGeomID dCreateConvex(dSpaceID space, const dReal* planes, unsigned int planecount,
+                              const dReal* points, unsigned int pointcount, const unsigned int* polygons);
+
 /** A box with full side lengths along its own axes, centred. [0.16] */
 ODE_API dGeomID dCreateBox(dSpaceID space, dReal lx, dReal ly, dReal lz);
 ODE_API void dGeomBoxSetLengths(dGeomID box, dReal lx, dReal ly, dReal lz);

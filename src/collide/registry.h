@@ -12,6 +12,7 @@
 #include "collide/heightfield.h"
 #include "collide/space.h"
 #include "collide/transform.h"
+#include "geometry/polyhedron.h"
 
 namespace epode {
 
@@ -20,6 +21,11 @@ struct RayGeom : ShapeGeom<Ray> {
     bool first_contact = false;  // these three matter to meshes only
     bool backface_cull = false;
     bool closest_hit = false;
+};
+
+struct ConvexGeom : ShapeGeom<Convex> {
+    explicit ConvexGeom(const GeomType& t) : ShapeGeom<Convex>(t) { shape.solid = &own; }
+    Polyhedron own;
 };
 
 template <typename Name>

@@ -6,13 +6,22 @@
 // with a radius). The view does not own the shape. Directions and points of the callbacks are in the shape's
 // own frame. A view also says which of its local axes are symmetric face normals and which are edge
 // directions: with those the penetration of the primitives is refined to rounding (least_overlap, in epa.h).
-// Only a shape that is symmetric about its origin may name axes; a polyhedron leaves both empty.
+// Only a shape that is symmetric about its origin may name axes; a polyhedron leaves both empty and lists its
+// faces and edges.
 #pragma once
+
+#include <span>
 
 #include "geometry/clip.h"
 #include "geometry/shapes.h"
 
 namespace epode {
+
+struct PolyhedronFace {
+    Vec3 normal;       // unit, outward
+    Real offset;       // normal . x <= offset holds in the solid
+    int first, count;  // of the corners
+};
 
 struct ConvexView {
     const void* shape = nullptr;
@@ -20,11 +29,13 @@ struct ConvexView {
     // Face (counter-clockwise from outside), segment or point that looks most along `direction`.
     void (*local_feature)(const void* shape, Vec3 direction, Polygon& out) = nullptr;
     Pose pose;
-    Real radius = 0;      // inflation
-    Real size = 1;        // farthest point from the pose's origin, without the radius
-    int face_axes = 0;    // bit i: +-column i is a face normal
-    int edge_axes = 0;    // bit i: straight edges or side lines run along column i
-    Real rim_radius = 0;  // > 0: round rims about column 2
+    Real radius = 0;                          // inflation
+    Real size = 1;                            // farthest point from the pose's origin, without the radius
+    int face_axes = 0;                        // bit i: +-column i is a face normal
+    int edge_axes = 0;                        // bit i: straight edges or side lines run along column i
+    Real rim_radius = 0;                      // > 0: round rims about column 2
+    std::span<const PolyhedronFace> faces{};  // of a polyhedron, in its own frame
+    std::span<const Vec3> edges{};            // and the directions of its edges
 
     Vec3 support(Vec3 direction) const
     {
@@ -42,6 +53,7 @@ ConvexView view_of(const Sphere& sphere, const Pose& pose);
 ConvexView view_of(const Box& box, const Pose& pose);
 ConvexView view_of(const Capsule& capsule, const Pose& pose);
 ConvexView view_of(const Cylinder& cylinder, const Pose& pose);
+ConvexView view_of(const Convex& convex, const Pose& pose);
 
 // A cylinder's end is drawn as a polygon of this many corners; a true rim point is added where it is deepest.
 inline constexpr int kRimPoints = 8;

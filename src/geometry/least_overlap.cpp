@@ -143,6 +143,21 @@ void polish_edges(const ConvexView& v, Vec3 outward, const ConvexView& a, const 
     }
 }
 
+// The face of a polyhedron that looks most along the guess, tried exactly: flush faces answer with the face's
+// own normal and not with that of three rounded points. `sense`: of outward normals against the guess.
+void offer_face(const ConvexView& v, Real sense, Vec3 guess, const ConvexView& a, const ConvexView& b,
+                Overlap& best)
+{
+    const Vec3 outward = sense * transposed_times(v.pose.R, guess);
+    const PolyhedronFace* nearest = nullptr;
+    for (const PolyhedronFace& f : v.faces)
+        if (!nearest || dot(f.normal, outward) > dot(nearest->normal, outward)) nearest = &f;
+    if (!nearest) return;
+    const Vec3 n = sense * (v.pose.R * nearest->normal);
+    const Real h = extent(a, b, n).h;
+    if (h < best.depth) best.depth = h, best.normal = n;
+}
+
 }  // namespace
 
 Overlap least_overlap(const ConvexView& a, const ConvexView& b)
@@ -158,12 +173,15 @@ Overlap least_overlap(const ConvexView& a, const ConvexView& b)
     if (coarse.depth + handicap >= best.depth) return best;
     if (coarse.depth < enough) return coarse;
     const Vec3 guess = coarse.normal;
-    if (!polishable) return coarse;
+    Overlap flush;
+    offer_face(a, -1, guess, a, b, flush);
+    offer_face(b, 1, guess, a, b, flush);
+    if (!polishable) return flush.depth <= coarse.depth + handicap ? flush : coarse;
     best = coarse.depth + handicap < best.depth ? coarse : best;
     polish_edges(a, -guess, a, b, guess, best);
     polish_edges(b, guess, a, b, guess, best);
     if (a.rim_radius > 0 && b.rim_radius > 0) polish_rims(a, b, best.normal, 0, best);
-    return best;
+    return flush.depth <= best.depth + handicap ? flush : best;
 }
 
 }  // namespace epode

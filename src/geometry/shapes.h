@@ -33,6 +33,12 @@ struct Ray {
     Real length = 0;
 };
 
+class Polyhedron;
+// Owned by the geom, which is as old as its pairs (geometry/polyhedron.h).
+struct Convex {
+    const Polyhedron* solid = nullptr;
+};
+
 struct Aabb {
     Vec3 lo, hi;
 };

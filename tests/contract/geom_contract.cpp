@@ -53,6 +53,15 @@ dHeightfieldDataID slope()
     return data;
 }
 
+// Off its origin, and without symmetry.
+dGeomID wedge()
+{
+    static const dReal points[] = {1, 0, 0, 2, 0, 0, 1, 3, 0, 1, 0, Real(1.5)};
+    static const dReal planes[] = {0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1, 1, 0, 0, 2};
+    static const unsigned polygons[] = {3, 0, 2, 1, 3, 0, 1, 3, 3, 0, 3, 2, 3, 1, 2, 3};
+    return dCreateConvex(nullptr, planes, 4, points, 4, polygons);
+}
+
 Case make_case(const std::string& name, int number)
 {
     switch (number) {
@@ -65,6 +74,8 @@ Case make_case(const std::string& name, int number)
         case dCylinderClass:
             return {name, number, [] { return dCreateCylinder(nullptr, Real(0.8), 2); },
                     support_of<Cylinder>};
+        case dConvexClass:
+            return {name, number, wedge, support_of<Convex>};
         case dPlaneClass:
             return {name, number, [] { return dCreatePlane(nullptr, 0, 0, 1, 2); }, nullptr};
         case dRayClass:

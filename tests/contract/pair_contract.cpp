@@ -12,13 +12,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <deque>
 #include <random>
 #include <type_traits>
 #include <vector>
 
 #include "../effort.h"
 #include "collide/pairs/pairs.h"
+#include "geometry/polyhedron.h"
 
 using namespace epode;
 
@@ -90,6 +93,13 @@ Vec3 farthest(const Cylinder& c, Vec3 d)
     return {k * d.x, k * d.y, side(d.z, c.half_length)};
 }
 
+Vec3 farthest(const Convex& c, Vec3 d)
+{
+    Vec3 best = c.solid->vertices()[0];
+    for (const Vec3 v : c.solid->vertices()) best = dot(d, v) > dot(d, best) ? v : best;
+    return best + c.solid->centre();
+}
+
 // Positive outside, roughly a distance.
 Real beyond(const Sphere& s, Vec3 p) { return length(p) - s.radius; }
 Real beyond(const Box& b, Vec3 p) { return max_component(abs(p) - b.half); }
@@ -102,12 +112,20 @@ Real beyond(const Cylinder& c, Vec3 p)
 {
     return std::max(std::hypot(p.x, p.y) - c.radius, std::fabs(p.z) - c.half_length);
 }
+Real beyond(const Convex& c, Vec3 p)
+{
+    Real most = -kInf;
+    for (const PolyhedronFace& f : c.solid->faces())
+        most = std::max(most, dot(f.normal, p - c.solid->centre()) - f.offset);
+    return most;
+}
 Real beyond(const Plane& plane, Vec3 p) { return dot(plane.normal, p) - plane.d; }
 
 Real reach(const Sphere& s) { return s.radius; }
 Real reach(const Box& b) { return length(b.half); }
 Real reach(const Capsule& c) { return c.radius + c.half_length; }
 Real reach(const Cylinder& c) { return std::hypot(c.radius, c.half_length); }
+Real reach(const Convex& c) { return length(c.solid->centre()) + c.solid->size(); }
 Real reach(const Ray& r) { return r.length; }
 
 void roll(Dice& dice, Sphere& s) { s.radius = dice.between(Real(0.2), 1); }
@@ -123,6 +141,63 @@ void roll(Dice& dice, Round& c)
     c.radius = dice.between(Real(0.1), 1), c.half_length = dice.between(Real(0.1), 1);
     if (dice.unit() < Real(0.2)) c.radius = Real(0.5), c.half_length = Real(0.5);
 }
+// A cube of triangles, a prism on a regular polygon, a pyramid, or a tetrahedron of any shape.
+const Polyhedron& random_polyhedron(Dice& dice, Real kinds = 1)
+{
+    std::vector<Real> points;
+    std::vector<unsigned> polygons;
+    unsigned faces = 0;
+    const auto point = [&](Real x, Real y, Real z) { points.insert(points.end(), {x, y, z}); };
+    const auto face = [&](std::initializer_list<unsigned> corners) {
+        polygons.push_back(unsigned(corners.size()));
+        polygons.insert(polygons.end(), corners), ++faces;
+    };
+    const Real kind = kinds * dice.unit(), h = dice.between(Real(0.2), 1), r = dice.between(Real(0.2), 1);
+    if (kind < Real(0.25)) {
+        for (int i = 0; i < 8; ++i) point(i & 1 ? h : -h, i & 2 ? r : -r, i & 4 ? h : -h);
+        for (const auto& q : {std::array{0u, 2u, 3u, 1u},
+                              {4u, 5u, 7u, 6u},
+                              {0u, 1u, 5u, 4u},
+                              {2u, 6u, 7u, 3u},
+                              {0u, 4u, 6u, 2u},
+                              {1u, 3u, 7u, 5u}})
+            face({q[0], q[1], q[2]}), face({q[0], q[2], q[3]});
+    } else if (kind < Real(0.75)) {
+        const unsigned n = 3 + unsigned(dice.unit() * 9);
+        const bool pyramid = kind > Real(0.5);
+        for (unsigned i = 0; i < n; ++i) {
+            const Real angle = 2 * kPi * Real(i) / Real(n);
+            point(r * std::cos(angle), r * std::sin(angle), -h);
+            if (!pyramid) point(r * std::cos(angle), r * std::sin(angle), h);
+        }
+        if (pyramid) point(0, 0, h);
+        const unsigned step = pyramid ? 1 : 2;
+        polygons.push_back(n), ++faces;
+        for (unsigned i = n; i-- > 0;) polygons.push_back(step * i);
+        for (unsigned i = 0; i < n; ++i) {
+            const unsigned j = (i + 1) % n;
+            pyramid ? face({i, j, n}) : face({2 * i, 2 * j, 2 * j + 1, 2 * i + 1});
+        }
+        if (!pyramid) {
+            polygons.push_back(n), ++faces;
+            for (unsigned i = 0; i < n; ++i) polygons.push_back(2 * i + 1);
+        }
+    } else {
+        for (int i = 0; i < 4; ++i) {
+            const Vec3 v = Vec3{i == 0 || i == 3 ? r : -r, i == 1 || i == 3 ? r : -r, i < 2 ? -h : h} +
+                           Real(0.15) * r * dice.direction();
+            point(v.x, v.y, v.z);
+        }
+        face({0, 1, 2}), face({0, 3, 1}), face({1, 3, 2}), face({2, 3, 0});
+    }
+    static std::deque<Polyhedron> made;
+    made.emplace_back();
+    const char* refusal =
+        made.back().build(points.data(), unsigned(points.size() / 3), polygons.data(), faces);
+    EXPECT_EQ(refusal, nullptr) << refusal;
+    return made.back();
+}
+void roll(Dice& dice, Convex& c) { c.solid = &random_polyhedron(dice); }
 void roll(Dice& dice, Plane& p)
 {
     p.normal = dice.unit() < Real(0.5) ? Vec3{0, 0, 1} : dice.direction(), p.d = dice.between(-1, 1);
@@ -353,7 +428,10 @@ template <class A, class B, class F>
 void check_pair(F function)
 {
     Dice dice(unsigned(sizeof(A) * 31 + sizeof(B)));
-    const int poses = std::is_same_v<A, Ray> || std::is_same_v<B, Plane> ? 10 * kPoses : kPoses;
+    constexpr bool polyhedra =
+        std::is_same_v<A, Convex> || std::is_same_v<B, Convex>;  // the sweep takes long
+    const int few = polyhedra ? kPoses / 4 : kPoses;
+    const int poses = std::is_same_v<A, Ray> || std::is_same_v<B, Plane> ? 10 * few : few;
     int hits = 0;
     for (int i = 0; i < poses; ++i) {
         const Scene<A, B> s = random_scene<A, B>(dice);
@@ -445,6 +523,10 @@ void check_steady(F function)
         Dice dice(11);
         for (int i = 0; i < kPoses; ++i) {
             Scene<A, B> s = random_scene<A, B>(dice);
+            // Tips that are not over each other do not meet; only the cubes and prisms are flat above and
+            // below.
+            if constexpr (std::is_same_v<A, Convex>) s.a.solid = &random_polyhedron(dice, Real(0.5));
+            if constexpr (std::is_same_v<B, Convex>) s.b.solid = &random_polyhedron(dice, Real(0.5));
             s.pa.R = s.pb.R = Mat3::identity();
             if (dice.unit() < Real(0.5)) s.pa.R = Dice::turn({1, 0, 0}, kPi / 2);
             if constexpr (std::is_same_v<B, Plane>) s.b = {};

@@ -30,7 +30,7 @@ struct RoundCore {
 };
 void round_on_facet(const RoundCore& core, const Facet& facet, Meeting& meeting);
 
-// A box or a cylinder, by the view in `meeting`.
+// A box, a cylinder or a polyhedron, by the view in `meeting`.
 void solid_on_facet(const Facet& facet, Meeting& meeting);
 
 }  // namespace epode

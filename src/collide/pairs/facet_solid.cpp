@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A box or cylinder against a facet: of all directions that can part the solid and the facet's column, and
-// that are upward, the one of least overlap; then the manifold along it. Along the facet's normal: the lower
-// faces of the solid cut by the column, each point with its own depth below the facet. Along another, the
-// facet's edge or corner is what pushes: the manifold of two convex solids. Rejected: each column as a solid
-// of its own with GJK/EPA; it meets the walls between columns, which do not exist.
+// A box, cylinder or polyhedron against a facet: of all directions that can part the solid and the facet's
+// column, and that are upward, the one of least overlap; then the manifold along it. Along the facet's
+// normal: the lower faces of the solid cut by the column, each point with its own depth below the facet.
+// Along another, the facet's edge or corner is what pushes: the manifold of two convex solids. Rejected: each
+// column as a solid of its own with GJK/EPA; it meets the walls between columns, which do not exist.
 #include "collide/pairs/facet.h"
 #include "collide/pairs/pairs.h"
 #include "geometry/epa.h"
@@ -85,18 +85,26 @@ class LeastRise {
     {
         for (int i = 0; i < 3; ++i)
             if ((m_.solid.face_axes >> i & 1) && !offer(m_.solid.pose.R.column(i))) return false;
+        for (const PolyhedronFace& f : m_.solid.faces)
+            if (!offer(m_.solid.pose.R * f.normal)) return false;
         return true;
     }
 
     bool edges()
     {
         for (int i = 0; i < 3; ++i) {
-            if (!(m_.solid.edge_axes >> i & 1)) continue;
-            const Vec3 axis = m_.solid.pose.R.column(i);
-            if (!offer_cross(axis, kUp)) return false;
-            for (int k = 0; k < 3; ++k)
-                if (!offer_cross(axis, facet_.edge(k))) return false;
+            if ((m_.solid.edge_axes >> i & 1) && !edge(m_.solid.pose.R.column(i))) return false;
         }
+        for (const Vec3 direction : m_.solid.edges)
+            if (!edge(m_.solid.pose.R * direction)) return false;
+        return true;
+    }
+
+    bool edge(Vec3 axis)
+    {
+        if (!offer_cross(axis, kUp)) return false;
+        for (int k = 0; k < 3; ++k)
+            if (!offer_cross(axis, facet_.edge(k))) return false;
         return true;
     }
 
@@ -160,6 +168,13 @@ void press_rims(const Facet& f, Meeting& m)
 void press_faces(const Facet& f, Meeting& m)
 {
     const ConvexView& s = m.solid;
+    for (const PolyhedronFace& own : s.faces) {
+        const Vec3 down = s.pose.R * own.normal;
+        if (-dot(down, f.n) < kFaceLean) continue;
+        Polygon face;
+        s.feature(down, face);
+        press(face, f, m);
+    }
     for (int i = 0; i < 3; ++i) {
         if (!(s.face_axes >> i & 1)) continue;
         const Vec3 axis = s.pose.R.column(i), down = dot(axis, f.n) > 0 ? -axis : axis;
@@ -168,6 +183,7 @@ void press_faces(const Facet& f, Meeting& m)
         s.feature(down, face);
         press(face, f, m);
     }
+    if (!s.faces.empty()) press_point(s.support(-f.n), f, m);
     if (!(s.rim_radius > 0)) return;
     const Vec3 axis = s.pose.R.column(2);
     const Vec3 aside = dot(axis, f.n) * axis - f.n;

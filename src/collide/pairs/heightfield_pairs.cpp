@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Sphere, capsule, box and cylinder against a height field. Facets whose cells lie under the solid's box are
-// taken one after the other (facet.h). Three answers need no facets: above the highest sample there is
-// nothing; below the lowest, one contact straight up; and where all samples lie in one plane, the plane's own
-// pair function answers, so that a flat field is a plane, exactly.
+// Sphere, capsule, box, cylinder and polyhedron against a height field. Facets whose cells lie under the
+// solid's box are taken one after the other (facet.h). Three answers need no facets: above the highest sample
+// there is nothing; below the lowest, one contact straight up; and where all samples lie in one plane, the
+// plane's own pair function answers, so that a flat field is a plane, exactly.
 #include "collide/pairs/facet.h"
 #include "collide/pairs/pairs.h"
 
@@ -91,6 +91,7 @@ void meet(const Capsule& a, const Pose& A, const Facet& f, Meeting& m)
 }
 void meet(const Box&, const Pose&, const Facet& f, Meeting& m) { solid_on_facet(f, m); }
 void meet(const Cylinder&, const Pose&, const Facet& f, Meeting& m) { solid_on_facet(f, m); }
+void meet(const Convex&, const Pose&, const Facet& f, Meeting& m) { solid_on_facet(f, m); }
 
 void on_plane(const Sphere& a, const Pose& A, const Plane& p, ContactSink& s)
 {
@@ -104,6 +105,10 @@ void on_plane(const Box& a, const Pose& A, const Plane& p, ContactSink& s) { box
 void on_plane(const Cylinder& a, const Pose& A, const Plane& p, ContactSink& s)
 {
     cylinder_plane(a, A, p, {}, s);
+}
+void on_plane(const Convex& a, const Pose& A, const Plane& p, ContactSink& s)
+{
+    convex_plane(a, A, p, {}, s);
 }
 
 // Contacts in the field's frame.
@@ -121,7 +126,7 @@ void collide_local(const Shape& a, const Pose& A, const HeightfieldData& data, C
     const Ground ground = survey(terrain, cells, first, slack);
     if (box.lo.y > ground.highest) return;
     if (box.hi.y < ground.lowest) {  // buried: straight up
-        sink.add({{A.p.x, ground.lowest, A.p.z}, kUp, ground.lowest - box.hi.y});
+        sink.add({{solid.pose.p.x, ground.lowest, solid.pose.p.z}, kUp, ground.lowest - box.hi.y});
         return;
     }
     if (ground.level && inside(terrain, box)) return on_plane(a, A, {first.n, first.c}, sink);
@@ -169,6 +174,11 @@ void box_heightfield(const Box& a, const Pose& A, const Heightfield& b, const Po
 }
 void cylinder_heightfield(const Cylinder& a, const Pose& A, const Heightfield& b, const Pose& B,
                           ContactSink& sink)
+{
+    collide_field(a, A, b, B, sink);
+}
+void convex_heightfield(const Convex& a, const Pose& A, const Heightfield& b, const Pose& B,
+                        ContactSink& sink)
 {
     collide_field(a, A, b, B, sink);
 }

@@ -6,6 +6,7 @@
 // far wall, `leave`, and its normal is turned inward, against the ray. A start on the surface is a hit at
 // depth 0 with the outward normal. Contact: position the hit, depth t, one contact at most.
 #include "collide/pairs/pairs.h"
+#include "geometry/polyhedron.h"
 
 namespace epode {
 
@@ -162,6 +163,20 @@ void ray_capsule(const Ray& a, const Pose& A, const Capsule& b, const Pose& B, C
     join(ball(line, {0, 0, -b.half_length}, b.radius), all);
     join(ball(line, {0, 0, b.half_length}, b.radius), all);
     hit(a, A, B, all, b.radius + b.half_length, sink);
+}
+
+void ray_convex(const Ray& a, const Pose& A, const Convex& b, const Pose& B, ContactSink& sink)
+{
+    const Pose centred = {B.to_world(b.solid->centre()), B.R};
+    const Line line = line_of(A, centred);
+    Interval in;
+    for (const PolyhedronFace& f : b.solid->faces()) {
+        const Real above = dot(f.normal, line.o) - f.offset, rate = dot(f.normal, line.d);
+        if (rate == 0 && above > 0) return;
+        if (rate < 0) in.cut(-above / rate, f.normal, in.leave, in.leave_normal);
+        if (rate > 0) in.cut(in.enter, in.enter_normal, -above / rate, f.normal);
+    }
+    hit(a, A, centred, in, b.solid->size(), sink);
 }
 
 void ray_plane(const Ray& a, const Pose& A, const Plane& b, const Pose&, ContactSink& sink)

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Convex polyhedra against the convex solids: the general answer (convex_convex.cpp), with the polyhedron's
+// own face normals where a face is what touches (geometry/least_overlap.cpp). Against a plane: the vertices
+// below it, each with its own depth, of which the best four are kept; also when all are below.
+#include "collide/pairs/pairs.h"
+#include "geometry/polyhedron.h"
+
+namespace epode {
+
+void sphere_convex(const Sphere& a, const Pose& A, const Convex& b, const Pose& B, ContactSink& sink)
+{
+    convex_convex(view_of(a, A), view_of(b, B), sink);
+}
+
+void box_convex(const Box& a, const Pose& A, const Convex& b, const Pose& B, ContactSink& sink)
+{
+    convex_convex(view_of(a, A), view_of(b, B), sink);
+}
+
+void capsule_convex(const Capsule& a, const Pose& A, const Convex& b, const Pose& B, ContactSink& sink)
+{
+    convex_convex(view_of(a, A), view_of(b, B), sink);
+}
+
+void cylinder_convex(const Cylinder& a, const Pose& A, const Convex& b, const Pose& B, ContactSink& sink)
+{
+    convex_convex(view_of(a, A), view_of(b, B), sink);
+}
+
+void convex_with_convex(const Convex& a, const Pose& A, const Convex& b, const Pose& B, ContactSink& sink)
+{
+    convex_convex(view_of(a, A), view_of(b, B), sink);
+}
+
+void convex_plane(const Convex& a, const Pose& A, const Plane& b, const Pose&, ContactSink& sink)
+{
+    const Vec3 n = transposed_times(A.R, b.normal), middle = A.to_world(a.solid->centre());
+    const Real clearance = dot(b.normal, middle) - b.d;
+    if (clearance > a.solid->size()) return;
+    constexpr int kRoom = 64;
+    ContactPoint below[kRoom];
+    int count = 0, shallowest = 0;
+    for (const Vec3 v : a.solid->vertices()) {
+        const Real depth = -(clearance + dot(n, v));
+        if (!(depth >= 0) || (count == kRoom && depth <= below[shallowest].depth)) continue;
+        below[count < kRoom ? count++ : shallowest] = {middle + A.R * v, b.normal, depth};
+        if (count < kRoom) continue;
+        for (int i = 0; i < kRoom; ++i)
+            if (below[i].depth < below[shallowest].depth) shallowest = i;
+    }
+    sink.add_manifold({below, std::size_t(count)});
+}
+
+}  // namespace epode
