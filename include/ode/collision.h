@@ -235,6 +235,8 @@ ODE_API dReal dGeomSpherePointDepth(dGeomID sphere, dReal x, dReal y, dReal z);
     counter-clockwise seen from outside. */
 ODE_API dGeomID dCreateConvex(dSpaceID space, const dReal* planes, unsigned int planecount,
                               const dReal* points, unsigned int pointcount, const unsigned int* polygons);
+ODE_API void dGeomSetConvex(dGeomID convex, const dReal* planes, unsigned int planecount, const dReal* points,
+                            unsigned int pointcount, const unsigned int* polygons);
 
 /** A box with full side lengths along its own axes, centred. [0.16] */
 ODE_API dGeomID dCreateBox(dSpaceID space, dReal lx, dReal ly, dReal lz);

@@ -69,14 +69,17 @@ void consider_triangle(const Simplex& s, int i, int j, int k, Part& best)
     }
 }
 
+// Of a flat tetrahedron rounding alone would tell the sides.
 bool encloses(const Simplex& s)
 {
     if (s.count < 4) return false;
+    constexpr Real kFlat = 1024 * kEpsilon * kEpsilon;
     constexpr int kFaces[4][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}};
     for (const auto& f : kFaces) {
         const Vec3 a = s.v[f[0]].c, n = cross(s.v[f[1]].c - a, s.v[f[2]].c - a);
-        const Real apex = dot(n, s.v[f[3]].c - a), origin = -dot(n, a);
-        if (apex == 0 || apex * origin < 0) return false;
+        const Vec3 edge = s.v[f[3]].c - a;
+        const Real apex = dot(n, edge), origin = -dot(n, a);
+        if (!(apex * apex > kFlat * length2(n) * length2(edge)) || apex * origin < 0) return false;
     }
     return true;
 }

@@ -215,6 +215,9 @@ struct Scene {
 template <class S>
 constexpr bool kSolid = !std::is_same_v<S, Plane> && !std::is_same_v<S, Ray>;
 
+template <class A, class B>
+constexpr bool kPolyhedra = std::is_same_v<A, Convex> || std::is_same_v<B, Convex>;
+
 // How far b's solid reaches beyond the start of a's along n: moving a by this parts them.
 template <class A, class B>
 Real overlap_along(const Scene<A, B>& s, Vec3 n)
@@ -242,8 +245,29 @@ const std::vector<Vec3>& sphere_points()
     return points;
 }
 
-// Least overlap: the sweep, the axes of both solids and their products, and a pattern search from the best
-// few.
+// Directions of faces and edges of a solid that has only such, in the world.
+template <class S>
+std::vector<Vec3> face_normals(const S& s, const Pose& pose)
+{
+    std::vector<Vec3> out;
+    if constexpr (std::is_same_v<S, Convex>)
+        for (const PolyhedronFace& f : s.solid->faces()) out.push_back(pose.R * f.normal);
+    return out;
+}
+template <class S>
+std::vector<Vec3> edge_directions(const S& s, const Pose& pose)
+{
+    std::vector<Vec3> out;
+    if constexpr (std::is_same_v<S, Convex>)
+        for (const Vec3 e : s.solid->edges()) out.push_back(pose.R * e);
+    else
+        for (int i = 0; i < 3; ++i) out.push_back(pose.R.column(i));
+    return out;
+}
+
+// Least overlap: the sweep, the normals and the products of edges of both solids, and a pattern search from
+// the best few. With flat faces the search creeps along creases: it is cut short, since what touches with
+// faces or straight edges is known exactly.
 template <class A, class B>
 Real least(const Scene<A, B>& s)
 {
@@ -251,22 +275,25 @@ Real least(const Scene<A, B>& s)
     std::vector<std::pair<Real, Vec3>> found;
     const auto offer = [&](Vec3 n) { found.push_back({overlap_along(s, n), n}); };
     for (const Vec3& n : sphere_points()) offer(n);
-    for (int i = 0; i < 3; ++i)
-        for (const Real sign : {Real(1), Real(-1)}) {
-            offer(sign * s.pa.R.column(i)), offer(sign * s.pb.R.column(i));
-            for (int j = 0; j < 3; ++j) {
-                Vec3 n = cross(s.pa.R.column(i), s.pb.R.column(j));
-                if (normalize(n)) offer(sign * n);
-            }
+    const auto offer_both = [&](Vec3 n) { offer(n), offer(-n); };
+    for (int i = 0; i < 3; ++i) offer_both(s.pa.R.column(i)), offer_both(s.pb.R.column(i));
+    for (const Vec3 n : face_normals(s.a, s.pa)) offer_both(n);
+    for (const Vec3 n : face_normals(s.b, s.pb)) offer_both(n);
+    for (const Vec3 u : edge_directions(s.a, s.pa))
+        for (const Vec3 v : edge_directions(s.b, s.pb)) {
+            Vec3 n = cross(u, v);
+            if (normalize(n)) offer_both(n);
         }
     Vec3 between = s.pa.p - s.pb.p;
     if (normalize(between)) offer(between);
     std::partial_sort(found.begin(), found.begin() + 6, found.end(),
                       [](const auto& x, const auto& y) { return x.first < y.first; });
+    constexpr int kMoves = kPolyhedra<A, B> ? 100 : 1 << 30;
     Real best = kInf;
     for (int k = 0; k < 6; ++k) {
         auto [h, n] = found[std::size_t(k)];
-        for (Real step = Real(0.03); step > Real(1e-7);) {
+        int moves = 0;
+        for (Real step = Real(0.03); step > Real(1e-7) && moves < kMoves; ++moves) {
             Vec3 u, v;
             plane_space(n, u, v);
             bool better = false;
@@ -355,6 +382,20 @@ void check_depth(F function, const Scene<A, B>& s)
     }
 }
 
+bool in_a_line(const Found& f)
+{
+    Vec3 first = load(f.contacts[0].pos), line;
+    const auto across = [&](int i) {
+        const Vec3 d = load(f.contacts[i].pos) - first, n = load(f.contacts[0].normal);
+        return d - dot(n, d) * n;
+    };
+    for (int i = 1; i < f.count; ++i)
+        if (length(across(i)) > length(line)) line = across(i);
+    for (int i = 1; i < f.count; ++i)
+        if (length(cross(line, across(i))) > Real(1e-5) * length2(line)) return false;
+    return f.count > 2;
+}
+
 template <class A, class B, class F>
 void check_room(F function, const Scene<A, B>& s)
 {
@@ -363,7 +404,9 @@ void check_room(F function, const Scene<A, B>& s)
     for (int room = 1; room <= 3; ++room) {
         const Found f = collide(function, s, room);
         check_numbers(f);
-        ASSERT_EQ(f.count, std::min(room, all.count));
+        // Of points in a line, as seen along the normal, only the two ends bear on anything.
+        ASSERT_LE(f.count, std::min(room, all.count));
+        ASSERT_GE(f.count, std::min({room, all.count, in_a_line(all) ? 2 : room}));
         if (f.count > 0) { ASSERT_NEAR(f.depth, all.depth, Real(1e-4)) << "the deepest must survive"; }
     }
 }
@@ -428,9 +471,7 @@ template <class A, class B, class F>
 void check_pair(F function)
 {
     Dice dice(unsigned(sizeof(A) * 31 + sizeof(B)));
-    constexpr bool polyhedra =
-        std::is_same_v<A, Convex> || std::is_same_v<B, Convex>;  // the sweep takes long
-    const int few = polyhedra ? kPoses / 4 : kPoses;
+    const int few = kPolyhedra<A, B> ? kPoses / 4 : kPoses;  // the sweep takes long
     const int poses = std::is_same_v<A, Ray> || std::is_same_v<B, Plane> ? 10 * few : few;
     int hits = 0;
     for (int i = 0; i < poses; ++i) {
@@ -515,6 +556,18 @@ Real wander(const Found& f, const Found& g)
     return most;
 }
 
+// Middle of all vertices that lie farthest along the direction.
+Vec3 middle_of_farthest(const Convex& c, Vec3 d)
+{
+    const Real most = dot(d, farthest(c, d) - c.solid->centre());
+    Vec3 sum;
+    Real count = 0;
+    for (const Vec3 v : c.solid->vertices())
+        if (dot(d, v) > most - kTight) sum += v, ++count;
+    return sum / count + c.solid->centre();
+}
+Vec3 level(Vec3 v) { return {v.x, v.y, 0}; }
+
 // a stands or lies on b, a little sunk in; then everything is shaken by a millionth.
 template <class A, class B, class F>
 void check_steady(F function)
@@ -533,6 +586,10 @@ void check_steady(F function)
             s.pb.p = {};
             // Round ends of radius 0.1 on each other, sunk in by 4 mm, touch up to 39 mm off the middle.
             s.pa.p = {dice.between(Real(-0.025), Real(0.025)), dice.between(Real(-0.025), Real(0.025)), 0};
+            // What lies lowest of a comes over what lies highest of b.
+            if constexpr (std::is_same_v<A, Convex>)
+                s.pa.p -= level(s.pa.R * middle_of_farthest(s.a, transposed_times(s.pa.R, {0, 0, -1})));
+            if constexpr (std::is_same_v<B, Convex>) s.pa.p += level(middle_of_farthest(s.b, {0, 0, 1}));
             const Real sunk = overlap_along(s, {0, 0, 1});
             s.pa.p.z += sunk - Real(0.004);
             const Found f = collide(function, s);
