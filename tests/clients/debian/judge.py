@@ -19,7 +19,7 @@ from screen import Picture, differing_share
 MESHES = {"dCreateTriMesh", "dGeomTriMeshDataCreate"}
 WAITING = {
     "/usr/lib/x86_64-linux-gnu/libdart-collision-ode.so.6.12": MESHES | {"dGeomTriMeshDataBuildDouble1", "dGeomTriMeshDataDestroy"},
-    "/usr/games/darkplaces-server": MESHES | {"dCreateConvex", "dGeomTriMeshDataBuildSingle"},
+    "/usr/games/darkplaces-server": MESHES | {"dGeomTriMeshDataBuildSingle"},
     "/usr/games/stormbaancoureur": MESHES | {"dGeomTriMeshDataBuildSingle", "dGeomTriMeshDataDestroy"},
     "/usr/games/xmoto": set(),
     "/usr/games/mokomaze": set(),

@@ -14,10 +14,17 @@
 
 namespace parity {
 
-enum class Kind { kSphere, kBox, kCapsule, kCylinder, kPlane, kRay, kTransform };
+enum class Kind { kSphere, kBox, kCapsule, kCylinder, kPlane, kRay, kTransform, kConvex };
 
-constexpr std::array<Kind, 7> kKinds = {Kind::kSphere, Kind::kBox, Kind::kCapsule,  Kind::kCylinder,
-                                        Kind::kPlane,  Kind::kRay, Kind::kTransform};
+constexpr std::array<Kind, 8> kKinds = {Kind::kSphere, Kind::kBox, Kind::kCapsule,   Kind::kCylinder,
+                                        Kind::kPlane,  Kind::kRay, Kind::kTransform, Kind::kConvex};
+
+// The arrays that a convex geom was made of; the original reads them as long as the geom lives. A box, or a
+// frustum of one: the top smaller than the bottom.
+struct ConvexArrays {
+    std::array<dReal, 24> points;
+    std::array<dReal, 24> planes;
+};
 
 const char* kind_name(Kind kind);
 
@@ -25,6 +32,10 @@ struct Placed {
     dGeomID geom;
     double radius;
 };
+
+// Of a geom made by make_geom.
+const ConvexArrays& convex_arrays(dGeomID geom);
+const unsigned* convex_polygons();
 
 Placed make_geom(Kind kind, dSpaceID space, Random& random);
 

@@ -2,7 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // See inside.h. Depth of a point in a shape, in the shape's frame (positive inside): sphere r - |p|; box the
-// least of s/2 - |p_i|; capsule r - distance to the segment; cylinder min(r - rho, l/2 - |z|).
+// least of s/2 - |p_i|; capsule r - distance to the segment; cylinder min(r - rho, l/2 - |z|); convex the
+// least of d - n . p over its planes.
 #include "inside.h"
 
 #include <algorithm>
@@ -51,6 +52,16 @@ double plane_depth(dGeomID geom, const Vec3& p)
     return n[3] - (n[0] * p.x + n[1] * p.y + n[2] * p.z);
 }
 
+double convex_depth(dGeomID geom, const Vec3& p)
+{
+    double least = 1e9;
+    const auto& n = convex_arrays(geom).planes;
+    for (std::size_t i = 0; i < n.size(); i += 4) {
+        least = std::min<double>(least, n[i + 3] - (n[i] * p.x + n[i + 1] * p.y + n[i + 2] * p.z));
+    }
+    return least;
+}
+
 double depth_in(dGeomID geom, const Vec3& point)
 {
     const int shape = dGeomGetClass(geom);
@@ -65,6 +76,8 @@ double depth_in(dGeomID geom, const Vec3& point)
             return capsule_depth(geom, p);
         case dCylinderClass:
             return cylinder_depth(geom, p);
+        case dConvexClass:
+            return convex_depth(geom, p);
         case dGeomTransformClass:
             return depth_in(dGeomTransformGetGeom(geom), p);
         default:

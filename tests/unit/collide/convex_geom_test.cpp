@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Convex geoms through ODE's interface: a cube made of its faces answers as a box does, dGeomSetConvex
+// changes the shape and its bounding box, the client's arrays are not needed afterwards, and bad arrays are
+// refused by name and change nothing.
+#include <gtest/gtest.h>
+#include <ode/ode.h>
+
+#include <cmath>
+#include <vector>
+
+#include "../api/message_recorder.h"
+
+namespace {
+
+constexpr dReal kTight = sizeof(dReal) == 4 ? dReal(1e-5) : dReal(1e-12);
+
+// A box of the given half sides about (x, 0, 0), as a client would list it.
+struct Arrays {
+    std::vector<dReal> points, planes;
+    std::vector<unsigned> polygons;
+    unsigned faces() const { return unsigned(planes.size() / 4); }
+    unsigned corners() const { return unsigned(points.size() / 3); }
+    dGeomID create(dSpaceID space = nullptr) const
+    {
+        return dCreateConvex(space, planes.data(), faces(), points.data(), corners(), polygons.data());
+    }
+    void give(dGeomID geom) const
+    {
+        dGeomSetConvex(geom, planes.data(), faces(), points.data(), corners(), polygons.data());
+    }
+};
+
+Arrays box_arrays(dReal a, dReal b, dReal c, dReal x = 0)
+{
+    Arrays out;
+    const dReal half[3] = {a, b, c};
+    for (int i = 0; i < 8; ++i)
+        for (int k = 0; k < 3; ++k)
+            out.points.push_back((i >> k & 1 ? half[k] : -half[k]) + (k == 0 ? x : 0));
+    for (int k = 0; k < 3; ++k)
+        for (const dReal sign : {dReal(1), dReal(-1)}) {
+            for (int j = 0; j < 3; ++j) out.planes.push_back(j == k ? sign : dReal(0));
+            out.planes.push_back(half[k] + (k == 0 ? sign * x : 0));
+        }
+    out.polygons = {4, 1, 3, 7, 5, 4, 0, 4, 6, 2, 4, 2, 6, 7, 3, 4, 0, 1, 5, 4, 4, 4, 5, 7, 6, 4, 0, 2, 3, 1};
+    return out;
+}
+
+struct Touch {
+    dContactGeom contacts[8];
+    int count;
+    Touch(dGeomID a, dGeomID b) : contacts(), count(dCollide(a, b, 8, contacts, sizeof(dContactGeom))) {}
+};
+
+TEST(ConvexGeom, AnswersAsTheBoxItIs)
+{
+    const dGeomID box = dCreateBox(nullptr, 1, 2, 3);
+    const dGeomID convex = box_arrays(dReal(0.5), 1, dReal(1.5)).create();
+    ASSERT_NE(convex, nullptr);
+    EXPECT_EQ(dGeomGetClass(convex), dConvexClass);
+    const dGeomID others[] = {dCreateSphere(nullptr, dReal(0.4)), dCreateBox(nullptr, 1, 1, 1),
+                              dCreateCapsule(nullptr, dReal(0.3), 1), dCreateCylinder(nullptr, dReal(0.4), 1),
+                              dCreatePlane(nullptr, 0, 0, 1, dReal(-1.4))};
+    const dReal at[][3] = {
+        {0, dReal(0.1), dReal(1.8)}, {dReal(0.8), dReal(0.2), 0}, {0, dReal(1.2), dReal(0.3)}};
+    for (const dGeomID other : others)
+        for (const auto& p : at) {
+            if (dGeomGetClass(other) != dPlaneClass) dGeomSetPosition(other, p[0], p[1], p[2]);
+            const Touch first(box, other), second(convex, other), turned(other, convex);
+            ASSERT_EQ(first.count > 0, second.count > 0);
+            ASSERT_EQ(second.count, turned.count);
+            for (int i = 0; i < second.count; ++i) {
+                EXPECT_EQ(second.contacts[i].g1, convex);
+                EXPECT_EQ(turned.contacts[i].g2, convex);
+                EXPECT_EQ(second.contacts[i].side1, -1);
+                for (int k = 0; k < 3; ++k) {
+                    EXPECT_NEAR(second.contacts[i].normal[k], first.contacts[0].normal[k], kTight);
+                    EXPECT_EQ(second.contacts[i].normal[k], -turned.contacts[i].normal[k]);
+                }
+            }
+            dReal deepest[2] = {0, 0};
+            for (int i = 0; i < first.count; ++i) deepest[0] = std::fmax(deepest[0], first.contacts[i].depth);
+            for (int i = 0; i < second.count; ++i)
+                deepest[1] = std::fmax(deepest[1], second.contacts[i].depth);
+            EXPECT_NEAR(deepest[0], deepest[1], kTight);
+        }
+    for (const dGeomID g : others) dGeomDestroy(g);
+    dGeomDestroy(box), dGeomDestroy(convex);
+}
+
+TEST(ConvexGeom, AnObliqueRayHitsWhereItEnters)
+{
+    const dGeomID convex = box_arrays(dReal(0.5), dReal(0.5), dReal(0.5)).create();
+    const dGeomID ray = dCreateRay(nullptr, 10);
+    dGeomSetPosition(convex, dReal(0.3), 0, 0);
+    dGeomRaySet(ray, 2, dReal(0.2), 2, -1, 0, -1);
+    const Touch hit(ray, convex);
+    ASSERT_EQ(hit.count, 1);
+    EXPECT_NEAR(hit.contacts[0].depth, std::sqrt(dReal(4.5)), 10 * kTight);
+    EXPECT_NEAR(hit.contacts[0].pos[0], dReal(0.5), 10 * kTight);
+    EXPECT_NEAR(hit.contacts[0].normal[2], 1, kTight);
+    dGeomRaySetLength(ray, 2);
+    EXPECT_EQ(Touch(ray, convex).count, 0);
+    dGeomDestroy(ray), dGeomDestroy(convex);
+}
+
+TEST(ConvexGeom, TakesAnotherShapeAtOnce)
+{
+    dGeomID convex = nullptr;
+    {
+        Arrays arrays = box_arrays(1, 1, 1);
+        convex = arrays.create();
+        for (dReal& x : arrays.points) x = 77;  // not needed any more
+    }
+    dReal box[6];
+    dGeomGetAABB(convex, box);
+    EXPECT_EQ(box[0], -1);
+    box_arrays(1, 2, 3, 5).give(convex);
+    dGeomGetAABB(convex, box);
+    EXPECT_EQ(box[0], 4);
+    EXPECT_EQ(box[1], 6);
+    EXPECT_EQ(box[5], 3);
+    dGeomDestroy(convex);
+}
+
+TEST(ConvexGeom, RefusesWhatIsNoSolid)
+{
+    MessageRecorder heard;
+    const Arrays good = box_arrays(1, 1, 1);
+    const dGeomID convex = good.create();
+    const dReal nan = std::numeric_limits<dReal>::quiet_NaN();
+    const auto refused = [&](const Arrays& arrays) {
+        EXPECT_EQ(arrays.create(), nullptr);
+        arrays.give(convex);
+        dReal box[6];
+        dGeomGetAABB(convex, box);
+        EXPECT_EQ(box[1], 1);
+        const std::string said = heard.take();
+        EXPECT_NE(said.find("in dCreateConvex()"), std::string::npos) << said;
+        EXPECT_NE(said.find("in dGeomSetConvex()"), std::string::npos) << said;
+        return said;
+    };
+    Arrays bad = good;
+    bad.points[5] = nan;
+    EXPECT_NE(refused(bad).find("point is not a usable number"), std::string::npos);
+    bad = good, bad.planes[3] = nan;
+    EXPECT_NE(refused(bad).find("plane is not a usable number"), std::string::npos);
+    bad = good, bad.polygons[4] = 8;
+    EXPECT_NE(refused(bad).find("polygon with a corner that is no point"), std::string::npos);
+    bad = good, bad.polygons[5] = 2;
+    EXPECT_NE(refused(bad).find("polygon with a wrong number of corners"), std::string::npos);
+    for (dReal& x : (bad = good).points) x = 3;
+    refused(bad);
+    const auto pointers = [&](const dReal* planes, const dReal* points, const unsigned* polygons,
+                              unsigned faces, unsigned corners) {
+        EXPECT_EQ(dCreateConvex(nullptr, planes, faces, points, corners, polygons), nullptr);
+        EXPECT_NE(heard.take(), "");
+    };
+    pointers(nullptr, good.points.data(), good.polygons.data(), 6, 8);
+    pointers(good.planes.data(), nullptr, good.polygons.data(), 6, 8);
+    pointers(good.planes.data(), good.points.data(), nullptr, 6, 8);
+    pointers(good.planes.data(), good.points.data(), good.polygons.data(), 6, 0);
+    pointers(good.planes.data(), good.points.data(), good.polygons.data(), 6, ~0u);  // a negative number
+    pointers(good.planes.data(), good.points.data(), good.polygons.data(), ~5u, 8);
+    dGeomSetConvex(nullptr, good.planes.data(), 6, good.points.data(), 8, good.polygons.data());
+    EXPECT_NE(heard.take(), "");
+    const dGeomID ball = dCreateSphere(nullptr, 1);
+    good.give(ball);
+    EXPECT_EQ(heard.take(), "2: argument not a convex shape in dGeomSetConvex()");
+    dGeomDestroy(ball), dGeomDestroy(convex);
+}
+
+TEST(ConvexGeom, KeepsItsShapeWhileItsSpaceCollides)
+{
+    MessageRecorder heard;
+    const dSpaceID space = dHashSpaceCreate(nullptr);
+    struct Both {
+        dGeomID convex;
+        Arrays arrays;
+    } both = {box_arrays(1, 1, 1).create(space), box_arrays(2, 2, 2)};
+    dCreateSphere(space, 1);
+    dSpaceCollide(space, &both, [](void* data, dGeomID, dGeomID) {
+        const Both& b = *static_cast<Both*>(data);
+        b.arrays.give(b.convex);
+    });
+    EXPECT_NE(heard.take().find("in dGeomSetConvex()"), std::string::npos);
+    dSpaceDestroy(space);
+}
+
+}  // namespace
