@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Types and constants of triangle meshes. Included by collision.h; do not include it alone.
+// Triangle meshes. Included by collision.h; do not include it alone.
 #ifndef _ODE_COLLISION_TRIMESH_H_
 #define _ODE_COLLISION_TRIMESH_H_
 
@@ -18,7 +18,7 @@ typedef enum { dMTV__MIN, dMTV_FIRST = dMTV__MIN, dMTV_SECOND, dMTV_THIRD, dMTV_
 /** Kinds of extra data that a mesh can carry. */
 enum {
     dTRIMESHDATA__MIN,
-    dTRIMESHDATA_FACE_NORMALS = dTRIMESHDATA__MIN, /**< a dVector3 per triangle */
+    dTRIMESHDATA_FACE_NORMALS = dTRIMESHDATA__MIN, /**< three dReal per triangle */
     dTRIMESHDATA_USE_FLAGS,                        /**< a byte of dMESHDATAUSE_ bits per triangle */
     dTRIMESHDATA__MAX,
 #ifndef TRIMESH_FACE_NORMALS
@@ -54,6 +54,33 @@ enum {
     dTRIDATAPREPROCESS_FACE_ANGLES_EXTRA__DEFAULT = dTRIDATAPREPROCESS_FACE_ANGLES_EXTRA_BYTE_POSITIVE
 };
 
+/** @chapter trimeshes Triangle meshes
+
+   Surfaces of triangles, open or closed. The front of a triangle v0, v1, v2 is where it runs
+   counter-clockwise. A mesh is met at its surface: what lies wholly inside a closed one touches nothing. The
+   triangles are data that any number of geoms share.
+
+   Vertices and indices are copied when data are built and when dGeomTriMeshDataUpdate is called, and read at
+   no other time: the program may change or free its arrays in between, but must keep them, or others at the
+   same place, for an update. Normals and use flags are not copied: the program keeps them alive. Edges are
+   recognised by equal indices or by exactly equal positions, so meshes that repeat their vertices for every
+   triangle are as good as others. A triangle without area keeps its number and touches nothing.
+
+   Arguments:
+   - g: the data in functions named dGeomTriMeshData..., else the geom.
+   - Data: the triangles of a geom, or 0 for none.
+   - Vertices, VertexCount: VertexCount >= 1 times x, y, z, m, in the frame of the geom.
+   - VertexStride: bytes from a vertex to the next, at least what three numbers take.
+   - Indices, IndexCount: three numbers of vertices, from 0, for each triangle; a multiple of 3 in all.
+   - TriStride: bytes from a triangle to the next, at least what three indices take.
+   - Index: the number of a triangle, from 0.
+   - Callback, ArrayCallback, RayCallback: functions that have a say in the contacts of a mesh, or 0. While
+   they run, the geoms and the data of the pair cannot be destroyed or given other triangles.
+
+   Refused: data or a geom that is 0, destroyed or no mesh; null pointers, counts and strides that are too
+   small, an index beyond the vertices, a coordinate that is no finite number. Nothing changes then, and the
+   answer is 0. */
+
 /** May a triangle touch the other geom? Returns non-zero to let it. */
 typedef int dTriCallback(dGeomID TriMesh, dGeomID RefObject, int TriangleIndex);
 
@@ -65,6 +92,101 @@ typedef int dTriRayCallback(dGeomID TriMesh, dGeomID Ray, int TriangleIndex, dRe
 
 /** Which triangle number a contact gets that is merged from those of two triangles. */
 typedef int dTriTriMergeCallback(dGeomID TriMesh, int FirstTriangleIndex, int SecondTriangleIndex);
+
+/** The triangles of one or more geoms, empty at first. Geoms whose data are destroyed touch nothing.
+    Refused while a collision goes on that may need them. [0.16] */
+ODE_API dTriMeshDataID dGeomTriMeshDataCreate(void);
+ODE_API void dGeomTriMeshDataDestroy(dTriMeshDataID g);
+
+/** Set the triangles, from vertices of type float (Single), double (Double) or of dVector3 without gaps, with
+   indices without gaps (Simple). Data that have been built already get new triangles, and their geoms with
+   them. Normals: three dReal for each triangle, or 0, as for dTRIMESHDATA_FACE_NORMALS; the last function
+   takes them under another type. Single vertices are taken to be rounded as floats are: edges that this may
+   have bent count as flat. Refused while a collision goes on that needs the data. [0.16] */
+ODE_API void dGeomTriMeshDataBuildSingle(dTriMeshDataID g, const void* Vertices, int VertexStride,
+                                         int VertexCount, const void* Indices, int IndexCount, int TriStride);
+ODE_API void dGeomTriMeshDataBuildSingle1(dTriMeshDataID g, const void* Vertices, int VertexStride,
+                                          int VertexCount, const void* Indices, int IndexCount, int TriStride,
+                                          const void* Normals);
+ODE_API void dGeomTriMeshDataBuildDouble(dTriMeshDataID g, const void* Vertices, int VertexStride,
+                                         int VertexCount, const void* Indices, int IndexCount, int TriStride);
+ODE_API void dGeomTriMeshDataBuildDouble1(dTriMeshDataID g, const void* Vertices, int VertexStride,
+                                          int VertexCount, const void* Indices, int IndexCount, int TriStride,
+                                          const void* Normals);
+ODE_API void dGeomTriMeshDataBuildSimple(dTriMeshDataID g, const dReal* Vertices, int VertexCount,
+                                         const dTriIndex* Indices, int IndexCount);
+ODE_API void dGeomTriMeshDataBuildSimple1(dTriMeshDataID g, const dReal* Vertices, int VertexCount,
+                                          const dTriIndex* Indices, int IndexCount, const int* Normals);
+
+/** Read the arrays that the data were built from again, after the program has moved vertices or, which costs
+    as much as building, changed indices. Edges stay those that they were. The bounding boxes of the geoms
+    follow. Refused, and nothing changes, for data that are not built, numbers that building refuses, and
+    while a collision goes on that needs the data. [0.16] */
+ODE_API void dGeomTriMeshDataUpdate(dTriMeshDataID g);
+
+/** Compute what buildRequestFlags asks for, bits 1 << dTRIDATAPREPROCESS_BUILD_...; 0 only when memory is
+    exhausted or something is refused. Asking again computes again. CONCAVE_EDGES makes the use flags:
+    dMESHDATAUSE_ bits for each triangle, every edge that is not concave and every vertex without concave
+   edges given to one triangle, the first. FACE_ANGLES makes nothing, as all that contacts need is always
+   there; its extra data, requestExtraData[dTRIDATAPREPROCESS_BUILD_FACE_ANGLES], is checked. requestExtraData
+   may be 0. Face normals that are not unit vectors are refused. The first function asks for CONCAVE_EDGES.
+   [0.16] */
+ODE_API int dGeomTriMeshDataPreprocess(dTriMeshDataID g);
+ODE_API int dGeomTriMeshDataPreprocess2(dTriMeshDataID g, unsigned int buildRequestFlags,
+                                        const dintptr* requestExtraData);
+
+/** Data of the program's own, in_data, for data_id (dTRIMESHDATA_...); not copied. Use flags hide those that
+    have been computed until they are set to 0. Contacts do without either: they are there for programs that
+    store them. Get2 answers what is set or computed, else 0, and writes the number of bytes, if pout_size is
+    not 0. [0.16] */
+ODE_API void dGeomTriMeshDataSet(dTriMeshDataID g, int data_id, void* in_data);
+ODE_API void* dGeomTriMeshDataGet2(dTriMeshDataID g, int data_id, dsizeint* pout_size);
+
+/** The use flags under their old names: buf are the flags, *bufLen their number. buf and bufLen may be 0 when
+    they are asked for. [0.16] */
+ODE_API_DEPRECATED ODE_API void dGeomTriMeshDataGetBuffer(dTriMeshDataID g, unsigned char** buf, int* bufLen);
+ODE_API_DEPRECATED ODE_API void dGeomTriMeshDataSetBuffer(dTriMeshDataID g, unsigned char* buf);
+
+/** A mesh in the world, in space or (0) in none, and its data. Its bounding box is that of the data, turned.
+    Setting data is refused while the geom is being collided. [0.16] */
+ODE_API dGeomID dCreateTriMesh(dSpaceID space, dTriMeshDataID Data, dTriCallback* Callback,
+                               dTriArrayCallback* ArrayCallback, dTriRayCallback* RayCallback);
+ODE_API void dGeomTriMeshSetData(dGeomID g, dTriMeshDataID Data);
+ODE_API dTriMeshDataID dGeomTriMeshGetData(dGeomID g);
+ODE_API dTriMeshDataID dGeomTriMeshGetTriMeshDataID(dGeomID g);
+
+/** The functions of the program that have a say in contacts. Callback and ArrayCallback are called for
+    triangles near the other geom, which need not touch it. Hits of a ray are put to RayCallback and then to
+    Callback, from the nearest on, until enough have been accepted by both. The last is called when contacts
+    of two triangles become one; without it such a contact has the number -1. [0.16] */
+ODE_API void dGeomTriMeshSetCallback(dGeomID g, dTriCallback* Callback);
+ODE_API dTriCallback* dGeomTriMeshGetCallback(dGeomID g);
+ODE_API void dGeomTriMeshSetArrayCallback(dGeomID g, dTriArrayCallback* ArrayCallback);
+ODE_API dTriArrayCallback* dGeomTriMeshGetArrayCallback(dGeomID g);
+ODE_API void dGeomTriMeshSetRayCallback(dGeomID g, dTriRayCallback* Callback);
+ODE_API dTriRayCallback* dGeomTriMeshGetRayCallback(dGeomID g);
+ODE_API void dGeomTriMeshSetTriMergeCallback(dGeomID g, dTriTriMergeCallback* Callback);
+ODE_API dTriTriMergeCallback* dGeomTriMeshGetTriMergeCallback(dGeomID g);
+
+/** How many triangles there are, those without area included; 0 without data. [0.16] */
+ODE_API int dGeomTriMeshGetTriangleCount(dGeomID g);
+
+/** The corners of a triangle in the world, m, written to *v0, *v1 and *v2, of which some but not all may be
+   0; and the point (1 - u - v) v0 + u v1 + v v2, written to Out. [0.16] */
+ODE_API void dGeomTriMeshGetTriangle(dGeomID g, int Index, dVector3* v0, dVector3* v1, dVector3* v2);
+ODE_API void dGeomTriMeshGetPoint(dGeomID g, int Index, dReal u, dReal v, dVector3 Out);
+
+/** Sixteen numbers, last_trans, kept for the program, zero at first: its place for the pose of the step
+   before, which contacts do not need. The pointer stays valid as long as the geom. [0.16] */
+ODE_API void dGeomTriMeshSetLastTransform(dGeomID g, const dMatrix4 last_trans);
+ODE_API const dReal* dGeomTriMeshGetLastTransform(dGeomID g);
+
+/** Whether (enable) what is found out about geoms of class geomClass (dSphereClass, dBoxClass, dCapsuleClass;
+    others stay 0) may be remembered for their next collision, default 0. Kept and answered; nothing is
+    remembered, so nothing is there to be cleared. [0.16] */
+ODE_API void dGeomTriMeshEnableTC(dGeomID g, int geomClass, int enable);
+ODE_API int dGeomTriMeshIsTCEnabled(dGeomID g, int geomClass);
+ODE_API void dGeomTriMeshClearTCCache(dGeomID g);
 
 #ifdef __cplusplus
 }

@@ -65,6 +65,15 @@ ODE_API void dMassSetCylinderTotal(dMass* m, dReal total_mass, int direction, dR
 ODE_API void dMassSetBox(dMass* m, dReal density, dReal lx, dReal ly, dReal lz);
 ODE_API void dMassSetBoxTotal(dMass* m, dReal total_mass, dReal lx, dReal ly, dReal lz);
 
+/** What the triangles of the geom g, a mesh, enclose, as it stands in the world: the centre is written as it
+    is, and the inertia is that about the world's origin; translate by -c for a body. The integrals are exact
+    for a closed mesh whose fronts are outside; turned inside out it has a negative mass (a mass given as a
+    total stays as given). An open mesh is taken to be closed by cones over its border, from the first corner
+    of its first triangle. Refused: a geom of another class, a mesh without data, triangles that enclose
+    nothing. [0.16] */
+ODE_API void dMassSetTrimesh(dMass* m, dReal density, dGeomID g);
+ODE_API void dMassSetTrimeshTotal(dMass* m, dReal total_mass, dGeomID g);
+
 /** Scale mass and inertia to the mass newmass (kg); the centre stays. A mass of 0 cannot be scaled:
     refused. [0.16] */
 ODE_API void dMassAdjust(dMass* m, dReal newmass);
@@ -122,6 +131,8 @@ struct dMass {
     }
     void setBox(dReal density, dReal lx, dReal ly, dReal lz) { dMassSetBox(this, density, lx, ly, lz); }
     void setBoxTotal(dReal total, dReal lx, dReal ly, dReal lz) { dMassSetBoxTotal(this, total, lx, ly, lz); }
+    void setTrimesh(dReal density, dGeomID g) { dMassSetTrimesh(this, density, g); }
+    void setTrimeshTotal(dReal total, dGeomID g) { dMassSetTrimeshTotal(this, total, g); }
     void adjust(dReal newmass) { dMassAdjust(this, newmass); }
     void translate(dReal x, dReal y, dReal z) { dMassTranslate(this, x, y, z); }
     void rotate(const dMatrix3 R) { dMassRotate(this, R); }

@@ -24,6 +24,7 @@ enum class Tag : std::uint32_t {
     kJointGroup = 0x0de00004,
     kGeom = 0x0de00005,
     kHeightfieldData = 0x0de00006,
+    kTrimeshData = 0x0de00007,
     kThreading = 0x0de00011,
     kThreadPool = 0x0de00012,
     kMutexGroup = 0x0de00013,

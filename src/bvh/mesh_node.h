@@ -37,7 +37,12 @@ struct MeshLeaf {
     int first, count;
 };
 
-// A ray, unit direction, in the frame of the mesh.
+// n . x <= d in the frame of the mesh.
+struct HalfSpace {
+    float n[3], d;
+};
+
+// A ray in the frame of the mesh.
 struct NodeRay {
     NodeRay(Vec3 o, Vec3 d);
     float origin[3], inverse[3];
@@ -57,6 +62,7 @@ struct alignas(64) MeshNode {
 
     // Bits of the children met.
     unsigned met_by(const FloatBox& box) const;
+    unsigned met_by(const HalfSpace& space) const;
     unsigned met_by(const NodeRay& ray, float reach, float* near) const;
     unsigned there() const;  // bits of the children that exist
 };
@@ -107,6 +113,17 @@ inline unsigned MeshNode::met_by(const FloatBox& box) const
         apart |= base + places(hi[i]) * grain < floats(box.lo[i]);
     }
     return ~bits(apart) & there();
+}
+
+inline unsigned MeshNode::met_by(const HalfSpace& space) const
+{
+    using namespace mesh_lanes;
+    Floats least{};
+    for (int i = 0; i < 3; ++i) {
+        const Floats nearest = floats(origin[i]) + places(space.n[i] > 0 ? lo[i] : hi[i]) * floats(step[i]);
+        least += floats(space.n[i]) * nearest;
+    }
+    return bits(least <= floats(space.d)) & there();
 }
 
 inline unsigned MeshNode::met_by(const NodeRay& ray, float reach, float* near) const

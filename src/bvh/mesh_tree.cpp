@@ -290,6 +290,15 @@ void MeshTree::refit(const TriangleMesh& mesh)
     }
 }
 
+// Of unit length; beyond the mesh d does not matter.
+HalfSpace MeshTree::half_space(Vec3 n, Real d) const
+{
+    const Real size = length(n);
+    const Vec3 unit = size > 0 ? n / size : Vec3{};
+    const Real far = size > 0 ? scale_ * (d / size - dot(unit, centre_)) : (d >= 0 ? kInf : -kInf);
+    return {{float(unit.x), float(unit.y), float(unit.z)}, float(far > 4 ? 4 : far < -4 ? -4 : far)};
+}
+
 // Cuts the ray by the mesh's box, a little widened, and moves it there. False when it passes by.
 bool MeshTree::enter(MeshRay& ray, Real from, Real& to) const
 {

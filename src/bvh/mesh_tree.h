@@ -20,8 +20,9 @@ namespace epode {
 // A ray in the mesh's frame, as triangles are tested by it: moved to where it enters the mesh's box.
 struct MeshRay {
     Vec3 origin;
-    Vec3 direction;  // unit
-    Real start = 0;  // how far it was moved
+    Vec3 direction;
+    Real start = 0;  // how far it was moved, in lengths of `direction`
+    Real scale = 1;  // a power of two that brings the mesh to the size of 1
 };
 
 class MeshTree {
@@ -35,6 +36,10 @@ class MeshTree {
     // visit(triangle) for all that are not degenerate and whose boxes meet `box`, until it answers false.
     template <typename Visit>
     void query(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) const;
+
+    // The same for those that may lie at or below the plane n . x = d.
+    template <typename Visit>
+    void below(const TriangleMesh& mesh, Vec3 n, Real d, Visit&& visit) const;
 
     // visit(ray, triangle) for those, degenerate ones too, whose leaf the ray meets between `from` and `to`,
     // near ones first as a rule. It answers how far the ray has still to be followed (from its unmoved
@@ -50,6 +55,10 @@ class MeshTree {
         int child;
         float near;
     };
+    // visit(triangle) for what is in leaves that are met, until it answers false.
+    template <typename Meets, typename Visit>
+    void walk(Meets&& meets, Visit&& visit) const;
+    HalfSpace half_space(Vec3 n, Real d) const;
     bool enter(MeshRay& ray, Real from, Real& to) const;
     Vec3 in_frame(Vec3 p) const { return scale_ * (p - centre_); }
     void set_frame(const TriangleMesh& mesh);
@@ -63,11 +72,10 @@ class MeshTree {
     Real scale_ = 1;  // a power of two
 };
 
-template <typename Visit>
-void MeshTree::query(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) const
+template <typename Meets, typename Visit>
+void MeshTree::walk(Meets&& meets, Visit&& visit) const
 {
-    if (nodes_.empty() || !overlap(box, box_)) return;
-    const FloatBox asked = float_box({in_frame(max(box.lo, box_.lo)), in_frame(min(box.hi, box_.hi))});
+    if (nodes_.empty()) return;
     int stack[kMeshStack];
     int top = 0;
     stack[top++] = 0;
@@ -75,23 +83,38 @@ void MeshTree::query(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) c
         const int child = stack[--top];
         if (child >= 0) {
             const MeshNode& node = nodes_.data()[child];
-            const unsigned met = node.met_by(asked);
+            const unsigned met = meets(node);
             for (int k = 3; k >= 0; --k)
                 if (met >> k & 1) stack[top++] = node.child[k];
             continue;
         }
         const MeshLeaf leaf(child);
-        for (int i = leaf.first; i < leaf.first + leaf.count; ++i) {
-            const int t = order_.data()[i];
-            if (overlap(mesh.box(t), box) && !mesh.degenerate(t) && !visit(t)) return;
-        }
+        for (int i = leaf.first; i < leaf.first + leaf.count; ++i)
+            if (!visit(order_.data()[i])) return;
     }
+}
+
+template <typename Visit>
+void MeshTree::query(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) const
+{
+    if (!overlap(box, box_)) return;
+    const FloatBox asked = float_box({in_frame(max(box.lo, box_.lo)), in_frame(min(box.hi, box_.hi))});
+    walk([&](const MeshNode& node) { return node.met_by(asked); },
+         [&](int t) { return !overlap(mesh.box(t), box) || mesh.degenerate(t) || visit(t); });
+}
+
+template <typename Visit>
+void MeshTree::below(const TriangleMesh& mesh, Vec3 n, Real d, Visit&& visit) const
+{
+    const HalfSpace asked = half_space(n, d);
+    walk([&](const MeshNode& node) { return node.met_by(asked); },
+         [&](int t) { return mesh.degenerate(t) || visit(t); });
 }
 
 template <typename Visit>
 void MeshTree::cast(Vec3 origin, Vec3 direction, Real from, Real to, Visit&& visit) const
 {
-    MeshRay ray{origin, direction, 0};
+    MeshRay ray{origin, direction, 0, scale_};
     if (nodes_.empty() || !enter(ray, from, to)) return;
     const NodeRay node_ray(in_frame(ray.origin), direction);
     const auto left = [&] { return float(scale_ * (to - ray.start)) + kMeshMargin; };

@@ -87,6 +87,7 @@ void ColliderTable::fill()
 #define PAIR(First, Second, function)                                 \
     set_both(GeomTraits<First>::kNumber, GeomTraits<Second>::kNumber, \
              {.pair = thunk<&function, First, Second>});
+#include "collide/mesh_pairs.inc"
 #include "collide/pairs.inc"
 #include "collide/terrain_pairs.inc"
 #undef PAIR
@@ -159,6 +160,7 @@ void reverse(dContactGeom& c)
 void run_pair(PairThunk pair, const Placed& a, const Placed& b, ContactArray& out)
 {
     ContactSink sink(out.at(out.count), out.stride, out.room - out.count, out.unimportant);
+    sink.name(to_handle(a.geom), to_handle(b.geom));
     pair(*a.geom, a.pose, *b.geom, b.pose, sink);
     for (int i = 0; i < sink.count(); ++i) {
         dContactGeom& c = *sink.at(i);
@@ -168,21 +170,30 @@ void run_pair(PairThunk pair, const Placed& a, const Placed& b, ContactArray& ou
     out.count += sink.count();
 }
 
-int call_user(dColliderFn* function, const Placed& a, const Placed& b, const ContactArray& out)
+// For what calls functions of the program: these find both geoms where they are taken to be, and cannot give
+// up what the call relies on.
+template <typename Call>
+void while_held(Call&& call, const Placed& a, const Placed& b)
 {
     if (a.elsewhere) {
         const PlacedElsewhere there(*a.geom, a.pose);
         Placed settled = a;
         settled.elsewhere = false;
-        return call_user(function, settled, b, out);
+        return while_held(call, settled, b);
     }
     if (b.elsewhere) {
         const PlacedElsewhere there(*b.geom, b.pose);
         Placed settled = b;
         settled.elsewhere = false;
-        return call_user(function, a, settled, out);
+        return while_held(call, a, settled);
     }
-    const GeomHold hold_a(*a.geom), hold_b(*b.geom), hold_named_a(*a.named), hold_named_b(*b.named);
+    const MeshHold hold_a(*a.geom), hold_b(*b.geom);
+    const GeomHold hold_named_a(*a.named), hold_named_b(*b.named);
+    call();
+}
+
+int call_user(dColliderFn* function, const Placed& a, const Placed& b, const ContactArray& out)
+{
     const int room = out.room - out.count;
     const int flags = room | (out.unimportant ? int(CONTACTS_UNIMPORTANT) : 0);
     const int found = function(to_handle(a.geom), to_handle(b.geom), flags, out.at(out.count), out.stride);
@@ -191,13 +202,21 @@ int call_user(dColliderFn* function, const Placed& a, const Placed& b, const Con
 
 void run_user(dColliderFn* function, const Placed& a, const Placed& b, ContactArray& out)
 {
-    const int found = call_user(function, a, b, out);
+    int found = 0;
+    while_held([&] { found = call_user(function, a, b, out); }, a, b);
     for (int i = out.count; i < out.count + found; ++i) {
         dContactGeom& c = *out.at(i);
         if (a.named != a.geom) c.g1 = to_handle(a.named);
         if (b.named != b.geom) c.g2 = to_handle(b.named);
     }
     out.count += found;
+}
+
+// Is there a function of the program that has a say in the contacts?
+bool asks(Geom& geom)
+{
+    const TrimeshGeom* mesh = as_trimesh(geom);
+    return mesh && mesh->shape.asks();
 }
 
 void collide_placed(const Placed& a, const Placed& b, ContactArray& out)
@@ -216,7 +235,9 @@ void collide_placed(const Placed& a, const Placed& b, ContactArray& out)
     }
     const int before = out.count;
     const Placed &first = collider.reversed ? b : a, &second = collider.reversed ? a : b;
-    if (collider.pair)
+    if (collider.pair && (asks(*first.geom) || asks(*second.geom)))
+        while_held([&] { run_pair(collider.pair, first, second, out); }, first, second);
+    else if (collider.pair)
         run_pair(collider.pair, first, second, out);
     else
         run_user(collider.user, first, second, out);

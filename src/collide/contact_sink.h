@@ -34,8 +34,14 @@ class ContactSink {
     bool full() const { return count_ >= room_; }
     bool unimportant() const { return unimportant_; }  // the caller takes any contacts that fit
 
+    // The geoms of the pair, for functions of the program that are told of them.
+    void name(dGeomID first, dGeomID second) { geoms_[0] = first, geoms_[1] = second; }
+    dGeomID first_geom() const { return geoms_[0]; }
+    dGeomID second_geom() const { return geoms_[1]; }
+
     // False when there was no room.
     bool add(const ContactPoint& point);
+    void clear() { count_ = 0; }
 
     // A manifold of one normal: keeps the best `min(4, room)` points when there are more: the deepest, then
     // the one farthest from it, then those that span the largest area; ties by index. Implemented in
@@ -53,6 +59,7 @@ class ContactSink {
     int room_;
     bool unimportant_;
     int count_ = 0;
+    dGeomID geoms_[2] = {};
 };
 
 }  // namespace epode

@@ -12,16 +12,10 @@
 #include "collide/heightfield.h"
 #include "collide/space.h"
 #include "collide/transform.h"
+#include "collide/trimesh.h"
 #include "geometry/polyhedron.h"
 
 namespace epode {
-
-struct RayGeom : ShapeGeom<Ray> {
-    using ShapeGeom<Ray>::ShapeGeom;
-    bool first_contact = false;  // these three matter to meshes only
-    bool backface_cull = false;
-    bool closest_hit = false;
-};
 
 struct ConvexGeom : ShapeGeom<Convex> {
     explicit ConvexGeom(const GeomType& t) : ShapeGeom<Convex>(t) { shape.solid = &own; }

@@ -31,6 +31,9 @@ struct Plane {
 // From the pose's origin along its z axis.
 struct Ray {
     Real length = 0;
+    bool first_contact = false;  // these three matter to meshes only
+    bool backface_cull = false;
+    bool closest_hit = false;
 };
 
 class Polyhedron;

@@ -120,7 +120,8 @@ bool TriangleMesh::build(Array<Vec3>& vertices, Array<MeshCorners>& triangles, R
     made.triangles_.swap(triangles);
     const int count = made.triangles_.size();
     const bool room = made.weld() && made.link_edges() && made.across_.resize(3 * count) &&
-                      made.normals_.resize(count) && made.tilt_.resize(count) && made.crests_.resize(count) &&
+                      made.first_.resize(made.vertices_.size()) && made.normals_.resize(count) &&
+                      made.tilt_.resize(count) && made.crests_.resize(count) &&
                       made.sharp_.resize(made.vertices_.size());
     if (!room) {
         made.vertices_.swap(vertices);
@@ -195,18 +196,33 @@ TriangleMesh::Over TriangleMesh::over(int h) const
     return best.half_edge >= 0 || !any ? best : beyond_degenerate(h);
 }
 
+// +1 for a convex edge or a border, -1 for a concave one.
+int TriangleMesh::bend(int h, const Over& found) const
+{
+    if (found.half_edge < 0) return 1;
+    const int t = h / 3;
+    const Real tilt = 2 * Real(std::max(tilt_.data()[t], tilt_.data()[found.half_edge / 3]));
+    const Real flat = std::max(kFlatSine, tilt);
+    const Turn turn = turn_to(apex(found.half_edge), from(h), normalized_or(along(h), {}), normal(t));
+    return turn.convex(flat) ? 1 : turn.sine > flat ? -1 : 0;
+}
+
+bool TriangleMesh::hollow(int t, int k) const { return bend(3 * t + k, over(3 * t + k)) < 0; }
+
+bool TriangleMesh::leads(int t, int k) const
+{
+    const int h = 3 * t + k;
+    for (int g = next_.data()[h]; g != h; g = next_.data()[g])
+        if (g < h && !degenerate(g / 3)) return false;
+    return true;
+}
+
 void TriangleMesh::look_over(int h)
 {
     const int t = h / 3;
     const Over found = over(h);
     across_[h] = found.half_edge < 0 ? -1 : 2 * (found.half_edge / 3) + (found.turned ? 1 : 0);
-    bool crest = true;
-    if (found.half_edge >= 0) {
-        const Real tilt = 2 * Real(std::max(tilt_[t], tilt_[found.half_edge / 3]));
-        const Turn turn = turn_to(apex(found.half_edge), from(h), normalized_or(along(h), {}), normal(t));
-        crest = turn.convex(std::max(kFlatSine, tilt));
-    }
-    if (!crest) return;
+    if (bend(h, found) <= 0) return;
     crests_[t] = std::uint8_t(crests_[t] | 1 << h % 3);
     sharp_[start(h)] = sharp_[end(h)] = 1;
 }
@@ -215,6 +231,9 @@ void TriangleMesh::refresh()
 {
     const int count = triangles_.size();
     for (int t = 0; t < count; ++t) measure(t);
+    std::fill(first_.begin(), first_.end(), -1);
+    for (int h = 3 * count - 1; h >= 0; --h)
+        if (!degenerate(h / 3)) first_[start(h)] = h;
     std::fill(crests_.begin(), crests_.end(), std::uint8_t(0));
     std::fill(sharp_.begin(), sharp_.end(), std::uint8_t(0));
     for (int h = 0; h < 3 * count; ++h) {

@@ -61,6 +61,11 @@ class TriangleMesh {
     std::uint8_t crests(int t) const { return crests_.data()[t]; }
     int neighbour(int t, int k) const { return across_.data()[3 * t + k] >> 1; }  // over edge k; -1: none
 
+    // The first corner of a triangle, not a degenerate one, that is the same vertex, as 3 t + k.
+    int first_corner(int t, int k) const { return first_.data()[start(3 * t + k)]; }
+    bool leads(int t, int k) const;   // no triangle before t, not a degenerate one, has the edge k
+    bool hollow(int t, int k) const;  // the edge k is concave
+
     // Not of a degenerate one.
     MeshTriangle triangle(int t) const;
 
@@ -86,11 +91,13 @@ class TriangleMesh {
     void measure(int t);
     Over over(int h) const;
     Over beyond_degenerate(int h) const;
+    int bend(int h, const Over& found) const;
     void look_over(int h);
 
     Array<Vec3> vertices_;
     Array<MeshCorners> triangles_;
     Array<int> weld_;             // of each vertex: the first at its position
+    Array<int> first_;            // of each welded vertex: its first corner, -1: none
     Array<int> next_;             // of each half-edge: the next of the same edge, in a circle by number
     Array<int> across_;           // of each half-edge: 2 neighbour + (1 if wound the other way), or -1
     Array<Vec3> normals_;         // of each triangle

@@ -62,6 +62,19 @@ dGeomID wedge()
     return dCreateConvex(nullptr, planes, 4, points, 4, polygons);
 }
 
+// A tetrahedron with a right angle at the origin; lives as long as the process.
+dTriMeshDataID corner()
+{
+    static const dReal vertices[] = {0, 0, 0, 0, 1, 0, 0, 0, 0, 2, 0, 0, 0, 0, 3, 0};
+    static const dTriIndex triangles[] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    static const dTriMeshDataID data = [] {
+        dTriMeshDataID made = dGeomTriMeshDataCreate();
+        dGeomTriMeshDataBuildSimple(made, vertices, 4, triangles, 12);
+        return made;
+    }();
+    return data;
+}
+
 Case make_case(const std::string& name, int number)
 {
     switch (number) {
@@ -101,6 +114,13 @@ Case make_case(const std::string& name, int number)
                     [](dGeomID g, Vec3 d) {
                         const Pose middle = pose(g) * Pose{{0, Real(1.25), 0}, Mat3::identity()};
                         return view_of(Box{{1, Real(1.75), 2}}, middle).support(d);
+                    }};
+        case dTriMeshClass:
+            // The bounding box is that of the data's box.
+            return {name, number, [] { return dCreateTriMesh(nullptr, corner(), nullptr, nullptr, nullptr); },
+                    [](dGeomID g, Vec3 d) {
+                        const Vec3 half{Real(0.5), 1, Real(1.5)};
+                        return view_of(Box{half}, pose(g) * Pose{half, Mat3::identity()}).support(d);
                     }};
         case dSimpleSpaceClass:
             return {name, number, [] { return as_geom(dSimpleSpaceCreate(nullptr)); }, nullptr};

@@ -9,6 +9,7 @@
 
 #include "collide/contact_sink.h"
 #include "collide/heightfield.h"
+#include "collide/trimesh.h"
 #include "geometry/convex_view.h"
 #include "geometry/shapes.h"
 
@@ -17,6 +18,7 @@ namespace epode {
 #define PAIR(First, Second, function) \
     void function(const First& a, const Pose& A, const Second& b, const Pose& B, ContactSink& sink);
 #include "collide/pairs.inc"
+#include "collide/mesh_pairs.inc"
 #include "collide/terrain_pairs.inc"
 #undef PAIR
 

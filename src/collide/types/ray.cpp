@@ -13,7 +13,7 @@ namespace {
 
 Aabb aabb(Geom& geom)
 {
-    const Real length = static_cast<const RayGeom&>(geom).shape.length;
+    const Real length = static_cast<const ShapeGeom<Ray>&>(geom).shape.length;
     const Vec3 a = load(geom.position), b = a + length * load_mat(geom.rotation).column(2);
     return {min(a, b), max(a, b)};
 }
@@ -23,13 +23,13 @@ Real bearable(Real length) { return std::clamp(length, -kAbsurd, kAbsurd); }
 void describe_ray(const Geom& geom, DifWriter& out)
 {
     out.text("type", "ray");
-    out.real("length", static_cast<const RayGeom&>(geom).shape.length);
+    out.real("length", static_cast<const ShapeGeom<Ray>&>(geom).shape.length);
 }
 
 }  // namespace
 
 const GeomType kRayType = {
-    .number = dRayClass, .aabb = aabb, .destroy = destroy_pooled<RayGeom>, .describe = describe_ray};
+    .number = dRayClass, .aabb = aabb, .destroy = destroy_pooled<ShapeGeom<Ray>>, .describe = describe_ray};
 
 }  // namespace epode
 
@@ -69,50 +69,50 @@ extern "C" void dGeomRayGet(dGeomID ray, dVector3 start, dVector3 dir)
 extern "C" void dGeomRaySetFirstContact(dGeomID ray, int on)
 {
     EPODE_GEOM_AS(Ray, geom, ray);
-    geom->first_contact = on != 0;
+    geom->shape.first_contact = on != 0;
 }
 
 extern "C" int dGeomRayGetFirstContact(dGeomID ray)
 {
     EPODE_GEOM_AS(Ray, geom, ray, 0);
-    return geom->first_contact;
+    return geom->shape.first_contact;
 }
 
 extern "C" void dGeomRaySetBackfaceCull(dGeomID ray, int on)
 {
     EPODE_GEOM_AS(Ray, geom, ray);
-    geom->backface_cull = on != 0;
+    geom->shape.backface_cull = on != 0;
 }
 
 extern "C" int dGeomRayGetBackfaceCull(dGeomID ray)
 {
     EPODE_GEOM_AS(Ray, geom, ray, 0);
-    return geom->backface_cull;
+    return geom->shape.backface_cull;
 }
 
 extern "C" void dGeomRaySetClosestHit(dGeomID ray, int on)
 {
     EPODE_GEOM_AS(Ray, geom, ray);
-    geom->closest_hit = on != 0;
+    geom->shape.closest_hit = on != 0;
 }
 
 extern "C" int dGeomRayGetClosestHit(dGeomID ray)
 {
     EPODE_GEOM_AS(Ray, geom, ray, 0);
-    return geom->closest_hit;
+    return geom->shape.closest_hit;
 }
 
 extern "C" void dGeomRaySetParams(dGeomID ray, int first_contact, int backface_cull)
 {
     EPODE_GEOM_AS(Ray, geom, ray);
-    geom->first_contact = first_contact != 0;
-    geom->backface_cull = backface_cull != 0;
+    geom->shape.first_contact = first_contact != 0;
+    geom->shape.backface_cull = backface_cull != 0;
 }
 
 extern "C" void dGeomRayGetParams(dGeomID ray, int* first_contact, int* backface_cull)
 {
     EPODE_GEOM_AS(Ray, geom, ray);
     EPODE_USER(first_contact && backface_cull);
-    *first_contact = geom->first_contact;
-    *backface_cull = geom->backface_cull;
+    *first_contact = geom->shape.first_contact;
+    *backface_cull = geom->shape.backface_cull;
 }

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Triangle meshes: the data object that any number of geoms share, and what a geom keeps of its own. The
+// data copy the program's vertices and indices; they remember where these lie only for
+// dGeomTriMeshDataUpdate. Data know their geoms: when they change, the geoms' boxes do, and when they go, the
+// geoms have none left. While functions of the program run inside a collision, data and geoms are held:
+// nothing is given up under the pair function that they return to.
+#pragma once
+
+#include <atomic>
+
+#include "base/pool.h"
+#include "bvh/mesh_tree.h"
+#include "collide/geom.h"
+
+namespace epode {
+
+struct TrimeshGeom;
+
+// The program's arrays, with strides in bytes.
+struct MeshSource {
+    const void* vertices = nullptr;
+    int vertex_stride = 0;
+    int vertex_count = 0;
+    bool doubles = false;
+    const void* indices = nullptr;
+    int triangle_stride = 0;
+    int triangle_count = 0;
+};
+
+struct TrimeshData : Tagged {
+    TrimeshData();
+    ~TrimeshData();
+    TrimeshData(const TrimeshData&) = delete;
+    TrimeshData& operator=(const TrimeshData&) = delete;
+
+    bool in_use() const;  // a collision, or a space that is being gone through, relies on it
+    void tell_geoms();    // that the mesh has changed
+
+    TriangleMesh mesh;
+    MeshTree tree;
+    bool built = false;
+    MeshSource source;
+    const void* face_normals = nullptr;  // the program's
+    void* given_flags = nullptr;         // the program's
+    Array<unsigned char> use_flags;      // our own, when they have been asked for
+    TrimeshGeom* geoms = nullptr;
+    SpinLock geoms_lock;  // geoms of several threads may share the data
+    std::atomic<int> users{0};
+};
+
+template <>
+struct HandleOf<TrimeshData> {
+    using Id = dTriMeshDataID;
+    static constexpr Tag kTag = Tag::kTrimeshData;
+};
+
+// The shape of a mesh geom, and the program's functions that have a say in its contacts.
+struct Trimesh {
+    TrimeshData* data = nullptr;
+    dTriCallback* wants = nullptr;
+    dTriArrayCallback* told = nullptr;
+    dTriRayCallback* ray_hits = nullptr;
+    dTriTriMergeCallback* merged = nullptr;
+
+    const TrimeshData* mesh() const { return data && data->built ? data : nullptr; }  // null: no triangles
+    bool asks() const { return wants || told || ray_hits || merged; }
+};
+
+struct TrimeshGeom : ShapeGeom<Trimesh> {
+    explicit TrimeshGeom(const GeomType& geom_type) : ShapeGeom<Trimesh>(geom_type) {}
+    ~TrimeshGeom() { use(nullptr); }
+    void use(TrimeshData* fresh);  // or null
+
+    TrimeshGeom* next_user = nullptr;  // of the same data
+    TrimeshGeom* previous_user = nullptr;
+    Real last_transform[16] = {};
+    bool coherent[3] = {};  // kept for the program: for spheres, boxes and capsules
+};
+
+// Null if it is none.
+TrimeshGeom* as_trimesh(Geom& geom);
+
+// A geom and, of a mesh, its data, while functions of the program run.
+class MeshHold {
+  public:
+    explicit MeshHold(Geom& geom);
+    MeshHold(const MeshHold&) = delete;
+    MeshHold& operator=(const MeshHold&) = delete;
+    ~MeshHold();
+
+  private:
+    GeomHold geom_;
+    TrimeshData* data_;
+};
+
+}  // namespace epode

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Triangle mesh: the geom, and the mass of what it encloses. Its bounding box is that of the data's box
+// turned into the world, not that of every vertex turned: a geom that moves costs the same whatever its size.
+#include <cstring>
+
+#include "collide/describe.h"
+#include "collide/height_function.h"
+#include "collide/registry.h"
+#include "geometry/inertia.h"
+#include "ode/mass.h"
+
+namespace epode {
+namespace {
+
+Aabb aabb(Geom& geom)
+{
+    const Pose pose = load_pose(geom.position, geom.rotation);
+    const TrimeshData* d = static_cast<const TrimeshGeom&>(geom).shape.mesh();
+    if (!d) return {pose.p, pose.p};
+    const Vec3 half = Real(0.5) * d->tree.box().hi - Real(0.5) * d->tree.box().lo;
+    const Vec3 centre = pose.to_world(d->tree.box().lo + half);
+    const Vec3 reach{dot(abs(pose.R.row0), half), dot(abs(pose.R.row1), half), dot(abs(pose.R.row2), half)};
+    return {centre - reach, centre + reach};
+}
+
+void describe_trimesh(const Geom&, DifWriter& out) { out.text("type", "trimesh"); }
+
+// The solid that the triangles enclose, where the geom is. False when they enclose nothing that can be told
+// from rounding.
+bool enclosed(TrimeshGeom& geom, Real density, MassProperties& out)
+{
+    const TrimeshData* d = geom.shape.mesh();
+    if (!d) return false;
+    const Pose pose = pose_of(geom);
+    MeshMoments moments;
+    for (int t = 0; t < d->mesh.triangle_count(); ++t)
+        moments.add_triangle(pose.to_world(d->mesh.corner(t, 0)), pose.to_world(d->mesh.corner(t, 1)),
+                             pose.to_world(d->mesh.corner(t, 2)));
+    const Real size = max_component(d->tree.box().hi - d->tree.box().lo);
+    if (!(std::fabs(moments.volume()) > 64 * kEpsilon * size * size * size)) return false;
+    out = moments.properties(density);
+    return true;
+}
+
+void put(dMass* m, const MassProperties& p)
+{
+    const Sym3& I = p.inertia;
+    dMassSetParameters(m, p.mass, p.center.x, p.center.y, p.center.z, I.xx, I.yy, I.zz, I.xy, I.xz, I.yz);
+}
+
+}  // namespace
+
+const GeomType kTrimeshType = {.number = dTriMeshClass,
+                               .aabb = aabb,
+                               .destroy = destroy_pooled<TrimeshGeom>,
+                               .describe = describe_trimesh};
+
+}  // namespace epode
+
+using namespace epode;
+
+#define EPODE_TRIMESH_GEOM(geom, id, ...)                \
+    auto* geom = ::epode::geom_as<::epode::Trimesh>(id); \
+    EPODE_USER_SAY(geom, "The argument is not a trimesh" __VA_OPT__(, ) __VA_ARGS__)
+
+extern "C" {
+
+dGeomID dCreateTriMesh(dSpaceID space, dTriMeshDataID Data, dTriCallback* Callback,
+                       dTriArrayCallback* ArrayCallback, dTriRayCallback* RayCallback)
+{
+    TrimeshData* data = from_handle<TrimeshData>(Data);
+    EPODE_USER(data || !Data, nullptr);
+    EPODE_PARENT_SPACE(space, nullptr);
+    TrimeshGeom* geom = create_geom<Trimesh>(space);
+    if (!geom) return nullptr;
+    geom->use(data);
+    geom->shape.wants = Callback;
+    geom->shape.told = ArrayCallback;
+    geom->shape.ray_hits = RayCallback;
+    mark_moved(*geom);
+    return to_handle<Geom>(geom);
+}
+
+void dGeomTriMeshSetData(dGeomID g, dTriMeshDataID Data)
+{
+    EPODE_TRIMESH_GEOM(geom, g);
+    TrimeshData* data = from_handle<TrimeshData>(Data);
+    EPODE_USER(data || !Data);
+    EPODE_OUTSIDE_HEIGHT_FUNCTION();
+    EPODE_UNLOCKED(geom);
+    EPODE_USER_SAY(geom->users.load(std::memory_order_relaxed) == 0, "Invalid operation during a collision");
+    geom->use(data);
+    mark_moved(*geom);
+}
+
+dTriMeshDataID dGeomTriMeshGetData(dGeomID g)
+{
+    EPODE_TRIMESH_GEOM(geom, g, nullptr);
+    return to_handle(geom->shape.data);
+}
+
+dTriMeshDataID dGeomTriMeshGetTriMeshDataID(dGeomID g)
+{
+    EPODE_TRIMESH_GEOM(geom, g, nullptr);
+    return to_handle(geom->shape.data);
+}
+
+// ---- functions of the program ----
+
+void dGeomTriMeshSetCallback(dGeomID g, dTriCallback* Callback)
+{
+    EPODE_TRIMESH_GEOM(geom, g);
+    geom->shape.wants = Callback;
+}
+
+dTriCallback* dGeomTriMeshGetCallback(dGeomID g)
+{
+    EPODE_TRIMESH_GEOM(geom, g, nullptr);
+    return geom->shape.wants;
+}
+
+void dGeomTriMeshSetArrayCallback(dGeomID g, dTriArrayCallback* ArrayCallback)
+{
+    EPODE_TRIMESH_GEOM(geom, g);
+    geom->shape.told = ArrayCallback;
+}
+
+dTriArrayCallback* dGeomTriMeshGetArrayCallback(dGeomID g)
+{
+    EPODE_TRIMESH_GEOM(geom, g, nullptr);
+    return geom->shape.told;
+}
+
+void dGeomTriMeshSetRayCallback(dGeomID g, dTriRayCallback* Callback)
+{
+    EPODE_TRIMESH_GEOM(geom, g);
+    geom->shape.ray_hits = Callback;
+}
+
+dTriRayCallback* dGeomTriMeshGetRayCallback(dGeomID g)
+{
+    EPODE_TRIMESH_GEOM(geom, g, nullptr);
+    return geom->shape.ray_hits;
+}
+
+void dGeomTriMeshSetTriMergeCallback(dGeomID g, dTriTriMergeCallback* Callback)
+{
+    EPODE_TRIMESH_GEOM(geom, g);
+    geom->shape.merged = Callback;
+}
+
+dTriTriMergeCallback* dGeomTriMeshGetTriMergeCallback(dGeomID g)
+{
+    EPODE_TRIMESH_GEOM(geom, g, nullptr);
+    return geom->shape.merged;
+}
+
+// ---- triangles ----
+
+int dGeomTriMeshGetTriangleCount(dGeomID g)
+{
+    EPODE_TRIMESH_GEOM(geom, g, 0);
+    const TrimeshData* data = geom->shape.mesh();
+    return data ? data->mesh.triangle_count() : 0;
+}
+
+void dGeomTriMeshGetTriangle(dGeomID g, int Index, dVector3* v0, dVector3* v1, dVector3* v2)
+{
+    EPODE_TRIMESH_GEOM(geom, g);
+    EPODE_USER_SAY(v0 || v1 || v2, "A meaningless call");
+    const TrimeshData* data = geom->shape.mesh();
+    EPODE_USER(data && Index >= 0 && Index < data->mesh.triangle_count());
+    const Pose pose = pose_of(*geom);
+    dVector3* const out[3] = {v0, v1, v2};
+    for (int k = 0; k < 3; ++k) {
+        if (!out[k]) continue;
+        store(*out[k], pose.to_world(data->mesh.corner(Index, k)));
+        (*out[k])[3] = 0;
+    }
+}
+
+void dGeomTriMeshGetPoint(dGeomID g, int Index, dReal u, dReal v, dVector3 Out)
+{
+    EPODE_TRIMESH_GEOM(geom, g);
+    const TrimeshData* data = geom->shape.mesh();
+    EPODE_USER(data && Out && Index >= 0 && Index < data->mesh.triangle_count() && usable(u) && usable(v));
+    const TriangleMesh& mesh = data->mesh;
+    const Vec3 p =
+        (1 - u - v) * mesh.corner(Index, 0) + u * mesh.corner(Index, 1) + v * mesh.corner(Index, 2);
+    store(Out, pose_of(*geom).to_world(p));
+    Out[3] = 0;
+}
+
+// ---- kept for the program ----
+
+void dGeomTriMeshSetLastTransform(dGeomID g, const dMatrix4 last_trans)
+{
+    EPODE_TRIMESH_GEOM(geom, g);
+    EPODE_USER(last_trans && usable(last_trans, 16));
+    std::memcpy(geom->last_transform, last_trans, sizeof(geom->last_transform));
+}
+
+const dReal* dGeomTriMeshGetLastTransform(dGeomID g)
+{
+    EPODE_TRIMESH_GEOM(geom, g, nullptr);
+    return geom->last_transform;
+}
+
+void dGeomTriMeshEnableTC(dGeomID g, int geomClass, int enable)
+{
+    EPODE_TRIMESH_GEOM(geom, g);
+    if (geomClass >= dSphereClass && geomClass <= dCapsuleClass) geom->coherent[geomClass] = enable != 0;
+}
+
+int dGeomTriMeshIsTCEnabled(dGeomID g, int geomClass)
+{
+    EPODE_TRIMESH_GEOM(geom, g, 0);
+    return geomClass >= dSphereClass && geomClass <= dCapsuleClass && geom->coherent[geomClass];
+}
+
+void dGeomTriMeshClearTCCache(dGeomID g) { EPODE_TRIMESH_GEOM(geom, g); }
+
+// ---- mass ----
+
+void dMassSetTrimesh(dMass* m, dReal density, dGeomID g)
+{
+    EPODE_GEOM_AS(Trimesh, geom, g);
+    MassProperties p;
+    EPODE_USER(m && usable(density));
+    EPODE_USER_SAY(enclosed(*geom, density, p), "the mesh encloses no volume");
+    EPODE_USER(usable(p));
+    put(m, p);
+}
+
+void dMassSetTrimeshTotal(dMass* m, dReal total_mass, dGeomID g)
+{
+    EPODE_GEOM_AS(Trimesh, geom, g);
+    MassProperties p;
+    EPODE_USER(m && usable(total_mass));
+    EPODE_USER_SAY(enclosed(*geom, 1, p), "the mesh encloses no volume");
+    p = with_mass(p, total_mass);
+    EPODE_USER(usable(p));
+    put(m, p);
+}
+
+}  // extern "C"
