@@ -7,6 +7,7 @@
 
 #include "bench/accuracy.h"
 #include "bench/exact_table.h"
+#include "bench/mesh_rays.h"
 #include "bench/pile.h"
 #include "bench/scene_bench.h"
 #include "scenes/extensions.h"
@@ -64,6 +65,19 @@ CLI::App* add_make_pile(CLI::App& app, PileOptions& options)
     return command;
 }
 
+CLI::App* add_mesh_rays(CLI::App& app, epode::bench::MeshRayOptions& options)
+{
+    CLI::App* command = app.add_subcommand("mesh-rays", "rays against a mesh, as bench/rays runs it");
+    command->add_option("--mesh", options.mesh, "terrain, ball or soup (default terrain)")
+        ->check(CLI::IsMember({"terrain", "ball", "soup"}));
+    command->add_option("--triangles", options.triangles, "about so many (default 100000)")
+        ->check(CLI::Range(1, 10'000'000));
+    command->add_option("--rays", options.rays, "default 100000")->check(CLI::Range(1, 100'000'000));
+    command->add_option("--repeat", options.repeat, "runs, of which the least time counts (default 3)")
+        ->check(CLI::Range(1, 1000));
+    return command;
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -90,6 +104,8 @@ int main(int argc, char** argv)
     CLI::App* accuracy_test = add_accuracy(app, accuracy);
     PileOptions pile;
     CLI::App* make_pile = add_make_pile(app, pile);
+    epode::bench::MeshRayOptions rays;
+    CLI::App* mesh_rays = add_mesh_rays(app, rays);
     CLI::App* library = app.add_subcommand("library", "print the file of the libode at hand");
     app.require_subcommand(0, 1);
     try {
@@ -112,6 +128,7 @@ int main(int argc, char** argv)
         }
         return epode::bench::bench_accuracy(accuracy.options);
     }
+    if (*mesh_rays) return epode::bench::bench_mesh_rays(rays);
     if (*make_pile) return epode::bench::print_pile(pile.count, pile.side, pile.rows, pile.seed);
     return epode::bench::bench_scene(options);
 }
