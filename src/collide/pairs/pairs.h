@@ -17,8 +17,8 @@ namespace epode {
 
 #define PAIR(First, Second, function) \
     void function(const First& a, const Pose& A, const Second& b, const Pose& B, ContactSink& sink);
-#include "collide/pairs.inc"
 #include "collide/mesh_pairs.inc"
+#include "collide/pairs.inc"
 #include "collide/terrain_pairs.inc"
 #undef PAIR
 
