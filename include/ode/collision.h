@@ -227,17 +227,16 @@ ODE_API void dGeomSphereSetRadius(dGeomID sphere, dReal radius);
 ODE_API dReal dGeomSphereGetRadius(dGeomID sphere);
 ODE_API dReal dGeomSpherePointDepth(dGeomID sphere, dReal x, dReal y, dReal z);
 
-/** A convex polyhedron, in the geom's frame. The arrays are read once and copied; a shape that was changed in
-    them is given again by dGeomSetConvex. Faces in one plane count as one. Of contacts there are up to four,
-    as of the other solids.
+/** A convex polyhedron: the hull of the points, in the geom's frame. The arrays are read once and copied; a
+    shape that was changed in them is given again by dGeomSetConvex. What lies in one plane is one face; all
+    points in one plane make a plate. Of contacts there are up to four, as of the other solids.
     - points: pointcount points, 3 reals each, m.
     - polygons: for each of the planecount faces the number of its corners and then their indices into the
     points, counter-clockwise seen from outside.
-    - planes: for each face its unit outward normal n and the distance d with n . p = d on the face, 4 reals;
-    they must be numbers and are computed again from the points.
+    - planes: for each face its unit outward normal n and the distance d with n . p = d on the face, 4 reals.
 
-    Refused: too few or equal points, an index that is none of them, faces that are not convex or do not
-    close a solid. [0.16] */
+    Planes and polygons must be numbers and indices of points; the faces are found from the points, so that
+    missing or inverted ones do no harm. Refused: no plane, fewer than 3 points, all in a line. [0.16] */
 ODE_API dGeomID dCreateConvex(dSpaceID space, const dReal* planes, unsigned int planecount,
                               const dReal* points, unsigned int pointcount, const unsigned int* polygons);
 ODE_API void dGeomSetConvex(dGeomID convex, const dReal* planes, unsigned int planecount, const dReal* points,

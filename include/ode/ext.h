@@ -9,6 +9,7 @@
 #define _ODE_EXT_H_
 
 #include <ode/common.h>
+#include <ode/mass.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -160,6 +161,47 @@ ODE_API int dWorldGetStepProjection(dWorldID world);
    in single precision); values outside 0 ... 1, and both ends, are refused. [ours] */
 ODE_API void dWorldSetStepProjectionTolerance(dWorldID world, dReal tolerance);
 ODE_API dReal dWorldGetStepProjectionTolerance(dWorldID world);
+
+/** @chapter hulls Convex hulls
+
+    Solids made of points alone, as geoms of class dConvexClass, and what such a geom was made into.
+
+    Arguments:
+    - space: the space to put a new geom into, or 0.
+    - convex: a geom of class dConvexClass, however it was made.
+    - room: how many of what is asked for the array holds, 0 or more; 0 to ask for the number alone, the
+    array may then be null.
+
+    Refused: a geom of another class, destroyed or 0; a space that is destroyed or being collided; null
+   pointers, numbers that are not finite, and what each function names. Nothing changes then, nothing is made,
+   and the answer is 0. */
+
+/** The convex hull of pointcount points, 3 reals each, m, in the geom's frame; they are copied and may be in
+    any order, equal, inside, in a line or in a plane with others. At most maxvertices of them become
+   vertices, those that stand out farthest first (at least 4; 0: no limit). What lies in one plane becomes one
+   face, within a millionth of the extent (the longest side of the points' bounding box; 1e-5 of it in single
+    precision), and every point lies within twice that of all faces unless maxvertices left it out. The result
+    does not depend on the order of the points. Refused: fewer than 4 points, all in one plane to that
+   measure, more than 2^24. [ours] */
+ODE_API dGeomID dCreateConvexHull(dSpaceID space, const dReal* points, unsigned int pointcount,
+                                  unsigned int maxvertices);
+ODE_API void dGeomSetConvexHull(dGeomID convex, const dReal* points, unsigned int pointcount,
+                                unsigned int maxvertices);
+
+/** The vertices, 3 reals each, into points, in the order in which they were given; the planes of the faces,
+    4 reals each, into planes: unit outward normal n and n . p on the face; and the faces into polygons: for
+    each the number of its corners and their places among the vertices, counter-clockwise seen from outside.
+    All in the geom's frame, as dCreateConvex takes them. Return the number of vertices, of planes, and of
+    numbers in all polygons together, and write up to room of them. [ours] */
+ODE_API int dGeomConvexGetPoints(dGeomID convex, dReal* points, int room);
+ODE_API int dGeomConvexGetPlanes(dGeomID convex, dReal* planes, int room);
+ODE_API int dGeomConvexGetPolygons(dGeomID convex, unsigned int* polygons, int room);
+
+/** Set the mass m to that of the solid in the geom's own frame, exactly: centre of mass and inertia about the
+    frame's origin; density in kg/m^3, or total_mass in kg. For a body, move it to its centre with
+    dMassTranslate and the geom with it (dGeomSetOffsetPosition). Refused: a plate without volume. [ours] */
+ODE_API void dMassSetConvex(dMass* m, dReal density, dGeomID convex);
+ODE_API void dMassSetConvexTotal(dMass* m, dReal total_mass, dGeomID convex);
 
 #ifdef __cplusplus
 }

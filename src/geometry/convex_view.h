@@ -35,7 +35,7 @@ struct ConvexView {
     int edge_axes = 0;                        // bit i: straight edges or side lines run along column i
     Real rim_radius = 0;                      // > 0: round rims about column 2
     std::span<const PolyhedronFace> faces{};  // of a polyhedron, in its own frame
-    std::span<const Vec3> edges{};            // and the directions of its edges
+    std::span<const Vec3> edges{};            // and the directions of its edges, of a large one none
 
     Vec3 support(Vec3 direction) const
     {

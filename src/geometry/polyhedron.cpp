@@ -1,46 +1,76 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Building a polyhedron from the client's faces: see polyhedron.h. Lengths are compared with the size of the
-// solid: data that come from a file with few digits are let pass (kSlack), while what lies in one plane is
-// told more sharply (kFlat). Closed: the vectors normal * area of all faces add up to zero (the divergence
-// theorem for a constant field), which needs no two faces to share the numbers of their corners.
+// Building a polyhedron from points: see polyhedron.h. Normals are summed over each face from the points
+// themselves, in double: the faces of a cube have normals without rounding.
 #include "geometry/polyhedron.h"
 
 #include <algorithm>
 
 #include "base/check.h"
+#include "geometry/hull_faces.h"
 
 namespace epode {
 
 namespace {
 
-constexpr Real kSlack = Real(1e-3);  // how far a vertex may stand before a face, of the size
-constexpr Real kFlat = kSingle ? Real(1e-5) : Real(1e-7);
+// What lies in one plane, of the size: data that come from a file have few digits.
+constexpr Real kFlat = kSingle ? Real(1e-5) : Real(1e-6);
 constexpr Real kInFace = Real(1e-4);    // a vertex this near to a face's plane belongs to its feature
 constexpr Real kParallel = Real(1e-6);  // sine
-constexpr int kMost = 1 << 24;          // vertices
-constexpr int kCorners = 32;            // of a face; of more, so many evenly chosen ones
+constexpr int kMost = 1 << 24;          // points
+constexpr int kCorners = 32;            // of a feature; of more, so many evenly chosen ones
+constexpr int kFew = 32;                // vertices that are all tried
+constexpr const char* kAllInOnePlane = "all points lie in a plane";
+
+Vec3d wide(Vec3 v) { return {double(v.x), double(v.y), double(v.z)}; }
+Vec3d minus(Vec3d a, Vec3d b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+
+// The outline of points in the plane across n (Andrew's chain, 1979), counter-clockwise about n.
+bool outline_of(std::span<const Vec3> points, Vec3 n, Real slack, Array<int>& chain)
+{
+    Vec3 u, v;
+    plane_space(n, u, v);
+    Array<int> order;
+    for (int i = 0; i < int(points.size()); ++i)
+        if (!order.push(i)) return false;
+    const auto x = [&](int i) { return dot(u, points[std::size_t(i)]); };
+    const auto y = [&](int i) { return dot(v, points[std::size_t(i)]); };
+    std::sort(order.begin(), order.end(), [&](int i, int j) {
+        return x(i) != x(j) ? x(i) < x(j) : y(i) != y(j) ? y(i) < y(j) : i < j;
+    });
+    const auto extend = [&](int i, int least) {
+        const auto left = [&](int j, int k) {
+            return (x(k) - x(j)) * (y(i) - y(j)) - (y(k) - y(j)) * (x(i) - x(j)) > slack;
+        };
+        int count = chain.size();
+        while (count > least && !left(chain[count - 2], chain[count - 1])) --count;
+        chain.truncate(count);
+        return chain.push(i);
+    };
+    for (const int i : order)
+        if (!extend(i, 1)) return false;
+    const int lower = chain.size();
+    for (int k = order.size() - 2; k >= 0; --k)
+        if (!extend(order[k], lower)) return false;
+    chain.pop();
+    return true;
+}
 
 }  // namespace
 
-const char* Polyhedron::build(const Real* points, unsigned count, const unsigned* polygons, unsigned faces)
+const char* Polyhedron::build(const Real* points, unsigned count, int most_vertices, bool plates)
 {
-    Polyhedron made;
-    if (count < 3 || count > unsigned(kMost) || faces < 2) return "too few points or polygons";
+    if (count < 3 || count > unsigned(kMost)) return "too few or too many points";
     if (!usable(points, int(3 * count))) return "point is not a usable number";
-    if (!made.take_points(points, count)) return "out of memory";
-    if (!(made.size_ > 0)) return "all points are one";
-    for (unsigned i = 0; i < faces; ++i) {
-        const unsigned corners = *polygons++;
-        if (corners < 3 || corners > count) return "polygon with a wrong number of corners";
-        for (unsigned k = 0; k < corners; ++k)
-            if (polygons[k] >= count) return "polygon with a corner that is no point";
-        if (const char* why = made.take_face(polygons, corners)) return why;
-        polygons += corners;
-    }
-    if (!made.closed()) return "polygons do not close a solid";
-    if (!made.take_edges()) return "out of memory";
+    Array<Vec3> all;
+    if (!all.resize(int(count))) return "out of memory";
+    for (int i = 0; i < int(count); ++i) all[i] = load(points + 3 * i);
+    Polyhedron made;
+    const char* refusal = made.take_hull(all.span(), most_vertices);
+    if (refusal == kAllInOnePlane && plates) refusal = made.take_plate(all.span());
+    if (refusal) return refusal;
+    if (!made.take_edges() || !made.take_neighbours()) return "out of memory";
     swap(made);
     return nullptr;
 }
@@ -48,102 +78,101 @@ const char* Polyhedron::build(const Real* points, unsigned count, const unsigned
 void Polyhedron::swap(Polyhedron& other)
 {
     vertices_.swap(other.vertices_), faces_.swap(other.faces_), corners_.swap(other.corners_);
-    edges_.swap(other.edges_);
-    std::swap(centre_, other.centre_), std::swap(inside_, other.inside_), std::swap(size_, other.size_);
+    edges_.swap(other.edges_), first_.swap(other.first_), neighbours_.swap(other.neighbours_);
+    around_.swap(other.around_);
+    std::swap(start_, other.start_), std::swap(centre_, other.centre_), std::swap(size_, other.size_);
 }
 
-bool Polyhedron::take_points(const Real* points, unsigned count)
+const char* Polyhedron::take_hull(std::span<const Vec3> points, int most_vertices)
 {
-    if (!vertices_.resize(int(count))) return false;
+    Hull hull;
+    switch (convex_hull(points, kFlat, most_vertices, hull)) {
+        case HullFault::kPoint:
+            return "all points are one";
+        case HullFault::kLine:
+            return "all points lie on a line";
+        case HullFault::kPlane:
+            return kAllInOnePlane;
+        case HullFault::kMemory:
+            return "out of memory";
+        case HullFault::kNone:
+            break;
+    }
+    if (!take_vertices(points, hull.vertices.span())) return "out of memory";
+    const int* at = hull.faces.begin();
+    for (const Vec3 n : hull.normals) {
+        const int count = *at++;
+        if (!take_face({at, std::size_t(count)}, n)) return "out of memory";
+        at += count;
+    }
+    return nullptr;
+}
+
+// Two faces, back to back.
+const char* Polyhedron::take_plate(std::span<const Vec3> points)
+{
+    Vec3 lo = points[0], hi = lo;
+    for (const Vec3 p : points) lo = min(lo, p), hi = max(hi, p);
+    // The normal of the largest triangle on the two points farthest apart.
+    const auto farthest = [&](auto measure) {
+        return *std::max_element(points.begin(), points.end(),
+                                 [&](Vec3 p, Vec3 q) { return measure(p) < measure(q); });
+    };
+    const Vec3 a = farthest([&](Vec3 p) { return length2(p - lo); });
+    const Vec3 b = farthest([&](Vec3 p) { return length2(p - a); });
+    const Vec3 c = farthest([&](Vec3 p) { return length2(cross(b - a, p - a)); });
+    Vec3 n = cross(b - a, c - a);
+    if (!normalize(n)) return "all points lie on a line";
+    Array<int> chain, turned;
+    const Real extent = max_component(hi - lo);
+    if (!outline_of(points, n, kFlat * extent * extent, chain)) return "out of memory";
+    if (chain.size() < 3) return "all points lie on a line";
+    if (!take_vertices(points, chain.span())) return "out of memory";
+    for (int i = 0; i < chain.size(); ++i) chain[i] = i;
+    for (int i = chain.size(); i-- > 0;)
+        if (!turned.push(i)) return "out of memory";
+    return take_face(chain.span(), n) && take_face(turned.span(), -n) ? nullptr : "out of memory";
+}
+
+bool Polyhedron::take_vertices(std::span<const Vec3> points, std::span<const int> chosen)
+{
+    if (!vertices_.resize(int(chosen.size()))) return false;
     Vec3 lo{kInf, kInf, kInf}, hi = -lo;
-    for (int i = 0; i < int(count); ++i) {
-        vertices_[i] = load(points + 3 * i);
+    for (int i = 0; i < vertices_.size(); ++i) {
+        vertices_[i] = points[std::size_t(chosen[std::size_t(i)])];
         lo = min(lo, vertices_[i]), hi = max(hi, vertices_[i]);
     }
-    centre_ = Real(0.5) * (lo + hi);
+    centre_ = Real(0.5) * lo + Real(0.5) * hi;
     for (Vec3& v : vertices_) {
         v -= centre_;
-        inside_ += v / Real(count);
         size_ = std::max(size_, length(v));
     }
     return true;
 }
 
-// A face without area says nothing and is left out; one in the plane of an earlier face belongs to that.
-const char* Polyhedron::take_face(const unsigned* corners, unsigned count)
+// `fallback`: the normal of a face so thin that its points do not tell it.
+bool Polyhedron::take_face(std::span<const int> corners, Vec3 fallback)
 {
-    const Vec3 origin = vertices_[int(corners[0])];
-    Vec3 n;
-    for (unsigned k = 1; k + 1 < count; ++k)
-        n += cross(vertices_[int(corners[k])] - origin, vertices_[int(corners[k + 1])] - origin);
-    if (!(length(n) > kFlat * size_ * size_) || !normalize(n)) return nullptr;
-    if (dot(n, origin - inside_) < 0) n = -n;
-    Face face = {n, -kInf, corners_.size(), 0};
-    for (unsigned k = 0; k < count; ++k)
-        face.offset = std::max(face.offset, dot(n, vertices_[int(corners[k])]));
-    for (const Vec3 v : vertices_)
-        if (dot(n, v) > face.offset + kSlack * size_) return "points are not convex";
-    for (const Face& known : faces_)
-        if (dot(known.normal, n) > 0 && length(cross(known.normal, n)) < kParallel &&
-            std::fabs(known.offset - face.offset) < kFlat * size_)
-            return nullptr;
-    if (!take_corners(face, corners, count)) return "out of memory";
-    return face.count < 3 || faces_.push(face) ? nullptr : "out of memory";
-}
-
-// The convex outline (Andrew's chain, 1979) of the face's own corners and of the other vertices in its plane.
-bool Polyhedron::take_corners(Face& face, const unsigned* own, unsigned count)
-{
-    Vec3 u, v;
-    plane_space(face.normal, u, v);
-    Array<int> flat, chain;
-    for (unsigned k = 0; k < count; ++k)
-        if (!flat.push(int(own[k]))) return false;
-    for (int i = 0; i < vertices_.size(); ++i)
-        if (face.offset - dot(face.normal, vertices_[i]) < kFlat * size_ && !flat.push(i)) return false;
-    const auto x = [&](int i) { return dot(u, vertices_[i]); };
-    const auto y = [&](int i) { return dot(v, vertices_[i]); };
-    std::sort(flat.begin(), flat.end(), [&](int i, int j) {
-        return x(i) != x(j) ? x(i) < x(j) : y(i) != y(j) ? y(i) < y(j) : i < j;
-    });
-    const auto turns_left = [&](int i, int j, int k) {
-        return (x(j) - x(i)) * (y(k) - y(i)) - (y(j) - y(i)) * (x(k) - x(i)) > kFlat * kFlat * size_ * size_;
-    };
-    const auto extend = [&](int i, int least) {
-        int n = chain.size();
-        while (n > least && !turns_left(chain[n - 2], chain[n - 1], i)) --n;
-        return chain.resize(n) && chain.push(i);
-    };
-    for (int i = 0; i < flat.size(); ++i)
-        if (!extend(flat[i], 1)) return false;
-    const int lower = chain.size();
-    for (int i = flat.size() - 2; i >= 0; --i)
-        if (!extend(flat[i], lower)) return false;
-    const int outline = chain.size() - 1, kept = std::min(outline, kCorners);
-    if (outline < 3) return true;
-    face.count = kept;
-    for (int i = 0; i < kept; ++i)
-        if (!corners_.push(chain[int(std::int64_t(i) * outline / kept)])) return false;
-    return true;
-}
-
-bool Polyhedron::closed() const
-{
-    Vec3 sum;
-    Real all = 0;
-    for (const Face& f : faces_) {
-        Vec3 area;
-        for (int k = 1; k + 1 < f.count; ++k)
-            area += cross(vertices_[corners_[f.first + k]] - vertices_[corners_[f.first]],
-                          vertices_[corners_[f.first + k + 1]] - vertices_[corners_[f.first]]);
-        sum += area;
-        all += length(area);
+    const auto corner = [&](std::size_t k) { return wide(vertices_[corners[k]]); };
+    Vec3d sum;
+    for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
+        const Vec3d area = minus(corner(k), corner(0)).cross(minus(corner(k + 1), corner(0)));
+        sum = {sum.x + area.x, sum.y + area.y, sum.z + area.z};
     }
-    return all > 0 && length(sum) <= Real(0.02) * all;
+    const double twice = sum.length();
+    Face face = {fallback, -kInf, corners_.size(), int(corners.size())};
+    if (twice > 1e-12 * double(size_) * double(size_))
+        face.normal = {Real(sum.x / twice), Real(sum.y / twice), Real(sum.z / twice)};
+    for (const int c : corners) {
+        face.offset = std::max(face.offset, dot(face.normal, vertices_[c]));
+        if (!corners_.push(c)) return false;
+    }
+    return faces_.push(face);
 }
 
 bool Polyhedron::take_edges()
 {
+    if (faces_.size() > kNamedFaces) return true;
     for (const Face& f : faces_)
         for (int k = 0; k < f.count; ++k) {
             Vec3 edge = vertices_[corners_[f.first + (k + 1) % f.count]] - vertices_[corners_[f.first + k]];
@@ -156,8 +185,47 @@ bool Polyhedron::take_edges()
     return true;
 }
 
+// Each edge is met once from either face: from i to its next corner.
+bool Polyhedron::take_neighbours()
+{
+    if (vertices_.size() <= kFew) return true;
+    if (!first_.resize(vertices_.size() + 1) || !neighbours_.resize(corners_.size()) ||
+        !around_.resize(corners_.size()))
+        return false;
+    for (const int c : corners_) ++first_[c + 1];
+    for (int i = 0; i < vertices_.size(); ++i) first_[i + 1] += first_[i];
+    Array<int> filled;
+    if (!filled.resize(vertices_.size())) return false;
+    for (int f = 0; f < faces_.size(); ++f)
+        for (int k = 0; k < faces_[f].count; ++k) {
+            const int i = corners_[faces_[f].first + k];
+            const int at = first_[i] + filled[i]++;
+            neighbours_[at] = corners_[faces_[f].first + (k + 1) % faces_[f].count];
+            around_[at] = f;
+        }
+    for (int octant = 0; octant < 8; ++octant)
+        start_[octant] = climb({octant & 1 ? Real(1) : Real(-1), octant & 2 ? Real(1) : Real(-1),
+                                octant & 4 ? Real(1) : Real(-1)});
+    return true;
+}
+
+int Polyhedron::climb(Vec3 direction) const
+{
+    int best = start_[(direction.x > 0 ? 1 : 0) | (direction.y > 0 ? 2 : 0) | (direction.z > 0 ? 4 : 0)];
+    Real most = dot(direction, vertices_[best]);
+    for (int at = -1; at != best;) {
+        at = best;
+        for (int k = first_[at]; k < first_[at + 1]; ++k) {
+            const Real along = dot(direction, vertices_[neighbours_[k]]);
+            if (along > most) most = along, best = neighbours_[k];
+        }
+    }
+    return best;
+}
+
 int Polyhedron::farthest(Vec3 direction) const
 {
+    if (!first_.empty()) return climb(direction);
     int best = 0;
     Real most = -kInf;
     for (int i = 0; i < vertices_.size(); ++i) {
@@ -169,15 +237,32 @@ int Polyhedron::farthest(Vec3 direction) const
 
 void Polyhedron::feature(Vec3 direction, Polygon& out) const
 {
-    const Vec3 top = support(direction);
+    const int highest = farthest(direction);
+    const Vec3 top = vertices_[highest];
     const Face* shown = nullptr;
     Real most = -kInf;
-    for (const Face& f : faces_) {
+    const auto consider = [&](const Face& f) {
         const Real along = dot(f.normal, direction);
         if (along > most && f.offset - dot(f.normal, top) < kInFace * size_) most = along, shown = &f;
-    }
+    };
+    if (faces_.size() <= kNamedFaces || first_.empty())
+        for (const Face& f : faces_) consider(f);
+    else
+        for (int k = first_[highest]; k < first_[highest + 1]; ++k) consider(faces_[around_[k]]);
     if (!shown) return out.add(top);
-    for (int k = 0; k < shown->count; ++k) out.add(vertices_[corners_[shown->first + k]]);
+    const int count = shown->count, kept = std::min(count, kCorners);
+    for (int k = 0; k < kept; ++k)
+        out.add(vertices_[corners_[shown->first + int(std::int64_t(k) * count / kept)]]);
+}
+
+MassProperties Polyhedron::mass() const
+{
+    MeshMoments moments;
+    for (const Face& f : faces_)
+        for (int k = 1; k + 1 < f.count; ++k)
+            moments.add_triangle(vertices_[corners_[f.first]], vertices_[corners_[f.first + k]],
+                                 vertices_[corners_[f.first + k + 1]]);
+    return translated(moments.properties(1), centre_);
 }
 
 namespace {

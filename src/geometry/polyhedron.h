@@ -1,29 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A convex polyhedron, checked and ordered once so that the pair functions need not trust its maker:
+// A convex polyhedron, made once so that the pair functions need not trust its maker: always the hull of its
+// points (quickhull.h), whatever faces came with them.
 //   vertices  relative to the middle of their bounding box, so that a solid far from its origin keeps its
 //   digits faces     unit outward normal n and offset d, the solid being all x with n . x <= d; corners
-//   counter-clockwise
-//             from outside. Given faces that lie in one plane become one, with all vertices of that plane: a
-//             cube made of 12 triangles stands on four corners.
-//   edges     directions, each once up to sign
-// The planes are computed from the points. Rejected: the hull of the points (quickhull), which would hide
-// faults of the data; here what is not convex, or not closed, is refused.
+//             counter-clockwise from outside. What lies in one plane is one face: a cube made of 12 triangles
+//             stands on four corners.
+//   edges     directions, each once up to sign; none are listed of a solid with more than kNamedFaces faces
+// The farthest vertex is found by trying all of them when they are few, else by climbing from neighbour to
+// neighbour: in a convex solid who has no better neighbour is best.
 #pragma once
 
 #include "base/array.h"
 #include "geometry/convex_view.h"
+#include "geometry/inertia.h"
 
 namespace epode {
 
 class Polyhedron {
   public:
     using Face = PolyhedronFace;
+    static constexpr int kNamedFaces = 64;
 
-    // Faces as ODE gives them: for each of `faces` the number of corners, then the corners. Null when built;
-    // else the reason, and *this is as before.
-    const char* build(const Real* points, unsigned count, const unsigned* polygons, unsigned faces);
+    // The hull of the points, with at most so many vertices; `plates`: points in one plane make a plate
+    // without thickness. Null when built; else the reason, and *this is as before.
+    const char* build(const Real* points, unsigned count, int most_vertices, bool plates);
 
     void swap(Polyhedron& other);
 
@@ -31,25 +33,34 @@ class Polyhedron {
     Real size() const { return size_; }  // farthest vertex from the centre
     std::span<const Vec3> vertices() const { return vertices_.span(); }
     std::span<const Face> faces() const { return faces_.span(); }
+    std::span<const int> corners() const { return corners_.span(); }
     std::span<const Vec3> edges() const { return edges_.span(); }
 
     Vec3 support(Vec3 direction) const { return vertices_[farthest(direction)]; }
     // The face that holds the farthest vertex and looks most along the direction.
     void feature(Vec3 direction, Polygon& out) const;
+    // Of the solid in its own frame, at density 1.
+    MassProperties mass() const;
 
   private:
     int farthest(Vec3 direction) const;
-    bool take_points(const Real* points, unsigned count);
-    const char* take_face(const unsigned* corners, unsigned count);
-    bool take_corners(Face& face, const unsigned* own, unsigned count);
+    int climb(Vec3 direction) const;
+    const char* take_hull(std::span<const Vec3> points, int most_vertices);
+    const char* take_plate(std::span<const Vec3> points);
+    bool take_vertices(std::span<const Vec3> points, std::span<const int> chosen);
+    bool take_face(std::span<const int> corners, Vec3 fallback);
     bool take_edges();
-    bool closed() const;
+    bool take_neighbours();
 
     Array<Vec3> vertices_;
     Array<Face> faces_;
     Array<int> corners_;
     Array<Vec3> edges_;
-    Vec3 centre_, inside_;  // inside_: the mean of the vertices
+    // Of vertex i: the vertices at the other ends of its edges, and the faces to the left of those, from
+    // first_[i] to first_[i + 1]. Only of solids with many vertices.
+    Array<int> first_, neighbours_, around_;
+    int start_[8] = {};  // for each octant a vertex that lies far that way
+    Vec3 centre_;
     Real size_ = 0;
 };
 

@@ -141,28 +141,15 @@ void roll(Dice& dice, Round& c)
     c.radius = dice.between(Real(0.1), 1), c.half_length = dice.between(Real(0.1), 1);
     if (dice.unit() < Real(0.2)) c.radius = Real(0.5), c.half_length = Real(0.5);
 }
-// A cube of triangles, a prism on a regular polygon, a pyramid, or a tetrahedron of any shape.
+// A box, a prism or a pyramid on a regular polygon, a tetrahedron of any shape, or many points about a ball.
 const Polyhedron& random_polyhedron(Dice& dice, Real kinds = 1)
 {
     std::vector<Real> points;
-    std::vector<unsigned> polygons;
-    unsigned faces = 0;
     const auto point = [&](Real x, Real y, Real z) { points.insert(points.end(), {x, y, z}); };
-    const auto face = [&](std::initializer_list<unsigned> corners) {
-        polygons.push_back(unsigned(corners.size()));
-        polygons.insert(polygons.end(), corners), ++faces;
-    };
     const Real kind = kinds * dice.unit(), h = dice.between(Real(0.2), 1), r = dice.between(Real(0.2), 1);
     if (kind < Real(0.25)) {
         for (int i = 0; i < 8; ++i) point(i & 1 ? h : -h, i & 2 ? r : -r, i & 4 ? h : -h);
-        for (const auto& q : {std::array{0u, 2u, 3u, 1u},
-                              {4u, 5u, 7u, 6u},
-                              {0u, 1u, 5u, 4u},
-                              {2u, 6u, 7u, 3u},
-                              {0u, 4u, 6u, 2u},
-                              {1u, 3u, 7u, 5u}})
-            face({q[0], q[1], q[2]}), face({q[0], q[2], q[3]});
-    } else if (kind < Real(0.75)) {
+    } else if (kind < Real(0.7)) {
         const unsigned n = 3 + unsigned(dice.unit() * 9);
         const bool pyramid = kind > Real(0.5);
         for (unsigned i = 0; i < n; ++i) {
@@ -171,29 +158,21 @@ const Polyhedron& random_polyhedron(Dice& dice, Real kinds = 1)
             if (!pyramid) point(r * std::cos(angle), r * std::sin(angle), h);
         }
         if (pyramid) point(0, 0, h);
-        const unsigned step = pyramid ? 1 : 2;
-        polygons.push_back(n), ++faces;
-        for (unsigned i = n; i-- > 0;) polygons.push_back(step * i);
-        for (unsigned i = 0; i < n; ++i) {
-            const unsigned j = (i + 1) % n;
-            pyramid ? face({i, j, n}) : face({2 * i, 2 * j, 2 * j + 1, 2 * i + 1});
-        }
-        if (!pyramid) {
-            polygons.push_back(n), ++faces;
-            for (unsigned i = 0; i < n; ++i) polygons.push_back(2 * i + 1);
-        }
-    } else {
+    } else if (kind < Real(0.9)) {
         for (int i = 0; i < 4; ++i) {
             const Vec3 v = Vec3{i == 0 || i == 3 ? r : -r, i == 1 || i == 3 ? r : -r, i < 2 ? -h : h} +
                            Real(0.15) * r * dice.direction();
             point(v.x, v.y, v.z);
         }
-        face({0, 1, 2}), face({0, 3, 1}), face({1, 3, 2}), face({2, 3, 0});
+    } else {
+        for (int i = 0; i < 60; ++i) {
+            const Vec3 v = dice.direction();
+            point(r * v.x, r * v.y, h * v.z);
+        }
     }
     static std::deque<Polyhedron> made;
     made.emplace_back();
-    const char* refusal =
-        made.back().build(points.data(), unsigned(points.size() / 3), polygons.data(), faces);
+    const char* refusal = made.back().build(points.data(), unsigned(points.size() / 3), 1 << 24, false);
     EXPECT_EQ(refusal, nullptr) << refusal;
     return made.back();
 }

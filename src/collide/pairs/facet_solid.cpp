@@ -28,7 +28,7 @@ class LeastRise {
         depth = overlap_along(facet_.n);
         normal = facet_.n;
         if (depth < 0) return false;
-        if (!(walls() && solid_faces() && edges() && rim())) return false;
+        if (!(walls() && (listed() ? solid_faces() && edges() && rim() : any_direction()))) return false;
         if (kFaceFirst * depth > elsewhere_) on_crest = false;
         return true;
     }
@@ -81,6 +81,9 @@ class LeastRise {
         return true;
     }
 
+    // A large polyhedron lists no edges.
+    bool listed() const { return m_.solid.faces.empty() || !m_.solid.edges.empty(); }
+
     bool solid_faces()
     {
         for (int i = 0; i < 3; ++i)
@@ -109,9 +112,10 @@ class LeastRise {
     }
 
     // A round rim on a ridge has no finite list of directions.
-    bool rim()
+    bool rim() { return !(m_.solid.rim_radius > 0) || !m_.terrain.has_ridge(facet_) || any_direction(); }
+
+    bool any_direction()
     {
-        if (!(m_.solid.rim_radius > 0) || !m_.terrain.has_ridge(facet_)) return true;
         const Overlap o = least_overlap(m_.solid, view_of(facet_));
         if (o.normal.y < 0) return true;
         if (o.depth < -m_.slack) return false;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Convex polyhedron. The client's arrays are read once, checked and copied (geometry/polyhedron.h); ODE keeps
-// pointers to them, and so a program that frees them early is safe here. The planes that come along must be
-// numbers and are then passed over, since the points give them again, and to more digits.
+// Convex polyhedron: the hull of the client's points (geometry/polyhedron.h), copied; ODE keeps pointers, and
+// so a program that frees them early is safe here. The original, too, meets other solids with all points,
+// whatever the polygons say: these and the planes must make sense by themselves and are then passed over.
 #include "collide/registry.h"
+#include "geometry/inertia.h"
+#include "ode/ext.h"
+#include "ode/mass.h"
 
 namespace epode {
 namespace {
@@ -23,14 +26,49 @@ Aabb aabb(Geom& geom)
 }
 
 constexpr unsigned kMostFaces = 1u << 24;
+constexpr int kNoLimit = 1 << 24;
+
+// The reason to refuse the client's faces, or null.
+const char* fault_of(const dReal* planes, unsigned plane_count, unsigned point_count,
+                     const unsigned* polygons)
+{
+    if (plane_count < 1 || plane_count > kMostFaces) return "too few or too many planes";
+    if (!usable(planes, int(4 * plane_count))) return "plane is not a usable number";
+    for (unsigned i = 0; i < plane_count; ++i) {
+        const unsigned corners = *polygons++;
+        if (corners < 3 || corners > point_count) return "polygon with a wrong number of corners";
+        for (unsigned k = 0; k < corners; ++k)
+            if (*polygons++ >= point_count) return "polygon with a corner that is no point";
+    }
+    return nullptr;
+}
 
 // The reason of a refusal, or null.
 const char* build(Polyhedron& solid, const dReal* planes, unsigned plane_count, const dReal* points,
                   unsigned point_count, const unsigned* polygons)
 {
-    if (!planes || !points || !polygons || plane_count > kMostFaces) return "Bad argument(s)";
-    if (!usable(planes, int(4 * plane_count))) return "plane is not a usable number";
-    return solid.build(points, point_count, polygons, plane_count);
+    if (!planes || !points || !polygons) return "Bad argument(s)";
+    const char* const fault = fault_of(planes, plane_count, point_count, polygons);
+    return fault ? fault : solid.build(points, point_count, kNoLimit, true);
+}
+
+const char* build_hull(Polyhedron& solid, const dReal* points, unsigned point_count, unsigned most)
+{
+    if (!points || (most > 0 && most < 4)) return "Bad argument(s)";
+    return solid.build(points, point_count, most > 0 && most < unsigned(kNoLimit) ? int(most) : kNoLimit,
+                       false);
+}
+
+// False when the solid or the numbers make no mass.
+bool put(dMass* m, const MassProperties& p)
+{
+    if (!usable(p)) return false;
+    m->mass = p.mass;
+    store(m->c, p.center);
+    m->c[3] = 0;
+    store_mat(m->I, full(p.inertia));
+    (void)dMassCheck(m);
+    return true;
 }
 
 }  // namespace
@@ -63,4 +101,87 @@ extern "C" void dGeomSetConvex(dGeomID g, const dReal* planes, unsigned int coun
     EPODE_USER_SAY(!refusal, refusal);
     geom->own.swap(solid);
     mark_moved(*geom);
+}
+
+extern "C" dGeomID dCreateConvexHull(dSpaceID space, const dReal* points, unsigned int pointcount,
+                                     unsigned int maxvertices)
+{
+    EPODE_PARENT_SPACE(space, nullptr);
+    Polyhedron solid;
+    const char* const refusal = build_hull(solid, points, pointcount, maxvertices);
+    EPODE_USER_SAY(!refusal, refusal, nullptr);
+    ConvexGeom* geom = create_geom<Convex>(space);
+    if (geom) geom->own.swap(solid);
+    return to_handle<Geom>(geom);
+}
+
+extern "C" void dGeomSetConvexHull(dGeomID convex, const dReal* points, unsigned int pointcount,
+                                   unsigned int maxvertices)
+{
+    EPODE_GEOM_AS(Convex, geom, convex);
+    EPODE_UNLOCKED(geom);
+    Polyhedron solid;
+    const char* const refusal = build_hull(solid, points, pointcount, maxvertices);
+    EPODE_USER_SAY(!refusal, refusal);
+    geom->own.swap(solid);
+    mark_moved(*geom);
+}
+
+extern "C" int dGeomConvexGetPoints(dGeomID convex, dReal* points, int room)
+{
+    EPODE_GEOM_AS(Convex, geom, convex, 0);
+    EPODE_USER(room >= 0 && (points || room == 0), 0);
+    const std::span<const Vec3> all = geom->own.vertices();
+    for (int i = 0; i < room && i < int(all.size()); ++i) {
+        const Vec3 p = all[std::size_t(i)] + geom->own.centre();
+        for (int k = 0; k < 3; ++k) points[3 * i + k] = p[k];
+    }
+    return int(all.size());
+}
+
+extern "C" int dGeomConvexGetPlanes(dGeomID convex, dReal* planes, int room)
+{
+    EPODE_GEOM_AS(Convex, geom, convex, 0);
+    EPODE_USER(room >= 0 && (planes || room == 0), 0);
+    const std::span<const PolyhedronFace> all = geom->own.faces();
+    for (int i = 0; i < room && i < int(all.size()); ++i) {
+        const PolyhedronFace& f = all[std::size_t(i)];
+        for (int k = 0; k < 3; ++k) planes[4 * i + k] = f.normal[k];
+        planes[4 * i + 3] = f.offset + dot(f.normal, geom->own.centre());
+    }
+    return int(all.size());
+}
+
+extern "C" int dGeomConvexGetPolygons(dGeomID convex, unsigned int* polygons, int room)
+{
+    EPODE_GEOM_AS(Convex, geom, convex, 0);
+    EPODE_USER(room >= 0 && (polygons || room == 0), 0);
+    int count = 0;
+    const auto put = [&](int number) {
+        if (count < room) polygons[count] = unsigned(number);
+        ++count;
+    };
+    for (const PolyhedronFace& f : geom->own.faces()) {
+        put(f.count);
+        for (int k = 0; k < f.count; ++k) put(geom->own.corners()[std::size_t(f.first + k)]);
+    }
+    return count;
+}
+
+extern "C" void dMassSetConvex(dMass* m, dReal density, dGeomID convex)
+{
+    EPODE_GEOM_AS(Convex, geom, convex);
+    EPODE_USER(m && usable(density));
+    const MassProperties unit = geom->own.mass();
+    EPODE_USER_SAY(unit.mass > 0, "convex has no volume");
+    EPODE_USER(put(m, with_mass(unit, density * unit.mass)));
+}
+
+extern "C" void dMassSetConvexTotal(dMass* m, dReal total_mass, dGeomID convex)
+{
+    EPODE_GEOM_AS(Convex, geom, convex);
+    EPODE_USER(m && usable(total_mass));
+    const MassProperties unit = geom->own.mass();
+    EPODE_USER_SAY(unit.mass > 0, "convex has no volume");
+    EPODE_USER(put(m, with_mass(unit, total_mass)));
 }

@@ -5,9 +5,12 @@
 // changes the shape and its bounding box, the client's arrays are not needed afterwards, and bad arrays are
 // refused by name and change nothing.
 #include <gtest/gtest.h>
+#include <ode/ext.h>
 #include <ode/ode.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "../api/message_recorder.h"
@@ -125,6 +128,141 @@ TEST(ConvexGeom, TakesAnotherShapeAtOnce)
     dGeomDestroy(convex);
 }
 
+// The original meets solids with all points, whatever the faces are: missing, wound inward, or passing by
+// points that stand out.
+TEST(ConvexGeom, IsTheHullOfItsPointsWhateverTheFaces)
+{
+    MessageRecorder heard;
+    Arrays few = box_arrays(1, 1, 1), inward = few, more = few;
+    few.planes.resize(4);
+    for (std::size_t f = 0; f < 6; ++f)
+        std::reverse(inward.polygons.begin() + std::ptrdiff_t(5 * f + 1),
+                     inward.polygons.begin() + std::ptrdiff_t(5 * f + 5));
+    more.points.insert(more.points.end(), {0, 0, 2, 0, 0, 0});
+    const dGeomID ball = dCreateSphere(nullptr, 1);
+    dGeomSetPosition(ball, 0, 0, dReal(1.5));
+    for (const Arrays* arrays : {&few, &inward, &more}) {
+        const dGeomID convex = arrays->create();
+        ASSERT_NE(convex, nullptr) << heard.take();
+        const Touch touch(ball, convex);
+        ASSERT_EQ(touch.count, 1);
+        EXPECT_EQ(dGeomConvexGetPlanes(convex, nullptr, 0), arrays == &more ? 9 : 6);
+        if (arrays != &more) {
+            EXPECT_NEAR(touch.contacts[0].depth, dReal(0.5), kTight);
+            EXPECT_NEAR(touch.contacts[0].normal[2], 1, kTight);
+        }
+        dGeomDestroy(convex);
+    }
+    EXPECT_EQ(heard.take(), "");
+    dGeomDestroy(ball);
+}
+
+TEST(ConvexGeom, PointsInAPlaneMakeAPlateWithTwoSides)
+{
+    Arrays flat = box_arrays(1, 1, 1);
+    flat.points.resize(12);  // the lower four
+    flat.planes = {0, 0, -1, 1};
+    flat.polygons = {4, 0, 2, 3, 1};
+    const dGeomID convex = flat.create(), ball = dCreateSphere(nullptr, 1), ray = dCreateRay(nullptr, 9);
+    ASSERT_NE(convex, nullptr);
+    EXPECT_EQ(dGeomConvexGetPlanes(convex, nullptr, 0), 2);
+    for (const dReal side : {dReal(1), dReal(-1)}) {
+        dGeomSetPosition(ball, dReal(0.2), dReal(0.1), -1 + side * dReal(0.75));
+        const Touch touch(ball, convex);
+        ASSERT_EQ(touch.count, 1);
+        EXPECT_NEAR(touch.contacts[0].depth, dReal(0.25), kTight);
+        EXPECT_NEAR(touch.contacts[0].normal[2], side, kTight);
+        dGeomRaySet(ray, dReal(0.2), dReal(0.1), -1 + 2 * side, 0, 0, -side);
+        const Touch hit(ray, convex);
+        ASSERT_EQ(hit.count, 1);
+        EXPECT_NEAR(hit.contacts[0].depth, 2, kTight);
+    }
+    MessageRecorder heard;
+    dMass m;
+    dMassSetConvex(&m, 1, convex);
+    EXPECT_EQ(heard.take(), "2: convex has no volume in dMassSetConvex()");
+    for (const dGeomID g : {convex, ball, ray}) dGeomDestroy(g);
+}
+
+TEST(ConvexHull, OfACloudGivesBackACubeThatBothFunctionsTake)
+{
+    std::vector<dReal> cloud;
+    for (int i = 0; i < 5 * 5 * 5; ++i)
+        for (const int n : {i % 5, i / 5 % 5, i / 25}) cloud.push_back(dReal(0.25) * dReal(n) + 3);
+    const dGeomID hull = dCreateConvexHull(nullptr, cloud.data(), 125, 0);
+    ASSERT_NE(hull, nullptr);
+    EXPECT_EQ(dGeomGetClass(hull), dConvexClass);
+    ASSERT_EQ(dGeomConvexGetPoints(hull, nullptr, 0), 8);
+    ASSERT_EQ(dGeomConvexGetPlanes(hull, nullptr, 0), 6);
+    ASSERT_EQ(dGeomConvexGetPolygons(hull, nullptr, 0), 30);
+    Arrays back;
+    back.points.resize(24), back.planes.resize(24), back.polygons.resize(30);
+    dGeomConvexGetPoints(hull, back.points.data(), 8);
+    dGeomConvexGetPlanes(hull, back.planes.data(), 6);
+    dGeomConvexGetPolygons(hull, back.polygons.data(), 30);
+    EXPECT_EQ(std::vector<dReal>(back.points.begin(), back.points.begin() + 6),
+              (std::vector<dReal>{3, 3, 3, 4, 3, 3}));
+    for (unsigned f = 0; f < 6; ++f) {
+        EXPECT_EQ(back.polygons[5 * f], 4u);
+        const dReal* n = &back.planes[4 * f];
+        for (unsigned k = 1; k < 5; ++k) {
+            const dReal* p = &back.points[3 * back.polygons[5 * f + k]];
+            EXPECT_NEAR(n[0] * p[0] + n[1] * p[1] + n[2] * p[2], n[3], kTight * 10);
+        }
+    }
+    dGeomSetConvexHull(hull, cloud.data(), 125, 4);
+    EXPECT_EQ(dGeomConvexGetPoints(hull, nullptr, 0), 4);
+    back.give(hull);
+    EXPECT_EQ(dGeomConvexGetPolygons(hull, nullptr, 0), 30);
+    dReal unwritten = 77;
+    EXPECT_EQ(dGeomConvexGetPoints(hull, &unwritten, 0), 8);
+    EXPECT_EQ(unwritten, 77);
+    dMass m;
+    dMassSetConvex(&m, 5, hull);
+    EXPECT_NEAR(m.mass, 5, 1000 * kTight);
+    for (const dReal c : {m.c[0], m.c[1], m.c[2]}) EXPECT_NEAR(c, dReal(3.5), 100 * kTight);
+    dMassSetConvexTotal(&m, 12, hull);
+    dMassTranslate(&m, -m.c[0], -m.c[1], -m.c[2]);
+    EXPECT_NEAR(m.I[0], 2, 10000 * kTight);
+    EXPECT_NEAR(m.I[1], 0, 10000 * kTight);
+    dGeomDestroy(hull);
+}
+
+TEST(ConvexHull, RefusesWhatHasNoInside)
+{
+    MessageRecorder heard;
+    std::vector<dReal> points = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, dReal(0.3), dReal(0.4), 0};
+    EXPECT_EQ(dCreateConvexHull(nullptr, points.data(), 5, 0), nullptr);
+    EXPECT_EQ(heard.take(), "2: all points lie in a plane in dCreateConvexHull()");
+    points[14] = 1;
+    const dGeomID good = dCreateConvexHull(nullptr, points.data(), 5, 0);
+    ASSERT_NE(good, nullptr);
+    EXPECT_EQ(dCreateConvexHull(nullptr, points.data(), 2, 0), nullptr);
+    EXPECT_EQ(heard.take(), "2: too few or too many points in dCreateConvexHull()");
+    EXPECT_EQ(dCreateConvexHull(nullptr, points.data(), 5, 3), nullptr);
+    EXPECT_EQ(dCreateConvexHull(nullptr, nullptr, 5, 0), nullptr);
+    dGeomSetConvexHull(good, nullptr, 5, 0);
+    points[7] = std::numeric_limits<dReal>::infinity();
+    dGeomSetConvexHull(good, points.data(), 5, 0);
+    EXPECT_EQ(heard.take(),
+              "2: Bad argument(s) in dCreateConvexHull()|2: Bad argument(s) in dCreateConvexHull()|"
+              "2: Bad argument(s) in dGeomSetConvexHull()|"
+              "2: point is not a usable number in dGeomSetConvexHull()");
+    EXPECT_EQ(dGeomConvexGetPoints(good, nullptr, 3), 0);
+    EXPECT_EQ(dGeomConvexGetPlanes(nullptr, nullptr, 0), 0);
+    EXPECT_EQ(dGeomConvexGetPolygons(good, nullptr, -1), 0);
+    dMass m;
+    dMassSetConvex(nullptr, 1, good);
+    dMassSetConvexTotal(&m, std::numeric_limits<dReal>::quiet_NaN(), good);
+    EXPECT_EQ(heard.take(),
+              "2: Bad argument(s) in dGeomConvexGetPoints()|"
+              "2: argument not a convex shape in dGeomConvexGetPlanes()|"
+              "2: Bad argument(s) in dGeomConvexGetPolygons()|"
+              "2: Bad argument(s) in dMassSetConvex()|2: Bad argument(s) in dMassSetConvexTotal()");
+    EXPECT_EQ(dGeomConvexGetPoints(good, nullptr, 0), 5);
+    dGeomDestroy(good);
+}
+
 TEST(ConvexGeom, RefusesWhatIsNoSolid)
 {
     MessageRecorder heard;
@@ -152,7 +290,11 @@ TEST(ConvexGeom, RefusesWhatIsNoSolid)
     bad = good, bad.polygons[5] = 2;
     EXPECT_NE(refused(bad).find("polygon with a wrong number of corners"), std::string::npos);
     for (dReal& x : (bad = good).points) x = 3;
-    refused(bad);
+    EXPECT_NE(refused(bad).find("all points are one"), std::string::npos);
+    bad = good;
+    for (std::size_t k = 0; k < 8; ++k)
+        for (std::size_t j = 0; j < 3; ++j) bad.points[3 * k + j] = dReal(k);
+    EXPECT_NE(refused(bad).find("all points lie on a line"), std::string::npos);
     const auto pointers = [&](const dReal* planes, const dReal* points, const unsigned* polygons,
                               unsigned faces, unsigned corners) {
         EXPECT_EQ(dCreateConvex(nullptr, planes, faces, points, corners, polygons), nullptr);
@@ -162,6 +304,7 @@ TEST(ConvexGeom, RefusesWhatIsNoSolid)
     pointers(good.planes.data(), nullptr, good.polygons.data(), 6, 8);
     pointers(good.planes.data(), good.points.data(), nullptr, 6, 8);
     pointers(good.planes.data(), good.points.data(), good.polygons.data(), 6, 0);
+    pointers(good.planes.data(), good.points.data(), good.polygons.data(), 0, 8);
     pointers(good.planes.data(), good.points.data(), good.polygons.data(), 6, ~0u);  // a negative number
     pointers(good.planes.data(), good.points.data(), good.polygons.data(), ~5u, 8);
     dGeomSetConvex(nullptr, good.planes.data(), 6, good.points.data(), 8, good.polygons.data());
