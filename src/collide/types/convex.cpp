@@ -4,6 +4,7 @@
 // Convex polyhedron: the hull of the client's points (geometry/polyhedron.h), copied; ODE keeps pointers, and
 // so a program that frees them early is safe here. The original, too, meets other solids with all points,
 // whatever the polygons say: these and the planes must make sense by themselves and are then passed over.
+#include "collide/describe.h"
 #include "collide/registry.h"
 #include "geometry/inertia.h"
 #include "ode/ext.h"
@@ -59,6 +60,9 @@ const char* build_hull(Polyhedron& solid, const dReal* points, unsigned point_co
                        false);
 }
 
+// As the original, without its points.
+void describe_convex(const Geom&, DifWriter& out) { out.text("type", "convex"); }
+
 // False when the solid or the numbers make no mass.
 bool put(dMass* m, const MassProperties& p)
 {
@@ -73,7 +77,8 @@ bool put(dMass* m, const MassProperties& p)
 
 }  // namespace
 
-const GeomType kConvexType = {.number = dConvexClass, .aabb = aabb, .destroy = destroy_pooled<ConvexGeom>};
+const GeomType kConvexType = {
+    .number = dConvexClass, .aabb = aabb, .destroy = destroy_pooled<ConvexGeom>, .describe = describe_convex};
 
 }  // namespace epode
 
