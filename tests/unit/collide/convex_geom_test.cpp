@@ -17,7 +17,7 @@
 
 namespace {
 
-constexpr dReal kTight = sizeof(dReal) == 4 ? dReal(1e-5) : dReal(1e-12);
+constexpr dReal kTight = sizeof(dReal) == 4 ? dReal(1e-4) : dReal(1e-12);
 
 // A box of the given half sides about (x, 0, 0), as a client would list it.
 struct Arrays {
