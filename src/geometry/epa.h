@@ -39,6 +39,11 @@ inline Extent extent(const ConvexView& a, const ConvexView& b, Vec3 normal)
 // Improves `best` until it is within `tolerance` of the least, or below `enough` (then it may stop early).
 void expand(const ConvexView& a, const ConvexView& b, Real tolerance, Real enough, Overlap& best);
 
+// Improves `best` by the face of the polyhedron v that looks most along the guess, tried exactly: flush faces
+// answer with the face's own normal and not with that of three rounded points. v is a (`sense` -1) or b (1).
+void offer_face(const ConvexView& v, Real sense, Vec3 guess, const ConvexView& a, const ConvexView& b,
+                Overlap& best);
+
 // Radii are not counted; `enough` = -(sum of radii) stops early only at proofs that matter.
 Overlap least_overlap(const ConvexView& a, const ConvexView& b);
 

@@ -143,8 +143,8 @@ void polish_edges(const ConvexView& v, Vec3 outward, const ConvexView& a, const 
     }
 }
 
-// The face of a polyhedron that looks most along the guess, tried exactly: flush faces answer with the face's
-// own normal and not with that of three rounded points. `sense`: of outward normals against the guess.
+}  // namespace
+
 void offer_face(const ConvexView& v, Real sense, Vec3 guess, const ConvexView& a, const ConvexView& b,
                 Overlap& best)
 {
@@ -157,8 +157,6 @@ void offer_face(const ConvexView& v, Real sense, Vec3 guess, const ConvexView& a
     const Real h = extent(a, b, n).h;
     if (h < best.depth) best.depth = h, best.normal = n;
 }
-
-}  // namespace
 
 Overlap least_overlap(const ConvexView& a, const ConvexView& b)
 {

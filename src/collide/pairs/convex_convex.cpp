@@ -251,6 +251,21 @@ void convex_manifold(const ConvexView& a, const ConvexView& b, Vec3 normal, Real
     sink.add_manifold({out.points, std::size_t(out.count)});
 }
 
+namespace {
+
+// A distance to rounding leaves its direction open by the root of that. Where a face of a polyhedron parts
+// the two as far, its normal is the steadier answer.
+Vec3 settled(const ConvexView& a, const ConvexView& b, Vec3 normal, Real distance)
+{
+    Overlap flush;
+    offer_face(a, -1, normal, a, b, flush);
+    offer_face(b, 1, normal, a, b, flush);
+    const Real hair = 16 * kEpsilon * (a.size + b.size + length(b.pose.p - a.pose.p));
+    return flush.depth <= hair - distance ? flush.normal : normal;
+}
+
+}  // namespace
+
 void convex_convex(const ConvexView& a, const ConvexView& b, ContactSink& sink)
 {
     const Real radii = a.radius + b.radius, reach = a.size + b.size + radii;
@@ -261,7 +276,8 @@ void convex_convex(const ConvexView& a, const ConvexView& b, ContactSink& sink)
         const Distance d = gjk_distance(a, b, radii);
         if (d.distance > radii) return;
         Vec3 normal = d.on_a - d.on_b;
-        if (d.distance > touch && normalize(normal)) return convex_manifold(a, b, normal, -d.distance, sink);
+        if (d.distance > touch && normalize(normal))
+            return convex_manifold(a, b, settled(a, b, normal, d.distance), -d.distance, sink);
     }
     const Overlap o = least_overlap(a, b);
     if (o.depth >= -touch - radii) convex_manifold(a, b, o.normal, o.depth > 0 ? o.depth : Real(0), sink);
