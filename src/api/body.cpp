@@ -31,7 +31,9 @@ dBodyID dBodyCreate(dWorldID w)
 {
     World* world = from_handle<World>(w);
     EPODE_USER(world, nullptr);
-    return to_handle(create_body(*world));
+    const Body* body = create_body(*world);
+    EPODE_USER_SAY(body, kNoMemory, nullptr);
+    return to_handle(body);
 }
 
 void dBodyDestroy(dBodyID b)

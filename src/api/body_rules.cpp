@@ -18,7 +18,8 @@ bool take_sleep_rule(Body& body)
     const World& world = *body.world;
     if (!set_sleep_samples(body, world.sleep.samples)) return false;
     body.sleep = world.sleep;
-    set_auto_disable(body, world.auto_disable);
+    body.auto_disable = world.auto_disable;
+    if (!world.auto_disable) body.disabled = false;
     return true;
 }
 
@@ -104,7 +105,7 @@ void dBodySetAutoDisableAverageSamplesCount(dBodyID b, unsigned int count)
 {
     BODY_OR();
     EPODE_USER(count <= 1u << 20);
-    set_sleep_samples(*body, int(count));
+    EPODE_USER_SAY(set_sleep_samples(*body, int(count)), kNoMemory);
 }
 
 int dBodyGetAutoDisableAverageSamplesCount(dBodyID b)
@@ -116,7 +117,7 @@ int dBodyGetAutoDisableAverageSamplesCount(dBodyID b)
 void dBodySetAutoDisableFlag(dBodyID b, int on)
 {
     BODY_OR();
-    set_auto_disable(*body, on != 0);
+    EPODE_USER_SAY(set_auto_disable(*body, on != 0), kNoMemory);
 }
 
 int dBodyGetAutoDisableFlag(dBodyID b)
@@ -128,7 +129,7 @@ int dBodyGetAutoDisableFlag(dBodyID b)
 void dBodySetAutoDisableDefaults(dBodyID b)
 {
     BODY_OR();
-    take_sleep_rule(*body);
+    EPODE_USER_SAY(take_sleep_rule(*body), kNoMemory);
 }
 
 void dBodySetDampingDefaults(dBodyID b)

@@ -54,7 +54,12 @@ void dJointDestroy(dJointID j)
     if (!joint->group) destroy_joint(*joint);
 }
 
-dJointGroupID dJointGroupCreate(int) { return to_handle(Pool<JointGroup>::create()); }
+dJointGroupID dJointGroupCreate(int)
+{
+    const JointGroup* group = Pool<JointGroup>::create();
+    EPODE_USER_SAY(group, kNoMemory, nullptr);
+    return to_handle(group);
+}
 
 void dJointGroupDestroy(dJointGroupID g)
 {

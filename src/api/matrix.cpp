@@ -17,8 +17,6 @@ using namespace epode;
 
 namespace {
 
-constexpr const char* kNoMemory = "out of memory";
-
 // A stride may be anything for a single row.
 bool fits(int n, int stride) { return n > 0 && (stride >= n || n == 1); }
 

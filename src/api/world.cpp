@@ -42,7 +42,12 @@ void copy_report(const Report& from, Report* to)
 
 extern "C" {
 
-dWorldID dWorldCreate() { return to_handle(Pool<World>::create()); }
+dWorldID dWorldCreate()
+{
+    const World* world = Pool<World>::create();
+    EPODE_USER_SAY(world, kNoMemory, nullptr);
+    return to_handle(world);
+}
 
 void dWorldDestroy(dWorldID w)
 {
@@ -186,7 +191,8 @@ int dWorldStep(dWorldID w, dReal stepsize)
     WORLD_OR(0);
     EPODE_USER(usable(stepsize) && stepsize > 0, 0);
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
-    return step_world(*world, kDirect, stepsize, 0);
+    EPODE_USER_SAY(step_world(*world, kDirect, stepsize, 0), kNoMemory, 0);
+    return 1;
 }
 
 int dWorldQuickStep(dWorldID w, dReal stepsize)
@@ -194,7 +200,8 @@ int dWorldQuickStep(dWorldID w, dReal stepsize)
     WORLD_OR(0);
     EPODE_USER(usable(stepsize) && stepsize > 0, 0);
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
-    return step_world(*world, kQuick, stepsize, world->quick_iterations);
+    EPODE_USER_SAY(step_world(*world, kQuick, stepsize, world->quick_iterations), kNoMemory, 0);
+    return 1;
 }
 
 int dWorldStepFast1(dWorldID w, dReal stepsize, int maxiterations)
@@ -202,7 +209,8 @@ int dWorldStepFast1(dWorldID w, dReal stepsize, int maxiterations)
     WORLD_OR(0);
     EPODE_USER(usable(stepsize) && stepsize > 0 && maxiterations >= 1 && maxiterations <= kMostSmallSteps, 0);
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
-    return step_world(*world, kTgs, stepsize, maxiterations);
+    EPODE_USER_SAY(step_world(*world, kTgs, stepsize, maxiterations), kNoMemory, 0);
+    return 1;
 }
 
 // ---- accuracy (ode/ext.h)

@@ -30,6 +30,22 @@ void refuse(const char* text, const char* function, std::atomic<bool>& told)
     report(d_ERR_UASSERT, "%s in %s()", text, function);
 }
 
+// Who has been refused already: without a handler a message is printed once per C function, as EPODE_USER
+// does once per call site.
+void refuse_for(const char* caller, const char* text)
+{
+    static std::atomic<const char*> refused[256] = {};
+    std::atomic<bool> told{true};  // silent once the table is full, which the number of functions forbids
+    for (std::atomic<const char*>& slot : refused) {
+        const char* present = nullptr;
+        const bool first = slot.compare_exchange_strong(present, caller);
+        if (!first && present != caller) continue;
+        told = !first;
+        break;
+    }
+    refuse(text, caller, told);
+}
+
 #if !defined(NDEBUG)
 void assertion_failed(const char* expression, const char* file, int line)
 {

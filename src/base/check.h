@@ -22,6 +22,13 @@ namespace epode {
 // Reports a refused public call: `text in function()`. `told` remembers that a call site has printed.
 [[gnu::cold]] void refuse(const char* text, const char* function, std::atomic<bool>& told);
 
+// Refuses a call in the name of the C function `caller`: EPODE_USER_SAY for helpers that many functions
+// share.
+[[gnu::cold]] void refuse_for(const char* caller, const char* text);
+
+// What a call says that finds no memory.
+inline constexpr const char* kNoMemory = "out of memory";
+
 #if defined(NDEBUG)
 #define EPODE_ASSERT(condition) ((void)sizeof(!(condition)))
 #else

@@ -64,22 +64,23 @@ void destroy_pooled(Geom* geom)
     Pool<Object>::destroy(static_cast<Object*>(geom));
 }
 
-// A new geom in `space` (or none); null when memory is exhausted. `space` has been checked.
+// A new geom in `space` (or none); null, after a refusal on behalf of the C function `caller`, when memory is
+// exhausted. `space` has been checked.
 template <typename Name>
-typename GeomTraits<Name>::Type* create_geom(dSpaceID space)
+typename GeomTraits<Name>::Type* create_geom(dSpaceID space, const char* caller = __builtin_FUNCTION())
 {
     using Object = typename GeomTraits<Name>::Type;
     Object* geom = Pool<Object>::create(GeomTraits<Name>::get());
-    if (!geom || !space) return geom;
-    if (add_member(*space_from(space), *geom)) return geom;
-    destroy_geom(*geom);
+    if (geom && (!space || add_member(*space_from(space), *geom))) return geom;
+    if (geom) destroy_geom(*geom);
+    refuse_for(caller, kNoMemory);
     return nullptr;
 }
 
 template <typename Shape>
-dGeomID create_shape(dSpaceID space, const Shape& shape)
+dGeomID create_shape(dSpaceID space, const Shape& shape, const char* caller = __builtin_FUNCTION())
 {
-    auto* geom = create_geom<Shape>(space);
+    auto* geom = create_geom<Shape>(space, caller);
     if (geom) geom->shape = shape;
     return to_handle<Geom>(geom);
 }

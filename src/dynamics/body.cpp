@@ -111,14 +111,16 @@ void set_dynamic(Body& body)
 }
 
 // Switching it off also wakes the body and takes the idle rules of the world again, as ODE does.
-void set_auto_disable(Body& body, bool on)
+bool set_auto_disable(Body& body, bool on)
 {
+    if (!on) {
+        if (!set_sleep_samples(body, body.world->sleep.samples)) return false;
+        body.disabled = false;
+        body.sleep.steps = body.world->sleep.steps;
+        body.sleep.time = body.world->sleep.time;
+    }
     body.auto_disable = on;
-    if (on) return;
-    body.disabled = false;
-    body.sleep.steps = body.world->sleep.steps;
-    body.sleep.time = body.world->sleep.time;
-    set_sleep_samples(body, body.world->sleep.samples);
+    return true;
 }
 
 bool set_sleep_samples(Body& body, int samples)

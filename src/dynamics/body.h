@@ -107,8 +107,8 @@ void set_orientation(Body& body, Quat unit);   // writes q and R
 bool set_mass(Body& body, const dMass& mass);  // false: not positive definite or off-centre, nothing changed
 void set_kinematic(Body& body);
 void set_dynamic(Body& body);
-void set_auto_disable(Body& body, bool on);
-bool set_sleep_samples(Body& body, int samples);
+[[nodiscard]] bool set_auto_disable(Body& body, bool on);  // false: no memory, nothing changed
+[[nodiscard]] bool set_sleep_samples(Body& body, int samples);
 void wake(Body& body);  // clears `disabled` and reloads the idle counters
 
 }  // namespace epode

@@ -95,9 +95,6 @@ constexpr JointType describe_joint(const char* name)
 
 #define JOINT_DEFINE(Name) constinit const JointType k##Name##Type = describe_joint<Name>(#Name)
 
-// Refuses a call in the name of the C function `caller`: EPODE_USER for helpers that many functions share.
-[[gnu::cold]] void refuse_for(const char* caller, const char* text);
-
 // False after a refusal.
 inline bool demand(bool condition, const char* caller)
 {
@@ -114,9 +111,9 @@ dJointID create_joint_for(const char* caller, dWorldID w, dJointGroupID g, const
     JointGroup* group = from_handle<JointGroup>(g);
     if (!demand(world && (group || !g), caller)) return nullptr;
     T* joint = Pool<T>::create(JointTypeOf<T>::get(), *world, arguments...);
-    if (!joint) return nullptr;
-    if (link_into_world(*joint, group)) return to_handle<Joint>(joint);
-    Pool<T>::destroy(joint);
+    if (joint && link_into_world(*joint, group)) return to_handle<Joint>(joint);
+    if (joint) Pool<T>::destroy(joint);
+    refuse_for(caller, kNoMemory);
     return nullptr;
 }
 

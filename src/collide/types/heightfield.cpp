@@ -110,7 +110,7 @@ const char* build(dHeightfieldDataID id, const Sample* samples, int copy, const 
     void* block = nullptr;
     if (copy) {
         block = allocate(count * sizeof(Sample));
-        if (!block) return "out of memory";
+        if (!block) return kNoMemory;
         std::memcpy(block, samples, count * sizeof(Sample));
     }
     d->drop_samples();
@@ -139,7 +139,12 @@ using namespace epode;
 
 extern "C" {
 
-dHeightfieldDataID dGeomHeightfieldDataCreate(void) { return to_handle(Pool<HeightfieldData>::create()); }
+dHeightfieldDataID dGeomHeightfieldDataCreate(void)
+{
+    const HeightfieldData* data = Pool<HeightfieldData>::create();
+    EPODE_USER_SAY(data, kNoMemory, nullptr);
+    return to_handle(data);
+}
 
 void dGeomHeightfieldDataDestroy(dHeightfieldDataID d)
 {

@@ -16,9 +16,9 @@ constexpr GeomType space_type(int number)
 constexpr const char* kTooDeep = "spaces are nested too deeply";
 
 template <typename Name>
-dSpaceID create_space(dSpaceID parent)
+dSpaceID create_space(dSpaceID parent, const char* caller = __builtin_FUNCTION())
 {
-    return id_of(create_geom<Name>(parent));
+    return id_of(create_geom<Name>(parent, caller));
 }
 
 // A new space inside the parent would not be nested too deeply.

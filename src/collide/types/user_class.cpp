@@ -147,7 +147,9 @@ extern "C" int dCreateGeomClass(const dGeomClass* classptr)
 extern "C" dGeomID dCreateGeom(int classnum)
 {
     EPODE_USER_SAY(user_type(classnum), "not a custom class", nullptr);
-    return to_handle<Geom>(create_user_geom(classnum));
+    const UserGeom* geom = create_user_geom(classnum);
+    EPODE_USER_SAY(geom, kNoMemory, nullptr);
+    return to_handle<Geom>(geom);
 }
 
 extern "C" void* dGeomGetClassData(dGeomID id)
