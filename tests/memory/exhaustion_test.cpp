@@ -117,7 +117,7 @@ class Scene {
         dBodyID body = ASKED(dBodyCreate(world_));
         if (!body) return;
         bodies_.push_back(body);
-        dBodySetPosition(body, dReal(0.3 * (i % 4)), dReal(0.3 * (i / 4)), dReal(0.4));
+        dBodySetPosition(body, dReal(0.9 * (i % 4)), dReal(0.9 * (i / 4)), dReal(0.4));
         dGeomID geom = nullptr;
         const dSpaceID inside = inner_ ? inner_ : outer_;
         switch (i % 5) {

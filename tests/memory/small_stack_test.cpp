@@ -196,7 +196,7 @@ TEST(SmallStack, every_pair_is_collided)
     });
     const std::size_t used_by_spaces = on_small_stack([&] { dSpaceCollide(nest[0], &near, &count_pair); });
     EXPECT_GT(met, 1000);
-    EXPECT_GT(near, 100);
+    EXPECT_GT(near, 50);
     expect_small("dCollide", used);
     expect_small("dSpaceCollide, nine spaces deep", used_by_spaces);
     dSpaceDestroy(nest[0]);
