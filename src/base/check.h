@@ -39,7 +39,7 @@ inline constexpr const char* kNoMemory = "out of memory";
 
 #define EPODE_USER_SAY(condition, text, ...)             \
     do {                                                 \
-        if (!(condition)) [[unlikely]] {                 \
+        if (!(condition) && kChecked) [[unlikely]] {     \
             static std::atomic<bool> epode_told{false};  \
             ::epode::refuse(text, __func__, epode_told); \
             return __VA_ARGS__;                          \

@@ -25,4 +25,11 @@ inline constexpr Real kPi = Real(3.14159265358979323846);
 inline constexpr std::size_t kCacheLine = 64;
 inline constexpr bool kSingle = sizeof(Real) == 4;
 
+// Off only in the library that bench/checks builds to measure what checking arguments costs.
+#if defined(EPODE_UNCHECKED)
+inline constexpr bool kChecked = false;
+#else
+inline constexpr bool kChecked = true;
+#endif
+
 }  // namespace epode

@@ -67,6 +67,7 @@ O* from_handle(typename HandleOf<O>::Id id)
 {
     const auto bits = reinterpret_cast<std::uintptr_t>(id);
     auto* object = reinterpret_cast<O*>(bits & ~std::uintptr_t(kGenerations - 1));
+    if constexpr (!kChecked) return object;
     // Signed: neither the first page nor what no program is given, as (dBodyID)-1, is looked at.
     const bool alive = std::intptr_t(bits) >= kFirstPage && object->tag == HandleOf<O>::kTag &&
                        object->generation == std::uint32_t(bits & (kGenerations - 1));

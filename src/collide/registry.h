@@ -54,7 +54,7 @@ template <typename Name>
 typename GeomTraits<Name>::Type* geom_as(dGeomID id)
 {
     Geom* geom = from_handle<Geom>(id);
-    const bool fits = geom && geom->type->number == GeomTraits<Name>::kNumber;
+    const bool fits = !kChecked || (geom && geom->type->number == GeomTraits<Name>::kNumber);
     return fits ? static_cast<typename GeomTraits<Name>::Type*>(geom) : nullptr;
 }
 

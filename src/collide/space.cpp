@@ -58,7 +58,7 @@ bool zero_sized(const Geom& geom) { return geom.type->zero_sized && geom.type->z
 Space* space_from(dSpaceID id)
 {
     Geom* geom = from_handle<Geom>(reinterpret_cast<dGeomID>(id));
-    return geom && is_space(*geom) ? static_cast<Space*>(geom) : nullptr;
+    return !kChecked || (geom && is_space(*geom)) ? static_cast<Space*>(geom) : nullptr;
 }
 
 dSpaceID id_of(const Space* space) { return reinterpret_cast<dSpaceID>(to_handle<Geom>(space)); }

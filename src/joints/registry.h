@@ -98,9 +98,9 @@ constexpr JointType describe_joint(const char* name)
 // False after a refusal.
 inline bool demand(bool condition, const char* caller)
 {
-    if (!condition) [[unlikely]]
-        refuse_for(caller, "Bad argument(s)");
-    return condition;
+    if (!kChecked || condition) return true;
+    refuse_for(caller, "Bad argument(s)");
+    return false;
 }
 
 // The new joint, or null: bad handles, or memory is exhausted.
@@ -128,7 +128,7 @@ template <typename T>
 T* checked(dJointID id, const char* caller = __builtin_FUNCTION())
 {
     Joint* joint = from_handle<Joint>(id);
-    if (joint && joint->type == &JointTypeOf<T>::get()) return static_cast<T*>(joint);
+    if (!kChecked || (joint && joint->type == &JointTypeOf<T>::get())) return static_cast<T*>(joint);
     refuse_for(caller, joint ? JointTypeOf<T>::kRefusal : "Bad argument(s)");
     return nullptr;
 }
