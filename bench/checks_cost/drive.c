@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Copyright (c) 2026 The Epode authors
  *
- * drive SHAPE STEPPER STEPS: 1,000 bodies as a program drives them. Each step: collision by callback, contacts
- * as joints, a force on every body, pose and velocity of every body read as for drawing, the world's step.
- * SHAPE: boxes (in 250 towers of four) or spheres (beside each other). What is counted is one_step(). */
+ * drive SHAPE STEPPER STEPS: 1,000 bodies as a program drives them. Each step: collision by callback,
+ * contacts as joints, a force on every body, pose and velocity of every body read as for drawing, the world's
+ * step. SHAPE: boxes (in 250 towers of four) or spheres (beside each other). What is counted is one_step().
+ */
 #include <ode/ode.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -62,7 +63,8 @@ int main(int count, char** words)
     dCreatePlane(space, 0, 0, 1, 0);
     for (i = 0; i < kBodies; ++i) {
         const int tower = boxes ? i / 4 : i, floor = boxes ? i % 4 : 0;
-        dGeomID geom = boxes ? dCreateBox(space, (dReal)0.5, (dReal)0.5, (dReal)0.5) : dCreateSphere(space, (dReal)0.25);
+        dGeomID geom =
+            boxes ? dCreateBox(space, (dReal)0.5, (dReal)0.5, (dReal)0.5) : dCreateSphere(space, (dReal)0.25);
         dMass mass;
         dMassSetBox(&mass, 1, (dReal)0.5, (dReal)0.5, (dReal)0.5);
         bodies[i] = dBodyCreate(world);

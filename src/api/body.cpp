@@ -32,7 +32,7 @@ dBodyID dBodyCreate(dWorldID w)
     World* world = from_handle<World>(w);
     EPODE_USER(world, nullptr);
     const Body* body = create_body(*world);
-    EPODE_USER_SAY(body, kNoMemory, nullptr);
+    EPODE_USER_SAY(body, kOutOfMemory, nullptr);
     return to_handle(body);
 }
 

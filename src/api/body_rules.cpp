@@ -105,7 +105,7 @@ void dBodySetAutoDisableAverageSamplesCount(dBodyID b, unsigned int count)
 {
     BODY_OR();
     EPODE_USER(count <= 1u << 20);
-    EPODE_USER_SAY(set_sleep_samples(*body, int(count)), kNoMemory);
+    EPODE_USER_SAY(set_sleep_samples(*body, int(count)), kOutOfMemory);
 }
 
 int dBodyGetAutoDisableAverageSamplesCount(dBodyID b)
@@ -117,7 +117,7 @@ int dBodyGetAutoDisableAverageSamplesCount(dBodyID b)
 void dBodySetAutoDisableFlag(dBodyID b, int on)
 {
     BODY_OR();
-    EPODE_USER_SAY(set_auto_disable(*body, on != 0), kNoMemory);
+    EPODE_USER_SAY(set_auto_disable(*body, on != 0), kOutOfMemory);
 }
 
 int dBodyGetAutoDisableFlag(dBodyID b)
@@ -129,7 +129,7 @@ int dBodyGetAutoDisableFlag(dBodyID b)
 void dBodySetAutoDisableDefaults(dBodyID b)
 {
     BODY_OR();
-    EPODE_USER_SAY(take_sleep_rule(*body), kNoMemory);
+    EPODE_USER_SAY(take_sleep_rule(*body), kOutOfMemory);
 }
 
 void dBodySetDampingDefaults(dBodyID b)

@@ -43,7 +43,7 @@ bool usable_matrix(const dReal* R) { return R && usable(R, 3) && usable(R + 4, 3
     EPODE_PLACEABLE(geom);                                   \
     EPODE_USER_SAY(geom->body.id, "geom must be on a body"); \
     EPODE_UNLOCKED(geom)
-#define OFFSET_READY(geom) EPODE_USER_SAY(ensure_offset(*geom), kNoMemory)
+#define OFFSET_READY(geom) EPODE_USER_SAY(ensure_offset(*geom), kOutOfMemory)
 
 extern "C" {
 

@@ -57,7 +57,7 @@ void dJointDestroy(dJointID j)
 dJointGroupID dJointGroupCreate(int)
 {
     const JointGroup* group = Pool<JointGroup>::create();
-    EPODE_USER_SAY(group, kNoMemory, nullptr);
+    EPODE_USER_SAY(group, kOutOfMemory, nullptr);
     return to_handle(group);
 }
 

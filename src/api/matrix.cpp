@@ -74,7 +74,7 @@ extern "C" int dInvertPDMatrix(const dReal* A, dReal* Ainv, int n)
 {
     EPODE_USER(A && Ainv && n > 0, 0);
     Scratch L(padded_size(n, n));
-    EPODE_USER_SAY(L.ok(), kNoMemory, 0);
+    EPODE_USER_SAY(L.ok(), kOutOfMemory, 0);
     std::copy_n(A, padded_size(n, n), L.data());
     if (!factor_cholesky(L.data(), n)) return 0;
     invert_from_cholesky(L.data(), Ainv, n);
@@ -85,7 +85,7 @@ extern "C" int dIsPositiveDefinite(const dReal* A, int n)
 {
     EPODE_USER(A && n > 0, 0);
     Scratch L(padded_size(n, n));
-    EPODE_USER_SAY(L.ok(), kNoMemory, 0);
+    EPODE_USER_SAY(L.ok(), kOutOfMemory, 0);
     std::copy_n(A, padded_size(n, n), L.data());
     return factor_cholesky(L.data(), n);
 }
@@ -131,7 +131,7 @@ extern "C" void dLDLTAddTL(dReal* L, dReal* d, const dReal* a, int n, int nskip)
     EPODE_USER(L && d && a && n > 0 && nskip >= n);
     if (n < 2) return;
     Scratch work(3 * std::size_t(n));
-    EPODE_USER_SAY(work.ok(), kNoMemory);
+    EPODE_USER_SAY(work.ok(), kOutOfMemory);
     add_to_top_left(L, d, a, n, nskip, work.data());
 }
 
@@ -141,7 +141,7 @@ extern "C" void dLDLTRemove(dReal** A, const int* p, dReal* L, dReal* d, int n1,
     EPODE_USER(std::all_of(p, p + n2, [n1](int i) { return i >= 0 && i < n1; }));
     if (r == n2 - 1) return;
     Scratch work(2 * std::size_t(n2));
-    EPODE_USER_SAY(work.ok(), kNoMemory);
+    EPODE_USER_SAY(work.ok(), kOutOfMemory);
     remove_from_ldlt(L, d, n2, r, nskip, work.data());
 }
 

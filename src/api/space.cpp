@@ -64,7 +64,7 @@ void dSpaceAdd(dSpaceID id, dGeomID geom_id)
                    "a space cannot be put inside itself");
     EPODE_USER_SAY(!is_space(*geom) || nesting_fits(*space, static_cast<Space&>(*geom)),
                    "spaces are nested too deeply");
-    EPODE_USER_SAY(add_member(*space, *geom), kNoMemory);
+    EPODE_USER_SAY(add_member(*space, *geom), kOutOfMemory);
 }
 
 void dSpaceRemove(dSpaceID id, dGeomID geom_id)

@@ -45,7 +45,7 @@ extern "C" {
 dWorldID dWorldCreate()
 {
     const World* world = Pool<World>::create();
-    EPODE_USER_SAY(world, kNoMemory, nullptr);
+    EPODE_USER_SAY(world, kOutOfMemory, nullptr);
     return to_handle(world);
 }
 
@@ -191,7 +191,7 @@ int dWorldStep(dWorldID w, dReal stepsize)
     WORLD_OR(0);
     EPODE_USER(usable(stepsize) && stepsize > 0, 0);
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
-    EPODE_USER_SAY(step_world(*world, kDirect, stepsize, 0), kNoMemory, 0);
+    EPODE_USER_SAY(step_world(*world, kDirect, stepsize, 0), kOutOfMemory, 0);
     return 1;
 }
 
@@ -200,7 +200,7 @@ int dWorldQuickStep(dWorldID w, dReal stepsize)
     WORLD_OR(0);
     EPODE_USER(usable(stepsize) && stepsize > 0, 0);
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
-    EPODE_USER_SAY(step_world(*world, kQuick, stepsize, world->quick_iterations), kNoMemory, 0);
+    EPODE_USER_SAY(step_world(*world, kQuick, stepsize, world->quick_iterations), kOutOfMemory, 0);
     return 1;
 }
 
@@ -209,7 +209,7 @@ int dWorldStepFast1(dWorldID w, dReal stepsize, int maxiterations)
     WORLD_OR(0);
     EPODE_USER(usable(stepsize) && stepsize > 0 && maxiterations >= 1 && maxiterations <= kMostSmallSteps, 0);
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
-    EPODE_USER_SAY(step_world(*world, kTgs, stepsize, maxiterations), kNoMemory, 0);
+    EPODE_USER_SAY(step_world(*world, kTgs, stepsize, maxiterations), kOutOfMemory, 0);
     return 1;
 }
 

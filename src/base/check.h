@@ -27,7 +27,7 @@ namespace epode {
 [[gnu::cold]] void refuse_for(const char* caller, const char* text);
 
 // What a call says that finds no memory.
-inline constexpr const char* kNoMemory = "out of memory";
+inline constexpr const char* kOutOfMemory = "out of memory";
 
 #if defined(NDEBUG)
 #define EPODE_ASSERT(condition) ((void)sizeof(!(condition)))

@@ -73,7 +73,7 @@ typename GeomTraits<Name>::Type* create_geom(dSpaceID space, const char* caller 
     Object* geom = Pool<Object>::create(GeomTraits<Name>::get());
     if (geom && (!space || add_member(*space_from(space), *geom))) return geom;
     if (geom) destroy_geom(*geom);
-    refuse_for(caller, kNoMemory);
+    refuse_for(caller, kOutOfMemory);
     return nullptr;
 }
 

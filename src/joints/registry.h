@@ -113,7 +113,7 @@ dJointID create_joint_for(const char* caller, dWorldID w, dJointGroupID g, const
     T* joint = Pool<T>::create(JointTypeOf<T>::get(), *world, arguments...);
     if (joint && link_into_world(*joint, group)) return to_handle<Joint>(joint);
     if (joint) Pool<T>::destroy(joint);
-    refuse_for(caller, kNoMemory);
+    refuse_for(caller, kOutOfMemory);
     return nullptr;
 }
 

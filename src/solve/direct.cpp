@@ -195,7 +195,7 @@ bool solve_direct(RowSystem& system, const SolverSettings& settings, Arena& aren
     switch (solve_small(system, settings, arena, report)) {
         case SmallResult::kSolved:
             return true;
-        case SmallResult::kExhausted:
+        case SmallResult::kNoMemory:
             return false;
         case SmallResult::kNotSolved:
             break;

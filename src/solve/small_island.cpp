@@ -23,7 +23,7 @@ SmallResult solve_with(Method method, RowSystem& system, const SolverSettings& s
 {
     Arena::Scope scope(arena);
     SmallIsland island;
-    if (!island.prepare(system, arena)) return SmallResult::kExhausted;
+    if (!island.prepare(system, arena)) return SmallResult::kNoMemory;
     if (method == Method::kPivoting && !island.bounded()) return SmallResult::kNotSolved;
     const SmallResult result = method == Method::kNewton ? island.newton(system, arena, report.iterations)
                                                          : island.pivoting(system, arena, report.iterations);

@@ -9,7 +9,7 @@
 namespace epode {
 
 // kNotSolved: the island is not of this kind, or not to be solved this way; `system` is as it was.
-enum class SmallResult { kSolved, kNotSolved, kExhausted };
+enum class SmallResult { kSolved, kNotSolved, kNoMemory };
 
 // For chains, figures and a body or two on the ground; before anything else is tried.
 SmallResult solve_small(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report);

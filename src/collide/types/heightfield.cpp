@@ -110,7 +110,7 @@ const char* build(dHeightfieldDataID id, const Sample* samples, int copy, const 
     void* block = nullptr;
     if (copy) {
         block = allocate(count * sizeof(Sample));
-        if (!block) return kNoMemory;
+        if (!block) return kOutOfMemory;
         std::memcpy(block, samples, count * sizeof(Sample));
     }
     d->drop_samples();
@@ -142,7 +142,7 @@ extern "C" {
 dHeightfieldDataID dGeomHeightfieldDataCreate(void)
 {
     const HeightfieldData* data = Pool<HeightfieldData>::create();
-    EPODE_USER_SAY(data, kNoMemory, nullptr);
+    EPODE_USER_SAY(data, kOutOfMemory, nullptr);
     return to_handle(data);
 }
 

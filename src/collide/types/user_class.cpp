@@ -148,7 +148,7 @@ extern "C" dGeomID dCreateGeom(int classnum)
 {
     EPODE_USER_SAY(user_type(classnum), "not a custom class", nullptr);
     const UserGeom* geom = create_user_geom(classnum);
-    EPODE_USER_SAY(geom, kNoMemory, nullptr);
+    EPODE_USER_SAY(geom, kOutOfMemory, nullptr);
     return to_handle<Geom>(geom);
 }
 
