@@ -181,7 +181,7 @@ BODY_NUMBER(int, AutoDisableStepsSF1, sleep.steps, true)
 void dBodySetAutoDisableSF1(dBodyID b, int on)
 {
     BODY_OR();
-    set_auto_disable(*body, on != 0);
+    EPODE_USER_SAY(set_auto_disable(*body, on != 0), kOutOfMemory);
 }
 
 int dBodyGetAutoDisableSF1(dBodyID b)
