@@ -44,7 +44,9 @@ dCooperativeID dCooperativeCreate(const dThreadingFunctionsInfo* functions, dThr
 {
     EPODE_USER(!functions == !impl, nullptr);
     EPODE_USER_SAY(!functions || complete(*functions), "Bad threading functions info", nullptr);
-    return to_handle(Pool<Cooperative>::create(functions ? Helpers{*functions, impl} : Helpers{}));
+    const auto* cooperative = Pool<Cooperative>::create(functions ? Helpers{*functions, impl} : Helpers{});
+    EPODE_USER_SAY(cooperative, kOutOfMemory, nullptr);
+    return to_handle(cooperative);
 }
 
 void dCooperativeDestroy(dCooperativeID id)
@@ -59,7 +61,9 @@ dResourceRequirementsID dResourceRequirementsCreate(dCooperativeID id)
 {
     const Cooperative* const cooperative = from_handle<Cooperative>(id);
     EPODE_USER(cooperative, nullptr);
-    return to_handle(Pool<Requirements>::create(cooperative->helpers));
+    const Requirements* const made = Pool<Requirements>::create(cooperative->helpers);
+    EPODE_USER_SAY(made, kOutOfMemory, nullptr);
+    return to_handle(made);
 }
 
 void dResourceRequirementsDestroy(dResourceRequirementsID id)
@@ -75,7 +79,8 @@ dResourceRequirementsID dResourceRequirementsClone(dResourceRequirementsID id)
     const Requirements* const from = from_handle<Requirements>(id);
     EPODE_USER(from, nullptr);
     Requirements* const clone = Pool<Requirements>::create(from->helpers);
-    if (clone) clone->needs = from->needs;
+    EPODE_USER_SAY(clone, kOutOfMemory, nullptr);
+    clone->needs = from->needs;
     return to_handle(clone);
 }
 
@@ -92,9 +97,10 @@ dResourceContainerID dResourceContainerAcquire(dResourceRequirementsID id)
     const Requirements* const requirements = from_handle<Requirements>(id);
     EPODE_USER(requirements, nullptr);
     Container* const container = Pool<Container>::create(requirements->needs);
-    if (!container || equip(*container, requirements->helpers)) return to_handle(container);
-    Pool<Container>::destroy(container);
-    return nullptr;
+    const bool ready = container && equip(*container, requirements->helpers);
+    if (container && !ready) Pool<Container>::destroy(container);
+    EPODE_USER_SAY(ready, kOutOfMemory, nullptr);
+    return to_handle(container);
 }
 
 void dResourceContainerDestroy(dResourceContainerID id)

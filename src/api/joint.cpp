@@ -79,9 +79,9 @@ void dJointGroupEmpty(dJointGroupID g)
 void dJointAttach(dJointID j, dBodyID b1, dBodyID b2)
 {
     JOINT_OR();
-    EPODE_USER(valid_or_null(b1) && valid_or_null(b2));
     Body* const a = from_handle<Body>(b1);
     Body* const b = from_handle<Body>(b2);
+    EPODE_USER((a || !b1) && (b || !b2));
     EPODE_USER_SAY(!stepping(*joint), "Invalid operation during a step");
     EPODE_USER_SAY(!a || a != b, "can't have body1==body2");
     EPODE_USER_SAY((!a || a->world == joint->world) && (!b || b->world == joint->world),

@@ -17,17 +17,18 @@ namespace {
 
 constexpr const char* kInStep = "Invalid operation during a step";
 
-// `change` on the supply of the world's memory. Going back to a default needs no memory to be made.
+// `change` on the supply of the world's memory. Going back to a default needs no memory to be made. False:
+// out of memory.
 template <typename Change>
-int change_supply(World& world, bool to_default, Change&& change)
+bool change_supply(World& world, bool to_default, Change&& change)
 {
-    if (!world.memory && to_default) return 1;
+    if (!world.memory && to_default) return true;
     StepMemory* memory = working_memory(world);
-    if (!memory) return 0;
+    if (!memory) return false;
     ArenaSupply supply = memory->supply();
     change(supply);
     memory->set_supply(supply);
-    return 1;
+    return true;
 }
 
 }  // namespace
@@ -40,7 +41,7 @@ extern "C" int dWorldUseSharedWorkingMemory(dWorldID w, dWorldID from_world)
     EPODE_USER_SAY(!in_step(*world), kInStep, 0);
     EPODE_USER_SAY(!from || !world->memory, "world does already have working memory allocated", 0);
     StepMemory* const memory = from ? working_memory(*from) : nullptr;
-    if (from && !memory) return 0;
+    EPODE_USER_SAY(!from || memory, kOutOfMemory, 0);
     StepMemory::let_go(world->memory);
     world->memory = memory ? memory->hold() : nullptr;
     return 1;
@@ -63,11 +64,13 @@ extern "C" int dWorldSetStepMemoryReservationPolicy(dWorldID w, const dWorldStep
                         std::isfinite(policyinfo->reserve_factor)),
         "Bad policy info", 0);
     EPODE_USER_SAY(!in_step(*world), kInStep, 0);
-    return change_supply(*world, !policyinfo, [policyinfo](ArenaSupply& supply) {
+    const bool set = change_supply(*world, !policyinfo, [policyinfo](ArenaSupply& supply) {
         const ArenaSupply standard;
         supply.factor = policyinfo ? double(policyinfo->reserve_factor) : standard.factor;
         supply.minimum = policyinfo ? policyinfo->reserve_minimum : standard.minimum;
     });
+    EPODE_USER_SAY(set, kOutOfMemory, 0);
+    return 1;
 }
 
 extern "C" int dWorldSetStepMemoryManager(dWorldID w, const dWorldStepMemoryFunctionsInfo* memfuncs)
@@ -78,8 +81,10 @@ extern "C" int dWorldSetStepMemoryManager(dWorldID w, const dWorldStepMemoryFunc
                                  memfuncs->free_block),
                    "Bad memory functions info", 0);
     EPODE_USER_SAY(!in_step(*world), kInStep, 0);
-    return change_supply(*world, !memfuncs, [memfuncs](ArenaSupply& supply) {
+    const bool set = change_supply(*world, !memfuncs, [memfuncs](ArenaSupply& supply) {
         supply.alloc = memfuncs ? memfuncs->alloc_block : nullptr;
         supply.free = memfuncs ? memfuncs->free_block : nullptr;
     });
+    EPODE_USER_SAY(set, kOutOfMemory, 0);
+    return 1;
 }

@@ -14,7 +14,12 @@ using namespace epode;
 
 namespace {
 
-dThreadingImplementationID make(bool served) { return to_handle(Pool<Threading>::create(served)); }
+dThreadingImplementationID make(bool served, const char* caller = __builtin_FUNCTION())
+{
+    const Threading* const made = Pool<Threading>::create(served);
+    if (!made) refuse_for(caller, kOutOfMemory);
+    return to_handle(made);
+}
 
 constexpr const char* kServing = "Threads serve that have not been released by a shutdown";
 
@@ -73,8 +78,10 @@ dThreadingThreadPoolID dThreadingAllocateThreadPool(unsigned thread_count, dsize
 {
     EPODE_USER(thread_count > 0 && thread_count <= ServingPool::kMostThreads, nullptr);
     if (!dAllocateODEDataForThread(ode_data_allocate_flags)) return nullptr;
-    return to_handle(
-        ServingPool::create({thread_count, stack_size, dAllocateODEDataForThread, ode_data_allocate_flags}));
+    const ServingPool* const pool =
+        ServingPool::create({thread_count, stack_size, dAllocateODEDataForThread, ode_data_allocate_flags});
+    EPODE_USER_SAY(pool, "out of memory or of threads", nullptr);
+    return to_handle(pool);
 }
 
 void dThreadingThreadPoolServeMultiThreadedImplementation(dThreadingThreadPoolID id,

@@ -48,7 +48,6 @@ class Search {
         Body* other = joint.node[&node == &joint.node[0] ? 1 : 0].body;
         if (!other || other->island_index >= 0) return;
         other->island_index = 0;  // tagged; its place is known when it is taken from the stack
-        other->disabled = false;
         stack_[std::size_t(depth++)] = other;
     }
 

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Islands: bodies connected by acting joints, which must be solved together and nothing else. The static
-// world does not connect; kinematic bodies do, as in ODE. A sleeping body that an awake one reaches wakes up.
+// world does not connect; kinematic bodies do, as in ODE. A sleeping body that an awake one reaches belongs to its island.
 #pragma once
 
 #include <span>

@@ -63,12 +63,19 @@ void ContactCache::load(int ticket, const Joint& joint, const RowBlock& block, R
     }
 }
 
-void ContactCache::begin(int tickets)
+int ContactCache::buckets_for(int entries)
+{
+    int wanted = 16;
+    while (wanted < 2 * entries) wanted *= 2;
+    return wanted;
+}
+
+bool ContactCache::begin(int tickets)
 {
     fresh_.clear();
     // With room to spare: the contacts of a settled pile still come and go.
-    if (tickets > fresh_.capacity() && !fresh_.reserve(tickets + tickets / 4)) return clear();
-    if (!fresh_.resize(tickets)) clear();
+    if (tickets > fresh_.capacity() && !fresh_.reserve(tickets + tickets / 4)) return false;
+    return fresh_.resize(tickets) && buckets_.reserve(buckets_for(tickets));
 }
 
 void ContactCache::remember(int ticket, const RowBlock& block, const RowSystem& system)
@@ -93,9 +100,8 @@ void ContactCache::end()
 {
     drop_unused();
     entries_.swap(fresh_);
-    int wanted = 16;
-    while (wanted < 2 * entries_.size()) wanted *= 2;
-    if (buckets_.size() < wanted && !buckets_.resize(wanted)) return clear();
+    if (const int wanted = buckets_for(entries_.size()); buckets_.size() < wanted)
+        (void)buckets_.resize(wanted);  // begin() has reserved them
     std::fill(buckets_.begin(), buckets_.end(), -1);
     const auto mask = std::size_t(buckets_.size() - 1);
     // From the last to the first, so that each chain runs in order of creation.
@@ -106,11 +112,10 @@ void ContactCache::end()
     }
 }
 
-void ContactCache::clear()
+void ContactCache::take_back()
 {
-    entries_.clear();
     fresh_.clear();
-    buckets_.clear();
+    for (Entry& e : entries_) e.used = false;
 }
 
 }  // namespace epode

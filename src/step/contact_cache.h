@@ -16,9 +16,9 @@ namespace epode {
 
 class ContactCache {
   public:
-    // A step begins whose contacts have tickets 0 ... tickets - 1, not all of which need be used. Out of
-    // memory: nothing is remembered.
-    void begin(int tickets);
+    // A step begins whose contacts have tickets 0 ... tickets - 1, not all of which need be used. False: out
+    // of memory. What the step may need is reserved now: end() cannot fail.
+    [[nodiscard]] bool begin(int tickets);
     // Notes a contact block under its ticket and writes `share` of what is remembered of it into its numbers.
     // This and `remember` may run at the same time for contacts of different bodies.
     void load(int ticket, const Joint& joint, const RowBlock& block, RowSystem& system, Real share);
@@ -26,7 +26,8 @@ class ContactCache {
     void remember(int ticket, const RowBlock& block, const RowSystem& system);
     // The step is over: what it noted is what the next one loads from.
     void end();
-    void clear();
+    // There was no step: the next one finds what this one has found.
+    void take_back();
 
   private:
     // Seven digits are plenty for a start value, and an entry is then one cache line.
@@ -48,6 +49,7 @@ class ContactCache {
     static std::size_t hash(std::uint64_t a, std::uint64_t b);
     Entry* find(const Entry& like);
     void drop_unused();
+    static int buckets_for(int entries);
 
     Array<Entry> entries_, fresh_;
     Array<int> buckets_;  // power of two many, index of the first entry or -1

@@ -78,30 +78,33 @@ int weight(const Island& island) { return int(island.joints.size() + island.bodi
 
 class WorldStep {
   public:
-    WorldStep(const StepContext& context, StepState& state, std::span<const Island> islands,
-              const Workers& workers)
-        : context_(context), state_(state), islands_(islands), workers_(workers)
+    WorldStep(const StepContext& context, StepState& state, const Workers& workers)
+        : context_(context), state_(state), workers_(workers), undo_(context.world)
     {}
+
+    std::span<const Island> islands() const { return islands_; }
 
     // False: out of memory.
     bool prepare()
     {
+        World& world = context_.world;
         Arena& arena = memory().arena(0);
+        if (!undo_.save_idleness(arena)) return false;
+        auto_disable(world, context_.h);
+        if (!find_islands(world, arena, islands_) || !undo_.save_islands(islands_, arena)) return false;
         first_contact_ = arena.take<int>(int(islands_.size()));
         parcels_ = arena.take<int>(int(islands_.size()) + 1);
         if (arena.failed() || !prepare_reports() || !memory().provide(workers_.of_islands.workers()))
             return false;
-        if (!undo_.save(islands_, arena)) return false;
         int contacts = 0;
         for (std::size_t i = 0; i < islands_.size(); ++i) {
             first_contact_[i] = contacts;
             contacts += int(islands_[i].joints.size());
         }
-        context_.contacts.begin(contacts);
-        return true;
+        return context_.contacts.begin(contacts);
     }
 
-    // False: out of memory, and the bodies are as they were.
+    // False: out of memory.
     bool run()
     {
         const Tasks alone(1);
@@ -112,9 +115,17 @@ class WorldStep {
             for (int i = parcels_[parcel]; i < parcels_[parcel + 1]; ++i)
                 if (!large(islands_[std::size_t(i)])) step_one(i, alone, worker);
         });
-        if (!out_of_memory_.load()) return true;
-        undo_.restore(islands_);
-        return false;
+        return !out_of_memory_.load();
+    }
+
+    // As if there had been no step: the count of steps too, which is the random order's seed and marks
+    // joints.
+    void take_back()
+    {
+        context_.contacts.take_back();
+        undo_.restore();
+        --context_.world.step_count;
+        for (Joint* j = context_.world.joints; j; j = j->next) j->island_mark = 0;
     }
 
   private:
@@ -157,8 +168,8 @@ class WorldStep {
 
     const StepContext& context_;
     StepState& state_;
-    std::span<const Island> islands_;
     const Workers& workers_;
+    std::span<Island> islands_;
     std::span<int> first_contact_, parcels_;
     StepUndo undo_;
     std::atomic<bool> out_of_memory_{false};
@@ -184,20 +195,17 @@ bool step_in(World& world, StepState& state, const Solver& solver, Real h, int i
     Workers workers;
     if (!workers.hire(world)) return false;
     ++world.step_count;
-    auto_disable(world, h);
-    std::span<Island> islands;
-    if (!find_islands(world, world.memory->arena(0), islands)) return false;
-
     const StepContext context{world, solver, h, iterations, state.contacts, state.plans};
-    WorldStep step(context, state, islands, workers);
-    if (!step.prepare()) return false;
+    WorldStep step(context, state, workers);
     world.stepping = true;
-    const bool made = step.run();
+    const bool made = step.prepare() && step.run();
     workers.dismiss();
-    state.contacts.end();  // also of a step that was taken back: first guesses, no more
     if (made) {
-        for (const Island& island : islands) finish_bodies(island);
+        state.contacts.end();
+        for (const Island& island : step.islands()) finish_bodies(island);
         if (world.report_wanted) world.report = sum_of(state.reports.span());
+    } else {
+        step.take_back();
     }
     world.report_made = made && world.report_wanted;
     world.stepping = false;

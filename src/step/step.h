@@ -28,8 +28,8 @@ StepMemory* working_memory(World& world);
 // Gives back what the world's next step can make anew.
 void free_working_memory(World& world);
 
-// True when the step was made. False: memory was exhausted or another step is using it; poses, velocities and
-// forces are as before (bodies that were found idle sleep, and those that an awake one reaches are awake).
+// True when the step was made. False: memory was exhausted or another step is using it; the world is as if
+// there had been no step, but for the feedback of joints and the report.
 bool step_world(World& world, const Solver& solver, Real h, int iterations);
 
 // Of the last step; empty when no report was made.

@@ -12,7 +12,6 @@ namespace {
 
 constexpr dmutexindex_t kMostMutexes = 1 << 16;
 constexpr std::size_t kMostDependencies = std::size_t(1) << 31;
-constexpr const char* kNoMemory = "out of memory";
 
 // The implementation behind the handle, or the call is refused with the given result.
 #define IMPLEMENTATION_OR(...)                           \
@@ -23,7 +22,9 @@ dMutexGroupID alloc_mutex_group(dThreadingImplementationID impl, dmutexindex_t c
 {
     IMPLEMENTATION_OR(nullptr);
     EPODE_USER(count > 0 && count <= kMostMutexes, nullptr);
-    return to_handle(own->make_group(count));
+    const MutexGroup* const group = own->make_group(count);
+    EPODE_USER_SAY(group, kOutOfMemory, nullptr);
+    return to_handle(group);
 }
 
 void free_mutex_group(dThreadingImplementationID impl, dMutexGroupID group)
@@ -52,7 +53,7 @@ void unlock_group_mutex(dThreadingImplementationID impl, dMutexGroupID id, dmute
 dCallWaitID alloc_call_wait(dThreadingImplementationID impl)
 {
     IMPLEMENTATION_OR(nullptr);
-    return to_handle(own->calls.make_wait());
+    return to_handle(own->calls.make_wait());  // a step that has none says itself that memory is lacking
 }
 
 void reset_call_wait(dThreadingImplementationID impl, dCallWaitID wait)
@@ -78,7 +79,7 @@ void post_call(dThreadingImplementationID impl, int* fault, dCallReleaseeID* rel
     EPODE_USER(function && dependencies <= kMostDependencies, (void)(fault && (*fault = 1)));
     const CallQueue::Posted posted =
         own->calls.post({function, context, index, dependencies, dependent, wait, fault, releasee});
-    EPODE_USER_SAY(posted != CallQueue::Posted::kNoMemory, kNoMemory);
+    EPODE_USER_SAY(posted != CallQueue::Posted::kNoMemory, kOutOfMemory);
     EPODE_USER(posted == CallQueue::Posted::kYes, (void)(fault && (*fault = 1)));
 }
 

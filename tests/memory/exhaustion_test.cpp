@@ -9,12 +9,6 @@
 namespace epode::memory {
 namespace {
 
-struct Setting {
-    Stepper stepper;
-    int threads;
-    bool options;  // small exact steps, projection, exact rotation, report
-};
-
 // What an answer of nothing must come with: one message, and no change in the numbers of things.
 template <typename Ask>
 auto asked(const char* what, Ask&& ask)
@@ -44,14 +38,7 @@ class Scene {
         if (!world_ || !outer_) return;
         inner_ = ASKED(dSimpleSpaceCreate(outer_));
         group_ = ASKED(dJointGroupCreate(0));
-        dWorldSetGravity(world_, 0, 0, dReal(-9.81));
-        dWorldSetStepThreads(world_, setting_.threads);
-        if (setting_.options) {
-            dWorldSetExactSubsteps(world_, 2);
-            dWorldSetStepProjection(world_, 2);
-            dWorldSetExactRotation(world_, 1);
-            dWorldSetStepReportMode(world_, 1);
-        }
+        set_up(world_, setting_);
         ASKED(dCreatePlane(outer_, 0, 0, 1, 0));
         for (int i = 0; i < 10; ++i) add_body(i);
         tie_bodies();
@@ -278,13 +265,6 @@ constexpr Setting kSettings[] = {
     {Stepper::kExact, 3, true},  {Stepper::kQuick, 1, false}, {Stepper::kQuick, 3, true},
     {Stepper::kFast, 1, true},   {Stepper::kFast, 3, false},
 };
-
-std::string name_of(const testing::TestParamInfo<Setting>& info)
-{
-    const char* stepper[] = {"exact", "quick", "fast"};
-    return std::string(stepper[int(info.param.stepper)]) + "_" + std::to_string(info.param.threads) +
-           "_threads" + (info.param.options ? "_with_options" : "");
-}
 
 INSTANTIATE_TEST_SUITE_P(Settings, Exhaustion, testing::ValuesIn(kSettings), name_of);
 

@@ -88,6 +88,24 @@ int step(dWorldID world, Stepper stepper, dReal h)
     }
 }
 
+void set_up(dWorldID world, const Setting& setting)
+{
+    dWorldSetGravity(world, 0, 0, dReal(-9.81));
+    dWorldSetStepThreads(world, setting.threads);
+    if (!setting.options) return;
+    dWorldSetExactSubsteps(world, 2);
+    dWorldSetStepProjection(world, 2);
+    dWorldSetExactRotation(world, 1);
+    dWorldSetStepReportMode(world, 1);
+}
+
+std::string name_of(const testing::TestParamInfo<Setting>& info)
+{
+    const char* stepper[] = {"exact", "quick", "fast"};
+    return std::string(stepper[int(info.param.stepper)]) + "_" + std::to_string(info.param.threads) +
+           "_threads" + (info.param.options ? "_with_options" : "");
+}
+
 std::uint64_t hash_of(const std::vector<dBodyID>& bodies)
 {
     std::uint64_t hash = 14695981039346656037u;

@@ -40,6 +40,15 @@ enum class Stepper { kExact, kQuick, kFast };
 inline constexpr Stepper kSteppers[] = {Stepper::kExact, Stepper::kQuick, Stepper::kFast};
 int step(dWorldID world, Stepper stepper, dReal h);
 
+// How a test steps.
+struct Setting {
+    Stepper stepper;
+    int threads;
+    bool options;  // small exact steps, projection, exact rotation, report
+};
+void set_up(dWorldID world, const Setting& setting);
+std::string name_of(const testing::TestParamInfo<Setting>& info);
+
 // Of pose, velocities and accumulators.
 std::uint64_t hash_of(const std::vector<dBodyID>& bodies);
 bool finite(dBodyID body);
