@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Islands: bodies connected by acting joints, which must be solved together and nothing else. The static
-// world does not connect; kinematic bodies do, as in ODE. A sleeping body that an awake one reaches belongs to its island.
+// world does not connect; kinematic bodies do, as in ODE. Sleeping ones that they reach belong to them.
 #pragma once
 
 #include <span>

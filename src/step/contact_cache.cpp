@@ -73,9 +73,11 @@ int ContactCache::buckets_for(int entries)
 bool ContactCache::begin(int tickets)
 {
     fresh_.clear();
-    // With room to spare: the contacts of a settled pile still come and go.
-    if (tickets > fresh_.capacity() && !fresh_.reserve(tickets + tickets / 4)) return false;
-    return fresh_.resize(tickets) && buckets_.reserve(buckets_for(tickets));
+    // With room to spare, the contacts of a settled pile still come and go; and as much as its partner, with
+    // which it changes places after every step.
+    const int most = fresh_.capacity();
+    const int room = std::max(entries_.capacity(), tickets > most ? tickets + tickets / 4 : most);
+    return fresh_.reserve(room) && fresh_.resize(tickets) && buckets_.reserve(buckets_for(room));
 }
 
 void ContactCache::remember(int ticket, const RowBlock& block, const RowSystem& system)
