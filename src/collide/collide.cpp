@@ -222,8 +222,10 @@ bool asks(Geom& geom)
 void collide_placed(const Placed& a, const Placed& b, ContactArray& out)
 {
     if (out.full()) return;
+    // Asked first: what a forgotten class offers must not be remembered for the next one of its number.
+    if (is_forgotten(*a.geom) || is_forgotten(*b.geom)) return;
     const Collider collider = collider_of(a.geom->type->number, b.geom->type->number);
-    if (collider.disabled || is_forgotten(*a.geom) || is_forgotten(*b.geom)) return;
+    if (collider.disabled) return;
     if (!collider.pair && !collider.user) {
         // Transforms have no entry unless the program has overridden them.
         if (const TransformGeom* ta = as_transform(*a.geom)) {
