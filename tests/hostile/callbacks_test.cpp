@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What a program may not do from inside its own functions while the library is calling them, said by example:
+// near callbacks, moved callbacks, functions of user classes, height functions, destructor functions. Each
+// test makes the calls that would pull the library's feet away, sees them refused or harmless, and goes on
+// working with the same world.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <string>
+
+#include <ode/ext.h>
+#include <ode/ode.h>
+
+namespace {
+
+int g_refusals = 0;
+std::string g_text;
+void hear(int, const char* format, va_list arguments)
+{
+    char text[256];
+    std::vsnprintf(text, sizeof text, format, arguments);
+    g_text = text;
+    ++g_refusals;
+}
+
+std::function<void()> g_act;
+void act()
+{
+    if (!g_act) return;
+    const auto once = std::move(g_act);
+    g_act = nullptr;
+    once();
+}
+
+void near_callback(void* count, dGeomID, dGeomID)
+{
+    if (count) ++*static_cast<int*>(count);
+    act();
+}
+void moved_callback(dBodyID) { act(); }
+dReal height(void*, int, int)
+{
+    act();
+    return 0;
+}
+int collide_user(dGeomID, dGeomID, int, dContactGeom*, int)
+{
+    act();
+    return 0;
+}
+dColliderFn* collider_for(int) { return collide_user; }
+void user_box(dGeomID, dReal box[6])
+{
+    for (int i = 0; i < 6; ++i) box[i] = i % 2 ? dReal(1) : dReal(-1);
+    act();
+}
+void user_end(dGeomID) { act(); }
+
+class Callbacks : public ::testing::Test {
+  protected:
+    Callbacks()
+    {
+        dInitODE2(0);
+        dSetDebugHandler(hear);
+        g_refusals = 0;
+        g_act = nullptr;
+        world = dWorldCreate();
+        space = dHashSpaceCreate(nullptr);
+        body = dBodyCreate(world);
+        for (dGeomID& g : sphere) g = dCreateSphere(space, 1);
+        dGeomSetBody(sphere[0], body);
+        lone = dCreateSphere(nullptr, 1);
+        const dGeomClass description = {8, collider_for, user_box, nullptr, user_end};
+        user_class = dCreateGeomClass(&description);
+    }
+    ~Callbacks() override
+    {
+        g_act = nullptr;
+        dSpaceDestroy(space);
+        dWorldDestroy(world);
+        dGeomDestroy(lone);
+        dSetDebugHandler(nullptr);
+        dCloseODE();
+    }
+
+    // That many calls have been refused since the last time.
+    void expect_refused(int count)
+    {
+        EXPECT_EQ(g_refusals, count) << g_text;
+        g_refusals = 0;
+    }
+    int pairs()
+    {
+        int count = 0;
+        dSpaceCollide(space, &count, near_callback);
+        return count;
+    }
+
+    dWorldID world;
+    dSpaceID space;
+    dBodyID body;
+    dGeomID sphere[3], lone;
+    int user_class;
+};
+
+TEST_F(Callbacks, near_a_locked_space_keeps_its_members)
+{
+    g_act = [this] {
+        dGeomDestroy(sphere[1]);
+        dSpaceRemove(space, sphere[1]);
+        dSpaceAdd(space, lone);
+        dSpaceDestroy(space);
+        dGeomSetPosition(sphere[1], 9, 9, 9);
+        EXPECT_EQ(dCreateSphere(space, 1), nullptr);
+        EXPECT_EQ(dSimpleSpaceCreate(space), nullptr);
+        expect_refused(7);
+    };
+    EXPECT_EQ(pairs(), 3);
+    EXPECT_EQ(pairs(), 3);
+    expect_refused(0);
+}
+
+TEST_F(Callbacks, near_everything_outside_the_space_may_go)
+{
+    g_act = [this] {
+        dBodyDestroy(body);
+        dGeomDestroy(lone);
+        dWorldDestroy(world);
+        world = dWorldCreate();
+        lone = dCreateSphere(nullptr, 1);
+        int inner = 0;
+        dSpaceCollide(space, &inner, near_callback);
+        EXPECT_EQ(inner, 3) << "a walk inside a walk";
+        dCloseODE();
+        dInitODE2(0);
+        expect_refused(0);
+    };
+    EXPECT_EQ(pairs(), 3);
+    EXPECT_EQ(dGeomGetBody(sphere[0]), nullptr);
+}
+
+TEST_F(Callbacks, near_a_geom_outside_stays_while_it_is_collided_with_a_space)
+{
+    int count = 0;
+    g_act = [this] {
+        dGeomDestroy(lone);
+        expect_refused(1);
+    };
+    dSpaceCollide2(lone, reinterpret_cast<dGeomID>(space), &count, near_callback);
+    EXPECT_EQ(count, 3);
+}
+
+TEST_F(Callbacks, near_what_would_die_with_a_transform_stays)
+{
+    const dGeomID transform = dCreateGeomTransform(nullptr);
+    dGeomTransformSetGeom(transform, lone);
+    dGeomTransformSetCleanup(transform, 1);
+    int count = 0;
+    g_act = [this, transform] {
+        dGeomDestroy(transform);
+        dGeomTransformSetGeom(transform, nullptr);
+        expect_refused(2);
+    };
+    dSpaceCollide2(lone, reinterpret_cast<dGeomID>(space), &count, near_callback);
+    EXPECT_EQ(count, 3);
+    dGeomDestroy(transform);
+    lone = dCreateSphere(nullptr, 1);
+    expect_refused(0);
+}
+
+TEST_F(Callbacks, moved_the_step_keeps_its_world)
+{
+    const dBodyID other = dBodyCreate(world);
+    const dJointGroupID group = dJointGroupCreate(0);
+    const dJointID ball = dJointCreateBall(world, nullptr), grouped = dJointCreateHinge(world, group);
+    dJointAttach(ball, body, other);
+    dJointAttach(grouped, body, nullptr);
+    dBodySetMovedCallback(body, moved_callback);
+    g_act = [=, this] {
+        EXPECT_EQ(dWorldStep(world, dReal(0.01)), 0);
+        EXPECT_EQ(dWorldQuickStep(world, dReal(0.01)), 0);
+        EXPECT_EQ(dWorldStepFast1(world, dReal(0.01), 5), 0);
+        dBodyDestroy(body);
+        dBodyDestroy(other);
+        dJointDestroy(ball);
+        dJointAttach(ball, other, nullptr);
+        dJointGroupEmpty(group);
+        dJointGroupDestroy(group);
+        dWorldDestroy(world);
+        expect_refused(10);
+    };
+    EXPECT_EQ(dWorldStep(world, dReal(0.01)), 1);
+    EXPECT_FALSE(g_act) << "the callback came";
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(dWorldQuickStep(world, dReal(0.01)), 1);
+    dJointGroupDestroy(group);
+    expect_refused(0);
+}
+
+TEST_F(Callbacks, moved_what_the_step_does_not_hold_may_change)
+{
+    dBodySetMovedCallback(body, moved_callback);
+    const dWorldID second = dWorldCreate();
+    dBodyCreate(second);
+    g_act = [=, this] {
+        dGeomDestroy(sphere[0]);
+        dBodySetPosition(body, 5, 5, 5);
+        dBodySetMovedCallback(body, nullptr);
+        EXPECT_EQ(dWorldStep(second, dReal(0.01)), 1) << "another world";
+        EXPECT_NE(dBodyCreate(world), nullptr);
+        EXPECT_NE(dJointCreateBall(world, nullptr), nullptr);
+        dWorldDestroy(second);
+        expect_refused(0);
+    };
+    EXPECT_EQ(dWorldStep(world, dReal(0.01)), 1);
+    EXPECT_EQ(dBodyGetPosition(body)[0], 5);
+    EXPECT_EQ(dWorldStep(world, dReal(0.01)), 1);
+}
+
+TEST_F(Callbacks, feedback_may_be_taken_away_in_a_moved_callback)
+{
+    dJointFeedback feedback{};
+    const dJointID ball = dJointCreateBall(world, nullptr);
+    dJointAttach(ball, body, nullptr);
+    dJointSetFeedback(ball, &feedback);
+    dWorldSetGravity(world, 0, 0, -10);
+    dBodySetMovedCallback(body, moved_callback);
+    g_act = [ball] { dJointSetFeedback(ball, nullptr); };
+    dWorldStep(world, dReal(0.01));
+    EXPECT_NEAR(feedback.f1[2], 10, 0.01) << "written before the callback";
+    feedback = {};
+    dWorldStep(world, dReal(0.01));
+    EXPECT_EQ(feedback.f1[2], 0);
+}
+
+TEST_F(Callbacks, box_function_keeps_the_geoms)
+{
+    const dGeomID user = dCreateGeom(user_class);
+    g_act = [=, this] {
+        dGeomDestroy(user);
+        expect_refused(1);
+        dGeomDestroy(sphere[1]);
+        expect_refused(0);
+    };
+    dReal box[6];
+    dGeomGetAABB(user, box);
+    EXPECT_EQ(box[1], 1);
+    dSpaceAdd(space, user);
+    g_act = [=, this] {
+        dSpaceRemove(space, user);
+        dGeomDestroy(user);
+        expect_refused(2);
+    };
+    dSpaceClean(space);
+    EXPECT_EQ(pairs(), 3) << "of the two spheres that are left and the user's geom";
+}
+
+TEST_F(Callbacks, collider_function_keeps_the_geoms)
+{
+    const dGeomID user = dCreateGeom(user_class);
+    dContactGeom contact;
+    g_act = [=, this] {
+        dGeomDestroy(user);
+        dGeomDestroy(lone);
+        expect_refused(2);
+    };
+    EXPECT_EQ(dCollide(user, lone, 1, &contact, sizeof contact), 0);
+    EXPECT_FALSE(g_act) << "the collider came";
+    dGeomDestroy(user);
+    expect_refused(0);
+}
+
+TEST_F(Callbacks, height_function_keeps_geoms_and_heights)
+{
+    const dHeightfieldDataID data = dGeomHeightfieldDataCreate();
+    dGeomHeightfieldDataBuildCallback(data, nullptr, height, 4, 4, 3, 3, 1, 0, 1, 0);
+    const dGeomID field = dCreateHeightfield(nullptr, data, 1);
+    const float flat[4] = {};
+    dContactGeom contact;
+    g_act = [=, this] {
+        dGeomHeightfieldDataDestroy(data);
+        dGeomHeightfieldDataBuildSingle(data, flat, 1, 4, 4, 2, 2, 1, 0, 1, 0);
+        dGeomDestroy(field);
+        dGeomDestroy(lone);
+        expect_refused(4);
+    };
+    EXPECT_GT(dCollide(field, lone, 1, &contact, sizeof contact), 0);
+    EXPECT_FALSE(g_act) << "the function came";
+    dGeomHeightfieldDataDestroy(data);
+    EXPECT_EQ(dCollide(field, lone, 1, &contact, sizeof contact), 0);
+    dGeomDestroy(field);
+    expect_refused(0);
+}
+
+TEST_F(Callbacks, end_function_cannot_save_or_kill_twice)
+{
+    const dGeomID user = dCreateGeom(user_class), transform = dCreateGeomTransform(nullptr);
+    g_act = [=, this] {
+        dGeomDestroy(user);
+        expect_refused(1);
+        dSpaceAdd(space, user);
+        dGeomSetBody(user, body);
+        EXPECT_NE(dGeomGetClassData(user), nullptr);
+        expect_refused(0);
+    };
+    dGeomDestroy(user);
+    EXPECT_EQ(dSpaceGetNumGeoms(space), 3);
+    EXPECT_EQ(dBodyGetFirstGeom(body), sphere[0]);
+    EXPECT_EQ(pairs(), 3);
+    const dGeomID inner = dCreateGeom(user_class);
+    dGeomTransformSetGeom(transform, inner);
+    dGeomTransformSetCleanup(transform, 1);
+    g_act = [=, this] {
+        dGeomDestroy(transform);
+        expect_refused(1);
+        dGeomTransformSetGeom(transform, lone);
+    };
+    dGeomDestroy(transform);
+    EXPECT_EQ(dGeomGetClass(lone), -1) << "the last that the transform held went with it";
+    lone = dCreateSphere(nullptr, 1);
+    g_refusals = 0;
+}
+
+TEST_F(Callbacks, end_function_of_a_member_may_take_other_members_along)
+{
+    const dSpaceID crowd = dSimpleSpaceCreate(nullptr);
+    const dGeomID first = dCreateSphere(crowd, 1), user = dCreateGeom(user_class),
+                  last = dCreateSphere(crowd, 1);
+    dSpaceAdd(crowd, user);
+    g_act = [=, this] {
+        dGeomDestroy(first);
+        dGeomDestroy(last);
+        expect_refused(0);
+        EXPECT_EQ(dCreateSphere(crowd, 1), nullptr);
+        dSpaceDestroy(crowd);
+        expect_refused(2);
+    };
+    dSpaceDestroy(crowd);
+    EXPECT_EQ(dGeomGetClass(first), -1);
+    const dSpaceID around = dSimpleSpaceCreate(nullptr);
+    const dGeomID again = dCreateGeom(user_class);
+    dSpaceAdd(around, again);
+    g_refusals = 0;
+    g_act = [=, this] {
+        dSpaceDestroy(around);
+        expect_refused(1);
+    };
+    dGeomDestroy(again);
+    dSpaceDestroy(around);
+    expect_refused(0);
+}
+
+}  // namespace

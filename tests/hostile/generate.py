@@ -1,0 +1,207 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+#
+# generate.py INCLUDE_DIR CC OUTPUT: reads what the public headers export and writes a table of calls in C++:
+# for every function a piece of code that calls it with values from an array, and what kind of value each
+# parameter takes (tests/hostile/table.h). The preprocessor resolves the headers; a declaration is then one
+# marker, a result, a name and a list of parameters. A function whose parameters are of no kind known here
+# stops the build: whoever exports it says below what its parameters may be.
+import glob
+import os
+import re
+import subprocess
+import sys
+
+# Never called: they end the program, as documented.
+SKIPPED = {"dError", "dDebug"}
+
+# Headers that others include for their programs, and those of C++, which export nothing.
+INCLUDED_BY_OTHERS = r"(collision_trimesh|odemath_legacy|odecpp\w*)\.h$"
+
+KIND_OF_TYPE = {
+    "dWorldID": "World", "dBodyID": "Body", "dJointID": "Joint", "dJointGroupID": "Group",
+    "dGeomID": "Geom", "dSpaceID": "Space", "dHeightfieldDataID": "HeightfieldData",
+    "dThreadingImplementationID": "Threading", "dThreadingThreadPoolID": "ThreadPool",
+    "dCooperativeID": "Cooperative", "dResourceRequirementsID": "Requirements",
+    "dResourceContainerID": "Container", "const dThreadingFunctionsInfo*": "ThreadingFunctions",
+    "const dWorldStepReserveInfo*": "ReserveInfo",
+    "const dWorldStepMemoryFunctionsInfo*": "MemoryFunctions",
+    "dThreadReadyToServeCallback*": "ReadyCallback",
+    "dReal": "Real", "int": "Int", "unsigned": "Int", "unsigned int": "Int", "unsigned long": "Int",
+    "dsizeint": "Size",
+    "dVector3": "Vector3", "const dVector3": "Vector3", "dVector4": "Vector4",
+    "dQuaternion": "Quaternion", "const dQuaternion": "Quaternion",
+    "dMatrix3": "Matrix3", "const dMatrix3": "Matrix3", "dReal[4]": "Vector4", "dReal[6]": "Vector6",
+    "dReal*": "RealPointer", "int*": "IntPointer", "const int*": "Indices", "dReal**": "Rows",
+    "dMass*": "Mass", "const dMass*": "Mass", "const dContact*": "Contact", "dContactGeom*": "Contacts",
+    "const dGeomClass*": "GeomClass", "dWorldStepReport*": "WorldReport",
+    "dIslandStepReport*": "IslandReport", "dStopwatch*": "Stopwatch", "FILE*": "File",
+    "const char*": "Text", "void*": "Data", "dJointID*": "JointList", "dJointFeedback*": "Feedback",
+    "const unsigned char*": "Bytes", "const short*": "Shorts", "const float*": "Floats",
+    "const double*": "Doubles",
+    "dMessageFunction*": "MessageFunction", "dAllocFunction*": "AllocFunction",
+    "dReallocFunction*": "ReallocFunction", "dFreeFunction*": "FreeFunction",
+    "dNearCallback*": "NearCallback", "dHeightfieldGetHeight*": "HeightCallback",
+    "dColliderFn*": "Collider", "void(*)(dBodyID)": "MovedCallback",
+}
+
+# (function, parameter) -> kind, where the type alone does not tell. The first line that matches counts.
+MATRIX = (r"d(SetZero|SetValue|Dot|Multiply\d|FactorCholesky|SolveCholesky|InvertPDMatrix|IsPositiveDefinite"
+          r"|FactorLDLT|SolveL1T?|ScaleVector|VectorScale|SolveLDLT|LDLTAddTL|LDLTRemove|RemoveRowCol"
+          r"|PrintMatrix|MakeRandomVector|MakeRandomMatrix|ClearUpperTriangle|MaxDifference\w*)")
+KIND_OF_PARAMETER = [
+    (r"dPrintMatrix:fmt", "Format"),
+    (r"dThreadingAllocateThreadPool:thread_count", "ThreadCount"),
+    (r"dCooperatively\w+:(rowCount|rowSkip|elementCount)", "Length"),
+    (r"dCooperatively\w+:(A|d|L|b|dataVector|scaleVector)", "Reals"),
+    (r"d(LDLTRemove|RemoveRowCol):r", "Int"),
+    (r"dLDLTRemove:p", "Indices"),
+    (MATRIX + r":(n|m|p|q|r|nskip|n1|n2)", "Length"),
+    (MATRIX + r":(a|b|d|A|B|C|L|Ainv)", "Reals"),
+    (r"d(Collide|BoxBox):flags", "ContactFlags"),
+    (r"d(Collide|BoxBox):skip", "Skip"),
+    (r"dGeomHeightfieldDataBuild(Byte|Short|Single|Double):(width|depth)Samples", "SampleCount"),
+    (r"d(Realloc|Free):ptr", "Block"),
+    (r"dJoint(Get|Set)\w*Param:parameter", "ParameterNumber"),
+    (r"dGeomLowLevelControl:dataValue", "Control"),
+    (r"dJointSet\w+:axis[12]", "Vector3"),
+]
+
+# Handles and pointers that may be null.
+MAY_BE_NULL = [
+    r"dCreate\w*:space", r"d\w+SpaceCreate:space", r"dJointCreate\w*:group", r"dJointAttach:body[12]",
+    r"dGeomSetBody:body", r"dConnectingJoint(List)?:body[12]", r"dAreConnected(Excluding)?:(body2|arg2)",
+    r"dGeomTransformSetGeom:obj", r"dCreateHeightfield:data", r"dGeomHeightfieldSetHeightfieldData:d",
+    r"\w+:(data|pUserData)", r"dJointSetFeedback:feedback", r"dSet\w+Handler:fn", r"dSetColliderOverride:fn",
+    r"dBodySetMovedCallback:callback", r"dHashSpaceGetLevels:(min|max)level", r"dGeomLowLevelControl:dataValue",
+    r"d(Realloc|Free):ptr", r"dJointGet(Universal|PU)Angles:angle[12]",
+    r"dJointSetHinge2Axes:axis[12]",
+    r"dWorldSetStepThreadingImplementation:(functions_info|threading_impl)",
+    r"dCooperativeCreate:(functionInfo|threadingImpl)", r"dExternalThreading\w+:(readiness_callback|callback_context)",
+    r"dThreadingAllocateThreadPool:reserved", r"dThreadingFree\w+:\w+", r"dWorldUseSharedWorkingMemory:from_world",
+    r"dWorldSetStepMemory\w+:(policyinfo|memfuncs)", r"d(Cooperative|Resource\w+)Destroy:\w+",
+    r"dWorldExportDIF:world_name",
+    # With no elements there is nothing to point to.
+    r"d(SetZero|SetValue|Dot|ScaleVector|VectorScale|FactorLDLT):(a|b|d|A)",
+    r"dCooperatively\w+:(A|L|b|d|dataVector|scaleVector)",
+]
+# Parameters that are documented not to be looked at.
+NOT_READ = [r"dInfiniteAABB:geom", r"dLDLTRemove:A",
+            # Whatever the program's own threading functions understand.
+            r"dWorldSetStepThreadingImplementation:threading_impl", r"dCooperativeCreate:threadingImpl"]
+# Numbers that are handed on as they are: NaN included.
+ANY_NUMBER = [r"dSetValue:value"]
+
+READER = re.compile(r"d(World|Body|Joint|Geom|Space|HashSpace)\w*(Get|Is[A-Z]|Copy)|dRandGetSeed|dGet\w+Handler$")
+NO_READER = re.compile(r"d(Geom|Body)(GetRelPoint\w+|GetPosRelPoint|GetPointVel)|dGeomIsSpaceX")
+HANDLES = {"World", "Body", "Joint", "Group", "Geom", "Space", "HeightfieldData", "Threading", "ThreadPool",
+           "Cooperative", "Requirements", "Container"}
+ADDED = {"Vector3", "Vector4", "Quaternion", "Matrix3", "Vector6", "Mass", "RealPointer", "IntPointer"}
+
+
+def matches(patterns, name):
+    return any(re.fullmatch(p, name) for p in patterns)
+
+
+def preprocessed(include, cc):
+    headers = sorted(glob.glob(os.path.join(include, "ode", "*.h")))
+    text = "".join(f'#include "{h}"\n' for h in headers if not re.search(INCLUDED_BY_OTHERS, h))
+    command = [cc, "-E", "-P", "-x", "c", "-DODE_API=EPODE_EXPORTED", "-I" + include, "-"]
+    out = subprocess.run(command, input=text, capture_output=True, text=True, check=True).stdout
+    return " ".join(re.sub(r"__attribute__\s*\(\(.*?\)\)", "", out).split())
+
+
+def split(parameters):
+    parts, depth, part = [], 0, ""
+    for c in parameters:
+        depth += (c == "(") - (c == ")")
+        if c == "," and depth == 0:
+            parts.append(part.strip())
+            part = ""
+        else:
+            part += c
+    parts.append(part.strip())
+    return [p for p in parts if p not in ("", "void", "...")]
+
+
+def type_and_name(parameter, index):
+    callback = re.fullmatch(r"(\w+) ?\( ?\* ?(\w+)\) ?\((.*)\)", parameter)
+    if callback:
+        return f"{callback[1]}(*)({callback[3]})", callback[2]
+    if re.fullmatch(r"(const )?\w+(\*+)?", parameter) and parameter.split("const ")[-1].split("*")[0] in BARE:
+        return parameter.replace(" *", "*"), f"arg{index + 1}"
+    whole = re.fullmatch(r"(.*?[ *])(\w+)((\[\d*\])?)", parameter)
+    return (whole[1].strip().replace(" *", "*") + whole[3]), whole[2]
+
+
+BARE = {"dWorldID", "dBodyID", "dJointID", "dJointGroupID", "dGeomID", "dSpaceID", "int", "dReal", "dJointType"}
+
+
+def kind_of(function, ctype, name):
+    for pattern, kind in KIND_OF_PARAMETER:
+        if re.fullmatch(pattern, f"{function}:{name}"):
+            return kind
+    if ctype in KIND_OF_TYPE:
+        return KIND_OF_TYPE[ctype]
+    sys.exit(f"generate.py: {function}: nothing is known of a parameter '{ctype} {name}'; say in "
+             "tests/hostile/generate.py of what kind it is, and in values.cpp which values that has")
+
+
+def declarations(text):
+    for m in re.finditer(r"EPODE_EXPORTED ([^;{]*?)(\bd[A-Z]\w*) ?\(([^;]*)\);", text):
+        yield m[1].strip(), m[2], split(m[3])
+
+
+def reading(name, kinds):
+    if not READER.match(name) or NO_READER.match(name):
+        return False
+    if not kinds:
+        return True
+    return kinds[0] in HANDLES and all(k in ADDED or k in ("Int", "ParameterNumber") for k in kinds[1:])
+
+
+def entry(index, result, name, parameters):
+    typed = [type_and_name(p, i) for i, p in enumerate(parameters)]
+    kinds = [kind_of(name, t, n) for t, n in typed]
+    stateful = any(k in HANDLES for k in kinds)
+    lines, arguments = [], []
+    for i, (ctype, _) in enumerate(typed):
+        plain = re.sub(r"\[\d*\]", "*", re.sub(r"(const )?d(Vector3|Vector4|Quaternion|Matrix3)$", "dReal*", ctype))
+        arguments.append(f"a[{i}].as<{plain}>()")
+    call = f"{name}({', '.join(arguments)})"
+    body = f"{call};\n    return {{}};" if result == "void" else f"return result_of({call});"
+    unused = "" if arguments else "[[maybe_unused]] "
+    lines.append(f"Result call_{index}({unused}const Value* a)\n{{\n    {body}\n}}")
+    described = []
+    for kind, (ctype, pname) in zip(kinds, typed):
+        key = f"{name}:{pname}"
+        flags = [f for f, on in (("kMayBeNull", matches(MAY_BE_NULL, key)), ("kNotRead", matches(NOT_READ, key)),
+                                 ("kAnyNumber", matches(ANY_NUMBER, key)),
+                                 ("kInput", ctype.startswith("const ") and stateful)) if on]
+        described.append(f'{{Kind::k{kind}, "{pname}", {" | ".join(flags) or "0"}}}')
+    if described:
+        lines.append(f"const Parameter parameters_{index}[] = {{{', '.join(described)}}};")
+    flags = "kReader" if reading(name, kinds) else "0"
+    table = f'{{"{name}", call_{index}, {f"parameters_{index}" if described else "nullptr"}, {len(kinds)}, {flags}}}'
+    return lines, table
+
+
+def main():
+    include, cc, output = sys.argv[1:4]
+    lines, table = [], []
+    for result, name, parameters in declarations(preprocessed(include, cc)):
+        if name in SKIPPED:
+            continue
+        code, row = entry(len(table), result, name, parameters)
+        lines += code
+        table.append(row)
+    if len(table) < 500:
+        sys.exit(f"generate.py: only {len(table)} functions found in {include}: the headers were not read")
+    with open(output, "w", encoding="ascii") as f:
+        f.write("// Written by tests/hostile/generate.py from the public headers.\n")
+        f.write("\n".join(lines))
+        f.write("\nconst Function kTable[] = {\n    " + ",\n    ".join(table) + "};\n")
+
+
+main()

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Makes hostile calls and judges them. The rules (docs/errors.md):
+//   a null, wrong or destroyed handle, a null pointer and NaN are refused wherever they do not mean
+//   something; a refused call gives one message that names the function, answers 0, writes nothing, changes
+//   nothing and keeps no memory; an accepted one leaves no NaN, and the world can be stepped and collided
+//   afterwards.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "state.h"
+#include "values.h"
+
+namespace hostile {
+
+struct Tally {
+    long calls = 0, accepted = 0, refused = 0, rebuilt = 0, exercised = 0;
+};
+
+class Runner {
+  public:
+    explicit Runner(std::uint64_t seed);
+    ~Runner();
+
+    // About `budget` calls of one function: everything if that is not more, else each value alone, all pairs
+    // of values, and then any combination, the other arguments being sensible.
+    void run(const Function& function, long budget);
+
+    // Random calls of a random function.
+    void run_any(long budget);
+
+    // The same from inside a function of the program that the library calls.
+    enum class Phase { kTop, kNear, kMoved, kBox, kBoxTest, kCollider, kHeight, kEnd };
+    void run_inside(const Function& function, Phase phase, long budget);
+
+    // A part of the budget, rounded up or down by chance.
+    long share(long budget, int parts) { return (budget + below(parts)) / parts; }
+
+    const Tally& tally() const { return tally_; }
+    void report() const;
+    bool clean() const { return faults_.empty(); }
+
+  private:
+    using Choice = std::vector<int>;
+    struct Fault {
+        std::string example;
+        long count = 0;
+    };
+
+    bool find_base(const Function& f, Choice& base);
+    bool all_combinations(const Function& f, long budget);
+    void singles_and_pairs(const Function& f, const Choice& base, long budget);
+    void random_ones(const Function& f, const Choice& base, long budget);
+    bool perform(const Function& f, const Choice& choice);  // true: accepted
+    void call_and_judge(const Function& f, const Choice& choice);
+    void judge_refused(const Function& f, const Result& r, long blocks);
+    void judge_accepted(const Function& f, const Result& r);
+    void clean_up(const Function& f, const Result& r);
+    void enter(Phase phase);
+    void rebuild();
+    void exercise();
+    void fault(const Function& f, const std::string& rule);
+    std::string described(const Function& f) const;
+    const char* must_refuse(const Function& f) const;
+    std::uint64_t random();
+    int below(int n) { return int(random() % std::uint64_t(n)); }
+
+    Scene scene_;
+    Values values_;
+    State state_;
+    std::uint64_t hash_ = 0, seed_;
+    Tally tally_;
+    std::map<std::string, Fault> faults_;
+    Value arguments_[kMostParameters];
+    Result result_;
+    bool accepted_ = false, changed_ = false, called_ = false, reset_ = false;
+    Phase phase_ = Phase::kTop;
+};
+
+}  // namespace hostile

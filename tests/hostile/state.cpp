@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "state.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace hostile {
+namespace {
+
+constexpr int kNumbers[] = {0,     1,     2,     3,     4,     5,     6,     7,     8,     9,
+                            10,    11,    12,    13,    0x100, 0x101, 0x102, 0x105, 0x107, 0x108,
+                            0x109, 0x10a, 0x200, 0x201, 0x202, 0x205, 0x207, 0x208, 0x209, 0x20a};
+constexpr int kIndices[] = {0, 1, 2};
+constexpr int kNone[] = {0};
+
+// What readers write into: the reals of one argument, or two numbers in two arguments.
+constexpr int kRoom = sizeof(dMass) / sizeof(dReal);
+dReal g_room[2][kRoom];
+
+void mix(std::uint64_t& hash, std::uint64_t word)
+{
+    hash = (hash ^ word) * 0x100000001b3u;
+    hash ^= hash >> 29;
+}
+
+bool contains(const char* text, const char* part) { return std::strstr(text, part) != nullptr; }
+
+// A name that ends as one of a body's or geom's readings of motion.
+bool is_motion(const char* name)
+{
+    if (contains(name, "Joint") || contains(name, "Offset") || contains(name, "Damping")) return false;
+    for (const char* part : {"GetPosition", "GetRotation", "GetQuaternion", "CopyPosition", "CopyRotation",
+                             "CopyQuaternion", "GetLinearVel", "GetAngularVel", "GetForce", "GetTorque"})
+        if (contains(name, part)) return true;
+    return false;
+}
+
+// How many reals stand behind the pointer that a reader answers.
+int reals_behind(const char* name)
+{
+    if (!contains(name, "GetOffset") && !is_motion(name)) return 0;
+    if (contains(name, "Copy")) return 0;
+    return contains(name, "Rotation") ? 12 : contains(name, "Quaternion") ? 4 : 3;
+}
+
+// How many reals one of its arguments has room for.
+int reals_of(Kind kind)
+{
+    switch (kind) {
+        case Kind::kVector3:
+            return 3;
+        case Kind::kVector4:
+        case Kind::kQuaternion:
+            return 4;
+        case Kind::kVector6:
+            return 6;
+        case Kind::kMatrix3:
+            return 12;
+        case Kind::kMass:
+            return kRoom;
+        case Kind::kRealPointer:
+        case Kind::kIntPointer:
+            return 1;
+        default:
+            return 0;
+    }
+}
+
+std::span<const int> numbers_for(const Function& f)
+{
+    for (const Parameter& p : f.all()) {
+        if (p.kind == Kind::kParameterNumber) return kNumbers;
+        if (p.kind == Kind::kInt) return kIndices;
+    }
+    return kNone;
+}
+
+// Adds a real; false when it is not as it should be.
+bool mix_real(std::uint64_t& hash, double x, bool finite)
+{
+    mix(hash, std::bit_cast<std::uint64_t>(x));
+    return finite ? std::isfinite(x) : !std::isnan(x);
+}
+
+}  // namespace
+
+void State::learn()
+{
+    readings_.clear();
+    for (const Function& f : functions())
+        if (f.flags & kReader) learn(f);
+}
+
+void State::learn(const Function& f)
+{
+    const std::size_t objects = f.count > 0 ? scene_.live[std::size_t(f.parameters[0].kind)].size() : 1;
+    Reading r = {&f, 0, 0, reals_behind(f.name), 0, is_motion(f.name)};
+    for (const Parameter& p : f.all()) r.room = std::max(r.room, reals_of(p.kind));
+    bool first = true;
+    for (r.object = 0; r.object < int(objects); ++r.object) {
+        // All numbers of the first object that takes the function; a few of the others.
+        const auto numbers = numbers_for(f);
+        bool taken = false;
+        for (int number : first ? numbers : numbers.first(std::min<std::size_t>(numbers.size(), 3))) {
+            r.number = number;
+            std::uint64_t hash = 0;
+            bool healthy = true;
+            if (take(r, hash, healthy)) {
+                readings_.push_back(r);
+                taken = true;
+            }
+        }
+        first = first && !taken;
+    }
+}
+
+// False when the reader refused.
+bool State::take(const Reading& r, std::uint64_t& hash, bool& healthy) const
+{
+    Value arguments[4];
+    const auto parameters = r.function->all();
+    if (r.room) std::fill_n(g_room[0], r.room, dReal(0)), std::fill_n(g_room[1], r.room, dReal(0));
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const Kind kind = parameters[i].kind;
+        if (is_handle(kind))
+            arguments[i].pointer = scene_.live[std::size_t(kind)][std::size_t(r.object)];
+        else if (kind == Kind::kInt || kind == Kind::kParameterNumber)
+            arguments[i].integer = r.number;
+        else
+            arguments[i].pointer = g_room[i % 2];
+    }
+    const int before = messages().refusals;
+    const Result result = r.function->call(arguments);
+    if (messages().refusals != before) return false;
+    if (result.type == Result::Type::kReal)
+        healthy = mix_real(hash, result.real, r.finite) && healthy;
+    else
+        mix(hash,
+            std::uint64_t(result.integer) ^ std::uint64_t(reinterpret_cast<std::uintptr_t>(result.pointer)));
+    const auto* values = static_cast<const dReal*>(result.pointer);
+    for (int i = 0; values && i < r.reals; ++i) healthy = mix_real(hash, values[i], r.finite) && healthy;
+    for (int i = 0; i < r.room; ++i)
+        for (const auto& room : g_room) healthy = mix_real(hash, room[i], r.finite) && healthy;
+    return true;
+}
+
+std::uint64_t State::hash(std::string* fault)
+{
+    const Messages kept = messages();
+    std::uint64_t hash = 0xcbf29ce484222325u;
+    for (const Reading& r : readings_) {
+        bool healthy = true;
+        if (!take(r, hash, healthy)) mix(hash, 0x5eed);
+        if (!healthy && fault && fault->empty())
+            *fault = std::string(r.function->name) + " of object " + std::to_string(r.object) + ", number " +
+                     std::to_string(r.number);
+    }
+    messages() = kept;
+    return hash;
+}
+
+}  // namespace hostile

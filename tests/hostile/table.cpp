@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The generated table.
+#include "table.h"
+
+namespace hostile {
+namespace {
+
+#include "calls.inc"
+
+}  // namespace
+
+std::span<const Function> functions() { return kTable; }
+
+}  // namespace hostile

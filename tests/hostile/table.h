@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The API as data: every exported function, what its parameters are, and code that calls it. The table is
+// written by generate.py from the public headers when the test is built, so a new function is in it without
+// anybody's doing.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <type_traits>
+
+#include <ode/cooperative.h>
+#include <ode/export-dif.h>
+#include <ode/ext.h>
+#include <ode/matrix_coop.h>
+#include <ode/ode.h>
+#include <ode/threading_impl.h>
+
+namespace hostile {
+
+// What a parameter takes; values.cpp has a list of values for each of them.
+enum class Kind {
+    kWorld,
+    kBody,
+    kJoint,
+    kGroup,
+    kGeom,
+    kSpace,
+    kHeightfieldData,
+    kThreading,
+    kThreadPool,
+    kCooperative,
+    kRequirements,
+    kContainer,
+    kReal,
+    kInt,
+    kSize,
+    kParameterNumber,
+    kLength,
+    kSampleCount,
+    kContactFlags,
+    kSkip,
+    kThreadCount,
+    kVector3,
+    kVector4,
+    kVector6,
+    kQuaternion,
+    kMatrix3,
+    kReals,
+    kRows,
+    kIndices,
+    kRealPointer,
+    kIntPointer,
+    kMass,
+    kContact,
+    kContacts,
+    kGeomClass,
+    kWorldReport,
+    kIslandReport,
+    kThreadingFunctions,
+    kReserveInfo,
+    kMemoryFunctions,
+    kStopwatch,
+    kFile,
+    kText,
+    kFormat,
+    kData,
+    kControl,
+    kBlock,
+    kJointList,
+    kFeedback,
+    kBytes,
+    kShorts,
+    kFloats,
+    kDoubles,
+    kMessageFunction,
+    kAllocFunction,
+    kReallocFunction,
+    kFreeFunction,
+    kNearCallback,
+    kHeightCallback,
+    kCollider,
+    kMovedCallback,
+    kReadyCallback,
+};
+inline constexpr int kKinds = int(Kind::kReadyCallback) + 1;
+
+// Flags of a parameter.
+enum : unsigned {
+    kMayBeNull = 1,  // null means "none"
+    kNotRead = 2,    // whatever it is, nothing looks at it
+    kAnyNumber = 4,  // a number that is handed on, NaN included
+    kInput = 8,      // an array that an object is made of: NaN must not get in
+};
+
+// Flags of a function.
+enum : unsigned { kReader = 1 };  // tells a part of an object's state and changes none
+
+struct Parameter {
+    Kind kind;
+    const char* name;
+    unsigned flags;
+};
+
+// What makes a value worth refusing.
+enum class Trait { kFine, kStrange, kNull, kNaN, kBad };  // kBad: always refused
+
+struct Value {
+    Trait trait = Trait::kFine;
+    const char* text = "";
+    union {
+        dReal real;
+        long long integer;
+        void* pointer;
+        void (*function)();
+    };
+
+    template <typename T>
+    T as() const
+    {
+        if constexpr (std::is_floating_point_v<T>) {
+            return T(real);
+        } else if constexpr (std::is_pointer_v<T>) {
+            if constexpr (std::is_function_v<std::remove_pointer_t<T>>)
+                return reinterpret_cast<T>(function);
+            else
+                return reinterpret_cast<T>(pointer);
+        } else {
+            return static_cast<T>(integer);
+        }
+    }
+};
+
+struct Result {
+    enum class Type { kNothing, kReal, kInteger, kPointer } type = Type::kNothing;
+    double real = 0;
+    long long integer = 0;
+    const void* pointer = nullptr;
+};
+
+template <typename T>
+Result result_of(T value)
+{
+    Result r;
+    if constexpr (std::is_floating_point_v<T>) {
+        r.type = Result::Type::kReal;
+        r.real = value;
+    } else if constexpr (std::is_pointer_v<T>) {
+        r.type = Result::Type::kPointer;
+        r.pointer = reinterpret_cast<const void*>(value);
+    } else {
+        r.type = Result::Type::kInteger;
+        r.integer = static_cast<long long>(value);
+    }
+    return r;
+}
+
+struct Function {
+    const char* name;
+    Result (*call)(const Value* arguments);
+    const Parameter* parameters;
+    int count;
+    unsigned flags;
+
+    std::span<const Parameter> all() const { return {parameters, std::size_t(count)}; }
+};
+
+inline constexpr int kMostParameters = 16;
+
+std::span<const Function> functions();
+
+}  // namespace hostile

@@ -1,0 +1,400 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Hostile values, kind by kind: numbers, arrays of reals, structs, samples, formats. The first of each list
+// is sensible. Used by values.cpp only.
+#pragma once
+
+#include <array>
+#include <climits>
+#include <cstdlib>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "scene.h"
+
+namespace hostile {
+
+using Limits = std::numeric_limits<dReal>;
+constexpr bool kFloat = sizeof(dReal) == 4;
+constexpr dReal kNaN = Limits::quiet_NaN(), kInf = Limits::infinity(), kTiny = Limits::denorm_min();
+constexpr dReal kLarge = kFloat ? dReal(9e17) : dReal(9e99);      // just below what is refused
+constexpr dReal kTooLarge = kFloat ? dReal(1e37) : dReal(1e300);  // above
+
+struct Number {
+    dReal value;
+    Trait trait;
+    const char* text;
+};
+constexpr Number kReals[] = {{dReal(0.5), Trait::kFine, "0.5"},
+                             {1, Trait::kFine, "1"},
+                             {0, Trait::kStrange, "0"},
+                             {dReal(-0.0), Trait::kStrange, "-0"},
+                             {-1, Trait::kStrange, "-1"},
+                             {kTiny, Trait::kStrange, "denormal"},
+                             {kLarge, Trait::kStrange, "large"},
+                             {-kLarge, Trait::kStrange, "-large"},
+                             {kTooLarge, Trait::kStrange, "1e300"},
+                             {Limits::max(), Trait::kStrange, "max"},
+                             {kInf, Trait::kStrange, "inf"},
+                             {-kInf, Trait::kStrange, "-inf"},
+                             {kNaN, Trait::kNaN, "NaN"}};
+
+struct Integer {
+    long long value;
+    const char* text;
+};
+constexpr Integer kInts[] = {
+    {1, "1"},          {0, "0"},          {-1, "-1"},           {2, "2"},
+    {3, "3"},          {14, "14"},        {36, "36"},           {1000, "1000"},
+    {1 << 20, "2^20"}, {32767, "2^15-1"}, {INT_MAX, "INT_MAX"}, {INT_MIN, "INT_MIN"}};
+constexpr Integer kSizes[] = {{64, "64"},    {0, "0"}, {1, "1"}, {1ll << 40, "2^40"}, {LLONG_MAX, "2^63-1"},
+                              {-1, "2^64-1"}};
+constexpr Integer kLengths[] = {{2, "2"}, {1, "1"}, {3, "3"},   {4, "4"},
+                                {8, "8"}, {0, "0"}, {-1, "-1"}, {INT_MIN, "INT_MIN"}};
+constexpr Integer kSampleCounts[] = {
+    {2, "2"}, {3, "3"}, {5, "5"}, {1, "1"}, {0, "0"}, {-1, "-1"}, {INT_MIN, "INT_MIN"}};
+constexpr Integer kContactFlags[] = {{4, "4"},   {1, "1"},          {0x7fff0008, "0x7fff0008"},
+                                     {0, "0"},   {0x10000, "2^16"}, {INT_MIN, "INT_MIN"},
+                                     {-1, "-1"}, {65535, "65535"}};
+constexpr Integer kSkips[] = {{sizeof(dContactGeom), "sizeof(dContactGeom)"},
+                              {sizeof(dContact), "sizeof(dContact)"},
+                              {sizeof(dContactGeom) - 1, "sizeof(dContactGeom)-1"},
+                              {0, "0"},
+                              {1, "1"},
+                              {-1, "-1"},
+                              {INT_MIN, "INT_MIN"}};
+constexpr Integer kThreadCounts[] = {{1, "1"},   {2, "2"},       {0, "0"},
+                                     {-1, "-1"}, {1025, "1025"}, {INT_MAX, "INT_MAX"}};
+constexpr Integer kParameters[] = {{dParamVel, "dParamVel"},
+                                   {dParamLoStop, "dParamLoStop"},
+                                   {dParamHiStop, "dParamHiStop"},
+                                   {dParamFMax, "dParamFMax"},
+                                   {dParamFudgeFactor, "dParamFudgeFactor"},
+                                   {dParamBounce, "dParamBounce"},
+                                   {dParamCFM, "dParamCFM"},
+                                   {dParamStopERP, "dParamStopERP"},
+                                   {dParamStopCFM, "dParamStopCFM"},
+                                   {dParamSuspensionERP, "dParamSuspensionERP"},
+                                   {dParamSuspensionCFM, "dParamSuspensionCFM"},
+                                   {dParamERP, "dParamERP"},
+                                   {dParamHiStop2, "dParamHiStop2"},
+                                   {dParamFMax2, "dParamFMax2"},
+                                   {dParamCFM2, "dParamCFM2"},
+                                   {dParamVel3, "dParamVel3"},
+                                   {dParamLoVel, "dParamLoVel"},
+                                   {dParamsInGroup, "14"},
+                                   {0x2ff, "0x2ff"},
+                                   {0x300, "0x300"},
+                                   {-1, "-1"},
+                                   {INT_MAX, "INT_MAX"},
+                                   {INT_MIN, "INT_MIN"}};
+
+inline void ready_nothing(void*) {}
+inline void* give_block(dsizeint size) { return std::malloc(size); }
+inline void* give_nothing(dsizeint) { return nullptr; }
+inline void take_block(void* block, dsizeint) { std::free(block); }
+
+// ---- arrays of reals ----
+
+struct Array {
+    std::vector<dReal> values;
+    Trait trait;
+    std::string text;
+};
+
+inline std::vector<Array> variations(std::vector<dReal> good, std::vector<dReal> other, std::vector<int> read)
+{
+    const std::size_t n = good.size();
+    const auto all = [&](dReal v) { return std::vector<dReal>(n, v); };
+    std::vector<Array> list = {{good, Trait::kFine, "good"},
+                               {other, Trait::kStrange, "other"},
+                               {all(0), Trait::kStrange, "zero"},
+                               {all(kTiny), Trait::kStrange, "denormal"},
+                               {all(kLarge), Trait::kStrange, "large"},
+                               {all(kTooLarge), Trait::kStrange, "1e300"}};
+    for (std::size_t i = 0; i < n; ++i) {
+        std::vector<dReal> v = good;
+        v[i] = kNaN;
+        bool counts = false;
+        for (int k : read) counts = counts || k == int(i);
+        list.push_back({v, counts ? Trait::kNaN : Trait::kFine, "NaN at " + std::to_string(i)});
+    }
+    std::vector<dReal> v = good;
+    v[std::size_t(read.back())] = -kInf;
+    list.push_back({v, Trait::kStrange, "-inf at " + std::to_string(read.back())});
+    return list;
+}
+
+inline const std::vector<Array>& arrays(Kind kind)
+{
+    static const std::vector<Array> vector3 = variations({0, 0, 1, 0}, {1, 2, 3, 0}, {0, 1, 2});
+    static const std::vector<Array> vector4 = variations({0, 0, 1, 0}, {1, 2, 3, 4}, {0, 1, 2, 3});
+    static const std::vector<Array> quaternion = variations({1, 0, 0, 0}, {1, -2, 3, -4}, {0, 1, 2, 3});
+    static const std::vector<Array> matrix =
+        variations({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}, {1, 2, 3, 0, 2, 4, 6, 0, 0, 0, -1, 0},
+                   {0, 1, 2, 4, 5, 6, 8, 9, 10});
+    static const std::vector<Array> six = {{std::vector<dReal>(6, 1), Trait::kFine, "room"}};
+    static const std::vector<Array> one = {{{1}, Trait::kFine, "room"}};
+    static const std::vector<Array> square = [] {
+        std::vector<dReal> good(64, dReal(0.1));
+        for (std::size_t i = 0; i < 64; i += 9) good[i] = 4;
+        std::vector<dReal> wrong = good;
+        wrong[0] = kNaN;
+        return std::vector<Array>{{good, Trait::kFine, "good"},
+                                  {std::vector<dReal>(64, 0), Trait::kStrange, "zero"},
+                                  {wrong, Trait::kStrange, "NaN at 0"},
+                                  {std::vector<dReal>(64, kTooLarge), Trait::kStrange, "1e300"}};
+    }();
+    switch (kind) {
+        case Kind::kVector3:
+            return vector3;
+        case Kind::kVector4:
+            return vector4;
+        case Kind::kQuaternion:
+            return quaternion;
+        case Kind::kMatrix3:
+            return matrix;
+        case Kind::kVector6:
+            return six;
+        case Kind::kReals:
+            return square;
+        default:
+            return one;
+    }
+}
+
+// ---- structs ----
+
+template <typename T>
+struct Item {
+    T value;
+    Trait trait;
+    const char* text;
+};
+
+inline dMass unit_mass()
+{
+    dMass m{};
+    m.mass = m.I[0] = m.I[5] = m.I[10] = 1;
+    return m;
+}
+
+template <typename Change>
+dMass mass_with(Change&& change)
+{
+    dMass m = unit_mass();
+    change(m);
+    return m;
+}
+
+inline const std::vector<Item<dMass>>& masses()
+{
+    static const std::vector<Item<dMass>> list = {
+        {unit_mass(), Trait::kFine, "unit"},
+        {mass_with([](dMass& m) { m.mass = 0; }), Trait::kStrange, "mass 0"},
+        {mass_with([](dMass& m) { m.mass = -1; }), Trait::kStrange, "mass -1"},
+        {mass_with([](dMass& m) { m.mass = kTiny; }), Trait::kStrange, "mass denormal"},
+        {mass_with([](dMass& m) { m.mass = kLarge; }), Trait::kStrange, "mass large"},
+        {mass_with([](dMass& m) { m.mass = kInf; }), Trait::kStrange, "mass inf"},
+        {mass_with([](dMass& m) { m.mass = kNaN; }), Trait::kNaN, "mass NaN"},
+        {mass_with([](dMass& m) { m.c[1] = 1; }), Trait::kStrange, "c (0,1,0)"},
+        {mass_with([](dMass& m) { m.c[2] = kNaN; }), Trait::kNaN, "c NaN"},
+        {mass_with([](dMass& m) { m.I[5] = -1; }), Trait::kStrange, "I22 -1"},
+        {mass_with([](dMass& m) { m.I[1] = m.I[4] = 2; }), Trait::kStrange, "I not definite"},
+        {mass_with([](dMass& m) { m.I[10] = kNaN; }), Trait::kNaN, "I33 NaN"},
+        {mass_with([](dMass& m) { m.I[2] = kNaN; }), Trait::kNaN, "I13 NaN"},
+        {mass_with([](dMass& m) { m.I[0] = m.I[5] = m.I[10] = kTiny; }), Trait::kStrange, "I denormal"},
+        {mass_with([](dMass& m) { m.I[0] = kLarge; }), Trait::kStrange, "I11 large"},
+        {mass_with([](dMass& m) { m.I[0] = m.I[5] = m.I[10] = kLarge; }), Trait::kStrange, "I large"}};
+    return list;
+}
+
+template <typename Change>
+dContact contact_with(Change&& change)
+{
+    dContact c{};
+    c.surface.mode = dContactBounce | dContactSoftERP | dContactSoftCFM | dContactApprox1;
+    c.surface.mu = c.surface.bounce = c.surface.soft_erp = dReal(0.5);
+    c.geom.normal[2] = 1;
+    change(c);
+    return c;
+}
+
+inline const std::vector<Item<dContact>>& contacts()
+{
+    static const std::vector<Item<dContact>> list = {
+        {contact_with([](dContact&) {}), Trait::kFine, "good"},
+        {contact_with([](dContact& c) { c.geom.normal[2] = 0; }), Trait::kStrange, "normal 0"},
+        {contact_with([](dContact& c) { c.geom.normal[2] = kLarge; }), Trait::kStrange, "normal large"},
+        {contact_with([](dContact& c) { c.geom.normal[0] = kNaN; }), Trait::kNaN, "normal NaN"},
+        {contact_with([](dContact& c) { c.geom.pos[1] = kNaN; }), Trait::kNaN, "pos NaN"},
+        {contact_with([](dContact& c) { c.geom.pos[1] = kTooLarge; }), Trait::kStrange, "pos 1e300"},
+        {contact_with([](dContact& c) { c.geom.pos[1] = kLarge; }), Trait::kStrange, "pos large"},
+        {contact_with([](dContact& c) { c.geom.depth = kNaN; }), Trait::kNaN, "depth NaN"},
+        {contact_with([](dContact& c) { c.geom.depth = kInf; }), Trait::kStrange, "depth inf"},
+        {contact_with([](dContact& c) { c.geom.depth = -1; }), Trait::kStrange, "depth -1"},
+        {contact_with([](dContact& c) { c.geom.depth = kLarge; }), Trait::kStrange, "depth large"},
+        {contact_with([](dContact& c) { c.surface.mode = -1; }), Trait::kStrange, "mode -1"},
+        {contact_with([](dContact& c) { c.surface.mu = kNaN; }), Trait::kNaN, "mu NaN"},
+        {contact_with([](dContact& c) { c.surface.mu = kInf; }), Trait::kFine, "mu inf"},
+        {contact_with([](dContact& c) { c.surface.mu = -1; }), Trait::kStrange, "mu -1"},
+        {contact_with([](dContact& c) { c.surface.bounce = kNaN; }), Trait::kNaN, "bounce NaN"},
+        {contact_with([](dContact& c) { c.surface.bounce = kLarge; }), Trait::kStrange, "bounce large"},
+        {contact_with([](dContact& c) { c.surface.soft_cfm = kNaN; }), Trait::kNaN, "soft_cfm NaN"},
+        {contact_with([](dContact& c) { c.surface.soft_cfm = -kLarge; }), Trait::kStrange, "soft_cfm -large"},
+        {contact_with([](dContact& c) { c.surface.soft_erp = kLarge; }), Trait::kStrange, "soft_erp large"},
+        {contact_with([](dContact& c) { c.surface.mode |= dContactFDir1, c.fdir1[0] = kNaN; }), Trait::kNaN,
+         "fdir1 NaN"},
+        {contact_with([](dContact& c) { c.surface.mode |= dContactFDir1; }), Trait::kStrange, "fdir1 0"},
+        {contact_with([](dContact& c) { c.fdir1[0] = c.surface.slip1 = c.surface.mu2 = kNaN; }), Trait::kFine,
+         "NaN in what is not read"}};
+    return list;
+}
+
+inline const std::vector<Item<dGeomClass>>& classes()
+{
+    static const auto with = [](auto change) {
+        dGeomClass c = kUserClass;
+        change(c);
+        return c;
+    };
+    static const std::vector<Item<dGeomClass>> list = {
+        {kUserClass, Trait::kFine, "good"},
+        {with([](dGeomClass& c) { c.bytes = -1; }), Trait::kBad, "bytes -1"},
+        {with([](dGeomClass& c) { c.bytes = INT_MAX; }), Trait::kStrange, "bytes INT_MAX"},
+        {with([](dGeomClass& c) { c.collider = nullptr; }), Trait::kBad, "collider null"},
+        {with([](dGeomClass& c) { c.aabb = nullptr; }), Trait::kBad, "aabb null"},
+        {with([](dGeomClass& c) { c.aabb_test = nullptr, c.dtor = nullptr; }), Trait::kFine,
+         "required only"}};
+    return list;
+}
+
+template <typename Report>
+inline const std::vector<Item<Report>>& reports()
+{
+    static const auto sized = [](unsigned size) {
+        Report r{};
+        r.struct_size = size;
+        return r;
+    };
+    static const std::vector<Item<Report>> list = {{sized(sizeof(Report)), Trait::kFine, "good"},
+                                                   {sized(4), Trait::kFine, "size 4"},
+                                                   {sized(0), Trait::kBad, "size 0"},
+                                                   {sized(3), Trait::kBad, "size 3"},
+                                                   {sized(UINT_MAX), Trait::kStrange, "size UINT_MAX"}};
+    return list;
+}
+
+template <typename T>
+inline const std::vector<Item<std::array<T, 25>>>& samples()
+{
+    static const std::vector<Item<std::array<T, 25>>> list = [] {
+        std::vector<Item<std::array<T, 25>>> l;
+        std::array<T, 25> a{};
+        l.push_back({a, Trait::kFine, "flat"});
+        for (std::size_t i = 0; i < 25; ++i) a[i] = T(i % 7);
+        l.push_back({a, Trait::kFine, "hills"});
+        if constexpr (std::is_floating_point_v<T>) {
+            for (T bad : {std::numeric_limits<T>::quiet_NaN(), std::numeric_limits<T>::infinity()}) {
+                a[0] = bad;
+                l.push_back({a, Trait::kNaN, "NaN or infinity"});
+            }
+            a[0] = std::numeric_limits<T>::max();
+            l.push_back({a, Trait::kStrange, "max"});
+        }
+        return l;
+    }();
+    return list;
+}
+
+inline const std::vector<Item<dThreadingFunctionsInfo>>& threading_functions()
+{
+    static const auto with = [](auto change) {
+        const dThreadingImplementationID impl = dThreadingAllocateSelfThreadedImplementation();
+        dThreadingFunctionsInfo f = *dThreadingImplementationGetFunctions(impl);
+        dThreadingFreeImplementation(impl);
+        change(f);
+        return f;
+    };
+    using F = dThreadingFunctionsInfo;
+    static const std::vector<Item<F>> list = {
+        {with([](F&) {}), Trait::kFine, "good"},
+        {with([](F& f) { f.struct_size = 0; }), Trait::kBad, "size 0"},
+        {with([](F& f) { f.struct_size = UINT_MAX; }), Trait::kStrange, "size UINT_MAX"},
+        {with([](F& f) { f.post_call = nullptr; }), Trait::kBad, "post_call null"}};
+    return list;
+}
+
+inline const std::vector<Item<dWorldStepReserveInfo>>& reserve_infos()
+{
+    constexpr unsigned kSize = sizeof(dWorldStepReserveInfo);
+    static const std::vector<Item<dWorldStepReserveInfo>> list = {
+        {{kSize, 1.5f, 1000}, Trait::kFine, "good"},
+        {{0, 1.5f, 1000}, Trait::kBad, "size 0"},
+        {{kSize, -1, 1000}, Trait::kBad, "factor -1"},
+        {{kSize, float(kNaN), 1000}, Trait::kBad, "factor NaN"},
+        {{kSize, float(kInf), 1000}, Trait::kBad, "factor inf"},
+        {{kSize, 1e38f, 1000}, Trait::kStrange, "factor 1e38"},
+        {{kSize, 1, UINT_MAX}, Trait::kStrange, "minimum UINT_MAX"}};
+    return list;
+}
+
+inline const std::vector<Item<dWorldStepMemoryFunctionsInfo>>& memory_functions()
+{
+    constexpr unsigned kSize = sizeof(dWorldStepMemoryFunctionsInfo);
+    static const std::vector<Item<dWorldStepMemoryFunctionsInfo>> list = {
+        {{kSize, give_block, nullptr, take_block}, Trait::kFine, "good"},
+        {{kSize, give_nothing, nullptr, take_block}, Trait::kStrange, "gives nothing"},
+        {{0, give_block, nullptr, take_block}, Trait::kBad, "size 0"},
+        {{kSize, nullptr, nullptr, take_block}, Trait::kBad, "alloc null"},
+        {{kSize, give_block, nullptr, nullptr}, Trait::kBad, "free null"}};
+    return list;
+}
+
+inline const std::vector<Item<std::array<int, 8>>>& indices()
+{
+    static const std::vector<Item<std::array<int, 8>>> list = {
+        {{0, 1, 2, 3, 4, 5, 6, 7}, Trait::kFine, "identity"},
+        {{7, 6, 5, 4, 3, 2, 1, 0}, Trait::kStrange, "reversed"},
+        {{-1, 1, 2, 3, 4, 5, 6, 7}, Trait::kStrange, "-1"},
+        {{INT_MAX, INT_MIN, 2, 3, 4, 5, 6, 7}, Trait::kStrange, "INT_MAX"}};
+    return list;
+}
+
+inline const std::vector<Item<int>>& pointed_ints()
+{
+    static const std::vector<Item<int>> list = {{4, Trait::kFine, "4"},
+                                                {0, Trait::kFine, "0"},
+                                                {-1, Trait::kFine, "-1"},
+                                                {INT_MAX, Trait::kFine, "INT_MAX"}};
+    return list;
+}
+
+inline const std::vector<Item<const char*>>& texts(bool formats)
+{
+    static const std::string long_text(5000, 'x');
+    static const std::vector<Item<const char*>> plain = {{"ODE", Trait::kFine, "\"ODE\""},
+                                                         {"", Trait::kStrange, "\"\""},
+                                                         {long_text.c_str(), Trait::kStrange, "5000 x"}};
+    static const std::vector<Item<const char*>> printed = {{"%10.4f ", Trait::kFine, "%10.4f"},
+                                                           {"%-+ 0#.3e", Trait::kFine, "%-+ 0#.3e"},
+                                                           {"", Trait::kStrange, "\"\""},
+                                                           {"no number", Trait::kStrange, "no number"},
+                                                           {"%s", Trait::kBad, "%s"},
+                                                           {"%n", Trait::kBad, "%n"},
+                                                           {"%d", Trait::kBad, "%d"},
+                                                           {"%*f", Trait::kBad, "%*f"},
+                                                           {"%.*f", Trait::kBad, "%.*f"},
+                                                           {"%f %f", Trait::kBad, "%f %f"},
+                                                           {"%Lf", Trait::kBad, "%Lf"},
+                                                           {"100%% %g", Trait::kFine, "100%% %g"},
+                                                           {"%", Trait::kBad, "%"},
+                                                           {"%1$f", Trait::kBad, "%1$f"},
+                                                           {"%999999999f", Trait::kBad, "%999999999f"},
+                                                           {"%.999999999f", Trait::kBad, "%.999999999f"}};
+    return formats ? printed : plain;
+}
+
+}  // namespace hostile

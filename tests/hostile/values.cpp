@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "values.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+
+#include "value_lists.h"
+
+namespace hostile {
+namespace {
+
+// ---- where handles do not belong ----
+
+alignas(64) char g_zeros[256];
+alignas(64) char g_letters[256];
+
+struct Wrong {
+    void* pointer;
+    const char* text;
+};
+
+void* bits(std::uintptr_t value) { return reinterpret_cast<void*>(value); }
+void* inside(void* object, std::size_t at) { return static_cast<char*>(object) + at; }
+
+template <typename Table>
+Value from_integers(const Table& table, int index)
+{
+    Value v;
+    const Integer& i = table[std::size_t(index)];
+    v.integer = i.value;
+    v.text = i.text;
+    v.trait = index == 0 ? Trait::kFine : Trait::kStrange;
+    return v;
+}
+
+Value null_value()
+{
+    Value v;
+    v.pointer = nullptr;
+    v.trait = Trait::kNull;
+    v.text = "null";
+    return v;
+}
+
+void (*function_of(Kind kind))()
+{
+    switch (kind) {
+        case Kind::kNearCallback:
+            return reinterpret_cast<void (*)()>(near_nothing);
+        case Kind::kHeightCallback:
+            return reinterpret_cast<void (*)()>(flat_height);
+        case Kind::kCollider:
+            return reinterpret_cast<void (*)()>(no_contacts);
+        case Kind::kReadyCallback:
+            return reinterpret_cast<void (*)()>(ready_nothing);
+        case Kind::kMovedCallback:
+            return reinterpret_cast<void (*)()>(moved_nothing);
+        case Kind::kMessageFunction:
+            return reinterpret_cast<void (*)()>(dGetMessageHandler());
+        case Kind::kAllocFunction:
+            return reinterpret_cast<void (*)()>(dGetAllocHandler());
+        case Kind::kReallocFunction:
+            return reinterpret_cast<void (*)()>(dGetReallocHandler());
+        default:
+            return reinterpret_cast<void (*)()>(dGetFreeHandler());
+    }
+}
+
+bool is_function(Kind kind) { return int(kind) >= int(Kind::kMessageFunction); }
+
+std::FILE* nowhere()
+{
+    static std::FILE* const file = std::fopen("/dev/null", "w");
+    return file;
+}
+
+constexpr std::size_t kMostContacts = 65536;
+constexpr int kWrongHandles = 15;
+
+}  // namespace
+
+const char* name_of(Kind kind)
+{
+    static constexpr const char* kNames[] = {"world", "body",        "joint",        "group",
+                                             "geom",  "space",       "heights",      "threading",
+                                             "pool",  "cooperative", "requirements", "container"};
+    return is_handle(kind) ? kNames[int(kind)] : "";
+}
+
+int Values::count(Kind kind)
+{
+    if (is_handle(kind)) return int(scene_.live[std::size_t(kind)].size()) + kWrongHandles;
+    if (is_function(kind)) return 2;
+    switch (kind) {
+        case Kind::kReal:
+            return int(std::size(kReals));
+        case Kind::kInt:
+            return int(std::size(kInts));
+        case Kind::kSize:
+            return int(std::size(kSizes));
+        case Kind::kParameterNumber:
+            return int(std::size(kParameters));
+        case Kind::kLength:
+            return int(std::size(kLengths));
+        case Kind::kSampleCount:
+            return int(std::size(kSampleCounts));
+        case Kind::kContactFlags:
+            return int(std::size(kContactFlags));
+        case Kind::kSkip:
+            return int(std::size(kSkips));
+        case Kind::kThreadCount:
+            return int(std::size(kThreadCounts));
+        case Kind::kThreadingFunctions:
+            return int(threading_functions().size()) + 1;
+        case Kind::kReserveInfo:
+            return int(reserve_infos().size()) + 1;
+        case Kind::kMemoryFunctions:
+            return int(memory_functions().size()) + 1;
+        case Kind::kMass:
+            return int(masses().size()) + 1;
+        case Kind::kContact:
+            return int(hostile::contacts().size()) + 1;
+        case Kind::kGeomClass:
+            return int(classes().size()) + 1;
+        case Kind::kWorldReport:
+        case Kind::kIslandReport:
+            return int(reports<dWorldStepReport>().size()) + 1;
+        case Kind::kText:
+            return int(texts(false).size()) + 1;
+        case Kind::kFormat:
+            return int(texts(true).size()) + 1;
+        case Kind::kIndices:
+            return int(indices().size()) + 1;
+        case Kind::kIntPointer:
+            return int(pointed_ints().size()) + 1;
+        case Kind::kBytes:
+        case Kind::kShorts:
+            return int(samples<short>().size()) + 1;
+        case Kind::kFloats:
+        case Kind::kDoubles:
+            return int(samples<double>().size()) + 1;
+        case Kind::kRows:
+        case Kind::kContacts:
+        case Kind::kStopwatch:
+        case Kind::kFile:
+        case Kind::kData:
+        case Kind::kControl:
+        case Kind::kBlock:
+        case Kind::kJointList:
+        case Kind::kFeedback:
+            return 2;
+        default:
+            return int(arrays(kind).size()) + 1;
+    }
+}
+
+Value Values::handle(Kind kind, int index) const
+{
+    const auto& live = scene_.live[std::size_t(kind)];
+    Value v;
+    if (index < int(live.size())) {
+        v.pointer = live[std::size_t(index)];
+        v.text = "live";
+        return v;
+    }
+    const auto other = [&](Kind k) { return scene_.live[std::size_t(k)][0]; };
+    const Wrong wrong[kWrongHandles] = {
+        {nullptr, "null"},
+        {scene_.dead[std::size_t(kind)], "destroyed"},
+        {other(Kind::kWorld), "world"},
+        {other(Kind::kBody), "body"},
+        {other(Kind::kJoint), "joint"},
+        {other(Kind::kGroup), "group"},
+        {other(Kind::kGeom), "geom"},
+        {other(Kind::kSpace), "space"},
+        {other(Kind::kHeightfieldData), "heights"},
+        {g_zeros, "zeros"},
+        {g_letters, "letters"},
+        {inside(live.empty() ? other(Kind::kWorld) : live[0], 8), "8 bytes into an object"},
+        {bits(1), "1"},
+        {bits(64), "64"},
+        {bits(~std::uintptr_t(0)), "-1"}};
+    g_letters[0] = 'x';
+    const int which = index - int(live.size());
+    v.pointer = wrong[which].pointer;
+    v.text = wrong[which].text;
+    v.trait = which == 0 ? Trait::kNull : Trait::kBad;
+    // Objects of the right kind after all: of the scene, and spaces, which are geoms.
+    const bool right = which >= 2 && which < 9 && which - 2 == int(kind);
+    if (right || (kind == Kind::kGeom && which == 7)) v.trait = Trait::kStrange;
+    return v;
+}
+
+Value Values::get(Kind kind, int index, int position)
+{
+    Value v;
+    if (is_handle(kind)) return handle(kind, index);
+    if (is_function(kind)) {
+        if (index == 1) return null_value();
+        v.function = function_of(kind);
+        v.text = "function";
+        return v;
+    }
+    switch (kind) {
+        case Kind::kReal:
+            v.real = kReals[index].value;
+            v.trait = kReals[index].trait;
+            v.text = kReals[index].text;
+            return v;
+        case Kind::kInt:
+            return from_integers(kInts, index);
+        case Kind::kSize:
+            return from_integers(kSizes, index);
+        case Kind::kParameterNumber:
+            return from_integers(kParameters, index);
+        case Kind::kLength:
+            return from_integers(kLengths, index);
+        case Kind::kSampleCount:
+            return from_integers(kSampleCounts, index);
+        case Kind::kContactFlags:
+            return from_integers(kContactFlags, index);
+        case Kind::kSkip:
+            return from_integers(kSkips, index);
+        case Kind::kThreadCount:
+            return from_integers(kThreadCounts, index);
+        default:
+            break;
+    }
+    if (index == count(kind) - 1) return null_value();
+    return memory(kind, index, position);
+}
+
+void* Values::fill(Kind kind, int position, const void* content, std::size_t size)
+{
+    Block& block = blocks_[{int(kind), position}];
+    if (block.size != size) {
+        block.size = size;
+        block.data = std::make_unique<char[]>(size);
+        block.filled = std::make_unique<char[]>(size);
+    }
+    std::memcpy(block.data.get(), content, size);
+    std::memcpy(block.filled.get(), content, size);
+    return block.data.get();
+}
+
+bool Values::untouched(Kind kind, int position, const Value& value) const
+{
+    const auto found = blocks_.find({int(kind), position});
+    if (found == blocks_.end() || found->second.data.get() != value.pointer) return true;
+    const Block& b = found->second;
+    return std::memcmp(b.data.get(), b.filled.get(), b.size) == 0;
+}
+
+Value Values::memory(Kind kind, int index, int position)
+{
+    Value v;
+    v.text = "room";
+    const auto item = [&](const auto& list) {
+        const auto& chosen = list[std::size_t(index)];
+        v.trait = chosen.trait;
+        v.text = chosen.text;
+        v.pointer = fill(kind, position, &chosen.value, sizeof chosen.value);
+        return v;
+    };
+    static const std::array<char, 4096> kRoom{};
+    switch (kind) {
+        case Kind::kMass:
+            return item(masses());
+        case Kind::kContact:
+            return item(hostile::contacts());
+        case Kind::kGeomClass:
+            return item(classes());
+        case Kind::kWorldReport:
+            return item(reports<dWorldStepReport>());
+        case Kind::kThreadingFunctions:
+            return item(threading_functions());
+        case Kind::kReserveInfo:
+            return item(reserve_infos());
+        case Kind::kMemoryFunctions:
+            return item(memory_functions());
+        case Kind::kIslandReport:
+            return item(reports<dIslandStepReport>());
+        case Kind::kIndices:
+            return item(indices());
+        case Kind::kIntPointer:
+            return item(pointed_ints());
+        case Kind::kBytes:
+            return item(samples<unsigned char>());
+        case Kind::kShorts:
+            return item(samples<short>());
+        case Kind::kFloats:
+            return item(samples<float>());
+        case Kind::kDoubles:
+            return item(samples<double>());
+        case Kind::kText:
+        case Kind::kFormat: {
+            const auto& chosen = texts(kind == Kind::kFormat)[std::size_t(index)];
+            v.pointer = const_cast<char*>(chosen.value);
+            v.trait = chosen.trait;
+            v.text = chosen.text;
+            return v;
+        }
+        case Kind::kStopwatch:
+            v.pointer = fill(kind, position, kRoom.data(), sizeof(dStopwatch));
+            return v;
+        case Kind::kFeedback:
+            v.pointer = fill(kind, position, kRoom.data(), sizeof(dJointFeedback));
+            return v;
+        case Kind::kJointList:
+            v.pointer = fill(kind, position, kRoom.data(), 256 * sizeof(dJointID));
+            return v;
+        case Kind::kControl:
+            v.pointer = fill(kind, position, kRoom.data(), 16);
+            return v;
+        case Kind::kData:
+            v.pointer = g_letters;
+            return v;
+        case Kind::kFile:
+            v.pointer = nowhere();
+            return v;
+        case Kind::kBlock:
+            v.pointer = dAlloc(64);
+            return v;
+        case Kind::kContacts: {
+            static const auto room = std::make_unique<dContact[]>(kMostContacts);
+            v.pointer = room.get();
+            return v;
+        }
+        case Kind::kRows: {
+            static dReal rows[8][8] = {};
+            static dReal* const pointers[8] = {rows[0], rows[1], rows[2], rows[3],
+                                               rows[4], rows[5], rows[6], rows[7]};
+            v.pointer = fill(kind, position, pointers, sizeof pointers);
+            return v;
+        }
+        default:
+            break;
+    }
+    const Array& chosen = arrays(kind)[std::size_t(index)];
+    v.trait = chosen.trait;
+    v.text = chosen.text.c_str();
+    v.pointer = fill(kind, position, chosen.values.data(), chosen.values.size() * sizeof(dReal));
+    return v;
+}
+
+}  // namespace hostile
