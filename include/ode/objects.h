@@ -121,7 +121,8 @@ typedef struct {
 ODE_API int dWorldSetStepMemoryReservationPolicy(dWorldID world, const dWorldStepReserveInfo* policyinfo);
 
 /** Where step memory comes from. The functions are called by one thread at a time, which with several threads
-    need not be the one that steps. struct_size: sizeof of the struct, set by the caller. */
+    need not be the one that steps. They must not change the joints of the world that is stepped, which is in
+    a step as in a moved callback. struct_size: sizeof of the struct, set by the caller. */
 typedef struct {
     unsigned struct_size; /**< sizeof(dWorldStepMemoryFunctionsInfo) */
     /** gives a block of block_size bytes aligned for any type, or NULL, with which the step returns 0 */
@@ -165,7 +166,7 @@ ODE_API void dWorldImpulseToForce(dWorldID world, dReal stepsize, dReal ix, dRea
                                   dVector3 force);
 
 /** How many iterations (num) dWorldQuickStep makes, default 20. 0 or less lets the joints exert no force.
-    [0.16] */
+    More than 100000 are refused. [0.16] */
 ODE_API void dWorldSetQuickStepNumIterations(dWorldID world, int num);
 ODE_API int dWorldGetQuickStepNumIterations(dWorldID world);
 

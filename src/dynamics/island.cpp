@@ -63,10 +63,12 @@ class Search {
 
 bool find_islands(World& world, Arena& arena, std::span<Island>& islands)
 {
+    // Bodies that the program creates while it is asked for memory come before this one: the next step's.
+    Body* const newest = world.bodies;
     Search search(world, arena);
     if (arena.failed()) return false;
-    for (Body* b = world.bodies; b; b = b->next) b->island_index = -1;
-    for (Body* b = world.bodies; b; b = b->next)
+    for (Body* b = newest; b; b = b->next) b->island_index = -1;
+    for (Body* b = newest; b; b = b->next)
         if (b->island_index < 0 && !b->disabled) search.grow_from(*b);
     islands = search.islands();
     return true;

@@ -51,10 +51,8 @@ class Workers {
             of_islands = of_an_island = Tasks(number_for(world));
             return true;
         }
-        world.stepping = true;  // the implementation's functions are the program's, as callbacks are
         const bool ready =
             posting_.open(world.threading_functions, world.threading, world.islands_max_threads);
-        world.stepping = false;
         of_islands = Tasks(posting_, true);
         of_an_island = posting_.width() > 1 ? Tasks(posting_, false) : Tasks(1);
         return ready;
@@ -189,6 +187,19 @@ StepState* state_of(World& world)
     return world.step_state;
 }
 
+// Calls that would pull the step's feet away are refused from its beginning to its end, since functions of
+// the program come in all along: those that give memory, those of threads, callbacks.
+class Stepping {
+  public:
+    explicit Stepping(World& world) : world_(world) { world_.stepping = true; }
+    Stepping(const Stepping&) = delete;
+    Stepping& operator=(const Stepping&) = delete;
+    ~Stepping() { world_.stepping = false; }
+
+  private:
+    World& world_;
+};
+
 // The step, with the world's working memory taken for it.
 bool step_in(World& world, StepState& state, const Solver& solver, Real h, int iterations)
 {
@@ -197,7 +208,6 @@ bool step_in(World& world, StepState& state, const Solver& solver, Real h, int i
     ++world.step_count;
     const StepContext context{world, solver, h, iterations, state.contacts, state.plans};
     WorldStep step(context, state, workers);
-    world.stepping = true;
     const bool made = step.prepare() && step.run();
     workers.dismiss();
     if (made) {
@@ -208,7 +218,6 @@ bool step_in(World& world, StepState& state, const Solver& solver, Real h, int i
         step.take_back();
     }
     world.report_made = made && world.report_wanted;
-    world.stepping = false;
     return made;
 }
 
@@ -228,6 +237,7 @@ void free_working_memory(World& world)
 
 bool step_world(World& world, const Solver& solver, Real h, int iterations)
 {
+    const Stepping mark(world);
     StepState* state = state_of(world);
     StepMemory* memory = working_memory(world);
     if (!state || !memory || !memory->begin()) return false;
