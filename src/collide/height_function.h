@@ -19,8 +19,9 @@ class InHeightFunction {
     static bool now() { return depth > 0; }
 
   private:
-    // The model that needs nothing of the dynamic loader.
-    [[gnu::tls_model("initial-exec")]] static thread_local int depth;
+    // The model that needs nothing of the dynamic loader; constinit, so that no thread asks whether it is
+    // made.
+    [[gnu::tls_model("initial-exec")]] static constinit thread_local int depth;
 };
 
 }  // namespace epode

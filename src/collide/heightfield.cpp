@@ -35,7 +35,7 @@ constexpr GridStep kAround[6] = {{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, 
 
 }  // namespace
 
-thread_local int InHeightFunction::depth = 0;
+constinit thread_local int InHeightFunction::depth = 0;
 
 HeightfieldData::HeightfieldData() : Tagged(Tag::kHeightfieldData)
 {

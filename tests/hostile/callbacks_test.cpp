@@ -2,13 +2,14 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What a program may not do from inside its own functions while the library is calling them, said by example:
-// near callbacks, moved callbacks, functions of user classes, height functions, destructor functions. Each
-// test makes the calls that would pull the library's feet away, sees them refused or harmless, and goes on
-// working with the same world.
+// near callbacks, moved callbacks, functions of user classes, height functions, destructor functions, and
+// those that give a step its memory. Each test makes the calls that would pull the library's feet away, sees
+// them refused or harmless, and goes on working with the same world.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <string>
 
@@ -218,6 +219,43 @@ TEST_F(Callbacks, moved_what_the_step_does_not_hold_may_change)
     EXPECT_EQ(dWorldStep(world, dReal(0.01)), 1);
     EXPECT_EQ(dBodyGetPosition(body)[0], 5);
     EXPECT_EQ(dWorldStep(world, dReal(0.01)), 1);
+}
+
+void* block_for_step(dsizeint size)
+{
+    act();
+    return std::malloc(size);
+}
+void free_block(void* block, dsizeint) { std::free(block); }
+
+TEST_F(Callbacks, memory_the_step_keeps_its_world)
+{
+    const dBodyID other = dBodyCreate(world);
+    const dJointID ball = dJointCreateBall(world, nullptr);
+    dJointAttach(ball, body, other);
+    const dWorldStepMemoryFunctionsInfo functions = {sizeof functions, block_for_step, nullptr, free_block};
+    ASSERT_EQ(dWorldSetStepMemoryManager(world, &functions), 1);
+    dBodyID late[50];
+    g_act = [=, this, &late] {
+        EXPECT_EQ(dWorldStep(world, dReal(0.01)), 0);
+        dBodyDestroy(body);
+        dJointDestroy(ball);
+        dJointAttach(ball, other, nullptr);
+        dWorldDestroy(world);
+        expect_refused(5);
+        for (dBodyID& b : late) {
+            b = dBodyCreate(world);
+            dBodySetLinearVel(b, 1, 0, 0);
+        }
+        expect_refused(0);
+    };
+    dBodySetLinearVel(body, 0, 1, 0);
+    EXPECT_EQ(dWorldStep(world, dReal(0.01)), 1);
+    EXPECT_FALSE(g_act) << "memory was asked for";
+    EXPECT_GT(dBodyGetPosition(body)[1], 0);
+    for (dBodyID b : late) EXPECT_EQ(dBodyGetPosition(b)[0], 0) << "of the next step";
+    EXPECT_EQ(dWorldStep(world, dReal(0.01)), 1);
+    EXPECT_GT(dBodyGetPosition(late[49])[0], 0);
 }
 
 TEST_F(Callbacks, feedback_may_be_taken_away_in_a_moved_callback)

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// An alarm rings when no call has begun for two minutes. The handler formats a text, which a signal handler
-// should not: the process is lost anyway, and mostly it works.
+// An alarm rings when the processor has worked for two minutes and no call has begun, or nothing has happened
+// for twenty. The handler formats a text, which a signal handler should not: the process is lost anyway, and
+// mostly it works.
 #include "last_words.h"
 
-#include <unistd.h>
+#include <sys/time.h>
 #include <csignal>
 #include <cstdio>
 
@@ -19,8 +20,7 @@ namespace hostile {
 namespace {
 
 std::function<std::string()> g_words;
-long g_calls = 0;
-constexpr unsigned kPatience = 120;  // seconds
+constexpr long kWork = 120, kPatience = 1200;  // seconds
 
 void say()
 {
@@ -41,12 +41,14 @@ void dying(int signal_number)
 void last_words(std::function<std::string()> words)
 {
     g_words = std::move(words);
-    if (g_calls++ % 256 == 0) alarm(kPatience);
+    const itimerval work = {{}, {kWork, 0}}, patience = {{}, {kPatience, 0}};
+    setitimer(ITIMER_PROF, &work, nullptr);
+    setitimer(ITIMER_REAL, &patience, nullptr);
 }
 
 void listen_for_death()
 {
-    std::signal(SIGALRM, dying);
+    for (int s : {SIGALRM, SIGPROF}) std::signal(s, dying);
 #if defined(HOSTILE_UNDER_ASAN)
     __sanitizer_set_death_callback(say);
     std::signal(SIGABRT, dying);

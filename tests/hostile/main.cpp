@@ -2,9 +2,12 @@
 // Copyright (c) 2026 The Epode authors
 //
 // hostile_calls [--calls N] [--seed S] [--part I/N] [--only NAME] [--each]
+// hostile_calls --list
 // About N calls, evenly over all functions of the interface; a tenth of them from inside functions of the
-// program. --part takes every N-th function only; --each gives every function a process of its own, so that
-// one that dies does not hide the others. Fails on any fault, and on memory that is left at the end.
+// program. --part takes every N-th function only, --only those whose names begin so; --each gives every
+// function a process of its own, so that one that dies does not hide the others. Fails on any fault, and on
+// memory that is left at the end. --list prints the functions that it calls, and those that it does not, with
+// the reason.
 #include <sys/wait.h>
 #include <unistd.h>
 #include <cstdio>
@@ -23,7 +26,12 @@ struct Options {
     std::uint64_t seed = 1;
     int part = 0, parts = 1;
     const char* only = nullptr;
-    bool each = false;
+    bool each = false, list = false;
+
+    bool wants(const Function& f) const
+    {
+        return !only || std::strncmp(f.name, only, std::strlen(only)) == 0;
+    }
 };
 
 Options parse(int argc, char** argv)
@@ -41,8 +49,12 @@ Options parse(int argc, char** argv)
             o.only = next();
         else if (!std::strcmp(argv[i], "--each"))
             o.each = true;
-        else
-            std::exit(std::fprintf(stderr, "unknown option %s\n", argv[i]) > 0 ? 2 : 2);
+        else if (!std::strcmp(argv[i], "--list"))
+            o.list = true;
+        else {
+            std::fprintf(stderr, "unknown option %s\n", argv[i]);
+            std::exit(2);
+        }
     }
     return o;
 }
@@ -56,7 +68,7 @@ int run(const Options& o, std::size_t first, std::size_t step)
     {
         Runner runner(o.seed);
         for (std::size_t i = first; i < all.size(); i += step) {
-            if (o.only && std::strcmp(o.only, all[i].name)) continue;
+            if (!o.wants(all[i])) continue;
             runner.run(all[i], budget * 9 / 10);
             for (int phase = 1; phase <= int(Runner::Phase::kEnd); ++phase)
                 runner.run_inside(all[i], Runner::Phase(phase), runner.share(budget, 70));
@@ -79,7 +91,7 @@ int run_each(const Options& o)
     const auto all = functions();
     int failed = 0;
     for (std::size_t i = std::size_t(o.part); i < all.size(); i += std::size_t(o.parts)) {
-        if (o.only && std::strcmp(o.only, all[i].name)) continue;
+        if (!o.wants(all[i])) continue;
         std::fflush(nullptr);
         const pid_t child = fork();
         if (child == 0) {
@@ -97,11 +109,19 @@ int run_each(const Options& o)
     return failed != 0;
 }
 
+void list()
+{
+    for (const Function& f : functions()) std::printf("%s called\n", f.name);
+    for (const Absent& f : absent_functions())
+        std::printf("%s %s: %s\n", f.name, f.excused ? "excused" : "not called", f.reason);
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
 {
     const Options o = parse(argc, argv);
+    if (o.list) return list(), 0;
     listen_for_death();
     return o.each ? run_each(o) : run(o, std::size_t(o.part), std::size_t(o.parts));
 }

@@ -2,51 +2,31 @@
 // Copyright (c) 2026 The Epode authors
 #include "runner.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
 
+#include "aftermath.h"
+#include "exercise.h"
 #include "last_words.h"
 
 namespace hostile {
 namespace {
 
 constexpr long kExerciseEvery = 7;
-constexpr double kTooSlow = 5;  // seconds for one call, on a busy machine
+constexpr double kTooSlow = 5;  // seconds of the processor for one call
 
-bool begins(const char* text, const char* with) { return std::strncmp(text, with, std::strlen(with)) == 0; }
 bool contains(const char* text, const char* part) { return std::strstr(text, part) != nullptr; }
 
-// Touches what belongs to the process and not to the scene.
-bool is_global(const Function& f)
-{
-    for (const char* name : {"dExternal", "dInit", "dClose", "dSet", "dAllocateODE", "dCleanup",
-                             "dCreateGeomClass", "dRand", "dMakeRandom", "dThreading"})
-        if (begins(f.name, name)) return true;
-    return false;
-}
-
-// Changes something that no reader shows.
-bool is_hidden(const Function& f)
-{
-    for (const char* part :
-         {"Destroy", "dCooper", "dResource", "dEstimate", "dWorldSetStep", "dWorldUse", "MovedCallback"})
-        if (contains(f.name, part)) return true;
-    return false;
-}
-
-bool uses_threads(const Function& f)
-{
-    for (const Parameter& p : f.all())
-        if (p.kind == Kind::kThreadPool) return true;
-    return false;
-}
-
+// Of the processor: other programs must not make a call seem slow. One that sleeps for ever is found by
+// last_words.
 double now()
 {
     timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
     return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
 }
 
@@ -56,45 +36,6 @@ bool is_zero(const Function& f, const Result& r)
     const bool of_class = contains(f.name, "GetClass") || contains(f.name, "CreateGeomClass");
     if (of_class && r.type == Result::Type::kInteger) return r.integer == -1;
     return r.real == 0 && r.integer == 0 && !r.pointer;
-}
-
-// ---- the world goes on ----
-
-struct Collision {
-    dWorldID world;
-    dJointGroupID group;
-    int made = 0;
-    bool sane = true;
-};
-
-bool sane(const dContactGeom& c)
-{
-    for (int i = 0; i < 3; ++i)
-        if (!std::isfinite(c.pos[i]) || !std::isfinite(c.normal[i])) return false;
-    return std::isfinite(c.depth);
-}
-
-void make_contacts(void* data, dGeomID a, dGeomID b)
-{
-    Collision& collision = *static_cast<Collision*>(data);
-    if (dGeomIsSpace(a) || dGeomIsSpace(b)) {
-        dSpaceCollide2(a, b, data, make_contacts);
-        return;
-    }
-    dContactGeom found[8];
-    const int count = dCollide(a, b, 8, found, sizeof found[0]);
-    for (int i = 0; i < count; ++i) {
-        if (!sane(found[i])) collision.sane = false;
-        if (collision.made >= 100) continue;
-        ++collision.made;
-        dContact contact{};
-        contact.surface.mode = dContactApprox1;
-        contact.surface.mu = 1;
-        contact.geom = found[i];
-        const dJointID joint = dJointCreateContact(collision.world, collision.group, &contact);
-        if (dGeomGetClass(a) != dRayClass && dGeomGetClass(b) != dRayClass)
-            dJointAttach(joint, dGeomGetBody(a), dGeomGetBody(b));
-    }
 }
 
 }  // namespace
@@ -209,35 +150,6 @@ void Runner::judge_accepted(const Function& f, const Result& r)
     if (r.type == Result::Type::kReal && std::isnan(r.real) && finite) fault(f, "answers NaN");
 }
 
-void Runner::clean_up(const Function& f, const Result& r)
-{
-    auto* made = const_cast<void*>(r.pointer);
-    if (contains(f.name, "dRealloc")) {
-        if (made || arguments_[2].integer == 0)
-            dFree(made, 64);
-        else
-            dFree(arguments_[0].pointer, 64);
-    } else if (begins(f.name, "dAlloc") && r.type == Result::Type::kPointer) {
-        dFree(made, 64);
-    }
-    if (!made) return;
-    if (begins(f.name, "dThreadingAllocateThreadPool")) {
-        dThreadingFreeThreadPool(static_cast<dThreadingThreadPoolID>(made));
-    } else if (begins(f.name, "dThreadingAllocate")) {
-        dThreadingFreeImplementation(static_cast<dThreadingImplementationID>(made));
-    }
-    if (begins(f.name, "dCooperativeCreate")) dCooperativeDestroy(static_cast<dCooperativeID>(made));
-    if (begins(f.name, "dResourceRequirementsC"))
-        dResourceRequirementsDestroy(static_cast<dResourceRequirementsID>(made));
-    if (contains(f.name, "Acquire")) dResourceContainerDestroy(static_cast<dResourceContainerID>(made));
-    if (!contains(f.name, "Create")) return;
-    if (begins(f.name, "dWorldCreate")) dWorldDestroy(static_cast<dWorldID>(made));
-    if (begins(f.name, "dJointGroupCreate")) dJointGroupDestroy(static_cast<dJointGroupID>(made));
-    if (contains(f.name, "SpaceCreate")) dSpaceDestroy(static_cast<dSpaceID>(made));
-    if (begins(f.name, "dCreate")) dGeomDestroy(static_cast<dGeomID>(made));
-    if (contains(f.name, "DataCreate")) dGeomHeightfieldDataDestroy(static_cast<dHeightfieldDataID>(made));
-}
-
 void Runner::call_and_judge(const Function& f, const Choice& choice)
 {
     called_ = true;
@@ -254,6 +166,7 @@ void Runner::call_and_judge(const Function& f, const Choice& choice)
     std::string unhealthy;
     const std::uint64_t after = state_.hash(&unhealthy);
     ++tally_.calls;
+    tally_.called.insert(&f);
     accepted_ = said.refusals == 0;
     changed_ = after != before;
     ++(accepted_ ? tally_.accepted : tally_.refused);
@@ -270,7 +183,7 @@ void Runner::call_and_judge(const Function& f, const Choice& choice)
     }
     // From inside some functions nothing can be destroyed.
     result_ = result;
-    if (phase_ == Phase::kTop) clean_up(f, result);
+    if (phase_ == Phase::kTop) give_back(f, arguments_, result);
 }
 
 bool Runner::perform(const Function& f, const Choice& choice)
@@ -279,7 +192,7 @@ bool Runner::perform(const Function& f, const Choice& choice)
     const bool dirty = changed_ || reset_ || (accepted_ && (is_hidden(f) || tally_.calls % 64 == 0));
     if (!dirty) return accepted_;
     if (accepted_ && tally_.rebuilt % kExerciseEvery == 0) {
-        exercise();
+        go_on();
         std::string unhealthy;
         state_.hash(&unhealthy);
         if (!unhealthy.empty()) fault(f, "after some steps something is not finite: " + unhealthy);
@@ -288,22 +201,20 @@ bool Runner::perform(const Function& f, const Choice& choice)
     return accepted_;
 }
 
-void Runner::exercise()
+void Runner::perform_with(const Function& f, Choice choice,
+                          std::initializer_list<std::pair<int, int>> changes)
+{
+    for (const auto& [parameter, value] : changes) {
+        if (value < 0) return;
+        choice[std::size_t(parameter)] = value;
+    }
+    perform(f, choice);
+}
+
+void Runner::go_on()
 {
     ++tally_.exercised;
-    const Messages kept = messages();
-    Collision collision{scene_.world, scene_.contacts};
-    for (int i = 0; i < 6; ++i) {
-        collision.made = 0;
-        dSpaceCollide(scene_.space, &collision, make_contacts);
-        const dReal h = dReal(0.01);
-        if (i % 3 == 0) dWorldQuickStep(scene_.world, h);
-        if (i % 3 == 1) dWorldStep(scene_.world, h);
-        if (i % 3 == 2) dWorldStepFast1(scene_.world, h, 4);
-        dJointGroupEmpty(scene_.contacts);
-    }
-    if (!collision.sane) faults_["dCollide gives a contact that is not finite"].count++;
-    messages() = kept;
+    if (!exercise(scene_)) faults_["dCollide gives a contact that is not finite"].count++;
 }
 
 // ---- which combinations ----
@@ -356,27 +267,40 @@ bool Runner::all_combinations(const Function& f, long budget)
     return true;
 }
 
-void Runner::singles_and_pairs(const Function& f, const Choice& base, long budget)
+// Of every parameter one value of each trait, so that a small budget has asked for every refusal.
+void Runner::one_of_each(const Function& f, const Choice& base)
+{
+    for (int i = 0; i < f.count; ++i) {
+        const Kind kind = f.parameters[i].kind;
+        const int count = values_.count(kind);
+        std::array<int, kTraits> chosen, seen{};
+        chosen.fill(-1);
+        for (int v = 1; v < count; ++v) {
+            const auto trait = std::size_t(values_.trait(kind, v));
+            if (below(++seen[trait]) == 0) chosen[trait] = v;
+        }
+        for (int v : chosen) perform_with(f, base, {{i, v}});
+    }
+}
+
+void Runner::singles(const Function& f, const Choice& base, long budget)
+{
+    int all = 0;
+    for (const Parameter& p : f.all()) all += values_.count(p.kind);
+    for (int i = 0; i < f.count; ++i)
+        for (int v = 0; v < values_.count(f.parameters[i].kind); ++v)
+            if (below(all) < budget) perform_with(f, base, {{i, v}});
+}
+
+void Runner::pairs(const Function& f, const Choice& base, long budget)
 {
     const long end = tally_.calls + budget;
-    int singles = 0;
-    for (const Parameter& p : f.all()) singles += values_.count(p.kind);
-    for (int i = 0; i < f.count; ++i)
-        for (int v = 0; v < values_.count(f.parameters[i].kind); ++v) {
-            if (below(singles) >= budget) continue;  // a small budget is spread over all of them
-            Choice choice = base;
-            choice[std::size_t(i)] = v;
-            perform(f, choice);
-        }
     for (int i = 0; i < f.count; ++i)
         for (int j = 0; j < i; ++j)
             for (int v = 0; v < values_.count(f.parameters[i].kind); ++v)
                 for (int w = 0; w < values_.count(f.parameters[j].kind); ++w) {
                     if (tally_.calls >= end) return;
-                    Choice choice = base;
-                    choice[std::size_t(i)] = v;
-                    choice[std::size_t(j)] = w;
-                    perform(f, choice);
+                    perform_with(f, base, {{i, v}, {j, w}});
                 }
 }
 
@@ -409,8 +333,11 @@ void Runner::run(const Function& f, long budget)
     Choice base;
     if (!find_base(f, base)) fault(f, "is never accepted");
     if (f.count > 0 && !all_combinations(f, budget)) {
-        singles_and_pairs(f, base, budget * 2 / 3);
-        random_ones(f, base, std::max(0l, budget - (tally_.calls - first)));
+        const auto left = [&] { return std::max(0l, budget - (tally_.calls - first)); };
+        one_of_each(f, base);
+        singles(f, base, left() * 2 / 3);
+        pairs(f, base, left() / 2);
+        random_ones(f, base, left());
     }
 }
 
@@ -467,6 +394,7 @@ void Runner::run_inside(const Function& f, Phase phase, long budget)
         o->runner->call_and_judge(*o->function, o->choice);
     };
     phase_ = phase;
+    if (f.count == 0) budget = std::min(budget, 4l);  // always the same call
     for (long n = 0; n < budget; ++n) {
         order.choice.clear();
         for (const Parameter& p : f.all()) {
@@ -482,9 +410,9 @@ void Runner::run_inside(const Function& f, Phase phase, long budget)
         *hooks[int(phase)] = hook;
         enter(phase);
         g_hooks = {};
-        if (called_) clean_up(f, result_);
+        if (called_) give_back(f, arguments_, result_);
         if (!called_) fault(f, "the library did not call the program");
-        if (accepted_ && n % 4 == 0) exercise();
+        if (accepted_ && n % 4 == 0) go_on();
         rebuild();
     }
     phase_ = Phase::kTop;
@@ -495,10 +423,11 @@ void Runner::report() const
     for (const auto& [what, f] : faults_)
         std::printf("FAULT %s\n      %ld times, first: %s\n", what.c_str(), f.count, f.example.c_str());
     std::printf(
-        "%ld calls: %ld accepted, %ld refused; %ld scenes built, %ld stepped on; %zu readings a state; %zu "
-        "faults\n",
-        tally_.calls, tally_.accepted, tally_.refused, tally_.rebuilt, tally_.exercised, state_.readings(),
-        faults_.size());
+        "%ld calls of %zu functions: %ld accepted, %ld refused; %ld scenes built, %ld stepped on; %zu "
+        "readings "
+        "a state; %zu faults\n",
+        tally_.calls, tally_.called.size(), tally_.accepted, tally_.refused, tally_.rebuilt, tally_.exercised,
+        state_.readings(), faults_.size());
 }
 
 }  // namespace hostile

@@ -9,8 +9,11 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "state.h"
@@ -20,6 +23,7 @@ namespace hostile {
 
 struct Tally {
     long calls = 0, accepted = 0, refused = 0, rebuilt = 0, exercised = 0;
+    std::set<const Function*> called;
 };
 
 class Runner {
@@ -27,8 +31,9 @@ class Runner {
     explicit Runner(std::uint64_t seed);
     ~Runner();
 
-    // About `budget` calls of one function: everything if that is not more, else each value alone, all pairs
-    // of values, and then any combination, the other arguments being sensible.
+    // About `budget` calls of one function: everything if that is not more, else each value alone (the
+    // various reasons for a refusal first), pairs of values, and then any combination, the other arguments
+    // being sensible.
     void run(const Function& function, long budget);
 
     // Random calls of a random function.
@@ -54,16 +59,19 @@ class Runner {
 
     bool find_base(const Function& f, Choice& base);
     bool all_combinations(const Function& f, long budget);
-    void singles_and_pairs(const Function& f, const Choice& base, long budget);
+    void one_of_each(const Function& f, const Choice& base);
+    void singles(const Function& f, const Choice& base, long budget);
+    void pairs(const Function& f, const Choice& base, long budget);
     void random_ones(const Function& f, const Choice& base, long budget);
     bool perform(const Function& f, const Choice& choice);  // true: accepted
+    // The same with other values of some parameters; a value below 0 is none.
+    void perform_with(const Function& f, Choice choice, std::initializer_list<std::pair<int, int>> changes);
     void call_and_judge(const Function& f, const Choice& choice);
     void judge_refused(const Function& f, const Result& r, long blocks);
     void judge_accepted(const Function& f, const Result& r);
-    void clean_up(const Function& f, const Result& r);
     void enter(Phase phase);
     void rebuild();
-    void exercise();
+    void go_on();
     void fault(const Function& f, const std::string& rule);
     std::string described(const Function& f) const;
     const char* must_refuse(const Function& f) const;

@@ -12,5 +12,6 @@ namespace {
 }  // namespace
 
 std::span<const Function> functions() { return kTable; }
+std::span<const Absent> absent_functions() { return kAbsent; }
 
 }  // namespace hostile

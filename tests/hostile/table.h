@@ -3,7 +3,7 @@
 //
 // The API as data: every exported function, what its parameters are, and code that calls it. The table is
 // written by generate.py from the public headers when the test is built, so a new function is in it without
-// anybody's doing.
+// anybody's doing, or else named by a test (generate.py says what is then to be done).
 #pragma once
 
 #include <cstddef>
@@ -105,6 +105,7 @@ struct Parameter {
 
 // What makes a value worth refusing.
 enum class Trait { kFine, kStrange, kNull, kNaN, kBad };  // kBad: always refused
+inline constexpr int kTraits = int(Trait::kBad) + 1;
 
 struct Value {
     Trait trait = Trait::kFine;
@@ -168,6 +169,14 @@ struct Function {
 
 inline constexpr int kMostParameters = 16;
 
+// One that is declared and never called.
+struct Absent {
+    const char* name;
+    const char* reason;
+    bool excused;  // on purpose, else nobody has told how
+};
+
 std::span<const Function> functions();
+std::span<const Absent> absent_functions();
 
 }  // namespace hostile

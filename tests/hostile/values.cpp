@@ -232,6 +232,13 @@ Value Values::get(Kind kind, int index, int position)
     return memory(kind, index, position);
 }
 
+// A block is taken from the library for each value, and given back by the call.
+Trait Values::trait(Kind kind, int index)
+{
+    if (kind == Kind::kBlock) return index == 0 ? Trait::kFine : Trait::kNull;
+    return get(kind, index, 0).trait;
+}
+
 void* Values::fill(Kind kind, int position, const void* content, std::size_t size)
 {
     Block& block = blocks_[{int(kind), position}];

@@ -20,6 +20,7 @@ class Values {
 
     int count(Kind kind);
     Value get(Kind kind, int index, int position);
+    Trait trait(Kind kind, int index);
 
     // Whether the block that the value points to, if it is one of ours, is as it was filled.
     bool untouched(Kind kind, int position, const Value& value) const;

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "aftermath.h"
+
+#include <cstring>
+
+namespace hostile {
+namespace {
+
+bool begins(const char* text, const char* with) { return std::strncmp(text, with, std::strlen(with)) == 0; }
+bool contains(const char* text, const char* part) { return std::strstr(text, part) != nullptr; }
+
+constexpr dsizeint kBlock = 64;  // of Kind::kBlock
+
+// dRealloc that gave nothing, where something was wanted, has left the old block as it was.
+void free_memory(const Function& f, const Value* arguments, const Result& result)
+{
+    void* made = const_cast<void*>(result.pointer);
+    if (contains(f.name, "dRealloc")) {
+        const bool kept = !made && arguments[2].integer != 0;
+        dFree(kept ? arguments[0].pointer : made, kBlock);
+    } else if (begins(f.name, "dAlloc") && result.type == Result::Type::kPointer) {
+        dFree(made, kBlock);
+    }
+}
+
+// Which function takes back what those whose names contain `part` make.
+struct Maker {
+    const char* part;
+    void (*take_back)(void*);
+};
+
+template <auto function, typename Handle>
+void with(void* made)
+{
+    function(static_cast<Handle>(made));
+}
+
+// The first that fits.
+constexpr Maker kMakers[] = {
+    {"ThreadingAllocateThreadPool", with<dThreadingFreeThreadPool, dThreadingThreadPoolID>},
+    {"ThreadingAllocate", with<dThreadingFreeImplementation, dThreadingImplementationID>},
+    {"CooperativeCreate", with<dCooperativeDestroy, dCooperativeID>},
+    {"ResourceRequirementsC", with<dResourceRequirementsDestroy, dResourceRequirementsID>},
+    {"ResourceContainerAcquire", with<dResourceContainerDestroy, dResourceContainerID>},
+    {"WorldCreate", with<dWorldDestroy, dWorldID>},
+    {"JointGroupCreate", with<dJointGroupDestroy, dJointGroupID>},
+    {"SpaceCreate", with<dSpaceDestroy, dSpaceID>},
+    {"HeightfieldDataCreate", with<dGeomHeightfieldDataDestroy, dHeightfieldDataID>},
+    {"dCreate", with<dGeomDestroy, dGeomID>}};
+
+}  // namespace
+
+bool is_global(const Function& f)
+{
+    for (const char* name : {"dExternal", "dInit", "dClose", "dSet", "dAllocateODE", "dCleanup",
+                             "dCreateGeomClass", "dRand", "dMakeRandom", "dThreading"})
+        if (begins(f.name, name)) return true;
+    return false;
+}
+
+bool is_hidden(const Function& f)
+{
+    for (const char* part :
+         {"Destroy", "dCooper", "dResource", "dEstimate", "dWorldSetStep", "dWorldUse", "MovedCallback"})
+        if (contains(f.name, part)) return true;
+    return false;
+}
+
+bool uses_threads(const Function& f)
+{
+    for (const Parameter& p : f.all())
+        if (p.kind == Kind::kThreadPool) return true;
+    return false;
+}
+
+void give_back(const Function& f, const Value* arguments, const Result& result)
+{
+    free_memory(f, arguments, result);
+    if (!result.pointer) return;
+    for (const Maker& maker : kMakers)
+        if (contains(f.name, maker.part)) return maker.take_back(const_cast<void*>(result.pointer));
+}
+
+}  // namespace hostile
