@@ -7,7 +7,7 @@
 namespace hostile {
 namespace {
 
-constexpr int kSteps = 6, kMostJoints = 100, kMostContacts = 8;
+constexpr int kSteps = 3, kMostJoints = 100, kMostContacts = 8;
 
 struct Collision {
     dWorldID world;
