@@ -9,7 +9,7 @@
 
 namespace hostile {
 
-void last_words(std::function<std::string()> words);
-void listen_for_death();  // once, at the beginning
+void last_words(std::function<std::string()> words);  // for the call that begins; null: none does
+void listen_for_death();                              // once, at the beginning
 
 }  // namespace hostile

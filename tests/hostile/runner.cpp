@@ -48,7 +48,11 @@ Runner::Runner(std::uint64_t seed) : values_(scene_), state_(scene_), seed_(seed
     hash_ = state_.hash(nullptr);
 }
 
-Runner::~Runner() { scene_.tear_down(); }
+Runner::~Runner()
+{
+    scene_.tear_down();
+    last_words(nullptr);
+}
 
 std::uint64_t Runner::random()
 {
