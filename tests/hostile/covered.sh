@@ -9,7 +9,7 @@ export LC_ALL=C
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-nm -D --defined-only "$1" | awk '{print $NF}' | sort -u > "$work/exported"
+nm -D --defined-only "$1" | awk '$(NF - 1) ~ /^[TWi]$/ {print $NF}' | sort -u > "$work/exported"
 "$2" --list > "$work/list"
 grep -E '^[^ ]+ (called|excused)' "$work/list" | cut -d ' ' -f 1 | sort -u > "$work/known"
 

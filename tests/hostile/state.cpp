@@ -19,6 +19,7 @@ constexpr int kNone[] = {0};
 // What readers write into: the reals of one argument, or two numbers in two arguments.
 constexpr int kRoom = sizeof(dMass) / sizeof(dReal);
 dReal g_room[2][kRoom];
+int g_integers[2];
 
 void mix(std::uint64_t& hash, std::uint64_t word)
 {
@@ -62,7 +63,6 @@ int reals_of(Kind kind)
         case Kind::kMass:
             return kRoom;
         case Kind::kRealPointer:
-        case Kind::kIntPointer:
             return 1;
         default:
             return 0;
@@ -122,13 +122,16 @@ bool State::take(const Reading& r, std::uint64_t& hash, bool& healthy) const
 {
     Value arguments[4];
     const auto parameters = r.function->all();
-    if (r.room) std::fill_n(g_room[0], r.room, dReal(0)), std::fill_n(g_room[1], r.room, dReal(0));
+    for (auto& room : g_room) std::fill_n(room, r.room, dReal(0));
+    for (int& integer : g_integers) integer = 0;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         const Kind kind = parameters[i].kind;
         if (is_handle(kind))
             arguments[i].pointer = scene_.live[std::size_t(kind)][std::size_t(r.object)];
         else if (kind == Kind::kInt || kind == Kind::kParameterNumber)
             arguments[i].integer = r.number;
+        else if (kind == Kind::kIntPointer)
+            arguments[i].pointer = &g_integers[i % 2];
         else
             arguments[i].pointer = g_room[i % 2];
     }
@@ -144,6 +147,7 @@ bool State::take(const Reading& r, std::uint64_t& hash, bool& healthy) const
     for (int i = 0; values && i < r.reals; ++i) healthy = mix_real(hash, values[i], r.finite) && healthy;
     for (int i = 0; i < r.room; ++i)
         for (const auto& room : g_room) healthy = mix_real(hash, room[i], r.finite) && healthy;
+    for (int integer : g_integers) mix(hash, unsigned(integer));
     return true;
 }
 
