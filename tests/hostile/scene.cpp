@@ -108,6 +108,11 @@ dContact contact_between(dReal x)
 
 }  // namespace
 
+const Solid kCube = {
+    {1, 0, 0, 1, -1, 0, 0, 1, 0, 1, 0, 1, 0, -1, 0, 1, 0, 0, 1, 1, 0, 0, -1, 1},
+    {-1, -1, -1, 1, -1, -1, -1, 1, -1, 1, 1, -1, -1, -1, 1, 1, -1, 1, -1, 1, 1, 1, 1, 1},
+    {4, 1, 3, 7, 5, 4, 0, 4, 6, 2, 4, 2, 6, 7, 3, 4, 0, 1, 5, 4, 4, 4, 5, 7, 6, 4, 0, 2, 3, 1}};
+
 const dGeomClass kUserClass = {8, offer_collider, unit_box, always_near, at_end};
 
 Messages& messages() { return g_messages; }
@@ -190,11 +195,20 @@ void Scene::build_geoms()
                                dQuadTreeSpaceCreate(space, center, extents, 3), dSimpleSpaceCreate(nullptr)};
     for (dSpaceID s : spaces) add(Kind::kSpace, s);
     dGeomID geoms[] = {
-        dCreateSphere(space, 1),          dCreateBox(spaces[1], 1, 1, 1), dCreateCapsule(spaces[2], 1, 1),
-        dCreateCylinder(spaces[3], 1, 1), dCreateRay(space, 5),           dCreatePlane(space, 0, 0, 1, 0),
-        dCreateGeomTransform(spaces[1]),  dCreateGeom(dFirstUserClass),   dCreateSphere(nullptr, 1),
-        dCreateBox(spaces[4], 1, 1, 1),   dCreateGeom(dFirstUserClass),   dCreateSphere(spaces[4], 1),
-        dCreateBox(nullptr, 1, 1, 1)};
+        dCreateSphere(space, 1),
+        dCreateBox(spaces[1], 1, 1, 1),
+        dCreateCapsule(spaces[2], 1, 1),
+        dCreateCylinder(spaces[3], 1, 1),
+        dCreateRay(space, 5),
+        dCreatePlane(space, 0, 0, 1, 0),
+        dCreateGeomTransform(spaces[1]),
+        dCreateGeom(dFirstUserClass),
+        dCreateSphere(nullptr, 1),
+        dCreateBox(spaces[4], 1, 1, 1),
+        dCreateGeom(dFirstUserClass),
+        dCreateSphere(spaces[4], 1),
+        dCreateBox(nullptr, 1, 1, 1),
+        dCreateConvex(spaces[1], kCube.planes.data(), 6, kCube.points.data(), 8, kCube.faces.data())};
     for (dGeomID g : geoms) add(Kind::kGeom, g);
     for (int i = 0; i < 4; ++i) dGeomSetBody(geoms[i], body(i));
     dGeomSetOffsetPosition(geoms[1], 0, 0, dReal(0.5));
@@ -204,6 +218,7 @@ void Scene::build_geoms()
     dSpaceAdd(space, geoms[7]);
     dGeomSetPosition(geoms[7], 1, 0, 2);
     dGeomSetPosition(geoms[10], 0, 0, 1);
+    dGeomSetBody(geoms[13], body(4));
     user_geom = geoms[7];
     tested_geom = geoms[10];
     probe = geoms[8];

@@ -26,6 +26,13 @@ void moved_nothing(dBodyID);
 // Functions of the user class; the hooks let a test act inside them (phases.cpp).
 extern const dGeomClass kUserClass;
 
+// A convex solid as dCreateConvex takes it, with room for eight corners a face.
+struct Solid {
+    std::array<dReal, 24> planes, points;
+    std::array<unsigned, 54> faces;
+};
+extern const Solid kCube;
+
 // Called once, where it is set, from inside a function of the program that the library calls.
 struct Hook {
     void (*function)(void*) = nullptr;

@@ -67,6 +67,9 @@ constexpr Integer kSkips[] = {{sizeof(dContactGeom), "sizeof(dContactGeom)"},
                               {INT_MIN, "INT_MIN"}};
 constexpr Integer kThreadCounts[] = {{1, "1"},   {2, "2"},       {0, "0"},
                                      {-1, "-1"}, {1025, "1025"}, {INT_MAX, "INT_MAX"}};
+constexpr Integer kFaceCounts[] = {
+    {6, "6"}, {5, "5"}, {2, "2"}, {0, "0"}, {(1 << 24) + 1, "2^24+1"}, {UINT_MAX, "2^32-1"}};
+constexpr Integer kPointCounts[] = {{8, "8"}, {7, "7"}, {3, "3"}, {0, "0"}, {UINT_MAX, "2^32-1"}};
 constexpr Integer kParameters[] = {{dParamVel, "dParamVel"},
                                    {dParamLoStop, "dParamLoStop"},
                                    {dParamHiStop, "dParamHiStop"},
@@ -268,6 +271,75 @@ inline const std::vector<Item<dGeomClass>>& classes()
         {with([](dGeomClass& c) { c.aabb = nullptr; }), Trait::kBad, "aabb null"},
         {with([](dGeomClass& c) { c.aabb_test = nullptr, c.dtor = nullptr; }), Trait::kFine,
          "required only"}};
+    return list;
+}
+
+using Coordinates = std::array<dReal, 24>;
+
+inline Coordinates scaled(const Coordinates& from, dReal x, dReal y, dReal z)
+{
+    Coordinates c = from;
+    for (std::size_t i = 0; i < c.size(); i += 3) c[i] *= x, c[i + 1] *= y, c[i + 2] *= z;
+    return c;
+}
+
+inline Coordinates with_one(Coordinates c, std::size_t at, dReal value)
+{
+    c[at] = value;
+    return c;
+}
+
+inline const std::vector<Item<Coordinates>>& face_points()
+{
+    const Coordinates& cube = kCube.points;
+    static const std::vector<Item<Coordinates>> list = {
+        {cube, Trait::kFine, "cube"},
+        {scaled(cube, 1, 2, 3), Trait::kFine, "block"},
+        {scaled(cube, 1, 1, 0), Trait::kStrange, "flat"},
+        {scaled(cube, 0, 0, 0), Trait::kStrange, "one point"},
+        {scaled(cube, -1, 1, 1), Trait::kStrange, "inside out"},
+        {scaled(cube, 1, 1, dReal(1e-12)), Trait::kStrange, "almost flat"},
+        {scaled(cube, kTiny, kTiny, kTiny), Trait::kStrange, "denormal"},
+        {scaled(cube, kLarge, kLarge, kLarge), Trait::kStrange, "large"},
+        {scaled(cube, kLarge, 1, kTiny), Trait::kStrange, "large and denormal"},
+        {scaled(cube, kTooLarge, 1, 1), Trait::kStrange, "1e300"},
+        {with_one(cube, 23, dReal(0.5)), Trait::kStrange, "dented"},
+        {with_one(cube, 0, 5), Trait::kStrange, "one corner out"},
+        {with_one(cube, 7, kInf), Trait::kStrange, "inf"},
+        {with_one(cube, 4, kNaN), Trait::kNaN, "NaN at 4"}};
+    return list;
+}
+
+inline const std::vector<Item<Coordinates>>& face_planes()
+{
+    const Coordinates& cube = kCube.planes;
+    static const std::vector<Item<Coordinates>> list = {
+        {cube, Trait::kFine, "cube"},
+        {Coordinates{}, Trait::kStrange, "zero"},
+        {with_one(cube, 3, -1), Trait::kStrange, "turned"},
+        {with_one(cube, 3, kTooLarge), Trait::kStrange, "1e300"},
+        {with_one(cube, 0, kNaN), Trait::kNaN, "NaN at 0"}};
+    return list;
+}
+
+inline const std::vector<Item<decltype(Solid::faces)>>& faces()
+{
+    using Faces = decltype(Solid::faces);
+    static const auto with = [](std::size_t at, unsigned value) {
+        Faces f = kCube.faces;
+        f[at] = value;
+        return f;
+    };
+    static const std::vector<Item<Faces>> list = {{kCube.faces, Trait::kFine, "cube"},
+                                                  {Faces{}, Trait::kBad, "zeros"},
+                                                  {with(0, 0), Trait::kBad, "no corners"},
+                                                  {with(0, 3), Trait::kStrange, "3 corners"},
+                                                  {with(25, 8), Trait::kStrange, "8 corners"},
+                                                  {with(5, UINT_MAX), Trait::kBad, "2^32-1 corners"},
+                                                  {with(2, 8), Trait::kBad, "no such point"},
+                                                  {with(4, UINT_MAX), Trait::kBad, "point 2^32-1"},
+                                                  {with(1, 3), Trait::kStrange, "a corner twice"},
+                                                  {with(1, 6), Trait::kStrange, "a corner elsewhere"}};
     return list;
 }
 

@@ -112,6 +112,16 @@ int Values::count(Kind kind)
             return int(std::size(kSkips));
         case Kind::kThreadCount:
             return int(std::size(kThreadCounts));
+        case Kind::kFaceCount:
+            return int(std::size(kFaceCounts));
+        case Kind::kPointCount:
+            return int(std::size(kPointCounts));
+        case Kind::kFacePlanes:
+            return int(face_planes().size()) + 1;
+        case Kind::kFacePoints:
+            return int(face_points().size()) + 1;
+        case Kind::kFaces:
+            return int(faces().size()) + 1;
         case Kind::kThreadingFunctions:
             return int(threading_functions().size()) + 1;
         case Kind::kReserveInfo:
@@ -225,6 +235,10 @@ Value Values::get(Kind kind, int index, int position)
             return from_integers(kSkips, index);
         case Kind::kThreadCount:
             return from_integers(kThreadCounts, index);
+        case Kind::kFaceCount:
+            return from_integers(kFaceCounts, index);
+        case Kind::kPointCount:
+            return from_integers(kPointCounts, index);
         default:
             break;
     }
@@ -301,6 +315,12 @@ Value Values::memory(Kind kind, int index, int position)
             return item(samples<float>());
         case Kind::kDoubles:
             return item(samples<double>());
+        case Kind::kFacePlanes:
+            return item(face_planes());
+        case Kind::kFacePoints:
+            return item(face_points());
+        case Kind::kFaces:
+            return item(faces());
         case Kind::kText:
         case Kind::kFormat: {
             const auto& chosen = texts(kind == Kind::kFormat)[std::size_t(index)];
