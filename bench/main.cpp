@@ -10,6 +10,7 @@
 #include "bench/mesh_rays.h"
 #include "bench/pile.h"
 #include "bench/scene_bench.h"
+#include "bench/terrain.h"
 #include "scenes/extensions.h"
 
 namespace {
@@ -78,6 +79,17 @@ CLI::App* add_mesh_rays(CLI::App& app, epode::bench::MeshRayOptions& options)
     return command;
 }
 
+CLI::App* add_terrain(CLI::App& app, epode::bench::TerrainOptions& options)
+{
+    CLI::App* command = app.add_subcommand("terrain", "dCollide of solids with a mesh of 131,072 triangles");
+    command->add_option("--cells", options.cells, "to a side (default 256)")->check(CLI::Range(1, 4096));
+    command->add_option("--solids", options.solids, "of each class (default 2000)")
+        ->check(CLI::Range(1, 1'000'000));
+    command->add_option("--rounds", options.rounds, "the quickest counts (default 5)")
+        ->check(CLI::Range(1, 10'000));
+    return command;
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -106,6 +118,8 @@ int main(int argc, char** argv)
     CLI::App* make_pile = add_make_pile(app, pile);
     epode::bench::MeshRayOptions rays;
     CLI::App* mesh_rays = add_mesh_rays(app, rays);
+    epode::bench::TerrainOptions terrain;
+    CLI::App* terrain_command = add_terrain(app, terrain);
     CLI::App* library = app.add_subcommand("library", "print the file of the libode at hand");
     app.require_subcommand(0, 1);
     try {
@@ -129,6 +143,7 @@ int main(int argc, char** argv)
         return epode::bench::bench_accuracy(accuracy.options);
     }
     if (*mesh_rays) return epode::bench::bench_mesh_rays(rays);
+    if (*terrain_command) return epode::bench::bench_terrain(terrain);
     if (*make_pile) return epode::bench::print_pile(pile.count, pile.side, pile.rows, pile.seed);
     return epode::bench::bench_scene(options);
 }

@@ -16,6 +16,9 @@ namespace {
 // Vertices out of a plane by less, as a part of their distance from the origin, are in it: mesh data is often
 // float.
 constexpr Real kFlat = kSingle ? 64 * kEpsilon : Real(2e-7);
+// Contacts within this part of the size count as touching: of a solid that rests on many triangles some
+// points hover by what the solver leaves over, and must not come and go.
+constexpr Real kTouch = Real(1e-7);
 constexpr Real kSameWay = kSingle ? Real(1e-6) : Real(1e-9);  // 1 - cosine
 
 void on_plane(const Sphere& a, const Pose& A, const Plane& p, ContactSink& s)
@@ -135,8 +138,8 @@ void NearTriangles::find(const Surface& surface, const Aabb& box)
 
 Real slack_of(const ConvexView& solid)
 {
-    const Real reach = max_component(abs(solid.pose.p)) + solid.size + solid.radius;
-    return 64 * kEpsilon * reach;
+    const Real size = solid.size + solid.radius, reach = max_component(abs(solid.pose.p)) + size;
+    return std::max(64 * kEpsilon * reach, kTouch * size);
 }
 
 Aabb box_around(const ConvexView& v, Real slack)

@@ -58,7 +58,7 @@ class NearTriangles {
 // The box of a solid, a little larger than it.
 Aabb box_around(const ConvexView& solid, Real slack);
 
-// Rounding of coordinates where the solid is.
+// What counts as nothing where the solid is: rounding of coordinates, and of what rests.
 Real slack_of(const ConvexView& solid);
 
 // Contacts go from the mesh into the solid; side2 is the triangle.

@@ -39,7 +39,7 @@ MeshFacet turned(const MeshFacet& facet);
 struct MeshMeeting {
     const TriangleMesh& mesh;
     const ConvexView& solid;  // in the mesh's frame
-    Real slack;               // rounding of coordinates
+    Real slack;               // slack_of(solid)
     bool two_sided;           // else only the fronts of triangles push
     bool whole;               // no triangle is left out; else seams are kept, their neighbours may be missing
     Harvest& out;

@@ -48,7 +48,9 @@ bool over(const RoundCore& s, const MeshFacet& f, MeshMeeting& m)
     if (pierces && f.has_crest() && crest_pushes(f, m)) return false;
     const auto add = [&](Vec3 x, Real height, bool cut) {
         const bool through = height < -m.slack;
-        if (s.r >= height && (!cut || through)) m.out.add(x - s.r * f.n, f.n, s.r - height, f.index);
+        const Real depth = s.r - height;
+        if (depth >= -m.slack && (!cut || through))
+            m.out.add(x - s.r * f.n, f.n, depth > 0 ? depth : 0, f.index);
     };
     add(p, at_p, part.seam_from);
     add(q, at_q, part.seam_to);
@@ -69,7 +71,7 @@ void beside(const RoundCore& s, const MeshFacet& f, int edge, Vec3 p, Vec3 q, Me
 {
     Vec3 n = p - q;
     const Real distance = length(n);
-    if (distance > s.r || !(distance > m.slack) || !normalize(n)) return;
+    if (distance > s.r + m.slack || !normalize(n)) return;
     const Real near2 = m.slack * m.slack;
     const int next = (edge + 1) % 3;
     Crest crest;
@@ -80,7 +82,7 @@ void beside(const RoundCore& s, const MeshFacet& f, int edge, Vec3 p, Vec3 q, Me
     else
         crest = crest_at_edge(f, edge, n);
     if (!crest.stands || (crest.border && over_lip(s, f, p, q, m))) return;
-    m.out.add(p - s.r * n, n, s.r - distance, f.index);
+    m.out.add(p - s.r * n, n, s.r > distance ? s.r - distance : 0, f.index);
 }
 
 }  // namespace
@@ -88,7 +90,8 @@ void beside(const RoundCore& s, const MeshFacet& f, int edge, Vec3 p, Vec3 q, Me
 void round_on_triangle(const RoundCore& s, const MeshFacet& f, MeshMeeting& m)
 {
     const Real at_a = f.height(s.a), at_b = f.height(s.b);
-    if ((at_a > s.r && at_b > s.r) || at_a + at_b < -2 * m.slack) return;
+    const Real top = s.r + m.slack;
+    if ((at_a > top && at_b > top) || at_a + at_b < -2 * m.slack) return;
     if (!over(s, f, m)) return;
     const Vec3 axis = s.b - s.a;
     for (int k = 0; k < 3; ++k) {

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Contacts with a terrain that is a mesh: nanoseconds per dCollide of each class of solid.
+#pragma once
+
+namespace epode::bench {
+
+struct TerrainOptions {
+    int cells = 256;    // to a side; two triangles each
+    int solids = 2000;  // of each class
+    int rounds = 5;
+};
+
+int bench_terrain(const TerrainOptions& options);
+
+}  // namespace epode::bench

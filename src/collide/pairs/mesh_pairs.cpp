@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The pairs of geoms in which one is a mesh (but for rays and planes), and the say that functions of the
+// program have in them: with spheres, boxes, capsules and cylinders the one is told all triangles near, once,
+// the other is asked about each. What it refuses is left out.
+#include "collide/mesh_functions.h"
+#include "collide/pairs/mesh_contacts.h"
+#include "collide/pairs/mesh_mesh.h"
+#include "collide/pairs/pairs.h"
+
+namespace epode {
+
+namespace {
+
+void consult(const Trimesh& mesh, NearTriangles& near, const ContactSink& sink)
+{
+    const MeshFunctions functions(mesh, sink, false);
+    functions.tell({near.begin(), std::size_t(near.count())});
+    near.filter([&](int t) { return functions.wants(t); });
+}
+
+template <typename Shape>
+void collide_mesh(const Shape& a, const Pose& A, const Trimesh& b, const Pose& B, ContactSink& sink)
+{
+    const TrimeshData* data = b.mesh();
+    if (!data) return;
+    const Surface surface{data->mesh, data->tree};
+    const Pose local = inverse_times(B, A);
+    const ConvexView solid = view_of(a, local);
+    NearTriangles near;
+    near.find(surface, box_around(solid, slack_of(solid)));
+    if (b.asks()) consult(b, near, sink);
+    const int before = sink.count();
+    mesh_contacts(a, local, surface, near, sink);
+    for (int k = before; k < sink.count(); ++k) {
+        dContactGeom& c = *sink.at(k);
+        store(c.pos, B.to_world(load(c.pos)));
+        store(c.normal, B.R * load(c.normal));
+    }
+}
+
+}  // namespace
+
+void sphere_trimesh(const Sphere& a, const Pose& A, const Trimesh& b, const Pose& B, ContactSink& sink)
+{
+    collide_mesh(a, A, b, B, sink);
+}
+void box_trimesh(const Box& a, const Pose& A, const Trimesh& b, const Pose& B, ContactSink& sink)
+{
+    collide_mesh(a, A, b, B, sink);
+}
+void capsule_trimesh(const Capsule& a, const Pose& A, const Trimesh& b, const Pose& B, ContactSink& sink)
+{
+    collide_mesh(a, A, b, B, sink);
+}
+void cylinder_trimesh(const Cylinder& a, const Pose& A, const Trimesh& b, const Pose& B, ContactSink& sink)
+{
+    collide_mesh(a, A, b, B, sink);
+}
+
+void trimesh_trimesh(const Trimesh& a, const Pose& A, const Trimesh& b, const Pose& B, ContactSink& sink)
+{
+    const TrimeshData *first = a.mesh(), *second = b.mesh();
+    if (!first || !second) return;
+    mesh_mesh_contacts({first->mesh, first->tree}, A, {second->mesh, second->tree}, B, sink);
+}
+
+void trimesh_heightfield(const Trimesh& a, const Pose& A, const Heightfield& b, const Pose& B,
+                         ContactSink& sink)
+{
+    const TrimeshData* mesh = a.mesh();
+    const HeightfieldData* field = b.field();
+    if (mesh && field) mesh_ground_contacts({mesh->mesh, mesh->tree}, A, *field, B, sink);
+}
+
+}  // namespace epode
