@@ -34,6 +34,10 @@ void on_plane(const Cylinder& a, const Pose& A, const Plane& p, ContactSink& s)
 {
     cylinder_plane(a, A, p, {}, s);
 }
+void on_plane(const Convex& a, const Pose& A, const Plane& p, ContactSink& s)
+{
+    convex_plane(a, A, p, {}, s);
+}
 
 void meet(const Sphere& a, const Pose& A, const MeshFacet& f, MeshMeeting& m)
 {
@@ -46,11 +50,31 @@ void meet(const Capsule& a, const Pose& A, const MeshFacet& f, MeshMeeting& m)
 }
 void meet(const Box&, const Pose&, const MeshFacet& f, MeshMeeting& m) { solid_on_triangle(f, m); }
 void meet(const Cylinder&, const Pose&, const MeshFacet& f, MeshMeeting& m) { solid_on_triangle(f, m); }
+void meet(const Convex&, const Pose&, const MeshFacet& f, MeshMeeting& m) { solid_on_triangle(f, m); }
+
+// How far the solid reaches from its middle along n, either way.
+Real reach_along(const Sphere& a, const ConvexView&, Vec3) { return a.radius; }
+Real reach_along(const Capsule& a, const ConvexView& v, Vec3 n)
+{
+    return a.radius + a.half_length * std::fabs(dot(v.pose.R.column(2), n));
+}
+Real reach_along(const Box& a, const ConvexView& v, Vec3 n)
+{
+    return dot(abs(transposed_times(v.pose.R, n)), a.half);
+}
+Real reach_along(const Cylinder& a, const ConvexView& v, Vec3 n)
+{
+    const Real c = dot(v.pose.R.column(2), n), s2 = 1 - c * c;
+    return a.half_length * std::fabs(c) + a.radius * (s2 > 0 ? std::sqrt(s2) : Real(0));
+}
+Real reach_along(const Convex&, const ConvexView& v, Vec3) { return v.size; }
 
 template <typename Shape>
 constexpr bool kTwoSided = false;
 template <>
 constexpr bool kTwoSided<Box> = true;
+template <>
+constexpr bool kTwoSided<Convex> = true;
 
 // The plane that the triangles make up, if they do, and if it goes on past the box.
 bool one_plane(const Surface& surface, const NearTriangles& near, const Aabb& box, Real slack, Plane& out)
@@ -97,7 +121,7 @@ void contacts(const Shape& a, const Pose& A, const Surface& surface, const NearT
     const Real slack = slack_of(solid);
     Plane plane;
     if (one_plane(surface, near, box_around(solid, slack), slack, plane) &&
-        dot(plane.normal, A.p) >= plane.d) {
+        dot(plane.normal, solid.pose.p) >= plane.d) {
         const int before = sink.count();
         on_plane(a, A, plane, sink);
         for (int k = before; k < sink.count(); ++k)
@@ -106,7 +130,14 @@ void contacts(const Shape& a, const Pose& A, const Surface& surface, const NearT
     }
     Harvest harvest(Real(1e-6) * (solid.size + solid.radius));
     MeshMeeting meeting{surface.mesh, solid, slack, kTwoSided<Shape>, near.all(), harvest};
-    for (const int t : near) meet(a, A, facet_of(surface.mesh, t), meeting);
+    for (const int t : near) {
+        // Most triangles near are told by their planes not to be met.
+        const Vec3 n = surface.mesh.normal(t);
+        const Real height = dot(n, solid.pose.p - surface.mesh.corner(t, 0));
+        if (!kTwoSided<Shape> && height < -slack) continue;
+        if (std::fabs(height) > reach_along(a, solid, n) + slack) continue;
+        meet(a, A, facet_of(surface.mesh, t), meeting);
+    }
     harvest.deliver(sink);
 }
 
@@ -167,6 +198,12 @@ void mesh_contacts(const Box& a, const Pose& A, const Surface& surface, const Ne
     contacts(a, A, surface, near, sink);
 }
 void mesh_contacts(const Cylinder& a, const Pose& A, const Surface& surface, const NearTriangles& near,
+                   ContactSink& sink)
+{
+    contacts(a, A, surface, near, sink);
+}
+
+void mesh_contacts(const Convex& a, const Pose& A, const Surface& surface, const NearTriangles& near,
                    ContactSink& sink)
 {
     contacts(a, A, surface, near, sink);

@@ -70,5 +70,7 @@ void mesh_contacts(const Box& a, const Pose& A, const Surface& surface, const Ne
                    ContactSink& sink);
 void mesh_contacts(const Cylinder& a, const Pose& A, const Surface& surface, const NearTriangles& near,
                    ContactSink& sink);
+void mesh_contacts(const Convex& a, const Pose& A, const Surface& surface, const NearTriangles& near,
+                   ContactSink& sink);
 
 }  // namespace epode

@@ -58,6 +58,10 @@ void cylinder_trimesh(const Cylinder& a, const Pose& A, const Trimesh& b, const 
 {
     collide_mesh(a, A, b, B, sink);
 }
+void convex_trimesh(const Convex& a, const Pose& A, const Trimesh& b, const Pose& B, ContactSink& sink)
+{
+    if (a.solid) collide_mesh(a, A, b, B, sink);
+}
 
 void trimesh_trimesh(const Trimesh& a, const Pose& A, const Trimesh& b, const Pose& B, ContactSink& sink)
 {

@@ -18,18 +18,23 @@ namespace {
 
 constexpr Real kFaceFirst = Real(0.95);  // another direction must beat the own normal by this factor
 constexpr Real kFaceLean = Real(0.17);   // faces that look down by more than 10 degrees carry contacts
+constexpr Real kShallow = Real(5e-4);      // of the size: no less than the depth of whatever a search would find
+constexpr std::size_t kManyEdges = 16;   // of a polyhedron: more are searched by expansion
 constexpr Real kAlongCrest = Real(0.2);  // a normal that leans along a crest by less is made upright to it
 
 // The search for the direction of least overlap that is allowed.
 class LeastWay {
   public:
-    LeastWay(const MeshFacet& facet, const MeshMeeting& meeting) : f_(facet), m_(meeting) {}
+    LeastWay(const MeshFacet& facet, const MeshMeeting& meeting) : f_(facet), m_(meeting)
+    {
+        if (m_.solid.face_axes == 7) box_ = static_cast<const Box*>(m_.solid.shape);
+    }
 
     // False: the two do not touch.
     bool search()
     {
         normal = f_.n;
-        depth = f_.c - dot(f_.n, m_.solid.support(-f_.n));
+        depth = f_.c - low_along(f_.n);
         own_ = depth;
         if (depth < -m_.slack) return false;
         if (!(axes() && exact())) return false;
@@ -43,11 +48,20 @@ class LeastWay {
     bool on_crest = false;  // the normal is not the triangle's own
 
   private:
+    // How far the solid goes down along n; of boxes without calls.
+    Real low_along(Vec3 n) const
+    {
+        const ConvexView& s = m_.solid;
+        if (!box_) return dot(n, s.support(-n));
+        return dot(n, s.pose.p) - dot(abs(transposed_times(s.pose.R, n)), box_->half);
+    }
+    bool symmetric() const { return m_.solid.face_axes != 0 || m_.solid.edge_axes != 0; }
+
     Real overlap_along(Vec3 n) const
     {
         Real top = -kInf;
         for (const Vec3 v : f_.v) top = dot(n, v) > top ? dot(n, v) : top;
-        return top - dot(n, m_.solid.support(-n));
+        return top - low_along(n);
     }
 
     // A direction and what moving the solid along it would take.
@@ -86,7 +100,8 @@ class LeastWay {
     // Both senses of an axis; false when it parts the two.
     bool offer(Vec3 a)
     {
-        const Real low = dot(a, m_.solid.support(-a)), high = dot(a, m_.solid.support(a));
+        const Real low = low_along(a);
+        const Real high = symmetric() ? 2 * dot(a, m_.solid.pose.p) - low : -low_along(-a);
         Real least = kInf, most = -kInf;
         for (const Vec3 v : f_.v) {
             const Real at = dot(a, v);
@@ -112,16 +127,23 @@ class LeastWay {
         for (int i = 0; i < 3; ++i)
             for (int k = 0; k < 3; ++k)
                 if ((s.edge_axes >> i & 1) && !offer_cross(s.pose.R.column(i), f_.edge(k))) return false;
+        for (const PolyhedronFace& face : s.faces)
+            if (!offer(s.pose.R * face.normal)) return false;
+        if (many_edges()) return true;
+        for (const Vec3 edge : s.edges)
+            for (int k = 0; k < 3; ++k)
+                if (!offer_cross(s.pose.R * edge, f_.edge(k))) return false;
         return true;
     }
+    bool many_edges() const { return m_.solid.edges.size() > kManyEdges; }
 
-    // What has no short list of directions: rims and polyhedra.
+    // What has no short list of directions: rims, and polyhedra with many edges.
     bool exact()
     {
         const ConvexView& s = m_.solid;
-        if (s.face_axes == 7) return true;
+        if (s.face_axes == 7 || (!s.edges.empty() && !many_edges())) return true;
         const ConvexView flat = view_of(f_);
-        if (!f_.has_crest()) return !(gjk_distance(s, flat).distance > m_.slack);
+        if (!f_.has_crest() || own_ < kShallow * s.size) return !(gjk_distance(s, flat).distance > m_.slack);
         const Overlap o = least_overlap(s, flat);
         if (o.depth < -m_.slack) return false;
         consider(o.normal, o.depth);
@@ -130,6 +152,7 @@ class LeastWay {
 
     const MeshFacet& f_;
     const MeshMeeting& m_;
+    const Box* box_ = nullptr;
     Real own_ = 0;
     // Least overlap in directions that are no contact's. When it is less than a crest's, the solid is not on
     // that crest: it has barely come over this triangle, and what it really touches is another.
@@ -207,6 +230,8 @@ void press_faces(const MeshFacet& f, MeshMeeting& m)
         const Vec3 axis = s.pose.R.column(i);
         press_face(dot(axis, f.n) > 0 ? -axis : axis, f, m);
     }
+    for (const PolyhedronFace& face : s.faces) press_face(s.pose.R * face.normal, f, m);
+    if (!s.faces.empty()) press_point(s.support(-f.n), f, m);
     if (s.rim_radius > 0) press_rounds(f, m);
 }
 
