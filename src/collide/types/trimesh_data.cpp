@@ -13,7 +13,6 @@ namespace epode {
 namespace {
 
 constexpr const char* kBad = "Bad argument(s)";
-constexpr const char* kNoMemory = "out of memory";
 
 template <typename Number>
 void read_vertex(const void* at, Vec3& out)
@@ -93,7 +92,7 @@ const char* build(dTriMeshDataID id, const MeshSource& source, int index_count, 
     if (InHeightFunction::now()) return EPODE_HEIGHT_FUNCTION_TEXT;
     if (d->in_use()) return "Invalid operation during a collision";
     if (const char* reason = fault(source)) return reason;
-    if (!take(source, *d)) return kNoMemory;
+    if (!take(source, *d)) return kOutOfMemory;
     d->face_normals = normals;
     d->given_flags = nullptr;
     d->use_flags.reset();
@@ -147,7 +146,7 @@ const char* update(dTriMeshDataID id)
         d->tree.refit(d->mesh);
         d->tell_geoms();
     } else if (!take(d->source, *d)) {
-        return kNoMemory;
+        return kOutOfMemory;
     }
     if (!d->use_flags.empty()) make_use_flags(d->mesh, d->use_flags.data());
     return nullptr;
@@ -193,7 +192,12 @@ using namespace epode;
 
 extern "C" {
 
-dTriMeshDataID dGeomTriMeshDataCreate(void) { return to_handle(Pool<TrimeshData>::create()); }
+dTriMeshDataID dGeomTriMeshDataCreate(void)
+{
+    const TrimeshData* data = Pool<TrimeshData>::create();
+    EPODE_USER_SAY(data, kOutOfMemory, nullptr);
+    return to_handle(data);
+}
 
 void dGeomTriMeshDataDestroy(dTriMeshDataID g)
 {
