@@ -47,6 +47,7 @@ constexpr Maker kMakers[] = {
     {"JointGroupCreate", with<dJointGroupDestroy, dJointGroupID>},
     {"SpaceCreate", with<dSpaceDestroy, dSpaceID>},
     {"HeightfieldDataCreate", with<dGeomHeightfieldDataDestroy, dHeightfieldDataID>},
+    {"TriMeshDataCreate", with<dGeomTriMeshDataDestroy, dTriMeshDataID>},
     {"dCreate", with<dGeomDestroy, dGeomID>}};
 
 }  // namespace
@@ -61,8 +62,8 @@ bool is_global(const Function& f)
 
 bool is_hidden(const Function& f)
 {
-    for (const char* part :
-         {"Destroy", "dCooper", "dResource", "dEstimate", "dWorldSetStep", "dWorldUse", "MovedCallback"})
+    for (const char* part : {"Destroy", "dCooper", "dResource", "dEstimate", "dWorldSetStep", "dWorldUse",
+                             "MovedCallback", "TriMeshData"})
         if (contains(f.name, part)) return true;
     return false;
 }

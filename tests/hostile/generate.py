@@ -29,6 +29,7 @@ INCLUDED_BY_OTHERS = r"(collision_trimesh|odemath_legacy|odecpp\w*)\.h$"
 KIND_OF_TYPE = {
     "dWorldID": "World", "dBodyID": "Body", "dJointID": "Joint", "dJointGroupID": "Group",
     "dGeomID": "Geom", "dSpaceID": "Space", "dHeightfieldDataID": "HeightfieldData",
+    "dTriMeshDataID": "TriMeshData",
     "dThreadingImplementationID": "Threading", "dThreadingThreadPoolID": "ThreadPool",
     "dCooperativeID": "Cooperative", "dResourceRequirementsID": "Requirements",
     "dResourceContainerID": "Container", "const dThreadingFunctionsInfo*": "ThreadingFunctions",
@@ -50,6 +51,9 @@ KIND_OF_TYPE = {
     "dMessageFunction*": "MessageFunction", "dAllocFunction*": "AllocFunction",
     "dReallocFunction*": "ReallocFunction", "dFreeFunction*": "FreeFunction",
     "dNearCallback*": "NearCallback", "dHeightfieldGetHeight*": "HeightCallback",
+    "dTriCallback*": "TriCallback", "dTriArrayCallback*": "TriArrayCallback", "dTriRayCallback*": "TriRayCallback",
+    "dTriTriMergeCallback*": "TriMergeCallback", "const dintptr*": "ExtraData", "dsizeint*": "SizePointer",
+    "unsigned char**": "BytesPointer", "unsigned char*": "Data", "dVector3*": "Vector3", "const dMatrix4": "Matrix4",
     "dColliderFn*": "Collider", "void(*)(dBodyID)": "MovedCallback",
 }
 
@@ -74,6 +78,13 @@ KIND_OF_PARAMETER = [
     (r"d(Create|GeomSet)Convex:planes", "FacePlanes"),
     (r"d(Create|GeomSet)Convex:points", "FacePoints"),
     (r"d(Create|GeomSet)Convex:polygons", "Faces"),
+    (r"dGeomTriMeshData\w+:VertexStride", "VertexStride"),
+    (r"dGeomTriMeshData\w+:VertexCount", "VertexCount"),
+    (r"dGeomTriMeshData\w+:TriStride", "TriangleStride"),
+    (r"dGeomTriMeshData\w+:IndexCount", "CornerCount"),
+    (r"dGeomTriMeshData\w+:Vertices", "Vertices"),
+    (r"dGeomTriMeshData\w+:Indices", "Corners"),
+    (r"dGeomTriMeshData\w+:Normals", "Data"),
     (r"d(Realloc|Free):ptr", "Block"),
     (r"dJoint(Get|Set)\w*Param:parameter", "ParameterNumber"),
     (r"dGeomLowLevelControl:dataValue", "Control"),
@@ -94,6 +105,8 @@ MAY_BE_NULL = [
     r"dThreadingAllocateThreadPool:reserved", r"dThreadingFree\w+:\w+", r"dWorldUseSharedWorkingMemory:from_world",
     r"dWorldSetStepMemory\w+:(policyinfo|memfuncs)", r"d(Cooperative|Resource\w+)Destroy:\w+",
     r"dWorldExportDIF:world_name",
+    r"d(Create|GeomTriMeshSet)\w+:(Data|\w*Callback)", r"dGeomTriMeshGetTriangle:v[012]",
+    r"dGeomTriMeshData\w+:(Normals|requestExtraData|in_data|pout_size|buf|bufLen)",
     # With no elements there is nothing to point to.
     r"d(SetZero|SetValue|Dot|ScaleVector|VectorScale|FactorLDLT):(a|b|d|A)",
     r"dCooperatively\w+:(A|L|b|d|dataVector|scaleVector)",
@@ -108,7 +121,7 @@ ANY_NUMBER = [r"dSetValue:value"]
 READER = re.compile(r"d(World|Body|Joint|Geom|Space|HashSpace)\w*(Get|Is[A-Z]|Copy)|dRandGetSeed|dGet\w+Handler$")
 NO_READER = re.compile(r"d(Geom|Body)(GetRelPoint\w+|GetPosRelPoint|GetPointVel)|dGeomIsSpaceX")
 HANDLES = {"World", "Body", "Joint", "Group", "Geom", "Space", "HeightfieldData", "Threading", "ThreadPool",
-           "Cooperative", "Requirements", "Container"}
+           "Cooperative", "Requirements", "Container", "TriMeshData"}
 ADDED = {"Vector3", "Vector4", "Quaternion", "Matrix3", "Vector6", "Mass", "RealPointer", "IntPointer"}
 
 
@@ -183,7 +196,7 @@ def entry(index, result, name, typed):
     stateful = any(k in HANDLES for k in kinds)
     lines, arguments = [], []
     for i, (ctype, _) in enumerate(typed):
-        plain = re.sub(r"\[\d*\]", "*", re.sub(r"(const )?d(Vector3|Vector4|Quaternion|Matrix3)$", "dReal*", ctype))
+        plain = re.sub(r"\[\d*\]", "*", re.sub(r"(const )?d(Vector3|Vector4|Quaternion|Matrix3|Matrix4)$", "dReal*", ctype))
         arguments.append(f"a[{i}].as<{plain}>()")
     call = f"{name}({', '.join(arguments)})"
     body = f"{call};\n    return {{}};" if result == "void" else f"return result_of({call});"

@@ -94,6 +94,7 @@ std::string Runner::described(const Function& f) const
                                               " inside a box test",
                                               " inside a collider",
                                               " inside a height function",
+                                              " inside a triangle function",
                                               " inside a destructor function"};
     return s + ")" + kInside[int(phase_)];
 }
@@ -374,9 +375,12 @@ void Runner::enter(Phase phase)
                            near_nothing);
             return;
         case Phase::kCollider:
-        case Phase::kHeight: {
+        case Phase::kHeight:
+        case Phase::kMesh: {
             dContactGeom room[4];
-            const dGeomID other = phase == Phase::kHeight ? scene_.high_ground : scene_.tested_geom;
+            const dGeomID other = phase == Phase::kMesh     ? scene_.mesh
+                                  : phase == Phase::kHeight ? scene_.high_ground
+                                                            : scene_.tested_geom;
             dCollide(other, scene_.probe, 4, room, sizeof room[0]);
             return;
         }
@@ -409,8 +413,9 @@ void Runner::run_inside(const Function& f, Phase phase, long budget)
         }
         called_ = false;
         Hook hook{act, &order};
-        Hook* const hooks[] = {nullptr,           &g_hooks.near,     &g_hooks.moved,  &g_hooks.box,
-                               &g_hooks.box_test, &g_hooks.collider, &g_hooks.height, &g_hooks.end};
+        Hook* const hooks[] = {nullptr,         &g_hooks.near,     &g_hooks.moved,
+                               &g_hooks.box,    &g_hooks.box_test, &g_hooks.collider,
+                               &g_hooks.height, &g_hooks.mesh,     &g_hooks.end};
         *hooks[int(phase)] = hook;
         enter(phase);
         g_hooks = {};

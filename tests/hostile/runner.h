@@ -40,7 +40,7 @@ class Runner {
     void run_any(long budget);
 
     // The same from inside a function of the program that the library calls.
-    enum class Phase { kTop, kNear, kMoved, kBox, kBoxTest, kCollider, kHeight, kEnd };
+    enum class Phase { kTop, kNear, kMoved, kBox, kBoxTest, kCollider, kHeight, kMesh, kEnd };
     void run_inside(const Function& function, Phase phase, long budget);
 
     // A part of the budget, rounded up or down by chance.

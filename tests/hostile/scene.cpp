@@ -16,6 +16,18 @@ dReal flat_height(void*, int, int)
     g_hooks.height.run();
     return 0;
 }
+int any_triangle(dGeomID, dGeomID, int)
+{
+    g_hooks.mesh.run();
+    return 1;
+}
+void any_triangles(dGeomID, dGeomID, const int*, int) { g_hooks.mesh.run(); }
+int any_hit(dGeomID, dGeomID, int, dReal, dReal)
+{
+    g_hooks.mesh.run();
+    return 1;
+}
+int first_triangle(dGeomID, int first, int) { return first; }
 int no_contacts(dGeomID, dGeomID, int, dContactGeom*, int)
 {
     g_hooks.collider.run();
@@ -112,6 +124,9 @@ const Solid kCube = {
     {1, 0, 0, 1, -1, 0, 0, 1, 0, 1, 0, 1, 0, -1, 0, 1, 0, 0, 1, 1, 0, 0, -1, 1},
     {-1, -1, -1, 1, -1, -1, -1, 1, -1, 1, 1, -1, -1, -1, 1, 1, -1, 1, -1, 1, 1, 1, 1, 1},
     {4, 1, 3, 7, 5, 4, 0, 4, 6, 2, 4, 2, 6, 7, 3, 4, 0, 1, 5, 4, 4, 4, 5, 7, 6, 4, 0, 2, 3, 1}};
+
+const Mesh kTetrahedron = {{0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0},
+                           {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3}};
 
 const dGeomClass kUserClass = {8, offer_collider, unit_box, always_near, at_end};
 
@@ -237,6 +252,22 @@ void Scene::build_heights()
     add(Kind::kGeom, high_ground);
 }
 
+void Scene::build_meshes()
+{
+    const auto body = [&](int i) { return static_cast<dBodyID>(live[int(Kind::kBody)][std::size_t(i)]); };
+    const dTriMeshDataID data = dGeomTriMeshDataCreate(), empty = dGeomTriMeshDataCreate();
+    dGeomTriMeshDataBuildDouble(data, kTetrahedron.vertices.data(), 4 * sizeof(double), 4,
+                                kTetrahedron.corners.data(), 12, 3 * sizeof(unsigned));
+    add(Kind::kTriMeshData, data);
+    add(Kind::kTriMeshData, empty);
+    mesh = dCreateTriMesh(space, data, any_triangle, any_triangles, any_hit);
+    const dGeomID moving = dCreateTriMesh(space, data, nullptr, nullptr, nullptr);
+    dGeomSetBody(moving, body(5));
+    add(Kind::kGeom, mesh);
+    add(Kind::kGeom, moving);
+    add(Kind::kGeom, dCreateTriMesh(space, nullptr, nullptr, nullptr, nullptr));
+}
+
 void Scene::build_contacts()
 {
     contacts = dJointGroupCreate(0);
@@ -306,11 +337,12 @@ void Scene::kill_one_of_each()
     const dGeomID geom = dCreateSphere(nullptr, 1);
     const dSpaceID s = dHashSpaceCreate(nullptr);
     const dHeightfieldDataID h = dGeomHeightfieldDataCreate();
+    const dTriMeshDataID m = dGeomTriMeshDataCreate();
     const dThreadingImplementationID t = dThreadingAllocateSelfThreadedImplementation();
     const dCooperativeID c = dCooperativeCreate(nullptr, nullptr);
     const dResourceRequirementsID r = dResourceRequirementsCreate(c);
     const dResourceContainerID k = dResourceContainerAcquire(r);
-    dead = {w, b, j, g, geom, s, h, t, g, c, r, k};
+    dead = {w, b, j, g, geom, s, h, t, g, c, r, k, m};
     dResourceContainerDestroy(k);
     dResourceRequirementsDestroy(r);
     dCooperativeDestroy(c);
@@ -322,6 +354,7 @@ void Scene::kill_one_of_each()
     dGeomDestroy(geom);
     dSpaceDestroy(s);
     dGeomHeightfieldDataDestroy(h);
+    dGeomTriMeshDataDestroy(m);
 }
 
 void Scene::build()
@@ -334,6 +367,7 @@ void Scene::build()
     build_joints();
     build_geoms();
     build_heights();
+    build_meshes();
     build_contacts();
     build_foreign();
     build_threading();
@@ -354,6 +388,7 @@ void Scene::tear_down()
     for (void* g : live[int(Kind::kGeom)]) dGeomDestroy(static_cast<dGeomID>(g));
     for (void* h : live[int(Kind::kHeightfieldData)])
         dGeomHeightfieldDataDestroy(static_cast<dHeightfieldDataID>(h));
+    for (void* m : live[int(Kind::kTriMeshData)]) dGeomTriMeshDataDestroy(static_cast<dTriMeshDataID>(m));
     tear_down_threading();
 }
 

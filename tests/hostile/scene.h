@@ -15,7 +15,7 @@
 
 namespace hostile {
 
-inline constexpr int kHandleKinds = int(Kind::kContainer) + 1;
+inline constexpr int kHandleKinds = int(Kind::kTriMeshData) + 1;
 inline bool is_handle(Kind kind) { return int(kind) < kHandleKinds; }
 
 // Functions of the program that behave.
@@ -23,6 +23,10 @@ void near_nothing(void*, dGeomID, dGeomID);
 dReal flat_height(void*, int, int);
 int no_contacts(dGeomID, dGeomID, int, dContactGeom*, int);
 void moved_nothing(dBodyID);
+int any_triangle(dGeomID, dGeomID, int);
+void any_triangles(dGeomID, dGeomID, const int*, int);
+int any_hit(dGeomID, dGeomID, int, dReal, dReal);
+int first_triangle(dGeomID, int, int);
 // Functions of the user class; the hooks let a test act inside them (phases.cpp).
 extern const dGeomClass kUserClass;
 
@@ -32,6 +36,13 @@ struct Solid {
     std::array<unsigned, 54> faces;
 };
 extern const Solid kCube;
+
+// A tetrahedron as the functions dGeomTriMeshDataBuild... take it, four numbers a vertex.
+struct Mesh {
+    std::array<double, 16> vertices;
+    std::array<unsigned, 16> corners;
+};
+extern const Mesh kTetrahedron;
 
 // Called once, where it is set, from inside a function of the program that the library calls.
 struct Hook {
@@ -46,7 +57,7 @@ struct Hook {
     }
 };
 struct Hooks {
-    Hook near, moved, box, box_test, collider, height, end;
+    Hook near, moved, box, box_test, collider, height, mesh, end;
 };
 extern Hooks g_hooks;
 
@@ -65,7 +76,8 @@ struct Scene {
 
     dWorldID world = nullptr;
     dSpaceID space = nullptr;
-    dGeomID user_geom = nullptr, tested_geom = nullptr, high_ground = nullptr, probe = nullptr;
+    dGeomID user_geom = nullptr, tested_geom = nullptr, high_ground = nullptr, mesh = nullptr,
+            probe = nullptr;
     dBodyID first_body = nullptr;
     dJointGroupID contacts = nullptr;
 
@@ -74,6 +86,7 @@ struct Scene {
     void build_joints();
     void build_geoms();
     void build_heights();
+    void build_meshes();
     void build_contacts();
     void build_foreign();
     void build_threading();

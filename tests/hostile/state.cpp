@@ -16,10 +16,11 @@ constexpr int kNumbers[] = {0,     1,     2,     3,     4,     5,     6,     7, 
 constexpr int kIndices[] = {0, 1, 2};
 constexpr int kNone[] = {0};
 
-// What readers write into: the reals of one argument, or two numbers in two arguments.
+// What readers write into: the reals of one argument, or of three arguments.
 constexpr int kRoom = sizeof(dMass) / sizeof(dReal);
-dReal g_room[2][kRoom];
-int g_integers[2];
+constexpr int kArguments = 6;
+dReal g_room[3][kRoom];
+int g_integers[3];
 
 void mix(std::uint64_t& hash, std::uint64_t word)
 {
@@ -42,6 +43,7 @@ bool is_motion(const char* name)
 // How many reals stand behind the pointer that a reader answers.
 int reals_behind(const char* name)
 {
+    if (contains(name, "GetLastTransform")) return 16;
     if (!contains(name, "GetOffset") && !is_motion(name)) return 0;
     if (contains(name, "Copy")) return 0;
     return contains(name, "Rotation") ? 12 : contains(name, "Quaternion") ? 4 : 3;
@@ -120,7 +122,7 @@ void State::learn(const Function& f)
 // False when the reader refused.
 bool State::take(const Reading& r, std::uint64_t& hash, bool& healthy) const
 {
-    Value arguments[4];
+    Value arguments[kArguments];
     const auto parameters = r.function->all();
     for (auto& room : g_room) std::fill_n(room, r.room, dReal(0));
     for (int& integer : g_integers) integer = 0;
@@ -131,9 +133,9 @@ bool State::take(const Reading& r, std::uint64_t& hash, bool& healthy) const
         else if (kind == Kind::kInt || kind == Kind::kParameterNumber)
             arguments[i].integer = r.number;
         else if (kind == Kind::kIntPointer)
-            arguments[i].pointer = &g_integers[i % 2];
+            arguments[i].pointer = &g_integers[i % 3];
         else
-            arguments[i].pointer = g_room[i % 2];
+            arguments[i].pointer = g_room[i % 3];
     }
     const int before = messages().refusals;
     const Result result = r.function->call(arguments);

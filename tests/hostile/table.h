@@ -33,6 +33,7 @@ enum class Kind {
     kCooperative,
     kRequirements,
     kContainer,
+    kTriMeshData,
     kReal,
     kInt,
     kSize,
@@ -41,6 +42,10 @@ enum class Kind {
     kSampleCount,
     kContactFlags,
     kSkip,
+    kVertexStride,
+    kVertexCount,
+    kTriangleStride,
+    kCornerCount,
     kThreadCount,
     kFaceCount,
     kPointCount,
@@ -49,6 +54,7 @@ enum class Kind {
     kVector6,
     kQuaternion,
     kMatrix3,
+    kMatrix4,
     kReals,
     kRows,
     kIndices,
@@ -79,6 +85,11 @@ enum class Kind {
     kFacePlanes,
     kFacePoints,
     kFaces,
+    kVertices,
+    kCorners,
+    kExtraData,
+    kSizePointer,
+    kBytesPointer,
     kMessageFunction,
     kAllocFunction,
     kReallocFunction,
@@ -88,8 +99,12 @@ enum class Kind {
     kCollider,
     kMovedCallback,
     kReadyCallback,
+    kTriCallback,
+    kTriArrayCallback,
+    kTriRayCallback,
+    kTriMergeCallback,
 };
-inline constexpr int kKinds = int(Kind::kReadyCallback) + 1;
+inline constexpr int kKinds = int(Kind::kTriMergeCallback) + 1;
 
 // Flags of a parameter.
 enum : unsigned {

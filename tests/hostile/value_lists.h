@@ -70,6 +70,14 @@ constexpr Integer kThreadCounts[] = {{1, "1"},   {2, "2"},       {0, "0"},
 constexpr Integer kFaceCounts[] = {
     {6, "6"}, {5, "5"}, {2, "2"}, {0, "0"}, {(1 << 24) + 1, "2^24+1"}, {UINT_MAX, "2^32-1"}};
 constexpr Integer kPointCounts[] = {{8, "8"}, {7, "7"}, {3, "3"}, {0, "0"}, {UINT_MAX, "2^32-1"}};
+constexpr Integer kVertexStrides[] = {{32, "32"}, {24, "24"}, {12, "12"},          {11, "11"},
+                                      {0, "0"},   {-1, "-1"}, {INT_MIN, "INT_MIN"}};
+constexpr Integer kVertexCounts[] = {{4, "4"}, {3, "3"},   {1, "1"},
+                                     {0, "0"}, {-1, "-1"}, {INT_MIN, "INT_MIN"}};
+constexpr Integer kTriangleStrides[] = {{12, "12"}, {16, "16"}, {13, "13"},          {11, "11"},
+                                        {0, "0"},   {-1, "-1"}, {INT_MIN, "INT_MIN"}};
+constexpr Integer kCornerCounts[] = {{12, "12"}, {3, "3"},   {10, "10"},          {1, "1"},
+                                     {0, "0"},   {-1, "-1"}, {INT_MIN, "INT_MIN"}};
 constexpr Integer kParameters[] = {{dParamVel, "dParamVel"},
                                    {dParamLoStop, "dParamLoStop"},
                                    {dParamHiStop, "dParamHiStop"},
@@ -138,6 +146,8 @@ inline const std::vector<Array>& arrays(Kind kind)
     static const std::vector<Array> matrix =
         variations({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}, {1, 2, 3, 0, 2, 4, 6, 0, 0, 0, -1, 0},
                    {0, 1, 2, 4, 5, 6, 8, 9, 10});
+    static const std::vector<Array> matrix4 =
+        variations(std::vector<dReal>(16, 1), std::vector<dReal>(16, 2), {0, 5, 15});
     static const std::vector<Array> six = {{std::vector<dReal>(6, 1), Trait::kFine, "room"}};
     static const std::vector<Array> one = {{{1}, Trait::kFine, "room"}};
     static const std::vector<Array> square = [] {
@@ -159,6 +169,8 @@ inline const std::vector<Array>& arrays(Kind kind)
             return quaternion;
         case Kind::kMatrix3:
             return matrix;
+        case Kind::kMatrix4:
+            return matrix4;
         case Kind::kVector6:
             return six;
         case Kind::kReals:
@@ -340,6 +352,55 @@ inline const std::vector<Item<decltype(Solid::faces)>>& faces()
                                                   {with(4, UINT_MAX), Trait::kBad, "point 2^32-1"},
                                                   {with(1, 3), Trait::kStrange, "a corner twice"},
                                                   {with(1, 6), Trait::kStrange, "a corner elsewhere"}};
+    return list;
+}
+
+inline const std::vector<Item<decltype(Mesh::vertices)>>& vertices()
+{
+    using Vertices = decltype(Mesh::vertices);
+    static const auto times = [](double x, double y, double z) {
+        Vertices v = kTetrahedron.vertices;
+        for (std::size_t i = 0; i < v.size(); i += 4) v[i] *= x, v[i + 1] *= y, v[i + 2] *= z;
+        return v;
+    };
+    static const auto with_first = [](double value) {
+        Vertices v = kTetrahedron.vertices;
+        v[0] = value;
+        return v;
+    };
+    static const std::vector<Item<Vertices>> list = {
+        {kTetrahedron.vertices, Trait::kFine, "tetrahedron"},
+        {times(1, 2, 3), Trait::kFine, "tall"},
+        {times(-1, 1, 1), Trait::kStrange, "inside out"},
+        {times(1, 1, 0), Trait::kStrange, "flat"},
+        {times(0, 0, 0), Trait::kStrange, "one point"},
+        {times(double(kTiny), 1, 1), Trait::kStrange, "denormal"},
+        {times(double(kLarge), 1, 1), Trait::kStrange, "large"},
+        {times(1e300, 1, 1), Trait::kStrange, "1e300"},
+        {with_first(std::numeric_limits<double>::infinity()), Trait::kStrange, "inf"},
+        {with_first(std::numeric_limits<double>::quiet_NaN()), Trait::kNaN, "NaN"}};
+    return list;
+}
+
+inline const std::vector<Item<decltype(Mesh::corners)>>& corners()
+{
+    using Corners = decltype(Mesh::corners);
+    static const auto with_first = [](unsigned value) {
+        Corners c = kTetrahedron.corners;
+        c[0] = value;
+        return c;
+    };
+    static const std::vector<Item<Corners>> list = {{kTetrahedron.corners, Trait::kFine, "tetrahedron"},
+                                                    {Corners{}, Trait::kStrange, "zeros"},
+                                                    {with_first(4), Trait::kBad, "no such vertex"},
+                                                    {with_first(UINT_MAX), Trait::kBad, "vertex 2^32-1"}};
+    return list;
+}
+
+inline const std::vector<Item<std::array<dintptr, 2>>>& extra_data()
+{
+    static const std::vector<Item<std::array<dintptr, 2>>> list = {
+        {{0, 0}, Trait::kFine, "zeros"}, {{0, 2}, Trait::kFine, "words"}, {{-1, -1}, Trait::kStrange, "-1"}};
     return list;
 }
 

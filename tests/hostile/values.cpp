@@ -61,6 +61,14 @@ void (*function_of(Kind kind))()
             return reinterpret_cast<void (*)()>(dGetMessageHandler());
         case Kind::kAllocFunction:
             return reinterpret_cast<void (*)()>(dGetAllocHandler());
+        case Kind::kTriCallback:
+            return reinterpret_cast<void (*)()>(any_triangle);
+        case Kind::kTriArrayCallback:
+            return reinterpret_cast<void (*)()>(any_triangles);
+        case Kind::kTriRayCallback:
+            return reinterpret_cast<void (*)()>(any_hit);
+        case Kind::kTriMergeCallback:
+            return reinterpret_cast<void (*)()>(first_triangle);
         case Kind::kReallocFunction:
             return reinterpret_cast<void (*)()>(dGetReallocHandler());
         default:
@@ -83,9 +91,9 @@ constexpr int kWrongHandles = 15;
 
 const char* name_of(Kind kind)
 {
-    static constexpr const char* kNames[] = {"world", "body",        "joint",        "group",
-                                             "geom",  "space",       "heights",      "threading",
-                                             "pool",  "cooperative", "requirements", "container"};
+    static constexpr const char* kNames[] = {"world",        "body",      "joint",     "group", "geom",
+                                             "space",        "heights",   "threading", "pool",  "cooperative",
+                                             "requirements", "container", "triangles"};
     return is_handle(kind) ? kNames[int(kind)] : "";
 }
 
@@ -116,6 +124,20 @@ int Values::count(Kind kind)
             return int(std::size(kFaceCounts));
         case Kind::kPointCount:
             return int(std::size(kPointCounts));
+        case Kind::kVertexStride:
+            return int(std::size(kVertexStrides));
+        case Kind::kVertexCount:
+            return int(std::size(kVertexCounts));
+        case Kind::kTriangleStride:
+            return int(std::size(kTriangleStrides));
+        case Kind::kCornerCount:
+            return int(std::size(kCornerCounts));
+        case Kind::kVertices:
+            return int(vertices().size()) + 1;
+        case Kind::kCorners:
+            return int(corners().size()) + 1;
+        case Kind::kExtraData:
+            return int(extra_data().size()) + 1;
         case Kind::kFacePlanes:
             return int(face_planes().size()) + 1;
         case Kind::kFacePoints:
@@ -151,6 +173,8 @@ int Values::count(Kind kind)
         case Kind::kFloats:
         case Kind::kDoubles:
             return int(samples<double>().size()) + 1;
+        case Kind::kSizePointer:
+        case Kind::kBytesPointer:
         case Kind::kRows:
         case Kind::kContacts:
         case Kind::kStopwatch:
@@ -235,6 +259,14 @@ Value Values::get(Kind kind, int index, int position)
             return from_integers(kSkips, index);
         case Kind::kThreadCount:
             return from_integers(kThreadCounts, index);
+        case Kind::kVertexStride:
+            return from_integers(kVertexStrides, index);
+        case Kind::kVertexCount:
+            return from_integers(kVertexCounts, index);
+        case Kind::kTriangleStride:
+            return from_integers(kTriangleStrides, index);
+        case Kind::kCornerCount:
+            return from_integers(kCornerCounts, index);
         case Kind::kFaceCount:
             return from_integers(kFaceCounts, index);
         case Kind::kPointCount:
@@ -315,6 +347,12 @@ Value Values::memory(Kind kind, int index, int position)
             return item(samples<float>());
         case Kind::kDoubles:
             return item(samples<double>());
+        case Kind::kVertices:
+            return item(vertices());
+        case Kind::kCorners:
+            return item(corners());
+        case Kind::kExtraData:
+            return item(extra_data());
         case Kind::kFacePlanes:
             return item(face_planes());
         case Kind::kFacePoints:
@@ -329,6 +367,10 @@ Value Values::memory(Kind kind, int index, int position)
             v.text = chosen.text;
             return v;
         }
+        case Kind::kSizePointer:
+        case Kind::kBytesPointer:
+            v.pointer = fill(kind, position, kRoom.data(), sizeof(void*));
+            return v;
         case Kind::kStopwatch:
             v.pointer = fill(kind, position, kRoom.data(), sizeof(dStopwatch));
             return v;
