@@ -23,20 +23,35 @@ T* attached_joint(dJointID id, const char* caller = __builtin_FUNCTION())
     return joint && joint->attached() ? joint : nullptr;
 }
 
-// To set a point or any other three numbers of an attached joint.
+// To set a point or any other three numbers of an attached joint, and up to three more. Numbers are judged
+// before the joint is seen to have no bodies.
+template <typename T>
+T* joint_for_point(dJointID id, Vec3 point, Vec3 more, const char* caller = __builtin_FUNCTION())
+{
+    T* joint = checked<T>(id, caller);
+    return joint && demand(usable(point) && usable(more), caller) && joint->attached() ? joint : nullptr;
+}
+
 template <typename T>
 T* joint_for_point(dJointID id, Vec3 point, const char* caller = __builtin_FUNCTION())
 {
-    T* joint = checked<T>(id, caller);
-    return joint && demand(usable(point), caller) && joint->attached() ? joint : nullptr;
+    return joint_for_point<T>(id, point, Vec3{}, caller);
 }
 
-// To set a direction of an attached joint; `axis` is normalised on the way, zero is refused.
+// To set a direction of an attached joint, and up to three more numbers; `axis` is normalised on the way,
+// zero is refused.
+template <typename T>
+T* joint_for_axis(dJointID id, Vec3& axis, Vec3 more, const char* caller = __builtin_FUNCTION())
+{
+    T* joint = checked<T>(id, caller);
+    const bool good = joint && demand(usable(axis) && usable(more) && normalize(axis), caller);
+    return good && joint->attached() ? joint : nullptr;
+}
+
 template <typename T>
 T* joint_for_axis(dJointID id, Vec3& axis, const char* caller = __builtin_FUNCTION())
 {
-    T* joint = checked<T>(id, caller);
-    return joint && demand(usable(axis) && normalize(axis), caller) && joint->attached() ? joint : nullptr;
+    return joint_for_axis<T>(id, axis, Vec3{}, caller);
 }
 
 // To write a vector into the client's `result`.

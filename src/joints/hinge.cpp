@@ -79,8 +79,8 @@ void dJointSetHingeAnchor(dJointID id, dReal x, dReal y, dReal z)
 // With the world as second body its anchor lies at the given point plus (ax, ay, az).
 void dJointSetHingeAnchorDelta(dJointID id, dReal x, dReal y, dReal z, dReal ax, dReal ay, dReal az)
 {
-    Hinge* j = joint_for_point<Hinge>(id, {x, y, z});
-    if (!j || !demand(usable(Vec3{ax, ay, az}), __func__)) return;
+    Hinge* j = joint_for_point<Hinge>(id, {x, y, z}, Vec3{ax, ay, az});
+    if (!j) return;
     j->set_anchor({x, y, z});
     if (!j->body2()) j->anchor.local[1] = Vec3{x, y, z} + Vec3{ax, ay, az};
 }
@@ -95,8 +95,7 @@ void dJointSetHingeAxis(dJointID id, dReal x, dReal y, dReal z)
 void dJointSetHingeAxisOffset(dJointID id, dReal x, dReal y, dReal z, dReal angle)
 {
     Vec3 axis{x, y, z};
-    Hinge* j = joint_for_axis<Hinge>(id, axis);
-    if (j && demand(usable(angle), __func__)) j->set_axis(axis, -j->sign() * angle);
+    if (Hinge* j = joint_for_axis<Hinge>(id, axis, Vec3{angle, 0, 0})) j->set_axis(axis, -j->sign() * angle);
 }
 
 void dJointGetHingeAnchor(dJointID id, dVector3 result)

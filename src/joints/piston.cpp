@@ -87,8 +87,7 @@ void dJointSetPistonAnchor(dJointID id, dReal x, dReal y, dReal z)
 void dJointSetPistonAnchorOffset(dJointID id, dReal x, dReal y, dReal z, dReal dx, dReal dy, dReal dz)
 {
     const Vec3 p{x, y, z}, d{dx, dy, dz};
-    Piston* j = joint_for_point<Piston>(id, p);
-    if (j && demand(usable(d), __func__)) j->set_anchor(p + j->sign() * d, p);
+    if (Piston* j = joint_for_point<Piston>(id, p, d)) j->set_anchor(p + j->sign() * d, p);
 }
 
 void dJointSetPistonAxis(dJointID id, dReal x, dReal y, dReal z)
@@ -102,8 +101,8 @@ void dJointSetPistonAxisDelta(dJointID id, dReal x, dReal y, dReal z, dReal dx, 
 {
     Vec3 axis{x, y, z};
     const Vec3 d{dx, dy, dz};
-    Piston* j = joint_for_axis<Piston>(id, axis);
-    if (!j || !demand(usable(d), __func__)) return;
+    Piston* j = joint_for_axis<Piston>(id, axis, d);
+    if (!j) return;
     j->set_axis(axis);
     const Vec3 apart = j->body1()->position() - (j->body2() ? j->body2()->position() : Vec3{});
     j->anchor.local[0] = direction_to_local(j->body1(), apart - d);

@@ -135,15 +135,13 @@ void dJointSetPUAnchor(dJointID id, dReal x, dReal y, dReal z)
 void dJointSetPUAnchorOffset(dJointID id, dReal x, dReal y, dReal z, dReal dx, dReal dy, dReal dz)
 {
     const Vec3 p{x, y, z}, d{dx, dy, dz};
-    PU* j = joint_for_point<PU>(id, p);
-    if (j && demand(usable(d), __func__)) j->set_anchor(p + j->sign() * d, p);
+    if (PU* j = joint_for_point<PU>(id, p, d)) j->set_anchor(p + j->sign() * d, p);
 }
 
 void dJointSetPUAnchorDelta(dJointID id, dReal x, dReal y, dReal z, dReal dx, dReal dy, dReal dz)
 {
     const Vec3 p{x, y, z}, d{dx, dy, dz};
-    PU* j = joint_for_point<PU>(id, p);
-    if (j && demand(usable(d), __func__)) j->set_anchor(p - d, p);
+    if (PU* j = joint_for_point<PU>(id, p, d)) j->set_anchor(p - d, p);
 }
 
 void dJointSetPUAxis1(dJointID id, dReal x, dReal y, dReal z) { set_axis(id, 0, {x, y, z}, __func__); }

@@ -82,8 +82,8 @@ void dJointSetSliderAxis(dJointID id, dReal x, dReal y, dReal z)
 void dJointSetSliderAxisDelta(dJointID id, dReal x, dReal y, dReal z, dReal dx, dReal dy, dReal dz)
 {
     Vec3 axis{x, y, z};
-    Slider* j = joint_for_axis<Slider>(id, axis);
-    if (!j || !demand(usable(Vec3{dx, dy, dz}), __func__)) return;
+    Slider* j = joint_for_axis<Slider>(id, axis, Vec3{dx, dy, dz});
+    if (!j) return;
     j->set_axis(axis);
     if (!j->body2()) j->offset += Vec3{dx, dy, dz};
 }

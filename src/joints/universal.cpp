@@ -71,8 +71,8 @@ void set_axis(dJointID id, int i, Vec3 axis, const char* caller)
 
 void set_axis_reading(dJointID id, int i, Vec3 axis, Real angle1, Real angle2, const char* caller)
 {
-    Universal* j = joint_for_axis<Universal>(id, axis, caller);
-    if (!j || !demand(usable(angle1) && usable(angle2), caller)) return;
+    Universal* j = joint_for_axis<Universal>(id, axis, Vec3{angle1, angle2, 0}, caller);
+    if (!j) return;
     j->set_user_axis(i, axis);
     j->set_user_zero(angle1, angle2);
 }

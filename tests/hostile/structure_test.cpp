@@ -9,6 +9,7 @@
 #include <climits>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <vector>
 
 #include <ode/ext.h>
@@ -66,6 +67,31 @@ TEST_F(Structure, a_joint_joins_two_bodies_of_its_world)
     dGeomDestroy(geom);
     dWorldDestroy(world);
     expect_refused(0);
+}
+
+TEST_F(Structure, a_loose_joint_refuses_bad_numbers_and_takes_good_ones_in_silence)
+{
+    const dWorldID world = dWorldCreate();
+    const dReal bad = std::numeric_limits<dReal>::quiet_NaN();
+    const auto call_all = [world](dReal x) {
+        const dJointID hinge = dJointCreateHinge(world, nullptr), slider = dJointCreateSlider(world, nullptr),
+                       universal = dJointCreateUniversal(world, nullptr), pu = dJointCreatePU(world, nullptr),
+                       piston = dJointCreatePiston(world, nullptr);
+        dJointSetHingeAnchorDelta(hinge, 0, 0, 0, 0, 0, x);
+        dJointSetHingeAxisOffset(hinge, 1, 0, 0, x);
+        dJointSetSliderAxisDelta(slider, 1, 0, 0, x, 0, 0);
+        dJointSetUniversalAxis1Offset(universal, 1, 0, 0, 0, x);
+        dJointSetUniversalAxis2Offset(universal, 1, 0, 0, x, 0);
+        dJointSetPUAnchorDelta(pu, 0, 0, 0, x, 0, 0);
+        dJointSetPUAnchorOffset(pu, 0, 0, 0, 0, x, 0);
+        dJointSetPistonAnchorOffset(piston, 0, 0, 0, 0, 0, x);
+        dJointSetPistonAxisDelta(piston, 1, 0, 0, x, 0, 0);
+    };
+    call_all(1);
+    expect_refused(0);
+    call_all(bad);
+    expect_refused(9);
+    dWorldDestroy(world);
 }
 
 TEST_F(Structure, what_has_no_pose_gets_no_body)
