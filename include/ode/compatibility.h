@@ -32,8 +32,8 @@ extern "C" {
     and getters answer 0. */
 
 /** Advance the world by stepsize seconds with the small-step solver: the step is cut into maxiterations
-    (1 ... 10000) equal small steps, and in each of them every joint is solved on its own as a rigid block. Time
-    and memory grow linearly with the number of joints. More iterations give more accuracy; joint ERP and
+    (1 ... 10000) equal small steps, and in each of them every joint is solved on its own as a rigid block.
+    Time and memory grow linearly with the number of joints. More iterations give more accuracy; joint ERP and
     CFM keep the meaning they have for the whole step. May be mixed freely with dWorldStep and
     dWorldQuickStep on the same world. Returns 1 when the world was stepped, 0 when the call was refused
     (null world, stepsize not positive and finite, maxiterations outside 1 ... 10000) or out of memory: poses,

@@ -35,9 +35,9 @@ struct dxCooperative;
 struct dxResourceRequirements;
 struct dxResourceContainer;
 
-typedef struct dxCooperative* dCooperativeID; /**< Threads at work on one task. */
+typedef struct dxCooperative* dCooperativeID;                   /**< Threads at work on one task. */
 typedef struct dxResourceRequirements* dResourceRequirementsID; /**< Memory that calls will need. */
-typedef struct dxResourceContainer* dResourceContainerID; /**< That memory, acquired. */
+typedef struct dxResourceContainer* dResourceContainerID;       /**< That memory, acquired. */
 
 /** Threads for cooperative functions: those of a threading implementation, given by its table functionInfo
     (which is copied) and its handle threadingImpl; both NULL: the calling thread alone. Refused with one of

@@ -394,6 +394,16 @@ void test_mass()
         dMassSetCylinderTotal(&b, 5, 3, 1, 2));
     SET("dMass::setBox", read_mass, a, b, a.setBox(2, 1, 2, 3), dMassSetBox(&b, 2, 1, 2, 3));
     SET("dMass::setBoxTotal", read_mass, a, b, a.setBoxTotal(4, 1, 2, 3), dMassSetBoxTotal(&b, 4, 1, 2, 3));
+    const dReal corners[4][4] = {{0, 0, 0, 0}, {2, 0, 0, 0}, {0, 3, 0, 0}, {0, 0, 4, 0}};
+    const dTriIndex faces[12] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    const dTriMeshDataID data = dGeomTriMeshDataCreate();
+    dGeomTriMeshDataBuildSimple(data, corners[0], 4, faces, 12);
+    const dGeomID mesh = dCreateTriMesh(0, data, 0, 0, 0);
+    SET("dMass::setTrimesh", read_mass, a, b, a.setTrimesh(2, mesh), dMassSetTrimesh(&b, 2, mesh));
+    SET("dMass::setTrimeshTotal", read_mass, a, b, a.setTrimeshTotal(6, mesh),
+        dMassSetTrimeshTotal(&b, 6, mesh));
+    dGeomDestroy(mesh);
+    dGeomTriMeshDataDestroy(data);
     SET("dMass::adjust", read_mass, a, b, a.adjust(9), dMassAdjust(&b, 9));
     SET("dMass::translate", read_mass, a, b, a.translate(1, 2, 3), dMassTranslate(&b, 1, 2, 3));
     SET("dMass::rotate", read_mass, a, b, a.rotate(R), dMassRotate(&b, R));

@@ -75,11 +75,10 @@ TEST_P(Seams, are_not_felt)
         const double side = floor == Floor::kRidge ? -1 : 1;
         const Slide plane = slide(Floor::kPlane, GetParam(), way, side),
                     s = slide(floor, GetParam(), way, side);
-        printf("%d %-10s vz %.2e speed %.6f (plane %.6f vz %.2e) off %.6f (%.6f) spin %.4f (%.4f)\n",
-               int(GetParam()), name_of(floor), s.fastest_up, s.speed, plane.speed, plane.fastest_up, s.off,
-               plane.off, s.turned, plane.turned);
-        EXPECT_LT(s.fastest_up, 1e-3) << name_of(floor);
-        EXPECT_NEAR(s.speed, plane.speed, 0.01 * (start - plane.speed)) << name_of(floor);
+        SCOPED_TRACE(testing::Message() << name_of(floor) << ": aside " << s.off << " (plane " << plane.off
+                                        << "), spin " << s.turned << " (plane " << plane.turned << ")");
+        EXPECT_LT(s.fastest_up, 1e-3);
+        EXPECT_NEAR(s.speed, plane.speed, 0.01 * (start - plane.speed));
     }
 }
 

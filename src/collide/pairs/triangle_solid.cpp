@@ -18,8 +18,8 @@ namespace {
 
 constexpr Real kFaceFirst = Real(0.95);  // another direction must beat the own normal by this factor
 constexpr Real kFaceLean = Real(0.17);   // faces that look down by more than 10 degrees carry contacts
-constexpr Real kShallow = Real(5e-4);      // of the size: no less than the depth of whatever a search would find
-constexpr std::size_t kManyEdges = 16;   // of a polyhedron: more are searched by expansion
+constexpr Real kShallow = Real(5e-4);   // of the size: no less than the depth of whatever a search would find
+constexpr std::size_t kManyEdges = 16;  // of a polyhedron: more are searched by expansion
 constexpr Real kAlongCrest = Real(0.2);  // a normal that leans along a crest by less is made upright to it
 
 // The search for the direction of least overlap that is allowed.
