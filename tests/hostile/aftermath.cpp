@@ -71,7 +71,7 @@ bool is_hidden(const Function& f)
 bool uses_threads(const Function& f)
 {
     for (const Parameter& p : f.all())
-        if (p.kind == Kind::kThreadPool) return true;
+        if (p.kind == Kind::kThreadPool || p.kind == Kind::kThreadCount) return true;
     return false;
 }
 

@@ -86,7 +86,7 @@ KIND_OF_PARAMETER = [
     (r"dGeomTriMeshData\w+:Indices", "Corners"),
     (r"dGeomTriMeshData\w+:Normals", "Data"),
     (r"dGeomConvexGet\w+:(points|planes)", "Reals"),
-    (r"dGeomConvexGet\w+:polygons", "Faces"),
+    (r"dGeomConvexGet\w+:polygons", "FaceRoom"),
     (r"d(Realloc|Free):ptr", "Block"),
     (r"dJoint(Get|Set)\w*Param:parameter", "ParameterNumber"),
     (r"dGeomLowLevelControl:dataValue", "Control"),

@@ -85,6 +85,7 @@ enum class Kind {
     kFacePlanes,
     kFacePoints,
     kFaces,
+    kFaceRoom,
     kVertices,
     kCorners,
     kExtraData,

@@ -173,6 +173,7 @@ int Values::count(Kind kind)
         case Kind::kFloats:
         case Kind::kDoubles:
             return int(samples<double>().size()) + 1;
+        case Kind::kFaceRoom:
         case Kind::kSizePointer:
         case Kind::kBytesPointer:
         case Kind::kRows:
@@ -367,6 +368,9 @@ Value Values::memory(Kind kind, int index, int position)
             v.text = chosen.text;
             return v;
         }
+        case Kind::kFaceRoom:
+            v.pointer = fill(kind, position, kRoom.data(), sizeof(Solid::faces));
+            return v;
         case Kind::kSizePointer:
         case Kind::kBytesPointer:
             v.pointer = fill(kind, position, kRoom.data(), sizeof(void*));
