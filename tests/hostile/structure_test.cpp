@@ -195,6 +195,12 @@ TEST_F(Structure, absurd_sizes_are_refused_or_bearable)
     dWorldSetExactSubsteps(world, INT_MAX);
     dWorldSetStepThreads(world, INT_MAX);
     expect_refused(7);
+    const dReal corners[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, plane[4] = {1, 0, 0, 0};
+    const unsigned polygon[4] = {UINT_MAX, 0, 1, 2};
+    EXPECT_EQ(dCreateConvex(nullptr, plane, 1, corners, UINT_MAX, polygon), nullptr);
+    EXPECT_EQ(dCreateConvex(nullptr, plane, UINT_MAX, corners, 4, polygon), nullptr);
+    EXPECT_EQ(dCreateConvexHull(nullptr, corners, UINT_MAX, 0), nullptr);
+    expect_refused(3);
 
     // A field of 4 x 10^18 samples, and a solid over most of them.
     const dHeightfieldDataID data = dGeomHeightfieldDataCreate();

@@ -27,13 +27,14 @@ Aabb aabb(Geom& geom)
 }
 
 constexpr unsigned kMostFaces = 1u << 24;
-constexpr int kNoLimit = 1 << 24;
+constexpr int kNoLimit = 1 << 24;  // of points
 
 // The reason to refuse the client's faces, or null.
 const char* fault_of(const dReal* planes, unsigned plane_count, unsigned point_count,
                      const unsigned* polygons)
 {
     if (plane_count < 1 || plane_count > kMostFaces) return "too few or too many planes";
+    if (point_count > unsigned(kNoLimit)) return "too many points";  // nor as many corners are then read
     if (!usable(planes, int(4 * plane_count))) return "plane is not a usable number";
     for (unsigned i = 0; i < plane_count; ++i) {
         const unsigned corners = *polygons++;
