@@ -2,9 +2,9 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What a program may not do from inside its own functions while the library is calling them, said by example:
-// near callbacks, moved callbacks, functions of user classes, height functions, destructor functions, and
-// those that give a step its memory. Each test makes the calls that would pull the library's feet away, sees
-// them refused or harmless, and goes on working with the same world.
+// near callbacks, moved callbacks, functions of user classes, height functions, functions of meshes,
+// destructor functions, and those that give a step its memory. Each test makes the calls that would pull the
+// library's feet away, sees them refused or harmless, and goes on working with the same world.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -330,6 +330,45 @@ TEST_F(Callbacks, height_function_keeps_geoms_and_heights)
     dGeomHeightfieldDataDestroy(data);
     EXPECT_EQ(dCollide(field, lone, 1, &contact, sizeof contact), 0);
     dGeomDestroy(field);
+    expect_refused(0);
+}
+
+int triangle(dGeomID, dGeomID, int)
+{
+    act();
+    return 1;
+}
+
+TEST_F(Callbacks, triangle_function_keeps_geoms_and_triangles)
+{
+    const double vertices[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const unsigned corners[12] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    const auto build = [&](dTriMeshDataID data, int count) {
+        dGeomTriMeshDataBuildDouble(data, vertices, 3 * sizeof(double), 4, corners, count,
+                                    3 * sizeof(unsigned));
+    };
+    const dTriMeshDataID data = dGeomTriMeshDataCreate(), other = dGeomTriMeshDataCreate();
+    build(data, 12);
+    build(other, 3);
+    const dGeomID mesh = dCreateTriMesh(nullptr, data, triangle, nullptr, nullptr);
+    dContactGeom contact;
+    g_act = [=, this] {
+        dGeomTriMeshDataDestroy(data);
+        build(data, 3);
+        dGeomTriMeshDataUpdate(data);
+        dGeomTriMeshSetData(mesh, other);
+        dGeomDestroy(mesh);
+        dGeomDestroy(lone);
+        expect_refused(6);
+        dGeomTriMeshDataDestroy(other);
+        expect_refused(0);
+    };
+    EXPECT_EQ(dCollide(mesh, lone, 1, &contact, sizeof contact), 1);
+    EXPECT_FALSE(g_act) << "the function came";
+    EXPECT_EQ(dGeomTriMeshGetTriangleCount(mesh), 4);
+    dGeomTriMeshDataDestroy(data);
+    EXPECT_EQ(dCollide(mesh, lone, 1, &contact, sizeof contact), 0);
+    dGeomDestroy(mesh);
     expect_refused(0);
 }
 
