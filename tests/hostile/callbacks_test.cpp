@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <functional>
 #include <string>
+#include <thread>
 
 #include <ode/ext.h>
 #include <ode/ode.h>
@@ -330,6 +331,29 @@ TEST_F(Callbacks, height_function_keeps_geoms_and_heights)
     dGeomHeightfieldDataDestroy(data);
     EXPECT_EQ(dCollide(field, lone, 1, &contact, sizeof contact), 0);
     dGeomDestroy(field);
+    expect_refused(0);
+}
+
+TEST_F(Callbacks, height_function_binds_its_own_thread_only)
+{
+    const dHeightfieldDataID data = dGeomHeightfieldDataCreate();
+    dGeomHeightfieldDataBuildCallback(data, nullptr, height, 4, 4, 3, 3, 1, 0, 1, 0);
+    const dGeomID field = dCreateHeightfield(nullptr, data, 1), here = dCreateSphere(nullptr, 1),
+                  there = dCreateSphere(nullptr, 1);
+    dContactGeom contact;
+    g_act = [=, this] {
+        std::thread([there] { dGeomDestroy(there); }).join();
+        expect_refused(0);
+        dGeomDestroy(here);
+        expect_refused(1);
+    };
+    // On a thread that the program has made, as on its first one.
+    std::thread([&] { dCollide(field, lone, 1, &contact, sizeof contact); }).join();
+    EXPECT_FALSE(g_act) << "the function came";
+    EXPECT_EQ(dGeomGetClass(there), -1);
+    g_refusals = 0;
+    for (dGeomID g : {field, here}) dGeomDestroy(g);
+    dGeomHeightfieldDataDestroy(data);
     expect_refused(0);
 }
 
