@@ -66,7 +66,7 @@ void dGeomSetOffsetRotation(dGeomID id, const dMatrix3 R)
 void dGeomSetOffsetQuaternion(dGeomID id, const dQuaternion q)
 {
     OFFSET_GEOM(geom, id);
-    EPODE_USER(q && usable(q, 4));
+    EPODE_USER(q && usable(q, 4) && usable(to_matrix(load_quat(q))));
     OFFSET_READY(geom);
     set_offset_rotation(*geom, to_matrix(load_quat(q)));
 }
@@ -90,7 +90,7 @@ void dGeomSetOffsetWorldRotation(dGeomID id, const dMatrix3 R)
 void dGeomSetOffsetWorldQuaternion(dGeomID id, const dQuaternion q)
 {
     OFFSET_GEOM(geom, id);
-    EPODE_USER(q && usable(q, 4));
+    EPODE_USER(q && usable(q, 4) && usable(to_matrix(load_quat(q))));
     OFFSET_READY(geom);
     set_world_rotation(*geom, to_matrix(load_quat(q)));
 }

@@ -197,7 +197,7 @@ bool Runner::perform(const Function& f, const Choice& choice)
     const bool dirty = changed_ || reset_ || (accepted_ && (is_hidden(f) || tally_.calls % 64 == 0));
     if (!dirty) return accepted_;
     if (accepted_ && tally_.rebuilt % kExerciseEvery == 0) {
-        go_on();
+        go_on(f);
         std::string unhealthy;
         state_.hash(&unhealthy);
         if (!unhealthy.empty()) fault(f, "after some steps something is not finite: " + unhealthy);
@@ -216,10 +216,10 @@ void Runner::perform_with(const Function& f, Choice choice,
     perform(f, choice);
 }
 
-void Runner::go_on()
+void Runner::go_on(const Function& f)
 {
     ++tally_.exercised;
-    if (!exercise(scene_)) faults_["dCollide gives a contact that is not finite"].count++;
+    if (!exercise(scene_)) fault(f, "afterwards dCollide gives a contact that is not finite");
 }
 
 // ---- which combinations ----
@@ -319,22 +319,27 @@ void Runner::random_ones(const Function& f, const Choice& base, long budget)
     }
 }
 
+void Runner::set_scene_for(const Function& f)
+{
+    const bool threads = uses_threads(f);
+    if (threads == scene_.with_threads) return;
+    scene_.tear_down();
+    scene_.with_threads = threads;
+    scene_.build();
+    hash_ = state_.hash(nullptr);
+}
+
 void Runner::run_any(long budget)
 {
     const Function& f = functions()[std::size_t(below(int(functions().size())))];
+    set_scene_for(f);
     if (f.count > 1) random_ones(f, Choice(std::size_t(f.count), 0), budget);
 }
 
 void Runner::run(const Function& f, long budget)
 {
     const long first = tally_.calls;
-    const bool threads = uses_threads(f);
-    if (threads != scene_.with_threads) {
-        scene_.tear_down();
-        scene_.with_threads = threads;
-        scene_.build();
-        hash_ = state_.hash(nullptr);
-    }
+    set_scene_for(f);
     Choice base;
     if (!find_base(f, base)) fault(f, "is never accepted");
     if (f.count > 0 && !all_combinations(f, budget)) {
@@ -421,7 +426,7 @@ void Runner::run_inside(const Function& f, Phase phase, long budget)
         g_hooks = {};
         if (called_) give_back(f, arguments_, result_);
         if (!called_) fault(f, "the library did not call the program");
-        if (accepted_ && n % 4 == 0) go_on();
+        if (accepted_ && n % 4 == 0) go_on(f);
         rebuild();
     }
     phase_ = Phase::kTop;

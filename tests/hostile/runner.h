@@ -70,8 +70,9 @@ class Runner {
     void judge_refused(const Function& f, const Result& r, long blocks);
     void judge_accepted(const Function& f, const Result& r);
     void enter(Phase phase);
+    void set_scene_for(const Function& f);
     void rebuild();
-    void go_on();
+    void go_on(const Function& f);
     void fault(const Function& f, const std::string& rule);
     std::string described(const Function& f) const;
     const char* must_refuse(const Function& f) const;

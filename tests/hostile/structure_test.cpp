@@ -202,6 +202,20 @@ TEST_F(Structure, absurd_sizes_are_refused_or_bearable)
     EXPECT_EQ(dCreateConvexHull(nullptr, corners, UINT_MAX, 0), nullptr);
     expect_refused(3);
 
+    // Numbers that are usable themselves and make others that are not.
+    const dReal huge = sizeof(dReal) == 4 ? dReal(1e17) : dReal(1e99),
+                tiny = std::numeric_limits<dReal>::min();
+    const dQuaternion q = {huge, huge, huge, huge};
+    const dGeomID plane_geom = dCreatePlane(space, 0, 0, 1, 0), sphere = dCreateSphere(space, 1);
+    dGeomPlaneSetParams(plane_geom, 0, 0, tiny, huge);
+    dGeomSetQuaternion(sphere, q);
+    dGeomSetBody(sphere, dBodyCreate(world));
+    dGeomSetOffsetQuaternion(sphere, q);
+    dGeomSetOffsetWorldQuaternion(sphere, q);
+    expect_refused(4);
+    dGeomDestroy(plane_geom);
+    dGeomDestroy(sphere);
+
     // A field of 4 x 10^18 samples, and a solid over most of them.
     const dHeightfieldDataID data = dGeomHeightfieldDataCreate();
     dGeomHeightfieldDataBuildCallback(data, nullptr, flat, 1000, 1000, INT_MAX, INT_MAX, 1, 0, 1, 0);

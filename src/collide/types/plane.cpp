@@ -29,7 +29,11 @@ Plane normalized(Real a, Real b, Real c, Real d)
     return {n, d / dot(given, n)};
 }
 
-bool legal(Real a, Real b, Real c, Real d) { return usable(a) && usable(b) && usable(c) && usable(d); }
+// The distance may be no number any more where the normal is next to nothing.
+bool legal(Real a, Real b, Real c, Real d)
+{
+    return usable(a) && usable(b) && usable(c) && usable(d) && usable(normalized(a, b, c, d).d);
+}
 
 }  // namespace
 
