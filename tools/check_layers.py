@@ -20,7 +20,9 @@ MAY_INCLUDE = {
     "joints": {"base", "math", "rows", "dynamics"},
     "solve": {"base", "math", "simd", "tasks", "rows"},
     "collide": {"base", "math", "simd", "geometry", "bvh"},
-    "step": {"base", "math", "simd", "tasks", "rows", "geometry", "bvh", "dynamics", "joints", "solve", "collide"},
+    "query": {"base", "math", "simd", "tasks", "geometry", "bvh", "collide"},
+    "step": {"base", "math", "simd", "tasks", "rows", "geometry", "bvh", "dynamics", "joints", "solve", "collide",
+             "query"},
 }
 MAY_INCLUDE["api"] = MAY_INCLUDE["step"] | {"step"}
 OUTSIDE = ["viewer", "scenes", "cli", "bench", "tests/parity", "tests/clients", "tests/physics", "tests/cli",

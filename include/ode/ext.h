@@ -203,6 +203,60 @@ ODE_API int dGeomConvexGetPolygons(dGeomID convex, unsigned int* polygons, int r
 ODE_API void dMassSetConvex(dMass* m, dReal density, dGeomID convex);
 ODE_API void dMassSetConvexTotal(dMass* m, dReal total_mass, dGeomID convex);
 
+/** @chapter queries Questions to spaces
+
+    What lies where in a space, without contacts and without a callback. Members of nested spaces, at any
+   depth, count as members. Disabled geoms and those of no size are not seen, as dSpaceCollide does not see
+   them, nor is anything in a disabled space. Answers do not depend on how a space is organised: where order
+   matters, and between geoms at equal distance, the geom that has joined last comes first, as in
+   dSpaceCollide. All lengths in m, all vectors in the world's frame.
+
+    Arguments:
+    - space: any space; it may be one that is being collided, and is then seen as when that began.
+    - category, collide: what the question is as a geom would be: it sees the geoms whose collide bits have
+   one of its category bits, or whose category bits have one of its collide bits. The same is asked of spaces,
+   for all that is in them. ~0ul sees everything.
+    - room: how many answers the array holds, 0 or more; 0 to ask for the number alone, the array may then be
+    null.
+
+    Refused: a space that is 0, destroyed or none; null pointers, numbers that are not finite, and what each
+   function names. Nothing changes then, nothing is written, and the answer is 0. While functions of the
+   program are called (user classes, overridden pairs, functions of meshes and heights), the space is locked.
+ */
+
+/** What a question has found. */
+typedef struct dQueryHit {
+    dGeomID geom;    /**< the geom that was hit; 0: none, and all else is 0 */
+    dVector3 pos;    /**< where, in the world */
+    dVector3 normal; /**< unit, out of that geom's surface, against the ray or the motion (see there) */
+    dReal distance;  /**< from the beginning of the ray or of the motion, m */
+    int side;        /**< triangle of a mesh, as dContactGeom::side2; -1: it has none */
+} dQueryHit;
+
+/** The geom that a ray meets first, from origin into direction (of any length but 0), to the distance length
+   (0 ... dInfinity), in *hit. Each geom is met as dCollide with a ray geom says, with the closest hit
+   counted: one whose inside the ray starts in is met at its far wall, from inside; normals of meshes are
+   those of their fronts. Returns 1, or 0 when nothing is met: then hit->geom is 0. Refused: a zero direction,
+   a length below 0. [ours] */
+ODE_API int dSpaceRayClosest(dSpaceID space, const dVector3 origin, const dVector3 direction, dReal length,
+                             unsigned long category, unsigned long collide, dQueryHit* hit);
+
+/** All geoms that the ray from origin into direction meets within length, each once, at its nearest hit, the
+   nearest first; as many of them as there is room for in hits. The rest as dSpaceRayClosest. Returns how many
+   there are. [ours] */
+ODE_API int dSpaceRayAll(dSpaceID space, const dVector3 origin, const dVector3 direction, dReal length,
+                         unsigned long category, unsigned long collide, dQueryHit* hits, int room);
+
+/** Many rays at once: for ray i of count the answer of dSpaceRayClosest in hits[i], geom 0 if it meets
+   nothing; origins and directions have 3 reals for each ray, lengths one. Over at most so many threads, the
+   caller's included (threads 0: as many as there are processors); the answers have the same bits on any
+   number. Where a function of the program would be called for any geom of the space, the caller's thread does
+   all. Returns how many rays meet something. Refused, all of them: one ray that dSpaceRayClosest would
+   refuse, a negative count or number of threads. [ours] */
+ODE_API int dSpaceRayBatch(dSpaceID space, int count, const dReal* origins, const dReal* directions,
+                           const dReal* lengths, unsigned long category, unsigned long collide,
+                           dQueryHit* hits, int threads);
+
 #ifdef __cplusplus
 }
 #endif

@@ -9,6 +9,9 @@
 // tree is rebuilt. Boxes must be ordered and finite (bounded()), or areas would not be numbers.
 #pragma once
 
+#include <cmath>
+#include <utility>
+
 #include "base/array.h"
 #include "geometry/shapes.h"
 
@@ -30,6 +33,33 @@ constexpr bool contains(const Aabb& outer, const Aabb& inner)
     return outer.lo.x <= inner.lo.x && outer.lo.y <= inner.lo.y && outer.lo.z <= inner.lo.z &&
            outer.hi.x >= inner.hi.x && outer.hi.y >= inner.hi.y && outer.hi.z >= inner.hi.z;
 }
+
+// A ray as boxes are tested by it, all of them inside `all`. `slack` widens each by more than the rounding of
+// what is in it, so that nothing is missed; what is next to zero in the direction is replaced by something
+// tiny.
+struct TreeRay {
+    TreeRay(Vec3 o, Vec3 d, const Aabb& all)
+        : origin(o), slack(16 * kEpsilon * max_component(max(abs(o), max(abs(all.lo), abs(all.hi)))))
+    {
+        constexpr Real most = kSingle ? Real(1e30) : Real(1e290);
+        for (int i = 0; i < 3; ++i) inverse.set(i, std::fabs(d[i]) * most > 1 ? 1 / d[i] : most);
+    }
+    // Where the ray enters the box if it does so within `reach`, kInf if not.
+    Real enters(const Aabb& box, Real reach) const
+    {
+        Real near = 0, far = reach;
+        for (int i = 0; i < 3; ++i) {
+            const Real a = (box.lo[i] - origin[i] - slack) * inverse[i];
+            const Real b = (box.hi[i] - origin[i] + slack) * inverse[i];
+            const Real first = a < b ? a : b, last = a < b ? b : a;
+            near = first > near ? first : near;
+            far = last < far ? last : far;
+        }
+        return near <= far ? near : kInf;
+    }
+    Vec3 origin, inverse;
+    Real slack;
+};
 
 class DynamicTree {
   public:
@@ -72,6 +102,38 @@ class DynamicTree {
             }
         }
     }
+
+    // visit(item) for every leaf whose box the ray meets, near ones first as a rule; it answers how far the
+    // ray has still to be followed, less than 0 ends it.
+    template <typename Visit>
+    void cast(const TreeRay& ray, Real reach, Visit&& visit) const
+    {
+        if (root_ < 0) return;
+        struct Waiting {
+            int node;
+            Real near;
+        } stack[kMaxHeight + 2];
+        int top = 0;
+        const Real first = ray.enters(nodes_.data()[root_].box, reach);
+        if (first < kInf) stack[top++] = {root_, first};
+        while (top > 0) {
+            const Waiting next = stack[--top];
+            if (next.near > reach) continue;
+            const Node& node = nodes_.data()[next.node];
+            if (node.child < 0) {
+                reach = visit(node.item);
+                continue;
+            }
+            Waiting a = {node.child, ray.enters(nodes_.data()[node.child].box, reach)};
+            Waiting b = {node.other, ray.enters(nodes_.data()[node.other].box, reach)};
+            if (a.near < b.near) std::swap(a, b);
+            if (a.near < kInf) stack[top++] = a;
+            if (b.near < kInf) stack[top++] = b;
+        }
+    }
+
+    // The union of all leaves' boxes; the tree must not be empty.
+    const Aabb& bounds() const { return nodes_.data()[root_].box; }
 
     // visit(item, item) for every two leaves whose boxes meet, each pair once. For many leaves this is
     // several times quicker than a query for each: common ancestors are compared once.

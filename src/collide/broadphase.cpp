@@ -103,7 +103,7 @@ const Aabb& Broadphase::fat_box(const Proxy& proxy) const
 
 bool Broadphase::update_tree()
 {
-    if (escaped_.empty() && tree_.sound()) return true;
+    if (ready()) return true;
     const bool in_bulk = escaped_.size() > 32 && escaped_.size() > tree_.leaf_count() / 6;
     int done = 0;
     bool placed = true;

@@ -56,6 +56,24 @@ class Broadphase {
         return true;
     }
 
+    // Brings the tree up to date. False when memory is exhausted: cast() must not be used then.
+    [[nodiscard]] bool prepare() { return update_tree(); }
+    bool ready() const { return escaped_.empty() && tree_.sound(); }
+
+    // visit(slot) for every present slot whose box the ray (unit direction) meets, near ones first as a rule,
+    // in no promised order; it answers how far the ray has still to be followed, less than 0 ends it.
+    template <typename Visit>
+    void cast(Vec3 origin, Vec3 direction, Real reach, Visit&& visit) const
+    {
+        for (int slot : unbounded_) reach = visit(slot);
+        if (tree_.leaf_count() == 0) return;
+        const TreeRay ray(origin, direction, tree_.bounds());
+        tree_.cast(ray, reach, [&](int slot) {
+            if (ray.enters(proxies_.data()[slot].box, reach) < kInf) reach = visit(slot);
+            return reach;
+        });
+    }
+
   private:
     struct Proxy {
         Aabb box;

@@ -258,7 +258,20 @@ bool overridden(const Geom& a, const Geom& b)
     return collider.user || collider.disabled;
 }
 
+bool asks_program(Geom& geom)
+{
+    if (is_user_class(geom.type->number) || as_transform(geom) || asks(geom)) return true;
+    if (geom.type->number != dHeightfieldClass) return false;
+    const HeightfieldData* field = static_cast<const ShapeGeom<Heightfield>&>(geom).shape.field();
+    return field && field->source == HeightfieldData::Source::kCallback;
+}
+
 }  // namespace
+
+bool asks_program(Geom& a, Geom& b)
+{
+    return asks_program(a) || asks_program(b) || collider_of(a.type->number, b.type->number).user;
+}
 
 void collide(Geom& a, Geom& b, ContactArray& out)
 {

@@ -27,6 +27,10 @@ struct ContactArray {
 // Appends the contacts of a and b; g1 belongs to a.
 void collide(Geom& a, Geom& b, ContactArray& out);
 
+// May functions of the program be called when the two, neither of them a space, are collided? Of what a
+// transform holds this is not asked: yes.
+bool asks_program(Geom& a, Geom& b);
+
 // `function` serves (i, j) and, turned round, (j, i); null: the pair does not collide. Until the last close.
 void override_collider(int i, int j, dColliderFn* function);
 

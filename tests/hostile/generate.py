@@ -45,7 +45,7 @@ KIND_OF_TYPE = {
     "dMass*": "Mass", "const dMass*": "Mass", "const dContact*": "Contact", "dContactGeom*": "Contacts",
     "const dGeomClass*": "GeomClass", "dWorldStepReport*": "WorldReport",
     "dIslandStepReport*": "IslandReport", "dStopwatch*": "Stopwatch", "FILE*": "File",
-    "const char*": "Text", "void*": "Data", "dJointID*": "JointList", "dJointFeedback*": "Feedback",
+    "const char*": "Text", "dQueryHit*": "QueryHits", "void*": "Data", "dJointID*": "JointList", "dJointFeedback*": "Feedback",
     "const unsigned char*": "Bytes", "const short*": "Shorts", "const float*": "Floats",
     "const double*": "Doubles",
     "dMessageFunction*": "MessageFunction", "dAllocFunction*": "AllocFunction",
@@ -64,6 +64,8 @@ MATRIX = (r"d(SetZero|SetValue|Dot|Multiply\d|FactorCholesky|SolveCholesky|Inver
 KIND_OF_PARAMETER = [
     (r"dPrintMatrix:fmt", "Format"),
     (r"dThreadingAllocateThreadPool:thread_count", "ThreadCount"),
+    (r"dSpaceRayBatch:count", "Length"),
+    (r"dSpaceRayBatch:(origins|directions|lengths)", "Reals"),
     (r"dCooperatively\w+:(rowCount|rowSkip|elementCount)", "Length"),
     (r"dCooperatively\w+:(A|d|L|b|dataVector|scaleVector)", "Reals"),
     (r"d(LDLTRemove|RemoveRowCol):r", "Int"),
@@ -110,6 +112,7 @@ MAY_BE_NULL = [
     r"d(Create|GeomTriMeshSet)\w+:(Data|\w*Callback)", r"dGeomTriMeshGetTriangle:v[012]",
     r"dGeomTriMeshData\w+:(Normals|requestExtraData|in_data|pout_size|buf|bufLen)",
     r"dGeomConvexGet\w+:(points|planes|polygons)",
+    r"dSpaceRayAll:hits", r"dSpaceRayBatch:(origins|directions|lengths|hits)",
     # With no elements there is nothing to point to.
     r"d(SetZero|SetValue|Dot|ScaleVector|VectorScale|FactorLDLT):(a|b|d|A)",
     r"dCooperatively\w+:(A|L|b|d|dataVector|scaleVector)",

@@ -63,6 +63,7 @@ enum class Kind {
     kMass,
     kContact,
     kContacts,
+    kQueryHits,
     kGeomClass,
     kWorldReport,
     kIslandReport,

@@ -178,6 +178,7 @@ int Values::count(Kind kind)
         case Kind::kBytesPointer:
         case Kind::kRows:
         case Kind::kContacts:
+        case Kind::kQueryHits:
         case Kind::kStopwatch:
         case Kind::kFile:
         case Kind::kData:
@@ -380,6 +381,9 @@ Value Values::memory(Kind kind, int index, int position)
             return v;
         case Kind::kFeedback:
             v.pointer = fill(kind, position, kRoom.data(), sizeof(dJointFeedback));
+            return v;
+        case Kind::kQueryHits:
+            v.pointer = fill(kind, position, kRoom.data(), kRoom.size());
             return v;
         case Kind::kJointList:
             v.pointer = fill(kind, position, kRoom.data(), 256 * sizeof(dJointID));

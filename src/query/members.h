@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What queries of spaces have in common: which members they look at, and in which order they report them.
+// Members of nested spaces count as members, at the place of the space that holds them; order is that of
+// dSpaceCollide, newer before older, and so depends on the order of joining alone, never on the shape of a
+// tree. Filters are those of spaces: one of the two must collide with a category of the other; bits and
+// enabling of a nested space hold for what is in it.
+#pragma once
+
+#include "collide/space.h"
+
+namespace epode {
+
+struct QueryBits {
+    unsigned long category = ~0ul, collide = ~0ul;
+    bool meet(const Geom& geom) const
+    {
+        return (category & geom.collide) != 0 || (geom.category & collide) != 0;
+    }
+};
+
+// Did a join later? Both are members, at any depth, of one space.
+bool is_newer(const Geom& a, const Geom& b);
+
+// Brings the boxes and the tree of a space and of all in it up to date, and the poses of all members, so that
+// several threads may ask it. False: memory is exhausted; it may be asked, but not by the tree.
+bool make_ready(Space& space);
+
+// visit(geom) for every member at any depth that is no space, until it answers false.
+template <typename Visit>
+bool each_member(Space& space, Visit&& visit)
+{
+    for (int slot = space.members.size(); slot-- > 0;) {
+        Geom* m = space.members[slot];
+        if (!m) continue;
+        if (is_space(*m) ? !each_member(static_cast<Space&>(*m), visit) : !visit(*m)) return false;
+    }
+    return true;
+}
+
+// Locks (1) or unlocks (-1) the spaces from that of a member up to an outer one, so that the member stays
+// what and where it is.
+void lock_around(const Geom& member, Space& outer, int count);
+
+}  // namespace epode

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The walk down the trees, what waits for its end, and the functions of the interface.
+#include "query/ray_query.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "ode/ext.h"
+#include "tasks/tasks.h"
+
+namespace epode {
+namespace {
+
+// Above a distance by so little that nothing lies between them.
+Real just_beyond(Real distance)
+{
+    return distance + 4 * kEpsilon * distance + (kSingle ? Real(1e-36) : Real(1e-300));
+}
+
+}  // namespace
+
+RayProbe::RayProbe() : ShapeGeom<Ray>(kRayType) { shape.closest_hit = true; }
+
+RayProbe::~RayProbe()
+{
+    if (space) remove_member(*space, *this);
+    while (holders) set_transform_geom(*holders, nullptr);
+    unlink_body(*this);
+}
+
+void RayProbe::aim(const RayQuestion& question, Real length)
+{
+    shape.length = length;
+    store(own_position, question.origin);
+    for (int i = 0; i < 3; ++i) own_rotation[4 * i + 2] = question.direction[i];
+    box_stale = true;
+}
+
+bool RayCaster::asks_program_of_any()
+{
+    return !each_member(space_, [&](Geom& m) { return !asks_program(probe_, m); });
+}
+
+bool RayCaster::hit(const RayQuestion& question, Geom& geom, Real length, RayAnswer& out)
+{
+    probe_.aim(question, length);
+    if (geom.type->may_touch && !geom.type->may_touch(geom, probe_)) return false;
+    ContactArray one{&out.contact, int(sizeof(dContactGeom)), 1, false};
+    collide(probe_, geom, one);
+    out.member = &geom;
+    return one.count > 0;
+}
+
+// found(answer) for every member that is hit at no more than `reach`, which it may shorten; what must wait is
+// put aside.
+template <typename Found>
+void RayCaster::walk(Space& space, const RayQuestion& question, Real& reach, Found&& found)
+{
+    if (!ready_) clean(space);  // but not one that is being collided
+    const auto visit = [&](int slot) {
+        Geom& m = *space.members.data()[slot];
+        if (!m.enabled || !question.bits.meet(m)) return reach;
+        if (is_space(m)) {
+            walk(static_cast<Space&>(m), question, reach, found);
+            return reach;
+        }
+        const bool waits = m.type->number == dHeightfieldClass || asks_program(probe_, m);
+        if (waits && waiting_.push(&m)) return reach;
+        RayAnswer answer;
+        if (hit(question, m, reach, answer)) found(answer);
+        return reach;
+    };
+    const bool by_tree = ready_ ? space.broadphase.ready() : space.broadphase.prepare();
+    if (!ready_) ++space.locks;  // to clean what is in it may call functions of the program
+    if (by_tree) {
+        space.broadphase.cast(question.origin, question.direction, reach, visit);
+    } else {
+        for (int slot = space.members.size(); slot-- > 0;)
+            if (space.members.data()[slot] && space.broadphase.present(slot)) visit(slot);
+    }
+    if (!ready_) --space.locks;
+}
+
+template <typename Found>
+void RayCaster::ask_waiting(const RayQuestion& question, const Real& reach, Found&& found)
+{
+    std::sort(waiting_.begin(), waiting_.end(), [](Geom* a, Geom* b) { return is_newer(*a, *b); });
+    if (!ready_)
+        for (Geom* m : waiting_) lock_around(*m, space_, 1);
+    const Real until = reach;
+    for (Geom* m : waiting_) {
+        RayAnswer answer;
+        const Aabb& box = box_of(*m);
+        const bool near =
+            !bounded(box) || TreeRay(question.origin, question.direction, box).enters(box, until) < kInf;
+        if (near && hit(question, *m, reach, answer)) found(answer);
+    }
+    if (!ready_)
+        for (Geom* m : waiting_) lock_around(*m, space_, -1);
+    waiting_.clear();
+}
+
+RayAnswer RayCaster::closest(const RayQuestion& question)
+{
+    RayAnswer best;
+    Real reach = question.length;
+    const auto found = [&](const RayAnswer& answer) {
+        if (best.member && !comes_before(answer, best)) return;
+        best = answer;
+        reach = std::min(reach, just_beyond(answer.contact.depth));
+    };
+    walk(space_, question, reach, found);
+    ask_waiting(question, reach, found);
+    return best;
+}
+
+bool RayCaster::all(const RayQuestion& question, Array<RayAnswer>& out)
+{
+    Real reach = question.length;
+    bool room = true;
+    const auto found = [&](const RayAnswer& answer) { room = out.push(answer) && room; };
+    walk(space_, question, reach, found);
+    ask_waiting(question, reach, found);
+    std::sort(out.begin(), out.end(), comes_before);
+    return room;
+}
+
+}  // namespace epode
+
+using namespace epode;
+
+namespace {
+
+void put(const RayAnswer& answer, dQueryHit& out)
+{
+    out = dQueryHit{};
+    out.side = -1;
+    if (!answer.member) return;
+    const dContactGeom& c = answer.contact;
+    out.geom = c.g2;
+    store(out.pos, load(c.pos));
+    store(out.normal, load(c.normal));
+    out.distance = c.depth;
+    out.side = c.side2;
+}
+
+bool usable_ray(const dReal* origin, const dReal* direction, dReal length)
+{
+    return usable(origin, 3) && usable(direction, 3) && (usable(length) || length == kInf) && length >= 0;
+}
+
+// The direction is not zero.
+bool question_of(const dReal* origin, const dReal* direction, dReal length, QueryBits bits, RayQuestion& out)
+{
+    out = {load(origin), load(direction), std::min(length, kAbsurd), bits};
+    return normalize(out.direction);
+}
+
+}  // namespace
+
+extern "C" int dSpaceRayClosest(dSpaceID id, const dVector3 origin, const dVector3 direction, dReal length,
+                                unsigned long category, unsigned long collide, dQueryHit* hit)
+{
+    EPODE_SPACE(space, id, 0);
+    EPODE_USER(origin && direction && hit && usable_ray(origin, direction, length), 0);
+    RayQuestion question;
+    EPODE_USER(question_of(origin, direction, length, {category, collide}, question), 0);
+    RayCaster caster(*space, false);
+    const RayAnswer answer = caster.closest(question);
+    put(answer, *hit);
+    return answer.member != nullptr;
+}
+
+extern "C" int dSpaceRayAll(dSpaceID id, const dVector3 origin, const dVector3 direction, dReal length,
+                            unsigned long category, unsigned long collide, dQueryHit* hits, int room)
+{
+    EPODE_SPACE(space, id, 0);
+    EPODE_USER(origin && direction && usable_ray(origin, direction, length), 0);
+    EPODE_USER(room >= 0 && (hits || room == 0), 0);
+    RayQuestion question;
+    EPODE_USER(question_of(origin, direction, length, {category, collide}, question), 0);
+    RayCaster caster(*space, false);
+    Array<RayAnswer> answers;
+    EPODE_USER_SAY(caster.all(question, answers), kOutOfMemory, 0);
+    for (int i = 0; i < std::min(room, answers.size()); ++i) put(answers[i], hits[i]);
+    return answers.size();
+}
+
+extern "C" int dSpaceRayBatch(dSpaceID id, int count, const dReal* origins, const dReal* directions,
+                              const dReal* lengths, unsigned long category, unsigned long collide,
+                              dQueryHit* hits, int threads)
+{
+    EPODE_SPACE(space, id, 0);
+    EPODE_USER(count >= 0 && threads >= 0, 0);
+    EPODE_USER(count == 0 || (origins && directions && lengths && hits), 0);
+    for (std::size_t i = 0; i < std::size_t(count); ++i) {
+        RayQuestion question;
+        EPODE_USER(usable_ray(origins + 3 * i, directions + 3 * i, lengths[i]), 0);
+        EPODE_USER(question_of(origins + 3 * i, directions + 3 * i, lengths[i], {}, question), 0);
+    }
+    constexpr int kParcel = 64;
+    make_ready(*space);
+    const bool alone = RayCaster(*space, true).asks_program_of_any();
+    const SpaceLock lock(*space);
+    const Tasks tasks(alone ? 1 : threads == 0 ? processor_count() : threads);
+    std::atomic<int> met{0};
+    tasks.for_each((count + kParcel - 1) / kParcel, [&](int parcel, int) {
+        RayCaster caster(*space, !alone);
+        int here = 0;
+        const std::size_t first = std::size_t(parcel) * kParcel;
+        for (std::size_t i = first; i < std::min(first + kParcel, std::size_t(count)); ++i) {
+            RayQuestion question;
+            (void)question_of(origins + 3 * i, directions + 3 * i, lengths[i], {category, collide}, question);
+            const RayAnswer answer = caster.closest(question);
+            put(answer, hits[i]);
+            here += answer.member != nullptr;
+        }
+        met.fetch_add(here, std::memory_order_relaxed);
+    });
+    return met.load();
+}

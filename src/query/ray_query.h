@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Rays against spaces. A ray meets a geom as dCollide(ray, geom) says, overrides and functions of the program
+// included, and of each geom counts the nearest hit. The nearest geom is sought down the tree of the space,
+// near boxes first, with a reach that shrinks to the best distance so far; so far from everything is visited,
+// and the answer is still that of trying all: boxes are widened by more than rounding, the reach is a little
+// more than the best distance, and of equal distances the newer geom wins. What needs a reach that does not
+// depend on the shape of the tree waits for the end of the walk and is asked in order of joining: geoms for
+// which functions of the program are called, and height fields, whose walk over the grid rounds with its end.
+#pragma once
+
+#include "collide/collide.h"
+#include "collide/registry.h"
+#include "query/members.h"
+
+namespace epode {
+
+struct RayQuestion {
+    Vec3 origin, direction;  // unit
+    Real length = 0;
+    QueryBits bits;
+};
+
+struct RayAnswer {
+    const Geom* member = nullptr;  // of the space: where the hit stands in the order; null: nothing was hit
+    dContactGeom contact;          // depth: distance; g2: what was hit; side2: its triangle
+};
+
+inline bool comes_before(const RayAnswer& a, const RayAnswer& b)
+{
+    if (a.contact.depth != b.contact.depth) return a.contact.depth < b.contact.depth;
+    return a.member != b.member && is_newer(*a.member, *b.member);
+}
+
+// A ray geom that no space and no pool knows. What functions of the program may do to it is undone.
+class RayProbe : public ShapeGeom<Ray> {
+  public:
+    RayProbe();
+    ~RayProbe();
+    void aim(const RayQuestion& question, Real length);
+
+  private:
+    GeomHold hold_{*this};
+};
+
+class RayCaster {
+  public:
+    // `ready`: make_ready() has been called, several threads may ask, and no function of the program is in
+    // the way.
+    RayCaster(Space& space, bool ready) : space_(space), ready_(ready) {}
+
+    RayAnswer closest(const RayQuestion& question);
+
+    // All geoms that are hit, nearest first. False when memory is exhausted.
+    [[nodiscard]] bool all(const RayQuestion& question, Array<RayAnswer>& out);
+
+    // Is there a geom for which a function of the program would be called?
+    bool asks_program_of_any();
+
+  private:
+    template <typename Found>
+    void walk(Space& space, const RayQuestion& question, Real& reach, Found&& found);
+    template <typename Found>
+    void ask_waiting(const RayQuestion& question, const Real& reach, Found&& found);
+    bool hit(const RayQuestion& question, Geom& geom, Real length, RayAnswer& out);
+
+    Space& space_;
+    bool ready_;
+    RayProbe probe_;
+    Array<Geom*> waiting_;
+};
+
+}  // namespace epode
