@@ -8,6 +8,7 @@
 #include "bench/accuracy.h"
 #include "bench/exact_table.h"
 #include "bench/mesh_rays.h"
+#include "bench/pairs.h"
 #include "bench/pile.h"
 #include "bench/scene_bench.h"
 #include "bench/terrain.h"
@@ -90,6 +91,17 @@ CLI::App* add_terrain(CLI::App& app, epode::bench::TerrainOptions& options)
     return command;
 }
 
+CLI::App* add_pairs(CLI::App& app, epode::bench::PairOptions& options)
+{
+    CLI::App* command = app.add_subcommand("pairs", "dCollide pair by pair, as bench/collide runs it");
+    command->add_option("--first", options.first, "only pairs with this member");
+    command->add_option("--second", options.second, "and this one");
+    command->add_option("--poses", options.poses, "of each set (default 500)")->check(CLI::Range(1, 100'000));
+    command->add_option("--rounds", options.rounds, "the quickest counts (default 5)")
+        ->check(CLI::Range(1, 1'000'000));
+    return command;
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -120,6 +132,8 @@ int main(int argc, char** argv)
     CLI::App* mesh_rays = add_mesh_rays(app, rays);
     epode::bench::TerrainOptions terrain;
     CLI::App* terrain_command = add_terrain(app, terrain);
+    epode::bench::PairOptions pairs;
+    CLI::App* pairs_command = add_pairs(app, pairs);
     CLI::App* library = app.add_subcommand("library", "print the file of the libode at hand");
     app.require_subcommand(0, 1);
     try {
@@ -144,6 +158,7 @@ int main(int argc, char** argv)
     }
     if (*mesh_rays) return epode::bench::bench_mesh_rays(rays);
     if (*terrain_command) return epode::bench::bench_terrain(terrain);
+    if (*pairs_command) return epode::bench::bench_pairs(pairs);
     if (*make_pile) return epode::bench::print_pile(pile.count, pile.side, pile.rows, pile.seed);
     return epode::bench::bench_scene(options);
 }

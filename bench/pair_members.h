@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The solids of bench/collide, about half a metre in size, made with ode/*.h alone. Each kind says how high
+// it stands over its origin when it rests upright, so that pairs can be laid on each other without asking a
+// library for a depth. A new kind of geom is a new line of kMembers and a case of PairMember.
+//   cube, hull20, hull100   polyhedra with 8, 20 and 100 vertices; the latter are rings of points on an
+//   ellipsoid
+//                           (planar quadrangles, flat above and below), so that no hull need be computed here
+//   mesh                    the ellipsoid of 100 points as a triangle mesh
+#pragma once
+
+#include <ode/ode.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace epode::bench {
+
+class PairDice {
+  public:
+    explicit PairDice(std::uint64_t seed) : state_(seed) {}
+    double in(double lo, double hi)
+    {
+        state_ = state_ * 6364136223846793005ull + 1442695040888963407ull;
+        return lo + (hi - lo) * double(state_ >> 11) * 0x1p-53;
+    }
+
+  private:
+    std::uint64_t state_;
+};
+
+inline constexpr const char* kMembers[] = {"sphere", "box",     "capsule", "cylinder", "cube",
+                                           "hull20", "hull100", "plane",   "ray",      "mesh"};
+
+// Points, planes and polygons as dCreateConvex reads them: they must outlive the geom.
+struct RingHull {
+    std::vector<dReal> points, planes;
+    std::vector<unsigned> polygons;
+    double top = 0;    // height of the uppermost ring
+    double reach = 0;  // of the farthest point
+    RingHull(int rings, int sides, double radius, double height);
+
+  private:
+    void add_face(const std::vector<int>& corners);
+};
+
+class PairMember {
+  public:
+    explicit PairMember(const std::string& kind);
+    PairMember(const PairMember&) = delete;
+    PairMember& operator=(const PairMember&) = delete;
+    ~PairMember();
+
+    dGeomID geom() const { return geom_; }
+    double top() const { return top_; }      // of the upright solid
+    double reach() const { return reach_; }  // of any pose
+    bool is_plane() const { return kind_ == "plane"; }
+    bool is_ray() const { return kind_ == "ray"; }
+
+  private:
+    void make_mesh();
+
+    std::string kind_;
+    RingHull hull_;
+    dGeomID geom_ = nullptr;
+    dTriMeshDataID data_ = nullptr;
+    std::vector<dTriIndex> triangles_;
+    double top_ = 0, reach_ = 0;
+};
+
+}  // namespace epode::bench
