@@ -79,6 +79,7 @@ void cylinder_feature(const void* shape, Vec3 d, Polygon& out)
 ConvexView view_of(const Sphere& sphere, const Pose& pose)
 {
     return {.shape = &sphere,
+            .kind = SolidKind::kPoint,
             .local_support = point_support,
             .local_feature = point_feature,
             .pose = pose,
@@ -91,6 +92,7 @@ ConvexView view_of(const Sphere& sphere, const Pose& pose)
 ConvexView view_of(const Box& box, const Pose& pose)
 {
     return {.shape = &box,
+            .kind = SolidKind::kBox,
             .local_support = box_support,
             .local_feature = box_feature,
             .pose = pose,
@@ -103,6 +105,7 @@ ConvexView view_of(const Box& box, const Pose& pose)
 ConvexView view_of(const Capsule& capsule, const Pose& pose)
 {
     return {.shape = &capsule,
+            .kind = SolidKind::kSegment,
             .local_support = segment_support,
             .local_feature = segment_feature,
             .pose = pose,
@@ -116,6 +119,7 @@ ConvexView view_of(const Cylinder& cylinder, const Pose& pose)
 {
     return {
         .shape = &cylinder,
+        .kind = SolidKind::kCylinder,
         .local_support = cylinder_support,
         .local_feature = cylinder_feature,
         .pose = pose,

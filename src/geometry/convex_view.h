@@ -23,8 +23,20 @@ struct PolyhedronFace {
     int first, count;  // of the corners
 };
 
+// An edge between two faces, from one vertex to the other; seen from outside the left face is on its left, so
+// that left.normal x right.normal points along it.
+struct PolyhedronEdge {
+    int from, to;
+    int left, right;
+    Real cos_half;  // of the angle between the normals
+};
+
+// What a view shows, for algorithms that know it better than through its functions.
+enum class SolidKind : unsigned char { kOther, kPoint, kSegment, kBox, kCylinder, kPolyhedron };
+
 struct ConvexView {
     const void* shape = nullptr;
+    SolidKind kind = SolidKind::kOther;  // `shape` is then the Sphere, Capsule, Box, Cylinder or Polyhedron
     Vec3 (*local_support)(const void* shape, Vec3 direction) = nullptr;
     // Face (counter-clockwise from outside), segment or point that looks most along `direction`.
     void (*local_feature)(const void* shape, Vec3 direction, Polygon& out) = nullptr;

@@ -10,6 +10,7 @@
 // The slope of h at n is its support point, since h is homogeneous of degree one; for a rim of radius r about
 // u, with m the unit part of n across u and w = u x m, the second derivative is  r / |n - (n.u)u|  w w^T.
 #include "geometry/epa.h"
+#include "geometry/flat_overlap.h"
 #include "geometry/root.h"
 
 namespace epode {
@@ -158,11 +159,20 @@ void offer_face(const ConvexView& v, Real sense, Vec3 guess, const ConvexView& a
     if (h < best.depth) best.depth = h, best.normal = n;
 }
 
-Overlap least_overlap(const ConvexView& a, const ConvexView& b)
+namespace {
+
+template <class Pair>
+Overlap least_overlap_of(Pair&& pair, Real enough)
+{
+    pair.try_faces(enough);
+    if (pair.best.depth >= enough && !pair.proven()) pair.try_rest(enough);
+    return pair.best;
+}
+
+Overlap search(const ConvexView& a, const ConvexView& b, Real enough)
 {
     const Real size = a.size + b.size;
     const Real handicap = kFacePreference * size;
-    const Real enough = -(a.radius + b.radius) - 64 * kEpsilon * (size + length(b.pose.p - a.pose.p));
     Overlap best;
     if (!offer_exact(a, b, handicap, enough, best)) return best;
     const bool polishable = a.rim_radius > 0 || b.rim_radius > 0;
@@ -180,6 +190,19 @@ Overlap least_overlap(const ConvexView& a, const ConvexView& b)
     polish_edges(b, guess, a, b, guess, best);
     if (a.rim_radius > 0 && b.rim_radius > 0) polish_rims(a, b, best.normal, 0, best);
     return flush.depth <= best.depth + handicap ? flush : best;
+}
+
+}  // namespace
+
+Overlap least_overlap(const ConvexView& a, const ConvexView& b)
+{
+    const Real enough =
+        -(a.radius + b.radius) - 64 * kEpsilon * (a.size + b.size + length(b.pose.p - a.pose.p));
+    const bool flat_a = FlatSolid::is_flat(a), flat_b = FlatSolid::is_flat(b);
+    if (flat_a && flat_b) return least_overlap_of(FlatPair(a, b), enough);
+    if ((flat_a && RoundCore::is_round(b)) || (flat_b && RoundCore::is_round(a)))
+        return least_overlap_of(RoundPair(a, b), enough);
+    return search(a, b, enough);
 }
 
 }  // namespace epode

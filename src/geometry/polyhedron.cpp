@@ -70,7 +70,8 @@ const char* Polyhedron::build(const Real* points, unsigned count, int most_verti
     const char* refusal = made.take_hull(all.span(), most_vertices);
     if (refusal == kAllInOnePlane && plates) refusal = made.take_plate(all.span());
     if (refusal) return refusal;
-    if (!made.take_edges() || !made.take_neighbours()) return "out of memory";
+    if (!made.take_edges() || !made.take_seams() || !made.take_neighbours()) return "out of memory";
+    made.take_inner();
     swap(made);
     return nullptr;
 }
@@ -78,9 +79,11 @@ const char* Polyhedron::build(const Real* points, unsigned count, int most_verti
 void Polyhedron::swap(Polyhedron& other)
 {
     vertices_.swap(other.vertices_), faces_.swap(other.faces_), corners_.swap(other.corners_);
-    edges_.swap(other.edges_), first_.swap(other.first_), neighbours_.swap(other.neighbours_);
+    edges_.swap(other.edges_), seams_.swap(other.seams_), first_.swap(other.first_),
+        neighbours_.swap(other.neighbours_);
     around_.swap(other.around_);
     std::swap(start_, other.start_), std::swap(centre_, other.centre_), std::swap(size_, other.size_);
+    std::swap(inner_, other.inner_), std::swap(inner_radius_, other.inner_radius_);
 }
 
 const char* Polyhedron::take_hull(std::span<const Vec3> points, int most_vertices)
@@ -185,6 +188,41 @@ bool Polyhedron::take_edges()
     return true;
 }
 
+// Each side of a face goes from i to j, and the same edge's other face has it from j to i: sorted by its
+// vertices, the two stand side by side.
+bool Polyhedron::take_seams()
+{
+    Array<PolyhedronEdge> sides;
+    for (int f = 0; f < faces_.size(); ++f)
+        for (int k = 0; k < faces_[f].count; ++k) {
+            const int i = corners_[faces_[f].first + k];
+            const int j = corners_[faces_[f].first + (k + 1) % faces_[f].count];
+            if (!sides.push(i < j ? PolyhedronEdge{i, j, f, -1, 0} : PolyhedronEdge{j, i, -1, f, 0}))
+                return false;
+        }
+    std::sort(sides.begin(), sides.end(), [](const PolyhedronEdge& a, const PolyhedronEdge& b) {
+        return a.from != b.from ? a.from < b.from : a.to != b.to ? a.to < b.to : a.left > b.left;
+    });
+    for (int k = 0; k + 1 < sides.size(); ++k) {
+        PolyhedronEdge seam = sides[k];
+        const PolyhedronEdge& other = sides[k + 1];
+        if (seam.from != other.from || seam.to != other.to || seam.left < 0 || other.right < 0) continue;
+        seam.right = other.right;
+        seam.cos_half = Real(0.5) * length(faces_[seam.left].normal + faces_[seam.right].normal);
+        if (!seams_.push(seam)) return false;
+        ++k;
+    }
+    return true;
+}
+
+void Polyhedron::take_inner()
+{
+    for (const Vec3 v : vertices_) inner_ += v / Real(vertices_.size());
+    inner_radius_ = kInf;
+    for (const Face& f : faces_) inner_radius_ = std::min(inner_radius_, f.offset - dot(f.normal, inner_));
+    inner_radius_ = std::max(inner_radius_, Real(0));
+}
+
 // Each edge is met once from either face: from i to its next corner.
 bool Polyhedron::take_neighbours()
 {
@@ -281,6 +319,7 @@ ConvexView view_of(const Convex& convex, const Pose& pose)
     const Polyhedron& solid = *convex.solid;
     ConvexView view;
     view.shape = &solid;
+    view.kind = SolidKind::kPolyhedron;
     view.local_support = support_of;
     view.local_feature = feature_of;
     view.pose = {pose.to_world(solid.centre()), pose.R};

@@ -7,7 +7,9 @@
 //   digits faces     unit outward normal n and offset d, the solid being all x with n . x <= d; corners
 //             counter-clockwise from outside. What lies in one plane is one face: a cube made of 12 triangles
 //             stands on four corners.
-//   edges     directions, each once up to sign; none are listed of a solid with more than kNamedFaces faces
+//   edges     between two faces, and their directions, each once up to sign; of the latter none are listed of
+//             a solid with more than kNamedFaces faces
+//   inner     the mean of the vertices, and the least distance from there to a face: a ball within the solid
 // The farthest vertex is found by trying all of them when they are few, else by climbing from neighbour to
 // neighbour: in a convex solid who has no better neighbour is best.
 #pragma once
@@ -35,6 +37,9 @@ class Polyhedron {
     std::span<const Face> faces() const { return faces_.span(); }
     std::span<const int> corners() const { return corners_.span(); }
     std::span<const Vec3> edges() const { return edges_.span(); }
+    std::span<const PolyhedronEdge> seams() const { return seams_.span(); }
+    Vec3 inner() const { return inner_; }
+    Real inner_radius() const { return inner_radius_; }
 
     Vec3 support(Vec3 direction) const { return vertices_[farthest(direction)]; }
     // The face that holds the farthest vertex and looks most along the direction.
@@ -50,18 +55,21 @@ class Polyhedron {
     bool take_vertices(std::span<const Vec3> points, std::span<const int> chosen);
     bool take_face(std::span<const int> corners, Vec3 fallback);
     bool take_edges();
+    bool take_seams();
+    void take_inner();
     bool take_neighbours();
 
     Array<Vec3> vertices_;
     Array<Face> faces_;
     Array<int> corners_;
     Array<Vec3> edges_;
+    Array<PolyhedronEdge> seams_;
     // Of vertex i: the vertices at the other ends of its edges, and the faces to the left of those, from
     // first_[i] to first_[i + 1]. Only of solids with many vertices.
     Array<int> first_, neighbours_, around_;
     int start_[8] = {};  // for each octant a vertex that lies far that way
-    Vec3 centre_;
-    Real size_ = 0;
+    Vec3 centre_, inner_;
+    Real size_ = 0, inner_radius_ = 0;
 };
 
 }  // namespace epode

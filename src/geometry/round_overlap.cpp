@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A box or polyhedron and a round core: see flat_overlap.h. The edges are looked at in the core's frame, its
+// axis being z. With n outward from the polyhedron, between the normals l and r of an edge's faces, v on the
+// edge, radius R and half height H,
+//   h(n) = n.v + R |(nx, ny)| + H |nz|
+// is the overlap, and its slope as n turns is that of the support point s = v + (R nx / rho, R ny / rho,
+// +-H). With n ~ m + t q, m halfway between l and r and q the edge's product with m, the slope has the sign
+// of s.q - t s.m. On either side of nz = 0, where the side of the core may touch, h has one valley at most:
+// what is shown there is half an ellipse.
+#include "geometry/flat_overlap.h"
+#include "geometry/root.h"
+
+namespace epode {
+
+namespace {
+
+constexpr Real kPreference = kSingle ? Real(1e-5) : Real(1e-9);
+constexpr Real kWidest = Real(1e4);  // tangent: half of an arc of 180 degrees
+
+// The normals of an edge, in the core's frame.
+struct Arc {
+    Vec3 at, m, q;
+    Real radius, half_length;
+
+    Vec3 direction(Real t) const { return m + t * q; }
+    Real overlap(Real t) const
+    {
+        const Vec3 n = direction(t);
+        const Real size = std::sqrt(1 + t * t);
+        return (dot(n, at) + radius * std::sqrt(n.x * n.x + n.y * n.y) + half_length * std::fabs(n.z)) / size;
+    }
+    // `up`: 1 or -1, the sign of nz on this side.
+    Real slope(Real t, Real up) const
+    {
+        const Vec3 n = direction(t);
+        const Real rho = std::sqrt(n.x * n.x + n.y * n.y), k = rho > 0 ? radius / rho : Real(0);
+        const Vec3 s = at + Vec3{k * n.x, k * n.y, up * half_length};
+        return dot(s, q) - t * dot(s, m);
+    }
+};
+
+// The valley of the arc from t0 to t1, both on one side; false when the least value is at an end.
+bool valley(const Arc& arc, Real t0, Real t1, Real& t)
+{
+    constexpr int kParts = 3;
+    const Real up = arc.direction(Real(0.5) * (t0 + t1)).z < 0 ? -1 : 1;
+    const auto slope = [&](Real x) { return arc.slope(x, up); };
+    Real from = t0, at_from = slope(from);
+    for (int k = 1; k <= kParts; ++k) {
+        const Real to = k == kParts ? t1 : t0 + Real(k) * (t1 - t0) / kParts, at_to = slope(to);
+        if (at_from < 0 && at_to >= 0) {
+            t = rising_root(slope, from, at_from, to, at_to);
+            return true;
+        }
+        from = to, at_from = at_to;
+    }
+    return false;
+}
+
+// Half the arc as an angle's tangent, and its middle; an edge of a plate has opposite normals.
+Real middle_of(Vec3 along, Vec3 left, Vec3 right, Vec3& m)
+{
+    m = left + right;
+    const Real wide = length(left - right), sum = length(m);
+    if (wide < kWidest * sum && normalize(m)) return wide / sum;
+    m = cross(along, left);
+    return kWidest;
+}
+
+// The places that cut an arc into pieces, in order: where nz = 0, and so that t measures a wide one evenly.
+struct Cuts {
+    Real t[5];
+    int count = 0;
+    void insert(Real value)
+    {
+        int i = count++;
+        for (; i > 0 && t[i - 1] > value; --i) t[i] = t[i - 1];
+        t[i] = value;
+    }
+};
+
+template <class Offer>
+void try_arc(const Arc& arc, Real half, const Offer& offer)
+{
+    const Real level = arc.q.z != 0 ? -arc.m.z / arc.q.z : kInf;
+    const bool has_level = level > -half && level < half;
+    if (has_level) offer(arc.direction(level), arc.overlap(level));
+    if (!(arc.radius > 0)) return;
+    Cuts cuts;
+    cuts.insert(-half), cuts.insert(half);
+    if (has_level) cuts.insert(level);
+    if (half > 1) cuts.insert(-1), cuts.insert(1);
+    for (int i = 0; i + 1 < cuts.count; ++i) {
+        Real t;
+        if (cuts.t[i] < cuts.t[i + 1] && valley(arc, cuts.t[i], cuts.t[i + 1], t))
+            offer(arc.direction(t), arc.overlap(t));
+    }
+}
+
+}  // namespace
+
+RoundPair::RoundPair(const ConvexView& a, const ConvexView& b)
+    : flat_view_(FlatSolid::is_flat(a) ? a : b),
+      round_view_(FlatSolid::is_flat(a) ? b : a),
+      sense_(FlatSolid::is_flat(a) ? Real(-1) : Real(1)),
+      flat_(flat_view_),
+      round_(round_view_),
+      round_in_flat_(inverse_times(flat_view_.pose, round_view_.pose)),
+      handicap_(kPreference * (a.size + b.size))
+{}
+
+void RoundPair::offer(Vec3 outward, Real depth, Real handicap)
+{
+    if (depth + handicap < best.depth) best.depth = depth, outward_ = outward;
+}
+
+// The end that looks back along `outward`.
+void RoundPair::try_end(Vec3 outward)
+{
+    const Vec3 v = flat_.support(outward);
+    offer(outward, dot(outward, v - round_in_flat_.p) + round_.half_length, handicap_);
+}
+
+void RoundPair::try_faces(Real enough)
+{
+    const Vec3 c = round_in_flat_.p, axis = round_in_flat_.R.column(2);
+    std::size_t widest = 0;
+    Real gap = -kInf;
+    for (std::size_t i = 0; i < flat_.faces.size(); ++i) {
+        const Real g = dot(flat_.faces[i].normal, c) - flat_.faces[i].offset;
+        if (g > gap) gap = g, widest = i;
+    }
+    const auto offer_face = [&](const PolyhedronFace& f, Real g) {
+        offer(f.normal, round_.reach(transposed_times(round_in_flat_.R, f.normal)) - g, 0);
+    };
+    offer_face(flat_.faces[widest], gap);
+    for (std::size_t i = 0; i < flat_.faces.size() && best.depth >= enough; ++i) {
+        const PolyhedronFace& f = flat_.faces[i];
+        const Real g = dot(f.normal, c) - f.offset;
+        if (i != widest && round_.inner_radius - g + handicap_ < best.depth) offer_face(f, g);
+    }
+    if (round_.radius > 0 && best.depth >= enough) {
+        const Real along = dot(axis, c - flat_.inner);
+        const Vec3 out = along < 0 ? -axis : axis;
+        try_end(out);
+        if (flat_.inner_radius + std::fabs(along) + round_.half_length < best.depth) try_end(-out);
+    }
+    best.normal = sense_ * (flat_view_.pose.R * outward_);
+}
+
+bool RoundPair::proven() const
+{
+    const Real enough = best.depth - 2 * handicap_;
+    Vec3 d = -transposed_times(round_in_flat_.R, outward_);
+    if (round_.half_length * std::fabs(d.z) <= handicap_) {  // it lies: the middle of the line
+        const Real rho = std::sqrt(d.x * d.x + d.y * d.y), k = rho > 0 ? round_.radius / rho : Real(0);
+        return flat_.within(round_in_flat_.to_world({k * d.x, k * d.y, 0}), enough) >= enough;
+    }
+    if (round_.radius * std::sqrt(d.x * d.x + d.y * d.y) <= handicap_) d.x = d.y = 0;  // it stands
+    return flat_.within(round_in_flat_.to_world(round_.support(d)), enough) >= enough;
+}
+
+bool RoundPair::proven_at(Vec3 point) const
+{
+    const Real enough = best.depth - 2 * handicap_;
+    const Real within = round_.within(round_view_.pose.to_local(point), 0);
+    return flat_.within(flat_view_.pose.to_local(point), enough - within) + within >= enough;
+}
+
+void RoundPair::try_rest(Real enough)
+{
+    if (!(round_.half_length > 0) && !(round_.radius > 0)) return;  // a point meets faces only
+    const Mat3 turn = transpose(round_in_flat_.R);
+    const Vec3 c = round_in_flat_.p, inward = turn * outward_;
+    const Real hair = 16 * handicap_;
+    Real limit = -round_.reach(inward) - (best.depth > 0 ? best.depth : 0) - hair;
+    Vec3 found;
+    bool better = false;
+    const auto offer_local = [&](Vec3 n, Real h) {
+        if (!(h + 2 * handicap_ < best.depth) || !normalize(n)) return;
+        best.depth = h, found = n, better = true;
+    };
+    for (const PolyhedronEdge& e : flat_.edges) {
+        if (best.depth < enough) break;
+        const PolyhedronFace &left = flat_.faces[std::size_t(e.left)],
+                             &right = flat_.faces[std::size_t(e.right)];
+        const Real gap_left = dot(left.normal, c) - left.offset,
+                   gap_right = dot(right.normal, c) - right.offset;
+        const Real bound = round_.inner_radius - best.depth;
+        if ((gap_left > gap_right ? gap_left : gap_right) < (bound > 0 ? bound * e.cos_half : bound))
+            continue;
+        const Vec3 p = turn * (flat_.vertices[std::size_t(e.from)] - c),
+                   q = turn * (flat_.vertices[std::size_t(e.to)] - c);
+        const Real high_p = dot(inward, p), high_q = dot(inward, q);
+        if ((high_p > high_q ? high_p : high_q) < limit) continue;
+        Vec3 along = q - p, m;
+        if (!normalize(along)) continue;
+        const Real half = middle_of(along, turn * left.normal, turn * right.normal, m);
+        try_arc({p, m, cross(along, m), round_.radius, round_.half_length}, half, offer_local);
+    }
+    if (round_.radius > 0) {
+        for (const Vec3 v : flat_.vertices) {
+            const Vec3 p = turn * (v - c);
+            const Real rho = std::sqrt(p.x * p.x + p.y * p.y), h = round_.radius - rho;
+            if (!(h + 2 * handicap_ < best.depth) || !(rho > 0) || std::fabs(p.z) > round_.half_length)
+                continue;
+            const Vec3 n = {-p.x / rho, -p.y / rho, 0};
+            const Vec3 top = flat_.support(round_in_flat_.R * n);
+            offer_local(n, dot(n, turn * (top - c)) + round_.radius);
+        }
+    }
+    if (better) best.normal = sense_ * (round_view_.pose.R * found);
+}
+
+}  // namespace epode
