@@ -96,6 +96,8 @@ CLI::App* add_pairs(CLI::App& app, epode::bench::PairOptions& options)
     CLI::App* command = app.add_subcommand("pairs", "dCollide pair by pair, as bench/collide runs it");
     command->add_option("--first", options.first, "only pairs with this member");
     command->add_option("--second", options.second, "and this one");
+    command->add_option("--set", options.set, "only these poses: resting, tumbled or apart")
+        ->check(CLI::IsMember({"resting", "tumbled", "apart"}));
     command->add_option("--poses", options.poses, "of each set (default 500)")->check(CLI::Range(1, 100'000));
     command->add_option("--rounds", options.rounds, "the quickest counts (default 5)")
         ->check(CLI::Range(1, 1'000'000));

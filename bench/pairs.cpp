@@ -130,6 +130,11 @@ Result measure(const std::string& first, const std::string& second, Poses poses,
     return result;
 }
 
+const char* name_of(Poses poses)
+{
+    return poses == Poses::kResting ? "resting" : poses == Poses::kTumbled ? "tumbled" : "apart";
+}
+
 // A plane is always the second, a ray the first; neither meets its like.
 bool ordered(std::string& first, std::string& second)
 {
@@ -158,12 +163,10 @@ int bench_pairs(const PairOptions& options)
                 !ordered(first, second))
                 continue;
             for (const Poses poses : {Poses::kResting, Poses::kTumbled, Poses::kApart}) {
+                if (!options.set.empty() && options.set != name_of(poses)) continue;
                 const Result r = measure(first, second, poses, options);
-                fmt::print("{} {} {} {:.1f} {:.3f} {:.3f}\n", first, second,
-                           poses == Poses::kResting   ? "resting"
-                           : poses == Poses::kTumbled ? "tumbled"
-                                                      : "apart",
-                           r.ns, double(r.hits) / options.poses, r.hits ? double(r.contacts) / r.hits : 0.0);
+                fmt::print("{} {} {} {:.1f} {:.3f} {:.3f}\n", first, second, name_of(poses), r.ns,
+                           double(r.hits) / options.poses, r.hits ? double(r.contacts) / r.hits : 0.0);
             }
         }
     return 0;

@@ -10,6 +10,7 @@ namespace epode::bench {
 
 struct PairOptions {
     std::string first, second;  // members; empty: all
+    std::string set;            // resting, tumbled or apart; empty: all
     int poses = 500;
     int rounds = 5;  // the quickest counts
 };

@@ -18,19 +18,21 @@ void clip(Polygon& polygon, Vec3 normal, Real limit, Real slack)
         all = all && distance[i] <= slack;
     }
     if (all) return;
-    Polygon copy;
-    for (int i = 0; i < count; ++i) copy.add(polygon.points[i]);
-    const Vec3* old = copy.points;
+    union Copy {
+        Vec3 points[Polygon::kMax];
+        Copy() {}
+    } old;
+    for (int i = 0; i < count; ++i) old.points[i] = polygon.points[i];
     polygon.count = 0;
     for (int i = 0; i < count; ++i) {
         const bool in = distance[i] <= slack;
-        if (in) polygon.add(old[i]);
+        if (in) polygon.add(old.points[i]);
         const int j = i + 1 < count ? i + 1 : 0;
         if (in == (distance[j] <= slack) || (count == 2 && i == 1)) continue;
         const Real inside = in ? distance[i] : distance[j];
         const Real d = distance[i] - distance[j];
         if (inside >= 0) continue;  // the kept end lies on the plane already
-        polygon.add(old[i] + (distance[i] / d) * (old[j] - old[i]));
+        polygon.add(old.points[i] + (distance[i] / d) * (old.points[j] - old.points[i]));
     }
 }
 
@@ -38,8 +40,11 @@ void clip_to_prism(Polygon& polygon, const Polygon& reference, Vec3 normal, Real
 {
     for (int i = 0; i < reference.count && polygon.count > 0; ++i) {
         const Vec3 p = reference.points[i], q = reference.points[i + 1 < reference.count ? i + 1 : 0];
-        Vec3 outward = cross(q - p, normal);
-        if (normalize(outward)) clip(polygon, outward, dot(outward, p), slack);
+        const Vec3 outward = cross(q - p, normal);
+        const Real size2 = length2(outward);
+        if (!(size2 > 0)) continue;
+        const Vec3 unit = outward / std::sqrt(size2);
+        clip(polygon, unit, dot(unit, p), slack);
     }
 }
 

@@ -16,6 +16,7 @@ struct Polygon {
         Vec3 points[kMax];  // in a union: left unwritten until added
     };
     int count = 0;
+    Vec3 normal;  // unit, of the face whose corners these are; zero: not said
     Polygon() {}
     void add(Vec3 p)
     {

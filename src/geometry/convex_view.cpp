@@ -2,7 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Support points and features of the primitives, each in its own frame. On a tie (a direction along the axis
-// of a cylinder, say) the middle of the feature is returned: it depends on no rounding.
+// of a cylinder, say) the middle of the feature is returned: it depends on no rounding. Where two faces look
+// that way alike, what they share is the feature, an edge or a corner; rounding chooses neither of them.
 #include "geometry/convex_view.h"
 
 namespace epode {
@@ -26,10 +27,9 @@ Vec3 box_support(const void* shape, Vec3 d)
     return {pick(d.x, h.x), pick(d.y, h.y), pick(d.z, h.z)};
 }
 
-void box_feature(const void* shape, Vec3 d, Polygon& out)
+// The four corners of the face across axis k.
+void box_face(Vec3 h, Vec3 d, int k, Polygon& out)
 {
-    const Vec3 h = as<Box>(shape).half, m = abs(d);
-    const int k = m.x >= m.y ? (m.x >= m.z ? 0 : 2) : (m.y >= m.z ? 1 : 2);
     const int k1 = (k + 1) % 3, k2 = (k + 2) % 3;
     const Real side = d[k] < 0 ? -1 : 1;
     for (int i = 0; i < 4; ++i) {
@@ -39,6 +39,24 @@ void box_feature(const void* shape, Vec3 d, Polygon& out)
         p.set(k2, side * (i < 2 ? h[k2] : -h[k2]));
         out.add(p);
     }
+    out.normal.set(k, side);
+}
+
+void box_feature(const void* shape, Vec3 d, Polygon& out)
+{
+    const Vec3 h = as<Box>(shape).half, m = abs(d);
+    const int k = m.x >= m.y ? (m.x >= m.z ? 0 : 2) : (m.y >= m.z ? 1 : 2);
+    const int k1 = (k + 1) % 3, k2 = (k + 2) % 3;
+    const Real size = length(d), lean = size - m[k];
+    const bool alike1 = lean_alike(lean, size - m[k1], size), alike2 = lean_alike(lean, size - m[k2], size);
+    if (!alike1 && !alike2) return box_face(h, d, k, out);
+    const Vec3 corner = {d.x < 0 ? -h.x : h.x, d.y < 0 ? -h.y : h.y, d.z < 0 ? -h.z : h.z};
+    out.add(corner);
+    if (alike1 && alike2) return;
+    const int along = alike1 ? k2 : k1;
+    Vec3 other = corner;
+    other.set(along, -corner[along]);
+    out.add(other);
 }
 
 Vec3 segment_support(const void* shape, Vec3 d) { return {0, 0, pick(d.z, as<Capsule>(shape).half_length)}; }
@@ -57,11 +75,16 @@ Vec3 cylinder_support(const void* shape, Vec3 d)
     return {c.radius * d.x / rho, c.radius * d.y / rho, z};
 }
 
-// The end when it looks along d within 45 degrees, else the side line.
+// The end or the side line, whichever looks along d; a point of the rim when both do.
 void cylinder_feature(const void* shape, Vec3 d, Polygon& out)
 {
     const Cylinder& c = as<Cylinder>(shape);
     const Real rho = std::sqrt(d.x * d.x + d.y * d.y);
+    const Real size = length(d), lean_end = size - std::fabs(d.z), lean_side = size - rho;
+    if (lean_alike(std::fmin(lean_end, lean_side), std::fmax(lean_end, lean_side), size)) {
+        out.add(cylinder_support(shape, d));
+        return;
+    }
     if (rho > std::fabs(d.z)) {
         const Real x = c.radius * d.x / rho, y = c.radius * d.y / rho;
         out.add({x, y, -c.half_length}), out.add({x, y, c.half_length});
@@ -72,6 +95,7 @@ void cylinder_feature(const void* shape, Vec3 d, Polygon& out)
     const Real side = d.z < 0 ? -1 : 1;
     for (int i = 0; i < kRimPoints; ++i)  // sine of the i-th angle = cosine of the one two places before
         out.add({c.radius * kX[i], side * c.radius * kX[(i + 6) % kRimPoints], side * c.half_length});
+    out.normal = {0, 0, side};
 }
 
 }  // namespace

@@ -38,7 +38,8 @@ struct ConvexView {
     const void* shape = nullptr;
     SolidKind kind = SolidKind::kOther;  // `shape` is then the Sphere, Capsule, Box, Cylinder or Polyhedron
     Vec3 (*local_support)(const void* shape, Vec3 direction) = nullptr;
-    // Face (counter-clockwise from outside), segment or point that looks most along `direction`.
+    // Face (counter-clockwise from outside), segment or point that looks most along `direction`: where two
+    // faces do so alike, what they share.
     void (*local_feature)(const void* shape, Vec3 direction, Polygon& out) = nullptr;
     Pose pose;
     Real radius = 0;                          // inflation
@@ -58,8 +59,17 @@ struct ConvexView {
         const int first = out.count;
         local_feature(shape, transposed_times(pose.R, direction), out);
         for (int i = first; i < out.count; ++i) out.points[i] = pose.to_world(out.points[i]);
+        out.normal = pose.R * out.normal;
     }
 };
+
+// Whether two faces look in a direction alike, `size` being its length and a lean the size less the dot
+// product with a face's normal: the lesser lean is more than a hair and not much less than the other.
+constexpr bool lean_alike(Real lesser, Real other, Real size)
+{
+    constexpr Real kHair = Real(1e-6), kAlike = Real(0.7);
+    return lesser > kHair * size && lesser > kAlike * other;
+}
 
 ConvexView view_of(const Sphere& sphere, const Pose& pose);
 ConvexView view_of(const Box& box, const Pose& pose);

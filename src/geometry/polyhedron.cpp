@@ -277,20 +277,40 @@ void Polyhedron::feature(Vec3 direction, Polygon& out) const
 {
     const int highest = farthest(direction);
     const Vec3 top = vertices_[highest];
-    const Face* shown = nullptr;
-    Real most = -kInf;
+    const Face *shown = nullptr, *second = nullptr, *third = nullptr;
+    Real most = -kInf, more = -kInf, much = -kInf;
     const auto consider = [&](const Face& f) {
         const Real along = dot(f.normal, direction);
-        if (along > most && f.offset - dot(f.normal, top) < kInFace * size_) most = along, shown = &f;
+        if (along <= much || f.offset - dot(f.normal, top) >= kInFace * size_) return;
+        much = along, third = &f;
+        if (much > more) std::swap(much, more), std::swap(third, second);
+        if (more > most) std::swap(more, most), std::swap(second, shown);
     };
     if (faces_.size() <= kNamedFaces || first_.empty())
         for (const Face& f : faces_) consider(f);
     else
         for (int k = first_[highest]; k < first_[highest + 1]; ++k) consider(faces_[around_[k]]);
     if (!shown) return out.add(top);
+    const Real size = length(direction);
+    if (second && lean_alike(size - most, size - more, size))
+        return third && lean_alike(size - most, size - much, size) ? out.add(top)
+                                                                   : add_shared(*shown, *second, top, out);
     const int count = shown->count, kept = std::min(count, kCorners);
     for (int k = 0; k < kept; ++k)
         out.add(vertices_[corners_[shown->first + int(std::int64_t(k) * count / kept)]]);
+    out.normal = shown->normal;
+}
+
+// The edge between two faces, or the point where they meet.
+void Polyhedron::add_shared(const Face& f, const Face& g, Vec3 top, Polygon& out) const
+{
+    const int first = out.count;
+    for (int k = 0; k < f.count; ++k)
+        for (int j = 0; j < g.count; ++j)
+            if (corners_[f.first + k] == corners_[g.first + j]) out.add(vertices_[corners_[f.first + k]]);
+    if (out.count == first + 2) return;
+    out.count = first;
+    out.add(top);
 }
 
 MassProperties Polyhedron::mass() const

@@ -42,7 +42,8 @@ class Polyhedron {
     Real inner_radius() const { return inner_radius_; }
 
     Vec3 support(Vec3 direction) const { return vertices_[farthest(direction)]; }
-    // The face that holds the farthest vertex and looks most along the direction.
+    // The face that holds the farthest vertex and looks most along the direction; the edge or vertex between
+    // faces that do so alike.
     void feature(Vec3 direction, Polygon& out) const;
     // Of the solid in its own frame, at density 1.
     MassProperties mass() const;
@@ -56,6 +57,7 @@ class Polyhedron {
     bool take_face(std::span<const int> corners, Vec3 fallback);
     bool take_edges();
     bool take_seams();
+    void add_shared(const Face& f, const Face& g, Vec3 top, Polygon& out) const;
     void take_inner();
     bool take_neighbours();
 

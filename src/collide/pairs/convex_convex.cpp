@@ -14,6 +14,7 @@
 #include "collide/pairs/pairs.h"
 #include "geometry/closest.h"
 #include "geometry/epa.h"
+#include "geometry/flat_overlap.h"
 #include "geometry/gjk.h"
 
 namespace epode {
@@ -39,9 +40,10 @@ struct Manifold {
     }
 };
 
-// Newell's normal; zero for fewer than three points.
+// The face's own, else Newell's; zero for fewer than three points.
 Vec3 face_normal(const Polygon& f)
 {
+    if (!(f.normal == Vec3{})) return f.normal;
     Vec3 n;
     for (int i = 1; i + 1 < f.count; ++i)
         n += cross(f.points[i] - f.points[0], f.points[i + 1] - f.points[0]);
@@ -145,6 +147,7 @@ void face_contacts(const Side& reference, const Side& incident, Vec3 inward, boo
              centre_of(incident.feature), incident.view.rim_radius, axis, cut);
     } else {
         for (int i = 0; i < incident.feature.count; ++i) cut.add(incident.feature.points[i]);
+        cut.normal = incident.feature.normal;
         if (round)
             clip_to_disc(reference.feature, centre, reference.view.rim_radius, axis, cut);
         else
@@ -233,25 +236,69 @@ void single(const Side& a, const Side& b, Vec3 normal, Real depth, Manifold& out
     out.add(Real(0.5) * (low_a + high_b), normal, total);
 }
 
-}  // namespace
-
-void convex_manifold(const ConvexView& a, const ConvexView& b, Vec3 normal, Real depth, ContactSink& sink)
+void make_manifold(const ConvexView& a, const ConvexView& b, Vec3 normal, Real depth, Manifold& out)
 {
     Polygon fa, fb;
     a.feature(-normal, fa);
     b.feature(normal, fb);
     const Side sa = {a, fa}, sb = {b, fb};
-    Manifold out;
     if (faces(fa, -normal))
         face_contacts(sa, sb, normal, true, depth, out);
     else if (faces(fb, normal))
         face_contacts(sb, sa, -normal, false, depth, out);
     else
         single(sa, sb, normal, depth, out);
+}
+
+}  // namespace
+
+void convex_manifold(const ConvexView& a, const ConvexView& b, Vec3 normal, Real depth, ContactSink& sink)
+{
+    Manifold out;
+    make_manifold(a, b, normal, depth, out);
     sink.add_manifold({out.points, std::size_t(out.count)});
 }
 
 namespace {
+
+// Whether the middle of the contacts, or the deepest one, shows that no other normal can be better.
+template <class Pair>
+bool proven(const Pair& pair, const Manifold& m)
+{
+    if (m.count == 0) return false;
+    Vec3 middle;
+    int deepest = 0;
+    for (int i = 0; i < m.count; ++i) {
+        middle += m.points[i].position;
+        if (m.points[i].depth > m.points[deepest].depth) deepest = i;
+    }
+    return pair.proven_at(middle / Real(m.count)) || pair.proven_at(m.points[deepest].position);
+}
+
+// Contacts along a face's normal are the rule, and often prove by themselves that they are right: they are
+// made before any other normal is tried, unless the two are so deep in each other that this would be rare.
+template <class Pair>
+void meet(const ConvexView& a, const ConvexView& b, Pair&& pair, Real enough, ContactSink& sink)
+{
+    constexpr Real kShallow = Real(0.05);
+    const auto depth = [&] { return pair.best.depth > 0 ? pair.best.depth : Real(0); };
+    pair.try_faces(enough);
+    if (!(pair.best.depth >= enough)) return;
+    bool sure = pair.proven();
+    Manifold out;
+    if (!sure && a.radius + b.radius == 0 && pair.best.depth < kShallow * (a.size + b.size)) {
+        make_manifold(a, b, pair.best.normal, depth(), out);
+        sure = proven(pair, out);
+    }
+    if (!sure) {
+        const Vec3 before = pair.best.normal;
+        pair.try_rest(enough);
+        if (!(pair.best.depth >= enough)) return;
+        if (!(pair.best.normal == before)) out.count = 0, out.most = 0;
+    }
+    if (out.count == 0) make_manifold(a, b, pair.best.normal, depth(), out);
+    sink.add_manifold({out.points, std::size_t(out.count)});
+}
 
 // A distance to rounding leaves its direction open by the root of that. Where a face of a polyhedron parts
 // the two as far, its normal is the steadier answer.
@@ -279,6 +326,10 @@ void convex_convex(const ConvexView& a, const ConvexView& b, ContactSink& sink)
         if (d.distance > touch && normalize(normal))
             return convex_manifold(a, b, settled(a, b, normal, d.distance), -d.distance, sink);
     }
+    const bool flat_a = FlatSolid::is_flat(a), flat_b = FlatSolid::is_flat(b);
+    if (flat_a && flat_b) return meet(a, b, FlatPair(a, b), -touch - radii, sink);
+    if ((flat_a && RoundCore::is_round(b)) || (flat_b && RoundCore::is_round(a)))
+        return meet(a, b, RoundPair(a, b), -touch - radii, sink);
     const Overlap o = least_overlap(a, b);
     if (o.depth >= -touch - radii) convex_manifold(a, b, o.normal, o.depth > 0 ? o.depth : Real(0), sink);
 }
