@@ -257,6 +257,38 @@ ODE_API int dSpaceRayBatch(dSpaceID space, int count, const dReal* origins, cons
                            const dReal* lengths, unsigned long category, unsigned long collide,
                            dQueryHit* hits, int threads);
 
+/** Which members of the space touch or overlap the geom, which may be one of them and is then left out; the
+   one that has joined last first, as many as there is room for in geoms. The geom is any but a space; its own
+   bits decide what it sees; geoms on its body are left out. Meshes are met at their triangles from either
+   side, not where they enclose the geom; height fields are solid down to the bottom of their boxes. Classes
+   of the program and overridden pairs are met as dCollide says. Returns how many there are. Refused: a geom
+   that is a space, destroyed or 0. [ours] */
+ODE_API int dSpaceOverlap(dSpaceID space, dGeomID geom, dGeomID* geoms, int room);
+
+/** How far two geoms are from each other. */
+typedef struct dQueryDistance {
+    dReal distance;  /**< m; below 0: they overlap, and this is minus the depth */
+    dVector3 pos1;   /**< of o1, the point nearest to o2, or deepest in it, in the world */
+    dVector3 pos2;   /**< of o2 the point that belongs to it: pos1 - pos2 = distance * normal */
+    dVector3 normal; /**< unit, from o2 into o1 */
+    dGeomID g1;      /**< the geom of pos1: o1, or what lies in it if it is a space or a transform */
+    dGeomID g2;      /**< the same of pos2 */
+    int side1;       /**< its triangle if g1 is a mesh, else -1 */
+    int side2;       /**< the same of g2 */
+} dQueryDistance;
+
+/** The signed distance of o1 and o2 and the points where it is attained, in *result, if it is no more than
+   most (dInfinity: however far). Exchanging o1 and o2 changes no bit but signs and names. Solids that overlap
+   have minus the least depth: moving o1 by -distance * normal parts them. A ray is the segment that it
+   covers. A mesh is the surface that its triangles make: its distance is the least over triangles, so where
+   some are cut, minus the depth of the deepest. Below a height field all is ground for solids and meshes,
+   with the deepest contact of dCollide; to rays and other height fields it is a surface. Two planes that do
+   not look at each other overlap without end: -dInfinity. Of a space the least over what is in it and whose
+   bits agree with those of the other. Enabling, bodies and overridden pairs do not matter otherwise. Returns
+   1; 0 if farther than most, or where there is no distance: geoms of no triangles, classes of the program,
+   two endless height fields. Refused: equal geoms, one that is destroyed or 0. [ours] */
+ODE_API int dGeomGetDistance(dGeomID o1, dGeomID o2, dReal most, dQueryDistance* result);
+
 #ifdef __cplusplus
 }
 #endif

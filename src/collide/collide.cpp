@@ -252,12 +252,6 @@ void collide_members(void* data, dGeomID o1, dGeomID o2)
     collide(*from_handle<Geom>(o1), *from_handle<Geom>(o2), *static_cast<ContactArray*>(data));
 }
 
-bool overridden(const Geom& a, const Geom& b)
-{
-    const Collider collider = collider_of(a.type->number, b.type->number);
-    return collider.user || collider.disabled;
-}
-
 bool asks_program(Geom& geom)
 {
     if (is_user_class(geom.type->number) || as_transform(geom) || asks(geom)) return true;
@@ -267,6 +261,12 @@ bool asks_program(Geom& geom)
 }
 
 }  // namespace
+
+bool overridden(const Geom& a, const Geom& b)
+{
+    const Collider collider = collider_of(a.type->number, b.type->number);
+    return collider.user || collider.disabled;
+}
 
 bool asks_program(Geom& a, Geom& b)
 {

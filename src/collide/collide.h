@@ -27,6 +27,9 @@ struct ContactArray {
 // Appends the contacts of a and b; g1 belongs to a.
 void collide(Geom& a, Geom& b, ContactArray& out);
 
+// Has the program put a function of its own, or none, in place of ours?
+bool overridden(const Geom& a, const Geom& b);
+
 // May functions of the program be called when the two, neither of them a space, are collided? Of what a
 // transform holds this is not asked: yes.
 bool asks_program(Geom& a, Geom& b);

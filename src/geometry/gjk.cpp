@@ -129,7 +129,7 @@ Distance gjk_distance(const ConvexView& a, const ConvexView& b, Real limit)
         if (d2 - bound <= 4 * kEpsilon * d2) break;
         const Simplex before = s;
         s.v[s.count++] = next;
-        if (encloses(s)) return out;
+        if (bound <= 0 && encloses(s)) return out;  // else a plane keeps the origin out
         reduce(s);
         const Vec3 shorter = s.nearest();
         if (!(length2(shorter) < d2)) {  // no progress: rounding has the last word

@@ -4,6 +4,8 @@
 // Order and readiness of members.
 #include "query/members.h"
 
+#include <algorithm>
+
 namespace epode {
 namespace {
 
@@ -40,6 +42,32 @@ bool make_ready(Space& space)
             refresh_pose(*m);
     }
     return ready;
+}
+
+bool collect_seen(Space& space, QueryBits bits, Array<Geom*>& out)
+{
+    for (int slot = space.members.size(); slot-- > 0;) {
+        Geom* m = space.members[slot];
+        if (!m || !m->enabled || !space.broadphase.present(slot) || !bits.meet(*m)) continue;
+        if (is_space(*m) ? !collect_seen(static_cast<Space&>(*m), bits, out) : !out.push(m)) return false;
+    }
+    return true;
+}
+
+bool collect_near(Space& space, QueryBits bits, const Aabb& box, Array<Geom*>& out)
+{
+    Array<int> slots;
+    bool room = true;
+    if (!space.broadphase.query(box, [&](int slot) { room = slots.push(slot) && room; }) || !room)
+        return false;
+    std::sort(slots.begin(), slots.end(), [](int a, int b) { return a > b; });
+    for (const int slot : slots) {
+        Geom* m = space.members[slot];
+        if (!m->enabled || !bits.meet(*m)) continue;
+        if (is_space(*m) ? !collect_near(static_cast<Space&>(*m), bits, box, out) : !out.push(m))
+            return false;
+    }
+    return true;
 }
 
 void lock_around(const Geom& member, Space& outer, int count)

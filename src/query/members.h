@@ -39,6 +39,12 @@ bool each_member(Space& space, Visit&& visit)
     return true;
 }
 
+// All that is seen by the bits in a space, or of that what may meet a box: no spaces, newest first. The
+// caller has cleaned the space, and with it what is in it: here no function of the program is called. False:
+// memory is exhausted.
+[[nodiscard]] bool collect_seen(Space& space, QueryBits bits, Array<Geom*>& out);
+[[nodiscard]] bool collect_near(Space& space, QueryBits bits, const Aabb& box, Array<Geom*>& out);
+
 // Locks (1) or unlocks (-1) the spaces from that of a member up to an outer one, so that the member stays
 // what and where it is.
 void lock_around(const Geom& member, Space& outer, int count);

@@ -45,7 +45,7 @@ KIND_OF_TYPE = {
     "dMass*": "Mass", "const dMass*": "Mass", "const dContact*": "Contact", "dContactGeom*": "Contacts",
     "const dGeomClass*": "GeomClass", "dWorldStepReport*": "WorldReport",
     "dIslandStepReport*": "IslandReport", "dStopwatch*": "Stopwatch", "FILE*": "File",
-    "const char*": "Text", "dQueryHit*": "QueryHits", "void*": "Data", "dJointID*": "JointList", "dJointFeedback*": "Feedback",
+    "const char*": "Text", "dQueryHit*": "QueryHits", "dQueryDistance*": "QueryHits", "void*": "Data", "dJointID*": "JointList", "dJointFeedback*": "Feedback", "dGeomID*": "QueryHits",
     "const unsigned char*": "Bytes", "const short*": "Shorts", "const float*": "Floats",
     "const double*": "Doubles",
     "dMessageFunction*": "MessageFunction", "dAllocFunction*": "AllocFunction",
@@ -112,7 +112,7 @@ MAY_BE_NULL = [
     r"d(Create|GeomTriMeshSet)\w+:(Data|\w*Callback)", r"dGeomTriMeshGetTriangle:v[012]",
     r"dGeomTriMeshData\w+:(Normals|requestExtraData|in_data|pout_size|buf|bufLen)",
     r"dGeomConvexGet\w+:(points|planes|polygons)",
-    r"dSpaceRayAll:hits", r"dSpaceRayBatch:(origins|directions|lengths|hits)",
+    r"dSpaceRayAll:hits", r"dSpaceOverlap:geoms", r"dSpaceRayBatch:(origins|directions|lengths|hits)",
     # With no elements there is nothing to point to.
     r"d(SetZero|SetValue|Dot|ScaleVector|VectorScale|FactorLDLT):(a|b|d|A)",
     r"dCooperatively\w+:(A|L|b|d|dataVector|scaleVector)",

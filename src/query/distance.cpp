@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See distance.h. Surfaces are asked in their own frame, two of them in that of the second.
+#include "query/distance.h"
+
+#include "collide/collide.h"
+#include "collide/pairs/pairs.h"
+#include "collide/registry.h"
+#include "collide/user_class.h"
+#include "query/surface.h"
+
+namespace epode {
+namespace {
+
+enum class Sort { kSolid, kPlane, kMesh, kField, kNone };
+
+struct Thing {
+    Geom* geom = nullptr;  // never a transform
+    Pose pose;
+    Geom* named = nullptr;
+
+    int number() const { return geom->type->number; }
+    template <typename Shape>
+    const Shape& as() const
+    {
+        return static_cast<const ShapeGeom<Shape>*>(geom)->shape;
+    }
+};
+
+// What a transform holds, at its place; null geom: it holds nothing.
+Thing thing_of(Geom& geom)
+{
+    Thing t = {&geom, pose_of(geom), &geom};
+    while (t.geom) {
+        const TransformGeom* transform = as_transform(*t.geom);
+        if (!transform) break;
+        const bool pinned = t.named != t.geom || transform->info != 0;
+        t.geom = transform->inner;
+        if (!t.geom) break;
+        t.pose = t.pose * pose_of(*t.geom);
+        if (!pinned) t.named = t.geom;
+    }
+    return t;
+}
+
+Sort sort_of(const Thing& t)
+{
+    if (!t.geom) return Sort::kNone;
+    switch (t.number()) {
+        case dSphereClass:
+        case dBoxClass:
+        case dCapsuleClass:
+        case dCylinderClass:
+        case dConvexClass:
+        case dRayClass:
+            return Sort::kSolid;
+        case dPlaneClass:
+            return Sort::kPlane;
+        case dTriMeshClass:
+            return t.as<Trimesh>().mesh() ? Sort::kMesh : Sort::kNone;
+        case dHeightfieldClass:
+            return t.as<Heightfield>().field() ? Sort::kField : Sort::kNone;
+        default:
+            return Sort::kNone;
+    }
+}
+
+// A ray is a segment no longer than it takes to reach a ball about everything else.
+ConvexView segment_view(const Ray& ray, const Pose& pose, Vec3 centre, Real reach, Capsule& segment)
+{
+    Pose middle;
+    Vec3 along = pose.R.column(2), p, q;
+    const Real most = length(centre - pose.p) + reach;
+    const Real long_enough = std::clamp(ray.length, Real(0), most > 0 ? most : Real(0));
+    plane_space(along, p, q);
+    middle.R = transpose(Mat3{p, q, along});
+    middle.p = pose.p + Real(0.5) * long_enough * along;
+    segment = {0, Real(0.5) * long_enough};
+    return view_of(segment, middle);
+}
+
+// `centre`, `reach`: a ball about what it is measured against; `memory` must stay.
+ConvexView solid_view(const Thing& t, Vec3 centre, Real reach, Capsule& memory)
+{
+    switch (t.number()) {
+        case dSphereClass:
+            return view_of(t.as<Sphere>(), t.pose);
+        case dBoxClass:
+            return view_of(t.as<Box>(), t.pose);
+        case dCapsuleClass:
+            return view_of(t.as<Capsule>(), t.pose);
+        case dCylinderClass:
+            return view_of(t.as<Cylinder>(), t.pose);
+        case dConvexClass:
+            return view_of(t.as<Convex>(), t.pose);
+        default:
+            return segment_view(t.as<Ray>(), t.pose, centre, reach, memory);
+    }
+}
+
+// Two rays, and rays over endless fields, are looked at for so many times what lies between them at most.
+constexpr Real kEndless = kSingle ? Real(1e3) : Real(1e5);
+
+struct Ball {
+    Vec3 centre;
+    Real reach;
+};
+
+// Of a ray it is left to the caller what is near enough to count.
+Ball ball_about(const Thing& t, Real most)
+{
+    if (t.number() == dRayClass) return {t.pose.p, std::clamp(t.as<Ray>().length, Real(0), most)};
+    Capsule unused;
+    const ConvexView v = solid_view(t, {}, 0, unused);
+    return {v.pose.p, v.size + v.radius};
+}
+
+Ball ball_about(const Surface& s, const Pose& pose)
+{
+    const Vec3 half = Real(0.5) * (s.period().hi - s.period().lo);
+    return {pose.to_world(s.period().lo + half), (s.endless() ? kEndless : Real(1)) * length(half)};
+}
+
+Surface surface_of(const Thing& t)
+{
+    return t.number() == dTriMeshClass ? Surface(*t.as<Trimesh>().mesh())
+                                       : Surface(*t.as<Heightfield>().field());
+}
+
+ConvexView in_frame(const Pose& frame, const ConvexView& v)
+{
+    ConvexView out = v;
+    out.pose = inverse_times(frame, v.pose);
+    return out;
+}
+
+void to_world(const Pose& frame, Separation& s)
+{
+    s.on_a = frame.to_world(s.on_a);
+    s.on_b = frame.to_world(s.on_b);
+    s.normal = frame.R * s.normal;
+}
+
+// The triangle of `b` nearest to `a`, if it comes before `best`; everything in the surface's frame.
+void nearest_triangle(const ConvexView& a, int side_a, const Surface& b, Real limit, Separation& best)
+{
+    const Aabb around = box_around(a);
+    const Real farthest = best.distance < limit ? best.distance : limit;
+    const Real gap = gap_between(around, b.box());
+    if (b.count() == 0 || gap > (farthest > 0 ? farthest : Real(0))) return;
+    const Vec3 own = around.hi - around.lo, all = b.box().hi - b.box().lo;
+    Real step = std::max(max_component(own), std::min(all.x, all.z) < kInf ? max_component(all) / 64 : 0);
+    step = std::max(step, (kSingle ? Real(1e-6) : Real(1e-12)) *
+                              (gap + max_component(max(abs(around.lo), abs(around.hi)))));
+    for (Real reach = gap + step / 8;; step *= 4, reach += step) {
+        const Aabb asked = grown(around, reach < limit ? reach : std::max(limit, Real(0)));
+        b.query(asked, [&](const Triangle& t, int side) {
+            Separation s = separation(a, view_of(t), best.distance < limit ? best.distance : limit);
+            s.side_a = side_a, s.side_b = side;
+            if (s.distance <= limit && s.before(best)) best = s;
+        });
+        if (best.distance <= reach || reach >= limit || contains(asked, b.box())) return;
+        if (!(reach < kAbsurd)) return;
+    }
+}
+
+// Where the pair functions find the solid or the mesh in the ground; in the world.
+bool in_ground(const Thing& a, const Thing& field, Separation& out)
+{
+    constexpr int kRoom = 32;
+    dContactGeom contacts[kRoom];
+    ContactSink sink(contacts, sizeof(dContactGeom), kRoom, false);
+    sink.name(to_handle(a.geom), to_handle(field.geom));
+    const Heightfield& ground = field.as<Heightfield>();
+    switch (a.number()) {
+        case dSphereClass:
+            sphere_heightfield(a.as<Sphere>(), a.pose, ground, field.pose, sink);
+            break;
+        case dBoxClass:
+            box_heightfield(a.as<Box>(), a.pose, ground, field.pose, sink);
+            break;
+        case dCapsuleClass:
+            capsule_heightfield(a.as<Capsule>(), a.pose, ground, field.pose, sink);
+            break;
+        case dCylinderClass:
+            cylinder_heightfield(a.as<Cylinder>(), a.pose, ground, field.pose, sink);
+            break;
+        case dConvexClass:
+            convex_heightfield(a.as<Convex>(), a.pose, ground, field.pose, sink);
+            break;
+        case dTriMeshClass:
+            trimesh_heightfield(a.as<Trimesh>(), a.pose, ground, field.pose, sink);
+            break;
+        default:
+            break;
+    }
+    if (sink.count() == 0) return false;
+    int deepest = 0;
+    for (int k = 1; k < sink.count(); ++k)
+        if (contacts[k].depth > contacts[deepest].depth) deepest = k;
+    const dContactGeom& c = contacts[deepest];
+    out.distance = -c.depth;
+    out.normal = load(c.normal);
+    out.on_a = load(c.pos);
+    out.on_b = out.on_a + c.depth * out.normal;
+    out.side_a = c.side1, out.side_b = c.side2;
+    return true;
+}
+
+Separation solid_solid(const Thing& a, const Thing& b, Real limit)
+{
+    Capsule memory_a, memory_b;
+    const Real apart = kEndless * length(a.pose.p - b.pose.p);
+    const Ball ball_a = ball_about(a, apart), ball_b = ball_about(b, apart);
+    return separation(solid_view(a, ball_b.centre, ball_b.reach, memory_a),
+                      solid_view(b, ball_a.centre, ball_a.reach, memory_b), limit);
+}
+
+Separation solid_plane(const Thing& a, const Thing& b)
+{
+    const Plane& plane = b.as<Plane>();
+    Capsule memory;
+    if (a.number() != dRayClass) return separation(solid_view(a, {}, 0, memory), plane);
+    // A ray is lowest at one of its ends, however long it is.
+    const Vec3 along = a.pose.R.column(2);
+    const Real reach = a.as<Ray>().length;
+    Separation s;
+    s.on_a = dot(plane.normal, along) < 0 && reach > 0 ? a.pose.p + reach * along : a.pose.p;
+    s.distance = dot(plane.normal, s.on_a) - plane.d;
+    s.normal = plane.normal;
+    s.on_b = s.on_a - s.distance * plane.normal;
+    return s;
+}
+
+Separation solid_surface(const Thing& a, const Thing& b, Real limit)
+{
+    Separation best;
+    if (sort_of(b) == Sort::kField && in_ground(a, b, best)) return best;
+    const Surface surface = surface_of(b);
+    const Ball ball = ball_about(surface, b.pose);
+    Capsule memory;
+    nearest_triangle(in_frame(b.pose, solid_view(a, ball.centre, ball.reach, memory)), -1, surface, limit,
+                     best);
+    to_world(b.pose, best);
+    return best;
+}
+
+// Of a field without end one period counts where its height axis is the plane's, else there is no least.
+Separation surface_plane(const Thing& a, const Thing& b)
+{
+    const Surface surface = surface_of(a);
+    const Plane& plane = b.as<Plane>();
+    const Vec3 n = transposed_times(a.pose.R, plane.normal);
+    const Real d = plane.d - dot(plane.normal, a.pose.p);
+    Separation best;
+    if (surface.endless() && std::fabs(n.y) < 1) {
+        best.distance = -kInf;
+        best.normal = n;
+    }
+    for (int t = 0; t < surface.count() && best.distance > -kInf; ++t) {
+        Triangle triangle;
+        if (!surface.triangle(t, triangle)) continue;
+        for (const Vec3 v : triangle.v) {
+            const Real above = dot(n, v) - d;
+            if (above >= best.distance) continue;
+            best = {above, v, v - above * n, n, t, -1};
+        }
+    }
+    to_world(a.pose, best);
+    return best;
+}
+
+Separation plane_plane(const Plane& a, const Plane& b)
+{
+    Separation s;
+    s.normal = b.normal;
+    const bool facing = length2(a.normal + b.normal) < 64 * kEpsilon * kEpsilon;
+    s.distance = facing ? -(a.d + b.d) : -kInf;
+    s.on_a = a.d * a.normal;
+    s.on_b = b.d * b.normal;
+    return s;
+}
+
+// The triangles of `a` one after the other, the one whose box is nearest first.
+Separation surface_surface(const Thing& a, const Thing& b, Real limit)
+{
+    const Surface sa = surface_of(a), sb = surface_of(b);
+    if (sa.endless() && sb.endless()) return {};
+    if (sa.endless() || (!sb.endless() && sb.count() < sa.count()))
+        return surface_surface(b, a, limit).turned();
+    const Pose pose = inverse_times(b.pose, a.pose);
+    const auto placed = [&](int t, Triangle& out) {
+        if (!sa.triangle(t, out)) return false;
+        for (Vec3& v : out.v) v = pose.to_world(v);
+        out.n = pose.R * out.n;
+        out.c = dot(out.n, out.v[0]);
+        return true;
+    };
+    int nearest = -1;
+    Real least = kInf;
+    Triangle triangle;
+    for (int t = 0; t < sa.count(); ++t) {
+        if (!placed(t, triangle)) continue;
+        const Real gap = gap_between(box_around(triangle), sb.box());
+        if (nearest < 0 || gap < least) nearest = t, least = gap;
+    }
+    Separation best;
+    if (nearest >= 0 && placed(nearest, triangle))
+        nearest_triangle(view_of(triangle), nearest, sb, limit, best);
+    for (int t = 0; t < sa.count(); ++t)
+        if (t != nearest && placed(t, triangle)) nearest_triangle(view_of(triangle), t, sb, limit, best);
+    to_world(b.pose, best);
+    return best;
+}
+
+// For a whose sort is not behind b's.
+Separation in_order(const Thing& a, const Thing& b, Real limit)
+{
+    const Sort x = sort_of(a), y = sort_of(b);
+    if (x == Sort::kNone || y == Sort::kNone) return {};
+    if (x == Sort::kSolid) {
+        if (y == Sort::kSolid) return solid_solid(a, b, limit);
+        return y == Sort::kPlane ? solid_plane(a, b) : solid_surface(a, b, limit);
+    }
+    if (x == Sort::kPlane)
+        return y == Sort::kPlane ? plane_plane(a.as<Plane>(), b.as<Plane>()) : surface_plane(b, a).turned();
+    Separation ground;
+    if (x == Sort::kMesh && y == Sort::kField && in_ground(a, b, ground)) return ground;
+    return surface_surface(a, b, limit);
+}
+
+}  // namespace
+
+GeomSeparation separation(Geom& a, Geom& b, Real limit)
+{
+    const Thing ta = thing_of(a), tb = thing_of(b);
+    const Sort x = sort_of(ta), y = sort_of(tb);
+    // One order for both, so that exchanging the two changes no bit.
+    const bool turn = x != y ? x > y : ta.geom && tb.geom && ta.geom->serial > tb.geom->serial;
+    const Separation s = turn ? in_order(tb, ta, limit).turned() : in_order(ta, tb, limit);
+    GeomSeparation out;
+    static_cast<Separation&>(out) = s;
+    if (s.distance <= limit && s.distance < kInf) out.a = ta.named, out.b = tb.named;
+    if (x == Sort::kField) out.side_a = -1;
+    if (y == Sort::kField) out.side_b = -1;
+    return out;
+}
+
+bool overlapping(Geom& a, Geom& b)
+{
+    const bool built_in = !is_user_class(a.type->number) && !is_user_class(b.type->number);
+    if (built_in && !overridden(a, b)) return separation(a, b, 0).a != nullptr;
+    dContactGeom contact;
+    ContactArray one{&contact, int(sizeof contact), 1, true};
+    collide(a, b, one);
+    return one.count > 0;
+}
+
+}  // namespace epode

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Which geoms overlap another one, and how far two are from each other: the functions of the interface. Of
+// spaces the leaves are taken in order of joining and pairs whose boxes are farther apart than the best left
+// out.
+#include <algorithm>
+
+#include "collide/registry.h"
+#include "ode/ext.h"
+#include "query/distance.h"
+#include "query/members.h"
+#include "query/surface.h"
+
+namespace epode {
+namespace {
+
+// Keeps what lies in a space as it is while functions of the program may be called.
+class LeafLock {
+  public:
+    LeafLock(Geom* outer, const Array<Geom*>& leaves) : outer_(outer), leaves_(leaves) { add(1); }
+    LeafLock(const LeafLock&) = delete;
+    LeafLock& operator=(const LeafLock&) = delete;
+    ~LeafLock() { add(-1); }
+
+  private:
+    void add(int count)
+    {
+        if (is_space(*outer_))
+            for (Geom* m : leaves_) lock_around(*m, static_cast<Space&>(*outer_), count);
+    }
+    Geom* outer_;
+    const Array<Geom*>& leaves_;
+};
+
+bool leaves_of(Geom& geom, QueryBits bits, Array<Geom*>& out)
+{
+    return is_space(geom) ? collect_seen(static_cast<Space&>(geom), bits, out) : out.push(&geom);
+}
+
+bool agree(const Geom& a, const Geom& b) { return QueryBits{a.category, a.collide}.meet(b); }
+
+// No more than their distance. Infinite boxes are left alone, and height fields, whose ground goes on below.
+Real box_gap(Geom& a, Geom& b)
+{
+    if (a.type->number == dHeightfieldClass || b.type->number == dHeightfieldClass) return 0;
+    const Aabb &x = box_of(a), &y = box_of(b);
+    return bounded(x) && bounded(y) ? gap_between(x, y) : 0;
+}
+
+// Of leaves of two things; bits are looked at where one of them is a space.
+GeomSeparation least(const Array<Geom*>& first, const Array<Geom*>& second, bool by_bits, Real limit)
+{
+    GeomSeparation best;
+    for (Geom* a : first)
+        for (Geom* b : second) {
+            if (a == b || (by_bits && !agree(*a, *b))) continue;
+            const Real most = best.a ? best.distance : limit;
+            if (box_gap(*a, *b) > std::max(most, Real(0))) continue;
+            const GeomSeparation s = separation(*a, *b, most);
+            if (s.a && (!best.a || s.distance < best.distance)) best = s;
+        }
+    return best;
+}
+
+void put(const GeomSeparation& s, dQueryDistance& out)
+{
+    out = dQueryDistance{};
+    out.distance = s.distance;
+    store(out.pos1, s.on_a);
+    store(out.pos2, s.on_b);
+    store(out.normal, s.normal);
+    out.g1 = to_handle(s.a);
+    out.g2 = to_handle(s.b);
+    out.side1 = s.side_a;
+    out.side2 = s.side_b;
+}
+
+bool may_overlap(Geom& a, Geom& b)
+{
+    if (&a == &b || (a.body.id && a.body.id == b.body.id)) return false;
+    return !(a.type->may_touch && !a.type->may_touch(a, b)) &&
+           !(b.type->may_touch && !b.type->may_touch(b, a));
+}
+
+}  // namespace
+}  // namespace epode
+
+using namespace epode;
+
+extern "C" int dGeomGetDistance(dGeomID o1, dGeomID o2, dReal most, dQueryDistance* result)
+{
+    EPODE_GEOM(a, o1, 0);
+    EPODE_GEOM(b, o2, 0);
+    EPODE_USER(a != b && result && (usable(most) || most == kInf), 0);
+    const GeomHold hold_a(*a), hold_b(*b);
+    for (Geom* g : {a, b})
+        if (is_space(*g)) clean(static_cast<Space&>(*g));
+    Array<Geom*> first, second;
+    const bool room =
+        leaves_of(*a, {b->category, b->collide}, first) && leaves_of(*b, {a->category, a->collide}, second);
+    EPODE_USER_SAY(room, kOutOfMemory, 0);
+    const LeafLock lock_a(a, first), lock_b(b, second);
+    const GeomSeparation found = least(first, second, is_space(*a) || is_space(*b), most);
+    if (!found.a) return 0;
+    put(found, *result);
+    return 1;
+}
+
+extern "C" int dSpaceOverlap(dSpaceID id, dGeomID o, dGeomID* geoms, int room)
+{
+    EPODE_SPACE(space, id, 0);
+    EPODE_GEOM(geom, o, 0);
+    EPODE_USER(room >= 0 && (geoms || room == 0), 0);
+    EPODE_USER_SAY(!is_space(*geom), "argument must not be a space", 0);
+    const GeomHold hold(*geom);
+    Array<Geom*> near;
+    const QueryBits bits{geom->category, geom->collide};
+    clean(*space);
+    EPODE_USER_SAY(collect_near(*space, bits, box_of(*geom), near), kOutOfMemory, 0);
+    const LeafLock lock(space, near);
+    int count = 0;
+    for (Geom* m : near) {
+        if (!may_overlap(*geom, *m) || !overlapping(*geom, *m)) continue;
+        if (count < room) geoms[count] = to_handle(m);
+        ++count;
+    }
+    return count;
+}

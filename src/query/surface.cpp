@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See surface.h. A field that reaches beyond the range of whole numbers is cut off there.
+#include "query/surface.h"
+
+namespace epode {
+namespace {
+
+constexpr Real kMostCells = Real(1e9);
+
+int wrapped(int i, int period)
+{
+    const int rest = i % period;
+    return rest < 0 ? rest + period : rest;
+}
+
+}  // namespace
+
+Surface::Surface(const TrimeshData& mesh)
+    : mesh_(&mesh), box_(mesh.tree.box()), period_(box_), count_(mesh.mesh.triangle_count())
+{}
+
+Surface::Surface(const HeightfieldData& field) : field_(&field), count_(2 * (field.nx - 1) * (field.nz - 1))
+{
+    const Vec3 half = {field.width / 2, 0, field.depth / 2};
+    box_ = period_ = {Vec3{0, field.lowest, 0} - half, Vec3{0, field.highest, 0} + half};
+    if (field.wrap) box_ = {{-kInf, field.lowest, -kInf}, {kInf, field.highest, kInf}};
+}
+
+bool Surface::triangle(int t, Triangle& out) const
+{
+    if (!mesh_) {
+        const int columns = field_->nx - 1, cell = t / 2;
+        out = Terrain(*field_).facet(cell % columns, cell / columns, (t & 1) != 0);
+        return true;
+    }
+    if (mesh_->mesh.degenerate(t)) return false;
+    for (int k = 0; k < 3; ++k) out.v[k] = mesh_->mesh.corner(t, k);
+    out.n = mesh_->mesh.normal(t);
+    out.c = dot(out.n, out.v[0]);
+    return true;
+}
+
+void Surface::cells_under(const Aabb& box, int* first, int* last) const
+{
+    const Terrain terrain(*field_);
+    const Vec3 o = terrain.low_corner(), cell = terrain.cell();
+    const int counts[2] = {terrain.cells_x(), terrain.cells_z()};
+    for (int a = 0; a < 2; ++a) {
+        const int axis = 2 * a;
+        const Real least = endless() ? -kMostCells : 0;
+        const Real most = endless() ? kMostCells : Real(counts[a] - 1);
+        first[a] = int(std::clamp(std::floor((box.lo[axis] - o[axis]) / cell[axis]), least, most));
+        last[a] = int(std::clamp(std::floor((box.hi[axis] - o[axis]) / cell[axis]), least, most));
+    }
+}
+
+int Surface::number(int i, int j, bool upper) const
+{
+    const int columns = field_->nx - 1, rows = field_->nz - 1;
+    return 2 * (wrapped(i, columns) + wrapped(j, rows) * columns) + (upper ? 1 : 0);
+}
+
+}  // namespace epode

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A mesh or a height field as a set of numbered triangles in its own frame, for questions of distance: all of
+// them, and those whose boxes meet a box. A field's cell (i, j) has the triangles 2 (i + j nx) and the one
+// after it; of a field without end the numbers are those of the period.
+#pragma once
+
+#include <algorithm>
+
+#include "collide/heightfield.h"
+#include "collide/trimesh.h"
+
+namespace epode {
+
+inline Aabb box_around(const Triangle& t)
+{
+    return {min(t.v[0], min(t.v[1], t.v[2])), max(t.v[0], max(t.v[1], t.v[2]))};
+}
+
+// Of solids with their radius.
+inline Aabb box_around(const ConvexView& v)
+{
+    const Vec3 r{v.radius, v.radius, v.radius};
+    const Vec3 hi = {v.support({1, 0, 0}).x, v.support({0, 1, 0}).y, v.support({0, 0, 1}).z};
+    const Vec3 lo = {v.support({-1, 0, 0}).x, v.support({0, -1, 0}).y, v.support({0, 0, -1}).z};
+    return {lo - r, hi + r};
+}
+
+inline Aabb grown(const Aabb& box, Real by)
+{
+    const Vec3 r{by, by, by};
+    return {box.lo - r, box.hi + r};
+}
+
+// Between boxes; 0 when they overlap.
+inline Real gap_between(const Aabb& a, const Aabb& b)
+{
+    return length(max(max(a.lo - b.hi, b.lo - a.hi), Vec3{}));
+}
+
+class Surface {
+  public:
+    explicit Surface(const TrimeshData& mesh);
+    explicit Surface(const HeightfieldData& field);
+
+    bool endless() const { return field_ && field_->wrap; }
+    const Aabb& box() const { return box_; }
+    const Aabb& period() const { return period_; }  // the box, of a field without end that of the period
+    int count() const { return count_; }            // of a field without end: of its period
+
+    // False for one without area.
+    bool triangle(int t, Triangle& out) const;
+
+    // visit(triangle, number) for all with area whose boxes meet `box`.
+    template <typename Visit>
+    void query(const Aabb& box, Visit&& visit) const
+    {
+        if (!overlap(box, box_)) return;
+        if (mesh_) {
+            mesh_->tree.query(mesh_->mesh, box, [&](int t) {
+                Triangle triangle;
+                if (this->triangle(t, triangle)) visit(triangle, t);
+                return true;
+            });
+            return;
+        }
+        int first[2], last[2];
+        cells_under(box, first, last);
+        const Terrain terrain(*field_);
+        for (int j = first[1]; j <= last[1]; ++j)
+            for (int i = first[0]; i <= last[0]; ++i)
+                for (const bool upper : {false, true}) {
+                    const Facet f = terrain.facet(i, j, upper);
+                    if (overlap(box_around(f), box)) visit(f, number(i, j, upper));
+                }
+    }
+
+  private:
+    void cells_under(const Aabb& box, int* first, int* last) const;
+    int number(int i, int j, bool upper) const;
+
+    const TrimeshData* mesh_ = nullptr;
+    const HeightfieldData* field_ = nullptr;
+    Aabb box_, period_;
+    int count_ = 0;
+};
+
+}  // namespace epode
