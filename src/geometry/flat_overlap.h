@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The least overlap where one solid has flat faces, by trying what can be least and nothing else. With C and
+// The least overlap where a solid has flat faces, by trying what can be least and nothing else. With C and
 // h(n) as in epa.h: the ball about the origin that touches the boundary of C lies within C, so it touches
 // where C is flat or curved less than the ball, never at an edge or corner of C. That leaves
 //   both flat      a face of either, or an edge of each: n = product of the edges, where their arcs on the
@@ -9,6 +9,8 @@
 //                  2013)
 //   one is round   a face of either; an edge and the rim, or an edge and the side: n turns about the edge, a
 //                  root in one unknown; a corner and the side: n is radial
+//   cylinders      an end of either; the two sides: n = product of the axes; a side and a rim: n turns about
+//                  the side's axis; two rims: two unknowns, sought downhill from the best of the others
 // Three bounds keep the lists short. A solid that holds a ball of radius rho about c overlaps the far side of
 // a plane by at least rho less the height of c over it; edges of which neither face can come below the depth
 // so far drop out. So do edges that are farther from the other solid than that depth. And where a point lies
@@ -77,6 +79,40 @@ class RoundPair {
     Pose round_in_flat_;
     Real handicap_;
     Vec3 outward_;
+};
+
+// Two cylinders. All in a's frame but `best`.
+class CylinderPair {
+  public:
+    CylinderPair(const ConvexView& a, const ConvexView& b);
+
+    void try_faces(Real enough);
+    bool proven_at(Vec3 point) const;
+    bool proven() const;
+    void try_rest(Real enough);
+
+    Overlap best;
+
+  private:
+    Real overlap(Vec3 n, Vec3& point) const;
+    Real overlap(Vec3 n) const
+    {
+        Vec3 point;
+        return overlap(n, point);
+    }
+    void offer(Vec3 n, Real depth, Real handicap);
+    void turn_about(bool first, Real enough);
+    void descend(Vec3 n);
+    void leave_end(Vec3 axis, Real radius);
+
+    const ConvexView& a_;
+    const ConvexView& b_;
+    RoundCore one_, two_;
+    Pose b_in_a_;
+    Vec3 axis_;  // of b
+    Real handicap_, size_;
+    Vec3 normal_;
+    bool end_of_a_ = false, end_of_b_ = false;
 };
 
 }  // namespace epode

@@ -202,6 +202,8 @@ Overlap least_overlap(const ConvexView& a, const ConvexView& b)
     if (flat_a && flat_b) return least_overlap_of(FlatPair(a, b), enough);
     if ((flat_a && RoundCore::is_round(b)) || (flat_b && RoundCore::is_round(a)))
         return least_overlap_of(RoundPair(a, b), enough);
+    if (a.kind == SolidKind::kCylinder && b.kind == SolidKind::kCylinder)
+        return least_overlap_of(CylinderPair(a, b), enough);
     return search(a, b, enough);
 }
 

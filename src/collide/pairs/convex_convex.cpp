@@ -330,6 +330,8 @@ void convex_convex(const ConvexView& a, const ConvexView& b, ContactSink& sink)
     if (flat_a && flat_b) return meet(a, b, FlatPair(a, b), -touch - radii, sink);
     if ((flat_a && RoundCore::is_round(b)) || (flat_b && RoundCore::is_round(a)))
         return meet(a, b, RoundPair(a, b), -touch - radii, sink);
+    if (a.kind == SolidKind::kCylinder && b.kind == SolidKind::kCylinder)
+        return meet(a, b, CylinderPair(a, b), -touch - radii, sink);
     const Overlap o = least_overlap(a, b);
     if (o.depth >= -touch - radii) convex_manifold(a, b, o.normal, o.depth > 0 ? o.depth : Real(0), sink);
 }

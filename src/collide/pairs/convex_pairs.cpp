@@ -2,16 +2,24 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Convex polyhedra against the convex solids: the general answer (convex_convex.cpp), with the polyhedron's
-// own face normals where a face is what touches (geometry/least_overlap.cpp). Against a plane: the vertices
-// below it, each with its own depth, of which the best four are kept; also when all are below.
+// own face normals where a face is what touches (geometry/flat_overlap.h). Against a ball: its centre's
+// nearest point; the contact is the ball's deepest point under a face, as for any manifold of a face, and
+// halfway between the two surfaces at an edge or corner. Against a plane: the vertices below it, each with
+// its own depth, of which the best four are kept; also when all are below.
 #include "collide/pairs/pairs.h"
-#include "geometry/polyhedron.h"
+#include "geometry/nearest_on_hull.h"
 
 namespace epode {
 
 void sphere_convex(const Sphere& a, const Pose& A, const Convex& b, const Pose& B, ContactSink& sink)
 {
-    convex_convex(view_of(a, A), view_of(b, B), sink);
+    const Vec3 middle = B.to_world(b.solid->centre());
+    NearestOnHull nearest;
+    if (!nearest_on_hull(*b.solid, transposed_times(B.R, A.p - middle), a.radius, nearest)) return;
+    const Vec3 n = B.R * nearest.normal, lowest = A.p - a.radius * n;
+    const Vec3 at = nearest.on_face ? lowest : Real(0.5) * (lowest + middle + B.R * nearest.point);
+    const ContactPoint contact = {at, n, a.radius - nearest.distance};
+    sink.add_manifold({&contact, 1});
 }
 
 void box_convex(const Box& a, const Pose& A, const Convex& b, const Pose& B, ContactSink& sink)

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The solids of the reference: see solid.h. Polyhedra are given as points; the library finds their faces.
+#include "solid.h"
+
+#include <ode/ext.h>
+
+#include <cmath>
+
+namespace epode::reference {
+
+double norm(const Point& a) { return std::sqrt(dot(a, a)); }
+Point unit(const Point& a)
+{
+    const double n = norm(a);
+    return {a[0] / n, a[1] / n, a[2] / n};
+}
+
+Point Dice::direction()
+{
+    for (;;) {
+        const Point p = {in(-1, 1), in(-1, 1), in(-1, 1)};
+        const double n = norm(p);
+        if (n < 1 && n > 0.1) return unit(p);
+    }
+}
+
+Solid::Solid(const std::string& kind, Dice& dice) : kind_(kind)
+{
+    radius_ = double(dReal(dice.in(0.1, 1)));
+    for (double& h : half_) h = double(dReal(dice.in(0.1, 1)));
+    if (kind == "sphere") {
+        geom_ = dCreateSphere(nullptr, dReal(radius_));
+        reach_ = radius_;
+    } else if (kind == "box") {
+        geom_ = dCreateBox(nullptr, dReal(2 * half_[0]), dReal(2 * half_[1]), dReal(2 * half_[2]));
+        reach_ = norm(half_);
+    } else if (kind == "capsule") {
+        geom_ = dCreateCapsule(nullptr, dReal(radius_), dReal(2 * half_[2]));
+        reach_ = radius_ + half_[2];
+    } else if (kind == "cylinder") {
+        geom_ = dCreateCylinder(nullptr, dReal(radius_), dReal(2 * half_[2]));
+        reach_ = std::hypot(radius_, half_[2]);
+    } else if (kind == "convex") {
+        make_hull(dice);
+    } else {
+        half_ = dice.direction();
+        geom_ = dCreatePlane(nullptr, dReal(half_[0]), dReal(half_[1]), dReal(half_[2]), dReal(radius_));
+        dVector4 p;
+        dGeomPlaneGetParams(geom_, p);
+        half_ = {double(p[0]), double(p[1]), double(p[2])}, radius_ = double(p[3]);
+    }
+}
+
+void Solid::make_hull(Dice& dice)
+{
+    const double kind = dice.in(0, 4), height = half_[2];
+    const int sides = 3 + int(dice.in(0, 8));
+    const auto add = [&](double x, double y, double z) {
+        const Point p = {double(dReal(x)), double(dReal(y)), double(dReal(z))};
+        vertices_.push_back(p);
+        reach_ = std::fmax(reach_, norm(p));
+    };
+    if (kind < 3) {
+        const double twist = kind < 1 ? 0 : 3.14159265358979323846 / sides;
+        for (int i = 0; i < sides; ++i) {
+            const double angle = 2 * 3.14159265358979323846 * i / sides;
+            add(radius_ * std::cos(angle), radius_ * std::sin(angle), -height);
+            if (kind < 2) add(half_[0] * std::cos(angle + twist), half_[0] * std::sin(angle + twist), height);
+        }
+        if (kind >= 2) add(0, 0, height);
+    } else {
+        for (int i = 0; i < 60; ++i) {
+            const Point d = dice.direction();
+            add(radius_ * d[0], half_[0] * d[1], height * d[2]);
+        }
+    }
+    for (const Point& p : vertices_)
+        for (const double x : p) points_.push_back(dReal(x));
+    geom_ = dCreateConvexHull(nullptr, points_.data(), unsigned(vertices_.size()), 0);
+}
+
+void Solid::place(const Point& position, Dice& turn)
+{
+    if (is_plane()) return;
+    dQuaternion q;
+    double n;
+    do {
+        n = 0;
+        for (dReal& v : q) v = dReal(turn.in(-1, 1)), n += double(v) * double(v);
+    } while (n > 1 || n < 0.01);
+    const double kind = turn.in(0, 1);
+    if (kind < 0.2) q[1] = q[2] = q[3] = 0, q[0] = 1;
+    if (kind >= 0.2 && kind < 0.4) q[1] = q[2] = 0;
+    dNormalize4(q);
+    dGeomSetQuaternion(geom_, q);
+    dGeomSetPosition(geom_, dReal(position[0]), dReal(position[1]), dReal(position[2]));
+    read_pose();
+}
+
+void Solid::move(const Point& by)
+{
+    const Point p = sum(position_, 1, by);
+    dGeomSetPosition(geom_, dReal(p[0]), dReal(p[1]), dReal(p[2]));
+    read_pose();
+}
+
+void Solid::read_pose()
+{
+    const dReal *p = dGeomGetPosition(geom_), *r = dGeomGetRotation(geom_);
+    for (std::size_t i = 0; i < 3; ++i) {
+        position_[i] = double(p[i]);
+        for (std::size_t j = 0; j < 3; ++j) rotation_[i][j] = double(r[4 * i + j]);
+    }
+}
+
+Point Solid::support(const Point& direction) const
+{
+    Point d{}, s{};
+    for (std::size_t j = 0; j < 3; ++j)
+        for (std::size_t i = 0; i < 3; ++i) d[j] += rotation_[i][j] * direction[i];
+    const double n = norm(d), across = std::sqrt(d[0] * d[0] + d[1] * d[1]);
+    const auto side = [](double v, double h) { return v < 0 ? -h : h; };
+    switch (kind_[0]) {
+        case 's':
+            for (std::size_t i = 0; i < 3; ++i) s[i] = radius_ * d[i] / n;
+            break;
+        case 'b':
+            for (std::size_t i = 0; i < 3; ++i) s[i] = side(d[i], half_[i]);
+            break;
+        default:
+            if (kind_ == "capsule") {
+                for (std::size_t i = 0; i < 3; ++i) s[i] = radius_ * d[i] / n;
+                s[2] += side(d[2], half_[2]);
+            } else if (kind_ == "cylinder") {
+                if (across > 0) s = {radius_ * d[0] / across, radius_ * d[1] / across, 0};
+                s[2] = side(d[2], half_[2]);
+            } else {
+                double most = -1e300;
+                for (const Point& v : vertices_) {
+                    const double along = dot(v, d);
+                    if (along > most) most = along, s = v;
+                }
+            }
+    }
+    Point out = position_;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) out[i] += rotation_[i][j] * s[j];
+    return out;
+}
+
+}  // namespace epode::reference
