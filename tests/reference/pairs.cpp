@@ -23,7 +23,7 @@ namespace {
 using namespace epode::reference;
 
 constexpr bool kSingle = sizeof(dReal) == 4;
-constexpr double kTouch = kSingle ? 2e-5 : 1e-6;  // where hit or miss is open
+constexpr double kTouch = kSingle ? 1e-4 : 1e-6;  // where hit or miss is open
 constexpr double kDeeper = 1e-3;
 constexpr double kLeft = kSingle ? 1e-3 : 2e-5;  // a manifold's own tolerance
 
