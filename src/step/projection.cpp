@@ -211,8 +211,9 @@ class Projection {
         if (!solve(tasks)) return false;
         const Real merit = merit_;
         Real share = first_share();
+        if (!(share > 0)) return false;  // no pose has moved: 0 * NaN would move them
         std::copy(holds_.begin(), holds_.end(), before_.begin());
-        for (int k = 0; k <= kMostHalvings && share > 0; ++k, share /= 2) {
+        for (int k = 0; k <= kMostHalvings; ++k, share /= 2) {
             move(share);
             if (merit_ < merit) return true;
         }
