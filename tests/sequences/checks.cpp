@@ -168,7 +168,7 @@ void Player::check_islands(World& world)
 
 void Player::call_the_dead(Dice& dice)
 {
-    switch (dice.below(6)) {
+    switch (dice.below(7)) {
         case 0:
             if (World* world = recently_dead(model.worlds, dice)) ATTEMPT(false, dWorldStep, world, 0.01);
             break;
@@ -188,6 +188,11 @@ void Player::call_the_dead(Dice& dice)
             break;
         case 4:
             if (Group* group = recently_dead(model.groups, dice)) ATTEMPT(false, dJointGroupEmpty, group);
+            break;
+        case 5:
+            if (Mesh* mesh = recently_dead(model.meshes, dice))
+                dice.chance(50) ? ATTEMPT(false, dGeomTriMeshDataUpdate, mesh)
+                                : ATTEMPT(false, dGeomTriMeshDataDestroy, mesh);
             break;
         default:
             if (Field* field = recently_dead(model.fields, dice))
@@ -227,39 +232,23 @@ void Player::check_everything(Dice&)
 }
 
 const Player::Entry Player::kEntries[] = {
-    {&Player::create_world, 2},
-    {&Player::destroy_world, 1},
-    {&Player::tune_world, 10},
-    {&Player::create_body, 60},
-    {&Player::destroy_body, 25},
-    {&Player::place_body, 30},
-    {&Player::push_body, 40},
-    {&Player::tune_body, 30},
-    {&Player::sleep_body, 30},
-    {&Player::create_joint, 60},
-    {&Player::attach_joint, 40},
-    {&Player::tune_joint, 80},
-    {&Player::watch_joint, 10},
-    {&Player::destroy_joint, 20},
-    {&Player::use_group, 25},
-    {&Player::create_geom, 60},
-    {&Player::create_space, 6},
-    {&Player::change_space, 40},
-    {&Player::tune_space, 10},
-    {&Player::set_geom_body, 50},
-    {&Player::place_geom, 30},
-    {&Player::tune_geom, 30},
-    {&Player::offset_geom, 30},
-    {&Player::hold_geom, 30},
-    {&Player::destroy_geom, 25},
-    {&Player::use_field, 10},
-    {&Player::collide, 40},
-    {&Player::collide_two, 20},
-    {&Player::step, 50},
-    {&Player::call_the_dead, 40},
-    {&Player::call_nothing, 10},
-    {&Player::check_everything, 60},
-    {nullptr, 0},
+    {&Player::create_world, 2},      {&Player::destroy_world, 1},
+    {&Player::tune_world, 10},       {&Player::create_body, 60},
+    {&Player::destroy_body, 25},     {&Player::place_body, 30},
+    {&Player::push_body, 40},        {&Player::tune_body, 30},
+    {&Player::sleep_body, 30},       {&Player::create_joint, 60},
+    {&Player::attach_joint, 40},     {&Player::tune_joint, 80},
+    {&Player::watch_joint, 10},      {&Player::destroy_joint, 20},
+    {&Player::use_group, 25},        {&Player::create_geom, 60},
+    {&Player::create_space, 6},      {&Player::change_space, 40},
+    {&Player::tune_space, 10},       {&Player::set_geom_body, 50},
+    {&Player::place_geom, 30},       {&Player::tune_geom, 30},
+    {&Player::offset_geom, 30},      {&Player::hold_geom, 30},
+    {&Player::destroy_geom, 25},     {&Player::use_field, 10},
+    {&Player::use_mesh, 15},         {&Player::collide, 40},
+    {&Player::collide_two, 20},      {&Player::step, 50},
+    {&Player::call_the_dead, 40},    {&Player::call_nothing, 10},
+    {&Player::check_everything, 60}, {nullptr, 0},
 };
 
 }  // namespace epode::sequences

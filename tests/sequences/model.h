@@ -71,6 +71,15 @@ struct Field {
     bool alive = true;
 };
 
+struct Mesh {
+    using Id = dTriMeshDataID;
+    static constexpr const char* kLetter = "m";
+    Id id = nullptr;
+    int number = 0;
+    bool alive = true;
+    bool built = false;
+};
+
 // Spaces are geoms, here as in the library.
 struct Geom {
     using Id = dGeomID;
@@ -130,6 +139,7 @@ class Model {
     Register<Group> groups;
     Register<Geom> geoms;
     Register<Field> fields;
+    Register<Mesh> meshes;
 
     Body& born_body(dBodyID id, World& world);
     Joint& born_joint(dJointID id, World& world, Group* group, int kind);

@@ -137,11 +137,12 @@ bool Player::tear_down(std::uint64_t seed)
     for (;;) {
         const std::size_t left[] = {model.worlds.living().size(), model.bodies.living().size(),
                                     model.joints.living().size(), model.groups.living().size(),
-                                    model.geoms.living().size(),  model.fields.living().size()};
+                                    model.geoms.living().size(),  model.fields.living().size(),
+                                    model.meshes.living().size()};
         std::size_t all = 0;
         for (std::size_t n : left) all += n;
         if (all == 0) return complaint_.empty();
-        if (dies(dice, dice.below(6)) && dice.chance(10) && !check()) return false;
+        if (dies(dice, dice.below(7)) && dice.chance(10) && !check()) return false;
         if (!complaint_.empty()) return false;
     }
 }
@@ -182,6 +183,12 @@ bool Player::dies(Dice& dice, int kind)
                 else
                     CALL(dGeomDestroy, geom);
                 return model.kill(*geom), true;
+            }
+            return false;
+        case 5:
+            if (Mesh* mesh = any(model.meshes.living(), dice)) {
+                CALL(dGeomTriMeshDataDestroy, mesh);
+                return model.meshes.bury(*mesh), true;
             }
             return false;
         default:

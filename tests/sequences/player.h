@@ -112,6 +112,7 @@ class Player {
     void hold_geom(Dice&);
     void destroy_geom(Dice&);
     void use_field(Dice&);
+    void use_mesh(Dice&);
     void collide(Dice&);
     void collide_two(Dice&);
     void step(Dice&);

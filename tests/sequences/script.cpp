@@ -45,7 +45,8 @@ std::string callback(const std::string& name, const std::string& arguments, cons
 constexpr const char* kVariables =
     "enum { kRoom = 65536 };\n"
     "static dWorldID w[kRoom];\nstatic dBodyID b[kRoom];\nstatic dJointID j[kRoom];\n"
-    "static dJointGroupID g[kRoom];\nstatic dGeomID o[kRoom];\nstatic dHeightfieldDataID f[kRoom];\n\n"
+    "static dJointGroupID g[kRoom];\nstatic dGeomID o[kRoom];\nstatic dHeightfieldDataID f[kRoom];\n"
+    "static dTriMeshDataID m[kRoom];\n\n"
     "static void near(void* data, dGeomID o1, dGeomID o2);\nstatic void moved(dBodyID body);\n\n";
 
 }  // namespace

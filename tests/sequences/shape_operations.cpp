@@ -1,14 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Operations on geoms, spaces, transforms, height fields, and collision.
+// Operations on geoms, spaces, transforms, height fields, meshes, and collision.
 #include "attempt.h"
 
 namespace epode::sequences {
 namespace {
 
-constexpr std::size_t kMostGeoms = 60, kMostFields = 4;
-enum Shape { kSphere, kBox, kCapsule, kCylinder, kPlane, kRay, kTransform, kHeightfield, kShapes };
+constexpr std::size_t kMostGeoms = 60, kMostFields = 4, kMostMeshes = 4;
+enum Shape {
+    kSphere,
+    kBox,
+    kCapsule,
+    kCylinder,
+    kPlane,
+    kRay,
+    kTransform,
+    kConvex,
+    kHull,
+    kTrimesh,
+    kHeightfield,
+    kShapes
+};
+template <typename Function>
+constexpr Named<Function*> kNoCallback{"0", nullptr};
+constexpr int kFewestPoints = 4;  // of a hull; the first four of the wedge lie in a plane
 
 }  // namespace
 
@@ -35,7 +51,8 @@ void Player::create_geom(Dice& dice)
     const int kind = dice.below(kShapes);
     Field* field = any(model.fields.living(), dice);
     const bool placeable = kind != kPlane && !(kind == kHeightfield && dice.chance(30));
-    if (kind == kHeightfield && !field) return;
+    Mesh* mesh = any(model.meshes.living(), dice);
+    if ((kind == kHeightfield && !field) || (kind == kTrimesh && !mesh)) return;
     const double x = dice.between(0.1, 1), y = dice.between(0.1, 1), z = dice.between(0.1, 1);
     const AsSpace in{space};
     dGeomID id = nullptr;
@@ -64,6 +81,16 @@ void Player::create_geom(Dice& dice)
                 break;
             case kTransform:
                 MAKE(dCreateGeomTransform);
+                break;
+            case kConvex:
+                MAKE(create_wedge);
+                break;
+            case kHull:
+                MAKE(create_hull, kFewestPoints + 1 + dice.below(2));
+                break;
+            case kTrimesh:
+                MAKE(dCreateTriMesh, mesh, kNoCallback<dTriCallback>, kNoCallback<dTriArrayCallback>,
+                     kNoCallback<dTriRayCallback>);
                 break;
             default:
                 MAKE(dCreateHeightfield, field, int(placeable));
@@ -184,7 +211,8 @@ void Player::tune_geom(Dice& dice)
     if (!geom) return;
     const double x = dice.between(0.05, 1), y = dice.between(0.05, 1), z = dice.between(0.05, 1);
     const bool shape = !geom->is_space;
-    switch (dice.below(6)) {
+    const bool convex = geom->kind == kConvex || geom->kind == kHull;
+    switch (dice.below(7)) {
         case 0:
             ATTEMPT(true, dGeomEnable, geom);
             break;
@@ -200,6 +228,11 @@ void Player::tune_geom(Dice& dice)
         case 4:
             ATTEMPT(shape && geom->kind == kBox, dGeomBoxSetLengths, geom, x, y, z);
             break;
+        case 5: {
+            const int points = kFewestPoints + dice.below(3);
+            ATTEMPT(shape && convex && points > kFewestPoints, set_hull, geom, points);
+            break;
+        }
         default:
             ATTEMPT(shape && geom->kind == kSphere, dGeomSphereSetRadius, geom, x);
             break;
@@ -284,6 +317,29 @@ void Player::use_field(Dice& dice)
     } else {
         Geom* geom = any_shape(dice);
         if (geom) ATTEMPT(geom->kind == kHeightfield, dGeomHeightfieldSetHeightfieldData, geom, field);
+    }
+}
+
+void Player::use_mesh(Dice& dice)
+{
+    Mesh* mesh = any(model.meshes.living(), dice);
+    if (!mesh || (dice.chance(30) && model.meshes.living().size() < kMostMeshes)) {
+        const dTriMeshDataID id =
+            script.make("m", model.meshes.made(), "", "dGeomTriMeshDataCreate", dGeomTriMeshDataCreate);
+        if (!id) return fail("no mesh data");
+        mesh = &model.meshes.add(id);
+        if (dice.chance(80)) mesh->built = ATTEMPT(true, build_mesh, mesh, dice.below(kMeshes));
+    } else if (dice.chance(25)) {
+        if (ATTEMPT(true, dGeomTriMeshDataDestroy, mesh)) model.meshes.bury(*mesh);
+    } else if (dice.chance(30)) {
+        mesh->built = ATTEMPT(true, build_mesh, mesh, dice.below(kMeshes)) || mesh->built;
+    } else if (dice.chance(50)) {
+        CALL(move_corner, dice.below(kMeshes), dice.below(kCorners), dice.between(-1, 3), dice.between(-1, 3),
+             dice.between(-1, 3));
+        ATTEMPT(mesh->built, dGeomTriMeshDataUpdate, mesh);
+    } else {
+        Geom* geom = any_shape(dice);
+        if (geom) ATTEMPT(geom->kind == kTrimesh, dGeomTriMeshSetData, geom, mesh);
     }
 }
 
