@@ -158,12 +158,40 @@ void count_pair(void* n, dGeomID a, dGeomID b)
     *static_cast<int*>(n) += dCollide(a, b, 8, contact, sizeof contact[0]);
 }
 
+// A waved sheet of 338 triangles; its corners make a hull too.
+struct Wavy {
+    static constexpr int kSide = 14, kCorners = kSide * kSide, kTriangles = 2 * (kSide - 1) * (kSide - 1);
+    dReal corners[3 * kCorners];
+    dTriIndex triangles[3 * kTriangles];
+    dTriMeshDataID data = dGeomTriMeshDataCreate();
+
+    Wavy()
+    {
+        dTriIndex* t = triangles;
+        for (int i = 0; i < kCorners; ++i) {
+            const int x = i % kSide, y = i / kSide;
+            dReal* const at = corners + 3 * i;
+            at[0] = dReal(0.2) * dReal(x - kSide / 2), at[1] = dReal(0.2) * dReal(y - kSide / 2);
+            at[2] = dReal(0.3) * std::sin(3 * at[0]) * std::cos(2 * at[1]);
+            if (x + 1 == kSide || y + 1 == kSide) continue;
+            for (int corner : {i, i + 1, i + kSide, i + 1, i + kSide + 1, i + kSide})
+                *t++ = dTriIndex(corner);
+        }
+        const auto build = sizeof(dReal) == 8 ? dGeomTriMeshDataBuildDouble : dGeomTriMeshDataBuildSingle;
+        build(data, corners, 3 * sizeof(dReal), kCorners, triangles, 3 * kTriangles, 3 * sizeof(dTriIndex));
+    }
+    ~Wavy() { dGeomTriMeshDataDestroy(data); }
+    Wavy(const Wavy&) = delete;
+    Wavy& operator=(const Wavy&) = delete;
+};
+
 TEST(SmallStack, every_pair_is_collided)
 {
     const Library library;
     static const double heights[16] = {0, 0.3, 0.1, 0, 0.2, 0.5, 0.4, 0.1, 0, 0.6, 0.2, 0.3, 0.1, 0, 0.2, 0};
     dHeightfieldDataID field = dGeomHeightfieldDataCreate();
     dGeomHeightfieldDataBuildDouble(field, heights, 0, 4, 4, 4, 4, 1, 0, 1, 0);
+    const Wavy wavy;
     std::vector<dSpaceID> nest{dHashSpaceCreate(nullptr)};
     for (int i = 0; i < 8; ++i) nest.push_back(dSimpleSpaceCreate(nest.back()));
     std::vector<dGeomID> geoms;
@@ -175,13 +203,15 @@ TEST(SmallStack, every_pair_is_collided)
         for (dGeomID g : {dCreateSphere(space, dReal(0.6)), dCreateBox(space, 1, 1, 1),
                           dCreateCapsule(space, dReal(0.4), 1), dCreateCylinder(space, dReal(0.5), 1),
                           dCreatePlane(space, 0, 0, 1, dReal(0.1)), dCreateRay(space, 3),
-                          dCreateHeightfield(space, field, 1), transform})
+                          dCreateHeightfield(space, field, 1), transform,
+                          dCreateConvexHull(space, wavy.corners, Wavy::kCorners, 0),
+                          dCreateTriMesh(space, wavy.data, nullptr, nullptr, nullptr)})
             geoms.push_back(g);
     }
     static dContactGeom contacts[64];
     int met = 0, near = 0;
     const std::size_t used = on_small_stack([&] {
-        for (int turn = 0; turn < 40; ++turn) {
+        for (int turn = 0; turn < 20; ++turn) {
             for (std::size_t i = 0; i < geoms.size(); ++i) {
                 if (dGeomGetClass(geoms[i]) == dPlaneClass) continue;
                 const dReal x = dReal(0.37 * turn + double(i));
