@@ -14,8 +14,8 @@ using namespace epode;
 namespace {
 
 constexpr const char* kConfiguration =
-    kSingle ? "ODE ODE_EXT_threading ODE_THR_builtin_impl ODE_single_precision"
-            : "ODE ODE_EXT_threading ODE_THR_builtin_impl ODE_double_precision";
+    kSingle ? "ODE ODE_EXT_trimesh ODE_EXT_threading ODE_THR_builtin_impl ODE_single_precision"
+            : "ODE ODE_EXT_trimesh ODE_EXT_threading ODE_THR_builtin_impl ODE_double_precision";
 
 // Is the text at `place`, of this length, bounded by spaces or the ends of the configuration?
 bool is_word(const char* place, std::size_t length)

@@ -234,6 +234,7 @@ PARITY_CASE(service_configuration)
                             "double_precision",
                             "precision",
                             "ODE_double_precision2",
+                            "ODE_EXT_trimesh",
                             "ODE_EXT_gimpact",
                             "ODE_OPC_16bit_indices"};
     for (const char* token : tokens) { out.put(token, {number(dCheckConfiguration(token))}); }
