@@ -62,6 +62,7 @@ class Stage {
         for (dBodyID b : idle_) lay(b);
         dBodyAddForce(bodies_[0], 3, 0, dReal(number));
         if (number == kWaking) {
+            dBodyDisable(mat_[1]);  // which its neighbours wake
             dContact contact = touching(dBodyGetPosition(idle_[0]));
             dJointAttach(dJointCreateContact(world_, group_, &contact), idle_[0], mat_[0]);
         }
@@ -118,7 +119,9 @@ class Stage {
             dBodySetAutoDisableTime(body, 0);
             dBodySetAutoDisableAverageSamplesCount(body, 2);
             dBodySetAutoDisableLinearThreshold(body, 1);
+            dBodySetAutoDisableAngularThreshold(body, 1);
             dBodySetLinearVel(body, dReal(0.1), 0, 0);
+            dBodySetAngularVel(body, dReal(0.1), dReal(0.3), dReal(0.2));
             idle_.push_back(body);
         }
     }
