@@ -35,6 +35,10 @@ FlatGround::FlatGround(Sim& sim, Floor floor, int cells, double cell)
         case Floor::kPlane:
             other_ = dCreatePlane(sim.space, 0, 0, 1, 0);
             break;
+        case Floor::kBox:
+            other_ = dCreateBox(sim.space, real(2 * half), real(2 * half), 1);
+            dGeomSetPosition(other_, 0, 0, real(-0.5));
+            break;
         case Floor::kMesh:
             meshes_.push_back(sheet(sim.space, -half, -half, cells, cells, cell));
             break;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Grounds that are all the plane z = 0 to what moves on them: the plane itself, one mesh of many triangles,
-// one that falls away beyond y = 0 (bodies whose boxes reach there are on no plane), two meshes laid edge to
-// edge, a height field.
+// Grounds that are all the plane z = 0 to what moves on them: the plane itself, a box, one mesh of many
+// triangles, one that falls away beyond y = 0 (bodies whose boxes reach there are on no plane), two meshes
+// laid edge to edge, a height field.
 #pragma once
 
 #include <vector>
@@ -37,12 +37,14 @@ class MeshGeom {
     dTriMeshDataID data_;
 };
 
-enum class Floor { kPlane, kMesh, kRidge, kTwoMeshes, kField };
+enum class Floor { kPlane, kBox, kMesh, kRidge, kTwoMeshes, kField };
 inline const char* name_of(Floor f)
 {
     switch (f) {
         case Floor::kPlane:
             return "plane";
+        case Floor::kBox:
+            return "box";
         case Floor::kMesh:
             return "mesh";
         case Floor::kRidge:
