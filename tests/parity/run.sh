@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
 #
-# run.sh LIBDIR PROBE COMPARE: the probe on our libode.so.8 in LIBDIR and on Debian's, then the comparison.
+# run.sh LIBDIR PROBE COMPARE [--poses N]: the probe on our libode.so.8 in LIBDIR and on Debian's, then the comparison.
 # Which library was measured is read from the process map by the probe itself ("#library PATH").
 set -eu
 libdir=$1 probe=$2 compare=$3
+shift 3
 here=$(cd "$(dirname "$0")" && pwd)
 debian=${PARITY_DEBIAN_DIR:-/usr/lib/x86_64-linux-gnu}
 
@@ -16,8 +17,8 @@ fi
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-LD_LIBRARY_PATH=$libdir "$probe" --all >"$work/ours.txt"
-LD_LIBRARY_PATH=$debian "$probe" --all >"$work/debian.txt"
+LD_LIBRARY_PATH=$libdir "$probe" "$@" --all >"$work/ours.txt"
+LD_LIBRARY_PATH=$debian "$probe" "$@" --all >"$work/debian.txt"
 
 ours=$(sed -n 's/^#library //p' "$work/ours.txt")
 reference=$(sed -n 's/^#library //p' "$work/debian.txt")

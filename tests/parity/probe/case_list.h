@@ -22,6 +22,9 @@ struct Case {
 
 std::vector<Case>& case_list();
 
+// How many random poses every ordered pair of geom classes is tried in.
+int& poses_of_a_pair();
+
 struct CaseEntry {
     CaseEntry(const char* name, void (*run)(Output&, Random&)) { case_list().push_back({name, run}); }
 };

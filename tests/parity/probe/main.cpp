@@ -3,7 +3,7 @@
 //
 // parity_probe: drives libode through its public C interface and prints what comes out.
 //
-//   parity_probe CASE... | --all | --list
+//   parity_probe [--poses N] CASE... | --all | --list
 //
 // One binary, two libraries: the dynamic linker decides by LD_LIBRARY_PATH which libode.so.8 is measured, and
 // the first record, "#library PATH", is read from the process map, so that no one can compare a library
@@ -12,11 +12,18 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <string>
 
 namespace parity {
+
+int& poses_of_a_pair()
+{
+    static int poses = 1000;
+    return poses;
+}
 
 std::vector<Case>& case_list()
 {
@@ -75,8 +82,12 @@ int run(int argc, char** argv)
 {
     const auto by_name = [](const Case& a, const Case& b) { return std::strcmp(a.name, b.name) < 0; };
     std::sort(case_list().begin(), case_list().end(), by_name);
+    if (argc > 3 && std::strcmp(argv[1], "--poses") == 0) {
+        poses_of_a_pair() = std::atoi(argv[2]);
+        argc -= 2, argv += 2;
+    }
     if (argc < 2) {
-        std::fprintf(stderr, "usage: parity_probe CASE... | --all | --list\n");
+        std::fprintf(stderr, "usage: parity_probe [--poses N] CASE... | --all | --list\n");
         return 2;
     }
     if (std::strcmp(argv[1], "--list") == 0) { return list_cases(); }

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Contacts of every ordered pair of geom classes on 1,000 random poses each.
+// Contacts of every ordered pair of geom classes on 1,000 random poses each, or as many as are asked for.
 //
 // One record per pose: "count depth nx ny nz sum separated shared". depth and normal are those of the deepest
 // contact, sum is the sum of all depths. separated tells whether the pair is apart (or only touching) after
 // the first geom has been moved out along the normal by the depth and a hair: a result of which that is true
 // is a valid separation, whoever computed it. A minimal depth then follows from comparing two valid answers.
 // shared is 1 where a point well inside both was found by sampling: then a miss is wrong, whoever reports it.
+#include "case_list.h"
 #include "geoms.h"
 #include "inside.h"
 
@@ -16,7 +17,6 @@
 namespace parity {
 namespace {
 
-constexpr int kPoses = 1000;
 constexpr int kRoom = 32;
 constexpr double kMargin = 0.01;  // of a sampled point inside both
 constexpr double kLeft = 1e-3;    // overlap that may be left after separating
@@ -69,7 +69,7 @@ void put_pose(Output& out, const std::string& key, const Placed& a, const Placed
 
 void put_pair(Output& out, Random& random, Kind first, Kind second)
 {
-    for (int pose = 0; pose < kPoses; ++pose) {
+    for (int pose = 0; pose < poses_of_a_pair(); ++pose) {
         const Placed a = make_geom(first, nullptr, random), b = make_geom(second, nullptr, random);
         const Vec3 at = random.in_cube(1), away = random.direction();
         const double distance = (a.radius + b.radius) * random.range(0.2, 1.05);
