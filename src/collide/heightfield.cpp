@@ -87,10 +87,15 @@ void HeightfieldData::set_bounds(Real low_sample, Real high_sample)
     highest = a < b ? b : a;
 }
 
+const HeightfieldData* Heightfield::living() const
+{
+    return data && data->tag == Tag::kHeightfieldData && data->serial == serial ? data : nullptr;
+}
+
 const HeightfieldData* Heightfield::field() const
 {
-    const bool alive = data && data->tag == Tag::kHeightfieldData && data->serial == serial;
-    return alive && data->source != HeightfieldData::Source::kNone ? data : nullptr;
+    const HeightfieldData* d = living();
+    return d && d->source != HeightfieldData::Source::kNone ? d : nullptr;
 }
 
 Terrain::Terrain(const HeightfieldData& data)
@@ -134,27 +139,15 @@ bool Terrain::falls(Vec3 from, Vec3 n, int i, int j) const
 
 bool Terrain::crests(const Facet& f, Vec3 n) const
 {
-    Real along[3], most = -kInf, longest = 0;
-    for (int k = 0; k < 3; ++k) {
-        along[k] = dot(n, f.v[k] - f.v[0]);
-        most = along[k] > most ? along[k] : most;
-        const Real e = length(f.edge(k));
-        longest = e > longest ? e : longest;
+    const Shows shows = shown_along(f, n, kLevel);
+    if (shows.corners == 3) return true;
+    if (shows.corners == 2) {
+        const GridStep across = kAcross[f.upper][shows.at];
+        return falls(f.v[shows.top], n, f.i + across.i, f.j + across.j);
     }
-    int tied = 0, top = 0, low = 0;
-    for (int k = 0; k < 3; ++k) {
-        const bool is_top = along[k] >= most - kLevel * longest;
-        tied += is_top ? 1 : 0;
-        (is_top ? top : low) = k;
-    }
-    if (tied == 3) return true;
-    if (tied == 2) {  // the edge opposite to corner `low`
-        const GridStep across = kAcross[f.upper][(low + 1) % 3];
-        return falls(f.v[top], n, f.i + across.i, f.j + across.j);
-    }
-    const int i = f.i + kCorner[f.upper][top].i, j = f.j + kCorner[f.upper][top].j;
+    const int i = f.i + kCorner[f.upper][shows.top].i, j = f.j + kCorner[f.upper][shows.top].j;
     for (const GridStep s : kAround)
-        if (!falls(f.v[top], n, i + s.i, j + s.j)) return false;
+        if (!falls(f.v[shows.top], n, i + s.i, j + s.j)) return false;
     return true;
 }
 

@@ -51,7 +51,8 @@ struct HandleOf<HeightfieldData> {
 struct Heightfield {
     const HeightfieldData* data = nullptr;
     std::uint64_t serial = 0;
-    const HeightfieldData* field() const;  // null when there is none, it is not built or it is gone
+    const HeightfieldData* living() const;  // null when there is none or it is gone
+    const HeightfieldData* field() const;   // or is not built
 };
 
 // One triangle of a field, and where it lies in the grid.

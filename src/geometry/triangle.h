@@ -27,6 +27,15 @@ bool make_triangle(Vec3 v0, Vec3 v1, Vec3 v2, Triangle& out);
 // The pose is the identity: the view is in the triangle's own frame.
 ConvexView view_of(const Triangle& triangle);
 
+// What the triangle shows along a direction: its face (3 corners), edge `at` (2) or corner `at` (1); `top` is
+// one of these corners. Heights that differ by less than the sine `level` of the longest edge are the same.
+struct Shows {
+    int corners;
+    int at;
+    int top;
+};
+Shows shown_along(const Triangle& triangle, Vec3 direction, Real level);
+
 struct Stretch {
     Real from = 0, to = 1;
     bool empty() const { return !(from <= to); }

@@ -9,6 +9,7 @@
 
 #include "collide/heightfield.h"
 #include "collide/pairs/harvest.h"
+#include "collide/pairs/on_surface.h"
 
 namespace epode {
 
@@ -23,14 +24,10 @@ struct Meeting {
 inline constexpr Vec3 kUp{0, 1, 0};
 inline constexpr Real kSteepest = Real(1e-3);  // least upward part of a contact normal
 
-// A sphere or capsule: all points within r of the segment a..b.
-struct RoundCore {
-    Vec3 a, b;
-    Real r;
-};
-void round_on_facet(const RoundCore& core, const Facet& facet, Meeting& meeting);
+// A sphere or capsule.
+void round_on(const RoundCore& core, const Facet& facet, Meeting& meeting);
 
 // A box, a cylinder or a polyhedron, by the view in `meeting`.
-void solid_on_facet(const Facet& facet, Meeting& meeting);
+void solid_on(const Facet& facet, Meeting& meeting);
 
 }  // namespace epode

@@ -45,7 +45,7 @@ void beside_edge(const RoundCore& s, const Facet& f, Vec3 p, Vec3 q, Meeting& m)
 
 }  // namespace
 
-void round_on_facet(const RoundCore& s, const Facet& f, Meeting& m)
+void round_on(const RoundCore& s, const Facet& f, Meeting& m)
 {
     const Real at_a = f.height(s.a), at_b = f.height(s.b);
     if (at_a > s.r && at_b > s.r) return;

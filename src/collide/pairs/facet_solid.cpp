@@ -7,7 +7,7 @@
 // Along another, the facet's edge or corner is what pushes: the manifold of two convex solids. Rejected: each
 // column as a solid of its own with GJK/EPA; it meets the walls between columns, which do not exist.
 #include "collide/pairs/facet.h"
-#include "collide/pairs/pairs.h"
+#include "collide/pairs/press.h"
 #include "geometry/epa.h"
 
 namespace epode {
@@ -15,7 +15,6 @@ namespace epode {
 namespace {
 
 constexpr Real kFaceFirst = Real(0.95);  // another direction must beat the face's by this factor
-constexpr Real kFaceLean = Real(0.17);   // faces that look down by more than 10 degrees carry contacts
 
 // The search for the direction of least overlap between the solid and the column under a facet.
 class LeastRise {
@@ -132,73 +131,21 @@ class LeastRise {
     Real elsewhere_ = kInf;
 };
 
-void press(Polygon& low, const Facet& f, Meeting& m)
-{
-    clip_to_prism(low, f, kUp, m.slack);
-    for (int k = 0; k < low.count; ++k) {
-        const Real depth = -f.height(low.points[k]);
-        if (depth >= -m.slack) m.out.add(low.points[k], f.n, depth > 0 ? depth : 0);
-    }
-}
+struct Ground {
+    const Facet& f;
+    Meeting& m;
+    Vec3 upright = kUp;
 
-void press_point(Vec3 p, const Facet& f, Meeting& m)
-{
-    Polygon one;
-    one.add(p);
-    press(one, f, m);
-}
-
-// Where the true rims pass over the facet's edges: on a ridge, these are the deepest points.
-void press_rims(const Facet& f, Meeting& m)
-{
-    const Vec3 axis = m.solid.pose.R.column(2);
-    const Real r = m.solid.rim_radius;
-    for (const Vec3 end : {axis, -axis}) {
-        const Vec3 centre = m.solid.support(end);
-        for (int k = 0; k < 3; ++k) {
-            Vec3 wall = cross(f.edge(k), kUp);
-            const Real offset = dot(wall, f.v[k] - centre);
-            wall -= dot(wall, axis) * axis;  // within the plane of the end
-            const Real steep = length(wall), s = offset / steep;
-            if (!(std::fabs(s) < r)) continue;
-            const Vec3 out = wall / steep, along = std::sqrt(r * r - s * s) * cross(axis, out);
-            press_point(centre + s * out + along, f, m);
-            press_point(centre + s * out - along, f, m);
+    void press(Polygon& low)
+    {
+        clip_to_prism(low, f, upright, m.slack);
+        for (int k = 0; k < low.count; ++k) {
+            const Real depth = -f.height(low.points[k]);
+            if (depth >= -m.slack) m.out.add(low.points[k], f.n, depth > 0 ? depth : 0);
         }
     }
-}
-
-// The lower faces of the solid that lie over the facet.
-void press_faces(const Facet& f, Meeting& m)
-{
-    const ConvexView& s = m.solid;
-    for (const PolyhedronFace& own : s.faces) {
-        const Vec3 down = s.pose.R * own.normal;
-        if (-dot(down, f.n) < kFaceLean) continue;
-        Polygon face;
-        s.feature(down, face);
-        press(face, f, m);
-    }
-    for (int i = 0; i < 3; ++i) {
-        if (!(s.face_axes >> i & 1)) continue;
-        const Vec3 axis = s.pose.R.column(i), down = dot(axis, f.n) > 0 ? -axis : axis;
-        if (-dot(down, f.n) < kFaceLean) continue;
-        Polygon face;
-        s.feature(down, face);
-        press(face, f, m);
-    }
-    if (!s.faces.empty()) press_point(s.support(-f.n), f, m);
-    if (!(s.rim_radius > 0)) return;
-    const Vec3 axis = s.pose.R.column(2);
-    const Vec3 aside = dot(axis, f.n) * axis - f.n;
-    if (length2(aside) > kFaceLean * kFaceLean) {
-        Polygon line;
-        s.feature(aside, line);
-        press(line, f, m);
-    }
-    press_point(s.support(-f.n), f, m);  // the lowest of the true rim, not of its polygon
-    press_rims(f, m);
-}
+    bool ends_at(int) const { return true; }
+};
 
 // A crest of the surface pushes into the solid.
 void press_crest(const Facet& f, Vec3 normal, Real depth, Meeting& m)
@@ -215,14 +162,14 @@ void press_crest(const Facet& f, Vec3 normal, Real depth, Meeting& m)
 
 }  // namespace
 
-void solid_on_facet(const Facet& f, Meeting& m)
+void solid_on(const Facet& f, Meeting& m)
 {
     LeastRise least(f, m);
     if (!least.search()) return;
     if (least.on_crest)
         press_crest(f, least.normal, least.depth, m);
     else
-        press_faces(f, m);
+        press_solid(m.solid, f, Ground{f, m});
 }
 
 }  // namespace epode

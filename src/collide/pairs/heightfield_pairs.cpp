@@ -6,19 +6,10 @@
 // there is nothing; below the lowest, one contact straight up; and where all samples lie in one plane, the
 // plane's own pair function answers, so that a flat field is a plane, exactly.
 #include "collide/pairs/facet.h"
-#include "collide/pairs/pairs.h"
 
 namespace epode {
 
 namespace {
-
-Aabb box_around(const ConvexView& v)
-{
-    const Vec3 r{v.radius, v.radius, v.radius};
-    const Vec3 hi = {v.support({1, 0, 0}).x, v.support({0, 1, 0}).y, v.support({0, 0, 1}).z};
-    const Vec3 lo = {v.support({-1, 0, 0}).x, v.support({0, -1, 0}).y, v.support({0, 0, -1}).z};
-    return {lo - r, hi + r};
-}
 
 struct Cells {
     int i0, i1, j0, j1;  // inclusive
@@ -80,44 +71,13 @@ bool inside(const Terrain& t, const Aabb& box)
     return t.endless() || (box.lo.x >= o.x && box.lo.z >= o.z && box.hi.x <= -o.x && box.hi.z <= -o.z);
 }
 
-void meet(const Sphere& a, const Pose& A, const Facet& f, Meeting& m)
-{
-    round_on_facet({A.p, A.p, a.radius}, f, m);
-}
-void meet(const Capsule& a, const Pose& A, const Facet& f, Meeting& m)
-{
-    const Vec3 half = a.half_length * A.R.column(2);
-    round_on_facet({A.p - half, A.p + half, a.radius}, f, m);
-}
-void meet(const Box&, const Pose&, const Facet& f, Meeting& m) { solid_on_facet(f, m); }
-void meet(const Cylinder&, const Pose&, const Facet& f, Meeting& m) { solid_on_facet(f, m); }
-void meet(const Convex&, const Pose&, const Facet& f, Meeting& m) { solid_on_facet(f, m); }
-
-void on_plane(const Sphere& a, const Pose& A, const Plane& p, ContactSink& s)
-{
-    sphere_plane(a, A, p, {}, s);
-}
-void on_plane(const Capsule& a, const Pose& A, const Plane& p, ContactSink& s)
-{
-    capsule_plane(a, A, p, {}, s);
-}
-void on_plane(const Box& a, const Pose& A, const Plane& p, ContactSink& s) { box_plane(a, A, p, {}, s); }
-void on_plane(const Cylinder& a, const Pose& A, const Plane& p, ContactSink& s)
-{
-    cylinder_plane(a, A, p, {}, s);
-}
-void on_plane(const Convex& a, const Pose& A, const Plane& p, ContactSink& s)
-{
-    convex_plane(a, A, p, {}, s);
-}
-
 // Contacts in the field's frame.
 template <typename Shape>
 void collide_local(const Shape& a, const Pose& A, const HeightfieldData& data, ContactSink& sink)
 {
     const Terrain terrain(data);
     const ConvexView solid = view_of(a, A);
-    const Aabb box = box_around(solid);
+    const Aabb box = box_around(solid, 0);
     Cells cells;
     if (!cells_under(terrain, box, cells)) return;
     const Facet first = terrain.facet(cells.i0, cells.j0, false);
@@ -137,7 +97,7 @@ void collide_local(const Shape& a, const Pose& A, const HeightfieldData& data, C
             for (const bool upper : {false, true}) {
                 const Facet f = terrain.facet(i, j, upper);
                 const bool above = f.v[0].y < box.lo.y && f.v[1].y < box.lo.y && f.v[2].y < box.lo.y;
-                if (!above) meet(a, A, f, meeting);
+                if (!above) meet_facet(a, A, f, meeting);
             }
     harvest.deliver(sink);
 }
@@ -149,11 +109,7 @@ void collide_field(const Shape& a, const Pose& A, const Heightfield& b, const Po
     if (!data) return;
     const int before = sink.count();
     collide_local(a, inverse_times(B, A), *data, sink);
-    for (int k = before; k < sink.count(); ++k) {
-        dContactGeom& c = *sink.at(k);
-        store(c.pos, B.to_world(load(c.pos)));
-        store(c.normal, B.R * load(c.normal));
-    }
+    to_world(B, sink, before);
 }
 
 }  // namespace

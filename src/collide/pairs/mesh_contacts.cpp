@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "collide/pairs/mesh_facet.h"
-#include "collide/pairs/pairs.h"
 
 namespace epode {
 
@@ -20,37 +19,6 @@ constexpr Real kFlat = kSingle ? 64 * kEpsilon : Real(2e-7);
 // points hover by what the solver leaves over, and must not come and go.
 constexpr Real kTouch = Real(1e-7);
 constexpr Real kSameWay = kSingle ? Real(1e-6) : Real(1e-9);  // 1 - cosine
-
-void on_plane(const Sphere& a, const Pose& A, const Plane& p, ContactSink& s)
-{
-    sphere_plane(a, A, p, {}, s);
-}
-void on_plane(const Capsule& a, const Pose& A, const Plane& p, ContactSink& s)
-{
-    capsule_plane(a, A, p, {}, s);
-}
-void on_plane(const Box& a, const Pose& A, const Plane& p, ContactSink& s) { box_plane(a, A, p, {}, s); }
-void on_plane(const Cylinder& a, const Pose& A, const Plane& p, ContactSink& s)
-{
-    cylinder_plane(a, A, p, {}, s);
-}
-void on_plane(const Convex& a, const Pose& A, const Plane& p, ContactSink& s)
-{
-    convex_plane(a, A, p, {}, s);
-}
-
-void meet(const Sphere& a, const Pose& A, const MeshFacet& f, MeshMeeting& m)
-{
-    round_on_triangle({A.p, A.p, a.radius}, f, m);
-}
-void meet(const Capsule& a, const Pose& A, const MeshFacet& f, MeshMeeting& m)
-{
-    const Vec3 half = a.half_length * A.R.column(2);
-    round_on_triangle({A.p - half, A.p + half, a.radius}, f, m);
-}
-void meet(const Box&, const Pose&, const MeshFacet& f, MeshMeeting& m) { solid_on_triangle(f, m); }
-void meet(const Cylinder&, const Pose&, const MeshFacet& f, MeshMeeting& m) { solid_on_triangle(f, m); }
-void meet(const Convex&, const Pose&, const MeshFacet& f, MeshMeeting& m) { solid_on_triangle(f, m); }
 
 // How far the solid reaches from its middle along n, either way.
 Real reach_along(const Sphere& a, const ConvexView&, Vec3) { return a.radius; }
@@ -112,35 +80,6 @@ int triangle_under(const Surface& surface, const NearTriangles& near, Vec3 p, Re
     return *near.begin();
 }
 
-template <typename Shape>
-void contacts(const Shape& a, const Pose& A, const Surface& surface, const NearTriangles& near,
-              ContactSink& sink)
-{
-    if (near.count() == 0) return;
-    const ConvexView solid = view_of(a, A);
-    const Real slack = slack_of(solid);
-    Plane plane;
-    if (one_plane(surface, near, box_around(solid, slack), slack, plane) &&
-        dot(plane.normal, solid.pose.p) >= plane.d) {
-        const int before = sink.count();
-        on_plane(a, A, plane, sink);
-        for (int k = before; k < sink.count(); ++k)
-            sink.at(k)->side2 = triangle_under(surface, near, load(sink.at(k)->pos), slack);
-        return;
-    }
-    Harvest harvest(Real(1e-6) * (solid.size + solid.radius));
-    MeshMeeting meeting{surface.mesh, solid, slack, kTwoSided<Shape>, near.all(), harvest};
-    for (const int t : near) {
-        // Most triangles near are told by their planes not to be met.
-        const Vec3 n = surface.mesh.normal(t);
-        const Real height = dot(n, solid.pose.p - surface.mesh.corner(t, 0));
-        if (!kTwoSided<Shape> && height < -slack) continue;
-        if (std::fabs(height) > reach_along(a, solid, n) + slack) continue;
-        meet(a, A, facet_of(surface.mesh, t), meeting);
-    }
-    harvest.deliver(sink);
-}
-
 }  // namespace
 
 void NearTriangles::add(int triangle)
@@ -173,40 +112,41 @@ Real slack_of(const ConvexView& solid)
     return std::max(64 * kEpsilon * reach, kTouch * size);
 }
 
-Aabb box_around(const ConvexView& v, Real slack)
+template <typename Shape>
+void mesh_contacts(const Shape& a, const Pose& A, const Surface& surface, const NearTriangles& near,
+                   ContactSink& sink)
 {
-    const Real r = v.radius + slack;
-    const Vec3 more{r, r, r};
-    const Vec3 hi = {v.support({1, 0, 0}).x, v.support({0, 1, 0}).y, v.support({0, 0, 1}).z};
-    const Vec3 lo = {v.support({-1, 0, 0}).x, v.support({0, -1, 0}).y, v.support({0, 0, -1}).z};
-    return {lo - more, hi + more};
+    if (near.count() == 0) return;
+    const ConvexView solid = view_of(a, A);
+    const Real slack = slack_of(solid);
+    Plane plane;
+    if (one_plane(surface, near, box_around(solid, slack), slack, plane) &&
+        dot(plane.normal, solid.pose.p) >= plane.d) {
+        const int before = sink.count();
+        on_plane(a, A, plane, sink);
+        for (int k = before; k < sink.count(); ++k)
+            sink.at(k)->side2 = triangle_under(surface, near, load(sink.at(k)->pos), slack);
+        return;
+    }
+    Harvest harvest(Real(1e-6) * (solid.size + solid.radius));
+    MeshMeeting meeting{surface.mesh, solid, slack, kTwoSided<Shape>, near.all(), harvest};
+    for (const int t : near) {
+        // Most triangles near are told by their planes not to be met.
+        const Vec3 n = surface.mesh.normal(t);
+        const Real height = dot(n, solid.pose.p - surface.mesh.corner(t, 0));
+        if (!kTwoSided<Shape> && height < -slack) continue;
+        if (std::fabs(height) > reach_along(a, solid, n) + slack) continue;
+        meet_facet(a, A, facet_of(surface.mesh, t), meeting);
+    }
+    harvest.deliver(sink);
 }
 
-void mesh_contacts(const Sphere& a, const Pose& A, const Surface& surface, const NearTriangles& near,
-                   ContactSink& sink)
-{
-    contacts(a, A, surface, near, sink);
-}
-void mesh_contacts(const Capsule& a, const Pose& A, const Surface& surface, const NearTriangles& near,
-                   ContactSink& sink)
-{
-    contacts(a, A, surface, near, sink);
-}
-void mesh_contacts(const Box& a, const Pose& A, const Surface& surface, const NearTriangles& near,
-                   ContactSink& sink)
-{
-    contacts(a, A, surface, near, sink);
-}
-void mesh_contacts(const Cylinder& a, const Pose& A, const Surface& surface, const NearTriangles& near,
-                   ContactSink& sink)
-{
-    contacts(a, A, surface, near, sink);
-}
-
-void mesh_contacts(const Convex& a, const Pose& A, const Surface& surface, const NearTriangles& near,
-                   ContactSink& sink)
-{
-    contacts(a, A, surface, near, sink);
-}
+#define EPODE_MESH_CONTACTS(Shape) \
+    template void mesh_contacts(const Shape&, const Pose&, const Surface&, const NearTriangles&, ContactSink&)
+EPODE_MESH_CONTACTS(Sphere);
+EPODE_MESH_CONTACTS(Capsule);
+EPODE_MESH_CONTACTS(Box);
+EPODE_MESH_CONTACTS(Cylinder);
+EPODE_MESH_CONTACTS(Convex);
 
 }  // namespace epode

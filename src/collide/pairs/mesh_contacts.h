@@ -8,8 +8,7 @@
 #pragma once
 
 #include "bvh/mesh_tree.h"
-#include "collide/contact_sink.h"
-#include "geometry/convex_view.h"
+#include "collide/pairs/on_surface.h"
 
 namespace epode {
 
@@ -55,22 +54,12 @@ class NearTriangles {
     bool all_ = true;
 };
 
-// The box of a solid, a little larger than it.
-Aabb box_around(const ConvexView& solid, Real slack);
-
 // What counts as nothing where the solid is: rounding of coordinates, and of what rests.
 Real slack_of(const ConvexView& solid);
 
-// Contacts go from the mesh into the solid; side2 is the triangle.
-void mesh_contacts(const Sphere& a, const Pose& A, const Surface& surface, const NearTriangles& near,
-                   ContactSink& sink);
-void mesh_contacts(const Capsule& a, const Pose& A, const Surface& surface, const NearTriangles& near,
-                   ContactSink& sink);
-void mesh_contacts(const Box& a, const Pose& A, const Surface& surface, const NearTriangles& near,
-                   ContactSink& sink);
-void mesh_contacts(const Cylinder& a, const Pose& A, const Surface& surface, const NearTriangles& near,
-                   ContactSink& sink);
-void mesh_contacts(const Convex& a, const Pose& A, const Surface& surface, const NearTriangles& near,
+// Contacts go from the mesh into the solid; side2 is the triangle. Of every shape that has a volume.
+template <typename Shape>
+void mesh_contacts(const Shape& a, const Pose& A, const Surface& surface, const NearTriangles& near,
                    ContactSink& sink);
 
 }  // namespace epode

@@ -111,23 +111,6 @@ Crest crest_at_corner(const TriangleMesh& mesh, const MeshFacet& f, int corner, 
     return c;
 }
 
-Shows shown_along(const MeshFacet& f, Vec3 direction)
-{
-    Real along[3], most = -kInf, longest2 = 0;
-    for (int k = 0; k < 3; ++k) {
-        along[k] = dot(direction, f.v[k] - f.v[0]);
-        most = along[k] > most ? along[k] : most;
-        const Real e2 = length2(f.edge(k));
-        longest2 = e2 > longest2 ? e2 : longest2;
-    }
-    const Real level = most - kLevel * std::sqrt(longest2);
-    int tied = 0, top = 0, low = 0;
-    for (int k = 0; k < 3; ++k) {
-        const bool is_top = along[k] >= level;
-        tied += is_top ? 1 : 0;
-        (is_top ? top : low) = k;
-    }
-    return {tied, tied == 2 ? (low + 1) % 3 : top};
-}
+Shows shown_along(const MeshFacet& f, Vec3 direction) { return shown_along(f, direction, kLevel); }
 
 }  // namespace epode

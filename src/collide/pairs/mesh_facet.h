@@ -11,6 +11,7 @@
 #pragma once
 
 #include "collide/pairs/harvest.h"
+#include "collide/pairs/on_surface.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_mesh.h"
 
@@ -55,26 +56,17 @@ struct Crest {
 Crest crest_at_edge(const MeshFacet& facet, int edge, Vec3 normal);
 Crest crest_at_corner(const TriangleMesh& mesh, const MeshFacet& facet, int corner, Vec3 normal);
 
-// What the facet shows along a direction: its face (3), edge `at` (2) or corner `at` (1).
-struct Shows {
-    int corners;
-    int at;
-};
 Shows shown_along(const MeshFacet& facet, Vec3 direction);
 
 // Of a border's neighbourhood: so near under the surface, as a part of the solid's size, the border is not
 // felt and the surface's own normal stands, so that meshes laid edge to edge are one floor.
 inline constexpr Real kLip = Real(0.01);
 
-struct RoundCore {
-    Vec3 a, b;
-    Real r;
-};
-// All points within r of the segment a..b: spheres and capsules.
-void round_on_triangle(const RoundCore& core, const MeshFacet& facet, MeshMeeting& meeting);
+// Spheres and capsules.
+void round_on(const RoundCore& core, const MeshFacet& facet, MeshMeeting& meeting);
 
 // Any other solid, by the view in `meeting`.
-void solid_on_triangle(const MeshFacet& facet, MeshMeeting& meeting);
+void solid_on(const MeshFacet& facet, MeshMeeting& meeting);
 
 // Whether the shortest way out is over a crest of the triangle; then the contacts are those.
 bool crest_pushes(const MeshFacet& facet, MeshMeeting& meeting);

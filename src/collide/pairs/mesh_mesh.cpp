@@ -91,15 +91,6 @@ void meet(const Surface& a, const Pose& P, const Surface& b, bool ground, Contac
     harvest.deliver(sink);
 }
 
-void to_world(const Pose& B, ContactSink& sink, int from)
-{
-    for (int k = from; k < sink.count(); ++k) {
-        dContactGeom& c = *sink.at(k);
-        store(c.pos, B.to_world(load(c.pos)));
-        store(c.normal, B.R * load(c.normal));
-    }
-}
-
 // A range of samples, ends included.
 struct Samples {
     int from, to;

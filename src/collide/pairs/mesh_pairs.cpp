@@ -7,7 +7,6 @@
 #include "collide/mesh_functions.h"
 #include "collide/pairs/mesh_contacts.h"
 #include "collide/pairs/mesh_mesh.h"
-#include "collide/pairs/pairs.h"
 
 namespace epode {
 
@@ -33,11 +32,7 @@ void collide_mesh(const Shape& a, const Pose& A, const Trimesh& b, const Pose& B
     if (b.asks()) consult(b, near, sink);
     const int before = sink.count();
     mesh_contacts(a, local, surface, near, sink);
-    for (int k = before; k < sink.count(); ++k) {
-        dContactGeom& c = *sink.at(k);
-        store(c.pos, B.to_world(load(c.pos)));
-        store(c.normal, B.R * load(c.normal));
-    }
+    to_world(B, sink, before);
 }
 
 }  // namespace

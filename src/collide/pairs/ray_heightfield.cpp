@@ -8,7 +8,7 @@
 // goes; normals point up out of the ground, from whichever side the ray comes. A field without end is walked
 // for kMaxCells at most.
 #include "collide/heightfield.h"
-#include "collide/pairs/pairs.h"
+#include "collide/pairs/on_surface.h"
 
 namespace epode {
 
@@ -136,11 +136,7 @@ void ray_heightfield(const Ray& a, const Pose& A, const Heightfield& b, const Po
     if (!(w.from <= w.to)) return;
     const int before = sink.count();
     walk(w, sink);
-    for (int k = before; k < sink.count(); ++k) {
-        dContactGeom& c = *sink.at(k);
-        store(c.pos, B.to_world(load(c.pos)));
-        store(c.normal, B.R * load(c.normal));
-    }
+    to_world(B, sink, before);
 }
 
 }  // namespace epode

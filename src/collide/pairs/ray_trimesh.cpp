@@ -12,7 +12,7 @@
 // of the triangles' fronts, from whichever side the ray comes.
 #include "collide/mesh_functions.h"
 #include "collide/pairs/best_contacts.h"
-#include "collide/pairs/pairs.h"
+#include "collide/pairs/on_surface.h"
 
 namespace epode {
 
@@ -172,11 +172,7 @@ void ray_trimesh(const Ray& a, const Pose& A, const Trimesh& b, const Pose& B, C
     } else {
         all_hits(caster, a.length, sink);
     }
-    for (int k = 0; k < sink.count(); ++k) {
-        dContactGeom& c = *sink.at(k);
-        store(c.pos, B.to_world(load(c.pos)));
-        store(c.normal, B.R * load(c.normal));
-    }
+    to_world(B, sink, 0);
 }
 
 }  // namespace epode

@@ -87,7 +87,7 @@ void beside(const RoundCore& s, const MeshFacet& f, int edge, Vec3 p, Vec3 q, Me
 
 }  // namespace
 
-void round_on_triangle(const RoundCore& s, const MeshFacet& f, MeshMeeting& m)
+void round_on(const RoundCore& s, const MeshFacet& f, MeshMeeting& m)
 {
     const Real at_a = f.height(s.a), at_b = f.height(s.b);
     const Real top = s.r + m.slack;

@@ -8,7 +8,7 @@
 // own normal points to the side on which the solid's middle is. A box or polyhedron in the back of a triangle
 // is pushed out backwards, a cylinder is not pushed, as in ODE.
 #include "collide/pairs/mesh_patch.h"
-#include "collide/pairs/pairs.h"
+#include "collide/pairs/press.h"
 #include "geometry/epa.h"
 #include "geometry/gjk.h"
 
@@ -17,7 +17,6 @@ namespace epode {
 namespace {
 
 constexpr Real kFaceFirst = Real(0.95);  // another direction must beat the own normal by this factor
-constexpr Real kFaceLean = Real(0.17);   // faces that look down by more than 10 degrees carry contacts
 constexpr Real kShallow = Real(5e-4);   // of the size: no less than the depth of whatever a search would find
 constexpr std::size_t kManyEdges = 16;  // of a polyhedron: more are searched by expansion
 constexpr Real kAlongCrest = Real(0.2);  // a normal that leans along a crest by less is made upright to it
@@ -160,80 +159,24 @@ class LeastWay {
     Real hollow_ = kInf;  // of these, against a neighbour that rises
 };
 
-void press(const Polygon& low, const MeshFacet& f, MeshMeeting& m)
-{
-    Patch patch;
-    for (int i = 0; i < low.count; ++i) patch.add(low.points[i], false);
-    cut_to_prism(patch, f, m.whole, m.slack);
-    for (int i = 0; i < patch.count; ++i) {
-        const Real depth = -f.height(patch.points[i]);
-        if (!patch.seam[i] && depth >= -m.slack)
-            m.out.add(patch.points[i], f.n, depth > 0 ? depth : 0, f.index);
-    }
-}
+struct Ground {
+    const MeshFacet& f;
+    MeshMeeting& m;
+    Vec3 upright = f.n;
 
-void press_point(Vec3 p, const MeshFacet& f, MeshMeeting& m)
-{
-    Polygon one;
-    one.add(p);
-    press(one, f, m);
-}
-
-// Where the true rims pass over edges that are no seams: on a ridge, these are the deepest points.
-void press_rims(const MeshFacet& f, MeshMeeting& m)
-{
-    const Vec3 axis = m.solid.pose.R.column(2);
-    const Real r = m.solid.rim_radius;
-    for (const Vec3 end : {axis, -axis}) {
-        const Vec3 centre = m.solid.support(end);
-        for (int k = 0; k < 3; ++k) {
-            if (m.seam(f, k)) continue;
-            Vec3 wall = cross(f.edge(k), f.n);
-            const Real offset = dot(wall, f.v[k] - centre);
-            wall -= dot(wall, axis) * axis;  // within the plane of the end
-            const Real steep = length(wall), s = offset / steep;
-            if (!(std::fabs(s) < r)) continue;
-            const Vec3 out = wall / steep, along = std::sqrt(r * r - s * s) * cross(axis, out);
-            press_point(centre + s * out + along, f, m);
-            press_point(centre + s * out - along, f, m);
+    void press(const Polygon& low)
+    {
+        Patch patch;
+        for (int i = 0; i < low.count; ++i) patch.add(low.points[i], false);
+        cut_to_prism(patch, f, m.whole, m.slack);
+        for (int i = 0; i < patch.count; ++i) {
+            const Real depth = -f.height(patch.points[i]);
+            if (!patch.seam[i] && depth >= -m.slack)
+                m.out.add(patch.points[i], f.n, depth > 0 ? depth : 0, f.index);
         }
     }
-}
-
-void press_face(Vec3 outward, const MeshFacet& f, MeshMeeting& m)
-{
-    if (-dot(outward, f.n) < kFaceLean) return;
-    Polygon face;
-    m.solid.feature(outward, face);
-    press(face, f, m);
-}
-
-void press_rounds(const MeshFacet& f, MeshMeeting& m)
-{
-    const Vec3 axis = m.solid.pose.R.column(2);
-    const Vec3 aside = dot(axis, f.n) * axis - f.n;
-    if (length2(aside) > kFaceLean * kFaceLean) {
-        Polygon line;
-        m.solid.feature(aside, line);
-        press(line, f, m);
-    }
-    press_point(m.solid.support(-f.n), f, m);  // the lowest of the true rim, not of its polygon
-    press_rims(f, m);
-}
-
-// The faces of the solid that look at the triangle.
-void press_faces(const MeshFacet& f, MeshMeeting& m)
-{
-    const ConvexView& s = m.solid;
-    for (int i = 0; i < 3; ++i) {
-        if (!(s.face_axes >> i & 1)) continue;
-        const Vec3 axis = s.pose.R.column(i);
-        press_face(dot(axis, f.n) > 0 ? -axis : axis, f, m);
-    }
-    for (const PolyhedronFace& face : s.faces) press_face(s.pose.R * face.normal, f, m);
-    if (!s.faces.empty()) press_point(s.support(-f.n), f, m);
-    if (s.rim_radius > 0) press_rounds(f, m);
-}
+    bool ends_at(int edge) const { return !m.seam(f, edge); }
+};
 
 // A crest of the surface pushes into the solid.
 void press_crest(const MeshFacet& f, Vec3 normal, Real depth, MeshMeeting& m)
@@ -252,12 +195,12 @@ void meet_side(const MeshFacet& f, MeshMeeting& m)
     if (least.on_crest)
         press_crest(f, least.normal, least.depth, m);
     else
-        press_faces(f, m);
+        press_solid(m.solid, f, Ground{f, m});
 }
 
 }  // namespace
 
-void solid_on_triangle(const MeshFacet& f, MeshMeeting& m)
+void solid_on(const MeshFacet& f, MeshMeeting& m)
 {
     if (f.height(m.solid.pose.p) >= -m.slack)
         meet_side(f, m);

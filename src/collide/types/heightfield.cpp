@@ -233,10 +233,7 @@ void dGeomHeightfieldSetHeightfieldData(dGeomID g, dHeightfieldDataID d)
 dHeightfieldDataID dGeomHeightfieldGetHeightfieldData(dGeomID g)
 {
     EPODE_GEOM_AS(Heightfield, geom, g, nullptr);
-    const Heightfield& shape = geom->shape;
-    const bool alive =
-        shape.data && shape.data->tag == Tag::kHeightfieldData && shape.data->serial == shape.serial;
-    return alive ? to_handle(shape.data) : nullptr;
+    return to_handle(geom->shape.living());
 }
 
 }  // extern "C"

@@ -65,6 +65,19 @@ using namespace epode;
     auto* geom = ::epode::geom_as<::epode::Trimesh>(id); \
     EPODE_USER_SAY(geom, "The argument is not a trimesh" __VA_OPT__(, ) __VA_ARGS__)
 
+// The two C functions of a function of the program that the geom keeps.
+#define EPODE_TRIMESH_FUNCTION(set, get, Function, member) \
+    void set(dGeomID g, Function* f)                       \
+    {                                                      \
+        EPODE_TRIMESH_GEOM(geom, g);                       \
+        geom->shape.member = f;                            \
+    }                                                      \
+    Function* get(dGeomID g)                               \
+    {                                                      \
+        EPODE_TRIMESH_GEOM(geom, g, nullptr);              \
+        return geom->shape.member;                         \
+    }
+
 extern "C" {
 
 dGeomID dCreateTriMesh(dSpaceID space, dTriMeshDataID Data, dTriCallback* Callback,
@@ -109,53 +122,11 @@ dTriMeshDataID dGeomTriMeshGetTriMeshDataID(dGeomID g)
 
 // ---- functions of the program ----
 
-void dGeomTriMeshSetCallback(dGeomID g, dTriCallback* Callback)
-{
-    EPODE_TRIMESH_GEOM(geom, g);
-    geom->shape.wants = Callback;
-}
-
-dTriCallback* dGeomTriMeshGetCallback(dGeomID g)
-{
-    EPODE_TRIMESH_GEOM(geom, g, nullptr);
-    return geom->shape.wants;
-}
-
-void dGeomTriMeshSetArrayCallback(dGeomID g, dTriArrayCallback* ArrayCallback)
-{
-    EPODE_TRIMESH_GEOM(geom, g);
-    geom->shape.told = ArrayCallback;
-}
-
-dTriArrayCallback* dGeomTriMeshGetArrayCallback(dGeomID g)
-{
-    EPODE_TRIMESH_GEOM(geom, g, nullptr);
-    return geom->shape.told;
-}
-
-void dGeomTriMeshSetRayCallback(dGeomID g, dTriRayCallback* Callback)
-{
-    EPODE_TRIMESH_GEOM(geom, g);
-    geom->shape.ray_hits = Callback;
-}
-
-dTriRayCallback* dGeomTriMeshGetRayCallback(dGeomID g)
-{
-    EPODE_TRIMESH_GEOM(geom, g, nullptr);
-    return geom->shape.ray_hits;
-}
-
-void dGeomTriMeshSetTriMergeCallback(dGeomID g, dTriTriMergeCallback* Callback)
-{
-    EPODE_TRIMESH_GEOM(geom, g);
-    geom->shape.merged = Callback;
-}
-
-dTriTriMergeCallback* dGeomTriMeshGetTriMergeCallback(dGeomID g)
-{
-    EPODE_TRIMESH_GEOM(geom, g, nullptr);
-    return geom->shape.merged;
-}
+EPODE_TRIMESH_FUNCTION(dGeomTriMeshSetCallback, dGeomTriMeshGetCallback, dTriCallback, wants)
+EPODE_TRIMESH_FUNCTION(dGeomTriMeshSetArrayCallback, dGeomTriMeshGetArrayCallback, dTriArrayCallback, told)
+EPODE_TRIMESH_FUNCTION(dGeomTriMeshSetRayCallback, dGeomTriMeshGetRayCallback, dTriRayCallback, ray_hits)
+EPODE_TRIMESH_FUNCTION(dGeomTriMeshSetTriMergeCallback, dGeomTriMeshGetTriMergeCallback, dTriTriMergeCallback,
+                       merged)
 
 // ---- triangles ----
 

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What solids against meshes and against height fields have in common: the box to ask the surface with, the
+// pair function for a surface that is one plane, round solids as a core and a radius, the way of contacts
+// into the world. Overloads and not functions in ConvexView: which shape it is, is known when this is
+// compiled.
+#pragma once
+
+#include "collide/pairs/pairs.h"
+
+namespace epode {
+
+// A sphere or capsule: all points within r of the segment a..b.
+struct RoundCore {
+    Vec3 a, b;
+    Real r;
+};
+inline RoundCore core_of(const Sphere& a, const Pose& A) { return {A.p, A.p, a.radius}; }
+inline RoundCore core_of(const Capsule& a, const Pose& A)
+{
+    const Vec3 half = a.half_length * A.R.column(2);
+    return {A.p - half, A.p + half, a.radius};
+}
+
+template <typename Shape>
+inline constexpr bool kRound = false;
+template <>
+inline constexpr bool kRound<Sphere> = true;
+template <>
+inline constexpr bool kRound<Capsule> = true;
+
+// One facet of a surface, as the pair of that surface calls it: round_on(core, facet, meeting) for spheres
+// and capsules, solid_on(facet, meeting) for what is known by the view in the meeting.
+template <typename Shape, typename Facet, typename Meeting>
+void meet_facet(const Shape& a, const Pose& A, const Facet& f, Meeting& m)
+{
+    if constexpr (kRound<Shape>)
+        round_on(core_of(a, A), f, m);
+    else
+        solid_on(f, m);
+}
+
+inline void on_plane(const Sphere& a, const Pose& A, const Plane& p, ContactSink& s)
+{
+    sphere_plane(a, A, p, {}, s);
+}
+inline void on_plane(const Capsule& a, const Pose& A, const Plane& p, ContactSink& s)
+{
+    capsule_plane(a, A, p, {}, s);
+}
+inline void on_plane(const Box& a, const Pose& A, const Plane& p, ContactSink& s)
+{
+    box_plane(a, A, p, {}, s);
+}
+inline void on_plane(const Cylinder& a, const Pose& A, const Plane& p, ContactSink& s)
+{
+    cylinder_plane(a, A, p, {}, s);
+}
+inline void on_plane(const Convex& a, const Pose& A, const Plane& p, ContactSink& s)
+{
+    convex_plane(a, A, p, {}, s);
+}
+
+// The box of a solid, larger by `more` to all sides.
+inline Aabb box_around(const ConvexView& v, Real more)
+{
+    const Real r = v.radius + more;
+    const Vec3 margin{r, r, r};
+    const Vec3 hi = {v.support({1, 0, 0}).x, v.support({0, 1, 0}).y, v.support({0, 0, 1}).z};
+    const Vec3 lo = {v.support({-1, 0, 0}).x, v.support({0, -1, 0}).y, v.support({0, 0, -1}).z};
+    return {lo - margin, hi + margin};
+}
+
+// Contacts from number `from` on, which are in the frame of the surface.
+inline void to_world(const Pose& surface, ContactSink& sink, int from)
+{
+    for (int k = from; k < sink.count(); ++k) {
+        dContactGeom& c = *sink.at(k);
+        store(c.pos, surface.to_world(load(c.pos)));
+        store(c.normal, surface.R * load(c.normal));
+    }
+}
+
+}  // namespace epode
