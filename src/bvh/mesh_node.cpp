@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Putting boxes on the grid of a node: outward, by the very expression that is evaluated when it is asked.
-#include "bvh/mesh_node.h"
+// Rays as nodes and packets see them, and putting boxes on the grid of a node: outward, by the very expression that is evaluated when it is asked.
+#include "bvh/mesh_packet.h"
 
 #include <algorithm>
 
@@ -17,6 +17,16 @@ NodeRay::NodeRay(Vec3 o, Vec3 d)
         origin[i] = float(o[i]);
         inverse[i] = 1 / (std::fabs(along) > kTiny ? along : down[i] ? -kTiny : kTiny);
     }
+}
+
+PacketRay::PacketRay(Vec3 o, Vec3 d)
+{
+    const Vec3 a = abs(d);
+    z = a.x > a.y ? (a.x > a.z ? 0 : 2) : (a.y > a.z ? 1 : 2);
+    x = (z + 1) % 3, y = (z + 2) % 3;
+    for (int i = 0; i < 3; ++i) origin[i] = float(o[i]);
+    shear[0] = float(d[x] / d[z]), shear[1] = float(d[y] / d[z]);
+    per_z = float(1 / d[z]);
 }
 
 // A little more than the box, so that its far side is within reach of the 255th step whatever is rounded.

@@ -16,7 +16,7 @@
 namespace epode {
 
 inline constexpr float kMeshMargin = 0x1p-19f;
-inline constexpr int kMeshLeaf = 4;    // most triangles in one
+inline constexpr int kMeshLeaf = 4;    // most triangles in one (mesh_packet.h)
 inline constexpr int kMeshDepth = 68;  // most levels of nodes
 inline constexpr int kMeshStack = 3 * kMeshDepth + 4;
 
@@ -28,14 +28,6 @@ inline FloatBox float_box(const Aabb& b)
 {
     return {{float(b.lo.x), float(b.lo.y), float(b.lo.z)}, {float(b.hi.x), float(b.hi.y), float(b.hi.z)}};
 }
-
-// A negative child: up to four triangles side by side.
-struct MeshLeaf {
-    explicit MeshLeaf(int child) : first((-1 - child) >> 2), count(((-1 - child) & 3) + 1) {}
-    MeshLeaf(int first_place, int how_many) : first(first_place), count(how_many) {}
-    int child() const { return -1 - (first * 4 + count - 1); }
-    int first, count;
-};
 
 // n . x <= d in the frame of the mesh.
 struct HalfSpace {
@@ -54,7 +46,7 @@ struct alignas(64) MeshNode {
 
     float origin[3], step[3];
     std::uint8_t lo[3][4], hi[3][4];
-    int child[4];
+    int child[4];  // a node, -1 - a packet of triangles, or kNone
 
     void set_grid(const FloatBox& all);
     void set_box(int k, const FloatBox& box);  // within the grid

@@ -171,7 +171,7 @@ int to_cut(const Part* parts, int count)
 // Node by node from the root; the items stand in one array, in the end in the order of the leaves.
 class Builder {
   public:
-    Builder(Array<MeshNode>& nodes, Item* items) : nodes_(nodes), items_(items) {}
+    Builder(Array<MeshNode>& nodes, Array<MeshPacket>& packets) : nodes_(nodes), packets_(packets) {}
 
     // The new node, or -1 when memory is exhausted.
     int build(const Part& whole)
@@ -183,10 +183,12 @@ class Builder {
         for (int i = 0; count < 4 && (i = to_cut(parts, count)) >= 0; ++count) cut(parts, count, i);
         for (int k = 0; k < 4; ++k) {
             int child = MeshNode::kNone;
-            if (k < count && parts[k].count <= kMeshLeaf)
-                child = MeshLeaf(int(parts[k].first - items_), parts[k].count).child();
-            else if (k < count && (child = build(parts[k])) < 0)
+            if (k < count && parts[k].count <= kMeshLeaf) {
+                if (!packets_.push(packet_of(parts[k]))) return -1;
+                child = -packets_.size();
+            } else if (k < count && (child = build(parts[k])) < 0) {
                 return -1;
+            }
             nodes_[node].child[k] = child;
         }
         return node;
@@ -203,8 +205,16 @@ class Builder {
         parts[i + 1] = part_of(whole.first + left, whole.count - left, whole.cuts + 1);
     }
 
+    // Coordinates come with refit().
+    static MeshPacket packet_of(const Part& part)
+    {
+        MeshPacket p{};
+        for (int k = 0; k < 4; ++k) p.lanes[k] = k < part.count ? part.first[k].triangle : MeshPacket::kNone;
+        return p;
+    }
+
     Array<MeshNode>& nodes_;
-    Item* items_;
+    Array<MeshPacket>& packets_;
 };
 
 // The power of two that brings x, positive, into 1/2 ... 1; next to zero, one that is still a number.
@@ -241,15 +251,14 @@ bool MeshTree::build(const TriangleMesh& mesh)
     made.set_frame(mesh);
     const int count = mesh.triangle_count();
     Array<Item> items;
-    if (!items.resize(count) || !made.order_.resize(count)) return false;
+    if (!items.resize(count)) return false;
     if (count > 0) {
         for (int t = 0; t < count; ++t) {
             const Aabb box = mesh.box(t);
             items[t] = {widened(float_box({made.in_frame(box.lo), made.in_frame(box.hi)})), t};
         }
-        if (Builder(made.nodes_, items.data()).build(part_of(items.data(), count, 0)) < 0) return false;
+        if (Builder(made.nodes_, made.packets_).build(part_of(items.data(), count, 0)) < 0) return false;
         if (!made.bounds_.resize(made.nodes_.size())) return false;
-        for (int i = 0; i < count; ++i) made.order_[i] = items[i].triangle;
         made.refit(mesh);
     }
     *this = static_cast<MeshTree&&>(made);
@@ -259,18 +268,32 @@ bool MeshTree::build(const TriangleMesh& mesh)
 FloatBox MeshTree::bounds_of(const TriangleMesh& mesh, int child) const
 {
     if (child >= 0) return bounds_.data()[child];
-    const MeshLeaf leaf(child);
+    const MeshPacket& packet = packets_.data()[-1 - child];
     FloatBox all = kEmpty;
-    for (int i = leaf.first; i < leaf.first + leaf.count; ++i) {
-        const Aabb box = mesh.box(order_.data()[i]);
+    for (int k = 0; k < 4 && packet.used(k); ++k) {
+        const Aabb box = mesh.box(packet.triangle(k));
         enclose(all, widened(float_box({in_frame(box.lo), in_frame(box.hi)})));
     }
     return all;
 }
 
+// Lanes without a triangle repeat the first one.
+void MeshTree::fill(MeshPacket& packet, const TriangleMesh& mesh) const
+{
+    for (int k = 0; k < 4; ++k) {
+        const int t = packet.triangle(packet.used(k) ? k : 0);
+        if (packet.used(k)) packet.lanes[k] = mesh.degenerate(t) ? -2 - t : t;
+        for (int c = 0; c < 3; ++c) {
+            const Vec3 p = in_frame(mesh.corner(t, c));
+            for (int i = 0; i < 3; ++i) packet.at[c][i][k] = float(p[i]);
+        }
+    }
+}
+
 void MeshTree::refit(const TriangleMesh& mesh)
 {
     set_frame(mesh);
+    for (MeshPacket& packet : packets_) fill(packet, mesh);
     for (int n = nodes_.size() - 1; n >= 0; --n) {
         MeshNode& node = nodes_[n];
         FloatBox boxes[4], all = kEmpty;

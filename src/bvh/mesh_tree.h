@@ -12,7 +12,9 @@
 // tree was made and on nothing else; refit() keeps it.
 #pragma once
 
-#include "bvh/mesh_node.h"
+#include <bit>
+
+#include "bvh/mesh_packet.h"
 #include "geometry/triangle_mesh.h"
 
 namespace epode {
@@ -47,6 +49,10 @@ class MeshTree {
     template <typename Visit>
     void cast(Vec3 origin, Vec3 direction, Real from, Real to, Visit&& visit) const;
 
+    // The same for those that the ray may hit, degenerate ones left out.
+    template <typename Visit>
+    void shoot(Vec3 origin, Vec3 direction, Real from, Real to, Visit&& visit) const;
+
     const Aabb& box() const { return box_; }  // of the mesh; the origin when it is empty
     int node_count() const { return nodes_.size(); }
 
@@ -55,25 +61,29 @@ class MeshTree {
         int child;
         float near;
     };
-    // visit(triangle) for what is in leaves that are met, until it answers false.
-    template <typename Meets, typename Visit>
-    void walk(Meets&& meets, Visit&& visit) const;
+    // open(packet) for those that are met, until it answers false.
+    template <typename Meets, typename Open>
+    void walk(Meets&& meets, Open&& open) const;
+    // The same along a ray that has entered: open(packet, reach) answers as a visit of cast() does.
+    template <typename Open>
+    void follow(const MeshRay& ray, Real from, Real to, Open&& open) const;
     HalfSpace half_space(Vec3 n, Real d) const;
     bool enter(MeshRay& ray, Real from, Real& to) const;
     Vec3 in_frame(Vec3 p) const { return scale_ * (p - centre_); }
     void set_frame(const TriangleMesh& mesh);
     FloatBox bounds_of(const TriangleMesh& mesh, int child) const;
+    void fill(MeshPacket& packet, const TriangleMesh& mesh) const;
 
-    Array<MeshNode> nodes_;   // children behind their parents
+    Array<MeshNode> nodes_;  // children behind their parents
+    Array<MeshPacket> packets_;
     Array<FloatBox> bounds_;  // of each node, for refit()
-    Array<int> order_;        // triangles, those of a leaf side by side
     Aabb box_;
     Vec3 centre_;
     Real scale_ = 1;  // a power of two
 };
 
-template <typename Meets, typename Visit>
-void MeshTree::walk(Meets&& meets, Visit&& visit) const
+template <typename Meets, typename Open>
+void MeshTree::walk(Meets&& meets, Open&& open) const
 {
     if (nodes_.empty()) return;
     int stack[kMeshStack];
@@ -81,16 +91,14 @@ void MeshTree::walk(Meets&& meets, Visit&& visit) const
     stack[top++] = 0;
     while (top > 0) {
         const int child = stack[--top];
-        if (child >= 0) {
-            const MeshNode& node = nodes_.data()[child];
-            const unsigned met = meets(node);
-            for (int k = 3; k >= 0; --k)
-                if (met >> k & 1) stack[top++] = node.child[k];
+        if (child < 0) {
+            if (!open(packets_.data()[-1 - child])) return;
             continue;
         }
-        const MeshLeaf leaf(child);
-        for (int i = leaf.first; i < leaf.first + leaf.count; ++i)
-            if (!visit(order_.data()[i])) return;
+        const MeshNode& node = nodes_.data()[child];
+        const unsigned met = meets(node);
+        for (int k = 3; k >= 0; --k)
+            if (met >> k & 1) stack[top++] = node.child[k];
     }
 }
 
@@ -100,23 +108,31 @@ void MeshTree::query(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) c
     if (!overlap(box, box_)) return;
     const FloatBox asked = float_box({in_frame(max(box.lo, box_.lo)), in_frame(min(box.hi, box_.hi))});
     walk([&](const MeshNode& node) { return node.met_by(asked); },
-         [&](int t) { return !overlap(mesh.box(t), box) || mesh.degenerate(t) || visit(t); });
+         [&](const MeshPacket& packet) {
+             for (unsigned met = packet.met_by(asked); met != 0; met &= met - 1) {
+                 const int t = packet.lanes[std::countr_zero(met)];
+                 if (overlap(mesh.box(t), box) && !visit(t)) return false;
+             }
+             return true;
+         });
 }
 
 template <typename Visit>
-void MeshTree::below(const TriangleMesh& mesh, Vec3 n, Real d, Visit&& visit) const
+void MeshTree::below(const TriangleMesh&, Vec3 n, Real d, Visit&& visit) const
 {
     const HalfSpace asked = half_space(n, d);
     walk([&](const MeshNode& node) { return node.met_by(asked); },
-         [&](int t) { return mesh.degenerate(t) || visit(t); });
+         [&](const MeshPacket& packet) {
+             for (unsigned met = packet.whole(); met != 0; met &= met - 1)
+                 if (!visit(packet.lanes[std::countr_zero(met)])) return false;
+             return true;
+         });
 }
 
-template <typename Visit>
-void MeshTree::cast(Vec3 origin, Vec3 direction, Real from, Real to, Visit&& visit) const
+template <typename Open>
+void MeshTree::follow(const MeshRay& ray, Real from, Real to, Open&& open) const
 {
-    MeshRay ray{origin, direction, 0, scale_};
-    if (nodes_.empty() || !enter(ray, from, to)) return;
-    const NodeRay node_ray(in_frame(ray.origin), direction);
+    const NodeRay node_ray(in_frame(ray.origin), ray.direction);
     const auto left = [&] { return float(scale_ * (to - ray.start)) + kMeshMargin; };
     float reach = left();
     Waiting stack[kMeshStack];
@@ -125,26 +141,52 @@ void MeshTree::cast(Vec3 origin, Vec3 direction, Real from, Real to, Visit&& vis
     while (top > 0) {
         const Waiting next = stack[--top];
         if (next.near > reach) continue;
-        if (next.child >= 0) {
-            const MeshNode& node = nodes_.data()[next.child];
-            float near[4];
-            unsigned met = node.met_by(node_ray, reach, near);
-            const int base = top;
-            for (int k = 0; k < 4; ++k) {  // the nearest on top; of equal ones, the first
-                if (!(met >> k & 1)) continue;
-                int at = top++;
-                for (; at > base && stack[at - 1].near <= near[k]; --at) stack[at] = stack[at - 1];
-                stack[at] = {node.child[k], near[k]};
-            }
+        if (next.child < 0) {
+            to = open(packets_.data()[-1 - next.child], reach);
+            if (to < from) return;
+            reach = left();
             continue;
         }
-        const MeshLeaf leaf(next.child);
-        for (int i = leaf.first; i < leaf.first + leaf.count; ++i) {
-            to = visit(ray, order_.data()[i]);
-            if (to < from) return;
+        const MeshNode& node = nodes_.data()[next.child];
+        float near[4];
+        const unsigned met = node.met_by(node_ray, reach, near);
+        const int base = top;
+        for (int k = 0; k < 4; ++k) {  // the nearest on top; of equal ones, the first
+            if (!(met >> k & 1)) continue;
+            int at = top++;
+            for (; at > base && stack[at - 1].near <= near[k]; --at) stack[at] = stack[at - 1];
+            stack[at] = {node.child[k], near[k]};
         }
-        reach = left();
     }
+}
+
+template <typename Visit>
+void MeshTree::cast(Vec3 origin, Vec3 direction, Real from, Real to, Visit&& visit) const
+{
+    MeshRay ray{origin, direction, 0, scale_};
+    if (nodes_.empty() || !enter(ray, from, to)) return;
+    follow(ray, from, to, [&](const MeshPacket& packet, float) {
+        for (int k = 0; k < 4 && packet.used(k); ++k) {
+            to = visit(ray, packet.triangle(k));
+            if (to < from) break;
+        }
+        return to;
+    });
+}
+
+template <typename Visit>
+void MeshTree::shoot(Vec3 origin, Vec3 direction, Real from, Real to, Visit&& visit) const
+{
+    MeshRay ray{origin, direction, 0, scale_};
+    if (nodes_.empty() || !enter(ray, from, to)) return;
+    const PacketRay packet_ray(in_frame(ray.origin), direction);
+    follow(ray, from, to, [&](const MeshPacket& packet, float reach) {
+        for (unsigned met = packet.met_by(packet_ray, reach); met != 0; met &= met - 1) {
+            to = visit(ray, packet.lanes[std::countr_zero(met)]);
+            if (to < from) break;
+        }
+        return to;
+    });
 }
 
 }  // namespace epode

@@ -51,7 +51,7 @@ class Caster {
     void each(Found&& found) const
     {
         Real reach = length_;
-        tree_.cast(origin_, direction_, 0, length_, [&](const MeshRay& ray, int t) {
+        tree_.shoot(origin_, direction_, 0, length_, [&](const MeshRay& ray, int t) {
             Hit hit;
             if (meets(ray, t, hit)) reach = found(hit);
             return reach;
@@ -116,7 +116,7 @@ class Caster {
         // A surface that the ray starts or ends on is hit, whatever has been rounded.
         const Real spread = (std::fabs(a.z) + std::fabs(b.z) + std::fabs(c.z)) * std::fabs(per);
         const Real slack = 16 * kEpsilon * (ray.start + spread);
-        if (!(at >= -slack && at <= length_ + slack) || mesh_.degenerate(t)) return false;
+        if (!(at >= -slack && at <= length_ + slack)) return false;
         hit = {at < 0 ? 0 : at > length_ ? length_ : at, t, wb, wc};
         return true;
     }
