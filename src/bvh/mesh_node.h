@@ -8,6 +8,7 @@
 //          the inverse of its direction, in which what is next to zero is replaced by something tiny.
 #pragma once
 
+#include <bit>
 #include <climits>
 #include <cmath>
 
@@ -41,6 +42,35 @@ struct NodeRay {
     bool down[3];  // runs against the axis
 };
 
+// A child and how far away it is, at least 0, as one number that grows with the distance: bits of floats that
+// are not negative are ordered as they are. No child of a node is node 0, so 0 is none.
+class WaitingNode {
+  public:
+    WaitingNode() {}  // nothing: stacks of them are left unwritten
+    WaitingNode(int child, float near)
+        : key_(std::uint64_t(std::bit_cast<std::uint32_t>(near)) << 32 | std::uint32_t(child))
+    {}
+    int child() const { return int(std::uint32_t(key_)); }
+    float near() const { return std::bit_cast<float>(std::uint32_t(key_ >> 32)); }
+
+    friend void far_first(WaitingNode* four);
+
+  private:
+    std::uint64_t key_;
+};
+
+// Sorts four, the nearest last and none behind it. A network: what comparisons say cannot be foreseen, so
+// there are no branches on it.
+inline void far_first(WaitingNode* w)
+{
+    const auto order = [w](int i, int j) {
+        const std::uint64_t a = w[i].key_, b = w[j].key_;
+        w[i].key_ = a > b ? a : b;
+        w[j].key_ = a > b ? b : a;
+    };
+    order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
+}
+
 struct alignas(64) MeshNode {
     static constexpr int kNone = INT_MIN;
 
@@ -64,14 +94,20 @@ namespace mesh_lanes {
 
 typedef float Floats __attribute__((vector_size(16)));
 typedef int Ints __attribute__((vector_size(16)));
-typedef std::uint8_t Bytes __attribute__((vector_size(4)));
+typedef std::uint8_t Bytes __attribute__((vector_size(16)));
+typedef std::uint16_t Shorts __attribute__((vector_size(16)));
 
 inline Floats floats(float x) { return Floats{x, x, x, x}; }
 inline Floats places(const std::uint8_t* q)
 {
-    Bytes bytes;
-    __builtin_memcpy(&bytes, q, 4);
-    return __builtin_convertvector(bytes, Floats);
+    // In two steps, each of which is one instruction; a conversion in one is done number by number.
+    std::uint32_t four;
+    __builtin_memcpy(&four, q, 4);
+    const Bytes bytes = Bytes(Ints{int(four), 0, 0, 0});
+    const Shorts shorts = Shorts(__builtin_shufflevector(bytes, Bytes{}, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5,
+                                                         21, 6, 22, 7, 23));
+    const Ints ints = Ints(__builtin_shufflevector(shorts, Shorts{}, 0, 8, 1, 9, 2, 10, 3, 11));
+    return __builtin_convertvector(ints, Floats);
 }
 inline Floats smaller(Floats a, Floats b) { return a < b ? a : b; }
 inline Floats larger(Floats a, Floats b) { return a > b ? a : b; }
@@ -84,6 +120,9 @@ inline unsigned bits(Ints yes)
     return unsigned((yes[0] & 1) | (yes[1] & 2) | (yes[2] & 4) | (yes[3] & 8));
 #endif
 }
+
+// Of four bits, how many are set: a digit each.
+inline int count(unsigned bits) { return int(0x4332322132212110u >> 4 * bits & 7); }
 
 }  // namespace mesh_lanes
 

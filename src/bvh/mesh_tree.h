@@ -57,10 +57,6 @@ class MeshTree {
     int node_count() const { return nodes_.size(); }
 
   private:
-    struct Waiting {
-        int child;
-        float near;
-    };
     // open(packet) for those that are met, until it answers false.
     template <typename Meets, typename Open>
     void walk(Meets&& meets, Open&& open) const;
@@ -135,28 +131,25 @@ void MeshTree::follow(const MeshRay& ray, Real from, Real to, Open&& open) const
     const NodeRay node_ray(in_frame(ray.origin), ray.direction);
     const auto left = [&] { return float(scale_ * (to - ray.start)) + kMeshMargin; };
     float reach = left();
-    Waiting stack[kMeshStack];
+    WaitingNode stack[kMeshStack];
     int top = 0;
-    stack[top++] = {0, 0};
+    stack[top++] = WaitingNode(0, 0);
     while (top > 0) {
-        const Waiting next = stack[--top];
-        if (next.near > reach) continue;
-        if (next.child < 0) {
-            to = open(packets_.data()[-1 - next.child], reach);
+        const WaitingNode next = stack[--top];
+        if (next.near() > reach) continue;
+        if (next.child() < 0) {
+            to = open(packets_.data()[-1 - next.child()], reach);
             if (to < from) return;
             reach = left();
             continue;
         }
-        const MeshNode& node = nodes_.data()[next.child];
+        const MeshNode& node = nodes_.data()[next.child()];
         float near[4];
         const unsigned met = node.met_by(node_ray, reach, near);
-        const int base = top;
-        for (int k = 0; k < 4; ++k) {  // the nearest on top; of equal ones, the first
-            if (!(met >> k & 1)) continue;
-            int at = top++;
-            for (; at > base && stack[at - 1].near <= near[k]; --at) stack[at] = stack[at - 1];
-            stack[at] = {node.child[k], near[k]};
-        }
+        for (int k = 0; k < 4; ++k)
+            stack[top + k] = met >> k & 1 ? WaitingNode(node.child[k], near[k]) : WaitingNode(0, 0);
+        far_first(stack + top);
+        top += mesh_lanes::count(met);
     }
 }
 
