@@ -122,7 +122,7 @@ bool TriangleMesh::build(Array<Vec3>& vertices, Array<MeshCorners>& triangles, R
     const bool room = made.weld() && made.link_edges() && made.across_.resize(3 * count) &&
                       made.first_.resize(made.vertices_.size()) && made.normals_.resize(count) &&
                       made.tilt_.resize(count) && made.crests_.resize(count) &&
-                      made.sharp_.resize(made.vertices_.size());
+                      made.rims_.resize(count) && made.sharp_.resize(made.vertices_.size());
     if (!room) {
         made.vertices_.swap(vertices);
         made.triangles_.swap(triangles);
@@ -245,15 +245,31 @@ void TriangleMesh::refresh()
     for (int h = 0; h < 3 * count; ++h)
         if (!degenerate(h / 3) && sharp_[start(h)])
             crests_[h / 3] = std::uint8_t(crests_[h / 3] | 8 << h % 3);
+    for (int t = 0; t < count; ++t) rims_[t] = degenerate(t) ? MeshRims{} : rims_of(t);
+}
+
+MeshRims TriangleMesh::rims_of(int t) const
+{
+    MeshRims out;
+    for (int k = 0; k < 3; ++k) {
+        const Vec3 over = beyond(t, k);
+        const Vec3 into = normalized_or(cross(along(3 * t + k), over), {});
+        const Real tilt = dot(normal(t), into);  // negative when the neighbour falls away
+        const bool border = neighbour(t, k) < 0 || over == -normal(t), crest = crests(t) >> k & 1;
+        out.rim[k] = border                      ? Rim::kBorder
+                     : std::fabs(tilt) <= kSeam ? Rim::kSeam
+                     : crest                     ? Rim::kConvex
+                     : tilt > kFlatSine          ? Rim::kHollow
+                                                 : Rim::kFlat;
+        out.sharp[k] = (crests(t) >> (3 + k) & 1) != 0;
+    }
+    return out;
 }
 
 MeshTriangle TriangleMesh::triangle(int t) const
 {
     MeshTriangle out{{corner(t, 0), corner(t, 1), corner(t, 2)}, normal(t), {}, crests(t)};
-    for (int k = 0; k < 3; ++k) {
-        const int across = across_.data()[3 * t + k];
-        out.beyond[k] = across < 0 ? -out.n : (across & 1) ? -normal(across >> 1) : normal(across >> 1);
-    }
+    for (int k = 0; k < 3; ++k) out.beyond[k] = beyond(t, k);
     return out;
 }
 

@@ -14,6 +14,7 @@
 //   degenerate triangles, whose least altitude is no more than 4 grains of their largest coordinate, keep
 //             their numbers and have no normal; neighbours are sought beyond them, over their longest other
 //             edge.
+//   seams     edges so flat (kSeam) that a contact patch goes on beyond them.
 // Winding that differs from one triangle to the next is borne: a neighbour is seen as if wound as the one
 // that asks.
 #pragma once
@@ -25,6 +26,8 @@
 
 namespace epode {
 
+enum class Rim : unsigned char { kSeam, kFlat, kConvex, kHollow, kBorder };
+
 // `beyond` and `crests` are what a contact at the rim of a triangle is judged by: only crests may give
 // normals other than n.
 struct MeshTriangle {
@@ -34,6 +37,12 @@ struct MeshTriangle {
     std::uint8_t crests;  // bits 0-2: edge k is convex or a border; bits 3-5: such an edge ends at vertex k
 };
 
+// The kinds of the three edges of a triangle, and whether a crest may be at corner k.
+struct MeshRims {
+    Rim rim[3];
+    bool sharp[3];
+};
+
 struct MeshCorners {
     int at[3];  // vertices
 };
@@ -41,6 +50,7 @@ struct MeshCorners {
 class TriangleMesh {
   public:
     static constexpr Real kFlatSine = Real(1e-3);
+    static constexpr Real kSeam = kSingle ? Real(1e-4) : Real(1e-5);  // sine below which a patch goes on
     static constexpr int kMostTriangles = 1 << 27;
 
     // Takes the arrays over; corners are in range, coordinates usable. False when memory is exhausted: then
@@ -59,6 +69,7 @@ class TriangleMesh {
     Vec3 normal(int t) const { return normals_.data()[t]; }  // zero when degenerate
     bool degenerate(int t) const { return normal(t) == Vec3{}; }
     std::uint8_t crests(int t) const { return crests_.data()[t]; }
+    const MeshRims& rims(int t) const { return rims_.data()[t]; }
     int neighbour(int t, int k) const { return across_.data()[3 * t + k] >> 1; }  // over edge k; -1: none
 
     // The first corner of a triangle, not a degenerate one, that is the same vertex, as 3 t + k.
@@ -68,6 +79,13 @@ class TriangleMesh {
 
     // Not of a degenerate one.
     MeshTriangle triangle(int t) const;
+
+    // Unit normal of the neighbour over edge k, as MeshTriangle::beyond.
+    Vec3 beyond(int t, int k) const
+    {
+        const int across = across_.data()[3 * t + k];
+        return across < 0 ? -normal(t) : (across & 1) ? -normal(across >> 1) : normal(across >> 1);
+    }
 
     Aabb box(int t) const;
     Aabb box() const;  // of all triangles; the origin when there are none
@@ -93,6 +111,7 @@ class TriangleMesh {
     Over beyond_degenerate(int h) const;
     int bend(int h, const Over& found) const;
     void look_over(int h);
+    MeshRims rims_of(int t) const;
 
     Array<Vec3> vertices_;
     Array<MeshCorners> triangles_;
@@ -103,6 +122,7 @@ class TriangleMesh {
     Array<Vec3> normals_;         // of each triangle
     Array<float> tilt_;           // of each triangle: the sine by which rounding may tilt it
     Array<std::uint8_t> crests_;  // of each triangle
+    Array<MeshRims> rims_;        // of each triangle
     Array<std::uint8_t> sharp_;   // of each welded vertex: an edge there crests
     Real grain_ = kEpsilon;
 };

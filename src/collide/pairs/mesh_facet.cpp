@@ -10,19 +10,13 @@ namespace epode {
 namespace {
 
 constexpr Real kLevel = kSingle ? Real(1e-4) : Real(1e-6);  // sine of an angle that counts as flat
-constexpr Real kSeam = kSingle ? Real(1e-4) : Real(1e-5);   // sine below which a patch goes on
 constexpr int kMostAround = 256;                            // triangles at a corner
 
-// `tilt`: n . into, negative when the neighbour falls away.
-Rim rim_of(bool crest, bool border, Real tilt)
+bool level_or_falls(Vec3 n, Vec3 along)
 {
-    if (border) return Rim::kBorder;
-    if (std::fabs(tilt) <= kSeam) return Rim::kSeam;
-    if (crest) return Rim::kConvex;
-    return tilt > TriangleMesh::kFlatSine ? Rim::kHollow : Rim::kFlat;
+    const Real rise = dot(n, along);
+    return rise <= 0 || rise * rise <= kLevel * kLevel * length2(along);
 }
-
-bool level_or_falls(Vec3 n, Vec3 along) { return dot(n, along) <= kLevel * length(along); }
 
 int corner_at(const TriangleMesh& mesh, int t, Vec3 v)
 {
@@ -57,19 +51,14 @@ bool falls_around(const TriangleMesh& mesh, int t, int over, Vec3 v, Vec3 n, boo
 
 MeshFacet facet_of(const TriangleMesh& mesh, int triangle)
 {
-    const MeshTriangle t = mesh.triangle(triangle);
     MeshFacet f;
-    f.n = t.n;
-    f.c = dot(t.n, t.v[0]);
+    static_cast<MeshRims&>(f) = mesh.rims(triangle);
+    for (int k = 0; k < 3; ++k) f.v[k] = mesh.corner(triangle, k);
+    f.n = mesh.normal(triangle);
+    f.c = dot(f.n, f.v[0]);
     f.index = triangle;
-    for (int k = 0; k < 3; ++k) {
-        f.v[k] = t.v[k];
-        const Vec3 edge = t.v[(k + 1) % 3] - t.v[k];
-        f.into[k] = normalized_or(cross(edge, t.beyond[k]), {});
-        const bool border = mesh.neighbour(triangle, k) < 0 || t.beyond[k] == -t.n;
-        f.rim[k] = rim_of((t.crests >> k & 1) != 0, border, dot(t.n, f.into[k]));
-        f.sharp[k] = (t.crests >> (3 + k) & 1) != 0;
-    }
+    for (int k = 0; k < 3; ++k)
+        if (f.rim[k] != Rim::kSeam) f.beyond[k] = mesh.beyond(triangle, k);
     return f;
 }
 
@@ -82,7 +71,7 @@ MeshFacet turned(const MeshFacet& f)
     t.behind = !f.behind;
     for (int k = 0; k < 3; ++k) {
         const Rim rim = f.rim[2 - k];
-        t.into[k] = f.into[2 - k];
+        t.beyond[k] = -f.beyond[2 - k];
         t.rim[k] = rim == Rim::kConvex ? Rim::kHollow : rim == Rim::kHollow ? Rim::kConvex : rim;
         t.sharp[k] = true;  // not known: the walk around the corner tells
     }
@@ -94,7 +83,7 @@ Crest crest_at_edge(const MeshFacet& f, int edge, Vec3 n)
     const Rim rim = f.rim[edge];
     if (!level_or_falls(n, cross(f.n, f.edge(edge)))) return {};  // towards the triangle's own inside
     if (rim == Rim::kBorder) return {true, true};
-    return {rim == Rim::kConvex && dot(n, f.into[edge]) <= kLevel, false};
+    return {rim == Rim::kConvex && level_or_falls(n, f.into(edge)), false};
 }
 
 Crest crest_at_corner(const TriangleMesh& mesh, const MeshFacet& f, int corner, Vec3 n)

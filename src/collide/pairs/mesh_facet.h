@@ -17,17 +17,14 @@
 
 namespace epode {
 
-enum class Rim : unsigned char { kSeam, kFlat, kConvex, kHollow, kBorder };
-
-struct MeshFacet : Triangle {
-    Vec3 into[3];  // unit, across edge k into the neighbour, along its surface; zero for an edge without
-                   // length
-    Rim rim[3];
-    bool sharp[3];        // a crest may be at corner k
+struct MeshFacet : Triangle, MeshRims {
+    Vec3 beyond[3];       // unit normal of the neighbour over edge k; not known at seams
     bool behind = false;  // met from the back: everything is turned round
     int index = -1;
 
     bool has_crest() const { return sharp[0] || sharp[1] || sharp[2]; }
+    // Across edge k into the neighbour, along its surface; as long as the edge.
+    Vec3 into(int k) const { return cross(edge(k), beyond[k]); }
 };
 
 // Of a triangle that is not degenerate.

@@ -113,13 +113,18 @@ class Crossing {
             if (length2(cross(e, point - f.v[k])) <= slack_ * slack_ * length2(e)) on[count++] = k;
         }
         if (count == 0) return true;
-        if (count == 1) return f.rim[on[0]] == Rim::kBorder || dot(n, f.into[on[0]]) <= kFalls;
+        if (count == 1) return f.rim[on[0]] == Rim::kBorder || falls(f, on[0], n);
         const int corner = on[1] == on[0] + 1 ? on[1] : 0;
         const int other = corner == on[0] ? on[1] : on[0];
         for (const int edge : {corner, other})
-            if (shows_edge(f, edge, n)) return f.rim[edge] == Rim::kBorder || dot(n, f.into[edge]) <= kFalls;
+            if (shows_edge(f, edge, n)) return f.rim[edge] == Rim::kBorder || falls(f, edge, n);
         return crest_at_corner(p.mesh, facet_of(p.mesh, f.index), corner, transposed_times(p.pose.R, n))
             .stands;
+    }
+    static bool falls(const MeshFacet& f, int edge, Vec3 n)
+    {
+        const Vec3 into = f.into(edge);
+        return dot(n, into) <= kFalls * length(into);
     }
     static bool shows_edge(const MeshFacet& f, int edge, Vec3 n)
     {
@@ -197,7 +202,10 @@ class Crossing {
 PlacedFacet placed(const TriangleMesh& mesh, int triangle, const Pose& pose, bool one_sided)
 {
     PlacedFacet p{facet_of(mesh, triangle), mesh, pose, one_sided};
-    for (int k = 0; k < 3; ++k) p.f.v[k] = pose.to_world(p.f.v[k]), p.f.into[k] = pose.R * p.f.into[k];
+    for (int k = 0; k < 3; ++k) {
+        p.f.v[k] = pose.to_world(p.f.v[k]);
+        p.f.beyond[k] = pose.R * mesh.beyond(triangle, k);
+    }
     p.f.n = pose.R * p.f.n;
     p.f.c = dot(p.f.n, p.f.v[0]);
     return p;
