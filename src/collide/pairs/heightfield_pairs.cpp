@@ -77,7 +77,7 @@ void collide_local(const Shape& a, const Pose& A, const HeightfieldData& data, C
 {
     const Terrain terrain(data);
     const ConvexView solid = view_of(a, A);
-    const Aabb box = box_around(solid, 0);
+    const Aabb box = box_around(a, A, 0);
     Cells cells;
     if (!cells_under(terrain, box, cells)) return;
     const Facet first = terrain.facet(cells.i0, cells.j0, false);

@@ -5,6 +5,7 @@
 #include "collide/pairs/mesh_contacts.h"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "collide/pairs/mesh_facet.h"
 
@@ -20,22 +21,15 @@ constexpr Real kFlat = kSingle ? 64 * kEpsilon : Real(2e-7);
 constexpr Real kTouch = Real(1e-7);
 constexpr Real kSameWay = kSingle ? Real(1e-6) : Real(1e-9);  // 1 - cosine
 
-// How far the solid reaches from its middle along n, either way.
-Real reach_along(const Sphere& a, const ConvexView&, Vec3) { return a.radius; }
-Real reach_along(const Capsule& a, const ConvexView& v, Vec3 n)
+// As reach_along(), or more.
+template <typename Shape>
+Real most_along(const Shape& a, const ConvexView& v, Vec3 n)
 {
-    return a.radius + a.half_length * std::fabs(dot(v.pose.R.column(2), n));
+    if constexpr (std::is_same_v<Shape, Convex>)
+        return v.size;
+    else
+        return reach_along(a, v.pose, n);
 }
-Real reach_along(const Box& a, const ConvexView& v, Vec3 n)
-{
-    return dot(abs(transposed_times(v.pose.R, n)), a.half);
-}
-Real reach_along(const Cylinder& a, const ConvexView& v, Vec3 n)
-{
-    const Real c = dot(v.pose.R.column(2), n), s2 = 1 - c * c;
-    return a.half_length * std::fabs(c) + a.radius * (s2 > 0 ? std::sqrt(s2) : Real(0));
-}
-Real reach_along(const Convex&, const ConvexView& v, Vec3) { return v.size; }
 
 template <typename Shape>
 constexpr bool kTwoSided = false;
@@ -120,7 +114,7 @@ void mesh_contacts(const Shape& a, const Pose& A, const Surface& surface, const 
     const ConvexView solid = view_of(a, A);
     const Real slack = slack_of(solid);
     Plane plane;
-    if (one_plane(surface, near, box_around(solid, slack), slack, plane) &&
+    if (one_plane(surface, near, box_around(a, A, slack), slack, plane) &&
         dot(plane.normal, solid.pose.p) >= plane.d) {
         const int before = sink.count();
         on_plane(a, A, plane, sink);
@@ -135,7 +129,7 @@ void mesh_contacts(const Shape& a, const Pose& A, const Surface& surface, const 
         const Vec3 n = surface.mesh.normal(t);
         const Real height = dot(n, solid.pose.p - surface.mesh.corner(t, 0));
         if (!kTwoSided<Shape> && height < -slack) continue;
-        if (std::fabs(height) > reach_along(a, solid, n) + slack) continue;
+        if (std::fabs(height) > most_along(a, solid, n) + slack) continue;
         meet_facet(a, A, facet_of(surface.mesh, t), meeting);
     }
     harvest.deliver(sink);

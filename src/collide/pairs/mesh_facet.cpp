@@ -9,7 +9,6 @@ namespace epode {
 
 namespace {
 
-constexpr Real kLevel = kSingle ? Real(1e-4) : Real(1e-6);  // sine of an angle that counts as flat
 constexpr int kMostAround = 256;                            // triangles at a corner
 
 bool level_or_falls(Vec3 n, Vec3 along)

@@ -45,6 +45,8 @@ struct MeshMeeting {
     bool seam(const MeshFacet& f, int edge) const { return whole && f.rim[edge] == Rim::kSeam; }
 };
 
+inline constexpr Real kLevel = kSingle ? Real(1e-4) : Real(1e-6);  // sine of an angle that counts as flat
+
 struct Crest {
     bool stands = false;
     bool border = false;

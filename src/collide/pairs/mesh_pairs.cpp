@@ -28,7 +28,7 @@ void collide_mesh(const Shape& a, const Pose& A, const Trimesh& b, const Pose& B
     const Pose local = inverse_times(B, A);
     const ConvexView solid = view_of(a, local);
     NearTriangles near;
-    near.find(surface, box_around(solid, slack_of(solid)));
+    near.find(surface, box_around(a, local, slack_of(solid)));
     if (b.asks()) consult(b, near, sink);
     const int before = sink.count();
     mesh_contacts(a, local, surface, near, sink);

@@ -62,11 +62,34 @@ inline void on_plane(const Convex& a, const Pose& A, const Plane& p, ContactSink
     convex_plane(a, A, p, {}, s);
 }
 
-// The box of a solid, larger by `more` to all sides.
-inline Aabb box_around(const ConvexView& v, Real more)
+// How far a solid that is symmetric about its pose's origin reaches along n, a unit vector, either way.
+inline Real reach_along(const Sphere& a, const Pose&, Vec3) { return a.radius; }
+inline Real reach_along(const Capsule& a, const Pose& A, Vec3 n)
 {
-    const Real r = v.radius + more;
-    const Vec3 margin{r, r, r};
+    return a.radius + a.half_length * std::fabs(dot(A.R.column(2), n));
+}
+inline Real reach_along(const Box& a, const Pose& A, Vec3 n)
+{
+    return dot(abs(transposed_times(A.R, n)), a.half);
+}
+inline Real reach_along(const Cylinder& a, const Pose& A, Vec3 n)
+{
+    const Real c = dot(A.R.column(2), n), s2 = 1 - c * c;
+    return a.half_length * std::fabs(c) + a.radius * (s2 > 0 ? std::sqrt(s2) : Real(0));
+}
+
+// The box of a solid, larger by `more` to all sides.
+template <typename Shape>
+Aabb box_around(const Shape& a, const Pose& A, Real more)
+{
+    const Vec3 half{reach_along(a, A, {1, 0, 0}) + more, reach_along(a, A, {0, 1, 0}) + more,
+                    reach_along(a, A, {0, 0, 1}) + more};
+    return {A.p - half, A.p + half};
+}
+inline Aabb box_around(const Convex& a, const Pose& A, Real more)
+{
+    const ConvexView v = view_of(a, A);
+    const Vec3 margin{more, more, more};
     const Vec3 hi = {v.support({1, 0, 0}).x, v.support({0, 1, 0}).y, v.support({0, 0, 1}).z};
     const Vec3 lo = {v.support({-1, 0, 0}).x, v.support({0, -1, 0}).y, v.support({0, 0, -1}).z};
     return {lo - margin, hi + margin};

@@ -20,13 +20,34 @@ struct Part {
     bool seam_from = false, seam_to = false;
 };
 
-Part part_over(const RoundCore& s, const MeshFacet& f, const MeshMeeting& m)
+// How far the ends of s are outside of the three walls that stand on the edges.
+struct Walls {
+    Real a[3], b[3];
+    Walls(const RoundCore& s, const MeshFacet& f)
+    {
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 e = f.edge(k), out = cross(e, f.n);
+            const Real per = 1 / length(e);
+            a[k] = per * dot(out, s.a - f.v[k]), b[k] = per * dot(out, s.b - f.v[k]);
+        }
+    }
+    // Of all of s outside of one of them.
+    Real least() const
+    {
+        Real most = 0;
+        for (int k = 0; k < 3; ++k) {
+            const Real low = a[k] < b[k] ? a[k] : b[k];
+            most = low > most ? low : most;
+        }
+        return most;
+    }
+};
+
+Part part_over(const Walls& walls, const MeshFacet& f, const MeshMeeting& m)
 {
     Part part;
     for (int k = 0; k < 3; ++k) {
-        Vec3 out = cross(f.edge(k), f.n);
-        if (!normalize(out)) continue;
-        const Real at_a = dot(out, s.a - f.v[k]) - m.slack, at_b = dot(out, s.b - f.v[k]) - m.slack;
+        const Real at_a = walls.a[k] - m.slack, at_b = walls.b[k] - m.slack;
         if (at_a > 0 && at_b > 0) return {{1, 0}};
         if (at_a <= 0 && at_b <= 0) continue;
         const Real t = at_a / (at_a - at_b);
@@ -37,9 +58,9 @@ Part part_over(const RoundCore& s, const MeshFacet& f, const MeshMeeting& m)
 }
 
 // False when the contacts are already all there are.
-bool over(const RoundCore& s, const MeshFacet& f, MeshMeeting& m)
+bool over(const RoundCore& s, const Walls& walls, const MeshFacet& f, MeshMeeting& m)
 {
-    const Part part = part_over(s, f, m);
+    const Part part = part_over(walls, f, m);
     if (part.t.empty()) return true;
     const Vec3 p = s.a + part.t.from * (s.b - s.a), q = s.a + part.t.to * (s.b - s.a);
     const Real at_p = f.height(p), at_q = f.height(q);
@@ -70,9 +91,9 @@ bool over_lip(const RoundCore& s, const MeshFacet& f, Vec3 p, Vec3 q, MeshMeetin
 void beside(const RoundCore& s, const MeshFacet& f, int edge, Vec3 p, Vec3 q, MeshMeeting& m)
 {
     Vec3 n = p - q;
-    const Real distance = length(n);
-    if (distance > s.r + m.slack || !normalize(n)) return;
-    const Real near2 = m.slack * m.slack;
+    const Real reach = s.r + m.slack, distance2 = length2(n);
+    if (distance2 > reach * reach || !normalize(n)) return;
+    const Real distance = std::sqrt(distance2), near2 = m.slack * m.slack;
     const int next = (edge + 1) % 3;
     Crest crest;
     if (length2(q - f.v[edge]) <= near2)
@@ -92,10 +113,15 @@ void round_on(const RoundCore& s, const MeshFacet& f, MeshMeeting& m)
     const Real at_a = f.height(s.a), at_b = f.height(s.b);
     const Real top = s.r + m.slack;
     if ((at_a > top && at_b > top) || at_a + at_b < -2 * m.slack) return;
-    if (!over(s, f, m)) return;
+    const Walls walls(s, f);
+    const Real low = at_a < at_b ? at_a : at_b, above = low > 0 ? low : Real(0), aside = walls.least();
+    if (aside * aside + above * above > top * top) return;
+    if (!over(s, walls, f, m)) return;
     const Vec3 axis = s.b - s.a;
+    const Real inside = -kLevel * top;  // farther in, every way from the edge leads over the triangle
     for (int k = 0; k < 3; ++k) {
         if (!f.sharp[k] && !f.sharp[(k + 1) % 3]) continue;
+        if (walls.a[k] < inside && walls.b[k] < inside) continue;
         const Vec3 v = f.v[k], e = f.edge(k);
         Vec3 p, q;
         closest_segment_points(s.a, s.b, v, v + e, p, q);
