@@ -18,9 +18,9 @@ namespace epode {
 struct PacketRay {
     PacketRay(Vec3 origin, Vec3 direction);
     float origin[3];
-    int x, y, z;       // axes; z the largest of the direction
-    float shear[2];    // x and y gone per length of z
-    float per_z;       // length of the ray per length of z
+    int x, y, z;     // axes; z the largest of the direction
+    float shear[2];  // x and y gone per length of z
+    float per_z;     // length of the ray per length of z
 };
 
 struct alignas(16) MeshPacket {

@@ -14,7 +14,7 @@
 
 #include <bit>
 
-#include "bvh/mesh_packet.h"
+#include "bvh/mesh_probe.h"
 #include "geometry/triangle_mesh.h"
 
 namespace epode {
@@ -38,6 +38,11 @@ class MeshTree {
     // visit(triangle) for all that are not degenerate and whose boxes meet `box`, until it answers false.
     template <typename Visit>
     void query(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) const;
+
+    // visit(triangle, close) for the same; `close` is false if the solid, which lies in the box, is apart
+    // from it.
+    template <typename Visit>
+    void query(const TriangleMesh& mesh, const Aabb& box, const SolidProbe& solid, Visit&& visit) const;
 
     // The same for those that may lie at or below the plane n . x = d.
     template <typename Visit>
@@ -108,6 +113,25 @@ void MeshTree::query(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) c
              for (unsigned met = packet.met_by(asked); met != 0; met &= met - 1) {
                  const int t = packet.lanes[std::countr_zero(met)];
                  if (overlap(mesh.box(t), box) && !visit(t)) return false;
+             }
+             return true;
+         });
+}
+
+template <typename Visit>
+void MeshTree::query(const TriangleMesh& mesh, const Aabb& box, const SolidProbe& solid, Visit&& visit) const
+{
+    if (!overlap(box, box_)) return;
+    const FloatBox asked = float_box({in_frame(max(box.lo, box_.lo)), in_frame(min(box.hi, box_.hi))});
+    const MeshProbe probe(solid, in_frame(solid.centre), scale_);
+    walk([&](const MeshNode& node) { return node.met_by(asked); },
+         [&](const MeshPacket& packet) {
+             unsigned met = packet.met_by(asked);
+             if (met == 0) return true;
+             const unsigned close = probe.meets(packet);
+             for (; met != 0; met &= met - 1) {
+                 const int k = std::countr_zero(met), t = packet.lanes[k];
+                 if (overlap(mesh.box(t), box)) visit(t, (close >> k & 1) != 0);
              }
              return true;
          });

@@ -121,8 +121,8 @@ bool TriangleMesh::build(Array<Vec3>& vertices, Array<MeshCorners>& triangles, R
     const int count = made.triangles_.size();
     const bool room = made.weld() && made.link_edges() && made.across_.resize(3 * count) &&
                       made.first_.resize(made.vertices_.size()) && made.normals_.resize(count) &&
-                      made.tilt_.resize(count) && made.crests_.resize(count) &&
-                      made.rims_.resize(count) && made.sharp_.resize(made.vertices_.size());
+                      made.tilt_.resize(count) && made.crests_.resize(count) && made.rims_.resize(count) &&
+                      made.sharp_.resize(made.vertices_.size());
     if (!room) {
         made.vertices_.swap(vertices);
         made.triangles_.swap(triangles);
@@ -256,11 +256,11 @@ MeshRims TriangleMesh::rims_of(int t) const
         const Vec3 into = normalized_or(cross(along(3 * t + k), over), {});
         const Real tilt = dot(normal(t), into);  // negative when the neighbour falls away
         const bool border = neighbour(t, k) < 0 || over == -normal(t), crest = crests(t) >> k & 1;
-        out.rim[k] = border                      ? Rim::kBorder
+        out.rim[k] = border                     ? Rim::kBorder
                      : std::fabs(tilt) <= kSeam ? Rim::kSeam
-                     : crest                     ? Rim::kConvex
-                     : tilt > kFlatSine          ? Rim::kHollow
-                                                 : Rim::kFlat;
+                     : crest                    ? Rim::kConvex
+                     : tilt > kFlatSine         ? Rim::kHollow
+                                                : Rim::kFlat;
         out.sharp[k] = (crests(t) >> (3 + k) & 1) != 0;
     }
     return out;

@@ -42,13 +42,13 @@ constexpr bool kTwoSided<Convex> = true;
 bool one_plane(const Surface& surface, const NearTriangles& near, const Aabb& box, Real slack, Plane& out)
 {
     const TriangleMesh& mesh = surface.mesh;
-    if (!near.all() || near.count() == 0) return false;
-    const int first = *near.begin();
+    if (!near.all() || near.near().count() == 0) return false;
+    const int first = *std::min_element(near.near().begin(), near.near().end());
     out.normal = mesh.normal(first);
     out.d = dot(out.normal, mesh.corner(first, 0));
     const Real reach = max_component(max(abs(box.lo), abs(box.hi)));
     const Real tolerance = std::max(slack, kFlat * reach);
-    for (const int t : near) {
+    for (const int t : near.near()) {
         if (dot(mesh.normal(t), out.normal) < 1 - kSameWay) return false;
         for (int k = 0; k < 3; ++k) {
             const Vec3 p = mesh.corner(t, k), q = mesh.corner(t, (k + 1) % 3);
@@ -62,7 +62,7 @@ bool one_plane(const Surface& surface, const NearTriangles& near, const Aabb& bo
 // The first of the triangles that the point is over.
 int triangle_under(const Surface& surface, const NearTriangles& near, Vec3 p, Real slack)
 {
-    for (const int t : near) {
+    for (const int t : near.near()) {
         const Vec3 n = surface.mesh.normal(t);
         bool in = true;
         for (int k = 0; in && k < 3; ++k) {
@@ -71,33 +71,45 @@ int triangle_under(const Surface& surface, const NearTriangles& near, Vec3 p, Re
         }
         if (in) return t;
     }
-    return *near.begin();
+    return *near.near().begin();
 }
 
 }  // namespace
 
-void NearTriangles::add(int triangle)
+bool TriangleList::grow()
 {
-    if (count_ == kFew && many_.empty()) {
-        if (!many_.resize(4 * kFew)) return void(all_ = false);
+    if (many_.empty()) {
+        if (!many_.resize(4 * kFew)) return false;
         std::copy(few_, few_ + count_, many_.data());
-        data_ = many_.data();
-    } else if (data_ != few_ && count_ == many_.size()) {
-        if (!many_.resize(2 * count_)) return void(all_ = false);
-        data_ = many_.data();
+    } else if (!many_.resize(2 * count_)) {
+        return false;
     }
-    data_[count_++] = triangle;
+    data_ = many_.data();
+    room_ = many_.size();
+    return true;
 }
+
+void TriangleList::sort() { std::sort(data_, data_ + count_); }
 
 void NearTriangles::find(const Surface& surface, const Aabb& box)
 {
-    count_ = 0;
+    near_.clear(), close_.clear();
     all_ = true;
     surface.tree.query(surface.mesh, box, [this](int t) {
-        add(t);
+        all_ = near_.add(t) && close_.add(t) && all_;
         return true;
     });
-    std::sort(data_, data_ + count_);
+    near_.sort(), close_.sort();
+}
+
+void NearTriangles::find(const Surface& surface, const Aabb& box, const SolidProbe& solid)
+{
+    near_.clear(), close_.clear();
+    all_ = true;
+    surface.tree.query(surface.mesh, box, solid, [this](int t, bool close) {
+        all_ = near_.add(t) && (!close || close_.add(t)) && all_;
+    });
+    close_.sort();
 }
 
 Real slack_of(const ConvexView& solid)
@@ -107,16 +119,17 @@ Real slack_of(const ConvexView& solid)
 }
 
 template <typename Shape>
-void mesh_contacts(const Shape& a, const Pose& A, const Surface& surface, const NearTriangles& near,
+void mesh_contacts(const Shape& a, const Pose& A, const Surface& surface, NearTriangles& near,
                    ContactSink& sink)
 {
-    if (near.count() == 0) return;
+    if (near.near().count() == 0) return;
     const ConvexView solid = view_of(a, A);
     const Real slack = slack_of(solid);
     Plane plane;
     if (one_plane(surface, near, box_around(a, A, slack), slack, plane) &&
         dot(plane.normal, solid.pose.p) >= plane.d) {
         const int before = sink.count();
+        near.put_in_order();
         on_plane(a, A, plane, sink);
         for (int k = before; k < sink.count(); ++k)
             sink.at(k)->side2 = triangle_under(surface, near, load(sink.at(k)->pos), slack);
@@ -124,8 +137,7 @@ void mesh_contacts(const Shape& a, const Pose& A, const Surface& surface, const 
     }
     Harvest harvest(Real(1e-6) * (solid.size + solid.radius));
     MeshMeeting meeting{surface.mesh, solid, slack, kTwoSided<Shape>, near.all(), harvest};
-    for (const int t : near) {
-        // Most triangles near are told by their planes not to be met.
+    for (const int t : near.close()) {
         const Vec3 n = surface.mesh.normal(t);
         const Real height = dot(n, solid.pose.p - surface.mesh.corner(t, 0));
         if (!kTwoSided<Shape> && height < -slack) continue;
@@ -136,7 +148,7 @@ void mesh_contacts(const Shape& a, const Pose& A, const Surface& surface, const 
 }
 
 #define EPODE_MESH_CONTACTS(Shape) \
-    template void mesh_contacts(const Shape&, const Pose&, const Surface&, const NearTriangles&, ContactSink&)
+    template void mesh_contacts(const Shape&, const Pose&, const Surface&, NearTriangles&, ContactSink&)
 EPODE_MESH_CONTACTS(Sphere);
 EPODE_MESH_CONTACTS(Capsule);
 EPODE_MESH_CONTACTS(Box);

@@ -9,7 +9,7 @@ namespace epode {
 
 namespace {
 
-constexpr int kMostAround = 256;                            // triangles at a corner
+constexpr int kMostAround = 256;  // triangles at a corner
 
 bool level_or_falls(Vec3 n, Vec3 along)
 {

@@ -72,15 +72,15 @@ void meet(const Surface& a, const Pose& P, const Surface& b, bool ground, Contac
     const Pose back = inverse_times(P, Pose{});
     NearTriangles near_a, near_b;
     near_a.find(a, box_in(back, b.tree.box()));
-    if (near_a.count() == 0) return;
+    if (near_a.near().count() == 0) return;
     const Aabb whole = box_in(P, a.tree.box());
     const Real slack = 64 * kEpsilon * std::max(reach_of(whole), reach_of(a.tree.box()));
     const Pose here;
     Array<TrianglePush> pushes;
-    for (const int t : near_a) {
+    for (const int t : near_a.near()) {
         const PlacedFacet fa = placed(a.mesh, t, P, false);
         near_b.find(b, box_of(fa.f));
-        for (const int u : near_b) {
+        for (const int u : near_b.near()) {
             TrianglePush push;
             if (triangle_triangle(fa, placed(b.mesh, u, here, ground), slack, push) && !pushes.push(push))
                 break;

@@ -15,7 +15,8 @@ namespace {
 void consult(const Trimesh& mesh, NearTriangles& near, const ContactSink& sink)
 {
     const MeshFunctions functions(mesh, sink, false);
-    functions.tell({near.begin(), std::size_t(near.count())});
+    near.put_in_order();
+    functions.tell({near.near().begin(), std::size_t(near.near().count())});
     near.filter([&](int t) { return functions.wants(t); });
 }
 
@@ -26,9 +27,9 @@ void collide_mesh(const Shape& a, const Pose& A, const Trimesh& b, const Pose& B
     if (!data) return;
     const Surface surface{data->mesh, data->tree};
     const Pose local = inverse_times(B, A);
-    const ConvexView solid = view_of(a, local);
+    const Real slack = slack_of(view_of(a, local));
     NearTriangles near;
-    near.find(surface, box_around(a, local, slack_of(solid)));
+    near.find(surface, box_around(a, local, slack), probe_of(a, local, slack));
     if (b.asks()) consult(b, near, sink);
     const int before = sink.count();
     mesh_contacts(a, local, surface, near, sink);

@@ -120,7 +120,7 @@ std::vector<Hit> hits(const Shape& s, const Pose& pose, const Mesh& m, int room 
     const Surface surface{m.mesh, m.tree};
     const ConvexView view = view_of(s, pose);
     NearTriangles near;
-    near.find(surface, box_around(s, pose, slack_of(view)));
+    near.find(surface, box_around(s, pose, slack_of(view)), probe_of(s, pose, slack_of(view)));
     mesh_contacts(s, pose, surface, near, sink);
     EXPECT_EQ(raw[room].depth, -77) << "wrote beyond its room";
     std::vector<Hit> out;
