@@ -48,7 +48,7 @@ inline unsigned MeshPacket::whole() const
 
 namespace mesh_lanes {
 
-inline Floats load(const float* p)
+inline Floats four_at(const float* p)
 {
     Floats x;
     __builtin_memcpy(&x, p, sizeof(x));
@@ -63,7 +63,7 @@ inline unsigned MeshPacket::met_by(const FloatBox& box) const
     using namespace mesh_lanes;
     Ints apart{};
     for (int i = 0; i < 3; ++i) {
-        const Floats a = load(at[0][i]), b = load(at[1][i]), c = load(at[2][i]);
+        const Floats a = four_at(at[0][i]), b = four_at(at[1][i]), c = four_at(at[2][i]);
         apart |= smaller(a, smaller(b, c)) > floats(box.hi[i] + kMeshMargin);
         apart |= larger(a, larger(b, c)) < floats(box.lo[i] - kMeshMargin);
     }
@@ -75,9 +75,9 @@ inline unsigned MeshPacket::met_by(const PacketRay& ray, float reach) const
     using namespace mesh_lanes;
     Floats x[3], y[3], z[3], size[3];
     for (int k = 0; k < 3; ++k) {
-        z[k] = load(at[k][ray.z]) - floats(ray.origin[ray.z]);
-        x[k] = load(at[k][ray.x]) - floats(ray.origin[ray.x]) - floats(ray.shear[0]) * z[k];
-        y[k] = load(at[k][ray.y]) - floats(ray.origin[ray.y]) - floats(ray.shear[1]) * z[k];
+        z[k] = four_at(at[k][ray.z]) - floats(ray.origin[ray.z]);
+        x[k] = four_at(at[k][ray.x]) - floats(ray.origin[ray.x]) - floats(ray.shear[0]) * z[k];
+        y[k] = four_at(at[k][ray.y]) - floats(ray.origin[ray.y]) - floats(ray.shear[1]) * z[k];
         size[k] = magnitude(x[k]) + magnitude(y[k]);
     }
     Ints left{}, right{};

@@ -79,8 +79,8 @@ inline unsigned MeshProbe::meets(const MeshPacket& packet) const
     using namespace mesh_lanes;
     Floats3 v[3];  // from the centre
     for (int k = 0; k < 3; ++k)
-        v[k] = {load(packet.at[k][0]) - floats(centre[0]), load(packet.at[k][1]) - floats(centre[1]),
-                load(packet.at[k][2]) - floats(centre[2])};
+        v[k] = {four_at(packet.at[k][0]) - floats(centre[0]), four_at(packet.at[k][1]) - floats(centre[1]),
+                four_at(packet.at[k][2]) - floats(centre[2])};
     Ints apart{};
     for (int i = 0; i < arms; ++i) {
         const Floats a = dot(v[0], arm[i]), b = dot(v[1], arm[i]), c = dot(v[2], arm[i]);

@@ -11,6 +11,7 @@
 #include "collide/pairs/press.h"
 #include "geometry/epa.h"
 #include "geometry/gjk.h"
+#include "geometry/triangle_rim.h"
 
 namespace epode {
 
@@ -27,6 +28,7 @@ class LeastWay {
     LeastWay(const MeshFacet& facet, const MeshMeeting& meeting) : f_(facet), m_(meeting)
     {
         if (m_.solid.face_axes == 7) box_ = static_cast<const Box*>(m_.solid.shape);
+        if (m_.solid.rim_radius > 0) cylinder_ = static_cast<const Cylinder*>(m_.solid.shape);
     }
 
     // False: the two do not touch.
@@ -47,12 +49,19 @@ class LeastWay {
     bool on_crest = false;  // the normal is not the triangle's own
 
   private:
-    // How far the solid goes down along n; of boxes without calls.
+    // How far the solid goes down along n; of boxes and cylinders without calls.
     Real low_along(Vec3 n) const
     {
         const ConvexView& s = m_.solid;
+        if (cylinder_) return dot(n, s.pose.p) - reach(n);
         if (!box_) return dot(n, s.support(-n));
         return dot(n, s.pose.p) - dot(abs(transposed_times(s.pose.R, n)), box_->half);
+    }
+    // reach_along() for directions of any length.
+    Real reach(Vec3 n) const
+    {
+        const Real c = dot(m_.solid.pose.R.column(2), n), s2 = length2(n) - c * c;
+        return cylinder_->half_length * std::fabs(c) + cylinder_->radius * (s2 > 0 ? std::sqrt(s2) : Real(0));
     }
     bool symmetric() const { return m_.solid.face_axes != 0 || m_.solid.edge_axes != 0; }
 
@@ -96,8 +105,9 @@ class LeastWay {
         if (edge >= 0 && f_.rim[edge] == Rim::kHollow && d < hollow_) hollow_ = d;
     }
 
-    // Both senses of an axis; false when it parts the two.
-    bool offer(Vec3 a)
+    // Both senses of an axis of the length sqrt(size2); false when it parts the two. Most axes are done with
+    // before their length is needed.
+    bool offer(Vec3 a, Real size2 = 1)
     {
         const Real low = low_along(a);
         const Real high = symmetric() ? 2 * dot(a, m_.solid.pose.p) - low : -low_along(-a);
@@ -106,16 +116,20 @@ class LeastWay {
             const Real at = dot(a, v);
             least = at < least ? at : least, most = at > most ? at : most;
         }
-        const Real up = most - low, down = high - least;
-        if (up < -m_.slack || down < -m_.slack) return false;
-        up <= down ? consider(a, up) : consider(-a, down);
+        const Real up = most - low, down = high - least, d = up <= down ? up : down;
+        if (d < 0 && d * d > m_.slack * m_.slack * size2) return false;
+        const Real worth = kFaceFirst * depth;
+        if (d > 0 && d * d >= worth * worth * size2) return true;
+        const Real size = std::sqrt(size2);
+        consider(up <= down ? a / size : -a / size, d / size);
         return true;
     }
 
     bool offer_cross(Vec3 a, Vec3 b)
     {
-        Vec3 n = cross(a, b);
-        return length2(n) <= Real(1e-6) * length2(a) * length2(b) || !normalize(n) || offer(n);
+        const Vec3 n = cross(a, b);
+        const Real size2 = length2(n);
+        return size2 <= Real(1e-6) * length2(a) * length2(b) || offer(n, size2);
     }
 
     bool axes()
@@ -136,10 +150,35 @@ class LeastWay {
     }
     bool many_edges() const { return m_.solid.edges.size() > kManyEdges; }
 
+    // The round of a cylinder against corners, and its rims against edges.
+    bool rims()
+    {
+        const Pose& pose = m_.solid.pose;
+        const Vec3 axis = pose.R.column(2);
+        for (const Vec3 v : f_.v) {
+            Vec3 n = pose.p - v;
+            n -= dot(n, axis) * axis;
+            if (!normalize(n)) continue;
+            const Real d = overlap_along(n);
+            if (d < -m_.slack) return false;
+            consider(n, d);
+        }
+        for (int k = 0; k < 3; ++k) {
+            RimMinimum found[kMostRimMinima];
+            const int count = rim_minima(*cylinder_, pose, f_, k, kFaceFirst * depth, found);
+            for (int i = 0; i < count; ++i) {
+                if (found[i].overlap < -m_.slack) return false;
+                consider(found[i].normal, found[i].overlap);
+            }
+        }
+        return true;
+    }
+
     // What has no short list of directions: rims, and polyhedra with many edges.
     bool exact()
     {
         const ConvexView& s = m_.solid;
+        if (cylinder_) return rims();
         if (s.face_axes == 7 || (!s.edges.empty() && !many_edges())) return true;
         const ConvexView flat = view_of(f_);
         if (!f_.has_crest() || own_ < kShallow * s.size) return !(gjk_distance(s, flat).distance > m_.slack);
@@ -152,6 +191,7 @@ class LeastWay {
     const MeshFacet& f_;
     const MeshMeeting& m_;
     const Box* box_ = nullptr;
+    const Cylinder* cylinder_ = nullptr;
     Real own_ = 0;
     // Least overlap in directions that are no contact's. When it is less than a crest's, the solid is not on
     // that crest: it has barely come over this triangle, and what it really touches is another.

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See triangle_rim.h. Places on the arc are points (x, y), not of unit length between samples: the slope
+// along the arc has the same sign.
+#include "geometry/triangle_rim.h"
+
+#include "geometry/root.h"
+
+namespace epode {
+
+namespace {
+
+struct Place {
+    Real x, y;
+};
+
+// Half a turn in eight steps.
+constexpr int kSteps = 8;
+constexpr Real kStep = Real(0.39269908169872414);
+constexpr Real kC1 = Real(0.92387953251128674), kC2 = Real(0.70710678118654752),
+               kC3 = Real(0.38268343236508977);
+constexpr Place kPlaces[kSteps + 1] = {{1, 0},      {kC1, kC3},  {kC2, kC2},  {kC3, kC1}, {0, 1},
+                                       {-kC3, kC1}, {-kC2, kC2}, {-kC1, kC3}, {-1, 0}};
+
+struct Arc {
+    Real wn, wo, dn, dd, h, r;  // w and d along N and O
+
+    Real along(Place p) const { return p.x * dn + p.y * dd; }
+    Real overlap(Place p) const
+    {
+        const Real b = along(p), across2 = p.x * p.x + p.y * p.y - b * b;
+        return p.x * wn + p.y * wo + h * std::fabs(b) + r * std::sqrt(across2 > 0 ? across2 : Real(0));
+    }
+    // Along the arc, as if n . d had the sign `up`.
+    Real slope(Place p, Real up) const
+    {
+        const Real b = along(p), turned = p.x * dd - p.y * dn;
+        const Real across2 = p.x * p.x + p.y * p.y - b * b;
+        const Real rim = across2 > 0 ? b * turned / std::sqrt(across2) : Real(0);
+        return p.x * wo - p.y * wn + up * h * turned - r * rim;
+    }
+    Real slope(Place p) const { return slope(p, along(p) >= 0 ? Real(1) : Real(-1)); }
+};
+
+Place between(Place p, Place q, Real t) { return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)}; }
+
+// Between p, where g falls, and q, where it rises.
+Place turn_between(const Arc& arc, Place p, Real at_p, Place q, Real at_q)
+{
+    Real from = 0, to = 1;
+    const Real bp = arc.along(p), bq = arc.along(q);
+    Real up = bp >= 0 ? Real(1) : Real(-1);
+    if ((bp < 0) != (bq < 0) && bp != bq) {  // a kink: one end of the cylinder gives way to the other
+        const Real t = bp / (bp - bq);
+        const Place kink = between(p, q, t);
+        const Real before = arc.slope(kink, up), behind = arc.slope(kink, -up);
+        if (before <= 0 && behind >= 0) return kink;
+        if (before > 0)
+            to = t, at_q = before;
+        else
+            from = t, at_p = behind, up = -up;
+    }
+    const auto slope = [&](Real t) { return arc.slope(between(p, q, t), up); };
+    return between(p, q, rising_root(slope, from, at_p, to, at_q));
+}
+
+// What g cannot be less than between two samples: where the tangents meet, less what g can bend down.
+Real floor_between(Real g, Real slope, Real next_g, Real next_slope)
+{
+    const Real meet = (next_g - g - next_slope * kStep) / (slope - next_slope);
+    const Real most = g > next_g ? g : next_g;
+    return g + slope * meet - (most > 0 ? Real(0.1) * most : Real(0));
+}
+
+}  // namespace
+
+int rim_minima(const Cylinder& cylinder, const Pose& pose, const Triangle& f, int edge, Real worth,
+               RimMinimum* out)
+{
+    const Vec3 d = pose.R.column(2), w = f.v[edge] - pose.p;
+    const Vec3 outward = normalized_or(cross(f.edge(edge), f.n), {});
+    const Arc arc{dot(w, f.n),     dot(w, outward),      dot(d, f.n),
+                  dot(d, outward), cylinder.half_length, cylinder.radius};
+    int found = 0;
+    Real g = arc.overlap(kPlaces[0]), slope = arc.slope(kPlaces[0]);
+    for (int i = 0; i < kSteps; ++i) {
+        const Place p = kPlaces[i], q = kPlaces[i + 1];
+        const Real next_g = arc.overlap(q), next_slope = arc.slope(q);
+        if (slope < 0 && next_slope > 0 && floor_between(g, slope, next_g, next_slope) < worth &&
+            found < kMostRimMinima) {
+            const Place least = turn_between(arc, p, slope, q, next_slope);
+            const Real per = 1 / std::sqrt(least.x * least.x + least.y * least.y);
+            const Real overlap = per * arc.overlap(least);
+            if (overlap < worth) out[found++] = {per * (least.x * f.n + least.y * outward), overlap};
+        }
+        g = next_g, slope = next_slope;
+    }
+    return found;
+}
+
+}  // namespace epode
