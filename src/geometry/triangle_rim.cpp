@@ -23,6 +23,10 @@ constexpr Real kC1 = Real(0.92387953251128674), kC2 = Real(0.70710678118654752),
 constexpr Place kPlaces[kSteps + 1] = {{1, 0},      {kC1, kC3},  {kC2, kC2},  {kC3, kC1}, {0, 1},
                                        {-kC3, kC1}, {-kC2, kC2}, {-kC1, kC3}, {-1, 0}};
 
+struct Sample {
+    Real g, slope;
+};
+
 struct Arc {
     Real wn, wo, dn, dd, h, r;  // w and d along N and O
 
@@ -32,6 +36,14 @@ struct Arc {
         const Real b = along(p), across2 = p.x * p.x + p.y * p.y - b * b;
         return p.x * wn + p.y * wo + h * std::fabs(b) + r * std::sqrt(across2 > 0 ? across2 : Real(0));
     }
+    // Both at a place of unit length.
+    Sample at(Place p) const
+    {
+        const Real b = along(p), turned = p.x * dd - p.y * dn, across2 = 1 - b * b;
+        const Real across = std::sqrt(across2 > 0 ? across2 : Real(0)), end = b >= 0 ? h : -h;
+        return {p.x * wn + p.y * wo + end * b + r * across,
+                p.x * wo - p.y * wn + end * turned - (across > 0 ? r * b * turned / across : Real(0))};
+    }
     // Along the arc, as if n . d had the sign `up`.
     Real slope(Place p, Real up) const
     {
@@ -40,7 +52,6 @@ struct Arc {
         const Real rim = across2 > 0 ? b * turned / std::sqrt(across2) : Real(0);
         return p.x * wo - p.y * wn + up * h * turned - r * rim;
     }
-    Real slope(Place p) const { return slope(p, along(p) >= 0 ? Real(1) : Real(-1)); }
 };
 
 Place between(Place p, Place q, Real t) { return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)}; }
@@ -66,11 +77,11 @@ Place turn_between(const Arc& arc, Place p, Real at_p, Place q, Real at_q)
 }
 
 // What g cannot be less than between two samples: where the tangents meet, less what g can bend down.
-Real floor_between(Real g, Real slope, Real next_g, Real next_slope)
+Real floor_between(Sample a, Sample b)
 {
-    const Real meet = (next_g - g - next_slope * kStep) / (slope - next_slope);
-    const Real most = g > next_g ? g : next_g;
-    return g + slope * meet - (most > 0 ? Real(0.1) * most : Real(0));
+    const Real meet = (b.g - a.g - b.slope * kStep) / (a.slope - b.slope);
+    const Real most = a.g > b.g ? a.g : b.g;
+    return a.g + a.slope * meet - (most > 0 ? Real(0.1) * most : Real(0));
 }
 
 }  // namespace
@@ -83,18 +94,17 @@ int rim_minima(const Cylinder& cylinder, const Pose& pose, const Triangle& f, in
     const Arc arc{dot(w, f.n),     dot(w, outward),      dot(d, f.n),
                   dot(d, outward), cylinder.half_length, cylinder.radius};
     int found = 0;
-    Real g = arc.overlap(kPlaces[0]), slope = arc.slope(kPlaces[0]);
+    Sample a = arc.at(kPlaces[0]);
     for (int i = 0; i < kSteps; ++i) {
         const Place p = kPlaces[i], q = kPlaces[i + 1];
-        const Real next_g = arc.overlap(q), next_slope = arc.slope(q);
-        if (slope < 0 && next_slope > 0 && floor_between(g, slope, next_g, next_slope) < worth &&
-            found < kMostRimMinima) {
-            const Place least = turn_between(arc, p, slope, q, next_slope);
+        const Sample b = arc.at(q);
+        if (a.slope < 0 && b.slope > 0 && floor_between(a, b) < worth && found < kMostRimMinima) {
+            const Place least = turn_between(arc, p, a.slope, q, b.slope);
             const Real per = 1 / std::sqrt(least.x * least.x + least.y * least.y);
             const Real overlap = per * arc.overlap(least);
             if (overlap < worth) out[found++] = {per * (least.x * f.n + least.y * outward), overlap};
         }
-        g = next_g, slope = next_slope;
+        a = b;
     }
     return found;
 }

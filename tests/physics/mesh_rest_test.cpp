@@ -85,8 +85,6 @@ TEST_P(MeshRest, is_as_on_a_box)
 TEST_P(MeshRest, a_box_mesh_rests_as_a_box_does)
 {
     const bool exact = GetParam() == Stepper::kExact;
-    // In floats the features of a box mesh on meshes and fields still change at rest: not claimed there.
-    const bool steady = exact && sizeof(dReal) == sizeof(double);
     for (const Floor floor : {Floor::kPlane, Floor::kMesh, Floor::kField}) {
         Sim sim(GetParam());
         earthly(sim);
@@ -96,9 +94,9 @@ TEST_P(MeshRest, a_box_mesh_rests_as_a_box_does)
         dGeomSetBody(mesh->geom, body);
         const Rest r = rest(sim, body);
         EXPECT_LT(length(r.moved), exact ? 1e-4 : 1e-3) << name_of(floor);
-        if (steady) { EXPECT_EQ(r.flickers, 0) << name_of(floor); }
+        if (exact) { EXPECT_EQ(r.flickers, 0) << name_of(floor); }
         EXPECT_NEAR(r.height, 0.2, 1e-3) << name_of(floor);
-        if (steady) { EXPECT_EQ(r.contacts, 4) << name_of(floor); }
+        if (exact) { EXPECT_EQ(r.contacts, 4) << name_of(floor); }
     }
 }
 

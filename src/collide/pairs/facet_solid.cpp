@@ -144,6 +144,12 @@ struct Ground {
             if (depth >= -m.slack) m.out.add(low.points[k], f.n, depth > 0 ? depth : 0);
         }
     }
+    void press(Vec3 p)
+    {
+        Polygon one;
+        one.add(p);
+        press(one);
+    }
     bool ends_at(int) const { return true; }
 };
 

@@ -34,12 +34,19 @@ void cut(Patch& patch, Vec3 normal, Real limit, Real slack, bool seam)
 
 }  // namespace
 
-void cut_to_prism(Patch& patch, const MeshFacet& f, bool seams, Real slack)
+Prism::Prism(const MeshFacet& f)
 {
-    for (int k = 0; k < 3 && patch.count > 0; ++k) {
-        Vec3 out = cross(f.edge(k), f.n);
-        if (normalize(out)) cut(patch, out, dot(out, f.v[k]), slack, seams && f.rim[k] == Rim::kSeam);
+    for (int k = 0; k < 3; ++k) {
+        out[k] = normalized_or(cross(f.edge(k), f.n), {});
+        limit[k] = dot(out[k], f.v[k]);
+        seam[k] = f.rim[k] == Rim::kSeam;
     }
+}
+
+void cut_to_prism(Patch& patch, const Prism& prism, bool seams, Real slack)
+{
+    for (int k = 0; k < 3 && patch.count > 0; ++k)
+        cut(patch, prism.out[k], prism.limit[k], slack, seams && prism.seam[k]);
 }
 
 }  // namespace epode

@@ -23,7 +23,21 @@ struct Patch {
     }
 };
 
-// Cuts by the prism of the facet about its normal. `seams`: false makes all cuts count.
-void cut_to_prism(Patch& patch, const MeshFacet& facet, bool seams, Real slack);
+// The prism of a facet about its normal: what is in it has out . x <= limit.
+struct Prism {
+    explicit Prism(const MeshFacet& facet);
+    bool holds(Vec3 p, Real slack) const
+    {
+        for (int k = 0; k < 3; ++k)
+            if (dot(out[k], p) - limit[k] > slack) return false;
+        return true;
+    }
+    Vec3 out[3];  // unit, or zero for an edge without length
+    Real limit[3];
+    bool seam[3];
+};
+
+// Cuts by the prism. `seams`: false makes all cuts count.
+void cut_to_prism(Patch& patch, const Prism& prism, bool seams, Real slack);
 
 }  // namespace epode

@@ -4,7 +4,7 @@
 // The manifold of a box, cylinder or polyhedron that is pushed out along a facet's own normal: its faces that
 // look at the facet, its true rims' lowest points, and where the rims pass over edges at which the patch may
 // end. What becomes of a piece of the solid is the ground's to say:
-//   ground.press(polygon)   cuts by the facet's prism and keeps what is deep
+//   ground.press(polygon)   cuts by the facet's prism and keeps what is deep; of a point the same
 //   ground.ends_at(edge)    may a contact patch end there?
 //   ground.upright          the direction of the prism
 #pragma once
@@ -29,7 +29,7 @@ class Press {
             const Vec3 axis = s_.pose.R.column(i);
             face(dot(axis, f_.n) > 0 ? -axis : axis);
         }
-        if (!s_.faces.empty()) point(s_.support(-f_.n));
+        if (!s_.faces.empty()) to_.press(s_.support(-f_.n));
         if (s_.rim_radius > 0) round();
     }
 
@@ -46,19 +46,12 @@ class Press {
         to_.press(polygon);
     }
 
-    void point(Vec3 p)
-    {
-        Polygon one;
-        one.add(p);
-        to_.press(one);
-    }
-
     void round()
     {
         const Vec3 axis = s_.pose.R.column(2);
         const Vec3 aside = dot(axis, f_.n) * axis - f_.n;
         if (length2(aside) > kFaceLean * kFaceLean) feature(aside);
-        point(s_.support(-f_.n));  // the lowest of the true rim, not of its polygon
+        to_.press(s_.support(-f_.n));  // the lowest of the true rim, not of its polygon
         for (const Vec3 end : {axis, -axis}) rim(axis, s_.support(end));
     }
 
@@ -74,8 +67,8 @@ class Press {
             const Real steep = length(wall), s = offset / steep;
             if (!(std::fabs(s) < r)) continue;
             const Vec3 out = wall / steep, along = std::sqrt(r * r - s * s) * cross(axis, out);
-            point(centre + s * out + along);
-            point(centre + s * out - along);
+            to_.press(centre + s * out + along);
+            to_.press(centre + s * out - along);
         }
     }
 

@@ -202,18 +202,28 @@ class LeastWay {
 struct Ground {
     const MeshFacet& f;
     MeshMeeting& m;
+    Prism prism{f};
     Vec3 upright = f.n;
 
     void press(const Polygon& low)
     {
+        Real deepest = -kInf;
+        for (int i = 0; i < low.count; ++i) deepest = std::fmax(deepest, -f.height(low.points[i]));
+        if (deepest < -m.slack) return;
         Patch patch;
         for (int i = 0; i < low.count; ++i) patch.add(low.points[i], false);
-        cut_to_prism(patch, f, m.whole, m.slack);
-        for (int i = 0; i < patch.count; ++i) {
-            const Real depth = -f.height(patch.points[i]);
-            if (!patch.seam[i] && depth >= -m.slack)
-                m.out.add(patch.points[i], f.n, depth > 0 ? depth : 0, f.index);
-        }
+        cut_to_prism(patch, prism, m.whole, m.slack);
+        for (int i = 0; i < patch.count; ++i)
+            if (!patch.seam[i]) add(patch.points[i]);
+    }
+    void press(Vec3 p)
+    {
+        if (prism.holds(p, m.slack)) add(p);
+    }
+    void add(Vec3 p)
+    {
+        const Real depth = -f.height(p);
+        if (depth >= -m.slack) m.out.add(p, f.n, depth > 0 ? depth : 0, f.index);
     }
     bool ends_at(int edge) const { return !m.seam(f, edge); }
 };

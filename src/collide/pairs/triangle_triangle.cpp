@@ -37,27 +37,29 @@ Span span_of(const Triangle& t, const Real (&at)[3], Vec3 line)
     return s;
 }
 
-// Heights of the corners of t over the plane of `over`; false when all lie to one side of it.
-bool heights(const Triangle& t, const Triangle& over, Real slack, Real (&at)[3])
+// Heights of the corners of t over the plane of `over`, raised by `touch`; false when all lie to one side.
+bool heights(const Triangle& t, const Triangle& over, Real touch, Real (&at)[3])
 {
     bool above = true, below = true;
     for (int k = 0; k < 3; ++k) {
-        at[k] = over.height(t.v[k]);
-        above = above && at[k] > -slack;
-        below = below && at[k] < slack;
+        at[k] = over.height(t.v[k]) - touch;
+        above = above && at[k] > 0;
+        below = below && at[k] < 0;
     }
     return !above && !below;
 }
 
 class Crossing {
   public:
-    Crossing(const PlacedFacet& a, const PlacedFacet& b, Real slack) : a_(a), b_(b), slack_(slack) {}
+    Crossing(const PlacedFacet& a, const PlacedFacet& b, Tolerance tolerance)
+        : a_(a), b_(b), slack_(tolerance.slack), touch_(tolerance.touch)
+    {}
 
     bool crosses()
     {
-        if (!heights(a_.f, b_.f, slack_, a_over_b_) || !heights(b_.f, a_.f, slack_, b_over_a_)) return false;
+        if (!heights(a_.f, b_.f, touch_, a_over_b_) || !heights(b_.f, a_.f, touch_, b_over_a_)) return false;
         Vec3 line = cross(a_.f.n, b_.f.n);
-        if (!normalize(line)) return false;
+        if (!(length2(line) > kFalls * kFalls) || !normalize(line)) return false;  // flush: others cross
         const Span a = span_of(a_.f, a_over_b_, line), b = span_of(b_.f, b_over_a_, line);
         const Real from = a.from > b.from ? a.from : b.from, to = a.to < b.to ? a.to : b.to;
         if (!(from <= to)) return false;
@@ -94,11 +96,13 @@ class Crossing {
         Sunk(const MeshFacet& t, const MeshFacet& face, Real side, Real slack)
         {
             for (const Vec3 v : t.v) patch.add(v, false);
-            cut_to_prism(patch, face, true, slack);
+            cut_to_prism(patch, Prism(face), true, slack);
+            Real most = -kInf;
             for (int i = 0; i < patch.count; ++i) {
                 const Real d = -side * face.height(patch.points[i]);
-                if (d > depth) depth = d, at = i;
+                if (d > most) most = d, at = i;
             }
+            depth = most > 0 ? most : 0;
         }
     };
 
@@ -182,13 +186,13 @@ class Crossing {
         for (int i = 0; i < sunk.patch.count; ++i) {
             const Vec3 p = sunk.patch.points[i];
             const Real depth = -face_->f.height(p);
-            if (!sunk.patch.seam[i] && depth >= 0) out.add(p, depth);
+            if (!sunk.patch.seam[i] && depth >= -touch_) out.add(p, depth > 0 ? depth : 0);
         }
     }
 
     const PlacedFacet& a_;
     const PlacedFacet& b_;
-    const Real slack_;
+    const Real slack_, touch_;
     Real a_over_b_[3] = {}, b_over_a_[3] = {};
     Vec3 middle_;  // of the stretch that the two share
     Real weighed_ = kInf, depth_ = 0, blocked_ = kInf, fringe_ = kInf;
@@ -219,9 +223,9 @@ Real TrianglePush::overlap_along(Vec3 n) const
     return top - low;
 }
 
-bool triangle_triangle(const PlacedFacet& a, const PlacedFacet& b, Real slack, TrianglePush& out)
+bool triangle_triangle(const PlacedFacet& a, const PlacedFacet& b, Tolerance tolerance, TrianglePush& out)
 {
-    Crossing crossing(a, b, slack);
+    Crossing crossing(a, b, tolerance);
     if (!crossing.crosses()) return false;
     out.a = a.f.index, out.b = b.f.index;
     for (int k = 0; k < 3; ++k) out.corners_a[k] = a.f.v[k], out.corners_b[k] = b.f.v[k];

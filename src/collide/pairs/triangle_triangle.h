@@ -39,7 +39,12 @@ struct TrianglePush {
     Real overlap_along(Vec3 n) const;  // of the two triangles
 };
 
+struct Tolerance {
+    Real slack;  // rounding of coordinates
+    Real touch;  // what is apart by less touches: what rests must not come and go
+};
+
 // False when the two do not cross.
-bool triangle_triangle(const PlacedFacet& a, const PlacedFacet& b, Real slack, TrianglePush& out);
+bool triangle_triangle(const PlacedFacet& a, const PlacedFacet& b, Tolerance tolerance, TrianglePush& out);
 
 }  // namespace epode
