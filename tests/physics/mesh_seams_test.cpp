@@ -3,6 +3,7 @@
 //
 // What slides over a floor cut into triangles, over the border between two meshes or over a height field
 // slides as on a plane. EPODE_SLIDE sets the way in metres (the nightly run takes 100).
+#include <cstdio>
 #include <cstdlib>
 #include <memory>
 
@@ -77,7 +78,12 @@ TEST_P(Seams, are_not_felt)
                     s = slide(floor, GetParam(), way, side);
         SCOPED_TRACE(testing::Message() << name_of(floor) << ": aside " << s.off << " (plane " << plane.off
                                         << "), spin " << s.turned << " (plane " << plane.turned << ")");
-        EXPECT_LT(s.fastest_up, 1e-3);
+        // What lies across its way comes to roll and rocks on a plane, too, when it is fast.
+        EXPECT_LT(s.fastest_up, std::fmax(1e-3, 1.001 * plane.fastest_up));
+        if (wanted)
+            std::printf("%-16s up %.2e m/s (plane %.2e), deceleration %+.4f %% of the plane's\n",
+                        name_of(floor), s.fastest_up, plane.fastest_up,
+                        100 * (plane.speed - s.speed) / (start - plane.speed));
         EXPECT_NEAR(s.speed, plane.speed, 0.01 * (start - plane.speed));
     }
 }
