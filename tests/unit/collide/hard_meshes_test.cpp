@@ -180,12 +180,13 @@ TEST_F(HardMeshes, of_one_triangle_and_of_many)
     for (const int n : sides) {
         const MeshOf mesh(floor(n, 1, Real(0.1), dice));
         for (int kind = 0; kind < kKinds; ++kind) {
-            const dGeomID solid = make(kind, Real(0.4));
-            const bool ray = kind == kKinds - 1;  // upwards, from under the ground
+            const dGeomID solid = make(kind, Real(0.5));
+            const bool ray =
+                kind == kKinds - 1;  // upwards, from under the ground; others have their middle over it
             for (int trial = 0; trial < 20; ++trial) {
                 const Real half = Real(0.45) * Real(n);
                 dGeomSetPosition(solid, dice.in(-half, half), dice.in(-half, half),
-                                 ray ? Real(-0.05) : Real(0.09));
+                                 ray ? Real(-0.05) : Real(0.11));
                 EXPECT_GT(check(solid, mesh), 0) << n << ' ' << kind;
             }
             dGeomDestroy(solid);
