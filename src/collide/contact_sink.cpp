@@ -56,8 +56,10 @@ template <class Score>
 int best(int count, const Score& score)
 {
     Real most = 0;
-    for (int i = 0; i < count; ++i)
-        if (score(i) > most) most = score(i);
+    for (int i = 0; i < count; ++i) {
+        const Real s = score(i);
+        if (s > most) most = s;
+    }
     if (!(most > 0)) return -1;
     int i = 0;
     while (score(i) < most * (1 - kTie)) ++i;
@@ -76,7 +78,7 @@ void ContactSink::add_manifold(std::span<const ContactPoint> points)
         return;
     }
     if (wanted <= 0) return;
-    const auto at_index = [&](int i) { return points[std::size_t(i)]; };
+    const auto at_index = [&](int i) -> const ContactPoint& { return points[std::size_t(i)]; };
     const Vec3 n = points[0].normal;
     const ContactPoint first = at_index(deepest(points, kDepthTie * span_of(points)));
     add(first);
@@ -88,7 +90,10 @@ void ContactSink::add_manifold(std::span<const ContactPoint> points)
     const auto side = [&](int i) { return dot(n, cross(line, at_index(i).position - first.position)); };
     const Real thin = Real(1e-6) * length2(line);  // a point on the line adds nothing
     for (int sign : {1, -1}) {
-        const int k = best(count, [&](int i) { return sign * side(i) > thin ? sign * side(i) : Real(0); });
+        const int k = best(count, [&](int i) {
+            const Real s = sign * side(i);
+            return s > thin ? s : Real(0);
+        });
         if (k >= 0 && !add(at_index(k))) return;
     }
 }

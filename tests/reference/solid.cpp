@@ -26,8 +26,11 @@ Point Dice::direction()
     }
 }
 
-Solid::Solid(const std::string& kind, Dice& dice) : kind_(kind)
+Solid::Solid(const std::string& kind, Dice& dice)
 {
+    shape_ = Shape::kPlane;
+    for (std::size_t i = 0; i < std::size(kKinds); ++i)
+        if (kind == kKinds[i]) shape_ = Shape(i);
     radius_ = double(dReal(dice.in(0.1, 1)));
     for (double& h : half_) h = double(dReal(dice.in(0.1, 1)));
     if (kind == "sphere") {
@@ -117,37 +120,40 @@ void Solid::read_pose()
 
 Point Solid::support(const Point& direction) const
 {
-    Point d{}, s{};
-    for (std::size_t j = 0; j < 3; ++j)
-        for (std::size_t i = 0; i < 3; ++i) d[j] += rotation_[i][j] * direction[i];
-    const double n = norm(d), across = std::sqrt(d[0] * d[0] + d[1] * d[1]);
+    const auto& r = rotation_;
+    const Point& g = direction;
+    const Point d = {r[0][0] * g[0] + r[1][0] * g[1] + r[2][0] * g[2],
+                     r[0][1] * g[0] + r[1][1] * g[1] + r[2][1] * g[2],
+                     r[0][2] * g[0] + r[1][2] * g[1] + r[2][2] * g[2]};
     const auto side = [](double v, double h) { return v < 0 ? -h : h; };
-    switch (kind_[0]) {
-        case 's':
-            for (std::size_t i = 0; i < 3; ++i) s[i] = radius_ * d[i] / n;
+    Point s{};
+    switch (shape_) {
+        case Shape::kSphere:
+            s = sum({0, 0, 0}, radius_ / norm(d), d);
             break;
-        case 'b':
-            for (std::size_t i = 0; i < 3; ++i) s[i] = side(d[i], half_[i]);
+        case Shape::kBox:
+            s = {side(d[0], half_[0]), side(d[1], half_[1]), side(d[2], half_[2])};
             break;
-        default:
-            if (kind_ == "capsule") {
-                for (std::size_t i = 0; i < 3; ++i) s[i] = radius_ * d[i] / n;
-                s[2] += side(d[2], half_[2]);
-            } else if (kind_ == "cylinder") {
-                if (across > 0) s = {radius_ * d[0] / across, radius_ * d[1] / across, 0};
-                s[2] = side(d[2], half_[2]);
-            } else {
-                double most = -1e300;
-                for (const Point& v : vertices_) {
-                    const double along = dot(v, d);
-                    if (along > most) most = along, s = v;
-                }
+        case Shape::kCapsule:
+            s = sum({0, 0, side(d[2], half_[2])}, radius_ / norm(d), d);
+            break;
+        case Shape::kCylinder: {
+            const double across = std::sqrt(d[0] * d[0] + d[1] * d[1]);
+            if (across > 0) s = {radius_ * d[0] / across, radius_ * d[1] / across, 0};
+            s[2] = side(d[2], half_[2]);
+            break;
+        }
+        default: {
+            double most = -1e300;
+            for (const Point& v : vertices_) {
+                const double along = dot(v, d);
+                if (along > most) most = along, s = v;
             }
+        }
     }
-    Point out = position_;
-    for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j) out[i] += rotation_[i][j] * s[j];
-    return out;
+    return {position_[0] + r[0][0] * s[0] + r[0][1] * s[1] + r[0][2] * s[2],
+            position_[1] + r[1][0] * s[0] + r[1][1] * s[1] + r[1][2] * s[2],
+            position_[2] + r[2][0] * s[0] + r[2][1] * s[1] + r[2][2] * s[2]};
 }
 
 }  // namespace epode::reference

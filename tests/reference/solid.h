@@ -50,7 +50,7 @@ class Solid {
     ~Solid() { dGeomDestroy(geom_); }
 
     dGeomID geom() const { return geom_; }
-    bool is_plane() const { return kind_ == "plane"; }
+    bool is_plane() const { return shape_ == Shape::kPlane; }
     double reach() const { return reach_; }        // from the geom's position
     const Point& normal() const { return half_; }  // of a plane, and its distance
     double distance() const { return radius_; }
@@ -65,7 +65,8 @@ class Solid {
     void make_hull(Dice& dice);
     void read_pose();
 
-    std::string kind_;
+    enum class Shape { kSphere, kBox, kCapsule, kCylinder, kConvex, kPlane };
+    Shape shape_;
     dGeomID geom_ = nullptr;
     double radius_ = 0, reach_ = 0;
     Point half_{}, position_{};

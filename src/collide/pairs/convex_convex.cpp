@@ -66,6 +66,16 @@ Vec3 centre_of(const Polygon& f)
     return c / Real(f.count);
 }
 
+// Whether a point is on the inner side of all edges.
+bool over(const Polygon& f, Vec3 normal, Vec3 p)
+{
+    for (int i = 0; i < f.count; ++i) {
+        const Vec3 from = f.points[i], to = f.points[i + 1 < f.count ? i + 1 : 0];
+        if (dot(cross(to - from, normal), p - from) > 0) return false;
+    }
+    return true;
+}
+
 // The part of the incident polygon over the disc, edges cut by the true circle, and the rim points under it.
 void clip_to_disc(const Polygon& rim, Vec3 centre, Real radius, Vec3 axis, Polygon& incident)
 {
@@ -89,15 +99,11 @@ void clip_to_disc(const Polygon& rim, Vec3 centre, Real radius, Vec3 axis, Polyg
     if (incident.count > 2) {
         const Vec3 n = face_normal(incident);
         const Real lean = dot(n, axis);
-        Polygon inside;
         for (int i = 0; i < rim.count && lean != 0;
              ++i) {  // the rim point moved along the axis into the face
-            Polygon one;
-            one.add(rim.points[i] + (dot(n, incident.points[0] - rim.points[i]) / lean) * axis);
-            clip_to_prism(one, incident, n, 0);
-            if (one.count > 0) inside.add(one.points[0]);
+            const Vec3 p = rim.points[i] + (dot(n, incident.points[0] - rim.points[i]) / lean) * axis;
+            if (over(incident, n, p)) cut.add(p);
         }
-        for (int i = 0; i < inside.count; ++i) cut.add(inside.points[i]);
     }
     incident = cut;
 }
