@@ -17,7 +17,6 @@ namespace {
 
 constexpr Real kPreference = kSingle ? Real(1e-5) : Real(1e-9);  // of the size: faces before edges
 constexpr int kEdges = 64;                                       // near, of either solid
-constexpr int kFaces = 256;
 constexpr int kProducts = 1200;
 
 // An edge in a's frame with its faces' normals.
@@ -46,17 +45,10 @@ struct Nearness {
 
 void gather(const FlatSolid& s, const Nearness& near, const Pose& place, NearEdges& out)
 {
-    Real gap[kFaces];
-    const std::size_t faces = s.faces.size();
-    if (faces > std::size_t(kFaces)) {
-        out.all = false;
-        return;
-    }
-    for (std::size_t i = 0; i < faces; ++i)
-        gap[i] = dot(s.faces[i].normal, near.other_inner) - s.faces[i].offset;
+    const FaceGaps gap(s, near.other_inner);
     const Real bound = near.other_radius - near.depth;
     for (const PolyhedronEdge& e : s.edges) {
-        const Real widest = std::max(gap[e.left], gap[e.right]);
+        const Real widest = std::max(gap[std::size_t(e.left)], gap[std::size_t(e.right)]);
         if (widest < (bound > 0 ? bound * e.cos_half : bound)) continue;
         const Vec3 p = s.vertices[std::size_t(e.from)], q = s.vertices[std::size_t(e.to)];
         if (std::min(dot(near.inward, p), dot(near.inward, q)) > near.limit) continue;
@@ -110,12 +102,7 @@ void FlatPair::try_faces_of(const FlatSolid& s, const FlatSolid& other, const Po
                             Real enough)
 {
     const Vec3 inner = place.to_world(other.inner);
-    std::size_t widest = 0;
-    Real gap = -kInf;
-    for (std::size_t i = 0; i < s.faces.size(); ++i) {
-        const Real g = dot(s.faces[i].normal, inner) - s.faces[i].offset;
-        if (g > gap) gap = g, widest = i;
-    }
+    const FaceGaps gap(s, inner);
     const Real handicap = first ? Real(0) : handicap_;
     const auto offer = [&](const PolyhedronFace& f) {
         const Vec3 d = -transposed_times(place.R, f.normal), v = other.support(d);
@@ -124,11 +111,9 @@ void FlatPair::try_faces_of(const FlatSolid& s, const FlatSolid& other, const Po
         best.depth = h, deepest_ = v, of_first_ = first;
         normal_ = f.normal;
     };
-    offer(s.faces[widest]);
-    for (std::size_t i = 0; i < s.faces.size() && best.depth >= enough; ++i) {
-        const Real g = dot(s.faces[i].normal, inner) - s.faces[i].offset;
-        if (i != widest && other.inner_radius - g + handicap_ < best.depth) offer(s.faces[i]);
-    }
+    offer(s.faces[gap.widest]);
+    for (std::size_t i = 0; i < s.faces.size() && best.depth >= enough; ++i)
+        if (i != gap.widest && other.inner_radius - gap[i] + handicap_ < best.depth) offer(s.faces[i]);
 }
 
 void FlatPair::try_faces(Real enough)

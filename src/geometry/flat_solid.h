@@ -60,6 +60,31 @@ class FlatSolid {
     };
 };
 
+// How far a point is beyond the plane of each face.
+class FaceGaps {
+  public:
+    FaceGaps(const FlatSolid& s, Vec3 p) : s_(s), p_(p)
+    {
+        Real most = -kInf;
+        for (std::size_t i = 0; i < s.faces.size(); ++i) {
+            const Real g = reckon(i);
+            if (i < kRoom) gap_[i] = g;
+            if (g > most) most = g, widest = i;
+        }
+    }
+    Real operator[](std::size_t i) const { return i < kRoom ? gap_[i] : reckon(i); }
+
+    std::size_t widest = 0;
+
+  private:
+    static constexpr std::size_t kRoom = 256;
+    Real reckon(std::size_t i) const { return dot(s_.faces[i].normal, p_) - s_.faces[i].offset; }
+
+    const FlatSolid& s_;
+    Vec3 p_;
+    Real gap_[kRoom];  // left unwritten beyond the last face
+};
+
 struct RoundCore {
     Real radius = 0, half_length = 0;
     static constexpr Vec3 inner{};

@@ -51,21 +51,14 @@ void RoundPair::try_end(Vec3 outward)
 void RoundPair::try_faces(Real enough)
 {
     const Vec3 c = round_in_flat_.p, axis = round_in_flat_.R.column(2);
-    std::size_t widest = 0;
-    Real gap = -kInf;
-    for (std::size_t i = 0; i < flat_.faces.size(); ++i) {
-        const Real g = dot(flat_.faces[i].normal, c) - flat_.faces[i].offset;
-        if (g > gap) gap = g, widest = i;
-    }
+    const FaceGaps gap(flat_, c);
     const auto offer_face = [&](const PolyhedronFace& f, Real g) {
         offer(f.normal, round_.reach(transposed_times(round_in_flat_.R, f.normal)) - g, 0);
     };
-    offer_face(flat_.faces[widest], gap);
-    for (std::size_t i = 0; i < flat_.faces.size() && best.depth >= enough; ++i) {
-        const PolyhedronFace& f = flat_.faces[i];
-        const Real g = dot(f.normal, c) - f.offset;
-        if (i != widest && round_.inner_radius - g + handicap_ < best.depth) offer_face(f, g);
-    }
+    offer_face(flat_.faces[gap.widest], gap[gap.widest]);
+    for (std::size_t i = 0; i < flat_.faces.size() && best.depth >= enough; ++i)
+        if (i != gap.widest && round_.inner_radius - gap[i] + handicap_ < best.depth)
+            offer_face(flat_.faces[i], gap[i]);
     if (round_.radius > 0 && best.depth >= enough) {
         const Real along = dot(axis, c - flat_.inner);
         const Vec3 out = along < 0 ? -axis : axis;
@@ -100,38 +93,40 @@ void RoundPair::try_rest(Real enough)
     const Mat3 turn = transpose(round_in_flat_.R);
     const Vec3 c = round_in_flat_.p, inward = turn * outward_;
     const Real hair = 16 * handicap_;
-    Real limit = -round_.reach(inward) - (best.depth > 0 ? best.depth : 0) - hair;
+    const Real limit = -round_.reach(inward) - (best.depth > 0 ? best.depth : 0) - hair;
     Vec3 found;
     bool better = false;
     const auto offer_local = [&](Vec3 n, Real h) {
         if (!(h + 2 * handicap_ < best.depth) || !normalize(n)) return;
         best.depth = h, found = n, better = true;
     };
+    const FaceGaps gap(flat_, c);
     for (const PolyhedronEdge& e : flat_.edges) {
         if (best.depth < enough) break;
-        const PolyhedronFace &left = flat_.faces[std::size_t(e.left)],
-                             &right = flat_.faces[std::size_t(e.right)];
-        const Real gap_left = dot(left.normal, c) - left.offset,
-                   gap_right = dot(right.normal, c) - right.offset;
+        const Real one = gap[std::size_t(e.left)], other = gap[std::size_t(e.right)];
         const Real bound = round_.inner_radius - best.depth;
-        if ((gap_left > gap_right ? gap_left : gap_right) < (bound > 0 ? bound * e.cos_half : bound))
-            continue;
+        if ((one > other ? one : other) < (bound > 0 ? bound * e.cos_half : bound)) continue;
         const Vec3 p = turn * (flat_.vertices[std::size_t(e.from)] - c),
                    q = turn * (flat_.vertices[std::size_t(e.to)] - c);
         const Real high_p = dot(inward, p), high_q = dot(inward, q);
         if ((high_p > high_q ? high_p : high_q) < limit) continue;
         Vec3 along = q - p, m;
         if (!normalize(along)) continue;
-        const Real half = middle_of(along, turn * left.normal, turn * right.normal, m);
+        const Real half = middle_of(along, turn * flat_.faces[std::size_t(e.left)].normal,
+                                    turn * flat_.faces[std::size_t(e.right)].normal, m);
         try_arc({p, m, cross(along, m), round_.radius, round_.half_length}, half, offer_local);
     }
-    if (round_.radius > 0) {
+    if (round_.radius > 0) {  // the corner nearest to the axis, if no other point is nearer
+        Vec3 nearest;
+        Real rho2 = kInf;
         for (const Vec3 v : flat_.vertices) {
             const Vec3 p = turn * (v - c);
-            const Real rho = std::sqrt(p.x * p.x + p.y * p.y), h = round_.radius - rho;
-            if (!(h + 2 * handicap_ < best.depth) || !(rho > 0) || std::fabs(p.z) > round_.half_length)
-                continue;
-            const Vec3 n = {-p.x / rho, -p.y / rho, 0};
+            const Real r2 = p.x * p.x + p.y * p.y;
+            if (r2 < rho2) rho2 = r2, nearest = p;
+        }
+        const Real rho = std::sqrt(rho2);
+        if (rho > 0 && round_.radius - rho + 2 * handicap_ < best.depth) {
+            const Vec3 n = {-nearest.x / rho, -nearest.y / rho, 0};
             const Vec3 top = flat_.support(round_in_flat_.R * n);
             offer_local(n, dot(n, turn * (top - c)) + round_.radius);
         }
