@@ -11,6 +11,7 @@
 #include "bench/pairs.h"
 #include "bench/pile.h"
 #include "bench/scene_bench.h"
+#include "bench/spaces.h"
 #include "bench/terrain.h"
 #include "scenes/extensions.h"
 
@@ -91,6 +92,21 @@ CLI::App* add_terrain(CLI::App& app, epode::bench::TerrainOptions& options)
     return command;
 }
 
+CLI::App* add_spaces(CLI::App& app, epode::bench::SpaceOptions& options)
+{
+    CLI::App* command =
+        app.add_subcommand("spaces", "rays at boxes and boxes on the move, as bench/spaces runs it");
+    command->add_option("--space", options.space, "hash, quadtree or sap (default hash)")
+        ->check(CLI::IsMember({"hash", "quadtree", "sap"}));
+    command->add_option("--boxes", options.boxes, "that rays are cast at (default 8000)")
+        ->check(CLI::Range(1, 10'000'000));
+    command->add_option("--rays", options.rays, "default 2000")->check(CLI::Range(1, 10'000'000));
+    command->add_option("--moving", options.moving, "boxes (default 20000)")
+        ->check(CLI::Range(1, 10'000'000));
+    command->add_option("--steps", options.steps, "default 20")->check(CLI::Range(1, 1'000'000));
+    return command;
+}
+
 CLI::App* add_pairs(CLI::App& app, epode::bench::PairOptions& options)
 {
     CLI::App* command = app.add_subcommand("pairs", "dCollide pair by pair, as bench/collide runs it");
@@ -136,6 +152,8 @@ int main(int argc, char** argv)
     CLI::App* terrain_command = add_terrain(app, terrain);
     epode::bench::PairOptions pairs;
     CLI::App* pairs_command = add_pairs(app, pairs);
+    epode::bench::SpaceOptions spaces;
+    CLI::App* spaces_command = add_spaces(app, spaces);
     CLI::App* library = app.add_subcommand("library", "print the file of the libode at hand");
     app.require_subcommand(0, 1);
     try {
@@ -161,6 +179,7 @@ int main(int argc, char** argv)
     if (*mesh_rays) return epode::bench::bench_mesh_rays(rays);
     if (*terrain_command) return epode::bench::bench_terrain(terrain);
     if (*pairs_command) return epode::bench::bench_pairs(pairs);
+    if (*spaces_command) return epode::bench::bench_spaces(spaces);
     if (*make_pile) return epode::bench::print_pile(pile.count, pile.side, pile.rows, pile.seed);
     return epode::bench::bench_scene(options);
 }
