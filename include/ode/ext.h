@@ -289,6 +289,18 @@ typedef struct dQueryDistance {
    two endless height fields. Refused: equal geoms, one that is destroyed or 0. [ours] */
 ODE_API int dGeomGetDistance(dGeomID o1, dGeomID o2, dReal most, dQueryDistance* result);
 
+/** What the geom o meets first when it is moved by motion (m, world, not zero) without turning: in *hit the
+   way until then (distance, at most the length of motion), the point (pos) and the normal, out of what is
+   met. o is convex: sphere, box, capsule, cylinder, convex, ray, or a transform that holds one. What it
+   overlaps at the beginning is met at distance 0, with the normal that leads out; what it only touches is met
+   if the motion leads into it. Nothing is passed, however thin or small it is and however long the motion; a
+   height field is met at its surface. dGeomCast: one other geom, whatever its bits. dSpaceCast: all members
+   of the space that o's bits let it see, but o and geoms on its body; the newest of those met at once.
+   Classes of the program are not met. Returns 1, or 0 if nothing is met: then hit->geom is 0. Refused: no
+   motion, an o that is not convex, another geom that is o, destroyed, 0 or a space. [ours] */
+ODE_API int dGeomCast(dGeomID o, const dVector3 motion, dGeomID other, dQueryHit* hit);
+ODE_API int dSpaceCast(dSpaceID space, dGeomID o, const dVector3 motion, dQueryHit* hit);
+
 #ifdef __cplusplus
 }
 #endif

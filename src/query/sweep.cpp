@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See sweep.h.
+#include "query/sweep.h"
+
+#include <algorithm>
+
+#include "query/thing.h"
+
+namespace epode {
+namespace {
+
+constexpr int kAdvances = 200;
+constexpr Real kLevel = kSingle ? Real(1e-5) : Real(1e-10);  // slope below which a way does not approach
+
+// Within this the solids touch.
+Real touch_of(const ConvexView& a) { return (kSingle ? Real(1e-4) : Real(1e-8)) * (a.size + a.radius); }
+
+SweepHit met(Real distance, const Separation& s)
+{
+    SweepHit hit;
+    hit.distance = distance;
+    hit.pos = s.on_b;
+    hit.normal = s.normal;
+    hit.side = s.side_b;
+    return hit;
+}
+
+// separation_at(t, limit): of the solid, moved by t, from something convex. Not before `from`.
+template <typename SeparationAt>
+SweepHit advance(const Way& way, Real from, Real limit, Real touch, const SeparationAt& separation_at)
+{
+    Real t = from;
+    Separation s;
+    for (int i = 0; i < kAdvances; ++i) {
+        s = separation_at(t, limit - t + touch);
+        if (!(s.distance < kInf)) return {};
+        const Real closing = -dot(way.along, s.normal);
+        if (s.distance < -touch && i == 0) return met(t, s);
+        if (closing <= kLevel) return {};
+        if (s.distance <= touch) return met(t, s);
+        t += (s.distance - Real(0.5) * touch) / closing;
+        if (t > limit) return {};
+    }
+    return met(t, s);  // grazing: stopped a little early
+}
+
+ConvexView moved(const ConvexView& v, Vec3 by)
+{
+    ConvexView out = v;
+    out.pose.p += by;
+    return out;
+}
+
+SweepHit sweep_solid(const ConvexView& a, const Way& way, const ConvexView& b, Real limit)
+{
+    return advance(way, 0, limit, touch_of(a),
+                   [&](Real t, Real most) { return separation(moved(a, t * way.along), b, most); });
+}
+
+SweepHit sweep_plane(const ConvexView& a, const Way& way, const Plane& b, Real limit)
+{
+    return advance(way, 0, limit, touch_of(a),
+                   [&](Real t, Real) { return separation(moved(a, t * way.along), b); });
+}
+
+// Everything in the surface's frame.
+SweepHit sweep_surface(const ConvexView& a, const Way& way, const Surface& b, Real limit)
+{
+    SweepHit best;
+    const Aabb around = grown(box_around(a), touch_of(a));
+    if (b.count() == 0) return best;
+    const Real own = max_component(around.hi - around.lo);
+    const Real piece = std::max(2 * own, limit / 256);
+    for (Real from = 0; from <= limit; from += piece) {
+        const Real to = std::min(from + piece, limit);
+        const Vec3 first = from * way.along, last = to * way.along;
+        const Aabb swept = {around.lo + min(first, last), around.hi + max(first, last)};
+        b.query(swept, [&](const Triangle& t, int side) {
+            const ConvexView view = view_of(t);
+            const Real most = best.distance < limit ? best.distance : limit;
+            SweepHit hit = advance(way, 0, most, touch_of(a), [&](Real at, Real reach) {
+                return separation(moved(a, at * way.along), view, reach);
+            });
+            hit.side = side;
+            if (hit.before(best)) best = hit;
+        });
+        if (best.distance <= to || to >= limit) break;
+    }
+    return best;
+}
+
+SweepHit sweep_field(const ConvexView& a, const Thing& solid, const Way& way, const Thing& field, Real limit)
+{
+    Separation ground;
+    if (in_ground(solid, field, ground) && ground.distance < -touch_of(a)) return met(0, ground);
+    const Way local = {transposed_times(field.pose.R, way.along), way.length};
+    SweepHit hit = sweep_surface(in_frame(field.pose, a), local, surface_of(field), limit);
+    hit.pos = field.pose.to_world(hit.pos);
+    hit.normal = field.pose.R * hit.normal;
+    hit.side = -1;
+    return hit;
+}
+
+SweepHit sweep_mesh(const ConvexView& a, const Way& way, const Thing& mesh, Real limit)
+{
+    const Way local = {transposed_times(mesh.pose.R, way.along), way.length};
+    SweepHit hit = sweep_surface(in_frame(mesh.pose, a), local, surface_of(mesh), limit);
+    hit.pos = mesh.pose.to_world(hit.pos);
+    hit.normal = mesh.pose.R * hit.normal;
+    return hit;
+}
+
+}  // namespace
+
+bool is_solid(Geom& geom) { return sort_of(thing_of(geom)) == Sort::kSolid; }
+
+SweepHit sweep(Geom& solid, const Way& way, Geom& other, Real limit)
+{
+    const Thing a = thing_of(solid), b = thing_of(other);
+    const Sort sort = sort_of(b);
+    if (sort == Sort::kNone) return {};
+    // A ray geom that moves, or is met, is as long as it takes to reach the other along the way.
+    Capsule memory_a, memory_b;
+    const Real far = kEndless * (length(a.pose.p - b.pose.p) + way.length);
+    const Ball ball_a = ball_about(a, far);
+    Ball ball_b = {a.pose.p, far};
+    if (sort == Sort::kSolid) ball_b = ball_about(b, far);
+    if (sort == Sort::kMesh || sort == Sort::kField) ball_b = ball_about(surface_of(b), b.pose);
+    const ConvexView view = solid_view(a, ball_b.centre, ball_b.reach + way.length, memory_a);
+    SweepHit hit;
+    if (sort == Sort::kSolid)
+        hit =
+            sweep_solid(view, way, solid_view(b, ball_a.centre, ball_a.reach + way.length, memory_b), limit);
+    else if (sort == Sort::kPlane)
+        hit = sweep_plane(view, way, b.as<Plane>(), limit);
+    else if (sort == Sort::kField)
+        hit = sweep_field(view, a, way, b, limit);
+    else
+        hit = sweep_mesh(view, way, b, limit);
+    hit.named = b.named;
+    return hit;
+}
+
+}  // namespace epode

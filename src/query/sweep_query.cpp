@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Shape casts against geoms and spaces: the functions of the interface. Of a space those members are tried
+// whose boxes the moving box meets before the best so far; the newer of equals wins, as all are tried that
+// may be equal.
+#include "collide/registry.h"
+#include "ode/ext.h"
+#include "query/members.h"
+#include "query/surface.h"
+#include "query/sweep.h"
+
+namespace epode {
+namespace {
+
+Aabb swept(const Aabb& box, const Way& way)
+{
+    const Vec3 last = way.length * way.along;
+    return {min(box.lo, box.lo + last), max(box.hi, box.hi + last)};
+}
+
+// May the moving box meet the other one within `limit`?
+bool may_meet(const Aabb& box, const Way& way, const Aabb& other, Real limit)
+{
+    if (!bounded(box) || !bounded(other)) return true;
+    const Vec3 half = Real(0.5) * (box.hi - box.lo), centre = box.lo + half;
+    const Aabb wide = {other.lo - half, other.hi + half};
+    return TreeRay(centre, way.along, wide).enters(wide, limit) < kInf;
+}
+
+bool apart_by_body(const Geom& a, const Geom& b)
+{
+    return &a != &b && !(a.body.id && a.body.id == b.body.id);
+}
+
+SweepHit nearest(Geom& solid, const Way& way, const Array<Geom*>& others)
+{
+    SweepHit best;
+    const Aabb box = box_of(solid);
+    for (Geom* m : others) {
+        const Real limit = best.distance < way.length ? best.distance : way.length;
+        if (!apart_by_body(solid, *m)) continue;
+        // Below the box of a height field is ground.
+        if (m->type->number != dHeightfieldClass && !may_meet(box, way, box_of(*m), limit)) continue;
+        const SweepHit hit = sweep(solid, way, *m, limit);
+        if (hit.distance < best.distance) best = hit;
+    }
+    return best;
+}
+
+void put(const SweepHit& hit, dQueryHit& out)
+{
+    out = dQueryHit{};
+    out.side = -1;
+    if (!(hit.distance < kInf)) return;
+    out.geom = to_handle(hit.named);
+    store(out.pos, hit.pos);
+    store(out.normal, hit.normal);
+    out.distance = hit.distance;
+    out.side = hit.side;
+}
+
+// False for no motion at all; its square must not overflow either.
+bool way_of(const dReal* motion, Way& way)
+{
+    way.along = load(motion);
+    way.length = length(way.along);
+    return way.length < kAbsurd && normalize(way.along);
+}
+
+}  // namespace
+}  // namespace epode
+
+using namespace epode;
+
+extern "C" int dGeomCast(dGeomID o, const dVector3 motion, dGeomID other_id, dQueryHit* hit)
+{
+    EPODE_GEOM(solid, o, 0);
+    EPODE_GEOM(other, other_id, 0);
+    EPODE_USER(solid != other && motion && hit && usable(motion, 3), 0);
+    EPODE_USER_SAY(is_solid(*solid), "argument not convex", 0);
+    EPODE_USER_SAY(!is_space(*other), "argument must not be a space", 0);
+    Way way;
+    EPODE_USER(way_of(motion, way), 0);
+    const GeomHold hold(*solid), hold_other(*other);
+    const SweepHit found = sweep(*solid, way, *other, way.length);
+    put(found, *hit);
+    return found.distance < kInf;
+}
+
+extern "C" int dSpaceCast(dSpaceID id, dGeomID o, const dVector3 motion, dQueryHit* hit)
+{
+    EPODE_SPACE(space, id, 0);
+    EPODE_GEOM(solid, o, 0);
+    EPODE_USER(motion && hit && usable(motion, 3), 0);
+    EPODE_USER_SAY(is_solid(*solid), "argument not convex", 0);
+    Way way;
+    EPODE_USER(way_of(motion, way), 0);
+    const GeomHold hold(*solid);
+    clean(*space);
+    Array<Geom*> near;
+    const bool room =
+        collect_near(*space, {solid->category, solid->collide}, swept(box_of(*solid), way), near);
+    EPODE_USER_SAY(room, kOutOfMemory, 0);
+    for (Geom* m : near) lock_around(*m, *space, 1);
+    const SweepHit found = nearest(*solid, way, near);
+    for (Geom* m : near) lock_around(*m, *space, -1);
+    put(found, *hit);
+    return found.distance < kInf;
+}

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See thing.h.
+#include "query/thing.h"
+
+#include "collide/pairs/pairs.h"
+
+namespace epode {
+namespace {
+
+// A ray is a segment no longer than it takes to reach a ball about everything else.
+ConvexView segment_view(const Ray& ray, const Pose& pose, Vec3 centre, Real reach, Capsule& segment)
+{
+    Pose middle;
+    Vec3 along = pose.R.column(2), p, q;
+    const Real most = length(centre - pose.p) + reach;
+    const Real long_enough = std::clamp(ray.length, Real(0), most > 0 ? most : Real(0));
+    plane_space(along, p, q);
+    middle.R = transpose(Mat3{p, q, along});
+    middle.p = pose.p + Real(0.5) * long_enough * along;
+    segment = {0, Real(0.5) * long_enough};
+    return view_of(segment, middle);
+}
+
+}  // namespace
+
+// What a transform holds, at its place; null geom: it holds nothing.
+Thing thing_of(Geom& geom)
+{
+    Thing t = {&geom, pose_of(geom), &geom};
+    while (t.geom) {
+        const TransformGeom* transform = as_transform(*t.geom);
+        if (!transform) break;
+        const bool pinned = t.named != t.geom || transform->info != 0;
+        t.geom = transform->inner;
+        if (!t.geom) break;
+        t.pose = t.pose * pose_of(*t.geom);
+        if (!pinned) t.named = t.geom;
+    }
+    return t;
+}
+
+Sort sort_of(const Thing& t)
+{
+    if (!t.geom) return Sort::kNone;
+    switch (t.number()) {
+        case dSphereClass:
+        case dBoxClass:
+        case dCapsuleClass:
+        case dCylinderClass:
+        case dConvexClass:
+        case dRayClass:
+            return Sort::kSolid;
+        case dPlaneClass:
+            return Sort::kPlane;
+        case dTriMeshClass:
+            return t.as<Trimesh>().mesh() ? Sort::kMesh : Sort::kNone;
+        case dHeightfieldClass:
+            return t.as<Heightfield>().field() ? Sort::kField : Sort::kNone;
+        default:
+            return Sort::kNone;
+    }
+}
+
+// `centre`, `reach`: a ball about what it is measured against; `memory` must stay.
+ConvexView solid_view(const Thing& t, Vec3 centre, Real reach, Capsule& memory)
+{
+    switch (t.number()) {
+        case dSphereClass:
+            return view_of(t.as<Sphere>(), t.pose);
+        case dBoxClass:
+            return view_of(t.as<Box>(), t.pose);
+        case dCapsuleClass:
+            return view_of(t.as<Capsule>(), t.pose);
+        case dCylinderClass:
+            return view_of(t.as<Cylinder>(), t.pose);
+        case dConvexClass:
+            return view_of(t.as<Convex>(), t.pose);
+        default:
+            return segment_view(t.as<Ray>(), t.pose, centre, reach, memory);
+    }
+}
+
+// Of a ray it is left to the caller what is near enough to count.
+Ball ball_about(const Thing& t, Real most)
+{
+    if (t.number() == dRayClass) return {t.pose.p, std::clamp(t.as<Ray>().length, Real(0), most)};
+    Capsule unused;
+    const ConvexView v = solid_view(t, {}, 0, unused);
+    return {v.pose.p, v.size + v.radius};
+}
+
+Ball ball_about(const Surface& s, const Pose& pose)
+{
+    const Vec3 half = Real(0.5) * (s.period().hi - s.period().lo);
+    return {pose.to_world(s.period().lo + half), (s.endless() ? kEndless : Real(1)) * length(half)};
+}
+
+Surface surface_of(const Thing& t)
+{
+    return t.number() == dTriMeshClass ? Surface(*t.as<Trimesh>().mesh())
+                                       : Surface(*t.as<Heightfield>().field());
+}
+
+ConvexView in_frame(const Pose& frame, const ConvexView& v)
+{
+    ConvexView out = v;
+    out.pose = inverse_times(frame, v.pose);
+    return out;
+}
+
+// Where the pair functions find the solid or the mesh in the ground; in the world.
+bool in_ground(const Thing& a, const Thing& field, Separation& out)
+{
+    constexpr int kRoom = 32;
+    dContactGeom contacts[kRoom];
+    ContactSink sink(contacts, sizeof(dContactGeom), kRoom, false);
+    sink.name(to_handle(a.geom), to_handle(field.geom));
+    const Heightfield& ground = field.as<Heightfield>();
+    switch (a.number()) {
+        case dSphereClass:
+            sphere_heightfield(a.as<Sphere>(), a.pose, ground, field.pose, sink);
+            break;
+        case dBoxClass:
+            box_heightfield(a.as<Box>(), a.pose, ground, field.pose, sink);
+            break;
+        case dCapsuleClass:
+            capsule_heightfield(a.as<Capsule>(), a.pose, ground, field.pose, sink);
+            break;
+        case dCylinderClass:
+            cylinder_heightfield(a.as<Cylinder>(), a.pose, ground, field.pose, sink);
+            break;
+        case dConvexClass:
+            convex_heightfield(a.as<Convex>(), a.pose, ground, field.pose, sink);
+            break;
+        case dTriMeshClass:
+            trimesh_heightfield(a.as<Trimesh>(), a.pose, ground, field.pose, sink);
+            break;
+        default:
+            break;
+    }
+    if (sink.count() == 0) return false;
+    int deepest = 0;
+    for (int k = 1; k < sink.count(); ++k)
+        if (contacts[k].depth > contacts[deepest].depth) deepest = k;
+    const dContactGeom& c = contacts[deepest];
+    out.distance = -c.depth;
+    out.normal = load(c.normal);
+    out.on_a = load(c.pos);
+    out.on_b = out.on_a + c.depth * out.normal;
+    out.side_a = c.side1, out.side_b = c.side2;
+    return true;
+}
+
+}  // namespace epode
