@@ -135,6 +135,14 @@ class DynamicTree {
     // The union of all leaves' boxes; the tree must not be empty.
     const Aabb& bounds() const { return nodes_.data()[root_].box; }
 
+    // For those who copy the tree; box() serves inner nodes, too.
+    static constexpr int kMaxHeight = 60;
+    int root() const { return root_; }
+    bool is_leaf(int node) const { return nodes_.data()[node].child < 0; }
+    int child(int node) const { return nodes_.data()[node].child; }
+    int other(int node) const { return nodes_.data()[node].other; }
+    int item(int leaf) const { return nodes_.data()[leaf].item; }
+
     // visit(item, item) for every two leaves whose boxes meet, each pair once. For many leaves this is
     // several times quicker than a query for each: common ancestors are compared once.
     template <typename Visit>
@@ -144,7 +152,6 @@ class DynamicTree {
     }
 
   private:
-    static constexpr int kMaxHeight = 60;
     struct Node {
         Aabb box;
         int parent = -1;

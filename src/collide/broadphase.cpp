@@ -69,6 +69,7 @@ void Broadphase::remove(int slot)
 
 void Broadphase::clear()
 {
+    tree_changes();
     tree_.clear();
     for (Proxy& p : proxies_) p = Proxy{};
     for (Array<int>* list : {&unbounded_, &escaped_, &fresh_}) list->clear();
@@ -79,6 +80,7 @@ void Broadphase::clear()
 void Broadphase::renumber(std::span<const int> new_slot, int count)
 {
     drop_stale_pairs();
+    tree_changes();  // its leaves hold slots
     for (SlotPair& pair : pairs_)
         pair = {new_slot[std::size_t(pair.newer)], new_slot[std::size_t(pair.older)]};
     for (Array<int>* list : {&unbounded_, &escaped_, &fresh_}) {
@@ -101,9 +103,26 @@ const Aabb& Broadphase::fat_box(const Proxy& proxy) const
     return proxy.leaf >= 0 ? tree_.box(proxy.leaf) : proxy.box;
 }
 
+void Broadphase::tree_changes()
+{
+    ray_tree_.clear();
+    rays_ = 0;
+}
+
+// The copy costs about as much as a ray for every few dozen leaves.
+bool Broadphase::prepare(int rays)
+{
+    if (!update_tree()) return false;
+    if (!ray_tree_.empty() || tree_.leaf_count() < 8) return true;
+    rays_ = rays < tree_.leaf_count() ? rays_ + rays : tree_.leaf_count();
+    if (rays_ > tree_.leaf_count() / 16) (void)ray_tree_.build(tree_);
+    return true;
+}
+
 bool Broadphase::update_tree()
 {
     if (ready()) return true;
+    tree_changes();
     const bool in_bulk = escaped_.size() > 32 && escaped_.size() > tree_.leaf_count() / 6;
     int done = 0;
     bool placed = true;
@@ -129,7 +148,10 @@ void Broadphase::leave_unbounded(int slot)
 
 void Broadphase::leave_tree(Proxy& p)
 {
-    if (p.leaf >= 0) tree_.remove(p.leaf);
+    if (p.leaf >= 0) {
+        tree_changes();
+        tree_.remove(p.leaf);
+    }
     p.leaf = -1;
 }
 

@@ -14,7 +14,7 @@
 
 #include <span>
 
-#include "bvh/dynamic_tree.h"
+#include "bvh/ray_tree.h"
 
 namespace epode {
 
@@ -56,18 +56,24 @@ class Broadphase {
         return true;
     }
 
-    // Brings the tree up to date. False when memory is exhausted: cast() must not be used then.
-    [[nodiscard]] bool prepare() { return update_tree(); }
+    // Brings the tree up to date, and for many rays on an unchanged one makes it over for them: `rays` are
+    // about to be cast. False when memory is exhausted: cast() must not be used then.
+    [[nodiscard]] bool prepare(int rays);
     bool ready() const { return escaped_.empty() && tree_.sound(); }
 
-    // visit(slot) for every present slot whose box the ray (unit direction) meets, near ones first as a rule,
-    // in no promised order; it answers how far the ray has still to be followed, less than 0 ends it.
+    // visit(slot) for every present slot whose box the ray (unit direction) meets, and for some that it
+    // hardly misses, near ones first as a rule, in no promised order; it answers how far the ray has still to
+    // be followed, less than 0 ends it.
     template <typename Visit>
     void cast(Vec3 origin, Vec3 direction, Real reach, Visit&& visit) const
     {
         for (int slot : unbounded_) reach = visit(slot);
-        if (tree_.leaf_count() == 0) return;
+        if (tree_.leaf_count() == 0 || reach < 0) return;
         const TreeRay ray(origin, direction, tree_.bounds());
+        if (!ray_tree_.empty()) {
+            ray_tree_.cast(ray, direction, tree_.bounds(), reach, visit);
+            return;
+        }
         tree_.cast(ray, reach, [&](int slot) {
             if (ray.enters(proxies_.data()[slot].box, reach) < kInf) reach = visit(slot);
             return reach;
@@ -97,6 +103,7 @@ class Broadphase {
     [[nodiscard]] bool place(int slot, bool in_bulk);
     void withdraw(int slot);
     void leave_tree(Proxy& proxy);
+    void tree_changes();
     void leave_unbounded(int slot);
     static Aabb fatten(const Proxy& proxy);
     void drop_stale_pairs();
@@ -109,6 +116,8 @@ class Broadphase {
 
     Array<Proxy> proxies_;
     DynamicTree tree_;
+    RayTree ray_tree_;  // empty: not made since the tree has changed
+    int rays_ = 0;      // since then
     Array<int> unbounded_;
     Array<int> escaped_;
     Array<int> fresh_;

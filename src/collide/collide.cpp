@@ -19,7 +19,7 @@
 namespace epode {
 namespace {
 
-using PairThunk = void (*)(const Geom& a, const Pose& A, const Geom& b, const Pose& B, ContactSink& sink);
+using PairThunk = PairFunction;
 
 template <auto function, typename First, typename Second>
 void thunk(const Geom& a, const Pose& A, const Geom& b, const Pose& B, ContactSink& sink)
@@ -266,6 +266,13 @@ bool overridden(const Geom& a, const Geom& b)
 {
     const Collider collider = collider_of(a.type->number, b.type->number);
     return collider.user || collider.disabled;
+}
+
+PairFunction own_pair(int first, int second)
+{
+    if (is_user_class(first) || is_user_class(second)) return nullptr;
+    const Collider collider = collider_of(first, second);
+    return collider.user || collider.disabled || collider.reversed ? nullptr : collider.pair;
 }
 
 bool asks_program(Geom& a, Geom& b)

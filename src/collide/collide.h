@@ -5,6 +5,7 @@
 // functions of user classes; transforms and spaces are opened on the way.
 #pragma once
 
+#include "collide/contact_sink.h"
 #include "collide/geom.h"
 
 namespace epode {
@@ -23,6 +24,11 @@ struct ContactArray {
         return reinterpret_cast<dContactGeom*>(reinterpret_cast<char*>(first) + std::ptrdiff_t(i) * stride);
     }
 };
+
+// The function that serves two geoms of these classes in this order, if it is one of ours and nothing of the
+// program is in its place; else null.
+using PairFunction = void (*)(const Geom& a, const Pose& A, const Geom& b, const Pose& B, ContactSink& sink);
+PairFunction own_pair(int first, int second);
 
 // Appends the contacts of a and b; g1 belongs to a.
 void collide(Geom& a, Geom& b, ContactArray& out);

@@ -30,14 +30,14 @@ bool is_newer(const Geom& a, const Geom& b)
     return x->slot > y->slot;
 }
 
-bool make_ready(Space& space)
+bool make_ready(Space& space, int rays)
 {
     clean(space);
-    bool ready = space.broadphase.prepare();
+    bool ready = space.broadphase.prepare(rays);
     for (Geom* m : space.members) {
         if (!m) continue;
         if (is_space(*m))
-            ready = make_ready(static_cast<Space&>(*m)) && ready;
+            ready = make_ready(static_cast<Space&>(*m), rays) && ready;
         else
             refresh_pose(*m);
     }

@@ -24,8 +24,8 @@ struct QueryBits {
 bool is_newer(const Geom& a, const Geom& b);
 
 // Brings the boxes and the tree of a space and of all in it up to date, and the poses of all members, so that
-// several threads may ask it. False: memory is exhausted; it may be asked, but not by the tree.
-bool make_ready(Space& space);
+// several threads may cast so many rays. False: memory is exhausted; it may be asked, but not by the tree.
+bool make_ready(Space& space, int rays);
 
 // visit(geom) for every member at any depth that is no space, until it answers false.
 template <typename Visit>

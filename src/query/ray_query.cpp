@@ -40,7 +40,19 @@ void RayProbe::aim(const RayQuestion& question, Real length)
 
 bool RayCaster::asks_program_of_any()
 {
-    return !each_member(space_, [&](Geom& m) { return !asks_program(probe_, m); });
+    return !each_member(space_, [&](Geom& m) { return direct(m) || !asks_program(probe_, m); });
+}
+
+// Of solids and planes, which have no functions of the program.
+PairFunction RayCaster::direct(const Geom& geom)
+{
+    const int number = geom.type->number;
+    if (number > dConvexClass) return nullptr;
+    if (!(asked_ >> number & 1)) {
+        asked_ |= 1u << number;
+        direct_[number] = number == dRayClass ? nullptr : own_pair(dRayClass, number);
+    }
+    return direct_[number];
 }
 
 bool RayCaster::hit(const RayQuestion& question, Geom& geom, Real length, RayAnswer& out)
@@ -66,13 +78,23 @@ void RayCaster::walk(Space& space, const RayQuestion& question, Real& reach, Fou
             walk(static_cast<Space&>(m), question, reach, found);
             return reach;
         }
+        RayAnswer answer;
+        if (const PairFunction pair = direct(m)) {
+            probe_.shape.length = reach;
+            ContactSink sink(&answer.contact, int(sizeof(dContactGeom)), 1, false);
+            pair(probe_, pose_, m, pose_of(m), sink);
+            if (sink.count() == 0) return reach;
+            answer.member = &m;
+            answer.contact.g2 = to_handle(&m);
+            found(answer);
+            return reach;
+        }
         const bool waits = m.type->number == dHeightfieldClass || asks_program(probe_, m);
         if (waits && waiting_.push(&m)) return reach;
-        RayAnswer answer;
         if (hit(question, m, reach, answer)) found(answer);
         return reach;
     };
-    const bool by_tree = ready_ ? space.broadphase.ready() : space.broadphase.prepare();
+    const bool by_tree = ready_ ? space.broadphase.ready() : space.broadphase.prepare(1);
     if (!ready_) ++space.locks;  // to clean what is in it may call functions of the program
     if (by_tree) {
         space.broadphase.cast(question.origin, question.direction, reach, visit);
@@ -102,10 +124,18 @@ void RayCaster::ask_waiting(const RayQuestion& question, const Real& reach, Foun
     waiting_.clear();
 }
 
+void RayCaster::aim(const RayQuestion& question)
+{
+    const Vec3 d = question.direction;
+    pose_.p = question.origin;
+    pose_.R = {{0, 0, d.x}, {0, 0, d.y}, {0, 0, d.z}};
+}
+
 RayAnswer RayCaster::closest(const RayQuestion& question)
 {
     RayAnswer best;
     Real reach = question.length;
+    aim(question);
     const auto found = [&](const RayAnswer& answer) {
         if (best.member && !comes_before(answer, best)) return;
         best = answer;
@@ -120,6 +150,7 @@ bool RayCaster::all(const RayQuestion& question, Array<RayAnswer>& out)
 {
     Real reach = question.length;
     bool room = true;
+    aim(question);
     const auto found = [&](const RayAnswer& answer) { room = out.push(answer) && room; };
     walk(space_, question, reach, found);
     ask_waiting(question, reach, found);
@@ -201,7 +232,7 @@ extern "C" int dSpaceRayBatch(dSpaceID id, int count, const dReal* origins, cons
         EPODE_USER(question_of(origins + 3 * i, directions + 3 * i, lengths[i], {}, question), 0);
     }
     constexpr int kParcel = 64;
-    make_ready(*space);
+    (void)make_ready(*space, count);
     const bool alone = RayCaster(*space, true).asks_program_of_any();
     const SpaceLock lock(*space);
     const Tasks tasks(alone ? 1 : threads == 0 ? processor_count() : threads);

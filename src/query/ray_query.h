@@ -65,9 +65,17 @@ class RayCaster {
     void ask_waiting(const RayQuestion& question, const Real& reach, Found&& found);
     bool hit(const RayQuestion& question, Geom& geom, Real length, RayAnswer& out);
 
+    PairFunction direct(const Geom& geom);
+    void aim(const RayQuestion& question);
+
     Space& space_;
     bool ready_;
     RayProbe probe_;
+    Pose pose_;  // of the ray: its axis is the third column
+    // By class, from numbers that no program's function changes: the pair function, where it may be called at
+    // once.
+    PairFunction direct_[dGeomNumClasses];
+    unsigned asked_ = 0;  // bits of the classes for which that is known
     Array<Geom*> waiting_;
 };
 

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A dynamic tree as rays like it: nodes of four children, their boxes as floats side by side, in two cache
+// lines. It is made from a dynamic tree by folding two levels into one (the larger of two children is opened
+// first) and holds until that one changes; many rays between two changes pay for it. Boxes are relative to
+// the middle of all and larger than what they hold by kPad of its extent, which is more than the rounding of
+// all that is done with them, the ray being moved to where it enters the whole. So nothing is missed, and who
+// needs the exact box asks it of the leaf.
+#pragma once
+
+#include "bvh/dynamic_tree.h"
+#include "bvh/mesh_node.h"
+
+namespace epode {
+
+struct alignas(64) RayNode {
+    float lo[3][4], hi[3][4];
+    int child[4];  // a node, or ~item
+    unsigned there;
+
+    unsigned met_by(const NodeRay& ray, float reach, float* near) const
+    {
+        using namespace mesh_lanes;
+        Floats first = Floats{}, last = floats(reach);
+        for (int i = 0; i < 3; ++i) {
+            const Floats o = floats(ray.origin[i]), inverse = floats(ray.inverse[i]);
+            Floats a, b;
+            __builtin_memcpy(&a, ray.down[i] ? hi[i] : lo[i], sizeof a);
+            __builtin_memcpy(&b, ray.down[i] ? lo[i] : hi[i], sizeof b);
+            first = larger((a - o) * inverse, first);
+            last = smaller((b - o) * inverse, last);
+        }
+        __builtin_memcpy(near, &first, sizeof first);
+        return bits(first <= last) & there;
+    }
+};
+
+class RayTree {
+  public:
+    // False when memory is exhausted: the tree is empty then.
+    [[nodiscard]] bool build(const DynamicTree& tree);
+    bool empty() const { return nodes_.empty(); }
+    void clear() { nodes_.clear(); }
+
+    // visit(item) for every leaf whose box the ray may meet, as DynamicTree::cast.
+    template <typename Visit>
+    void cast(const TreeRay& ray, Vec3 direction, const Aabb& all, Real reach, Visit&& visit) const;
+
+  private:
+    static constexpr Real kPad = Real(0x1p-17);
+    struct Fold {
+        int from, to;  // a node of the dynamic tree and what becomes of it
+    };
+    void set_child(RayNode& node, int k, const Aabb& box, int child) const;
+
+    Array<RayNode> nodes_;
+    Array<Fold> folds_;  // while it is made
+    Vec3 centre_;
+    Real pad_ = 0;
+};
+
+template <typename Visit>
+void RayTree::cast(const TreeRay& ray, Vec3 direction, const Aabb& all, Real reach, Visit&& visit) const
+{
+    const Real start = ray.enters(all, reach);
+    if (!(start < kInf)) return;
+    const NodeRay node_ray(ray.origin + start * direction - centre_, direction);
+    const auto left = [&](Real until) { return float(until - start + pad_) * (1 + 0x1p-20f); };
+    struct Waiting {
+        int child;
+        float near;
+    } stack[3 * DynamicTree::kMaxHeight + 4];
+    int top = 0;
+    stack[top++] = {0, 0};
+    float limit = left(reach);
+    while (top > 0) {
+        const Waiting next = stack[--top];
+        if (next.near > limit) continue;
+        if (next.child < 0) {
+            reach = visit(~next.child);
+            if (reach < 0) return;
+            limit = left(reach);
+            continue;
+        }
+        const RayNode& node = nodes_.data()[next.child];
+        float near[4];
+        const unsigned met = node.met_by(node_ray, limit, near);
+        const int base = top;
+        for (int k = 0; k < 4; ++k) {  // the nearest on top
+            if (!(met >> k & 1)) continue;
+            int at = top++;
+            for (; at > base && stack[at - 1].near <= near[k]; --at) stack[at] = stack[at - 1];
+            stack[at] = {node.child[k], near[k]};
+        }
+    }
+}
+
+}  // namespace epode
