@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <type_traits>
 #include <utility>
 
 #include "base/lifecycle.h"
@@ -34,6 +35,7 @@ struct Collider {
     bool reversed = false;
     bool disabled = false;  // by the program
     bool settled = true;    // false: a user class has not been asked yet
+    bool plain = false;     // the pair function is all: nothing to open, nobody to ask
 };
 
 // Read by every dCollide of any thread, written hardly ever: an entry is published by its flags.
@@ -43,17 +45,30 @@ class ColliderEntry {
     {
         pair_.store(c.pair, std::memory_order_relaxed);
         user_.store(c.user, std::memory_order_relaxed);
-        const int flags = (c.reversed ? 1 : 0) | (c.disabled ? 2 : 0) | (c.settled ? 4 : 0);
+        const int flags = (c.reversed ? kReversed : 0) | (c.disabled ? kDisabled : 0) |
+                          (c.settled ? kSettled : 0) | (c.plain ? kPlain : 0);
         flags_.store(flags, std::memory_order_release);
     }
     Collider get() const
     {
         const int flags = flags_.load(std::memory_order_acquire);
-        return {pair_.load(std::memory_order_relaxed), user_.load(std::memory_order_relaxed),
-                (flags & 1) != 0, (flags & 2) != 0, (flags & 4) != 0};
+        return {pair_.load(std::memory_order_relaxed),
+                user_.load(std::memory_order_relaxed),
+                (flags & kReversed) != 0,
+                (flags & kDisabled) != 0,
+                (flags & kSettled) != 0,
+                (flags & kPlain) != 0};
+    }
+    // The pair function, if it is all; null otherwise.
+    PairThunk plain(bool& reversed) const
+    {
+        const int flags = flags_.load(std::memory_order_acquire);
+        reversed = (flags & kReversed) != 0;
+        return flags & kPlain ? pair_.load(std::memory_order_relaxed) : nullptr;
     }
 
   private:
+    static constexpr int kReversed = 1, kDisabled = 2, kSettled = 4, kPlain = 8;
     std::atomic<PairThunk> pair_{nullptr};
     std::atomic<dColliderFn*> user_{nullptr};
     std::atomic<int> flags_{0};
@@ -84,9 +99,11 @@ void ColliderTable::fill()
             const bool ask = (is_user_class(i) || is_user_class(j)) && !is_opened(i) && !is_opened(j);
             entries[i][j].set({.settled = !ask});
         }
+        // Meshes may have functions of the program that are asked.
 #define PAIR(First, Second, function)                                 \
     set_both(GeomTraits<First>::kNumber, GeomTraits<Second>::kNumber, \
-             {.pair = thunk<&function, First, Second>});
+             {.pair = thunk<&function, First, Second>,                \
+              .plain = !std::is_same_v<First, Trimesh> && !std::is_same_v<Second, Trimesh>});
 #include "collide/mesh_pairs.inc"
 #include "collide/pairs.inc"
 #include "collide/terrain_pairs.inc"
@@ -150,11 +167,25 @@ Placed opened(const Placed& outer, const TransformGeom& transform)
     return {inner, outer.pose * pose_of(*inner), pinned ? outer.named : inner, true};
 }
 
-void reverse(dContactGeom& c)
+void reverse_from(int first, const ContactArray& out)
 {
-    for (int i = 0; i < 3; ++i) c.normal[i] = -c.normal[i];
-    std::swap(c.g1, c.g2);
-    std::swap(c.side1, c.side2);
+    for (int i = first; i < out.count; ++i) {
+        dContactGeom& c = *out.at(i);
+        for (int k = 0; k < 3; ++k) c.normal[k] = -c.normal[k];
+        std::swap(c.g1, c.g2);
+        std::swap(c.side1, c.side2);
+    }
+}
+
+// Takes in new contacts; where a transform wants to be named, in place of the geom it holds.
+void name_outer(const Placed& a, const Placed& b, ContactArray& out, int found)
+{
+    for (int i = out.count; i < out.count + found; ++i) {
+        dContactGeom& c = *out.at(i);
+        if (a.named != a.geom) c.g1 = to_handle(a.named);
+        if (b.named != b.geom) c.g2 = to_handle(b.named);
+    }
+    out.count += found;
 }
 
 void run_pair(PairThunk pair, const Placed& a, const Placed& b, ContactArray& out)
@@ -162,11 +193,15 @@ void run_pair(PairThunk pair, const Placed& a, const Placed& b, ContactArray& ou
     ContactSink sink(out.at(out.count), out.stride, out.room - out.count, out.unimportant);
     sink.name(to_handle(a.geom), to_handle(b.geom));
     pair(*a.geom, a.pose, *b.geom, b.pose, sink);
-    for (int i = 0; i < sink.count(); ++i) {
-        dContactGeom& c = *sink.at(i);
-        c.g1 = to_handle(a.named);
-        c.g2 = to_handle(b.named);
-    }
+    name_outer(a, b, out, sink.count());
+}
+
+// The way of nearly all calls.
+void run_plain(PairThunk pair, Geom& a, Geom& b, ContactArray& out)
+{
+    ContactSink sink(out.at(out.count), out.stride, out.room - out.count, out.unimportant);
+    sink.name(to_handle(&a), to_handle(&b));
+    pair(a, pose_of(a), b, pose_of(b), sink);
     out.count += sink.count();
 }
 
@@ -204,12 +239,7 @@ void run_user(dColliderFn* function, const Placed& a, const Placed& b, ContactAr
 {
     int found = 0;
     while_held([&] { found = call_user(function, a, b, out); }, a, b);
-    for (int i = out.count; i < out.count + found; ++i) {
-        dContactGeom& c = *out.at(i);
-        if (a.named != a.geom) c.g1 = to_handle(a.named);
-        if (b.named != b.geom) c.g2 = to_handle(b.named);
-    }
-    out.count += found;
+    name_outer(a, b, out, found);
 }
 
 // Is there a function of the program that has a say in the contacts?
@@ -243,8 +273,7 @@ void collide_placed(const Placed& a, const Placed& b, ContactArray& out)
         run_pair(collider.pair, first, second, out);
     else
         run_user(collider.user, first, second, out);
-    if (collider.reversed)
-        for (int i = before; i < out.count; ++i) reverse(*out.at(i));
+    if (collider.reversed) reverse_from(before, out);
 }
 
 void collide_members(void* data, dGeomID o1, dGeomID o2)
@@ -283,7 +312,13 @@ bool asks_program(Geom& a, Geom& b)
 void collide(Geom& a, Geom& b, ContactArray& out)
 {
     if (&a == &b || out.full() || (a.body.id && a.body.id == b.body.id)) return;
-    if ((is_space(a) || is_space(b)) && !overridden(a, b))
+    bool reversed;
+    const ColliderEntry& entry = table().entries[a.type->number][b.type->number];
+    if (const PairThunk pair = entry.plain(reversed)) {
+        const int before = out.count;
+        reversed ? run_plain(pair, b, a, out) : run_plain(pair, a, b, out);
+        if (reversed) reverse_from(before, out);
+    } else if ((is_space(a) || is_space(b)) && !overridden(a, b))
         collide_across(a, b, &out, collide_members);
     else
         collide_placed(in_place(a), in_place(b), out);

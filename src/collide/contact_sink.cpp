@@ -13,18 +13,6 @@
 
 namespace epode {
 
-bool ContactSink::add(const ContactPoint& point)
-{
-    if (full()) return false;
-    dContactGeom* out = at(count_++);
-    store(out->pos, point.position);
-    store(out->normal, point.normal);
-    out->depth = point.depth > 0 ? point.depth : Real(0);
-    out->side1 = point.side1;
-    out->side2 = point.side2;
-    return true;
-}
-
 namespace {
 
 constexpr int kKept = 4;

@@ -3,7 +3,7 @@
 //
 // Where pair functions put their contacts: the client's array of dContactGeom, walked with the client's
 // stride, never beyond the client's room. A pair function is pure, (shape a, pose A, shape b, pose B, sink);
-// who the geoms are is filled in by the dispatcher (collide/collide.cpp).
+// who the geoms are is told by the dispatcher (collide/collide.cpp).
 //   normal: unit, world, from b into a: moving a by depth * normal separates the two.
 //   depth:  >= 0 along that normal; touching counts.
 #pragma once
@@ -34,13 +34,25 @@ class ContactSink {
     bool full() const { return count_ >= room_; }
     bool unimportant() const { return unimportant_; }  // the caller takes any contacts that fit
 
-    // The geoms of the pair, for functions of the program that are told of them.
+    // The geoms of the pair: contacts name them, and functions of the program are told of them.
     void name(dGeomID first, dGeomID second) { geoms_[0] = first, geoms_[1] = second; }
     dGeomID first_geom() const { return geoms_[0]; }
     dGeomID second_geom() const { return geoms_[1]; }
 
     // False when there was no room.
-    bool add(const ContactPoint& point);
+    bool add(const ContactPoint& point)
+    {
+        if (full()) return false;
+        dContactGeom* out = at(count_++);
+        store(out->pos, point.position);
+        store(out->normal, point.normal);
+        out->depth = point.depth > 0 ? point.depth : Real(0);
+        out->g1 = geoms_[0];
+        out->g2 = geoms_[1];
+        out->side1 = point.side1;
+        out->side2 = point.side2;
+        return true;
+    }
     void clear() { count_ = 0; }
 
     // A manifold of one normal: keeps the best `min(4, room)` points when there are more: the deepest, then

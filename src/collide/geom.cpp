@@ -48,12 +48,6 @@ void refresh_pose(Geom& geom)
     store_mat(geom.own_rotation, pose.R);
 }
 
-Pose pose_of(Geom& geom)
-{
-    refresh_pose(geom);
-    return load_pose(geom.position, geom.rotation);
-}
-
 const Aabb& box_of(Geom& geom)
 {
     if (geom.box_stale) {

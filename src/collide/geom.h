@@ -112,7 +112,11 @@ bool in_locked_space(const Geom& geom);
 
 // ---- pose and box, computed when stale ----
 void refresh_pose(Geom& geom);
-Pose pose_of(Geom& geom);
+inline Pose pose_of(Geom& geom)
+{
+    if (geom.pose_stale) refresh_pose(geom);
+    return load_pose(geom.position, geom.rotation);
+}
 const Aabb& box_of(Geom& geom);
 
 // The pose or the shape has changed.
