@@ -68,7 +68,7 @@ void ContactSink::add_manifold(std::span<const ContactPoint> points)
     if (wanted <= 0) return;
     const auto at_index = [&](int i) -> const ContactPoint& { return points[std::size_t(i)]; };
     const Vec3 n = points[0].normal;
-    const ContactPoint first = at_index(deepest(points, kDepthTie * span_of(points)));
+    const ContactPoint& first = at_index(deepest(points, kDepthTie * span_of(points)));
     add(first);
     if (wanted < 2) return;
     const int far = best(count, [&](int i) { return length2(at_index(i).position - first.position); });

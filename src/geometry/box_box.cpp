@@ -21,7 +21,7 @@ struct Frames {
     Real c[3][3], m[3][3];  // C and |C|
     Real ha[3], hb[3];
     Real pa[3], pb[3];  // from a to b, in a's frame and in b's
-    Real touch;
+    Real size, touch;
 };
 
 Frames frames_of(const Box& a, const Pose& A, const Box& b, const Pose& B)
@@ -34,7 +34,8 @@ Frames frames_of(const Box& a, const Pose& A, const Box& b, const Pose& B)
     store(f.ha, a.half), store(f.hb, b.half);
     const Vec3 p = transposed_times(A.R, B.p - A.p);
     store(f.pa, p), store(f.pb, transposed_times(C, p));
-    f.touch = 8 * kEpsilon * (max_component(a.half) + max_component(b.half) + max_component(abs(p)));
+    f.size = max_component(a.half) + max_component(b.half);
+    f.touch = 8 * kEpsilon * (f.size + max_component(abs(p)));
     return f;
 }
 
@@ -67,11 +68,9 @@ bool search_faces(const Frames& f, Search& s)
     }
     // The second box's faces must be better by more than the jitter of a resting stack, so that boxes lying
     // flat on each other keep their roles.
-    const Real size =
-        std::fmax(f.ha[0], std::fmax(f.ha[1], f.ha[2])) + std::fmax(f.hb[0], std::fmax(f.hb[1], f.hb[2]));
     for (int j = 0; j < 3; ++j) {
         const Real ra = f.m[0][j] * f.ha[0] + f.m[1][j] * f.ha[1] + f.m[2][j] * f.ha[2];
-        if (!s.offer(f.hb[j] + ra - std::fabs(f.pb[j]), 1, f.pb[j], 4 + j, f.touch, kFaceMargin * size))
+        if (!s.offer(f.hb[j] + ra - std::fabs(f.pb[j]), 1, f.pb[j], 4 + j, f.touch, kFaceMargin * f.size))
             return false;
     }
     return true;
@@ -79,8 +78,6 @@ bool search_faces(const Frames& f, Search& s)
 
 bool search_edges(const Frames& f, Search& s)
 {
-    const Real size =
-        std::fmax(f.ha[0], std::fmax(f.ha[1], f.ha[2])) + std::fmax(f.hb[0], std::fmax(f.hb[1], f.hb[2]));
     constexpr int kNext[3] = {1, 2, 0}, kLast[3] = {2, 0, 1};
     for (int i = 0; i < 3; ++i) {
         const int i1 = kNext[i], i2 = kLast[i];
@@ -94,7 +91,7 @@ bool search_edges(const Frames& f, Search& s)
             const Real overlap = ra + rb - std::fabs(along);  // times |L| = sqrt(sine2) <= 1
             if (overlap > s.score) continue;                  // cannot win, nor part
             if (!s.offer(overlap / std::sqrt(sine2), kEdgeHandicap, along, 7 + 3 * i + j, f.touch,
-                         kFaceMargin * size))
+                         kFaceMargin * f.size))
                 return false;
         }
     }
@@ -131,10 +128,8 @@ void face_points(Vec3 half, const Incident& other, int k, Real sign, const Pose&
     const Real slack = 32 * kEpsilon * (max_component(half) + max_component(other.half));
     for (int side = 1; side <= 2; ++side) {
         const int axis = (k + side) % 3;
-        Vec3 n;
-        n.set(axis, 1);
-        clip(face, n, half[axis], slack);
-        clip(face, -n, half[axis], slack);
+        clip(face, axis, 1, half[axis], slack);
+        clip(face, axis, -1, half[axis], slack);
     }
     for (int i = 0; i < face.count && out.count < BoxBox::kMax; ++i) {
         const Real depth = half[k] - sign * face.points[i][k];

@@ -7,14 +7,17 @@
 
 namespace epode {
 
-void clip(Polygon& polygon, Vec3 normal, Real limit, Real slack)
+namespace {
+
+template <typename Distance>
+void clip_by(Polygon& polygon, Real slack, const Distance& distance_of)
 {
     const int count = polygon.count;
     if (count == 0) return;
     Real distance[Polygon::kMax];
     bool all = true;
     for (int i = 0; i < count; ++i) {
-        distance[i] = dot(normal, polygon.points[i]) - limit;
+        distance[i] = distance_of(polygon.points[i]);
         all = all && distance[i] <= slack;
     }
     if (all) return;
@@ -34,6 +37,18 @@ void clip(Polygon& polygon, Vec3 normal, Real limit, Real slack)
         if (inside >= 0) continue;  // the kept end lies on the plane already
         polygon.add(old.points[i] + (distance[i] / d) * (old.points[j] - old.points[i]));
     }
+}
+
+}  // namespace
+
+void clip(Polygon& polygon, Vec3 normal, Real limit, Real slack)
+{
+    clip_by(polygon, slack, [&](Vec3 p) { return dot(normal, p) - limit; });
+}
+
+void clip(Polygon& polygon, int axis, Real sign, Real limit, Real slack)
+{
+    clip_by(polygon, slack, [&](Vec3 p) { return sign * p[axis] - limit; });
 }
 
 void clip_to_prism(Polygon& polygon, const Polygon& reference, Vec3 normal, Real slack)

@@ -27,6 +27,7 @@ struct Polygon {
 // Keeps the part with normal . x <= limit. Points outside by no more than `slack` stay as they are: flush
 // faces would otherwise sprout pairs of nearly equal points.
 void clip(Polygon& polygon, Vec3 normal, Real limit, Real slack);
+void clip(Polygon& polygon, int axis, Real sign, Real limit, Real slack);  // the normal is +-axis
 
 // Cuts by the sides of `reference`, a convex polygon that runs counter-clockwise about `normal`.
 void clip_to_prism(Polygon& polygon, const Polygon& reference, Vec3 normal, Real slack);
