@@ -14,6 +14,7 @@
 namespace epode {
 
 inline constexpr Real kFaceLean = Real(0.17);  // faces that look down by more than 10 degrees carry contacts
+inline constexpr Real kFlat = kSingle ? Real(1e-4) : Real(1e-6);  // lean of a rim that has no lowest point
 
 template <typename Ground>
 class Press {
@@ -51,7 +52,8 @@ class Press {
         const Vec3 axis = s_.pose.R.column(2);
         const Vec3 aside = dot(axis, f_.n) * axis - f_.n;
         if (length2(aside) > kFaceLean * kFaceLean) feature(aside);
-        to_.press(s_.support(-f_.n));  // the lowest of the true rim, not of its polygon
+        // The lowest of the true rim, not of its polygon; the support of a flat end is its middle.
+        if (length2(aside) > kFlat * kFlat) to_.press(s_.support(-f_.n));
         for (const Vec3 end : {axis, -axis}) rim(axis, s_.support(end));
     }
 
