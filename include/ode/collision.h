@@ -48,8 +48,8 @@ ODE_API void* dGeomGetData(dGeomID geom);
 ODE_API void dGeomSetBody(dGeomID geom, dBodyID body);
 ODE_API dBodyID dGeomGetBody(dGeomID geom);
 
-/** Set the pose in the world: the position, or the rotation by matrix or quaternion. On a body with an offset
- * the body is moved so that the geom gets there. [0.16] */
+/** Set the pose in the world: the position, or the rotation by matrix or quaternion (of any length; zero is
+    refused). On a body with an offset the body is moved so that the geom gets there. [0.16] */
 ODE_API void dGeomSetPosition(dGeomID geom, dReal x, dReal y, dReal z);
 ODE_API void dGeomSetRotation(dGeomID geom, const dMatrix3 R);
 ODE_API void dGeomSetQuaternion(dGeomID geom, const dQuaternion Q);

@@ -66,9 +66,11 @@ void dGeomSetOffsetRotation(dGeomID id, const dMatrix3 R)
 void dGeomSetOffsetQuaternion(dGeomID id, const dQuaternion q)
 {
     OFFSET_GEOM(geom, id);
-    EPODE_USER(q && usable(q, 4) && usable(to_matrix(load_quat(q))));
+    EPODE_USER(q && usable(q, 4));
+    Quat given = load_quat(q);
+    EPODE_USER(normalize(given));
     OFFSET_READY(geom);
-    set_offset_rotation(*geom, to_matrix(load_quat(q)));
+    set_offset_rotation(*geom, to_matrix(given));
 }
 
 void dGeomSetOffsetWorldPosition(dGeomID id, dReal x, dReal y, dReal z)
@@ -90,9 +92,11 @@ void dGeomSetOffsetWorldRotation(dGeomID id, const dMatrix3 R)
 void dGeomSetOffsetWorldQuaternion(dGeomID id, const dQuaternion q)
 {
     OFFSET_GEOM(geom, id);
-    EPODE_USER(q && usable(q, 4) && usable(to_matrix(load_quat(q))));
+    EPODE_USER(q && usable(q, 4));
+    Quat given = load_quat(q);
+    EPODE_USER(normalize(given));
     OFFSET_READY(geom);
-    set_world_rotation(*geom, to_matrix(load_quat(q)));
+    set_world_rotation(*geom, to_matrix(given));
 }
 
 void dGeomClearOffset(dGeomID id)

@@ -56,7 +56,7 @@ void dGeomSetQuaternion(dGeomID id, const dQuaternion q)
     EPODE_USER(q && usable(q, 4));
     MAY_MOVE(geom);
     Quat given = load_quat(q);
-    EPODE_USER(!geom->body.id || normalize(given));
+    EPODE_USER(normalize(given));
     EPODE_USER(set_geom_orientation(*geom, given));
 }
 

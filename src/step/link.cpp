@@ -87,7 +87,7 @@ bool set_geom_rotation(Geom& geom, const Mat3& R)
 bool set_geom_orientation(Geom& geom, Quat q)
 {
     Body* body = body_of(geom);
-    if (!body || geom.offset) return usable(to_matrix(q)) && set_geom_rotation(geom, to_matrix(q));
+    if (!body || geom.offset) return set_geom_rotation(geom, to_matrix(q));
     set_orientation(*body, q);
     body_moved(*body);
     return true;

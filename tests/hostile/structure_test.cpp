@@ -205,14 +205,24 @@ TEST_F(Structure, absurd_sizes_are_refused_or_bearable)
     // Numbers that are usable themselves and make others that are not.
     const dReal huge = sizeof(dReal) == 4 ? dReal(1e17) : dReal(1e99),
                 tiny = std::numeric_limits<dReal>::min();
-    const dQuaternion q = {huge, huge, huge, huge};
     const dGeomID plane_geom = dCreatePlane(space, 0, 0, 1, 0), sphere = dCreateSphere(space, 1);
     dGeomPlaneSetParams(plane_geom, 0, 0, tiny, huge);
-    dGeomSetQuaternion(sphere, q);
-    dGeomSetBody(sphere, dBodyCreate(world));
-    dGeomSetOffsetQuaternion(sphere, q);
-    dGeomSetOffsetWorldQuaternion(sphere, q);
-    expect_refused(4);
+    expect_refused(1);
+    const dGeomID held = dCreateSphere(space, 1);
+    dGeomSetBody(held, dBodyCreate(world));
+    const dQuaternion long_one = {huge, huge, huge, huge}, none = {};
+    for (const dReal* q : {long_one, none}) {
+        dGeomSetQuaternion(sphere, q);
+        dGeomSetOffsetQuaternion(held, q);
+        dGeomSetOffsetWorldQuaternion(held, q);
+        expect_refused(q == none ? 3 : 0);
+        for (const dGeomID geom : {sphere, held}) {
+            dQuaternion unit;
+            dGeomGetQuaternion(geom, unit);
+            for (const dReal x : unit) EXPECT_NEAR(x, 0.5, 1e-6) << "normalised, and then kept";
+        }
+    }
+    dGeomDestroy(held);
     dGeomDestroy(plane_geom);
     dGeomDestroy(sphere);
 

@@ -3,12 +3,11 @@
 //
 // Any two convex solids. First the normal and the depth (least_overlap, or GJK when only the radii touch),
 // then the manifold by what the solids show each other along the normal:
-//   face against anything  the other's feature cut by the sides of the face (true circle for a cylinder's
-//   end);
-//                          the points below the face, each with its own depth
-//   two discs              the lens that two circles share: their crossings and the innermost point of each
-//   rim two lines side by side both ends of the common stretch else                   one point between the
-//   two nearest features
+//   face against anything   the other's feature, cut by the sides of the face (the true circle of a
+//                           cylinder's end): the points below the face, each with its own depth
+//   two discs               the lens that two circles share: their crossings, the innermost point of each rim
+//   two lines side by side  both ends of the common stretch
+//   else                    one point between the two nearest features
 // Points of a face contact lie on the incident solid, as for boxes. The true deepest point is always among
 // them.
 #include "collide/pairs/pairs.h"

@@ -3,8 +3,7 @@
 //
 // A round core s of radius r against a triangle of a mesh, of which only the front pushes:
 //   over the triangle   ends of the part of s whose foot lies in it, depth r - height; where s pierces it,
-//   the
-//                       end that is through, if no crest is nearer (triangle_solid.cpp)
+//                       the end that is through, if no crest is nearer (triangle_solid.cpp)
 //   beside a crest      nearest points p, q of s and the edge, along p - q
 // Ends that a seam has cut are left to the neighbour.
 #include "collide/pairs/mesh_facet.h"
