@@ -84,6 +84,7 @@ struct ColliderTable {
         if (i != j) entries[j][i].set(collider);
     }
     ColliderEntry entries[dGeomNumClasses][dGeomNumClasses];
+    std::atomic<bool> rays_overridden{false};
 };
 
 // Spaces and transforms are opened, whatever they meet: user classes are not asked about them.
@@ -94,6 +95,7 @@ bool is_opened(int number)
 
 void ColliderTable::fill()
 {
+    rays_overridden = false;
     for (int i = 0; i < dGeomNumClasses; ++i)
         for (int j = 0; j < dGeomNumClasses; ++j) {
             const bool ask = (is_user_class(i) || is_user_class(j)) && !is_opened(i) && !is_opened(j);
@@ -327,7 +329,10 @@ void collide(Geom& a, Geom& b, ContactArray& out)
 void override_collider(int i, int j, dColliderFn* function)
 {
     table().set_both(i, j, {.user = function, .disabled = !function});
+    if (function && (i == dRayClass || j == dRayClass)) table().rays_overridden = true;
 }
+
+bool rays_overridden() { return table().rays_overridden.load(std::memory_order_relaxed); }
 
 }  // namespace epode
 

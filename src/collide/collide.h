@@ -36,6 +36,10 @@ void collide(Geom& a, Geom& b, ContactArray& out);
 // Has the program put a function of its own, or none, in place of ours?
 bool overridden(const Geom& a, const Geom& b);
 
+// Has the program put a function of its own in place of ours anywhere against rays? What a ray means is its
+// own business then.
+bool rays_overridden();
+
 // May functions of the program be called when the two, neither of them a space, are collided? Of what a
 // transform holds this is not asked: yes.
 bool asks_program(Geom& a, Geom& b);

@@ -6,6 +6,7 @@
 // ones.
 #include <algorithm>
 
+#include "collide/collide.h"
 #include "collide/space.h"
 
 namespace epode {
@@ -51,15 +52,35 @@ void report_all_pairs(Space& space, const Report& report)
     }
 }
 
-// Members of the space that meet a box, newest first; the list lends the space's memory.
+// visit(slot) for the members whose boxes meet the geom's; of a ray, for those of them that it meets itself
+// (GeomType::may_touch) and few more. False when memory is exhausted.
+template <typename Visit>
+bool ask(Broadphase& boxes, Geom& geom, const Aabb& box, Visit&& visit)
+{
+    if (geom.type->number != dRayClass || rays_overridden()) return boxes.query(box, visit);
+    if (!boxes.prepare(1)) return false;
+    const Pose pose = pose_of(geom);
+    Vec3 way = static_cast<const ShapeGeom<Ray>&>(geom).shape.length * pose.R.column(2);
+    const Real length = epode::length(way);
+    if (!normalize(way)) return boxes.query(box, visit);
+    const Real reach = length * (1 + 8 * kEpsilon);
+    boxes.cast(pose.p, way, reach, [&](int slot) {
+        if (overlap(boxes.box(slot), box)) visit(slot);
+        return reach;
+    });
+    return true;
+}
+
+// Members of the space that meet a geom's box, newest first; the list lends the space's memory.
 class Candidates {
   public:
-    Candidates(Space& space, const Aabb& box) : space_(space)
+    Candidates(Space& space, Geom& geom, const Aabb& box) : space_(space)
     {
         slots_.swap(space.scratch);
         slots_.clear();
         bool room = true;
-        const bool asked = space.broadphase.query(box, [&](int slot) { room = slots_.push(slot) && room; });
+        const bool asked =
+            ask(space.broadphase, geom, box, [&](int slot) { room = slots_.push(slot) && room; });
         complete_ = asked && room;
         std::sort(slots_.begin(), slots_.end(), [](int a, int b) { return a > b; });
     }
@@ -90,7 +111,7 @@ class Candidates {
 template <typename Tell>
 void report_members(Space& space, Geom& geom, const Aabb& box, const Tell& tell)
 {
-    const Candidates candidates(space, box);
+    const Candidates candidates(space, geom, box);
     candidates.for_each(box, [&](Geom& m) {
         if (m.enabled && may_meet(geom, m)) tell(geom, m);
     });

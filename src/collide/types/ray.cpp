@@ -3,6 +3,8 @@
 //
 // Ray: the segment from the geom's position along its z axis. An infinite length is taken as the longest that
 // numbers bear. Setting start and direction is in api/geom_placement.cpp, since it may move a body.
+#include "bvh/dynamic_tree.h"
+#include "collide/collide.h"
 #include "collide/describe.h"
 #include "collide/registry.h"
 
@@ -18,6 +20,18 @@ Aabb aabb(Geom& geom)
     return {min(a, b), max(a, b)};
 }
 
+// Boxes that the segment passes by hold nothing that it meets, so spaces need not report them. The slack is
+// half of that with which trees are asked, so that they never turn away what this lets through.
+bool may_touch(Geom& geom, Geom& other)
+{
+    if (rays_overridden()) return true;
+    const Aabb& box = box_of(other);
+    const Pose pose = pose_of(geom);
+    TreeRay ray(pose.p, static_cast<const ShapeGeom<Ray>&>(geom).shape.length * pose.R.column(2), box);
+    ray.slack /= 2;
+    return ray.enters(box, 1) < kInf;
+}
+
 Real bearable(Real length) { return std::clamp(length, -kAbsurd, kAbsurd); }
 
 void describe_ray(const Geom& geom, DifWriter& out)
@@ -28,8 +42,11 @@ void describe_ray(const Geom& geom, DifWriter& out)
 
 }  // namespace
 
-const GeomType kRayType = {
-    .number = dRayClass, .aabb = aabb, .destroy = destroy_pooled<ShapeGeom<Ray>>, .describe = describe_ray};
+const GeomType kRayType = {.number = dRayClass,
+                           .aabb = aabb,
+                           .destroy = destroy_pooled<ShapeGeom<Ray>>,
+                           .may_touch = may_touch,
+                           .describe = describe_ray};
 
 }  // namespace epode
 

@@ -150,4 +150,27 @@ void place_geom(const Placed& placed, Kind kind, const Vec3& point, Random& rand
     set_pose(placed.geom, point, random);
 }
 
+namespace {
+
+bool passes_by(dGeomID ray, dGeomID other)
+{
+    if (dGeomGetClass(ray) != dRayClass) { return false; }
+    dVector3 start, direction;
+    dGeomRayGet(ray, start, direction);
+    dReal box[6];
+    dGeomGetAABB(other, box);
+    double near = 0, far = dGeomRayGetLength(ray);
+    for (int i = 0; i < 3; ++i) {
+        const double a = (box[2 * i] - start[i]) / direction[i],
+                     b = (box[2 * i + 1] - start[i]) / direction[i];
+        near = std::max(near, std::min(a, b));
+        far = std::min(far, std::max(a, b));
+    }
+    return near > far;
+}
+
+}  // namespace
+
+bool a_ray_passes_by(dGeomID a, dGeomID b) { return passes_by(a, b) || passes_by(b, a); }
+
 }  // namespace parity

@@ -19,6 +19,7 @@ int index_of(dGeomID geom) { return static_cast<int>(reinterpret_cast<std::intpt
 
 void note_pair(void*, dGeomID a, dGeomID b)
 {
+    if (a_ray_passes_by(a, b)) { return; }
     const int low = std::min(index_of(a), index_of(b)), high = std::max(index_of(a), index_of(b));
     reported.push_back(std::to_string(low) + "-" + std::to_string(high));
 }

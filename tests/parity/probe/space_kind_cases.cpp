@@ -29,6 +29,7 @@ dGeomID as_geom(dSpaceID space) { return reinterpret_cast<dGeomID>(space); }
 
 void note(void*, dGeomID a, dGeomID b)
 {
+    if (a_ray_passes_by(a, b)) { return; }
     const int low = std::min(index_of(a), index_of(b)), high = std::max(index_of(a), index_of(b));
     found.push_back(std::to_string(low) + "-" + std::to_string(high));
 }
@@ -37,7 +38,7 @@ void note(void*, dGeomID a, dGeomID b)
 // reported with itself by the original, never by us.
 void note_sides(void*, dGeomID a, dGeomID b)
 {
-    if (a == b) { return; }
+    if (a == b || a_ray_passes_by(a, b)) { return; }
     found.push_back(std::to_string(index_of(a)) + ">" + std::to_string(index_of(b)));
 }
 
