@@ -42,7 +42,7 @@ bool read_line(Problem& problem, const std::string& line)
         problem.add_body(mass, pos, q, linear, angular);
         return true;
     }
-    ContactPoint c;
+    BatchPoint c;
     const int count = int(problem.bodies().size());
     if (kind != "contact" || !(in >> c.body1 >> c.body2 >> c.pos >> c.normal >> c.depth)) return false;
     if (c.body1 < 0 || c.body1 >= count || c.body2 < kStatic || c.body2 >= count) return false;

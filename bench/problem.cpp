@@ -69,7 +69,7 @@ void Problem::add_hinge(int body1, int body2, Vec anchor, Vec axis)
     joint_rows_ += 5;
 }
 
-void Problem::make_contact(const ContactPoint& point)
+void Problem::make_contact(const BatchPoint& point)
 {
     dContact contact{};
     contact.surface.mode = dContactApprox1;
@@ -100,7 +100,7 @@ void Problem::prepare(std::uint32_t draw)
         const Vec linear = shake(s.linear);
         set_velocity(bodies_[i], linear, shake(s.angular));
     }
-    for (const ContactPoint& point : contacts_) make_contact(point);
+    for (const BatchPoint& point : contacts_) make_contact(point);
 }
 
 double Problem::step()

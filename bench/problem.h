@@ -21,7 +21,7 @@ namespace epode::bench {
 constexpr double kProblemDt = 0.01;
 constexpr int kStatic = -1;
 
-struct ContactPoint {
+struct BatchPoint {
     int body1 = 0, body2 = kStatic;  // by order of creation
     scenes::Vec pos, normal;         // into body1
     double depth = 0;
@@ -36,7 +36,7 @@ class Problem {
 
     int add_body(const dMass& mass, scenes::Vec pos, scenes::Turn turn = {}, scenes::Vec linear = {},
                  scenes::Vec angular = {});
-    void add_contact(const ContactPoint& contact) { contacts_.push_back(contact); }
+    void add_contact(const BatchPoint& contact) { contacts_.push_back(contact); }
     // The second body may be kStatic.
     void add_ball(int body1, int body2, scenes::Vec anchor);
     void add_hinge(int body1, int body2, scenes::Vec anchor, scenes::Vec axis);
@@ -61,13 +61,13 @@ class Problem {
     };
 
     dBodyID body(int index) const { return index == kStatic ? nullptr : bodies_[size_t(index)]; }
-    void make_contact(const ContactPoint& point);
+    void make_contact(const BatchPoint& point);
 
     dWorldID world_;
     dJointGroupID contact_group_;
     std::vector<dBodyID> bodies_;
     std::vector<State> start_;
-    std::vector<ContactPoint> contacts_;
+    std::vector<BatchPoint> contacts_;
     double spread_ = 0.05;
     int joint_rows_ = 0;
 };

@@ -46,7 +46,7 @@ class MeshTree {
 
     // The same for those that may lie at or below the plane n . x = d.
     template <typename Visit>
-    void below(const TriangleMesh& mesh, Vec3 n, Real d, Visit&& visit) const;
+    void below(Vec3 n, Real d, Visit&& visit) const;
 
     // visit(ray, triangle) for those, degenerate ones too, whose leaf the ray meets between `from` and `to`,
     // near ones first as a rule. It answers how far the ray has still to be followed (from its unmoved
@@ -138,7 +138,7 @@ void MeshTree::query(const TriangleMesh& mesh, const Aabb& box, const SolidProbe
 }
 
 template <typename Visit>
-void MeshTree::below(const TriangleMesh&, Vec3 n, Real d, Visit&& visit) const
+void MeshTree::below(Vec3 n, Real d, Visit&& visit) const
 {
     const HalfSpace asked = half_space(n, d);
     walk([&](const MeshNode& node) { return node.met_by(asked); },

@@ -39,13 +39,7 @@ bool RayTree::build(const DynamicTree& tree)
     centre_ = all.lo + half;
     const Real size = max_component(max(abs(all.lo), abs(all.hi)));
     pad_ = kPad * max_component(half) + 32 * kEpsilon * size + (kSingle ? Real(1e-30) : Real(1e-36));
-    const auto empty = [] {
-        RayNode node{};
-        for (int i = 0; i < 3; ++i)
-            for (int k = 0; k < 4; ++k) node.lo[i][k] = node.hi[i][k] = 0;
-        return node;
-    };
-    (void)nodes_.push(empty());
+    (void)nodes_.push(RayNode{});
     if (tree.is_leaf(tree.root())) {
         set_child(nodes_[0], 0, all, ~tree.item(tree.root()));
         return true;
@@ -72,7 +66,7 @@ bool RayTree::build(const DynamicTree& tree)
                 child = ~tree.item(open[k]);
             } else {
                 child = nodes_.size();
-                (void)nodes_.push(empty());
+                (void)nodes_.push(RayNode{});
                 (void)folds_.push({open[k], child});
             }
             set_child(nodes_[fold.to], k, tree.box(open[k]), child);

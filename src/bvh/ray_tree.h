@@ -67,32 +67,26 @@ void RayTree::cast(const TreeRay& ray, Vec3 direction, const Aabb& all, Real rea
     if (!(start < kInf)) return;
     const NodeRay node_ray(ray.origin + start * direction - centre_, direction);
     const auto left = [&](Real until) { return float(until - start + pad_) * (1 + 0x1p-20f); };
-    struct Waiting {
-        int child;
-        float near;
-    } stack[3 * DynamicTree::kMaxHeight + 4];
+    WaitingNode stack[3 * DynamicTree::kMaxHeight + 4];
     int top = 0;
-    stack[top++] = {0, 0};
+    stack[top++] = WaitingNode(0, 0);
     float limit = left(reach);
     while (top > 0) {
-        const Waiting next = stack[--top];
-        if (next.near > limit) continue;
-        if (next.child < 0) {
-            reach = visit(~next.child);
+        const WaitingNode next = stack[--top];
+        if (next.near() > limit) continue;
+        if (next.child() < 0) {
+            reach = visit(~next.child());
             if (reach < 0) return;
             limit = left(reach);
             continue;
         }
-        const RayNode& node = nodes_.data()[next.child];
+        const RayNode& node = nodes_.data()[next.child()];
         float near[4];
         const unsigned met = node.met_by(node_ray, limit, near);
-        const int base = top;
-        for (int k = 0; k < 4; ++k) {  // the nearest on top
-            if (!(met >> k & 1)) continue;
-            int at = top++;
-            for (; at > base && stack[at - 1].near <= near[k]; --at) stack[at] = stack[at - 1];
-            stack[at] = {node.child[k], near[k]};
-        }
+        for (int k = 0; k < 4; ++k)
+            stack[top + k] = met >> k & 1 ? WaitingNode(node.child[k], near[k]) : WaitingNode(0, 0);
+        far_first(stack + top);
+        top += mesh_lanes::count(met);
     }
 }
 

@@ -20,8 +20,6 @@
 namespace epode {
 namespace {
 
-using PairThunk = PairFunction;
-
 template <auto function, typename First, typename Second>
 void thunk(const Geom& a, const Pose& A, const Geom& b, const Pose& B, ContactSink& sink)
 {
@@ -30,7 +28,7 @@ void thunk(const Geom& a, const Pose& A, const Geom& b, const Pose& B, ContactSi
 }
 
 struct Collider {
-    PairThunk pair = nullptr;
+    PairFunction pair = nullptr;
     dColliderFn* user = nullptr;
     bool reversed = false;
     bool disabled = false;  // by the program
@@ -60,7 +58,7 @@ class ColliderEntry {
                 (flags & kPlain) != 0};
     }
     // The pair function, if it is all; null otherwise.
-    PairThunk plain(bool& reversed) const
+    PairFunction plain(bool& reversed) const
     {
         const int flags = flags_.load(std::memory_order_acquire);
         reversed = (flags & kReversed) != 0;
@@ -69,7 +67,7 @@ class ColliderEntry {
 
   private:
     static constexpr int kReversed = 1, kDisabled = 2, kSettled = 4, kPlain = 8;
-    std::atomic<PairThunk> pair_{nullptr};
+    std::atomic<PairFunction> pair_{nullptr};
     std::atomic<dColliderFn*> user_{nullptr};
     std::atomic<int> flags_{0};
 };
@@ -101,7 +99,7 @@ void ColliderTable::fill()
             const bool ask = (is_user_class(i) || is_user_class(j)) && !is_opened(i) && !is_opened(j);
             entries[i][j].set({.settled = !ask});
         }
-        // Meshes may have functions of the program that are asked.
+        // Not plain are meshes: they may have functions of the program that are asked.
 #define PAIR(First, Second, function)                                 \
     set_both(GeomTraits<First>::kNumber, GeomTraits<Second>::kNumber, \
              {.pair = thunk<&function, First, Second>,                \
@@ -190,7 +188,7 @@ void name_outer(const Placed& a, const Placed& b, ContactArray& out, int found)
     out.count += found;
 }
 
-void run_pair(PairThunk pair, const Placed& a, const Placed& b, ContactArray& out)
+void run_pair(PairFunction pair, const Placed& a, const Placed& b, ContactArray& out)
 {
     ContactSink sink(out.at(out.count), out.stride, out.room - out.count, out.unimportant);
     sink.name(to_handle(a.geom), to_handle(b.geom));
@@ -199,7 +197,7 @@ void run_pair(PairThunk pair, const Placed& a, const Placed& b, ContactArray& ou
 }
 
 // The way of nearly all calls.
-void run_plain(PairThunk pair, Geom& a, Geom& b, ContactArray& out)
+void run_plain(PairFunction pair, Geom& a, Geom& b, ContactArray& out)
 {
     ContactSink sink(out.at(out.count), out.stride, out.room - out.count, out.unimportant);
     sink.name(to_handle(&a), to_handle(&b));
@@ -313,10 +311,10 @@ bool asks_program(Geom& a, Geom& b)
 
 void collide(Geom& a, Geom& b, ContactArray& out)
 {
-    if (&a == &b || out.full() || (a.body.id && a.body.id == b.body.id)) return;
+    if (&a == &b || out.full() || of_one_body(a, b)) return;
     bool reversed;
     const ColliderEntry& entry = table().entries[a.type->number][b.type->number];
-    if (const PairThunk pair = entry.plain(reversed)) {
+    if (const PairFunction pair = entry.plain(reversed)) {
         const int before = out.count;
         reversed ? run_plain(pair, b, a, out) : run_plain(pair, a, b, out);
         if (reversed) reverse_from(before, out);

@@ -107,6 +107,7 @@ class GeomHold {
     Geom& geom_;
 };
 
+inline bool of_one_body(const Geom& a, const Geom& b) { return a.body.id && a.body.id == b.body.id; }
 bool is_space(const Geom& geom);
 bool in_locked_space(const Geom& geom);
 

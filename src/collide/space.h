@@ -68,6 +68,7 @@ void clean(Space& space);                // gives every queued member its box, a
 Aabb space_aabb(Geom& space);            // a GeomType's function
 
 // ---- collision ----
+bool may_meet(Geom& a, Geom& b);  // all that decides but enabling and boxes
 void collide_space(Space& space, void* data, dNearCallback* callback);
 void collide_across(Geom& first, Geom& second, void* data, dNearCallback* callback);
 

@@ -18,15 +18,6 @@ struct Report {
     void operator()(Geom& a, Geom& b) const { callback(data, to_handle(&a), to_handle(&b)); }
 };
 
-// All that decides but enabling and boxes.
-bool may_meet(Geom& a, Geom& b)
-{
-    if (&a == &b || (a.body.id && a.body.id == b.body.id)) return false;
-    if (!(a.category & b.collide) && !(b.category & a.collide)) return false;
-    return !(a.type->may_touch && !a.type->may_touch(a, b)) &&
-           !(b.type->may_touch && !b.type->may_touch(b, a));
-}
-
 void report_pairs(Space& space, const Report& report)
 {
     ++space.pair_walks;
@@ -142,6 +133,14 @@ void space_with_space(Space& walked, Space& asked, const Tell& tell)
 }
 
 }  // namespace
+
+bool may_meet(Geom& a, Geom& b)
+{
+    if (&a == &b || of_one_body(a, b)) return false;
+    if (!(a.category & b.collide) && !(b.category & a.collide)) return false;
+    return !(a.type->may_touch && !a.type->may_touch(a, b)) &&
+           !(b.type->may_touch && !b.type->may_touch(b, a));
+}
 
 void collide_space(Space& space, void* data, dNearCallback* callback)
 {

@@ -16,7 +16,6 @@ namespace epode {
 
 namespace {
 
-constexpr Real kPreference = kSingle ? Real(1e-5) : Real(1e-9);
 constexpr Real kNearEnd = Real(0.05);  // of the size: how much lower a narrow valley may be
 constexpr Vec3 kAxis = {0, 0, 1};
 

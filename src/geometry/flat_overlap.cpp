@@ -15,8 +15,7 @@ namespace epode {
 
 namespace {
 
-constexpr Real kPreference = kSingle ? Real(1e-5) : Real(1e-9);  // of the size: faces before edges
-constexpr int kEdges = 64;                                       // near, of either solid
+constexpr int kEdges = 64;  // near, of either solid
 constexpr int kProducts = 1200;
 
 // An edge in a's frame with its faces' normals.

@@ -23,6 +23,9 @@
 
 namespace epode {
 
+// Faces come before edges by so much of the size.
+inline constexpr Real kPreference = kSingle ? Real(1e-5) : Real(1e-9);
+
 // Two boxes or polyhedra.
 class FlatPair {
   public:
@@ -114,5 +117,21 @@ class CylinderPair {
     Vec3 normal_;
     bool end_of_a_ = false, end_of_b_ = false;
 };
+
+// use(pair) with the one of these that knows both solids; false if none does.
+template <class Use>
+bool with_pair(const ConvexView& a, const ConvexView& b, const Use& use)
+{
+    const bool flat_a = FlatSolid::is_flat(a), flat_b = FlatSolid::is_flat(b);
+    if (flat_a && flat_b)
+        use(FlatPair(a, b));
+    else if ((flat_a && RoundCore::is_round(b)) || (flat_b && RoundCore::is_round(a)))
+        use(RoundPair(a, b));
+    else if (a.kind == SolidKind::kCylinder && b.kind == SolidKind::kCylinder)
+        use(CylinderPair(a, b));
+    else
+        return false;
+    return true;
+}
 
 }  // namespace epode

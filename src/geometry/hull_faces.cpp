@@ -48,15 +48,15 @@ class Gatherer {
 
 bool Gatherer::flood(int seed, int group)
 {
-    const Facet& plane = mesh_.facets[seed];
+    const HullFacet& plane = mesh_.facets[seed];
     stack_.clear();
     group_[seed] = group;
     if (!stack_.push(seed)) return false;
     while (!stack_.empty()) {
-        const Facet& f = mesh_.facets[stack_.back()];
+        const HullFacet& f = mesh_.facets[stack_.back()];
         stack_.pop();
         for (const int g : f.neighbour) {
-            const Facet& other = mesh_.facets[g];
+            const HullFacet& other = mesh_.facets[g];
             if (group_[g] >= 0 || !(plane.n.dot(other.n) > 0)) continue;
             bool near = true;
             for (const int v : other.v) near = near && std::fabs(mesh_.height(seed, v)) <= flat_;
@@ -204,14 +204,14 @@ int side_of(const Array<GridPoint>& points, int a, int b, int c, int d)
     return det > 0 ? 1 : det < 0 ? -1 : 0;
 }
 
-Facet plane_through(const Array<GridPoint>& points, int a, int b, int c)
+HullFacet plane_through(const Array<GridPoint>& points, int a, int b, int c)
 {
     std::int64_t u[3], v[3];
     for (int k = 0; k < 3; ++k) {
         u[k] = points[b].x[k] - points[a].x[k];
         v[k] = points[c].x[k] - points[a].x[k];
     }
-    Facet f = {};
+    HullFacet f = {};
     f.v[0] = a, f.v[1] = b, f.v[2] = c;
     f.neighbour[0] = f.neighbour[1] = f.neighbour[2] = -1;
     f.n = {double(Int128(u[1]) * v[2] - Int128(u[2]) * v[1]),

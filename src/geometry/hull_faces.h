@@ -40,7 +40,7 @@ inline Vec3d between(const GridPoint& a, const GridPoint& b)
     return {double(b.x[0] - a.x[0]), double(b.x[1] - a.x[1]), double(b.x[2] - a.x[2])};
 }
 
-struct Facet {
+struct HullFacet {
     int v[3];
     int neighbour[3];     // beyond the edge from v[k] to v[k + 1]
     Vec3d n;              // unit, outward
@@ -53,11 +53,11 @@ struct Facet {
 
 // Positive: d is beyond the plane of a, b, c, which run counter-clockwise seen from outside.
 int side_of(const Array<GridPoint>& points, int a, int b, int c, int d);
-Facet plane_through(const Array<GridPoint>& points, int a, int b, int c);
+HullFacet plane_through(const Array<GridPoint>& points, int a, int b, int c);
 
 struct HullMesh {
     Array<GridPoint> points;
-    Array<Facet> facets;
+    Array<HullFacet> facets;
     double extent = 0;  // of the client's points: the length of kHullGrid steps
     double height(int facet, int point) const
     {

@@ -161,14 +161,6 @@ void offer_face(const ConvexView& v, Real sense, Vec3 guess, const ConvexView& a
 
 namespace {
 
-template <class Pair>
-Overlap least_overlap_of(Pair&& pair, Real enough)
-{
-    pair.try_faces(enough);
-    if (pair.best.depth >= enough && !pair.proven()) pair.try_rest(enough);
-    return pair.best;
-}
-
 Overlap search(const ConvexView& a, const ConvexView& b, Real enough)
 {
     const Real size = a.size + b.size;
@@ -198,13 +190,13 @@ Overlap least_overlap(const ConvexView& a, const ConvexView& b)
 {
     const Real enough =
         -(a.radius + b.radius) - 64 * kEpsilon * (a.size + b.size + length(b.pose.p - a.pose.p));
-    const bool flat_a = FlatSolid::is_flat(a), flat_b = FlatSolid::is_flat(b);
-    if (flat_a && flat_b) return least_overlap_of(FlatPair(a, b), enough);
-    if ((flat_a && RoundCore::is_round(b)) || (flat_b && RoundCore::is_round(a)))
-        return least_overlap_of(RoundPair(a, b), enough);
-    if (a.kind == SolidKind::kCylinder && b.kind == SolidKind::kCylinder)
-        return least_overlap_of(CylinderPair(a, b), enough);
-    return search(a, b, enough);
+    Overlap least;
+    const bool known = with_pair(a, b, [&](auto&& pair) {
+        pair.try_faces(enough);
+        if (pair.best.depth >= enough && !pair.proven()) pair.try_rest(enough);
+        least = pair.best;
+    });
+    return known ? least : search(a, b, enough);
 }
 
 }  // namespace epode

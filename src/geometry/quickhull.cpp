@@ -98,7 +98,7 @@ int Builder::farthest_from_line(int a, int b, double& distance) const
 
 int Builder::farthest_from_plane(int a, int b, int c, double& distance) const
 {
-    const Facet plane = plane_through(mesh_.points, a, b, c);
+    const HullFacet plane = plane_through(mesh_.points, a, b, c);
     int best = -1;
     distance = 0;
     for (int i = 0; i < mesh_.points.size(); ++i) {
@@ -156,7 +156,7 @@ int Builder::make_facet(int a, int b, int c)
     int i = mesh_.facets.size();
     int age = 0;
     if (free_.empty()) {
-        if (!mesh_.facets.push(Facet{})) return -1;
+        if (!mesh_.facets.push(HullFacet{})) return -1;
     } else {
         i = free_.back();
         free_.pop();
@@ -185,7 +185,7 @@ bool Builder::hand_over(int point)
                 most = mesh_.height(f, point), best = f, rising = true;
     }
     if (most <= kThin) return true;
-    Facet& f = mesh_.facets[best];
+    HullFacet& f = mesh_.facets[best];
     next_[point] = f.above;
     f.above = point;
     if (most <= f.height) return true;
@@ -195,7 +195,7 @@ bool Builder::hand_over(int point)
 
 bool Builder::announce(int facet)
 {
-    Facet& f = mesh_.facets[facet];
+    HullFacet& f = mesh_.facets[facet];
     f.fresh = false;
     if (f.farthest < 0) return true;
     if (!heap_.push({f.height, facet, f.age})) return false;
@@ -212,7 +212,7 @@ bool Builder::find_visible(int from, int eye)
         const int f = visible_[done];
         for (int k = 0; k < 3; ++k) {
             const int g = mesh_.facets[f].neighbour[k];
-            Facet& other = mesh_.facets[g];
+            HullFacet& other = mesh_.facets[g];
             if (other.seen) continue;
             if (side_of(mesh_.points, other.v[0], other.v[1], other.v[2], eye) > 0) {
                 other.seen = true;
@@ -254,14 +254,14 @@ int Builder::grow()
         const Waiting first = heap_[0];
         std::pop_heap(heap_.begin(), heap_.end(), later);
         heap_.pop();
-        const Facet& f = mesh_.facets[first.facet];
+        const HullFacet& f = mesh_.facets[first.facet];
         if (f.gone || f.age != first.age || f.height != first.height) continue;
         const int eye = f.farthest;
         if (!find_visible(first.facet, eye)) return -1;
         if (!raise_fan(eye)) return -1;
         orphans_.clear();
         for (const int g : visible_) {
-            Facet& old = mesh_.facets[g];
+            HullFacet& old = mesh_.facets[g];
             for (int p = old.above; p >= 0; p = next_[p])
                 if (p != eye && !orphans_.push(p)) return -1;
             old.gone = true, ++old.age;

@@ -11,7 +11,6 @@ namespace epode {
 
 namespace {
 
-constexpr Real kPreference = kSingle ? Real(1e-5) : Real(1e-9);
 constexpr Real kWidest = Real(1e4);  // tangent: half of an arc of 180 degrees
 
 // Half the arc as an angle's tangent, and its middle; an edge of a plate has opposite normals.

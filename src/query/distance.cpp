@@ -20,7 +20,7 @@ void to_world(const Pose& frame, Separation& s)
 }
 
 // The triangle of `b` nearest to `a`, if it comes before `best`; everything in the surface's frame.
-void nearest_triangle(const ConvexView& a, int side_a, const Surface& b, Real limit, Separation& best)
+void nearest_triangle(const ConvexView& a, int side_a, const TriangleSet& b, Real limit, Separation& best)
 {
     const Aabb around = box_around(a);
     const Real farthest = best.distance < limit ? best.distance : limit;
@@ -71,7 +71,7 @@ Separation solid_surface(const Thing& a, const Thing& b, Real limit)
 {
     Separation best;
     if (sort_of(b) == Sort::kField && in_ground(a, b, best)) return best;
-    const Surface surface = surface_of(b);
+    const TriangleSet surface = triangles_of(b);
     const Ball ball = ball_about(surface, b.pose);
     Capsule memory;
     nearest_triangle(in_frame(b.pose, solid_view(a, ball.centre, ball.reach, memory)), -1, surface, limit,
@@ -83,7 +83,7 @@ Separation solid_surface(const Thing& a, const Thing& b, Real limit)
 // Of a field without end one period counts where its height axis is the plane's, else there is no least.
 Separation surface_plane(const Thing& a, const Thing& b)
 {
-    const Surface surface = surface_of(a);
+    const TriangleSet surface = triangles_of(a);
     const Plane& plane = b.as<Plane>();
     const Vec3 n = transposed_times(a.pose.R, plane.normal);
     const Real d = plane.d - dot(plane.normal, a.pose.p);
@@ -119,7 +119,7 @@ Separation plane_plane(const Plane& a, const Plane& b)
 // The triangles of `a` one after the other, the one whose box is nearest first.
 Separation surface_surface(const Thing& a, const Thing& b, Real limit)
 {
-    const Surface sa = surface_of(a), sb = surface_of(b);
+    const TriangleSet sa = triangles_of(a), sb = triangles_of(b);
     if (sa.endless() && sb.endless()) return {};
     if (sa.endless() || (!sb.endless() && sb.count() < sa.count()))
         return surface_surface(b, a, limit).turned();

@@ -10,28 +10,12 @@
 #include "ode/ext.h"
 #include "query/distance.h"
 #include "query/members.h"
-#include "query/surface.h"
+#include "query/triangle_set.h"
 
 namespace epode {
 namespace {
 
-// Keeps what lies in a space as it is while functions of the program may be called.
-class LeafLock {
-  public:
-    LeafLock(Geom* outer, const Array<Geom*>& leaves) : outer_(outer), leaves_(leaves) { add(1); }
-    LeafLock(const LeafLock&) = delete;
-    LeafLock& operator=(const LeafLock&) = delete;
-    ~LeafLock() { add(-1); }
-
-  private:
-    void add(int count)
-    {
-        if (is_space(*outer_))
-            for (Geom* m : leaves_) lock_around(*m, static_cast<Space&>(*outer_), count);
-    }
-    Geom* outer_;
-    const Array<Geom*>& leaves_;
-};
+Space* space_of(Geom& geom) { return is_space(geom) ? static_cast<Space*>(&geom) : nullptr; }
 
 bool leaves_of(Geom& geom, QueryBits bits, Array<Geom*>& out)
 {
@@ -76,13 +60,6 @@ void put(const GeomSeparation& s, dQueryDistance& out)
     out.side2 = s.side_b;
 }
 
-bool may_overlap(Geom& a, Geom& b)
-{
-    if (&a == &b || (a.body.id && a.body.id == b.body.id)) return false;
-    return !(a.type->may_touch && !a.type->may_touch(a, b)) &&
-           !(b.type->may_touch && !b.type->may_touch(b, a));
-}
-
 }  // namespace
 }  // namespace epode
 
@@ -100,7 +77,7 @@ extern "C" int dGeomGetDistance(dGeomID o1, dGeomID o2, dReal most, dQueryDistan
     const bool room =
         leaves_of(*a, {b->category, b->collide}, first) && leaves_of(*b, {a->category, a->collide}, second);
     EPODE_USER_SAY(room, kOutOfMemory, 0);
-    const LeafLock lock_a(a, first), lock_b(b, second);
+    const MembersLock lock_a(space_of(*a), first), lock_b(space_of(*b), second);
     const GeomSeparation found = least(first, second, is_space(*a) || is_space(*b), most);
     if (!found.a) return 0;
     put(found, *result);
@@ -118,10 +95,10 @@ extern "C" int dSpaceOverlap(dSpaceID id, dGeomID o, dGeomID* geoms, int room)
     const QueryBits bits{geom->category, geom->collide};
     clean(*space);
     EPODE_USER_SAY(collect_near(*space, bits, box_of(*geom), near), kOutOfMemory, 0);
-    const LeafLock lock(space, near);
+    const MembersLock lock(space, near);
     int count = 0;
     for (Geom* m : near) {
-        if (!may_overlap(*geom, *m) || !overlapping(*geom, *m)) continue;
+        if (!may_meet(*geom, *m) || !overlapping(*geom, *m)) continue;
         if (count < room) geoms[count] = to_handle(m);
         ++count;
     }

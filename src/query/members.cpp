@@ -70,9 +70,11 @@ bool collect_near(Space& space, QueryBits bits, const Aabb& box, Array<Geom*>& o
     return true;
 }
 
-void lock_around(const Geom& member, Space& outer, int count)
+void MembersLock::add(int count) const
 {
-    for (Space* s = member.space; s; s = s == &outer ? nullptr : s->space) s->locks += count;
+    if (!outer_) return;
+    for (const Geom* m : members_)
+        for (Space* s = m->space; s; s = s == outer_ ? nullptr : s->space) s->locks += count;
 }
 
 }  // namespace epode

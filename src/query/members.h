@@ -45,8 +45,19 @@ bool each_member(Space& space, Visit&& visit)
 [[nodiscard]] bool collect_seen(Space& space, QueryBits bits, Array<Geom*>& out);
 [[nodiscard]] bool collect_near(Space& space, QueryBits bits, const Aabb& box, Array<Geom*>& out);
 
-// Locks (1) or unlocks (-1) the spaces from that of a member up to an outer one, so that the member stays
-// what and where it is.
-void lock_around(const Geom& member, Space& outer, int count);
+// Locks the spaces from those of members up to an outer one, so that the members stay what and where they are
+// while functions of the program may be called. Null: nothing is to be locked.
+class MembersLock {
+  public:
+    MembersLock(Space* outer, const Array<Geom*>& members) : outer_(outer), members_(members) { add(1); }
+    MembersLock(const MembersLock&) = delete;
+    MembersLock& operator=(const MembersLock&) = delete;
+    ~MembersLock() { add(-1); }
+
+  private:
+    void add(int count) const;
+    Space* outer_;
+    const Array<Geom*>& members_;
+};
 
 }  // namespace epode

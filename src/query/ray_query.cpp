@@ -109,8 +109,7 @@ template <typename Found>
 void RayCaster::ask_waiting(const RayQuestion& question, const Real& reach, Found&& found)
 {
     std::sort(waiting_.begin(), waiting_.end(), [](Geom* a, Geom* b) { return is_newer(*a, *b); });
-    if (!ready_)
-        for (Geom* m : waiting_) lock_around(*m, space_, 1);
+    const MembersLock lock(ready_ ? nullptr : &space_, waiting_);
     const Real until = reach;
     for (Geom* m : waiting_) {
         RayAnswer answer;
@@ -119,14 +118,12 @@ void RayCaster::ask_waiting(const RayQuestion& question, const Real& reach, Foun
             !bounded(box) || TreeRay(question.origin, question.direction, box).enters(box, until) < kInf;
         if (near && hit(question, *m, reach, answer)) found(answer);
     }
-    if (!ready_)
-        for (Geom* m : waiting_) lock_around(*m, space_, -1);
-    waiting_.clear();
 }
 
 void RayCaster::aim(const RayQuestion& question)
 {
     const Vec3 d = question.direction;
+    waiting_.clear();
     pose_.p = question.origin;
     pose_.R = {{0, 0, d.x}, {0, 0, d.y}, {0, 0, d.z}};
 }

@@ -27,11 +27,11 @@ SweepHit met(Real distance, const Separation& s)
     return hit;
 }
 
-// separation_at(t, limit): of the solid, moved by t, from something convex. Not before `from`.
+// separation_at(t, limit): of the solid, moved by t, from something convex.
 template <typename SeparationAt>
-SweepHit advance(const Way& way, Real from, Real limit, Real touch, const SeparationAt& separation_at)
+SweepHit advance(const Way& way, Real limit, Real touch, const SeparationAt& separation_at)
 {
-    Real t = from;
+    Real t = 0;
     Separation s;
     for (int i = 0; i < kAdvances; ++i) {
         s = separation_at(t, limit - t + touch);
@@ -55,18 +55,18 @@ ConvexView moved(const ConvexView& v, Vec3 by)
 
 SweepHit sweep_solid(const ConvexView& a, const Way& way, const ConvexView& b, Real limit)
 {
-    return advance(way, 0, limit, touch_of(a),
+    return advance(way, limit, touch_of(a),
                    [&](Real t, Real most) { return separation(moved(a, t * way.along), b, most); });
 }
 
 SweepHit sweep_plane(const ConvexView& a, const Way& way, const Plane& b, Real limit)
 {
-    return advance(way, 0, limit, touch_of(a),
+    return advance(way, limit, touch_of(a),
                    [&](Real t, Real) { return separation(moved(a, t * way.along), b); });
 }
 
-// Everything in the surface's frame.
-SweepHit sweep_surface(const ConvexView& a, const Way& way, const Surface& b, Real limit)
+// Everything in the frame of the triangles.
+SweepHit sweep_triangles(const ConvexView& a, const Way& way, const TriangleSet& b, Real limit)
 {
     SweepHit best;
     const Aabb around = grown(box_around(a), touch_of(a));
@@ -80,7 +80,7 @@ SweepHit sweep_surface(const ConvexView& a, const Way& way, const Surface& b, Re
         b.query(swept, [&](const Triangle& t, int side) {
             const ConvexView view = view_of(t);
             const Real most = best.distance < limit ? best.distance : limit;
-            SweepHit hit = advance(way, 0, most, touch_of(a), [&](Real at, Real reach) {
+            SweepHit hit = advance(way, most, touch_of(a), [&](Real at, Real reach) {
                 return separation(moved(a, at * way.along), view, reach);
             });
             hit.side = side;
@@ -91,24 +91,21 @@ SweepHit sweep_surface(const ConvexView& a, const Way& way, const Surface& b, Re
     return best;
 }
 
+SweepHit sweep_surface(const ConvexView& a, const Way& way, const Thing& surface, Real limit)
+{
+    const Way local = {transposed_times(surface.pose.R, way.along), way.length};
+    SweepHit hit = sweep_triangles(in_frame(surface.pose, a), local, triangles_of(surface), limit);
+    hit.pos = surface.pose.to_world(hit.pos);
+    hit.normal = surface.pose.R * hit.normal;
+    return hit;
+}
+
 SweepHit sweep_field(const ConvexView& a, const Thing& solid, const Way& way, const Thing& field, Real limit)
 {
     Separation ground;
     if (in_ground(solid, field, ground) && ground.distance < -touch_of(a)) return met(0, ground);
-    const Way local = {transposed_times(field.pose.R, way.along), way.length};
-    SweepHit hit = sweep_surface(in_frame(field.pose, a), local, surface_of(field), limit);
-    hit.pos = field.pose.to_world(hit.pos);
-    hit.normal = field.pose.R * hit.normal;
+    SweepHit hit = sweep_surface(a, way, field, limit);
     hit.side = -1;
-    return hit;
-}
-
-SweepHit sweep_mesh(const ConvexView& a, const Way& way, const Thing& mesh, Real limit)
-{
-    const Way local = {transposed_times(mesh.pose.R, way.along), way.length};
-    SweepHit hit = sweep_surface(in_frame(mesh.pose, a), local, surface_of(mesh), limit);
-    hit.pos = mesh.pose.to_world(hit.pos);
-    hit.normal = mesh.pose.R * hit.normal;
     return hit;
 }
 
@@ -127,7 +124,7 @@ SweepHit sweep(Geom& solid, const Way& way, Geom& other, Real limit)
     const Ball ball_a = ball_about(a, far);
     Ball ball_b = {a.pose.p, far};
     if (sort == Sort::kSolid) ball_b = ball_about(b, far);
-    if (sort == Sort::kMesh || sort == Sort::kField) ball_b = ball_about(surface_of(b), b.pose);
+    if (sort == Sort::kMesh || sort == Sort::kField) ball_b = ball_about(triangles_of(b), b.pose);
     const ConvexView view = solid_view(a, ball_b.centre, ball_b.reach + way.length, memory_a);
     SweepHit hit;
     if (sort == Sort::kSolid)
@@ -138,7 +135,7 @@ SweepHit sweep(Geom& solid, const Way& way, Geom& other, Real limit)
     else if (sort == Sort::kField)
         hit = sweep_field(view, a, way, b, limit);
     else
-        hit = sweep_mesh(view, way, b, limit);
+        hit = sweep_surface(view, way, b, limit);
     hit.named = b.named;
     return hit;
 }

@@ -7,8 +7,8 @@
 #include "collide/registry.h"
 #include "ode/ext.h"
 #include "query/members.h"
-#include "query/surface.h"
 #include "query/sweep.h"
+#include "query/triangle_set.h"
 
 namespace epode {
 namespace {
@@ -20,17 +20,12 @@ Aabb swept(const Aabb& box, const Way& way)
 }
 
 // May the moving box meet the other one within `limit`?
-bool may_meet(const Aabb& box, const Way& way, const Aabb& other, Real limit)
+bool boxes_may_meet(const Aabb& box, const Way& way, const Aabb& other, Real limit)
 {
     if (!bounded(box) || !bounded(other)) return true;
     const Vec3 half = Real(0.5) * (box.hi - box.lo), centre = box.lo + half;
     const Aabb wide = {other.lo - half, other.hi + half};
     return TreeRay(centre, way.along, wide).enters(wide, limit) < kInf;
-}
-
-bool apart_by_body(const Geom& a, const Geom& b)
-{
-    return &a != &b && !(a.body.id && a.body.id == b.body.id);
 }
 
 SweepHit nearest(Geom& solid, const Way& way, const Array<Geom*>& others)
@@ -39,9 +34,9 @@ SweepHit nearest(Geom& solid, const Way& way, const Array<Geom*>& others)
     const Aabb box = box_of(solid);
     for (Geom* m : others) {
         const Real limit = best.distance < way.length ? best.distance : way.length;
-        if (!apart_by_body(solid, *m)) continue;
+        if (m == &solid || of_one_body(solid, *m)) continue;
         // Below the box of a height field is ground.
-        if (m->type->number != dHeightfieldClass && !may_meet(box, way, box_of(*m), limit)) continue;
+        if (m->type->number != dHeightfieldClass && !boxes_may_meet(box, way, box_of(*m), limit)) continue;
         const SweepHit hit = sweep(solid, way, *m, limit);
         if (hit.distance < best.distance) best = hit;
     }
@@ -102,9 +97,8 @@ extern "C" int dSpaceCast(dSpaceID id, dGeomID o, const dVector3 motion, dQueryH
     const bool room =
         collect_near(*space, {solid->category, solid->collide}, swept(box_of(*solid), way), near);
     EPODE_USER_SAY(room, kOutOfMemory, 0);
-    for (Geom* m : near) lock_around(*m, *space, 1);
+    const MembersLock lock(space, near);
     const SweepHit found = nearest(*solid, way, near);
-    for (Geom* m : near) lock_around(*m, *space, -1);
     put(found, *hit);
     return found.distance < kInf;
 }

@@ -91,16 +91,16 @@ Ball ball_about(const Thing& t, Real most)
     return {v.pose.p, v.size + v.radius};
 }
 
-Ball ball_about(const Surface& s, const Pose& pose)
+Ball ball_about(const TriangleSet& s, const Pose& pose)
 {
     const Vec3 half = Real(0.5) * (s.period().hi - s.period().lo);
     return {pose.to_world(s.period().lo + half), (s.endless() ? kEndless : Real(1)) * length(half)};
 }
 
-Surface surface_of(const Thing& t)
+TriangleSet triangles_of(const Thing& t)
 {
-    return t.number() == dTriMeshClass ? Surface(*t.as<Trimesh>().mesh())
-                                       : Surface(*t.as<Heightfield>().field());
+    return t.number() == dTriMeshClass ? TriangleSet(*t.as<Trimesh>().mesh())
+                                       : TriangleSet(*t.as<Heightfield>().field());
 }
 
 ConvexView in_frame(const Pose& frame, const ConvexView& v)

@@ -9,7 +9,7 @@
 #include "collide/geom.h"
 #include "collide/registry.h"
 #include "query/separation.h"
-#include "query/surface.h"
+#include "query/triangle_set.h"
 
 namespace epode {
 
@@ -38,7 +38,7 @@ struct Ball {
 
 // Of a ray no more than `most` of it.
 Ball ball_about(const Thing& solid, Real most);
-Ball ball_about(const Surface& surface, const Pose& pose);
+Ball ball_about(const TriangleSet& surface, const Pose& pose);
 
 // Two rays, and rays over endless fields, are looked at for so many times what lies between them at most.
 inline constexpr Real kEndless = kSingle ? Real(1e3) : Real(1e5);
@@ -48,7 +48,7 @@ ConvexView solid_view(const Thing& solid, Vec3 centre, Real reach, Capsule& memo
 ConvexView in_frame(const Pose& frame, const ConvexView& view);
 
 // Of a mesh or a height field.
-Surface surface_of(const Thing& thing);
+TriangleSet triangles_of(const Thing& thing);
 
 // Where the pair functions find a solid or a mesh in the ground of a height field; in the world.
 bool in_ground(const Thing& thing, const Thing& field, Separation& out);

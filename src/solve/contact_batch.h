@@ -13,7 +13,7 @@ namespace epode {
 
 inline constexpr int kManifoldPoints = 4;
 
-struct ContactPoint {
+struct BatchPoint {
     LaneVec3 r1, r2, n, t1, t2;
     Lanes k_n1, k_n2, k_12;              // gain of the later row times coupling with the earlier
     Lanes c[3], keep[3], gain[3], p[3];  // n, t1, t2

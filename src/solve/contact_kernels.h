@@ -20,14 +20,14 @@ struct ContactKernels {
     const char* name;
     // In: arms, directions, c, p, mu, fixed, and C in `keep`. Out: couplings, gain, keep, p within its
     // limits.
-    void (*prepare)(const ContactBatch& batch, ContactPoint* points, Real w);
+    void (*prepare)(const ContactBatch& batch, BatchPoint* points, Real w);
     // v += M^-1 J^T p
-    void (*apply_impulses)(const ContactBatch* batches, int count, const ContactPoint* points,
+    void (*apply_impulses)(const ContactBatch* batches, int count, const BatchPoint* points,
                            Velocity* bodies);
-    void (*sweep)(const ContactBatch* batches, const int* order, int count, ContactPoint* points,
+    void (*sweep)(const ContactBatch* batches, const int* order, int count, BatchPoint* points,
                   Velocity* bodies);
     // J_n v of the batch's points.
-    void (*normal_velocities)(const ContactBatch& batch, const ContactPoint* points, const Velocity* bodies,
+    void (*normal_velocities)(const ContactBatch& batch, const BatchPoint* points, const Velocity* bodies,
                               Lanes* out);
 };
 

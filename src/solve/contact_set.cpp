@@ -29,14 +29,14 @@ bool has_contact_form(const RowSystem& system, const RowBlock& block)
     return true;
 }
 
-void fill_row(const RowNumbers& n, ContactPoint& point, int k, int lane)
+void fill_row(const RowNumbers& n, BatchPoint& point, int k, int lane)
 {
     point.c[k][lane] = n.c;
     point.keep[k][lane] = n.C;
     point.p[k][lane] = n.p;
 }
 
-void fill_point(const RowSystem& system, const RowBlock& block, ContactPoint& point, int lane)
+void fill_point(const RowSystem& system, const RowBlock& block, BatchPoint& point, int lane)
 {
     const Row* rows = &system.rows[std::size_t(block.first)];
     const RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
@@ -77,7 +77,7 @@ bool ContactSet::pack(const RowSystem& system, Real w, std::span<bool> packed, A
     if (arena.failed()) return false;
     batch_manifolds(system, used);
     const int count = batches_.empty() ? 0 : batches_.back().first + batches_.back().count;
-    points_ = arena.take<ContactPoint>(count);
+    points_ = arena.take<BatchPoint>(count);
     sources_ = arena.take<ContactSource>(count);
     order_ = arena.take<int>(int(batches_.size()));
     if (arena.failed()) return false;
@@ -169,7 +169,7 @@ void ContactSet::fill(const RowSystem& system, Real w)
         ContactBatch& batch = batches_[b];
         if (!is_full(system, b))
             std::memset(static_cast<void*>(&points_[std::size_t(batch.first)]), 0,
-                        std::size_t(batch.count) * sizeof(ContactPoint));
+                        std::size_t(batch.count) * sizeof(BatchPoint));
         for (int lane = 0; lane < kLanes; ++lane) {
             const int m = chosen_[b * kLanes + std::size_t(lane)];
             fill_lane(system, m >= 0 ? manifolds_[std::size_t(m)] : none, batch, lane);
@@ -237,7 +237,7 @@ void ContactSet::sweep(std::span<Velocity> bodies)
 
 void ContactSet::relax_by(Real factor)
 {
-    for (ContactPoint& point : points_)
+    for (BatchPoint& point : points_)
         for (int lane = 0; lane < kLanes; ++lane) {
             for (int k = 0; k < 3; ++k) {
                 point.gain[k][lane] *= factor;

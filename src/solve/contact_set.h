@@ -42,7 +42,7 @@ class ContactSet {
                            std::span<Lanes, kManifoldPoints> out) const;
 
     std::span<ContactBatch> batches() { return batches_; }
-    std::span<ContactPoint> points() { return points_; }
+    std::span<BatchPoint> points() { return points_; }
     std::span<const ContactSource> sources() const { return sources_; }
 
   private:
@@ -62,7 +62,7 @@ class ContactSet {
     std::span<int> chosen_;  // kLanes manifolds per batch, -1: none
     std::span<ContactBatch> batches_;
     std::span<int> order_;  // of the batches in a sweep
-    std::span<ContactPoint> points_;
+    std::span<BatchPoint> points_;
     std::span<ContactSource> sources_;
     int manifold_count_ = 0;
 };

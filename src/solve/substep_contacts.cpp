@@ -37,7 +37,7 @@ void begin_pass(const NormalAim<Real>& a, int pass, Real per_hs, PackedRow& row)
     begin_pass(in, Real(1), per_hs, row.c, row.keep, row.gain);
 }
 
-void begin_pass(const NormalAim<Lanes>& a, int pass, Real per_hs, ContactPoint& point)
+void begin_pass(const NormalAim<Lanes>& a, int pass, Real per_hs, BatchPoint& point)
 {
     for (int part = 0; part < kParts; ++part) {
         const PassInput<Register> in{
@@ -194,7 +194,7 @@ void SubstepContacts::describe(std::span<RowNumbers> numbers)
         numbers[std::size_t(row)].C = gain > 0 ? (1 - keep) / gain : 0;
     };
     for (std::size_t i = 0; i < aims_.size(); ++i) {
-        const ContactPoint& p = set_.points()[i];
+        const BatchPoint& p = set_.points()[i];
         for (int lane = 0; lane < kLanes; ++lane)
             if (const int row = set_.sources()[i].row[lane]; row >= 0)
                 describe_normal(row, p.c[0][lane], p.keep[0][lane], p.gain[0][lane]);

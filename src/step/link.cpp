@@ -57,13 +57,6 @@ void set_geom_position(Geom& geom, Vec3 position)
     }
 }
 
-bool usable(const Mat3& R)
-{
-    dMatrix3 rows;
-    store_mat(rows, R);
-    return usable(rows, 3) && usable(rows + 4, 3) && usable(rows + 8, 3);
-}
-
 bool set_geom_rotation(Geom& geom, const Mat3& R)
 {
     Body* body = body_of(geom);

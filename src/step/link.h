@@ -26,9 +26,6 @@ void release_geoms(Body& body);
 // Whether a geom of the body lies in a space that is being collided, so that the body must not be moved.
 bool in_locked_space(const Body& body);
 
-// A quaternion of any length makes a matrix, whose numbers may be beyond all measure.
-bool usable(const Mat3& R);
-
 // Moves the geom, or its body so that the geom gets there; the other half of the geom's pose stays. A geom of
 // its own takes any matrix as it is; a body only what can be made a rotation (false: nothing has changed).
 void set_geom_position(Geom& geom, Vec3 position);

@@ -19,34 +19,31 @@ struct Joint;
 struct Geom;
 struct Group;
 
-struct World {
-    using Id = dWorldID;
-    static constexpr const char* kLetter = "w";
+// What all have: the handle, and the number that the written program knows them by.
+template <typename Handle>
+struct Object {
+    using Id = Handle;
     Id id = nullptr;
     int number = 0;
     bool alive = true;
+};
+
+struct World : Object<dWorldID> {
+    static constexpr const char* kLetter = "w";
     std::vector<Body*> bodies;
     std::vector<Joint*> joints;
 };
 
-struct Body {
-    using Id = dBodyID;
+struct Body : Object<dBodyID> {
     static constexpr const char* kLetter = "b";
-    Id id = nullptr;
-    int number = 0;
-    bool alive = true;
     World* world = nullptr;
     std::vector<Joint*> joints;  // most recently attached last
     std::vector<Geom*> geoms;    // most recently attached last
     bool kinematic = false;
 };
 
-struct Joint {
-    using Id = dJointID;
+struct Joint : Object<dJointID> {
     static constexpr const char* kLetter = "j";
-    Id id = nullptr;
-    int number = 0;
-    bool alive = true;
     World* world = nullptr;  // null: gone, and a group keeps the joint
     Group* group = nullptr;
     Body* body[2] = {};
@@ -54,39 +51,23 @@ struct Joint {
     bool disabled = false;
 };
 
-struct Group {
-    using Id = dJointGroupID;
+struct Group : Object<dJointGroupID> {
     static constexpr const char* kLetter = "g";
-    Id id = nullptr;
-    int number = 0;
-    bool alive = true;
     std::vector<Joint*> joints;
 };
 
-struct Field {
-    using Id = dHeightfieldDataID;
+struct Field : Object<dHeightfieldDataID> {
     static constexpr const char* kLetter = "f";
-    Id id = nullptr;
-    int number = 0;
-    bool alive = true;
 };
 
-struct Mesh {
-    using Id = dTriMeshDataID;
+struct Mesh : Object<dTriMeshDataID> {
     static constexpr const char* kLetter = "m";
-    Id id = nullptr;
-    int number = 0;
-    bool alive = true;
     bool built = false;
 };
 
 // Spaces are geoms, here as in the library.
-struct Geom {
-    using Id = dGeomID;
+struct Geom : Object<dGeomID> {
     static constexpr const char* kLetter = "o";
-    Id id = nullptr;
-    int number = 0;
-    bool alive = true;
     bool is_space = false, is_transform = false, placeable = true;
     int kind = 0;  // index into the player's list of shapes
     Geom* space = nullptr;

@@ -283,7 +283,7 @@ bool proven(const Pair& pair, const Manifold& m)
 // Contacts along a face's normal are the rule, and often prove by themselves that they are right: they are
 // made before any other normal is tried, unless the two are so deep in each other that this would be rare.
 template <class Pair>
-void meet(const ConvexView& a, const ConvexView& b, Pair&& pair, Real enough, ContactSink& sink)
+void meet(const ConvexView& a, const ConvexView& b, Pair& pair, Real enough, ContactSink& sink)
 {
     constexpr Real kShallow = Real(0.05);
     const auto depth = [&] { return pair.best.depth > 0 ? pair.best.depth : Real(0); };
@@ -331,12 +331,7 @@ void convex_convex(const ConvexView& a, const ConvexView& b, ContactSink& sink)
         if (d.distance > touch && normalize(normal))
             return convex_manifold(a, b, settled(a, b, normal, d.distance), -d.distance, sink);
     }
-    const bool flat_a = FlatSolid::is_flat(a), flat_b = FlatSolid::is_flat(b);
-    if (flat_a && flat_b) return meet(a, b, FlatPair(a, b), -touch - radii, sink);
-    if ((flat_a && RoundCore::is_round(b)) || (flat_b && RoundCore::is_round(a)))
-        return meet(a, b, RoundPair(a, b), -touch - radii, sink);
-    if (a.kind == SolidKind::kCylinder && b.kind == SolidKind::kCylinder)
-        return meet(a, b, CylinderPair(a, b), -touch - radii, sink);
+    if (with_pair(a, b, [&](auto&& pair) { meet(a, b, pair, -touch - radii, sink); })) return;
     const Overlap o = least_overlap(a, b);
     if (o.depth >= -touch - radii) convex_manifold(a, b, o.normal, o.depth > 0 ? o.depth : Real(0), sink);
 }

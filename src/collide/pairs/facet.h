@@ -25,7 +25,7 @@ inline constexpr Vec3 kUp{0, 1, 0};
 inline constexpr Real kSteepest = Real(1e-3);  // least upward part of a contact normal
 
 // A sphere or capsule.
-void round_on(const RoundCore& core, const Facet& facet, Meeting& meeting);
+void round_on(const RoundSolid& core, const Facet& facet, Meeting& meeting);
 
 // A box, a cylinder or a polyhedron, by the view in `meeting`.
 void solid_on(const Facet& facet, Meeting& meeting);

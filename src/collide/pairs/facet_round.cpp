@@ -12,7 +12,7 @@ namespace epode {
 
 namespace {
 
-void over_and_under(const RoundCore& s, const Facet& f, Meeting& m)
+void over_and_under(const RoundSolid& s, const Facet& f, Meeting& m)
 {
     const Real at_a = f.height(s.a), at_b = f.height(s.b);
     for (const bool over : {true, false}) {
@@ -34,7 +34,7 @@ void over_and_under(const RoundCore& s, const Facet& f, Meeting& m)
     }
 }
 
-void beside_edge(const RoundCore& s, const Facet& f, Vec3 p, Vec3 q, Meeting& m)
+void beside_edge(const RoundSolid& s, const Facet& f, Vec3 p, Vec3 q, Meeting& m)
 {
     Vec3 n = p - q;
     const Real distance = length(n);
@@ -45,7 +45,7 @@ void beside_edge(const RoundCore& s, const Facet& f, Vec3 p, Vec3 q, Meeting& m)
 
 }  // namespace
 
-void round_on(const RoundCore& s, const Facet& f, Meeting& m)
+void round_on(const RoundSolid& s, const Facet& f, Meeting& m)
 {
     const Real at_a = f.height(s.a), at_b = f.height(s.b);
     if (at_a > s.r && at_b > s.r) return;

@@ -16,9 +16,6 @@ namespace {
 // Vertices out of a plane by less, as a part of their distance from the origin, are in it: mesh data is often
 // float.
 constexpr Real kFlat = kSingle ? 64 * kEpsilon : Real(2e-7);
-// Contacts within this part of the size count as touching: of a solid that rests on many triangles some
-// points hover by what the solver leaves over, and must not come and go.
-constexpr Real kTouch = Real(1e-7);
 constexpr Real kSameWay = kSingle ? Real(1e-6) : Real(1e-9);  // 1 - cosine
 
 // As reach_along(), or more.
@@ -115,7 +112,7 @@ void NearTriangles::find(const Surface& surface, const Aabb& box, const SolidPro
 Real slack_of(const ConvexView& solid)
 {
     const Real size = solid.size + solid.radius, reach = max_component(abs(solid.pose.p)) + size;
-    return std::max(64 * kEpsilon * reach, kTouch * size);
+    return std::max(64 * kEpsilon * reach, kMeshTouch * size);
 }
 
 template <typename Shape>

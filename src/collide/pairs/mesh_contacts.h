@@ -123,6 +123,10 @@ inline SolidProbe probe_of(const Convex& a, const Pose& A, Real slack)
     return {.centre = A.p, .arm = {}, .round = view_of(a, A).size, .axis = {}, .slack = slack};
 }
 
+// Contacts within this part of the size count as touching: of a solid that rests on many triangles some
+// points hover by what the solver leaves over, and must not come and go.
+inline constexpr Real kMeshTouch = Real(1e-7);
+
 // What counts as nothing where the solid is: rounding of coordinates, and of what rests.
 Real slack_of(const ConvexView& solid);
 

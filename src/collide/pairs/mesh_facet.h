@@ -62,7 +62,7 @@ Shows shown_along(const MeshFacet& facet, Vec3 direction);
 inline constexpr Real kLip = Real(0.01);
 
 // Spheres and capsules.
-void round_on(const RoundCore& core, const MeshFacet& facet, MeshMeeting& meeting);
+void round_on(const RoundSolid& core, const MeshFacet& facet, MeshMeeting& meeting);
 
 // Any other solid, by the view in `meeting`.
 void solid_on(const MeshFacet& facet, MeshMeeting& meeting);

@@ -27,7 +27,6 @@ Aabb box_of(const Triangle& t)
 
 Real reach_of(const Aabb& box) { return max_component(max(abs(box.lo), abs(box.hi))); }
 
-constexpr Real kTouch = Real(1e-7);     // of the size, as in mesh_contacts.cpp
 constexpr Real kOtherWay = Real(0.99);  // cosine between normals of different contacts
 constexpr Real kCovers = Real(1.05);
 
@@ -76,7 +75,7 @@ void meet(const Surface& a, const Pose& P, const Surface& b, bool ground, Contac
     if (near_a.near().count() == 0) return;
     const Aabb whole = box_in(P, a.tree.box());
     const Real slack = 64 * kEpsilon * std::max(reach_of(whole), reach_of(a.tree.box()));
-    const Tolerance tolerance{slack, std::max(slack, kTouch * length(whole.hi - whole.lo))};
+    const Tolerance tolerance{slack, std::max(slack, kMeshTouch * length(whole.hi - whole.lo))};
     const Pose here;
     Array<TrianglePush> pushes;
     for (const int t : near_a.near()) {

@@ -12,12 +12,12 @@
 namespace epode {
 
 // A sphere or capsule: all points within r of the segment a..b.
-struct RoundCore {
+struct RoundSolid {
     Vec3 a, b;
     Real r;
 };
-inline RoundCore core_of(const Sphere& a, const Pose& A) { return {A.p, A.p, a.radius}; }
-inline RoundCore core_of(const Capsule& a, const Pose& A)
+inline RoundSolid core_of(const Sphere& a, const Pose& A) { return {A.p, A.p, a.radius}; }
+inline RoundSolid core_of(const Capsule& a, const Pose& A)
 {
     const Vec3 half = a.half_length * A.R.column(2);
     return {A.p - half, A.p + half, a.radius};

@@ -22,7 +22,7 @@ struct Part {
 // How far the ends of s are outside of the three walls that stand on the edges.
 struct Walls {
     Real a[3], b[3];
-    Walls(const RoundCore& s, const MeshFacet& f)
+    Walls(const RoundSolid& s, const MeshFacet& f)
     {
         for (int k = 0; k < 3; ++k) {
             const Vec3 e = f.edge(k), out = cross(e, f.n);
@@ -57,7 +57,7 @@ Part part_over(const Walls& walls, const MeshFacet& f, const MeshMeeting& m)
 }
 
 // False when the contacts are already all there are.
-bool over(const RoundCore& s, const Walls& walls, const MeshFacet& f, MeshMeeting& m)
+bool over(const RoundSolid& s, const Walls& walls, const MeshFacet& f, MeshMeeting& m)
 {
     const Part part = part_over(walls, f, m);
     if (part.t.empty()) return true;
@@ -78,7 +78,7 @@ bool over(const RoundCore& s, const Walls& walls, const MeshFacet& f, MeshMeetin
 }
 
 // A border that is hardly below the round: the surface goes on, for all we know (kLip).
-bool over_lip(const RoundCore& s, const MeshFacet& f, Vec3 p, Vec3 q, MeshMeeting& m)
+bool over_lip(const RoundSolid& s, const MeshFacet& f, Vec3 p, Vec3 q, MeshMeeting& m)
 {
     const Real height = f.height(p);
     if (!(s.r - height < kLip * s.r)) return false;
@@ -87,7 +87,7 @@ bool over_lip(const RoundCore& s, const MeshFacet& f, Vec3 p, Vec3 q, MeshMeetin
     return true;
 }
 
-void beside(const RoundCore& s, const MeshFacet& f, int edge, Vec3 p, Vec3 q, MeshMeeting& m)
+void beside(const RoundSolid& s, const MeshFacet& f, int edge, Vec3 p, Vec3 q, MeshMeeting& m)
 {
     Vec3 n = p - q;
     const Real reach = s.r + m.slack, distance2 = length2(n);
@@ -107,7 +107,7 @@ void beside(const RoundCore& s, const MeshFacet& f, int edge, Vec3 p, Vec3 q, Me
 
 }  // namespace
 
-void round_on(const RoundCore& s, const MeshFacet& f, MeshMeeting& m)
+void round_on(const RoundSolid& s, const MeshFacet& f, MeshMeeting& m)
 {
     const Real at_a = f.height(s.a), at_b = f.height(s.b);
     const Real top = s.r + m.slack;

@@ -35,7 +35,7 @@ struct Meeting {
     template <typename Visit>
     void each(Visit&& visit) const
     {
-        data.tree.below(data.mesh, n, d, [&](int t) {
+        data.tree.below(n, d, [&](int t) {
             for (int k = 0; k < 3; ++k) {
                 if (data.mesh.first_corner(t, k) != 3 * t + k) continue;
                 const Vec3 v = data.mesh.corner(t, k);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See surface.h. A field that reaches beyond the range of whole numbers is cut off there.
-#include "query/surface.h"
+// See triangle_set.h. A field that reaches beyond the range of whole numbers is cut off there.
+#include "query/triangle_set.h"
 
 namespace epode {
 namespace {
@@ -17,18 +17,19 @@ int wrapped(int i, int period)
 
 }  // namespace
 
-Surface::Surface(const TrimeshData& mesh)
+TriangleSet::TriangleSet(const TrimeshData& mesh)
     : mesh_(&mesh), box_(mesh.tree.box()), period_(box_), count_(mesh.mesh.triangle_count())
 {}
 
-Surface::Surface(const HeightfieldData& field) : field_(&field), count_(2 * (field.nx - 1) * (field.nz - 1))
+TriangleSet::TriangleSet(const HeightfieldData& field)
+    : field_(&field), count_(2 * (field.nx - 1) * (field.nz - 1))
 {
     const Vec3 half = {field.width / 2, 0, field.depth / 2};
     box_ = period_ = {Vec3{0, field.lowest, 0} - half, Vec3{0, field.highest, 0} + half};
     if (field.wrap) box_ = {{-kInf, field.lowest, -kInf}, {kInf, field.highest, kInf}};
 }
 
-bool Surface::triangle(int t, Triangle& out) const
+bool TriangleSet::triangle(int t, Triangle& out) const
 {
     if (!mesh_) {
         const int columns = field_->nx - 1, cell = t / 2;
@@ -42,7 +43,7 @@ bool Surface::triangle(int t, Triangle& out) const
     return true;
 }
 
-void Surface::cells_under(const Aabb& box, int* first, int* last) const
+void TriangleSet::cells_under(const Aabb& box, int* first, int* last) const
 {
     const Terrain terrain(*field_);
     const Vec3 o = terrain.low_corner(), cell = terrain.cell();
@@ -56,7 +57,7 @@ void Surface::cells_under(const Aabb& box, int* first, int* last) const
     }
 }
 
-int Surface::number(int i, int j, bool upper) const
+int TriangleSet::number(int i, int j, bool upper) const
 {
     const int columns = field_->nx - 1, rows = field_->nz - 1;
     return 2 * (wrapped(i, columns) + wrapped(j, rows) * columns) + (upper ? 1 : 0);

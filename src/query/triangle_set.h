@@ -39,10 +39,10 @@ inline Real gap_between(const Aabb& a, const Aabb& b)
     return length(max(max(a.lo - b.hi, b.lo - a.hi), Vec3{}));
 }
 
-class Surface {
+class TriangleSet {
   public:
-    explicit Surface(const TrimeshData& mesh);
-    explicit Surface(const HeightfieldData& field);
+    explicit TriangleSet(const TrimeshData& mesh);
+    explicit TriangleSet(const HeightfieldData& field);
 
     bool endless() const { return field_ && field_->wrap; }
     const Aabb& box() const { return box_; }
