@@ -11,6 +11,7 @@
 #include "bench/pairs.h"
 #include "bench/pile.h"
 #include "bench/scene_bench.h"
+#include "bench/scene_run.h"
 #include "bench/spaces.h"
 #include "bench/terrain.h"
 #include "scenes/extensions.h"
@@ -107,6 +108,62 @@ CLI::App* add_spaces(CLI::App& app, epode::bench::SpaceOptions& options)
     return command;
 }
 
+// Of benchmark scenes: run, export, judge.
+void add_scene_choice(CLI::App& command, epode::bench::SceneChoice& choice)
+{
+    command.add_option("scene", choice.name, "one of `epode_bench scenes`")->required();
+    command.add_flag("--quick", choice.quick, "the small and short setting");
+    command.add_option("--size", choice.size, "another size")->check(CLI::Range(1, 10'000'000));
+    command.add_option("--steps", choice.steps, "another length")->check(CLI::Range(1, 10'000'000));
+}
+
+CLI::App* add_run(CLI::App& app, epode::bench::SceneRunOptions& options)
+{
+    CLI::App* command = app.add_subcommand("run", "one engine on one benchmark scene, as JSON");
+    add_scene_choice(*command, options.scene);
+    epode::bench::EngineOptions& engine = options.engine;
+    command->add_option("--engine", options.engine_name, "one of `epode_bench engines` (default ode)");
+    command->add_option("--iterations", engine.iterations, "of its solver; default: its own")
+        ->check(CLI::Range(1, 1'000'000));
+    command->add_option("--threads", engine.threads, "default 1; time is then that of the wall")
+        ->check(CLI::Range(1, 1024));
+    command->add_option("--stepper", engine.stepper, "of ODE; default: the scene's own")
+        ->check(CLI::IsMember({"exact", "quick", "fast"}));
+    command->add_option("--space", engine.space, "of ODE (default hash)")
+        ->check(CLI::IsMember({"hash", "quadtree", "sap"}));
+    command->add_option("--contacts", engine.contacts, "of ODE, at most of a pair (default 8)")
+        ->check(CLI::Range(1, 64));
+    command->add_flag("!--no-quality", options.judged, "only the time");
+    return command;
+}
+
+CLI::App* add_export(CLI::App& app, epode::bench::SceneChoice& choice)
+{
+    CLI::App* command = app.add_subcommand("export", "a benchmark scene as JSON");
+    add_scene_choice(*command, choice);
+    return command;
+}
+
+struct JudgeArguments {
+    epode::bench::SceneChoice choice;
+    std::string file;
+};
+
+CLI::App* add_judge(CLI::App& app, JudgeArguments& arguments)
+{
+    CLI::App* command = app.add_subcommand("judge", "the quality of states that another program has written");
+    add_scene_choice(*command, arguments.choice);
+    command->add_option("file", arguments.file, "lines `state STEP`, then 13 numbers a body")->required();
+    return command;
+}
+
+int print_engines()
+{
+    for (const epode::bench::EngineEntry* engine : epode::bench::engine_entries())
+        std::printf("%s: %s\n", engine->name, engine->about);
+    return 0;
+}
+
 CLI::App* add_pairs(CLI::App& app, epode::bench::PairOptions& options)
 {
     CLI::App* command = app.add_subcommand("pairs", "dCollide pair by pair, as bench/collide runs it");
@@ -154,6 +211,14 @@ int main(int argc, char** argv)
     CLI::App* pairs_command = add_pairs(app, pairs);
     epode::bench::SpaceOptions spaces;
     CLI::App* spaces_command = add_spaces(app, spaces);
+    epode::bench::SceneRunOptions run;
+    CLI::App* run_command = add_run(app, run);
+    epode::bench::SceneChoice exported;
+    CLI::App* export_command = add_export(app, exported);
+    JudgeArguments judged;
+    CLI::App* judge_command = add_judge(app, judged);
+    CLI::App* scenes_command = app.add_subcommand("scenes", "list the benchmark scenes");
+    CLI::App* engines_command = app.add_subcommand("engines", "list the engines of this build");
     CLI::App* library = app.add_subcommand("library", "print the file of the libode at hand");
     app.require_subcommand(0, 1);
     try {
@@ -168,6 +233,11 @@ int main(int argc, char** argv)
         std::puts(epode::scenes::loaded_library().c_str());
         return 0;
     }
+    if (*run_command) return epode::bench::run_scene(run);
+    if (*export_command) return epode::bench::export_scene(exported);
+    if (*judge_command) return epode::bench::judge_file(judged.choice, judged.file);
+    if (*scenes_command) return epode::bench::list_scenes();
+    if (*engines_command) return print_engines();
     if (*exact_table) return epode::bench::bench_exact_table(table);
     if (*accuracy_test) {
         if (!epode::scenes::stepper_named(accuracy.stepper, accuracy.options.stepper)) {

@@ -7,25 +7,9 @@
 #pragma once
 
 #include "scenes/scene.h"
+#include "scenes/vectors.h"
 
 namespace epode::scenes {
-
-struct Vec {
-    double x = 0, y = 0, z = 0;
-};
-inline Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Vec operator*(double s, Vec a) { return {s * a.x, s * a.y, s * a.z}; }
-
-struct Turn {
-    double w = 1, x = 0, y = 0, z = 0;  // unit quaternion
-};
-Turn turn(Vec axis, double angle);  // axis of any length but zero
-Turn operator*(Turn a, Turn b);     // b first
-Vec rotate(Turn q, Vec v);
-
-constexpr Vec kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
-constexpr double kPi = 3.14159265358979323846;
 
 // Dynamic bodies: one geom, its mass, one pose.
 dBodyID add_sphere(Scene& scene, double radius, double density, Vec pos);
@@ -63,19 +47,5 @@ void set_hinge_stops(dJointID joint, double low, double high);
 void set_universal_stops(dJointID joint, double low1, double high1, double low2, double high2);
 
 void set_view(Scene& scene, Vec eye, Vec target);
-
-// x' = 1664525 x + 1013904223 mod 2^32 (Numerical Recipes): few lines, the same numbers everywhere; the high
-// bits are used.
-class Lcg {
-  public:
-    explicit Lcg(std::uint32_t seed) : state_(seed * 2654435761u + 1u) {}
-    std::uint32_t next() { return state_ = state_ * 1664525u + 1013904223u; }
-    double uniform(double low, double high) { return low + (high - low) * (next() >> 8) / 16777216.0; }
-    int below(int count) { return int((std::uint64_t(next() >> 8) * unsigned(count)) >> 24); }
-    Turn any_turn() { return turn({uniform(-1, 1), uniform(-1, 1), uniform(0.1, 1)}, uniform(-kPi, kPi)); }
-
-  private:
-    std::uint32_t state_;
-};
 
 }  // namespace epode::scenes

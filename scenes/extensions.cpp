@@ -46,6 +46,16 @@ int step_fast(dWorldID world, dReal dt, int small_steps)
     return has_step_fast() ? fast_function()(world, dt, small_steps) : 0;
 }
 
+bool has_step_threads() { return find<SetMode>("dWorldSetStepThreads") != nullptr; }
+
+bool set_step_threads(dWorldID world, int threads)
+{
+    static const SetMode function = find<SetMode>("dWorldSetStepThreads");
+    if (!function) return false;
+    function(world, threads);
+    return true;
+}
+
 bool request_step_report(dWorldID world, bool on)
 {
     static const SetMode function = find<SetMode>("dWorldSetStepReportMode");

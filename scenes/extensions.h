@@ -34,6 +34,10 @@ bool set_warm_starting(dWorldID world, double factor);
 // How often joints are closed after each step, at most; 0: never. False where the library cannot.
 bool set_step_projection(dWorldID world, int iterations);
 
+// How many threads a world's steps use. False where the library cannot.
+bool has_step_threads();
+bool set_step_threads(dWorldID world, int threads);
+
 // The file of the libode that this process runs on, "statically linked" when there is none.
 std::string loaded_library();
 

@@ -16,9 +16,6 @@ namespace epode::scenes {
 namespace {
 
 Vec vec(const dReal* v) { return {double(v[0]), double(v[1]), double(v[2])}; }
-double dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-double length(Vec a) { return std::sqrt(dot(a, a)); }
-Vec cross(Vec a, Vec b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
 void store(double out[3], Vec v) { out[0] = v.x, out[1] = v.y, out[2] = v.z; }
 Vec load(const double v[3]) { return {v[0], v[1], v[2]}; }
 

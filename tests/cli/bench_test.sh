@@ -42,6 +42,41 @@ expect 0 accuracy whip --dt 0.01 --trace "$work/gaps"
 (($(wc -l < "$work/gaps") == 1000)) || fail 'whip has not traced 1,000 steps'
 awk '{ exit !($6 > 0.01 && $6 < 1) }' "$work/out" || fail 'whip has another gap than it had'
 
+# field KEY: the number of a key in JSON on one line.
+field() { grep -oE "\"$1\":-?[0-9.e+-]+" "$work/out" | sed 's/^.*://'; }
+
+# Benchmark scenes: every one that is not mere rays or pairs is alive after its first steps.
+while read -r scene; do
+    expect 0 run "$scene" --quick --steps 3 --no-quality
+    holds "$(field ms) > 0"
+done < <("$program" scenes | sed -E 's/^.*"name":"([^"]+)".*$/\1/')
+expect 0 run S1 --quick
+holds "$(field bodies) == 79 && $(field lost) == 0 && $(field drift_max) < 0.1 && $(field penetration_max) > 0.001"
+cp "$work/out" "$work/first"
+expect 0 run S1 --quick
+[[ $(grep -o '"hash":"[0-9a-f]*"' "$work/out") == $(grep -o '"hash":"[0-9a-f]*"' "$work/first") ]] || fail 'two runs of S1 differ'
+expect 0 export S4 --quick
+has out '"kind":"hinge","body1":'
+# Three boxes of 1 m on the floor: one sunk by 0.1, one that lies 0.05 in it, one apart, moving; by hand.
+{
+    echo 'state 1'
+    echo '0 0 -1 1 0 0 0 0 0 0 0 0 0'
+    echo '0 0 0.4 1 0 0 0 0 0 0 0 0 0'
+    echo '5 0 0.6 1 0 0 0 3 0 0 0 0 0'
+    echo '0.3 0.2 1.35 1 0 0 0 0 0 0 0 0 0'
+} > "$work/states"
+expect 0 judge S1 --size 2 "$work/states"
+holds "$(field penetration_end_pairs) == 2 && ($(field penetration_max) - 0.1)^2 < 1e-12 && ($(field penetration_mean) - 0.075)^2 < 1e-12"
+holds "($(field speed) - sqrt(3))^2 < 1e-9"
+sed -i 's/0[.]4/nan/' "$work/states"
+expect 1 judge S1 --size 2 "$work/states"
+expect 2 judge S1 "$work/states"
+has err 'no file of states'
+expect 2 run none
+has err 'Scenes: S1 S2 '
+expect 2 run S1 --engine none
+expect 2 run S1 --threads 0
+
 expect 2
 expect 2 no-such-scene
 has err 'Scenes: pendulum'
@@ -56,10 +91,18 @@ expect 2 exact-table --problem box --velocities /no/such/folder/file
 program=$compare
 expect 2 --unknown
 expect 2 --rounds none
-expect 2 /no/such/program
-has err 'no program'
+expect 2 --bench /no/such/program
+has err 'there is no /no/such/program'
 
 here=(--bench "$1" --ours "$(dirname "$1")/../lib")
+# In single precision there is no library of ours that Debian's could be put in place of.
+if [[ -e $(dirname "$1")/../lib/libode.so.8 ]]; then
+    expect 2 --only none "${here[@]}"
+    has err 'no such scene; there are S1 S2 '
+    expect 0 --quick --rounds 1 --only S5-32 --strict "${here[@]}"
+    has out '^  ours +[0-9.]+ '
+    has out '^  debian +[0-9.]+ '
+fi
 program=$exact
 expect 2 --only none "${here[@]}"
 # In single precision there is no library of ours that Debian's could be put in place of.

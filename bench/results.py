@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+"""The list of benchmark scenes, and results kept as JSON by processor: bench/results/CPU/NAME.json, an entry a scene.
+Runs of single scenes replace their entries; each says when, of which commit, and how busy the machine was."""
+import datetime
+import json
+import os
+import platform
+import re
+import subprocess
+
+import both
+
+FOLDER = both.ROOT + '/bench/results'
+
+
+def scenes(options):
+    return [json.loads(line) for line in both.run(options, options.ours, ['scenes']).stdout.splitlines()]
+
+
+def processor():
+    """The processor's name as a folder's."""
+    name = platform.processor() or platform.machine()
+    if os.path.exists('/proc/cpuinfo'):
+        for line in open('/proc/cpuinfo'):
+            if line.startswith('model name'):
+                name = line.split(':', 1)[1]
+                break
+    return re.sub(r'[^a-z0-9]+', '-', name.lower()).strip('-')
+
+
+def commit():
+    told = subprocess.run(['git', '-C', both.ROOT, 'describe', '--always', '--dirty'], capture_output=True, text=True, check=False)
+    return told.stdout.strip() or 'unknown'
+
+
+def load(name, folder=None):
+    path = f'{folder or FOLDER + "/" + processor()}/{name}.json'
+    return json.load(open(path)) if os.path.exists(path) else {}
+
+
+def save(name, measured):
+    """Puts entries by scene into the file; its path."""
+    folder = f'{FOLDER}/{processor()}'
+    os.makedirs(folder, exist_ok=True)
+    kept = load(name)
+    stamp = {'commit': commit(), 'when': datetime.datetime.now().strftime('%Y-%m-%d %H:%M'),
+             'load': round(os.getloadavg()[0], 1), 'cores': os.cpu_count()}
+    for scene, entry in measured.items():
+        kept[scene] = {**stamp, **entry}
+    path = f'{folder}/{name}.json'
+    with open(path, 'w') as out:
+        out.write(json.dumps(kept, indent=1) + '\n')
+    return path
