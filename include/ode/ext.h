@@ -44,6 +44,7 @@ typedef struct dWorldStepReport {
     int projections;          /**< Newton steps of dWorldSetStepProjection, summed over islands */
     int projections_open;     /**< islands that they left above the tolerance */
     double projection_error;  /**< worst error that they left, in the unit of the tolerance */
+    int stopped;              /**< bodies that continuous collision (dGeomSetContinuous) has stopped */
 } dWorldStepReport;
 
 /** How an island was solved. */
@@ -77,6 +78,7 @@ typedef struct dIslandStepReport {
     int projections;          /**< see dWorldStepReport */
     int projection_open;      /**< 1: left above the tolerance */
     double projection_error;  /**< see dWorldStepReport */
+    int stopped;              /**< see dWorldStepReport */
 } dIslandStepReport;
 
 /** Switch the report on (mode 1) or off (0, the default). Off costs nothing; on costs one more evaluation
@@ -161,6 +163,44 @@ ODE_API int dWorldGetStepProjection(dWorldID world);
    in single precision); values outside 0 ... 1, and both ends, are refused. [ours] */
 ODE_API void dWorldSetStepProjectionTolerance(dWorldID world, dReal tolerance);
 ODE_API dReal dWorldGetStepProjectionTolerance(dWorldID world);
+
+/** @chapter continuous Continuous collision
+
+    Without it a step moves bodies from one place to the next, and what is fast and thin passes what is thin.
+
+    Arguments:
+    - geom: any geom but a space.
+
+    Refused: a geom that is a space, destroyed or 0, and what each function names. Nothing changes then, and
+    the answer is 0. */
+
+/** What steps do about a geom's way from one place to the next. */
+typedef enum {
+    dContinuousOff,    /**< nothing: where it ends is what counts */
+    dContinuousOn,     /**< it does not pass what it meets */
+    dContinuousIgnored /**< it may be passed by those that pass nothing else: sensors */
+} dContinuousMode;
+
+/** What steps do about the geom's way, mode, one of dContinuousMode; dContinuousOff is the default. The body
+   of a geom with dContinuousOn is looked at by every stepper when it has moved, in this step, by more than a
+    small share of the geom's thickness (twice the radius of a ball inside): if on its way the geom goes
+    deeper than about an eighth of its thickness into another one, the body stands still, from the moment
+    when it met that geom, for the rest of the step, a hair deep, so that the next collision finds the
+    contact. Velocities are kept. What only grazes, slides or rests is left as it is. Turning counts, up to
+    half a turn in a step, and so does the motion of the other geom: two that look out stop both; what meets
+    a moving body that does not is carried on by it for the rest of the step.
+    Met are all geoms in its outermost space that agree by category and collide bits and are enabled, planes,
+    meshes and height fields included; those that push forwards only (meshes against spheres, capsules and
+    cylinders, height fields) from their fronts. Not met are geoms of the same body, of bodies that a joint
+    other than a contact connects with it, rays, classes of the program, pairs that the program has overridden
+    (dSetColliderOverride), and what it already lies in when no contact joint acts between the two bodies:
+    then the program has no use for the contact. Bodies that joints hold together stop together. Kinematic
+    bodies are met, but never stopped. dWorldStepReport::stopped counts. A step without such geoms is not
+    changed by a bit.
+    Refused: other modes; dContinuousOn for a geom that is neither sphere, box, capsule, cylinder, convex,
+    mesh nor a transform. [ours] */
+ODE_API void dGeomSetContinuous(dGeomID geom, int mode);
+ODE_API int dGeomGetContinuous(dGeomID geom);
 
 /** @chapter hulls Convex hulls
 

@@ -16,6 +16,7 @@ namespace epode {
 namespace {
 
 std::atomic<std::uint64_t> g_serial{0};
+std::atomic<int> g_continuous{0};  // geoms with dContinuousOn
 
 void use_own_pose(Geom& geom)
 {
@@ -69,6 +70,15 @@ void mark_moved(Geom& geom)
         enqueue(*g->space, *g);
     }
 }
+
+void set_continuous(Geom& geom, int mode)
+{
+    const int change = (mode == dContinuousOn) - (geom.continuous == dContinuousOn);
+    if (change) g_continuous.fetch_add(change, std::memory_order_relaxed);
+    geom.continuous = std::uint8_t(mode);
+}
+
+bool any_continuous() { return g_continuous.load(std::memory_order_relaxed) > 0; }
 
 void link_body(Geom& geom, const BodyLink& link)
 {
@@ -126,6 +136,7 @@ void destroy_geom(Geom& geom)
     // Whatever the program does to the geom in its function is undone below.
     if (geom.type->farewell) geom.type->farewell(geom);
     if (is_space(geom)) empty_space(static_cast<Space&>(geom));
+    set_continuous(geom, dContinuousOff);
     while (geom.holders) set_transform_geom(*geom.holders, nullptr);
     if (geom.space) remove_member(*geom.space, geom);
     unlink_body(geom);

@@ -18,6 +18,7 @@
 #include "base/handle.h"
 #include "geometry/shapes.h"
 #include "ode/collision.h"
+#include "ode/ext.h"
 
 namespace epode {
 
@@ -64,6 +65,7 @@ struct Geom : Tagged {
     bool queued = false;  // its space will look at it at the next cleaning
     bool box_stale = true;
     bool pose_stale = false;  // only with an offset
+    std::uint8_t continuous = 0;  // a dContinuous... value; set_continuous() writes it
     bool dying = false;       // being destroyed: its class's function, or those of its members, are running
     unsigned long category = ~0ul;
     unsigned long collide = ~0ul;
@@ -122,6 +124,10 @@ const Aabb& box_of(Geom& geom);
 
 // The pose or the shape has changed.
 void mark_moved(Geom& geom);
+
+// Whether steps look at the geom's whole way, and whether there is any geom of which they do.
+void set_continuous(Geom& geom, int mode);
+bool any_continuous();
 
 // ---- body and offset; `link.first_geom` gets the geom in front ----
 void link_body(Geom& geom, const BodyLink& link);

@@ -57,17 +57,18 @@ bool collect_seen(Space& space, QueryBits bits, Array<Geom*>& out)
 bool collect_near(Space& space, QueryBits bits, const Aabb& box, Array<Geom*>& out)
 {
     Array<int> slots;
+    slots.swap(space.scratch);
+    slots.clear();
     bool room = true;
-    if (!space.broadphase.query(box, [&](int slot) { room = slots.push(slot) && room; }) || !room)
-        return false;
+    room = space.broadphase.query(box, [&](int slot) { room = slots.push(slot) && room; }) && room;
     std::sort(slots.begin(), slots.end(), [](int a, int b) { return a > b; });
-    for (const int slot : slots) {
-        Geom* m = space.members[slot];
+    for (int i = 0; i < slots.size() && room; ++i) {
+        Geom* m = space.members[slots[i]];
         if (!m->enabled || !bits.meet(*m)) continue;
-        if (is_space(*m) ? !collect_near(static_cast<Space&>(*m), bits, box, out) : !out.push(m))
-            return false;
+        room = is_space(*m) ? collect_near(static_cast<Space&>(*m), bits, box, out) : out.push(m);
     }
-    return true;
+    slots.swap(space.scratch);
+    return room;
 }
 
 void MembersLock::add(int count) const

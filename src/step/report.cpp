@@ -72,6 +72,13 @@ void end_report(const World& world, const Island& island, bool contained, dIslan
     report.energy_after = energy(world, island);
 }
 
+void report_stopped(const World& world, const Island& island, const Continuous& continuous,
+                    dIslandStepReport& report)
+{
+    for (const Body* body : island.bodies) report.stopped += continuous.stopped(*body);
+    if (report.stopped) report.energy_after = energy(world, island);
+}
+
 dWorldStepReport sum_of(std::span<const dIslandStepReport> islands)
 {
     dWorldStepReport total{};
@@ -91,6 +98,7 @@ dWorldStepReport sum_of(std::span<const dIslandStepReport> islands)
         total.projections += one.projections;
         total.projections_open += one.projection_open;
         total.projection_error = std::max(total.projection_error, one.projection_error);
+        total.stopped += one.stopped;
         total.energy_before += one.energy_before;
         total.energy_after += one.energy_after;
     }

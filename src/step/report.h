@@ -9,6 +9,7 @@
 
 #include "ode/ext.h"
 #include "step/assemble.h"
+#include "step/continuous.h"
 #include "step/projection.h"
 
 namespace epode {
@@ -18,6 +19,10 @@ void report_errors(const IslandWork& work, dIslandStepReport& report);
 void report_solution(const SolveReport& solved, dIslandStepReport& report);
 void report_projection(const ProjectionReport& done, dIslandStepReport& report);
 void end_report(const World& world, const Island& island, bool contained, dIslandStepReport& report);
+
+// Once bodies have been stopped on their way.
+void report_stopped(const World& world, const Island& island, const Continuous& continuous,
+                    dIslandStepReport& report);
 
 // The step's report from those of its islands.
 dWorldStepReport sum_of(std::span<const dIslandStepReport> islands);

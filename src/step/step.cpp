@@ -28,10 +28,10 @@ constexpr int kLarge = 256;   // joints of an island that is worth all workers
 constexpr int kParcel = 128;  // joints and bodies of a parcel of small islands
 
 // Geoms, callbacks, damping, accumulators: body by body.
-void finish_bodies(const Island& island)
+void finish_bodies(const Island& island, const Continuous& continuous)
 {
     for (Body* body : island.bodies) {
-        body_moved(*body);
+        if (!continuous.marked() || continuous.stopped(*body)) body_moved(*body);
         if (body->moved) body->moved(to_handle(body));
         damp(*body);
         store(body->facc, {});
@@ -77,7 +77,11 @@ int weight(const Island& island) { return int(island.joints.size() + island.bodi
 class WorldStep {
   public:
     WorldStep(const StepContext& context, StepState& state, const Workers& workers)
-        : context_(context), state_(state), workers_(workers), undo_(context.world)
+        : context_(context),
+          state_(state),
+          workers_(workers),
+          undo_(context.world),
+          continuous_(context.world, undo_, state.continuous, memory().arena(0), context.h)
     {}
 
     std::span<const Island> islands() const { return islands_; }
@@ -116,12 +120,26 @@ class WorldStep {
         return !out_of_memory_.load();
     }
 
+    // Who was too fast. False: out of memory.
+    bool hold_back()
+    {
+        if (!continuous_.hold_back()) return false;
+        if (!context_.world.report_wanted) return true;
+        for (std::size_t i = 0; i < islands_.size(); ++i)
+            report_stopped(context_.world, islands_[i], continuous_, state_.reports[int(i)]);
+        return true;
+    }
+
+    const Continuous& continuous() const { return continuous_; }
+
     // As if there had been no step: the count of steps too, which is the random order's seed and marks
     // joints.
     void take_back()
     {
         context_.contacts.take_back();
         undo_.restore();
+        if (continuous_.marked())
+            for (Body* body : undo_.bodies()) body_moved(*body);
         --context_.world.step_count;
         for (Joint* j = context_.world.joints; j; j = j->next) j->island_mark = 0;
     }
@@ -170,6 +188,7 @@ class WorldStep {
     std::span<Island> islands_;
     std::span<int> first_contact_, parcels_;
     StepUndo undo_;
+    Continuous continuous_;
     std::atomic<bool> out_of_memory_{false};
 };
 
@@ -208,11 +227,11 @@ bool step_in(World& world, StepState& state, const Solver& solver, Real h, int i
     ++world.step_count;
     const StepContext context{world, solver, h, iterations, state.contacts, state.plans};
     WorldStep step(context, state, workers);
-    const bool made = step.prepare() && step.run();
+    const bool made = step.prepare() && step.run() && step.hold_back();
     workers.dismiss();
     if (made) {
         state.contacts.end();
-        for (const Island& island : step.islands()) finish_bodies(island);
+        for (const Island& island : step.islands()) finish_bodies(island, step.continuous());
         if (world.report_wanted) world.report = sum_of(state.reports.span());
     } else {
         step.take_back();

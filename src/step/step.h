@@ -9,6 +9,7 @@
 #include "solve/plan_cache.h"
 #include "solve/solver.h"
 #include "step/contact_cache.h"
+#include "step/continuous.h"
 
 namespace epode {
 
@@ -16,6 +17,7 @@ namespace epode {
 struct StepState {
     ContactCache contacts;
     PlanCache plans;
+    ContinuousLists continuous;
     Array<dIslandStepReport> reports;  // of the last step's islands, when they were wanted
 };
 

@@ -24,6 +24,11 @@ class StepUndo {
     // All that has been saved.
     void restore() const;
 
+    // The bodies of all islands, one after the other, and where each was when the step began.
+    std::span<Body* const> bodies() const { return bodies_; }
+    Pose pose_before(std::size_t i) const { return load_pose(saved_[i].pos, saved_[i].R); }
+    Quat orientation_before(std::size_t i) const { return load_quat(saved_[i].q); }
+
   private:
     struct Idleness {  // and what a body loses that falls asleep
         Real lvel[4], avel[4];

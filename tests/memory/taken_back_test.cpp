@@ -21,7 +21,8 @@ long g_blocks_left = 0;
 void* take_block(dsizeint size) { return g_blocks_left-- > 0 ? std::malloc(size) : nullptr; }
 void give_block(void* block, dsizeint) { std::free(block); }
 
-// A motor-driven chain, a mat of balls on the ground, a top, bodies that fall asleep and one that is woken.
+// A motor-driven chain, a mat of balls on the ground, a top, bodies that fall asleep and one that is woken,
+// two bullets on their way through walls that stop them.
 class Stage {
   public:
     Stage(const Setting& s, int side) : setting_(s), side_(side)
@@ -31,9 +32,11 @@ class Stage {
         add_mat();
         dBodySetAngularVel(add(0, 30, 5), 1, 5, dReal(0.3));  // the top
         add_idle();
+        add_bullets();
     }
     ~Stage()
     {
+        dSpaceDestroy(space_);
         dWorldDestroy(world_);
         dJointGroupDestroy(group_);
     }
@@ -125,6 +128,20 @@ class Stage {
             idle_.push_back(body);
         }
     }
+    void add_bullets()
+    {
+        for (int i = 0; i < 40; ++i) {
+            const dGeomID wall = dCreateBox(space_, dReal(0.01), 4, 4);
+            dGeomSetPosition(wall, dReal(0.7 * i), 30, 0);
+        }
+        for (int i = 0; i < 2; ++i) {
+            dBodyID body = add(-1, 30 + i, 0);
+            const dGeomID ball = dCreateSphere(space_, dReal(0.05));
+            dGeomSetContinuous(ball, dContinuousOn);
+            dGeomSetBody(ball, body);
+            dBodySetLinearVel(body, 100, 0, 0);
+        }
+    }
     static dContact touching(const dReal* place)
     {
         dContact contact{};
@@ -142,6 +159,7 @@ class Stage {
     Setting setting_;
     int side_;
     dWorldID world_ = dWorldCreate();
+    dSpaceID space_ = dSimpleSpaceCreate(nullptr);
     dJointGroupID group_ = dJointGroupCreate(0);
     std::vector<dBodyID> bodies_, mat_, idle_;
 };

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See impact.h.
+#include "query/impact.h"
+
+#include "geometry/polyhedron.h"
+
+namespace epode {
+namespace {
+
+constexpr int kAdvances = 500;
+constexpr int kPieces = 256;
+
+// A convex solid on its way; `arm`: how far its core reaches from the centre of turning.
+struct Traveller {
+    ConvexView view;  // at the beginning
+    Motion motion;
+    Real arm;
+    Vec3 middle;  // a ball about it, in its frame
+    Real reach;
+
+    ConvexView at(Real t) const
+    {
+        ConvexView v = view;
+        v.pose = motion.at(t, view.pose);
+        return v;
+    }
+    Vec3 middle_at(Real t) const { return motion.at(t, view.pose).to_world(middle); }
+};
+
+Traveller traveller(const ConvexView& view, const Motion& motion)
+{
+    return {view, motion, length(view.pose.p - motion.centre) + view.size, {}, view.size + view.radius};
+}
+
+Traveller traveller(const Triangle& t, const Pose& pose, const Motion& motion)
+{
+    Traveller out = {view_of(t), motion, 0, (t.v[0] + t.v[1] + t.v[2]) / Real(3), 0};
+    out.view.pose = pose;
+    for (const Vec3 v : t.v) {
+        out.arm = std::max(out.arm, length(pose.to_world(v) - motion.centre));
+        out.reach = std::max(out.reach, length(v - out.middle));
+    }
+    return out;
+}
+
+// How fast a point comes along a direction at most, from t on.
+Real approach(const Motion& m, Real arm, Vec3 along, Real t)
+{
+    if (t >= m.until || !m.moves()) return 0;
+    const Real spin = length(cross(along, m.turn));
+    const Real rate = dot(along, m.shift) + (spin > 0 ? spin * arm : Real(0));
+    return m.until < 1 ? std::max(rate, Real(0)) : rate;
+}
+
+Separation distance_of(const ConvexView& a, const ConvexView& b, Real limit)
+{
+    return separation(a, b, limit);
+}
+Separation distance_of(const ConvexView& a, const Plane& b, Real) { return separation(a, b); }
+
+struct Meeting {
+    Real time = kInf;
+    Vec3 normal;
+};
+
+// Two convex things, one of which may be a half-space.
+template <typename Other>
+class Encounter {
+  public:
+    Encounter(const Traveller& a, const Motion& b, Real arm_b, const Other& other_at, Real most)
+        : a_(a), b_(b), arm_b_(arm_b), other_at_(other_at), most_(most)
+    {
+        const bool together = a.motion.until == b.until;
+        const Real straight =
+            together ? length(a.motion.shift - b.shift) : length(a.motion.shift) + length(b.shift);
+        way_ = straight + (a.motion.most(a.arm) - length(a.motion.shift)) + (b.most(arm_b) - length(b.shift));
+    }
+
+    Meeting find(const ImpactRule& rule) const
+    {
+        const Separation begin = distance_of(a_.at(0), other_at_(0), way_ + rule.hair);
+        if (!(begin.distance < kInf)) return {};
+        const bool touching = begin.distance <= Real(-0.25) * rule.hair;
+        if (touching && !rule.held) return {};
+        const Real deep = touching ? std::max(rule.allowed, rule.allowed / 4 - begin.distance) : rule.allowed;
+        if (begin.distance - way_ > -deep) return {};
+        if (!(reach(deep, rule.allowed / 16).time < kInf)) return {};
+        return reach((touching ? -begin.distance : Real(0)) + rule.hair, rule.hair / 2);
+    }
+
+  private:
+    // The first time when they are so deep in each other, to the tolerance.
+    Meeting reach(Real depth, Real tolerance) const
+    {
+        Real t = 0;
+        Vec3 normal;
+        for (int i = 0; i < kAdvances; ++i) {
+            const Separation s = distance_of(a_.at(t), other_at_(t), way_ * (1 - t) + tolerance);
+            if (!(s.distance < kInf)) return {};
+            normal = s.normal;
+            const Real room = s.distance + depth;
+            if (room <= tolerance) return {t, normal};
+            const Real closing =
+                approach(a_.motion, a_.arm, -s.normal, t) + approach(b_, arm_b_, s.normal, t);
+            if (!(closing > 0)) return {};
+            t += (room - tolerance / 2) / closing;
+            if (!(t <= most_)) return {};
+        }
+        return {t, normal};  // so slow that it may stop here
+    }
+
+    const Traveller& a_;
+    const Motion& b_;
+    Real arm_b_;
+    const Other& other_at_;
+    Real most_, way_;
+};
+
+Meeting meet(const Traveller& a, const Traveller& b, const ImpactRule& rule, Real most)
+{
+    const auto other_at = [&](Real t) { return b.at(t); };
+    return Encounter(a, b.motion, b.arm, other_at, most).find(rule);
+}
+
+Meeting meet(const Traveller& a, const Plane& b, const ImpactRule& rule, Real most)
+{
+    const Motion still;
+    const auto other_at = [&](Real) -> const Plane& { return b; };
+    return Encounter(a, still, 0, other_at, most).find(rule);
+}
+
+// The way of a traveller as a surface sees it, in pieces: boxes in the surface's frame.
+class WayPast {
+  public:
+    WayPast(const Traveller& a, const Mover& surface) : a_(a), surface_(surface)
+    {
+        const Motion &m = a.motion, &b = surface.motion;
+        const Real spin_a = length(m.turn), spin_b = length(b.turn);
+        const Real straight = length(m.shift) + length(b.shift);
+        const Real far = length(m.centre - b.centre) + straight + a.arm + a.reach;
+        length_ = straight + spin_a * (a.arm + a.reach) + spin_b * far;
+        const Real wanted = length_ / (2 * a.reach);
+        pieces_ = wanted < kPieces ? std::max(int(wanted) + 1, 1) : kPieces;
+        const Real n = Real(pieces_);
+        const Real bend = (spin_a + spin_b) * (spin_a + spin_b) * far + 2 * spin_b * straight;
+        margin_ = a.reach + bend / (8 * n * n);
+    }
+
+    Real length_of_way() const { return length_; }
+    int pieces() const { return pieces_; }
+    Real begin(int piece) const { return Real(piece) / Real(pieces_); }
+
+    Aabb box(int piece) const
+    {
+        const Real from = begin(piece), to = begin(piece + 1);
+        const Vec3 first = place(from), last = place(to);
+        Aabb box = {min(first, last), max(first, last)};
+        for (const Real stop : {a_.motion.until, surface_.motion.until}) {
+            if (!(stop > from && stop < to)) continue;
+            box = {min(box.lo, place(stop)), max(box.hi, place(stop))};
+        }
+        return grown(box, margin_);
+    }
+
+  private:
+    Vec3 place(Real t) const { return surface_.motion.at(t, surface_.thing.pose).to_local(a_.middle_at(t)); }
+
+    const Traveller& a_;
+    const Mover& surface_;
+    Real length_, margin_;
+    int pieces_;
+};
+
+// `one_sided`: what comes from behind a triangle passes.
+Real meet_surface(const Traveller& a, const Mover& surface, bool one_sided, const ImpactRule& rule, Real most)
+{
+    const TriangleSet set = triangles_of(surface.thing);
+    const WayPast way(a, surface);
+    Real best = kInf;
+    if (!(a.reach > 0) || !(way.length_of_way() < kAbsurd)) return best;
+    // What goes so far over ground without end is not held.
+    if (set.endless() && way.length_of_way() > kEndless * a.reach) return best;
+    const Pose& pose = surface.thing.pose;
+    for (int i = 0; i < way.pieces() && way.begin(i) < std::min(best, most); ++i) {
+        set.query(way.box(i), [&](const Triangle& t, int) {
+            const Traveller other = traveller(t, pose, surface.motion);
+            const Meeting m = meet(a, other, rule, std::min(best, most));
+            if (!(m.time < best)) return;
+            const Vec3 front = surface.motion.at(m.time, pose).R * t.n;
+            if (!one_sided || dot(m.normal, front) > Real(-1e-3)) best = m.time;
+        });
+    }
+    return best;
+}
+
+// Are these pushed out of meshes forwards only?
+bool one_sided(const Thing& solid, const Thing& surface)
+{
+    if (sort_of(surface) == Sort::kField) return true;
+    return solid.number() == dSphereClass || solid.number() == dCapsuleClass ||
+           solid.number() == dCylinderClass;
+}
+
+Real solid_meets(const Mover& a, const Mover& b, const ImpactRule& rule, Real most)
+{
+    Capsule unused;
+    const Traveller solid = traveller(solid_view(a.thing, {}, 0, unused), a.motion);
+    switch (sort_of(b.thing)) {
+        case Sort::kSolid:
+            return meet(solid, traveller(solid_view(b.thing, {}, 0, unused), b.motion), rule, most).time;
+        case Sort::kPlane:
+            return meet(solid, b.thing.as<Plane>(), rule, most).time;
+        case Sort::kMesh:
+        case Sort::kField:
+            return meet_surface(solid, b, one_sided(a.thing, b.thing), rule, most);
+        default:
+            return kInf;
+    }
+}
+
+// The vertices of a mesh, for which a plane is all the same.
+Vec3 cloud_support(const void* shape, Vec3 direction)
+{
+    const TriangleMesh& mesh = *static_cast<const TriangleMesh*>(shape);
+    Vec3 best = mesh.vertex(0);
+    for (int i = 1; i < mesh.vertex_count(); ++i)
+        if (dot(direction, mesh.vertex(i)) > dot(direction, best)) best = mesh.vertex(i);
+    return best;
+}
+
+Real mesh_meets_plane(const Mover& a, const Plane& plane, const ImpactRule& rule, Real most)
+{
+    const TrimeshData& data = *a.thing.as<Trimesh>().mesh();
+    if (data.mesh.vertex_count() == 0) return kInf;
+    ConvexView cloud;
+    cloud.shape = &data.mesh;
+    cloud.local_support = cloud_support;
+    cloud.pose = a.thing.pose;
+    const Aabb& box = data.tree.box();
+    cloud.size = length(max(abs(box.lo), abs(box.hi)));
+    return meet(traveller(cloud, a.motion), plane, rule, most).time;
+}
+
+Real mesh_meets_surface(const Mover& a, const Mover& b, const ImpactRule& rule, Real most)
+{
+    const TriangleSet set = triangles_of(a.thing);
+    const bool field = sort_of(b.thing) == Sort::kField;
+    Real best = kInf;
+    for (int t = 0; t < set.count(); ++t) {
+        Triangle triangle;
+        if (!set.triangle(t, triangle)) continue;
+        const Traveller flat = traveller(triangle, a.thing.pose, a.motion);
+        best = std::min(best, meet_surface(flat, b, field, rule, std::min(best, most)));
+    }
+    return best;
+}
+
+}  // namespace
+
+Real time_of_impact(const Mover& a, const Mover& b, const ImpactRule& rule, Real most)
+{
+    const Sort x = sort_of(a.thing), y = sort_of(b.thing);
+    if (x == Sort::kSolid) return solid_meets(a, b, rule, most);
+    if (x != Sort::kMesh) return kInf;
+    switch (y) {
+        case Sort::kSolid:
+            return solid_meets(b, a, rule, most);
+        case Sort::kPlane:
+            return mesh_meets_plane(a, b.thing.as<Plane>(), rule, most);
+        case Sort::kMesh:
+        case Sort::kField:
+            return mesh_meets_surface(a, b, rule, most);
+        default:
+            return kInf;
+    }
+}
+
+Real half_thickness(const Thing& thing)
+{
+    constexpr Real kThin = Real(0.01);  // of the size: what is thinner counts as so thick
+    const auto least = [](Vec3 h) { return std::min(std::min(h.x, h.y), h.z); };
+    const auto at_least = [](Real r, Real size) { return std::max(r, kThin * size); };
+    switch (thing.number()) {
+        case dSphereClass:
+            return thing.as<Sphere>().radius;
+        case dBoxClass:
+            return at_least(least(thing.as<Box>().half), max_component(thing.as<Box>().half));
+        case dCapsuleClass:
+            return thing.as<Capsule>().radius;
+        case dCylinderClass: {
+            const Cylinder& c = thing.as<Cylinder>();
+            return at_least(std::min(c.radius, c.half_length), std::max(c.radius, c.half_length));
+        }
+        case dConvexClass: {
+            const Polyhedron& p = *thing.as<Convex>().solid;
+            return at_least(p.inner_radius(), p.size());
+        }
+        case dTriMeshClass: {
+            const Aabb& box = thing.as<Trimesh>().mesh()->tree.box();
+            const Vec3 half = Real(0.5) * (box.hi - box.lo);
+            return at_least(least(half), max_component(half));
+        }
+        default:
+            return kInf;
+    }
+}
+
+}  // namespace epode
