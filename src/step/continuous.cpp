@@ -21,12 +21,14 @@ constexpr int kRounds = 4;
 constexpr Real kShare = Real(0.25);  // of the half thickness, that it may go deep
 constexpr Real kHair = Real(0.02);   // of that, how deep it is when it stops
 
-// Every geom of a body, newest first, until f answers false.
+// Every geom of a body, newest first, until f answers false. It stays while functions of its class run.
 template <typename F>
 bool each_geom(const Body& body, F&& f)
 {
-    for (Geom* g = from_handle<Geom>(body.first_geom); g; g = g->body_next)
+    for (Geom* g = from_handle<Geom>(body.first_geom); g; g = g->body_next) {
+        const GeomHold hold(*g);
         if (!f(*g)) return false;
+    }
     return true;
 }
 
@@ -70,11 +72,18 @@ bool Continuous::hold_back()
     if (!choose_active()) return true;
     join_groups();
     if (!list_items()) return false;
+    for (const Item& item : items_) item.geom->users.fetch_add(1, std::memory_order_relaxed);
+    const bool room = meet_all();
+    for (const Item& item : items_) item.geom->users.fetch_sub(1, std::memory_order_relaxed);
+    if (room) place_bodies();
+    return room;
+}
+
+bool Continuous::meet_all()
+{
     for (const Item& item : items_)
         if (item.geom->continuous == dContinuousOn && !meet_others(item)) return false;
-    if (!meet_each_other()) return false;
-    place_bodies();
-    return true;
+    return meet_each_other();
 }
 
 // False: there is nothing to do, or no memory.
@@ -276,7 +285,6 @@ bool Continuous::meet_others(const Item& item)
     lists_.near.clear();
     if (!collect_near(*item.root, {geom.category, geom.collide}, grown(item.way, others_most_), lists_.near))
         return false;
-    const GeomHold hold(geom);
     const MembersLock lock(item.root, lists_.near);
     for (Geom* other : lists_.near) {
         const int body = index_of(*other);
@@ -309,7 +317,6 @@ bool Continuous::meet_each_other()
             const State& group_b = states_[std::size_t(states_[std::size_t(b.body)].group)];
             const Real before = group_a.until + group_b.until;
             const bool first = a.geom->continuous == dContinuousOn;
-            const GeomHold hold_a(*a.geom), hold_b(*b.geom);
             first ? meet(a, *b.geom, b.body) : meet(b, *a.geom, a.body);
             changed = changed || group_a.until + group_b.until < before;
         }
