@@ -424,8 +424,10 @@ TEST(Continuous, sliding_and_rolling_at_speed_is_not_hindered)
         for (const bool rolls : {false, true}) {
             const double without = slid(stepper, dContinuousOff, 100, rolls);
             EXPECT_GT(without, 100);
-            EXPECT_NEAR(slid(stepper, dContinuousOn, 100, rolls), without, 1e-3)
-                << name_of(stepper) << ' ' << rolls;
+            const double with = slid(stepper, dContinuousOn, 100, rolls);
+            EXPECT_GE(with, without - 1e-3) << name_of(stepper) << ' ' << rolls;
+            // In floats a sphere that is not looked after is caught by seams, 200 m from the origin.
+            if (!kSingle) { EXPECT_LE(with, without + 1e-3) << name_of(stepper); }
         }
 }
 
