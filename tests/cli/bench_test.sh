@@ -68,6 +68,19 @@ has out '"kind":"hinge","body1":'
 expect 0 judge S1 --size 2 "$work/states"
 holds "$(field penetration_end_pairs) == 2 && ($(field penetration_max) - 0.1)^2 < 1e-12 && ($(field penetration_mean) - 0.075)^2 < 1e-12"
 holds "($(field speed) - sqrt(3))^2 < 1e-9"
+# A buggy whose wheels are spheres of radius 0.35 at z = 0.4: one 0.1 in the floor, its spring pressed, which is no error;
+# one 0.03 off its axle.
+{
+    echo 'state 1'
+    echo '0 0 -1 1 0 0 0 0 0 0 0 0 0'
+    echo '-2.5 -2 0.6 1 0 0 0 0 0 0 0 0 0'
+    echo '-3.6 -2.8 0.25 1 0 0 0 0 0 0 0 0 0'
+    echo '-3.57 -1.2 0.4 1 0 0 0 0 0 0 0 0 0'
+    echo '-1.4 -2.8 0.4 1 0 0 0 0 0 0 0 0 0'
+    echo '-1.4 -1.2 0.4 1 0 0 0 0 0 0 0 0 0'
+} > "$work/buggy"
+expect 0 judge S11 --size 1 "$work/buggy"
+holds "$(field penetration_end_pairs) == 1 && ($(field penetration_max) - 0.1)^2 < 1e-12 && ($(field joint_error_max) - 0.03)^2 < 1e-12"
 sed -i 's/0[.]4/nan/' "$work/states"
 expect 1 judge S1 --size 2 "$work/states"
 expect 2 judge S1 "$work/states"
