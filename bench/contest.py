@@ -77,6 +77,7 @@ class Contestant:
         last['ms_rounds'] = [r['ms'] for r in self.runs]
         last['repeats'] = len({r.get('hash') for r in self.runs}) == 1
         last.pop('ms_steps', None)
+        last['version'] = os.path.basename(last['version'])
         return last
 
 

@@ -50,5 +50,15 @@ def save(name, measured):
         kept[scene] = {**stamp, **entry}
     path = f'{folder}/{name}.json'
     with open(path, 'w') as out:
-        out.write(json.dumps(kept, indent=1) + '\n')
+        out.write(written(kept))
     return path
+
+
+def written(kept):
+    """JSON with a line a contestant, so that a difference of two states of the file can be read."""
+    scenes_text = []
+    for scene, entry in kept.items():
+        head = {k: v for k, v in entry.items() if k != 'contestants'}
+        runs = ',\n'.join(f'   {json.dumps(label)}: {json.dumps(run)}' for label, run in entry['contestants'].items())
+        scenes_text.append(f' {json.dumps(scene)}: {json.dumps(head)[:-1]},\n  "contestants": {{\n{runs}}}}}')
+    return '{\n' + ',\n'.join(scenes_text) + '\n}\n'

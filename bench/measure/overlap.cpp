@@ -74,7 +74,7 @@ class Least {
 
     void improve()
     {
-        for (double step = 0.2; step > 1e-5;) {
+        for (double step = 0.2; step > 1e-5 && best > 0;) {
             const double before = best;
             const Vec at = direction, side = std::abs(at.x) < 0.6 ? cross(at, kX) : cross(at, kY);
             const Vec u = (1 / length(side)) * side, v = cross(at, u);

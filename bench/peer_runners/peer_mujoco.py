@@ -71,6 +71,9 @@ class Engine:
         mujoco.mj_step(self.model, self.data)
 
     def states(self):
+        if any(self.data.warning[w].number for w in (mujoco.mjtWarning.mjWARN_BADQPOS, mujoco.mjtWarning.mjWARN_BADQVEL,
+                                                     mujoco.mjtWarning.mjWARN_BADQACC)):
+            raise common.Refused('went unstable at this step size')
         mujoco.mj_kinematics(self.model, self.data)
         velocity = numpy.zeros(6)
         for number in self.numbers:
