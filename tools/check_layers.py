@@ -14,7 +14,7 @@ MAY_INCLUDE = {
     "simd": {"base", "math"},
     "tasks": {"base"},
     "rows": {"base", "math"},
-    "geometry": {"base", "math"},
+    "geometry": {"base", "math", "simd"},
     "bvh": {"base", "math", "simd", "geometry"},
     "dynamics": {"base", "math", "rows"},
     "joints": {"base", "math", "rows", "dynamics"},

@@ -4,40 +4,21 @@
 // Box against box: see box_box.h.
 // With C = A^T B and p = A^T (b - a), the overlap along a unit axis L is  r_a(L) + r_b(L) - |p . L|, where
 // r(L) is the box's half extent along L. For L = a_i x b_j every projection is a product of entries of C, and
-// |L|^2 = 1 - C_ij^2.
+// |L|^2 = 1 - C_ij^2. The three axes of one kind (faces of a, faces of b, edges of b with one edge of a) lie in
+// lanes; which edges can be better than the faces is told without a root.
 #include "geometry/box_box.h"
 
-#include "geometry/clip.h"
+#include "geometry/best_four.h"
 #include "geometry/closest.h"
+#include "geometry/rectangle_cut.h"
+#include "simd/quad.h"
 
 namespace epode {
 
 namespace {
 
 constexpr Real kFaceMargin = Real(1e-5);  // of the sizes
-
-// Plain arrays: the loops below run over axes.
-struct Frames {
-    Real c[3][3], m[3][3];  // C and |C|
-    Real ha[3], hb[3];
-    Real pa[3], pb[3];  // from a to b, in a's frame and in b's
-    Real size, touch;
-};
-
-Frames frames_of(const Box& a, const Pose& A, const Box& b, const Pose& B)
-{
-    Frames f;
-    const Mat3 C = transpose(A.R) * B.R;
-    store(f.c[0], C.row0), store(f.c[1], C.row1), store(f.c[2], C.row2);
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) f.m[i][j] = std::fabs(f.c[i][j]);
-    store(f.ha, a.half), store(f.hb, b.half);
-    const Vec3 p = transposed_times(A.R, B.p - A.p);
-    store(f.pa, p), store(f.pb, transposed_times(C, p));
-    f.size = max_component(a.half) + max_component(b.half);
-    f.touch = 8 * kEpsilon * (f.size + max_component(abs(p)));
-    return f;
-}
+constexpr unsigned kThree = 7;            // lanes 0 to 2
 
 // The best axis so far.
 struct Search {
@@ -60,82 +41,195 @@ struct Search {
     }
 };
 
-bool search_faces(const Frames& f, Search& s)
+// Of three numbers the first least.
+EPODE_LANEWISE int least_of(const Real* x)
 {
-    for (int i = 0; i < 3; ++i) {
-        const Real rb = f.m[i][0] * f.hb[0] + f.m[i][1] * f.hb[1] + f.m[i][2] * f.hb[2];
-        if (!s.offer(f.ha[i] + rb - std::fabs(f.pa[i]), 1, f.pa[i], 1 + i, f.touch)) return false;
-    }
+    const int k = x[1] < x[0] ? 1 : 0;
+    return x[2] < x[k] ? 2 : k;
+}
+
+struct Axes {
+    Quad row[3], column[3];  // of C; lanes 0 to 2
+    Quad row_size[3];        // |C|
+    Quad pa, pb;             // from a to b, in a's frame and in b's
+    Quad ha, hb;
+    Real size, touch;
+
+    Axes(const Box& a, const Pose& A, const Box& b, const Pose& B);
+    bool search_faces(Search& s);
+    bool search_edges(Search& s) const;
+    template <int i>
+    bool search_edges_of(const Quad& room2, Search& s) const;
+    bool search(Search& s) { return search_faces(s) && search_edges(s); }
+    void offer_faces(const Quad& overlap, const Quad& along, int code, Real margin, Search& s) const;
+    bool offer_edges(int i, unsigned those, const Quad& overlap, const Quad& along, Search& s) const;
+};
+
+// The fourth lane repeats the third: it never says anything of its own.
+EPODE_LANEWISE Quad quad_of(Vec3 a) { return quad(a.x, a.y, a.z, a.z); }
+
+EPODE_LANEWISE Axes::Axes(const Box& a, const Pose& A, const Box& b, const Pose& B)
+    : ha(quad_of(a.half)), hb(quad_of(b.half))
+{
+    const Vec3 d = B.p - A.p;
+    const Quad b0 = quad(B.R.row0.x, B.R.row0.y, B.R.row0.z, d.x);
+    const Quad b1 = quad(B.R.row1.x, B.R.row1.y, B.R.row1.z, d.y);
+    const Quad b2 = quad(B.R.row2.x, B.R.row2.y, B.R.row2.z, d.z);
+    row[0] = quad(A.R.row0.x) * b0 + quad(A.R.row1.x) * b1 + quad(A.R.row2.x) * b2;
+    row[1] = quad(A.R.row0.y) * b0 + quad(A.R.row1.y) * b1 + quad(A.R.row2.y) * b2;
+    row[2] = quad(A.R.row0.z) * b0 + quad(A.R.row1.z) * b1 + quad(A.R.row2.z) * b2;
+    const auto column_of = [this](int j) {
+        return quad(lane(row[0], j), lane(row[1], j), lane(row[2], j), lane(row[2], j));
+    };
+    column[0] = column_of(0), column[1] = column_of(1), column[2] = column_of(2), pa = column_of(3);
+    row_size[0] = magnitude(row[0]), row_size[1] = magnitude(row[1]), row_size[2] = magnitude(row[2]);
+    size = max_component(a.half) + max_component(b.half);
+    touch = 8 * kEpsilon * (size + largest_lane(magnitude(pa)));
+}
+
+EPODE_LANEWISE void Axes::offer_faces(const Quad& overlap, const Quad& along, int code, Real margin,
+                                      Search& s) const
+{
+    Real depth[4], on[4];
+    store_quad(depth, larger(overlap, quad(0)));
+    const int k = least_of(depth);
+    if (!(depth[k] + margin < s.score)) return;
+    store_quad(on, along);
+    s = {depth[k], depth[k] + margin, code + k, on[k] < 0};
+}
+
+EPODE_LANEWISE bool Axes::search_faces(Search& s)
+{
+    const Quad rb = magnitude(column[0]) * quad(lane(hb, 0)) + magnitude(column[1]) * quad(lane(hb, 1)) +
+                    magnitude(column[2]) * quad(lane(hb, 2));
+    const Quad over_a = ha + rb - magnitude(pa);
+    if (bits(over_a < quad(-touch))) return false;
+    const Quad ra = row_size[0] * quad(lane(ha, 0)) + row_size[1] * quad(lane(ha, 1)) +
+                    row_size[2] * quad(lane(ha, 2));
+    pb = row[0] * quad(lane(pa, 0)) + row[1] * quad(lane(pa, 1)) + row[2] * quad(lane(pa, 2));
+    const Quad over_b = hb + ra - magnitude(pb);
+    if (bits(over_b < quad(-touch)) & kThree) return false;
+    offer_faces(over_a, pa, 1, 0, s);
     // The second box's faces must be better by more than the jitter of a resting stack, so that boxes lying
     // flat on each other keep their roles.
-    for (int j = 0; j < 3; ++j) {
-        const Real ra = f.m[0][j] * f.ha[0] + f.m[1][j] * f.ha[1] + f.m[2][j] * f.ha[2];
-        if (!s.offer(f.hb[j] + ra - std::fabs(f.pb[j]), 1, f.pb[j], 4 + j, f.touch, kFaceMargin * f.size))
+    offer_faces(over_b, pb, 4, kFaceMargin * size, s);
+    return true;
+}
+
+bool Axes::offer_edges(int i, unsigned those, const Quad& overlap, const Quad& along, Search& s) const
+{
+    Real over[4], on[4], c[4];
+    store_quad(over, overlap), store_quad(on, along), store_quad(c, row[i]);
+    for (; those; those &= those - 1) {
+        const int j = __builtin_ctz(those);
+        const Real sine2 = 1 - c[j] * c[j];
+        if (sine2 < Real(1e-6)) continue;   // parallel edges: a face direction does as well
+        if (over[j] > s.score) continue;    // times |L| = sqrt(sine2) <= 1: cannot win, nor part
+        if (!s.offer(over[j] / std::sqrt(sine2), kEdgeHandicap, on[j], 7 + 3 * i + j, touch,
+                     kFaceMargin * size))
             return false;
     }
     return true;
 }
 
-bool search_edges(const Frames& f, Search& s)
+// (x, y, z) to (y, z, x).
+EPODE_LANEWISE Quad turned(const Quad& a) { return quad(lane(a, 1), lane(a, 2), lane(a, 0), lane(a, 0)); }
+
+template <int i>
+EPODE_LANEWISE bool Axes::search_edges_of(const Quad& room2, Search& s) const
 {
-    constexpr int kNext[3] = {1, 2, 0}, kLast[3] = {2, 0, 1};
-    for (int i = 0; i < 3; ++i) {
-        const int i1 = kNext[i], i2 = kLast[i];
-        for (int j = 0; j < 3; ++j) {
-            const int j1 = kNext[j], j2 = kLast[j];
-            const Real sine2 = 1 - f.c[i][j] * f.c[i][j];
-            if (sine2 < Real(1e-6)) continue;  // parallel edges: a face direction does as well
-            const Real along = f.pa[i2] * f.c[i1][j] - f.pa[i1] * f.c[i2][j];
-            const Real ra = f.ha[i1] * f.m[i2][j] + f.ha[i2] * f.m[i1][j];
-            const Real rb = f.hb[j1] * f.m[i][j2] + f.hb[j2] * f.m[i][j1];
-            const Real overlap = ra + rb - std::fabs(along);  // times |L| = sqrt(sine2) <= 1
-            if (overlap > s.score) continue;                  // cannot win, nor part
-            if (!s.offer(overlap / std::sqrt(sine2), kEdgeHandicap, along, 7 + 3 * i + j, f.touch,
-                         kFaceMargin * f.size))
-                return false;
-        }
-    }
-    return true;
+    constexpr int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+    const Quad along = quad(lane(pa, i2)) * row[i1] - quad(lane(pa, i1)) * row[i2];
+    const Quad ra = quad(lane(ha, i1)) * row_size[i2] + quad(lane(ha, i2)) * row_size[i1];
+    const Quad m1 = turned(row_size[i]), m2 = turned(m1), hb1 = turned(hb), hb2 = turned(hb1);
+    const Quad overlap = ra + (hb1 * m2 + hb2 * m1) - magnitude(along);
+    const Quad over = larger(overlap, quad(0)), sine2 = quad(1) - row[i] * row[i];
+    const unsigned those = bits((overlap < quad(0)) | (over * over < room2 * sine2)) & kThree;
+    return !those || offer_edges(i, those, overlap, along, s);
 }
 
-bool search(const Frames& f, Search& s) { return search_faces(f, s) && search_edges(f, s); }
+EPODE_LANEWISE bool Axes::search_edges(Search& s) const
+{
+    // An edge wins by  overlap / |L| * handicap + margin < score: here squared, and a little too often.
+    const Real room = (s.score - kFaceMargin * size + 8 * kEpsilon * s.score) * (1 / kEdgeHandicap);
+    const Quad room2 = quad(room > 0 ? room * room * Real(1.000001) : Real(0));
+    return search_edges_of<0>(room2, s) && search_edges_of<1>(room2, s) && search_edges_of<2>(room2, s);
+}
 
-// Both boxes seen from the reference one: its frame, and the other's pose in it.
+// Everything as seen from the reference box: where the other box's axes point, row by row, and where its middle is.
 struct Incident {
-    Vec3 p;
-    Mat3 R;  // columns: the incident box's axes
-    Vec3 half;
+    Real axes[3][4];
+    Real p[4];
+    Real half[4];
 };
 
-// Corners of the incident face that looks most against `normal`, counter-clockwise about its outward side.
-void incident_face(const Incident& box, Vec3 normal, Polygon& out)
+EPODE_LANEWISE void set_incident(Incident& out, const Quad* rows, const Quad& p, const Quad& half)
 {
-    const Vec3 d = transposed_times(box.R, normal), m = abs(d);
-    const int k = m.x >= m.y ? (m.x >= m.z ? 0 : 2) : (m.y >= m.z ? 1 : 2);
-    const int k1 = (k + 1) % 3, k2 = (k + 2) % 3;
-    const Vec3 u = box.half[k1] * box.R.column(k1), v = box.half[k2] * box.R.column(k2);
-    const Vec3 centre = box.p + (d[k] > 0 ? -box.half[k] : box.half[k]) * box.R.column(k);
-    out.add(centre + u + v), out.add(centre - u + v), out.add(centre - u - v), out.add(centre + u - v);
+    store_quad(out.axes[0], rows[0]), store_quad(out.axes[1], rows[1]), store_quad(out.axes[2], rows[2]);
+    store_quad(out.p, p), store_quad(out.half, half);
 }
 
-// Cuts the incident face by the sides of reference face `k` on side `sign`, and keeps what lies below it.
-void face_points(Vec3 half, const Incident& other, int k, Real sign, const Pose& world, BoxBox& out)
+constexpr int kNext[3] = {1, 2, 0}, kLast[3] = {2, 0, 1};
+
+// One coordinate of the corners of the incident box's face on side `sign` of its axis j, counter-clockwise about the
+// outward side.
+EPODE_LANEWISE Quad face_corners(const Incident& box, int axis, int j, Real sign)
 {
-    Vec3 normal;
-    normal.set(k, sign);
-    Polygon face;
-    incident_face(other, normal, face);
-    const Real slack = 32 * kEpsilon * (max_component(half) + max_component(other.half));
-    for (int side = 1; side <= 2; ++side) {
-        const int axis = (k + side) % 3;
-        clip(face, axis, 1, half[axis], slack);
-        clip(face, axis, -1, half[axis], slack);
-    }
-    for (int i = 0; i < face.count && out.count < BoxBox::kMax; ++i) {
-        const Real depth = half[k] - sign * face.points[i][k];
+    const Real* row = box.axes[axis];
+    const int j1 = kNext[j], j2 = kLast[j];
+    const Real centre = box.p[axis] + sign * box.half[j] * row[j];
+    const Real u = box.half[j1] * row[j1], v = box.half[j2] * row[j2];
+    return quad(centre) + quad(u, -u, -u, u) + quad(v, v, -v, -v);
+}
+
+// Of the incident box, the axis that is most along row k.
+EPODE_LANEWISE int facing_axis(const Real* row)
+{
+    const Real x = std::fabs(row[0]), y = std::fabs(row[1]), z = std::fabs(row[2]);
+    return x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
+}
+
+// A face of the reference box: its axis, the side on which it is, and that to which the contact normal points.
+struct Reference {
+    Real half[4];
+    int k;
+    Real sign, inward;
+};
+
+// Cuts the face of the incident box that looks most against the reference face by the sides of that, and keeps what
+// lies below: coordinates along the two axes after k, and along k.
+EPODE_LANEWISE void face_points(const Reference& face, const Incident& other, Real slack, ManifoldPoints& out)
+{
+    const int k = face.k;
+    const int j = facing_axis(other.axes[k]);
+    const Real side = face.sign * other.axes[k][j] > 0 ? Real(-1) : Real(1);
+    const Quad x = face_corners(other, kNext[k], j, side), y = face_corners(other, kLast[k], j, side);
+    const Real hx = face.half[kNext[k]], hy = face.half[kLast[k]];
+    CutPolygon cut;
+    store_quad(cut.at[0], x), store_quad(cut.at[1], y), store_quad(cut.at[2], face_corners(other, k, j, side));
+    if (bits(larger(magnitude(x) - quad(hx), magnitude(y) - quad(hy)) > quad(slack)))
+        cut_by_rectangle(cut, hx, hy, slack);
+    for (int i = 0; i < cut.count && out.count < BoxBox::kMax; ++i) {
+        const Real depth = face.half[k] - face.sign * cut.at[2][i];
         if (depth < -slack) continue;
-        out.depths[out.count] = depth > 0 ? depth : Real(0);
-        out.points[out.count++] = world.to_world(face.points[i]);
+        out.add({cut.at[0][i], cut.at[1][i], cut.at[2][i]}, depth > 0 ? depth : Real(0));
+    }
+}
+
+void face_manifold(const Reference& face, const Incident& other, Real slack, const Pose& world, int room, BoxBox& out)
+{
+    ManifoldPoints points;
+    face_points(face, other, slack, points);
+    int chosen[BoxBox::kMax] = {0, 1, 2, 3, 4, 5, 6, 7};
+    out.count = points.count;
+    if (points.count > room)
+        out.count = best_four(points, {0, 0, face.inward}, room < kBestFour ? room : kBestFour, chosen);
+    const Real* at[3];
+    at[kNext[face.k]] = points.x, at[kLast[face.k]] = points.y, at[face.k] = points.z;
+    for (int n = 0; n < out.count; ++n) {
+        const int i = chosen[n];
+        out.points[n] = world.to_world({at[0][i], at[1][i], at[2][i]});
+        out.depths[n] = points.depth[i];
     }
 }
 
@@ -179,27 +273,32 @@ void lowest_corner(const Pose& A, const Box& b, const Pose& B, bool reference_is
 bool boxes_touch(const Box& a, const Pose& A, const Box& b, const Pose& B)
 {
     Search s;
-    return search(frames_of(a, A, b, B), s);
+    return Axes(a, A, b, B).search(s);
 }
 
-bool box_box_manifold(const Box& a, const Pose& A, const Box& b, const Pose& B, BoxBox& out)
+bool box_box_manifold(const Box& a, const Pose& A, const Box& b, const Pose& B, BoxBox& out, int room)
 {
-    const Frames f = frames_of(a, A, b, B);
+    Axes axes(a, A, b, B);
     Search s;
-    if (!search(f, s)) return false;
-    const Mat3 C = {load(f.c[0]), load(f.c[1]), load(f.c[2])};
+    if (!axes.search(s)) return false;
     out.code = s.code;
     out.depth = s.depth;
     out.count = 0;
     const Real sign = s.flip ? Real(-1) : Real(1);
-    if (s.code <= 3) {
-        const int k = s.code - 1;
-        out.normal = sign * A.R.column(k);
-        face_points(a.half, {load(f.pa), C, b.half}, k, sign, A, out);
-    } else if (s.code <= 6) {
-        const int k = s.code - 4;
-        out.normal = sign * B.R.column(k);
-        face_points(b.half, {-load(f.pb), transpose(C), a.half}, k, -sign, B, out);
+    if (s.code <= 6) {
+        const bool of_a = s.code <= 3;
+        const Pose& world = of_a ? A : B;
+        Reference face;
+        Incident other;
+        store_quad(face.half, of_a ? axes.ha : axes.hb);
+        face.k = s.code - (of_a ? 1 : 4);
+        face.sign = of_a ? sign : -sign, face.inward = -sign;
+        if (of_a)
+            set_incident(other, axes.row, axes.pa, axes.hb);
+        else
+            set_incident(other, axes.column, quad(0) - axes.pb, axes.ha);
+        out.normal = sign * world.R.column(face.k);
+        face_manifold(face, other, 32 * kEpsilon * axes.size, world, room, out);
     } else {
         const int i = (s.code - 7) / 3, j = (s.code - 7) % 3;
         out.normal = normalized_or(sign * cross(A.R.column(i), B.R.column(j)), {1, 0, 0});

@@ -22,13 +22,18 @@ struct BoxBox {
     Vec3 normal;     // unit, from box 1 towards box 2
     Real depth = 0;  // largest, along the normal
     int count = 0;
-    Vec3 points[kMax];
+    union {
+        Vec3 points[kMax];  // in a union: left unwritten until found
+    };
     Real depths[kMax];  // each >= 0
+    BoxBox() {}
 };
 
 bool boxes_touch(const Box& a, const Pose& A, const Box& b, const Pose& B);
 
-// The whole manifold, not thinned; false when the boxes are apart.
-bool box_box_manifold(const Box& a, const Pose& A, const Box& b, const Pose& B, BoxBox& out);
+// The manifold; false when the boxes are apart. Of more than `room` points the best are kept, at most four
+// (geometry/best_four.h).
+bool box_box_manifold(const Box& a, const Pose& A, const Box& b, const Pose& B, BoxBox& out,
+                      int room = BoxBox::kMax);
 
 }  // namespace epode

@@ -13,8 +13,7 @@
 #pragma once
 
 #include "simd/lanes.h"
-
-#define EPODE_LANEWISE [[gnu::always_inline]] inline
+#include "simd/lanewise.h"
 
 namespace epode {
 namespace {

@@ -4,16 +4,16 @@
 // Box against box: the manifold of geometry/box_box.h, thinned to the four points that hold a box best.
 #include "geometry/box_box.h"
 #include "collide/pairs/pairs.h"
+#include "geometry/best_four.h"
 
 namespace epode {
 
 void box_box(const Box& a, const Pose& A, const Box& b, const Pose& B, ContactSink& sink)
 {
+    const int left = sink.room() - sink.count();
     BoxBox m;
-    if (!box_box_manifold(a, A, b, B, m)) return;
-    ContactPoint points[BoxBox::kMax];
-    for (int i = 0; i < m.count; ++i) points[i] = {m.points[i], -m.normal, m.depths[i]};
-    sink.add_manifold({points, std::size_t(m.count)});
+    if (left <= 0 || !box_box_manifold(a, A, b, B, m, left < kBestFour ? left : kBestFour)) return;
+    for (int i = 0; i < m.count; ++i) sink.add({m.points[i], -m.normal, m.depths[i]});
 }
 
 }  // namespace epode

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Four Reals at a time in vectors of 16 bytes, which every machine we serve has: one vector of floats, two of
+// doubles. For short work on the spot, where an answer is wanted at once and not eight of them: the axes of a box,
+// the corners of a face. Lanes never mix and nothing is fused: the bits are those of the scalar formula. Wider
+// vectors were rejected: code for other machines would have to be chosen by a call that costs as much as it saves.
+// Everything is in an unnamed namespace for the reason given in simd/registers.h.
+#pragma once
+
+#include <cstdint>
+
+#include "base/config.h"
+#include "simd/lanewise.h"
+
+namespace epode {
+namespace {
+
+typedef Real QuadPart __attribute__((vector_size(16)));
+
+#if defined(dIDESINGLE)
+typedef std::int32_t QuadBits __attribute__((vector_size(16)));
+constexpr std::int32_t kAllButSign = 0x7fffffff;
+
+struct Quad {
+    QuadPart x;
+};
+struct QuadMask {  // yes or no for each lane
+    QuadBits x;
+};
+
+EPODE_LANEWISE Quad quad(Real a, Real b, Real c, Real d) { return {QuadPart{a, b, c, d}}; }
+#define EPODE_QUAD_OPERATION(Result, name, expression)       \
+    EPODE_LANEWISE Result name(const Quad& a, const Quad& b) \
+    {                                                        \
+        const auto on = [](const QuadPart& s, const QuadPart& t) { return expression; }; \
+        return {on(a.x, b.x)};                               \
+    }
+EPODE_LANEWISE Real lane(const Quad& a, int i) { return a.x[i]; }
+EPODE_LANEWISE Quad magnitude(const Quad& a)
+{
+    return {QuadPart(QuadBits(a.x) & (QuadBits{} + kAllButSign))};
+}
+EPODE_LANEWISE QuadMask operator|(const QuadMask& a, const QuadMask& b) { return {a.x | b.x}; }
+#else
+typedef std::int64_t QuadBits __attribute__((vector_size(16)));
+constexpr std::int64_t kAllButSign = 0x7fffffffffffffff;
+
+struct Quad {
+    QuadPart x, y;
+};
+struct QuadMask {  // yes or no for each lane
+    QuadBits x, y;
+};
+
+EPODE_LANEWISE Quad quad(Real a, Real b, Real c, Real d) { return {QuadPart{a, b}, QuadPart{c, d}}; }
+#define EPODE_QUAD_OPERATION(Result, name, expression)       \
+    EPODE_LANEWISE Result name(const Quad& a, const Quad& b) \
+    {                                                        \
+        const auto on = [](const QuadPart& s, const QuadPart& t) { return expression; }; \
+        return {on(a.x, b.x), on(a.y, b.y)};                 \
+    }
+EPODE_LANEWISE Real lane(const Quad& a, int i) { return i < 2 ? a.x[i] : a.y[i - 2]; }
+EPODE_LANEWISE Quad magnitude(const Quad& a)
+{
+    const QuadBits keep = QuadBits{} + kAllButSign;
+    return {QuadPart(QuadBits(a.x) & keep), QuadPart(QuadBits(a.y) & keep)};
+}
+EPODE_LANEWISE QuadMask operator|(const QuadMask& a, const QuadMask& b) { return {a.x | b.x, a.y | b.y}; }
+#endif
+
+EPODE_QUAD_OPERATION(Quad, operator+, s + t)
+EPODE_QUAD_OPERATION(Quad, operator-, s - t)
+EPODE_QUAD_OPERATION(Quad, operator*, s* t)
+EPODE_QUAD_OPERATION(Quad, smaller, s < t ? s : t)
+EPODE_QUAD_OPERATION(Quad, larger, s > t ? s : t)
+EPODE_QUAD_OPERATION(QuadMask, operator<, s < t)
+EPODE_QUAD_OPERATION(QuadMask, operator<=, s <= t)
+EPODE_QUAD_OPERATION(QuadMask, operator>, s > t)
+#undef EPODE_QUAD_OPERATION
+
+EPODE_LANEWISE Quad load_quad(const Real* p)
+{
+    Quad a;
+    __builtin_memcpy(&a, p, sizeof(a));
+    return a;
+}
+EPODE_LANEWISE void store_quad(Real* p, const Quad& a) { __builtin_memcpy(p, &a, sizeof(a)); }
+EPODE_LANEWISE Quad quad(Real a) { return quad(a, a, a, a); }
+
+// Lane 0 in the lowest bit.
+EPODE_LANEWISE unsigned bits(const QuadMask& yes)
+{
+#if defined(__SSE2__) && defined(dIDESINGLE)
+    return unsigned(__builtin_ia32_movmskps(QuadPart(yes.x)));
+#elif defined(__SSE2__)
+    return unsigned(__builtin_ia32_movmskpd(QuadPart(yes.x)) |
+                    __builtin_ia32_movmskpd(QuadPart(yes.y)) << 2);
+#elif defined(dIDESINGLE)
+    return unsigned((yes.x[0] & 1) | (yes.x[1] & 2) | (yes.x[2] & 4) | (yes.x[3] & 8));
+#else
+    return unsigned((yes.x[0] & 1) | (yes.x[1] & 2) | (yes.y[0] & 4) | (yes.y[1] & 8));
+#endif
+}
+
+EPODE_LANEWISE Real largest_lane(const Quad& a)
+{
+    const Real u = lane(a, 0) > lane(a, 1) ? lane(a, 0) : lane(a, 1);
+    const Real v = lane(a, 2) > lane(a, 3) ? lane(a, 2) : lane(a, 3);
+    return u > v ? u : v;
+}
+
+}  // namespace
+}  // namespace epode
