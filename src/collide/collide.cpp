@@ -9,11 +9,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <type_traits>
 #include <utility>
 
 #include "base/lifecycle.h"
-#include "collide/pairs/pairs.h"
+#include "collide/pairs/at_once.h"
 #include "collide/registry.h"
 #include "collide/user_class.h"
 
@@ -27,13 +26,25 @@ void thunk(const Geom& a, const Pose& A, const Geom& b, const Pose& B, ContactSi
              B, sink);
 }
 
+// Where the two are.
+using DirectFunction = void (*)(Geom& a, Geom& b, ContactArray& out);
+
+template <auto function, typename First, typename Second>
+void direct(Geom& a, Geom& b, ContactArray& out)
+{
+    ContactSink sink(out.at(out.count), out.stride, out.room - out.count, out.unimportant);
+    sink.name(to_handle(&a), to_handle(&b));
+    thunk<function, First, Second>(a, pose_of(a), b, pose_of(b), sink);
+    out.count += sink.count();
+}
+
 struct Collider {
     PairFunction pair = nullptr;
     dColliderFn* user = nullptr;
     bool reversed = false;
     bool disabled = false;  // by the program
     bool settled = true;    // false: a user class has not been asked yet
-    bool plain = false;     // the pair function is all: nothing to open, nobody to ask
+    DirectFunction direct = nullptr;  // null unless the pair function is all: nothing to open, nobody to ask
 };
 
 // Read by every dCollide of any thread, written hardly ever: an entry is published by its flags.
@@ -44,7 +55,8 @@ class ColliderEntry {
         pair_.store(c.pair, std::memory_order_relaxed);
         user_.store(c.user, std::memory_order_relaxed);
         const int flags = (c.reversed ? kReversed : 0) | (c.disabled ? kDisabled : 0) |
-                          (c.settled ? kSettled : 0) | (c.plain ? kPlain : 0);
+                          (c.settled ? kSettled : 0);
+        direct_.store(c.direct, std::memory_order_relaxed);
         flags_.store(flags, std::memory_order_release);
     }
     Collider get() const
@@ -55,18 +67,18 @@ class ColliderEntry {
                 (flags & kReversed) != 0,
                 (flags & kDisabled) != 0,
                 (flags & kSettled) != 0,
-                (flags & kPlain) != 0};
+                direct_.load(std::memory_order_relaxed)};
     }
-    // The pair function, if it is all; null otherwise.
-    PairFunction plain(bool& reversed) const
+    // The way of nearly all calls, if it is all; null otherwise.
+    DirectFunction direct(bool& reversed) const
     {
-        const int flags = flags_.load(std::memory_order_acquire);
-        reversed = (flags & kReversed) != 0;
-        return flags & kPlain ? pair_.load(std::memory_order_relaxed) : nullptr;
+        reversed = (flags_.load(std::memory_order_acquire) & kReversed) != 0;
+        return direct_.load(std::memory_order_relaxed);
     }
 
   private:
-    static constexpr int kReversed = 1, kDisabled = 2, kSettled = 4, kPlain = 8;
+    static constexpr int kReversed = 1, kDisabled = 2, kSettled = 4;
+    std::atomic<DirectFunction> direct_{nullptr};
     std::atomic<PairFunction> pair_{nullptr};
     std::atomic<dColliderFn*> user_{nullptr};
     std::atomic<int> flags_{0};
@@ -99,15 +111,19 @@ void ColliderTable::fill()
             const bool ask = (is_user_class(i) || is_user_class(j)) && !is_opened(i) && !is_opened(j);
             entries[i][j].set({.settled = !ask});
         }
-        // Not plain are meshes: they may have functions of the program that are asked.
-#define PAIR(First, Second, function)                                 \
+#define PAIR_BY(First, Second, function, way)                         \
     set_both(GeomTraits<First>::kNumber, GeomTraits<Second>::kNumber, \
-             {.pair = thunk<&function, First, Second>,                \
-              .plain = !std::is_same_v<First, Trimesh> && !std::is_same_v<Second, Trimesh>});
+             {.pair = thunk<&function, First, Second>, .direct = way});
+    // Meshes may have functions of the program that are asked.
+#define PAIR(First, Second, function) PAIR_BY(First, Second, function, nullptr)
 #include "collide/mesh_pairs.inc"
+#undef PAIR
+#define PAIR(First, Second, function) PAIR_BY(First, Second, function, (direct<&function, First, Second>))
+#define PAIR_AT_ONCE(First, Second, function) PAIR_BY(First, Second, function, function##_at_once)
 #include "collide/pairs.inc"
 #include "collide/terrain_pairs.inc"
 #undef PAIR
+#undef PAIR_BY
 }
 
 ColliderTable& table()
@@ -196,15 +212,6 @@ void run_pair(PairFunction pair, const Placed& a, const Placed& b, ContactArray&
     name_outer(a, b, out, sink.count());
 }
 
-// The way of nearly all calls.
-void run_plain(PairFunction pair, Geom& a, Geom& b, ContactArray& out)
-{
-    ContactSink sink(out.at(out.count), out.stride, out.room - out.count, out.unimportant);
-    sink.name(to_handle(&a), to_handle(&b));
-    pair(a, pose_of(a), b, pose_of(b), sink);
-    out.count += sink.count();
-}
-
 // For what calls functions of the program: these find both geoms where they are taken to be, and cannot give
 // up what the call relies on.
 template <typename Call>
@@ -281,6 +288,31 @@ void collide_members(void* data, dGeomID o1, dGeomID o2)
     collide(*from_handle<Geom>(o1), *from_handle<Geom>(o2), *static_cast<ContactArray*>(data));
 }
 
+// What the table has no straight way for.
+[[gnu::noinline]] void collide_slowly(Geom& a, Geom& b, ContactArray& out)
+{
+    if ((is_space(a) || is_space(b)) && !overridden(a, b))
+        collide_across(a, b, &out, collide_members);
+    else
+        collide_placed(in_place(a), in_place(b), out);
+}
+
+[[gnu::noinline]] void collide_reversed(DirectFunction direct, Geom& a, Geom& b, ContactArray& out)
+{
+    const int before = out.count;
+    direct(b, a, out);
+    reverse_from(before, out);
+}
+
+[[gnu::always_inline]] inline void collide_two(Geom& a, Geom& b, ContactArray& out)
+{
+    if (&a == &b || out.full() || of_one_body(a, b)) return;
+    bool reversed;
+    const DirectFunction direct = table().entries[a.type->number][b.type->number].direct(reversed);
+    if (!direct) return collide_slowly(a, b, out);
+    reversed ? collide_reversed(direct, a, b, out) : direct(a, b, out);
+}
+
 bool asks_program(Geom& geom)
 {
     if (is_user_class(geom.type->number) || as_transform(geom) || asks(geom)) return true;
@@ -309,20 +341,7 @@ bool asks_program(Geom& a, Geom& b)
     return asks_program(a) || asks_program(b) || collider_of(a.type->number, b.type->number).user;
 }
 
-void collide(Geom& a, Geom& b, ContactArray& out)
-{
-    if (&a == &b || out.full() || of_one_body(a, b)) return;
-    bool reversed;
-    const ColliderEntry& entry = table().entries[a.type->number][b.type->number];
-    if (const PairFunction pair = entry.plain(reversed)) {
-        const int before = out.count;
-        reversed ? run_plain(pair, b, a, out) : run_plain(pair, a, b, out);
-        if (reversed) reverse_from(before, out);
-    } else if ((is_space(a) || is_space(b)) && !overridden(a, b))
-        collide_across(a, b, &out, collide_members);
-    else
-        collide_placed(in_place(a), in_place(b), out);
-}
+void collide(Geom& a, Geom& b, ContactArray& out) { collide_two(a, b, out); }
 
 void override_collider(int i, int j, dColliderFn* function)
 {
@@ -343,7 +362,7 @@ extern "C" int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom* contact
     EPODE_USER(contact && skip >= int(sizeof(dContactGeom)), 0);
     EPODE_USER_SAY((flags & 0xffff) != 0, "no contacts requested", 0);
     ContactArray out{contact, skip, flags & 0xffff, (unsigned(flags) & CONTACTS_UNIMPORTANT) != 0};
-    collide(*a, *b, out);
+    collide_two(*a, *b, out);
     return out.count;
 }
 

@@ -3,7 +3,7 @@
 //
 // Box against box: the manifold of geometry/box_box.h, thinned to the four points that hold a box best.
 #include "geometry/box_box.h"
-#include "collide/pairs/pairs.h"
+#include "collide/pairs/at_once.h"
 #include "geometry/best_four.h"
 
 namespace epode {
@@ -15,5 +15,7 @@ void box_box(const Box& a, const Pose& A, const Box& b, const Pose& B, ContactSi
     if (left <= 0 || !box_box_manifold(a, A, b, B, m, left < kBestFour ? left : kBestFour)) return;
     for (int i = 0; i < m.count; ++i) sink.add({m.points[i], -m.normal, m.depths[i]});
 }
+
+EPODE_AT_ONCE(Box, Box, box_box)
 
 }  // namespace epode

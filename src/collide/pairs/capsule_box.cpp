@@ -6,7 +6,7 @@
 // (separating axes of a segment and a box), plus the radius. When the normal is a face normal, the axis is
 // cut by the sides of that face and both ends touch, each with its own depth; likewise along an edge when the
 // axis runs along it.
-#include "collide/pairs/pairs.h"
+#include "collide/pairs/at_once.h"
 #include "geometry/closest.h"
 
 namespace epode {
@@ -152,5 +152,7 @@ void capsule_box(const Capsule& a, const Pose& A, const Box& b, const Pose& B, C
     ContactPoint point;
     if (ball_at(c, t, n, depth, B, point)) sink.add(point);
 }
+
+EPODE_AT_ONCE(Capsule, Box, capsule_box)
 
 }  // namespace epode

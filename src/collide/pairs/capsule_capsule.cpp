@@ -4,7 +4,7 @@
 // Capsule against capsule: balls at the closest points of the two axes; when the axes are nearly parallel,
 // balls at both ends of the stretch where the capsules lie side by side, so that one rests on the other
 // without rocking.
-#include "collide/pairs/pairs.h"
+#include "collide/pairs/at_once.h"
 #include "geometry/closest.h"
 
 namespace epode {
@@ -86,5 +86,7 @@ void capsule_capsule(const Capsule& a, const Pose& A, const Capsule& b, const Po
     else
         sink.add_manifold({ends, 2});
 }
+
+EPODE_AT_ONCE(Capsule, Capsule, capsule_capsule)
 
 }  // namespace epode

@@ -7,7 +7,7 @@
 // cylinder tilts, the one nearest to the true lowest point is turned towards it, fully by a tilt of
 // kFullTilt; so the points move continuously, and from there on the deepest point is exact. Lying on its
 // side, the lowest points of both rims.
-#include "collide/pairs/pairs.h"
+#include "collide/pairs/at_once.h"
 
 namespace epode {
 
@@ -91,5 +91,9 @@ void cylinder_plane(const Cylinder& a, const Pose& A, const Plane& b, const Pose
     }
     sink.add_manifold({found.points, std::size_t(found.count)});
 }
+
+EPODE_AT_ONCE(Box, Plane, box_plane)
+EPODE_AT_ONCE(Capsule, Plane, capsule_plane)
+EPODE_AT_ONCE(Cylinder, Plane, cylinder_plane)
 
 }  // namespace epode

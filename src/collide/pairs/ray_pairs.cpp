@@ -5,7 +5,7 @@
 // interval [enter, leave]. A ray that starts outside stops at `enter`; one that starts inside stops at the
 // far wall, `leave`, and its normal is turned inward, against the ray. A start on the surface is a hit at
 // depth 0 with the outward normal. Contact: position the hit, depth t, one contact at most.
-#include "collide/pairs/pairs.h"
+#include "collide/pairs/at_once.h"
 #include "geometry/polyhedron.h"
 
 namespace epode {
@@ -188,5 +188,11 @@ void ray_plane(const Ray& a, const Pose& A, const Plane& b, const Pose&, Contact
     if (!(t >= 0) || t > a.length) return;
     sink.add({A.p + t * d, above >= 0 ? b.normal : -b.normal, t > 0 ? t : Real(0)});
 }
+
+EPODE_AT_ONCE(Ray, Sphere, ray_sphere)
+EPODE_AT_ONCE(Ray, Box, ray_box)
+EPODE_AT_ONCE(Ray, Capsule, ray_capsule)
+EPODE_AT_ONCE(Ray, Cylinder, ray_cylinder)
+EPODE_AT_ONCE(Ray, Plane, ray_plane)
 
 }  // namespace epode

@@ -4,7 +4,7 @@
 // Sphere against sphere, box, capsule, cylinder and plane: one contact, closed forms. The sphere's centre c
 // is compared with the nearest point q of the other solid: normal (c - q)/|c - q|, depth r - |c - q|; with
 // the centre inside, the nearest face is the way out and its distance is added to the radius.
-#include "collide/pairs/pairs.h"
+#include "collide/pairs/at_once.h"
 #include "geometry/closest.h"
 
 namespace epode {
@@ -101,5 +101,11 @@ void sphere_cylinder(const Sphere& a, const Pose& A, const Cylinder& b, const Po
         !by_end && rho < a.radius ? rho : a.radius;  // sideways no farther than the cylinder's axis
     sink.add({A.p - in * n, n, a.radius - distance});
 }
+
+EPODE_AT_ONCE(Sphere, Sphere, sphere_sphere)
+EPODE_AT_ONCE(Sphere, Box, sphere_box)
+EPODE_AT_ONCE(Sphere, Capsule, sphere_capsule)
+EPODE_AT_ONCE(Sphere, Cylinder, sphere_cylinder)
+EPODE_AT_ONCE(Sphere, Plane, sphere_plane)
 
 }  // namespace epode
