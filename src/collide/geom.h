@@ -58,29 +58,30 @@ struct Geom : Tagged {
     Geom(const Geom&) = delete;
     Geom& operator=(const Geom&) = delete;
 
+    // What every collision reads comes first, in one line of the cache.
     const GeomType* type;
-    Space* space = nullptr;
-    int slot = -1;  // place among the members of its space
+    const Real* position;  // where the pose is
+    const Real* rotation;
     bool enabled = true;
     bool queued = false;  // its space will look at it at the next cleaning
     bool box_stale = true;
     bool pose_stale = false;  // only with an offset
     std::uint8_t continuous = 0;  // a dContinuous... value; set_continuous() writes it
     bool dying = false;       // being destroyed: its class's function, or those of its members, are running
+    BodyLink body;
+    Space* space = nullptr;
+    int slot = -1;  // place among the members of its space
+    std::atomic<int> users{0};  // calls into the program in progress that rely on this geom
     unsigned long category = ~0ul;
     unsigned long collide = ~0ul;
+    Aabb box;
     void* data = nullptr;
-    const Real* position;  // where the pose is
-    const Real* rotation;
-    BodyLink body;
     Geom* body_next = nullptr;  // geoms of the same body, newest first
     Geom* body_prev = nullptr;
     GeomOffset* offset = nullptr;
     TransformGeom* holders = nullptr;  // transforms that place this geom
-    std::atomic<int> users{0};         // calls into the program in progress that rely on this geom
-    Aabb box;
-    Real own_position[4] = {};
-    Real own_rotation[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    alignas(32) Real own_rotation[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    Real own_position[4] = {};  // beside the shape, which follows
 };
 
 template <>

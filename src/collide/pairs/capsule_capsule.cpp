@@ -5,6 +5,7 @@
 // balls at both ends of the stretch where the capsules lie side by side, so that one rests on the other
 // without rocking.
 #include "collide/pairs/at_once.h"
+#include "collide/pairs/ball_contact.h"
 #include "geometry/closest.h"
 
 namespace epode {
@@ -55,11 +56,11 @@ void capsule_capsule(const Capsule& a, const Pose& A, const Capsule& b, const Po
     const Axis u = {A.p, A.R.column(2), a.half_length}, v = {B.p, B.R.column(2), b.half_length};
     Vec3 p, q;
     closest_segment_points(u.at(-u.half), u.at(u.half), v.at(-v.half), v.at(v.half), p, q);
-    const Vec3 across = way_out(u.along, v.along);
     const Real c = dot(u.along, v.along);
     const bool parallel = !(1 - c * c > kParallel), crossing = !parallel && u.within(p) && v.within(q);
+    const auto across = [&] { return way_out(u.along, v.along); };
     ContactPoint deepest;
-    if (!(crossing ? crossed(p, a.radius, q, b.radius, across, deepest)
+    if (!(crossing ? crossed(p, a.radius, q, b.radius, across(), deepest)
                    : ball_contact(p, a.radius, q, b.radius, across, deepest)))
         return;
     if (!parallel) {

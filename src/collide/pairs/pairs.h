@@ -29,7 +29,4 @@ void convex_convex(const ConvexView& a, const ConvexView& b, ContactSink& sink);
 // the inflated solids touch.
 void convex_manifold(const ConvexView& a, const ConvexView& b, Vec3 normal, Real depth, ContactSink& sink);
 
-// The rule for two balls, to which capsules come down; `fallback` is the normal for equal centres.
-bool ball_contact(Vec3 a, Real ra, Vec3 b, Real rb, Vec3 fallback, ContactPoint& out);
-
 }  // namespace epode

@@ -15,14 +15,34 @@ namespace {
 
 constexpr Real kFullTilt = Real(1e-3);
 
-struct Below {
-    ContactPoint points[8];
-    int count = 0;
-    void offer(Vec3 p, const Plane& plane)
+class Below {
+  public:
+    explicit Below(const Plane& plane) : plane_(plane) {}
+    void offer(Vec3 p)
     {
-        const Real depth = plane.d - dot(plane.normal, p);
-        if (depth >= 0) points[count++] = {p, plane.normal, depth};
+        const Real depth = plane_.d - dot(plane_.normal, p);
+        if (depth >= 0) points_[count_] = p, depths_[count_++] = depth;
     }
+    void deliver(ContactSink& sink) const
+    {
+        if (count_ > sink.room() - sink.count()) return deliver_best(sink);
+        for (int i = 0; i < count_; ++i) sink.add({points_[i], plane_.normal, depths_[i]});
+    }
+
+  private:
+    [[gnu::noinline]] void deliver_best(ContactSink& sink) const
+    {
+        ContactPoint points[4];
+        for (int i = 0; i < count_; ++i) points[i] = {points_[i], plane_.normal, depths_[i]};
+        sink.add_manifold({points, std::size_t(count_)});
+    }
+
+    const Plane& plane_;
+    union {
+        Vec3 points_[4];  // in a union: left unwritten until offered
+    };
+    Real depths_[4];
+    int count_ = 0;
 };
 
 // Four rim directions about the axis (unit, local xy), the one nearest to `low` turned towards it by
@@ -47,30 +67,38 @@ void box_plane(const Box& a, const Pose& A, const Plane& b, const Pose&, Contact
 {
     const Vec3 n = transposed_times(A.R, b.normal);
     const Real clearance = dot(b.normal, A.p) - b.d;
-    const Real reach = dot(abs(n), a.half);
+    const Vec3 lean = scale(n, a.half), size = abs(lean);
+    const Real reach = size.x + size.y + size.z;
     if (clearance > reach) return;
-    ContactPoint lowest[4];  // deepest first, ties by vertex number
-    int count = 0;
+    // n . v of the vertices v with x > 0; those of the others are the same, turned round.
+    const Real sums[4] = {lean.x + lean.y + lean.z, lean.x + lean.y - lean.z, lean.x - lean.y + lean.z,
+                          lean.x - lean.y - lean.z};
     const Real tie = 16 * kEpsilon * (reach + std::fabs(clearance));
+    Real depths[4];  // deepest first, ties by vertex number
+    int vertices[4], count = 0;
     for (int i = 0; i < 8; ++i) {
-        const Vec3 v = {i & 4 ? -a.half.x : a.half.x, i & 2 ? -a.half.y : a.half.y,
-                        i & 1 ? -a.half.z : a.half.z};
-        const Real depth = -(clearance + dot(n, v));
-        if (!(depth >= 0) || (count == 4 && depth <= lowest[3].depth + tie)) continue;
+        const Real depth = -(clearance + (i & 4 ? -sums[7 - i] : sums[i]));
+        if (!(depth >= 0) || (count == 4 && depth <= depths[3] + tie)) continue;
         int k = count < 4 ? count++ : 3;
-        for (; k > 0 && depth > lowest[k - 1].depth + tie; --k) lowest[k] = lowest[k - 1];
-        lowest[k] = {A.to_world(v), b.normal, depth};
+        for (; k > 0 && depth > depths[k - 1] + tie; --k)
+            depths[k] = depths[k - 1], vertices[k] = vertices[k - 1];
+        depths[k] = depth, vertices[k] = i;
     }
-    for (int i = 0; i < count; ++i) sink.add(lowest[i]);
+    const Vec3 x = a.half.x * A.R.column(0), y = a.half.y * A.R.column(1), z = a.half.z * A.R.column(2);
+    const Vec3 sides[3][2] = {{x, -x}, {y, -y}, {z, -z}};
+    for (int k = 0; k < count; ++k) {
+        const int i = vertices[k];
+        sink.add({A.p + (sides[0][i >> 2] + sides[1][i >> 1 & 1] + sides[2][i & 1]), b.normal, depths[k]});
+    }
 }
 
 void capsule_plane(const Capsule& a, const Pose& A, const Plane& b, const Pose&, ContactSink& sink)
 {
     const Vec3 half = a.half_length * A.R.column(2);
-    Below ends;
-    ends.offer(A.p - half - a.radius * b.normal, b);
-    ends.offer(A.p + half - a.radius * b.normal, b);
-    sink.add_manifold({ends.points, std::size_t(ends.count)});
+    Below ends(b);
+    ends.offer(A.p - half - a.radius * b.normal);
+    ends.offer(A.p + half - a.radius * b.normal);
+    ends.deliver(sink);
 }
 
 void cylinder_plane(const Cylinder& a, const Pose& A, const Plane& b, const Pose&, ContactSink& sink)
@@ -79,17 +107,17 @@ void cylinder_plane(const Cylinder& a, const Pose& A, const Plane& b, const Pose
     const Real tilt = std::sqrt(n.x * n.x + n.y * n.y);
     const Real end = n.z > 0 ? -a.half_length : a.half_length;
     const Real low_x = tilt > 0 ? -n.x / tilt : Real(-1), low_y = tilt > 0 ? -n.y / tilt : Real(0);
-    Below found;
+    Below found(b);
     if (tilt > std::fabs(n.z)) {  // lying
-        found.offer(A.to_world({a.radius * low_x, a.radius * low_y, end}), b);
-        found.offer(A.to_world({a.radius * low_x, a.radius * low_y, -end}), b);
+        found.offer(A.to_world({a.radius * low_x, a.radius * low_y, end}));
+        found.offer(A.to_world({a.radius * low_x, a.radius * low_y, -end}));
     } else {
         const Real weight = tilt < kFullTilt ? tilt / kFullTilt : Real(1);
         Real rim[4][2];
         rim_directions(low_x, low_y, weight, rim);
-        for (const auto& d : rim) found.offer(A.to_world({a.radius * d[0], a.radius * d[1], end}), b);
+        for (const auto& d : rim) found.offer(A.to_world({a.radius * d[0], a.radius * d[1], end}));
     }
-    sink.add_manifold({found.points, std::size_t(found.count)});
+    found.deliver(sink);
 }
 
 EPODE_AT_ONCE(Box, Plane, box_plane)

@@ -5,27 +5,16 @@
 // is compared with the nearest point q of the other solid: normal (c - q)/|c - q|, depth r - |c - q|; with
 // the centre inside, the nearest face is the way out and its distance is added to the radius.
 #include "collide/pairs/at_once.h"
+#include "collide/pairs/ball_contact.h"
 #include "geometry/closest.h"
 
 namespace epode {
 
-bool ball_contact(Vec3 a, Real ra, Vec3 b, Real rb, Vec3 fallback, ContactPoint& out)
-{
-    const Vec3 apart = a - b;
-    const Real distance = length(apart);
-    if (distance > ra + rb) return false;
-    const Real noise = 16 * kEpsilon * (max_component(abs(a)) + max_component(abs(b)));
-    const bool same = !(distance > noise);
-    out.normal = same ? fallback : normalized_or(apart, fallback);
-    out.depth = ra + rb - distance;
-    out.position = same ? a : a + Real(0.5) * (rb - ra - distance) * out.normal;
-    return true;
-}
-
 void sphere_sphere(const Sphere& a, const Pose& A, const Sphere& b, const Pose& B, ContactSink& sink)
 {
     ContactPoint c;
-    if (ball_contact(A.p, a.radius, B.p, b.radius, {1, 0, 0}, c)) sink.add(c);
+    const auto along_x = [] { return Vec3{1, 0, 0}; };
+    if (ball_contact(A.p, a.radius, B.p, b.radius, along_x, c)) sink.add(c);
 }
 
 void sphere_plane(const Sphere& a, const Pose& A, const Plane& b, const Pose&, ContactSink& sink)
@@ -47,11 +36,11 @@ int nearest_face(Vec3 room)
 
 void sphere_box(const Sphere& a, const Pose& A, const Box& b, const Pose& B, ContactSink& sink)
 {
-    const Vec3 c = B.to_local(A.p), q = clamp_to_box(c, b.half);
-    Vec3 n = c - q;
-    const Real distance = length(n);
+    const Vec3 c = B.to_local(A.p), q = clamp_to_box(c, b.half), out = c - q;
+    const Real distance = length(out);
     if (distance > a.radius) return;
-    if (distance > 0 && normalize(n)) {
+    const Vec3 n = direction_of(out, distance, {});
+    if (distance > 0 && !(n == Vec3{})) {
         sink.add({B.to_world(q), B.R * n, a.radius - distance});
         return;
     }
@@ -61,7 +50,7 @@ void sphere_box(const Sphere& a, const Pose& A, const Box& b, const Pose& B, Con
 }
 
 // A unit vector across `axis`, as near to x as can be.
-static Vec3 across(Vec3 axis)
+[[gnu::noinline]] static Vec3 across(Vec3 axis)
 {
     Vec3 n = Vec3{1, 0, 0} - axis.x * axis;
     if (length2(n) > Real(1e-6) && normalize(n)) return n;
@@ -76,7 +65,8 @@ void sphere_capsule(const Sphere& a, const Pose& A, const Capsule& b, const Pose
     const Real z = dot(axis, A.p - B.p);
     const Real t = z > b.half_length ? b.half_length : z < -b.half_length ? -b.half_length : z;
     ContactPoint c;
-    if (ball_contact(A.p, a.radius, B.p + t * axis, b.radius, across(axis), c)) sink.add(c);
+    const auto aside = [axis] { return across(axis); };
+    if (ball_contact(A.p, a.radius, B.p + t * axis, b.radius, aside, c)) sink.add(c);
 }
 
 void sphere_cylinder(const Sphere& a, const Pose& A, const Cylinder& b, const Pose& B, ContactSink& sink)
