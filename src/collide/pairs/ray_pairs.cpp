@@ -6,6 +6,7 @@
 // far wall, `leave`, and its normal is turned inward, against the ray. A start on the surface is a hit at
 // depth 0 with the outward normal. Contact: position the hit, depth t, one contact at most.
 #include "collide/pairs/at_once.h"
+#include "geometry/closest.h"
 #include "geometry/polyhedron.h"
 
 namespace epode {
@@ -24,7 +25,7 @@ Line line_of(const Pose& ray, const Pose& solid)
 
 struct Interval {
     Real enter = -kInf, leave = kInf;
-    Vec3 enter_normal, leave_normal;  // outward
+    Vec3 enter_normal, leave_normal;  // outward; of round walls of any length
     bool empty() const { return !(enter <= leave); }
     void cut(Real from, Vec3 from_normal, Real to, Vec3 to_normal)
     {
@@ -76,10 +77,7 @@ void cut_tube(const Line& line, Real r, Interval& in)
     }
     Real lower, upper;
     if (!roots(a, p.x * line.d.x + p.y * line.d.y, c, lower, upper)) return in.clear();
-    const auto outward = [&](Real t) {
-        const Vec3 q = p + t * line.d;
-        return normalized_or(Vec3{q.x, q.y, 0}, {1, 0, 0});
-    };
+    const auto outward = [&](Real t) { return Vec3{p.x + t * line.d.x, p.y + t * line.d.y, 0}; };
     in.cut(base + lower, outward(lower), base + upper, outward(upper));
 }
 
@@ -95,8 +93,7 @@ Interval ball(const Line& line, Vec3 c, Real r)
         in.clear();
         return in;
     }
-    in.cut(base + lower, normalized_or(p + lower * line.d, {1, 0, 0}), base + upper,
-           normalized_or(p + upper * line.d, {1, 0, 0}));
+    in.cut(base + lower, p + lower * line.d, base + upper, p + upper * line.d);
     return in;
 }
 
@@ -112,32 +109,78 @@ void join(const Interval& other, Interval& in)
     if (other.leave > in.leave) in.leave = other.leave, in.leave_normal = other.leave_normal;
 }
 
-void hit(const Ray& ray, const Pose& R, const Pose& solid, const Interval& in, Real size, ContactSink& sink)
+// Where the ray meets what it is inside of from `enter` to `leave`; false when it does not.
+struct Meeting {
+    Real depth;
+    bool outside;  // it comes from there
+    bool turned;   // the normal looks inward
+};
+
+bool meets(const Ray& ray, Real enter, Real leave, Real size, Meeting& out)
 {
-    if (in.empty() || !(ray.length >= 0)) return;
+    if (!(enter <= leave) || !(ray.length >= 0)) return false;
     const Real skin = 8 * kEpsilon * size;
-    const bool outside = in.enter >= -skin;
-    const Real t = outside ? in.enter : in.leave;
-    if (!(t >= -skin) || t > ray.length) return;
-    const Vec3 n = solid.R * (outside ? in.enter_normal : in.leave_normal);
-    const Real depth = t > 0 ? t : Real(0);
-    sink.add({R.p + depth * R.R.column(2), outside || t <= skin ? n : -n, depth});
+    const bool outside = enter >= -skin;
+    const Real t = outside ? enter : leave;
+    if (!(t >= -skin) || t > ray.length) return false;
+    out = {t > 0 ? t : Real(0), outside, !outside && t > skin};
+    return true;
+}
+
+void add_hit(const Meeting& m, const Pose& R, Vec3 outward, ContactSink& sink)
+{
+    sink.add({R.p + m.depth * R.R.column(2), m.turned ? -outward : outward, m.depth});
+}
+
+void hit_flat(const Ray& ray, const Pose& R, const Pose& solid, const Interval& in, Real size, ContactSink& sink)
+{
+    Meeting m;
+    if (!meets(ray, in.enter, in.leave, size, m)) return;
+    add_hit(m, R, solid.R * (m.outside ? in.enter_normal : in.leave_normal), sink);
+}
+
+void hit_round(const Ray& ray, const Pose& R, const Pose& solid, const Interval& in, Real size, ContactSink& sink)
+{
+    Meeting m;
+    if (!meets(ray, in.enter, in.leave, size, m)) return;
+    const Vec3 n = m.outside ? in.enter_normal : in.leave_normal;
+    add_hit(m, R, solid.R * direction_of(n, length(n), {1, 0, 0}), sink);
 }
 
 }  // namespace
 
 void ray_sphere(const Ray& a, const Pose& A, const Sphere& b, const Pose& B, ContactSink& sink)
 {
-    const Pose centred = {B.p, Mat3::identity()};
-    hit(a, A, centred, ball(line_of(A, centred), {}, b.radius), b.radius, sink);
+    const Line line = {A.p - B.p, A.R.column(2)};
+    const Interval in = ball(line, {}, b.radius);
+    Meeting m;
+    if (!meets(a, in.enter, in.leave, b.radius, m)) return;
+    const Vec3 n = m.outside ? in.enter_normal : in.leave_normal;
+    add_hit(m, A, direction_of(n, length(n), {1, 0, 0}), sink);
 }
 
 void ray_box(const Ray& a, const Pose& A, const Box& b, const Pose& B, ContactSink& sink)
 {
     const Line line = line_of(A, B);
-    Interval in;
-    for (int i = 0; i < 3; ++i) cut_slab(line, i, b.half[i], in);
-    hit(a, A, B, in, max_component(b.half), sink);
+    const Real o[3] = {line.o.x, line.o.y, line.o.z}, d[3] = {line.d.x, line.d.y, line.d.z};
+    const Real half[3] = {b.half.x, b.half.y, b.half.z};
+    Real enter = -kInf, leave = kInf;
+    int first = 0, last = 0;
+    for (int i = 0; i < 3; ++i) {
+        if (d[i] == 0) {
+            if (std::fabs(o[i]) > half[i]) return;
+            continue;
+        }
+        const Real near = d[i] > 0 ? -half[i] : half[i];
+        const Real from = (near - o[i]) / d[i], to = (-near - o[i]) / d[i];
+        if (from > enter) enter = from, first = i;
+        if (to < leave) leave = to, last = i;
+    }
+    Meeting m;
+    if (!meets(a, enter, leave, max_component(b.half), m)) return;
+    const int axis = m.outside ? first : last;
+    const bool down = m.outside == (d[axis] > 0);
+    add_hit(m, A, down ? -B.R.column(axis) : B.R.column(axis), sink);
 }
 
 void ray_cylinder(const Ray& a, const Pose& A, const Cylinder& b, const Pose& B, ContactSink& sink)
@@ -146,7 +189,7 @@ void ray_cylinder(const Ray& a, const Pose& A, const Cylinder& b, const Pose& B,
     Interval in;
     cut_slab(line, 2, b.half_length, in);
     cut_tube(line, b.radius, in);
-    hit(a, A, B, in, b.radius + b.half_length, sink);
+    hit_round(a, A, B, in, b.radius + b.half_length, sink);
 }
 
 void ray_capsule(const Ray& a, const Pose& A, const Capsule& b, const Pose& B, ContactSink& sink)
@@ -162,7 +205,7 @@ void ray_capsule(const Ray& a, const Pose& A, const Capsule& b, const Pose& B, C
     if (!in.empty() && !middle.empty()) join(middle, all);
     join(ball(line, {0, 0, -b.half_length}, b.radius), all);
     join(ball(line, {0, 0, b.half_length}, b.radius), all);
-    hit(a, A, B, all, b.radius + b.half_length, sink);
+    hit_round(a, A, B, all, b.radius + b.half_length, sink);
 }
 
 void ray_convex(const Ray& a, const Pose& A, const Convex& b, const Pose& B, ContactSink& sink)
@@ -176,7 +219,7 @@ void ray_convex(const Ray& a, const Pose& A, const Convex& b, const Pose& B, Con
         if (rate < 0) in.cut(-above / rate, f.normal, in.leave, in.leave_normal);
         if (rate > 0) in.cut(in.enter, in.enter_normal, -above / rate, f.normal);
     }
-    hit(a, A, centred, in, b.solid->size(), sink);
+    hit_flat(a, A, centred, in, b.solid->size(), sink);
 }
 
 void ray_plane(const Ray& a, const Pose& A, const Plane& b, const Pose&, ContactSink& sink)
