@@ -42,8 +42,8 @@ struct Collider {
     PairFunction pair = nullptr;
     dColliderFn* user = nullptr;
     bool reversed = false;
-    bool disabled = false;  // by the program
-    bool settled = true;    // false: a user class has not been asked yet
+    bool disabled = false;            // by the program
+    bool settled = true;              // false: a user class has not been asked yet
     DirectFunction direct = nullptr;  // null unless the pair function is all: nothing to open, nobody to ask
 };
 
@@ -54,8 +54,8 @@ class ColliderEntry {
     {
         pair_.store(c.pair, std::memory_order_relaxed);
         user_.store(c.user, std::memory_order_relaxed);
-        const int flags = (c.reversed ? kReversed : 0) | (c.disabled ? kDisabled : 0) |
-                          (c.settled ? kSettled : 0);
+        const int flags =
+            (c.reversed ? kReversed : 0) | (c.disabled ? kDisabled : 0) | (c.settled ? kSettled : 0);
         direct_.store(c.direct, std::memory_order_relaxed);
         flags_.store(flags, std::memory_order_release);
     }
@@ -114,7 +114,7 @@ void ColliderTable::fill()
 #define PAIR_BY(First, Second, function, way)                         \
     set_both(GeomTraits<First>::kNumber, GeomTraits<Second>::kNumber, \
              {.pair = thunk<&function, First, Second>, .direct = way});
-    // Meshes may have functions of the program that are asked.
+        // Meshes may have functions of the program that are asked.
 #define PAIR(First, Second, function) PAIR_BY(First, Second, function, nullptr)
 #include "collide/mesh_pairs.inc"
 #undef PAIR

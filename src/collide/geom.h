@@ -70,7 +70,7 @@ struct Geom : Tagged {
     bool dying = false;       // being destroyed: its class's function, or those of its members, are running
     BodyLink body;
     Space* space = nullptr;
-    int slot = -1;  // place among the members of its space
+    int slot = -1;              // place among the members of its space
     std::atomic<int> users{0};  // calls into the program in progress that rely on this geom
     unsigned long category = ~0ul;
     unsigned long collide = ~0ul;

@@ -4,8 +4,8 @@
 // Box against box: see box_box.h.
 // With C = A^T B and p = A^T (b - a), the overlap along a unit axis L is  r_a(L) + r_b(L) - |p . L|, where
 // r(L) is the box's half extent along L. For L = a_i x b_j every projection is a product of entries of C, and
-// |L|^2 = 1 - C_ij^2. The three axes of one kind (faces of a, faces of b, edges of b with one edge of a) lie in
-// lanes; which edges can be better than the faces is told without a root.
+// |L|^2 = 1 - C_ij^2. The three axes of one kind (faces of a, faces of b, edges of b with one edge of a) lie
+// in lanes; which edges can be better than the faces is told without a root.
 #include "geometry/box_box.h"
 
 #include "geometry/best_four.h"
@@ -104,8 +104,8 @@ EPODE_LANEWISE bool Axes::search_faces(Search& s)
                     magnitude(column[2]) * quad(lane(hb, 2));
     const Quad over_a = ha + rb - magnitude(pa);
     if (bits(over_a < quad(-touch))) return false;
-    const Quad ra = row_size[0] * quad(lane(ha, 0)) + row_size[1] * quad(lane(ha, 1)) +
-                    row_size[2] * quad(lane(ha, 2));
+    const Quad ra =
+        row_size[0] * quad(lane(ha, 0)) + row_size[1] * quad(lane(ha, 1)) + row_size[2] * quad(lane(ha, 2));
     pb = row[0] * quad(lane(pa, 0)) + row[1] * quad(lane(pa, 1)) + row[2] * quad(lane(pa, 2));
     const Quad over_b = hb + ra - magnitude(pb);
     if (bits(over_b < quad(-touch)) & kThree) return false;
@@ -123,8 +123,8 @@ bool Axes::offer_edges(int i, unsigned those, const Quad& overlap, const Quad& a
     for (; those; those &= those - 1) {
         const int j = __builtin_ctz(those);
         const Real sine2 = 1 - c[j] * c[j];
-        if (sine2 < Real(1e-6)) continue;   // parallel edges: a face direction does as well
-        if (over[j] > s.score) continue;    // times |L| = sqrt(sine2) <= 1: cannot win, nor part
+        if (sine2 < Real(1e-6)) continue;  // parallel edges: a face direction does as well
+        if (over[j] > s.score) continue;   // times |L| = sqrt(sine2) <= 1: cannot win, nor part
         if (!s.offer(over[j] / std::sqrt(sine2), kEdgeHandicap, on[j], 7 + 3 * i + j, touch,
                      kFaceMargin * size))
             return false;
@@ -156,7 +156,8 @@ EPODE_LANEWISE bool Axes::search_edges(Search& s) const
     return search_edges_of<0>(room2, s) && search_edges_of<1>(room2, s) && search_edges_of<2>(room2, s);
 }
 
-// Everything as seen from the reference box: where the other box's axes point, row by row, and where its middle is.
+// Everything as seen from the reference box: where the other box's axes point, row by row, and where its
+// middle is.
 struct Incident {
     Real axes[3][4];
     Real p[4];
@@ -171,15 +172,15 @@ EPODE_LANEWISE void set_incident(Incident& out, const Quad* rows, const Quad& p,
 
 constexpr int kNext[3] = {1, 2, 0}, kLast[3] = {2, 0, 1};
 
-// One coordinate of the corners of the incident box's face on side `sign` of its axis j, counter-clockwise about the
-// outward side.
-EPODE_LANEWISE Quad face_corners(const Incident& box, int axis, int j, Real sign)
+// The face on side `sign` of axis j of the incident box, along the axes after k and along k.
+EPODE_LANEWISE Parallelogram face_of(const Incident& box, int j, Real sign, int k)
 {
-    const Real* row = box.axes[axis];
     const int j1 = kNext[j], j2 = kLast[j];
-    const Real centre = box.p[axis] + sign * box.half[j] * row[j];
-    const Real u = box.half[j1] * row[j1], v = box.half[j2] * row[j2];
-    return quad(centre) + quad(u, -u, -u, u) + quad(v, v, -v, -v);
+    const Real *x = box.axes[kNext[k]], *y = box.axes[kLast[k]], *z = box.axes[k];
+    const Real up = sign * box.half[j], u = box.half[j1], v = box.half[j2];
+    return {{box.p[kNext[k]] + up * x[j], box.p[kLast[k]] + up * y[j], box.p[k] + up * z[j]},
+            {u * x[j1], u * y[j1], u * z[j1]},
+            {v * x[j2], v * y[j2], v * z[j2]}};
 }
 
 // Of the incident box, the axis that is most along row k.
@@ -189,34 +190,43 @@ EPODE_LANEWISE int facing_axis(const Real* row)
     return x >= y ? (x >= z ? 0 : 2) : (y >= z ? 1 : 2);
 }
 
-// A face of the reference box: its axis, the side on which it is, and that to which the contact normal points.
+// A face of the reference box: its axis, the side on which it is, and that to which the contact normal
+// points.
 struct Reference {
     Real half[4];
     int k;
     Real sign, inward;
 };
 
-// Cuts the face of the incident box that looks most against the reference face by the sides of that, and keeps what
-// lies below: coordinates along the two axes after k, and along k.
+[[gnu::noinline]] bool repeats(const ManifoldPoints& points, Vec3 p, Real slack)
+{
+    for (int i = 0; i < points.count; ++i)
+        if (std::fabs(points.x[i] - p.x) <= slack && std::fabs(points.y[i] - p.y) <= slack) return true;
+    return false;
+}
+
+// Of the face of the incident box that looks most against the reference face, what lies over that and below
+// it: coordinates along the two axes after k, and along k.
 EPODE_LANEWISE void face_points(const Reference& face, const Incident& other, Real slack, ManifoldPoints& out)
 {
-    const int k = face.k;
-    const int j = facing_axis(other.axes[k]);
+    const int k = face.k, j = facing_axis(other.axes[k]);
     const Real side = face.sign * other.axes[k][j] > 0 ? Real(-1) : Real(1);
-    const Quad x = face_corners(other, kNext[k], j, side), y = face_corners(other, kLast[k], j, side);
-    const Real hx = face.half[kNext[k]], hy = face.half[kLast[k]];
-    CutPolygon cut;
-    store_quad(cut.at[0], x), store_quad(cut.at[1], y), store_quad(cut.at[2], face_corners(other, k, j, side));
-    if (bits(larger(magnitude(x) - quad(hx), magnitude(y) - quad(hy)) > quad(slack)))
-        cut_by_rectangle(cut, hx, hy, slack);
-    for (int i = 0; i < cut.count && out.count < BoxBox::kMax; ++i) {
+    CutPoints cut;
+    // Corners outside by no more than `slack` stay as they are: flush faces would otherwise sprout pairs of
+    // nearly equal points.
+    cut_by_rectangle(face_of(other, j, side, k), face.half[kNext[k]] + slack, face.half[kLast[k]] + slack,
+                     4 * slack, cut);
+    for (unsigned left = cut.there; left && out.count < BoxBox::kMax; left &= left - 1) {
+        const int i = __builtin_ctz(left);
         const Real depth = face.half[k] - face.sign * cut.at[2][i];
-        if (depth < -slack) continue;
-        out.add({cut.at[0][i], cut.at[1][i], cut.at[2][i]}, depth > 0 ? depth : Real(0));
+        const Vec3 p = {cut.at[0][i], cut.at[1][i], cut.at[2][i]};
+        if (depth < -slack || (cut.may_repeat && repeats(out, p, 4 * slack))) continue;
+        out.add(p, depth > 0 ? depth : Real(0));
     }
 }
 
-void face_manifold(const Reference& face, const Incident& other, Real slack, const Pose& world, int room, BoxBox& out)
+void face_manifold(const Reference& face, const Incident& other, Real slack, const Pose& world, int room,
+                   BoxBox& out)
 {
     ManifoldPoints points;
     face_points(face, other, slack, points);

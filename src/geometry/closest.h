@@ -23,8 +23,8 @@ Real closest_on_segment(Vec3 a, Vec3 b, Vec3 p);
 // frame; when a stretch is equally near, its middle.
 Real closest_to_box(Vec3 a, Vec3 b, Vec3 half);
 
-// a, whose length is known, at length one: one division where its square neither vanished nor overflowed, else the
-// careful way.
+// a, whose length is known, at length one: one division where its square neither vanished nor overflowed,
+// else the careful way.
 inline Vec3 direction_of(Vec3 a, Real length, Vec3 fallback)
 {
     constexpr Real kSmall = kSingle ? Real(1e-12) : Real(1e-100), kLarge = 1 / kSmall;

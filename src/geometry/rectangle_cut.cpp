@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See rectangle_cut.h. Corners are kept or dropped by their own distance, and each edge whose ends differ adds one
-// point, unless the end that stays lies on the side already; the order is that of the corners.
+// See rectangle_cut.h. A lane is a side of the parallelogram, p + t d with t from 0 to 1, p being its first
+// corner; then a corner of the rectangle.
 #include "geometry/rectangle_cut.h"
 
 #include "simd/quad.h"
@@ -11,102 +11,73 @@ namespace epode {
 
 namespace {
 
-struct Corner {
-    Real x, y, z;
-};
+// Signs by which the corners of parallelogram and rectangle are made, in turn.
+EPODE_LANEWISE Quad first_sign(Real a) { return quad(a, -a, -a, a); }
+EPODE_LANEWISE Quad second_sign(Real a) { return quad(a, a, -a, -a); }
+EPODE_LANEWISE Quad next(const Quad& a) { return quad(lane(a, 1), lane(a, 2), lane(a, 3), lane(a, 0)); }
 
-// The distances of the corners from one side, and which of them stay.
-struct Side {
-    alignas(16) Real distance[CutPolygon::kMax];
-    unsigned in = 0;
-    bool keeps(int i) const { return in >> i & 1; }
-};
-
-int next_of(int i, int count) { return i + 1 < count ? i + 1 : 0; }
-
-EPODE_LANEWISE Corner corner(const CutPolygon& p, int i) { return {p.at[0][i], p.at[1][i], p.at[2][i]}; }
-EPODE_LANEWISE void set(CutPolygon& p, int i, Corner c)
+EPODE_LANEWISE Quad corners(Real centre, Real u, Real v)
 {
-    p.at[0][i] = c.x, p.at[1][i] = c.y, p.at[2][i] = c.z;
+    return quad(centre) + first_sign(u) + second_sign(v);
 }
 
-// Where the edge from corner i crosses the side; false when its end that stays lies on it.
-EPODE_LANEWISE bool crossing(const CutPolygon& p, const Side& s, int i, Corner& out)
+// The stretches of the sides between -half and half. Where a side runs along one of these two, the quotient
+// is no number and says nothing.
+EPODE_LANEWISE void cut(const Quad& p, const Quad& d, Real half, Quad& from, Quad& to)
 {
-    const int j = next_of(i, p.count);
-    const Real here = s.distance[i], there = s.distance[j], t = here / (here - there);
-    const Corner from = corner(p, i), to = corner(p, j);
-    out = {from.x + t * (to.x - from.x), from.y + t * (to.y - from.y), from.z + t * (to.z - from.z)};
-    return (here < there ? here : there) < 0;
+    const Quad inverse = quad(1) / d;
+    const Quad a = (quad(-half) - p) * inverse, b = (quad(half) - p) * inverse;
+    from = larger(smaller(a, b), from);
+    to = smaller(larger(a, b), to);
 }
 
-void cut_one_by_one(CutPolygon& polygon, const Side& s)
+EPODE_LANEWISE void put(CutPoints& out, int at, const Quad& x, const Quad& y, const Quad& z)
 {
-    const CutPolygon old = polygon;
-    polygon.count = 0;
-    for (int i = 0; i < old.count; ++i) {
-        if (s.keeps(i) && polygon.count < CutPolygon::kMax) set(polygon, polygon.count++, corner(old, i));
-        Corner made;
-        if (s.keeps(i) == s.keeps(next_of(i, old.count)) || (old.count == 2 && i == 1)) continue;
-        if (crossing(old, s, i, made) && polygon.count < CutPolygon::kMax) set(polygon, polygon.count++, made);
-    }
+    store_quad(out.at[0] + at, x), store_quad(out.at[1] + at, y), store_quad(out.at[2] + at, z);
 }
 
-// Eight corners at a time, wanted or not.
-EPODE_LANEWISE void move_corners(CutPolygon& p, int from, int to)
-{
-    for (auto& line : p.at) {
-        const Quad first = load_quad(line + from), second = load_quad(line + from + 4);
-        store_quad(line + to, first), store_quad(line + to + 4, second);
-    }
-}
+EPODE_LANEWISE Real larger_of(Real a, Real b) { return a > b ? a : b; }
 
-// One run of corners goes: the edge from `last` leaves, the edge from `before` comes back.
-EPODE_LANEWISE void cut_run(CutPolygon& p, const Side& s, int last, int before)
+// Corners of the rectangle over the parallelogram, at the heights of that.
+EPODE_LANEWISE unsigned cover(const Parallelogram& f, Real half_x, Real half_y, Real slack, CutPoints& out)
 {
-    Corner leaving, coming;
-    const bool leaves = crossing(p, s, last, leaving), comes = crossing(p, s, before, coming);
-    const int first = last < before ? last + 1 + leaves : 0, tail = first + comes;
-    move_corners(p, before + 1, tail);
-    if (comes) set(p, first, coming);
-    if (last < before) {
-        if (leaves) set(p, last + 1, leaving);
-        p.count = tail + p.count - before - 1;
-    } else {
-        p.count = tail + last - before;
-        if (leaves) set(p, p.count++, leaving);
-    }
-}
-
-template <int axis, int sign>
-EPODE_LANEWISE void cut(CutPolygon& p, Real half, Real slack)
-{
-    Side s;
-    for (int i = 0; i < p.count; i += 4) {
-        const Quad x = load_quad(p.at[axis] + i), d = (sign > 0 ? x : quad(0) - x) - quad(half);
-        store_quad(s.distance + i, d);
-        s.in |= bits(d <= quad(slack)) << i;
-    }
-    const unsigned all = (1u << p.count) - 1;
-    s.in &= all;
-    if (s.in == all) return;
-    const unsigned next = s.in >> 1 | (s.in & 1) << (p.count - 1);
-    const unsigned leave = s.in & ~next, come = next & ~s.in;
-    const bool one_run = leave && (leave & (leave - 1)) == 0 && p.count > 2 && p.count <= 8;
-    if (one_run)
-        cut_run(p, s, __builtin_ctz(leave), __builtin_ctz(come));
-    else
-        cut_one_by_one(p, s);
+    const Quad x = first_sign(half_x), y = second_sign(half_y);
+    const Quad dx = x - quad(f.centre.x), dy = y - quad(f.centre.y);
+    const Real area = f.u.x * f.v.y - f.u.y * f.v.x, per = 1 / area;
+    const Quad s = (dx * quad(f.v.y) - dy * quad(f.v.x)) * quad(per);
+    const Quad t = (dy * quad(f.u.x) - dx * quad(f.u.y)) * quad(per);
+    put(out, 8, x, y, quad(f.centre.z) + s * quad(f.u.z) + t * quad(f.v.z));
+    const Quad farther = larger(magnitude(s), magnitude(t));
+    const unsigned over = bits(farther <= quad(1 + 4 * kEpsilon));
+    // A way of `slack` is no more of s or t than this.
+    const Real length = larger_of(std::fabs(f.u.x) + std::fabs(f.u.y), std::fabs(f.v.x) + std::fabs(f.v.y));
+    const Real margin = slack * length * std::fabs(per);
+    out.may_repeat |= (bits(farther > quad(1 - margin)) & over) != 0;
+    return over;
 }
 
 }  // namespace
 
-void cut_by_rectangle(CutPolygon& polygon, Real half_x, Real half_y, Real slack)
+void cut_by_rectangle(const Parallelogram& f, Real half_x, Real half_y, Real slack, CutPoints& out)
 {
-    cut<0, 1>(polygon, half_x, slack);
-    cut<0, -1>(polygon, half_x, slack);
-    cut<1, 1>(polygon, half_y, slack);
-    cut<1, -1>(polygon, half_y, slack);
+    const Quad x = corners(f.centre.x, f.u.x, f.v.x), y = corners(f.centre.y, f.u.y, f.v.y),
+               z = corners(f.centre.z, f.u.z, f.v.z);
+    put(out, 0, x, y, z);
+    const Quad beyond = larger(magnitude(x) - quad(half_x), magnitude(y) - quad(half_y));
+    const unsigned inside = bits(beyond <= quad(0));
+    if (inside == 15) {
+        out.there = inside;
+        return;
+    }
+    const Quad dx = next(x) - x, dy = next(y) - y, dz = next(z) - z;
+    Quad from = quad(0), to = quad(1);
+    cut(x, dx, half_x, from, to);
+    cut(y, dy, half_y, from, to);
+    put(out, 0, x + from * dx, y + from * dy, z + from * dz);
+    put(out, 4, x + to * dx, y + to * dy, z + to * dz);
+    const unsigned over = bits(from <= to), next_inside = inside >> 1 | (inside & 1) << 3;
+    out.may_repeat = (bits(beyond > quad(-slack)) & inside) != 0;
+    out.there = inside | over | (over & ~next_inside) << 4 | cover(f, half_x, half_y, slack, out) << 8;
 }
 
 }  // namespace epode

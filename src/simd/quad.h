@@ -2,10 +2,10 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Four Reals at a time in vectors of 16 bytes, which every machine we serve has: one vector of floats, two of
-// doubles. For short work on the spot, where an answer is wanted at once and not eight of them: the axes of a box,
-// the corners of a face. Lanes never mix and nothing is fused: the bits are those of the scalar formula. Wider
-// vectors were rejected: code for other machines would have to be chosen by a call that costs as much as it saves.
-// Everything is in an unnamed namespace for the reason given in simd/registers.h.
+// doubles. For short work on the spot, where an answer is wanted at once and not eight of them: the axes of a
+// box, the corners of a face. Lanes never mix and nothing is fused: the bits are those of the scalar formula.
+// Wider vectors were rejected: code for other machines would have to be chosen by a call that costs as much
+// as it saves. Everything is in an unnamed namespace for the reason given in simd/registers.h.
 #pragma once
 
 #include <cstdint>
@@ -30,11 +30,11 @@ struct QuadMask {  // yes or no for each lane
 };
 
 EPODE_LANEWISE Quad quad(Real a, Real b, Real c, Real d) { return {QuadPart{a, b, c, d}}; }
-#define EPODE_QUAD_OPERATION(Result, name, expression)       \
-    EPODE_LANEWISE Result name(const Quad& a, const Quad& b) \
-    {                                                        \
+#define EPODE_QUAD_OPERATION(Result, name, expression)                                   \
+    EPODE_LANEWISE Result name(const Quad& a, const Quad& b)                             \
+    {                                                                                    \
         const auto on = [](const QuadPart& s, const QuadPart& t) { return expression; }; \
-        return {on(a.x, b.x)};                               \
+        return {on(a.x, b.x)};                                                           \
     }
 EPODE_LANEWISE Real lane(const Quad& a, int i) { return a.x[i]; }
 EPODE_LANEWISE Quad magnitude(const Quad& a)
@@ -54,11 +54,11 @@ struct QuadMask {  // yes or no for each lane
 };
 
 EPODE_LANEWISE Quad quad(Real a, Real b, Real c, Real d) { return {QuadPart{a, b}, QuadPart{c, d}}; }
-#define EPODE_QUAD_OPERATION(Result, name, expression)       \
-    EPODE_LANEWISE Result name(const Quad& a, const Quad& b) \
-    {                                                        \
+#define EPODE_QUAD_OPERATION(Result, name, expression)                                   \
+    EPODE_LANEWISE Result name(const Quad& a, const Quad& b)                             \
+    {                                                                                    \
         const auto on = [](const QuadPart& s, const QuadPart& t) { return expression; }; \
-        return {on(a.x, b.x), on(a.y, b.y)};                 \
+        return {on(a.x, b.x), on(a.y, b.y)};                                             \
     }
 EPODE_LANEWISE Real lane(const Quad& a, int i) { return i < 2 ? a.x[i] : a.y[i - 2]; }
 EPODE_LANEWISE Quad magnitude(const Quad& a)
@@ -72,6 +72,7 @@ EPODE_LANEWISE QuadMask operator|(const QuadMask& a, const QuadMask& b) { return
 EPODE_QUAD_OPERATION(Quad, operator+, s + t)
 EPODE_QUAD_OPERATION(Quad, operator-, s - t)
 EPODE_QUAD_OPERATION(Quad, operator*, s* t)
+EPODE_QUAD_OPERATION(Quad, operator/, s / t)
 EPODE_QUAD_OPERATION(Quad, smaller, s < t ? s : t)
 EPODE_QUAD_OPERATION(Quad, larger, s > t ? s : t)
 EPODE_QUAD_OPERATION(QuadMask, operator<, s < t)
@@ -94,8 +95,7 @@ EPODE_LANEWISE unsigned bits(const QuadMask& yes)
 #if defined(__SSE2__) && defined(dIDESINGLE)
     return unsigned(__builtin_ia32_movmskps(QuadPart(yes.x)));
 #elif defined(__SSE2__)
-    return unsigned(__builtin_ia32_movmskpd(QuadPart(yes.x)) |
-                    __builtin_ia32_movmskpd(QuadPart(yes.y)) << 2);
+    return unsigned(__builtin_ia32_movmskpd(QuadPart(yes.x)) | __builtin_ia32_movmskpd(QuadPart(yes.y)) << 2);
 #elif defined(dIDESINGLE)
     return unsigned((yes.x[0] & 1) | (yes.x[1] & 2) | (yes.x[2] & 4) | (yes.x[3] & 8));
 #else

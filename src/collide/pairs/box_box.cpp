@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Box against box: the manifold of geometry/box_box.h, thinned to the four points that hold a box best.
+// Box against box: the manifold of geometry/box_box.h, thinned to the four points that hold a box best. Boxes
+// whose balls are apart, as many are whose bounding boxes overlap by a corner, are told by a few products:
+// the sum of the radii is at most sqrt(2 (ra^2 + rb^2)).
 #include "geometry/box_box.h"
 #include "collide/pairs/at_once.h"
 #include "geometry/best_four.h"
@@ -10,6 +12,8 @@ namespace epode {
 
 void box_box(const Box& a, const Pose& A, const Box& b, const Pose& B, ContactSink& sink)
 {
+    constexpr Real kTwo = Real(2.0001);
+    if (length2(B.p - A.p) > kTwo * (length2(a.half) + length2(b.half))) return;
     const int left = sink.room() - sink.count();
     BoxBox m;
     if (left <= 0 || !box_box_manifold(a, A, b, B, m, left < kBestFour ? left : kBestFour)) return;

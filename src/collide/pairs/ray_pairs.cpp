@@ -132,14 +132,16 @@ void add_hit(const Meeting& m, const Pose& R, Vec3 outward, ContactSink& sink)
     sink.add({R.p + m.depth * R.R.column(2), m.turned ? -outward : outward, m.depth});
 }
 
-void hit_flat(const Ray& ray, const Pose& R, const Pose& solid, const Interval& in, Real size, ContactSink& sink)
+void hit_flat(const Ray& ray, const Pose& R, const Pose& solid, const Interval& in, Real size,
+              ContactSink& sink)
 {
     Meeting m;
     if (!meets(ray, in.enter, in.leave, size, m)) return;
     add_hit(m, R, solid.R * (m.outside ? in.enter_normal : in.leave_normal), sink);
 }
 
-void hit_round(const Ray& ray, const Pose& R, const Pose& solid, const Interval& in, Real size, ContactSink& sink)
+void hit_round(const Ray& ray, const Pose& R, const Pose& solid, const Interval& in, Real size,
+               ContactSink& sink)
 {
     Meeting m;
     if (!meets(ray, in.enter, in.leave, size, m)) return;
