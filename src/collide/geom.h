@@ -65,9 +65,9 @@ struct Geom : Tagged {
     bool enabled = true;
     bool queued = false;  // its space will look at it at the next cleaning
     bool box_stale = true;
-    bool pose_stale = false;  // only with an offset
+    bool pose_stale = false;      // only with an offset
     std::uint8_t continuous = 0;  // a dContinuous... value; set_continuous() writes it
-    bool dying = false;       // being destroyed: its class's function, or those of its members, are running
+    bool dying = false;  // being destroyed: its class's function, or those of its members, are running
     BodyLink body;
     Space* space = nullptr;
     int slot = -1;              // place among the members of its space
