@@ -84,7 +84,7 @@ int best_four(ManifoldPoints& p, Vec3 normal, int wanted, int* chosen)
     while (p.count < full) p.add({p.x[0], p.y[0], p.z[0]}, p.depth[0]);
     return full == 8    ? choose<2>(p, normal, wanted, chosen)
            : full == 16 ? choose<4>(p, normal, wanted, chosen)
-                        : choose<p.kMax / 4>(p, normal, wanted, chosen);
+                        : choose<ManifoldPoints::kMax / 4>(p, normal, wanted, chosen);
 }
 
 }  // namespace epode
