@@ -10,22 +10,40 @@
 // Friction bounds per direction (a pyramid), as ODE's interface defines its coefficients. A rolling
 // coefficient of zero writes no row, where ODE writes an empty one that can stop its exact solver.
 #include "ode/contact.h"
+
 #include "joints/access.h"
+#include "joints/contact_manifolds.h"
+#include "rows/policy.h"
 
 namespace epode {
 
+// Most contacts have place, normal, depth, mode and mu and nothing else: what they lack is not even copied.
 struct Contact : Joint {
     static constexpr int kMaxRows = 6;
     static constexpr const char* kDifName = "contact_joint";
-    Contact(const JointType& t, World& w, const dContact& c) : Joint(t, w), contact(c) {}
+    Contact(const JointType& t, World& w, const dContact& c)
+        : Joint(t, w), pos(load(c.geom.pos)), normal(load(c.geom.normal)), depth(c.geom.depth)
+    {
+        surface.mode = c.surface.mode;
+        surface.mu = c.surface.mu;
+        if (!has(~dContactApprox1)) return;
+        surface = c.surface;
+        fdir1 = load(c.fdir1);
+    }
 
-    dContact contact;
+    Vec3 pos, normal;
+    Real depth;
+    dSurfaceParameters surface;  // members that the mode does not name may be anything
+    Vec3 fdir1;
 
-    bool has(int bits) const { return (contact.surface.mode & bits) != 0; }
+    bool has(int bits) const { return (surface.mode & bits) != 0; }
+    Vec3 outward() const { return reverse ? -normal : normal; }  // into body 1
+    Real mu2() const { return has(dContactMu2) ? surface.mu2 : surface.mu; }
+    bool sliding_at_all() const { return surface.mu > 0 || has(dContactAxisDep | dContactRolling); }
 
     void emit(RowWriter& out) const;
     Row& contact_row(RowWriter& out, Vec3 d, RowKind kind) const;
-    void write_normal(RowWriter& out, Vec3 n) const;
+    void aim_normal(Row& row, const StepInfo& info, Vec3 n) const;
     void write_sliding(RowWriter& out, Vec3 t1, Vec3 t2) const;
     void write_rolling(RowWriter& out, Vec3 t1, Vec3 t2, Vec3 n) const;
     void tangents(Vec3 n, Vec3& t1, Vec3& t2) const;
@@ -37,13 +55,13 @@ JOINT_DEFINE(Contact);
 
 void Contact::describe(DifWriter& out) const
 {
-    const dSurfaceParameters& s = contact.surface;
+    const dSurfaceParameters& s = surface;
     const auto field = [&](int bit, const char* name, Real value) {
         if (has(bit)) out.real(name, value);
     };
-    epode::describe(out, "pos", load(contact.geom.pos));
-    epode::describe(out, "normal", load(contact.geom.normal));
-    out.real("depth", contact.geom.depth);
+    epode::describe(out, "pos", pos);
+    epode::describe(out, "normal", normal);
+    out.real("depth", depth);
     out.real("mu", s.mu);
     field(dContactMu2, "mu2", s.mu2);
     field(dContactRolling, "rho", s.rho);
@@ -61,7 +79,7 @@ void Contact::describe(DifWriter& out) const
     // Approximations 1_1, 1_2 and 1_N as bits of a number.
     const int approximation = (s.mode & dContactApprox1) / dContactApprox1_1;
     if (approximation) out.integer("friction_approximation", approximation);
-    if (has(dContactFDir1)) epode::describe(out, "fdir1", load(contact.fdir1));
+    if (has(dContactFDir1)) epode::describe(out, "fdir1", fdir1);
 }
 
 Row& Contact::contact_row(RowWriter& out, Vec3 d, RowKind kind) const
@@ -71,33 +89,30 @@ Row& Contact::contact_row(RowWriter& out, Vec3 d, RowKind kind) const
 
 void Contact::emit(RowWriter& out) const
 {
-    const Vec3 p = load(contact.geom.pos);
-    out.contact_at(p - body1()->position(), body2() ? p - body2()->position() : Vec3{});
-    const Vec3 n = reverse ? -load(contact.geom.normal) : load(contact.geom.normal);
-    write_normal(out, n);
-    const dSurfaceParameters& s = contact.surface;
-    if (!(s.mu > 0) && !has(dContactAxisDep | dContactRolling)) return;
+    out.contact_at(pos - body1()->position(), body2() ? pos - body2()->position() : Vec3{});
+    const Vec3 n = outward();
+    aim_normal(contact_row(out, n, RowKind::kNormal), out.info(), n);
+    if (!sliding_at_all()) return;
     Vec3 t1, t2;
     tangents(n, t1, t2);
     write_sliding(out, t1, t2);
     if (has(dContactRolling)) write_rolling(out, t1, t2, n);
 }
 
-void Contact::write_normal(RowWriter& out, Vec3 n) const
+// All but the Jacobian.
+inline void Contact::aim_normal(Row& row, const StepInfo& info, Vec3 n) const
 {
-    const dSurfaceParameters& s = contact.surface;
-    Row& row = contact_row(out, n, RowKind::kNormal);
-    const Real excess = contact.geom.depth - out.info().contact_layer;
+    const dSurfaceParameters& s = surface;
+    const Real excess = depth - info.contact_layer;
     row.error = excess > 0 ? excess : 0;
     row.speed = has(dContactMotionN) ? s.motionN : 0;
-    row.cap = out.info().contact_max_vel;
+    row.cap = info.contact_max_vel;
     if (has(dContactSoftERP)) row.erp = s.soft_erp;
     if (has(dContactSoftCFM)) row.cfm = s.soft_cfm;
     row.soft = has(dContactSoftERP | dContactSoftCFM);
     row.lo = 0;
     if (!has(dContactBounce) || !(s.bounce_vel >= 0)) return;
-    const Vec3 p = load(contact.geom.pos);
-    const Vec3 v = body1()->point_velocity(p) - (body2() ? body2()->point_velocity(p) : Vec3{});
+    const Vec3 v = body1()->point_velocity(pos) - (body2() ? body2()->point_velocity(pos) : Vec3{});
     const Real approach = row.speed - dot(n, v);
     row.rebounds = approach > s.bounce_vel;
     row.rebound = s.bounce * approach + row.speed;
@@ -107,7 +122,7 @@ void Contact::tangents(Vec3 n, Vec3& t1, Vec3& t2) const
 {
     plane_space(n, t1, t2);
     if (!has(dContactFDir1)) return;
-    t1 = load(contact.fdir1);
+    t1 = fdir1;
     t2 = cross(n, t1);
 }
 
@@ -120,15 +135,14 @@ void Contact::bound(Row& row, Real coefficient, int approximation) const
 
 void Contact::write_sliding(RowWriter& out, Vec3 t1, Vec3 t2) const
 {
-    const dSurfaceParameters& s = contact.surface;
-    const Real mu2 = has(dContactMu2) ? s.mu2 : s.mu;
+    const dSurfaceParameters& s = surface;
     if (s.mu > 0) {
         Row& row = contact_row(out, t1, RowKind::kFriction);
         if (has(dContactMotion1)) row.speed = s.motion1;
         if (has(dContactSlip1)) row.cfm = s.slip1, row.soft = true;
         bound(row, s.mu, dContactApprox1_1);
     }
-    if (mu2 > 0) {
+    if (const Real mu2 = this->mu2(); mu2 > 0) {
         Row& row = contact_row(out, t2, RowKind::kFriction);
         if (has(dContactMotion2)) row.speed = s.motion2;
         if (has(dContactSlip2)) row.cfm = s.slip2, row.soft = true;
@@ -138,7 +152,7 @@ void Contact::write_sliding(RowWriter& out, Vec3 t1, Vec3 t2) const
 
 void Contact::write_rolling(RowWriter& out, Vec3 t1, Vec3 t2, Vec3 n) const
 {
-    const dSurfaceParameters& s = contact.surface;
+    const dSurfaceParameters& s = surface;
     const Vec3 axis[3] = {t1, t2, n};
     const Real rho[3] = {s.rho, has(dContactAxisDep) ? s.rho2 : s.rho, has(dContactAxisDep) ? s.rhoN : s.rho};
     constexpr int kApproximation[3] = {dContactApprox1_1, dContactApprox1_2, dContactApprox1_N};
@@ -146,6 +160,87 @@ void Contact::write_rolling(RowWriter& out, Vec3 t1, Vec3 t2, Vec3 n) const
         if (rho[i] > 0)
             bound(out.row(angular_jacobian(*this, axis[i]), 0, RowKind::kFriction), rho[i],
                   kApproximation[i]);
+}
+
+namespace {
+
+// Surface members that friction in the plane of contact depends on, beside mu and the approximation.
+constexpr int kTangential =
+    dContactMu2 | dContactFDir1 | dContactMotion1 | dContactMotion2 | dContactSlip1 | dContactSlip2;
+
+bool joins(const Contact& last, const Contact& next)
+{
+    return last.body1() == next.body1() && last.body2() == next.body2() && last.normal == next.normal &&
+           last.reverse == next.reverse && last.surface.mode == next.surface.mode &&
+           last.surface.mu == next.surface.mu && !next.has(kTangential);
+}
+
+void set_friction(const Contact& contact, const StepInfo& info, Manifold& m)
+{
+    const dSurfaceParameters& s = contact.surface;
+    const Real limit[2] = {s.mu, contact.mu2()};
+    const Real speed[2] = {contact.has(dContactMotion1) ? s.motion1 : 0,
+                           contact.has(dContactMotion2) ? s.motion2 : 0};
+    const Real cfm[2] = {contact.has(dContactSlip1) ? s.slip1 : info.cfm,
+                         contact.has(dContactSlip2) ? s.slip2 : info.cfm};
+    const bool share[2] = {contact.has(dContactApprox1_1), contact.has(dContactApprox1_2)};
+    contact.tangents(m.n, m.t1, m.t2);
+    for (int k = 0; k < 2; ++k) {
+        m.c[k] = speed[k];
+        m.C[k] = cfm[k] * info.fps;
+        m.mu[k] = share[k] ? limit[k] : 0;
+        m.fixed[k] = share[k] ? 0 : limit[k] * info.h;
+    }
+}
+
+Manifold begin_manifold(const Contact& contact, const StepInfo& info, int first)
+{
+    const Body &a = *contact.body1(), *b = contact.body2();
+    Manifold m{};
+    m.n = contact.outward();
+    if (b) m.offset = a.position() - b->position();
+    m.body1 = a.island_index, m.body2 = b ? b->island_index : -1;
+    m.first = first;
+    if (contact.sliding_at_all()) set_friction(contact, info, m);
+    return m;
+}
+
+inline ManifoldPoint point_of(const Contact& contact, const StepInfo& info, Vec3 n)
+{
+    Row row;
+    row.erp = info.erp, row.cfm = info.cfm;
+    contact.aim_normal(row, info, n);
+    return {contact.pos - contact.body1()->position(),
+            wanted_velocity(row, row.erp * info.fps),
+            row.cfm * info.fps,
+            row.error,
+            {}};
+}
+
+}  // namespace
+
+bool fits_manifold(const Joint& joint)
+{
+    if (joint.type != &kContactType) return false;
+    const Contact& contact = static_cast<const Contact&>(joint);
+    if (contact.has(dContactRolling)) return false;
+    return contact.surface.mu > 0 ? contact.mu2() > 0 : !contact.has(dContactAxisDep);
+}
+
+void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, ManifoldList& out)
+{
+    std::size_t manifolds = 0;
+    const Contact* last = nullptr;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const Contact& contact = static_cast<const Contact&>(*contacts[i]);
+        if (!last || !joins(*last, contact) || out.manifolds[manifolds - 1].count == kManifoldPoints)
+            out.manifolds[manifolds++] = begin_manifold(contact, info, int(i));
+        Manifold& m = out.manifolds[manifolds - 1];
+        out.points[i] = point_of(contact, info, m.n);
+        ++m.count;
+        last = &contact;
+    }
+    out.manifolds = out.manifolds.first(manifolds);
 }
 
 namespace {

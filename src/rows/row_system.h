@@ -14,6 +14,7 @@
 #include <span>
 
 #include "math/mat.h"
+#include "rows/manifold.h"
 #include "rows/row.h"
 
 namespace epode {
@@ -53,6 +54,7 @@ struct RowSystem {
     std::span<Row> rows;
     std::span<RowNumbers> numbers;  // parallel to rows
     std::span<RowBlock> blocks;     // in joint order, covering rows without gaps
+    ManifoldList contacts;          // beside the rows; of solvers that take manifolds, else empty
 };
 
 // How a solver with inner steps drives the model between its solves. Implemented by step/, which knows

@@ -18,8 +18,7 @@ namespace epode {
 // with its own points.
 struct ContactKernels {
     const char* name;
-    // In: arms, directions, c, p, mu, fixed, and C in `keep`. Out: couplings, gain, keep, p within its
-    // limits.
+    // In: all but couplings and gains. Out: these, and p within its limits.
     void (*prepare)(const ContactBatch& batch, BatchPoint* points, Real w);
     // v += M^-1 J^T p
     void (*apply_impulses)(const ContactBatch* batches, int count, const BatchPoint* points,

@@ -15,6 +15,7 @@
 // boxes).
 #include <algorithm>
 
+#include "solve/contact_rows.h"
 #include "solve/contact_set.h"
 #include "solve/residual.h"
 #include "solve/row_sweep.h"
@@ -26,14 +27,32 @@ namespace {
 constexpr int kCalmShare = 2;  // the second half of the sweeps
 
 struct Sweeps {
+    ContactRows rows;  // contacts that came as rows
     ContactSet contacts;
     RowSweep others;
 
     bool pack(const RowSystem& system, Real w, Arena& arena)
     {
-        auto packed = arena.take<bool>(int(system.blocks.size()));
-        return !packed.empty() && contacts.pack(system, w, packed, arena) &&
-               others.pack(system, w, packed, arena);
+        auto taken = arena.take<bool>(int(system.blocks.size()));
+        if (arena.failed()) return false;
+        if (system.contacts.points.empty()) {
+            if (!rows.gather(system, taken, arena)) return false;
+        } else {
+            std::fill(taken.begin(), taken.end(), false);
+        }
+        const ManifoldList& list = system.contacts.points.empty() ? rows.list() : system.contacts;
+        return contacts.pack(system, list, w, arena) && others.pack(system, w, taken, arena);
+    }
+
+    void store_impulses(RowSystem& system) const
+    {
+        others.store_impulses(system.numbers);
+        if (!system.contacts.points.empty()) {
+            contacts.store_impulses(system.contacts.points);
+            return;
+        }
+        contacts.store_impulses(rows.list().points);
+        rows.for_each_impulse([&](int row, Real p) { system.numbers[std::size_t(row)].p = p; });
     }
 
     void run(std::span<Velocity> bodies, int iterations, Real w, std::uint64_t seed)
@@ -51,8 +70,10 @@ struct Sweeps {
     }
 };
 
-bool residual_of(const RowSystem& system, std::span<const SolverBody> before, Arena& arena, Real& out)
+bool residual_of(const RowSystem& given, std::span<const SolverBody> before, Arena& arena, Real& out)
 {
+    RowSystem system;
+    if (!expand_manifolds(given, arena, system)) return false;
     auto lo = arena.take<Real>(int(system.rows.size()));
     auto hi = arena.take<Real>(int(system.rows.size()));
     if (arena.failed()) return false;
@@ -65,9 +86,11 @@ bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena
 {
     report.method = dIslandMethodSweeps;
     report.iterations = std::max(settings.iterations, 0);
-    if (system.rows.empty()) return true;
+    if (system.rows.empty() && system.contacts.points.empty()) return true;
     if (settings.iterations <= 0) {  // ODE's meaning: constraints without effect
         for (RowNumbers& n : system.numbers) n.p = 0;
+        for (ManifoldPoint& point : system.contacts.points)
+            for (Real& p : point.p) p = 0;
         return true;
     }
     Arena::Scope scope(arena);
@@ -83,13 +106,12 @@ bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena
     load_velocities(system, velocities);
     sweeps.run(velocities, settings.iterations, settings.w, settings.seed);
     store_velocities(velocities, system);
-    sweeps.others.store_impulses(system.numbers);
-    sweeps.contacts.store_impulses(system.numbers);
+    sweeps.store_impulses(system);
     return !settings.want_residual || residual_of(system, before, arena, report.residual);
 }
 
 }  // namespace
 
-const Solver kQuick{"quick", false, false, false, Real(0.6), solve_quick};
+const Solver kQuick{"quick", false, false, false, true, Real(0.6), solve_quick};
 
 }  // namespace epode

@@ -17,35 +17,37 @@ namespace {
 // T: Real or Register.
 template <typename T>
 struct PassInput {
-    T error, speed, cap, rate, push, gain, keep, hard_gain;
+    T error, speed, cap, rate, push, gain, C, hard_gain;
 };
 
 template <typename T>
-[[gnu::always_inline]] inline void begin_pass(const PassInput<T>& in, T one, T per_hs, T& c, T& keep, T& gain)
+[[gnu::always_inline]] inline void begin_pass(const PassInput<T>& in, T zero, T per_hs, T& c, T& C, T& gain)
 {
     const T open = -in.error;  // where positive
     const T pushed = at_most(in.push, in.rate * in.error);
     c = at_most(in.cap, if_positive(open, per_hs * in.error, pushed) + in.speed);
-    keep = if_positive(open, one, in.keep);
+    C = if_positive(open, zero, in.C);
     gain = if_positive(open, in.hard_gain, in.gain);
 }
 
 void begin_pass(const NormalAim<Real>& a, int pass, Real per_hs, PackedRow& row)
 {
-    const PassInput<Real> in{a.error, a.speed,      a.cap,        a.rate[pass],
-                             a.push,  a.gain[pass], a.keep[pass], a.hard_gain};
-    begin_pass(in, Real(1), per_hs, row.c, row.keep, row.gain);
+    const PassInput<Real> in{a.error, a.speed,      a.cap,     a.rate[pass],
+                             a.push,  a.gain[pass], a.C[pass], a.hard_gain};
+    Real C;
+    begin_pass(in, Real(0), per_hs, row.c, C, row.gain);
+    row.keep = 1 - row.gain * C;
 }
 
 void begin_pass(const NormalAim<Lanes>& a, int pass, Real per_hs, BatchPoint& point)
 {
     for (int part = 0; part < kParts; ++part) {
         const PassInput<Register> in{
-            load(a.error, part), load(a.speed, part),      load(a.cap, part),        load(a.rate[pass], part),
-            load(a.push, part),  load(a.gain[pass], part), load(a.keep[pass], part), load(a.hard_gain, part)};
-        Register c, keep, gain;
-        begin_pass(in, all(1), all(per_hs), c, keep, gain);
-        store(point.c[0], part, c), store(point.keep[0], part, keep), store(point.gain[0], part, gain);
+            load(a.error, part), load(a.speed, part),      load(a.cap, part),     load(a.rate[pass], part),
+            load(a.push, part),  load(a.gain[pass], part), load(a.C[pass], part), load(a.hard_gain, part)};
+        Register c, C, gain;
+        begin_pass(in, Register{}, all(per_hs), c, C, gain);
+        store(point.c, part, c), store(point.C, part, C), store(point.gain[0], part, gain);
     }
 }
 
@@ -59,10 +61,10 @@ NormalAim<Real> aim_of(const Row& row, const Substep& step, Real mobility, bool 
     out.push = aim.push;
     out.hard_gain = 1 / mobility;
     const Real gain = 1 / (mobility + aim.C);
-    out.rate[0] = aim.rate, out.gain[0] = gain, out.keep[0] = 1 - gain * aim.C;
+    out.rate[0] = aim.rate, out.gain[0] = gain, out.C[0] = aim.C;
     out.rate[1] = aim.spring ? out.rate[0] : 0;
     out.gain[1] = aim.spring ? gain : out.hard_gain;
-    out.keep[1] = aim.spring ? out.keep[0] : 1;
+    out.C[1] = aim.spring ? aim.C : 0;
     return out;
 }
 
@@ -71,7 +73,7 @@ void set_lane(const NormalAim<Real>& a, int lane, NormalAim<Lanes>& out)
     out.error[lane] = a.error, out.speed[lane] = a.speed, out.cap[lane] = a.cap, out.push[lane] = a.push;
     out.hard_gain[lane] = a.hard_gain;
     for (int k = 0; k < 2; ++k) {
-        out.rate[k][lane] = a.rate[k], out.gain[k][lane] = a.gain[k], out.keep[k][lane] = a.keep[k];
+        out.rate[k][lane] = a.rate[k], out.gain[k][lane] = a.gain[k], out.C[k][lane] = a.C[k];
     }
 }
 
@@ -102,7 +104,7 @@ bool SubstepContacts::prepare(RowSystem& system, const Substep& step, std::uint6
     if (skip.empty()) return false;
     for (const RowBlock& block : system.blocks)
         if (block.contact) set_tangent_numbers(system, block, step);
-    if (!set_.pack(system, 1, skip, arena)) return false;
+    if (!rows_.gather(system, skip, arena) || !set_.pack(system, rows_.list(), 1, arena)) return false;
     for (std::size_t i = 0; i < skip.size(); ++i) skip[i] = skip[i] || !system.blocks[i].contact;
     if (!others_.pack(system, 1, skip, arena)) return false;
     aims_ = arena.take_zeroed<NormalAim<Lanes>>(int(set_.points().size()));
@@ -110,6 +112,14 @@ bool SubstepContacts::prepare(RowSystem& system, const Substep& step, std::uint6
     if (arena.failed()) return false;
     aim(system, step);
     return true;
+}
+
+template <typename Visit>
+void SubstepContacts::for_each_lane(Visit&& f) const
+{
+    for (std::size_t i = 0; i < set_.sources().size(); ++i)
+        for (int lane = 0; lane < kLanes; ++lane)
+            if (const int point = set_.sources()[i].point[lane]; point >= 0) f(rows_.row_of(point), i, lane);
 }
 
 void SubstepContacts::aim(const RowSystem& system, const Substep& step)
@@ -123,12 +133,10 @@ void SubstepContacts::aim(const RowSystem& system, const Substep& step)
     };
     for (const ContactBatch& batch : set_.batches())
         for (int i = batch.first; i < batch.first + batch.count; ++i)
-            for (int lane = 0; lane < kLanes; ++lane) {
-                const int row = set_.sources()[std::size_t(i)].row[lane];
-                if (row >= 0)
-                    set_lane(aim_block(row, batch.body1[lane], batch.body2[lane]), lane,
+            for (int lane = 0; lane < kLanes; ++lane)
+                if (const int point = set_.sources()[std::size_t(i)].point[lane]; point >= 0)
+                    set_lane(aim_block(rows_.row_of(point), batch.body1[lane], batch.body2[lane]), lane,
                              aims_[std::size_t(i)]);
-            }
     for (std::size_t i = 0; i < other_aims_.size(); ++i) {
         const PackedBlock& block = others_.blocks()[i];
         other_aims_[i] = aim_block(others_.rows()[std::size_t(block.first)].source, block.body1, block.body2);
@@ -174,34 +182,26 @@ void SubstepContacts::follow_motion(std::span<const Velocity> bodies)
 
 void SubstepContacts::add_impulses(std::span<RowNumbers> numbers)
 {
-    for (std::size_t i = 0; i < aims_.size(); ++i) {
-        const ContactSource& source = set_.sources()[i];
-        for (int lane = 0; lane < kLanes; ++lane) {
-            if (source.row[lane] < 0) continue;
-            for (int k = 0; k < (source.friction[lane] ? 3 : 1); ++k)
-                numbers[std::size_t(source.row[lane] + k)].p += set_.points()[i].p[k][lane];
-        }
-    }
+    set_.store_impulses(rows_.list().points);
+    rows_.for_each_impulse([&](int row, Real p) { numbers[std::size_t(row)].p += p; });
     for (const PackedRow& row : others_.rows()) numbers[std::size_t(row.source)].p += row.p;
 }
 
 void SubstepContacts::describe(std::span<RowNumbers> numbers)
 {
-    set_.store_impulses(numbers);
+    set_.store_impulses(rows_.list().points);
+    rows_.for_each_impulse([&](int row, Real p) { numbers[std::size_t(row)].p = p; });
     others_.store_impulses(numbers);
-    const auto describe_normal = [&](int row, Real c, Real keep, Real gain) {
-        numbers[std::size_t(row)].c = c;
-        numbers[std::size_t(row)].C = gain > 0 ? (1 - keep) / gain : 0;
-    };
-    for (std::size_t i = 0; i < aims_.size(); ++i) {
-        const BatchPoint& p = set_.points()[i];
-        for (int lane = 0; lane < kLanes; ++lane)
-            if (const int row = set_.sources()[i].row[lane]; row >= 0)
-                describe_normal(row, p.c[0][lane], p.keep[0][lane], p.gain[0][lane]);
-    }
+    for_each_lane([&](int row, std::size_t point, int lane) {
+        const BatchPoint& p = set_.points()[point];
+        numbers[std::size_t(row)].c = p.c[lane];
+        numbers[std::size_t(row)].C = p.gain[0][lane] > 0 ? p.C[lane] : 0;
+    });
     for (const PackedBlock& block : others_.blocks()) {
         const PackedRow& row = others_.rows()[std::size_t(block.first)];
-        describe_normal(row.source, row.c, row.keep, row.gain);
+        RowNumbers& normal = numbers[std::size_t(row.source)];
+        normal.c = row.c;
+        normal.C = row.gain > 0 ? (1 - row.keep) / row.gain : 0;
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include <span>
 
+#include "solve/contact_rows.h"
 #include "solve/contact_set.h"
 #include "solve/row_sweep.h"
 #include "solve/substep_rows.h"
@@ -19,7 +20,7 @@ template <typename T>
 struct NormalAim {
     T error, speed, cap;
     T rate[2], push;
-    T gain[2], keep[2];
+    T gain[2], C[2];
     T hard_gain;  // 1/d: of a contact that is open
 };
 
@@ -39,6 +40,11 @@ class SubstepContacts {
   private:
     void aim(const RowSystem& system, const Substep& step);
 
+    // f(row of the normal, point of the set, its lane)
+    template <typename Visit>
+    void for_each_lane(Visit&& f) const;
+
+    ContactRows rows_;
     ContactSet set_;
     RowSweep others_;
     std::span<NormalAim<Lanes>> aims_;       // per point of the set

@@ -161,6 +161,6 @@ bool solve_tgs(RowSystem& system, const SolverSettings& settings, Arena& arena, 
 
 }  // namespace
 
-const Solver kTgs{"tgs", true, false, false, Real(0.9), solve_tgs};
+const Solver kTgs{"tgs", true, false, false, false, Real(0.9), solve_tgs};
 
 }  // namespace epode

@@ -2,12 +2,15 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Joints are asked once for their rows; room for six rows each is taken from the arena, and what is written
-// stays contiguous. Forces of joints (a motor against its stop) must be in the accumulators before v* is
-// formed, so rows come first.
+// stays contiguous. Contacts become manifolds, without rows, where the solver takes them. Forces of joints (a
+// motor against its stop) must be in the accumulators before v* is formed, so rows come first.
 #include "step/assemble.h"
+
+#include <algorithm>
 
 #include "dynamics/exact_spin.h"
 #include "dynamics/integrate.h"
+#include "joints/contact_manifolds.h"
 #include "rows/policy.h"
 
 namespace epode {
@@ -38,6 +41,20 @@ void add_applied(const RowWriter& out, Joint& joint)
             store(body->facc, load(body->facc) + out.force(k));
             store(body->tacc, load(body->tacc) + out.torque(k));
         }
+}
+
+// Contacts that can be manifolds, and the others, each in the island's order.
+bool sort_joints(std::span<Joint* const> joints, bool manifolds, Arena& arena, IslandWork& work)
+{
+    auto sorted = arena.take<Joint*>(int(joints.size()));
+    if (arena.failed()) return false;
+    std::size_t contacts = 0, others = joints.size();
+    for (Joint* joint : joints)
+        manifolds&& fits_manifold(*joint) ? sorted[contacts++] = joint : sorted[--others] = joint;
+    work.contacts = sorted.first(contacts);
+    work.joints = sorted.subspan(contacts);
+    std::reverse(work.joints.begin(), work.joints.end());
+    return true;
 }
 
 // Emits all joints of the island; returns the number of rows and of joints that have any.
@@ -102,22 +119,26 @@ void add_forces_exactly(Body& body, Real h, SolverBody& out)
 
 bool assemble(World& world, Island island, Real h, const Solver& solver, Arena& arena, IslandWork& work)
 {
-    const int joint_count = int(island.joints.size());
     work.island = island;
-    work.joints = arena.take<Joint*>(joint_count);
     work.system.h = h;
+    if (!sort_joints(island.joints, solver.manifolds, arena, work)) return false;
+    const std::span<Joint*> joints = work.joints;
+    const int joint_count = int(joints.size()), contact_count = int(work.contacts.size());
     work.system.bodies = arena.take<SolverBody>(int(island.bodies.size()));
+    work.system.contacts.manifolds = arena.take<Manifold>(contact_count);
+    work.system.contacts.points = arena.take<ManifoldPoint>(contact_count);
     work.system.blocks = arena.take<RowBlock>(joint_count);
     work.system.rows = arena.take<Row>(joint_count * kMaxJointRows);
     if (arena.failed()) {
-        work.joints = {};  // nothing was written there
+        work.joints = work.contacts = {};  // nothing was written there
         return false;
     }
 
     for (Body* body : island.bodies) add_gravity(*body, world.gravity);
     int rows = 0, blocks = 0;
     const StepInfo info = step_info(world, h);
-    emit_rows(info, island.joints, work, rows, blocks);
+    write_manifolds(work.contacts, info, work.system.contacts);
+    emit_rows(info, joints, work, rows, blocks);
     work.joints = work.joints.first(std::size_t(blocks));
     work.system.blocks = work.system.blocks.first(std::size_t(blocks));
     work.system.rows = work.system.rows.first(std::size_t(rows));

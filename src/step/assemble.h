@@ -15,7 +15,8 @@ namespace epode {
 // An island under work: what the solver sees, and who is behind it.
 struct IslandWork {
     Island island;
-    std::span<Joint*> joints;  // parallel to system.blocks: those that gave rows
+    std::span<Joint*> joints;    // parallel to system.blocks: those that gave rows
+    std::span<Joint*> contacts;  // parallel to system.contacts.points
     RowSystem system;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Row layout that is relied on here: a contact block begins with its normal row, whose lin1 is the normal;
-// the linear parts of the others are tangents.
+// Pairs and points lie in the order in which islands noted them, which is nearly the same in every step: the
+// search for one leaves the next in the caches.
 #include "step/contact_cache.h"
 
 #include <algorithm>
@@ -15,6 +15,13 @@ constexpr Real kSameNormal = Real(0.9);  // cosine
 
 }  // namespace
 
+void ContactCache::Store::swap(Store& other)
+{
+    pairs.swap(other.pairs);
+    points.swap(other.points);
+    runs.swap(other.runs);
+}
+
 std::size_t ContactCache::hash(std::uint64_t a, std::uint64_t b)
 {
     std::uint64_t z = a * 0x9e3779b97f4a7c15u + b * 0xc2b2ae3d27d4eb4fu;
@@ -23,101 +30,104 @@ std::size_t ContactCache::hash(std::uint64_t a, std::uint64_t b)
     return std::size_t(z ^ (z >> 32));
 }
 
-ContactCache::Entry* ContactCache::find(const Entry& like)
+ContactCache::Point* ContactCache::find(const Pair& like, int bucket, Vec3 place, Vec3 normal)
 {
-    if (entries_.empty()) return nullptr;
-    const Vec3 place = widen(like.place), normal = widen(like.normal);
-    Entry* best = nullptr;
+    Point* best = nullptr;
     Real best_distance2 = kReach * kReach * (length2(place) + kReach * kReach);
-    const auto mask = std::size_t(buckets_.size() - 1);
-    for (int i = buckets_[int(hash(like.serial1, like.serial2) & mask)]; i >= 0; i = entries_[i].next) {
-        Entry& e = entries_[i];
-        // The flag last: that of other bodies' entries may be changing on another thread.
-        if (e.serial1 != like.serial1 || e.serial2 != like.serial2 || e.used) continue;
-        if (dot(widen(e.normal), normal) < kSameNormal) continue;
-        const Real distance2 = length2(widen(e.place) - place);
-        if (distance2 <= best_distance2) best = &e, best_distance2 = distance2;
+    for (int i = bucket; i >= 0; i = old_.pairs[i].next) {
+        const Pair& pair = old_.pairs[i];
+        if (pair.serial1 != like.serial1 || pair.serial2 != like.serial2) continue;
+        if (dot(widen(pair.normal), normal) < kSameNormal) continue;
+        for (int k = pair.first; k < pair.first + pair.count; ++k) {
+            Point& point = old_.points[k];
+            const Real distance2 = length2(widen(point.place) - place);
+            if (!point.used && distance2 <= best_distance2) best = &point, best_distance2 = distance2;
+        }
     }
     return best;
 }
 
-void ContactCache::load(int ticket, const Joint& joint, const RowBlock& block, RowSystem& system, Real share)
+void ContactCache::load(int writer, int ticket, const Body& body1, const Body* body2,
+                        const Manifold& manifold, std::span<ManifoldPoint> points, Real share)
 {
-    const Body& body = *joint.body1();
-    const Entry fresh{body.serial,
-                      joint.body2() ? joint.body2()->serial : 0,
-                      narrow(transposed_times(body.rotation(), block.arms.r1)),
-                      narrow(system.rows[std::size_t(block.first)].lin1),
-                      {},
-                      0,
-                      -1,
-                      false};
-    if (ticket >= fresh_.size()) return;
-    fresh_[ticket] = fresh;
-    if (Entry* old = share > 0 ? find(fresh) : nullptr) {
+    Run& run = fresh_.runs[writer];
+    if (run.count == 0) run.first = ticket;
+    Pair& fresh = fresh_.pairs[run.first + run.count++];
+    fresh = {body1.serial, body2 ? body2->serial : 0, narrow(manifold.n), ticket, int(points.size()), -1};
+    const bool known = share > 0 && !buckets_.empty();
+    const int bucket =
+        known ? buckets_[int(hash(fresh.serial1, fresh.serial2) & std::size_t(buckets_.size() - 1))] : -1;
+    const Mat3 R = body1.rotation();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec3 place = transposed_times(R, points[i].r1);
+        fresh_.points[ticket + int(i)] = {narrow(place), {}, 0, false};
+        Point* old = find(fresh, bucket, place, manifold.n);
+        if (!old) continue;
         old->used = true;
-        system.numbers[std::size_t(block.first)].p = share * Real(old->push);
-        for (int i = block.first + 1; i < block.first + block.count; ++i)
-            system.numbers[std::size_t(i)].p =
-                share * dot(widen(old->friction), system.rows[std::size_t(i)].lin1);
+        points[i].p[0] = share * Real(old->push);
+        points[i].p[1] = share * dot(widen(old->friction), manifold.t1);
+        points[i].p[2] = share * dot(widen(old->friction), manifold.t2);
     }
 }
 
-int ContactCache::buckets_for(int entries)
+void ContactCache::remember(int ticket, const Manifold& manifold, std::span<const ManifoldPoint> points)
+{
+    for (const ManifoldPoint& point : points) {
+        Point& fresh = fresh_.points[ticket++];
+        fresh.push = float(point.p[0]);
+        fresh.friction = narrow(point.p[1] * manifold.t1 + point.p[2] * manifold.t2);
+    }
+}
+
+int ContactCache::buckets_for(int pairs)
 {
     int wanted = 16;
-    while (wanted < 2 * entries) wanted *= 2;
+    while (wanted < 2 * pairs) wanted *= 2;
     return wanted;
 }
 
-bool ContactCache::begin(int tickets)
+bool ContactCache::begin(int tickets, int writers)
 {
-    fresh_.clear();
     // With room to spare, the contacts of a settled pile still come and go; and as much as its partner, with
     // which it changes places after every step.
-    const int most = fresh_.capacity();
-    const int room = std::max(entries_.capacity(), tickets > most ? tickets + tickets / 4 : most);
-    return fresh_.reserve(room) && fresh_.resize(tickets) && buckets_.reserve(buckets_for(room));
-}
-
-void ContactCache::remember(int ticket, const RowBlock& block, const RowSystem& system)
-{
-    if (ticket >= fresh_.size()) return;
-    Vec3 friction;
-    for (int i = block.first + 1; i < block.first + block.count; ++i)
-        friction += system.numbers[std::size_t(i)].p * system.rows[std::size_t(i)].lin1;
-    fresh_[ticket].push = float(system.numbers[std::size_t(block.first)].p);
-    fresh_[ticket].friction = narrow(friction);
-}
-
-void ContactCache::drop_unused()
-{
-    int used = 0;
-    for (int i = 0; i < fresh_.size(); ++i)
-        if (fresh_[i].serial1 != 0) fresh_[used++] = fresh_[i];
-    fresh_.truncate(used);
+    const auto room = [](int wanted, int mine, int partner) {
+        return std::max(partner, wanted > mine ? wanted + wanted / 4 : mine);
+    };
+    const int points = room(tickets, fresh_.points.capacity(), old_.points.capacity());
+    const int runs = room(writers, fresh_.runs.capacity(), old_.runs.capacity());
+    fresh_.runs.clear();
+    // Sizes only grow: which of the pairs and points count, the runs say.
+    return fresh_.pairs.reserve(points) && fresh_.points.reserve(points) && fresh_.runs.reserve(runs) &&
+           buckets_.reserve(buckets_for(points)) &&
+           fresh_.pairs.resize(std::max(tickets, fresh_.pairs.size())) &&
+           fresh_.points.resize(std::max(tickets, fresh_.points.size())) && fresh_.runs.resize(writers);
 }
 
 void ContactCache::end()
 {
-    drop_unused();
-    entries_.swap(fresh_);
-    if (const int wanted = buckets_for(entries_.size()); buckets_.size() < wanted)
+    old_.swap(fresh_);
+    int pairs = 0;
+    for (const Run& run : old_.runs) pairs += run.count;
+    if (const int wanted = buckets_for(pairs); buckets_.size() < wanted)
         (void)buckets_.resize(wanted);  // begin() has reserved them
     std::fill(buckets_.begin(), buckets_.end(), -1);
     const auto mask = std::size_t(buckets_.size() - 1);
     // From the last to the first, so that each chain runs in order of creation.
-    for (int i = entries_.size(); i-- > 0;) {
-        int& bucket = buckets_[int(hash(entries_[i].serial1, entries_[i].serial2) & mask)];
-        entries_[i].next = bucket;
-        bucket = i;
-    }
+    for (int r = old_.runs.size(); r-- > 0;)
+        for (int i = old_.runs[r].first + old_.runs[r].count; i-- > old_.runs[r].first;) {
+            Pair& pair = old_.pairs[i];
+            int& bucket = buckets_[int(hash(pair.serial1, pair.serial2) & mask)];
+            pair.next = bucket;
+            bucket = i;
+        }
 }
 
 void ContactCache::take_back()
 {
-    fresh_.clear();
-    for (Entry& e : entries_) e.used = false;
+    for (const Run& run : old_.runs)
+        for (int i = run.first; i < run.first + run.count; ++i)
+            for (int k = old_.pairs[i].first; k < old_.pairs[i].first + old_.pairs[i].count; ++k)
+                old_.points[k].used = false;
 }
 
 }  // namespace epode

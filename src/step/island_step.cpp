@@ -78,9 +78,7 @@ class IslandStep {
     void accept(const Tasks& tasks, dIslandStepReport* report)
     {
         if (!divides()) write_back(work_);
-        for (std::size_t k = 0; k < work_.joints.size(); ++k)
-            if (work_.system.blocks[k].contact)
-                context_.contacts.remember(ticket(k), work_.system.blocks[k], work_.system);
+        remember_contacts();
         if (context_.solver.substeps) return;  // poses are where the inner steps have put them
         if (!divides()) {
             advance();
@@ -99,27 +97,76 @@ class IslandStep {
   private:
     bool projects() const { return exact_ && world_.projection_iterations > 0; }
     bool divides() const { return exact_ && world_.exact_substeps > 1; }
-    int ticket(std::size_t block) const { return place_.first_contact + int(block); }
+    // Points of manifolds first, then contacts that are rows.
+    int ticket_of_point(int point) const { return place_.first_contact + point; }
+    int ticket_of_block(std::size_t block) const
+    {
+        return place_.first_contact + int(work_.contacts.size() + block);
+    }
 
     // Every solver may start from the impulses of the last step.
     void load_warm_start(Real share)
     {
         RowSystem& system = work_.system;
+        for (const Manifold& m : system.contacts.manifolds)
+            load_contact(ticket_of_point(m.first), m, points_of(m), share);
         for (std::size_t k = 0; k < work_.joints.size(); ++k) {
             const Joint& joint = *work_.joints[k];
             const RowBlock& block = system.blocks[k];
+            RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
             if (block.contact) {
-                context_.contacts.load(ticket(k), joint, block, system, share);
+                ManifoldPoint point{block.arms.r1, 0, 0, 0, {}};
+                load_contact(ticket_of_block(k), manifold_of(block), {&point, 1}, share);
+                for (int i = 0; i < std::min(block.count, 3); ++i) numbers[i].p = point.p[i];
             } else if (joint.impulse_rows == block.count) {
-                for (int i = 0; i < block.count; ++i)
-                    system.numbers[std::size_t(block.first + i)].p = share * joint.impulse[i];
+                for (int i = 0; i < block.count; ++i) numbers[i].p = share * joint.impulse[i];
             }
         }
     }
 
+    void load_contact(int ticket, const Manifold& m, std::span<ManifoldPoint> points, Real share)
+    {
+        const auto& bodies = work_.island.bodies;
+        const Body* body2 = m.body2 >= 0 ? bodies[std::size_t(m.body2)] : nullptr;
+        context_.contacts.load(place_.index, ticket, *bodies[std::size_t(m.body1)], body2, m, points, share);
+    }
+
+    void remember_contacts()
+    {
+        const RowSystem& system = work_.system;
+        for (const Manifold& m : system.contacts.manifolds)
+            context_.contacts.remember(ticket_of_point(m.first), m, points_of(m));
+        for (std::size_t k = 0; k < work_.joints.size(); ++k) {
+            const RowBlock& block = system.blocks[k];
+            if (!block.contact) continue;
+            ManifoldPoint point{};
+            for (int i = 0; i < std::min(block.count, 3); ++i)
+                point.p[i] = system.numbers[std::size_t(block.first + i)].p;
+            context_.contacts.remember(ticket_of_block(k), manifold_of(block), {&point, 1});
+        }
+    }
+
+    std::span<ManifoldPoint> points_of(const Manifold& m) const
+    {
+        return work_.system.contacts.points.subspan(std::size_t(m.first), std::size_t(m.count));
+    }
+
+    // Directions and bodies of a contact that is rows: the normal comes first, the linear parts of the others
+    // are tangents, or zero.
+    Manifold manifold_of(const RowBlock& block) const
+    {
+        const Row* rows = &work_.system.rows[std::size_t(block.first)];
+        Manifold m{};
+        m.n = rows[0].lin1;
+        if (block.count > 1) m.t1 = rows[1].lin1;
+        if (block.count > 2) m.t2 = rows[2].lin1;
+        m.body1 = block.body1, m.body2 = block.body2;
+        return m;
+    }
+
     void advance()
     {
-        const bool free = work_.system.rows.empty();
+        const bool free = work_.system.rows.empty() && work_.contacts.empty();
         for (Body* body : work_.island.bodies)
             world_.exact_rotation ? advance_pose_exactly(*body, context_.h, free)
                                   : advance_pose(*body, context_.h);

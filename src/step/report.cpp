@@ -38,8 +38,14 @@ void begin_report(const World& world, const Island& island, dIslandStepReport& r
 
 void report_errors(const IslandWork& work, dIslandStepReport& report)
 {
-    report.joints = int(work.joints.size());
+    report.joints = int(work.joints.size() + work.contacts.size());
     report.rows = int(work.system.rows.size());
+    for (const Manifold& m : work.system.contacts.manifolds) {
+        report.rows += m.count * (m.t1 == Vec3{} ? 1 : 3);
+        for (const ManifoldPoint& point :
+             work.system.contacts.points.subspan(std::size_t(m.first), std::size_t(m.count)))
+            report.penetration = std::max(report.penetration, double(point.error));
+    }
     for (const Row& row : work.system.rows) {
         const double error = std::fabs(double(row.error));
         if (row.kind == RowKind::kNormal) report.penetration = std::max(report.penetration, error);

@@ -103,7 +103,7 @@ class WorldStep {
             first_contact_[i] = contacts;
             contacts += int(islands_[i].joints.size());
         }
-        return context_.contacts.begin(contacts);
+        return context_.contacts.begin(contacts, int(islands_.size()));
     }
 
     // False: out of memory.

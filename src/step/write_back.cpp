@@ -24,6 +24,16 @@ void write_feedback(const Joint& joint, const RowBlock& block, const RowSystem& 
     store(joint.feedback->t2, t2);
 }
 
+void write_feedback(const Joint& joint, const Manifold& m, const ManifoldPoint& point, Real h)
+{
+    const Vec3 f = (1 / h) * (point.p[0] * m.n + point.p[1] * m.t1 + point.p[2] * m.t2);
+    store(joint.feedback->f1, f);
+    store(joint.feedback->t1, cross(point.r1, f));
+    if (!joint.body2()) return;
+    store(joint.feedback->f2, -f);
+    store(joint.feedback->t2, -cross(point.r1 + m.offset, f));
+}
+
 }  // namespace
 
 bool sound(const RowSystem& system)
@@ -33,6 +43,8 @@ bool sound(const RowSystem& system)
             if (!usable(x)) return false;
     for (const RowNumbers& n : system.numbers)
         if (!usable(n.p)) return false;
+    for (const ManifoldPoint& point : system.contacts.points)
+        if (!usable(point.p, 3)) return false;
     return true;
 }
 
@@ -50,6 +62,11 @@ void write_back(const IslandWork& work)
         joint.impulse_rows = block.count;
         if (joint.feedback) write_feedback(joint, block, work.system);
     }
+    const ManifoldList& list = work.system.contacts;
+    for (const Manifold& m : list.manifolds)
+        for (auto i = std::size_t(m.first); i < std::size_t(m.first + m.count); ++i)
+            if (work.contacts[i]->feedback)
+                write_feedback(*work.contacts[i], m, list.points[i], work.system.h);
 }
 
 }  // namespace epode

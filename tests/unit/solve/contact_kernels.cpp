@@ -8,6 +8,7 @@
 #include <cstring>
 #include <vector>
 
+#include "solve/contact_rows.h"
 #include "solve/contact_set.h"
 #include "systems.h"
 
@@ -27,7 +28,9 @@ Outcome outcome_of(const ContactKernels& kernels, Problem problem, int sweeps)
     const RowSystem system = problem.system();
     ContactSet set(kernels);
     const auto packed = arena.take<bool>(int(system.blocks.size()));
-    EXPECT_TRUE(set.pack(system, Real(1.3), packed, arena));
+    ContactRows rows;
+    EXPECT_TRUE(rows.gather(system, packed, arena));
+    EXPECT_TRUE(set.pack(system, rows.list(), Real(1.3), arena));
     for (const bool p : packed) EXPECT_TRUE(p);
     Outcome out;
     out.velocities.resize(system.bodies.size() + 1);
@@ -38,7 +41,8 @@ Outcome outcome_of(const ContactKernels& kernels, Problem problem, int sweeps)
         set.shuffle(random);
         set.sweep(out.velocities);
     }
-    set.store_impulses(problem.numbers);
+    set.store_impulses(rows.list().points);
+    rows.for_each_impulse([&](int row, Real p) { problem.numbers[std::size_t(row)].p = p; });
     out.numbers = problem.numbers;
     for (const ContactBatch& batch : set.batches()) {
         Lanes v[kManifoldPoints];
@@ -98,7 +102,8 @@ TEST(ContactKernels, ApproachIsThatOfTheNormalRows)
         const RowSystem system = p.system();
         ContactSet set(*kernels);
         auto packed = arena.take<bool>(int(system.blocks.size()));
-        ASSERT_TRUE(set.pack(system, 1, packed, arena));
+        ContactRows rows;
+        ASSERT_TRUE(rows.gather(system, packed, arena) && set.pack(system, rows.list(), 1, arena));
         std::vector<Velocity> velocities(system.bodies.size() + 1);
         load_velocities(system, velocities);
         int compared = 0;
@@ -107,8 +112,9 @@ TEST(ContactKernels, ApproachIsThatOfTheNormalRows)
             set.normal_velocities(batch, velocities, v);
             for (int i = 0; i < batch.count; ++i)
                 for (int lane = 0; lane < kLanes; ++lane) {
-                    const int row = set.sources()[std::size_t(batch.first + i)].row[lane];
-                    if (row < 0) continue;
+                    const int point = set.sources()[std::size_t(batch.first + i)].point[lane];
+                    if (point < 0) continue;
+                    const int row = rows.row_of(point);
                     const SolverBody* b2 = std::size_t(batch.body2[lane]) < system.bodies.size()
                                                ? &system.bodies[std::size_t(batch.body2[lane])]
                                                : nullptr;

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Contact joints as manifolds, for solvers that take them: many at a time, without rows in between.
+#pragma once
+
+#include "dynamics/joint.h"
+#include "rows/manifold.h"
+#include "rows/row_writer.h"
+
+namespace epode {
+
+// A contact that is a normal with two tangents or with none: what a manifold can say.
+bool fits_manifold(const Joint& joint);
+
+// Consecutive contacts of the same bodies, with the same normal and friction, share a manifold. `out` has
+// room for as many of each as there are contacts, in whose order the points are; its manifolds are cut to
+// their number.
+void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, ManifoldList& out);
+
+}  // namespace epode

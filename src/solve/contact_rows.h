@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Contacts that are given as rows, as manifolds: for solvers that pack them. Consecutive blocks of one pair
+// of bodies with the same directions and the same numbers of friction make a manifold. Blocks that are not a
+// normal row with none or two tangents are left to others.
+#pragma once
+
+#include <span>
+
+#include "base/arena.h"
+#include "rows/manifold.h"
+#include "rows/row_system.h"
+
+namespace epode {
+
+class ContactRows {
+  public:
+    // Marks the blocks that it takes; false: out of memory.
+    bool gather(const RowSystem& system, std::span<bool> taken, Arena& arena);
+
+    const ManifoldList& list() const { return list_; }
+    // The normal row that a point came from.
+    int row_of(int point) const { return rows_[std::size_t(point)].normal; }
+
+    // For each row of each point: f(number of the row, impulse).
+    template <typename Visit>
+    void for_each_impulse(Visit&& f) const
+    {
+        for (std::size_t i = 0; i < rows_.size(); ++i)
+            for (int k = 0; k < rows_[i].count; ++k) f(rows_[i].normal + k, list_.points[i].p[k]);
+    }
+
+  private:
+    struct PointRows {
+        int normal, count;
+    };
+
+    ManifoldList list_;
+    std::span<PointRows> rows_;  // parallel to the points
+};
+
+// The other way round: the system with its manifolds as rows behind its own, for what judges rows. False: out
+// of memory.
+[[nodiscard]] bool expand_manifolds(const RowSystem& system, Arena& arena, RowSystem& out);
+
+}  // namespace epode
