@@ -48,20 +48,22 @@ struct Joint : Tagged {
     Joint(const JointType& type, World& world);
     ~Joint();
 
+    // A cache line that every part of a step reads, one for the lists of the bodies, and one that a step does
+    // not look at: contacts by the ten thousand are fetched from far away.
     const JointType* type;
     World* world;  // null once its world is gone and only a group keeps it
-    JointGroup* group = nullptr;
-    int group_index = -1;
-    Joint* next = nullptr;  // world's list, newest first
-    Joint* prev = nullptr;
-    JointNode node[2];
     bool reverse = false;
     bool disabled = false;
     int island_mark = 0;  // step number of the last visit
-    dJointFeedback* feedback = nullptr;
-    void* data = nullptr;
-    Real impulse[kMaxJointRows] = {};  // of the last step, for warm starting
     int impulse_rows = 0;
+    int group_index = -1;
+    JointGroup* group = nullptr;
+    dJointFeedback* feedback = nullptr;
+    JointNode node[2];
+    Joint* next = nullptr;  // world's list, newest first
+    Joint* prev = nullptr;
+    void* data = nullptr;
+    Real impulse[kMaxJointRows];  // of the last step, for warm starting: the first `impulse_rows`
 
     Body* body1() const { return node[0].body; }
     Body* body2() const { return node[1].body; }

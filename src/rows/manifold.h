@@ -25,7 +25,7 @@ struct Manifold {
     Real c[2], C[2];   // of the tangents
     Real mu[2];        // bound per normal impulse
     Real fixed[2];     // constant bound of the impulse
-    int body1, body2;  // -1: the world
+    int body1, body2;  // below zero: the world, see RowBlock
     int first, count;  // of the points
 };
 

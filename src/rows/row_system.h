@@ -43,18 +43,37 @@ struct RowBlock {
     int first = 0;
     int count = 0;
     int body1 = 0;         // index into bodies
-    int body2 = -1;        // -1: the world
+    int body2 = -1;        // below zero: the world, as the part -1 - body2 of the system sees it
     bool contact = false;  // rows of one contact point with these arms: normal, tangents, then rolling rows
     ContactArms arms;
+};
+
+// Islands that are solved together, because each alone would leave most lanes empty, are parts of one system
+// and share nothing: not even the world, so that what is not a number in one of them stays there. Each part
+// ends before these.
+struct SystemPart {
+    int bodies, blocks, manifolds;
 };
 
 struct RowSystem {
     Real h = 0;
     std::span<SolverBody> bodies;
     std::span<Row> rows;
-    std::span<RowNumbers> numbers;  // parallel to rows
-    std::span<RowBlock> blocks;     // in joint order, covering rows without gaps
-    ManifoldList contacts;          // beside the rows; of solvers that take manifolds, else empty
+    std::span<RowNumbers> numbers;      // parallel to rows
+    std::span<RowBlock> blocks;         // in joint order, covering rows without gaps
+    ManifoldList contacts;              // beside the rows; of solvers that take manifolds, else empty
+    std::span<const SystemPart> parts;  // none: all is one
+
+    int worlds() const { return parts.empty() ? 1 : int(parts.size()); }
+    SystemPart begin_of(int part) const
+    {
+        return part > 0 ? parts[std::size_t(part - 1)] : SystemPart{0, 0, 0};
+    }
+    SystemPart end_of(int part) const
+    {
+        if (!parts.empty()) return parts[std::size_t(part)];
+        return {int(bodies.size()), int(blocks.size()), int(contacts.manifolds.size())};
+    }
 };
 
 // How a solver with inner steps drives the model between its solves. Implemented by step/, which knows

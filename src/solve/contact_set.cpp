@@ -144,13 +144,12 @@ bool ContactSet::choose(const RowSystem& system, std::span<const Manifold> manif
 void ContactSet::fill_lane(const RowSystem& system, const ManifoldList& list, int index, ContactBatch& batch,
                            int lane)
 {
-    const int world = int(system.bodies.size());
     const SolverBody at_rest{};
     const Manifold none{{}, {}, {}, {}, {}, {}, {}, {}, -1, -1, 0, 0};
     const Manifold& manifold = index >= 0 ? list.manifolds[std::size_t(index)] : none;
     const auto set_body = [&](int body, int& slot, Lanes& inv_mass, LaneSym3& inv_inertia) {
         const SolverBody& from = body >= 0 ? system.bodies[std::size_t(body)] : at_rest;
-        slot = body >= 0 ? body : world;
+        slot = second_slot(system, body);
         inv_mass[lane] = from.inv_mass;
         inv_inertia.set(lane, from.inv_inertia);
     };

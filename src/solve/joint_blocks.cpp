@@ -74,7 +74,7 @@ bool JointBlocks::prepare(const RowSystem& system, Arena& arena)
         if (block.contact) continue;
         JointBlock& out = blocks_[std::size_t(next_block++)];
         out.first = next_row, out.count = block.count, out.source = block.first;
-        out.body1 = block.body1, out.body2 = second_slot(system, block);
+        out.body1 = block.body1, out.body2 = second_slot(system, block.body2);
         out.inv_mass1 = system.bodies[std::size_t(block.body1)].inv_mass;
         out.inv_mass2 = block.body2 >= 0 ? system.bodies[std::size_t(block.body2)].inv_mass : 0;
         out.bounded = false;

@@ -70,7 +70,18 @@ struct Sweeps {
     }
 };
 
-bool residual_of(const RowSystem& given, std::span<const SolverBody> before, Arena& arena, Real& out)
+// The blocks whose bodies belong to the part, moved to the front of the others.
+std::span<RowBlock> blocks_of(const RowSystem& system, std::size_t part)
+{
+    const int from = part > 0 ? system.parts[part - 1].bodies : 0, to = system.parts[part].bodies;
+    const auto end =
+        std::partition(system.blocks.begin(), system.blocks.end(),
+                       [from, to](const RowBlock& b) { return b.body1 >= from && b.body1 < to; });
+    return {system.blocks.begin(), end};
+}
+
+bool find_residuals(const RowSystem& given, const SolverSettings& settings,
+                    std::span<const SolverBody> before, Arena& arena, SolveReport& report)
 {
     RowSystem system;
     if (!expand_manifolds(given, arena, system)) return false;
@@ -78,8 +89,13 @@ bool residual_of(const RowSystem& given, std::span<const SolverBody> before, Are
     auto hi = arena.take<Real>(int(system.rows.size()));
     if (arena.failed()) return false;
     present_bounds(system, lo, hi);
-    out = natural_residual(system, before, lo, hi, arena);
-    return out >= 0;
+    report.residual = natural_residual(system, before, lo, hi, arena);
+    for (std::size_t part = 0; part < system.parts.size() && report.residual >= 0; ++part) {
+        RowSystem one = system;
+        one.blocks = blocks_of(system, part);
+        settings.part_residuals[part] = natural_residual(one, before, lo, hi, arena);
+    }
+    return report.residual >= 0;
 }
 
 bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
@@ -107,7 +123,7 @@ bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena
     sweeps.run(velocities, settings.iterations, settings.w, settings.seed);
     store_velocities(velocities, system);
     sweeps.store_impulses(system);
-    return !settings.want_residual || residual_of(system, before, arena, report.residual);
+    return !settings.want_residual || find_residuals(system, settings, before, arena, report);
 }
 
 }  // namespace

@@ -65,8 +65,9 @@ bool RowSweep::pack(const RowSystem& system, Real w, std::span<const bool> skip,
         const RowBlock& block = system.blocks[i];
         const SolverBody& a = system.bodies[std::size_t(block.body1)];
         const SolverBody* b = block.body2 >= 0 ? &system.bodies[std::size_t(block.body2)] : nullptr;
-        blocks_[std::size_t(next_block++)] = {
-            next_row, block.count, block.body1, second_slot(system, block), a.inv_mass, b ? b->inv_mass : 0};
+        blocks_[std::size_t(next_block++)] = {next_row,    block.count,
+                                              block.body1, second_slot(system, block.body2),
+                                              a.inv_mass,  b ? b->inv_mass : 0};
         for (int k = block.first; k < block.first + block.count; ++k) {
             PackedRow& out = rows_[std::size_t(next_row + k - block.first)];
             const RowNumbers& n = system.numbers[std::size_t(k)];

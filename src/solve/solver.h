@@ -21,8 +21,9 @@ struct SolverSettings {
     Real w = Real(1.3);      // over-relaxation
     std::uint64_t seed = 0;  // function of world, step and island: for shuffles
     const Substeps* substeps = nullptr;
-    bool want_residual = false;  // costs an evaluation
-    Tasks tasks;                 // for solvers with inner_tasks
+    bool want_residual = false;      // costs an evaluation
+    std::span<Real> part_residuals;  // with it, of a system of several parts
+    Tasks tasks;                     // for solvers with inner_tasks
     // Of the exact solver: natural residual from which on it spends time on more digits; 1e-9 it always
     // gives.
     double careful_above = 1e-10;
@@ -42,7 +43,7 @@ struct Solver {
     bool substeps;       // advances poses itself through SolverSettings::substeps
     bool needs_inertia;  // reads SolverBody::mass and inertia, not only the inverses
     bool inner_tasks;    // has work for several workers in one large island
-    bool manifolds;      // takes RowSystem::contacts; others are given rows only
+    bool manifolds;      // takes RowSystem::contacts and parts; others are given rows only
     Real warm_share;  // of the last step's impulses that it starts from when the world asks for warm starting
     // False: out of memory, nothing usable was computed.
     bool (*solve)(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report);

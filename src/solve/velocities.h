@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What a sweep changes, and nothing else: one cache line per body (half of one in float), while masses stay
-// where only preparation reads them. The slot behind the last body is the world: it is gathered like any
-// body, and since its inverse mass is zero, scattering to it changes nothing.
+// where only preparation reads them. The slots behind the last body are the world, one for each part: it is
+// gathered like any body, and since its inverse mass is zero, scattering to it changes nothing.
 #pragma once
 
 #include <span>
@@ -23,14 +23,14 @@ struct alignas(8 * sizeof(Real)) Velocity {
 // Room for the bodies and the world; empty when the arena is exhausted.
 inline std::span<Velocity> take_velocities(const RowSystem& system, Arena& arena)
 {
-    return arena.take<Velocity>(int(system.bodies.size()) + 1);
+    return arena.take<Velocity>(int(system.bodies.size()) + system.worlds());
 }
 
 inline void load_velocities(const RowSystem& system, std::span<Velocity> out)
 {
     for (std::size_t i = 0; i < system.bodies.size(); ++i)
         out[i] = {system.bodies[i].v, 0, system.bodies[i].w, 0};
-    out.back() = {};
+    for (std::size_t i = system.bodies.size(); i < out.size(); ++i) out[i] = {};
 }
 
 inline void store_velocities(std::span<const Velocity> from, RowSystem& system)
@@ -41,10 +41,10 @@ inline void store_velocities(std::span<const Velocity> from, RowSystem& system)
     }
 }
 
-// Where a block's second body is in the velocities.
-inline int second_slot(const RowSystem& system, const RowBlock& block)
+// Where a second body is in the velocities.
+inline int second_slot(const RowSystem& system, int body2)
 {
-    return block.body2 >= 0 ? block.body2 : int(system.bodies.size());
+    return body2 >= 0 ? body2 : int(system.bodies.size()) - 1 - body2;
 }
 
 }  // namespace epode

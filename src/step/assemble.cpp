@@ -78,6 +78,29 @@ void emit_rows(const StepInfo& info, std::span<Joint*> joints, IslandWork& work,
     }
 }
 
+// Where each member ends, and its own world. False: out of memory.
+bool mark_parts(Arena& arena, IslandWork& work)
+{
+    if (work.members.size() < 2) return true;
+    RowSystem& system = work.system;
+    auto parts = arena.take<SystemPart>(int(work.members.size()));
+    if (arena.failed()) return false;
+    SystemPart end{0, 0, 0};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const int world = -1 - int(i);
+        end.bodies += int(work.members[i].bodies.size());
+        const auto take = [&](auto& items, int& at) {
+            for (; std::size_t(at) < items.size() && items[std::size_t(at)].body1 < end.bodies; ++at)
+                if (int& body2 = items[std::size_t(at)].body2; body2 < 0) body2 = world;
+        };
+        take(system.blocks, end.blocks);
+        take(system.contacts.manifolds, end.manifolds);
+        parts[i] = end;
+    }
+    system.parts = parts;
+    return true;
+}
+
 }  // namespace
 
 StepInfo step_info(const World& world, Real h)
@@ -117,9 +140,9 @@ void add_forces_exactly(Body& body, Real h, SolverBody& out)
     out.w = kicked_spin(body, load(body.tacc), out.w, h);
 }
 
-bool assemble(World& world, Island island, Real h, const Solver& solver, Arena& arena, IslandWork& work)
+bool assemble(World& world, Real h, const Solver& solver, Arena& arena, IslandWork& work)
 {
-    work.island = island;
+    const Island& island = work.island;
     work.system.h = h;
     if (!sort_joints(island.joints, solver.manifolds, arena, work)) return false;
     const std::span<Joint*> joints = work.joints;
@@ -134,7 +157,10 @@ bool assemble(World& world, Island island, Real h, const Solver& solver, Arena& 
         return false;
     }
 
-    for (Body* body : island.bodies) add_gravity(*body, world.gravity);
+    for (std::size_t i = 0; i < island.bodies.size(); ++i) {
+        island.bodies[i]->island_index = int(i);
+        add_gravity(*island.bodies[i], world.gravity);
+    }
     int rows = 0, blocks = 0;
     const StepInfo info = step_info(world, h);
     write_manifolds(work.contacts, info, work.system.contacts);
@@ -143,7 +169,7 @@ bool assemble(World& world, Island island, Real h, const Solver& solver, Arena& 
     work.system.blocks = work.system.blocks.first(std::size_t(blocks));
     work.system.rows = work.system.rows.first(std::size_t(rows));
     work.system.numbers = arena.take<RowNumbers>(rows);
-    if (arena.failed()) return false;
+    if (arena.failed() || !mark_parts(arena, work)) return false;
 
     for (std::size_t i = 0; i < island.bodies.size(); ++i) {
         Body& body = *island.bodies[i];

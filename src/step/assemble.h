@@ -12,20 +12,22 @@
 
 namespace epode {
 
-// An island under work: what the solver sees, and who is behind it.
+// An island under work: what the solver sees, and who is behind it. Several small islands may be worked on as
+// one, if the solver knows of parts.
 struct IslandWork {
-    Island island;
-    std::span<Joint*> joints;    // parallel to system.blocks: those that gave rows
-    std::span<Joint*> contacts;  // parallel to system.contacts.points
+    Island island;                    // all members together
+    std::span<const Island> members;  // at least one
+    std::span<Joint*> joints;         // parallel to system.blocks: those that gave rows
+    std::span<Joint*> contacts;       // parallel to system.contacts.points
     RowSystem system;
 };
 
 StepInfo step_info(const World& world, Real h);
 
-// Gravity and the joints' own forces enter the bodies' accumulators, rows and numbers are written, and the
-// SolverBodies hold v: the present velocities if the solver makes inner steps, else v* after all forces.
-// False: out of memory.
-bool assemble(World& world, Island island, Real h, const Solver& solver, Arena& arena, IslandWork& work);
+// Of work.island: gravity and the joints' own forces enter the bodies' accumulators, rows and numbers are
+// written, and the SolverBodies hold v: the present velocities if the solver makes inner steps, else v* after
+// all forces. False: out of memory.
+bool assemble(World& world, Real h, const Solver& solver, Arena& arena, IslandWork& work);
 
 // The part that inner steps repeat.
 void load_inertia(const Body& body, SolverBody& out);  // the inverse only

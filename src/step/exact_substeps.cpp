@@ -162,7 +162,8 @@ bool ExactSubsteps::next(IslandWork& first, const SolverSettings& settings, Solv
                          IslandWork& work)
 {
     load_forces();
-    if (!assemble(world_, island_, hs_, kDirect, arena_, work)) return false;
+    work.island = island_;
+    if (!assemble(world_, hs_, kDirect, arena_, work)) return false;
     carry_contacts(first, work);
     map(work.system);
     if (world_.projection_iterations > 0) {
@@ -171,7 +172,7 @@ bool ExactSubsteps::next(IslandWork& first, const SolverSettings& settings, Solv
     }
     load_warm_start(first, work);
     SolveReport one;
-    if (!kDirect.solve(work.system, settings, arena_, one) || !sound(work.system)) return false;
+    if (!kDirect.solve(work.system, settings, arena_, one) || !sound(work.system, 0)) return false;
     add(report, one);
     return true;
 }

@@ -16,10 +16,10 @@
 namespace epode {
 namespace {
 
-void contain(const IslandWork& work)
+void contain(std::span<Body* const> bodies, std::span<Joint* const> joints)
 {
-    for (Joint* joint : work.joints) joint->impulse_rows = 0;
-    for (Body* body : work.island.bodies) {
+    for (Joint* joint : joints) joint->impulse_rows = 0;
+    for (Body* body : bodies) {
         body->spin_excess = {};
         if (!usable(body->lvel, 3) || !usable(body->avel, 3)) {
             store(body->lvel, {});
@@ -28,9 +28,15 @@ void contain(const IslandWork& work)
     }
 }
 
+template <typename T>
+std::span<T> slice(std::span<T> all, int from, int to)
+{
+    return all.subspan(std::size_t(from), std::size_t(to - from));
+}
+
 class IslandStep {
   public:
-    IslandStep(const StepContext& context, const Island& island, IslandPlace place, Arena& arena)
+    IslandStep(const StepContext& context, std::span<const Island> members, IslandPlace place, Arena& arena)
         : context_(context),
           world_(context.world),
           place_(place),
@@ -38,17 +44,18 @@ class IslandStep {
           exact_(&context.solver == &kDirect),
           small_(world_, work_.island, context.h, world_.exact_substeps, arena)
     {
-        work_.island = island;
+        work_.island = joined(members);
+        work_.members = members;
     }
 
-    // False: out of memory, or an answer that is not a number.
-    bool solve(const Tasks& tasks, dIslandStepReport* report)
+    // False: out of memory, or an answer that is not a number and whose part of the work is not known.
+    bool solve(const Tasks& tasks, std::span<dIslandStepReport> reports)
     {
         if (divides() && !small_.begin()) return false;
         const Real h = divides() ? small_.small_step() : context_.h;
-        if (!assemble(world_, work_.island, h, context_.solver, arena_, work_)) return false;
+        if (!assemble(world_, h, context_.solver, arena_, work_)) return false;
         if (divides()) small_.map(work_.system);
-        if (report) report_errors(work_, *report);
+        for (std::size_t i = 0; i < reports.size(); ++i) report_errors(work_, int(i), reports[i]);
         if (projects()) {
             add_tension(work_, work_.system.bodies, arena_);
             leave_depth_to_projection(work_.system);
@@ -62,21 +69,30 @@ class IslandStep {
         settings.w = world_.quick_w;
         settings.seed = world_.step_count * 0x9e3779b97f4a7c15u + std::uint64_t(place_.index);
         settings.substeps = inner ? &callbacks : nullptr;
-        settings.want_residual = report != nullptr;
+        settings.want_residual = !reports.empty();
+        settings.part_residuals = arena_.take<Real>(int(reports.size()));
+        if (arena_.failed()) return false;
+        std::fill(settings.part_residuals.begin(), settings.part_residuals.end(), Real(0));
         settings.tasks = tasks;
         settings.plans = &context_.plans;
         if (projects()) settings.careful_above = 1e-9;  // the projection corrects what positions would feel
         load_warm_start(world_.warm_starting * context_.solver.warm_share);
         if (inner) saved_ = save_poses(work_.island, arena_);
         SolveReport solved;
-        bool sane = context_.solver.solve(work_.system, settings, arena_, solved) && sound(work_.system);
+        bool sane = context_.solver.solve(work_.system, settings, arena_, solved);
+        if (sane && !divided()) sane = sound(work_.system, 0);
         if (sane && divides()) sane = small_.run(work_, settings, solved, projected_);
-        if (report) report_solution(solved, *report);
+        for (std::size_t i = 0; i < reports.size(); ++i) {
+            if (divided()) solved.residual = settings.part_residuals[i];
+            report_solution(solved, reports[i]);
+        }
         return sane;
     }
 
-    void accept(const Tasks& tasks, dIslandStepReport* report)
+    void accept(const Tasks& tasks, std::span<dIslandStepReport> reports)
     {
+        for (int part = 0; divided() && part < work_.system.worlds(); ++part)
+            if (!sound(work_.system, part)) silence(part, reports);
         if (!divides()) write_back(work_);
         remember_contacts();
         if (context_.solver.substeps) return;  // poses are where the inner steps have put them
@@ -84,19 +100,40 @@ class IslandStep {
             advance();
             if (projects()) projected_ = project_poses(world_, work_, tasks, context_.plans, arena_);
         }
-        if (report && projects()) report_projection(projected_, *report);
+        for (dIslandStepReport& report : reports)
+            if (projects()) report_projection(projected_, report);
     }
 
-    void refuse()
+    void refuse(std::span<dIslandStepReport> reports)
     {
         divides() ? small_.undo() : restore_poses(work_.island, saved_);
-        contain(work_);
+        contain(work_.island.bodies, work_.joints);
         advance();
+        for (dIslandStepReport& report : reports) report.contained = true;
     }
 
   private:
     bool projects() const { return exact_ && world_.projection_iterations > 0; }
     bool divides() const { return exact_ && world_.exact_substeps > 1; }
+    bool divided() const { return !work_.system.parts.empty(); }
+
+    // What is not a number in one part leaves the others alone: this one keeps its velocities, and its
+    // constraints exert nothing.
+    void silence(int part, std::span<dIslandStepReport> reports)
+    {
+        RowSystem& system = work_.system;
+        const SystemPart from = system.begin_of(part), to = system.end_of(part);
+        contain(slice(work_.island.bodies, from.bodies, to.bodies), {});
+        for (auto i = std::size_t(from.bodies); i < std::size_t(to.bodies); ++i)
+            load_velocity(*work_.island.bodies[i], system.bodies[i]);
+        for (const RowBlock& block : slice(system.blocks, from.blocks, to.blocks))
+            for (int i = block.first; i < block.first + block.count; ++i)
+                system.numbers[std::size_t(i)].p = 0;
+        for (const Manifold& m : slice(system.contacts.manifolds, from.manifolds, to.manifolds))
+            for (ManifoldPoint& point : points_of(m))
+                for (Real& p : point.p) p = 0;
+        if (!reports.empty()) reports[std::size_t(part)].contained = true;
+    }
     // Points of manifolds first, then contacts that are rows.
     int ticket_of_point(int point) const { return place_.first_contact + point; }
     int ticket_of_block(std::size_t block) const
@@ -185,16 +222,25 @@ class IslandStep {
 
 }  // namespace
 
-bool step_island(const StepContext& context, const Island& island, IslandPlace place, const Tasks& tasks,
-                 Arena& arena, dIslandStepReport* report)
+Island joined(std::span<const Island> islands)
+{
+    const auto all = [&](auto Island::*items) {
+        const auto &first = islands.front().*items, &last = islands.back().*items;
+        return std::span(first.data(), last.data() + last.size());
+    };
+    return {all(&Island::bodies), all(&Island::joints)};
+}
+
+bool step_islands(const StepContext& context, std::span<const Island> islands, IslandPlace place,
+                  const Tasks& tasks, Arena& arena, std::span<dIslandStepReport> reports)
 {
     Arena::Scope scope(arena);
-    if (report) begin_report(context.world, island, *report);
-    IslandStep step(context, island, place, arena);
-    const bool solved = step.solve(tasks, report);
+    for (std::size_t i = 0; i < reports.size(); ++i) begin_report(context.world, islands[i], reports[i]);
+    IslandStep step(context, islands, place, arena);
+    const bool solved = step.solve(tasks, reports);
     if (arena.failed()) return false;
-    solved ? step.accept(tasks, report) : step.refuse();
-    if (report) end_report(context.world, island, !solved, *report);
+    solved ? step.accept(tasks, reports) : step.refuse(reports);
+    for (std::size_t i = 0; i < reports.size(); ++i) end_report(context.world, islands[i], reports[i]);
     return !arena.failed();
 }
 

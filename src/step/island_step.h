@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// One island from forces to poses. It reads and writes its own bodies, joints and contacts only, so islands
-// may be stepped in any order and at the same time.
+// One island from forces to poses, or several at once: small ones fill each other's lanes. It reads and
+// writes its own bodies, joints and contacts only, so islands may be stepped in any order and at the same
+// time.
 #pragma once
 
 #include "dynamics/island.h"
@@ -22,14 +23,20 @@ struct StepContext {
 };
 
 struct IslandPlace {
-    int index;          // of the island: part of the seed
+    int index;          // of the work: part of the seed
     int first_contact;  // its room in the contact cache: one entry per joint
 };
 
-// Velocities, impulses, feedback and poses of the island. An island whose answer is not a number is
+// Velocities, impulses, feedback and poses of the islands, which lie side by side in the arrays of all bodies
+// and joints; more than one only if the solver knows of parts. An island whose answer is not a number is
 // contained: it keeps its velocities, its constraints exert nothing, and the others never notice. False: out
 // of memory; the island's bodies are in no state to be seen then.
-[[nodiscard]] bool step_island(const StepContext& context, const Island& island, IslandPlace place,
-                               const Tasks& tasks, Arena& arena, dIslandStepReport* report);
+// `reports`: one for each island, or none.
+[[nodiscard]] bool step_islands(const StepContext& context, std::span<const Island> islands,
+                                IslandPlace place, const Tasks& tasks, Arena& arena,
+                                std::span<dIslandStepReport> reports);
+
+// Islands that lie side by side, as one.
+Island joined(std::span<const Island> islands);
 
 }  // namespace epode

@@ -25,6 +25,16 @@ double energy(const World& world, const Island& island)
     return sum;
 }
 
+void report_error(const Row& row, dIslandStepReport& report)
+{
+    const double error = std::fabs(double(row.error));
+    if (row.kind == RowKind::kNormal) report.penetration = std::max(report.penetration, error);
+    if (row.kind != RowKind::kLock) return;
+    const bool turns = row.lin1 == Vec3{} && row.lin2 == Vec3{};
+    double& worst = turns ? report.joint_angle_error : report.joint_error;
+    worst = std::max(worst, error);
+}
+
 }  // namespace
 
 void begin_report(const World& world, const Island& island, dIslandStepReport& report)
@@ -36,23 +46,24 @@ void begin_report(const World& world, const Island& island, dIslandStepReport& r
     report.energy_before = energy(world, island);
 }
 
-void report_errors(const IslandWork& work, dIslandStepReport& report)
+void report_errors(const IslandWork& work, int part, dIslandStepReport& report)
 {
-    report.joints = int(work.joints.size() + work.contacts.size());
-    report.rows = int(work.system.rows.size());
-    for (const Manifold& m : work.system.contacts.manifolds) {
+    const RowSystem& system = work.system;
+    const SystemPart from = system.begin_of(part), to = system.end_of(part);
+    report.joints = to.blocks - from.blocks;
+    for (int k = from.manifolds; k < to.manifolds; ++k) {
+        const Manifold& m = system.contacts.manifolds[std::size_t(k)];
+        report.joints += m.count;
         report.rows += m.count * (m.t1 == Vec3{} ? 1 : 3);
-        for (const ManifoldPoint& point :
-             work.system.contacts.points.subspan(std::size_t(m.first), std::size_t(m.count)))
-            report.penetration = std::max(report.penetration, double(point.error));
+        for (int i = m.first; i < m.first + m.count; ++i)
+            report.penetration =
+                std::max(report.penetration, double(system.contacts.points[std::size_t(i)].error));
     }
-    for (const Row& row : work.system.rows) {
-        const double error = std::fabs(double(row.error));
-        if (row.kind == RowKind::kNormal) report.penetration = std::max(report.penetration, error);
-        if (row.kind != RowKind::kLock) continue;
-        const bool turns = row.lin1 == Vec3{} && row.lin2 == Vec3{};
-        double& worst = turns ? report.joint_angle_error : report.joint_error;
-        worst = std::max(worst, error);
+    for (int k = from.blocks; k < to.blocks; ++k) {
+        const RowBlock& block = system.blocks[std::size_t(k)];
+        report.rows += block.count;
+        for (int i = block.first; i < block.first + block.count; ++i)
+            report_error(system.rows[std::size_t(i)], report);
     }
 }
 
@@ -72,9 +83,8 @@ void report_projection(const ProjectionReport& done, dIslandStepReport& report)
     report.projection_error = done.error;
 }
 
-void end_report(const World& world, const Island& island, bool contained, dIslandStepReport& report)
+void end_report(const World& world, const Island& island, dIslandStepReport& report)
 {
-    report.contained = contained;
     report.energy_after = energy(world, island);
 }
 

@@ -15,10 +15,10 @@
 namespace epode {
 
 void begin_report(const World& world, const Island& island, dIslandStepReport& report);
-void report_errors(const IslandWork& work, dIslandStepReport& report);
+void report_errors(const IslandWork& work, int part, dIslandStepReport& report);
 void report_solution(const SolveReport& solved, dIslandStepReport& report);
 void report_projection(const ProjectionReport& done, dIslandStepReport& report);
-void end_report(const World& world, const Island& island, bool contained, dIslandStepReport& report);
+void end_report(const World& world, const Island& island, dIslandStepReport& report);
 
 // Once bodies have been stopped on their way.
 void report_stopped(const World& world, const Island& island, const Continuous& continuous,

@@ -25,7 +25,8 @@ namespace epode {
 namespace {
 
 constexpr int kLarge = 256;   // joints of an island that is worth all workers
-constexpr int kParcel = 128;  // joints and bodies of a parcel of small islands
+constexpr int kGroup = 256;   // joints and bodies of islands that are solved together
+constexpr int kParcel = 128;  // joints and bodies of a parcel of groups
 
 // Geoms, callbacks, damping, accumulators: body by body.
 void finish_bodies(const Island& island, const Continuous& continuous)
@@ -94,28 +95,23 @@ class WorldStep {
         if (!undo_.save_idleness(arena)) return false;
         auto_disable(world, context_.h);
         if (!find_islands(world, arena, islands_) || !undo_.save_islands(islands_, arena)) return false;
-        first_contact_ = arena.take<int>(int(islands_.size()));
+        groups_ = arena.take<Group>(int(islands_.size()));
         parcels_ = arena.take<int>(int(islands_.size()) + 1);
         if (arena.failed() || !prepare_reports() || !memory().provide(workers_.of_islands.workers()))
             return false;
-        int contacts = 0;
-        for (std::size_t i = 0; i < islands_.size(); ++i) {
-            first_contact_[i] = contacts;
-            contacts += int(islands_[i].joints.size());
-        }
-        return context_.contacts.begin(contacts, int(islands_.size()));
+        return context_.contacts.begin(make_groups(), int(groups_.size()));
     }
 
     // False: out of memory.
     bool run()
     {
         const Tasks alone(1);
-        for (std::size_t i = 0; i < islands_.size(); ++i)
-            if (large(islands_[i])) step_one(int(i), workers_.of_an_island, 0);
+        for (std::size_t i = 0; i < groups_.size(); ++i)
+            if (large(groups_[i])) step_one(int(i), workers_.of_an_island, 0);
         workers_.of_islands.for_each(cut_parcels(), [&](int p, int worker) {
             const auto parcel = std::size_t(p);
             for (int i = parcels_[parcel]; i < parcels_[parcel + 1]; ++i)
-                if (!large(islands_[std::size_t(i)])) step_one(i, alone, worker);
+                if (!large(groups_[std::size_t(i)])) step_one(i, alone, worker);
         });
         return !out_of_memory_.load();
     }
@@ -145,10 +141,34 @@ class WorldStep {
     }
 
   private:
-    bool large(const Island& island) const
+    // Islands that lie side by side and are solved together.
+    struct Group {
+        int first, count;
+        int joints, weight;
+        int first_contact;
+    };
+
+    // Small islands that follow each other make groups, if the solver knows of parts; the others are alone.
+    // Returns the number of joints.
+    int make_groups()
     {
-        return workers_.of_an_island.workers() > 1 && context_.solver.inner_tasks &&
-               int(island.joints.size()) >= kLarge;
+        const int most = context_.solver.manifolds ? kGroup : 0;
+        int count = 0, contacts = 0;
+        for (std::size_t i = 0; i < islands_.size(); ++i) {
+            const int joints = int(islands_[i].joints.size()), w = weight(islands_[i]);
+            if (count == 0 || groups_[std::size_t(count - 1)].weight + w > most)
+                groups_[std::size_t(count++)] = {int(i), 0, 0, 0, contacts};
+            Group& group = groups_[std::size_t(count - 1)];
+            ++group.count, group.joints += joints, group.weight += w;
+            contacts += joints;
+        }
+        groups_ = groups_.first(std::size_t(count));
+        return contacts;
+    }
+
+    bool large(const Group& group) const
+    {
+        return workers_.of_an_island.workers() > 1 && context_.solver.inner_tasks && group.joints >= kLarge;
     }
 
     bool prepare_reports()
@@ -159,26 +179,28 @@ class WorldStep {
 
     StepMemory& memory() const { return *context_.world.memory; }
 
-    // Parcel p is the islands from parcels_[p] to parcels_[p + 1].
+    // Parcel p is the groups from parcels_[p] to parcels_[p + 1].
     int cut_parcels()
     {
         int count = 0, load = kParcel;
-        for (std::size_t i = 0; i < islands_.size(); ++i) {
-            if (large(islands_[i])) continue;
+        for (std::size_t i = 0; i < groups_.size(); ++i) {
+            if (large(groups_[i])) continue;
             if (load >= kParcel) parcels_[std::size_t(count++)] = int(i), load = 0;
-            load += weight(islands_[i]);
+            load += groups_[i].weight;
         }
-        parcels_[std::size_t(count)] = int(islands_.size());
+        parcels_[std::size_t(count)] = int(groups_.size());
         return count;
     }
 
     void step_one(int i, const Tasks& tasks, int worker)
     {
         if (out_of_memory_.load(std::memory_order_relaxed)) return;
-        dIslandStepReport* report = context_.world.report_wanted ? &state_.reports[i] : nullptr;
-        const auto at = std::size_t(i);
-        if (!step_island(context_, islands_[at], {i, first_contact_[at]}, tasks, memory().arena(worker),
-                         report))
+        const Group& group = groups_[std::size_t(i)];
+        const auto first = std::size_t(group.first), count = std::size_t(group.count);
+        std::span<dIslandStepReport> reports;
+        if (context_.world.report_wanted) reports = state_.reports.span().subspan(first, count);
+        if (!step_islands(context_, islands_.subspan(first, count), {i, group.first_contact}, tasks,
+                          memory().arena(worker), reports))
             out_of_memory_.store(true);
     }
 
@@ -186,7 +208,8 @@ class WorldStep {
     StepState& state_;
     const Workers& workers_;
     std::span<Island> islands_;
-    std::span<int> first_contact_, parcels_;
+    std::span<Group> groups_;
+    std::span<int> parcels_;
     StepUndo undo_;
     Continuous continuous_;
     std::atomic<bool> out_of_memory_{false};

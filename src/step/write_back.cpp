@@ -36,15 +36,22 @@ void write_feedback(const Joint& joint, const Manifold& m, const ManifoldPoint& 
 
 }  // namespace
 
-bool sound(const RowSystem& system)
+bool sound(const RowSystem& system, int part)
 {
-    for (const SolverBody& b : system.bodies)
+    const SystemPart from = system.begin_of(part), to = system.end_of(part);
+    for (auto k = std::size_t(from.bodies); k < std::size_t(to.bodies); ++k) {
+        const SolverBody& b = system.bodies[k];
         for (Real x : {b.v.x, b.v.y, b.v.z, b.w.x, b.w.y, b.w.z})
             if (!usable(x)) return false;
-    for (const RowNumbers& n : system.numbers)
-        if (!usable(n.p)) return false;
-    for (const ManifoldPoint& point : system.contacts.points)
-        if (!usable(point.p, 3)) return false;
+    }
+    for (auto k = std::size_t(from.blocks); k < std::size_t(to.blocks); ++k)
+        for (int i = system.blocks[k].first; i < system.blocks[k].first + system.blocks[k].count; ++i)
+            if (!usable(system.numbers[std::size_t(i)].p)) return false;
+    for (auto k = std::size_t(from.manifolds); k < std::size_t(to.manifolds); ++k) {
+        const Manifold& m = system.contacts.manifolds[k];
+        for (int i = m.first; i < m.first + m.count; ++i)
+            if (!usable(system.contacts.points[std::size_t(i)].p, 3)) return false;
+    }
     return true;
 }
 

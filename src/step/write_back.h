@@ -8,8 +8,9 @@
 
 namespace epode {
 
-// True when every velocity and impulse of the island is a usable number.
-bool sound(const RowSystem& system);
+// True when every velocity and impulse of the part (of the whole, when there are no parts) is a usable
+// number.
+bool sound(const RowSystem& system, int part);
 
 // Velocities to the bodies, impulses and feedback to the joints.
 void write_back(const IslandWork& work);
