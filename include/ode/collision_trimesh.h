@@ -158,7 +158,8 @@ ODE_API dTriMeshDataID dGeomTriMeshGetTriMeshDataID(dGeomID g);
 /** The functions of the program that have a say in contacts. Callback and ArrayCallback are called for
     triangles near the other geom, which need not touch it. Hits of a ray are put to RayCallback and then to
     Callback, from the nearest on, until enough have been accepted by both. The last is called when contacts
-    of two triangles become one; without it such a contact has the number -1. [0.16] */
+    of two triangles, at the same place and with the same normal, become one, and says its number; without it
+    the contact has that of the deeper one. [0.16] */
 ODE_API void dGeomTriMeshSetCallback(dGeomID g, dTriCallback* Callback);
 ODE_API dTriCallback* dGeomTriMeshGetCallback(dGeomID g);
 ODE_API void dGeomTriMeshSetArrayCallback(dGeomID g, dTriArrayCallback* ArrayCallback);

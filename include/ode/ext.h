@@ -243,6 +243,28 @@ ODE_API int dGeomConvexGetPolygons(dGeomID convex, unsigned int* polygons, int r
 ODE_API void dMassSetConvex(dMass* m, dReal density, dGeomID convex);
 ODE_API void dMassSetConvexTotal(dMass* m, dReal total_mass, dGeomID convex);
 
+/** @chapter solid Solid meshes
+
+    Arguments:
+    - mesh: a geom of class dTriMeshClass.
+
+    Refused: a geom of another class, destroyed or 0, and what each function names. Nothing changes then, and
+    the answer is 0. */
+
+/** Whether the mesh is the solid that its triangles enclose (solid 1) or, as ODE has it and as is the
+   default, their surface (0). A sphere, box, capsule, cylinder or convex whose middle is inside a solid mesh
+   is pushed out by the nearest way, however deep it is: dCollide gives up to 4 contacts as with a plane
+   across that way, with the nearest triangle as side; dGeomGetDistance is minus the depth along that way, and
+    dSpaceOverlap tells it. One whose middle is outside meets the surface as ever, and so do rays, planes,
+    casts, height fields and other meshes. The middle is the origin of the geom's frame, of a convex the
+    middle of its box. Get answers 1 if the mesh is solid now: new data that are not closed make it a surface
+    for as long as it has them. Costs a search for the nearest triangle.
+    Refused: other values of solid; 1 for a mesh that is not closed, that is one with a triangle that has no
+    neighbour over an edge or one wound the other way, or that looks inward (its volume is not positive).
+    [ours] */
+ODE_API void dGeomTriMeshSetSolid(dGeomID mesh, int solid);
+ODE_API int dGeomTriMeshGetSolid(dGeomID mesh);
+
 /** @chapter queries Questions to spaces
 
     What lies where in a space, without contacts and without a callback. Members of nested spaces, at any

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "math/vec.h"
+#include "ode/collision.h"
 #include "ode/contact.h"
 
 namespace epode {
@@ -38,6 +39,19 @@ class ContactSink {
     void name(dGeomID first, dGeomID second) { geoms_[0] = first, geoms_[1] = second; }
     dGeomID first_geom() const { return geoms_[0]; }
     dGeomID second_geom() const { return geoms_[1]; }
+
+    // Functions of the program that number a contact of a mesh which has become one of two triangles'.
+    void number_merged(dTriTriMergeCallback* first, dTriTriMergeCallback* second)
+    {
+        merge_[0] = first, merge_[1] = second;
+    }
+    // The number on a side, 0 or 1, when contacts with these become one; without a function that of the
+    // deeper one.
+    int merged(int side, int one, int other, int deeper) const
+    {
+        if (one == other || one < 0 || other < 0 || !merge_[side]) return deeper;
+        return merge_[side](geoms_[side], one, other);
+    }
 
     // False when there was no room.
     bool add(const ContactPoint& point)
@@ -72,6 +86,7 @@ class ContactSink {
     bool unimportant_;
     int count_ = 0;
     dGeomID geoms_[2] = {};
+    dTriTriMergeCallback* merge_[2] = {};
 };
 
 }  // namespace epode

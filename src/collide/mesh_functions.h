@@ -7,7 +7,7 @@
 //   wants      may the triangle touch the other geom?
 //   told       all triangles near the other geom, before any of them is asked about
 //   ray_hits   does a ray's hit at the point (1-u-v) v0 + u v1 + v v2 count?
-//   merged     the number for a contact made from those of two triangles; -1 without such a function
+// The fourth, which numbers contacts that have become one, is known by the sink (ContactSink::merged).
 #pragma once
 
 #include <span>
@@ -36,7 +36,6 @@ class MeshFunctions {
     {
         return !mesh_.ray_hits || mesh_.ray_hits(geom_, other_, triangle, u, v) != 0;
     }
-    int merged(int first, int second) const { return mesh_.merged ? mesh_.merged(geom_, first, second) : -1; }
 
   private:
     const Trimesh& mesh_;

@@ -41,6 +41,7 @@ struct TrimeshData : Tagged {
     TriangleMesh mesh;
     MeshTree tree;
     bool built = false;
+    bool closed = false;  // see closed_mesh.h
     MeshSource source;
     const void* face_normals = nullptr;  // the program's
     void* given_flags = nullptr;         // the program's
@@ -63,8 +64,10 @@ struct Trimesh {
     dTriArrayCallback* told = nullptr;
     dTriRayCallback* ray_hits = nullptr;
     dTriTriMergeCallback* merged = nullptr;
+    bool solid = false;  // wanted; meshes that are not closed are surfaces all the same
 
     const TrimeshData* mesh() const { return data && data->built ? data : nullptr; }  // null: no triangles
+    bool is_solid() const { return solid && mesh() && data->closed; }
     bool asks() const { return wants || told || ray_hits || merged; }
 };
 

@@ -4,6 +4,7 @@
 // See distance.h. Surfaces are asked in their own frame, two of them in that of the second.
 #include "query/distance.h"
 
+#include "collide/closed_mesh.h"
 #include "collide/collide.h"
 #include "collide/registry.h"
 #include "collide/user_class.h"
@@ -67,9 +68,25 @@ Separation solid_plane(const Thing& a, const Thing& b)
     return s;
 }
 
+// The middle of a solid in a mesh that is solid, too: minus the way out.
+bool in_mesh(const Thing& a, const Thing& b, Separation& out)
+{
+    const Trimesh& mesh = b.as<Trimesh>();
+    if (a.number() == dRayClass || !mesh.is_solid()) return false;
+    Capsule unused;
+    const ConvexView view = in_frame(b.pose, solid_view(a, {}, 0, unused));
+    WayOut way;
+    if (!way_out_of(mesh.mesh()->mesh, mesh.mesh()->tree, view.pose.p, way)) return false;
+    out = separation(view, Plane{way.normal, dot(way.normal, way.nearest)});
+    out.side_b = way.triangle;
+    to_world(b.pose, out);
+    return true;
+}
+
 Separation solid_surface(const Thing& a, const Thing& b, Real limit)
 {
     Separation best;
+    if (sort_of(b) == Sort::kMesh && in_mesh(a, b, best)) return best;
     if (sort_of(b) == Sort::kField && in_ground(a, b, best)) return best;
     const TriangleSet surface = triangles_of(b);
     const Ball ball = ball_about(surface, b.pose);

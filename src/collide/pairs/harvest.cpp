@@ -20,7 +20,10 @@ void Harvest::add(const ContactPoint& point)
         ContactPoint& p = points_[k];
         if (length2(p.position - point.position) > same2_ || dot(p.normal, point.normal) < kSameNormal)
             continue;
-        if (point.depth > p.depth) p.depth = point.depth, p.side1 = point.side1, p.side2 = point.side2;
+        const bool deeper = point.depth > p.depth;
+        if (deeper) p.depth = point.depth;
+        p.side1 = sink_.merged(0, p.side1, point.side1, deeper ? point.side1 : p.side1);
+        p.side2 = sink_.merged(1, p.side2, point.side2, deeper ? point.side2 : p.side2);
         return;
     }
     if (count_ == kRoom) make_room();

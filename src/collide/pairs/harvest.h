@@ -13,8 +13,8 @@ namespace epode {
 
 class Harvest {
   public:
-    // Positions closer than `same` with like normals are one contact.
-    explicit Harvest(Real same) : same2_(same * same) {}
+    // Positions closer than `same` with like normals are one contact, numbered as the sink says.
+    Harvest(Real same, const ContactSink& sink) : same2_(same * same), sink_(sink) {}
 
     void add(const ContactPoint& point);
     void add(Vec3 position, Vec3 normal, Real depth, int side2 = -1)
@@ -39,6 +39,7 @@ class Harvest {
     int starts_[kRoom + 1];
     int manifolds_ = 0;
     Real same2_;
+    const ContactSink& sink_;
 };
 
 }  // namespace epode

@@ -90,7 +90,7 @@ void collide_local(const Shape& a, const Pose& A, const HeightfieldData& data, C
         return;
     }
     if (ground.level && inside(terrain, box)) return on_plane(a, A, {first.n, first.c}, sink);
-    Harvest harvest(Real(1e-6) * (solid.size + solid.radius));
+    Harvest harvest(Real(1e-6) * (solid.size + solid.radius), sink);
     Meeting meeting{terrain, solid, box, slack, harvest};
     for (int j = cells.j0; j <= cells.j1; ++j)
         for (int i = cells.i0; i <= cells.i1; ++i)

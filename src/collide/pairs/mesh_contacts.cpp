@@ -132,7 +132,7 @@ void mesh_contacts(const Shape& a, const Pose& A, const Surface& surface, NearTr
             sink.at(k)->side2 = triangle_under(surface, near, load(sink.at(k)->pos), slack);
         return;
     }
-    Harvest harvest(Real(1e-6) * (solid.size + solid.radius));
+    Harvest harvest(Real(1e-6) * (solid.size + solid.radius), sink);
     MeshMeeting meeting{surface.mesh, solid, slack, kTwoSided<Shape>, near.all(), harvest};
     for (const int t : near.close()) {
         const Vec3 n = surface.mesh.normal(t);

@@ -87,7 +87,7 @@ void meet(const Surface& a, const Pose& P, const Surface& b, bool ground, Contac
                 break;
         }
     }
-    Harvest harvest(Real(1e-6) * length(whole.hi - whole.lo));
+    Harvest harvest(Real(1e-6) * length(whole.hi - whole.lo), sink);
     reap(pushes, a, b, harvest);
     harvest.deliver(sink);
 }

@@ -4,6 +4,7 @@
 // The pairs of geoms in which one is a mesh (but for rays and planes), and the say that functions of the
 // program have in them: with spheres, boxes, capsules and cylinders the one is told all triangles near, once,
 // the other is asked about each. What it refuses is left out.
+#include "collide/closed_mesh.h"
 #include "collide/mesh_functions.h"
 #include "collide/pairs/mesh_contacts.h"
 #include "collide/pairs/mesh_mesh.h"
@@ -20,6 +21,19 @@ void consult(const Trimesh& mesh, NearTriangles& near, const ContactSink& sink)
     near.filter([&](int t) { return functions.wants(t); });
 }
 
+// Of a mesh that is solid, a shape whose middle is inside goes out by the nearest way, as from a plane there.
+template <typename Shape>
+bool pushed_out(const Shape& a, const Pose& A, const TrimeshData& mesh, const Pose& B, ContactSink& sink)
+{
+    WayOut way;
+    if (!way_out_of(mesh.mesh, mesh.tree, view_of(a, A).pose.p, way)) return false;
+    const int before = sink.count();
+    on_plane(a, A, {way.normal, dot(way.normal, way.nearest)}, sink);
+    for (int k = before; k < sink.count(); ++k) sink.at(k)->side2 = way.triangle;
+    to_world(B, sink, before);
+    return true;
+}
+
 template <typename Shape>
 void collide_mesh(const Shape& a, const Pose& A, const Trimesh& b, const Pose& B, ContactSink& sink)
 {
@@ -27,10 +41,12 @@ void collide_mesh(const Shape& a, const Pose& A, const Trimesh& b, const Pose& B
     if (!data) return;
     const Surface surface{data->mesh, data->tree};
     const Pose local = inverse_times(B, A);
+    if (b.is_solid() && pushed_out(a, local, *data, B, sink)) return;
     const Real slack = slack_of(view_of(a, local));
     NearTriangles near;
     near.find(surface, box_around(a, local, slack), probe_of(a, local, slack));
     if (b.asks()) consult(b, near, sink);
+    sink.number_merged(nullptr, b.merged);
     const int before = sink.count();
     mesh_contacts(a, local, surface, near, sink);
     to_world(B, sink, before);
@@ -63,6 +79,7 @@ void trimesh_trimesh(const Trimesh& a, const Pose& A, const Trimesh& b, const Po
 {
     const TrimeshData *first = a.mesh(), *second = b.mesh();
     if (!first || !second) return;
+    sink.number_merged(a.merged, b.merged);
     mesh_mesh_contacts({first->mesh, first->tree}, A, {second->mesh, second->tree}, B, sink);
 }
 
@@ -71,6 +88,7 @@ void trimesh_heightfield(const Trimesh& a, const Pose& A, const Heightfield& b, 
 {
     const TrimeshData* mesh = a.mesh();
     const HeightfieldData* field = b.field();
+    sink.number_merged(a.merged, nullptr);
     if (mesh && field) mesh_ground_contacts({mesh->mesh, mesh->tree}, A, *field, B, sink);
 }
 

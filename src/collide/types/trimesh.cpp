@@ -9,6 +9,7 @@
 #include "collide/height_function.h"
 #include "collide/registry.h"
 #include "geometry/inertia.h"
+#include "ode/ext.h"
 #include "ode/mass.h"
 
 namespace epode {
@@ -127,6 +128,23 @@ EPODE_TRIMESH_FUNCTION(dGeomTriMeshSetArrayCallback, dGeomTriMeshGetArrayCallbac
 EPODE_TRIMESH_FUNCTION(dGeomTriMeshSetRayCallback, dGeomTriMeshGetRayCallback, dTriRayCallback, ray_hits)
 EPODE_TRIMESH_FUNCTION(dGeomTriMeshSetTriMergeCallback, dGeomTriMeshGetTriMergeCallback, dTriTriMergeCallback,
                        merged)
+
+// ---- solid ----
+
+void dGeomTriMeshSetSolid(dGeomID g, int solid)
+{
+    EPODE_TRIMESH_GEOM(geom, g);
+    EPODE_USER(solid == 0 || solid == 1);
+    EPODE_USER_SAY(!solid || geom->shape.mesh(), "the geom has no triangles");
+    EPODE_USER_SAY(!solid || geom->shape.data->closed, "the mesh is not closed or looks inward");
+    geom->shape.solid = solid != 0;
+}
+
+int dGeomTriMeshGetSolid(dGeomID g)
+{
+    EPODE_TRIMESH_GEOM(geom, g, 0);
+    return geom->shape.is_solid();
+}
 
 // ---- triangles ----
 

@@ -6,6 +6,7 @@
 // The program's arrays are read here and by dGeomTriMeshDataUpdate, never during a collision.
 #include <cstring>
 
+#include "collide/closed_mesh.h"
 #include "collide/height_function.h"
 #include "collide/registry.h"
 
@@ -81,6 +82,7 @@ bool take(const MeshSource& s, TrimeshData& d)
     d.tree = static_cast<MeshTree&&>(tree);
     d.source = s;
     d.built = true;
+    d.closed = is_closed(d.mesh);
     d.tell_geoms();
     return true;
 }
@@ -144,6 +146,7 @@ const char* update(dTriMeshDataID id)
         for (int i = 0; i < d->source.vertex_count; ++i) d->mesh.vertices()[i] = vertex(d->source, i);
         d->mesh.refresh();
         d->tree.refit(d->mesh);
+        d->closed = is_closed(d->mesh);
         d->tell_geoms();
     } else if (!take(d->source, *d)) {
         return kOutOfMemory;
