@@ -84,6 +84,18 @@ Real floor_between(Sample a, Sample b)
     return a.g + a.slope * meet - (most > 0 ? Real(0.1) * most : Real(0));
 }
 
+// Whether g stays above `worth` on the quarter from a to b: the tangents at both are bounds from below, as
+// g cos + g' sin, for g + g'' >= 0; where they meet they are (a.g b.g + a.slope b.slope) / |(b.g - a.slope,
+// a.g + b.slope)|.
+bool stays_above(Sample a, Sample b, Real worth)
+{
+    const Real x = b.g - a.slope, y = a.g + b.slope;
+    if (!(worth >= 0 && a.g >= worth && b.g >= worth)) return false;
+    if (x <= 0 || y <= 0) return true;  // one of the tangents is above the other all the way
+    const Real meet = a.g * b.g + a.slope * b.slope;
+    return meet > 0 && meet * meet >= worth * worth * (x * x + y * y);
+}
+
 }  // namespace
 
 int rim_minima(const Cylinder& cylinder, const Pose& pose, const Triangle& f, int edge, Real worth,
@@ -94,10 +106,20 @@ int rim_minima(const Cylinder& cylinder, const Pose& pose, const Triangle& f, in
     const Arc arc{dot(w, f.n),     dot(w, outward),      dot(d, f.n),
                   dot(d, outward), cylinder.half_length, cylinder.radius};
     int found = 0;
-    Sample a = arc.at(kPlaces[0]);
+    constexpr int kQuarter = kSteps / 2;
+    const Sample at_quarter[3] = {arc.at(kPlaces[0]), arc.at(kPlaces[kQuarter]), arc.at(kPlaces[kSteps])};
+    Sample a = at_quarter[0];
     for (int i = 0; i < kSteps; ++i) {
+        if (i % kQuarter == 0) {
+            const Sample &from = at_quarter[i / kQuarter], &to = at_quarter[i / kQuarter + 1];
+            a = from;
+            if (stays_above(from, to, worth)) {
+                i += kQuarter - 1;
+                continue;
+            }
+        }
         const Place p = kPlaces[i], q = kPlaces[i + 1];
-        const Sample b = arc.at(q);
+        const Sample b = (i + 1) % kQuarter ? arc.at(q) : at_quarter[(i + 1) / kQuarter];
         if (a.slope < 0 && b.slope > 0 && floor_between(a, b) < worth && found < kMostRimMinima) {
             const Place least = turn_between(arc, p, a.slope, q, b.slope);
             const Real per = 1 / std::sqrt(least.x * least.x + least.y * least.y);

@@ -134,11 +134,10 @@ class LeastRise {
 struct Ground {
     const Facet& f;
     Meeting& m;
-    Vec3 upright = kUp;
 
     void press(Polygon& low)
     {
-        clip_to_prism(low, f, upright, m.slack);
+        clip_to_prism(low, f, kUp, m.slack);
         for (int k = 0; k < low.count; ++k) {
             const Real depth = -f.height(low.points[k]);
             if (depth >= -m.slack) m.out.add(low.points[k], f.n, depth > 0 ? depth : 0);
@@ -151,6 +150,7 @@ struct Ground {
         press(one);
     }
     bool ends_at(int) const { return true; }
+    Vec3 upright() const { return kUp; }
 };
 
 // A crest of the surface pushes into the solid.

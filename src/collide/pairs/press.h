@@ -6,7 +6,7 @@
 // end. What becomes of a piece of the solid is the ground's to say:
 //   ground.press(polygon)   cuts by the facet's prism and keeps what is deep; of a point the same
 //   ground.ends_at(edge)    may a contact patch end there?
-//   ground.upright          the direction of the prism
+//   ground.upright()         the direction of the prism
 #pragma once
 
 #include "geometry/triangle.h"
@@ -63,7 +63,7 @@ class Press {
         const Real r = s_.rim_radius;
         for (int k = 0; k < 3; ++k) {
             if (!to_.ends_at(k)) continue;
-            Vec3 wall = cross(f_.edge(k), to_.upright);
+            Vec3 wall = cross(f_.edge(k), to_.upright());
             const Real offset = dot(wall, f_.v[k] - centre);
             wall -= dot(wall, axis) * axis;  // within the plane of the end
             const Real steep = length(wall), s = offset / steep;

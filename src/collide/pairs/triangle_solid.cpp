@@ -7,11 +7,13 @@
 // prism, each point with its own depth. Along another, a crest pushes: the manifold of two convex solids. The
 // own normal points to the side on which the solid's middle is. A box or polyhedron in the back of a triangle
 // is pushed out backwards, a cylinder is not pushed, as in ODE.
-#include "collide/pairs/mesh_patch.h"
+#include "collide/pairs/mesh_ground.h"
 #include "collide/pairs/press.h"
 #include "geometry/epa.h"
 #include "geometry/gjk.h"
 #include "geometry/triangle_rim.h"
+
+#include <algorithm>
 
 namespace epode {
 
@@ -38,6 +40,7 @@ class LeastWay {
         depth = f_.c - low_along(f_.n);
         own_ = depth;
         if (depth < -m_.slack) return false;
+        if (own_is_least()) return true;
         if (!(axes() && exact())) return false;
         if (on_crest && kFaceFirst * depth > blocked_) on_crest = false, normal = f_.n, depth = own_;
         if (!on_crest && hollow_ < Real(0.5) * own_) return false;  // it touches the neighbour, not this one
@@ -49,6 +52,29 @@ class LeastWay {
     bool on_crest = false;  // the normal is not the triangle's own
 
   private:
+    // That no other direction can be less by kFaceFirst, when the solid's lowest point p is deep in the
+    // triangle. With s the distance of its foot from the edges, in the triangle, c the solid's middle, H its
+    // height and L how far it is from over p, the overlap along a direction at the angle a from n is at least
+    //   own cos a + s sin a          a <= 90 degrees: what p needs
+    //   max(own cos a + s sin a, -H cos a - L sin a)    beyond: the same, and what c needs
+    // that is min(own, s) and (s H - L own) / sqrt((H + own)^2 + (s + L)^2).
+    bool own_is_least() const
+    {
+        if (!symmetric() || !(own_ > 0)) return false;
+        const Vec3 c = m_.solid.pose.p, p = m_.solid.support(-f_.n);
+        const Real worth = kFaceFirst * own_;
+        Real s = kInf;
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 e = f_.edge(k);
+            const Real in = dot(cross(f_.n, e), p - f_.v[k]);
+            if (!(in > 0) || in * in < worth * worth * length2(e)) return false;
+            s = std::fmin(s, in / length(e));
+        }
+        const Real H = f_.height(c), fall = H + own_, L2 = length2(c - p) - fall * fall;
+        const Real L = L2 > 0 ? std::sqrt(L2) : Real(0), clear = s * H - L * own_;
+        return clear > 0 && clear * clear > worth * worth * (fall * fall + (s + L) * (s + L));
+    }
+
     // How far the solid goes down along n; of boxes and cylinders without calls.
     Real low_along(Vec3 n) const
     {
@@ -132,8 +158,49 @@ class LeastWay {
         return size2 <= Real(1e-6) * length2(a) * length2(b) || offer(n, size2);
     }
 
+    // The axes of a box in its own frame: across its faces, and across one of its edges and one of the
+    // triangle's, along which two of the triangle's corners are one.
+    bool box_axes()
+    {
+        const Pose& pose = m_.solid.pose;
+        const Real half[3] = {box_->half.x, box_->half.y, box_->half.z};
+        const Vec3 column[3] = {pose.R.column(0), pose.R.column(1), pose.R.column(2)};
+        Real v[3][3];
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 from_middle = f_.v[k] - pose.p;
+            for (int i = 0; i < 3; ++i) v[k][i] = dot(column[i], from_middle);
+        }
+        for (int i = 0; i < 3; ++i) {
+            const Real least = std::min(std::min(v[0][i], v[1][i]), v[2][i]);
+            const Real most = std::max(std::max(v[0][i], v[1][i]), v[2][i]);
+            const Real up = most + half[i], down = half[i] - least, d = up <= down ? up : down;
+            if (d < -m_.slack) return false;
+            if (d < kFaceFirst * depth) consider(up <= down ? column[i] : -column[i], d);
+        }
+        constexpr int kNext[3] = {1, 2, 0};
+        for (int i = 0; i < 3; ++i) {
+            const int j = kNext[i], l = kNext[j];
+            for (int k = 0; k < 3; ++k) {
+                const Real *p = v[k], *next = v[kNext[k]], *other = v[kNext[kNext[k]]];
+                const Real aj = p[l] - next[l], al = next[j] - p[j], ei = next[i] - p[i];
+                const Real size2 = aj * aj + al * al;
+                if (size2 <= Real(1e-6) * (size2 + ei * ei)) continue;
+                const Real on = aj * p[j] + al * p[l], off = aj * other[j] + al * other[l];
+                const Real reach = half[j] * std::fabs(aj) + half[l] * std::fabs(al);
+                const Real up = std::max(on, off) + reach, down = reach - std::min(on, off);
+                const Real d = up <= down ? up : down, worth = kFaceFirst * depth;
+                if (d < 0 && d * d > m_.slack * m_.slack * size2) return false;
+                if (d > 0 && d * d >= worth * worth * size2) continue;
+                const Real size = std::sqrt(size2), per = (up <= down ? 1 : -1) / size;
+                consider(per * (aj * column[j] + al * column[l]), d / size);
+            }
+        }
+        return true;
+    }
+
     bool axes()
     {
+        if (box_) return box_axes();
         const ConvexView& s = m_.solid;
         for (int i = 0; i < 3; ++i)
             if ((s.face_axes >> i & 1) && !offer(s.pose.R.column(i))) return false;
@@ -199,35 +266,6 @@ class LeastWay {
     Real hollow_ = kInf;  // of these, against a neighbour that rises
 };
 
-struct Ground {
-    const MeshFacet& f;
-    MeshMeeting& m;
-    Prism prism{f};
-    Vec3 upright = f.n;
-
-    void press(const Polygon& low)
-    {
-        Real deepest = -kInf;
-        for (int i = 0; i < low.count; ++i) deepest = std::fmax(deepest, -f.height(low.points[i]));
-        if (deepest < -m.slack) return;
-        Patch patch;
-        for (int i = 0; i < low.count; ++i) patch.add(low.points[i], false);
-        cut_to_prism(patch, prism, m.whole, m.slack);
-        for (int i = 0; i < patch.count; ++i)
-            if (!patch.seam[i]) add(patch.points[i]);
-    }
-    void press(Vec3 p)
-    {
-        if (prism.holds(p, m.slack)) add(p);
-    }
-    void add(Vec3 p)
-    {
-        const Real depth = -f.height(p);
-        if (depth >= -m.slack) m.out.add(p, f.n, depth > 0 ? depth : 0, f.index);
-    }
-    bool ends_at(int edge) const { return !m.seam(f, edge); }
-};
-
 // A crest of the surface pushes into the solid.
 void press_crest(const MeshFacet& f, Vec3 normal, Real depth, MeshMeeting& m)
 {
@@ -244,8 +282,10 @@ void meet_side(const MeshFacet& f, MeshMeeting& m)
     if (!least.search()) return;
     if (least.on_crest)
         press_crest(f, least.normal, least.depth, m);
+    else if (m.solid.kind == SolidKind::kBox)
+        press_box(*static_cast<const Box*>(m.solid.shape), f, m);
     else
-        press_solid(m.solid, f, Ground{f, m});
+        press_solid(m.solid, f, MeshGround(f, m));
 }
 
 }  // namespace
