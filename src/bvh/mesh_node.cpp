@@ -3,7 +3,7 @@
 //
 // Rays as nodes and packets see them, and putting boxes on the grid of a node: outward, by the very
 // expression that is evaluated when it is asked.
-#include "bvh/mesh_probe.h"
+#include "bvh/mesh_packet.h"
 
 #include <algorithm>
 
@@ -28,25 +28,6 @@ PacketRay::PacketRay(Vec3 o, Vec3 d)
     for (int i = 0; i < 3; ++i) origin[i] = float(o[i]);
     shear[0] = float(d[x] / d[z]), shear[1] = float(d[y] / d[z]);
     per_z = float(1 / d[z]);
-}
-
-MeshProbe::MeshProbe(const SolidProbe& solid, Vec3 centre_in_frame, Real scale) : arms(solid.arms)
-{
-    Real all = scale * solid.round;
-    for (int i = 0; i < arms; ++i) {
-        const Vec3 u = scale * solid.arm[i], part = abs(u);
-        const Real length = epode::length(u), one = part.x + part.y + part.z;
-        const Real beside = scale * (solid.slack + (solid.axis == Vec3{} ? solid.round : Real(0)));
-        limit[i] = float((length + beside) * length * Real(1.00001) + 2 * Real(kMeshMargin) * one);
-        for (int k = 0; k < 3; ++k) arm[i][k] = float(u[k]);
-        all += one;
-    }
-    for (int k = 0; k < 3; ++k) centre[k] = float(centre_in_frame[k]), axis[k] = float(solid.axis[k]);
-    const float round = float(scale * (solid.round + solid.slack) * Real(1.00001)) + kMeshMargin;
-    ball = solid.axis == Vec3{} ? round : 0;
-    disc = solid.axis == Vec3{} ? 0 : round;
-    slack = float(scale * solid.slack);
-    size = float(all);
 }
 
 // A little more than the box, so that its far side is within reach of the 255th step whatever is rounded.

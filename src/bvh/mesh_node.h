@@ -35,6 +35,23 @@ struct HalfSpace {
     float n[3], d;
 };
 
+namespace mesh_lanes {
+
+typedef float Floats __attribute__((vector_size(16)));
+typedef int Ints __attribute__((vector_size(16)));
+typedef std::uint8_t Bytes __attribute__((vector_size(16)));
+typedef std::uint16_t Shorts __attribute__((vector_size(16)));
+
+}  // namespace mesh_lanes
+
+// A box as nodes are asked with it.
+struct NodeBox {
+    explicit NodeBox(const FloatBox& b)
+        : lo{b.lo[0], b.lo[1], b.lo[2], b.lo[2]}, hi{b.hi[0], b.hi[1], b.hi[2], b.hi[2]}
+    {}
+    mesh_lanes::Floats lo, hi;
+};
+
 // A ray in the frame of the mesh.
 struct NodeRay {
     NodeRay(Vec3 o, Vec3 d);
@@ -83,7 +100,7 @@ struct alignas(64) MeshNode {
     void set_none(int k);
 
     // Bits of the children met.
-    unsigned met_by(const FloatBox& box) const;
+    unsigned met_by(const NodeBox& box) const;
     unsigned met_by(const HalfSpace& space) const;
     unsigned met_by(const NodeRay& ray, float reach, float* near) const;
     unsigned there() const;  // bits of the children that exist
@@ -91,11 +108,6 @@ struct alignas(64) MeshNode {
 static_assert(sizeof(MeshNode) == 64);
 
 namespace mesh_lanes {
-
-typedef float Floats __attribute__((vector_size(16)));
-typedef int Ints __attribute__((vector_size(16)));
-typedef std::uint8_t Bytes __attribute__((vector_size(16)));
-typedef std::uint16_t Shorts __attribute__((vector_size(16)));
 
 inline Floats floats(float x) { return Floats{x, x, x, x}; }
 inline Floats places(const std::uint8_t* q)
@@ -121,6 +133,32 @@ inline unsigned bits(Ints yes)
 #endif
 }
 
+inline unsigned bits(Bytes yes)
+{
+#if defined(__SSE2__)
+    typedef char Vector __attribute__((vector_size(16)));
+    return unsigned(__builtin_ia32_pmovmskb128(Vector(yes)));
+#else
+    unsigned all = 0;
+    for (int i = 0; i < 16; ++i) all |= (yes[i] & 1u) << i;
+    return all;
+#endif
+}
+inline Bytes bytes_at(const std::uint8_t* p)
+{
+    Bytes x;
+    __builtin_memcpy(&x, p, sizeof(x));
+    return x;
+}
+
+// Each rounded down to a step of the grid, 0 ... 255, four times.
+inline Bytes steps(Floats x)
+{
+    const Ints q = __builtin_convertvector(smaller(larger(x, Floats{}), floats(255)), Ints);
+    const Ints twice = q | q << 8;
+    return Bytes(twice | twice << 16);
+}
+
 // Of four bits, how many are set: a digit each.
 inline int count(unsigned bits) { return int(0x4332322132212110u >> 4 * bits & 7); }
 
@@ -134,16 +172,19 @@ inline unsigned MeshNode::there() const
     return bits(children != Ints{kNone, kNone, kNone, kNone});
 }
 
-inline unsigned MeshNode::met_by(const FloatBox& box) const
+// The box goes onto the grid, which is less work than the children leaving it: rounded outward to whole
+// steps, all its bounds are compared at once. What that rounds is far less than kMeshMargin.
+inline unsigned MeshNode::met_by(const NodeBox& box) const
 {
     using namespace mesh_lanes;
-    Ints apart{};
-    for (int i = 0; i < 3; ++i) {
-        const Floats base = floats(origin[i]), grain = floats(step[i]);
-        apart |= base + places(lo[i]) * grain > floats(box.hi[i]);
-        apart |= base + places(hi[i]) * grain < floats(box.lo[i]);
-    }
-    return ~bits(apart) & there();
+    Floats base, grain;
+    __builtin_memcpy(&base, origin, sizeof(base));
+    __builtin_memcpy(&grain, &origin[2], sizeof(grain));
+    grain = __builtin_shufflevector(grain, grain, 1, 2, 3, 3);
+    const Bytes from = steps((box.lo - base) / grain + floats(0.99f)), to = steps((box.hi - base) / grain);
+    // The bounds of the three axes are 12 bytes; what lies behind them is not looked at.
+    const unsigned met = bits(Bytes((bytes_at(lo[0]) <= to) & (bytes_at(hi[0]) >= from)));
+    return met & met >> 4 & met >> 8 & there();
 }
 
 inline unsigned MeshNode::met_by(const HalfSpace& space) const

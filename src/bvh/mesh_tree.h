@@ -39,10 +39,11 @@ class MeshTree {
     template <typename Visit>
     void query(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) const;
 
-    // visit(triangle, close) for the same; `close` is false if the solid, which lies in the box, is apart
-    // from it.
-    template <typename Visit>
-    void query(const TriangleMesh& mesh, const Aabb& box, const SolidProbe& solid, Visit&& visit) const;
+    // visit(triangle) for those that a solid, which lies in the box, may touch; see(leaf, lanes) before, for
+    // the leaves that meet the box: at() of each has the triangles.
+    template <typename See, typename Visit>
+    void query(const Aabb& box, const SolidProbe& solid, See&& see, Visit&& visit) const;
+    int at(int leaf, int lane) const { return packets_.data()[leaf].lanes[lane]; }
 
     // The same for those that may lie at or below the plane n . x = d.
     template <typename Visit>
@@ -62,7 +63,7 @@ class MeshTree {
     int node_count() const { return nodes_.size(); }
 
   private:
-    // open(packet) for those that are met, until it answers false.
+    // open(leaf) for those that are met, until it answers false.
     template <typename Meets, typename Open>
     void walk(Meets&& meets, Open&& open) const;
     // The same along a ray that has entered: open(packet, reach) answers as a visit of cast() does.
@@ -71,6 +72,10 @@ class MeshTree {
     HalfSpace half_space(Vec3 n, Real d) const;
     bool enter(MeshRay& ray, Real from, Real& to) const;
     Vec3 in_frame(Vec3 p) const { return scale_ * (p - centre_); }
+    FloatBox in_frame(const Aabb& box) const  // what of it is in the mesh's
+    {
+        return float_box({in_frame(max(box.lo, box_.lo)), in_frame(min(box.hi, box_.hi))});
+    }
     void set_frame(const TriangleMesh& mesh);
     FloatBox bounds_of(const TriangleMesh& mesh, int child) const;
     void fill(MeshPacket& packet, const TriangleMesh& mesh) const;
@@ -93,13 +98,17 @@ void MeshTree::walk(Meets&& meets, Open&& open) const
     while (top > 0) {
         const int child = stack[--top];
         if (child < 0) {
-            if (!open(packets_.data()[-1 - child])) return;
+            if (!open(-1 - child)) return;
             continue;
         }
         const MeshNode& node = nodes_.data()[child];
         const unsigned met = meets(node);
-        for (int k = 3; k >= 0; --k)
-            if (met >> k & 1) stack[top++] = node.child[k];
+        for (unsigned rest = met; rest != 0; rest &= rest - 1) {
+            const int next = node.child[std::countr_zero(rest)];
+            __builtin_prefetch(next < 0 ? static_cast<const void*>(packets_.data() - 1 - next)
+                                        : nodes_.data() + next);
+            stack[top++] = next;
+        }
     }
 }
 
@@ -107,9 +116,11 @@ template <typename Visit>
 void MeshTree::query(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) const
 {
     if (!overlap(box, box_)) return;
-    const FloatBox asked = float_box({in_frame(max(box.lo, box_.lo)), in_frame(min(box.hi, box_.hi))});
-    walk([&](const MeshNode& node) { return node.met_by(asked); },
-         [&](const MeshPacket& packet) {
+    const FloatBox asked = in_frame(box);
+    const NodeBox node_box(asked);
+    walk([&](const MeshNode& node) { return node.met_by(node_box); },
+         [&](int leaf) {
+             const MeshPacket& packet = packets_.data()[leaf];
              for (unsigned met = packet.met_by(asked); met != 0; met &= met - 1) {
                  const int t = packet.lanes[std::countr_zero(met)];
                  if (overlap(mesh.box(t), box) && !visit(t)) return false;
@@ -118,21 +129,21 @@ void MeshTree::query(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) c
          });
 }
 
-template <typename Visit>
-void MeshTree::query(const TriangleMesh& mesh, const Aabb& box, const SolidProbe& solid, Visit&& visit) const
+template <typename See, typename Visit>
+void MeshTree::query(const Aabb& box, const SolidProbe& solid, See&& see, Visit&& visit) const
 {
     if (!overlap(box, box_)) return;
-    const FloatBox asked = float_box({in_frame(max(box.lo, box_.lo)), in_frame(min(box.hi, box_.hi))});
+    const FloatBox asked = in_frame(box);
+    const NodeBox node_box(asked);
     const MeshProbe probe(solid, in_frame(solid.centre), scale_);
-    walk([&](const MeshNode& node) { return node.met_by(asked); },
-         [&](const MeshPacket& packet) {
-             unsigned met = packet.met_by(asked);
+    walk([&](const MeshNode& node) { return node.met_by(node_box); },
+         [&](int leaf) {
+             const MeshPacket& packet = packets_.data()[leaf];
+             const unsigned met = packet.met_by(asked);
              if (met == 0) return true;
-             const unsigned close = probe.meets(packet);
-             for (; met != 0; met &= met - 1) {
-                 const int k = std::countr_zero(met), t = packet.lanes[k];
-                 if (overlap(mesh.box(t), box)) visit(t, (close >> k & 1) != 0);
-             }
+             see(leaf, met);
+             for (unsigned close = met & probe.meets(packet); close != 0; close &= close - 1)
+                 visit(packet.lanes[std::countr_zero(close)]);
              return true;
          });
 }
@@ -142,7 +153,8 @@ void MeshTree::below(Vec3 n, Real d, Visit&& visit) const
 {
     const HalfSpace asked = half_space(n, d);
     walk([&](const MeshNode& node) { return node.met_by(asked); },
-         [&](const MeshPacket& packet) {
+         [&](int leaf) {
+             const MeshPacket& packet = packets_.data()[leaf];
              for (unsigned met = packet.whole(); met != 0; met &= met - 1)
                  if (!visit(packet.lanes[std::countr_zero(met)])) return false;
              return true;

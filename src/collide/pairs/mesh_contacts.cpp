@@ -16,6 +16,7 @@ namespace {
 // Vertices out of a plane by less, as a part of their distance from the origin, are in it: mesh data is often
 // float.
 constexpr Real kFlat = kSingle ? 64 * kEpsilon : Real(2e-7);
+constexpr int kFewToSort = 16;
 constexpr Real kSameWay = kSingle ? Real(1e-6) : Real(1e-9);  // 1 - cosine
 
 // As reach_along(), or more.
@@ -36,9 +37,14 @@ template <>
 constexpr bool kTwoSided<Convex> = true;
 
 // The plane that the triangles make up, if they do, and if it goes on past the box.
-bool one_plane(const Surface& surface, const NearTriangles& near, const Aabb& box, Real slack, Plane& out)
+bool one_plane(const Surface& surface, NearTriangles& near, const Aabb& box, Real slack, Plane& out)
 {
     const TriangleMesh& mesh = surface.mesh;
+    if (!near.all()) return false;
+    const Vec3 close = mesh.normal(*near.close().begin());
+    for (const int t : near.close())
+        if (dot(mesh.normal(t), close) < 1 - 4 * kSameWay) return false;
+    near.gather(surface, box);
     if (!near.all() || near.near().count() == 0) return false;
     const int first = *std::min_element(near.near().begin(), near.near().end());
     out.normal = mesh.normal(first);
@@ -86,27 +92,48 @@ bool TriangleList::grow()
     return true;
 }
 
-void TriangleList::sort() { std::sort(data_, data_ + count_); }
+void TriangleList::sort()
+{
+    if (count_ > kFewToSort) return std::sort(data_, data_ + count_);
+    for (int i = 1; i < count_; ++i) {
+        const int t = data_[i];
+        int at = i;
+        for (; at > 0 && data_[at - 1] > t; --at) data_[at] = data_[at - 1];
+        data_[at] = t;
+    }
+}
 
 void NearTriangles::find(const Surface& surface, const Aabb& box)
 {
-    near_.clear(), close_.clear();
+    near_.clear();
     all_ = true;
     surface.tree.query(surface.mesh, box, [this](int t) {
-        all_ = near_.add(t) && close_.add(t) && all_;
+        all_ = near_.add(t) && all_;
         return true;
     });
-    near_.sort(), close_.sort();
+    near_.sort();
 }
 
 void NearTriangles::find(const Surface& surface, const Aabb& box, const SolidProbe& solid)
 {
-    near_.clear(), close_.clear();
-    all_ = true;
-    surface.tree.query(surface.mesh, box, solid, [this](int t, bool close) {
-        all_ = near_.add(t) && (!close || close_.add(t)) && all_;
-    });
+    leaves_.clear(), close_.clear();
+    all_ = true, gathered_ = false;
+    surface.tree.query(
+        box, solid, [this](int leaf, unsigned met) { all_ = leaves_.add(leaf << 4 | int(met)) && all_; },
+        [this](int t) { all_ = close_.add(t) && all_; });
     close_.sort();
+}
+
+void NearTriangles::gather(const Surface& surface, const Aabb& box)
+{
+    if (gathered_) return;
+    gathered_ = true;
+    near_.clear();
+    for (const int seen : leaves_)
+        for (unsigned met = seen & 15; met != 0; met &= met - 1) {
+            const int t = surface.tree.at(seen >> 4, std::countr_zero(met));
+            if (overlap(surface.mesh.box(t), box)) all_ = near_.add(t) && all_;
+        }
 }
 
 Real slack_of(const ConvexView& solid)
@@ -119,7 +146,7 @@ template <typename Shape>
 void mesh_contacts(const Shape& a, const Pose& A, const Surface& surface, NearTriangles& near,
                    ContactSink& sink)
 {
-    if (near.near().count() == 0) return;
+    if (near.close().count() == 0) return;
     const ConvexView solid = view_of(a, A);
     const Real slack = slack_of(solid);
     Plane plane;

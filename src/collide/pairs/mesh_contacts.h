@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A solid against a mesh, everything in the mesh's frame: triangles whose boxes meet the solid's are gone
-// through in the order of their numbers (mesh_facet.h), their contacts gathered and thinned together
-// (harvest.h). Where all of them lie in one plane that goes on past the solid, the plane's own pair function
-// answers: a flat mesh, however finely cut, is a plane exactly.
+// A solid against a mesh, everything in the mesh's frame: triangles that the solid may touch are gone through
+// in the order of their numbers (mesh_facet.h), their contacts gathered and thinned together (harvest.h).
+// Where all whose boxes meet the solid's lie in one plane that goes on past the solid, the plane's own pair
+// function answers: a flat mesh, however finely cut, is a plane exactly.
 #pragma once
 
 #include <algorithm>
@@ -59,17 +59,20 @@ class TriangleList {
     int count_ = 0, room_ = kFew;
 };
 
-// The triangles near a solid: all whose boxes meet its own, and of these, in order, the ones that it may
-// touch.
+// The triangles near a solid: those that it may touch, in order, and when they are asked for all whose boxes
+// meet its own.
 class NearTriangles {
   public:
     // Without memory those that fit.
-    void find(const Surface& surface, const Aabb& box);  // all of them are close
-    void find(const Surface& surface, const Aabb& box, const SolidProbe& solid);
+    void find(const Surface& surface, const Aabb& box);  // all that are near, in order
+    void find(const Surface& surface, const Aabb& box, const SolidProbe& solid);  // those that it may touch
 
+    // After find() with the same box: all that are near.
+    void gather(const Surface& surface, const Aabb& box);
     void put_in_order() { near_.sort(); }
 
-    // Keeps those for which keep(triangle) holds, which is asked once for each. They are in order.
+    // Keeps those for which keep(triangle) holds, which is asked once for each. They are gathered, and in
+    // order.
     template <typename Keep>
     void filter(Keep&& keep)
     {
@@ -84,43 +87,31 @@ class NearTriangles {
     bool all() const { return all_; }  // none has been left out
 
   private:
+    TriangleList leaves_;  // 16 x the leaf of the tree + bits of its triangles
     TriangleList near_, close_;
-    bool all_ = true;
+    bool all_ = true, gathered_ = false;
 };
 
 // The solid as the mesh's tree turns it away.
 inline SolidProbe probe_of(const Sphere& a, const Pose& A, Real slack)
 {
-    return {.centre = A.p, .arm = {}, .round = a.radius, .axis = {}, .slack = slack};
+    return {ProbeKind::kBall, A.p, A.R, {}, a.radius, slack};
 }
 inline SolidProbe probe_of(const Capsule& a, const Pose& A, Real slack)
 {
-    const Vec3 half = a.half_length * A.R.column(2);
-    return {.centre = A.p, .arms = 1, .arm = {half}, .round = a.radius, .axis = {}, .slack = slack};
+    return {ProbeKind::kCapsule, A.p, A.R, {0, 0, a.half_length}, a.radius, slack};
 }
 inline SolidProbe probe_of(const Box& a, const Pose& A, Real slack)
 {
-    const Mat3& R = A.R;
-    return {.centre = A.p,
-            .arms = 3,
-            .arm = {a.half.x * R.column(0), a.half.y * R.column(1), a.half.z * R.column(2)},
-            .round = 0,
-            .axis = {},
-            .slack = slack};
+    return {ProbeKind::kBox, A.p, A.R, a.half, 0, slack};
 }
 inline SolidProbe probe_of(const Cylinder& a, const Pose& A, Real slack)
 {
-    const Vec3 axis = A.R.column(2);
-    return {.centre = A.p,
-            .arms = 1,
-            .arm = {a.half_length * axis},
-            .round = a.radius,
-            .axis = axis,
-            .slack = slack};
+    return {ProbeKind::kCylinder, A.p, A.R, {0, 0, a.half_length}, a.radius, slack};
 }
 inline SolidProbe probe_of(const Convex& a, const Pose& A, Real slack)
 {
-    return {.centre = A.p, .arm = {}, .round = view_of(a, A).size, .axis = {}, .slack = slack};
+    return {ProbeKind::kBall, A.p, A.R, {}, view_of(a, A).size, slack};
 }
 
 // Contacts within this part of the size count as touching: of a solid that rests on many triangles some

@@ -13,9 +13,11 @@ namespace epode {
 
 namespace {
 
-void consult(const Trimesh& mesh, NearTriangles& near, const ContactSink& sink)
+void consult(const Trimesh& mesh, const Surface& surface, const Aabb& box, NearTriangles& near,
+             const ContactSink& sink)
 {
     const MeshFunctions functions(mesh, sink, false);
+    near.gather(surface, box);
     near.put_in_order();
     functions.tell({near.near().begin(), std::size_t(near.near().count())});
     near.filter([&](int t) { return functions.wants(t); });
@@ -44,8 +46,9 @@ void collide_mesh(const Shape& a, const Pose& A, const Trimesh& b, const Pose& B
     if (b.is_solid() && pushed_out(a, local, *data, B, sink)) return;
     const Real slack = slack_of(view_of(a, local));
     NearTriangles near;
-    near.find(surface, box_around(a, local, slack), probe_of(a, local, slack));
-    if (b.asks()) consult(b, near, sink);
+    const Aabb box = box_around(a, local, slack);
+    near.find(surface, box, probe_of(a, local, slack));
+    if (b.asks()) consult(b, surface, box, near, sink);
     sink.number_merged(nullptr, b.merged);
     const int before = sink.count();
     mesh_contacts(a, local, surface, near, sink);

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See mesh_probe.h.
+#include "bvh/mesh_probe.h"
+
+namespace epode {
+
+namespace {
+
+using namespace mesh_lanes;
+
+struct Floats3 {
+    Floats x, y, z;
+};
+Floats3 operator+(const Floats3& a, const Floats3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+Floats3 operator-(const Floats3& a, const Floats3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Floats3 operator-(const Floats3& a) { return {-a.x, -a.y, -a.z}; }
+Floats3 cross(const Floats3& a, const Floats3& b)
+{
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+Floats dot(const Floats3& a, const Floats3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Floats dot(const Floats3& a, const float* b)
+{
+    return a.x * floats(b[0]) + a.y * floats(b[1]) + a.z * floats(b[2]);
+}
+Floats sum(const Floats3& a) { return magnitude(a.x) + magnitude(a.y) + magnitude(a.z); }
+Floats3 turned(const Floats3& a, const float (&rows)[3][3])
+{
+    return {dot(a, rows[0]), dot(a, rows[1]), dot(a, rows[2])};
+}
+Floats smallest(Floats a, Floats b, Floats c) { return smaller(a, smaller(b, c)); }
+Floats largest(Floats a, Floats b, Floats c) { return larger(a, larger(b, c)); }
+
+Floats root(Floats x)
+{
+#if defined(__SSE2__)
+    return __builtin_ia32_sqrtps(x);
+#else
+    return Floats{std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
+#endif
+}
+
+// Corners from the middle of the solid, and edges: edge k from corner k to the next.
+struct Corners {
+    Floats3 v[3], e[3];
+    Floats3 n;
+    Floats length, blur;
+
+    void finish(float slack, float size)
+    {
+        v[1] = v[0] + e[0], v[2] = v[0] - e[2];
+        n = cross(e[0], e[1]);
+        length = sum(e[0]) + sum(e[1]);
+        blur = length * (floats(kMeshMargin) * (length + sum(v[0]) + floats(size)) + floats(slack) * length);
+    }
+};
+
+Floats3 corner_of(const MeshPacket& packet, int k)
+{
+    return {four_at(packet.at[k][0]), four_at(packet.at[k][1]), four_at(packet.at[k][2])};
+}
+Floats3 from(const Floats3& a, const float (&centre)[3])
+{
+    return {a.x - floats(centre[0]), a.y - floats(centre[1]), a.z - floats(centre[2])};
+}
+
+}  // namespace
+
+MeshProbe::MeshProbe(const SolidProbe& solid, Vec3 centre_in_frame, Real scale) : kind_(solid.kind)
+{
+    constexpr Real kMore = Real(1.00001);
+    const Real beside = scale * solid.slack + 2 * Real(kMeshMargin);
+    for (int i = 0; i < 3; ++i) {
+        centre_[i] = float(centre_in_frame[i]);
+        const Vec3 axis = solid.R.column(i);
+        for (int k = 0; k < 3; ++k) axis_[i][k] = float(axis[k]);
+        half_[i] = float(kMore * scale * solid.half[i] + beside);
+    }
+    round_ = float(kMore * scale * solid.round + beside);
+    slack_ = float(scale * solid.slack);
+    size_ = float(scale * (solid.half.x + solid.half.y + solid.half.z + solid.round));
+}
+
+unsigned MeshProbe::ball_meets(const MeshPacket& packet) const
+{
+    const Floats3 a = corner_of(packet, 0), b = corner_of(packet, 1), c = corner_of(packet, 2);
+    Corners t;
+    t.v[0] = from(a, centre_);
+    t.e[0] = b - a, t.e[1] = c - b, t.e[2] = a - c;
+    t.finish(slack_, size_);
+    const Floats off = magnitude(dot(t.n, t.v[0])) - t.blur, zero = Floats{};
+    const Floats radius2 = floats(round_ * round_);
+    Ints apart = (off > zero) & (off * off > radius2 * dot(t.n, t.n));
+    Floats along[3], back[3], e2[3];  // of the edges from a corner, along each
+    for (int k = 0; k < 3; ++k) {
+        e2[k] = dot(t.e[k], t.e[k]);
+        along[k] = dot(t.v[k], t.e[k]);
+        back[(k + 1) % 3] = dot(t.v[(k + 1) % 3], t.e[k]);
+    }
+    for (int k = 0; k < 3; ++k) {
+        apart |= (dot(t.v[k], t.v[k]) > radius2) & (along[k] >= zero) & (back[k] <= zero);
+        // e2 times the nearest point of the line.
+        const Floats3 &v = t.v[k], &e = t.e[k], &other = t.v[(k + 2) % 3];
+        const Floats3 q = {v.x * e2[k] - e.x * along[k], v.y * e2[k] - e.y * along[k],
+                           v.z * e2[k] - e.z * along[k]};
+        const Floats q2 = dot(q, q);
+        apart |= (q2 > radius2 * e2[k] * e2[k]) & (dot(q, other) * e2[k] >= q2);
+    }
+    return ~bits(apart) & 15u;
+}
+
+unsigned MeshProbe::box_meets(const MeshPacket& packet) const
+{
+    const Floats3 a = corner_of(packet, 0), b = corner_of(packet, 1), c = corner_of(packet, 2);
+    Corners t;
+    t.v[0] = turned(from(a, centre_), axis_);
+    t.e[0] = turned(b - a, axis_), t.e[1] = turned(c - b, axis_);
+    t.e[2] = -(t.e[0] + t.e[1]);
+    t.finish(slack_, size_);
+    const Floats hx = floats(half_[0]), hy = floats(half_[1]), hz = floats(half_[2]);
+    Ints apart = (smallest(t.v[0].x, t.v[1].x, t.v[2].x) > hx) | (largest(t.v[0].x, t.v[1].x, t.v[2].x) < -hx);
+    apart |= (smallest(t.v[0].y, t.v[1].y, t.v[2].y) > hy) | (largest(t.v[0].y, t.v[1].y, t.v[2].y) < -hy);
+    apart |= (smallest(t.v[0].z, t.v[1].z, t.v[2].z) > hz) | (largest(t.v[0].z, t.v[1].z, t.v[2].z) < -hz);
+    const Floats reach = hx * magnitude(t.n.x) + hy * magnitude(t.n.y) + hz * magnitude(t.n.z);
+    apart |= magnitude(dot(t.n, t.v[0])) - t.blur > reach;
+    for (int k = 0; k < 3; ++k) {
+        const Floats3 &p = t.v[k], &e = t.e[k], &q = t.v[(k + 2) % 3];
+        const Floats x = magnitude(e.x), y = magnitude(e.y), z = magnitude(e.z);
+        const auto across = [&apart](Floats on, Floats off, Floats r) {
+            apart |= (smaller(on, off) > r) | (larger(on, off) < -r);
+        };
+        across(e.y * p.z - e.z * p.y, e.y * q.z - e.z * q.y, hy * z + hz * y);
+        across(e.z * p.x - e.x * p.z, e.z * q.x - e.x * q.z, hz * x + hx * z);
+        across(e.x * p.y - e.y * p.x, e.x * q.y - e.y * q.x, hx * y + hy * x);
+    }
+    return ~bits(apart) & 15u;
+}
+
+unsigned MeshProbe::rod_meets(const MeshPacket& packet) const
+{
+    const Floats3 a = corner_of(packet, 0), b = corner_of(packet, 1), c = corner_of(packet, 2);
+    Corners t;
+    t.v[0] = turned(from(a, centre_), axis_);
+    t.e[0] = turned(b - a, axis_), t.e[1] = turned(c - b, axis_);
+    t.e[2] = -(t.e[0] + t.e[1]);
+    t.finish(slack_, size_);
+    const bool flat = kind_ == ProbeKind::kCylinder;
+    const Floats zero = Floats{}, half = floats(half_[2]), radius = floats(round_);
+    const Floats end = flat ? half : half + radius, radius2 = radius * radius;
+    Ints apart = (smallest(t.v[0].z, t.v[1].z, t.v[2].z) > end) | (largest(t.v[0].z, t.v[1].z, t.v[2].z) < -end);
+    const auto reach = [&](const Floats3& n) {
+        const Floats across2 = n.x * n.x + n.y * n.y;
+        return half * magnitude(n.z) + radius * root(flat ? across2 : across2 + n.z * n.z);
+    };
+    apart |= magnitude(dot(t.n, t.v[0])) - t.blur > reach(t.n);
+    for (int k = 0; k < 3; ++k) {
+        const Floats3 &p = t.v[k], &e = t.e[k], &back = t.e[(k + 2) % 3], &q = t.v[(k + 2) % 3];
+        const Floats3 out = cross(e, t.n);
+        apart |= -dot(out, p) - floats(2) * t.length * t.blur > reach(out);
+        // Seen along the axis.
+        apart |= (p.x * p.x + p.y * p.y > radius2) & (p.x * e.x + p.y * e.y >= zero) &
+                 (p.x * back.x + p.y * back.y <= zero);
+        const Floats on = e.x * p.y - e.y * p.x, off = e.x * q.y - e.y * q.x;
+        apart |= (on * on > radius2 * (e.x * e.x + e.y * e.y)) & ((off - on) * on >= zero);
+    }
+    return ~bits(apart) & 15u;
+}
+
+}  // namespace epode
