@@ -120,7 +120,8 @@ unsigned MeshProbe::box_meets(const MeshPacket& packet) const
     t.e[2] = -(t.e[0] + t.e[1]);
     t.finish(slack_, size_);
     const Floats hx = floats(half_[0]), hy = floats(half_[1]), hz = floats(half_[2]);
-    Ints apart = (smallest(t.v[0].x, t.v[1].x, t.v[2].x) > hx) | (largest(t.v[0].x, t.v[1].x, t.v[2].x) < -hx);
+    Ints apart =
+        (smallest(t.v[0].x, t.v[1].x, t.v[2].x) > hx) | (largest(t.v[0].x, t.v[1].x, t.v[2].x) < -hx);
     apart |= (smallest(t.v[0].y, t.v[1].y, t.v[2].y) > hy) | (largest(t.v[0].y, t.v[1].y, t.v[2].y) < -hy);
     apart |= (smallest(t.v[0].z, t.v[1].z, t.v[2].z) > hz) | (largest(t.v[0].z, t.v[1].z, t.v[2].z) < -hz);
     const Floats reach = hx * magnitude(t.n.x) + hy * magnitude(t.n.y) + hz * magnitude(t.n.z);
@@ -149,7 +150,8 @@ unsigned MeshProbe::rod_meets(const MeshPacket& packet) const
     const bool flat = kind_ == ProbeKind::kCylinder;
     const Floats zero = Floats{}, half = floats(half_[2]), radius = floats(round_);
     const Floats end = flat ? half : half + radius, radius2 = radius * radius;
-    Ints apart = (smallest(t.v[0].z, t.v[1].z, t.v[2].z) > end) | (largest(t.v[0].z, t.v[1].z, t.v[2].z) < -end);
+    Ints apart =
+        (smallest(t.v[0].z, t.v[1].z, t.v[2].z) > end) | (largest(t.v[0].z, t.v[1].z, t.v[2].z) < -end);
     const auto reach = [&](const Floats3& n) {
         const Floats across2 = n.x * n.x + n.y * n.y;
         return half * magnitude(n.z) + radius * root(flat ? across2 : across2 + n.z * n.z);

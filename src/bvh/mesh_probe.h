@@ -2,15 +2,16 @@
 // Copyright (c) 2026 The Epode authors
 //
 // A convex solid as the leaves of a mesh's tree turn it away, four triangles at a time in floats, in the
-// solid's own frame: v the first corner from its middle, e its edges, n their cross product. Directions tried:
+// solid's own frame: v the first corner from its middle, e its edges, n their cross product. Directions
+// tried:
 //   ball      n; each corner as seen from the middle, each edge's nearest point
 //   box       its faces; n; its edges x the triangle's
 //   rod       capsules and cylinders: their axis z; n; o = e x n across each edge; and what of the ball is
 //             left when all is seen along z: circle and triangle in the plane
 // Any direction may part the two, so how well it is known does not matter: only that corners are off by
-// some 2^-22 of their distances, which kMeshMargin, put around the solid, is eight times. But where one corner
-// stands for all, along n and o, the others may be off by 2^-22 E^3 and 2^-22 E^4 with edges of length E
-// (sum of components), which `blur` covers as often.
+// some 2^-22 of their distances, which kMeshMargin, put around the solid, is eight times. But where one
+// corner stands for all, along n and o, the others may be off by 2^-22 E^3 and 2^-22 E^4 with edges of length
+// E (sum of components), which `blur` covers as often.
 #pragma once
 
 #include "bvh/mesh_packet.h"

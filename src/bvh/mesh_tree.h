@@ -69,6 +69,13 @@ class MeshTree {
     // The same along a ray that has entered: open(packet, reach) answers as a visit of cast() does.
     template <typename Open>
     void follow(const MeshRay& ray, Real from, Real to, Open&& open) const;
+    // Asks for the memory of a child that will be looked at soon.
+    void fetch(int child) const
+    {
+        if (child >= 0) return __builtin_prefetch(nodes_.data() + child);
+        const char* packet = reinterpret_cast<const char*>(packets_.data() + (-1 - child));
+        for (std::size_t i = 0; i < sizeof(MeshPacket); i += 64) __builtin_prefetch(packet + i);
+    }
     HalfSpace half_space(Vec3 n, Real d) const;
     bool enter(MeshRay& ray, Real from, Real& to) const;
     Vec3 in_frame(Vec3 p) const { return scale_ * (p - centre_); }
@@ -105,8 +112,7 @@ void MeshTree::walk(Meets&& meets, Open&& open) const
         const unsigned met = meets(node);
         for (unsigned rest = met; rest != 0; rest &= rest - 1) {
             const int next = node.child[std::countr_zero(rest)];
-            __builtin_prefetch(next < 0 ? static_cast<const void*>(packets_.data() - 1 - next)
-                                        : nodes_.data() + next);
+            fetch(next);
             stack[top++] = next;
         }
     }
@@ -184,6 +190,7 @@ void MeshTree::follow(const MeshRay& ray, Real from, Real to, Open&& open) const
         const unsigned met = node.met_by(node_ray, reach, near);
         for (int k = 0; k < 4; ++k)
             stack[top + k] = met >> k & 1 ? WaitingNode(node.child[k], near[k]) : WaitingNode(0, 0);
+        for (unsigned rest = met; rest != 0; rest &= rest - 1) fetch(node.child[std::countr_zero(rest)]);
         far_first(stack + top);
         top += mesh_lanes::count(met);
     }

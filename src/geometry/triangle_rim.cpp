@@ -96,15 +96,38 @@ bool stays_above(Sample a, Sample b, Real worth)
     return meet > 0 && meet * meet >= worth * worth * (x * x + y * y);
 }
 
+Vec3 outward_of(const Triangle& f, int edge)
+{
+    const Vec3 out = cross(f.edge(edge), f.n);
+    const Real size = length(out);
+    return size > 0 ? out / size : Vec3{};
+}
+
+Arc arc_of(const Cylinder& cylinder, const Pose& pose, const Triangle& f, int edge, Vec3 outward)
+{
+    const Vec3 d = pose.R.column(2), w = f.v[edge] - pose.p;
+    return {dot(w, f.n),     dot(w, outward),      dot(d, f.n),
+            dot(d, outward), cylinder.half_length, cylinder.radius};
+}
+
+constexpr Real kNarrow = Real(0.95);  // cosine of the angle within which a rise is not undone
+
 }  // namespace
+
+bool rim_turns_before(const Cylinder& cylinder, const Pose& pose, const Triangle& f, int edge, Vec3 neighbour)
+{
+    const Vec3 outward = outward_of(f, edge);
+    const Place last{dot(neighbour, f.n), dot(neighbour, outward)};
+    if (last.x < kNarrow) return true;
+    const Arc arc = arc_of(cylinder, pose, f, edge, outward);
+    return arc.at(kPlaces[0]).slope < 0 && arc.at(last).slope > 0;
+}
 
 int rim_minima(const Cylinder& cylinder, const Pose& pose, const Triangle& f, int edge, Real worth,
                RimMinimum* out)
 {
-    const Vec3 d = pose.R.column(2), w = f.v[edge] - pose.p;
-    const Vec3 outward = normalized_or(cross(f.edge(edge), f.n), {});
-    const Arc arc{dot(w, f.n),     dot(w, outward),      dot(d, f.n),
-                  dot(d, outward), cylinder.half_length, cylinder.radius};
+    const Vec3 outward = outward_of(f, edge);
+    const Arc arc = arc_of(cylinder, pose, f, edge, outward);
     int found = 0;
     constexpr int kQuarter = kSteps / 2;
     const Sample at_quarter[3] = {arc.at(kPlaces[0]), arc.at(kPlaces[kQuarter]), arc.at(kPlaces[kSteps])};

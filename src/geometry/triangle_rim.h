@@ -25,4 +25,9 @@ inline constexpr int kMostRimMinima = 4;
 int rim_minima(const Cylinder& cylinder, const Pose& pose, const Triangle& triangle, int edge, Real worth,
                RimMinimum* out);
 
+// Whether there may be one of them between the triangle's own normal and the neighbour's over the edge, which
+// falls away there: g falls at the one and rises at the other.
+bool rim_turns_before(const Cylinder& cylinder, const Pose& pose, const Triangle& triangle, int edge,
+                      Vec3 neighbour_normal);
+
 }  // namespace epode

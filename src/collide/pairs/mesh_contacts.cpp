@@ -120,7 +120,11 @@ void NearTriangles::find(const Surface& surface, const Aabb& box, const SolidPro
     all_ = true, gathered_ = false;
     surface.tree.query(
         box, solid, [this](int leaf, unsigned met) { all_ = leaves_.add(leaf << 4 | int(met)) && all_; },
-        [this](int t) { all_ = close_.add(t) && all_; });
+        [&](int t) {
+            all_ = close_.add(t) && all_;
+            surface.mesh.fetch(t);
+        });
+    for (const int t : close_) surface.mesh.fetch_corners(t);
     close_.sort();
 }
 

@@ -32,6 +32,22 @@ void MeshGround::press_edge(Vec3 p, const PrismPlace& a, Vec3 q, const PrismPlac
     }
 }
 
+bool MeshGround::met() const
+{
+    const PrismPlace middle = place(m_.solid.pose.p);
+    for (int i = 0; i < held_; ++i) {
+        const PrismPlace at = place(holds_[i]);
+        const Real down = at.height < 0 ? -at.height : 0;
+        if (!(middle.height > 0)) return false;
+        const Real t = down / (middle.height + down);
+        bool in = true;
+        for (int k = 0; k < 3; ++k)
+            in = in && at.beyond[k] + t * (middle.beyond[k] - at.beyond[k]) <= m_.slack;
+        if (in) return true;
+    }
+    return false;
+}
+
 // Corners of the triangle, brought down onto the face.
 void MeshGround::press_corners(const Polygon& face)
 {
@@ -158,7 +174,8 @@ class BoxPress {
                     if (to_plus < 0 || to_minus > 0) enters = kInf;
                     continue;
                 }
-                const Real in = (way > 0 ? to_minus : to_plus) / way, out = (way > 0 ? to_plus : to_minus) / way;
+                const Real in = (way > 0 ? to_minus : to_plus) / way,
+                           out = (way > 0 ? to_plus : to_minus) / way;
                 enters = in > enters ? in : enters;
                 if (out < leaves) leaves = out, by = i;
             }
@@ -179,6 +196,9 @@ class BoxPress {
 
 }  // namespace
 
-void press_box(const Box& box, const MeshFacet& f, MeshMeeting& m) { BoxPress(box, m.solid.pose, f, m).all(); }
+void press_box(const Box& box, const MeshFacet& f, MeshMeeting& m)
+{
+    BoxPress(box, m.solid.pose, f, m).all();
+}
 
 }  // namespace epode

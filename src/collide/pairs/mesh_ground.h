@@ -28,8 +28,8 @@ class MeshGround {
 
     PrismPlace place(Vec3 p) const
     {
-        return {f_.height(p), {dot(out_[0], p) - limit_[0], dot(out_[1], p) - limit_[1],
-                               dot(out_[2], p) - limit_[2]}};
+        return {f_.height(p),
+                {dot(out_[0], p) - limit_[0], dot(out_[1], p) - limit_[1], dot(out_[2], p) - limit_[2]}};
     }
     PrismPlace along(Vec3 d) const  // of a difference of points
     {
@@ -49,8 +49,21 @@ class MeshGround {
     void press_edge(Vec3 p, const PrismPlace& at_p, Vec3 q, const PrismPlace& at_q);
     void give(Vec3 p)
     {
-        const Real depth = -f_.height(p);
-        m_.out.add(p, f_.n, depth > 0 ? depth : 0, f_.index);
+        if (held_ >= 0 && held_ < kMostHeld)
+            holds_[held_++] = p;
+        else
+            put(p);
+    }
+
+    // From now on contacts are held back until deliver(), as far as there is room.
+    void hold() { held_ = 0; }
+    int held() const { return held_; }
+    // Whether one of them shows that the triangle is met: the way to it from the solid's middle, which is
+    // above, goes through.
+    bool met() const;
+    void deliver()
+    {
+        for (int i = 0; i < held_; ++i) put(holds_[i]);
     }
     bool corner_counts(int corner) const { return !seam_[corner == 1 ? 1 : 2]; }
 
@@ -60,13 +73,23 @@ class MeshGround {
     Real slack() const { return m_.slack; }
 
   private:
+    static constexpr int kMostHeld = 64;  // a cylinder has less
     void press_corners(const Polygon& face);
+    void put(Vec3 p)
+    {
+        const Real depth = -f_.height(p);
+        m_.out.add(p, f_.n, depth > 0 ? depth : 0, f_.index);
+    }
 
     const MeshFacet& f_;
     MeshMeeting& m_;
     Vec3 out_[3];  // unit, or zero for an edge without length
     Real limit_[3];
     bool seam_[3];
+    int held_ = -1;
+    union {
+        Vec3 holds_[kMostHeld];  // in a union: left unwritten until held
+    };
 };
 
 // A box, by the view in `meeting`.

@@ -9,6 +9,8 @@
 //   ground.upright()         the direction of the prism
 #pragma once
 
+#include <type_traits>
+
 #include "geometry/triangle.h"
 
 namespace epode {
@@ -82,7 +84,7 @@ class Press {
 template <typename Ground>
 void press_solid(const ConvexView& solid, const Triangle& facet, Ground ground)
 {
-    Press<Ground>(solid, facet, ground).all();
+    Press<std::remove_reference_t<Ground>>(solid, facet, ground).all();
 }
 
 }  // namespace epode

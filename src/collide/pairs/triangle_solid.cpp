@@ -20,6 +20,8 @@ namespace epode {
 namespace {
 
 constexpr Real kFaceFirst = Real(0.95);  // another direction must beat the own normal by this factor
+constexpr Real kThere =
+    Real(0.5);  // less of the own depth against a neighbour that rises: it is that which is touched
 constexpr Real kShallow = Real(5e-4);   // of the size: no less than the depth of whatever a search would find
 constexpr std::size_t kManyEdges = 16;  // of a polyhedron: more are searched by expansion
 constexpr Real kAlongCrest = Real(0.2);  // a normal that leans along a crest by less is made upright to it
@@ -41,10 +43,19 @@ class LeastWay {
         own_ = depth;
         if (depth < -m_.slack) return false;
         if (own_is_least()) return true;
-        if (!(axes() && exact())) return false;
-        if (on_crest && kFaceFirst * depth > blocked_) on_crest = false, normal = f_.n, depth = own_;
-        if (!on_crest && hollow_ < Real(0.5) * own_) return false;  // it touches the neighbour, not this one
-        return true;
+        if (!(axes() && exact(false))) return false;
+        if (quick_ && on_crest) return search_all();
+        return decide();
+    }
+
+    // Whether what touches may still be found apart: the rest of the directions has not been tried.
+    bool quick() const { return quick_; }
+    bool search_all()
+    {
+        quick_ = on_crest = false;
+        normal = f_.n, depth = own_;
+        blocked_ = hollow_ = kInf;
+        return axes() && exact(true) && decide();
     }
 
     Vec3 normal;
@@ -52,6 +63,13 @@ class LeastWay {
     bool on_crest = false;  // the normal is not the triangle's own
 
   private:
+    bool decide()
+    {
+        if (on_crest && kFaceFirst * depth > blocked_) on_crest = false, normal = f_.n, depth = own_;
+        if (!on_crest && hollow_ < kThere * own_) return false;  // it touches the neighbour, not this one
+        return true;
+    }
+
     // That no other direction can be less by kFaceFirst, when the solid's lowest point p is deep in the
     // triangle. With s the distance of its foot from the edges, in the triangle, c the solid's middle, H its
     // height and L how far it is from over p, the overlap along a direction at the angle a from n is at least
@@ -217,8 +235,18 @@ class LeastWay {
     }
     bool many_edges() const { return m_.solid.edges.size() > kManyEdges; }
 
-    // The round of a cylinder against corners, and its rims against edges.
-    bool rims()
+    // Without crests, an edge says only how far the solid is over the triangle.
+    bool settled(int edge) const
+    {
+        const Rim rim = f_.rim[edge];
+        if (rim == Rim::kConvex)
+            return !rim_turns_before(*cylinder_, m_.solid.pose, f_, edge, f_.beyond[edge]);
+        return rim == Rim::kSeam || rim == Rim::kFlat;
+    }
+
+    // The round of a cylinder against corners, and its rims against edges: every one, or what may be a crest
+    // or tell that the solid is on a neighbour.
+    bool rims(bool every)
     {
         const Pose& pose = m_.solid.pose;
         const Vec3 axis = pose.R.column(2);
@@ -232,7 +260,14 @@ class LeastWay {
         }
         for (int k = 0; k < 3; ++k) {
             RimMinimum found[kMostRimMinima];
-            const int count = rim_minima(*cylinder_, pose, f_, k, kFaceFirst * depth, found);
+            if (!every && settled(k)) {
+                quick_ = true;
+                continue;
+            }
+            const bool hollow = !every && f_.rim[k] == Rim::kHollow;
+            quick_ = quick_ || hollow;
+            const int count =
+                rim_minima(*cylinder_, pose, f_, k, hollow ? kThere * own_ : kFaceFirst * depth, found);
             for (int i = 0; i < count; ++i) {
                 if (found[i].overlap < -m_.slack) return false;
                 consider(found[i].normal, found[i].overlap);
@@ -242,10 +277,10 @@ class LeastWay {
     }
 
     // What has no short list of directions: rims, and polyhedra with many edges.
-    bool exact()
+    bool exact(bool every)
     {
         const ConvexView& s = m_.solid;
-        if (cylinder_) return rims();
+        if (cylinder_) return rims(every);
         if (s.face_axes == 7 || (!s.edges.empty() && !many_edges())) return true;
         const ConvexView flat = view_of(f_);
         if (!f_.has_crest() || own_ < kShallow * s.size) return !(gjk_distance(s, flat).distance > m_.slack);
@@ -260,6 +295,7 @@ class LeastWay {
     const Box* box_ = nullptr;
     const Cylinder* cylinder_ = nullptr;
     Real own_ = 0;
+    bool quick_ = false;
     // Least overlap in directions that are no contact's. When it is less than a crest's, the solid is not on
     // that crest: it has barely come over this triangle, and what it really touches is another.
     Real blocked_ = kInf;
@@ -276,6 +312,17 @@ void press_crest(const MeshFacet& f, Vec3 normal, Real depth, MeshMeeting& m)
         m.out.add(load(found[k].pos), load(found[k].normal), found[k].depth, f.index);
 }
 
+// The rest of the search is only for what is not seen to touch.
+void press_if_met(const MeshFacet& f, LeastWay& least, MeshMeeting& m)
+{
+    MeshGround ground(f, m);
+    ground.hold();
+    press_solid<MeshGround&>(m.solid, f, ground);
+    if (ground.held() == 0) return;
+    if (ground.met() || (least.search_all() && !least.on_crest)) return ground.deliver();
+    if (least.on_crest) press_crest(f, least.normal, least.depth, m);
+}
+
 void meet_side(const MeshFacet& f, MeshMeeting& m)
 {
     LeastWay least(f, m);
@@ -284,8 +331,10 @@ void meet_side(const MeshFacet& f, MeshMeeting& m)
         press_crest(f, least.normal, least.depth, m);
     else if (m.solid.kind == SolidKind::kBox)
         press_box(*static_cast<const Box*>(m.solid.shape), f, m);
-    else
+    else if (!least.quick())
         press_solid(m.solid, f, MeshGround(f, m));
+    else
+        press_if_met(f, least, m);
 }
 
 }  // namespace
