@@ -21,8 +21,9 @@ MAY_INCLUDE = {
     "solve": {"base", "math", "simd", "tasks", "rows"},
     "collide": {"base", "math", "simd", "geometry", "bvh"},
     "query": {"base", "math", "simd", "tasks", "geometry", "bvh", "collide"},
+    "contacts": {"base", "math", "tasks", "rows", "geometry", "bvh", "dynamics", "collide"},
     "step": {"base", "math", "simd", "tasks", "rows", "geometry", "bvh", "dynamics", "joints", "solve", "collide",
-             "query"},
+             "query", "contacts"},
 }
 MAY_INCLUDE["api"] = MAY_INCLUDE["step"] | {"step"}
 OUTSIDE = ["viewer", "scenes", "cli", "bench", "tests/parity", "tests/clients", "tests/physics", "tests/cli",

@@ -9,6 +9,7 @@
 #define _ODE_EXT_H_
 
 #include <ode/common.h>
+#include <ode/contacts.h>
 #include <ode/mass.h>
 
 #ifdef __cplusplus

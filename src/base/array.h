@@ -89,6 +89,14 @@ class Array {
         return true;
     }
 
+    // `more` elements at the end, whose bytes are whatever they are.
+    [[nodiscard]] bool extend(int more)
+    {
+        if (size_ + more > capacity_ && !reserve(size_ + more + capacity_ / 2)) return false;
+        size_ += more;
+        return true;
+    }
+
     void pop() { --size_; }
     void clear() { size_ = 0; }
     void truncate(int size) { size_ = size; }

@@ -129,6 +129,12 @@ void drop_offset(Geom& geom)
     geom.rotation = geom.body.rotation;
 }
 
+void drop_material(Geom& geom)
+{
+    if (geom.material) release(geom.material, sizeof(dMaterial));
+    geom.material = nullptr;
+}
+
 void destroy_geom(Geom& geom)
 {
     if (geom.dying) return;
@@ -140,6 +146,7 @@ void destroy_geom(Geom& geom)
     while (geom.holders) set_transform_geom(*geom.holders, nullptr);
     if (geom.space) remove_member(*geom.space, geom);
     unlink_body(geom);
+    drop_material(geom);
     geom.type->destroy(&geom);
 }
 

@@ -79,6 +79,7 @@ struct Geom : Tagged {
     Geom* body_next = nullptr;  // geoms of the same body, newest first
     Geom* body_prev = nullptr;
     GeomOffset* offset = nullptr;
+    dMaterial* material = nullptr;     // null: the default
     TransformGeom* holders = nullptr;  // transforms that place this geom
     alignas(32) Real own_rotation[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
     Real own_position[4] = {};  // beside the shape, which follows
@@ -135,6 +136,7 @@ void link_body(Geom& geom, const BodyLink& link);
 void unlink_body(Geom& geom);    // the geom keeps its pose in the world
 bool ensure_offset(Geom& geom);  // identity if new; false when memory is exhausted
 void drop_offset(Geom& geom);    // back to the body's pose
+void drop_material(Geom& geom);
 
 // Destroys the geom and for a space in cleanup mode its members. The caller has checked the locks.
 void destroy_geom(Geom& geom);

@@ -19,6 +19,7 @@ namespace epode {
 struct World;
 struct Joint;
 struct JointNode;
+struct PatchEdge;
 
 // When a body may fall asleep; thresholds are kept squared, as they are compared.
 struct SleepRule {
@@ -70,6 +71,8 @@ struct Body : Tagged {
     Body* next = nullptr;  // world's list, newest first
     Body* prev = nullptr;
     JointNode* joints = nullptr;   // most recently attached first
+    PatchEdge* patches = nullptr;  // contacts that the world manages, during a step
+    bool patched = false;          // it had any in the last one
     dxGeom* first_geom = nullptr;  // list of geoms; only step/link.cpp looks inside
     void* data = nullptr;
     void (*moved)(dBodyID) = nullptr;

@@ -9,15 +9,26 @@
 
 #include "base/arena.h"
 #include "dynamics/world.h"
+#include "rows/patch.h"
 
 namespace epode {
+
+// A patch of contact as what holds two bodies together; body[1] is null for the static world.
+struct PatchEdge {
+    Body* body[2];
+    PatchEdge* next[2];  // in the lists of the bodies
+    Patch* patch;
+    bool taken;
+};
 
 struct Island {
     std::span<Body*> bodies;
     std::span<Joint*> joints;
+    std::span<PatchEdge*> patches;
 };
 
-// Writes each awake body's place in its island to `island_index`. False: out of memory.
-bool find_islands(World& world, Arena& arena, std::span<Island>& islands);
+// Writes each awake body's place in its island to `island_index`. `patches`: those that touch in this step.
+// False: out of memory.
+bool find_islands(World& world, std::span<PatchEdge> patches, Arena& arena, std::span<Island>& islands);
 
 }  // namespace epode

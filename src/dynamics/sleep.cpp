@@ -38,7 +38,7 @@ void put_to_sleep(Body& body)
 void auto_disable(World& world, Real h)
 {
     for (Body* b = world.bodies; b; b = b->next) {
-        if (!b->joints || !b->auto_disable || b->disabled || b->sleep.samples <= 0) continue;
+        if ((!b->joints && !b->patched) || !b->auto_disable || b->disabled || b->sleep.samples <= 0) continue;
         if (idle(*b)) {
             --b->idle_steps_left;
             b->idle_time_left -= h;

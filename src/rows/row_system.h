@@ -15,6 +15,7 @@
 
 #include "math/mat.h"
 #include "rows/manifold.h"
+#include "rows/patch.h"
 #include "rows/row.h"
 
 namespace epode {
@@ -62,6 +63,7 @@ struct RowSystem {
     std::span<RowNumbers> numbers;      // parallel to rows
     std::span<RowBlock> blocks;         // in joint order, covering rows without gaps
     ManifoldList contacts;              // beside the rows; of solvers that take manifolds, else empty
+    std::span<Patch* const> patches;    // likewise, of solvers that take patches
     std::span<const SystemPart> parts;  // none: all is one
 
     int worlds() const { return parts.empty() ? 1 : int(parts.size()); }

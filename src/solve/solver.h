@@ -23,6 +23,7 @@ struct SolverSettings {
     const Substeps* substeps = nullptr;
     bool want_residual = false;      // costs an evaluation
     std::span<Real> part_residuals;  // with it, of a system of several parts
+    bool patches = false;            // the world manages contacts: islands may come with patches
     Tasks tasks;                     // for solvers with inner_tasks
     // Of the exact solver: natural residual from which on it spends time on more digits; 1e-9 it always
     // gives.
@@ -44,6 +45,7 @@ struct Solver {
     bool needs_inertia;  // reads SolverBody::mass and inertia, not only the inverses
     bool inner_tasks;    // has work for several workers in one large island
     bool manifolds;      // takes RowSystem::contacts and parts; others are given rows only
+    bool takes_patches;  // solves RowSystem::patches; others want rows
     Real warm_share;  // of the last step's impulses that it starts from when the world asks for warm starting
     // False: out of memory, nothing usable was computed.
     bool (*solve)(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report);

@@ -13,10 +13,12 @@
 // every pose, so mass ratios that would need hundreds of sweeps settle in ten small steps; on regular stacks
 // the gain is nil. A step's impulse is the sum over its small steps; the next step starts from its n-th part.
 // The residual that is reported is that of the last small step after its correcting solve: for the step as a
-// whole no single problem exists.
+// whole no single problem exists. Patches are solved in float lanes beside them and have no part in it.
 #include <algorithm>
 
 #include "solve/joint_blocks.h"
+#include "solve/patch_set.h"
+#include "solve/patch_steps.h"
 #include "solve/residual.h"
 #include "solve/solver.h"
 #include "solve/substep_contacts.h"
@@ -41,6 +43,7 @@ class SmallSteps {
         velocities_ = take_velocities(system_, arena);
         if (velocities_.empty() || !joints_.prepare(system_, arena)) return false;
         if (!contacts_.prepare(system_, step_, settings.seed, arena)) return false;
+        if (!patches_.prepare(system_, step_, settings.tasks, arena)) return false;
         if (settings.want_residual) {
             before_ = arena.take<SolverBody>(int(system_.bodies.size()));
             described_ = arena.take<RowNumbers>(int(system_.numbers.size()));
@@ -64,6 +67,7 @@ class SmallSteps {
         }
         model_.gather_contacts(model_.model, system_);
         rebound_contacts();
+        if (!patches_.empty()) rebound_patches();
         return true;
     }
 
@@ -78,13 +82,16 @@ class SmallSteps {
         load_velocities(system_, velocities_);
         joints_.apply_impulses(velocities_);
         contacts_.apply_impulses(velocities_);
+        patches_.apply_impulses(velocities_);
         joints_.sweep(velocities_, false);
         contacts_.sweep(velocities_, false);
+        patches_.correct(velocities_);
     }
 
     void move()
     {
         contacts_.follow_motion(velocities_);
+        patches_.follow_motion(velocities_);
         store_velocities(velocities_, system_);
         model_.advance(model_.model, system_, step_.hs);
         load_velocities(system_, velocities_);
@@ -94,6 +101,7 @@ class SmallSteps {
     {
         joints_.sweep(velocities_, true);
         contacts_.sweep(velocities_, true);
+        patches_.relax(velocities_);
         if (last) joints_.rebound(system_, velocities_);
         joints_.add_impulses(system_.numbers);
         contacts_.add_impulses(system_.numbers);
@@ -119,6 +127,14 @@ class SmallSteps {
             }
     }
 
+    void rebound_patches()
+    {
+        load_velocities(system_, velocities_);
+        patches_.rebound(velocities_);
+        store_velocities(velocities_, system_);
+        patches_.store_impulses(system_.patches);
+    }
+
     bool measure(Arena& arena, SolveReport& report)
     {
         joints_.describe(described_);
@@ -135,6 +151,7 @@ class SmallSteps {
     const Substep step_;
     JointBlocks joints_;
     SubstepContacts contacts_;
+    PatchSet patches_;
     std::span<Velocity> velocities_;
     std::span<SolverBody> before_;  // only when the residual is wanted
     std::span<RowNumbers> described_;
@@ -147,6 +164,7 @@ bool solve_tgs(RowSystem& system, const SolverSettings& settings, Arena& arena, 
     report.method = dIslandMethodSmallSteps;
     report.iterations = 2 * n;
     const Substeps& model = *settings.substeps;
+    if (system.rows.empty() && settings.patches) return solve_patches(system, settings, arena);
     if (system.rows.empty()) {  // free bodies move in small steps too: their rotation is better for it
         for (int i = 0; i < n; ++i) {
             model.apply_forces(model.model, system, system.h / Real(n));
@@ -161,6 +179,6 @@ bool solve_tgs(RowSystem& system, const SolverSettings& settings, Arena& arena, 
 
 }  // namespace
 
-const Solver kTgs{"tgs", true, false, false, false, Real(0.9), solve_tgs};
+const Solver kTgs{"tgs", true, false, false, false, true, Real(0.9), solve_tgs};
 
 }  // namespace epode

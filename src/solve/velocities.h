@@ -20,6 +20,20 @@ struct alignas(8 * sizeof(Real)) Velocity {
     Real unused2;
 };
 
+// Number by number, the unused ones included: loops over these become vectors.
+inline constexpr int kTwistNumbers = 8;
+static_assert(sizeof(Velocity) == kTwistNumbers * sizeof(Real));
+
+inline Real* numbers(Velocity& a) { return reinterpret_cast<Real*>(&a); }
+inline const Real* numbers(const Velocity& a) { return reinterpret_cast<const Real*>(&a); }
+
+// to += by
+inline void add(std::span<Velocity> to, std::span<const Velocity> by)
+{
+    for (std::size_t i = 0; i < by.size(); ++i)
+        for (int k = 0; k < kTwistNumbers; ++k) numbers(to[i])[k] += numbers(by[i])[k];
+}
+
 // Room for the bodies and the world; empty when the arena is exhausted.
 inline std::span<Velocity> take_velocities(const RowSystem& system, Arena& arena)
 {

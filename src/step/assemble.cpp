@@ -12,6 +12,7 @@
 #include "dynamics/integrate.h"
 #include "joints/contact_manifolds.h"
 #include "rows/policy.h"
+#include "step/patch_rows.h"
 
 namespace epode {
 namespace {
@@ -147,11 +148,14 @@ bool assemble(World& world, Real h, const Solver& solver, Arena& arena, IslandWo
     if (!sort_joints(island.joints, solver.manifolds, arena, work)) return false;
     const std::span<Joint*> joints = work.joints;
     const int joint_count = int(joints.size()), contact_count = int(work.contacts.size());
+    const bool as_rows = !solver.takes_patches;
+    const int points = as_rows ? patch_point_count(island) : 0;
     work.system.bodies = arena.take<SolverBody>(int(island.bodies.size()));
     work.system.contacts.manifolds = arena.take<Manifold>(contact_count);
     work.system.contacts.points = arena.take<ManifoldPoint>(contact_count);
-    work.system.blocks = arena.take<RowBlock>(joint_count);
-    work.system.rows = arena.take<Row>(joint_count * kMaxJointRows);
+    work.system.blocks = arena.take<RowBlock>(joint_count + points);
+    work.system.rows = arena.take<Row>(joint_count * kMaxJointRows + (as_rows ? patch_row_count(island) : 0));
+    const auto patches = arena.take<Patch*>(as_rows ? 0 : int(island.patches.size()));
     if (arena.failed()) {
         work.joints = work.contacts = {};  // nothing was written there
         return false;
@@ -166,6 +170,10 @@ bool assemble(World& world, Real h, const Solver& solver, Arena& arena, IslandWo
     write_manifolds(work.contacts, info, work.system.contacts);
     emit_rows(info, joints, work, rows, blocks);
     work.joints = work.joints.first(std::size_t(blocks));
+    place_patches(island);
+    if (as_rows) emit_patches(info, work, rows, blocks);
+    for (std::size_t i = 0; i < patches.size(); ++i) patches[i] = island.patches[i]->patch;
+    work.system.patches = patches;
     work.system.blocks = work.system.blocks.first(std::size_t(blocks));
     work.system.rows = work.system.rows.first(std::size_t(rows));
     work.system.numbers = arena.take<RowNumbers>(rows);

@@ -17,7 +17,7 @@ namespace epode {
 struct IslandWork {
     Island island;                    // all members together
     std::span<const Island> members;  // at least one
-    std::span<Joint*> joints;         // parallel to system.blocks: those that gave rows
+    std::span<Joint*> joints;         // of the first blocks of the system: those that gave rows; then patches
     std::span<Joint*> contacts;       // parallel to system.contacts.points
     RowSystem system;
 };

@@ -8,6 +8,7 @@
 #include "dynamics/integrate.h"
 #include "step/assemble.h"
 #include "step/exact_substeps.h"
+#include "step/patch_rows.h"
 #include "step/report.h"
 #include "step/substeps.h"
 #include "step/tension.h"
@@ -26,6 +27,11 @@ void contain(std::span<Body* const> bodies, std::span<Joint* const> joints)
             store(body->avel, {});
         }
     }
+}
+
+void silence_patch(Patch& patch)
+{
+    for (PatchPoint& point : patch.points) point.push = 0, point.friction = {};
 }
 
 template <typename T>
@@ -70,6 +76,7 @@ class IslandStep {
         settings.seed = world_.step_count * 0x9e3779b97f4a7c15u + std::uint64_t(place_.index);
         settings.substeps = inner ? &callbacks : nullptr;
         settings.want_residual = !reports.empty();
+        settings.patches = context_.manages_contacts;
         settings.part_residuals = arena_.take<Real>(int(reports.size()));
         if (arena_.failed()) return false;
         std::fill(settings.part_residuals.begin(), settings.part_residuals.end(), Real(0));
@@ -95,6 +102,7 @@ class IslandStep {
             if (!sound(work_.system, part)) silence(part, reports);
         if (!divides()) write_back(work_);
         remember_contacts();
+        if (!context_.solver.takes_patches) store_patch_impulses(work_);
         if (context_.solver.substeps) return;  // poses are where the inner steps have put them
         if (!divides()) {
             advance();
@@ -108,6 +116,7 @@ class IslandStep {
     {
         divides() ? small_.undo() : restore_poses(work_.island, saved_);
         contain(work_.island.bodies, work_.joints);
+        for (PatchEdge* edge : work_.island.patches) silence_patch(*edge->patch);
         advance();
         for (dIslandStepReport& report : reports) report.contained = true;
     }
@@ -132,6 +141,15 @@ class IslandStep {
         for (const Manifold& m : slice(system.contacts.manifolds, from.manifolds, to.manifolds))
             for (ManifoldPoint& point : points_of(m))
                 for (Real& p : point.p) p = 0;
+        for (Patch* patch : system.patches)
+            if (patch->body1 >= from.bodies && patch->body1 < to.bodies) silence_patch(*patch);
+        if (context_.solver.substeps) {
+            // The inner steps have moved the bodies.
+            const Island& all = work_.island;
+            restore_poses({slice(all.bodies, from.bodies, to.bodies), {}, {}},
+                          slice(saved_, from.bodies, to.bodies));
+            for (Body* body : slice(all.bodies, from.bodies, to.bodies)) advance_pose(*body, context_.h);
+        }
         if (!reports.empty()) reports[std::size_t(part)].contained = true;
     }
     // Points of manifolds first, then contacts that are rows.
@@ -145,6 +163,7 @@ class IslandStep {
     void load_warm_start(Real share)
     {
         RowSystem& system = work_.system;
+        if (!context_.solver.takes_patches) load_patch_impulses(work_, share);
         for (const Manifold& m : system.contacts.manifolds)
             load_contact(ticket_of_point(m.first), m, points_of(m), share);
         for (std::size_t k = 0; k < work_.joints.size(); ++k) {
@@ -228,7 +247,7 @@ Island joined(std::span<const Island> islands)
         const auto &first = islands.front().*items, &last = islands.back().*items;
         return std::span(first.data(), last.data() + last.size());
     };
-    return {all(&Island::bodies), all(&Island::joints)};
+    return {all(&Island::bodies), all(&Island::joints), all(&Island::patches)};
 }
 
 bool step_islands(const StepContext& context, std::span<const Island> islands, IslandPlace place,

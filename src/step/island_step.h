@@ -20,6 +20,7 @@ struct StepContext {
     int iterations;
     ContactCache& contacts;
     PlanCache& plans;
+    bool manages_contacts;  // the world does
 };
 
 struct IslandPlace {

@@ -295,8 +295,10 @@ class Projection {
         const RowBlock& block = system_.blocks[k];
         Row now[kMaxJointRows];
         RowWriter out(now, info_);
-        Joint& joint = *work_.joints[std::size_t(from_[k])];
-        if (!block.contact) joint.type->emit(joint, out);
+        if (!block.contact) {
+            Joint& joint = *work_.joints[std::size_t(from_[k])];
+            joint.type->emit(joint, out);
+        }
         const int base = work_.system.blocks[std::size_t(from_[k])].first;
         for (int i = block.first; i < block.first + block.count; ++i) {
             Hold& hold = holds_[std::size_t(i)];

@@ -24,9 +24,10 @@
 namespace epode {
 namespace {
 
-constexpr int kLarge = 256;   // joints of an island that is worth all workers
-constexpr int kGroup = 256;   // joints and bodies of islands that are solved together
-constexpr int kParcel = 128;  // joints and bodies of a parcel of groups
+constexpr int kLarge = 256;          // joints of an island that is worth all workers
+constexpr int kLargePatches = 1024;  // or patches
+constexpr int kGroup = 256;          // joints, patches and bodies of islands that are solved together
+constexpr int kParcel = 128;         // of a parcel of groups
 
 // Geoms, callbacks, damping, accumulators: body by body.
 void finish_bodies(const Island& island, const Continuous& continuous)
@@ -37,6 +38,8 @@ void finish_bodies(const Island& island, const Continuous& continuous)
         damp(*body);
         store(body->facc, {});
         store(body->tacc, {});
+        body->patched = body->patches != nullptr;
+        body->patches = nullptr;
     }
 }
 
@@ -73,7 +76,10 @@ class Workers {
     Posting posting_;
 };
 
-int weight(const Island& island) { return int(island.joints.size() + island.bodies.size()); }
+int weight(const Island& island)
+{
+    return int(island.joints.size() + island.bodies.size() + island.patches.size());
+}
 
 class WorldStep {
   public:
@@ -94,7 +100,10 @@ class WorldStep {
         Arena& arena = memory().arena(0);
         if (!undo_.save_idleness(arena)) return false;
         auto_disable(world, context_.h);
-        if (!find_islands(world, arena, islands_) || !undo_.save_islands(islands_, arena)) return false;
+        std::span<PatchEdge> patches;
+        if (context_.manages_contacts && !find_contacts(arena, patches)) return false;
+        if (!find_islands(world, patches, arena, islands_) || !undo_.save_islands(islands_, arena))
+            return false;
         groups_ = arena.take<Group>(int(islands_.size()));
         parcels_ = arena.take<int>(int(islands_.size()) + 1);
         if (arena.failed() || !prepare_reports() || !memory().provide(workers_.of_islands.workers()))
@@ -141,25 +150,43 @@ class WorldStep {
     }
 
   private:
+    bool find_contacts(Arena& arena, std::span<PatchEdge>& patches)
+    {
+        ContactWorld& managed = state_.managed;
+        return managed.update(context_.world, *managed.live_space(), workers_.of_islands) &&
+               managed.touching(arena, patches);
+    }
+
     // Islands that lie side by side and are solved together.
     struct Group {
         int first, count;
-        int joints, weight;
+        int joints, patches, weight;
         int first_contact;
     };
 
-    // Small islands that follow each other make groups, if the solver knows of parts; the others are alone.
-    // Returns the number of joints.
+    // May the island be solved beside others? If the solver knows of parts, or of patches and only these hold
+    // it together.
+    bool joins_groups(const Island& island) const
+    {
+        if (!context_.manages_contacts) return context_.solver.manifolds;
+        return context_.solver.takes_patches && island.joints.empty();
+    }
+
+    // Small islands that follow each other make groups, if they may; the others are alone. Returns the number
+    // of joints.
     int make_groups()
     {
-        const int most = context_.solver.manifolds ? kGroup : 0;
         int count = 0, contacts = 0;
+        bool open = false;
         for (std::size_t i = 0; i < islands_.size(); ++i) {
             const int joints = int(islands_[i].joints.size()), w = weight(islands_[i]);
-            if (count == 0 || groups_[std::size_t(count - 1)].weight + w > most)
-                groups_[std::size_t(count++)] = {int(i), 0, 0, 0, contacts};
+            const bool joins = joins_groups(islands_[i]);
+            if (!open || !joins || groups_[std::size_t(count - 1)].weight + w > kGroup)
+                groups_[std::size_t(count++)] = {int(i), 0, 0, 0, 0, contacts};
+            open = joins;
             Group& group = groups_[std::size_t(count - 1)];
             ++group.count, group.joints += joints, group.weight += w;
+            group.patches += int(islands_[i].patches.size());
             contacts += joints;
         }
         groups_ = groups_.first(std::size_t(count));
@@ -168,7 +195,9 @@ class WorldStep {
 
     bool large(const Group& group) const
     {
-        return workers_.of_an_island.workers() > 1 && context_.solver.inner_tasks && group.joints >= kLarge;
+        if (workers_.of_an_island.workers() <= 1) return false;
+        return (context_.solver.inner_tasks && group.joints >= kLarge) ||
+               (context_.solver.takes_patches && group.patches >= kLargePatches);
     }
 
     bool prepare_reports()
@@ -215,7 +244,9 @@ class WorldStep {
     std::atomic<bool> out_of_memory_{false};
 };
 
-StepState* state_of(World& world)
+}  // namespace
+
+StepState* step_state(World& world)
 {
     if (!world.step_state) {
         void* memory = allocate(sizeof(StepState));
@@ -228,6 +259,8 @@ StepState* state_of(World& world)
     }
     return world.step_state;
 }
+
+namespace {
 
 // Calls that would pull the step's feet away are refused from its beginning to its end, since functions of
 // the program come in all along: those that give memory, those of threads, callbacks.
@@ -248,12 +281,14 @@ bool step_in(World& world, StepState& state, const Solver& solver, Real h, int i
     Workers workers;
     if (!workers.hire(world)) return false;
     ++world.step_count;
-    const StepContext context{world, solver, h, iterations, state.contacts, state.plans};
+    const StepContext context{
+        world, solver, h, iterations, state.contacts, state.plans, state.managed.live_space() != nullptr};
     WorldStep step(context, state, workers);
     const bool made = step.prepare() && step.run() && step.hold_back();
     workers.dismiss();
     if (made) {
         state.contacts.end();
+        if (context.manages_contacts) state.managed.accept(h);
         for (const Island& island : step.islands()) finish_bodies(island, step.continuous());
         if (world.report_wanted) world.report = sum_of(state.reports.span());
     } else {
@@ -280,7 +315,7 @@ void free_working_memory(World& world)
 bool step_world(World& world, const Solver& solver, Real h, int iterations)
 {
     const Stepping mark(world);
-    StepState* state = state_of(world);
+    StepState* state = step_state(world);
     StepMemory* memory = working_memory(world);
     if (!state || !memory || !memory->begin()) return false;
     const bool done = step_in(world, *state, solver, h, iterations);

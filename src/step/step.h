@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/array.h"
+#include "contacts/contact_world.h"
 #include "dynamics/world.h"
 #include "solve/plan_cache.h"
 #include "solve/solver.h"
@@ -18,6 +19,7 @@ struct StepState {
     ContactCache contacts;
     PlanCache plans;
     ContinuousLists continuous;
+    ContactWorld managed;              // contacts that the world finds by itself
     Array<dIslandStepReport> reports;  // of the last step's islands, when they were wanted
 };
 
@@ -33,6 +35,9 @@ void free_working_memory(World& world);
 // True when the step was made. False: memory was exhausted or another step is using it; the world is as if
 // there had been no step, but for the feedback of joints and the report.
 bool step_world(World& world, const Solver& solver, Real h, int iterations);
+
+// What the world keeps from step to step, made now if there is none; null when memory is exhausted.
+StepState* step_state(World& world);
 
 // Of the last step; empty when no report was made.
 std::span<const dIslandStepReport> island_reports(const World& world);

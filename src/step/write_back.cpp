@@ -52,6 +52,10 @@ bool sound(const RowSystem& system, int part)
         for (int i = m.first; i < m.first + m.count; ++i)
             if (!usable(system.contacts.points[std::size_t(i)].p, 3)) return false;
     }
+    for (const Patch* patch : system.patches)
+        if (patch->body1 >= from.bodies && patch->body1 < to.bodies)
+            for (int i = 0; i < patch->count; ++i)
+                if (!usable(Real(patch->points[i].push))) return false;
     return true;
 }
 

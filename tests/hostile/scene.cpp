@@ -16,6 +16,8 @@ dReal flat_height(void*, int, int)
     g_hooks.height.run();
     return 0;
 }
+int any_pair(void*, dGeomID, dGeomID) { return 1; }
+
 int any_triangle(dGeomID, dGeomID, int)
 {
     g_hooks.mesh.run();

@@ -24,6 +24,7 @@ dReal flat_height(void*, int, int);
 int no_contacts(dGeomID, dGeomID, int, dContactGeom*, int);
 void moved_nothing(dBodyID);
 int any_triangle(dGeomID, dGeomID, int);
+int any_pair(void*, dGeomID, dGeomID);
 void any_triangles(dGeomID, dGeomID, const int*, int);
 int any_hit(dGeomID, dGeomID, int, dReal, dReal);
 int first_triangle(dGeomID, int, int);

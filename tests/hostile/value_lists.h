@@ -197,6 +197,31 @@ inline dMass unit_mass()
 }
 
 template <typename Change>
+dMaterial material_with(Change&& change)
+{
+    dMaterial m{};
+    change(m);
+    return m;
+}
+
+inline const std::vector<Item<dMaterial>>& materials()
+{
+    static const std::vector<Item<dMaterial>> list = {
+        {material_with([](dMaterial& m) { m.friction = dReal(0.3), m.bounce = dReal(0.5); }), Trait::kFine,
+         "dull"},
+        {material_with([](dMaterial& m) { m.velocity[0] = 2; }), Trait::kFine, "a belt"},
+        {material_with([](dMaterial& m) { m.friction = kInf; }), Trait::kStrange, "friction inf"},
+        {material_with([](dMaterial& m) { m.friction = -1; }), Trait::kStrange, "friction -1"},
+        {material_with([](dMaterial& m) { m.friction = kNaN; }), Trait::kNaN, "friction NaN"},
+        {material_with([](dMaterial& m) { m.bounce = 2; }), Trait::kStrange, "bounce 2"},
+        {material_with([](dMaterial& m) { m.bounce = kNaN; }), Trait::kNaN, "bounce NaN"},
+        {material_with([](dMaterial& m) { m.bounce_speed = kNaN; }), Trait::kNaN, "bounce speed NaN"},
+        {material_with([](dMaterial& m) { m.velocity[1] = kLarge; }), Trait::kStrange, "a fast belt"},
+        {material_with([](dMaterial& m) { m.velocity[2] = kNaN; }), Trait::kNaN, "velocity NaN"}};
+    return list;
+}
+
+template <typename Change>
 dMass mass_with(Change&& change)
 {
     dMass m = unit_mass();

@@ -49,6 +49,8 @@ void (*function_of(Kind kind))()
     switch (kind) {
         case Kind::kNearCallback:
             return reinterpret_cast<void (*)()>(near_nothing);
+        case Kind::kContactFilter:
+            return reinterpret_cast<void (*)()>(any_pair);
         case Kind::kHeightCallback:
             return reinterpret_cast<void (*)()>(flat_height);
         case Kind::kCollider:
@@ -152,6 +154,8 @@ int Values::count(Kind kind)
             return int(memory_functions().size()) + 1;
         case Kind::kMass:
             return int(masses().size()) + 1;
+        case Kind::kMaterial:
+            return int(materials().size()) + 1;
         case Kind::kContact:
             return int(hostile::contacts().size()) + 1;
         case Kind::kGeomClass:
@@ -323,6 +327,8 @@ Value Values::memory(Kind kind, int index, int position)
     switch (kind) {
         case Kind::kMass:
             return item(masses());
+        case Kind::kMaterial:
+            return item(materials());
         case Kind::kContact:
             return item(hostile::contacts());
         case Kind::kGeomClass:

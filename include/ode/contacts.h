@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Contacts that a world finds and solves by itself. Included by ode/ext.h.
+#ifndef _ODE_CONTACTS_H_
+#define _ODE_CONTACTS_H_
+
+#include <ode/common.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** @chapter contacts Contacts that the world manages
+
+    In ODE's way the program collides a space, makes a joint for every contact and destroys them all after the
+   step. A world that is given a space does this itself, inside dWorldStep, dWorldQuickStep and
+   dWorldStepFast1: it keeps pairs and contacts from step to step, does not collide again what has hardly
+   moved, and uses as many threads as the world does (dWorldSetStepThreads). What it makes are no joints:
+   dBodyGetNumJoints does not count them. The program's own joints, contact joints too, work beside them.
+
+    Fastest are small steps, dWorldStepFast1 with about 4 of them: contacts are springs as stiff as the step
+   allows, damped so that what is pushed out does not bounce; friction is a cone. In dWorldStep and
+   dWorldQuickStep they are what contact joints with the same coefficients would be, with the world's ERP and
+   CFM and friction in two directions. Contacts may overlap by the world's surface layer
+   (dWorldSetContactSurfaceLayer), or by 1 mm if that is 0, and are then held, not pushed apart.
+
+    A pair is left out if ODE's rules do so (category and collide bits, disabled geoms, geoms of one body), if
+   a joint connects its bodies, if neither has a body that can move, or if the filter says so.
+
+    Arguments:
+    - world: the world.
+    - geom: the geom.
+
+    Refused: a world or geom that is 0 or destroyed, null pointers, numbers that are not finite, and what each
+   function names. Nothing changes then, and the answer is 0. While a step or a collision of the space is in
+   progress, the space and the filter cannot be changed. */
+
+/** Gives the world the space whose geoms it shall keep apart; 0, the default: none. All contacts that the
+    world knew are forgotten. A space that is destroyed is taken away from its world. [ours] */
+ODE_API void dWorldSetContactSpace(dWorldID world, dSpaceID space);
+ODE_API dSpaceID dWorldGetContactSpace(dWorldID world);
+
+/** What the surface of a geom is like. Of the two geoms of a pair, friction is the geometric mean, the
+    others are the larger, and velocities of surfaces subtract. */
+typedef struct dMaterial {
+    dReal friction;     /**< coefficient of Coulomb friction, 0 or more; dInfinity: does not slide. 0.6 */
+    dReal bounce;       /**< share of the approach speed that comes back, 0 ... 1. 0 */
+    dReal bounce_speed; /**< slower approaches do not rebound, m/s. 1 */
+    dVector3 velocity;  /**< of the surface against the geom, in the geom's frame, m/s: a belt. 0 */
+} dMaterial;
+
+/** The material of a geom, from the next step on; material 0: the default again, as named above. Reading a
+   geom that has none gives the default. Return 1. Refused: coefficients below 0, a bounce above 1. [ours] */
+ODE_API int dGeomSetMaterial(dGeomID geom, const dMaterial* material);
+ODE_API int dGeomGetMaterial(dGeomID geom, dMaterial* material);
+
+/** Whether two geoms shall touch: not if it returns 0. Asked once when they come near each other, and again
+   when they have been apart. */
+typedef int dContactFilter(void* data, dGeomID o1, dGeomID o2);
+
+/** Sets the function that is asked, with the given data; filter 0: none. It is called by the thread that
+   steps, in the order of the pairs, and must not change the space or the world. [ours] */
+ODE_API void dWorldSetContactFilter(dWorldID world, dContactFilter* filter, void* data);
+
+/** What has happened to a pair in the last step. */
+typedef enum {
+    dContactBegins, /**< the geoms touch and did not before */
+    dContactStays,  /**< they touch and did before */
+    dContactEnds    /**< they touched before and do not */
+} dContactEventKind;
+
+/** One pair in one step. */
+typedef struct dContactEvent {
+    dContactEventKind kind;
+    dGeomID g1; /**< has a body */
+    dGeomID g2; /**< 0, as g1, if it has been destroyed since */
+} dContactEvent;
+
+/** The events of the last step into events, as many as there is room for (0: ask for the number alone), in
+   an order that depends on the creation of the geoms alone. A pair that ends because one of its geoms is
+   destroyed or taken out of the space has its event in the step after that. Returns how many there are.
+   [ours] */
+ODE_API int dWorldGetContactEvents(dWorldID world, dContactEvent* events, int room);
+
+/** A point of contact, as the last step has found and solved it. */
+typedef struct dWorldContact {
+    dGeomID g1;        /**< has a body */
+    dGeomID g2;        /**< the other one */
+    dVector3 pos;      /**< where, in the world, at the step's beginning, m */
+    dVector3 normal;   /**< unit, into g1 */
+    dReal depth;       /**< below 0: still apart, m */
+    dReal push;        /**< force along the normal, the mean over the step, N */
+    dVector3 friction; /**< force of friction on g1, N */
+} dWorldContact;
+
+/** All points of the last step into contacts, as many as there is room for (0: ask for the number alone), in
+   the order of events. Returns how many there are. [ours] */
+ODE_API int dWorldGetContacts(dWorldID world, dWorldContact* contacts, int room);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

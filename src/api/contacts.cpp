@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Contacts that the world manages, as C functions.
+#include "ode/contacts.h"
+
+#include "collide/registry.h"
+#include "contacts/material.h"
+#include "dynamics/world.h"
+#include "step/step.h"
+
+using namespace epode;
+
+#define WORLD_OR(...)                     \
+    World* world = from_handle<World>(w); \
+    EPODE_USER(world __VA_OPT__(, ) __VA_ARGS__)
+
+namespace {
+
+bool usable_material(const dMaterial& m)
+{
+    return m.friction >= 0 && usable_or_infinite(m.friction) && m.bounce >= 0 && m.bounce <= 1 &&
+           m.bounce_speed >= 0 && usable_or_infinite(m.bounce_speed) && usable(m.velocity, 3);
+}
+
+const ContactWorld* managed(const World& world)
+{
+    return world.step_state ? &world.step_state->managed : nullptr;
+}
+
+}  // namespace
+
+extern "C" {
+
+void dWorldSetContactSpace(dWorldID w, dSpaceID s)
+{
+    WORLD_OR();
+    EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step");
+    EPODE_USER_SAY(!s || space_from(s), "argument not a space");
+    StepState* state = step_state(*world);
+    EPODE_USER_SAY(state, "out of memory");
+    if (state->managed.space == s) return;
+    state->managed.forget();
+    state->managed.space = s;
+}
+
+dSpaceID dWorldGetContactSpace(dWorldID w)
+{
+    WORLD_OR(nullptr);
+    const ContactWorld* contacts = managed(*world);
+    return contacts && contacts->live_space() ? contacts->space : nullptr;
+}
+
+void dWorldSetContactFilter(dWorldID w, dContactFilter* filter, void* data)
+{
+    WORLD_OR();
+    EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step");
+    StepState* state = step_state(*world);
+    EPODE_USER_SAY(state, "out of memory");
+    state->managed.filter = filter;
+    state->managed.filter_data = data;
+}
+
+int dGeomSetMaterial(dGeomID g, const dMaterial* material)
+{
+    EPODE_GEOM(geom, g, 0);
+    EPODE_USER(!material || usable_material(*material), 0);
+    EPODE_USER_SAY(set_material(*geom, material), "out of memory", 0);
+    return 1;
+}
+
+int dGeomGetMaterial(dGeomID g, dMaterial* material)
+{
+    EPODE_GEOM(geom, g, 0);
+    EPODE_USER(material, 0);
+    *material = material_of(*geom);
+    return 1;
+}
+
+int dWorldGetContactEvents(dWorldID w, dContactEvent* events, int room)
+{
+    WORLD_OR(0);
+    EPODE_USER(room >= 0 && (events || room == 0), 0);
+    const ContactWorld* contacts = managed(*world);
+    return contacts ? contacts->events(events, room) : 0;
+}
+
+int dWorldGetContacts(dWorldID w, dWorldContact* out, int room)
+{
+    WORLD_OR(0);
+    EPODE_USER(room >= 0 && (out || room == 0), 0);
+    const ContactWorld* contacts = managed(*world);
+    return contacts ? contacts->contacts(out, room) : 0;
+}
+
+}  // extern "C"

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The contacts that a world manages. Every step makes a new list of pairs from the one before: pairs of the
+// space in its order, each with its record brought up to date; then the new list takes the place of the old.
+// A step that cannot be finished just drops the new one, so it leaves no trace. Records move from list to
+// list, which costs less than looking for them in holes, and neighbours in space stay neighbours in memory.
+#pragma once
+
+#include "base/arena.h"
+#include "base/array.h"
+#include "collide/space.h"
+#include "contacts/contact_pair.h"
+#include "contacts/pair_finder.h"
+#include "dynamics/island.h"
+#include "ode/contacts.h"
+#include "tasks/tasks.h"
+
+namespace epode {
+
+class ContactWorld {
+  public:
+    dSpaceID space = nullptr;
+    dContactFilter* filter = nullptr;
+    void* filter_data = nullptr;
+
+    // Null: there is none, or it has been destroyed.
+    Space* live_space() const { return space ? space_from(space) : nullptr; }
+
+    // Pairs and patches at the bodies' present poses. False: out of memory.
+    [[nodiscard]] bool update(const World& world, Space& in, const Tasks& tasks);
+    // The touching patches of what `update` found, in order.
+    [[nodiscard]] bool touching(Arena& arena, std::span<PatchEdge>& out);
+    // The step is done: what it found is what the next one starts from. `h`: its length.
+    void accept(Real h);
+    void forget();
+
+    int events(dContactEvent* out, int room) const;
+    int contacts(dWorldContact* out, int room) const;
+
+  private:
+    [[nodiscard]] bool list_pairs(const World& world);
+    [[nodiscard]] bool list_pair(Geom& a, Geom& b, RecordFinder& finder);
+    void collide_pairs(const World& world, const Tasks& tasks);
+    std::span<const ContactPair> record(int old) const;
+    bool ask_filter(const ContactPair& pair) const;
+
+    Array<ContactPair> pairs_, fresh_;  // of the last step, of this one
+    Array<int> heads_;                  // of fresh_: part 0 of each pair that is collided
+    Array<GeomPair> found_;
+    Array<int> table_;
+    Array<dContactEvent> ended_;  // of the last step
+    Real h_ = 0;
+};
+
+}  // namespace epode

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What two surfaces are to each other. Friction of a pair is the geometric mean: the coefficient of equal
+// surfaces is their own, and one that is without friction has none against anything.
+#pragma once
+
+#include "collide/geom.h"
+#include "ode/contacts.h"
+#include "rows/patch.h"
+
+namespace epode {
+
+inline constexpr dMaterial kDefaultMaterial{Real(0.6), 0, 1, {0, 0, 0, 0}};
+
+inline const dMaterial& material_of(const Geom& geom)
+{
+    return geom.material ? *geom.material : kDefaultMaterial;
+}
+
+// False: out of memory. null: the default again.
+bool set_material(Geom& geom, const dMaterial* material);
+
+// Coefficients and drift of a patch between the two, whose normal is known.
+void combine_materials(const Geom& g1, const Geom& g2, Patch& patch);
+
+}  // namespace epode

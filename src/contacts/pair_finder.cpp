@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "contacts/pair_finder.h"
+
+#include <bit>
+
+namespace epode {
+namespace {
+
+struct Collection {
+    Array<GeomPair>& pairs;
+    bool complete = true;
+};
+
+void collect(void* data, dGeomID o1, dGeomID o2)
+{
+    auto& into = *static_cast<Collection*>(data);
+    Geom &a = *from_handle<Geom>(o1), &b = *from_handle<Geom>(o2);
+    if (is_space(a) || is_space(b))
+        collide_across(a, b, data, collect);
+    else
+        into.complete = into.pairs.push({&a, &b}) && into.complete;
+}
+
+void collect_inside(Space& space, Collection& into)
+{
+    collide_space(space, &into, collect);
+    const SpaceLock lock(space);
+    for (Geom* member : space.members)
+        if (member && member->enabled && is_space(*member))
+            collect_inside(static_cast<Space&>(*member), into);
+}
+
+}  // namespace
+
+bool find_geom_pairs(Space& space, Array<GeomPair>& out)
+{
+    out.clear();
+    Collection into{out};
+    collect_inside(space, into);
+    return into.complete;
+}
+
+void DeepLock::count(Space& space, int by)
+{
+    space.locks += by;
+    for (Geom* member : space.members)
+        if (member && is_space(*member)) count(static_cast<Space&>(*member), by);
+}
+
+std::size_t RecordFinder::hash(std::uint64_t a, std::uint64_t b)
+{
+    const std::uint64_t h = (a * 0x9e3779b97f4a7c15u) ^ (b * 0xc2b2ae3d27d4eb4fu);
+    return std::size_t(h ^ (h >> 29));
+}
+
+bool RecordFinder::is(int record, std::uint64_t serial1, std::uint64_t serial2) const
+{
+    const ContactPair& r = records_.data()[record];
+    return r.serial1 == serial1 && r.serial2 == serial2 && r.part == 0;
+}
+
+bool RecordFinder::make_table()
+{
+    const int size = int(std::bit_ceil(unsigned(records_.size()) * 2 + 2));
+    table_.clear();
+    if (!table_.resize(size)) return false;
+    for (int& entry : table_) entry = -1;
+    for (int i = 0; i < records_.size(); i += records_[i].parts) {
+        std::size_t at = hash(records_[i].serial1, records_[i].serial2) & std::size_t(size - 1);
+        while (table_.data()[at] >= 0) at = (at + 1) & std::size_t(size - 1);
+        table_.data()[at] = i;
+    }
+    made_ = true;
+    return true;
+}
+
+int RecordFinder::find(std::uint64_t serial1, std::uint64_t serial2)
+{
+    if (records_.empty()) return -1;
+    int found = -1;
+    if (next_ < records_.size() && is(next_, serial1, serial2)) {
+        found = next_;
+    } else {
+        if (!made_ && !make_table()) return -2;
+        const auto mask = std::size_t(table_.size() - 1);
+        for (std::size_t at = hash(serial1, serial2) & mask; table_.data()[at] >= 0; at = (at + 1) & mask)
+            if (is(table_.data()[at], serial1, serial2)) {
+                found = table_.data()[at];
+                break;
+            }
+    }
+    if (found >= 0) next_ = found + records_.data()[found].parts;
+    return found;
+}
+
+}  // namespace epode

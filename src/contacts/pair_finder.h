@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Which pairs of a space may touch, in the space's order, and which record of the last step belongs to each.
+// Mostly the pairs are those of the last step, one after the other: the record behind the one found last is
+// looked at first, and a table by serial numbers, made when it is needed, only where that fails.
+#pragma once
+
+#include "base/array.h"
+#include "collide/space.h"
+#include "contacts/contact_pair.h"
+
+namespace epode {
+
+struct GeomPair {
+    Geom *a, *b;
+};
+
+// All pairs of geoms that are no spaces, spaces in it opened. False: out of memory.
+[[nodiscard]] bool find_geom_pairs(Space& space, Array<GeomPair>& out);
+
+// Keeps a space and all in it, at any depth, locked: the filter is the program's.
+class DeepLock {
+  public:
+    explicit DeepLock(Space& space) : space_(space) { count(space, 1); }
+    DeepLock(const DeepLock&) = delete;
+    DeepLock& operator=(const DeepLock&) = delete;
+    ~DeepLock() { count(space_, -1); }
+
+  private:
+    static void count(Space& space, int by);
+    Space& space_;
+};
+
+class RecordFinder {
+  public:
+    explicit RecordFinder(const Array<ContactPair>& records, Array<int>& table)
+        : records_(records), table_(table)
+    {}
+
+    // Part 0's record of the pair, -1: none, -2: out of memory.
+    int find(std::uint64_t serial1, std::uint64_t serial2);
+
+  private:
+    [[nodiscard]] bool make_table();
+    bool is(int record, std::uint64_t serial1, std::uint64_t serial2) const;
+    static std::size_t hash(std::uint64_t a, std::uint64_t b);
+
+    const Array<ContactPair>& records_;
+    Array<int>& table_;  // open addressing, -1: free; empty: not made
+    bool made_ = false;
+    int next_ = 0;
+};
+
+}  // namespace epode

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A contact patch of two bodies that the world manages, as solvers see it: up to four points with one normal
+// n. Floats suffice, since all of it is relative to the bodies: arms of a metre are known to 60 nm wherever
+// in the world they are. What is solved for comes back in it and starts the next step.
+//
+//   u = v1 + w1 x r1 - v2 - w2 x r2,   gap' = n . u,   push >= 0,   |friction| <= mu push
+//
+// Friction is bounded in the plane as a whole (a cone), the same in every direction.
+#pragma once
+
+#include "math/vec.h"
+
+namespace epode {
+
+struct Float3 {
+    float x, y, z;
+};
+
+inline Float3 narrow(Vec3 a) { return {float(a.x), float(a.y), float(a.z)}; }
+inline Vec3 widen(Float3 a) { return {Real(a.x), Real(a.y), Real(a.z)}; }
+
+inline constexpr int kPatchPoints = 4;
+
+struct PatchPoint {
+    Float3 r1, r2;    // from the centres of the bodies, world frame, at the beginning of the step
+    float gap;        // distance along n beyond the layer; below zero: deeper than allowed
+    float push;       // impulse along n over the whole step: of the last one in, of this one out
+    Float3 friction;  // the same in the plane, as a vector of the world
+};
+
+struct Patch {
+    int body1, body2;  // in the island; -1: the world, only for body2
+    int count;         // points; 0: does not touch
+    Float3 normal;     // unit, into body1
+    Float3 drift;      // wanted u in the plane: surfaces that move
+    float mu;
+    float bounce, bounce_speed;  // rebound of `bounce` times an approach of at least bounce_speed, m/s
+    PatchPoint points[kPatchPoints];
+};
+
+}  // namespace epode

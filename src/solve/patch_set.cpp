@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// First-fit colours in a mask of 64 per body; a body that has used them all (a platform under a thousand
+// boxes) goes on with a colour of its own counting, one behind the last that it or its partner has.
+#include "solve/patch_set.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+namespace epode {
+namespace {
+
+constexpr int kMasked = 64;
+constexpr int kBatchPiece = 16, kBodyPiece = 512;  // of parallel work
+
+bool dynamic(std::span<const SolverBody> bodies, int index)
+{
+    return index >= 0 && bodies[std::size_t(index)].inv_mass > 0;
+}
+
+// What is known of a body while colours are given.
+struct Palette {
+    std::uint64_t used;  // of the first 64 colours among moving bodies
+    int beyond;          // the first free one behind these
+    int fixed;           // the first free one against what cannot move
+};
+
+int first_free(Palette& a, Palette& b)
+{
+    const std::uint64_t used = a.used | b.used;
+    const int colour = std::countr_one(used);
+    if (colour < kMasked) {
+        a.used |= std::uint64_t(1) << colour;
+        b.used |= std::uint64_t(1) << colour;
+        return colour;
+    }
+    const int next = std::max(a.beyond, b.beyond);
+    a.beyond = b.beyond = next + 1;
+    return kMasked + next;
+}
+
+// Points that no lane has: so far open that they never act. (Zero would be a contact at the body's centre,
+// since the normal and the masses are those of the batch.)
+constexpr float kFarOpen = 1e20f;
+
+void blank(std::span<PatchLanes> points)
+{
+    std::memset(static_cast<void*>(points.data()), 0, points.size_bytes());
+    for (PatchLanes& point : points)
+        for (float& gap : point.gap.at) gap = kFarOpen;
+}
+
+void set(FloatLaneVec3& to, int lane, Float3 a) { to.x[lane] = a.x, to.y[lane] = a.y, to.z[lane] = a.z; }
+
+}  // namespace
+
+template <typename Piece>
+void PatchSet::in_pieces(int count, int size, Piece&& f) const
+{
+    tasks_.for_each((count + size - 1) / size,
+                    [&](int i, int) { f(i * size, std::min(count, (i + 1) * size)); });
+}
+
+bool PatchSet::prepare(const RowSystem& system, const Substep& step, const Tasks& tasks, Arena& arena)
+{
+    tasks_ = tasks;
+    const int count = int(system.patches.size());
+    if (count == 0) return true;
+    hs_ = step.hs;
+    sweep_.per_step = float(1 / step.hs);
+    sweep_.push_out = float(default_contact(step, 1, false).push);
+    const int bodies = int(system.bodies.size());
+    motions_ = arena.take_zeroed<FloatMotion>(bodies + 1);
+    kicks_ = arena.take<Velocity>(bodies);
+    order_ = arena.take<int>(count);
+    const auto colours = arena.take<int>(count);
+    if (arena.failed()) return false;
+    colour(system.patches, system.bodies, colours, arena);
+    if (arena.failed()) return false;
+    const auto starts = arena.take_zeroed<int>(colours_ * kPatchPoints + 1);
+    // Of each colour one batch may stay partly empty.
+    const int most = count / kFloatLanes + colours_;
+    batches_ = arena.take<PatchBatch>(most);
+    chosen_ = arena.take<int>(most * kFloatLanes);
+    first_of_colour_ = arena.take<int>(colours_ + 1);
+    if (arena.failed()) return false;
+    sort(system.patches, colours, starts);
+    const int points = batches_.empty() ? 0 : batches_.back().first + batches_.back().count;
+    points_ = arena.take<PatchLanes>(points);
+    if (arena.failed()) return false;
+    fill(system, step);
+    return true;
+}
+
+void PatchSet::colour(std::span<Patch* const> patches, std::span<const SolverBody> bodies,
+                      std::span<int> colours, Arena& arena)
+{
+    const auto palettes = arena.take_zeroed<Palette>(int(bodies.size()));
+    if (arena.failed()) return;
+    int moving = 0, fixed = 0;
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        const Patch& p = *patches[i];
+        const bool one = dynamic(bodies, p.body1), two = dynamic(bodies, p.body2);
+        if (one && two) {
+            colours[i] = first_free(palettes[std::size_t(p.body1)], palettes[std::size_t(p.body2)]);
+            moving = std::max(moving, colours[i] + 1);
+        } else {
+            // ~c: counted from behind the last colour of the others.
+            const int c = one || two ? palettes[std::size_t(one ? p.body1 : p.body2)].fixed++ : 0;
+            colours[i] = ~c;
+            fixed = std::max(fixed, c + 1);
+        }
+    }
+    for (int& c : colours)
+        if (c < 0) c = moving + ~c;
+    colours_ = moving + fixed;
+}
+
+// Counting sort by colour, then by number of points, the longest first; then cut into eights.
+void PatchSet::sort(std::span<Patch* const> patches, std::span<const int> colours, std::span<int> starts)
+{
+    const auto key = [&](std::size_t i) {
+        return std::size_t(colours[i] * kPatchPoints + kPatchPoints - patches[i]->count);
+    };
+    for (std::size_t i = 0; i < patches.size(); ++i) ++starts[key(i) + 1];
+    for (std::size_t k = 1; k < starts.size(); ++k) starts[k] += starts[k - 1];
+    for (std::size_t i = 0; i < patches.size(); ++i) order_[std::size_t(starts[key(i)]++)] = int(i);
+
+    // Behind the sort, starts[k] is where the next key begins.
+    int batches = 0, points = 0, from = 0;
+    for (int c = 0; c < colours_; ++c) {
+        first_of_colour_[std::size_t(c)] = batches;
+        const int to = starts[std::size_t(c * kPatchPoints + kPatchPoints - 1)];
+        for (; from < to; from += kFloatLanes) {
+            const int taken = std::min(kFloatLanes, to - from);
+            int* lanes = &chosen_[std::size_t(batches * kFloatLanes)];
+            std::copy_n(&order_[std::size_t(from)], taken, lanes);
+            std::fill(lanes + taken, lanes + kFloatLanes, -1);
+            PatchBatch& batch = batches_[std::size_t(batches++)];
+            batch.first = points;
+            batch.count = patches[std::size_t(lanes[0])]->count;
+            points += batch.count;
+        }
+        from = to;
+    }
+    first_of_colour_[std::size_t(colours_)] = batches;
+    batches_ = batches_.first(std::size_t(batches));
+}
+
+// Will every number of the batch's points be written?
+bool PatchSet::is_full(std::span<Patch* const> patches, std::size_t batch) const
+{
+    for (const int i : chosen_.subspan(batch * kFloatLanes, kFloatLanes))
+        if (i < 0 || patches[std::size_t(i)]->count < batches_[batch].count) return false;
+    return true;
+}
+
+void PatchSet::fill(const RowSystem& system, const Substep& step)
+{
+    for (std::size_t i = 0; i < system.bodies.size(); ++i) {
+        const SolverBody& b = system.bodies[i];
+        motions_[i] = {
+            {float(b.v.x), float(b.v.y), float(b.v.z), 0, float(b.w.x), float(b.w.y), float(b.w.z), 0}, {}};
+    }
+    in_pieces(int(batches_.size()), kBatchPiece, [&](int first, int last) {
+        for (int b = first; b < last; ++b) fill_batch(system, step, std::size_t(b));
+    });
+    // What the first small step begins with.
+    for (FloatMotion& m : motions_) m = {};
+    sweep([this](int first, int last) {
+        kernels_->apply_impulses(batches_.data(), first, last, points_.data(), motions_.data());
+    });
+    for (std::size_t i = 0; i < kicks_.size(); ++i) {
+        for (int k = 0; k < kTwistNumbers; ++k) numbers(kicks_[i])[k] = motions_[i].speed[k];
+    }
+}
+
+void PatchSet::fill_batch(const RowSystem& system, const Substep& step, std::size_t b)
+{
+    const RowAim soft[2] = {default_contact(step, 1, false), default_contact(step, 1, true)};
+    PatchBatch& batch = batches_[b];
+    const auto points = points_.subspan(std::size_t(batch.first), std::size_t(batch.count));
+    if (!is_full(system.patches, b)) blank(points);
+    for (int lane = 0; lane < kFloatLanes; ++lane) {
+        fill_lane(system, chosen_[b * kFloatLanes + std::size_t(lane)], batch, lane);
+        // Masses 1/m1 + 1/m2 > 0; against what cannot move, one of them is zero.
+        const bool fixed = batch.inv_mass1[lane] == 0 || batch.inv_mass2[lane] == 0;
+        const RowAim& aim = soft[fixed ? 1 : 0];
+        batch.rate[lane] = float(aim.rate);
+        batch.stiff[lane] = batch.keep[lane] = float(1 / (1 + aim.C));  // 1 - C/(1 + C)
+    }
+    kernels_->prepare(batch, points.data(), motions_.data(), float(1) / float(step.n));
+}
+
+void PatchSet::fill_lane(const RowSystem& system, int patch, PatchBatch& batch, int lane)
+{
+    static const Patch none{0, -1, 0, {}, {}, 0, 0, 0, {}};
+    const SolverBody world{};
+    const Patch& p = patch >= 0 ? *system.patches[std::size_t(patch)] : none;
+    const auto set_body = [&](int index, int& slot, FloatLanes& inv_mass, FloatLaneSym3& inv_inertia) {
+        const bool moves = patch >= 0 && dynamic(system.bodies, index);
+        const int at = patch >= 0 && index >= 0 ? index : int(system.bodies.size());
+        const SolverBody& body = moves ? system.bodies[std::size_t(index)] : world;
+        slot = moves ? at : ~at;
+        inv_mass[lane] = float(body.inv_mass);
+        inv_inertia.set(lane, body.inv_inertia);
+    };
+    set_body(p.body1, batch.body1[lane], batch.inv_mass1, batch.inv_inertia1);
+    set_body(p.body2, batch.body2[lane], batch.inv_mass2, batch.inv_inertia2);
+    set(batch.n, lane, p.normal);
+    set(batch.drift, lane, p.drift);
+    batch.mu[lane] = p.mu, batch.bounce[lane] = p.bounce, batch.bounce_speed[lane] = p.bounce_speed;
+    for (int i = 0; i < p.count; ++i) {
+        const PatchPoint& from = p.points[i];
+        PatchLanes& to = points_[std::size_t(batch.first + i)];
+        set(to.r1, lane, from.r1), set(to.r2, lane, from.r2);
+        to.gap[lane] = from.gap;
+        to.p[0][lane] = from.push;
+        to.sum[0][lane] = from.friction.x, to.sum[1][lane] = from.friction.y;
+        to.sum[2][lane] = from.friction.z;
+    }
+}
+
+// One colour after the other; within a colour no batch knows of another.
+template <typename Pass>
+void PatchSet::sweep(Pass&& pass)
+{
+    if (tasks_.workers() == 1) return pass(0, int(batches_.size()));
+    for (int c = 0; c < colours_; ++c) {
+        const int begin = first_of_colour_[std::size_t(c)], end = first_of_colour_[std::size_t(c) + 1];
+        in_pieces(end - begin, kBatchPiece, [&](int first, int last) { pass(begin + first, begin + last); });
+    }
+}
+
+template <typename Pass>
+void PatchSet::run(std::span<Velocity> bodies, Pass&& pass)
+{
+    in_pieces(int(kicks_.size()), kBodyPiece, [&](int first, int last) {
+        for (auto i = std::size_t(first); i < std::size_t(last); ++i) {
+            float* to = motions_[i].speed;
+            for (int k = 0; k < kTwistNumbers; ++k) to[k] = float(numbers(bodies[i])[k]);
+        }
+    });
+    sweep(pass);
+    in_pieces(int(kicks_.size()), kBodyPiece, [&](int first, int last) {
+        for (auto i = std::size_t(first); i < std::size_t(last); ++i) {
+            const float* now = motions_[i].speed;
+            Real *v = numbers(bodies[i]), *kick = numbers(kicks_[i]);
+            for (int k = 0; k < kTwistNumbers; ++k) {
+                const Real change = Real(now[k] - float(v[k]));
+                v[k] += change, kick[k] += change;
+            }
+        }
+    });
+}
+
+void PatchSet::correct(std::span<Velocity> bodies)
+{
+    run(bodies, [this](int first, int last) {
+        kernels_->correct(batches_.data(), first, last, points_.data(), motions_.data(), sweep_);
+    });
+}
+
+void PatchSet::relax(std::span<Velocity> bodies)
+{
+    run(bodies, [this](int first, int last) {
+        kernels_->relax(batches_.data(), first, last, points_.data(), motions_.data());
+    });
+}
+
+void PatchSet::rebound(std::span<Velocity> bodies)
+{
+    bool any = false;
+    for (const PatchBatch& batch : batches_)
+        for (int lane = 0; lane < kFloatLanes; ++lane) any = any || batch.bounce[lane] > 0;
+    if (!any) return;
+    run(bodies, [this](int first, int last) {
+        kernels_->rebound(batches_.data(), first, last, points_.data(), motions_.data());
+    });
+}
+
+void PatchSet::apply_impulses(std::span<Velocity> bodies) const { add(bodies, kicks_); }
+
+void PatchSet::follow_motion(std::span<const Velocity> bodies)
+{
+    const float hs = float(hs_);
+    for (std::size_t i = 0; i < kicks_.size(); ++i) {
+        float* to = motions_[i].way;
+        for (int k = 0; k < kTwistNumbers; ++k) to[k] += hs * float(numbers(bodies[i])[k]);
+    }
+}
+
+void PatchSet::store_impulses(std::span<Patch* const> patches) const
+{
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+        const PatchBatch& batch = batches_[b];
+        for (int lane = 0; lane < kFloatLanes; ++lane) {
+            const int index = chosen_[b * kFloatLanes + std::size_t(lane)];
+            if (index < 0) continue;
+            Patch& p = *patches[std::size_t(index)];
+            for (int i = 0; i < p.count; ++i) {
+                const PatchLanes& from = points_[std::size_t(batch.first + i)];
+                const float a = from.sum[1][lane], c = from.sum[2][lane];
+                p.points[i].push = from.sum[0][lane];
+                p.points[i].friction = {a * batch.t1.x[lane] + c * batch.t2.x[lane],
+                                        a * batch.t1.y[lane] + c * batch.t2.y[lane],
+                                        a * batch.t1.z[lane] + c * batch.t2.z[lane]};
+            }
+        }
+    }
+}
+
+}  // namespace epode

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Patches packed for sweeping (solve/patch_batch.h). Every patch gets a colour, so that patches of one colour
+// share no dynamic body: the smallest that its bodies still have, in the order of the patches; those against
+// what cannot move come behind all others, so that theirs is the last word. Eight of one colour make a batch,
+// patches with as many points together. Since colours depend on the neighbours alone, an island has the same
+// answer whether it is packed alone or with others: many small ones fill the lanes that one would leave
+// empty.
+#pragma once
+
+#include <span>
+
+#include "base/arena.h"
+#include "rows/row_system.h"
+#include "solve/patch_kernels.h"
+#include "solve/substep_rows.h"
+#include "solve/velocities.h"
+#include "tasks/tasks.h"
+
+namespace epode {
+
+class PatchSet {
+  public:
+    explicit PatchSet(const PatchKernels& kernels = *patch_kernels().back()) : kernels_(&kernels) {}
+
+    // False: out of memory. Velocities are those before any force. `tasks` does the batches of a colour, and
+    // bodies, in parallel if there are many.
+    bool prepare(const RowSystem& system, const Substep& step, const Tasks& tasks, Arena& arena);
+    bool empty() const { return batches_.empty(); }
+
+    // Sweeps over the velocities, in floats; what they change is added to the doubles.
+    void correct(std::span<Velocity> bodies);
+    void relax(std::span<Velocity> bodies);
+    void rebound(std::span<Velocity> bodies);
+    // v += M^-1 J^T p with the impulses that the last small step ended with: the sum of all changes since its
+    // beginning, body by body, so it costs no visit to the contacts.
+    void apply_impulses(std::span<Velocity> bodies) const;
+    void follow_motion(std::span<const Velocity> bodies);  // the bodies move for hs
+    void store_impulses(std::span<Patch* const> patches) const;
+
+  private:
+    void colour(std::span<Patch* const> patches, std::span<const SolverBody> bodies, std::span<int> colours,
+                Arena& arena);
+    void sort(std::span<Patch* const> patches, std::span<const int> colours, std::span<int> starts);
+    bool is_full(std::span<Patch* const> patches, std::size_t batch) const;
+    void fill(const RowSystem& system, const Substep& step);
+    void fill_batch(const RowSystem& system, const Substep& step, std::size_t batch);
+    void fill_lane(const RowSystem& system, int patch, PatchBatch& batch, int lane);
+    template <typename Pass>
+    void run(std::span<Velocity> bodies, Pass&& pass);
+    template <typename Pass>
+    void sweep(Pass&& pass);
+    // f(first, last) for pieces of 0 ... count - 1.
+    template <typename Piece>
+    void in_pieces(int count, int size, Piece&& f) const;
+
+    const PatchKernels* kernels_;
+    std::span<PatchBatch> batches_;
+    std::span<PatchLanes> points_;
+    std::span<FloatMotion> motions_;  // the last is the world
+    std::span<Velocity> kicks_;       // what the last small step did to each body
+    std::span<int> order_;            // of the patches, by colour and number of points; lane by lane
+    std::span<int> chosen_;           // the patch in each lane of each batch; -1: none
+    std::span<int> first_of_colour_;  // batch; one more at the end
+    int colours_ = 0;
+    Tasks tasks_;
+    Real hs_ = 0;
+    PatchSweep sweep_{};
+};
+
+}  // namespace epode

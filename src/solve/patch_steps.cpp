@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "solve/patch_steps.h"
+
+#include <algorithm>
+
+#include "solve/patch_set.h"
+
+namespace epode {
+namespace {
+
+class PatchSteps {
+  public:
+    PatchSteps(RowSystem& system, const Substeps& model, int n)
+        : system_(system), model_(model), step_{system.h / Real(n), n}
+    {}
+
+    bool prepare(const Tasks& tasks, Arena& arena)
+    {
+        const int bodies = int(system_.bodies.size());
+        velocities_ = take_velocities(system_, arena);
+        gain_ = arena.take<Velocity>(bodies);
+        mean_ = arena.take_zeroed<Velocity>(bodies);
+        if (arena.failed() || !patches_.prepare(system_, step_, tasks, arena)) return false;
+        load_velocities(system_, velocities_);
+        model_.apply_forces(model_.model, system_, system_.h);
+        const Real share = 1 / Real(step_.n);
+        for (std::size_t i = 0; i < gain_.size(); ++i)
+            gain_[i] = {share * (system_.bodies[i].v - velocities_[i].v), 0,
+                        share * (system_.bodies[i].w - velocities_[i].w), 0};
+        return true;
+    }
+
+    void run()
+    {
+        for (int i = 0; i < step_.n; ++i) {
+            accelerate();
+            patches_.correct(velocities_);
+            note_motion();
+            patches_.relax(velocities_);
+        }
+        move();
+        patches_.rebound(velocities_);
+        store_velocities(velocities_, system_);
+        patches_.store_impulses(system_.patches);
+    }
+
+  private:
+    void accelerate()
+    {
+        add(velocities_, gain_);
+        patches_.apply_impulses(velocities_);
+    }
+
+    void note_motion()
+    {
+        add(mean_, std::span(velocities_).first(mean_.size()));
+        patches_.follow_motion(velocities_);
+    }
+
+    void move()
+    {
+        const Real share = 1 / Real(step_.n);
+        for (std::size_t i = 0; i < mean_.size(); ++i) {
+            system_.bodies[i].v = share * mean_[i].v;
+            system_.bodies[i].w = share * mean_[i].w;
+        }
+        model_.advance(model_.model, system_, system_.h);
+    }
+
+    RowSystem& system_;
+    const Substeps& model_;
+    const Substep step_;
+    PatchSet patches_;
+    std::span<Velocity> velocities_;
+    std::span<Velocity> gain_;  // by forces, in one small step
+    std::span<Velocity> mean_;  // times n
+};
+
+}  // namespace
+
+bool solve_patches(RowSystem& system, const SolverSettings& settings, Arena& arena)
+{
+    Arena::Scope scope(arena);
+    PatchSteps steps(system, *settings.substeps, std::max(1, settings.iterations));
+    if (!steps.prepare(settings.tasks, arena)) return false;
+    steps.run();
+    return true;
+}
+
+}  // namespace epode

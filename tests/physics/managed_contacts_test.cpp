@@ -1,0 +1,423 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Contacts that the world manages against what mechanics says: weight, friction in every direction, rebound,
+// belts, momentum; against ODE's way where both must agree; what is reported of them; and the same bits on
+// any number of threads.
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "mesh_floors.h"
+#include "rig.h"
+
+namespace epode::physics {
+namespace {
+
+constexpr double kH = 1.0 / 60;
+
+// A world that looks after its contacts.
+class Managed : public Sim {
+  public:
+    explicit Managed(Stepper s) : Sim(s)
+    {
+        small_steps = 5;
+        gravity(0, 0, -9.81);
+        dWorldSetContactSpace(world, space);
+    }
+
+    void run(int steps)
+    {
+        for (int i = 0; i < steps; ++i) ASSERT_TRUE(advance(kH));
+    }
+
+    std::vector<dWorldContact> all_contacts() const
+    {
+        std::vector<dWorldContact> out(std::size_t(dWorldGetContacts(world, nullptr, 0)));
+        EXPECT_EQ(dWorldGetContacts(world, out.data(), int(out.size())), int(out.size()));
+        return out;
+    }
+
+    std::vector<dContactEvent> events() const
+    {
+        std::vector<dContactEvent> out(std::size_t(dWorldGetContactEvents(world, nullptr, 0)));
+        EXPECT_EQ(dWorldGetContactEvents(world, out.data(), int(out.size())), int(out.size()));
+        return out;
+    }
+};
+
+dGeomID geom_of(dBodyID body) { return dBodyGetFirstGeom(body); }
+
+void set_material(dGeomID geom, double friction, double bounce = 0, V3 belt = {})
+{
+    dMaterial m{real(friction), real(bounce), 0, {real(belt.x), real(belt.y), real(belt.z)}};
+    ASSERT_EQ(dGeomSetMaterial(geom, &m), 1);
+}
+
+class ManagedContacts : public testing::TestWithParam<Stepper> {};
+
+TEST_P(ManagedContacts, carry_the_weight_of_what_rests_on_them)
+{
+    Managed sim(GetParam());
+    sim.ground();
+    const dBodyID low = sim.box({0, 0, 0.5}, {1, 1, 1}, 4), high = sim.box({0.1, 0, 1.5}, {1, 1, 1}, 2);
+    const dBodyID ball = sim.sphere({5, 0, 0.5}, 0.5, 3), can = sim.cylinder({10, 0, 0.5}, 0.5, 1, 5);
+    sim.run(240);
+    V3 force[4];
+    const dBodyID bodies[4] = {low, high, ball, can};
+    for (const dWorldContact& c : sim.all_contacts()) {
+        const V3 f = double(c.push) * vec(c.normal) + vec(c.friction);
+        for (int k = 0; k < 4; ++k) {
+            if (dGeomGetBody(c.g1) == bodies[k]) force[k] = force[k] + f;
+            if (dGeomGetBody(c.g2) == bodies[k]) force[k] = force[k] - f;
+        }
+        EXPECT_LT(std::fabs(double(c.depth) - 1e-3), 2e-3);
+    }
+    const double mass[4] = {4, 2, 3, 5};
+    for (int k = 0; k < 4; ++k) {
+        EXPECT_NEAR(force[k].z, 9.81 * mass[k], 0.01 * 9.81 * mass[k]) << k;
+        EXPECT_LT(length(velocity(bodies[k])), 2e-3) << k;
+    }
+}
+
+TEST_P(ManagedContacts, slow_what_slides_by_mu_g)
+{
+    // The exact and the quick solver bound friction in two directions, so along an axis only.
+    const bool cone = GetParam() == Stepper::kFast;
+    for (const double angle : {0.0, 22.5, 45.0, 80.0}) {
+        if (!cone && angle > 0) continue;
+        Managed sim(GetParam());
+        set_material(sim.ground(), 0.4);
+        const dBodyID box = sim.box({0, 0, 0.149}, {0.6, 0.6, 0.3}, 2);
+        set_material(geom_of(box), 0.4);
+        sim.run(30);
+        const double a = angle * kPi / 180, v0 = 6;
+        velocity(box, {v0 * std::cos(a), v0 * std::sin(a), 0});
+        const V3 from = position(box);
+        sim.run(60);
+        const V3 v = velocity(box), way = position(box) - from;
+        EXPECT_NEAR(length(v), v0 - 0.4 * 9.81, 0.01 * 0.4 * 9.81) << angle;
+        EXPECT_NEAR(std::atan2(way.y, way.x) * 180 / kPi, angle, 0.2) << angle;
+    }
+}
+
+TEST_P(ManagedContacts, rebound_with_the_share_of_the_larger_bounce)
+{
+    Managed sim(GetParam());
+    set_material(sim.ground(), 0.5, 0.2);
+    const dBodyID ball = sim.sphere({0, 0, 2}, 0.25, 1);
+    set_material(geom_of(ball), 0.5, 0.8);
+    double before = 0, after = 0;
+    for (int i = 0; i < 120 && after <= 0; ++i) {
+        before = velocity(ball).z;
+        sim.run(1);
+        after = velocity(ball).z;
+    }
+    EXPECT_NEAR(after, -0.8 * before, 0.04 * -before);
+}
+
+TEST_P(ManagedContacts, move_with_a_belt)
+{
+    Managed sim(GetParam());
+    const dGeomID belt = dCreateBox(sim.space, 40, 2, 1);
+    dGeomSetPosition(belt, 0, 0, real(-0.5));
+    set_material(belt, 0.5, 0, {2, 0, 0});
+    const dBodyID box = sim.box({-10, 0, 0.2}, {0.4, 0.4, 0.4}, 1);
+    sim.run(120);
+    EXPECT_NEAR(velocity(box).x, 2, 0.02);
+    EXPECT_LT(std::fabs(velocity(box).y), 0.01);
+}
+
+TEST_P(ManagedContacts, keep_momentum)
+{
+    Managed sim(GetParam());
+    sim.gravity(0, 0, 0);
+    for (int i = 0; i < 12; ++i) {
+        const double x = i % 3 * 1.05, y = i / 3 % 2 * 1.05, z = i / 6 * 1.05;
+        const dBodyID b = i % 2 ? sim.box({x, y, z}, {1, 1, 1}, 1 + i) : sim.sphere({x, y, z}, 0.5, 1 + i);
+        velocity(b, {0.3 * (1 - x), 0.4 * (0.5 - y), 0.7 * (0.5 - z)}, {0, 0.1 * i, 0});
+    }
+    const V3 before = momentum(sim), turn = angular_momentum(sim);
+    sim.run(100);
+    EXPECT_GT(sim.all_contacts().size(), 0u);
+    EXPECT_LT(length(momentum(sim) - before), 2e-4);
+    EXPECT_LT(length(angular_momentum(sim) - turn), 0.03 * (1 + length(turn)));
+}
+
+TEST_P(ManagedContacts, hold_on_meshes_and_height_fields)
+{
+    for (const Floor floor : {Floor::kMesh, Floor::kTwoMeshes, Floor::kField}) {
+        Managed sim(GetParam());
+        const FlatGround ground(sim, floor, 20, 0.7);
+        const dBodyID box = sim.box({0.3, 0.2, 0.5}, {1, 1, 1}, 2);
+        const dBodyID ball = sim.sphere({3.1, 2.2, 0.5}, 0.5, 2);
+        sim.run(180);
+        EXPECT_NEAR(position(box).z, 0.5, 0.005);
+        EXPECT_NEAR(position(ball).z, 0.5, 0.005);
+        EXPECT_LT(length(velocity(box)), 5e-3);
+    }
+}
+
+TEST_P(ManagedContacts, work_beside_joints_and_contact_joints)
+{
+    Managed sim(GetParam());
+    sim.ground();
+    const dBodyID a = sim.box({0, 0, 0.5}, {1, 1, 1}, 1), b = sim.box({1, 0, 0.5}, {1, 1, 1}, 1);
+    const dJointID hinge = dJointCreateHinge(sim.world, nullptr);
+    dJointAttach(hinge, a, b);
+    dJointSetHingeAnchor(hinge, real(0.5), 0, real(0.5));
+    dJointSetHingeAxis(hinge, 0, 1, 0);
+    // This one is held by contacts of the program's own: its geom is not in the space.
+    const dBodyID own = sim.body({5, 0, 0});
+    for (int i = 0; i < 120; ++i) {
+        for (const double x : {4.5, 5.5})
+            for (const double y : {-0.5, 0.5}) {
+                dContact c = make_contact({x, y, 0}, {0, 0, 1}, -position(own).z);
+                dJointAttach(dJointCreateContact(sim.world, sim.contacts, &c), own, nullptr);
+            }
+        sim.run(1);
+        dJointGroupEmpty(sim.contacts);
+    }
+    EXPECT_NEAR(position(own).z, 0, 0.02);
+    EXPECT_NEAR(position(a).z, 0.5, 0.01);
+    EXPECT_NEAR(length(position(a) - position(b)), 1, 0.005);
+    EXPECT_EQ(dBodyGetNumJoints(a), 1);
+    for (const dWorldContact& c : sim.all_contacts())
+        EXPECT_FALSE(dGeomGetBody(c.g1) == a && dGeomGetBody(c.g2) == b) << "joined bodies do not collide";
+}
+
+INSTANTIATE_TEST_SUITE_P(Steppers, ManagedContacts, testing::ValuesIn(kSteppers), case_name);
+
+TEST(ManagedContactEvents, tell_when_geoms_begin_and_cease_to_touch)
+{
+    Managed sim(Stepper::kFast);
+    const dGeomID ground = sim.ground();
+    const dBodyID box = sim.box({0, 0, 0.6}, {1, 1, 1}, 1);
+    std::vector<dContactEventKind> seen;
+    const auto note = [&] {
+        for (const dContactEvent& e : sim.events()) {
+            EXPECT_EQ(e.g1, geom_of(box));
+            EXPECT_EQ(e.g2, ground);
+            if (seen.empty() || seen.back() != e.kind) seen.push_back(e.kind);
+        }
+    };
+    for (int i = 0; i < 60; ++i) sim.run(1), note();
+    velocity(box, {0, 0, 3});
+    for (int i = 0; i < 20; ++i) sim.run(1), note();
+    EXPECT_EQ(seen, (std::vector{dContactBegins, dContactStays, dContactEnds}));
+    EXPECT_TRUE(sim.events().empty());
+}
+
+TEST(ManagedContactEvents, tell_of_geoms_that_are_gone_that_they_do_not_touch)
+{
+    Managed sim(Stepper::kFast);
+    sim.ground();
+    const dBodyID box = sim.box({0, 0, 0.499}, {1, 1, 1}, 1);
+    sim.run(2);
+    ASSERT_EQ(sim.events().size(), 1u);
+    dGeomDestroy(geom_of(box));
+    EXPECT_EQ(sim.events()[0].g1, nullptr);
+    EXPECT_EQ(sim.all_contacts()[0].g1, nullptr);
+    sim.run(1);
+    ASSERT_EQ(sim.events().size(), 1u);
+    EXPECT_EQ(sim.events()[0].kind, dContactEnds);
+    EXPECT_EQ(sim.events()[0].g1, nullptr);
+    sim.run(1);
+    EXPECT_TRUE(sim.events().empty());
+}
+
+struct Asked {
+    std::map<std::pair<dGeomID, dGeomID>, int> times;
+    dGeomID never;
+};
+
+int ask(void* data, dGeomID a, dGeomID b)
+{
+    auto& asked = *static_cast<Asked*>(data);
+    ++asked.times[{std::min(a, b), std::max(a, b)}];
+    return a != asked.never && b != asked.never;
+}
+
+TEST(ManagedContactFilter, is_asked_once_and_obeyed)
+{
+    Managed sim(Stepper::kFast);
+    sim.ground();
+    const dBodyID stays = sim.box({0, 0, 0.5}, {1, 1, 1}, 1), falls = sim.box({3, 0, 0.5}, {1, 1, 1}, 1);
+    Asked asked{{}, geom_of(falls)};
+    dWorldSetContactFilter(sim.world, ask, &asked);
+    sim.run(30);
+    EXPECT_EQ(asked.times.size(), 2u);
+    for (const auto& [pair, times] : asked.times) EXPECT_EQ(times, 1);
+    EXPECT_NEAR(position(stays).z, 0.5, 0.01);
+    EXPECT_LT(position(falls).z, 0);
+}
+
+TEST(ManagedContactFilter, cannot_take_a_geom_from_under_the_step)
+{
+    Managed sim(Stepper::kQuick);
+    sim.ground();
+    sim.box({0, 0, 0.5}, {1, 1, 1}, 1);
+    const Messages messages;
+    dWorldSetContactFilter(
+        sim.world,
+        [](void*, dGeomID a, dGeomID b) {
+            dGeomDestroy(a);
+            dGeomDestroy(b);
+            return 1;
+        },
+        nullptr);
+    sim.run(1);
+    EXPECT_EQ(messages.count(), 2);
+    EXPECT_EQ(sim.all_contacts().size(), 4u);
+}
+
+TEST(ManagedSpace, is_let_go_when_it_is_destroyed)
+{
+    Managed sim(Stepper::kFast);
+    const dSpaceID other = dSimpleSpaceCreate(nullptr);
+    dWorldSetContactSpace(sim.world, other);
+    EXPECT_EQ(dWorldGetContactSpace(sim.world), other);
+    dSpaceDestroy(other);
+    EXPECT_EQ(dWorldGetContactSpace(sim.world), nullptr);
+    const dBodyID ball = sim.sphere({0, 0, 1}, 0.5, 1);
+    sim.ground();
+    sim.run(60);
+    EXPECT_LT(position(ball).z, 0);  // nothing stops it
+}
+
+TEST(ManagedSpace, opens_spaces_in_it)
+{
+    Managed sim(Stepper::kFast);
+    sim.ground();
+    const dSpaceID inner = dHashSpaceCreate(sim.space), innermost = dSimpleSpaceCreate(inner);
+    const dBodyID low = sim.box({0, 0, 0.5}, {1, 1, 1}, 1), high = sim.box({0, 0, 1.5}, {1, 1, 1}, 1);
+    for (const auto& [body, into] : {std::pair{low, inner}, std::pair{high, innermost}}) {
+        dSpaceRemove(sim.space, geom_of(body));
+        dSpaceAdd(into, geom_of(body));
+    }
+    sim.run(60);
+    EXPECT_NEAR(position(low).z, 0.5, 0.01);
+    EXPECT_NEAR(position(high).z, 1.5, 0.01);
+}
+
+TEST(ManagedSleep, puts_a_pile_to_sleep_and_wakes_what_is_hit)
+{
+    Managed sim(Stepper::kFast);
+    sim.ground();
+    dWorldSetAutoDisableFlag(sim.world, 1);
+    const dBodyID low = sim.box({0, 0, 0.5}, {1, 1, 1}, 1), high = sim.box({0, 0, 1.5}, {1, 1, 1}, 1);
+    sim.run(240);
+    EXPECT_FALSE(dBodyIsEnabled(low));
+    EXPECT_FALSE(dBodyIsEnabled(high));
+    const V3 at = position(high);
+    sim.run(60);
+    EXPECT_EQ(length(position(high) - at), 0);
+    const dBodyID ball = sim.sphere({-3, 0, 1.6}, 0.3, 1);
+    velocity(ball, {10, 0, 0});
+    sim.run(30);
+    EXPECT_GT(position(high).x, 0.005);
+}
+
+// Towers and loose boxes, balls and capsules, a chain; nothing of libm.
+void build_mixture(Managed& sim)
+{
+    set_material(sim.ground(), 0.5, 0.1);
+    Random random(11);
+    for (int i = 0; i < 60; ++i) {
+        const V3 at{random.uniform(-3, 3), random.uniform(-3, 3), 0.6 + 0.25 * i};
+        dBodyID b = nullptr;
+        if (i % 4 == 0) b = sim.sphere(at, 0.3, 1);
+        if (i % 4 == 1) b = sim.capsule(at, 0.2, 0.5, 1);
+        if (i % 4 == 2) b = sim.cylinder(at, 0.3, 0.4, 1);
+        if (i % 4 == 3) b = sim.box(at, {0.5, 0.6, 0.4}, 1);
+        velocity(b, random.point(1), random.point(1));
+    }
+    for (int i = 0; i < 40; ++i)
+        for (int k = 0; k < 3; ++k) sim.box({10.0 + 2 * i, 0, 0.5 + k}, {1, 1, 1}, 1);
+    for (int i = 0; i < 6; ++i) {
+        sim.box({-6, 0.3 * i, 1.5}, {0.2, 0.2, 0.2}, 1);
+        if (i == 0) continue;
+        const dJointID ball = dJointCreateBall(sim.world, nullptr);
+        dJointAttach(ball, sim.bodies[sim.bodies.size() - 2], sim.bodies.back());
+        dJointSetBallAnchor(ball, -6, real(0.3 * i - 0.15), real(1.5));
+    }
+}
+
+std::uint64_t mixture(Stepper stepper, int threads, bool report)
+{
+    Managed sim(stepper);
+    dWorldSetStepThreads(sim.world, threads);
+    dWorldSetStepReportMode(sim.world, report);
+    build_mixture(sim);
+    sim.run(60);
+    EXPECT_TRUE(finite_state(sim));
+    return hash_state(sim);
+}
+
+constexpr std::uint64_t kMixture[3] = {0x260d8ab30fccaee0u, 0x6c4a78a3da233c38u, 0x78b38f3e79d4a2aeu};
+
+TEST(ManagedThreads, have_the_same_bits_on_any_number_and_with_a_report)
+{
+    for (int k = 0; k < 3; ++k) {
+        const std::uint64_t alone = mixture(kSteppers[k], 1, false);
+        for (const int threads : {2, 3, 5, 8})
+            EXPECT_EQ(mixture(kSteppers[k], threads, false), alone)
+                << name_of(kSteppers[k]) << ' ' << threads;
+        EXPECT_EQ(mixture(kSteppers[k], 2, true), alone) << name_of(kSteppers[k]);
+        if (!kSingle) {
+            EXPECT_EQ(alone, kMixture[k]) << name_of(kSteppers[k]) << std::hex << " now 0x" << alone;
+        }
+    }
+}
+
+TEST(ManagedContacts, of_a_first_exact_step_are_those_of_contact_joints)
+{
+    const auto velocities = [](bool managed) {
+        Sim sim(Stepper::kExact);
+        sim.gravity(0, 0, -9.81);
+        sim.ground();
+        dWorldSetContactSurfaceLayer(sim.world, real(1e-3));
+        sim.surface.mu = real(0.6);
+        sim.surface.mode = dContactApprox1;
+        const dBodyID ball = sim.sphere({0, 0, 0.49}, 0.5, 1), box = sim.box({3, 0, 0.495}, {1, 1, 1}, 2);
+        velocity(ball, {1, 0.5, -1}, {0, 2, 0});
+        velocity(box, {0.5, 0, -0.3});
+        if (managed) {
+            dWorldSetContactSpace(sim.world, sim.space);
+            EXPECT_TRUE(sim.advance(0.01));
+        } else {
+            sim.step(0.01);
+        }
+        return std::vector<V3>{velocity(ball), spin(ball), velocity(box), spin(box)};
+    };
+    const std::vector<V3> ours = velocities(true), odes = velocities(false);
+    for (std::size_t i = 0; i < ours.size(); ++i) EXPECT_LT(length(ours[i] - odes[i]), 1e-5) << i;
+}
+
+TEST(ManagedContacts, refuse_what_is_not_usable)
+{
+    Managed sim(Stepper::kFast);
+    const dGeomID ground = sim.ground();
+    dMaterial before{}, after{};
+    EXPECT_EQ(dGeomGetMaterial(ground, &before), 1);
+    EXPECT_NEAR(before.friction, 0.6, 1e-6);
+    Messages messages;
+    int expected = 0;
+    const auto refused = [&](double friction, double bounce, double speed, double belt) {
+        dMaterial m{real(friction), real(bounce), real(speed), {real(belt), 0, 0}};
+        EXPECT_EQ(dGeomSetMaterial(ground, &m), 0);
+        EXPECT_EQ(messages.count(), ++expected);
+    };
+    const double nan = std::nan("");
+    refused(-1, 0, 0, 0), refused(nan, 0, 0, 0), refused(1, 1.5, 0, 0), refused(1, 0, -1, 0),
+        refused(1, 0, 0, nan);
+    EXPECT_EQ(dGeomGetMaterial(ground, nullptr), 0);
+    EXPECT_EQ(dWorldGetContacts(sim.world, nullptr, 3), 0);
+    EXPECT_EQ(dWorldGetContactEvents(nullptr, nullptr, 0), 0);
+    EXPECT_EQ(messages.count(), expected + 3);
+    EXPECT_EQ(dGeomGetMaterial(ground, &after), 1);
+    EXPECT_EQ(after.friction, before.friction);
+}
+
+}  // namespace
+}  // namespace epode::physics

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Patches in lanes: the kernels of every machine leave the same bits, an island has the same answer alone and
+// packed with others, and what a sweep leaves is what Signorini and Coulomb ask for.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "solve/patch_set.h"
+#include "systems.h"
+
+namespace {
+
+using namespace epode_test;
+
+struct Contacts {
+    std::vector<SolverBody> bodies;
+    std::vector<Patch> patches;
+};
+
+Float3 float3(Vec3 a) { return narrow(a); }
+
+// Bodies and patches between them: chains and stars, points in any number, some against the world or a
+// kinematic body; one platform with more neighbours than there are colours in a mask.
+Contacts random_contacts(std::uint64_t seed, int bodies, int patches, bool platform = false)
+{
+    Dice dice(seed);
+    Contacts c;
+    const auto vector = [&](Real size) {
+        return Vec3{dice.real(-size, size), dice.real(-size, size), dice.real(-size, size)};
+    };
+    for (int i = 0; i < bodies; ++i) {
+        SolverBody b;
+        b.v = vector(1), b.w = vector(1);
+        if (i % 9 != 8) {
+            b.inv_mass = dice.real(Real(0.2), 2);
+            b.inv_inertia = {dice.real(1, 9), dice.real(1, 9), dice.real(1, 9), 0, 0, 0};
+        }
+        c.bodies.push_back(b);
+    }
+    for (int i = 0; i < patches; ++i) {
+        Patch p{};
+        p.body1 = platform ? 0 : int(dice.real(0, Real(bodies - 1)));
+        p.body2 = platform ? 1 + i % (bodies - 1) : int(dice.real(-1, Real(bodies)));
+        if (p.body2 == p.body1) p.body2 = -1;
+        p.count = 1 + int(dice.real(0, Real(3.99)));
+        Vec3 n = vector(1);
+        normalize(n);
+        p.normal = float3(n);
+        p.mu = float(dice.real(0, 1));
+        p.bounce = i % 5 ? 0 : 0.5f;
+        for (int k = 0; k < p.count; ++k) {
+            PatchPoint& point = p.points[k];
+            point.r1 = float3(vector(Real(0.5))), point.r2 = float3(vector(Real(0.5)));
+            point.gap = float(dice.real(Real(-0.01), Real(0.005)));
+            point.push = float(dice.real(0, 1));
+            const Vec3 f = vector(Real(0.3));
+            point.friction = float3(f - dot(f, n) * n);
+        }
+        c.patches.push_back(p);
+    }
+    return c;
+}
+
+struct Answer {
+    std::vector<Velocity> velocities;
+    std::vector<Patch> patches;
+};
+
+Answer solve(const PatchKernels& kernels, Contacts c, int steps)
+{
+    Arena arena;
+    RowSystem system;
+    system.h = Real(0.01);
+    system.bodies = c.bodies;
+    std::vector<Patch*> pointers;
+    for (Patch& p : c.patches) pointers.push_back(&p);
+    system.patches = pointers;
+    PatchSet set(kernels);
+    EXPECT_TRUE(set.prepare(system, {system.h / Real(steps), steps}, Tasks(1), arena));
+    Answer out;
+    out.velocities.resize(c.bodies.size() + 1);
+    load_velocities(system, out.velocities);
+    for (int i = 0; i < steps; ++i) {
+        set.apply_impulses(out.velocities);
+        set.correct(out.velocities);
+        set.follow_motion(out.velocities);
+        set.relax(out.velocities);
+    }
+    set.rebound(out.velocities);
+    set.store_impulses(pointers);
+    out.patches = c.patches;
+    return out;
+}
+
+void expect_same(const Answer& a, const Answer& b, std::size_t body0 = 0, std::size_t patch0 = 0)
+{
+    for (std::size_t i = 0; i + 1 < a.velocities.size(); ++i)
+        EXPECT_EQ(std::memcmp(&a.velocities[i], &b.velocities[body0 + i], sizeof(Velocity)), 0)
+            << "body " << i;
+    for (std::size_t i = 0; i < a.patches.size(); ++i)
+        EXPECT_EQ(std::memcmp(a.patches[i].points, b.patches[patch0 + i].points, sizeof a.patches[i].points),
+                  0)
+            << "patch " << i;
+}
+
+TEST(PatchKernels, of_all_machines_make_the_same_bits)
+{
+    const auto all = patch_kernels();
+    ASSERT_STREQ(all[0]->name, "baseline");
+    if (all.size() == 1) GTEST_SKIP() << "this machine runs the baseline only";
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        const Contacts c = random_contacts(seed, 40, 90, seed == 8);
+        expect_same(solve(*all[0], c, 4), solve(*all[1], c, 4));
+    }
+}
+
+TEST(PatchSet, an_island_has_the_same_answer_alone_and_packed)
+{
+    Contacts together;
+    std::vector<Contacts> islands;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        Contacts c = random_contacts(seed, 3 + int(seed), 2 + int(seed));
+        islands.push_back(c);
+        const int base = int(together.bodies.size());
+        together.bodies.insert(together.bodies.end(), c.bodies.begin(), c.bodies.end());
+        for (Patch p : c.patches) {
+            p.body1 += base;
+            if (p.body2 >= 0) p.body2 += base;
+            together.patches.push_back(p);
+        }
+    }
+    const PatchKernels& kernels = *patch_kernels().back();
+    const Answer packed = solve(kernels, together, 3);
+    std::size_t body = 0, patch = 0;
+    for (const Contacts& c : islands) {
+        expect_same(solve(kernels, c, 3), packed, body, patch);
+        body += c.bodies.size(), patch += c.patches.size();
+    }
+}
+
+Vec3 slip(const Answer& a, const Patch& p, const PatchPoint& point)
+{
+    const Velocity &b1 = a.velocities[std::size_t(p.body1)], none{},
+                   &b2 = p.body2 < 0 ? none : a.velocities[std::size_t(p.body2)];
+    return b1.v + cross(b1.w, widen(point.r1)) - b2.v - cross(b2.w, widen(point.r2));
+}
+
+// Contacts without bounce, swept until nothing changes: u_n >= 0, p >= 0, u_n p = 0, and friction on the disc
+// against the slip, or less and no slip. Stored is the sum over all sweeps; the last one is the difference.
+TEST(PatchSet, leaves_what_signorini_and_coulomb_ask_for)
+{
+    Contacts c = random_contacts(3, 24, 20);
+    for (Patch& p : c.patches) {
+        p.bounce = 0, p.mu = 0.4f;
+        for (PatchPoint& point : p.points) point.push = 0, point.friction = {};
+    }
+    Arena arena;
+    RowSystem system;
+    system.h = Real(1e-6);  // nothing moves
+    system.bodies = c.bodies;
+    std::vector<Patch*> pointers;
+    for (Patch& p : c.patches) pointers.push_back(&p);
+    system.patches = pointers;
+    PatchSet set;
+    ASSERT_TRUE(set.prepare(system, {system.h, 1}, Tasks(1), arena));
+    Answer a;
+    a.velocities.resize(c.bodies.size() + 1);
+    load_velocities(system, a.velocities);
+    for (int i = 0; i < 2000; ++i) set.relax(a.velocities);
+    set.store_impulses(pointers);
+    const std::vector<Patch> before = c.patches;
+    set.relax(a.velocities);
+    set.store_impulses(pointers);
+    for (std::size_t i = 0; i < before.size(); ++i)
+        for (int k = 0; k < before[i].count; ++k) {
+            PatchPoint& point = c.patches[i].points[k];
+            const PatchPoint& was = before[i].points[k];
+            point.push -= was.push;
+            point.friction = float3(widen(point.friction) - widen(was.friction));
+        }
+    int pushing = 0, sliding = 0;
+    for (const Patch& p : c.patches)
+        for (int k = 0; k < p.count; ++k) {
+            const PatchPoint& point = p.points[k];
+            const Vec3 n = widen(p.normal), u = slip(a, p, point), friction = widen(point.friction);
+            const Vec3 along = u - dot(n, u) * n;
+            const Real moves = c.bodies[std::size_t(p.body1)].inv_mass +
+                               (p.body2 < 0 ? 0 : c.bodies[std::size_t(p.body2)].inv_mass);
+            if (moves == 0) continue;
+            EXPECT_GT(dot(n, u), -1e-3);
+            EXPECT_GE(point.push, -1e-3);
+            if (point.push > 1e-2) {
+                ++pushing;
+                EXPECT_LT(dot(n, u), 1e-3);
+            }
+            EXPECT_LE(length(friction), 0.4 * point.push + 1e-3);
+            if (length(along) > 1e-2 && point.push > 1e-2) {
+                ++sliding;
+                EXPECT_NEAR(length(friction), 0.4 * point.push, 1e-3);
+                EXPECT_LT(length(friction + (length(friction) / length(along)) * along),
+                          1e-2 * point.push + 1e-3);
+            }
+        }
+    EXPECT_GT(pushing, 5);
+    EXPECT_GT(sliding, 3);
+}
+
+}  // namespace
