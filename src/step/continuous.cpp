@@ -49,7 +49,7 @@ bool is_moving_shape(const Thing& thing)
 
 bool is_contact(const Joint& joint) { return joint.type->number == dJointTypeContact; }
 
-// What joints say of two bodies, the second null for what does not move.
+// What joints and managed contacts say of two bodies, the second null for what does not move.
 struct Bond {
     bool contact = false, other = false;
 };
@@ -59,6 +59,11 @@ Bond bond_between(const Body& a, const Body* b)
     for (const JointNode* n = a.joints; n; n = n->next) {
         const Body* partner = n->joint->node[n == &n->joint->node[0] ? 1 : 0].body;
         if (partner == b) (is_contact(*n->joint) ? bond.contact : bond.other) = true;
+    }
+    for (const PatchEdge* e = a.patches; e;) {
+        const int side = e->body[0] == &a ? 0 : 1;
+        bond.contact = bond.contact || e->body[1 - side] == b;
+        e = e->next[side];
     }
     return bond;
 }

@@ -318,6 +318,21 @@ TEST(ManagedSleep, puts_a_pile_to_sleep_and_wakes_what_is_hit)
     EXPECT_GT(position(high).x, 0.005);
 }
 
+TEST(ManagedContinuous, bullets_stop_at_walls_and_are_held)
+{
+    for (const double speed : {5.0, 300.0}) {
+        Managed sim(Stepper::kFast);
+        sim.gravity(0, 0, 0);
+        dCreateBox(sim.space, real(0.02), 4, 4);
+        const dBodyID ball = sim.sphere({-2, 0, 0}, 0.05, 1);
+        dGeomSetContinuous(geom_of(ball), dContinuousOn);
+        velocity(ball, {speed, 0, 0});
+        sim.run(60);
+        EXPECT_LT(position(ball).x, -0.05) << speed;
+        EXPECT_LT(std::fabs(velocity(ball).x), 0.1) << speed;
+    }
+}
+
 // Towers and loose boxes, balls and capsules, a chain; nothing of libm.
 void build_mixture(Managed& sim)
 {
