@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Contacts that the world manages: no callback, no contact joints, small steps. Of our library only; its
+// names are asked for at run time, since this program runs on Debian's too.
+#include <dlfcn.h>
+
+#include "bench/engines/ode_scene.h"
+#include "bench/engines/stopwatch.h"
+#include "scenes/extensions.h"
+
+namespace epode::bench {
+
+namespace {
+
+using SetSpace = void (*)(dWorldID, dSpaceID);
+using GetContacts = int (*)(dWorldID, void*, int);
+
+template <class Function>
+Function find(const char* name)
+{
+    return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
+}
+
+// The default material's friction is that of all scenes.
+constexpr double kFriction = 0.6;
+
+class ManagedEngine : public Engine {
+  public:
+    ManagedEngine(const SceneData& data, const EngineOptions& options)
+        : scene_(data, options), wall_(options.threads > 1)
+    {
+        find<SetSpace>("dWorldSetContactSpace")(scene_.world(), scene_.space());
+    }
+
+    std::string version() const override { return scenes::loaded_library(); }
+
+    StageTimes step(double time) override
+    {
+        Stopwatch watch(wall_);
+        scene_.drive(time);
+        StageTimes times;
+        times.rest = watch.lap();
+        scene_.advance();
+        times.solve = watch.lap();
+        return times;
+    }
+
+    void read(State& state) const override { scene_.read(state); }
+    RayAnswer cast(const std::vector<RayData>& rays) override { return scene_.cast(rays); }
+    int contacts() override { return find<GetContacts>("dWorldGetContacts")(scene_.world(), nullptr, 0); }
+
+    int pairs_at(const std::vector<Vec>& places) override
+    {
+        scene_.place(places);
+        int pairs = 0;
+        dSpaceCollide(scene_.space(), &pairs,
+                      [](void* count, dGeomID, dGeomID) { ++*static_cast<int*>(count); });
+        return pairs;
+    }
+
+  private:
+    OdeScene scene_;
+    bool wall_;
+};
+
+std::unique_ptr<Engine> make(const SceneData& data, const EngineOptions& options, std::string& refusal)
+{
+    if (!find<SetSpace>("dWorldSetContactSpace") || !scenes::has_step_fast())
+        refusal = scenes::loaded_library() + " manages no contacts";
+    if (options.threads > 1 && !scenes::has_step_threads())
+        refusal = scenes::loaded_library() + " has no threads of its own";
+    if (data.friction != kFriction) refusal = "a scene of another friction than the default material's";
+    if (!refusal.empty()) return nullptr;
+    EngineOptions small_steps = options;
+    small_steps.stepper = "fast";
+    small_steps.iterations = options.iterations > 0 ? options.iterations : 5;
+    return std::make_unique<ManagedEngine>(data, small_steps);
+}
+
+}  // namespace
+
+extern const EngineEntry kManagedEngine = {"managed", "contacts that the world manages, small steps", make};
+
+}  // namespace epode::bench
