@@ -56,7 +56,10 @@ class Press {
         if (length2(aside) > kFaceLean * kFaceLean) feature(aside);
         // The lowest of the true rim, not of its polygon; the support of a flat end is its middle.
         if (length2(aside) > kFlat * kFlat) to_.press(s_.support(-f_.n));
-        for (const Vec3 end : {axis, -axis}) rim(axis, s_.support(end));
+        // The support of an end is its middle only to rounding: of a wheel that has rolled, a point of the
+        // rim.
+        for (const Vec3 end : {axis, -axis})
+            rim(axis, s_.pose.p + dot(s_.support(end) - s_.pose.p, end) * end);
     }
 
     // Where the true rim passes over the facet's edges: on a ridge, these are the deepest points.
