@@ -23,7 +23,7 @@ extern "C" {
    allows, damped so that what is pushed out does not bounce; friction is a cone. In dWorldStep and
    dWorldQuickStep they are what contact joints with the same coefficients would be, with the world's ERP and
    CFM and friction in two directions. Contacts may overlap by the world's surface layer
-   (dWorldSetContactSurfaceLayer), or by 1 mm if that is 0, and are then held, not pushed apart.
+   (dWorldSetContactSurfaceLayer), or by 0.2 mm if that is 0, and are then held, not pushed apart.
 
     A pair is left out if ODE's rules do so (category and collide bits, disabled geoms, geoms of one body), if
    a joint connects its bodies, if neither has a body that can move, or if the filter says so.

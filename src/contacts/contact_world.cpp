@@ -11,7 +11,7 @@
 namespace epode {
 namespace {
 
-constexpr Real kDefaultLayer = Real(1e-3);
+constexpr Real kDefaultLayer = Real(2e-4);
 constexpr int kPiece = 32;  // pairs
 
 Body* body_of(const Geom& geom) { return from_handle<Body>(geom.body.id); }

@@ -49,12 +49,13 @@ inline RowAim map_row(const Row& row, const Substep& step, Real mobility)
     return aim;
 }
 
-inline RowAim default_contact(const Substep& step, Real mobility, bool against_static)
+inline RowAim default_contact(const Substep& step, Real mobility, bool against_static,
+                              Real damping_ratio = 10)
 {
-    constexpr Real kFrequency = 60, kDampingRatio = 10, kPushOut = 3;
+    constexpr Real kFrequency = 60, kPushOut = 3;
     const Real f = std::min(kFrequency, Real(0.125) / step.hs) * (against_static ? 2 : 1);
     const Real w = 2 * kPi * f;
-    const Real a1 = 2 * kDampingRatio + step.hs * w;
+    const Real a1 = 2 * damping_ratio + step.hs * w;
     const Real a2 = step.hs * w * a1;
     return {w / a1, kPushOut, mobility / a2, false};
 }

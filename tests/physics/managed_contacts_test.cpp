@@ -71,7 +71,7 @@ TEST_P(ManagedContacts, carry_the_weight_of_what_rests_on_them)
             if (dGeomGetBody(c.g1) == bodies[k]) force[k] = force[k] + f;
             if (dGeomGetBody(c.g2) == bodies[k]) force[k] = force[k] - f;
         }
-        EXPECT_LT(std::fabs(double(c.depth) - 1e-3), 2e-3);
+        EXPECT_NEAR(double(c.depth), 2e-4, 1.5e-3);
     }
     const double mass[4] = {4, 2, 3, 5};
     for (int k = 0; k < 4; ++k) {
@@ -369,7 +369,7 @@ std::uint64_t mixture(Stepper stepper, int threads, bool report)
     return hash_state(sim);
 }
 
-constexpr std::uint64_t kMixture[3] = {0x260d8ab30fccaee0u, 0x811bb8ec0c4d0080u, 0x78b38f3e79d4a2aeu};
+constexpr std::uint64_t kMixture[3] = {0x3ac65049a37e69d5u, 0xe4d35fbe68829e9eu, 0x669ce49f6d96a8b0u};
 
 TEST(ManagedThreads, have_the_same_bits_on_any_number_and_with_a_report)
 {
