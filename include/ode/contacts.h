@@ -72,9 +72,9 @@ typedef enum {
 
 /** One pair in one step. */
 typedef struct dContactEvent {
-    dContactEventKind kind;
-    dGeomID g1; /**< has a body */
-    dGeomID g2; /**< 0, as g1, if it has been destroyed since */
+    dContactEventKind kind; /**< which of them */
+    dGeomID g1;             /**< has a body */
+    dGeomID g2;             /**< 0, as g1, if it has been destroyed since */
 } dContactEvent;
 
 /** The events of the last step into events, as many as there is room for (0: ask for the number alone), in
