@@ -33,8 +33,8 @@ extern "C" {
     - geom: the geom.
 
     Refused: a world or geom that is 0 or destroyed, null pointers, numbers that are not finite, and what each
-   function names. Nothing changes then, and the answer is 0. While a step or a collision of the space is in
-   progress, the space and the filter cannot be changed. */
+   function names. Nothing changes then, and the answer is 0. While a step is in progress, the space and the
+   filter cannot be changed. */
 
 /** Gives the world the space whose geoms it shall keep apart; 0, the default: none. All contacts that the
     world knew are forgotten. A space that is destroyed is taken away from its world. [ours] */

@@ -28,7 +28,6 @@ struct ContactPair {
     int old;        // part 0's record of the step before, -1: none
     bool wanted;    // the filter, and joints between the bodies
     bool touched;   // in the step before
-    bool reused;    // not collided in this step
     Vec3 origin;    // of body1 at the step's beginning
     float layer;    // depth that was allowed then
     Float3 offset;  // of g2 in g1's frame when they were collided

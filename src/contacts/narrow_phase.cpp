@@ -59,7 +59,6 @@ class PairUpdate {
         if (!old.empty() && hardly_moved(old, offset, turn) && reuse(old)) return;
         head_.offset = narrow(offset);
         for (int k = 0; k < 3; ++k) head_.turn[k] = narrow(turn.row(k));
-        head_.reused = false;
         collide(old);
     }
 
@@ -104,7 +103,6 @@ class PairUpdate {
             std::copy(std::begin(old[i].turn), std::end(old[i].turn), part.turn);
             part.normal = old[i].normal;
             part.patch = old[i].patch;
-            part.reused = true;
             std::copy_n(old[i].anchors, part.patch.count, part.anchors);
             touches = place(part) || touches;
         }
