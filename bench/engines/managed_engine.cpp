@@ -50,14 +50,7 @@ class ManagedEngine : public Engine {
     RayAnswer cast(const std::vector<RayData>& rays) override { return scene_.cast(rays); }
     int contacts() override { return find<GetContacts>("dWorldGetContacts")(scene_.world(), nullptr, 0); }
 
-    int pairs_at(const std::vector<Vec>& places) override
-    {
-        scene_.place(places);
-        int pairs = 0;
-        dSpaceCollide(scene_.space(), &pairs,
-                      [](void* count, dGeomID, dGeomID) { ++*static_cast<int*>(count); });
-        return pairs;
-    }
+    int pairs_at(const std::vector<Vec>& places) override { return scene_.pairs_at(places); }
 
   private:
     OdeScene scene_;

@@ -54,14 +54,7 @@ class OdeEngine : public Engine {
     RayAnswer cast(const std::vector<RayData>& rays) override { return scene_.cast(rays); }
     int contacts() override { return contacts_; }
 
-    int pairs_at(const std::vector<Vec>& places) override
-    {
-        scene_.place(places);
-        int pairs = 0;
-        dSpaceCollide(scene_.space(), &pairs,
-                      [](void* count, dGeomID, dGeomID) { ++*static_cast<int*>(count); });
-        return pairs;
-    }
+    int pairs_at(const std::vector<Vec>& places) override { return scene_.pairs_at(places); }
 
   private:
     static void near_callback(void* engine, dGeomID geom1, dGeomID geom2)

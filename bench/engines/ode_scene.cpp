@@ -294,12 +294,15 @@ RayAnswer OdeScene::cast(const std::vector<RayData>& rays)
     return answer;
 }
 
-void OdeScene::place(const std::vector<Vec>& places)
+int OdeScene::pairs_at(const std::vector<Vec>& places)
 {
     for (size_t i = 0; i < places.size(); ++i) {
         if (!bodies_[i] && geoms_[i])
             dGeomSetPosition(geoms_[i], dReal(places[i].x), dReal(places[i].y), dReal(places[i].z));
     }
+    int pairs = 0;
+    dSpaceCollide(space_, &pairs, [](void* count, dGeomID, dGeomID) { ++*static_cast<int*>(count); });
+    return pairs;
 }
 
 }  // namespace epode::bench

@@ -30,7 +30,8 @@ class OdeScene {
     int advance();  // of the world, by dt; 0: the library refused
     void read(State& state) const;
     RayAnswer cast(const std::vector<RayData>& rays);
-    void place(const std::vector<Vec>& places);
+    // Puts the bodies there; the number of pairs that the space reports.
+    int pairs_at(const std::vector<Vec>& places);
 
   private:
     // What geoms point into.

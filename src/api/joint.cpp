@@ -12,16 +12,6 @@ using namespace epode;
 
 namespace {
 
-// The first joint at or after `n` in body a's list whose other end is `b` (null: the world).
-JointNode* find_connection(JointNode* n, const Body* b)
-{
-    for (; n; n = n->next) {
-        Joint& joint = *n->joint;
-        if (joint.node[n == &joint.node[0] ? 1 : 0].body == b) return n;
-    }
-    return nullptr;
-}
-
 bool stepping(const Joint& joint) { return joint.world && joint.world->stepping; }
 
 bool stepping(const JointGroup& group)

@@ -66,6 +66,19 @@ Floats3 from(const Floats3& a, const float (&centre)[3])
     return {a.x - floats(centre[0]), a.y - floats(centre[1]), a.z - floats(centre[2])};
 }
 
+// In the solid's own frame.
+Corners in_frame(const MeshPacket& packet, const float (&centre)[3], const float (&axis)[3][3], float slack,
+                 float size)
+{
+    const Floats3 a = corner_of(packet, 0), b = corner_of(packet, 1), c = corner_of(packet, 2);
+    Corners t;
+    t.v[0] = turned(from(a, centre), axis);
+    t.e[0] = turned(b - a, axis), t.e[1] = turned(c - b, axis);
+    t.e[2] = -(t.e[0] + t.e[1]);
+    t.finish(slack, size);
+    return t;
+}
+
 }  // namespace
 
 MeshProbe::MeshProbe(const SolidProbe& solid, Vec3 centre_in_frame, Real scale) : kind_(solid.kind)
@@ -113,12 +126,7 @@ unsigned MeshProbe::ball_meets(const MeshPacket& packet) const
 
 unsigned MeshProbe::box_meets(const MeshPacket& packet) const
 {
-    const Floats3 a = corner_of(packet, 0), b = corner_of(packet, 1), c = corner_of(packet, 2);
-    Corners t;
-    t.v[0] = turned(from(a, centre_), axis_);
-    t.e[0] = turned(b - a, axis_), t.e[1] = turned(c - b, axis_);
-    t.e[2] = -(t.e[0] + t.e[1]);
-    t.finish(slack_, size_);
+    const Corners t = in_frame(packet, centre_, axis_, slack_, size_);
     const Floats hx = floats(half_[0]), hy = floats(half_[1]), hz = floats(half_[2]);
     Ints apart =
         (smallest(t.v[0].x, t.v[1].x, t.v[2].x) > hx) | (largest(t.v[0].x, t.v[1].x, t.v[2].x) < -hx);
@@ -141,12 +149,7 @@ unsigned MeshProbe::box_meets(const MeshPacket& packet) const
 
 unsigned MeshProbe::rod_meets(const MeshPacket& packet) const
 {
-    const Floats3 a = corner_of(packet, 0), b = corner_of(packet, 1), c = corner_of(packet, 2);
-    Corners t;
-    t.v[0] = turned(from(a, centre_), axis_);
-    t.e[0] = turned(b - a, axis_), t.e[1] = turned(c - b, axis_);
-    t.e[2] = -(t.e[0] + t.e[1]);
-    t.finish(slack_, size_);
+    const Corners t = in_frame(packet, centre_, axis_, slack_, size_);
     const bool flat = kind_ == ProbeKind::kCylinder;
     const Floats zero = Floats{}, half = floats(half_[2]), radius = floats(round_);
     const Floats end = flat ? half : half + radius, radius2 = radius * radius;

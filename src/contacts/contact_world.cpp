@@ -24,13 +24,12 @@ bool is_surface(const Geom& geom)
 // Rays measure, they do not push.
 bool can_push(const Geom& geom) { return geom.type->number != dRayClass; }
 
-bool joined(const Body& a, const Body* b)
+// By a joint that is no contact.
+bool tied(const Body& a, const Body* b)
 {
-    for (const JointNode* n = a.joints; n && b; n = n->next) {
-        const Joint& joint = *n->joint;
-        if (joint.node[n == &joint.node[0] ? 1 : 0].body == b && joint.type->number != dJointTypeContact)
-            return true;
-    }
+    if (!b) return false;
+    for (const JointNode* n = find_connection(a.joints, b); n; n = find_connection(n->next, b))
+        if (n->joint->type->number != dJointTypeContact) return true;
     return false;
 }
 
@@ -114,7 +113,7 @@ void ContactWorld::collide_pairs(const World& world, const Tasks& tasks)
     const auto update_one = [&](int head) {
         const ContactPair& first = fresh_.data()[head];
         const auto parts = fresh_.span().subspan(std::size_t(head), std::size_t(first.parts));
-        if (!first.wanted || joined(*first.body1, first.body2)) return;
+        if (!first.wanted || tied(*first.body1, first.body2)) return;
         update_pair(parts, record(first.old), settings);
     };
     // Functions of the program are called by the caller's thread, and first.

@@ -4,6 +4,8 @@
 
 #include <bit>
 
+#include "base/hash.h"
+
 namespace epode {
 namespace {
 
@@ -48,12 +50,6 @@ void DeepLock::count(Space& space, int by)
         if (member && is_space(*member)) count(static_cast<Space&>(*member), by);
 }
 
-std::size_t RecordFinder::hash(std::uint64_t a, std::uint64_t b)
-{
-    const std::uint64_t h = (a * 0x9e3779b97f4a7c15u) ^ (b * 0xc2b2ae3d27d4eb4fu);
-    return std::size_t(h ^ (h >> 29));
-}
-
 bool RecordFinder::is(int record, std::uint64_t serial1, std::uint64_t serial2) const
 {
     const ContactPair& r = records_.data()[record];
@@ -67,7 +63,7 @@ bool RecordFinder::make_table()
     if (!table_.resize(size)) return false;
     for (int& entry : table_) entry = -1;
     for (int i = 0; i < records_.size(); i += records_[i].parts) {
-        std::size_t at = hash(records_[i].serial1, records_[i].serial2) & std::size_t(size - 1);
+        std::size_t at = hash_of(records_[i].serial1, records_[i].serial2) & std::size_t(size - 1);
         while (table_.data()[at] >= 0) at = (at + 1) & std::size_t(size - 1);
         table_.data()[at] = i;
     }
@@ -84,7 +80,7 @@ int RecordFinder::find(std::uint64_t serial1, std::uint64_t serial2)
     } else {
         if (!made_ && !make_table()) return -2;
         const auto mask = std::size_t(table_.size() - 1);
-        for (std::size_t at = hash(serial1, serial2) & mask; table_.data()[at] >= 0; at = (at + 1) & mask)
+        for (std::size_t at = hash_of(serial1, serial2) & mask; table_.data()[at] >= 0; at = (at + 1) & mask)
             if (is(table_.data()[at], serial1, serial2)) {
                 found = table_.data()[at];
                 break;

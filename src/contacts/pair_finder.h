@@ -44,7 +44,6 @@ class RecordFinder {
   private:
     [[nodiscard]] bool make_table();
     bool is(int record, std::uint64_t serial1, std::uint64_t serial2) const;
-    static std::size_t hash(std::uint64_t a, std::uint64_t b);
 
     const Array<ContactPair>& records_;
     Array<int>& table_;  // open addressing, -1: free; empty: not made

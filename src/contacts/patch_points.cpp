@@ -3,6 +3,10 @@
 #include "contacts/patch_points.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
+
+#include "geometry/best_four.h"
 
 namespace epode {
 namespace {
@@ -54,26 +58,17 @@ void PatchMaker::finish()
     }
 }
 
-// The deepest, the one farthest from it, the one farthest from the line of both, and the one that adds the
-// most area on the other side.
 void PatchMaker::keep_four(int part)
 {
     const dContactGeom** points = chosen_[part];
-    const int count = counts_[part];
-    const Vec3 n = widen(parts_[std::size_t(part)].patch.normal);
-    const auto at = [&](int i) { return load(points[i]->pos); };
-    int kept[kPatchPoints];
-    kept[0] = best_of(count, [&](int i) { return points[i]->depth; });
-    const Vec3 a = at(kept[0]);
-    kept[1] = best_of(count, [&](int i) { return length2(at(i) - a); });
-    const Vec3 side = cross(n, at(kept[1]) - a);
-    const auto beside = [&](int i) { return dot(side, at(i) - a); };
-    kept[2] = best_of(count, beside);
-    kept[3] = best_of(count, [&](int i) { return -beside(i); });
-    std::sort(kept, kept + kPatchPoints);
-    const int left = int(std::unique(kept, kept + kPatchPoints) - kept);
-    for (int i = 0; i < left; ++i) points[i] = points[kept[i]];
-    counts_[part] = left;
+    ManifoldPoints lanes;
+    for (int i = 0; i < counts_[part]; ++i) lanes.add(load(points[i]->pos), points[i]->depth);
+    int best[kBestFour];
+    const int count = best_four(lanes, widen(parts_[std::size_t(part)].patch.normal), kPatchPoints, best);
+    std::uint64_t kept = 0;
+    for (int i = 0; i < count; ++i) kept |= std::uint64_t(1) << best[i];
+    counts_[part] = 0;
+    for (; kept; kept &= kept - 1) points[counts_[part]++] = points[std::countr_zero(kept)];
 }
 
 void inherit_impulses(const ContactPair& was, Real size, ContactPair& part)

@@ -18,7 +18,7 @@ class PatchMaker {
 
     // The normal must lead into g1, as dCollide gives it.
     void add(const dContactGeom& contact);
-    // Leaves four of each patch that has more: those that reach farthest.
+    // Leaves the best four of each patch that has more.
     void finish();
     const dContactGeom& source(int part, int point) const { return *chosen_[part][point]; }
 

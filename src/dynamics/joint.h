@@ -90,4 +90,11 @@ inline bool acting(const Joint& j)
     return !j.disabled && ((j.body1() && j.body1()->inv_mass > 0) || (j.body2() && j.body2()->inv_mass > 0));
 }
 
+// Of the joints of a body, from this one in its list on, the first that leads to `other` (null: the world).
+inline JointNode* find_connection(JointNode* n, const Body* other)
+{
+    while (n && n->joint->node[n == &n->joint->node[0] ? 1 : 0].body != other) n = n->next;
+    return n;
+}
+
 }  // namespace epode

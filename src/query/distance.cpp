@@ -47,7 +47,7 @@ Separation solid_solid(const Thing& a, const Thing& b, Real limit)
 {
     Capsule memory_a, memory_b;
     const Real apart = kEndless * length(a.pose.p - b.pose.p);
-    const Ball ball_a = ball_about(a, apart), ball_b = ball_about(b, apart);
+    const BoundingBall ball_a = ball_about(a, apart), ball_b = ball_about(b, apart);
     return separation(solid_view(a, ball_b.centre, ball_b.reach, memory_a),
                       solid_view(b, ball_a.centre, ball_a.reach, memory_b), limit);
 }
@@ -89,7 +89,7 @@ Separation solid_surface(const Thing& a, const Thing& b, Real limit)
     if (sort_of(b) == Sort::kMesh && in_mesh(a, b, best)) return best;
     if (sort_of(b) == Sort::kField && in_ground(a, b, best)) return best;
     const TriangleSet surface = triangles_of(b);
-    const Ball ball = ball_about(surface, b.pose);
+    const BoundingBall ball = ball_about(surface, b.pose);
     Capsule memory;
     nearest_triangle(in_frame(b.pose, solid_view(a, ball.centre, ball.reach, memory)), -1, surface, limit,
                      best);

@@ -121,8 +121,8 @@ SweepHit sweep(Geom& solid, const Way& way, Geom& other, Real limit)
     // A ray geom that moves, or is met, is as long as it takes to reach the other along the way.
     Capsule memory_a, memory_b;
     const Real far = kEndless * (length(a.pose.p - b.pose.p) + way.length);
-    const Ball ball_a = ball_about(a, far);
-    Ball ball_b = {a.pose.p, far};
+    const BoundingBall ball_a = ball_about(a, far);
+    BoundingBall ball_b = {a.pose.p, far};
     if (sort == Sort::kSolid) ball_b = ball_about(b, far);
     if (sort == Sort::kMesh || sort == Sort::kField) ball_b = ball_about(triangles_of(b), b.pose);
     const ConvexView view = solid_view(a, ball_b.centre, ball_b.reach + way.length, memory_a);

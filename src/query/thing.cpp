@@ -83,7 +83,7 @@ ConvexView solid_view(const Thing& t, Vec3 centre, Real reach, Capsule& memory)
 }
 
 // Of a ray it is left to the caller what is near enough to count.
-Ball ball_about(const Thing& t, Real most)
+BoundingBall ball_about(const Thing& t, Real most)
 {
     if (t.number() == dRayClass) return {t.pose.p, std::clamp(t.as<Ray>().length, Real(0), most)};
     Capsule unused;
@@ -91,7 +91,7 @@ Ball ball_about(const Thing& t, Real most)
     return {v.pose.p, v.size + v.radius};
 }
 
-Ball ball_about(const TriangleSet& s, const Pose& pose)
+BoundingBall ball_about(const TriangleSet& s, const Pose& pose)
 {
     const Vec3 half = Real(0.5) * (s.period().hi - s.period().lo);
     return {pose.to_world(s.period().lo + half), (s.endless() ? kEndless : Real(1)) * length(half)};

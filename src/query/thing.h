@@ -31,14 +31,14 @@ struct Thing {
 Thing thing_of(Geom& geom);  // null geom: a transform that holds nothing
 Sort sort_of(const Thing& thing);
 
-struct Ball {
+struct BoundingBall {
     Vec3 centre;
     Real reach;
 };
 
 // Of a ray no more than `most` of it.
-Ball ball_about(const Thing& solid, Real most);
-Ball ball_about(const TriangleSet& surface, const Pose& pose);
+BoundingBall ball_about(const Thing& solid, Real most);
+BoundingBall ball_about(const TriangleSet& surface, const Pose& pose);
 
 // Two rays, and rays over endless fields, are looked at for so many times what lies between them at most.
 inline constexpr Real kEndless = kSingle ? Real(1e3) : Real(1e5);

@@ -10,16 +10,9 @@
 // Friction is bounded in the plane as a whole (a cone), the same in every direction.
 #pragma once
 
-#include "math/vec.h"
+#include "math/float3.h"
 
 namespace epode {
-
-struct Float3 {
-    float x, y, z;
-};
-
-inline Float3 narrow(Vec3 a) { return {float(a.x), float(a.y), float(a.z)}; }
-inline Vec3 widen(Float3 a) { return {Real(a.x), Real(a.y), Real(a.z)}; }
 
 inline constexpr int kPatchPoints = 4;
 

@@ -8,13 +8,10 @@
 #pragma once
 
 #include "simd/float_lanes.h"
+#include "simd/lanewise.h"
 
 #if defined(__x86_64__)
 #include <immintrin.h>
-#endif
-
-#ifndef EPODE_LANEWISE
-#define EPODE_LANEWISE [[gnu::always_inline]] inline
 #endif
 
 namespace epode {

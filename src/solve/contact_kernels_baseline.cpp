@@ -3,6 +3,9 @@
 //
 // The contact kernels for any machine, and the choice between those that there are. It is made when the
 // library is loaded, so that calls go through one pointer and no test.
+#include <iterator>
+
+#include "simd/machine.h"
 #include "solve/contact_kernels.inc"
 
 namespace epode {
@@ -13,20 +16,14 @@ namespace {
 
 constexpr ContactKernels kBaseline{"baseline", prepare, apply_impulses, sweep, normal_velocities};
 
+constexpr const ContactKernels* kAll[] = {
+    &kBaseline,
 #if defined(__x86_64__)
-constexpr const ContactKernels* kAll[] = {&kBaseline, &kAvx2ContactKernels};
-
-std::size_t count_usable()
-{
-    __builtin_cpu_init();
-    return __builtin_cpu_supports("avx2") ? 2 : 1;
-}
-
-const std::size_t usable = count_usable();
-#else
-constexpr const ContactKernels* kAll[] = {&kBaseline};
-constexpr std::size_t usable = 1;
+    &kAvx2ContactKernels,
 #endif
+};
+
+const std::size_t usable = usable_kernels(std::size(kAll));
 
 }  // namespace
 

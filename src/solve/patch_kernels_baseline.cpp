@@ -3,6 +3,9 @@
 //
 // The patch kernels for any machine, and the choice between those that there are, made when the library is
 // loaded.
+#include <iterator>
+
+#include "simd/machine.h"
 #include "solve/patch_kernels.inc"
 
 namespace epode {
@@ -13,20 +16,14 @@ namespace {
 
 constexpr PatchKernels kBaseline{"baseline", prepare_patches, apply_patches, correct, relax, rebound};
 
+constexpr const PatchKernels* kAll[] = {
+    &kBaseline,
 #if defined(__x86_64__)
-constexpr const PatchKernels* kAll[] = {&kBaseline, &kAvx2PatchKernels};
-
-std::size_t count_usable()
-{
-    __builtin_cpu_init();
-    return __builtin_cpu_supports("avx2") ? 2 : 1;
-}
-
-const std::size_t usable = count_usable();
-#else
-constexpr const PatchKernels* kAll[] = {&kBaseline};
-constexpr std::size_t usable = 1;
+    &kAvx2PatchKernels,
 #endif
+};
+
+const std::size_t usable = usable_kernels(std::size(kAll));
 
 }  // namespace
 

@@ -3,6 +3,9 @@
 //
 // The row kernels for any machine, and the choice between those that there are, made when the library is
 // loaded.
+#include <iterator>
+
+#include "simd/machine.h"
 #include "solve/row_kernels.inc"
 
 namespace epode {
@@ -13,20 +16,14 @@ namespace {
 
 constexpr RowKernels kBaseline{"baseline", products, add_transposed, assemble, advance, aim, centre, finish};
 
+constexpr const RowKernels* kAll[] = {
+    &kBaseline,
 #if defined(__x86_64__)
-constexpr const RowKernels* kAll[] = {&kBaseline, &kAvx2RowKernels};
-
-int count_usable()
-{
-    __builtin_cpu_init();
-    return __builtin_cpu_supports("avx2") ? 2 : 1;
-}
-
-const int usable = count_usable();
-#else
-constexpr const RowKernels* kAll[] = {&kBaseline};
-constexpr int usable = 1;
+    &kAvx2RowKernels,
 #endif
+};
+
+const int usable = int(usable_kernels(std::size(kAll)));
 
 }  // namespace
 

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "base/hash.h"
+
 namespace epode {
 namespace {
 
@@ -20,14 +22,6 @@ void ContactCache::Store::swap(Store& other)
     pairs.swap(other.pairs);
     points.swap(other.points);
     runs.swap(other.runs);
-}
-
-std::size_t ContactCache::hash(std::uint64_t a, std::uint64_t b)
-{
-    std::uint64_t z = a * 0x9e3779b97f4a7c15u + b * 0xc2b2ae3d27d4eb4fu;
-    z ^= z >> 29;
-    z *= 0xbf58476d1ce4e5b9u;
-    return std::size_t(z ^ (z >> 32));
 }
 
 ContactCache::Point* ContactCache::find(const Pair& like, int bucket, Vec3 place, Vec3 normal)
@@ -56,7 +50,7 @@ void ContactCache::load(int writer, int ticket, const Body& body1, const Body* b
     fresh = {body1.serial, body2 ? body2->serial : 0, narrow(manifold.n), ticket, int(points.size()), -1};
     const bool known = share > 0 && !buckets_.empty();
     const int bucket =
-        known ? buckets_[int(hash(fresh.serial1, fresh.serial2) & std::size_t(buckets_.size() - 1))] : -1;
+        known ? buckets_[int(hash_of(fresh.serial1, fresh.serial2) & std::size_t(buckets_.size() - 1))] : -1;
     const Mat3 R = body1.rotation();
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec3 place = transposed_times(R, points[i].r1);
@@ -116,7 +110,7 @@ void ContactCache::end()
     for (int r = old_.runs.size(); r-- > 0;)
         for (int i = old_.runs[r].first + old_.runs[r].count; i-- > old_.runs[r].first;) {
             Pair& pair = old_.pairs[i];
-            int& bucket = buckets_[int(hash(pair.serial1, pair.serial2) & mask)];
+            int& bucket = buckets_[int(hash_of(pair.serial1, pair.serial2) & mask)];
             pair.next = bucket;
             bucket = i;
         }

@@ -10,6 +10,7 @@
 
 #include "base/array.h"
 #include "dynamics/body.h"
+#include "math/float3.h"
 #include "rows/manifold.h"
 
 namespace epode {
@@ -32,10 +33,7 @@ class ContactCache {
     void take_back();
 
   private:
-    // Seven digits are plenty for a start value.
-    struct Float3 {
-        float x, y, z;
-    };
+    // In floats: seven digits are plenty for a start value.
     struct Pair {
         std::uint64_t serial1, serial2;  // of the bodies
         Float3 normal;                   // world
@@ -59,9 +57,6 @@ class ContactCache {
         void swap(Store& other);
     };
     static_assert(sizeof(Point) == 32);
-    static Float3 narrow(Vec3 a) { return {float(a.x), float(a.y), float(a.z)}; }
-    static Vec3 widen(Float3 a) { return {a.x, a.y, a.z}; }
-    static std::size_t hash(std::uint64_t a, std::uint64_t b);
     Point* find(const Pair& like, int bucket, Vec3 place, Vec3 normal);
     static int buckets_for(int pairs);
 

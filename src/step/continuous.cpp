@@ -56,10 +56,8 @@ struct Bond {
 Bond bond_between(const Body& a, const Body* b)
 {
     Bond bond;
-    for (const JointNode* n = a.joints; n; n = n->next) {
-        const Body* partner = n->joint->node[n == &n->joint->node[0] ? 1 : 0].body;
-        if (partner == b) (is_contact(*n->joint) ? bond.contact : bond.other) = true;
-    }
+    for (const JointNode* n = find_connection(a.joints, b); n; n = find_connection(n->next, b))
+        (is_contact(*n->joint) ? bond.contact : bond.other) = true;
     for (const PatchEdge* e = a.patches; e;) {
         const int side = e->body[0] == &a ? 0 : 1;
         bond.contact = bond.contact || e->body[1 - side] == b;

@@ -8,21 +8,13 @@
 
 namespace epode {
 
-MeshGround::MeshGround(const MeshFacet& f, MeshMeeting& m) : f_(f), m_(m)
-{
-    for (int k = 0; k < 3; ++k) {
-        out_[k] = normalized_or(cross(f.edge(k), f.n), {});
-        limit_[k] = dot(out_[k], f.v[k]);
-        seam_[k] = m.seam(f, k);
-    }
-}
-
 void MeshGround::press_edge(Vec3 p, const PrismPlace& a, Vec3 q, const PrismPlace& b)
 {
     for (int k = 0; k < 3; ++k) {
         const Real at_p = a.beyond[k], at_q = b.beyond[k];
         const bool in_p = at_p <= m_.slack, in_q = at_q <= m_.slack;
-        if (in_p == in_q || seam_[k] || (in_p ? at_p : at_q) >= 0) continue;  // an end on the wall is itself
+        if (in_p == in_q || !ends_at(k) || (in_p ? at_p : at_q) >= 0)
+            continue;  // an end on the wall is itself
         const Real t = at_p / (at_p - at_q);
         if (!low(a.height + t * (b.height - a.height))) continue;
         const int i = (k + 1) % 3, j = (k + 2) % 3;

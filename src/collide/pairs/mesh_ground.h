@@ -13,7 +13,7 @@
 // that are above.
 #pragma once
 
-#include "collide/pairs/mesh_facet.h"
+#include "collide/pairs/mesh_patch.h"
 
 namespace epode {
 
@@ -24,16 +24,17 @@ struct PrismPlace {
 
 class MeshGround {
   public:
-    MeshGround(const MeshFacet& facet, MeshMeeting& meeting);
+    MeshGround(const MeshFacet& facet, MeshMeeting& meeting) : f_(facet), m_(meeting), prism_(facet) {}
 
     PrismPlace place(Vec3 p) const
     {
         return {f_.height(p),
-                {dot(out_[0], p) - limit_[0], dot(out_[1], p) - limit_[1], dot(out_[2], p) - limit_[2]}};
+                {dot(prism_.out[0], p) - prism_.limit[0], dot(prism_.out[1], p) - prism_.limit[1],
+                 dot(prism_.out[2], p) - prism_.limit[2]}};
     }
     PrismPlace along(Vec3 d) const  // of a difference of points
     {
-        return {dot(f_.n, d), {dot(out_[0], d), dot(out_[1], d), dot(out_[2], d)}};
+        return {dot(f_.n, d), {dot(prism_.out[0], d), dot(prism_.out[1], d), dot(prism_.out[2], d)}};
     }
     bool low(Real height) const { return height <= m_.slack; }
     bool within(const PrismPlace& a) const
@@ -65,11 +66,11 @@ class MeshGround {
     {
         for (int i = 0; i < held_; ++i) put(holds_[i]);
     }
-    bool corner_counts(int corner) const { return !seam_[corner == 1 ? 1 : 2]; }
+    // A corner of the triangle is where two walls meet; the later of them has the word.
+    bool corner_counts(int corner) const { return ends_at(corner == 1 ? 1 : 2); }
 
-    bool ends_at(int edge) const { return !seam_[edge]; }
+    bool ends_at(int edge) const { return !(m_.whole && prism_.seam[edge]); }
     Vec3 upright() const { return f_.n; }
-    Vec3 wall(int edge) const { return out_[edge]; }
     Real slack() const { return m_.slack; }
 
   private:
@@ -83,9 +84,7 @@ class MeshGround {
 
     const MeshFacet& f_;
     MeshMeeting& m_;
-    Vec3 out_[3];  // unit, or zero for an edge without length
-    Real limit_[3];
-    bool seam_[3];
+    const Prism prism_;
     int held_ = -1;
     union {
         Vec3 holds_[kMostHeld];  // in a union: left unwritten until held

@@ -9,16 +9,16 @@ namespace epode {
 namespace {
 
 // Keeps the part with normal . x <= limit + slack.
-void cut(Patch& patch, Vec3 normal, Real limit, Real slack, bool seam)
+void cut(TrianglePart& patch, Vec3 normal, Real limit, Real slack, bool seam)
 {
-    Real distance[Patch::kMax];
+    Real distance[TrianglePart::kMax];
     bool all = true;
     for (int i = 0; i < patch.count; ++i) {
         distance[i] = dot(normal, patch.points[i]) - limit;
         all = all && distance[i] <= slack;
     }
     if (all) return;
-    Patch kept;
+    TrianglePart kept;
     for (int i = 0; i < patch.count; ++i) {
         const bool in = distance[i] <= slack;
         if (in) kept.add(patch.points[i], patch.seam[i]);
@@ -43,7 +43,7 @@ Prism::Prism(const MeshFacet& f)
     }
 }
 
-void cut_to_prism(Patch& patch, const Prism& prism, bool seams, Real slack)
+void cut_to_prism(TrianglePart& patch, const Prism& prism, bool seams, Real slack)
 {
     for (int k = 0; k < 3 && patch.count > 0; ++k)
         cut(patch, prism.out[k], prism.limit[k], slack, seams && prism.seam[k]);

@@ -9,14 +9,14 @@
 
 namespace epode {
 
-struct Patch {
+struct TrianglePart {
     static constexpr int kMax = Polygon::kMax + 3;  // each cut adds one corner at most
     union {
         Vec3 points[kMax];  // in a union: left unwritten until added
     };
     bool seam[kMax];
     int count = 0;
-    Patch() {}
+    TrianglePart() {}
     void add(Vec3 p, bool by_seam)
     {
         if (count < kMax) points[count] = p, seam[count++] = by_seam;
@@ -26,18 +26,12 @@ struct Patch {
 // The prism of a facet about its normal: what is in it has out . x <= limit.
 struct Prism {
     explicit Prism(const MeshFacet& facet);
-    bool holds(Vec3 p, Real slack) const
-    {
-        for (int k = 0; k < 3; ++k)
-            if (dot(out[k], p) - limit[k] > slack) return false;
-        return true;
-    }
     Vec3 out[3];  // unit, or zero for an edge without length
     Real limit[3];
     bool seam[3];
 };
 
 // Cuts by the prism. `seams`: false makes all cuts count.
-void cut_to_prism(Patch& patch, const Prism& prism, bool seams, Real slack);
+void cut_to_prism(TrianglePart& patch, const Prism& prism, bool seams, Real slack);
 
 }  // namespace epode

@@ -90,7 +90,7 @@ class Crossing {
   private:
     // The part of `t` over `face`, and how deep it is on the side that is wrong when `side` is right.
     struct Sunk {
-        Patch patch;
+        TrianglePart patch;
         Real depth = 0;
         int at = 0;  // the deepest corner
         Sunk(const MeshFacet& t, const MeshFacet& face, Real side, Real slack)
