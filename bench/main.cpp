@@ -14,6 +14,7 @@
 #include "bench/scene_run.h"
 #include "bench/spaces.h"
 #include "bench/terrain.h"
+#include "bench/worlds.h"
 #include "scenes/extensions.h"
 
 namespace {
@@ -105,6 +106,22 @@ CLI::App* add_spaces(CLI::App& app, epode::bench::SpaceOptions& options)
     command->add_option("--moving", options.moving, "boxes (default 20000)")
         ->check(CLI::Range(1, 10'000'000));
     command->add_option("--steps", options.steps, "default 20")->check(CLI::Range(1, 1'000'000));
+    return command;
+}
+
+CLI::App* add_worlds(CLI::App& app, epode::bench::WorldsOptions& options)
+{
+    CLI::App* command =
+        app.add_subcommand("worlds", "many small worlds: a loop of single steps against dWorldStepMany");
+    command->add_option("--scene", options.scene, "one of `epode_bench scenes` (default S4)");
+    command->add_option("--size", options.size, "of the scene (default 1)")->check(CLI::Range(1, 100'000));
+    command->add_option("--worlds", options.worlds, "default 64")->check(CLI::Range(1, 100'000));
+    command->add_option("--steps", options.steps, "of each world in a round (default 20)")
+        ->check(CLI::Range(1, 1'000'000));
+    command->add_option("--rounds", options.rounds, "the quickest counts (default 15)")
+        ->check(CLI::Range(1, 10'000));
+    command->add_option("--stepper", options.stepper, "exact, quick or fast (default fast)")
+        ->check(CLI::IsMember({"exact", "quick", "fast"}));
     return command;
 }
 
@@ -211,6 +228,8 @@ int main(int argc, char** argv)
     CLI::App* pairs_command = add_pairs(app, pairs);
     epode::bench::SpaceOptions spaces;
     CLI::App* spaces_command = add_spaces(app, spaces);
+    epode::bench::WorldsOptions worlds;
+    CLI::App* worlds_command = add_worlds(app, worlds);
     epode::bench::SceneRunOptions run;
     CLI::App* run_command = add_run(app, run);
     epode::bench::SceneChoice exported;
@@ -250,6 +269,7 @@ int main(int argc, char** argv)
     if (*terrain_command) return epode::bench::bench_terrain(terrain);
     if (*pairs_command) return epode::bench::bench_pairs(pairs);
     if (*spaces_command) return epode::bench::bench_spaces(spaces);
+    if (*worlds_command) return epode::bench::bench_worlds(worlds);
     if (*make_pile) return epode::bench::print_pile(pile.count, pile.side, pile.rows, pile.seed);
     return epode::bench::bench_scene(options);
 }

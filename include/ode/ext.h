@@ -11,6 +11,7 @@
 #include <ode/common.h>
 #include <ode/contacts.h>
 #include <ode/mass.h>
+#include <ode/steppers.h>
 
 #ifdef __cplusplus
 extern "C" {

@@ -20,6 +20,7 @@ class StepMemory {
     static StepMemory* create();
     StepMemory* hold();
     static void let_go(StepMemory* memory);  // null is allowed
+    bool shared() const { return holders_.load(std::memory_order_relaxed) > 1; }
 
     // False: in use by another step.
     bool begin();

@@ -94,7 +94,7 @@ struct ColliderTable {
         if (i != j) entries[j][i].set(collider);
     }
     ColliderEntry entries[dGeomNumClasses][dGeomNumClasses];
-    std::atomic<bool> rays_overridden{false};
+    std::atomic<bool> any_overridden{false}, rays_overridden{false};
 };
 
 // Spaces and transforms are opened, whatever they meet: user classes are not asked about them.
@@ -105,7 +105,7 @@ bool is_opened(int number)
 
 void ColliderTable::fill()
 {
-    rays_overridden = false;
+    any_overridden = rays_overridden = false;
     for (int i = 0; i < dGeomNumClasses; ++i)
         for (int j = 0; j < dGeomNumClasses; ++j) {
             const bool ask = (is_user_class(i) || is_user_class(j)) && !is_opened(i) && !is_opened(j);
@@ -313,14 +313,6 @@ void collide_members(void* data, dGeomID o1, dGeomID o2)
     reversed ? collide_reversed(direct, a, b, out) : direct(a, b, out);
 }
 
-bool asks_program(Geom& geom)
-{
-    if (is_user_class(geom.type->number) || as_transform(geom) || asks(geom)) return true;
-    if (geom.type->number != dHeightfieldClass) return false;
-    const HeightfieldData* field = static_cast<const ShapeGeom<Heightfield>&>(geom).shape.field();
-    return field && field->source == HeightfieldData::Source::kCallback;
-}
-
 }  // namespace
 
 bool overridden(const Geom& a, const Geom& b)
@@ -336,6 +328,14 @@ PairFunction own_pair(int first, int second)
     return collider.user || collider.disabled || collider.reversed ? nullptr : collider.pair;
 }
 
+bool asks_program(Geom& geom)
+{
+    if (is_user_class(geom.type->number) || as_transform(geom) || asks(geom)) return true;
+    if (geom.type->number != dHeightfieldClass) return false;
+    const HeightfieldData* field = static_cast<const ShapeGeom<Heightfield>&>(geom).shape.field();
+    return field && field->source == HeightfieldData::Source::kCallback;
+}
+
 bool asks_program(Geom& a, Geom& b)
 {
     return asks_program(a) || asks_program(b) || collider_of(a.type->number, b.type->number).user;
@@ -346,8 +346,11 @@ void collide(Geom& a, Geom& b, ContactArray& out) { collide_two(a, b, out); }
 void override_collider(int i, int j, dColliderFn* function)
 {
     table().set_both(i, j, {.user = function, .disabled = !function});
+    if (function) table().any_overridden = true;
     if (function && (i == dRayClass || j == dRayClass)) table().rays_overridden = true;
 }
+
+bool any_overridden() { return table().any_overridden.load(std::memory_order_relaxed); }
 
 bool rays_overridden() { return table().rays_overridden.load(std::memory_order_relaxed); }
 

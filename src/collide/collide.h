@@ -44,6 +44,11 @@ bool rays_overridden();
 // transform holds this is not asked: yes.
 bool asks_program(Geom& a, Geom& b);
 
+// The same of one geom, whatever it meets, but for functions that the program has put in place of ours; and
+// whether it has done so for any two classes since the last close.
+bool asks_program(Geom& geom);
+bool any_overridden();
+
 // `function` serves (i, j) and, turned round, (j, i); null: the pair does not collide. Until the last close.
 void override_collider(int i, int j, dColliderFn* function);
 

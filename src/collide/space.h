@@ -48,6 +48,14 @@ class SpaceLock {
     Space& space_;
 };
 
+// The space that holds all that the geom is in; null: it is in none.
+inline Space* outermost_space(const Geom& geom)
+{
+    Space* space = geom.space;
+    while (space && space->space) space = space->space;
+    return space;
+}
+
 // Neither being collided nor being destroyed.
 inline bool takes_members(const Space& space) { return space.locks == 0 && !space.dying; }
 

@@ -34,13 +34,6 @@ bool each_geom(const Body& body, F&& f)
 
 Real arm_of(const Aabb& box, Vec3 centre) { return length(max(abs(box.lo - centre), abs(box.hi - centre))); }
 
-Space* root_of(const Geom& geom)
-{
-    Space* root = geom.space;
-    while (root && root->space) root = root->space;
-    return root;
-}
-
 bool is_moving_shape(const Thing& thing)
 {
     const Sort sort = sort_of(thing);
@@ -188,7 +181,7 @@ bool Continuous::list_items()
         for (std::size_t i = 0; i < states_.size(); ++i) {
             if (!states_[i].active) continue;
             each_geom(*undo_.bodies()[i], [&](Geom& g) {
-                Space* root = root_of(g);
+                Space* root = outermost_space(g);
                 if (!g.enabled || !root || !is_moving_shape(thing_of(g))) return true;
                 if (pass == 1) items_[std::size_t(count)] = {&g, root, int(i), way_of(g, &states_[i])};
                 ++count;

@@ -28,7 +28,7 @@ Body* body_of(const Geom& geom) { return from_handle<Body>(geom.body.id); }
 
 void body_moved(Body& body)
 {
-    for (Geom* geom = first_geom(body); geom; geom = geom->body_next) mark_moved(*geom);
+    for_each_geom(body, [](Geom& geom) { mark_moved(geom); });
 }
 
 void release_geoms(Body& body)

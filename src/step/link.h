@@ -16,6 +16,13 @@ void attach_geom(Geom& geom, Body* body);
 
 Body* body_of(const Geom& geom);
 
+// visit(geom) for every geom of the body, newest first; they stay its geoms meanwhile.
+template <typename Visit>
+void for_each_geom(const Body& body, Visit&& visit)
+{
+    for (Geom* geom = from_handle<Geom>(body.first_geom); geom; geom = geom->body_next) visit(*geom);
+}
+
 // The body's pose has changed: its geoms are marked. Costs a few instructions per geom. Not to be called from
 // several threads at once for bodies whose geoms share a space.
 void body_moved(Body& body);

@@ -263,16 +263,18 @@ StepState* step_state(World& world)
 namespace {
 
 // Calls that would pull the step's feet away are refused from its beginning to its end, since functions of
-// the program come in all along: those that give memory, those of threads, callbacks.
+// the program come in all along: those that give memory, those of threads, callbacks. A batch marks its
+// worlds itself, for longer.
 class Stepping {
   public:
-    explicit Stepping(World& world) : world_(world) { world_.stepping = true; }
+    explicit Stepping(World& world) : world_(world), before_(world.stepping) { world_.stepping = true; }
     Stepping(const Stepping&) = delete;
     Stepping& operator=(const Stepping&) = delete;
-    ~Stepping() { world_.stepping = false; }
+    ~Stepping() { world_.stepping = before_; }
 
   private:
     World& world_;
+    const bool before_;
 };
 
 // The step, with the world's working memory taken for it.

@@ -64,6 +64,7 @@ enum class Kind {
     kContact,
     kContacts,
     kQueryHits,
+    kWorldList,
     kMaterial,
     kGeomClass,
     kWorldReport,

@@ -87,7 +87,7 @@ std::FILE* nowhere()
 }
 
 constexpr std::size_t kMostContacts = 65536;
-constexpr int kWrongHandles = 15;
+constexpr int kWrongHandles = 15, kWorldLists = 3;
 
 }  // namespace
 
@@ -163,6 +163,8 @@ int Values::count(Kind kind)
         case Kind::kWorldReport:
         case Kind::kIslandReport:
             return int(reports<dWorldStepReport>().size()) + 1;
+        case Kind::kWorldList:
+            return kWorldLists + 1;
         case Kind::kText:
             return int(texts(false).size()) + 1;
         case Kind::kFormat:
@@ -391,6 +393,15 @@ Value Values::memory(Kind kind, int index, int position)
         case Kind::kQueryHits:
             v.pointer = fill(kind, position, kRoom.data(), kRoom.size());
             return v;
+        case Kind::kWorldList: {
+            const auto& live = scene_.live[std::size_t(Kind::kWorld)];
+            void* const dead = scene_.dead[std::size_t(Kind::kWorld)];
+            void* const lists[kWorldLists][8] = {
+                {live[0], live[1]}, {live[0], live[0], live[0]}, {live[0], dead}};
+            v.trait = index == 0 ? Trait::kFine : Trait::kStrange;
+            v.pointer = fill(kind, position, lists[index], sizeof lists[index]);
+            return v;
+        }
         case Kind::kJointList:
             v.pointer = fill(kind, position, kRoom.data(), 256 * sizeof(dJointID));
             return v;

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The search for what is shared reads every body and its geoms once, several worlds at a time; sharing is
+// then an equivalence over sorted pairs (what, who). Addresses are compared to find equal ones, and decide
+// nothing else: a piece is named by its first world.
+#include "step/batch.h"
+
+#include <algorithm>
+#include <atomic>
+
+#include "collide/collide.h"
+#include "query/members.h"
+#include "step/link.h"
+#include "step/step.h"
+#include "tasks/tasks.h"
+
+namespace epode {
+namespace {
+
+const ContactWorld* managed_contacts(const World& world)
+{
+    const bool manages = world.step_state && world.step_state->managed.live_space();
+    return manages ? &world.step_state->managed : nullptr;
+}
+
+bool calls_program_inside(Space& space)
+{
+    return !each_member(space, [](Geom& g) { return !asks_program(g); });
+}
+
+// visit(space) for the outermost spaces that the bodies' geoms are in; repeats itself.
+template <typename Visit>
+void for_spaces(World& world, Visit&& visit)
+{
+    Space* last = nullptr;
+    for (Body* body = world.bodies; body; body = body->next)
+        for_each_geom(*body, [&](Geom& geom) {
+            Space* const space = outermost_space(geom);
+            if (space && space != last) visit(space);
+            last = space;
+        });
+}
+
+// visit(what) for all that a step of the world changes and another world may hold too; repeats itself.
+template <typename Visit>
+void for_shares(World& world, Visit&& visit)
+{
+    if (world.memory && world.memory->shared()) visit(world.memory);
+    if (const ContactWorld* contacts = managed_contacts(world)) {
+        Space* const space = contacts->live_space();
+        Space* const outermost = outermost_space(*space);
+        visit(outermost ? outermost : space);
+    }
+    for_spaces(world, visit);
+}
+
+// Of the body itself, and of geoms in transforms: those are marked wherever the transform is.
+bool calls_program(const Body& body)
+{
+    bool calls = body.moved != nullptr;
+    for_each_geom(body, [&](Geom& geom) { calls = calls || geom.holders; });
+    return calls;
+}
+
+bool calls_program(World& world)
+{
+    if (world.threading) return true;
+    for (Body* body = world.bodies; body; body = body->next)
+        if (calls_program(*body)) return true;
+    const ContactWorld* contacts = managed_contacts(world);
+    if (!contacts && !any_continuous()) return false;
+    if (any_overridden() || (contacts && contacts->filter)) return true;
+    if (contacts && calls_program_inside(*contacts->live_space())) return true;
+    if (!any_continuous()) return false;
+    bool calls = false;
+    for_spaces(world, [&](Space* space) { calls = calls || calls_program_inside(*space); });
+    return calls;
+}
+
+}  // namespace
+
+bool WorldBatch::add(World& world)
+{
+    if (!entries_.push({&world, {}, 0, false, entries_.size()})) return false;
+    world.stepping = true;
+    return true;
+}
+
+WorldBatch::~WorldBatch()
+{
+    for (Entry& entry : entries_) entry.world->stepping = false;
+}
+
+void WorldBatch::survey(Entry& entry)
+{
+    entry.calls_program = epode::calls_program(*entry.world);
+    for_shares(*entry.world, [&](const void* what) {
+        const int known = std::min(entry.share_count, kInline);
+        for (int i = 0; i < known; ++i)
+            if (entry.shares[i] == what) return;
+        if (entry.share_count < kInline) entry.shares[entry.share_count] = what;
+        ++entry.share_count;
+    });
+}
+
+bool WorldBatch::plan(int threads)
+{
+    threads_ = threads > 0 ? threads : processor_count();
+    Tasks(threads_).for_each(entries_.size(), [this](int i, int) { survey(entries_.data()[i]); });
+    if (!collect_shares() || !order_.reserve(entries_.size()) || !pieces_.reserve(entries_.size()))
+        return false;
+    join_sharers();
+    make_pieces();
+    return true;
+}
+
+bool WorldBatch::collect_shares()
+{
+    int room = 0;
+    for (const Entry& entry : entries_) room += entry.share_count;
+    if (!shares_.reserve(room)) return false;
+    bool complete = true;
+    for (int i = 0; i < entries_.size(); ++i) {
+        const Entry& entry = entries_[i];
+        const auto note = [&](const void* what) { complete = shares_.push({what, i}) && complete; };
+        if (entry.share_count > kInline)
+            for_shares(*entry.world, note);
+        else
+            std::for_each_n(entry.shares, entry.share_count, note);
+    }
+    std::sort(shares_.begin(), shares_.end(), [](const Share& a, const Share& b) {
+        return a.what != b.what ? std::less<>()(a.what, b.what) : a.entry < b.entry;
+    });
+    return complete;
+}
+
+int WorldBatch::find(int entry)
+{
+    while (entries_[entry].piece != entry) {
+        entries_[entry].piece = entries_[entries_[entry].piece].piece;
+        entry = entries_[entry].piece;
+    }
+    return entry;
+}
+
+void WorldBatch::join_sharers()
+{
+    for (int i = 1; i < shares_.size(); ++i) {
+        if (shares_[i].what != shares_[i - 1].what) continue;
+        const int a = find(shares_[i].entry), b = find(shares_[i - 1].entry);
+        entries_[std::max(a, b)].piece = std::min(a, b);
+    }
+    for (int i = 0; i < entries_.size(); ++i) {
+        Entry &entry = entries_[i], &first = entries_[find(i)];
+        entry.piece = first.piece;
+        first.calls_program = first.calls_program || entry.calls_program;
+    }
+}
+
+// Entries of a piece follow each other; places were reserved.
+void WorldBatch::make_pieces()
+{
+    const auto on_caller = [&](int i) { return entries_[entries_[i].piece].calls_program; };
+    for (int i = 0; i < entries_.size(); ++i) (void)order_.push(i);
+    std::sort(order_.begin(), order_.end(), [&](int a, int b) {
+        if (on_caller(a) != on_caller(b)) return on_caller(b);
+        if (on_caller(a) || entries_[a].piece == entries_[b].piece) return a < b;
+        return entries_[a].piece < entries_[b].piece;
+    });
+    for (own_ = 0; own_ < order_.size() && !on_caller(order_[own_]); ++own_) {
+        const Entry& entry = entries_[order_[own_]];
+        if (own_ == 0 || entries_[order_[own_ - 1]].piece != entry.piece) (void)pieces_.push({own_, 0, 0});
+        ++pieces_.back().count;
+        pieces_.back().weight += entry.world->body_count + entry.world->joint_count;
+    }
+    std::sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) {
+        return a.weight != b.weight ? a.weight > b.weight : a.first < b.first;
+    });
+}
+
+int WorldBatch::make_steps(int entry, const Step& step, int steps) const
+{
+    int done = 0;
+    while (done < steps && step.make(*entries_[entry].world, step.h, step.iterations)) ++done;
+    return done;
+}
+
+int WorldBatch::run(const Step& step, int steps, int* made)
+{
+    std::atomic<int> whole{0};
+    const auto run_one = [&](int place) {
+        const int entry = order_.data()[place], done = make_steps(entry, step, steps);
+        if (made) made[entry] = done;
+        if (done == steps) whole.fetch_add(1, std::memory_order_relaxed);
+    };
+    Tasks(threads_).for_each(pieces_.size(), [&](int p, int) {
+        const Piece& piece = pieces_.data()[p];
+        for (int i = 0; i < piece.count; ++i) run_one(piece.first + i);
+    });
+    for (int place = own_; place < order_.size(); ++place) run_one(place);
+    return whole.load();
+}
+
+}  // namespace epode
