@@ -33,6 +33,7 @@ struct Fixed : Joint {
         const Vec3 x1 = body1()->position();
         const Vec3 o = body2() ? direction_to_world(body1(), offset) : Vec3{};
         const Vec3 error = body2() ? body2()->position() - x1 + o : offset - x1;
+        out.point_at(-o, {}, RowForm::kPoint);
         for (int i = 0; i < 3; ++i) {
             Vec3 e;
             e.set(i, 1);

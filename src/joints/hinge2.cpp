@@ -88,6 +88,7 @@ void Hinge2::emit(RowWriter& out)
     const Vec3 r1 = p1 - body1()->position(), r2 = p2 - body2()->position();
     Vec3 p, q;
     plane_space(a1, p, q);
+    out.point_at(r1, r2, RowForm::kTurned);
     suspension.apply_to(out.row(point_jacobian(*this, a1, r1, r2), dot(a1, p2 - p1)));
     out.row(point_jacobian(*this, p, r1, r2), dot(p, p2 - p1));
     out.row(point_jacobian(*this, q, r1, r2), dot(q, p2 - p1));

@@ -88,6 +88,7 @@ void lock_point(const Joint& j, RowWriter& out, const AnchorPair& anchor, const 
     const Vec3 r1 = a1 - j.body1()->position();
     const Vec3 r2 = j.body2() ? a2 - j.body2()->position() : Vec3{};
     const Vec3 error = a2 - a1;
+    if (out.count() == 0) out.point_at(r1, r2, RowForm::kPoint);
     for (int i = 0; i < 3; ++i) {
         Vec3 d;
         d.set(i, 1);

@@ -45,9 +45,17 @@ struct Row : Jacobian {
 
 inline constexpr int kMaxJointRows = 6;
 
-// From the centres of the bodies to a contact point, world frame.
+// From the centres of the bodies to a contact point, or to a joint's anchor, world frame.
 struct ContactArms {
     Vec3 r1, r2;
+};
+
+// What is known of the Jacobians of a joint's rows, so that solvers need not carry twelve numbers a row.
+enum class RowForm : unsigned char {
+    kFree,    // nothing
+    kPoint,   // rows 0 to 2 move the points at the arms apart along x, y, z; the others turn body 1 against
+              // body 2 about an axis: [ 0, a, 0, -a ]
+    kTurned,  // likewise, along three other directions, perpendicular to one another
 };
 
 }  // namespace epode

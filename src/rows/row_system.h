@@ -47,6 +47,7 @@ struct RowBlock {
     int body2 = -1;        // below zero: the world, as the part -1 - body2 of the system sees it
     bool contact = false;  // rows of one contact point with these arms: normal, tangents, then rolling rows
     ContactArms arms;
+    RowForm form = RowForm::kFree;  // of a joint's rows
 };
 
 // Islands that are solved together, because each alone would leave most lanes empty, are parts of one system

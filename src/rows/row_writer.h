@@ -51,6 +51,15 @@ class RowWriter {
     void contact_at(Vec3 r1, Vec3 r2) { arms_ = {r1, r2}; }
     const ContactArms& arms() const { return arms_; }
 
+    // The first three rows, and those behind them, are of this form (rows/row.h), with these arms.
+    void point_at(Vec3 r1, Vec3 r2, RowForm form)
+    {
+        EPODE_ASSERT(count_ == 0);
+        arms_ = {r1, r2};
+        form_ = form;
+    }
+    RowForm form() const { return form_; }
+
     // Force and torque (about its centre) on the body at node 0 or 1 during this step.
     void apply(int node, Vec3 force, Vec3 torque)
     {
@@ -70,6 +79,7 @@ class RowWriter {
     bool applied_ = false;
     Vec3 force_[2], torque_[2];
     ContactArms arms_;
+    RowForm form_ = RowForm::kFree;
 };
 
 }  // namespace epode

@@ -17,6 +17,7 @@
 
 #include "solve/contact_rows.h"
 #include "solve/contact_set.h"
+#include "solve/joint_set.h"
 #include "solve/residual.h"
 #include "solve/row_sweep.h"
 #include "solve/solver.h"
@@ -29,7 +30,8 @@ constexpr int kCalmShare = 2;  // the second half of the sweeps
 struct Sweeps {
     ContactRows rows;  // contacts that came as rows
     ContactSet contacts;
-    RowSweep others;
+    JointSet joints;
+    RowSweep others;  // contacts of other kinds
 
     bool pack(const RowSystem& system, Real w, Arena& arena)
     {
@@ -41,11 +43,16 @@ struct Sweeps {
             std::fill(taken.begin(), taken.end(), false);
         }
         const ManifoldList& list = system.contacts.points.empty() ? rows.list() : system.contacts;
-        return contacts.pack(system, list, w, arena) && others.pack(system, w, taken, arena);
+        if (!contacts.pack(system, list, w, arena)) return false;
+        if (!joints.pack(system, arena)) return false;
+        joints.load(system);
+        for (std::size_t i = 0; i < taken.size(); ++i) taken[i] = taken[i] || !system.blocks[i].contact;
+        return others.pack(system, w, taken, arena);
     }
 
     void store_impulses(RowSystem& system) const
     {
+        joints.store_impulses(system.numbers);
         others.store_impulses(system.numbers);
         if (!system.contacts.points.empty()) {
             contacts.store_impulses(system.contacts.points);
@@ -59,10 +66,12 @@ struct Sweeps {
     {
         CounterRandom random(seed);
         const int calm = w > 1 ? iterations - iterations / kCalmShare : iterations;
+        joints.apply_impulses(bodies);
         others.apply_impulses(bodies);
         contacts.apply_impulses(bodies);
         for (int i = 0; i < iterations; ++i) {
             if (i == calm) contacts.relax_by(1 / w);
+            joints.sweep(bodies, {w, false});
             others.sweep(bodies, i % 2 != 0);
             contacts.shuffle(random);
             contacts.sweep(bodies);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Rows of any form, one at a time: joints, and contacts that solve/contact_set.h does not know (rolling
-// friction, one tangent). Everything a visit needs lies in one record, since a row is met once per sweep and
+// Rows of any form, one at a time: contacts that solve/contact_set.h does not know (rolling friction, one
+// tangent). Everything a visit needs lies in one record, since a row is met once per sweep and
 // then not again before the caches have forgotten it.
 #pragma once
 

@@ -16,7 +16,7 @@
 // whole no single problem exists. Patches are solved in float lanes beside them and have no part in it.
 #include <algorithm>
 
-#include "solve/joint_blocks.h"
+#include "solve/joint_set.h"
 #include "solve/patch_set.h"
 #include "solve/patch_steps.h"
 #include "solve/residual.h"
@@ -41,7 +41,7 @@ class SmallSteps {
             if (n.parent < 0) n.lo *= share, n.hi *= share;
         }
         velocities_ = take_velocities(system_, arena);
-        if (velocities_.empty() || !joints_.prepare(system_, arena)) return false;
+        if (velocities_.empty() || !joints_.pack(system_, arena)) return false;
         if (!contacts_.prepare(system_, step_, settings.seed, arena)) return false;
         if (!patches_.prepare(system_, step_, settings.tasks, arena)) return false;
         if (settings.want_residual) {
@@ -76,14 +76,14 @@ class SmallSteps {
     {
         model_.apply_forces(model_.model, system_, step_.hs);
         if (moved) model_.refresh(model_.model, system_);
-        joints_.refresh(system_, step_);
+        joints_.load_small_step(system_, step_);
         if (last && !before_.empty())
             std::copy(system_.bodies.begin(), system_.bodies.end(), before_.begin());
         load_velocities(system_, velocities_);
         joints_.apply_impulses(velocities_);
         contacts_.apply_impulses(velocities_);
         patches_.apply_impulses(velocities_);
-        joints_.sweep(velocities_, false);
+        joints_.sweep(velocities_, {1, false});
         contacts_.sweep(velocities_, false);
         patches_.correct(velocities_);
     }
@@ -99,7 +99,7 @@ class SmallSteps {
 
     void relax(bool last)
     {
-        joints_.sweep(velocities_, true);
+        joints_.sweep(velocities_, {1, true});
         contacts_.sweep(velocities_, true);
         patches_.relax(velocities_);
         if (last) joints_.rebound(system_, velocities_);
@@ -149,7 +149,7 @@ class SmallSteps {
     RowSystem& system_;
     const Substeps& model_;
     const Substep step_;
-    JointBlocks joints_;
+    JointSet joints_;
     SubstepContacts contacts_;
     PatchSet patches_;
     std::span<Velocity> velocities_;

@@ -73,7 +73,8 @@ void emit_rows(const StepInfo& info, std::span<Joint*> joints, IslandWork& work,
                                                    joint->body1()->island_index,
                                                    b2 ? b2->island_index : -1,
                                                    joint->type->number == dJointTypeContact,
-                                                   out.arms()};
+                                                   out.arms(),
+                                                   out.form()};
         rows += out.count();
         ++blocks;
     }

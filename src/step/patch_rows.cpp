@@ -89,8 +89,8 @@ void emit_patches(const StepInfo& info, IslandWork& work, int& rows, int& blocks
         for (int i = 0; i < patch.count; ++i) {
             RowWriter out(&work.system.rows[std::size_t(rows)], info);
             write_point(out, work.island, patch, patch.points[i]);
-            work.system.blocks[std::size_t(blocks++)] = {rows,        out.count(), patch.body1,
-                                                         patch.body2, true,        out.arms()};
+            work.system.blocks[std::size_t(blocks++)] = {rows, out.count(), patch.body1, patch.body2,
+                                                         true, out.arms(),  out.form()};
             rows += out.count();
         }
     }

@@ -41,11 +41,12 @@ void refresh(void* p, RowSystem& system)
 {
     SubstepModel& model = model_of(p);
     for (std::size_t k = 0; k < system.blocks.size(); ++k) {
-        const RowBlock& block = system.blocks[k];
+        RowBlock& block = system.blocks[k];
         if (block.contact) continue;  // the solver follows their gaps itself
         Row rows[kMaxJointRows];
         RowWriter out(rows, model.info);
         model.work.joints[k]->type->emit(*model.work.joints[k], out);
+        block.arms = out.arms();
         for (int i = 0; i < block.count && i < out.count(); ++i) {
             Row& row = system.rows[std::size_t(block.first + i)];
             const Row old = row;

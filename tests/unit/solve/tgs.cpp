@@ -6,7 +6,6 @@
 // impulses.
 #include <gtest/gtest.h>
 
-#include "solve/block_ldlt.h"
 #include "solve/solver.h"
 #include "solve/substep_rows.h"
 #include "systems.h"
@@ -268,32 +267,6 @@ TEST(Tgs, NoRowsStillMoves)
     model.step(4);
     EXPECT_EQ(model.substeps, 4);
     EXPECT_NEAR(p.bodies[0].v.z, -10 * p.h, 1e-6);
-}
-
-TEST(BlockLdlt, SolvesAndSurvivesRepeatedRows)
-{
-    for (std::uint64_t seed = 1; seed <= 50; ++seed) {
-        Dice dice(seed);
-        const int n = 1 + dice.below(6), rank = 1 + dice.below(8);
-        Real B[6][8], A[6][6] = {}, b[6] = {}, x[6];
-        for (auto& row : B)
-            for (Real& value : row) value = dice.real(-1, 1);
-        for (int i = 0; i < n; ++i)
-            for (int j = 0; j < n; ++j)
-                for (int k = 0; k < rank; ++k) A[i][j] += B[i][k] * B[j][k];
-        for (int i = 0; i < n; ++i)
-            for (int j = 0; j < n; ++j)
-                b[i] += A[i][j] * Real(j + 1);  // a right-hand side that has a solution
-        BlockLdlt factors;
-        factors.factor(A, n);
-        std::copy(b, b + n, x);
-        factors.solve(x, n);
-        for (int i = 0; i < n; ++i) {
-            Real s = 0;
-            for (int j = 0; j < n; ++j) s += A[i][j] * x[j];
-            EXPECT_NEAR(s, b[i], kSingle ? 2e-2 : 1e-7) << seed;
-        }
-    }
 }
 
 }  // namespace

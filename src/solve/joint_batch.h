@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Joints as the kernels read them, kLanes side by side: joints of one form, with as many rows and as many
+// bounded ones, none of which shares a dynamic body with another. Their numbers follow each other as Lanes,
+// in the order of JointLayout. A ball needs 280 bytes in doubles, where three rows with their Jacobians and
+// M^-1 J^T take 600: in a net of joints that no longer fits the caches, a sweep is as fast as they come.
+#pragma once
+
+#include "rows/row.h"
+#include "simd/lanes.h"
+#include "simd/lanewise.h"
+
+namespace epode {
+
+struct JointBatch {
+    RowForm form;
+    int rows, bounded;                 // the last `bounded` rows have bounds
+    int count;                         // joints; the lanes behind them are empty
+    int at;                            // the first of its numbers
+    int body1[kLanes], body2[kLanes];  // into the velocities
+};
+
+// Where the numbers of a batch are.
+struct JointLayout {
+    int arms, directions, axes;  // r1 and r2; three vectors of a turned point; one vector per row behind
+    int matrix;                  // lower triangle, row by row: see joint_kernels.inc
+    int C, c, p;                 // per row
+    int lo, hi;                  // per bounded row
+    int relaxed;                 // per row: c of relaxing sweeps
+    int size;
+
+    static constexpr int kInvMass = 0, kInvInertia = 2, kGeometry = 14;  // two masses, two tensors of six
+
+    EPODE_LANEWISE constexpr JointLayout(RowForm form, int rows, int bounded)
+        : arms(kGeometry),
+          directions(kGeometry + 6),
+          axes(directions + (form == RowForm::kTurned ? 9 : 0)),
+          matrix(form == RowForm::kFree ? kGeometry + 12 * rows : axes + 3 * (rows - 3)),
+          C(matrix + rows * (rows + 1) / 2),
+          c(C + rows),
+          p(c + rows),
+          lo(p + rows),
+          hi(lo + bounded),
+          relaxed(hi + bounded),
+          size(relaxed + rows)
+    {}
+    EPODE_LANEWISE explicit constexpr JointLayout(const JointBatch& b)
+        : JointLayout(b.form, b.rows, b.bounded)
+    {}
+
+    // Twelve numbers of a row of free form.
+    EPODE_LANEWISE static constexpr int jacobian(int row) { return kGeometry + 12 * row; }
+    EPODE_LANEWISE constexpr int entry(int i, int j) const
+    {
+        return matrix + (i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i);
+    }
+};
+
+}  // namespace epode

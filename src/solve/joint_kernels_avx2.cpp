@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The joint kernels compiled for AVX2, that is with 32-byte registers and without fused multiply-add, which
+// would round differently. CMake gives this file its flag; on other machines it is empty.
+#if defined(__x86_64__)
+#include "solve/joint_kernels.inc"
+
+namespace epode {
+
+extern const JointKernels kAvx2JointKernels;
+const JointKernels kAvx2JointKernels{"avx2", prepare, apply_impulses, sweep};
+
+}  // namespace epode
+#endif

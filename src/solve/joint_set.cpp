@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Packing writes rows one lane at a time; what follows from them (the matrix of each joint) the kernels
+// compute for several lanes at once.
+#include "solve/joint_set.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "solve/colours.h"
+
+namespace epode {
+namespace {
+
+bool bounded(const RowNumbers& n) { return n.lo > -kInf || n.hi < kInf; }
+
+void set(Lanes* to, int lane, Vec3 a) { to[0][lane] = a.x, to[1][lane] = a.y, to[2][lane] = a.z; }
+
+void set(Lanes* to, int lane, const Sym3& s)
+{
+    set(to, lane, Vec3{s.xx, s.yy, s.zz});
+    set(to + 3, lane, Vec3{s.xy, s.xz, s.yz});
+}
+
+// What one row asks for.
+struct RowAsks {
+    Real c, C, relaxed;
+};
+
+}  // namespace
+
+// A point needs three free rows, which come first.
+JointSet::Shape JointSet::shape_of(const RowSystem& system, const RowBlock& block)
+{
+    Shape shape{block.form, block.count, 0};
+    for (int i = 0; i < block.count; ++i)
+        if (bounded(system.numbers[std::size_t(block.first + i)])) {
+            if (i < 3) shape.form = RowForm::kFree;
+            ++shape.bounded;
+        }
+    return shape;
+}
+
+bool JointSet::pack(const RowSystem& system, Arena& arena)
+{
+    auto joints = arena.take<Joint>(int(system.blocks.size()));
+    if (arena.failed()) return false;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < system.blocks.size(); ++i)
+        if (!system.blocks[i].contact && system.blocks[i].count > 0) joints[count++] = {int(i), 0, 0};
+    joints = joints.first(count);
+    if (count == 0) return true;
+    colour(system, joints, arena);
+    if (arena.failed() || !sort(joints, find_shapes(system, joints), arena)) return false;
+    int size = 0;
+    for (JointBatch& batch : batches_) {
+        batch.at = size;
+        size += JointLayout(batch).size;
+    }
+    numbers_ = arena.take<Lanes>(size);
+    if (arena.failed()) return false;
+    for (std::size_t b = 0; b < batches_.size(); ++b) place(system, b);
+    return true;
+}
+
+void JointSet::colour(const RowSystem& system, std::span<Joint> joints, Arena& arena)
+{
+    const auto palettes = arena.take_zeroed<Palette>(int(system.bodies.size()));
+    if (arena.failed()) return;
+    for (Joint& joint : joints) {
+        const RowBlock& block = system.blocks[std::size_t(joint.block)];
+        Palette nothing[2];  // of what does not move
+        const auto palette_of = [&](int body, Palette& none) -> Palette& {
+            const bool moves = body >= 0 && system.bodies[std::size_t(body)].inv_mass > 0;
+            return moves ? palettes[std::size_t(body)] : none;
+        };
+        joint.colour = first_free(palette_of(block.body1, nothing[0]), palette_of(block.body2, nothing[1]));
+        colours_ = std::max(colours_, joint.colour + 1);
+    }
+}
+
+// Numbers the shapes in the order in which they appear; returns how many there are.
+int JointSet::find_shapes(const RowSystem& system, std::span<Joint> joints)
+{
+    int count = 0;
+    for (Joint& joint : joints) {
+        const Shape shape = shape_of(system, system.blocks[std::size_t(joint.block)]);
+        joint.shape = int(std::find(shapes_, shapes_ + count, shape) - shapes_);
+        if (joint.shape == count) shapes_[count++] = shape;
+    }
+    return count;
+}
+
+// Counting sort by colour, then shape; then cut into eights.
+bool JointSet::sort(std::span<Joint> joints, int shapes, Arena& arena)
+{
+    const int keys = colours_ * shapes;
+    const auto starts = arena.take_zeroed<int>(keys + 1);
+    const auto order = arena.take<int>(int(joints.size()));
+    if (arena.failed()) return false;
+    const auto key = [shapes](const Joint& j) { return std::size_t(j.colour * shapes + j.shape); };
+    int most = 0;
+    for (const Joint& joint : joints)
+        if (starts[key(joint) + 1]++ % kLanes == 0) ++most;
+    for (std::size_t k = 1; k < starts.size(); ++k) starts[k] += starts[k - 1];
+    for (const Joint& joint : joints) order[std::size_t(starts[key(joint)]++)] = joint.block;
+
+    batches_ = arena.take<JointBatch>(most);
+    sources_ = arena.take<Source>(most * kLanes);
+    if (arena.failed()) return false;
+    // Behind the sort, starts[k] is where the next key begins.
+    std::size_t next = 0;
+    int from = 0;
+    for (int k = 0; k < keys; ++k) {
+        const Shape& shape = shapes_[k % shapes];
+        for (const int to = starts[std::size_t(k)]; from < to; ++next) {
+            const int count = std::min(kLanes, to - from);
+            batches_[next] = {shape.form, shape.rows, shape.bounded, count, 0, {}, {}};
+            for (int lane = 0; lane < kLanes; ++lane)
+                sources_[next * kLanes + std::size_t(lane)].block =
+                    lane < count ? order[std::size_t(from + lane)] : -1;
+            from += count;
+        }
+    }
+    return true;
+}
+
+// Bodies, the order of rows, bounds and warm start.
+void JointSet::place(const RowSystem& system, std::size_t b)
+{
+    JointBatch& batch = batches_[b];
+    const JointLayout at(batch);
+    Lanes* n = &numbers_[std::size_t(batch.at)];
+    if (batch.count < kLanes) std::memset(static_cast<void*>(n), 0, sizeof(Lanes) * std::size_t(at.size));
+    for (int lane = 0; lane < kLanes; ++lane) {
+        Source& source = sources_[b * kLanes + std::size_t(lane)];
+        batch.body1[lane] = batch.body2[lane] = second_slot(system, -1);
+        if (source.block < 0) continue;
+        const RowBlock& block = system.blocks[std::size_t(source.block)];
+        batch.body1[lane] = block.body1, batch.body2[lane] = second_slot(system, block.body2);
+        source.first = block.first;
+        const RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
+        int free = 0, bound = batch.rows - batch.bounded;
+        for (int i = 0; i < block.count; ++i) {
+            const bool has_bounds = bounded(numbers[i]);
+            const int to = has_bounds ? bound++ : free++;
+            source.row[to] = static_cast<unsigned char>(i);
+            n[at.p + to][lane] = numbers[i].p;
+            if (!has_bounds) continue;
+            const int side = to - (batch.rows - batch.bounded);
+            n[at.lo + side][lane] = numbers[i].lo, n[at.hi + side][lane] = numbers[i].hi;
+        }
+    }
+}
+
+void JointSet::fill_lane(const RowSystem& system, const RowBlock& block, const Source& source, Lanes* n,
+                         int lane, const JointLayout& at, RowForm form) const
+{
+    static const SolverBody world{};
+    const SolverBody& a = system.bodies[std::size_t(block.body1)];
+    const SolverBody& b = block.body2 >= 0 ? system.bodies[std::size_t(block.body2)] : world;
+    n[JointLayout::kInvMass][lane] = a.inv_mass, n[JointLayout::kInvMass + 1][lane] = b.inv_mass;
+    set(n + JointLayout::kInvInertia, lane, a.inv_inertia);
+    set(n + JointLayout::kInvInertia + 6, lane, b.inv_inertia);
+    const Row* rows = &system.rows[std::size_t(block.first)];
+    if (form == RowForm::kFree) {
+        for (int i = 0; i < block.count; ++i) {
+            const Row& row = rows[source.row[i]];
+            Lanes* J = n + JointLayout::jacobian(i);
+            set(J, lane, row.lin1), set(J + 3, lane, row.ang1);
+            const bool two = block.body2 >= 0;
+            set(J + 6, lane, two ? row.lin2 : Vec3{}), set(J + 9, lane, two ? row.ang2 : Vec3{});
+        }
+        return;
+    }
+    set(n + at.arms, lane, block.arms.r1), set(n + at.arms + 3, lane, block.arms.r2);
+    for (int i = 0; form == RowForm::kTurned && i < 3; ++i)
+        set(n + at.directions + 3 * i, lane, rows[i].lin1);
+    for (int i = 3; i < block.count; ++i) set(n + at.axes + 3 * (i - 3), lane, rows[source.row[i]].ang1);
+}
+
+template <typename Aim>
+void JointSet::fill(const RowSystem& system, const Aim& aim)
+{
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+        const JointBatch& batch = batches_[b];
+        const JointLayout at(batch);
+        Lanes* n = &numbers_[std::size_t(batch.at)];
+        for (int lane = 0; lane < batch.count; ++lane) {
+            const Source& source = sources_[b * kLanes + std::size_t(lane)];
+            const RowBlock& block = system.blocks[std::size_t(source.block)];
+            fill_lane(system, block, source, n, lane, at, batch.form);
+            for (int i = 0; i < block.count; ++i) {
+                const RowAsks asks = aim(std::size_t(source.first + source.row[i]));
+                n[at.c + i][lane] = asks.c, n[at.C + i][lane] = asks.C,
+                         n[at.relaxed + i][lane] = asks.relaxed;
+            }
+        }
+    }
+}
+
+void JointSet::load(const RowSystem& system)
+{
+    fill(system, [&](std::size_t row) {
+        const RowNumbers& n = system.numbers[row];
+        return RowAsks{n.c, n.C, n.c};
+    });
+    kernels_->prepare(batches_.data(), int(batches_.size()), numbers_.data(), 0);
+}
+
+void JointSet::load_small_step(const RowSystem& system, const Substep& step)
+{
+    fill(system, [&](std::size_t i) {
+        const Row& row = system.rows[i];
+        const RowAim aim = map_row(row, step, kInf);  // who is soft by its mobility, the kernels find
+        const Real c = std::min(aim.rate * row.error + row.speed, row.cap);
+        return RowAsks{c, aim.C, aim.spring ? c : std::min(row.speed, row.cap)};
+    });
+    kernels_->prepare(batches_.data(), int(batches_.size()), numbers_.data(), kSoftShare);
+}
+
+void JointSet::apply_impulses(std::span<Velocity> bodies) const
+{
+    kernels_->apply_impulses(batches_.data(), int(batches_.size()), numbers_.data(), bodies.data());
+}
+
+void JointSet::sweep(std::span<Velocity> bodies, const JointSweep& how)
+{
+    kernels_->sweep(batches_.data(), int(batches_.size()), numbers_.data(), bodies.data(), how);
+}
+
+// f(row of the system, its place in the batch, the batch's numbers and layout, lane)
+template <typename Visit>
+void JointSet::for_each_row(Visit&& f) const
+{
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+        const JointBatch& batch = batches_[b];
+        const JointLayout at(batch);
+        const Lanes* n = &numbers_[std::size_t(batch.at)];
+        for (int lane = 0; lane < batch.count; ++lane) {
+            const Source& source = sources_[b * kLanes + std::size_t(lane)];
+            for (int i = 0; i < batch.rows; ++i) f(std::size_t(source.first + source.row[i]), i, n, at, lane);
+        }
+    }
+}
+
+void JointSet::store_impulses(std::span<RowNumbers> numbers) const
+{
+    for_each_row([&](std::size_t row, int i, const Lanes* n, const JointLayout& at, int lane) {
+        numbers[row].p = n[at.p + i][lane];
+    });
+}
+
+void JointSet::add_impulses(std::span<RowNumbers> numbers) const
+{
+    for_each_row([&](std::size_t row, int i, const Lanes* n, const JointLayout& at, int lane) {
+        numbers[row].p += n[at.p + i][lane];
+    });
+}
+
+void JointSet::describe(std::span<RowNumbers> numbers) const
+{
+    for_each_row([&](std::size_t row, int i, const Lanes* n, const JointLayout& at, int lane) {
+        numbers[row].c = n[at.c + i][lane];
+        numbers[row].C = n[at.C + i][lane];
+        numbers[row].p = n[at.p + i][lane];
+    });
+}
+
+void JointSet::rebound(const RowSystem& system, std::span<Velocity> bodies)
+{
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+        const JointLayout at(batches_[b]);
+        Lanes* n = &numbers_[std::size_t(batches_[b].at)];
+        bool lanes[kLanes] = {};
+        for (int lane = 0; lane < batches_[b].count; ++lane) {
+            const Source& source = sources_[b * kLanes + std::size_t(lane)];
+            for (int i = 0; i < batches_[b].rows; ++i) {
+                const auto k = std::size_t(source.first + source.row[i]);
+                const Row& row = system.rows[k];
+                if (!row.rebounds || system.numbers[k].p + n[at.p + i][lane] == 0) continue;
+                n[at.relaxed + i][lane] = row.rebound;
+                lanes[lane] = true;
+            }
+        }
+        if (std::find(lanes, lanes + kLanes, true) != lanes + kLanes)
+            visit_lanes(batches_[b], lanes, n, second_slot(system, -1), bodies);
+    }
+}
+
+// The other lanes are blanked in a copy, and act on the world.
+void JointSet::visit_lanes(const JointBatch& batch, const bool* lanes, Lanes* n, int world,
+                           std::span<Velocity> bodies)
+{
+    constexpr JointLayout kLargest(RowForm::kFree, kMaxJointRows, kMaxJointRows);
+    const JointLayout at(batch);
+    Lanes copy[std::size_t(kLargest.size)];
+    JointBatch one = batch;
+    one.at = 0;
+    std::copy_n(n, at.size, copy);
+    for (int lane = 0; lane < kLanes; ++lane) {
+        if (lanes[lane]) continue;
+        one.body1[lane] = one.body2[lane] = world;
+        for (Lanes& numbers : std::span(copy, std::size_t(at.size))) numbers[lane] = 0;
+    }
+    kernels_->sweep(&one, 1, copy, bodies.data(), {1, true});
+    for (int i = 0; i < batch.rows; ++i)
+        for (int lane = 0; lane < kLanes; ++lane)
+            if (lanes[lane]) n[at.p + i][lane] = copy[at.p + i][lane];
+}
+
+}  // namespace epode

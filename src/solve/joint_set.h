@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Joints packed for sweeping (solve/joint_batch.h) and what is done to all of them. Every joint gets a
+// colour, so that joints of one colour share no dynamic body: the smallest that its bodies still have, in the
+// order of the joints. Joints of one colour and one shape of rows make batches of up to eight. Sweeps go
+// colour by colour, always in the same direction: forwards and backwards by turns, as symmetric SOR would,
+// made a hanging net part twice as far. Since colours depend on the neighbours alone, an island has the same
+// answer whether it is packed alone or beside others.
+#pragma once
+
+#include <span>
+
+#include "base/arena.h"
+#include "rows/row_system.h"
+#include "solve/joint_kernels.h"
+#include "solve/substep_rows.h"
+#include "solve/velocities.h"
+
+namespace epode {
+
+class JointSet {
+  public:
+    explicit JointSet(const JointKernels& kernels = *joint_kernels().back()) : kernels_(&kernels) {}
+
+    // Takes the blocks that are no contacts, with bounds and warm start from the numbers; false: out of
+    // memory. Then one of these two, as often as rows change:
+    bool pack(const RowSystem& system, Arena& arena);
+    void load(const RowSystem& system);                                  // what the numbers ask for
+    void load_small_step(const RowSystem& system, const Substep& step);  // what the rows ask for
+
+    void apply_impulses(std::span<Velocity> bodies) const;  // v += M^-1 J^T p
+    void sweep(std::span<Velocity> bodies, const JointSweep& how);
+    void store_impulses(std::span<RowNumbers> numbers) const;
+    void add_impulses(std::span<RowNumbers> numbers) const;  // numbers.p += p
+    void describe(std::span<RowNumbers> numbers) const;      // c, C and p of the correcting problem
+
+    // One more visit to joints with rows that rebound and have carried an impulse: they reach their rebound.
+    void rebound(const RowSystem& system, std::span<Velocity> bodies);
+
+    bool empty() const { return batches_.empty(); }
+
+  private:
+    // Which joint is in a lane, and which of its rows is where: free rows come first.
+    struct Source {
+        int block;  // -1: none
+        int first;  // row of the system
+        unsigned char row[kMaxJointRows];
+    };
+    struct Shape {
+        RowForm form;
+        int rows, bounded;
+        bool operator==(const Shape&) const = default;
+    };
+    // A joint while it is sorted.
+    struct Joint {
+        int block, colour, shape;
+    };
+
+    static Shape shape_of(const RowSystem& system, const RowBlock& block);
+    void colour(const RowSystem& system, std::span<Joint> joints, Arena& arena);
+    int find_shapes(const RowSystem& system, std::span<Joint> joints);
+    bool sort(std::span<Joint> joints, int shapes, Arena& arena);
+    void place(const RowSystem& system, std::size_t batch);
+    template <typename Aim>
+    void fill(const RowSystem& system, const Aim& aim);
+    void fill_lane(const RowSystem& system, const RowBlock& block, const Source& source, Lanes* n, int lane,
+                   const JointLayout& at, RowForm form) const;
+    void visit_lanes(const JointBatch& batch, const bool* lanes, Lanes* n, int world,
+                     std::span<Velocity> bodies);
+    template <typename Visit>
+    void for_each_row(Visit&& f) const;
+
+    static constexpr int kShapes = 3 * (kMaxJointRows + 1) * (kMaxJointRows + 1);
+
+    const JointKernels* kernels_;
+    std::span<JointBatch> batches_;
+    std::span<Source> sources_;  // lane by lane
+    std::span<Lanes> numbers_;
+    Shape shapes_[kShapes];
+    int colours_ = 0;
+};
+
+}  // namespace epode

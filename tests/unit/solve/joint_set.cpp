@@ -1,0 +1,409 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Joints in lanes: the kernels of every machine leave the bits of the formulas written down here for one
+// joint, an island has the same answer alone and packed with others, and what a visit leaves is what the rows
+// ask for.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <vector>
+
+#include "solve/joint_set.h"
+#include "solve/residual.h"
+#include "solve/solver.h"
+#include "systems.h"
+
+namespace {
+
+using namespace epode_test;
+
+constexpr JointSweep kSweep{Real(1.2), false};
+
+// A joint of the form, some of whose rows behind the third are bounded; with `loose`, bounds also before.
+void add_joint(Problem& p, Dice& dice, int body1, int body2, RowForm form, bool loose)
+{
+    const Vec3 at = p.places[std::size_t(body1)] + dice.vec(1);
+    Vec3 d[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    if (form == RowForm::kTurned) {
+        d[0] = dice.direction();
+        plane_space(d[0], d[1], d[2]);
+    }
+    std::vector<Row> of;
+    const int count = form == RowForm::kFree ? 1 + dice.below(6) : 3 + dice.below(4);
+    for (int i = 0; i < count; ++i) {
+        Row row;
+        if (form == RowForm::kFree) {
+            row.lin1 = dice.vec(1), row.ang1 = dice.vec(1);
+            if (body2 >= 0) row.lin2 = dice.vec(1), row.ang2 = dice.vec(1);
+            row.cfm = Real(1e-4);
+        } else if (i < 3) {
+            row = p.point_row(body1, body2, at, d[i], Real(0.2), Real(1e-6));
+        } else {
+            row.ang1 = dice.direction(), row.cfm = Real(1e-6);
+            if (body2 >= 0) row.ang2 = -row.ang1;
+        }
+        row.erp = Real(0.2), row.error = dice.real(Real(-0.02), Real(0.02)), row.speed = dice.real(-1, 1);
+        if ((i >= 3 || loose) && dice.below(2) == 0) {
+            row.kind = RowKind::kLimit;
+            row.lo = dice.below(2) ? 0 : -dice.real(0, 50), row.hi = dice.below(2) ? kInf : dice.real(0, 50);
+        }
+        of.push_back(row);
+    }
+    p.block(body1, body2, false, of);
+    p.blocks.back().form = form;
+    p.blocks.back().arms.r1 = at - p.places[std::size_t(body1)];
+    p.blocks.back().arms.r2 = body2 >= 0 ? at - p.places[std::size_t(body2)] : Vec3{};
+    for (int i = 0; i < count; ++i) p.numbers[p.numbers.size() - 1 - std::size_t(i)].p = dice.real(-1, 1);
+}
+
+// Bodies, some of which nothing moves, and joints of every form between them; `star`: all at the first one.
+Problem mechanism(std::uint64_t seed, int bodies, int joints, bool star = false)
+{
+    Dice dice(seed);
+    Problem p;
+    for (int i = 0; i < bodies; ++i) {
+        const Vec3 sides{dice.real(Real(.5), 2), dice.real(Real(.5), 2), dice.real(Real(.5), 2)};
+        p.body(dice.vec(3), i % 9 == 8 ? Real(0) : dice.real(Real(.2), 3), sides);
+        p.bodies.back().v = dice.vec(1), p.bodies.back().w = dice.vec(1);
+    }
+    for (int i = 0; i < joints; ++i) {
+        const int a = star ? 0 : dice.below(bodies);
+        int b = star ? 1 + i % (bodies - 1) : dice.below(bodies + 1) - 1;
+        if (a == b) b = -1;
+        add_joint(p, dice, a, b, RowForm(i % 3), i % 7 == 0);
+    }
+    return p;
+}
+
+struct Answer {
+    std::vector<Velocity> velocities;
+    std::vector<RowNumbers> numbers;
+};
+
+Answer solve(const JointKernels& kernels, Problem p, int sweeps, JointSweep how = kSweep)
+{
+    Arena arena;
+    const RowSystem system = p.system();
+    JointSet set(kernels);
+    EXPECT_TRUE(set.pack(system, arena));
+    set.load(system);
+    Answer out;
+    out.velocities.resize(p.bodies.size() + 1);
+    load_velocities(system, out.velocities);
+    set.apply_impulses(out.velocities);
+    for (int i = 0; i < sweeps; ++i) set.sweep(out.velocities, how);
+    set.store_impulses(p.numbers);
+    out.numbers = p.numbers;
+    return out;
+}
+
+void expect_same(const Answer& a, const Answer& b, std::size_t body0 = 0, std::size_t row0 = 0)
+{
+    for (std::size_t i = 0; i + 1 < a.velocities.size(); ++i) {
+        EXPECT_EQ(std::memcmp(&a.velocities[i].v, &b.velocities[body0 + i].v, sizeof(Vec3)), 0)
+            << "body " << i;
+        EXPECT_EQ(std::memcmp(&a.velocities[i].w, &b.velocities[body0 + i].w, sizeof(Vec3)), 0)
+            << "body " << i;
+    }
+    for (std::size_t i = 0; i < a.numbers.size(); ++i)
+        EXPECT_EQ(std::memcmp(&a.numbers[i].p, &b.numbers[row0 + i].p, sizeof(Real)), 0) << "row " << i;
+}
+
+// One joint, number by number: the formulas of solve/joint_kernels.inc in their order.
+class OneJoint {
+  public:
+    OneJoint(Problem& p, const RowBlock& block) : p_(p), block_(block), form_(block.form)
+    {
+        for (int pass = 0; pass < 2; ++pass)
+            for (int i = 0; i < block.count; ++i) {
+                const RowNumbers& n = p.numbers[std::size_t(block.first + i)];
+                const bool bounded = n.lo > -kInf || n.hi < kInf;
+                if (bounded && i < 3) form_ = RowForm::kFree;
+                if (bounded == (pass == 1)) order_.push_back(std::size_t(block.first + i));
+                if (bounded && pass == 0) ++bounded_;
+            }
+        a_ = p.bodies[std::size_t(block.body1)];
+        if (block.body2 >= 0) b_ = p.bodies[std::size_t(block.body2)];
+        factor();
+    }
+
+    Answer visits(int sweeps, JointSweep how)
+    {
+        apply(impulses_);
+        for (int i = 0; i < sweeps; ++i) visit(how.w);
+        Answer out;
+        for (const SolverBody& body : p_.bodies) out.velocities.push_back({body.v, 0, body.w, 0});
+        out.velocities[std::size_t(block_.body1)] = {a_.v, 0, a_.w, 0};
+        if (block_.body2 >= 0) out.velocities[std::size_t(block_.body2)] = {b_.v, 0, b_.w, 0};
+        out.velocities.push_back({});
+        out.numbers = p_.numbers;
+        for (std::size_t i = 0; i < order_.size(); ++i) out.numbers[order_[i]].p = impulses_[i];
+        return out;
+    }
+
+  private:
+    const Row& row(std::size_t i) const { return p_.rows[order_[i]]; }
+    const RowNumbers& asks(std::size_t i) const { return p_.numbers[order_[i]]; }
+    std::size_t rows() const { return order_.size(); }
+    std::size_t free() const { return order_.size() - std::size_t(bounded_); }
+
+    Jacobian jacobian(std::size_t i) const
+    {
+        const bool two = block_.body2 >= 0;
+        if (form_ == RowForm::kFree)
+            return {row(i).lin1, row(i).ang1, two ? row(i).lin2 : Vec3{}, two ? row(i).ang2 : Vec3{}};
+        if (i >= 3) return {{}, row(i).ang1, {}, Vec3{} - row(i).ang1};
+        const Vec3 d = row(i).lin1;
+        return {d, cross(block_.arms.r1, d), Vec3{} - d, cross(d, block_.arms.r2)};
+    }
+
+    void factor()
+    {
+        const std::size_t n = rows();
+        std::vector<Jacobian> J;
+        std::vector<Real> whole;
+        A_.assign(n, std::vector<Real>(n));
+        for (std::size_t i = 0; i < n; ++i) {
+            J.push_back(jacobian(i));
+            const Vec3 l1 = a_.inv_mass * J[i].lin1, t1 = a_.inv_inertia * J[i].ang1;
+            const Vec3 l2 = b_.inv_mass * J[i].lin2, t2 = b_.inv_inertia * J[i].ang2;
+            for (std::size_t j = 0; j <= i; ++j)
+                A_[i][j] =
+                    (dot(J[j].lin1, l1) + dot(J[j].ang1, t1)) + (dot(J[j].lin2, l2) + dot(J[j].ang2, t2));
+            A_[i][i] += asks(i).C;
+            whole.push_back(A_[i][i]);
+            const Real p = whole[i] > 0 ? asks(i).p : 0;
+            impulses_.push_back(i < free() ? p : clip(p, i));
+        }
+        for (std::size_t k = 0; k < free(); ++k) pivot(k, whole[k]);
+        for (std::size_t i = 0; i < n; ++i)
+            for (std::size_t j = 0; j <= i; ++j) {
+                if (i < free())
+                    A_[i][j] = -A_[i][j];
+                else if (i == j)
+                    A_[i][i] = A_[i][i] - 64 * kEpsilon * whole[i] > 0 ? 1 / A_[i][i] : 0;
+                A_[j][i] = A_[i][j];
+            }
+    }
+
+    void pivot(std::size_t k, Real whole)
+    {
+        const Real inverse = A_[k][k] - 64 * kEpsilon * whole > 0 ? 1 / A_[k][k] : 0;
+        const auto at = [&](std::size_t i, std::size_t j) -> Real& { return i > j ? A_[i][j] : A_[j][i]; };
+        std::vector<Real> column;
+        for (std::size_t i = 0; i < rows(); ++i) column.push_back(at(i, k));
+        for (std::size_t i = 0; i < rows(); ++i) {
+            if (i == k) continue;
+            const Real share = column[i] * inverse;
+            for (std::size_t j = 0; j <= i; ++j)
+                if (j != k) A_[i][j] = A_[i][j] - share * column[j];
+            at(i, k) = share;
+        }
+        A_[k][k] = -inverse;
+    }
+
+    Real clip(Real x, std::size_t i) const
+    {
+        x = x > asks(i).hi ? asks(i).hi : x;
+        return x < asks(i).lo ? asks(i).lo : x;
+    }
+
+    Real velocity(std::size_t i) const
+    {
+        if (form_ == RowForm::kFree) {
+            const Jacobian J = jacobian(i);
+            return (dot(J.lin1, a_.v) + dot(J.ang1, a_.w)) + (dot(J.lin2, b_.v) + dot(J.ang2, b_.w));
+        }
+        if (i >= 3) return dot(row(i).ang1, a_.w - b_.w);
+        const Vec3 u = (a_.v - b_.v) + (cross(a_.w, block_.arms.r1) - cross(b_.w, block_.arms.r2));
+        if (form_ == RowForm::kTurned) return dot(row(i).lin1, u);
+        return i == 0 ? u.x : i == 1 ? u.y : u.z;
+    }
+
+    void apply(const std::vector<Real>& p)
+    {
+        Vec3 f1, t1, f2, t2, couple;
+        if (form_ == RowForm::kFree) {
+            for (std::size_t i = 0; i < rows(); ++i) {
+                const Jacobian J = jacobian(i);
+                f1 += p[i] * J.lin1, t1 += p[i] * J.ang1, f2 += p[i] * J.lin2, t2 += p[i] * J.ang2;
+            }
+        } else {
+            f1 = {p[0], p[1], p[2]};
+            if (form_ == RowForm::kTurned) f1 = p[0] * row(0).lin1 + p[1] * row(1).lin1 + p[2] * row(2).lin1;
+            for (std::size_t i = 3; i < rows(); ++i) couple += p[i] * row(i).ang1;
+            t1 = cross(block_.arms.r1, f1) + couple;
+            f2 = Vec3{} - f1;
+            t2 = Vec3{} - (cross(block_.arms.r2, f1) + couple);
+        }
+        a_.v += a_.inv_mass * f1, a_.w += a_.inv_inertia * t1;
+        b_.v += b_.inv_mass * f2, b_.w += b_.inv_inertia * t2;
+    }
+
+    void visit(Real w)
+    {
+        const std::size_t n = rows(), f = free();
+        std::vector<Real> x, rest(n), q(n), dp(n);
+        for (std::size_t i = 0; i < n; ++i)
+            x.push_back(w * (asks(i).c - velocity(i) - asks(i).C * impulses_[i]));
+        for (std::size_t j = f; j < n; ++j) {
+            rest[j] = x[j];
+            for (std::size_t k = 0; k < f; ++k) rest[j] -= A_[j][k] * x[k];
+        }
+        for (int pass = 0; pass < (bounded_ > 1 ? 2 : bounded_); ++pass)
+            for (std::size_t j = f; j < n; ++j) {
+                Real wanted = rest[j];
+                for (std::size_t k = f; k < n; ++k)
+                    if (k < j || (k > j && pass > 0)) wanted -= A_[j][k] * dp[k];
+                q[j] = clip(impulses_[j] + A_[j][j] * wanted, j);
+                dp[j] = q[j] - impulses_[j];
+            }
+        for (std::size_t i = 0; i < f; ++i) {
+            dp[i] = A_[i][0] * x[0];
+            for (std::size_t k = 1; k < f; ++k) dp[i] += A_[i][k] * x[k];
+            for (std::size_t j = f; j < n; ++j) dp[i] -= A_[j][i] * dp[j];
+        }
+        for (std::size_t i = 0; i < n; ++i) impulses_[i] = i < f ? impulses_[i] + dp[i] : q[i];
+        apply(dp);
+    }
+
+    Problem& p_;
+    const RowBlock block_;
+    RowForm form_;
+    int bounded_ = 0;
+    std::vector<std::size_t> order_;  // of the rows, free ones first
+    SolverBody a_, b_{};
+    std::vector<std::vector<Real>> A_;
+    std::vector<Real> impulses_;
+};
+
+TEST(JointKernels, all_machines_make_the_bits_of_the_formulas)
+{
+    const auto all = joint_kernels();
+    ASSERT_STREQ(all[0]->name, "baseline");
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        Problem p = mechanism(seed, 2, 0);
+        Dice dice(seed + 1000);
+        add_joint(p, dice, 0, seed % 4 ? 1 : -1, RowForm(seed % 3), seed % 5 == 0);
+        const Answer expected = OneJoint(p, p.blocks[0]).visits(3, kSweep);
+        for (const JointKernels* kernels : all) {
+            SCOPED_TRACE(kernels->name);
+            SCOPED_TRACE(seed);
+            expect_same(expected, solve(*kernels, p, 3));
+        }
+    }
+}
+
+TEST(JointKernels, all_machines_make_the_same_bits_of_mechanisms)
+{
+    const auto all = joint_kernels();
+    if (all.size() == 1) GTEST_SKIP() << "this machine runs the baseline only";
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        const Problem p = mechanism(seed, seed == 8 ? 90 : 40, 120, seed == 8);
+        expect_same(solve(*all[0], p, 5), solve(*all[1], p, 5));
+    }
+}
+
+TEST(JointSet, an_island_has_the_same_answer_alone_and_packed)
+{
+    Problem together;
+    std::vector<Problem> islands;
+    for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+        const Problem p = mechanism(seed, 3 + int(seed), 2 + int(seed));
+        islands.push_back(p);
+        const int body0 = int(together.bodies.size()), row0 = int(together.rows.size());
+        together.bodies.insert(together.bodies.end(), p.bodies.begin(), p.bodies.end());
+        together.rows.insert(together.rows.end(), p.rows.begin(), p.rows.end());
+        together.numbers.insert(together.numbers.end(), p.numbers.begin(), p.numbers.end());
+        for (RowBlock block : p.blocks) {
+            block.first += row0, block.body1 += body0;
+            if (block.body2 >= 0) block.body2 += body0;
+            together.blocks.push_back(block);
+        }
+    }
+    const JointKernels& kernels = *joint_kernels().back();
+    const Answer packed = solve(kernels, together, 4);
+    std::size_t body = 0, row = 0;
+    for (const Problem& p : islands) {
+        expect_same(solve(kernels, p, 4), packed, body, row);
+        body += p.bodies.size(), row += p.rows.size();
+    }
+}
+
+// One visit with W = 1 to a joint alone leaves its free rows satisfied, and one bounded row is where it
+// belongs; several are by repeated visits.
+TEST(JointSet, a_visit_solves_a_joint)
+{
+    int at_bounds = 0, within = 0;
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+        Problem p = mechanism(seed, 2, 0);
+        Dice dice(seed + 500);
+        add_joint(p, dice, 0, seed % 4 ? 1 : -1, RowForm(seed % 3), false);
+        int bounded = 0;
+        for (const RowNumbers& n : p.numbers) bounded += n.lo > -kInf || n.hi < kInf;
+        const Answer answer = solve(*joint_kernels().back(), p, bounded > 1 ? 5000 : 1, {1, false});
+        for (std::size_t i = 0; i < p.bodies.size(); ++i)
+            p.bodies[i].v = answer.velocities[i].v, p.bodies[i].w = answer.velocities[i].w;
+        const SolverBody* b = p.blocks[0].body2 >= 0 ? &p.bodies[1] : nullptr;
+        for (std::size_t i = 0; i < p.rows.size(); ++i) {
+            SCOPED_TRACE(seed);
+            const RowNumbers& n = answer.numbers[i];
+            const Real gap = row_velocity(p.rows[i], p.bodies[0], b) + n.C * n.p - n.c;
+            const Real tolerance = kSingle ? Real(2e-2) : Real(1e-7);
+            EXPECT_GE(n.p, n.lo);
+            EXPECT_LE(n.p, n.hi);
+            if (n.p > n.lo) { EXPECT_LT(gap, tolerance); }
+            if (n.p < n.hi) { EXPECT_GT(gap, -tolerance); }
+            if (n.lo > -kInf || n.hi < kInf) ++(n.p > n.lo && n.p < n.hi ? within : at_bounds);
+        }
+    }
+    EXPECT_GT(at_bounds, 30);
+    EXPECT_GT(within, 30);
+}
+
+TEST(JointSet, rows_that_repeat_others_share_the_answer)
+{
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        Dice dice(seed);
+        Problem p;
+        p.body({0, 0, 0}, 1), p.body({1, 0, 0}, 2);
+        p.bodies[0].v = dice.vec(1), p.bodies[1].w = dice.vec(1);
+        std::vector<Row> of;
+        const int rank = 1 + dice.below(5);
+        for (int i = 0; i < 6; ++i) {
+            Row row;
+            if (i < rank)
+                row.lin1 = dice.vec(1), row.ang1 = dice.vec(1), row.lin2 = dice.vec(1),
+                row.ang2 = dice.vec(1);
+            else
+                static_cast<Jacobian&>(row) = of[std::size_t(dice.below(rank))];
+            of.push_back(row);
+        }
+        p.block(0, 1, false, of);
+        const Answer answer = solve(*joint_kernels().back(), p, 2, {1, false});
+        for (std::size_t i = 0; i < p.bodies.size(); ++i)
+            p.bodies[i].v = answer.velocities[i].v, p.bodies[i].w = answer.velocities[i].w;
+        for (const Row& row : p.rows)
+            EXPECT_NEAR(row_velocity(row, p.bodies[0], &p.bodies[1]), 0, kSingle ? 1e-2 : 1e-8) << seed;
+    }
+}
+
+// The general form of the same rows ends in the same place.
+TEST(JointSet, forms_are_only_shorter_ways_to_write_rows)
+{
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Problem p = mechanism(seed, 12, 14), general = p;
+        for (RowBlock& block : general.blocks) block.form = RowForm::kFree;
+        const JointKernels& kernels = *joint_kernels().back();
+        const Answer a = solve(kernels, p, 10), b = solve(kernels, general, 10);
+        for (std::size_t i = 0; i < p.bodies.size(); ++i) {
+            EXPECT_LT(max_component(abs(a.velocities[i].v - b.velocities[i].v)), kSingle ? 5e-2 : 1e-8)
+                << seed;
+            EXPECT_LT(max_component(abs(a.velocities[i].w - b.velocities[i].w)), kSingle ? 5e-2 : 1e-8)
+                << seed;
+        }
+    }
+}
+
+}  // namespace
