@@ -56,12 +56,12 @@ class SmallSteps {
         return !arena.failed();
     }
 
-    bool run(Arena& arena, SolveReport& report)
+    bool run(const SolverSettings& settings, Arena& arena, SolveReport& report)
     {
         for (int i = 0; i < step_.n; ++i) {
             const bool last = i == step_.n - 1;
             correct(i > 0, last);
-            if (last && !before_.empty() && !measure(arena, report)) return false;
+            if (last && !before_.empty() && !measure(settings, arena, report)) return false;
             move();
             relax(last);
         }
@@ -135,7 +135,7 @@ class SmallSteps {
         patches_.store_impulses(system_.patches);
     }
 
-    bool measure(Arena& arena, SolveReport& report)
+    bool measure(const SolverSettings& settings, Arena& arena, SolveReport& report)
     {
         joints_.describe(described_);
         contacts_.describe(described_);
@@ -143,6 +143,11 @@ class SmallSteps {
         one.numbers = described_;
         present_bounds(one, lo_, hi_);
         report.residual = natural_residual(one, before_, lo_, hi_, arena);
+        for (int part = 0; part < int(system_.parts.size()) && report.residual >= 0; ++part) {
+            const int from = system_.begin_of(part).blocks, to = system_.end_of(part).blocks;
+            one.blocks = system_.blocks.subspan(std::size_t(from), std::size_t(to - from));
+            settings.part_residuals[std::size_t(part)] = natural_residual(one, before_, lo_, hi_, arena);
+        }
         return report.residual >= 0;
     }
 
@@ -174,7 +179,7 @@ bool solve_tgs(RowSystem& system, const SolverSettings& settings, Arena& arena, 
     }
     Arena::Scope scope(arena);
     SmallSteps steps(system, model, n);
-    return steps.prepare(settings, arena) && steps.run(arena, report);
+    return steps.prepare(settings, arena) && steps.run(settings, arena, report);
 }
 
 }  // namespace

@@ -164,26 +164,28 @@ class WorldStep {
         int first_contact;
     };
 
-    // May the island be solved beside others? If the solver knows of parts, or of patches and only these hold
-    // it together.
-    bool joins_groups(const Island& island) const
+    // May islands be solved beside one another? If the solver knows of parts; but not where patches become
+    // rows, behind those of all joints.
+    bool makes_groups() const
     {
-        if (!context_.manages_contacts) return context_.solver.manifolds;
-        return context_.solver.takes_patches && island.joints.empty();
+        return context_.solver.takes_patches || (context_.solver.manifolds && !context_.manages_contacts);
     }
 
-    // Small islands that follow each other make groups, if they may; the others are alone. Returns the number
-    // of joints.
+    // What only patches hold together moves in another way in small steps.
+    bool of_a_kind(const Island& a, const Island& b) const
+    {
+        return !context_.solver.takes_patches || a.joints.empty() == b.joints.empty();
+    }
+
+    // Small islands that follow each other make groups, if they may. Returns the number of joints.
     int make_groups()
     {
         int count = 0, contacts = 0;
-        bool open = false;
         for (std::size_t i = 0; i < islands_.size(); ++i) {
             const int joints = int(islands_[i].joints.size()), w = weight(islands_[i]);
-            const bool joins = joins_groups(islands_[i]);
-            if (!open || !joins || groups_[std::size_t(count - 1)].weight + w > kGroup)
-                groups_[std::size_t(count++)] = {int(i), 0, 0, 0, 0, contacts};
-            open = joins;
+            const bool joins = count > 0 && makes_groups() && of_a_kind(islands_[i - 1], islands_[i]) &&
+                               groups_[std::size_t(count - 1)].weight + w <= kGroup;
+            if (!joins) groups_[std::size_t(count++)] = {int(i), 0, 0, 0, 0, contacts};
             Group& group = groups_[std::size_t(count - 1)];
             ++group.count, group.joints += joints, group.weight += w;
             group.patches += int(islands_[i].patches.size());
