@@ -58,7 +58,7 @@ struct Geom : Tagged {
     Geom(const Geom&) = delete;
     Geom& operator=(const Geom&) = delete;
 
-    // What every collision reads comes first, in one line of the cache.
+    // What every collision reads, and every mark that it has moved: one line of the cache, with the tag.
     const GeomType* type;
     const Real* position;  // where the pose is
     const Real* rotation;
@@ -67,20 +67,23 @@ struct Geom : Tagged {
     bool box_stale = true;
     bool pose_stale = false;      // only with an offset
     std::uint8_t continuous = 0;  // a dContinuous... value; set_continuous() writes it
-    bool dying = false;  // being destroyed: its class's function, or those of its members, are running
-    BodyLink body;
-    Space* space = nullptr;
+    bool dying = false;         // being destroyed: its class's function, or those of its members, are running
     int slot = -1;              // place among the members of its space
     std::atomic<int> users{0};  // calls into the program in progress that rely on this geom
+    Space* space = nullptr;
+
+    // The next: whom it belongs to.
+    TransformGeom* holders = nullptr;  // transforms that place this geom
+    GeomOffset* offset = nullptr;
+    dMaterial* material = nullptr;  // null: the default
+    Geom* body_next = nullptr;      // geoms of the same body, newest first
+    BodyLink body;
+
+    Aabb box;
     unsigned long category = ~0ul;
     unsigned long collide = ~0ul;
-    Aabb box;
     void* data = nullptr;
-    Geom* body_next = nullptr;  // geoms of the same body, newest first
     Geom* body_prev = nullptr;
-    GeomOffset* offset = nullptr;
-    dMaterial* material = nullptr;     // null: the default
-    TransformGeom* holders = nullptr;  // transforms that place this geom
     alignas(32) Real own_rotation[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
     Real own_position[4] = {};  // beside the shape, which follows
 };

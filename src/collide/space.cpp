@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "base/ahead.h"
+
 namespace epode {
 namespace {
 
@@ -137,7 +139,13 @@ void clean(Space& space)
     if (space.locks > 0 || space.queue.empty()) return;
     SpaceLock lock(space);
     const int due = space.queue.size();
+    const auto fetch_pose = [&](int i) {
+        const Geom* geom = i < due ? space.members[space.queue[i]] : nullptr;
+        if (geom) fetch<3>(geom->position);
+    };
     for (int i = 0; i < due; ++i) {
+        if (i + 4 < due) fetch<6>(space.members[space.queue[i + 4]]);
+        fetch_pose(i + 2);
         const int slot = space.queue[i];
         Geom* geom = space.members[slot];
         if (!geom || !geom->queued) continue;

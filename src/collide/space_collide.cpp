@@ -6,6 +6,7 @@
 // ones.
 #include <algorithm>
 
+#include "base/ahead.h"
 #include "collide/collide.h"
 #include "collide/space.h"
 
@@ -18,11 +19,21 @@ struct Report {
     void operator()(Geom& a, Geom& b) const { callback(data, to_handle(&a), to_handle(&b)); }
 };
 
+// The lines that may_meet() and most callbacks read.
+void fetch_members(const Space& space, const SlotPair& pair)
+{
+    fetch<3>(space.members.data()[pair.newer]);
+    fetch<3>(space.members.data()[pair.older]);
+}
+
 void report_pairs(Space& space, const Report& report)
 {
     ++space.pair_walks;
     const auto pairs = space.broadphase.pairs();
-    for (const SlotPair& pair : pairs) {
+    constexpr std::size_t kAhead = 4;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (i + kAhead < pairs.size()) fetch_members(space, pairs[i + kAhead]);
+        const SlotPair& pair = pairs[i];
         if (!overlap(space.broadphase.box(pair.newer), space.broadphase.box(pair.older))) continue;
         Geom *a = space.members.data()[pair.newer], *b = space.members.data()[pair.older];
         if (a->enabled && b->enabled && may_meet(*a, *b)) report(*a, *b);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/ahead.h"
 #include "collide/collide.h"
 #include "contacts/narrow_phase.h"
 
@@ -35,6 +36,12 @@ bool tied(const Body& a, const Body* b)
 
 bool awake(const Body* body) { return body && !body->disabled; }
 
+// What the narrow phase reads first.
+void fetch_pair(const ContactPair& pair)
+{
+    for (const Geom* geom : {pair.g1, pair.g2}) fetch<6>(geom), fetch<3>(geom->position);
+}
+
 bool touches(std::span<const ContactPair> parts)
 {
     bool any = false;
@@ -58,7 +65,10 @@ bool ContactWorld::update(const World& world, Space& in, const Tasks& tasks)
 bool ContactWorld::list_pairs(const World& world)
 {
     RecordFinder finder(pairs_, table_);
-    for (const GeomPair& pair : found_) {
+    constexpr int kAhead = 4;
+    for (int i = 0; i < found_.size(); ++i) {
+        if (i + kAhead < found_.size()) fetch<2>(found_[i + kAhead].a), fetch<2>(found_[i + kAhead].b);
+        const GeomPair& pair = found_.data()[i];
         if (!can_push(*pair.a) || !can_push(*pair.b)) continue;
         const Body *a = body_of(*pair.a), *b = body_of(*pair.b);
         const bool moves = (a && !a->kinematic()) || (b && !b->kinematic());
@@ -125,8 +135,10 @@ void ContactWorld::collide_pairs(const World& world, const Tasks& tasks)
             heads_[ours++] = head;
     }
     tasks.for_each((ours + kPiece - 1) / kPiece, [&](int piece, int) {
-        for (int i = piece * kPiece; i < std::min(ours, (piece + 1) * kPiece); ++i)
+        for (int i = piece * kPiece; i < std::min(ours, (piece + 1) * kPiece); ++i) {
+            if (i + 2 < ours) fetch_pair(fresh_.data()[heads_.data()[i + 2]]);
             update_one(heads_.data()[i]);
+        }
     });
 }
 

@@ -40,6 +40,16 @@ struct Body : Tagged {
     explicit Body(World& world);
     ~Body();
 
+    // ---- all that walks over the world's bodies look at: one line of the cache, with the tag ----
+    Body* next = nullptr;          // world's list, newest first
+    JointNode* joints = nullptr;   // most recently attached first
+    PatchEdge* patches = nullptr;  // contacts that the world manages, during a step
+    dxGeom* first_geom = nullptr;  // list of geoms; only step/link.cpp looks inside
+    int island_index = -1;         // place in its island during a step, else -1
+    bool disabled = false;
+    bool auto_disable = false;
+    bool patched = false;  // by a contact that the world manages, in the last step
+
     // ---- visible through the ABI ----
     alignas(kCacheLine) Real pos[4] = {};
     Real q[4] = {1, 0, 0, 0};
@@ -53,27 +63,19 @@ struct Body : Tagged {
     Real inv_mass = 1;          // 0: kinematic
     Sym3 inertia{1, 1, 1};      // body frame, about the centre
     Sym3 inv_inertia{1, 1, 1};  // 0: kinematic
-    bool disabled = false;
     bool gravity = true;
     bool gyroscopic = true;
     bool finite_rotation = false;
-    bool auto_disable = false;
     Vec3 finite_axis;  // zero: none
     // With exact rotation: angular momentum, body frame, that the angular velocity does not show
     // (dynamics/exact_spin.cpp). Else zero.
     Vec3 spin_excess;
     Real max_angular_speed = kInf;
     DampingRule damping;
-    int island_index = -1;  // place in its island during a step, else -1
 
     // ---- rest ----
     World* world;
-    Body* next = nullptr;  // world's list, newest first
     Body* prev = nullptr;
-    JointNode* joints = nullptr;   // most recently attached first
-    PatchEdge* patches = nullptr;  // contacts that the world manages, during a step
-    bool patched = false;          // it had any in the last one
-    dxGeom* first_geom = nullptr;  // list of geoms; only step/link.cpp looks inside
     void* data = nullptr;
     void (*moved)(dBodyID) = nullptr;
     dMass mass;  // as the user gave it, kept while kinematic

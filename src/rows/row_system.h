@@ -54,7 +54,7 @@ struct RowBlock {
 // and share nothing: not even the world, so that what is not a number in one of them stays there. Each part
 // ends before these.
 struct SystemPart {
-    int bodies, blocks, manifolds;
+    int bodies = 0, blocks = 0, manifolds = 0, patches = 0;
 };
 
 struct RowSystem {
@@ -68,14 +68,11 @@ struct RowSystem {
     std::span<const SystemPart> parts;  // none: all is one
 
     int worlds() const { return parts.empty() ? 1 : int(parts.size()); }
-    SystemPart begin_of(int part) const
-    {
-        return part > 0 ? parts[std::size_t(part - 1)] : SystemPart{0, 0, 0};
-    }
+    SystemPart begin_of(int part) const { return part > 0 ? parts[std::size_t(part - 1)] : SystemPart{}; }
     SystemPart end_of(int part) const
     {
         if (!parts.empty()) return parts[std::size_t(part)];
-        return {int(bodies.size()), int(blocks.size()), int(contacts.manifolds.size())};
+        return {int(bodies.size()), int(blocks.size()), int(contacts.manifolds.size()), int(patches.size())};
     }
 };
 

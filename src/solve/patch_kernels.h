@@ -8,6 +8,7 @@
 #include <span>
 
 #include "solve/patch_batch.h"
+#include "solve/velocities.h"
 
 namespace epode {
 
@@ -15,6 +16,17 @@ namespace epode {
 struct PatchSweep {
     float per_step;  // 1 / hs
     float push_out;  // largest velocity that takes depth away
+};
+
+// Bodies as sweeps see them: what they do to the floats becomes a change of the doubles, so that a body that
+// nobody pushes keeps its velocity to the last bit.
+struct PatchBodies {
+    Velocity* v;
+    Velocity* kicks;       // what the impulses at hand do: M^-1 J^T p
+    const Velocity* gain;  // by forces, in one small step
+    Velocity* mean;        // sum over the small steps
+    FloatMotion* motions;
+    float hs;
 };
 
 struct PatchKernels {
@@ -29,6 +41,13 @@ struct PatchKernels {
     void (*relax)(const PatchBatch* batches, int first, int last, PatchLanes* points, FloatMotion* motions);
     // What came in fast and was pushed leaves with its rebound.
     void (*rebound)(const PatchBatch* batches, int first, int last, PatchLanes* points, FloatMotion* motions);
+    // Of the bodies first ... last - 1: velocities to floats, and what sweeps have changed back.
+    void (*load_speeds)(const PatchBodies& bodies, int first, int last);
+    void (*take_changes)(const PatchBodies& bodies, int first, int last);
+    // Before the first sweep of a small step: v += gain + kicks; between correcting and relaxing: the change
+    // taken, then the bodies move for hs. Both leave v in the floats.
+    void (*accelerate)(const PatchBodies& bodies, int first, int last);
+    void (*move)(const PatchBodies& bodies, int first, int last);
 };
 
 // Those that this machine can run; the first is the baseline, the last the fastest.

@@ -8,7 +8,8 @@
 namespace epode {
 
 extern const PatchKernels kAvx2PatchKernels;
-const PatchKernels kAvx2PatchKernels{"avx2", prepare_patches, apply_patches, correct, relax, rebound};
+const PatchKernels kAvx2PatchKernels{"avx2",  prepare_patches, apply_patches, correct,    relax,
+                                     rebound, load_speeds,     take_changes,  accelerate, move};
 
 }  // namespace epode
 #endif

@@ -14,7 +14,8 @@ extern const PatchKernels kAvx2PatchKernels;
 
 namespace {
 
-constexpr PatchKernels kBaseline{"baseline", prepare_patches, apply_patches, correct, relax, rebound};
+constexpr PatchKernels kBaseline{"baseline", prepare_patches, apply_patches, correct,    relax,
+                                 rebound,    load_speeds,     take_changes,  accelerate, move};
 
 constexpr const PatchKernels* kAll[] = {
     &kBaseline,

@@ -9,6 +9,8 @@
 #include <bit>
 #include <cstring>
 
+#include "base/ahead.h"
+
 namespace epode {
 namespace {
 
@@ -179,10 +181,26 @@ void PatchSet::fill(const RowSystem& system, const Substep& step)
     }
 }
 
+// The bodies of this batch, and the patches of the next: neighbours in a batch are none in memory.
+void PatchSet::fetch_lanes(const RowSystem& system, std::size_t b) const
+{
+    for (int lane = 0; lane < kFloatLanes; ++lane) {
+        const std::size_t at = b * kFloatLanes + std::size_t(lane), next = at + kFloatLanes;
+        if (const int i = chosen_[at]; i >= 0) {
+            const Patch& p = *system.patches[std::size_t(i)];
+            fetch<3>(system.bodies.data() + p.body1);
+            if (p.body2 >= 0) fetch<3>(system.bodies.data() + p.body2);
+        }
+        if (b + 1 < batches_.size() && chosen_[next] >= 0)
+            fetch<4>(system.patches[std::size_t(chosen_[next])]);
+    }
+}
+
 void PatchSet::fill_batch(const RowSystem& system, const Substep& step, std::size_t b)
 {
     const RowAim soft[2] = {default_contact(step, 1, false, kDampingRatio),
                             default_contact(step, 1, true, kDampingRatio)};
+    fetch_lanes(system, b);
     PatchBatch& batch = batches_[b];
     const auto points = points_.subspan(std::size_t(batch.first), std::size_t(batch.count));
     if (!is_full(system.patches, b)) blank(points);
@@ -237,40 +255,64 @@ void PatchSet::sweep(Pass&& pass)
     }
 }
 
-template <typename Pass>
-void PatchSet::run(std::span<Velocity> bodies, Pass&& pass)
+void PatchSet::visit(BodyPass pass, const PatchBodies& bodies) const
 {
-    in_pieces(int(kicks_.size()), kBodyPiece, [&](int first, int last) {
-        for (auto i = std::size_t(first); i < std::size_t(last); ++i) {
-            float* to = motions_[i].speed;
-            for (int k = 0; k < kTwistNumbers; ++k) to[k] = float(numbers(bodies[i])[k]);
-        }
-    });
-    sweep(pass);
-    in_pieces(int(kicks_.size()), kBodyPiece, [&](int first, int last) {
-        for (auto i = std::size_t(first); i < std::size_t(last); ++i) {
-            const float* now = motions_[i].speed;
-            Real *v = numbers(bodies[i]), *kick = numbers(kicks_[i]);
-            for (int k = 0; k < kTwistNumbers; ++k) {
-                const Real change = Real(now[k] - float(v[k]));
-                v[k] += change, kick[k] += change;
-            }
-        }
-    });
+    in_pieces(int(kicks_.size()), kBodyPiece, [&](int first, int last) { pass(bodies, first, last); });
 }
 
-void PatchSet::correct(std::span<Velocity> bodies)
+PatchBodies PatchSet::view(std::span<Velocity> bodies)
 {
-    run(bodies, [this](int first, int last) {
+    return {bodies.data(), kicks_.data(), nullptr, nullptr, motions_.data(), float(hs_)};
+}
+
+void PatchSet::correct()
+{
+    sweep([this](int first, int last) {
         kernels_->correct(batches_.data(), first, last, points_.data(), motions_.data(), sweep_);
     });
 }
 
-void PatchSet::relax(std::span<Velocity> bodies)
+void PatchSet::relax()
 {
-    run(bodies, [this](int first, int last) {
+    sweep([this](int first, int last) {
         kernels_->relax(batches_.data(), first, last, points_.data(), motions_.data());
     });
+}
+
+template <typename Sweep>
+void PatchSet::run(std::span<Velocity> bodies, Sweep&& sweep)
+{
+    const PatchBodies of = view(bodies);
+    visit(kernels_->load_speeds, of);
+    sweep();
+    visit(kernels_->take_changes, of);
+}
+
+void PatchSet::correct(std::span<Velocity> bodies)
+{
+    run(bodies, [this] { correct(); });
+}
+
+void PatchSet::relax(std::span<Velocity> bodies)
+{
+    run(bodies, [this] { relax(); });
+}
+
+void PatchSet::small_step(std::span<Velocity> bodies, std::span<const Velocity> gain,
+                          std::span<Velocity> mean)
+{
+    if (empty()) {
+        add(bodies, gain);
+        add(mean, bodies.first(mean.size()));
+        return;
+    }
+    PatchBodies of = view(bodies);
+    of.gain = gain.data(), of.mean = mean.data();
+    visit(kernels_->accelerate, of);
+    correct();
+    visit(kernels_->move, of);
+    relax();
+    visit(kernels_->take_changes, of);
 }
 
 void PatchSet::rebound(std::span<Velocity> bodies)
@@ -279,8 +321,10 @@ void PatchSet::rebound(std::span<Velocity> bodies)
     for (const PatchBatch& batch : batches_)
         for (int lane = 0; lane < kFloatLanes; ++lane) any = any || batch.bounce[lane] > 0;
     if (!any) return;
-    run(bodies, [this](int first, int last) {
-        kernels_->rebound(batches_.data(), first, last, points_.data(), motions_.data());
+    run(bodies, [this] {
+        sweep([this](int first, int last) {
+            kernels_->rebound(batches_.data(), first, last, points_.data(), motions_.data());
+        });
     });
 }
 

@@ -33,6 +33,9 @@ class PatchSet {
     void correct(std::span<Velocity> bodies);
     void relax(std::span<Velocity> bodies);
     void rebound(std::span<Velocity> bodies);
+    // A whole small step of bodies that patches alone hold, in three visits to each: forces (`gain`),
+    // impulses, correction, motion (velocities summed in `mean`), relaxation.
+    void small_step(std::span<Velocity> bodies, std::span<const Velocity> gain, std::span<Velocity> mean);
     // v += M^-1 J^T p with the impulses that the last small step ended with: the sum of all changes since its
     // beginning, body by body, so it costs no visit to the contacts.
     void apply_impulses(std::span<Velocity> bodies) const;
@@ -45,10 +48,16 @@ class PatchSet {
     void sort(std::span<Patch* const> patches, std::span<const int> colours, std::span<int> starts);
     bool is_full(std::span<Patch* const> patches, std::size_t batch) const;
     void fill(const RowSystem& system, const Substep& step);
+    void fetch_lanes(const RowSystem& system, std::size_t batch) const;
     void fill_batch(const RowSystem& system, const Substep& step, std::size_t batch);
     void fill_lane(const RowSystem& system, int patch, PatchBatch& batch, int lane);
-    template <typename Pass>
-    void run(std::span<Velocity> bodies, Pass&& pass);
+    using BodyPass = void (*)(const PatchBodies& bodies, int first, int last);
+    void visit(BodyPass pass, const PatchBodies& bodies) const;
+    PatchBodies view(std::span<Velocity> bodies);
+    void correct();
+    void relax();
+    template <typename Sweep>
+    void run(std::span<Velocity> bodies, Sweep&& sweep);
     template <typename Pass>
     void sweep(Pass&& pass);
     // f(first, last) for pieces of 0 ... count - 1.

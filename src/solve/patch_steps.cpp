@@ -33,12 +33,7 @@ class PatchSteps {
 
     void run()
     {
-        for (int i = 0; i < step_.n; ++i) {
-            accelerate();
-            patches_.correct(velocities_);
-            note_motion();
-            patches_.relax(velocities_);
-        }
+        for (int i = 0; i < step_.n; ++i) patches_.small_step(velocities_, gain_, mean_);
         move();
         patches_.rebound(velocities_);
         store_velocities(velocities_, system_);
@@ -46,18 +41,6 @@ class PatchSteps {
     }
 
   private:
-    void accelerate()
-    {
-        add(velocities_, gain_);
-        patches_.apply_impulses(velocities_);
-    }
-
-    void note_motion()
-    {
-        add(mean_, std::span(velocities_).first(mean_.size()));
-        patches_.follow_motion(velocities_);
-    }
-
     void move()
     {
         const Real share = 1 / Real(step_.n);

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "base/ahead.h"
 #include "dynamics/exact_spin.h"
 #include "dynamics/integrate.h"
 #include "joints/contact_manifolds.h"
@@ -87,10 +88,11 @@ bool mark_parts(Arena& arena, IslandWork& work)
     RowSystem& system = work.system;
     auto parts = arena.take<SystemPart>(int(work.members.size()));
     if (arena.failed()) return false;
-    SystemPart end{0, 0, 0};
+    SystemPart end;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const int world = -1 - int(i);
         end.bodies += int(work.members[i].bodies.size());
+        if (!system.patches.empty()) end.patches += int(work.members[i].patches.size());
         const auto take = [&](auto& items, int& at) {
             for (; std::size_t(at) < items.size() && items[std::size_t(at)].body1 < end.bodies; ++at)
                 if (int& body2 = items[std::size_t(at)].body2; body2 < 0) body2 = world;
@@ -162,10 +164,10 @@ bool assemble(World& world, Real h, const Solver& solver, Arena& arena, IslandWo
         return false;
     }
 
-    for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-        island.bodies[i]->island_index = int(i);
-        add_gravity(*island.bodies[i], world.gravity);
-    }
+    for_each_fetched<6>(std::span<Body* const>(island.bodies), [&](std::size_t i, Body& body) {
+        body.island_index = int(i);
+        add_gravity(body, world.gravity);
+    });
     int rows = 0, blocks = 0;
     const StepInfo info = step_info(world, h);
     write_manifolds(work.contacts, info, work.system.contacts);
@@ -180,8 +182,7 @@ bool assemble(World& world, Real h, const Solver& solver, Arena& arena, IslandWo
     work.system.numbers = arena.take<RowNumbers>(rows);
     if (arena.failed() || !mark_parts(arena, work)) return false;
 
-    for (std::size_t i = 0; i < island.bodies.size(); ++i) {
-        Body& body = *island.bodies[i];
+    for_each_fetched<8>(std::span<Body* const>(island.bodies), [&](std::size_t i, Body& body) {
         SolverBody& out = work.system.bodies[i];
         load_inertia(body, out);
         if (solver.needs_inertia) load_mass(body, out);
@@ -190,7 +191,7 @@ bool assemble(World& world, Real h, const Solver& solver, Arena& arena, IslandWo
             body.spin_excess = {};  // it turns bodies in its own way
         else
             world.exact_rotation ? add_forces_exactly(body, h, out) : add_forces(body, h, out);
-    }
+    });
     for (const RowBlock& block : work.system.blocks)
         for (int i = block.first; i < block.first + block.count; ++i)
             work.system.numbers[std::size_t(i)] =

@@ -141,8 +141,7 @@ class IslandStep {
         for (const Manifold& m : slice(system.contacts.manifolds, from.manifolds, to.manifolds))
             for (ManifoldPoint& point : points_of(m))
                 for (Real& p : point.p) p = 0;
-        for (Patch* patch : system.patches)
-            if (patch->body1 >= from.bodies && patch->body1 < to.bodies) silence_patch(*patch);
+        for (Patch* patch : slice(system.patches, from.patches, to.patches)) silence_patch(*patch);
         if (context_.solver.substeps) {
             // The inner steps have moved the bodies.
             const Island& all = work_.island;

@@ -4,6 +4,7 @@
 // Placing a geom with an offset (p_o, R_o) at (p, R): its body gets R R_o^T and p - R_body p_o.
 #include "step/link.h"
 
+#include "base/ahead.h"
 #include "math/rotation.h"
 
 namespace epode {
@@ -30,6 +31,8 @@ void body_moved(Body& body)
 {
     for_each_geom(body, [](Geom& geom) { mark_moved(geom); });
 }
+
+void fetch_geoms(const Body& body) { fetch<2>(body.first_geom); }
 
 void release_geoms(Body& body)
 {

@@ -26,6 +26,8 @@ void for_each_geom(const Body& body, Visit&& visit)
 // The body's pose has changed: its geoms are marked. Costs a few instructions per geom. Not to be called from
 // several threads at once for bodies whose geoms share a space.
 void body_moved(Body& body);
+// body_moved() is about to be called.
+void fetch_geoms(const Body& body);
 
 // The body is about to go: its geoms stay where they are.
 void release_geoms(Body& body);

@@ -12,6 +12,7 @@
 #include <atomic>
 #include <new>
 
+#include "base/ahead.h"
 #include "dynamics/integrate.h"
 #include "dynamics/island.h"
 #include "dynamics/sleep.h"
@@ -32,15 +33,16 @@ constexpr int kParcel = 128;         // of a parcel of groups
 // Geoms, callbacks, damping, accumulators: body by body.
 void finish_bodies(const Island& island, const Continuous& continuous)
 {
-    for (Body* body : island.bodies) {
-        if (!continuous.marked() || continuous.stopped(*body)) body_moved(*body);
-        if (body->moved) body->moved(to_handle(body));
-        damp(*body);
-        store(body->facc, {});
-        store(body->tacc, {});
-        body->patched = body->patches != nullptr;
-        body->patches = nullptr;
-    }
+    for_each_fetched<1>(std::span<Body* const>(island.bodies), [&](std::size_t i, Body& body) {
+        if (i + 1 < island.bodies.size()) fetch_geoms(*island.bodies[i + 1]);
+        if (!continuous.marked() || continuous.stopped(body)) body_moved(body);
+        if (body.moved) body.moved(to_handle(&body));
+        damp(body);
+        store(body.facc, {});
+        store(body.tacc, {});
+        body.patched = body.patches != nullptr;
+        body.patches = nullptr;
+    });
 }
 
 // Who does the parts of a step: threads of our own, or calls of the implementation that the world was given.

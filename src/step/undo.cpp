@@ -8,8 +8,12 @@
 #include <algorithm>
 #include <cstring>
 
+#include "base/ahead.h"
+
 namespace epode {
 namespace {
+
+constexpr int kLinesOfState = 6;  // of a body, with its tag and its accumulators
 
 // f(member of the body, member of the copy) for each array that both have.
 template <typename B, typename S, typename Visit>
@@ -63,14 +67,13 @@ bool StepUndo::save_islands(std::span<const Island> islands, Arena& arena)
     joints_ = joined(islands.front().joints, islands.back().joints);
     if (arena.failed() || !save_impulses(arena)) return false;
     bodies_ = bodies;  // now there is something to restore
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        Body& body = *bodies_[i];
+    for_each_fetched<kLinesOfState>(bodies_, [&](std::size_t i, Body& body) {
         Saved& saved = saved_[i];
         for_members(body, saved, [](auto& from, auto& to) { copy(to, from); });
         saved.spin_excess = body.spin_excess;
         saved.disabled = body.disabled;
         body.disabled = false;
-    }
+    });
     return true;
 }
 

@@ -41,8 +41,8 @@ bool sound(const RowSystem& system, int part)
     const SystemPart from = system.begin_of(part), to = system.end_of(part);
     for (auto k = std::size_t(from.bodies); k < std::size_t(to.bodies); ++k) {
         const SolverBody& b = system.bodies[k];
-        for (Real x : {b.v.x, b.v.y, b.v.z, b.w.x, b.w.y, b.w.z})
-            if (!usable(x)) return false;
+        const Vec3 sum = abs(b.v) + abs(b.w);  // what is not a number stays so
+        if (!usable(sum.x + sum.y + sum.z)) return false;
     }
     for (auto k = std::size_t(from.blocks); k < std::size_t(to.blocks); ++k)
         for (int i = system.blocks[k].first; i < system.blocks[k].first + system.blocks[k].count; ++i)
@@ -52,10 +52,11 @@ bool sound(const RowSystem& system, int part)
         for (int i = m.first; i < m.first + m.count; ++i)
             if (!usable(system.contacts.points[std::size_t(i)].p, 3)) return false;
     }
-    for (const Patch* patch : system.patches)
-        if (patch->body1 >= from.bodies && patch->body1 < to.bodies)
-            for (int i = 0; i < patch->count; ++i)
-                if (!usable(Real(patch->points[i].push))) return false;
+    for (auto k = std::size_t(from.patches); k < std::size_t(to.patches); ++k) {
+        const Patch& patch = *system.patches[k];
+        for (int i = 0; i < patch.count; ++i)
+            if (!usable(Real(patch.points[i].push))) return false;
+    }
     return true;
 }
 

@@ -118,6 +118,45 @@ TEST(PatchKernels, of_all_machines_make_the_same_bits)
     }
 }
 
+// Three visits to each body instead of nine must not move a bit.
+TEST(PatchSet, a_small_step_in_one_is_that_of_its_parts)
+{
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        Contacts c = random_contacts(seed, 40, seed == 4 ? 0 : 90);
+        Arena arena;
+        RowSystem system;
+        system.h = Real(0.01);
+        system.bodies = c.bodies;
+        std::vector<Patch*> pointers;
+        for (Patch& p : c.patches) pointers.push_back(&p);
+        system.patches = pointers;
+        const std::size_t bodies = c.bodies.size();
+        const std::vector<Velocity> gain(bodies, {{0, 0, Real(-0.02)}, 0, {Real(0.001), 0, 0}, 0});
+        std::vector<Velocity> v[2], mean[2];
+        for (const bool whole : {false, true}) {
+            PatchSet set;
+            ASSERT_TRUE(set.prepare(system, {system.h / 4, 4}, Tasks(1), arena));
+            v[whole].resize(bodies + 1), mean[whole].resize(bodies);
+            load_velocities(system, v[whole]);
+            for (int i = 0; i < 4; ++i) {
+                if (whole) {
+                    set.small_step(v[whole], gain, mean[whole]);
+                    continue;
+                }
+                add(v[whole], gain);
+                set.apply_impulses(v[whole]);
+                set.correct(v[whole]);
+                add(mean[whole], std::span(std::as_const(v[whole])).first(bodies));
+                set.follow_motion(v[whole]);
+                set.relax(v[whole]);
+            }
+        }
+        EXPECT_EQ(std::memcmp(v[0].data(), v[1].data(), bodies * sizeof(Velocity)), 0);
+        EXPECT_EQ(std::memcmp(mean[0].data(), mean[1].data(), bodies * sizeof(Velocity)), 0);
+        EXPECT_NE(std::memcmp(v[0].data(), mean[0].data(), bodies * sizeof(Velocity)), 0);
+    }
+}
+
 TEST(PatchSet, an_island_has_the_same_answer_alone_and_packed)
 {
     Contacts together;
