@@ -40,20 +40,21 @@ void advance(void* p, RowSystem& system, Real h)
 void refresh(void* p, RowSystem& system)
 {
     SubstepModel& model = model_of(p);
+    Row rows[kMaxJointRows];
     for (std::size_t k = 0; k < system.blocks.size(); ++k) {
         RowBlock& block = system.blocks[k];
         if (block.contact) continue;  // the solver follows their gaps itself
-        Row rows[kMaxJointRows];
         RowWriter out(rows, model.info);
         model.work.joints[k]->type->emit(*model.work.joints[k], out);
         block.arms = out.arms();
         for (int i = 0; i < block.count && i < out.count(); ++i) {
             Row& row = system.rows[std::size_t(block.first + i)];
-            const Row old = row;
-            row = rows[i];
             // Decided at the beginning of the step, by the velocities of then.
-            row.rebounds = old.rebounds;
-            row.rebound = old.rebound;
+            const bool rebounds = row.rebounds;
+            const Real rebound = row.rebound;
+            row = rows[i];
+            row.rebounds = rebounds;
+            row.rebound = rebound;
         }
     }
 }

@@ -158,19 +158,39 @@ class OneJoint {
         return {d, cross(block_.arms.r1, d), Vec3{} - d, cross(d, block_.arms.r2)};
     }
 
+    void fill_matrix()
+    {
+        A_.assign(rows(), std::vector<Real>(rows()));
+        for (std::size_t i = 0; i < rows(); ++i)
+            for (std::size_t j = 0; j <= i; ++j)
+                A_[i][j] = form_ == RowForm::kFree ? entry(i, j) : point_entry(i, j);
+    }
+
+    Real entry(std::size_t i, std::size_t j) const
+    {
+        const Jacobian x = jacobian(i), y = jacobian(j);
+        return (dot(y.lin1, a_.inv_mass * x.lin1) + dot(y.ang1, a_.inv_inertia * x.ang1)) +
+               (dot(y.lin2, b_.inv_mass * x.lin2) + dot(y.ang2, b_.inv_inertia * x.ang2));
+    }
+
+    Real point_entry(std::size_t i, std::size_t j) const
+    {
+        const auto direction = [&](std::size_t k) { return k < 3 ? row(k).lin1 : row(k).ang1; };
+        const Vec3 r1 = block_.arms.r1, r2 = block_.arms.r2, d = direction(i);
+        const Vec3 t1 = a_.inv_inertia * (i < 3 ? cross(r1, d) : d);
+        const Vec3 t2 = b_.inv_inertia * (i < 3 ? cross(r2, d) : d);
+        const Vec3 across = cross(t1, r1) + cross(t2, r2);
+        if (j >= 3) return dot(direction(j), t1 + t2);
+        const Real sum = form_ == RowForm::kTurned ? dot(direction(j), across) : across[int(j)];
+        return i == j ? (a_.inv_mass + b_.inv_mass) + sum : sum;
+    }
+
     void factor()
     {
         const std::size_t n = rows();
-        std::vector<Jacobian> J;
         std::vector<Real> whole;
-        A_.assign(n, std::vector<Real>(n));
+        fill_matrix();
         for (std::size_t i = 0; i < n; ++i) {
-            J.push_back(jacobian(i));
-            const Vec3 l1 = a_.inv_mass * J[i].lin1, t1 = a_.inv_inertia * J[i].ang1;
-            const Vec3 l2 = b_.inv_mass * J[i].lin2, t2 = b_.inv_inertia * J[i].ang2;
-            for (std::size_t j = 0; j <= i; ++j)
-                A_[i][j] =
-                    (dot(J[j].lin1, l1) + dot(J[j].ang1, t1)) + (dot(J[j].lin2, l2) + dot(J[j].ang2, t2));
             A_[i][i] += asks(i).C;
             whole.push_back(A_[i][i]);
             const Real p = whole[i] > 0 ? asks(i).p : 0;
