@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// First-fit colours in a mask of 64 per body; a body that has used them all (a platform under a thousand
-// boxes) goes on with a colour of its own counting, one behind the last that it or its partner has.
+// First-fit colours among moving bodies (solve/colours.h), and a count of their own for patches against what
+// cannot move.
 #include "solve/patch_set.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstring>
 
 #include "base/ahead.h"
+#include "solve/colours.h"
 
 namespace epode {
 namespace {
 
-constexpr int kMasked = 64;
 // Less than contact joints have: what is deep comes out twice as fast, and a tall pyramid leans less.
 constexpr Real kDampingRatio = 4;
 constexpr int kBatchPiece = 16, kBodyPiece = 512;  // of parallel work
@@ -24,26 +23,9 @@ bool dynamic(std::span<const SolverBody> bodies, int index)
     return index >= 0 && bodies[std::size_t(index)].inv_mass > 0;
 }
 
-// What is known of a body while colours are given.
-struct Palette {
-    std::uint64_t used;  // of the first 64 colours among moving bodies
-    int beyond;          // the first free one behind these
-    int fixed;           // the first free one against what cannot move
+struct PatchPalette : Palette {
+    int fixed = 0;  // the first free colour against what cannot move
 };
-
-int first_free(Palette& a, Palette& b)
-{
-    const std::uint64_t used = a.used | b.used;
-    const int colour = std::countr_one(used);
-    if (colour < kMasked) {
-        a.used |= std::uint64_t(1) << colour;
-        b.used |= std::uint64_t(1) << colour;
-        return colour;
-    }
-    const int next = std::max(a.beyond, b.beyond);
-    a.beyond = b.beyond = next + 1;
-    return kMasked + next;
-}
 
 // Points that no lane has: so far open that they never act. (Zero would be a contact at the body's centre,
 // since the normal and the masses are those of the batch.)
@@ -101,7 +83,7 @@ bool PatchSet::prepare(const RowSystem& system, const Substep& step, const Tasks
 void PatchSet::colour(std::span<Patch* const> patches, std::span<const SolverBody> bodies,
                       std::span<int> colours, Arena& arena)
 {
-    const auto palettes = arena.take_zeroed<Palette>(int(bodies.size()));
+    const auto palettes = arena.take_zeroed<PatchPalette>(int(bodies.size()));
     if (arena.failed()) return;
     int moving = 0, fixed = 0;
     for (std::size_t i = 0; i < patches.size(); ++i) {
