@@ -43,7 +43,7 @@ struct Way {
 constexpr int kSmallSteps = 4;
 
 // As dStepper in ode/steppers.h.
-int number_of(const std::string& stepper) { return stepper == "exact" ? 1 : stepper == "fast" ? 2 : 3; }
+int number_of(const std::string& stepper) { return stepper == "exact" ? 1 : stepper == "fast" ? 3 : 4; }
 
 bool run_round(Way& way, const WorldsOptions& options, double dt)
 {

@@ -51,12 +51,13 @@ typedef struct dWorldStepReport {
 
 /** How an island was solved. */
 typedef enum {
-    dIslandMethodNone,      /**< nothing to solve */
-    dIslandMethodDense,     /**< exact: active set on the dense matrix of a small island */
-    dIslandMethodActiveSet, /**< exact: active set on the sparse matrix */
-    dIslandMethodInterior,  /**< exact: interior point, then the active set from its answer */
-    dIslandMethodSweeps,    /**< dWorldQuickStep */
-    dIslandMethodSmallSteps /**< dWorldStepFast1 */
+    dIslandMethodNone,       /**< nothing to solve */
+    dIslandMethodDense,      /**< exact: active set on the dense matrix of a small island */
+    dIslandMethodActiveSet,  /**< exact: active set on the sparse matrix */
+    dIslandMethodInterior,   /**< exact: interior point, then the active set from its answer */
+    dIslandMethodSweeps,     /**< dWorldQuickStep */
+    dIslandMethodSmallSteps, /**< dWorldStepFast1 */
+    dIslandMethodJointsExact /**< small steps with all joints solved together */
 } dIslandMethod;
 
 /** What the last step did with one island. Fields as in dWorldStepReport. */

@@ -36,6 +36,13 @@ struct DampingRule {
     Real angular_threshold2 = Real(0.01) * Real(0.01);
 };
 
+// What a body has to do with the solver of its island in hybrid steps (step/hybrid).
+struct HybridState {
+    std::uint8_t wish = 0;  // of dStepper; 0: none
+    bool was_exact = false;
+    std::uint8_t factorisations = 0;  // of the last exact step; 0: unknown
+};
+
 struct Body : Tagged {
     explicit Body(World& world);
     ~Body();
@@ -76,6 +83,7 @@ struct Body : Tagged {
     // ---- rest ----
     World* world;
     Body* prev = nullptr;
+    HybridState hybrid;
     void* data = nullptr;
     void (*moved)(dBodyID) = nullptr;
     dMass mass;  // as the user gave it, kept while kinematic

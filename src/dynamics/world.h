@@ -40,6 +40,8 @@ struct World : Tagged {
     int exact_substeps = 1;         // of dWorldStep
     int projection_iterations = 0;  // of positions after dWorldStep; 0: none
     Real projection_tolerance = kSingle ? Real(1e-3) : Real(1e-4);
+    int hybrid_stepper = 0;            // of dStepper, for islands whose bodies wish nothing; 0: by the model
+    int hybrid_small_steps = 4;        // where hybrid steps have them
     unsigned islands_max_threads = 0;  // 0: unlimited
     int step_threads = 1;              // 0: one per processor; not looked at while `threading` is set
     dThreadingImplementationID threading = nullptr;

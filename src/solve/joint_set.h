@@ -21,6 +21,8 @@ namespace epode {
 
 class JointSet {
   public:
+    static constexpr bool kHasLastWord = false;  // of a pass in small steps: contacts have
+
     explicit JointSet(const JointKernels& kernels = *joint_kernels().back()) : kernels_(&kernels) {}
 
     // Takes the blocks that are no contacts, with bounds and warm start from the numbers; false: out of

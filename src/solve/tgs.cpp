@@ -14,8 +14,13 @@
 // the gain is nil. A step's impulse is the sum over its small steps; the next step starts from its n-th part.
 // The residual that is reported is that of the last small step after its correcting solve: for the step as a
 // whole no single problem exists. Patches are solved in float lanes beside them and have no part in it.
+//
+// The second solver here differs in one thing: all joints of the island are one block that is solved exactly
+// (solve/joint_network), before and after the contacts of each pass. An articulated body in a heap keeps its
+// joints, and only contacts are left to iterate. Where the factor would fill in it is the first one.
 #include <algorithm>
 
+#include "solve/joint_network.h"
 #include "solve/joint_set.h"
 #include "solve/patch_set.h"
 #include "solve/patch_steps.h"
@@ -26,10 +31,12 @@
 namespace epode {
 namespace {
 
+// Joints: JointSet or JointNetwork.
+template <typename Joints>
 class SmallSteps {
   public:
-    SmallSteps(RowSystem& system, const Substeps& model, int n)
-        : system_(system), model_(model), step_{system.h / Real(n), n}
+    SmallSteps(RowSystem& system, const Substeps& model, int n, Joints& joints)
+        : system_(system), model_(model), step_{system.h / Real(n), n}, joints_(joints)
     {}
 
     bool prepare(const SolverSettings& settings, Arena& arena)
@@ -86,6 +93,7 @@ class SmallSteps {
         joints_.sweep(velocities_, {1, false});
         contacts_.sweep(velocities_, false);
         patches_.correct(velocities_);
+        if (Joints::kHasLastWord) joints_.sweep(velocities_, {1, false});
     }
 
     void move()
@@ -102,6 +110,7 @@ class SmallSteps {
         joints_.sweep(velocities_, {1, true});
         contacts_.sweep(velocities_, true);
         patches_.relax(velocities_);
+        if (Joints::kHasLastWord) joints_.sweep(velocities_, {1, true});
         if (last) joints_.rebound(system_, velocities_);
         joints_.add_impulses(system_.numbers);
         contacts_.add_impulses(system_.numbers);
@@ -154,7 +163,7 @@ class SmallSteps {
     RowSystem& system_;
     const Substeps& model_;
     const Substep step_;
-    JointSet joints_;
+    Joints& joints_;
     SubstepContacts contacts_;
     PatchSet patches_;
     std::span<Velocity> velocities_;
@@ -163,27 +172,63 @@ class SmallSteps {
     std::span<Real> lo_, hi_;
 };
 
+// What there is without rows. False: there are rows.
+bool solve_without_rows(RowSystem& system, const SolverSettings& settings, Arena& arena, int n, bool& solved)
+{
+    if (!system.rows.empty()) return false;
+    solved = true;
+    const Substeps& model = *settings.substeps;
+    if (settings.patches) {
+        solved = solve_patches(system, settings, arena);
+        return true;
+    }
+    for (int i = 0; i < n; ++i) {  // free bodies move in small steps too: their rotation is better for it
+        model.apply_forces(model.model, system, system.h / Real(n));
+        model.advance(model.model, system, system.h / Real(n));
+    }
+    return true;
+}
+
+template <typename Joints>
+bool run(RowSystem& system, const SolverSettings& settings, int n, Joints& joints, Arena& arena,
+         SolveReport& report)
+{
+    SmallSteps<Joints> steps(system, *settings.substeps, n, joints);
+    return steps.prepare(settings, arena) && steps.run(settings, arena, report);
+}
+
 bool solve_tgs(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
 {
     const int n = std::max(1, settings.iterations);
     report.method = dIslandMethodSmallSteps;
     report.iterations = 2 * n;
-    const Substeps& model = *settings.substeps;
-    if (system.rows.empty() && settings.patches) return solve_patches(system, settings, arena);
-    if (system.rows.empty()) {  // free bodies move in small steps too: their rotation is better for it
-        for (int i = 0; i < n; ++i) {
-            model.apply_forces(model.model, system, system.h / Real(n));
-            model.advance(model.model, system, system.h / Real(n));
-        }
-        return true;
-    }
+    bool solved;
+    if (solve_without_rows(system, settings, arena, n, solved)) return solved;
     Arena::Scope scope(arena);
-    SmallSteps steps(system, model, n);
-    return steps.prepare(settings, arena) && steps.run(settings, arena, report);
+    JointSet joints;
+    return run(system, settings, n, joints, arena, report);
+}
+
+bool solve_network(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
+{
+    const int n = std::max(1, settings.iterations);
+    bool solved;
+    report.method = dIslandMethodSmallSteps;
+    report.iterations = 2 * n;
+    if (solve_without_rows(system, settings, arena, n, solved)) return solved;
+    Arena::Scope scope(arena);
+    JointNetwork joints;
+    if (!joints.plan(system, settings.plans, arena)) return false;
+    if (!joints.worth()) return solve_tgs(system, settings, arena, report);
+    report.method = dIslandMethodJointsExact;
+    solved = run(system, settings, n, joints, arena, report);
+    report.factorisations = joints.factorisations();
+    return solved;
 }
 
 }  // namespace
 
 const Solver kTgs{"tgs", true, false, false, false, true, Real(0.9), solve_tgs};
+const Solver kNetwork{"network", true, false, false, false, true, Real(0.9), solve_network};
 
 }  // namespace epode

@@ -87,6 +87,8 @@ class IslandStep {
         if (inner) saved_ = save_poses(work_.island, arena_);
         SolveReport solved;
         bool sane = context_.solver.solve(work_.system, settings, arena_, solved);
+        if (!context_.factorisations.empty())
+            context_.factorisations[std::size_t(place_.first_island)] = solved.factorisations;
         if (sane && !divided()) sane = sound(work_.system, 0);
         if (sane && divides()) sane = small_.run(work_, settings, solved, projected_);
         for (std::size_t i = 0; i < reports.size(); ++i) {

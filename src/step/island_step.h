@@ -20,12 +20,14 @@ struct StepContext {
     int iterations;
     ContactCache& contacts;
     PlanCache& plans;
-    bool manages_contacts;  // the world does
+    bool manages_contacts;          // the world does
+    std::span<int> factorisations;  // by island, if wanted
 };
 
 struct IslandPlace {
     int index;          // of the work: part of the seed
     int first_contact;  // its room in the contact cache: one entry per joint
+    int first_island;   // of the islands
 };
 
 // Velocities, impulses, feedback and poses of the islands, which lie side by side in the arrays of all bodies

@@ -16,6 +16,7 @@
 #include "dynamics/integrate.h"
 #include "dynamics/island.h"
 #include "dynamics/sleep.h"
+#include "step/hybrid.h"
 #include "step/island_step.h"
 #include "step/link.h"
 #include "step/report.h"
@@ -85,8 +86,10 @@ int weight(const Island& island)
 
 class WorldStep {
   public:
-    WorldStep(const StepContext& context, StepState& state, const Workers& workers)
+    // `hybrid`: each island has the solver of its own, and not the context's.
+    WorldStep(const StepContext& context, bool hybrid, StepState& state, const Workers& workers)
         : context_(context),
+          hybrid_(hybrid),
           state_(state),
           workers_(workers),
           undo_(context.world),
@@ -106,6 +109,7 @@ class WorldStep {
         if (context_.manages_contacts && !find_contacts(arena, patches)) return false;
         if (!find_islands(world, patches, arena, islands_) || !undo_.save_islands(islands_, arena))
             return false;
+        if (hybrid_ && !choose_solvers(arena)) return false;
         groups_ = arena.take<Group>(int(islands_.size()));
         parcels_ = arena.take<int>(int(islands_.size()) + 1);
         if (arena.failed() || !prepare_reports() || !memory().provide(workers_.of_islands.workers()))
@@ -139,6 +143,12 @@ class WorldStep {
 
     const Continuous& continuous() const { return continuous_; }
 
+    void remember_choices() const
+    {
+        for (std::size_t i = 0; i < solvers_.size(); ++i)
+            remember_choice(islands_[i], *solvers_[i], factorisations_[i]);
+    }
+
     // As if there had been no step: the count of steps too, which is the random order's seed and marks
     // joints.
     void take_back()
@@ -159,8 +169,24 @@ class WorldStep {
                managed.touching(arena, patches);
     }
 
-    // Islands that lie side by side and are solved together.
+    bool choose_solvers(Arena& arena)
+    {
+        solvers_ = arena.take<const Solver*>(int(islands_.size()));
+        factorisations_ = arena.take_zeroed<int>(int(islands_.size()));
+        if (arena.failed()) return false;
+        for (std::size_t i = 0; i < solvers_.size(); ++i)
+            solvers_[i] = &choose_solver(context_.world, islands_[i], context_.h);
+        return true;
+    }
+
+    const Solver& solver_of(std::size_t island) const
+    {
+        return hybrid_ ? *solvers_[island] : context_.solver;
+    }
+
+    // Islands that lie side by side and are solved together, by one solver.
     struct Group {
+        const Solver* solver;
         int first, count;
         int joints, patches, weight;
         int first_contact;
@@ -168,15 +194,19 @@ class WorldStep {
 
     // May islands be solved beside one another? If the solver knows of parts; but not where patches become
     // rows, behind those of all joints.
-    bool makes_groups() const
+    bool makes_groups(const Solver& solver) const
     {
-        return context_.solver.takes_patches || (context_.solver.manifolds && !context_.manages_contacts);
+        return solver.takes_patches || (solver.manifolds && !context_.manages_contacts);
     }
 
-    // What only patches hold together moves in another way in small steps.
-    bool of_a_kind(const Island& a, const Island& b) const
+    // What only patches hold together moves in another way in small steps, and joints that are one block are
+    // one island's.
+    bool may_join(std::size_t i) const
     {
-        return !context_.solver.takes_patches || a.joints.empty() == b.joints.empty();
+        const Solver& solver = solver_of(i);
+        const bool joints = !islands_[i].joints.empty(), before = !islands_[i - 1].joints.empty();
+        if (&solver != &solver_of(i - 1) || !makes_groups(solver)) return false;
+        return !solver.takes_patches || (joints == before && !(joints && &solver == &kNetwork));
     }
 
     // Small islands that follow each other make groups, if they may. Returns the number of joints.
@@ -185,9 +215,10 @@ class WorldStep {
         int count = 0, contacts = 0;
         for (std::size_t i = 0; i < islands_.size(); ++i) {
             const int joints = int(islands_[i].joints.size()), w = weight(islands_[i]);
-            const bool joins = count > 0 && makes_groups() && of_a_kind(islands_[i - 1], islands_[i]) &&
-                               groups_[std::size_t(count - 1)].weight + w <= kGroup;
-            if (!joins) groups_[std::size_t(count++)] = {int(i), 0, 0, 0, 0, contacts};
+            const Solver& solver = solver_of(i);
+            const bool joins =
+                count > 0 && may_join(i) && groups_[std::size_t(count - 1)].weight + w <= kGroup;
+            if (!joins) groups_[std::size_t(count++)] = {&solver, int(i), 0, 0, 0, 0, contacts};
             Group& group = groups_[std::size_t(count - 1)];
             ++group.count, group.joints += joints, group.weight += w;
             group.patches += int(islands_[i].patches.size());
@@ -200,8 +231,8 @@ class WorldStep {
     bool large(const Group& group) const
     {
         if (workers_.of_an_island.workers() <= 1) return false;
-        return (context_.solver.inner_tasks && group.joints >= kLarge) ||
-               (context_.solver.takes_patches && group.patches >= kLargePatches);
+        return (group.solver->inner_tasks && group.joints >= kLarge) ||
+               (group.solver->takes_patches && group.patches >= kLargePatches);
     }
 
     bool prepare_reports()
@@ -232,15 +263,26 @@ class WorldStep {
         const auto first = std::size_t(group.first), count = std::size_t(group.count);
         std::span<dIslandStepReport> reports;
         if (context_.world.report_wanted) reports = state_.reports.span().subspan(first, count);
-        if (!step_islands(context_, islands_.subspan(first, count), {i, group.first_contact}, tasks,
-                          memory().arena(worker), reports))
+        if (!step_islands(context_for(group), islands_.subspan(first, count),
+                          {i, group.first_contact, group.first}, tasks, memory().arena(worker), reports))
             out_of_memory_.store(true);
     }
 
+    StepContext context_for(const Group& group) const
+    {
+        const StepContext& c = context_;
+        const int iterations = hybrid_ ? hybrid_iterations(c.world, *group.solver) : c.iterations;
+        return {c.world,        *group.solver, c.h, iterations, c.contacts, c.plans, c.manages_contacts,
+                factorisations_};
+    }
+
     const StepContext& context_;
+    const bool hybrid_;
     StepState& state_;
     const Workers& workers_;
     std::span<Island> islands_;
+    std::span<const Solver*> solvers_;  // of a hybrid step, by island
+    std::span<int> factorisations_;     // likewise
     std::span<Group> groups_;
     std::span<int> parcels_;
     StepUndo undo_;
@@ -281,20 +323,27 @@ class Stepping {
     const bool before_;
 };
 
-// The step, with the world's working memory taken for it.
-bool step_in(World& world, StepState& state, const Solver& solver, Real h, int iterations)
+// The step, with the world's working memory taken for it; `solver` null: hybrid.
+bool step_in(World& world, StepState& state, const Solver* solver, Real h, int iterations)
 {
     Workers workers;
     if (!workers.hire(world)) return false;
     ++world.step_count;
-    const StepContext context{
-        world, solver, h, iterations, state.contacts, state.plans, state.managed.live_space() != nullptr};
-    WorldStep step(context, state, workers);
+    const StepContext context{world,
+                              solver ? *solver : kDirect,
+                              h,
+                              iterations,
+                              state.contacts,
+                              state.plans,
+                              state.managed.live_space() != nullptr,
+                              {}};
+    WorldStep step(context, !solver, state, workers);
     const bool made = step.prepare() && step.run() && step.hold_back();
     workers.dismiss();
     if (made) {
         state.contacts.end();
         if (context.manages_contacts) state.managed.accept(h);
+        step.remember_choices();
         for (const Island& island : step.islands()) finish_bodies(island, step.continuous());
         if (world.report_wanted) world.report = sum_of(state.reports.span());
     } else {
@@ -302,6 +351,17 @@ bool step_in(World& world, StepState& state, const Solver& solver, Real h, int i
     }
     world.report_made = made && world.report_wanted;
     return made;
+}
+
+bool step_with(World& world, const Solver* solver, Real h, int iterations)
+{
+    const Stepping mark(world);
+    StepState* state = step_state(world);
+    StepMemory* memory = working_memory(world);
+    if (!state || !memory || !memory->begin()) return false;
+    const bool done = step_in(world, *state, solver, h, iterations);
+    memory->end();
+    return done;
 }
 
 }  // namespace
@@ -320,14 +380,10 @@ void free_working_memory(World& world)
 
 bool step_world(World& world, const Solver& solver, Real h, int iterations)
 {
-    const Stepping mark(world);
-    StepState* state = step_state(world);
-    StepMemory* memory = working_memory(world);
-    if (!state || !memory || !memory->begin()) return false;
-    const bool done = step_in(world, *state, solver, h, iterations);
-    memory->end();
-    return done;
+    return step_with(world, &solver, h, iterations);
 }
+
+bool step_world_hybrid(World& world, Real h) { return step_with(world, nullptr, h, 0); }
 
 std::span<const dIslandStepReport> island_reports(const World& world)
 {

@@ -36,6 +36,9 @@ void free_working_memory(World& world);
 // there had been no step, but for the feedback of joints and the report.
 bool step_world(World& world, const Solver& solver, Real h, int iterations);
 
+// The same with a solver for each island (step/hybrid).
+bool step_world_hybrid(World& world, Real h);
+
 // What the world keeps from step to step, made now if there is none; null when memory is exhausted.
 StepState* step_state(World& world);
 

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The rules of the model, in their order:
+//   nothing but free motion       small steps: what flies shall not change its ways when it lands
+//   contacts only                 small steps; exact if masses differ a lot and it is cheap
+//   joints that swing too fast    small steps with exact joints
+//   joints only                   exact: linear, and nothing is iterated
+//   joints and contacts           exact if cheap, else small steps with exact joints
+// Quick is for those who ask for it: small steps of equal cost are closer.
+#include "step/hybrid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epode {
+namespace {
+
+constexpr double kBudget = 200;              // microseconds that an exact step may cost
+constexpr double kJointsBudget = 2000;       // without contacts
+constexpr double kStay = 2;                  // times the budget for those who were exact
+constexpr double kUnequal = 20;              // ratio of masses
+constexpr int kGuess = 8, kGuessJoints = 2;  // factorisations, of those who remember none
+
+struct Structure {
+    int bodies = 0;  // that move
+    int joints = 0, contacts = 0;
+    int pairs = 0;  // of bodies that move
+    double lightest = 0, heaviest = 0, mass = 0;
+    double arm = 0;  // the least m r
+
+    double rows() const { return 5.0 * joints + 3.0 * contacts; }
+    double loops() const { return std::max(0, pairs - bodies + 1); }
+    double ratio() const { return bodies > 0 ? heaviest / lightest : 1; }
+};
+
+bool can_move(const Body* body) { return body && !body->kinematic(); }
+
+void add_bodies(const Island& island, Structure& s)
+{
+    for (const Body* body : island.bodies) {
+        if (body->kinematic()) continue;
+        const double mass = double(body->mass.mass);
+        s.lightest = s.bodies ? std::min(s.lightest, mass) : mass;
+        s.heaviest = std::max(s.heaviest, mass);
+        const double arm =
+            std::sqrt(mass * double(body->inertia.xx + body->inertia.yy + body->inertia.zz) / 3);
+        s.arm = s.bodies ? std::min(s.arm, arm) : arm;
+        s.mass += mass;
+        ++s.bodies;
+    }
+}
+
+Structure structure_of(const Island& island)
+{
+    Structure s;
+    add_bodies(island, s);
+    const Body *last1 = nullptr, *last2 = nullptr;
+    for (const Joint* joint : island.joints) {
+        const Body *a = joint->body1(), *b = joint->body2();
+        ++(joint->type->number == dJointTypeContact ? s.contacts : s.joints);
+        // Contacts of two bodies mostly follow each other.
+        if (can_move(a) && can_move(b) && !(a == last1 && b == last2)) ++s.pairs;
+        last1 = a, last2 = b;
+    }
+    for (const PatchEdge* edge : island.patches) {
+        s.contacts += edge->patch->count;
+        s.pairs += can_move(edge->body[0]) && can_move(edge->body[1]);
+    }
+    return s;
+}
+
+struct History {
+    int wish = 0;  // the most exact
+    int factorisations = 0;
+    bool exact = false;
+};
+
+History history_of(const Island& island)
+{
+    History h;
+    for (const Body* body : island.bodies) {
+        const int wish = body->hybrid.wish;
+        if (wish && (!h.wish || wish < h.wish)) h.wish = wish;
+        h.exact = h.exact || body->hybrid.was_exact;
+        h.factorisations = std::max<int>(h.factorisations, body->hybrid.factorisations);
+    }
+    return h;
+}
+
+double exact_cost(const Structure& s, const History& history)
+{
+    const double loops = s.loops(), once = 0.15 * s.bodies + 0.06 * loops * std::sqrt(loops) + 0.1 * s.rows();
+    const int guess = s.contacts > 0 ? kGuess : kGuessJoints;
+    return once * (history.factorisations > 0 ? history.factorisations : guess);
+}
+
+// Is the step too long to follow how the joints' forces turn?
+bool swings_too_fast(const Structure& s, const World& world, Real h)
+{
+    return s.joints > 0 && s.mass * double(length(world.gravity) * h * h) > s.arm;
+}
+
+const Solver& by_model(const Structure& s, const History& history)
+{
+    if (s.joints == 0 && (s.contacts == 0 || s.ratio() < kUnequal)) return kTgs;
+    const double budget = (s.contacts == 0 ? kJointsBudget : kBudget) * (history.exact ? kStay : 1);
+    if (exact_cost(s, history) <= budget) return kDirect;
+    return s.joints > 0 ? kNetwork : kTgs;
+}
+
+}  // namespace
+
+const Solver* solver_named(int stepper)
+{
+    switch (stepper) {
+        case dStepperExact:
+            return &kDirect;
+        case dStepperJointsExact:
+            return &kNetwork;
+        case dStepperSmallSteps:
+            return &kTgs;
+        case dStepperQuick:
+            return &kQuick;
+        default:
+            return nullptr;
+    }
+}
+
+int hybrid_iterations(const World& world, const Solver& solver)
+{
+    return solver.substeps ? world.hybrid_small_steps : world.quick_iterations;
+}
+
+const Solver& choose_solver(const World& world, const Island& island, Real h)
+{
+    const History history = history_of(island);
+    if (const Solver* wished = solver_named(history.wish)) return *wished;
+    if (const Solver* wanted = solver_named(world.hybrid_stepper)) return *wanted;
+    const Structure structure = structure_of(island);
+    return swings_too_fast(structure, world, h) ? kNetwork : by_model(structure, history);
+}
+
+void remember_choice(const Island& island, const Solver& solver, int factorisations)
+{
+    const bool exact = &solver == &kDirect;
+    for (Body* body : island.bodies) {
+        body->hybrid.was_exact = exact;
+        if (exact) body->hybrid.factorisations = std::uint8_t(std::clamp(factorisations, 0, 255));
+        if (solver.substeps) body->spin_excess = {};  // small steps turn in their own way
+    }
+}
+
+}  // namespace epode
