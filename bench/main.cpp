@@ -144,8 +144,9 @@ CLI::App* add_run(CLI::App& app, epode::bench::SceneRunOptions& options)
         ->check(CLI::Range(1, 1'000'000));
     command->add_option("--threads", engine.threads, "default 1; time is then that of the wall")
         ->check(CLI::Range(1, 1024));
-    command->add_option("--stepper", engine.stepper, "of ODE; default: the scene's own")
-        ->check(CLI::IsMember({"exact", "quick", "fast"}));
+    command
+        ->add_option("--stepper", engine.stepper, "of ODE; default: the scene's own; joints: of hybrid only")
+        ->check(CLI::IsMember({"exact", "joints", "quick", "fast"}));
     command->add_option("--space", engine.space, "of ODE (default hash)")
         ->check(CLI::IsMember({"hash", "quadtree", "sap"}));
     command->add_option("--contacts", engine.contacts, "of ODE, at most of a pair (default 8)")

@@ -5,6 +5,9 @@
 // names are asked for at run time, since this program runs on Debian's too.
 #include <dlfcn.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "bench/engines/ode_scene.h"
 #include "bench/engines/stopwatch.h"
 #include "scenes/extensions.h"
@@ -14,6 +17,8 @@ namespace epode::bench {
 namespace {
 
 using SetSpace = void (*)(dWorldID, dSpaceID);
+using SetNumber = void (*)(dWorldID, int);
+using Step = int (*)(dWorldID, dReal);
 using GetContacts = int (*)(dWorldID, void*, int);
 
 template <class Function>
@@ -41,7 +46,7 @@ class ManagedEngine : public Engine {
         scene_.drive(time);
         StageTimes times;
         times.rest = watch.lap();
-        scene_.advance();
+        advance();
         times.solve = watch.lap();
         return times;
     }
@@ -52,27 +57,63 @@ class ManagedEngine : public Engine {
 
     int pairs_at(const std::vector<Vec>& places) override { return scene_.pairs_at(places); }
 
-  private:
+  protected:
+    virtual void advance() { scene_.advance(); }
     OdeScene scene_;
+
+  private:
     bool wall_;
 };
 
-std::unique_ptr<Engine> make(const SceneData& data, const EngineOptions& options, std::string& refusal)
+// Hybrid steps, each island in its own way, or all in the one that is asked for.
+class HybridEngine : public ManagedEngine {
+  public:
+    HybridEngine(const SceneData& data, const EngineOptions& options) : ManagedEngine(data, options)
+    {
+        find<SetNumber>("dWorldSetHybridStepper")(scene_.world(), number_of(options.stepper));
+        find<SetNumber>("dWorldSetHybridSmallSteps")(scene_.world(), std::max(options.iterations, 4));
+    }
+
+  private:
+    // As dStepper in ode/steppers.h.
+    static int number_of(const std::string& stepper)
+    {
+        constexpr const char* kNames[] = {"", "exact", "joints", "fast", "quick"};
+        return int(std::find(std::begin(kNames), std::end(kNames), stepper) - std::begin(kNames));
+    }
+    void advance() override { find<Step>("dWorldStepHybrid")(scene_.world(), dReal(scene_.data().dt)); }
+};
+
+bool has_all(const SceneData& data, const EngineOptions& options, std::string& refusal)
 {
     if (!find<SetSpace>("dWorldSetContactSpace") || !scenes::has_step_fast())
         refusal = scenes::loaded_library() + " manages no contacts";
     if (options.threads > 1 && !scenes::has_step_threads())
         refusal = scenes::loaded_library() + " has no threads of its own";
     if (data.friction != kFriction) refusal = "a scene of another friction than the default material's";
-    if (!refusal.empty()) return nullptr;
+    return refusal.empty();
+}
+
+std::unique_ptr<Engine> make(const SceneData& data, const EngineOptions& options, std::string& refusal)
+{
+    if (!has_all(data, options, refusal)) return nullptr;
     EngineOptions small_steps = options;
     small_steps.stepper = "fast";
     small_steps.iterations = options.iterations > 0 ? options.iterations : 5;
     return std::make_unique<ManagedEngine>(data, small_steps);
 }
 
+std::unique_ptr<Engine> make_hybrid(const SceneData& data, const EngineOptions& options, std::string& refusal)
+{
+    if (!has_all(data, options, refusal)) return nullptr;
+    if (!find<Step>("dWorldStepHybrid")) refusal = scenes::loaded_library() + " has no hybrid steps";
+    return refusal.empty() ? std::make_unique<HybridEngine>(data, options) : nullptr;
+}
+
 }  // namespace
 
 extern const EngineEntry kManagedEngine = {"managed", "contacts that the world manages, small steps", make};
+extern const EngineEntry kHybridEngine = {"hybrid", "contacts that the world manages, hybrid steps",
+                                          make_hybrid};
 
 }  // namespace epode::bench

@@ -4,7 +4,7 @@
 // The rules of the model, in their order:
 //   nothing but free motion       small steps: what flies shall not change its ways when it lands
 //   contacts only                 small steps; exact if masses differ a lot and it is cheap
-//   joints that swing too fast    small steps with exact joints
+//   what hangs and swings fast    small steps with exact joints
 //   joints only                   exact: linear, and nothing is iterated
 //   joints and contacts           exact if cheap, else small steps with exact joints
 // Quick is for those who ask for it: small steps of equal cost are closer.
@@ -27,7 +27,8 @@ struct Structure {
     int joints = 0, contacts = 0;
     int pairs = 0;  // of bodies that move
     double lightest = 0, heaviest = 0, mass = 0;
-    double arm = 0;  // the least m r
+    double arm = 0;     // the least m r
+    bool hung = false;  // a joint holds on to what does not move
 
     double rows() const { return 5.0 * joints + 3.0 * contacts; }
     double loops() const { return std::max(0, pairs - bodies + 1); }
@@ -58,7 +59,9 @@ Structure structure_of(const Island& island)
     const Body *last1 = nullptr, *last2 = nullptr;
     for (const Joint* joint : island.joints) {
         const Body *a = joint->body1(), *b = joint->body2();
-        ++(joint->type->number == dJointTypeContact ? s.contacts : s.joints);
+        const bool contact = joint->type->number == dJointTypeContact;
+        ++(contact ? s.contacts : s.joints);
+        s.hung = s.hung || (!contact && !(can_move(a) && can_move(b)));
         // Contacts of two bodies mostly follow each other.
         if (can_move(a) && can_move(b) && !(a == last1 && b == last2)) ++s.pairs;
         last1 = a, last2 = b;
@@ -95,10 +98,11 @@ double exact_cost(const Structure& s, const History& history)
     return once * (history.factorisations > 0 ? history.factorisations : guess);
 }
 
-// Is the step too long to follow how the joints' forces turn?
+// Is the step too long to follow how the forces of joints turn that others hang on? What stands presses on
+// its joints, and the exact solver is right for that.
 bool swings_too_fast(const Structure& s, const World& world, Real h)
 {
-    return s.joints > 0 && s.mass * double(length(world.gravity) * h * h) > s.arm;
+    return s.hung && s.mass * double(length(world.gravity) * h * h) > s.arm;
 }
 
 const Solver& by_model(const Structure& s, const History& history)
