@@ -9,12 +9,12 @@
 //   one factorisation of the exact solver   0.15 N + 0.06 L^1.5 + 0.1 R
 //   exact                                   (factorisations of the last step, or a guess) times that
 //
-// Exact is not right for joints that the step is too long for: where a body of mass m and radius of gyration
-// r hangs in the load of all, M g, and M g h^2 > m r, the directions of the forces change within the step,
-// and solving for them exactly at its beginning lets the load thrash about (docs/solvers.md, tension). Small
-// steps follow it. N are bodies that move, R rows and L loops of the graph of bodies, which is what fills a
-// factor in. Whoever was exact stays so up to twice the limit, so that islands near it do not change at every
-// step.
+// Exact is not right for what hangs on joints that the step is too long for: where a body of mass m and
+// radius of gyration r carries the load of all, M g, and M g h^2 > m r, the directions of the forces change
+// within the step, and solving for them exactly at its beginning lets the load thrash about (docs/solvers.md,
+// tension). Small steps follow it. N are bodies that move, R rows and L loops of the graph of bodies, which
+// is what fills a factor in. Whoever was exact stays so up to twice the limit, so that islands near it do not
+// change at every step.
 #pragma once
 
 #include "dynamics/island.h"

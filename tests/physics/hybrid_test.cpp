@@ -324,6 +324,35 @@ TEST(Hybrid, chooses_by_structure)
     EXPECT_EQ(hub_method, dIslandMethodSmallSteps);
 }
 
+// A trunk of 100 kg on four legs with feet of 1 kg, its hinges held by motors.
+TEST(Hybrid, a_heavy_machine_stands_still_on_light_feet)
+{
+    Hybrid sim;
+    sim.ground();
+    const dBodyID trunk = sim.body({0, 0, 0.95}, 100, 4);
+    const auto hinge = [&](dBodyID a, dBodyID b, V3 at) {
+        const dJointID h = dJointCreateHinge(sim.world, nullptr);
+        dJointAttach(h, a, b);
+        dJointSetHingeAnchor(h, real(at.x), real(at.y), real(at.z));
+        dJointSetHingeAxis(h, 0, 1, 0);
+        dJointSetHingeParam(h, dParamFMax, 200);
+    };
+    std::vector<dBodyID> feet;
+    for (int k = 0; k < 4; ++k) {
+        const double x = k % 2 ? 0.2 : -0.2, y = k / 2 ? 0.2 : -0.2;
+        const dBodyID leg = sim.body({x, y, 0.4}, 2, 0.06);
+        feet.push_back(sim.box({x, y, 0.05}, {0.15, 0.1, 0.1}, 1));
+        hinge(trunk, leg, {x, y, 0.7});
+        hinge(leg, feet.back(), {x, y, 0.1});
+    }
+    for (int i = 0; i < 240; ++i) {
+        sim.run(1);
+        for (dBodyID foot : feet) ASSERT_NEAR(position(foot).z, 0.05, 1e-3);
+    }
+    EXPECT_NEAR(position(trunk).z, 0.95, 1e-3);
+    EXPECT_LT(length(velocity(trunk)), tol(1e-6, 1e-3));
+}
+
 TEST(Hybrid, settings_are_kept_and_bad_ones_refused)
 {
     Hybrid sim;
