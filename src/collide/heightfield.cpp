@@ -32,6 +32,9 @@ struct GridStep {
 constexpr GridStep kAcross[2][3] = {{{-1, 1}, {1, 1}, {1, -1}}, {{2, 0}, {0, 0}, {0, 2}}};
 constexpr GridStep kCorner[2][3] = {{{0, 0}, {0, 1}, {1, 0}}, {{1, 1}, {1, 0}, {0, 1}}};
 constexpr GridStep kAround[6] = {{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}};
+// The two cells beside each of these spokes, from the sample's own cell; of a diagonal twice the same.
+constexpr GridStep kBeside[6][2] = {{{0, 0}, {0, -1}},   {{0, 0}, {-1, 0}},   {{-1, 0}, {-1, 0}},
+                                    {{-1, 0}, {-1, -1}}, {{0, -1}, {-1, -1}}, {{0, -1}, {0, -1}}};
 
 }  // namespace
 
@@ -51,6 +54,13 @@ void HeightfieldData::drop_samples()
     copy_size = 0;
     samples = nullptr;
     source = Source::kNone;
+    drop_holes();
+}
+
+void HeightfieldData::drop_holes()
+{
+    holes.reset();
+    hole_count = 0;
 }
 
 // What is no number (a callback may return it, or the client's array come to hold it) counts as 0.
@@ -130,11 +140,86 @@ Facet Terrain::facet(int i, int j, bool upper) const
     return f;
 }
 
-bool Terrain::falls(Vec3 from, Vec3 n, int i, int j) const
+bool Terrain::hole(int i, int j) const
+{
+    if (data_.hole_count == 0) return false;
+    const int columns = data_.nx - 1, rows = data_.nz - 1;
+    if (data_.wrap)
+        i = wrapped(i, columns), j = wrapped(j, rows);
+    else if (i < 0 || j < 0 || i >= columns || j >= rows)
+        return false;
+    return data_.holes[i + j * columns] != 0;
+}
+
+bool Terrain::hole_beyond(const Facet& f, int k) const
+{
+    const int step = f.upper ? 1 : -1;
+    return k != 1 && hole(f.i + (k == 0 ? step : 0), f.j + (k == 2 ? step : 0));
+}
+
+bool Terrain::wall_below(const Facet& f, int k, Triangle (&wall)[2]) const
+{
+    if (!(data_.thickness > 0)) return false;
+    const Vec3 p = f.v[k], q = f.v[(k + 1) % 3], down{0, -data_.thickness, 0};
+    wall[0].v[0] = p, wall[0].v[1] = p + down, wall[0].v[2] = q;
+    wall[1].v[0] = q + down, wall[1].v[1] = q, wall[1].v[2] = p + down;
+    for (Triangle& t : wall) t.n = f.out(k), t.c = f.out_limit(k);
+    return true;
+}
+
+// Is the edge from a sample to one around it in a hole?
+bool Terrain::spoke_gone(int i, int j, int around) const
+{
+    const GridStep a = kBeside[around][0], b = kBeside[around][1];
+    return hole(i + a.i, j + a.j) && hole(i + b.i, j + b.j);
+}
+
+bool Terrain::falls(Vec3 from, Vec3 n, int i, int j, Real level) const
 {
     if (!has(i, j)) return true;
     const Vec3 d = vertex(i, j) - from;
-    return dot(n, d) <= kLevel * length(d);
+    return dot(n, d) <= level * length(d);
+}
+
+bool Terrain::falls_around(const Facet& f, int corner, Vec3 n, Real level) const
+{
+    const int i = f.i + kCorner[f.upper][corner].i, j = f.j + kCorner[f.upper][corner].j;
+    for (int around = 0; around < 6; ++around) {
+        const GridStep s = kAround[around];
+        if (!falls(f.v[corner], n, i + s.i, j + s.j, level) && !spoke_gone(i, j, around)) return false;
+    }
+    return true;
+}
+
+Terrain::Neighbour Terrain::neighbour(const Facet& f, int k) const
+{
+    const int step = k == 1 ? 0 : f.upper ? 1 : -1;
+    Neighbour n{f.i + (k == 0 ? step : 0), f.j + (k == 2 ? step : 0), !f.upper, {}, false};
+    const GridStep across = kAcross[f.upper][k];
+    n.there = has(f.i + across.i, f.j + across.j) && !hole(n.i, n.j);
+    if (n.there) n.apex = vertex(f.i + across.i, f.j + across.j);
+    return n;
+}
+
+bool Terrain::cell_under(Vec3 p, int& i, int& j) const
+{
+    constexpr Real kFar = 1e9;
+    const Real x = std::floor((p.x - x0_) / dx_), z = std::floor((p.z - z0_) / dz_);
+    if (!(std::fabs(x) < kFar && std::fabs(z) < kFar)) return false;
+    i = int(x), j = int(z);
+    return data_.wrap || (i >= 0 && j >= 0 && i < cells_x() && j < cells_z());
+}
+
+bool Terrain::under_slab(Vec3 p, Real lowest, Real slack) const
+{
+    int i, j;
+    Real surface = lowest;
+    if (cell_under(p, i, j) && !hole(i, j)) {
+        const Real u = (p.x - x0_) / dx_ - Real(i), v = (p.z - z0_) / dz_ - Real(j);
+        const Facet f = facet(i, j, u + v > 1);
+        surface = p.y - f.height(p) / f.n.y;
+    }
+    return p.y < surface - data_.thickness - slack;
 }
 
 bool Terrain::crests(const Facet& f, Vec3 n) const
@@ -143,19 +228,17 @@ bool Terrain::crests(const Facet& f, Vec3 n) const
     if (shows.corners == 3) return true;
     if (shows.corners == 2) {
         const GridStep across = kAcross[f.upper][shows.at];
-        return falls(f.v[shows.top], n, f.i + across.i, f.j + across.j);
+        return hole_beyond(f, shows.at) ||
+               falls(f.v[shows.top], n, f.i + across.i, f.j + across.j, kLevel);
     }
-    const int i = f.i + kCorner[f.upper][shows.top].i, j = f.j + kCorner[f.upper][shows.top].j;
-    for (const GridStep s : kAround)
-        if (!falls(f.v[shows.top], n, i + s.i, j + s.j)) return false;
-    return true;
+    return falls_around(f, shows.top, n, kLevel);
 }
 
 bool Terrain::has_ridge(const Facet& f) const
 {
     for (int k = 0; k < 3; ++k) {
         const GridStep s = kAcross[f.upper][k];
-        if (!has(f.i + s.i, f.j + s.j)) return true;
+        if (!has(f.i + s.i, f.j + s.j) || hole_beyond(f, k)) return true;
         const Vec3 d = vertex(f.i + s.i, f.j + s.j) - f.v[k];
         if (dot(f.n, d) < -kLevel * length(d)) return true;
     }

@@ -5,10 +5,13 @@
 //   x_i = -width/2 + i width/(nx-1),  z_j = -depth/2 + j depth/(nz-1),  y_ij = scale sample_ij + offset
 // or, wrapped, the same rectangle repeated without end (the last column and row stand for the first).
 // Cell (i, j) has the corners A(i,j) B(i+1,j) C(i,j+1) D(i+1,j+1) and two facets, A C B and D B C.
+// Cells may be missing: holes. Ground with holes is a slab, `thickness` deep below each facet, and has upright
+// walls at the holes; without holes it is solid to any depth.
 // Many geoms may share one data object and none owns it; each remembers its serial, so that a destroyed one
 // is recognised. Reading is free of side effects: fields may be collided on several threads.
 #pragma once
 
+#include "base/array.h"
 #include "base/handle.h"
 #include "geometry/triangle.h"
 #include "ode/collision.h"
@@ -34,11 +37,14 @@ struct HeightfieldData : Tagged {
     int nx = 2, nz = 2;
     Real scale = 1, offset = 0, thickness = 0;
     Real lowest = 0, highest = 0;  // for the bounding box; `lowest` includes the thickness
+    Array<unsigned char> holes;    // of each cell, i + j (nx - 1); empty when there are none
+    int hole_count = 0;
 
     Real sample(int i, int j) const;  // inside the rectangle
     Real height(int i, int j) const { return scale * sample(i, j) + offset; }
     void set_bounds(Real low_sample, Real high_sample);
     void drop_samples();
+    void drop_holes();
 };
 
 template <>
@@ -59,6 +65,12 @@ struct Heightfield {
 struct Facet : Triangle {
     int i, j;
     bool upper;  // D B C, else A C B
+
+    // Of edge 0 or 2, the sides of the cell: which way is out.
+    int out_axis(int k) const { return k == 0 ? 0 : 2; }
+    Real out_sign() const { return upper ? Real(1) : Real(-1); }
+    Vec3 out(int k) const { return k == 0 ? Vec3{out_sign(), 0, 0} : Vec3{0, 0, out_sign()}; }
+    Real out_limit(int k) const { return out_sign() * v[k][out_axis(k)]; }  // of the wall's plane
 };
 
 // The surface as a set of facets.
@@ -75,6 +87,14 @@ class Terrain {
     Vec3 vertex(int i, int j) const;
     Facet facet(int i, int j, bool upper) const;
 
+    bool holed() const { return data_.hole_count > 0; }
+    Real thickness() const { return data_.thickness; }
+    bool hole(int i, int j) const;  // is cell (i, j) missing? Beyond the field's border none is
+    bool hole_beyond(const Facet& facet, int k) const;  // behind edge k
+    // The upright wall under such an edge, down to the slab's bottom: two triangles that look into the hole.
+    // False where the slab has no thickness.
+    bool wall_below(const Facet& facet, int k, Triangle (&wall)[2]) const;
+
     // Is what the facet shows along n (unit, upwards) a place where the surface stays below the plane across
     // n? Only there can a solid that touches the facet be pushed along n: at flat and hollow edges n must be
     // that of a face.
@@ -83,8 +103,27 @@ class Terrain {
     // Does the surface fall away behind an edge of the facet?
     bool has_ridge(const Facet& facet) const;
 
+    // Does the surface fall away from the plane across n along all edges at a corner of the facet?
+    bool falls_around(const Facet& facet, int corner, Vec3 n, Real level) const;
+
+    // The cell under a point; false: the point is beyond the field.
+    bool cell_under(Vec3 p, int& i, int& j) const;
+    // Of a field that has holes: is the point below the slab? `lowest`: of the ground near, for a point over
+    // a hole.
+    bool under_slab(Vec3 p, Real lowest, Real slack) const;
+
+    // Over edge k: the facet's place, whether it is there or not, and the corner that the edge does not touch.
+    struct Neighbour {
+        int i, j;
+        bool upper;
+        Vec3 apex;
+        bool there;
+    };
+    Neighbour neighbour(const Facet& facet, int k) const;
+
   private:
-    bool falls(Vec3 from, Vec3 n, int i, int j) const;
+    bool falls(Vec3 from, Vec3 n, int i, int j, Real level) const;
+    bool spoke_gone(int i, int j, int around) const;
 
     const HeightfieldData& data_;
     Real x0_, z0_, dx_, dz_;

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 
+#include "geometry/mesh_edges.h"
+
 namespace epode {
 
 struct FanEdge {
@@ -38,24 +40,6 @@ bool before(const Site& a, const Site& b)
 bool before(const FanEdge& a, const FanEdge& b)
 {
     return a.far != b.far ? a.far < b.far : a.half_edge < b.half_edge;
-}
-
-// A sheet seen along an edge, from a triangle at the same edge.
-struct Turn {
-    Real cosine, sine;
-    Real growing(Real flat) const
-    {
-        const bool behind = cosine > 0 && sine <= flat;
-        return sine > 0 && !behind ? 1 - cosine : 3 + cosine;
-    }
-    bool convex(Real flat) const { return sine < -flat || (cosine > 0 && sine <= flat); }
-};
-
-Turn turn_to(Vec3 apex, Vec3 from, Vec3 edge, Vec3 n)
-{
-    Vec3 w = apex - from;
-    w = normalized_or(w - dot(w, edge) * edge, {});
-    return {dot(cross(n, edge), w), dot(n, w)};
 }
 
 }  // namespace
@@ -133,23 +117,11 @@ bool TriangleMesh::build(Array<Vec3>& vertices, Array<MeshCorners>& triangles, R
     return true;
 }
 
-// Normal and tilt. The largest component is taken out, so that neither tiny nor huge triangles are lost.
 void TriangleMesh::measure(int t)
 {
-    const Vec3 v[3] = {corner(t, 0), corner(t, 1), corner(t, 2)};
-    const Real largest = max_component(max(abs(v[0]), max(abs(v[1]), abs(v[2]))));
-    const Vec3 sides[3] = {v[1] - v[0], v[2] - v[1], v[0] - v[2]};
-    const Real m = max_component(max(abs(sides[0]), max(abs(sides[1]), abs(sides[2]))));
-    normals_[t] = {};
-    tilt_[t] = 0;
-    if (!(m > 0)) return;
-    Real longest2 = 0;
-    for (const Vec3 s : sides) longest2 = std::max(longest2, length2(s / m));
-    Vec3 n = cross(sides[0] / m, sides[1] / m);
-    const Real altitude = m * (length(n) / std::sqrt(longest2));
-    if (!(altitude > 4 * grain_ * largest) || !normalize(n)) return;
-    normals_[t] = n;
-    tilt_[t] = float(grain_ * largest / altitude);
+    const TriangleLie lie = lie_of({corner(t, 0), corner(t, 1), corner(t, 2)}, grain_);
+    normals_[t] = lie.n;
+    tilt_[t] = lie.tilt;
 }
 
 // Through the degenerate triangle at half-edge h, and through others behind it.
@@ -187,7 +159,7 @@ TriangleMesh::Over TriangleMesh::over(int h) const
         any = true;
         if (degenerate(g / 3)) continue;
         const bool turned = start(g) == start(h);
-        const Real turn = turn_to(apex(g), from(h), edge, n).growing(kFlatSine);
+        const Real turn = sheet_turn(apex(g), from(h), edge, n).growing(kFlatSine);
         if (turn < least || (turn == least && best.turned && !turned)) {
             least = turn;
             best = {g, turned};
@@ -201,9 +173,8 @@ int TriangleMesh::bend(int h, const Over& found) const
 {
     if (found.half_edge < 0) return 1;
     const int t = h / 3;
-    const Real tilt = 2 * Real(std::max(tilt_.data()[t], tilt_.data()[found.half_edge / 3]));
-    const Real flat = std::max(kFlatSine, tilt);
-    const Turn turn = turn_to(apex(found.half_edge), from(h), normalized_or(along(h), {}), normal(t));
+    const Real flat = flat_sine(tilt_.data()[t], tilt_.data()[found.half_edge / 3]);
+    const SheetTurn turn = sheet_turn(apex(found.half_edge), from(h), normalized_or(along(h), {}), normal(t));
     return turn.convex(flat) ? 1 : turn.sine > flat ? -1 : 0;
 }
 
@@ -253,14 +224,8 @@ MeshRims TriangleMesh::rims_of(int t) const
     MeshRims out;
     for (int k = 0; k < 3; ++k) {
         const Vec3 over = beyond(t, k);
-        const Vec3 into = normalized_or(cross(along(3 * t + k), over), {});
-        const Real tilt = dot(normal(t), into);  // negative when the neighbour falls away
         const bool border = neighbour(t, k) < 0 || over == -normal(t), crest = crests(t) >> k & 1;
-        out.rim[k] = border                     ? Rim::kBorder
-                     : std::fabs(tilt) <= kSeam ? Rim::kSeam
-                     : crest                    ? Rim::kConvex
-                     : tilt > kFlatSine         ? Rim::kHollow
-                                                : Rim::kFlat;
+        out.rim[k] = border ? Rim::kBorder : rim_of(normal(t), along(3 * t + k), over, crest);
         out.sharp[k] = (crests(t) >> (3 + k) & 1) != 0;
     }
     return out;

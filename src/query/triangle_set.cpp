@@ -4,6 +4,8 @@
 // See triangle_set.h. A field that reaches beyond the range of whole numbers is cut off there.
 #include "query/triangle_set.h"
 
+#include <limits>
+
 namespace epode {
 namespace {
 
@@ -21,9 +23,11 @@ TriangleSet::TriangleSet(const TrimeshData& mesh)
     : mesh_(&mesh), box_(mesh.tree.box()), period_(box_), count_(mesh.mesh.triangle_count())
 {}
 
-TriangleSet::TriangleSet(const HeightfieldData& field)
-    : field_(&field), count_(2 * (field.nx - 1) * (field.nz - 1))
+TriangleSet::TriangleSet(const HeightfieldData& field) : field_(&field)
 {
+    // Numbers of walls go beyond int for huge fields; these are asked by place only.
+    const std::int64_t all = std::int64_t(field.hole_count > 0 ? 5 : 1) * 2 * (field.nx - 1) * (field.nz - 1);
+    count_ = int(std::min<std::int64_t>(all, std::numeric_limits<int>::max()));
     const Vec3 half = {field.width / 2, 0, field.depth / 2};
     box_ = period_ = {Vec3{0, field.lowest, 0} - half, Vec3{0, field.highest, 0} + half};
     if (field.wrap) box_ = {{-kInf, field.lowest, -kInf}, {kInf, field.highest, kInf}};
@@ -31,15 +35,30 @@ TriangleSet::TriangleSet(const HeightfieldData& field)
 
 bool TriangleSet::triangle(int t, Triangle& out) const
 {
-    if (!mesh_) {
-        const int columns = field_->nx - 1, cell = t / 2;
-        out = Terrain(*field_).facet(cell % columns, cell / columns, (t & 1) != 0);
-        return true;
-    }
+    if (!mesh_) return facet_or_wall(t, out);
     if (mesh_->mesh.degenerate(t)) return false;
     for (int k = 0; k < 3; ++k) out.v[k] = mesh_->mesh.corner(t, k);
     out.n = mesh_->mesh.normal(t);
     out.c = dot(out.n, out.v[0]);
+    return true;
+}
+
+bool TriangleSet::facet_or_wall(int t, Triangle& out) const
+{
+    const Terrain terrain(*field_);
+    const bool face = t < facets();
+    const int facet = face ? t : (t - facets()) / 4, columns = field_->nx - 1;
+    const int i = facet / 2 % columns, j = facet / 2 / columns;
+    if (terrain.hole(i, j)) return false;
+    const Facet f = terrain.facet(i, j, (facet & 1) != 0);
+    if (face) {
+        out = f;
+        return true;
+    }
+    const int rest = (t - facets()) % 4, k = rest & 2;
+    Triangle wall[2];
+    if (!terrain.hole_beyond(f, k) || !terrain.wall_below(f, k, wall)) return false;
+    out = wall[rest & 1];
     return true;
 }
 

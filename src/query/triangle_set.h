@@ -3,7 +3,8 @@
 //
 // A mesh or a height field as a set of numbered triangles in its own frame, for questions of distance: all of
 // them, and those whose boxes meet a box. A field's cell (i, j) has the triangles 2 (i + j nx) and the one
-// after it; of a field without end the numbers are those of the period.
+// after it; of a field without end the numbers are those of the period. Where a field has holes, its count is
+// followed by the walls at them, four of two triangles for each cell; what is not there has no area.
 #pragma once
 
 #include <algorithm>
@@ -71,14 +72,29 @@ class TriangleSet {
         for (int j = first[1]; j <= last[1]; ++j)
             for (int i = first[0]; i <= last[0]; ++i)
                 for (const bool upper : {false, true}) {
+                    if (terrain.hole(i, j)) continue;
                     const Facet f = terrain.facet(i, j, upper);
                     if (overlap(box_around(f), box)) visit(f, number(i, j, upper));
+                    if (terrain.holed()) visit_walls(terrain, f, box, visit);
                 }
     }
 
   private:
+    template <typename Visit>
+    void visit_walls(const Terrain& terrain, const Facet& f, const Aabb& box, Visit&& visit) const
+    {
+        for (const int k : {0, 2}) {
+            Triangle wall[2];
+            if (!terrain.hole_beyond(f, k) || !terrain.wall_below(f, k, wall)) continue;
+            const int first = 4 * number(f.i, f.j, f.upper) + k;
+            for (int n = 0; n < 2; ++n)
+                if (overlap(box_around(wall[n]), box)) visit(wall[n], facets() + first + n);
+        }
+    }
+    int facets() const { return 2 * (field_->nx - 1) * (field_->nz - 1); }
     void cells_under(const Aabb& box, int* first, int* last) const;
     int number(int i, int j, bool upper) const;
+    bool facet_or_wall(int t, Triangle& out) const;
 
     const TrimeshData* mesh_ = nullptr;
     const HeightfieldData* field_ = nullptr;

@@ -5,10 +5,12 @@
 // depth: under each facet stands an endless column. Contacts go to the harvest, all facets' together. A
 // contact normal that is not the facet's own must crest there (Terrain::crests): the surface lies below it on
 // all sides. At flat and hollow edges none does, so a solid that slides over them meets no bumps.
+// Where cells are missing, their walls push, too (hole_walls.h).
 #pragma once
 
 #include "collide/heightfield.h"
 #include "collide/pairs/harvest.h"
+#include "collide/pairs/hole_walls.h"
 #include "collide/pairs/on_surface.h"
 
 namespace epode {
@@ -19,6 +21,7 @@ struct Meeting {
     Aabb box;    // of the solid
     Real slack;  // rounding of coordinates
     Harvest& out;
+    HoleWalls* walls = nullptr;  // there are holes under the solid
 };
 
 inline constexpr Vec3 kUp{0, 1, 0};
@@ -29,5 +32,9 @@ void round_on(const RoundSolid& core, const Facet& facet, Meeting& meeting);
 
 // A box, a cylinder or a polyhedron, by the view in `meeting`.
 void solid_on(const Facet& facet, Meeting& meeting);
+
+// Whether walls under the facet's edges, rather than its face, push: tells meeting.walls.
+void weigh_round(const RoundSolid& core, const Facet& facet, Meeting& meeting);
+void weigh_solid(const Facet& facet, Meeting& meeting);
 
 }  // namespace epode

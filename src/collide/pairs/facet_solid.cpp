@@ -36,6 +36,16 @@ class LeastRise {
     Real depth = 0;
     bool on_crest = false;  // the normal is not the facet's own
 
+    // After search(): the way out through the wall under edge k; infinite when the solid is not in the hole.
+    Real way_aside(int k) const
+    {
+        const Vec3 out = facet_.out(k);
+        const Real c = facet_.out_limit(k);
+        if (!(dot(out, m_.solid.support(out)) - c > m_.slack)) return kInf;
+        return c - dot(out, m_.solid.support(-out));
+    }
+    bool worth(Real way) const { return way < kFaceFirst * depth; }
+
   private:
     void choose(Vec3 n, Real d) { normal = n, depth = d, on_crest = true; }
 
@@ -153,6 +163,39 @@ struct Ground {
     Vec3 upright() const { return kUp; }
 };
 
+// The part of the solid that is behind a wall of a hole, by one of its two triangles.
+struct Wall {
+    const Triangle& t;
+    Meeting& m;
+
+    void press(Polygon& low)
+    {
+        clip_to_prism(low, t, t.n, m.slack);
+        for (int k = 0; k < low.count; ++k) {
+            const Real depth = -t.height(low.points[k]);
+            if (depth >= -m.slack) m.out.add(low.points[k], t.n, depth > 0 ? depth : 0);
+        }
+    }
+    void press(Vec3 p)
+    {
+        Polygon one;
+        one.add(p);
+        press(one);
+    }
+    bool ends_at(int edge) const { return edge != 1; }  // the two triangles share edge 1
+    Vec3 upright() const { return t.n; }
+};
+
+void press_walls(const Facet& f, Meeting& m)
+{
+    for (const int k : {0, 2}) {
+        Triangle wall[2];
+        if (!m.terrain.hole_beyond(f, k) || !m.walls->pushes(f, k) || !m.terrain.wall_below(f, k, wall))
+            continue;
+        for (const Triangle& t : wall) press_solid(m.solid, t, Wall{t, m});
+    }
+}
+
 // A crest of the surface pushes into the solid.
 void press_crest(const Facet& f, Vec3 normal, Real depth, Meeting& m)
 {
@@ -168,8 +211,23 @@ void press_crest(const Facet& f, Vec3 normal, Real depth, Meeting& m)
 
 }  // namespace
 
+void weigh_solid(const Facet& f, Meeting& m)
+{
+    LeastRise least(f, m);
+    if (!least.search()) return;
+    for (const int k : {0, 2})
+        if (m.terrain.hole_beyond(f, k)) {
+            const Real way = least.way_aside(k);
+            if (least.worth(way) || (way < kInf && m.walls->sunk(f))) m.walls->push(f, k);
+        }
+}
+
 void solid_on(const Facet& f, Meeting& m)
 {
+    if (m.walls) {
+        press_walls(f, m);
+        if (m.walls->sunk(f) || m.walls->behind(f)) return;
+    }
     LeastRise least(f, m);
     if (!least.search()) return;
     if (least.on_crest)

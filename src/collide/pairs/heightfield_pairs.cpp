@@ -4,12 +4,22 @@
 // Sphere, capsule, box, cylinder and polyhedron against a height field. Facets whose cells lie under the
 // solid's box are taken one after the other (facet.h). Three answers need no facets: above the highest sample
 // there is nothing; below the lowest, one contact straight up; and where all samples lie in one plane, the
-// plane's own pair function answers, so that a flat field is a plane, exactly.
+// plane's own pair function answers, so that a flat field is a plane, exactly. These are not taken where there
+// are holes under the box. A field that has holes is a slab: what has its middle below it is not met.
 #include "collide/pairs/facet.h"
 
 namespace epode {
 
 namespace {
+
+template <typename Shape>
+void weigh_facet(const Shape& a, const Pose& A, const Facet& f, Meeting& m)
+{
+    if constexpr (kRound<Shape>)
+        weigh_round(core_of(a, A), f, m);
+    else
+        weigh_solid(f, m);
+}
 
 struct Cells {
     int i0, i1, j0, j1;  // inclusive
@@ -50,6 +60,11 @@ bool cells_under(const Terrain& t, const Aabb& box, Cells& out)
 struct Ground {
     Real lowest = kInf, highest = -kInf;
     bool level = true;  // all in the plane of the first facet
+    void take(Vec3 v)
+    {
+        lowest = v.y < lowest ? v.y : lowest;
+        highest = v.y > highest ? v.y : highest;
+    }
 };
 
 Ground survey(const Terrain& t, const Cells& c, const Facet& first, Real slack)
@@ -58,17 +73,55 @@ Ground survey(const Terrain& t, const Cells& c, const Facet& first, Real slack)
     for (int j = c.j0; j <= c.j1 + 1; ++j)
         for (int i = c.i0; i <= c.i1 + 1; ++i) {
             const Vec3 v = t.vertex(i, j);
-            g.lowest = v.y < g.lowest ? v.y : g.lowest;
-            g.highest = v.y > g.highest ? v.y : g.highest;
+            g.take(v);
             g.level = g.level && std::fabs(first.height(v)) <= slack;
         }
     return g;
+}
+
+// Of the cells that are there; their number too. Samples inside holes are not looked at.
+Ground survey_holed(const Terrain& t, const Cells& c, int& there)
+{
+    Ground g;
+    g.level = false;
+    there = 0;
+    for (int j = c.j0; j <= c.j1; ++j)
+        for (int i = c.i0; i <= c.i1; ++i) {
+            if (t.hole(i, j)) continue;
+            ++there;
+            for (const int di : {0, 1})
+                for (const int dj : {0, 1}) g.take(t.vertex(i + di, j + dj));
+        }
+    return g;
+}
+
+bool any_hole(const Terrain& t, const Cells& c)
+{
+    if (!t.holed()) return false;
+    for (int j = c.j0; j <= c.j1; ++j)
+        for (int i = c.i0; i <= c.i1; ++i)
+            if (t.hole(i, j)) return true;
+    return false;
 }
 
 bool inside(const Terrain& t, const Aabb& box)
 {
     const Vec3 o = t.low_corner();
     return t.endless() || (box.lo.x >= o.x && box.lo.z >= o.z && box.hi.x <= -o.x && box.hi.z <= -o.z);
+}
+
+template <typename Visit>
+void each_facet(const Terrain& terrain, const Cells& cells, const Aabb& box, const Visit& visit)
+{
+    for (int j = cells.j0; j <= cells.j1; ++j)
+        for (int i = cells.i0; i <= cells.i1; ++i) {
+            if (terrain.hole(i, j)) continue;
+            for (const bool upper : {false, true}) {
+                const Facet f = terrain.facet(i, j, upper);
+                const bool above = f.v[0].y < box.lo.y && f.v[1].y < box.lo.y && f.v[2].y < box.lo.y;
+                if (!above) visit(f);
+            }
+        }
 }
 
 // Contacts in the field's frame.
@@ -80,25 +133,38 @@ void collide_local(const Shape& a, const Pose& A, const HeightfieldData& data, C
     const Aabb box = box_around(a, A, 0);
     Cells cells;
     if (!cells_under(terrain, box, cells)) return;
-    const Facet first = terrain.facet(cells.i0, cells.j0, false);
     const Real reach = max_component(max(abs(box.lo), abs(box.hi)));
     const Real slack = 64 * kEpsilon * (reach + solid.size);
-    const Ground ground = survey(terrain, cells, first, slack);
+    const bool holes = any_hole(terrain, cells);
+    Facet first;
+    Ground ground;
+    if (holes) {
+        int there;
+        ground = survey_holed(terrain, cells, there);
+        if (there == 0) return;
+    } else {
+        first = terrain.facet(cells.i0, cells.j0, false);
+        ground = survey(terrain, cells, first, slack);
+    }
     if (box.lo.y > ground.highest) return;
-    if (box.hi.y < ground.lowest) {  // buried: straight up
-        sink.add({{solid.pose.p.x, ground.lowest, solid.pose.p.z}, kUp, ground.lowest - box.hi.y});
+    const Vec3 middle = solid.pose.p;
+    if (terrain.holed() && terrain.under_slab(middle, ground.lowest, slack)) return;
+    if (box.hi.y < ground.lowest && !holes) {  // buried: straight up
+        sink.add({{middle.x, ground.lowest, middle.z}, kUp, ground.lowest - box.hi.y});
         return;
     }
-    if (ground.level && inside(terrain, box)) return on_plane(a, A, {first.n, first.c}, sink);
+    if (ground.level && !holes && inside(terrain, box)) return on_plane(a, A, {first.n, first.c}, sink);
     Harvest harvest(Real(1e-6) * (solid.size + solid.radius), sink);
     Meeting meeting{terrain, solid, box, slack, harvest};
-    for (int j = cells.j0; j <= cells.j1; ++j)
-        for (int i = cells.i0; i <= cells.i1; ++i)
-            for (const bool upper : {false, true}) {
-                const Facet f = terrain.facet(i, j, upper);
-                const bool above = f.v[0].y < box.lo.y && f.v[1].y < box.lo.y && f.v[2].y < box.lo.y;
-                if (!above) meet_facet(a, A, f, meeting);
-            }
+    int i, j;
+    HoleWalls walls(middle, holes && terrain.cell_under(middle, i, j) && terrain.hole(i, j));
+    if (holes) {
+        meeting.walls = &walls;
+        each_facet(terrain, cells, box, [&](const Facet& f) {
+            if (terrain.hole_beyond(f, 0) || terrain.hole_beyond(f, 2)) weigh_facet(a, A, f, meeting);
+        });
+    }
+    each_facet(terrain, cells, box, [&](const Facet& f) { meet_facet(a, A, f, meeting); });
     harvest.deliver(sink);
 }
 

@@ -36,29 +36,66 @@ bool adjoin(const TriangleMesh& mesh, int t, int u)
     return t == u || mesh.neighbour(t, 0) == u || mesh.neighbour(t, 1) == u || mesh.neighbour(t, 2) == u;
 }
 
+// What pairs of triangles say: a list without bound that rarely needs memory.
+class PushList {
+  public:
+    PushList() {}
+    PushList(const PushList&) = delete;
+    PushList& operator=(const PushList&) = delete;
+
+    TrianglePush* begin() { return count_ <= kFew ? few_ : many_.data(); }
+    TrianglePush* end() { return begin() + count_; }
+    int count() const { return count_; }
+    bool add(const TrianglePush& push)  // false without memory
+    {
+        if (count_ < kFew) {
+            few_[count_++] = push;
+            return true;
+        }
+        if (count_ == kFew) {
+            many_.clear();
+            if (!many_.reserve(4 * kFew)) return false;
+            for (const TrianglePush& p : few_)
+                if (!many_.push(p)) return false;
+        }
+        if (!many_.push(push)) return false;
+        ++count_;
+        return true;
+    }
+
+  private:
+    static constexpr int kFew = 40;
+    union {
+        TrianglePush few_[kFew];  // in a union: left unwritten until added
+    };
+    Array<TrianglePush> many_;
+    int count_ = 0;
+};
+
 // Where two solids meet edge to edge, pairs of triangles beside those edges cross, too, and see only longer
 // ways out. A push is needless when a shorter one nearby, in another direction, parts its triangles as well.
-bool needless(const TrianglePush& push, const Array<TrianglePush>& shorter, int count, const Surface& a,
-              const Surface& b)
+template <typename Other>
+bool needless(const TrianglePush& push, const TrianglePush* shorter, int count, const Surface& a, const Other& b)
 {
     for (int i = 0; i < count; ++i) {
         const TrianglePush& s = shorter[i];
         if (s.allowed && dot(s.normal, push.normal) < kOtherWay && adjoin(a.mesh, s.a, push.a) &&
-            adjoin(b.mesh, s.b, push.b) && push.overlap_along(s.normal) <= kCovers * s.depth)
+            b.adjoin(s, push) && push.overlap_along(s.normal) <= kCovers * s.depth)
             return true;
     }
     return false;
 }
 
-void reap(Array<TrianglePush>& pushes, const Surface& a, const Surface& b, Harvest& harvest)
+template <typename Other>
+void reap(PushList& pushes, const Surface& a, const Other& b, Harvest& harvest)
 {
     std::sort(pushes.begin(), pushes.end(), [](const TrianglePush& x, const TrianglePush& y) {
         if (x.depth != y.depth) return x.depth < y.depth;
         return x.a != y.a ? x.a < y.a : x.b < y.b;
     });
-    for (int i = 0; i < pushes.size(); ++i) {
-        const TrianglePush& p = pushes[i];
-        if (!p.allowed || needless(p, pushes, i, a, b)) continue;
+    for (int i = 0; i < pushes.count(); ++i) {
+        const TrianglePush& p = pushes.begin()[i];
+        if (!p.allowed || needless(p, pushes.begin(), i, a, b)) continue;
         for (int k = 0; k < p.count; ++k) harvest.add({p.points[k], p.normal, p.depths[k], p.a, p.b});
     }
     if (!harvest.empty()) return;
@@ -66,26 +103,51 @@ void reap(Array<TrianglePush>& pushes, const Surface& a, const Surface& b, Harve
         if (!p.allowed) return harvest.add({p.points[0], p.normal, p.depths[0], p.a, p.b});
 }
 
+// The second mesh, in its own frame.
+class MeshSide {
+  public:
+    explicit MeshSide(const Surface& surface) : s_(surface) {}
+
+    Aabb box() const { return s_.tree.box(); }
+    bool adjoin(const TrianglePush& p, const TrianglePush& q) const
+    {
+        return epode::adjoin(s_.mesh, p.b, q.b);
+    }
+    // visit(facet) for all whose boxes meet the box, until it says false.
+    template <typename Visit>
+    void each(const Aabb& box, const Visit& visit)
+    {
+        near_.find(s_, box);
+        for (const int t : near_.near()) {
+            PlacedFacet f = placed(s_.mesh, t, here_);
+            if (!visit(f)) return;
+        }
+    }
+
+  private:
+    const Surface& s_;
+    const Pose here_;
+    NearTriangles near_;
+};
+
 // `a` at the pose P in b's frame; contacts in b's frame.
-void meet(const Surface& a, const Pose& P, const Surface& b, bool ground, ContactSink& sink)
+template <typename Other>
+void meet(const Surface& a, const Pose& P, Other& b, ContactSink& sink)
 {
     const Pose back = inverse_times(P, Pose{});
-    NearTriangles near_a, near_b;
-    near_a.find(a, box_in(back, b.tree.box()));
-    if (near_a.near().count() == 0) return;
+    NearTriangles near;
+    near.find(a, box_in(back, b.box()));
+    if (near.near().count() == 0) return;
     const Aabb whole = box_in(P, a.tree.box());
     const Real slack = 64 * kEpsilon * std::max(reach_of(whole), reach_of(a.tree.box()));
     const Tolerance tolerance{slack, std::max(slack, kMeshTouch * length(whole.hi - whole.lo))};
-    const Pose here;
-    Array<TrianglePush> pushes;
-    for (const int t : near_a.near()) {
-        const PlacedFacet fa = placed(a.mesh, t, P, false);
-        near_b.find(b, box_of(fa.f));
-        for (const int u : near_b.near()) {
+    PushList pushes;
+    for (const int t : near.near()) {
+        const PlacedFacet fa = placed(a.mesh, t, P);
+        b.each(box_of(fa.f), [&](PlacedFacet& fb) {
             TrianglePush push;
-            if (triangle_triangle(fa, placed(b.mesh, u, here, ground), tolerance, push) && !pushes.push(push))
-                break;
-        }
+            return !triangle_triangle(fa, fb, tolerance, push) || pushes.add(push);
+        });
     }
     Harvest harvest(Real(1e-6) * length(whole.hi - whole.lo), sink);
     reap(pushes, a, b, harvest);
@@ -112,38 +174,106 @@ Samples samples_under(Real lo, Real hi, Real origin, Real cell, int cells, bool 
     return {int(from), int(to)};
 }
 
-// The facets near a box as a mesh; false when there are none, or no memory.
-bool cut_out(const Terrain& terrain, const Aabb& box, TriangleMesh& mesh, MeshTree& tree, Real& lowest)
-{
-    const Vec3 o = terrain.low_corner(), cell = terrain.cell();
-    const Samples x = samples_under(box.lo.x, box.hi.x, o.x, cell.x, terrain.cells_x(), terrain.endless());
-    const Samples z = samples_under(box.lo.z, box.hi.z, o.z, cell.z, terrain.cells_z(), terrain.endless());
-    if (x.count() < 2 || z.count() < 2) return false;
-    Array<Vec3> vertices;
-    Array<MeshCorners> triangles;
-    if (!vertices.reserve(x.count() * z.count()) || !triangles.reserve(2 * (x.count() - 1) * (z.count() - 1)))
-        return false;
-    lowest = kInf;
-    for (int j = z.from; j <= z.to; ++j)
-        for (int i = x.from; i <= x.to; ++i) {
-            const Vec3 v = terrain.vertex(i, j);
-            lowest = std::min(lowest, v.y);
-            if (!vertices.push(v)) return false;
+// The ground near a box: a window of the grid, the facets of which are numbered row by row.
+class GroundSide {
+  public:
+    // `near`: a box in the ground's frame.
+    GroundSide(const Terrain& terrain, const Aabb& near) : terrain_(terrain)
+    {
+        const Vec3 o = terrain.low_corner(), cell = terrain.cell();
+        x_ = samples_under(near.lo.x, near.hi.x, o.x, cell.x, terrain.cells_x(), terrain.endless());
+        z_ = samples_under(near.lo.z, near.hi.z, o.z, cell.z, terrain.cells_z(), terrain.endless());
+        if (x_.count() < 2 || z_.count() < 2) return;
+        for (int j = z_.from; j < z_.to; ++j)
+            for (int i = x_.from; i < x_.to; ++i) {
+                if (terrain.hole(i, j)) {
+                    holes_ = true;
+                    continue;
+                }
+                for (const int corner : {0, 1, 2, 3}) take(terrain.vertex(i + (corner & 1), j + corner / 2));
+            }
+        lowest_ = box_.lo.y;
+        if (holes_) box_.lo.y -= terrain.thickness();
+    }
+
+    bool empty() const { return !(box_.lo.y <= box_.hi.y); }
+    bool holes() const { return holes_; }
+    Real lowest() const { return lowest_; }
+    const Aabb& box() const { return box_; }
+
+    // Do two triangles share an edge?
+    bool adjoin(const TrianglePush& p, const TrianglePush& q) const
+    {
+        int same = 0;
+        for (const Vec3 v : p.corners_b)
+            for (const Vec3 w : q.corners_b) same += v == w;
+        return same >= 2;
+    }
+
+    template <typename Visit>
+    void each(const Aabb& box, const Visit& visit) const
+    {
+        const Vec3 o = terrain_.low_corner(), cell = terrain_.cell();
+        const Samples x = cells_within(x_, (box.lo.x - o.x) / cell.x, (box.hi.x - o.x) / cell.x);
+        const Samples z = cells_within(z_, (box.lo.z - o.z) / cell.z, (box.hi.z - o.z) / cell.z);
+        for (int j = z.from; j <= z.to; ++j)
+            for (int i = x.from; i <= x.to; ++i)
+                for (const bool upper : {false, true})
+                    if (!terrain_.hole(i, j) && !facet(i, j, upper, box, visit)) return;
+    }
+
+  private:
+    void take(Vec3 v) { box_ = {min(box_.lo, v), max(box_.hi, v)}; }
+
+    // Cells of the window from one place to another, and one more to each side for rounding.
+    static Samples cells_within(const Samples& window, Real from, Real to)
+    {
+        const Real first = std::max(std::floor(from) - 1, Real(window.from));
+        const Real last = std::min(std::floor(to) + 1, Real(window.to - 1));
+        if (!(first <= last)) return {0, -1};
+        return {int(first), int(last)};
+    }
+
+    template <typename Visit>
+    bool facet(int i, int j, bool upper, const Aabb& box, const Visit& visit) const
+    {
+        PlacedFacet f{{}, nullptr, nullptr, &terrain_};
+        if (!bare_ground_facet(terrain_, i, j, upper, f.f, f.place)) return true;
+        f.f.index = 2 * ((j - z_.from) * (x_.count() - 1) + i - x_.from) + (upper ? 1 : 0);
+        if (overlap(box_of(f.f), box) && !visit(f)) return false;
+        return !terrain_.holed() || walls(f, box, visit);
+    }
+
+    template <typename Visit>
+    bool walls(const PlacedFacet& of, const Aabb& box, const Visit& visit) const
+    {
+        const int facets = 2 * (x_.count() - 1) * (z_.count() - 1);
+        for (const int k : {0, 2}) {
+            MeshFacet pair[2];
+            if (!ground_walls(terrain_, of.place.facet, k, pair)) continue;
+            for (int n = 0; n < 2; ++n) {
+                PlacedFacet w{pair[n], nullptr, nullptr, &terrain_, {of.place.facet, true}};
+                w.f.index = facets + 4 * of.f.index + k + n;
+                if (overlap(box_of(w.f), box) && !visit(w)) return false;
+            }
         }
-    for (int j = 0; j + 1 < z.count(); ++j)
-        for (int i = 0; i + 1 < x.count(); ++i) {
-            const int a = i + j * x.count(), b = a + 1, c = a + x.count(), d = c + 1;
-            if (!triangles.push({{a, c, b}}) || !triangles.push({{d, b, c}})) return false;
-        }
-    return mesh.build(vertices, triangles, kEpsilon) && tree.build(mesh);
-}
+        return true;
+    }
+
+    const Terrain& terrain_;
+    Samples x_{0, -1}, z_{0, -1};
+    Aabb box_{{kInf, kInf, kInf}, {-kInf, -kInf, -kInf}};
+    Real lowest_ = kInf;
+    bool holes_ = false;
+};
 
 }  // namespace
 
 void mesh_mesh_contacts(const Surface& a, const Pose& A, const Surface& b, const Pose& B, ContactSink& sink)
 {
     const int before = sink.count();
-    meet(a, inverse_times(B, A), b, false, sink);
+    MeshSide second(b);
+    meet(a, inverse_times(B, A), second, sink);
     to_world(B, sink, before);
 }
 
@@ -153,15 +283,16 @@ void mesh_ground_contacts(const Surface& a, const Pose& A, const HeightfieldData
     if (a.mesh.triangle_count() == 0) return;
     const Pose P = inverse_times(B, A);
     const Aabb box = box_in(P, a.tree.box());
-    TriangleMesh mesh;
-    MeshTree tree;
-    Real lowest = 0;
-    if (!cut_out(Terrain(ground), box, mesh, tree, lowest)) return;
+    const Terrain terrain(ground);
+    GroundSide side(terrain, box);
+    if (side.empty()) return;
+    const Real slack = 64 * kEpsilon * reach_of(box);
+    if (terrain.holed() && terrain.under_slab(P.p, side.lowest(), slack)) return;
     const int before = sink.count();
-    if (box.hi.y < lowest) {  // buried: straight up
-        sink.add({{P.p.x, lowest, P.p.z}, {0, 1, 0}, lowest - box.hi.y});
+    if (box.hi.y < side.lowest() && !side.holes()) {  // buried: straight up
+        sink.add({{P.p.x, side.lowest(), P.p.z}, {0, 1, 0}, side.lowest() - box.hi.y});
     } else {
-        meet(a, P, {mesh, tree}, true, sink);
+        meet(a, P, side, sink);
         for (int k = before; k < sink.count(); ++k) sink.at(k)->side2 = -1;
     }
     to_world(B, sink, before);

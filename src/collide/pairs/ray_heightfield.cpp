@@ -63,6 +63,32 @@ bool cross_facet(const Walk& w, const Facet& f, Real ta, Real tb, Crossing& c, C
     return !sink.full();
 }
 
+// The ray crosses, at t, the side `edge` of a facet beyond which there is a hole.
+void cross_wall(const Walk& w, const Facet& f, int edge, Real t, ContactSink& sink)
+{
+    const Vec3 p = w.at(t), v = f.v[edge], e = f.edge(edge);
+    const int along = 2 - f.out_axis(edge);
+    const Real top = v.y + (p[along] - v[along]) / e[along] * e.y;
+    if (p.y <= top && p.y >= top - w.terrain.thickness()) sink.add({p, f.out(edge), t});
+}
+
+// What the ray meets of cell (i, j) from ta to tb; false when the sink is full.
+bool cross_cell(const Walk& w, int i, int j, Real ta, Real tb, Crossing& crossing, ContactSink& sink)
+{
+    // Where the shadow crosses the diagonal, if it does so here.
+    const Real across = w.du + w.dv;
+    const Real diagonal = across != 0 ? (Real(i) + Real(j) + 1 - w.u - w.v) / across : kInf;
+    const bool split = diagonal > ta && diagonal < tb;
+    const auto upper = [&](Real a, Real b) {
+        const Real middle = Real(0.5) * (a + b);
+        return w.u + w.v + middle * across - Real(i) - Real(j) > 1;
+    };
+    const Real first_end = split ? diagonal : tb;
+    if (!cross_facet(w, w.terrain.facet(i, j, upper(ta, first_end)), ta, first_end, crossing, sink))
+        return false;
+    return !split || cross_facet(w, w.terrain.facet(i, j, upper(diagonal, tb)), diagonal, tb, crossing, sink);
+}
+
 int start_cell(Real place, int count, bool endless)
 {
     const int i = int(std::floor(place));
@@ -87,22 +113,23 @@ void walk(const Walk& w, ContactSink& sink)
         const Real tu = next_line(i, w.u, w.du), tv = next_line(j, w.v, w.dv);
         Real end = tu < tv ? tu : tv;
         end = end > w.to ? w.to : end > t ? end : t;
-        // Where the shadow crosses the diagonal, if it does so here.
-        const Real across = w.du + w.dv;
-        const Real diagonal = across != 0 ? (Real(i) + Real(j) + 1 - w.u - w.v) / across : kInf;
-        const bool split = diagonal > t && diagonal < end;
-        const auto upper = [&](Real a, Real b) {
-            const Real middle = Real(0.5) * (a + b);
-            return w.u + w.v + middle * across - Real(i) - Real(j) > 1;
-        };
-        const Real first_end = split ? diagonal : end;
-        if (!cross_facet(w, terrain.facet(i, j, upper(t, first_end)), t, first_end, crossing, sink)) return;
-        if (split &&
-            !cross_facet(w, terrain.facet(i, j, upper(diagonal, end)), diagonal, end, crossing, sink))
+        const bool hole = terrain.hole(i, j);
+        if (hole)
+            crossing = {};
+        else if (!cross_cell(w, i, j, t, end, crossing, sink))
             return;
         if (end >= w.to) return;
         t = end;
-        (tu < tv ? i : j) += (tu < tv ? w.du : w.dv) > 0 ? 1 : -1;
+        const bool by_x = tu < tv, onward = (by_x ? w.du : w.dv) > 0;
+        const int from_i = i, from_j = j;
+        (by_x ? i : j) += onward ? 1 : -1;
+        if (terrain.holed() && hole != terrain.hole(i, j)) {
+            // Out of the ground by the side ahead, or into it by the side that is behind then.
+            const Facet beside = hole ? terrain.facet(i, j, !onward) : terrain.facet(from_i, from_j, onward);
+            const int edge = by_x ? 0 : 2;
+            if (terrain.hole_beyond(beside, edge)) cross_wall(w, beside, edge, t, sink);
+            if (sink.full()) return;
+        }
         if (!terrain.endless() && (i < 0 || j < 0 || i >= terrain.cells_x() || j >= terrain.cells_z()))
             return;
     }

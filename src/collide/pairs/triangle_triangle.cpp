@@ -74,8 +74,8 @@ class Crossing {
     void meet(TrianglePush& out)
     {
         offer_face(a_, b_, 1, 1), offer_face(b_, a_, -1, 1);
-        if (!b_.one_sided) offer_face(a_, b_, 1, -1);
-        if (!a_.one_sided) offer_face(b_, a_, -1, -1);
+        if (!b_.one_sided()) offer_face(a_, b_, 1, -1);
+        if (!a_.one_sided()) offer_face(b_, a_, -1, -1);
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) offer_edges(i, j);
         out.allowed = weighed_ < kInf && fringe_ >= Real(0.5) * depth_;
@@ -122,7 +122,8 @@ class Crossing {
         const int other = corner == on[0] ? on[1] : on[0];
         for (const int edge : {corner, other})
             if (shows_edge(f, edge, n)) return f.rim[edge] == Rim::kBorder || falls(f, edge, n);
-        return crest_at_corner(p.mesh, facet_of(p.mesh, f.index), corner, transposed_times(p.pose.R, n))
+        if (p.ground) return ground_crests_at_corner(*p.ground, p.place, corner, n);
+        return crest_at_corner(*p.mesh, facet_of(*p.mesh, f.index), corner, transposed_times(p.pose->R, n))
             .stands;
     }
     static bool falls(const MeshFacet& f, int edge, Vec3 n)
@@ -203,9 +204,9 @@ class Crossing {
 
 }  // namespace
 
-PlacedFacet placed(const TriangleMesh& mesh, int triangle, const Pose& pose, bool one_sided)
+PlacedFacet placed(const TriangleMesh& mesh, int triangle, const Pose& pose)
 {
-    PlacedFacet p{facet_of(mesh, triangle), mesh, pose, one_sided};
+    PlacedFacet p{facet_of(mesh, triangle), &mesh, &pose};
     for (int k = 0; k < 3; ++k) {
         p.f.v[k] = pose.to_world(p.f.v[k]);
         p.f.beyond[k] = pose.R * mesh.beyond(triangle, k);
@@ -223,10 +224,11 @@ Real TrianglePush::overlap_along(Vec3 n) const
     return top - low;
 }
 
-bool triangle_triangle(const PlacedFacet& a, const PlacedFacet& b, Tolerance tolerance, TrianglePush& out)
+bool triangle_triangle(const PlacedFacet& a, PlacedFacet& b, Tolerance tolerance, TrianglePush& out)
 {
     Crossing crossing(a, b, tolerance);
     if (!crossing.crosses()) return false;
+    if (b.ground && !b.place.wall) find_ground_rims(*b.ground, b.place, b.f);
     out.a = a.f.index, out.b = b.f.index;
     for (int k = 0; k < 3; ++k) out.corners_a[k] = a.f.v[k], out.corners_b[k] = b.f.v[k];
     crossing.meet(out);

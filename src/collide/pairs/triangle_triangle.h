@@ -8,18 +8,21 @@
 // never aside by the edge of some triangle of it. Manifold: what of one triangle lies behind the other.
 #pragma once
 
-#include "collide/pairs/mesh_facet.h"
+#include "collide/pairs/terrain_facet.h"
 
 namespace epode {
 
-// A facet in the frame that the contacts are wanted in, and its mesh, which has another.
+// A facet in the frame that the contacts are wanted in, and what its corners are asked of: its mesh, which has
+// another frame, or the ground, which has this one and never pushes from its back.
 struct PlacedFacet {
     MeshFacet f;
-    const TriangleMesh& mesh;
-    const Pose& pose;  // of the mesh
-    bool one_sided;    // never pushed from its back, as the ground is not
+    const TriangleMesh* mesh;
+    const Pose* pose;  // of the mesh
+    const Terrain* ground = nullptr;
+    GroundPlace place{};  // in the ground
+    bool one_sided() const { return ground != nullptr; }
 };
-PlacedFacet placed(const TriangleMesh& mesh, int triangle, const Pose& pose, bool one_sided);
+PlacedFacet placed(const TriangleMesh& mesh, int triangle, const Pose& pose);
 
 // What one pair of triangles says: move a by depth * normal.
 struct TrianglePush {
@@ -44,7 +47,8 @@ struct Tolerance {
     Real touch;  // what is apart by less touches: what rests must not come and go
 };
 
-// False when the two do not cross.
-bool triangle_triangle(const PlacedFacet& a, const PlacedFacet& b, Tolerance tolerance, TrianglePush& out);
+// False when the two do not cross. A facet of the ground as b may be bare (terrain_facet.h): its rims are looked
+// for when they are needed.
+bool triangle_triangle(const PlacedFacet& a, PlacedFacet& b, Tolerance tolerance, TrianglePush& out);
 
 }  // namespace epode
