@@ -4,6 +4,7 @@
 // Reading samples, and the neighbourhood of a facet. See heightfield.h.
 #include "collide/heightfield.h"
 
+#include <algorithm>
 #include <atomic>
 
 #include "base/check.h"
@@ -127,15 +128,34 @@ Vec3 Terrain::vertex(int i, int j) const
     return {x0_ + Real(i) * dx_, data_.height(si, sj), z0_ + Real(j) * dz_};
 }
 
-Facet Terrain::facet(int i, int j, bool upper) const
+Facet Terrain::bare_facet(int i, int j, bool upper) const
 {
     Facet f;
     f.i = i, f.j = j, f.upper = upper;
-    Vec3 v[3];
-    for (int k = 0; k < 3; ++k) v[k] = vertex(i + kCorner[upper][k].i, j + kCorner[upper][k].j);
-    if (!make_triangle(v[0], v[1], v[2], f)) {  // heights beyond the range of areas: a level facet
+    for (int k = 0; k < 3; ++k) f.v[k] = vertex(i + kCorner[upper][k].i, j + kCorner[upper][k].j);
+    return f;
+}
+
+Terrain::BareCell Terrain::bare_cell(int i, int j) const
+{
+    const Vec3 a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i, j + 1), d = vertex(i + 1, j + 1);
+    BareCell cell;
+    for (const bool upper : {false, true}) {
+        Facet& f = cell.facets[upper];
+        f.i = i, f.j = j, f.upper = upper;
+        f.v[0] = upper ? d : a, f.v[1] = upper ? b : c, f.v[2] = upper ? c : b;
+    }
+    cell.lowest = std::min(std::min(a.y, b.y), std::min(c.y, d.y));
+    cell.highest = std::max(std::max(a.y, b.y), std::max(c.y, d.y));
+    return cell;
+}
+
+Facet Terrain::facet(int i, int j, bool upper) const
+{
+    Facet f = bare_facet(i, j, upper);
+    if (!make_triangle(f.v[0], f.v[1], f.v[2], f)) {  // heights beyond the range of areas: a level facet
         f.n = {0, 1, 0};
-        f.c = v[0].y;
+        f.c = f.v[0].y;
     }
     return f;
 }

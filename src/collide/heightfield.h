@@ -86,6 +86,13 @@ class Terrain {
     bool has(int i, int j) const;  // is there such a sample?
     Vec3 vertex(int i, int j) const;
     Facet facet(int i, int j, bool upper) const;
+    // Place and corners only: of one, and of both of a cell.
+    Facet bare_facet(int i, int j, bool upper) const;
+    struct BareCell {
+        Facet facets[2];
+        Real lowest, highest;
+    };
+    BareCell bare_cell(int i, int j) const;
 
     bool holed() const { return data_.hole_count > 0; }
     Real thickness() const { return data_.thickness; }

@@ -119,5 +119,41 @@ TEST(Warm, a_settled_scene_asks_for_no_memory)
         }
 }
 
+// A block with a mesh for a hull, in many poses on rough ground with a hole: nothing is allocated.
+TEST(Warm, a_mesh_on_a_height_field_asks_for_no_memory)
+{
+    const Library library;
+    double heights[81];
+    for (int k = 0; k < 81; ++k) heights[k] = 0.1 * (k * 7 % 5);
+    dHeightfieldDataID field = dGeomHeightfieldDataCreate();
+    dGeomHeightfieldDataBuildDouble(field, heights, 1, 4, 4, 9, 9, 1, 0, 1, 0);
+    dGeomHeightfieldDataSetHole(field, 5, 4, 1);
+    dGeomID ground = dCreateHeightfield(nullptr, field, 1);
+    static const dTriIndex sides[] = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+                                      2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
+    dReal corners[32] = {};
+    for (int k = 0; k < 8; ++k)
+        for (int x = 0; x < 3; ++x) corners[4 * k + x] = dReal(k >> x & 1 ? 0.3 : -0.3);
+    dTriMeshDataID block = dGeomTriMeshDataCreate();
+    dGeomTriMeshDataBuildSimple(block, corners, 8, sides, 36);
+    dGeomID mesh = dCreateTriMesh(nullptr, block, nullptr, nullptr, nullptr);
+    Heap::count();
+    int met = 0;
+    for (int k = 0; k < 400; ++k) {
+        dMatrix3 R;
+        dRFromAxisAndAngle(R, 1, dReal(0.01 * k), dReal(0.3), dReal(0.1 * k));
+        dGeomSetRotation(mesh, R);
+        dGeomSetPosition(mesh, dReal(-1.5 + 0.0075 * k), dReal(0.1 + 0.05 * (k % 10)), dReal(0.1));
+        dContactGeom contact[16];
+        met += dCollide(mesh, ground, 16, contact, sizeof contact[0]) > 0;
+    }
+    EXPECT_EQ(Heap::asked(), 0);
+    EXPECT_GT(met, 300);
+    dGeomDestroy(mesh);
+    dGeomTriMeshDataDestroy(block);
+    dGeomDestroy(ground);
+    dGeomHeightfieldDataDestroy(field);
+}
+
 }  // namespace
 }  // namespace epode::memory

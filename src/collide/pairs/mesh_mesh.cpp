@@ -117,17 +117,15 @@ class MeshSide {
     template <typename Visit>
     void each(const Aabb& box, const Visit& visit)
     {
-        near_.find(s_, box);
-        for (const int t : near_.near()) {
+        s_.tree.query(s_.mesh, box, [&](int t) {
             PlacedFacet f = placed(s_.mesh, t, here_);
-            if (!visit(f)) return;
-        }
+            return visit(f);
+        });
     }
 
   private:
     const Surface& s_;
     const Pose here_;
-    NearTriangles near_;
 };
 
 // `a` at the pose P in b's frame; contacts in b's frame.
@@ -135,20 +133,19 @@ template <typename Other>
 void meet(const Surface& a, const Pose& P, Other& b, ContactSink& sink)
 {
     const Pose back = inverse_times(P, Pose{});
-    NearTriangles near;
-    near.find(a, box_in(back, b.box()));
-    if (near.near().count() == 0) return;
     const Aabb whole = box_in(P, a.tree.box());
     const Real slack = 64 * kEpsilon * std::max(reach_of(whole), reach_of(a.tree.box()));
     const Tolerance tolerance{slack, std::max(slack, kMeshTouch * length(whole.hi - whole.lo))};
     PushList pushes;
-    for (const int t : near.near()) {
+    // In any order: what they say is sorted.
+    a.tree.query(a.mesh, box_in(back, b.box()), [&](int t) {
         const PlacedFacet fa = placed(a.mesh, t, P);
         b.each(box_of(fa.f), [&](PlacedFacet& fb) {
             TrianglePush push;
             return !triangle_triangle(fa, fb, tolerance, push) || pushes.add(push);
         });
-    }
+        return true;
+    });
     Harvest harvest(Real(1e-6) * length(whole.hi - whole.lo), sink);
     reap(pushes, a, b, harvest);
     harvest.deliver(sink);
@@ -218,30 +215,42 @@ class GroundSide {
         const Samples z = cells_within(z_, (box.lo.z - o.z) / cell.z, (box.hi.z - o.z) / cell.z);
         for (int j = z.from; j <= z.to; ++j)
             for (int i = x.from; i <= x.to; ++i)
-                for (const bool upper : {false, true})
-                    if (!terrain_.hole(i, j) && !facet(i, j, upper, box, visit)) return;
+                if (!terrain_.hole(i, j) && !each_of_cell(i, j, box, visit)) return;
     }
 
   private:
     void take(Vec3 v) { box_ = {min(box_.lo, v), max(box_.hi, v)}; }
 
-    // Cells of the window from one place to another, and one more to each side for rounding.
+    // Cells of the window from one place to another, and a little more to each side for rounding.
     static Samples cells_within(const Samples& window, Real from, Real to)
     {
-        const Real first = std::max(std::floor(from) - 1, Real(window.from));
-        const Real last = std::min(std::floor(to) + 1, Real(window.to - 1));
+        constexpr Real kMargin = kSingle ? Real(0.01) : Real(1e-6);
+        const Real first = std::max(std::floor(from - kMargin), Real(window.from));
+        const Real last = std::min(std::floor(to + kMargin), Real(window.to - 1));
         if (!(first <= last)) return {0, -1};
         return {int(first), int(last)};
     }
 
+    // Walls are under the facets' sides.
     template <typename Visit>
-    bool facet(int i, int j, bool upper, const Aabb& box, const Visit& visit) const
+    bool each_of_cell(int i, int j, const Aabb& box, const Visit& visit) const
     {
-        PlacedFacet f{{}, nullptr, nullptr, &terrain_};
-        if (!bare_ground_facet(terrain_, i, j, upper, f.f, f.place)) return true;
-        f.f.index = 2 * ((j - z_.from) * (x_.count() - 1) + i - x_.from) + (upper ? 1 : 0);
-        if (overlap(box_of(f.f), box) && !visit(f)) return false;
-        return !terrain_.holed() || walls(f, box, visit);
+        const Terrain::BareCell cell = terrain_.bare_cell(i, j);
+        const Real deep = terrain_.holed() ? terrain_.thickness() : Real(0);
+        if (cell.highest < box.lo.y || cell.lowest - deep > box.hi.y) return true;
+        for (const bool upper : {false, true}) {
+            const Facet& facet = cell.facets[upper];
+            const Aabb own = box_of(facet);
+            Aabb all = own;
+            all.lo.y -= deep;
+            if (!overlap(all, box)) continue;
+            PlacedFacet f{{}, nullptr, nullptr, &terrain_, {facet, false}};
+            if (!bare_ground_facet(facet, f.f)) continue;
+            f.f.index = 2 * ((j - z_.from) * (x_.count() - 1) + i - x_.from) + (upper ? 1 : 0);
+            if (overlap(own, box) && !visit(f)) return false;
+            if (terrain_.holed() && !walls(f, box, visit)) return false;
+        }
+        return true;
     }
 
     template <typename Visit>

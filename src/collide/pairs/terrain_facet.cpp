@@ -8,12 +8,11 @@
 
 namespace epode {
 
-bool bare_ground_facet(const Terrain& terrain, int i, int j, bool upper, MeshFacet& f, GroundPlace& place)
+bool bare_ground_facet(const Facet& facet, MeshFacet& f)
 {
-    place = {terrain.facet(i, j, upper), false};
-    f.n = lie_of(place.facet.v, kEpsilon).n;
+    f.n = lie_of(facet.v, kEpsilon).n;
     if (f.n == Vec3{}) return false;
-    for (int k = 0; k < 3; ++k) f.v[k] = place.facet.v[k];
+    for (int k = 0; k < 3; ++k) f.v[k] = facet.v[k];
     f.c = dot(f.n, f.v[0]);
     return true;
 }
@@ -32,7 +31,7 @@ void find_ground_rims(const Terrain& terrain, const GroundPlace& place, MeshFace
             f.beyond[k] = place.facet.out(k);
             continue;
         }
-        const TriangleLie lie = lie_of(terrain.facet(next.i, next.j, next.upper).v, kEpsilon);
+        const TriangleLie lie = lie_of(terrain.bare_facet(next.i, next.j, next.upper).v, kEpsilon);
         if (lie.n == Vec3{}) continue;
         const Vec3 edge = f.edge(k);
         const SheetTurn turn = sheet_turn(next.apex, f.v[k], normalized_or(edge, {}), f.n);

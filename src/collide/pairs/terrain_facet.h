@@ -19,7 +19,7 @@ struct GroundPlace {
 };
 
 // Corners, normal and plane only; false for one without area.
-bool bare_ground_facet(const Terrain& terrain, int i, int j, bool upper, MeshFacet& f, GroundPlace& place);
+bool bare_ground_facet(const Facet& facet, MeshFacet& f);
 // The rest.
 void find_ground_rims(const Terrain& terrain, const GroundPlace& place, MeshFacet& f);
 
