@@ -328,14 +328,14 @@ typedef dReal dHeightfieldGetHeight(void* p_user_data, int x, int z);
 
 /** @chapter heightfields Height fields
 
-   Ground given by heights over a rectangle, solid to any depth (ext.h has holes). In the geom's own frame y is up, x runs along
-   the width and z along the depth, and the origin is the middle of the rectangle. Sample (i, j), with i along
-   x, is element i + j * widthSamples; its height is sample * scale + offset. Each cell is two triangles,
-   divided from the corner (i + 1, j) to the corner (i, j + 1). For z up rotate the geom by 90 degrees about
-   x. Collides with spheres, boxes, capsules, cylinders and rays; normals point up out of the ground. A solid
-   wholly below the lowest sample under it gets one contact that pushes it straight up. A ray gets all its
-   hits, the nearest first. Of a solid that covers more than 1,024 cells along x or z (256 of a field without
-   end) the middle ones are looked at.
+   Ground given by heights over a rectangle, solid to any depth (ext.h has holes). In the geom's own frame y
+   is up, x runs along the width and z along the depth, and the origin is the middle of the rectangle. Sample
+   (i, j), with i along x, is element i + j * widthSamples; its height is sample * scale + offset. Each cell
+   is two triangles, divided from the corner (i + 1, j) to the corner (i, j + 1). For z up rotate the geom by
+   90 degrees about x. Collides with spheres, boxes, capsules, cylinders and rays; normals point up out of the
+   ground. A solid wholly below the lowest sample under it gets one contact that pushes it straight up. A ray
+   gets all its hits, the nearest first. Of a solid that covers more than 1,024 cells along x or z (256 of a
+   field without end) the middle ones are looked at.
 
    Arguments:
    - d: the data.

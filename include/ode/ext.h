@@ -273,18 +273,18 @@ ODE_API int dGeomTriMeshGetSolid(dGeomID mesh);
 
     Cells of a height field may be missing: nothing touches what is inside a hole, and rays and questions go
     through. Cell (i, j) lies between the samples (i, j) and (i + 1, j + 1); a field of widthSamples by
-    depthSamples samples has widthSamples - 1 by depthSamples - 1 cells, a field that repeats the same in every
-    period. Heights of samples all of whose cells are missing are not looked at.
+    depthSamples samples has widthSamples - 1 by depthSamples - 1 cells, a field that repeats the same in
+   every period. Heights of samples all of whose cells are missing are not looked at.
 
     A field that has a hole is no longer solid to any depth but a slab: under each triangle that is there the
-    ground is as thick as its data's thickness (in m, straight down), with upright walls at the holes, and below
-    it is open, so that what has fallen in may go on under the ground. A body in a hole is held by the walls,
-    which push level, and one that overlaps ground at a hole goes out by the lesser way, up or over the wall;
-    the ends of the walls below do not push. What has its middle (the origin of the geom's frame, of a convex
-    the middle of its box) deeper under the surface than the thickness is under the ground and is not touched,
-    wherever the hole is. Thickness 0 is a sheet without walls. The outer border of a field has no walls. Rays
-    meet walls as they meet the surface; so do dGeomGetDistance, dSpaceOverlap and casts, which also see the
-    surface from below.
+    ground is as thick as its data's thickness (in m, straight down), with upright walls at the holes, and
+   below it is open, so that what has fallen in may go on under the ground. A body in a hole is held by the
+   walls, which push level, and one that overlaps ground at a hole goes out by the lesser way, up or over the
+   wall; the ends of the walls below do not push. What has its middle (the origin of the geom's frame, of a
+   convex the middle of its box) deeper under the surface than the thickness is under the ground and is not
+   touched, wherever the hole is. Thickness 0 is a sheet without walls. The outer border of a field has no
+   walls. Rays meet walls as they meet the surface; so do dGeomGetDistance, dSpaceOverlap and casts, which
+   also see the surface from below.
 
     Arguments:
     - d: the data, built before. Building them again makes a field without holes.
@@ -295,12 +295,13 @@ ODE_API int dGeomTriMeshGetSolid(dGeomID mesh);
 
 /** Which cells are missing: those whose byte is not 0, cell (i, j) being element i + j * widthCells of holes,
    which is copied; 0 for none. All holes from before are gone. Set while nothing is collided with the field;
-   geoms stay where they are. Refused: other numbers of cells than the field's, no memory. [ours] */
+   geoms stay where they are. widthCells, depthCells: the field's cells along its width and depth. Refused:
+   other numbers of cells, no memory. [ours] */
 ODE_API void dGeomHeightfieldDataSetHoles(dHeightfieldDataID d, const unsigned char* holes, int widthCells,
                                           int depthCells);
 
-/** One cell: hole 1 takes it away, 0 puts it back. Get answers 1 where a cell is missing. Refused: other values
-   of hole, no memory. [ours] */
+/** One cell: hole 1 takes it away, 0 puts it back. Get answers 1 where a cell is missing. Refused: other
+   values of hole, no memory. [ours] */
 ODE_API void dGeomHeightfieldDataSetHole(dHeightfieldDataID d, int i, int j, int hole);
 ODE_API int dGeomHeightfieldDataGetHole(dHeightfieldDataID d, int i, int j);
 

@@ -248,8 +248,7 @@ bool Terrain::crests(const Facet& f, Vec3 n) const
     if (shows.corners == 3) return true;
     if (shows.corners == 2) {
         const GridStep across = kAcross[f.upper][shows.at];
-        return hole_beyond(f, shows.at) ||
-               falls(f.v[shows.top], n, f.i + across.i, f.j + across.j, kLevel);
+        return hole_beyond(f, shows.at) || falls(f.v[shows.top], n, f.i + across.i, f.j + across.j, kLevel);
     }
     return falls_around(f, shows.top, n, kLevel);
 }

@@ -5,10 +5,10 @@
 //   x_i = -width/2 + i width/(nx-1),  z_j = -depth/2 + j depth/(nz-1),  y_ij = scale sample_ij + offset
 // or, wrapped, the same rectangle repeated without end (the last column and row stand for the first).
 // Cell (i, j) has the corners A(i,j) B(i+1,j) C(i,j+1) D(i+1,j+1) and two facets, A C B and D B C.
-// Cells may be missing: holes. Ground with holes is a slab, `thickness` deep below each facet, and has upright
-// walls at the holes; without holes it is solid to any depth.
-// Many geoms may share one data object and none owns it; each remembers its serial, so that a destroyed one
-// is recognised. Reading is free of side effects: fields may be collided on several threads.
+// Cells may be missing: holes. Ground with holes is a slab, `thickness` deep below each facet, and has
+// upright walls at the holes; without holes it is solid to any depth. Many geoms may share one data object
+// and none owns it; each remembers its serial, so that a destroyed one is recognised. Reading is free of side
+// effects: fields may be collided on several threads.
 #pragma once
 
 #include "base/array.h"
@@ -119,7 +119,8 @@ class Terrain {
     // a hole.
     bool under_slab(Vec3 p, Real lowest, Real slack) const;
 
-    // Over edge k: the facet's place, whether it is there or not, and the corner that the edge does not touch.
+    // Over edge k: the facet's place, whether it is there or not, and the corner that the edge does not
+    // touch.
     struct Neighbour {
         int i, j;
         bool upper;

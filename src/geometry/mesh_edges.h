@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What is said of a triangle and of its edges by the corners alone, for meshes (triangle_mesh.h) and for other
-// surfaces that meshes meet: the normal and how far rounding may have tilted it, the turn of the neighbour
-// about an edge, and the kind of edge that makes. One owner, so that a surface has the same edges however it is
-// kept.
+// What is said of a triangle and of its edges by the corners alone, for meshes (triangle_mesh.h) and for
+// other surfaces that meshes meet: the normal and how far rounding may have tilted it, the turn of the
+// neighbour about an edge, and the kind of edge that makes. One owner, so that a surface has the same edges
+// however it is kept.
 #pragma once
 
 #include <algorithm>
@@ -60,7 +60,8 @@ inline Real flat_sine(float tilt, float other)
 // Of an edge that is no border.
 inline Rim rim_of(Vec3 n, Vec3 edge, Vec3 beyond, bool crest)
 {
-    const Real tilt = dot(n, normalized_or(cross(edge, beyond), {}));  // negative when the neighbour falls away
+    const Real tilt =
+        dot(n, normalized_or(cross(edge, beyond), {}));  // negative when the neighbour falls away
     if (std::fabs(tilt) <= TriangleMesh::kSeam) return Rim::kSeam;
     if (crest) return Rim::kConvex;
     return tilt > TriangleMesh::kFlatSine ? Rim::kHollow : Rim::kFlat;

@@ -23,8 +23,8 @@ struct Field {
         sim.gravity(0, -9.81, 0);
         for (int j = 0; j <= kCells; ++j)
             for (int i = 0; i <= kCells; ++i) heights.push_back(height(i, j));
-        dGeomHeightfieldDataBuildDouble(data, heights.data(), 0, kCells, kCells, kCells + 1, kCells + 1, 1, 0, 1,
-                                        0);
+        dGeomHeightfieldDataBuildDouble(data, heights.data(), 0, kCells, kCells, kCells + 1, kCells + 1, 1, 0,
+                                        1, 0);
         for (int j = 0; j < kCells; ++j)
             for (int i = 0; i < kCells; ++i) dGeomHeightfieldDataSetHole(data, i, j, missing(i, j));
         dCreateHeightfield(sim.space, data, 1);
@@ -47,7 +47,8 @@ struct Bodies {
     Bodies(Sim& sim, double s)
     {
         for (int k = 0; k < 8; ++k)
-            for (const double x : {k & 1 ? s : -s, k & 2 ? s : -s, k & 4 ? s : -s}) corners.push_back(real(x));
+            for (const double x : {k & 1 ? s : -s, k & 2 ? s : -s, k & 4 ? s : -s})
+                corners.push_back(real(x));
         for (const int i : {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
                             2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5})
             sides.push_back(dTriIndex(i));
@@ -55,8 +56,12 @@ struct Bodies {
         for (int k = 0; k < 8; ++k)
             for (int x = 0; x < 4; ++x) padded.push_back(x < 3 ? corners[std::size_t(3 * k + x)] : dReal(0));
         dGeomTriMeshDataBuildSimple(block, padded.data(), 8, sides.data(), int(sides.size()));
-        all = {sim.sphere({}, s, 1), sim.box({}, {2 * s, s, 2 * s}, 1), sim.capsule({}, 0.5 * s, 2 * s, 1),
-               sim.cylinder({}, 0.6 * s, 2 * s, 1), sim.body({}), sim.body({})};
+        all = {sim.sphere({}, s, 1),
+               sim.box({}, {2 * s, s, 2 * s}, 1),
+               sim.capsule({}, 0.5 * s, 2 * s, 1),
+               sim.cylinder({}, 0.6 * s, 2 * s, 1),
+               sim.body({}),
+               sim.body({})};
         dGeomSetBody(dCreateConvexHull(sim.space, corners.data(), 8, 0), all[4]);
         dGeomSetBody(dCreateTriMesh(sim.space, block, nullptr, nullptr, nullptr), all[5]);
     }

@@ -4,8 +4,8 @@
 // Sphere, capsule, box, cylinder and polyhedron against a height field. Facets whose cells lie under the
 // solid's box are taken one after the other (facet.h). Three answers need no facets: above the highest sample
 // there is nothing; below the lowest, one contact straight up; and where all samples lie in one plane, the
-// plane's own pair function answers, so that a flat field is a plane, exactly. These are not taken where there
-// are holes under the box. A field that has holes is a slab: what has its middle below it is not met.
+// plane's own pair function answers, so that a flat field is a plane, exactly. These are not taken where
+// there are holes under the box. A field that has holes is a slab: what has its middle below it is not met.
 #include "collide/pairs/facet.h"
 
 namespace epode {

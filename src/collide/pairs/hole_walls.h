@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Holes of a height field under one solid. Ground beside a hole is a slab with an upright wall, which stands in
-// a plane w . x = c, w being one of +-x, +-z of the field and pointing into the hole. A solid that is in the
-// slab and reaches into the hole goes out by the lesser way, up over a facet or along w: when w is less for a
-// facet at the rim, all facets behind that plane (w . v <= c) leave the solid to the wall. So nothing that
-// slides down a shaft is lifted by the column of ground beside it.
-// Rejected: a wall as one more normal of each facet. Facets of the second row know of no wall.
+// Holes of a height field under one solid. Ground beside a hole is a slab with an upright wall, which stands
+// in a plane w . x = c, w being one of +-x, +-z of the field and pointing into the hole. A solid that is in
+// the slab and reaches into the hole goes out by the lesser way, up over a facet or along w: when w is less
+// for a facet at the rim, all facets behind that plane (w . v <= c) leave the solid to the wall. So nothing
+// that slides down a shaft is lifted by the column of ground beside it. Rejected: a wall as one more normal
+// of each facet. Facets of the second row know of no wall.
 #pragma once
 
 #include "collide/heightfield.h"

@@ -75,7 +75,8 @@ class PushList {
 // Where two solids meet edge to edge, pairs of triangles beside those edges cross, too, and see only longer
 // ways out. A push is needless when a shorter one nearby, in another direction, parts its triangles as well.
 template <typename Other>
-bool needless(const TrianglePush& push, const TrianglePush* shorter, int count, const Surface& a, const Other& b)
+bool needless(const TrianglePush& push, const TrianglePush* shorter, int count, const Surface& a,
+              const Other& b)
 {
     for (int i = 0; i < count; ++i) {
         const TrianglePush& s = shorter[i];

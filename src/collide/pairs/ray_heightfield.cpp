@@ -120,7 +120,7 @@ void walk(const Walk& w, ContactSink& sink)
             return;
         if (end >= w.to) return;
         t = end;
-        const bool by_x = tu < tv, onward = (by_x ? w.du : w.dv) > 0;
+        const bool by_x = tu<tv, onward = (by_x ? w.du : w.dv)> 0;
         const int from_i = i, from_j = j;
         (by_x ? i : j) += onward ? 1 : -1;
         if (terrain.holed() && hole != terrain.hole(i, j)) {

@@ -45,13 +45,15 @@ bool ground_walls(const Terrain& terrain, const Facet& facet, int k, MeshFacet (
     Triangle wall[2];
     if (!terrain.hole_beyond(facet, k) || !terrain.wall_below(facet, k, wall)) return false;
     const Vec3 out = facet.out(k), e = facet.edge(k);
-    const Vec3 along = k == 0 ? Vec3{0, 0, e.z > 0 ? Real(1) : Real(-1)} : Vec3{e.x > 0 ? Real(1) : Real(-1), 0, 0};
+    const Vec3 along =
+        k == 0 ? Vec3{0, 0, e.z > 0 ? Real(1) : Real(-1)} : Vec3{e.x > 0 ? Real(1) : Real(-1), 0, 0};
     for (int n = 0; n < 2; ++n) {
         MeshFacet& w = walls[n];
         static_cast<Triangle&>(w) = wall[n];
         for (int edge = 0; edge < 3; ++edge)
             w.rim[edge] = Rim::kSeam, w.beyond[edge] = w.n, w.sharp[edge] = false;
-        // The upright side: what stands beside this end of the rim, in the row of the ground and in the hole's.
+        // The upright side: what stands beside this end of the rim, in the row of the ground and in the
+        // hole's.
         const Vec3 aside = n == 0 ? -along : along;
         const int i = facet.i + int(aside.x), j = facet.j + int(aside.z);
         if (!terrain.has(i, j) || !terrain.has(i + 1, j + 1))

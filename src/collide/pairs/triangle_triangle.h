@@ -12,8 +12,8 @@
 
 namespace epode {
 
-// A facet in the frame that the contacts are wanted in, and what its corners are asked of: its mesh, which has
-// another frame, or the ground, which has this one and never pushes from its back.
+// A facet in the frame that the contacts are wanted in, and what its corners are asked of: its mesh, which
+// has another frame, or the ground, which has this one and never pushes from its back.
 struct PlacedFacet {
     MeshFacet f;
     const TriangleMesh* mesh;
@@ -47,8 +47,8 @@ struct Tolerance {
     Real touch;  // what is apart by less touches: what rests must not come and go
 };
 
-// False when the two do not cross. A facet of the ground as b may be bare (terrain_facet.h): its rims are looked
-// for when they are needed.
+// False when the two do not cross. A facet of the ground as b may be bare (terrain_facet.h): its rims are
+// looked for when they are needed.
 bool triangle_triangle(const PlacedFacet& a, PlacedFacet& b, Tolerance tolerance, TrianglePush& out);
 
 }  // namespace epode

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Holes in height fields: what is set is told back, nothing touches inside, rims and walls push as the nearest
-// of all triangles of the slab says, what has fallen in is not lifted, what does not reach a hole does not know
-// of it.
+// Holes in height fields: what is set is told back, nothing touches inside, rims and walls push as the
+// nearest of all triangles of the slab says, what has fallen in is not lifted, what does not reach a hole
+// does not know of it.
 #include <cstring>
 
 #include "../api/message_recorder.h"
@@ -65,7 +65,8 @@ TEST(HeightfieldHoles, are_told_back_and_go_when_the_field_is_built_again)
     dGeomHeightfieldDataSetHole(ground.data, 1, 2, 1);
     for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 4; ++i)
-            EXPECT_EQ(dGeomHeightfieldDataGetHole(ground.data, i, j), (i == 3 && j == 1) || (i == 1 && j == 2));
+            EXPECT_EQ(dGeomHeightfieldDataGetHole(ground.data, i, j),
+                      (i == 3 && j == 1) || (i == 1 && j == 2));
     dGeomHeightfieldDataSetHole(ground.data, 3, 1, 0);
     EXPECT_EQ(dGeomHeightfieldDataGetHole(ground.data, 3, 1), 0);
     dGeomHeightfieldDataBuildDouble(ground.data, ground.heights.data(), 0, 4, 3, 5, 4, 1, 0, 1, 0);
@@ -86,7 +87,8 @@ TEST(HeightfieldHoles, refuses_cells_that_are_none)
         EXPECT_EQ(heard.take(), std::string("2: Bad argument(s) in ") + name + "()");
         EXPECT_EQ(dGeomHeightfieldDataGetHole(ground.data, 2, 2), 1);
     };
-    for (const auto& [columns, rows] : {std::pair(5, 3), std::pair(4, 4), std::pair(-4, -3), std::pair(3, 4)}) {
+    for (const auto& [columns, rows] :
+         {std::pair(5, 3), std::pair(4, 4), std::pair(-4, -3), std::pair(3, 4)}) {
         dGeomHeightfieldDataSetHoles(ground.data, holes, columns, rows);
         refused("dGeomHeightfieldDataSetHoles");
     }
@@ -113,7 +115,8 @@ TEST(HeightfieldHoles, nothing_touches_inside)
 {
     for (const bool wrap : {false, true}) {
         RandomNumbers dice(4);
-        const Ground ground(13, 13, 12, 12, [&](int, int) { return dice.in(0, Real(0.4)); }, wrap);
+        const Ground ground(
+            13, 13, 12, 12, [&](int, int) { return dice.in(0, Real(0.4)); }, wrap);
         dig(ground, middle);
         Shapes shapes(Real(0.5));
         for (int trial = 0; trial < 300; ++trial)
@@ -243,7 +246,7 @@ TEST(HeightfieldHoles, rims_carry_what_lies_across)
         const Mat3 R = kind == dCapsuleClass || kind == dCylinderClass
                            ? from_columns({0, 1, 0}, {0, 0, 1}, {1, 0, 0})
                            : Mat3::identity();
-        const Real height = round                                          ? std::sqrt(size * size - Real(0.25))
+        const Real height = round                                        ? std::sqrt(size * size - Real(0.25))
                             : kind == dCapsuleClass || kind == dBoxClass ? size / 2
                             : kind == dCylinderClass                     ? Real(0.7) * size
                                                                          : size;
