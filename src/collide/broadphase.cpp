@@ -45,12 +45,22 @@ void Broadphase::update(int slot, const Aabb& box, bool present)
     }
     const Vec3 a = abs(box.lo - p.box.lo), b = abs(box.hi - p.box.hi);
     p.shift = max_component(max(a, b));
-    p.box = box;
+    p.box = p.way = box;
     const bool kept = p.present && !p.escaped && p.leaf >= 0 && contains(tree_.box(p.leaf), box);
     p.present = true;
     if (kept || p.escaped) return;
     p.escaped = true;
     (void)escaped_.push(slot);
+}
+
+void Broadphase::expect(int slot, const Aabb& way)
+{
+    Proxy& p = proxies_[slot];
+    if (!p.present || !bounded(way)) return;
+    if (!p.escaped && (p.leaf < 0 || contains(tree_.box(p.leaf), way))) return;
+    p.way = way;
+    if (!p.escaped) (void)escaped_.push(slot);
+    p.escaped = true;
 }
 
 void Broadphase::withdraw(int slot)
@@ -137,7 +147,7 @@ Aabb Broadphase::fatten(const Proxy& p)
 {
     const Real size = max_component(p.box.hi - p.box.lo);
     const Real shift = p.shift < size ? p.shift : size;  // also when it is not a number
-    return p.settled ? grow(p.box, std::clamp(4 * shift, Real(0.02) * size, Real(0.1) * size)) : p.box;
+    return p.settled ? grow(p.way, std::clamp(4 * shift, Real(0.02) * size, Real(0.1) * size)) : p.way;
 }
 
 void Broadphase::leave_unbounded(int slot)

@@ -31,6 +31,8 @@ class Broadphase {
 
     // A slot has joined or changed; absent ones have no pairs.
     void update(int slot, const Aabb& box, bool present);
+    // Where a present slot will be for a while; its pairs until then will have been found. Holds its box.
+    void expect(int slot, const Aabb& way);
     void remove(int slot);
     void clear();
 
@@ -83,6 +85,7 @@ class Broadphase {
   private:
     struct Proxy {
         Aabb box;
+        Aabb way;        // while it waits for a new fat box: this is to lie in it too
         Real shift = 0;  // how far it moved when it last changed
         int leaf = -1;   // in the tree; -1: none
         bool present = false;

@@ -343,6 +343,11 @@ bool asks_program(Geom& a, Geom& b)
 
 void collide(Geom& a, Geom& b, ContactArray& out) { collide_two(a, b, out); }
 
+void collide_at(Geom& a, const Pose& A, Geom& b, const Pose& B, ContactArray& out)
+{
+    collide_placed({&a, A, &a, true}, {&b, B, &b, true}, out);
+}
+
 void override_collider(int i, int j, dColliderFn* function)
 {
     table().set_both(i, j, {.user = function, .disabled = !function});

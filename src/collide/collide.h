@@ -33,6 +33,9 @@ PairFunction own_pair(int first, int second);
 // Appends the contacts of a and b; g1 belongs to a.
 void collide(Geom& a, Geom& b, ContactArray& out);
 
+// The same if they were at A and B.
+void collide_at(Geom& a, const Pose& A, Geom& b, const Pose& B, ContactArray& out);
+
 // Has the program put a function of its own, or none, in place of ours?
 bool overridden(const Geom& a, const Geom& b);
 

@@ -26,7 +26,7 @@ void fetch_members(const Space& space, const SlotPair& pair)
     fetch<3>(space.members.data()[pair.older]);
 }
 
-void report_pairs(Space& space, const Report& report)
+void report_pairs(Space& space, const Report& report, const Swept* swept)
 {
     ++space.pair_walks;
     const auto pairs = space.broadphase.pairs();
@@ -34,8 +34,11 @@ void report_pairs(Space& space, const Report& report)
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         if (i + kAhead < pairs.size()) fetch_members(space, pairs[i + kAhead]);
         const SlotPair& pair = pairs[i];
-        if (!overlap(space.broadphase.box(pair.newer), space.broadphase.box(pair.older))) continue;
+        const Aabb &box_a = space.broadphase.box(pair.newer), &box_b = space.broadphase.box(pair.older);
         Geom *a = space.members.data()[pair.newer], *b = space.members.data()[pair.older];
+        if (!overlap(box_a, box_b) &&
+            !(swept && overlap(swept->box(swept->data, *a, box_a), swept->box(swept->data, *b, box_b))))
+            continue;
         if (a->enabled && b->enabled && may_meet(*a, *b)) report(*a, *b);
     }
     --space.pair_walks;
@@ -153,14 +156,14 @@ bool may_meet(Geom& a, Geom& b)
            !(b.type->may_touch && !b.type->may_touch(b, a));
 }
 
-void collide_space(Space& space, void* data, dNearCallback* callback)
+void collide_space(Space& space, void* data, dNearCallback* callback, const Swept* swept)
 {
     clean(space);
     SpaceLock lock(space);
     const Report report{data, callback};
     // During a walk over the pair list it must stay; then it is up to date already.
     if (space.pair_walks > 0 || space.broadphase.find_pairs())
-        report_pairs(space, report);
+        report_pairs(space, report, swept);
     else
         report_all_pairs(space, report);
 }

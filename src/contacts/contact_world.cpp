@@ -42,23 +42,30 @@ void fetch_pair(const ContactPair& pair)
     for (const Geom* geom : {pair.g1, pair.g2}) fetch<6>(geom), fetch<3>(geom->position);
 }
 
+// What is open and has not been pushed was only near.
+bool touches(const ContactPair& part, const PatchPoint& point)
+{
+    return point.push > 0 || point.gap <= part.layer;
+}
+
 bool touches(std::span<const ContactPair> parts)
 {
     bool any = false;
-    for (const ContactPair& part : parts) any = any || part.patch.count > 0;
+    for (const ContactPair& part : parts)
+        for (int i = 0; i < part.patch.count; ++i) any = any || touches(part, part.patch.points[i]);
     return any;
 }
 
 }  // namespace
 
-bool ContactWorld::update(const World& world, Space& in, const Tasks& tasks)
+bool ContactWorld::update(const World& world, Space& in, Real h, const Tasks& tasks)
 {
     clean(in);  // which a locked space is not
     const DeepLock lock(in);
     fresh_.clear();
     heads_.clear();
-    if (!find_geom_pairs(in, found_) || !list_pairs(world) || !ended_.reserve(pairs_.size())) return false;
-    collide_pairs(world, tasks);
+    if (!find_geom_pairs(in, h, found_) || !list_pairs(world) || !ended_.reserve(pairs_.size())) return false;
+    collide_pairs(world, h, tasks);
     return true;
 }
 
@@ -117,9 +124,10 @@ std::span<const ContactPair> ContactWorld::record(int old) const
     return pairs_.span().subspan(std::size_t(old), std::size_t(pairs_[old].parts));
 }
 
-void ContactWorld::collide_pairs(const World& world, const Tasks& tasks)
+void ContactWorld::collide_pairs(const World& world, Real h, const Tasks& tasks)
 {
-    const NarrowSettings settings{world.contact_layer > 0 ? world.contact_layer : kDefaultLayer};
+    const NarrowSettings settings{world.contact_layer > 0 ? world.contact_layer : kDefaultLayer, h,
+                                  world.gravity};
     const auto update_one = [&](int head) {
         const ContactPair& first = fresh_.data()[head];
         const auto parts = fresh_.span().subspan(std::size_t(head), std::size_t(first.parts));
@@ -201,10 +209,10 @@ int ContactWorld::contacts(dWorldContact* out, int room) const
     int count = 0;
     const Real per_h = h_ > 0 ? 1 / h_ : 0;
     for (const ContactPair& pair : pairs_)
-        for (int i = 0; i < pair.patch.count; ++i, ++count) {
-            if (count >= room) continue;
+        for (int i = 0; i < pair.patch.count; ++i) {
             const PatchPoint& point = pair.patch.points[i];
-            dWorldContact& to = out[count];
+            if (!touches(pair, point) || count++ >= room) continue;
+            dWorldContact& to = out[count - 1];
             to = {};
             to.g1 = from_handle<Geom>(pair.id1) ? pair.id1 : nullptr;
             to.g2 = from_handle<Geom>(pair.id2) ? pair.id2 : nullptr;

@@ -28,7 +28,8 @@ class ContactWorld {
     Space* live_space() const { return space ? space_from(space) : nullptr; }
 
     // Pairs and patches at the bodies' present poses. False: out of memory.
-    [[nodiscard]] bool update(const World& world, Space& in, const Tasks& tasks);
+    // `h`: the coming step.
+    [[nodiscard]] bool update(const World& world, Space& in, Real h, const Tasks& tasks);
     // The touching patches of what `update` found, in order.
     [[nodiscard]] bool touching(Arena& arena, std::span<PatchEdge>& out);
     // The step is done: what it found is what the next one starts from. `h`: its length.
@@ -41,7 +42,7 @@ class ContactWorld {
   private:
     [[nodiscard]] bool list_pairs(const World& world);
     [[nodiscard]] bool list_pair(Geom& a, Geom& b, RecordFinder& finder);
-    void collide_pairs(const World& world, const Tasks& tasks);
+    void collide_pairs(const World& world, Real h, const Tasks& tasks);
     std::span<const ContactPair> record(int old) const;
     bool ask_filter(const ContactPair& pair) const;
 

@@ -8,6 +8,8 @@
 #include "collide/collide.h"
 #include "contacts/material.h"
 #include "contacts/patch_points.h"
+#include "dynamics/integrate.h"
+#include "math/rotation.h"
 
 namespace epode {
 namespace {
@@ -140,27 +142,88 @@ class PairUpdate {
         dContactGeom found[kSurfacePoints];
         ContactArray out{found, int(sizeof(dContactGeom)), parts_.size() > 1 ? kSurfacePoints : kSolidPoints,
                          false};
-        epode::collide(*head_.g1, *head_.g2, out);
+        const Aabb &box1 = box_of(*head_.g1), &box2 = box_of(*head_.g2);
+        if (overlap(box1, box2)) epode::collide(*head_.g1, *head_.g2, out);
+        if (out.count > 0) return take(out, pose1_, pose2_, old);
+        if (!draws_near() || !overlap(after_step(head_.body1, box1), after_step(head_.body2, box2))) return;
+        const Pose soon1 = after_step(head_.body1, pose1_), soon2 = after_step(head_.body2, pose2_);
+        collide_at(*head_.g1, soon1, *head_.g2, soon2, out);
+        take(out, soon1, soon2, {});
+        for (ContactPair& part : parts_)
+            if (is_through(part)) part.patch.count = 0;
+    }
+
+    // Is it worth while to look where the two will be? Functions of the program are asked about the present.
+    bool draws_near() const
+    {
+        if (asks_program(*head_.g1, *head_.g2)) return false;
+        const Vec3 v = velocity(head_.body1) - velocity(head_.body2);
+        const Real turned = spin(head_.body1) + spin(head_.body2);
+        const Real size = size_of(*head_.g1, *head_.g2);
+        return settings_.h * (length(v) + size * turned) > settings_.layer;
+    }
+
+    // At the end of the step, as far as is known.
+    Vec3 velocity(const Body* body) const
+    {
+        if (!body) return {};
+        const bool falls = body->gravity && !body->kinematic();
+        return falls ? body->velocity() + settings_.h * settings_.gravity : body->velocity();
+    }
+    static Real spin(const Body* body) { return body ? length(body->angular_velocity()) : 0; }
+
+    Pose after_step(const Body* body, const Pose& pose) const
+    {
+        if (!body) return pose;
+        Quat q = turned(*body, body->angular_velocity(), settings_.h);
+        if (!normalize(q)) return pose;
+        const Mat3 turn = to_matrix(q) * transpose(body->rotation());
+        const Vec3 x = body->position();
+        return {x + settings_.h * velocity(body) + turn * (pose.p - x), turn * pose.R};
+    }
+
+    // Holds what has the pose's box then.
+    Aabb after_step(const Body* body, const Aabb& box) const
+    {
+        if (!body) return box;
+        const Vec3 way = settings_.h * velocity(body);
+        const Real turn = settings_.h * spin(body) * length(box.hi - box.lo);
+        const Vec3 round{turn, turn, turn};
+        return {box.lo + way - round, box.hi + way + round};
+    }
+
+    // Too fast to be stopped: what meets it there is the other side.
+    bool is_through(const ContactPair& part) const
+    {
+        for (int i = 0; i < part.patch.count; ++i)
+            if (part.patch.points[i].gap < 0) return true;
+        return false;
+    }
+
+    // The contacts of the two at A and B.
+    void take(const ContactArray& out, const Pose& A, const Pose& B, std::span<const ContactPair> old)
+    {
         PatchMaker maker(parts_);
         for (int i = 0; i < out.count; ++i)
-            if (sound(found[i])) maker.add(found[i]);
+            if (sound(*out.at(i))) maker.add(*out.at(i));
         maker.finish();
-        for (ContactPair& part : parts_) settle(part, maker, old);
+        for (ContactPair& part : parts_) settle(part, maker, A, B, old);
     }
 
     // Anchors, and impulses from the points that were near.
-    void settle(ContactPair& part, const PatchMaker& maker, std::span<const ContactPair> old)
+    void settle(ContactPair& part, const PatchMaker& maker, const Pose& A, const Pose& B,
+                std::span<const ContactPair> old)
     {
         Patch& patch = part.patch;
         if (patch.count == 0) return;
-        part.normal = narrow(transposed_times(pose1_.R, widen(patch.normal)));
+        part.normal = narrow(transposed_times(A.R, widen(patch.normal)));
         for (int i = 0; i < patch.count; ++i) {
             const dContactGeom& c = maker.source(part.part, i);
             const Vec3 p = load(c.pos);
             patch.points[i].push = 0;
             patch.points[i].friction = {};
-            part.anchors[i] = {narrow(transposed_times(pose1_.R, p - pose1_.p)),
-                               narrow(transposed_times(pose2_.R, p - pose2_.p)), float(-c.depth)};
+            part.anchors[i] = {narrow(transposed_times(A.R, p - A.p)), narrow(transposed_times(B.R, p - B.p)),
+                               float(-c.depth)};
         }
         place(part);
         const Real size = size_of(*head_.g1, *head_.g2);

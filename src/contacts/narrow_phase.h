@@ -15,7 +15,9 @@
 namespace epode {
 
 struct NarrowSettings {
-    Real layer;  // allowed depth, m
+    Real layer;    // allowed depth, m
+    Real h;        // s, until the pair is looked at again
+    Vec3 gravity;  // m/s^2
 };
 
 // `parts` are the records of one pair, `old` those of the step before or empty. Pairs may be updated at the

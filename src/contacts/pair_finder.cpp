@@ -4,6 +4,7 @@
 
 #include <bit>
 
+#include "base/ahead.h"
 #include "base/hash.h"
 
 namespace epode {
@@ -11,8 +12,20 @@ namespace {
 
 struct Collection {
     Array<GeomPair>& pairs;
+    Swept swept;
     bool complete = true;
 };
+
+Aabb swept_box(const void* h, const Geom& geom, const Aabb& box)
+{
+    const Body* body = from_handle<Body>(geom.body.id);
+    if (!body) return box;
+    const Real time = *static_cast<const Real*>(h);
+    const Vec3 way = time * body->velocity(), half = Real(0.5) * (box.hi - box.lo);
+    const Real turn = time * length(body->angular_velocity()) * length(half);
+    const Vec3 round{turn, turn, turn};
+    return {min(box.lo, box.lo + way) - round, max(box.hi, box.hi + way) + round};
+}
 
 void collect(void* data, dGeomID o1, dGeomID o2)
 {
@@ -24,9 +37,23 @@ void collect(void* data, dGeomID o1, dGeomID o2)
         into.complete = into.pairs.push({&a, &b}) && into.complete;
 }
 
+// Fat boxes for the whole way of what moves.
+void expect_motion(Space& space, const Swept& swept)
+{
+    constexpr int kAhead = 3;
+    const int count = space.members.size();
+    for (int slot = 0; slot < count; ++slot) {
+        if (slot + kAhead < count) fetch<3>(space.members[slot + kAhead]);
+        Geom* geom = space.members[slot];
+        if (geom && geom->body.id && space.broadphase.present(slot))
+            space.broadphase.expect(slot, swept.box(swept.data, *geom, space.broadphase.box(slot)));
+    }
+}
+
 void collect_inside(Space& space, Collection& into)
 {
-    collide_space(space, &into, collect);
+    expect_motion(space, into.swept);
+    collide_space(space, &into, collect, &into.swept);
     const SpaceLock lock(space);
     for (Geom* member : space.members)
         if (member && member->enabled && is_space(*member))
@@ -35,10 +62,10 @@ void collect_inside(Space& space, Collection& into)
 
 }  // namespace
 
-bool find_geom_pairs(Space& space, Array<GeomPair>& out)
+bool find_geom_pairs(Space& space, Real h, Array<GeomPair>& out)
 {
     out.clear();
-    Collection into{out};
+    Collection into{out, {swept_box, &h}};
     collect_inside(space, into);
     return into.complete;
 }

@@ -17,7 +17,8 @@ struct GeomPair {
 };
 
 // All pairs of geoms that are no spaces, spaces in it opened. False: out of memory.
-[[nodiscard]] bool find_geom_pairs(Space& space, Array<GeomPair>& out);
+// `h`: how long bodies will go on moving as they do.
+[[nodiscard]] bool find_geom_pairs(Space& space, Real h, Array<GeomPair>& out);
 
 // Keeps a space and all in it, at any depth, locked: the filter is the program's.
 class DeepLock {

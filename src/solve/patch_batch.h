@@ -38,8 +38,8 @@ struct PatchBatch {
     FloatLaneVec3 drift;  // wanted u: as a vector of the world, once prepared along t1 (x) and t2 (y)
     FloatLanes mu;
     FloatLanes bounce, bounce_speed;
-    FloatLanes stiff, keep,
-        rate;  // of a contact that is too deep: share of the gain, of p; velocity per depth
+    FloatLanes soft, rate;  // of a contact that is too deep: share of the gain and of p; velocity per depth
+    FloatLanes share;       // of the gain, of one that is open: 1 / points
 };
 
 }  // namespace epode

@@ -192,7 +192,7 @@ void PatchSet::fill_batch(const RowSystem& system, const Substep& step, std::siz
         const bool fixed = batch.inv_mass1[lane] == 0 || batch.inv_mass2[lane] == 0;
         const RowAim& aim = soft[fixed ? 1 : 0];
         batch.rate[lane] = float(aim.rate);
-        batch.stiff[lane] = batch.keep[lane] = float(1 / (1 + aim.C));  // 1 - C/(1 + C)
+        batch.soft[lane] = float(1 / (1 + aim.C));  // 1 - C/(1 + C)
     }
     kernels_->prepare(batch, points.data(), motions_.data(), float(1) / float(step.n));
 }
@@ -214,6 +214,7 @@ void PatchSet::fill_lane(const RowSystem& system, int patch, PatchBatch& batch, 
     set_body(p.body2, batch.body2[lane], batch.inv_mass2, batch.inv_inertia2);
     set(batch.n, lane, p.normal);
     set(batch.drift, lane, p.drift);
+    batch.share[lane] = p.count ? 1 / float(p.count) : 0;
     batch.mu[lane] = p.mu, batch.bounce[lane] = p.bounce, batch.bounce_speed[lane] = p.bounce_speed;
     for (int i = 0; i < p.count; ++i) {
         const PatchPoint& from = p.points[i];

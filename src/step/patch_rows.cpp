@@ -38,7 +38,7 @@ void write_point(RowWriter& out, const Island& island, const Patch& patch, const
     normal.speed = gap > 0 ? -gap * out.info().fps : 0;
     normal.cap = out.info().contact_max_vel;
     const Real approach = approach_of(normal, island, patch);
-    if (patch.bounce > 0 && approach > patch.bounce_speed && gap <= 0) {
+    if (patch.bounce > 0 && approach > patch.bounce_speed && approach > gap * out.info().fps) {
         normal.rebounds = true;
         normal.rebound = Real(patch.bounce) * approach;
     }

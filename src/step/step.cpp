@@ -165,7 +165,7 @@ class WorldStep {
     bool find_contacts(Arena& arena, std::span<PatchEdge>& patches)
     {
         ContactWorld& managed = state_.managed;
-        return managed.update(context_.world, *managed.live_space(), workers_.of_islands) &&
+        return managed.update(context_.world, *managed.live_space(), context_.h, workers_.of_islands) &&
                managed.touching(arena, patches);
     }
 
