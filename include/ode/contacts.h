@@ -25,6 +25,9 @@ extern "C" {
    CFM and friction in two directions. Contacts may overlap by the world's surface layer
    (dWorldSetContactSurfaceLayer), or by 0.2 mm if that is 0, and are then held, not pushed apart.
 
+    Contacts are foreseen: what would meet within the step is stopped where it meets, if it is not so fast
+   that it would be through (dGeomSetContinuous). Until a pair has met, nothing is told of it.
+
     A pair is left out if ODE's rules do so (category and collide bits, disabled geoms, geoms of one body), if
    a joint connects its bodies, if neither has a body that can move, or if the filter says so.
 
@@ -89,7 +92,7 @@ typedef struct dWorldContact {
     dGeomID g2;        /**< the other one */
     dVector3 pos;      /**< where, in the world, at the step's beginning, m */
     dVector3 normal;   /**< unit, into g1 */
-    dReal depth;       /**< below 0: still apart, m */
+    dReal depth;       /**< at the step's beginning; below 0: still apart then, m */
     dReal push;        /**< force along the normal, the mean over the step, N */
     dVector3 friction; /**< force of friction on g1, N */
 } dWorldContact;
