@@ -109,8 +109,7 @@ void dGeomRaySet(dGeomID ray, dReal px, dReal py, dReal pz, dReal dx, dReal dy, 
     Mat3 R;
     EPODE_USER(rotation_from_z_axis({dx, dy, dz}, R));
     MAY_MOVE(geom);
-    EPODE_USER(set_geom_rotation(*geom, R));
-    set_geom_position(*geom, {px, py, pz});
+    EPODE_USER(set_geom_pose(*geom, {{px, py, pz}, R}));
 }
 
 // ---- points and vectors; a geom without a pose gives them back ----

@@ -28,6 +28,8 @@ void thunk(const Geom& a, const Pose& A, const Geom& b, const Pose& B, ContactSi
 
 // Where the two are.
 using DirectFunction = void (*)(Geom& a, Geom& b, ContactArray& out);
+void collide_slowly(Geom& a, Geom& b, ContactArray& out);
+bool asks(Geom& geom);
 
 template <auto function, typename First, typename Second>
 void direct(Geom& a, Geom& b, ContactArray& out)
@@ -38,13 +40,20 @@ void direct(Geom& a, Geom& b, ContactArray& out)
     out.count += sink.count();
 }
 
+// With a mesh, which may have functions of the program.
+template <auto function, typename First, typename Second>
+void unasked(Geom& a, Geom& b, ContactArray& out)
+{
+    asks(a) || asks(b) ? collide_slowly(a, b, out) : direct<function, First, Second>(a, b, out);
+}
+
 struct Collider {
     PairFunction pair = nullptr;
     dColliderFn* user = nullptr;
     bool reversed = false;
     bool disabled = false;            // by the program
     bool settled = true;              // false: a user class has not been asked yet
-    DirectFunction direct = nullptr;  // null unless the pair function is all: nothing to open, nobody to ask
+    DirectFunction direct = nullptr;  // null unless the pair function is all: nothing to open or to override
 };
 
 // Read by every dCollide of any thread, written hardly ever: an entry is published by its flags.
@@ -114,8 +123,7 @@ void ColliderTable::fill()
 #define PAIR_BY(First, Second, function, way)                         \
     set_both(GeomTraits<First>::kNumber, GeomTraits<Second>::kNumber, \
              {.pair = thunk<&function, First, Second>, .direct = way});
-        // Meshes may have functions of the program that are asked.
-#define PAIR(First, Second, function) PAIR_BY(First, Second, function, nullptr)
+#define PAIR(First, Second, function) PAIR_BY(First, Second, function, (unasked<&function, First, Second>))
 #include "collide/mesh_pairs.inc"
 #undef PAIR
 #define PAIR(First, Second, function) PAIR_BY(First, Second, function, (direct<&function, First, Second>))

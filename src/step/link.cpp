@@ -79,6 +79,19 @@ bool set_geom_rotation(Geom& geom, const Mat3& R)
     return true;
 }
 
+bool set_geom_pose(Geom& geom, const Pose& pose)
+{
+    if (geom.body.id) {
+        if (!set_geom_rotation(geom, pose.R)) return false;
+        set_geom_position(geom, pose.p);
+        return true;
+    }
+    store(geom.own_position, pose.p);
+    store_mat(geom.own_rotation, pose.R);
+    mark_moved(geom);
+    return true;
+}
+
 // Without an offset the body takes q itself: through the matrix it might come back as -q.
 bool set_geom_orientation(Geom& geom, Quat q)
 {

@@ -39,6 +39,7 @@ bool in_locked_space(const Body& body);
 // its own takes any matrix as it is; a body only what can be made a rotation (false: nothing has changed).
 void set_geom_position(Geom& geom, Vec3 position);
 bool set_geom_rotation(Geom& geom, const Mat3& R);
+bool set_geom_pose(Geom& geom, const Pose& pose);  // both
 bool set_geom_orientation(Geom& geom, Quat q);  // of unit length if the geom is on a body
 
 }  // namespace epode

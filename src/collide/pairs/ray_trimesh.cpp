@@ -155,6 +155,19 @@ void hits_put_to_the_program(const Caster& caster, const MeshFunctions& function
     }
 }
 
+// Beside the box along an axis, by more than rounding, and not towards it.
+bool runs_away(const Aabb& box, Vec3 origin, Vec3 direction)
+{
+    for (int k = 0; k < 3; ++k) {
+        const Real slack =
+            64 * kEpsilon * (std::fabs(origin[k]) + std::fabs(box.lo[k]) + std::fabs(box.hi[k]));
+        if ((origin[k] - slack > box.hi[k] && direction[k] >= 0) ||
+            (origin[k] + slack < box.lo[k] && direction[k] <= 0))
+            return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 void ray_trimesh(const Ray& a, const Pose& A, const Trimesh& b, const Pose& B, ContactSink& sink)
@@ -162,7 +175,9 @@ void ray_trimesh(const Ray& a, const Pose& A, const Trimesh& b, const Pose& B, C
     const TrimeshData* data = b.mesh();
     const Vec3 direction = transposed_times(B.R, A.R.column(2));
     if (!data || !(a.length >= 0) || !(length2(direction) > 0)) return;
-    const Caster caster(*data, B.to_local(A.p), direction, a.length, a.backface_cull);
+    const Vec3 origin = B.to_local(A.p);
+    if (runs_away(data->tree.box(), origin, direction)) return;
+    const Caster caster(*data, origin, direction, a.length, a.backface_cull);
     const bool one = a.closest_hit || a.first_contact;
     if (b.ray_hits || b.wants) {
         hits_put_to_the_program(caster, MeshFunctions(b, sink, false), one, sink);
