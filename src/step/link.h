@@ -40,6 +40,6 @@ bool in_locked_space(const Body& body);
 void set_geom_position(Geom& geom, Vec3 position);
 bool set_geom_rotation(Geom& geom, const Mat3& R);
 bool set_geom_pose(Geom& geom, const Pose& pose);  // both
-bool set_geom_orientation(Geom& geom, Quat q);  // of unit length if the geom is on a body
+bool set_geom_orientation(Geom& geom, Quat q);     // of unit length if the geom is on a body
 
 }  // namespace epode
