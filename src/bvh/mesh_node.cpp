@@ -30,25 +30,30 @@ PacketRay::PacketRay(Vec3 o, Vec3 d)
     per_z = float(1 / d[z]);
 }
 
-// A little more than the box, so that its far side is within reach of the 255th step whatever is rounded.
+void GridSteps::enclose(float low, float high, std::uint8_t& lo, std::uint8_t& hi) const
+{
+    const auto place = [&](int q) { return origin + float(q) * step; };
+    const auto nearest = [&](float x) { return std::clamp(int((x - origin) / step), 0, 255); };
+    int from = nearest(low), to = nearest(high);
+    while (from > 0 && place(from) > low) --from;
+    while (to < 255 && place(to) < high) ++to;
+    lo = std::uint8_t(from), hi = std::uint8_t(to);
+}
+
 void MeshNode::set_grid(const FloatBox& all)
 {
     for (int i = 0; i < 3; ++i) {
-        origin[i] = all.lo[i];
-        step[i] = (all.hi[i] - all.lo[i]) / 254;
+        const GridSteps grid(all.lo[i], all.hi[i]);
+        origin[i] = grid.origin, step[i] = grid.step;
     }
 }
 
 void MeshNode::set_box(int k, const FloatBox& box)
 {
     for (int i = 0; i < 3; ++i) {
-        const auto place = [&](int q) { return origin[i] + float(q) * step[i]; };
-        const auto nearest = [&](float x) { return std::clamp(int((x - origin[i]) / step[i]), 0, 255); };
-        int low = nearest(box.lo[i]), high = nearest(box.hi[i]);
-        while (low > 0 && place(low) > box.lo[i]) --low;
-        while (high < 255 && place(high) < box.hi[i]) ++high;
-        lo[i][k] = std::uint8_t(low);
-        hi[i][k] = std::uint8_t(high);
+        GridSteps grid(0, 0);
+        grid.origin = origin[i], grid.step = step[i];
+        grid.enclose(box.lo[i], box.hi[i], lo[i][k], hi[i][k]);
     }
 }
 

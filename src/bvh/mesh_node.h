@@ -30,6 +30,15 @@ inline FloatBox float_box(const Aabb& b)
     return {{float(b.lo.x), float(b.lo.y), float(b.lo.z)}, {float(b.hi.x), float(b.hi.y), float(b.hi.z)}};
 }
 
+// One side of a grid of 256 steps: origin + step * q. A little more than what it is for, so that its far end
+// is within reach of the 255th step whatever is rounded.
+struct GridSteps {
+    GridSteps(float low, float high) : origin(low), step((high - low) / 254) {}
+    // Rounds outward, by the very expression that is evaluated when it is asked.
+    void enclose(float low, float high, std::uint8_t& lo, std::uint8_t& hi) const;
+    float origin, step;
+};
+
 // n . x <= d in the frame of the mesh.
 struct HalfSpace {
     float n[3], d;

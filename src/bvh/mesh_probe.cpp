@@ -67,8 +67,8 @@ Floats3 from(const Floats3& a, const float (&centre)[3])
 }
 
 // In the solid's own frame.
-Corners in_frame(const MeshPacket& packet, const float (&centre)[3], const float (&axis)[3][3], float slack,
-                 float size)
+[[gnu::always_inline]] inline Corners in_frame(const MeshPacket& packet, const float (&centre)[3],
+                                               const float (&axis)[3][3], float slack, float size)
 {
     const Floats3 a = corner_of(packet, 0), b = corner_of(packet, 1), c = corner_of(packet, 2);
     Corners t;
@@ -96,35 +96,31 @@ MeshProbe::MeshProbe(const SolidProbe& solid, Vec3 centre_in_frame, Real scale) 
     size_ = float(scale * (solid.half.x + solid.half.y + solid.half.z + solid.round));
 }
 
-unsigned MeshProbe::ball_meets(const MeshPacket& packet) const
+// By the height over the plane and by how far the middle is beyond an edge, which is out . v_k for out = e_k
+// x n: all three from m = n x v_0. Apart by n and out together, in whose plane the distance is the root of
+// the squares; near a corner it is more, which is not looked at.
+unsigned MeshProbe::ball_meets(const MeshPacket& packet, unsigned asked) const
 {
     const Floats3 a = corner_of(packet, 0), b = corner_of(packet, 1), c = corner_of(packet, 2);
-    Corners t;
-    t.v[0] = from(a, centre_);
-    t.e[0] = b - a, t.e[1] = c - b, t.e[2] = a - c;
-    t.finish(slack_, size_);
-    const Floats off = magnitude(dot(t.n, t.v[0])) - t.blur, zero = Floats{};
-    const Floats radius2 = floats(round_ * round_);
-    Ints apart = (off > zero) & (off * off > radius2 * dot(t.n, t.n));
-    Floats along[3], back[3], e2[3];  // of the edges from a corner, along each
+    const Floats3 v = from(a, centre_), e[3] = {b - a, c - b, a - c};
+    const Floats3 n = cross(e[0], e[1]), m = cross(n, v);
+    const Floats zero = Floats{}, n2 = dot(n, n);
+    const Floats length = sum(e[0]) + sum(e[1]);
+    const Floats blur =
+        length * (floats(kMeshMargin) * (length + sum(v) + floats(size_)) + floats(slack_) * length);
+    const Floats height = larger(magnitude(dot(n, v)) - blur, zero);
+    const Floats room2 = floats(round_ * round_) * n2 - height * height;  // over the square of n
+    const Floats more = floats(2) * length * blur;
+    Ints apart = room2 < zero;
     for (int k = 0; k < 3; ++k) {
-        e2[k] = dot(t.e[k], t.e[k]);
-        along[k] = dot(t.v[k], t.e[k]);
-        back[(k + 1) % 3] = dot(t.v[(k + 1) % 3], t.e[k]);
+        const Floats on = dot(m, e[k]), inward = k == 1 ? on + n2 : on;
+        const Floats beyond = larger(-inward - more, zero);
+        apart |= beyond * beyond > larger(room2, zero) * dot(e[k], e[k]);
     }
-    for (int k = 0; k < 3; ++k) {
-        apart |= (dot(t.v[k], t.v[k]) > radius2) & (along[k] >= zero) & (back[k] <= zero);
-        // e2 times the nearest point of the line.
-        const Floats3 &v = t.v[k], &e = t.e[k], &other = t.v[(k + 2) % 3];
-        const Floats3 q = {v.x * e2[k] - e.x * along[k], v.y * e2[k] - e.y * along[k],
-                           v.z * e2[k] - e.z * along[k]};
-        const Floats q2 = dot(q, q);
-        apart |= (q2 > radius2 * e2[k] * e2[k]) & (dot(q, other) * e2[k] >= q2);
-    }
-    return ~bits(apart) & 15u;
+    return asked & ~bits(apart);
 }
 
-unsigned MeshProbe::box_meets(const MeshPacket& packet) const
+unsigned MeshProbe::box_meets(const MeshPacket& packet, unsigned asked) const
 {
     const Corners t = in_frame(packet, centre_, axis_, slack_, size_);
     const Floats hx = floats(half_[0]), hy = floats(half_[1]), hz = floats(half_[2]);
@@ -134,6 +130,7 @@ unsigned MeshProbe::box_meets(const MeshPacket& packet) const
     apart |= (smallest(t.v[0].z, t.v[1].z, t.v[2].z) > hz) | (largest(t.v[0].z, t.v[1].z, t.v[2].z) < -hz);
     const Floats reach = hx * magnitude(t.n.x) + hy * magnitude(t.n.y) + hz * magnitude(t.n.z);
     apart |= magnitude(dot(t.n, t.v[0])) - t.blur > reach;
+    if (!(asked & ~bits(apart))) return 0;
     for (int k = 0; k < 3; ++k) {
         const Floats3 &p = t.v[k], &e = t.e[k], &q = t.v[(k + 2) % 3];
         const Floats x = magnitude(e.x), y = magnitude(e.y), z = magnitude(e.z);
@@ -144,10 +141,10 @@ unsigned MeshProbe::box_meets(const MeshPacket& packet) const
         across(e.z * p.x - e.x * p.z, e.z * q.x - e.x * q.z, hz * x + hx * z);
         across(e.x * p.y - e.y * p.x, e.x * q.y - e.y * q.x, hx * y + hy * x);
     }
-    return ~bits(apart) & 15u;
+    return asked & ~bits(apart);
 }
 
-unsigned MeshProbe::rod_meets(const MeshPacket& packet) const
+unsigned MeshProbe::rod_meets(const MeshPacket& packet, unsigned asked) const
 {
     const Corners t = in_frame(packet, centre_, axis_, slack_, size_);
     const bool flat = kind_ == ProbeKind::kCylinder;
@@ -160,6 +157,7 @@ unsigned MeshProbe::rod_meets(const MeshPacket& packet) const
         return half * magnitude(n.z) + radius * root(flat ? across2 : across2 + n.z * n.z);
     };
     apart |= magnitude(dot(t.n, t.v[0])) - t.blur > reach(t.n);
+    if (!(asked & ~bits(apart))) return 0;
     for (int k = 0; k < 3; ++k) {
         const Floats3 &p = t.v[k], &e = t.e[k], &back = t.e[(k + 2) % 3], &q = t.v[(k + 2) % 3];
         const Floats3 out = cross(e, t.n);
@@ -170,7 +168,7 @@ unsigned MeshProbe::rod_meets(const MeshPacket& packet) const
         const Floats on = e.x * p.y - e.y * p.x, off = e.x * q.y - e.y * q.x;
         apart |= (on * on > radius2 * (e.x * e.x + e.y * e.y)) & ((off - on) * on >= zero);
     }
-    return ~bits(apart) & 15u;
+    return asked & ~bits(apart);
 }
 
 }  // namespace epode

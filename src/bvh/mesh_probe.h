@@ -34,18 +34,18 @@ struct SolidProbe {
 class MeshProbe {
   public:
     MeshProbe(const SolidProbe& solid, Vec3 centre_in_frame, Real scale);
-    // Bits of the lanes that may be met.
-    unsigned meets(const MeshPacket& packet) const
+    // Bits of the lanes that may be met, of those that are asked for.
+    unsigned meets(const MeshPacket& packet, unsigned asked) const
     {
-        return kind_ == ProbeKind::kBall  ? ball_meets(packet)
-               : kind_ == ProbeKind::kBox ? box_meets(packet)
-                                          : rod_meets(packet);
+        return kind_ == ProbeKind::kBall  ? ball_meets(packet, asked)
+               : kind_ == ProbeKind::kBox ? box_meets(packet, asked)
+                                          : rod_meets(packet, asked);
     }
 
   private:
-    unsigned ball_meets(const MeshPacket& packet) const;
-    unsigned box_meets(const MeshPacket& packet) const;
-    unsigned rod_meets(const MeshPacket& packet) const;
+    unsigned ball_meets(const MeshPacket& packet, unsigned asked) const;
+    unsigned box_meets(const MeshPacket& packet, unsigned asked) const;
+    unsigned rod_meets(const MeshPacket& packet, unsigned asked) const;
 
     ProbeKind kind_;
     float centre_[3];

@@ -26,6 +26,10 @@ void enclose(FloatBox& all, const FloatBox& one)
     }
 }
 
+// How many leaves that many triangles fill: what a side costs, for a leaf with one costs as much as a full
+// one.
+float leaves(int count) { return float((count + kMeshLeaf - 1) / kMeshLeaf); }
+
 // Half the surface.
 float surface(const FloatBox& b)
 {
@@ -106,7 +110,7 @@ void best_cut(const Bin* bins, int axis, Cut& best)
     for (int b = kBins - 1; b > 0; --b) {
         enclose(all, bins[b].box);
         count += bins[b].count;
-        second[b] = count > 0 ? surface(all) * float(count) : INFINITY;
+        second[b] = count > 0 ? surface(all) * leaves(count) : INFINITY;
     }
     all = kEmpty;
     count = 0;
@@ -114,7 +118,7 @@ void best_cut(const Bin* bins, int axis, Cut& best)
         enclose(all, bins[b - 1].box);
         count += bins[b - 1].count;
         if (count == 0) continue;
-        const float cost = surface(all) * float(count) + second[b];
+        const float cost = surface(all) * leaves(count) + second[b];
         if (cost < best.cost) best = {axis, b, cost};
     }
 }
@@ -154,13 +158,21 @@ int divide(const Part& part)
     return left;
 }
 
-// The part to be cut next: the largest of those that are too many for a leaf, which costs the same with one
-// triangle as with four. -1: none.
-int to_cut(const Part* parts, int count)
+// What the children of a node of so many triangles should hold at most: the least of 4, 16, 64, ... that four
+// of them take. Cutting smaller ones in two makes nodes of two children, twice as many in all.
+int full_child(int count)
+{
+    int full = kMeshLeaf;
+    while (full < (count + 3) / 4) full *= 4;
+    return full;
+}
+
+// The part to be cut next: the largest of those that are more than `full`. -1: none.
+int to_cut(const Part* parts, int count, int full)
 {
     int best = -1;
     for (int i = 0; i < count; ++i)
-        if (parts[i].count > kMeshLeaf && (best < 0 || parts[i].surface > parts[best].surface)) best = i;
+        if (parts[i].count > full && (best < 0 || parts[i].surface > parts[best].surface)) best = i;
     return best;
 }
 
@@ -176,7 +188,8 @@ class Builder {
         const int node = nodes_.size() - 1;
         Part parts[4] = {whole};
         int count = 1;
-        for (int i = 0; count < 4 && (i = to_cut(parts, count)) >= 0; ++count) cut(parts, count, i);
+        const int full = full_child(whole.count);
+        for (int i = 0; count < 4 && (i = to_cut(parts, count, full)) >= 0; ++count) cut(parts, count, i);
         for (int k = 0; k < 4; ++k) {
             int child = MeshNode::kNone;
             if (k < count && parts[k].count <= kMeshLeaf) {
@@ -254,7 +267,7 @@ bool MeshTree::build(const TriangleMesh& mesh)
             items[t] = {widened(float_box({made.in_frame(box.lo), made.in_frame(box.hi)})), t};
         }
         if (Builder(made.nodes_, made.packets_).build(part_of(items.data(), count, 0)) < 0) return false;
-        if (!made.bounds_.resize(made.nodes_.size())) return false;
+        if (!made.bounds_.resize(made.nodes_.size()) || !made.widen()) return false;
         made.refit(mesh);
     }
     *this = static_cast<MeshTree&&>(made);
@@ -306,6 +319,60 @@ void MeshTree::refit(const TriangleMesh& mesh)
                 node.set_box(k, boxes[k]);
         }
         bounds_[n] = all;
+    }
+    for (int w = 0; w < wide_.size(); ++w) place(wide_[w], sources_.data() + WideNode::kMost * w, mesh);
+}
+
+// Wide nodes from the nodes of four: of the children of one, those with the most below them give way to their
+// own until 16 are reached.
+bool MeshTree::widen()
+{
+    Array<int> below;  // of each node: nodes in its part of the tree
+    if (!below.resize(nodes_.size())) return false;
+    for (int n = nodes_.size() - 1; n >= 0; --n) {
+        below[n] = 1;
+        for (const int c : nodes_[n].child) below[n] += c >= 0 ? below[c] : 0;
+    }
+    Array<int> roots;
+    if (!roots.push(0)) return false;
+    for (int w = 0; w < roots.size(); ++w) {
+        int sources[WideNode::kMost], count = 1;
+        sources[0] = roots[w];
+        while (count <= WideNode::kMost - 3) {
+            int best = -1;
+            for (int i = 0; i < count; ++i)
+                if (sources[i] >= 0 && (best < 0 || below[sources[i]] > below[sources[best]])) best = i;
+            if (best < 0) break;
+            const MeshNode& node = nodes_[sources[best]];
+            sources[best] = sources[--count];
+            for (const int c : node.child)
+                if (c != MeshNode::kNone) sources[count++] = c;
+        }
+        if (!wide_.push({})) return false;
+        WideNode& node = wide_[w];
+        node.count = count;
+        for (int i = 0; i < WideNode::kMost; ++i) {
+            const int source = i < count ? sources[i] : MeshNode::kNone;
+            if (!sources_.push(source)) return false;
+            node.child[i] = source < 0 ? source : roots.size();
+            if (source >= 0 && !roots.push(source)) return false;
+        }
+    }
+    return true;
+}
+
+void MeshTree::place(WideNode& node, const int* sources, const TriangleMesh& mesh) const
+{
+    FloatBox boxes[WideNode::kMost], all = kEmpty;
+    for (int k = 0; k < node.count; ++k) {
+        boxes[k] = bounds_of(mesh, sources[k]);
+        enclose(all, boxes[k]);
+    }
+    for (int i = 0; i < 3; ++i) {
+        const GridSteps grid(all.lo[i], all.hi[i]);
+        node.origin[i] = grid.origin, node.step[i] = grid.step;
+        for (int k = 0; k < node.count; ++k)
+            grid.enclose(boxes[k].lo[i], boxes[k].hi[i], node.lo[i][k], node.hi[i][k]);
     }
 }
 

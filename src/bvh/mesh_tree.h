@@ -15,6 +15,7 @@
 #include <bit>
 
 #include "bvh/mesh_probe.h"
+#include "bvh/wide_node.h"
 #include "geometry/triangle_mesh.h"
 
 namespace epode {
@@ -69,6 +70,17 @@ class MeshTree {
     // The same along a ray that has entered: open(packet, reach) answers as a visit of cast() does.
     template <typename Open>
     void follow(const MeshRay& ray, Real from, Real to, Open&& open) const;
+    // The same for those that meet a box, by the wide nodes.
+    template <typename Open>
+    void walk_wide(const NodeBox& box, Open&& open) const;
+    [[nodiscard]] bool widen();
+    void place(WideNode& node, const int* sources, const TriangleMesh& mesh) const;
+    void fetch_wide(int child) const
+    {
+        if (child < 0) return fetch(child);
+        const char* node = reinterpret_cast<const char*>(wide_.data() + child);
+        for (std::size_t i = 0; i < sizeof(WideNode); i += 64) __builtin_prefetch(node + i);
+    }
     // Asks for the memory of a child that will be looked at soon.
     void fetch(int child) const
     {
@@ -90,6 +102,8 @@ class MeshTree {
     Array<MeshNode> nodes_;  // children behind their parents
     Array<MeshPacket> packets_;
     Array<FloatBox> bounds_;  // of each node, for refit()
+    Array<WideNode> wide_;
+    Array<int> sources_;  // of each child of these: the child of nodes_ that it is
     Aabb box_;
     Vec3 centre_;
     Real scale_ = 1;  // a power of two
@@ -118,21 +132,41 @@ void MeshTree::walk(Meets&& meets, Open&& open) const
     }
 }
 
+template <typename Open>
+void MeshTree::walk_wide(const NodeBox& box, Open&& open) const
+{
+    if (wide_.empty()) return;
+    int stack[(WideNode::kMost - 1) * kMeshDepth + 1];
+    int top = 0;
+    stack[top++] = 0;
+    while (top > 0) {
+        const int child = stack[--top];
+        if (child < 0) {
+            if (!open(-1 - child)) return;
+            continue;
+        }
+        const WideNode& node = wide_.data()[child];
+        for (unsigned met = node.met_by(box); met != 0; met &= met - 1) {
+            const int next = node.child[std::countr_zero(met)];
+            fetch_wide(next);
+            stack[top++] = next;
+        }
+    }
+}
+
 template <typename Visit>
 void MeshTree::query(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) const
 {
     if (!overlap(box, box_)) return;
     const FloatBox asked = in_frame(box);
-    const NodeBox node_box(asked);
-    walk([&](const MeshNode& node) { return node.met_by(node_box); },
-         [&](int leaf) {
-             const MeshPacket& packet = packets_.data()[leaf];
-             for (unsigned met = packet.met_by(asked); met != 0; met &= met - 1) {
-                 const int t = packet.lanes[std::countr_zero(met)];
-                 if (overlap(mesh.box(t), box) && !visit(t)) return false;
-             }
-             return true;
-         });
+    walk_wide(NodeBox(asked), [&](int leaf) {
+        const MeshPacket& packet = packets_.data()[leaf];
+        for (unsigned met = packet.met_by(asked); met != 0; met &= met - 1) {
+            const int t = packet.lanes[std::countr_zero(met)];
+            if (overlap(mesh.box(t), box) && !visit(t)) return false;
+        }
+        return true;
+    });
 }
 
 template <typename See, typename Visit>
@@ -140,18 +174,16 @@ void MeshTree::query(const Aabb& box, const SolidProbe& solid, See&& see, Visit&
 {
     if (!overlap(box, box_)) return;
     const FloatBox asked = in_frame(box);
-    const NodeBox node_box(asked);
     const MeshProbe probe(solid, in_frame(solid.centre), scale_);
-    walk([&](const MeshNode& node) { return node.met_by(node_box); },
-         [&](int leaf) {
-             const MeshPacket& packet = packets_.data()[leaf];
-             const unsigned met = packet.met_by(asked);
-             if (met == 0) return true;
-             see(leaf, met);
-             for (unsigned close = met & probe.meets(packet); close != 0; close &= close - 1)
-                 visit(packet.lanes[std::countr_zero(close)]);
-             return true;
-         });
+    walk_wide(NodeBox(asked), [&](int leaf) {
+        const MeshPacket& packet = packets_.data()[leaf];
+        const unsigned met = packet.met_by(asked);
+        if (met == 0) return true;
+        see(leaf, met);
+        for (unsigned close = probe.meets(packet, met); close != 0; close &= close - 1)
+            visit(packet.lanes[std::countr_zero(close)]);
+        return true;
+    });
 }
 
 template <typename Visit>

@@ -55,10 +55,10 @@ void Broadphase::update(int slot, const Aabb& box, bool present)
 
 void Broadphase::expect(int slot, const Aabb& way)
 {
-    Proxy& p = proxies_[slot];
-    if (!p.present || !bounded(way)) return;
-    if (!p.escaped && (p.leaf < 0 || contains(tree_.box(p.leaf), way))) return;
-    p.way = way;
+    Proxy& p = proxies_.data()[slot];
+    if (!p.present) return;
+    p.way = bounded(way) ? way : p.box;
+    if (!p.escaped && (p.leaf < 0 || contains(tree_.box(p.leaf), p.way))) return;
     if (!p.escaped) (void)escaped_.push(slot);
     p.escaped = true;
 }

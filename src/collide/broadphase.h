@@ -45,6 +45,7 @@ class Broadphase {
 
     bool present(int slot) const { return proxies_.data()[slot].present; }
     const Aabb& box(int slot) const { return proxies_.data()[slot].box; }
+    const Aabb& way(int slot) const { return proxies_.data()[slot].way; }
 
     // visit(slot) for every present slot whose box meets `box`, in no promised order. False when the tree
     // could not be brought up to date; nothing has been visited then.
@@ -85,7 +86,7 @@ class Broadphase {
   private:
     struct Proxy {
         Aabb box;
-        Aabb way;        // while it waits for a new fat box: this is to lie in it too
+        Aabb way;        // its box, or what was expected since: lies in a new fat box too
         Real shift = 0;  // how far it moved when it last changed
         int leaf = -1;   // in the tree; -1: none
         bool present = false;

@@ -122,10 +122,10 @@ bool Terrain::has(int i, int j) const
     return data_.wrap || (i >= 0 && j >= 0 && i < data_.nx && j < data_.nz);
 }
 
-Vec3 Terrain::vertex(int i, int j) const
+Real Terrain::height(int i, int j) const
 {
-    const int si = data_.wrap ? wrapped(i, data_.nx - 1) : i, sj = data_.wrap ? wrapped(j, data_.nz - 1) : j;
-    return {x0_ + Real(i) * dx_, data_.height(si, sj), z0_ + Real(j) * dz_};
+    if (!data_.wrap) return data_.height(i, j);
+    return data_.height(wrapped(i, data_.nx - 1), wrapped(j, data_.nz - 1));
 }
 
 Facet Terrain::bare_facet(int i, int j, bool upper) const
@@ -138,7 +138,11 @@ Facet Terrain::bare_facet(int i, int j, bool upper) const
 
 Terrain::BareCell Terrain::bare_cell(int i, int j) const
 {
-    const Vec3 a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i, j + 1), d = vertex(i + 1, j + 1);
+    return bare_cell(i, j, vertex(i, j), vertex(i + 1, j), vertex(i, j + 1), vertex(i + 1, j + 1));
+}
+
+Terrain::BareCell Terrain::bare_cell(int i, int j, Vec3 a, Vec3 b, Vec3 c, Vec3 d) const
+{
     BareCell cell;
     for (const bool upper : {false, true}) {
         Facet& f = cell.facets[upper];
@@ -150,13 +154,17 @@ Terrain::BareCell Terrain::bare_cell(int i, int j) const
     return cell;
 }
 
+void finish(Facet& f)
+{
+    if (make_triangle(f.v[0], f.v[1], f.v[2], f)) return;
+    f.n = {0, 1, 0};  // heights beyond the range of areas: a level facet
+    f.c = f.v[0].y;
+}
+
 Facet Terrain::facet(int i, int j, bool upper) const
 {
     Facet f = bare_facet(i, j, upper);
-    if (!make_triangle(f.v[0], f.v[1], f.v[2], f)) {  // heights beyond the range of areas: a level facet
-        f.n = {0, 1, 0};
-        f.c = f.v[0].y;
-    }
+    finish(f);
     return f;
 }
 

@@ -73,6 +73,8 @@ struct Facet : Triangle {
     Real out_limit(int k) const { return out_sign() * v[k][out_axis(k)]; }  // of the wall's plane
 };
 
+void finish(Facet& facet);  // of which place and corners are known
+
 // The surface as a set of facets.
 class Terrain {
   public:
@@ -84,7 +86,9 @@ class Terrain {
     int cells_x() const { return data_.nx - 1; }
     int cells_z() const { return data_.nz - 1; }
     bool has(int i, int j) const;  // is there such a sample?
-    Vec3 vertex(int i, int j) const;
+    Vec3 vertex(int i, int j) const { return vertex(i, j, height(i, j)); }
+    Vec3 vertex(int i, int j, Real y) const { return {x0_ + Real(i) * dx_, y, z0_ + Real(j) * dz_}; }
+    Real height(int i, int j) const;
     Facet facet(int i, int j, bool upper) const;
     // Place and corners only: of one, and of both of a cell.
     Facet bare_facet(int i, int j, bool upper) const;
@@ -93,6 +97,7 @@ class Terrain {
         Real lowest, highest;
     };
     BareCell bare_cell(int i, int j) const;
+    BareCell bare_cell(int i, int j, Vec3 a, Vec3 b, Vec3 c, Vec3 d) const;  // of which the corners are known
 
     bool holed() const { return data_.hole_count > 0; }
     Real thickness() const { return data_.thickness; }

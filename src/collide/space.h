@@ -77,13 +77,9 @@ Aabb space_aabb(Geom& space);            // a GeomType's function
 
 // ---- collision ----
 bool may_meet(Geom& a, Geom& b);  // all that decides but enabling and boxes
-// Members that are about to move: the box of a member's whole way, given its box.
-struct Swept {
-    Aabb (*box)(const void* data, const Geom& geom, const Aabb& box);
-    const void* data;
-};
-// `swept`: pairs that may meet on their way are reported too, as far as their fat boxes overlap; null: none.
-void collide_space(Space& space, void* data, dNearCallback* callback, const Swept* swept = nullptr);
+// Which boxes of two members must overlap: their own, or those of the ways that are expected of them.
+enum class PairsOf { kBoxes, kWays };
+void collide_space(Space& space, void* data, dNearCallback* callback, PairsOf of = PairsOf::kBoxes);
 void collide_across(Geom& first, Geom& second, void* data, dNearCallback* callback);
 
 }  // namespace epode

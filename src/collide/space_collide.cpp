@@ -26,7 +26,13 @@ void fetch_members(const Space& space, const SlotPair& pair)
     fetch<3>(space.members.data()[pair.older]);
 }
 
-void report_pairs(Space& space, const Report& report, const Swept* swept)
+bool near(const Broadphase& boxes, const SlotPair& pair, PairsOf of)
+{
+    return of == PairsOf::kWays ? overlap(boxes.way(pair.newer), boxes.way(pair.older))
+                                : overlap(boxes.box(pair.newer), boxes.box(pair.older));
+}
+
+void report_pairs(Space& space, const Report& report, PairsOf of)
 {
     ++space.pair_walks;
     const auto pairs = space.broadphase.pairs();
@@ -34,11 +40,8 @@ void report_pairs(Space& space, const Report& report, const Swept* swept)
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         if (i + kAhead < pairs.size()) fetch_members(space, pairs[i + kAhead]);
         const SlotPair& pair = pairs[i];
-        const Aabb &box_a = space.broadphase.box(pair.newer), &box_b = space.broadphase.box(pair.older);
+        if (!near(space.broadphase, pair, of)) continue;
         Geom *a = space.members.data()[pair.newer], *b = space.members.data()[pair.older];
-        if (!overlap(box_a, box_b) &&
-            !(swept && overlap(swept->box(swept->data, *a, box_a), swept->box(swept->data, *b, box_b))))
-            continue;
         if (a->enabled && b->enabled && may_meet(*a, *b)) report(*a, *b);
     }
     --space.pair_walks;
@@ -156,14 +159,14 @@ bool may_meet(Geom& a, Geom& b)
            !(b.type->may_touch && !b.type->may_touch(b, a));
 }
 
-void collide_space(Space& space, void* data, dNearCallback* callback, const Swept* swept)
+void collide_space(Space& space, void* data, dNearCallback* callback, PairsOf of)
 {
     clean(space);
     SpaceLock lock(space);
     const Report report{data, callback};
     // During a walk over the pair list it must stay; then it is up to date already.
     if (space.pair_walks > 0 || space.broadphase.find_pairs())
-        report_pairs(space, report, swept);
+        report_pairs(space, report, of);
     else
         report_all_pairs(space, report);
 }

@@ -27,9 +27,7 @@ struct Sample {
     Real g, slope;
 };
 
-struct Arc {
-    Real wn, wo, dn, dd, h, r;  // w and d along N and O
-
+struct Arc : RimArc {
     Real along(Place p) const { return p.x * dn + p.y * dd; }
     Real overlap(Place p) const
     {
@@ -96,38 +94,30 @@ bool stays_above(Sample a, Sample b, Real worth)
     return meet > 0 && meet * meet >= worth * worth * (x * x + y * y);
 }
 
-Vec3 outward_of(const Triangle& f, int edge)
-{
-    const Vec3 out = cross(f.edge(edge), f.n);
-    const Real size = length(out);
-    return size > 0 ? out / size : Vec3{};
-}
-
-Arc arc_of(const Cylinder& cylinder, const Pose& pose, const Triangle& f, int edge, Vec3 outward)
-{
-    const Vec3 d = pose.R.column(2), w = f.v[edge] - pose.p;
-    return {dot(w, f.n),     dot(w, outward),      dot(d, f.n),
-            dot(d, outward), cylinder.half_length, cylinder.radius};
-}
-
 constexpr Real kNarrow = Real(0.95);  // cosine of the angle within which a rise is not undone
 
 }  // namespace
 
-bool rim_turns_before(const Cylinder& cylinder, const Pose& pose, const Triangle& f, int edge, Vec3 neighbour)
+RimArc::RimArc(const Cylinder& cylinder, const Pose& pose, const Triangle& f, int edge)
+    : normal(f.n), h(cylinder.half_length), r(cylinder.radius)
 {
-    const Vec3 outward = outward_of(f, edge);
-    const Place last{dot(neighbour, f.n), dot(neighbour, outward)};
+    const Vec3 out = cross(f.edge(edge), f.n), d = pose.R.column(2), w = f.v[edge] - pose.p;
+    const Real size = length(out);
+    outward = size > 0 ? out / size : Vec3{};
+    wn = dot(w, f.n), wo = dot(w, outward), dn = dot(d, f.n), dd = dot(d, outward);
+}
+
+bool rim_turns_before(const RimArc& edge, Vec3 neighbour)
+{
+    const Place last{dot(neighbour, edge.normal), dot(neighbour, edge.outward)};
     if (last.x < kNarrow) return true;
-    const Arc arc = arc_of(cylinder, pose, f, edge, outward);
+    const Arc arc{edge};
     return arc.at(kPlaces[0]).slope < 0 && arc.at(last).slope > 0;
 }
 
-int rim_minima(const Cylinder& cylinder, const Pose& pose, const Triangle& f, int edge, Real worth,
-               RimMinimum* out)
+int rim_minima(const RimArc& edge, Real worth, RimMinimum* out)
 {
-    const Vec3 outward = outward_of(f, edge);
-    const Arc arc = arc_of(cylinder, pose, f, edge, outward);
+    const Arc arc{edge};
     int found = 0;
     constexpr int kQuarter = kSteps / 2;
     const Sample at_quarter[3] = {arc.at(kPlaces[0]), arc.at(kPlaces[kQuarter]), arc.at(kPlaces[kSteps])};
@@ -147,7 +137,8 @@ int rim_minima(const Cylinder& cylinder, const Pose& pose, const Triangle& f, in
             const Place least = turn_between(arc, p, a.slope, q, b.slope);
             const Real per = 1 / std::sqrt(least.x * least.x + least.y * least.y);
             const Real overlap = per * arc.overlap(least);
-            if (overlap < worth) out[found++] = {per * (least.x * f.n + least.y * outward), overlap};
+            if (overlap < worth)
+                out[found++] = {per * (least.x * arc.normal + least.y * arc.outward), overlap};
         }
         a = b;
     }

@@ -20,14 +20,19 @@ struct RimMinimum {
     Real overlap = 0;
 };
 
+// g of one edge.
+struct RimArc {
+    RimArc(const Cylinder& cylinder, const Pose& pose, const Triangle& triangle, int edge);
+    Vec3 normal, outward;       // N, O
+    Real wn, wo, dn, dd, h, r;  // w and d along N and O
+};
+
 // Local minima below `worth`; how many, at most kMostRimMinima.
 inline constexpr int kMostRimMinima = 4;
-int rim_minima(const Cylinder& cylinder, const Pose& pose, const Triangle& triangle, int edge, Real worth,
-               RimMinimum* out);
+int rim_minima(const RimArc& arc, Real worth, RimMinimum* out);
 
 // Whether there may be one of them between the triangle's own normal and the neighbour's over the edge, which
 // falls away there: g falls at the one and rises at the other.
-bool rim_turns_before(const Cylinder& cylinder, const Pose& pose, const Triangle& triangle, int edge,
-                      Vec3 neighbour_normal);
+bool rim_turns_before(const RimArc& arc, Vec3 neighbour_normal);
 
 }  // namespace epode

@@ -15,6 +15,34 @@
 
 namespace epode {
 
+// Level directions in which columns are parted from a solid: across the cells' diagonals, and along its
+// edges. They are the same for all facets, so what the solid has of them is reckoned once.
+class Sides {
+  public:
+    Sides(const Terrain& terrain, const ConvexView& solid, Real slack);
+    bool reach(const Facet& facet) const  // of the facet its corners only
+    {
+        for (int s = 0; s < count_; ++s) {
+            const Side& side = sides_[s];
+            Real at[3];
+            for (int k = 0; k < 3; ++k) at[k] = side.x * facet.v[k].x + side.z * facet.v[k].z;
+            const bool before = at[0] < side.lo && at[1] < side.lo && at[2] < side.lo;
+            const bool behind = at[0] > side.hi && at[1] > side.hi && at[2] > side.hi;
+            if (before || behind) return false;
+        }
+        return true;
+    }
+
+  private:
+    struct Side {
+        Real x, z, lo, hi;
+    };
+    void add(Vec3 level, const ConvexView& solid, Real slack);
+    static constexpr int kMost = 4;
+    Side sides_[kMost];
+    int count_ = 0;
+};
+
 struct Meeting {
     const Terrain& terrain;
     const ConvexView& solid;

@@ -13,28 +13,73 @@ namespace epode {
 
 namespace {
 
-// `column`: the way to the face from behind it; `under`: does the face push what is there?
-void over_and_under(const RoundSolid& s, const Triangle& f, Vec3 column, bool under, Meeting& m)
-{
-    const Real at_a = f.height(s.a), at_b = f.height(s.b);
-    for (const bool over : {true, false}) {
-        if (!over && !under) return;
-        Stretch part = within_prism(f, over ? f.n : column, s.a, s.b, m.slack);
-        // Only the ends on the right side of the plane.
-        const auto keep = over ? at_a >= 0 : at_a <= 0, keep_b = over ? at_b >= 0 : at_b <= 0;
-        if (!keep && !keep_b) continue;
-        if (keep != keep_b) {
-            const Real t = at_a / (at_a - at_b);
-            if (!keep && t > part.from) part.from = t;
-            if (!keep_b && t < part.to) part.to = t;
-        }
-        if (part.empty()) continue;
-        for (const Real t : {part.from, part.to}) {
-            const Vec3 p = s.a + t * (s.b - s.a);
-            const Real depth = s.r - f.height(p);
-            if (depth >= 0) m.out.add(p - s.r * f.n, f.n, depth);
+// Of the radius: farther in from an edge, every way from the edge leads over the facet.
+constexpr Real kInside = Real(1e-3);
+
+// How far the ends of s are beyond the edges of a triangle, seen along its normal.
+struct Past {
+    Real a[3], b[3];
+    Past(const RoundSolid& s, const Triangle& f)
+    {
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 e = f.edge(k), out = cross(e, f.n);
+            const Real per = 1 / length(e);
+            a[k] = per * dot(out, s.a - f.v[k]), b[k] = per * dot(out, s.b - f.v[k]);
         }
     }
+    // The part whose foot is in the triangle, or beside it by the slack.
+    Stretch part_over(Real slack) const
+    {
+        Stretch part;
+        for (int k = 0; k < 3; ++k) {
+            const Real at_a = a[k] - slack, at_b = b[k] - slack;
+            if (at_a > 0 && at_b > 0) return {1, 0};
+            if (at_a <= 0 && at_b <= 0) continue;
+            const Real t = at_a / (at_a - at_b);
+            if (at_a > 0 && t > part.from) part.from = t;
+            if (at_b > 0 && t < part.to) part.to = t;
+        }
+        return part;
+    }
+    // Of all of s beyond one of them.
+    Real least() const
+    {
+        Real most = 0;
+        for (int k = 0; k < 3; ++k) {
+            const Real low = a[k] < b[k] ? a[k] : b[k];
+            most = low > most ? low : most;
+        }
+        return most;
+    }
+};
+
+// The ends of a part of s, of which only what is over the face, or under it.
+void push_ends(const RoundSolid& s, const Triangle& f, bool over, Stretch part, Meeting& m)
+{
+    const Real at_a = f.height(s.a), at_b = f.height(s.b);
+    const bool keep_a = over ? at_a >= 0 : at_a <= 0, keep_b = over ? at_b >= 0 : at_b <= 0;
+    if (keep_a != keep_b) {
+        const Real t = at_a / (at_a - at_b);
+        if (!keep_a && t > part.from) part.from = t;
+        if (!keep_b && t < part.to) part.to = t;
+    }
+    if (part.empty()) return;
+    for (const Real t : {part.from, part.to}) {
+        const Vec3 p = s.a + t * (s.b - s.a);
+        const Real depth = s.r - f.height(p);
+        if (depth >= 0) m.out.add(p - s.r * f.n, f.n, depth);
+        if (s.a == s.b) return;
+    }
+}
+
+// `column`: the way to the face from behind it; `under`: does the face push what is there?
+void over_and_under(const RoundSolid& s, const Triangle& f, const Past& past, Vec3 column, bool under,
+                    Meeting& m)
+{
+    const Real at_a = f.height(s.a), at_b = f.height(s.b);
+    if (at_a >= 0 || at_b >= 0) push_ends(s, f, true, past.part_over(m.slack), m);
+    if (under && (at_a <= 0 || at_b <= 0))
+        push_ends(s, f, false, within_prism(f, column, s.a, s.b, m.slack), m);
 }
 
 // `rim`: of a hole, over a wall.
@@ -54,6 +99,7 @@ template <typename Meet>
 void meet_edge(const RoundSolid& s, Vec3 v, Vec3 e, const Meet& meet)
 {
     const Vec3 axis = s.b - s.a;
+    if (axis == Vec3{}) return meet(s.a, v + closest_on_segment(v, v + e, s.a) * e);
     Vec3 p, q;
     closest_segment_points(s.a, s.b, v, v + e, p, q);
     meet(p, q);
@@ -80,7 +126,7 @@ void on_walls(const RoundSolid& s, const Facet& f, Meeting& m)
     for (const int k : {0, 2}) {
         Triangle wall[2];
         if (!m.terrain.hole_beyond(f, k) || !m.terrain.wall_below(f, k, wall)) continue;
-        for (const Triangle& t : wall) over_and_under(s, t, t.n, m.walls->pushes(f, k), m);
+        for (const Triangle& t : wall) over_and_under(s, t, Past(s, t), t.n, m.walls->pushes(f, k), m);
         // Either end of the edge may be a corner of the ground; k + 1 of edge 2 and k of edge 0 are one.
         const int step = f.upper ? 1 : -1;
         const Vec3 along = k == 0 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
@@ -120,11 +166,17 @@ void round_on(const RoundSolid& s, const Facet& f, Meeting& m)
     if (m.walls) on_walls(s, f, m);
     const Real at_a = f.height(s.a), at_b = f.height(s.b);
     if (at_a > s.r && at_b > s.r) return;
-    over_and_under(s, f, kUp, !m.walls || !(m.walls->sunk(f) || m.walls->behind(f)), m);
+    const Past past(s, f);
+    if (!m.walls && at_a >= 0 && at_b >= 0) {
+        const Real above = at_a < at_b ? at_a : at_b, aside = past.least(), reach = s.r + m.slack;
+        if (aside * aside + above * above > reach * reach) return;
+    }
+    over_and_under(s, f, past, kUp, !m.walls || !(m.walls->sunk(f) || m.walls->behind(f)), m);
     const bool below = at_a < 0 && at_b < 0;
+    const Real inside = -kInside * s.r;
     for (int k = 0; k < 3; ++k) {
         const bool rim = m.walls && m.terrain.hole_beyond(f, k);
-        if (below && !rim) continue;
+        if (!rim && (below || (past.a[k] < inside && past.b[k] < inside))) continue;
         meet_edge(s, f.v[k], f.edge(k), [&](Vec3 p, Vec3 q) { beside_edge(s, f, rim, p, q, m); });
     }
 }

@@ -7,19 +7,20 @@
 // Along another, the facet's edge or corner is what pushes: the manifold of two convex solids. Rejected: each
 // column as a solid of its own with GJK/EPA; it meets the walls between columns, which do not exist.
 #include "collide/pairs/facet.h"
-#include "collide/pairs/press.h"
+#include "collide/pairs/least_axes.h"
+#include "collide/pairs/mesh_ground.h"
 #include "geometry/epa.h"
+#include "geometry/triangle_rim.h"
 
 namespace epode {
 
 namespace {
 
-constexpr Real kFaceFirst = Real(0.95);  // another direction must beat the face's by this factor
-
 // The search for the direction of least overlap between the solid and the column under a facet.
 class LeastRise {
   public:
-    LeastRise(const Facet& facet, const Meeting& meeting) : facet_(facet), m_(meeting) {}
+    LeastRise(const Facet& facet, const Meeting& meeting) : facet_(facet), m_(meeting), reach_(meeting.solid)
+    {}
 
     // False: the solid does not touch the column.
     bool search()
@@ -27,7 +28,8 @@ class LeastRise {
         depth = overlap_along(facet_.n);
         normal = facet_.n;
         if (depth < 0) return false;
-        if (!(walls() && (listed() ? solid_faces() && edges() && rim() : any_direction()))) return false;
+        if (reach_.own_is_least(facet_, depth)) return true;
+        if (!(walls() && others())) return false;
         if (kFaceFirst * depth > elsewhere_) on_crest = false;
         return true;
     }
@@ -51,10 +53,18 @@ class LeastRise {
 
     Real overlap_along(Vec3 n) const
     {
-        const Real low = dot(n, m_.solid.support(-n));
         Real top = -kInf;
         for (const Vec3 v : facet_.v) top = dot(n, v) > top ? dot(n, v) : top;
-        return top - low;
+        return top - reach_.low_along(n);
+    }
+
+    void consider(Vec3 n, Real d)
+    {
+        if (!(d < kFaceFirst * depth)) return;
+        if (m_.terrain.crests(facet_, n))
+            choose(n, d);
+        else
+            elsewhere_ = d < elsewhere_ ? d : elsewhere_;
     }
 
     // False when the direction (either sense that is not downward) parts the two.
@@ -64,11 +74,7 @@ class LeastRise {
         const Real d = overlap_along(n);
         if (d < -m_.slack) return false;
         if (n.y < kSteepest) return n.y > 0 || overlap_along(-n) >= -m_.slack;
-        if (!(d < kFaceFirst * depth)) return true;
-        if (m_.terrain.crests(facet_, n))
-            choose(n, d);
-        else
-            elsewhere_ = d < elsewhere_ ? d : elsewhere_;
+        consider(n, d);
         return true;
     }
 
@@ -78,16 +84,47 @@ class LeastRise {
         return length2(n) <= Real(1e-6) * length2(a) * length2(b) || !normalize(n) || offer(n);
     }
 
+    // Those under the sides of the cell are upright to the axes of the solid's box.
     bool walls()
     {
-        for (int k = 0; k < 3; ++k) {
-            Vec3 n = cross(facet_.edge(k), kUp);
-            if (!normalize(n)) continue;
-            const Real d = overlap_along(n);
+        const bool upper = facet_.upper;
+        const Real aside[3] = {
+            facet_.out_limit(0) + (upper ? -m_.box.lo.x : m_.box.hi.x),
+            overlap_along(normalized_or(cross(facet_.edge(1), kUp), {})),
+            facet_.out_limit(2) + (upper ? -m_.box.lo.z : m_.box.hi.z),
+        };
+        for (const Real d : aside) {
             if (d < -m_.slack) return false;
             elsewhere_ = d < elsewhere_ ? d : elsewhere_;
         }
         return true;
+    }
+
+    bool others()
+    {
+        if (reach_.box()) return closed_axes();
+        if (reach_.cylinder()) return closed_axes() && rim();
+        return listed() ? solid_faces() && edges() : any_direction();
+    }
+
+    // Upward ones may be the way out, level ones may part the two.
+    bool closed_axes()
+    {
+        const Pose& pose = m_.solid.pose;
+        const auto offer = [this](Real along, Real against, Real size2, auto&& axis_of) {
+            const Vec3 axis = axis_of();
+            const Real d = axis.y < 0 ? against : along, slack2 = m_.slack * m_.slack * size2;
+            if (d < 0 && d * d > slack2) return false;
+            if (axis.y * axis.y < kSteepest * kSteepest * size2)
+                return axis.y != 0 || against >= 0 || against * against <= slack2;
+            const Real worth = kFaceFirst * depth;
+            if (d > 0 && d * d >= worth * worth * size2) return true;
+            const Real size = std::sqrt(size2), per = (axis.y < 0 ? -1 : 1) / size;
+            consider(per * axis, d / size);
+            return true;
+        };
+        return reach_.box() ? each_box_axis(*reach_.box(), pose, facet_, offer)
+                            : each_cylinder_axis(*reach_.cylinder(), pose, facet_, offer);
     }
 
     // A large polyhedron lists no edges.
@@ -114,14 +151,32 @@ class LeastRise {
 
     bool edge(Vec3 axis)
     {
-        if (!offer_cross(axis, kUp)) return false;
         for (int k = 0; k < 3; ++k)
             if (!offer_cross(axis, facet_.edge(k))) return false;
         return true;
     }
 
-    // A round rim on a ridge has no finite list of directions.
-    bool rim() { return !(m_.solid.rim_radius > 0) || !m_.terrain.has_ridge(facet_) || any_direction(); }
+    // On a ridge, the round of a cylinder against corners, and its rims against edges.
+    bool rim()
+    {
+        if (!m_.terrain.has_ridge(facet_)) return true;
+        const Pose& pose = m_.solid.pose;
+        const auto offer_round = [this](Real d, Vec3 n) {
+            if (n.y < 0) return true;
+            if (d < -m_.slack) return false;
+            if (n.y >= kSteepest) consider(n, d);
+            return true;
+        };
+        if (!each_round_axis(*reach_.cylinder(), pose, facet_, offer_round)) return false;
+        for (int k = 0; k < 3; ++k) {
+            RimMinimum found[kMostRimMinima];
+            const int count =
+                rim_minima(RimArc(*reach_.cylinder(), pose, facet_, k), kFaceFirst * depth, found);
+            for (int i = 0; i < count; ++i)
+                if (found[i].normal.y >= kSteepest && !offer(found[i].normal)) return false;
+        }
+        return true;
+    }
 
     bool any_direction()
     {
@@ -135,56 +190,22 @@ class LeastRise {
 
     const Facet& facet_;
     const Meeting& m_;
+    const SolidReach reach_;
     // Least overlap in directions that are no contact's: aside, through the walls between columns, or against
     // a surface that goes on rising. When it is less than a crest's, the solid is not on that crest: it has
     // barely come under this facet, and what it really touches stands in another column.
     Real elsewhere_ = kInf;
 };
 
-struct Ground {
-    const Facet& f;
-    Meeting& m;
+// The part of the solid that is behind a face of the ground, in the column that stands on it along `up`: a
+// facet, or one of the two triangles of a hole's wall, which go on beyond the edge that they share.
+void press_face(const Triangle& face, Vec3 up, int shared, Meeting& m)
+{
+    FaceGround ground(face, up, shared, m.slack, m.out);
+    press_out(m.solid, face, ground);
+}
 
-    void press(Polygon& low)
-    {
-        clip_to_prism(low, f, kUp, m.slack);
-        for (int k = 0; k < low.count; ++k) {
-            const Real depth = -f.height(low.points[k]);
-            if (depth >= -m.slack) m.out.add(low.points[k], f.n, depth > 0 ? depth : 0);
-        }
-    }
-    void press(Vec3 p)
-    {
-        Polygon one;
-        one.add(p);
-        press(one);
-    }
-    bool ends_at(int) const { return true; }
-    Vec3 upright() const { return kUp; }
-};
-
-// The part of the solid that is behind a wall of a hole, by one of its two triangles.
-struct Wall {
-    const Triangle& t;
-    Meeting& m;
-
-    void press(Polygon& low)
-    {
-        clip_to_prism(low, t, t.n, m.slack);
-        for (int k = 0; k < low.count; ++k) {
-            const Real depth = -t.height(low.points[k]);
-            if (depth >= -m.slack) m.out.add(low.points[k], t.n, depth > 0 ? depth : 0);
-        }
-    }
-    void press(Vec3 p)
-    {
-        Polygon one;
-        one.add(p);
-        press(one);
-    }
-    bool ends_at(int edge) const { return edge != 1; }  // the two triangles share edge 1
-    Vec3 upright() const { return t.n; }
-};
+constexpr int kNoEdge = -1, kWallEdge = 1;
 
 void press_walls(const Facet& f, Meeting& m)
 {
@@ -192,7 +213,7 @@ void press_walls(const Facet& f, Meeting& m)
         Triangle wall[2];
         if (!m.terrain.hole_beyond(f, k) || !m.walls->pushes(f, k) || !m.terrain.wall_below(f, k, wall))
             continue;
-        for (const Triangle& t : wall) press_solid(m.solid, t, Wall{t, m});
+        for (const Triangle& t : wall) press_face(t, t.n, kWallEdge, m);
     }
 }
 
@@ -210,6 +231,22 @@ void press_crest(const Facet& f, Vec3 normal, Real depth, Meeting& m)
 }
 
 }  // namespace
+
+Sides::Sides(const Terrain& terrain, const ConvexView& solid, Real slack)
+{
+    const Vec3 cell = terrain.cell();
+    add({cell.z, 0, cell.x}, solid, slack);
+    for (int i = 0; i < 3; ++i)
+        if (solid.edge_axes >> i & 1) add(cross(solid.pose.R.column(i), kUp), solid, slack);
+}
+
+void Sides::add(Vec3 level, const ConvexView& solid, Real slack)
+{
+    if (length2(level) <= Real(1e-6) && count_ > 0) return;
+    const Vec3 n = normalized_or(level, {});
+    const Real lo = dot(n, solid.support(-n)), hi = dot(n, solid.support(n)), more = solid.radius + slack;
+    sides_[count_++] = {n.x, n.z, lo - more, hi + more};
+}
 
 void weigh_solid(const Facet& f, Meeting& m)
 {
@@ -233,7 +270,7 @@ void solid_on(const Facet& f, Meeting& m)
     if (least.on_crest)
         press_crest(f, least.normal, least.depth, m);
     else
-        press_solid(m.solid, f, Ground{f, m});
+        press_face(f, kUp, kNoEdge, m);
 }
 
 }  // namespace epode

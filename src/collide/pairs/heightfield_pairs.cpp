@@ -56,6 +56,38 @@ bool cells_under(const Terrain& t, const Aabb& box, Cells& out)
     return true;
 }
 
+// The samples at the corners of cells, each read once where there are few.
+class Samples {
+  public:
+    Samples(const Terrain& terrain, const Cells& cells, bool holes)
+        : t_(terrain), i0_(cells.i0), j0_(cells.j0), columns_(cells.i1 - cells.i0 + 2)
+    {
+        const int rows = cells.j1 - cells.j0 + 2;
+        if (holes || columns_ > kMost / 2 || rows > kMost / columns_)
+            return;  // in holes they are not looked at
+        known_ = true;
+        for (int j = 0, at = 0; j < rows; ++j)
+            for (int i = 0; i < columns_; ++i) y_[at++] = t_.height(i0_ + i, j0_ + j);
+    }
+    Vec3 at(int i, int j) const
+    {
+        return known_ ? t_.vertex(i, j, y_[(i - i0_) + (j - j0_) * columns_]) : t_.vertex(i, j);
+    }
+    Terrain::BareCell cell(int i, int j) const
+    {
+        return t_.bare_cell(i, j, at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1));
+    }
+
+  private:
+    static constexpr int kMost = 100;
+    const Terrain& t_;
+    int i0_, j0_, columns_;
+    bool known_ = false;
+    union {
+        Real y_[kMost];  // in a union: left unwritten until read
+    };
+};
+
 // What the samples under the solid look like together.
 struct Ground {
     Real lowest = kInf, highest = -kInf;
@@ -67,12 +99,12 @@ struct Ground {
     }
 };
 
-Ground survey(const Terrain& t, const Cells& c, const Facet& first, Real slack)
+Ground survey(const Samples& samples, const Cells& c, const Facet& first, Real slack)
 {
     Ground g;
     for (int j = c.j0; j <= c.j1 + 1; ++j)
         for (int i = c.i0; i <= c.i1 + 1; ++i) {
-            const Vec3 v = t.vertex(i, j);
+            const Vec3 v = samples.at(i, j);
             g.take(v);
             g.level = g.level && std::fabs(first.height(v)) <= slack;
         }
@@ -110,16 +142,21 @@ bool inside(const Terrain& t, const Aabb& box)
     return t.endless() || (box.lo.x >= o.x && box.lo.z >= o.z && box.hi.x <= -o.x && box.hi.z <= -o.z);
 }
 
+// Those that may be met; where there are holes, all that are not below the box.
 template <typename Visit>
-void each_facet(const Terrain& terrain, const Cells& cells, const Aabb& box, const Visit& visit)
+void each_facet(const Meeting& m, const Cells& cells, const Samples& samples, const Sides& sides,
+                const Visit& visit)
 {
     for (int j = cells.j0; j <= cells.j1; ++j)
         for (int i = cells.i0; i <= cells.i1; ++i) {
-            if (terrain.hole(i, j)) continue;
-            for (const bool upper : {false, true}) {
-                const Facet f = terrain.facet(i, j, upper);
-                const bool above = f.v[0].y < box.lo.y && f.v[1].y < box.lo.y && f.v[2].y < box.lo.y;
-                if (!above) visit(f);
+            if (m.terrain.hole(i, j)) continue;
+            Terrain::BareCell cell = samples.cell(i, j);
+            if (cell.highest < m.box.lo.y) continue;
+            for (Facet& f : cell.facets) {
+                const bool above = f.v[0].y < m.box.lo.y && f.v[1].y < m.box.lo.y && f.v[2].y < m.box.lo.y;
+                if (above || !(m.walls || sides.reach(f))) continue;
+                finish(f);
+                visit(f);
             }
         }
 }
@@ -136,6 +173,7 @@ void collide_local(const Shape& a, const Pose& A, const HeightfieldData& data, C
     const Real reach = max_component(max(abs(box.lo), abs(box.hi)));
     const Real slack = 64 * kEpsilon * (reach + solid.size);
     const bool holes = any_hole(terrain, cells);
+    const Samples samples(terrain, cells, holes);
     Facet first;
     Ground ground;
     if (holes) {
@@ -143,8 +181,9 @@ void collide_local(const Shape& a, const Pose& A, const HeightfieldData& data, C
         ground = survey_holed(terrain, cells, there);
         if (there == 0) return;
     } else {
-        first = terrain.facet(cells.i0, cells.j0, false);
-        ground = survey(terrain, cells, first, slack);
+        first = samples.cell(cells.i0, cells.j0).facets[0];
+        finish(first);
+        ground = survey(samples, cells, first, slack);
     }
     if (box.lo.y > ground.highest) return;
     const Vec3 middle = solid.pose.p;
@@ -158,13 +197,14 @@ void collide_local(const Shape& a, const Pose& A, const HeightfieldData& data, C
     Meeting meeting{terrain, solid, box, slack, harvest};
     int i, j;
     HoleWalls walls(middle, holes && terrain.cell_under(middle, i, j) && terrain.hole(i, j));
+    const Sides sides(terrain, solid, slack);
     if (holes) {
         meeting.walls = &walls;
-        each_facet(terrain, cells, box, [&](const Facet& f) {
+        each_facet(meeting, cells, samples, sides, [&](const Facet& f) {
             if (terrain.hole_beyond(f, 0) || terrain.hole_beyond(f, 2)) weigh_facet(a, A, f, meeting);
         });
     }
-    each_facet(terrain, cells, box, [&](const Facet& f) { meet_facet(a, A, f, meeting); });
+    each_facet(meeting, cells, samples, sides, [&](const Facet& f) { meet_facet(a, A, f, meeting); });
     harvest.deliver(sink);
 }
 

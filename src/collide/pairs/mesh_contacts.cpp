@@ -166,6 +166,10 @@ void mesh_contacts(const Shape& a, const Pose& A, const Surface& surface, NearTr
     Harvest harvest(Real(1e-6) * (solid.size + solid.radius), sink);
     MeshMeeting meeting{surface.mesh, solid, slack, kTwoSided<Shape>, near.all(), harvest};
     for (const int t : near.close()) {
+        if constexpr (std::is_same_v<Shape, Sphere>) {
+            ball_on(A.p, a.radius, t, meeting);
+            continue;
+        }
         const Vec3 n = surface.mesh.normal(t);
         const Real height = dot(n, solid.pose.p - surface.mesh.corner(t, 0));
         if (!kTwoSided<Shape> && height < -slack) continue;

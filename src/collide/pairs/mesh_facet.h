@@ -61,8 +61,11 @@ Shows shown_along(const MeshFacet& facet, Vec3 direction);
 // felt and the surface's own normal stands, so that meshes laid edge to edge are one floor.
 inline constexpr Real kLip = Real(0.01);
 
-// Spheres and capsules.
+// Capsules.
 void round_on(const RoundSolid& core, const MeshFacet& facet, MeshMeeting& meeting);
+
+// A sphere, as round_on(); of the triangle only what is needed is looked up.
+void ball_on(Vec3 centre, Real radius, int triangle, MeshMeeting& meeting);
 
 // Any other solid, by the view in `meeting`.
 void solid_on(const MeshFacet& facet, MeshMeeting& meeting);

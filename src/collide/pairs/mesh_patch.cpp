@@ -34,13 +34,17 @@ void cut(TrianglePart& patch, Vec3 normal, Real limit, Real slack, bool seam)
 
 }  // namespace
 
-Prism::Prism(const MeshFacet& f)
+Prism::Prism(const Triangle& f, Vec3 direction)
 {
     for (int k = 0; k < 3; ++k) {
-        out[k] = normalized_or(cross(f.edge(k), f.n), {});
+        out[k] = normalized_or(cross(f.edge(k), direction), {});
         limit[k] = dot(out[k], f.v[k]);
-        seam[k] = f.rim[k] == Rim::kSeam;
     }
+}
+
+Prism::Prism(const MeshFacet& f) : Prism(f, f.n)
+{
+    for (int k = 0; k < 3; ++k) seam[k] = f.rim[k] == Rim::kSeam;
 }
 
 void cut_to_prism(TrianglePart& patch, const Prism& prism, bool seams, Real slack)

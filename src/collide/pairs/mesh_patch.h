@@ -23,12 +23,13 @@ struct TrianglePart {
     }
 };
 
-// The prism of a facet about its normal: what is in it has out . x <= limit.
+// The prism of a triangle about a direction, of a facet about its normal: what is in it has out . x <= limit.
 struct Prism {
+    Prism(const Triangle& triangle, Vec3 direction);
     explicit Prism(const MeshFacet& facet);
     Vec3 out[3];  // unit, or zero for an edge without length
     Real limit[3];
-    bool seam[3];
+    bool seam[3] = {};
 };
 
 // Cuts by the prism. `seams`: false makes all cuts count.

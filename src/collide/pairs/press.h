@@ -6,7 +6,8 @@
 // end. What becomes of a piece of the solid is the ground's to say:
 //   ground.press(polygon)   cuts by the facet's prism and keeps what is deep; of a point the same
 //   ground.ends_at(edge)    may a contact patch end there?
-//   ground.upright()         the direction of the prism
+//   ground.wall(edge)        the outward normal of the prism there, and ground.before(edge, point) the way to
+//   it ground.low(height)       may what is so high above the facet be a contact?
 #pragma once
 
 #include <type_traits>
@@ -56,10 +57,12 @@ class Press {
         if (length2(aside) > kFaceLean * kFaceLean) feature(aside);
         // The lowest of the true rim, not of its polygon; the support of a flat end is its middle.
         if (length2(aside) > kFlat * kFlat) to_.press(s_.support(-f_.n));
-        // The support of an end is its middle only to rounding: of a wheel that has rolled, a point of the
-        // rim.
-        for (const Vec3 end : {axis, -axis})
-            rim(axis, s_.pose.p + dot(s_.support(end) - s_.pose.p, end) * end);
+        const Real half = static_cast<const Cylinder*>(s_.shape)->half_length,
+                   drop = s_.rim_radius * length(aside);
+        for (const Vec3 end : {axis, -axis}) {
+            const Vec3 centre = s_.pose.p + half * end;
+            if (to_.low(f_.height(centre) - drop)) rim(axis, centre);
+        }
     }
 
     // Where the true rim passes over the facet's edges: on a ridge, these are the deepest points.
@@ -68,14 +71,14 @@ class Press {
         const Real r = s_.rim_radius;
         for (int k = 0; k < 3; ++k) {
             if (!to_.ends_at(k)) continue;
-            Vec3 wall = cross(f_.edge(k), to_.upright());
-            const Real offset = dot(wall, f_.v[k] - centre);
-            wall -= dot(wall, axis) * axis;  // within the plane of the end
-            const Real steep = length(wall), s = offset / steep;
-            if (!(std::fabs(s) < r)) continue;
-            const Vec3 out = wall / steep, along = std::sqrt(r * r - s * s) * cross(axis, out);
-            to_.press(centre + s * out + along);
-            to_.press(centre + s * out - along);
+            const Vec3 out = to_.wall(k), within = out - dot(out, axis) * axis;  // in the plane of the end
+            const Real steep2 = length2(within), way = to_.before(k, centre);
+            if (!(way * way < r * r * steep2)) continue;
+            const Real aside2 = r * r - way * way / steep2;
+            const Vec3 foot = centre + way / steep2 * within;
+            const Vec3 along = std::sqrt(aside2 > 0 ? aside2 / steep2 : Real(0)) * cross(axis, within);
+            to_.press(foot + along);
+            to_.press(foot - along);
         }
     }
 

@@ -134,4 +134,32 @@ void round_on(const RoundSolid& s, const MeshFacet& f, MeshMeeting& m)
     }
 }
 
+void ball_on(Vec3 centre, Real radius, int triangle, MeshMeeting& m)
+{
+    const TriangleMesh& mesh = m.mesh;
+    const Vec3 n = mesh.normal(triangle);
+    const Vec3 v[3] = {mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)};
+    const Real height = dot(n, centre) - dot(n, v[0]), top = radius + m.slack;
+    if (height > top || height < -m.slack) return;
+    const Vec3 e[3] = {v[1] - v[0], v[2] - v[1], v[0] - v[2]};
+    Real beyond[3], aside = 0;
+    for (int k = 0; k < 3; ++k) {
+        beyond[k] = dot(cross(e[k], n), centre - v[k]) / length(e[k]);
+        aside = beyond[k] > aside ? beyond[k] : aside;
+    }
+    const Real above = height > 0 ? height : Real(0), depth = radius - height;
+    if (aside * aside + above * above > top * top) return;
+    if (aside <= m.slack) m.out.add(centre - radius * n, n, depth > 0 ? depth : 0, triangle);
+    const MeshRims& rims = mesh.rims(triangle);
+    const Real inside = -kLevel * top;
+    MeshFacet f;
+    for (int k = 0; k < 3; ++k) {
+        if (beyond[k] < inside || !(rims.sharp[k] || rims.sharp[k == 2 ? 0 : k + 1])) continue;
+        const Vec3 q = v[k] + closest_on_segment(v[k], v[k == 2 ? 0 : k + 1], centre) * e[k];
+        if (length2(centre - q) > top * top) continue;
+        if (f.index < 0) f = facet_of(mesh, triangle);
+        beside({centre, centre, radius}, f, k, centre, q, m);
+    }
+}
+
 }  // namespace epode
