@@ -2,15 +2,17 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The contacts that a world manages. Every step makes a new list of pairs from the one before: pairs of the
-// space in its order, each with its record brought up to date; then the new list takes the place of the old.
-// A step that cannot be finished just drops the new one, so it leaves no trace. Records move from list to
-// list, which costs less than looking for them in holes, and neighbours in space stay neighbours in memory.
+// space in its order, each with its patches brought up to date; then the new list takes the place of the
+// old. A step that cannot be finished just drops the new one, so it leaves no trace. Manifolds move from list
+// to list, which costs less than looking for them in holes, and neighbours in space stay neighbours in
+// memory.
 #pragma once
 
 #include "base/arena.h"
 #include "base/array.h"
 #include "collide/space.h"
 #include "contacts/contact_pair.h"
+#include "contacts/narrow_phase.h"
 #include "contacts/pair_finder.h"
 #include "dynamics/island.h"
 #include "ode/contacts.h"
@@ -40,14 +42,29 @@ class ContactWorld {
     int contacts(dWorldContact* out, int room) const;
 
   private:
+    // Pairs and what came of them.
+    struct List {
+        Array<ContactPair> pairs;
+        Array<KeptPatch> patches;  // those of a pair lie together; there are gaps
+
+        std::span<const KeptPatch> of(const ContactPair& pair) const
+        {
+            return patches.span().subspan(std::size_t(pair.first), pair.count);
+        }
+        std::span<const KeptPatch> of(int pair) const
+        {
+            return pair < 0 ? std::span<const KeptPatch>{} : of(pairs.data()[pair]);
+        }
+    };
+
     [[nodiscard]] bool list_pairs(const World& world);
     [[nodiscard]] bool list_pair(Geom& a, Geom& b, RecordFinder& finder);
+    [[nodiscard]] bool make_room();
     void collide_pairs(const World& world, Real h, const Tasks& tasks);
-    std::span<const ContactPair> record(int old) const;
+    void update_one(ContactPair& pair, int place, const NarrowSettings& settings);
     bool ask_filter(const ContactPair& pair) const;
 
-    Array<ContactPair> pairs_, fresh_;  // of the last step, of this one
-    Array<int> heads_;                  // of fresh_: part 0 of each pair that is collided
+    List last_, fresh_;  // of the last step, of this one
     Array<GeomPair> found_;
     Array<int> table_;
     Array<dContactEvent> ended_;  // of the last step

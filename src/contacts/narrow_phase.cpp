@@ -8,8 +8,6 @@
 #include "collide/collide.h"
 #include "contacts/material.h"
 #include "contacts/patch_points.h"
-#include "dynamics/integrate.h"
-#include "math/rotation.h"
 
 namespace epode {
 namespace {
@@ -44,48 +42,44 @@ bool sound(const dContactGeom& c)
 
 class PairUpdate {
   public:
-    PairUpdate(std::span<ContactPair> parts, const NarrowSettings& settings)
-        : parts_(parts),
-          head_(parts[0]),
+    PairUpdate(ContactPair& pair, const NarrowSettings& settings, KeptPatch* into)
+        : pair_(pair),
+          g1_(*from_handle<Geom>(pair.id1)),
+          g2_(*from_handle<Geom>(pair.id2)),
+          parts_(into, pair.most),
           settings_(settings),
-          pose1_(pose_of(*head_.g1)),
-          pose2_(pose_of(*head_.g2)),
-          x1_(head_.body1->position()),
-          x2_(head_.body2 ? head_.body2->position() : Vec3{})
+          pose1_(pose_of(g1_)),
+          pose2_(pose_of(g2_)),
+          x1_(pair.body1->position()),
+          x2_(pair.body2 ? pair.body2->position() : Vec3{})
     {}
 
-    void run(std::span<const ContactPair> old)
+    void run(std::span<const KeptPatch> old)
     {
-        const Vec3 offset = transposed_times(pose1_.R, pose2_.p - pose1_.p);
-        const Mat3 turn = transpose(pose1_.R) * pose2_.R;
-        if (!old.empty() && hardly_moved(old, offset, turn) && reuse(old)) return;
-        head_.offset = narrow(offset);
-        for (int k = 0; k < 3; ++k) head_.turn[k] = narrow(turn.row(k));
+        offset_ = transposed_times(pose1_.R, pose2_.p - pose1_.p);
+        turn_ = transpose(pose1_.R) * pose2_.R;
+        if (!old.empty() && hardly_moved(old) && reuse(old)) return;
+        pair_.count = 0;
         collide(old);
     }
 
   private:
     // How far any point of the smaller one can have moved in the other's frame.
-    bool hardly_moved(std::span<const ContactPair> old, Vec3 offset, const Mat3& turn) const
+    bool hardly_moved(std::span<const KeptPatch> old) const
     {
-        const ContactPair& was = old[0];
-        bool full = old.size() == 1, touches = false;
-        for (const ContactPair& part : old) {
-            touches = touches || part.patch.count > 0;
-            full = full && part.patch.count == kPatchPoints;
-        }
-        if (!touches) return false;
-        const Real size = size_of(*head_.g1, *head_.g2);
+        const KeptPatch& was = old[0];
+        const bool full = pair_.most == 1 && was.patch.count == kPatchPoints;
+        const Real size = size_of(g1_, g2_);
         const Real most = full ? kReuse * size : kReuseLayer * settings_.layer;
         // |R - R'| in the sense of Frobenius is 2 sqrt(2) sin(angle / 2).
         Real turned2 = 0;
-        for (int k = 0; k < 3; ++k) turned2 += length2(turn.row(k) - widen(was.turn[k]));
+        for (int k = 0; k < 3; ++k) turned2 += length2(turn_.row(k) - widen(was.turn[k]));
         const Real turned = std::sqrt(turned2 / 2);
-        return length(offset - widen(was.offset)) + turned * std::max(size, reach(was)) <= most;
+        return length(offset_ - widen(was.offset)) + turned * std::max(size, reach(was)) <= most;
     }
 
     // Of the points from g2's place: what a turn of g2 moves them by.
-    static Real reach(const ContactPair& was)
+    static Real reach(const KeptPatch& was)
     {
         float most = 0;
         for (int i = 0; i < was.patch.count; ++i) {
@@ -96,31 +90,26 @@ class PairUpdate {
     }
 
     // False: they have come apart.
-    bool reuse(std::span<const ContactPair> old)
+    bool reuse(std::span<const KeptPatch> old)
     {
         bool touches = false;
-        for (std::size_t i = 0; i < parts_.size(); ++i) {
-            ContactPair& part = parts_[i];
-            part.offset = old[i].offset;
-            std::copy(std::begin(old[i].turn), std::end(old[i].turn), part.turn);
-            part.normal = old[i].normal;
-            part.patch = old[i].patch;
-            std::copy_n(old[i].anchors, part.patch.count, part.anchors);
-            touches = place(part) || touches;
+        for (std::size_t i = 0; i < old.size(); ++i) {
+            parts_[i] = old[i];
+            touches = place(parts_[i]) || touches;
         }
+        pair_.count = std::uint8_t(old.size());
         return touches;
     }
 
     // Arms and gaps of the points at the present poses. True if one of them still touches.
-    bool place(ContactPair& part)
+    bool place(KeptPatch& part)
     {
         Patch& patch = part.patch;
-        if (patch.count == 0) return false;
         part.origin = x1_;
         part.layer = float(settings_.layer);
         const Vec3 n = pose1_.R * widen(part.normal);
         patch.normal = narrow(n);
-        combine_materials(*head_.g1, *head_.g2, patch);
+        combine_materials(g1_, g2_, patch);
         bool touches = false;
         for (int i = 0; i < patch.count; ++i) {
             const ContactAnchor& anchor = part.anchors[i];
@@ -130,95 +119,74 @@ class PairUpdate {
             const Real gap = Real(anchor.gap) + dot(n, at1 - at2);
             PatchPoint& point = patch.points[i];
             point.r1 = narrow(at - x1_);
-            point.r2 = narrow(head_.body2 ? at - x2_ : Vec3{});
+            point.r2 = narrow(pair_.body2 ? at - x2_ : Vec3{});
             point.gap = float(gap + settings_.layer);
             touches = touches || gap <= 0;
         }
         return touches;
     }
 
-    void collide(std::span<const ContactPair> old)
+    void collide(std::span<const KeptPatch> old)
     {
         dContactGeom found[kSurfacePoints];
-        ContactArray out{found, int(sizeof(dContactGeom)), parts_.size() > 1 ? kSurfacePoints : kSolidPoints,
+        ContactArray out{found, int(sizeof(dContactGeom)), pair_.most > 1 ? kSurfacePoints : kSolidPoints,
                          false};
-        const Aabb &box1 = box_of(*head_.g1), &box2 = box_of(*head_.g2);
-        if (overlap(box1, box2)) epode::collide(*head_.g1, *head_.g2, out);
+        const Aabb &box1 = box_of(g1_), &box2 = box_of(g2_);
+        if (overlap(box1, box2)) epode::collide(g1_, g2_, out);
         if (out.count > 0) return take(out, pose1_, pose2_, old);
-        if (!draws_near() || !overlap(after_step(head_.body1, box1), after_step(head_.body2, box2))) return;
-        const Pose soon1 = after_step(head_.body1, pose1_), soon2 = after_step(head_.body2, pose2_);
-        collide_at(*head_.g1, soon1, *head_.g2, soon2, out);
+        const Foresight& soon = settings_.soon;
+        if (!draws_near() || !overlap(soon.box(pair_.body1, box1), soon.box(pair_.body2, box2))) return;
+        const Pose soon1 = soon.pose(pair_.body1, pose1_), soon2 = soon.pose(pair_.body2, pose2_);
+        collide_at(g1_, soon1, g2_, soon2, out);
         take(out, soon1, soon2, {});
-        for (ContactPair& part : parts_)
-            if (is_through(part)) part.patch.count = 0;
+        drop_passed();
     }
 
-    // Is it worth while to look where the two will be? Functions of the program are asked about the present.
+    // Is it worth while to look where the two will be?
     bool draws_near() const
     {
-        if (asks_program(*head_.g1, *head_.g2)) return false;
-        const Vec3 v = velocity(head_.body1) - velocity(head_.body2);
-        const Real turned = spin(head_.body1) + spin(head_.body2);
-        const Real size = size_of(*head_.g1, *head_.g2);
-        return settings_.h * (length(v) + size * turned) > settings_.layer;
+        if (!settings_.foresees) return false;
+        const Vec3 v = settings_.soon.velocity(pair_.body1) - settings_.soon.velocity(pair_.body2);
+        const Real turned = spin(pair_.body1) + spin(pair_.body2);
+        const Real size = size_of(g1_, g2_);
+        return settings_.soon.h * (length(v) + size * turned) > settings_.layer;
     }
 
-    // At the end of the step, as far as is known.
-    Vec3 velocity(const Body* body) const
-    {
-        if (!body) return {};
-        const bool falls = body->gravity && !body->kinematic();
-        return falls ? body->velocity() + settings_.h * settings_.gravity : body->velocity();
-    }
     static Real spin(const Body* body) { return body ? length(body->angular_velocity()) : 0; }
 
-    Pose after_step(const Body* body, const Pose& pose) const
+    // What is too fast to be stopped meets the other side there.
+    void drop_passed()
     {
-        if (!body) return pose;
-        Quat q = turned(*body, body->angular_velocity(), settings_.h);
-        if (!normalize(q)) return pose;
-        const Mat3 turn = to_matrix(q) * transpose(body->rotation());
-        const Vec3 x = body->position();
-        return {x + settings_.h * velocity(body) + turn * (pose.p - x), turn * pose.R};
-    }
-
-    // Holds what has the pose's box then.
-    Aabb after_step(const Body* body, const Aabb& box) const
-    {
-        if (!body) return box;
-        const Vec3 way = settings_.h * velocity(body);
-        const Real turn = settings_.h * spin(body) * length(box.hi - box.lo);
-        const Vec3 round{turn, turn, turn};
-        return {box.lo + way - round, box.hi + way + round};
-    }
-
-    // Too fast to be stopped: what meets it there is the other side.
-    bool is_through(const ContactPair& part) const
-    {
-        for (int i = 0; i < part.patch.count; ++i)
-            if (part.patch.points[i].gap < 0) return true;
-        return false;
+        const auto passed = [](const KeptPatch& part) {
+            const auto points = std::span(part.patch.points).first(std::size_t(part.patch.count));
+            return std::any_of(points.begin(), points.end(), [](const PatchPoint& p) { return p.gap < 0; });
+        };
+        const auto end = std::remove_if(parts_.begin(), parts_.begin() + pair_.count, passed);
+        pair_.count = std::uint8_t(end - parts_.begin());
     }
 
     // The contacts of the two at A and B.
-    void take(const ContactArray& out, const Pose& A, const Pose& B, std::span<const ContactPair> old)
+    void take(const ContactArray& out, const Pose& A, const Pose& B, std::span<const KeptPatch> old)
     {
         PatchMaker maker(parts_);
         for (int i = 0; i < out.count; ++i)
             if (sound(*out.at(i))) maker.add(*out.at(i));
         maker.finish();
-        for (ContactPair& part : parts_) settle(part, maker, A, B, old);
+        pair_.count = std::uint8_t(maker.used());
+        for (int part = 0; part < pair_.count; ++part) settle(part, maker, A, B, old);
     }
 
     // Anchors, and impulses from the points that were near.
-    void settle(ContactPair& part, const PatchMaker& maker, const Pose& A, const Pose& B,
-                std::span<const ContactPair> old)
+    void settle(int index, const PatchMaker& maker, const Pose& A, const Pose& B,
+                std::span<const KeptPatch> old)
     {
+        KeptPatch& part = parts_[std::size_t(index)];
         Patch& patch = part.patch;
-        if (patch.count == 0) return;
+        part.offset = narrow(offset_);
+        for (int k = 0; k < 3; ++k) part.turn[k] = narrow(turn_.row(k));
         part.normal = narrow(transposed_times(A.R, widen(patch.normal)));
         for (int i = 0; i < patch.count; ++i) {
-            const dContactGeom& c = maker.source(part.part, i);
+            const dContactGeom& c = maker.source(index, i);
             const Vec3 p = load(c.pos);
             patch.points[i].push = 0;
             patch.points[i].friction = {};
@@ -226,23 +194,26 @@ class PairUpdate {
                                float(-c.depth)};
         }
         place(part);
-        const Real size = size_of(*head_.g1, *head_.g2);
-        for (const ContactPair& was : old) inherit_impulses(was, size, part);
+        const Real size = size_of(g1_, g2_);
+        for (const KeptPatch& was : old) inherit_impulses(was, size, part);
     }
 
-    std::span<ContactPair> parts_;
-    ContactPair& head_;
+    ContactPair& pair_;
+    Geom &g1_, &g2_;
+    const std::span<KeptPatch> parts_;
     const NarrowSettings& settings_;
     const Pose pose1_, pose2_;
     const Vec3 x1_, x2_;
+    Vec3 offset_;  // of g2 in g1's frame
+    Mat3 turn_;
 };
 
 }  // namespace
 
-void update_pair(std::span<ContactPair> parts, std::span<const ContactPair> old,
-                 const NarrowSettings& settings)
+void update_pair(ContactPair& pair, std::span<const KeptPatch> old, const NarrowSettings& settings,
+                 KeptPatch* into)
 {
-    PairUpdate(parts, settings).run(old);
+    PairUpdate(pair, settings, into).run(old);
 }
 
 }  // namespace epode

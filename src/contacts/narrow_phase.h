@@ -11,18 +11,20 @@
 #include <span>
 
 #include "contacts/contact_pair.h"
+#include "contacts/foresight.h"
 
 namespace epode {
 
 struct NarrowSettings {
-    Real layer;    // allowed depth, m
-    Real h;        // s, until the pair is looked at again
-    Vec3 gravity;  // m/s^2
+    Real layer;  // allowed depth, m
+    Foresight soon;
+    bool foresees;  // what does not touch yet is looked at where it will be
 };
 
-// `parts` are the records of one pair, `old` those of the step before or empty. Pairs may be updated at the
-// same time, unless functions of the program are asked about them.
-void update_pair(std::span<ContactPair> parts, std::span<const ContactPair> old,
-                 const NarrowSettings& settings);
+// Brings up to date what is known of a pair that may touch: `old` are its patches of the step before,
+// `into` room for pair.most new ones; the pair gets their count. Pairs may be updated at the same time,
+// unless functions of the program are asked about them.
+void update_pair(ContactPair& pair, std::span<const KeptPatch> old, const NarrowSettings& settings,
+                 KeptPatch* into);
 
 }  // namespace epode

@@ -12,20 +12,9 @@ namespace {
 
 struct Collection {
     Array<GeomPair>& pairs;
-    Swept swept;
+    const Foresight& soon;
     bool complete = true;
 };
-
-Aabb swept_box(const void* h, const Geom& geom, const Aabb& box)
-{
-    const Body* body = from_handle<Body>(geom.body.id);
-    if (!body) return box;
-    const Real time = *static_cast<const Real*>(h);
-    const Vec3 way = time * body->velocity(), half = Real(0.5) * (box.hi - box.lo);
-    const Real turn = time * length(body->angular_velocity()) * length(half);
-    const Vec3 round{turn, turn, turn};
-    return {min(box.lo, box.lo + way) - round, max(box.hi, box.hi + way) + round};
-}
 
 void collect(void* data, dGeomID o1, dGeomID o2)
 {
@@ -37,23 +26,27 @@ void collect(void* data, dGeomID o1, dGeomID o2)
         into.complete = into.pairs.push({&a, &b}) && into.complete;
 }
 
-// Fat boxes for the whole way of what moves.
-void expect_motion(Space& space, const Swept& swept)
+// Room in the broad phase for the whole way of what moves.
+void expect_motion(Space& space, const Foresight& soon)
 {
     constexpr int kAhead = 3;
     const int count = space.members.size();
+    Geom* const* members = space.members.data();
     for (int slot = 0; slot < count; ++slot) {
-        if (slot + kAhead < count) fetch<3>(space.members[slot + kAhead]);
-        Geom* geom = space.members[slot];
-        if (geom && geom->body.id && space.broadphase.present(slot))
-            space.broadphase.expect(slot, swept.box(swept.data, *geom, space.broadphase.box(slot)));
+        if (slot + 2 * kAhead < count) fetch<3>(members[slot + 2 * kAhead]);
+        if (slot + kAhead < count && members[slot + kAhead]) fetch<8>(members[slot + kAhead]->body.id);
+        const Geom* geom = members[slot];
+        if (!geom || !space.broadphase.present(slot)) continue;
+        const Body* body = from_handle<Body>(geom->body.id);
+        const Aabb now = space.broadphase.box(slot);
+        if (body) space.broadphase.expect(slot, body->disabled ? now : merge(now, soon.box(body, now)));
     }
 }
 
 void collect_inside(Space& space, Collection& into)
 {
-    expect_motion(space, into.swept);
-    collide_space(space, &into, collect, &into.swept);
+    expect_motion(space, into.soon);
+    collide_space(space, &into, collect, PairsOf::kWays);
     const SpaceLock lock(space);
     for (Geom* member : space.members)
         if (member && member->enabled && is_space(*member))
@@ -62,10 +55,10 @@ void collect_inside(Space& space, Collection& into)
 
 }  // namespace
 
-bool find_geom_pairs(Space& space, Real h, Array<GeomPair>& out)
+bool find_geom_pairs(Space& space, const Foresight& soon, Array<GeomPair>& out)
 {
     out.clear();
-    Collection into{out, {swept_box, &h}};
+    Collection into{out, soon};
     collect_inside(space, into);
     return into.complete;
 }
@@ -80,7 +73,7 @@ void DeepLock::count(Space& space, int by)
 bool RecordFinder::is(int record, std::uint64_t serial1, std::uint64_t serial2) const
 {
     const ContactPair& r = records_.data()[record];
-    return r.serial1 == serial1 && r.serial2 == serial2 && r.part == 0;
+    return r.serial1 == serial1 && r.serial2 == serial2;
 }
 
 bool RecordFinder::make_table()
@@ -89,7 +82,7 @@ bool RecordFinder::make_table()
     table_.clear();
     if (!table_.resize(size)) return false;
     for (int& entry : table_) entry = -1;
-    for (int i = 0; i < records_.size(); i += records_[i].parts) {
+    for (int i = 0; i < records_.size(); ++i) {
         std::size_t at = hash_of(records_[i].serial1, records_[i].serial2) & std::size_t(size - 1);
         while (table_.data()[at] >= 0) at = (at + 1) & std::size_t(size - 1);
         table_.data()[at] = i;
@@ -113,7 +106,7 @@ int RecordFinder::find(std::uint64_t serial1, std::uint64_t serial2)
                 break;
             }
     }
-    if (found >= 0) next_ = found + records_.data()[found].parts;
+    if (found >= 0) next_ = found + 1;
     return found;
 }
 

@@ -9,6 +9,7 @@
 #include "base/array.h"
 #include "collide/space.h"
 #include "contacts/contact_pair.h"
+#include "contacts/foresight.h"
 
 namespace epode {
 
@@ -17,8 +18,8 @@ struct GeomPair {
 };
 
 // All pairs of geoms that are no spaces, spaces in it opened. False: out of memory.
-// `h`: how long bodies will go on moving as they do.
-[[nodiscard]] bool find_geom_pairs(Space& space, Real h, Array<GeomPair>& out);
+// `soon`: where bodies will be when pairs are looked for again.
+[[nodiscard]] bool find_geom_pairs(Space& space, const Foresight& soon, Array<GeomPair>& out);
 
 // Keeps a space and all in it, at any depth, locked: the filter is the program's.
 class DeepLock {
@@ -39,7 +40,7 @@ class RecordFinder {
         : records_(records), table_(table)
     {}
 
-    // Part 0's record of the pair, -1: none, -2: out of memory.
+    // The pair's record, -1: none, -2: out of memory.
     int find(std::uint64_t serial1, std::uint64_t serial2);
 
   private:

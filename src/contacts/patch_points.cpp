@@ -29,9 +29,9 @@ int best_of(int count, Score&& score)
 
 }  // namespace
 
-PatchMaker::PatchMaker(std::span<ContactPair> parts) : parts_(parts)
+PatchMaker::PatchMaker(std::span<KeptPatch> parts) : parts_(parts)
 {
-    for (ContactPair& part : parts_) part.patch.count = 0;
+    for (KeptPatch& part : parts_) part.patch.count = 0;
 }
 
 // The patch of that normal, a new one, or when there is no more the one that is nearest.
@@ -71,7 +71,7 @@ void PatchMaker::keep_four(int part)
     for (; kept; kept &= kept - 1) points[counts_[part]++] = points[std::countr_zero(kept)];
 }
 
-void inherit_impulses(const ContactPair& was, Real size, ContactPair& part)
+void inherit_impulses(const KeptPatch& was, Real size, KeptPatch& part)
 {
     const Real reach2 = kReach * kReach * size * size;
     bool taken[kPatchPoints] = {};

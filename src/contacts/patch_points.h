@@ -14,12 +14,13 @@ namespace epode {
 // Fills the patches of `parts`: count and normal.
 class PatchMaker {
   public:
-    explicit PatchMaker(std::span<ContactPair> parts);
+    explicit PatchMaker(std::span<KeptPatch> parts);
 
     // The normal must lead into g1, as dCollide gives it.
     void add(const dContactGeom& contact);
     // Leaves the best four of each patch that has more.
     void finish();
+    int used() const { return used_; }
     const dContactGeom& source(int part, int point) const { return *chosen_[part][point]; }
 
   private:
@@ -28,14 +29,14 @@ class PatchMaker {
     int part_for(Vec3 normal);
     void keep_four(int part);
 
-    std::span<ContactPair> parts_;
-    const dContactGeom* chosen_[kSurfaceParts][kMost];
-    int counts_[kSurfaceParts] = {};
+    std::span<KeptPatch> parts_;
+    const dContactGeom* chosen_[kSurfacePatches][kMost];
+    int counts_[kSurfacePatches] = {};
     int used_ = 0;
 };
 
 // Points of `part` take the impulses of the nearest points of `was`, within a tenth of `size` in the frame of
 // either body.
-void inherit_impulses(const ContactPair& was, Real size, ContactPair& part);
+void inherit_impulses(const KeptPatch& was, Real size, KeptPatch& part);
 
 }  // namespace epode

@@ -70,15 +70,25 @@ struct Answer {
     std::vector<Patch> patches;
 };
 
+// The contacts as a solver gets them; they must stay where they are.
+struct Island {
+    RowSystem system;
+    std::vector<Patch*> pointers;
+
+    explicit Island(Contacts& c, Real h = Real(0.01))
+    {
+        for (Patch& p : c.patches) pointers.push_back(&p);
+        system.h = h;
+        system.bodies = c.bodies;
+        system.patches = pointers;
+    }
+};
+
 Answer solve(const PatchKernels& kernels, Contacts c, int steps)
 {
     Arena arena;
-    RowSystem system;
-    system.h = Real(0.01);
-    system.bodies = c.bodies;
-    std::vector<Patch*> pointers;
-    for (Patch& p : c.patches) pointers.push_back(&p);
-    system.patches = pointers;
+    const Island island(c);
+    const RowSystem& system = island.system;
     PatchSet set(kernels);
     EXPECT_TRUE(set.prepare(system, {system.h / Real(steps), steps}, Tasks(1), arena));
     Answer out;
@@ -91,7 +101,7 @@ Answer solve(const PatchKernels& kernels, Contacts c, int steps)
         set.relax(out.velocities);
     }
     set.rebound(out.velocities);
-    set.store_impulses(pointers);
+    set.store_impulses(island.pointers);
     out.patches = c.patches;
     return out;
 }
@@ -124,12 +134,8 @@ TEST(PatchSet, a_small_step_in_one_is_that_of_its_parts)
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         Contacts c = random_contacts(seed, 40, seed == 4 ? 0 : 90);
         Arena arena;
-        RowSystem system;
-        system.h = Real(0.01);
-        system.bodies = c.bodies;
-        std::vector<Patch*> pointers;
-        for (Patch& p : c.patches) pointers.push_back(&p);
-        system.patches = pointers;
+        const Island island(c);
+        const RowSystem& system = island.system;
         const std::size_t bodies = c.bodies.size();
         const std::vector<Velocity> gain(bodies, {{0, 0, Real(-0.02)}, 0, {Real(0.001), 0, 0}, 0});
         std::vector<Velocity> v[2], mean[2];
@@ -198,22 +204,18 @@ TEST(PatchSet, leaves_what_signorini_and_coulomb_ask_for)
         for (PatchPoint& point : p.points) point.push = 0, point.friction = {};
     }
     Arena arena;
-    RowSystem system;
-    system.h = Real(1e-6);  // nothing moves
-    system.bodies = c.bodies;
-    std::vector<Patch*> pointers;
-    for (Patch& p : c.patches) pointers.push_back(&p);
-    system.patches = pointers;
+    const Island island(c, Real(1e-6));  // nothing moves
+    const RowSystem& system = island.system;
     PatchSet set;
     ASSERT_TRUE(set.prepare(system, {system.h, 1}, Tasks(1), arena));
     Answer a;
     a.velocities.resize(c.bodies.size() + 1);
     load_velocities(system, a.velocities);
     for (int i = 0; i < 2000; ++i) set.relax(a.velocities);
-    set.store_impulses(pointers);
+    set.store_impulses(island.pointers);
     const std::vector<Patch> before = c.patches;
     set.relax(a.velocities);
-    set.store_impulses(pointers);
+    set.store_impulses(island.pointers);
     for (std::size_t i = 0; i < before.size(); ++i)
         for (int k = 0; k < before[i].count; ++k) {
             PatchPoint& point = c.patches[i].points[k];
