@@ -7,6 +7,7 @@
 
 #include "api/body_handle.h"
 #include "ode/ode.h"
+#include "step/hybrid.h"
 
 using namespace epode;
 
@@ -43,6 +44,7 @@ extern "C" {
 
 BODY_NUMBER(int, AutoDisableSteps, sleep.steps, true)
 BODY_NUMBER(dReal, AutoDisableTime, sleep.time, usable_or_infinite(value))
+BODY_NUMBER(int, HybridStepper, hybrid.wish, is_stepper(value))
 BODY_NUMBER(dReal, LinearDamping, damping.linear_scale, usable(value))
 BODY_NUMBER(dReal, AngularDamping, damping.angular_scale, usable(value))
 BODY_NUMBER(dReal, MaxAngularSpeed, max_angular_speed, value >= 0)

@@ -10,6 +10,7 @@
 #include "base/pool.h"
 #include "dynamics/world.h"
 #include "ode/ode.h"
+#include "step/hybrid.h"
 #include "step/link.h"
 #include "step/step.h"
 #include "tasks/threading.h"
@@ -19,7 +20,7 @@ using namespace epode;
 namespace {
 
 // Beyond these a step would not come back for hours: a number that slipped, not one that somebody wants.
-constexpr int kMostIterations = 100000, kMostSmallSteps = 10000;
+constexpr int kMostIterations = 100000;
 
 // Thresholds are kept squared.
 Real square(Real x) { return x * x; }
@@ -234,6 +235,8 @@ int dWorldGetExactRotation(dWorldID w)
 WORLD_NUMBER(int, ExactSubsteps, exact_substeps, value >= 1 && value <= 1000)
 WORLD_NUMBER(int, StepProjection, projection_iterations, value >= 0 && value <= 100)
 WORLD_NUMBER(dReal, StepProjectionTolerance, projection_tolerance, value > 0 && value < 1)
+WORLD_NUMBER(int, HybridStepper, hybrid_stepper, is_stepper(value))
+WORLD_NUMBER(int, HybridSmallSteps, hybrid_small_steps, value >= 1 && value <= kMostSmallSteps)
 
 // ---- report (ode/ext.h)
 // -------------------------------------------------------------------------------------

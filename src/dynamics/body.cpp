@@ -92,6 +92,7 @@ bool set_mass(Body& body, const dMass& mass)
     if (!invert(full(inertia), inverse)) return false;
     body.mass = mass;
     body.inertia = inertia;
+    body.driven = false;
     body.inv_mass = 1 / mass.mass;
     body.inv_inertia = symmetric_part(inverse);
     body.spin_excess = {};
@@ -100,6 +101,7 @@ bool set_mass(Body& body, const dMass& mass)
 
 void set_kinematic(Body& body)
 {
+    body.driven = true;
     body.inv_mass = 0;
     body.inv_inertia = Sym3{};
 }

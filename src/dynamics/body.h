@@ -48,6 +48,7 @@ struct Body : Tagged {
     ~Body();
 
     // ---- all that walks over the world's bodies look at: one line of the cache, with the tag ----
+    World* world;
     Body* next = nullptr;          // world's list, newest first
     JointNode* joints = nullptr;   // most recently attached first
     PatchEdge* patches = nullptr;  // contacts that the world manages, during a step
@@ -56,6 +57,7 @@ struct Body : Tagged {
     bool disabled = false;
     bool auto_disable = false;
     bool patched = false;  // by a contact that the world manages, in the last step
+    bool driven = false;   // kinematic: forces do not move it
 
     // ---- visible through the ABI ----
     alignas(kCacheLine) Real pos[4] = {};
@@ -81,7 +83,6 @@ struct Body : Tagged {
     DampingRule damping;
 
     // ---- rest ----
-    World* world;
     Body* prev = nullptr;
     HybridState hybrid;
     void* data = nullptr;
@@ -100,7 +101,7 @@ struct Body : Tagged {
     Quat orientation() const { return load_quat(q); }
     Vec3 velocity() const { return load(lvel); }
     Vec3 angular_velocity() const { return load(avel); }
-    bool kinematic() const { return inv_mass == 0; }
+    bool kinematic() const { return driven; }  // then inverse mass and inertia are zero
     Vec3 point_velocity(Vec3 point) const
     {
         return velocity() + cross(angular_velocity(), point - position());

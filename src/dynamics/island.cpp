@@ -6,6 +6,8 @@
 // the adjacency that exists anyway and yields bodies in an order in which neighbours are close in memory.
 #include "dynamics/island.h"
 
+#include "base/ahead.h"
+
 namespace epode {
 namespace {
 
@@ -67,6 +69,7 @@ class Search {
     {
         if (!other || other->island_index >= 0) return;
         other->island_index = 0;  // tagged; its place is known when it is taken from the stack
+        fetch<1>(other->patches);
         stack_[std::size_t(depth++)] = other;
     }
 
@@ -98,10 +101,11 @@ bool find_islands(World& world, std::span<PatchEdge> patches, Arena& arena, std:
     Body* const newest = world.bodies;
     Search search(world, patches, arena);
     if (arena.failed()) return false;
-    for (Body* b = newest; b; b = b->next) b->island_index = -1, b->patches = nullptr;
+    for_each_linked<1>(newest, [](Body& b) { b.island_index = -1, b.patches = nullptr; });
     link(patches);
-    for (Body* b = newest; b; b = b->next)
-        if (b->island_index < 0 && !b->disabled) search.grow_from(*b);
+    for_each_linked<1>(newest, [&](Body& b) {
+        if (b.island_index < 0 && !b.disabled) search.grow_from(b);
+    });
     islands = search.islands();
     return true;
 }

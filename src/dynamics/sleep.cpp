@@ -5,6 +5,8 @@
 // the ring has been filled once, no body is.
 #include "dynamics/sleep.h"
 
+#include "base/ahead.h"
+
 namespace epode {
 namespace {
 
@@ -37,17 +39,17 @@ void put_to_sleep(Body& body)
 
 void auto_disable(World& world, Real h)
 {
-    for (Body* b = world.bodies; b; b = b->next) {
-        if ((!b->joints && !b->patched) || !b->auto_disable || b->disabled || b->sleep.samples <= 0) continue;
-        if (idle(*b)) {
-            --b->idle_steps_left;
-            b->idle_time_left -= h;
+    for_each_linked<1>(world.bodies, [h](Body& b) {
+        if ((!b.joints && !b.patched) || !b.auto_disable || b.disabled || b.sleep.samples <= 0) return;
+        if (idle(b)) {
+            --b.idle_steps_left;
+            b.idle_time_left -= h;
         } else {
-            b->idle_steps_left = b->sleep.steps;
-            b->idle_time_left = b->sleep.time;
+            b.idle_steps_left = b.sleep.steps;
+            b.idle_time_left = b.sleep.time;
         }
-        if (b->idle_steps_left <= 0 && b->idle_time_left <= 0) put_to_sleep(*b);
-    }
+        if (b.idle_steps_left <= 0 && b.idle_time_left <= 0) put_to_sleep(b);
+    });
 }
 
 }  // namespace epode

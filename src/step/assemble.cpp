@@ -18,6 +18,8 @@
 namespace epode {
 namespace {
 
+constexpr int kLinesOfBody = 10;  // all that a step reads of it
+
 // A tensor of the body's frame in the world's; that of a sphere or cube is the same in all.
 Sym3 in_world(const Body& body, const Sym3& s)
 {
@@ -144,9 +146,26 @@ void add_forces_exactly(Body& body, Real h, SolverBody& out)
     out.w = kicked_spin(body, load(body.tacc), out.w, h);
 }
 
-bool assemble(World& world, Real h, const Solver& solver, Arena& arena, IslandWork& work)
+namespace {
+
+void load_body(const World& world, Real h, const Solver& solver, Body& body, SolverBody& out)
+{
+    load_inertia(body, out);
+    if (solver.needs_inertia) load_mass(body, out);
+    load_velocity(body, out);
+    if (solver.substeps)
+        body.spin_excess = {};  // it turns bodies in its own way
+    else
+        world.exact_rotation ? add_forces_exactly(body, h, out) : add_forces(body, h, out);
+}
+
+}  // namespace
+
+bool assemble(World& world, Real h, const Solver& solver, Arena& arena, IslandWork& work, StepUndo* undo)
 {
     const Island& island = work.island;
+    const bool forces_known = island.joints.empty();
+    const std::size_t first = undo ? undo->first_of(island.bodies) : 0;
     work.system.h = h;
     if (!sort_joints(island.joints, solver.manifolds, arena, work)) return false;
     const std::span<Joint*> joints = work.joints;
@@ -164,9 +183,11 @@ bool assemble(World& world, Real h, const Solver& solver, Arena& arena, IslandWo
         return false;
     }
 
-    for_each_fetched<6>(std::span<Body* const>(island.bodies), [&](std::size_t i, Body& body) {
+    for_each_fetched<kLinesOfBody>(std::span<Body* const>(island.bodies), [&](std::size_t i, Body& body) {
+        if (undo) undo->save(first + i);
         body.island_index = int(i);
         add_gravity(body, world.gravity);
+        if (forces_known) load_body(world, h, solver, body, work.system.bodies[i]);
     });
     int rows = 0, blocks = 0;
     const StepInfo info = step_info(world, h);
@@ -182,16 +203,10 @@ bool assemble(World& world, Real h, const Solver& solver, Arena& arena, IslandWo
     work.system.numbers = arena.take<RowNumbers>(rows);
     if (arena.failed() || !mark_parts(arena, work)) return false;
 
-    for_each_fetched<8>(std::span<Body* const>(island.bodies), [&](std::size_t i, Body& body) {
-        SolverBody& out = work.system.bodies[i];
-        load_inertia(body, out);
-        if (solver.needs_inertia) load_mass(body, out);
-        load_velocity(body, out);
-        if (solver.substeps)
-            body.spin_excess = {};  // it turns bodies in its own way
-        else
-            world.exact_rotation ? add_forces_exactly(body, h, out) : add_forces(body, h, out);
-    });
+    if (!forces_known)
+        for_each_fetched<kLinesOfBody>(std::span<Body* const>(island.bodies), [&](std::size_t i, Body& body) {
+            load_body(world, h, solver, body, work.system.bodies[i]);
+        });
     for (const RowBlock& block : work.system.blocks)
         for (int i = block.first; i < block.first + block.count; ++i)
             work.system.numbers[std::size_t(i)] =

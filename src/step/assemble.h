@@ -9,6 +9,7 @@
 #include "rows/row_system.h"
 #include "rows/row_writer.h"
 #include "solve/solver.h"
+#include "step/undo.h"
 
 namespace epode {
 
@@ -26,8 +27,8 @@ StepInfo step_info(const World& world, Real h);
 
 // Of work.island: gravity and the joints' own forces enter the bodies' accumulators, rows and numbers are
 // written, and the SolverBodies hold v: the present velocities if the solver makes inner steps, else v* after
-// all forces. False: out of memory.
-bool assemble(World& world, Real h, const Solver& solver, Arena& arena, IslandWork& work);
+// all forces. `undo` has the bodies before anything of them changes; null: it has. False: out of memory.
+bool assemble(World& world, Real h, const Solver& solver, Arena& arena, IslandWork& work, StepUndo* undo);
 
 // The part that inner steps repeat.
 void load_inertia(const Body& body, SolverBody& out);  // the inverse only

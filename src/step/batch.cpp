@@ -181,8 +181,14 @@ void WorldBatch::make_pieces()
 
 int WorldBatch::make_steps(int entry, const Step& step, int steps) const
 {
+    World& world = *entries_[entry].world;
+    const auto make = [&] {
+        if (!step.solver) return step_world_hybrid(world, step.h);
+        return step_world(world, *step.solver, step.h,
+                          step.solver->substeps ? step.small_steps : world.quick_iterations);
+    };
     int done = 0;
-    while (done < steps && step.make(*entries_[entry].world, step.h, step.iterations)) ++done;
+    while (done < steps && make()) ++done;
     return done;
 }
 

@@ -15,16 +15,16 @@
 
 #include "base/array.h"
 #include "dynamics/world.h"
+#include "solve/solver.h"
 
 namespace epode {
 
 class WorldBatch {
   public:
-    // Makes one step; false: out of memory, the world is as before.
     struct Step {
-        bool (*make)(World& world, Real h, int iterations);
+        const Solver* solver;  // null: hybrid
         Real h;
-        int iterations;
+        int small_steps;  // of solvers that have them
     };
 
     // The worlds are different and in no step; they are marked as stepping until the end of the batch, so

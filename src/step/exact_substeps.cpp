@@ -103,7 +103,6 @@ bool ExactSubsteps::begin()
 {
     before_ = arena_.take<Before>(int(island_.bodies.size()));
     feedback_ = arena_.take<Feedback>(int(island_.joints.size()));
-    poses_ = save_poses(island_, arena_);
     if (arena_.failed()) {
         before_ = {};  // nothing was written there: there is nothing to undo
         return false;
@@ -118,7 +117,7 @@ bool ExactSubsteps::begin()
 
 void ExactSubsteps::undo()
 {
-    restore_poses(island_, poses_);
+    undo_.restore_poses(island_.bodies);
     for (std::size_t i = 0; i < before_.size(); ++i) {
         Body& b = *island_.bodies[i];
         store(b.lvel, before_[i].v);
@@ -163,7 +162,7 @@ bool ExactSubsteps::next(IslandWork& first, const SolverSettings& settings, Solv
 {
     load_forces();
     work.island = island_;
-    if (!assemble(world_, hs_, kDirect, arena_, work)) return false;
+    if (!assemble(world_, hs_, kDirect, arena_, work, nullptr)) return false;
     carry_contacts(first, work);
     map(work.system);
     if (world_.projection_iterations > 0) {

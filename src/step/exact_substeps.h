@@ -7,14 +7,14 @@
 #include "solve/solver.h"
 #include "step/assemble.h"
 #include "step/projection.h"
-#include "step/saved_pose.h"
+#include "step/undo.h"
 
 namespace epode {
 
 class ExactSubsteps {
   public:
-    ExactSubsteps(World& world, const Island& island, Real h, int n, Arena& arena)
-        : world_(world), island_(island), hs_(h / Real(n)), n_(n), arena_(arena)
+    ExactSubsteps(World& world, const Island& island, const StepUndo& undo, Real h, int n, Arena& arena)
+        : world_(world), island_(island), undo_(undo), hs_(h / Real(n)), n_(n), arena_(arena)
     {}
 
     Real small_step() const { return hs_; }
@@ -46,11 +46,11 @@ class ExactSubsteps {
 
     World& world_;
     const Island& island_;
+    const StepUndo& undo_;
     const Real hs_;
     const int n_;
     Arena& arena_;
     std::span<Before> before_;
-    std::span<SavedPose> poses_;
     std::span<Feedback> feedback_;  // parallel to the island's joints
 };
 

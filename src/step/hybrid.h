@@ -18,11 +18,14 @@
 #pragma once
 
 #include "dynamics/island.h"
+#include "ode/steppers.h"
 #include "solve/solver.h"
 
 namespace epode {
 
-// One of dStepper to its solver; null: none of the four.
+inline bool is_stepper(int number) { return number >= dStepperHybrid && number <= dStepperQuick; }
+
+// One of dStepper to its solver; null: the hybrid one.
 const Solver* solver_named(int stepper);
 
 // How many iterations, or small steps, an island with this solver makes in a hybrid step of the world.

@@ -48,7 +48,7 @@ class IslandStep {
           place_(place),
           arena_(arena),
           exact_(&context.solver == &kDirect),
-          small_(world_, work_.island, context.h, world_.exact_substeps, arena)
+          small_(world_, work_.island, context.undo, context.h, world_.exact_substeps, arena)
     {
         work_.island = joined(members);
         work_.members = members;
@@ -59,7 +59,7 @@ class IslandStep {
     {
         if (divides() && !small_.begin()) return false;
         const Real h = divides() ? small_.small_step() : context_.h;
-        if (!assemble(world_, h, context_.solver, arena_, work_)) return false;
+        if (!assemble(world_, h, context_.solver, arena_, work_, &context_.undo)) return false;
         if (divides()) small_.map(work_.system);
         for (std::size_t i = 0; i < reports.size(); ++i) report_errors(work_, int(i), reports[i]);
         if (projects()) {
@@ -84,7 +84,6 @@ class IslandStep {
         settings.plans = &context_.plans;
         if (projects()) settings.careful_above = 1e-9;  // the projection corrects what positions would feel
         load_warm_start(world_.warm_starting * context_.solver.warm_share);
-        if (inner) saved_ = save_poses(work_.island, arena_);
         SolveReport solved;
         bool sane = context_.solver.solve(work_.system, settings, arena_, solved);
         if (!context_.factorisations.empty())
@@ -116,7 +115,7 @@ class IslandStep {
 
     void refuse(std::span<dIslandStepReport> reports)
     {
-        divides() ? small_.undo() : restore_poses(work_.island, saved_);
+        divides() ? small_.undo() : context_.undo.restore_poses(work_.island.bodies);
         contain(work_.island.bodies, work_.joints);
         for (PatchEdge* edge : work_.island.patches) silence_patch(*edge->patch);
         advance();
@@ -146,10 +145,9 @@ class IslandStep {
         for (Patch* patch : slice(system.patches, from.patches, to.patches)) silence_patch(*patch);
         if (context_.solver.substeps) {
             // The inner steps have moved the bodies.
-            const Island& all = work_.island;
-            restore_poses({slice(all.bodies, from.bodies, to.bodies), {}, {}},
-                          slice(saved_, from.bodies, to.bodies));
-            for (Body* body : slice(all.bodies, from.bodies, to.bodies)) advance_pose(*body, context_.h);
+            const auto bodies = slice(work_.island.bodies, from.bodies, to.bodies);
+            context_.undo.restore_poses(bodies);
+            for (Body* body : bodies) advance_pose(*body, context_.h);
         }
         if (!reports.empty()) reports[std::size_t(part)].contained = true;
     }
@@ -234,7 +232,6 @@ class IslandStep {
     IslandPlace place_;
     Arena& arena_;
     IslandWork work_;
-    std::span<SavedPose> saved_;
     const bool exact_;
     ExactSubsteps small_;
     ProjectionReport projected_;

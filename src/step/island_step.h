@@ -10,6 +10,7 @@
 #include "dynamics/world.h"
 #include "solve/solver.h"
 #include "step/contact_cache.h"
+#include "step/undo.h"
 
 namespace epode {
 
@@ -20,6 +21,7 @@ struct StepContext {
     int iterations;
     ContactCache& contacts;
     PlanCache& plans;
+    StepUndo& undo;
     bool manages_contacts;          // the world does
     std::span<int> factorisations;  // by island, if wanted
 };

@@ -87,12 +87,13 @@ int weight(const Island& island)
 class WorldStep {
   public:
     // `hybrid`: each island has the solver of its own, and not the context's.
-    WorldStep(const StepContext& context, bool hybrid, StepState& state, const Workers& workers)
+    WorldStep(const StepContext& context, StepUndo& undo, bool hybrid, StepState& state,
+              const Workers& workers)
         : context_(context),
           hybrid_(hybrid),
           state_(state),
           workers_(workers),
-          undo_(context.world),
+          undo_(undo),
           continuous_(context.world, undo_, state.continuous, memory().arena(0), context.h)
     {}
 
@@ -272,8 +273,9 @@ class WorldStep {
     {
         const StepContext& c = context_;
         const int iterations = hybrid_ ? hybrid_iterations(c.world, *group.solver) : c.iterations;
-        return {c.world,        *group.solver, c.h, iterations, c.contacts, c.plans, c.manages_contacts,
-                factorisations_};
+        return {c.world,    *group.solver,      c.h,
+                iterations, c.contacts,         c.plans,
+                c.undo,     c.manages_contacts, factorisations_};
     }
 
     const StepContext& context_;
@@ -285,7 +287,7 @@ class WorldStep {
     std::span<int> factorisations_;     // likewise
     std::span<Group> groups_;
     std::span<int> parcels_;
-    StepUndo undo_;
+    StepUndo& undo_;
     Continuous continuous_;
     std::atomic<bool> out_of_memory_{false};
 };
@@ -329,15 +331,17 @@ bool step_in(World& world, StepState& state, const Solver* solver, Real h, int i
     Workers workers;
     if (!workers.hire(world)) return false;
     ++world.step_count;
+    StepUndo undo(world);
     const StepContext context{world,
                               solver ? *solver : kDirect,
                               h,
                               iterations,
                               state.contacts,
                               state.plans,
+                              undo,
                               state.managed.live_space() != nullptr,
                               {}};
-    WorldStep step(context, !solver, state, workers);
+    WorldStep step(context, undo, !solver, state, workers);
     const bool made = step.prepare() && step.run() && step.hold_back();
     workers.dismiss();
     if (made) {

@@ -5,6 +5,7 @@
 // is left to integrate.
 #include "step/substeps.h"
 
+#include "base/ahead.h"
 #include "dynamics/integrate.h"
 
 namespace epode {
@@ -22,19 +23,21 @@ void apply_forces(void* p, RowSystem& system, Real h)
 void advance(void* p, RowSystem& system, Real h)
 {
     SubstepModel& model = model_of(p);
-    for (std::size_t i = 0; i < system.bodies.size(); ++i) {
-        Body& body = *model.work.island.bodies[i];
-        SolverBody& s = system.bodies[i];
-        const Vec3 v0 = body.velocity(), w0 = body.angular_velocity();
-        store(body.lvel, s.v);
-        store(body.avel, s.w);
-        advance_pose(body, h);
-        s.w = body.angular_velocity();  // may have been capped
-        load_inertia(body, s);
-        // The body's own velocity stays that of the beginning of the step until the step is accepted.
-        store(body.lvel, v0);
-        store(body.avel, w0);
-    }
+    constexpr int kLines = 10;  // of a body
+    for_each_fetched<kLines>(std::span<Body* const>(model.work.island.bodies),
+                             [&](std::size_t i, Body& body) {
+                                 SolverBody& s = system.bodies[i];
+                                 const Vec3 v0 = body.velocity(), w0 = body.angular_velocity();
+                                 store(body.lvel, s.v);
+                                 store(body.avel, s.w);
+                                 advance_pose(body, h);
+                                 s.w = body.angular_velocity();  // may have been capped
+                                 load_inertia(body, s);
+                                 // The body's own velocity stays that of the beginning of the step until the
+                                 // step is accepted.
+                                 store(body.lvel, v0);
+                                 store(body.avel, w0);
+                             });
 }
 
 void refresh(void* p, RowSystem& system)

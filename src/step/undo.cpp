@@ -13,17 +13,6 @@
 namespace epode {
 namespace {
 
-constexpr int kLinesOfState = 6;  // of a body, with its tag and its accumulators
-
-// f(member of the body, member of the copy) for each array that both have.
-template <typename B, typename S, typename Visit>
-void for_members(B& body, S& saved, Visit&& f)
-{
-    f(body.pos, saved.pos), f(body.q, saved.q), f(body.R, saved.R);
-    f(body.lvel, saved.lvel), f(body.avel, saved.avel);
-    f(body.facc, saved.facc), f(body.tacc, saved.tacc);
-}
-
 template <typename T, std::size_t N>
 void copy(T (&to)[N], const T (&from)[N])
 {
@@ -42,7 +31,7 @@ std::span<T> joined(std::span<T> first, std::span<T> last)
 bool StepUndo::save_idleness(Arena& arena)
 {
     int count = 0;
-    for (const Body* b = world_.bodies; b; b = b->next) count += b->auto_disable;
+    for_each_linked<1>(world_.bodies, [&](const Body& b) { count += b.auto_disable; });
     idleness_ = arena.take<Idleness>(count);
     if (arena.failed()) return false;
     if (!count) return true;
@@ -64,17 +53,23 @@ bool StepUndo::save_islands(std::span<const Island> islands, Arena& arena)
     if (islands.empty()) return true;
     const std::span<Body* const> bodies = joined(islands.front().bodies, islands.back().bodies);
     saved_ = arena.take<Saved>(int(bodies.size()));
+    marks_ = arena.take_zeroed<Mark>(int(bodies.size()));
     joints_ = joined(islands.front().joints, islands.back().joints);
     if (arena.failed() || !save_impulses(arena)) return false;
     bodies_ = bodies;  // now there is something to restore
-    for_each_fetched<kLinesOfState>(bodies_, [&](std::size_t i, Body& body) {
-        Saved& saved = saved_[i];
-        for_members(body, saved, [](auto& from, auto& to) { copy(to, from); });
-        saved.spin_excess = body.spin_excess;
-        saved.disabled = body.disabled;
+    for_each_fetched<1>(bodies_, [&](std::size_t i, Body& body) {
+        marks_[i].slept = body.disabled;
         body.disabled = false;
     });
     return true;
+}
+
+void StepUndo::save(std::size_t i)
+{
+    const Body& body = *bodies_[i];
+    saved_[i] = {body.position(),         body.orientation(), body.rotation(), body.velocity(),
+                 body.angular_velocity(), load(body.facc),    load(body.tacc), body.spin_excess};
+    marks_[i].saved = true;
 }
 
 bool StepUndo::save_impulses(Arena& arena)
@@ -114,11 +109,30 @@ void StepUndo::restore_bodies() const
 {
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
         Body& body = *bodies_[i];
+        body.disabled = marks_[i].slept;
+        if (!marks_[i].saved) continue;
         const Saved& saved = saved_[i];
-        for_members(body, saved, [](auto& to, const auto& from) { copy(to, from); });
+        restore_pose(body, saved);
+        store(body.lvel, saved.velocity), store(body.avel, saved.angular_velocity);
+        store(body.facc, saved.force), store(body.tacc, saved.torque);
         body.spin_excess = saved.spin_excess;
-        body.disabled = saved.disabled;
     }
+}
+
+void StepUndo::restore_poses(std::span<Body* const> piece) const
+{
+    const Saved* saved = saved_.data() + first_of(piece);
+    for (Body* body : piece) {
+        restore_pose(*body, *saved);
+        ++saved;
+    }
+}
+
+void StepUndo::restore_pose(Body& body, const Saved& saved)
+{
+    store(body.pos, saved.position);
+    store_quat(body.q, saved.orientation);
+    store_mat(body.R, saved.rotation);
 }
 
 void StepUndo::restore_impulses() const

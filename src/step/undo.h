@@ -19,15 +19,24 @@ class StepUndo {
 
     // Before the test for idle bodies. False: out of memory.
     [[nodiscard]] bool save_idleness(Arena& arena);
-    // After the search for islands; bodies that sleep although an awake one reaches them wake up here.
+    // After the search for islands: impulses of their joints, and room for their bodies; those that sleep
+    // although an awake one reaches them wake up here.
     [[nodiscard]] bool save_islands(std::span<const Island> islands, Arena& arena);
+    // Body i of bodies(), when its island is begun: by then it is needed anyway, by a worker of its own.
+    void save(std::size_t i);
     // All that has been saved.
     void restore() const;
+    // Poses of a piece of bodies(): where they were when the step began.
+    void restore_poses(std::span<Body* const> piece) const;
 
     // The bodies of all islands, one after the other, and where each was when the step began.
     std::span<Body* const> bodies() const { return bodies_; }
-    Pose pose_before(std::size_t i) const { return load_pose(saved_[i].pos, saved_[i].R); }
-    Quat orientation_before(std::size_t i) const { return load_quat(saved_[i].q); }
+    std::size_t first_of(std::span<Body* const> piece) const
+    {
+        return std::size_t(piece.data() - bodies_.data());
+    }
+    Pose pose_before(std::size_t i) const { return {saved_[i].position, saved_[i].rotation}; }
+    Quat orientation_before(std::size_t i) const { return saved_[i].orientation; }
 
   private:
     struct Idleness {  // and what a body loses that falls asleep
@@ -37,14 +46,19 @@ class StepUndo {
         int steps_left, next_sample;
         bool samples_ready, disabled;
     };
-    struct Saved {
-        Real pos[4], q[4], R[12], lvel[4], avel[4], facc[4], tacc[4];
-        Vec3 spin_excess;
-        bool disabled;
+    struct Saved {  // of four lines of the cache
+        Vec3 position;
+        Quat orientation;
+        Mat3 rotation;
+        Vec3 velocity, angular_velocity, force, torque, spin_excess;
+    };
+    struct Mark {
+        bool slept, saved;
     };
 
     [[nodiscard]] bool save_impulses(Arena& arena);
     void restore_bodies() const;
+    static void restore_pose(Body& body, const Saved& saved);
     void restore_impulses() const;
 
     World& world_;
@@ -52,6 +66,7 @@ class StepUndo {
     std::span<Body* const> bodies_;  // of all islands, one after the other
     std::span<Joint* const> joints_;
     std::span<Saved> saved_;       // of bodies_
+    std::span<Mark> marks_;        // likewise
     std::span<int> impulse_rows_;  // of joints_
     std::span<Real> impulses_;
 };

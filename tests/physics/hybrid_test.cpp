@@ -224,7 +224,13 @@ std::vector<dBodyID> spider(Sim& sim, V3 at, double size)
     return bodies;
 }
 
-TEST(Hybrid, keeps_momentum_of_what_is_tied_and_of_what_collides)
+// Two machines meet in flight. Returns what of the angular momentum, as a share, is lost until then and in
+// all.
+struct MomentumLoss {
+    double before = 0, in_all = 0;
+};
+
+MomentumLoss collide_machines(int per_step)
 {
     Hybrid sim(dStepperJointsExact);
     sim.gravity(0, 0, 0);
@@ -232,18 +238,30 @@ TEST(Hybrid, keeps_momentum_of_what_is_tied_and_of_what_collides)
     velocity(one[0], {2, 0.1, 0}, {0.5, 1, 0.3});
     velocity(two[3], {-2, 0, 0.4}, {0, 1, 2});
     const V3 p = momentum(sim), l = angular_momentum(sim);
-    double worst_before = 0;
+    const auto lost = [&] { return length(angular_momentum(sim) - l) / length(l); };
+    MomentumLoss loss;
     bool met = false;
-    for (int i = 0; i < 150; ++i) {
-        sim.run(1);
+    for (int i = 0; i < 150 * per_step; ++i) {
+        sim.run(1, kH / per_step);
         met = met || dWorldGetContacts(sim.world, nullptr, 0) > 0;
-        if (!met) worst_before = std::max(worst_before, length(angular_momentum(sim) - l));
+        if (!met) loss.before = std::max(loss.before, lost());
     }
     EXPECT_TRUE(met);
-    EXPECT_LT(length(momentum(sim) - p), tol(1e-5, 1e-3));  // patches are solved in floats
-    EXPECT_LT(worst_before, 1e-3 * length(l));
-    EXPECT_LT(length(angular_momentum(sim) - l), 0.1 * length(l));
+    EXPECT_LT(length(momentum(sim) - p), per_step * tol(1e-5, 1e-3));  // patches are solved in floats
     EXPECT_LT(sim.report().joint_error, 2e-3);
+    loss.in_all = lost();
+    return loss;
+}
+
+// A patch keeps the arms of the step's beginning while its bodies slide past each other in the small steps:
+// what that costs is of first order in the step.
+TEST(Hybrid, keeps_momentum_of_what_is_tied_and_of_what_collides)
+{
+    const MomentumLoss loss = collide_machines(1), fine = collide_machines(8);
+    EXPECT_LT(loss.before, 1e-3);
+    EXPECT_LT(loss.in_all, 0.04);
+    EXPECT_LT(fine.before, loss.before / 4);
+    EXPECT_LT(fine.in_all, loss.in_all / 4);
 }
 
 // Two boxes tied by a joint slide as one.
