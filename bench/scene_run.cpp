@@ -15,6 +15,7 @@
 #include <sstream>
 
 #include "bench/engines/stopwatch.h"
+#include "bench/memory_meter.h"
 #include "bench/scenes/export.h"
 
 namespace epode::bench {
@@ -190,8 +191,10 @@ int run_scene(const SceneRunOptions& options)
     const EngineEntry* entry = find_engine(options.engine_name);
     if (!entry) return refuse(2, fmt::format("there is no engine '{}' in this build", options.engine_name));
     std::string refusal;
+    if (options.memory) meter_memory();
     const std::unique_ptr<Engine> engine = entry->make(*scene, options.engine, refusal);
     if (!engine) return refuse(3, refusal);
+    const size_t scene_bytes = bytes_now();
 
     RunTimes times;
     int not_finite = 0;
@@ -200,6 +203,9 @@ int run_scene(const SceneRunOptions& options)
     if (scene->task == Task::kRays) answer = shoot(*engine, *scene, wall, times);
     if (scene->task == Task::kBroadPhase) answer = fly(*engine, *scene, wall, times);
     if (scene->task == Task::kSimulate) answer = simulate(*engine, *scene, options.judged, times, not_finite);
+    if (options.memory)
+        answer += fmt::format(",\"bytes_scene\":{},\"bytes_steps\":{},\"contacts_end\":{}", scene_bytes,
+                              bytes_at_most() - scene_bytes, engine->contacts());
     fmt::print(
         "{{\"scene\":\"{}\",\"size\":{},\"engine\":\"{}\",\"version\":\"{}\",\"threads\":{},\"clock\":\"{}\","
         "\"steps\":{},\"bodies\":{},\"joints\":{},{},{}}}\n",

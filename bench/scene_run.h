@@ -15,6 +15,7 @@ struct SceneRunOptions {
     EngineOptions engine;
     std::string engine_name = "ode";
     bool judged = true;
+    bool memory = false;  // bytes of the scene, and what its steps take on top
 };
 
 // Prints JSON. 0 fine, 1 a state that is not finite, 2 no such scene or engine, 3 the engine cannot.
