@@ -3,7 +3,8 @@
 #
 # What `cmake --install` puts under a prefix. Nothing installed holds the prefix itself: the tree may be moved.
 #   include/ode/*.h   lib/libode.so.8 and libode_single.so.8 with their links   lib/pkgconfig/ode.pc, ode-single.pc
-#   lib/cmake/ode     bin/ode-config, bin/epode                                share/doc/epode
+#   lib/cmake/ode     bin/ode-config, bin/epode    share/epode/replay.html     share/doc/epode
+#   include/drawstuff/*.h   lib/libdrawstuff.a   lib/pkgconfig/drawstuff.pc, where drawstuff is built
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -52,4 +53,23 @@ if(TARGET epode)
   file(RELATIVE_PATH EPODE_LIB_FROM_BIN /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_LIBDIR})
   set_target_properties(epode PROPERTIES INSTALL_RPATH "$ORIGIN/${EPODE_LIB_FROM_BIN}")
   install(TARGETS epode RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  if(TARGET epode_preload)
+    set_target_properties(epode_observer PROPERTIES INSTALL_RPATH "$ORIGIN")
+    install(TARGETS epode_preload epode_observer LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  endif()
+  # The replay page's template is there when record/page/build has made it; without it `epode --html` says so.
+  install(FILES ${CMAKE_SOURCE_DIR}/build/page/replay.html DESTINATION share/epode OPTIONAL)
+endif()
+
+# No CMake package: the static library wants epoxy and GLFW, which only pkg-config knows how to find.
+if(TARGET drawstuff)
+  set(EPODE_DRAWSTUFF_LIBS "-lepoxy -lstdc++ -ldl -lm")
+  if(EPODE_DRAWSTUFF_HAS_WINDOWS)
+    string(PREPEND EPODE_DRAWSTUFF_LIBS "-lglfw ")
+  endif()
+  file(GLOB EPODE_DRAWSTUFF_HEADERS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/include/drawstuff/*.h)
+  install(FILES ${EPODE_DRAWSTUFF_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/drawstuff)
+  install(TARGETS drawstuff ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  configure_file(${EPODE_PACKAGING}/drawstuff.pc.in ${EPODE_OUT}/drawstuff.pc @ONLY)
+  install(FILES ${EPODE_OUT}/drawstuff.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endif()

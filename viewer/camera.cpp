@@ -52,6 +52,18 @@ bool drawable(const Shape& shape)
     return std::all_of(shape.pos, shape.pos + 3, [](float x) { return std::fabs(x) < 1e15f; });
 }
 
+bool drawable(const Triangle& triangle)
+{
+    return std::all_of(triangle.corners, triangle.corners + 3, [](const Corner& corner) {
+        for (int i = 0; i < 3; ++i) {
+            if (!(std::fabs(corner.pos[i]) < 1e15f) || !(std::fabs(corner.normal[i]) < 2) ||
+                !(std::fabs(corner.local[i]) < 1e15f))
+                return false;
+        }
+        return true;
+    });
+}
+
 Ball bounding_ball(const Shape& shape)
 {
     const float* s = shape.size;

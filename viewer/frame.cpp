@@ -18,7 +18,6 @@ namespace epode::viewer {
 namespace {
 
 constexpr float kGoldenAngle = 2.39996323f;
-constexpr float kReach = 2.5f;  // in view distances: how far from the target shapes still have shadows
 
 struct Light {
     Mat4 matrix;
@@ -31,13 +30,19 @@ float clamped(float x, float lo, float hi) { return std::min(std::max(x, lo), hi
 Bounds lit_region(const Picture& picture)
 {
     const Vec target = vec(picture.camera.target);
-    const float reach = kReach * view_distance(picture.camera);
+    const float reach = picture.shadow_reach * view_distance(picture.camera);
     Bounds all, near;
     near.add(target, reach);
     for (const Shape& shape : picture.shapes) {
         if (!drawable(shape)) continue;
         const Ball ball = bounding_ball(shape);
         if (length(ball.center - target) < reach + ball.radius) all.add(ball.center, ball.radius);
+    }
+    for (const Triangle& triangle : picture.triangles) {
+        if (!drawable(triangle)) continue;
+        for (const Corner& corner : triangle.corners) {
+            if (length(vec(corner.pos) - target) < reach) all.add(vec(corner.pos), 0);
+        }
     }
     if (all.empty()) return near;
     const auto inside = [&](Vec p) {
@@ -79,23 +84,23 @@ void store(float (&to)[4], Vec v, float w)
     to[3] = w;
 }
 
-Vec sky_direction(int i)
+Vec sky_direction(int i, int count)
 {
-    const float z = (static_cast<float>(i) + 0.5f) / kSkyLights;
+    const float z = (static_cast<float>(i) + 0.5f) / static_cast<float>(count);
     const float ring = std::sqrt(1 - z * z), turn = kGoldenAngle * static_cast<float>(i);
     return {ring * std::cos(turn), ring * std::sin(turn), z};
 }
 
-void set_spiral(Frame& frame)
+void set_spiral(Frame& frame, int count)
 {
-    for (int i = 0; i < kSpiral; ++i) {
-        const float radius = std::sqrt((static_cast<float>(i) + 0.5f) / kSpiral),
+    for (int i = 0; i < count; ++i) {
+        const float radius = std::sqrt((static_cast<float>(i) + 0.5f) / static_cast<float>(count)),
                     turn = kGoldenAngle * static_cast<float>(i);
         store(frame.spiral[i], {radius * std::cos(turn), radius * std::sin(turn), 0}, 0);
     }
 }
 
-void set_lights(Frame& frame, const Picture& picture)
+void set_lights(Frame& frame, const Picture& picture, const Quality& quality)
 {
     Bounds region = lit_region(picture);
     if (picture.ground)
@@ -105,22 +110,33 @@ void set_lights(Frame& frame, const Picture& picture)
     frame.sun = sun.matrix;
     store(frame.sun_right, sun.basis.right, sun.side);
     store(frame.sun_up, sun.basis.up, sun.range);
-    store(frame.sun_direction, sun.basis.back, 1.5f * sun.side / kSunMapSide);
+    store(frame.sun_direction, sun.basis.back, 1.5f * sun.side / static_cast<float>(quality.sun_map));
     float widest = 0;
-    for (int i = 0; i < kSkyLights; ++i) {
-        const Light light = fit_light(region, sky_direction(i));
+    for (int i = 0; i < quality.sky_lights; ++i) {
+        const Light light = fit_light(region, sky_direction(i, quality.sky_lights));
         frame.sky[i] = light.matrix;
         store(frame.sky_direction[i], light.basis.back, 0);
         widest = std::max(widest, light.side);
     }
-    store(frame.options, {picture.grid > 0 ? picture.grid : 0, 2 * widest / kSkyMapSide, 0}, 0);
+    store(frame.options,
+          {picture.grid > 0 ? picture.grid : 0, 2 * widest / static_cast<float>(quality.sky_map),
+           static_cast<float>(quality.sky_lights)},
+          static_cast<float>(quality.sun_samples));
 }
 
 }  // namespace
 
+Quality bounded(const Quality& quality)
+{
+    return {std::clamp(quality.sun_map, kMinMapSide, kMaxMapSide),
+            std::clamp(quality.sky_map, kMinMapSide, kMaxMapSide),
+            std::clamp(quality.sky_lights, 0, kSkyLights), std::clamp(quality.sun_samples, 4, kSpiral)};
+}
+
 Frame make_frame(const Picture& picture)
 {
     Frame frame{};
+    const Quality quality = bounded(picture.quality);
     const Camera& camera = picture.camera;
     const auto width = static_cast<float>(picture.width), height = static_cast<float>(picture.height);
     frame.camera = camera_matrix(camera, width / height);
@@ -131,9 +147,13 @@ Frame make_frame(const Picture& picture)
     store(frame.view_right, (tangent * width / height) * basis.right, 0);
     store(frame.view_up, tangent * basis.up, 0);
     store(frame.view_forward, -1 * basis.back, 0);
-    store(frame.viewport, {width, height, 0.5f * picture.line_width * height / 720}, 0);
-    set_lights(frame, picture);
-    set_spiral(frame);
+    store(frame.viewport, {width, height, 0.5f * picture.line_width * height / 720},
+          1 / static_cast<float>(quality.sun_map));
+    store(frame.look, {picture.haze, static_cast<float>(picture.floor), static_cast<float>(picture.clouds)},
+          picture.hidden_lines);
+    store(frame.state, {static_cast<float>(picture.shadows), 0, 0}, 0);
+    set_lights(frame, picture, quality);
+    set_spiral(frame, quality.sun_samples);
     return frame;
 }
 

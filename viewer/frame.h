@@ -3,9 +3,9 @@
 //
 // What all shaders know of one picture, laid out as their uniform block (std140: only vec4 and mat4, so C++
 // and GLSL agree without padding), and the fitting of the lights. Light comes from the sun and from
-// kSkyLights points spread evenly over the sky; each has a depth map, seen along its rays, in which a point
-// looks up whether anything stands before it. The sky's many hard shadows add up to one soft one: the dark
-// under a pile and between bricks. A single ambient term was tried on paper and rejected: it leaves
+// up to kSkyLights points spread evenly over the sky; each has a depth map, seen along its rays, in which a
+// point looks up whether anything stands before it. The sky's many hard shadows add up to one soft one: the
+// dark under a pile and between bricks. A single ambient term was tried on paper and rejected: it leaves
 // everything in shadow flat.
 #pragma once
 
@@ -13,10 +13,10 @@
 
 namespace epode::viewer {
 
+// The most there may be of each; a picture's quality says how many there are.
 constexpr int kSkyLights = 48;
 constexpr int kSpiral = 48;
-constexpr int kSunMapSide = 4096;
-constexpr int kSkyMapSide = 768;
+constexpr int kMinMapSide = 64, kMaxMapSide = 8192;
 
 struct Frame {
     Mat4 camera;
@@ -31,10 +31,15 @@ struct Frame {
     float sun_right[4];        // the sun's axes; w: world size of its map
     float sun_up[4];           // w: depth range of its map
     float sun_direction[4];    // w: normal offset against self-shadow
-    float options[4];          // grid spacing, sky's normal offset, unused, unused
-    float viewport[4];         // width, height, half line width in pixels, unused
+    float options[4];          // grid spacing, sky's normal offset, sky lights, samples of the sun's map
+    float viewport[4];         // width, height, half line width in pixels, width of the sun's map's pixel
+    float look[4];             // haze, kind of floor, clouds, opacity of hidden lines
+    float state[4];            // shadows, unused, unused, unused
     float spiral[kSpiral][4];  // points spread evenly over the unit disc: where a soft shadow is sampled
 };
+
+// The picture's quality within its bounds.
+Quality bounded(const Quality& quality);
 
 Frame make_frame(const Picture& picture);
 

@@ -5,6 +5,8 @@
 // since 2010 has; direct state access (4.5) would read better but shuts out drivers for nothing.
 #include "gl_tools.h"
 
+#include <cstring>
+
 #include "frame.h"
 
 namespace epode::viewer {
@@ -18,8 +20,7 @@ std::string opening(GLenum stage)
         return std::string("#define ") + name + " " + std::to_string(value) + "\n";
     };
     return "#version 330 core\n" + define("SKY_LIGHTS", kSkyLights) + define("SPIRAL", kSpiral) +
-           define("SUN_MAP_SIDE", kSunMapSide) + define("SAMPLES", kSamples) +
-           (stage == GL_FRAGMENT_SHADER ? "#define FRAGMENT\n" : "");
+           define("SAMPLES", kSamples) + (stage == GL_FRAGMENT_SHADER ? "#define FRAGMENT\n" : "");
 }
 
 GLuint compile(GLenum stage, const char* name, const char* text, std::string& error)
@@ -43,8 +44,9 @@ void bind_inputs(GLuint program)
     const GLuint block = glGetUniformBlockIndex(program, "Frame");
     if (block != GL_INVALID_INDEX) glUniformBlockBinding(program, block, 0);
     glUseProgram(program);
-    const char* const samplers[] = {"sun_depth", "sun_shadow", "sky_shadow", "places", "normals", "paints"};
-    for (int unit = 0; unit < 6; ++unit) glUniform1i(glGetUniformLocation(program, samplers[unit]), unit);
+    const char* const samplers[] = {"sun_depth", "sun_shadow", "sky_shadow", "places", "normals",
+                                    "paints",    "textures",   "veil",       "canvas"};
+    for (int unit = 0; unit < 9; ++unit) glUniform1i(glGetUniformLocation(program, samplers[unit]), unit);
 }
 
 }  // namespace
@@ -85,6 +87,36 @@ GLuint make_depth_map(GLenum target, GLenum format, int side, int layers)
     return map;
 }
 
+namespace {
+
+bool in_software()
+{
+    const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    return renderer && (std::strstr(renderer, "llvmpipe") || std::strstr(renderer, "softpipe"));
+}
+
+}  // namespace
+
+GLuint make_picture_array(const std::vector<Image>& images, int side)
+{
+    GLuint array = 0;
+    glGenTextures(1, &array);
+    glBindTexture(GL_TEXTURE_2D_ARRAY, array);
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGB8, side, side, static_cast<GLsizei>(images.size()), 0, GL_RGB,
+                 GL_UNSIGNED_BYTE, nullptr);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        glTexSubImage3D(GL_TEXTURE_2D_ARRAY, 0, 0, 0, static_cast<GLint>(i), side, side, 1, GL_RGB,
+                        GL_UNSIGNED_BYTE, images[i].rgb.data());
+    }
+    glGenerateMipmap(GL_TEXTURE_2D_ARRAY);
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    // Sharper far away, for nothing; but a rasteriser in software takes five times as long for the floor.
+    if (!in_software() && epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic"))
+        glTexParameterf(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_ANISOTROPY_EXT, 8);
+    return array;
+}
+
 GLuint make_depth_sampler(bool comparing)
 {
     GLuint sampler = 0;
@@ -113,39 +145,62 @@ GLuint make_framebuffer()
     return framebuffer;
 }
 
-void attach_buffer(GLenum place, GLenum format, int width, int height, int samples)
+void attach_samples(GLenum place, GLuint texture, GLenum format, int width, int height)
 {
-    GLuint buffer = 0;
-    glGenRenderbuffers(1, &buffer);
-    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, buffer);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, texture);
+    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, kSamples, format, width, height, GL_TRUE);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, place, GL_TEXTURE_2D_MULTISAMPLE, texture, 0);
 }
 
 }  // namespace
 
-GLuint make_canvas(int width, int height)
+void Canvas::make(int width, int height)
 {
-    const GLuint canvas = make_framebuffer();
-    attach_buffer(GL_COLOR_ATTACHMENT0, GL_SRGB8_ALPHA8, width, height, 0);
-    return canvas;
+    framebuffer = make_framebuffer();
+    glGenTextures(1, &color);
+    glBindTexture(GL_TEXTURE_2D, color);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
 }
 
-Surfaces make_surfaces(int width, int height)
+void Canvas::free()
 {
-    Surfaces surfaces;
-    surfaces.framebuffer = make_framebuffer();
+    glDeleteFramebuffers(1, &framebuffer);
+    glDeleteTextures(1, &color);
+}
+
+void Surfaces::make(int width, int height)
+{
+    framebuffer = make_framebuffer();
     const GLenum formats[3] = {GL_RGBA32F, GL_RGBA16F, GL_RGBA8};
     const GLenum places[3] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2};
-    glGenTextures(3, surfaces.textures);
-    for (int i = 0; i < 3; ++i) {
-        glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, surfaces.textures[i]);
-        glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, kSamples, formats[i], width, height, GL_TRUE);
-        glFramebufferTexture2D(GL_FRAMEBUFFER, places[i], GL_TEXTURE_2D_MULTISAMPLE, surfaces.textures[i], 0);
-    }
-    attach_buffer(GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT32F, width, height, kSamples);
+    glGenTextures(3, textures);
+    for (int i = 0; i < 3; ++i) attach_samples(places[i], textures[i], formats[i], width, height);
+    glGenRenderbuffers(1, &depth);
+    glBindRenderbuffer(GL_RENDERBUFFER, depth);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, kSamples, GL_DEPTH_COMPONENT32F, width, height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
     glDrawBuffers(3, places);
-    return surfaces;
+}
+
+void Surfaces::make_veil(int width, int height)
+{
+    veil_framebuffer = make_framebuffer();
+    glGenTextures(1, &veil);
+    attach_samples(GL_COLOR_ATTACHMENT0, veil, GL_RGBA16F, width, height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
+}
+
+void Surfaces::free()
+{
+    const GLuint framebuffers[2] = {framebuffer, veil_framebuffer};
+    glDeleteFramebuffers(2, framebuffers);
+    glDeleteTextures(3, textures);
+    glDeleteTextures(1, &veil);
+    glDeleteRenderbuffers(1, &depth);
 }
 
 bool complete(const char* what, std::string& error)

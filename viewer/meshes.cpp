@@ -145,6 +145,8 @@ Instance instance_of(const Shape& shape)
     instance.color[0] = shape.color.r;
     instance.color[1] = shape.color.g;
     instance.color[2] = shape.color.b;
+    instance.color[3] = shape.alpha;
+    instance.texture = static_cast<float>(shape.texture);
     return instance;
 }
 

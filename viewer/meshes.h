@@ -31,11 +31,13 @@ struct Mesh {
 Mesh rounded_box(int steps);
 Mesh rounded_cylinder(int sides, int steps);
 
-// What one shape gives the vertex shader: three rows (rotation | position), (half sizes, radius), colour.
+// What one shape gives the vertex shader: three rows (rotation | position), (half sizes, radius), colour and
+// opacity, texture (0: none).
 struct Instance {
     float row[3][4];
     float core[4];
     float color[4];
+    float texture;
 };
 
 Instance instance_of(const Shape& shape);

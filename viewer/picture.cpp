@@ -16,11 +16,11 @@ namespace {
 
 bool side_is_valid(int side) { return side >= 1 && side <= kMaxPictureSide; }
 
-bool check(const Picture& picture, const char* path, std::string& error)
+}  // namespace
+
+bool check_picture(const Picture& picture, std::string& error)
 {
-    if (!path || !*path) {
-        error = "no picture: no file name given";
-    } else if (!side_is_valid(picture.width) || !side_is_valid(picture.height)) {
+    if (!side_is_valid(picture.width) || !side_is_valid(picture.height)) {
         error = "no picture: width and height must lie between 1 and " + std::to_string(kMaxPictureSide);
     } else if (!valid(picture.camera)) {
         error =
@@ -34,14 +34,19 @@ bool check(const Picture& picture, const char* path, std::string& error)
     return false;
 }
 
-}  // namespace
-
 bool write_png(const Picture& picture, const char* path, std::string& error)
 {
-    if (!check(picture, path, error)) return false;
+    if (!path || !*path) {
+        error = "no picture: no file name given";
+        return false;
+    }
+    if (!check_picture(picture, error)) return false;
     Headless context;
+    Renderer renderer;
     std::vector<std::uint8_t> rgb;
-    if (!context.open(error) || !render(picture, rgb, error)) return false;
+    if (!context.open(error) || !renderer.open(error) || !renderer.draw(picture, error) ||
+        !renderer.read(rgb, error))
+        return false;
     if (write_rgb(path, picture.width, picture.height, rgb.data())) return true;
     error = std::string("no picture: cannot write ") + path;
     return false;

@@ -1,18 +1,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Draws a picture with the OpenGL context that is current in this thread and reads it back.
+// Draws one picture after the other with the OpenGL context that is current in this thread, a window's or one
+// without: the renderer knows neither. It keeps programs, meshes, maps and canvases from picture to picture;
+// they belong to the context and go with it, so a renderer is used with the context in which it was opened.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "picture.h"
+#include "textures.h"
 
 namespace epode::viewer {
 
-// rgb: width * height * 3 bytes, rows from the top. On failure false, and error says which stage failed.
-bool render(const Picture& picture, std::vector<std::uint8_t>& rgb, std::string& error);
+class Renderer {
+  public:
+    Renderer();
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    // False when the context cannot do what is needed; error says what.
+    bool open(std::string& error);
+
+    // Instead of our own texture; of any size. Before the first picture that uses it.
+    void set_texture(Texture texture, const Image& image);
+
+    // Into a canvas of its own. The picture must be one that write_png would take.
+    bool draw(const Picture& picture, std::string& error);
+
+    // The last picture: width * height * 3 bytes, rows from the top.
+    bool read(std::vector<std::uint8_t>& rgb, std::string& error);
+
+    // Copies the last picture into the lower left corner of a framebuffer (0: the window's).
+    void show(unsigned framebuffer);
+
+  private:
+    struct Passes;
+    std::unique_ptr<Passes> passes_;
+};
+
+// Whether the picture's numbers can be drawn at all: size, camera, light; what in it cannot is left out by
+// itself.
+bool check_picture(const Picture& picture, std::string& error);
 
 }  // namespace epode::viewer
