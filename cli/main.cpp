@@ -4,13 +4,25 @@
 // epode: simulates a named scene, judges the result, shows a picture. This file is the command line alone.
 #include <CLI/CLI.hpp>
 
+#include "cli/capture.h"
+#include "cli/replay.h"
 #include "cli/run.h"
+#include "cli/view.h"
 
 namespace {
 
+using epode::cli::CaptureOptions;
+using epode::cli::ReplayOptions;
 using epode::cli::RunOptions;
 
-void add_run_options(CLI::App& command, RunOptions& options)
+std::string with_ending(const std::string& path, const std::string& ending)
+{
+    const bool has = path.size() > ending.size() && path.ends_with(ending);
+    return has ? path : path + ending;
+}
+
+// What is stepped and how.
+void add_plan_options(CLI::App& command, RunOptions& options)
 {
     const CLI::Range positive(1e-9, 1e9);
     command.add_option("scene", options.scene, "one of `epode list`")->required();
@@ -29,8 +41,62 @@ void add_run_options(CLI::App& command, RunOptions& options)
     command.add_option("--seed", options.seed, "of the scenes that are poured at random (default 1)");
     command.add_flag("--json", options.json, "report as one JSON object");
     command.add_flag("--quiet", options.quiet, "no progress on stderr");
+}
+
+void add_run_options(CLI::App& command, RunOptions& options)
+{
+    add_plan_options(command, options);
     command.add_option("--picture", options.picture, "PNG file of the last state");
     command.add_option("--trace", options.trace, "CSV file, one line per step");
+    command
+        .add_option("--record", options.records,
+                    "recording: .epr (all there is), .glb (animation), .html (page) or .csv; may be repeated")
+        ->allow_extra_args(false);
+    command.add_option("--video", options.video, "video (.mp4) by ffmpeg; PNG files where there is none");
+    command.add_option_function<std::string>(
+        "--html",
+        [&options](const std::string& path) { options.records.push_back(with_ending(path, ".html")); },
+        "replay page: one file for any browser; the same as --record FILE.html");
+}
+
+void add_record_options(CLI::App& command, RunOptions& options)
+{
+    add_plan_options(command, options);
+    command.add_option("-o,--output", options.records, "recording to write, as for run --record")
+        ->required()
+        ->allow_extra_args(false);
+}
+
+void add_fps(CLI::App& command, double& fps)
+{
+    command.add_option("--fps", fps, "pictures a second of animations (default 30)")
+        ->check(CLI::Range(0.1, 1000.0));
+}
+
+void add_replay_options(CLI::App& command, ReplayOptions& options)
+{
+    command.add_option("file", options.file, "recording (.epr)")->required();
+    command.add_option("--stepper", options.stepper,
+                       "step with another stepper and tell how far apart they go");
+    command.add_option("--iterations", options.iterations, "another number of them, likewise")
+        ->check(CLI::Range(1, 1'000'000));
+}
+
+void add_capture_options(CLI::App& command, CaptureOptions& options)
+{
+    command
+        .add_option("-o,--output", options.output, "recording to write (.epr); further worlds get -2, -3 ...")
+        ->required();
+    command.add_option("--stepper", options.stepper, "exact, quick or fast, whatever the program calls");
+    command.add_option("program", options.command, "program and arguments, after --")->required();
+    command.positionals_at_end();
+}
+
+void add_common_options(CLI::App& command, ReplayOptions& options)
+{
+    command.add_flag("--partial", options.partial, "take what there is of a recording that breaks off");
+    command.add_flag("--json", options.json, "report as one JSON object");
+    command.add_flag("--quiet", options.quiet, "no progress on stderr");
 }
 
 }  // namespace
@@ -42,8 +108,33 @@ int main(int argc, char** argv)
     app.footer("Exit codes: 0 fine, 1 a problem was found, 2 wrong usage.");
     CLI::App* list = app.add_subcommand("list", "names the scenes");
     CLI::App* run = app.add_subcommand("run", "runs a scene and reports");
+    CLI::App* record = app.add_subcommand("record", "runs a scene into a recording");
+    CLI::App* view =
+        app.add_subcommand("view", "shows a scene or a recording in a window, to be played with");
+    CLI::App* replay = app.add_subcommand("replay", "runs a recorded scene again and compares, step by step");
+    CLI::App* diff =
+        app.add_subcommand("diff", "finds the first step and body in which two recordings differ");
+    CLI::App* convert = app.add_subcommand("convert", "writes a recording in another format");
+    CLI::App* inspect = app.add_subcommand("inspect", "says what is in a recording");
+    CLI::App* capture = app.add_subcommand("capture", "runs any ODE program and records its worlds");
     RunOptions options;
     add_run_options(*run, options);
+    add_record_options(*record, options);
+    ReplayOptions replaying;
+    for (CLI::App* command : {run, record}) add_fps(*command, options.fps);
+    add_fps(*convert, replaying.fps);
+    add_replay_options(*replay, replaying);
+    diff->add_option("a", replaying.file, "recording (.epr)")->required();
+    diff->add_option("b", replaying.other, "recording (.epr)")->required();
+    convert->add_option("file", replaying.file, "recording (.epr)")->required();
+    convert->add_option("to", replaying.other, "file to write")->required();
+    inspect->add_option("file", replaying.file, "recording (.epr)")->required();
+    inspect->add_flag("--hashes", replaying.hashes, "number and hash of every state, a line each");
+    epode::view::ViewOptions viewing;
+    epode::cli::add_view_options(*view, viewing);
+    CaptureOptions capturing;
+    add_capture_options(*capture, capturing);
+    for (CLI::App* command : {replay, diff, convert, inspect}) add_common_options(*command, replaying);
 
     try {
         app.parse(argc, argv);
@@ -51,5 +142,11 @@ int main(int argc, char** argv)
         return app.exit(error) == 0 ? epode::cli::kFine : epode::cli::kUsage;
     }
     if (list->parsed()) return epode::cli::list_scenes();
+    if (view->parsed()) return epode::cli::view(viewing);
+    if (replay->parsed()) return epode::cli::replay(replaying);
+    if (diff->parsed()) return epode::cli::diff(replaying);
+    if (convert->parsed()) return epode::cli::convert(replaying);
+    if (inspect->parsed()) return epode::cli::inspect(replaying);
+    if (capture->parsed()) return epode::cli::capture(capturing);
     return epode::cli::run(options);
 }

@@ -136,12 +136,17 @@ void set_camera(const scenes::Scene& scene, Picture& picture)
 
 bool can_draw() { return true; }
 
-bool save_picture(const scenes::Scene& scene, const std::string& path, std::string& problem)
+void draw_scene(const scenes::Scene& scene, Picture& picture)
 {
-    Picture picture;
     add_shapes(scene, picture);
     add_lines(scene, picture);
     set_camera(scene, picture);
+}
+
+bool save_picture(const scenes::Scene& scene, const std::string& path, std::string& problem)
+{
+    Picture picture;
+    draw_scene(scene, picture);
     return viewer::write_png(picture, path.c_str(), problem);
 }
 

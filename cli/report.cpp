@@ -20,18 +20,6 @@ using scenes::RunRecord;
 using scenes::Scene;
 using scenes::StepTimes;
 
-std::string json_number(double value) { return std::isfinite(value) ? fmt::format("{:.9g}", value) : "null"; }
-
-std::string json_string(const std::string& text)
-{
-    std::string quoted = "\"";
-    for (char c : text) {
-        if (c == '"' || c == '\\') quoted += '\\';
-        if (static_cast<unsigned char>(c) >= 0x20) quoted += c;
-    }
-    return quoted + "\"";
-}
-
 double relative(double value, double scale) { return scale > 0 ? value / scale : 0; }
 
 // A length that may be nanometres or metres.
@@ -52,26 +40,6 @@ std::string percent(double part)
     const double size = std::abs(part);
     return size == 0 || size >= 1e-5 ? fmt::format("{:+.3g} %", 100 * part) : fmt::format("{:+.1e}", part);
 }
-
-class FieldList {
-  public:
-    void number(const char* key, double value, std::string label = {}, std::string text = {})
-    {
-        fields_.push_back({key, json_number(value), std::move(label), std::move(text)});
-    }
-    void string(const char* key, const std::string& value, std::string label = {}, std::string text = {})
-    {
-        fields_.push_back({key, json_string(value), std::move(label), std::move(text)});
-    }
-    void raw(const char* key, std::string json, std::string label, std::string text)
-    {
-        fields_.push_back({key, std::move(json), std::move(label), std::move(text)});
-    }
-    std::vector<Field> take() { return std::move(fields_); }
-
-  private:
-    std::vector<Field> fields_;
-};
 
 std::vector<double> pick(const RunRecord& record, double (*part)(const StepTimes&))
 {
@@ -191,27 +159,6 @@ std::vector<Field> describe(const Scene& scene, const RunPlan& plan, const RunRe
     out.number("messages", outcome.messages, "messages", fmt::format("{}", outcome.messages));
     out.raw("step_failed", outcome.step_failed ? "true" : "false", {}, {});
     return out.take();
-}
-
-std::string as_table(const std::vector<Field>& fields)
-{
-    size_t width = 0;
-    for (const Field& field : fields) width = std::max(width, field.label.size());
-    std::string table;
-    for (const Field& field : fields) {
-        if (!field.label.empty()) table += fmt::format("{:<{}}  {}\n", field.label, width, field.text);
-    }
-    return table;
-}
-
-std::string as_json(const std::vector<Field>& fields)
-{
-    std::string object = "{\n";
-    for (size_t i = 0; i < fields.size(); ++i) {
-        object +=
-            fmt::format("  \"{}\": {}{}\n", fields[i].key, fields[i].json, i + 1 < fields.size() ? "," : "");
-    }
-    return object + "}\n";
 }
 
 }  // namespace epode::cli

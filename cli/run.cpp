@@ -11,10 +11,13 @@
 #include <cmath>
 #include <vector>
 
+#include "cli/export.h"
+#include "cli/outputs.h"
 #include "cli/picture.h"
 #include "cli/progress.h"
 #include "cli/report.h"
 #include "cli/trace.h"
+#include "cli/video.h"
 #include "scenes/extensions.h"
 #include "scenes/measure.h"
 #include "scenes/messages.h"
@@ -24,58 +27,18 @@ namespace epode::cli {
 
 namespace {
 
-constexpr int kMaxSteps = 100'000'000;
-
-int refuse(const std::string& problem)
-{
-    fmt::print(stderr, "epode: {}\n", problem);
-    return kUsage;
-}
-
-int unknown_scene(const std::string& name)
-{
-    std::string text = fmt::format("there is no scene '{}'. Scenes:", name);
-    for (const scenes::Recipe* recipe : scenes::all_recipes()) text += fmt::format(" {}", recipe->name);
-    return refuse(text);
-}
-
-// What was asked, completed by the scene's own values. False and a message on a contradiction or an
-// impossible value.
-bool settle(const RunOptions& options, const scenes::Recipe& recipe, RunPlan& plan, std::string& problem)
-{
-    plan.stepper = recipe.stepper;
-    if (!options.stepper.empty() && !scenes::stepper_named(options.stepper, plan.stepper)) {
-        problem = fmt::format("there is no stepper '{}'. Steppers: exact quick fast", options.stepper);
-        return false;
-    }
-    if (!scenes::available(plan.stepper)) {
-        problem = fmt::format("{} has no '{}' stepper. Steppers it has: exact quick",
-                              scenes::loaded_library(), scenes::name_of(plan.stepper));
-        return false;
-    }
-    plan.dt = options.dt > 0 ? options.dt : recipe.dt;
-    const double seconds = options.seconds > 0 ? options.seconds : recipe.seconds;
-    const double steps = options.steps > 0 ? options.steps : std::ceil(seconds / plan.dt - 1e-9);
-    if (!(steps >= 1 && steps <= kMaxSteps)) {
-        problem = fmt::format("{:g} s at a step of {:g} s is not between 1 and {} steps", seconds, plan.dt,
-                              kMaxSteps);
-        return false;
-    }
-    plan.steps = int(steps);
-    plan.seed = options.seed;
-    plan.iterations = options.iterations;
-    return true;
-}
-
 // Runs until done, or until numbers stop being numbers: what follows would say nothing. The rows of the trace
 // are written as they come.
 void simulate(scenes::Scene& scene, const RunPlan& plan, scenes::RunRecord& record, Trace& trace,
-              Outcome& outcome, bool quiet)
+              Outputs& outputs, Video& video, Outcome& outcome, bool quiet)
 {
     Progress progress(scene.recipe().name, plan.steps, !quiet);
     for (int i = 0; i < plan.steps; ++i) {
         outcome.step_failed = !scene.step(plan.stepper, plan.dt);
-        trace.add(scene, record.observe(scene), record);
+        const scenes::Quality quality = record.observe(scene);
+        trace.add(scene, quality, record);
+        outputs.step(quality);
+        video.step(scene);
         progress.show(i + 1, scene.contacts().size());
         if (outcome.step_failed || record.not_finite > 0) return;
     }
@@ -87,6 +50,14 @@ bool write_picture(const scenes::Scene& scene, const std::string& path)
     if (path.empty() || save_picture(scene, path, problem)) return true;
     fmt::print(stderr, "epode: cannot write the picture '{}': {}\n", path, problem);
     return false;
+}
+
+bool close_video(Video& video, const std::string& path)
+{
+    const bool filmed = video.close();
+    if (!filmed) fmt::print(stderr, "epode: cannot make the video '{}': {}\n", path, video.problem());
+    if (!video.remark().empty()) fmt::print(stderr, "epode: {}\n", video.remark());
+    return filmed;
 }
 
 int carry_out(const RunOptions& options, const scenes::Recipe& recipe, const RunPlan& plan)
@@ -102,9 +73,21 @@ int carry_out(const RunOptions& options, const scenes::Recipe& recipe, const Run
         return kProblem;
     }
 
+    Outputs outputs;
+    if (!outputs.open(options, plan, scene)) {
+        fmt::print(stderr, "epode: {}\n", outputs.problem());
+        return kProblem;
+    }
+
+    Video video;
+    if (!options.video.empty() && !video.open(options.video, options.fps, scene)) {
+        fmt::print(stderr, "epode: cannot make the video '{}': {}\n", options.video, video.problem());
+        return kProblem;
+    }
+
     scenes::RunRecord record(scene);
     Outcome outcome;
-    simulate(scene, plan, record, trace, outcome, options.quiet);
+    simulate(scene, plan, record, trace, outputs, video, outcome, options.quiet);
     outcome.messages = messages.count();
     outcome.library = scenes::loaded_library();
 
@@ -113,11 +96,16 @@ int carry_out(const RunOptions& options, const scenes::Recipe& recipe, const Run
     if (!traced)
         fmt::print(stderr, "epode: cannot write the trace '{}': {}\n", options.trace, trace.problem());
 
+    const bool filmed = close_video(video, options.video);
+    const bool recorded = outputs.close();
+    if (!recorded) fmt::print(stderr, "epode: {}\n", outputs.problem());
+
     const auto fields = describe(scene, plan, record, outcome);
     fmt::print("{}", options.json ? as_json(fields) : as_table(fields));
     if (record.not_finite > 0) fmt::print(stderr, "epode: {} bodies are not finite\n", record.not_finite);
     if (outcome.step_failed) fmt::print(stderr, "epode: the library reports that the step failed\n");
-    return drawn && traced && record.not_finite == 0 && !outcome.step_failed ? kFine : kProblem;
+    return drawn && traced && filmed && recorded && record.not_finite == 0 && !outcome.step_failed ? kFine
+                                                                                                   : kProblem;
 }
 
 }  // namespace
@@ -125,12 +113,17 @@ int carry_out(const RunOptions& options, const scenes::Recipe& recipe, const Run
 int run(const RunOptions& options)
 {
     const scenes::Recipe* recipe = scenes::find_recipe(options.scene);
-    if (!recipe) return unknown_scene(options.scene);
+    if (!recipe) return refuse(no_such_scene(options.scene));
     RunPlan plan;
     std::string problem;
     if (!settle(options, *recipe, plan, problem)) return refuse(problem);
+    for (const std::string& path : options.records) {
+        if (!can_export(path, problem)) return refuse(problem);
+    }
     if (!options.picture.empty() && !can_draw())
         return refuse("this build has no viewer, so --picture is not to be had");
+    if (!options.video.empty() && !Video::possible())
+        return refuse("this build has no viewer, so --video is not to be had");
     return carry_out(options, *recipe, plan);
 }
 

@@ -6,26 +6,9 @@
 // usage.
 #pragma once
 
-#include <cstdint>
-#include <string>
+#include "cli/plan.h"
 
 namespace epode::cli {
-
-enum ExitCode { kFine = 0, kProblem = 1, kUsage = 2 };
-
-struct RunOptions {
-    std::string scene;
-    std::string stepper;  // empty: the scene's own
-    double dt = 0;        // 0: the scene's own
-    int steps = 0;        // 0: by seconds
-    double seconds = 0;   // 0: the scene's own
-    int iterations = 0;   // 0: the stepper's own
-    std::uint32_t seed = 1;
-    bool json = false;
-    bool quiet = false;
-    std::string picture;
-    std::string trace;
-};
 
 int run(const RunOptions& options);
 int list_scenes();

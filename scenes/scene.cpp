@@ -127,9 +127,25 @@ void Scene::make_contact(dBodyID body1, dBodyID body2, dContact& contact)
 {
     const dContactGeom& g = contact.geom;
     for (int copy = 0; copy < contact_copies; ++copy) {
-        dJointAttach(dJointCreateContact(world_, contact_group_, &contact), body1, body2);
-        contacts_.push_back(
-            {g.g1, g.g2, {g.pos[0], g.pos[1], g.pos[2]}, {g.normal[0], g.normal[1], g.normal[2]}, g.depth});
+        dJointID joint = dJointCreateContact(world_, contact_group_, &contact);
+        dJointAttach(joint, body1, body2);
+        contacts_.push_back({g.g1,
+                             g.g2,
+                             {g.pos[0], g.pos[1], g.pos[2]},
+                             {g.normal[0], g.normal[1], g.normal[2]},
+                             g.depth,
+                             {}});
+        if (want_forces_) dJointSetFeedback(joint, &feedback_.emplace_back());
+    }
+}
+
+// Where one body is attached the library writes the force on it as the first, whichever geom it belongs to;
+// what a static geom1 would feel is the opposite.
+void Scene::read_forces()
+{
+    for (size_t i = 0; i < feedback_.size(); ++i) {
+        const double sign = dGeomGetBody(contacts_[i].geom1) ? 1 : -1;
+        for (int k = 0; k < 3; ++k) contacts_[i].force[k] = sign * double(feedback_[i].f1[k]);
     }
 }
 
@@ -148,12 +164,14 @@ bool Scene::step(Stepper stepper, double dt)
 {
     for (auto& hook : hooks_) hook(time_, dt);
     contacts_.clear();
+    feedback_.clear();
 
     const auto start = Clock::now();
     dSpaceCollide(space_, this, &near_callback);
     const auto collided = Clock::now();
     const int ok = advance(stepper, dt);
     const auto stepped = Clock::now();
+    read_forces();
     dJointGroupEmpty(contact_group_);
     const auto emptied = Clock::now();
 

@@ -11,6 +11,7 @@
 #include <ode/ode.h>
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <string>
 #include <vector>
@@ -39,6 +40,7 @@ struct ContactRecord {
     double pos[3];
     double normal[3];  // into geom1
     double depth;
+    double force[3];  // on the body of geom1, N, where forces were asked for
 };
 
 struct JointRecord {
@@ -80,6 +82,8 @@ class Scene {
     dSpaceID space() const { return space_; }
     std::uint32_t seed() const { return seed_; }
     double time() const { return time_; }
+    // For whoever puts the bodies back to where they were at that time.
+    void set_time(double time) { time_ = time; }
 
     // For recipes; build.h has the comfortable forms.
     void add_body(dBodyID body) { bodies_.push_back(body); }
@@ -95,6 +99,9 @@ class Scene {
     // Sweeps of dWorldQuickStep, small steps of dWorldStepFast1; the exact stepper has none. 0: the defaults,
     // 20 and 4.
     void set_iterations(int iterations) { iterations_ = iterations; }
+    // Whether contact records tell the forces of the step; it costs a little time.
+    void want_forces(bool wanted) { want_forces_ = wanted; }
+    bool wants_forces() const { return want_forces_; }
     // False when the library reports that the step failed.
     bool step(Stepper stepper, double dt);
 
@@ -119,6 +126,7 @@ class Scene {
     void collide_pair(dGeomID geom1, dGeomID geom2);
     void make_contact(dBodyID body1, dBodyID body2, dContact& contact);
     int advance(Stepper stepper, double dt);
+    void read_forces();
 
     const Recipe& recipe_;
     std::uint32_t seed_;
@@ -132,6 +140,8 @@ class Scene {
     std::vector<JointRecord> joints_;
     std::vector<std::function<void(double, double)>> hooks_;
     std::vector<ContactRecord> contacts_;
+    bool want_forces_ = false;
+    std::deque<dJointFeedback> feedback_;  // of contacts_, one each; the library holds their addresses
     StepTimes times_;
 };
 

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Replay builds the scene again, steps it as the recording says and records it into memory; then it is a
+// diff. A step is compared by hash first, and only where hashes differ by its numbers.
+#include "cli/replay.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cli/export.h"
+#include "cli/fields.h"
+#include "cli/plan.h"
+#include "cli/progress.h"
+#include "cli/scene_recorder.h"
+#include "record/compare.h"
+#include "record/hash.h"
+#include "record/reader.h"
+#include "scenes/messages.h"
+
+namespace epode::cli {
+
+namespace {
+
+using record::Recording;
+
+int complain(const std::string& path, const std::string& why)
+{
+    fmt::print(stderr, "epode: '{}': {}\n", path, why);
+    return kProblem;
+}
+
+// True when the recording can be used.
+bool load(const std::string& path, bool partial, Recording& recording)
+{
+    const record::ReadResult result = record::read_file(path, recording);
+    if (result.whole()) return true;
+    const bool usable = result.damage == record::Damage::kBreaksOff && !recording.steps.empty();
+    if (usable && partial) {
+        fmt::print(stderr, "epode: '{}': {}; going on with these\n", path, result.problem);
+        return true;
+    }
+    complain(path, result.problem + (usable ? " (--partial takes these)" : ""));
+    return false;
+}
+
+double span_of(const record::StepDistance& d) { return std::isfinite(d.pos) ? d.pos : HUGE_VAL; }
+
+void describe_difference(const Recording& a, const Recording& b, FieldList& out)
+{
+    const auto first = record::first_difference(a, b);
+    out.raw("identical", first || a.steps.size() != b.steps.size() ? "false" : "true");
+    if (!first) {
+        out.raw("first_step", "null", "result",
+                fmt::format("the same in all {} states that both have",
+                            std::min(a.steps.size(), b.steps.size())));
+        return;
+    }
+    out.number(
+        "first_step", double(first->step), "first difference",
+        fmt::format("step {} (t = {:.6g} s), body {}", first->step, a.steps[first->step].time, first->body));
+    out.number("first_body", first->body);
+    out.number("time", a.steps[first->step].time);
+    out.number("position", first->pos, "position", fmt::format("{:.3g} m apart", first->pos));
+    out.number("rotation", first->turn, "rotation", fmt::format("{:.3g} rad", first->turn));
+    out.number("velocity", first->linear, "velocity", fmt::format("{:.3g} m/s", first->linear));
+    out.number("angular_velocity", first->angular, "angular velocity",
+               fmt::format("{:.3g} rad/s", first->angular));
+    out.string("hash_a", record::as_text(a.steps[first->step].hash));
+    out.string("hash_b", record::as_text(b.steps[first->step].hash));
+}
+
+// How far apart over time: a tenth of the way, two tenths ... the end.
+void describe_distances(const Recording& a, const Recording& b, FieldList& out)
+{
+    const size_t last = std::min(a.steps.size(), b.steps.size()) - 1;
+    for (size_t tenth = 1; tenth <= 10; ++tenth) {
+        const size_t step = last * tenth / 10;
+        const record::StepDistance d = record::worst_distance(a, b, step);
+        out.number(fmt::format("distance_{}", tenth).c_str(), span_of(d), tenth == 1 ? "farthest body" : " ",
+                   fmt::format("t = {:.4g} s: {:.3g} m, {:.3g} rad (body {})", a.steps[step].time, d.pos,
+                               d.turn, d.body));
+    }
+}
+
+int report(FieldList& out, bool json, bool fine)
+{
+    const auto fields = out.take();
+    fmt::print("{}", json ? as_json(fields) : as_table(fields));
+    return fine ? kFine : kProblem;
+}
+
+int compare(const Recording& a, const Recording& b, bool only_distances, FieldList& out, bool json)
+{
+    const std::string why = record::incomparable(a, b);
+    if (!why.empty()) {
+        out.raw("identical", "false");
+        out.string("incomparable", why, "result", "cannot be compared: " + why);
+        return report(out, json, false);
+    }
+    out.number("states_a", double(a.steps.size()), "states",
+               fmt::format("{} and {}", a.steps.size(), b.steps.size()));
+    out.number("states_b", double(b.steps.size()));
+    const bool same = !record::first_difference(a, b) && a.steps.size() == b.steps.size();
+    describe_difference(a, b, out);
+    if (!same) describe_distances(a, b, out);
+    return report(out, json, same || only_distances);
+}
+
+// The recording's run again; with as many steps as it has.
+int simulate_again(const Recording& was, const RunOptions& run, const RunPlan& plan, bool quiet,
+                   Recording& now)
+{
+    scenes::Runtime runtime;
+    scenes::MessageCounter messages;
+    scenes::Scene scene(*scenes::find_recipe(run.scene), plan.seed);
+    scene.set_iterations(plan.iterations);
+    SceneRecorder recorder(scene, plan, now);
+    Progress progress(run.scene, plan.steps, !quiet);
+    for (size_t i = 1; i < was.steps.size(); ++i) {
+        if (!scene.step(plan.stepper, plan.dt)) {
+            fmt::print(stderr, "epode: the library reports that step {} failed\n", i);
+            return kProblem;
+        }
+        recorder.step(scenes::measure(scene));
+        progress.show(int(i), scene.contacts().size());
+    }
+    return kFine;
+}
+
+// The hash that the file says of each state must be that of the state itself.
+bool hashes_fit(const Recording& recording, size_t& step)
+{
+    for (step = 0; step < recording.steps.size(); ++step) {
+        if (record::hash_states(recording.steps[step].bodies) != recording.steps[step].hash) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+int replay(const ReplayOptions& options)
+{
+    Recording was, now;
+    if (!load(options.file, options.partial, was)) return kProblem;
+    if (was.steps.empty()) return complain(options.file, "it has no state");
+    RunOptions run;
+    std::string problem;
+    if (!options_from(was.about, run, problem)) return refuse(fmt::format("'{}': {}", options.file, problem));
+    const bool other =
+        (!options.stepper.empty() && options.stepper != run.stepper) || options.iterations >= 0;
+    if (!options.stepper.empty()) run.stepper = options.stepper;
+    if (options.iterations >= 0) run.iterations = options.iterations;
+    run.steps = int(std::max<size_t>(1, was.steps.size() - 1));
+    const scenes::Recipe* recipe = scenes::find_recipe(run.scene);
+    if (!recipe) return refuse(no_such_scene(run.scene));
+    RunPlan plan;
+    if (!settle(run, *recipe, plan, problem)) return refuse(problem);
+    size_t step = 0;
+    if (!hashes_fit(was, step))
+        return complain(options.file, fmt::format("the hash of state {} is not its own", step));
+    if (simulate_again(was, run, plan, options.quiet, now) != kFine) return kProblem;
+
+    FieldList out;
+    out.string("scene", run.scene, "scene", run.scene);
+    out.string(
+        "stepper", run.stepper, "stepper",
+        other ? fmt::format("{}, recorded with {}", run.stepper, was.about_value("stepper")) : run.stepper);
+    return compare(was, now, other, out, options.json);
+}
+
+int diff(const ReplayOptions& options)
+{
+    Recording a, b;
+    if (!load(options.file, options.partial, a) || !load(options.other, options.partial, b)) return kProblem;
+    FieldList out;
+    return compare(a, b, false, out, options.json);
+}
+
+int convert(const ReplayOptions& options)
+{
+    std::string problem;
+    if (!can_export(options.other, problem)) return refuse(problem);
+    Recording recording;
+    if (!load(options.file, options.partial, recording)) return kProblem;
+    if (!export_recording(recording, options.other, options.fps, problem))
+        return complain(options.other, problem);
+    return kFine;
+}
+
+int inspect(const ReplayOptions& options)
+{
+    Recording recording;
+    if (!load(options.file, options.partial, recording)) return kProblem;
+    size_t wrong = 0;
+    const bool fit = hashes_fit(recording, wrong);
+    if (!fit) complain(options.file, fmt::format("the hash of state {} is not its own", wrong));
+    if (options.hashes) {
+        for (size_t i = 0; i < recording.steps.size(); ++i)
+            fmt::print("{} {}\n", i, record::as_text(recording.steps[i].hash));
+        return fit ? kFine : kProblem;
+    }
+    FieldList out;
+    for (const auto& [key, value] : recording.about) out.string(key.c_str(), value, key, value);
+    const auto count = [&](const char* key, size_t number) {
+        out.number(key, double(number), key, fmt::format("{}", number));
+    };
+    count("states", recording.steps.size());
+    count("bodies", recording.bodies.size());
+    count("geoms", recording.geoms.size());
+    count("shapes", recording.shapes.size());
+    count("joints", recording.joints.size());
+    size_t contacts = 0;
+    for (const record::Step& step : recording.steps) contacts += step.contacts.size();
+    count("contacts", contacts);
+    if (!recording.steps.empty()) {
+        const record::Step& last = recording.steps.back();
+        out.number("seconds", last.time, "seconds", fmt::format("{:.6g}", last.time));
+        out.string("last_hash", record::as_text(last.hash), "last hash", record::as_text(last.hash));
+    }
+    return report(out, options.json, fit);
+}
+
+}  // namespace epode::cli

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The page: time that runs, stands or is dragged, and the controls that say so. `window.epode` is the same for
+// scripts: {time, playing, speed, seek(t), fps, stage}.
+import {hash_text, load_recording} from './recording.js';
+import {Plot} from './plot.js';
+import {Poses} from './poses.js';
+import {Stage} from './stage.js';
+
+const element = id => document.getElementById(id);
+
+function complain(text) {
+    const box = element('problem');
+    box.textContent = text;
+    box.hidden = false;
+}
+
+class Player {
+    constructor(recording) {
+        this.recording = recording;
+        this.poses = new Poses(recording);
+        this.stage = new Stage(element('view'), recording, this.poses);
+        const times = recording.times;
+        this.start = times[0];
+        this.end = times[times.length - 1];
+        this.time = this.start;
+        this.playing = false;
+        this.speed = 1;
+        this.fps = 0;
+        this.dirty = true;
+        this.frames = [];
+        const series = recording.series, energy = series.kinetic.map((k, i) => k + series.potential[i]);
+        const seek = time => this.seek(time);
+        this.plots = [
+            new Plot(element('energy'), series.times, [
+                {name: 'kinetic', color: '#c2571a', values: series.kinetic},
+                {name: 'potential', color: '#2a7fb8', values: series.potential},
+                {name: 'energy', color: '#3a9a63', values: energy},
+            ], 'J', seek),
+            new Plot(element('error'), series.times,
+                     [{name: 'worst joint error', color: '#8a5bb0', values: series.joint_error.map(x => 1000 * x)}], 'mm',
+                     seek),
+            new Plot(element('cost'), series.times, [{name: 'time a step', color: '#8c7326', values: series.ms}], 'ms', seek),
+        ];
+        if (recording.joints.count === 0) element('error').hidden = true;
+    }
+
+    seek(time) {
+        this.time = Math.min(this.end, Math.max(this.start, time));
+        this.dirty = true;
+    }
+
+    play(on) {
+        if (on && this.time >= this.end) this.seek(this.start);
+        this.playing = on;
+        element('play').textContent = on ? 'Pause' : 'Play';
+        this.dirty = true;
+    }
+
+    step(moments) {
+        this.play(false);
+        const at = this.poses.find(this.time + 1e-6) + moments;
+        this.seek(this.recording.times[Math.min(Math.max(at, 0), this.recording.times.length - 1)]);
+    }
+
+    follow(carrier) {
+        this.stage.follow = carrier;
+        element('follow').value = String(carrier);
+        this.dirty = true;
+    }
+
+    tick(now) {
+        const spent = this.last === undefined ? 0 : (now - this.last) / 1000;
+        this.last = now;
+        if (this.playing) {
+            this.seek(this.time + this.speed * spent);
+            if (this.time >= this.end) this.play(false);
+        }
+        if (this.dirty) this.draw();
+        this.frames.push(now);
+        while (this.frames.length > 2 && now - this.frames[0] > 2000) this.frames.shift();
+        if (this.frames.length > 1) this.fps = 1000 * (this.frames.length - 1) / (now - this.frames[0]);
+    }
+
+    draw() {
+        this.dirty = false;
+        this.poses.go_to(this.time);
+        this.stage.update();
+        this.stage.draw();
+        for (const plot of this.plots) plot.draw(this.time);
+        element('timeline').value = String(this.time);
+        const moment = this.poses.moment, {contacts} = this.recording;
+        const counted = contacts.counts[moment];
+        element('clock').textContent = `${this.time.toFixed(2)} / ${this.end.toFixed(2)} s`;
+        element('state').textContent = `state ${this.recording.steps[moment]}, ${counted} contacts, hash ${hash_text(this.recording, moment)}`;
+    }
+}
+
+function describe(recording) {
+    const {about} = recording;
+    element('title').textContent = about.scene ?? about.program ?? 'Recording';
+    element('description').textContent = about.description ?? '';
+    const facts = ['stepper', 'dt', 'iterations', 'seed', 'precision'].filter(key => about[key] !== undefined && about[key] !== '0')
+                      .map(key => `${key} ${key === 'dt' ? Number(Number(about.dt).toPrecision(6)) + ' s' : about[key]}`);
+    facts.unshift(`${recording.bodies} bodies`);
+    element('facts').textContent = facts.join(' · ');
+}
+
+function wire_controls(player) {
+    const timeline = element('timeline');
+    timeline.min = String(player.start);
+    timeline.max = String(player.end);
+    timeline.step = 'any';
+    timeline.addEventListener('input', () => player.seek(Number(timeline.value)));
+    element('play').addEventListener('click', () => player.play(!player.playing));
+    element('back').addEventListener('click', () => player.step(-1));
+    element('forward').addEventListener('click', () => player.step(1));
+    element('speed').addEventListener('change', event => { player.speed = Number(event.target.value); });
+    const show = (id, thing) => element(id).addEventListener('change', event => {
+        thing.visible = event.target.checked;
+        player.dirty = true;
+    });
+    show('contacts', player.stage.contact_lines);
+    show('joints', player.stage.joint_lines);
+    element('shadows').addEventListener('change', event => {
+        player.stage.sun.castShadow = event.target.checked;
+        player.dirty = true;
+    });
+    element('reset').addEventListener('click', () => {
+        player.follow(-1);
+        player.stage.frame_all();
+        player.stage.aim_sun();
+        player.dirty = true;
+    });
+    const follow = element('follow'), {carriers} = player.recording;
+    follow.append(new Option('nothing', '-1'));
+    for (let i = 0; i < Math.min(carriers.count, 2000); ++i) {
+        const body = carriers.numbers[4 * i];
+        follow.append(new Option(body < 0 ? `moving geom ${i}` : `body ${body}`, String(i)));
+    }
+    follow.addEventListener('change', () => player.follow(Number(follow.value)));
+}
+
+function wire_view(player) {
+    const view = element('view');
+    player.stage.controls.addEventListener('change', () => { player.dirty = true; });
+    view.addEventListener('dblclick', event => {
+        const box = view.getBoundingClientRect();
+        player.follow(player.stage.pick((event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height));
+    });
+    const keys = {
+        ' ': () => player.play(!player.playing),
+        p: () => player.play(!player.playing),
+        ArrowRight: () => player.step(1),
+        '.': () => player.step(1),
+        ArrowLeft: () => player.step(-1),
+        ',': () => player.step(-1),
+        r: () => player.seek(player.start),
+        c: () => element('contacts').click(),
+        j: () => element('joints').click(),
+    };
+    window.addEventListener('keydown', event => {
+        if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches('input, select')) return;
+        if (event.key === ' ' && event.target.matches('button')) return;
+        const action = keys[event.key];
+        if (!action) return;
+        event.preventDefault();
+        action();
+    });
+    const fit = () => {
+        const box = view.parentElement.getBoundingClientRect();
+        player.stage.resize(box.width, box.height);
+        for (const plot of player.plots) plot.resize();
+        player.dirty = true;
+    };
+    new ResizeObserver(fit).observe(view.parentElement);
+    new ResizeObserver(fit).observe(element('plots'));
+    fit();
+}
+
+try {
+    const recording = load_recording(document);
+    describe(recording);
+    const player = new Player(recording);
+    wire_controls(player);
+    wire_view(player);
+    window.epode = player;
+    const loop = now => {
+        player.tick(now);
+        requestAnimationFrame(loop);
+    };
+    requestAnimationFrame(loop);
+    if (!window.matchMedia('(prefers-reduced-motion: reduce)').matches) player.play(true);
+} catch (error) {
+    complain(`This page cannot show its recording: ${error.message}. It needs a browser with WebGL 2.`);
+    throw error;
+}

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What is seen: one instanced mesh for each solid, lights, a floor, contacts and joints as lines, and the camera.
+import {
+    AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, Fog, HemisphereLight, InstancedMesh,
+    LineBasicMaterial, LineSegments, Matrix4, MeshLambertMaterial, PCFShadowMap, PerspectiveCamera, Quaternion,
+    Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
+} from 'three';
+import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
+
+const kSky = new Color(0xdfe7ee);
+const kSolid = {plane: 5};
+
+function geometry_of(solid) {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(solid.points, 3));
+    geometry.setAttribute('normal', new BufferAttribute(solid.normals, 3));
+    geometry.setIndex(new BufferAttribute(solid.corners, 1));
+    return geometry;
+}
+
+function lines(color, room) {
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(new Float32Array(6 * room), 3));
+    const made = new LineSegments(geometry, new LineBasicMaterial({color, depthTest: false, transparent: true}));
+    made.frustumCulled = false;
+    made.renderOrder = 1;
+    return made;
+}
+
+// Lines in short pieces: some software renderers lose a line of which one end is behind the camera.
+function grid_of(half, spacing) {
+    const points = [];
+    for (let i = -half; i <= half; ++i) {
+        for (let k = -half; k < half; ++k) points.push(i, k, 0, i, k + 1, 0, k, i, 0, k + 1, i, 0);
+    }
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new BufferAttribute(new Float32Array(points).map(x => spacing * x), 3));
+    return geometry;
+}
+
+export class Stage {
+    constructor(canvas, recording, poses) {
+        this.recording = recording;
+        this.poses = poses;
+        this.renderer = new WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: false});
+        this.renderer.shadowMap.enabled = true;
+        this.renderer.shadowMap.type = PCFShadowMap;
+        this.scene = new Scene();
+        this.scene.background = kSky;
+        this.camera = new PerspectiveCamera(38, 1, 0.01, 5000);
+        this.camera.up.set(0, 0, 1);
+        this.controls = new OrbitControls(this.camera, canvas);
+        this.controls.enableDamping = false;
+        this.follow = -1;
+        this.make_parts();
+        this.make_lines();
+        this.poses.go_to(0);
+        this.frame_all();
+        this.make_lights();
+        this.make_grid();
+        this.update();
+    }
+
+    make_parts() {
+        const {parts, solids, palette} = this.recording;
+        const members = solids.map(() => []);
+        for (let i = 0; i < parts.count; ++i) members[parts.numbers[4 * i]].push(i);
+        this.meshes = [];
+        for (let s = 0; s < solids.length; ++s) {
+            if (members[s].length === 0 || solids[s].corners.length === 0) continue;
+            const is_plane = solids[s].kind === kSolid.plane;
+            const material = new MeshLambertMaterial({polygonOffset: is_plane, polygonOffsetFactor: 1, polygonOffsetUnits: 8});
+            const mesh = new InstancedMesh(geometry_of(solids[s]), material, members[s].length);
+            mesh.frustumCulled = false;
+            mesh.castShadow = !is_plane;
+            mesh.receiveShadow = true;
+            members[s].forEach((part, i) => {
+                const [r, g, b] = palette[parts.numbers[4 * part + 2]];
+                mesh.setColorAt(i, new Color().setRGB(r, g, b, 'srgb'));
+            });
+            mesh.userData = {members: members[s], kind: solids[s].kind};
+            this.meshes.push(mesh);
+            this.scene.add(mesh);
+        }
+    }
+
+    make_lines() {
+        const {contacts, joints} = this.recording;
+        let most = 1;
+        for (let i = 0; i + 1 < contacts.starts.length; ++i)
+            most = Math.max(most, contacts.starts[i + 1] - contacts.starts[i]);
+        this.contact_lines = lines(0xd0021b, most);
+        this.contact_lines.visible = false;
+        this.joint_lines = lines(0x2b2d42, 2 * Math.max(1, joints.count));
+        this.scene.add(this.contact_lines, this.joint_lines);
+    }
+
+    make_lights() {
+        this.scene.add(new AmbientLight(0xffffff, 0.35), new HemisphereLight(0xeaf2ff, 0xb8b0a4, 1.3));
+        const sun = new DirectionalLight(0xfff4e0, 2.4);
+        sun.castShadow = true;
+        sun.shadow.mapSize.set(2048, 2048);
+        sun.shadow.bias = -0.0005;
+        sun.shadow.normalBias = 0.02;
+        this.sun = sun;
+        this.scene.add(sun, sun.target);
+        this.aim_sun();
+    }
+
+    // Lines on level floors, in steps of 1, 10, 100 m: what moves is seen to move.
+    make_grid() {
+        const {solids, parts} = this.recording;
+        for (let i = 0; i < parts.count; ++i) {
+            const solid = solids[parts.numbers[4 * i]];
+            if (solid.kind !== kSolid.plane || solid.normals.length < 3 || Math.abs(solid.normals[2]) < 0.999) continue;
+            const spacing = 10 ** Math.max(0, Math.round(Math.log10(this.radius / 3)));
+            const grid = new LineSegments(grid_of(40, spacing), new LineBasicMaterial(
+                {color: 0x000000, transparent: true, opacity: 0.14, depthWrite: false}));
+            grid.position.z = solid.points[2] + 0.002 * this.radius;
+            this.scene.add(grid);
+        }
+    }
+
+    // The sun's map covers what is near the camera's target.
+    aim_sun() {
+        const reach = Math.max(2, 1.6 * this.radius), target = this.controls.target;
+        this.sun.target.position.copy(target);
+        this.sun.position.set(target.x - 1.2 * reach, target.y - reach, target.z + 1.8 * reach);
+        const camera = this.sun.shadow.camera;
+        camera.left = camera.bottom = -reach;
+        camera.right = camera.top = reach;
+        camera.near = 0.05 * reach;
+        camera.far = 6 * reach;
+        camera.updateProjectionMatrix();
+    }
+
+    // A view of everything that is neither a plane nor far away from the rest.
+    frame_all() {
+        const points = [];
+        const {carriers} = this.recording;
+        for (let i = 0; i < carriers.count; ++i)
+            points.push(new Vector3().fromArray(this.poses.values, 7 * i));
+        if (points.length === 0) points.push(new Vector3());
+        const middle = axis => {
+            const sorted = points.map(p => p.getComponent(axis)).sort((a, b) => a - b);
+            return sorted[sorted.length >> 1];
+        };
+        const center = new Vector3(middle(0), middle(1), middle(2));
+        const distances = points.map(p => p.distanceTo(center)).sort((a, b) => a - b);
+        this.radius = Math.max(1, 1.15 * distances[Math.floor(0.95 * (distances.length - 1))] + 0.5);
+        this.controls.target.copy(center);
+        const distance = 1.1 * this.radius / Math.sin(0.5 * this.camera.fov * Math.PI / 180);
+        this.camera.position.copy(center).add(new Vector3(0.45, -0.85, 0.32).normalize().multiplyScalar(distance));
+        this.camera.near = distance / 500;
+        this.camera.far = 60 * distance;
+        this.camera.updateProjectionMatrix();
+        this.scene.fog = new Fog(kSky, 3 * distance, 14 * distance);
+        this.controls.update();
+    }
+
+    resize(width, height) {
+        this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
+        this.renderer.setSize(width, height, false);
+        this.camera.aspect = width / Math.max(1, height);
+        this.camera.updateProjectionMatrix();
+    }
+
+    update() {
+        const {parts} = this.recording, {values, alive} = this.poses;
+        const carrier_matrix = new Matrix4(), part_matrix = new Matrix4();
+        const position = new Vector3(), turn = new Quaternion(), scale = new Vector3(), one = new Vector3(1, 1, 1);
+        for (const mesh of this.meshes) {
+            mesh.userData.members.forEach((part, i) => {
+                const p = parts.poses.subarray(10 * part, 10 * part + 10), carrier = parts.numbers[4 * part + 1];
+                const there = carrier < 0 || alive[carrier];
+                scale.set(p[7], p[8], p[9]).multiplyScalar(there ? 1 : 0);
+                part_matrix.compose(position.set(p[0], p[1], p[2]), turn.set(p[4], p[5], p[6], p[3]), scale);
+                if (carrier >= 0) {
+                    const v = values.subarray(7 * carrier, 7 * carrier + 7);
+                    carrier_matrix.compose(position.set(v[0], v[1], v[2]), turn.set(v[4], v[5], v[6], v[3]), one);
+                    part_matrix.premultiply(carrier_matrix);
+                }
+                mesh.setMatrixAt(i, part_matrix);
+            });
+            mesh.instanceMatrix.needsUpdate = true;
+        }
+        this.update_joints();
+        this.update_contacts();
+        this.update_follow();
+    }
+
+    update_joints() {
+        const {joints} = this.recording;
+        const out = this.joint_lines.geometry.attributes.position, point = new Vector3();
+        let at = 0;
+        for (let i = 0; i < joints.count; ++i) {
+            for (let side = 0; side < 2; ++side) {
+                const carrier = joints.carriers[2 * i + side];
+                const a = joints.anchors.subarray(6 * i + 3 * side, 6 * i + 3 * side + 3);
+                if (carrier < 0 || !this.poses.alive[carrier] || Number.isNaN(a[0])) continue;
+                this.poses.point(carrier, 0, 0, 0, point);
+                out.setXYZ(at++, point.x, point.y, point.z);
+                this.poses.point(carrier, a[0], a[1], a[2], point);
+                out.setXYZ(at++, point.x, point.y, point.z);
+            }
+        }
+        this.joint_lines.geometry.setDrawRange(0, at);
+        out.needsUpdate = true;
+    }
+
+    // A line along the normal, as long as the force is large.
+    update_contacts() {
+        const {contacts} = this.recording;
+        this.contacts_shown = 0;
+        if (!this.contact_lines.visible || contacts.starts.length < 2) return;
+        const frame = Math.min(Math.round(this.poses.moment / contacts.stride), contacts.starts.length - 2);
+        const out = this.contact_lines.geometry.attributes.position;
+        let at = 0;
+        for (let i = contacts.starts[frame]; i < contacts.starts[frame + 1]; ++i) {
+            const p = [0, 1, 2].map(k => contacts.low[k] + contacts.extent[k] * contacts.places[3 * i + k] / 65535);
+            const size = this.radius * (0.02 + 0.2 * Math.sqrt(contacts.forces[i] / 65535));
+            out.setXYZ(at++, p[0], p[1], p[2]);
+            out.setXYZ(at++, ...p.map((x, k) => x + size * contacts.normals[3 * i + k] / 127));
+        }
+        this.contacts_shown = at / 2;
+        this.contact_lines.geometry.setDrawRange(0, at);
+        out.needsUpdate = true;
+    }
+
+    update_follow() {
+        if (this.follow < 0) return;
+        const now = new Vector3().fromArray(this.poses.values, 7 * this.follow);
+        const shift = now.clone().sub(this.controls.target);
+        this.controls.target.add(shift);
+        this.camera.position.add(shift);
+        this.controls.update();
+        this.aim_sun();
+    }
+
+    // The carrier under a point of the canvas (0..1 from the upper left), -1 for none.
+    pick(x, y) {
+        const ray = new Raycaster();
+        ray.setFromCamera(new Vector2(2 * x - 1, 1 - 2 * y), this.camera);
+        for (const mesh of this.meshes) mesh.boundingSphere = null;  // instances moved
+        const hit = ray.intersectObjects(this.meshes)[0];
+        return hit ? this.recording.parts.numbers[4 * hit.object.userData.members[hit.instanceId] + 1] : -1;
+    }
+
+    draw() { this.renderer.render(this.scene, this.camera); }
+}

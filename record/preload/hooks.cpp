@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The preloaded half of the recorder for any program: functions with the names of ODE's, each of which calls
+// the real one of the libode that the program loaded and tells the observer. It depends on no libode itself,
+// so that it can be put before any program; where the observer cannot be loaded, the program runs as if
+// nothing were there.
+//   EPODE_RECORD          the file to write
+//   EPODE_RECORD_STEPPER  exact, quick or fast: step with this one, whatever the program calls
+// A program that finds ODE's functions by dlsym from a handle of its own (ctypes) passes by all this.
+#include <dlfcn.h>
+#include <ode/ext.h>
+#include <ode/ode.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+#include "record/preload/observer.h"
+
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+
+namespace {
+
+using namespace epode::record;
+
+constexpr int kFastSteps = 4;
+constexpr const char* kLibrary = sizeof(dReal) == 8 ? "libode.so.8" : "libode_single.so.8";
+
+// The program's own library: loaded already, whatever the scope in which it is.
+template <class Function>
+Function find(const char* name)
+{
+    static void* const library = dlopen(kLibrary, RTLD_LAZY | RTLD_NOLOAD);
+    void* found = library ? dlsym(library, name) : nullptr;
+    return reinterpret_cast<Function>(found ? found : dlsym(RTLD_NEXT, name));
+}
+
+const Observer* load_observer()
+{
+    Dl_info here;
+    if (!dladdr(reinterpret_cast<void*>(&load_observer), &here)) return nullptr;
+    std::string path = here.dli_fname;
+    const size_t slash = path.rfind('/');
+    path.resize(slash == std::string::npos ? 0 : slash + 1);
+    path.append(kObserverFile);
+    void* handle = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    const auto get = handle ? reinterpret_cast<GetObserver>(dlsym(handle, kObserverFunction)) : nullptr;
+    if (!get) std::fprintf(stderr, "epode recorder: nothing is recorded: %s\n", dlerror());
+    return get ? get() : nullptr;
+}
+
+// Null: nothing is recorded.
+const Observer* observer()
+{
+    static const Observer* const loaded = std::getenv("EPODE_RECORD") ? load_observer() : nullptr;
+    return loaded;
+}
+
+template <class... Arguments, class... Given>
+void tell(void (*Observer::*what)(Arguments...), Given... given)
+{
+    if (const Observer* listening = observer()) (listening->*what)(given...);
+}
+
+// The stepper that was asked for instead of the program's own; false where there is none.
+bool other_step(dWorldID world, dReal dt, int& ok)
+{
+    using Step = int (*)(dWorldID, dReal);
+    using StepFast = int (*)(dWorldID, dReal, int);
+    static const char* const wanted = std::getenv("EPODE_RECORD_STEPPER");
+    if (!wanted) return false;
+    if (std::strcmp(wanted, "fast") == 0) {
+        static const auto fast = find<StepFast>("dWorldStepFast1");
+        if (fast) ok = fast(world, dt, kFastSteps);
+        return fast != nullptr;
+    }
+    static const auto step = std::strcmp(wanted, "exact") == 0   ? find<Step>("dWorldStep")
+                             : std::strcmp(wanted, "quick") == 0 ? find<Step>("dWorldQuickStep")
+                                                                 : nullptr;
+    if (step) ok = step(world, dt);
+    return step != nullptr;
+}
+
+template <class Real>
+int watched_step(dWorldID world, dReal dt, Real real)
+{
+    tell(&Observer::before_step, world);
+    const auto start = std::chrono::steady_clock::now();
+    int ok = 0;
+    if (!other_step(world, dt, ok)) ok = real();
+    const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
+    tell(&Observer::after_step, world, dt, spent.count());
+    return ok;
+}
+
+dGeomID made(dGeomID geom)
+{
+    if (geom) tell(&Observer::geom_made, geom);
+    return geom;
+}
+
+}  // namespace
+
+// The library's own function of that name, whatever is returned where it has none.
+#define EPODE_REAL(name)                                   \
+    static const auto real = find<decltype(&name)>(#name); \
+    if (!real) return                                      \
+        {}
+#define EPODE_REAL_VOID(name)                              \
+    static const auto real = find<decltype(&name)>(#name); \
+    if (!real) return
+
+#define EPODE_JOINT(Type)                                            \
+    dJointID dJointCreate##Type(dWorldID world, dJointGroupID group) \
+    {                                                                \
+        EPODE_REAL(dJointCreate##Type);                              \
+        dJointID joint = real(world, group);                         \
+        if (joint) tell(&Observer::joint_made, world, joint, group); \
+        return joint;                                                \
+    }
+
+extern "C" {
+
+int dWorldStep(dWorldID world, dReal dt)
+{
+    EPODE_REAL(dWorldStep);
+    return watched_step(world, dt, [&] { return real(world, dt); });
+}
+
+int dWorldQuickStep(dWorldID world, dReal dt)
+{
+    EPODE_REAL(dWorldQuickStep);
+    return watched_step(world, dt, [&] { return real(world, dt); });
+}
+
+int dWorldStepFast1(dWorldID world, dReal dt, int steps)
+{
+    EPODE_REAL(dWorldStepFast1);
+    return watched_step(world, dt, [&] { return real(world, dt, steps); });
+}
+
+int dWorldStepHybrid(dWorldID world, dReal dt)
+{
+    EPODE_REAL(dWorldStepHybrid);
+    return watched_step(world, dt, [&] { return real(world, dt); });
+}
+
+void dWorldDestroy(dWorldID world)
+{
+    EPODE_REAL_VOID(dWorldDestroy);
+    tell(&Observer::world_gone, world);
+    real(world);
+}
+
+dBodyID dBodyCreate(dWorldID world)
+{
+    EPODE_REAL(dBodyCreate);
+    dBodyID body = real(world);
+    if (body) tell(&Observer::body_made, world, body);
+    return body;
+}
+
+void dBodyDestroy(dBodyID body)
+{
+    EPODE_REAL_VOID(dBodyDestroy);
+    tell(&Observer::body_gone, body);
+    real(body);
+}
+
+EPODE_JOINT(Ball)
+EPODE_JOINT(Hinge)
+EPODE_JOINT(Slider)
+EPODE_JOINT(Hinge2)
+EPODE_JOINT(Universal)
+EPODE_JOINT(Fixed)
+EPODE_JOINT(Null)
+EPODE_JOINT(AMotor)
+EPODE_JOINT(LMotor)
+EPODE_JOINT(Plane2D)
+EPODE_JOINT(PR)
+EPODE_JOINT(PU)
+EPODE_JOINT(Piston)
+EPODE_JOINT(DBall)
+EPODE_JOINT(DHinge)
+EPODE_JOINT(Transmission)
+
+dJointID dJointCreateContact(dWorldID world, dJointGroupID group, const dContact* contact)
+{
+    EPODE_REAL(dJointCreateContact);
+    dJointID joint = real(world, group, contact);
+    if (joint) tell(&Observer::contact_made, world, contact);
+    return joint;
+}
+
+void dJointDestroy(dJointID joint)
+{
+    EPODE_REAL_VOID(dJointDestroy);
+    tell(&Observer::joint_gone, joint);
+    real(joint);
+}
+
+void dJointGroupEmpty(dJointGroupID group)
+{
+    EPODE_REAL_VOID(dJointGroupEmpty);
+    tell(&Observer::group_emptied, group);
+    real(group);
+}
+
+void dJointGroupDestroy(dJointGroupID group)
+{
+    EPODE_REAL_VOID(dJointGroupDestroy);
+    tell(&Observer::group_emptied, group);
+    real(group);
+}
+
+dGeomID dCreateSphere(dSpaceID space, dReal radius)
+{
+    EPODE_REAL(dCreateSphere);
+    return made(real(space, radius));
+}
+
+dGeomID dCreateBox(dSpaceID space, dReal x, dReal y, dReal z)
+{
+    EPODE_REAL(dCreateBox);
+    return made(real(space, x, y, z));
+}
+
+dGeomID dCreateCapsule(dSpaceID space, dReal radius, dReal length)
+{
+    EPODE_REAL(dCreateCapsule);
+    return made(real(space, radius, length));
+}
+
+dGeomID dCreateCylinder(dSpaceID space, dReal radius, dReal length)
+{
+    EPODE_REAL(dCreateCylinder);
+    return made(real(space, radius, length));
+}
+
+dGeomID dCreatePlane(dSpaceID space, dReal a, dReal b, dReal c, dReal d)
+{
+    EPODE_REAL(dCreatePlane);
+    return made(real(space, a, b, c, d));
+}
+
+dGeomID dCreateConvex(dSpaceID space, const dReal* planes, unsigned int plane_count, const dReal* points,
+                      unsigned int point_count, const unsigned int* polygons)
+{
+    EPODE_REAL(dCreateConvex);
+    return made(real(space, planes, plane_count, points, point_count, polygons));
+}
+
+dGeomID dCreateConvexHull(dSpaceID space, const dReal* points, unsigned int point_count, unsigned int most)
+{
+    EPODE_REAL(dCreateConvexHull);
+    return made(real(space, points, point_count, most));
+}
+
+dGeomID dCreateTriMesh(dSpaceID space, dTriMeshDataID data, dTriCallback* callback, dTriArrayCallback* arrays,
+                       dTriRayCallback* rays)
+{
+    EPODE_REAL(dCreateTriMesh);
+    return made(real(space, data, callback, arrays, rays));
+}
+
+dGeomID dCreateHeightfield(dSpaceID space, dHeightfieldDataID data, int placeable)
+{
+    EPODE_REAL(dCreateHeightfield);
+    return made(real(space, data, placeable));
+}
+
+dGeomID dCreateGeomTransform(dSpaceID space)
+{
+    EPODE_REAL(dCreateGeomTransform);
+    return made(real(space));
+}
+
+// A geom inside a transform is the transform's look and nothing by itself.
+void dGeomTransformSetGeom(dGeomID transform, dGeomID geom)
+{
+    EPODE_REAL_VOID(dGeomTransformSetGeom);
+    if (geom) tell(&Observer::geom_gone, geom);
+    real(transform, geom);
+}
+
+void dGeomDestroy(dGeomID geom)
+{
+    EPODE_REAL_VOID(dGeomDestroy);
+    tell(&Observer::geom_gone, geom);
+    real(geom);
+}
+
+void dSpaceDestroy(dSpaceID space)
+{
+    EPODE_REAL_VOID(dSpaceDestroy);
+    tell(&Observer::geom_gone, reinterpret_cast<dGeomID>(space));
+    real(space);
+}
+
+}  // extern "C"

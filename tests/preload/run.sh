@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+#
+# Programs that know nothing of the recorder, run under `epode capture`: what they print is what they print without it, and the recording
+# has their own states, hash by hash; then the same on Debian's library, and with another stepper.
+#     run.sh EPODE PROGRAM LIBRARY_FOLDER
+set -euo pipefail
+program=$1 client=$2 libraries=$3
+here=$(cd "$(dirname "$0")" && pwd)
+work=$(mktemp -d)
+trap 'rm -r "$work"' EXIT
+fail() { echo "FAILED: $*" >&2; exit 1; }
+
+# recorded NAME FOLDER COMMAND...: with the libode of FOLDER.
+recorded() {
+    local name=$1 folder=$2
+    shift 2
+    LD_LIBRARY_PATH=$folder "$@" > "$work/alone"
+    LD_LIBRARY_PATH=$folder "$program" capture -o "$work/$name.epr" -- "$@" > "$work/said" || fail "$name: the recorded program fails"
+    cmp -s "$work/alone" "$work/said" || fail "$name: recording changes the program"
+    "$program" inspect "$work/$name.epr" --hashes > "$work/hashes" || fail "$name: the recording cannot be read"
+    cmp "$work/said" "$work/hashes" || fail "$name: the recording's states are not the program's"
+    echo "$name: $(wc -l < "$work/hashes") states, all the program's own"
+}
+
+recorded c "$libraries" "$client"
+"$program" inspect "$work/c.epr" > "$work/inspected"
+for line in 'program +record_client' 'states +61' 'bodies +7' 'geoms +9' 'joints +1'; do
+    grep -qE "^$line" "$work/inspected" || { cat "$work/inspected" >&2; fail "no '$line' in what inspect says"; }
+done
+# The second world has a file of its own.
+"$program" inspect "$work/c-2.epr" | grep -qE '^states +21' || fail 'the second world was not recorded'
+
+# With another stepper: the same program, other states; diff says where. The first state is the same.
+LD_LIBRARY_PATH=$libraries "$program" capture -o "$work/fast.epr" --stepper fast -- "$client" > /dev/null
+code=0
+"$program" diff "$work/c.epr" "$work/fast.epr" --json > "$work/diff" || code=$?
+[ "$code" = 1 ] && grep -q '"first_step": 1,' "$work/diff" || { cat "$work/diff" >&2; fail 'another stepper makes no difference'; }
+
+# It becomes an animation like any other, and cannot be run again as a scene.
+"$program" convert "$work/c.epr" "$work/c.glb"
+code=0
+"$program" replay "$work/c.epr" 2> "$work/err" || code=$?
+[ "$code" = 2 ] && grep -q 'not made from a scene' "$work/err" || fail 'replay of a program is not refused'
+
+# A program that does not exist is wrong usage.
+code=0
+"$program" capture -o "$work/x.epr" -- "$work/absent" 2> "$work/err" || code=$?
+[ "$code" = 2 ] && grep -q absent "$work/err" || fail 'a program that does not exist is not refused'
+
+debian=/usr/lib/x86_64-linux-gnu
+if [ -e "$debian/libode.so.8" ]; then
+    recorded debian "$debian" "$client"
+else
+    echo 'not tried on the original libode8: it is not installed'
+fi
+if /usr/bin/python3 -c 'import ode' 2> /dev/null; then
+    recorded pyode "$libraries" /usr/bin/python3 "$here/pyode_program.py"
+else
+    echo 'not tried on python3-pyode: it is not installed'
+fi
