@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See app.h. Mouse: left drag turns, right or middle drag shifts, the wheel comes closer, a double click
+// picks, a drag with Ctrl pulls at what was under the pointer, in the plane that faces the viewer.
+#include "view/app.h"
+
+#include <imgui.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "view/playback.h"
+
+namespace epode::view {
+
+namespace {
+
+int scene_number(const std::string& name)
+{
+    const auto& all = scenes::all_recipes();
+    for (size_t i = 0; i < all.size(); ++i) {
+        if (name == all[i]->name) return int(i);
+    }
+    return -1;
+}
+
+std::string scene_names()
+{
+    std::string names;
+    for (const scenes::Recipe* recipe : scenes::all_recipes()) names += std::string(" ") + recipe->name;
+    return names;
+}
+
+std::unique_ptr<Session> open_scene(const scenes::Recipe& recipe, const ViewOptions& options,
+                                    std::string& problem)
+{
+    LiveOptions live;
+    live.stepper = recipe.stepper;
+    if (!options.stepper.empty() && !scenes::stepper_named(options.stepper, live.stepper)) {
+        problem = "there is no stepper '" + options.stepper + "'. Steppers: exact quick fast";
+        return nullptr;
+    }
+    if (!scenes::available(live.stepper)) {
+        problem = "the library has no stepper '" + std::string(scenes::name_of(live.stepper)) + "'";
+        return nullptr;
+    }
+    live.dt = options.dt > 0 ? options.dt : recipe.dt;
+    live.iterations = options.iterations;
+    live.threads = options.threads;
+    live.seed = options.seed;
+    return std::make_unique<Live>(recipe, live);
+}
+
+}  // namespace
+
+bool App::open(const std::string& what, std::string& problem)
+{
+    std::unique_ptr<Session> session;
+    if (what.ends_with(".epr")) {
+        session = Playback::open(what, problem);
+        if (session && !problem.empty()) note_ = problem, note_until_ = clock_ + 10;
+    } else if (const scenes::Recipe* recipe = scenes::find_recipe(what)) {
+        session = open_scene(*recipe, options_, problem);
+    } else {
+        problem = "there is no scene '" + what + "', nor does it end in .epr. Scenes:" + scene_names();
+    }
+    if (!session) return false;
+    session->paused = session_ ? session_->paused : options_.paused;
+    session->speed = session_ ? session_->speed : 1;
+    session_ = std::move(session);
+    what_ = what;
+    drawing_.forget();
+    picked_ = record::kNobody;
+    picked_geom_ = record::kNoGeom;
+    following_ = false;
+    look_from_scene();
+    return true;
+}
+
+void App::look_at_everything()
+{
+    following_ = false;
+    const viewer::Picture picture = drawing_.picture(*session_, record::kNobody);
+    std::vector<viewer::Shape> moving;
+    const Moment now = session_->moment();
+    for (const viewer::Shape& shape : picture.shapes) moving.push_back(shape);
+    if (!moving.empty()) orbit_.look_like(viewer::frame_shapes(moving, 1.6f));
+}
+
+void App::look_from_scene()
+{
+    Live* live = session_->live();
+    if (!live || !live->scene().view.set) {
+        look_at_everything();
+        return;
+    }
+    const scenes::View& view = live->scene().view;
+    orbit_.look({view.eye[0], view.eye[1], view.eye[2]}, {view.target[0], view.target[1], view.target[2]});
+    if (!view.follow) return;
+    const auto& bodies = live->scene().bodies();
+    for (size_t i = 0; i < bodies.size(); ++i) {
+        if (bodies[i] == view.follow) {
+            const Vec at = vec(session_->moment().bodies[i]->pose.pos);
+            orbit_.shift({at.x, at.y, 0});
+        }
+    }
+}
+
+void App::follow()
+{
+    const Moment now = session_->moment();
+    if (!following_ || picked_ < 0 || !now.bodies[size_t(picked_)]) return;
+    const Vec at = vec(now.bodies[size_t(picked_)]->pose.pos);
+    if (std::isfinite(scenes::length(at))) orbit_.shift(at - followed_);
+    followed_ = at;
+}
+
+void App::key(const std::string& name, bool repeated)
+{
+    const ActionRow* row = action_of(name);
+    if (row && (!repeated || row->repeats)) act(row->action);
+}
+
+bool App::toggle(Action action)
+{
+    Switches& s = drawing_.switches;
+    bool* flag = nullptr;
+    switch (action) {
+        case Action::kGeoms:
+            flag = &s.geoms;
+            break;
+        case Action::kWireframe:
+            flag = &s.wireframe;
+            break;
+        case Action::kAxes:
+            flag = &s.body_axes;
+            break;
+        case Action::kJoints:
+            flag = &s.joints;
+            break;
+        case Action::kJointAxes:
+            flag = &s.joint_axes;
+            break;
+        case Action::kLimits:
+            flag = &s.limits;
+            break;
+        case Action::kContacts:
+            flag = &s.contacts;
+            break;
+        case Action::kForces:
+            flag = &s.forces;
+            break;
+        case Action::kBoxes:
+            flag = &s.boxes;
+            break;
+        case Action::kShadows:
+            flag = &s.shadows;
+            break;
+        case Action::kPanels:
+            flag = &panels_;
+            break;
+        case Action::kHelp:
+            flag = &help_;
+            break;
+        default:
+            return false;
+    }
+    *flag = !*flag;
+    return true;
+}
+
+void App::act(Action action)
+{
+    if (toggle(action)) return;
+    Session& session = *session_;
+    switch (action) {
+        case Action::kPause:
+            session.paused = !session.paused;
+            break;
+        case Action::kStep:
+            session.paused = true;
+            session.step();
+            break;
+        case Action::kStepBack:
+            session.paused = true;
+            session.step_back();
+            break;
+        case Action::kRestart:
+            session.restart();
+            break;
+        case Action::kStart:
+            session.paused = true;
+            session.seek(session.stage().first());
+            break;
+        case Action::kEnd:
+            session.paused = true;
+            session.seek(session.stage().last());
+            break;
+        case Action::kFaster:
+            session.faster();
+            break;
+        case Action::kSlower:
+            session.slower();
+            break;
+        case Action::kRealTime:
+            session.speed = 1;
+            break;
+        case Action::kNextScene:
+            other_scene(1);
+            break;
+        case Action::kPreviousScene:
+            other_scene(-1);
+            break;
+        case Action::kQuit:
+            quit_ = true;
+            break;
+        case Action::kPaint:
+            drawing_.switches.paint = Paint((int(drawing_.switches.paint) + 1) % 4);
+            break;
+        case Action::kFrame:
+            look_at_everything();
+            break;
+        case Action::kFollow:
+            following_ = !following_ && picked_ != record::kNobody;
+            if (following_) {
+                followed_ = vec(session.moment().bodies[size_t(picked_)]->pose.pos);
+                orbit_.aim(followed_);
+            }
+            break;
+        case Action::kPush:
+            push();
+            break;
+        case Action::kLetGo:
+            picked_ = record::kNobody;
+            picked_geom_ = record::kNoGeom;
+            break;
+        default:
+            break;
+    }
+}
+
+void App::other_scene(int by)
+{
+    const auto& all = scenes::all_recipes();
+    const int count = int(all.size()), now = scene_number(what_);
+    const int next = now < 0 ? 0 : (now + by + count) % count;
+    std::string problem;
+    if (!open(all[size_t(next)]->name, problem)) note_ = problem, note_until_ = clock_ + 6;
+}
+
+void App::pick(double x, double y, int width, int height)
+{
+    const Ray ray = orbit_.ray(x, y, width, height);
+    const auto hit = session_->pick(ray.origin, ray.direction);
+    picked_ = hit ? hit->body : record::kNobody;
+    picked_geom_ = hit ? hit->geom : record::kNoGeom;
+    if (picked_ == record::kNobody) return;
+    const record::Pose& pose = session_->moment().bodies[size_t(picked_)]->pose;
+    picked_local_ = scenes::rotate(scenes::inverse(turn_of(pose.turn)), hit->point - vec(pose.pos));
+}
+
+void App::push()
+{
+    Live* live = session_->live();
+    if (!live || picked_ == record::kNobody) return;
+    Vec right, up, forward;
+    orbit_.axes(right, up, forward);
+    const record::Pose& pose = session_->moment().bodies[size_t(picked_)]->pose;
+    const double mass = session_->stage().bodies()[size_t(picked_)].mass;
+    live->push(picked_, place(pose, picked_local_), (mass * push_speed_) * forward);
+}
+
+void App::grab_or_pull(double x, double y, int width, int height)
+{
+    Live* live = session_->live();
+    if (!live) return;
+    const Ray ray = orbit_.ray(x, y, width, height);
+    Vec right, up, forward;
+    orbit_.axes(right, up, forward);
+    if (live->grabbed() == record::kNobody) {
+        pick(x, y, width, height);
+        if (picked_ == record::kNobody) return;
+        const Vec point = place(session_->moment().bodies[size_t(picked_)]->pose, picked_local_);
+        grab_depth_ = scenes::dot(point - ray.origin, forward);
+        live->grab(picked_, point);
+    }
+    live->pull_to(ray.origin + (grab_depth_ / scenes::dot(ray.direction, forward)) * ray.direction);
+}
+
+void App::use_mouse(int width, int height)
+{
+    const ImGuiIO& io = ImGui::GetIO();
+    Live* live = session_->live();
+    const bool grabbing = live && live->grabbed() != record::kNobody;
+    const auto free_click = [&](int button) { return ImGui::IsMouseClicked(button) && !io.WantCaptureMouse; };
+    if (free_click(0)) {
+        if (io.KeyCtrl)
+            grab_or_pull(double(io.MousePos.x), double(io.MousePos.y), width, height);
+        else
+            turning_ = true;
+    }
+    if (free_click(1) || free_click(2)) panning_ = true;
+    if (!ImGui::IsMouseDown(0)) {
+        turning_ = false;
+        if (grabbing) live->release();
+    } else if (grabbing) {
+        grab_or_pull(double(io.MousePos.x), double(io.MousePos.y), width, height);
+    }
+    if (!ImGui::IsMouseDown(1) && !ImGui::IsMouseDown(2)) panning_ = false;
+    if (turning_) orbit_.turn(double(io.MouseDelta.x), double(io.MouseDelta.y));
+    if (panning_) orbit_.pan(double(io.MouseDelta.x), double(io.MouseDelta.y), height);
+    if (io.WantCaptureMouse) return;
+    if (io.MouseWheel != 0) orbit_.zoom(double(io.MouseWheel));
+    if (ImGui::IsMouseDoubleClicked(0) && !io.KeyCtrl)
+        pick(double(io.MousePos.x), double(io.MousePos.y), width, height);
+}
+
+void App::frame(double seconds, int width, int height)
+{
+    clock_ += seconds;
+    orbit_.set_offset(panels_ ? 0.5 * double(kPanelWidth) : 0);
+    use_mouse(width, height);
+    session_->pass(seconds, patient_ ? 1e9 : 0.05);
+    follow();
+    menus();
+    if (panels_) panels();
+    if (help_) help();
+    note();
+    drawing_.switches.soft_light = drawing_.switches.soft_light || fine_;
+    picture_ = drawing_.picture(*session_, picked_);
+    picture_.camera = orbit_.camera(height);
+    picture_.width = width;
+    picture_.height = height;
+}
+
+std::string App::summary() const
+{
+    const State& state = session_->state();
+    std::string text = session_->title();
+    char figures[160];
+    std::snprintf(figures, sizeof figures,
+                  " state %zu time %.6g %s speed %g picked %d contacts %zu panels %d help %d",
+                  session_->now(), state.step.time, session_->paused ? "paused" : "running", session_->speed,
+                  int(picked_), state.step.contacts.size(), int(panels_), int(help_));
+    return text + figures;
+}
+
+}  // namespace epode::view

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See live.h. Everything by the public C API.
+#include "view/live.h"
+
+#include <cmath>
+
+#include "scenes/extensions.h"
+#include "scenes/measure.h"
+#include "view/limits.h"
+#include "view/ray.h"
+
+namespace epode::view {
+
+namespace {
+
+constexpr double kSpringRate = 2 * 3.14159265358979 * 2.5;  // w, 1/s
+
+Vec vec_of(const dReal* v) { return {double(v[0]), double(v[1]), double(v[2])}; }
+
+// The setter normalises, which may change last bits of a quaternion that came out of a normalisation already.
+// What is looked for is a quaternion that becomes the wished one: multiples of it, each number a last bit up
+// or down; one of the first few nearly always does; for one in some thousands none does, and the nearest is
+// taken.
+void set_turn_exactly(dBodyID body, const record::Quat& q)
+{
+    constexpr int kMultiples = 256, kNudges = 81;
+    dQuaternion wished;
+    for (int attempt = 0; attempt < kMultiples * kNudges; ++attempt) {
+        // From 1 up to 2, and from 1 down to 1/2.
+        const int multiple = attempt % kMultiples;
+        const double grown = 1 + multiple / double(kMultiples), factor = multiple % 2 ? 1 / grown : grown;
+        int nudges = attempt / kMultiples;
+        bool same = true;
+        for (size_t i = 0; i < 4; ++i, nudges /= 3) {
+            wished[i] = dReal(q[i] * factor);
+            if (nudges % 3 != 0)
+                wished[i] = std::nextafter(wished[i], nudges % 3 == 1 ? dReal(2) : dReal(-2));
+        }
+        dBodySetQuaternion(body, wished);
+        const dReal* got = dBodyGetQuaternion(body);
+        for (size_t i = 0; i < 4; ++i) same = same && got[i] == dReal(q[i]);
+        if (same) return;
+    }
+    for (size_t i = 0; i < 4; ++i) wished[i] = dReal(q[i]);
+    dBodySetQuaternion(body, wished);
+}
+
+void put(dBodyID body, const record::BodyState& state, bool asleep)
+{
+    const auto& [pose, linear, angular] = state;
+    dBodySetPosition(body, dReal(pose.pos[0]), dReal(pose.pos[1]), dReal(pose.pos[2]));
+    set_turn_exactly(body, pose.turn);
+    dBodySetLinearVel(body, dReal(linear[0]), dReal(linear[1]), dReal(linear[2]));
+    dBodySetAngularVel(body, dReal(angular[0]), dReal(angular[1]), dReal(angular[2]));
+    dBodySetForce(body, 0, 0, 0);
+    dBodySetTorque(body, 0, 0, 0);
+    asleep ? dBodyDisable(body) : dBodyEnable(body);
+}
+
+}  // namespace
+
+Live::Live(const scenes::Recipe& recipe, const LiveOptions& given) : options(given), recipe_(recipe)
+{
+    build();
+}
+
+void Live::build()
+{
+    recorder_.reset();
+    scene_.reset();
+    stage_ = std::make_unique<Stage>(options.memory);
+    scene_ = std::make_unique<scenes::Scene>(recipe_, options.seed);
+    scene_->want_forces(true);
+    scenes::request_step_report(scene_->world(), true);
+    recorder_ = std::make_unique<record::Recorder>(*stage_);
+    bodies_ = geoms_ = joints_ = 0;
+    now_ = 0;
+    failed_ = false;
+    release();
+    sample();
+}
+
+void Live::restart() { build(); }
+
+void Live::add_new()
+{
+    for (; bodies_ < scene_->bodies().size(); ++bodies_) recorder_->add(scene_->bodies()[bodies_]);
+    for (; geoms_ < scene_->geoms().size(); ++geoms_) recorder_->add(scene_->geoms()[geoms_]);
+    for (; joints_ < scene_->joints().size(); ++joints_) recorder_->add(scene_->joints()[joints_].joint);
+}
+
+void Live::sample()
+{
+    add_new();
+    std::vector<record::ContactSeen> contacts;
+    contacts.reserve(scene_->contacts().size());
+    for (const scenes::ContactRecord& from : scene_->contacts()) {
+        record::ContactSeen& to = contacts.emplace_back();
+        to.geom[0] = from.geom1;
+        to.geom[1] = from.geom2;
+        to.depth = from.depth;
+        std::copy_n(from.pos, 3, to.pos);
+        std::copy_n(from.normal, 3, to.normal);
+        std::copy_n(from.force, 3, to.force);
+    }
+    const scenes::Quality quality = scenes::measure(*scene_);
+    record::StepFigures figures;
+    figures.time = scene_->time();
+    figures.dt = options.dt;
+    figures.kinetic = quality.kinetic;
+    figures.potential = quality.potential;
+    figures.joint_error = quality.joint_error;
+    figures.ms = scene_->times().total_ms();
+    recorder_->step(figures, contacts, true);
+    State& state = stage_->at(stage_->last());
+    if (const auto report = scenes::step_report(scene_->world())) state.figures.residual = report->residual;
+    state.random = dRandGetSeed();
+    state.figures.collide_ms = scene_->times().collide_ms;
+    state.figures.step_ms = scene_->times().step_ms;
+    failed_ = failed_ || quality.not_finite > 0;
+}
+
+bool Live::step()
+{
+    if (failed_) return false;
+    stage_->cut_after(now_);
+    scene_->set_iterations(options.iterations);
+    scenes::set_step_threads(scene_->world(), options.threads);
+    pull();
+    failed_ = !scene_->step(options.stepper, options.dt);
+    sample();
+    now_ = stage_->last();
+    return !failed_;
+}
+
+bool Live::seek(size_t number)
+{
+    if (number < stage_->first() || number > stage_->last()) return false;
+    const Moment then = stage_->moment(number);
+    for (size_t i = 0; i < then.bodies.size(); ++i) {
+        if (then.bodies[i]) put(scene_->bodies()[i], *then.bodies[i], then.asleep[i]);
+    }
+    scene_->set_time(then.step->time);
+    dRandSetSeed(stage_->at(number).random);
+    failed_ = false;
+    now_ = number;
+    return true;
+}
+
+std::optional<Hit> Live::pick(Vec origin, Vec direction)
+{
+    const auto met = closest_geom(scene_->space(), origin, direction);
+    if (!met) return std::nullopt;
+    Hit hit;
+    hit.point = met->point;
+    hit.distance = met->distance;
+    const auto& geoms = scene_->geoms();
+    for (size_t i = 0; i < geoms.size(); ++i) {
+        if (geoms[i] == met->geom) hit.geom = std::uint32_t(i);
+    }
+    const dBodyID struck = dGeomGetBody(met->geom);
+    for (size_t i = 0; struck && i < scene_->bodies().size(); ++i) {
+        if (scene_->bodies()[i] == struck) hit.body = std::int32_t(i);
+    }
+    return hit;
+}
+
+std::vector<Limit> Live::limits(std::uint32_t joint) const
+{
+    return joint < scene_->joints().size() ? limits_of(scene_->joints()[joint].joint) : std::vector<Limit>();
+}
+
+void Live::grab(std::int32_t number, Vec point)
+{
+    if (number < 0 || size_t(number) >= scene_->bodies().size()) return;
+    dVector3 local;
+    dBodyGetPosRelPoint(body(number), dReal(point.x), dReal(point.y), dReal(point.z), local);
+    grabbed_ = number;
+    local_hook_ = vec_of(local);
+    target_ = point;
+}
+
+Vec Live::hook() const
+{
+    dVector3 point;
+    dBodyGetRelPointPos(body(grabbed_), dReal(local_hook_.x), dReal(local_hook_.y), dReal(local_hook_.z),
+                        point);
+    return vec_of(point);
+}
+
+void Live::pull()
+{
+    if (grabbed_ == record::kNobody) return;
+    dBodyID b = body(grabbed_);
+    dMass mass;
+    dBodyGetMass(b, &mass);
+    const double least = std::min({double(mass.I[0]), double(mass.I[5]), double(mass.I[10])});
+    const double m = 1 / (1 / double(mass.mass) + scenes::dot(local_hook_, local_hook_) / least);
+    const Vec p = hook();
+    dVector3 moving;
+    dBodyGetPointVel(b, dReal(p.x), dReal(p.y), dReal(p.z), moving);
+    // Long steps want a softer spring: w h below 1/4.
+    const double w = std::min(kSpringRate, 0.25 / options.dt);
+    const Vec f = (m * w * w) * (target_ - p) - (2 * m * w) * vec_of(moving);
+    if (!std::isfinite(scenes::length(f))) return;
+    dBodyEnable(b);
+    dBodyAddForceAtPos(b, dReal(f.x), dReal(f.y), dReal(f.z), dReal(p.x), dReal(p.y), dReal(p.z));
+}
+
+void Live::push(std::int32_t number, Vec point, Vec impulse)
+{
+    if (number < 0 || size_t(number) >= scene_->bodies().size()) return;
+    dBodyID b = body(number);
+    dVector3 force;
+    dWorldImpulseToForce(scene_->world(), dReal(options.dt), dReal(impulse.x), dReal(impulse.y),
+                         dReal(impulse.z), force);
+    dBodyEnable(b);
+    dBodyAddForceAtPos(b, force[0], force[1], force[2], dReal(point.x), dReal(point.y), dReal(point.z));
+}
+
+}  // namespace epode::view
