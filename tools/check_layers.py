@@ -26,8 +26,8 @@ MAY_INCLUDE = {
              "query", "contacts"},
 }
 MAY_INCLUDE["api"] = MAY_INCLUDE["step"] | {"step"}
-OUTSIDE = ["viewer", "scenes", "cli", "bench", "tests/parity", "tests/clients", "tests/physics", "tests/cli",
-           "tests/viewer", "tests/abi"]
+OUTSIDE = ["viewer", "view", "drawstuff", "demos", "scenes", "record", "cli", "bench", "tests/parity", "tests/clients", "tests/physics",
+           "tests/cli", "tests/viewer", "tests/view", "tests/drawstuff", "tests/record", "tests/abi"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)
 
 errors = []
