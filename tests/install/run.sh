@@ -4,7 +4,7 @@
 #
 # run.sh BUILD CMAKE CC CXX PRECISION...
 # Installs the build into a prefix, moves the prefix, and uses it as its users do: pkg-config from C, ode-config
-# from C, find_package from C++ in both spellings. Every program judges itself.
+# from C, find_package from C++ in both spellings; drawstuff by pkg-config. Every program judges itself.
 set -euo pipefail
 build=$1 cmake=$2 cc=$3 cxx=$4
 shift 4
@@ -81,6 +81,19 @@ for program in $(printf 'upper/pendulum_%s lower/lower_%s ' $(for p in "$@"; do 
     echo "-- $program"
     "./$program" || fail "$program said no"
 done
+
+# drawstuff, where it was built: a C program and a C++ one, with ODE's library and without.
+if [ -f "$prefix/$libdir/libdrawstuff.a" ]; then
+    board=$clients/../../drawstuff
+    draw_flags() { PKG_CONFIG_PATH=$prefix/$libdir/pkgconfig pkg-config --cflags --libs drawstuff; }
+    # shellcheck disable=SC2046
+    "$cc" -std=c99 -Wall -Wextra -Werror "$board/every.c" -o every_c $(draw_flags)
+    # shellcheck disable=SC2046
+    "$cxx" -std=c++11 -Wall -Wextra -Werror "$board/every.cpp" -o every_cpp $(draw_flags)
+    for program in every_c every_cpp; do
+        EPODE_GL=egl EPODE_FRAMES='' run "./$program" stop 7 2> log | tail -1 | grep -q '^frames 7 ' || fail "$program: $(cat log)"
+    done
+fi
 
 env -u LD_LIBRARY_PATH "$prefix/bin/epode" list > list || fail "epode list"
 grep -q wall list || fail "epode knows no scene"
