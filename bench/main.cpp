@@ -85,12 +85,16 @@ CLI::App* add_mesh_rays(CLI::App& app, epode::bench::MeshRayOptions& options)
 
 CLI::App* add_terrain(CLI::App& app, epode::bench::TerrainOptions& options)
 {
-    CLI::App* command = app.add_subcommand("terrain", "dCollide of solids with a mesh of 131,072 triangles");
+    CLI::App* command =
+        app.add_subcommand("terrain", "dCollide of solids with a landscape of 131,072 triangles");
     command->add_option("--cells", options.cells, "to a side (default 256)")->check(CLI::Range(1, 4096));
     command->add_option("--solids", options.solids, "of each class (default 2000)")
         ->check(CLI::Range(1, 1'000'000));
     command->add_option("--rounds", options.rounds, "the quickest counts (default 5)")
         ->check(CLI::Range(1, 10'000));
+    command->add_flag("--field", options.field, "as a height field, not as a mesh");
+    command->add_option("--only", options.only, "sphere, box, capsule or cylinder")
+        ->check(CLI::IsMember({"sphere", "box", "capsule", "cylinder"}));
     return command;
 }
 
