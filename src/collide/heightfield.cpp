@@ -91,6 +91,25 @@ Real HeightfieldData::sample(int i, int j) const
     return usable(value) ? value : Real(0);
 }
 
+void HeightfieldData::heights(int i, int j, int count, Real* out) const
+{
+    const std::ptrdiff_t at = i + std::ptrdiff_t(j) * nx;
+    const auto read = [&](const auto* from) {
+        for (int k = 0; k < count; ++k) {
+            const Real value = Real(from[k]);
+            out[k] = scale * (usable(value) ? value : Real(0)) + offset;
+        }
+    };
+    switch (source) {
+        case Source::kFloats:
+            return read(static_cast<const float*>(samples) + at);
+        case Source::kDoubles:
+            return read(static_cast<const double*>(samples) + at);
+        default:
+            for (int k = 0; k < count; ++k) out[k] = height(i + k, j);
+    }
+}
+
 void HeightfieldData::set_bounds(Real low_sample, Real high_sample)
 {
     const Real a = low_sample * scale + offset, b = high_sample * scale + offset;
@@ -128,6 +147,12 @@ Real Terrain::height(int i, int j) const
     return data_.height(wrapped(i, data_.nx - 1), wrapped(j, data_.nz - 1));
 }
 
+void Terrain::heights(int i, int j, int count, Real* out) const
+{
+    if (!data_.wrap) return data_.heights(i, j, count, out);
+    for (int k = 0; k < count; ++k) out[k] = height(i + k, j);
+}
+
 Facet Terrain::bare_facet(int i, int j, bool upper) const
 {
     Facet f;
@@ -138,11 +163,7 @@ Facet Terrain::bare_facet(int i, int j, bool upper) const
 
 Terrain::BareCell Terrain::bare_cell(int i, int j) const
 {
-    return bare_cell(i, j, vertex(i, j), vertex(i + 1, j), vertex(i, j + 1), vertex(i + 1, j + 1));
-}
-
-Terrain::BareCell Terrain::bare_cell(int i, int j, Vec3 a, Vec3 b, Vec3 c, Vec3 d) const
-{
+    const Vec3 a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i, j + 1), d = vertex(i + 1, j + 1);
     BareCell cell;
     for (const bool upper : {false, true}) {
         Facet& f = cell.facets[upper];

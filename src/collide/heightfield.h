@@ -42,6 +42,7 @@ struct HeightfieldData : Tagged {
 
     Real sample(int i, int j) const;  // inside the rectangle
     Real height(int i, int j) const { return scale * sample(i, j) + offset; }
+    void heights(int i, int j, int count, Real* out) const;  // of neighbours in a row
     void set_bounds(Real low_sample, Real high_sample);
     void drop_samples();
     void drop_holes();
@@ -89,6 +90,7 @@ class Terrain {
     Vec3 vertex(int i, int j) const { return vertex(i, j, height(i, j)); }
     Vec3 vertex(int i, int j, Real y) const { return {x0_ + Real(i) * dx_, y, z0_ + Real(j) * dz_}; }
     Real height(int i, int j) const;
+    void heights(int i, int j, int count, Real* out) const;  // from (i, j) along x
     Facet facet(int i, int j, bool upper) const;
     // Place and corners only: of one, and of both of a cell.
     Facet bare_facet(int i, int j, bool upper) const;
@@ -97,7 +99,14 @@ class Terrain {
         Real lowest, highest;
     };
     BareCell bare_cell(int i, int j) const;
-    BareCell bare_cell(int i, int j, Vec3 a, Vec3 b, Vec3 c, Vec3 d) const;  // of which the corners are known
+    // Of which the heights of the corners are known.
+    void set_corners(Facet& f, int i, int j, bool upper, Real y0, Real y1, Real y2) const
+    {
+        const int far = upper ? 1 : 0, near = 1 - far;
+        f.i = i, f.j = j, f.upper = upper;
+        f.v[0] = vertex(i + far, j + far, y0), f.v[1] = vertex(i + far, j + near, y1),
+        f.v[2] = vertex(i + near, j + far, y2);
+    }
 
     bool holed() const { return data_.hole_count > 0; }
     Real thickness() const { return data_.thickness; }

@@ -80,6 +80,16 @@ EPODE_QUAD_OPERATION(QuadMask, operator<=, s <= t)
 EPODE_QUAD_OPERATION(QuadMask, operator>, s > t)
 #undef EPODE_QUAD_OPERATION
 
+// a < b ? yes : no
+EPODE_LANEWISE Quad if_less(const Quad& a, const Quad& b, const Quad& yes, const Quad& no)
+{
+#if defined(dIDESINGLE)
+    return {a.x < b.x ? yes.x : no.x};
+#else
+    return {a.x < b.x ? yes.x : no.x, a.y < b.y ? yes.y : no.y};
+#endif
+}
+
 EPODE_LANEWISE Quad load_quad(const Real* p)
 {
     Quad a;

@@ -11,12 +11,13 @@
 #include "collide/heightfield.h"
 #include "collide/pairs/harvest.h"
 #include "collide/pairs/hole_walls.h"
+#include "collide/pairs/least_axes.h"
 #include "collide/pairs/on_surface.h"
 
 namespace epode {
 
-// Level directions in which columns are parted from a solid: across the cells' diagonals, and along its
-// edges. They are the same for all facets, so what the solid has of them is reckoned once.
+// Level directions in which columns are parted from a solid that is not round: across the cells' diagonals,
+// and along its edges. They are the same for all facets, so what the solid has of them is reckoned once.
 class Sides {
   public:
     Sides(const Terrain& terrain, const ConvexView& solid, Real slack);
@@ -37,7 +38,7 @@ class Sides {
     struct Side {
         Real x, z, lo, hi;
     };
-    void add(Vec3 level, const ConvexView& solid, Real slack);
+    void add(Vec3 level, const SolidReach& reach, Real slack);
     static constexpr int kMost = 4;
     Side sides_[kMost];
     int count_ = 0;

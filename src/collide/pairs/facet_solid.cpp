@@ -6,6 +6,7 @@
 // normal: the lower faces of the solid cut by the column, each point with its own depth below the facet.
 // Along another, the facet's edge or corner is what pushes: the manifold of two convex solids. Rejected: each
 // column as a solid of its own with GJK/EPA; it meets the walls between columns, which do not exist.
+#include "collide/pairs/box_axes.h"
 #include "collide/pairs/facet.h"
 #include "collide/pairs/least_axes.h"
 #include "collide/pairs/mesh_ground.h"
@@ -123,8 +124,18 @@ class LeastRise {
             consider(per * axis, d / size);
             return true;
         };
-        return reach_.box() ? each_box_axis(*reach_.box(), pose, facet_, offer)
-                            : each_cylinder_axis(*reach_.cylinder(), pose, facet_, offer);
+        if (!reach_.box()) return each_cylinder_axis(*reach_.cylinder(), pose, facet_, offer);
+        const auto look = [this](const AxisOverlaps& o) { return look_at(o); };
+        return BoxAxes(*reach_.box(), pose, facet_).each(look, offer);
+    }
+    // The same of four axes, the depth being what it is now.
+    AxisVerdict look_at(const AxisOverlaps& o) const
+    {
+        const Real worth = kFaceFirst * depth;
+        const Quad d = if_less(o.rise, quad(0), o.down, o.up), d2 = d * magnitude(d), rise2 = o.rise * o.rise;
+        const unsigned steep = ~bits(rise2 < quad(kSteepest * kSteepest) * o.size2);
+        return {bits(d2 < quad(-m_.slack * m_.slack) * o.size2),
+                (steep & bits(d2 < quad(worth * worth) * o.size2)) | bits(rise2 <= quad(0))};
     }
 
     // A large polyhedron lists no edges.
@@ -234,18 +245,19 @@ void press_crest(const Facet& f, Vec3 normal, Real depth, Meeting& m)
 
 Sides::Sides(const Terrain& terrain, const ConvexView& solid, Real slack)
 {
+    const SolidReach reach(solid);
     const Vec3 cell = terrain.cell();
-    add({cell.z, 0, cell.x}, solid, slack);
+    const Real per = 1 / (cell.x + cell.z);
+    add({per * cell.z, 0, per * cell.x}, reach, slack);
     for (int i = 0; i < 3; ++i)
-        if (solid.edge_axes >> i & 1) add(cross(solid.pose.R.column(i), kUp), solid, slack);
+        if (solid.edge_axes >> i & 1) add(cross(solid.pose.R.column(i), kUp), reach, slack);
 }
 
-void Sides::add(Vec3 level, const ConvexView& solid, Real slack)
+void Sides::add(Vec3 level, const SolidReach& reach, Real slack)
 {
     if (length2(level) <= Real(1e-6) && count_ > 0) return;
-    const Vec3 n = normalized_or(level, {});
-    const Real lo = dot(n, solid.support(-n)), hi = dot(n, solid.support(n)), more = solid.radius + slack;
-    sides_[count_++] = {n.x, n.z, lo - more, hi + more};
+    const Real more = slack * (std::fabs(level.x) + std::fabs(level.z));
+    sides_[count_++] = {level.x, level.z, reach.low_along(level) - more, more - reach.low_along(-level)};
 }
 
 void weigh_solid(const Facet& f, Meeting& m)

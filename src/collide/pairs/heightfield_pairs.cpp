@@ -6,7 +6,10 @@
 // there is nothing; below the lowest, one contact straight up; and where all samples lie in one plane, the
 // plane's own pair function answers, so that a flat field is a plane, exactly. These are not taken where
 // there are holes under the box. A field that has holes is a slab: what has its middle below it is not met.
+#include <optional>
+
 #include "collide/pairs/facet.h"
+#include "collide/pairs/underpart.h"
 
 namespace epode {
 
@@ -29,6 +32,13 @@ struct Cells {
 // finite in name only.
 constexpr Real kReach = 128, kFiniteReach = 512;
 
+// The greatest whole number that is not above; of those that an int can hold.
+int below(Real x)
+{
+    const int k = int(x);
+    return k - (Real(k) > x ? 1 : 0);
+}
+
 // The cells under the box; false when there are none or the place is out of all measure.
 bool cells_under(const Terrain& t, const Aabb& box, Cells& out)
 {
@@ -47,7 +57,7 @@ bool cells_under(const Terrain& t, const Aabb& box, Cells& out)
         const Real middle = Real(0.5) * (from[a] + to[a]), reach = t.endless() ? kReach : kFiniteReach;
         if (to[a] - from[a] > 2 * reach) from[a] = middle - reach, to[a] = middle + reach;
         if (!(from[a] > -kFar && to[a] < Real(2.1e9))) return false;
-        lo[a] = int(std::floor(from[a])), hi[a] = int(std::floor(to[a]));
+        lo[a] = below(from[a]), hi[a] = below(to[a]);
         if (t.endless()) continue;
         lo[a] = lo[a] < 0 ? 0 : lo[a] < count[a] ? lo[a] : count[a] - 1;
         hi[a] = hi[a] < 0 ? 0 : hi[a] < count[a] ? hi[a] : count[a] - 1;
@@ -66,16 +76,15 @@ class Samples {
         if (holes || columns_ > kMost / 2 || rows > kMost / columns_)
             return;  // in holes they are not looked at
         known_ = true;
-        for (int j = 0, at = 0; j < rows; ++j)
-            for (int i = 0; i < columns_; ++i) y_[at++] = t_.height(i0_ + i, j0_ + j);
+        for (int j = 0; j < rows; ++j) t_.heights(i0_, j0_ + j, columns_, y_ + j * columns_);
+    }
+    Real height(int i, int j) const
+    {
+        return known_ ? y_[(i - i0_) + (j - j0_) * columns_] : t_.height(i, j);
     }
     Vec3 at(int i, int j) const
     {
         return known_ ? t_.vertex(i, j, y_[(i - i0_) + (j - j0_) * columns_]) : t_.vertex(i, j);
-    }
-    Terrain::BareCell cell(int i, int j) const
-    {
-        return t_.bare_cell(i, j, at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1));
     }
 
   private:
@@ -91,38 +100,41 @@ class Samples {
 // What the samples under the solid look like together.
 struct Ground {
     Real lowest = kInf, highest = -kInf;
-    bool level = true;  // all in the plane of the first facet
-    void take(Vec3 v)
+    void take(Real y)
     {
-        lowest = v.y < lowest ? v.y : lowest;
-        highest = v.y > highest ? v.y : highest;
+        lowest = y < lowest ? y : lowest;
+        highest = y > highest ? y : highest;
     }
 };
 
-Ground survey(const Samples& samples, const Cells& c, const Facet& first, Real slack)
+Ground survey(const Samples& samples, const Cells& c)
 {
     Ground g;
     for (int j = c.j0; j <= c.j1 + 1; ++j)
-        for (int i = c.i0; i <= c.i1 + 1; ++i) {
-            const Vec3 v = samples.at(i, j);
-            g.take(v);
-            g.level = g.level && std::fabs(first.height(v)) <= slack;
-        }
+        for (int i = c.i0; i <= c.i1 + 1; ++i) g.take(samples.height(i, j));
     return g;
+}
+
+// Do all lie in the plane of the facet?
+bool level(const Samples& samples, const Cells& c, const Facet& first, Real slack)
+{
+    for (int j = c.j0; j <= c.j1 + 1; ++j)
+        for (int i = c.i0; i <= c.i1 + 1; ++i)
+            if (!(std::fabs(first.height(samples.at(i, j))) <= slack)) return false;
+    return true;
 }
 
 // Of the cells that are there; their number too. Samples inside holes are not looked at.
 Ground survey_holed(const Terrain& t, const Cells& c, int& there)
 {
     Ground g;
-    g.level = false;
     there = 0;
     for (int j = c.j0; j <= c.j1; ++j)
         for (int i = c.i0; i <= c.i1; ++i) {
             if (t.hole(i, j)) continue;
             ++there;
             for (const int di : {0, 1})
-                for (const int dj : {0, 1}) g.take(t.vertex(i + di, j + dj));
+                for (const int dj : {0, 1}) g.take(t.height(i + di, j + dj));
         }
     return g;
 }
@@ -142,23 +154,100 @@ bool inside(const Terrain& t, const Aabb& box)
     return t.endless() || (box.lo.x >= o.x && box.lo.z >= o.z && box.hi.x <= -o.x && box.hi.z <= -o.z);
 }
 
-// Those that may be met; where there are holes, all that are not below the box.
-template <typename Visit>
-void each_facet(const Meeting& m, const Cells& cells, const Samples& samples, const Sides& sides,
+// Which facets a solid may meet.
+template <typename Shape>
+class Near {
+  public:
+    Near(const Shape& a, const Pose& A, const Terrain& terrain, const ConvexView& solid, Real slack)
+        : terrain_(terrain),
+          solid_(solid),
+          frame_(terrain.cell()),
+          under_(a, A, frame_),
+          hair_(2 * slack),
+          diagonal_hair_(hair_ * (frame_.per_x() + frame_.per_z())),
+          slack_(slack)
+    {}
+    // Does the part of the solid under the facet's plane reach over the walls of its column?
+    bool may_meet(const Facet& f)
+    {
+        const Real side = f.upper ? -1 : 1;
+        const FieldPlane plane = {f.v[0], (f.v[2].y - f.v[0].y) * side * frame_.per_x(),
+                                  (f.v[1].y - f.v[0].y) * side * frame_.per_z()};
+        return under_.sinks(plane, hair_ * (1 + std::fabs(plane.slope_x) + std::fabs(plane.slope_z))) &&
+               under_.reach(0, side) >= -hair_ && under_.reach(1, side) >= -hair_ &&
+               under_.reach(2, -side) >= -1 - diagonal_hair_ && (kRound<Shape> || over_sides(f));
+    }
+
+  private:
+    bool over_sides(const Facet& f)
+    {
+        if (!sides_) sides_.emplace(terrain_, solid_, slack_);
+        return sides_->reach(f);
+    }
+
+    const Terrain& terrain_;
+    const ConvexView& solid_;
+    FieldFrame frame_;
+    Underpart<Shape> under_;
+    Real hair_, diagonal_hair_, slack_;
+    std::optional<Sides> sides_;
+};
+
+template <>
+class Near<Convex> {
+  public:
+    Near(const Convex&, const Pose&, const Terrain& terrain, const ConvexView& solid, Real slack)
+        : sides_(terrain, solid, slack)
+    {}
+    bool may_meet(const Facet& f) const { return sides_.reach(f); }
+
+  private:
+    Sides sides_;
+};
+
+// Facets that are not below the box and may be met.
+template <typename MayMeet, typename Visit>
+void each_facet(const Meeting& m, const Cells& cells, const Samples& samples, const MayMeet& may_meet,
                 const Visit& visit)
 {
+    const Real low = m.box.lo.y;
     for (int j = cells.j0; j <= cells.j1; ++j)
         for (int i = cells.i0; i <= cells.i1; ++i) {
             if (m.terrain.hole(i, j)) continue;
-            Terrain::BareCell cell = samples.cell(i, j);
-            if (cell.highest < m.box.lo.y) continue;
-            for (Facet& f : cell.facets) {
-                const bool above = f.v[0].y < m.box.lo.y && f.v[1].y < m.box.lo.y && f.v[2].y < m.box.lo.y;
-                if (above || !(m.walls || sides.reach(f))) continue;
+            const Real a = samples.height(i, j), b = samples.height(i + 1, j), c = samples.height(i, j + 1),
+                       d = samples.height(i + 1, j + 1);
+            const bool seam = b >= low || c >= low;
+            for (const bool upper : {false, true}) {
+                if (!seam && (upper ? d : a) < low) continue;
+                Facet f;
+                m.terrain.set_corners(f, i, j, upper, upper ? d : a, upper ? b : c, upper ? c : b);
+                if (!may_meet(f)) continue;
                 finish(f);
                 visit(f);
             }
         }
+}
+
+// Contacts in the field's frame, where there are holes under the solid.
+template <typename Shape>
+void collide_holed(const Shape& a, const Pose& A, const Terrain& terrain, const ConvexView& solid,
+                   const Aabb& box, Real slack, const Cells& cells, ContactSink& sink)
+{
+    int there;
+    const Ground ground = survey_holed(terrain, cells, there);
+    const Vec3 middle = solid.pose.p;
+    if (there == 0 || box.lo.y > ground.highest || terrain.under_slab(middle, ground.lowest, slack)) return;
+    const Samples samples(terrain, cells, true);
+    Harvest harvest(Real(1e-6) * (solid.size + solid.radius), sink);
+    int i, j;
+    HoleWalls walls(middle, terrain.cell_under(middle, i, j) && terrain.hole(i, j));
+    Meeting meeting{terrain, solid, box, slack, harvest, &walls};
+    const auto any = [](const Facet&) { return true; };
+    each_facet(meeting, cells, samples, any, [&](const Facet& f) {
+        if (terrain.hole_beyond(f, 0) || terrain.hole_beyond(f, 2)) weigh_facet(a, A, f, meeting);
+    });
+    each_facet(meeting, cells, samples, any, [&](const Facet& f) { meet_facet(a, A, f, meeting); });
+    harvest.deliver(sink);
 }
 
 // Contacts in the field's frame.
@@ -166,45 +255,36 @@ template <typename Shape>
 void collide_local(const Shape& a, const Pose& A, const HeightfieldData& data, ContactSink& sink)
 {
     const Terrain terrain(data);
-    const ConvexView solid = view_of(a, A);
     const Aabb box = box_around(a, A, 0);
     Cells cells;
     if (!cells_under(terrain, box, cells)) return;
+    const ConvexView solid = view_of(a, A);
     const Real reach = max_component(max(abs(box.lo), abs(box.hi)));
     const Real slack = 64 * kEpsilon * (reach + solid.size);
-    const bool holes = any_hole(terrain, cells);
-    const Samples samples(terrain, cells, holes);
-    Facet first;
-    Ground ground;
-    if (holes) {
-        int there;
-        ground = survey_holed(terrain, cells, there);
-        if (there == 0) return;
-    } else {
-        first = samples.cell(cells.i0, cells.j0).facets[0];
-        finish(first);
-        ground = survey(samples, cells, first, slack);
-    }
+    if (any_hole(terrain, cells)) return collide_holed(a, A, terrain, solid, box, slack, cells, sink);
+    const Samples samples(terrain, cells, false);
+    const Ground ground = survey(samples, cells);
     if (box.lo.y > ground.highest) return;
     const Vec3 middle = solid.pose.p;
     if (terrain.holed() && terrain.under_slab(middle, ground.lowest, slack)) return;
-    if (box.hi.y < ground.lowest && !holes) {  // buried: straight up
+    if (box.hi.y < ground.lowest) {  // buried: straight up
         sink.add({{middle.x, ground.lowest, middle.z}, kUp, ground.lowest - box.hi.y});
         return;
     }
-    if (ground.level && !holes && inside(terrain, box)) return on_plane(a, A, {first.n, first.c}, sink);
+    if (inside(terrain, box)) {
+        const int i = cells.i0, j = cells.j0;
+        Facet first;
+        terrain.set_corners(first, i, j, false, samples.height(i, j), samples.height(i, j + 1),
+                            samples.height(i + 1, j));
+        finish(first);
+        if (level(samples, cells, first, slack)) return on_plane(a, A, {first.n, first.c}, sink);
+    }
     Harvest harvest(Real(1e-6) * (solid.size + solid.radius), sink);
     Meeting meeting{terrain, solid, box, slack, harvest};
-    int i, j;
-    HoleWalls walls(middle, holes && terrain.cell_under(middle, i, j) && terrain.hole(i, j));
-    const Sides sides(terrain, solid, slack);
-    if (holes) {
-        meeting.walls = &walls;
-        each_facet(meeting, cells, samples, sides, [&](const Facet& f) {
-            if (terrain.hole_beyond(f, 0) || terrain.hole_beyond(f, 2)) weigh_facet(a, A, f, meeting);
-        });
-    }
-    each_facet(meeting, cells, samples, sides, [&](const Facet& f) { meet_facet(a, A, f, meeting); });
+    Near<Shape> near(a, A, terrain, solid, slack);
+    each_facet(
+        meeting, cells, samples, [&](const Facet& f) { return near.may_meet(f); },
+        [&](const Facet& f) { meet_facet(a, A, f, meeting); });
     harvest.deliver(sink);
 }
 

@@ -4,9 +4,7 @@
 // What the searches for the direction of least overlap between a solid and a facet have in common, of meshes
 // (triangle_solid.cpp) and of height fields (facet_solid.cpp): how far a solid goes down along a direction,
 // without calls where it is a box or a cylinder; when no direction can be better than the facet's own normal;
-// and the 12 axes of a box and a triangle besides that normal (Gottschalk, Lin, Manocha 1996), in the box's
-// own frame: across its faces, and across one of its edges and one of the triangle's, along which two of the
-// triangle's corners are one. Going through support functions, as for polyhedra, takes ten times as long.
+// and the axes of a cylinder and a triangle besides that normal. Those of a box are in box_axes.h.
 #pragma once
 
 #include <algorithm>
@@ -73,43 +71,8 @@ class SolidReach {
     const Cylinder* cylinder_;
 };
 
-// offer(up, down, size2, axis) until it answers false, which is the answer then: `up` and `down` are the
-// overlaps of the box with the triangle along the axis and against it, both times its length, whose square is
-// size2; axis() tells the axis, in the world.
-template <typename Offer>
-bool each_box_axis(const Box& box, const Pose& pose, const Triangle& f, Offer&& offer)
-{
-    const Real half[3] = {box.half.x, box.half.y, box.half.z};
-    const Vec3 column[3] = {pose.R.column(0), pose.R.column(1), pose.R.column(2)};
-    Real v[3][3];
-    for (int k = 0; k < 3; ++k) {
-        const Vec3 from_middle = f.v[k] - pose.p;
-        for (int i = 0; i < 3; ++i) v[k][i] = dot(column[i], from_middle);
-    }
-    for (int i = 0; i < 3; ++i) {
-        const Real least = std::min(std::min(v[0][i], v[1][i]), v[2][i]);
-        const Real most = std::max(std::max(v[0][i], v[1][i]), v[2][i]);
-        if (!offer(most + half[i], half[i] - least, Real(1), [&] { return column[i]; })) return false;
-    }
-    constexpr int kNext[3] = {1, 2, 0};
-    for (int i = 0; i < 3; ++i) {
-        const int j = kNext[i], l = kNext[j];
-        for (int k = 0; k < 3; ++k) {
-            const Real *p = v[k], *next = v[kNext[k]], *other = v[kNext[kNext[k]]];
-            const Real aj = p[l] - next[l], al = next[j] - p[j], ei = next[i] - p[i];
-            const Real size2 = aj * aj + al * al;
-            if (size2 <= Real(1e-6) * (size2 + ei * ei)) continue;
-            const Real on = aj * p[j] + al * p[l], off = aj * other[j] + al * other[l];
-            const Real reach = half[j] * std::fabs(aj) + half[l] * std::fabs(al);
-            const auto axis = [&] { return aj * column[j] + al * column[l]; };
-            if (!offer(std::max(on, off) + reach, reach - std::min(on, off), size2, axis)) return false;
-        }
-    }
-    return true;
-}
-
-// The same of a cylinder, but for what its round and its rims have of directions: its axis, and across that
-// and the triangle's edges.
+// offer(up, down, size2, axis) until it answers false, which is the answer then, of a cylinder, but for what
+// its round and its rims have of directions: its axis, and across that and the triangle's edges.
 template <typename Offer>
 bool each_cylinder_axis(const Cylinder& cylinder, const Pose& pose, const Triangle& f, Offer&& offer)
 {

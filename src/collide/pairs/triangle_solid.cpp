@@ -7,6 +7,7 @@
 // prism, each point with its own depth. Along another, a crest pushes: the manifold of two convex solids. The
 // own normal points to the side on which the solid's middle is. A box or polyhedron in the back of a triangle
 // is pushed out backwards, a cylinder is not pushed, as in ODE.
+#include "collide/pairs/box_axes.h"
 #include "collide/pairs/least_axes.h"
 #include "collide/pairs/mesh_ground.h"
 #include "geometry/epa.h"
@@ -151,8 +152,14 @@ class LeastWay {
             consider(per * axis(), d / size);
             return true;
         };
-        return reach_.box() ? each_box_axis(*reach_.box(), m_.solid.pose, f_, offer)
-                            : each_cylinder_axis(*reach_.cylinder(), m_.solid.pose, f_, offer);
+        if (!reach_.box()) return each_cylinder_axis(*reach_.cylinder(), m_.solid.pose, f_, offer);
+        const auto look = [this](const AxisOverlaps& o) {
+            const Quad d = smaller(o.up, o.down), d2 = d * magnitude(d);
+            const Real worth = kFaceFirst * depth;
+            return AxisVerdict{bits(d2 < quad(-m_.slack * m_.slack) * o.size2),
+                               bits(d2 < quad(worth * worth) * o.size2)};
+        };
+        return BoxAxes(*reach_.box(), m_.solid.pose, f_).each(look, offer);
     }
 
     bool axes()
