@@ -80,6 +80,12 @@ void add_replay_options(CLI::App& command, ReplayOptions& options)
                        "step with another stepper and tell how far apart they go");
     command.add_option("--iterations", options.iterations, "another number of them, likewise")
         ->check(CLI::Range(1, 1'000'000));
+    command
+        .add_option("--contacts", options.contacts,
+                    "of a captured program: recorded, or found anew (default with another stepper)")
+        ->check(CLI::IsMember({"recorded", "found"}));
+    command.add_option("-o,--output", options.output,
+                       "of a captured program: recording (.epr) of the new run");
 }
 
 void add_capture_options(CLI::App& command, CaptureOptions& options)
@@ -111,7 +117,8 @@ int main(int argc, char** argv)
     CLI::App* record = app.add_subcommand("record", "runs a scene into a recording");
     CLI::App* view =
         app.add_subcommand("view", "shows a scene or a recording in a window, to be played with");
-    CLI::App* replay = app.add_subcommand("replay", "runs a recorded scene again and compares, step by step");
+    CLI::App* replay =
+        app.add_subcommand("replay", "runs a recorded scene or program again and compares, step by step");
     CLI::App* diff =
         app.add_subcommand("diff", "finds the first step and body in which two recordings differ");
     CLI::App* convert = app.add_subcommand("convert", "writes a recording in another format");

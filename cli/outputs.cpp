@@ -49,6 +49,11 @@ void Outputs::Fan::moved(std::uint32_t geom, std::int32_t body, const record::Po
     for (record::Sink* sink : sinks) sink->moved(geom, body, pose);
 }
 
+void Outputs::Fan::calls(const record::CallBlock& block)
+{
+    for (record::Sink* sink : sinks) sink->calls(block);
+}
+
 void Outputs::Fan::step(const record::Step& step)
 {
     for (record::Sink* sink : sinks) sink->step(step);

@@ -31,6 +31,7 @@ class Outputs {
         void joint(const record::Joint& joint) override;
         void gone(record::Thing thing, std::uint32_t number) override;
         void moved(std::uint32_t geom, std::int32_t body, const record::Pose& pose) override;
+        void calls(const record::CallBlock& block) override;
         void step(const record::Step& step) override;
     };
     bool fail(const std::string& path, const std::string& why);

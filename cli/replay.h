@@ -13,6 +13,8 @@ struct ReplayOptions {
     std::string file, other;  // other: the second recording of diff, the new file of convert
     std::string stepper;      // replay with another one
     int iterations = -1;      // -1: those of the recording
+    std::string contacts;     // recorded or found, of a program's run; "": as the stepper wants
+    std::string output;       // what a program's run became, as a recording
     bool partial = false;     // take what there is of a recording that breaks off
     bool hashes = false;      // of inspect
     bool json = false, quiet = false;

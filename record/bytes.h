@@ -32,6 +32,10 @@ class ByteWriter {
     {
         for (double value : values) f64(value);
     }
+    void append(const std::vector<std::uint8_t>& more)
+    {
+        bytes_.insert(bytes_.end(), more.begin(), more.end());
+    }
     const std::vector<std::uint8_t>& bytes() const { return bytes_; }
     void clear() { bytes_.clear(); }
 
@@ -77,6 +81,14 @@ class ByteReader {
             return 0;
         }
         return said;
+    }
+    // All that is left.
+    std::vector<std::uint8_t> rest()
+    {
+        std::vector<std::uint8_t> bytes(at_, at_ + left_);
+        at_ += left_;
+        left_ = 0;
+        return bytes;
     }
     bool failed() const { return failed_; }
     // Everything was read and nothing is left over.

@@ -61,6 +61,8 @@ class Decoder {
             problem = gone(in);
         else if (tag == kMovedTag)
             problem = moved(in);
+        else if (tag == kCallTag)
+            problem = calls(in);
         else if (tag == kStepTag)
             problem = step(in);
         else if (tag == kDoneTag)
@@ -227,6 +229,19 @@ class Decoder {
         return {};
     }
 
+    std::string calls(ByteReader& in)
+    {
+        CallBlock block;
+        for (size_t left = in.count(4); left > 0; --left) block.new_names.push_back(in.text());
+        names_ += std::uint32_t(block.new_names.size());
+        block.count = in.u32();
+        if (in.failed()) return "calls of a wrong length";
+        block.bytes = in.rest();
+        if (!sound(block, names_)) return "calls that are none";
+        sink_.calls(block);
+        return {};
+    }
+
     bool get_contact(ByteReader& in, bool with_force, Contact& contact) const
     {
         for (std::uint32_t& geom : contact.geom) geom = in.u32();
@@ -250,6 +265,7 @@ class Decoder {
 
     Sink& sink_;
     size_t shapes_ = 0;
+    std::uint32_t names_ = 0;
     Count bodies_, geoms_, joints_;
     std::uint64_t steps_ = 0;
     bool done_ = false;
@@ -300,9 +316,9 @@ ReadResult read_bytes(const std::uint8_t* bytes, size_t size, Sink& sink)
         return unreadable("this is not a recording of epode");
     ByteReader version(bytes + sizeof kMark, 4);
     const std::uint32_t said = version.u32();
-    if (said != kVersion)
+    if (said < kOldestVersion || said > kVersion)
         return unreadable("the recording has version " + std::to_string(said) + ", this program reads " +
-                          std::to_string(kVersion));
+                          std::to_string(kOldestVersion) + " to " + std::to_string(kVersion));
     Decoder decoder(sink);
     return read_chunks(bytes, size, decoder);
 }

@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+#include "record/calls.h"
+
 namespace epode::record {
 
 using Vec3 = std::array<double, 3>;
@@ -115,6 +117,8 @@ class Sink {
     virtual void gone(Thing thing, std::uint32_t number) = 0;
     // A geom was put elsewhere: by hand, or onto another body.
     virtual void moved(std::uint32_t geom, std::int32_t body, const Pose& pose) = 0;
+    // The calls that lead to the next step's state; of programs only.
+    virtual void calls(const CallBlock& block) = 0;
     virtual void step(const Step& step) = 0;
 };
 
@@ -123,6 +127,11 @@ struct Life {
     std::uint32_t born = 0;
     std::uint32_t died = UINT32_MAX;
     bool at(size_t step) const { return born <= step && step < died; }
+};
+
+struct CallsMade {
+    std::uint32_t step;
+    CallBlock block;
 };
 
 struct Move {
@@ -140,6 +149,7 @@ class Recording : public Sink {
     std::vector<Joint> joints;
     std::vector<Life> body_lives, geom_lives, joint_lives;
     std::vector<Move> moves;
+    std::vector<CallsMade> calls_made;
     std::vector<Step> steps;
 
     // The numbers of the bodies that live in a step: what Step::bodies[i] belongs to.
@@ -154,6 +164,10 @@ class Recording : public Sink {
     void joint(const Joint& joint) override;
     void gone(Thing thing, std::uint32_t number) override;
     void moved(std::uint32_t geom, std::int32_t body, const Pose& pose) override;
+    void calls(const CallBlock& block) override
+    {
+        calls_made.push_back({std::uint32_t(steps.size()), block});
+    }
     void step(const Step& step) override { steps.push_back(step); }
 };
 

@@ -150,6 +150,15 @@ void FileWriter::moved(std::uint32_t geom, std::int32_t body, const Pose& pose)
     chunk(kMovedTag);
 }
 
+void FileWriter::calls(const CallBlock& block)
+{
+    payload_.u32(std::uint32_t(block.new_names.size()));
+    for (const std::string& name : block.new_names) payload_.text(name);
+    payload_.u32(block.count);
+    payload_.append(block.bytes);
+    chunk(kCallTag);
+}
+
 void FileWriter::step(const Step& step)
 {
     for (double value : {step.time, step.dt, step.kinetic, step.potential, step.joint_error, step.ms})
@@ -173,7 +182,7 @@ void tell(const Recording& recording, Sink& sink)
 {
     sink.info(recording.about);
     for (const Shape& shape : recording.shapes) sink.shape(shape);
-    size_t body = 0, geom = 0, joint = 0, move = 0;
+    size_t body = 0, geom = 0, joint = 0, move = 0, calls = 0;
     const auto tell_the_dead = [&](Thing thing, const std::vector<Life>& lives, size_t step) {
         for (std::uint32_t i = 0; i < lives.size(); ++i) {
             if (lives[i].died == step) sink.gone(thing, i);
@@ -191,6 +200,8 @@ void tell(const Recording& recording, Sink& sink)
         tell_the_dead(Thing::kJoint, recording.joint_lives, step);
         tell_the_dead(Thing::kGeom, recording.geom_lives, step);
         tell_the_dead(Thing::kBody, recording.body_lives, step);
+        for (; calls < recording.calls_made.size() && recording.calls_made[calls].step <= step; ++calls)
+            sink.calls(recording.calls_made[calls].block);
         if (step < recording.steps.size()) sink.step(recording.steps[step]);
     }
 }

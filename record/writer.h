@@ -31,6 +31,7 @@ class FileWriter : public Sink {
     void joint(const Joint& joint) override;
     void gone(Thing thing, std::uint32_t number) override;
     void moved(std::uint32_t geom, std::int32_t body, const Pose& pose) override;
+    void calls(const CallBlock& block) override;
     void step(const Step& step) override;
 
   private:

@@ -18,25 +18,16 @@
 #include <cstring>
 #include <string>
 
-#include "record/preload/observer.h"
+#include "record/preload/real.h"
 
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"
 
-namespace {
+namespace epode::record {
 
-using namespace epode::record;
+namespace {
 
 constexpr int kFastSteps = 4;
 constexpr const char* kLibrary = sizeof(dReal) == 8 ? "libode.so.8" : "libode_single.so.8";
-
-// The program's own library: loaded already, whatever the scope in which it is.
-template <class Function>
-Function find(const char* name)
-{
-    static void* const library = dlopen(kLibrary, RTLD_LAZY | RTLD_NOLOAD);
-    void* found = library ? dlsym(library, name) : nullptr;
-    return reinterpret_cast<Function>(found ? found : dlsym(RTLD_NEXT, name));
-}
 
 const Observer* load_observer()
 {
@@ -52,21 +43,33 @@ const Observer* load_observer()
     return get ? get() : nullptr;
 }
 
-// Null: nothing is recorded.
+}  // namespace
+
+thread_local int Outermost::depth_ = 0;
+
+// The program's own library: loaded already, whatever the scope in which it is.
+void* find_real(const char* name)
+{
+    static void* const library = dlopen(kLibrary, RTLD_LAZY | RTLD_NOLOAD);
+    void* found = library ? dlsym(library, name) : nullptr;
+    return found ? found : dlsym(RTLD_NEXT, name);
+}
+
 const Observer* observer()
 {
     static const Observer* const loaded = std::getenv("EPODE_RECORD") ? load_observer() : nullptr;
     return loaded;
 }
 
-template <class... Arguments, class... Given>
-void tell(void (*Observer::*what)(Arguments...), Given... given)
-{
-    if (const Observer* listening = observer()) (listening->*what)(given...);
-}
+}  // namespace epode::record
 
-// The stepper that was asked for instead of the program's own; false where there is none.
-bool other_step(dWorldID world, dReal dt, int& ok)
+namespace {
+
+using namespace epode::record;
+
+// Steps with the stepper that was asked for instead of the program's own, and says so; false where there is
+// none.
+bool other_step(dWorldID world, StepMade& made, int& ok)
 {
     using Step = int (*)(dWorldID, dReal);
     using StepFast = int (*)(dWorldID, dReal, int);
@@ -74,26 +77,47 @@ bool other_step(dWorldID world, dReal dt, int& ok)
     if (!wanted) return false;
     if (std::strcmp(wanted, "fast") == 0) {
         static const auto fast = find<StepFast>("dWorldStepFast1");
-        if (fast) ok = fast(world, dt, kFastSteps);
-        return fast != nullptr;
+        if (!fast) return false;
+        ok = fast(world, made.dt, kFastSteps);
+        made.name = "dWorldStepFast1";
+        made.small_steps = kFastSteps;
+        return true;
     }
-    static const auto step = std::strcmp(wanted, "exact") == 0   ? find<Step>("dWorldStep")
-                             : std::strcmp(wanted, "quick") == 0 ? find<Step>("dWorldQuickStep")
-                                                                 : nullptr;
-    if (step) ok = step(world, dt);
-    return step != nullptr;
+    static const char* const name = std::strcmp(wanted, "exact") == 0   ? "dWorldStep"
+                                    : std::strcmp(wanted, "quick") == 0 ? "dWorldQuickStep"
+                                                                        : "";
+    static const auto step = find<Step>(name);
+    if (!step) return false;
+    ok = step(world, made.dt);
+    made.name = name;
+    made.small_steps = -1;
+    return true;
 }
 
 template <class Real>
-int watched_step(dWorldID world, dReal dt, Real real)
+int watched_step(dWorldID world, StepMade made, Real real)
 {
+    const Outermost outermost;
     tell(&Observer::before_step, world);
     const auto start = std::chrono::steady_clock::now();
     int ok = 0;
-    if (!other_step(world, dt, ok)) ok = real();
+    if (!other_step(world, made, ok)) ok = real();
     const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
-    tell(&Observer::after_step, world, dt, spent.count());
+    made.ms = spent.count();
+    tell(&Observer::after_step, world, static_cast<const StepMade*>(&made));
     return ok;
+}
+
+// Many worlds with another stepper: one after the other.
+bool other_steps(const dWorldID* worlds, int count, dReal dt, int steps, int* made)
+{
+    if (!std::getenv("EPODE_RECORD_STEPPER")) return false;
+    for (int i = 0; i < count; ++i) {
+        int done = 0;
+        for (int ok = 1; done < steps && ok; done += ok) ok = dWorldStep(worlds[i], dt);
+        if (made) made[i] = done;
+    }
+    return true;
 }
 
 dGeomID made(dGeomID geom)
@@ -104,22 +128,13 @@ dGeomID made(dGeomID geom)
 
 }  // namespace
 
-// The library's own function of that name, whatever is returned where it has none.
-#define EPODE_REAL(name)                                   \
-    static const auto real = find<decltype(&name)>(#name); \
-    if (!real) return                                      \
-        {}
-#define EPODE_REAL_VOID(name)                              \
-    static const auto real = find<decltype(&name)>(#name); \
-    if (!real) return
-
-#define EPODE_JOINT(Type)                                            \
-    dJointID dJointCreate##Type(dWorldID world, dJointGroupID group) \
-    {                                                                \
-        EPODE_REAL(dJointCreate##Type);                              \
-        dJointID joint = real(world, group);                         \
-        if (joint) tell(&Observer::joint_made, world, joint, group); \
-        return joint;                                                \
+#define EPODE_JOINT(Type)                                                                  \
+    dJointID dJointCreate##Type(dWorldID world, dJointGroupID group)                       \
+    {                                                                                      \
+        EPODE_REAL(dJointCreate##Type);                                                    \
+        dJointID joint = real(world, group);                                               \
+        if (joint) tell(&Observer::joint_made, world, joint, group, "dJointCreate" #Type); \
+        return joint;                                                                      \
     }
 
 extern "C" {
@@ -127,25 +142,43 @@ extern "C" {
 int dWorldStep(dWorldID world, dReal dt)
 {
     EPODE_REAL(dWorldStep);
-    return watched_step(world, dt, [&] { return real(world, dt); });
+    return watched_step(world, {"dWorldStep", dt, -1}, [&] { return real(world, dt); });
 }
 
 int dWorldQuickStep(dWorldID world, dReal dt)
 {
     EPODE_REAL(dWorldQuickStep);
-    return watched_step(world, dt, [&] { return real(world, dt); });
+    return watched_step(world, {"dWorldQuickStep", dt, -1}, [&] { return real(world, dt); });
 }
 
 int dWorldStepFast1(dWorldID world, dReal dt, int steps)
 {
     EPODE_REAL(dWorldStepFast1);
-    return watched_step(world, dt, [&] { return real(world, dt, steps); });
+    return watched_step(world, {"dWorldStepFast1", dt, steps}, [&] { return real(world, dt, steps); });
+}
+
+// Only the state after the last of its steps is seen.
+int dWorldStepMany(const dWorldID* worlds, int count, dReal dt, int stepper, int iterations, int steps,
+                   int threads, int* made)
+{
+    EPODE_REAL(dWorldStepMany);
+    if (!worlds || count <= 0 || !observer())
+        return real(worlds, count, dt, stepper, iterations, steps, threads, made);
+    if (other_steps(worlds, count, dt, steps, made)) return count;
+    const Outermost outermost;
+    for (int i = 0; i < count; ++i) tell(&Observer::before_step, worlds[i]);
+    const auto start = std::chrono::steady_clock::now();
+    const int ok = real(worlds, count, dt, stepper, iterations, steps, threads, made);
+    const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
+    const StepMade step{"dWorldStepMany", dt, -1, stepper, iterations, steps, spent.count() / count};
+    for (int i = 0; i < count; ++i) tell(&Observer::after_step, worlds[i], &step);
+    return ok;
 }
 
 int dWorldStepHybrid(dWorldID world, dReal dt)
 {
     EPODE_REAL(dWorldStepHybrid);
-    return watched_step(world, dt, [&] { return real(world, dt); });
+    return watched_step(world, {"dWorldStepHybrid", dt, -1}, [&] { return real(world, dt); });
 }
 
 void dWorldDestroy(dWorldID world)
@@ -191,7 +224,7 @@ dJointID dJointCreateContact(dWorldID world, dJointGroupID group, const dContact
 {
     EPODE_REAL(dJointCreateContact);
     dJointID joint = real(world, group, contact);
-    if (joint) tell(&Observer::contact_made, world, contact);
+    if (joint) tell(&Observer::contact_made, world, joint, group, contact);
     return joint;
 }
 

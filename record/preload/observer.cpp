@@ -4,18 +4,25 @@
 // Watches every world of a program and writes one recording each: the file that EPODE_RECORD names, then the
 // same with -2, -3 ... before the ending. New things wait until the next step, when the program has set them
 // up. Static geoms belong to no world and are in every recording. All calls come under one lock; calls that
-// the observer's own questions cause (a ray made to sample a height field) are not for it.
+// the observer's own questions cause (a ray made to sample a height field) are not for it. Forces of contacts
+// are asked for by a feedback of our own where the program has none, for the time of the step.
 #include "record/preload/observer.h"
+
+#include <dlfcn.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <string>
 
 #include "record/figures.h"
+#include "record/preload/contact_forces.h"
+#include "record/preload/tape.h"
 #include "record/recorder.h"
 #include "record/writer.h"
 
@@ -41,12 +48,14 @@ struct Watch {
     std::vector<dBodyID> new_bodies;
     std::vector<dJointID> new_joints;
     std::vector<dGeomID> new_geoms;
-    std::vector<ContactSeen> contacts;
+    ContactForces contacts;  // made since the last step
+    WorldTape tape;
 };
 
 std::map<dWorldID, std::unique_ptr<Watch>> watches;
 std::vector<dGeomID> geoms;         // of all worlds, in order of making
 std::vector<JointMade> in_a_group;  // not contacts
+std::vector<const char*> beyond;    // what no recording can do again
 int files = 0;
 
 std::string next_path()
@@ -66,12 +75,19 @@ Watch& watch_of(dWorldID world)
     if (watch) return *watch;
     watch = std::make_unique<Watch>();
     watch->new_geoms = geoms;
-    watch->path = next_path();
-    if (!watch->writer.open(watch->path)) {
-        std::fprintf(stderr, "epode recorder: cannot write '%s': %s\n", watch->path.c_str(),
-                     watch->writer.problem().c_str());
-    }
+    for (const char* name : beyond) watch->tape.called(name, nullptr, 0);
     return *watch;
+}
+
+// Files are numbered in the order in which worlds get bodies or are stepped.
+void open(Watch& watch)
+{
+    if (!watch.path.empty()) return;
+    watch.path = next_path();
+    if (!watch.writer.open(watch.path)) {
+        std::fprintf(stderr, "epode recorder: cannot write '%s': %s\n", watch.path.c_str(),
+                     watch.writer.problem().c_str());
+    }
 }
 
 template <class Id>
@@ -93,6 +109,15 @@ void observed(Action action)
     inside = false;
 }
 
+std::string library()
+{
+    Dl_info info;
+    const bool found = dladdr(reinterpret_cast<void*>(&dWorldGetGravity), &info) && info.dli_fname;
+    std::error_code error;
+    const auto path = found ? std::filesystem::canonical(info.dli_fname, error) : std::filesystem::path();
+    return path.empty() ? "unknown" : path.string();
+}
+
 Info about()
 {
     std::string program = "unknown";
@@ -106,7 +131,8 @@ Info about()
     return {{"source", "program"},
             {"program", program},
             {"stepper", stepper && *stepper ? stepper : "the program's own"},
-            {"precision", sizeof(dReal) == 8 ? "double" : "single"}};
+            {"precision", sizeof(dReal) == 8 ? "double" : "single"},
+            {"library", library()}};
 }
 
 void flush(dWorldID world, Watch& watch)
@@ -129,22 +155,27 @@ void flush(dWorldID world, Watch& watch)
     watch.new_joints.clear();
 }
 
-void sample(dWorldID world, Watch& watch, double dt, double ms)
+void sample(dWorldID world, Watch& watch, const std::vector<ContactSeen>& contacts, double dt, double ms)
 {
     flush(world, watch);
+    if (!watch.tape.empty()) watch.writer.calls(watch.tape.take());
     StepFigures figures;
     measure(world, watch.recorder.bodies(), watch.recorder.joints(), figures);
     figures.time = watch.time;
     figures.dt = dt;
     figures.ms = ms;
-    watch.recorder.step(figures, watch.contacts, false);
-    watch.contacts.clear();
+    watch.recorder.step(figures, contacts, true);
     watch.begun = true;
 }
 
 void body_made(dWorldID world, dBodyID body)
 {
-    observed([&] { watch_of(world).new_bodies.push_back(body); });
+    observed([&] {
+        Watch& watch = watch_of(world);
+        open(watch);
+        watch.new_bodies.push_back(body);
+        watch.tape.body_made(body);
+    });
 }
 
 void body_gone(dBodyID body)
@@ -153,6 +184,7 @@ void body_gone(dBodyID body)
         for (auto& [world, watch] : watches) {
             forget(watch->new_bodies, body);
             watch->recorder.remove(body);
+            watch->tape.body_gone(body);
         }
     });
 }
@@ -185,10 +217,12 @@ void geom_gone(dGeomID geom)
     observed([&] { forget_geom(geom); });
 }
 
-void joint_made(dWorldID world, dJointID joint, dJointGroupID group)
+void joint_made(dWorldID world, dJointID joint, dJointGroupID group, const char* name)
 {
     observed([&] {
-        watch_of(world).new_joints.push_back(joint);
+        Watch& watch = watch_of(world);
+        watch.new_joints.push_back(joint);
+        watch.tape.joint_made(name, joint, group);
         if (group) in_a_group.push_back({joint, group});
     });
 }
@@ -205,6 +239,10 @@ void joint_gone(dJointID joint)
 {
     observed([&] {
         forget_joint(joint);
+        for (auto& [world, watch] : watches) {
+            watch->contacts.forget(joint);
+            watch->tape.joint_gone(joint);
+        }
         std::erase_if(in_a_group, [&](const JointMade& made) { return made.joint == joint; });
     });
 }
@@ -212,6 +250,10 @@ void joint_gone(dJointID joint)
 void group_emptied(dJointGroupID group)
 {
     observed([&] {
+        for (auto& [world, watch] : watches) {
+            watch->contacts.forget(group);
+            watch->tape.group_emptied(group);
+        }
         for (const JointMade& made : in_a_group) {
             if (made.group == group) forget_joint(made.joint);
         }
@@ -219,16 +261,35 @@ void group_emptied(dJointGroupID group)
     });
 }
 
-void contact_made(dWorldID world, const dContact* contact)
+void contact_made(dWorldID world, dJointID joint, dJointGroupID group, const dContact* contact)
 {
     observed([&] {
-        const dContactGeom& g = contact->geom;
-        ContactSeen seen{{g.g1, g.g2},
-                         {double(g.pos[0]), double(g.pos[1]), double(g.pos[2])},
-                         {double(g.normal[0]), double(g.normal[1]), double(g.normal[2])},
-                         double(g.depth),
-                         {0, 0, 0}};
-        watch_of(world).contacts.push_back(seen);
+        Watch& watch = watch_of(world);
+        watch.contacts.add(joint, group, contact->geom);
+        watch.tape.contact_made(joint, group, *contact);
+    });
+}
+
+dWorldID world_of(const Given& given)
+{
+    void* handle = const_cast<void*>(given.handle);
+    if (given.kind == Given::kWorld) return static_cast<dWorldID>(handle);
+    if (given.kind == Given::kBody && handle) return dBodyGetWorld(static_cast<dBodyID>(handle));
+    for (auto& [world, watch] : watches) {
+        if (given.kind == Given::kJoint && watch->tape.knows(static_cast<dJointID>(handle))) return world;
+    }
+    return nullptr;
+}
+
+void called(const char* name, const Given* given, int count)
+{
+    observed([&] {
+        if (count == 0) {
+            beyond.push_back(name);
+            for (auto& [world, watch] : watches) watch->tape.called(name, nullptr, 0);
+        } else if (dWorldID world = world_of(given[0])) {
+            watch_of(world).tape.called(name, given, count);
+        }
     });
 }
 
@@ -237,25 +298,30 @@ void before_step(dWorldID world)
 {
     observed([&] {
         Watch& watch = watch_of(world);
-        if (watch.begun) return;
-        std::vector<ContactSeen> contacts;
-        contacts.swap(watch.contacts);
-        sample(world, watch, 0, 0);
-        watch.contacts.swap(contacts);
+        open(watch);
+        if (!watch.begun) sample(world, watch, {}, 0, 0);
+        watch.contacts.ask();
     });
 }
 
-void after_step(dWorldID world, dReal dt, double ms)
+void after_step(dWorldID world, const StepMade* made)
 {
     observed([&] {
         Watch& watch = watch_of(world);
-        watch.time += double(dt);
-        sample(world, watch, double(dt), ms);
+        const double dt = double(made->dt) * made->steps;
+        watch.time += dt;
+        if (std::strcmp(made->name, "dWorldStepMany") == 0) {
+            watch.tape.stepped_many(double(made->dt), made->stepper, made->iterations, made->steps);
+        } else {
+            watch.tape.stepped(made->name, double(made->dt), made->small_steps);
+        }
+        sample(world, watch, watch.contacts.take(), dt, made->ms);
     });
 }
 
 void finish(Watch& watch)
 {
+    if (watch.path.empty()) return;
     if (!watch.begun) watch.writer.info(about());
     if (!watch.writer.close())
         std::fprintf(stderr, "epode recorder: cannot write '%s': %s\n", watch.path.c_str(),
@@ -281,8 +347,8 @@ struct AtExit {
     }
 } at_exit;
 
-constexpr Observer kObserver = {body_made,     body_gone,    geom_made,   geom_gone,  joint_made, joint_gone,
-                                group_emptied, contact_made, before_step, after_step, world_gone};
+constexpr Observer kObserver = {body_made,     body_gone,    geom_made, geom_gone,   joint_made, joint_gone,
+                                group_emptied, contact_made, called,    before_step, after_step, world_gone};
 
 }  // namespace
 

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See rerun.h. The recorded stepper gets the recorded contacts, another one contacts found anew, unless
+// --contacts says otherwise. A recording that another library made is another run: only distances then.
+#include "cli/rerun.h"
+
+#include <fmt/format.h>
+
+#include "cli/comparison.h"
+#include "cli/plan.h"
+#include "cli/progress.h"
+#include "record/rerun.h"
+#include "record/writer.h"
+#include "scenes/extensions.h"
+#include "scenes/scene.h"
+
+namespace epode::cli {
+
+namespace {
+
+int complain(const std::string& path, const std::string& why)
+{
+    fmt::print(stderr, "epode: '{}': {}\n", path, why);
+    return kProblem;
+}
+
+// "" when it can be run again here.
+std::string hindrance(const record::Recording& was)
+{
+    if (was.calls_made.empty()) return "it does not hold the program's calls, so it cannot be run again";
+    const std::string precision = sizeof(dReal) == 8 ? "double" : "single";
+    if (was.about_value("precision") != precision)
+        return fmt::format("it was made in {} precision, this program computes in {}",
+                           was.about_value("precision"), precision);
+    return {};
+}
+
+}  // namespace
+
+int rerun(const ReplayOptions& options, const record::Recording& was)
+{
+    scenes::Stepper stepper;
+    if (!options.stepper.empty() && !scenes::stepper_named(options.stepper, stepper))
+        return refuse(fmt::format("there is no stepper '{}'. Steppers: exact quick fast", options.stepper));
+    if (const std::string why = hindrance(was); !why.empty())
+        return refuse(fmt::format("'{}': {}", options.file, why));
+    const bool other = !options.stepper.empty() || options.iterations >= 0;
+    const bool find = options.contacts.empty() ? other : options.contacts == "found";
+
+    const scenes::Runtime runtime;
+    record::Recording now;
+    record::Rerun run(was, {options.stepper, options.iterations, find});
+    Progress progress(was.about_value("program"), int(was.steps.size()), !options.quiet);
+    const bool whole =
+        run.run(now, [&](size_t step) { progress.show(int(step), now.steps.back().contacts.size()); });
+    if (!whole) return complain(options.file, run.problem());
+    std::string problem;
+    if (!options.output.empty() && !record::write_file(now, options.output, problem))
+        return complain(options.output, problem);
+
+    FieldList out;
+    out.string("program", was.about_value("program"), "program", was.about_value("program"));
+    const std::string recorded = was.about_value("stepper");
+    out.string(
+        "stepper", other && !options.stepper.empty() ? options.stepper : recorded, "stepper",
+        options.stepper.empty() ? recorded : fmt::format("{}, recorded with {}", options.stepper, recorded));
+    out.string("contacts", find ? "found" : "recorded", "contacts", find ? "found anew" : "as recorded");
+    const bool other_library = was.about_value("library") != scenes::loaded_library();
+    return compare(was, now, other || find || other_library, out, options.json);
+}
+
+}  // namespace epode::cli

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What all hooks have in common: the library's own function of a name, and the observer. A call that the
+// library makes itself, while it serves one of the program's, is not the program's: only the outermost is
+// told.
+#pragma once
+
+#include <dlfcn.h>
+
+#include "record/preload/observer.h"
+
+namespace epode::record {
+
+void* find_real(const char* name);
+
+template <class Function>
+Function find(const char* name)
+{
+    return reinterpret_cast<Function>(find_real(name));
+}
+
+// Null: nothing is recorded.
+const Observer* observer();
+
+template <class... Arguments, class... Given>
+void tell(void (*Observer::*what)(Arguments...), Given... given)
+{
+    if (const Observer* listening = observer()) (listening->*what)(given...);
+}
+
+class Outermost {
+  public:
+    Outermost() { ++depth_; }
+    ~Outermost() { --depth_; }
+    Outermost(const Outermost&) = delete;
+    Outermost& operator=(const Outermost&) = delete;
+    explicit operator bool() const { return depth_ == 1; }
+
+  private:
+    static thread_local int depth_;
+};
+
+}  // namespace epode::record
+
+// The library's own function of that name, whatever is returned where it has none.
+#define EPODE_REAL(name)                                                  \
+    static const auto real = epode::record::find<decltype(&name)>(#name); \
+    if (!real) return                                                     \
+        {}
+#define EPODE_REAL_VOID(name)                                             \
+    static const auto real = epode::record::find<decltype(&name)>(#name); \
+    if (!real) return
