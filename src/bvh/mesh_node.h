@@ -68,6 +68,12 @@ struct NodeRay {
     bool down[3];  // runs against the axis
 };
 
+// Which of four children a ray meets (all bits of their lanes are set), and how far away.
+struct MetNodes {
+    mesh_lanes::Ints yes;
+    mesh_lanes::Floats near;
+};
+
 // A child and how far away it is, at least 0, as one number that grows with the distance: bits of floats that
 // are not negative are ordered as they are. No child of a node is node 0, so 0 is none.
 class WaitingNode {
@@ -97,6 +103,22 @@ inline void far_first(WaitingNode* w)
     order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
 }
 
+// The children that are met, none in the places of the others; without branches, too. As pairs of numbers,
+// the lesser half first, a key is a child and a distance.
+inline void put_met(const MetNodes& met, const int* children, WaitingNode* w)
+{
+    using namespace mesh_lanes;
+    static_assert(std::endian::native == std::endian::little && sizeof(WaitingNode) == 8);
+    Ints child;
+    __builtin_memcpy(&child, children, sizeof child);
+    child &= met.yes;
+    const Ints near = Ints(met.near) & met.yes;
+    const Ints low = __builtin_shufflevector(child, near, 0, 4, 1, 5),
+               high = __builtin_shufflevector(child, near, 2, 6, 3, 7);
+    __builtin_memcpy(static_cast<void*>(w), &low, sizeof low);
+    __builtin_memcpy(static_cast<void*>(w + 2), &high, sizeof high);
+}
+
 struct alignas(64) MeshNode {
     static constexpr int kNone = INT_MIN;
 
@@ -111,7 +133,7 @@ struct alignas(64) MeshNode {
     // Bits of the children met.
     unsigned met_by(const NodeBox& box) const;
     unsigned met_by(const HalfSpace& space) const;
-    unsigned met_by(const NodeRay& ray, float reach, float* near) const;
+    MetNodes met_by(const NodeRay& ray, float reach) const;
     unsigned there() const;  // bits of the children that exist
 };
 static_assert(sizeof(MeshNode) == 64);
@@ -207,7 +229,7 @@ inline unsigned MeshNode::met_by(const HalfSpace& space) const
     return bits(least <= floats(space.d)) & there();
 }
 
-inline unsigned MeshNode::met_by(const NodeRay& ray, float reach, float* near) const
+inline MetNodes MeshNode::met_by(const NodeRay& ray, float reach) const
 {
     using namespace mesh_lanes;
     Floats first = Floats{}, last = floats(reach);
@@ -219,8 +241,9 @@ inline unsigned MeshNode::met_by(const NodeRay& ray, float reach, float* near) c
         first = larger(a, first);
         last = smaller(b, last);
     }
-    __builtin_memcpy(near, &first, sizeof(first));
-    return bits(first <= last) & there();
+    Ints children;
+    __builtin_memcpy(&children, child, sizeof(children));
+    return {(first <= last) & (children != Ints{kNone, kNone, kNone, kNone}), first};
 }
 
 }  // namespace epode

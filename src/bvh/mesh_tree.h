@@ -218,10 +218,9 @@ void MeshTree::follow(const MeshRay& ray, Real from, Real to, Open&& open) const
             continue;
         }
         const MeshNode& node = nodes_.data()[next.child()];
-        float near[4];
-        const unsigned met = node.met_by(node_ray, reach, near);
-        for (int k = 0; k < 4; ++k)
-            stack[top + k] = met >> k & 1 ? WaitingNode(node.child[k], near[k]) : WaitingNode(0, 0);
+        const MetNodes children = node.met_by(node_ray, reach);
+        const unsigned met = mesh_lanes::bits(children.yes);
+        put_met(children, node.child, stack + top);
         for (unsigned rest = met; rest != 0; rest &= rest - 1) fetch(node.child[std::countr_zero(rest)]);
         far_first(stack + top);
         top += mesh_lanes::count(met);

@@ -25,7 +25,7 @@ void RayTree::set_child(RayNode& node, int k, const Aabb& box, int child) const
         node.hi[i][k] = float(box.hi[i] - centre_[i] + pad_);
     }
     node.child[k] = child;
-    node.there |= 1u << k;
+    if (child < 0) node.leaves |= 1u << k;
 }
 
 bool RayTree::build(const DynamicTree& tree)

@@ -9,6 +9,8 @@
 // needs the exact box asks it of the leaf.
 #pragma once
 
+#include <cfloat>
+
 #include "bvh/dynamic_tree.h"
 #include "bvh/mesh_node.h"
 
@@ -16,10 +18,11 @@ namespace epode {
 
 struct alignas(64) RayNode {
     float lo[3][4], hi[3][4];
-    int child[4];  // a node, or ~item
-    unsigned there;
+    int child[4];     // a node, or ~item
+    unsigned leaves;  // a bit for each child that is one
 
-    unsigned met_by(const NodeRay& ray, float reach, float* near) const
+    RayNode();  // of children that no ray meets
+    MetNodes met_by(const NodeRay& ray, float reach) const
     {
         using namespace mesh_lanes;
         Floats first = Floats{}, last = floats(reach);
@@ -31,8 +34,7 @@ struct alignas(64) RayNode {
             first = larger((a - o) * inverse, first);
             last = smaller((b - o) * inverse, last);
         }
-        __builtin_memcpy(near, &first, sizeof first);
-        return bits(first <= last) & there;
+        return {first <= last, first};
     }
 };
 
@@ -43,9 +45,11 @@ class RayTree {
     bool empty() const { return nodes_.empty(); }
     void clear() { nodes_.clear(); }
 
-    // visit(item) for every leaf whose box the ray may meet, as DynamicTree::cast.
-    template <typename Visit>
-    void cast(const TreeRay& ray, Vec3 direction, const Aabb& all, Real reach, Visit&& visit) const;
+    // visit(item) for every leaf whose box the ray may meet, as DynamicTree::cast; before that fetch(item),
+    // which may bring what it needs nearer.
+    template <typename Visit, typename Fetch>
+    void cast(const TreeRay& ray, Vec3 direction, const Aabb& all, Real reach, Visit&& visit,
+              Fetch&& fetch) const;
 
   private:
     static constexpr Real kPad = Real(0x1p-17);
@@ -60,8 +64,15 @@ class RayTree {
     Real pad_ = 0;
 };
 
-template <typename Visit>
-void RayTree::cast(const TreeRay& ray, Vec3 direction, const Aabb& all, Real reach, Visit&& visit) const
+inline RayNode::RayNode() : lo{}, hi{}, child{}, leaves(0)
+{
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 4; ++k) lo[i][k] = FLT_MAX, hi[i][k] = -FLT_MAX;
+}
+
+template <typename Visit, typename Fetch>
+void RayTree::cast(const TreeRay& ray, Vec3 direction, const Aabb& all, Real reach, Visit&& visit,
+                   Fetch&& fetch) const
 {
     const Real start = ray.enters(all, reach);
     if (!(start < kInf)) return;
@@ -81,10 +92,11 @@ void RayTree::cast(const TreeRay& ray, Vec3 direction, const Aabb& all, Real rea
             continue;
         }
         const RayNode& node = nodes_.data()[next.child()];
-        float near[4];
-        const unsigned met = node.met_by(node_ray, limit, near);
-        for (int k = 0; k < 4; ++k)
-            stack[top + k] = met >> k & 1 ? WaitingNode(node.child[k], near[k]) : WaitingNode(0, 0);
+        const MetNodes children = node.met_by(node_ray, limit);
+        const unsigned met = mesh_lanes::bits(children.yes);
+        put_met(children, node.child, stack + top);
+        for (unsigned soon = met & node.leaves; soon != 0; soon &= soon - 1)
+            fetch(~node.child[__builtin_ctz(soon)]);
         far_first(stack + top);
         top += mesh_lanes::count(met);
     }

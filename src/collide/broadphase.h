@@ -66,15 +66,15 @@ class Broadphase {
 
     // visit(slot) for every present slot whose box the ray (unit direction) meets, and for some that it
     // hardly misses, near ones first as a rule, in no promised order; it answers how far the ray has still to
-    // be followed, less than 0 ends it.
-    template <typename Visit>
-    void cast(Vec3 origin, Vec3 direction, Real reach, Visit&& visit) const
+    // be followed, less than 0 ends it. fetch(slot) may come before, when there will be a visit soon.
+    template <typename Visit, typename Fetch>
+    void cast(Vec3 origin, Vec3 direction, Real reach, Visit&& visit, Fetch&& fetch) const
     {
         for (int slot : unbounded_) reach = visit(slot);
         if (tree_.leaf_count() == 0 || reach < 0) return;
         const TreeRay ray(origin, direction, tree_.bounds());
         if (!ray_tree_.empty()) {
-            ray_tree_.cast(ray, direction, tree_.bounds(), reach, visit);
+            ray_tree_.cast(ray, direction, tree_.bounds(), reach, visit, fetch);
             return;
         }
         tree_.cast(ray, reach, [&](int slot) {

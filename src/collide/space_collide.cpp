@@ -72,10 +72,11 @@ bool ask(Broadphase& boxes, Geom& geom, const Aabb& box, Visit&& visit)
     const Real length = epode::length(way);
     if (!normalize(way)) return boxes.query(box, visit);
     const Real reach = length * (1 + 8 * kEpsilon);
-    boxes.cast(pose.p, way, reach, [&](int slot) {
+    const auto look = [&](int slot) {
         if (overlap(boxes.box(slot), box)) visit(slot);
         return reach;
-    });
+    };
+    boxes.cast(pose.p, way, reach, look, [&](int slot) { __builtin_prefetch(&boxes.box(slot)); });
     return true;
 }
 

@@ -161,26 +161,57 @@ void ray_sphere(const Ray& a, const Pose& A, const Sphere& b, const Pose& B, Con
     add_hit(m, A, direction_of(n, length(n), {1, 0, 0}), sink);
 }
 
+namespace {
+
+// The interval of a ray within a box, and by which axis it begins and ends.
+struct BoxInterval {
+    Real enter = -kInf, leave = kInf;
+    int first = 0, last = 0;
+};
+
+// Some number of d is zero. False: outside of a slab that the ray runs along.
+[[gnu::noinline]] bool within_slabs(const Real (&o)[3], const Real (&d)[3], const Real (&half)[3],
+                                    BoxInterval& in)
+{
+    for (int i = 0; i < 3; ++i) {
+        if (d[i] == 0) {
+            if (std::fabs(o[i]) > half[i]) return false;
+            continue;
+        }
+        const Real near = d[i] > 0 ? -half[i] : half[i];
+        const Real from = (near - o[i]) / d[i], to = (-near - o[i]) / d[i];
+        if (from > in.enter) in.enter = from, in.first = i;
+        if (to < in.leave) in.leave = to, in.last = i;
+    }
+    return true;
+}
+
+}  // namespace
+
+// Most boxes that a ray is tried at it misses, which no branch foresees: there is one, on the whole interval.
 void ray_box(const Ray& a, const Pose& A, const Box& b, const Pose& B, ContactSink& sink)
 {
     const Line line = line_of(A, B);
     const Real o[3] = {line.o.x, line.o.y, line.o.z}, d[3] = {line.d.x, line.d.y, line.d.z};
     const Real half[3] = {b.half.x, b.half.y, b.half.z};
-    Real enter = -kInf, leave = kInf;
-    int first = 0, last = 0;
-    for (int i = 0; i < 3; ++i) {
-        if (d[i] == 0) {
-            if (std::fabs(o[i]) > half[i]) return;
-            continue;
+    BoxInterval in;
+    if (d[0] * d[1] * d[2] == 0) {
+        if (!within_slabs(o, d, half, in)) return;
+    } else {
+        Real from[3], to[3];
+        for (int i = 0; i < 3; ++i) {
+            const Real far = std::copysign(half[i], d[i]);
+            from[i] = (-far - o[i]) / d[i], to[i] = (far - o[i]) / d[i];
         }
-        const Real near = d[i] > 0 ? -half[i] : half[i];
-        const Real from = (near - o[i]) / d[i], to = (-near - o[i]) / d[i];
-        if (from > enter) enter = from, first = i;
-        if (to < leave) leave = to, last = i;
+        in.enter = from[1] > from[0] ? from[1] : from[0], in.leave = to[1] < to[0] ? to[1] : to[0];
+        in.enter = from[2] > in.enter ? from[2] : in.enter, in.leave = to[2] < in.leave ? to[2] : in.leave;
+        if (!(in.enter <= in.leave)) return;
+        in.first = from[0] == in.enter ? 0 : from[1] == in.enter ? 1 : 2;
+        in.last = to[0] == in.leave ? 0 : to[1] == in.leave ? 1 : 2;
     }
     Meeting m;
-    if (!meets(a, enter, leave, max_component(b.half), m)) return;
-    const int axis = m.outside ? first : last;
+    if (!meets(a, in.enter, in.leave, max_component(b.half), m)) return;
+    const int axis = m.outside ? in.first : in.last;
     const bool down = m.outside == (d[axis] > 0);
     add_hit(m, A, down ? -B.R.column(axis) : B.R.column(axis), sink);
 }
