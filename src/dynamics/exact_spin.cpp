@@ -120,7 +120,7 @@ void advance_pose_exactly(Body& body, Real h, bool free)
     const Mat3 R0 = body.rotation();
     store(body.pos, body.position() + h * body.velocity());
     const bool split = body.finite_rotation && !(body.finite_axis == Vec3{});
-    Quat q = split ? turned(body, w, h) : turn_exactly(body.orientation(), w, h);
+    Quat q = split ? turned(body, body.orientation(), w, h) : turn_exactly(body.orientation(), w, h);
     if (normalize(q)) set_orientation(body, q);
     if (body.spin_excess == Vec3{}) return;
 

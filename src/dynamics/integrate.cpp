@@ -31,9 +31,8 @@ Quat turn_exactly(Quat q, Vec3 w, Real h)
     return Quat{epode::cos(angle), v.x, v.y, v.z} * q;
 }
 
-Quat turned(const Body& body, Vec3 w, Real h)
+Quat turned(const Body& body, Quat q, Vec3 w, Real h)
 {
-    const Quat q = body.orientation();
     if (!body.finite_rotation) return turn_infinitesimally(q, w, h);
     if (body.finite_axis == Vec3{}) return turn_exactly(q, w, h);
     const Vec3 along = dot(body.finite_axis, w) * body.finite_axis;
@@ -68,7 +67,7 @@ void advance_pose(Body& body, Real h)
         }
     }
     store(body.pos, body.position() + h * body.velocity());
-    Quat q = turned(body, w, h);
+    Quat q = turned(body, body.orientation(), w, h);
     if (normalize(q)) set_orientation(body, q);
 }
 

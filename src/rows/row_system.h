@@ -13,7 +13,7 @@
 
 #include <span>
 
-#include "math/mat.h"
+#include "math/pose.h"
 #include "rows/manifold.h"
 #include "rows/patch.h"
 #include "rows/row.h"
@@ -28,6 +28,20 @@ struct SolverBody {
     Real mass = 0;      // of the exact solver; 0 when inv_mass is 0
     Sym3 inertia;       // world frame
 };
+
+// Where inner steps have moved a body, and what it weighs there: four numbers at a time, as lanes read them.
+struct alignas(4 * sizeof(Real)) SolverPose {
+    Vec3 x;
+    Real inv_mass = 0;
+    Quat q;
+    Vec3 main;  // of the inverse inertia, world frame: xx, yy, zz
+    Real unused1 = 0;
+    Vec3 mixed;  // xy, xz, yz
+    Real unused2 = 0;
+};
+static_assert(sizeof(SolverPose) == 16 * sizeof(Real));
+
+struct Velocity;  // solve/velocities.h
 
 // The numbers that a policy makes of a Row.
 struct RowNumbers {
@@ -48,6 +62,7 @@ struct RowBlock {
     bool contact = false;  // rows of one contact point with these arms: normal, tangents, then rolling rows
     ContactArms arms;
     RowForm form = RowForm::kFree;  // of a joint's rows
+    bool followed = false;          // by a solver with inner steps that keeps the rows up to date itself
 };
 
 // Islands that are solved together, because each alone would leave most lanes empty, are parts of one system
@@ -66,6 +81,7 @@ struct RowSystem {
     ManifoldList contacts;              // beside the rows; of solvers that take manifolds, else empty
     std::span<Patch* const> patches;    // likewise, of solvers that take patches
     std::span<const SystemPart> parts;  // none: all is one
+    std::span<SolverPose> poses;        // with inner steps and blocks: of the bodies, then of the worlds
 
     int worlds() const { return parts.empty() ? 1 : int(parts.size()); }
     SystemPart begin_of(int part) const { return part > 0 ? parts[std::size_t(part - 1)] : SystemPart{}; }
@@ -80,14 +96,17 @@ struct RowSystem {
 // joints.
 struct Substeps {
     void* model = nullptr;
-    // v += h M^-1 f with gravity and gyroscopic torque, in the SolverBodies.
-    void (*apply_forces)(void* model, RowSystem& system, Real h) = nullptr;
-    // x += h v; refreshes the rotation and world inertia in the SolverBodies.
-    void (*advance)(void* model, RowSystem& system, Real h) = nullptr;
-    // Rewrites Jacobians and errors of all but the contacts' rows at the present pose. Row counts, kinds and
-    // bounds stay.
+    // v += h M^-1 f with gravity and gyroscopic torque.
+    void (*apply_forces)(void* model, Velocity* bodies, Real h) = nullptr;
+    // x += h v, and bodies turn; spins above a body's limit are cut. `system.poses` follow, and nothing else.
+    void (*advance)(void* model, RowSystem& system, Velocity* bodies, Real h) = nullptr;
+    // The bodies themselves, and the inertia in the SolverBodies, follow the poses.
+    void (*settle)(void* model, RowSystem& system) = nullptr;
+    // Rewrites Jacobians and errors of the rows at the present pose, but for those that are followed and
+    // those of contacts; then all has settled. Row counts, kinds and bounds stay.
     void (*refresh)(void* model, RowSystem& system) = nullptr;
     // Contact rows act at one point of the present pose again: what is applied then keeps angular momentum.
+    // Everything has settled.
     void (*gather_contacts)(void* model, RowSystem& system) = nullptr;
 };
 

@@ -18,6 +18,7 @@ struct JointBatch {
     int rows, bounded;                 // the last `bounded` rows have bounds
     int count;                         // joints; the lanes behind them are empty
     int at;                            // the first of its numbers
+    int facts;                         // the first of its facts; -1: rows are asked for anew
     int body1[kLanes], body2[kLanes];  // into the velocities
 };
 
@@ -55,6 +56,31 @@ struct JointLayout {
     {
         return matrix + (i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i);
     }
+};
+
+// What does not change during a step of a batch that is followed (solve/joint_follow.inc), of a point form.
+struct FactLayout {
+    int anchors, directions, axes;  // in the bodies' frames; directions and axes in that of the guide
+    int apart;                      // orientation of the other body seen from the guide, at the beginning
+    int side;                       // 1: body 1 is the guide, -1: body 2
+    int start;                      // per row: its error when nothing has moved
+    int rate, speed;                // c = rate * error + speed
+    int keeps;                      // 1: relaxing sweeps aim at c too, else at the speed
+    int size;
+
+    EPODE_LANEWISE constexpr FactLayout(RowForm form, int rows)
+        : anchors(0),
+          directions(6),
+          axes(directions + (form == RowForm::kTurned ? 9 : 0)),
+          apart(axes + 3 * (rows - 3)),
+          side(apart + 4),
+          start(side + 1),
+          rate(start + rows),
+          speed(rate + rows),
+          keeps(speed + rows),
+          size(keeps + rows)
+    {}
+    EPODE_LANEWISE explicit constexpr FactLayout(const JointBatch& b) : FactLayout(b.form, b.rows) {}
 };
 
 }  // namespace epode

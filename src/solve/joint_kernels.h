@@ -23,6 +23,9 @@ struct JointKernels {
     // In: masses, geometry, C, p and bounds. Out: the matrix, and p within its bounds. With a `soft_share`,
     // rows with C above this share of their mobility relax to c.
     void (*prepare)(const JointBatch* batches, int count, Lanes* numbers, Real soft_share);
+    // In: facts of batches that have any, and poses. Out: masses, geometry, c and what relaxing aims at.
+    void (*follow)(const JointBatch* batches, int count, Lanes* numbers, const Lanes* facts,
+                   const SolverPose* poses);
     // v += M^-1 J^T p
     void (*apply_impulses)(const JointBatch* batches, int count, const Lanes* numbers, Velocity* bodies);
     void (*sweep)(const JointBatch* batches, int count, Lanes* numbers, Velocity* bodies,

@@ -4,12 +4,13 @@
 // The joint kernels compiled for AVX2, that is with 32-byte registers and without fused multiply-add, which
 // would round differently. CMake gives this file its flag; on other machines it is empty.
 #if defined(__x86_64__)
+#include "solve/joint_follow.inc"
 #include "solve/joint_kernels.inc"
 
 namespace epode {
 
 extern const JointKernels kAvx2JointKernels;
-const JointKernels kAvx2JointKernels{"avx2", prepare, apply_impulses, sweep};
+const JointKernels kAvx2JointKernels{"avx2", prepare, follow, apply_impulses, sweep};
 
 }  // namespace epode
 #endif

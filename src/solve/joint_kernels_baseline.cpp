@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "simd/machine.h"
+#include "solve/joint_follow.inc"
 #include "solve/joint_kernels.inc"
 
 namespace epode {
@@ -14,7 +15,7 @@ extern const JointKernels kAvx2JointKernels;
 
 namespace {
 
-constexpr JointKernels kBaseline{"baseline", prepare, apply_impulses, sweep};
+constexpr JointKernels kBaseline{"baseline", prepare, follow, apply_impulses, sweep};
 
 constexpr const JointKernels* kAll[] = {
     &kBaseline,

@@ -320,7 +320,7 @@ void JointNetwork::add_impulses(std::span<RowNumbers> numbers) const
             numbers[std::size_t(joint.source + i)].p += rows_[std::size_t(joint.first + i)].p;
 }
 
-void JointNetwork::describe(std::span<RowNumbers> numbers) const
+void JointNetwork::describe(std::span<RowNumbers> numbers, std::span<Row>) const
 {
     for (const NetworkJoint& joint : joints_)
         for (int i = 0; i < joint.count; ++i) {

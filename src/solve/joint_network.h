@@ -38,11 +38,12 @@ class JointNetwork {
 
     // As in JointSet, after `plan`.
     bool pack(const RowSystem& system, Arena& arena);
+    bool follow(RowSystem&, const Substep&, Arena&) { return true; }  // rows are asked for anew
     void load_small_step(const RowSystem& system, const Substep& step);
     void apply_impulses(std::span<Velocity> bodies) const;
     void sweep(std::span<Velocity> bodies, const JointSweep& how);
     void add_impulses(std::span<RowNumbers> numbers) const;
-    void describe(std::span<RowNumbers> numbers) const;
+    void describe(std::span<RowNumbers> numbers, std::span<Row> rows) const;
     void rebound(const RowSystem& system, std::span<Velocity> bodies);
 
     int factorisations() const { return factorisations_; }

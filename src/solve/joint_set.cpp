@@ -23,6 +23,32 @@ void set(Lanes* to, int lane, const Sym3& s)
     set(to + 3, lane, Vec3{s.xy, s.xz, s.yz});
 }
 
+// As simd/lane_vectors.h has it.
+Vec3 turned_by(Quat q, Vec3 a)
+{
+    const Vec3 u = cross(q.vec(), a), t = u + u;
+    return (a + q.w * t) + cross(q.vec(), t);
+}
+
+// Does body 1 spin less than body 2?
+bool spins_less(const RowSystem& system, const RowBlock& block)
+{
+    const auto spin2 = [&](int body) {
+        return body >= 0 ? length2(system.bodies[std::size_t(body)].w) : Real(0);
+    };
+    return spin2(block.body1) <= spin2(block.body2);
+}
+
+// What a followed row asks for when nothing has moved; returns its softness.
+Real place_row(Lanes* f, const FactLayout& fact, int i, int lane, const Row& row, const Substep& step)
+{
+    const RowAim aim = map_row(row, step, kInf);  // who is soft by mobility, the kernels find
+    f[fact.start + i][lane] = row.error;
+    f[fact.rate + i][lane] = aim.rate, f[fact.speed + i][lane] = row.speed;
+    f[fact.keeps + i][lane] = aim.spring ? 1 : 0;
+    return aim.C;
+}
+
 // What one row asks for.
 struct RowAsks {
     Real c, C, relaxed;
@@ -116,7 +142,7 @@ bool JointSet::sort(std::span<Joint> joints, int shapes, Arena& arena)
         const Shape& shape = shapes_[k % shapes];
         for (const int to = starts[std::size_t(k)]; from < to; ++next) {
             const int count = std::min(kLanes, to - from);
-            batches_[next] = {shape.form, shape.rows, shape.bounded, count, 0, {}, {}};
+            batches_[next] = {shape.form, shape.rows, shape.bounded, count, 0, -1, {}, {}};
             for (int lane = 0; lane < kLanes; ++lane)
                 sources_[next * kLanes + std::size_t(lane)].block =
                     lane < count ? order[std::size_t(from + lane)] : -1;
@@ -185,6 +211,7 @@ void JointSet::fill(const RowSystem& system, const Aim& aim)
 {
     for (std::size_t b = 0; b < batches_.size(); ++b) {
         const JointBatch& batch = batches_[b];
+        if (batch.facts >= 0) continue;
         const JointLayout at(batch);
         Lanes* n = &numbers_[std::size_t(batch.at)];
         for (int lane = 0; lane < batch.count; ++lane) {
@@ -209,8 +236,59 @@ void JointSet::load(const RowSystem& system)
     kernels_->prepare(batches_.data(), int(batches_.size()), numbers_.data(), 0);
 }
 
+bool JointSet::follow(RowSystem& system, const Substep& step, Arena& arena)
+{
+    int size = 0;
+    for (JointBatch& batch : batches_) {
+        if (batch.form == RowForm::kFree) continue;
+        batch.facts = size;
+        size += FactLayout(batch).size;
+    }
+    facts_ = arena.take_zeroed<Lanes>(size);
+    if (arena.failed()) return false;
+    for (std::size_t b = 0; b < batches_.size(); ++b)
+        if (batches_[b].facts >= 0) place_facts(system, step, b);
+    return true;
+}
+
+void JointSet::place_facts(const RowSystem& system, const Substep& step, std::size_t b)
+{
+    const JointBatch& batch = batches_[b];
+    const FactLayout fact(batch);
+    const JointLayout at(batch);
+    Lanes *f = &facts_[std::size_t(batch.facts)], *n = &numbers_[std::size_t(batch.at)];
+    for (int lane = 0; lane < batch.count; ++lane) {
+        const Source& source = sources_[b * kLanes + std::size_t(lane)];
+        RowBlock& block = system.blocks[std::size_t(source.block)];
+        block.followed = true;
+        const Row* rows = &system.rows[std::size_t(block.first)];
+        const SolverPose &one = system.poses[std::size_t(batch.body1[lane])],
+                         &two = system.poses[std::size_t(batch.body2[lane])];
+        const bool first = batch.form == RowForm::kTurned || spins_less(system, block);
+        const Quat guide = conjugate(first ? one.q : two.q);
+        set(f + fact.anchors, lane, turned_by(conjugate(one.q), block.arms.r1));
+        set(f + fact.anchors + 3, lane, turned_by(conjugate(two.q), block.arms.r2));
+        const Quat apart = guide * (first ? two.q : one.q);
+        f[fact.apart][lane] = apart.w;
+        set(f + fact.apart + 1, lane, apart.vec());
+        f[fact.side][lane] = first ? 1 : -1;
+        const Vec3 gap = one.x - two.x + block.arms.r1 - block.arms.r2;
+        for (int i = 0; i < batch.rows; ++i) {
+            const Row& row = rows[source.row[i]];
+            n[at.C + i][lane] = place_row(f, fact, i, lane, row, step);
+            if (i >= 3)
+                set(f + fact.axes + 3 * (i - 3), lane, turned_by(guide, row.ang1));
+            else if (batch.form == RowForm::kTurned)
+                set(f + fact.directions + 3 * i, lane, turned_by(guide, row.lin1));
+            if (i < 3) f[fact.start + i][lane] += dot(row.lin1, gap);
+        }
+    }
+}
+
 void JointSet::load_small_step(const RowSystem& system, const Substep& step)
 {
+    kernels_->follow(batches_.data(), int(batches_.size()), numbers_.data(), facts_.data(),
+                     system.poses.data());
     // Rows mostly ask for the same as the one before; mapping takes four divisions.
     const Row* last = nullptr;
     RowAim aim;
@@ -267,13 +345,37 @@ void JointSet::add_impulses(std::span<RowNumbers> numbers) const
     });
 }
 
-void JointSet::describe(std::span<RowNumbers> numbers) const
+void JointSet::describe(std::span<RowNumbers> numbers, std::span<Row> rows) const
 {
+    describe_rows(rows);
     for_each_row([&](std::size_t row, int i, const Lanes* n, const JointLayout& at, int lane) {
         numbers[row].c = n[at.c + i][lane];
         numbers[row].C = n[at.C + i][lane];
         numbers[row].p = n[at.p + i][lane];
     });
+}
+
+void JointSet::describe_rows(std::span<Row> rows) const
+{
+    const auto vec_at = [](const Lanes* n, int lane) { return Vec3{n[0][lane], n[1][lane], n[2][lane]}; };
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+        const JointBatch& batch = batches_[b];
+        if (batch.facts < 0) continue;
+        const JointLayout at(batch);
+        const Lanes* n = &numbers_[std::size_t(batch.at)];
+        for (int lane = 0; lane < batch.count; ++lane) {
+            const Source& source = sources_[b * kLanes + std::size_t(lane)];
+            const Vec3 r1 = vec_at(n + at.arms, lane), r2 = vec_at(n + at.arms + 3, lane);
+            for (int i = 0; i < batch.rows; ++i) {
+                Row& row = rows[std::size_t(source.first + source.row[i])];
+                if (i < 3 && batch.form == RowForm::kTurned)
+                    row.lin1 = vec_at(n + at.directions + 3 * i, lane);
+                row.ang1 = i < 3 ? cross(r1, row.lin1) : vec_at(n + at.axes + 3 * (i - 3), lane);
+                row.lin2 = -row.lin1;
+                row.ang2 = i < 3 ? -cross(r2, row.lin1) : -row.ang1;
+            }
+        }
+    }
 }
 
 void JointSet::rebound(const RowSystem& system, std::span<Velocity> bodies)

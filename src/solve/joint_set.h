@@ -26,16 +26,21 @@ class JointSet {
     explicit JointSet(const JointKernels& kernels = *joint_kernels().back()) : kernels_(&kernels) {}
 
     // Takes the blocks that are no contacts, with bounds and warm start from the numbers; false: out of
-    // memory. Then one of these two, as often as rows change:
+    // memory.
     bool pack(const RowSystem& system, Arena& arena);
-    void load(const RowSystem& system);                                  // what the numbers ask for
-    void load_small_step(const RowSystem& system, const Substep& step);  // what the rows ask for
+    void load(const RowSystem& system);  // what the numbers ask for
+    // Instead, in small steps: at first, from rows and poses of the beginning, the facts of all blocks that
+    // the kernels follow (solve/joint_follow.inc), which are marked; false: out of memory. Then, as often as
+    // poses change, what followed rows ask for at these, and what the others say.
+    bool follow(RowSystem& system, const Substep& step, Arena& arena);
+    void load_small_step(const RowSystem& system, const Substep& step);
 
     void apply_impulses(std::span<Velocity> bodies) const;  // v += M^-1 J^T p
     void sweep(std::span<Velocity> bodies, const JointSweep& how);
     void store_impulses(std::span<RowNumbers> numbers) const;
     void add_impulses(std::span<RowNumbers> numbers) const;  // numbers.p += p
-    void describe(std::span<RowNumbers> numbers) const;      // c, C and p of the correcting problem
+    // c, C and p of the correcting problem, and the Jacobians of followed rows.
+    void describe(std::span<RowNumbers> numbers, std::span<Row> rows) const;
 
     // One more visit to joints with rows that rebound and have carried an impulse: they reach their rebound.
     void rebound(const RowSystem& system, std::span<Velocity> bodies);
@@ -64,8 +69,11 @@ class JointSet {
     int find_shapes(const RowSystem& system, std::span<Joint> joints);
     bool sort(std::span<Joint> joints, int shapes, Arena& arena);
     void place(const RowSystem& system, std::size_t batch);
+    // Of the batches that are not followed.
     template <typename Aim>
     void fill(const RowSystem& system, const Aim& aim);
+    void place_facts(const RowSystem& system, const Substep& step, std::size_t batch);
+    void describe_rows(std::span<Row> rows) const;
     void fill_lane(const RowSystem& system, const RowBlock& block, const Source& source, Lanes* n, int lane,
                    const JointLayout& at, RowForm form) const;
     void visit_lanes(const JointBatch& batch, const bool* lanes, Lanes* n, int world,
@@ -78,7 +86,7 @@ class JointSet {
     const JointKernels* kernels_;
     std::span<JointBatch> batches_;
     std::span<Source> sources_;  // lane by lane
-    std::span<Lanes> numbers_;
+    std::span<Lanes> numbers_, facts_;
     Shape shapes_[kShapes];
     int colours_ = 0;
 };

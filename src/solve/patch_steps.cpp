@@ -23,11 +23,12 @@ class PatchSteps {
         mean_ = arena.take_zeroed<Velocity>(bodies);
         if (arena.failed() || !patches_.prepare(system_, step_, tasks, arena)) return false;
         load_velocities(system_, velocities_);
-        model_.apply_forces(model_.model, system_, system_.h);
+        std::copy_n(velocities_.begin(), gain_.size(), gain_.begin());
+        model_.apply_forces(model_.model, gain_.data(), system_.h);
         const Real share = 1 / Real(step_.n);
         for (std::size_t i = 0; i < gain_.size(); ++i)
-            gain_[i] = {share * (system_.bodies[i].v - velocities_[i].v), 0,
-                        share * (system_.bodies[i].w - velocities_[i].w), 0};
+            gain_[i] = {share * (gain_[i].v - velocities_[i].v), 0, share * (gain_[i].w - velocities_[i].w),
+                        0};
         return true;
     }
 
@@ -44,11 +45,9 @@ class PatchSteps {
     void move()
     {
         const Real share = 1 / Real(step_.n);
-        for (std::size_t i = 0; i < mean_.size(); ++i) {
-            system_.bodies[i].v = share * mean_[i].v;
-            system_.bodies[i].w = share * mean_[i].w;
-        }
-        model_.advance(model_.model, system_, system_.h);
+        for (Velocity& mean : mean_) mean = {share * mean.v, 0, share * mean.w, 0};
+        model_.advance(model_.model, system_, mean_.data(), system_.h);
+        model_.settle(model_.model, system_);
     }
 
     RowSystem& system_;

@@ -49,6 +49,8 @@ class SmallSteps {
         }
         velocities_ = take_velocities(system_, arena);
         if (velocities_.empty() || !joints_.pack(system_, arena)) return false;
+        load_velocities(system_, velocities_);
+        if (!joints_.follow(system_, step_, arena)) return false;
         if (!contacts_.prepare(system_, step_, settings.seed, arena)) return false;
         if (!patches_.prepare(system_, step_, settings.tasks, arena)) return false;
         if (settings.want_residual) {
@@ -56,6 +58,7 @@ class SmallSteps {
             described_ = arena.take<RowNumbers>(int(system_.numbers.size()));
             lo_ = arena.take<Real>(int(system_.numbers.size()));
             hi_ = arena.take<Real>(int(system_.numbers.size()));
+            rows_ = arena.take<Row>(int(system_.rows.size()));
             if (arena.failed()) return false;
             std::copy(system_.numbers.begin(), system_.numbers.end(), described_.begin());
         }
@@ -72,6 +75,8 @@ class SmallSteps {
             move();
             relax(last);
         }
+        store_velocities(velocities_, system_);
+        model_.settle(model_.model, system_);
         model_.gather_contacts(model_.model, system_);
         rebound_contacts();
         if (!patches_.empty()) rebound_patches();
@@ -81,12 +86,10 @@ class SmallSteps {
   private:
     void correct(bool moved, bool last)
     {
-        model_.apply_forces(model_.model, system_, step_.hs);
+        model_.apply_forces(model_.model, velocities_.data(), step_.hs);
         if (moved) model_.refresh(model_.model, system_);
         joints_.load_small_step(system_, step_);
-        if (last && !before_.empty())
-            std::copy(system_.bodies.begin(), system_.bodies.end(), before_.begin());
-        load_velocities(system_, velocities_);
+        if (last && !before_.empty()) save_bodies();
         joints_.apply_impulses(velocities_);
         contacts_.apply_impulses(velocities_);
         patches_.apply_impulses(velocities_);
@@ -96,13 +99,18 @@ class SmallSteps {
         if (Joints::kHasLastWord) joints_.sweep(velocities_, {1, false});
     }
 
+    void save_bodies()
+    {
+        store_velocities(velocities_, system_);
+        model_.settle(model_.model, system_);
+        std::copy(system_.bodies.begin(), system_.bodies.end(), before_.begin());
+    }
+
     void move()
     {
         contacts_.follow_motion(velocities_);
         patches_.follow_motion(velocities_);
-        store_velocities(velocities_, system_);
-        model_.advance(model_.model, system_, step_.hs);
-        load_velocities(system_, velocities_);
+        model_.advance(model_.model, system_, velocities_.data(), step_.hs);
     }
 
     void relax(bool last)
@@ -114,7 +122,6 @@ class SmallSteps {
         if (last) joints_.rebound(system_, velocities_);
         joints_.add_impulses(system_.numbers);
         contacts_.add_impulses(system_.numbers);
-        store_velocities(velocities_, system_);
     }
 
     // Contacts in their order, those against what cannot move last, so that theirs is the last word.
@@ -146,10 +153,11 @@ class SmallSteps {
 
     bool measure(const SolverSettings& settings, Arena& arena, SolveReport& report)
     {
-        joints_.describe(described_);
+        std::copy(system_.rows.begin(), system_.rows.end(), rows_.begin());
+        joints_.describe(described_, rows_);
         contacts_.describe(described_);
         RowSystem one = system_;
-        one.numbers = described_;
+        one.numbers = described_, one.rows = rows_;
         present_bounds(one, lo_, hi_);
         report.residual = natural_residual(one, before_, lo_, hi_, arena);
         for (int part = 0; part < int(system_.parts.size()) && report.residual >= 0; ++part) {
@@ -169,6 +177,7 @@ class SmallSteps {
     std::span<Velocity> velocities_;
     std::span<SolverBody> before_;  // only when the residual is wanted
     std::span<RowNumbers> described_;
+    std::span<Row> rows_;
     std::span<Real> lo_, hi_;
 };
 
@@ -182,10 +191,17 @@ bool solve_without_rows(RowSystem& system, const SolverSettings& settings, Arena
         solved = solve_patches(system, settings, arena);
         return true;
     }
+    Arena::Scope scope(arena);
+    const auto velocities = take_velocities(system, arena);
+    solved = !arena.failed();
+    if (!solved) return true;
+    load_velocities(system, velocities);
     for (int i = 0; i < n; ++i) {  // free bodies move in small steps too: their rotation is better for it
-        model.apply_forces(model.model, system, system.h / Real(n));
-        model.advance(model.model, system, system.h / Real(n));
+        model.apply_forces(model.model, velocities.data(), system.h / Real(n));
+        model.advance(model.model, system, velocities.data(), system.h / Real(n));
     }
+    store_velocities(velocities, system);
+    model.settle(model.model, system);
     return true;
 }
 

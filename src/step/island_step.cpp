@@ -66,10 +66,10 @@ class IslandStep {
             add_tension(work_, work_.system.bodies, arena_);
             leave_depth_to_projection(work_.system);
         }
-        SubstepModel model{work_, step_info(world_, context_.h)};
-        model.info.inner = true;
+        SubstepModel model(work_, step_info(world_, context_.h));
         const Substeps callbacks = model.callbacks();
         const bool inner = context_.solver.substeps;
+        if (inner && !model.prepare(arena_)) return false;
         SolverSettings settings;
         settings.iterations = context_.iterations;
         settings.w = world_.quick_w;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Inner steps move the real bodies: joints read their poses from there, and after the last inner step nothing
-// is left to integrate.
+// Inner steps move copies of the bodies, eight side by side; what was read of a body once is not read again
+// until the step ends. Joints that have to be asked for their rows read the bodies themselves, which are then
+// moved too; after the last inner step they are in any case, and nothing is left to integrate. Velocities in
+// them stay those of the beginning until the step is accepted.
 #include "step/substeps.h"
 
 #include "base/ahead.h"
@@ -11,44 +13,145 @@
 namespace epode {
 namespace {
 
+constexpr int kLinesOfBody = 10;
+
+template <std::size_t kCount>
+void set(Lanes (&to)[kCount], std::size_t lane, const Real (&from)[kCount])
+{
+    for (std::size_t i = 0; i < kCount; ++i) to[i].at[lane] = from[i];
+}
+
+void set(Lanes (&to)[3], std::size_t lane, Vec3 a) { set(to, lane, {a.x, a.y, a.z}); }
+void set(Lanes (&to)[4], std::size_t lane, Quat q) { set(to, lane, {q.w, q.x, q.y, q.z}); }
+
+void set(Lanes (&to)[6], std::size_t lane, const Sym3& s)
+{
+    set(to, lane, {s.xx, s.yy, s.zz, s.xy, s.xz, s.yz});
+}
+
+void set(Lanes (&to)[9], std::size_t lane, const Mat3& R)
+{
+    set(to, lane, {R.row0.x, R.row0.y, R.row0.z, R.row1.x, R.row1.y, R.row1.z, R.row2.x, R.row2.y, R.row2.z});
+}
+
+Vec3 vec_in(const Lanes* a, std::size_t lane) { return {a[0].at[lane], a[1].at[lane], a[2].at[lane]}; }
+
+Quat quat_in(const Lanes* q, std::size_t lane)
+{
+    return {q[0].at[lane], q[1].at[lane], q[2].at[lane], q[3].at[lane]};
+}
+
+bool even(const Sym3& s) { return s.xx == s.yy && s.yy == s.zz && s.xy == 0 && s.xz == 0 && s.yz == 0; }
+
+SolverPose pose_of(const Body& body, const SolverBody& solver)
+{
+    const Sym3& s = solver.inv_inertia;
+    SolverPose pose;
+    pose.x = body.position(), pose.inv_mass = solver.inv_mass, pose.q = body.orientation();
+    pose.main = {s.xx, s.yy, s.zz}, pose.mixed = {s.xy, s.xz, s.yz};
+    return pose;
+}
+
 SubstepModel& model_of(void* p) { return *static_cast<SubstepModel*>(p); }
 
-void apply_forces(void* p, RowSystem& system, Real h)
+}  // namespace
+
+bool SubstepModel::prepare(Arena& arena)
 {
-    SubstepModel& model = model_of(p);
-    for (std::size_t i = 0; i < system.bodies.size(); ++i)
-        add_forces(*model.work.island.bodies[i], h, system.bodies[i]);
+    RowSystem& system = work_.system;
+    const int bodies = int(system.bodies.size());
+    lanes_ = arena.take<BodyLanes>((bodies + kLanes - 1) / kLanes);
+    system.poses = arena.take<SolverPose>(system.blocks.empty() ? 0 : bodies + system.worlds());
+    if (arena.failed()) return false;
+    // What no body fills must be numbers.
+    if (!lanes_.empty()) lanes_.back() = {};
+    for_each_fetched<kLinesOfBody>(std::span<Body* const>(work_.island.bodies),
+                                   [&](std::size_t i, Body& body) {
+                                       const SolverBody& solver = system.bodies[i];
+                                       load_body(i, body, solver);
+                                       if (!system.poses.empty()) system.poses[i] = pose_of(body, solver);
+                                   });
+    if (!system.poses.empty())
+        for (SolverPose& world : system.poses.subspan(std::size_t(bodies))) world = {};
+    return true;
 }
 
-void advance(void* p, RowSystem& system, Real h)
+void SubstepModel::load_body(std::size_t i, const Body& body, const SolverBody& solver)
 {
-    SubstepModel& model = model_of(p);
-    constexpr int kLines = 10;  // of a body
-    for_each_fetched<kLines>(std::span<Body* const>(model.work.island.bodies),
-                             [&](std::size_t i, Body& body) {
-                                 SolverBody& s = system.bodies[i];
-                                 const Vec3 v0 = body.velocity(), w0 = body.angular_velocity();
-                                 store(body.lvel, s.v);
-                                 store(body.avel, s.w);
-                                 advance_pose(body, h);
-                                 s.w = body.angular_velocity();  // may have been capped
-                                 load_inertia(body, s);
-                                 // The body's own velocity stays that of the beginning of the step until the
-                                 // step is accepted.
-                                 store(body.lvel, v0);
-                                 store(body.avel, w0);
-                             });
+    const std::size_t lane = i % kLanes;
+    BodyLanes& to = lanes_[i / kLanes];
+    if (lane == 0) to.any_gyroscopic = to.any_uneven = to.any_limit = false, to.finite = 0;
+    const bool uneven = !even(body.inv_inertia);
+    const bool gyroscopic = body.gyroscopic && !body.kinematic() && !even(body.inertia);
+    const bool limit = body.max_angular_speed < kInf;
+    to.any_uneven |= uneven, to.any_gyroscopic |= gyroscopic, to.any_limit |= limit;
+    if (body.finite_rotation) to.finite = static_cast<unsigned char>(to.finite | 1u << lane);
+    to.uneven[int(lane)] = uneven ? 1 : 0, to.max_spin[int(lane)] = body.max_angular_speed;
+    set(to.x, lane, body.position());
+    set(to.q, lane, body.orientation()), set(to.next, lane, body.orientation());
+    set(to.R, lane, body.rotation());
+    to.inv_mass[int(lane)] = solver.inv_mass;
+    set(to.force, lane, load(body.facc)), set(to.torque, lane, load(body.tacc));
+    set(to.inertia, lane, gyroscopic ? body.inertia : Sym3{});
+    set(to.inv_inertia, lane, body.inv_inertia);
+    set(to.inv_in_world, lane, solver.inv_inertia);
 }
 
-void refresh(void* p, RowSystem& system)
+void SubstepModel::apply_forces(void* p, Velocity* bodies, Real h)
+{
+    const SubstepModel& model = model_of(p);
+    model.kernels_.accelerate(model.lanes_.data(), int(model.work_.island.bodies.size()), bodies, h);
+}
+
+void SubstepModel::advance(void* p, RowSystem& system, Velocity* bodies, Real h)
+{
+    SubstepModel& model = model_of(p);
+    const int count = int(system.bodies.size());
+    model.kernels_.turn(model.lanes_.data(), count, bodies, h);
+    for (std::size_t group = 0; group < model.lanes_.size(); ++group)
+        if (model.lanes_[group].finite) model.turn_finitely(group, bodies, h);
+    model.kernels_.place(model.lanes_.data(), count, system.poses.data());
+}
+
+// Few bodies want it.
+void SubstepModel::turn_finitely(std::size_t group, const Velocity* bodies, Real h)
+{
+    BodyLanes& lanes = lanes_[group];
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        if (!(lanes.finite >> lane & 1)) continue;
+        const std::size_t i = group * kLanes + lane;
+        set(lanes.next, lane, turned(*work_.island.bodies[i], quat_in(lanes.q, lane), bodies[i].w, h));
+    }
+}
+
+void SubstepModel::settle(void* p, RowSystem& system)
+{
+    SubstepModel& model = model_of(p);
+    for_each_fetched<kLinesOfBody>(
+        std::span<Body* const>(model.work_.island.bodies), [&](std::size_t i, Body& body) {
+            const BodyLanes& from = model.lanes_[i / kLanes];
+            const std::size_t lane = i % kLanes;
+            store(body.pos, vec_in(from.x, lane));
+            store_quat(body.q, quat_in(from.q, lane));
+            store_mat(body.R, {vec_in(from.R, lane), vec_in(from.R + 3, lane), vec_in(from.R + 6, lane)});
+            const Lanes* s = from.inv_in_world;
+            system.bodies[i].inv_inertia = {s[0].at[lane], s[1].at[lane], s[2].at[lane],
+                                            s[3].at[lane], s[4].at[lane], s[5].at[lane]};
+        });
+}
+
+void SubstepModel::refresh(void* p, RowSystem& system)
 {
     SubstepModel& model = model_of(p);
     Row rows[kMaxJointRows];
+    bool settled = false;
     for (std::size_t k = 0; k < system.blocks.size(); ++k) {
         RowBlock& block = system.blocks[k];
-        if (block.contact) continue;  // the solver follows their gaps itself
-        RowWriter out(rows, model.info);
-        model.work.joints[k]->type->emit(*model.work.joints[k], out);
+        if (block.contact || block.followed) continue;  // the solver follows these itself
+        if (!settled) settle(p, system);
+        settled = true;
+        RowWriter out(rows, model.info_);
+        model.work_.joints[k]->type->emit(*model.work_.joints[k], out);
         block.arms = out.arms();
         for (int i = 0; i < block.count && i < out.count(); ++i) {
             Row& row = system.rows[std::size_t(block.first + i)];
@@ -62,15 +165,13 @@ void refresh(void* p, RowSystem& system)
     }
 }
 
-void gather_contacts(void* p, RowSystem& system)
+void SubstepModel::gather_contacts(void* p, RowSystem& system)
 {
     for (RowBlock& block : system.blocks)
         if (block.contact)
-            gather_contact(model_of(p).work.island, block,
+            gather_contact(model_of(p).work_.island, block,
                            system.rows.subspan(std::size_t(block.first), std::size_t(block.count)));
 }
-
-}  // namespace
 
 void gather_contact(const Island& island, RowBlock& block, std::span<Row> rows)
 {
@@ -87,6 +188,6 @@ void gather_contact(const Island& island, RowBlock& block, std::span<Row> rows)
     }
 }
 
-Substeps SubstepModel::callbacks() { return {this, apply_forces, advance, refresh, gather_contacts}; }
+Substeps SubstepModel::callbacks() { return {this, apply_forces, advance, settle, refresh, gather_contacts}; }
 
 }  // namespace epode

@@ -4,16 +4,39 @@
 // The model that a solver with inner steps drives: the bodies and joints of one island.
 #pragma once
 
+#include "base/arena.h"
 #include "rows/row_system.h"
+#include "solve/body_kernels.h"
 #include "step/assemble.h"
 
 namespace epode {
 
-struct SubstepModel {
-    IslandWork& work;
-    StepInfo info;  // `inner` is set: joints keep the rows that they wrote at the beginning of the step
+class SubstepModel {
+  public:
+    // `info` is that of the whole step.
+    SubstepModel(IslandWork& work, const StepInfo& info) : work_(work), info_(info)
+    {
+        info_.inner = true;  // joints keep the rows that they wrote at the beginning of the step
+    }
 
+    // Before the first call: bodies into lanes, and the system's poses. False: out of memory.
+    bool prepare(Arena& arena);
     Substeps callbacks();
+
+  private:
+    void load_body(std::size_t i, const Body& body, const SolverBody& solver);
+    void turn_finitely(std::size_t group, const Velocity* bodies, Real h);
+
+    static void apply_forces(void* model, Velocity* bodies, Real h);
+    static void advance(void* model, RowSystem& system, Velocity* bodies, Real h);
+    static void settle(void* model, RowSystem& system);
+    static void refresh(void* model, RowSystem& system);
+    static void gather_contacts(void* model, RowSystem& system);
+
+    IslandWork& work_;
+    StepInfo info_;
+    const BodyKernels& kernels_ = *body_kernels().back();
+    std::span<BodyLanes> lanes_;
 };
 
 // Lets a contact of two bodies act at one point of their present poses again: its arms are those of earlier

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <vector>
 
+#include "math/rotation.h"
 #include "solve/joint_set.h"
 #include "solve/residual.h"
 #include "solve/solver.h"
@@ -423,6 +424,156 @@ TEST(JointSet, forms_are_only_shorter_ways_to_write_rows)
             EXPECT_LT(max_component(abs(a.velocities[i].w - b.velocities[i].w)), kSingle ? 5e-2 : 1e-8)
                 << seed;
         }
+    }
+}
+
+// Bodies at rest at the origin of the step, then moved and turned by a fraction of a radian.
+struct Moved {
+    Problem p;
+    std::vector<SolverPose> poses;
+    RowSystem system;
+
+    Moved(std::uint64_t seed, int bodies, int joints) : p(mechanism(seed, bodies, joints))
+    {
+        Dice dice(seed + 77);
+        for (std::size_t i = 0; i < p.bodies.size(); ++i) {
+            SolverPose pose;
+            pose.x = p.places[i], pose.inv_mass = p.bodies[i].inv_mass;
+            pose.q = rotation_about(dice.direction(), dice.real(0, 3));
+            put_inertia(p.bodies[i].inv_inertia, pose);
+            poses.push_back(pose);
+        }
+        poses.push_back({});
+        poses.back().q = {};
+        system = p.system();
+        system.poses = poses;
+    }
+
+    static void put_inertia(const Sym3& s, SolverPose& pose)
+    {
+        pose.main = {s.xx, s.yy, s.zz}, pose.mixed = {s.xy, s.xz, s.yz};
+    }
+
+    void turn(std::size_t i, Vec3 way, Vec3 axis, Real angle)
+    {
+        poses[i].x += way;
+        poses[i].q = rotation_about(axis, angle) * poses[i].q;
+    }
+    Vec3 now(std::size_t i, const SolverPose& then, Vec3 a) const
+    {
+        return to_matrix(poses[i].q) * transposed_times(to_matrix(then.q), a);
+    }
+};
+
+std::size_t slot_of(const Moved& m, int body) { return body >= 0 ? std::size_t(body) : m.p.bodies.size(); }
+
+TEST(JointSet, followed_rows_are_those_of_the_moved_bodies)
+{
+    const Substep step{Real(0.002), 5};
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Moved m(seed, 9, 14);
+        const std::vector<SolverPose> then = m.poses;
+        const std::vector<Row> said = m.p.rows;
+        Arena arena;
+        JointSet set;
+        ASSERT_TRUE(set.pack(m.system, arena));
+        ASSERT_TRUE(set.follow(m.system, step, arena));
+        Dice dice(seed + 99);
+        for (std::size_t i = 0; i < m.p.bodies.size(); ++i)
+            m.turn(i, dice.vec(Real(0.05)), dice.direction(), dice.real(0, Real(0.3)));
+        set.load_small_step(m.system, step);
+        std::vector<Row> rows = m.p.rows;
+        set.describe(m.p.numbers, rows);
+        int followed = 0;
+        for (const RowBlock& block : m.p.blocks) {
+            if (!block.followed) continue;
+            ++followed;
+            const std::size_t b1 = std::size_t(block.body1), b2 = slot_of(m, block.body2);
+            const Vec3 r1 = m.now(b1, then[b1], block.arms.r1), r2 = m.now(b2, then[b2], block.arms.r2);
+            const Vec3 gap = m.poses[b1].x + r1 - m.poses[b2].x - r2;
+            const Vec3 gap0 = then[b1].x + block.arms.r1 - then[b2].x - block.arms.r2;
+            const bool first =
+                block.form == RowForm::kTurned ||
+                length2(m.p.bodies[b1].w) <= (block.body2 >= 0 ? length2(m.p.bodies[b2].w) : Real(0));
+            const std::size_t guide = first ? b1 : b2;
+            for (int i = 0; i < block.count; ++i) {
+                const std::size_t k = std::size_t(block.first + i);
+                const Real tolerance = kSingle ? Real(1e-4) : Real(1e-11);
+                const bool turns = i >= 3 || block.form == RowForm::kTurned;
+                const Vec3 a0 = i < 3 ? said[k].lin1 : said[k].ang1;
+                const Vec3 a = turns ? m.now(guide, then[guide], a0) : a0;
+                EXPECT_LT(length((i < 3 ? rows[k].lin1 : rows[k].ang1) - a), tolerance);
+                if (i >= 3) continue;
+                EXPECT_LT(length(rows[k].ang1 - cross(r1, a)), tolerance);
+                EXPECT_LT(length(rows[k].ang2 + cross(r2, a)), tolerance);
+                const RowAim aim = map_row(said[k], step, kInf);
+                const Real error = said[k].error - (dot(a, gap) - dot(a0, gap0));
+                EXPECT_NEAR(m.p.numbers[k].c, aim.rate * error + said[k].speed, 100 * tolerance);
+                EXPECT_EQ(m.p.numbers[k].C, aim.C);
+            }
+        }
+        EXPECT_GT(followed, 5);
+    }
+}
+
+// A stop's or motor's axis is what the bodies turn about: then its error is exact.
+TEST(JointSet, a_turn_about_an_axis_is_an_angle_whoever_turns)
+{
+    const Substep step{Real(0.002), 5};
+    for (int who = 0; who < 4; ++who) {
+        Moved m(1, 2, 0);
+        Dice dice(5);
+        const Vec3 axis = dice.direction();
+        const bool second = who % 2, world = who >= 2;
+        if (world && second) continue;
+        m.p.bodies[second ? 1 : 0].w = 9 * axis;  // and the other one guides
+        std::vector<Row> of(4);
+        for (int i = 0; i < 3; ++i) of[std::size_t(i)].lin1.set(i, 1);
+        of[3].ang1 = axis, of[3].ang2 = world ? Vec3{} : -axis;
+        of[3].erp = Real(0.2), of[3].error = Real(0.01);
+        m.p.block(0, world ? -1 : 1, false, of);
+        m.p.blocks[0].form = RowForm::kPoint;
+        m.system = m.p.system();
+        m.system.poses = m.poses;
+        Arena arena;
+        JointSet set;
+        ASSERT_TRUE(set.pack(m.system, arena) && set.follow(m.system, step, arena));
+        const Vec3 other = dice.direction();
+        if (!world) m.turn(0, {}, other, 1), m.turn(1, {}, other, 1);  // together: no change
+        const Vec3 now = world ? axis : to_matrix(rotation_about(other, 1)) * axis;
+        m.turn(second ? 1 : 0, {}, now, Real(0.7));
+        set.load_small_step(m.system, step);
+        std::vector<Row> rows = m.p.rows;
+        set.describe(m.p.numbers, rows);
+        const RowAim aim = map_row(of[3], step, kInf);
+        EXPECT_NEAR(m.p.numbers[3].c / aim.rate, Real(0.01) + Real(second ? 0.7 : -0.7), 1e-4) << who;
+        EXPECT_LT(length(rows[3].ang1 - now), kSingle ? 1e-5 : 1e-12) << who;
+    }
+}
+
+TEST(JointKernels, all_machines_follow_with_the_same_bits)
+{
+    const auto all = joint_kernels();
+    if (all.size() == 1) GTEST_SKIP() << "this machine runs the baseline only";
+    const Substep step{Real(0.002), 5};
+    const auto aims = [&](const JointKernels& kernels) {
+        Moved m(4, 30, 70);
+        Arena arena;
+        JointSet set(kernels);
+        EXPECT_TRUE(set.pack(m.system, arena) && set.follow(m.system, step, arena));
+        Dice dice(8);
+        for (std::size_t i = 0; i < m.p.bodies.size(); ++i)
+            m.turn(i, dice.vec(Real(0.05)), dice.direction(), dice.real(0, Real(0.3)));
+        set.load_small_step(m.system, step);
+        set.describe(m.p.numbers, m.p.rows);
+        return m.p;
+    };
+    const Problem a = aims(*all[0]), b = aims(*all[1]);
+    for (std::size_t k = 0; k < a.rows.size(); ++k) {
+        EXPECT_EQ(std::memcmp(&a.numbers[k].c, &b.numbers[k].c, sizeof(Real)), 0);
+        EXPECT_EQ(std::memcmp(static_cast<const Jacobian*>(&a.rows[k]),
+                              static_cast<const Jacobian*>(&b.rows[k]), sizeof(Jacobian)),
+                  0);
     }
 }
 

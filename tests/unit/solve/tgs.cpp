@@ -8,6 +8,7 @@
 
 #include "solve/solver.h"
 #include "solve/substep_rows.h"
+#include "solve/velocities.h"
 #include "systems.h"
 
 namespace {
@@ -25,18 +26,19 @@ struct Model {
     void (*measure)(Problem& p) = [](Problem&) {};
     int substeps = 0;
 
-    static void apply_forces(void* m, RowSystem& system, Real h)
+    static void apply_forces(void* m, Velocity* bodies, Real h)
     {
         Model& model = *static_cast<Model*>(m);
         ++model.substeps;
-        for (SolverBody& b : system.bodies)
-            if (b.inv_mass > 0) b.v += h * model.gravity;
+        for (std::size_t i = 0; i < model.p.bodies.size(); ++i)
+            if (model.p.bodies[i].inv_mass > 0) bodies[i].v += h * model.gravity;
     }
-    static void advance(void* m, RowSystem& system, Real h)
+    static void advance(void* m, RowSystem&, Velocity* bodies, Real h)
     {
         Model& model = *static_cast<Model*>(m);
-        for (std::size_t i = 0; i < system.bodies.size(); ++i) model.p.places[i] += h * system.bodies[i].v;
+        for (std::size_t i = 0; i < model.p.places.size(); ++i) model.p.places[i] += h * bodies[i].v;
     }
+    static void nothing(void*, RowSystem&) {}
     static void refresh(void* m, RowSystem&)
     {
         Model& model = *static_cast<Model*>(m);
@@ -54,7 +56,7 @@ struct Model {
             }
         Arena arena;
         SolveReport report;
-        const Substeps callbacks{this, apply_forces, advance, refresh, [](void*, RowSystem&) {}};
+        const Substeps callbacks{this, apply_forces, advance, nothing, refresh, nothing};
         SolverSettings settings;
         settings.iterations = n, settings.substeps = &callbacks, settings.want_residual = true;
         RowSystem system = p.system();
@@ -114,7 +116,7 @@ TEST(Tgs, MappingKeepsSpringAndDamper)
         EXPECT_NEAR(aim.rate * hs, hs * k / (hs * k + d), 1e-6);
         EXPECT_NEAR(aim.C * hs, 1 / (hs * k + d), 1e-6);
     }
-    row.error = 0, row.kind = RowKind::kLimit;  // a motor: its softness is a damper's at any step
+    row.lo = -5, row.hi = 5, row.kind = RowKind::kLimit;  // a motor: its softness is a damper's at any step
     EXPECT_NEAR(map_row(row, {h / 4, 4}, 1).C, row.cfm / (h / 4), 1e-6);
 }
 

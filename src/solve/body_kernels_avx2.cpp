@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The body kernels compiled for AVX2, that is with 32-byte registers and without fused multiply-add, which
+// would round differently. CMake gives this file its flag; on other machines it is empty.
+#if defined(__x86_64__)
+#include "solve/body_kernels.inc"
+
+namespace epode {
+
+extern const BodyKernels kAvx2BodyKernels;
+const BodyKernels kAvx2BodyKernels{"avx2", accelerate, turn, place};
+
+}  // namespace epode
+#endif

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The body kernels for any machine, and the choice between those that there are. It is made when the
+// library is loaded, so that calls go through one pointer and no test.
+#include <iterator>
+
+#include "simd/machine.h"
+#include "solve/body_kernels.inc"
+
+namespace epode {
+
+extern const BodyKernels kAvx2BodyKernels;
+
+namespace {
+
+constexpr BodyKernels kBaseline{"baseline", accelerate, turn, place};
+
+constexpr const BodyKernels* kAll[] = {
+    &kBaseline,
+#if defined(__x86_64__)
+    &kAvx2BodyKernels,
+#endif
+};
+
+const std::size_t usable = usable_kernels(std::size(kAll));
+
+}  // namespace
+
+std::span<const BodyKernels* const> body_kernels() { return std::span(kAll).first(usable); }
+
+}  // namespace epode
