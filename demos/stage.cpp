@@ -63,6 +63,7 @@ void touch(void*, dGeomID a, dGeomID b)
         points[i].surface.mu = friction;
         points[i].surface.bounce = bounce;
         points[i].surface.bounce_vel = 0.1;
+        if (plan->surface) plan->surface(a, b, &points[i]);
         dJointAttach(dJointCreateContact(world, contacts, &points[i]), first, second);
     }
 }

@@ -21,6 +21,7 @@ struct Plan {
     void (*judge)();
     void (*every_step)(double t) = nullptr;  // before each step of the world
     void (*key)(int key) = nullptr;
+    void (*surface)(dGeomID a, dGeomID b, dContact* contact) = nullptr;  // of a contact that is not made yet
 };
 
 extern dWorldID world;
