@@ -26,7 +26,7 @@ class LeastRise {
     // False: the solid does not touch the column.
     bool search()
     {
-        depth = overlap_along(facet_.n);
+        depth = own_ = overlap_along(facet_.n);
         normal = facet_.n;
         if (depth < 0) return false;
         if (reach_.own_is_least(facet_, depth)) return true;
@@ -179,7 +179,9 @@ class LeastRise {
             return true;
         };
         if (!each_round_axis(*reach_.cylinder(), pose, facet_, offer_round)) return false;
+        const Vec3 lowest = reach_.lowest_along(facet_.n);
         for (int k = 0; k < 3; ++k) {
+            if (reach_.own_is_less(facet_, k, own_, lowest)) continue;
             RimMinimum found[kMostRimMinima];
             const int count =
                 rim_minima(RimArc(*reach_.cylinder(), pose, facet_, k), kFaceFirst * depth, found);
@@ -202,6 +204,7 @@ class LeastRise {
     const Facet& facet_;
     const Meeting& m_;
     const SolidReach reach_;
+    Real own_ = 0;  // the overlap along the facet's normal
     // Least overlap in directions that are no contact's: aside, through the walls between columns, or against
     // a surface that goes on rising. When it is less than a crest's, the solid is not on that crest: it has
     // barely come under this facet, and what it really touches stands in another column.

@@ -59,6 +59,21 @@ class SolidReach {
         return clear > 0 && clear * clear > worth * worth * (fall * fall + (s + L) * (s + L));
     }
 
+    // The same of the directions in which edge k is the top of the triangle: they turn by an angle a from n
+    // to the edge's outward side. With s and S the distances of p and c from the edge, inwards, the overlap
+    // is at least the larger of own cos a + s sin a and -H cos a + S sin a, and that is least at an end or
+    // where the two are the same, (own S + H s) / sqrt((own + H)^2 + (S - s)^2). `p` is lowest_along(n).
+    bool own_is_less(const Triangle& f, int k, Real own, Vec3 p) const
+    {
+        const Real H = f.height(solid_.pose.p), worth = kFaceFirst * own;
+        const Vec3 e = f.edge(k), in = cross(f.n, e);
+        const Real s = dot(in, p - f.v[k]), S = dot(in, solid_.pose.p - f.v[k]);  // times the edge's length
+        const Real least = own * S + H * s;
+        return own > 0 && H > worth && least > 0 &&
+               least * least > worth * worth * ((own + H) * (own + H) * length2(e) + (S - s) * (S - s));
+    }
+    Vec3 lowest_along(Vec3 n) const { return solid_.support(-n); }
+
   private:
     Real along_cylinder(Vec3 n) const
     {

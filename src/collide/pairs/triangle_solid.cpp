@@ -51,7 +51,7 @@ class LeastWay {
     {
         for (int k = 0; k < 3; ++k)
             if (f_.rim[k] == Rim::kHollow &&
-                !rim_on(RimArc(*reach_.cylinder(), m_.solid.pose, f_, k), kThere * own_))
+                !rim_on(k, RimArc(*reach_.cylinder(), m_.solid.pose, f_, k), kThere * own_))
                 return false;
         return decide();
     }
@@ -197,7 +197,7 @@ class LeastWay {
             if (!level) {
                 const RimArc arc(*reach_.cylinder(), m_.solid.pose, f_, k);
                 if (every || rim != Rim::kConvex || rim_turns_before(arc, f_.beyond[k])) {
-                    if (!rim_on(arc, kFaceFirst * depth)) return false;
+                    if (!rim_on(k, arc, kFaceFirst * depth)) return false;
                     continue;
                 }
             }
@@ -205,8 +205,9 @@ class LeastWay {
         }
         return true;
     }
-    bool rim_on(const RimArc& arc, Real worth)
+    bool rim_on(int k, const RimArc& arc, Real worth)
     {
+        if (reach_.own_is_less(f_, k, own_, reach_.lowest_along(f_.n))) return true;
         RimMinimum found[kMostRimMinima];
         const int count = rim_minima(arc, worth, found);
         for (int i = 0; i < count; ++i) {
