@@ -8,6 +8,7 @@
 // as it saves. Everything is in an unnamed namespace for the reason given in simd/registers.h.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "base/config.h"
@@ -98,6 +99,17 @@ EPODE_LANEWISE Quad load_quad(const Real* p)
 }
 EPODE_LANEWISE void store_quad(Real* p, const Quad& a) { __builtin_memcpy(p, &a, sizeof(a)); }
 EPODE_LANEWISE Quad quad(Real a) { return quad(a, a, a, a); }
+
+EPODE_LANEWISE Quad square_root(const Quad& a)
+{
+#if defined(__SSE2__) && defined(dIDESINGLE)
+    return {__builtin_ia32_sqrtps(a.x)};
+#elif defined(__SSE2__)
+    return {__builtin_ia32_sqrtpd(a.x), __builtin_ia32_sqrtpd(a.y)};
+#else
+    return quad(std::sqrt(lane(a, 0)), std::sqrt(lane(a, 1)), std::sqrt(lane(a, 2)), std::sqrt(lane(a, 3)));
+#endif
+}
 
 // Lane 0 in the lowest bit.
 EPODE_LANEWISE unsigned bits(const QuadMask& yes)

@@ -154,42 +154,64 @@ bool inside(const Terrain& t, const Aabb& box)
     return t.endless() || (box.lo.x >= o.x && box.lo.z >= o.z && box.hi.x <= -o.x && box.hi.z <= -o.z);
 }
 
-// Which facets a solid may meet.
+// The heights at the corners of a cell.
+struct CellHeights {
+    Real a, b, c, d;
+    CellHeights(const Samples& samples, int i, int j)
+        : a(samples.height(i, j)),
+          b(samples.height(i + 1, j)),
+          c(samples.height(i, j + 1)),
+          d(samples.height(i + 1, j + 1))
+    {}
+    Facet facet(const Terrain& terrain, int i, int j, bool upper) const
+    {
+        Facet f;
+        terrain.set_corners(f, i, j, upper, upper ? d : a, upper ? b : c, upper ? c : b);
+        return f;
+    }
+    // Which of the two facets are not all below a height; a bit for each.
+    unsigned not_below(Real low) const
+    {
+        return b >= low || c >= low ? 3 : (a >= low ? 1u : 0u) | (d >= low ? 2u : 0u);
+    }
+};
+
+// Which facets a solid may meet, of those of two cells side by side.
 template <typename Shape>
 class Near {
   public:
     Near(const Shape& a, const Pose& A, const Terrain& terrain, const ConvexView& solid, Real slack)
         : terrain_(terrain),
           solid_(solid),
-          frame_(terrain.cell()),
+          frame_(terrain.cell(), 2 * slack),
           under_(a, A, frame_),
-          hair_(2 * slack),
-          diagonal_hair_(hair_ * (frame_.per_x() + frame_.per_z())),
           slack_(slack)
     {}
     // Does the part of the solid under the facet's plane reach over the walls of its column?
+    unsigned may_meet(int i, int j, const CellHeights& one, const CellHeights& two) const
+    {
+        const Vec3 a = terrain_.vertex(i, j, 0), d = terrain_.vertex(i + 1, j + 1, 0);
+        const Quad y = quad(one.a, one.d, two.a, two.d), z = quad(a.z, d.z, a.z, d.z);
+        const Quad side = FieldFrame::side();
+        const Quad slope_x = (quad(one.b, one.c, two.b, two.c) - y) * side * quad(frame_.per_x()),
+                   slope_z = (quad(one.c, one.b, two.c, two.b) - y) * side * quad(frame_.per_z());
+        const Quad hair = quad(2 * slack_) * (quad(1) + magnitude(slope_x) + magnitude(slope_z));
+        return under_.met(
+            {{quad(a.x, d.x, d.x, terrain_.vertex(i + 2, j, 0).x), y, z}, slope_x, slope_z, hair});
+    }
     bool may_meet(const Facet& f)
     {
-        const Real side = f.upper ? -1 : 1;
-        const FieldPlane plane = {f.v[0], (f.v[2].y - f.v[0].y) * side * frame_.per_x(),
-                                  (f.v[1].y - f.v[0].y) * side * frame_.per_z()};
-        return under_.sinks(plane, hair_ * (1 + std::fabs(plane.slope_x) + std::fabs(plane.slope_z))) &&
-               under_.reach(0, side) >= -hair_ && under_.reach(1, side) >= -hair_ &&
-               under_.reach(2, -side) >= -1 - diagonal_hair_ && (kRound<Shape> || over_sides(f));
-    }
-
-  private:
-    bool over_sides(const Facet& f)
-    {
+        if constexpr (kRound<Shape>) return true;
         if (!sides_) sides_.emplace(terrain_, solid_, slack_);
         return sides_->reach(f);
     }
 
+  private:
     const Terrain& terrain_;
     const ConvexView& solid_;
     FieldFrame frame_;
     Underpart<Shape> under_;
-    Real hair_, diagonal_hair_, slack_;
+    Real slack_;
     std::optional<Sides> sides_;
 };
 
@@ -199,29 +221,39 @@ class Near<Convex> {
     Near(const Convex&, const Pose&, const Terrain& terrain, const ConvexView& solid, Real slack)
         : sides_(terrain, solid, slack)
     {}
+    unsigned may_meet(int, int, const CellHeights&, const CellHeights&) const { return 15; }
     bool may_meet(const Facet& f) const { return sides_.reach(f); }
 
   private:
     Sides sides_;
 };
 
+// Where there are holes, all are near.
+struct AllNear {
+    unsigned may_meet(int, int, const CellHeights&, const CellHeights&) const { return 15; }
+    bool may_meet(const Facet&) const { return true; }
+};
+
 // Facets that are not below the box and may be met.
 template <typename MayMeet, typename Visit>
-void each_facet(const Meeting& m, const Cells& cells, const Samples& samples, const MayMeet& may_meet,
+void each_facet(const Meeting& m, const Cells& cells, const Samples& samples, MayMeet& near,
                 const Visit& visit)
 {
-    const Real low = m.box.lo.y;
+    const Terrain& terrain = m.terrain;
     for (int j = cells.j0; j <= cells.j1; ++j)
-        for (int i = cells.i0; i <= cells.i1; ++i) {
-            if (m.terrain.hole(i, j)) continue;
-            const Real a = samples.height(i, j), b = samples.height(i + 1, j), c = samples.height(i, j + 1),
-                       d = samples.height(i + 1, j + 1);
-            const bool seam = b >= low || c >= low;
-            for (const bool upper : {false, true}) {
-                if (!seam && (upper ? d : a) < low) continue;
-                Facet f;
-                m.terrain.set_corners(f, i, j, upper, upper ? d : a, upper ? b : c, upper ? c : b);
-                if (!may_meet(f)) continue;
+        for (int i = cells.i0; i <= cells.i1; i += 2) {
+            // In holes, and in a cell too many, samples are not looked at.
+            const bool gone = terrain.hole(i, j), last = i == cells.i1 || terrain.hole(i + 1, j);
+            if (gone && last) continue;
+            const CellHeights one(samples, gone ? i + 1 : i, j),
+                two = last ? one : CellHeights(samples, i + 1, j);
+            unsigned some =
+                (gone ? 0 : one.not_below(m.box.lo.y)) | (last ? 0 : two.not_below(m.box.lo.y) << 2);
+            if (some) some &= near.may_meet(i, j, one, two);
+            for (; some; some &= some - 1) {
+                const int k = __builtin_ctz(some);
+                Facet f = (k < 2 ? one : two).facet(terrain, i + k / 2, j, k % 2 != 0);
+                if (!near.may_meet(f)) continue;
                 finish(f);
                 visit(f);
             }
@@ -242,7 +274,7 @@ void collide_holed(const Shape& a, const Pose& A, const Terrain& terrain, const 
     int i, j;
     HoleWalls walls(middle, terrain.cell_under(middle, i, j) && terrain.hole(i, j));
     Meeting meeting{terrain, solid, box, slack, harvest, &walls};
-    const auto any = [](const Facet&) { return true; };
+    AllNear any;
     each_facet(meeting, cells, samples, any, [&](const Facet& f) {
         if (terrain.hole_beyond(f, 0) || terrain.hole_beyond(f, 2)) weigh_facet(a, A, f, meeting);
     });
@@ -282,9 +314,7 @@ void collide_local(const Shape& a, const Pose& A, const HeightfieldData& data, C
     Harvest harvest(Real(1e-6) * (solid.size + solid.radius), sink);
     Meeting meeting{terrain, solid, box, slack, harvest};
     Near<Shape> near(a, A, terrain, solid, slack);
-    each_facet(
-        meeting, cells, samples, [&](const Facet& f) { return near.may_meet(f); },
-        [&](const Facet& f) { meet_facet(a, A, f, meeting); });
+    each_facet(meeting, cells, samples, near, [&](const Facet& f) { meet_facet(a, A, f, meeting); });
     harvest.deliver(sink);
 }
 

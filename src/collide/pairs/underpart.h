@@ -4,79 +4,100 @@
 // The part of a solid that is under the plane of a facet of a height field, and how far it reaches. A solid
 // that lies on the ground is near many facets and under few; where the part under a facet's plane does not
 // reach into the facet's column, solid and ground have nothing in common there, and the facet needs no search
-// for directions. The plane goes through v and rises by `slope` along x and z; heights over it are upright
-// ones.
-//   sinks(plane, hair)  is any of the solid less than `hair` above?
-//   reach(w, side)      no point x of that part has side (x - v) farther than this along way w: x, z, or
-//                       diagonally, x / dx + z / dz for cells of dx by dz
+// for directions. A lane is a facet, four of them two cells: v its corner at the right angle, `slope` its
+// rise along x and z; heights over it are upright ones. The part is looked at along three ways, inward from
+// the column's walls: x and z, and the diagonal x / dx + z / dz.
 // Bounds, not the true extents: a box's part is its lowest corner p and t_i times the edges a_i there, with
 // 0 <= t_i <= 1 and sum t_i (rise of a_i) <= depth of p; a cylinder's the same of its axis and of its discs,
-// seen as rectangles; of a ball the smaller ball about the circle in which it cuts the plane.
+// seen as rectangles; of a ball the smaller ball about the circle in which it cuts the plane. All is in an
+// unnamed namespace for the reason given in simd/registers.h.
 #pragma once
 
 #include "geometry/shapes.h"
+#include "simd/quad.h"
 
 namespace epode {
+namespace {
 
-struct FieldPlane {
-    Vec3 v;
-    Real slope_x, slope_z;
-    Real rise(Vec3 d) const
-    {
-        return d.y - slope_x * d.x - slope_z * d.z;
-    }  // of a difference, over the plane
+struct Quad3 {
+    Quad x, y, z;
+};
+EPODE_LANEWISE Quad3 quad(Vec3 a) { return {quad(a.x), quad(a.y), quad(a.z)}; }
+EPODE_LANEWISE Quad3 operator+(const Quad3& a, const Quad3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+EPODE_LANEWISE Quad3 operator-(const Quad3& a, const Quad3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+EPODE_LANEWISE Quad3 operator*(const Quad& s, const Quad3& a) { return {s * a.x, s * a.y, s * a.z}; }
+EPODE_LANEWISE Quad dot(const Quad3& a, const Quad3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+struct FieldPlanes {
+    Quad3 v;
+    Quad slope_x, slope_z;
+    Quad hair;  // what is no higher than this is under it
+    EPODE_LANEWISE Quad rise(const Quad3& d) const { return d.y - slope_x * d.x - slope_z * d.z; }
+    EPODE_LANEWISE Quad3 normal() const { return {quad(0) - slope_x, quad(1), quad(0) - slope_z}; }
 };
 
-// A vector along the three ways.
+// Along the three ways, each inward.
 struct FieldWays {
-    Real along[3];
+    Quad along[3];
 };
 
 class FieldFrame {
   public:
-    explicit FieldFrame(Vec3 cell) : per_x_(1 / cell.x), per_z_(1 / cell.z) {}
+    FieldFrame(Vec3 cell, Real slack)
+        : per_x_(1 / cell.x), per_z_(1 / cell.z), walls_{-slack, -slack, -1 - slack * (per_x_ + per_z_)}
+    {}
     Real per_x() const { return per_x_; }
     Real per_z() const { return per_z_; }
-    FieldWays ways(Vec3 d) const { return {{d.x, d.z, d.x * per_x_ + d.z * per_z_}}; }
+    // Facets with A and with D in turn.
+    EPODE_LANEWISE static Quad side() { return quad(1, -1, 1, -1); }
+    EPODE_LANEWISE FieldWays inward(const Quad3& d) const
+    {
+        const Quad x = side() * d.x, z = side() * d.z;
+        return {{x, z, quad(-per_x_) * x - quad(per_z_) * z}};
+    }
+    // Which of the farthest places inward are over all walls.
+    EPODE_LANEWISE unsigned over(const FieldWays& reach) const
+    {
+        return bits(quad(walls_[0]) <= reach.along[0]) & bits(quad(walls_[1]) <= reach.along[1]) &
+               bits(quad(walls_[2]) <= reach.along[2]);
+    }
 
   private:
-    Real per_x_, per_z_;
+    Real per_x_, per_z_, walls_[3];
 };
 
-// Polyhedra: nothing is known of the part.
-template <typename Shape>
-class Underpart;
-
-// Edges from a lowest corner, or what stands for them.
-template <int kEdges>
-class CornerUnder {
+// Edges from a lowest corner, or what stands for them, rising as told (at least 0).
+class CornerReach {
   public:
-    void set(const FieldWays& corner, Real depth) { corner_ = corner, depth_ = depth; }
-    // Of either sense; it is taken upwards.
-    void edge(int i, const FieldWays& ways, Real rise)
+    EPODE_LANEWISE CornerReach(const FieldWays& corner, const Quad& depth) : corner_(corner), depth_(depth)
+    {
+        for (int w = 0; w < 3; ++w) sum_[w] = most_[w] = quad(0);
+    }
+    EPODE_LANEWISE void edge(const FieldWays& edge, const Quad& rise)
     {
         // An edge that hardly rises is bounded by its length; what it adds to the other bound is nothing.
-        const Real up = std::fabs(rise), least = Real(1e-20) * depth_ + Real(1e-30);
-        const Real far = depth_ / (up > least ? up : least), sense = std::copysign(Real(1), rise);
-        far_[i] = sense * far, share_[i] = far < 1 ? far_[i] : sense;
-        edges_[i] = ways;
-    }
-    Real depth() const { return depth_; }
-    Real reach(int way, Real side) const
-    {
-        Real sum = 0, most = 0;
-        for (int i = 0; i < kEdges; ++i) {
-            const Real along = side * edges_[i].along[way], part = along * share_[i], far = along * far_[i];
-            sum += part > 0 ? part : Real(0);
-            most = far > most ? far : most;
+        const Quad far = depth_ / larger(rise, quad(Real(1e-30))), share = smaller(far, quad(1));
+        for (int w = 0; w < 3; ++w) {
+            const Quad along = larger(edge.along[w], quad(0));
+            sum_[w] = sum_[w] + along * share;
+            most_[w] = larger(along * far, most_[w]);
         }
-        return side * corner_.along[way] + (sum < most ? sum : most);
+    }
+    EPODE_LANEWISE FieldWays reach() const
+    {
+        FieldWays all;
+        for (int w = 0; w < 3; ++w) all.along[w] = corner_.along[w] + smaller(most_[w], sum_[w]);
+        return all;
     }
 
   private:
-    FieldWays corner_, edges_[kEdges];
-    Real depth_ = 0, far_[kEdges], share_[kEdges];  // with the sign that makes the edge rise
+    FieldWays corner_;
+    Quad depth_, sum_[3], most_[3];
 };
+
+// met(planes): which of the facets may be met, a bit for each. Of polyhedra nothing is known.
+template <typename Shape>
+class Underpart;
 
 template <>
 class Underpart<Box> {
@@ -84,34 +105,31 @@ class Underpart<Box> {
     Underpart(const Box& box, const Pose& pose, const FieldFrame& frame) : frame_(frame), middle_(pose.p)
     {
         const Real half[3] = {box.half.x, box.half.y, box.half.z};
-        for (int i = 0; i < 3; ++i) {
-            edge_[i] = 2 * half[i] * pose.R.column(i);
-            ways_[i] = frame.ways(edge_[i]);
-        }
+        for (int i = 0; i < 3; ++i) arm_[i] = half[i] * pose.R.column(i);
     }
-    bool sinks(const FieldPlane& plane, Real hair)
+    unsigned met(const FieldPlanes& planes) const
     {
-        const Vec3 way = middle_ - plane.v;
-        const Real rise[3] = {plane.rise(edge_[0]), plane.rise(edge_[1]), plane.rise(edge_[2])};
-        const Real down = Real(0.5) * (std::fabs(rise[0]) + std::fabs(rise[1]) + std::fabs(rise[2]));
-        const Real depth = hair - (plane.rise(way) - down);
-        if (!(depth >= 0)) return false;
-        FieldWays corner = frame_.ways(way);
+        const Quad3 way = quad(middle_) - planes.v;
+        Quad rise[3], depth = planes.hair - planes.rise(way);
         for (int i = 0; i < 3; ++i) {
-            const Real half = std::copysign(Real(0.5), rise[i]);
-            for (int w = 0; w < 3; ++w) corner.along[w] -= half * ways_[i].along[w];
+            rise[i] = planes.rise(quad(arm_[i]));
+            depth = depth + magnitude(rise[i]);
         }
-        part_.set(corner, depth);
-        for (int i = 0; i < 3; ++i) part_.edge(i, ways_[i], rise[i]);
-        return true;
+        const unsigned sinking = bits(quad(0) <= depth);
+        if (!sinking) return 0;
+        Quad3 corner = way, up[3];
+        for (int i = 0; i < 3; ++i) {
+            up[i] = if_less(rise[i], quad(0), quad(-1), quad(1)) * quad(arm_[i]);
+            corner = corner - up[i];
+        }
+        CornerReach part(frame_.inward(corner), depth);
+        for (int i = 0; i < 3; ++i) part.edge(frame_.inward(quad(2) * up[i]), quad(2) * magnitude(rise[i]));
+        return sinking & frame_.over(part.reach());
     }
-    Real reach(int way, Real side) const { return part_.reach(way, side); }
 
   private:
     const FieldFrame& frame_;
-    Vec3 middle_, edge_[3];
-    FieldWays ways_[3];
-    CornerUnder<3> part_;
+    Vec3 middle_, arm_[3];
 };
 
 template <>
@@ -120,47 +138,54 @@ class Underpart<Cylinder> {
     Underpart(const Cylinder& cylinder, const Pose& pose, const FieldFrame& frame)
         : frame_(frame),
           radius_(cylinder.radius),
-          half_(cylinder.half_length),
           middle_(pose.p),
-          axis_(pose.R.column(2))
-    {}
-    bool sinks(const FieldPlane& plane, Real hair)
+          axis_(pose.R.column(2)),
+          half_(cylinder.half_length * axis_)
     {
-        const Vec3 way = middle_ - plane.v, m = {-plane.slope_x, 1, -plane.slope_z};
-        const Real along = dot(axis_, m), steep = std::fabs(along);
-        Vec3 up = m - along * axis_;
-        const Real size = length(up), depth = hair - (dot(way, m) - half_ * steep - radius_ * size);
-        if (!(depth >= 0)) return false;
-        const bool leans = size > Real(1e-6) * steep;
-        Real high = radius_;  // of the part, on the disc
-        if (leans) {
-            up = up / size, high = depth / size;
-        } else {
-            Vec3 other;
-            plane_space(axis_, up, other);
-        }
-        const Real half = std::copysign(half_, along);
-        part_.set(frame_.ways(way - half * axis_ - radius_ * up), depth);
-        part_.edge(0, frame_.ways(2 * half_ * axis_), 2 * half_ * along);
-        part_.edge(1, frame_.ways(2 * radius_ * up), leans ? 2 * radius_ * size : Real(0));
-        across_ = frame_.ways(cross(axis_, up));
-        width_ = high < radius_ ? std::sqrt(high * (2 * radius_ - high)) : radius_;
-        return true;
+        Vec3 other;
+        plane_space(axis_, aside_, other);
     }
-    Real reach(int way, Real side) const
+    unsigned met(const FieldPlanes& planes) const
     {
-        return part_.reach(way, side) + width_ * std::fabs(across_.along[way]);
+        const Quad3 way = quad(middle_) - planes.v, m = planes.normal(), axis = quad(axis_);
+        const Quad along = dot(axis, m), rise = planes.rise(quad(half_));
+        const Quad3 across = m - along * axis;
+        const Quad size = square_root(dot(across, across)), r = quad(radius_), drop = r * size;
+        const Quad depth = planes.hair - planes.rise(way) + magnitude(rise) + drop;
+        const unsigned sinking = bits(quad(0) <= depth);
+        if (!sinking) return 0;
+        // Upright to the plane, or nearly, it shows no side: any will do, and all of the disc.
+        const Quad least = quad(Real(1e-6)) * magnitude(along), per = quad(1) / larger(size, least);
+        const Quad3 up = {if_less(least, size, per * across.x, quad(aside_.x)),
+                          if_less(least, size, per * across.y, quad(aside_.y)),
+                          if_less(least, size, per * across.z, quad(aside_.z))};
+        const Quad high = smaller(if_less(least, size, depth * per, r), r);
+        const Quad3 half = if_less(along, quad(0), quad(-1), quad(1)) * quad(half_);
+        CornerReach part(frame_.inward(way - half - r * up), depth);
+        part.edge(frame_.inward(quad(2) * half), quad(2) * magnitude(rise));
+        part.edge(frame_.inward((r + r) * up), if_less(least, size, drop + drop, quad(0)));
+        // Half the chord at the top of the part.
+        const Quad width = square_root(high * (r + r - high));
+        const FieldWays beside = frame_.inward(cross_axis(up));
+        FieldWays reach = part.reach();
+        for (int w = 0; w < 3; ++w) reach.along[w] = reach.along[w] + width * magnitude(beside.along[w]);
+        return sinking & frame_.over(reach);
     }
 
   private:
+    EPODE_LANEWISE Quad3 cross_axis(const Quad3& u) const
+    {
+        const Quad3 a = quad(axis_);
+        return {a.y * u.z - a.z * u.y, a.z * u.x - a.x * u.z, a.x * u.y - a.y * u.x};
+    }
+
     const FieldFrame& frame_;
-    Real radius_, half_, width_ = 0;
-    Vec3 middle_, axis_;
-    FieldWays across_;
-    CornerUnder<2> part_;
+    Real radius_;
+    Vec3 middle_, axis_, half_, aside_;
 };
 
-// A ball that is moved along `axis` from -half to half.
+// A ball, or one that is moved by `half` either way.
+template <bool kMoved>
 class RoundUnder {
   public:
     RoundUnder(Vec3 middle, Vec3 half, Real radius, const FieldFrame& frame)
@@ -170,45 +195,45 @@ class RoundUnder {
           radius_(radius),
           diagonal_(std::sqrt(frame.per_x() * frame.per_x() + frame.per_z() * frame.per_z()))
     {}
-    bool sinks(const FieldPlane& plane, Real hair)
+    unsigned met(const FieldPlanes& planes) const
     {
-        const Vec3 m = {-plane.slope_x, 1, -plane.slope_z};
-        const Real size2 = length2(m), more = radius_ + hair;
-        const Real along = dot(half_, m), rise = std::fabs(along);
-        const Vec3 half = along < 0 ? -half_ : half_;
-        Vec3 from = middle_ - plane.v - half;
-        const Real low = dot(from, m), limit2 = more * more * size2;
-        if (low > 0 && low * low > limit2) return false;
-        width_ = more;
-        Real part = 1;  // of the way from the lower end to the upper
-        if (rise > 0) {
-            const Real limit = std::sqrt(limit2);
-            part = limit - low < 2 * rise ? (limit - low) / (2 * rise) : Real(1);
+        const Quad3 m = planes.normal(), way = quad(middle_) - planes.v;
+        const Quad size2 = dot(m, m), more = quad(radius_) + planes.hair, limit2 = more * more * size2;
+        Quad3 from = way, half = {};
+        Quad rise = quad(0);
+        if constexpr (kMoved) {
+            const Quad along = planes.rise(quad(half_));
+            half = if_less(along, quad(0), quad(-1), quad(1)) * quad(half_), rise = magnitude(along);
+            from = way - half;
         }
-        Vec3 to = from + (2 * part) * half;
-        if (low > 0) {  // the feet of the middles
-            const Real per = 1 / size2;
-            width_ = std::sqrt(more * more - low * low * per);
-            from -= (low * per) * m, to -= ((low + 2 * part * rise) * per) * m;
+        const Quad low = planes.rise(from), above = larger(low, quad(0));
+        const unsigned sinking = bits(above * above <= limit2);
+        if (!sinking) return 0;
+        // The feet of the middles where these are above.
+        const Quad per = above / size2;
+        const Quad left = more * more - above * per, width = square_root(larger(left, quad(0)));
+        FieldWays reach = frame_.inward(from - per * m);
+        if constexpr (kMoved) {
+            const Quad part =
+                smaller((square_root(limit2) - low) / larger(rise + rise, quad(Real(1e-30))), quad(1));
+            const Quad up = part + part, higher = if_less(quad(0), low, low + up * rise, quad(0));
+            const Quad3 to = from + up * half;
+            const FieldWays end = frame_.inward(to - (higher / size2) * m);
+            for (int w = 0; w < 3; ++w) reach.along[w] = larger(end.along[w], reach.along[w]);
         }
-        from_ = frame_.ways(from), to_ = frame_.ways(to);
-        return true;
-    }
-    Real reach(int way, Real side) const
-    {
-        const Real a = side * from_.along[way], b = side * to_.along[way];
-        return (a > b ? a : b) + (way == 2 ? width_ * diagonal_ : width_);
+        for (int w = 0; w < 2; ++w) reach.along[w] = reach.along[w] + width;
+        reach.along[2] = reach.along[2] + width * quad(diagonal_);
+        return sinking & frame_.over(reach);
     }
 
   private:
     const FieldFrame& frame_;
     Vec3 middle_, half_;
-    Real radius_, diagonal_, width_ = 0;
-    FieldWays from_, to_;
+    Real radius_, diagonal_;
 };
 
 template <>
-class Underpart<Sphere> : public RoundUnder {
+class Underpart<Sphere> : public RoundUnder<false> {
   public:
     Underpart(const Sphere& sphere, const Pose& pose, const FieldFrame& frame)
         : RoundUnder(pose.p, {}, sphere.radius, frame)
@@ -216,11 +241,12 @@ class Underpart<Sphere> : public RoundUnder {
 };
 
 template <>
-class Underpart<Capsule> : public RoundUnder {
+class Underpart<Capsule> : public RoundUnder<true> {
   public:
     Underpart(const Capsule& capsule, const Pose& pose, const FieldFrame& frame)
         : RoundUnder(pose.p, capsule.half_length * pose.R.column(2), capsule.radius, frame)
     {}
 };
 
+}  // namespace
 }  // namespace epode
