@@ -20,9 +20,9 @@ Vec3 Foresight::velocity(const Body* body) const
 Pose Foresight::pose(const Body* body, const Pose& now) const
 {
     if (!body) return now;
-    Quat q = turned(*body, body->orientation(), body->angular_velocity(), h);
+    Quat q = turned(*body, {}, body->angular_velocity(), h);  // all orientations are turned alike
     if (!normalize(q)) return now;
-    const Mat3 turn = to_matrix(q) * transpose(body->rotation());
+    const Mat3 turn = to_matrix(q);
     const Vec3 x = body->position();
     return {x + h * velocity(body) + turn * (now.p - x), turn * now.R};
 }
