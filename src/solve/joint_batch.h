@@ -29,6 +29,7 @@ struct JointLayout {
     int C, c, p;                 // per row
     int lo, hi;                  // per bounded row
     int relaxed;                 // per row: c of relaxing sweeps
+    int sum;                     // per row: p of the small steps before
     int size;
 
     static constexpr int kInvMass = 0, kInvInertia = 2, kGeometry = 14;  // two masses, two tensors of six
@@ -44,7 +45,8 @@ struct JointLayout {
           lo(p + rows),
           hi(lo + bounded),
           relaxed(hi + bounded),
-          size(relaxed + rows)
+          sum(relaxed + rows),
+          size(sum + rows)
     {}
     EPODE_LANEWISE explicit constexpr JointLayout(const JointBatch& b)
         : JointLayout(b.form, b.rows, b.bounded)

@@ -115,7 +115,7 @@ bool JointNetwork::pack(const RowSystem& system, Arena& arena)
         for (int i = 0; i < joint.count; ++i) {
             const RowNumbers& n = system.numbers[std::size_t(joint.source + i)];
             NetworkRow& row = rows_[std::size_t(joint.first + i)];
-            row.lo = n.lo, row.hi = n.hi, row.p = n.p;
+            row.lo = n.lo, row.hi = n.hi, row.p = n.p, row.sum = 0;
             row.parent = n.parent >= 0 ? n.parent - joint.source + joint.first : -1;
             row.hold = Hold::kFree;
             const bool bounded = n.parent >= 0 || n.lo > -kInf || n.hi < kInf;
@@ -313,11 +313,16 @@ void JointNetwork::sweep(std::span<Velocity> bodies, const JointSweep& how)
     put_on_bounds(bodies);  // the rest is for the next visit
 }
 
-void JointNetwork::add_impulses(std::span<RowNumbers> numbers) const
+void JointNetwork::sum_impulses()
+{
+    for (NetworkRow& row : rows_) row.sum += row.p;
+}
+
+void JointNetwork::store_sums(std::span<RowNumbers> numbers) const
 {
     for (const NetworkJoint& joint : joints_)
         for (int i = 0; i < joint.count; ++i)
-            numbers[std::size_t(joint.source + i)].p += rows_[std::size_t(joint.first + i)].p;
+            numbers[std::size_t(joint.source + i)].p = rows_[std::size_t(joint.first + i)].sum;
 }
 
 void JointNetwork::describe(std::span<RowNumbers> numbers, std::span<Row>) const
@@ -337,7 +342,7 @@ void JointNetwork::rebound(const RowSystem& system, std::span<Velocity> bodies)
         for (int i = 0; i < joint.count; ++i) {
             const Row& row = system.rows[std::size_t(joint.source + i)];
             NetworkRow& mine = rows_[std::size_t(joint.first + i)];
-            if (!row.rebounds || system.numbers[std::size_t(joint.source + i)].p + mine.p == 0) continue;
+            if (!row.rebounds || mine.sum + mine.p == 0) continue;
             mine.c_relaxed = row.rebound;
             any = true;
         }

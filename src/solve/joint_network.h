@@ -42,7 +42,8 @@ class JointNetwork {
     void load_small_step(const RowSystem& system, const Substep& step);
     void apply_impulses(std::span<Velocity> bodies) const;
     void sweep(std::span<Velocity> bodies, const JointSweep& how);
-    void add_impulses(std::span<RowNumbers> numbers) const;
+    void sum_impulses();
+    void store_sums(std::span<RowNumbers> numbers) const;
     void describe(std::span<RowNumbers> numbers, std::span<Row> rows) const;
     void rebound(const RowSystem& system, std::span<Velocity> bodies);
 
@@ -54,6 +55,7 @@ class JointNetwork {
         Vec3 lin[2], ang[2], turn[2];  // turn = I^-1 ang
         Real c, c_relaxed, C;
         Real lo, hi, p;  // of a row with a parent: hi is the coefficient
+        Real sum;        // of p over the small steps before
         int parent;      // in the rows of the network, or -1
         Hold hold;
     };

@@ -158,7 +158,8 @@ void JointSet::place(const RowSystem& system, std::size_t b)
     JointBatch& batch = batches_[b];
     const JointLayout at(batch);
     Lanes* n = &numbers_[std::size_t(batch.at)];
-    if (batch.count < kLanes) std::memset(static_cast<void*>(n), 0, sizeof(Lanes) * std::size_t(at.size));
+    const int from = batch.count < kLanes ? 0 : at.sum;
+    std::memset(static_cast<void*>(n + from), 0, sizeof(Lanes) * std::size_t(at.size - from));
     for (int lane = 0; lane < kLanes; ++lane) {
         Source& source = sources_[b * kLanes + std::size_t(lane)];
         batch.body1[lane] = batch.body2[lane] = second_slot(system, -1);
@@ -338,10 +339,20 @@ void JointSet::store_impulses(std::span<RowNumbers> numbers) const
     });
 }
 
-void JointSet::add_impulses(std::span<RowNumbers> numbers) const
+void JointSet::sum_impulses()
+{
+    for (const JointBatch& batch : batches_) {
+        const JointLayout at(batch);
+        Lanes* n = &numbers_[std::size_t(batch.at)];
+        for (int i = 0; i < batch.rows; ++i)
+            for (int lane = 0; lane < kLanes; ++lane) n[at.sum + i][lane] += n[at.p + i][lane];
+    }
+}
+
+void JointSet::store_sums(std::span<RowNumbers> numbers) const
 {
     for_each_row([&](std::size_t row, int i, const Lanes* n, const JointLayout& at, int lane) {
-        numbers[row].p += n[at.p + i][lane];
+        numbers[row].p = n[at.sum + i][lane];
     });
 }
 
@@ -389,7 +400,7 @@ void JointSet::rebound(const RowSystem& system, std::span<Velocity> bodies)
             for (int i = 0; i < batches_[b].rows; ++i) {
                 const auto k = std::size_t(source.first + source.row[i]);
                 const Row& row = system.rows[k];
-                if (!row.rebounds || system.numbers[k].p + n[at.p + i][lane] == 0) continue;
+                if (!row.rebounds || n[at.sum + i][lane] + n[at.p + i][lane] == 0) continue;
                 n[at.relaxed + i][lane] = row.rebound;
                 lanes[lane] = true;
             }

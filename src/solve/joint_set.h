@@ -38,7 +38,8 @@ class JointSet {
     void apply_impulses(std::span<Velocity> bodies) const;  // v += M^-1 J^T p
     void sweep(std::span<Velocity> bodies, const JointSweep& how);
     void store_impulses(std::span<RowNumbers> numbers) const;
-    void add_impulses(std::span<RowNumbers> numbers) const;  // numbers.p += p
+    void sum_impulses();  // sum += p, after each small step
+    void store_sums(std::span<RowNumbers> numbers) const;
     // c, C and p of the correcting problem, and the Jacobians of followed rows.
     void describe(std::span<RowNumbers> numbers, std::span<Row> rows) const;
 

@@ -75,6 +75,7 @@ class SmallSteps {
             move();
             relax(last);
         }
+        joints_.store_sums(system_.numbers);
         store_velocities(velocities_, system_);
         model_.settle(model_.model, system_);
         model_.gather_contacts(model_.model, system_);
@@ -120,7 +121,7 @@ class SmallSteps {
         patches_.relax(velocities_);
         if (Joints::kHasLastWord) joints_.sweep(velocities_, {1, true});
         if (last) joints_.rebound(system_, velocities_);
-        joints_.add_impulses(system_.numbers);
+        joints_.sum_impulses();
         contacts_.add_impulses(system_.numbers);
     }
 
