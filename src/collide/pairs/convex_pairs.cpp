@@ -48,7 +48,11 @@ void convex_plane(const Convex& a, const Pose& A, const Plane& b, const Pose&, C
     const Real clearance = dot(b.normal, middle) - b.d;
     if (clearance > a.solid->size()) return;
     constexpr int kRoom = 64;
-    ContactPoint below[kRoom];
+    union Below {
+        ContactPoint points[kRoom];  // in a union: left unwritten until found
+        Below() {}
+    } found;
+    ContactPoint* const below = found.points;
     int count = 0, shallowest = 0;
     for (const Vec3 v : a.solid->vertices()) {
         const Real depth = -(clearance + dot(n, v));

@@ -11,17 +11,24 @@
 #include "collide/pairs/least_axes.h"
 #include "collide/pairs/mesh_ground.h"
 #include "geometry/epa.h"
+#include "geometry/polyhedron.h"
 #include "geometry/triangle_rim.h"
 
 namespace epode {
 
 namespace {
 
+constexpr Real kSure = Real(0.999);  // less than this of a bound is no matter of rounding
+
 // The search for the direction of least overlap between the solid and the column under a facet.
 class LeastRise {
   public:
     LeastRise(const Facet& facet, const Meeting& meeting) : facet_(facet), m_(meeting), reach_(meeting.solid)
-    {}
+    {
+        if (meeting.solid.kind != SolidKind::kPolyhedron) return;
+        const Polyhedron& solid = *static_cast<const Polyhedron*>(meeting.solid.shape);
+        ball_centre_ = meeting.solid.pose.to_world(solid.inner()), ball_radius_ = solid.inner_radius();
+    }
 
     // False: the solid does not touch the column.
     bool search()
@@ -68,10 +75,20 @@ class LeastRise {
             elsewhere_ = d < elsewhere_ ? d : elsewhere_;
     }
 
+    // Whether the ball within a polyhedron shows already that an upward direction is worth nothing.
+    bool surely_more(Vec3 n) const
+    {
+        Real top = -kInf;
+        for (const Vec3 v : facet_.v) top = dot(n, v) > top ? dot(n, v) : top;
+        const Real worth = kFaceFirst * depth, bound = top - dot(n, ball_centre_) + ball_radius_;
+        return bound > m_.slack && bound * kSure > worth;
+    }
+
     // False when the direction (either sense that is not downward) parts the two.
     bool offer(Vec3 n)
     {
         if (n.y < 0) n = -n;
+        if (n.y >= kSteepest && ball_radius_ > 0 && surely_more(n)) return true;
         const Real d = overlap_along(n);
         if (d < -m_.slack) return false;
         if (n.y < kSteepest) return n.y > 0 || overlap_along(-n) >= -m_.slack;
@@ -204,6 +221,8 @@ class LeastRise {
     const Facet& facet_;
     const Meeting& m_;
     const SolidReach reach_;
+    Vec3 ball_centre_;
+    Real ball_radius_ = 0;
     Real own_ = 0;  // the overlap along the facet's normal
     // Least overlap in directions that are no contact's: aside, through the walls between columns, or against
     // a surface that goes on rising. When it is less than a crest's, the solid is not on that crest: it has

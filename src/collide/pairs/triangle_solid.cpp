@@ -12,6 +12,7 @@
 #include "collide/pairs/mesh_ground.h"
 #include "geometry/epa.h"
 #include "geometry/gjk.h"
+#include "geometry/polyhedron.h"
 #include "geometry/triangle_rim.h"
 
 namespace epode {
@@ -22,6 +23,7 @@ constexpr Real kThere =
     Real(0.5);  // less of the own depth against a neighbour that rises: it is that which is touched
 constexpr Real kShallow = Real(5e-4);   // of the size: no less than the depth of whatever a search would find
 constexpr std::size_t kManyEdges = 16;  // of a polyhedron: more are searched by expansion
+constexpr Real kSure = Real(0.999);     // less than this of a bound is no matter of rounding
 constexpr Real kAlongCrest = Real(0.2);  // a normal that leans along a crest by less is made upright to it
 
 // The search for the direction of least overlap that is allowed.
@@ -29,7 +31,12 @@ class LeastWay {
   public:
     LeastWay(const MeshFacet& facet, const MeshMeeting& meeting)
         : f_(facet), m_(meeting), reach_(meeting.solid)
-    {}
+    {
+        if (meeting.solid.kind != SolidKind::kPolyhedron) return;
+        const Polyhedron& solid = *static_cast<const Polyhedron*>(meeting.solid.shape);
+        ball_centre_ = meeting.solid.pose.to_world(solid.inner()), ball_radius_ = solid.inner_radius();
+        lowest_ = meeting.solid.support(-facet.n);
+    }
 
     // False: the two do not touch.
     bool search()
@@ -115,17 +122,32 @@ class LeastWay {
         if (edge >= 0 && f_.rim[edge] == Rim::kHollow && d < hollow_) hollow_ = d;
     }
 
+    // Whether what is known to be in a polyhedron, a ball and its lowest point, shows already that neither
+    // sense of an axis is worth anything.
+    bool surely_more(Vec3 a, Real size2, Real least, Real most) const
+    {
+        const Real worth = kFaceFirst * depth, spare = kSure * (ball_radius_ - worth);
+        const Real middle = dot(a, ball_centre_), low = dot(a, lowest_);
+        const auto more = [&](Real of_middle, Real of_low) {
+            const bool by_ball =
+                spare > 0 && (of_middle >= 0 || of_middle * of_middle <= spare * spare * size2);
+            return by_ball || (of_low > 0 && kSure * kSure * of_low * of_low >= worth * worth * size2);
+        };
+        return more(most - middle, most - low) && more(middle - least, low - least);
+    }
+
     // Both senses of an axis of the length sqrt(size2); false when it parts the two. Most axes are done with
     // before their length is needed.
     bool offer(Vec3 a, Real size2 = 1)
     {
-        const Real low = reach_.low_along(a);
-        const Real high = reach_.symmetric() ? 2 * dot(a, m_.solid.pose.p) - low : -reach_.low_along(-a);
         Real least = kInf, most = -kInf;
         for (const Vec3 v : f_.v) {
             const Real at = dot(a, v);
             least = at < least ? at : least, most = at > most ? at : most;
         }
+        if (ball_radius_ > 0 && surely_more(a, size2, least, most)) return true;
+        const Real low = reach_.low_along(a);
+        const Real high = reach_.symmetric() ? 2 * dot(a, m_.solid.pose.p) - low : -reach_.low_along(-a);
         const Real up = most - low, down = high - least, d = up <= down ? up : down;
         if (d < 0 && d * d > m_.slack * m_.slack * size2) return false;
         const Real worth = kFaceFirst * depth;
@@ -234,6 +256,8 @@ class LeastWay {
     const MeshFacet& f_;
     const MeshMeeting& m_;
     const SolidReach reach_;
+    Vec3 ball_centre_, lowest_;
+    Real ball_radius_ = 0;
     Real own_ = 0;
     bool quick_ = false;
     // Least overlap in directions that are no contact's. When it is less than a crest's, the solid is not on

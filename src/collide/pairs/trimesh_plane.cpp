@@ -87,14 +87,18 @@ void choose(const Meeting& m, ContactSink& sink)
 {
     const bool few = sink.room() <= 4;
     const int room = sink.room() < kMostDirections ? sink.room() : kMostDirections;
-    Extreme found[kMostDirections];
-    ContactPoint points[kMostDirections];
-    const int count = extremes(m, found, few ? kFewDirections : room);
-    for (int i = 0; i < count; ++i) points[i] = m.contact(found[i].half_edge);
-    if (few)
-        sink.add_manifold({points, std::size_t(count)});
-    else
-        for (int i = 0; i < count; ++i) sink.add(points[i]);
+    union Room {  // left unwritten until used
+        Extreme found[kMostDirections];
+        Room() {}
+    } extreme;
+    const int count = extremes(m, extreme.found, few ? kFewDirections : room);
+    if (!few) {
+        for (int i = 0; i < count; ++i) sink.add(m.contact(extreme.found[i].half_edge));
+        return;
+    }
+    ContactPoint points[kFewDirections];
+    for (int i = 0; i < count; ++i) points[i] = m.contact(extreme.found[i].half_edge);
+    sink.add_manifold({points, std::size_t(count)});
 }
 
 }  // namespace
