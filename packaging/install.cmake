@@ -4,7 +4,7 @@
 # What `cmake --install` puts under a prefix. Nothing installed holds the prefix itself: the tree may be moved.
 #   include/ode/*.h   lib/libode.so.8 and libode_single.so.8 with their links   lib/pkgconfig/ode.pc, ode-single.pc
 #   lib/cmake/ode     bin/ode-config, bin/epode    share/epode/replay.html     share/doc/epode
-#   include/drawstuff/*.h   lib/libdrawstuff.a   lib/pkgconfig/drawstuff.pc, where drawstuff is built
+#   include/drawstuff/*.h   lib/libdrawstuff.a   lib/pkgconfig/drawstuff.pc, where drawstuff is built (ODE::drawstuff in lib/cmake/ode)
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -39,6 +39,17 @@ if("single" IN_LIST EPODE_PRECISIONS)
   install_ode(ode_single ODE_single ode_single ode-single dSINGLE " -DdIDESINGLE")
 endif()
 
+# drawstuff is a static library and brings along what it wants, for the CMake package and for drawstuff.pc.
+set(EPODE_DRAWSTUFF_WANTS "")
+if(TARGET drawstuff)
+  set(EPODE_DRAWSTUFF_WANTS epoxy stdc++ dl m)
+  if(EPODE_DRAWSTUFF_HAS_WINDOWS)
+    list(PREPEND EPODE_DRAWSTUFF_WANTS glfw)
+  endif()
+endif()
+file(RELATIVE_PATH EPODE_PREFIX_FROM_CMAKE /${EPODE_CMAKE_DIR} /)
+string(REGEX REPLACE "/$" "" EPODE_PREFIX_FROM_CMAKE ${EPODE_PREFIX_FROM_CMAKE})
+
 # One file serves find_package(ODE) and find_package(ode): CMake looks for the name in lower case too.
 configure_file(${EPODE_PACKAGING}/ode-config.cmake.in ${EPODE_OUT}/ode-config.cmake @ONLY)
 write_basic_package_version_file(${EPODE_OUT}/ode-config-version.cmake VERSION ${EPODE_ODE_VERSION}
@@ -61,12 +72,9 @@ if(TARGET epode)
   install(FILES ${CMAKE_SOURCE_DIR}/build/page/replay.html DESTINATION share/epode OPTIONAL)
 endif()
 
-# No CMake package: the static library wants epoxy and GLFW, which only pkg-config knows how to find.
 if(TARGET drawstuff)
-  set(EPODE_DRAWSTUFF_LIBS "-lepoxy -lstdc++ -ldl -lm")
-  if(EPODE_DRAWSTUFF_HAS_WINDOWS)
-    string(PREPEND EPODE_DRAWSTUFF_LIBS "-lglfw ")
-  endif()
+  list(TRANSFORM EPODE_DRAWSTUFF_WANTS PREPEND -l OUTPUT_VARIABLE EPODE_DRAWSTUFF_LIBS)
+  list(JOIN EPODE_DRAWSTUFF_LIBS " " EPODE_DRAWSTUFF_LIBS)
   file(GLOB EPODE_DRAWSTUFF_HEADERS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/include/drawstuff/*.h)
   install(FILES ${EPODE_DRAWSTUFF_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/drawstuff)
   install(TARGETS drawstuff ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})

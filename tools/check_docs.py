@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
-"""Every public function of include/ode says what it does, names its arguments and says where its definition comes
+"""Every public function of include/ode and include/drawstuff says what it does, names its arguments and says where its definition comes
 from (header_docs.py has the convention). Fails on
 
   a function without a comment, or whose comment says nothing in words;
@@ -11,7 +11,7 @@ from (header_docs.py has the convention). Fails on
   other way round (tests/abi/guide_names.inc lists what the guide names);
   a function declared in two headers.
 
-check_docs.py [FILE...]: without files all of include/ode; --count prints how many functions there are."""
+check_docs.py [FILE...]: without files all of both folders; --count prints how many functions there are."""
 import pathlib
 import re
 import sys
@@ -19,9 +19,10 @@ import sys
 import header_docs
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-HEADERS = sorted((ROOT / "include" / "ode").glob("*.h"))
-# Classes, not functions: every member calls the C function of its name, and tests/cpp/members.py counts them.
-WITHOUT_FUNCTIONS = ("odecpp",)
+HEADERS = sorted(header for folder in ("ode", "drawstuff") for header in (ROOT / "include" / folder).glob("*.h"))
+# Classes, not functions: every member calls the C function of its name, and tests/cpp/members.py counts them; and
+# names of C++ that call C functions.
+WITHOUT_FUNCTIONS = ("odecpp", "doubles")
 
 
 def guide_names():

@@ -124,7 +124,7 @@ def _functions(code, offset, line_of):
     found = []
     for match in _FUNCTION.finditer(code):
         head = code[:match.start()].rsplit(";", 1)[-1].rsplit("}", 1)[-1]
-        declared = re.search(r"\bODE_(?:API|PURE_INLINE|INLINE)\b", head)
+        declared = re.search(r"\b(?:ODE_(?:API|PURE_INLINE|INLINE)|DS_API)\b", head)
         if not declared or "typedef" in head or "#define" in head.rsplit("\n", 1)[-1]:
             continue
         found.append(Function(match["name"], parameters(match["args"]), line_of(offset + match.start("name"))))

@@ -4,7 +4,7 @@
 #
 # run.sh BUILD CMAKE CC CXX PRECISION...
 # Installs the build into a prefix, moves the prefix, and uses it as its users do: pkg-config from C, ode-config
-# from C, find_package from C++ in both spellings; drawstuff by pkg-config. Every program judges itself.
+# from C, find_package from C++ in both spellings; drawstuff by pkg-config and CMake. Every program judges itself.
 set -euo pipefail
 build=$1 cmake=$2 cc=$3 cxx=$4
 shift 4
@@ -82,7 +82,7 @@ for program in $(printf 'upper/pendulum_%s lower/lower_%s ' $(for p in "$@"; do 
     "./$program" || fail "$program said no"
 done
 
-# drawstuff, where it was built: a C program and a C++ one, with ODE's library and without.
+# drawstuff, where it was built: a C program and a C++ one, by pkg-config and by CMake.
 if [ -f "$prefix/$libdir/libdrawstuff.a" ]; then
     board=$clients/../../drawstuff
     draw_flags() { PKG_CONFIG_PATH=$prefix/$libdir/pkgconfig pkg-config --cflags --libs drawstuff; }
@@ -90,7 +90,10 @@ if [ -f "$prefix/$libdir/libdrawstuff.a" ]; then
     "$cc" -std=c99 -Wall -Wextra -Werror "$board/every.c" -o every_c $(draw_flags)
     # shellcheck disable=SC2046
     "$cxx" -std=c++11 -Wall -Wextra -Werror "$board/every.cpp" -o every_cpp $(draw_flags)
-    for program in every_c every_cpp; do
+    "$cmake" -G Ninja -S "$clients/draws" -B draws -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_C_COMPILER="$cc" \
+        -DCMAKE_CXX_COMPILER="$cxx" -DBOARD="$(realpath "$board")" > log 2>&1 && "$cmake" --build draws > log 2>&1 ||
+        { cat log; fail "draws"; }
+    for program in every_c every_cpp draws/draws_c draws/draws_cpp; do
         EPODE_GL=egl EPODE_FRAMES='' run "./$program" stop 7 2> log | tail -1 | grep -q '^frames 7 ' || fail "$program: $(cat log)"
     done
 fi
