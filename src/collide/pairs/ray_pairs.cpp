@@ -151,9 +151,22 @@ void hit_round(const Ray& ray, const Pose& R, const Pose& solid, const Interval&
 
 }  // namespace
 
+namespace {
+
+constexpr Real kEnters = 64 * kEpsilon;  // of the size: farther along than this is no start on the surface
+
+// Whether the line passes a ball about the origin by more than rounding.
+bool passes(const Line& line, Real radius)
+{
+    return length2(line.at(nearest_to(line, {}))) > Real(1.01) * radius * radius;
+}
+
+}  // namespace
+
 void ray_sphere(const Ray& a, const Pose& A, const Sphere& b, const Pose& B, ContactSink& sink)
 {
     const Line line = {A.p - B.p, A.R.column(2)};
+    if (passes(line, b.radius)) return;
     const Interval in = ball(line, {}, b.radius);
     Meeting m;
     if (!meets(a, in.enter, in.leave, b.radius, m)) return;
@@ -219,6 +232,7 @@ void ray_box(const Ray& a, const Pose& A, const Box& b, const Pose& B, ContactSi
 void ray_cylinder(const Ray& a, const Pose& A, const Cylinder& b, const Pose& B, ContactSink& sink)
 {
     const Line line = line_of(A, B);
+    if (passes(line, b.radius + b.half_length)) return;
     Interval in;
     cut_slab(line, 2, b.half_length, in);
     cut_tube(line, b.radius, in);
@@ -228,17 +242,26 @@ void ray_cylinder(const Ray& a, const Pose& A, const Cylinder& b, const Pose& B,
 void ray_capsule(const Ray& a, const Pose& A, const Capsule& b, const Pose& B, ContactSink& sink)
 {
     const Line line = line_of(A, B);
+    const Real size = b.radius + b.half_length;
+    if (passes(line, size)) return;
     Interval in;
     cut_tube(line, b.radius, in);
+    if (in.empty()) return;
     // Only the tube's part between the caps: beyond it, the caps decide.
     Interval middle = in;
     cut_slab(line, 2, b.half_length, middle);
+    const auto cap = [&](Real z) { return ball(line, {0, 0, z}, b.radius); };
+    if (!middle.empty() && middle.enter > size * kEnters) {
+        // From outside, through the wall, or through the cap over the end by which it comes in.
+        if (middle.enter > in.enter) join(cap(line.d.z < 0 ? b.half_length : -b.half_length), middle);
+        if (middle.enter > size * kEnters) return hit_round(a, A, B, middle, size, sink);
+    }
     Interval all;
     all.clear();
-    if (!in.empty() && !middle.empty()) join(middle, all);
-    join(ball(line, {0, 0, -b.half_length}, b.radius), all);
-    join(ball(line, {0, 0, b.half_length}, b.radius), all);
-    hit_round(a, A, B, all, b.radius + b.half_length, sink);
+    if (!middle.empty()) join(middle, all);
+    join(cap(-b.half_length), all);
+    join(cap(b.half_length), all);
+    hit_round(a, A, B, all, size, sink);
 }
 
 void ray_convex(const Ray& a, const Pose& A, const Convex& b, const Pose& B, ContactSink& sink)
