@@ -16,7 +16,7 @@
 namespace epode::record {
 
 constexpr char kMark[8] = {'E', 'P', 'O', 'D', 'E', 'R', 'E', 'C'};
-constexpr std::uint32_t kVersion = 2;  // 1 has no CALL; it is read too
+constexpr std::uint32_t kVersion = 2;  // 1 has no CALL, STOP and LIMI; it is read too
 constexpr std::uint32_t kOldestVersion = 1;
 constexpr size_t kFileHead = 12;   // mark, version
 constexpr size_t kChunkHead = 16;  // tag, length, their CRC-32
@@ -31,8 +31,8 @@ constexpr std::uint32_t tag(const char (&letters)[5])
 
 constexpr std::uint32_t kInfoTag = tag("INFO"), kShapeTag = tag("SHAP"), kBodyTag = tag("BODY"),
                         kGeomTag = tag("GEOM"), kJointTag = tag("JOIN"), kGoneTag = tag("GONE"),
-                        kMovedTag = tag("MOVE"), kCallTag = tag("CALL"), kStepTag = tag("STEP"),
-                        kDoneTag = tag("DONE");
+                        kMovedTag = tag("MOVE"), kCallTag = tag("CALL"), kStopTag = tag("STOP"),
+                        kLimitTag = tag("LIMI"), kStepTag = tag("STEP"), kDoneTag = tag("DONE");
 
 // CRC-32 of IEEE 802.3 (polynomial 0x04C11DB7, reflected), started with `so_far` of the bytes before; 0 for
 // none.

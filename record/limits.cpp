@@ -2,11 +2,11 @@
 // Copyright (c) 2026 The Epode authors
 //
 // One table line for each freedom that can be asked where it is.
-#include "view/limits.h"
+#include "record/limits.h"
 
 #include <cmath>
 
-namespace epode::view {
+namespace epode::record {
 
 namespace {
 
@@ -16,7 +16,8 @@ using Where = dReal (*)(dJointID);
 struct Freedom {
     dJointType type;
     bool turns;
-    int axis, low, high;
+    std::uint8_t axis;
+    int low, high;
     Parameter parameter;
     Where value;
 };
@@ -29,21 +30,24 @@ constexpr Freedom kFreedoms[] = {
     {dJointTypeUniversal, true, 1, dParamLoStop2, dParamHiStop2, dJointGetUniversalParam,
      dJointGetUniversalAngle2},
     {dJointTypeHinge2, true, 0, dParamLoStop, dParamHiStop, dJointGetHinge2Param, dJointGetHinge2Angle1},
+    {dJointTypePR, false, 0, dParamLoStop, dParamHiStop, dJointGetPRParam, dJointGetPRPosition},
+    {dJointTypePR, true, 1, dParamLoStop2, dParamHiStop2, dJointGetPRParam, dJointGetPRAngle},
+    {dJointTypePU, true, 0, dParamLoStop, dParamHiStop, dJointGetPUParam, dJointGetPUAngle1},
+    {dJointTypePU, true, 1, dParamLoStop2, dParamHiStop2, dJointGetPUParam, dJointGetPUAngle2},
     {dJointTypePiston, false, 0, dParamLoStop, dParamHiStop, dJointGetPistonParam, dJointGetPistonPosition},
 };
 
 }  // namespace
 
-std::vector<Limit> limits_of(dJointID joint)
+void add_limits(dJointID joint, std::uint32_t number, std::vector<Limit>& limits)
 {
-    std::vector<Limit> limits;
+    const dJointType type = dJointGetType(joint);
     for (const Freedom& f : kFreedoms) {
-        if (f.type != dJointGetType(joint)) continue;
+        if (f.type != type) continue;
         const double low = double(f.parameter(joint, f.low)), high = double(f.parameter(joint, f.high));
         if (!(low <= high) || (!std::isfinite(low) && !std::isfinite(high))) continue;
-        limits.push_back({f.turns, f.axis, low, high, double(f.value(joint))});
+        limits.push_back({{number, f.turns, f.axis, low, high}, double(f.value(joint))});
     }
-    return limits;
 }
 
-}  // namespace epode::view
+}  // namespace epode::record

@@ -63,6 +63,10 @@ class Decoder {
             problem = moved(in);
         else if (tag == kCallTag)
             problem = calls(in);
+        else if (tag == kStopTag)
+            problem = stops(in);
+        else if (tag == kLimitTag)
+            problem = limits(in);
         else if (tag == kStepTag)
             problem = step(in);
         else if (tag == kDoneTag)
@@ -224,6 +228,8 @@ class Decoder {
         if (!in.finished()) return "a step of a wrong length";
         if (step.bodies.size() != bodies_.living) return "a step of more or fewer bodies than live";
         if (!sound) return "a contact of a geom that does not exist";
+        step.limits.swap(limits_);
+        limits_.clear();
         sink_.step(step);
         ++steps_;
         return {};
@@ -240,6 +246,33 @@ class Decoder {
         if (!sound(block, names_)) return "calls that are none";
         sink_.calls(block);
         return {};
+    }
+
+    std::string stops(ByteReader& in)
+    {
+        stops_.resize(in.count(4 + 2 + 16));
+        bool sound = true;
+        for (Limit& limit : stops_) {
+            Stop& stop = limit.stop;
+            stop.joint = in.u32();
+            stop.turns = in.u8() != 0;
+            stop.axis = in.u8();
+            stop.low = in.f64();
+            stop.high = in.f64();
+            sound = sound && stop.joint < joints_.alive.size() && stop.axis < 2;
+        }
+        if (!in.finished()) return "stops of a wrong length";
+        return sound ? "" : "a stop of a joint that does not exist";
+    }
+
+    // Of the step that follows.
+    std::string limits(ByteReader& in)
+    {
+        const size_t count = in.count(8);
+        limits_ = stops_;
+        if (count != limits_.size()) return "values of another number of stops";
+        for (Limit& limit : limits_) limit.value = in.f64();
+        return in.finished() ? "" : "values of stops of a wrong length";
     }
 
     bool get_contact(ByteReader& in, bool with_force, Contact& contact) const
@@ -266,6 +299,7 @@ class Decoder {
     Sink& sink_;
     size_t shapes_ = 0;
     std::uint32_t names_ = 0;
+    std::vector<Limit> stops_, limits_;  // limits_: of the step to come
     Count bodies_, geoms_, joints_;
     std::uint64_t steps_ = 0;
     bool done_ = false;

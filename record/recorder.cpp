@@ -9,6 +9,7 @@
 
 #include "record/hash.h"
 #include "record/joints.h"
+#include "record/limits.h"
 #include "record/shapes.h"
 
 namespace epode::record {
@@ -192,6 +193,8 @@ void Recorder::step(const StepFigures& figures, const std::vector<ContactSeen>& 
         step_.asleep.push_back(dBodyIsEnabled(body) ? 0 : 1);
     }
     step_.hash = hash_states(step_.bodies);
+    step_.limits.clear();
+    for (dJointID joint : joints_.living) add_limits(joint, joints_.number[joint], step_.limits);
     step_.contacts.clear();
     // Contacts of one pair come one after the other.
     dGeomID last[2] = {nullptr, nullptr};

@@ -94,6 +94,20 @@ struct Contact {
     float force[3] = {0, 0, 0};  // on the body of geom[0], where the step knows forces
 };
 
+// What holds one freedom of a joint between two stops; radians or metres.
+struct Stop {
+    std::uint32_t joint = 0;
+    bool turns = true;      // about the axis, else along it
+    std::uint8_t axis = 0;  // of Joint::axis
+    double low = 0, high = 0;
+    bool operator==(const Stop&) const = default;
+};
+
+struct Limit {
+    Stop stop;
+    double value = 0;  // where the freedom is now
+};
+
 struct Step {
     double time = 0, dt = 0;
     double kinetic = 0, potential = 0;
@@ -104,6 +118,7 @@ struct Step {
     std::vector<BodyState> bodies;  // of those that live
     std::vector<std::uint8_t> asleep;
     std::vector<Contact> contacts;
+    std::vector<Limit> limits;
 };
 
 class Sink {

@@ -159,8 +159,32 @@ void FileWriter::calls(const CallBlock& block)
     chunk(kCallTag);
 }
 
+// Stops when they are others than before, values before every step.
+void FileWriter::limits(const std::vector<Limit>& limits)
+{
+    std::vector<Stop> stops;
+    for (const Limit& limit : limits) stops.push_back(limit.stop);
+    if (stops != stops_) {
+        stops_ = stops;
+        payload_.u32(std::uint32_t(stops.size()));
+        for (const Stop& stop : stops) {
+            payload_.u32(stop.joint);
+            payload_.u8(stop.turns);
+            payload_.u8(stop.axis);
+            payload_.f64(stop.low);
+            payload_.f64(stop.high);
+        }
+        chunk(kStopTag);
+    }
+    if (limits.empty()) return;
+    payload_.u32(std::uint32_t(limits.size()));
+    for (const Limit& limit : limits) payload_.f64(limit.value);
+    chunk(kLimitTag);
+}
+
 void FileWriter::step(const Step& step)
 {
+    limits(step.limits);
     for (double value : {step.time, step.dt, step.kinetic, step.potential, step.joint_error, step.ms})
         payload_.f64(value);
     payload_.u64(step.hash);

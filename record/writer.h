@@ -37,9 +37,11 @@ class FileWriter : public Sink {
   private:
     void chunk(std::uint32_t tag);
     void put(const std::vector<std::uint8_t>& bytes);
+    void limits(const std::vector<Limit>& limits);
     std::FILE* file_ = nullptr;
     std::string problem_;
     ByteWriter payload_, frame_;
+    std::vector<Stop> stops_;  // as told last
     std::uint64_t steps_ = 0;
 };
 

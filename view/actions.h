@@ -40,6 +40,7 @@ enum class Action {
     kFrame,
     kFollow,
     kPush,
+    kShoot,
     kLetGo
 };
 

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "view/overlays.h"
 #include "view/playback.h"
 
 namespace epode::view {
@@ -231,6 +232,9 @@ void App::act(Action action)
         case Action::kPush:
             push();
             break;
+        case Action::kShoot:
+            shoot();
+            break;
         case Action::kLetGo:
             picked_ = record::kNobody;
             picked_geom_ = record::kNoGeom;
@@ -269,6 +273,25 @@ void App::push()
     const record::Pose& pose = session_->moment().bodies[size_t(picked_)]->pose;
     const double mass = session_->stage().bodies()[size_t(picked_)].mass;
     live->push(picked_, place(pose, picked_local_), (mass * push_speed_) * forward);
+}
+
+// A ball as large as what moves there, and three times as heavy.
+void App::shoot()
+{
+    Live* live = session_->live();
+    if (!live) return;
+    Vec right, up, forward;
+    orbit_.axes(right, up, forward);
+    double mass = 0;
+    int count = 0;
+    for (const record::Body& body : session_->stage().bodies()) {
+        if (body.kinematic || !(body.mass > 0)) continue;
+        mass += body.mass;
+        ++count;
+    }
+    const double radius = 0.6 * fitting_size(session_->stage(), session_->moment());
+    live->shoot(orbit_.eye() + (2 * radius) * forward, shot_speed_ * forward, radius,
+                count ? 3 * mass / count : 1);
 }
 
 void App::grab_or_pull(double x, double y, int width, int height)

@@ -52,6 +52,7 @@ class App {
     void pick(double x, double y, int width, int height);
     void grab_or_pull(double x, double y, int width, int height);
     void push();
+    void shoot();
     void other_scene(int by);
     bool toggle(Action action);
 
@@ -81,7 +82,8 @@ class App {
     Vec picked_local_;  // the picked point in the body's frame
     Vec followed_;
     double grab_depth_ = 0;
-    double push_speed_ = 3;  // m/s that a push gives
+    double push_speed_ = 3;   // m/s that a push gives
+    double shot_speed_ = 15;  // m/s
     bool following_ = false, panels_ = true, help_ = false, fine_ = false, quit_ = false;
     bool turning_ = false, panning_ = false;
     std::string note_;

@@ -8,7 +8,6 @@
 
 #include "scenes/extensions.h"
 #include "scenes/measure.h"
-#include "view/limits.h"
 #include "view/ray.h"
 
 namespace epode::view {
@@ -76,6 +75,7 @@ void Live::build()
     scenes::request_step_report(scene_->world(), true);
     recorder_ = std::make_unique<record::Recorder>(*stage_);
     bodies_ = geoms_ = joints_ = 0;
+    shots_.clear();
     now_ = 0;
     failed_ = false;
     release();
@@ -119,6 +119,7 @@ void Live::sample()
     state.random = dRandGetSeed();
     state.figures.collide_ms = scene_->times().collide_ms;
     state.figures.step_ms = scene_->times().step_ms;
+    state.figures.empty_ms = scene_->times().empty_ms;
     failed_ = failed_ || quality.not_finite > 0;
 }
 
@@ -126,6 +127,7 @@ bool Live::step()
 {
     if (failed_) return false;
     stage_->cut_after(now_);
+    forget_shots_aside();
     scene_->set_iterations(options.iterations);
     scenes::set_step_threads(scene_->world(), options.threads);
     pull();
@@ -139,6 +141,9 @@ bool Live::seek(size_t number)
 {
     if (number < stage_->first() || number > stage_->last()) return false;
     const Moment then = stage_->moment(number);
+    for (Shot& shot : shots_) {
+        if (shot.number < then.bodies.size()) put_aside(shot, !then.bodies[shot.number]);
+    }
     for (size_t i = 0; i < then.bodies.size(); ++i) {
         if (then.bodies[i]) put(scene_->bodies()[i], *then.bodies[i], then.asleep[i]);
     }
@@ -165,11 +170,6 @@ std::optional<Hit> Live::pick(Vec origin, Vec direction)
         if (scene_->bodies()[i] == struck) hit.body = std::int32_t(i);
     }
     return hit;
-}
-
-std::vector<Limit> Live::limits(std::uint32_t joint) const
-{
-    return joint < scene_->joints().size() ? limits_of(scene_->joints()[joint].joint) : std::vector<Limit>();
 }
 
 void Live::grab(std::int32_t number, Vec point)
@@ -218,6 +218,43 @@ void Live::push(std::int32_t number, Vec point, Vec impulse)
                          dReal(impulse.z), force);
     dBodyEnable(b);
     dBodyAddForceAtPos(b, force[0], force[1], force[2], dReal(point.x), dReal(point.y), dReal(point.z));
+}
+
+void Live::shoot(Vec from, Vec velocity, double radius, double mass)
+{
+    dMass m;
+    dMassSetSphereTotal(&m, dReal(mass), dReal(radius));
+    Shot shot{dBodyCreate(scene_->world()), dCreateSphere(scene_->space(), dReal(radius)),
+              scene_->bodies().size()};
+    dBodySetMass(shot.body, &m);
+    dGeomSetBody(shot.geom, shot.body);
+    dBodySetPosition(shot.body, dReal(from.x), dReal(from.y), dReal(from.z));
+    dBodySetLinearVel(shot.body, dReal(velocity.x), dReal(velocity.y), dReal(velocity.z));
+    scene_->add_body(shot.body);
+    scene_->add_geom(shot.geom);
+    shots_.push_back(shot);
+}
+
+void Live::put_aside(Shot& shot, bool aside)
+{
+    if (shot.aside == aside || shot.forgotten) return;
+    shot.aside = aside;
+    aside ? dGeomDisable(shot.geom) : dGeomEnable(shot.geom);
+    dBodySetGravityMode(shot.body, aside ? 0 : 1);
+    if (!aside) return;
+    dBodySetLinearVel(shot.body, 0, 0, 0);
+    dBodySetAngularVel(shot.body, 0, 0, 0);
+    dBodyDisable(shot.body);
+}
+
+void Live::forget_shots_aside()
+{
+    for (Shot& shot : shots_) {
+        if (!shot.aside || shot.forgotten) continue;
+        shot.forgotten = true;
+        recorder_->remove(shot.geom);
+        recorder_->remove(shot.body);
+    }
 }
 
 }  // namespace epode::view

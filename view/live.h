@@ -37,7 +37,6 @@ class Live : public Session {
     bool seek(size_t number) override;
     void restart() override;
     std::optional<Hit> pick(Vec origin, Vec direction) override;
-    std::vector<Limit> limits(std::uint32_t joint) const override;
     Live* live() override { return this; }
 
     // All may change between any two steps.
@@ -55,6 +54,9 @@ class Live : public Session {
     Vec target() const { return target_; }
     // Changes the body's velocity at once, as a blow of `impulse` N s at a point of the world would.
     void push(std::int32_t body, Vec point, Vec impulse);
+    // A new ball that flies; it is there from the next step on. Back before that, it waits aside, without a
+    // geom that touches; a step taken from there makes a future without it.
+    void shoot(Vec from, Vec velocity, double radius, double mass);
 
   private:
     double next_dt() const override { return failed_ ? 0 : options.dt; }
@@ -62,12 +64,21 @@ class Live : public Session {
     void add_new();
     void sample();
     void pull();
+    struct Shot {
+        dBodyID body;
+        dGeomID geom;
+        size_t number;  // of the body
+        bool aside = false, forgotten = false;
+    };
+    void put_aside(Shot& shot, bool aside);
+    void forget_shots_aside();
     dBodyID body(std::int32_t number) const { return scene_->bodies()[size_t(number)]; }
 
     const scenes::Recipe& recipe_;
     std::unique_ptr<scenes::Scene> scene_;
     std::unique_ptr<record::Recorder> recorder_;
     size_t bodies_ = 0, geoms_ = 0, joints_ = 0;
+    std::vector<Shot> shots_;
     bool failed_ = false;
     std::int32_t grabbed_ = record::kNobody;
     Vec local_hook_, target_;

@@ -59,11 +59,11 @@ Vec zero_of(const Moment& now, std::int32_t body, Vec axis)
 }
 
 // Ends that are not there are drawn half a turn or two sizes away.
-void draw_limit(const Limit& limit, Vec center, Vec axis, Vec zero, double size, Lines& lines)
+void draw_limit(const record::Limit& limit, Vec center, Vec axis, Vec zero, double size, Lines& lines)
 {
-    const double far = limit.turns ? scenes::kPi : 2 * size;
-    const double low = std::clamp(limit.low, -far, far), high = std::clamp(limit.high, -far, far);
-    if (!limit.turns) {
+    const double far = limit.stop.turns ? scenes::kPi : 2 * size;
+    const double low = std::clamp(limit.stop.low, -far, far), high = std::clamp(limit.stop.high, -far, far);
+    if (!limit.stop.turns) {
         const Vec from = center - limit.value * axis, side = across(axis);
         lines.line(from + low * axis, from + high * axis, kRed);
         for (double end : {low, high})
@@ -138,8 +138,8 @@ void draw_joints(const Session& session, const Moment& now, const Switches& swit
             lines.arrow(center - (0.5 * size) * axis, size * axis, i == 0 ? kMagenta : kBlue);
         }
         if (!switches.limits) continue;
-        for (const Limit& limit : session.limits(number)) {
-            const auto k = size_t(limit.axis);
+        for (const record::Limit& limit : session.limits(number)) {
+            const auto k = size_t(limit.stop.axis);
             if (!joint.has_axis[k]) continue;
             const Vec axis = unit(turned(now, joint.body[k], vec(joint.axis[k])));
             draw_limit(limit, center, axis, zero_of(now, joint.body[1 - k], axis), 0.8 * size, lines);

@@ -119,6 +119,14 @@ void App::run_panel()
     const State& state = session_->state();
     ImGui::Text("%.3f s   %zu bodies   %zu contacts", state.step.time, session_->stage().bodies().size(),
                 state.step.contacts.size());
+    if (live) {
+        if (ImGui::Button("Shoot")) shoot();
+        ImGui::SameLine();
+        auto speed = float(shot_speed_);
+        ImGui::SetNextItemWidth(110);
+        if (ImGui::SliderFloat("m/s##shot", &speed, 0.5f, 100, "%.1f", ImGuiSliderFlags_Logarithmic))
+            shot_speed_ = double(speed);
+    }
     if (live && live->failed())
         ImGui::TextColored({1, 0.4f, 0.3f, 1}, "the step failed, or numbers are not finite");
 }

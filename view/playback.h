@@ -19,7 +19,6 @@ class Playback : public Session {
     bool seek(size_t number) override;
     void restart() override { now_ = stage_->first(); }
     std::optional<Hit> pick(Vec origin, Vec direction) override;
-    std::vector<Limit> limits(std::uint32_t) const override { return {}; }
 
   private:
     double next_dt() const override;

@@ -58,6 +58,7 @@ void App::plots_panel()
     if (session_->live()) {
         plot("  collision", "%.3g ms", stage, now, [](const State& s) { return s.figures.collide_ms; });
         plot("  stepper", "%.3g ms", stage, now, [](const State& s) { return s.figures.step_ms; });
+        plot("  contacts off", "%.3g ms", stage, now, [](const State& s) { return s.figures.empty_ms; });
     }
 }
 

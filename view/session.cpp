@@ -28,4 +28,13 @@ void Session::pass(double seconds, double most)
     if (next_dt() <= 0) owed_ = 0;
 }
 
+std::vector<record::Limit> Session::limits(std::uint32_t joint) const
+{
+    std::vector<record::Limit> found;
+    for (const record::Limit& limit : state().step.limits) {
+        if (limit.stop.joint == joint) found.push_back(limit);
+    }
+    return found;
+}
+
 }  // namespace epode::view

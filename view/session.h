@@ -23,13 +23,6 @@ struct Hit {
     double distance = 0;
 };
 
-// What holds one freedom of a joint between two stops, and where it is; radians or metres.
-struct Limit {
-    bool turns = true;  // about the axis, else along it
-    int axis = 0;       // of record::Joint::axis
-    double low = 0, high = 0, value = 0;
-};
-
 class Live;
 
 class Session {
@@ -62,7 +55,8 @@ class Session {
 
     // What a ray from `origin` meets first.
     virtual std::optional<Hit> pick(Vec origin, Vec direction) = 0;
-    virtual std::vector<Limit> limits(std::uint32_t joint) const = 0;
+    // Of a joint, by its number.
+    std::vector<record::Limit> limits(std::uint32_t joint) const;
     // Null: a recording, which cannot be touched.
     virtual Live* live() { return nullptr; }
 

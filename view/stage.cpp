@@ -12,7 +12,7 @@ namespace {
 size_t bytes_of(const record::Step& step)
 {
     return sizeof(State) + step.bodies.size() * (sizeof(record::BodyState) + 1) +
-           step.contacts.size() * sizeof(record::Contact);
+           step.contacts.size() * sizeof(record::Contact) + step.limits.size() * sizeof(record::Limit);
 }
 
 }  // namespace

@@ -25,10 +25,10 @@ inline Vec place(const record::Pose& pose, Vec local)
     return vec(pose.pos) + scenes::rotate(turn_of(pose.turn), local);
 }
 
-// Solver figures; recordings do not have them. recordings do not have.
+// Solver figures; recordings do not have them.
 struct Figures {
     double residual = -1;  // below 0: not known
-    double collide_ms = 0, step_ms = 0;
+    double collide_ms = 0, step_ms = 0, empty_ms = 0;
 };
 
 struct State {

@@ -83,9 +83,15 @@ line 2 | grep -q ' picked -1 ' || fail "nothing is picked any more"
 line 3 | grep -q ' picked 35 ' || fail "a drag with Ctrl picks"
 line 4 | grep -q ' running .* picked 35 ' || fail "it goes on"
 
+# A ball that is shot at the wall breaks it: fewer contacts; back before it, it is not there.
+printf 'frames 6\nkey space\nprint\nkey e\nkey space\nframes 60\nprint\nkey home\nkey right\nprint\n' > keys
+view wall --script keys || fail "exit code $?"
+contacts() { line "$1" | sed 's/.* contacts \([0-9]*\) .*/\1/'; }
+[ "$(contacts 2)" -lt $(($(contacts 1) - 40)) ] || fail "$(contacts 1) contacts became $(contacts 2): the wall still stands"
+
 # A recording, and pictures by frames alone.
 "$epode" record pendulum --seconds 0.5 --quiet -o run.epr > out 2> err || fail "record"
-printf 'key end\nprint\nkey left\nkey s\nprint\n' > keys
+printf 'key end\nprint\nkey left\nkey s\nkey e\nprint\n' > keys
 view run.epr --script keys || fail "exit code $?"
 line 1 | grep -q '^run.epr .*time 0.5 ' || fail "the end of the recording"
 view pendulum --frames 3 --picture last.png --width 320 --height 240 || fail "exit code $?"

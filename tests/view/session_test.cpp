@@ -297,14 +297,59 @@ TEST_F(ViewSession, limits_are_where_the_joint_is)
     auto live = open("ragdolls");
     int turning = 0;
     for (std::uint32_t i = 0; i < live->stage().joints().size(); ++i) {
-        for (const Limit& limit : live->limits(i)) {
-            EXPECT_LT(limit.low, limit.high);
-            EXPECT_GE(limit.value, limit.low - 0.01);
-            EXPECT_LE(limit.value, limit.high + 0.01);
-            turning += limit.turns;
+        for (const record::Limit& limit : live->limits(i)) {
+            EXPECT_LT(limit.stop.low, limit.stop.high);
+            EXPECT_GE(limit.value, limit.stop.low - 0.01);
+            EXPECT_LE(limit.value, limit.stop.high + 0.01);
+            turning += limit.stop.turns;
         }
     }
     EXPECT_EQ(turning, 6 * (5 * 2 + 4)) << "universal joints have two each, hinges one";
+}
+
+TEST_F(ViewSession, a_ball_is_shot_and_flies)
+{
+    auto live = open("pendulum");
+    steps(*live, 3);
+    const size_t before = live->stage().bodies().size();
+    live->shoot({5, 0, 5}, {0, 3, 0}, 0.2, 7);
+    EXPECT_EQ(live->stage().bodies().size(), before) << "it is there from the next step on";
+    steps(*live, 10);
+    ASSERT_EQ(live->stage().bodies().size(), before + 1);
+    EXPECT_EQ(live->stage().bodies().back().mass, 7);
+    EXPECT_NEAR(body(*live, before).pose.pos[1], 10 * live->options.dt * 3, 1e-6);
+    EXPECT_LT(body(*live, before).pose.pos[2], 5);
+    ASSERT_EQ(live->moment().geoms.back().body, std::int32_t(before));
+    const auto flown = bodies_of(*live);
+    ASSERT_TRUE(live->seek(8));
+    ASSERT_TRUE(live->seek(13));
+    expect_back(bodies_of(*live), flown);
+    live->restart();
+    EXPECT_EQ(live->stage().bodies().size(), before);
+}
+
+TEST_F(ViewSession, back_before_the_shot_there_is_no_ball)
+{
+    auto shot = open("wall"), calm = open("wall");
+    for (Live* live : {shot.get(), calm.get()}) live->options.stepper = Stepper::kExact;
+    steps(*shot, 4);
+    steps(*calm, 4);
+    const size_t ball = shot->stage().bodies().size();
+    shot->shoot({-1, 0, 0.8}, {20, 0, 0}, 0.2, 50);
+    steps(*shot, 12);
+    ASSERT_TRUE(shot->moment().bodies[ball]);
+    ASSERT_TRUE(shot->seek(4));
+    EXPECT_FALSE(shot->moment().bodies[ball]);
+    steps(*shot, 12);
+    steps(*calm, 12);
+    EXPECT_FALSE(shot->moment().bodies[ball]) << "a future without the ball";
+    for (size_t i = 0; i < ball; ++i) {
+        EXPECT_LT(scenes::length(vec(body(*shot, i).pose.pos) - vec(body(*calm, i).pose.pos)), 1e-6) << i;
+    }
+    EXPECT_EQ(shot->moment().step->contacts.size(), calm->moment().step->contacts.size());
+    shot->shoot({-1, 0, 0.8}, {20, 0, 0}, 0.2, 50);
+    steps(*shot, 2);
+    EXPECT_TRUE(shot->moment().bodies[ball + 1]);
 }
 
 TEST_F(ViewSession, islands_are_what_hangs_together)
@@ -365,6 +410,39 @@ TEST_F(ViewPlayback, plays_what_was_recorded_and_picks_by_its_triangles)
     EXPECT_EQ(playback->now(), 0u);
     playback->pass(1e3, 10);
     EXPECT_EQ(playback->now(), 12u);
+}
+
+TEST_F(ViewPlayback, has_the_limits_of_joints)
+{
+    record::FileWriter writer;
+    ASSERT_TRUE(writer.open(path_)) << path_;
+    auto live = open("ragdolls");
+    record::Recorder recorder(writer);
+    for (dBodyID b : live->scene().bodies()) recorder.add(b);
+    for (const auto& joint : live->scene().joints()) recorder.add(joint.joint);
+    std::vector<std::vector<record::Limit>> told;
+    for (int i = 0; i < 4; ++i) {
+        if (i == 2) dJointSetHingeParam(live->scene().joints().back().joint, dParamHiStop, 0.5);
+        steps(*live, 1);
+        recorder.step({}, {}, false);
+        told.push_back(live->state().step.limits);
+    }
+    ASSERT_TRUE(writer.close());
+    std::string problem;
+    auto playback = Playback::open(path_, problem);
+    ASSERT_TRUE(playback) << problem;
+    for (size_t i = 0; i < told.size(); ++i) {
+        ASSERT_TRUE(playback->seek(i));
+        const auto& limits = playback->state().step.limits;
+        ASSERT_EQ(limits.size(), told[i].size());
+        for (size_t k = 0; k < limits.size(); ++k) {
+            EXPECT_EQ(limits[k].stop, told[i][k].stop);
+            EXPECT_EQ(limits[k].value, told[i][k].value);
+        }
+    }
+    EXPECT_FALSE(told[1].back().stop == told[2].back().stop) << "the last joint is no hinge";
+    const std::uint32_t joint = told[3].back().stop.joint;
+    EXPECT_EQ(playback->limits(joint).back().value, told[3].back().value);
 }
 
 TEST_F(ViewPlayback, refuses_what_is_no_recording)
