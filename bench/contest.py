@@ -10,7 +10,8 @@ import sys
 import both
 
 COLUMNS = [('contacts', 'contacts', '{:.0f}'), ('penetration_mean', 'pen mean', '{:.2g}'), ('penetration_max', 'pen max', '{:.2g}'),
-           ('joint_error_max', 'joint', '{:.2g}'), ('drift_max', 'drift', '{:.2g}'), ('speed', 'speed', '{:.2g}'),
+           ('joint_error_max', 'joint', '{:.2g}'), ('drift_mean', 'drift', '{:.2g}'), ('drift_max', 'drift max', '{:.2g}'),
+           ('speed', 'speed', '{:.2g}'),
            ('lost', 'lost', '{}'), ('hits', 'hits', '{}'), ('pairs', 'pairs', '{:.0f}')]
 
 
