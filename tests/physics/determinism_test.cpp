@@ -77,7 +77,8 @@ std::vector<double> reports_of_many_islands(Stepper stepper, int threads)
     Random random(3);
     for (int i = 0; i < 150; ++i) {
         const dBodyID box = sim.box({3.0 * i, 0, 0.5}, {1, 1, 1}, 1 + i % 7);
-        velocity(box, random.point(1), random.point(1));
+        const V3 spin = random.point(1), way = random.point(1);  // in this order with every compiler
+        velocity(box, way, spin);
         if (i % 3 == 0) sim.box({3.0 * i, 0, 1.5}, {1, 1, 1}, 1);
     }
     std::vector<double> all;

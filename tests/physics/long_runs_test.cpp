@@ -44,7 +44,8 @@ void build_figures(Sim& sim)
             } else {
                 dJointSetBallAnchor(joint, real(x - 0.17), real(at.y), real(at.z));
             }
-            velocity(body, random.point(1), random.point(2));
+            const V3 spin = random.point(2), way = random.point(1);  // in this order with every compiler
+            velocity(body, way, spin);
             before = body;
         }
     }

@@ -385,7 +385,8 @@ void build_mixture(Managed& sim)
         if (i % 4 == 1) b = sim.capsule(at, 0.2, 0.5, 1);
         if (i % 4 == 2) b = sim.cylinder(at, 0.3, 0.4, 1);
         if (i % 4 == 3) b = sim.box(at, {0.5, 0.6, 0.4}, 1);
-        velocity(b, random.point(1), random.point(1));
+        const V3 spin = random.point(1), way = random.point(1);  // in this order with every compiler
+        velocity(b, way, spin);
     }
     for (int i = 0; i < 40; ++i)
         for (int k = 0; k < 3; ++k) sim.box({10.0 + 2 * i, 0, 0.5 + k}, {1, 1, 1}, 1);
