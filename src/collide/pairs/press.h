@@ -12,6 +12,7 @@
 
 #include <type_traits>
 
+#include "geometry/polyhedron.h"
 #include "geometry/triangle.h"
 
 namespace epode {
@@ -27,7 +28,7 @@ class Press {
 
     void all()
     {
-        for (const PolyhedronFace& own : s_.faces) face(s_.pose.R * own.normal);
+        if (s_.kind == SolidKind::kPolyhedron) polyhedron_faces();
         for (int i = 0; i < 3; ++i) {
             if (!(s_.face_axes >> i & 1)) continue;
             const Vec3 axis = s_.pose.R.column(i);
@@ -38,6 +39,23 @@ class Press {
     }
 
   private:
+    // Most faces look up, or have no corner so low as to touch: they are not asked what they show.
+    void polyhedron_faces()
+    {
+        const Polyhedron& solid = *static_cast<const Polyhedron*>(s_.shape);
+        const Vec3 n = transposed_times(s_.pose.R, f_.n);
+        const Real middle = f_.height(s_.pose.p), limit = 4 * to_.slack() - middle;
+        for (const PolyhedronFace& own : s_.faces) {
+            if (-dot(own.normal, n) < kFaceLean - Real(0.01)) continue;
+            bool low = false;
+            for (int k = 0; k < own.count && !low; ++k) {
+                const int corner = solid.corners()[std::size_t(own.first + k)];
+                low = dot(n, solid.vertices()[std::size_t(corner)]) <= limit;
+            }
+            if (low) face(s_.pose.R * own.normal);
+        }
+    }
+
     void face(Vec3 outward)
     {
         if (-dot(outward, f_.n) >= kFaceLean) feature(outward);
