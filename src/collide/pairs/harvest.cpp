@@ -34,6 +34,7 @@ void Harvest::sort_out()
 {
     // Insertion by depth; stable.
     for (int k = 1; k < count_; ++k) {
+        if (!(points_[k - 1].depth < points_[k].depth)) continue;
         const ContactPoint p = points_[k];
         int at = k;
         for (; at > 0 && points_[at - 1].depth < p.depth; --at) points_[at] = points_[at - 1];
@@ -47,6 +48,10 @@ void Harvest::sort_out()
         int end = first + 1;
         for (int k = end; k < count_; ++k) {
             if (dot(points_[k].normal, normal) < kLikeNormal) continue;
+            if (k == end) {
+                ++end;
+                continue;
+            }
             const ContactPoint p = points_[k];
             for (int at = k; at > end; --at) points_[at] = points_[at - 1];
             points_[end++] = p;
@@ -86,6 +91,11 @@ void Harvest::deliver(ContactSink& sink)
         // An equal share each; what earlier ones left over goes to the later.
         const int left = sink.room() - sink.count(), waiting = manifolds_ - m;
         const int quota = left > waiting ? left / waiting : 1;
+        const int first = starts_[m], count = starts_[m + 1] - first;
+        if (count <= quota && count <= kPerManifold) {
+            for (int k = 0; k < count; ++k) sink.add(points_[first + k]);
+            continue;
+        }
         ContactPoint best[kPerManifold];
         const int n = thinned(m, quota, best);
         for (int k = 0; k < n; ++k) sink.add(best[k]);
