@@ -55,9 +55,7 @@ static void build()
         dGeomSetPosition(stair, -0.5 * i, 0, 0.15 * (i + 1));
     }
     for (int i = 0; i < 3; ++i) make_doll(-2.3 + 0.1 * i, i - 1, 3.1);
-    for (dBodyID limb = nullptr; !limb;) {
-        for (const Joint& joint : joints) dBodySetLinearVel(limb = dJointGetBody(joint.id, 0), 1.5, 0, 0);
-    }
+    for (const Joint& joint : joints) dBodySetLinearVel(dJointGetBody(joint.id, 0), 1.5, 0, 0);
 }
 
 static void watch(double)

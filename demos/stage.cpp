@@ -5,6 +5,8 @@
 // touch, unless their bodies hang together by a joint already.
 #include "stage.h"
 
+#include <ode/ext.h>
+
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
@@ -79,6 +81,18 @@ void draw_mesh(dGeomID geom)
     }
 }
 
+void draw_convex(dGeomID geom)
+{
+    std::vector<dReal> points(3 * size_t(dGeomConvexGetPoints(geom, nullptr, 0)));
+    std::vector<unsigned> polygons(size_t(dGeomConvexGetPolygons(geom, nullptr, 0)));
+    std::vector<dReal> planes(4 * size_t(dGeomConvexGetPlanes(geom, nullptr, 0)));
+    dGeomConvexGetPoints(geom, points.data(), int(points.size() / 3));
+    dGeomConvexGetPolygons(geom, polygons.data(), int(polygons.size()));
+    dGeomConvexGetPlanes(geom, planes.data(), int(planes.size() / 4));
+    dsDrawConvex(dGeomGetPosition(geom), dGeomGetRotation(geom), planes.data(), unsigned(planes.size() / 4),
+                 points.data(), unsigned(points.size() / 3), polygons.data());
+}
+
 void draw_one(dGeomID geom)
 {
     if (const auto* look = static_cast<const Paint*>(dGeomGetData(geom))) {
@@ -86,6 +100,7 @@ void draw_one(dGeomID geom)
         dsSetColor(look->r, look->g, look->b);
     }
     if (dGeomGetClass(geom) == dTriMeshClass) return draw_mesh(geom);
+    if (dGeomGetClass(geom) == dConvexClass) return draw_convex(geom);
     const dReal *pos = dGeomGetPosition(geom), *R = dGeomGetRotation(geom);
     dReal radius = 0, length = 0;
     dVector3 sides;
