@@ -59,6 +59,25 @@ const start = await look('view');
 check(start.colors > 60, `the canvas is not blank: ${start.colors} colours`);
 check(await page.locator('#problem').isHidden(), 'no problem is shown');
 
+// Whatever the run, most of what moves is in the picture all the time.
+const seen = await page.evaluate(() => {
+    const {stage, poses, end} = window.epode;
+    let inside = 0, all = 0;
+    for (let k = 0; k <= 10; ++k) {
+        window.epode.seek(0.1 * k * end);
+        window.epode.draw();
+        stage.camera.updateMatrixWorld();
+        for (let i = 0; i < poses.values.length / 7; ++i) {
+            const p = stage.controls.target.clone().fromArray(poses.values, 7 * i).project(stage.camera);
+            inside += Math.abs(p.x) < 1 && Math.abs(p.y) < 1 && p.z < 1;
+            ++all;
+        }
+    }
+    window.epode.seek(0);
+    return inside / all;
+});
+check(seen > 0.85, `${(100 * seen).toFixed(0)} % of what moves is in the picture`);
+
 await page.locator('#play').click();
 await page.waitForFunction(() => window.epode.time > 0.15, null, {timeout: 30000}).catch(() => {});
 const played = await get('time');

@@ -17,6 +17,9 @@ pictures=${2:-$work}
 mkdir -p "$pictures"
 "$program" run wall --html "$work/wall.html" --quiet >/dev/null
 node "$root/tests/record/page_test.mjs" "$work/wall.html" "$pictures"
+# A car, which drives out of any picture that stands still.
+"$program" run buggy --html "$work/buggy.html" --quiet >/dev/null
+node "$root/tests/record/page_test.mjs" "$work/buggy.html" "$work"
 [ "${EPODE_MEASURE:-0}" = 1 ] || exit 0
 "$program" run boxes-1000 --seconds 10 --html "$work/boxes.html" --quiet >/dev/null
 echo "page of 1,000 bodies over 10 s: $(wc -c < "$work/boxes.html") bytes, $(gzip -9c "$work/boxes.html" | wc -c) by gzip"

@@ -128,8 +128,8 @@ function wire_controls(player) {
         player.dirty = true;
     });
     element('reset').addEventListener('click', () => {
-        player.follow(-1);
-        player.stage.frame_all();
+        player.stage.follow = -1;
+        player.follow(player.stage.frame_all());
         player.stage.aim_sun();
         player.dirty = true;
     });
@@ -185,6 +185,7 @@ try {
     const player = new Player(recording);
     wire_controls(player);
     wire_view(player);
+    player.follow(player.stage.frame_all());
     window.epode = player;
     const loop = now => {
         player.tick(now);

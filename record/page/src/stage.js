@@ -8,6 +8,7 @@ import {
     Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
 } from 'three';
 import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
+import {Poses} from './poses.js';
 
 const kSky = new Color(0xdfe7ee);
 const kSolid = {plane: 5};
@@ -38,6 +39,15 @@ function grid_of(half, spacing) {
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(new Float32Array(points).map(x => spacing * x), 3));
     return geometry;
+}
+
+// Where most of the points are: their middle, and how far away all but a twentieth are.
+function extent_of(points) {
+    if (points.length === 0) points = [new Vector3()];
+    const middle = axis => points.map(p => p.getComponent(axis)).sort((a, b) => a - b)[points.length >> 1];
+    const center = new Vector3(middle(0), middle(1), middle(2));
+    const distances = points.map(p => p.distanceTo(center)).sort((a, b) => a - b);
+    return {center, radius: Math.max(1, 1.15 * distances[Math.floor(0.95 * (distances.length - 1))] + 0.5)};
 }
 
 export class Stage {
@@ -136,20 +146,24 @@ export class Stage {
         camera.updateProjectionMatrix();
     }
 
-    // A view of everything that is neither a plane nor far away from the rest.
+    // A view of the whole run: of everything that moves, wherever it goes, but for the few that fly far away. Where all go
+    // somewhere else together, like a car, a view of the start, and the carrier in its middle is the one to follow; -1: none.
     frame_all() {
-        const points = [];
-        const {carriers} = this.recording;
-        for (let i = 0; i < carriers.count; ++i)
-            points.push(new Vector3().fromArray(this.poses.values, 7 * i));
-        if (points.length === 0) points.push(new Vector3());
-        const middle = axis => {
-            const sorted = points.map(p => p.getComponent(axis)).sort((a, b) => a - b);
-            return sorted[sorted.length >> 1];
+        const poses = new Poses(this.recording), {carriers, times} = this.recording;
+        const at = time => {
+            poses.go_to(time);
+            return Array.from({length: carriers.count}, (_, i) => new Vector3().fromArray(poses.values, 7 * i));
         };
-        const center = new Vector3(middle(0), middle(1), middle(2));
-        const distances = points.map(p => p.distanceTo(center)).sort((a, b) => a - b);
-        this.radius = Math.max(1, 1.15 * distances[Math.floor(0.95 * (distances.length - 1))] + 0.5);
+        const kMoments = 12, first = times[0], span = times[times.length - 1] - first, points = at(first);
+        const start = extent_of(points), whole = extent_of(Array.from({length: kMoments + 1}, (_, i) => at(first + span * i / kMoments)).flat());
+        const leaves = whole.radius > 4 * start.radius;
+        this.look_at(leaves ? start : whole);
+        const distances = points.map(p => p.distanceTo(start.center));
+        return leaves ? distances.indexOf(Math.min(...distances)) : -1;
+    }
+
+    look_at({center, radius}) {
+        this.radius = radius;
         this.controls.target.copy(center);
         const distance = 1.1 * this.radius / Math.sin(0.5 * this.camera.fov * Math.PI / 180);
         this.camera.position.copy(center).add(new Vector3(0.45, -0.85, 0.32).normalize().multiplyScalar(distance));
