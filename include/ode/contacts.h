@@ -44,17 +44,37 @@ extern "C" {
 ODE_API void dWorldSetContactSpace(dWorldID world, dSpaceID space);
 ODE_API dSpaceID dWorldGetContactSpace(dWorldID world);
 
-/** What the surface of a geom is like. Of the two geoms of a pair, friction is the geometric mean, the
-    others are the larger, and velocities of surfaces subtract. */
+/** How a pair's coefficient is made of those of its two geoms. If they name different rules, the one that
+    stands later here counts. */
+typedef enum {
+    dCombineDefault, /**< friction: the geometric mean; bounce and rolling: the larger */
+    dCombineAverage, /**< half the sum */
+    dCombineMinimum, /**< the smaller */
+    dCombineProduct, /**< the product */
+    dCombineMaximum  /**< the larger */
+} dCombineRule;
+
+/** What the surface of a geom is like. Of the two geoms of a pair, coefficients follow the rules named, the
+    bounce speed is the larger, velocities of surfaces subtract, and softness adds up, as springs one behind
+    the other do; their damping times then count by their softness. A soft contact is held by a spring of
+    stiffness 1/softness and a damper of damping_time/softness at each of its points, beyond the surface
+    layer, in all steppers. What is stiffer than 1e9 N/m counts as hard. */
 typedef struct dMaterial {
     dReal friction;     /**< coefficient of Coulomb friction, 0 or more; dInfinity: does not slide. 0.6 */
     dReal bounce;       /**< share of the approach speed that comes back, 0 ... 1. 0 */
     dReal bounce_speed; /**< slower approaches do not rebound, m/s. 1 */
     dVector3 velocity;  /**< of the surface against the geom, in the geom's frame, m/s: a belt. 0 */
+    dReal rolling;      /**< most torque against rolling and spinning, per force along the normal, m. 0 */
+    dReal softness;     /**< depth per force at a point, m/N; 0: hard. 0 */
+    dReal damping_time; /**< of a soft surface: damping over stiffness, s. 0 */
+    int friction_rule;  /**< of dCombineRule, for friction. dCombineDefault */
+    int bounce_rule;    /**< for bounce. dCombineDefault */
+    int rolling_rule;   /**< for rolling. dCombineDefault */
 } dMaterial;
 
 /** The material of a geom, from the next step on; material 0: the default again, as named above. Reading a
-   geom that has none gives the default. Return 1. Refused: coefficients below 0, a bounce above 1. [ours] */
+   geom that has none gives the default. Return 1. Refused: coefficients below 0, a bounce above 1, infinite
+   rolling, softness or damping time, rules that there are not. [ours] */
 ODE_API int dGeomSetMaterial(dGeomID geom, const dMaterial* material);
 ODE_API int dGeomGetMaterial(dGeomID geom, dMaterial* material);
 

@@ -12,6 +12,51 @@ namespace {
 
 // A float, and times a zero still zero.
 constexpr Real kMostFriction = Real(1e6);
+constexpr Real kHardest = Real(1e-9), kMostRolling = Real(1e6), kSoftest = Real(1e9), kSlowest = Real(1e6);
+
+Real combined(int rule, Real a, Real b)
+{
+    switch (rule) {
+        case dCombineAverage:
+            return Real(0.5) * a + Real(0.5) * b;
+        case dCombineMinimum:
+            return std::min(a, b);
+        case dCombineProduct:
+            return a > 0 && b > 0 ? a * b : 0;  // none against what does not slide
+        default:
+            return std::max(a, b);
+    }
+}
+
+void combine_friction(const dMaterial& a, const dMaterial& b, Patch& patch)
+{
+    const int rule = std::max(a.friction_rule, b.friction_rule);
+    const Real mu = rule == dCombineDefault ? std::sqrt(a.friction) * std::sqrt(b.friction)
+                                            : combined(rule, a.friction, b.friction);
+    patch.mu = float(std::min(mu, kMostFriction));
+    if (!(patch.mu >= 0)) patch.mu = 0;  // likewise
+}
+
+void combine_softness(const dMaterial& a, const dMaterial& b, Patch& patch)
+{
+    const Real sum = a.softness + b.softness;
+    patch.softness = sum < kHardest ? 0 : float(std::min(sum, kSoftest));
+    patch.damping_time = 0;
+    if (!(patch.softness > 0)) return;
+    const Real share = a.softness / sum;
+    patch.damping_time = float(std::min(share * a.damping_time + (1 - share) * b.damping_time, kSlowest));
+}
+
+static_assert(kDefaultMaterial.bounce == 0 && kDefaultMaterial.rolling == 0 &&
+              kDefaultMaterial.softness == 0);
+
+void combine_others(const dMaterial& a, const dMaterial& b, Patch& patch)
+{
+    combine_softness(a, b, patch);
+    patch.bounce = float(combined(std::max(a.bounce_rule, b.bounce_rule), a.bounce, b.bounce));
+    const Real rolling = combined(std::max(a.rolling_rule, b.rolling_rule), a.rolling, b.rolling);
+    patch.rolling = float(std::min(rolling, kMostRolling));
+}
 
 Vec3 surface_velocity(const Geom& geom)
 {
@@ -36,9 +81,11 @@ bool set_material(Geom& geom, const dMaterial* material)
 void combine_materials(const Geom& g1, const Geom& g2, Patch& patch)
 {
     const dMaterial &a = material_of(g1), &b = material_of(g2);
-    patch.mu = float(std::min(std::sqrt(a.friction) * std::sqrt(b.friction), kMostFriction));
-    if (!(patch.mu >= 0)) patch.mu = 0;  // none against what does not slide
-    patch.bounce = float(std::max(a.bounce, b.bounce));
+    combine_friction(a, b, patch);
+    if (&a == &b)
+        patch.bounce = patch.rolling = patch.softness = patch.damping_time = 0;  // those of the default
+    else
+        combine_others(a, b, patch);
     patch.bounce_speed = float(std::max(a.bounce_speed, b.bounce_speed));
     patch.drift = {};
     if (!g1.material && !g2.material) return;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What two surfaces are to each other. Friction of a pair is the geometric mean: the coefficient of equal
-// surfaces is their own, and one that is without friction has none against anything.
+// What two surfaces are to each other. Friction of a pair is the geometric mean, if nobody says otherwise:
+// the coefficient of equal surfaces is their own, and one that is without friction has none against anything.
+// Soft surfaces are a spring k and a damper d each, one behind the other: 1/k = 1/k1 + 1/k2. Two such pairs
+// are in general no pair again; with damping times t = d/k, the mean of t1 and t2 weighted by softness is
+// what slow motion sees, and exact where they are equal.
 #pragma once
 
 #include "collide/geom.h"
@@ -11,7 +14,8 @@
 
 namespace epode {
 
-inline constexpr dMaterial kDefaultMaterial{Real(0.6), 0, 1, {0, 0, 0, 0}};
+inline constexpr dMaterial kDefaultMaterial{
+    Real(0.6), 0, 1, {0, 0, 0, 0}, 0, 0, 0, dCombineDefault, dCombineDefault, dCombineDefault};
 
 inline const dMaterial& material_of(const Geom& geom)
 {

@@ -185,6 +185,7 @@ class PairUpdate {
         part.offset = narrow(offset_);
         for (int k = 0; k < 3; ++k) part.turn[k] = narrow(turn_.row(k));
         part.normal = narrow(transposed_times(A.R, widen(patch.normal)));
+        patch.roll = {};
         for (int i = 0; i < patch.count; ++i) {
             const dContactGeom& c = maker.source(index, i);
             const Vec3 p = load(c.pos);

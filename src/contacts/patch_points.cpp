@@ -87,6 +87,7 @@ void inherit_impulses(const KeptPatch& was, Real size, KeptPatch& part)
         taken[j] = true;
         part.patch.points[i].push = was.patch.points[j].push;
         part.patch.points[i].friction = was.patch.points[j].friction;
+        part.patch.roll = was.patch.roll;
     }
 }
 

@@ -36,7 +36,7 @@ class PatchMaker {
 };
 
 // Points of `part` take the impulses of the nearest points of `was`, within a tenth of `size` in the frame of
-// either body.
+// either body; so does the patch its couple.
 void inherit_impulses(const KeptPatch& was, Real size, KeptPatch& part);
 
 }  // namespace epode

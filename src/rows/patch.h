@@ -7,7 +7,8 @@
 //
 //   u = v1 + w1 x r1 - v2 - w2 x r2,   gap' = n . u,   push >= 0,   |friction| <= mu push
 //
-// Friction is bounded in the plane as a whole (a cone), the same in every direction.
+// Friction is bounded in the plane as a whole (a cone), the same in every direction; so is the couple against
+// rolling and spinning, |roll| <= rolling * sum of push, in all three.
 #pragma once
 
 #include "math/float3.h"
@@ -30,7 +31,13 @@ struct Patch {
     Float3 drift;      // wanted u in the plane: surfaces that move
     float mu;
     float bounce, bounce_speed;  // rebound of `bounce` times an approach of at least bounce_speed, m/s
+    float rolling;               // m
+    float softness;              // of each point, depth per force, m/N; 0: hard
+    float damping_time;          // of what is soft: damper over spring, s
+    Float3 roll;                 // angular impulse on body1 over the whole step, in and out as `push`
     PatchPoint points[kPatchPoints];
+
+    bool special() const { return rolling > 0 || softness > 0; }
 };
 
 }  // namespace epode

@@ -6,6 +6,7 @@
 // a shorter patch lacks is far open and does nothing.
 #pragma once
 
+#include "rows/patch.h"
 #include "simd/float_lanes.h"
 
 namespace epode {
@@ -29,8 +30,18 @@ struct PatchLanes {
     FloatLanes k_n1, k_n2;  // grip times their coupling with the normal row
 };
 
+// What soft and rolling patches have besides; zero in the lanes of others.
+struct PatchExtra {
+    FloatLanes soft, rate;          // of the spring: C p; velocity per depth
+    FloatLanes keep[kPatchPoints];  // of a point: share of the gain and of p
+    FloatLanes rolling;             // m
+    FloatLanes roll_gain;           // 1 / (an upper bound of the eigenvalues of I1^-1 + I2^-1)
+    FloatLaneVec3 roll, roll_sum;   // of one small step; over all
+};
+
 struct PatchBatch {
     int first, count;                            // of the points
+    PatchExtra* extra;                           // null: no lane is soft or rolls
     int body1[kFloatLanes], body2[kFloatLanes];  // into the motions; ~i: reads i, which does not change
     FloatLanes inv_mass1, inv_mass2;
     FloatLaneSym3 inv_inertia1, inv_inertia2;

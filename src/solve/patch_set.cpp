@@ -75,7 +75,7 @@ bool PatchSet::prepare(const RowSystem& system, const Substep& step, const Tasks
     sort(system.patches, colours, starts);
     const int points = batches_.empty() ? 0 : batches_.back().first + batches_.back().count;
     points_ = arena.take<PatchLanes>(points);
-    if (arena.failed()) return false;
+    if (arena.failed() || !place_extras(system.patches, arena)) return false;
     fill(system, step);
     return true;
 }
@@ -110,7 +110,10 @@ void PatchSet::sort(std::span<Patch* const> patches, std::span<const int> colour
     const auto key = [&](std::size_t i) {
         return std::size_t(colours[i] * kPatchPoints + kPatchPoints - patches[i]->count);
     };
-    for (std::size_t i = 0; i < patches.size(); ++i) ++starts[key(i) + 1];
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        ++starts[key(i) + 1];
+        any_special_ = any_special_ || patches[i]->special();
+    }
     for (std::size_t k = 1; k < starts.size(); ++k) starts[k] += starts[k - 1];
     for (std::size_t i = 0; i < patches.size(); ++i) order_[std::size_t(starts[key(i)]++)] = int(i);
 
@@ -133,6 +136,26 @@ void PatchSet::sort(std::span<Patch* const> patches, std::span<const int> colour
     }
     first_of_colour_[std::size_t(colours_)] = batches;
     batches_ = batches_.first(std::size_t(batches));
+}
+
+// False: out of memory.
+bool PatchSet::place_extras(std::span<Patch* const> patches, Arena& arena)
+{
+    const auto wants = [&](std::size_t b) {
+        const auto lanes = chosen_.subspan(b * kFloatLanes, kFloatLanes);
+        return std::any_of(lanes.begin(), lanes.end(),
+                           [&](int i) { return i >= 0 && patches[std::size_t(i)]->special(); });
+    };
+    for (PatchBatch& batch : batches_) batch.extra = nullptr;
+    if (!any_special_) return true;
+    int count = 0;
+    for (std::size_t b = 0; b < batches_.size(); ++b) count += wants(b) ? 1 : 0;
+    const auto extras = arena.take_zeroed<PatchExtra>(count);
+    if (arena.failed()) return false;
+    std::size_t next = 0;
+    for (std::size_t b = 0; b < batches_.size(); ++b)
+        if (wants(b)) batches_[b].extra = &extras[next++];
+    return true;
 }
 
 // Will every number of the batch's points be written?
@@ -193,13 +216,24 @@ void PatchSet::fill_batch(const RowSystem& system, const Substep& step, std::siz
         const RowAim& aim = soft[fixed ? 1 : 0];
         batch.rate[lane] = float(aim.rate);
         batch.soft[lane] = float(1 / (1 + aim.C));  // 1 - C/(1 + C)
+        const int patch = chosen_[b * kFloatLanes + std::size_t(lane)];
+        if (batch.extra && patch >= 0) fill_extra(*system.patches[std::size_t(patch)], *batch.extra, lane);
     }
     kernels_->prepare(batch, points.data(), motions_.data(), float(1) / float(step.n));
 }
 
+void PatchSet::fill_extra(const Patch& p, PatchExtra& extra, int lane) const
+{
+    extra.rolling[lane] = p.rolling;
+    if (p.rolling > 0) set(extra.roll, lane, p.roll);
+    if (!(p.softness > 0)) return;
+    const Real rate = 1 / (hs_ + Real(p.damping_time));
+    extra.rate[lane] = float(rate), extra.soft[lane] = float(rate * Real(p.softness) / hs_);
+}
+
 void PatchSet::fill_lane(const RowSystem& system, int patch, PatchBatch& batch, int lane)
 {
-    static const Patch none{0, -1, 0, {}, {}, 0, 0, 0, {}};
+    static const Patch none{0, -1, 0, {}, {}, 0, 0, 0, 0, 0, 0, {}, {}};
     const SolverBody world{};
     const Patch& p = patch >= 0 ? *system.patches[std::size_t(patch)] : none;
     const auto set_body = [&](int index, int& slot, FloatLanes& inv_mass, FloatLaneSym3& inv_inertia) {
@@ -330,6 +364,10 @@ void PatchSet::store_impulses(std::span<Patch* const> patches) const
             const int index = chosen_[b * kFloatLanes + std::size_t(lane)];
             if (index < 0) continue;
             Patch& p = *patches[std::size_t(index)];
+            if (batch.extra) {
+                const FloatLaneVec3& roll = batch.extra->roll_sum;
+                p.roll = {roll.x[lane], roll.y[lane], roll.z[lane]};
+            }
             for (int i = 0; i < p.count; ++i) {
                 const PatchLanes& from = points_[std::size_t(batch.first + i)];
                 const float a = from.sum[1][lane], c = from.sum[2][lane];

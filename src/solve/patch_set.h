@@ -46,6 +46,8 @@ class PatchSet {
     void colour(std::span<Patch* const> patches, std::span<const SolverBody> bodies, std::span<int> colours,
                 Arena& arena);
     void sort(std::span<Patch* const> patches, std::span<const int> colours, std::span<int> starts);
+    bool place_extras(std::span<Patch* const> patches, Arena& arena);
+    void fill_extra(const Patch& patch, PatchExtra& extra, int lane) const;
     bool is_full(std::span<Patch* const> patches, std::size_t batch) const;
     void fill(const RowSystem& system, const Substep& step);
     void fetch_lanes(const RowSystem& system, std::size_t batch) const;
@@ -73,6 +75,7 @@ class PatchSet {
     std::span<int> chosen_;           // the patch in each lane of each batch; -1: none
     std::span<int> first_of_colour_;  // batch; one more at the end
     int colours_ = 0;
+    bool any_special_ = false;
     Tasks tasks_;
     Real hs_ = 0;
     PatchSweep sweep_{};

@@ -31,6 +31,7 @@ void contain(std::span<Body* const> bodies, std::span<Joint* const> joints)
 
 void silence_patch(Patch& patch)
 {
+    patch.roll = {};
     for (PatchPoint& point : patch.points) point.push = 0, point.friction = {};
 }
 

@@ -54,6 +54,7 @@ bool sound(const RowSystem& system, int part)
     }
     for (auto k = std::size_t(from.patches); k < std::size_t(to.patches); ++k) {
         const Patch& patch = *system.patches[k];
+        if (patch.special() && !usable(Real(patch.roll.x + patch.roll.y + patch.roll.z))) return false;
         for (int i = 0; i < patch.count; ++i)
             if (!usable(Real(patch.points[i].push))) return false;
     }

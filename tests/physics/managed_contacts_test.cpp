@@ -50,7 +50,9 @@ dGeomID geom_of(dBodyID body) { return dBodyGetFirstGeom(body); }
 
 void set_material(dGeomID geom, double friction, double bounce = 0, V3 belt = {})
 {
-    dMaterial m{real(friction), real(bounce), 0, {real(belt.x), real(belt.y), real(belt.z)}};
+    dMaterial m{};
+    m.friction = real(friction), m.bounce = real(bounce);
+    m.velocity[0] = real(belt.x), m.velocity[1] = real(belt.y), m.velocity[2] = real(belt.z);
     ASSERT_EQ(dGeomSetMaterial(geom, &m), 1);
 }
 
@@ -460,7 +462,9 @@ TEST(ManagedContacts, refuse_what_is_not_usable)
     Messages messages;
     int expected = 0;
     const auto refused = [&](double friction, double bounce, double speed, double belt) {
-        dMaterial m{real(friction), real(bounce), real(speed), {real(belt), 0, 0}};
+        dMaterial m{};
+        m.friction = real(friction), m.bounce = real(bounce), m.bounce_speed = real(speed);
+        m.velocity[0] = real(belt);
         EXPECT_EQ(dGeomSetMaterial(ground, &m), 0);
         EXPECT_EQ(messages.count(), ++expected);
     };
