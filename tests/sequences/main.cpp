@@ -114,7 +114,7 @@ Operations sequence(std::uint64_t seed, long number)
 {
     Dice dice(seed * 0x2545f4914f6cdd1du + std::uint64_t(number));
     static constexpr int kLengths[] = {50, 200, 1000, 4000};
-    Operations operations(std::size_t(kLengths[dice.below(4)]));
+    Operations operations(static_cast<std::size_t>(kLengths[dice.below(4)]));
     for (auto& op : operations) op = dice.next();
     return operations;
 }

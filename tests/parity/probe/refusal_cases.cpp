@@ -40,7 +40,7 @@ struct Call {
     void (*run)(Scene&);
 };
 
-const dVector3 kX = {1, 0, 0, 0}, kZero = {0, 0, 0, 0};
+const dVector3 kX = {1, 0, 0, 0};
 const dQuaternion kNoQuaternion = {0, 0, 0, 0};
 
 void mass_off_centre(dMass& m)
