@@ -313,12 +313,15 @@ Scene<A, B> random_scene(Dice& dice)
 {
     Scene<A, B> s;
     roll(dice, s.a), roll(dice, s.b);
-    s.pa = {dice.between(0, 2) * dice.direction(), dice.rotation()};
+    // Directions before their lengths, with every compiler.
+    const Vec3 far = dice.direction();
+    s.pa = {dice.between(0, 2) * far, dice.rotation()};
     s.pb = {{}, dice.rotation()};
+    const Vec3 aside = dice.direction();
     if constexpr (std::is_same_v<B, Plane>)
-        s.pa.p = (s.b.d + dice.between(Real(-0.2), reach(s.a))) * s.b.normal + dice.direction();
+        s.pa.p = (s.b.d + dice.between(Real(-0.2), reach(s.a))) * s.b.normal + aside;
     else
-        s.pb.p = s.pa.p + dice.between(0, Real(1.05)) * (reach(s.a) + reach(s.b)) * dice.direction();
+        s.pb.p = s.pa.p + dice.between(0, Real(1.05)) * (reach(s.a) + reach(s.b)) * aside;
     return s;
 }
 
