@@ -12,8 +12,8 @@ namespace epode {
 // body does not want it.
 Vec3 gyroscopic_torque(const Body& body, Vec3 angular_velocity, Real h);
 
-// The orientation after a turn of q with w for h: by the exponential map, and as the body's finite rotation mode
-// asks.
+// The orientation after a turn of q with w for h: by the exponential map, and as the body's finite rotation
+// mode asks.
 Quat turn_exactly(Quat q, Vec3 w, Real h);
 Quat turned(const Body& body, Quat q, Vec3 w, Real h);
 
