@@ -49,18 +49,20 @@ INSTANTIATE_TEST_SUITE_P(Steppers, Materials, testing::ValuesIn(kSteppers), case
 // I w' = F r - rho N and m v' = -F with v = w r and I = 2/5 m r^2:  v' = -rho g / (1.4 r).
 TEST_P(Materials, a_rolling_ball_slows_down_by_the_rolling_resistance)
 {
-    Scene scene(GetParam());
-    const dBodyID ball = scene.ball();
-    paint(ball, material(0.02));
-    velocity(ball, {0.3, 0, 0}, {0, 0.3 / kRadius, 0});
-    scene.run(0.5);
-    const double a = 0.02 * kG / (1.4 * kRadius);
-    // Slow, since small steps have a resistance of their own that grows with the speed (docs/solvers.md).
-    EXPECT_NEAR(velocity(ball).x, 0.3 - 0.5 * a, 0.008);
-    EXPECT_NEAR(spin(ball).y * kRadius, 0.3 - 0.5 * a, 0.008);
-    scene.run(8);  // and does not roll back
-    EXPECT_LT(length(velocity(ball)) + length(spin(ball)), 1e-3);
-    EXPECT_NEAR(position(ball).x, 0.3 * 0.3 / (2 * a), 0.008);
+    for (const double fast : {0.3, 3.0}) {
+        Scene scene(GetParam());
+        const dBodyID ball = scene.ball();
+        paint(ball, material(0.02));
+        velocity(ball, {fast, 0, 0}, {0, fast / kRadius, 0});
+        scene.run(0.5);
+        const double a = 0.02 * kG / (1.4 * kRadius);
+        EXPECT_NEAR(velocity(ball).x, fast - 0.5 * a, 0.008) << fast;
+        EXPECT_NEAR(spin(ball).y * kRadius, fast - 0.5 * a, 0.008) << fast;
+        if (fast > 1) continue;
+        scene.run(8);  // and does not roll back
+        EXPECT_LT(length(velocity(ball)) + length(spin(ball)), 1e-3);
+        EXPECT_NEAR(position(ball).x, fast * fast / (2 * a), 0.008);
+    }
 }
 
 TEST_P(Materials, a_ball_that_spins_in_place_slows_down_too)
@@ -185,7 +187,7 @@ TEST_P(Materials, leave_hard_bodies_beside_them_their_bits)
 TEST(MaterialBits, are_these)
 {
     if (kSingle) GTEST_SKIP() << "of doubles";
-    constexpr std::uint64_t kGolden[3] = {0x8fd31df975b429fau, 0x05c2fc639dcc30dfu, 0xdd805d0a14a4fb03u};
+    constexpr std::uint64_t kGolden[3] = {0x8fd31df975b429fau, 0x05c2fc639dcc30dfu, 0xf48c472d518ddacau};
     for (int k = 0; k < 3; ++k) {
         std::uint64_t all = 0;
         pile_beside(kSteppers[k], 1, true, &all);
