@@ -107,7 +107,8 @@ TEST_P(ManagedContacts, let_roll_what_rolls)
 {
     Managed sim(GetParam());
     sim.ground();
-    const dBodyID ball = sim.sphere({0, 0, 0.5}, 0.5, 3), wheel = sim.cylinder({0, 5, 0.5}, 0.5, 0.3, 2);
+    const dBodyID ball = sim.sphere({0, 0, 0.4998}, 0.5, 3),
+                  wheel = sim.cylinder({0, 5, 0.4998}, 0.5, 0.3, 2);
     const dQuaternion lying = {real(std::sqrt(0.5)), real(std::sqrt(0.5)), 0, 0};  // along y
     dBodySetQuaternion(wheel, lying);
     for (const dBodyID body : {ball, wheel}) velocity(body, {10, 0, 0}, {0, 20, 0});
