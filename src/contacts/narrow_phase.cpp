@@ -33,6 +33,13 @@ Real size_of(Geom& a, Geom& b)
     return size < kInf ? size : 1;
 }
 
+// What of it touches is no point of the body, as corners are, but wherever its surface comes nearest.
+bool is_round(const Geom& geom)
+{
+    const int kind = geom.type->number;
+    return kind == dSphereClass || kind == dCapsuleClass || kind == dCylinderClass;
+}
+
 // Functions of the program may have made it.
 bool sound(const dContactGeom& c)
 {
@@ -139,6 +146,8 @@ class PairUpdate {
         const Pose soon1 = soon.pose(pair_.body1, pose1_), soon2 = soon.pose(pair_.body2, pose2_);
         collide_at(g1_, soon1, g2_, soon2, out);
         take(out, soon1, soon2, {});
+        if (one_stands() && (is_round(g1_) || is_round(g2_)))
+            for (KeptPatch& part : parts_.first(pair_.count)) look_back(part, soon1);
         drop_passed();
     }
 
@@ -153,6 +162,36 @@ class PairUpdate {
     }
 
     static Real spin(const Body* body) { return body ? length(body->angular_velocity()) : 0; }
+
+    // Points of round solids on what stands, found at the end of the way, seen from now. Solvers let a gap
+    // change by n . (v + w x r), as if points moved straight on: r is therefore the arm where the two meet,
+    // and the gap the one that so becomes what was found. (Fixed in the body, the lowest point of a ball that
+    // rolls a millimetre above the ground is in front now, comes down, and throws it up. Corners of polyhedra
+    // are fixed.)
+    void look_back(KeptPatch& part, const Pose& soon1) const
+    {
+        const Foresight& soon = settings_.soon;
+        const Vec3 way1 = soon.h * soon.velocity(pair_.body1), way2 = soon.h * soon.velocity(pair_.body2);
+        // Until then the point goes along with the one that moves, see solve/patch_kernels.inc.
+        const Vec3 behind = inv_mass(pair_.body1) > 0 ? Vec3{} : way1 - way2;
+        for (int i = 0; i < part.patch.count; ++i) {
+            PatchPoint& point = part.patch.points[i];
+            const Vec3 at = soon1.p + soon1.R * widen(part.anchors[i].a1) - way1 + behind;
+            const Vec3 r1 = at - x1_, r2 = at - x2_;
+            const Vec3 u = way1 + turn_of(pair_.body1, r1) - way2 - turn_of(pair_.body2, r2);
+            point.r1 = narrow(r1);
+            point.r2 = narrow(pair_.body2 ? r2 : Vec3{});
+            point.gap = float(Real(part.anchors[i].gap) + settings_.layer - dot(widen(part.patch.normal), u));
+        }
+    }
+
+    // Between two that move, points stay fixed in both: their arms hold the angular momentum.
+    bool one_stands() const { return inv_mass(pair_.body1) == 0 || inv_mass(pair_.body2) == 0; }
+    static Real inv_mass(const Body* body) { return body && !body->kinematic() ? body->inv_mass : 0; }
+    Vec3 turn_of(const Body* body, Vec3 r) const
+    {
+        return body ? settings_.soon.h * cross(body->angular_velocity(), r) : Vec3{};
+    }
 
     // What is too fast to be stopped meets the other side there.
     void drop_passed()

@@ -103,20 +103,24 @@ TEST_P(ManagedContacts, slow_what_slides_by_mu_g)
     }
 }
 
+// In touch from the beginning, and foreseen from a millimetre above the ground.
 TEST_P(ManagedContacts, let_roll_what_rolls)
 {
-    Managed sim(GetParam());
-    sim.ground();
-    const dBodyID ball = sim.sphere({0, 0, 0.4998}, 0.5, 3),
-                  wheel = sim.cylinder({0, 5, 0.4998}, 0.5, 0.3, 2);
-    const dQuaternion lying = {real(std::sqrt(0.5)), real(std::sqrt(0.5)), 0, 0};  // along y
-    dBodySetQuaternion(wheel, lying);
-    for (const dBodyID body : {ball, wheel}) velocity(body, {10, 0, 0}, {0, 20, 0});
-    sim.run(180);
-    for (const dBodyID body : {ball, wheel}) {
-        EXPECT_NEAR(velocity(body).x, 10, 0.01);
-        EXPECT_NEAR(spin(body).y, 20, 0.02);
-        EXPECT_NEAR(position(body).x, 30, 0.03);
+    for (const double height : {0.4998, 0.501}) {
+        Managed sim(GetParam());
+        sim.ground();
+        const dBodyID ball = sim.sphere({0, 0, height}, 0.5, 3),
+                      wheel = sim.cylinder({0, 5, height}, 0.5, 0.3, 2);
+        const dQuaternion lying = {real(std::sqrt(0.5)), real(std::sqrt(0.5)), 0, 0};  // along y
+        dBodySetQuaternion(wheel, lying);
+        for (const dBodyID body : {ball, wheel}) velocity(body, {10, 0, 0}, {0, 20, 0});
+        sim.run(180);
+        for (const dBodyID body : {ball, wheel}) {
+            EXPECT_NEAR(velocity(body).x, 10, 0.01) << height;
+            EXPECT_NEAR(spin(body).y, 20, 0.02) << height;
+            EXPECT_NEAR(position(body).x, 30, 0.03) << height;
+            EXPECT_NEAR(position(body).z, 0.5, 0.001) << height;
+        }
     }
 }
 
@@ -429,7 +433,7 @@ std::uint64_t mixture(Stepper stepper, int threads, bool report)
     return hash_state(sim);
 }
 
-constexpr std::uint64_t kMixture[3] = {0xd1a3c1a276a0b842u, 0xf397bfda1c609f6cu, 0x076091ec744151cdu};
+constexpr std::uint64_t kMixture[3] = {0xd482f69068c7b12cu, 0x8b87151984668a57u, 0x83008afd0b33fe6au};
 
 TEST(ManagedThreads, have_the_same_bits_on_any_number_and_with_a_report)
 {
