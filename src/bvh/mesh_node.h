@@ -193,6 +193,20 @@ inline Bytes steps(Floats x)
 // Of four bits, how many are set: a digit each.
 inline int count(unsigned bits) { return int(0x4332322132212110u >> 4 * bits & 7); }
 
+// A box on the grid of a node: its origin in three numbers and, behind them, the steps of its axes. Rounded
+// outward to whole steps.
+struct BoxSteps {
+    Bytes from, to;
+    BoxSteps(const float (&origin)[3], const NodeBox& box)
+    {
+        Floats base, grain;
+        __builtin_memcpy(&base, origin, sizeof(base));
+        __builtin_memcpy(&grain, &origin[2], sizeof(grain));
+        grain = __builtin_shufflevector(grain, grain, 1, 2, 3, 3);
+        from = steps((box.lo - base) / grain + floats(0.99f)), to = steps((box.hi - base) / grain);
+    }
+};
+
 }  // namespace mesh_lanes
 
 inline unsigned MeshNode::there() const
@@ -203,18 +217,14 @@ inline unsigned MeshNode::there() const
     return bits(children != Ints{kNone, kNone, kNone, kNone});
 }
 
-// The box goes onto the grid, which is less work than the children leaving it: rounded outward to whole
-// steps, all its bounds are compared at once. What that rounds is far less than kMeshMargin.
+// The box goes onto the grid, which is less work than the children leaving it, and all its bounds are
+// compared at once. What that rounds is far less than kMeshMargin.
 inline unsigned MeshNode::met_by(const NodeBox& box) const
 {
     using namespace mesh_lanes;
-    Floats base, grain;
-    __builtin_memcpy(&base, origin, sizeof(base));
-    __builtin_memcpy(&grain, &origin[2], sizeof(grain));
-    grain = __builtin_shufflevector(grain, grain, 1, 2, 3, 3);
-    const Bytes from = steps((box.lo - base) / grain + floats(0.99f)), to = steps((box.hi - base) / grain);
+    const BoxSteps on(origin, box);
     // The bounds of the three axes are 12 bytes; what lies behind them is not looked at.
-    const unsigned met = bits(Bytes((bytes_at(lo[0]) <= to) & (bytes_at(hi[0]) >= from)));
+    const unsigned met = bits(Bytes((bytes_at(lo[0]) <= on.to) & (bytes_at(hi[0]) >= on.from)));
     return met & met >> 4 & met >> 8 & there();
 }
 

@@ -14,6 +14,7 @@
 
 #include <bit>
 
+#include "base/ahead.h"
 #include "bvh/mesh_probe.h"
 #include "bvh/wide_node.h"
 #include "geometry/triangle_mesh.h"
@@ -65,8 +66,8 @@ class MeshTree {
 
   private:
     // open(leaf) for those that are met, until it answers false.
-    template <typename Meets, typename Open>
-    void walk(Meets&& meets, Open&& open) const;
+    template <int kStack, typename Node, typename Meets, typename Open>
+    void walk(const Array<Node>& nodes, Meets&& meets, Open&& open) const;
     // The same along a ray that has entered: open(packet, reach) answers as a visit of cast() does.
     template <typename Open>
     void follow(const MeshRay& ray, Real from, Real to, Open&& open) const;
@@ -75,18 +76,15 @@ class MeshTree {
     void walk_wide(const NodeBox& box, Open&& open) const;
     [[nodiscard]] bool widen();
     void place(WideNode& node, const int* sources, const TriangleMesh& mesh) const;
-    void fetch_wide(int child) const
-    {
-        if (child < 0) return fetch(child);
-        const char* node = reinterpret_cast<const char*>(wide_.data() + child);
-        for (std::size_t i = 0; i < sizeof(WideNode); i += 64) __builtin_prefetch(node + i);
-    }
     // Asks for the memory of a child that will be looked at soon.
-    void fetch(int child) const
+    template <typename Node>
+    void fetch(const Array<Node>& nodes, int child) const
     {
-        if (child >= 0) return __builtin_prefetch(nodes_.data() + child);
-        const char* packet = reinterpret_cast<const char*>(packets_.data() + (-1 - child));
-        for (std::size_t i = 0; i < sizeof(MeshPacket); i += 64) __builtin_prefetch(packet + i);
+        constexpr auto lines = [](std::size_t size) { return int((size + kCacheLine - 1) / kCacheLine); };
+        if (child >= 0)
+            epode::fetch<lines(sizeof(Node))>(nodes.data() + child);
+        else
+            epode::fetch<lines(sizeof(MeshPacket))>(packets_.data() + (-1 - child));
     }
     HalfSpace half_space(Vec3 n, Real d) const;
     bool enter(MeshRay& ray, Real from, Real& to) const;
@@ -109,11 +107,11 @@ class MeshTree {
     Real scale_ = 1;  // a power of two
 };
 
-template <typename Meets, typename Open>
-void MeshTree::walk(Meets&& meets, Open&& open) const
+template <int kStack, typename Node, typename Meets, typename Open>
+void MeshTree::walk(const Array<Node>& nodes, Meets&& meets, Open&& open) const
 {
-    if (nodes_.empty()) return;
-    int stack[kMeshStack];
+    if (nodes.empty()) return;
+    int stack[kStack];
     int top = 0;
     stack[top++] = 0;
     while (top > 0) {
@@ -122,11 +120,10 @@ void MeshTree::walk(Meets&& meets, Open&& open) const
             if (!open(-1 - child)) return;
             continue;
         }
-        const MeshNode& node = nodes_.data()[child];
-        const unsigned met = meets(node);
-        for (unsigned rest = met; rest != 0; rest &= rest - 1) {
-            const int next = node.child[std::countr_zero(rest)];
-            fetch(next);
+        const Node& node = nodes.data()[child];
+        for (unsigned met = meets(node); met != 0; met &= met - 1) {
+            const int next = node.child[std::countr_zero(met)];
+            fetch(nodes, next);
             stack[top++] = next;
         }
     }
@@ -135,23 +132,9 @@ void MeshTree::walk(Meets&& meets, Open&& open) const
 template <typename Open>
 void MeshTree::walk_wide(const NodeBox& box, Open&& open) const
 {
-    if (wide_.empty()) return;
-    int stack[(WideNode::kMost - 1) * kMeshDepth + 1];
-    int top = 0;
-    stack[top++] = 0;
-    while (top > 0) {
-        const int child = stack[--top];
-        if (child < 0) {
-            if (!open(-1 - child)) return;
-            continue;
-        }
-        const WideNode& node = wide_.data()[child];
-        for (unsigned met = node.met_by(box); met != 0; met &= met - 1) {
-            const int next = node.child[std::countr_zero(met)];
-            fetch_wide(next);
-            stack[top++] = next;
-        }
-    }
+    constexpr int kStack = (WideNode::kMost - 1) * kMeshDepth + 1;
+    walk<kStack>(
+        wide_, [&](const WideNode& node) { return node.met_by(box); }, open);
 }
 
 template <typename Visit>
@@ -190,13 +173,14 @@ template <typename Visit>
 void MeshTree::below(Vec3 n, Real d, Visit&& visit) const
 {
     const HalfSpace asked = half_space(n, d);
-    walk([&](const MeshNode& node) { return node.met_by(asked); },
-         [&](int leaf) {
-             const MeshPacket& packet = packets_.data()[leaf];
-             for (unsigned met = packet.whole(); met != 0; met &= met - 1)
-                 if (!visit(packet.lanes[std::countr_zero(met)])) return false;
-             return true;
-         });
+    walk<kMeshStack>(
+        nodes_, [&](const MeshNode& node) { return node.met_by(asked); },
+        [&](int leaf) {
+            const MeshPacket& packet = packets_.data()[leaf];
+            for (unsigned met = packet.whole(); met != 0; met &= met - 1)
+                if (!visit(packet.lanes[std::countr_zero(met)])) return false;
+            return true;
+        });
 }
 
 template <typename Open>
@@ -221,7 +205,8 @@ void MeshTree::follow(const MeshRay& ray, Real from, Real to, Open&& open) const
         const MetNodes children = node.met_by(node_ray, reach);
         const unsigned met = mesh_lanes::bits(children.yes);
         put_met(children, node.child, stack + top);
-        for (unsigned rest = met; rest != 0; rest &= rest - 1) fetch(node.child[std::countr_zero(rest)]);
+        for (unsigned rest = met; rest != 0; rest &= rest - 1)
+            fetch(nodes_, node.child[std::countr_zero(rest)]);
         far_first(stack + top);
         top += mesh_lanes::count(met);
     }

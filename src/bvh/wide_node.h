@@ -23,16 +23,11 @@ struct alignas(64) WideNode {
 };
 static_assert(sizeof(WideNode) == 192);
 
-// Rounded outward to whole steps, as MeshNode::met_by() does.
 inline unsigned WideNode::met_by(const NodeBox& box) const
 {
     using namespace mesh_lanes;
-    Floats base, grain;
-    __builtin_memcpy(&base, origin, sizeof(base));
-    __builtin_memcpy(&grain, &origin[2], sizeof(grain));
-    grain = __builtin_shufflevector(grain, grain, 1, 2, 3, 3);
-    const Ints from = Ints(steps((box.lo - base) / grain + floats(0.99f))),
-               to = Ints(steps((box.hi - base) / grain));
+    const BoxSteps on(origin, box);
+    const Ints from = Ints(on.from), to = Ints(on.to);
     const Bytes met = (bytes_at(lo[0]) <= Bytes(__builtin_shufflevector(to, to, 0, 0, 0, 0))) &
                       (bytes_at(hi[0]) >= Bytes(__builtin_shufflevector(from, from, 0, 0, 0, 0))) &
                       (bytes_at(lo[1]) <= Bytes(__builtin_shufflevector(to, to, 1, 1, 1, 1))) &

@@ -3,7 +3,7 @@
 //
 // The contacts that a world manages. Every step makes a new list of pairs from the one before: pairs of the
 // space in its order, each with its patches brought up to date; then the new list takes the place of the
-// old. A step that cannot be finished just drops the new one, so it leaves no trace. Manifolds move from list
+// old. A step that cannot be finished just drops the new one, so it leaves no trace. Patches move from list
 // to list, which costs less than looking for them in holes, and neighbours in space stay neighbours in
 // memory.
 #pragma once

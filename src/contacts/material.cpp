@@ -34,7 +34,7 @@ void combine_friction(const dMaterial& a, const dMaterial& b, Patch& patch)
     const Real mu = rule == dCombineDefault ? std::sqrt(a.friction) * std::sqrt(b.friction)
                                             : combined(rule, a.friction, b.friction);
     patch.mu = float(std::min(mu, kMostFriction));
-    if (!(patch.mu >= 0)) patch.mu = 0;  // likewise
+    if (!(patch.mu >= 0)) patch.mu = 0;  // infinite against none
 }
 
 void combine_softness(const dMaterial& a, const dMaterial& b, Patch& patch)

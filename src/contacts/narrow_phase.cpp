@@ -173,7 +173,7 @@ class PairUpdate {
         const Foresight& soon = settings_.soon;
         const Vec3 way1 = soon.h * soon.velocity(pair_.body1), way2 = soon.h * soon.velocity(pair_.body2);
         // Until then the point goes along with the one that moves, see solve/patch_kernels.inc.
-        const Vec3 behind = inv_mass(pair_.body1) > 0 ? Vec3{} : way1 - way2;
+        const Vec3 behind = moves(pair_.body1) ? Vec3{} : way1 - way2;
         for (int i = 0; i < part.patch.count; ++i) {
             PatchPoint& point = part.patch.points[i];
             const Vec3 at = soon1.p + soon1.R * widen(part.anchors[i].a1) - way1 + behind;
@@ -186,8 +186,8 @@ class PairUpdate {
     }
 
     // Between two that move, points stay fixed in both: their arms hold the angular momentum.
-    bool one_stands() const { return inv_mass(pair_.body1) == 0 || inv_mass(pair_.body2) == 0; }
-    static Real inv_mass(const Body* body) { return body && !body->kinematic() ? body->inv_mass : 0; }
+    bool one_stands() const { return !moves(pair_.body1) || !moves(pair_.body2); }
+    static bool moves(const Body* body) { return body && !body->kinematic(); }
     Vec3 turn_of(const Body* body, Vec3 r) const
     {
         return body ? settings_.soon.h * cross(body->angular_velocity(), r) : Vec3{};

@@ -56,10 +56,6 @@ EPODE_LANEWISE Vector clip(const Vector& x, const Vector& lo, const Vector& hi)
     return below < lo ? lo : below;
 }
 
-struct Vector4 {
-    Vector w, x, y, z;
-};
-
 EPODE_LANEWISE Vector4 get4(const Lanes* q, int part)
 {
     return {get(q[0], part), get(q[1], part), get(q[2], part), get(q[3], part)};
@@ -68,44 +64,6 @@ EPODE_LANEWISE Vector4 get4(const Lanes* q, int part)
 EPODE_LANEWISE void put3(Lanes* to, int part, const Vector3& a)
 {
     put(to[0], part, a.x), put(to[1], part, a.y), put(to[2], part, a.z);
-}
-
-// Like read_vectors and write_vectors, of four numbers w, x, y, z.
-EPODE_LANEWISE Vector4 read_quads(const Real* const* at)
-{
-#if EPODE_VECTOR_LANES == 4
-    const Vector wx02 = join(at[0], at[2]), wx13 = join(at[1], at[3]);
-    const Vector yz02 = join(at[0] + 2, at[2] + 2), yz13 = join(at[1] + 2, at[3] + 2);
-    return {__builtin_shufflevector(wx02, wx13, 0, 4, 2, 6), __builtin_shufflevector(wx02, wx13, 1, 5, 3, 7),
-            __builtin_shufflevector(yz02, yz13, 0, 4, 2, 6), __builtin_shufflevector(yz02, yz13, 1, 5, 3, 7)};
-#else
-    const PairInMemory wx0 = pair_at(at[0]), wx1 = pair_at(at[1]);
-    const PairInMemory yz0 = pair_at(at[0] + 2), yz1 = pair_at(at[1] + 2);
-    return {__builtin_shufflevector(wx0, wx1, 0, 2), __builtin_shufflevector(wx0, wx1, 1, 3),
-            __builtin_shufflevector(yz0, yz1, 0, 2), __builtin_shufflevector(yz0, yz1, 1, 3)};
-#endif
-}
-
-EPODE_LANEWISE void write_quads(const Vector4& a, Real* const* at)
-{
-#if EPODE_VECTOR_LANES == 4
-    const Vector wx02 = __builtin_shufflevector(a.w, a.x, 0, 4, 2, 6);
-    const Vector wx13 = __builtin_shufflevector(a.w, a.x, 1, 5, 3, 7);
-    const Vector yz02 = __builtin_shufflevector(a.y, a.z, 0, 4, 2, 6);
-    const Vector yz13 = __builtin_shufflevector(a.y, a.z, 1, 5, 3, 7);
-    const auto out = [at](int lane) -> VectorInMemory& {
-        return *reinterpret_cast<VectorInMemory*>(at[lane]);
-    };
-    out(0) = __builtin_shufflevector(wx02, yz02, 0, 1, 4, 5);
-    out(1) = __builtin_shufflevector(wx13, yz13, 0, 1, 4, 5);
-    out(2) = __builtin_shufflevector(wx02, yz02, 2, 3, 6, 7);
-    out(3) = __builtin_shufflevector(wx13, yz13, 2, 3, 6, 7);
-#else
-    pair_at(at[0]) = __builtin_shufflevector(a.w, a.x, 0, 2);
-    pair_at(at[1]) = __builtin_shufflevector(a.w, a.x, 1, 3);
-    pair_at(at[0] + 2) = __builtin_shufflevector(a.y, a.z, 0, 2);
-    pair_at(at[1] + 2) = __builtin_shufflevector(a.y, a.z, 1, 3);
-#endif
 }
 
 EPODE_LANEWISE Vector3 vec_of(const Vector4& q) { return {q.x, q.y, q.z}; }

@@ -125,10 +125,12 @@ EPODE_LANEWISE Register3 operator*(const RegisterSym3& s, const Register3& a)
 EPODE_LANEWISE PairInMemory& pair_at(Real* p) { return *reinterpret_cast<PairInMemory*>(p); }
 EPODE_LANEWISE PairInMemory pair_at(const Real* p) { return *reinterpret_cast<const PairInMemory*>(p); }
 
-// Between four numbers x, y, z, unused at the place of each lane, aligned as four, and one vector per
-// component: small matrices are transposed instead of moving number by number.
 struct Vector3 {
     Vector x, y, z;
+};
+
+struct Vector4 {
+    Vector w, x, y, z;
 };
 
 #if EPODE_VECTOR_LANES == 4
@@ -136,48 +138,58 @@ EPODE_LANEWISE Vector join(const Real* a, const Real* b)
 {
     return __builtin_shufflevector(pair_at(a), pair_at(b), 0, 1, 2, 3);
 }
+#endif
 
-EPODE_LANEWISE Vector3 read_vectors(const Real* const* at)
+// Between four numbers w, x, y, z at the place of each lane, aligned as four, and one vector per component:
+// small matrices are transposed instead of moving number by number.
+EPODE_LANEWISE Vector4 read_quads(const Real* const* at)
 {
-    const Vector xy02 = join(at[0], at[2]), xy13 = join(at[1], at[3]);
-    const Vector z02 = join(at[0] + 2, at[2] + 2), z13 = join(at[1] + 2, at[3] + 2);
-    return {__builtin_shufflevector(xy02, xy13, 0, 4, 2, 6), __builtin_shufflevector(xy02, xy13, 1, 5, 3, 7),
-            __builtin_shufflevector(z02, z13, 0, 4, 2, 6)};
+#if EPODE_VECTOR_LANES == 4
+    const Vector wx02 = join(at[0], at[2]), wx13 = join(at[1], at[3]);
+    const Vector yz02 = join(at[0] + 2, at[2] + 2), yz13 = join(at[1] + 2, at[3] + 2);
+    return {__builtin_shufflevector(wx02, wx13, 0, 4, 2, 6), __builtin_shufflevector(wx02, wx13, 1, 5, 3, 7),
+            __builtin_shufflevector(yz02, yz13, 0, 4, 2, 6), __builtin_shufflevector(yz02, yz13, 1, 5, 3, 7)};
+#else
+    const PairInMemory wx0 = pair_at(at[0]), wx1 = pair_at(at[1]);
+    const PairInMemory yz0 = pair_at(at[0] + 2), yz1 = pair_at(at[1] + 2);
+    return {__builtin_shufflevector(wx0, wx1, 0, 2), __builtin_shufflevector(wx0, wx1, 1, 3),
+            __builtin_shufflevector(yz0, yz1, 0, 2), __builtin_shufflevector(yz0, yz1, 1, 3)};
+#endif
 }
 
-EPODE_LANEWISE void write_vectors(const Vector3& a, Real* const* at)
+EPODE_LANEWISE void write_quads(const Vector4& a, Real* const* at)
 {
-    const Vector zero{};
-    const Vector xy02 = __builtin_shufflevector(a.x, a.y, 0, 4, 2, 6);
-    const Vector xy13 = __builtin_shufflevector(a.x, a.y, 1, 5, 3, 7);
-    const Vector z02 = __builtin_shufflevector(a.z, zero, 0, 4, 2, 6);
-    const Vector z13 = __builtin_shufflevector(a.z, zero, 1, 5, 3, 7);
+#if EPODE_VECTOR_LANES == 4
+    const Vector wx02 = __builtin_shufflevector(a.w, a.x, 0, 4, 2, 6);
+    const Vector wx13 = __builtin_shufflevector(a.w, a.x, 1, 5, 3, 7);
+    const Vector yz02 = __builtin_shufflevector(a.y, a.z, 0, 4, 2, 6);
+    const Vector yz13 = __builtin_shufflevector(a.y, a.z, 1, 5, 3, 7);
     const auto out = [at](int lane) -> VectorInMemory& {
         return *reinterpret_cast<VectorInMemory*>(at[lane]);
     };
-    out(0) = __builtin_shufflevector(xy02, z02, 0, 1, 4, 5);
-    out(1) = __builtin_shufflevector(xy13, z13, 0, 1, 4, 5);
-    out(2) = __builtin_shufflevector(xy02, z02, 2, 3, 6, 7);
-    out(3) = __builtin_shufflevector(xy13, z13, 2, 3, 6, 7);
-}
+    out(0) = __builtin_shufflevector(wx02, yz02, 0, 1, 4, 5);
+    out(1) = __builtin_shufflevector(wx13, yz13, 0, 1, 4, 5);
+    out(2) = __builtin_shufflevector(wx02, yz02, 2, 3, 6, 7);
+    out(3) = __builtin_shufflevector(wx13, yz13, 2, 3, 6, 7);
 #else
+    pair_at(at[0]) = __builtin_shufflevector(a.w, a.x, 0, 2);
+    pair_at(at[1]) = __builtin_shufflevector(a.w, a.x, 1, 3);
+    pair_at(at[0] + 2) = __builtin_shufflevector(a.y, a.z, 0, 2);
+    pair_at(at[1] + 2) = __builtin_shufflevector(a.y, a.z, 1, 3);
+#endif
+}
+
+// The same for x, y, z and an unused number, which becomes zero.
 EPODE_LANEWISE Vector3 read_vectors(const Real* const* at)
 {
-    const PairInMemory xy0 = pair_at(at[0]), xy1 = pair_at(at[1]);
-    const PairInMemory z0 = pair_at(at[0] + 2), z1 = pair_at(at[1] + 2);
-    return {__builtin_shufflevector(xy0, xy1, 0, 2), __builtin_shufflevector(xy0, xy1, 1, 3),
-            __builtin_shufflevector(z0, z1, 0, 2)};
+    const Vector4 a = read_quads(at);
+    return {a.w, a.x, a.y};
 }
 
 EPODE_LANEWISE void write_vectors(const Vector3& a, Real* const* at)
 {
-    const Vector zero{};
-    pair_at(at[0]) = __builtin_shufflevector(a.x, a.y, 0, 2);
-    pair_at(at[1]) = __builtin_shufflevector(a.x, a.y, 1, 3);
-    pair_at(at[0] + 2) = __builtin_shufflevector(a.z, zero, 0, 2);
-    pair_at(at[1] + 2) = __builtin_shufflevector(a.z, zero, 1, 3);
+    write_quads({a.x, a.y, a.z, Vector{}}, at);
 }
-#endif
 
 EPODE_LANEWISE Register3 read_places(const Real* const* at)
 {

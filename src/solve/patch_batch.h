@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Patches of the world's own contacts (rows/patch.h) as the kernels read them: eight patches side by side,
-// none of which shares a dynamic body with another. 80 bytes per point and patch, 120 per patch. A point that
+// none of which shares a dynamic body with another. 76 bytes per point and patch, 142 per patch. A point that
 // a shorter patch lacks is far open and does nothing.
 #pragma once
 
@@ -51,6 +51,7 @@ struct PatchBatch {
     FloatLanes bounce, bounce_speed;
     FloatLanes soft, rate;  // of a contact that is too deep: share of the gain and of p; velocity per depth
     FloatLanes share;       // of the gain, of one that is open: 1 / points
+    FloatLanes behind;      // of the way that body 1 goes relative to body 2, what the points do not go along
 };
 
 }  // namespace epode

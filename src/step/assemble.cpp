@@ -18,8 +18,6 @@
 namespace epode {
 namespace {
 
-constexpr int kLinesOfBody = 10;  // all that a step reads of it
-
 // A tensor of the body's frame in the world's; that of a sphere or cube is the same in all.
 Sym3 in_world(const Body& body, const Sym3& s)
 {

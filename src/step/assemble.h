@@ -30,7 +30,9 @@ StepInfo step_info(const World& world, Real h);
 // all forces. `undo` has the bodies before anything of them changes; null: it has. False: out of memory.
 bool assemble(World& world, Real h, const Solver& solver, Arena& arena, IslandWork& work, StepUndo* undo);
 
-// The part that inner steps repeat.
+inline constexpr int kLinesOfBody = 10;  // of the cache: all that a step reads of one
+
+// One body alone; small steps do the same to eight of them (solve/body_kernels.inc).
 void load_inertia(const Body& body, SolverBody& out);  // the inverse only
 void load_velocity(const Body& body, SolverBody& out);
 void add_forces(const Body& body, Real h, SolverBody& out);    // v += h M^-1 (accumulated + gyroscopic)

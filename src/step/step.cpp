@@ -87,13 +87,12 @@ int weight(const Island& island)
 class WorldStep {
   public:
     // `hybrid`: each island has the solver of its own, and not the context's.
-    WorldStep(const StepContext& context, StepUndo& undo, bool hybrid, StepState& state,
-              const Workers& workers)
+    WorldStep(const StepContext& context, bool hybrid, StepState& state, const Workers& workers)
         : context_(context),
           hybrid_(hybrid),
           state_(state),
           workers_(workers),
-          undo_(undo),
+          undo_(context.undo),
           continuous_(context.world, undo_, state.continuous, memory().arena(0), context.h)
     {}
 
@@ -341,7 +340,7 @@ bool step_in(World& world, StepState& state, const Solver* solver, Real h, int i
                               undo,
                               state.managed.live_space() != nullptr,
                               {}};
-    WorldStep step(context, undo, !solver, state, workers);
+    WorldStep step(context, !solver, state, workers);
     const bool made = step.prepare() && step.run() && step.hold_back();
     workers.dismiss();
     if (made) {

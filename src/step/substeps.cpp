@@ -13,8 +13,6 @@
 namespace epode {
 namespace {
 
-constexpr int kLinesOfBody = 10;
-
 template <std::size_t kCount>
 void set(Lanes (&to)[kCount], std::size_t lane, const Real (&from)[kCount])
 {

@@ -7,7 +7,7 @@
 //   core under the facet  ends of the part of s in the column, depth r + distance
 // At holes walls are facets of their own, and their upright edges edges.
 #include "collide/pairs/facet.h"
-#include "geometry/closest.h"
+#include "collide/pairs/round_edges.h"
 
 namespace epode {
 
@@ -15,43 +15,6 @@ namespace {
 
 // Of the radius: farther in from an edge, every way from the edge leads over the facet.
 constexpr Real kInside = Real(1e-3);
-
-// How far the ends of s are beyond the edges of a triangle, seen along its normal.
-struct Past {
-    Real a[3], b[3];
-    Past(const RoundSolid& s, const Triangle& f)
-    {
-        for (int k = 0; k < 3; ++k) {
-            const Vec3 e = f.edge(k), out = cross(e, f.n);
-            const Real per = 1 / length(e);
-            a[k] = per * dot(out, s.a - f.v[k]), b[k] = per * dot(out, s.b - f.v[k]);
-        }
-    }
-    // The part whose foot is in the triangle, or beside it by the slack.
-    Stretch part_over(Real slack) const
-    {
-        Stretch part;
-        for (int k = 0; k < 3; ++k) {
-            const Real at_a = a[k] - slack, at_b = b[k] - slack;
-            if (at_a > 0 && at_b > 0) return {1, 0};
-            if (at_a <= 0 && at_b <= 0) continue;
-            const Real t = at_a / (at_a - at_b);
-            if (at_a > 0 && t > part.from) part.from = t;
-            if (at_b > 0 && t < part.to) part.to = t;
-        }
-        return part;
-    }
-    // Of all of s beyond one of them.
-    Real least() const
-    {
-        Real most = 0;
-        for (int k = 0; k < 3; ++k) {
-            const Real low = a[k] < b[k] ? a[k] : b[k];
-            most = low > most ? low : most;
-        }
-        return most;
-    }
-};
 
 // The ends of a part of s, of which only what is over the face, or under it.
 void push_ends(const RoundSolid& s, const Triangle& f, bool over, Stretch part, Meeting& m)
@@ -73,11 +36,11 @@ void push_ends(const RoundSolid& s, const Triangle& f, bool over, Stretch part, 
 }
 
 // `column`: the way to the face from behind it; `under`: does the face push what is there?
-void over_and_under(const RoundSolid& s, const Triangle& f, const Past& past, Vec3 column, bool under,
+void over_and_under(const RoundSolid& s, const Triangle& f, const PastEdges& past, Vec3 column, bool under,
                     Meeting& m)
 {
     const Real at_a = f.height(s.a), at_b = f.height(s.b);
-    if (at_a >= 0 || at_b >= 0) push_ends(s, f, true, past.part_over(m.slack), m);
+    if (at_a >= 0 || at_b >= 0) push_ends(s, f, true, past.part_over(m.slack).t, m);
     if (under && (at_a <= 0 || at_b <= 0))
         push_ends(s, f, false, within_prism(f, column, s.a, s.b, m.slack), m);
 }
@@ -91,21 +54,6 @@ void beside_edge(const RoundSolid& s, const Facet& f, bool rim, Vec3 p, Vec3 q, 
     if (rim ? n.y < 0 : n.y < kSteepest || dot(n, f.n) < 0) return;
     if (!m.terrain.crests(f, n)) return;
     m.out.add(p - s.r * n, n, s.r - distance);
-}
-
-// meet(p, q) for the nearest points of the core and an edge from v along e; of two that lie side by side for
-// both ends of the common stretch.
-template <typename Meet>
-void meet_edge(const RoundSolid& s, Vec3 v, Vec3 e, const Meet& meet)
-{
-    const Vec3 axis = s.b - s.a;
-    if (axis == Vec3{}) return meet(s.a, v + closest_on_segment(v, v + e, s.a) * e);
-    Vec3 p, q;
-    closest_segment_points(s.a, s.b, v, v + e, p, q);
-    meet(p, q);
-    if (!(length2(axis) > 0) || length2(cross(axis, e)) > Real(1e-2) * length2(axis) * length2(e)) return;
-    for (const Vec3 end : {s.a, s.b}) meet(end, v + closest_on_segment(v, v + e, end) * e);
-    for (const Vec3 end : {v, v + e}) meet(s.a + closest_on_segment(s.a, s.b, end) * axis, end);
 }
 
 // The edge between two walls that meet at corner k of the facet; `one` and `other` point into the hole.
@@ -126,7 +74,7 @@ void on_walls(const RoundSolid& s, const Facet& f, Meeting& m)
     for (const int k : {0, 2}) {
         Triangle wall[2];
         if (!m.terrain.hole_beyond(f, k) || !m.terrain.wall_below(f, k, wall)) continue;
-        for (const Triangle& t : wall) over_and_under(s, t, Past(s, t), t.n, m.walls->pushes(f, k), m);
+        for (const Triangle& t : wall) over_and_under(s, t, PastEdges(s, t), t.n, m.walls->pushes(f, k), m);
         // Either end of the edge may be a corner of the ground; k + 1 of edge 2 and k of edge 0 are one.
         const int step = f.upper ? 1 : -1;
         const Vec3 along = k == 0 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
@@ -166,7 +114,7 @@ void round_on(const RoundSolid& s, const Facet& f, Meeting& m)
     if (m.walls) on_walls(s, f, m);
     const Real at_a = f.height(s.a), at_b = f.height(s.b);
     if (at_a > s.r && at_b > s.r) return;
-    const Past past(s, f);
+    const PastEdges past(s, f);
     if (!m.walls && at_a >= 0 && at_b >= 0) {
         const Real above = at_a < at_b ? at_a : at_b, aside = past.least(), reach = s.r + m.slack;
         if (aside * aside + above * above > reach * reach) return;

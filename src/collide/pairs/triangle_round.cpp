@@ -7,59 +7,16 @@
 //   beside a crest      nearest points p, q of s and the edge, along p - q
 // Ends that a seam has cut are left to the neighbour.
 #include "collide/pairs/mesh_facet.h"
-#include "geometry/closest.h"
+#include "collide/pairs/round_edges.h"
 
 namespace epode {
 
 namespace {
 
-// The part of s whose foot lies in the triangle, and whether its ends are cut by seams.
-struct Part {
-    Stretch t;
-    bool seam_from = false, seam_to = false;
-};
-
-// How far the ends of s are outside of the three walls that stand on the edges.
-struct Walls {
-    Real a[3], b[3];
-    Walls(const RoundSolid& s, const MeshFacet& f)
-    {
-        for (int k = 0; k < 3; ++k) {
-            const Vec3 e = f.edge(k), out = cross(e, f.n);
-            const Real per = 1 / length(e);
-            a[k] = per * dot(out, s.a - f.v[k]), b[k] = per * dot(out, s.b - f.v[k]);
-        }
-    }
-    // Of all of s outside of one of them.
-    Real least() const
-    {
-        Real most = 0;
-        for (int k = 0; k < 3; ++k) {
-            const Real low = a[k] < b[k] ? a[k] : b[k];
-            most = low > most ? low : most;
-        }
-        return most;
-    }
-};
-
-Part part_over(const Walls& walls, const MeshFacet& f, const MeshMeeting& m)
-{
-    Part part;
-    for (int k = 0; k < 3; ++k) {
-        const Real at_a = walls.a[k] - m.slack, at_b = walls.b[k] - m.slack;
-        if (at_a > 0 && at_b > 0) return {{1, 0}};
-        if (at_a <= 0 && at_b <= 0) continue;
-        const Real t = at_a / (at_a - at_b);
-        if (at_a > 0 && t > part.t.from) part.t.from = t, part.seam_from = m.seam(f, k);
-        if (at_b > 0 && t < part.t.to) part.t.to = t, part.seam_to = m.seam(f, k);
-    }
-    return part;
-}
-
 // False when the contacts are already all there are.
-bool over(const RoundSolid& s, const Walls& walls, const MeshFacet& f, MeshMeeting& m)
+bool over(const RoundSolid& s, const PastEdges& past, const MeshFacet& f, MeshMeeting& m)
 {
-    const Part part = part_over(walls, f, m);
+    const CutPart part = past.part_over(m.slack);
     if (part.t.empty()) return true;
     const Vec3 p = s.a + part.t.from * (s.b - s.a), q = s.a + part.t.to * (s.b - s.a);
     const Real at_p = f.height(p), at_q = f.height(q);
@@ -72,8 +29,8 @@ bool over(const RoundSolid& s, const Walls& walls, const MeshFacet& f, MeshMeeti
         if (depth >= -m.slack && (!cut || through))
             m.out.add(x - s.r * f.n, f.n, depth > 0 ? depth : 0, f.index);
     };
-    add(p, at_p, part.seam_from);
-    add(q, at_q, part.seam_to);
+    add(p, at_p, part.at_from >= 0 && m.seam(f, part.at_from));
+    add(q, at_q, part.at_to >= 0 && m.seam(f, part.at_to));
     return true;
 }
 
@@ -112,25 +69,15 @@ void round_on(const RoundSolid& s, const MeshFacet& f, MeshMeeting& m)
     const Real at_a = f.height(s.a), at_b = f.height(s.b);
     const Real top = s.r + m.slack;
     if ((at_a > top && at_b > top) || at_a + at_b < -2 * m.slack) return;
-    const Walls walls(s, f);
-    const Real low = at_a < at_b ? at_a : at_b, above = low > 0 ? low : Real(0), aside = walls.least();
+    const PastEdges past(s, f);
+    const Real low = at_a < at_b ? at_a : at_b, above = low > 0 ? low : Real(0), aside = past.least();
     if (aside * aside + above * above > top * top) return;
-    if (!over(s, walls, f, m)) return;
-    const Vec3 axis = s.b - s.a;
+    if (!over(s, past, f, m)) return;
     const Real inside = -kLevel * top;  // farther in, every way from the edge leads over the triangle
     for (int k = 0; k < 3; ++k) {
         if (!f.sharp[k] && !f.sharp[(k + 1) % 3]) continue;
-        if (walls.a[k] < inside && walls.b[k] < inside) continue;
-        const Vec3 v = f.v[k], e = f.edge(k);
-        Vec3 p, q;
-        closest_segment_points(s.a, s.b, v, v + e, p, q);
-        beside(s, f, k, p, q, m);
-        if (!(length2(axis) > 0) || length2(cross(axis, e)) > Real(1e-2) * length2(axis) * length2(e))
-            continue;
-        // Side by side: both ends of the common stretch.
-        for (const Vec3 end : {s.a, s.b}) beside(s, f, k, end, v + closest_on_segment(v, v + e, end) * e, m);
-        for (const Vec3 end : {v, v + e})
-            beside(s, f, k, s.a + closest_on_segment(s.a, s.b, end) * axis, end, m);
+        if (past.a[k] < inside && past.b[k] < inside) continue;
+        meet_edge(s, f.v[k], f.edge(k), [&](Vec3 p, Vec3 q) { beside(s, f, k, p, q, m); });
     }
 }
 
