@@ -6,31 +6,32 @@
 // number is the same on every machine.
 #pragma once
 
-#include "math/mat.h"
+#include "simd/lanes.h"
 
 namespace epode {
 
 inline constexpr int kFloatLanes = 8;
 
 struct alignas(kFloatLanes * sizeof(float)) FloatLanes {
+    using Number = float;
     float at[kFloatLanes];
 
     float operator[](int lane) const { return at[lane]; }
     float& operator[](int lane) { return at[lane]; }
 };
 
-struct FloatLaneVec3 {
-    FloatLanes x, y, z;
+// Sixteen: for long chains of operations, two of which hide each other's waiting.
+inline constexpr int kBroadLanes = 16;
+
+struct alignas(kBroadLanes * sizeof(float)) BroadLanes {
+    using Number = float;
+    float at[kBroadLanes];
+
+    float operator[](int lane) const { return at[lane]; }
+    float& operator[](int lane) { return at[lane]; }
 };
 
-struct FloatLaneSym3 {
-    FloatLanes xx, yy, zz, xy, xz, yz;
-
-    void set(int lane, const Sym3& s)
-    {
-        xx[lane] = float(s.xx), yy[lane] = float(s.yy), zz[lane] = float(s.zz);
-        xy[lane] = float(s.xy), xz[lane] = float(s.xz), yz[lane] = float(s.yz);
-    }
-};
+using FloatLaneVec3 = LaneVec3Of<FloatLanes>;
+using FloatLaneSym3 = LaneSym3Of<FloatLanes>;
 
 }  // namespace epode

@@ -28,9 +28,12 @@ typedef float FloatVector __attribute__((vector_size(kFloatVector * sizeof(float
 typedef FloatVector FloatVectorInMemory __attribute__((may_alias));
 typedef float QuadInMemory __attribute__((vector_size(4 * sizeof(float)), may_alias));
 
-struct Wide {
-    FloatVector v[kFloatVectors];
+// n vectors side by side.
+template <int n>
+struct Floats {
+    FloatVector v[n];
 };
+using Wide = Floats<kFloatVectors>;
 
 EPODE_LANEWISE Wide load(const FloatLanes& x)
 {
@@ -46,76 +49,88 @@ EPODE_LANEWISE void store(FloatLanes& x, const Wide& value)
     for (int i = 0; i < kFloatVectors; ++i) to[i] = value.v[i];
 }
 
-EPODE_LANEWISE Wide wide(float x)
+template <int n>
+EPODE_LANEWISE Floats<n> filled(float x)
 {
-    Wide out;
-    for (int i = 0; i < kFloatVectors; ++i) out.v[i] = FloatVector{} + x;
+    Floats<n> out;
+    for (int i = 0; i < n; ++i) out.v[i] = FloatVector{} + x;
     return out;
 }
 
-EPODE_LANEWISE Wide operator+(const Wide& x, const Wide& y)
+EPODE_LANEWISE Wide wide(float x) { return filled<kFloatVectors>(x); }
+
+template <int n>
+EPODE_LANEWISE Floats<n> operator+(const Floats<n>& x, const Floats<n>& y)
 {
-    Wide out;
-    for (int i = 0; i < kFloatVectors; ++i) out.v[i] = x.v[i] + y.v[i];
+    Floats<n> out;
+    for (int i = 0; i < n; ++i) out.v[i] = x.v[i] + y.v[i];
     return out;
 }
 
-EPODE_LANEWISE Wide operator-(const Wide& x, const Wide& y)
+template <int n>
+EPODE_LANEWISE Floats<n> operator-(const Floats<n>& x, const Floats<n>& y)
 {
-    Wide out;
-    for (int i = 0; i < kFloatVectors; ++i) out.v[i] = x.v[i] - y.v[i];
+    Floats<n> out;
+    for (int i = 0; i < n; ++i) out.v[i] = x.v[i] - y.v[i];
     return out;
 }
 
-EPODE_LANEWISE Wide operator*(const Wide& x, const Wide& y)
+template <int n>
+EPODE_LANEWISE Floats<n> operator*(const Floats<n>& x, const Floats<n>& y)
 {
-    Wide out;
-    for (int i = 0; i < kFloatVectors; ++i) out.v[i] = x.v[i] * y.v[i];
+    Floats<n> out;
+    for (int i = 0; i < n; ++i) out.v[i] = x.v[i] * y.v[i];
     return out;
 }
 
-EPODE_LANEWISE Wide operator/(const Wide& x, const Wide& y)
+template <int n>
+EPODE_LANEWISE Floats<n> operator/(const Floats<n>& x, const Floats<n>& y)
 {
-    Wide out;
-    for (int i = 0; i < kFloatVectors; ++i) out.v[i] = x.v[i] / y.v[i];
+    Floats<n> out;
+    for (int i = 0; i < n; ++i) out.v[i] = x.v[i] / y.v[i];
     return out;
 }
 
-EPODE_LANEWISE Wide operator-(const Wide& x)
+template <int n>
+EPODE_LANEWISE Floats<n> operator-(const Floats<n>& x)
 {
-    Wide out;
-    for (int i = 0; i < kFloatVectors; ++i) out.v[i] = -x.v[i];
+    Floats<n> out;
+    for (int i = 0; i < n; ++i) out.v[i] = -x.v[i];
     return out;
 }
 
 // Of these, x is the answer when the first argument is not a number.
-EPODE_LANEWISE Wide at_most(const Wide& bound, const Wide& x)
+template <int n>
+EPODE_LANEWISE Floats<n> at_most(const Floats<n>& bound, const Floats<n>& x)
 {
-    Wide out;
-    for (int i = 0; i < kFloatVectors; ++i) out.v[i] = bound.v[i] < x.v[i] ? bound.v[i] : x.v[i];
+    Floats<n> out;
+    for (int i = 0; i < n; ++i) out.v[i] = bound.v[i] < x.v[i] ? bound.v[i] : x.v[i];
     return out;
 }
 
-EPODE_LANEWISE Wide at_least(const Wide& bound, const Wide& x)
+template <int n>
+EPODE_LANEWISE Floats<n> at_least(const Floats<n>& bound, const Floats<n>& x)
 {
-    Wide out;
-    for (int i = 0; i < kFloatVectors; ++i) out.v[i] = bound.v[i] > x.v[i] ? bound.v[i] : x.v[i];
+    Floats<n> out;
+    for (int i = 0; i < n; ++i) out.v[i] = bound.v[i] > x.v[i] ? bound.v[i] : x.v[i];
     return out;
 }
 
 // test > 0 ? yes : no
-EPODE_LANEWISE Wide if_positive(const Wide& test, const Wide& yes, const Wide& no)
+template <int n>
+EPODE_LANEWISE Floats<n> if_positive(const Floats<n>& test, const Floats<n>& yes, const Floats<n>& no)
 {
     const FloatVector zero{};
-    Wide out;
-    for (int i = 0; i < kFloatVectors; ++i) out.v[i] = test.v[i] > zero ? yes.v[i] : no.v[i];
+    Floats<n> out;
+    for (int i = 0; i < n; ++i) out.v[i] = test.v[i] > zero ? yes.v[i] : no.v[i];
     return out;
 }
 
-EPODE_LANEWISE Wide square_root(const Wide& x)
+template <int n>
+EPODE_LANEWISE Floats<n> square_root(const Floats<n>& x)
 {
-    Wide out;
-    for (int i = 0; i < kFloatVectors; ++i) {
+    Floats<n> out;
+    for (int i = 0; i < n; ++i) {
 #if defined(__AVX2__)
         out.v[i] = FloatVector(_mm256_sqrt_ps(__m256(x.v[i])));
 #elif defined(__x86_64__)
@@ -127,9 +142,11 @@ EPODE_LANEWISE Wide square_root(const Wide& x)
     return out;
 }
 
-struct Wide3 {
-    Wide x, y, z;
+template <int n>
+struct Floats3 {
+    Floats<n> x, y, z;
 };
+using Wide3 = Floats3<kFloatVectors>;
 
 EPODE_LANEWISE Wide3 load(const FloatLaneVec3& a) { return {load(a.x), load(a.y), load(a.z)}; }
 
@@ -138,26 +155,46 @@ EPODE_LANEWISE void store(FloatLaneVec3& a, const Wide3& value)
     store(a.x, value.x), store(a.y, value.y), store(a.z, value.z);
 }
 
-EPODE_LANEWISE Wide3 operator+(const Wide3& a, const Wide3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-EPODE_LANEWISE Wide3 operator-(const Wide3& a, const Wide3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-EPODE_LANEWISE Wide3 operator*(const Wide& s, const Wide3& a) { return {s * a.x, s * a.y, s * a.z}; }
-EPODE_LANEWISE Wide dot(const Wide3& a, const Wide3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+template <int n>
+EPODE_LANEWISE Floats3<n> operator+(const Floats3<n>& a, const Floats3<n>& b)
+{
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <int n>
+EPODE_LANEWISE Floats3<n> operator-(const Floats3<n>& a, const Floats3<n>& b)
+{
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <int n>
+EPODE_LANEWISE Floats3<n> operator*(const Floats<n>& s, const Floats3<n>& a)
+{
+    return {s * a.x, s * a.y, s * a.z};
+}
+template <int n>
+EPODE_LANEWISE Floats<n> dot(const Floats3<n>& a, const Floats3<n>& b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 
-EPODE_LANEWISE Wide3 cross(const Wide3& a, const Wide3& b)
+template <int n>
+EPODE_LANEWISE Floats3<n> cross(const Floats3<n>& a, const Floats3<n>& b)
 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-struct WideSym3 {
-    Wide xx, yy, zz, xy, xz, yz;
+template <int n>
+struct FloatsSym3 {
+    Floats<n> xx, yy, zz, xy, xz, yz;
 };
+using WideSym3 = FloatsSym3<kFloatVectors>;
 
 EPODE_LANEWISE WideSym3 load(const FloatLaneSym3& s)
 {
     return {load(s.xx), load(s.yy), load(s.zz), load(s.xy), load(s.xz), load(s.yz)};
 }
 
-EPODE_LANEWISE Wide3 operator*(const WideSym3& s, const Wide3& a)
+template <int n>
+EPODE_LANEWISE Floats3<n> operator*(const FloatsSym3<n>& s, const Floats3<n>& a)
 {
     return {s.xx * a.x + s.xy * a.y + s.xz * a.z, s.xy * a.x + s.yy * a.y + s.yz * a.z,
             s.xz * a.x + s.yz * a.y + s.zz * a.z};
@@ -176,7 +213,9 @@ EPODE_LANEWISE FloatVector quad_at(const float* const* at, int i)
 #endif
 }
 
-EPODE_LANEWISE void put_quad(const FloatVector& value, float* const* at, const bool* keep, int i)
+// Into the places of lane i, and i + 4 with AVX2, where `Keep` says nothing against it.
+template <typename Keep>
+EPODE_LANEWISE void put_quad(const FloatVector& value, float* const* at, const Keep& keep, int i)
 {
 #if defined(__AVX2__)
     if (!keep[i]) *reinterpret_cast<QuadInMemory*>(at[i]) = __builtin_shufflevector(value, value, 0, 1, 2, 3);
@@ -199,10 +238,11 @@ EPODE_LANEWISE void put_quad(const FloatVector& value, float* const* at, const b
 #define EPODE_SECOND_HALVES 2, 3, 6, 7
 #endif
 
-EPODE_LANEWISE Wide3 read_places(const float* const* at)
+template <int n = kFloatVectors>
+EPODE_LANEWISE Floats3<n> gather_floats(const float* const* at)
 {
-    Wide3 out;
-    for (int i = 0; i < kFloatVectors; ++i) {
+    Floats3<n> out;
+    for (int i = 0; i < n; ++i) {
         const float* const* p = at + i * kFloatVector;
         const FloatVector a = quad_at(p, 0), b = quad_at(p, 1), c = quad_at(p, 2), d = quad_at(p, 3);
         const FloatVector ab = __builtin_shufflevector(a, b, EPODE_LOW_PAIRS);  // xa xb ya yb
@@ -216,18 +256,24 @@ EPODE_LANEWISE Wide3 read_places(const float* const* at)
     return out;
 }
 
+struct KeepNone {
+    EPODE_LANEWISE constexpr bool operator[](int) const { return false; }
+    EPODE_LANEWISE constexpr KeepNone operator+(int) const { return {}; }
+};
+
 // The unused fourth number becomes zero; places with `keep` are left alone.
-EPODE_LANEWISE void write_places(const Wide3& value, float* const* at, const bool* keep)
+template <int n, typename Keep>
+EPODE_LANEWISE void scatter_floats(const Floats3<n>& value, float* const* at, const Keep& keep)
 {
     const FloatVector zero{};
-    for (int i = 0; i < kFloatVectors; ++i) {
+    for (int i = 0; i < n; ++i) {
         const FloatVector x = value.x.v[i], y = value.y.v[i], z = value.z.v[i];
         const FloatVector xy_low = __builtin_shufflevector(x, y, EPODE_LOW_PAIRS);  // x0 y0 x1 y1
         const FloatVector xy_high = __builtin_shufflevector(x, y, EPODE_HIGH_PAIRS);
         const FloatVector z_low = __builtin_shufflevector(z, zero, EPODE_LOW_PAIRS);
         const FloatVector z_high = __builtin_shufflevector(z, zero, EPODE_HIGH_PAIRS);
         float* const* p = at + i * kFloatVector;
-        const bool* k = keep + i * kFloatVector;
+        const auto k = keep + i * kFloatVector;
         put_quad(__builtin_shufflevector(xy_low, z_low, EPODE_FIRST_HALVES), p, k, 0);
         put_quad(__builtin_shufflevector(xy_low, z_low, EPODE_SECOND_HALVES), p, k, 1);
         put_quad(__builtin_shufflevector(xy_high, z_high, EPODE_FIRST_HALVES), p, k, 2);

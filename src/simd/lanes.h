@@ -14,26 +14,38 @@ namespace epode {
 inline constexpr int kLanes = 8;
 
 struct alignas(kLanes * sizeof(Real)) Lanes {
+    using Number = Real;
     Real at[kLanes];
 
     Real operator[](int lane) const { return at[lane]; }
     Real& operator[](int lane) { return at[lane]; }
 };
 
-struct LaneVec3 {
-    Lanes x, y, z;
+// L: Lanes, or the FloatLanes of simd/float_lanes.h.
+template <typename L>
+struct LaneVec3Of {
+    L x, y, z;
 
-    void set(int lane, Vec3 a) { x[lane] = a.x, y[lane] = a.y, z[lane] = a.z; }
+    void set(int lane, Vec3 a)
+    {
+        using Number = typename L::Number;
+        x[lane] = Number(a.x), y[lane] = Number(a.y), z[lane] = Number(a.z);
+    }
 };
 
-struct LaneSym3 {
-    Lanes xx, yy, zz, xy, xz, yz;
+template <typename L>
+struct LaneSym3Of {
+    L xx, yy, zz, xy, xz, yz;
 
     void set(int lane, const Sym3& s)
     {
-        xx[lane] = s.xx, yy[lane] = s.yy, zz[lane] = s.zz;
-        xy[lane] = s.xy, xz[lane] = s.xz, yz[lane] = s.yz;
+        using Number = typename L::Number;
+        xx[lane] = Number(s.xx), yy[lane] = Number(s.yy), zz[lane] = Number(s.zz);
+        xy[lane] = Number(s.xy), xz[lane] = Number(s.xz), yz[lane] = Number(s.yz);
     }
 };
+
+using LaneVec3 = LaneVec3Of<Lanes>;
+using LaneSym3 = LaneSym3Of<Lanes>;
 
 }  // namespace epode

@@ -1,32 +1,61 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Contacts as the kernels read them, kLanes manifolds side by side. A batch is one manifold per lane, none of
-// which shares a dynamic body with another; what the points of a manifold have in common (rows/manifold.h) is
-// here, 270 bytes per manifold, and a point has 112 bytes of its own: a sweep is as fast as they come out of
-// the caches. Lanes of shorter manifolds are filled with points of zero gain, which do nothing.
+// Contacts as the kernels read them, eight manifolds in Reals or sixteen in floats side by side. A batch is
+// one manifold per lane, none of which shares a dynamic body with another; what the points of a manifold have
+// in common (rows/manifold.h) is here, and a point has 14 numbers of its own: a sweep is as fast as they come
+// out of the caches. In floats twice as many fit a register and a cache. Lanes of shorter manifolds are
+// filled with points of zero gain, which do nothing.
 #pragma once
 
 #include "rows/manifold.h"
+#include "simd/float_lanes.h"
 #include "simd/lanes.h"
+#include "solve/velocities.h"
 
 namespace epode {
 
-struct BatchPoint {
-    LaneVec3 r1;
-    Lanes c, C;              // of the normal
-    Lanes gain[3], p[3];     // n, t1, t2
-    Lanes k_n1, k_n2, k_12;  // gain of the later row times coupling with the earlier
+// L: Lanes or BroadLanes.
+template <typename L>
+inline constexpr int kLanesOf = sizeof(L) / sizeof(typename L::Number);
+
+template <typename L>
+struct BatchPointOf {
+    LaneVec3Of<L> r1;
+    L c, C;              // of the normal
+    L gain[3], p[3];     // n, t1, t2
+    L k_n1, k_n2, k_12;  // gain of the later row times coupling with the earlier
 };
 
-struct ContactBatch {
-    int first, count;                  // of the points
-    int body1[kLanes], body2[kLanes];  // into the velocities
-    Lanes inv_mass1, inv_mass2;
-    LaneSym3 inv_inertia1, inv_inertia2;
-    LaneVec3 n, t1, t2, offset;  // r2 = r1 + offset
-    Lanes c[2], C[2];            // of the tangents
-    Lanes mu[2], fixed[2];       // limit of friction: mu p_n + fixed
+template <typename L>
+struct ContactBatchOf {
+    int first, count;                            // of the points
+    int body1[kLanesOf<L>], body2[kLanesOf<L>];  // into the velocities
+    L inv_mass1, inv_mass2;
+    LaneSym3Of<L> inv_inertia1, inv_inertia2;
+    LaneVec3Of<L> n, t1, t2, offset;  // r2 = r1 + offset
+    L c[2], C[2];                     // of the tangents
+    L mu[2], fixed[2];                // limit of friction: mu p_n + fixed
+};
+
+using BatchPoint = BatchPointOf<Lanes>;
+using ContactBatch = ContactBatchOf<Lanes>;
+
+// A Velocity in floats, half a cache line.
+struct alignas(kTwistNumbers * sizeof(float)) FloatVelocity {
+    float at[kTwistNumbers];
+};
+
+// What lanes sweep over.
+template <typename L>
+struct VelocityOf;
+template <>
+struct VelocityOf<Lanes> {
+    using Type = Velocity;
+};
+template <>
+struct VelocityOf<BroadLanes> {
+    using Type = FloatVelocity;
 };
 
 }  // namespace epode

@@ -16,18 +16,31 @@ namespace epode {
 // Plain pointers and counts: an inline function of a span, compiled for AVX2, could be the copy that the
 // linker keeps for everybody. `batch.first` counts from `points`, `order` from `batches`; a lone batch comes
 // with its own points.
+template <typename L>
+struct ContactKernelsOf {
+    using Bodies = typename VelocityOf<L>::Type;
+    // In: all but couplings and gains. Out: these, and p within its limits.
+    void (*prepare)(const ContactBatchOf<L>& batch, BatchPointOf<L>* points, typename L::Number w);
+    // v += M^-1 J^T p
+    void (*apply_impulses)(const ContactBatchOf<L>* batches, int count, const BatchPointOf<L>* points,
+                           Bodies* bodies);
+    void (*sweep)(const ContactBatchOf<L>* batches, const int* order, int count, BatchPointOf<L>* points,
+                  Bodies* bodies);
+};
+
 struct ContactKernels {
     const char* name;
-    // In: all but couplings and gains. Out: these, and p within its limits.
-    void (*prepare)(const ContactBatch& batch, BatchPoint* points, Real w);
-    // v += M^-1 J^T p
-    void (*apply_impulses)(const ContactBatch* batches, int count, const BatchPoint* points,
-                           Velocity* bodies);
-    void (*sweep)(const ContactBatch* batches, const int* order, int count, BatchPoint* points,
-                  Velocity* bodies);
+    ContactKernelsOf<Lanes> reals;
+    ContactKernelsOf<BroadLanes> floats;
     // J_n v of the batch's points.
     void (*normal_velocities)(const ContactBatch& batch, const BatchPoint* points, const Velocity* bodies,
                               Lanes* out);
+    // Before float sweeps: to = from, rounded. After them: to += what they have changed since.
+    void (*round_velocities)(const Velocity* from, int count, FloatVelocity* to);
+    void (*add_changes)(const FloatVelocity* from, int count, Velocity* to);
+
+    const ContactKernelsOf<Lanes>& of(const Lanes*) const { return reals; }
+    const ContactKernelsOf<BroadLanes>& of(const BroadLanes*) const { return floats; }
 };
 
 // Those that this machine can run; the first is the baseline, the last the fastest.

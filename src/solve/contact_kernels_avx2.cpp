@@ -9,7 +9,12 @@
 namespace epode {
 
 extern const ContactKernels kAvx2ContactKernels;
-const ContactKernels kAvx2ContactKernels{"avx2", prepare, apply_impulses, sweep, normal_velocities};
+const ContactKernels kAvx2ContactKernels{"avx2",
+                                         {prepare<Lanes>, apply_impulses<Lanes>, sweep<Lanes>},
+                                         {prepare<BroadLanes>, apply_impulses<BroadLanes>, sweep<BroadLanes>},
+                                         normal_velocities,
+                                         round_velocities,
+                                         add_changes};
 
 }  // namespace epode
 #endif

@@ -14,7 +14,12 @@ extern const ContactKernels kAvx2ContactKernels;
 
 namespace {
 
-constexpr ContactKernels kBaseline{"baseline", prepare, apply_impulses, sweep, normal_velocities};
+constexpr ContactKernels kBaseline{"baseline",
+                                   {prepare<Lanes>, apply_impulses<Lanes>, sweep<Lanes>},
+                                   {prepare<BroadLanes>, apply_impulses<BroadLanes>, sweep<BroadLanes>},
+                                   normal_velocities,
+                                   round_velocities,
+                                   add_changes};
 
 constexpr const ContactKernels* kAll[] = {
     &kBaseline,

@@ -6,37 +6,52 @@
 #include "solve/contact_set.h"
 
 #include <algorithm>
+#include <limits>
+#include <type_traits>
 #include <utility>
 
 namespace epode {
 namespace {
 
-constexpr int kWindow = 48;         // manifolds looked at for a free lane
+constexpr int kWindow = 6;           // manifolds looked at for each lane
 constexpr int kFullShuffle = 1536;  // batches, about 6 MB
 constexpr int kRun = 32;
 
-void fill_point(const ManifoldPoint& from, BatchPoint& to, int lane)
+// To floats without leaving their range: a limit that is finite stays so.
+template <typename N>
+N narrowed(Real x)
 {
+    constexpr Real most = Real(std::numeric_limits<float>::max());
+    return std::is_same_v<N, Real> || x <= most || x == kInf ? N(x) : N(most);
+}
+
+template <typename L>
+void fill_point(const ManifoldPoint& from, BatchPointOf<L>& to, int lane)
+{
+    using N = typename L::Number;
     to.r1.set(lane, from.r1);
-    to.c[lane] = from.c, to.C[lane] = from.C;
-    for (int k = 0; k < 3; ++k) to.p[k][lane] = from.p[k];
+    to.c[lane] = N(from.c), to.C[lane] = N(from.C);
+    for (int k = 0; k < 3; ++k) to.p[k][lane] = N(from.p[k]);
 }
 
 // Lanes without a point have the directions of their manifold, but no say.
-void silence_unused(const ContactSource& source, BatchPoint& point)
+template <typename L>
+void silence_unused(const ContactSourceOf<L>& source, BatchPointOf<L>& point)
 {
-    for (int lane = 0; lane < kLanes; ++lane)
+    for (int lane = 0; lane < kLanesOf<L>; ++lane)
         if (source.point[lane] < 0)
-            for (Lanes& gain : point.gain) gain[lane] = 0;
+            for (L& gain : point.gain) gain[lane] = 0;
 }
 
-void fill_common(const Manifold& from, ContactBatch& to, int lane)
+template <typename L>
+void fill_common(const Manifold& from, ContactBatchOf<L>& to, int lane)
 {
+    using N = typename L::Number;
     to.n.set(lane, from.n), to.t1.set(lane, from.t1), to.t2.set(lane, from.t2);
     to.offset.set(lane, from.offset);
     for (int k = 0; k < 2; ++k) {
-        to.c[k][lane] = from.c[k], to.C[k][lane] = from.C[k];
-        to.mu[k][lane] = from.mu[k], to.fixed[k][lane] = from.fixed[k];
+        to.c[k][lane] = N(from.c[k]), to.C[k][lane] = N(from.C[k]);
+        to.mu[k][lane] = narrowed<N>(from.mu[k]), to.fixed[k][lane] = narrowed<N>(from.fixed[k]);
     }
 }
 
@@ -45,8 +60,8 @@ void fill_common(const Manifold& from, ContactBatch& to, int lane)
 class Chooser {
   public:
     Chooser(const RowSystem& system, std::span<const Manifold> manifolds, std::span<int> stamps,
-            std::span<bool> used)
-        : system_(system), manifolds_(manifolds), stamps_(stamps), used_(used)
+            std::span<bool> used, int lanes)
+        : system_(system), manifolds_(manifolds), stamps_(stamps), used_(used), lanes_(lanes)
     {
         std::fill(stamps.begin(), stamps.end(), -1);
     }
@@ -57,14 +72,14 @@ class Chooser {
         int taken = 0;
         take(batch, first, lanes[taken++]);
         const int count = manifolds_[std::size_t(first)].count;
-        const int end = std::min(int(manifolds_.size()), first + kWindow);
+        const int end = std::min(int(manifolds_.size()), first + kWindow * lanes_);
         // First those of the same length, then any.
         for (const bool any : {false, true})
-            for (int j = first + 1; j < end && taken < kLanes; ++j)
+            for (int j = first + 1; j < end && taken < lanes_; ++j)
                 if (!used_[std::size_t(j)] && (any || manifolds_[std::size_t(j)].count == count) &&
                     free(batch, j))
                     take(batch, j, lanes[taken++]);
-        std::fill(lanes + taken, lanes + kLanes, -1);
+        std::fill(lanes + taken, lanes + lanes_, -1);
     }
 
     bool used(int manifold) const { return used_[std::size_t(manifold)]; }
@@ -91,48 +106,51 @@ class Chooser {
     std::span<const Manifold> manifolds_;
     std::span<int> stamps_;
     std::span<bool> used_;
+    int lanes_;
 };
 
 }  // namespace
 
-bool ContactSet::pack(const RowSystem& system, const ManifoldList& list, Real w, Arena& arena)
+template <typename L>
+bool ContactSetOf<L>::pack(const RowSystem& system, const ManifoldList& list, Real w, Arena& arena)
 {
     if (list.manifolds.empty()) return true;
     if (!choose(system, list.manifolds, arena)) return false;
     const int count = chosen_.back().first + chosen_.back().count;
-    batches_ = arena.take<ContactBatch>(int(chosen_.size()));
-    points_ = arena.take<BatchPoint>(count);
-    sources_ = arena.take<ContactSource>(count);
+    batches_ = arena.take<Batch>(int(chosen_.size()));
+    points_ = arena.take<Point>(count);
+    sources_ = arena.take<Source>(count);
     order_ = arena.take<int>(int(batches_.size()));
     if (arena.failed()) return false;
     for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = int(i);
     for (std::size_t b = 0; b < batches_.size(); ++b) {
-        ContactBatch& batch = batches_[b];
+        Batch& batch = batches_[b];
         batch.first = chosen_[b].first, batch.count = chosen_[b].count;
-        for (int lane = 0; lane < kLanes; ++lane)
+        for (int lane = 0; lane < kCount; ++lane)
             fill_lane(system, list, chosen_[b].manifold[lane], batch, lane);
-        kernels_->prepare(batch, &points_[std::size_t(batch.first)], w);
+        kernels_->prepare(batch, &points_[std::size_t(batch.first)], Number(w));
         for (int i = batch.first; i < batch.first + batch.count; ++i)
             silence_unused(sources_[std::size_t(i)], points_[std::size_t(i)]);
     }
     return true;
 }
 
-bool ContactSet::choose(const RowSystem& system, std::span<const Manifold> manifolds, Arena& arena)
+template <typename L>
+bool ContactSetOf<L>::choose(const RowSystem& system, std::span<const Manifold> manifolds, Arena& arena)
 {
     const int n = int(manifolds.size());
     chosen_ = arena.take<Choice>(n);
     auto stamps = arena.take<int>(int(system.bodies.size()));
     auto used = arena.take_zeroed<bool>(n);
     if (arena.failed()) return false;
-    Chooser chooser(system, manifolds, stamps, used);
+    Chooser chooser(system, manifolds, stamps, used, kCount);
     int count = 0, points = 0;
     for (int i = 0; i < n; ++i) {
         if (chooser.used(i)) continue;
         Choice& choice = chosen_[std::size_t(count)];
         chooser.fill(count, i, choice.manifold);
         choice.first = points, choice.count = 0;
-        for (int lane = 0; lane < kLanes && choice.manifold[lane] >= 0; ++lane)
+        for (int lane = 0; lane < kCount && choice.manifold[lane] >= 0; ++lane)
             choice.count = std::max(choice.count, manifolds[std::size_t(choice.manifold[lane])].count);
         points += choice.count;
         ++count;
@@ -141,16 +159,17 @@ bool ContactSet::choose(const RowSystem& system, std::span<const Manifold> manif
     return true;
 }
 
-void ContactSet::fill_lane(const RowSystem& system, const ManifoldList& list, int index, ContactBatch& batch,
-                           int lane)
+template <typename L>
+void ContactSetOf<L>::fill_lane(const RowSystem& system, const ManifoldList& list, int index, Batch& batch,
+                                int lane)
 {
     const SolverBody at_rest{};
     const Manifold none{{}, {}, {}, {}, {}, {}, {}, {}, -1, -1, 0, 0};
     const Manifold& manifold = index >= 0 ? list.manifolds[std::size_t(index)] : none;
-    const auto set_body = [&](int body, int& slot, Lanes& inv_mass, LaneSym3& inv_inertia) {
+    const auto set_body = [&](int body, int& slot, L& inv_mass, LaneSym3Of<L>& inv_inertia) {
         const SolverBody& from = body >= 0 ? system.bodies[std::size_t(body)] : at_rest;
         slot = second_slot(system, body);
-        inv_mass[lane] = from.inv_mass;
+        inv_mass[lane] = Number(from.inv_mass);
         inv_inertia.set(lane, from.inv_inertia);
     };
     set_body(manifold.body1, batch.body1[lane], batch.inv_mass1, batch.inv_inertia1);
@@ -164,20 +183,24 @@ void ContactSet::fill_lane(const RowSystem& system, const ManifoldList& list, in
     }
 }
 
-void ContactSet::apply_impulses(std::span<Velocity> bodies) const
+template <typename L>
+void ContactSetOf<L>::apply_impulses(std::span<Bodies> bodies) const
 {
     kernels_->apply_impulses(batches_.data(), int(batches_.size()), points_.data(), bodies.data());
 }
 
-void ContactSet::normal_velocities(const ContactBatch& batch, std::span<const Velocity> bodies,
-                                   std::span<Lanes, kManifoldPoints> out) const
+template <typename L>
+void ContactSetOf<L>::normal_velocities(const Batch& batch, std::span<const Velocity> bodies,
+                                        std::span<Lanes, kManifoldPoints> out) const
+    requires(std::same_as<L, Lanes>)
 {
-    kernels_->normal_velocities(batch, &points_[std::size_t(batch.first)], bodies.data(), out.data());
+    machine_->normal_velocities(batch, &points_[std::size_t(batch.first)], bodies.data(), out.data());
 }
 
 // Islands that no longer fit the caches keep neighbours together: runs are shuffled, then what is in each
 // run.
-void ContactSet::shuffle(CounterRandom& random)
+template <typename L>
+void ContactSetOf<L>::shuffle(CounterRandom& random)
 {
     const int n = int(order_.size());
     const int run = n > kFullShuffle ? kRun : n;
@@ -191,25 +214,30 @@ void ContactSet::shuffle(CounterRandom& random)
             std::swap(order[first + i], order[first + random.below(i + 1)]);
 }
 
-void ContactSet::sweep(std::span<Velocity> bodies)
+template <typename L>
+void ContactSetOf<L>::sweep(std::span<Bodies> bodies)
 {
     kernels_->sweep(batches_.data(), order_.data(), int(order_.size()), points_.data(), bodies.data());
 }
 
-void ContactSet::relax_by(Real factor)
+template <typename L>
+void ContactSetOf<L>::relax_by(Real factor)
 {
-    for (BatchPoint& point : points_)
-        for (Lanes* x :
-             {&point.gain[0], &point.gain[1], &point.gain[2], &point.k_n1, &point.k_n2, &point.k_12})
-            for (Real& value : x->at) value *= factor;
+    for (Point& point : points_)
+        for (L* x : {&point.gain[0], &point.gain[1], &point.gain[2], &point.k_n1, &point.k_n2, &point.k_12})
+            for (Number& value : x->at) value *= Number(factor);
 }
 
-void ContactSet::store_impulses(std::span<ManifoldPoint> points) const
+template <typename L>
+void ContactSetOf<L>::store_impulses(std::span<ManifoldPoint> points) const
 {
     for (std::size_t i = 0; i < sources_.size(); ++i)
-        for (int lane = 0; lane < kLanes; ++lane)
+        for (int lane = 0; lane < kCount; ++lane)
             if (const int point = sources_[i].point[lane]; point >= 0)
-                for (int k = 0; k < 3; ++k) points[std::size_t(point)].p[k] = points_[i].p[k][lane];
+                for (int k = 0; k < 3; ++k) points[std::size_t(point)].p[k] = Real(points_[i].p[k][lane]);
 }
+
+template class ContactSetOf<Lanes>;
+template class ContactSetOf<BroadLanes>;
 
 }  // namespace epode

@@ -6,6 +6,7 @@
 // is a function of the island alone and neighbours in memory stay neighbours.
 #pragma once
 
+#include <concepts>
 #include <span>
 
 #include "base/arena.h"
@@ -13,52 +14,68 @@
 #include "rows/row_system.h"
 #include "solve/contact_batch.h"
 #include "solve/contact_kernels.h"
-#include "solve/velocities.h"
 
 namespace epode {
 
 // The points that the lanes of a batch's point came from; -1: none.
-struct ContactSource {
-    int point[kLanes];
+template <typename L>
+struct ContactSourceOf {
+    int point[kLanesOf<L>];
 };
 
-class ContactSet {
+// L: Lanes or BroadLanes.
+template <typename L>
+class ContactSetOf {
   public:
-    explicit ContactSet(const ContactKernels& kernels = *contact_kernels().back()) : kernels_(&kernels) {}
+    using Batch = ContactBatchOf<L>;
+    using Point = BatchPointOf<L>;
+    using Source = ContactSourceOf<L>;
+    using Bodies = typename VelocityOf<L>::Type;
+
+    explicit ContactSetOf(const ContactKernels& kernels = *contact_kernels().back())
+        : machine_(&kernels), kernels_(&kernels.of(static_cast<const L*>(nullptr)))
+    {}
 
     // False: out of memory. `w`: over-relaxation.
     bool pack(const RowSystem& system, const ManifoldList& list, Real w, Arena& arena);
 
-    void apply_impulses(std::span<Velocity> bodies) const;  // v += M^-1 J^T p
-    void shuffle(CounterRandom& random);                    // the order of the sweeps to come
-    void sweep(std::span<Velocity> bodies);
+    void apply_impulses(std::span<Bodies> bodies) const;  // v += M^-1 J^T p
+    void shuffle(CounterRandom& random);                  // the order of the sweeps to come
+    void sweep(std::span<Bodies> bodies);
     void relax_by(Real factor);  // multiplies the over-relaxation of the sweeps to come
     void store_impulses(std::span<ManifoldPoint> points) const;
     // J_n v of the points of a batch.
-    void normal_velocities(const ContactBatch& batch, std::span<const Velocity> bodies,
-                           std::span<Lanes, kManifoldPoints> out) const;
+    void normal_velocities(const Batch& batch, std::span<const Velocity> bodies,
+                           std::span<Lanes, kManifoldPoints> out) const requires(std::same_as<L, Lanes>);
 
-    std::span<ContactBatch> batches() { return batches_; }
-    std::span<BatchPoint> points() { return points_; }
-    std::span<const ContactSource> sources() const { return sources_; }
+    bool empty() const { return batches_.empty(); }
+    std::span<Batch> batches() { return batches_; }
+    std::span<Point> points() { return points_; }
+    std::span<const Source> sources() const { return sources_; }
 
   private:
+    using Number = typename L::Number;
+    static constexpr int kCount = kLanesOf<L>;
+
     // The manifolds of a batch, -1: none; and its points.
     struct Choice {
-        int manifold[kLanes];
+        int manifold[kCount];
         int first, count;
     };
 
     bool choose(const RowSystem& system, std::span<const Manifold> manifolds, Arena& arena);
-    void fill_lane(const RowSystem& system, const ManifoldList& list, int manifold, ContactBatch& batch,
-                   int lane);
+    void fill_lane(const RowSystem& system, const ManifoldList& list, int manifold, Batch& batch, int lane);
 
-    const ContactKernels* kernels_;
+    const ContactKernels* machine_;
+    const ContactKernelsOf<L>* kernels_;
     std::span<Choice> chosen_;
-    std::span<ContactBatch> batches_;
+    std::span<Batch> batches_;
     std::span<int> order_;  // of the batches in a sweep
-    std::span<BatchPoint> points_;
-    std::span<ContactSource> sources_;
+    std::span<Point> points_;
+    std::span<Source> sources_;
 };
+
+using ContactSet = ContactSetOf<Lanes>;
+using FloatContactSet = ContactSetOf<BroadLanes>;
 
 }  // namespace epode

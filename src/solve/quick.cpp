@@ -16,8 +16,8 @@
 #include <algorithm>
 
 #include "solve/contact_rows.h"
-#include "solve/contact_set.h"
 #include "solve/joint_set.h"
+#include "solve/quick_contacts.h"
 #include "solve/residual.h"
 #include "solve/row_sweep.h"
 #include "solve/solver.h"
@@ -29,11 +29,11 @@ constexpr int kCalmShare = 2;  // the second half of the sweeps
 
 struct Sweeps {
     ContactRows rows;  // contacts that came as rows
-    ContactSet contacts;
+    QuickContacts contacts;
     JointSet joints;
     RowSweep others;  // contacts of other kinds
 
-    bool pack(const RowSystem& system, Real w, Arena& arena)
+    bool pack(const RowSystem& system, const SolverSettings& settings, Arena& arena)
     {
         auto taken = arena.take<bool>(int(system.blocks.size()));
         if (arena.failed()) return false;
@@ -42,40 +42,44 @@ struct Sweeps {
         } else {
             std::fill(taken.begin(), taken.end(), false);
         }
-        const ManifoldList& list = system.contacts.points.empty() ? rows.list() : system.contacts;
-        if (!contacts.pack(system, list, w, arena)) return false;
         if (!joints.pack(system, arena)) return false;
         joints.load(system);
         for (std::size_t i = 0; i < taken.size(); ++i) taken[i] = taken[i] || !system.blocks[i].contact;
-        return others.pack(system, w, taken, arena);
+        if (!others.pack(system, settings.w, taken, arena)) return false;
+        const bool alone = joints.empty() && others.blocks().empty();
+        return contacts.pack(system, manifolds(system), settings, alone, arena);
+    }
+
+    // The contacts as manifolds, however they came.
+    const ManifoldList& manifolds(const RowSystem& system) const
+    {
+        return system.contacts.points.empty() ? rows.list() : system.contacts;
     }
 
     void store_impulses(RowSystem& system) const
     {
         joints.store_impulses(system.numbers);
         others.store_impulses(system.numbers);
-        if (!system.contacts.points.empty()) {
-            contacts.store_impulses(system.contacts.points);
-            return;
-        }
-        contacts.store_impulses(rows.list().points);
+        contacts.store_impulses(manifolds(system).points);
         rows.for_each_impulse([&](int row, Real p) { system.numbers[std::size_t(row)].p = p; });
     }
 
-    void run(std::span<Velocity> bodies, int iterations, Real w, std::uint64_t seed)
+    void run(std::span<Velocity> bodies, const SolverSettings& settings)
     {
-        CounterRandom random(seed);
+        const int iterations = settings.iterations;
+        const Real w = settings.w;
+        CounterRandom random(settings.seed);
         const int calm = w > 1 ? iterations - iterations / kCalmShare : iterations;
         joints.apply_impulses(bodies);
         others.apply_impulses(bodies);
-        contacts.apply_impulses(bodies);
+        contacts.begin(bodies);
         for (int i = 0; i < iterations; ++i) {
             if (i == calm) contacts.relax_by(1 / w);
             joints.sweep(bodies, {w, false});
             others.sweep(bodies, i % 2 != 0);
-            contacts.shuffle(random);
-            contacts.sweep(bodies);
+            contacts.sweep(bodies, random);
         }
+        contacts.end(bodies);
     }
 };
 
@@ -127,9 +131,9 @@ bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena
     }
     Sweeps sweeps;
     auto velocities = take_velocities(system, arena);
-    if (velocities.empty() || !sweeps.pack(system, settings.w, arena)) return false;
+    if (velocities.empty() || !sweeps.pack(system, settings, arena)) return false;
     load_velocities(system, velocities);
-    sweeps.run(velocities, settings.iterations, settings.w, settings.seed);
+    sweeps.run(velocities, settings);
     store_velocities(velocities, system);
     sweeps.store_impulses(system);
     return !settings.want_residual || find_residuals(system, settings, before, arena, report);
