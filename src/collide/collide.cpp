@@ -346,7 +346,8 @@ bool asks_program(Geom& geom)
 
 bool asks_program(Geom& a, Geom& b)
 {
-    return asks_program(a) || asks_program(b) || collider_of(a.type->number, b.type->number).user;
+    return asks_program(a) || asks_program(b) ||
+           (any_overridden() && collider_of(a.type->number, b.type->number).user);
 }
 
 void collide(Geom& a, Geom& b, ContactArray& out) { collide_two(a, b, out); }

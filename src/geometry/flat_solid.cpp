@@ -54,6 +54,33 @@ FlatSolid::FlatSolid(const ConvexView& v)
     inner_radius = least < half_.z ? least : half_.z;
 }
 
+FaceGaps::FaceGaps(const FlatSolid& s, Vec3 p) : s_(s), p_(p)
+{
+    if (s.polyhedron() && s.faces.size() <= kRoom) {
+        reckon_all();
+        return;
+    }
+    Real most = -kInf;
+    for (std::size_t i = 0; i < s.faces.size(); ++i) {
+        const Real g = reckon(i);
+        if (i < kRoom) gap_[i] = g;
+        if (g > most) most = g, widest = i;
+    }
+}
+
+void FaceGaps::reckon_all()
+{
+    const DotLanes& faces = s_.polyhedron()->face_lanes();
+    const QuadVec p = quad_vec(p_);
+    Quad most = quad(-kInf);
+    for (int g = 0; g < faces.groups(); ++g) {
+        const Quad some = dots(faces.group(g), p) - offsets(faces.group(g));
+        store_quad(gap_ + g * DotLanes::kWide, some);
+        most = larger(some, most);
+    }
+    widest = std::size_t(first_as_large(gap_, faces.groups(), largest_lane(most)));
+}
+
 RoundCore::RoundCore(const ConvexView& v)
 {
     if (v.kind == SolidKind::kSegment) half_length = static_cast<const Capsule*>(v.shape)->half_length;

@@ -49,6 +49,8 @@ class FlatSolid {
     Vec3 inner;
     Real inner_radius = 0;
 
+    const Polyhedron* polyhedron() const { return polyhedron_; }
+
   private:
     const Polyhedron* polyhedron_ = nullptr;
     Vec3 half_;
@@ -63,21 +65,14 @@ class FlatSolid {
 // How far a point is beyond the plane of each face.
 class FaceGaps {
   public:
-    FaceGaps(const FlatSolid& s, Vec3 p) : s_(s), p_(p)
-    {
-        Real most = -kInf;
-        for (std::size_t i = 0; i < s.faces.size(); ++i) {
-            const Real g = reckon(i);
-            if (i < kRoom) gap_[i] = g;
-            if (g > most) most = g, widest = i;
-        }
-    }
+    FaceGaps(const FlatSolid& s, Vec3 p);
     Real operator[](std::size_t i) const { return i < kRoom ? gap_[i] : reckon(i); }
 
     std::size_t widest = 0;
 
   private:
     static constexpr std::size_t kRoom = 256;
+    void reckon_all();
     Real reckon(std::size_t i) const { return dot(s_.faces[i].normal, p_) - s_.faces[i].offset; }
 
     const FlatSolid& s_;

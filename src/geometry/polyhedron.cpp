@@ -6,6 +6,7 @@
 #include "geometry/polyhedron.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "base/check.h"
 #include "geometry/hull_faces.h"
@@ -70,7 +71,8 @@ const char* Polyhedron::build(const Real* points, unsigned count, int most_verti
     const char* refusal = made.take_hull(all.span(), most_vertices);
     if (refusal == kAllInOnePlane && plates) refusal = made.take_plate(all.span());
     if (refusal) return refusal;
-    if (!made.take_edges() || !made.take_seams() || !made.take_neighbours()) return "out of memory";
+    if (!made.take_edges() || !made.take_seams() || !made.take_neighbours() || !made.take_lanes())
+        return "out of memory";
     made.take_inner();
     swap(made);
     return nullptr;
@@ -82,6 +84,7 @@ void Polyhedron::swap(Polyhedron& other)
     edges_.swap(other.edges_), seams_.swap(other.seams_), first_.swap(other.first_),
         neighbours_.swap(other.neighbours_);
     around_.swap(other.around_);
+    vertex_lanes_.swap(other.vertex_lanes_), face_lanes_.swap(other.face_lanes_);
     std::swap(start_, other.start_), std::swap(centre_, other.centre_), std::swap(size_, other.size_);
     std::swap(inner_, other.inner_), std::swap(inner_radius_, other.inner_radius_);
 }
@@ -247,6 +250,11 @@ bool Polyhedron::take_neighbours()
     return true;
 }
 
+bool Polyhedron::take_lanes()
+{
+    return (!first_.empty() || vertex_lanes_.take(vertices())) && face_lanes_.take_planes(faces());
+}
+
 int Polyhedron::climb(Vec3 direction) const
 {
     int best = start_[(direction.x > 0 ? 1 : 0) | (direction.y > 0 ? 2 : 0) | (direction.z > 0 ? 4 : 0)];
@@ -261,16 +269,45 @@ int Polyhedron::climb(Vec3 direction) const
     return best;
 }
 
+Real Polyhedron::reach(Vec3 direction) const
+{
+    if (!first_.empty()) return dot(direction, vertices_[climb(direction)]);
+    const QuadVec d = quad_vec(direction);
+    Quad most = quad(-kInf);
+    for (int g = 0; g < vertex_lanes_.groups(); ++g) most = larger(dots(vertex_lanes_.group(g), d), most);
+    return largest_lane(most);
+}
+
+void Polyhedron::extent(Vec3 direction, Real& low, Real& high) const
+{
+    if (!first_.empty()) {
+        low = dot(direction, vertices_[climb(-direction)]),
+        high = dot(direction, vertices_[climb(direction)]);
+        return;
+    }
+    const QuadVec d = quad_vec(direction);
+    Quad least = quad(kInf), most = quad(-kInf);
+    for (int g = 0; g < vertex_lanes_.groups(); ++g) {
+        const Quad along = dots(vertex_lanes_.group(g), d);
+        least = smaller(along, least), most = larger(along, most);
+    }
+    low = -largest_lane(quad(0) - least), high = largest_lane(most);
+}
+
 int Polyhedron::farthest(Vec3 direction) const
 {
     if (!first_.empty()) return climb(direction);
-    int best = 0;
-    Real most = -kInf;
-    for (int i = 0; i < vertices_.size(); ++i) {
-        const Real along = dot(direction, vertices_[i]);
-        if (along > most) most = along, best = i;
+    const QuadVec d = quad_vec(direction);
+    const int groups = std::min(vertex_lanes_.groups(), kFew / DotLanes::kWide);
+    Real along[kFew];
+    Quad most = quad(-kInf);
+    for (int g = 0; g < groups; ++g) {
+        const Quad some = dots(vertex_lanes_.group(g), d);
+        store_quad(along + g * DotLanes::kWide, some);
+        most = larger(some, most);
     }
-    return best;
+    const std::uint64_t best = as_large(along, groups, largest_lane(most));
+    return best ? std::countr_zero(best) : 0;
 }
 
 void Polyhedron::feature(Vec3 direction, Polygon& out) const
@@ -286,9 +323,17 @@ void Polyhedron::feature(Vec3 direction, Polygon& out) const
         if (much > more) std::swap(much, more), std::swap(third, second);
         if (more > most) std::swap(more, most), std::swap(second, shown);
     };
-    if (faces_.size() <= kNamedFaces || first_.empty())
-        for (const Face& f : faces_) consider(f);
-    else
+    if (faces_.size() <= kNamedFaces || first_.empty()) {
+        const QuadVec at = quad_vec(top);
+        const Quad limit = quad(kInFace * size_);
+        for (int g = 0; g < face_lanes_.groups(); ++g) {
+            const Real* const some = face_lanes_.group(g);
+            unsigned at_top = ~bits(limit <= offsets(some) - dots(some, at)) & 15;
+            for (; at_top; at_top &= at_top - 1)
+                if (const int f = g * DotLanes::kWide + __builtin_ctz(at_top); f < faces_.size())
+                    consider(faces_[f]);
+        }
+    } else
         for (int k = first_[highest]; k < first_[highest + 1]; ++k) consider(faces_[around_[k]]);
     if (!shown) return out.add(top);
     const Real size = length(direction);
@@ -296,8 +341,8 @@ void Polyhedron::feature(Vec3 direction, Polygon& out) const
         return third && lean_alike(size - most, size - much, size) ? out.add(top)
                                                                    : add_shared(*shown, *second, top, out);
     const int count = shown->count, kept = std::min(count, kCorners);
-    for (int k = 0; k < kept; ++k)
-        out.add(vertices_[corners_[shown->first + int(std::int64_t(k) * count / kept)]]);
+    const auto corner = [&](int k) { return vertices_[corners_[shown->first + k]]; };
+    for (int k = 0; k < kept; ++k) out.add(corner(kept == count ? k : int(std::int64_t(k) * count / kept)));
     out.normal = shown->normal;
 }
 

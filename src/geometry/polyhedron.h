@@ -16,6 +16,7 @@
 
 #include "base/array.h"
 #include "geometry/convex_view.h"
+#include "geometry/dot_lanes.h"
 #include "geometry/inertia.h"
 
 namespace epode {
@@ -38,9 +39,13 @@ class Polyhedron {
     std::span<const int> corners() const { return corners_.span(); }
     std::span<const Vec3> edges() const { return edges_.span(); }
     std::span<const PolyhedronEdge> seams() const { return seams_.span(); }
+    const DotLanes& face_lanes() const { return face_lanes_; }
     Vec3 inner() const { return inner_; }
     Real inner_radius() const { return inner_radius_; }
 
+    // From the lowest to the farthest vertex along it.
+    void extent(Vec3 direction, Real& low, Real& high) const;
+    Real reach(Vec3 direction) const;
     Vec3 support(Vec3 direction) const { return vertices_[farthest(direction)]; }
     // The face that holds the farthest vertex and looks most along the direction; the edge or vertex between
     // faces that do so alike.
@@ -60,12 +65,14 @@ class Polyhedron {
     void add_shared(const Face& f, const Face& g, Vec3 top, Polygon& out) const;
     void take_inner();
     bool take_neighbours();
+    bool take_lanes();
 
     Array<Vec3> vertices_;
     Array<Face> faces_;
     Array<int> corners_;
     Array<Vec3> edges_;
     Array<PolyhedronEdge> seams_;
+    DotLanes vertex_lanes_, face_lanes_;
     // Of vertex i: the vertices at the other ends of its edges, and the faces to the left of those, from
     // first_[i] to first_[i + 1]. Only of solids with many vertices.
     Array<int> first_, neighbours_, around_;

@@ -91,13 +91,25 @@ EPODE_LANEWISE Quad if_less(const Quad& a, const Quad& b, const Quad& yes, const
 #endif
 }
 
+// Not by way of memcpy, after which compilers keep a copy in memory.
+typedef QuadPart QuadPartAnywhere __attribute__((aligned(sizeof(Real)), may_alias));
 EPODE_LANEWISE Quad load_quad(const Real* p)
 {
-    Quad a;
-    __builtin_memcpy(&a, p, sizeof(a));
-    return a;
+    const QuadPartAnywhere* parts = reinterpret_cast<const QuadPartAnywhere*>(p);
+#if defined(dIDESINGLE)
+    return {parts[0]};
+#else
+    return {parts[0], parts[1]};
+#endif
 }
-EPODE_LANEWISE void store_quad(Real* p, const Quad& a) { __builtin_memcpy(p, &a, sizeof(a)); }
+EPODE_LANEWISE void store_quad(Real* p, const Quad& a)
+{
+    QuadPartAnywhere* parts = reinterpret_cast<QuadPartAnywhere*>(p);
+    parts[0] = a.x;
+#if !defined(dIDESINGLE)
+    parts[1] = a.y;
+#endif
+}
 EPODE_LANEWISE Quad quad(Real a) { return quad(a, a, a, a); }
 
 EPODE_LANEWISE Quad square_root(const Quad& a)

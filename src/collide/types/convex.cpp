@@ -20,8 +20,9 @@ Aabb aabb(Geom& geom)
     const Vec3 middle = load(geom.position) + r * g.own.centre();
     Aabb box;
     for (int i = 0; i < 3; ++i) {
-        box.lo.set(i, middle[i] + dot(r.row(i), g.own.support(-r.row(i))));
-        box.hi.set(i, middle[i] + dot(r.row(i), g.own.support(r.row(i))));
+        Real low, high;
+        g.own.extent(r.row(i), low, high);
+        box.lo.set(i, middle[i] + low), box.hi.set(i, middle[i] + high);
     }
     return box;
 }
