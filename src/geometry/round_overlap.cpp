@@ -23,6 +23,16 @@ Real middle_of(Vec3 along, Vec3 left, Vec3 right, Vec3& m)
     return kWidest;
 }
 
+// A bound below the overlap along all normals between two: with s the core's farthest point along one of
+// them, n . (at + s), which is least at an end where it is positive at both. Less where it is not.
+Real least_over_arc(const RoundCore& core, Vec3 at, Vec3 left, Vec3 right)
+{
+    const Vec3 point = at + core.support(left + right);
+    const Real one = dot(left, point), other = dot(right, point);
+    const Real least = one < other ? one : other;
+    return least > 0 ? least : -kInf;
+}
+
 }  // namespace
 
 RoundPair::RoundPair(const ConvexView& a, const ConvexView& b)
@@ -110,9 +120,10 @@ void RoundPair::try_rest(Real enough)
         const Real high_p = dot(inward, p), high_q = dot(inward, q);
         if ((high_p > high_q ? high_p : high_q) < limit) continue;
         Vec3 along = q - p, m;
-        if (!normalize(along)) continue;
-        const Real half = middle_of(along, turn * flat_.faces[std::size_t(e.left)].normal,
-                                    turn * flat_.faces[std::size_t(e.right)].normal, m);
+        const Vec3 left = turn * flat_.faces[std::size_t(e.left)].normal,
+                   right = turn * flat_.faces[std::size_t(e.right)].normal;
+        if (least_over_arc(round_, p, left, right) + handicap_ >= best.depth || !normalize(along)) continue;
+        const Real half = middle_of(along, left, right, m);
         try_arc({p, m, cross(along, m), round_.radius, round_.half_length}, half, offer_local);
     }
     if (round_.radius > 0) {  // the corner nearest to the axis, if no other point is nearer

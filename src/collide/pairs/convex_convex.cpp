@@ -175,17 +175,18 @@ void face_contacts(const Side& reference, const Side& incident, Vec3 inward, boo
         out.add(incident.view.support(inward) + own, normal, depth + radii > 0 ? depth + radii : Real(0));
 }
 
-// The straight line that a solid shows along `direction`: an edge or side line nearly across it, else a
-// point.
+// The straight line that a solid shows along `direction`, an edge or side line nearly across it.
 struct Shown {
     Vec3 from, to;
     bool line = false;
+    Real fall = 0, length = 0;  // against the direction from one end to the other
+
+    bool leans_less(Real lean) const { return line && fall < lean * length; }
 };
 
 Shown shown(const ConvexView& v, const Polygon& f, Vec3 direction, Real lean)
 {
     Shown s;
-    s.from = s.to = v.support(direction);
     if (is_end(v, f) || f.count < 2) return s;
     int best = 0;
     for (int i = 1; i < f.count; ++i)
@@ -196,9 +197,18 @@ Shown shown(const ConvexView& v, const Polygon& f, Vec3 direction, Real lean)
         const Vec3 d = f.points[i] - f.points[best];
         const Real fall = -dot(direction, d), long_ = length(d);
         if (long_ > 0 && fall < least * long_)
-            least = fall / long_, s.from = f.points[best], s.to = f.points[i], s.line = true;
+            least = fall / long_, s = {f.points[best], f.points[i], true, fall, long_};
     }
     return s;
+}
+
+// It, or if it leans more the farthest point.
+void line_or_point(const ConvexView& v, const Shown& line, Vec3 direction, Real lean, Vec3& from, Vec3& to)
+{
+    if (line.leans_less(lean))
+        from = line.from, to = line.to;
+    else
+        from = to = v.support(direction);
 }
 
 // Both ends of the common stretch of two nearly parallel lines; false when they are not, or have none.
@@ -230,12 +240,12 @@ void single(const Side& a, const Side& b, Vec3 normal, Real depth, Manifold& out
     const Real radii = a.view.radius + b.view.radius;
     const Real total = depth + radii > 0 ? depth + radii : Real(0);
     const Real lean = Real(0.02), exact = kSingle ? Real(1e-3) : Real(1e-6);
-    if (side_by_side(shown(a.view, a.feature, -normal, lean), shown(b.view, b.feature, normal, lean), normal,
-                     radii, depth, a.view.radius, out))
-        return;
-    const Shown p = shown(a.view, a.feature, -normal, exact), q = shown(b.view, b.feature, normal, exact);
-    Vec3 x, y;
-    closest_segment_points(p.from + depth * normal, p.to + depth * normal, q.from, q.to, x, y);
+    const Shown of_a = shown(a.view, a.feature, -normal, lean), of_b = shown(b.view, b.feature, normal, lean);
+    if (side_by_side(of_a, of_b, normal, radii, depth, a.view.radius, out)) return;
+    Vec3 p, p_end, q, q_end, x, y;
+    line_or_point(a.view, of_a, -normal, exact, p, p_end),
+        line_or_point(b.view, of_b, normal, exact, q, q_end);
+    closest_segment_points(p + depth * normal, p_end + depth * normal, q, q_end, x, y);
     x = x - depth * normal;
     const Vec3 low_a = x - a.view.radius * normal, high_b = y + b.view.radius * normal;
     out.add(Real(0.5) * (low_a + high_b), normal, total);
