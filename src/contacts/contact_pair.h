@@ -7,6 +7,7 @@
 // (meshes, height fields) and others up to three, of different normals.
 #pragma once
 
+#include "base/config.h"
 #include "collide/geom.h"
 #include "dynamics/body.h"
 #include "rows/patch.h"
@@ -33,14 +34,16 @@ struct KeptPatch {
 struct ContactPair {
     dGeomID id1, id2;  // id1's geom has a body
     std::uint64_t serial1, serial2;
-    Body *body1, *body2;     // live during a step only; body2 may be null
-    int old = -1;            // place in the list of the step before, -1: none, -2: not needed any more
-    int first = 0;           // place of its patches
-    std::uint8_t count = 0;  // of them
+    Body *body1, *body2;        // live during a step only; body2 may be null
+    int old = -1;               // place in the list of the step before, -1: none, -2: not needed any more
+    int first = 0;              // place of its patches
+    std::uint32_t parting = 0;  // a direction that has parted the two, packed (contacts/pair_parting.h)
+    std::uint8_t count = 0;     // of them
     std::uint8_t most = 1;
-    bool wanted = true;    // by the filter
-    bool asked = false;    // functions of the program tell its contacts
-    bool touched = false;  // in the step before
+    bool wanted : 1 = true;    // by the filter
+    bool asked : 1 = false;    // functions of the program tell its contacts
+    bool touched : 1 = false;  // in the step before
 };
+static_assert(sizeof(ContactPair) <= kCacheLine);
 
 }  // namespace epode

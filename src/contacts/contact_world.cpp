@@ -100,6 +100,7 @@ bool ContactWorld::list_pair(Geom& a, Geom& b, RecordFinder& finder)
     if (old < 0 && !awake(pair.body1) && !awake(pair.body2)) return true;
     pair.most = is_surface(g1) || is_surface(g2) ? kSurfacePatches : 1;
     pair.wanted = old < 0 ? ask_filter(pair) : last_.pairs.data()[old].wanted;
+    pair.parting = old < 0 ? 0 : last_.pairs.data()[old].parting;
     pair.asked = asks_program(g1, g2);
     return fresh_.pairs.push(pair);
 }

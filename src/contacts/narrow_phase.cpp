@@ -7,6 +7,7 @@
 
 #include "collide/collide.h"
 #include "contacts/material.h"
+#include "contacts/pair_parting.h"
 #include "contacts/patch_points.h"
 
 namespace epode {
@@ -63,6 +64,8 @@ class PairUpdate {
 
     void run(std::span<const KeptPatch> old)
     {
+        pair_.count = 0;
+        if (old.empty() && stays_apart()) return;
         offset_ = transposed_times(pose1_.R, pose2_.p - pose1_.p);
         turn_ = transpose(pose1_.R) * pose2_.R;
         if (!old.empty() && hardly_moved(old) && reuse(old)) return;
@@ -71,6 +74,27 @@ class PairUpdate {
     }
 
   private:
+    bool can_be_parted() const { return settings_.foresees && Parting::knows(g1_) && Parting::knows(g2_); }
+
+    // Now and at the end of the step, along the direction of the step before or another one.
+    bool stays_apart()
+    {
+        if (!can_be_parted()) return false;
+        if (!pair_.parting && !find_parting(pose1_, pose2_)) return false;
+        const Parting parting(g1_, g2_);
+        const Vec3 n = unpack_direction(pair_.parting);
+        const Real gap = parting.gap(pose1_, pose2_, n);
+        apart_ = gap > parting.hair();
+        return apart_ && parting.lasts(pose1_, pose2_, n, gap, settings_.soon, pair_.body1, pair_.body2);
+    }
+
+    bool find_parting(const Pose& A, const Pose& B)
+    {
+        const Vec3 guess = pair_.parting ? unpack_direction(pair_.parting) : A.p - B.p;
+        pair_.parting = pack_direction(Parting(g1_, g2_).find(A, B, guess));
+        return pair_.parting != 0;
+    }
+
     // How far any point of the smaller one can have moved in the other's frame.
     bool hardly_moved(std::span<const KeptPatch> old) const
     {
@@ -139,11 +163,12 @@ class PairUpdate {
         ContactArray out{found, int(sizeof(dContactGeom)), pair_.most > 1 ? kSurfacePoints : kSolidPoints,
                          false};
         const Aabb &box1 = box_of(g1_), &box2 = box_of(g2_);
-        if (overlap(box1, box2)) epode::collide(g1_, g2_, out);
+        if (!apart_ && overlap(box1, box2)) epode::collide(g1_, g2_, out);
         if (out.count > 0) return take(out, pose1_, pose2_, old);
         const Foresight& soon = settings_.soon;
         if (!draws_near() || !overlap(soon.box(pair_.body1, box1), soon.box(pair_.body2, box2))) return;
         const Pose soon1 = soon.pose(pair_.body1, pose1_), soon2 = soon.pose(pair_.body2, pose2_);
+        if (can_be_parted() && find_parting(soon1, soon2)) return;
         collide_at(g1_, soon1, g2_, soon2, out);
         take(out, soon1, soon2, {});
         if (one_stands() && (is_round(g1_) || is_round(g2_)))
@@ -244,7 +269,8 @@ class PairUpdate {
     const NarrowSettings& settings_;
     const Pose pose1_, pose2_;
     const Vec3 x1_, x2_;
-    Vec3 offset_;  // of g2 in g1's frame
+    bool apart_ = false;  // at present, as has been proved
+    Vec3 offset_;         // of g2 in g1's frame
     Mat3 turn_;
 };
 

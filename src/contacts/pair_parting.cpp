@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "contacts/pair_parting.h"
+
+#include <cmath>
+
+#include "collide/registry.h"
+#include "geometry/parting.h"
+
+namespace epode {
+namespace {
+
+constexpr Real kSteps = 32767;  // of a coordinate, either way
+constexpr Real kHair = kSingle ? Real(1e-4) : Real(1e-6);
+constexpr Real kLargestTurn = Real(0.5);
+
+template <typename Shape>
+const Shape& shape_of(const Geom& geom)
+{
+    return static_cast<const ShapeGeom<Shape>&>(geom).shape;
+}
+
+Real box_reach(const Box& box, Vec3 d) { return dot(abs(d), box.half); }
+Real cylinder_reach(const Cylinder& c, Vec3 d)
+{
+    return c.radius * std::sqrt(d.x * d.x + d.y * d.y) + c.half_length * std::fabs(d.z);
+}
+
+// How far the geom without its rounding reaches from its place along d, of about length 1, in its own frame.
+Real core_reach(const Geom& geom, Vec3 d)
+{
+    switch (geom.type->number) {
+        case dBoxClass:
+            return box_reach(shape_of<Box>(geom), d);
+        case dCapsuleClass:
+            return shape_of<Capsule>(geom).half_length * std::fabs(d.z);
+        case dCylinderClass:
+            return cylinder_reach(shape_of<Cylinder>(geom), d);
+        case dConvexClass: {
+            const Polyhedron& solid = *shape_of<Convex>(geom).solid;
+            return dot(d, solid.centre()) + solid.reach(d);
+        }
+        default:
+            return 0;
+    }
+}
+
+Real rounding_of(const Geom& geom)
+{
+    const int kind = geom.type->number;
+    return kind == dSphereClass    ? shape_of<Sphere>(geom).radius
+           : kind == dCapsuleClass ? shape_of<Capsule>(geom).radius
+                                   : Real(0);
+}
+
+// Of the core, from its place.
+Real farthest(const Geom& geom)
+{
+    switch (geom.type->number) {
+        case dBoxClass:
+            return length(shape_of<Box>(geom).half);
+        case dCapsuleClass:
+            return shape_of<Capsule>(geom).half_length;
+        case dCylinderClass: {
+            const Cylinder& c = shape_of<Cylinder>(geom);
+            return std::sqrt(c.radius * c.radius + c.half_length * c.half_length);
+        }
+        case dConvexClass: {
+            const Polyhedron& solid = *shape_of<Convex>(geom).solid;
+            return length(solid.centre()) + solid.size();
+        }
+        default:
+            return 0;
+    }
+}
+
+ConvexView view_at(const Geom& geom, const Pose& pose)
+{
+    switch (geom.type->number) {
+        case dBoxClass:
+            return view_of(shape_of<Box>(geom), pose);
+        case dCapsuleClass:
+            return view_of(shape_of<Capsule>(geom), pose);
+        case dCylinderClass:
+            return view_of(shape_of<Cylinder>(geom), pose);
+        case dConvexClass:
+            return view_of(shape_of<Convex>(geom), pose);
+        default:
+            return view_of(shape_of<Sphere>(geom), pose);
+    }
+}
+
+// What a geom may do in a step.
+struct Coming {
+    Vec3 spin;              // angle of the step
+    Real angle;             // its size
+    Real lever, aside = 0;  // of the farthest point and of the geom's place from the body's centre
+
+    Coming(const Pose& pose, Real size, const Foresight& soon, const Body* body)
+    {
+        if (body) spin = soon.h * body->angular_velocity(), aside = length(pose.p - body->position());
+        angle = length(spin);
+        lever = size + aside;
+    }
+    Real most() const { return angle * lever; }
+    // What reach_turned() may be wrong by.
+    Real rest() const { return angle * angle * lever + angle * aside; }
+};
+
+// Along n after the turn.
+Real reach_turned(const Geom& geom, const Mat3& R, Vec3 n, Vec3 spin)
+{
+    return core_reach(geom, transposed_times(R, n - cross(spin, n)));
+}
+
+// The lower half of the octahedron is folded over the edges of the upper one.
+Vec3 folded(Real x, Real y, Real z)
+{
+    const Real over = z < 0 ? -z : Real(0);
+    return {x - std::copysign(over, x), y - std::copysign(over, y), z};
+}
+
+}  // namespace
+
+std::uint32_t pack_direction(Vec3 n)
+{
+    const Real sum = std::fabs(n.x) + std::fabs(n.y) + std::fabs(n.z);
+    if (!(sum > 0)) return 0;
+    Real x = n.x / sum, y = n.y / sum;
+    if (n.z < 0) {
+        const Real was = x;
+        x = std::copysign(1 - std::fabs(y), x), y = std::copysign(1 - std::fabs(was), y);
+    }
+    const auto steps = [](Real t) { return std::uint32_t(t * kSteps + (kSteps + 1) + Real(0.5)); };
+    return steps(x) << 16 | steps(y);
+}
+
+Vec3 unpack_direction(std::uint32_t code)
+{
+    const auto coordinate = [](std::uint32_t steps) { return (Real(int(steps)) - (kSteps + 1)) / kSteps; };
+    const Real x = coordinate(code >> 16), y = coordinate(code & 0xffff);
+    const Vec3 n = folded(x, y, 1 - std::fabs(x) - std::fabs(y));
+    return (1 / length(n)) * n;
+}
+
+bool Parting::knows(const Geom& geom)
+{
+    constexpr unsigned kKnown = 1u << dSphereClass | 1u << dBoxClass | 1u << dCapsuleClass |
+                                1u << dCylinderClass | 1u << dConvexClass;
+    return geom.type->number < 32 && (kKnown >> geom.type->number & 1) != 0;
+}
+
+Parting::Parting(const Geom& g1, const Geom& g2)
+    : g1_(g1),
+      g2_(g2),
+      size1_(farthest(g1)),
+      size2_(farthest(g2)),
+      rounding_(rounding_of(g1) + rounding_of(g2)),
+      hair_(kHair * (size1_ + size2_ + rounding_))
+{}
+
+Vec3 Parting::find(const Pose& pose1, const Pose& pose2, Vec3 guess) const
+{
+    return parting_direction(view_at(g1_, pose1), view_at(g2_, pose2), guess, hair_);
+}
+
+Real Parting::gap(const Pose& pose1, const Pose& pose2, Vec3 n) const
+{
+    return dot(n, pose1.p - pose2.p) - core_reach(g1_, transposed_times(pose1.R, -n)) -
+           core_reach(g2_, transposed_times(pose2.R, n)) - rounding_;
+}
+
+bool Parting::lasts(const Pose& pose1, const Pose& pose2, Vec3 n, Real gap, const Foresight& soon,
+                    const Body* body1, const Body* body2) const
+{
+    const Coming one(pose1, size1_, soon, body1), two(pose2, size2_, soon, body2);
+    const Real moved = soon.h * dot(n, soon.velocity(body1) - soon.velocity(body2));
+    if (gap + moved - one.most() - two.most() > hair_) return true;
+    if (one.angle > kLargestTurn || two.angle > kLargestTurn) return false;
+    const Real apart = dot(n, pose1.p - pose2.p) + moved - rounding_ - one.rest() - two.rest();
+    return apart - reach_turned(g1_, pose1.R, -n, one.spin) - reach_turned(g2_, pose2.R, n, two.spin) > hair_;
+}
+
+}  // namespace epode
