@@ -3,6 +3,7 @@
 //
 // What can be done with any joint: attach, enable, ask, group, and find by bodies. Functions of one type
 // stand in that type's file.
+#include "base/ahead.h"
 #include "base/pool.h"
 #include "dynamics/joint_group.h"
 #include "dynamics/world.h"
@@ -16,9 +17,10 @@ bool stepping(const Joint& joint) { return joint.world && joint.world->stepping;
 
 bool stepping(const JointGroup& group)
 {
-    for (const Joint* joint : group.joints)
-        if (stepping(*joint)) return true;
-    return false;
+    bool any = false;
+    for_each_fetched<1>(group.joints.span(),
+                        [&](std::size_t, const Joint& joint) { any = any || stepping(joint); });
+    return any;
 }
 
 // A null or live handle.
@@ -41,7 +43,7 @@ void dJointDestroy(dJointID j)
     JOINT_OR();
     EPODE_USER_SAY(!stepping(*joint), "Invalid operation during a step");
     // The group owns it; clients of ODE call this on grouped joints without harm.
-    if (!joint->group) destroy_joint(*joint);
+    if (!joint->grouped) destroy_joint(*joint);
 }
 
 dJointGroupID dJointGroupCreate(int)
@@ -178,7 +180,9 @@ int dAreConnectedExcluding(dBodyID b1, dBodyID b2, int joint_type)
     Body* const a = from_handle<Body>(b1);
     EPODE_USER(a && valid_or_null(b2), 0);
     const Body* b = from_handle<Body>(b2);
-    for (JointNode* n = find_connection(a->joints, b); n; n = find_connection(n->next, b))
+    // Contacts of the last step, by far the most, need not be looked at when they do not count.
+    JointNode* const first = joint_type == dJointTypeContact ? a->lasting : a->joints;
+    for (JointNode* n = find_connection(first, b); n; n = find_connection(n->next, b))
         if (n->joint->type->number != joint_type) return 1;
     return 0;
 }

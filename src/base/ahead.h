@@ -35,15 +35,17 @@ void for_each_fetched(std::span<T* const> objects, F&& f)
 
 // f(object) down a list by `next`, which f may not change. Objects of a list have as a rule been made one
 // after the other, at equal distances in memory: the next but three is likely to be where the last step,
-// taken four times, leads. Where it is not, nothing is lost.
-template <int kLines, typename T, typename F>
+// taken four times, leads. Where it is not, nothing is lost. Of kLines, so many lie before the object's
+// address.
+template <int kLines, int kLinesBefore = 0, typename T, typename F>
 void for_each_linked(T* first, F&& f)
 {
     for (T* object = first; object;) {
         T* const next = object->next;
         const auto here = reinterpret_cast<std::uintptr_t>(object),
                    there = reinterpret_cast<std::uintptr_t>(next);
-        if (next) fetch<kLines>(reinterpret_cast<const void*>(there + 3 * (there - here)));
+        const std::uintptr_t before = kLinesBefore * kCacheLine;
+        if (next) fetch<kLines>(reinterpret_cast<const void*>(there + 3 * (there - here) - before));
         f(*object);
         object = next;
     }

@@ -36,13 +36,17 @@ enum class Tag : std::uint32_t {
     kPostedJob = 0x0de00019,
 };
 
-// What every object behind a handle starts with; `serial` tells objects of one kind apart
-// (bodies: within their world) and is never reused.
+// What every object behind a handle starts with.
 struct alignas(kCacheLine) Tagged {
     explicit Tagged(Tag t) : tag(t) {}
     ~Tagged() { *const_cast<volatile Tag*>(&tag) = Tag::kDead; }  // volatile: the store must survive
     Tag tag;
     std::uint32_t generation = 0;  // of the slot's objects, 0 ... 63; the pool counts
+};
+
+// `serial` tells objects of one kind apart (bodies: within their world) and is never reused.
+struct Numbered : Tagged {
+    using Tagged::Tagged;
     std::uint64_t serial = 0;
 };
 

@@ -4,6 +4,7 @@
 // Free slots form a stack, so the slot given last is taken first: a frame's contact joints come back warm.
 #include "base/pool.h"
 
+#include <algorithm>
 #include <mutex>
 
 #include "base/lifecycle.h"
@@ -25,12 +26,25 @@ void trim_foreign() { SlotPool::trim_all(false); }
 
 }  // namespace
 
+namespace {
+
+// The next object is likely to be made soon: contacts come by the thousand.
+void fetch_to_write(void* slot, std::size_t size)
+{
+    constexpr std::size_t kMost = 4 * kCacheLine;
+    for (std::size_t i = 0; i < std::min(size, kMost); i += kCacheLine)
+        __builtin_prefetch(static_cast<char*>(slot) + i, 1);
+}
+
+}  // namespace
+
 void* SlotPool::take() noexcept
 {
     std::lock_guard guard(lock_);
     if (!free_ && !grow()) return nullptr;
     void* slot = free_;
     free_ = link(slot);
+    if (free_) fetch_to_write(free_, slot_size_);
     ++live_;
     unpoison(slot, slot_size_);
     return slot;

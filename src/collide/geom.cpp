@@ -27,7 +27,7 @@ void use_own_pose(Geom& geom)
 }  // namespace
 
 Geom::Geom(const GeomType& geom_type)
-    : Tagged(Tag::kGeom), type(&geom_type), position(own_position), rotation(own_rotation)
+    : Numbered(Tag::kGeom), type(&geom_type), position(own_position), rotation(own_rotation)
 {
     serial = g_serial.fetch_add(1, std::memory_order_relaxed) + 1;
 }

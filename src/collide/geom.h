@@ -53,7 +53,7 @@ struct GeomOffset {
     Real rotation[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 };
 
-struct Geom : Tagged {
+struct Geom : Numbered {
     explicit Geom(const GeomType& geom_type);
     Geom(const Geom&) = delete;
     Geom& operator=(const Geom&) = delete;

@@ -41,7 +41,7 @@ constexpr GridStep kBeside[6][2] = {{{0, 0}, {0, -1}},   {{0, 0}, {-1, 0}},   {{
 
 constinit thread_local int InHeightFunction::depth = 0;
 
-HeightfieldData::HeightfieldData() : Tagged(Tag::kHeightfieldData)
+HeightfieldData::HeightfieldData() : Numbered(Tag::kHeightfieldData)
 {
     serial = g_serial.fetch_add(1, std::memory_order_relaxed) + 1;
 }

@@ -18,7 +18,7 @@
 
 namespace epode {
 
-struct HeightfieldData : Tagged {
+struct HeightfieldData : Numbered {
     HeightfieldData();
     ~HeightfieldData();
     HeightfieldData(const HeightfieldData&) = delete;

@@ -25,7 +25,7 @@ class Locked {
 
 }  // namespace
 
-TrimeshData::TrimeshData() : Tagged(Tag::kTrimeshData)
+TrimeshData::TrimeshData() : Numbered(Tag::kTrimeshData)
 {
     serial = g_serial.fetch_add(1, std::memory_order_relaxed) + 1;
 }

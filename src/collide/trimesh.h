@@ -29,7 +29,7 @@ struct MeshSource {
     int triangle_count = 0;
 };
 
-struct TrimeshData : Tagged {
+struct TrimeshData : Numbered {
     TrimeshData();
     ~TrimeshData();
     TrimeshData(const TrimeshData&) = delete;

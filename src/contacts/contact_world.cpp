@@ -29,8 +29,8 @@ bool can_push(const Geom& geom) { return geom.type->number != dRayClass; }
 bool tied(const Body& a, const Body* b)
 {
     if (!b) return false;
-    for (const JointNode* n = find_connection(a.joints, b); n; n = find_connection(n->next, b))
-        if (n->joint->type->number != dJointTypeContact) return true;
+    for (const JointNode* n = find_connection(a.lasting, b); n; n = find_connection(n->next, b))
+        if (!is_contact(*n->joint)) return true;
     return false;
 }
 

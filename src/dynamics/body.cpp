@@ -45,7 +45,7 @@ void unlink(Body& body)
 
 }  // namespace
 
-Body::Body(World& w) : Tagged(Tag::kBody), world(&w), mass(unit_mass())
+Body::Body(World& w) : Numbered(Tag::kBody), world(&w), mass(unit_mass())
 {
     auto_disable = w.auto_disable;
     sleep = w.sleep;

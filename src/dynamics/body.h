@@ -43,7 +43,7 @@ struct HybridState {
     std::uint8_t factorisations = 0;  // of the last exact step; 0: unknown
 };
 
-struct Body : Tagged {
+struct Body : Numbered {
     explicit Body(World& world);
     ~Body();
 
@@ -75,7 +75,8 @@ struct Body : Tagged {
     bool gravity = true;
     bool gyroscopic = true;
     bool finite_rotation = false;
-    Vec3 finite_axis;  // zero: none
+    JointNode* lasting = nullptr;  // the first of `joints` that is no contact
+    Vec3 finite_axis;              // zero: none
     // With exact rotation: angular momentum, body frame, that the angular velocity does not show
     // (dynamics/exact_spin.cpp). Else zero.
     Vec3 spin_excess;

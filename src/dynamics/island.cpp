@@ -32,7 +32,7 @@ class Search {
             Body& body = *stack_[std::size_t(--depth)];
             body.island_index = body_count_ - first_body;
             bodies_[std::size_t(body_count_++)] = &body;
-            for (JointNode* n = body.joints; n; n = n->next) visit(*n, depth);
+            for_each_linked<2, 1>(body.joints, [&](JointNode& n) { visit(n, depth); });
             for (PatchEdge* e = body.patches; e;) {
                 const int side = e->body[0] == &body ? 0 : 1;
                 visit(*e, side, depth);
@@ -70,6 +70,7 @@ class Search {
         if (!other || other->island_index >= 0) return;
         other->island_index = 0;  // tagged; its place is known when it is taken from the stack
         fetch<1>(other->patches);
+        fetch<2>(reinterpret_cast<const char*>(other->joints) - kCacheLine);  // the joint, not looked at yet
         stack_[std::size_t(depth++)] = other;
     }
 

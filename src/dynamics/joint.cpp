@@ -19,11 +19,20 @@ void enter(JointNode& node, Body* body)
     node.next = body->joints;
     if (node.next) node.next->prev = &node;
     body->joints = &node;
+    if (!is_contact(*node.joint)) body->lasting = &node;
+}
+
+JointNode* next_lasting(JointNode* n)
+{
+    do n = n->next;
+    while (n && is_contact(*n->joint));
+    return n;
 }
 
 void leave(JointNode& node)
 {
     if (node.body) {
+        if (node.body->lasting == &node) node.body->lasting = next_lasting(&node);
         (node.prev ? node.prev->next : node.body->joints) = node.next;
         if (node.next) node.next->prev = node.prev;
     }
@@ -61,8 +70,7 @@ bool link_into_world(Joint& joint, JointGroup* group)
 {
     if (group) {
         if (!group->joints.push(&joint)) return false;
-        joint.group = group;
-        joint.group_index = group->joints.size() - 1;
+        joint.grouped = true;
     }
     World& world = *joint.world;
     joint.next = world.joints;

@@ -48,21 +48,21 @@ struct Joint : Tagged {
     Joint(const JointType& type, World& world);
     ~Joint();
 
-    // A cache line that every part of a step reads, one for the lists of the bodies, and one that a step does
-    // not look at: contacts by the ten thousand are fetched from far away.
+    // A cache line that every part of a step reads, one for the lists of the bodies, and one that contacts
+    // leave alone: they come by the ten thousand and are fetched from far away.
+    bool reverse : 1 = false;
+    bool disabled : 1 = false;
+    bool grouped : 1 = false;  // a group destroys it
+    std::uint8_t impulse_rows = 0;
+    std::uint16_t mode = 0;  // of a contact's surface
+    int island_mark = 0;     // step number of the last visit
     const JointType* type;
     World* world;  // null once its world is gone and only a group keeps it
-    bool reverse = false;
-    bool disabled = false;
-    int island_mark = 0;  // step number of the last visit
-    int impulse_rows = 0;
-    int group_index = -1;
-    JointGroup* group = nullptr;
     dJointFeedback* feedback = nullptr;
-    JointNode node[2];
+    void* data = nullptr;
     Joint* next = nullptr;  // world's list, newest first
     Joint* prev = nullptr;
-    void* data = nullptr;
+    JointNode node[2];
     Real impulse[kMaxJointRows];  // of the last step, for warm starting: the first `impulse_rows`
 
     Body* body1() const { return node[0].body; }
@@ -89,6 +89,8 @@ inline bool acting(const Joint& j)
 {
     return !j.disabled && ((j.body1() && j.body1()->inv_mass > 0) || (j.body2() && j.body2()->inv_mass > 0));
 }
+
+inline bool is_contact(const Joint& joint) { return joint.type->number == dJointTypeContact; }
 
 // Of the joints of a body, from this one in its list on, the first that leads to `other` (null: the world).
 inline JointNode* find_connection(JointNode* n, const Body* other)

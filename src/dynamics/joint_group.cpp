@@ -2,13 +2,19 @@
 // Copyright (c) 2026 The Epode authors
 #include "dynamics/joint_group.h"
 
+#include "base/ahead.h"
+
 namespace epode {
 
 JointGroup::JointGroup() : Tagged(Tag::kJointGroup) {}
 
 void empty_group(JointGroup& group)
 {
-    for (int i = group.joints.size(); i-- > 0;) destroy_joint(*group.joints[i]);
+    constexpr int kAhead = 4, kLines = 2;
+    for (int i = group.joints.size(); i-- > 0;) {
+        if (i >= kAhead) fetch<kLines>(group.joints[i - kAhead]);
+        destroy_joint(*group.joints[i]);
+    }
     group.joints.clear();
 }
 

@@ -17,7 +17,7 @@ World::~World()
     while (bodies) destroy_body(*bodies);
     while (joints) {
         Joint& joint = *joints;
-        if (joint.group) {
+        if (joint.grouped) {
             note(0, "warning: destroying world containing grouped joints");
             detach(joint);
             unlink_from_world(joint);

@@ -11,35 +11,42 @@
 // coefficient of zero writes no row, where ODE writes an empty one that can stop its exact solver.
 #include "ode/contact.h"
 
+#include <algorithm>
+
 #include "joints/access.h"
 #include "joints/contact_manifolds.h"
 #include "rows/policy.h"
 
 namespace epode {
 
-// Most contacts have place, normal, depth, mode and mu and nothing else: what they lack is not even copied.
+// Most contacts have place, normal, depth, mode and mu and nothing else, which is one line of the cache
+// behind those of the Joint; what they lack is not even copied.
 struct Contact : Joint {
     static constexpr int kMaxRows = 6;
     static constexpr const char* kDifName = "contact_joint";
     Contact(const JointType& t, World& w, const dContact& c)
-        : Joint(t, w), pos(load(c.geom.pos)), normal(load(c.geom.normal)), depth(c.geom.depth)
+        : Joint(t, w),
+          pos(load(c.geom.pos)),
+          normal(load(c.geom.normal)),
+          depth(c.geom.depth),
+          mu(c.surface.mu)
     {
-        surface.mode = c.surface.mode;
-        surface.mu = c.surface.mu;
+        mode = std::uint16_t(c.surface.mode);
         if (!has(~dContactApprox1)) return;
         surface = c.surface;
-        fdir1 = load(c.fdir1);
+        std::copy_n(c.fdir1, 3, fdir1);
     }
 
-    Vec3 pos, normal;
-    Real depth;
-    dSurfaceParameters surface;  // members that the mode does not name may be anything
-    Vec3 fdir1;
+    alignas(kCacheLine) Vec3 pos;
+    Vec3 normal;
+    Real depth, mu;
+    dSurfaceParameters surface;  // but mode and mu; members that the mode does not name may be anything
+    Real fdir1[3];
 
-    bool has(int bits) const { return (surface.mode & bits) != 0; }
+    bool has(int bits) const { return (mode & bits) != 0; }
     Vec3 outward() const { return reverse ? -normal : normal; }  // into body 1
-    Real mu2() const { return has(dContactMu2) ? surface.mu2 : surface.mu; }
-    bool sliding_at_all() const { return surface.mu > 0 || has(dContactAxisDep | dContactRolling); }
+    Real mu2() const { return has(dContactMu2) ? surface.mu2 : mu; }
+    bool sliding_at_all() const { return mu > 0 || has(dContactAxisDep | dContactRolling); }
 
     void emit(RowWriter& out) const;
     Row& contact_row(RowWriter& out, Vec3 d, RowKind kind) const;
@@ -62,7 +69,7 @@ void Contact::describe(DifWriter& out) const
     epode::describe(out, "pos", pos);
     epode::describe(out, "normal", normal);
     out.real("depth", depth);
-    out.real("mu", s.mu);
+    out.real("mu", mu);
     field(dContactMu2, "mu2", s.mu2);
     field(dContactRolling, "rho", s.rho);
     if (has(dContactRolling)) field(dContactAxisDep, "rho2", s.rho2);
@@ -77,9 +84,9 @@ void Contact::describe(DifWriter& out) const
     field(dContactSlip1, "slip1", s.slip1);
     field(dContactSlip2, "slip2", s.slip2);
     // Approximations 1_1, 1_2 and 1_N as bits of a number.
-    const int approximation = (s.mode & dContactApprox1) / dContactApprox1_1;
+    const int approximation = (mode & dContactApprox1) / dContactApprox1_1;
     if (approximation) out.integer("friction_approximation", approximation);
-    if (has(dContactFDir1)) epode::describe(out, "fdir1", fdir1);
+    if (has(dContactFDir1)) epode::describe(out, "fdir1", load(fdir1));
 }
 
 Row& Contact::contact_row(RowWriter& out, Vec3 d, RowKind kind) const
@@ -122,7 +129,7 @@ void Contact::tangents(Vec3 n, Vec3& t1, Vec3& t2) const
 {
     plane_space(n, t1, t2);
     if (!has(dContactFDir1)) return;
-    t1 = fdir1;
+    t1 = load(fdir1);
     t2 = cross(n, t1);
 }
 
@@ -136,11 +143,11 @@ void Contact::bound(Row& row, Real coefficient, int approximation) const
 void Contact::write_sliding(RowWriter& out, Vec3 t1, Vec3 t2) const
 {
     const dSurfaceParameters& s = surface;
-    if (s.mu > 0) {
+    if (mu > 0) {
         Row& row = contact_row(out, t1, RowKind::kFriction);
         if (has(dContactMotion1)) row.speed = s.motion1;
         if (has(dContactSlip1)) row.cfm = s.slip1, row.soft = true;
-        bound(row, s.mu, dContactApprox1_1);
+        bound(row, mu, dContactApprox1_1);
     }
     if (const Real mu2 = this->mu2(); mu2 > 0) {
         Row& row = contact_row(out, t2, RowKind::kFriction);
@@ -171,14 +178,14 @@ constexpr int kTangential =
 bool joins(const Contact& last, const Contact& next)
 {
     return last.body1() == next.body1() && last.body2() == next.body2() && last.normal == next.normal &&
-           last.reverse == next.reverse && last.surface.mode == next.surface.mode &&
-           last.surface.mu == next.surface.mu && !next.has(kTangential);
+           last.reverse == next.reverse && last.mode == next.mode && last.mu == next.mu &&
+           !next.has(kTangential);
 }
 
 void set_friction(const Contact& contact, const StepInfo& info, Manifold& m)
 {
     const dSurfaceParameters& s = contact.surface;
-    const Real limit[2] = {s.mu, contact.mu2()};
+    const Real limit[2] = {contact.mu, contact.mu2()};
     const Real speed[2] = {contact.has(dContactMotion1) ? s.motion1 : 0,
                            contact.has(dContactMotion2) ? s.motion2 : 0};
     const Real cfm[2] = {contact.has(dContactSlip1) ? s.slip1 : info.cfm,
@@ -223,8 +230,9 @@ bool fits_manifold(const Joint& joint)
 {
     if (joint.type != &kContactType) return false;
     const Contact& contact = static_cast<const Contact&>(joint);
+    if (!contact.has(dContactRolling | dContactMu2 | dContactAxisDep)) return true;
     if (contact.has(dContactRolling)) return false;
-    return contact.surface.mu > 0 ? contact.mu2() > 0 : !contact.has(dContactAxisDep);
+    return contact.mu > 0 ? contact.mu2() > 0 : !contact.has(dContactAxisDep);
 }
 
 void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, ManifoldList& out)

@@ -18,6 +18,8 @@
 namespace epode {
 namespace {
 
+constexpr int kLinesOfContact = 4;
+
 // A tensor of the body's frame in the world's; that of a sphere or cube is the same in all.
 Sym3 in_world(const Body& body, const Sym3& s)
 {
@@ -51,8 +53,14 @@ bool sort_joints(std::span<Joint* const> joints, bool manifolds, Arena& arena, I
     auto sorted = arena.take<Joint*>(int(joints.size()));
     if (arena.failed()) return false;
     std::size_t contacts = 0, others = joints.size();
-    for (Joint* joint : joints)
-        manifolds&& fits_manifold(*joint) ? sorted[contacts++] = joint : sorted[--others] = joint;
+    for_each_fetched<kLinesOfContact>(joints, [&](std::size_t, Joint& joint) {
+        if (manifolds && fits_manifold(joint)) {
+            sorted[contacts++] = &joint;
+            work.contact_feedback = work.contact_feedback || joint.feedback;
+        } else {
+            sorted[--others] = &joint;
+        }
+    });
     work.contacts = sorted.first(contacts);
     work.joints = sorted.subspan(contacts);
     std::reverse(work.joints.begin(), work.joints.end());

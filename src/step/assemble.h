@@ -20,6 +20,7 @@ struct IslandWork {
     std::span<const Island> members;  // at least one
     std::span<Joint*> joints;         // of the first blocks of the system: those that gave rows; then patches
     std::span<Joint*> contacts;       // parallel to system.contacts.points
+    bool contact_feedback = false;    // has any of them?
     RowSystem system;
 };
 

@@ -40,8 +40,6 @@ bool is_moving_shape(const Thing& thing)
     return (sort == Sort::kSolid && thing.number() != dRayClass) || sort == Sort::kMesh;
 }
 
-bool is_contact(const Joint& joint) { return joint.type->number == dJointTypeContact; }
-
 // What joints and managed contacts say of two bodies, the second null for what does not move.
 struct Bond {
     bool contact = false, other = false;

@@ -54,8 +54,8 @@ bool StepUndo::save_islands(std::span<const Island> islands, Arena& arena)
     const std::span<Body* const> bodies = joined(islands.front().bodies, islands.back().bodies);
     saved_ = arena.take<Saved>(int(bodies.size()));
     marks_ = arena.take_zeroed<Mark>(int(bodies.size()));
-    joints_ = joined(islands.front().joints, islands.back().joints);
-    if (arena.failed() || !save_impulses(arena)) return false;
+    if (arena.failed() || !save_impulses(joined(islands.front().joints, islands.back().joints), arena))
+        return false;
     bodies_ = bodies;  // now there is something to restore
     for_each_fetched<1>(bodies_, [&](std::size_t i, Body& body) {
         marks_[i].slept = body.disabled;
@@ -72,19 +72,23 @@ void StepUndo::save(std::size_t i)
     marks_[i].saved = true;
 }
 
-bool StepUndo::save_impulses(Arena& arena)
+// Most joints are contacts, which remember nothing.
+bool StepUndo::save_impulses(std::span<Joint* const> joints, Arena& arena)
 {
-    int count = 0;
-    for (const Joint* joint : joints_) count += joint->impulse_rows;
-    const auto rows = arena.take<int>(int(joints_.size()));
-    impulses_ = arena.take<Real>(count);
+    int count = 0, rows = 0;
+    auto remembering = arena.take<Remembering>(int(joints.size()));
     if (arena.failed()) return false;
+    for_each_fetched<1>(joints, [&](std::size_t, Joint& joint) {
+        if (joint.impulse_rows == 0) return;
+        remembering[std::size_t(count++)] = {&joint, joint.impulse_rows};
+        rows += joint.impulse_rows;
+    });
+    impulses_ = arena.take<Real>(rows);
+    if (arena.failed()) return false;
+    joints_ = joints;  // now there is something to restore
     Real* to = impulses_.data();
-    for (std::size_t i = 0; i < joints_.size(); ++i) {
-        rows[i] = joints_[i]->impulse_rows;
-        to = std::copy_n(joints_[i]->impulse, rows[i], to);
-    }
-    impulse_rows_ = rows;
+    remembering_ = remembering.first(std::size_t(count));
+    for (const Remembering& r : remembering_) to = std::copy_n(r.joint->impulse, r.rows, to);
     return true;
 }
 
@@ -137,12 +141,12 @@ void StepUndo::restore_pose(Body& body, const Saved& saved)
 
 void StepUndo::restore_impulses() const
 {
+    for (Joint* joint : joints_) joint->impulse_rows = 0;
     const Real* from = impulses_.data();
-    for (std::size_t i = 0; i < impulse_rows_.size(); ++i) {
-        Joint& joint = *joints_[i];
-        joint.impulse_rows = impulse_rows_[i];
-        std::copy_n(from, joint.impulse_rows, joint.impulse);
-        from += joint.impulse_rows;
+    for (const Remembering& r : remembering_) {
+        r.joint->impulse_rows = r.rows;
+        std::copy_n(from, r.rows, r.joint->impulse);
+        from += r.rows;
     }
 }
 

@@ -55,8 +55,12 @@ class StepUndo {
     struct Mark {
         bool slept, saved;
     };
+    struct Remembering {
+        Joint* joint;
+        std::uint8_t rows;  // with impulses of the last step
+    };
 
-    [[nodiscard]] bool save_impulses(Arena& arena);
+    [[nodiscard]] bool save_impulses(std::span<Joint* const> joints, Arena& arena);
     void restore_bodies() const;
     static void restore_pose(Body& body, const Saved& saved);
     void restore_impulses() const;
@@ -65,9 +69,9 @@ class StepUndo {
     std::span<Idleness> idleness_;   // of the bodies that watch themselves, in the world's order
     std::span<Body* const> bodies_;  // of all islands, one after the other
     std::span<Joint* const> joints_;
-    std::span<Saved> saved_;       // of bodies_
-    std::span<Mark> marks_;        // likewise
-    std::span<int> impulse_rows_;  // of joints_
+    std::span<Saved> saved_;  // of bodies_
+    std::span<Mark> marks_;   // likewise
+    std::span<Remembering> remembering_;
     std::span<Real> impulses_;
 };
 

@@ -72,9 +72,10 @@ void write_back(const IslandWork& work)
         const RowBlock& block = work.system.blocks[k];
         for (int i = 0; i < block.count; ++i)
             joint.impulse[i] = work.system.numbers[std::size_t(block.first + i)].p;
-        joint.impulse_rows = block.count;
+        joint.impulse_rows = std::uint8_t(block.count);
         if (joint.feedback) write_feedback(joint, block, work.system);
     }
+    if (!work.contact_feedback) return;
     const ManifoldList& list = work.system.contacts;
     for (const Manifold& m : list.manifolds)
         for (auto i = std::size_t(m.first); i < std::size_t(m.first + m.count); ++i)
