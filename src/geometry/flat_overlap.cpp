@@ -111,8 +111,9 @@ void FlatPair::try_faces_of(const FlatSolid& s, const FlatSolid& other, const Po
         normal_ = f.normal;
     };
     offer(s.faces[gap.widest]);
-    for (std::size_t i = 0; i < s.faces.size() && best.depth >= enough; ++i)
-        if (i != gap.widest && other.inner_radius - gap[i] + handicap_ < best.depth) offer(s.faces[i]);
+    gap.each_that_may_be_less(other.inner_radius, handicap_, best.depth, [&](const PolyhedronFace& f, Real) {
+        if (best.depth >= enough) offer(f);
+    });
 }
 
 void FlatPair::try_faces(Real enough)

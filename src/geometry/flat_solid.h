@@ -68,6 +68,27 @@ class FaceGaps {
     FaceGaps(const FlatSolid& s, Vec3 p);
     Real operator[](std::size_t i) const { return i < kRoom ? gap_[i] : reckon(i); }
 
+    // use(face, its gap), in their order, of all faces but the widest along which the overlap with a ball of
+    // radius r about the point and its like may be less than the number that `depth` is, or by then has
+    // become.
+    template <typename Use>
+    void each_that_may_be_less(Real r, Real handicap, const Real& depth, const Use& use) const
+    {
+        const auto look = [&](std::size_t i) {
+            if (i != widest && r - (*this)[i] + handicap < depth) use(s_.faces[i], (*this)[i]);
+        };
+        const std::size_t count = s_.faces.size();
+        if (count > kRoom) {
+            for (std::size_t i = 0; i < count; ++i) look(i);
+            return;
+        }
+        for (std::size_t i = 0; i < count; i += DotLanes::kWide) {
+            unsigned some = bits(quad(r) - load_quad(gap_ + i) + quad(handicap) < quad(depth));
+            if (count - i < DotLanes::kWide) some &= (1u << (count - i)) - 1;
+            for (; some; some &= some - 1) look(i + std::size_t(__builtin_ctz(some)));
+        }
+    }
+
     std::size_t widest = 0;
 
   private:

@@ -60,9 +60,10 @@ Vec3 parting_direction(const ConvexView& a, const ConvexView& b, Vec3 guess, Rea
     const auto farthest = [&](Vec3 d) { return a.support(-d) - b.support(d); };
     const Real touching = a.radius + b.radius + hair;
     Nearest nearest;
-    nearest.add(farthest(guess));
     Vec3 best;
     Real most = touching;
+    nearest.add(farthest(guess));
+    if (normalize(guess) && dot(guess, nearest.point) > most) return guess;
     for (int i = 0; i < kIterations; ++i) {
         const Real distance = std::sqrt(nearest.distance2);  // of the cores, or more
         if (!(distance > touching)) break;

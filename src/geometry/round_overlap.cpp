@@ -65,9 +65,10 @@ void RoundPair::try_faces(Real enough)
         offer(f.normal, round_.reach(transposed_times(round_in_flat_.R, f.normal)) - g, 0);
     };
     offer_face(flat_.faces[gap.widest], gap[gap.widest]);
-    for (std::size_t i = 0; i < flat_.faces.size() && best.depth >= enough; ++i)
-        if (i != gap.widest && round_.inner_radius - gap[i] + handicap_ < best.depth)
-            offer_face(flat_.faces[i], gap[i]);
+    gap.each_that_may_be_less(round_.inner_radius, handicap_, best.depth,
+                              [&](const PolyhedronFace& f, Real g) {
+                                  if (best.depth >= enough) offer_face(f, g);
+                              });
     if (round_.radius > 0 && best.depth >= enough) {
         const Real along = dot(axis, c - flat_.inner);
         const Vec3 out = along < 0 ? -axis : axis;
