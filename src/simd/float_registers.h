@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Computing with FloatLanes: all eight at once, in one vector with AVX2, in two of four elsewhere. Operation
-// by operation the same as for one lane, nothing fused, so the bits are those of every other machine. As in
-// simd/registers.h everything is in an unnamed namespace: one text compiled for several machines must not be
-// merged by the linker.
+// Computing with FloatLanes: all eight at once, in one vector with AVX2 and better, in two of four elsewhere.
+// Operation by operation the same as for one lane, nothing fused, so the bits are those of every other
+// machine. As in simd/vectors.h everything is in an unnamed namespace: one text compiled for several machines
+// must not be merged by the linker.
 #pragma once
 
 #include "simd/float_lanes.h"

@@ -2,12 +2,12 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Four doubles at a time, whatever Real is: one vector of 32 bytes with AVX2, two of 16 on every machine that
-// we serve. As in simd/registers.h, nothing is fused and sums over lanes have one order, so the bits do not
+// we serve. As in simd/vectors.h, nothing is fused and sums over lanes have one order, so the bits do not
 // depend on the width, and everything lives in an unnamed namespace, lest the linker merge what was compiled
 // for different machines.
 #pragma once
 
-#include "simd/registers.h"
+#include "simd/lanewise.h"
 
 namespace epode {
 namespace {

@@ -2,24 +2,14 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Computing with Lanes one vector of them at a time, and not two as in a Register: for what is chains enough
-// by itself, as the rows of a joint or the components of a rotation are. `part` counts vectors. As everything
-// in simd/registers.h, this is compiled once per kind of machine and leaves the bits of the scalar formulas.
+// by itself, as the rows of a joint or the components of a rotation are. As everything in simd/vectors.h,
+// this is compiled once per kind of machine and leaves the bits of the scalar formulas.
 #pragma once
 
-#include "simd/registers.h"
+#include "simd/vectors.h"
 
 namespace epode {
 namespace {
-
-EPODE_LANEWISE Vector get(const Lanes& x, int part)
-{
-    return reinterpret_cast<const VectorInMemory*>(x.at)[part];
-}
-
-EPODE_LANEWISE void put(Lanes& x, int part, const Vector& value)
-{
-    reinterpret_cast<VectorInMemory*>(x.at)[part] = value;
-}
 
 EPODE_LANEWISE Vector3 get3(const Lanes* x, int part)
 {

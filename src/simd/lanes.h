@@ -4,7 +4,7 @@
 // Numbers of kLanes independent problems side by side in memory: how data lies, not how it is computed with.
 // Lanes are never parts of one vector of space, so the arithmetic per lane is that of the scalar formula,
 // operation by operation. kLanes is the same on every machine, because packing, and with it the answer, must
-// not depend on it; how many lanes one register takes is the business of simd/registers.h.
+// not depend on it; how many lanes one register takes is the business of simd/vectors.h.
 #pragma once
 
 #include "math/mat.h"

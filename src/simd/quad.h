@@ -5,7 +5,7 @@
 // doubles. For short work on the spot, where an answer is wanted at once and not eight of them: the axes of a
 // box, the corners of a face. Lanes never mix and nothing is fused: the bits are those of the scalar formula.
 // Wider vectors were rejected: code for other machines would have to be chosen by a call that costs as much
-// as it saves. Everything is in an unnamed namespace for the reason given in simd/registers.h.
+// as it saves. Everything is in an unnamed namespace for the reason given in simd/vectors.h.
 #pragma once
 
 #include <cmath>

@@ -3,14 +3,12 @@
 //
 // The body kernels for any machine, and the choice between those that there are. It is made when the
 // library is loaded, so that calls go through one pointer and no test.
-#include <iterator>
-
 #include "simd/machine.h"
 #include "solve/body_kernels.inc"
 
 namespace epode {
 
-extern const BodyKernels kAvx2BodyKernels;
+extern const BodyKernels kAvx2BodyKernels, kAvx512BodyKernels;
 
 namespace {
 
@@ -20,10 +18,11 @@ constexpr const BodyKernels* kAll[] = {
     &kBaseline,
 #if defined(__x86_64__)
     &kAvx2BodyKernels,
+    &kAvx512BodyKernels,
 #endif
 };
 
-const std::size_t usable = usable_kernels(std::size(kAll));
+const std::size_t usable = usable_kernels();
 
 }  // namespace
 

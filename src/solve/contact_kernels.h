@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What is done to packed contacts, once per kind of machine: the same text (contact_kernels.inc) compiled for
-// the baseline and for AVX2, with the same bits as result. The better one is chosen by asking the processor;
-// compiling the whole library for it would lock out the machines that lack it.
+// the baseline, for AVX2 and for AVX-512, with the same bits as result. The best is chosen by asking the
+// processor; compiling the whole library for it would lock out the machines that lack it.
 #pragma once
 
 #include <span>

@@ -3,14 +3,12 @@
 //
 // The contact kernels for any machine, and the choice between those that there are. It is made when the
 // library is loaded, so that calls go through one pointer and no test.
-#include <iterator>
-
 #include "simd/machine.h"
 #include "solve/contact_kernels.inc"
 
 namespace epode {
 
-extern const ContactKernels kAvx2ContactKernels;
+extern const ContactKernels kAvx2ContactKernels, kAvx512ContactKernels;
 
 namespace {
 
@@ -25,10 +23,11 @@ constexpr const ContactKernels* kAll[] = {
     &kBaseline,
 #if defined(__x86_64__)
     &kAvx2ContactKernels,
+    &kAvx512ContactKernels,
 #endif
 };
 
-const std::size_t usable = usable_kernels(std::size(kAll));
+const std::size_t usable = usable_kernels();
 
 }  // namespace
 

@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The arithmetic of the sparse factor, once per kind of machine: the same text (front_kernels.inc) compiled
-// for the baseline and for AVX2. Every number is computed by the same operations in the same order whatever
-// the width, so the bits agree.
+// for the baseline, AVX2 and AVX-512. Every number is computed by the same operations in the same order
+// whatever the width, so the bits agree.
 //
 // A front is an array of 6x6 blocks, each column by column: block (i, c) at 36 (i width + c), rows i below
 // the columns after those of the columns. A row of blocks is then one matrix of 6 rows, column by column,

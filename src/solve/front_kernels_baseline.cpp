@@ -3,14 +3,12 @@
 //
 // The front kernels for any machine, and the choice between those that there are. It is made when the
 // library is loaded, so that calls go through one pointer and no test.
-#include <iterator>
-
 #include "simd/machine.h"
 #include "solve/front_kernels.inc"
 
 namespace epode {
 
-extern const FrontKernels kAvx2FrontKernels;
+extern const FrontKernels kAvx2FrontKernels, kAvx512FrontKernels;
 
 namespace {
 
@@ -21,10 +19,11 @@ constexpr const FrontKernels* kAll[] = {
     &kBaseline,
 #if defined(__x86_64__)
     &kAvx2FrontKernels,
+    &kAvx512FrontKernels,
 #endif
 };
 
-const std::size_t usable = usable_kernels(std::size(kAll));
+const std::size_t usable = usable_kernels();
 
 }  // namespace
 

@@ -3,15 +3,13 @@
 //
 // The joint kernels for any machine, and the choice between those that there are. It is made when the
 // library is loaded, so that calls go through one pointer and no test.
-#include <iterator>
-
 #include "simd/machine.h"
 #include "solve/joint_follow.inc"
 #include "solve/joint_kernels.inc"
 
 namespace epode {
 
-extern const JointKernels kAvx2JointKernels;
+extern const JointKernels kAvx2JointKernels, kAvx512JointKernels;
 
 namespace {
 
@@ -21,10 +19,11 @@ constexpr const JointKernels* kAll[] = {
     &kBaseline,
 #if defined(__x86_64__)
     &kAvx2JointKernels,
+    &kAvx512JointKernels,
 #endif
 };
 
-const std::size_t usable = usable_kernels(std::size(kAll));
+const std::size_t usable = usable_kernels();
 
 }  // namespace
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What is done to packed patches, once per kind of machine (see contact_kernels.h): the baseline and AVX2,
-// with the same bits as result.
+// What is done to packed patches, once per kind of machine (see contact_kernels.h), with the same
+// bits as result.
 #pragma once
 
 #include <span>

@@ -3,14 +3,12 @@
 //
 // The patch kernels for any machine, and the choice between those that there are, made when the library is
 // loaded.
-#include <iterator>
-
 #include "simd/machine.h"
 #include "solve/patch_kernels.inc"
 
 namespace epode {
 
-extern const PatchKernels kAvx2PatchKernels;
+extern const PatchKernels kAvx2PatchKernels, kAvx512PatchKernels;
 
 namespace {
 
@@ -21,10 +19,11 @@ constexpr const PatchKernels* kAll[] = {
     &kBaseline,
 #if defined(__x86_64__)
     &kAvx2PatchKernels,
+    &kAvx512PatchKernels,
 #endif
 };
 
-const std::size_t usable = usable_kernels(std::size(kAll));
+const std::size_t usable = usable_kernels();
 
 }  // namespace
 

@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The passes over packed rows, once per kind of machine: the same text (row_kernels.inc) compiled for the
-// baseline and for AVX2, with the same bits as result; chosen by asking the processor, as contact_kernels.h
-// does. Plain pointers and counts for the reason given there.
+// baseline, AVX2 and AVX-512, with the same bits as result; chosen by asking the processor, as
+// contact_kernels.h does. Plain pointers and counts for the reason given there.
 #pragma once
 
 namespace epode {

@@ -3,14 +3,12 @@
 //
 // The row kernels for any machine, and the choice between those that there are, made when the library is
 // loaded.
-#include <iterator>
-
 #include "simd/machine.h"
 #include "solve/row_kernels.inc"
 
 namespace epode {
 
-extern const RowKernels kAvx2RowKernels;
+extern const RowKernels kAvx2RowKernels, kAvx512RowKernels;
 
 namespace {
 
@@ -20,10 +18,11 @@ constexpr const RowKernels* kAll[] = {
     &kBaseline,
 #if defined(__x86_64__)
     &kAvx2RowKernels,
+    &kAvx512RowKernels,
 #endif
 };
 
-const int usable = int(usable_kernels(std::size(kAll)));
+const int usable = int(usable_kernels());
 
 }  // namespace
 

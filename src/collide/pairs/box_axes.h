@@ -5,7 +5,7 @@
 // box's own frame: across its faces, and across one of its edges and one of the triangle's, along which two
 // of the triangle's corners are one. Most say nothing: four at a time are looked at side by side, and few are
 // offered one by one. Through support functions, as for polyhedra, it takes ten times as long. All is in an
-// unnamed namespace for the reason given in simd/registers.h.
+// unnamed namespace for the reason given in simd/vectors.h.
 #pragma once
 
 #include "geometry/triangle.h"

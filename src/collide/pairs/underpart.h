@@ -10,7 +10,7 @@
 // Bounds, not the true extents: a box's part is its lowest corner p and t_i times the edges a_i there, with
 // 0 <= t_i <= 1 and sum t_i (rise of a_i) <= depth of p; a cylinder's the same of its axis and of its discs,
 // seen as rectangles; of a ball the smaller ball about the circle in which it cuts the plane. All is in an
-// unnamed namespace for the reason given in simd/registers.h.
+// unnamed namespace for the reason given in simd/vectors.h.
 #pragma once
 
 #include "geometry/shapes.h"

@@ -126,31 +126,39 @@ TEST(BodyKernels, all_machines_make_the_same_bits)
     ASSERT_STREQ(all[0]->name, "baseline");
     if (all.size() == 1) GTEST_SKIP() << "this machine runs the baseline only";
     Dice dice(3);
-    std::vector<BodyLanes> first((kBodies + kLanes - 1) / kLanes);
-    for (BodyLanes& group : first) {
+    std::vector<BodyLanes> groups((kBodies + kLanes - 1) / kLanes);
+    for (BodyLanes& group : groups) {
         for (Lanes* lanes = group.x; lanes != &group.max_spin + 1; ++lanes)
             for (Real& number : lanes->at) number = dice.real(-1, 1);
         group.any_gyroscopic = group.any_uneven = group.any_limit = true;
     }
-    std::vector<Velocity> v1(kBodies);
-    for (Velocity& v : v1) v = {dice.vec(2), 0, dice.vec(2), 0};
-    std::vector<BodyLanes> second = first;
-    std::vector<Velocity> v2 = v1;
-    std::vector<SolverPose> poses1(kBodies), poses2(kBodies);
-    const auto run = [](const BodyKernels& kernels, auto& groups, auto& v, auto& poses) {
-        for (int i = 0; i < 3; ++i) {
-            kernels.accelerate(groups.data(), kBodies, v.data(), Real(0.01));
-            kernels.turn(groups.data(), kBodies, v.data(), Real(0.01));
-            kernels.place(groups.data(), kBodies, poses.data());
-        }
+    std::vector<Velocity> velocities(kBodies);
+    for (Velocity& v : velocities) v = {dice.vec(2), 0, dice.vec(2), 0};
+    struct Outcome {
+        std::vector<BodyLanes> groups;
+        std::vector<Velocity> v;
+        std::vector<SolverPose> poses;
     };
-    run(*all[0], first, v1, poses1), run(*all[1], second, v2, poses2);
-    EXPECT_TRUE(same_bits(v1.data(), v2.data(), sizeof(Velocity) * kBodies));
-    EXPECT_TRUE(same_bits(poses1.data(), poses2.data(), sizeof(SolverPose) * kBodies));
-    for (std::size_t i = 0; i < kBodies; ++i) {  // a wide vector also turns lanes that have no body
-        const BodyLanes &a = first[i / kLanes], &b = second[i / kLanes];
-        for (const Lanes *x = a.x, *y = b.x; x != &a.max_spin + 1; ++x, ++y)
-            EXPECT_TRUE(same_bits(&x->at[i % kLanes], &y->at[i % kLanes], sizeof(Real)));
+    const auto run = [&](const BodyKernels& kernels) {
+        Outcome out{groups, velocities, std::vector<SolverPose>(kBodies)};
+        for (int i = 0; i < 3; ++i) {
+            kernels.accelerate(out.groups.data(), kBodies, out.v.data(), Real(0.01));
+            kernels.turn(out.groups.data(), kBodies, out.v.data(), Real(0.01));
+            kernels.place(out.groups.data(), kBodies, out.poses.data());
+        }
+        return out;
+    };
+    const Outcome expected = run(*all[0]);
+    for (const BodyKernels* other : all.subspan(1)) {
+        SCOPED_TRACE(other->name);
+        const Outcome got = run(*other);
+        EXPECT_TRUE(same_bits(expected.v.data(), got.v.data(), sizeof(Velocity) * kBodies));
+        EXPECT_TRUE(same_bits(expected.poses.data(), got.poses.data(), sizeof(SolverPose) * kBodies));
+        for (std::size_t i = 0; i < kBodies; ++i) {  // a wide vector also turns lanes that have no body
+            const BodyLanes &a = expected.groups[i / kLanes], &b = got.groups[i / kLanes];
+            for (const Lanes *x = a.x, *y = b.x; x != &a.max_spin + 1; ++x, ++y)
+                EXPECT_TRUE(same_bits(&x->at[i % kLanes], &y->at[i % kLanes], sizeof(Real)));
+        }
     }
 }
 

@@ -322,7 +322,11 @@ TEST(JointKernels, all_machines_make_the_same_bits_of_mechanisms)
     if (all.size() == 1) GTEST_SKIP() << "this machine runs the baseline only";
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         const Problem p = mechanism(seed, seed == 8 ? 90 : 40, 120, seed == 8);
-        expect_same(solve(*all[0], p, 5), solve(*all[1], p, 5));
+        const Answer expected = solve(*all[0], p, 5);
+        for (const JointKernels* other : all.subspan(1)) {
+            SCOPED_TRACE(other->name);
+            expect_same(expected, solve(*other, p, 5));
+        }
     }
 }
 
@@ -568,12 +572,16 @@ TEST(JointKernels, all_machines_follow_with_the_same_bits)
         set.describe(m.p.numbers, m.p.rows);
         return m.p;
     };
-    const Problem a = aims(*all[0]), b = aims(*all[1]);
-    for (std::size_t k = 0; k < a.rows.size(); ++k) {
-        EXPECT_EQ(std::memcmp(&a.numbers[k].c, &b.numbers[k].c, sizeof(Real)), 0);
-        EXPECT_EQ(std::memcmp(static_cast<const Jacobian*>(&a.rows[k]),
-                              static_cast<const Jacobian*>(&b.rows[k]), sizeof(Jacobian)),
-                  0);
+    const Problem a = aims(*all[0]);
+    for (const JointKernels* other : all.subspan(1)) {
+        SCOPED_TRACE(other->name);
+        const Problem b = aims(*other);
+        for (std::size_t k = 0; k < a.rows.size(); ++k) {
+            EXPECT_EQ(std::memcmp(&a.numbers[k].c, &b.numbers[k].c, sizeof(Real)), 0);
+            EXPECT_EQ(std::memcmp(static_cast<const Jacobian*>(&a.rows[k]),
+                                  static_cast<const Jacobian*>(&b.rows[k]), sizeof(Jacobian)),
+                      0);
+        }
     }
 }
 

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The front kernels compiled for AVX-512, eight lanes to a vector, as simd/vectors.h tells.
+#if defined(__x86_64__)
+#define EPODE_VECTOR_LANES 8
+#include "solve/front_kernels.inc"
+
+namespace epode {
+
+extern const FrontKernels kAvx512FrontKernels;
+const FrontKernels kAvx512FrontKernels{"avx512",   factor,  factor_columns, subtract_outer,
+                                       add_border, forward, backward};
+
+}  // namespace epode
+#endif
