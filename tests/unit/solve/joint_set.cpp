@@ -321,7 +321,7 @@ TEST(JointKernels, all_machines_make_the_same_bits_of_mechanisms)
     const auto all = joint_kernels();
     if (all.size() == 1) GTEST_SKIP() << "this machine runs the baseline only";
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-        const Problem p = mechanism(seed, seed == 8 ? 90 : 40, 120, seed == 8);
+        const Problem p = mechanism(seed, seed == 8 ? 90 : 200, 600, seed == 8);
         const Answer expected = solve(*all[0], p, 5);
         for (const JointKernels* other : all.subspan(1)) {
             SCOPED_TRACE(other->name);
@@ -561,7 +561,7 @@ TEST(JointKernels, all_machines_follow_with_the_same_bits)
     if (all.size() == 1) GTEST_SKIP() << "this machine runs the baseline only";
     const Substep step{Real(0.002), 5};
     const auto aims = [&](const JointKernels& kernels) {
-        Moved m(4, 30, 70);
+        Moved m(4, 200, 600);  // enough to fill all lanes
         Arena arena;
         JointSet set(kernels);
         EXPECT_TRUE(set.pack(m.system, arena) && set.follow(m.system, step, arena));
