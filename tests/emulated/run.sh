@@ -34,7 +34,7 @@ cat >root/init <<INIT
 export EPODE_KERNELS=avx512 EPODE_TEST_THREADS=1 LD_LIBRARY_PATH=/lib64
 run() {
   echo "epode: \$*"
-  "\$@" --gtest_brief=1 --gtest_color=no || failed=1
+  "\$@" --gtest_color=no || failed=1
 }
 for tests in /bin/unit_tests_*; do
   run \$tests --gtest_filter='*Kernels.*:PackedRows.*:BlockCholesky.*'
