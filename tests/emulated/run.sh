@@ -69,7 +69,11 @@ display_library: term
 log: bochs.log
 BOCHS
 echo continue >commands  # Debian's Bochs starts in its debugger, and wants a terminal
-TERM=vt100 timeout "${minutes}m" script -qec 'bochs -q -f bochsrc -rc commands' /dev/null </dev/null >screen.log 2>&1 || true
+TERM=vt100 timeout -k 5 "${minutes}m" script -qec 'bochs -q -f bochsrc -rc commands' /dev/null </dev/null >screen.log 2>&1 &
+machine=$!
+# (`script` sometimes misses that its child has ended.)
+while kill -0 "$machine" 2>/dev/null && ! grep -q 'reboot: Power down' serial.log 2>/dev/null; do sleep 2; done
+kill "$machine" 2>/dev/null || true
 
 tr -d '\r' <serial.log | grep -v '^\[' >said.log || true
 cat said.log
