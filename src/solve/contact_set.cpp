@@ -13,7 +13,7 @@
 namespace epode {
 namespace {
 
-constexpr int kWindow = 6;           // manifolds looked at for each lane
+constexpr int kWindow = 6;          // manifolds looked at for each lane
 constexpr int kFullShuffle = 1536;  // batches, about 6 MB
 constexpr int kRun = 32;
 

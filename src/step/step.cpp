@@ -28,7 +28,7 @@ namespace {
 
 constexpr int kLarge = 256;          // joints of an island that is worth all workers
 constexpr int kLargePatches = 1024;  // or patches
-constexpr int kGroup = 1024;          // joints, patches and bodies of islands that are solved together
+constexpr int kGroup = 1024;         // joints, patches and bodies of islands that are solved together
 constexpr int kParcel = 128;         // of a parcel of groups
 
 // Geoms, callbacks, damping, accumulators: body by body.
