@@ -10,13 +10,15 @@
 
 #include "base/ahead.h"
 #include "solve/colours.h"
+#include "tasks/stages.h"
 
 namespace epode {
 namespace {
 
 // Less than contact joints have: what is deep comes out twice as fast, and a tall pyramid leans less.
 constexpr Real kDampingRatio = 4;
-constexpr int kBatchPiece = 16, kBodyPiece = 512;  // of parallel work
+constexpr int kBatchPiece = 4, kBodyPiece = 64;    // of parallel work in a sweep, at least
+constexpr int kBatchRange = 16, kBodyRange = 256;  // and before and behind all of them
 
 bool dynamic(std::span<const SolverBody> bodies, int index)
 {
@@ -42,13 +44,6 @@ void set(FloatLaneVec3& to, int lane, Float3 a) { to.x[lane] = a.x, to.y[lane] =
 
 }  // namespace
 
-template <typename Piece>
-void PatchSet::in_pieces(int count, int size, Piece&& f) const
-{
-    tasks_.for_each((count + size - 1) / size,
-                    [&](int i, int) { f(i * size, std::min(count, (i + 1) * size)); });
-}
-
 bool PatchSet::prepare(const RowSystem& system, const Substep& step, const Tasks& tasks, Arena& arena)
 {
     tasks_ = tasks;
@@ -71,6 +66,7 @@ bool PatchSet::prepare(const RowSystem& system, const Substep& step, const Tasks
     batches_ = arena.take<PatchBatch>(most);
     chosen_ = arena.take<int>(most * kFloatLanes);
     first_of_colour_ = arena.take<int>(colours_ + 1);
+    stages_ = arena.take<Stage>(kMostVisits * (colours_ + 1));
     if (arena.failed()) return false;
     sort(system.patches, colours, starts);
     const int points = batches_.empty() ? 0 : batches_.back().first + batches_.back().count;
@@ -168,22 +164,26 @@ bool PatchSet::is_full(std::span<Patch* const> patches, std::size_t batch) const
 
 void PatchSet::fill(const RowSystem& system, const Substep& step)
 {
-    for (std::size_t i = 0; i < system.bodies.size(); ++i) {
+    const auto each_body = [&](auto&& f) {
+        tasks_.in_ranges(int(kicks_.size()), kBodyRange, [&](int first, int last) {
+            for (auto i = std::size_t(first); i < std::size_t(last); ++i) f(i);
+        });
+    };
+    each_body([&](std::size_t i) {
         const SolverBody& b = system.bodies[i];
         motions_[i] = {
             {float(b.v.x), float(b.v.y), float(b.v.z), 0, float(b.w.x), float(b.w.y), float(b.w.z), 0}, {}};
-    }
-    in_pieces(int(batches_.size()), kBatchPiece, [&](int first, int last) {
+    });
+    tasks_.in_ranges(int(batches_.size()), kBatchRange, [&](int first, int last) {
         for (int b = first; b < last; ++b) fill_batch(system, step, std::size_t(b));
     });
     // What the first small step begins with.
-    for (FloatMotion& m : motions_) m = {};
-    sweep([this](int first, int last) {
-        kernels_->apply_impulses(batches_.data(), first, last, points_.data(), motions_.data());
-    });
-    for (std::size_t i = 0; i < kicks_.size(); ++i) {
+    each_body([&](std::size_t i) { motions_[i] = {}; });
+    motions_.back() = {};
+    perform({Visit::kPush}, 1, {});
+    each_body([&](std::size_t i) {
         for (int k = 0; k < kTwistNumbers; ++k) numbers(kicks_[i])[k] = motions_[i].speed[k];
-    }
+    });
 }
 
 // The bodies of this batch, and the patches of the next: neighbours in a batch are none in memory.
@@ -261,75 +261,95 @@ void PatchSet::fill_lane(const RowSystem& system, int patch, PatchBatch& batch, 
     }
 }
 
-// One colour after the other; within a colour no batch knows of another.
-template <typename Pass>
-void PatchSet::sweep(Pass&& pass)
-{
-    if (tasks_.workers() == 1) return pass(0, int(batches_.size()));
-    for (int c = 0; c < colours_; ++c) {
-        const int begin = first_of_colour_[std::size_t(c)], end = first_of_colour_[std::size_t(c) + 1];
-        in_pieces(end - begin, kBatchPiece, [&](int first, int last) { pass(begin + first, begin + last); });
-    }
-}
-
-void PatchSet::visit(BodyPass pass, const PatchBodies& bodies) const
-{
-    in_pieces(int(kicks_.size()), kBodyPiece, [&](int first, int last) { pass(bodies, first, last); });
-}
-
 PatchBodies PatchSet::view(std::span<Velocity> bodies)
 {
     return {bodies.data(), kicks_.data(), nullptr, nullptr, motions_.data(), float(hs_)};
 }
 
-void PatchSet::correct()
+void PatchSet::visit(Visit what, const PatchBodies& bodies, int first, int last) const
 {
-    sweep([this](int first, int last) {
-        kernels_->correct(batches_.data(), first, last, points_.data(), motions_.data(), sweep_);
-    });
+    const PatchBatch* batches = batches_.data();
+    PatchLanes* points = points_.data();
+    FloatMotion* motions = motions_.data();
+    switch (what) {
+        case Visit::kLoad:
+            return kernels_->load_speeds(bodies, first, last);
+        case Visit::kAccelerate:
+            return kernels_->accelerate(bodies, first, last);
+        case Visit::kMove:
+            return kernels_->move(bodies, first, last);
+        case Visit::kTake:
+            return kernels_->take_changes(bodies, first, last);
+        case Visit::kPush:
+            return kernels_->apply_impulses(batches, first, last, points, motions);
+        case Visit::kCorrect:
+            return kernels_->correct(batches, first, last, points, motions, sweep_);
+        case Visit::kRelax:
+            return kernels_->relax(batches, first, last, points, motions);
+        case Visit::kRebound:
+            return kernels_->rebound(batches, first, last, points, motions);
+    }
 }
 
-void PatchSet::relax()
+// A few pieces for each worker: who is late should leave something to the others.
+PatchSet::Stage PatchSet::stage(Visit visit, int first, int last) const
 {
-    sweep([this](int first, int last) {
-        kernels_->relax(batches_.data(), first, last, points_.data(), motions_.data());
-    });
+    const int count = last - first, most = 4 * tasks_.workers();
+    const int piece = std::max(is_of_bodies(visit) ? kBodyPiece : kBatchPiece, (count + most - 1) / most);
+    return {visit, first, last, piece, (count + piece - 1) / piece};
 }
 
-template <typename Sweep>
-void PatchSet::run(std::span<Velocity> bodies, Sweep&& sweep)
+int PatchSet::list_stages(std::initializer_list<Visit> round)
 {
-    const PatchBodies of = view(bodies);
-    visit(kernels_->load_speeds, of);
-    sweep();
-    visit(kernels_->take_changes, of);
+    std::size_t count = 0;
+    for (const Visit v : round) {
+        if (is_of_bodies(v)) stages_[count++] = stage(v, 0, int(kicks_.size()));
+        for (std::size_t c = 0; !is_of_bodies(v) && c < std::size_t(colours_); ++c)
+            stages_[count++] = stage(v, first_of_colour_[c], first_of_colour_[c + 1]);
+    }
+    return int(count);
+}
+
+// One alone has no need of colours: batches lie in their order.
+void PatchSet::perform(std::initializer_list<Visit> round, int times, const PatchBodies& bodies)
+{
+    if (tasks_.workers() == 1) {
+        for (int i = 0; i < times; ++i)
+            for (const Visit v : round)
+                visit(v, bodies, 0, is_of_bodies(v) ? int(kicks_.size()) : int(batches_.size()));
+        return;
+    }
+    const int length = list_stages(round);
+    const auto stage_at = [&](int i) -> const Stage& { return stages_[std::size_t(i % length)]; };
+    in_stages(
+        tasks_, times * length, [&](int i) { return stage_at(i).pieces; },
+        [&](int i, int piece, int) {
+            const Stage& s = stage_at(i);
+            const int first = s.first + piece * s.piece;
+            visit(s.visit, bodies, first, std::min(s.last, first + s.piece));
+        });
 }
 
 void PatchSet::correct(std::span<Velocity> bodies)
 {
-    run(bodies, [this] { correct(); });
+    if (!empty()) perform({Visit::kLoad, Visit::kCorrect, Visit::kTake}, 1, view(bodies));
 }
 
 void PatchSet::relax(std::span<Velocity> bodies)
 {
-    run(bodies, [this] { relax(); });
+    if (!empty()) perform({Visit::kLoad, Visit::kRelax, Visit::kTake}, 1, view(bodies));
 }
 
-void PatchSet::small_step(std::span<Velocity> bodies, std::span<const Velocity> gain,
-                          std::span<Velocity> mean)
+void PatchSet::small_steps(int n, std::span<Velocity> bodies, std::span<const Velocity> gain,
+                           std::span<Velocity> mean)
 {
     if (empty()) {
-        add(bodies, gain);
-        add(mean, bodies.first(mean.size()));
+        for (int i = 0; i < n; ++i) add(bodies, gain), add(mean, bodies.first(mean.size()));
         return;
     }
     PatchBodies of = view(bodies);
     of.gain = gain.data(), of.mean = mean.data();
-    visit(kernels_->accelerate, of);
-    correct();
-    visit(kernels_->move, of);
-    relax();
-    visit(kernels_->take_changes, of);
+    perform({Visit::kAccelerate, Visit::kCorrect, Visit::kMove, Visit::kRelax, Visit::kTake}, n, of);
 }
 
 void PatchSet::rebound(std::span<Velocity> bodies)
@@ -337,12 +357,7 @@ void PatchSet::rebound(std::span<Velocity> bodies)
     bool any = false;
     for (const PatchBatch& batch : batches_)
         for (int lane = 0; lane < kFloatLanes; ++lane) any = any || batch.bounce[lane] > 0;
-    if (!any) return;
-    run(bodies, [this] {
-        sweep([this](int first, int last) {
-            kernels_->rebound(batches_.data(), first, last, points_.data(), motions_.data());
-        });
-    });
+    if (any) perform({Visit::kLoad, Visit::kRebound, Visit::kTake}, 1, view(bodies));
 }
 
 void PatchSet::apply_impulses(std::span<Velocity> bodies) const { add(bodies, kicks_); }
@@ -358,25 +373,28 @@ void PatchSet::follow_motion(std::span<const Velocity> bodies)
 
 void PatchSet::store_impulses(std::span<Patch* const> patches) const
 {
-    for (std::size_t b = 0; b < batches_.size(); ++b) {
-        const PatchBatch& batch = batches_[b];
-        for (int lane = 0; lane < kFloatLanes; ++lane) {
-            const int index = chosen_[b * kFloatLanes + std::size_t(lane)];
-            if (index < 0) continue;
-            Patch& p = *patches[std::size_t(index)];
-            if (batch.extra) {
-                const FloatLaneVec3& roll = batch.extra->roll_sum;
-                p.roll = {roll.x[lane], roll.y[lane], roll.z[lane]};
+    tasks_.in_ranges(int(batches_.size()), kBatchRange, [&](int first, int last) {
+        for (auto b = std::size_t(first); b < std::size_t(last); ++b)
+            for (int lane = 0; lane < kFloatLanes; ++lane) {
+                const int index = chosen_[b * kFloatLanes + std::size_t(lane)];
+                if (index >= 0) store_impulses(batches_[b], lane, *patches[std::size_t(index)]);
             }
-            for (int i = 0; i < p.count; ++i) {
-                const PatchLanes& from = points_[std::size_t(batch.first + i)];
-                const float a = from.sum[1][lane], c = from.sum[2][lane];
-                p.points[i].push = from.sum[0][lane];
-                p.points[i].friction = {a * batch.t1.x[lane] + c * batch.t2.x[lane],
-                                        a * batch.t1.y[lane] + c * batch.t2.y[lane],
-                                        a * batch.t1.z[lane] + c * batch.t2.z[lane]};
-            }
-        }
+    });
+}
+
+void PatchSet::store_impulses(const PatchBatch& batch, int lane, Patch& p) const
+{
+    if (batch.extra) {
+        const FloatLaneVec3& roll = batch.extra->roll_sum;
+        p.roll = {roll.x[lane], roll.y[lane], roll.z[lane]};
+    }
+    for (int i = 0; i < p.count; ++i) {
+        const PatchLanes& from = points_[std::size_t(batch.first + i)];
+        const float a = from.sum[1][lane], c = from.sum[2][lane];
+        p.points[i].push = from.sum[0][lane];
+        p.points[i].friction = {a * batch.t1.x[lane] + c * batch.t2.x[lane],
+                                a * batch.t1.y[lane] + c * batch.t2.y[lane],
+                                a * batch.t1.z[lane] + c * batch.t2.z[lane]};
     }
 }
 

@@ -9,6 +9,7 @@
 // empty.
 #pragma once
 
+#include <initializer_list>
 #include <span>
 
 #include "base/arena.h"
@@ -33,9 +34,11 @@ class PatchSet {
     void correct(std::span<Velocity> bodies);
     void relax(std::span<Velocity> bodies);
     void rebound(std::span<Velocity> bodies);
-    // A whole small step of bodies that patches alone hold, in three visits to each: forces (`gain`),
-    // impulses, correction, motion (velocities summed in `mean`), relaxation.
-    void small_step(std::span<Velocity> bodies, std::span<const Velocity> gain, std::span<Velocity> mean);
+    // n small steps of bodies that patches alone hold, each in three visits to a body: forces (`gain`) and
+    // impulses; when its contacts are corrected, motion (velocities summed in `mean`); when they are relaxed,
+    // what that changed.
+    void small_steps(int n, std::span<Velocity> bodies, std::span<const Velocity> gain,
+                     std::span<Velocity> mean);
     // v += M^-1 J^T p with the impulses that the last small step ended with: the sum of all changes since its
     // beginning, body by body, so it costs no visit to the contacts.
     void apply_impulses(std::span<Velocity> bodies) const;
@@ -50,21 +53,25 @@ class PatchSet {
     void fill_extra(const Patch& patch, PatchExtra& extra, int lane) const;
     bool is_full(std::span<Patch* const> patches, std::size_t batch) const;
     void fill(const RowSystem& system, const Substep& step);
+    void store_impulses(const PatchBatch& batch, int lane, Patch& patch) const;
     void fetch_lanes(const RowSystem& system, std::size_t batch) const;
     void fill_batch(const RowSystem& system, const Substep& step, std::size_t batch);
     void fill_lane(const RowSystem& system, int patch, PatchBatch& batch, int lane);
-    using BodyPass = void (*)(const PatchBodies& bodies, int first, int last);
-    void visit(BodyPass pass, const PatchBodies& bodies) const;
     PatchBodies view(std::span<Velocity> bodies);
-    void correct();
-    void relax();
-    template <typename Sweep>
-    void run(std::span<Velocity> bodies, Sweep&& sweep);
-    template <typename Pass>
-    void sweep(Pass&& pass);
-    // f(first, last) for pieces of 0 ... count - 1.
-    template <typename Piece>
-    void in_pieces(int count, int size, Piece&& f) const;
+    // A look at every body, or at every batch, colour by colour.
+    enum class Visit { kLoad, kAccelerate, kMove, kTake, kPush, kCorrect, kRelax, kRebound };
+    static bool is_of_bodies(Visit visit) { return visit < Visit::kPush; }
+    // Bodies or batches that know nothing of each other.
+    struct Stage {
+        Visit visit;
+        int first, last;
+        int piece, pieces;  // how many make a piece of work
+    };
+    static constexpr int kMostVisits = 5;
+    void perform(std::initializer_list<Visit> round, int times, const PatchBodies& bodies);
+    Stage stage(Visit visit, int first, int last) const;
+    int list_stages(std::initializer_list<Visit> round);
+    void visit(Visit visit, const PatchBodies& bodies, int first, int last) const;
 
     const PatchKernels* kernels_;
     std::span<PatchBatch> batches_;
@@ -74,6 +81,7 @@ class PatchSet {
     std::span<int> order_;            // of the patches, by colour and number of points; lane by lane
     std::span<int> chosen_;           // the patch in each lane of each batch; -1: none
     std::span<int> first_of_colour_;  // batch; one more at the end
+    std::span<Stage> stages_;         // of a round
     int colours_ = 0;
     bool any_special_ = false;
     Tasks tasks_;

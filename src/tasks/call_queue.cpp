@@ -9,6 +9,7 @@
 #include "tasks/call_queue.h"
 
 #include "base/pool.h"
+#include "tasks/spin.h"
 
 namespace epode {
 
@@ -50,13 +51,6 @@ struct Frame {
     const Frame* outer;
 };
 thread_local const Frame* t_frame = nullptr;
-
-void pause()
-{
-#if defined(__x86_64__) || defined(__i386__)
-    __builtin_ia32_pause();
-#endif
-}
 
 }  // namespace
 
@@ -394,7 +388,7 @@ void CallQueue::rest(const CallWait& wait, const Deadline& until)
                (ready_.load(std::memory_order_relaxed) > 0 && helps());
     };
     lock_.unlock();
-    for (int spins = 0; spins < kSpins && !something(); ++spins) pause();
+    for (int spins = 0; spins < kSpins && !something(); ++spins) spin_once();
     lock_.lock();
     if (something()) return;
     ++idle_waiters_;
@@ -428,7 +422,7 @@ void CallQueue::idle()
 {
     const auto something = [this] { return ready_.load(std::memory_order_acquire) > 0 || closed(); };
     lock_.unlock();
-    for (int spins = 0; spins < kSpins && !something(); ++spins) pause();
+    for (int spins = 0; spins < kSpins && !something(); ++spins) spin_once();
     lock_.lock();
     if (something()) return;
     ++idle_servers_;

@@ -39,6 +39,15 @@ class Tasks {
             count, [](void* b, int i, int worker) { (*static_cast<Body*>(b))(i, worker); }, &body);
     }
 
+    // body(first, last) for ranges of 0 ... count - 1, `size` long but for the last.
+    template <typename Body>
+    void in_ranges(int count, int size, Body&& body) const
+    {
+        if (workers_ == 1) return count > 0 ? body(0, count) : void();
+        for_each((count + size - 1) / size,
+                 [&](int i, int) { body(i * size, i * size + size < count ? i * size + size : count); });
+    }
+
   private:
     using Piece = void (*)(void* body, int index, int worker);
     void run(int count, Piece piece, void* body) const;

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "base/lifecycle.h"
+#include "tasks/spin.h"
 #include "tasks/tasks.h"
 #include "tasks/worker.h"
 
@@ -21,13 +22,6 @@ namespace {
 
 constexpr int kSpins = 4000;  // some ten microseconds
 constexpr std::size_t kStack = 512 * 1024;
-
-void pause()
-{
-#if defined(__x86_64__) || defined(__i386__)
-    __builtin_ia32_pause();
-#endif
-}
 
 }  // namespace
 
@@ -49,7 +43,7 @@ bool ThreadPool::run(int workers, int count, Piece piece, void* body)
 
     work(0);
     for (int spins = 0; done_.load(std::memory_order_acquire) < count; ++spins)
-        spins < kSpins ? pause() : std::this_thread::yield();
+        spins < kSpins ? spin_once() : std::this_thread::yield();
     ticket_.store((unsigned long long)job << 32 | kClosed, std::memory_order_release);
     taken_.clear(std::memory_order_release);
     return true;
@@ -76,7 +70,7 @@ unsigned ThreadPool::wait_for_news(unsigned seen)
     for (int spins = 0; spins < kSpins; ++spins) {
         const unsigned news = news_.load(std::memory_order_acquire);
         if (news != seen) return news;
-        pause();
+        spin_once();
     }
     news_.wait(seen, std::memory_order_acquire);
     return news_.load(std::memory_order_acquire);
