@@ -166,8 +166,12 @@ int DynamicTree::detach(int leaf)
 
 void DynamicTree::refit_above(int node)
 {
-    for (int i = nodes_[node].parent; i >= 0; i = nodes_[i].parent)
-        nodes_[i].box = merge(nodes_[nodes_[i].child].box, nodes_[nodes_[i].other].box);
+    for (int i = nodes_[node].parent; i >= 0; i = nodes_[i].parent) {
+        const Aabb box = merge(nodes_[nodes_[i].child].box, nodes_[nodes_[i].other].box);
+        if (box.lo == nodes_[i].box.lo && box.hi == nodes_[i].box.hi)
+            return;  // all above are the unions of their children already
+        nodes_[i].box = box;
+    }
 }
 
 int DynamicTree::depth_of(int node) const
@@ -191,17 +195,15 @@ int DynamicTree::height() const
     return most;
 }
 
-// The leaves are found by a walk along the child links, which also gathers the inner nodes for reuse: both
-// lists live in `next_free`, so that only the array of leaves needs memory.
-bool DynamicTree::rebuild()
+// The leaves are found by a walk along the child links, which also gathers the inner nodes for reuse.
+bool DynamicTree::rebuild(const Tasks& tasks)
 {
     if (leaves_ < 2) return sound_ = true;
-    order_.clear();
-    if (!order_.reserve(leaves_)) return false;
+    order_.clear(), inner_.clear();
+    if (!order_.reserve(leaves_) || !inner_.resize(leaves_ - 1)) return false;
     changes_ = 0;
-    int spare = -1;
-    int node = root_;
-    int pending = -1;  // inner nodes whose second child waits
+    int node = root_, spare = leaves_ - 1;
+    int pending = -1;  // inner nodes whose second child waits, linked by `next_free`
     for (;;) {
         if (nodes_[node].child >= 0) {
             nodes_[node].next_free = pending;
@@ -214,28 +216,63 @@ bool DynamicTree::rebuild()
         const int inner = pending;
         pending = nodes_[inner].next_free;
         node = nodes_[inner].other;
-        nodes_[inner].next_free = spare;
-        spare = inner;
+        inner_[--spare] = inner;
     }
-    root_ = build(order_.data(), order_.size(), 0, spare);
+    const Branch all{0, leaves_, 0, 0};
+    root_ = tasks.workers() > 1 ? build_in_pieces(all, tasks) : build(all);
     nodes_[root_].parent = -1;
     return sound_ = true;
 }
 
-int DynamicTree::build(int* first, int count, int depth, int& spare)
+std::pair<DynamicTree::Branch, DynamicTree::Branch> DynamicTree::cut(const Branch& b)
 {
-    if (count == 1) return first[0];
-    const int node = spare;
-    spare = nodes_[node].next_free;
-    const int left = split(first, count, depth);
-    const int a = build(first, left, depth + 1, spare);
-    const int b = build(first + left, count - left, depth + 1, spare);
-    Node& n = nodes_[node];
-    n.box = merge(nodes_[a].box, nodes_[b].box);
-    n.child = a;
-    n.other = b;
-    nodes_[a].parent = nodes_[b].parent = node;
+    const int left = split(order_.data() + b.first, b.count, b.depth);
+    return {{b.first, left, b.depth + 1, b.inner + 1},
+            {b.first + left, b.count - left, b.depth + 1, b.inner + left}};
+}
+
+// Two branches that are complete become one.
+int DynamicTree::join(const Branch& whole, int a, int b)
+{
+    const int node = inner_.data()[whole.inner];
+    Node* nodes = nodes_.data();
+    nodes[node].box = merge(nodes[a].box, nodes[b].box);
+    nodes[node].child = a;
+    nodes[node].other = b;
+    nodes[a].parent = nodes[b].parent = node;
     return node;
+}
+
+// The top node.
+int DynamicTree::build(const Branch& branch)
+{
+    if (branch.count == 1) return order_.data()[branch.first];
+    const auto [one, two] = cut(branch);
+    const int a = build(one);
+    return join(branch, a, build(two));
+}
+
+// The upper branches are cut one after the other until there are enough for all workers; the same tree.
+int DynamicTree::build_in_pieces(const Branch& all, const Tasks& tasks)
+{
+    constexpr int kPieces = 32;
+    Branch cut_off[kPieces], whole[kPieces];
+    std::pair<Branch, Branch> parts[kPieces];
+    int pieces = 1, cuts = 0;
+    cut_off[0] = all;
+    for (bool grows = true; grows;) {
+        grows = false;
+        for (int i = 0, n = pieces; i < n && pieces < kPieces; ++i) {
+            if (cut_off[i].count < 64) continue;
+            whole[cuts] = cut_off[i];
+            parts[cuts] = cut(cut_off[i]);
+            cut_off[i] = parts[cuts].first, cut_off[pieces++] = parts[cuts].second;
+            ++cuts, grows = true;
+        }
+    }
+    tasks.for_each(pieces, [&](int i, int) { build(cut_off[i]); });
+    while (cuts-- > 0) join(whole[cuts], top_of(parts[cuts].first), top_of(parts[cuts].second));
+    return top_of(all);
 }
 
 // Orders the leaves so that the first `result` of them form one side.
@@ -261,6 +298,37 @@ int DynamicTree::split(int* first, int count, int depth) const
         return ka != kb ? ka < kb : a < b;
     });
     return count / 2;
+}
+
+// Level by level, so that pieces are of about equal size.
+bool DynamicTree::split_pairs(int wanted, Array<NodePair>& pieces) const
+{
+    pieces.clear();
+    if (root_ < 0) return true;
+    if (!pieces.push({root_, -1})) return false;
+    for (int before = 0; before < pieces.size() && pieces.size() < wanted;) {
+        before = pieces.size();
+        for (int i = 0; i < before; ++i)
+            if (!open_pair(i, pieces)) return false;
+    }
+    return true;
+}
+
+// The piece becomes the first of those that it consists of; the others come behind all.
+bool DynamicTree::open_pair(int i, Array<NodePair>& pieces) const
+{
+    const auto [a, b] = pieces[i];
+    const Node& na = nodes_.data()[a];
+    if (b < 0) {
+        if (na.child < 0) return true;
+        pieces[i] = {na.child, na.other};
+        return pieces.push({na.child, -1}) && pieces.push({na.other, -1});
+    }
+    const Node& nb = nodes_.data()[b];
+    if (!overlap(na.box, nb.box) || (na.child < 0 && nb.child < 0)) return true;
+    const bool first = opens_first(na, nb);
+    pieces[i] = first ? NodePair{na.child, b} : NodePair{a, nb.child};
+    return pieces.push(first ? NodePair{na.other, b} : NodePair{a, nb.other});
 }
 
 }  // namespace epode

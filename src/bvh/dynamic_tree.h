@@ -14,6 +14,7 @@
 
 #include "base/array.h"
 #include "geometry/shapes.h"
+#include "tasks/tasks.h"
 
 namespace epode {
 
@@ -61,6 +62,12 @@ struct TreeRay {
     Real slack;
 };
 
+// A piece of the walk over all pairs of a tree's leaves: those of the leaves below a with those below b, or
+// of those below a with one another if b is negative.
+struct NodePair {
+    int a, b;
+};
+
 class DynamicTree {
   public:
     // The leaf's name, or -1 when memory is exhausted (nothing has changed then).
@@ -72,7 +79,7 @@ class DynamicTree {
     // before which it must not be asked. False when memory is exhausted.
     int insert_loose(const Aabb& box, int item);
     void set_box(int leaf, const Aabb& box);
-    [[nodiscard]] bool rebuild();
+    [[nodiscard]] bool rebuild(const Tasks& tasks = Tasks(1));
 
     // Whether the tree may be asked; if not, rebuild() is due.
     bool sound() const { return sound_; }
@@ -143,12 +150,16 @@ class DynamicTree {
     int other(int node) const { return nodes_.data()[node].other; }
     int item(int leaf) const { return nodes_.data()[leaf].item; }
 
-    // visit(item, item) for every two leaves whose boxes meet, each pair once. For many leaves this is
-    // several times quicker than a query for each: common ancestors are compared once.
+    // Every two leaves whose boxes meet, each pair once, are found by a walk over all pairs of nodes. For
+    // many leaves this is several times quicker than a query for each: common ancestors are compared once.
+    // split_pairs() opens the upper nodes until there are about `wanted` pieces of the walk, or nothing is
+    // left to open; false when memory is exhausted. query_pairs() calls visit(item, item) for those of a
+    // piece.
+    [[nodiscard]] bool split_pairs(int wanted, Array<NodePair>& pieces) const;
     template <typename Visit>
-    void query_pairs(Visit&& visit) const
+    void query_pairs(const NodePair& piece, Visit&& visit) const
     {
-        if (root_ >= 0) pairs_within(root_, visit);
+        piece.b < 0 ? pairs_within(piece.a, visit) : pairs_between(piece.a, piece.b, visit);
     }
 
   private:
@@ -173,7 +184,6 @@ class DynamicTree {
         pairs_between(node.child, node.other, visit);
     }
 
-    // Opens the larger of two nodes.
     template <typename Visit>
     void pairs_between(int a, int b, Visit& visit) const
     {
@@ -181,7 +191,7 @@ class DynamicTree {
         if (!overlap(na->box, nb->box)) return;
         if (na->child < 0 && nb->child < 0) {
             visit(na->item, nb->item);
-        } else if (nb->child < 0 || (na->child >= 0 && extent(na->box) >= extent(nb->box))) {
+        } else if (opens_first(*na, *nb)) {
             pairs_between(na->child, b, visit);
             pairs_between(na->other, b, visit);
         } else {
@@ -189,6 +199,12 @@ class DynamicTree {
             pairs_between(a, nb->other, visit);
         }
     }
+    // The larger of two nodes, one of which is no leaf.
+    static bool opens_first(const Node& a, const Node& b)
+    {
+        return b.child < 0 || (a.child >= 0 && extent(a.box) >= extent(b.box));
+    }
+    [[nodiscard]] bool open_pair(int i, Array<NodePair>& pieces) const;
     static constexpr Real extent(const Aabb& box)
     {
         const Vec3 s = box.hi - box.lo;
@@ -203,12 +219,23 @@ class DynamicTree {
     int depth_of(int node) const;
     int insert_beside(int sibling, const Aabb& box, int item);
     int find_sibling(const Aabb& box);
-    int build(int* first, int count, int depth, int& spare);
+    // Leaves `first` ... of order_, and the inner nodes that hold them: count - 1 of inner_.
+    struct Branch {
+        int first, count, depth, inner;
+    };
+    int top_of(const Branch& b) const
+    {
+        return b.count == 1 ? order_.data()[b.first] : inner_.data()[b.inner];
+    }
+    std::pair<Branch, Branch> cut(const Branch& branch);
+    int join(const Branch& whole, int a, int b);
+    int build(const Branch& branch);
+    int build_in_pieces(const Branch& all, const Tasks& tasks);
     int split(int* first, int count, int depth) const;
     void changed(int leaf);
 
     Array<Node> nodes_;
-    Array<int> order_;  // leaves during a rebuild; kept, so that a steady scene allocates nothing
+    Array<int> order_, inner_;  // nodes during a rebuild; kept, so that a steady scene allocates nothing
     int root_ = -1;
     int free_ = -1;
     int leaves_ = 0;

@@ -30,7 +30,7 @@ bool Broadphase::reserve(int slots)
     if (slots <= old) return true;
     // Work lists hold each slot at most once: with this room their pushes cannot fail.
     if (!escaped_.reserve(slots) || !fresh_.reserve(slots) || !unbounded_.reserve(slots) ||
-        !proxies_.resize(slots))
+        !notes_.resize(slots) || !proxies_.resize(slots))
         return false;
     for (int i = old; i < slots; ++i) proxies_[i] = Proxy{};
     return true;
@@ -38,29 +38,30 @@ bool Broadphase::reserve(int slots)
 
 void Broadphase::update(int slot, const Aabb& box, bool present)
 {
-    Proxy& p = proxies_[slot];
-    if (!present) {
-        if (p.present) withdraw(slot);
-        return;
-    }
+    if (!present)
+        remove(slot);
+    else if (note(slot, box))
+        (void)escaped_.push(slot);
+}
+
+bool Broadphase::note(int slot, const Aabb& box)
+{
+    Proxy& p = proxies_.data()[slot];
     const Vec3 a = abs(box.lo - p.box.lo), b = abs(box.hi - p.box.hi);
     p.shift = max_component(max(a, b));
     p.box = p.way = box;
     const bool kept = p.present && !p.escaped && p.leaf >= 0 && contains(tree_.box(p.leaf), box);
     p.present = true;
-    if (kept || p.escaped) return;
-    p.escaped = true;
-    (void)escaped_.push(slot);
+    if (kept || p.escaped) return false;
+    return p.escaped = true;
 }
 
-void Broadphase::expect(int slot, const Aabb& way)
+bool Broadphase::note_way(int slot, const Aabb& way)
 {
     Proxy& p = proxies_.data()[slot];
-    if (!p.present) return;
     p.way = bounded(way) ? way : p.box;
-    if (!p.escaped && (p.leaf < 0 || contains(tree_.box(p.leaf), p.way))) return;
-    if (!p.escaped) (void)escaped_.push(slot);
-    p.escaped = true;
+    if (p.escaped || p.leaf < 0 || contains(tree_.box(p.leaf), p.way)) return false;
+    return p.escaped = true;
 }
 
 void Broadphase::withdraw(int slot)
@@ -129,7 +130,7 @@ bool Broadphase::prepare(int rays)
     return true;
 }
 
-bool Broadphase::update_tree()
+bool Broadphase::update_tree(const Tasks& tasks)
 {
     if (ready()) return true;
     tree_changes();
@@ -139,7 +140,7 @@ bool Broadphase::update_tree()
     while (done < escaped_.size() && (placed = place(escaped_[done], in_bulk))) ++done;
     std::copy(escaped_.begin() + done, escaped_.end(), escaped_.begin());
     escaped_.truncate(escaped_.size() - done);
-    return (tree_.sound() || tree_.rebuild()) && placed;
+    return (tree_.sound() || tree_.rebuild(tasks)) && placed;
 }
 
 // A box that has never moved gets no margin: most of those never will.
@@ -190,19 +191,14 @@ bool Broadphase::place(int slot, bool in_bulk)
     return true;
 }
 
-bool Broadphase::find_pairs()
+bool Broadphase::find_pairs(const Tasks& tasks)
 {
-    if (!update_tree()) return false;
+    if (!update_tree(tasks)) return false;
     if (fresh_.empty() && !stale_pairs_) return true;
     drop_stale_pairs();
     if (fresh_.empty()) return true;
-    found_.clear();
-    bool complete = true;
-    if (fresh_.size() > tree_.leaf_count() / 3)
-        complete = collect_all();
-    else
-        for (int slot : fresh_) complete = complete && collect(slot);
-    if (!complete || !sort_found() || !merge_found()) return false;
+    const bool most = fresh_.size() > tree_.leaf_count() / 3;
+    if (!(most ? collect_all(tasks) : collect_fresh(tasks)) || !sort_found() || !merge_found()) return false;
     for (int slot : fresh_) proxies_[slot].fresh = false;
     fresh_.clear();
     return true;
@@ -222,54 +218,112 @@ void Broadphase::drop_stale_pairs()
     stale_pairs_ = false;
 }
 
-bool Broadphase::found(int a, int b) { return found_.push(a > b ? SlotPair{a, b} : SlotPair{b, a}); }
+namespace {
+
+bool keep(Array<SlotPair>& found, int a, int b)
+{
+    return found.push(a > b ? SlotPair{a, b} : SlotPair{b, a});
+}
+
+}  // namespace
+
+// The order in which pairs are found is of no importance, since they are sorted; but the parts are the same
+// on any number of workers, so that no worker's list has to grow at another time.
+bool Broadphase::collect_fresh(const Tasks& tasks)
+{
+    const int count = fresh_.size();
+    bool complete[kParts] = {};
+    tasks.for_each(kParts, [&](int part, int) {
+        parts_[part].clear();
+        const auto begin = [&](int p) { return int((long long)count * p / kParts); };
+        complete[part] = true;
+        for (int i = begin(part); i < begin(part + 1) && complete[part]; ++i)
+            complete[part] = collect(fresh_.data()[i], parts_[part]);
+    });
+    return std::all_of(complete, complete + kParts, [](bool c) { return c; });
+}
 
 // The partners of one fresh slot. Two fresh slots find each other; the newer one keeps the pair.
-bool Broadphase::collect(int slot)
+bool Broadphase::collect(int slot, Found& found) const
 {
-    const Proxy& p = proxies_[slot];
+    const Proxy& p = proxies_.data()[slot];
     if (!p.present) return true;
     bool room = true;
     query_fat(fat_box(p), [&](int other) {
         if (other < slot || (other > slot && !proxies_.data()[other].fresh))
-            room = found(slot, other) && room;
+            room = keep(found, slot, other) && room;
     });
     return room;
 }
 
 // The pairs of all fresh slots at once.
-bool Broadphase::collect_all()
+bool Broadphase::collect_all(const Tasks& tasks)
+{
+    constexpr int kSubtrees = 8 * kParts;  // they differ in size
+    const Proxy* proxies = proxies_.data();
+    if (!tree_.split_pairs(kSubtrees, subtrees_)) return false;
+    bool complete[kParts] = {};
+    tasks.for_each(kParts, [&](int part, int) {
+        Found& found = parts_[part];
+        found.clear();
+        bool room = part > 0 || collect_unbounded(found);
+        const auto visit = [&](int a, int b) {
+            if (proxies[a].fresh || proxies[b].fresh) room = keep(found, a, b) && room;
+        };
+        for (int i = part; i < subtrees_.size(); i += kParts) tree_.query_pairs(subtrees_.data()[i], visit);
+        complete[part] = room;
+    });
+    return std::all_of(complete, complete + kParts, [](bool c) { return c; });
+}
+
+bool Broadphase::collect_unbounded(Found& found) const
 {
     const Proxy* proxies = proxies_.data();
     bool room = true;
-    const auto keep = [&](int a, int b) {
-        if (proxies[a].fresh || proxies[b].fresh) room = found(a, b) && room;
+    const auto visit = [&](int a, int b) {
+        if (proxies[a].fresh || proxies[b].fresh) room = keep(found, a, b) && room;
     };
-    tree_.query_pairs(keep);
     for (int i = 0; i < unbounded_.size(); ++i) {
         const int slot = unbounded_[i];
-        tree_.query(proxies[slot].box, [&](int other) { keep(slot, other); });
+        tree_.query(proxies[slot].box, [&](int other) { visit(slot, other); });
         for (int k = 0; k < i; ++k)
-            if (overlap(proxies[slot].box, proxies[unbounded_[k]].box)) keep(slot, unbounded_[k]);
+            if (overlap(proxies[slot].box, proxies[unbounded_[k]].box)) visit(slot, unbounded_[k]);
     }
     return room;
+}
+
+bool Broadphase::join_found()
+{
+    found_.clear();
+    for (const Found& part : parts_) {
+        const int at = found_.size();
+        if (!found_.extend(part.size())) return false;
+        std::copy(part.begin(), part.end(), found_.data() + at);
+    }
+    return true;
 }
 
 // Many pairs go to one bucket per newer slot first; what is left to sort are a few partners each.
 bool Broadphase::sort_found()
 {
     const int slots = proxies_.size();
-    if (found_.size() < slots / 8) {
+    int count = 0;
+    for (const Found& part : parts_) count += part.size();
+    if (count < slots / 8) {
+        if (!join_found()) return false;
         std::sort(found_.begin(), found_.end(), before);
         return true;
     }
     first_of_.clear();
-    if (!first_of_.resize(slots + 1) || !sorted_.resize(found_.size())) return false;
+    sorted_.clear();
+    if (!first_of_.resize(slots + 1) || !sorted_.extend(count)) return false;
     int* first = first_of_.data();
-    for (const SlotPair& pair : found_) ++first[pair.newer];
+    for (const Found& part : parts_)
+        for (const SlotPair& pair : part) ++first[pair.newer];
     for (int slot = slots, sum = 0; slot >= 0; --slot) first[slot] = sum += first[slot];
     // first[s] is the end of bucket s now; filling from behind turns it into the beginning.
-    for (const SlotPair& pair : found_) sorted_.data()[--first[pair.newer]] = pair;
+    for (const Found& part : parts_)
+        for (const SlotPair& pair : part) sorted_.data()[--first[pair.newer]] = pair;
     for (int begin = 0; begin < sorted_.size();) {
         int end = begin + 1;
         while (end < sorted_.size() && sorted_.data()[end].newer == sorted_.data()[begin].newer) ++end;

@@ -15,6 +15,7 @@
 #include <span>
 
 #include "bvh/ray_tree.h"
+#include "tasks/tasks.h"
 
 namespace epode {
 
@@ -31,8 +32,38 @@ class Broadphase {
 
     // A slot has joined or changed; absent ones have no pairs.
     void update(int slot, const Aabb& box, bool present);
-    // Where a present slot will be for a while; its pairs until then will have been found. Holds its box.
-    void expect(int slot, const Aabb& way);
+
+    // What a walk over many slots at once, by several workers, tells of them.
+    class Notes {
+      public:
+        // As Broadphase::update(), and no more of a slot that is absent now.
+        void update(int slot, const Aabb& box, bool present)
+        {
+            if (present) return keep(slot, boxes_.note(slot, box));
+            keep(kGone - slot, boxes_.present(slot));
+            gone_ = slot;
+        }
+        // Where a present slot will be for a while; its pairs until then will have been found. Holds its box.
+        void expect(int slot, const Aabb& way)
+        {
+            if (slot != gone_) keep(slot, boxes_.note_way(slot, way));
+        }
+
+      private:
+        friend class Broadphase;
+        static constexpr int kEnd = -1, kGone = -2;  // -2 - slot: the slot has gone
+        Notes(Broadphase& boxes, int* out) : boxes_(boxes), out_(out) {}
+        void keep(int note, bool so)
+        {
+            if (so) *out_++ = note;
+        }
+        Broadphase& boxes_;
+        int* out_;
+        int gone_ = -1;
+    };
+    // f(slot, notes) for the slots 0 ... count - 1, on all workers; it may tell about that slot only.
+    template <typename F>
+    void note_all(const Tasks& tasks, int count, F&& f);
     void remove(int slot);
     void clear();
 
@@ -40,7 +71,7 @@ class Broadphase {
     void renumber(std::span<const int> new_slot, int count);
 
     // Brings tree and pairs up to date. False when memory is exhausted: pairs() must not be used then.
-    [[nodiscard]] bool find_pairs();
+    [[nodiscard]] bool find_pairs(const Tasks& tasks = Tasks(1));
     std::span<const SlotPair> pairs() const { return pairs_.span(); }
 
     bool present(int slot) const { return proxies_.data()[slot].present; }
@@ -95,6 +126,9 @@ class Broadphase {
         bool fresh = false;    // waits for its pairs
     };
 
+    // Whether the slot has left its fat box and is not listed yet.
+    bool note(int slot, const Aabb& box);
+    bool note_way(int slot, const Aabb& way);
     template <typename Visit>
     void query_fat(const Aabb& box, Visit&& visit) const
     {
@@ -103,7 +137,7 @@ class Broadphase {
             if (overlap(proxies_.data()[slot].box, box)) visit(slot);
     }
 
-    [[nodiscard]] bool update_tree();
+    [[nodiscard]] bool update_tree(const Tasks& tasks = Tasks(1));
     [[nodiscard]] bool place(int slot, bool in_bulk);
     void withdraw(int slot);
     void leave_tree(Proxy& proxy);
@@ -111,9 +145,12 @@ class Broadphase {
     void leave_unbounded(int slot);
     static Aabb fatten(const Proxy& proxy);
     void drop_stale_pairs();
-    [[nodiscard]] bool collect_all();
-    [[nodiscard]] bool collect(int slot);
-    [[nodiscard]] bool found(int a, int b);
+    using Found = Array<SlotPair>;
+    [[nodiscard]] bool collect_fresh(const Tasks& tasks);
+    [[nodiscard]] bool collect_all(const Tasks& tasks);
+    [[nodiscard]] bool collect_unbounded(Found& found) const;
+    [[nodiscard]] bool collect(int slot, Found& found) const;
+    [[nodiscard]] bool join_found();
     [[nodiscard]] bool sort_found();
     [[nodiscard]] bool merge_found();
     const Aabb& fat_box(const Proxy& proxy) const;
@@ -125,10 +162,36 @@ class Broadphase {
     Array<int> unbounded_;
     Array<int> escaped_;
     Array<int> fresh_;
+    Array<int> notes_;  // range by range; kEnd where a range is not full
+    static constexpr int kNoteRange = 256;
     Array<SlotPair> pairs_;
+    // What is found at once, in as many parts as may be looked for beside each other.
+    static constexpr int kParts = 16;
+    Found parts_[kParts];
+    Array<NodePair> subtrees_;
     Array<SlotPair> found_, sorted_;
     Array<int> first_of_;  // by newer slot, for sorting
     bool stale_pairs_ = false;
 };
+
+template <typename F>
+void Broadphase::note_all(const Tasks& tasks, int count, F&& f)
+{
+    tasks.for_each((count + kNoteRange - 1) / kNoteRange, [&](int range, int) {
+        const int first = range * kNoteRange, last = count < first + kNoteRange ? count : first + kNoteRange;
+        Notes notes(*this, notes_.data() + first);
+        for (int slot = first; slot < last; ++slot) f(slot, notes);
+        if (notes.out_ < notes_.data() + last) *notes.out_ = Notes::kEnd;
+    });
+    for (int first = 0; first < count; first += kNoteRange)
+        for (int i = first; i < count && i < first + kNoteRange; ++i) {
+            const int note = notes_.data()[i];
+            if (note == Notes::kEnd) break;
+            if (note >= 0)
+                (void)escaped_.push(note);
+            else
+                remove(Notes::kGone - note);
+        }
+}
 
 }  // namespace epode

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "base/ahead.h"
+#include "collide/user_class.h"
 
 namespace epode {
 namespace {
@@ -55,7 +56,50 @@ int height(const Space& space)
 
 bool zero_sized(const Geom& geom) { return geom.type->zero_sized && geom.type->zero_sized(geom); }
 
+bool has_queued(const Space& space) { return space.unlisted || !space.queue.empty(); }
+
+// Puts into the queue all who are marked so.
+void list_queued(Space& space)
+{
+    if (!space.unlisted) return;
+    space.unlisted = false;
+    space.queue.clear();
+    for (const Geom* geom : space.members)
+        if (geom && geom->queued) (void)space.queue.push(geom->slot);
+}
+
+// The queued members that are chosen; the others are no longer queued, but have still to be looked at.
+template <typename Chosen>
+void clean_queued(Space& space, Chosen&& chosen)
+{
+    const int due = space.queue.size();
+    const auto fetch_pose = [&](int i) {
+        const Geom* geom = i < due ? space.members[space.queue[i]] : nullptr;
+        if (geom) fetch<3>(geom->position);
+    };
+    for (int i = 0; i < due; ++i) {
+        if (i + 4 < due) fetch<6>(space.members[space.queue[i + 4]]);
+        fetch_pose(i + 2);
+        const int slot = space.queue[i];
+        Geom* geom = space.members[slot];
+        if (!geom || !geom->queued || !chosen(*geom)) continue;
+        geom->queued = false;
+        if (is_space(*geom)) clean(static_cast<Space&>(*geom));
+        const Aabb& box = box_of(*geom);
+        space.broadphase.update(slot, box, !zero_sized(*geom));
+    }
+    // Members that a user's box function has moved wait for the next time.
+    std::copy(space.queue.begin() + due, space.queue.end(), space.queue.begin());
+    space.queue.truncate(space.queue.size() - due);
+}
+
 }  // namespace
+
+bool stands_alone(const Geom& geom)
+{
+    const int number = geom.type->number;
+    return !is_space(geom) && number != dGeomTransformClass && !is_user_class(number);
+}
 
 Space* space_from(dSpaceID id)
 {
@@ -73,6 +117,7 @@ bool add_member(Space& space, Geom& geom)
     geom.queued = false;
     (void)space.members.push(&geom);
     ++space.count;
+    space.helped += !stands_alone(geom);
     mark_moved(geom);
     return true;
 }
@@ -84,6 +129,7 @@ void remove_member(Space& space, Geom& geom)
     geom.space = nullptr;
     geom.slot = -1;
     geom.queued = false;
+    space.helped -= !stands_alone(geom);
     if (--space.count == 0) {
         space.members.clear();
         space.queue.clear();
@@ -134,29 +180,55 @@ void enqueue(Space& space, Geom& geom)
     geom.queued = space.queue.push(geom.slot);
 }
 
+bool mark_member(Geom& geom, const Space& space)
+{
+    if (geom.space != &space || geom.holders || !stands_alone(geom)) return false;
+    geom.pose_stale = geom.offset != nullptr;
+    geom.box_stale = geom.queued = true;
+    return true;
+}
+
+void members_marked(Space& space)
+{
+    space.unlisted = true;
+    mark_moved(space);
+}
+
 void clean(Space& space)
 {
-    if (space.locks > 0 || space.queue.empty()) return;
+    if (space.locks > 0 || !has_queued(space)) return;
     SpaceLock lock(space);
-    const int due = space.queue.size();
-    const auto fetch_pose = [&](int i) {
-        const Geom* geom = i < due ? space.members[space.queue[i]] : nullptr;
-        if (geom) fetch<3>(geom->position);
-    };
-    for (int i = 0; i < due; ++i) {
-        if (i + 4 < due) fetch<6>(space.members[space.queue[i + 4]]);
-        fetch_pose(i + 2);
-        const int slot = space.queue[i];
-        Geom* geom = space.members[slot];
-        if (!geom || !geom->queued) continue;
-        geom->queued = false;
-        if (is_space(*geom)) clean(static_cast<Space&>(*geom));
-        const Aabb& box = box_of(*geom);
-        space.broadphase.update(slot, box, !zero_sized(*geom));
+    list_queued(space);
+    clean_queued(space, [](const Geom&) { return true; });
+}
+
+void clean(Space& space, const WayFinder& finder, const Tasks& tasks)
+{
+    const bool moves = space.locks == 0 && has_queued(space);
+    SpaceLock lock(space);
+    if (moves && space.helped > 0) {
+        list_queued(space);
+        clean_queued(space, [](const Geom& geom) { return !stands_alone(geom); });
+    } else if (moves) {
+        space.queue.clear();
+        space.unlisted = false;
     }
-    // Members that a user's box function has moved wait for the next time.
-    std::copy(space.queue.begin() + due, space.queue.end(), space.queue.begin());
-    space.queue.truncate(space.queue.size() - due);
+    Broadphase& boxes = space.broadphase;
+    const int count = space.members.size();
+    Geom* const* members = space.members.data();
+    boxes.note_all(tasks, count, [&](int slot, Broadphase::Notes& notes) {
+        constexpr int kAhead = 3;
+        if (slot + 2 * kAhead < count) fetch<6>(members[slot + 2 * kAhead]);
+        if (slot + kAhead < count && members[slot + kAhead]) fetch<8>(members[slot + kAhead]->body.id);
+        Geom* geom = members[slot];
+        if (!geom) return;
+        if (moves && geom->queued && stands_alone(*geom)) {
+            geom->queued = false;
+            notes.update(slot, box_of(*geom), !zero_sized(*geom));
+        }
+        if (geom->body.id && boxes.present(slot))
+            notes.expect(slot, finder.way(finder.data, *geom, boxes.box(slot)));
+    });
 }
 
 Aabb space_aabb(Geom& geom)

@@ -13,6 +13,7 @@
 //             cleaned: whoever looks sees it as it was when the outermost collision began.
 #pragma once
 
+#include "base/ahead.h"
 #include "collide/broadphase.h"
 #include "collide/geom.h"
 
@@ -23,11 +24,13 @@ inline constexpr int kMostNested = 100;  // spaces in spaces, transforms in tran
 struct Space : Geom {
     explicit Space(const GeomType& space_type) : Geom(space_type) {}
 
-    Array<Geom*> members;  // by slot; null: a gap
-    Array<int> queue;      // slots of members that have moved
-    Array<int> scratch;    // for answers of queries; whoever uses it swaps it out
+    Array<Geom*> members;   // by slot; null: a gap
+    Array<int> queue;       // slots of members that have moved
+    bool unlisted = false;  // members are marked as queued that are not in the queue
+    Array<int> scratch;     // for answers of queries; whoever uses it swaps it out
     Broadphase broadphase;
-    int count = 0;  // members without the gaps
+    int count = 0;   // members without the gaps
+    int helped = 0;  // of them that do not stand alone
     int locks = 0;
     int pair_walks = 0;  // walks over the pair list in progress
     int sublevel = 0;
@@ -72,14 +75,50 @@ bool nesting_fits(const Space& space, const Space& inner);  // functions that wa
 
 // ---- boxes ----
 void enqueue(Space& space, Geom& geom);  // the member has moved
-void clean(Space& space);                // gives every queued member its box, at all depths
-Aabb space_aabb(Geom& space);            // a GeomType's function
+// Many members have moved: any worker may tell of one that is a member of the space and stands alone (false
+// if it does not), without listing it; then the space has to be told.
+bool mark_member(Geom& geom, const Space& space);
+void members_marked(Space& space);
+void clean(Space& space);  // gives every queued member its box, at all depths
+// A geom whose box and pairs are its own affair: no space or transform, and not of a class of the program.
+bool stands_alone(const Geom& geom);
+// Where members will be for a while, told of them on any worker; the way holds the box.
+struct WayFinder {
+    const void* data;
+    Aabb (*way)(const void* data, const Geom& geom, const Aabb& box);
+};
+// The same as clean(), but that a locked space is not cleaned, and then the ways of all members.
+void clean(Space& space, const WayFinder& finder, const Tasks& tasks);
+Aabb space_aabb(Geom& space);  // a GeomType's function
 
 // ---- collision ----
 bool may_meet(Geom& a, Geom& b);  // all that decides but enabling and boxes
 // Which boxes of two members must overlap: their own, or those of the ways that are expected of them.
 enum class PairsOf { kBoxes, kWays };
+// visit(a, b) for the pairs first ... last - 1 of the broadphase's list that are there and may meet.
+template <typename Visit>
+void visit_pairs(Space& space, PairsOf of, std::size_t first, std::size_t last, Visit&& visit);
 void collide_space(Space& space, void* data, dNearCallback* callback, PairsOf of = PairsOf::kBoxes);
 void collide_across(Geom& first, Geom& second, void* data, dNearCallback* callback);
+
+template <typename Visit>
+void visit_pairs(Space& space, PairsOf of, std::size_t first, std::size_t last, Visit&& visit)
+{
+    constexpr std::size_t kAhead = 4;
+    const Broadphase& boxes = space.broadphase;
+    Geom* const* members = space.members.data();
+    const SlotPair* pairs = boxes.pairs().data();
+    for (std::size_t i = first; i < last; ++i) {
+        // The lines that may_meet() and most visitors read.
+        if (i + kAhead < last)
+            fetch<3>(members[pairs[i + kAhead].newer]), fetch<3>(members[pairs[i + kAhead].older]);
+        const auto [newer, older] = pairs[i];
+        const bool near = of == PairsOf::kWays ? overlap(boxes.way(newer), boxes.way(older))
+                                               : overlap(boxes.box(newer), boxes.box(older));
+        if (!near) continue;
+        Geom &a = *members[newer], &b = *members[older];
+        if (a.enabled && b.enabled && may_meet(a, b)) visit(a, b);
+    }
+}
 
 }  // namespace epode

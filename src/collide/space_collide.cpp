@@ -6,7 +6,6 @@
 // ones.
 #include <algorithm>
 
-#include "base/ahead.h"
 #include "collide/collide.h"
 #include "collide/space.h"
 
@@ -19,31 +18,11 @@ struct Report {
     void operator()(Geom& a, Geom& b) const { callback(data, to_handle(&a), to_handle(&b)); }
 };
 
-// The lines that may_meet() and most callbacks read.
-void fetch_members(const Space& space, const SlotPair& pair)
-{
-    fetch<3>(space.members.data()[pair.newer]);
-    fetch<3>(space.members.data()[pair.older]);
-}
-
-bool near(const Broadphase& boxes, const SlotPair& pair, PairsOf of)
-{
-    return of == PairsOf::kWays ? overlap(boxes.way(pair.newer), boxes.way(pair.older))
-                                : overlap(boxes.box(pair.newer), boxes.box(pair.older));
-}
-
+// The callback may move and enable geoms, but not change the list.
 void report_pairs(Space& space, const Report& report, PairsOf of)
 {
     ++space.pair_walks;
-    const auto pairs = space.broadphase.pairs();
-    constexpr std::size_t kAhead = 4;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        if (i + kAhead < pairs.size()) fetch_members(space, pairs[i + kAhead]);
-        const SlotPair& pair = pairs[i];
-        if (!near(space.broadphase, pair, of)) continue;
-        Geom *a = space.members.data()[pair.newer], *b = space.members.data()[pair.older];
-        if (a->enabled && b->enabled && may_meet(*a, *b)) report(*a, *b);
-    }
+    visit_pairs(space, of, 0, space.broadphase.pairs().size(), report);
     --space.pair_walks;
 }
 

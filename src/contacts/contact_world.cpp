@@ -3,6 +3,7 @@
 #include "contacts/contact_world.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "base/ahead.h"
@@ -36,6 +37,19 @@ bool tied(const Body& a, const Body* b)
 
 bool awake(const Body* body) { return body && !body->disabled; }
 
+bool may_push(const World& world, const GeomPair& pair)
+{
+    if (!can_push(*pair.a) || !can_push(*pair.b)) return false;
+    const Body *a = body_of(*pair.a), *b = body_of(*pair.b);
+    const bool moves = (a && !a->kinematic()) || (b && !b->kinematic());
+    return moves && (!a || a->world == &world) && (!b || b->world == &world);
+}
+
+int most_patches(const GeomPair& pair)
+{
+    return is_surface(*pair.a) || is_surface(*pair.b) ? kSurfacePatches : 1;
+}
+
 // What is open and has not been pushed was only near.
 bool touches(const KeptPatch& kept, const PatchPoint& point)
 {
@@ -61,64 +75,94 @@ void fetch_poses(const ContactPair& pair)
 
 bool ContactWorld::update(const World& world, Space& in, Real h, const Tasks& tasks)
 {
-    clean(in);  // which a locked space is not
+    const Foresight soon{h, world.gravity};
+    expect_motion(in, soon, tasks);
     const DeepLock lock(in);
     fresh_.pairs.clear();
     fresh_.patches.clear();
-    if (!find_geom_pairs(in, {h, world.gravity}, found_) || !list_pairs(world) || !make_room()) return false;
+    if (!find_geom_pairs(in, soon, tasks, found_) || !choose_pairs(world, tasks) || !list_pairs(tasks))
+        return false;
+    if (filter) ask_filter();
     collide_pairs(world, h, tasks);
     return true;
 }
 
-bool ContactWorld::list_pairs(const World& world)
+// Which of the pairs that were found are this world's, and what each was in the last step; those that are
+// chosen move to the beginning of their range.
+bool ContactWorld::choose_pairs(const World& world, const Tasks& tasks)
 {
-    RecordFinder finder(last_.pairs, table_);
-    constexpr int kAhead = 4;
-    const int count = found_.size();
-    const GeomPair* pairs = found_.data();
-    for (int i = 0; i < count; ++i) {
-        if (i + 2 * kAhead < count) fetch<2>(pairs[i + 2 * kAhead].a), fetch<2>(pairs[i + 2 * kAhead].b);
-        if (i + kAhead < count)
+    const int count = (found_.size() + kPairRange - 1) / kPairRange;
+    ranges_.clear();
+    RecordFinder shared(last_.pairs, table_);
+    if (!ranges_.resize(count + 1) || (tasks.workers() > 1 && !shared.make_table())) return false;
+    std::atomic<bool> complete{true};
+    tasks.for_each(count, [&](int range, int) {
+        RecordFinder own = shared;
+        if (!choose_range(world, range, tasks.workers() > 1 ? own : shared)) complete = false;
+    });
+    return complete;
+}
+
+bool ContactWorld::choose_range(const World& world, int range, RecordFinder& finder)
+{
+    const int first = range * kPairRange, last = std::min(found_.size(), first + kPairRange);
+    GeomPair *to = found_.data() + first, *pairs = to;
+    int known = 0;
+    while (first + known < last && pairs[known].a) ++known;
+    PairRange& sum = ranges_[range];
+    for (int i = 0; i < known; ++i) {
+        constexpr int kAhead = 4;
+        if (i + 2 * kAhead < known) fetch<2>(pairs[i + 2 * kAhead].a), fetch<2>(pairs[i + 2 * kAhead].b);
+        if (i + kAhead < known)
             fetch<1>(pairs[i + kAhead].a->body.id), fetch<1>(pairs[i + kAhead].b->body.id);
-        const GeomPair& pair = pairs[i];
-        if (!can_push(*pair.a) || !can_push(*pair.b)) continue;
-        const Body *a = body_of(*pair.a), *b = body_of(*pair.b);
-        const bool moves = (a && !a->kinematic()) || (b && !b->kinematic());
-        const bool ours = (!a || a->world == &world) && (!b || b->world == &world);
-        if (moves && ours && !list_pair(*pair.a, *pair.b, finder)) return false;
+        GeomPair pair = pairs[i];
+        if (!may_push(world, pair)) continue;
+        if (!pair.a->body.id) std::swap(pair.a, pair.b);
+        pair.old = finder.find(pair.a->serial, pair.b->serial);
+        if (pair.old == -2) return false;
+        // What sleeps will be looked at when one of them wakes up.
+        if (pair.old < 0 && !awake(body_of(*pair.a)) && !awake(body_of(*pair.b))) continue;
+        *to++ = pair;
+        ++sum.pairs, sum.patches += most_patches(pair);
     }
     return true;
 }
 
-bool ContactWorld::list_pair(Geom& a, Geom& b, RecordFinder& finder)
+// Room for all patches that there may be, and for what accept() will keep.
+bool ContactWorld::list_pairs(const Tasks& tasks)
 {
-    Geom &g1 = a.body.id ? a : b, &g2 = a.body.id ? b : a;
-    const int old = finder.find(g1.serial, g2.serial);
-    if (old == -2) return false;
-    ContactPair pair{to_handle(&g1), to_handle(&g2), g1.serial, g2.serial, body_of(g1), body_of(g2), old};
-    // What sleeps will be looked at when one of them wakes up.
-    if (old < 0 && !awake(pair.body1) && !awake(pair.body2)) return true;
-    pair.most = is_surface(g1) || is_surface(g2) ? kSurfacePatches : 1;
-    pair.wanted = old < 0 ? ask_filter(pair) : last_.pairs.data()[old].wanted;
-    pair.parting = old < 0 ? 0 : last_.pairs.data()[old].parting;
-    pair.asked = asks_program(g1, g2);
-    return fresh_.pairs.push(pair);
-}
-
-bool ContactWorld::ask_filter(const ContactPair& pair) const
-{
-    return !filter || filter(filter_data, pair.id1, pair.id2) != 0;
-}
-
-// For all patches that there may be, and for what accept() will keep.
-bool ContactWorld::make_room()
-{
-    int room = 0;
-    for (ContactPair& pair : fresh_.pairs) {
-        pair.first = room;
-        room += pair.most;
+    PairRange total;
+    for (PairRange& range : ranges_) {
+        const PairRange own = range;
+        range = total;
+        total.pairs += own.pairs, total.patches += own.patches;
     }
-    return fresh_.patches.extend(room) && ended_.reserve(last_.pairs.size());
+    if (!fresh_.pairs.extend(total.pairs) || !fresh_.patches.extend(total.patches) ||
+        !ended_.reserve(last_.pairs.size()))
+        return false;
+    tasks.for_each(ranges_.size() - 1, [&](int range, int) {
+        PairRange at = ranges_[range];
+        const GeomPair* from = found_.data() + range * kPairRange;
+        for (; at.pairs < ranges_[range + 1].pairs; ++from) {
+            ContactPair& pair = fresh_.pairs.data()[at.pairs++];
+            Geom &a = *from->a, &b = *from->b;
+            pair = {to_handle(&a), to_handle(&b), a.serial,  b.serial,
+                    body_of(a),    body_of(b),    from->old, at.patches};
+            pair.most = std::uint8_t(most_patches(*from));
+            pair.wanted = from->old < 0 || last_.pairs.data()[from->old].wanted;
+            pair.parting = from->old < 0 ? 0 : last_.pairs.data()[from->old].parting;
+            pair.asked = asks_program(a, b);
+            at.patches += pair.most;
+        }
+    });
+    return true;
+}
+
+// About those that are new.
+void ContactWorld::ask_filter()
+{
+    for (ContactPair& pair : fresh_.pairs)
+        if (pair.old < 0) pair.wanted = filter(filter_data, pair.id1, pair.id2) != 0;
 }
 
 void ContactWorld::update_one(ContactPair& pair, int place, const NarrowSettings& settings)
@@ -159,26 +203,39 @@ void ContactWorld::collide_pairs(const World& world, Real h, const Tasks& tasks)
     });
 }
 
-bool ContactWorld::touching(Arena& arena, std::span<PatchEdge>& out)
+bool ContactWorld::touching(const Tasks& tasks, Arena& arena, std::span<PatchEdge>& out)
 {
-    int count = 0;
-    for (const ContactPair& pair : fresh_.pairs) count += pair.count;
-    out = arena.take<PatchEdge>(count);
+    const int ranges = (fresh_.pairs.size() + kPairRange - 1) / kPairRange;
+    const auto range = [&](int i) {
+        const int first = i * kPairRange, last = std::min(fresh_.pairs.size(), first + kPairRange);
+        return std::span(fresh_.pairs.data() + first, std::size_t(last - first));
+    };
+    const auto begin = arena.take_zeroed<int>(ranges + 1);
     if (arena.failed()) return false;
-    std::size_t at = 0;
-    for (const ContactPair& pair : fresh_.pairs)
-        for (int i = 0; i < pair.count; ++i) {
-            Patch& patch = fresh_.patches.data()[pair.first + i].patch;
-            out[at++] = {{pair.body1, pair.body2}, {nullptr, nullptr}, &patch, false};
-        }
+    tasks.for_each(ranges, [&](int i, int) {
+        for (const ContactPair& pair : range(i)) begin[std::size_t(i) + 1] += pair.count;
+    });
+    for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+    out = arena.take<PatchEdge>(begin.back());
+    if (arena.failed()) return false;
+    tasks.for_each(ranges, [&](int i, int) {
+        PatchEdge* to = out.data() + begin[std::size_t(i)];
+        for (const ContactPair& pair : range(i))
+            for (int k = 0; k < pair.count; ++k) {
+                Patch& patch = fresh_.patches.data()[pair.first + k].patch;
+                *to++ = {{pair.body1, pair.body2}, {nullptr, nullptr}, &patch, false};
+            }
+    });
     return true;
 }
 
-void ContactWorld::accept(Real h)
+void ContactWorld::accept(Real h, const Tasks& tasks)
 {
     // A pair of the last step that this one has taken over is marked; what is left and touched has ended.
-    for (const ContactPair& pair : fresh_.pairs)
-        if (pair.old >= 0) last_.pairs[pair.old].old = -2;
+    tasks.in_ranges(fresh_.pairs.size(), kPairRange, [&](int first, int last) {
+        for (int i = first; i < last; ++i)
+            if (const int old = fresh_.pairs.data()[i].old; old >= 0) last_.pairs.data()[old].old = -2;
+    });
     ended_.clear();
     for (const ContactPair& pair : last_.pairs)
         if (pair.old != -2 && touches(last_.of(pair))) (void)ended_.push({dContactEnds, pair.id1, pair.id2});

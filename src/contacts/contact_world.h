@@ -33,9 +33,9 @@ class ContactWorld {
     // `h`: the coming step.
     [[nodiscard]] bool update(const World& world, Space& in, Real h, const Tasks& tasks);
     // The touching patches of what `update` found, in order.
-    [[nodiscard]] bool touching(Arena& arena, std::span<PatchEdge>& out);
+    [[nodiscard]] bool touching(const Tasks& tasks, Arena& arena, std::span<PatchEdge>& out);
     // The step is done: what it found is what the next one starts from. `h`: its length.
-    void accept(Real h);
+    void accept(Real h, const Tasks& tasks);
     void forget();
 
     int events(dContactEvent* out, int room) const;
@@ -57,15 +57,21 @@ class ContactWorld {
         }
     };
 
-    [[nodiscard]] bool list_pairs(const World& world);
-    [[nodiscard]] bool list_pair(Geom& a, Geom& b, RecordFinder& finder);
-    [[nodiscard]] bool make_room();
+    // What a range of found pairs has; after summing up, where it begins.
+    struct PairRange {
+        int pairs = 0, patches = 0;
+    };
+
+    [[nodiscard]] bool choose_pairs(const World& world, const Tasks& tasks);
+    [[nodiscard]] bool choose_range(const World& world, int range, RecordFinder& finder);
+    [[nodiscard]] bool list_pairs(const Tasks& tasks);
+    void ask_filter();
     void collide_pairs(const World& world, Real h, const Tasks& tasks);
     void update_one(ContactPair& pair, int place, const NarrowSettings& settings);
-    bool ask_filter(const ContactPair& pair) const;
 
     List last_, fresh_;  // of the last step, of this one
     Array<GeomPair> found_;
+    Array<PairRange> ranges_;
     Array<int> table_;
     Array<dContactEvent> ended_;  // of the last step
     Real h_ = 0;

@@ -2,9 +2,9 @@
 // Copyright (c) 2026 The Epode authors
 #include "contacts/pair_finder.h"
 
+#include <algorithm>
 #include <bit>
 
-#include "base/ahead.h"
 #include "base/hash.h"
 
 namespace epode {
@@ -13,6 +13,7 @@ namespace {
 struct Collection {
     Array<GeomPair>& pairs;
     const Foresight& soon;
+    const Tasks& tasks;
     bool complete = true;
 };
 
@@ -26,39 +27,55 @@ void collect(void* data, dGeomID o1, dGeomID o2)
         into.complete = into.pairs.push({&a, &b}) && into.complete;
 }
 
-// Room in the broad phase for the whole way of what moves.
-void expect_motion(Space& space, const Foresight& soon)
+Aabb way_of(const void* soon, const Geom& geom, const Aabb& box)
 {
-    constexpr int kAhead = 3;
-    const int count = space.members.size();
-    Geom* const* members = space.members.data();
-    for (int slot = 0; slot < count; ++slot) {
-        if (slot + 2 * kAhead < count) fetch<3>(members[slot + 2 * kAhead]);
-        if (slot + kAhead < count && members[slot + kAhead]) fetch<8>(members[slot + kAhead]->body.id);
-        const Geom* geom = members[slot];
-        if (!geom || !space.broadphase.present(slot)) continue;
-        const Body* body = from_handle<Body>(geom->body.id);
-        const Aabb now = space.broadphase.box(slot);
-        if (body) space.broadphase.expect(slot, body->disabled ? now : merge(now, soon.box(body, now)));
-    }
+    const Body* body = from_handle<Body>(geom.body.id);
+    return body->disabled ? box : merge(box, static_cast<const Foresight*>(soon)->box(body, box));
+}
+
+// Where no member has to be opened or asked about, all workers go through the pairs.
+bool collect_lone(Space& space, const Tasks& tasks, Array<GeomPair>& out)
+{
+    const int count = int(space.broadphase.pairs().size());
+    if (!out.extend(count)) return false;
+    GeomPair* const pairs = out.data();
+    tasks.for_each((count + kPairRange - 1) / kPairRange, [&](int range, int) {
+        const int first = range * kPairRange, last = std::min(count, first + kPairRange);
+        GeomPair* to = pairs + first;
+        visit_pairs(space, PairsOf::kWays, std::size_t(first), std::size_t(last), [&](Geom& a, Geom& b) {
+            *to++ = {&a, &b};
+        });
+        if (to < pairs + last) to->a = nullptr;
+    });
+    return true;
 }
 
 void collect_inside(Space& space, Collection& into)
 {
-    expect_motion(space, into.soon);
+    if (space.helped == 0 && into.pairs.empty() && space.broadphase.find_pairs(into.tasks)) {
+        into.complete = collect_lone(space, into.tasks, into.pairs);
+        return;
+    }
     collide_space(space, &into, collect, PairsOf::kWays);
     const SpaceLock lock(space);
     for (Geom* member : space.members)
-        if (member && member->enabled && is_space(*member))
+        if (member && member->enabled && is_space(*member)) {
+            expect_motion(static_cast<Space&>(*member), into.soon, into.tasks);
             collect_inside(static_cast<Space&>(*member), into);
+        }
 }
 
 }  // namespace
 
-bool find_geom_pairs(Space& space, const Foresight& soon, Array<GeomPair>& out)
+void expect_motion(Space& space, const Foresight& soon, const Tasks& tasks)
+{
+    clean(space, {&soon, way_of}, tasks);
+}
+
+bool find_geom_pairs(Space& space, const Foresight& soon, const Tasks& tasks, Array<GeomPair>& out)
 {
     out.clear();
-    Collection into{out, soon};
+    Collection into{out, soon, tasks};
     collect_inside(space, into);
     return into.complete;
 }

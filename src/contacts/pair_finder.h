@@ -14,12 +14,19 @@
 namespace epode {
 
 struct GeomPair {
-    Geom *a, *b;
+    Geom *a, *b;   // null: the pairs of this range end here
+    int old = -1;  // the record of the last step, -1: none
 };
+inline constexpr int kPairRange = 512;
 
-// All pairs of geoms that are no spaces, spaces in it opened. False: out of memory.
-// `soon`: where bodies will be when pairs are looked for again.
-[[nodiscard]] bool find_geom_pairs(Space& space, const Foresight& soon, Array<GeomPair>& out);
+// Boxes of what has moved, unless the space is locked, and room in the broad phase for the whole way of what
+// moves. `soon`: where bodies will be when pairs are looked for again.
+void expect_motion(Space& space, const Foresight& soon, const Tasks& tasks);
+
+// Then all pairs of geoms that are no spaces, spaces in it opened. Ranges of kPairRange pairs may end early.
+// False: out of memory.
+[[nodiscard]] bool find_geom_pairs(Space& space, const Foresight& soon, const Tasks& tasks,
+                                   Array<GeomPair>& out);
 
 // Keeps a space and all in it, at any depth, locked: the filter is the program's.
 class DeepLock {
@@ -40,11 +47,12 @@ class RecordFinder {
         : records_(records), table_(table)
     {}
 
+    // Needed by finders that are copies of one, each for its worker. False: out of memory.
+    [[nodiscard]] bool make_table();
     // The pair's record, -1: none, -2: out of memory.
     int find(std::uint64_t serial1, std::uint64_t serial2);
 
   private:
-    [[nodiscard]] bool make_table();
     bool is(int record, std::uint64_t serial1, std::uint64_t serial2) const;
 
     const Array<ContactPair>& records_;

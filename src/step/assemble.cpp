@@ -8,12 +8,12 @@
 
 #include <algorithm>
 
-#include "base/ahead.h"
 #include "dynamics/exact_spin.h"
 #include "dynamics/integrate.h"
 #include "joints/contact_manifolds.h"
 #include "rows/policy.h"
 #include "step/patch_rows.h"
+#include "tasks/fetched.h"
 
 namespace epode {
 namespace {
@@ -167,7 +167,8 @@ void load_body(const World& world, Real h, const Solver& solver, Body& body, Sol
 
 }  // namespace
 
-bool assemble(World& world, Real h, const Solver& solver, Arena& arena, IslandWork& work, StepUndo* undo)
+bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Arena& arena, IslandWork& work,
+              StepUndo* undo)
 {
     const Island& island = work.island;
     const bool forces_known = island.joints.empty();
@@ -189,7 +190,8 @@ bool assemble(World& world, Real h, const Solver& solver, Arena& arena, IslandWo
         return false;
     }
 
-    for_each_fetched<kLinesOfBody>(std::span<Body* const>(island.bodies), [&](std::size_t i, Body& body) {
+    const std::span<Body* const> bodies = island.bodies;
+    for_each_fetched<kLinesOfBody>(tasks, bodies, [&](std::size_t i, Body& body) {
         if (undo) undo->save(first + i);
         body.island_index = int(i);
         add_gravity(body, world.gravity);
@@ -200,7 +202,7 @@ bool assemble(World& world, Real h, const Solver& solver, Arena& arena, IslandWo
     write_manifolds(work.contacts, info, work.system.contacts);
     emit_rows(info, joints, work, rows, blocks);
     work.joints = work.joints.first(std::size_t(blocks));
-    place_patches(island);
+    place_patches(tasks, island);
     if (as_rows) emit_patches(info, work, rows, blocks);
     for (std::size_t i = 0; i < patches.size(); ++i) patches[i] = island.patches[i]->patch;
     work.system.patches = patches;
@@ -210,7 +212,7 @@ bool assemble(World& world, Real h, const Solver& solver, Arena& arena, IslandWo
     if (arena.failed() || !mark_parts(arena, work)) return false;
 
     if (!forces_known)
-        for_each_fetched<kLinesOfBody>(std::span<Body* const>(island.bodies), [&](std::size_t i, Body& body) {
+        for_each_fetched<kLinesOfBody>(tasks, bodies, [&](std::size_t i, Body& body) {
             load_body(world, h, solver, body, work.system.bodies[i]);
         });
     for (const RowBlock& block : work.system.blocks)

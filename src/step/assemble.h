@@ -29,7 +29,8 @@ StepInfo step_info(const World& world, Real h);
 // Of work.island: gravity and the joints' own forces enter the bodies' accumulators, rows and numbers are
 // written, and the SolverBodies hold v: the present velocities if the solver makes inner steps, else v* after
 // all forces. `undo` has the bodies before anything of them changes; null: it has. False: out of memory.
-bool assemble(World& world, Real h, const Solver& solver, Arena& arena, IslandWork& work, StepUndo* undo);
+bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Arena& arena, IslandWork& work,
+              StepUndo* undo);
 
 inline constexpr int kLinesOfBody = 10;  // of the cache: all that a step reads of one
 

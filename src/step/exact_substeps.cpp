@@ -162,7 +162,7 @@ bool ExactSubsteps::next(IslandWork& first, const SolverSettings& settings, Solv
 {
     load_forces();
     work.island = island_;
-    if (!assemble(world_, hs_, kDirect, arena_, work, nullptr)) return false;
+    if (!assemble(world_, hs_, kDirect, Tasks(1), arena_, work, nullptr)) return false;
     carry_contacts(first, work);
     map(work.system);
     if (world_.projection_iterations > 0) {
@@ -187,7 +187,7 @@ void ExactSubsteps::load_forces()
 
 void ExactSubsteps::carry_out(const IslandWork& work)
 {
-    write_back(work);
+    write_back(work, Tasks(1));
     add_feedback(work);
     const bool free = work.system.rows.empty();
     for (Body* body : island_.bodies)

@@ -60,14 +60,14 @@ class IslandStep {
     {
         if (divides() && !small_.begin()) return false;
         const Real h = divides() ? small_.small_step() : context_.h;
-        if (!assemble(world_, h, context_.solver, arena_, work_, &context_.undo)) return false;
+        if (!assemble(world_, h, context_.solver, tasks, arena_, work_, &context_.undo)) return false;
         if (divides()) small_.map(work_.system);
         for (std::size_t i = 0; i < reports.size(); ++i) report_errors(work_, int(i), reports[i]);
         if (projects()) {
             add_tension(work_, work_.system.bodies, arena_);
             leave_depth_to_projection(work_.system);
         }
-        SubstepModel model(work_, step_info(world_, context_.h));
+        SubstepModel model(work_, step_info(world_, context_.h), tasks);
         const Substeps callbacks = model.callbacks();
         const bool inner = context_.solver.substeps;
         if (inner && !model.prepare(arena_)) return false;
@@ -89,7 +89,7 @@ class IslandStep {
         bool sane = context_.solver.solve(work_.system, settings, arena_, solved);
         if (!context_.factorisations.empty())
             context_.factorisations[std::size_t(place_.first_island)] = solved.factorisations;
-        if (sane && !divided()) sane = sound(work_.system, 0);
+        if (sane && !divided()) sane = sound(work_.system, 0, tasks);
         if (sane && divides()) sane = small_.run(work_, settings, solved, projected_);
         for (std::size_t i = 0; i < reports.size(); ++i) {
             if (divided()) solved.residual = settings.part_residuals[i];
@@ -102,7 +102,7 @@ class IslandStep {
     {
         for (int part = 0; divided() && part < work_.system.worlds(); ++part)
             if (!sound(work_.system, part)) silence(part, reports);
-        if (!divides()) write_back(work_);
+        if (!divides()) write_back(work_, tasks);
         remember_contacts();
         if (!context_.solver.takes_patches) store_patch_impulses(work_);
         if (context_.solver.substeps) return;  // poses are where the inner steps have put them

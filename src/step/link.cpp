@@ -5,6 +5,7 @@
 #include "step/link.h"
 
 #include "base/ahead.h"
+#include "collide/space.h"
 #include "math/rotation.h"
 
 namespace epode {
@@ -30,6 +31,13 @@ Body* body_of(const Geom& geom) { return from_handle<Body>(geom.body.id); }
 void body_moved(Body& body)
 {
     for_each_geom(body, [](Geom& geom) { mark_moved(geom); });
+}
+
+bool mark_members(Body& body, const Space& space)
+{
+    bool all = true;
+    for_each_geom(body, [&](Geom& geom) { all = mark_member(geom, space) && all; });
+    return all;
 }
 
 void fetch_geoms(const Body& body) { fetch<2>(body.first_geom); }

@@ -26,6 +26,9 @@ void for_each_geom(const Body& body, Visit&& visit)
 // The body's pose has changed: its geoms are marked. Costs a few instructions per geom. Not to be called from
 // several threads at once for bodies whose geoms share a space.
 void body_moved(Body& body);
+// The same by any worker, for a body whose geoms are all members of the space, in their own right; false if
+// they are not. When all bodies have been told of, members_marked() must follow.
+bool mark_members(Body& body, const Space& space);
 // body_moved() is about to be called.
 void fetch_geoms(const Body& body);
 

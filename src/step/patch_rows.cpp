@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "tasks/fetched.h"
+
 namespace epode {
 namespace {
 
@@ -93,12 +95,15 @@ void for_points(const IslandWork& work, Visit&& visit)
 
 }  // namespace
 
-void place_patches(const Island& island)
+void place_patches(const Tasks& tasks, const Island& island)
 {
-    for (PatchEdge* edge : island.patches) {
-        edge->patch->body1 = edge->body[0]->island_index;
-        edge->patch->body2 = edge->body[1] ? edge->body[1]->island_index : -1;
-    }
+    tasks.in_ranges(int(island.patches.size()), kObjectRange, [&](int first, int last) {
+        for (auto i = std::size_t(first); i < std::size_t(last); ++i) {
+            const PatchEdge& edge = *island.patches[i];
+            edge.patch->body1 = edge.body[0]->island_index;
+            edge.patch->body2 = edge.body[1] ? edge.body[1]->island_index : -1;
+        }
+    });
 }
 
 int patch_point_count(const Island& island)

@@ -10,7 +10,7 @@
 namespace epode {
 
 // Gives the patches of the island their bodies' places.
-void place_patches(const Island& island);
+void place_patches(const Tasks& tasks, const Island& island);
 int patch_row_count(const Island& island);
 int patch_point_count(const Island& island);
 // Appends rows and blocks behind the first `rows` and `blocks` of work.system, which have room.

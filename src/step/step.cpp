@@ -16,6 +16,7 @@
 #include "dynamics/integrate.h"
 #include "dynamics/island.h"
 #include "dynamics/sleep.h"
+#include "step/finish.h"
 #include "step/hybrid.h"
 #include "step/island_step.h"
 #include "step/link.h"
@@ -26,25 +27,10 @@
 namespace epode {
 namespace {
 
-constexpr int kLarge = 256;          // joints of an island that is worth all workers
-constexpr int kLargePatches = 1024;  // or patches
-constexpr int kGroup = 1024;         // joints, patches and bodies of islands that are solved together
-constexpr int kParcel = 128;         // of a parcel of groups
-
-// Geoms, callbacks, damping, accumulators: body by body.
-void finish_bodies(const Island& island, const Continuous& continuous)
-{
-    for_each_fetched<1>(std::span<Body* const>(island.bodies), [&](std::size_t i, Body& body) {
-        if (i + 1 < island.bodies.size()) fetch_geoms(*island.bodies[i + 1]);
-        if (!continuous.marked() || continuous.stopped(body)) body_moved(body);
-        if (body.moved) body.moved(to_handle(&body));
-        damp(body);
-        store(body.facc, {});
-        store(body.tacc, {});
-        body.patched = body.patches != nullptr;
-        body.patches = nullptr;
-    });
-}
+constexpr int kLarge = 256;         // joints of an island that is worth all workers
+constexpr int kLargePatches = 256;  // or patches
+constexpr int kGroup = 1024;        // joints, patches and bodies of islands that are solved together
+constexpr int kParcel = 128;        // of a parcel of groups
 
 // Who does the parts of a step: threads of our own, or calls of the implementation that the world was given.
 class Workers {
@@ -165,8 +151,9 @@ class WorldStep {
     bool find_contacts(Arena& arena, std::span<PatchEdge>& patches)
     {
         ContactWorld& managed = state_.managed;
-        return managed.update(context_.world, *managed.live_space(), context_.h, workers_.of_islands) &&
-               managed.touching(arena, patches);
+        const Tasks& tasks = workers_.of_islands;
+        return managed.update(context_.world, *managed.live_space(), context_.h, tasks) &&
+               managed.touching(tasks, arena, patches);
     }
 
     bool choose_solvers(Arena& arena)
@@ -188,7 +175,7 @@ class WorldStep {
     struct Group {
         const Solver* solver;
         int first, count;
-        int joints, patches, weight;
+        int joints, weight;
         int first_contact;
     };
 
@@ -203,6 +190,8 @@ class WorldStep {
     // one island's.
     bool may_join(std::size_t i) const
     {
+        // All workers sweep over a large one together, and over others each by itself.
+        if (has_many_patches(i) || has_many_patches(i - 1)) return false;
         const Solver& solver = solver_of(i);
         const bool joints = !islands_[i].joints.empty(), before = !islands_[i - 1].joints.empty();
         if (&solver != &solver_of(i - 1) || !makes_groups(solver)) return false;
@@ -218,21 +207,25 @@ class WorldStep {
             const Solver& solver = solver_of(i);
             const bool joins =
                 count > 0 && may_join(i) && groups_[std::size_t(count - 1)].weight + w <= kGroup;
-            if (!joins) groups_[std::size_t(count++)] = {&solver, int(i), 0, 0, 0, 0, contacts};
+            if (!joins) groups_[std::size_t(count++)] = {&solver, int(i), 0, 0, 0, contacts};
             Group& group = groups_[std::size_t(count - 1)];
             ++group.count, group.joints += joints, group.weight += w;
-            group.patches += int(islands_[i].patches.size());
             contacts += joints;
         }
         groups_ = groups_.first(std::size_t(count));
         return contacts;
     }
 
+    bool has_many_patches(std::size_t island) const
+    {
+        return solver_of(island).takes_patches && int(islands_[island].patches.size()) >= kLargePatches;
+    }
+
     bool large(const Group& group) const
     {
         if (workers_.of_an_island.workers() <= 1) return false;
         return (group.solver->inner_tasks && group.joints >= kLarge) ||
-               (group.solver->takes_patches && group.patches >= kLargePatches);
+               has_many_patches(std::size_t(group.first));
     }
 
     bool prepare_reports()
@@ -342,16 +335,17 @@ bool step_in(World& world, StepState& state, const Solver* solver, Real h, int i
                               {}};
     WorldStep step(context, !solver, state, workers);
     const bool made = step.prepare() && step.run() && step.hold_back();
-    workers.dismiss();
     if (made) {
         state.contacts.end();
-        if (context.manages_contacts) state.managed.accept(h);
+        if (context.manages_contacts) state.managed.accept(h, workers.of_islands);
         step.remember_choices();
-        for (const Island& island : step.islands()) finish_bodies(island, step.continuous());
+        finish_bodies(undo.bodies(), step.continuous(), state.managed.live_space(), workers.of_islands,
+                      world.memory->arena(0));
         if (world.report_wanted) world.report = sum_of(state.reports.span());
     } else {
         step.take_back();
     }
+    workers.dismiss();
     world.report_made = made && world.report_wanted;
     return made;
 }

@@ -7,8 +7,8 @@
 // them stay those of the beginning until the step is accepted.
 #include "step/substeps.h"
 
-#include "base/ahead.h"
 #include "dynamics/integrate.h"
+#include "tasks/fetched.h"
 
 namespace epode {
 namespace {
@@ -63,15 +63,24 @@ bool SubstepModel::prepare(Arena& arena)
     if (arena.failed()) return false;
     // What no body fills must be numbers.
     if (!lanes_.empty()) lanes_.back() = {};
-    for_each_fetched<kLinesOfBody>(std::span<Body* const>(work_.island.bodies),
-                                   [&](std::size_t i, Body& body) {
-                                       const SolverBody& solver = system.bodies[i];
-                                       load_body(i, body, solver);
-                                       if (!system.poses.empty()) system.poses[i] = pose_of(body, solver);
-                                   });
+    // Ranges of bodies begin with a group of lanes.
+    static_assert(kObjectRange % kLanes == 0);
+    for_each_fetched<kLinesOfBody>(tasks_, island_bodies(), [&](std::size_t i, Body& body) {
+        const SolverBody& solver = system.bodies[i];
+        load_body(i, body, solver);
+        if (!system.poses.empty()) system.poses[i] = pose_of(body, solver);
+    });
     if (!system.poses.empty())
         for (SolverPose& world : system.poses.subspan(std::size_t(bodies))) world = {};
     return true;
+}
+
+// f(groups, first body, bodies) on all workers.
+template <typename F>
+void SubstepModel::in_groups(F&& f) const
+{
+    tasks_.in_ranges(int(work_.island.bodies.size()), kObjectRange,
+                     [&](int first, int last) { f(lanes_.data() + first / kLanes, first, last - first); });
 }
 
 void SubstepModel::load_body(std::size_t i, const Body& body, const SolverBody& solver)
@@ -98,17 +107,20 @@ void SubstepModel::load_body(std::size_t i, const Body& body, const SolverBody& 
 void SubstepModel::apply_forces(void* p, Velocity* bodies, Real h)
 {
     const SubstepModel& model = model_of(p);
-    model.kernels_.accelerate(model.lanes_.data(), int(model.work_.island.bodies.size()), bodies, h);
+    model.in_groups([&](BodyLanes* groups, int first, int count) {
+        model.kernels_.accelerate(groups, count, bodies + first, h);
+    });
 }
 
 void SubstepModel::advance(void* p, RowSystem& system, Velocity* bodies, Real h)
 {
     SubstepModel& model = model_of(p);
-    const int count = int(system.bodies.size());
-    model.kernels_.turn(model.lanes_.data(), count, bodies, h);
-    for (std::size_t group = 0; group < model.lanes_.size(); ++group)
-        if (model.lanes_[group].finite) model.turn_finitely(group, bodies, h);
-    model.kernels_.place(model.lanes_.data(), count, system.poses.data());
+    model.in_groups([&](BodyLanes* groups, int first, int count) {
+        model.kernels_.turn(groups, count, bodies + first, h);
+        for (int i = 0; i < count; i += kLanes)
+            if (groups[i / kLanes].finite) model.turn_finitely(std::size_t((first + i) / kLanes), bodies, h);
+        model.kernels_.place(groups, count, system.poses.empty() ? nullptr : system.poses.data() + first);
+    });
 }
 
 // Few bodies want it.
@@ -125,17 +137,16 @@ void SubstepModel::turn_finitely(std::size_t group, const Velocity* bodies, Real
 void SubstepModel::settle(void* p, RowSystem& system)
 {
     SubstepModel& model = model_of(p);
-    for_each_fetched<kLinesOfBody>(
-        std::span<Body* const>(model.work_.island.bodies), [&](std::size_t i, Body& body) {
-            const BodyLanes& from = model.lanes_[i / kLanes];
-            const std::size_t lane = i % kLanes;
-            store(body.pos, vec_in(from.x, lane));
-            store_quat(body.q, quat_in(from.q, lane));
-            store_mat(body.R, {vec_in(from.R, lane), vec_in(from.R + 3, lane), vec_in(from.R + 6, lane)});
-            const Lanes* s = from.inv_in_world;
-            system.bodies[i].inv_inertia = {s[0].at[lane], s[1].at[lane], s[2].at[lane],
-                                            s[3].at[lane], s[4].at[lane], s[5].at[lane]};
-        });
+    for_each_fetched<kLinesOfBody>(model.tasks_, model.island_bodies(), [&](std::size_t i, Body& body) {
+        const BodyLanes& from = model.lanes_[i / kLanes];
+        const std::size_t lane = i % kLanes;
+        store(body.pos, vec_in(from.x, lane));
+        store_quat(body.q, quat_in(from.q, lane));
+        store_mat(body.R, {vec_in(from.R, lane), vec_in(from.R + 3, lane), vec_in(from.R + 6, lane)});
+        const Lanes* s = from.inv_in_world;
+        system.bodies[i].inv_inertia = {s[0].at[lane], s[1].at[lane], s[2].at[lane],
+                                        s[3].at[lane], s[4].at[lane], s[5].at[lane]};
+    });
 }
 
 void SubstepModel::refresh(void* p, RowSystem& system)

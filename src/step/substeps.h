@@ -8,13 +8,15 @@
 #include "rows/row_system.h"
 #include "solve/body_kernels.h"
 #include "step/assemble.h"
+#include "tasks/tasks.h"
 
 namespace epode {
 
 class SubstepModel {
   public:
     // `info` is that of the whole step.
-    SubstepModel(IslandWork& work, const StepInfo& info) : work_(work), info_(info)
+    SubstepModel(IslandWork& work, const StepInfo& info, const Tasks& tasks)
+        : work_(work), info_(info), tasks_(tasks)
     {
         info_.inner = true;  // joints keep the rows that they wrote at the beginning of the step
     }
@@ -24,6 +26,9 @@ class SubstepModel {
     Substeps callbacks();
 
   private:
+    std::span<Body* const> island_bodies() const { return work_.island.bodies; }
+    template <typename F>
+    void in_groups(F&& f) const;
     void load_body(std::size_t i, const Body& body, const SolverBody& solver);
     void turn_finitely(std::size_t group, const Velocity* bodies, Real h);
 
@@ -35,6 +40,7 @@ class SubstepModel {
 
     IslandWork& work_;
     StepInfo info_;
+    Tasks tasks_;
     const BodyKernels& kernels_ = *body_kernels().back();
     std::span<BodyLanes> lanes_;
 };

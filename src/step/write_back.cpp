@@ -5,6 +5,10 @@
 // ODE does.
 #include "step/write_back.h"
 
+#include <atomic>
+
+#include "tasks/fetched.h"
+
 namespace epode {
 namespace {
 
@@ -34,16 +38,35 @@ void write_feedback(const Joint& joint, const Manifold& m, const ManifoldPoint& 
     store(joint.feedback->t2, -cross(point.r1 + m.offset, f));
 }
 
+bool is_sound(const SolverBody& b)
+{
+    const Vec3 sum = abs(b.v) + abs(b.w);  // what is not a number stays so
+    return usable(sum.x + sum.y + sum.z);
+}
+
+bool is_sound(const Patch& patch)
+{
+    if (patch.special() && !usable(Real(patch.roll.x + patch.roll.y + patch.roll.z))) return false;
+    for (int i = 0; i < patch.count; ++i)
+        if (!usable(Real(patch.points[i].push))) return false;
+    return true;
+}
+
 }  // namespace
 
-bool sound(const RowSystem& system, int part)
+bool sound(const RowSystem& system, int part, const Tasks& tasks)
 {
     const SystemPart from = system.begin_of(part), to = system.end_of(part);
-    for (auto k = std::size_t(from.bodies); k < std::size_t(to.bodies); ++k) {
-        const SolverBody& b = system.bodies[k];
-        const Vec3 sum = abs(b.v) + abs(b.w);  // what is not a number stays so
-        if (!usable(sum.x + sum.y + sum.z)) return false;
-    }
+    std::atomic<bool> all{true};
+    const auto check = [&](int first, int last, auto&& usable_at) {
+        tasks.in_ranges(last - first, kObjectRange, [&](int begin, int end) {
+            for (int i = first + begin; i < first + end; ++i)
+                if (!usable_at(std::size_t(i))) return all.store(false, std::memory_order_relaxed);
+        });
+    };
+    check(from.bodies, to.bodies, [&](std::size_t i) { return is_sound(system.bodies[i]); });
+    check(from.patches, to.patches, [&](std::size_t i) { return is_sound(*system.patches[i]); });
+    if (!all) return false;
     for (auto k = std::size_t(from.blocks); k < std::size_t(to.blocks); ++k)
         for (int i = system.blocks[k].first; i < system.blocks[k].first + system.blocks[k].count; ++i)
             if (!usable(system.numbers[std::size_t(i)].p)) return false;
@@ -52,21 +75,17 @@ bool sound(const RowSystem& system, int part)
         for (int i = m.first; i < m.first + m.count; ++i)
             if (!usable(system.contacts.points[std::size_t(i)].p, 3)) return false;
     }
-    for (auto k = std::size_t(from.patches); k < std::size_t(to.patches); ++k) {
-        const Patch& patch = *system.patches[k];
-        if (patch.special() && !usable(Real(patch.roll.x + patch.roll.y + patch.roll.z))) return false;
-        for (int i = 0; i < patch.count; ++i)
-            if (!usable(Real(patch.points[i].push))) return false;
-    }
     return true;
 }
 
-void write_back(const IslandWork& work)
+void write_back(const IslandWork& work, const Tasks& tasks)
 {
-    for (std::size_t i = 0; i < work.system.bodies.size(); ++i) {
-        store(work.island.bodies[i]->lvel, work.system.bodies[i].v);
-        store(work.island.bodies[i]->avel, work.system.bodies[i].w);
-    }
+    tasks.in_ranges(int(work.system.bodies.size()), kObjectRange, [&](int first, int last) {
+        for (auto i = std::size_t(first); i < std::size_t(last); ++i) {
+            store(work.island.bodies[i]->lvel, work.system.bodies[i].v);
+            store(work.island.bodies[i]->avel, work.system.bodies[i].w);
+        }
+    });
     for (std::size_t k = 0; k < work.joints.size(); ++k) {
         Joint& joint = *work.joints[k];
         const RowBlock& block = work.system.blocks[k];

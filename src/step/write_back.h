@@ -10,9 +10,9 @@ namespace epode {
 
 // True when every velocity and impulse of the part (of the whole, when there are no parts) is a usable
 // number.
-bool sound(const RowSystem& system, int part);
+bool sound(const RowSystem& system, int part, const Tasks& tasks = Tasks(1));
 
 // Velocities to the bodies, impulses and feedback to the joints.
-void write_back(const IslandWork& work);
+void write_back(const IslandWork& work, const Tasks& tasks);
 
 }  // namespace epode

@@ -11,6 +11,8 @@
 #include "mesh_floors.h"
 #include "rig.h"
 
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"  // transforms are part of the interface
+
 namespace epode::physics {
 namespace {
 
@@ -447,6 +449,88 @@ TEST(ManagedThreads, have_the_same_bits_on_any_number_and_with_a_report)
             EXPECT_EQ(alone, kMixture[k]) << name_of(kSteppers[k]) << std::hex << " now 0x" << alone;
         }
     }
+}
+
+// Geoms that need the caller's thread, or that are elsewhere: in an inner space, in none that the world looks
+// at, behind a transform, of size zero, on bodies with callbacks.
+std::vector<dBodyID>* t_moved;
+
+void note_moved(dBodyID body)
+{
+    t_moved->push_back(body);
+    dBodyAddForce(body, 1000, 0, 0);  // accumulators are emptied after the callback
+}
+
+struct Traces {
+    std::uint64_t hash = 0;
+    std::vector<std::size_t> moved;  // places of bodies
+    std::vector<double> boxes;       // of all geoms, and of the space
+    std::vector<std::pair<int, int>> pairs;
+    bool operator==(const Traces&) const = default;
+};
+
+Traces scattered(int threads)
+{
+    Managed sim(Stepper::kFast);
+    dWorldSetStepThreads(sim.world, threads);
+    build_mixture(sim);
+    const dSpaceID inner = dSimpleSpaceCreate(sim.space), other = dHashSpaceCreate(nullptr);
+    const auto move_to = [&](dBodyID body, dSpaceID to) {
+        dSpaceRemove(sim.space, geom_of(body));
+        dSpaceAdd(to, geom_of(body));
+    };
+    std::vector<dBodyID> moved;
+    t_moved = &moved;
+    std::vector<dGeomID> geoms;
+    for (std::size_t i = 0; i < sim.bodies.size(); ++i) {
+        const dBodyID body = sim.bodies[i];
+        geoms.push_back(geom_of(body));
+        if (i % 13 == 3) move_to(body, inner);
+        if (i % 17 == 5) move_to(body, other);
+        if (i % 11 == 0) dBodySetMovedCallback(body, note_moved);
+        if (i % 19 == 7) {
+            const dGeomID held = dCreateSphere(nullptr, real(0.4)), holder = dCreateGeomTransform(sim.space);
+            dGeomTransformSetCleanup(holder, 1);
+            dGeomTransformSetGeom(holder, held);
+            dGeomSetBody(holder, body);
+            geoms.push_back(holder);
+        }
+        if (i % 23 == 9) {
+            const dGeomID beside = dCreateSphere(sim.space, i % 2 ? real(0.2) : real(0));
+            dGeomSetBody(beside, body);
+            dGeomSetOffsetPosition(beside, real(0.3), 0, 0);
+            geoms.push_back(beside);
+        }
+    }
+    sim.run(50);
+    EXPECT_TRUE(finite_state(sim));
+    Traces out{hash_state(sim), {}, {}, {}};
+    for (const dBodyID body : moved)
+        out.moved.push_back(
+            std::size_t(std::find(sim.bodies.begin(), sim.bodies.end(), body) - sim.bodies.begin()));
+    geoms.push_back(reinterpret_cast<dGeomID>(sim.space));
+    for (const dGeomID geom : geoms) {
+        dReal box[6];
+        dGeomGetAABB(geom, box);
+        out.boxes.insert(out.boxes.end(), box, box + 6);
+    }
+    for (std::size_t i = 0; i < geoms.size(); ++i) dGeomSetData(geoms[i], reinterpret_cast<void*>(i + 1));
+    dSpaceCollide(sim.space, &out.pairs, [](void* data, dGeomID a, dGeomID b) {
+        const auto number = [](dGeomID g) { return int(reinterpret_cast<std::intptr_t>(dGeomGetData(g))); };
+        static_cast<std::vector<std::pair<int, int>>*>(data)->push_back({number(a), number(b)});
+    });
+    for (const dBodyID body : sim.bodies) dBodySetMovedCallback(body, nullptr);
+    for (std::size_t i = 5; i < sim.bodies.size(); i += 17) dGeomDestroy(geom_of(sim.bodies[i]));
+    dSpaceDestroy(other);
+    return out;
+}
+
+TEST(ManagedThreads, tell_all_geoms_that_they_have_moved)
+{
+    const Traces alone = scattered(1);
+    EXPECT_GT(alone.moved.size(), 50u * 10);
+    EXPECT_GT(alone.pairs.size(), 50u);
+    for (const int threads : {2, 4}) EXPECT_TRUE(scattered(threads) == alone) << threads;
 }
 
 TEST(ManagedContacts, of_a_first_exact_step_are_those_of_contact_joints)

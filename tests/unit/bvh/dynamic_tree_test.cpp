@@ -90,15 +90,22 @@ TEST(DynamicTree, pairs_are_those_of_a_query_for_each_leaf)
         const Aabb box = random_box(random);
         entries.push_back({tree.insert(box, i), box});
     }
-    std::vector<std::pair<int, int>> expected, found;
+    std::vector<std::pair<int, int>> expected;
     for (int i = 0; i < 400; ++i)
         for (int other : ask(entries, entries[std::size_t(i)].box))
             if (other < i) expected.push_back({other, i});
-    tree.query_pairs([&](int a, int b) { found.push_back(std::minmax(a, b)); });
     std::sort(expected.begin(), expected.end());
-    std::sort(found.begin(), found.end());
-    EXPECT_GT(found.size(), 50u);
-    EXPECT_EQ(found, expected);
+    EXPECT_GT(expected.size(), 50u);
+    for (const int wanted : {1, 2, 64, 1000000}) {
+        std::vector<std::pair<int, int>> found;
+        Array<NodePair> pieces;
+        ASSERT_TRUE(tree.split_pairs(wanted, pieces));
+        EXPECT_GE(pieces.size(), std::min(wanted, 400));
+        for (const NodePair& piece : pieces)
+            tree.query_pairs(piece, [&](int a, int b) { found.push_back(std::minmax(a, b)); });
+        std::sort(found.begin(), found.end());
+        EXPECT_EQ(found, expected) << wanted;
+    }
 }
 
 TEST(DynamicTree, stays_low_when_boxes_come_in_a_row)
