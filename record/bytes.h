@@ -90,6 +90,8 @@ class ByteReader {
         left_ = 0;
         return bytes;
     }
+    // What was read makes no sense.
+    void fail() { failed_ = true; }
     bool failed() const { return failed_; }
     // Everything was read and nothing is left over.
     bool finished() const { return !failed_ && left_ == 0; }

@@ -99,7 +99,7 @@ bool next_call(ByteReader& in, Call& call)
     call.arguments.clear();
     for (size_t left = in.u8(); left > 0 && !in.failed(); --left) {
         call.arguments.push_back(get(in));
-        if (call.arguments.back().kind > ArgumentKind::kLast) return false;
+        if (call.arguments.back().kind > ArgumentKind::kLast) in.fail();
     }
     return !in.failed();
 }

@@ -9,8 +9,9 @@
 #include <dlfcn.h>
 #include <ode/ext.h>
 
-#include <array>
+#include <algorithm>
 #include <chrono>
+#include <climits>
 #include <deque>
 
 #include "record/figures.h"
@@ -21,7 +22,21 @@ namespace epode::record {
 
 namespace {
 
-constexpr int kFastSteps = 4, kMostSteps = 10000;  // more small steps, or steps at once, are a damaged file's
+constexpr int kFastSteps = 4;
+
+// More of these in one call are a damaged file's, whatever the library thinks of them: the call would not end
+// in a lifetime, or a body would take gigabytes.
+constexpr int kMostSteps = 10000, kMostSweeps = 10000000, kMostSamples = 10000;
+
+struct Bound {
+    const char* name;
+    int least, most;  // of the call's last argument
+};
+constexpr Bound kBounds[] = {
+    {"dWorldSetQuickStepNumIterations", INT_MIN, kMostSweeps},
+    {"dWorldSetAutoDisableAverageSamplesCount", 0, kMostSamples},
+    {"dBodySetAutoDisableAverageSamplesCount", 0, kMostSamples},
+};
 
 void* find(const std::string& name) { return dlsym(RTLD_DEFAULT, name.c_str()); }
 
@@ -139,6 +154,15 @@ bool is(const std::vector<Argument>& given, std::initializer_list<ArgumentKind> 
     return true;
 }
 
+bool is_absurd(const std::string& name, const std::vector<Argument>& given)
+{
+    for (const Bound& bound : kBounds) {
+        const int count = given.empty() ? 0 : given.back().integer;
+        if (name == bound.name && (count < bound.least || count > bound.most)) return true;
+    }
+    return false;
+}
+
 constexpr const char* kSteps[] = {"dWorldStep", "dWorldQuickStep", "dWorldStepFast1", "dWorldStepHybrid",
                                   "dWorldStepMany"};
 
@@ -208,7 +232,8 @@ bool Rerun::make(const std::string& name, const std::vector<Argument>& arguments
         make_contact(arguments);
         return true;
     }
-    if (!name.starts_with("dJointCreate") || !is(arguments, {kWorld, kGroup})) return false;
+    const bool a_joint = name.starts_with("dJointCreate") && name != "dJointCreateContact";
+    if (!a_joint || !is(arguments, {kWorld, kGroup})) return false;
     const auto create = reinterpret_cast<dJointID (*)(dWorldID, dJointGroupID)>(find(name));
     if (!create) return false;
     dJointID made = create(world_, group(arguments[1].handle));
@@ -271,6 +296,7 @@ bool Rerun::call(const std::string& name, const std::vector<Argument>& arguments
     }
     const auto player = players().find(name);
     if (player != players().end()) {
+        if (is_absurd(name, arguments)) return refuse("a call of " + name + " asks for absurdly much");
         const Played played = player->second(*this, arguments);
         if (played == Played::kUnknown) return refuse("the library here has no " + name);
         return played == Played::kYes || refuse("a call of " + name + " with other arguments than it has");
@@ -298,8 +324,11 @@ bool Rerun::step(const std::string& name, const std::vector<Argument>& arguments
     if (!many && !fast && !is(arguments, {kWorld, kNumber})) return refuse("a step of another kind");
     const dReal dt = dReal(arguments[1].number);
     const int steps = many ? arguments[4].integer : 1;
-    if (steps > kMostSteps || (fast && arguments[2].integer > kMostSteps))
-        return refuse("too many small steps");
+    const int small = fast ? arguments[2].integer : many ? arguments[3].integer : 1;
+    const int sweeps = options_.iterations > 0 ? 1 : dWorldGetQuickStepNumIterations(world_);
+    if (steps > kMostSteps || small > kMostSteps ||
+        std::int64_t(steps) * std::max(small, sweeps) > kMostSweeps)
+        return refuse("a call of " + name + " asks for absurdly many steps");
     if (found_ && step_ < was_.steps.size()) {
         take_new_bodies();
         found_->learn(was_.steps[step_], surfaces_);
@@ -320,13 +349,11 @@ bool Rerun::step(const std::string& name, const std::vector<Argument>& arguments
                                                            : name;
         void* function = find(chosen);
         if (!function) return refuse("the library here has no " + chosen);
-        const int small = options_.iterations > 0 ? options_.iterations
-                          : fast                  ? arguments[2].integer
-                                                  : kFastSteps;
+        const int parts = options_.iterations > 0 ? options_.iterations : fast ? small : kFastSteps;
         if (options_.iterations > 0) dWorldSetQuickStepNumIterations(world_, options_.iterations);
         for (int i = 0; i < steps && ok; ++i) {
             ok = chosen == "dWorldStepFast1"
-                     ? reinterpret_cast<int (*)(dWorldID, dReal, int)>(function)(world_, dt, small)
+                     ? reinterpret_cast<int (*)(dWorldID, dReal, int)>(function)(world_, dt, parts)
                      : reinterpret_cast<int (*)(dWorldID, dReal)>(function)(world_, dt);
         }
     }

@@ -4,6 +4,7 @@
 // Calls in recordings: they come back as they went in, and what is no call, or asks for nonsense, neither
 // reaches the library nor stops the program.
 #include <gtest/gtest.h>
+#include <ode/ext.h>
 
 #include <cstdarg>
 #include <random>
@@ -149,6 +150,10 @@ TEST(Calls, that_are_none_are_not_sound)
     CallBlock kind = whole;
     kind.bytes[5] = 77;
     EXPECT_FALSE(sound(kind, 1));
+    CallBlock last = whole;
+    last.bytes = {0, 0, 0, 0, 1, 77};
+    last.count = 0;
+    EXPECT_FALSE(sound(last, 1));
 }
 
 // One byte after the other is changed; whatever comes of it, it ends, and the library refuses what makes no
@@ -172,18 +177,22 @@ TEST(Calls, that_are_damaged_do_no_harm)
     EXPECT_GT(whole, 100);
 }
 
+// Why a recording of this call alone is refused.
+std::string problem_of(const char* name, const std::vector<Argument>& arguments)
+{
+    Recording recording = ball();
+    CallTape tape;
+    tape.add("dBodyCreate", {Argument::world()});
+    tape.add(name, arguments);
+    recording.calls_made.resize(1);
+    recording.calls_made[0].block = tape.take();
+    Recording now;
+    Rerun rerun(recording, {});
+    return rerun.run(now, [](size_t) {}) ? std::string() : rerun.problem();
+}
+
 TEST(Calls, of_unknown_functions_or_other_arguments_are_refused_by_name)
 {
-    const auto problem_of = [](const char* name, const std::vector<Argument>& arguments) {
-        Recording recording = ball();
-        CallTape tape;
-        tape.add(name, arguments);
-        recording.calls_made.resize(1);
-        recording.calls_made[0].block = tape.take();
-        Recording now;
-        Rerun rerun(recording, {});
-        return rerun.run(now, [](size_t) {}) ? std::string() : rerun.problem();
-    };
     EXPECT_NE(problem_of("system", {Argument::world()}).find("system"), std::string::npos);
     EXPECT_NE(problem_of("dJointCreate", {Argument::world(), Argument::of(ArgumentKind::kGroup, 0)}), "");
     EXPECT_NE(problem_of("dWorldSetERP", {Argument::world()}).find("dWorldSetERP"), std::string::npos);
@@ -191,6 +200,51 @@ TEST(Calls, of_unknown_functions_or_other_arguments_are_refused_by_name)
     EXPECT_NE(problem_of("dWorldSetContactSpace", {}).find("cannot do again"), std::string::npos);
     EXPECT_EQ(problem_of("dWorldSetERP", {Argument::world(), Argument::of(0.3)}), "");
     EXPECT_EQ(problem_of("dBodyEnable", {Argument::of(ArgumentKind::kBody, 12)}), "");
+    // It would take a contact from wherever its third argument is.
+    EXPECT_NE(problem_of("dJointCreateContact", {Argument::world(), Argument::of(ArgumentKind::kGroup, -1)}),
+              "");
+}
+
+TEST(Calls, that_ask_for_absurdly_much_are_refused)
+{
+    const Quiet quiet;
+    const Argument world = Argument::world(), body = Argument::of(ArgumentKind::kBody, 0),
+                   dt = Argument::of(0.001);
+    const auto many = [&](int stepper, int small, int steps) {
+        return problem_of("dWorldStepMany",
+                          {world, dt, Argument::of(stepper), Argument::of(small), Argument::of(steps)});
+    };
+    for (int count : {10000001, 2000000000})
+        EXPECT_NE(problem_of("dWorldSetQuickStepNumIterations", {world, Argument::of(count)}).find("absurd"),
+                  std::string::npos);
+    for (int count : {10001, 1 << 20, -1}) {
+        EXPECT_NE(problem_of("dBodySetAutoDisableAverageSamplesCount", {body, Argument::of(count)}), "");
+        EXPECT_NE(problem_of("dWorldSetAutoDisableAverageSamplesCount", {world, Argument::of(count)}), "");
+    }
+    EXPECT_NE(problem_of("dWorldStepFast1", {world, dt, Argument::of(10001)}).find("absurd"),
+              std::string::npos);
+    EXPECT_NE(many(dStepperSmallSteps, 10000, 10000).find("absurd"), std::string::npos);
+    EXPECT_NE(many(dStepperSmallSteps, 4, 10001).find("absurd"), std::string::npos);
+    // What a program may well ask for.
+    EXPECT_EQ(problem_of("dWorldSetQuickStepNumIterations", {world, Argument::of(1000)}), "");
+    EXPECT_EQ(problem_of("dBodySetAutoDisableAverageSamplesCount", {body, Argument::of(100)}), "");
+    EXPECT_EQ(many(dStepperSmallSteps, 20, 10), "");
+}
+
+// Sweeps of each step times steps.
+TEST(Calls, that_ask_for_absurdly_much_together_are_refused)
+{
+    Recording recording = ball();
+    CallTape tape;
+    tape.add("dWorldSetQuickStepNumIterations", {Argument::world(), Argument::of(100000)});
+    tape.add("dWorldStepMany", {Argument::world(), Argument::of(0.001), Argument::of(dStepperQuick),
+                                Argument::of(1), Argument::of(10000)});
+    recording.calls_made.resize(1);
+    recording.calls_made[0].block = tape.take();
+    Recording now;
+    Rerun rerun(recording, {});
+    EXPECT_FALSE(rerun.run(now, [](size_t) {}));
+    EXPECT_NE(rerun.problem().find("absurd"), std::string::npos);
 }
 
 }  // namespace
