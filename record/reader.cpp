@@ -46,34 +46,19 @@ class Decoder {
     // "" when the payload was sound.
     std::string decode(std::uint32_t tag, ByteReader& in)
     {
-        std::string problem;
-        if (tag == kInfoTag)
-            problem = info(in);
-        else if (tag == kShapeTag)
-            problem = shape(in);
-        else if (tag == kBodyTag)
-            problem = body(in);
-        else if (tag == kGeomTag)
-            problem = geom(in);
-        else if (tag == kJointTag)
-            problem = joint(in);
-        else if (tag == kGoneTag)
-            problem = gone(in);
-        else if (tag == kMovedTag)
-            problem = moved(in);
-        else if (tag == kCallTag)
-            problem = calls(in);
-        else if (tag == kStopTag)
-            problem = stops(in);
-        else if (tag == kLimitTag)
-            problem = limits(in);
-        else if (tag == kStepTag)
-            problem = step(in);
-        else if (tag == kDoneTag)
-            problem = done(in);
-        else
-            return "a chunk of unknown kind";
-        return problem;
+        if (tag == kInfoTag) return info(in);
+        if (tag == kShapeTag) return shape(in);
+        if (tag == kBodyTag) return body(in);
+        if (tag == kGeomTag) return geom(in);
+        if (tag == kJointTag) return joint(in);
+        if (tag == kGoneTag) return gone(in);
+        if (tag == kMovedTag) return moved(in);
+        if (tag == kCallTag) return calls(in);
+        if (tag == kStopTag) return stops(in);
+        if (tag == kLimitTag) return limits(in);
+        if (tag == kStepTag) return step(in);
+        if (tag == kDoneTag) return done(in);
+        return "a chunk of unknown kind";
     }
     bool is_done() const { return done_; }
     std::uint64_t steps() const { return steps_; }
@@ -259,10 +244,10 @@ class Decoder {
             stop.axis = in.u8();
             stop.low = in.f64();
             stop.high = in.f64();
-            sound = sound && stop.joint < joints_.alive.size() && stop.axis < 2;
+            sound = sound && stop.joint < joints_.alive.size() && stop.axis < 2 && stop.low <= stop.high;
         }
         if (!in.finished()) return "stops of a wrong length";
-        return sound ? "" : "a stop of a joint that does not exist";
+        return sound ? "" : "a stop of a joint that does not exist, or one that ends before it begins";
     }
 
     // Of the step that follows.

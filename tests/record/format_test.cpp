@@ -10,6 +10,7 @@
 #include "record/bytes.h"
 #include "record/format.h"
 #include "record/hash.h"
+#include "record/page_data.h"
 #include "record/reader.h"
 #include "record/writer.h"
 #include "sample.h"
@@ -112,7 +113,7 @@ TEST(Recordings, with_a_flipped_bit_anywhere_are_refused)
 }
 
 // Wrong values behind a right checksum: made on purpose, or by another program. They may be read or refused,
-// not believed: the listener indexes with what it is told.
+// not believed: the listener indexes with what it is told, and so does whoever makes a page of it.
 TEST(Recordings, with_a_wrong_value_and_a_right_checksum_do_no_harm)
 {
     const auto bytes = bytes_of(sample_recording());
@@ -125,12 +126,27 @@ TEST(Recordings, with_a_wrong_value_and_a_right_checksum_do_no_harm)
                 broken[at] = value;
                 sign(broken, chunk);
                 Listener got;
-                (read_bytes(broken.data(), broken.size(), got).whole() ? accepted : refused) += 1;
+                const bool whole = read_bytes(broken.data(), broken.size(), got).whole();
+                (whole ? accepted : refused) += 1;
+                if (whole && value == 0xff) got.touched += make_page_data(got, 30).block.size();
             }
         }
     }
     EXPECT_GT(refused, 100);   // counts and numbers of things
     EXPECT_GT(accepted, 100);  // poses
+}
+
+TEST(Recordings, with_a_stop_that_ends_before_it_begins_are_refused)
+{
+    for (const double low : {1.5, double(NAN)}) {
+        Recording wrong = sample_recording();
+        wrong.steps[0].limits[0].stop.low = low;
+        const auto bytes = bytes_of(wrong);
+        Recording got;
+        const ReadResult result = read_bytes(bytes.data(), bytes.size(), got);
+        EXPECT_EQ(result.damage, Damage::kBroken);
+        EXPECT_NE(result.problem.find("a stop"), std::string::npos) << result.problem;
+    }
 }
 
 TEST(Recordings, of_another_version_or_of_something_else_are_refused_by_name)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Every kind of shape, a body, geom and joint that go, a geom that moves, contacts with and without forces.
+// Every kind of shape, a body, geom and joint that go, a geom that moves, contacts with and without forces, a
+// stop, a call.
 #include "sample.h"
 
 #include <gtest/gtest.h>
@@ -51,6 +52,7 @@ void add_state(Recording& recording, size_t bodies, bool forces)
     step.has_forces = forces;
     step.contacts.push_back({{0, 1}, {1, 2, 3}, {0, 0, 1}, 0.5f, {0, 0, forces ? 7.f : 0.f}});
     step.contacts.push_back({{1, kNoGeom}, {1, 2, 3}, {0, 1, 0}, 0.25f, {0, forces ? 2.f : 0.f, 0}});
+    if (recording.steps.size() < 3) step.limits.push_back({{0, true, 1, -0.5, 1}, 0.1 * t});
     step.hash = hash_states(step.bodies);
     recording.step(step);
 }
@@ -77,6 +79,9 @@ Recording sample_recording()
     recording.geom({2, 1, {}});
     recording.geom({5, kNobody, {{4, 5, 6}, {0.6, 0.8, 0, 0}}});
     recording.joint({2, {0, 1}, {1, 1}, {Vec3{0, 0, 1}, Vec3{0, 0, -1}}, {1, 0}, {Vec3{0, 1, 0}, Vec3{}}});
+    CallTape tape;
+    tape.add("dBodyCreate", {Argument::world()});
+    recording.calls(tape.take());
     add_state(recording, 2, false);
     recording.moved(3, kNobody, {{4, 5, 7}, {1, 0, 0, 0}});
     add_state(recording, 2, true);
