@@ -6,10 +6,7 @@
 #include "record/glb.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
 #include <map>
 
 #include "record/animation.h"
@@ -17,6 +14,7 @@
 #include "record/json.h"
 #include "record/palette.h"
 #include "record/tessellate.h"
+#include "record/whole_file.h"
 
 namespace epode::record {
 
@@ -345,15 +343,7 @@ bool write_glb(const Recording& recording, const std::string& path, double fps, 
         problem = "a .glb file cannot be larger than 4 GB; record fewer frames a second (--fps)";
         return false;
     }
-    std::FILE* file = std::fopen(path.c_str(), "wb");
-    if (!file) {
-        problem = std::strerror(errno);
-        return false;
-    }
-    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
-    if (std::fclose(file) == 0 && written) return true;
-    problem = errno ? std::strerror(errno) : "write error";
-    return false;
+    return write_whole(path, bytes, problem);
 }
 
 }  // namespace epode::record

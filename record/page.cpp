@@ -4,16 +4,14 @@
 // See page.h. The template has three marks, each the whole text of an element.
 #include "record/page.h"
 
-#include <cerrno>
-#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string_view>
 
 #include "record/page_data.h"
+#include "record/whole_file.h"
 
 namespace epode::record {
 
@@ -107,15 +105,7 @@ bool write_page(const Recording& recording, const std::string& path, double fps,
         return false;
     }
     page.append(rest);
-    std::FILE* file = std::fopen(path.c_str(), "wb");
-    if (!file) {
-        problem = std::strerror(errno);
-        return false;
-    }
-    const bool written = std::fwrite(page.data(), 1, page.size(), file) == page.size();
-    if (std::fclose(file) == 0 && written) return true;
-    problem = errno ? std::strerror(errno) : "write error";
-    return false;
+    return write_whole(path, page, problem);
 }
 
 }  // namespace epode::record
