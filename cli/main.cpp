@@ -37,7 +37,7 @@ void add_plan_options(CLI::App& command, RunOptions& options)
     command
         .add_option("--iterations", options.iterations,
                     "sweeps of quick (default 20), small steps of fast (default 4)")
-        ->check(CLI::Range(1, 1'000'000));
+        ->check(CLI::Range(1, epode::cli::kMaxIterations));
     command.add_option("--seed", options.seed, "of the scenes that are poured at random (default 1)");
     command.add_flag("--json", options.json, "report as one JSON object");
     command.add_flag("--quiet", options.quiet, "no progress on stderr");
@@ -79,7 +79,7 @@ void add_replay_options(CLI::App& command, ReplayOptions& options)
     command.add_option("--stepper", options.stepper,
                        "step with another stepper and tell how far apart they go");
     command.add_option("--iterations", options.iterations, "another number of them, likewise")
-        ->check(CLI::Range(1, 1'000'000));
+        ->check(CLI::Range(1, epode::cli::kMaxIterations));
     command
         .add_option("--contacts", options.contacts,
                     "of a captured program: recorded, or found anew (default with another stepper)")

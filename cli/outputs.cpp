@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "cli/about.h"
 #include "cli/export.h"
 
 namespace epode::cli {
@@ -85,13 +86,17 @@ bool Outputs::open(const RunOptions& options, const RunPlan& plan, scenes::Scene
         memory_ = std::make_unique<record::Recording>();
         fan_.sinks.push_back(memory_.get());
     }
-    if (!fan_.sinks.empty()) recorder_ = std::make_unique<SceneRecorder>(scene, plan, fan_);
+    if (fan_.sinks.empty()) return true;
+    fan_.info(about(scene, plan));
+    recorder_ = std::make_unique<view::SceneRecorder>(scene, fan_);
+    recorder_->state(scenes::measure(scene), 0);
+    dt_ = plan.dt;
     return true;
 }
 
 void Outputs::step(const scenes::Quality& quality)
 {
-    if (recorder_) recorder_->step(quality);
+    if (recorder_) recorder_->state(quality, dt_);
 }
 
 bool Outputs::close()

@@ -6,8 +6,9 @@
 
 #include <memory>
 
-#include "cli/scene_recorder.h"
+#include "cli/plan.h"
 #include "record/writer.h"
+#include "view/scene_recorder.h"
 
 namespace epode::cli {
 
@@ -40,8 +41,8 @@ class Outputs {
     std::vector<std::pair<std::string, std::unique_ptr<record::FileWriter>>> files_;
     std::vector<std::string> exports_;  // written from memory at the end
     std::unique_ptr<record::Recording> memory_;
-    std::unique_ptr<SceneRecorder> recorder_;
-    double fps_ = 30;
+    std::unique_ptr<view::SceneRecorder> recorder_;
+    double fps_ = 30, dt_ = 0;
     std::string problem_;
 };
 

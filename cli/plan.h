@@ -12,6 +12,8 @@
 
 namespace epode::cli {
 
+constexpr int kMaxIterations = 1'000'000;
+
 enum ExitCode { kFine = 0, kProblem = 1, kUsage = 2 };
 
 struct RunOptions {

@@ -9,16 +9,17 @@
 
 #include <algorithm>
 
+#include "cli/about.h"
 #include "cli/comparison.h"
 #include "cli/export.h"
 #include "cli/fields.h"
 #include "cli/plan.h"
 #include "cli/progress.h"
 #include "cli/rerun.h"
-#include "cli/scene_recorder.h"
 #include "record/hash.h"
 #include "record/reader.h"
 #include "scenes/messages.h"
+#include "view/scene_recorder.h"
 
 namespace epode::cli {
 
@@ -54,14 +55,16 @@ int simulate_again(const Recording& was, const RunOptions& run, const RunPlan& p
     scenes::MessageCounter messages;
     scenes::Scene scene(*scenes::find_recipe(run.scene), plan.seed);
     scene.set_iterations(plan.iterations);
-    SceneRecorder recorder(scene, plan, now);
+    now.info(about(scene, plan));
+    view::SceneRecorder recorder(scene, now);
+    recorder.state(scenes::measure(scene), 0);
     Progress progress(run.scene, plan.steps, !quiet);
     for (size_t i = 1; i < was.steps.size(); ++i) {
         if (!scene.step(plan.stepper, plan.dt)) {
             fmt::print(stderr, "epode: the library reports that step {} failed\n", i);
             return kProblem;
         }
-        recorder.step(scenes::measure(scene));
+        recorder.state(scenes::measure(scene), plan.dt);
         progress.show(int(i), scene.contacts().size());
     }
     return kFine;
@@ -90,7 +93,7 @@ int replay(const ReplayOptions& options)
             "record`");
     RunOptions run;
     std::string problem;
-    if (!options_from(was.about, run, problem)) return refuse(fmt::format("'{}': {}", options.file, problem));
+    if (!options_from(was, run, problem)) return refuse(fmt::format("'{}': {}", options.file, problem));
     const bool other =
         (!options.stepper.empty() && options.stepper != run.stepper) || options.iterations >= 0;
     if (!options.stepper.empty()) run.stepper = options.stepper;

@@ -16,7 +16,7 @@ void add_view_options(CLI::App& command, view::ViewOptions& options)
     command.add_option("--dt", options.dt, "step size in seconds; default: the scene's own")
         ->check(CLI::Range(1e-9, 1e9));
     command.add_option("--iterations", options.iterations, "sweeps of quick, small steps of fast")
-        ->check(CLI::Range(1, 1'000'000));
+        ->check(CLI::Range(1, kMaxIterations));
     command.add_option("--threads", options.threads, "threads of a step (default 1)")
         ->check(CLI::Range(1, 256));
     command.add_option("--seed", options.seed, "of the scenes that are poured at random (default 1)");

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "scenes/extensions.h"
-#include "scenes/measure.h"
 #include "view/ray.h"
 
 namespace epode::view {
@@ -71,10 +70,8 @@ void Live::build()
     scene_.reset();
     stage_ = std::make_unique<Stage>(options.memory);
     scene_ = std::make_unique<scenes::Scene>(recipe_, options.seed);
-    scene_->want_forces(true);
     scenes::request_step_report(scene_->world(), true);
-    recorder_ = std::make_unique<record::Recorder>(*stage_);
-    bodies_ = geoms_ = joints_ = 0;
+    recorder_ = std::make_unique<SceneRecorder>(*scene_, *stage_);
     shots_.clear();
     now_ = 0;
     failed_ = false;
@@ -84,36 +81,10 @@ void Live::build()
 
 void Live::restart() { build(); }
 
-void Live::add_new()
-{
-    for (; bodies_ < scene_->bodies().size(); ++bodies_) recorder_->add(scene_->bodies()[bodies_]);
-    for (; geoms_ < scene_->geoms().size(); ++geoms_) recorder_->add(scene_->geoms()[geoms_]);
-    for (; joints_ < scene_->joints().size(); ++joints_) recorder_->add(scene_->joints()[joints_].joint);
-}
-
 void Live::sample()
 {
-    add_new();
-    std::vector<record::ContactSeen> contacts;
-    contacts.reserve(scene_->contacts().size());
-    for (const scenes::ContactRecord& from : scene_->contacts()) {
-        record::ContactSeen& to = contacts.emplace_back();
-        to.geom[0] = from.geom1;
-        to.geom[1] = from.geom2;
-        to.depth = from.depth;
-        std::copy_n(from.pos, 3, to.pos);
-        std::copy_n(from.normal, 3, to.normal);
-        std::copy_n(from.force, 3, to.force);
-    }
     const scenes::Quality quality = scenes::measure(*scene_);
-    record::StepFigures figures;
-    figures.time = scene_->time();
-    figures.dt = options.dt;
-    figures.kinetic = quality.kinetic;
-    figures.potential = quality.potential;
-    figures.joint_error = quality.joint_error;
-    figures.ms = scene_->times().total_ms();
-    recorder_->step(figures, contacts, true);
+    recorder_->state(quality, options.dt);
     State& state = stage_->at(stage_->last());
     if (const auto report = scenes::step_report(scene_->world())) state.figures.residual = report->residual;
     state.random = dRandGetSeed();
@@ -252,8 +223,8 @@ void Live::forget_shots_aside()
     for (Shot& shot : shots_) {
         if (!shot.aside || shot.forgotten) continue;
         shot.forgotten = true;
-        recorder_->remove(shot.geom);
-        recorder_->remove(shot.body);
+        recorder_->recorder().remove(shot.geom);
+        recorder_->recorder().remove(shot.body);
     }
 }
 

@@ -13,8 +13,7 @@
 // I_min), so the spring stays stable wherever it is hooked in.
 #pragma once
 
-#include "record/recorder.h"
-#include "scenes/scene.h"
+#include "view/scene_recorder.h"
 #include "view/session.h"
 
 namespace epode::view {
@@ -61,7 +60,6 @@ class Live : public Session {
   private:
     double next_dt() const override { return failed_ ? 0 : options.dt; }
     void build();
-    void add_new();
     void sample();
     void pull();
     struct Shot {
@@ -76,8 +74,7 @@ class Live : public Session {
 
     const scenes::Recipe& recipe_;
     std::unique_ptr<scenes::Scene> scene_;
-    std::unique_ptr<record::Recorder> recorder_;
-    size_t bodies_ = 0, geoms_ = 0, joints_ = 0;
+    std::unique_ptr<SceneRecorder> recorder_;
     std::vector<Shot> shots_;
     bool failed_ = false;
     std::int32_t grabbed_ = record::kNobody;

@@ -109,6 +109,24 @@ has err 'absent.epr'
 expect 1 replay "$program"
 has err 'not a recording'
 
+# One that asks for nonsense under right checksums: two thousand million sweeps a step, or as many as wrap around to few.
+for count in 2000000000 4294967297; do
+    python3 - "$work/five.epr" $count > "$work/absurd.epr" << 'END'
+import struct, sys, zlib
+whole = open(sys.argv[1], 'rb').read()
+size = struct.unpack('<Q', whole[16:24])[0]
+text = lambda s: struct.pack('<I', len(s)) + s
+payload = whole[28:28 + size].replace(text(b'iterations') + text(b'0'), text(b'iterations') + text(sys.argv[2].encode()))
+head = whole[12:16] + struct.pack('<Q', len(payload))
+chunk = head + struct.pack('<I', zlib.crc32(head)) + payload
+sys.stdout.buffer.write(whole[:12] + chunk + struct.pack('<I', zlib.crc32(chunk)) + whole[32 + size:])
+END
+    expect 0 inspect "$work/absurd.epr"
+    has out "iterations +$count"
+    expect 2 replay "$work/absurd.epr"
+    has err 'absurd.epr.*makes no sense'
+done
+
 # Wrong usage.
 expect 2 record pile
 expect 2 record pile -o "$work/x.foo"

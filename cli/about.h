@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What a recording says of a scene's run, so that the same run can be made again.
+#pragma once
+
+#include "cli/plan.h"
+#include "record/recording.h"
+
+namespace epode::cli {
+
+record::Info about(const scenes::Scene& scene, const RunPlan& plan);
+// The opposite: false and why where the recording does not come from a scene.
+bool options_from(const record::Recording& recording, RunOptions& options, std::string& problem);
+
+}  // namespace epode::cli
