@@ -150,7 +150,7 @@ int bench_scene(const SceneOptions& options)
     }
     scenes::Stepper stepper = recipe->stepper;
     if (!options.stepper.empty() && !scenes::stepper_named(options.stepper, stepper)) {
-        return refuse(fmt::format("there is no stepper '{}'. Steppers: exact quick fast", options.stepper));
+        return refuse(scenes::no_such_stepper(options.stepper));
     }
     if (!scenes::available(stepper))
         return refuse(

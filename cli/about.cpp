@@ -23,8 +23,16 @@ record::Info about(const scenes::Scene& scene, const RunPlan& plan)
             {"steps", fmt::format("{}", plan.steps)},
             {"iterations", fmt::format("{}", plan.iterations)},
             {"seed", fmt::format("{}", plan.seed)},
-            {"precision", sizeof(dReal) == 8 ? "double" : "single"},
+            {"precision", record::kPrecision},
             {"library", scenes::loaded_library()}};
+}
+
+std::string other_precision(const record::Recording& recording)
+{
+    const std::string made_in = recording.about_value("precision");
+    if (made_in == record::kPrecision) return {};
+    return fmt::format("it was made in {} precision, this program computes in {}", made_in,
+                       record::kPrecision);
 }
 
 bool options_from(const record::Recording& recording, RunOptions& options, std::string& problem)
@@ -34,12 +42,8 @@ bool options_from(const record::Recording& recording, RunOptions& options, std::
         problem = "it was not made from a scene, so it cannot be run again here";
         return false;
     }
-    const std::string precision = sizeof(dReal) == 8 ? "double" : "single";
-    if (recording.about_value("precision") != precision) {
-        problem = fmt::format("it was made in {} precision, this program computes in {}",
-                              recording.about_value("precision"), precision);
-        return false;
-    }
+    problem = other_precision(recording);
+    if (!problem.empty()) return false;
     options.stepper = recording.about_value("stepper");
     options.dt = std::strtod(recording.about_value("dt").c_str(), nullptr);
     const long iterations = std::strtol(recording.about_value("iterations").c_str(), nullptr, 10);

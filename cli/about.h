@@ -10,7 +10,9 @@
 namespace epode::cli {
 
 record::Info about(const scenes::Scene& scene, const RunPlan& plan);
-// The opposite: false and why where the recording does not come from a scene.
+// "" where the recording was made in the precision in which this program computes, else the message.
+std::string other_precision(const record::Recording& recording);
+// The opposite of about(): false and why where the recording does not come from a scene.
 bool options_from(const record::Recording& recording, RunOptions& options, std::string& problem);
 
 }  // namespace epode::cli

@@ -40,7 +40,7 @@ int capture(const CaptureOptions& options)
 {
     scenes::Stepper stepper;
     if (!options.stepper.empty() && !scenes::stepper_named(options.stepper, stepper))
-        return refuse(fmt::format("there is no stepper '{}'. Steppers: exact quick fast", options.stepper));
+        return refuse(scenes::no_such_stepper(options.stepper));
     std::string library = find_library();
     if (library.empty()) return refuse(fmt::format("there is no {} beside this program", kLibrary));
     if (const char* before = std::getenv("LD_PRELOAD"); before && *before) library.append(":").append(before);

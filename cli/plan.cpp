@@ -24,18 +24,22 @@ int refuse(const std::string& problem)
     return kUsage;
 }
 
+int complain(const std::string& path, const std::string& why)
+{
+    fmt::print(stderr, "epode: '{}': {}\n", path, why);
+    return kProblem;
+}
+
 std::string no_such_scene(const std::string& name)
 {
-    std::string text = fmt::format("there is no scene '{}'. Scenes:", name);
-    for (const scenes::Recipe* recipe : scenes::all_recipes()) text += fmt::format(" {}", recipe->name);
-    return text;
+    return fmt::format("there is no scene '{}'. Scenes:{}", name, scenes::scene_names());
 }
 
 bool settle(const RunOptions& options, const scenes::Recipe& recipe, RunPlan& plan, std::string& problem)
 {
     plan.stepper = recipe.stepper;
     if (!options.stepper.empty() && !scenes::stepper_named(options.stepper, plan.stepper)) {
-        problem = fmt::format("there is no stepper '{}'. Steppers: exact quick fast", options.stepper);
+        problem = scenes::no_such_stepper(options.stepper);
         return false;
     }
     if (!scenes::available(plan.stepper)) {

@@ -47,5 +47,7 @@ bool settle(const RunOptions& options, const scenes::Recipe& recipe, RunPlan& pl
 std::string no_such_scene(const std::string& name);
 // Prints the problem; the exit code of wrong usage.
 int refuse(const std::string& problem);
+// The same of a file that is no good; the exit code of a problem.
+int complain(const std::string& path, const std::string& why);
 
 }  // namespace epode::cli

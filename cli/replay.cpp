@@ -27,12 +27,6 @@ namespace {
 
 using record::Recording;
 
-int complain(const std::string& path, const std::string& why)
-{
-    fmt::print(stderr, "epode: '{}': {}\n", path, why);
-    return kProblem;
-}
-
 // True when the recording can be used.
 bool load(const std::string& path, bool partial, Recording& recording)
 {

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/about.h"
 #include "cli/comparison.h"
 #include "cli/plan.h"
 #include "cli/progress.h"
@@ -19,21 +20,11 @@ namespace epode::cli {
 
 namespace {
 
-int complain(const std::string& path, const std::string& why)
-{
-    fmt::print(stderr, "epode: '{}': {}\n", path, why);
-    return kProblem;
-}
-
 // "" when it can be run again here.
 std::string hindrance(const record::Recording& was)
 {
     if (was.calls_made.empty()) return "it does not hold the program's calls, so it cannot be run again";
-    const std::string precision = sizeof(dReal) == 8 ? "double" : "single";
-    if (was.about_value("precision") != precision)
-        return fmt::format("it was made in {} precision, this program computes in {}",
-                           was.about_value("precision"), precision);
-    return {};
+    return other_precision(was);
 }
 
 }  // namespace
@@ -42,7 +33,7 @@ int rerun(const ReplayOptions& options, const record::Recording& was)
 {
     scenes::Stepper stepper;
     if (!options.stepper.empty() && !scenes::stepper_named(options.stepper, stepper))
-        return refuse(fmt::format("there is no stepper '{}'. Steppers: exact quick fast", options.stepper));
+        return refuse(scenes::no_such_stepper(options.stepper));
     if (const std::string why = hindrance(was); !why.empty())
         return refuse(fmt::format("'{}': {}", options.file, why));
     const bool other = !options.stepper.empty() || options.iterations >= 0;

@@ -28,6 +28,9 @@ struct Pose {
     bool operator==(const Pose&) const = default;
 };
 
+// What this build computes in, as recordings call it.
+constexpr const char* kPrecision = sizeof(dReal) == 8 ? "double" : "single";
+
 // How the recording came about: "scene", "stepper", "dt", "seed", "iterations", "library", "precision" ...
 using Info = std::map<std::string, std::string>;
 

@@ -198,14 +198,6 @@ dJointID add_slider(Scene& scene, dBodyID body1, dBodyID body2, Vec axis)
     return joint;
 }
 
-dJointID add_fixed(Scene& scene, dBodyID body1, dBodyID body2)
-{
-    dJointID joint = connect(dJointCreateFixed(scene.world(), nullptr), body1, body2);
-    dJointSetFixed(joint);
-    scene.add_joint(joint);
-    return joint;
-}
-
 void set_hinge_stops(dJointID joint, double low, double high)
 {
     dJointSetHingeParam(joint, dParamLoStop, dReal(low));

@@ -42,7 +42,6 @@ dJointID add_hinge(Scene& scene, dBodyID body1, dBodyID body2, Vec anchor, Vec a
 dJointID add_universal(Scene& scene, dBodyID body1, dBodyID body2, Vec anchor, Vec axis1, Vec axis2);
 dJointID add_hinge2(Scene& scene, dBodyID body1, dBodyID body2, Vec anchor, Vec axis1, Vec axis2);
 dJointID add_slider(Scene& scene, dBodyID body1, dBodyID body2, Vec axis);
-dJointID add_fixed(Scene& scene, dBodyID body1, dBodyID body2);
 void set_hinge_stops(dJointID joint, double low, double high);
 void set_universal_stops(dJointID joint, double low1, double high1, double low2, double high2);
 

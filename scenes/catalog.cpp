@@ -30,4 +30,11 @@ const Recipe* find_recipe(const std::string& name)
     return nullptr;
 }
 
+std::string scene_names()
+{
+    std::string names;
+    for (const Recipe* recipe : all_recipes()) names += std::string(" ") + recipe->name;
+    return names;
+}
+
 }  // namespace epode::scenes

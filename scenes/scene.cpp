@@ -53,6 +53,11 @@ bool stepper_named(const std::string& name, Stepper& stepper)
     return false;
 }
 
+std::string no_such_stepper(const std::string& name)
+{
+    return "there is no stepper '" + name + "'. Steppers: exact quick fast";
+}
+
 bool available(Stepper stepper) { return stepper != Stepper::kFast || has_step_fast(); }
 
 Runtime::Runtime()

@@ -21,6 +21,8 @@ namespace epode::scenes {
 enum class Stepper { kExact, kQuick, kFast };
 const char* name_of(Stepper stepper);
 bool stepper_named(const std::string& name, Stepper& stepper);
+// The message where there is none of that name.
+std::string no_such_stepper(const std::string& name);
 // dWorldStepFast1 is not in every library; the other two are.
 bool available(Stepper stepper);
 
@@ -101,7 +103,6 @@ class Scene {
     void set_iterations(int iterations) { iterations_ = iterations; }
     // Whether contact records tell the forces of the step; it costs a little time.
     void want_forces(bool wanted) { want_forces_ = wanted; }
-    bool wants_forces() const { return want_forces_; }
     // False when the library reports that the step failed.
     bool step(Stepper stepper, double dt);
 
@@ -149,5 +150,7 @@ class Scene {
 const std::vector<const Recipe*>& all_recipes();
 // Null when there is no scene of that name.
 const Recipe* find_recipe(const std::string& name);
+// All names, a space before each: for messages.
+std::string scene_names();
 
 }  // namespace epode::scenes

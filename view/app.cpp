@@ -26,20 +26,13 @@ int scene_number(const std::string& name)
     return -1;
 }
 
-std::string scene_names()
-{
-    std::string names;
-    for (const scenes::Recipe* recipe : scenes::all_recipes()) names += std::string(" ") + recipe->name;
-    return names;
-}
-
 std::unique_ptr<Session> open_scene(const scenes::Recipe& recipe, const ViewOptions& options,
                                     std::string& problem)
 {
     LiveOptions live;
     live.stepper = recipe.stepper;
     if (!options.stepper.empty() && !scenes::stepper_named(options.stepper, live.stepper)) {
-        problem = "there is no stepper '" + options.stepper + "'. Steppers: exact quick fast";
+        problem = scenes::no_such_stepper(options.stepper);
         return nullptr;
     }
     if (!scenes::available(live.stepper)) {
@@ -64,7 +57,7 @@ bool App::open(const std::string& what, std::string& problem)
     } else if (const scenes::Recipe* recipe = scenes::find_recipe(what)) {
         session = open_scene(*recipe, options_, problem);
     } else {
-        problem = "there is no scene '" + what + "', nor does it end in .epr. Scenes:" + scene_names();
+        problem = "there is no scene '" + what + "', nor does it end in .epr. Scenes:" + scenes::scene_names();
     }
     if (!session) return false;
     session->paused = session_ ? session_->paused : options_.paused;

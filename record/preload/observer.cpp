@@ -131,7 +131,7 @@ Info about()
     return {{"source", "program"},
             {"program", program},
             {"stepper", stepper && *stepper ? stepper : "the program's own"},
-            {"precision", sizeof(dReal) == 8 ? "double" : "single"},
+            {"precision", kPrecision},
             {"library", library()}};
 }
 

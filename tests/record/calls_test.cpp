@@ -72,7 +72,7 @@ Recording ball()
 {
     using enum ArgumentKind;
     Recording recording;
-    recording.about = {{"source", "program"}, {"precision", sizeof(dReal) == 8 ? "double" : "single"}};
+    recording.about = {{"source", "program"}, {"precision", kPrecision}};
     CallTape tape;
     tape.add("dWorldSetGravity",
              {Argument::world(), Argument::of(0.0), Argument::of(0.0), Argument::of(-9.81)});
