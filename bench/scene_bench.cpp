@@ -143,11 +143,8 @@ int refuse(const std::string& problem)
 int bench_scene(const SceneOptions& options)
 {
     const scenes::Recipe* recipe = scenes::find_recipe(options.scene);
-    if (!recipe) {
-        std::string names;
-        for (const scenes::Recipe* known : scenes::all_recipes()) names += fmt::format(" {}", known->name);
-        return refuse(fmt::format("there is no scene '{}'. Scenes:{}", options.scene, names));
-    }
+    if (!recipe)
+        return refuse(fmt::format("there is no scene '{}'. Scenes:{}", options.scene, scenes::scene_names()));
     scenes::Stepper stepper = recipe->stepper;
     if (!options.stepper.empty() && !scenes::stepper_named(options.stepper, stepper)) {
         return refuse(scenes::no_such_stepper(options.stepper));

@@ -3,8 +3,6 @@
 //
 // A block of a tonne on four pillars of a kilogramme each: the exact step carries a ratio of masses of a
 // thousand.
-#include <cmath>
-
 #include "stage.h"
 
 static dGeomID pillars[4], block;

@@ -3,8 +3,6 @@
 //
 // Three ways to drive a hinge: at a speed with much force, with little force against a load, and to an angle
 // by a controller. Arms are level at first, so the weak motor must lose against gravity.
-#include <cmath>
-
 #include "stage.h"
 
 constexpr double kSpeed = 2, kWeak = 5, kWanted = 0.8;

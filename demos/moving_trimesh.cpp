@@ -3,8 +3,6 @@
 //
 // A car's ramp of triangles on a body of its own: a wedge that is a mesh slides on the floor when a ball runs
 // up it, and what the ball loses in momentum the wedge has.
-#include <cmath>
-
 #include "stage.h"
 
 static const float vertices[] = {-1, -0.5f, 0, 1, -0.5f, 0,    1, 0.5f, 0,

@@ -3,7 +3,6 @@
 //
 // Ragdolls of capsules on ball joints and hinges with stops fall down stairs: no limb comes off, no knee
 // bends wrongly.
-#include <cmath>
 #include <vector>
 
 #include "stage.h"

@@ -5,7 +5,6 @@
 // one white space character; then rows from the top, 3 bytes a pixel.
 #include "ppm.h"
 
-#include <cstdio>
 #include <fstream>
 #include <istream>
 #include <limits>

@@ -5,8 +5,6 @@
 // R^T (p - c); equal corners become one vertex again.
 #include "record/shapes.h"
 
-#include <cmath>
-
 #include "record/surfaces.h"
 
 namespace epode::record {

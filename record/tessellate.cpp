@@ -6,7 +6,6 @@
 // of each triangle, with the triangle's normal.
 #include "record/tessellate.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace epode::record {

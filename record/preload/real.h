@@ -6,8 +6,6 @@
 // told.
 #pragma once
 
-#include <dlfcn.h>
-
 #include "record/preload/observer.h"
 
 namespace epode::record {
