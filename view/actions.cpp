@@ -4,6 +4,7 @@
 // Plain keys are what most engines' viewers have; chords with Ctrl are drawstuff's.
 #include "view/actions.h"
 
+#include <algorithm>
 #include <cctype>
 
 namespace epode::view {
@@ -53,6 +54,12 @@ const ActionRow* action_of(const std::string& key)
         }
     }
     return nullptr;
+}
+
+const ActionRow& row_of(Action action)
+{
+    return *std::find_if(actions().begin(), actions().end(),
+                         [&](const ActionRow& row) { return row.action == action; });
 }
 
 std::string shown(const std::string& key)

@@ -57,7 +57,8 @@ bool App::open(const std::string& what, std::string& problem)
     } else if (const scenes::Recipe* recipe = scenes::find_recipe(what)) {
         session = open_scene(*recipe, options_, problem);
     } else {
-        problem = "there is no scene '" + what + "', nor does it end in .epr. Scenes:" + scenes::scene_names();
+        problem =
+            "there is no scene '" + what + "', nor does it end in .epr. Scenes:" + scenes::scene_names();
     }
     if (!session) return false;
     session->paused = session_ ? session_->paused : options_.paused;
@@ -76,10 +77,7 @@ void App::look_at_everything()
 {
     following_ = false;
     const viewer::Picture picture = drawing_.picture(*session_, record::kNobody);
-    std::vector<viewer::Shape> moving;
-    const Moment now = session_->moment();
-    for (const viewer::Shape& shape : picture.shapes) moving.push_back(shape);
-    if (!moving.empty()) orbit_.look_like(viewer::frame_shapes(moving, 1.6f));
+    if (!picture.shapes.empty()) orbit_.look_like(viewer::frame_shapes(picture.shapes, 1.6f));
 }
 
 void App::look_from_scene()
@@ -116,57 +114,45 @@ void App::key(const std::string& name, bool repeated)
     if (row && (!repeated || row->repeats)) act(row->action);
 }
 
-bool App::toggle(Action action)
+bool* App::switch_of(Action action)
 {
     Switches& s = drawing_.switches;
-    bool* flag = nullptr;
     switch (action) {
         case Action::kGeoms:
-            flag = &s.geoms;
-            break;
+            return &s.geoms;
         case Action::kWireframe:
-            flag = &s.wireframe;
-            break;
+            return &s.wireframe;
         case Action::kAxes:
-            flag = &s.body_axes;
-            break;
+            return &s.body_axes;
         case Action::kJoints:
-            flag = &s.joints;
-            break;
+            return &s.joints;
         case Action::kJointAxes:
-            flag = &s.joint_axes;
-            break;
+            return &s.joint_axes;
         case Action::kLimits:
-            flag = &s.limits;
-            break;
+            return &s.limits;
         case Action::kContacts:
-            flag = &s.contacts;
-            break;
+            return &s.contacts;
         case Action::kForces:
-            flag = &s.forces;
-            break;
+            return &s.forces;
         case Action::kBoxes:
-            flag = &s.boxes;
-            break;
+            return &s.boxes;
         case Action::kShadows:
-            flag = &s.shadows;
-            break;
+            return &s.shadows;
         case Action::kPanels:
-            flag = &panels_;
-            break;
+            return &panels_;
         case Action::kHelp:
-            flag = &help_;
-            break;
+            return &help_;
         default:
-            return false;
+            return nullptr;
     }
-    *flag = !*flag;
-    return true;
 }
 
 void App::act(Action action)
 {
-    if (toggle(action)) return;
+    if (bool* on = switch_of(action)) {
+        *on = !*on;
+        return;
+    }
     Session& session = *session_;
     switch (action) {
         case Action::kPause:

@@ -42,8 +42,6 @@ class App {
     // What a test or a log may want to know: state, time, paused, picked.
     std::string summary() const;
 
-    Session& session() { return *session_; }
-
   private:
     void look_at_everything();
     void look_from_scene();
@@ -54,7 +52,8 @@ class App {
     void push();
     void shoot();
     void other_scene(int by);
-    bool toggle(Action action);
+    // What an action switches on and off; null: it does something else.
+    bool* switch_of(Action action);
 
     // panels.cpp
     void menus();

@@ -27,8 +27,6 @@ class Orbit {
     void aim(Vec target) { target_ = target; }
 
     Vec eye() const;
-    Vec target() const { return target_; }
-    double distance() const { return distance_; }
     // What is looked at appears this many pixels to the right of the picture's middle.
     void set_offset(double pixels) { offset_ = pixels; }
     viewer::Camera camera(int height) const;

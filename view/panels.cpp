@@ -5,8 +5,6 @@
 // actions.h is a line of a menu.
 #include <imgui.h>
 
-#include <cmath>
-
 #include "scenes/extensions.h"
 #include "view/app.h"
 
@@ -19,15 +17,6 @@ void row(const char* name, const char* format, double a, double b, double c)
     ImGui::TextDisabled("%s", name);
     ImGui::SameLine(96);
     ImGui::Text(format, a, b, c);
-}
-
-void checked(const char* label, bool& flag, const char* key)
-{
-    ImGui::Checkbox(label, &flag);
-    if (key) {
-        ImGui::SameLine(kPanelWidth - 50);
-        ImGui::TextDisabled("%s", key);
-    }
 }
 
 }  // namespace
@@ -161,21 +150,26 @@ void App::solver_panel()
 void App::drawing_panel()
 {
     if (!ImGui::CollapsingHeader("Show")) return;
+    const auto checked = [&](const char* label, Action action) {
+        ImGui::Checkbox(label, switch_of(action));
+        ImGui::SameLine(kPanelWidth - 50);
+        ImGui::TextDisabled("%s", shown(row_of(action).keys.front()).c_str());
+    };
     Switches& s = drawing_.switches;
-    checked("geoms", s.geoms, "G");
-    checked("wireframe", s.wireframe, "W");
-    checked("contacts", s.contacts, "C");
-    checked("forces of contacts", s.forces, "F");
+    checked("geoms", Action::kGeoms);
+    checked("wireframe", Action::kWireframe);
+    checked("contacts", Action::kContacts);
+    checked("forces of contacts", Action::kForces);
     ImGui::SetNextItemWidth(150);
     ImGui::SliderFloat("arrows", &s.arrows, 0.05f, 20, "x%.2f", ImGuiSliderFlags_Logarithmic);
-    checked("joints", s.joints, "J");
-    checked("axes of joints", s.joint_axes, "K");
-    checked("limits of joints", s.limits, "L");
-    checked("axes of bodies", s.body_axes, "X");
-    checked("bounding boxes", s.boxes, "B");
-    checked("shadows", s.shadows, "Ctrl+S");
-    checked("soft light (slow)", s.soft_light, nullptr);
-    checked("pale when asleep", s.pale_sleepers, nullptr);
+    checked("joints", Action::kJoints);
+    checked("axes of joints", Action::kJointAxes);
+    checked("limits of joints", Action::kLimits);
+    checked("axes of bodies", Action::kAxes);
+    checked("bounding boxes", Action::kBoxes);
+    checked("shadows", Action::kShadows);
+    ImGui::Checkbox("soft light (slow)", &s.soft_light);
+    ImGui::Checkbox("pale when asleep", &s.pale_sleepers);
     const char* const paints[] = {"body", "island", "sleep", "speed"};
     int paint = int(s.paint);
     ImGui::SetNextItemWidth(150);
