@@ -274,16 +274,7 @@ bool Renderer::Passes::draw(const Picture& picture, std::string& error)
 
 bool Renderer::Passes::read(std::vector<std::uint8_t>& rgb, std::string& error)
 {
-    const std::size_t row = static_cast<std::size_t>(width_) * 3;
-    rgb.resize(row * static_cast<std::size_t>(height_));
-    glBindFramebuffer(GL_FRAMEBUFFER, canvas_.framebuffer);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, width_, height_, GL_RGB, GL_UNSIGNED_BYTE, rgb.data());
-    for (int low = 0, high = height_ - 1; low < high; ++low, --high) {
-        const auto first = rgb.begin() + static_cast<std::ptrdiff_t>(row) * low;
-        std::swap_ranges(first, first + static_cast<std::ptrdiff_t>(row),
-                         rgb.begin() + static_cast<std::ptrdiff_t>(row) * high);
-    }
+    rgb = read_pixels(canvas_.framebuffer, width_, height_);
     return complete("to read the picture back", error);
 }
 
@@ -298,6 +289,22 @@ void Renderer::Passes::show(GLuint framebuffer)
     glBindVertexArray(empty_);
     glUseProgram(show_);
     glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+// OpenGL's rows come from below.
+std::vector<std::uint8_t> read_pixels(unsigned framebuffer, int width, int height)
+{
+    const std::size_t row = static_cast<std::size_t>(width) * 3;
+    std::vector<std::uint8_t> rgb(row * static_cast<std::size_t>(height));
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, rgb.data());
+    for (int low = 0, high = height - 1; low < high; ++low, --high) {
+        const auto first = rgb.begin() + static_cast<std::ptrdiff_t>(row) * low;
+        std::swap_ranges(first, first + static_cast<std::ptrdiff_t>(row),
+                         rgb.begin() + static_cast<std::ptrdiff_t>(row) * high);
+    }
+    return rgb;
 }
 
 Renderer::Renderer() : passes_(std::make_unique<Passes>()) {}

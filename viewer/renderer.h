@@ -43,6 +43,9 @@ class Renderer {
     std::unique_ptr<Passes> passes_;
 };
 
+// What is in a framebuffer (0: the window's): width * height * 3 bytes, rows from the top.
+std::vector<std::uint8_t> read_pixels(unsigned framebuffer, int width, int height);
+
 // Whether the picture's numbers can be drawn at all: size, camera, light; what in it cannot is left out by
 // itself.
 bool check_picture(const Picture& picture, std::string& error);

@@ -30,6 +30,8 @@ const char* const kShaderHead = R"(layout(std140) uniform Frame {
     vec4 options, viewport, look, state;
     vec4 spiral[SPIRAL];
 };
+// What the vertices of shapes and of triangles tell of their surface.
+#define SURFACE(way) way vec3 normal, local, local_normal; way vec4 paint; flat way float layer; centroid way vec3 world;
 )"
                                 R"(
 #ifdef FRAGMENT
@@ -156,10 +158,7 @@ layout(location = 4) in vec4 row_z;
 layout(location = 5) in vec4 core;
 layout(location = 6) in vec4 color;
 layout(location = 7) in float texture_layer;
-out vec3 normal, local, local_normal;
-out vec4 paint;
-flat out float layer;
-centroid out vec3 world;
+SURFACE(out)
 uniform mat4 view;
 void main() {
     local = corner * core.xyz + direction * core.w;
@@ -181,10 +180,7 @@ layout(location = 2) in vec3 in_texture;
 layout(location = 3) in vec3 texture_normal;
 layout(location = 4) in vec4 color;
 layout(location = 5) in float texture_layer;
-out vec3 normal, local, local_normal;
-out vec4 paint;
-flat out float layer;
-centroid out vec3 world;
+SURFACE(out)
 uniform mat4 view;
 void main() {
     world = place;
@@ -203,10 +199,7 @@ void main() {}
 
 // What a surface writes of itself: place and kind (0 sky, 1 shape, 2 ground), normal, sRGB paint.
 constexpr char kShapeFragment[] = R"(
-in vec3 normal, local, local_normal;
-in vec4 paint;
-flat in float layer;
-centroid in vec3 world;
+SURFACE(in)
 layout(location = 0) out vec4 place;
 layout(location = 1) out vec4 direction;
 layout(location = 2) out vec4 surface;
@@ -219,10 +212,7 @@ void main() {
 
 // The same, lit at once, times its opacity.
 constexpr char kVeilFragment[] = R"(
-in vec3 normal, local, local_normal;
-in vec4 paint;
-flat in float layer;
-centroid in vec3 world;
+SURFACE(in)
 out vec4 result;
 void main() {
     vec3 n = gl_FrontFacing ? normalize(normal) : -normalize(normal);
