@@ -2,14 +2,12 @@
 // Copyright (c) 2026 The Epode authors
 //
 // A window by GLFW. At most 60 frames a second: the next frame is due 1/60 s after the last was, or now if
-// that has passed already; waiting is done in the window system's own call, so that keys come at once. GLFW
-// rather than SDL or bare Xlib: small, and it speaks to X11, Wayland, Windows and macOS alike.
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
+// that has passed already. GLFW rather than SDL or bare Xlib: small, and it speaks to X11, Wayland, Windows
+// and macOS alike.
 #include <algorithm>
 
 #include "surface.h"
+#include "viewer/glfw_window.h"
 #include "viewpoint.h"
 
 namespace epode::drawstuff {
@@ -20,23 +18,17 @@ constexpr double kFrameTime = 1.0 / 60;
 
 class WindowSurface : public Surface {
   public:
-    ~WindowSurface() override
-    {
-        if (window_) glfwDestroyWindow(window_);
-        if (started_) glfwTerminate();
-    }
-
     bool open(int width, int height, std::string& error) override;
     bool next_frame(std::vector<Event>& events) override;
-    bool is_seen() const override { return width_ > 0 && height_ > 0; }
-    int width() const override { return std::min(width_, viewer::kMaxPictureSide); }
-    int height() const override { return std::min(height_, viewer::kMaxPictureSide); }
+    bool is_seen() const override { return window_.width > 0 && window_.height > 0; }
+    int width() const override { return std::min(window_.width, viewer::kMaxPictureSide); }
+    int height() const override { return std::min(window_.height, viewer::kMaxPictureSide); }
     double seconds() const override { return glfwGetTime(); }
 
     bool show(viewer::Renderer& renderer, std::string&) override
     {
         renderer.show(0);
-        glfwSwapBuffers(window_);
+        glfwSwapBuffers(window_.get());
         return true;
     }
 
@@ -51,41 +43,15 @@ class WindowSurface : public Surface {
     static void on_motion(GLFWwindow* window, double x, double y);
     void listen();
 
-    GLFWwindow* window_ = nullptr;
-    bool started_ = false;
-    int width_ = 0, height_ = 0;
+    viewer::GlfwWindow window_;
     int buttons_ = 0;
     double mouse_x_ = 0, mouse_y_ = 0, due_ = 0;
     std::vector<Event> events_;
 };
 
-std::string glfw_message(const char* what)
-{
-    const char* reason = nullptr;
-    glfwGetError(&reason);
-    return std::string(what) + (reason ? std::string(": ") + reason : std::string());
-}
-
 bool WindowSurface::open(int width, int height, std::string& error)
 {
-    started_ = glfwInit() == GLFW_TRUE;
-    if (!started_) {
-        error = glfw_message("no window system answers");
-        return false;
-    }
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    glfwWindowHint(GLFW_DEPTH_BITS, 0);
-    window_ = glfwCreateWindow(width, height, "Simulation", nullptr, nullptr);
-    if (!window_) {
-        error = glfw_message("no window with OpenGL 3.3 can be opened");
-        return false;
-    }
-    glfwMakeContextCurrent(window_);
-    glfwSwapInterval(0);
-    glfwGetFramebufferSize(window_, &width_, &height_);
+    if (!window_.open(width, height, "Simulation", 0, error)) return false;
     listen();
     due_ = glfwGetTime();
     return true;
@@ -93,12 +59,13 @@ bool WindowSurface::open(int width, int height, std::string& error)
 
 void WindowSurface::listen()
 {
-    glfwSetWindowUserPointer(window_, this);
-    glfwSetKeyCallback(window_, on_key);
-    glfwSetCharCallback(window_, on_character);
-    glfwSetMouseButtonCallback(window_, on_button);
-    glfwSetCursorPosCallback(window_, on_motion);
-    glfwGetCursorPos(window_, &mouse_x_, &mouse_y_);
+    GLFWwindow* const window = window_.get();
+    glfwSetWindowUserPointer(window, this);
+    glfwSetKeyCallback(window, on_key);
+    glfwSetCharCallback(window, on_character);
+    glfwSetMouseButtonCallback(window, on_button);
+    glfwSetCursorPosCallback(window, on_motion);
+    glfwGetCursorPos(window, &mouse_x_, &mouse_y_);
 }
 
 void WindowSurface::on_key(GLFWwindow* window, int key, int, int action, int modifiers)
@@ -141,14 +108,11 @@ void WindowSurface::on_motion(GLFWwindow* window, double x, double y)
 
 bool WindowSurface::next_frame(std::vector<Event>& events)
 {
-    glfwPollEvents();
-    for (double rest = due_ - glfwGetTime(); rest > 0; rest = due_ - glfwGetTime())
-        glfwWaitEventsTimeout(rest);
+    const bool is_open = window_.wait_until(due_);
     due_ = std::max(due_ + kFrameTime, glfwGetTime());
     events.insert(events.end(), events_.begin(), events_.end());
     events_.clear();
-    glfwGetFramebufferSize(window_, &width_, &height_);
-    return !glfwWindowShouldClose(window_);
+    return is_open;
 }
 
 }  // namespace
