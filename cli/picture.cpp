@@ -17,17 +17,10 @@ namespace epode::cli {
 
 namespace {
 
-using viewer::Color;
 using viewer::Line;
 using viewer::Picture;
 using viewer::Shape;
 using viewer::ShapeKind;
-
-constexpr Color kStone{0.62f, 0.61f, 0.59f};
-
-// Neighbours in the order of making lie in rows; multiplying by an odd constant and keeping the high bits
-// breaks the stripes.
-int mixed(int number) { return int((std::uint32_t(number) * 2654435761u) >> 24); }
 
 bool set_size(dGeomID geom, Shape& shape)
 {
@@ -61,8 +54,8 @@ bool set_size(dGeomID geom, Shape& shape)
 
 void add_shapes(const scenes::Scene& scene, Picture& picture)
 {
-    std::map<dBodyID, int> number;
-    for (size_t i = 0; i < scene.bodies().size(); ++i) number[scene.bodies()[i]] = int(i);
+    std::map<dBodyID, std::uint32_t> number;
+    for (size_t i = 0; i < scene.bodies().size(); ++i) number[scene.bodies()[i]] = std::uint32_t(i);
     picture.ground = false;
     for (dGeomID geom : scene.geoms()) {
         if (dGeomGetClass(geom) == dPlaneClass) {
@@ -75,7 +68,7 @@ void add_shapes(const scenes::Scene& scene, Picture& picture)
         Shape shape;
         if (!set_size(geom, shape)) continue;
         dBodyID body = dGeomGetBody(geom);
-        shape.color = body ? viewer::palette(mixed(number[body])) : kStone;
+        shape.color = body ? viewer::body_color(number[body]) : viewer::kStone;
         viewer::set_pose(shape, dGeomGetPosition(geom), dGeomGetRotation(geom));
         picture.shapes.push_back(shape);
     }

@@ -19,6 +19,9 @@
 
 namespace epode::record {
 
+// Small steps of dWorldStepFast1 where a program that calls another stepper is to use this one.
+constexpr int kFastSteps = 4;
+
 enum class ArgumentKind : std::uint8_t {
     kWorld,
     kBody,

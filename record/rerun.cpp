@@ -22,8 +22,6 @@ namespace epode::record {
 
 namespace {
 
-constexpr int kFastSteps = 4;
-
 // More of these in one call are a damaged file's, whatever the library thinks of them: the call would not end
 // in a lifetime, or a body would take gigabytes.
 constexpr int kMostSteps = 10000, kMostSweeps = 10000000, kMostSamples = 10000;

@@ -20,16 +20,12 @@ namespace {
 using record::ShapeKind;
 using viewer::Color;
 
-constexpr Color kStone{0.62f, 0.61f, 0.59f};
 constexpr double kPlaneReach = 20;
 
 Color mixed(Color a, Color b, float part)
 {
     return {a.r + part * (b.r - a.r), a.g + part * (b.g - a.g), a.b + part * (b.b - a.b)};
 }
-
-// Neighbours in the order of making lie in rows; a product's high bits break the stripes.
-Color numbered(std::uint32_t number) { return viewer::palette(int((number * 2654435761u) >> 24)); }
 
 void rotation(const Turn& q, double (&r)[3][3])
 {
@@ -83,7 +79,7 @@ class Painter {
 
     Color color(std::int32_t body) const
     {
-        if (body == record::kNobody) return kStone;
+        if (body == record::kNobody) return viewer::kStone;
         const auto i = size_t(body);
         Color color = base(i);
         if (switches_.pale_sleepers && switches_.paint != Paint::kSleep && now_.asleep[i])
@@ -96,7 +92,7 @@ class Painter {
     {
         switch (switches_.paint) {
             case Paint::kIsland:
-                return numbered(islands_[i]);
+                return viewer::body_color(islands_[i]);
             case Paint::kSleep:
                 return now_.asleep[i] ? Color{0.42f, 0.50f, 0.68f} : Color{0.90f, 0.52f, 0.20f};
             case Paint::kSpeed: {
@@ -106,7 +102,7 @@ class Painter {
             case Paint::kBody:
                 break;
         }
-        return numbered(std::uint32_t(i));
+        return viewer::body_color(std::uint32_t(i));
     }
 
     const Moment& now_;

@@ -24,4 +24,7 @@ Color palette(int index)
     return kColors[(index % kCount + kCount) % kCount];
 }
 
+// The high bits of a product with an odd constant.
+Color body_color(std::uint32_t number) { return palette(int((number * 2654435761u) >> 24)); }
+
 }  // namespace epode::viewer

@@ -10,6 +10,7 @@
 // the caller needs no knowledge of OpenGL, nor this library of ODE.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -125,6 +126,9 @@ bool project(const Camera& camera, int width, int height, const float point[3], 
 
 // An endless row of muted colours that sit well beside each other; the same index gives the same colour.
 Color palette(int index);
+// Of bodies by their number, so that neighbours in the order of making, which lie in rows, make no stripes.
+Color body_color(std::uint32_t number);
+constexpr Color kStone{0.62f, 0.61f, 0.59f};  // of what does not move
 
 // False for what pictures leave out.
 bool drawable(const Shape& shape);

@@ -18,6 +18,7 @@
 #include <cstring>
 #include <string>
 
+#include "record/calls.h"
 #include "record/preload/real.h"
 
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"
@@ -26,7 +27,6 @@ namespace epode::record {
 
 namespace {
 
-constexpr int kFastSteps = 4;
 constexpr const char* kLibrary = sizeof(dReal) == 8 ? "libode.so.8" : "libode_single.so.8";
 
 const Observer* load_observer()

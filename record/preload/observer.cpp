@@ -10,7 +10,6 @@
 
 #include <dlfcn.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -88,12 +87,6 @@ void open(Watch& watch)
         std::fprintf(stderr, "epode recorder: cannot write '%s': %s\n", watch.path.c_str(),
                      watch.writer.problem().c_str());
     }
-}
-
-template <class Id>
-void forget(std::vector<Id>& ids, Id id)
-{
-    ids.erase(std::remove(ids.begin(), ids.end(), id), ids.end());
 }
 
 // Everything that happens runs through this.
@@ -182,7 +175,7 @@ void body_gone(dBodyID body)
 {
     observed([&] {
         for (auto& [world, watch] : watches) {
-            forget(watch->new_bodies, body);
+            std::erase(watch->new_bodies, body);
             watch->recorder.remove(body);
             watch->tape.body_gone(body);
         }
@@ -205,9 +198,9 @@ void forget_geom(dGeomID geom)
         for (int i = 0; i < dSpaceGetNumGeoms(space); ++i) forget_geom(dSpaceGetGeom(space, i));
         return;
     }
-    forget(geoms, geom);
+    std::erase(geoms, geom);
     for (auto& [world, watch] : watches) {
-        forget(watch->new_geoms, geom);
+        std::erase(watch->new_geoms, geom);
         watch->recorder.remove(geom);
     }
 }
@@ -230,7 +223,7 @@ void joint_made(dWorldID world, dJointID joint, dJointGroupID group, const char*
 void forget_joint(dJointID joint)
 {
     for (auto& [world, watch] : watches) {
-        forget(watch->new_joints, joint);
+        std::erase(watch->new_joints, joint);
         watch->recorder.remove(joint);
     }
 }
