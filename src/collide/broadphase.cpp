@@ -228,19 +228,28 @@ bool keep(Array<SlotPair>& found, int a, int b)
 }  // namespace
 
 // The order in which pairs are found is of no importance, since they are sorted; but the parts are the same
-// on any number of workers, so that no worker's list has to grow at another time.
+// on any number of workers beyond one, so that no worker's list has to grow at another time.
+// look(part, parts, found): false when memory is exhausted.
+template <typename Look>
+bool Broadphase::in_parts(const Tasks& tasks, Look&& look)
+{
+    const int parts = tasks.workers() > 1 ? kParts : 1;
+    bool complete[kParts];
+    for (Found& found : parts_) found.clear();
+    tasks.for_each(parts, [&](int part, int) { complete[part] = look(part, parts, parts_[part]); });
+    return std::all_of(complete, complete + parts, [](bool c) { return c; });
+}
+
 bool Broadphase::collect_fresh(const Tasks& tasks)
 {
     const int count = fresh_.size();
-    bool complete[kParts] = {};
-    tasks.for_each(kParts, [&](int part, int) {
-        parts_[part].clear();
-        const auto begin = [&](int p) { return int((long long)count * p / kParts); };
-        complete[part] = true;
-        for (int i = begin(part); i < begin(part + 1) && complete[part]; ++i)
-            complete[part] = collect(fresh_.data()[i], parts_[part]);
+    return in_parts(tasks, [&](int part, int parts, Found& found) {
+        bool complete = true;
+        const int begin = int((long long)count * part / parts),
+                  end = int((long long)count * (part + 1) / parts);
+        for (int i = begin; i < end && complete; ++i) complete = collect(fresh_.data()[i], found);
+        return complete;
     });
-    return std::all_of(complete, complete + kParts, [](bool c) { return c; });
 }
 
 // The partners of one fresh slot. Two fresh slots find each other; the newer one keeps the pair.
@@ -259,21 +268,17 @@ bool Broadphase::collect(int slot, Found& found) const
 // The pairs of all fresh slots at once.
 bool Broadphase::collect_all(const Tasks& tasks)
 {
-    constexpr int kSubtrees = 8 * kParts;  // they differ in size
+    const int subtrees = tasks.workers() > 1 ? 8 * kParts : 1;  // they differ in size
+    if (!tree_.split_pairs(subtrees, subtrees_)) return false;
     const Proxy* proxies = proxies_.data();
-    if (!tree_.split_pairs(kSubtrees, subtrees_)) return false;
-    bool complete[kParts] = {};
-    tasks.for_each(kParts, [&](int part, int) {
-        Found& found = parts_[part];
-        found.clear();
+    return in_parts(tasks, [&](int part, int parts, Found& found) {
         bool room = part > 0 || collect_unbounded(found);
         const auto visit = [&](int a, int b) {
             if (proxies[a].fresh || proxies[b].fresh) room = keep(found, a, b) && room;
         };
-        for (int i = part; i < subtrees_.size(); i += kParts) tree_.query_pairs(subtrees_.data()[i], visit);
-        complete[part] = room;
+        for (int i = part; i < subtrees_.size(); i += parts) tree_.query_pairs(subtrees_.data()[i], visit);
+        return room;
     });
-    return std::all_of(complete, complete + kParts, [](bool c) { return c; });
 }
 
 bool Broadphase::collect_unbounded(Found& found) const

@@ -146,6 +146,8 @@ class Broadphase {
     static Aabb fatten(const Proxy& proxy);
     void drop_stale_pairs();
     using Found = Array<SlotPair>;
+    template <typename Look>
+    bool in_parts(const Tasks& tasks, Look&& look);
     [[nodiscard]] bool collect_fresh(const Tasks& tasks);
     [[nodiscard]] bool collect_all(const Tasks& tasks);
     [[nodiscard]] bool collect_unbounded(Found& found) const;
