@@ -6,6 +6,7 @@
 #include "step/contact_cache.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/hash.h"
 
@@ -22,45 +23,74 @@ void ContactCache::Store::swap(Store& other)
     pairs.swap(other.pairs);
     points.swap(other.points);
     runs.swap(other.runs);
+    std::swap(step, other.step);
 }
 
-ContactCache::Point* ContactCache::find(const Pair& like, int bucket, Vec3 place, Vec3 normal)
+bool ContactCache::fits(const Pair& pair, const Wanted& wanted) const
 {
-    Point* best = nullptr;
-    Real best_distance2 = kReach * kReach * (length2(place) + kReach * kReach);
-    for (int i = bucket; i >= 0; i = old_.pairs[i].next) {
-        const Pair& pair = old_.pairs[i];
-        if (pair.serial1 != like.serial1 || pair.serial2 != like.serial2) continue;
-        if (dot(widen(pair.normal), normal) < kSameNormal) continue;
-        for (int k = pair.first; k < pair.first + pair.count; ++k) {
-            Point& point = old_.points[k];
-            const Real distance2 = length2(widen(point.place) - place);
-            if (!point.used && distance2 <= best_distance2) best = &point, best_distance2 = distance2;
-        }
+    return pair.serial1 == wanted.serial1 && pair.serial2 == wanted.serial2 &&
+           !(dot(widen(pair.normal), wanted.normal) < kSameNormal);
+}
+
+bool ContactCache::is_guess(int guess, const Wanted& wanted) const
+{
+    if (guess < 0 || guess >= old_.pairs.size()) return false;
+    const Pair& pair = old_.pairs[guess];
+    return pair.step == old_.step && !pair.twin && fits(pair, wanted);
+}
+
+void ContactCache::look_into(int index, const Wanted& wanted, Found& best)
+{
+    const Pair& pair = old_.pairs[index];
+    for (int k = pair.first; k < pair.first + pair.count; ++k) {
+        Point& point = old_.points[k];
+        const Real distance2 = length2(widen(point.place) - wanted.place);
+        if (!point.used && distance2 <= best.distance2) best = {&point, index, distance2};
     }
+}
+
+ContactCache::Found ContactCache::find(const Wanted& wanted, int guess)
+{
+    Found best{nullptr, -1, kReach * kReach * (length2(wanted.place) + kReach * kReach)};
+    if (is_guess(guess, wanted)) look_into(guess, wanted, best);
+    if (best.point) return best;
+    const std::size_t hash = hash_of(wanted.serial1, wanted.serial2);
+    for (int i = buckets_[int(hash & std::size_t(buckets_.size() - 1))]; i >= 0; i = old_.pairs[i].next)
+        if (fits(old_.pairs[i], wanted)) look_into(i, wanted, best);
     return best;
+}
+
+void ContactCache::note(Run& run, const Pair& pair)
+{
+    Pair& fresh = fresh_.pairs[run.first + run.count];
+    fresh = pair;
+    if (run.count > 0) {
+        Pair& before = fresh_.pairs[run.first + run.count - 1];
+        if (before.serial1 == pair.serial1 && before.serial2 == pair.serial2) before.twin = fresh.twin = true;
+    }
+    ++run.count;
 }
 
 void ContactCache::load(int writer, int ticket, const Body& body1, const Body* body2,
                         const Manifold& manifold, std::span<ManifoldPoint> points, Real share)
 {
     Run& run = fresh_.runs[writer];
-    if (run.count == 0) run.first = ticket;
-    Pair& fresh = fresh_.pairs[run.first + run.count++];
-    fresh = {body1.serial, body2 ? body2->serial : 0, narrow(manifold.n), ticket, int(points.size()), -1};
+    if (run.count == 0) run.first = ticket, run.guess = -1;
+    const std::uint64_t serial1 = body1.serial, serial2 = body2 ? body2->serial : 0;
+    note(run, {serial1, serial2, narrow(manifold.n), ticket, int(points.size()), -1, fresh_.step, false});
     const bool known = share > 0 && !buckets_.empty();
-    const int bucket =
-        known ? buckets_[int(hash_of(fresh.serial1, fresh.serial2) & std::size_t(buckets_.size() - 1))] : -1;
     const Mat3 R = body1.rotation();
+    const int guess = run.guess;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec3 place = transposed_times(R, points[i].r1);
         fresh_.points[ticket + int(i)] = {narrow(place), {}, 0, false};
-        Point* old = find(fresh, bucket, place, manifold.n);
-        if (!old) continue;
-        old->used = true;
-        points[i].p[0] = share * Real(old->push);
-        points[i].p[1] = share * dot(widen(old->friction), manifold.t1);
-        points[i].p[2] = share * dot(widen(old->friction), manifold.t2);
+        const Found old = known ? find({serial1, serial2, place, manifold.n}, guess) : Found{};
+        if (!old.point) continue;
+        old.point->used = true;
+        run.guess = old.pair + 1;
+        points[i].p[0] = share * Real(old.point->push);
+        points[i].p[1] = share * dot(widen(old.point->friction), manifold.t1);
+        points[i].p[2] = share * dot(widen(old.point->friction), manifold.t2);
     }
 }
 
@@ -90,6 +120,7 @@ bool ContactCache::begin(int tickets, int writers)
     const int points = room(tickets, fresh_.points.capacity(), old_.points.capacity());
     const int runs = room(writers, fresh_.runs.capacity(), old_.runs.capacity());
     fresh_.runs.clear();
+    fresh_.step = ++steps_;
     // Sizes only grow: which of the pairs and points count, the runs say.
     return fresh_.pairs.reserve(points) && fresh_.points.reserve(points) && fresh_.runs.reserve(runs) &&
            buckets_.reserve(buckets_for(points)) &&

@@ -4,7 +4,9 @@
 // ODE's contacts are new joints in every step; this cache finds last step's impulses for them. Contacts come
 // as manifolds. A manifold is known by its two bodies, looked up once; a point by its place in the first
 // body's frame: among the old points of the pair whose normal is similar, the nearest within kReach of the
-// lever arm is taken, each at most once. The friction impulse is kept as a world vector and projected on the
+// lever arm is taken, each at most once. Contacts come in nearly the same order in every step, so the pair
+// behind the last one that was found is looked into first, and the table only where nothing is there or the
+// pair is one of several of its bodies. The friction impulse is kept as a world vector and projected on the
 // new tangents. Bodies, not geoms, are the key: clients need not fill dContactGeom::g1 and g2.
 #pragma once
 
@@ -39,6 +41,8 @@ class ContactCache {
         Float3 normal;                   // world
         int first, count;                // of the points
         int next;                        // pair in the same bucket, -1 at the end
+        unsigned step;                   // that noted it: what lies beyond a run is older
+        bool twin;                       // beside one of the same bodies
     };
     struct Point {
         Float3 place;     // lever arm from body 1, in its frame
@@ -49,18 +53,35 @@ class ContactCache {
     // What one writer has noted.
     struct Run {
         int first, count;  // of the pairs
+        int guess;         // the old pair behind the one in which the last point was found, or -1
     };
     struct Store {
         Array<Pair> pairs;  // under the ticket of the first point, where a run says so
         Array<Point> points;
         Array<Run> runs;
+        unsigned step = 0;
         void swap(Store& other);
     };
     static_assert(sizeof(Point) == 32);
-    Point* find(const Pair& like, int bucket, Vec3 place, Vec3 normal);
+    struct Found {
+        Point* point;
+        int pair;
+        Real distance2;
+    };
+    // What is looked for: a point at `place` between two bodies.
+    struct Wanted {
+        std::uint64_t serial1, serial2;
+        Vec3 place, normal;
+    };
+    void note(Run& run, const Pair& pair);
+    bool is_guess(int guess, const Wanted& wanted) const;
+    bool fits(const Pair& pair, const Wanted& wanted) const;
+    void look_into(int pair, const Wanted& wanted, Found& best);
+    Found find(const Wanted& wanted, int guess);
     static int buckets_for(int pairs);
 
     Store old_, fresh_;
+    unsigned steps_ = 0;  // those that were taken back, too
     Array<int> buckets_;  // power of two many, index of the first pair or -1
 };
 
