@@ -29,8 +29,10 @@ namespace {
 
 constexpr int kLarge = 256;         // joints of an island that is worth all workers
 constexpr int kLargePatches = 256;  // or patches
-constexpr int kGroup = 1024;        // joints, patches and bodies of islands that are solved together
-constexpr int kParcel = 128;        // of a parcel of groups
+// Joints, patches and bodies of islands that are solved together: sweeps over patches hold more of each, and
+// go over them more often.
+constexpr int kGroup = 1024, kGroupOfPatches = 256;
+constexpr int kParcel = 128;  // of a parcel of groups
 
 // Who does the parts of a step: threads of our own, or calls of the implementation that the world was given.
 class Workers {
@@ -205,8 +207,8 @@ class WorldStep {
         for (std::size_t i = 0; i < islands_.size(); ++i) {
             const int joints = int(islands_[i].joints.size()), w = weight(islands_[i]);
             const Solver& solver = solver_of(i);
-            const bool joins =
-                count > 0 && may_join(i) && groups_[std::size_t(count - 1)].weight + w <= kGroup;
+            const int most = solver.takes_patches ? kGroupOfPatches : kGroup;
+            const bool joins = count > 0 && may_join(i) && groups_[std::size_t(count - 1)].weight + w <= most;
             if (!joins) groups_[std::size_t(count++)] = {&solver, int(i), 0, 0, 0, contacts};
             Group& group = groups_[std::size_t(count - 1)];
             ++group.count, group.joints += joints, group.weight += w;
