@@ -14,12 +14,13 @@
 
 namespace epode {
 
-// Starts to bring the first kLines lines of the cache at p.
+// Starts to bring the first kLines lines of the cache at p, which may be no pointer to anything.
 template <int kLines>
 void fetch(const void* p)
 {
+    const auto at = reinterpret_cast<std::uintptr_t>(p);
     for (int i = 0; i < kLines; ++i)
-        __builtin_prefetch(static_cast<const char*>(p) + std::size_t(i) * kCacheLine);
+        __builtin_prefetch(reinterpret_cast<const void*>(at + std::uintptr_t(i) * kCacheLine));
 }
 
 // f(i, object i) one after the other, each fetched kLines lines far in time.

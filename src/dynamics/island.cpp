@@ -6,6 +6,8 @@
 // the adjacency that exists anyway and yields bodies in an order in which neighbours are close in memory.
 #include "dynamics/island.h"
 
+#include <cstdint>
+
 #include "base/ahead.h"
 
 namespace epode {
@@ -70,7 +72,8 @@ class Search {
         if (!other || other->island_index >= 0) return;
         other->island_index = 0;  // tagged; its place is known when it is taken from the stack
         fetch<1>(other->patches);
-        fetch<2>(reinterpret_cast<const char*>(other->joints) - kCacheLine);  // the joint, not looked at yet
+        const auto node = reinterpret_cast<std::uintptr_t>(other->joints);  // in a joint, not looked at yet
+        fetch<2>(reinterpret_cast<const void*>(node - kCacheLine));
         stack_[std::size_t(depth++)] = other;
     }
 
