@@ -485,8 +485,10 @@ Traces scattered(int threads)
     for (std::size_t i = 0; i < sim.bodies.size(); ++i) {
         const dBodyID body = sim.bodies[i];
         geoms.push_back(geom_of(body));
-        if (i % 13 == 3) move_to(body, inner);
-        if (i % 17 == 5) move_to(body, other);
+        if (i % 17 == 5)
+            move_to(body, other);
+        else if (i % 13 == 3)
+            move_to(body, inner);
         if (i % 11 == 0) dBodySetMovedCallback(body, note_moved);
         if (i % 19 == 7) {
             const dGeomID held = dCreateSphere(nullptr, real(0.4)), holder = dCreateGeomTransform(sim.space);
