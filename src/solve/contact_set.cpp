@@ -189,10 +189,9 @@ void ContactSetOf<L>::apply_impulses(std::span<Bodies> bodies) const
     kernels_->apply_impulses(batches_.data(), int(batches_.size()), points_.data(), bodies.data());
 }
 
-template <typename L>
-void ContactSetOf<L>::normal_velocities(const Batch& batch, std::span<const Velocity> bodies,
-                                        std::span<Lanes, kManifoldPoints> out) const
-    requires(std::same_as<L, Lanes>)
+template <>
+void ContactSetOf<Lanes>::normal_velocities(const ContactBatch& batch, std::span<const Velocity> bodies,
+                                            std::span<Lanes, kManifoldPoints> out) const
 {
     machine_->normal_velocities(batch, &points_[std::size_t(batch.first)], bodies.data(), out.data());
 }

@@ -6,7 +6,6 @@
 // is a function of the island alone and neighbours in memory stay neighbours.
 #pragma once
 
-#include <concepts>
 #include <span>
 
 #include "base/arena.h"
@@ -44,9 +43,9 @@ class ContactSetOf {
     void sweep(std::span<Bodies> bodies);
     void relax_by(Real factor);  // multiplies the over-relaxation of the sweeps to come
     void store_impulses(std::span<ManifoldPoint> points) const;
-    // J_n v of the points of a batch.
+    // J_n v of the points of a batch; of Lanes only.
     void normal_velocities(const Batch& batch, std::span<const Velocity> bodies,
-                           std::span<Lanes, kManifoldPoints> out) const requires(std::same_as<L, Lanes>);
+                           std::span<Lanes, kManifoldPoints> out) const;
 
     bool empty() const { return batches_.empty(); }
     std::span<Batch> batches() { return batches_; }
@@ -74,6 +73,10 @@ class ContactSetOf {
     std::span<Point> points_;
     std::span<Source> sources_;
 };
+
+template <>
+void ContactSetOf<Lanes>::normal_velocities(const ContactBatch& batch, std::span<const Velocity> bodies,
+                                            std::span<Lanes, kManifoldPoints> out) const;
 
 using ContactSet = ContactSetOf<Lanes>;
 using FloatContactSet = ContactSetOf<BroadLanes>;
