@@ -24,10 +24,6 @@ void trim_foreign() { SlotPool::trim_all(false); }
     if (!memory_hooks().free) SlotPool::trim_all(true);
 }
 
-}  // namespace
-
-namespace {
-
 // The next object is likely to be made soon: contacts come by the thousand.
 void fetch_to_write(void* slot, std::size_t size)
 {

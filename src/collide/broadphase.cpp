@@ -16,6 +16,11 @@ bool before(const SlotPair& a, const SlotPair& b)
     return a.newer != b.newer ? a.newer > b.newer : a.older > b.older;
 }
 
+bool keep(Array<SlotPair>& found, int a, int b)
+{
+    return found.push(a > b ? SlotPair{a, b} : SlotPair{b, a});
+}
+
 Aabb grow(const Aabb& box, Real margin)
 {
     const Vec3 m{margin, margin, margin};
@@ -218,15 +223,6 @@ void Broadphase::drop_stale_pairs()
     stale_pairs_ = false;
 }
 
-namespace {
-
-bool keep(Array<SlotPair>& found, int a, int b)
-{
-    return found.push(a > b ? SlotPair{a, b} : SlotPair{b, a});
-}
-
-}  // namespace
-
 // The order in which pairs are found is of no importance, since they are sorted; but the parts are the same
 // on any number of workers beyond one, so that no worker's list has to grow at another time.
 // look(part, parts, found): false when memory is exhausted.
@@ -265,17 +261,20 @@ bool Broadphase::collect(int slot, Found& found) const
     return room;
 }
 
+bool Broadphase::keep_fresh(int a, int b, Found& found) const
+{
+    const Proxy* proxies = proxies_.data();
+    return !(proxies[a].fresh || proxies[b].fresh) || keep(found, a, b);
+}
+
 // The pairs of all fresh slots at once.
 bool Broadphase::collect_all(const Tasks& tasks)
 {
     const int subtrees = tasks.workers() > 1 ? 8 * kParts : 1;  // they differ in size
     if (!tree_.split_pairs(subtrees, subtrees_)) return false;
-    const Proxy* proxies = proxies_.data();
     return in_parts(tasks, [&](int part, int parts, Found& found) {
         bool room = part > 0 || collect_unbounded(found);
-        const auto visit = [&](int a, int b) {
-            if (proxies[a].fresh || proxies[b].fresh) room = keep(found, a, b) && room;
-        };
+        const auto visit = [&](int a, int b) { room = keep_fresh(a, b, found) && room; };
         for (int i = part; i < subtrees_.size(); i += parts) tree_.query_pairs(subtrees_.data()[i], visit);
         return room;
     });
@@ -285,9 +284,7 @@ bool Broadphase::collect_unbounded(Found& found) const
 {
     const Proxy* proxies = proxies_.data();
     bool room = true;
-    const auto visit = [&](int a, int b) {
-        if (proxies[a].fresh || proxies[b].fresh) room = keep(found, a, b) && room;
-    };
+    const auto visit = [&](int a, int b) { room = keep_fresh(a, b, found) && room; };
     for (int i = 0; i < unbounded_.size(); ++i) {
         const int slot = unbounded_[i];
         tree_.query(proxies[slot].box, [&](int other) { visit(slot, other); });

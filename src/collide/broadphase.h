@@ -150,6 +150,7 @@ class Broadphase {
     bool in_parts(const Tasks& tasks, Look&& look);
     [[nodiscard]] bool collect_fresh(const Tasks& tasks);
     [[nodiscard]] bool collect_all(const Tasks& tasks);
+    [[nodiscard]] bool keep_fresh(int a, int b, Found& found) const;
     [[nodiscard]] bool collect_unbounded(Found& found) const;
     [[nodiscard]] bool collect(int slot, Found& found) const;
     [[nodiscard]] bool join_found();

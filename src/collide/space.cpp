@@ -68,7 +68,7 @@ void list_queued(Space& space)
         if (geom && geom->queued) (void)space.queue.push(geom->slot);
 }
 
-// The queued members that are chosen; the others are no longer queued, but have still to be looked at.
+// Those in the queue that are chosen; the others leave it, too, but stay marked.
 template <typename Chosen>
 void clean_queued(Space& space, Chosen&& chosen)
 {

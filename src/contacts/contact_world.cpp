@@ -232,9 +232,8 @@ bool ContactWorld::touching(const Tasks& tasks, Arena& arena, std::span<PatchEdg
 void ContactWorld::accept(Real h, const Tasks& tasks)
 {
     // A pair of the last step that this one has taken over is marked; what is left and touched has ended.
-    tasks.in_ranges(fresh_.pairs.size(), kPairRange, [&](int first, int last) {
-        for (int i = first; i < last; ++i)
-            if (const int old = fresh_.pairs.data()[i].old; old >= 0) last_.pairs.data()[old].old = -2;
+    tasks.each_of(fresh_.pairs.size(), kPairRange, [&](std::size_t i) {
+        if (const int old = fresh_.pairs.data()[i].old; old >= 0) last_.pairs.data()[old].old = -2;
     });
     ended_.clear();
     for (const ContactPair& pair : last_.pairs)

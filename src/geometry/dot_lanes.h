@@ -8,6 +8,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <span>
 #include <utility>
 
 #include "base/array.h"
@@ -22,19 +23,18 @@ class DotLanes {
 
     [[nodiscard]] bool take(std::span<const Vec3> vectors)
     {
-        return make_room(int(vectors.size()), 3) && fill([&](int i) { return vectors[std::size_t(i)]; }, 0);
+        if (!make_room(int(vectors.size()), 3)) return false;
+        for (int k = 0; k < 3; ++k) fill(k, [&](std::size_t i) { return vectors[i][k]; });
+        return true;
     }
     // Normals and offsets of planes or faces.
     template <typename Plane>
     [[nodiscard]] bool take_planes(std::span<const Plane> planes)
     {
-        const auto of = [&](int i) -> const Plane& { return planes[std::size_t(i)]; };
-        return make_room(int(planes.size()), 4) && fill([&](int i) { return of(i).normal; }, 0) &&
-               fill(
-                   [&](int i) {
-                       return Vec3{of(i).offset, 0, 0};
-                   },
-                   3);
+        if (!make_room(int(planes.size()), 4)) return false;
+        for (int k = 0; k < 3; ++k) fill(k, [&](std::size_t i) { return planes[i].normal[k]; });
+        fill(3, [&](std::size_t i) { return planes[i].offset; });
+        return true;
     }
     void swap(DotLanes& other)
     {
@@ -51,14 +51,11 @@ class DotLanes {
         return numbers_.resize(groups() * rows * kWide);
     }
     template <typename Get>
-    bool fill(const Get& get, int row)
+    void fill(int row, const Get& get)
     {
-        for (int i = 0; i < groups() * kWide; ++i) {
-            const Vec3 v = get(i < count_ ? i : count_ - 1);
-            Real* at = numbers_.data() + (i / kWide * rows_ + row) * kWide + i % kWide;
-            for (int k = 0; k < 3 && row + k < rows_; ++k) at[k * kWide] = v[k];
-        }
-        return true;
+        for (int i = 0; i < groups() * kWide; ++i)
+            numbers_.data()[(i / kWide * rows_ + row) * kWide + i % kWide] =
+                get(std::size_t(i < count_ ? i : count_ - 1));
     }
 
     Array<Real> numbers_;

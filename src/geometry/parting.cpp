@@ -2,6 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 #include "geometry/parting.h"
 
+#include <cmath>
+
 namespace epode {
 namespace {
 

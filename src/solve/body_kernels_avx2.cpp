@@ -9,7 +9,7 @@
 namespace epode {
 
 extern const BodyKernels kAvx2BodyKernels;
-const BodyKernels kAvx2BodyKernels{"avx2", accelerate, turn, place};
+constinit const BodyKernels kAvx2BodyKernels = kernels_named("avx2");
 
 }  // namespace epode
 #endif

@@ -9,7 +9,7 @@
 namespace epode {
 
 extern const BodyKernels kAvx512BodyKernels;
-const BodyKernels kAvx512BodyKernels{"avx512", accelerate, turn, place};
+constinit const BodyKernels kAvx512BodyKernels = kernels_named("avx512");
 
 }  // namespace epode
 #endif

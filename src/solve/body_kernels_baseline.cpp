@@ -12,7 +12,7 @@ extern const BodyKernels kAvx2BodyKernels, kAvx512BodyKernels;
 
 namespace {
 
-constexpr BodyKernels kBaseline{"baseline", accelerate, turn, place};
+constexpr BodyKernels kBaseline = kernels_named("baseline");
 
 constexpr const BodyKernels* kAll[] = {
     &kBaseline,

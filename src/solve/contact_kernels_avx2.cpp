@@ -9,12 +9,7 @@
 namespace epode {
 
 extern const ContactKernels kAvx2ContactKernels;
-const ContactKernels kAvx2ContactKernels{"avx2",
-                                         {prepare<Lanes>, apply_impulses<Lanes>, sweep<Lanes>},
-                                         {prepare<BroadLanes>, apply_impulses<BroadLanes>, sweep<BroadLanes>},
-                                         normal_velocities,
-                                         round_velocities,
-                                         add_changes};
+constinit const ContactKernels kAvx2ContactKernels = kernels_named("avx2");
 
 }  // namespace epode
 #endif

@@ -9,13 +9,7 @@
 namespace epode {
 
 extern const ContactKernels kAvx512ContactKernels;
-const ContactKernels kAvx512ContactKernels{
-    "avx512",
-    {prepare<Lanes>, apply_impulses<Lanes>, sweep<Lanes>},
-    {prepare<BroadLanes>, apply_impulses<BroadLanes>, sweep<BroadLanes>},
-    normal_velocities,
-    round_velocities,
-    add_changes};
+constinit const ContactKernels kAvx512ContactKernels = kernels_named("avx512");
 
 }  // namespace epode
 #endif

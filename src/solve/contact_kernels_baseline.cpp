@@ -12,12 +12,7 @@ extern const ContactKernels kAvx2ContactKernels, kAvx512ContactKernels;
 
 namespace {
 
-constexpr ContactKernels kBaseline{"baseline",
-                                   {prepare<Lanes>, apply_impulses<Lanes>, sweep<Lanes>},
-                                   {prepare<BroadLanes>, apply_impulses<BroadLanes>, sweep<BroadLanes>},
-                                   normal_velocities,
-                                   round_velocities,
-                                   add_changes};
+constexpr ContactKernels kBaseline = kernels_named("baseline");
 
 constexpr const ContactKernels* kAll[] = {
     &kBaseline,

@@ -9,8 +9,7 @@
 namespace epode {
 
 extern const FrontKernels kAvx2FrontKernels;
-const FrontKernels kAvx2FrontKernels{"avx2",     factor,  factor_columns, subtract_outer,
-                                     add_border, forward, backward};
+constinit const FrontKernels kAvx2FrontKernels = kernels_named("avx2");
 
 }  // namespace epode
 #endif

@@ -9,8 +9,7 @@
 namespace epode {
 
 extern const FrontKernels kAvx512FrontKernels;
-const FrontKernels kAvx512FrontKernels{"avx512",   factor,  factor_columns, subtract_outer,
-                                       add_border, forward, backward};
+constinit const FrontKernels kAvx512FrontKernels = kernels_named("avx512");
 
 }  // namespace epode
 #endif

@@ -12,8 +12,7 @@ extern const FrontKernels kAvx2FrontKernels, kAvx512FrontKernels;
 
 namespace {
 
-constexpr FrontKernels kBaseline{"baseline", factor,  factor_columns, subtract_outer,
-                                 add_border, forward, backward};
+constexpr FrontKernels kBaseline = kernels_named("baseline");
 
 constexpr const FrontKernels* kAll[] = {
     &kBaseline,

@@ -10,7 +10,7 @@
 namespace epode {
 
 extern const JointKernels kAvx2JointKernels;
-const JointKernels kAvx2JointKernels{"avx2", prepare, follow, apply_impulses, sweep};
+constinit const JointKernels kAvx2JointKernels = kernels_named("avx2");
 
 }  // namespace epode
 #endif

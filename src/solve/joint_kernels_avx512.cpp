@@ -10,7 +10,7 @@
 namespace epode {
 
 extern const JointKernels kAvx512JointKernels;
-const JointKernels kAvx512JointKernels{"avx512", prepare, follow, apply_impulses, sweep};
+constinit const JointKernels kAvx512JointKernels = kernels_named("avx512");
 
 }  // namespace epode
 #endif

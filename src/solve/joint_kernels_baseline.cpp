@@ -13,7 +13,7 @@ extern const JointKernels kAvx2JointKernels, kAvx512JointKernels;
 
 namespace {
 
-constexpr JointKernels kBaseline{"baseline", prepare, follow, apply_impulses, sweep};
+constexpr JointKernels kBaseline = kernels_named("baseline");
 
 constexpr const JointKernels* kAll[] = {
     &kBaseline,

@@ -8,8 +8,7 @@
 namespace epode {
 
 extern const PatchKernels kAvx2PatchKernels;
-const PatchKernels kAvx2PatchKernels{"avx2",  prepare_patches, apply_patches, correct,    relax,
-                                     rebound, load_speeds,     take_changes,  accelerate, move};
+constinit const PatchKernels kAvx2PatchKernels = kernels_named("avx2");
 
 }  // namespace epode
 #endif

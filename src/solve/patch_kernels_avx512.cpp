@@ -9,8 +9,7 @@
 namespace epode {
 
 extern const PatchKernels kAvx512PatchKernels;
-const PatchKernels kAvx512PatchKernels{"avx512", prepare_patches, apply_patches, correct,    relax,
-                                       rebound,  load_speeds,     take_changes,  accelerate, move};
+constinit const PatchKernels kAvx512PatchKernels = kernels_named("avx512");
 
 }  // namespace epode
 #endif

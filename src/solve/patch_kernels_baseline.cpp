@@ -12,8 +12,7 @@ extern const PatchKernels kAvx2PatchKernels, kAvx512PatchKernels;
 
 namespace {
 
-constexpr PatchKernels kBaseline{"baseline", prepare_patches, apply_patches, correct,    relax,
-                                 rebound,    load_speeds,     take_changes,  accelerate, move};
+constexpr PatchKernels kBaseline = kernels_named("baseline");
 
 constexpr const PatchKernels* kAll[] = {
     &kBaseline,

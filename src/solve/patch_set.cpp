@@ -164,19 +164,13 @@ bool PatchSet::is_full(std::span<Patch* const> patches, std::size_t batch) const
 
 void PatchSet::fill(const RowSystem& system, const Substep& step)
 {
-    const auto each_body = [&](auto&& f) {
-        tasks_.in_ranges(int(kicks_.size()), kBodyRange, [&](int first, int last) {
-            for (auto i = std::size_t(first); i < std::size_t(last); ++i) f(i);
-        });
-    };
+    const auto each_body = [&](auto&& f) { tasks_.each_of(int(kicks_.size()), kBodyRange, f); };
     each_body([&](std::size_t i) {
         const SolverBody& b = system.bodies[i];
         motions_[i] = {
             {float(b.v.x), float(b.v.y), float(b.v.z), 0, float(b.w.x), float(b.w.y), float(b.w.z), 0}, {}};
     });
-    tasks_.in_ranges(int(batches_.size()), kBatchRange, [&](int first, int last) {
-        for (int b = first; b < last; ++b) fill_batch(system, step, std::size_t(b));
-    });
+    tasks_.each_of(int(batches_.size()), kBatchRange, [&](std::size_t b) { fill_batch(system, step, b); });
     // What the first small step begins with.
     each_body([&](std::size_t i) { motions_[i] = {}; });
     motions_.back() = {};
@@ -373,12 +367,11 @@ void PatchSet::follow_motion(std::span<const Velocity> bodies)
 
 void PatchSet::store_impulses(std::span<Patch* const> patches) const
 {
-    tasks_.in_ranges(int(batches_.size()), kBatchRange, [&](int first, int last) {
-        for (auto b = std::size_t(first); b < std::size_t(last); ++b)
-            for (int lane = 0; lane < kFloatLanes; ++lane) {
-                const int index = chosen_[b * kFloatLanes + std::size_t(lane)];
-                if (index >= 0) store_impulses(batches_[b], lane, *patches[std::size_t(index)]);
-            }
+    tasks_.each_of(int(batches_.size()), kBatchRange, [&](std::size_t b) {
+        for (int lane = 0; lane < kFloatLanes; ++lane) {
+            const int index = chosen_[b * kFloatLanes + std::size_t(lane)];
+            if (index >= 0) store_impulses(batches_[b], lane, *patches[std::size_t(index)]);
+        }
     });
 }
 

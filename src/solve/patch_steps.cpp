@@ -59,9 +59,7 @@ class PatchSteps {
     template <typename F>
     void each_body(F&& f) const
     {
-        tasks_.in_ranges(int(gain_.size()), kRange, [&](int first, int last) {
-            for (auto i = std::size_t(first); i < std::size_t(last); ++i) f(i);
-        });
+        tasks_.each_of(int(gain_.size()), kRange, f);
     }
 
     static constexpr int kRange = 512;  // bodies that one worker does

@@ -9,7 +9,7 @@
 namespace epode {
 
 extern const RowKernels kAvx2RowKernels;
-const RowKernels kAvx2RowKernels{"avx2", products, add_transposed, assemble, advance, aim, centre, finish};
+constinit const RowKernels kAvx2RowKernels = kernels_named("avx2");
 
 }  // namespace epode
 #endif

@@ -9,8 +9,7 @@
 namespace epode {
 
 extern const RowKernels kAvx512RowKernels;
-const RowKernels kAvx512RowKernels{"avx512", products, add_transposed, assemble,
-                                   advance,  aim,      centre,         finish};
+constinit const RowKernels kAvx512RowKernels = kernels_named("avx512");
 
 }  // namespace epode
 #endif

@@ -12,7 +12,7 @@ extern const RowKernels kAvx2RowKernels, kAvx512RowKernels;
 
 namespace {
 
-constexpr RowKernels kBaseline{"baseline", products, add_transposed, assemble, advance, aim, centre, finish};
+constexpr RowKernels kBaseline = kernels_named("baseline");
 
 constexpr const RowKernels* kAll[] = {
     &kBaseline,

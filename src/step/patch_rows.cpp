@@ -97,12 +97,10 @@ void for_points(const IslandWork& work, Visit&& visit)
 
 void place_patches(const Tasks& tasks, const Island& island)
 {
-    tasks.in_ranges(int(island.patches.size()), kObjectRange, [&](int first, int last) {
-        for (auto i = std::size_t(first); i < std::size_t(last); ++i) {
-            const PatchEdge& edge = *island.patches[i];
-            edge.patch->body1 = edge.body[0]->island_index;
-            edge.patch->body2 = edge.body[1] ? edge.body[1]->island_index : -1;
-        }
+    tasks.each_of(int(island.patches.size()), kObjectRange, [&](std::size_t i) {
+        const PatchEdge& edge = *island.patches[i];
+        edge.patch->body1 = edge.body[0]->island_index;
+        edge.patch->body2 = edge.body[1] ? edge.body[1]->island_index : -1;
     });
 }
 

@@ -12,8 +12,6 @@
 #include <atomic>
 #include <new>
 
-#include "base/ahead.h"
-#include "dynamics/integrate.h"
 #include "dynamics/island.h"
 #include "dynamics/sleep.h"
 #include "step/finish.h"

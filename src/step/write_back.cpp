@@ -80,11 +80,9 @@ bool sound(const RowSystem& system, int part, const Tasks& tasks)
 
 void write_back(const IslandWork& work, const Tasks& tasks)
 {
-    tasks.in_ranges(int(work.system.bodies.size()), kObjectRange, [&](int first, int last) {
-        for (auto i = std::size_t(first); i < std::size_t(last); ++i) {
-            store(work.island.bodies[i]->lvel, work.system.bodies[i].v);
-            store(work.island.bodies[i]->avel, work.system.bodies[i].w);
-        }
+    tasks.each_of(int(work.system.bodies.size()), kObjectRange, [&](std::size_t i) {
+        store(work.island.bodies[i]->lvel, work.system.bodies[i].v);
+        store(work.island.bodies[i]->avel, work.system.bodies[i].w);
     });
     for (std::size_t k = 0; k < work.joints.size(); ++k) {
         Joint& joint = *work.joints[k];

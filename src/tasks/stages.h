@@ -18,7 +18,6 @@
 #include "base/config.h"
 #include "tasks/spin.h"
 #include "tasks/tasks.h"
-#include "tasks/thread_pool.h"
 
 namespace epode {
 
@@ -67,9 +66,9 @@ class Stages {
         const int end = int((long long)count * (share + 1) / shares_);
         int done = 0;
         for (Ticket seen = share_[share].ticket.load(std::memory_order_acquire);;) {
-            const bool begun = int(seen >> 32) == stage;
-            const int next = begun ? int(seen & 0xffffffffu) : begin;
-            if (next >= end || (!begun && int(seen >> 32) > stage)) return done;
+            const int begun = int(seen >> 32);
+            const int next = begun == stage ? int(seen & 0xffffffffu) : begin;
+            if (next >= end || begun > stage) return done;
             const Ticket taken = Ticket(stage) << 32 | Ticket(next + 1);
             if (!share_[share].ticket.compare_exchange_weak(seen, taken, std::memory_order_acq_rel)) continue;
             seen = taken;

@@ -48,6 +48,15 @@ class Tasks {
                  [&](int i, int) { body(i * size, i * size + size < count ? i * size + size : count); });
     }
 
+    // body(i) for 0 ... count - 1, in such ranges.
+    template <typename Body>
+    void each_of(int count, int size, Body&& body) const
+    {
+        in_ranges(count, size, [&](int first, int last) {
+            for (int i = first; i < last; ++i) body(std::size_t(i));
+        });
+    }
+
   private:
     using Piece = void (*)(void* body, int index, int worker);
     void run(int count, Piece piece, void* body) const;

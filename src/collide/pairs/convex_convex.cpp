@@ -243,8 +243,8 @@ void single(const Side& a, const Side& b, Vec3 normal, Real depth, Manifold& out
     const Shown of_a = shown(a.view, a.feature, -normal, lean), of_b = shown(b.view, b.feature, normal, lean);
     if (side_by_side(of_a, of_b, normal, radii, depth, a.view.radius, out)) return;
     Vec3 p, p_end, q, q_end, x, y;
-    line_or_point(a.view, of_a, -normal, exact, p, p_end),
-        line_or_point(b.view, of_b, normal, exact, q, q_end);
+    line_or_point(a.view, of_a, -normal, exact, p, p_end);
+    line_or_point(b.view, of_b, normal, exact, q, q_end);
     closest_segment_points(p + depth * normal, p_end + depth * normal, q, q_end, x, y);
     x = x - depth * normal;
     const Vec3 low_a = x - a.view.radius * normal, high_b = y + b.view.radius * normal;
