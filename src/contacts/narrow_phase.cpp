@@ -15,6 +15,9 @@ namespace {
 
 constexpr Real kReuse = Real(0.02);         // of the size, for full patches
 constexpr Real kReuseLayer = Real(0.25);    // of the layer, for others
+constexpr Real kSwift = Real(0.02);         // of the size, a way in one step
+constexpr Real kNear = Real(0.3);           // of the size, at most, for points that do not touch yet
+constexpr Real kSameNormal = Real(0.996);   // cosine, 5 degrees
 constexpr int kSolidPoints = kPatchPoints;  // that are asked for
 constexpr int kSurfacePoints = 16;
 
@@ -164,26 +167,62 @@ class PairUpdate {
                          false};
         const Aabb &box1 = box_of(g1_), &box2 = box_of(g2_);
         if (!apart_ && overlap(box1, box2)) epode::collide(g1_, g2_, out);
-        if (out.count > 0) return take(out, pose1_, pose2_, old);
+        if (out.count > 0) {
+            take(out, pose1_, pose2_, old);
+            return add_near_points(pose1_, pose2_, old);
+        }
         const Foresight& soon = settings_.soon;
         if (!draws_near() || !overlap(soon.box(pair_.body1, box1), soon.box(pair_.body2, box2))) return;
         const Pose soon1 = soon.pose(pair_.body1, pose1_), soon2 = soon.pose(pair_.body2, pose2_);
         if (can_be_parted() && find_parting(soon1, soon2)) return;
         collide_at(g1_, soon1, g2_, soon2, out);
         take(out, soon1, soon2, {});
+        add_near_points(soon1, soon2, {});
         if (one_stands() && (is_round(g1_) || is_round(g2_)))
             for (KeptPatch& part : parts_.first(pair_.count)) look_back(part, soon1);
         drop_passed();
     }
 
     // Is it worth while to look where the two will be?
-    bool draws_near() const
+    bool draws_near() const { return settings_.foresees && way() > settings_.layer; }
+
+    // Of the smaller one's surface in the frame of the other, in the step.
+    Real way() const
     {
-        if (!settings_.foresees) return false;
         const Vec3 v = settings_.soon.velocity(pair_.body1) - settings_.soon.velocity(pair_.body2);
         const Real turned = spin(pair_.body1) + spin(pair_.body2);
-        const Real size = size_of(g1_, g2_);
-        return settings_.soon.h * (length(v) + size * turned) > settings_.layer;
+        return settings_.soon.h * (length(v) + size_of(g1_, g2_) * turned);
+    }
+
+    // Who lands on a corner turns about it, and the corner opposite comes down with twice the speed and more.
+    // So points that do not overlap at A and B yet are taken in too: those that do with the first one pushed
+    // into the other, if the normal stays what it is.
+    void add_near_points(const Pose& A, const Pose& B, std::span<const KeptPatch> old)
+    {
+        if (!may_have_near_points()) return;
+        const Real size = size_of(g1_, g2_), way = this->way();
+        if (way <= kSwift * size) return;
+        const Vec3 n = widen(parts_[0].patch.normal);
+        const Vec3 into = -std::min(2 * way, kNear * size) * n;
+        dContactGeom found[kSolidPoints];
+        ContactArray out{found, int(sizeof(dContactGeom)), kSolidPoints, false};
+        collide_at(g1_, {A.p + into, A.R}, g2_, B, out);
+        if (out.count <= parts_[0].patch.count) return;
+        for (int i = 0; i < out.count; ++i) {
+            dContactGeom& c = *out.at(i);
+            if (!(dot(load(c.normal), n) > kSameNormal)) return;
+            store(c.pos, load(c.pos) - Real(0.5) * into);
+            c.depth -= length(into);
+        }
+        take(out, A, B, old);
+    }
+
+    // Spheres have no second point, and functions of the program may mean anything.
+    bool may_have_near_points() const
+    {
+        if (!settings_.foresees || pair_.most > 1 || pair_.asked || pair_.count != 1) return false;
+        if (g1_.type->number == dSphereClass || g2_.type->number == dSphereClass) return false;
+        return parts_[0].patch.count < kPatchPoints;
     }
 
     static Real spin(const Body* body) { return body ? length(body->angular_velocity()) : 0; }
