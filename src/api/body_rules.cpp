@@ -19,7 +19,7 @@ bool take_sleep_rule(Body& body)
     const World& world = *body.world;
     if (!set_sleep_samples(body, world.sleep.samples)) return false;
     body.sleep = world.sleep;
-    body.auto_disable = world.auto_disable;
+    watch(body, world.auto_disable);
     if (!world.auto_disable) body.disabled = false;
     return true;
 }

@@ -47,7 +47,7 @@ void unlink(Body& body)
 
 Body::Body(World& w) : Numbered(Tag::kBody), world(&w), mass(unit_mass())
 {
-    auto_disable = w.auto_disable;
+    watch(*this, w.auto_disable);
     sleep = w.sleep;
     damping = w.damping;
     max_angular_speed = w.max_angular_speed;
@@ -112,6 +112,12 @@ void set_dynamic(Body& body)
     set_mass(body, stored);
 }
 
+void watch(Body& body, bool on)
+{
+    body.auto_disable = on;
+    if (on) body.world->watches_bodies = true;
+}
+
 // Switching it off also wakes the body and takes the idle rules of the world again, as ODE does.
 bool set_auto_disable(Body& body, bool on)
 {
@@ -121,7 +127,7 @@ bool set_auto_disable(Body& body, bool on)
         body.sleep.steps = body.world->sleep.steps;
         body.sleep.time = body.world->sleep.time;
     }
-    body.auto_disable = on;
+    watch(body, on);
     return true;
 }
 

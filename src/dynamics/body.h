@@ -53,7 +53,7 @@ struct Body : Numbered {
     JointNode* joints = nullptr;   // most recently attached first
     PatchEdge* patches = nullptr;  // contacts that the world manages, during a step
     dxGeom* first_geom = nullptr;  // list of geoms; only step/link.cpp looks inside
-    int island_index = -1;         // place in its island during a step, else -1
+    int island_index = -1;         // place in its island during a step, else below 0
     bool disabled = false;
     bool auto_disable = false;
     bool patched = false;  // by a contact that the world manages, in the last step
@@ -122,6 +122,7 @@ void set_orientation(Body& body, Quat unit);   // writes q and R
 bool set_mass(Body& body, const dMass& mass);  // false: not positive definite or off-centre, nothing changed
 void set_kinematic(Body& body);
 void set_dynamic(Body& body);
+void watch(Body& body, bool on);                           // sets `auto_disable`, no more
 [[nodiscard]] bool set_auto_disable(Body& body, bool on);  // false: no memory, nothing changed
 [[nodiscard]] bool set_sleep_samples(Body& body, int samples);
 void wake(Body& body);  // clears `disabled` and reloads the idle counters

@@ -2,88 +2,208 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Depth-first search with an explicit stack from each awake body, newest first. The order of bodies and
-// joints is a function of the calls that built the world only. Union-find would do as well; the search walks
-// the adjacency that exists anyway and yields bodies in an order in which neighbours are close in memory.
+// joints is a function of the calls that built the world only. Union-find would do as well; the search yields
+// bodies in an order in which neighbours are close in memory.
+// Joints come by the ten thousand, mostly contacts, and lie apart in memory: one walk along the world's list,
+// in which they lie as a rule one behind the other, finds out all that is asked of them here. Joints that
+// follow each other there between the same two bodies, as the contacts of a pair do, are one bond; the search
+// goes over bonds, three in two lines of the cache.
 #include "dynamics/island.h"
 
 #include <cstdint>
+#include <new>
 
 #include "base/ahead.h"
 
 namespace epode {
 namespace {
 
+// Acting joints of one pair of bodies, given by their places in the world's list.
+struct Bond {
+    int body[2];  // the second is kWorld for the static world
+    int next[2];  // in the lists of the bodies
+    int first, count;
+    bool plain, taken;  // all of them plain contacts?
+    bool feedback, impulses;
+};
+
+constexpr int kWorld = -1, kNone = -1;
+
+// While the search is on, a body that it has not taken up has its place in the world's list in island_index,
+// so that a pointer to it tells both.
+int place_of(const Body& body) { return -2 - body.island_index; }
+void set_place(Body& body, int place) { body.island_index = -2 - place; }
+bool taken_up(const Body& body) { return body.island_index >= 0; }
+
+enum class Reach : std::uint8_t { kAwake, kAsleep, kReached };
+
+// The world as arrays, newest first.
+class Bonds {
+  public:
+    Bonds(const World& world, Arena& arena)
+        : bodies_(arena.take<Body*>(world.body_count)),
+          reach_(arena.take<Reach>(world.body_count)),
+          newest_(arena.take<int>(world.body_count)),
+          joints_(arena.take<Joint*>(world.joint_count)),
+          bonds_(arena.take<Bond>(world.joint_count))
+    {}
+
+    void gather(Body* newest, Joint* newest_joint)
+    {
+        std::size_t count = 0;
+        for_each_linked<1>(newest, [&](Body& b) {
+            b.patches = nullptr;
+            set_place(b, int(count));
+            bodies_[count] = &b;
+            reach_[count] = b.disabled ? Reach::kAsleep : Reach::kAwake;
+            newest_[count++] = kNone;
+        });
+        bodies_ = bodies_.first(count);
+        for_each_linked<2>(newest_joint, [&](Joint& joint) { add(joint); });
+        // From the oldest on, so that each list begins with the newest.
+        for (int i = bond_count_; i-- > 0;) link(i);
+    }
+
+    std::size_t body_count() const { return bodies_.size(); }
+    Body& body(std::size_t place) const { return *bodies_[place]; }
+    Reach& reach(std::size_t place) { return reach_[place]; }
+    // f(bond, the body's side of it), the newest first.
+    template <typename F>
+    void for_each_of(std::size_t place, F&& f)
+    {
+        for (int i = newest_[place]; i != kNone;) {
+            Bond& bond = bonds_[std::size_t(i)];
+            const int side = bond.body[0] == int(place) ? 0 : 1;
+            f(bond, side);
+            i = bond.next[side];
+        }
+    }
+    std::span<Joint* const> joints_of(const Bond& bond) const
+    {
+        return joints_.subspan(std::size_t(bond.first), std::size_t(bond.count));
+    }
+
+  private:
+    void add(Joint& joint)
+    {
+        if (joint.disabled) return;
+        const Body *body1 = joint.body1(), *body2 = joint.body2();
+        if (body1 != body1_ || body2 != body2_) {
+            body1_ = body1, body2_ = body2;
+            acting_ = acting(joint);
+            open_ = nullptr;
+        }
+        if (!acting_) return;
+        if (!open_ || open_->plain != joint.plain) open_bond(joint);
+        joints_[std::size_t(joint_count_++)] = &joint;
+        ++open_->count;
+        open_->feedback = open_->feedback || joint.feedback;
+        open_->impulses = open_->impulses || joint.impulse_rows;
+    }
+
+    void open_bond(const Joint& joint)
+    {
+        open_ = &bonds_[std::size_t(bond_count_++)];
+        *open_ = {};
+        open_->body[0] = place_of(*body1_);
+        open_->body[1] = body2_ ? place_of(*body2_) : kWorld;
+        open_->first = joint_count_;
+        open_->plain = joint.plain;
+    }
+
+    void link(int i)
+    {
+        Bond& bond = bonds_[std::size_t(i)];
+        for (int side = 0; side < 2; ++side)
+            if (bond.body[side] != kWorld) {
+                int& newest = newest_[std::size_t(bond.body[side])];
+                bond.next[side] = newest;
+                newest = i;
+            }
+    }
+
+    std::span<Body*> bodies_;
+    std::span<Reach> reach_;
+    std::span<int> newest_;  // bond of each body
+    std::span<Joint*> joints_;
+    std::span<Bond> bonds_;
+    int joint_count_ = 0, bond_count_ = 0;
+    const Body *body1_ = nullptr, *body2_ = nullptr;  // of the last joint,
+    bool acting_ = false;                             // which acts as it is not disabled
+    Bond* open_ = nullptr;                            // the last bond, if the next joint may belong to it
+};
+
 class Search {
   public:
-    Search(World& world, std::span<PatchEdge> patches, Arena& arena)
-        : mark_(int(world.step_count)),
-          bodies_(arena.take<Body*>(world.body_count)),
+    Search(const World& world, std::size_t patches, Arena& arena)
+        : bodies_(arena.take<Body*>(world.body_count)),
           joints_(arena.take<Joint*>(world.joint_count)),
-          patches_(arena.take<PatchEdge*>(int(patches.size()))),
-          stack_(arena.take<Body*>(world.body_count)),
+          patches_(arena.take<PatchEdge*>(int(patches))),
           islands_(arena.take<Island>(world.body_count))
     {}
 
-    void grow_from(Body& seed)
+    // `stack`: room for all bodies' places.
+    void grow_from(std::size_t seed, Bonds& bonds, std::span<int> stack)
     {
-        const int first_body = body_count_, first_joint = joint_count_, first_patch = patch_count_;
-        seed.island_index = 0;
-        int depth = 0;
-        stack_[std::size_t(depth++)] = &seed;
+        const std::size_t first_body = body_count_, first_joint = joint_count_, first_patch = patch_count_;
+        Island& island = *new (&islands_[island_count_++]) Island;
+        std::size_t depth = 0;
+        const auto reach = [&](int place) {
+            Reach& reached = bonds.reach(std::size_t(place));
+            if (reached == Reach::kReached) return;
+            reached = Reach::kReached;
+            fetch<1>(&bonds.body(std::size_t(place)));
+            stack[depth++] = place;
+        };
+        reach(int(seed));
         while (depth) {
-            Body& body = *stack_[std::size_t(--depth)];
-            body.island_index = body_count_ - first_body;
-            bodies_[std::size_t(body_count_++)] = &body;
-            for_each_linked<2, 1>(body.joints, [&](JointNode& n) { visit(n, depth); });
+            const auto place = std::size_t(stack[--depth]);
+            Body& body = bonds.body(place);
+            body.island_index = int(body_count_ - first_body);
+            bodies_[body_count_++] = &body;
+            bonds.for_each_of(place, [&](Bond& bond, int side) {
+                if (bond.taken) return;
+                bond.taken = true;
+                take(bonds.joints_of(bond), bond, island);
+                if (const int other = bond.body[1 - side]; other != kWorld) reach(other);
+            });
             for (PatchEdge* e = body.patches; e;) {
                 const int side = e->body[0] == &body ? 0 : 1;
-                visit(*e, side, depth);
+                if (take(*e))
+                    if (const Body* other = e->body[1 - side]; other && !taken_up(*other))
+                        reach(place_of(*other));
                 e = e->next[side];
             }
         }
-        islands_[std::size_t(island_count_++)] = {
-            bodies_.subspan(std::size_t(first_body), std::size_t(body_count_ - first_body)),
-            joints_.subspan(std::size_t(first_joint), std::size_t(joint_count_ - first_joint)),
-            patches_.subspan(std::size_t(first_patch), std::size_t(patch_count_ - first_patch))};
+        island.bodies = bodies_.subspan(first_body, body_count_ - first_body);
+        island.joints = joints_.subspan(first_joint, joint_count_ - first_joint);
+        island.patches = patches_.subspan(first_patch, patch_count_ - first_patch);
     }
 
-    std::span<Island> islands() const { return islands_.first(std::size_t(island_count_)); }
+    std::span<Island> islands() const { return islands_.first(island_count_); }
 
   private:
-    void visit(JointNode& node, int& depth)
+    void take(std::span<Joint* const> joints, const Bond& bond, Island& island)
     {
-        Joint& joint = *node.joint;
-        if (joint.island_mark == mark_ || !acting(joint)) return;
-        joint.island_mark = mark_;
-        joints_[std::size_t(joint_count_++)] = &joint;
-        reach(joint.node[&node == &joint.node[0] ? 1 : 0].body, depth);
+        for (Joint* joint : joints) joints_[joint_count_++] = joint;
+        if (bond.plain) island.plain_contacts += bond.count;
+        island.feedback = island.feedback || (bond.plain && bond.feedback);
+        island.impulses = island.impulses || bond.impulses;
     }
 
-    void visit(PatchEdge& edge, int side, int& depth)
+    bool take(PatchEdge& edge)
     {
-        if (edge.taken) return;
+        if (edge.taken) return false;
         edge.taken = true;
-        patches_[std::size_t(patch_count_++)] = &edge;
-        reach(edge.body[1 - side], depth);
+        patches_[patch_count_++] = &edge;
+        return true;
     }
 
-    void reach(Body* other, int& depth)
-    {
-        if (!other || other->island_index >= 0) return;
-        other->island_index = 0;  // tagged; its place is known when it is taken from the stack
-        fetch<1>(other->patches);
-        const auto node = reinterpret_cast<std::uintptr_t>(other->joints);  // in a joint, not looked at yet
-        fetch<2>(reinterpret_cast<const void*>(node - kCacheLine));
-        stack_[std::size_t(depth++)] = other;
-    }
-
-    int mark_;
     std::span<Body*> bodies_;
     std::span<Joint*> joints_;
     std::span<PatchEdge*> patches_;
-    std::span<Body*> stack_;
     std::span<Island> islands_;
-    int body_count_ = 0, joint_count_ = 0, patch_count_ = 0, island_count_ = 0;
+    std::size_t body_count_ = 0, joint_count_ = 0, patch_count_ = 0, island_count_ = 0;
 };
 
 // Into the lists of their bodies, in order.
@@ -101,15 +221,19 @@ void link(std::span<PatchEdge> patches)
 
 bool find_islands(World& world, std::span<PatchEdge> patches, Arena& arena, std::span<Island>& islands)
 {
-    // Bodies that the program creates while it is asked for memory come before this one: the next step's.
+    // Bodies and joints that the program creates while it is asked for memory come before these: the next
+    // step's.
     Body* const newest = world.bodies;
-    Search search(world, patches, arena);
+    Joint* const newest_joint = world.joints;
+    Search search(world, patches.size(), arena);
+    Arena::Scope scope(arena);
+    Bonds bonds(world, arena);
+    const auto stack = arena.take<int>(world.body_count);
     if (arena.failed()) return false;
-    for_each_linked<1>(newest, [](Body& b) { b.island_index = -1, b.patches = nullptr; });
+    bonds.gather(newest, newest_joint);
     link(patches);
-    for_each_linked<1>(newest, [&](Body& b) {
-        if (b.island_index < 0 && !b.disabled) search.grow_from(b);
-    });
+    for (std::size_t place = 0; place < bonds.body_count(); ++place)
+        if (bonds.reach(place) == Reach::kAwake) search.grow_from(place, bonds, stack);
     islands = search.islands();
     return true;
 }

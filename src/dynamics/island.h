@@ -25,9 +25,12 @@ struct Island {
     std::span<Body*> bodies;
     std::span<Joint*> joints;
     std::span<PatchEdge*> patches;
+    int plain_contacts = 0;  // of the joints
+    bool feedback = false;   // is asked of one of these contacts
+    bool impulses = false;   // are remembered by a joint
 };
 
-// Writes each awake body's place in its island to `island_index`. `patches`: those that touch in this step.
+// Writes each stepped body's place in its island to `island_index`. `patches`: those that touch in this step.
 // False: out of memory.
 bool find_islands(World& world, std::span<PatchEdge> patches, Arena& arena, std::span<Island>& islands);
 

@@ -15,7 +15,6 @@ void enter(JointNode& node, Body* body)
 {
     node.body = body;
     if (!body) return;
-    node.prev = nullptr;
     node.next = body->joints;
     if (node.next) node.next->prev = &node;
     body->joints = &node;
@@ -29,15 +28,20 @@ JointNode* next_lasting(JointNode* n)
     return n;
 }
 
-void leave(JointNode& node)
+// Contacts go the newest first: then nothing is touched but the joint and the first line of the body.
+void leave(JointNode& node, bool contact)
 {
-    if (node.body) {
-        if (node.body->lasting == &node) node.body->lasting = next_lasting(&node);
-        (node.prev ? node.prev->next : node.body->joints) = node.next;
+    Body* const body = node.body;
+    if (!body) return;
+    if (!contact && body->lasting == &node) body->lasting = next_lasting(&node);
+    if (body->joints == &node) {
+        body->joints = node.next;
+    } else {
+        node.prev->next = node.next;
         if (node.next) node.next->prev = node.prev;
     }
     node.body = nullptr;
-    node.next = node.prev = nullptr;
+    node.next = nullptr;
 }
 
 }  // namespace
@@ -51,8 +55,9 @@ Joint::~Joint() = default;
 
 void detach(Joint& joint)
 {
-    leave(joint.node[0]);
-    leave(joint.node[1]);
+    const bool contact = is_contact(joint);
+    leave(joint.node[0], contact);
+    leave(joint.node[1], contact);
     joint.impulse_rows = 0;
 }
 

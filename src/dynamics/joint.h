@@ -25,7 +25,7 @@ struct JointNode {
     Joint* joint = nullptr;
     Body* body = nullptr;
     JointNode* next = nullptr;
-    JointNode* prev = nullptr;
+    JointNode* prev = nullptr;  // of the first of a list: anything
 };
 
 struct JointType {
@@ -53,9 +53,9 @@ struct Joint : Tagged {
     bool reverse : 1 = false;
     bool disabled : 1 = false;
     bool grouped : 1 = false;  // a group destroys it
+    bool plain : 1 = false;    // a contact that is a normal with two tangents or with none (rows/manifold.h)
     std::uint8_t impulse_rows = 0;
     std::uint16_t mode = 0;  // of a contact's surface
-    int island_mark = 0;     // step number of the last visit
     const JointType* type;
     World* world;  // null once its world is gone and only a group keeps it
     dJointFeedback* feedback = nullptr;
@@ -87,7 +87,7 @@ void destroy_joint(Joint& joint);
 // Acts in the step: not disabled and at least one body that can move.
 inline bool acting(const Joint& j)
 {
-    return !j.disabled && ((j.body1() && j.body1()->inv_mass > 0) || (j.body2() && j.body2()->inv_mass > 0));
+    return !j.disabled && ((j.body1() && !j.body1()->kinematic()) || (j.body2() && !j.body2()->kinematic()));
 }
 
 inline bool is_contact(const Joint& joint) { return joint.type->number == dJointTypeContact; }

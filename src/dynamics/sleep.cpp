@@ -39,6 +39,7 @@ void put_to_sleep(Body& body)
 
 void auto_disable(World& world, Real h)
 {
+    if (!world.watches_bodies) return;
     for_each_linked<1>(world.bodies, [h](Body& b) {
         if ((!b.joints && !b.patched) || !b.auto_disable || b.disabled || b.sleep.samples <= 0) return;
         if (idle(b)) {

@@ -49,6 +49,7 @@ struct World : Tagged {
 
     // Seeds of new bodies.
     bool auto_disable = false;
+    bool watches_bodies = false;  // some have had `auto_disable`: else nobody need look
     SleepRule sleep;
     DampingRule damping;
     Real max_angular_speed = kInf;

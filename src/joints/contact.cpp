@@ -13,6 +13,7 @@
 
 #include <algorithm>
 
+#include "base/ahead.h"
 #include "joints/access.h"
 #include "joints/contact_manifolds.h"
 #include "rows/policy.h"
@@ -32,9 +33,11 @@ struct Contact : Joint {
           mu(c.surface.mu)
     {
         mode = std::uint16_t(c.surface.mode);
-        if (!has(~dContactApprox1)) return;
-        surface = c.surface;
-        std::copy_n(c.fdir1, 3, fdir1);
+        if (has(~dContactApprox1)) {
+            surface = c.surface;
+            std::copy_n(c.fdir1, 3, fdir1);
+        }
+        plain = fits_manifold();
     }
 
     alignas(kCacheLine) Vec3 pos;
@@ -46,6 +49,7 @@ struct Contact : Joint {
     bool has(int bits) const { return (mode & bits) != 0; }
     Vec3 outward() const { return reverse ? -normal : normal; }  // into body 1
     Real mu2() const { return has(dContactMu2) ? surface.mu2 : mu; }
+    bool fits_manifold() const;
     bool sliding_at_all() const { return mu > 0 || has(dContactAxisDep | dContactRolling); }
 
     void emit(RowWriter& out) const;
@@ -87,6 +91,14 @@ void Contact::describe(DifWriter& out) const
     const int approximation = (mode & dContactApprox1) / dContactApprox1_1;
     if (approximation) out.integer("friction_approximation", approximation);
     if (has(dContactFDir1)) epode::describe(out, "fdir1", load(fdir1));
+}
+
+// The second coefficient is asked for last: the surface is copied where its mode names it.
+bool Contact::fits_manifold() const
+{
+    if (has(dContactRolling)) return false;
+    if (!has(dContactMu2 | dContactAxisDep)) return true;
+    return mu > 0 ? mu2() > 0 : !has(dContactAxisDep);
 }
 
 Row& Contact::contact_row(RowWriter& out, Vec3 d, RowKind kind) const
@@ -226,28 +238,20 @@ inline ManifoldPoint point_of(const Contact& contact, const StepInfo& info, Vec3
 
 }  // namespace
 
-bool fits_manifold(const Joint& joint)
-{
-    if (joint.type != &kContactType) return false;
-    const Contact& contact = static_cast<const Contact&>(joint);
-    if (!contact.has(dContactRolling | dContactMu2 | dContactAxisDep)) return true;
-    if (contact.has(dContactRolling)) return false;
-    return contact.mu > 0 ? contact.mu2() > 0 : !contact.has(dContactAxisDep);
-}
-
 void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, ManifoldList& out)
 {
+    constexpr int kLines = 4;  // of a contact without special surface
     std::size_t manifolds = 0;
     const Contact* last = nullptr;
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        const Contact& contact = static_cast<const Contact&>(*contacts[i]);
+    for_each_fetched<kLines>(contacts, [&](std::size_t i, const Joint& joint) {
+        const Contact& contact = static_cast<const Contact&>(joint);
         if (!last || !joins(*last, contact) || out.manifolds[manifolds - 1].count == kManifoldPoints)
             out.manifolds[manifolds++] = begin_manifold(contact, info, int(i));
         Manifold& m = out.manifolds[manifolds - 1];
         out.points[i] = point_of(contact, info, m.n);
         ++m.count;
         last = &contact;
-    }
+    });
     out.manifolds = out.manifolds.first(manifolds);
 }
 

@@ -10,10 +10,7 @@
 
 namespace epode {
 
-// A contact that is a normal with two tangents or with none: what a manifold can say.
-bool fits_manifold(const Joint& joint);
-
-// Consecutive contacts of the same bodies, with the same normal and friction, share a manifold. `out` has
+// Consecutive of these plain contacts (Joint::plain) of the same bodies, with the same normal and friction, share a manifold. `out` has
 // room for as many of each as there are contacts, in whose order the points are; its manifolds are cut to
 // their number.
 void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, ManifoldList& out);

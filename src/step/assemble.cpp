@@ -18,8 +18,6 @@
 namespace epode {
 namespace {
 
-constexpr int kLinesOfContact = 4;
-
 // A tensor of the body's frame in the world's; that of a sphere or cube is the same in all.
 Sym3 in_world(const Body& body, const Sym3& s)
 {
@@ -48,22 +46,20 @@ void add_applied(const RowWriter& out, Joint& joint)
 }
 
 // Contacts that can be manifolds, and the others, each in the island's order.
-bool sort_joints(std::span<Joint* const> joints, bool manifolds, Arena& arena, IslandWork& work)
+bool sort_joints(const Island& island, bool manifolds, Arena& arena, IslandWork& work)
 {
-    auto sorted = arena.take<Joint*>(int(joints.size()));
+    const std::span<Joint*> joints = island.joints;
+    const std::size_t contacts = manifolds ? std::size_t(island.plain_contacts) : 0;
+    work.contact_feedback = manifolds && island.feedback;
+    work.contacts = joints, work.joints = {};
+    if (contacts == joints.size()) return true;
+    const auto sorted = arena.take<Joint*>(int(joints.size()));
     if (arena.failed()) return false;
-    std::size_t contacts = 0, others = joints.size();
-    for_each_fetched<kLinesOfContact>(joints, [&](std::size_t, Joint& joint) {
-        if (manifolds && fits_manifold(joint)) {
-            sorted[contacts++] = &joint;
-            work.contact_feedback = work.contact_feedback || joint.feedback;
-        } else {
-            sorted[--others] = &joint;
-        }
+    work.contacts = sorted.first(contacts), work.joints = sorted.subspan(contacts);
+    std::size_t contact = 0, other = 0;
+    for_each_fetched<1>(std::span<Joint* const>(joints), [&](std::size_t, Joint& joint) {
+        (manifolds && joint.plain ? work.contacts[contact++] : work.joints[other++]) = &joint;
     });
-    work.contacts = sorted.first(contacts);
-    work.joints = sorted.subspan(contacts);
-    std::reverse(work.joints.begin(), work.joints.end());
     return true;
 }
 
@@ -174,7 +170,7 @@ bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Ar
     const bool forces_known = island.joints.empty();
     const std::size_t first = undo ? undo->first_of(island.bodies) : 0;
     work.system.h = h;
-    if (!sort_joints(island.joints, solver.manifolds, arena, work)) return false;
+    if (!sort_joints(island, solver.manifolds, arena, work)) return false;
     const std::span<Joint*> joints = work.joints;
     const int joint_count = int(joints.size()), contact_count = int(work.contacts.size());
     const bool as_rows = !solver.takes_patches;

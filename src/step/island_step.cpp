@@ -246,7 +246,13 @@ Island joined(std::span<const Island> islands)
         const auto &first = islands.front().*items, &last = islands.back().*items;
         return std::span(first.data(), last.data() + last.size());
     };
-    return {all(&Island::bodies), all(&Island::joints), all(&Island::patches)};
+    Island sum{all(&Island::bodies), all(&Island::joints), all(&Island::patches)};
+    for (const Island& island : islands) {
+        sum.plain_contacts += island.plain_contacts;
+        sum.feedback = sum.feedback || island.feedback;
+        sum.impulses = sum.impulses || island.impulses;
+    }
+    return sum;
 }
 
 bool step_islands(const StepContext& context, std::span<const Island> islands, IslandPlace place,

@@ -135,8 +135,7 @@ class WorldStep {
             remember_choice(islands_[i], *solvers_[i], factorisations_[i]);
     }
 
-    // As if there had been no step: the count of steps too, which is the random order's seed and marks
-    // joints.
+    // As if there had been no step: the count of steps too, which is the random order's seed.
     void take_back()
     {
         context_.contacts.take_back();
@@ -144,7 +143,6 @@ class WorldStep {
         if (continuous_.marked())
             for (Body* body : undo_.bodies()) body_moved(*body);
         --context_.world.step_count;
-        for (Joint* j = context_.world.joints; j; j = j->next) j->island_mark = 0;
     }
 
   private:

@@ -30,6 +30,7 @@ std::span<T> joined(std::span<T> first, std::span<T> last)
 
 bool StepUndo::save_idleness(Arena& arena)
 {
+    if (!world_.watches_bodies) return true;
     int count = 0;
     for_each_linked<1>(world_.bodies, [&](const Body& b) { count += b.auto_disable; });
     idleness_ = arena.take<Idleness>(count);
@@ -54,8 +55,7 @@ bool StepUndo::save_islands(std::span<const Island> islands, Arena& arena)
     const std::span<Body* const> bodies = joined(islands.front().bodies, islands.back().bodies);
     saved_ = arena.take<Saved>(int(bodies.size()));
     marks_ = arena.take_zeroed<Mark>(int(bodies.size()));
-    if (arena.failed() || !save_impulses(joined(islands.front().joints, islands.back().joints), arena))
-        return false;
+    if (arena.failed() || !save_impulses(islands, arena)) return false;
     bodies_ = bodies;  // now there is something to restore
     for_each_fetched<1>(bodies_, [&](std::size_t i, Body& body) {
         marks_[i].slept = body.disabled;
@@ -72,22 +72,28 @@ void StepUndo::save(std::size_t i)
     marks_[i].saved = true;
 }
 
-// Most joints are contacts, which remember nothing.
-bool StepUndo::save_impulses(std::span<Joint* const> joints, Arena& arena)
+// Most joints are contacts, which remember nothing: islands know whether one does.
+bool StepUndo::save_impulses(std::span<const Island> islands, Arena& arena)
 {
-    int count = 0, rows = 0;
-    auto remembering = arena.take<Remembering>(int(joints.size()));
+    int joints = 0, rows = 0;
+    for (const Island& island : islands)
+        if (island.impulses) joints += int(island.joints.size());
+    const auto remembering = arena.take<Remembering>(joints);
     if (arena.failed()) return false;
-    for_each_fetched<1>(joints, [&](std::size_t, Joint& joint) {
-        if (joint.impulse_rows == 0) return;
-        remembering[std::size_t(count++)] = {&joint, joint.impulse_rows};
-        rows += joint.impulse_rows;
-    });
+    std::size_t count = 0;
+    for (const Island& island : islands) {
+        if (!island.impulses) continue;
+        for_each_fetched<1>(std::span<Joint* const>(island.joints), [&](std::size_t, Joint& joint) {
+            if (joint.impulse_rows == 0) return;
+            remembering[count++] = {&joint, joint.impulse_rows};
+            rows += joint.impulse_rows;
+        });
+    }
     impulses_ = arena.take<Real>(rows);
     if (arena.failed()) return false;
-    joints_ = joints;  // now there is something to restore
+    joints_ = joined(islands.front().joints, islands.back().joints);  // now there is something to restore
+    remembering_ = remembering.first(count);
     Real* to = impulses_.data();
-    remembering_ = remembering.first(std::size_t(count));
     for (const Remembering& r : remembering_) to = std::copy_n(r.joint->impulse, r.rows, to);
     return true;
 }

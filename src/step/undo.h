@@ -60,7 +60,7 @@ class StepUndo {
         std::uint8_t rows;  // with impulses of the last step
     };
 
-    [[nodiscard]] bool save_impulses(std::span<Joint* const> joints, Arena& arena);
+    [[nodiscard]] bool save_impulses(std::span<const Island> islands, Arena& arena);
     void restore_bodies() const;
     static void restore_pose(Body& body, const Saved& saved);
     void restore_impulses() const;
