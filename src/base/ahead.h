@@ -27,7 +27,7 @@ void fetch(const void* p)
 template <int kLines, typename T, typename F>
 void for_each_fetched(std::span<T* const> objects, F&& f)
 {
-    constexpr std::size_t kAhead = 3;
+    constexpr std::size_t kAhead = 6;
     for (std::size_t i = 0; i < objects.size(); ++i) {
         if (i + kAhead < objects.size()) fetch<kLines>(objects[i + kAhead]);
         f(i, *objects[i]);
@@ -46,7 +46,7 @@ void for_each_linked(T* first, F&& f)
         const auto here = reinterpret_cast<std::uintptr_t>(object),
                    there = reinterpret_cast<std::uintptr_t>(next);
         const std::uintptr_t before = kLinesBefore * kCacheLine;
-        if (next) fetch<kLines>(reinterpret_cast<const void*>(there + 3 * (there - here) - before));
+        if (next) fetch<kLines>(reinterpret_cast<const void*>(there + 7 * (there - here) - before));
         f(*object);
         object = next;
     }

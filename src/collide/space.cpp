@@ -78,8 +78,8 @@ void clean_queued(Space& space, Chosen&& chosen)
         if (geom) fetch<3>(geom->position);
     };
     for (int i = 0; i < due; ++i) {
-        if (i + 4 < due) fetch<6>(space.members[space.queue[i + 4]]);
-        fetch_pose(i + 2);
+        if (i + 8 < due) fetch<6>(space.members[space.queue[i + 8]]);
+        fetch_pose(i + 4);
         const int slot = space.queue[i];
         Geom* geom = space.members[slot];
         if (!geom || !geom->queued || !chosen(*geom)) continue;
