@@ -12,6 +12,9 @@
 
 #include <atomic>
 #include <new>
+#if __has_include(<sys/single_threaded.h>)
+#include <sys/single_threaded.h>  // NOLINT: of glibc
+#endif
 
 #include "base/handle.h"
 #include "base/memory.h"
@@ -20,14 +23,21 @@ namespace epode {
 
 class SpinLock {
   public:
+    // While the process has one thread nobody is in the way, and an exchange costs more than what it guards.
     void lock()
     {
-        while (flag_.test_and_set(std::memory_order_acquire)) __builtin_ia32_pause();
+        if (alone()) return taken_.store(true, std::memory_order_relaxed);
+        while (taken_.exchange(true, std::memory_order_acquire)) __builtin_ia32_pause();
     }
-    void unlock() { flag_.clear(std::memory_order_release); }
+    void unlock() { taken_.store(false, std::memory_order_release); }
 
   private:
-    std::atomic_flag flag_ = ATOMIC_FLAG_INIT;
+#if __has_include(<sys/single_threaded.h>)
+    static bool alone() { return __libc_single_threaded; }
+#else
+    static bool alone() { return false; }
+#endif
+    std::atomic<bool> taken_{false};
 };
 
 // Untyped part, so that the list handling exists once.

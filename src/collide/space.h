@@ -104,18 +104,36 @@ void collide_across(Geom& first, Geom& second, void* data, dNearCallback* callba
 template <typename Visit>
 void visit_pairs(Space& space, PairsOf of, std::size_t first, std::size_t last, Visit&& visit)
 {
-    constexpr std::size_t kAhead = 4;
+    // How many pairs before its turn a pair's boxes are fetched and compared, if they meet its geoms are
+    // fetched (the lines that may_meet() and most visitors read), and their poses.
+    constexpr std::size_t kBoxes = 16, kGeoms = 8, kPoses = 3;
     const Broadphase& boxes = space.broadphase;
     Geom* const* members = space.members.data();
     const SlotPair* pairs = boxes.pairs().data();
-    for (std::size_t i = first; i < last; ++i) {
-        // The lines that may_meet() and most visitors read.
-        if (i + kAhead < last)
-            fetch<3>(members[pairs[i + kAhead].newer]), fetch<3>(members[pairs[i + kAhead].older]);
+    const auto near = [&](std::size_t i) {
         const auto [newer, older] = pairs[i];
-        const bool near = of == PairsOf::kWays ? overlap(boxes.way(newer), boxes.way(older))
-                                               : overlap(boxes.box(newer), boxes.box(older));
-        if (!near) continue;
+        return of == PairsOf::kWays ? overlap(boxes.way(newer), boxes.way(older))
+                                    : overlap(boxes.box(newer), boxes.box(older));
+    };
+    unsigned ahead = 0;  // bit k: the pair k places ahead is near
+    const auto look_ahead = [&](std::size_t i) {
+        if (i + kBoxes - kGeoms < last) {
+            const auto [newer, older] = pairs[i + kBoxes - kGeoms];
+            fetch<2>(&boxes.box(newer)), fetch<2>(&boxes.box(older));
+        }
+        if (i >= last || !near(i)) return;
+        fetch<3>(members[pairs[i].newer]), fetch<3>(members[pairs[i].older]);
+        ahead |= 1u << kGeoms;
+    };
+    for (std::size_t i = first; i < first + kGeoms; ++i) look_ahead(i), ahead >>= 1;
+    for (std::size_t i = first; i < last; ++i, ahead >>= 1) {
+        look_ahead(i + kGeoms);
+        if (of == PairsOf::kBoxes && (ahead >> kPoses & 1)) {
+            const auto [newer, older] = pairs[i + kPoses];
+            fetch<3>(members[newer]->position), fetch<3>(members[older]->position);
+        }
+        if (!(ahead & 1)) continue;
+        const auto [newer, older] = pairs[i];
         Geom &a = *members[newer], &b = *members[older];
         if (a.enabled && b.enabled && may_meet(a, b)) visit(a, b);
     }

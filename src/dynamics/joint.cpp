@@ -46,13 +46,6 @@ void leave(JointNode& node, bool contact)
 
 }  // namespace
 
-Joint::Joint(const JointType& t, World& w) : Tagged(Tag::kJoint), type(&t), world(&w)
-{
-    node[0].joint = node[1].joint = this;
-}
-
-Joint::~Joint() = default;
-
 void detach(Joint& joint)
 {
     const bool contact = is_contact(joint);
@@ -63,7 +56,7 @@ void detach(Joint& joint)
 
 void attach(Joint& joint, Body* a, Body* b)
 {
-    detach(joint);
+    if (joint.attached()) detach(joint);
     joint.reverse = a == nullptr;
     if (joint.reverse) a = b, b = nullptr;
     enter(joint.node[0], a);

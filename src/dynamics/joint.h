@@ -45,8 +45,10 @@ struct JointType {
 };
 
 struct Joint : Tagged {
-    Joint(const JointType& type, World& world);
-    ~Joint();
+    Joint(const JointType& t, World& w) : Tagged(Tag::kJoint), type(&t), world(&w)
+    {
+        node[0].joint = node[1].joint = this;
+    }
 
     // A cache line that every part of a step reads, one for the lists of the bodies, and one that contacts
     // leave alone: they come by the ten thousand and are fetched from far away.

@@ -212,28 +212,30 @@ void set_friction(const Contact& contact, const StepInfo& info, Manifold& m)
     }
 }
 
-Manifold begin_manifold(const Contact& contact, const StepInfo& info, int first)
+// Both member by member into their place: there are thousands of them, and a copy of what has just been
+// written in smaller pieces waits for them all.
+void begin_manifold(const Contact& contact, const StepInfo& info, int first, Manifold& m)
 {
     const Body &a = *contact.body1(), *b = contact.body2();
-    Manifold m{};
     m.n = contact.outward();
-    if (b) m.offset = a.position() - b->position();
+    m.offset = b ? a.position() - b->position() : Vec3{};
     m.body1 = a.island_index, m.body2 = b ? b->island_index : -1;
-    m.first = first;
-    if (contact.sliding_at_all()) set_friction(contact, info, m);
-    return m;
+    m.first = first, m.count = 0;
+    if (contact.sliding_at_all()) return set_friction(contact, info, m);
+    m.t1 = m.t2 = {};
+    for (int k = 0; k < 2; ++k) m.c[k] = m.C[k] = m.mu[k] = m.fixed[k] = 0;
 }
 
-inline ManifoldPoint point_of(const Contact& contact, const StepInfo& info, Vec3 n)
+inline void set_point(const Contact& contact, const StepInfo& info, Vec3 n, ManifoldPoint& point)
 {
     Row row;
     row.erp = info.erp, row.cfm = info.cfm;
     contact.aim_normal(row, info, n);
-    return {contact.pos - contact.body1()->position(),
-            wanted_velocity(row, row.erp * info.fps),
-            row.cfm * info.fps,
-            row.error,
-            {}};
+    point.r1 = contact.pos - contact.body1()->position();
+    point.c = wanted_velocity(row, row.erp * info.fps);
+    point.C = row.cfm * info.fps;
+    point.error = row.error;
+    for (Real& p : point.p) p = 0;
 }
 
 }  // namespace
@@ -246,9 +248,9 @@ void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, Man
     for_each_fetched<kLines>(contacts, [&](std::size_t i, const Joint& joint) {
         const Contact& contact = static_cast<const Contact&>(joint);
         if (!last || !joins(*last, contact) || out.manifolds[manifolds - 1].count == kManifoldPoints)
-            out.manifolds[manifolds++] = begin_manifold(contact, info, int(i));
+            begin_manifold(contact, info, int(i), out.manifolds[manifolds++]);
         Manifold& m = out.manifolds[manifolds - 1];
-        out.points[i] = point_of(contact, info, m.n);
+        set_point(contact, info, m.n, out.points[i]);
         ++m.count;
         last = &contact;
     });

@@ -17,6 +17,11 @@ constexpr int kWindow = 6;          // manifolds looked at for each lane
 constexpr int kFullShuffle = 1536;  // batches, about 6 MB
 constexpr int kRun = 32;
 
+// What fills lanes that have nothing.
+constexpr SolverBody kAtRest{};
+constexpr Manifold kNoManifold{{}, {}, {}, {}, {}, {}, {}, {}, -1, -1, 0, 0};
+constexpr ManifoldPoint kNoPoint{};
+
 // To floats without leaving their range: a limit that is finite stays so.
 template <typename N>
 N narrowed(Real x)
@@ -163,11 +168,9 @@ template <typename L>
 void ContactSetOf<L>::fill_lane(const RowSystem& system, const ManifoldList& list, int index, Batch& batch,
                                 int lane)
 {
-    const SolverBody at_rest{};
-    const Manifold none{{}, {}, {}, {}, {}, {}, {}, {}, -1, -1, 0, 0};
-    const Manifold& manifold = index >= 0 ? list.manifolds[std::size_t(index)] : none;
+    const Manifold& manifold = index >= 0 ? list.manifolds[std::size_t(index)] : kNoManifold;
     const auto set_body = [&](int body, int& slot, L& inv_mass, LaneSym3Of<L>& inv_inertia) {
-        const SolverBody& from = body >= 0 ? system.bodies[std::size_t(body)] : at_rest;
+        const SolverBody& from = body >= 0 ? system.bodies[std::size_t(body)] : kAtRest;
         slot = second_slot(system, body);
         inv_mass[lane] = Number(from.inv_mass);
         inv_inertia.set(lane, from.inv_inertia);
@@ -179,7 +182,7 @@ void ContactSetOf<L>::fill_lane(const RowSystem& system, const ManifoldList& lis
         const auto at = std::size_t(batch.first + i);
         const int point = i < manifold.count ? manifold.first + i : -1;
         sources_[at].point[lane] = point;
-        fill_point(point >= 0 ? list.points[std::size_t(point)] : ManifoldPoint{}, points_[at], lane);
+        fill_point(point >= 0 ? list.points[std::size_t(point)] : kNoPoint, points_[at], lane);
     }
 }
 

@@ -49,24 +49,53 @@ void ContactCache::look_into(int index, const Wanted& wanted, Found& best)
     }
 }
 
-ContactCache::Found ContactCache::find(const Wanted& wanted, int guess)
+ContactCache::Places ContactCache::places_of(const Pair& pair) const
 {
-    Found best{nullptr, -1, kReach * kReach * (length2(wanted.place) + kReach * kReach)};
-    if (is_guess(guess, wanted)) look_into(guess, wanted, best);
-    if (best.point) return best;
+    Places places;
+    for (int k = 0; k < kManifoldPoints; ++k) places.x[k] = places.y[k] = places.z[k] = kInf;
+    for (int k = 0; k < pair.count; ++k) {
+        const Point& point = old_.points[pair.first + k];
+        if (point.used) continue;
+        const Vec3 at = widen(point.place);
+        places.x[k] = at.x, places.y[k] = at.y, places.z[k] = at.z;
+    }
+    return places;
+}
+
+// All distances first: they go through the processor side by side.
+int ContactCache::Places::nearest(Vec3 place, Real within2) const
+{
+    Real distance2[kManifoldPoints];
+    for (int k = 0; k < kManifoldPoints; ++k) {
+        const Real dx = x[k] - place.x, dy = y[k] - place.y, dz = z[k] - place.z;
+        distance2[k] = dx * dx + dy * dy + dz * dz;
+    }
+    int best = -1;
+    for (int k = 0; k < kManifoldPoints; ++k)
+        if (distance2[k] <= within2) best = k, within2 = distance2[k];
+    return best;
+}
+
+ContactCache::Found ContactCache::find(const Wanted& wanted, Real within2)
+{
+    Found best{nullptr, -1, within2};
     const std::size_t hash = hash_of(wanted.serial1, wanted.serial2);
     for (int i = buckets_[int(hash & std::size_t(buckets_.size() - 1))]; i >= 0; i = old_.pairs[i].next)
         if (fits(old_.pairs[i], wanted)) look_into(i, wanted, best);
     return best;
 }
 
-void ContactCache::note(Run& run, const Pair& pair)
+void ContactCache::note(Run& run, const Wanted& wanted, int ticket, int points)
 {
     Pair& fresh = fresh_.pairs[run.first + run.count];
-    fresh = pair;
+    fresh.serial1 = wanted.serial1, fresh.serial2 = wanted.serial2;
+    fresh.normal = narrow(wanted.normal);
+    fresh.first = ticket, fresh.count = points;
+    fresh.next = -1, fresh.step = fresh_.step, fresh.twin = false;
     if (run.count > 0) {
         Pair& before = fresh_.pairs[run.first + run.count - 1];
-        if (before.serial1 == pair.serial1 && before.serial2 == pair.serial2) before.twin = fresh.twin = true;
+        if (before.serial1 == fresh.serial1 && before.serial2 == fresh.serial2)
+            before.twin = fresh.twin = true;
     }
     ++run.count;
 }
@@ -77,14 +106,30 @@ void ContactCache::load(int writer, int ticket, const Body& body1, const Body* b
     Run& run = fresh_.runs[writer];
     if (run.count == 0) run.first = ticket, run.guess = -1;
     const std::uint64_t serial1 = body1.serial, serial2 = body2 ? body2->serial : 0;
-    note(run, {serial1, serial2, narrow(manifold.n), ticket, int(points.size()), -1, fresh_.step, false});
+    Wanted wanted{serial1, serial2, {}, manifold.n};
+    note(run, wanted, ticket, int(points.size()));
     const bool known = share > 0 && !buckets_.empty();
     const Mat3 R = body1.rotation();
-    const int guess = run.guess;
+    const bool guessed = known && is_guess(run.guess, wanted);
+    const int guess = guessed ? run.guess : -1;
+    Places places;
+    if (guessed) places = places_of(old_.pairs[guess]);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Vec3 place = transposed_times(R, points[i].r1);
-        fresh_.points[ticket + int(i)] = {narrow(place), {}, 0, false};
-        const Found old = known ? find({serial1, serial2, place, manifold.n}, guess) : Found{};
+        Point& fresh = fresh_.points[ticket + int(i)];
+        fresh.place = narrow(place), fresh.friction = {0, 0, 0};
+        fresh.push = 0, fresh.used = false;
+        if (!known) continue;
+        const Real within2 = kReach * kReach * (length2(place) + kReach * kReach);
+        const int nearest = guessed ? places.nearest(place, within2) : -1;
+        Found old{nullptr, guess, within2};
+        if (nearest >= 0) {
+            old.point = &old_.points[old_.pairs[guess].first + nearest];
+            places.x[nearest] = kInf;
+        } else {
+            wanted.place = place;
+            old = find(wanted, within2);
+        }
         if (!old.point) continue;
         old.point->used = true;
         run.guess = old.pair + 1;

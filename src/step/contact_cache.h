@@ -73,11 +73,18 @@ class ContactCache {
         std::uint64_t serial1, serial2;
         Vec3 place, normal;
     };
-    void note(Run& run, const Pair& pair);
+    // The points of an old pair, taken apart once for all points of a manifold; those that are used, and
+    // those that are none, lie infinitely far away.
+    struct Places {
+        Real x[kManifoldPoints], y[kManifoldPoints], z[kManifoldPoints];
+        int nearest(Vec3 place, Real within2) const;  // -1: none
+    };
+    void note(Run& run, const Wanted& wanted, int ticket, int points);
     bool is_guess(int guess, const Wanted& wanted) const;
     bool fits(const Pair& pair, const Wanted& wanted) const;
+    Places places_of(const Pair& pair) const;
     void look_into(int pair, const Wanted& wanted, Found& best);
-    Found find(const Wanted& wanted, int guess);
+    Found find(const Wanted& wanted, Real within2);
     static int buckets_for(int pairs);
 
     Store old_, fresh_;

@@ -42,8 +42,9 @@ class Finish {
     template <typename F>
     void walk(const Tasks& tasks, F&& f) const
     {
-        for_each_fetched<1>(tasks, bodies_, [&](std::size_t i, Body& body) {
-            if (i + 1 < bodies_.size()) fetch_geoms(*bodies_[i + 1]);
+        constexpr int kLines = 9;  // with the rule of damping
+        for_each_fetched<kLines>(tasks, bodies_, [&](std::size_t i, Body& body) {
+            if (i + 3 < bodies_.size()) fetch_geoms(*bodies_[i + 3]);
             f(i, body);
         });
     }
