@@ -7,7 +7,7 @@
 // Joints come by the ten thousand, mostly contacts, and lie apart in memory: one walk along the world's list,
 // in which they lie as a rule one behind the other, finds out all that is asked of them here. Joints that
 // follow each other there between the same two bodies, as the contacts of a pair do, are one bond; the search
-// goes over bonds, three in two lines of the cache.
+// goes over bonds, two in a line of the cache.
 #include "dynamics/island.h"
 
 #include <cstdint>
