@@ -17,15 +17,20 @@ struct JointSweep {
     bool relax;  // aims at `relaxed` instead of c
 };
 
+struct JointBegin {
+    const Lanes* facts;       // only of batches that are followed
+    const SolverPose* poses;  // likewise
+    Real soft_share;          // above zero: rows with C above this share of their mobility relax to c
+    Velocity* bodies;         // null: p does nothing yet
+};
+
 // `at` of the batches counts from `numbers`.
 struct JointKernels {
     const char* name;
-    // In: masses, geometry, C, p and bounds. Out: the matrix, and p within its bounds. With a `soft_share`,
-    // rows with C above this share of their mobility relax to c.
-    void (*prepare)(const JointBatch* batches, int count, Lanes* numbers, Real soft_share);
-    // In: facts of batches that have any, and poses. Out: masses, geometry, c and what relaxing aims at.
-    void (*follow)(const JointBatch* batches, int count, Lanes* numbers, const Lanes* facts,
-                   const SolverPose* poses);
+    // Batch by batch, while its numbers are near: of those that have facts, masses, geometry, c and what
+    // relaxing aims at; then of masses, geometry, C, p and bounds, the matrix, and p within its bounds; then
+    // what p does to the bodies.
+    void (*begin)(const JointBatch* batches, int count, Lanes* numbers, const JointBegin& how);
     // v += M^-1 J^T p
     void (*apply_impulses)(const JointBatch* batches, int count, const Lanes* numbers, Velocity* bodies);
     void (*sweep)(const JointBatch* batches, int count, Lanes* numbers, Velocity* bodies,

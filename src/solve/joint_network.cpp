@@ -143,18 +143,19 @@ void JointNetwork::load_row(const Row& row, const SolverBody* const (&bodies)[2]
     out.c_relaxed = aim.spring ? out.c : std::min(row.speed, row.cap);
 }
 
-void JointNetwork::load_small_step(const RowSystem& system, const Substep& step)
+void JointNetwork::load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies)
 {
     const auto body = [&](int slot) {
         return std::size_t(slot) < system.bodies.size() ? &system.bodies[std::size_t(slot)] : nullptr;
     };
     for (const NetworkJoint& joint : joints_) {
-        const SolverBody* const bodies[2] = {body(joint.body[0]), body(joint.body[1])};
+        const SolverBody* const pair[2] = {body(joint.body[0]), body(joint.body[1])};
         for (int i = 0; i < joint.count; ++i)
-            load_row(system.rows[std::size_t(joint.source + i)], bodies, step,
+            load_row(system.rows[std::size_t(joint.source + i)], pair, step,
                      rows_[std::size_t(joint.first + i)]);
     }
     stale_ = true;
+    apply_impulses(bodies);
 }
 
 void JointNetwork::fill_diagonal(const NetworkJoint& joint)

@@ -39,7 +39,7 @@ class JointNetwork {
     // As in JointSet, after `plan`.
     bool pack(const RowSystem& system, Arena& arena);
     bool follow(RowSystem&, const Substep&, Arena&) { return true; }  // rows are asked for anew
-    void load_small_step(const RowSystem& system, const Substep& step);
+    void load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
     void apply_impulses(std::span<Velocity> bodies) const;
     void sweep(std::span<Velocity> bodies, const JointSweep& how);
     void sum_impulses();

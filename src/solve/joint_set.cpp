@@ -234,7 +234,7 @@ void JointSet::load(const RowSystem& system)
         const RowNumbers& n = system.numbers[row];
         return RowAsks{n.c, n.C, n.c};
     });
-    kernels_->prepare(batches_.data(), int(batches_.size()), numbers_.data(), 0);
+    kernels_->begin(batches_.data(), int(batches_.size()), numbers_.data(), {nullptr, nullptr, 0, nullptr});
 }
 
 bool JointSet::follow(RowSystem& system, const Substep& step, Arena& arena)
@@ -245,7 +245,7 @@ bool JointSet::follow(RowSystem& system, const Substep& step, Arena& arena)
         batch.facts = size;
         size += FactLayout(batch).size;
     }
-    facts_ = arena.take_zeroed<Lanes>(size);
+    facts_ = arena.take<Lanes>(size);
     if (arena.failed()) return false;
     for (std::size_t b = 0; b < batches_.size(); ++b)
         if (batches_[b].facts >= 0) place_facts(system, step, b);
@@ -258,6 +258,8 @@ void JointSet::place_facts(const RowSystem& system, const Substep& step, std::si
     const FactLayout fact(batch);
     const JointLayout at(batch);
     Lanes *f = &facts_[std::size_t(batch.facts)], *n = &numbers_[std::size_t(batch.at)];
+    // What no joint fills must be numbers.
+    if (batch.count < kLanes) std::memset(static_cast<void*>(f), 0, sizeof(Lanes) * std::size_t(fact.size));
     for (int lane = 0; lane < batch.count; ++lane) {
         const Source& source = sources_[b * kLanes + std::size_t(lane)];
         RowBlock& block = system.blocks[std::size_t(source.block)];
@@ -286,10 +288,8 @@ void JointSet::place_facts(const RowSystem& system, const Substep& step, std::si
     }
 }
 
-void JointSet::load_small_step(const RowSystem& system, const Substep& step)
+void JointSet::load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies)
 {
-    kernels_->follow(batches_.data(), int(batches_.size()), numbers_.data(), facts_.data(),
-                     system.poses.data());
     // Rows mostly ask for the same as the one before; mapping takes four divisions.
     const Row* last = nullptr;
     RowAim aim;
@@ -304,7 +304,8 @@ void JointSet::load_small_step(const RowSystem& system, const Substep& step)
         const Real c = std::min(aim.rate * row.error + row.speed, row.cap);
         return RowAsks{c, aim.C, aim.spring ? c : std::min(row.speed, row.cap)};
     });
-    kernels_->prepare(batches_.data(), int(batches_.size()), numbers_.data(), kSoftShare);
+    kernels_->begin(batches_.data(), int(batches_.size()), numbers_.data(),
+                    {facts_.data(), system.poses.data(), kSoftShare, bodies.data()});
 }
 
 void JointSet::apply_impulses(std::span<Velocity> bodies) const

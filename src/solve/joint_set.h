@@ -31,9 +31,10 @@ class JointSet {
     void load(const RowSystem& system);  // what the numbers ask for
     // Instead, in small steps: at first, from rows and poses of the beginning, the facts of all blocks that
     // the kernels follow (solve/joint_follow.inc), which are marked; false: out of memory. Then, as often as
-    // poses change, what followed rows ask for at these, and what the others say.
+    // poses change, what followed rows ask for at these, and what the others say; and what the impulses of
+    // the small step before do to the bodies, if there are any.
     bool follow(RowSystem& system, const Substep& step, Arena& arena);
-    void load_small_step(const RowSystem& system, const Substep& step);
+    void load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
 
     void apply_impulses(std::span<Velocity> bodies) const;  // v += M^-1 J^T p
     void sweep(std::span<Velocity> bodies, const JointSweep& how);

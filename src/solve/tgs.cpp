@@ -89,9 +89,8 @@ class SmallSteps {
     {
         model_.apply_forces(model_.model, velocities_.data(), step_.hs);
         if (moved) model_.refresh(model_.model, system_);
-        joints_.load_small_step(system_, step_);
         if (last && !before_.empty()) save_bodies();
-        joints_.apply_impulses(velocities_);
+        joints_.load_small_step(system_, step_, velocities_);
         contacts_.apply_impulses(velocities_);
         patches_.apply_impulses(velocities_);
         joints_.sweep(velocities_, {1, false});

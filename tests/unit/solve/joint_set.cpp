@@ -485,7 +485,7 @@ TEST(JointSet, followed_rows_are_those_of_the_moved_bodies)
         Dice dice(seed + 99);
         for (std::size_t i = 0; i < m.p.bodies.size(); ++i)
             m.turn(i, dice.vec(Real(0.05)), dice.direction(), dice.real(0, Real(0.3)));
-        set.load_small_step(m.system, step);
+        set.load_small_step(m.system, step, {});
         std::vector<Row> rows = m.p.rows;
         set.describe(m.p.numbers, rows);
         int followed = 0;
@@ -546,7 +546,7 @@ TEST(JointSet, a_turn_about_an_axis_is_an_angle_whoever_turns)
         if (!world) m.turn(0, {}, other, 1), m.turn(1, {}, other, 1);  // together: no change
         const Vec3 now = world ? axis : to_matrix(rotation_about(other, 1)) * axis;
         m.turn(second ? 1 : 0, {}, now, Real(0.7));
-        set.load_small_step(m.system, step);
+        set.load_small_step(m.system, step, {});
         std::vector<Row> rows = m.p.rows;
         set.describe(m.p.numbers, rows);
         const RowAim aim = map_row(of[3], step, kInf);
@@ -568,7 +568,7 @@ TEST(JointKernels, all_machines_follow_with_the_same_bits)
         Dice dice(8);
         for (std::size_t i = 0; i < m.p.bodies.size(); ++i)
             m.turn(i, dice.vec(Real(0.05)), dice.direction(), dice.real(0, Real(0.3)));
-        set.load_small_step(m.system, step);
+        set.load_small_step(m.system, step, {});
         set.describe(m.p.numbers, m.p.rows);
         return m.p;
     };
