@@ -29,7 +29,7 @@ namespace epode {
 
 class JointNetwork {
   public:
-    static constexpr bool kHasLastWord = true;  // of a pass: joints stay exact, contacts are what iterates
+    static constexpr bool kHasBothEnds = true;  // of a pass: joints stay exact, contacts are what iterates
 
     // The structure. `plans` may be null. False: out of memory.
     bool plan(const RowSystem& system, PlanCache* plans, Arena& arena);

@@ -21,7 +21,8 @@ namespace epode {
 
 class JointSet {
   public:
-    static constexpr bool kHasLastWord = false;  // of a pass in small steps: contacts have
+    // Of a pass in small steps: contacts come first when errors are corrected, last when that is relaxed.
+    static constexpr bool kHasBothEnds = false;
 
     explicit JointSet(const JointKernels& kernels = *joint_kernels().back()) : kernels_(&kernels) {}
 

@@ -5,9 +5,9 @@
 // "Small Steps in Physics Simulation", 2019). Per small step:
 //
 //   v += hs M^-1 f;  v += M^-1 J^T p          forces, and the impulses of the small step before
-//   solve joints as blocks, then contacts     J v + C p = c, correcting position errors
+//   solve contacts, then joints as blocks     J v + C p = c, correcting position errors
 //   x += hs v
-//   solve again without correction            takes out the velocity that the correction put in
+//   solve joints, then contacts, without it   takes out the velocity that the correction put in
 //
 // After the last one, what carried load and came in fast rebounds. Errors of joints are measured anew at
 // every pose, so mass ratios that would need hundreds of sweeps settle in ten small steps; on regular stacks
@@ -93,10 +93,10 @@ class SmallSteps {
         joints_.load_small_step(system_, step_, velocities_);
         contacts_.apply_impulses(velocities_);
         patches_.apply_impulses(velocities_);
-        joints_.sweep(velocities_, {1, false});
+        if (Joints::kHasBothEnds) joints_.sweep(velocities_, {1, false});
         contacts_.sweep(velocities_, false);
         patches_.correct(velocities_);
-        if (Joints::kHasLastWord) joints_.sweep(velocities_, {1, false});
+        joints_.sweep(velocities_, {1, false});  // what poses are to follow
     }
 
     void save_bodies()
@@ -118,7 +118,7 @@ class SmallSteps {
         joints_.sweep(velocities_, {1, true});
         contacts_.sweep(velocities_, true);
         patches_.relax(velocities_);
-        if (Joints::kHasLastWord) joints_.sweep(velocities_, {1, true});
+        if (Joints::kHasBothEnds) joints_.sweep(velocities_, {1, true});
         if (last) joints_.rebound(system_, velocities_);
         joints_.sum_impulses();
         contacts_.add_impulses(system_.numbers);

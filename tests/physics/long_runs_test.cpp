@@ -107,12 +107,12 @@ std::uint64_t run(int scene, Stepper stepper, bool managed)
 constexpr std::uint64_t kGolden[kLongScenes][6] = {
     {0xe883f93828f30e14u, 0x279d1241923d1a72u, 0xc4d58b25d4d60d7fu, 0xe12686aeb2a83eedu, 0x3cd9616f2eb23547u,
      0xdba7a8bd6ee6b1ebu},
-    {0xd2257bf05ba82c12u, 0x7dd589e0a66ce4dau, 0x49ecea9073af3544u, 0x7573d2d62b4b1ab1u, 0x0c8f864458f4be08u,
-     0x088b8b18d4b956f0u},
+    {0xd2257bf05ba82c12u, 0x7dd589e0a66ce4dau, 0x90891db0ff0e70c7u, 0x7573d2d62b4b1ab1u, 0x0c8f864458f4be08u,
+     0x4d9ac0c19e0a85d4u},
     {0xa97516aca5f6ceaau, 0xb90bc5b6d9753de9u, 0x4629088e92dedc9eu, 0x3add13310cadc49eu, 0x24251cb22ad3b4b2u,
      0x2f3e697597041248u},
-    {0x115959e03f2d5f6eu, 0xc7a25279248f8716u, 0x4085d6f464efb4a5u, 0x5b79b894322949f4u, 0x894483c07907ad16u,
-     0xc26ebfb4817308eeu},
+    {0x115959e03f2d5f6eu, 0xc7a25279248f8716u, 0xa4eb962e101178f6u, 0x5b79b894322949f4u, 0x894483c07907ad16u,
+     0x0cd680cfc897e4fbu},
     {0x2581b3c97427ad48u, 0x78fcdfba5281d65du, 0x1bc5a72077788fa1u, 0xd4d3436a34e94638u, 0x5aa19fd73526ee43u,
      0xd54458bbd24aff5fu}};
 
