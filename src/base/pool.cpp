@@ -24,12 +24,15 @@ void trim_foreign() { SlotPool::trim_all(false); }
     if (!memory_hooks().free) SlotPool::trim_all(true);
 }
 
-// The next object is likely to be made soon: contacts come by the thousand.
-void fetch_to_write(void* slot, std::size_t size)
+// More objects are likely to be made soon: contacts come by the thousand, from slots that lie at equal
+// distances as a rule. The fourth from here on is where the step to the next, taken four times, leads.
+void fetch_to_write(const void* slot, const void* next, std::size_t size)
 {
     constexpr std::size_t kMost = 4 * kCacheLine;
+    const auto here = reinterpret_cast<std::uintptr_t>(slot), there = reinterpret_cast<std::uintptr_t>(next);
+    const std::uintptr_t ahead = there + 3 * (there - here);
     for (std::size_t i = 0; i < std::min(size, kMost); i += kCacheLine)
-        __builtin_prefetch(static_cast<char*>(slot) + i, 1);
+        __builtin_prefetch(reinterpret_cast<const void*>(ahead + i), 1);
 }
 
 }  // namespace
@@ -40,7 +43,7 @@ void* SlotPool::take() noexcept
     if (!free_ && !grow()) return nullptr;
     void* slot = free_;
     free_ = link(slot);
-    if (free_) fetch_to_write(free_, slot_size_);
+    if (free_) fetch_to_write(slot, free_, slot_size_);
     ++live_;
     unpoison(slot, slot_size_);
     return slot;
