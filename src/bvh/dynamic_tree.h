@@ -12,6 +12,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/ahead.h"
 #include "base/array.h"
 #include "geometry/shapes.h"
 #include "tasks/tasks.h"
@@ -94,18 +95,24 @@ class DynamicTree {
     template <typename Visit>
     void query(const Aabb& box, Visit&& visit) const
     {
-        if (root_ < 0) return;
+        if (root_ < 0 || !overlap(nodes_.data()[root_].box, box)) return;
         int stack[kMaxHeight + 2];
         int top = 0;
         stack[top++] = root_;
+        // What goes to the stack has been tested, and what that will lead to is on its way.
+        const auto look = [&](int at) {
+            const Node& node = nodes_.data()[at];
+            if (!overlap(node.box, box)) return;
+            if (node.child >= 0) fetch<1>(nodes_.data() + node.child), fetch<1>(nodes_.data() + node.other);
+            stack[top++] = at;
+        };
         while (top > 0) {
             const Node& node = nodes_.data()[stack[--top]];
-            if (!overlap(node.box, box)) continue;
             if (node.child < 0) {
                 visit(node.item);
             } else {
-                stack[top++] = node.other;
-                stack[top++] = node.child;
+                look(node.other);
+                look(node.child);
             }
         }
     }
