@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "collide/collide.h"
+#include "collide/solid_view.h"
 #include "contacts/material.h"
 #include "contacts/pair_parting.h"
 #include "contacts/patch_points.h"
@@ -77,7 +78,7 @@ class PairUpdate {
     }
 
   private:
-    bool can_be_parted() const { return settings_.foresees && Parting::knows(g1_) && Parting::knows(g2_); }
+    bool can_be_parted() const { return settings_.foresees && is_solid(g1_) && is_solid(g2_); }
 
     // Now and at the end of the step, along the direction of the step before or another one.
     bool stays_apart()

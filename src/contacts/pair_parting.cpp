@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "collide/registry.h"
+#include "collide/solid_view.h"
 #include "geometry/parting.h"
 
 namespace epode {
@@ -74,22 +75,6 @@ Real farthest(const Geom& geom)
     }
 }
 
-ConvexView view_at(const Geom& geom, const Pose& pose)
-{
-    switch (geom.type->number) {
-        case dBoxClass:
-            return view_of(shape_of<Box>(geom), pose);
-        case dCapsuleClass:
-            return view_of(shape_of<Capsule>(geom), pose);
-        case dCylinderClass:
-            return view_of(shape_of<Cylinder>(geom), pose);
-        case dConvexClass:
-            return view_of(shape_of<Convex>(geom), pose);
-        default:
-            return view_of(shape_of<Sphere>(geom), pose);
-    }
-}
-
 // What a geom may do in a step.
 struct Coming {
     Vec3 spin;              // angle of the step
@@ -143,13 +128,6 @@ Vec3 unpack_direction(std::uint32_t code)
     return (1 / length(n)) * n;
 }
 
-bool Parting::knows(const Geom& geom)
-{
-    constexpr unsigned kKnown = 1u << dSphereClass | 1u << dBoxClass | 1u << dCapsuleClass |
-                                1u << dCylinderClass | 1u << dConvexClass;
-    return geom.type->number < 32 && (kKnown >> geom.type->number & 1) != 0;
-}
-
 Parting::Parting(const Geom& g1, const Geom& g2)
     : g1_(g1),
       g2_(g2),
@@ -161,7 +139,7 @@ Parting::Parting(const Geom& g1, const Geom& g2)
 
 Vec3 Parting::find(const Pose& pose1, const Pose& pose2, Vec3 guess) const
 {
-    return parting_direction(view_at(g1_, pose1), view_at(g2_, pose2), guess, hair_);
+    return parting_direction(solid_view(g1_, pose1), solid_view(g2_, pose2), guess, hair_);
 }
 
 Real Parting::gap(const Pose& pose1, const Pose& pose2, Vec3 n) const

@@ -22,9 +22,7 @@ Vec3 unpack_direction(std::uint32_t code);
 
 class Parting {
   public:
-    // Spheres, boxes, capsules, cylinders, polyhedra.
-    static bool knows(const Geom& geom);
-
+    // Of two solids (collide/solid_view.h).
     Parting(const Geom& g1, const Geom& g2);
 
     // A direction that parts them where they are taken to be, in the world; zero: none has been found.

@@ -5,6 +5,7 @@
 #include "query/thing.h"
 
 #include "collide/pairs/pairs.h"
+#include "collide/solid_view.h"
 
 namespace epode {
 namespace {
@@ -44,12 +45,8 @@ Thing thing_of(Geom& geom)
 Sort sort_of(const Thing& t)
 {
     if (!t.geom) return Sort::kNone;
+    if (is_solid(*t.geom)) return Sort::kSolid;
     switch (t.number()) {
-        case dSphereClass:
-        case dBoxClass:
-        case dCapsuleClass:
-        case dCylinderClass:
-        case dConvexClass:
         case dRayClass:
             return Sort::kSolid;
         case dPlaneClass:
@@ -66,20 +63,8 @@ Sort sort_of(const Thing& t)
 // `centre`, `reach`: a ball about what it is measured against; `memory` must stay.
 ConvexView solid_view(const Thing& t, Vec3 centre, Real reach, Capsule& memory)
 {
-    switch (t.number()) {
-        case dSphereClass:
-            return view_of(t.as<Sphere>(), t.pose);
-        case dBoxClass:
-            return view_of(t.as<Box>(), t.pose);
-        case dCapsuleClass:
-            return view_of(t.as<Capsule>(), t.pose);
-        case dCylinderClass:
-            return view_of(t.as<Cylinder>(), t.pose);
-        case dConvexClass:
-            return view_of(t.as<Convex>(), t.pose);
-        default:
-            return segment_view(t.as<Ray>(), t.pose, centre, reach, memory);
-    }
+    return is_solid(*t.geom) ? solid_view(*t.geom, t.pose)
+                             : segment_view(t.as<Ray>(), t.pose, centre, reach, memory);
 }
 
 // Of a ray it is left to the caller what is near enough to count.
