@@ -117,6 +117,17 @@ ODE_API int dWorldGetStepThreads(dWorldID world);
 ODE_API void dWorldSetQuickStepWarmStarting(dWorldID world, dReal factor);
 ODE_API dReal dWorldGetQuickStepWarmStarting(dWorldID world);
 
+/** How contact joints bound friction in dWorldQuickStep and dWorldStepFast1 (mode): 0 (the default) as the
+    original does, each direction by itself, so that a box slides askew with up to 1.41 times the friction; 1
+    in the plane as a whole, |(f1/l1, f2/l2)| <= 1 with the limits l1 and l2 of the two directions (mu times
+    the normal force, or force bounds as the surface flags say), which with one mu is Coulomb's cone: the same
+    in every direction, opposite to the slip. Contacts with both directions are meant; those with one, or that
+    resist rolling, are as ever, and so is dWorldStep, whose bounds are those of each row. What the world
+    manages (ode/contacts.h) has the cone anyway. Costs no time that could be measured. Other values are refused, as
+    is a call during a step. [ours] */
+ODE_API void dWorldSetContactCone(dWorldID world, int mode);
+ODE_API int dWorldGetContactCone(dWorldID world);
+
 /** How dWorldStep and dWorldQuickStep turn bodies (mode): 0 (the default) as the original does, 1 exactly.
     Exactly means: the orientation turns by the exponential map, so a spin w held for h turns by w h and not
     by 2 atan(w h/2); and the gyroscopic torque follows the implicit midpoint rule with that map, so that a

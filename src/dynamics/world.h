@@ -34,6 +34,7 @@ struct World : Tagged {
     Real contact_layer = 0;
     int quick_iterations = 20;
     Real quick_w = Real(1.3);
+    bool contact_cone = false;      // friction of contact joints, where the solver sweeps
     Real warm_starting = 1;         // times the solver's own share of the last impulses
     int auto_enable_depth = 3;      // of the 0.039 guide; stored, never used by it either
     bool exact_rotation = false;    // of dWorldStep and dWorldQuickStep

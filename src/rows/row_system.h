@@ -74,6 +74,7 @@ struct SystemPart {
 
 struct RowSystem {
     Real h = 0;
+    bool cone = false;  // friction of contacts with both directions is bounded by an ellipse, not a box
     std::span<SolverBody> bodies;
     std::span<Row> rows;
     std::span<RowNumbers> numbers;      // parallel to rows

@@ -28,6 +28,7 @@ EPODE_LANEWISE Register if_positive(const Register& test, const Register& yes, c
 {
     return test > Vector{} ? yes : no;
 }
+EPODE_LANEWISE Register square_root(const Register& x) { return roots(x); }
 #else
 struct Register {
     Vector a, b;
@@ -69,6 +70,8 @@ EPODE_LANEWISE Register if_positive(const Register& test, const Register& yes, c
     const Vector zero{};
     return {test.a > zero ? yes.a : no.a, test.b > zero ? yes.b : no.b};
 }
+
+EPODE_LANEWISE Register square_root(const Register& x) { return {roots(x.a), roots(x.b)}; }
 #endif
 
 struct Register3 {

@@ -19,13 +19,14 @@ namespace epode {
 template <typename L>
 struct ContactKernelsOf {
     using Bodies = typename VelocityOf<L>::Type;
+    // With friction in a box of its limits, and in their ellipse: a cone.
     // In: all but couplings and gains. Out: these, and p within its limits.
-    void (*prepare)(const ContactBatchOf<L>& batch, BatchPointOf<L>* points, typename L::Number w);
+    void (*prepare[2])(const ContactBatchOf<L>& batch, BatchPointOf<L>* points, typename L::Number w);
     // v += M^-1 J^T p
     void (*apply_impulses)(const ContactBatchOf<L>* batches, int count, const BatchPointOf<L>* points,
                            Bodies* bodies);
-    void (*sweep)(const ContactBatchOf<L>* batches, const int* order, int count, BatchPointOf<L>* points,
-                  Bodies* bodies);
+    void (*sweep[2])(const ContactBatchOf<L>* batches, const int* order, int count, BatchPointOf<L>* points,
+                     Bodies* bodies);
 };
 
 struct ContactKernels {

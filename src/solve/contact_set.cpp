@@ -119,6 +119,7 @@ class Chooser {
 template <typename L>
 bool ContactSetOf<L>::pack(const RowSystem& system, const ManifoldList& list, Real w, Arena& arena)
 {
+    cone_ = system.cone;
     if (list.manifolds.empty()) return true;
     if (!choose(system, list.manifolds, arena)) return false;
     const int count = chosen_.back().first + chosen_.back().count;
@@ -133,7 +134,7 @@ bool ContactSetOf<L>::pack(const RowSystem& system, const ManifoldList& list, Re
         batch.first = chosen_[b].first, batch.count = chosen_[b].count;
         for (int lane = 0; lane < kCount; ++lane)
             fill_lane(system, list, chosen_[b].manifold[lane], batch, lane);
-        kernels_->prepare(batch, &points_[std::size_t(batch.first)], Number(w));
+        kernels_->prepare[cone_](batch, &points_[std::size_t(batch.first)], Number(w));
         for (int i = batch.first; i < batch.first + batch.count; ++i)
             silence_unused(sources_[std::size_t(i)], points_[std::size_t(i)]);
     }
@@ -219,7 +220,7 @@ void ContactSetOf<L>::shuffle(CounterRandom& random)
 template <typename L>
 void ContactSetOf<L>::sweep(std::span<Bodies> bodies)
 {
-    kernels_->sweep(batches_.data(), order_.data(), int(order_.size()), points_.data(), bodies.data());
+    kernels_->sweep[cone_](batches_.data(), order_.data(), int(order_.size()), points_.data(), bodies.data());
 }
 
 template <typename L>

@@ -67,6 +67,7 @@ class ContactSetOf {
 
     const ContactKernels* machine_;
     const ContactKernelsOf<L>* kernels_;
+    bool cone_ = false;
     std::span<Choice> chosen_;
     std::span<Batch> batches_;
     std::span<int> order_;  // of the batches in a sweep

@@ -14,6 +14,75 @@ SolverBody* second(std::span<SolverBody> bodies, const RowBlock& block)
     return block.body2 >= 0 ? &bodies[std::size_t(block.body2)] : nullptr;
 }
 
+// What is to be in the box of its bounds, or the two friction rows of a contact in the ellipse of theirs.
+class Wanted {
+  public:
+    Wanted(const RowSystem& system, std::span<const SolverBody> bodies, std::span<const Real> lo,
+           std::span<const Real> hi)
+        : system_(system), bodies_(bodies), lo_(lo), hi_(hi)
+    {}
+
+    // d |p - clip(p - w/d)|, of all rows of the block the largest.
+    Real residual(const RowBlock& block) const
+    {
+        const bool cone = system_.cone && slides(block);
+        Real worst = 0;
+        for (int i = block.first; i < block.first + (cone ? 1 : block.count); ++i) {
+            const auto k = std::size_t(i);
+            const Real d = mobility(block, k), p = system_.numbers[k].p;
+            if (!(d > 0)) continue;  // an empty row constrains nothing
+            const Real clipped = std::min(std::max(p - violation(block, k) / d, lo_[k]), hi_[k]);
+            worst = std::max(worst, d * std::fabs(p - clipped));
+        }
+        return cone ? std::max(worst, friction_residual(block)) : worst;
+    }
+
+  private:
+    // Has the block a normal and two tangents, and nothing against rolling?
+    bool slides(const RowBlock& block) const
+    {
+        const Row* rows = &system_.rows[std::size_t(block.first)];
+        return block.contact && block.count == 3 && rows[1].lin1 != Vec3{} && rows[2].lin1 != Vec3{};
+    }
+
+    const SolverBody& one(const RowBlock& block) const { return bodies_[std::size_t(block.body1)]; }
+    const SolverBody* two(const RowBlock& block) const
+    {
+        return block.body2 >= 0 ? &bodies_[std::size_t(block.body2)] : nullptr;
+    }
+
+    Real mobility(const RowBlock& block, std::size_t k) const
+    {
+        return row_mobility(system_.rows[k], one(block), two(block)) + system_.numbers[k].C;
+    }
+
+    Real violation(const RowBlock& block, std::size_t k) const
+    {
+        const RowNumbers& n = system_.numbers[k];
+        return row_velocity(system_.rows[k], one(block), two(block)) + n.C * n.p - n.c;
+    }
+
+    Real friction_residual(const RowBlock& block) const
+    {
+        const auto k = std::size_t(block.first) + 1;
+        const Real d = std::max(mobility(block, k), mobility(block, k + 1));
+        if (!(d > 0)) return 0;
+        Real p[2], q[2], length2 = 0;
+        for (std::size_t i = 0; i < 2; ++i) {
+            p[i] = system_.numbers[k + i].p;
+            q[i] = p[i] - violation(block, k + i) / d;
+            const Real share = hi_[k + i] > 0 ? q[i] / hi_[k + i] : kInf;
+            length2 += q[i] == 0 ? 0 : share * share;
+        }
+        const Real scale = length2 > 1 ? 1 / std::sqrt(length2) : 1;
+        return d * std::max(std::fabs(p[0] - scale * q[0]), std::fabs(p[1] - scale * q[1]));
+    }
+
+    const RowSystem& system_;
+    std::span<const SolverBody> bodies_;
+    std::span<const Real> lo_, hi_;
+};
+
 }  // namespace
 
 void present_bounds(const RowSystem& system, std::span<Real> lo, std::span<Real> hi)
@@ -49,19 +118,9 @@ Real natural_residual(const RowSystem& system, std::span<const SolverBody> v_sta
                           second(bodies, block));
         }
 
+    const Wanted wanted(system, bodies, lo, hi);
     Real worst = 0;
-    for (const RowBlock& block : system.blocks)
-        for (int i = block.first; i < block.first + block.count; ++i) {
-            const auto k = std::size_t(i);
-            const RowNumbers& n = system.numbers[k];
-            const SolverBody& a = bodies[std::size_t(block.body1)];
-            const SolverBody* b = second(bodies, block);
-            const Real d = row_mobility(system.rows[k], a, b) + n.C;
-            if (!(d > 0)) continue;  // an empty row constrains nothing
-            const Real w = row_velocity(system.rows[k], a, b) + n.C * n.p - n.c;
-            const Real clipped = std::min(std::max(n.p - w / d, lo[k]), hi[k]);
-            worst = std::max(worst, d * std::fabs(n.p - clipped));
-        }
+    for (const RowBlock& block : system.blocks) worst = std::max(worst, wanted.residual(block));
     return worst / (scale > 0 ? scale : 1);
 }
 

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// dWorldSetContactCone: what slides on contact joints is braked by mu g in whatever direction it goes, where
+// the pyramid brakes by up to 1.41 times that and pulls askew.
+#include <algorithm>
+
+#include "rig.h"
+
+namespace epode::physics {
+namespace {
+
+constexpr double kG = 9.81, kMu = 0.4;
+
+struct Cone : testing::TestWithParam<Stepper> {
+    Sim sim{GetParam()};
+    Cone()
+    {
+        sim.gravity(0, 0, -kG);
+        sim.surface.mu = real(kMu);
+        dWorldSetContactCone(sim.world, 1);
+    }
+};
+
+// Of boxes that lie on the ground with a speed of 3 m/s in the direction `angle`: along it, and across.
+struct Braked {
+    double least = 1e9, most = 0, askew = 0;
+};
+
+Braked brake(Sim& sim, double angle, int boxes)
+{
+    const double h = 0.002, v0 = 3;
+    const int steps = 200;
+    const V3 along{std::cos(angle), std::sin(angle), 0}, across{-along.y, along.x, 0};
+    sim.ground();
+    for (int i = 0; i < boxes; ++i) sim.box({4.0 * i, 0, 0.1}, {1, 1, 0.2}, 5);
+    sim.steps(100, h);
+    for (const dBodyID box : sim.bodies) velocity(box, v0 * along);
+    sim.steps(steps, h);
+    Braked out;
+    for (const dBodyID box : sim.bodies) {
+        const double rate = (v0 - dot(velocity(box), along)) / (steps * h);
+        out.least = std::min(out.least, rate), out.most = std::max(out.most, rate);
+        out.askew = std::max(out.askew, std::abs(dot(velocity(box), across)));
+    }
+    return out;
+}
+
+// A dozen boxes are 48 contacts, which QuickStep takes in floats.
+TEST_P(Cone, brakes_by_mu_g_in_every_direction)
+{
+    for (const int boxes : {1, 16})
+        for (int k = 0; k < 8; ++k) {
+            Sim each(GetParam());
+            each.gravity(0, 0, -kG);
+            each.surface.mu = real(kMu);
+            dWorldSetContactCone(each.world, 1);
+            const Braked got = brake(each, 0.1 + k * kPi / 4.3, boxes);
+            EXPECT_NEAR(got.least, kMu * kG, 0.01 * kMu * kG) << boxes << ' ' << k;
+            EXPECT_NEAR(got.most, kMu * kG, 0.01 * kMu * kG) << boxes << ' ' << k;
+            EXPECT_LT(got.askew, 0.01) << boxes << ' ' << k;
+        }
+}
+
+TEST_P(Cone, is_off_by_default_and_the_pyramid_brakes_more_across_its_edges)
+{
+    Sim each(GetParam());
+    EXPECT_EQ(dWorldGetContactCone(each.world), 0);
+    each.gravity(0, 0, -kG);
+    each.surface.mu = real(kMu);
+    EXPECT_NEAR(brake(each, kPi / 4, 1).most, std::sqrt(2.0) * kMu * kG, 0.02 * kMu * kG);
+}
+
+// With mu along one direction and 3 mu along the other, forces lie in the ellipse, on its rim while it
+// slides.
+TEST_P(Cone, is_an_ellipse_where_the_two_differ)
+{
+    const dBodyID body = sim.body({0, 0, 0}, 2);
+    velocity(body, {3, 2, 0});
+    for (int i = 0; i < 400; ++i) {
+        dJointGroupEmpty(sim.contacts);
+        dContact c = make_contact(position(body), {0, 0, 1}, 0);
+        c.surface.mode |= dContactFDir1 | dContactMu2;
+        c.surface.mu = real(kMu), c.surface.mu2 = real(3 * kMu);
+        c.fdir1[0] = 1;
+        const dJointID joint = dJointCreateContact(sim.world, sim.contacts, &c);
+        dJointAttach(joint, body, nullptr);
+        dJointFeedback feedback{};
+        dJointSetFeedback(joint, &feedback);
+        const bool slid = length(velocity(body)) > 0.2;
+        sim.advance(0.005);
+        const double n = double(feedback.f1[2]);
+        const double share =
+            std::hypot(double(feedback.f1[0]) / (kMu * n), double(feedback.f1[1]) / (3 * kMu * n));
+        EXPECT_LT(share, 1 + 1e-4) << i;
+        if (slid && length(velocity(body)) > 0.2) { EXPECT_GT(share, 1 - 1e-4) << i; }
+    }
+    EXPECT_LT(length(velocity(body)), 0.01);
+}
+
+TEST_P(Cone, bears_friction_without_limit_and_none)
+{
+    for (const dReal mu : {dInfinity, real(0)}) {
+        Sim each(GetParam());
+        each.gravity(0, 0, -kG);
+        each.surface.mu = mu;
+        dWorldSetContactCone(each.world, 1);
+        each.ground();
+        for (int i = 0; i < 20; ++i) each.box({2.0 * i, 0, 0.6}, {1, 1, 1}, 5);
+        for (const dBodyID box : each.bodies) velocity(box, {1, 1, 0});
+        each.steps(100, 0.01);
+        EXPECT_TRUE(finite_state(each));
+        for (const dBodyID box : each.bodies) {
+            if (mu == 0) { EXPECT_NEAR(length(velocity(box)), std::sqrt(2.0), 0.01); }
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sweeping, Cone, testing::Values(Stepper::kQuick, Stepper::kFast), case_name);
+
+TEST(ConeOfTheExactStepper, is_the_pyramid_that_it_was)
+{
+    std::uint64_t hash[2];
+    for (const int mode : {0, 1}) {
+        Sim sim(Stepper::kExact);
+        sim.gravity(0, 0, -kG);
+        sim.surface.mu = real(kMu);
+        dWorldSetContactCone(sim.world, mode);
+        brake(sim, 0.7, 3);
+        hash[mode] = hash_state(sim);
+    }
+    EXPECT_EQ(hash[0], hash[1]);
+}
+
+// What is reported is measured against the cone: swept for long, nothing is left.
+TEST(ConeReport, tells_of_nothing_left_after_many_sweeps)
+{
+    Sim sim(Stepper::kQuick);
+    sim.gravity(1, 2, -kG);
+    sim.surface.mu = real(kMu);
+    dWorldSetContactCone(sim.world, 1);
+    dWorldSetQuickStepNumIterations(sim.world, 2000);
+    dWorldSetStepReportMode(sim.world, 1);
+    sim.ground();
+    velocity(sim.box({0, 0, 0.1}, {1, 1, 0.2}, 5), {1, 2, 0});
+    sim.steps(10, 0.01);
+    EXPECT_LT(sim.report().residual, tol(1e-6, 1e-3));
+    EXPECT_GT(length(velocity(sim.bodies[0])), 1.5);  // it slides
+}
+
+TEST(ConeSetter, refuses_other_modes)
+{
+    Sim sim;
+    Messages messages;
+    dWorldSetContactCone(sim.world, 2);
+    dWorldSetContactCone(sim.world, -1);
+    EXPECT_EQ(dWorldGetContactCone(sim.world), 0);
+    EXPECT_EQ(messages.count(), 2);
+}
+
+}  // namespace
+}  // namespace epode::physics
