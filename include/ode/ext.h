@@ -123,8 +123,8 @@ ODE_API dReal dWorldGetQuickStepWarmStarting(dWorldID world);
     the normal force, or force bounds as the surface flags say), which with one mu is Coulomb's cone: the same
     in every direction, opposite to the slip. Contacts with both directions are meant; those with one, or that
     resist rolling, are as ever, and so is dWorldStep, whose bounds are those of each row. What the world
-    manages (ode/contacts.h) has the cone anyway. Costs no time that could be measured. Other values are refused, as
-    is a call during a step. [ours] */
+    manages (ode/contacts.h) has the cone anyway. Costs a root and three divisions a contact and sweep. Other
+    values are refused, as is a call during a step. [ours] */
 ODE_API void dWorldSetContactCone(dWorldID world, int mode);
 ODE_API int dWorldGetContactCone(dWorldID world);
 
