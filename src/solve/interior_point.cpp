@@ -57,6 +57,7 @@ bool InteriorPoint::solve(ExactProblem& problem, PackedRows& rows, std::span<dou
                           int& iterations)
 {
     packed_ = &rows;
+    ahead_ = {};  // there is no direction yet, and nothing times what is not a number is none either
     start(problem, v);
     // Progress is counted from these marks; at a degenerate solution the measure only falls like the root of
     // mu.

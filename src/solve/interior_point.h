@@ -33,8 +33,8 @@ class InteriorPoint {
 
     PackedRows* packed_ = nullptr;
     InteriorRows rows_;
-    RowKernels::Residuals now_;
-    RowKernels::Direction ahead_;
+    RowKernels::Residuals now_{};
+    RowKernels::Direction ahead_{};
     int bounds_ = 0;             // present ones
     std::span<double> numbers_;  // all arrays of rows_
     std::span<double> r1_, dv_;

@@ -15,8 +15,8 @@
 namespace epode {
 namespace {
 
-// Less than contact joints have, 10: what is deep comes out faster, and a tall wall leans less. With 4 the top
-// of a pile that falls into place is thrown up by what its rows push one another apart.
+// Less than contact joints have, 10: what is deep comes out faster, and a tall wall leans less. With 4 the
+// top of a pile that falls into place is thrown up by what its rows push one another apart.
 constexpr Real kDampingRatio = 7;
 constexpr int kBatchPiece = 4, kBodyPiece = 64;    // of parallel work in a sweep, at least
 constexpr int kBatchRange = 16, kBodyRange = 256;  // and before and behind all of them

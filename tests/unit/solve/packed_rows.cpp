@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <new>
 #include <vector>
 
 #include "solve/active_set.h"
@@ -108,6 +109,32 @@ Outcome solve_with(const RowKernels& kernels, std::uint64_t seed)
     EXPECT_LT(box.exact.residual(box.state, box.v), 1e-12);
     out.p = box.p, out.v = box.v;
     return out;
+}
+
+// What lay on the stack before is no part of the problem: it once decided whether the method gave up.
+TEST(InteriorPoint, BeginsTheSameInAnyMemory)
+{
+    alignas(InteriorPoint) unsigned char memory[sizeof(InteriorPoint)];
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        std::vector<double> p[2];
+        for (const int byte : {0, 0xff}) {
+            BoxCase box(seed);
+            PackedRows packed(row_kernels(0));
+            std::memset(memory, byte, sizeof memory);
+            asm volatile("" : : "r"(memory) : "memory");  // or nobody would write what nobody may read
+            auto* interior = new (memory) InteriorPoint;
+            ASSERT_TRUE(packed.prepare(box.exact, box.arena));
+            ASSERT_TRUE(interior->prepare(box.exact, packed.most_places(), box.arena));
+            packed.pack(box.exact, box.state);
+            int iterations = 0;
+            interior->solve(box.exact, packed, box.v, 0, iterations);  // until it stalls
+            interior->~InteriorPoint();
+            packed.unpack(box.state);
+            p[byte != 0] = box.p;
+            p[byte != 0].push_back(iterations);
+        }
+        EXPECT_EQ(p[0], p[1]) << seed;
+    }
 }
 
 TEST(RowKernels, AllMachinesMakeTheSameBits)
