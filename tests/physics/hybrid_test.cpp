@@ -254,14 +254,15 @@ MomentumLoss collide_machines(int per_step)
 }
 
 // A patch keeps the arms of the step's beginning while its bodies slide past each other in the small steps:
-// what that costs is of first order in the step.
+// what that costs is of first order in the step. (Each step size has collisions of its own: over a range of
+// 32 it shows.)
 TEST(Hybrid, keeps_momentum_of_what_is_tied_and_of_what_collides)
 {
-    const MomentumLoss loss = collide_machines(1), fine = collide_machines(8);
+    const MomentumLoss loss = collide_machines(1), fine = collide_machines(32);
     EXPECT_LT(loss.before, 1e-3);
     EXPECT_LT(loss.in_all, 0.04);
-    EXPECT_LT(fine.before, loss.before / 4);
-    EXPECT_LT(fine.in_all, loss.in_all / 4);
+    EXPECT_LT(fine.before, loss.before / 10);
+    EXPECT_LT(fine.in_all, loss.in_all / 10);
 }
 
 // Two boxes tied by a joint slide as one.
