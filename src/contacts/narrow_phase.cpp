@@ -18,7 +18,6 @@ constexpr Real kReuse = Real(0.02);         // of the size, for full patches
 constexpr Real kReuseLayer = Real(0.25);    // of the layer, for others
 constexpr Real kSwift = Real(0.02);         // of the size, a way in one step
 constexpr Real kNear = Real(0.3);           // of the size, at most, for points that do not touch yet
-constexpr Real kSameNormal = Real(0.996);   // cosine, 5 degrees
 constexpr int kSolidPoints = kPatchPoints;  // that are asked for
 constexpr int kSurfacePoints = 16;
 
@@ -168,17 +167,13 @@ class PairUpdate {
                          false};
         const Aabb &box1 = box_of(g1_), &box2 = box_of(g2_);
         if (!apart_ && overlap(box1, box2)) epode::collide(g1_, g2_, out);
-        if (out.count > 0) {
-            take(out, pose1_, pose2_, old);
-            return add_near_points(pose1_, pose2_, old);
-        }
+        if (out.count > 0) return take(out, pose1_, pose2_, old);
         const Foresight& soon = settings_.soon;
         if (!draws_near() || !overlap(soon.box(pair_.body1, box1), soon.box(pair_.body2, box2))) return;
         const Pose soon1 = soon.pose(pair_.body1, pose1_), soon2 = soon.pose(pair_.body2, pose2_);
         if (can_be_parted() && find_parting(soon1, soon2)) return;
         collide_at(g1_, soon1, g2_, soon2, out);
         take(out, soon1, soon2, {});
-        add_near_points(soon1, soon2, {});
         if (one_stands() && (is_round(g1_) || is_round(g2_)))
             for (KeptPatch& part : parts_.first(pair_.count)) look_back(part, soon1);
         drop_passed();
@@ -193,37 +188,6 @@ class PairUpdate {
         const Vec3 v = settings_.soon.velocity(pair_.body1) - settings_.soon.velocity(pair_.body2);
         const Real turned = spin(pair_.body1) + spin(pair_.body2);
         return settings_.soon.h * (length(v) + size_of(g1_, g2_) * turned);
-    }
-
-    // Who lands on a corner turns about it, and the corner opposite comes down with twice the speed and more.
-    // So points that do not overlap at A and B yet are taken in too: those that do with the first one pushed
-    // into the other, if the normal stays what it is.
-    void add_near_points(const Pose& A, const Pose& B, std::span<const KeptPatch> old)
-    {
-        if (!may_have_near_points()) return;
-        const Real size = size_of(g1_, g2_), way = this->way();
-        if (way <= kSwift * size) return;
-        const Vec3 n = widen(parts_[0].patch.normal);
-        const Vec3 into = -std::min(2 * way, kNear * size) * n;
-        dContactGeom found[kSolidPoints];
-        ContactArray out{found, int(sizeof(dContactGeom)), kSolidPoints, false};
-        collide_at(g1_, {A.p + into, A.R}, g2_, B, out);
-        if (out.count <= parts_[0].patch.count) return;
-        for (int i = 0; i < out.count; ++i) {
-            dContactGeom& c = *out.at(i);
-            if (!(dot(load(c.normal), n) > kSameNormal)) return;
-            store(c.pos, load(c.pos) - Real(0.5) * into);
-            c.depth -= length(into);
-        }
-        take(out, A, B, old);
-    }
-
-    // Spheres have no second point, and functions of the program may mean anything.
-    bool may_have_near_points() const
-    {
-        if (!settings_.foresees || pair_.most > 1 || pair_.asked || pair_.count != 1) return false;
-        if (g1_.type->number == dSphereClass || g2_.type->number == dSphereClass) return false;
-        return parts_[0].patch.count < kPatchPoints;
     }
 
     static Real spin(const Body* body) { return body ? length(body->angular_velocity()) : 0; }
@@ -269,15 +233,54 @@ class PairUpdate {
         pair_.count = std::uint8_t(end - parts_.begin());
     }
 
-    // The contacts of the two at A and B.
+    // The contacts of the two at A and B, and the points that will be.
     void take(const ContactArray& out, const Pose& A, const Pose& B, std::span<const KeptPatch> old)
     {
         PatchMaker maker(parts_);
+        sort(out, maker);
+        dContactGeom found[kSolidPoints];
+        ContactArray near{found, int(sizeof(dContactGeom)), kSolidPoints, false};
+        if (may_have_near_points(maker) && find_near_points(A, B, near)) {
+            maker = PatchMaker(parts_);
+            sort(near, maker);
+        }
+        pair_.count = std::uint8_t(maker.used());
+        for (int part = 0; part < pair_.count; ++part) settle(part, maker, A, B, old);
+    }
+
+    static void sort(const ContactArray& out, PatchMaker& maker)
+    {
         for (int i = 0; i < out.count; ++i)
             if (sound(*out.at(i))) maker.add(*out.at(i));
         maker.finish();
-        pair_.count = std::uint8_t(maker.used());
-        for (int part = 0; part < pair_.count; ++part) settle(part, maker, A, B, old);
+    }
+
+    // Spheres have no second point, and functions of the program may mean anything.
+    bool may_have_near_points(const PatchMaker& maker) const
+    {
+        if (!settings_.foresees || pair_.most > 1 || pair_.asked || maker.used() != 1) return false;
+        if (g1_.type->number == dSphereClass || g2_.type->number == dSphereClass) return false;
+        return parts_[0].patch.count < kPatchPoints;
+    }
+
+    // Who lands on a corner turns about it, and the corner opposite comes down with twice the speed and more.
+    // So points that do not overlap at A and B yet are taken in too: those that do with the first one pushed
+    // into the other, if the normal stays what it is. False if these are no more than there are.
+    bool find_near_points(const Pose& A, const Pose& B, ContactArray& out)
+    {
+        const Real size = size_of(g1_, g2_), way = this->way();
+        if (way <= kSwift * size) return false;
+        const Vec3 n = widen(parts_[0].patch.normal);
+        const Vec3 into = -std::min(2 * way, kNear * size) * n;
+        collide_at(g1_, {A.p + into, A.R}, g2_, B, out);
+        if (out.count <= parts_[0].patch.count) return false;
+        for (int i = 0; i < out.count; ++i) {
+            dContactGeom& c = *out.at(i);
+            if (!(dot(load(c.normal), n) > kSameNormal)) return false;
+            store(c.pos, load(c.pos) - Real(0.5) * into);
+            c.depth -= length(into);
+        }
+        return true;
     }
 
     // Anchors, and impulses from the points that were near.
@@ -288,7 +291,7 @@ class PairUpdate {
         Patch& patch = part.patch;
         part.offset = narrow(offset_);
         for (int k = 0; k < 3; ++k) part.turn[k] = narrow(turn_.row(k));
-        part.normal = narrow(transposed_times(A.R, widen(patch.normal)));
+        part.normal = narrow(transposed_times(pose1_.R, widen(patch.normal)));
         patch.roll = {};
         for (int i = 0; i < patch.count; ++i) {
             const dContactGeom& c = maker.source(index, i);

@@ -11,8 +11,7 @@
 namespace epode {
 namespace {
 
-constexpr Real kSameNormal = Real(0.996);  // cosine, 5 degrees
-constexpr Real kReach = Real(0.1);         // of the size
+constexpr Real kReach = Real(0.1);  // of the size
 
 Real distance2(Float3 a, Float3 b) { return length2(widen(a) - widen(b)); }
 
