@@ -19,8 +19,8 @@ namespace epode {
 template <typename L>
 struct ContactKernelsOf {
     using Bodies = typename VelocityOf<L>::Type;
-    // With friction in a box of its limits, and in their ellipse: a cone.
-    // In: all but couplings and gains. Out: these, and p within its limits.
+    // [0]: friction lies in the box of its limits, [1]: in their ellipse, a cone.
+    // Of what is prepared all but couplings and gains is given; these come out, and p within its limits.
     void (*prepare[2])(const ContactBatchOf<L>& batch, BatchPointOf<L>* points, typename L::Number w);
     // v += M^-1 J^T p
     void (*apply_impulses)(const ContactBatchOf<L>* batches, int count, const BatchPointOf<L>* points,

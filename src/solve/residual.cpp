@@ -9,7 +9,8 @@
 namespace epode {
 namespace {
 
-SolverBody* second(std::span<SolverBody> bodies, const RowBlock& block)
+template <typename B>
+B* second(std::span<B> bodies, const RowBlock& block)
 {
     return block.body2 >= 0 ? &bodies[std::size_t(block.body2)] : nullptr;
 }
@@ -46,10 +47,7 @@ class Wanted {
     }
 
     const SolverBody& one(const RowBlock& block) const { return bodies_[std::size_t(block.body1)]; }
-    const SolverBody* two(const RowBlock& block) const
-    {
-        return block.body2 >= 0 ? &bodies_[std::size_t(block.body2)] : nullptr;
-    }
+    const SolverBody* two(const RowBlock& block) const { return second(bodies_, block); }
 
     Real mobility(const RowBlock& block, std::size_t k) const
     {
@@ -111,11 +109,11 @@ Real natural_residual(const RowSystem& system, std::span<const SolverBody> v_sta
         for (int i = block.first; i < block.first + block.count; ++i) {
             const auto k = std::size_t(i);
             const SolverBody& a = v_star[std::size_t(block.body1)];
-            const SolverBody* b = block.body2 >= 0 ? &v_star[std::size_t(block.body2)] : nullptr;
+            const SolverBody* b = second(v_star, block);
             const Real c = system.numbers[k].c;
             scale = std::max({scale, std::fabs(c), std::fabs(c - row_velocity(system.rows[k], a, b))});
             apply_impulse(system.rows[k], system.numbers[k].p, bodies[std::size_t(block.body1)],
-                          second(bodies, block));
+                          second(std::span(bodies), block));
         }
 
     const Wanted wanted(system, bodies, lo, hi);

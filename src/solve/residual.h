@@ -5,11 +5,11 @@
 //
 //   r = max_i d_i |p_i - clip(p_i - w_i/d_i, lo_i, hi_i)| / scale,
 //   w = J v + C p - c with v recomputed from p,  d_i = J_i M^-1 J_i^T + C_i,
-//   and the two friction rows of a contact whose friction is a cone are clipped to the ellipse of their
-//   bounds, with the larger of their d,
 //   scale = max_i max(|c_i - J_i v*|, |c_i|), 1 if that is 0.
 //
-// Zero exactly at the solution; d makes every row a velocity, so rows of different kinds compare.
+// Where friction is a cone, a contact's two friction rows are clipped together, to the ellipse of their
+// bounds and with the larger of their d. Zero exactly at the solution; d makes every row a velocity, so rows
+// of different kinds compare.
 #pragma once
 
 #include <span>

@@ -154,7 +154,7 @@ TEST(ContactKernels, AllMachinesMakeTheSameBitsInFloats)
     });
 }
 
-// In the ellipse of its limits after any number of sweeps, though never stepped out of the box either.
+// Friction lies in the ellipse of its limits, on its rim where it slides.
 TEST(ContactKernels, ConesBoundFrictionInThePlane)
 {
     for (const ContactKernels* kernels : contact_kernels()) {
