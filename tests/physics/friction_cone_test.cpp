@@ -12,15 +12,17 @@ namespace {
 
 constexpr double kG = 9.81, kMu = 0.4;
 
-struct Cone : testing::TestWithParam<Stepper> {
-    Sim sim{GetParam()};
-    Cone()
+// Under gravity, with friction of 0.4 in a cone.
+struct ConeSim : Sim {
+    explicit ConeSim(Stepper solver, int cone = 1) : Sim(solver)
     {
-        sim.gravity(0, 0, -kG);
-        sim.surface.mu = real(kMu);
-        dWorldSetContactCone(sim.world, 1);
+        gravity(0, 0, -kG);
+        surface.mu = real(kMu);
+        dWorldSetContactCone(world, cone);
     }
 };
+
+class Cone : public testing::TestWithParam<Stepper> {};
 
 // Of boxes that lie on the ground with a speed of 3 m/s in the direction `angle`: along it, and across.
 struct Braked {
@@ -46,16 +48,13 @@ Braked brake(Sim& sim, double angle, int boxes)
     return out;
 }
 
-// A dozen boxes are 48 contacts, which QuickStep takes in floats.
+// 16 boxes are 64 contacts, which QuickStep takes in floats.
 TEST_P(Cone, brakes_by_mu_g_in_every_direction)
 {
     for (const int boxes : {1, 16})
         for (int k = 0; k < 8; ++k) {
-            Sim each(GetParam());
-            each.gravity(0, 0, -kG);
-            each.surface.mu = real(kMu);
-            dWorldSetContactCone(each.world, 1);
-            const Braked got = brake(each, 0.1 + k * kPi / 4.3, boxes);
+            ConeSim sim(GetParam());
+            const Braked got = brake(sim, 0.1 + k * kPi / 4.3, boxes);
             EXPECT_NEAR(got.least, kMu * kG, 0.01 * kMu * kG) << boxes << ' ' << k;
             EXPECT_NEAR(got.most, kMu * kG, 0.01 * kMu * kG) << boxes << ' ' << k;
             EXPECT_LT(got.askew, 0.01) << boxes << ' ' << k;
@@ -64,17 +63,18 @@ TEST_P(Cone, brakes_by_mu_g_in_every_direction)
 
 TEST_P(Cone, is_off_by_default_and_the_pyramid_brakes_more_across_its_edges)
 {
-    Sim each(GetParam());
-    EXPECT_EQ(dWorldGetContactCone(each.world), 0);
-    each.gravity(0, 0, -kG);
-    each.surface.mu = real(kMu);
-    EXPECT_NEAR(brake(each, kPi / 4, 1).most, std::sqrt(2.0) * kMu * kG, 0.02 * kMu * kG);
+    Sim sim(GetParam());
+    EXPECT_EQ(dWorldGetContactCone(sim.world), 0);
+    sim.gravity(0, 0, -kG);
+    sim.surface.mu = real(kMu);
+    EXPECT_NEAR(brake(sim, kPi / 4, 1).most, std::sqrt(2.0) * kMu * kG, 0.02 * kMu * kG);
 }
 
 // With mu along one direction and 3 mu along the other, forces lie in the ellipse, on its rim while it
 // slides.
 TEST_P(Cone, is_an_ellipse_where_the_two_differ)
 {
+    ConeSim sim(GetParam());
     const dBodyID body = sim.body({0, 0, 0}, 2);
     velocity(body, {3, 2, 0});
     for (int i = 0; i < 400; ++i) {
@@ -101,16 +101,14 @@ TEST_P(Cone, is_an_ellipse_where_the_two_differ)
 TEST_P(Cone, bears_friction_without_limit_and_none)
 {
     for (const dReal mu : {dInfinity, real(0)}) {
-        Sim each(GetParam());
-        each.gravity(0, 0, -kG);
-        each.surface.mu = mu;
-        dWorldSetContactCone(each.world, 1);
-        each.ground();
-        for (int i = 0; i < 20; ++i) each.box({2.0 * i, 0, 0.6}, {1, 1, 1}, 5);
-        for (const dBodyID box : each.bodies) velocity(box, {1, 1, 0});
-        each.steps(100, 0.01);
-        EXPECT_TRUE(finite_state(each));
-        for (const dBodyID box : each.bodies) {
+        ConeSim sim(GetParam());
+        sim.surface.mu = mu;
+        sim.ground();
+        for (int i = 0; i < 20; ++i) sim.box({2.0 * i, 0, 0.6}, {1, 1, 1}, 5);
+        for (const dBodyID box : sim.bodies) velocity(box, {1, 1, 0});
+        sim.steps(100, 0.01);
+        EXPECT_TRUE(finite_state(sim));
+        for (const dBodyID box : sim.bodies) {
             if (mu == 0) { EXPECT_NEAR(length(velocity(box)), std::sqrt(2.0), 0.01); }
         }
     }
@@ -122,10 +120,7 @@ TEST(ConeOfTheExactStepper, is_the_pyramid_that_it_was)
 {
     std::uint64_t hash[2];
     for (const int mode : {0, 1}) {
-        Sim sim(Stepper::kExact);
-        sim.gravity(0, 0, -kG);
-        sim.surface.mu = real(kMu);
-        dWorldSetContactCone(sim.world, mode);
+        ConeSim sim(Stepper::kExact, mode);
         brake(sim, 0.7, 3);
         hash[mode] = hash_state(sim);
     }
@@ -135,10 +130,8 @@ TEST(ConeOfTheExactStepper, is_the_pyramid_that_it_was)
 // What is reported is measured against the cone: swept for long, nothing is left.
 TEST(ConeReport, tells_of_nothing_left_after_many_sweeps)
 {
-    Sim sim(Stepper::kQuick);
+    ConeSim sim(Stepper::kQuick);
     sim.gravity(1, 2, -kG);
-    sim.surface.mu = real(kMu);
-    dWorldSetContactCone(sim.world, 1);
     dWorldSetQuickStepNumIterations(sim.world, 2000);
     dWorldSetStepReportMode(sim.world, 1);
     sim.ground();
