@@ -246,7 +246,8 @@ MomentumLoss collide_machines(int per_step, double aside)
         if (!met) loss.before = std::max(loss.before, lost());
     }
     EXPECT_TRUE(met);
-    EXPECT_LT(length(momentum(sim) - p), per_step * tol(1e-5, 1e-3));  // patches are solved in floats
+    // Patches are solved in floats: a rounding of 1e-7 of 20 kg m/s in some of the steps.
+    EXPECT_LT(length(momentum(sim) - p), per_step * tol(2e-5, 1e-3));
     EXPECT_LT(sim.report().joint_error, 2e-3);
     loss.in_all = lost();
     return loss;
