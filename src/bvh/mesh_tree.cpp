@@ -8,10 +8,12 @@
 #include "bvh/mesh_tree.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace epode {
 namespace {
 
+constexpr float kRoam = 0.125f;  // of its longest side a box may move before the tree is gone through again
 constexpr int kBins = 16;
 constexpr int kGreedy = 40;
 static_assert(kGreedy + 27 < kMeshDepth && TriangleMesh::kMostTriangles <= 1 << 27);
@@ -43,6 +45,8 @@ struct Item {
     int triangle;
     float twice_centre(int axis) const { return box.lo[axis] + box.hi[axis]; }
 };
+
+std::atomic<std::uint64_t> g_editions{0};
 
 struct Part {
     Item* first = nullptr;
@@ -245,9 +249,11 @@ FloatBox widened(FloatBox b)
 
 }  // namespace
 
-// Half of the corners before they are added or taken from each other: their sum might overflow.
+// Half of the corners before they are added or taken from each other: their sum might overflow. What was kept
+// of another frame is forgotten.
 void MeshTree::set_frame(const TriangleMesh& mesh)
 {
+    edition_ = g_editions.fetch_add(1, std::memory_order_relaxed) + 1;
     box_ = mesh.box();
     centre_ = Real(0.5) * box_.lo + Real(0.5) * box_.hi;
     const Real half = max_component(Real(0.5) * box_.hi - Real(0.5) * box_.lo);
@@ -321,6 +327,31 @@ void MeshTree::refit(const TriangleMesh& mesh)
         bounds_[n] = all;
     }
     for (int w = 0; w < wide_.size(); ++w) place(wide_[w], sources_.data() + WideNode::kMost * w, mesh);
+}
+
+bool MeshTree::bring_up_to_date(NearLeaves& kept, const FloatBox& asked) const
+{
+    if (!kept.knows(edition_, asked)) {
+        kept.edition = edition_;
+        float side = 0;
+        for (int i = 0; i < 3; ++i) side = std::max(side, asked.hi[i] - asked.lo[i]);
+        for (int i = 0; i < 3; ++i) {
+            kept.box.lo[i] = asked.lo[i] - kRoam * side;
+            kept.box.hi[i] = asked.hi[i] + kRoam * side;
+        }
+        gather(kept);
+    }
+    return kept.count <= NearLeaves::kMost;
+}
+
+void MeshTree::gather(NearLeaves& kept) const
+{
+    kept.count = 0;
+    walk_wide(NodeBox(kept.box), [&](int leaf) {
+        if (!packets_.data()[leaf].met_by(kept.box)) return true;
+        if (kept.count < NearLeaves::kMost) kept.leaf[kept.count] = leaf;
+        return ++kept.count <= NearLeaves::kMost;
+    });
 }
 
 // Wide nodes from the nodes of four: of the children of one, those with the most below them give way to their

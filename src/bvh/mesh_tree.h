@@ -16,6 +16,7 @@
 
 #include "base/ahead.h"
 #include "bvh/mesh_probe.h"
+#include "bvh/near_leaves.h"
 #include "bvh/wide_node.h"
 #include "geometry/triangle_mesh.h"
 
@@ -42,9 +43,10 @@ class MeshTree {
     void query(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) const;
 
     // visit(triangle) for those that a solid, which lies in the box, may touch; see(leaf, lanes) before, for
-    // the leaves that meet the box: at() of each has the triangles.
+    // the leaves that meet the box: at() of each has the triangles. `kept`: of who asks, brought up to date;
+    // or null.
     template <typename See, typename Visit>
-    void query(const Aabb& box, const SolidProbe& solid, See&& see, Visit&& visit) const;
+    void query(const Aabb& box, const SolidProbe& solid, NearLeaves* kept, See&& see, Visit&& visit) const;
     int at(int leaf, int lane) const { return packets_.data()[leaf].lanes[lane]; }
 
     // The same for those that may lie at or below the plane n . x = d.
@@ -74,17 +76,23 @@ class MeshTree {
     // The same for those that meet a box, by the wide nodes.
     template <typename Open>
     void walk_wide(const NodeBox& box, Open&& open) const;
+    // Whether `kept` has all leaves that meet `asked`, then.
+    bool bring_up_to_date(NearLeaves& kept, const FloatBox& asked) const;
+    void gather(NearLeaves& kept) const;
     [[nodiscard]] bool widen();
     void place(WideNode& node, const int* sources, const TriangleMesh& mesh) const;
     // Asks for the memory of a child that will be looked at soon.
     template <typename Node>
     void fetch(const Array<Node>& nodes, int child) const
     {
-        constexpr auto lines = [](std::size_t size) { return int((size + kCacheLine - 1) / kCacheLine); };
         if (child >= 0)
-            epode::fetch<lines(sizeof(Node))>(nodes.data() + child);
+            epode::fetch<(sizeof(Node) + kCacheLine - 1) / kCacheLine>(nodes.data() + child);
         else
-            epode::fetch<lines(sizeof(MeshPacket))>(packets_.data() + (-1 - child));
+            fetch_leaf(-1 - child);
+    }
+    void fetch_leaf(int leaf) const
+    {
+        epode::fetch<(sizeof(MeshPacket) + kCacheLine - 1) / kCacheLine>(packets_.data() + leaf);
     }
     HalfSpace half_space(Vec3 n, Real d) const;
     bool enter(MeshRay& ray, Real from, Real& to) const;
@@ -104,7 +112,8 @@ class MeshTree {
     Array<int> sources_;  // of each child of these: the child of nodes_ that it is
     Aabb box_;
     Vec3 centre_;
-    Real scale_ = 1;  // a power of two
+    Real scale_ = 1;             // a power of two
+    std::uint64_t edition_ = 0;  // see near_leaves.h
 };
 
 template <int kStack, typename Node, typename Meets, typename Open>
@@ -153,12 +162,13 @@ void MeshTree::query(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) c
 }
 
 template <typename See, typename Visit>
-void MeshTree::query(const Aabb& box, const SolidProbe& solid, See&& see, Visit&& visit) const
+void MeshTree::query(const Aabb& box, const SolidProbe& solid, NearLeaves* kept, See&& see,
+                     Visit&& visit) const
 {
     if (!overlap(box, box_)) return;
     const FloatBox asked = in_frame(box);
     const MeshProbe probe(solid, in_frame(solid.centre), scale_);
-    walk_wide(NodeBox(asked), [&](int leaf) {
+    const auto open = [&](int leaf) {
         const MeshPacket& packet = packets_.data()[leaf];
         const unsigned met = packet.met_by(asked);
         if (met == 0) return true;
@@ -166,7 +176,10 @@ void MeshTree::query(const Aabb& box, const SolidProbe& solid, See&& see, Visit&
         for (unsigned close = probe.meets(packet, met); close != 0; close &= close - 1)
             visit(packet.lanes[std::countr_zero(close)]);
         return true;
-    });
+    };
+    if (!kept || !bring_up_to_date(*kept, asked)) return walk_wide(NodeBox(asked), open);
+    for (int i = 0; i < kept->count; ++i) fetch_leaf(kept->leaf[i]);
+    for (int i = 0; i < kept->count; ++i) open(kept->leaf[i]);
 }
 
 template <typename Visit>

@@ -16,6 +16,8 @@
 
 namespace epode {
 
+struct NearLeaves;  // bvh/near_leaves.h
+
 struct ContactPoint {
     Vec3 position;
     Vec3 normal;
@@ -53,6 +55,10 @@ class ContactSink {
         return merge_[side](geoms_[side], one, other);
     }
 
+    // What the caller keeps of a mesh from call to call, if it does; of the one mesh in the pair.
+    void keep(NearLeaves* leaves) { kept_ = leaves; }
+    NearLeaves* kept() const { return kept_; }
+
     // False when there was no room.
     bool add(const ContactPoint& point)
     {
@@ -87,6 +93,7 @@ class ContactSink {
     int count_ = 0;
     dGeomID geoms_[2] = {};
     dTriTriMergeCallback* merge_[2] = {};
+    NearLeaves* kept_ = nullptr;
 };
 
 }  // namespace epode

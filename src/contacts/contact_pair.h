@@ -4,7 +4,8 @@
 // What the world remembers of two geoms from step to step. A pair is one line of the cache: most pairs are
 // only near, and large worlds have more of them than the cache has room. Those that touch have patches
 // beside: the patch that came of the last collision, its points fixed in both geoms; between surfaces
-// (meshes, height fields) and others up to three, of different normals.
+// (meshes, height fields) and others up to three, of different normals. A solid and a mesh keep beside which
+// part of the mesh is near (bvh/near_leaves.h).
 #pragma once
 
 #include "base/config.h"
@@ -34,15 +35,20 @@ struct KeptPatch {
 struct ContactPair {
     dGeomID id1, id2;  // id1's geom has a body
     std::uint64_t serial1, serial2;
-    Body *body1, *body2;        // live during a step only; body2 may be null
-    int old = -1;               // place in the list of the step before, -1: none, -2: not needed any more
-    int first = 0;              // place of its patches
-    std::uint32_t parting = 0;  // a direction that has parted the two, packed (contacts/pair_parting.h)
-    std::uint8_t count = 0;     // of them
+    Body *body1, *body2;  // live during a step only; body2 may be null
+    int old = -1;         // place in the list of the step before, -1: none, -2: not needed any more
+    int first = 0;        // place of its patches
+    union {
+        std::uint32_t parting = 0;  // of solids: a direction that has parted them, packed
+                                    // (contacts/pair_parting.h)
+        int leaves;                 // of a solid and a mesh: place of what they keep of it
+    };
+    std::uint8_t count = 0;  // of them
     std::uint8_t most = 1;
     bool wanted : 1 = true;    // by the filter
     bool asked : 1 = false;    // functions of the program tell its contacts
     bool touched : 1 = false;  // in the step before
+    bool on_mesh : 1 = false;  // a solid and a mesh
 };
 static_assert(sizeof(ContactPair) <= kCacheLine);
 

@@ -8,6 +8,7 @@
 
 #include "base/ahead.h"
 #include "collide/collide.h"
+#include "collide/solid_view.h"
 #include "contacts/narrow_phase.h"
 
 namespace epode {
@@ -45,6 +46,14 @@ bool may_push(const World& world, const GeomPair& pair)
     return moves && (!a || a->world == &world) && (!b || b->world == &world);
 }
 
+bool on_mesh(const GeomPair& pair)
+{
+    const auto meets = [](const Geom& solid, const Geom& mesh) {
+        return mesh.type->number == dTriMeshClass && is_solid(solid);
+    };
+    return meets(*pair.a, *pair.b) || meets(*pair.b, *pair.a);
+}
+
 int most_patches(const GeomPair& pair)
 {
     return is_surface(*pair.a) || is_surface(*pair.b) ? kSurfacePatches : 1;
@@ -80,6 +89,7 @@ bool ContactWorld::update(const World& world, Space& in, Real h, const Tasks& ta
     const DeepLock lock(in);
     fresh_.pairs.clear();
     fresh_.patches.clear();
+    fresh_.leaves.clear();
     if (!find_geom_pairs(in, soon, tasks, found_) || !choose_pairs(world, tasks) || !list_pairs(tasks))
         return false;
     if (filter) ask_filter();
@@ -123,7 +133,7 @@ bool ContactWorld::choose_range(const World& world, int range, RecordFinder& fin
         // What sleeps will be looked at when one of them wakes up.
         if (pair.old < 0 && !awake(body_of(*pair.a)) && !awake(body_of(*pair.b))) continue;
         *to++ = pair;
-        ++sum.pairs, sum.patches += most_patches(pair);
+        ++sum.pairs, sum.patches += most_patches(pair), sum.leaves += on_mesh(pair);
     }
     return true;
 }
@@ -135,10 +145,10 @@ bool ContactWorld::list_pairs(const Tasks& tasks)
     for (PairRange& range : ranges_) {
         const PairRange own = range;
         range = total;
-        total.pairs += own.pairs, total.patches += own.patches;
+        total.pairs += own.pairs, total.patches += own.patches, total.leaves += own.leaves;
     }
     if (!fresh_.pairs.extend(total.pairs) || !fresh_.patches.extend(total.patches) ||
-        !ended_.reserve(last_.pairs.size()))
+        !fresh_.leaves.extend(total.leaves) || !ended_.reserve(last_.pairs.size()))
         return false;
     tasks.for_each(ranges_.size() - 1, [&](int range, int) {
         PairRange at = ranges_[range];
@@ -146,11 +156,14 @@ bool ContactWorld::list_pairs(const Tasks& tasks)
         for (; at.pairs < ranges_[range + 1].pairs; ++from) {
             ContactPair& pair = fresh_.pairs.data()[at.pairs++];
             Geom &a = *from->a, &b = *from->b;
-            pair = {to_handle(&a), to_handle(&b), a.serial,  b.serial,
-                    body_of(a),    body_of(b),    from->old, at.patches};
+            pair = {to_handle(&a), to_handle(&b), a.serial,   b.serial, body_of(a),
+                    body_of(b),    from->old,     at.patches, {}};
             pair.most = std::uint8_t(most_patches(*from));
             pair.wanted = from->old < 0 || last_.pairs.data()[from->old].wanted;
-            pair.parting = from->old < 0 ? 0 : last_.pairs.data()[from->old].parting;
+            if ((pair.on_mesh = on_mesh(*from)))
+                pair.leaves = at.leaves++;
+            else
+                pair.parting = from->old < 0 ? 0 : last_.pairs.data()[from->old].parting;
             pair.asked = asks_program(a, b);
             at.patches += pair.most;
         }
@@ -171,12 +184,25 @@ void ContactWorld::update_one(ContactPair& pair, int place, const NarrowSettings
     KeptPatch* into = fresh_.patches.data() + place;
     pair.first = place;
     pair.touched = touches(old);
+    NearLeaves* const leaves = leaves_of(pair);
     if (!awake(pair.body1) && !awake(pair.body2)) {
         pair.count = std::uint8_t(old.size());
         std::copy(old.begin(), old.end(), into);
     } else if (pair.wanted && !tied(*pair.body1, pair.body2)) {
-        update_pair(pair, old, settings, into);
+        update_pair(pair, old, settings, into, leaves);
     }
+}
+
+// What the pair kept in the step before, or nothing yet.
+NearLeaves* ContactWorld::leaves_of(const ContactPair& pair)
+{
+    if (!pair.on_mesh) return nullptr;
+    NearLeaves* leaves = fresh_.leaves.data() + pair.leaves;
+    if (pair.old < 0)
+        leaves->edition = 0;
+    else
+        *leaves = last_.leaves.data()[last_.pairs.data()[pair.old].leaves];
+    return leaves;
 }
 
 // Patches of a piece lie close together, at the beginning of its room: gaps cost no memory of the cache.
@@ -246,6 +272,7 @@ void ContactWorld::forget()
 {
     last_.pairs.clear();
     last_.patches.clear();
+    last_.leaves.clear();
     ended_.clear();
 }
 

@@ -10,6 +10,7 @@
 
 #include "base/arena.h"
 #include "base/array.h"
+#include "bvh/near_leaves.h"
 #include "collide/space.h"
 #include "contacts/contact_pair.h"
 #include "contacts/narrow_phase.h"
@@ -46,6 +47,7 @@ class ContactWorld {
     struct List {
         Array<ContactPair> pairs;
         Array<KeptPatch> patches;  // those of a pair lie together; there are gaps
+        Array<NearLeaves> leaves;
 
         std::span<const KeptPatch> of(const ContactPair& pair) const
         {
@@ -59,7 +61,7 @@ class ContactWorld {
 
     // What a range of found pairs has; after summing up, where it begins.
     struct PairRange {
-        int pairs = 0, patches = 0;
+        int pairs = 0, patches = 0, leaves = 0;
     };
 
     [[nodiscard]] bool choose_pairs(const World& world, const Tasks& tasks);
@@ -68,6 +70,7 @@ class ContactWorld {
     void ask_filter();
     void collide_pairs(const World& world, Real h, const Tasks& tasks);
     void update_one(ContactPair& pair, int place, const NarrowSettings& settings);
+    NearLeaves* leaves_of(const ContactPair& pair);
 
     List last_, fresh_;  // of the last step, of this one
     Array<GeomPair> found_;

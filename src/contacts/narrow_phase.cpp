@@ -53,12 +53,13 @@ bool sound(const dContactGeom& c)
 
 class PairUpdate {
   public:
-    PairUpdate(ContactPair& pair, const NarrowSettings& settings, KeptPatch* into)
+    PairUpdate(ContactPair& pair, const NarrowSettings& settings, KeptPatch* into, NearLeaves* leaves)
         : pair_(pair),
           g1_(*from_handle<Geom>(pair.id1)),
           g2_(*from_handle<Geom>(pair.id2)),
           parts_(into, pair.most),
           settings_(settings),
+          leaves_(leaves),
           pose1_(pose_of(g1_)),
           pose2_(pose_of(g2_)),
           x1_(pair.body1->position()),
@@ -165,6 +166,7 @@ class PairUpdate {
         dContactGeom found[kSurfacePoints];
         ContactArray out{found, int(sizeof(dContactGeom)), pair_.most > 1 ? kSurfacePoints : kSolidPoints,
                          false};
+        out.kept = leaves_;
         const Aabb &box1 = box_of(g1_), &box2 = box_of(g2_);
         if (!apart_ && overlap(box1, box2)) epode::collide(g1_, g2_, out);
         if (out.count > 0) return take(out, pose1_, pose2_, old);
@@ -310,6 +312,7 @@ class PairUpdate {
     Geom &g1_, &g2_;
     const std::span<KeptPatch> parts_;
     const NarrowSettings& settings_;
+    NearLeaves* const leaves_;
     const Pose pose1_, pose2_;
     const Vec3 x1_, x2_;
     bool apart_ = false;  // at present, as has been proved
@@ -320,9 +323,9 @@ class PairUpdate {
 }  // namespace
 
 void update_pair(ContactPair& pair, std::span<const KeptPatch> old, const NarrowSettings& settings,
-                 KeptPatch* into)
+                 KeptPatch* into, NearLeaves* leaves)
 {
-    PairUpdate(pair, settings, into).run(old);
+    PairUpdate(pair, settings, into, leaves).run(old);
 }
 
 }  // namespace epode

@@ -11,6 +11,7 @@
 
 #include <span>
 
+#include "bvh/near_leaves.h"
 #include "contacts/contact_pair.h"
 #include "contacts/foresight.h"
 
@@ -23,9 +24,9 @@ struct NarrowSettings {
 };
 
 // Brings up to date what is known of a pair that may touch: `old` are its patches of the step before,
-// `into` room for pair.most new ones; the pair gets their count. Pairs may be updated at the same time,
-// unless functions of the program are asked about them.
+// `into` room for pair.most new ones; the pair gets their count. `leaves`: what is kept of a mesh, or null.
+// Pairs may be updated at the same time, unless functions of the program are asked about them.
 void update_pair(ContactPair& pair, std::span<const KeptPatch> old, const NarrowSettings& settings,
-                 KeptPatch* into);
+                 KeptPatch* into, NearLeaves* leaves);
 
 }  // namespace epode

@@ -114,12 +114,13 @@ void NearTriangles::find(const Surface& surface, const Aabb& box)
     near_.sort();
 }
 
-void NearTriangles::find(const Surface& surface, const Aabb& box, const SolidProbe& solid)
+void NearTriangles::find(const Surface& surface, const Aabb& box, const SolidProbe& solid, NearLeaves* kept)
 {
     leaves_.clear(), close_.clear();
     all_ = true, gathered_ = false;
     surface.tree.query(
-        box, solid, [this](int leaf, unsigned met) { all_ = leaves_.add(leaf << 4 | int(met)) && all_; },
+        box, solid, kept,
+        [this](int leaf, unsigned met) { all_ = leaves_.add(leaf << 4 | int(met)) && all_; },
         [&](int t) {
             all_ = close_.add(t) && all_;
             surface.mesh.fetch(t);

@@ -65,7 +65,8 @@ class NearTriangles {
   public:
     // Without memory those that fit.
     void find(const Surface& surface, const Aabb& box);  // all that are near, in order
-    void find(const Surface& surface, const Aabb& box, const SolidProbe& solid);  // those that it may touch
+    // Those that it may touch.
+    void find(const Surface& surface, const Aabb& box, const SolidProbe& solid, NearLeaves* kept = nullptr);
 
     // After find() with the same box: all that are near.
     void gather(const Surface& surface, const Aabb& box);

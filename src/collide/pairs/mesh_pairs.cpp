@@ -47,7 +47,7 @@ void collide_mesh(const Shape& a, const Pose& A, const Trimesh& b, const Pose& B
     const Real slack = slack_of(view_of(a, local));
     NearTriangles near;
     const Aabb box = box_around(a, local, slack);
-    near.find(surface, box, probe_of(a, local, slack));
+    near.find(surface, box, probe_of(a, local, slack), sink.kept());
     if (b.asks()) consult(b, surface, box, near, sink);
     sink.number_merged(nullptr, b.merged);
     const int before = sink.count();
