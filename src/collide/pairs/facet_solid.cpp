@@ -36,7 +36,7 @@ class LeastRise {
         depth = own_ = overlap_along(facet_.n);
         normal = facet_.n;
         if (depth < 0) return false;
-        if (reach_.own_is_least(facet_, depth)) return true;
+        if (reach_.own_is_least(facet_, depth, reach_.lowest_along(facet_.n))) return true;
         if (!(walls() && others())) return false;
         if (kFaceFirst * depth > elsewhere_) on_crest = false;
         return true;

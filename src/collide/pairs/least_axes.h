@@ -40,11 +40,11 @@ class SolidReach {
     // direction at the angle a from n is at least
     //   own cos a + s sin a          a <= 90 degrees: what p needs
     //   max(own cos a + s sin a, -H cos a - L sin a)    beyond: the same, and what c needs
-    // that is min(own, s) and (s H - L own) / sqrt((H + own)^2 + (s + L)^2).
-    bool own_is_least(const Triangle& f, Real own) const
+    // that is min(own, s) and (s H - L own) / sqrt((H + own)^2 + (s + L)^2). `p` is lowest_along(n).
+    bool own_is_least(const Triangle& f, Real own, Vec3 p) const
     {
         if (!symmetric() || !(own > 0)) return false;
-        const Vec3 c = solid_.pose.p, p = solid_.support(-f.n);
+        const Vec3 c = solid_.pose.p;
         const Real worth = kFaceFirst * own;
         Real s = kInf;
         for (int k = 0; k < 3; ++k) {

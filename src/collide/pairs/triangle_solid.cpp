@@ -26,8 +26,19 @@ constexpr std::size_t kManyEdges = 16;  // of a polyhedron: more are searched by
 constexpr Real kSure = Real(0.999);     // less than this of a bound is no matter of rounding
 constexpr Real kAlongCrest = Real(0.2);  // a normal that leans along a crest by less is made upright to it
 
+// The least overlap among the directions that have been tried.
+struct Way {
+    Vec3 normal;
+    Real depth = 0;
+    bool on_crest = false;  // the normal is not the triangle's own
+    // Least overlap in directions that are no contact's. When it is less than a crest's, the solid is not on
+    // that crest: it has barely come over this triangle, and what it really touches is another.
+    Real blocked = kInf;
+    Real hollow = kInf;  // of these, against a neighbour that rises
+};
+
 // The search for the direction of least overlap that is allowed.
-class LeastWay {
+class LeastWay : public Way {
   public:
     LeastWay(const MeshFacet& facet, const MeshMeeting& meeting)
         : f_(facet), m_(meeting), reach_(meeting.solid)
@@ -35,18 +46,20 @@ class LeastWay {
         if (meeting.solid.kind != SolidKind::kPolyhedron) return;
         const Polyhedron& solid = *static_cast<const Polyhedron*>(meeting.solid.shape);
         ball_centre_ = meeting.solid.pose.to_world(solid.inner()), ball_radius_ = solid.inner_radius();
-        lowest_ = meeting.solid.support(-facet.n);
     }
 
     // False: the two do not touch.
     bool search()
     {
+        const bool by_corner = m_.solid.kind == SolidKind::kPolyhedron;
+        if (by_corner) lowest_ = reach_.lowest_along(f_.n);
         normal = f_.n;
-        depth = f_.c - reach_.low_along(f_.n);
+        depth = f_.c - (by_corner ? dot(f_.n, lowest_) : reach_.low_along(f_.n));
         own_ = depth;
         if (depth < -m_.slack) return false;
-        if (reach_.own_is_least(f_, own_)) return true;
-        if (!(axes() && exact(false))) return false;
+        if (!by_corner) lowest_ = reach_.lowest_along(f_.n);
+        if (reach_.own_is_least(f_, own_, lowest_)) return true;
+        if (!(axes() && exact())) return false;
         if (quick_ && on_crest) return search_all();
         return decide();
     }
@@ -62,23 +75,19 @@ class LeastWay {
                 return false;
         return decide();
     }
+    // From where the first was left out.
     bool search_all()
     {
-        quick_ = on_crest = false;
-        normal = f_.n, depth = own_;
-        blocked_ = hollow_ = kInf;
-        return axes() && exact(true) && decide();
+        quick_ = false;
+        static_cast<Way&>(*this) = before_;
+        return rims(skipped_, true) && decide();
     }
-
-    Vec3 normal;
-    Real depth = 0;
-    bool on_crest = false;  // the normal is not the triangle's own
 
   private:
     bool decide()
     {
-        if (on_crest && kFaceFirst * depth > blocked_) on_crest = false, normal = f_.n, depth = own_;
-        if (!on_crest && hollow_ < kThere * own_) return false;  // it touches the neighbour, not this one
+        if (on_crest && kFaceFirst * depth > blocked) on_crest = false, normal = f_.n, depth = own_;
+        if (!on_crest && hollow < kThere * own_) return false;  // it touches the neighbour, not this one
         return true;
     }
 
@@ -118,8 +127,8 @@ class LeastWay {
                 normal = n, depth = d > 0 ? d : 0, on_crest = true;
             return;
         }
-        blocked_ = d < blocked_ ? d : blocked_;
-        if (edge >= 0 && f_.rim[edge] == Rim::kHollow && d < hollow_) hollow_ = d;
+        blocked = d < blocked ? d : blocked;
+        if (edge >= 0 && f_.rim[edge] == Rim::kHollow && d < hollow) hollow = d;
     }
 
     // Whether what is known to be in a polyhedron, a ball and its lowest point, shows already that neither
@@ -203,17 +212,21 @@ class LeastWay {
     }
     bool many_edges() const { return m_.solid.edges.size() > kManyEdges; }
 
-    // The round of a cylinder against corners, and its rims against edges: every one, or what may be a crest.
-    // Without crests, an edge says only how far the solid is over the triangle.
-    bool rims(bool every)
+    // The round of a cylinder against corners.
+    bool rounds()
     {
-        const auto offer_round = [this](Real d, Vec3 n) {
+        return each_round_axis(*reach_.cylinder(), m_.solid.pose, f_, [this](Real d, Vec3 n) {
             if (d < -m_.slack) return false;
             consider(n, d);
             return true;
-        };
-        if (!each_round_axis(*reach_.cylinder(), m_.solid.pose, f_, offer_round)) return false;
-        for (int k = 0; k < 3; ++k) {
+        });
+    }
+
+    // Its rims against edges, from one on: every one, or what may be a crest. Without crests, an edge says
+    // only how far the solid is over the triangle.
+    bool rims(int first, bool every)
+    {
+        for (int k = first; k < 3; ++k) {
             const Rim rim = f_.rim[k];
             const bool level = !every && (rim == Rim::kSeam || rim == Rim::kFlat || rim == Rim::kHollow);
             if (!level) {
@@ -223,13 +236,13 @@ class LeastWay {
                     continue;
                 }
             }
-            quick_ = true;
+            if (!quick_) quick_ = true, skipped_ = k, before_ = *this;
         }
         return true;
     }
     bool rim_on(int k, const RimArc& arc, Real worth)
     {
-        if (reach_.own_is_less(f_, k, own_, reach_.lowest_along(f_.n))) return true;
+        if (reach_.own_is_less(f_, k, own_, lowest_)) return true;
         RimMinimum found[kMostRimMinima];
         const int count = rim_minima(arc, worth, found);
         for (int i = 0; i < count; ++i) {
@@ -240,10 +253,10 @@ class LeastWay {
     }
 
     // What has no short list of directions: rims, and polyhedra with many edges.
-    bool exact(bool every)
+    bool exact()
     {
         const ConvexView& s = m_.solid;
-        if (reach_.cylinder()) return rims(every);
+        if (reach_.cylinder()) return rounds() && rims(0, false);
         if (s.face_axes == 7 || (!s.edges.empty() && !many_edges())) return true;
         const ConvexView flat = view_of(f_);
         if (!f_.has_crest() || own_ < kShallow * s.size) return !(gjk_distance(s, flat).distance > m_.slack);
@@ -256,14 +269,12 @@ class LeastWay {
     const MeshFacet& f_;
     const MeshMeeting& m_;
     const SolidReach reach_;
-    Vec3 ball_centre_, lowest_;
+    Vec3 ball_centre_, lowest_;  // the lowest point of the solid, along the triangle's normal
     Real ball_radius_ = 0;
     Real own_ = 0;
     bool quick_ = false;
-    // Least overlap in directions that are no contact's. When it is less than a crest's, the solid is not on
-    // that crest: it has barely come over this triangle, and what it really touches is another.
-    Real blocked_ = kInf;
-    Real hollow_ = kInf;  // of these, against a neighbour that rises
+    int skipped_ = 0;  // the first edge that was left out
+    Way before_;       // what was known then
 };
 
 // A crest of the surface pushes into the solid.
