@@ -49,14 +49,12 @@ void refresh_pose(Geom& geom)
     store_mat(geom.own_rotation, pose.R);
 }
 
-const Aabb& box_of(Geom& geom)
+void refresh_box(Geom& geom)
 {
-    if (geom.box_stale) {
-        refresh_pose(geom);
-        geom.box_stale = false;
-        geom.box = geom.type->aabb(geom);
-    }
-    return geom.box;
+    if (!geom.box_stale) return;
+    refresh_pose(geom);
+    geom.box_stale = false;
+    geom.box = geom.type->aabb(geom);
 }
 
 void mark_moved(Geom& geom)

@@ -125,7 +125,12 @@ inline Pose pose_of(Geom& geom)
     if (geom.pose_stale) refresh_pose(geom);
     return load_pose(geom.position, geom.rotation);
 }
-const Aabb& box_of(Geom& geom);
+void refresh_box(Geom& geom);
+inline const Aabb& box_of(Geom& geom)
+{
+    if (geom.box_stale) refresh_box(geom);
+    return geom.box;
+}
 
 // The pose or the shape has changed.
 void mark_moved(Geom& geom);

@@ -64,6 +64,17 @@ Vec3 surface_velocity(const Geom& geom)
     return load_mat(geom.rotation) * load(geom.material->velocity);
 }
 
+const Real kDefaultMu = std::sqrt(kDefaultMaterial.friction) * std::sqrt(kDefaultMaterial.friction);
+
+// Both are the default's.
+void take_defaults(Patch& patch)
+{
+    patch.mu = float(kDefaultMu);
+    patch.bounce = patch.rolling = patch.softness = patch.damping_time = 0;
+    patch.bounce_speed = float(kDefaultMaterial.bounce_speed);
+    patch.drift = {};
+}
+
 }  // namespace
 
 bool set_material(Geom& geom, const dMaterial* material)
@@ -80,15 +91,11 @@ bool set_material(Geom& geom, const dMaterial* material)
 
 void combine_materials(const Geom& g1, const Geom& g2, Patch& patch)
 {
+    if (!g1.material && !g2.material) return take_defaults(patch);
     const dMaterial &a = material_of(g1), &b = material_of(g2);
     combine_friction(a, b, patch);
-    if (&a == &b)
-        patch.bounce = patch.rolling = patch.softness = patch.damping_time = 0;  // those of the default
-    else
-        combine_others(a, b, patch);
+    combine_others(a, b, patch);
     patch.bounce_speed = float(std::max(a.bounce_speed, b.bounce_speed));
-    patch.drift = {};
-    if (!g1.material && !g2.material) return;
     // Surfaces do not slide against each other: v1 + s1 = v2 + s2.
     const Vec3 drift = surface_velocity(g2) - surface_velocity(g1), n = widen(patch.normal);
     patch.drift = narrow(drift - dot(n, drift) * n);

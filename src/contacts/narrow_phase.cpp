@@ -78,6 +78,11 @@ class PairUpdate {
     }
 
   private:
+    Real size() const
+    {
+        if (size_ < 0) size_ = size_of(g1_, g2_);
+        return size_;
+    }
     bool can_be_parted() const { return settings_.foresees && is_solid(g1_) && is_solid(g2_); }
 
     // Now and at the end of the step, along the direction of the step before or another one.
@@ -104,7 +109,7 @@ class PairUpdate {
     {
         const KeptPatch& was = old[0];
         const bool full = pair_.most == 1 && was.patch.count == kPatchPoints;
-        const Real size = size_of(g1_, g2_);
+        const Real size = this->size();
         const Real most = full ? kReuse * size : kReuseLayer * settings_.layer;
         // |R - R'| in the sense of Frobenius is 2 sqrt(2) sin(angle / 2).
         Real turned2 = 0;
@@ -189,7 +194,7 @@ class PairUpdate {
     {
         const Vec3 v = settings_.soon.velocity(pair_.body1) - settings_.soon.velocity(pair_.body2);
         const Real turned = spin(pair_.body1) + spin(pair_.body2);
-        return settings_.soon.h * (length(v) + size_of(g1_, g2_) * turned);
+        return settings_.soon.h * (length(v) + size() * turned);
     }
 
     static Real spin(const Body* body) { return body ? length(body->angular_velocity()) : 0; }
@@ -270,7 +275,7 @@ class PairUpdate {
     // into the other, if the normal stays what it is. False if these are no more than there are.
     bool find_near_points(const Pose& A, const Pose& B, ContactArray& out)
     {
-        const Real size = size_of(g1_, g2_), way = this->way();
+        const Real size = this->size(), way = this->way();
         if (way <= kSwift * size) return false;
         const Vec3 n = widen(parts_[0].patch.normal);
         const Vec3 into = -std::min(2 * way, kNear * size) * n;
@@ -304,7 +309,7 @@ class PairUpdate {
                                float(-c.depth)};
         }
         place(part);
-        const Real size = size_of(g1_, g2_);
+        const Real size = this->size();
         for (const KeptPatch& was : old) inherit_impulses(was, size, part);
     }
 
@@ -315,8 +320,9 @@ class PairUpdate {
     NearLeaves* const leaves_;
     const Pose pose1_, pose2_;
     const Vec3 x1_, x2_;
-    bool apart_ = false;  // at present, as has been proved
-    Vec3 offset_;         // of g2 in g1's frame
+    mutable Real size_ = -1;  // not known yet
+    bool apart_ = false;      // at present, as has been proved
+    Vec3 offset_;             // of g2 in g1's frame
     Mat3 turn_;
 };
 
