@@ -1,77 +1,205 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Computing with Lanes one vector of them at a time, and not two as in a Register: for what is chains enough
-// by itself, as the rows of a joint or the components of a rotation are. As everything in simd/vectors.h,
-// this is compiled once per kind of machine and leaves the bits of the scalar formulas.
+// Computing with Lanes, or with FloatLanes, one vector of them at a time, and not two as in a Register: for
+// what is chains enough by itself, as the rows of a joint or the components of a rotation are. As everything
+// in simd/vectors.h, this is compiled once per kind of machine and leaves the bits of the scalar formulas.
 #pragma once
 
+#include "simd/float_registers.h"
 #include "simd/vectors.h"
 
 namespace epode {
 namespace {
 
-EPODE_LANEWISE Vector3 get3(const Lanes* x, int part)
+// What lanes of a kind are computed with, `kWidth` of them at once.
+template <typename L>
+struct LaneVector;
+
+template <>
+struct LaneVector<Lanes> {
+    using Type = Vector;
+    static constexpr int kWidth = kVector;
+};
+
+template <>
+struct LaneVector<FloatLanes> {
+    using Type = FloatVector;
+    static constexpr int kWidth = kFloatVector;
+};
+
+template <typename L>
+using VectorOf = typename LaneVector<L>::Type;
+template <typename L>
+constexpr int kWidthOf = LaneVector<L>::kWidth;
+
+// `part` counts vectors.
+EPODE_LANEWISE FloatVector get(const FloatLanes& x, int part)
+{
+    return reinterpret_cast<const FloatVectorInMemory*>(x.at)[part];
+}
+
+EPODE_LANEWISE void put(FloatLanes& x, int part, const FloatVector& value)
+{
+    reinterpret_cast<FloatVectorInMemory*>(x.at)[part] = value;
+}
+
+template <typename L>
+EPODE_LANEWISE Vector3Of<VectorOf<L>> get3(const L* x, int part)
 {
     return {get(x[0], part), get(x[1], part), get(x[2], part)};
 }
 
-EPODE_LANEWISE Vector3 plus(const Vector3& a, const Vector3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-EPODE_LANEWISE Vector3 minus(const Vector3& a, const Vector3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-EPODE_LANEWISE Vector3 times(const Vector& s, const Vector3& a) { return {s * a.x, s * a.y, s * a.z}; }
+template <typename V>
+EPODE_LANEWISE Vector3Of<V> plus(const Vector3Of<V>& a, const Vector3Of<V>& b)
+{
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <typename V>
+EPODE_LANEWISE Vector3Of<V> minus(const Vector3Of<V>& a, const Vector3Of<V>& b)
+{
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <typename V>
+EPODE_LANEWISE Vector3Of<V> times(const V& s, const Vector3Of<V>& a)
+{
+    return {s * a.x, s * a.y, s * a.z};
+}
 
-EPODE_LANEWISE Vector inner(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+template <typename V>
+EPODE_LANEWISE V inner(const Vector3Of<V>& a, const Vector3Of<V>& b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 
-EPODE_LANEWISE Vector3 outer(const Vector3& a, const Vector3& b)
+template <typename V>
+EPODE_LANEWISE Vector3Of<V> outer(const Vector3Of<V>& a, const Vector3Of<V>& b)
 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 // xx, yy, zz, xy, xz, yz times a.
-EPODE_LANEWISE Vector3 tensor(const Lanes* s, int part, const Vector3& a)
+template <typename L>
+EPODE_LANEWISE Vector3Of<VectorOf<L>> tensor(const L* s, int part, const Vector3Of<VectorOf<L>>& a)
 {
-    const Vector xy = get(s[3], part), xz = get(s[4], part), yz = get(s[5], part);
+    const VectorOf<L> xy = get(s[3], part), xz = get(s[4], part), yz = get(s[5], part);
     return {get(s[0], part) * a.x + xy * a.y + xz * a.z, xy * a.x + get(s[1], part) * a.y + yz * a.z,
             xz * a.x + yz * a.y + get(s[2], part) * a.z};
 }
 
-EPODE_LANEWISE Vector positive_or(const Vector& test, const Vector& yes, const Vector& no)
+template <typename V>
+EPODE_LANEWISE V positive_or(const V& test, const V& yes, const V& no)
 {
-    return test > Vector{} ? yes : no;
+    return test > V{} ? yes : no;
 }
 
-EPODE_LANEWISE Vector clip(const Vector& x, const Vector& lo, const Vector& hi)
+template <typename V>
+EPODE_LANEWISE V clip(const V& x, const V& lo, const V& hi)
 {
-    const Vector below = x > hi ? hi : x;
+    const V below = x > hi ? hi : x;
     return below < lo ? lo : below;
 }
 
-EPODE_LANEWISE Vector4 get4(const Lanes* q, int part)
+template <typename L>
+EPODE_LANEWISE Vector4Of<VectorOf<L>> get4(const L* q, int part)
 {
     return {get(q[0], part), get(q[1], part), get(q[2], part), get(q[3], part)};
 }
 
-EPODE_LANEWISE void put3(Lanes* to, int part, const Vector3& a)
+template <typename L>
+EPODE_LANEWISE void put3(L* to, int part, const Vector3Of<VectorOf<L>>& a)
 {
     put(to[0], part, a.x), put(to[1], part, a.y), put(to[2], part, a.z);
 }
 
-EPODE_LANEWISE Vector3 vec_of(const Vector4& q) { return {q.x, q.y, q.z}; }
+template <typename V>
+EPODE_LANEWISE Vector3Of<V> vec_of(const Vector4Of<V>& q)
+{
+    return {q.x, q.y, q.z};
+}
 
-EPODE_LANEWISE Vector4 conjugate_of(const Vector4& q) { return {q.w, -q.x, -q.y, -q.z}; }
+template <typename V>
+EPODE_LANEWISE Vector4Of<V> conjugate_of(const Vector4Of<V>& q)
+{
+    return {q.w, -q.x, -q.y, -q.z};
+}
 
 // The Hamilton product, in the order of operations of math/pose.h.
-EPODE_LANEWISE Vector4 product(const Vector4& a, const Vector4& b)
+template <typename V>
+EPODE_LANEWISE Vector4Of<V> product(const Vector4Of<V>& a, const Vector4Of<V>& b)
 {
     return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
             a.w * b.y + a.y * b.w + a.z * b.x - a.x * b.z, a.w * b.z + a.z * b.w + a.x * b.y - a.y * b.x};
 }
 
 // a as the unit quaternion q turns it: a + w t + q x t, t = 2 q x a.
-EPODE_LANEWISE Vector3 turned_by(const Vector4& q, const Vector3& a)
+template <typename V>
+EPODE_LANEWISE Vector3Of<V> turned_by(const Vector4Of<V>& q, const Vector3Of<V>& a)
 {
-    const Vector3 u = outer(vec_of(q), a), t = plus(u, u);
+    const Vector3Of<V> u = outer(vec_of(q), a), t = plus(u, u);
     return plus(plus(a, times(q.w, t)), outer(vec_of(q), t));
+}
+
+// Four numbers at the place of each lane of floats, aligned as four, and one vector per component.
+typedef float FloatRow __attribute__((vector_size(4 * sizeof(float))));
+typedef FloatRow FloatRowInMemory __attribute__((may_alias));
+typedef Real RealRow __attribute__((vector_size(4 * sizeof(Real))));
+
+// `row(lane)` is a FloatRow.
+template <typename Row>
+EPODE_LANEWISE Vector4Of<FloatVector> columns(const Row& row)
+{
+#if defined(__AVX2__)
+    const auto both = [&](int lane) EPODE_INLINE_LAMBDA {
+        return __builtin_shufflevector(row(lane), row(lane + 4), 0, 1, 2, 3, 4, 5, 6, 7);
+    };
+    const FloatVector a = both(0), b = both(1), c = both(2), d = both(3);
+#else
+    const FloatVector a = row(0), b = row(1), c = row(2), d = row(3);
+#endif
+    const FloatVector ab_low = __builtin_shufflevector(a, b, EPODE_LOW_PAIRS);  // aw bw ax bx
+    const FloatVector cd_low = __builtin_shufflevector(c, d, EPODE_LOW_PAIRS);
+    const FloatVector ab_high = __builtin_shufflevector(a, b, EPODE_HIGH_PAIRS);
+    const FloatVector cd_high = __builtin_shufflevector(c, d, EPODE_HIGH_PAIRS);
+    return {__builtin_shufflevector(ab_low, cd_low, EPODE_FIRST_HALVES),
+            __builtin_shufflevector(ab_low, cd_low, EPODE_SECOND_HALVES),
+            __builtin_shufflevector(ab_high, cd_high, EPODE_FIRST_HALVES),
+            __builtin_shufflevector(ab_high, cd_high, EPODE_SECOND_HALVES)};
+}
+
+// put(lane, row) for each lane of a vector of x, y, z, and zero behind them.
+template <typename Put>
+EPODE_LANEWISE void put_rows(const Vector3Of<FloatVector>& v, const Put& put)
+{
+    const FloatVector zero{};
+    const FloatVector xy_low = __builtin_shufflevector(v.x, v.y, EPODE_LOW_PAIRS);  // x0 y0 x1 y1
+    const FloatVector xy_high = __builtin_shufflevector(v.x, v.y, EPODE_HIGH_PAIRS);
+    const FloatVector z_low = __builtin_shufflevector(v.z, zero, EPODE_LOW_PAIRS);
+    const FloatVector z_high = __builtin_shufflevector(v.z, zero, EPODE_HIGH_PAIRS);
+    const auto both = [&](int lane, const FloatVector& rows) EPODE_INLINE_LAMBDA {
+#if defined(__AVX2__)
+        put(lane, __builtin_shufflevector(rows, rows, 0, 1, 2, 3));
+        put(lane + 4, __builtin_shufflevector(rows, rows, 4, 5, 6, 7));
+#else
+        put(lane, rows);
+#endif
+    };
+    both(0, __builtin_shufflevector(xy_low, z_low, EPODE_FIRST_HALVES));
+    both(1, __builtin_shufflevector(xy_low, z_low, EPODE_SECOND_HALVES));
+    both(2, __builtin_shufflevector(xy_high, z_high, EPODE_FIRST_HALVES));
+    both(3, __builtin_shufflevector(xy_high, z_high, EPODE_SECOND_HALVES));
+}
+
+EPODE_LANEWISE FloatRow rounded(const RowInMemory& a) { return __builtin_convertvector(a, FloatRow); }
+
+// Compilers make two conversions and a detour through memory of it where one instruction would do.
+EPODE_LANEWISE void add_widened(const FloatRow& change, RowInMemory& to)
+{
+#if defined(__AVX2__) && !defined(dIDESINGLE)
+    to = to + RealRow(_mm256_cvtps_pd(__m128(change)));
+#else
+    to = to + __builtin_convertvector(change, RealRow);
+#endif
 }
 
 }  // namespace

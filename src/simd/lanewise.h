@@ -6,3 +6,5 @@
 #pragma once
 
 #define EPODE_LANEWISE [[gnu::always_inline]] inline
+// Behind the arguments of a lambda.
+#define EPODE_INLINE_LAMBDA __attribute__((always_inline))

@@ -51,13 +51,19 @@ EPODE_LANEWISE Vector roots(const Vector& x)
 EPODE_LANEWISE PairInMemory& pair_at(Real* p) { return *reinterpret_cast<PairInMemory*>(p); }
 EPODE_LANEWISE PairInMemory pair_at(const Real* p) { return *reinterpret_cast<const PairInMemory*>(p); }
 
-struct Vector3 {
-    Vector x, y, z;
+// V: a vector, of Reals or of floats.
+template <typename V>
+struct Vector3Of {
+    V x, y, z;
 };
 
-struct Vector4 {
-    Vector w, x, y, z;
+template <typename V>
+struct Vector4Of {
+    V w, x, y, z;
 };
+
+using Vector3 = Vector3Of<Vector>;
+using Vector4 = Vector4Of<Vector>;
 
 #if EPODE_VECTOR_LANES == 4
 EPODE_LANEWISE Vector join(const Real* a, const Real* b)

@@ -41,11 +41,6 @@ struct ContactBatchOf {
 using BatchPoint = BatchPointOf<Lanes>;
 using ContactBatch = ContactBatchOf<Lanes>;
 
-// A Velocity in floats, half a cache line.
-struct alignas(kTwistNumbers * sizeof(float)) FloatVelocity {
-    float at[kTwistNumbers];
-};
-
 // What lanes sweep over.
 template <typename L>
 struct VelocityOf;

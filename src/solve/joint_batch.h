@@ -2,16 +2,19 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Joints as the kernels read them, kLanes side by side: joints of one form, with as many rows and as many
-// bounded ones, none of which shares a dynamic body with another. Their numbers follow each other as Lanes,
-// in the order of JointLayout. A ball needs 280 bytes in doubles, where three rows with their Jacobians and
-// M^-1 J^T take 600: in a net of joints that no longer fits the caches, a sweep is as fast as they come.
+// bounded ones, none of which shares a dynamic body with another. Their numbers follow each other as Lanes or
+// FloatLanes, in the order of JointLayout. A ball needs 280 bytes in doubles and half of that in floats, where
+// three rows with their Jacobians and M^-1 J^T take 600: in a net of joints that no longer fits the caches, a
+// sweep is as fast as they come.
 #pragma once
 
 #include "rows/row.h"
-#include "simd/lanes.h"
+#include "simd/float_lanes.h"
 #include "simd/lanewise.h"
 
 namespace epode {
+
+static_assert(kLanes == kFloatLanes);  // batches are the same in both
 
 struct JointBatch {
     RowForm form;

@@ -17,24 +17,41 @@ struct JointSweep {
     bool relax;  // aims at `relaxed` instead of c
 };
 
-struct JointBegin {
-    const Lanes* facts;       // only of batches that are followed
+// L: Lanes or FloatLanes.
+template <typename L>
+struct JointBeginOf {
+    const L* facts;           // only of batches that are followed
     const SolverPose* poses;  // likewise
     Real soft_share;          // above zero: rows with C above this share of their mobility relax to c
     Velocity* bodies;         // null: p does nothing yet
 };
 
-// `at` of the batches counts from `numbers`.
-struct JointKernels {
-    const char* name;
+// `at` of the batches counts from `numbers`. B: Velocity or FloatVelocity.
+template <typename L, typename B>
+struct JointSweepsOf {
+    // v += M^-1 J^T p
+    void (*apply_impulses)(const JointBatch* batches, int count, const L* numbers, B* bodies);
+    void (*sweep)(const JointBatch* batches, int count, L* numbers, B* bodies, const JointSweep& how);
+};
+
+template <typename L>
+struct JointKernelsOf {
     // Batch by batch, while its numbers are near: of those that have facts, masses, geometry, c and what
     // relaxing aims at; then of masses, geometry, C, p and bounds, the matrix, and p within its bounds; then
     // what p does to the bodies.
-    void (*begin)(const JointBatch* batches, int count, Lanes* numbers, const JointBegin& how);
-    // v += M^-1 J^T p
-    void (*apply_impulses)(const JointBatch* batches, int count, const Lanes* numbers, Velocity* bodies);
-    void (*sweep)(const JointBatch* batches, int count, Lanes* numbers, Velocity* bodies,
-                  const JointSweep& how);
+    void (*begin)(const JointBatch* batches, int count, L* numbers, const JointBeginOf<L>& how);
+    // Of FloatLanes: velocities are rounded on their way in, and what has changed is added to them.
+    JointSweepsOf<L, Velocity> on_velocities;
+};
+
+struct JointKernels {
+    const char* name;
+    JointKernelsOf<Lanes> reals;
+    JointKernelsOf<FloatLanes> floats;
+    JointSweepsOf<FloatLanes, FloatVelocity> on_floats;
+
+    const JointKernelsOf<Lanes>& of(const Lanes*) const { return reals; }
+    const JointKernelsOf<FloatLanes>& of(const FloatLanes*) const { return floats; }
 };
 
 // Those that this machine can run; the first is the baseline, the last the fastest.

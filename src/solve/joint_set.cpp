@@ -15,9 +15,15 @@ namespace {
 
 bool bounded(const RowNumbers& n) { return n.lo > -kInf || n.hi < kInf; }
 
-void set(Lanes* to, int lane, Vec3 a) { to[0][lane] = a.x, to[1][lane] = a.y, to[2][lane] = a.z; }
+template <typename L>
+void set(L* to, int lane, Vec3 a)
+{
+    using N = typename L::Number;
+    to[0][lane] = N(a.x), to[1][lane] = N(a.y), to[2][lane] = N(a.z);
+}
 
-void set(Lanes* to, int lane, const Sym3& s)
+template <typename L>
+void set(L* to, int lane, const Sym3& s)
 {
     set(to, lane, Vec3{s.xx, s.yy, s.zz});
     set(to + 3, lane, Vec3{s.xy, s.xz, s.yz});
@@ -40,12 +46,14 @@ bool spins_less(const RowSystem& system, const RowBlock& block)
 }
 
 // What a followed row asks for when nothing has moved; returns its softness.
-Real place_row(Lanes* f, const FactLayout& fact, int i, int lane, const Row& row, const Substep& step)
+template <typename L>
+Real place_row(L* f, const FactLayout& fact, int i, int lane, const Row& row, Real error, const Substep& step)
 {
+    using N = typename L::Number;
     const RowAim aim = map_row(row, step, kInf);  // who is soft by mobility, the kernels find
-    f[fact.start + i][lane] = row.error;
-    f[fact.rate + i][lane] = aim.rate, f[fact.speed + i][lane] = row.speed;
-    f[fact.keeps + i][lane] = aim.spring ? 1 : 0;
+    f[fact.start + i][lane] = N(error);
+    f[fact.rate + i][lane] = N(aim.rate), f[fact.speed + i][lane] = N(row.speed);
+    f[fact.keeps + i][lane] = N(aim.spring ? 1 : 0);
     return aim.C;
 }
 
@@ -57,7 +65,8 @@ struct RowAsks {
 }  // namespace
 
 // A point needs three free rows, which come first.
-JointSet::Shape JointSet::shape_of(const RowSystem& system, const RowBlock& block)
+template <typename L>
+typename JointSetOf<L>::Shape JointSetOf<L>::shape_of(const RowSystem& system, const RowBlock& block)
 {
     Shape shape{block.form, block.count, 0};
     for (int i = 0; i < block.count; ++i)
@@ -68,15 +77,13 @@ JointSet::Shape JointSet::shape_of(const RowSystem& system, const RowBlock& bloc
     return shape;
 }
 
-bool JointSet::pack(const RowSystem& system, Arena& arena)
+template <typename L>
+bool JointSetOf<L>::pack(const RowSystem& system, std::span<const int> blocks, Arena& arena)
 {
-    auto joints = arena.take<Joint>(int(system.blocks.size()));
+    if (blocks.empty()) return true;
+    const auto joints = arena.take<Joint>(int(blocks.size()));
     if (arena.failed()) return false;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < system.blocks.size(); ++i)
-        if (!system.blocks[i].contact && system.blocks[i].count > 0) joints[count++] = {int(i), 0, 0};
-    joints = joints.first(count);
-    if (count == 0) return true;
+    for (std::size_t i = 0; i < blocks.size(); ++i) joints[i] = {blocks[i], 0, 0};
     colour(system, joints, arena);
     if (arena.failed() || !sort(joints, find_shapes(system, joints), arena)) return false;
     int size = 0;
@@ -84,13 +91,14 @@ bool JointSet::pack(const RowSystem& system, Arena& arena)
         batch.at = size;
         size += JointLayout(batch).size;
     }
-    numbers_ = arena.take<Lanes>(size);
+    numbers_ = arena.take<L>(size);
     if (arena.failed()) return false;
     for (std::size_t b = 0; b < batches_.size(); ++b) place(system, b);
     return true;
 }
 
-void JointSet::colour(const RowSystem& system, std::span<Joint> joints, Arena& arena)
+template <typename L>
+void JointSetOf<L>::colour(const RowSystem& system, std::span<Joint> joints, Arena& arena)
 {
     const auto palettes = arena.take_zeroed<Palette>(int(system.bodies.size()));
     if (arena.failed()) return;
@@ -107,7 +115,8 @@ void JointSet::colour(const RowSystem& system, std::span<Joint> joints, Arena& a
 }
 
 // Numbers the shapes in the order in which they appear; returns how many there are.
-int JointSet::find_shapes(const RowSystem& system, std::span<Joint> joints)
+template <typename L>
+int JointSetOf<L>::find_shapes(const RowSystem& system, std::span<Joint> joints)
 {
     int count = 0;
     for (Joint& joint : joints) {
@@ -119,7 +128,8 @@ int JointSet::find_shapes(const RowSystem& system, std::span<Joint> joints)
 }
 
 // Counting sort by colour, then shape; then cut into eights.
-bool JointSet::sort(std::span<Joint> joints, int shapes, Arena& arena)
+template <typename L>
+bool JointSetOf<L>::sort(std::span<Joint> joints, int shapes, Arena& arena)
 {
     const int keys = colours_ * shapes;
     const auto starts = arena.take_zeroed<int>(keys + 1);
@@ -153,13 +163,14 @@ bool JointSet::sort(std::span<Joint> joints, int shapes, Arena& arena)
 }
 
 // Bodies, the order of rows, bounds and warm start.
-void JointSet::place(const RowSystem& system, std::size_t b)
+template <typename L>
+void JointSetOf<L>::place(const RowSystem& system, std::size_t b)
 {
     JointBatch& batch = batches_[b];
     const JointLayout at(batch);
-    Lanes* n = &numbers_[std::size_t(batch.at)];
+    L* n = &numbers_[std::size_t(batch.at)];
     const int from = batch.count < kLanes ? 0 : at.sum;
-    std::memset(static_cast<void*>(n + from), 0, sizeof(Lanes) * std::size_t(at.size - from));
+    std::memset(static_cast<void*>(n + from), 0, sizeof(L) * std::size_t(at.size - from));
     for (int lane = 0; lane < kLanes; ++lane) {
         Source& source = sources_[b * kLanes + std::size_t(lane)];
         batch.body1[lane] = batch.body2[lane] = second_slot(system, -1);
@@ -173,28 +184,30 @@ void JointSet::place(const RowSystem& system, std::size_t b)
             const bool has_bounds = bounded(numbers[i]);
             const int to = has_bounds ? bound++ : free++;
             source.row[to] = static_cast<unsigned char>(i);
-            n[at.p + to][lane] = numbers[i].p;
+            n[at.p + to][lane] = Number(numbers[i].p);
             if (!has_bounds) continue;
             const int side = to - (batch.rows - batch.bounded);
-            n[at.lo + side][lane] = numbers[i].lo, n[at.hi + side][lane] = numbers[i].hi;
+            n[at.lo + side][lane] = Number(numbers[i].lo), n[at.hi + side][lane] = Number(numbers[i].hi);
         }
     }
 }
 
-void JointSet::fill_lane(const RowSystem& system, const RowBlock& block, const Source& source, Lanes* n,
-                         int lane, const JointLayout& at, RowForm form) const
+template <typename L>
+void JointSetOf<L>::fill_lane(const RowSystem& system, const RowBlock& block, const Source& source, L* n,
+                              int lane, const JointLayout& at, RowForm form) const
 {
     static const SolverBody world{};
     const SolverBody& a = system.bodies[std::size_t(block.body1)];
     const SolverBody& b = block.body2 >= 0 ? system.bodies[std::size_t(block.body2)] : world;
-    n[JointLayout::kInvMass][lane] = a.inv_mass, n[JointLayout::kInvMass + 1][lane] = b.inv_mass;
+    n[JointLayout::kInvMass][lane] = Number(a.inv_mass);
+    n[JointLayout::kInvMass + 1][lane] = Number(b.inv_mass);
     set(n + JointLayout::kInvInertia, lane, a.inv_inertia);
     set(n + JointLayout::kInvInertia + 6, lane, b.inv_inertia);
     const Row* rows = &system.rows[std::size_t(block.first)];
     if (form == RowForm::kFree) {
         for (int i = 0; i < block.count; ++i) {
             const Row& row = rows[source.row[i]];
-            Lanes* J = n + JointLayout::jacobian(i);
+            L* J = n + JointLayout::jacobian(i);
             set(J, lane, row.lin1), set(J + 3, lane, row.ang1);
             const bool two = block.body2 >= 0;
             set(J + 6, lane, two ? row.lin2 : Vec3{}), set(J + 9, lane, two ? row.ang2 : Vec3{});
@@ -207,28 +220,30 @@ void JointSet::fill_lane(const RowSystem& system, const RowBlock& block, const S
     for (int i = 3; i < block.count; ++i) set(n + at.axes + 3 * (i - 3), lane, rows[source.row[i]].ang1);
 }
 
+template <typename L>
 template <typename Aim>
-void JointSet::fill(const RowSystem& system, const Aim& aim)
+void JointSetOf<L>::fill(const RowSystem& system, const Aim& aim)
 {
     for (std::size_t b = 0; b < batches_.size(); ++b) {
         const JointBatch& batch = batches_[b];
         if (batch.facts >= 0) continue;
         const JointLayout at(batch);
-        Lanes* n = &numbers_[std::size_t(batch.at)];
+        L* n = &numbers_[std::size_t(batch.at)];
         for (int lane = 0; lane < batch.count; ++lane) {
             const Source& source = sources_[b * kLanes + std::size_t(lane)];
             const RowBlock& block = system.blocks[std::size_t(source.block)];
             fill_lane(system, block, source, n, lane, at, batch.form);
             for (int i = 0; i < block.count; ++i) {
                 const RowAsks asks = aim(std::size_t(source.first + source.row[i]));
-                n[at.c + i][lane] = asks.c, n[at.C + i][lane] = asks.C,
-                         n[at.relaxed + i][lane] = asks.relaxed;
+                n[at.c + i][lane] = Number(asks.c), n[at.C + i][lane] = Number(asks.C);
+                n[at.relaxed + i][lane] = Number(asks.relaxed);
             }
         }
     }
 }
 
-void JointSet::load(const RowSystem& system)
+template <typename L>
+void JointSetOf<L>::load(const RowSystem& system)
 {
     fill(system, [&](std::size_t row) {
         const RowNumbers& n = system.numbers[row];
@@ -237,7 +252,8 @@ void JointSet::load(const RowSystem& system)
     kernels_->begin(batches_.data(), int(batches_.size()), numbers_.data(), {nullptr, nullptr, 0, nullptr});
 }
 
-bool JointSet::follow(RowSystem& system, const Substep& step, Arena& arena)
+template <typename L>
+bool JointSetOf<L>::follow(RowSystem& system, const Substep& step, Arena& arena)
 {
     int size = 0;
     for (JointBatch& batch : batches_) {
@@ -245,21 +261,22 @@ bool JointSet::follow(RowSystem& system, const Substep& step, Arena& arena)
         batch.facts = size;
         size += FactLayout(batch).size;
     }
-    facts_ = arena.take<Lanes>(size);
+    facts_ = arena.take<L>(size);
     if (arena.failed()) return false;
     for (std::size_t b = 0; b < batches_.size(); ++b)
         if (batches_[b].facts >= 0) place_facts(system, step, b);
     return true;
 }
 
-void JointSet::place_facts(const RowSystem& system, const Substep& step, std::size_t b)
+template <typename L>
+void JointSetOf<L>::place_facts(const RowSystem& system, const Substep& step, std::size_t b)
 {
     const JointBatch& batch = batches_[b];
     const FactLayout fact(batch);
     const JointLayout at(batch);
-    Lanes *f = &facts_[std::size_t(batch.facts)], *n = &numbers_[std::size_t(batch.at)];
+    L *f = &facts_[std::size_t(batch.facts)], *n = &numbers_[std::size_t(batch.at)];
     // What no joint fills must be numbers.
-    if (batch.count < kLanes) std::memset(static_cast<void*>(f), 0, sizeof(Lanes) * std::size_t(fact.size));
+    if (batch.count < kLanes) std::memset(static_cast<void*>(f), 0, sizeof(L) * std::size_t(fact.size));
     for (int lane = 0; lane < batch.count; ++lane) {
         const Source& source = sources_[b * kLanes + std::size_t(lane)];
         RowBlock& block = system.blocks[std::size_t(source.block)];
@@ -272,23 +289,26 @@ void JointSet::place_facts(const RowSystem& system, const Substep& step, std::si
         set(f + fact.anchors, lane, turned_by(conjugate(one.q), block.arms.r1));
         set(f + fact.anchors + 3, lane, turned_by(conjugate(two.q), block.arms.r2));
         const Quat apart = guide * (first ? two.q : one.q);
-        f[fact.apart][lane] = apart.w;
+        f[fact.apart][lane] = Number(apart.w);
         set(f + fact.apart + 1, lane, apart.vec());
-        f[fact.side][lane] = first ? 1 : -1;
+        f[fact.side][lane] = Number(first ? 1 : -1);
+        n[JointLayout::kInvMass][lane] = Number(one.inv_mass);
+        n[JointLayout::kInvMass + 1][lane] = Number(two.inv_mass);
         const Vec3 gap = one.x - two.x + block.arms.r1 - block.arms.r2;
         for (int i = 0; i < batch.rows; ++i) {
             const Row& row = rows[source.row[i]];
-            n[at.C + i][lane] = place_row(f, fact, i, lane, row, step);
+            const Real start = i < 3 ? row.error + dot(row.lin1, gap) : row.error;
+            n[at.C + i][lane] = Number(place_row(f, fact, i, lane, row, start, step));
             if (i >= 3)
                 set(f + fact.axes + 3 * (i - 3), lane, turned_by(guide, row.ang1));
             else if (batch.form == RowForm::kTurned)
                 set(f + fact.directions + 3 * i, lane, turned_by(guide, row.lin1));
-            if (i < 3) f[fact.start + i][lane] += dot(row.lin1, gap);
         }
     }
 }
 
-void JointSet::load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies)
+template <typename L>
+void JointSetOf<L>::load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies)
 {
     // Rows mostly ask for the same as the one before; mapping takes four divisions.
     const Row* last = nullptr;
@@ -308,24 +328,40 @@ void JointSet::load_small_step(const RowSystem& system, const Substep& step, std
                     {facts_.data(), system.poses.data(), kSoftShare, bodies.data()});
 }
 
-void JointSet::apply_impulses(std::span<Velocity> bodies) const
+template <typename L>
+void JointSetOf<L>::apply_impulses(std::span<Velocity> bodies) const
 {
-    kernels_->apply_impulses(batches_.data(), int(batches_.size()), numbers_.data(), bodies.data());
+    kernels_->on_velocities.apply_impulses(batches_.data(), int(batches_.size()), numbers_.data(),
+                                           bodies.data());
 }
 
-void JointSet::sweep(std::span<Velocity> bodies, const JointSweep& how)
+template <typename L>
+void JointSetOf<L>::sweep(std::span<Velocity> bodies, const JointSweep& how)
 {
-    kernels_->sweep(batches_.data(), int(batches_.size()), numbers_.data(), bodies.data(), how);
+    kernels_->on_velocities.sweep(batches_.data(), int(batches_.size()), numbers_.data(), bodies.data(), how);
+}
+
+template <>
+void FloatJointSet::apply_impulses(std::span<FloatVelocity> bodies) const
+{
+    machine_->on_floats.apply_impulses(batches_.data(), int(batches_.size()), numbers_.data(), bodies.data());
+}
+
+template <>
+void FloatJointSet::sweep(std::span<FloatVelocity> bodies, const JointSweep& how)
+{
+    machine_->on_floats.sweep(batches_.data(), int(batches_.size()), numbers_.data(), bodies.data(), how);
 }
 
 // f(row of the system, its place in the batch, the batch's numbers and layout, lane)
+template <typename L>
 template <typename Visit>
-void JointSet::for_each_row(Visit&& f) const
+void JointSetOf<L>::for_each_row(Visit&& f) const
 {
     for (std::size_t b = 0; b < batches_.size(); ++b) {
         const JointBatch& batch = batches_[b];
         const JointLayout at(batch);
-        const Lanes* n = &numbers_[std::size_t(batch.at)];
+        const L* n = &numbers_[std::size_t(batch.at)];
         for (int lane = 0; lane < batch.count; ++lane) {
             const Source& source = sources_[b * kLanes + std::size_t(lane)];
             for (int i = 0; i < batch.rows; ++i) f(std::size_t(source.first + source.row[i]), i, n, at, lane);
@@ -333,48 +369,53 @@ void JointSet::for_each_row(Visit&& f) const
     }
 }
 
-void JointSet::store_impulses(std::span<RowNumbers> numbers) const
+template <typename L>
+void JointSetOf<L>::store_impulses(std::span<RowNumbers> numbers) const
 {
-    for_each_row([&](std::size_t row, int i, const Lanes* n, const JointLayout& at, int lane) {
+    for_each_row([&](std::size_t row, int i, const L* n, const JointLayout& at, int lane) {
         numbers[row].p = n[at.p + i][lane];
     });
 }
 
-void JointSet::sum_impulses()
+template <typename L>
+void JointSetOf<L>::sum_impulses()
 {
     for (const JointBatch& batch : batches_) {
         const JointLayout at(batch);
-        Lanes* n = &numbers_[std::size_t(batch.at)];
+        L* n = &numbers_[std::size_t(batch.at)];
         for (int i = 0; i < batch.rows; ++i)
             for (int lane = 0; lane < kLanes; ++lane) n[at.sum + i][lane] += n[at.p + i][lane];
     }
 }
 
-void JointSet::store_sums(std::span<RowNumbers> numbers) const
+template <typename L>
+void JointSetOf<L>::store_sums(std::span<RowNumbers> numbers) const
 {
-    for_each_row([&](std::size_t row, int i, const Lanes* n, const JointLayout& at, int lane) {
+    for_each_row([&](std::size_t row, int i, const L* n, const JointLayout& at, int lane) {
         numbers[row].p = n[at.sum + i][lane];
     });
 }
 
-void JointSet::describe(std::span<RowNumbers> numbers, std::span<Row> rows) const
+template <typename L>
+void JointSetOf<L>::describe(std::span<RowNumbers> numbers, std::span<Row> rows) const
 {
     describe_rows(rows);
-    for_each_row([&](std::size_t row, int i, const Lanes* n, const JointLayout& at, int lane) {
+    for_each_row([&](std::size_t row, int i, const L* n, const JointLayout& at, int lane) {
         numbers[row].c = n[at.c + i][lane];
         numbers[row].C = n[at.C + i][lane];
         numbers[row].p = n[at.p + i][lane];
     });
 }
 
-void JointSet::describe_rows(std::span<Row> rows) const
+template <typename L>
+void JointSetOf<L>::describe_rows(std::span<Row> rows) const
 {
-    const auto vec_at = [](const Lanes* n, int lane) { return Vec3{n[0][lane], n[1][lane], n[2][lane]}; };
+    const auto vec_at = [](const L* n, int lane) { return Vec3{n[0][lane], n[1][lane], n[2][lane]}; };
     for (std::size_t b = 0; b < batches_.size(); ++b) {
         const JointBatch& batch = batches_[b];
         if (batch.facts < 0) continue;
         const JointLayout at(batch);
-        const Lanes* n = &numbers_[std::size_t(batch.at)];
+        const L* n = &numbers_[std::size_t(batch.at)];
         for (int lane = 0; lane < batch.count; ++lane) {
             const Source& source = sources_[b * kLanes + std::size_t(lane)];
             const Vec3 r1 = vec_at(n + at.arms, lane), r2 = vec_at(n + at.arms + 3, lane);
@@ -390,11 +431,12 @@ void JointSet::describe_rows(std::span<Row> rows) const
     }
 }
 
-void JointSet::rebound(const RowSystem& system, std::span<Velocity> bodies)
+template <typename L>
+void JointSetOf<L>::rebound(const RowSystem& system, std::span<Velocity> bodies)
 {
     for (std::size_t b = 0; b < batches_.size(); ++b) {
         const JointLayout at(batches_[b]);
-        Lanes* n = &numbers_[std::size_t(batches_[b].at)];
+        L* n = &numbers_[std::size_t(batches_[b].at)];
         bool lanes[kLanes] = {};
         for (int lane = 0; lane < batches_[b].count; ++lane) {
             const Source& source = sources_[b * kLanes + std::size_t(lane)];
@@ -402,7 +444,7 @@ void JointSet::rebound(const RowSystem& system, std::span<Velocity> bodies)
                 const auto k = std::size_t(source.first + source.row[i]);
                 const Row& row = system.rows[k];
                 if (!row.rebounds || n[at.sum + i][lane] + n[at.p + i][lane] == 0) continue;
-                n[at.relaxed + i][lane] = row.rebound;
+                n[at.relaxed + i][lane] = Number(row.rebound);
                 lanes[lane] = true;
             }
         }
@@ -412,24 +454,28 @@ void JointSet::rebound(const RowSystem& system, std::span<Velocity> bodies)
 }
 
 // The other lanes are blanked in a copy, and act on the world.
-void JointSet::visit_lanes(const JointBatch& batch, const bool* lanes, Lanes* n, int world,
-                           std::span<Velocity> bodies)
+template <typename L>
+void JointSetOf<L>::visit_lanes(const JointBatch& batch, const bool* lanes, L* n, int world,
+                                std::span<Velocity> bodies)
 {
     constexpr JointLayout kLargest(RowForm::kFree, kMaxJointRows, kMaxJointRows);
     const JointLayout at(batch);
-    Lanes copy[std::size_t(kLargest.size)];
+    L copy[std::size_t(kLargest.size)];
     JointBatch one = batch;
     one.at = 0;
     std::copy_n(n, at.size, copy);
     for (int lane = 0; lane < kLanes; ++lane) {
         if (lanes[lane]) continue;
         one.body1[lane] = one.body2[lane] = world;
-        for (Lanes& numbers : std::span(copy, std::size_t(at.size))) numbers[lane] = 0;
+        for (L& numbers : std::span(copy, std::size_t(at.size))) numbers[lane] = 0;
     }
-    kernels_->sweep(&one, 1, copy, bodies.data(), {1, true});
+    kernels_->on_velocities.sweep(&one, 1, copy, bodies.data(), {1, true});
     for (int i = 0; i < batch.rows; ++i)
         for (int lane = 0; lane < kLanes; ++lane)
             if (lanes[lane]) n[at.p + i][lane] = copy[at.p + i][lane];
 }
+
+template class JointSetOf<Lanes>;
+template class JointSetOf<FloatLanes>;
 
 }  // namespace epode

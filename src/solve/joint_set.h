@@ -6,7 +6,8 @@
 // order of the joints. Joints of one colour and one shape of rows make batches of up to eight. Sweeps go
 // colour by colour, always in the same direction: forwards and backwards by turns, as symmetric SOR would,
 // made a hanging net part twice as far. Since colours depend on the neighbours alone, an island has the same
-// answer whether it is packed alone or beside others.
+// answer whether it is packed alone or beside others. Which joints are packed in floats is the business of
+// solve/joint_lanes.h.
 #pragma once
 
 #include <span>
@@ -19,16 +20,17 @@
 
 namespace epode {
 
-class JointSet {
+// L: Lanes or FloatLanes.
+template <typename L>
+class JointSetOf {
   public:
-    // Of a pass in small steps: contacts come first when errors are corrected, last when that is relaxed.
-    static constexpr bool kHasBothEnds = false;
+    explicit JointSetOf(const JointKernels& kernels = *joint_kernels().back())
+        : machine_(&kernels), kernels_(&kernels.of(static_cast<const L*>(nullptr)))
+    {}
 
-    explicit JointSet(const JointKernels& kernels = *joint_kernels().back()) : kernels_(&kernels) {}
-
-    // Takes the blocks that are no contacts, with bounds and warm start from the numbers; false: out of
-    // memory.
-    bool pack(const RowSystem& system, Arena& arena);
+    // Takes these blocks, none of which are contacts, with bounds and warm start from the numbers; false: out
+    // of memory.
+    bool pack(const RowSystem& system, std::span<const int> blocks, Arena& arena);
     void load(const RowSystem& system);  // what the numbers ask for
     // Instead, in small steps: at first, from rows and poses of the beginning, the facts of all blocks that
     // the kernels follow (solve/joint_follow.inc), which are marked; false: out of memory. Then, as often as
@@ -39,6 +41,9 @@ class JointSet {
 
     void apply_impulses(std::span<Velocity> bodies) const;  // v += M^-1 J^T p
     void sweep(std::span<Velocity> bodies, const JointSweep& how);
+    // Of FloatLanes, the same where velocities have been rounded already.
+    void apply_impulses(std::span<FloatVelocity> bodies) const;
+    void sweep(std::span<FloatVelocity> bodies, const JointSweep& how);
     void store_impulses(std::span<RowNumbers> numbers) const;
     void sum_impulses();  // sum += p, after each small step
     void store_sums(std::span<RowNumbers> numbers) const;
@@ -51,6 +56,8 @@ class JointSet {
     bool empty() const { return batches_.empty(); }
 
   private:
+    using Number = typename L::Number;
+
     // Which joint is in a lane, and which of its rows is where: free rows come first.
     struct Source {
         int block;  // -1: none
@@ -77,21 +84,29 @@ class JointSet {
     void fill(const RowSystem& system, const Aim& aim);
     void place_facts(const RowSystem& system, const Substep& step, std::size_t batch);
     void describe_rows(std::span<Row> rows) const;
-    void fill_lane(const RowSystem& system, const RowBlock& block, const Source& source, Lanes* n, int lane,
+    void fill_lane(const RowSystem& system, const RowBlock& block, const Source& source, L* n, int lane,
                    const JointLayout& at, RowForm form) const;
-    void visit_lanes(const JointBatch& batch, const bool* lanes, Lanes* n, int world,
-                     std::span<Velocity> bodies);
+    void visit_lanes(const JointBatch& batch, const bool* lanes, L* n, int world, std::span<Velocity> bodies);
     template <typename Visit>
     void for_each_row(Visit&& f) const;
 
     static constexpr int kShapes = 3 * (kMaxJointRows + 1) * (kMaxJointRows + 1);
 
-    const JointKernels* kernels_;
+    const JointKernels* machine_;
+    const JointKernelsOf<L>* kernels_;
     std::span<JointBatch> batches_;
     std::span<Source> sources_;  // lane by lane
-    std::span<Lanes> numbers_, facts_;
+    std::span<L> numbers_, facts_;
     Shape shapes_[kShapes];
     int colours_ = 0;
 };
+
+using JointSet = JointSetOf<Lanes>;
+using FloatJointSet = JointSetOf<FloatLanes>;
+
+template <>
+void FloatJointSet::apply_impulses(std::span<FloatVelocity> bodies) const;
+template <>
+void FloatJointSet::sweep(std::span<FloatVelocity> bodies, const JointSweep& how);
 
 }  // namespace epode

@@ -16,7 +16,7 @@
 #include <algorithm>
 
 #include "solve/contact_rows.h"
-#include "solve/joint_set.h"
+#include "solve/joint_lanes.h"
 #include "solve/quick_contacts.h"
 #include "solve/residual.h"
 #include "solve/row_sweep.h"
@@ -30,8 +30,10 @@ constexpr int kCalmShare = 2;  // the second half of the sweeps
 struct Sweeps {
     ContactRows rows;  // contacts that came as rows
     QuickContacts contacts;
-    JointSet joints;
+    JointLanes joints;
     RowSweep others;  // contacts of other kinds
+
+    explicit Sweeps(const SolverSettings& settings) : joints(settings.iterations) {}
 
     bool pack(const RowSystem& system, const SolverSettings& settings, Arena& arena)
     {
@@ -46,7 +48,7 @@ struct Sweeps {
         joints.load(system);
         for (std::size_t i = 0; i < taken.size(); ++i) taken[i] = taken[i] || !system.blocks[i].contact;
         if (!others.pack(system, settings.w, taken, arena)) return false;
-        const bool alone = joints.empty() && others.blocks().empty();
+        const bool alone = joints.in_floats() && others.blocks().empty();
         return contacts.pack(system, manifolds(system), settings, alone, arena);
     }
 
@@ -75,7 +77,10 @@ struct Sweeps {
         contacts.begin(bodies);
         for (int i = 0; i < iterations; ++i) {
             if (i == calm) contacts.relax_by(1 / w);
-            joints.sweep(bodies, {w, false});
+            if (const auto floats = contacts.floats(); floats.empty())
+                joints.sweep(bodies, {w, false});
+            else
+                joints.sweep(floats, {w, false});
             others.sweep(bodies, i % 2 != 0);
             contacts.sweep(bodies, random);
         }
@@ -129,7 +134,7 @@ bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena
         if (before.empty()) return false;
         std::copy(system.bodies.begin(), system.bodies.end(), before.begin());
     }
-    Sweeps sweeps;
+    Sweeps sweeps(settings);
     auto velocities = take_velocities(system, arena);
     if (velocities.empty() || !sweeps.pack(system, settings, arena)) return false;
     load_velocities(system, velocities);

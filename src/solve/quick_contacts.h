@@ -22,7 +22,8 @@ namespace epode {
 
 class QuickContacts {
   public:
-    // `alone`: nothing else changes velocities between begin() and end(). False: out of memory.
+    // `alone`: nothing changes velocities between begin() and end() that cannot do it in floats. False: out
+    // of memory.
     bool pack(const RowSystem& system, const ManifoldList& list, const SolverSettings& settings, bool alone,
               Arena& arena);
 
@@ -31,6 +32,11 @@ class QuickContacts {
     void relax_by(Real factor);
     void end(std::span<Velocity> bodies) const;
     void store_impulses(std::span<ManifoldPoint> points) const;
+    // What the velocities are between begin() and end(); none, if they stay where they are.
+    std::span<FloatVelocity> floats() const
+    {
+        return in_floats_ && alone_ ? velocities_ : std::span<FloatVelocity>{};
+    }
 
   private:
     template <typename Change>

@@ -20,8 +20,8 @@
 // joints, and only contacts are left to iterate. Where the factor would fill in it is the first one.
 #include <algorithm>
 
+#include "solve/joint_lanes.h"
 #include "solve/joint_network.h"
-#include "solve/joint_set.h"
 #include "solve/patch_set.h"
 #include "solve/patch_steps.h"
 #include "solve/residual.h"
@@ -31,7 +31,7 @@
 namespace epode {
 namespace {
 
-// Joints: JointSet or JointNetwork.
+// Joints: JointLanes or JointNetwork.
 template <typename Joints>
 class SmallSteps {
   public:
@@ -221,7 +221,7 @@ bool solve_tgs(RowSystem& system, const SolverSettings& settings, Arena& arena, 
     bool solved;
     if (solve_without_rows(system, settings, arena, n, solved)) return solved;
     Arena::Scope scope(arena);
-    JointSet joints;
+    JointLanes joints(n);
     return run(system, settings, n, joints, arena, report);
 }
 

@@ -24,6 +24,11 @@ struct alignas(8 * sizeof(Real)) Velocity {
 inline constexpr int kTwistNumbers = 8;
 static_assert(sizeof(Velocity) == kTwistNumbers * sizeof(Real));
 
+// The same in floats, half a cache line.
+struct alignas(kTwistNumbers * sizeof(float)) FloatVelocity {
+    float at[kTwistNumbers];
+};
+
 inline Real* numbers(Velocity& a) { return reinterpret_cast<Real*>(&a); }
 inline const Real* numbers(const Velocity& a) { return reinterpret_cast<const Real*>(&a); }
 
