@@ -3,9 +3,9 @@
 //
 // Joints as the kernels read them, kLanes side by side: joints of one form, with as many rows and as many
 // bounded ones, none of which shares a dynamic body with another. Their numbers follow each other as Lanes or
-// FloatLanes, in the order of JointLayout. A ball needs 280 bytes in doubles and half of that in floats, where
-// three rows with their Jacobians and M^-1 J^T take 600: in a net of joints that no longer fits the caches, a
-// sweep is as fast as they come.
+// FloatLanes, in the order of JointLayout. A ball needs 280 bytes in doubles and half of that in floats,
+// where three rows with their Jacobians and M^-1 J^T take 600: in a net of joints that no longer fits the
+// caches, a sweep is as fast as they come.
 #pragma once
 
 #include "rows/row.h"
@@ -22,6 +22,7 @@ struct JointBatch {
     int count;                         // joints; the lanes behind them are empty
     int at;                            // the first of its numbers
     int facts;                         // the first of its facts; -1: rows are asked for anew
+    bool rebounds;                     // with facts: some of its rows may
     int body1[kLanes], body2[kLanes];  // into the velocities
 };
 

@@ -47,15 +47,16 @@ bool arm_fits(const SolverBody& b, Vec3 r)
            trace * length2(r) - dot(r, I * r) <= kFloatArms * b.inv_mass;
 }
 
+bool bounded(const RowNumbers& n) { return n.lo > -kInf || n.hi < kInf; }
+
 bool rows_fit(const RowSystem& system, const RowBlock& block)
 {
-    for (int i = block.first; i < block.first + block.count; ++i) {
-        const RowNumbers& n = system.numbers[std::size_t(i)];
-        const bool bounded = n.lo > -kInf || n.hi < kInf;
-        if (bounded && i < block.first + 3) return false;  // becomes one of free form
-        if (!in_range(std::abs(n.c) + n.C + std::abs(n.p))) return false;
-    }
-    return true;
+    const RowNumbers* rows = &system.numbers[std::size_t(block.first)];
+    for (int i = 0; i < std::min(block.count, 3); ++i)
+        if (bounded(rows[i])) return false;  // becomes one of free form
+    Real sum = 0;
+    for (int i = 0; i < block.count; ++i) sum += std::abs(rows[i].c) + rows[i].C + std::abs(rows[i].p);
+    return in_range(sum);
 }
 
 template <typename List, typename Test>

@@ -45,17 +45,30 @@ bool spins_less(const RowSystem& system, const RowBlock& block)
     return spin2(block.body1) <= spin2(block.body2);
 }
 
-// What a followed row asks for when nothing has moved; returns its softness.
-template <typename L>
-Real place_row(L* f, const FactLayout& fact, int i, int lane, const Row& row, Real error, const Substep& step)
-{
-    using N = typename L::Number;
-    const RowAim aim = map_row(row, step, kInf);  // who is soft by mobility, the kernels find
-    f[fact.start + i][lane] = N(error);
-    f[fact.rate + i][lane] = N(aim.rate), f[fact.speed + i][lane] = N(row.speed);
-    f[fact.keeps + i][lane] = N(aim.spring ? 1 : 0);
-    return aim.C;
-}
+// Rows mostly ask for the same as that in their place in the joint before; mapping takes four divisions. Who
+// is soft by mobility, the kernels find.
+class AimMap {
+  public:
+    explicit AimMap(const Substep& step) : step_(step) {}
+
+    const RowAim& of(const Row& row, int place)
+    {
+        if (!last_[place] || !alike(row, *last_[place])) aims_[place] = map_row(row, step_, kInf);
+        last_[place] = &row;
+        return aims_[place];
+    }
+
+  private:
+    static bool alike(const Row& a, const Row& b)
+    {
+        return a.kind == b.kind && a.erp == b.erp && a.cfm == b.cfm && a.soft == b.soft &&
+               (a.kind == RowKind::kLock || (a.lo == b.lo && a.hi == b.hi));
+    }
+
+    const Substep& step_;
+    const Row* last_[kMaxJointRows] = {};
+    RowAim aims_[kMaxJointRows];
+};
 
 // What one row asks for.
 struct RowAsks {
@@ -152,7 +165,7 @@ bool JointSetOf<L>::sort(std::span<Joint> joints, int shapes, Arena& arena)
         const Shape& shape = shapes_[k % shapes];
         for (const int to = starts[std::size_t(k)]; from < to; ++next) {
             const int count = std::min(kLanes, to - from);
-            batches_[next] = {shape.form, shape.rows, shape.bounded, count, 0, -1, {}, {}};
+            batches_[next] = {shape.form, shape.rows, shape.bounded, count, 0, -1, false, {}, {}};
             for (int lane = 0; lane < kLanes; ++lane)
                 sources_[next * kLanes + std::size_t(lane)].block =
                     lane < count ? order[std::size_t(from + lane)] : -1;
@@ -234,7 +247,7 @@ void JointSetOf<L>::fill(const RowSystem& system, const Aim& aim)
             const RowBlock& block = system.blocks[std::size_t(source.block)];
             fill_lane(system, block, source, n, lane, at, batch.form);
             for (int i = 0; i < block.count; ++i) {
-                const RowAsks asks = aim(std::size_t(source.first + source.row[i]));
+                const RowAsks asks = aim(std::size_t(source.first + source.row[i]), i);
                 n[at.c + i][lane] = Number(asks.c), n[at.C + i][lane] = Number(asks.C);
                 n[at.relaxed + i][lane] = Number(asks.relaxed);
             }
@@ -245,7 +258,7 @@ void JointSetOf<L>::fill(const RowSystem& system, const Aim& aim)
 template <typename L>
 void JointSetOf<L>::load(const RowSystem& system)
 {
-    fill(system, [&](std::size_t row) {
+    fill(system, [&](std::size_t row, int) {
         const RowNumbers& n = system.numbers[row];
         return RowAsks{n.c, n.C, n.c};
     });
@@ -271,10 +284,11 @@ bool JointSetOf<L>::follow(RowSystem& system, const Substep& step, Arena& arena)
 template <typename L>
 void JointSetOf<L>::place_facts(const RowSystem& system, const Substep& step, std::size_t b)
 {
-    const JointBatch& batch = batches_[b];
+    JointBatch& batch = batches_[b];
     const FactLayout fact(batch);
     const JointLayout at(batch);
     L *f = &facts_[std::size_t(batch.facts)], *n = &numbers_[std::size_t(batch.at)];
+    AimMap aims(step);
     // What no joint fills must be numbers.
     if (batch.count < kLanes) std::memset(static_cast<void*>(f), 0, sizeof(L) * std::size_t(fact.size));
     for (int lane = 0; lane < batch.count; ++lane) {
@@ -297,8 +311,12 @@ void JointSetOf<L>::place_facts(const RowSystem& system, const Substep& step, st
         const Vec3 gap = one.x - two.x + block.arms.r1 - block.arms.r2;
         for (int i = 0; i < batch.rows; ++i) {
             const Row& row = rows[source.row[i]];
-            const Real start = i < 3 ? row.error + dot(row.lin1, gap) : row.error;
-            n[at.C + i][lane] = Number(place_row(f, fact, i, lane, row, start, step));
+            batch.rebounds = batch.rebounds || row.rebounds;
+            const RowAim& aim = aims.of(row, i);
+            f[fact.start + i][lane] = Number(i < 3 ? row.error + dot(row.lin1, gap) : row.error);
+            f[fact.rate + i][lane] = Number(aim.rate), f[fact.speed + i][lane] = Number(row.speed);
+            f[fact.keeps + i][lane] = Number(aim.spring ? 1 : 0);
+            n[at.C + i][lane] = Number(aim.C);
             if (i >= 3)
                 set(f + fact.axes + 3 * (i - 3), lane, turned_by(guide, row.ang1));
             else if (batch.form == RowForm::kTurned)
@@ -310,17 +328,10 @@ void JointSetOf<L>::place_facts(const RowSystem& system, const Substep& step, st
 template <typename L>
 void JointSetOf<L>::load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies)
 {
-    // Rows mostly ask for the same as the one before; mapping takes four divisions.
-    const Row* last = nullptr;
-    RowAim aim;
-    const auto like_last = [&](const Row& row) {
-        return last && row.kind == RowKind::kLock && last->kind == RowKind::kLock && row.erp == last->erp &&
-               row.cfm == last->cfm && row.soft == last->soft;
-    };
-    fill(system, [&](std::size_t i) {
+    AimMap aims(step);
+    fill(system, [&](std::size_t i, int place) {
         const Row& row = system.rows[i];
-        if (!like_last(row)) aim = map_row(row, step, kInf);  // who is soft by mobility, the kernels find
-        last = &row;
+        const RowAim& aim = aims.of(row, place);
         const Real c = std::min(aim.rate * row.error + row.speed, row.cap);
         return RowAsks{c, aim.C, aim.spring ? c : std::min(row.speed, row.cap)};
     });
@@ -435,6 +446,7 @@ template <typename L>
 void JointSetOf<L>::rebound(const RowSystem& system, std::span<Velocity> bodies)
 {
     for (std::size_t b = 0; b < batches_.size(); ++b) {
+        if (batches_[b].facts >= 0 && !batches_[b].rebounds) continue;
         const JointLayout at(batches_[b]);
         L* n = &numbers_[std::size_t(batches_[b].at)];
         bool lanes[kLanes] = {};
