@@ -112,6 +112,20 @@ EPODE_LANEWISE void put3(L* to, int part, const Vector3Of<VectorOf<L>>& a)
     put(to[0], part, a.x), put(to[1], part, a.y), put(to[2], part, a.z);
 }
 
+template <typename L>
+EPODE_LANEWISE void put4(L* to, int part, const Vector4Of<VectorOf<L>>& q)
+{
+    put(to[0], part, q.w), put(to[1], part, q.x), put(to[2], part, q.y), put(to[3], part, q.z);
+}
+
+template <typename V>
+EPODE_LANEWISE bool any_positive(const V& a)
+{
+    bool any = false;
+    for (int lane = 0; lane < int(sizeof(V) / sizeof(a[0])); ++lane) any |= a[lane] > 0;
+    return any;
+}
+
 template <typename V>
 EPODE_LANEWISE Vector3Of<V> vec_of(const Vector4Of<V>& q)
 {

@@ -64,7 +64,7 @@ struct JointLayout {
     }
 };
 
-// What does not change during a step of a batch that is followed (solve/joint_follow.inc), of a point form.
+// What a step knows of a batch that is followed (solve/joint_follow.inc), of a point form.
 struct FactLayout {
     int anchors, directions, axes;  // in the bodies' frames; directions and axes in that of the guide
     int apart;                      // orientation of the other body seen from the guide, at the beginning
@@ -72,6 +72,7 @@ struct FactLayout {
     int start;                      // per row: its error when nothing has moved
     int rate, speed;                // c = rate * error + speed
     int keeps;                      // 1: relaxing sweeps aim at c too, else at the speed
+    int made;                       // orientations of both bodies when the matrix was made; zero: not yet
     int size;
 
     EPODE_LANEWISE constexpr FactLayout(RowForm form, int rows)
@@ -84,7 +85,8 @@ struct FactLayout {
           rate(start + rows),
           speed(rate + rows),
           keeps(speed + rows),
-          size(keeps + rows)
+          made(keeps + rows),
+          size(made + 8)
     {}
     EPODE_LANEWISE explicit constexpr FactLayout(const JointBatch& b) : FactLayout(b.form, b.rows) {}
 };

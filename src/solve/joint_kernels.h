@@ -20,7 +20,7 @@ struct JointSweep {
 // L: Lanes or FloatLanes.
 template <typename L>
 struct JointBeginOf {
-    const L* facts;           // only of batches that are followed
+    L* facts;                 // only of batches that are followed
     const SolverPose* poses;  // likewise
     Real soft_share;          // above zero: rows with C above this share of their mobility relax to c
     Velocity* bodies;         // null: p does nothing yet

@@ -43,11 +43,17 @@ bool arm_fits(const SolverBody& b, Vec3 r)
 {
     const Sym3& I = b.inv_inertia;
     const Real trace = I.xx + I.yy + I.zz;
-    return in_range(size(b.v) + size(b.w) + trace) &&
-           trace * length2(r) - dot(r, I * r) <= kFloatArms * b.inv_mass;
+    return in_range(trace) && trace * length2(r) - dot(r, I * r) <= kFloatArms * b.inv_mass;
 }
 
 bool bounded(const RowNumbers& n) { return n.lo > -kInf || n.hi < kInf; }
+
+bool speed_fits(const RowSystem& system, int body)
+{
+    if (body < 0) return true;
+    const SolverBody& b = system.bodies[std::size_t(body)];
+    return in_range(size(b.v) + size(b.w));
+}
 
 bool rows_fit(const RowSystem& system, const RowBlock& block)
 {
@@ -85,7 +91,9 @@ bool JointLanes::part_fits_floats(const RowSystem& system, int part) const
         if (!is_joint(block)) continue;
         if (block.form == RowForm::kFree || !rows_fit(system, block)) return false;
         for (const bool second : {false, true}) {
-            const SolverBody* b = moving(system, second ? block.body2 : block.body1);
+            const int body = second ? block.body2 : block.body1;
+            if (!speed_fits(system, body)) return false;
+            const SolverBody* b = moving(system, body);
             if (b && !arm_fits(*b, second ? block.arms.r2 : block.arms.r1)) return false;
             if (b) masses.add(b->inv_mass);
         }

@@ -291,6 +291,7 @@ void JointSetOf<L>::place_facts(const RowSystem& system, const Substep& step, st
     AimMap aims(step);
     // What no joint fills must be numbers.
     if (batch.count < kLanes) std::memset(static_cast<void*>(f), 0, sizeof(L) * std::size_t(fact.size));
+    std::memset(static_cast<void*>(f + fact.made), 0, sizeof(L) * std::size_t(fact.size - fact.made));
     for (int lane = 0; lane < batch.count; ++lane) {
         const Source& source = sources_[b * kLanes + std::size_t(lane)];
         RowBlock& block = system.blocks[std::size_t(source.block)];

@@ -71,9 +71,11 @@ bool all_parts_stand(const RowSystem& system, const ManifoldList& list)
 bool QuickContacts::pack(const RowSystem& system, const ManifoldList& list, const SolverSettings& settings,
                          bool alone, Arena& arena)
 {
-    in_floats_ = list.points.size() >= kFewPoints && settings.iterations <= kFloatSweeps &&
-                 bodies_fit_floats(system.bodies) && contacts_fit_floats(list) &&
-                 all_parts_stand(system, list);
+    in_floats_ = list.points.empty()
+                     ? alone
+                     : list.points.size() >= kFewPoints && settings.iterations <= kFloatSweeps &&
+                           bodies_fit_floats(system.bodies) && contacts_fit_floats(list) &&
+                           all_parts_stand(system, list);
     if (!in_floats_) return reals_.pack(system, list, settings.w, arena);
     alone_ = alone;
     const int slots = int(system.bodies.size()) + system.worlds();

@@ -12,7 +12,8 @@
 // - numbers out of the range of floats.
 //
 // All of it is a function of the island and the settings. The velocities themselves are Reals: float sweeps
-// begin with them rounded and add to them what they have changed.
+// begin with them rounded and add to them what they have changed; once for all sweeps, where joints are in
+// floats too (solve/joint_lanes.h).
 #pragma once
 
 #include "solve/contact_set.h"
