@@ -24,7 +24,7 @@ std::uint64_t run(Scene scene, Stepper stepper, std::uint32_t seed = 1)
 
 // Rows: pile, machine, wall; columns: exact, quick, fast.
 constexpr std::uint64_t kGolden[3][3] = {{0x3d6399cf14fba944u, 0x17a913319e84d535u, 0x5190b42d41b4f5dbu},
-                                         {0xd8200efbf209d58fu, 0x21d966fc0a0c6f34u, 0x3b73f123c3096dd1u},
+                                         {0xd8200efbf209d58fu, 0x21d966fc0a0c6f34u, 0xeed7926e1405938du},
                                          {0x5898e7f44ced536eu, 0x2935212290e2a928u, 0x36ad2059d63ba8edu}};
 
 TEST(Determinism, gives_the_same_bits_on_every_compiler)
