@@ -69,6 +69,13 @@ void mark_moved(Geom& geom)
     }
 }
 
+void mark_changed(Geom& geom)
+{
+    ++geom.changes;
+    for (TransformGeom* holder = geom.holders; holder; holder = holder->next_holder) mark_changed(*holder);
+    mark_moved(geom);
+}
+
 void set_continuous(Geom& geom, int mode)
 {
     const int change = (mode == dContinuousOn) - (geom.continuous == dContinuousOn);

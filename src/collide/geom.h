@@ -84,6 +84,7 @@ struct Geom : Numbered {
     unsigned long collide = ~0ul;
     void* data = nullptr;
     Geom* body_prev = nullptr;
+    std::uint32_t changes = 0;  // of the shape, see mark_changed()
     alignas(32) Real own_rotation[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
     Real own_position[4] = {};  // beside the shape, which follows
 };
@@ -132,8 +133,10 @@ inline const Aabb& box_of(Geom& geom)
     return geom.box;
 }
 
-// The pose or the shape has changed.
+// The pose has changed; the shape, which is counted: what somebody knows of its contacts is not true any
+// more.
 void mark_moved(Geom& geom);
+void mark_changed(Geom& geom);
 
 // Whether steps look at the geom's whole way, and whether there is any geom of which they do.
 void set_continuous(Geom& geom, int mode);

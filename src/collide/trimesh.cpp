@@ -35,7 +35,7 @@ TrimeshData::~TrimeshData()
     while (geoms) {
         TrimeshGeom* geom = geoms;
         geom->use(nullptr);
-        mark_moved(*geom);
+        mark_changed(*geom);
     }
 }
 
@@ -49,7 +49,7 @@ bool TrimeshData::in_use() const
 
 void TrimeshData::tell_geoms()
 {
-    for (TrimeshGeom* g = geoms; g; g = g->next_user) mark_moved(*g);
+    for (TrimeshGeom* g = geoms; g; g = g->next_user) mark_changed(*g);
 }
 
 void TrimeshGeom::use(TrimeshData* fresh)

@@ -23,9 +23,10 @@ struct ContactAnchor {
 };
 
 struct KeptPatch {
-    Vec3 origin;    // of body1 at the step's beginning
-    float layer;    // depth that was allowed then
-    Float3 offset;  // of g2 in g1's frame when they were collided
+    Vec3 origin;            // of body1 at the step's beginning
+    float layer;            // depth that was allowed then
+    std::uint32_t changes;  // of both geoms' shapes, when they were collided
+    Float3 offset;          // of g2 in g1's frame when they were collided
     Float3 turn[3];
     Float3 normal;  // in g1's frame
     ContactAnchor anchors[kPatchPoints];

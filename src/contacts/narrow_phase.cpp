@@ -104,10 +104,13 @@ class PairUpdate {
         return pair_.parting != 0;
     }
 
+    std::uint32_t changes() const { return g1_.changes + g2_.changes; }
+
     // How far any point of the smaller one can have moved in the other's frame.
     bool hardly_moved(std::span<const KeptPatch> old) const
     {
         const KeptPatch& was = old[0];
+        if (was.changes != changes()) return false;
         const bool full = pair_.most == 1 && was.patch.count == kPatchPoints;
         const Real size = this->size();
         const Real most = full ? kReuse * size : kReuseLayer * settings_.layer;
@@ -296,6 +299,7 @@ class PairUpdate {
     {
         KeptPatch& part = parts_[std::size_t(index)];
         Patch& patch = part.patch;
+        part.changes = changes();
         part.offset = narrow(offset_);
         for (int k = 0; k < 3; ++k) part.turn[k] = narrow(turn_.row(k));
         part.normal = narrow(transposed_times(pose1_.R, widen(patch.normal)));

@@ -94,6 +94,37 @@ TEST_F(ManagedMeshes, change_under_what_stands_on_them)
     guests.expect_to_stand_on(-2, "lowered");
 }
 
+// Their boxes overlap as before, and nothing has moved.
+TEST_F(ManagedMeshes, let_fall_what_has_come_to_rest)
+{
+    const std::size_t under = floor.vertices.size();
+    floor.add(1, 1, {40, 0, 5});
+    const Data data(floor);
+    dCreateTriMesh(sim.space, data.id, nullptr, nullptr, nullptr);
+    const Guests guests(sim);
+    sim.run(900);
+    guests.expect_to_stand_on(0, "at rest");
+    for (std::size_t i = 2; i < under; i += 4) floor.vertices[i] = real(-2);
+    dGeomTriMeshDataUpdate(data.id);
+    sim.run(120);
+    guests.expect_to_stand_on(-2, "lowered");
+}
+
+TEST_F(ManagedMeshes, let_fall_what_becomes_smaller)
+{
+    floor.add(1, 1, {40, 0, 5});
+    const Data data(floor);
+    dCreateTriMesh(sim.space, data.id, nullptr, nullptr, nullptr);
+    const Guests guests(sim);
+    sim.run(900);
+    dGeomSphereSetRadius(geom_of(guests.body[0]), real(0.25));
+    dGeomBoxSetLengths(geom_of(guests.body[1]), real(0.5), real(0.5), real(0.5));
+    dGeomCapsuleSetParams(geom_of(guests.body[2]), real(0.25), 1);
+    dGeomCylinderSetParams(geom_of(guests.body[3]), real(0.25), real(0.5));
+    sim.run(60);
+    guests.expect_to_stand_on(-0.25, "smaller");
+}
+
 TEST_F(ManagedMeshes, are_exchanged_under_what_stands_on_them)
 {
     Ground deep;

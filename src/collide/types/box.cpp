@@ -64,7 +64,7 @@ extern "C" void dGeomBoxSetLengths(dGeomID box, dReal lx, dReal ly, dReal lz)
     EPODE_USER(legal(lx, ly, lz));
     EPODE_UNLOCKED(geom);
     geom->shape.half = Real(0.5) * Vec3{lx, ly, lz};
-    mark_moved(*geom);
+    mark_changed(*geom);
 }
 
 extern "C" void dGeomBoxGetLengths(dGeomID box, dVector3 result)

@@ -59,7 +59,7 @@ extern "C" void dGeomCapsuleSetParams(dGeomID capsule, dReal radius, dReal lengt
     EPODE_USER(legal(radius, length));
     EPODE_UNLOCKED(geom);
     geom->shape = {radius, length / 2};
-    mark_moved(*geom);
+    mark_changed(*geom);
 }
 
 extern "C" void dGeomCapsuleGetParams(dGeomID capsule, dReal* radius, dReal* length)

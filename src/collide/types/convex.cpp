@@ -107,7 +107,7 @@ extern "C" void dGeomSetConvex(dGeomID g, const dReal* planes, unsigned int coun
     const char* const refusal = build(solid, planes, count, points, pointcount, polygons);
     EPODE_USER_SAY(!refusal, refusal);
     geom->own.swap(solid);
-    mark_moved(*geom);
+    mark_changed(*geom);
 }
 
 extern "C" dGeomID dCreateConvexHull(dSpaceID space, const dReal* points, unsigned int pointcount,
@@ -131,7 +131,7 @@ extern "C" void dGeomSetConvexHull(dGeomID convex, const dReal* points, unsigned
     const char* const refusal = build_hull(solid, points, pointcount, maxvertices);
     EPODE_USER_SAY(!refusal, refusal);
     geom->own.swap(solid);
-    mark_moved(*geom);
+    mark_changed(*geom);
 }
 
 extern "C" int dGeomConvexGetPoints(dGeomID convex, dReal* points, int room)

@@ -66,7 +66,7 @@ extern "C" void dGeomCylinderSetParams(dGeomID cylinder, dReal radius, dReal len
     EPODE_USER(legal(radius, length));
     EPODE_UNLOCKED(geom);
     geom->shape = {radius, length / 2};
-    mark_moved(*geom);
+    mark_changed(*geom);
 }
 
 extern "C" void dGeomCylinderGetParams(dGeomID cylinder, dReal* radius, dReal* length)

@@ -227,7 +227,7 @@ void dGeomHeightfieldSetHeightfieldData(dGeomID g, dHeightfieldDataID d)
     EPODE_USER(data || !d);
     EPODE_UNLOCKED(geom);
     geom->shape = {data, data ? data->serial : 0};
-    mark_moved(*geom);
+    mark_changed(*geom);
 }
 
 dHeightfieldDataID dGeomHeightfieldGetHeightfieldData(dGeomID g)

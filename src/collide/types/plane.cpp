@@ -57,7 +57,7 @@ extern "C" void dGeomPlaneSetParams(dGeomID plane, dReal a, dReal b, dReal c, dR
     EPODE_USER(legal(a, b, c, d));
     EPODE_UNLOCKED(geom);
     geom->shape = normalized(a, b, c, d);
-    mark_moved(*geom);
+    mark_changed(*geom);
 }
 
 extern "C" void dGeomPlaneGetParams(dGeomID plane, dVector4 result)

@@ -50,7 +50,7 @@ extern "C" void dGeomSphereSetRadius(dGeomID sphere, dReal radius)
     EPODE_USER(usable(radius) && radius >= 0);
     EPODE_UNLOCKED(geom);
     geom->shape.radius = radius;
-    mark_moved(*geom);
+    mark_changed(*geom);
 }
 
 extern "C" dReal dGeomSphereGetRadius(dGeomID sphere)

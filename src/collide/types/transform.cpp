@@ -127,7 +127,7 @@ void set_transform_geom(TransformGeom& transform, Geom* inner)
         transform.next_holder = inner->holders;
         inner->holders = &transform;
     }
-    mark_moved(transform);
+    mark_changed(transform);
 }
 
 PlacedElsewhere::PlacedElsewhere(Geom& geom, const Pose& pose)

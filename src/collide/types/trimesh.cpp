@@ -93,7 +93,7 @@ dGeomID dCreateTriMesh(dSpaceID space, dTriMeshDataID Data, dTriCallback* Callba
     geom->shape.wants = Callback;
     geom->shape.told = ArrayCallback;
     geom->shape.ray_hits = RayCallback;
-    mark_moved(*geom);
+    mark_changed(*geom);
     return to_handle<Geom>(geom);
 }
 
@@ -106,7 +106,7 @@ void dGeomTriMeshSetData(dGeomID g, dTriMeshDataID Data)
     EPODE_UNLOCKED(geom);
     EPODE_USER_SAY(geom->users.load(std::memory_order_relaxed) == 0, "Invalid operation during a collision");
     geom->use(data);
-    mark_moved(*geom);
+    mark_changed(*geom);
 }
 
 dTriMeshDataID dGeomTriMeshGetData(dGeomID g)
