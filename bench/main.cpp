@@ -155,6 +155,8 @@ CLI::App* add_run(CLI::App& app, epode::bench::SceneRunOptions& options)
         ->check(CLI::IsMember({"hash", "quadtree", "sap"}));
     command->add_option("--contacts", engine.contacts, "of ODE, at most of a pair (default 8)")
         ->check(CLI::Range(1, 64));
+    command->add_flag("--manifold-friction", engine.manifold_friction,
+                      "of managed and hybrid: one friction for the points of two geoms");
     command->add_flag("!--no-quality", options.judged, "only the time");
     command->add_flag("--memory", options.memory, "also bytes that a libode takes");
     return command;

@@ -16,9 +16,10 @@ namespace epode::bench {
 struct EngineOptions {
     int iterations = 0;  // 0: the engine's own
     int threads = 1;
-    std::string stepper;         // ODE: exact, quick or fast; empty: the scene's own
-    std::string space = "hash";  // ODE: hash, quadtree or sap
-    int contacts = 8;            // ODE: of a pair, at most
+    std::string stepper;             // ODE: exact, quick or fast; empty: the scene's own
+    std::string space = "hash";      // ODE: hash, quadtree or sap
+    int contacts = 8;                // ODE: of a pair, at most
+    bool manifold_friction = false;  // managed, hybrid: one for the points of a patch
 };
 
 // Milliseconds of a step's stages.

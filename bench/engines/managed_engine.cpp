@@ -36,6 +36,7 @@ class ManagedEngine : public Engine {
         : scene_(data, options), wall_(options.threads > 1)
     {
         find<SetSpace>("dWorldSetContactSpace")(scene_.world(), scene_.space());
+        if (options.manifold_friction) find<SetNumber>("dWorldSetManifoldFriction")(scene_.world(), 1);
     }
 
     std::string version() const override { return scenes::loaded_library(); }
@@ -88,6 +89,8 @@ bool has_all(const SceneData& data, const EngineOptions& options, std::string& r
 {
     if (!find<SetSpace>("dWorldSetContactSpace") || !scenes::has_step_fast())
         refusal = scenes::loaded_library() + " manages no contacts";
+    if (options.manifold_friction && !find<SetNumber>("dWorldSetManifoldFriction"))
+        refusal = scenes::loaded_library() + " has one friction per point";
     if (options.threads > 1 && !scenes::has_step_threads())
         refusal = scenes::loaded_library() + " has no threads of its own";
     if (data.friction != kFriction) refusal = "a scene of another friction than the default material's";

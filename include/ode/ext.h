@@ -128,6 +128,21 @@ ODE_API dReal dWorldGetQuickStepWarmStarting(dWorldID world);
 ODE_API void dWorldSetContactCone(dWorldID world, int mode);
 ODE_API int dWorldGetContactCone(dWorldID world);
 
+/** How many frictions the points of one contact have in dWorldQuickStep and dWorldStepFast1 (mode): 0 (the
+    default) one for each, 1 one for all points of two bodies that follow each other with one normal (up to
+    four), and for each patch of contacts that the world manages: a force in the plane at the centre of what
+    the points push, and a couple about the normal, bounded together. With N the sum of the pushes and rho their
+    mean distance from that centre, |f|^2 + (m/rho)^2 <= (mu N)^2: a body that only slides is braked by mu N in
+    every direction, one that only turns on its face by mu N rho, one that does both by what an ellipsoid
+    between them allows. A sweep costs less. Friction is still told point by point (dJointFeedback, impulses of
+    contacts that the world manages): each one has its part by its push, and these parts add up to the
+    force and couple that acted. Contact joints have it whose mu is finite and the same in both directions;
+    those with mu2, with force bounds instead of mu or with an endless one, with one direction or against
+    rolling are as ever. Surface motion is kept, slip becomes that of all points side by side. dWorldStep,
+    which is exact for each row, does not know it. Other values are refused, as is a call during a step. [ours] */
+ODE_API void dWorldSetManifoldFriction(dWorldID world, int mode);
+ODE_API int dWorldGetManifoldFriction(dWorldID world);
+
 /** How dWorldStep and dWorldQuickStep turn bodies (mode): 0 (the default) as the original does, 1 exactly.
     Exactly means: the orientation turns by the exponential map, so a spin w held for h turns by w h and not
     by 2 atan(w h/2); and the gyroscopic torque follows the implicit midpoint rule with that map, so that a

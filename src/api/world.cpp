@@ -246,6 +246,20 @@ int dWorldGetContactCone(dWorldID w)
     return world->contact_cone;
 }
 
+void dWorldSetManifoldFriction(dWorldID w, int mode)
+{
+    WORLD_OR();
+    EPODE_USER(mode == 0 || mode == 1);
+    EPODE_USER_SAY(!world->stepping, "Invalid operation during a step");
+    world->manifold_friction = mode != 0;
+}
+
+int dWorldGetManifoldFriction(dWorldID w)
+{
+    WORLD_OR(0);
+    return world->manifold_friction;
+}
+
 WORLD_NUMBER(int, ExactSubsteps, exact_substeps, value >= 1 && value <= 1000)
 WORLD_NUMBER(int, StepProjection, projection_iterations, value >= 0 && value <= 100)
 WORLD_NUMBER(dReal, StepProjectionTolerance, projection_tolerance, value > 0 && value < 1)

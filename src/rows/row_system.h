@@ -41,7 +41,8 @@ struct alignas(4 * sizeof(Real)) SolverPose {
 };
 static_assert(sizeof(SolverPose) == 16 * sizeof(Real));
 
-struct Velocity;  // solve/velocities.h
+struct Velocity;       // solve/velocities.h
+struct WholeFriction;  // solve/whole_friction.h
 
 // The numbers that a policy makes of a Row.
 struct RowNumbers {
@@ -75,14 +76,16 @@ struct SystemPart {
 struct RowSystem {
     Real h = 0;
     bool cone = false;  // friction of contacts with both directions is bounded by an ellipse, not a box
+    bool manifold_friction = false;  // manifolds and patches have one friction for all their points
     std::span<SolverBody> bodies;
     std::span<Row> rows;
-    std::span<RowNumbers> numbers;      // parallel to rows
-    std::span<RowBlock> blocks;         // in joint order, covering rows without gaps
-    ManifoldList contacts;              // beside the rows; of solvers that take manifolds, else empty
-    std::span<Patch* const> patches;    // likewise, of solvers that take patches
-    std::span<const SystemPart> parts;  // none: all is one
-    std::span<SolverPose> poses;        // with inner steps and blocks: of the bodies, then of the worlds
+    std::span<RowNumbers> numbers;             // parallel to rows
+    std::span<RowBlock> blocks;                // in joint order, covering rows without gaps
+    ManifoldList contacts;                     // beside the rows; of solvers that take manifolds, else empty
+    std::span<Patch* const> patches;           // likewise, of solvers that take patches
+    std::span<const SystemPart> parts;         // none: all is one
+    std::span<const WholeFriction> frictions;  // of what has been solved: one for several points each
+    std::span<SolverPose> poses;  // with inner steps and blocks: of the bodies, then of the worlds
 
     int worlds() const { return parts.empty() ? 1 : int(parts.size()); }
     SystemPart begin_of(int part) const { return part > 0 ? parts[std::size_t(part - 1)] : SystemPart{}; }

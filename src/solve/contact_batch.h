@@ -27,9 +27,23 @@ struct BatchPointOf {
     L k_n1, k_n2, k_12;  // gain of the later row times coupling with the earlier
 };
 
+// One friction for all points of a manifold (contact_friction.inc): a force along t1 and t2 at an anchor,
+// which is the mean of the points, and a couple about n.
+template <typename L>
+struct ManifoldFrictionOf {
+    LaneVec3Of<L> r1;                          // of the anchor; r2 = r1 + offset
+    L x[kManifoldPoints], y[kManifoldPoints];  // places of the points along t1 and t2, from there
+    L k_11, k_22, k_12, k_1n, k_2n, k_nn;      // J M^-1 J^T of the tangents there and of the turn about n
+    L least_radius;                            // no couple is known from rounding below
+    L C;                                       // that of one point by the number of points
+    L w;                                       // over-relaxation
+    L p[3];                                    // force, couple
+};
+
 template <typename L>
 struct ContactBatchOf {
     int first, count;                            // of the points
+    ManifoldFrictionOf<L>* friction;             // null: each point has its own
     int body1[kLanesOf<L>], body2[kLanesOf<L>];  // into the velocities
     L inv_mass1, inv_mass2;
     LaneSym3Of<L> inv_inertia1, inv_inertia2;

@@ -27,6 +27,8 @@ struct ContactKernelsOf {
                            Bodies* bodies);
     void (*sweep[2])(const ContactBatchOf<L>* batches, const int* order, int count, BatchPointOf<L>* points,
                      Bodies* bodies);
+    // Of a batch with one friction: into p of the tangents, what of it is each point's part.
+    void (*share_friction)(const ContactBatchOf<L>& batch, BatchPointOf<L>* points);
 };
 
 struct ContactKernels {

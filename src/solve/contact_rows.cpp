@@ -7,38 +7,6 @@
 namespace epode {
 namespace {
 
-bool has_contact_form(const RowSystem& system, const RowBlock& block)
-{
-    if (!block.contact || (block.count != 1 && block.count != 3)) return false;
-    const auto first = std::size_t(block.first);
-    const RowNumbers& normal = system.numbers[first];
-    if (normal.parent >= 0 || normal.lo != 0 || normal.hi < kInf) return false;
-    for (std::size_t k = first + 1; k < first + std::size_t(block.count); ++k) {
-        const RowNumbers& n = system.numbers[k];
-        if (n.lo != -n.hi || !(n.hi >= 0) || (n.parent >= 0 && n.parent != block.first)) return false;
-        if (system.rows[k].lin1 == Vec3{}) return false;  // friction against rolling
-    }
-    return true;
-}
-
-Manifold manifold_of(const RowSystem& system, const RowBlock& block)
-{
-    const Row* rows = &system.rows[std::size_t(block.first)];
-    const RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
-    Manifold m{};
-    m.body1 = block.body1, m.body2 = block.body2;
-    m.n = rows[0].lin1;
-    if (block.body2 >= 0) m.offset = block.arms.r2 - block.arms.r1;
-    if (block.count == 1) return m;
-    m.t1 = rows[1].lin1, m.t2 = rows[2].lin1;
-    for (int k = 0; k < 2; ++k) {
-        const RowNumbers& n = numbers[k + 1];
-        m.c[k] = n.c, m.C[k] = n.C;
-        (n.parent >= 0 ? m.mu[k] : m.fixed[k]) = n.hi;
-    }
-    return m;
-}
-
 bool same_friction(const Manifold& a, const Manifold& b)
 {
     for (int k = 0; k < 2; ++k)
@@ -90,6 +58,38 @@ std::span<T> with_room(std::span<T> from, int more, Arena& arena)
 }
 
 }  // namespace
+
+bool has_contact_form(const RowSystem& system, const RowBlock& block)
+{
+    if (!block.contact || (block.count != 1 && block.count != 3)) return false;
+    const auto first = std::size_t(block.first);
+    const RowNumbers& normal = system.numbers[first];
+    if (normal.parent >= 0 || normal.lo != 0 || normal.hi < kInf) return false;
+    for (std::size_t k = first + 1; k < first + std::size_t(block.count); ++k) {
+        const RowNumbers& n = system.numbers[k];
+        if (n.lo != -n.hi || !(n.hi >= 0) || (n.parent >= 0 && n.parent != block.first)) return false;
+        if (system.rows[k].lin1 == Vec3{}) return false;  // friction against rolling
+    }
+    return true;
+}
+
+Manifold manifold_of(const RowSystem& system, const RowBlock& block)
+{
+    const Row* rows = &system.rows[std::size_t(block.first)];
+    const RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
+    Manifold m{};
+    m.body1 = block.body1, m.body2 = block.body2;
+    m.n = rows[0].lin1;
+    if (block.body2 >= 0) m.offset = block.arms.r2 - block.arms.r1;
+    if (block.count == 1) return m;
+    m.t1 = rows[1].lin1, m.t2 = rows[2].lin1;
+    for (int k = 0; k < 2; ++k) {
+        const RowNumbers& n = numbers[k + 1];
+        m.c[k] = n.c, m.C[k] = n.C;
+        (n.parent >= 0 ? m.mu[k] : m.fixed[k]) = n.hi;
+    }
+    return m;
+}
 
 bool ContactRows::gather(const RowSystem& system, std::span<bool> taken, Arena& arena)
 {

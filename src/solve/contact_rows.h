@@ -40,6 +40,10 @@ class ContactRows {
     std::span<PointRows> rows_;  // parallel to the points
 };
 
+// Is it a contact as a manifold has them, and which would it be a point of?
+bool has_contact_form(const RowSystem& system, const RowBlock& block);
+Manifold manifold_of(const RowSystem& system, const RowBlock& block);
+
 // The other way round: the system with its manifolds as rows behind its own, for what judges rows. False: out
 // of memory.
 [[nodiscard]] bool expand_manifolds(const RowSystem& system, Arena& arena, RowSystem& out);

@@ -66,7 +66,12 @@ class Chooser {
   public:
     Chooser(const RowSystem& system, std::span<const Manifold> manifolds, std::span<int> stamps,
             std::span<bool> used, int lanes)
-        : system_(system), manifolds_(manifolds), stamps_(stamps), used_(used), lanes_(lanes)
+        : system_(system),
+          manifolds_(manifolds),
+          stamps_(stamps),
+          used_(used),
+          lanes_(lanes),
+          whole_(system.manifold_friction)
     {
         std::fill(stamps.begin(), stamps.end(), -1);
     }
@@ -76,6 +81,7 @@ class Chooser {
     {
         int taken = 0;
         take(batch, first, lanes[taken++]);
+        first_ = first;
         const int count = manifolds_[std::size_t(first)].count;
         const int end = std::min(int(manifolds_.size()), first + kWindow * lanes_);
         // First those of the same length, then any.
@@ -92,7 +98,8 @@ class Chooser {
   private:
     bool free(int batch, int j) const
     {
-        const Manifold& m = manifolds_[std::size_t(j)];
+        const Manifold &m = manifolds_[std::size_t(j)], &first = manifolds_[std::size_t(first_)];
+        if (whole_ && can_be_whole(m) != can_be_whole(first)) return false;
         return stamps_[std::size_t(m.body1)] != batch &&
                (m.body2 < 0 || stamps_[std::size_t(m.body2)] != batch);
     }
@@ -112,6 +119,8 @@ class Chooser {
     std::span<int> stamps_;
     std::span<bool> used_;
     int lanes_;
+    bool whole_;     // those that can have one friction stay by themselves
+    int first_ = 0;  // of the batch
 };
 
 }  // namespace
@@ -119,7 +128,7 @@ class Chooser {
 template <typename L>
 bool ContactSetOf<L>::pack(const RowSystem& system, const ManifoldList& list, Real w, Arena& arena)
 {
-    cone_ = system.cone;
+    cone_ = system.cone, whole_ = system.manifold_friction, manifolds_ = int(list.manifolds.size());
     if (list.manifolds.empty()) return true;
     if (!choose(system, list.manifolds, arena)) return false;
     const int count = chosen_.back().first + chosen_.back().count;
@@ -127,13 +136,14 @@ bool ContactSetOf<L>::pack(const RowSystem& system, const ManifoldList& list, Re
     points_ = arena.take<Point>(count);
     sources_ = arena.take<Source>(count);
     order_ = arena.take<int>(int(batches_.size()));
-    if (arena.failed()) return false;
+    if (arena.failed() || !place_frictions(list.manifolds, arena)) return false;
     for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = int(i);
     for (std::size_t b = 0; b < batches_.size(); ++b) {
         Batch& batch = batches_[b];
         batch.first = chosen_[b].first, batch.count = chosen_[b].count;
         for (int lane = 0; lane < kCount; ++lane)
             fill_lane(system, list, chosen_[b].manifold[lane], batch, lane);
+        if (batch.friction) fill_friction(list, b);
         kernels_->prepare[cone_](batch, &points_[std::size_t(batch.first)], Number(w));
         for (int i = batch.first; i < batch.first + batch.count; ++i)
             silence_unused(sources_[std::size_t(i)], points_[std::size_t(i)]);
@@ -188,6 +198,91 @@ void ContactSetOf<L>::fill_lane(const RowSystem& system, const ManifoldList& lis
 }
 
 template <typename L>
+bool ContactSetOf<L>::place_frictions(std::span<const Manifold> manifolds, Arena& arena)
+{
+    const auto wants = [&](std::size_t b) {
+        return whole_ && can_be_whole(manifolds[std::size_t(chosen_[b].manifold[0])]);
+    };
+    int count = 0;
+    for (std::size_t b = 0; b < batches_.size(); ++b) count += wants(b);
+    const auto frictions = arena.take_zeroed<ManifoldFrictionOf<L>>(count);
+    if (arena.failed()) return false;
+    std::size_t next = 0;
+    for (std::size_t b = 0; b < batches_.size(); ++b)
+        batches_[b].friction = wants(b) ? &frictions[next++] : nullptr;
+    return true;
+}
+
+// The anchors of a batch and the places of its points, in Reals before they are lanes.
+template <typename L>
+void ContactSetOf<L>::fill_friction(const ManifoldList& list, std::size_t b)
+{
+    ManifoldFrictionOf<L>& to = *batches_[b].friction;
+    for (int lane = 0; lane < kCount && chosen_[b].manifold[lane] >= 0; ++lane) {
+        const Manifold& m = list.manifolds[std::size_t(chosen_[b].manifold[lane])];
+        const auto points = list.points.subspan(std::size_t(m.first), std::size_t(m.count));
+        const Real share = 1 / Real(m.count);
+        Vec3 anchor;
+        Real size = 0;
+        for (const ManifoldPoint& point : points) anchor += share * point.r1;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const Vec3 d = points[i].r1 - anchor;
+            const Real x = dot(d, m.t1), y = dot(d, m.t2);
+            to.x[i][lane] = Number(x), to.y[i][lane] = Number(y);
+            size += std::fabs(x) + std::fabs(y);
+        }
+        to.r1.set(lane, anchor);
+        to.least_radius[lane] = Number(kLeastRadius * size);
+        to.C[lane] = Number(share * m.C[0]);
+    }
+}
+
+template <typename L>
+WholeFriction ContactSetOf<L>::friction_of(const Batch& batch, int lane) const
+{
+    const ManifoldFrictionOf<L>& all = *batch.friction;
+    const auto vector = [&](const LaneVec3Of<L>& a) {
+        return Vec3{Real(a.x[lane]), Real(a.y[lane]), Real(a.z[lane])};
+    };
+    const Vec3 n = vector(batch.n), t1 = vector(batch.t1), t2 = vector(batch.t2);
+    const auto push = [&](int i) { return Real(points_[std::size_t(batch.first + i)].p[0][lane]); };
+    Real sum = 0, x = 0, y = 0, radius = 0;
+    for (int i = 0; i < batch.count; ++i) sum += push(i);
+    for (int i = 0; i < batch.count && sum > 0; ++i)
+        x += push(i) / sum * Real(all.x[i][lane]), y += push(i) / sum * Real(all.y[i][lane]);
+    for (int i = 0; i < batch.count && sum > 0; ++i)
+        radius += push(i) / sum * length(Vec3{Real(all.x[i][lane]) - x, Real(all.y[i][lane]) - y, 0});
+    const Vec3 r1 = vector(all.r1) + x * t1 + y * t2, r2 = r1 + vector(batch.offset);
+    const Real p1 = Real(all.p[0][lane]), p2 = Real(all.p[1][lane]);
+    const Real couple = Real(all.p[2][lane]) - (x * p2 - y * p1);
+    return {{{t1, cross(r1, t1), -t1, -cross(r2, t1)},
+             {t2, cross(r1, t2), -t2, -cross(r2, t2)},
+             {{}, radius * n, {}, -radius * n}},
+            {p1, p2, radius > Real(all.least_radius[lane]) ? couple / radius : 0},
+            {Real(batch.c[0][lane]), Real(batch.c[1][lane]), 0},
+            Real(all.C[lane]),
+            Real(batch.mu[0][lane]) * sum,
+            batch.body1[lane],
+            batch.body2[lane]};
+}
+
+template <typename L>
+std::span<WholeFriction> ContactSetOf<L>::whole_frictions(Arena& arena) const
+{
+    if (!whole_) return {};
+    auto all = arena.take<WholeFriction>(manifolds_);
+    if (all.empty()) return {};
+    for (WholeFriction& f : all) f.body1 = -1;
+    for (std::size_t b = 0; b < batches_.size(); ++b)
+        for (int lane = 0; batches_[b].friction && lane < kCount; ++lane)
+            if (const int at = chosen_[b].manifold[lane]; at >= 0)
+                all[std::size_t(at)] = friction_of(batches_[b], lane);
+    const auto end =
+        std::remove_if(all.begin(), all.end(), [](const WholeFriction& f) { return f.body1 < 0; });
+    return {all.begin(), end};
+}
+
+template <typename L>
 void ContactSetOf<L>::apply_impulses(std::span<Bodies> bodies) const
 {
     kernels_->apply_impulses(batches_.data(), int(batches_.size()), points_.data(), bodies.data());
@@ -229,11 +324,15 @@ void ContactSetOf<L>::relax_by(Real factor)
     for (Point& point : points_)
         for (L* x : {&point.gain[0], &point.gain[1], &point.gain[2], &point.k_n1, &point.k_n2, &point.k_12})
             for (Number& value : x->at) value *= Number(factor);
+    for (const Batch& batch : batches_)
+        for (int lane = 0; batch.friction && lane < kCount; ++lane) batch.friction->w[lane] *= Number(factor);
 }
 
 template <typename L>
 void ContactSetOf<L>::store_impulses(std::span<ManifoldPoint> points) const
 {
+    for (const Batch& batch : batches_)
+        if (batch.friction) kernels_->share_friction(batch, &points_[std::size_t(batch.first)]);
     for (std::size_t i = 0; i < sources_.size(); ++i)
         for (int lane = 0; lane < kCount; ++lane)
             if (const int point = sources_[i].point[lane]; point >= 0)

@@ -13,6 +13,7 @@
 #include "rows/row_system.h"
 #include "solve/contact_batch.h"
 #include "solve/contact_kernels.h"
+#include "solve/whole_friction.h"
 
 namespace epode {
 
@@ -43,6 +44,9 @@ class ContactSetOf {
     void sweep(std::span<Bodies> bodies);
     void relax_by(Real factor);  // multiplies the over-relaxation of the sweeps to come
     void store_impulses(std::span<ManifoldPoint> points) const;
+    // One for each manifold that has one friction, in the order of the manifolds. Empty: none, or out of
+    // memory.
+    std::span<WholeFriction> whole_frictions(Arena& arena) const;
     // J_n v of the points of a batch; of Lanes only.
     void normal_velocities(const Batch& batch, std::span<const Velocity> bodies,
                            std::span<Lanes, kManifoldPoints> out) const;
@@ -64,10 +68,15 @@ class ContactSetOf {
 
     bool choose(const RowSystem& system, std::span<const Manifold> manifolds, Arena& arena);
     void fill_lane(const RowSystem& system, const ManifoldList& list, int manifold, Batch& batch, int lane);
+    bool place_frictions(std::span<const Manifold> manifolds, Arena& arena);
+    void fill_friction(const ManifoldList& list, std::size_t batch);
+    WholeFriction friction_of(const Batch& batch, int lane) const;
 
     const ContactKernels* machine_;
     const ContactKernelsOf<L>* kernels_;
     bool cone_ = false;
+    bool whole_ = false;  // manifolds that can have one friction do
+    int manifolds_ = 0;
     std::span<Choice> chosen_;
     std::span<Batch> batches_;
     std::span<int> order_;  // of the batches in a sweep

@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Patches of the world's own contacts (rows/patch.h) as the kernels read them: eight patches side by side,
-// none of which shares a dynamic body with another. 76 bytes per point and patch, 142 per patch. A point that
-// a shorter patch lacks is far open and does nothing.
+// none of which shares a dynamic body with another. 76 bytes per point and patch, 142 per patch; with one
+// friction per patch 56 and 218. A point that a shorter patch lacks is far open and does nothing.
 #pragma once
 
 #include "rows/patch.h"
@@ -39,9 +39,35 @@ struct PatchExtra {
     FloatLaneVec3 roll, roll_sum;   // of one small step; over all
 };
 
+// Points that no lane has: so far open that they never act. (Zero would be a contact at the body's centre,
+// since the normal and the masses are those of the batch.)
+inline constexpr float kFarOpen = 1e20f;
+
+// A point of a patch that has one friction for all its points. Its arms matter only as a = r x n, since
+// n . (w x r) = w . a.
+struct PatchPush {
+    FloatLaneVec3 a1, a2;
+    FloatLanes x, y;                 // its place along t1 and t2, from the anchor
+    FloatLanes gap, approach, open;  // as in PatchLanes
+    FloatLanes p, sum, gain;         // of the normal row
+};
+
+// That friction (patch_friction.inc): a force along t1 and t2 at an anchor, which is the mean of the points,
+// and a couple about n.
+struct PatchFriction {
+    FloatLaneVec3 r1, r2;  // of the anchor
+    FloatLanes k_11, k_22, k_12, k_1n, k_2n,
+        k_nn;                       // J M^-1 J^T of the tangents there and of the turn about n
+    FloatLanes least_radius;        // no couple is known from rounding below
+    FloatLanes x, y, radius, grip;  // of the centre of push; gain of the three rows there
+    FloatLanes p[3], sum[3];        // force, couple: of one small step; over all
+    PatchPush points[kPatchPoints];
+};
+
 struct PatchBatch {
     int first, count;                            // of the points
     PatchExtra* extra;                           // null: no lane is soft or rolls
+    PatchFriction* friction;                     // null: each point has its own; else the points are there
     int body1[kFloatLanes], body2[kFloatLanes];  // into the motions; ~i: reads i, which does not change
     FloatLanes inv_mass1, inv_mass2;
     FloatLaneSym3 inv_inertia1, inv_inertia2;

@@ -31,7 +31,8 @@ struct PatchBodies {
 
 struct PatchKernels {
     const char* name;
-    // In: arms, normal, drift, p along n and `sum` as a vector of the world. Out: all but gap.
+    // In: arms, normal, drift, p along n and `sum` as a vector of the world. Out: all but gap, or where there
+    // is one, batch.friction.
     void (*prepare)(PatchBatch& batch, PatchLanes* points, const FloatMotion* motions, float share);
     // v += M^-1 J^T p of the batches first ... last - 1.
     void (*apply_impulses)(const PatchBatch* batches, int first, int last, const PatchLanes* points,
@@ -39,6 +40,8 @@ struct PatchKernels {
     void (*correct)(const PatchBatch* batches, int first, int last, PatchLanes* points, FloatMotion* motions,
                     const PatchSweep& sweep);
     void (*relax)(const PatchBatch* batches, int first, int last, PatchLanes* points, FloatMotion* motions);
+    // Into along1 and along2: what of the sum of batch.friction is its points' part (contact_friction.inc).
+    void (*share_friction)(const PatchBatch& batch, FloatLanes* along1, FloatLanes* along2);
     // What came in fast and was pushed leaves with its rebound.
     void (*rebound)(const PatchBatch* batches, int first, int last, PatchLanes* points, FloatMotion* motions);
     // Of the bodies first ... last - 1: velocities to floats, and what sweeps have changed back.

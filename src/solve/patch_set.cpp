@@ -30,15 +30,26 @@ struct PatchPalette : Palette {
     int fixed = 0;  // the first free colour against what cannot move
 };
 
-// Points that no lane has: so far open that they never act. (Zero would be a contact at the body's centre,
-// since the normal and the masses are those of the batch.)
-constexpr float kFarOpen = 1e20f;
-
 void blank(std::span<PatchLanes> points)
 {
     std::memset(static_cast<void*>(points.data()), 0, points.size_bytes());
     for (PatchLanes& point : points)
         for (float& gap : point.gap.at) gap = kFarOpen;
+}
+
+// Of a point: its push, and friction along the tangents.
+void store_point(const PatchBatch& batch, int lane, const FloatLanes& push, const FloatLanes& along1,
+                 const FloatLanes& along2, PatchPoint& to)
+{
+    const float a = along1[lane], c = along2[lane];
+    to.push = push[lane];
+    to.friction = {a * batch.t1.x[lane] + c * batch.t2.x[lane], a * batch.t1.y[lane] + c * batch.t2.y[lane],
+                   a * batch.t1.z[lane] + c * batch.t2.z[lane]};
+}
+
+void store_couple(const PatchExtra& extra, int lane, Patch& to)
+{
+    to.roll = {extra.roll_sum.x[lane], extra.roll_sum.y[lane], extra.roll_sum.z[lane]};
 }
 
 void set(FloatLaneVec3& to, int lane, Float3 a) { to.x[lane] = a.x, to.y[lane] = a.y, to.z[lane] = a.z; }
@@ -71,7 +82,11 @@ bool PatchSet::prepare(const RowSystem& system, const Substep& step, const Tasks
     if (arena.failed()) return false;
     sort(system.patches, colours, starts);
     const int points = batches_.empty() ? 0 : batches_.back().first + batches_.back().count;
-    points_ = arena.take<PatchLanes>(points);
+    whole_ = system.manifold_friction;
+    if (whole_)
+        frictions_ = arena.take<PatchFriction>(int(batches_.size()));
+    else
+        points_ = arena.take<PatchLanes>(points);
     if (arena.failed() || !place_extras(system.patches, arena)) return false;
     fill(system, step);
     return true;
@@ -143,7 +158,10 @@ bool PatchSet::place_extras(std::span<Patch* const> patches, Arena& arena)
         return std::any_of(lanes.begin(), lanes.end(),
                            [&](int i) { return i >= 0 && patches[std::size_t(i)]->special(); });
     };
-    for (PatchBatch& batch : batches_) batch.extra = nullptr;
+    for (std::size_t b = 0; b < batches_.size(); ++b) {
+        batches_[b].extra = nullptr;
+        batches_[b].friction = whole_ ? &frictions_[b] : nullptr;
+    }
     if (!any_special_) return true;
     int count = 0;
     for (std::size_t b = 0; b < batches_.size(); ++b) count += wants(b) ? 1 : 0;
@@ -202,10 +220,12 @@ void PatchSet::fill_batch(const RowSystem& system, const Substep& step, std::siz
                             default_contact(step, 1, true, kDampingRatio)};
     fetch_lanes(system, b);
     PatchBatch& batch = batches_[b];
-    const auto points = points_.subspan(std::size_t(batch.first), std::size_t(batch.count));
+    PatchLanes passing[kPatchPoints];  // on their way into the friction of the whole
+    const auto points = whole_ ? std::span(passing).first(std::size_t(batch.count))
+                               : points_.subspan(std::size_t(batch.first), std::size_t(batch.count));
     if (!is_full(system.patches, b)) blank(points);
     for (int lane = 0; lane < kFloatLanes; ++lane) {
-        fill_lane(system, chosen_[b * kFloatLanes + std::size_t(lane)], batch, lane);
+        fill_lane(system, chosen_[b * kFloatLanes + std::size_t(lane)], batch, points, lane);
         // Masses 1/m1 + 1/m2 > 0; against what cannot move, one of them is zero.
         const bool fixed = batch.inv_mass1[lane] == 0 || batch.inv_mass2[lane] == 0;
         const RowAim& aim = soft[fixed ? 1 : 0];
@@ -226,7 +246,8 @@ void PatchSet::fill_extra(const Patch& p, PatchExtra& extra, int lane) const
     extra.rate[lane] = float(rate), extra.soft[lane] = float(rate * Real(p.softness) / hs_);
 }
 
-void PatchSet::fill_lane(const RowSystem& system, int patch, PatchBatch& batch, int lane)
+void PatchSet::fill_lane(const RowSystem& system, int patch, PatchBatch& batch, std::span<PatchLanes> points,
+                         int lane) const
 {
     static const Patch none{0, -1, 0, {}, {}, 0, 0, 0, 0, 0, 0, {}, {}};
     const SolverBody world{};
@@ -247,7 +268,7 @@ void PatchSet::fill_lane(const RowSystem& system, int patch, PatchBatch& batch, 
     batch.mu[lane] = p.mu, batch.bounce[lane] = p.bounce, batch.bounce_speed[lane] = p.bounce_speed;
     for (int i = 0; i < p.count; ++i) {
         const PatchPoint& from = p.points[i];
-        PatchLanes& to = points_[std::size_t(batch.first + i)];
+        PatchLanes& to = points[std::size_t(i)];
         set(to.r1, lane, from.r1), set(to.r2, lane, from.r2);
         to.gap[lane] = from.gap;
         to.p[0][lane] = from.push;
@@ -369,27 +390,25 @@ void PatchSet::follow_motion(std::span<const Velocity> bodies)
 void PatchSet::store_impulses(std::span<Patch* const> patches) const
 {
     tasks_.each_of(int(batches_.size()), kBatchRange, [&](std::size_t b) {
+        FloatLanes along1[kPatchPoints], along2[kPatchPoints];
+        const PatchBatch& batch = batches_[b];
+        if (batch.friction) kernels_->share_friction(batch, along1, along2);
         for (int lane = 0; lane < kFloatLanes; ++lane) {
             const int index = chosen_[b * kFloatLanes + std::size_t(lane)];
-            if (index >= 0) store_impulses(batches_[b], lane, *patches[std::size_t(index)]);
+            if (index < 0) continue;
+            Patch& patch = *patches[std::size_t(index)];
+            if (batch.extra) store_couple(*batch.extra, lane, patch);
+            for (int i = 0; i < patch.count; ++i) {
+                const std::size_t at = std::size_t(batch.first + i);
+                if (batch.friction)
+                    store_point(batch, lane, batch.friction->points[i].sum, along1[i], along2[i],
+                                patch.points[i]);
+                else
+                    store_point(batch, lane, points_[at].sum[0], points_[at].sum[1], points_[at].sum[2],
+                                patch.points[i]);
+            }
         }
     });
-}
-
-void PatchSet::store_impulses(const PatchBatch& batch, int lane, Patch& p) const
-{
-    if (batch.extra) {
-        const FloatLaneVec3& roll = batch.extra->roll_sum;
-        p.roll = {roll.x[lane], roll.y[lane], roll.z[lane]};
-    }
-    for (int i = 0; i < p.count; ++i) {
-        const PatchLanes& from = points_[std::size_t(batch.first + i)];
-        const float a = from.sum[1][lane], c = from.sum[2][lane];
-        p.points[i].push = from.sum[0][lane];
-        p.points[i].friction = {a * batch.t1.x[lane] + c * batch.t2.x[lane],
-                                a * batch.t1.y[lane] + c * batch.t2.y[lane],
-                                a * batch.t1.z[lane] + c * batch.t2.z[lane]};
-    }
 }
 
 }  // namespace epode

@@ -53,10 +53,10 @@ class PatchSet {
     void fill_extra(const Patch& patch, PatchExtra& extra, int lane) const;
     bool is_full(std::span<Patch* const> patches, std::size_t batch) const;
     void fill(const RowSystem& system, const Substep& step);
-    void store_impulses(const PatchBatch& batch, int lane, Patch& patch) const;
     void fetch_lanes(const RowSystem& system, std::size_t batch) const;
     void fill_batch(const RowSystem& system, const Substep& step, std::size_t batch);
-    void fill_lane(const RowSystem& system, int patch, PatchBatch& batch, int lane);
+    void fill_lane(const RowSystem& system, int patch, PatchBatch& batch, std::span<PatchLanes> points,
+                   int lane) const;
     PatchBodies view(std::span<Velocity> bodies);
     // A look at every body, or at every batch, colour by colour.
     enum class Visit { kLoad, kAccelerate, kMove, kTake, kPush, kCorrect, kRelax, kRebound };
@@ -75,15 +75,17 @@ class PatchSet {
 
     const PatchKernels* kernels_;
     std::span<PatchBatch> batches_;
-    std::span<PatchLanes> points_;
-    std::span<FloatMotion> motions_;  // the last is the world
-    std::span<Velocity> kicks_;       // what the last small step did to each body
-    std::span<int> order_;            // of the patches, by colour and number of points; lane by lane
-    std::span<int> chosen_;           // the patch in each lane of each batch; -1: none
-    std::span<int> first_of_colour_;  // batch; one more at the end
-    std::span<Stage> stages_;         // of a round
+    std::span<PatchLanes> points_;        // if each has its friction
+    std::span<PatchFriction> frictions_;  // else one per batch
+    std::span<FloatMotion> motions_;      // the last is the world
+    std::span<Velocity> kicks_;           // what the last small step did to each body
+    std::span<int> order_;                // of the patches, by colour and number of points; lane by lane
+    std::span<int> chosen_;               // the patch in each lane of each batch; -1: none
+    std::span<int> first_of_colour_;      // batch; one more at the end
+    std::span<Stage> stages_;             // of a round
     int colours_ = 0;
     bool any_special_ = false;
+    bool whole_ = false;  // one friction per patch
     Tasks tasks_;
     Real hs_ = 0;
     PatchSweep sweep_{};

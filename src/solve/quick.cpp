@@ -99,10 +99,12 @@ std::span<RowBlock> blocks_of(const RowSystem& system, std::size_t part)
 }
 
 bool find_residuals(const RowSystem& given, const SolverSettings& settings,
-                    std::span<const SolverBody> before, Arena& arena, SolveReport& report)
+                    std::span<const SolverBody> before, std::span<const WholeFriction> frictions,
+                    Arena& arena, SolveReport& report)
 {
     RowSystem system;
     if (!expand_manifolds(given, arena, system)) return false;
+    system.frictions = frictions;
     auto lo = arena.take<Real>(int(system.rows.size()));
     auto hi = arena.take<Real>(int(system.rows.size()));
     if (arena.failed()) return false;
@@ -111,6 +113,7 @@ bool find_residuals(const RowSystem& given, const SolverSettings& settings,
     for (std::size_t part = 0; part < system.parts.size() && report.residual >= 0; ++part) {
         RowSystem one = system;
         one.blocks = blocks_of(system, part);
+        one.frictions = frictions_of(system, int(part));
         settings.part_residuals[part] = natural_residual(one, before, lo, hi, arena);
     }
     return report.residual >= 0;
@@ -141,7 +144,9 @@ bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena
     sweeps.run(velocities, settings);
     store_velocities(velocities, system);
     sweeps.store_impulses(system);
-    return !settings.want_residual || find_residuals(system, settings, before, arena, report);
+    if (!settings.want_residual) return true;
+    const auto frictions = sweeps.contacts.whole_frictions(arena);
+    return find_residuals(system, settings, before, frictions, arena, report);
 }
 
 }  // namespace

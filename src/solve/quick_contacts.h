@@ -38,6 +38,10 @@ class QuickContacts {
     {
         return in_floats_ && alone_ ? velocities_ : std::span<FloatVelocity>{};
     }
+    std::span<WholeFriction> whole_frictions(Arena& arena) const
+    {
+        return in_floats_ ? floats_.whole_frictions(arena) : reals_.whole_frictions(arena);
+    }
 
   private:
     template <typename Change>

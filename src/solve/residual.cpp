@@ -6,6 +6,9 @@
 
 #include <algorithm>
 
+#include "solve/contact_rows.h"
+#include "solve/whole_friction.h"
+
 namespace epode {
 namespace {
 
@@ -13,6 +16,32 @@ template <typename B>
 B* second(std::span<B> bodies, const RowBlock& block)
 {
     return block.body2 >= 0 ? &bodies[std::size_t(block.body2)] : nullptr;
+}
+
+template <typename B>
+B* second(std::span<B> bodies, const WholeFriction& f)
+{
+    return std::size_t(f.body2) < bodies.size() ? &bodies[std::size_t(f.body2)] : nullptr;
+}
+
+Row row_of(const WholeFriction& f, int k)
+{
+    Row row;
+    static_cast<Jacobian&>(row) = f.rows[k];
+    return row;
+}
+
+// Has the block's friction gone into that of its manifold?
+bool in_whole(const RowSystem& system, const RowBlock& block)
+{
+    return system.manifold_friction && block.count == 3 && has_contact_form(system, block) &&
+           can_be_whole(manifold_of(system, block));
+}
+
+// How many of the block's rows stand for themselves.
+int own_rows(const RowSystem& system, const RowBlock& block)
+{
+    return in_whole(system, block) ? 1 : block.count;
 }
 
 // What is to be in the box of its bounds, or the two friction rows of a contact in the ellipse of theirs.
@@ -26,9 +55,10 @@ class Wanted {
     // d |p - clip(p - w/d)|, of all rows of the block the largest.
     Real residual(const RowBlock& block) const
     {
-        const bool cone = system_.cone && slides(block);
+        const int own = own_rows(system_, block);
+        const bool cone = system_.cone && slides(block) && own == block.count;
         Real worst = 0;
-        for (int i = block.first; i < block.first + (cone ? 1 : block.count); ++i) {
+        for (int i = block.first; i < block.first + (cone ? 1 : own); ++i) {
             const auto k = std::size_t(i);
             const Real d = mobility(block, k), p = system_.numbers[k].p;
             if (!(d > 0)) continue;  // an empty row constrains nothing
@@ -36,6 +66,24 @@ class Wanted {
             worst = std::max(worst, d * std::fabs(p - clipped));
         }
         return cone ? std::max(worst, friction_residual(block)) : worst;
+    }
+
+    // The same of a friction in the ball of its limit, with the largest d of its rows.
+    Real residual(const WholeFriction& f) const
+    {
+        const SolverBody& one = bodies_[std::size_t(f.body1)];
+        Real d = 0, q[3], length2 = 0, worst = 0;
+        for (int k = 0; k < 3; ++k)
+            d = std::max(d, row_mobility(row_of(f, k), one, second(bodies_, f)) + f.C);
+        if (!(d > 0)) return 0;
+        for (int k = 0; k < 3; ++k) {
+            const Real w = row_velocity(row_of(f, k), one, second(bodies_, f)) + f.C * f.p[k] - f.c[k];
+            q[k] = f.p[k] - w / d;
+            length2 += q[k] * q[k];
+        }
+        const Real scale = length2 > f.limit * f.limit ? f.limit / std::sqrt(length2) : 1;
+        for (int k = 0; k < 3; ++k) worst = std::max(worst, d * std::fabs(f.p[k] - scale * q[k]));
+        return worst;
     }
 
   private:
@@ -95,6 +143,15 @@ void present_bounds(const RowSystem& system, std::span<Real> lo, std::span<Real>
     }
 }
 
+std::span<const WholeFriction> frictions_of(const RowSystem& system, int part)
+{
+    const auto begin_at = [&](int body) {
+        return std::partition_point(system.frictions.begin(), system.frictions.end(),
+                                    [body](const WholeFriction& f) { return f.body1 < body; });
+    };
+    return {begin_at(system.begin_of(part).bodies), begin_at(system.end_of(part).bodies)};
+}
+
 Real natural_residual(const RowSystem& system, std::span<const SolverBody> v_star, std::span<const Real> lo,
                       std::span<const Real> hi, Arena& arena)
 {
@@ -105,20 +162,27 @@ Real natural_residual(const RowSystem& system, std::span<const SolverBody> v_sta
     std::copy(v_star.begin(), v_star.end(), bodies.begin());
 
     Real scale = 0;
-    for (const RowBlock& block : system.blocks)
+    for (const WholeFriction& f : system.frictions)
+        for (int k = 0; k < 3; ++k)
+            apply_impulse(row_of(f, k), f.p[k], bodies[std::size_t(f.body1)], second(std::span(bodies), f));
+    for (const RowBlock& block : system.blocks) {
+        const int own = own_rows(system, block);
         for (int i = block.first; i < block.first + block.count; ++i) {
             const auto k = std::size_t(i);
             const SolverBody& a = v_star[std::size_t(block.body1)];
             const SolverBody* b = second(v_star, block);
             const Real c = system.numbers[k].c;
             scale = std::max({scale, std::fabs(c), std::fabs(c - row_velocity(system.rows[k], a, b))});
-            apply_impulse(system.rows[k], system.numbers[k].p, bodies[std::size_t(block.body1)],
-                          second(std::span(bodies), block));
+            if (i < block.first + own)
+                apply_impulse(system.rows[k], system.numbers[k].p, bodies[std::size_t(block.body1)],
+                              second(std::span(bodies), block));
         }
+    }
 
     const Wanted wanted(system, bodies, lo, hi);
     Real worst = 0;
     for (const RowBlock& block : system.blocks) worst = std::max(worst, wanted.residual(block));
+    for (const WholeFriction& f : system.frictions) worst = std::max(worst, wanted.residual(f));
     return worst / (scale > 0 ? scale : 1);
 }
 

@@ -8,8 +8,9 @@
 //   scale = max_i max(|c_i - J_i v*|, |c_i|), 1 if that is 0.
 //
 // Where friction is a cone, a contact's two friction rows are clipped together, to the ellipse of their
-// bounds and with the larger of their d. Zero exactly at the solution; d makes every row a velocity, so rows
-// of different kinds compare.
+// bounds and with the larger of their d; where a manifold has one friction (RowSystem::frictions), that is
+// judged in place of its points', clipped to its ball. Zero exactly at the solution; d makes every row a
+// velocity, so rows of different kinds compare.
 #pragma once
 
 #include <span>
@@ -23,6 +24,9 @@ namespace epode {
 // Negative when the arena is exhausted.
 Real natural_residual(const RowSystem& system, std::span<const SolverBody> v_star, std::span<const Real> lo,
                       std::span<const Real> hi, Arena& arena);
+
+// Those of one part of the system.
+std::span<const WholeFriction> frictions_of(const RowSystem& system, int part);
 
 // Bounds with friction limits taken from the parents' present impulses: what iterative solvers aim at.
 void present_bounds(const RowSystem& system, std::span<Real> lo, std::span<Real> hi);

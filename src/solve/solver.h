@@ -45,7 +45,7 @@ struct Solver {
     bool needs_inertia;  // reads SolverBody::mass and inertia, not only the inverses
     bool inner_tasks;    // has work for several workers in one large island
     bool manifolds;      // takes RowSystem::contacts and parts; others are given rows only
-    bool cones;          // knows RowSystem::cone
+    bool cones;          // knows RowSystem::cone and manifold_friction
     bool takes_patches;  // solves RowSystem::patches, and parts; others want rows
     Real warm_share;  // of the last step's impulses that it starts from when the world asks for warm starting
     // False: out of memory, nothing usable was computed.

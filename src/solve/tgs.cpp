@@ -158,11 +158,14 @@ class SmallSteps {
         contacts_.describe(described_);
         RowSystem one = system_;
         one.numbers = described_, one.rows = rows_;
+        one.frictions = contacts_.whole_frictions(arena);
+        const RowSystem all = one;
         present_bounds(one, lo_, hi_);
         report.residual = natural_residual(one, before_, lo_, hi_, arena);
         for (int part = 0; part < int(system_.parts.size()) && report.residual >= 0; ++part) {
             const int from = system_.begin_of(part).blocks, to = system_.end_of(part).blocks;
             one.blocks = system_.blocks.subspan(std::size_t(from), std::size_t(to - from));
+            one.frictions = frictions_of(all, part);
             settings.part_residuals[std::size_t(part)] = natural_residual(one, before_, lo_, hi_, arena);
         }
         return report.residual >= 0;

@@ -73,7 +73,7 @@ void Player::tune_world(Dice& dice)
 {
     World* world = any(model.worlds.living(), dice);
     if (!world) return;
-    switch (dice.below(16)) {
+    switch (dice.below(18)) {
         case 0:
             ATTEMPT(true, dWorldSetERP, world, dice.between(0, 1));
             break;
@@ -118,6 +118,12 @@ void Player::tune_world(Dice& dice)
             break;
         case 14:
             ATTEMPT(true, dWorldSetAutoDisableAverageSamplesCount, world, unsigned(dice.below(20)));
+            break;
+        case 15:
+            ATTEMPT(true, dWorldSetContactCone, world, dice.below(2));
+            break;
+        case 16:
+            ATTEMPT(true, dWorldSetManifoldFriction, world, dice.below(2));
             break;
         default:
             ATTEMPT(false, dWorldSetERP, world, 1e300 * 1e300);

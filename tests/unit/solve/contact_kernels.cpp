@@ -10,11 +10,15 @@
 
 #include "solve/contact_rows.h"
 #include "solve/contact_set.h"
+#include "solve/residual.h"
 #include "systems.h"
 
 namespace {
 
 using namespace epode_test;
+
+// In the box or the ellipse of its limits at every point, or one of a whole manifold.
+enum class Friction { kBox, kCone, kWhole };
 
 struct Outcome {
     std::vector<Velocity> velocities;
@@ -25,10 +29,11 @@ struct Outcome {
 // The contacts of a problem in lanes of one kind.
 template <typename L>
 struct Packed {
-    Packed(const ContactKernels& kernels, Problem& problem, bool cone)
+    Packed(const ContactKernels& kernels, Problem& problem, Friction friction)
         : system(problem.system()), set(kernels), velocities(system.bodies.size() + 1)
     {
-        system.cone = cone;
+        system.cone = friction == Friction::kCone;
+        system.manifold_friction = friction == Friction::kWhole;
         const auto taken = arena.take<bool>(int(system.blocks.size()));
         EXPECT_TRUE(rows.gather(system, taken, arena));
         EXPECT_TRUE(set.pack(system, rows.list(), Real(1.3), arena));
@@ -54,9 +59,9 @@ struct Packed {
     std::vector<Velocity> velocities;
 };
 
-Outcome outcome_of(const ContactKernels& kernels, Problem problem, int sweeps, bool cone)
+Outcome outcome_of(const ContactKernels& kernels, Problem problem, int sweeps, Friction friction)
 {
-    Packed<Lanes> packed(kernels, problem, cone);
+    Packed<Lanes> packed(kernels, problem, friction);
     packed.run(packed.velocities, sweeps);
     packed.rows.for_each_impulse([&](int row, Real p) { problem.numbers[std::size_t(row)].p = p; });
     Outcome out{packed.velocities, problem.numbers, {}};
@@ -74,9 +79,9 @@ struct FloatOutcome {
     std::vector<ManifoldPoint> points;
 };
 
-FloatOutcome outcome_in_floats(const ContactKernels& kernels, Problem problem, int sweeps, bool cone)
+FloatOutcome outcome_in_floats(const ContactKernels& kernels, Problem problem, int sweeps, Friction friction)
 {
-    Packed<BroadLanes> packed(kernels, problem, cone);
+    Packed<BroadLanes> packed(kernels, problem, friction);
     const int slots = int(packed.velocities.size());
     std::vector<FloatVelocity> floats(packed.velocities.size());
     kernels.round_velocities(packed.velocities.data(), slots, floats.data());
@@ -112,12 +117,12 @@ std::vector<Problem> all_problems()
     return problems;
 }
 
-// With friction in a box, and as a cone.
+// With each kind of friction.
 template <typename F>
 void for_all_problems(F&& f)
 {
-    for (const bool cone : {false, true})
-        for (const Problem& problem : all_problems()) f(problem, cone);
+    for (const Friction friction : {Friction::kBox, Friction::kCone, Friction::kWhole})
+        for (const Problem& problem : all_problems()) f(problem, friction);
 }
 
 TEST(ContactKernels, AllMachinesMakeTheSameBits)
@@ -125,11 +130,11 @@ TEST(ContactKernels, AllMachinesMakeTheSameBits)
     const auto all = contact_kernels();
     ASSERT_STREQ(all[0]->name, "baseline");
     if (all.size() == 1) GTEST_SKIP() << "this machine runs the baseline only";
-    for_all_problems([&](const Problem& problem, bool cone) {
-        const Outcome expected = outcome_of(*all[0], problem, 12, cone);
+    for_all_problems([&](const Problem& problem, Friction friction) {
+        const Outcome expected = outcome_of(*all[0], problem, 12, friction);
         for (const ContactKernels* other : all.subspan(1)) {
             SCOPED_TRACE(other->name);
-            const Outcome got = outcome_of(*other, problem, 12, cone);
+            const Outcome got = outcome_of(*other, problem, 12, friction);
             expect_same_bits(expected.velocities, got.velocities);
             expect_same_bits(expected.approach, got.approach);
             ASSERT_EQ(expected.numbers.size(), got.numbers.size());
@@ -143,11 +148,11 @@ TEST(ContactKernels, AllMachinesMakeTheSameBitsInFloats)
 {
     const auto all = contact_kernels();
     if (all.size() == 1) GTEST_SKIP() << "this machine runs the baseline only";
-    for_all_problems([&](const Problem& problem, bool cone) {
-        const FloatOutcome expected = outcome_in_floats(*all[0], problem, 12, cone);
+    for_all_problems([&](const Problem& problem, Friction friction) {
+        const FloatOutcome expected = outcome_in_floats(*all[0], problem, 12, friction);
         for (const ContactKernels* other : all.subspan(1)) {
             SCOPED_TRACE(other->name);
-            const FloatOutcome got = outcome_in_floats(*other, problem, 12, cone);
+            const FloatOutcome got = outcome_in_floats(*other, problem, 12, friction);
             expect_same_bits(expected.velocities, got.velocities);
             expect_same_bits(expected.points, got.points);
         }
@@ -160,7 +165,7 @@ TEST(ContactKernels, ConesBoundFrictionInThePlane)
     for (const ContactKernels* kernels : contact_kernels()) {
         int on_the_rim = 0;
         for (const Problem& problem : all_problems()) {
-            const Outcome out = outcome_of(*kernels, problem, 5, true);
+            const Outcome out = outcome_of(*kernels, problem, 5, Friction::kCone);
             for (const RowBlock& block : problem.blocks) {
                 if (block.count < 3) continue;
                 const RowNumbers* n = &out.numbers[std::size_t(block.first)];
@@ -175,6 +180,73 @@ TEST(ContactKernels, ConesBoundFrictionInThePlane)
             }
         }
         EXPECT_GT(on_the_rim, 20);
+    }
+}
+
+// Swept for long, lanes settle on the answer of the scalar formulas by which residuals are made.
+TEST(ContactKernels, FrictionOfWholeManifoldsSettlesOnItsBall)
+{
+    Problem falling = box_grid(2, 1, 2, Real(0.3), false), sliding = falling;
+    for (SolverBody& body : sliding.bodies) body.v.x += 1, body.w.z += 2;
+    for (const ContactKernels* kernels : contact_kernels())
+        for (Problem& problem :
+             std::vector<Problem>{falling, sliding, pyramid(3, Real(0.2)), warm_problem(2)}) {
+            SCOPED_TRACE(kernels->name);
+            Packed<Lanes> packed(*kernels, problem, Friction::kWhole);
+            packed.run(packed.velocities, 4000);
+            packed.rows.for_each_impulse([&](int row, Real p) { problem.numbers[std::size_t(row)].p = p; });
+            RowSystem& system = packed.system;
+            const auto frictions = packed.set.whole_frictions(packed.arena);
+            ASSERT_FALSE(frictions.empty());
+            system.frictions = frictions;
+            std::vector<Real> lo(problem.numbers.size()), hi(lo);
+            present_bounds(system, lo, hi);
+            const auto residual = [&] {
+                return natural_residual(system, system.bodies, lo, hi, packed.arena);
+            };
+            const Real settled = residual();
+            EXPECT_LT(settled, kSingle ? 1e-4 : 1e-5);  // pyramids settle slowly
+            for (WholeFriction& f : frictions) {
+                EXPECT_LE(f.p[0] * f.p[0] + f.p[1] * f.p[1] + f.p[2] * f.p[2],
+                          f.limit * f.limit * Real(1.001) + Real(1e-6));
+                f.p[0] += Real(0.01), f.p[2] += Real(0.01);
+            }
+            EXPECT_GT(residual(), 10 * settled);
+        }
+}
+
+// What the points are told adds up to the force and the couple of the whole.
+TEST(ContactKernels, PartsOfAWholeFrictionAddUp)
+{
+    for (const ContactKernels* kernels : contact_kernels()) {
+        int compared = 0;
+        Problem problem = box_grid(3, 2, 3, Real(0.3), true);
+        Dice dice(4);
+        for (SolverBody& body : problem.bodies) body.v = dice.vec(1), body.w = dice.vec(1);
+        Packed<Lanes> packed(*kernels, problem, Friction::kWhole);
+        packed.run(packed.velocities, 6);
+        const auto frictions = packed.set.whole_frictions(packed.arena);
+        const ManifoldList& list = packed.rows.list();
+        ASSERT_EQ(frictions.size(), list.manifolds.size());
+        for (std::size_t i = 0; i < frictions.size(); ++i) {
+            const Manifold& m = list.manifolds[i];
+            const WholeFriction& f = frictions[i];
+            if (f.limit == 0) continue;  // lost its pushes in the last sweep: nobody to tell
+            Vec3 force, torque, expected_force, expected_torque;
+            for (int k = m.first; k < m.first + m.count; ++k) {
+                const ManifoldPoint& point = list.points[std::size_t(k)];
+                const Vec3 here = point.p[1] * m.t1 + point.p[2] * m.t2;
+                force += here, torque += cross(point.r1, here);
+                EXPECT_TRUE(point.p[0] > 0 || here == Vec3{});
+            }
+            for (int k = 0; k < 3; ++k)
+                expected_force += f.p[k] * f.rows[k].lin1, expected_torque += f.p[k] * f.rows[k].ang1;
+            const Real scale = f.limit + Real(1e-3);
+            EXPECT_LT(length(force - expected_force), scale * (kSingle ? 1e-4 : 1e-10));
+            EXPECT_LT(std::abs(dot(torque - expected_torque, m.n)), scale * (kSingle ? 1e-3 : 1e-9));
+            compared += f.p[2] != 0;
+        }
+        EXPECT_GT(compared, 10);
     }
 }
 

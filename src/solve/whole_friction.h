@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Which manifolds can have one friction for all their points (contact_friction.inc), and that friction as
+// three rows, for what judges it.
+#pragma once
+
+#include "rows/manifold.h"
+#include "rows/row_system.h"
+
+namespace epode {
+
+// Along t1 and t2 at the centre of push and about n times the mean radius, bounded by |p| <= limit.
+struct WholeFriction {
+    Jacobian rows[3];
+    Real p[3], c[3];
+    Real C, limit;
+    int body1, body2;
+};
+
+// A disc needs a limit that is mu times the push, one mu and one softness for both directions, and directions
+// that are a frame with the normal.
+inline bool can_be_whole(const Manifold& m)
+{
+    constexpr Real kSkew2 = Real(1e-6);
+    return m.mu[0] == m.mu[1] && m.mu[0] < kInf && m.fixed[0] == 0 && m.fixed[1] == 0 && m.C[0] == m.C[1] &&
+           length2(cross(m.t1, m.t2) - m.n) < kSkew2 && std::fabs(length2(m.t1) - 1) < kSkew2;
+}
+
+// Below this part of a manifold's size a mean radius may be rounding.
+inline constexpr Real kLeastRadius = Real(1e-3);
+
+}  // namespace epode
