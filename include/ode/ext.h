@@ -131,16 +131,17 @@ ODE_API int dWorldGetContactCone(dWorldID world);
 /** How many frictions the points of one contact have in dWorldQuickStep and dWorldStepFast1 (mode): 0 (the
     default) one for each, 1 one for all points of two bodies that follow each other with one normal (up to
     four), and for each patch of contacts that the world manages: a force in the plane at the centre of what
-    the points push, and a couple about the normal, bounded together. With N the sum of the pushes and rho their
-    mean distance from that centre, |f|^2 + (m/rho)^2 <= (mu N)^2: a body that only slides is braked by mu N in
-    every direction, one that only turns on its face by mu N rho, one that does both by what an ellipsoid
-    between them allows. Contacts that the world manages cost less, contact joints more (up to a fifth of the
-    solver's time, since the box of the default needs no roots). Friction is still told point by point (dJointFeedback, impulses of
-    contacts that the world manages): each one has its part by its push, and these parts add up to the
-    force and couple that acted. Contact joints have it whose mu is finite and the same in both directions;
-    those with mu2, with force bounds instead of mu or with an endless one, with one direction or against
-    rolling are as ever. Surface motion is kept, slip becomes that of all points side by side. dWorldStep,
-    which is exact for each row, does not know it. Other values are refused, as is a call during a step. [ours] */
+    the points push, and a couple about the normal, bounded together. With N the sum of the pushes and rho
+   their mean distance from that centre, |f|^2 + (m/rho)^2 <= (mu N)^2: a body that only slides is braked by
+   mu N in every direction, one that only turns on its face by mu N rho, one that does both by what an
+   ellipsoid between them allows. Contacts that the world manages cost less, contact joints more (up to a
+   fifth of the solver's time, since the box of the default needs no roots). Friction is still told point by
+   point (dJointFeedback, impulses of contacts that the world manages): each one has its part by its push, and
+   these parts add up to the force and couple that acted. Contact joints have it whose mu is finite and the
+   same in both directions; those with mu2, with force bounds instead of mu or with an endless one, with one
+   direction or against rolling are as ever. Surface motion is kept, slip becomes that of all points side by
+   side. dWorldStep, which is exact for each row, does not know it. Other values are refused, as is a call
+   during a step. [ours] */
 ODE_API void dWorldSetManifoldFriction(dWorldID world, int mode);
 ODE_API int dWorldGetManifoldFriction(dWorldID world);
 
