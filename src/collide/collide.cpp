@@ -338,11 +338,18 @@ PairFunction own_pair(int first, int second)
     return collider.user || collider.disabled || collider.reversed ? nullptr : collider.pair;
 }
 
+namespace {
+const HeightfieldData* field_of(const Geom& geom)
+{
+    if (geom.type->number != dHeightfieldClass) return nullptr;
+    return static_cast<const ShapeGeom<Heightfield>&>(geom).shape.field();
+}
+}  // namespace
+
 bool asks_program(Geom& geom)
 {
     if (is_user_class(geom.type->number) || as_transform(geom) || asks(geom)) return true;
-    if (geom.type->number != dHeightfieldClass) return false;
-    const HeightfieldData* field = static_cast<const ShapeGeom<Heightfield>&>(geom).shape.field();
+    const HeightfieldData* field = field_of(geom);
     return field && field->source == HeightfieldData::Source::kCallback;
 }
 
@@ -350,6 +357,18 @@ bool asks_program(Geom& a, Geom& b)
 {
     return asks_program(a) || asks_program(b) ||
            (any_overridden() && collider_of(a.type->number, b.type->number).user);
+}
+
+std::uint32_t changes_of(const Geom& geom)
+{
+    const HeightfieldData* field = field_of(geom);
+    return geom.changes + (field ? field->changes : 0);
+}
+
+bool changes_unseen(const Geom& geom)
+{
+    const HeightfieldData* field = field_of(geom);
+    return field && !field->copy;
 }
 
 void collide(Geom& a, Geom& b, ContactArray& out) { collide_two(a, b, out); }

@@ -48,6 +48,11 @@ bool rays_overridden();
 // transform holds this is not asked: yes.
 bool asks_program(Geom& a, Geom& b);
 
+// Another number after every change of the shape that the library is told of; and may it change without a
+// word, as heights do that are the program's?
+std::uint32_t changes_of(const Geom& geom);
+bool changes_unseen(const Geom& geom);
+
 // The same of one geom, whatever it meets, but for functions that the program has put in place of ours; and
 // whether it has done so for any two classes since the last close.
 bool asks_program(Geom& geom);

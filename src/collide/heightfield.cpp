@@ -62,6 +62,7 @@ void HeightfieldData::drop_holes()
 {
     holes.reset();
     hole_count = 0;
+    ++changes;
 }
 
 // What is no number (a callback may return it, or the client's array come to hold it) counts as 0.

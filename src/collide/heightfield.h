@@ -39,6 +39,7 @@ struct HeightfieldData : Numbered {
     Real lowest = 0, highest = 0;  // for the bounding box; `lowest` includes the thickness
     Array<unsigned char> holes;    // of each cell, i + j (nx - 1); empty when there are none
     int hole_count = 0;
+    std::uint32_t changes = 0;  // of heights and holes, that it is told of
 
     Real sample(int i, int j) const;  // inside the rectangle
     Real height(int i, int j) const { return scale * sample(i, j) + offset; }

@@ -104,13 +104,14 @@ class PairUpdate {
         return pair_.parting != 0;
     }
 
-    std::uint32_t changes() const { return g1_.changes + g2_.changes; }
+    std::uint32_t changes() const { return changes_of(g1_) + changes_of(g2_); }
+    bool may_have_changed() const { return pair_.asked || changes_unseen(g1_) || changes_unseen(g2_); }
 
     // How far any point of the smaller one can have moved in the other's frame.
     bool hardly_moved(std::span<const KeptPatch> old) const
     {
         const KeptPatch& was = old[0];
-        if (was.changes != changes()) return false;
+        if (was.changes != changes() || may_have_changed()) return false;
         const bool full = pair_.most == 1 && was.patch.count == kPatchPoints;
         const Real size = this->size();
         const Real most = full ? kReuse * size : kReuseLayer * settings_.layer;

@@ -44,6 +44,7 @@ void dGeomHeightfieldDataSetHoles(dHeightfieldDataID d, const unsigned char* hol
     EPODE_USER_SAY(data->holes.resize(cells), kOutOfMemory);
     for (int k = 0; k < cells; ++k) data->holes[k] = holes[k] != 0;
     data->hole_count = count;
+    ++data->changes;
 }
 
 void dGeomHeightfieldDataSetHole(dHeightfieldDataID d, int i, int j, int hole)
@@ -57,6 +58,7 @@ void dGeomHeightfieldDataSetHole(dHeightfieldDataID d, int i, int j, int hole)
     unsigned char& cell = data->holes[i + j * (data->nx - 1)];
     data->hole_count += hole - int(cell);
     cell = static_cast<unsigned char>(hole);
+    ++data->changes;
 }
 
 int dGeomHeightfieldDataGetHole(dHeightfieldDataID d, int i, int j)
