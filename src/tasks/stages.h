@@ -13,11 +13,10 @@
 #pragma once
 
 #include <atomic>
-#include <thread>
 
 #include "base/config.h"
-#include "tasks/spin.h"
 #include "tasks/tasks.h"
+#include "tasks/waiting.h"
 
 namespace epode {
 
@@ -36,14 +35,15 @@ class Stages {
     {
         const int home = worker % shares_;
         int last = -1;
-        for (int waited = 0;;) {
+        for (Waiting waiting;;) {
             const int stage = stage_.load(std::memory_order_acquire);
             if (stage >= stages_) return;
             if (stage == last) {
-                wait(waited++);
+                waiting.once();
                 continue;
             }
-            last = stage, waited = 0;
+            waiting.end();
+            last = stage;
             const int count = pieces_(stage);
             int done = 0;
             for (int i = 0; i < shares_; ++i) done += take_from((home + i) % shares_, stage, count, worker);
@@ -83,13 +83,6 @@ class Stages {
         while (stage < stages_ && pieces_(stage) <= 0) ++stage;
         done_.store(0, std::memory_order_relaxed);
         stage_.store(stage, std::memory_order_release);
-    }
-
-    // A worker that has a piece may have lost its core.
-    static void wait(int waited)
-    {
-        constexpr int kSpins = 2000;
-        waited < kSpins ? spin_once() : std::this_thread::yield();
     }
 
     const int stages_, shares_;

@@ -7,6 +7,7 @@
 // Plain pthreads: starting a std::thread can only fail by exception.
 #include "tasks/thread_pool.h"
 
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <new>
@@ -15,6 +16,7 @@
 #include "base/lifecycle.h"
 #include "tasks/spin.h"
 #include "tasks/tasks.h"
+#include "tasks/waiting.h"
 #include "tasks/worker.h"
 
 namespace epode {
@@ -23,13 +25,45 @@ namespace {
 constexpr int kSpins = 4000;  // some ten microseconds
 constexpr std::size_t kStack = 512 * 1024;
 
+// Under the thread sanitizer helpers are what is looked at, and its slowness looks like lost cores.
+#ifdef __SANITIZE_THREAD__
+constexpr bool kAlwaysHelped = true;
+#else
+constexpr bool kAlwaysHelped = false;
+#endif
+
+// How often this thread lost its core although it could have gone on.
+long times_unseated()
+{
+#ifdef RUSAGE_THREAD
+    rusage usage;
+    if (getrusage(RUSAGE_THREAD, &usage) == 0) return usage.ru_nivcsw;
+#endif
+    return 0;
+}
+
 }  // namespace
 
 constinit thread_local int t_worker = -1;
 
+constinit thread_local long long t_waited = 0;
+
 bool ThreadPool::run(int workers, int count, Piece piece, void* body)
 {
     if (t_worker >= 0 || taken_.test_and_set(std::memory_order_acquire)) return false;
+    const long long begin = nanoseconds_now(), before = t_waited;
+    const bool worth = kAlwaysHelped || balance_.worth(begin);
+    if (worth) {
+        run_with_helpers(workers, count, piece, body);
+        balance_.note(begin, nanoseconds_now(), t_waited - before,
+                      lost_cores_.load(std::memory_order_relaxed));
+    }
+    taken_.clear(std::memory_order_release);
+    return worth;
+}
+
+void ThreadPool::run_with_helpers(int workers, int count, Piece piece, void* body)
+{
     start_up_to((workers < count ? workers : count) - 1);
     piece_.store(piece, std::memory_order_relaxed);
     body_.store(body, std::memory_order_relaxed);
@@ -42,11 +76,8 @@ bool ThreadPool::run(int workers, int count, Piece piece, void* body)
     news_.notify_all();
 
     work(0);
-    for (int spins = 0; done_.load(std::memory_order_acquire) < count; ++spins)
-        spins < kSpins ? spin_once() : std::this_thread::yield();
+    for (Waiting waiting; done_.load(std::memory_order_acquire) < count;) waiting.once();
     ticket_.store((unsigned long long)job << 32 | kClosed, std::memory_order_release);
-    taken_.clear(std::memory_order_release);
-    return true;
 }
 
 void ThreadPool::work(int worker)
@@ -80,9 +111,11 @@ void ThreadPool::serve(int worker)
 {
     // A job may have been posted before this thread came to run: it is looked at first.
     unsigned seen = 0;
-    while (!ending_.load(std::memory_order_acquire)) {
+    for (long lost = 0; !ending_.load(std::memory_order_acquire); seen = wait_for_news(seen)) {
         work(worker);
-        seen = wait_for_news(seen);
+        const long now = times_unseated();
+        if (now != lost) lost_cores_.fetch_add(1, std::memory_order_relaxed);
+        lost = now;
     }
 }
 

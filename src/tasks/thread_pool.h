@@ -2,12 +2,16 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The threads behind Tasks: one pool for the process, since worlds that step at the same time share the same
-// cores. A step that finds the pool taken by another world works alone: slower, with the same result.
+// cores. A step that finds the pool taken by another world works alone: slower, with the same result. So does
+// one when helpers lose their cores to other processes and are waited for more than they are worth
+// (help_balance.h).
 #pragma once
 
 #include <pthread.h>
 
 #include <atomic>
+
+#include "tasks/help_balance.h"
 
 namespace epode {
 
@@ -16,7 +20,7 @@ class ThreadPool {
     using Piece = void (*)(void* body, int index, int worker);
     static constexpr int kMostThreads = 64;
 
-    // The caller becomes worker 0 of at most `workers`. False: the pool is taken, nothing was run.
+    // The caller becomes worker 0 of at most `workers`. False: the pool is taken or rests, nothing was run.
     bool run(int workers, int count, Piece piece, void* body);
 
     // Ends all threads; the next run starts new ones.
@@ -32,6 +36,7 @@ class ThreadPool {
         pthread_t id;
     };
     static void* main_of(void* thread);
+    void run_with_helpers(int workers, int count, Piece piece, void* body);
     void start_up_to(int threads);
     void serve(int worker);
     void work(int worker);
@@ -50,6 +55,8 @@ class ThreadPool {
     std::atomic<unsigned> news_{0};  // grows with every job and at the end
     std::atomic<bool> ending_{false};
     std::atomic_flag taken_ = ATOMIC_FLAG_INIT;
+    HelpBalance balance_;                  // of who has taken it
+    std::atomic<unsigned> lost_cores_{0};  // by helpers, while they were in a job
     Thread threads_[kMostThreads] = {};
     int thread_count_ = 0;
 };
