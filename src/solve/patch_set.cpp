@@ -307,12 +307,13 @@ void PatchSet::visit(Visit what, const PatchBodies& bodies, int first, int last)
     }
 }
 
-// A few pieces for each worker: who is late should leave something to the others.
+// A few pieces for each worker, and as many for each: who is late should leave something to the others.
 PatchSet::Stage PatchSet::stage(Visit visit, int first, int last) const
 {
-    const int count = last - first, most = 4 * tasks_.workers();
-    const int piece = std::max(is_of_bodies(visit) ? kBodyPiece : kBatchPiece, (count + most - 1) / most);
-    return {visit, first, last, piece, (count + piece - 1) / piece};
+    const int count = last - first, workers = tasks_.workers();
+    const int least = is_of_bodies(visit) ? kBodyPiece : kBatchPiece;
+    const int turns = std::min(4, count / (least * workers));
+    return {visit, first, last, turns > 0 ? turns * workers : std::min(workers, (count + 1) / 2)};
 }
 
 int PatchSet::list_stages(std::initializer_list<Visit> round)
@@ -338,11 +339,13 @@ void PatchSet::perform(std::initializer_list<Visit> round, int times, const Patc
     const int length = list_stages(round);
     const auto stage_at = [&](int i) -> const Stage& { return stages_[std::size_t(i % length)]; };
     in_stages(
-        tasks_, times * length, [&](int i) { return stage_at(i).pieces; },
-        [&](int i, int piece, int) {
-            const Stage& s = stage_at(i);
-            const int first = s.first + piece * s.piece;
-            visit(s.visit, bodies, first, std::min(s.last, first + s.piece));
+        tasks_, times * length, [&](int k) { return stage_at(k).pieces; },
+        [&](int k, int piece, int) {
+            const Stage& s = stage_at(k);
+            const auto at = [&](int i) {
+                return s.first + int((long long)(s.last - s.first) * i / s.pieces);
+            };
+            visit(s.visit, bodies, at(piece), at(piece + 1));
         });
 }
 

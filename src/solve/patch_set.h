@@ -65,7 +65,7 @@ class PatchSet {
     struct Stage {
         Visit visit;
         int first, last;
-        int piece, pieces;  // how many make a piece of work
+        int pieces;  // of work, all but equal
     };
     static constexpr int kMostVisits = 5;
     void perform(std::initializer_list<Visit> round, int times, const PatchBodies& bodies);

@@ -6,9 +6,10 @@
 // are a hundred stages of a few microseconds: here all are one job, whose workers stay in it from stage to
 // stage.
 //   home     Each worker begins with the pieces of its own share, the same share in every stage: what it
-//            wrote is still in its cache, and claiming them is nobody else's business. Then it helps others.
-//   done     A worker tells once a stage how many pieces it has done, when it finds no more; who tells the
-//            last one opens the next stage.
+//            wrote is still in its cache, and claiming them is nobody else's business. When the others take
+//            longer than a moment, it helps them; before, looking at their tickets would hold them up.
+//   done     A worker tells once a stage how many pieces it has done; who tells the last one opens the next
+//            stage. Both are in one word, so a hand-over moves one line from cache to cache.
 //   waiting  Nobody waits for one who has not come: whoever is there does all pieces.
 #pragma once
 
@@ -34,34 +35,36 @@ class Stages {
     void serve(int worker)
     {
         const int home = worker % shares_;
-        int last = -1;
-        for (Waiting waiting;;) {
-            const int stage = stage_.load(std::memory_order_acquire);
+        Waiting waiting;
+        for (int last = -1, patience = 0;;) {
+            const int stage = int(state_.load(std::memory_order_acquire) >> 32);
             if (stage >= stages_) return;
-            if (stage == last) {
+            if (stage != last) {
+                waiting.end();
+                last = stage, patience = kPatience;
+                tell(stage, take_from(home, stage, worker));
+            } else if (patience > 0) {
+                spin_once();
+                if (--patience == 0) tell(stage, take_from_others(home, stage, worker));
+            } else {
                 waiting.once();
-                continue;
             }
-            waiting.end();
-            last = stage;
-            const int count = pieces_(stage);
-            int done = 0;
-            for (int i = 0; i < shares_; ++i) done += take_from((home + i) % shares_, stage, count, worker);
-            if (done > 0 && done_.fetch_add(done, std::memory_order_acq_rel) + done == count) open(stage + 1);
         }
     }
 
   private:
     static constexpr int kMostShares = 64;
-    using Ticket = unsigned long long;  // stage << 32 | next piece; of an earlier stage: none taken yet
+    static constexpr int kPatience = 30;  // spins, about a microsecond
+    using Ticket = unsigned long long;    // stage << 32 | next piece; of an earlier stage: none taken yet
     struct alignas(kCacheLine) Share {
         std::atomic<Ticket> ticket{Ticket(0xffffffffu) << 32};
     };
 
     // All stages before are done, so a share whose pieces are not all taken belongs to this one: a ticket
     // that was read in an earlier stage has changed since.
-    int take_from(int share, int stage, int count, int worker)
+    int take_from(int share, int stage, int worker)
     {
+        const int count = pieces_(stage);
         const int begin = int((long long)count * share / shares_);
         const int end = int((long long)count * (share + 1) / shares_);
         int done = 0;
@@ -77,19 +80,32 @@ class Stages {
         }
     }
 
+    int take_from_others(int home, int stage, int worker)
+    {
+        int done = 0;
+        for (int i = 1; i < shares_; ++i) done += take_from((home + i) % shares_, stage, worker);
+        return done;
+    }
+
+    void tell(int stage, int done)
+    {
+        if (done == 0) return;
+        const State before = state_.fetch_add(State(done), std::memory_order_acq_rel);
+        if (int(before & 0xffffffffu) + done == pieces_(stage)) open(stage + 1);
+    }
+
     // Stages without pieces are none.
     void open(int stage)
     {
         while (stage < stages_ && pieces_(stage) <= 0) ++stage;
-        done_.store(0, std::memory_order_relaxed);
-        stage_.store(stage, std::memory_order_release);
+        state_.store(State(unsigned(stage)) << 32, std::memory_order_release);
     }
 
     const int stages_, shares_;
     const Pieces& pieces_;
     const Body& body_;
-    alignas(kCacheLine) std::atomic<int> stage_{0};
-    alignas(kCacheLine) std::atomic<int> done_{0};
+    using State = unsigned long long;  // stage << 32 | pieces of it that are done
+    alignas(kCacheLine) std::atomic<State> state_{0};
     Share share_[kMostShares];
 };
 
