@@ -27,9 +27,9 @@ namespace {
 
 constexpr int kLarge = 256;         // joints of an island that is worth all workers
 constexpr int kLargePatches = 256;  // or patches
-// Joints, patches and bodies of islands that are solved together: sweeps over patches hold more of each, and
-// go over them more often.
-constexpr int kGroup = 1024, kGroupOfPatches = 256;
+// Joints, patches and bodies of islands that are solved together: the more, the fewer lanes stay empty; but
+// sweeps over patches hold more of each, and go over them more often.
+constexpr int kGroup = 1024, kGroupOfPatches = 512;
 constexpr int kParcel = 128;  // of a parcel of groups
 
 // Who does the parts of a step: threads of our own, or calls of the implementation that the world was given.
