@@ -42,8 +42,8 @@ struct Masses {
 bool arm_fits(const SolverBody& b, Vec3 r)
 {
     const Sym3& I = b.inv_inertia;
-    const Real trace = I.xx + I.yy + I.zz;
-    return in_range(trace) && trace * length2(r) - dot(r, I * r) <= kFloatArms * b.inv_mass;
+    const Real trace = I.xx + I.yy + I.zz, most = trace * length2(r), bound = kFloatArms * b.inv_mass;
+    return in_range(trace) && (most <= bound || most - dot(r, I * r) <= bound);
 }
 
 bool bounded(const RowNumbers& n) { return n.lo > -kInf || n.hi < kInf; }
