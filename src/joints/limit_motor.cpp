@@ -114,6 +114,7 @@ void LimitMotor::emit_motor(RowWriter& out, const Jacobian& jacobian) const
     if (!(fmax > 0)) return;
     Row& row = out.row(jacobian, 0, RowKind::kLimit);
     row.speed = vel;
+    row.erp = 0;  // there is no position to correct
     row.cfm = cfm;
     row.soft = cfm_chosen;
     row.lo = -fmax;

@@ -31,7 +31,7 @@ struct Jacobian {
 
 struct Row : Jacobian {
     Real error = 0;
-    Real erp = 0;  // share of the error to remove in one step
+    Real erp = 0;  // share of the error to remove in one step; 0 where there is no position, as of motors
     Real cfm = 0;  // softness, velocity per force times h (ODE's CFM)
     Real speed = 0;
     Real cap = kInf;   // largest c that correction and speed together may ask for

@@ -27,6 +27,9 @@ constexpr int kVector = EPODE_VECTOR_LANES;
 typedef Real Vector __attribute__((vector_size(kVector * sizeof(Real))));
 typedef Vector VectorInMemory __attribute__((may_alias));
 typedef Real PairInMemory __attribute__((vector_size(2 * sizeof(Real)), may_alias));
+// At any place.
+typedef Real AnyPair __attribute__((vector_size(2 * sizeof(Real)), may_alias, aligned(sizeof(Real))));
+typedef Real AnyRow __attribute__((vector_size(4 * sizeof(Real)), may_alias, aligned(sizeof(Real))));
 typedef Real RowInMemory __attribute__((vector_size(4 * sizeof(Real)), may_alias));
 
 // `part` counts vectors.
@@ -49,7 +52,7 @@ EPODE_LANEWISE Vector roots(const Vector& x)
 }
 
 EPODE_LANEWISE PairInMemory& pair_at(Real* p) { return *reinterpret_cast<PairInMemory*>(p); }
-EPODE_LANEWISE PairInMemory pair_at(const Real* p) { return *reinterpret_cast<const PairInMemory*>(p); }
+EPODE_LANEWISE AnyPair pair_at(const Real* p) { return *reinterpret_cast<const AnyPair*>(p); }
 
 // V: a vector, of Reals or of floats.
 template <typename V>
@@ -73,8 +76,8 @@ EPODE_LANEWISE Vector join(const Real* a, const Real* b)
 #elif EPODE_VECTOR_LANES == 8
 EPODE_LANEWISE Vector join(const Real* a, const Real* b)
 {
-    return __builtin_shufflevector(*reinterpret_cast<const RowInMemory*>(a),
-                                   *reinterpret_cast<const RowInMemory*>(b), 0, 1, 2, 3, 4, 5, 6, 7);
+    return __builtin_shufflevector(*reinterpret_cast<const AnyRow*>(a), *reinterpret_cast<const AnyRow*>(b),
+                                   0, 1, 2, 3, 4, 5, 6, 7);
 }
 
 EPODE_LANEWISE void split(const Vector& ab, Real* a, Real* b)
@@ -97,8 +100,8 @@ EPODE_LANEWISE Vector4 transposed(const Vector4& m)
 }
 #endif
 
-// Between four numbers w, x, y, z at the place of each lane, aligned as four, and one vector per component:
-// small matrices are transposed instead of moving number by number.
+// Between four numbers w, x, y, z at the place of each lane, aligned as four where they are written, and one
+// vector per component: small matrices are transposed instead of moving number by number.
 EPODE_LANEWISE Vector4 read_quads(const Real* const* at)
 {
 #if EPODE_VECTOR_LANES == 4
@@ -109,8 +112,8 @@ EPODE_LANEWISE Vector4 read_quads(const Real* const* at)
 #elif EPODE_VECTOR_LANES == 8
     return transposed({join(at[0], at[4]), join(at[1], at[5]), join(at[2], at[6]), join(at[3], at[7])});
 #else
-    const PairInMemory wx0 = pair_at(at[0]), wx1 = pair_at(at[1]);
-    const PairInMemory yz0 = pair_at(at[0] + 2), yz1 = pair_at(at[1] + 2);
+    const AnyPair wx0 = pair_at(at[0]), wx1 = pair_at(at[1]);
+    const AnyPair yz0 = pair_at(at[0] + 2), yz1 = pair_at(at[1] + 2);
     return {__builtin_shufflevector(wx0, wx1, 0, 2), __builtin_shufflevector(wx0, wx1, 1, 3),
             __builtin_shufflevector(yz0, yz1, 0, 2), __builtin_shufflevector(yz0, yz1, 1, 3)};
 #endif

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "solve/joint_batch.h"
+#include "solve/substep_rows.h"
 #include "solve/velocities.h"
 
 namespace epode {
@@ -15,6 +16,16 @@ namespace epode {
 struct JointSweep {
     Real w;      // over-relaxation
     bool relax;  // aims at `relaxed` instead of c
+};
+
+// What the joints of a batch say at the beginning of a step, lane by lane; where there is no joint, nothing
+// but zeros.
+struct JointRows {
+    const Row* row[kMaxJointRows][kLanes];  // by their place in the batch
+    const RowBlock* block[kLanes];
+    const SolverPose* poses;
+    const Velocity* bodies;
+    Substep step;
 };
 
 // L: Lanes or FloatLanes.
@@ -36,6 +47,8 @@ struct JointSweepsOf {
 
 template <typename L>
 struct JointKernelsOf {
+    // Facts of a batch, masses and C; but not who keeps its aim, nor when the matrix was made.
+    void (*take_facts)(const JointBatch& batch, L* numbers, L* facts, const JointRows& from);
     // Batch by batch, while its numbers are near: of those that have facts, masses, geometry, c and what
     // relaxing aims at; then of masses, geometry, C, p and bounds, the matrix, and p within its bounds; then
     // what p does to the bodies.

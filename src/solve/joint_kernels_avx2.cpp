@@ -5,6 +5,7 @@
 // would round differently. CMake gives this file its flag; on other machines it is empty.
 #if defined(__x86_64__)
 #include "solve/joint_follow.inc"
+#include "solve/joint_facts.inc"
 #include "solve/joint_kernels.inc"
 
 namespace epode {

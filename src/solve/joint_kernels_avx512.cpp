@@ -5,6 +5,7 @@
 #if defined(__x86_64__)
 #define EPODE_VECTOR_LANES 8
 #include "solve/joint_follow.inc"
+#include "solve/joint_facts.inc"
 #include "solve/joint_kernels.inc"
 
 namespace epode {

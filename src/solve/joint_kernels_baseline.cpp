@@ -5,6 +5,7 @@
 // library is loaded, so that calls go through one pointer and no test.
 #include "simd/machine.h"
 #include "solve/joint_follow.inc"
+#include "solve/joint_facts.inc"
 #include "solve/joint_kernels.inc"
 
 namespace epode {

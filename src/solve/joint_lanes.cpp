@@ -121,9 +121,10 @@ bool JointLanes::pack(const RowSystem& system, Arena& arena)
 
 void JointLanes::load(const RowSystem& system) { floats_.load(system), reals_.load(system); }
 
-bool JointLanes::follow(RowSystem& system, const Substep& step, Arena& arena)
+bool JointLanes::follow(const RowSystem& system, const Substep& step, std::span<const Velocity> bodies,
+                        Arena& arena)
 {
-    return floats_.follow(system, step, arena) && reals_.follow(system, step, arena);
+    return floats_.follow(system, step, bodies, arena) && reals_.follow(system, step, bodies, arena);
 }
 
 void JointLanes::load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies)

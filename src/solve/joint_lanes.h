@@ -31,7 +31,7 @@ class JointLanes {
     // As in JointSet.
     bool pack(const RowSystem& system, Arena& arena);
     void load(const RowSystem& system);
-    bool follow(RowSystem& system, const Substep& step, Arena& arena);
+    bool follow(const RowSystem& system, const Substep& step, std::span<const Velocity> bodies, Arena& arena);
     void load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
     void apply_impulses(std::span<Velocity> bodies) const;
     void sweep(std::span<Velocity> bodies, const JointSweep& how);

@@ -38,7 +38,8 @@ class JointNetwork {
 
     // As in JointSet, after `plan`.
     bool pack(const RowSystem& system, Arena& arena);
-    bool follow(RowSystem&, const Substep&, Arena&) { return true; }  // rows are asked for anew
+    // Rows are asked for anew.
+    bool follow(const RowSystem&, const Substep&, std::span<const Velocity>, Arena&) { return true; }
     void load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
     void apply_impulses(std::span<Velocity> bodies) const;
     void sweep(std::span<Velocity> bodies, const JointSweep& how);

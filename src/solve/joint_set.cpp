@@ -29,22 +29,6 @@ void set(L* to, int lane, const Sym3& s)
     set(to + 3, lane, Vec3{s.xy, s.xz, s.yz});
 }
 
-// As simd/lane_vectors.h has it.
-Vec3 turned_by(Quat q, Vec3 a)
-{
-    const Vec3 u = cross(q.vec(), a), t = u + u;
-    return (a + q.w * t) + cross(q.vec(), t);
-}
-
-// Does body 1 spin less than body 2?
-bool spins_less(const RowSystem& system, const RowBlock& block)
-{
-    const auto spin2 = [&](int body) {
-        return body >= 0 ? length2(system.bodies[std::size_t(body)].w) : Real(0);
-    };
-    return spin2(block.body1) <= spin2(block.body2);
-}
-
 // Rows mostly ask for the same as that in their place in the joint before; mapping takes four divisions. Who
 // is soft by mobility, the kernels find.
 class AimMap {
@@ -266,7 +250,8 @@ void JointSetOf<L>::load(const RowSystem& system)
 }
 
 template <typename L>
-bool JointSetOf<L>::follow(RowSystem& system, const Substep& step, Arena& arena)
+bool JointSetOf<L>::follow(const RowSystem& system, const Substep& step, std::span<const Velocity> bodies,
+                           Arena& arena)
 {
     int size = 0;
     for (JointBatch& batch : batches_) {
@@ -276,54 +261,39 @@ bool JointSetOf<L>::follow(RowSystem& system, const Substep& step, Arena& arena)
     }
     facts_ = arena.take<L>(size);
     if (arena.failed()) return false;
+    JointRows from{{}, {}, system.poses.data(), bodies.data(), step};
     for (std::size_t b = 0; b < batches_.size(); ++b)
-        if (batches_[b].facts >= 0) place_facts(system, step, b);
+        if (batches_[b].facts >= 0) take_facts(system, b, from);
     return true;
 }
 
 template <typename L>
-void JointSetOf<L>::place_facts(const RowSystem& system, const Substep& step, std::size_t b)
+void JointSetOf<L>::take_facts(const RowSystem& system, std::size_t b, JointRows& from)
 {
+    static constexpr Row kNoRow{};
+    static constexpr RowBlock kNoBlock{};
     JointBatch& batch = batches_[b];
     const FactLayout fact(batch);
-    const JointLayout at(batch);
-    L *f = &facts_[std::size_t(batch.facts)], *n = &numbers_[std::size_t(batch.at)];
-    AimMap aims(step);
+    L* f = &facts_[std::size_t(batch.facts)];
     // What no joint fills must be numbers.
-    if (batch.count < kLanes) std::memset(static_cast<void*>(f), 0, sizeof(L) * std::size_t(fact.size));
-    std::memset(static_cast<void*>(f + fact.made), 0, sizeof(L) * std::size_t(fact.size - fact.made));
+    const int blank = batch.count < kLanes ? 0 : fact.keeps;
+    std::memset(static_cast<void*>(f + blank), 0, sizeof(L) * std::size_t(fact.size - blank));
     for (int lane = 0; lane < batch.count; ++lane) {
         const Source& source = sources_[b * kLanes + std::size_t(lane)];
         RowBlock& block = system.blocks[std::size_t(source.block)];
-        block.followed = true;
-        const Row* rows = &system.rows[std::size_t(block.first)];
-        const SolverPose &one = system.poses[std::size_t(batch.body1[lane])],
-                         &two = system.poses[std::size_t(batch.body2[lane])];
-        const bool first = batch.form == RowForm::kTurned || spins_less(system, block);
-        const Quat guide = conjugate(first ? one.q : two.q);
-        set(f + fact.anchors, lane, turned_by(conjugate(one.q), block.arms.r1));
-        set(f + fact.anchors + 3, lane, turned_by(conjugate(two.q), block.arms.r2));
-        const Quat apart = guide * (first ? two.q : one.q);
-        f[fact.apart][lane] = Number(apart.w);
-        set(f + fact.apart + 1, lane, apart.vec());
-        f[fact.side][lane] = Number(first ? 1 : -1);
-        n[JointLayout::kInvMass][lane] = Number(one.inv_mass);
-        n[JointLayout::kInvMass + 1][lane] = Number(two.inv_mass);
-        const Vec3 gap = one.x - two.x + block.arms.r1 - block.arms.r2;
+        from.block[lane] = &block, block.followed = true;
         for (int i = 0; i < batch.rows; ++i) {
-            const Row& row = rows[source.row[i]];
-            batch.rebounds = batch.rebounds || row.rebounds;
-            const RowAim& aim = aims.of(row, i);
-            f[fact.start + i][lane] = Number(i < 3 ? row.error + dot(row.lin1, gap) : row.error);
-            f[fact.rate + i][lane] = Number(aim.rate), f[fact.speed + i][lane] = Number(row.speed);
-            f[fact.keeps + i][lane] = Number(aim.spring ? 1 : 0);
-            n[at.C + i][lane] = Number(aim.C);
-            if (i >= 3)
-                set(f + fact.axes + 3 * (i - 3), lane, turned_by(guide, row.ang1));
-            else if (batch.form == RowForm::kTurned)
-                set(f + fact.directions + 3 * i, lane, turned_by(guide, row.lin1));
+            const Row& row = system.rows[std::size_t(source.first + source.row[i])];
+            from.row[i][lane] = &row;
+            if (row.soft) f[fact.keeps + i][lane] = 1;
+            if (row.rebounds) batch.rebounds = true;
         }
     }
+    for (int lane = batch.count; lane < kLanes; ++lane) {
+        from.block[lane] = &kNoBlock;
+        for (int i = 0; i < batch.rows; ++i) from.row[i][lane] = &kNoRow;
+    }
+    kernels_->take_facts(batch, &numbers_[std::size_t(batch.at)], f, from);
 }
 
 template <typename L>

@@ -32,11 +32,11 @@ class JointSetOf {
     // of memory.
     bool pack(const RowSystem& system, std::span<const int> blocks, Arena& arena);
     void load(const RowSystem& system);  // what the numbers ask for
-    // Instead, in small steps: at first, from rows and poses of the beginning, the facts of all blocks that
-    // the kernels follow (solve/joint_follow.inc), which are marked; false: out of memory. Then, as often as
-    // poses change, what followed rows ask for at these, and what the others say; and what the impulses of
-    // the small step before do to the bodies, if there are any.
-    bool follow(RowSystem& system, const Substep& step, Arena& arena);
+    // Instead, in small steps: at first, from rows, poses and velocities of the beginning, the facts of all
+    // blocks that the kernels follow (solve/joint_follow.inc), which are marked; false: out of memory. Then,
+    // as often as poses change, what followed rows ask for at these, and what the others say; and what the
+    // impulses of the small step before do to the bodies, if there are any.
+    bool follow(const RowSystem& system, const Substep& step, std::span<const Velocity> bodies, Arena& arena);
     void load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
 
     void apply_impulses(std::span<Velocity> bodies) const;  // v += M^-1 J^T p
@@ -82,7 +82,7 @@ class JointSetOf {
     // Of the batches that are not followed.
     template <typename Aim>
     void fill(const RowSystem& system, const Aim& aim);
-    void place_facts(const RowSystem& system, const Substep& step, std::size_t batch);
+    void take_facts(const RowSystem& system, std::size_t batch, JointRows& from);
     void describe_rows(std::span<Row> rows) const;
     void fill_lane(const RowSystem& system, const RowBlock& block, const Source& source, L* n, int lane,
                    const JointLayout& at, RowForm form) const;

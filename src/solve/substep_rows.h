@@ -37,9 +37,7 @@ inline constexpr Real kSoftShare = Real(1e-3);
 
 inline RowAim map_row(const Row& row, const Substep& step, Real mobility)
 {
-    const bool motor = row.kind == RowKind::kLimit && row.lo < 0 && row.hi > 0;  // stops push one way
-    const bool damper = row.kind == RowKind::kFriction || motor;
-    const Real erp = damper ? 0 : row.erp;
+    const Real erp = row.kind == RowKind::kFriction ? 0 : row.erp;
     const Real share = Real(1) / Real(step.n);
     const Real rest = 1 - erp * (1 - share);
     RowAim aim;

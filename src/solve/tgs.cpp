@@ -50,7 +50,7 @@ class SmallSteps {
         velocities_ = take_velocities(system_, arena);
         if (velocities_.empty() || !joints_.pack(system_, arena)) return false;
         load_velocities(system_, velocities_);
-        if (!joints_.follow(system_, step_, arena)) return false;
+        if (!joints_.follow(system_, step_, velocities_, arena)) return false;
         if (!contacts_.prepare(system_, step_, settings.seed, arena)) return false;
         if (!patches_.prepare(system_, step_, settings.tasks, arena)) return false;
         if (settings.want_residual) {

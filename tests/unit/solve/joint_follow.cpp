@@ -42,6 +42,12 @@ struct Moved {
         pose.main = {s.xx, s.yy, s.zz}, pose.mixed = {s.xy, s.xz, s.yz};
     }
 
+    std::vector<Velocity> velocities() const
+    {
+        std::vector<Velocity> out(poses.size());
+        load_velocities(system, out);
+        return out;
+    }
     void turn(std::size_t i, Vec3 way, Vec3 axis, Real angle)
     {
         poses[i].x += way;
@@ -66,7 +72,7 @@ void expect_followed_rows_of_the_moved_bodies()
         Arena arena;
         JointSetOf<L> set;
         ASSERT_TRUE(set.pack(m.system, joints_of(m.system), arena));
-        ASSERT_TRUE(set.follow(m.system, step, arena));
+        ASSERT_TRUE(set.follow(m.system, step, m.velocities(), arena));
         Dice dice(seed + 99);
         for (std::size_t i = 0; i < m.p.bodies.size(); ++i)
             m.turn(i, dice.vec(Real(0.05)), dice.direction(), dice.real(0, Real(0.3)));
@@ -111,6 +117,78 @@ TEST(JointSet, followed_rows_are_those_of_the_moved_bodies)
     expect_followed_rows_of_the_moved_bodies<FloatLanes>();
 }
 
+// Also with bounds and in another order within the lanes.
+template <typename L>
+void expect_rows_that_ask_for_what_they_said()
+{
+    const Substep step{Real(0.002), 5};
+    const Real tolerance = kCoarse<L> ? Real(1e-4) : Real(1e-11);
+    Moved m(3, 40, 60);
+    for (std::size_t k = 0; k < m.p.rows.size(); ++k)
+        m.p.rows[k].erp = Real(0.1) + Real(0.001) * Real(k), m.p.rows[k].cfm = Real(1e-6) * Real(k % 7);
+    const std::vector<Row> said = m.p.rows;
+    Arena arena;
+    JointSetOf<L> set;
+    ASSERT_TRUE(set.pack(m.system, joints_of(m.system), arena));
+    ASSERT_TRUE(set.follow(m.system, step, m.velocities(), arena));
+    set.load_small_step(m.system, step, {});
+    std::vector<Row> rows = m.p.rows;
+    set.describe(m.p.numbers, rows);
+    int followed = 0;
+    for (const RowBlock& block : m.p.blocks)
+        for (int i = 0; block.followed && i < block.count; ++i, ++followed) {
+            const std::size_t k = std::size_t(block.first + i);
+            const RowAim aim = map_row(said[k], step, kInf);
+            EXPECT_NEAR(m.p.numbers[k].c, aim.rate * said[k].error + said[k].speed, 100 * tolerance);
+            EXPECT_EQ(m.p.numbers[k].C, typename L::Number(aim.C));
+            const Vec3 off = i < 3 ? rows[k].lin1 - said[k].lin1 : rows[k].ang1 - said[k].ang1;
+            EXPECT_LT(length(off), tolerance);
+        }
+    EXPECT_GT(followed, 100);
+}
+
+TEST(JointSet, before_anything_moves_followed_rows_ask_for_what_they_said)
+{
+    expect_rows_that_ask_for_what_they_said<Lanes>();
+    expect_rows_that_ask_for_what_they_said<FloatLanes>();
+}
+
+// A row that the user made soft keeps its error in relaxing sweeps, others aim at their speed.
+template <typename L>
+void expect_soft_rows_to_keep_their_aim()
+{
+    const Substep step{Real(0.002), 5};
+    Moved m(1, 1, 0);
+    std::vector<Row> of(4);
+    for (int i = 0; i < 3; ++i) of[std::size_t(i)].lin1.set(i, 1);
+    of[3].ang1 = {0, 0, 1};
+    for (Row& row : of) row.erp = Real(0.2), row.error = Real(0.01);
+    of[1].soft = of[3].soft = true;
+    m.p.block(0, -1, false, of);
+    m.p.blocks[0].form = RowForm::kPoint;
+    m.system = m.p.system();
+    m.system.poses = m.poses;
+    Arena arena;
+    JointSetOf<L> set;
+    std::vector<Velocity> velocities = m.velocities();
+    ASSERT_TRUE(set.pack(m.system, joints_of(m.system), arena));
+    ASSERT_TRUE(set.follow(m.system, step, velocities, arena));
+    set.load_small_step(m.system, step, velocities);
+    set.sweep(velocities, {1, true});
+    const Real c = map_row(of[0], step, kInf).rate * Real(0.01), tolerance = kCoarse<L> ? 1e-5 : 1e-12;
+    const Velocity& now = velocities[0];
+    EXPECT_NEAR(now.v.x, 0, tolerance);
+    EXPECT_NEAR(now.v.y, c, tolerance);
+    EXPECT_NEAR(now.v.z, 0, tolerance);
+    EXPECT_NEAR(now.w.z, c, tolerance);
+}
+
+TEST(JointSet, followed_rows_that_are_soft_keep_their_aim)
+{
+    expect_soft_rows_to_keep_their_aim<Lanes>();
+    expect_soft_rows_to_keep_their_aim<FloatLanes>();
+}
+
 // A stop's or motor's axis is what the bodies turn about: then its error is exact.
 TEST(JointSet, a_turn_about_an_axis_is_an_angle_whoever_turns)
 {
@@ -132,7 +210,8 @@ TEST(JointSet, a_turn_about_an_axis_is_an_angle_whoever_turns)
         m.system.poses = m.poses;
         Arena arena;
         JointSet set;
-        ASSERT_TRUE(set.pack(m.system, joints_of(m.system), arena) && set.follow(m.system, step, arena));
+        ASSERT_TRUE(set.pack(m.system, joints_of(m.system), arena) &&
+                    set.follow(m.system, step, m.velocities(), arena));
         const Vec3 other = dice.direction();
         if (!world) m.turn(0, {}, other, 1), m.turn(1, {}, other, 1);  // together: no change
         const Vec3 now = world ? axis : to_matrix(rotation_about(other, 1)) * axis;
@@ -155,7 +234,8 @@ void expect_to_follow_with_the_same_bits()
         Moved m(4, 200, 600);  // enough to fill all lanes
         Arena arena;
         JointSetOf<L> set(kernels);
-        EXPECT_TRUE(set.pack(m.system, joints_of(m.system), arena) && set.follow(m.system, step, arena));
+        EXPECT_TRUE(set.pack(m.system, joints_of(m.system), arena) &&
+                    set.follow(m.system, step, m.velocities(), arena));
         Dice dice(8);
         for (std::size_t i = 0; i < m.p.bodies.size(); ++i)
             m.turn(i, dice.vec(Real(0.05)), dice.direction(), dice.real(0, Real(0.3)));
@@ -200,7 +280,8 @@ class TurnedPairs {
         system.poses = poses_;
         velocities_.resize(poses_.size());
         load_velocities(system, velocities_);
-        EXPECT_TRUE(set_.pack(system, joints_of(system), arena_) && set_.follow(system, kStep, arena_));
+        EXPECT_TRUE(set_.pack(system, joints_of(system), arena_) &&
+                    set_.follow(system, kStep, velocities_, arena_));
         set_.load_small_step(system, kStep, velocities_);
         for (std::size_t i = 0; i < angles.size(); ++i)
             poses_[2 * i].q = rotation_about({0, 0, 1}, angles[i]) * poses_[2 * i].q;
