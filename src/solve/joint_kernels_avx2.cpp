@@ -4,7 +4,6 @@
 // The joint kernels compiled for AVX2, that is with 32-byte registers and without fused multiply-add, which
 // would round differently. CMake gives this file its flag; on other machines it is empty.
 #if defined(__x86_64__)
-#include "solve/joint_follow.inc"
 #include "solve/joint_facts.inc"
 #include "solve/joint_kernels.inc"
 

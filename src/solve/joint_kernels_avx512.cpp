@@ -4,7 +4,6 @@
 // The joint kernels compiled for AVX-512, eight lanes to a vector, as simd/vectors.h tells.
 #if defined(__x86_64__)
 #define EPODE_VECTOR_LANES 8
-#include "solve/joint_follow.inc"
 #include "solve/joint_facts.inc"
 #include "solve/joint_kernels.inc"
 

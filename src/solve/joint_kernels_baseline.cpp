@@ -4,7 +4,6 @@
 // The joint kernels for any machine, and the choice between those that there are. It is made when the
 // library is loaded, so that calls go through one pointer and no test.
 #include "simd/machine.h"
-#include "solve/joint_follow.inc"
 #include "solve/joint_facts.inc"
 #include "solve/joint_kernels.inc"
 
