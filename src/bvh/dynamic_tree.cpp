@@ -10,6 +10,8 @@
 namespace epode {
 namespace {
 
+constexpr Real kWorn = Real(1.15);
+
 // Half the surface.
 Real area(const Aabb& box)
 {
@@ -55,7 +57,7 @@ int DynamicTree::insert(const Aabb& box, int item)
 int DynamicTree::insert_loose(const Aabb& box, int item)
 {
     const int leaf = insert_beside(root_, box, item);
-    if (leaf >= 0) sound_ = false;
+    if (leaf >= 0) sound_ = false, loose_ = true;
     return leaf;
 }
 
@@ -111,7 +113,8 @@ void DynamicTree::clear()
     nodes_.clear();
     root_ = free_ = -1;
     leaves_ = changes_ = 0;
-    sound_ = true;
+    sound_ = true, loose_ = false;
+    surface_ = -1;
 }
 
 // The node that a leaf with this box shall stand beside; the boxes on the way down are enlarged already.
@@ -174,6 +177,30 @@ void DynamicTree::refit_above(int node)
     }
 }
 
+// The surface of all inner nodes below and of this one.
+Real DynamicTree::refit(int top)
+{
+    Node& node = nodes_.data()[top];
+    if (node.child < 0) return 0;
+    const Real below = refit(node.child) + refit(node.other);
+    node.box = merge(nodes_.data()[node.child].box, nodes_.data()[node.other].box);
+    return below + area(node.box);
+}
+
+// False when the tree is no longer any good: it is asked longer than it takes to build it.
+bool DynamicTree::refit()
+{
+    const Real surface = refit(root_);
+    if (surface_ < 0) surface_ = surface;
+    return surface <= kWorn * surface_;
+}
+
+bool DynamicTree::settle(const Tasks& tasks)
+{
+    if (!loose_ && leaves_ >= 2 && refit()) return sound_ = true;
+    return rebuild(tasks);
+}
+
 int DynamicTree::depth_of(int node) const
 {
     int depth = 0;
@@ -184,7 +211,8 @@ int DynamicTree::depth_of(int node) const
 void DynamicTree::changed(int leaf)
 {
     const bool high = depth_of(leaf) >= kMaxHeight;
-    if (++changes_ > 4 * leaves_ + 64 || high) sound_ = rebuild() || (sound_ && !high);
+    if ((++changes_ <= 4 * leaves_ + 64 && !high) || rebuild() || !high) return;
+    sound_ = false, loose_ = true;
 }
 
 int DynamicTree::height() const
@@ -198,10 +226,10 @@ int DynamicTree::height() const
 // The leaves are found by a walk along the child links, which also gathers the inner nodes for reuse.
 bool DynamicTree::rebuild(const Tasks& tasks)
 {
-    if (leaves_ < 2) return sound_ = true;
+    if (leaves_ < 2) return loose_ = false, sound_ = true;
     order_.clear(), inner_.clear();
     if (!order_.reserve(leaves_) || !inner_.resize(leaves_ - 1)) return false;
-    changes_ = 0;
+    changes_ = 0, surface_ = -1, loose_ = false;
     int node = root_, spare = leaves_ - 1;
     int pending = -1;  // inner nodes whose second child waits, linked by `next_free`
     for (;;) {

@@ -76,13 +76,15 @@ class DynamicTree {
     void remove(int leaf);
     void move(int leaf, const Aabb& box);
 
-    // For many changes at once: leaves are put in anywhere or get their boxes, then the tree is built anew,
-    // before which it must not be asked. False when memory is exhausted.
+    // For many changes at once: leaves are put in anywhere or get their boxes, then the tree is settled,
+    // before which it must not be asked: built anew, or when leaves have only moved, and together as a rule,
+    // its inner boxes are. False when memory is exhausted.
     int insert_loose(const Aabb& box, int item);
     void set_box(int leaf, const Aabb& box);
+    [[nodiscard]] bool settle(const Tasks& tasks = Tasks(1));
     [[nodiscard]] bool rebuild(const Tasks& tasks = Tasks(1));
 
-    // Whether the tree may be asked; if not, rebuild() is due.
+    // Whether the tree may be asked; if not, settle() is due.
     bool sound() const { return sound_; }
 
     const Aabb& box(int leaf) const { return nodes_[leaf].box; }
@@ -223,6 +225,8 @@ class DynamicTree {
     void attach(int leaf, int pair, int sibling);
     int detach(int leaf);
     void refit_above(int node);
+    bool refit();
+    Real refit(int top);
     int depth_of(int node) const;
     int insert_beside(int sibling, const Aabb& box, int item);
     int find_sibling(const Aabb& box);
@@ -246,8 +250,10 @@ class DynamicTree {
     int root_ = -1;
     int free_ = -1;
     int leaves_ = 0;
-    int changes_ = 0;  // since the last rebuild
+    int changes_ = 0;    // since the last rebuild
+    Real surface_ = -1;  // of the inner nodes, when they were refitted first after it; -1: not yet
     bool sound_ = true;
+    bool loose_ = false;  // leaves have been put in anywhere
 };
 
 }  // namespace epode

@@ -145,7 +145,7 @@ bool Broadphase::update_tree(const Tasks& tasks)
     while (done < escaped_.size() && (placed = place(escaped_[done], in_bulk))) ++done;
     std::copy(escaped_.begin() + done, escaped_.end(), escaped_.begin());
     escaped_.truncate(escaped_.size() - done);
-    return (tree_.sound() || tree_.rebuild(tasks)) && placed;
+    return (tree_.sound() || tree_.settle(tasks)) && placed;
 }
 
 // A box that has never moved gets no margin: most of those never will.

@@ -81,6 +81,75 @@ TEST(DynamicTree, loose_insertion_and_rebuild_give_the_same_answers)
     }
 }
 
+// In small steps, with leaps and newcomers between: refitted mostly, built anew when that has become bad.
+TEST(DynamicTree, boxes_that_move_together_are_found_after_settling)
+{
+    RandomNumbers random(4);
+    DynamicTree tree;
+    std::vector<Entry> entries;
+    const auto add = [&] {
+        const Aabb box = random_box(random);
+        entries.push_back({tree.insert_loose(box, int(entries.size())), box});
+    };
+    for (int i = 0; i < 300; ++i) add();
+    int kept = 0;
+    for (int round = 0; round < 120; ++round) {
+        if (round % 40 == 20) add();
+        for (Entry& entry : entries) {
+            const Vec3 way = (round % 30 == 29 ? 5 : Real(0.05)) * random.vec();
+            entry.box = {entry.box.lo + way, entry.box.hi + way};
+            tree.set_box(entry.leaf, entry.box);
+        }
+        if (round % 7 == 3) tree.move(entries[5].leaf, entries[5].box = random_box(random));
+        EXPECT_FALSE(tree.sound());
+        const int top = tree.root(), below = tree.child(top);
+        ASSERT_TRUE(tree.settle());
+        EXPECT_TRUE(tree.sound());
+        kept += tree.root() == top && tree.child(top) == below;
+        for (int k = 0; k < 20; ++k) {
+            const Aabb box = random_box(random);
+            ASSERT_EQ(ask(tree, box), ask(entries, box));
+        }
+    }
+    EXPECT_GT(kept, 60);
+}
+
+// What flies apart gets a new tree: the surface of all inner boxes stays near that of one built from above.
+TEST(DynamicTree, does_not_wear_out)
+{
+    RandomNumbers random(5);
+    DynamicTree tree;
+    std::vector<Entry> entries;
+    for (int i = 0; i < 400; ++i) {
+        const Aabb box = random_box(random);
+        entries.push_back({tree.insert_loose(box, i), box});
+    }
+    ASSERT_TRUE(tree.settle());
+    const auto surface = [](const DynamicTree& t) {
+        Real sum = 0;
+        const auto add = [&](const auto& self, int node) -> void {
+            if (t.is_leaf(node)) return;
+            const Vec3 s = t.box(node).hi - t.box(node).lo;
+            sum += s.x * s.y + s.y * s.z + s.z * s.x;
+            self(self, t.child(node)), self(self, t.other(node));
+        };
+        add(add, t.root());
+        return sum;
+    };
+    for (int round = 0; round < 60; ++round) {
+        for (Entry& entry : entries) {
+            const Vec3 way = Real(0.2) * random.vec();
+            entry.box = {entry.box.lo + way, entry.box.hi + way};
+            tree.set_box(entry.leaf, entry.box);
+        }
+        ASSERT_TRUE(tree.settle());
+        DynamicTree fresh;
+        for (std::size_t i = 0; i < entries.size(); ++i) (void)fresh.insert_loose(entries[i].box, int(i));
+        ASSERT_TRUE(fresh.rebuild());
+        EXPECT_LT(surface(tree), Real(1.4) * surface(fresh));
+    }
+}
+
 TEST(DynamicTree, pairs_are_those_of_a_query_for_each_leaf)
 {
     RandomNumbers random(3);
