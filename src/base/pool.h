@@ -29,6 +29,14 @@ class SpinLock {
         if (alone()) return taken_.store(true, std::memory_order_relaxed);
         while (taken_.exchange(true, std::memory_order_acquire)) __builtin_ia32_pause();
     }
+    // False, and nothing to unlock, when it is locked.
+    bool try_lock()
+    {
+        if (!alone()) return !taken_.exchange(true, std::memory_order_acquire);
+        if (taken_.load(std::memory_order_relaxed)) return false;
+        taken_.store(true, std::memory_order_relaxed);
+        return true;
+    }
     void unlock() { taken_.store(false, std::memory_order_release); }
 
   private:

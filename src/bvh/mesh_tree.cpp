@@ -331,7 +331,8 @@ void MeshTree::refit(const TriangleMesh& mesh)
 
 bool MeshTree::bring_up_to_date(NearLeaves& kept, const FloatBox& asked) const
 {
-    if (!kept.knows(edition_, asked)) {
+    if (!kept.knows(edition_, asked) || kept.count == NearLeaves::kOnlyPlace) {
+        const bool near = kept.is_near(edition_, asked);
         kept.edition = edition_;
         float side = 0;
         for (int i = 0; i < 3; ++i) side = std::max(side, asked.hi[i] - asked.lo[i]);
@@ -339,7 +340,8 @@ bool MeshTree::bring_up_to_date(NearLeaves& kept, const FloatBox& asked) const
             kept.box.lo[i] = asked.lo[i] - kRoam * side;
             kept.box.hi[i] = asked.hi[i] + kRoam * side;
         }
-        gather(kept);
+        kept.count = NearLeaves::kOnlyPlace;
+        if (near) gather(kept);
     }
     return kept.count <= NearLeaves::kMost;
 }

@@ -9,9 +9,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <type_traits>
 #include <utility>
 
 #include "base/lifecycle.h"
+#include "collide/geom_leaves.h"
 #include "collide/pairs/at_once.h"
 #include "collide/registry.h"
 #include "collide/user_class.h"
@@ -41,11 +43,21 @@ void direct(Geom& a, Geom& b, ContactArray& out)
     out.count += sink.count();
 }
 
+// Solids keep what is near them of a mesh; of two meshes, a ray or a plane nothing is kept.
+template <typename First, typename Second>
+constexpr bool kKeepsLeaves =
+    std::is_same_v<Second, Trimesh> && !std::is_same_v<First, Trimesh> && !std::is_same_v<First, Ray>;
+
 // With a mesh, which may have functions of the program.
 template <auto function, typename First, typename Second>
 void unasked(Geom& a, Geom& b, ContactArray& out)
 {
-    asks(a) || asks(b) ? collide_slowly(a, b, out) : direct<function, First, Second>(a, b, out);
+    if (asks(a) || asks(b)) return collide_slowly(a, b, out);
+    if (!kKeepsLeaves<First, Second> || out.kept) return direct<function, First, Second>(a, b, out);
+    const GeomLeavesHold own(a);
+    out.kept = own.leaves();
+    direct<function, First, Second>(a, b, out);
+    out.kept = nullptr;
 }
 
 struct Collider {

@@ -9,6 +9,7 @@
 #include <new>
 
 #include "base/memory.h"
+#include "collide/geom_leaves.h"
 #include "collide/space.h"
 #include "collide/transform.h"
 
@@ -152,6 +153,7 @@ void destroy_geom(Geom& geom)
     if (geom.space) remove_member(*geom.space, geom);
     unlink_body(geom);
     drop_material(geom);
+    drop_leaves(geom);
     geom.type->destroy(&geom);
 }
 

@@ -24,6 +24,7 @@ namespace epode {
 
 class DifWriter;
 struct Geom;
+struct GeomLeaves;
 struct Space;
 struct TransformGeom;
 
@@ -84,7 +85,8 @@ struct Geom : Numbered {
     unsigned long collide = ~0ul;
     void* data = nullptr;
     Geom* body_prev = nullptr;
-    std::uint32_t changes = 0;  // of the shape, see mark_changed()
+    std::uint32_t changes = 0;                 // of the shape, see mark_changed()
+    std::atomic<GeomLeaves*> leaves{nullptr};  // of the mesh met last, see geom_leaves.h
     alignas(32) Real own_rotation[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
     Real own_position[4] = {};  // beside the shape, which follows
 };
