@@ -36,6 +36,18 @@ constexpr bool kTwoSided<Box> = true;
 template <>
 constexpr bool kTwoSided<Convex> = true;
 
+// Whether a neighbour of the triangle that is near leans: asked before all that are near are looked at.
+bool ends_plane(const TriangleMesh& mesh, int t, const Aabb& box)
+{
+    const Vec3 own = mesh.normal(t);
+    for (int k = 0; k < 3; ++k) {
+        const int next = mesh.neighbour(t, k);
+        if (next >= 0 && dot(mesh.normal(next), own) < 1 - 4 * kSameWay && overlap(mesh.box(next), box))
+            return true;
+    }
+    return false;
+}
+
 // The plane that the triangles make up, if they do, and if it goes on past the box.
 bool one_plane(const Surface& surface, NearTriangles& near, const Aabb& box, Real slack, Plane& out)
 {
@@ -43,7 +55,7 @@ bool one_plane(const Surface& surface, NearTriangles& near, const Aabb& box, Rea
     if (!near.all()) return false;
     const Vec3 close = mesh.normal(*near.close().begin());
     for (const int t : near.close())
-        if (dot(mesh.normal(t), close) < 1 - 4 * kSameWay) return false;
+        if (dot(mesh.normal(t), close) < 1 - 4 * kSameWay || ends_plane(mesh, t, box)) return false;
     near.gather(surface, box);
     if (!near.all() || near.near().count() == 0) return false;
     const int first = *std::min_element(near.near().begin(), near.near().end());
