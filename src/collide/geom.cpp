@@ -33,11 +33,6 @@ Geom::Geom(const GeomType& geom_type)
     serial = g_serial.fetch_add(1, std::memory_order_relaxed) + 1;
 }
 
-bool is_space(const Geom& geom)
-{
-    return geom.type->number >= dFirstSpaceClass && geom.type->number <= dLastSpaceClass;
-}
-
 bool in_locked_space(const Geom& geom) { return geom.space && geom.space->locks > 0; }
 
 void refresh_pose(Geom& geom)

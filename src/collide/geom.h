@@ -118,7 +118,10 @@ class GeomHold {
 };
 
 inline bool of_one_body(const Geom& a, const Geom& b) { return a.body.id && a.body.id == b.body.id; }
-bool is_space(const Geom& geom);
+inline bool is_space(const Geom& geom)
+{
+    return geom.type->number >= dFirstSpaceClass && geom.type->number <= dLastSpaceClass;
+}
 bool in_locked_space(const Geom& geom);
 
 // ---- pose and box, computed when stale ----

@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "base/ahead.h"
-#include "collide/user_class.h"
 
 namespace epode {
 namespace {
@@ -95,12 +94,6 @@ void clean_queued(Space& space, Chosen&& chosen)
 
 }  // namespace
 
-bool stands_alone(const Geom& geom)
-{
-    const int number = geom.type->number;
-    return !is_space(geom) && number != dGeomTransformClass && !is_user_class(number);
-}
-
 Space* space_from(dSpaceID id)
 {
     Geom* geom = from_handle<Geom>(reinterpret_cast<dGeomID>(id));
@@ -178,14 +171,6 @@ void enqueue(Space& space, Geom& geom)
 {
     // Room was made when the member joined; only a move during the cleaning itself may need more.
     geom.queued = space.queue.push(geom.slot);
-}
-
-bool mark_member(Geom& geom, const Space& space)
-{
-    if (geom.space != &space || geom.holders || !stands_alone(geom)) return false;
-    geom.pose_stale = geom.offset != nullptr;
-    geom.box_stale = geom.queued = true;
-    return true;
 }
 
 void members_marked(Space& space)

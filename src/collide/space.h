@@ -16,6 +16,7 @@
 #include "base/ahead.h"
 #include "collide/broadphase.h"
 #include "collide/geom.h"
+#include "collide/user_class.h"
 
 namespace epode {
 
@@ -77,11 +78,15 @@ bool nesting_fits(const Space& space, const Space& inner);  // functions that wa
 void enqueue(Space& space, Geom& geom);  // the member has moved
 // Many members have moved: any worker may tell of one that is a member of the space and stands alone (false
 // if it does not), without listing it; then the space has to be told.
-bool mark_member(Geom& geom, const Space& space);
+inline bool mark_member(Geom& geom, const Space& space);
 void members_marked(Space& space);
 void clean(Space& space);  // gives every queued member its box, at all depths
 // A geom whose box and pairs are its own affair: no space or transform, and not of a class of the program.
-bool stands_alone(const Geom& geom);
+inline bool stands_alone(const Geom& geom)
+{
+    const int number = geom.type->number;
+    return !is_space(geom) && number != dGeomTransformClass && !is_user_class(number);
+}
 // Where members will be for a while, told of them on any worker; the way holds the box.
 struct WayFinder {
     const void* data;
@@ -100,6 +105,14 @@ template <typename Visit>
 void visit_pairs(Space& space, PairsOf of, std::size_t first, std::size_t last, Visit&& visit);
 void collide_space(Space& space, void* data, dNearCallback* callback, PairsOf of = PairsOf::kBoxes);
 void collide_across(Geom& first, Geom& second, void* data, dNearCallback* callback);
+
+inline bool mark_member(Geom& geom, const Space& space)
+{
+    if (geom.space != &space || geom.holders || !stands_alone(geom)) return false;
+    geom.pose_stale = geom.offset != nullptr;
+    geom.box_stale = geom.queued = true;
+    return true;
+}
 
 template <typename Visit>
 void visit_pairs(Space& space, PairsOf of, std::size_t first, std::size_t last, Visit&& visit)

@@ -2,8 +2,6 @@
 // Copyright (c) 2026 The Epode authors
 #include "step/finish.h"
 
-#include <atomic>
-
 #include "collide/space.h"
 #include "dynamics/integrate.h"
 #include "step/link.h"
@@ -12,76 +10,76 @@
 namespace epode {
 namespace {
 
-class Finish {
-  public:
-    Finish(std::span<Body* const> bodies, const Continuous& continuous, Space* managed)
-        : bodies_(bodies), continuous_(continuous), managed_(managed)
-    {}
+constexpr int kLines = 9;  // with the rule of damping
 
-    // One after the other.
-    void run()
-    {
-        walk(Tasks(1), [&](std::size_t, Body& body) { one(body); });
-    }
-
-    // What needs the caller's thread is left to it: `left` has room for a word on every body, all zero.
-    void run(const Tasks& tasks, std::span<unsigned char> left)
-    {
-        std::atomic<bool> any_left{false};
-        walk(tasks, [&](std::size_t i, Body& body) {
-            if (!body.moved && (!moves_geoms(body) || mark_members(body, *managed_))) return rest(body);
-            left[i] = 1;
-            any_left.store(true, std::memory_order_relaxed);
-        });
-        members_marked(*managed_);
-        for (std::size_t i = 0; any_left && i < bodies_.size(); ++i)
-            if (left[i]) one(*bodies_[i]);
-    }
-
-  private:
-    template <typename F>
-    void walk(const Tasks& tasks, F&& f) const
-    {
-        constexpr int kLines = 9;  // with the rule of damping
-        for_each_fetched<kLines>(tasks, bodies_, [&](std::size_t i, Body& body) {
-            if (i + 3 < bodies_.size()) fetch_geoms(*bodies_[i + 3]);
-            f(i, body);
-        });
-    }
-
-    bool moves_geoms(const Body& body) const { return !continuous_.marked() || continuous_.stopped(body); }
-
-    void one(Body& body) const
-    {
-        if (moves_geoms(body)) body_moved(body);
-        if (body.moved) body.moved(to_handle(&body));
-        rest(body);
-    }
-
-    static void rest(Body& body)
-    {
-        damp(body);
-        store(body.facc, {});
-        store(body.tacc, {});
-        body.patched = body.patches != nullptr;
-        body.patches = nullptr;
-    }
-
-    const std::span<Body* const> bodies_;
-    const Continuous& continuous_;
-    Space* const managed_;
-};
+void empty(Body& body)
+{
+    damp(body);
+    store(body.facc, {});
+    store(body.tacc, {});
+    body.patched = body.patches != nullptr;
+    body.patches = nullptr;
+}
 
 }  // namespace
 
-void finish_bodies(std::span<Body* const> bodies, const Continuous& continuous, Space* managed,
-                   const Tasks& tasks, Arena& arena)
+bool Finish::begin(std::span<Body* const> bodies, bool early, Arena& arena)
 {
-    Finish finish(bodies, continuous, managed);
-    if (!managed || tasks.workers() == 1) return finish.run();
-    Arena::Scope scope(arena);
-    const auto left = arena.take_zeroed<unsigned char>(int(bodies.size()));
-    arena.failed() ? finish.run() : finish.run(tasks, left);
+    bodies_ = bodies;
+    early_ = early;
+    any_left_ = !early;
+    if (early) done_ = arena.take_zeroed<bool>(int(bodies.size()));
+    return !arena.failed();
+}
+
+void Finish::at_once(std::span<Body* const> piece, const Tasks& tasks)
+{
+    if (!early_) return;
+    const auto first = std::size_t(piece.data() - bodies_.data());
+    for_each_fetched<kLines>(tasks, piece, [&](std::size_t i, Body& body) {
+        if (i + 3 < piece.size()) fetch_geoms(*piece[i + 3]);
+        if (body.moved || !mark_geoms(body)) return any_left_.store(true, std::memory_order_relaxed);
+        empty(body);
+        done_[first + i] = true;
+    });
+}
+
+void Finish::rest()
+{
+    tell_space();
+    if (!any_left_) return;
+    const auto is_left = [&](std::size_t i) { return i < bodies_.size() && !(early_ && done_[i]); };
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        if (is_left(i + 6)) fetch<kLines>(bodies_[i + 6]);
+        if (is_left(i + 3)) fetch_geoms(*bodies_[i + 3]);
+        if (is_left(i)) one(*bodies_[i]);
+    }
+}
+
+// At once; false: they have to wait.
+bool Finish::mark_geoms(Body& body) const
+{
+    if (managed_) return mark_members(body, *managed_);
+    if (alone_) body_moved(body);
+    return alone_;
+}
+
+bool Finish::moves_geoms(const Body& body) const
+{
+    return !continuous_.marked() || continuous_.stopped(body);
+}
+
+void Finish::one(Body& body) const
+{
+    if (moves_geoms(body)) body_moved(body);
+    if (body.moved) body.moved(to_handle(&body));
+    empty(body);
+}
+
+// Which members have been marked, it does not know.
+void Finish::tell_space() const
+{
+    if (managed_ && early_) members_marked(*managed_);
 }
 
 }  // namespace epode

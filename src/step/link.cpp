@@ -4,7 +4,6 @@
 // Placing a geom with an offset (p_o, R_o) at (p, R): its body gets R R_o^T and p - R_body p_o.
 #include "step/link.h"
 
-#include "base/ahead.h"
 #include "collide/space.h"
 #include "math/rotation.h"
 
@@ -39,8 +38,6 @@ bool mark_members(Body& body, const Space& space)
     for_each_geom(body, [&](Geom& geom) { all = mark_member(geom, space) && all; });
     return all;
 }
-
-void fetch_geoms(const Body& body) { fetch<2>(body.first_geom); }
 
 void release_geoms(Body& body)
 {

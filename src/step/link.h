@@ -5,6 +5,7 @@
 // into it; a geom holds pointers to its body's pose and never asks whose they are.
 #pragma once
 
+#include "base/ahead.h"
 #include "collide/geom.h"
 #include "dynamics/body.h"
 
@@ -30,7 +31,7 @@ void body_moved(Body& body);
 // they are not. When all bodies have been told of, members_marked() must follow.
 bool mark_members(Body& body, const Space& space);
 // body_moved() is about to be called.
-void fetch_geoms(const Body& body);
+inline void fetch_geoms(const Body& body) { fetch<2>(body.first_geom); }
 
 // The body is about to go: its geoms stay where they are.
 void release_geoms(Body& body);

@@ -79,7 +79,8 @@ class WorldStep {
           state_(state),
           workers_(workers),
           undo_(context.undo),
-          continuous_(context.world, undo_, state.continuous, memory().arena(0), context.h)
+          continuous_(context.world, undo_, state.continuous, memory().arena(0), context.h),
+          finish_(continuous_, state.managed.live_space(), workers.of_islands)
     {}
 
     std::span<const Island> islands() const { return islands_; }
@@ -98,7 +99,8 @@ class WorldStep {
         if (hybrid_ && !choose_solvers(arena)) return false;
         groups_ = arena.take<Group>(int(islands_.size()));
         parcels_ = arena.take<int>(int(islands_.size()) + 1);
-        if (arena.failed() || !prepare_reports() || !memory().provide(workers_.of_islands.workers()))
+        if (arena.failed() || !prepare_reports() || !memory().provide(workers_.of_islands.workers()) ||
+            !finish_.begin(undo_.bodies(), !any_continuous(), arena))
             return false;
         return context_.contacts.begin(make_groups(), int(groups_.size()));
     }
@@ -120,6 +122,7 @@ class WorldStep {
     // Who was too fast. False: out of memory.
     bool hold_back()
     {
+        if (finish_.is_early()) return true;
         if (!continuous_.hold_back()) return false;
         if (!context_.world.report_wanted) return true;
         for (std::size_t i = 0; i < islands_.size(); ++i)
@@ -127,19 +130,20 @@ class WorldStep {
         return true;
     }
 
-    const Continuous& continuous() const { return continuous_; }
-
     void remember_choices() const
     {
         for (std::size_t i = 0; i < solvers_.size(); ++i)
             remember_choice(islands_[i], *solvers_[i], factorisations_[i]);
     }
 
+    void finish() { finish_.rest(); }
+
     // As if there had been no step: the count of steps too, which is the random order's seed.
     void take_back()
     {
         context_.contacts.take_back();
         undo_.restore();
+        finish_.take_back();
         if (continuous_.marked())
             for (Body* body : undo_.bodies()) body_moved(*body);
         --context_.world.step_count;
@@ -256,7 +260,9 @@ class WorldStep {
         if (context_.world.report_wanted) reports = state_.reports.span().subspan(first, count);
         if (!step_islands(context_for(group), islands_.subspan(first, count),
                           {i, group.first_contact, group.first}, tasks, memory().arena(worker), reports))
-            out_of_memory_.store(true);
+            return out_of_memory_.store(true);
+        const Island done = joined(islands_.subspan(first, count));
+        finish_.at_once(done.bodies, tasks);
     }
 
     StepContext context_for(const Group& group) const
@@ -279,6 +285,7 @@ class WorldStep {
     std::span<int> parcels_;
     StepUndo& undo_;
     Continuous continuous_;
+    Finish finish_;
     std::atomic<bool> out_of_memory_{false};
 };
 
@@ -337,8 +344,7 @@ bool step_in(World& world, StepState& state, const Solver* solver, Real h, int i
         state.contacts.end();
         if (context.manages_contacts) state.managed.accept(h, workers.of_islands);
         step.remember_choices();
-        finish_bodies(undo.bodies(), step.continuous(), state.managed.live_space(), workers.of_islands,
-                      world.memory->arena(0));
+        step.finish();
         if (world.report_wanted) world.report = sum_of(state.reports.span());
     } else {
         step.take_back();

@@ -69,7 +69,7 @@ void StepUndo::save(std::size_t i)
     const Body& body = *bodies_[i];
     saved_[i] = {body.position(),         body.orientation(), body.rotation(), body.velocity(),
                  body.angular_velocity(), load(body.facc),    load(body.tacc), body.spin_excess};
-    marks_[i].saved = true;
+    marks_[i].saved = true, marks_[i].patched = body.patched;
 }
 
 // Most joints are contacts, which remember nothing: islands know whether one does.
@@ -121,6 +121,7 @@ void StepUndo::restore_bodies() const
         Body& body = *bodies_[i];
         body.disabled = marks_[i].slept;
         if (!marks_[i].saved) continue;
+        body.patched = marks_[i].patched;
         const Saved& saved = saved_[i];
         restore_pose(body, saved);
         store(body.lvel, saved.velocity), store(body.avel, saved.angular_velocity);

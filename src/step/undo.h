@@ -53,7 +53,7 @@ class StepUndo {
         Vec3 velocity, angular_velocity, force, torque, spin_excess;
     };
     struct Mark {
-        bool slept, saved;
+        bool slept, saved, patched;
     };
     struct Remembering {
         Joint* joint;
