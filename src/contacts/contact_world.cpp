@@ -249,7 +249,7 @@ bool ContactWorld::touching(const Tasks& tasks, Arena& arena, std::span<PatchEdg
         for (const ContactPair& pair : range(i))
             for (int k = 0; k < pair.count; ++k) {
                 Patch& patch = fresh_.patches.data()[pair.first + k].patch;
-                *to++ = {{pair.body1, pair.body2}, {nullptr, nullptr}, &patch, false};
+                *to++ = {{pair.body1, pair.body2}, {nullptr, nullptr}, &patch, {-1, -1}};
             }
     });
     return true;

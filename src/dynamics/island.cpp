@@ -7,7 +7,8 @@
 // Joints come by the ten thousand, mostly contacts, and lie apart in memory: one walk along the world's list,
 // in which they lie as a rule one behind the other, finds out all that is asked of them here. Joints that
 // follow each other there between the same two bodies, as the contacts of a pair do, are one bond; the search
-// goes over bonds, two in a line of the cache.
+// goes over bonds, two in a line of the cache. Bodies themselves it does not touch: neighbours in a pile are
+// none in memory.
 #include "dynamics/island.h"
 
 #include <cstdint>
@@ -29,13 +30,11 @@ struct Bond {
 
 constexpr int kWorld = -1, kNone = -1;
 
-// While the search is on, a body that it has not taken up has its place in the world's list in island_index,
-// so that a pointer to it tells both.
+// From here until its island is assembled, a body has its place in the world's list in island_index.
 int place_of(const Body& body) { return -2 - body.island_index; }
 void set_place(Body& body, int place) { body.island_index = -2 - place; }
-bool taken_up(const Body& body) { return body.island_index >= 0; }
 
-enum class Reach : std::uint8_t { kAwake, kAsleep, kReached };
+enum class Reach : std::uint8_t { kAwake, kAsleep, kReached, kTaken };
 
 // The world as arrays, newest first.
 class Bonds {
@@ -44,6 +43,7 @@ class Bonds {
         : bodies_(arena.take<Body*>(world.body_count)),
           reach_(arena.take<Reach>(world.body_count)),
           newest_(arena.take<int>(world.body_count)),
+          patches_(arena.take<PatchEdge*>(world.body_count)),
           joints_(arena.take<Joint*>(world.joint_count)),
           bonds_(arena.take<Bond>(world.joint_count))
     {}
@@ -56,12 +56,25 @@ class Bonds {
             set_place(b, int(count));
             bodies_[count] = &b;
             reach_[count] = b.disabled ? Reach::kAsleep : Reach::kAwake;
+            patches_[count] = nullptr;
             newest_[count++] = kNone;
         });
         bodies_ = bodies_.first(count);
         for_each_linked<2>(newest_joint, [&](Joint& joint) { add(joint); });
         // From the oldest on, so that each list begins with the newest.
         for (int i = bond_count_; i-- > 0;) link(i);
+    }
+
+    // Into the lists of their bodies, in order.
+    void link(std::span<PatchEdge> patches)
+    {
+        for (std::size_t i = patches.size(); i-- > 0;)
+            for (int side = 0; side < 2; ++side)
+                if (Body* body = patches[i].body[side]) {
+                    const int place = patches[i].place[side] = place_of(*body);
+                    patches[i].next[side] = body->patches;
+                    body->patches = patches_[std::size_t(place)] = &patches[i];
+                }
     }
 
     std::size_t body_count() const { return bodies_.size(); }
@@ -78,6 +91,7 @@ class Bonds {
             i = bond.next[side];
         }
     }
+    PatchEdge* patches_of(std::size_t place) const { return patches_[place]; }
     std::span<Joint* const> joints_of(const Bond& bond) const
     {
         return joints_.subspan(std::size_t(bond.first), std::size_t(bond.count));
@@ -124,7 +138,8 @@ class Bonds {
 
     std::span<Body*> bodies_;
     std::span<Reach> reach_;
-    std::span<int> newest_;  // bond of each body
+    std::span<int> newest_;          // bond of each body
+    std::span<PatchEdge*> patches_;  // the first of each body
     std::span<Joint*> joints_;
     std::span<Bond> bonds_;
     int joint_count_ = 0, bond_count_ = 0;
@@ -150,28 +165,27 @@ class Search {
         std::size_t depth = 0;
         const auto reach = [&](int place) {
             Reach& reached = bonds.reach(std::size_t(place));
-            if (reached == Reach::kReached) return;
+            if (reached >= Reach::kReached) return;
             reached = Reach::kReached;
-            fetch<1>(&bonds.body(std::size_t(place)));
             stack[depth++] = place;
         };
         reach(int(seed));
         while (depth) {
             const auto place = std::size_t(stack[--depth]);
-            Body& body = bonds.body(place);
-            body.island_index = int(body_count_ - first_body);
-            bodies_[body_count_++] = &body;
+            bonds.reach(place) = Reach::kTaken;
+            bodies_[body_count_++] = &bonds.body(place);
             bonds.for_each_of(place, [&](Bond& bond, int side) {
                 if (bond.taken) return;
                 bond.taken = true;
                 take(bonds.joints_of(bond), bond, island);
                 if (const int other = bond.body[1 - side]; other != kWorld) reach(other);
             });
-            for (PatchEdge* e = body.patches; e;) {
-                const int side = e->body[0] == &body ? 0 : 1;
-                if (take(*e))
-                    if (const Body* other = e->body[1 - side]; other && !taken_up(*other))
-                        reach(place_of(*other));
+            for (PatchEdge* e = bonds.patches_of(place); e;) {
+                const int side = e->place[0] == int(place) ? 0 : 1, other = e->place[1 - side];
+                if (other == kWorld || bonds.reach(std::size_t(other)) != Reach::kTaken) {
+                    patches_[patch_count_++] = e;
+                    if (other != kWorld) reach(other);
+                }
                 e = e->next[side];
             }
         }
@@ -191,31 +205,12 @@ class Search {
         island.impulses = island.impulses || bond.impulses;
     }
 
-    bool take(PatchEdge& edge)
-    {
-        if (edge.taken) return false;
-        edge.taken = true;
-        patches_[patch_count_++] = &edge;
-        return true;
-    }
-
     std::span<Body*> bodies_;
     std::span<Joint*> joints_;
     std::span<PatchEdge*> patches_;
     std::span<Island> islands_;
     std::size_t body_count_ = 0, joint_count_ = 0, patch_count_ = 0, island_count_ = 0;
 };
-
-// Into the lists of their bodies, in order.
-void link(std::span<PatchEdge> patches)
-{
-    for (std::size_t i = patches.size(); i-- > 0;)
-        for (int side = 0; side < 2; ++side)
-            if (Body* body = patches[i].body[side]) {
-                patches[i].next[side] = body->patches;
-                body->patches = &patches[i];
-            }
-}
 
 }  // namespace
 
@@ -231,7 +226,7 @@ bool find_islands(World& world, std::span<PatchEdge> patches, Arena& arena, std:
     const auto stack = arena.take<int>(world.body_count);
     if (arena.failed()) return false;
     bonds.gather(newest, newest_joint);
-    link(patches);
+    bonds.link(patches);
     for (std::size_t place = 0; place < bonds.body_count(); ++place)
         if (bonds.reach(place) == Reach::kAwake) search.grow_from(place, bonds, stack);
     islands = search.islands();

@@ -18,7 +18,7 @@ struct PatchEdge {
     Body* body[2];
     PatchEdge* next[2];  // in the lists of the bodies
     Patch* patch;
-    bool taken;
+    int place[2];  // of the bodies in the world's list, while the search is on; -1: the static world
 };
 
 struct Island {
@@ -30,8 +30,7 @@ struct Island {
     bool impulses = false;   // are remembered by a joint
 };
 
-// Writes each stepped body's place in its island to `island_index`. `patches`: those that touch in this step.
-// False: out of memory.
+// `patches`: those that touch in this step. False: out of memory.
 bool find_islands(World& world, std::span<PatchEdge> patches, Arena& arena, std::span<Island>& islands);
 
 }  // namespace epode
