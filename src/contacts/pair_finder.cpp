@@ -83,6 +83,7 @@ bool find_geom_pairs(Space& space, const Foresight& soon, const Tasks& tasks, Ar
 void DeepLock::count(Space& space, int by)
 {
     space.locks += by;
+    if (space.helped == 0) return;  // no spaces among them
     for (Geom* member : space.members)
         if (member && is_space(*member)) count(static_cast<Space&>(*member), by);
 }
