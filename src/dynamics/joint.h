@@ -50,14 +50,14 @@ struct Joint : Tagged {
         node[0].joint = node[1].joint = this;
     }
 
-    // A cache line that every part of a step reads, one for the lists of the bodies, and one that contacts
-    // leave alone: they come by the ten thousand and are fetched from far away.
+    // A cache line that every part of a step reads, and one for the lists of the bodies; no more, since
+    // contacts come by the ten thousand and are fetched from far away.
     bool reverse : 1 = false;
     bool disabled : 1 = false;
     bool grouped : 1 = false;  // a group destroys it
     bool plain : 1 = false;    // a contact that is a normal with two tangents or with none (rows/manifold.h)
-    std::uint8_t impulse_rows = 0;
-    std::uint16_t mode = 0;  // of a contact's surface
+    std::uint8_t impulse_rows = 0;  // of a LastingJoint
+    std::uint16_t mode = 0;         // of a contact's surface
     const JointType* type;
     World* world;  // null once its world is gone and only a group keeps it
     dJointFeedback* feedback = nullptr;
@@ -65,13 +65,18 @@ struct Joint : Tagged {
     Joint* next = nullptr;  // world's list, newest first
     Joint* prev = nullptr;
     JointNode node[2];
-    Real impulse[kMaxJointRows];  // of the last step, for warm starting: the first `impulse_rows`
 
     Body* body1() const { return node[0].body; }
     Body* body2() const { return node[1].body; }
     bool attached() const { return node[0].body != nullptr; }
     // Body as the user numbered them.
     Body* user_body(int i) const { return node[reverse ? 1 - i : i].body; }
+};
+
+// What outlives a step: all but contacts, which are found again by the bodies and the place.
+struct LastingJoint : Joint {
+    using Joint::Joint;
+    Real impulse[kMaxJointRows];  // of the last step, for warm starting: the first `impulse_rows`
 };
 
 template <>
@@ -93,6 +98,10 @@ inline bool acting(const Joint& j)
 }
 
 inline bool is_contact(const Joint& joint) { return joint.type->number == dJointTypeContact; }
+
+// Of a joint that is no contact.
+inline Real* impulses(Joint& joint) { return static_cast<LastingJoint&>(joint).impulse; }
+inline const Real* impulses(const Joint& joint) { return static_cast<const LastingJoint&>(joint).impulse; }
 
 // Of the joints of a body, from this one in its list on, the first that leads to `other` (null: the world).
 inline JointNode* find_connection(JointNode* n, const Body* other)

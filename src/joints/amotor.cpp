@@ -14,10 +14,12 @@
 
 namespace epode {
 
-struct AMotor : Joint {
+struct AMotor : LastingJoint {
     static constexpr int kMaxRows = 3;
     static constexpr const char* kDifName = "ODE_angular_motor_joint";
-    AMotor(const JointType& t, World& w) : Joint(t, w), motor{LimitMotor(w), LimitMotor(w), LimitMotor(w)} {}
+    AMotor(const JointType& t, World& w)
+        : LastingJoint(t, w), motor{LimitMotor(w), LimitMotor(w), LimitMotor(w)}
+    {}
 
     int mode = dAMotorUser;
     int count = 0;

@@ -9,10 +9,10 @@
 
 namespace epode {
 
-struct Ball : Joint {
+struct Ball : LastingJoint {
     static constexpr int kMaxRows = 3;
     static constexpr const char* kDifName = "ball_joint";
-    Ball(const JointType& t, World& w) : Joint(t, w), softness(w) {}
+    Ball(const JointType& t, World& w) : LastingJoint(t, w), softness(w) {}
 
     AnchorPair anchor;
     OwnSoftness softness;

@@ -21,7 +21,8 @@
 namespace epode {
 
 // Most contacts have place, normal, depth, mode and mu and nothing else, which is one line of the cache
-// behind those of the Joint; what they lack is not even copied.
+// behind those of the Joint: they are no larger than that, and of a pool of their own, so that they lie side
+// by side. The others are SpecialContacts.
 struct Contact : Joint {
     static constexpr int kMaxRows = 6;
     static constexpr const char* kDifName = "contact_joint";
@@ -33,23 +34,22 @@ struct Contact : Joint {
           mu(c.surface.mu)
     {
         mode = std::uint16_t(c.surface.mode);
-        if (has(~dContactApprox1)) {
-            surface = c.surface;
-            std::copy_n(c.fdir1, 3, fdir1);
-        }
-        plain = fits_manifold();
+        plain = true;
     }
 
     alignas(kCacheLine) Vec3 pos;
     Vec3 normal;
     Real depth, mu;
-    dSurfaceParameters surface;  // but mode and mu; members that the mode does not name may be anything
-    Real fdir1[3];
 
     bool has(int bits) const { return (mode & bits) != 0; }
+    bool special() const { return is_special(mode); }
+    // Is any member of the surface named but mu and the kind of friction?
+    static bool is_special(int mode) { return (std::uint16_t(mode) & ~dContactApprox1) != 0; }
+    const dSurfaceParameters& surface() const;  // of a special contact
+    const Real* fdir1() const;                  // likewise
+    void destroy();
     Vec3 outward() const { return reverse ? -normal : normal; }  // into body 1
-    Real mu2() const { return has(dContactMu2) ? surface.mu2 : mu; }
-    bool fits_manifold() const;
+    Real mu2() const { return has(dContactMu2) ? surface().mu2 : mu; }
     bool sliding_at_all() const { return mu > 0 || has(dContactAxisDep | dContactRolling); }
 
     void emit(RowWriter& out) const;
@@ -64,37 +64,66 @@ struct Contact : Joint {
 
 JOINT_DEFINE(Contact);
 
+struct SpecialContact : Contact {
+    SpecialContact(const JointType& t, World& w, const dContact& c)
+        : Contact(t, w, c), special_surface(c.surface)
+    {
+        std::copy_n(c.fdir1, 3, special_fdir1);
+        plain = fits_manifold();
+    }
+
+    // But mode and mu; members that the mode does not name may be anything.
+    dSurfaceParameters special_surface;
+    Real special_fdir1[3];
+
+    bool fits_manifold() const;
+};
+
+template <>
+struct JointTypeOf<SpecialContact> : JointTypeOf<Contact> {};
+
+inline const dSurfaceParameters& Contact::surface() const
+{
+    return static_cast<const SpecialContact*>(this)->special_surface;
+}
+
+inline const Real* Contact::fdir1() const { return static_cast<const SpecialContact*>(this)->special_fdir1; }
+
+void Contact::destroy()
+{
+    special() ? Pool<SpecialContact>::destroy(static_cast<SpecialContact*>(this))
+              : Pool<Contact>::destroy(this);
+}
+
 void Contact::describe(DifWriter& out) const
 {
-    const dSurfaceParameters& s = surface;
-    const auto field = [&](int bit, const char* name, Real value) {
-        if (has(bit)) out.real(name, value);
+    const auto field = [&](int bit, const char* name, Real dSurfaceParameters::*member) {
+        if (has(bit)) out.real(name, surface().*member);
     };
     epode::describe(out, "pos", pos);
     epode::describe(out, "normal", normal);
     out.real("depth", depth);
     out.real("mu", mu);
-    field(dContactMu2, "mu2", s.mu2);
-    field(dContactRolling, "rho", s.rho);
-    if (has(dContactRolling)) field(dContactAxisDep, "rho2", s.rho2);
-    if (has(dContactRolling)) field(dContactAxisDep, "rhoN", s.rhoN);
-    field(dContactBounce, "bounce", s.bounce);
-    field(dContactBounce, "bounce_vel", s.bounce_vel);
-    field(dContactSoftERP, "soft_ERP", s.soft_erp);
-    field(dContactSoftCFM, "soft_CFM", s.soft_cfm);
-    field(dContactMotion1, "motion1", s.motion1);
-    field(dContactMotion2, "motion2", s.motion2);
-    field(dContactMotionN, "motionN", s.motionN);
-    field(dContactSlip1, "slip1", s.slip1);
-    field(dContactSlip2, "slip2", s.slip2);
+    field(dContactMu2, "mu2", &dSurfaceParameters::mu2);
+    field(dContactRolling, "rho", &dSurfaceParameters::rho);
+    if (has(dContactRolling)) field(dContactAxisDep, "rho2", &dSurfaceParameters::rho2);
+    if (has(dContactRolling)) field(dContactAxisDep, "rhoN", &dSurfaceParameters::rhoN);
+    field(dContactBounce, "bounce", &dSurfaceParameters::bounce);
+    field(dContactBounce, "bounce_vel", &dSurfaceParameters::bounce_vel);
+    field(dContactSoftERP, "soft_ERP", &dSurfaceParameters::soft_erp);
+    field(dContactSoftCFM, "soft_CFM", &dSurfaceParameters::soft_cfm);
+    field(dContactMotion1, "motion1", &dSurfaceParameters::motion1);
+    field(dContactMotion2, "motion2", &dSurfaceParameters::motion2);
+    field(dContactMotionN, "motionN", &dSurfaceParameters::motionN);
+    field(dContactSlip1, "slip1", &dSurfaceParameters::slip1);
+    field(dContactSlip2, "slip2", &dSurfaceParameters::slip2);
     // Approximations 1_1, 1_2 and 1_N as bits of a number.
     const int approximation = (mode & dContactApprox1) / dContactApprox1_1;
     if (approximation) out.integer("friction_approximation", approximation);
-    if (has(dContactFDir1)) epode::describe(out, "fdir1", load(fdir1));
+    if (has(dContactFDir1)) epode::describe(out, "fdir1", load(fdir1()));
 }
 
-// The second coefficient is asked for last: the surface is copied where its mode names it.
-bool Contact::fits_manifold() const
+bool SpecialContact::fits_manifold() const
 {
     if (has(dContactRolling)) return false;
     if (!has(dContactMu2 | dContactAxisDep)) return true;
@@ -121,27 +150,26 @@ void Contact::emit(RowWriter& out) const
 // All but the Jacobian.
 inline void Contact::aim_normal(Row& row, const StepInfo& info, Vec3 n) const
 {
-    const dSurfaceParameters& s = surface;
     const Real excess = depth - info.contact_layer;
     row.error = excess > 0 ? excess : 0;
-    row.speed = has(dContactMotionN) ? s.motionN : 0;
+    row.speed = has(dContactMotionN) ? surface().motionN : 0;
     row.cap = info.contact_max_vel;
-    if (has(dContactSoftERP)) row.erp = s.soft_erp;
-    if (has(dContactSoftCFM)) row.cfm = s.soft_cfm;
+    if (has(dContactSoftERP)) row.erp = surface().soft_erp;
+    if (has(dContactSoftCFM)) row.cfm = surface().soft_cfm;
     row.soft = has(dContactSoftERP | dContactSoftCFM);
     row.lo = 0;
-    if (!has(dContactBounce) || !(s.bounce_vel >= 0)) return;
+    if (!has(dContactBounce) || !(surface().bounce_vel >= 0)) return;
     const Vec3 v = body1()->point_velocity(pos) - (body2() ? body2()->point_velocity(pos) : Vec3{});
     const Real approach = row.speed - dot(n, v);
-    row.rebounds = approach > s.bounce_vel;
-    row.rebound = s.bounce * approach + row.speed;
+    row.rebounds = approach > surface().bounce_vel;
+    row.rebound = surface().bounce * approach + row.speed;
 }
 
 void Contact::tangents(Vec3 n, Vec3& t1, Vec3& t2) const
 {
     plane_space(n, t1, t2);
     if (!has(dContactFDir1)) return;
-    t1 = load(fdir1);
+    t1 = load(fdir1());
     t2 = cross(n, t1);
 }
 
@@ -154,24 +182,23 @@ void Contact::bound(Row& row, Real coefficient, int approximation) const
 
 void Contact::write_sliding(RowWriter& out, Vec3 t1, Vec3 t2) const
 {
-    const dSurfaceParameters& s = surface;
     if (mu > 0) {
         Row& row = contact_row(out, t1, RowKind::kFriction);
-        if (has(dContactMotion1)) row.speed = s.motion1;
-        if (has(dContactSlip1)) row.cfm = s.slip1, row.soft = true;
+        if (has(dContactMotion1)) row.speed = surface().motion1;
+        if (has(dContactSlip1)) row.cfm = surface().slip1, row.soft = true;
         bound(row, mu, dContactApprox1_1);
     }
     if (const Real mu2 = this->mu2(); mu2 > 0) {
         Row& row = contact_row(out, t2, RowKind::kFriction);
-        if (has(dContactMotion2)) row.speed = s.motion2;
-        if (has(dContactSlip2)) row.cfm = s.slip2, row.soft = true;
+        if (has(dContactMotion2)) row.speed = surface().motion2;
+        if (has(dContactSlip2)) row.cfm = surface().slip2, row.soft = true;
         bound(row, mu2, dContactApprox1_2);
     }
 }
 
 void Contact::write_rolling(RowWriter& out, Vec3 t1, Vec3 t2, Vec3 n) const
 {
-    const dSurfaceParameters& s = surface;
+    const dSurfaceParameters& s = surface();
     const Vec3 axis[3] = {t1, t2, n};
     const Real rho[3] = {s.rho, has(dContactAxisDep) ? s.rho2 : s.rho, has(dContactAxisDep) ? s.rhoN : s.rho};
     constexpr int kApproximation[3] = {dContactApprox1_1, dContactApprox1_2, dContactApprox1_N};
@@ -196,12 +223,11 @@ bool joins(const Contact& last, const Contact& next)
 
 void set_friction(const Contact& contact, const StepInfo& info, Manifold& m)
 {
-    const dSurfaceParameters& s = contact.surface;
     const Real limit[2] = {contact.mu, contact.mu2()};
-    const Real speed[2] = {contact.has(dContactMotion1) ? s.motion1 : 0,
-                           contact.has(dContactMotion2) ? s.motion2 : 0};
-    const Real cfm[2] = {contact.has(dContactSlip1) ? s.slip1 : info.cfm,
-                         contact.has(dContactSlip2) ? s.slip2 : info.cfm};
+    const Real speed[2] = {contact.has(dContactMotion1) ? contact.surface().motion1 : 0,
+                           contact.has(dContactMotion2) ? contact.surface().motion2 : 0};
+    const Real cfm[2] = {contact.has(dContactSlip1) ? contact.surface().slip1 : info.cfm,
+                         contact.has(dContactSlip2) ? contact.surface().slip2 : info.cfm};
     const bool share[2] = {contact.has(dContactApprox1_1), contact.has(dContactApprox1_2)};
     contact.tangents(m.n, m.t1, m.t2);
     for (int k = 0; k < 2; ++k) {
@@ -242,7 +268,7 @@ inline void set_point(const Contact& contact, const StepInfo& info, Vec3 n, Mani
 
 void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, ManifoldList& out)
 {
-    constexpr int kLines = 4;  // of a contact without special surface
+    constexpr int kLines = 3;  // of a contact without special surface
     std::size_t manifolds = 0;
     const Contact* last = nullptr;
     for_each_fetched<kLines>(contacts, [&](std::size_t i, const Joint& joint) {
@@ -308,5 +334,7 @@ using namespace epode;
 extern "C" dJointID dJointCreateContact(dWorldID w, dJointGroupID g, const dContact* contact)
 {
     EPODE_USER(contact && usable_contact(*contact), nullptr);
-    return create_joint_for<Contact>(__func__, w, g, *contact);
+    return Contact::is_special(contact->surface.mode)
+               ? create_joint_for<SpecialContact>(__func__, w, g, *contact)
+               : create_joint_for<Contact>(__func__, w, g, *contact);
 }

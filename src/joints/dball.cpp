@@ -9,10 +9,10 @@
 
 namespace epode {
 
-struct DBall : Joint {
+struct DBall : LastingJoint {
     static constexpr int kMaxRows = 1;
     static constexpr const char* kDifName = "double_ball_joint";
-    DBall(const JointType& t, World& w) : Joint(t, w), rod(w) {}
+    DBall(const JointType& t, World& w) : LastingJoint(t, w), rod(w) {}
 
     Rod rod;
 

@@ -13,10 +13,10 @@
 
 namespace epode {
 
-struct DHinge : Joint {
+struct DHinge : LastingJoint {
     static constexpr int kMaxRows = 4;
     static constexpr const char* kDifName = "double_hinge_joint";
-    DHinge(const JointType& t, World& w) : Joint(t, w), rod(w) {}
+    DHinge(const JointType& t, World& w) : LastingJoint(t, w), rod(w) {}
 
     Rod rod;
     AxisPair axis;  // zero: none yet

@@ -12,10 +12,10 @@
 
 namespace epode {
 
-struct Fixed : Joint {
+struct Fixed : LastingJoint {
     static constexpr int kMaxRows = 6;
     static constexpr const char* kDifName = "fixed_joint";
-    Fixed(const JointType& t, World& w) : Joint(t, w), softness(w) {}
+    Fixed(const JointType& t, World& w) : LastingJoint(t, w), softness(w) {}
 
     Vec3 offset;
     Quat zero{0, 0, 0, 0};

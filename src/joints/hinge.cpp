@@ -12,10 +12,10 @@
 
 namespace epode {
 
-struct Hinge : Joint {
+struct Hinge : LastingJoint {
     static constexpr int kMaxRows = 6;
     static constexpr const char* kDifName = "hinge_joint";
-    Hinge(const JointType& t, World& w) : Joint(t, w), motor(w) {}
+    Hinge(const JointType& t, World& w) : LastingJoint(t, w), motor(w) {}
 
     AnchorPair anchor;
     AxisPair axis{{{1, 0, 0}, {1, 0, 0}}};

@@ -14,11 +14,13 @@
 
 namespace epode {
 
-struct Hinge2 : Joint {
+struct Hinge2 : LastingJoint {
     static constexpr int kMaxRows = 6;
     static constexpr const char* kDifName = "ODE_hinge2_joint";
     static constexpr bool kNeedsTwoBodies = true;
-    Hinge2(const JointType& t, World& w) : Joint(t, w), motor{LimitMotor(w), LimitMotor(w)}, suspension(w) {}
+    Hinge2(const JointType& t, World& w)
+        : LastingJoint(t, w), motor{LimitMotor(w), LimitMotor(w)}, suspension(w)
+    {}
 
     AnchorPair anchor;
     Vec3 axis_local[2] = {{1, 0, 0}, {0, 1, 0}};  // each in its own body

@@ -12,10 +12,12 @@
 
 namespace epode {
 
-struct LMotor : Joint {
+struct LMotor : LastingJoint {
     static constexpr int kMaxRows = 3;
     static constexpr const char* kDifName = "ODE_linear_motor_joint";
-    LMotor(const JointType& t, World& w) : Joint(t, w), motor{LimitMotor(w), LimitMotor(w), LimitMotor(w)} {}
+    LMotor(const JointType& t, World& w)
+        : LastingJoint(t, w), motor{LimitMotor(w), LimitMotor(w), LimitMotor(w)}
+    {}
 
     int count = 0;
     int rel[3] = {0, 0, 0};  // 0 world, 1 body 1, 2 body 2

@@ -6,10 +6,10 @@
 
 namespace epode {
 
-struct Null : Joint {
+struct Null : LastingJoint {
     static constexpr int kMaxRows = 0;
     static constexpr const char* kDifName = "null_joint";
-    Null(const JointType& t, World& w) : Joint(t, w) {}
+    Null(const JointType& t, World& w) : LastingJoint(t, w) {}
     void emit(RowWriter&) const {}
     void describe(DifWriter&) const {}
 };

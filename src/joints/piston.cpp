@@ -12,10 +12,10 @@
 
 namespace epode {
 
-struct Piston : Joint {
+struct Piston : LastingJoint {
     static constexpr int kMaxRows = 6;
     static constexpr const char* kDifName = "piston_joint";
-    Piston(const JointType& t, World& w) : Joint(t, w), motor{LimitMotor(w), LimitMotor(w)} {}
+    Piston(const JointType& t, World& w) : LastingJoint(t, w), motor{LimitMotor(w), LimitMotor(w)} {}
 
     AnchorPair anchor;
     AxisPair axis{{{1, 0, 0}, {1, 0, 0}}};

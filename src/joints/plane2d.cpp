@@ -11,10 +11,10 @@
 
 namespace epode {
 
-struct Plane2D : Joint {
+struct Plane2D : LastingJoint {
     static constexpr int kMaxRows = 6;
     static constexpr const char* kDifName = "ODE_plane2d_joint";
-    Plane2D(const JointType& t, World& w) : Joint(t, w), motor_x(w), motor_y(w), motor_angle(w) {}
+    Plane2D(const JointType& t, World& w) : LastingJoint(t, w), motor_x(w), motor_y(w), motor_angle(w) {}
 
     LimitMotor motor_x, motor_y, motor_angle;  // their stops are never tested
 

@@ -15,10 +15,10 @@
 
 namespace epode {
 
-struct PR : Joint {
+struct PR : LastingJoint {
     static constexpr int kMaxRows = 6;
     static constexpr const char* kDifName = "PR_joint";
-    PR(const JointType& t, World& w) : Joint(t, w), motor{LimitMotor(w), LimitMotor(w)} {}
+    PR(const JointType& t, World& w) : LastingJoint(t, w), motor{LimitMotor(w), LimitMotor(w)} {}
 
     AnchorPair anchor;
     Vec3 slide_local{0, 1, 0};  // in body 1

@@ -16,10 +16,11 @@
 
 namespace epode {
 
-struct PU : Joint {
+struct PU : LastingJoint {
     static constexpr int kMaxRows = 6;
     static constexpr const char* kDifName = "PU_joint";
-    PU(const JointType& t, World& w) : Joint(t, w), motor{LimitMotor(w), LimitMotor(w), LimitMotor(w)} {}
+    PU(const JointType& t, World& w) : LastingJoint(t, w), motor{LimitMotor(w), LimitMotor(w), LimitMotor(w)}
+    {}
 
     AnchorPair anchor;
     Cross arms{{{0, 1, 0}, {0, 0, 1}}, {}};

@@ -34,7 +34,7 @@ struct JointTypeOf;
 const JointType* joint_type(int number);
 
 // Says in words what a struct lacks to be a joint type. Optional members: bodies_changed(), set_param(int,
-// Real), get_param(int, Real&), kNeedsTwoBodies.
+// Real), get_param(int, Real&), kNeedsTwoBodies, destroy() where not all objects of the type are of one pool.
 template <typename T>
 consteval bool is_joint_type()
 {
@@ -89,7 +89,12 @@ constexpr JointType describe_joint(const char* name)
     };
     type.dif_name = T::kDifName;
     type.describe = [](const Joint& j, DifWriter& out) { static_cast<const T&>(j).describe(out); };
-    type.destroy = [](Joint& j) { Pool<T>::destroy(static_cast<T*>(&j)); };
+    type.destroy = [](Joint& j) {
+        if constexpr (requires(T & t) { t.destroy(); })
+            static_cast<T&>(j).destroy();
+        else
+            Pool<T>::destroy(static_cast<T*>(&j));
+    };
     return type;
 }
 

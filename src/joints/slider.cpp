@@ -12,10 +12,10 @@
 
 namespace epode {
 
-struct Slider : Joint {
+struct Slider : LastingJoint {
     static constexpr int kMaxRows = 6;
     static constexpr const char* kDifName = "slider_joint";
-    Slider(const JointType& t, World& w) : Joint(t, w), motor(w) {}
+    Slider(const JointType& t, World& w) : LastingJoint(t, w), motor(w) {}
 
     Vec3 axis_local{1, 0, 0};  // in body 1
     Vec3 offset;

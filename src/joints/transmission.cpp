@@ -16,11 +16,11 @@
 
 namespace epode {
 
-struct Transmission : Joint {
+struct Transmission : LastingJoint {
     static constexpr int kMaxRows = 1;
     static constexpr const char* kDifName = "transmission_joint";
     static constexpr bool kNeedsTwoBodies = true;
-    Transmission(const JointType& t, World& w) : Joint(t, w), softness(w) {}
+    Transmission(const JointType& t, World& w) : LastingJoint(t, w), softness(w) {}
 
     int mode = dTransmissionParallelAxes;
     AnchorPair anchor;                            // centres of the wheels

@@ -13,10 +13,10 @@
 
 namespace epode {
 
-struct Universal : Joint {
+struct Universal : LastingJoint {
     static constexpr int kMaxRows = 6;
     static constexpr const char* kDifName = "universal_joint";
-    Universal(const JointType& t, World& w) : Joint(t, w), motor{LimitMotor(w), LimitMotor(w)} {}
+    Universal(const JointType& t, World& w) : LastingJoint(t, w), motor{LimitMotor(w), LimitMotor(w)} {}
 
     AnchorPair anchor;
     Cross arms{{{1, 0, 0}, {0, 1, 0}}, {}};

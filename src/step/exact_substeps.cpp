@@ -64,7 +64,7 @@ void load_warm_start(IslandWork& first, IslandWork& work)
         const RowBlock& block = work.system.blocks[k];
         if (block.contact || joint.impulse_rows != block.count) continue;
         for (int i = 0; i < block.count; ++i)
-            work.system.numbers[std::size_t(block.first + i)].p = joint.impulse[i];
+            work.system.numbers[std::size_t(block.first + i)].p = impulses(joint)[i];
     }
     for_each_contact(first.system, work.system, [&](const RowBlock& from, const RowBlock& to) {
         for (int i = 0; i < to.count; ++i)

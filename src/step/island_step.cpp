@@ -177,7 +177,7 @@ class IslandStep {
                 load_contact(ticket_of_block(k), manifold_of(block), {&point, 1}, share);
                 for (int i = 0; i < std::min(block.count, 3); ++i) numbers[i].p = point.p[i];
             } else if (joint.impulse_rows == block.count) {
-                for (int i = 0; i < block.count; ++i) numbers[i].p = share * joint.impulse[i];
+                for (int i = 0; i < block.count; ++i) numbers[i].p = share * impulses(joint)[i];
             }
         }
     }

@@ -36,7 +36,7 @@ Load load_of(const Joint& joint, const RowBlock& block, const RowSystem& system)
     for (int i = 0; i < block.count; ++i) {
         const Row& row = system.rows[std::size_t(block.first + i)];
         if (row.lin1 == Vec3{}) continue;
-        load.P += joint.impulse[i] * row.lin1;
+        load.P += impulses(joint)[i] * row.lin1;
         load.r1 = std::max(load.r1, length(row.ang1));
         load.r2 = std::max(load.r2, length(row.ang2));
     }

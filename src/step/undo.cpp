@@ -72,7 +72,7 @@ void StepUndo::save(std::size_t i)
     marks_[i].saved = true, marks_[i].patched = body.patched;
 }
 
-// Most joints are contacts, which remember nothing: islands know whether one does.
+// Most joints are contacts, which remember nothing: islands know whether another does.
 bool StepUndo::save_impulses(std::span<const Island> islands, Arena& arena)
 {
     int joints = 0, rows = 0;
@@ -94,7 +94,7 @@ bool StepUndo::save_impulses(std::span<const Island> islands, Arena& arena)
     joints_ = joined(islands.front().joints, islands.back().joints);  // now there is something to restore
     remembering_ = remembering.first(count);
     Real* to = impulses_.data();
-    for (const Remembering& r : remembering_) to = std::copy_n(r.joint->impulse, r.rows, to);
+    for (const Remembering& r : remembering_) to = std::copy_n(impulses(*r.joint), r.rows, to);
     return true;
 }
 
@@ -152,7 +152,7 @@ void StepUndo::restore_impulses() const
     const Real* from = impulses_.data();
     for (const Remembering& r : remembering_) {
         r.joint->impulse_rows = r.rows;
-        std::copy_n(from, r.rows, r.joint->impulse);
+        std::copy_n(from, r.rows, impulses(*r.joint));
         from += r.rows;
     }
 }

@@ -38,6 +38,12 @@ void write_feedback(const Joint& joint, const Manifold& m, const ManifoldPoint& 
     store(joint.feedback->t2, -cross(point.r1 + m.offset, f));
 }
 
+void keep_impulses(Joint& joint, const RowBlock& block, const RowSystem& system)
+{
+    for (int i = 0; i < block.count; ++i) impulses(joint)[i] = system.numbers[std::size_t(block.first + i)].p;
+    joint.impulse_rows = std::uint8_t(block.count);
+}
+
 bool is_sound(const SolverBody& b)
 {
     const Vec3 sum = abs(b.v) + abs(b.w);  // what is not a number stays so
@@ -87,9 +93,7 @@ void write_back(const IslandWork& work, const Tasks& tasks)
     for (std::size_t k = 0; k < work.joints.size(); ++k) {
         Joint& joint = *work.joints[k];
         const RowBlock& block = work.system.blocks[k];
-        for (int i = 0; i < block.count; ++i)
-            joint.impulse[i] = work.system.numbers[std::size_t(block.first + i)].p;
-        joint.impulse_rows = std::uint8_t(block.count);
+        if (!block.contact) keep_impulses(joint, block, work.system);
         if (joint.feedback) write_feedback(joint, block, work.system);
     }
     if (!work.contact_feedback) return;
