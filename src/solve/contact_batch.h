@@ -8,6 +8,8 @@
 // filled with points of zero gain, which do nothing.
 #pragma once
 
+#include <cstdint>
+
 #include "rows/manifold.h"
 #include "simd/float_lanes.h"
 #include "simd/lanes.h"
@@ -40,9 +42,19 @@ struct ManifoldFrictionOf {
     L p[3];                                    // force, couple
 };
 
+// What of a batch need not be computed, as it is with boxes that are cubes and with balls, and with friction
+// as most programs ask for it.
+enum class BatchForm : std::uint8_t {
+    kAny,
+    kPlain,  // friction asks for no speed and is limited by mu p_n, with the same mu and C along both
+             // tangents
+    kEven,   // also, every inverse inertia is a number: that in xx
+};
+
 template <typename L>
 struct ContactBatchOf {
-    int first, count;                            // of the points
+    int first, count;  // of the points
+    BatchForm form;
     ManifoldFrictionOf<L>* friction;             // null: each point has its own
     int body1[kLanesOf<L>], body2[kLanesOf<L>];  // into the velocities
     L inv_mass1, inv_mass2;

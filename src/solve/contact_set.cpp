@@ -60,6 +60,18 @@ void fill_common(const Manifold& from, ContactBatchOf<L>& to, int lane)
     }
 }
 
+bool is_even(const Sym3& s) { return s.xx == s.yy && s.yy == s.zz && s.xy == 0 && s.xz == 0 && s.yz == 0; }
+
+BatchForm form_of(const RowSystem& system, const Manifold& m)
+{
+    if (m.c[0] != 0 || m.c[1] != 0 || m.fixed[0] != 0 || m.fixed[1] != 0 || m.mu[0] != m.mu[1] ||
+        m.C[0] != m.C[1])
+        return BatchForm::kAny;
+    for (const int body : {m.body1, m.body2})
+        if (body >= 0 && !is_even(system.bodies[std::size_t(body)].inv_inertia)) return BatchForm::kPlain;
+    return BatchForm::kEven;
+}
+
 // Fills one batch after the other. A body that moves may be in a batch once: its stamp is the last batch that
 // it is in.
 class Chooser {
@@ -140,9 +152,7 @@ bool ContactSetOf<L>::pack(const RowSystem& system, const ManifoldList& list, Re
     for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = int(i);
     for (std::size_t b = 0; b < batches_.size(); ++b) {
         Batch& batch = batches_[b];
-        batch.first = chosen_[b].first, batch.count = chosen_[b].count;
-        for (int lane = 0; lane < kCount; ++lane)
-            fill_lane(system, list, chosen_[b].manifold[lane], batch, lane);
+        fill_batch(system, list, chosen_[b], batch);
         if (batch.friction) fill_friction(list, b);
         kernels_->prepare[cone_](batch, &points_[std::size_t(batch.first)], Number(w));
         for (int i = batch.first; i < batch.first + batch.count; ++i)
@@ -173,6 +183,20 @@ bool ContactSetOf<L>::choose(const RowSystem& system, std::span<const Manifold> 
     }
     chosen_ = chosen_.first(std::size_t(count));
     return true;
+}
+
+template <typename L>
+void ContactSetOf<L>::fill_batch(const RowSystem& system, const ManifoldList& list, const Choice& choice,
+                                 Batch& batch)
+{
+    batch.first = choice.first, batch.count = choice.count;
+    batch.form = BatchForm::kEven;
+    for (int lane = 0; lane < kCount; ++lane) {
+        const int manifold = choice.manifold[lane];
+        fill_lane(system, list, manifold, batch, lane);
+        if (manifold >= 0)
+            batch.form = std::min(batch.form, form_of(system, list.manifolds[std::size_t(manifold)]));
+    }
 }
 
 template <typename L>
