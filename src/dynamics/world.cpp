@@ -6,9 +6,24 @@
 // matter.
 #include "dynamics/world.h"
 
+#include <atomic>
+
 #include "base/messages.h"
 
 namespace epode {
+namespace {
+
+std::atomic<int> g_stepping{0};  // worlds
+
+}  // namespace
+
+void mark_stepping(World& world, bool on)
+{
+    if (world.stepping != on) g_stepping.fetch_add(on ? 1 : -1, std::memory_order_relaxed);
+    world.stepping = on;
+}
+
+bool any_world_steps() { return g_stepping.load(std::memory_order_relaxed) > 0; }
 
 World::World() : Tagged(Tag::kWorld) {}
 

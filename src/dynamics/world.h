@@ -58,7 +58,7 @@ struct World : Tagged {
 
     void* data = nullptr;
     std::uint64_t step_count = 0;
-    bool stepping = false;  // calls that would pull the step's feet away are refused meanwhile
+    bool stepping = false;  // calls that would pull the step's feet away are refused meanwhile; mark_stepping()
     bool report_wanted = false;
     bool report_made = false;  // a step has been made since it was wanted
     dWorldStepReport report{};
@@ -73,5 +73,8 @@ struct HandleOf<World> {
     using Id = dWorldID;
     static constexpr Tag kTag = Tag::kWorld;
 };
+
+void mark_stepping(World& world, bool on);
+bool any_world_steps();  // of this process
 
 }  // namespace epode

@@ -83,13 +83,13 @@ bool calls_program(World& world)
 bool WorldBatch::add(World& world)
 {
     if (!entries_.push({&world, {}, 0, false, entries_.size()})) return false;
-    world.stepping = true;
+    mark_stepping(world, true);
     return true;
 }
 
 WorldBatch::~WorldBatch()
 {
-    for (Entry& entry : entries_) entry.world->stepping = false;
+    for (Entry& entry : entries_) mark_stepping(*entry.world, false);
 }
 
 void WorldBatch::survey(Entry& entry)

@@ -6,9 +6,11 @@
 #include "step/contact_cache.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "base/hash.h"
+#include "simd/quad.h"
 
 namespace epode {
 namespace {
@@ -62,17 +64,20 @@ ContactCache::Places ContactCache::places_of(const Pair& pair) const
     return places;
 }
 
-// All distances first: they go through the processor side by side.
+// Mostly there is one within reach, and no more to compare.
 int ContactCache::Places::nearest(Vec3 place, Real within2) const
 {
-    Real distance2[kManifoldPoints];
-    for (int k = 0; k < kManifoldPoints; ++k) {
-        const Real dx = x[k] - place.x, dy = y[k] - place.y, dz = z[k] - place.z;
-        distance2[k] = dx * dx + dy * dy + dz * dz;
-    }
+    static_assert(kManifoldPoints == 4);
+    const Quad dx = load_quad(x) - quad(place.x), dy = load_quad(y) - quad(place.y),
+               dz = load_quad(z) - quad(place.z);
+    const Quad distance2 = dx * dx + dy * dy + dz * dz;
+    const unsigned near = bits(distance2 <= quad(within2));
+    if ((near & (near - 1)) == 0) return near ? std::countr_zero(near) : -1;
+    Real all[kManifoldPoints];
+    store_quad(all, distance2);
     int best = -1;
     for (int k = 0; k < kManifoldPoints; ++k)
-        if (distance2[k] <= within2) best = k, within2 = distance2[k];
+        if (all[k] <= within2) best = k, within2 = all[k];
     return best;
 }
 

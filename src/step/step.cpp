@@ -312,10 +312,10 @@ namespace {
 // worlds itself, for longer.
 class Stepping {
   public:
-    explicit Stepping(World& world) : world_(world), before_(world.stepping) { world_.stepping = true; }
+    explicit Stepping(World& world) : world_(world), before_(world.stepping) { mark_stepping(world_, true); }
     Stepping(const Stepping&) = delete;
     Stepping& operator=(const Stepping&) = delete;
-    ~Stepping() { world_.stepping = before_; }
+    ~Stepping() { mark_stepping(world_, before_); }
 
   private:
     World& world_;
