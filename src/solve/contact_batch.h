@@ -21,6 +21,18 @@ namespace epode {
 template <typename L>
 inline constexpr int kLanesOf = sizeof(L) / sizeof(typename L::Number);
 
+// What lanes sweep over.
+template <typename L>
+struct VelocityOf;
+template <>
+struct VelocityOf<Lanes> {
+    using Type = Velocity;
+};
+template <>
+struct VelocityOf<BroadLanes> {
+    using Type = FloatVelocity;
+};
+
 template <typename L>
 struct BatchPointOf {
     LaneVec3Of<L> r1;
@@ -46,8 +58,7 @@ struct ManifoldFrictionOf {
 // as most programs ask for it.
 enum class BatchForm : std::uint8_t {
     kAny,
-    kPlain,  // friction asks for no speed and is limited by mu p_n, with the same mu and C along both
-             // tangents
+    kPlain,  // friction asks for no speed and has one C and one limit mu p_n for both tangents
     kEven,   // also, every inverse inertia is a number: that in xx
 };
 
@@ -55,28 +66,20 @@ template <typename L>
 struct ContactBatchOf {
     int first, count;  // of the points
     BatchForm form;
-    ManifoldFrictionOf<L>* friction;             // null: each point has its own
-    int body1[kLanesOf<L>], body2[kLanesOf<L>];  // into the velocities
+    ManifoldFrictionOf<L>* friction;                   // null: each point has its own
+    std::uint32_t at1[kLanesOf<L>], at2[kLanesOf<L>];  // of the bodies, in bytes behind the first velocity
     L inv_mass1, inv_mass2;
     LaneSym3Of<L> inv_inertia1, inv_inertia2;
     LaneVec3Of<L> n, t1, t2, offset;  // r2 = r1 + offset
     L c[2], C[2];                     // of the tangents
     L mu[2], fixed[2];                // limit of friction: mu p_n + fixed
+
+    // Into the velocities.
+    int body1(int lane) const { return int(at1[lane] / sizeof(typename VelocityOf<L>::Type)); }
+    int body2(int lane) const { return int(at2[lane] / sizeof(typename VelocityOf<L>::Type)); }
 };
 
 using BatchPoint = BatchPointOf<Lanes>;
 using ContactBatch = ContactBatchOf<Lanes>;
-
-// What lanes sweep over.
-template <typename L>
-struct VelocityOf;
-template <>
-struct VelocityOf<Lanes> {
-    using Type = Velocity;
-};
-template <>
-struct VelocityOf<BroadLanes> {
-    using Type = FloatVelocity;
-};
 
 }  // namespace epode

@@ -204,14 +204,14 @@ void ContactSetOf<L>::fill_lane(const RowSystem& system, const ManifoldList& lis
                                 int lane)
 {
     const Manifold& manifold = index >= 0 ? list.manifolds[std::size_t(index)] : kNoManifold;
-    const auto set_body = [&](int body, int& slot, L& inv_mass, LaneSym3Of<L>& inv_inertia) {
+    const auto set_body = [&](int body, std::uint32_t& at, L& inv_mass, LaneSym3Of<L>& inv_inertia) {
         const SolverBody& from = body >= 0 ? system.bodies[std::size_t(body)] : kAtRest;
-        slot = second_slot(system, body);
+        at = std::uint32_t(std::size_t(second_slot(system, body)) * sizeof(Bodies));
         inv_mass[lane] = Number(from.inv_mass);
         inv_inertia.set(lane, from.inv_inertia);
     };
-    set_body(manifold.body1, batch.body1[lane], batch.inv_mass1, batch.inv_inertia1);
-    set_body(manifold.body2, batch.body2[lane], batch.inv_mass2, batch.inv_inertia2);
+    set_body(manifold.body1, batch.at1[lane], batch.inv_mass1, batch.inv_inertia1);
+    set_body(manifold.body2, batch.at2[lane], batch.inv_mass2, batch.inv_inertia2);
     fill_common(manifold, batch, lane);
     for (int i = 0; i < batch.count; ++i) {
         const auto at = std::size_t(batch.first + i);
@@ -286,8 +286,8 @@ WholeFriction ContactSetOf<L>::friction_of(const Batch& batch, int lane) const
             {Real(batch.c[0][lane]), Real(batch.c[1][lane]), 0},
             Real(all.C[lane]),
             Real(batch.mu[0][lane]) * sum,
-            batch.body1[lane],
-            batch.body2[lane]};
+            batch.body1(lane),
+            batch.body2(lane)};
 }
 
 template <typename L>

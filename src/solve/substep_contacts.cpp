@@ -135,7 +135,7 @@ void SubstepContacts::aim(const RowSystem& system, const Substep& step)
         for (int i = batch.first; i < batch.first + batch.count; ++i)
             for (int lane = 0; lane < kLanes; ++lane)
                 if (const int point = set_.sources()[std::size_t(i)].point[lane]; point >= 0)
-                    set_lane(aim_block(rows_.row_of(point), batch.body1[lane], batch.body2[lane]), lane,
+                    set_lane(aim_block(rows_.row_of(point), batch.body1(lane), batch.body2(lane)), lane,
                              aims_[std::size_t(i)]);
     for (std::size_t i = 0; i < other_aims_.size(); ++i) {
         const PackedBlock& block = others_.blocks()[i];

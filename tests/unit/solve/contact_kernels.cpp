@@ -273,11 +273,11 @@ TEST(ContactKernels, ApproachIsThatOfTheNormalRows)
                     const int point = set.sources()[std::size_t(batch.first + i)].point[lane];
                     if (point < 0) continue;
                     const int row = rows.row_of(point);
-                    const SolverBody* b2 = std::size_t(batch.body2[lane]) < system.bodies.size()
-                                               ? &system.bodies[std::size_t(batch.body2[lane])]
+                    const SolverBody* b2 = std::size_t(batch.body2(lane)) < system.bodies.size()
+                                               ? &system.bodies[std::size_t(batch.body2(lane))]
                                                : nullptr;
                     const Real expected = row_velocity(system.rows[std::size_t(row)],
-                                                       system.bodies[std::size_t(batch.body1[lane])], b2);
+                                                       system.bodies[std::size_t(batch.body1(lane))], b2);
                     EXPECT_NEAR(v[i][lane], expected, kSingle ? 1e-4 : 1e-12);
                     ++compared;
                 }
