@@ -125,6 +125,46 @@ void for_all_problems(F&& f)
         for (const Problem& problem : all_problems()) f(problem, friction);
 }
 
+// Impulses and velocities after sweeps over batches of the forms that were found, or of any form. Counts the
+// batches of each.
+template <typename L>
+std::vector<Real> numbers_after_sweeps(Problem problem, Friction friction, bool as_found, int (&forms)[3])
+{
+    Packed<L> packed(*contact_kernels().back(), problem, friction);
+    for (auto& batch : packed.set.batches()) {
+        ++forms[int(batch.form)];
+        if (!as_found) batch.form = BatchForm::kAny;
+    }
+    std::vector<typename VelocityOf<L>::Type> bodies(packed.velocities.size());
+    packed.run(bodies, 20);
+    std::vector<Real> out;
+    for (const ManifoldPoint& point : packed.rows.list().points) out.insert(out.end(), point.p, point.p + 3);
+    for (auto& body : bodies) {
+        const auto* from = reinterpret_cast<const typename L::Number*>(&body);
+        out.insert(out.end(), from, from + kTwistNumbers);
+    }
+    return out;
+}
+
+// Equal, not bit by bit: zeros may differ in their sign.
+TEST(ContactKernels, WhatFormsLeaveOutWouldHaveBeenZero)
+{
+    int forms[3] = {}, ignored[3] = {};
+    std::vector<Problem> problems = all_problems();
+    Problem slabs = pyramid(6, Real(0.4));
+    for (SolverBody& body : slabs.bodies) body.inv_inertia.xx *= 2, body.inv_inertia.xy = body.inv_mass / 8;
+    problems.push_back(slabs);
+    for (const Problem& problem : problems)
+        for (const Friction friction : {Friction::kBox, Friction::kCone}) {
+            EXPECT_EQ(numbers_after_sweeps<Lanes>(problem, friction, true, forms),
+                      numbers_after_sweeps<Lanes>(problem, friction, false, ignored));
+            EXPECT_EQ(numbers_after_sweeps<BroadLanes>(problem, friction, true, forms),
+                      numbers_after_sweeps<BroadLanes>(problem, friction, false, ignored));
+        }
+    EXPECT_GT(forms[int(BatchForm::kPlain)], 0);
+    EXPECT_GT(forms[int(BatchForm::kEven)], 0);
+}
+
 TEST(ContactKernels, AllMachinesMakeTheSameBits)
 {
     const auto all = contact_kernels();
