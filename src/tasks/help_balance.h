@@ -5,8 +5,8 @@
 // was on it loses it in the middle of a piece of some microseconds, and the caller waits milliseconds for the
 // scheduler to give it back. Large steps still win by helpers then, short ones lose. So the caller counts:
 // when of a window of time in which cores were lost more than half was waited, the caller works alone for a
-// while, and for four times as long each time that the next window says the same. (Waits alone say nothing: one
-// may wait for a helper that has the only large piece.)
+// while, and for four times as long each time that the next window says the same. (Waits alone say nothing:
+// one may wait for a helper that has the only large piece.)
 //
 // Time decides who does a piece, never what comes out: pieces have the same bits on any worker.
 #pragma once
