@@ -18,8 +18,8 @@ bool stepping(const Joint& joint) { return joint.world && joint.world->stepping;
 // As a rule no world is in a step, and the joints, which may be many, need not be looked at.
 bool stepping(const JointGroup& group)
 {
+    if (!any_world_steps()) return false;
     bool any = false;
-    if (!any_world_steps()) return any;
     for_each_fetched<1>(group.joints.span(),
                         [&](std::size_t, const Joint& joint) { any = any || stepping(joint); });
     return any;

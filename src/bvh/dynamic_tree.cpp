@@ -10,6 +10,7 @@
 namespace epode {
 namespace {
 
+// A tree whose inner boxes have grown to so many times their surface costs more to ask than to build anew.
 constexpr Real kWorn = Real(1.15);
 
 // Half the surface.
@@ -187,7 +188,7 @@ Real DynamicTree::refit(int top)
     return below + area(node.box);
 }
 
-// False when the tree is no longer any good: it is asked longer than it takes to build it.
+// False when the tree is worn.
 bool DynamicTree::refit()
 {
     const Real surface = refit(root_);

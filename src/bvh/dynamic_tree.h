@@ -76,9 +76,9 @@ class DynamicTree {
     void remove(int leaf);
     void move(int leaf, const Aabb& box);
 
-    // For many changes at once: leaves are put in anywhere or get their boxes, then the tree is settled,
-    // before which it must not be asked: built anew, or when leaves have only moved, and together as a rule,
-    // its inner boxes are. False when memory is exhausted.
+    // For many changes at once: leaves are put in anywhere or get new boxes, and before the tree is asked
+    // again it is settled. Where leaves have only moved, and mostly together, that fits its inner boxes to
+    // them; else it builds the tree anew. False when memory is exhausted.
     int insert_loose(const Aabb& box, int item);
     void set_box(int leaf, const Aabb& box);
     [[nodiscard]] bool settle(const Tasks& tasks = Tasks(1));

@@ -58,8 +58,7 @@ struct World : Tagged {
 
     void* data = nullptr;
     std::uint64_t step_count = 0;
-    bool stepping =
-        false;  // calls that would pull the step's feet away are refused meanwhile; mark_stepping()
+    bool stepping = false;  // calls that would pull the step's feet away are refused; mark_stepping()
     bool report_wanted = false;
     bool report_made = false;  // a step has been made since it was wanted
     dWorldStepReport report{};

@@ -38,7 +38,8 @@ const JointType* joint_type(int number);
 template <typename T>
 consteval bool is_joint_type()
 {
-    static_assert(std::is_base_of_v<Joint, T>, "a joint type derives from Joint");
+    static_assert(std::is_base_of_v<LastingJoint, T> || JointTypeOf<T>::kNumber == dJointTypeContact,
+                  "a joint type derives from LastingJoint, which keeps impulses; contacts alone do without");
     static_assert(
         requires { int{T::kMaxRows}; }, "a joint type states kMaxRows, the most rows it ever writes");
     static_assert(T::kMaxRows <= kMaxJointRows, "a joint type writes at most kMaxJointRows rows");

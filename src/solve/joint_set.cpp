@@ -45,8 +45,7 @@ class AimMap {
   private:
     static bool alike(const Row& a, const Row& b)
     {
-        return a.kind == b.kind && a.erp == b.erp && a.cfm == b.cfm && a.soft == b.soft &&
-               (a.kind == RowKind::kLock || (a.lo == b.lo && a.hi == b.hi));
+        return a.kind == b.kind && a.erp == b.erp && a.cfm == b.cfm && a.soft == b.soft;
     }
 
     const Substep& step_;

@@ -16,6 +16,7 @@
 #include <atomic>
 
 #include "base/config.h"
+#include "tasks/spin.h"
 #include "tasks/tasks.h"
 #include "tasks/waiting.h"
 

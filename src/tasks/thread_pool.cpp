@@ -180,7 +180,9 @@ void Tasks::run(int count, Piece piece, void* body) const
 {
     if (posting_ && t_worker < 0) return posting_->run(workers_ - 1, count, piece, body);
     if (!posting_ && thread_pool().run(workers_, count, piece, body)) return;
+    // The pool is taken or rests, or this is a job inside a piece.
     const int self = t_worker >= 0 && t_worker < workers_ ? t_worker : 0;
+    const AsWorker mark(self);
     for (int i = 0; i < count; ++i) piece(body, i, self);
 }
 

@@ -56,7 +56,7 @@ class ThreadPool {
     std::atomic<bool> ending_{false};
     std::atomic_flag taken_ = ATOMIC_FLAG_INIT;
     HelpBalance balance_;                  // of who has taken it
-    std::atomic<unsigned> lost_cores_{0};  // by helpers, while they were in a job
+    std::atomic<unsigned> lost_cores_{0};  // by helpers, in a job or while they looked for the next
     Thread threads_[kMostThreads] = {};
     int thread_count_ = 0;
 };

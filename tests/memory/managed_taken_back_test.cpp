@@ -5,14 +5,10 @@
 // (geoms marked, damping, forces emptied), so when memory ends in a later one, others are finished already:
 // they must be taken back, and what had not been touched before must not fall asleep a step earlier.
 #include "../effort.h"
-#include "heap.h"
+#include "little_memory.h"
 
 namespace epode::memory {
 namespace {
-
-long g_blocks_left = 0;
-void* take_block(dsizeint size) { return g_blocks_left-- > 0 ? std::malloc(size) : nullptr; }
-void give_block(void* block, dsizeint) { std::free(block); }
 
 // A wall, a row of towers, and pairs of boxes that hover and drift together so slowly that they may fall
 // asleep as soon as they touch.
@@ -90,38 +86,19 @@ class Yard {
     std::vector<dBodyID> bodies_;
 };
 
-// The step with more and more memory; how often it was refused.
-int step_with_little(Yard& yard, int threads, unsigned first, unsigned stride)
-{
-    int refused = 0;
-    for (unsigned size = first; size < 1u << 28; size += stride, ++refused) {
-        const dWorldStepReserveInfo policy = {sizeof policy, 1, size};
-        dWorldCleanupWorkingMemory(yard.world());
-        dWorldSetStepMemoryReservationPolicy(yard.world(), &policy);
-        g_blocks_left = threads;
-        yard.place(refused);
-        const std::uint64_t before = yard.hash();
-        if (yard.go()) return refused;
-        EXPECT_EQ(yard.hash(), before) << "a refused step has changed something";
-        if (testing::Test::HasFailure()) return refused;
-    }
-    ADD_FAILURE() << "no memory is enough";
-    return refused;
-}
-
 struct ManagedTakenBack : testing::TestWithParam<Setting> {};
 
 TEST_P(ManagedTakenBack, wherever_the_working_memory_ends)
 {
     const Library library;
     Yard poor(GetParam()), rich(GetParam());
-    const dWorldStepMemoryFunctionsInfo functions = {sizeof functions, take_block, nullptr, give_block};
-    dWorldSetStepMemoryManager(poor.world(), &functions);
+    limit_blocks(poor.world());
     int refused = 0, slept = 0;
     for (int i = 0; i < 16 && !testing::Test::HasFailure(); ++i) {
         poor.push(), rich.push();
         const int here =
-            step_with_little(poor, GetParam().threads, unsigned(64 * i), 64 * (tests::kSanitized ? 997 : 97));
+            step_with_little(poor, GetParam().threads, unsigned(64 * i), 64 * (tests::kSanitized ? 997 : 97),
+                             [&](int trial) { poor.place(trial); });
         refused += here;
         rich.place(here);
         EXPECT_EQ(rich.go(), 1);

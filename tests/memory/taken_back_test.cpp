@@ -9,17 +9,12 @@
 // second world, which has always had memory: also what cannot be read - first guesses, the order of
 // iterations, how long bodies have been idle - is as if the refused steps had not been.
 #include "../effort.h"
-#include "heap.h"
+#include "little_memory.h"
 
 namespace epode::memory {
 namespace {
 
 constexpr int kWaking = 4;  // in step 4 a sleeping body is touched
-
-// Working memory: so many blocks may be had.
-long g_blocks_left = 0;
-void* take_block(dsizeint size) { return g_blocks_left-- > 0 ? std::malloc(size) : nullptr; }
-void give_block(void* block, dsizeint) { std::free(block); }
 
 // A motor-driven chain, a mat of balls on the ground, a top, bodies that fall asleep and one that is woken,
 // two bullets on their way through walls that stop them.
@@ -164,30 +159,9 @@ class Stage {
     std::vector<dBodyID> bodies_, mat_, idle_;
 };
 
-// Tries the step; true when it was made.
-bool tried(Stage& stage)
-{
-    const std::uint64_t before = stage.hash();
-    const int heard = messages();
-    const bool made = stage.go();
-    EXPECT_EQ(messages() - heard, made ? 0 : 1);
-    if (!made) { EXPECT_EQ(stage.hash(), before) << "a refused step has changed something"; }
-    return made;
-}
-
-// The step with blocks of the working memory that grow by `stride` bytes; how often it was refused.
 int step_with_little(Stage& stage, int threads, unsigned first, unsigned stride)
 {
-    int refused = 0;
-    for (unsigned size = first; size < 1u << 28; size += stride, ++refused) {
-        const dWorldStepReserveInfo policy = {sizeof policy, 1, size};
-        dWorldCleanupWorkingMemory(stage.world());
-        dWorldSetStepMemoryReservationPolicy(stage.world(), &policy);
-        g_blocks_left = threads;
-        if (tried(stage) || testing::Test::HasFailure()) return refused;
-    }
-    ADD_FAILURE() << "no memory is enough";
-    return refused;
+    return step_with_little(stage, threads, first, stride, [](int) {});
 }
 
 // The step with the n-th allocation from the heap failing, for n = `first` and so on; how often it was
@@ -211,8 +185,7 @@ int compare(const Setting& setting, int side, int steps, bool own_functions, Ref
 {
     const Library library;
     Stage poor(setting, side), rich(setting, side);
-    const dWorldStepMemoryFunctionsInfo functions = {sizeof functions, take_block, nullptr, give_block};
-    if (own_functions) dWorldSetStepMemoryManager(poor.world(), &functions);
+    if (own_functions) limit_blocks(poor.world());
     int refused = 0;
     for (int i = 0; i < steps && !testing::Test::HasFailure(); ++i) {
         poor.prepare(i), rich.prepare(i);

@@ -41,6 +41,18 @@ std::vector<int> ask(const std::vector<Entry>& entries, const Aabb& box)
     return found;
 }
 
+Entry random_leaf(DynamicTree& tree, RandomNumbers& random, int item)
+{
+    const Aabb box = random_box(random);
+    return {tree.insert_loose(box, item), box};
+}
+
+void shift(DynamicTree& tree, Entry& entry, Vec3 way)
+{
+    entry.box = {entry.box.lo + way, entry.box.hi + way};
+    tree.set_box(entry.leaf, entry.box);
+}
+
 TEST(DynamicTree, finds_what_a_list_finds_through_random_changes)
 {
     RandomNumbers random(1);
@@ -68,10 +80,7 @@ TEST(DynamicTree, loose_insertion_and_rebuild_give_the_same_answers)
     RandomNumbers random(2);
     DynamicTree tree;
     std::vector<Entry> entries;
-    for (int i = 0; i < 500; ++i) {
-        const Aabb box = random_box(random);
-        entries.push_back({tree.insert_loose(box, i), box});
-    }
+    for (int i = 0; i < 500; ++i) entries.push_back(random_leaf(tree, random, i));
     EXPECT_FALSE(tree.sound());
     ASSERT_TRUE(tree.rebuild());
     EXPECT_TRUE(tree.sound());
@@ -87,19 +96,12 @@ TEST(DynamicTree, boxes_that_move_together_are_found_after_settling)
     RandomNumbers random(4);
     DynamicTree tree;
     std::vector<Entry> entries;
-    const auto add = [&] {
-        const Aabb box = random_box(random);
-        entries.push_back({tree.insert_loose(box, int(entries.size())), box});
-    };
+    const auto add = [&] { entries.push_back(random_leaf(tree, random, int(entries.size()))); };
     for (int i = 0; i < 300; ++i) add();
     int kept = 0;
     for (int round = 0; round < 120; ++round) {
         if (round % 40 == 20) add();
-        for (Entry& entry : entries) {
-            const Vec3 way = (round % 30 == 29 ? 5 : Real(0.05)) * random.vec();
-            entry.box = {entry.box.lo + way, entry.box.hi + way};
-            tree.set_box(entry.leaf, entry.box);
-        }
+        for (Entry& entry : entries) shift(tree, entry, (round % 30 == 29 ? 5 : Real(0.05)) * random.vec());
         if (round % 7 == 3) tree.move(entries[5].leaf, entries[5].box = random_box(random));
         EXPECT_FALSE(tree.sound());
         const int top = tree.root(), below = tree.child(top);
@@ -120,10 +122,7 @@ TEST(DynamicTree, does_not_wear_out)
     RandomNumbers random(5);
     DynamicTree tree;
     std::vector<Entry> entries;
-    for (int i = 0; i < 400; ++i) {
-        const Aabb box = random_box(random);
-        entries.push_back({tree.insert_loose(box, i), box});
-    }
+    for (int i = 0; i < 400; ++i) entries.push_back(random_leaf(tree, random, i));
     ASSERT_TRUE(tree.settle());
     const auto surface = [](const DynamicTree& t) {
         Real sum = 0;
@@ -137,11 +136,7 @@ TEST(DynamicTree, does_not_wear_out)
         return sum;
     };
     for (int round = 0; round < 60; ++round) {
-        for (Entry& entry : entries) {
-            const Vec3 way = Real(0.2) * random.vec();
-            entry.box = {entry.box.lo + way, entry.box.hi + way};
-            tree.set_box(entry.leaf, entry.box);
-        }
+        for (Entry& entry : entries) shift(tree, entry, Real(0.2) * random.vec());
         ASSERT_TRUE(tree.settle());
         DynamicTree fresh;
         for (std::size_t i = 0; i < entries.size(); ++i) (void)fresh.insert_loose(entries[i].box, int(i));

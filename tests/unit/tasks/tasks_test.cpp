@@ -61,6 +61,29 @@ TEST(Tasks, a_job_inside_a_piece_runs_in_place)
     EXPECT_EQ(elsewhere, 0);
 }
 
+// Also when the pool, which another thread had, is free again before the job inside begins.
+TEST(Tasks, a_job_inside_a_piece_runs_in_place_when_the_pool_was_taken)
+{
+    std::atomic<bool> taken{false}, leave{false};
+    std::thread other([&] {
+        Tasks(2).for_each(2, [&](int, int) {
+            taken = true;
+            while (!leave) std::this_thread::yield();
+        });
+    });
+    while (!taken) std::this_thread::yield();
+    const Tasks tasks(3);
+    std::atomic<int> elsewhere{0};
+    tasks.for_each(4, [&](int, int outer) {
+        const std::thread::id here = std::this_thread::get_id();
+        if (!leave.exchange(true)) other.join();
+        tasks.for_each(100, [&](int, int inner) {
+            if (inner != outer || std::this_thread::get_id() != here) ++elsewhere;
+        });
+    });
+    EXPECT_EQ(elsewhere, 0);
+}
+
 TEST(Tasks, callers_on_several_threads_share_the_pool)
 {
     std::atomic<long> total{0};
