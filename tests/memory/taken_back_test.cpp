@@ -161,7 +161,7 @@ class Stage {
 
 int step_with_little(Stage& stage, int threads, unsigned first, unsigned stride)
 {
-    return step_with_little(stage, threads, first, stride, [](int) {});
+    return memory::step_with_little(stage, threads, first, stride, [](int) {});
 }
 
 // The step with the n-th allocation from the heap failing, for n = `first` and so on; how often it was
