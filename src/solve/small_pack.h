@@ -8,6 +8,7 @@
 
 #include <type_traits>
 
+#include "simd/lanewise.h"
 #include "solve/block_cholesky.h"
 
 namespace epode {
@@ -37,7 +38,7 @@ struct OneIsland {
 
 // Calls `work` with the number of rows as a constant: loops this short are worth unrolling.
 template <class Work>
-[[gnu::always_inline]] inline void by_size(int size, Work work)
+EPODE_LANEWISE void by_size(int size, Work work)
 {
     switch (size) {
         case 1:
@@ -57,9 +58,9 @@ template <class Work>
 
 // out[:,c] -= sum_t x[:,t] y[t][c], columns of so many lanes
 template <class Pack, int Lanes>
-[[gnu::always_inline]] inline void subtract(typename Pack::Lane* out, int out_height, int columns,
-                                            const typename Pack::Lane* x, int x_height,
-                                            const typename Pack::Number* y, int y_height, int terms)
+EPODE_LANEWISE void subtract(typename Pack::Lane* out, int out_height, int columns,
+                             const typename Pack::Lane* x, int x_height, const typename Pack::Number* y,
+                             int y_height, int terms)
 {
     for (int c = 0; c < columns; ++c, out += out_height) {
         typename Pack::Lane s[Lanes];
