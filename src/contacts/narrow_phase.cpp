@@ -115,19 +115,26 @@ class PairUpdate {
         const bool full = pair_.most == 1 && was.patch.count == kPatchPoints;
         const Real size = this->size();
         const Real most = full ? kReuse * size : kReuseLayer * settings_.layer;
+        const Mat3 turn = {widen(was.turn[0]), widen(was.turn[1]), widen(was.turn[2])};
         // |R - R'| in the sense of Frobenius is 2 sqrt(2) sin(angle / 2).
         Real turned2 = 0;
-        for (int k = 0; k < 3; ++k) turned2 += length2(turn_.row(k) - widen(was.turn[k]));
+        for (int k = 0; k < 3; ++k) turned2 += length2(turn_.row(k) - turn.row(k));
         const Real turned = std::sqrt(turned2 / 2);
-        return length(offset_ - widen(was.offset)) + turned * std::max(size, reach(was)) <= most;
+        // Of g2's place; of the solid's where the other is a landscape, whose place may be far away.
+        const Vec3 then = widen(was.offset),
+                   way = offset_ - (lies_on_surface() ? turn_ * transposed_times(turn, then) : then);
+        return length(way) + turned * std::max(size, reach(was)) <= most;
     }
 
-    // Of the points from g2's place: what a turn of g2 moves them by.
-    static Real reach(const KeptPatch& was)
+    bool lies_on_surface() const { return pair_.most > 1 && is_solid(g1_); }
+
+    // Of the points from that place: what a turn moves them by.
+    Real reach(const KeptPatch& was) const
     {
+        const bool first = lies_on_surface();
         float most = 0;
         for (int i = 0; i < was.patch.count; ++i) {
-            const Float3 a = was.anchors[i].a2;
+            const Float3 a = first ? was.anchors[i].a1 : was.anchors[i].a2;
             most = std::max(most, a.x * a.x + a.y * a.y + a.z * a.z);
         }
         return std::sqrt(Real(most));
