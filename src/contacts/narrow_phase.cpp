@@ -121,17 +121,15 @@ class PairUpdate {
         for (int k = 0; k < 3; ++k) turned2 += length2(turn_.row(k) - turn.row(k));
         const Real turned = std::sqrt(turned2 / 2);
         // Of g2's place; of the solid's where the other is a landscape, whose place may be far away.
+        const bool first = pair_.most > 1 && is_solid(g1_);
         const Vec3 then = widen(was.offset),
-                   way = offset_ - (lies_on_surface() ? turn_ * transposed_times(turn, then) : then);
-        return length(way) + turned * std::max(size, reach(was)) <= most;
+                   way = offset_ - (first ? turn_ * transposed_times(turn, then) : then);
+        return length(way) + turned * std::max(size, reach(was, first)) <= most;
     }
 
-    bool lies_on_surface() const { return pair_.most > 1 && is_solid(g1_); }
-
-    // Of the points from that place: what a turn moves them by.
-    Real reach(const KeptPatch& was) const
+    // Of the points from the place of the first geom or the second: what a turn moves them by.
+    static Real reach(const KeptPatch& was, bool first)
     {
-        const bool first = lies_on_surface();
         float most = 0;
         for (int i = 0; i < was.patch.count; ++i) {
             const Float3 a = first ? was.anchors[i].a1 : was.anchors[i].a2;

@@ -9,8 +9,9 @@
 
 #include <algorithm>
 #include <atomic>
-#include <thread>
 #include <vector>
+
+#include "taken_pool.h"
 
 namespace epode {
 namespace {
@@ -79,17 +80,8 @@ TEST(Stages, inside_a_piece_run_in_place)
 // Who finds the pool taken does everything alone.
 TEST(Stages, wait_for_nobody_who_does_not_come)
 {
-    std::atomic<bool> taken{false}, over{false};
-    std::thread other([&] {
-        Tasks(2).for_each(2, [&](int, int) {
-            taken = true;
-            while (!over) std::this_thread::yield();
-        });
-    });
-    while (!taken) std::this_thread::yield();
+    const TakenPool taken;
     const Record record = run(Tasks(4), 30, 1);
-    over = true;
-    other.join();
     EXPECT_EQ(record.runs, expected(30, 1));
     EXPECT_EQ(record.early, 0);
 }

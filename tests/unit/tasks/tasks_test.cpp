@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "taken_pool.h"
 #include "tasks/thread_pool.h"
 
 namespace epode {
@@ -64,19 +65,12 @@ TEST(Tasks, a_job_inside_a_piece_runs_in_place)
 // Also when the pool, which another thread had, is free again before the job inside begins.
 TEST(Tasks, a_job_inside_a_piece_runs_in_place_when_the_pool_was_taken)
 {
-    std::atomic<bool> taken{false}, leave{false};
-    std::thread other([&] {
-        Tasks(2).for_each(2, [&](int, int) {
-            taken = true;
-            while (!leave) std::this_thread::yield();
-        });
-    });
-    while (!taken) std::this_thread::yield();
+    TakenPool pool;
     const Tasks tasks(3);
     std::atomic<int> elsewhere{0};
     tasks.for_each(4, [&](int, int outer) {
         const std::thread::id here = std::this_thread::get_id();
-        if (!leave.exchange(true)) other.join();
+        pool.give_back();
         tasks.for_each(100, [&](int, int inner) {
             if (inner != outer || std::this_thread::get_id() != here) ++elsewhere;
         });
