@@ -39,6 +39,7 @@ void direct(Geom& a, Geom& b, ContactArray& out)
     ContactSink sink(out.at(out.count), out.stride, out.room - out.count, out.unimportant);
     sink.name(to_handle(&a), to_handle(&b));
     sink.keep(out.kept);
+    sink.reach(out.margin);
     thunk<function, First, Second>(a, pose_of(a), b, pose_of(b), sink);
     out.count += sink.count();
 }
@@ -230,6 +231,7 @@ void run_pair(PairFunction pair, const Placed& a, const Placed& b, ContactArray&
     ContactSink sink(out.at(out.count), out.stride, out.room - out.count, out.unimportant);
     sink.name(to_handle(a.geom), to_handle(b.geom));
     sink.keep(out.kept);
+    sink.reach(out.margin);
     pair(*a.geom, a.pose, *b.geom, b.pose, sink);
     name_outer(a, b, out, sink.count());
 }

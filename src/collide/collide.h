@@ -17,6 +17,7 @@ struct ContactArray {
     int room;
     bool unimportant;  // any contacts will do
     int count = 0;
+    Real margin = 0;             // see ContactSink
     NearLeaves* kept = nullptr;  // of the caller, for a solid and a mesh that it collides again and again
 
     bool full() const { return count >= room; }

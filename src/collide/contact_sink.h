@@ -5,7 +5,7 @@
 // stride, never beyond the client's room. A pair function is pure, (shape a, pose A, shape b, pose B, sink);
 // who the geoms are is told by the dispatcher (collide/collide.cpp).
 //   normal: unit, world, from b into a: moving a by depth * normal separates the two.
-//   depth:  >= 0 along that normal; touching counts.
+//   depth:  >= 0 along that normal; touching counts (but see margin).
 #pragma once
 
 #include <span>
@@ -59,6 +59,11 @@ class ContactSink {
     void keep(NearLeaves* leaves) { kept_ = leaves; }
     NearLeaves* kept() const { return kept_; }
 
+    // Of two polyhedra that touch, or one and a plane: corners apart by no more than this are contacts too,
+    // their depth negative, where fewer than four touch. Other shapes know nothing of it.
+    void reach(Real margin) { margin_ = margin; }
+    Real margin() const { return margin_; }
+
     // False when there was no room.
     bool add(const ContactPoint& point)
     {
@@ -66,7 +71,7 @@ class ContactSink {
         dContactGeom* out = at(count_++);
         store(out->pos, point.position);
         store(out->normal, point.normal);
-        out->depth = point.depth > 0 ? point.depth : Real(0);
+        out->depth = point.depth > 0 || margin_ > 0 ? point.depth : Real(0);
         out->g1 = geoms_[0];
         out->g2 = geoms_[1];
         out->side1 = point.side1;
@@ -75,7 +80,8 @@ class ContactSink {
     }
     void clear() { count_ = 0; }
 
-    // A manifold of one normal: keeps the best `min(4, room)` points when there are more: the deepest, then
+    // A manifold of one normal: keeps the best `min(4, room)` points when there are more, those within the
+    // margin only if fewer touch: the deepest, then
     // the one farthest from it, then those that span the largest area; ties by index. Implemented in
     // contact_sink.cpp.
     void add_manifold(std::span<const ContactPoint> points);
@@ -86,6 +92,8 @@ class ContactSink {
     }
 
   private:
+    bool prefer_touching(std::span<const ContactPoint> points, int wanted);
+
     dContactGeom* first_;
     int stride_;
     int room_;
@@ -94,6 +102,7 @@ class ContactSink {
     dGeomID geoms_[2] = {};
     dTriTriMergeCallback* merge_[2] = {};
     NearLeaves* kept_ = nullptr;
+    Real margin_ = 0;
 };
 
 }  // namespace epode

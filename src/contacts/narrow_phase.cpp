@@ -14,7 +14,7 @@
 namespace epode {
 namespace {
 
-constexpr Real kReuse = Real(0.02);         // of the size, for full patches
+constexpr Real kReuse = Real(0.02);         // of the size, for patches that miss nothing
 constexpr Real kReuseLayer = Real(0.25);    // of the layer, for others
 constexpr Real kSwift = Real(0.02);         // of the size, a way in one step
 constexpr Real kNear = Real(0.3);           // of the size, at most, for points that do not touch yet
@@ -112,7 +112,7 @@ class PairUpdate {
     {
         const KeptPatch& was = old[0];
         if (was.changes != changes() || may_have_changed()) return false;
-        const bool full = pair_.most == 1 && was.patch.count == kPatchPoints;
+        const bool full = knows_corners() || (pair_.most == 1 && was.patch.count == kPatchPoints);
         const Real size = this->size();
         const Real most = full ? kReuse * size : kReuseLayer * settings_.layer;
         const Mat3 turn = {widen(was.turn[0]), widen(was.turn[1]), widen(was.turn[2])};
@@ -181,6 +181,7 @@ class PairUpdate {
         ContactArray out{found, int(sizeof(dContactGeom)), pair_.most > 1 ? kSurfacePoints : kSolidPoints,
                          false};
         out.kept = leaves_;
+        out.margin = margin();
         const Aabb &box1 = box_of(g1_), &box2 = box_of(g2_);
         if (!apart_ && overlap(box1, box2)) epode::collide(g1_, g2_, out);
         if (out.count > 0) return take(out, pose1_, pose2_, old);
@@ -249,55 +250,33 @@ class PairUpdate {
         pair_.count = std::uint8_t(end - parts_.begin());
     }
 
-    // The contacts of the two at A and B, and the points that will be.
+    // The contacts of the two at A and B.
     void take(const ContactArray& out, const Pose& A, const Pose& B, std::span<const KeptPatch> old)
     {
         PatchMaker maker(parts_);
-        sort(out, maker);
-        dContactGeom found[kSolidPoints];
-        ContactArray near{found, int(sizeof(dContactGeom)), kSolidPoints, false};
-        if (may_have_near_points(maker) && find_near_points(A, B, near)) {
-            maker = PatchMaker(parts_);
-            sort(near, maker);
-        }
+        for (int i = 0; i < out.count; ++i)
+            if (sound(*out.at(i))) maker.add(*out.at(i));
+        maker.finish();
         pair_.count = std::uint8_t(maker.used());
         for (int part = 0; part < pair_.count; ++part) settle(part, maker, A, B, old);
     }
 
-    static void sort(const ContactArray& out, PatchMaker& maker)
+    // Polyhedra touch at corners and where edges cross, and all of these nearby can be told at once. Round
+    // solids gain little by it: half a millimetre of depth in the mean of a heap of all kinds. Functions of
+    // the program may mean anything.
+    bool knows_corners() const
     {
-        for (int i = 0; i < out.count; ++i)
-            if (sound(*out.at(i))) maker.add(*out.at(i));
-        maker.finish();
+        return settings_.foresees && pair_.most == 1 && !pair_.asked && !is_round(g1_) && !is_round(g2_);
     }
 
-    // Round solids gain little by it: half a millimetre of depth in the mean of a heap of all kinds, for a
-    // fourteenth of its cost. Functions of the program may mean anything.
-    bool may_have_near_points(const PatchMaker& maker) const
+    // Corners that do not touch yet are contacts, too: those that will before the two are collided again; and
+    // of a swift pair more, for who lands on a corner turns about it, and the corner opposite comes down with
+    // twice the speed and more.
+    Real margin() const
     {
-        if (!settings_.foresees || pair_.most > 1 || pair_.asked || maker.used() != 1) return false;
-        if (is_round(g1_) || is_round(g2_)) return false;
-        return parts_[0].patch.count < kPatchPoints;
-    }
-
-    // Who lands on a corner turns about it, and the corner opposite comes down with twice the speed and more.
-    // So points that do not overlap at A and B yet are taken in too: those that do with the first one pushed
-    // into the other, if the normal stays what it is. False if these are no more than there are.
-    bool find_near_points(const Pose& A, const Pose& B, ContactArray& out)
-    {
+        if (!knows_corners()) return 0;
         const Real size = this->size(), way = this->way();
-        if (way <= kSwift * size) return false;
-        const Vec3 n = widen(parts_[0].patch.normal);
-        const Vec3 into = -std::min(2 * way, kNear * size) * n;
-        collide_at(g1_, {A.p + into, A.R}, g2_, B, out);
-        if (out.count <= parts_[0].patch.count) return false;
-        for (int i = 0; i < out.count; ++i) {
-            dContactGeom& c = *out.at(i);
-            if (!(dot(load(c.normal), n) > kSameNormal)) return false;
-            store(c.pos, load(c.pos) - Real(0.5) * into);
-            c.depth -= length(into);
-        }
-        return true;
+        return way > kSwift * size ? std::min(2 * way, kNear * size) : kReuse * size;
     }
 
     // Anchors, and impulses from the points that were near.

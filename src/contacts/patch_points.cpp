@@ -38,7 +38,7 @@ int PatchMaker::part_for(Vec3 normal)
 {
     const auto agreement = [&](int i) { return dot(widen(parts_[std::size_t(i)].patch.normal), normal); };
     const int nearest = used_ ? best_of(used_, agreement) : -1;
-    if (nearest >= 0 && (agreement(nearest) > kSameNormal || used_ == int(parts_.size()))) return nearest;
+    if (nearest >= 0 && (agreement(nearest) > kPatchCosine || used_ == int(parts_.size()))) return nearest;
     parts_[std::size_t(used_)].patch.normal = narrow(normal);
     return used_++;
 }

@@ -11,8 +11,6 @@
 
 namespace epode {
 
-inline constexpr Real kSameNormal = Real(0.996);  // cosine, 5 degrees
-
 // Fills the patches of `parts`: count and normal.
 class PatchMaker {
   public:

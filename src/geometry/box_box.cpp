@@ -8,6 +8,9 @@
 // in lanes; which edges can be better than the faces is told without a root.
 #include "geometry/box_box.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "geometry/best_four.h"
 #include "geometry/closest.h"
 #include "geometry/rectangle_cut.h"
@@ -60,7 +63,6 @@ struct Axes {
     bool search_edges(Search& s) const;
     template <int i>
     bool search_edges_of(const Quad& room2, Search& s) const;
-    bool search(Search& s) { return search_faces(s) && search_edges(s); }
     void offer_faces(const Quad& overlap, const Quad& along, int code, Real margin, Search& s) const;
     bool offer_edges(int i, unsigned those, const Quad& overlap, const Quad& along, Search& s) const;
 };
@@ -206,8 +208,9 @@ struct Reference {
 }
 
 // Of the face of the incident box that looks most against the reference face, what lies over that and below
-// it: coordinates along the two axes after k, and along k.
-EPODE_LANEWISE void face_points(const Reference& face, const Incident& other, Real slack, ManifoldPoints& out)
+// it, or over it by no more than `margin`: coordinates along the two axes after k, and along k.
+EPODE_LANEWISE void face_points(const Reference& face, const Incident& other, Real slack, Real margin,
+                                ManifoldPoints& out)
 {
     const int k = face.k, j = facing_axis(other.axes[k]);
     const Real side = face.sign * other.axes[k][j] > 0 ? Real(-1) : Real(1);
@@ -220,16 +223,34 @@ EPODE_LANEWISE void face_points(const Reference& face, const Incident& other, Re
         const int i = __builtin_ctz(left);
         const Real depth = face.half[k] - face.sign * cut.at[2][i];
         const Vec3 p = {cut.at[0][i], cut.at[1][i], cut.at[2][i]};
-        if (depth < -slack || (cut.may_repeat && repeats(out, p, 4 * slack))) continue;
-        out.add(p, depth > 0 ? depth : Real(0));
+        if (depth < -(slack + margin) || (cut.may_repeat && repeats(out, p, 4 * slack))) continue;
+        out.add(p, depth > 0 || depth < -slack ? depth : Real(0));
     }
 }
 
-void face_manifold(const Reference& face, const Incident& other, Real slack, const Pose& world, int room,
+// Leaves those that touch, if they are as many as are wanted.
+void prefer_touching(ManifoldPoints& points, int wanted)
+{
+    const auto touching =
+        std::count_if(points.depth, points.depth + points.count, [](Real d) { return d >= 0; });
+    if (touching < wanted) return;
+    const int count = std::exchange(points.count, 0);
+    for (int i = 0; i < count; ++i)
+        if (points.depth[i] >= 0) points.add({points.x[i], points.y[i], points.z[i]}, points.depth[i]);
+}
+
+struct Wanted {
+    int room;
+    Real margin;
+};
+
+void face_manifold(const Reference& face, const Incident& other, Real slack, const Pose& world, Wanted wanted,
                    BoxBox& out)
 {
+    const int room = wanted.room;
     ManifoldPoints points;
-    face_points(face, other, slack, points);
+    face_points(face, other, slack, wanted.margin, points);
+    if (wanted.margin > 0) prefer_touching(points, room);
     int chosen[BoxBox::kMax] = {0, 1, 2, 3, 4, 5, 6, 7};
     out.count = points.count;
     if (points.count > room)
@@ -278,19 +299,44 @@ void lowest_corner(const Pose& A, const Box& b, const Pose& B, bool reference_is
     out.count = 1;
 }
 
+Vec3 normal_of(const Search& s, const Pose& A, const Pose& B)
+{
+    const Real sign = s.flip ? Real(-1) : Real(1);
+    if (s.code <= 3) return sign * A.R.column(s.code - 1);
+    if (s.code <= 6) return sign * B.R.column(s.code - 4);
+    const int i = (s.code - 7) / 3, j = (s.code - 7) % 3;
+    return normalized_or(sign * cross(A.R.column(i), B.R.column(j)), {1, 0, 0});
+}
+
+// Of an edge and a face nearly across it the face, if that will have the less overlap when the two are deeper
+// by the margin: it shows more corners.
+void prefer_face(const Search& face, const Pose& A, const Pose& B, Real margin, Search& s, Vec3& normal)
+{
+    const Vec3 n = normal_of(face, A, B);
+    const Real cosine = dot(n, normal);
+    if (cosine > kPatchCosine && face.score + margin * cosine < s.score + margin * kEdgeHandicap)
+        s = face, normal = n;
+}
+
 }  // namespace
 
 bool boxes_touch(const Box& a, const Pose& A, const Box& b, const Pose& B)
 {
     Search s;
-    return Axes(a, A, b, B).search(s);
+    Axes axes(a, A, b, B);
+    return axes.search_faces(s) && axes.search_edges(s);
 }
 
-bool box_box_manifold(const Box& a, const Pose& A, const Box& b, const Pose& B, BoxBox& out, int room)
+bool box_box_manifold(const Box& a, const Pose& A, const Box& b, const Pose& B, BoxBox& out, int room,
+                      Real margin)
 {
     Axes axes(a, A, b, B);
     Search s;
-    if (!axes.search(s)) return false;
+    if (!axes.search_faces(s)) return false;
+    const Search faces = s;
+    if (!axes.search_edges(s)) return false;
+    out.normal = normal_of(s, A, B);
+    if (margin > 0 && s.code > 6) prefer_face(faces, A, B, margin, s, out.normal);
     out.code = s.code;
     out.depth = s.depth;
     out.count = 0;
@@ -307,11 +353,9 @@ bool box_box_manifold(const Box& a, const Pose& A, const Box& b, const Pose& B, 
             set_incident(other, axes.row, axes.pa, axes.hb);
         else
             set_incident(other, axes.column, quad(0) - axes.pb, axes.ha);
-        out.normal = sign * world.R.column(face.k);
-        face_manifold(face, other, 32 * kEpsilon * axes.size, world, room, out);
+        face_manifold(face, other, 32 * kEpsilon * axes.size, world, {room, margin}, out);
     } else {
         const int i = (s.code - 7) / 3, j = (s.code - 7) % 3;
-        out.normal = normalized_or(sign * cross(A.R.column(i), B.R.column(j)), {1, 0, 0});
         edge_point(a, A, b, B, i, j, out);
     }
     if (out.count == 0) lowest_corner(A, b, B, s.code <= 3, a, out);

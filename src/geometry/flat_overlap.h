@@ -73,6 +73,7 @@ class RoundPair {
   private:
     void offer(Vec3 outward, Real depth, Real handicap);  // from the flat solid, in its frame
     void try_end(Vec3 outward);
+    Vec3 nearest_to_axis() const;  // of the corners
 
     const ConvexView& flat_view_;
     const ConvexView& round_view_;
@@ -80,6 +81,7 @@ class RoundPair {
     FlatSolid flat_;
     RoundCore round_;
     Pose round_in_flat_;
+    FaceGaps gap_;  // of the core's middle
     Real handicap_;
     Vec3 outward_;
 };

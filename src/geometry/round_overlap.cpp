@@ -42,6 +42,7 @@ RoundPair::RoundPair(const ConvexView& a, const ConvexView& b)
       flat_(flat_view_),
       round_(round_view_),
       round_in_flat_(inverse_times(flat_view_.pose, round_view_.pose)),
+      gap_(flat_, round_in_flat_.p),
       handicap_(kPreference * (a.size + b.size))
 {}
 
@@ -60,15 +61,14 @@ void RoundPair::try_end(Vec3 outward)
 void RoundPair::try_faces(Real enough)
 {
     const Vec3 c = round_in_flat_.p, axis = round_in_flat_.R.column(2);
-    const FaceGaps gap(flat_, c);
     const auto offer_face = [&](const PolyhedronFace& f, Real g) {
         offer(f.normal, round_.reach(transposed_times(round_in_flat_.R, f.normal)) - g, 0);
     };
-    offer_face(flat_.faces[gap.widest], gap[gap.widest]);
-    gap.each_that_may_be_less(round_.inner_radius, handicap_, best.depth,
-                              [&](const PolyhedronFace& f, Real g) {
-                                  if (best.depth >= enough) offer_face(f, g);
-                              });
+    offer_face(flat_.faces[gap_.widest], gap_[gap_.widest]);
+    gap_.each_that_may_be_less(round_.inner_radius, handicap_, best.depth,
+                               [&](const PolyhedronFace& f, Real g) {
+                                   if (best.depth >= enough) offer_face(f, g);
+                               });
     if (round_.radius > 0 && best.depth >= enough) {
         const Real along = dot(axis, c - flat_.inner);
         const Vec3 out = along < 0 ? -axis : axis;
@@ -97,29 +97,41 @@ bool RoundPair::proven_at(Vec3 point) const
     return flat_.within(flat_view_.pose.to_local(point), enough - within) + within >= enough;
 }
 
+Vec3 RoundPair::nearest_to_axis() const
+{
+    const Vec3 axis = round_in_flat_.R.column(2);
+    Vec3 nearest;
+    Real least = kInf;
+    for (const Vec3 v : flat_.vertices) {
+        const Vec3 d = v - round_in_flat_.p;
+        const Real along = dot(axis, d), rho2 = length2(d) - along * along;
+        if (rho2 < least) least = rho2, nearest = v;
+    }
+    return nearest;
+}
+
 void RoundPair::try_rest(Real enough)
 {
     if (!(round_.half_length > 0) && !(round_.radius > 0)) return;  // a point meets faces only
     const Mat3 turn = transpose(round_in_flat_.R);
-    const Vec3 c = round_in_flat_.p, inward = turn * outward_;
+    const Vec3 c = round_in_flat_.p;
     const Real hair = 16 * handicap_;
-    const Real limit = -round_.reach(inward) - (best.depth > 0 ? best.depth : 0) - hair;
+    const Real limit = -round_.reach(turn * outward_) - (best.depth > 0 ? best.depth : 0) - hair;
     Vec3 found;
     bool better = false;
     const auto offer_local = [&](Vec3 n, Real h) {
         if (!(h + 2 * handicap_ < best.depth) || !normalize(n)) return;
         best.depth = h, found = n, better = true;
     };
-    const FaceGaps gap(flat_, c);
+    const auto high = [&](int vertex) { return dot(outward_, flat_.vertices[std::size_t(vertex)] - c); };
     for (const PolyhedronEdge& e : flat_.edges) {
         if (best.depth < enough) break;
-        const Real one = gap[std::size_t(e.left)], other = gap[std::size_t(e.right)];
+        const Real one = gap_[std::size_t(e.left)], other = gap_[std::size_t(e.right)];
         const Real bound = round_.inner_radius - best.depth;
         if ((one > other ? one : other) < (bound > 0 ? bound * e.cos_half : bound)) continue;
+        if (high(e.from) < limit && high(e.to) < limit) continue;
         const Vec3 p = turn * (flat_.vertices[std::size_t(e.from)] - c),
                    q = turn * (flat_.vertices[std::size_t(e.to)] - c);
-        const Real high_p = dot(inward, p), high_q = dot(inward, q);
-        if ((high_p > high_q ? high_p : high_q) < limit) continue;
         Vec3 along = q - p, m;
         const Vec3 left = turn * flat_.faces[std::size_t(e.left)].normal,
                    right = turn * flat_.faces[std::size_t(e.right)].normal;
@@ -128,14 +140,8 @@ void RoundPair::try_rest(Real enough)
         try_arc({p, m, cross(along, m), round_.radius, round_.half_length}, half, offer_local);
     }
     if (round_.radius > 0) {  // the corner nearest to the axis, if no other point is nearer
-        Vec3 nearest;
-        Real rho2 = kInf;
-        for (const Vec3 v : flat_.vertices) {
-            const Vec3 p = turn * (v - c);
-            const Real r2 = p.x * p.x + p.y * p.y;
-            if (r2 < rho2) rho2 = r2, nearest = p;
-        }
-        const Real rho = std::sqrt(rho2);
+        const Vec3 nearest = turn * (nearest_to_axis() - c);
+        const Real rho = std::sqrt(nearest.x * nearest.x + nearest.y * nearest.y);
         if (rho > 0 && round_.radius - rho + 2 * handicap_ < best.depth) {
             const Vec3 n = {-nearest.x / rho, -nearest.y / rho, 0};
             const Vec3 top = flat_.support(round_in_flat_.R * n);

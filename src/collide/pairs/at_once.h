@@ -25,6 +25,7 @@ namespace epode {
     {                                                                                           \
         ContactSink sink(out.at(out.count), out.stride, out.room - out.count, out.unimportant); \
         sink.name(to_handle(&a), to_handle(&b));                                                \
+        sink.reach(out.margin);                                                                 \
         function(static_cast<const ShapeGeom<First>&>(a).shape, pose_of(a),                     \
                  static_cast<const ShapeGeom<Second>&>(b).shape, pose_of(b), sink);             \
         out.count += sink.count();                                                              \

@@ -16,7 +16,8 @@ void box_box(const Box& a, const Pose& A, const Box& b, const Pose& B, ContactSi
     if (length2(B.p - A.p) > kTwo * (length2(a.half) + length2(b.half))) return;
     const int left = sink.room() - sink.count();
     BoxBox m;
-    if (left <= 0 || !box_box_manifold(a, A, b, B, m, left < kBestFour ? left : kBestFour)) return;
+    if (left <= 0 || !box_box_manifold(a, A, b, B, m, left < kBestFour ? left : kBestFour, sink.margin()))
+        return;
     for (int i = 0; i < m.count; ++i) sink.add({m.points[i], -m.normal, m.depths[i]});
 }
 

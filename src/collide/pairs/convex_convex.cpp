@@ -11,6 +11,7 @@
 // Points of a face contact lie on the incident solid, as for boxes. The true deepest point is always among
 // them.
 #include "collide/pairs/pairs.h"
+#include "geometry/best_four.h"
 #include "geometry/closest.h"
 #include "geometry/epa.h"
 #include "geometry/flat_overlap.h"
@@ -30,10 +31,11 @@ struct Manifold {
     };
     int count = 0;
     Real most = 0;
-    Manifold() {}
+    const Real margin;  // see ContactSink
+    explicit Manifold(Real margin_of_it) : margin(margin_of_it) {}
     void add(Vec3 position, Vec3 normal, Real depth)
     {
-        if (depth < 0 || count == kMax) return;
+        if (depth < -margin || count == kMax) return;
         if (depth > most) most = depth;
         points[count++] = {position, normal, depth};
     }
@@ -223,7 +225,7 @@ bool side_by_side(const Shown& a, const Shown& b, Vec3 normal, Real radii, Real 
     const Real lo = std::fmax(Real(0), std::fmin(s1, s2)), hi = std::fmin(length_a, std::fmax(s1, s2));
     if (!(hi - lo > Real(1e-6) * length_a)) return false;
     const Real slope = 1 / dot(u, v);
-    Manifold ends;
+    Manifold ends(out.margin);
     for (const Real s : {lo, hi}) {
         const Vec3 x = a.from + s * u, y = b.from + (s - s1) * slope * v;
         Real d = dot(normal, y - x);
@@ -265,11 +267,16 @@ void make_manifold(const ConvexView& a, const ConvexView& b, Vec3 normal, Real d
         single(sa, sb, normal, depth, out);
 }
 
+Real margin_of(const ConvexView& a, const ConvexView& b, const ContactSink& sink)
+{
+    return FlatSolid::is_flat(a) && FlatSolid::is_flat(b) ? sink.margin() : Real(0);
+}
+
 }  // namespace
 
 void convex_manifold(const ConvexView& a, const ConvexView& b, Vec3 normal, Real depth, ContactSink& sink)
 {
-    Manifold out;
+    Manifold out(margin_of(a, b, sink));
     make_manifold(a, b, normal, depth, out);
     sink.add_manifold({out.points, std::size_t(out.count)});
 }
@@ -282,12 +289,21 @@ bool proven(const Pair& pair, const Manifold& m)
 {
     if (m.count == 0) return false;
     Vec3 middle;
-    int deepest = 0;
+    int deepest = 0, touching = 0;
     for (int i = 0; i < m.count; ++i) {
-        middle += m.points[i].position;
+        if (m.points[i].depth < 0) continue;
+        middle += m.points[i].position, ++touching;
         if (m.points[i].depth > m.points[deepest].depth) deepest = i;
     }
-    return pair.proven_at(middle / Real(m.count)) || pair.proven_at(m.points[deepest].position);
+    return pair.proven_at(middle / Real(touching)) || pair.proven_at(m.points[deepest].position);
+}
+
+// Whether the overlap along a face is the less one when the two are deeper by the margin, and it is nearly
+// the same direction: a face shows more corners.
+bool will_be_less(const Overlap& face, const Overlap& least, Real margin)
+{
+    const Real cosine = dot(face.normal, least.normal);
+    return margin > 0 && cosine > kPatchCosine && face.depth < least.depth + margin * (1 - cosine);
 }
 
 // Contacts along a face's normal are the rule, and often prove by themselves that they are right: they are
@@ -300,16 +316,17 @@ void meet(const ConvexView& a, const ConvexView& b, Pair& pair, Real enough, Con
     pair.try_faces(enough);
     if (!(pair.best.depth >= enough)) return;
     bool sure = pair.proven();
-    Manifold out;
+    Manifold out(margin_of(a, b, sink));
     if (!sure && a.radius + b.radius == 0 && pair.best.depth < kShallow * (a.size + b.size)) {
         make_manifold(a, b, pair.best.normal, depth(), out);
         sure = proven(pair, out);
     }
     if (!sure) {
-        const Vec3 before = pair.best.normal;
+        const Overlap face = pair.best;
         pair.try_rest(enough);
         if (!(pair.best.depth >= enough)) return;
-        if (!(pair.best.normal == before)) out.count = 0, out.most = 0;
+        if (will_be_less(face, pair.best, out.margin)) pair.best = face;
+        if (!(pair.best.normal == face.normal)) out.count = 0, out.most = 0;
     }
     if (out.count == 0) make_manifold(a, b, pair.best.normal, depth(), out);
     sink.add_manifold({out.points, std::size_t(out.count)});

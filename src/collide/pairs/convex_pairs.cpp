@@ -56,7 +56,7 @@ void convex_plane(const Convex& a, const Pose& A, const Plane& b, const Pose&, C
     int count = 0, shallowest = 0;
     for (const Vec3 v : a.solid->vertices()) {
         const Real depth = -(clearance + dot(n, v));
-        if (!(depth >= 0) || (count == kRoom && depth <= below[shallowest].depth)) continue;
+        if (!(depth >= -sink.margin()) || (count == kRoom && depth <= below[shallowest].depth)) continue;
         below[count < kRoom ? count++ : shallowest] = {middle + A.R * v, b.normal, depth};
         if (count < kRoom) continue;
         for (int i = 0; i < kRoom; ++i)

@@ -78,7 +78,7 @@ void box_plane(const Box& a, const Pose& A, const Plane& b, const Pose&, Contact
     int vertices[4], count = 0;
     for (int i = 0; i < 8; ++i) {
         const Real depth = -(clearance + (i & 4 ? -sums[7 - i] : sums[i]));
-        if (!(depth >= 0) || (count == 4 && depth <= depths[3] + tie)) continue;
+        if (!(depth >= -sink.margin()) || (count == 4 && depth <= depths[3] + tie)) continue;
         int k = count < 4 ? count++ : 3;
         for (; k > 0 && depth > depths[k - 1] + tie; --k)
             depths[k] = depths[k - 1], vertices[k] = vertices[k - 1];

@@ -8,6 +8,10 @@
 #include <ode/ext.h>
 #include <ode/ode.h>
 
+#include <algorithm>
+#include <cmath>
+#include <random>
+
 #include "collide/collide.h"
 
 namespace epode::test {
@@ -55,9 +59,26 @@ class NarrowPhase : public testing::Test {
     void place_cube(Real along, Real turned)
     {
         const dBodyID body = dGeomGetBody(cube);
-        dBodySetPosition(body, x + along, 0, Real(0.5) - kLayer);
-        const dQuaternion q = {1, turned / 2, 0, 0};
+        const Real height = Real(0.5) * (std::cos(lean) + std::sin(lean));
+        dBodySetPosition(body, x + along, 0, height - kLayer);
+        const dQuaternion q = {std::cos(lean / 2), turned / 2, std::sin(lean / 2), 0};
         dBodySetQuaternion(body, q);
+    }
+    // Of the cube and the ground where they are.
+    Patch update(std::span<const KeptPatch> old)
+    {
+        ContactPair pair;
+        pair.id1 = cube, pair.id2 = ground;
+        pair.body1 = from_handle<Body>(dGeomGetBody(cube)), pair.body2 = nullptr;
+        pair.most = 1;
+        update_pair(pair, old, {kLayer, {Real(1) / 60, {}}, foresees}, &patch, nullptr);
+        EXPECT_EQ(pair.count, 1);
+        return patch.patch;
+    }
+    static int deepest(const Patch& p)
+    {
+        const auto less = [](const PatchPoint& a, const PatchPoint& b) { return a.gap < b.gap; };
+        return int(std::min_element(p.points, p.points + p.count, less) - p.points);
     }
     // Points of a collision at the present place, after one at the first.
     bool keeps_points(Real along, Real turned)
@@ -66,7 +87,7 @@ class NarrowPhase : public testing::Test {
         pair.id1 = cube, pair.id2 = ground;
         pair.body1 = from_handle<Body>(dGeomGetBody(cube)), pair.body2 = nullptr;
         pair.most = data ? kSurfacePatches : 1;
-        const NarrowSettings settings = {kLayer, {Real(1) / 60, {}}, false};
+        const NarrowSettings settings = {kLayer, {Real(1) / 60, {}}, foresees};
         KeptPatch before[kSurfacePatches], after[kSurfacePatches];
         place_cube(0, 0);
         update_pair(pair, {}, settings, before, nullptr);
@@ -80,9 +101,11 @@ class NarrowPhase : public testing::Test {
     }
 
     dWorldID world;
-    Real x = 0;
+    Real x = 0, lean = 0;  // the latter on an edge
+    bool foresees = false;
     dGeomID cube, ground = nullptr;
     dTriMeshDataID data = nullptr;
+    KeptPatch patch;
     float vertices[12];
     const dTriIndex indices[6] = {0, 1, 2, 0, 2, 3};
 };
@@ -96,6 +119,53 @@ TEST_F(NarrowPhase, a_full_patch_stays_while_the_cube_moves_by_less_than_a_hundr
     EXPECT_FALSE(keeps_points(Real(0.011), 0));
     EXPECT_TRUE(keeps_points(0, Real(0.005)));
     EXPECT_FALSE(keeps_points(0, Real(0.03)));
+}
+
+TEST_F(NarrowPhase, a_patch_with_all_corners_nearby_stays_as_long_as_a_full_one)
+{
+    lay_plane();
+    lean = Real(0.3);
+    EXPECT_FALSE(keeps_points(Real(0.005), 0));
+    foresees = true;
+    EXPECT_TRUE(keeps_points(Real(0.005), 0));
+    EXPECT_FALSE(keeps_points(Real(0.05), 0));
+}
+
+// Boxes that settle on one another: one corner touches, then others. While points are kept, they are as deep
+// as those of a new collision.
+TEST_F(NarrowPhase, kept_points_of_polyhedra_miss_no_corner_that_comes_down)
+{
+    ground = dCreateBox(nullptr, 3, 3, 1);
+    dGeomSetPosition(ground, 0, 0, Real(-0.5));
+    foresees = true;
+    std::mt19937_64 engine{11};
+    const auto between = [&](Real lo, Real hi) {
+        return lo + (hi - lo) * Real(double(engine() >> 11) * 0x1p-53);
+    };
+    const auto place = [&](const Vec3& turn, Real deep) {
+        const dQuaternion q = {1, turn.x / 2, turn.y / 2, turn.z / 2};
+        dBodySetQuaternion(dGeomGetBody(cube), q);
+        const dReal* R = dBodyGetRotation(dGeomGetBody(cube));
+        const Real down = (std::fabs(R[8]) + std::fabs(R[9]) + std::fabs(R[10])) / 2;
+        dBodySetPosition(dGeomGetBody(cube), 0, 0, down - deep);
+    };
+    int kept = 0, became_deepest = 0;
+    for (int i = 0; i < 500; ++i) {
+        const Vec3 turn = {between(Real(-0.02), Real(0.02)), between(Real(-0.02), Real(0.02)),
+                           between(-1, 1)};
+        const Vec3 more = {between(Real(-0.01), Real(0.01)), between(Real(-0.01), Real(0.01)), 0};
+        place(turn, kLayer);
+        const Patch before = update({});
+        const KeptPatch old = patch;
+        place(turn + more, kLayer);
+        const Patch after = update({&old, 1});
+        if (patch.offset.z != old.offset.z) continue;
+        ++kept;
+        became_deepest += deepest(before) != deepest(after);
+        EXPECT_NEAR(after.points[deepest(after)].gap, 0, Real(0.1) * kLayer) << i;
+    }
+    EXPECT_GT(kept, 100);
+    EXPECT_GT(became_deepest, 20);
 }
 
 TEST_F(NarrowPhase, patches_on_a_mesh_stay_while_the_cube_moves_by_less_than_a_quarter_of_the_layer)
