@@ -18,25 +18,12 @@ void ContactSink::add_manifold(std::span<const ContactPoint> points)
         return;
     }
     if (wanted <= 0) return;
-    if (margin_ > 0 && prefer_touching(points, wanted)) return;
     ManifoldPoints lanes;
     for (const ContactPoint& p : points.first(std::size_t(count < lanes.kMax ? count : lanes.kMax)))
         lanes.add(p.position, p.depth);
     int chosen[kBestFour];
     const int kept = best_four(lanes, points[0].normal, wanted, chosen);
     for (int i = 0; i < kept; ++i) add(points[std::size_t(chosen[i])]);
-}
-
-// False if these are fewer than wanted, or all.
-bool ContactSink::prefer_touching(std::span<const ContactPoint> points, int wanted)
-{
-    ContactPoint touching[ManifoldPoints::kMax];
-    int count = 0;
-    for (const ContactPoint& p : points)
-        if (p.depth >= 0 && count < ManifoldPoints::kMax) touching[count++] = p;
-    if (count < wanted || count == int(points.size())) return false;
-    add_manifold({touching, std::size_t(count)});
-    return true;
 }
 
 }  // namespace epode

@@ -81,9 +81,8 @@ class ContactSink {
     void clear() { count_ = 0; }
 
     // A manifold of one normal: keeps the best `min(4, room)` points when there are more, those within the
-    // margin only if fewer touch: the deepest, then
-    // the one farthest from it, then those that span the largest area; ties by index. Implemented in
-    // contact_sink.cpp.
+    // margin only if fewer touch: the deepest, then the one farthest from it, then those that span the
+    // largest area; ties by index. Implemented in contact_sink.cpp.
     void add_manifold(std::span<const ContactPoint> points);
 
     dContactGeom* at(int i) const
@@ -92,8 +91,6 @@ class ContactSink {
     }
 
   private:
-    bool prefer_touching(std::span<const ContactPoint> points, int wanted);
-
     dContactGeom* first_;
     int stride_;
     int room_;

@@ -4,6 +4,8 @@
 // See best_four.h. Each choice is the first point whose score lies within the tie margin of the best.
 #include "geometry/best_four.h"
 
+#include <algorithm>
+
 #include "simd/quad.h"
 
 namespace epode {
@@ -75,9 +77,7 @@ int choose(const ManifoldPoints& p, Vec3 normal, int wanted, int* chosen)
     return count;
 }
 
-}  // namespace
-
-int best_four(ManifoldPoints& p, Vec3 normal, int wanted, int* chosen)
+int choose_of(ManifoldPoints& p, Vec3 normal, int wanted, int* chosen)
 {
     // What fills up, the first point again, is never better than itself.
     const int full = p.count <= 8 ? 8 : p.count <= 16 ? 16 : p.kMax;
@@ -85,6 +85,25 @@ int best_four(ManifoldPoints& p, Vec3 normal, int wanted, int* chosen)
     return full == 8    ? choose<2>(p, normal, wanted, chosen)
            : full == 16 ? choose<4>(p, normal, wanted, chosen)
                         : choose<ManifoldPoints::kMax / 4>(p, normal, wanted, chosen);
+}
+
+}  // namespace
+
+int best_four(ManifoldPoints& p, Vec3 normal, int wanted, int* chosen)
+{
+    const auto touching = std::count_if(p.depth, p.depth + p.count, [](Real d) { return d >= 0; });
+    if (touching < wanted || touching == p.count) return choose_of(p, normal, wanted, chosen);
+    ManifoldPoints those;
+    int places[ManifoldPoints::kMax];
+    for (int i = 0; i < p.count; ++i) {
+        if (!(p.depth[i] >= 0)) continue;
+        places[those.count] = i;
+        those.add({p.x[i], p.y[i], p.z[i]}, p.depth[i]);
+    }
+    if (those.count == wanted) return std::copy_n(places, wanted, chosen), wanted;
+    const int kept = choose_of(those, normal, wanted, chosen);
+    for (int i = 0; i < kept; ++i) chosen[i] = places[chosen[i]];
+    return kept;
 }
 
 }  // namespace epode

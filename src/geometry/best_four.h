@@ -31,6 +31,7 @@ inline constexpr int kBestFour = 4;
 inline constexpr Real kPatchCosine = Real(0.996);  // of normals within 5 degrees, which make one patch
 
 // Indices of the at most `wanted` (1 to 4) best of the points, of which there are some; the number of them.
+// Points apart, of negative depth, only where fewer than that touch.
 // `normal` is the manifold's, unit, in the frame of the points. Free places are written to.
 int best_four(ManifoldPoints& points, Vec3 normal, int wanted, int* chosen);
 

@@ -8,9 +8,6 @@
 // in lanes; which edges can be better than the faces is told without a root.
 #include "geometry/box_box.h"
 
-#include <algorithm>
-#include <utility>
-
 #include "geometry/best_four.h"
 #include "geometry/closest.h"
 #include "geometry/rectangle_cut.h"
@@ -228,17 +225,6 @@ EPODE_LANEWISE void face_points(const Reference& face, const Incident& other, Re
     }
 }
 
-// Leaves those that touch, if they are as many as are wanted.
-void prefer_touching(ManifoldPoints& points, int wanted)
-{
-    const auto touching =
-        std::count_if(points.depth, points.depth + points.count, [](Real d) { return d >= 0; });
-    if (touching < wanted) return;
-    const int count = std::exchange(points.count, 0);
-    for (int i = 0; i < count; ++i)
-        if (points.depth[i] >= 0) points.add({points.x[i], points.y[i], points.z[i]}, points.depth[i]);
-}
-
 struct Wanted {
     int room;
     Real margin;
@@ -250,7 +236,6 @@ void face_manifold(const Reference& face, const Incident& other, Real slack, con
     const int room = wanted.room;
     ManifoldPoints points;
     face_points(face, other, slack, wanted.margin, points);
-    if (wanted.margin > 0) prefer_touching(points, room);
     int chosen[BoxBox::kMax] = {0, 1, 2, 3, 4, 5, 6, 7};
     out.count = points.count;
     if (points.count > room)

@@ -29,7 +29,7 @@ struct Manifold {
     union {
         ContactPoint points[kMax];  // in a union: left unwritten until added
     };
-    int count = 0;
+    int count = 0, touching = 0;  // of which
     Real most = 0;
     const Real margin;  // see ContactSink
     explicit Manifold(Real margin_of_it) : margin(margin_of_it) {}
@@ -37,8 +37,10 @@ struct Manifold {
     {
         if (depth < -margin || count == kMax) return;
         if (depth > most) most = depth;
+        if (depth >= 0) ++touching;
         points[count++] = {position, normal, depth};
     }
+    void clear() { count = 0, touching = 0, most = 0; }
 };
 
 // The face's own, else Newell's; zero for fewer than three points.
@@ -173,7 +175,7 @@ void face_contacts(const Side& reference, const Side& incident, Vec3 inward, boo
         if (d < 0 && d >= -hair) d = 0;
         out.add(x + own, normal, d);
     }
-    if (out.count == 0 || out.most < depth + radii - Real(1e-5) * size)
+    if (out.touching == 0 || out.most < depth + radii - Real(1e-5) * size)
         out.add(incident.view.support(inward) + own, normal, depth + radii > 0 ? depth + radii : Real(0));
 }
 
@@ -232,7 +234,7 @@ bool side_by_side(const Shown& a, const Shown& b, Vec3 normal, Real radii, Real 
         if (d > depth) d = depth;
         ends.add(x + (Real(0.5) * (d + radii) - own) * normal, normal, d + radii);
     }
-    if (ends.count == 0 || ends.most < depth + radii - Real(1e-5) * length_a) return false;
+    if (ends.touching == 0 || ends.most < depth + radii - Real(1e-5) * length_a) return false;
     for (int i = 0; i < ends.count; ++i) out.add(ends.points[i].position, normal, ends.points[i].depth);
     return true;
 }
@@ -287,15 +289,15 @@ namespace {
 template <class Pair>
 bool proven(const Pair& pair, const Manifold& m)
 {
-    if (m.count == 0) return false;
+    if (m.touching == 0) return false;
     Vec3 middle;
-    int deepest = 0, touching = 0;
+    int deepest = 0;
     for (int i = 0; i < m.count; ++i) {
         if (m.points[i].depth < 0) continue;
-        middle += m.points[i].position, ++touching;
+        middle += m.points[i].position;
         if (m.points[i].depth > m.points[deepest].depth) deepest = i;
     }
-    return pair.proven_at(middle / Real(touching)) || pair.proven_at(m.points[deepest].position);
+    return pair.proven_at(middle / Real(m.touching)) || pair.proven_at(m.points[deepest].position);
 }
 
 // Whether the overlap along a face is the less one when the two are deeper by the margin, and it is nearly
@@ -326,7 +328,7 @@ void meet(const ConvexView& a, const ConvexView& b, Pair& pair, Real enough, Con
         pair.try_rest(enough);
         if (!(pair.best.depth >= enough)) return;
         if (will_be_less(face, pair.best, out.margin)) pair.best = face;
-        if (!(pair.best.normal == face.normal)) out.count = 0, out.most = 0;
+        if (!(pair.best.normal == face.normal)) out.clear();
     }
     if (out.count == 0) make_manifold(a, b, pair.best.normal, depth(), out);
     sink.add_manifold({out.points, std::size_t(out.count)});

@@ -64,13 +64,18 @@ class NarrowPhase : public testing::Test {
         const dQuaternion q = {std::cos(lean / 2), turned / 2, std::sin(lean / 2), 0};
         dBodySetQuaternion(body, q);
     }
-    // Of the cube and the ground where they are.
-    Patch update(std::span<const KeptPatch> old)
+    ContactPair cube_and_ground() const
     {
         ContactPair pair;
         pair.id1 = cube, pair.id2 = ground;
         pair.body1 = from_handle<Body>(dGeomGetBody(cube)), pair.body2 = nullptr;
-        pair.most = 1;
+        pair.most = data ? kSurfacePatches : 1;
+        return pair;
+    }
+    // Where they are, on a ground that is no mesh.
+    Patch update(std::span<const KeptPatch> old)
+    {
+        ContactPair pair = cube_and_ground();
         update_pair(pair, old, {kLayer, {Real(1) / 60, {}}, foresees}, &patch, nullptr);
         EXPECT_EQ(pair.count, 1);
         return patch.patch;
@@ -83,10 +88,7 @@ class NarrowPhase : public testing::Test {
     // Points of a collision at the present place, after one at the first.
     bool keeps_points(Real along, Real turned)
     {
-        ContactPair pair;
-        pair.id1 = cube, pair.id2 = ground;
-        pair.body1 = from_handle<Body>(dGeomGetBody(cube)), pair.body2 = nullptr;
-        pair.most = data ? kSurfacePatches : 1;
+        ContactPair pair = cube_and_ground();
         const NarrowSettings settings = {kLayer, {Real(1) / 60, {}}, foresees};
         KeptPatch before[kSurfacePatches], after[kSurfacePatches];
         place_cube(0, 0);
