@@ -19,14 +19,15 @@ def scenes(options):
 
 
 def processor():
-    """The processor's name as a folder's."""
-    name = platform.processor() or platform.machine()
+    """The processor's name as a folder's, with family and model where /proc/cpuinfo has them: virtual machines shorten the name
+    until two generations share it."""
+    told = {}
     if os.path.exists('/proc/cpuinfo'):
         for line in open('/proc/cpuinfo'):
-            if line.startswith('model name'):
-                name = line.split(':', 1)[1]
-                break
-    return re.sub(r'[^a-z0-9]+', '-', name.lower()).strip('-')
+            key, _, value = line.partition(':')
+            told.setdefault(key.strip(), value.strip())
+    words = [told.get('model name') or platform.processor() or platform.machine(), told.get('cpu family', ''), told.get('model', '')]
+    return re.sub(r'[^a-z0-9]+', '-', ' '.join(words).lower()).strip('-')
 
 
 def commit():

@@ -17,9 +17,11 @@ namespace epode {
 
 inline constexpr int kPatchPoints = 4;
 
+// Here as below, neighbours are read four numbers at a time (solve/patch_gather.inc).
 struct PatchPoint {
-    Float3 r1, r2;    // from the centres of the bodies, world frame, at the beginning of the step
+    Float3 r1;        // from the centre of body 1, world frame, at the beginning of the step
     float gap;        // distance along n beyond the layer; below zero: deeper than allowed
+    Float3 r2;        // from the centre of body 2
     float push;       // impulse along n over the whole step: of the last one in, of this one out
     Float3 friction;  // the same in the plane, as a vector of the world
 };
@@ -28,13 +30,14 @@ struct Patch {
     int body1, body2;  // in the island; -1: the world, only for body2
     int count;         // points; 0: does not touch
     Float3 normal;     // unit, into body1
-    Float3 drift;      // wanted u in the plane: surfaces that move
     float mu;
-    float bounce, bounce_speed;  // rebound of `bounce` times an approach of at least bounce_speed, m/s
-    float rolling;               // m
-    float softness;              // of each point, depth per force, m/N; 0: hard
-    float damping_time;          // of what is soft: damper over spring, s
-    Float3 roll;                 // angular impulse on body1 over the whole step, in and out as `push`
+    Float3 drift;        // wanted u in the plane: surfaces that move
+    float bounce;        // rebound: so many times an approach
+    float bounce_speed;  // of at least that, m/s
+    float rolling;       // m
+    float softness;      // of each point, depth per force, m/N; 0: hard
+    float damping_time;  // of what is soft: damper over spring, s
+    Float3 roll;         // angular impulse on body1 over the whole step, in and out as `push`
     PatchPoint points[kPatchPoints];
 
     bool special() const { return rolling > 0 || softness > 0; }

@@ -7,6 +7,7 @@
 
 #include <span>
 
+#include "rows/row_system.h"
 #include "solve/patch_batch.h"
 #include "solve/velocities.h"
 
@@ -29,8 +30,18 @@ struct PatchBodies {
     float hs;
 };
 
+// What the lanes of a batch are made of. A lane that is not needed has a patch without points; who does not
+// move, a body without mass.
+struct PatchSources {
+    const Patch* patches[kFloatLanes];
+    const SolverBody *body1[kFloatLanes], *body2[kFloatLanes];
+    float rate[2], soft[2];  // of the batch: if both move, if one does
+};
+
 struct PatchKernels {
     const char* name;
+    // Out: masses, material, n, drift, rate and soft of the batch, and of its points what `prepare` takes.
+    void (*gather)(PatchBatch& batch, PatchLanes* points, const PatchSources& from);
     // In: arms, normal, drift, p along n and `sum` as a vector of the world. Out: all but gap, or where there
     // is one, batch.friction.
     void (*prepare)(PatchBatch& batch, PatchLanes* points, const FloatMotion* motions, float share);

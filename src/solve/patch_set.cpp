@@ -30,13 +30,6 @@ struct PatchPalette : Palette {
     int fixed = 0;  // the first free colour against what cannot move
 };
 
-void blank(std::span<PatchLanes> points)
-{
-    std::memset(static_cast<void*>(points.data()), 0, points.size_bytes());
-    for (PatchLanes& point : points)
-        for (float& gap : point.gap.at) gap = kFarOpen;
-}
-
 // Of a point: its push, and friction along the tangents.
 void store_point(const PatchBatch& batch, int lane, const FloatLanes& push, const FloatLanes& along1,
                  const FloatLanes& along2, PatchPoint& to)
@@ -173,14 +166,6 @@ bool PatchSet::place_extras(std::span<Patch* const> patches, Arena& arena)
     return true;
 }
 
-// Will every number of the batch's points be written?
-bool PatchSet::is_full(std::span<Patch* const> patches, std::size_t batch) const
-{
-    for (const int i : chosen_.subspan(batch * kFloatLanes, kFloatLanes))
-        if (i < 0 || patches[std::size_t(i)]->count < batches_[batch].count) return false;
-    return true;
-}
-
 void PatchSet::fill(const RowSystem& system, const Substep& step)
 {
     const auto each_body = [&](auto&& f) { tasks_.each_of(int(kicks_.size()), kBodyRange, f); };
@@ -216,25 +201,39 @@ void PatchSet::fetch_lanes(const RowSystem& system, std::size_t b) const
 
 void PatchSet::fill_batch(const RowSystem& system, const Substep& step, std::size_t b)
 {
-    const RowAim soft[2] = {default_contact(step, 1, false, kDampingRatio),
-                            default_contact(step, 1, true, kDampingRatio)};
     fetch_lanes(system, b);
     PatchBatch& batch = batches_[b];
     PatchLanes passing[kPatchPoints];  // on their way into the friction of the whole
-    const auto points = whole_ ? std::span(passing).first(std::size_t(batch.count))
-                               : points_.subspan(std::size_t(batch.first), std::size_t(batch.count));
-    if (!is_full(system.patches, b)) blank(points);
-    for (int lane = 0; lane < kFloatLanes; ++lane) {
-        fill_lane(system, chosen_[b * kFloatLanes + std::size_t(lane)], batch, points, lane);
-        // Masses 1/m1 + 1/m2 > 0; against what cannot move, one of them is zero.
-        const bool fixed = batch.inv_mass1[lane] == 0 || batch.inv_mass2[lane] == 0;
-        const RowAim& aim = soft[fixed ? 1 : 0];
-        batch.rate[lane] = float(aim.rate);
-        batch.soft[lane] = float(1 / (1 + aim.C));  // 1 - C/(1 + C)
-        const int patch = chosen_[b * kFloatLanes + std::size_t(lane)];
-        if (batch.extra && patch >= 0) fill_extra(*system.patches[std::size_t(patch)], *batch.extra, lane);
+    PatchLanes* points = whole_ ? passing : &points_[std::size_t(batch.first)];
+    PatchSources from;
+    for (const bool fixed : {false, true}) {
+        const RowAim aim = default_contact(step, 1, fixed, kDampingRatio);
+        from.rate[fixed] = float(aim.rate), from.soft[fixed] = float(1 / (1 + aim.C));  // 1 - C/(1 + C)
     }
-    kernels_->prepare(batch, points.data(), motions_.data(), float(1) / float(step.n));
+    for (int lane = 0; lane < kFloatLanes; ++lane) choose_lane(system, b, lane, from);
+    kernels_->gather(batch, points, from);
+    if (batch.extra)
+        for (int lane = 0; lane < kFloatLanes; ++lane) fill_extra(*from.patches[lane], *batch.extra, lane);
+    kernels_->prepare(batch, points, motions_.data(), float(1) / float(step.n));
+}
+
+void PatchSet::choose_lane(const RowSystem& system, std::size_t b, int lane, PatchSources& from)
+{
+    static const Patch none{};
+    static const SolverBody world{};
+    PatchBatch& batch = batches_[b];
+    const int patch = chosen_[b * kFloatLanes + std::size_t(lane)];
+    const Patch& p = patch >= 0 ? *system.patches[std::size_t(patch)] : none;
+    const auto choose = [&](int index, int& slot) {
+        const bool moves = patch >= 0 && dynamic(system.bodies, index);
+        const int at = patch >= 0 && index >= 0 ? index : int(system.bodies.size());
+        slot = moves ? at : ~at;
+        return moves ? &system.bodies[std::size_t(index)] : &world;
+    };
+    from.patches[lane] = &p;
+    from.body1[lane] = choose(p.body1, batch.body1[lane]);
+    from.body2[lane] = choose(p.body2, batch.body2[lane]);
+    batch.share[lane] = p.count ? 1 / float(p.count) : 0;
 }
 
 void PatchSet::fill_extra(const Patch& p, PatchExtra& extra, int lane) const
@@ -244,37 +243,6 @@ void PatchSet::fill_extra(const Patch& p, PatchExtra& extra, int lane) const
     if (!(p.softness > 0)) return;
     const Real rate = 1 / (hs_ + Real(p.damping_time));
     extra.rate[lane] = float(rate), extra.soft[lane] = float(rate * Real(p.softness) / hs_);
-}
-
-void PatchSet::fill_lane(const RowSystem& system, int patch, PatchBatch& batch, std::span<PatchLanes> points,
-                         int lane) const
-{
-    static const Patch none{0, -1, 0, {}, {}, 0, 0, 0, 0, 0, 0, {}, {}};
-    const SolverBody world{};
-    const Patch& p = patch >= 0 ? *system.patches[std::size_t(patch)] : none;
-    const auto set_body = [&](int index, int& slot, FloatLanes& inv_mass, FloatLaneSym3& inv_inertia) {
-        const bool moves = patch >= 0 && dynamic(system.bodies, index);
-        const int at = patch >= 0 && index >= 0 ? index : int(system.bodies.size());
-        const SolverBody& body = moves ? system.bodies[std::size_t(index)] : world;
-        slot = moves ? at : ~at;
-        inv_mass[lane] = float(body.inv_mass);
-        inv_inertia.set(lane, body.inv_inertia);
-    };
-    set_body(p.body1, batch.body1[lane], batch.inv_mass1, batch.inv_inertia1);
-    set_body(p.body2, batch.body2[lane], batch.inv_mass2, batch.inv_inertia2);
-    set(batch.n, lane, p.normal);
-    set(batch.drift, lane, p.drift);
-    batch.share[lane] = p.count ? 1 / float(p.count) : 0;
-    batch.mu[lane] = p.mu, batch.bounce[lane] = p.bounce, batch.bounce_speed[lane] = p.bounce_speed;
-    for (int i = 0; i < p.count; ++i) {
-        const PatchPoint& from = p.points[i];
-        PatchLanes& to = points[std::size_t(i)];
-        set(to.r1, lane, from.r1), set(to.r2, lane, from.r2);
-        to.gap[lane] = from.gap;
-        to.p[0][lane] = from.push;
-        to.sum[0][lane] = from.friction.x, to.sum[1][lane] = from.friction.y;
-        to.sum[2][lane] = from.friction.z;
-    }
 }
 
 PatchBodies PatchSet::view(std::span<Velocity> bodies)

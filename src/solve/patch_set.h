@@ -51,12 +51,10 @@ class PatchSet {
     void sort(std::span<Patch* const> patches, std::span<const int> colours, std::span<int> starts);
     bool place_extras(std::span<Patch* const> patches, Arena& arena);
     void fill_extra(const Patch& patch, PatchExtra& extra, int lane) const;
-    bool is_full(std::span<Patch* const> patches, std::size_t batch) const;
     void fill(const RowSystem& system, const Substep& step);
     void fetch_lanes(const RowSystem& system, std::size_t batch) const;
     void fill_batch(const RowSystem& system, const Substep& step, std::size_t batch);
-    void fill_lane(const RowSystem& system, int patch, PatchBatch& batch, std::span<PatchLanes> points,
-                   int lane) const;
+    void choose_lane(const RowSystem& system, std::size_t batch, int lane, PatchSources& from);
     PatchBodies view(std::span<Velocity> bodies);
     // A look at every body, or at every batch, colour by colour.
     enum class Visit { kLoad, kAccelerate, kMove, kTake, kPush, kCorrect, kRelax, kRebound };
