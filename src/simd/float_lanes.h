@@ -33,5 +33,7 @@ struct alignas(kBroadLanes * sizeof(float)) BroadLanes {
 
 using FloatLaneVec3 = LaneVec3Of<FloatLanes>;
 using FloatLaneSym3 = LaneSym3Of<FloatLanes>;
+using BroadLaneVec3 = LaneVec3Of<BroadLanes>;
+using BroadLaneSym3 = LaneSym3Of<BroadLanes>;
 
 }  // namespace epode

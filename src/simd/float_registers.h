@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Computing with FloatLanes: all eight at once, in one vector with AVX2 and better, in two of four elsewhere.
-// Operation by operation the same as for one lane, nothing fused, so the bits are those of every other
-// machine. As in simd/vectors.h everything is in an unnamed namespace: one text compiled for several machines
-// must not be merged by the linker.
+// Computing with floats in lanes: eight of them in a vector with AVX2 and better, with AVX-512 also sixteen,
+// four elsewhere, and several vectors side by side. Operation by operation the same as for one lane, nothing
+// fused, so the bits are those of every other machine. As in simd/vectors.h everything is in an unnamed
+// namespace: one text compiled for several machines must not be merged by the linker.
 #pragma once
 
 #include "simd/float_lanes.h"
@@ -22,236 +22,283 @@ constexpr int kFloatVector = 8;
 #else
 constexpr int kFloatVector = 4;
 #endif
-constexpr int kFloatVectors = kFloatLanes / kFloatVector;
-
 typedef float FloatVector __attribute__((vector_size(kFloatVector * sizeof(float))));
 typedef FloatVector FloatVectorInMemory __attribute__((may_alias));
-typedef float QuadInMemory __attribute__((vector_size(4 * sizeof(float)), may_alias));
+
+#if defined(__AVX512F__)
+constexpr int kBroadVector = 16;
+typedef float BroadVector __attribute__((vector_size(kBroadVector * sizeof(float))));
+typedef BroadVector BroadVectorInMemory __attribute__((may_alias));
+#else
+constexpr int kBroadVector = kFloatVector;
+using BroadVector = FloatVector;
+using BroadVectorInMemory = FloatVectorInMemory;
+#endif
+
+typedef float Quad __attribute__((vector_size(4 * sizeof(float))));
+typedef Quad QuadInMemory __attribute__((may_alias));
 
 // n vectors side by side.
-template <int n>
+template <typename V, int n>
 struct Floats {
-    FloatVector v[n];
+    V v[n];
 };
-using Wide = Floats<kFloatVectors>;
-
-EPODE_LANEWISE Wide load(const FloatLanes& x)
+template <typename V, int n>
+EPODE_LANEWISE Floats<V, n> filled(float x)
 {
-    const auto* from = reinterpret_cast<const FloatVectorInMemory*>(x.at);
-    Wide out;
-    for (int i = 0; i < kFloatVectors; ++i) out.v[i] = from[i];
+    Floats<V, n> out;
+    for (int i = 0; i < n; ++i) out.v[i] = V{} + x;
     return out;
 }
 
-EPODE_LANEWISE void store(FloatLanes& x, const Wide& value)
+template <typename V, int n>
+EPODE_LANEWISE Floats<V, n> operator+(const Floats<V, n>& x, const Floats<V, n>& y)
 {
-    auto* to = reinterpret_cast<FloatVectorInMemory*>(x.at);
-    for (int i = 0; i < kFloatVectors; ++i) to[i] = value.v[i];
-}
-
-template <int n>
-EPODE_LANEWISE Floats<n> filled(float x)
-{
-    Floats<n> out;
-    for (int i = 0; i < n; ++i) out.v[i] = FloatVector{} + x;
-    return out;
-}
-
-EPODE_LANEWISE Wide wide(float x) { return filled<kFloatVectors>(x); }
-
-template <int n>
-EPODE_LANEWISE Floats<n> operator+(const Floats<n>& x, const Floats<n>& y)
-{
-    Floats<n> out;
+    Floats<V, n> out;
     for (int i = 0; i < n; ++i) out.v[i] = x.v[i] + y.v[i];
     return out;
 }
 
-template <int n>
-EPODE_LANEWISE Floats<n> operator-(const Floats<n>& x, const Floats<n>& y)
+template <typename V, int n>
+EPODE_LANEWISE Floats<V, n> operator-(const Floats<V, n>& x, const Floats<V, n>& y)
 {
-    Floats<n> out;
+    Floats<V, n> out;
     for (int i = 0; i < n; ++i) out.v[i] = x.v[i] - y.v[i];
     return out;
 }
 
-template <int n>
-EPODE_LANEWISE Floats<n> operator*(const Floats<n>& x, const Floats<n>& y)
+template <typename V, int n>
+EPODE_LANEWISE Floats<V, n> operator*(const Floats<V, n>& x, const Floats<V, n>& y)
 {
-    Floats<n> out;
+    Floats<V, n> out;
     for (int i = 0; i < n; ++i) out.v[i] = x.v[i] * y.v[i];
     return out;
 }
 
-template <int n>
-EPODE_LANEWISE Floats<n> operator/(const Floats<n>& x, const Floats<n>& y)
+template <typename V, int n>
+EPODE_LANEWISE Floats<V, n> operator/(const Floats<V, n>& x, const Floats<V, n>& y)
 {
-    Floats<n> out;
+    Floats<V, n> out;
     for (int i = 0; i < n; ++i) out.v[i] = x.v[i] / y.v[i];
     return out;
 }
 
-template <int n>
-EPODE_LANEWISE Floats<n> operator-(const Floats<n>& x)
+template <typename V, int n>
+EPODE_LANEWISE Floats<V, n> operator-(const Floats<V, n>& x)
 {
-    Floats<n> out;
+    Floats<V, n> out;
     for (int i = 0; i < n; ++i) out.v[i] = -x.v[i];
     return out;
 }
 
 // Of these, x is the answer when the first argument is not a number.
-template <int n>
-EPODE_LANEWISE Floats<n> at_most(const Floats<n>& bound, const Floats<n>& x)
+template <typename V, int n>
+EPODE_LANEWISE Floats<V, n> at_most(const Floats<V, n>& bound, const Floats<V, n>& x)
 {
-    Floats<n> out;
+    Floats<V, n> out;
     for (int i = 0; i < n; ++i) out.v[i] = bound.v[i] < x.v[i] ? bound.v[i] : x.v[i];
     return out;
 }
 
-template <int n>
-EPODE_LANEWISE Floats<n> at_least(const Floats<n>& bound, const Floats<n>& x)
+template <typename V, int n>
+EPODE_LANEWISE Floats<V, n> at_least(const Floats<V, n>& bound, const Floats<V, n>& x)
 {
-    Floats<n> out;
+    Floats<V, n> out;
     for (int i = 0; i < n; ++i) out.v[i] = bound.v[i] > x.v[i] ? bound.v[i] : x.v[i];
     return out;
 }
 
 // test > 0 ? yes : no
-template <int n>
-EPODE_LANEWISE Floats<n> if_positive(const Floats<n>& test, const Floats<n>& yes, const Floats<n>& no)
+template <typename V, int n>
+EPODE_LANEWISE Floats<V, n> if_positive(const Floats<V, n>& test, const Floats<V, n>& yes,
+                                        const Floats<V, n>& no)
 {
-    const FloatVector zero{};
-    Floats<n> out;
+    const V zero{};
+    Floats<V, n> out;
     for (int i = 0; i < n; ++i) out.v[i] = test.v[i] > zero ? yes.v[i] : no.v[i];
     return out;
 }
 
-template <int n>
-EPODE_LANEWISE Floats<n> square_root(const Floats<n>& x)
+EPODE_LANEWISE FloatVector root_of(const FloatVector& x)
 {
-    Floats<n> out;
-    for (int i = 0; i < n; ++i) {
 #if defined(__AVX2__)
-        out.v[i] = FloatVector(_mm256_sqrt_ps(__m256(x.v[i])));
+    return FloatVector(_mm256_sqrt_ps(__m256(x)));
 #elif defined(__x86_64__)
-        out.v[i] = FloatVector(_mm_sqrt_ps(__m128(x.v[i])));
+    return FloatVector(_mm_sqrt_ps(__m128(x)));
 #else
-        for (int lane = 0; lane < kFloatVector; ++lane) out.v[i][lane] = __builtin_sqrtf(x.v[i][lane]);
+    FloatVector out;
+    for (int lane = 0; lane < kFloatVector; ++lane) out[lane] = __builtin_sqrtf(x[lane]);
+    return out;
 #endif
-    }
+}
+
+#if defined(__AVX512F__)
+// Masked, since gcc 12 takes the other form for a use of what is uninitialized.
+EPODE_LANEWISE BroadVector root_of(const BroadVector& x)
+{
+    return BroadVector(_mm512_maskz_sqrt_ps(__mmask16(-1), __m512(x)));
+}
+#endif
+
+template <typename V, int n>
+EPODE_LANEWISE Floats<V, n> square_root(const Floats<V, n>& x)
+{
+    Floats<V, n> out;
+    for (int i = 0; i < n; ++i) out.v[i] = root_of(x.v[i]);
     return out;
 }
 
-template <int n>
+template <typename V, int n>
 struct Floats3 {
-    Floats<n> x, y, z;
+    Floats<V, n> x, y, z;
 };
-using Wide3 = Floats3<kFloatVectors>;
-
-EPODE_LANEWISE Wide3 load(const FloatLaneVec3& a) { return {load(a.x), load(a.y), load(a.z)}; }
-
-EPODE_LANEWISE void store(FloatLaneVec3& a, const Wide3& value)
-{
-    store(a.x, value.x), store(a.y, value.y), store(a.z, value.z);
-}
-
-template <int n>
-EPODE_LANEWISE Floats3<n> operator+(const Floats3<n>& a, const Floats3<n>& b)
+template <typename V, int n>
+EPODE_LANEWISE Floats3<V, n> operator+(const Floats3<V, n>& a, const Floats3<V, n>& b)
 {
     return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
-template <int n>
-EPODE_LANEWISE Floats3<n> operator-(const Floats3<n>& a, const Floats3<n>& b)
+template <typename V, int n>
+EPODE_LANEWISE Floats3<V, n> operator-(const Floats3<V, n>& a, const Floats3<V, n>& b)
 {
     return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-template <int n>
-EPODE_LANEWISE Floats3<n> operator*(const Floats<n>& s, const Floats3<n>& a)
+template <typename V, int n>
+EPODE_LANEWISE Floats3<V, n> operator*(const Floats<V, n>& s, const Floats3<V, n>& a)
 {
     return {s * a.x, s * a.y, s * a.z};
 }
-template <int n>
-EPODE_LANEWISE Floats<n> dot(const Floats3<n>& a, const Floats3<n>& b)
+template <typename V, int n>
+EPODE_LANEWISE Floats<V, n> dot(const Floats3<V, n>& a, const Floats3<V, n>& b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-template <int n>
-EPODE_LANEWISE Floats3<n> cross(const Floats3<n>& a, const Floats3<n>& b)
+template <typename V, int n>
+EPODE_LANEWISE Floats3<V, n> cross(const Floats3<V, n>& a, const Floats3<V, n>& b)
 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-template <int n>
+template <typename V, int n>
 struct FloatsSym3 {
-    Floats<n> xx, yy, zz, xy, xz, yz;
+    Floats<V, n> xx, yy, zz, xy, xz, yz;
 };
-using WideSym3 = FloatsSym3<kFloatVectors>;
-
-EPODE_LANEWISE WideSym3 load(const FloatLaneSym3& s)
-{
-    return {load(s.xx), load(s.yy), load(s.zz), load(s.xy), load(s.xz), load(s.yz)};
-}
-
-template <int n>
-EPODE_LANEWISE Floats3<n> operator*(const FloatsSym3<n>& s, const Floats3<n>& a)
+template <typename V, int n>
+EPODE_LANEWISE Floats3<V, n> operator*(const FloatsSym3<V, n>& s, const Floats3<V, n>& a)
 {
     return {s.xx * a.x + s.xy * a.y + s.xz * a.z, s.xy * a.x + s.yy * a.y + s.yz * a.z,
             s.xz * a.x + s.yz * a.y + s.zz * a.z};
 }
 
-// Between four floats x, y, z, unused at the place of each lane, aligned as four, and one register per
-// component: matrices of four by four are transposed, with AVX2 two at a time, lanes 0-3 beside lanes 4-7.
-EPODE_LANEWISE FloatVector quad_at(const float* const* at, int i)
+// Transposing rows of four that lie in the fours of lanes of two vectors, in each four:
+// low_pairs a0 b0 a1 b1, high_pairs a2 b2 a3 b3, first_halves a0 a1 b0 b1, second_halves a2 a3 b2 b3.
+#define EPODE_SHUFFLES(V, low, high, first, second)                                                        \
+    EPODE_LANEWISE V low_pairs(const V& a, const V& b) { return __builtin_shufflevector(a, b, low); }      \
+    EPODE_LANEWISE V high_pairs(const V& a, const V& b) { return __builtin_shufflevector(a, b, high); }    \
+    EPODE_LANEWISE V first_halves(const V& a, const V& b) { return __builtin_shufflevector(a, b, first); } \
+    EPODE_LANEWISE V second_halves(const V& a, const V& b) { return __builtin_shufflevector(a, b, second); }
+#if defined(__AVX2__)
+#define EPODE_LOW 0, 8, 1, 9, 4, 12, 5, 13
+#define EPODE_HIGH 2, 10, 3, 11, 6, 14, 7, 15
+#define EPODE_FIRST 0, 1, 8, 9, 4, 5, 12, 13
+#define EPODE_SECOND 2, 3, 10, 11, 6, 7, 14, 15
+#else
+#define EPODE_LOW 0, 4, 1, 5
+#define EPODE_HIGH 2, 6, 3, 7
+#define EPODE_FIRST 0, 1, 4, 5
+#define EPODE_SECOND 2, 3, 6, 7
+#endif
+EPODE_SHUFFLES(FloatVector, EPODE_LOW, EPODE_HIGH, EPODE_FIRST, EPODE_SECOND)
+#if defined(__AVX512F__)
+#define EPODE_BROAD_LOW 0, 16, 1, 17, 4, 20, 5, 21, 8, 24, 9, 25, 12, 28, 13, 29
+#define EPODE_BROAD_HIGH 2, 18, 3, 19, 6, 22, 7, 23, 10, 26, 11, 27, 14, 30, 15, 31
+#define EPODE_BROAD_FIRST 0, 1, 16, 17, 4, 5, 20, 21, 8, 9, 24, 25, 12, 13, 28, 29
+#define EPODE_BROAD_SECOND 2, 3, 18, 19, 6, 7, 22, 23, 10, 11, 26, 27, 14, 15, 30, 31
+EPODE_SHUFFLES(BroadVector, EPODE_BROAD_LOW, EPODE_BROAD_HIGH, EPODE_BROAD_FIRST, EPODE_BROAD_SECOND)
+#endif
+
+// row(i), and with wider vectors row(i + 4) behind it, and row(i + 8) and row(i + 12).
+template <typename Row>
+EPODE_LANEWISE FloatVector rows_at(const FloatVector*, const Row& row, int i)
 {
 #if defined(__AVX2__)
-    const auto low = *reinterpret_cast<const QuadInMemory*>(at[i]);
-    const auto high = *reinterpret_cast<const QuadInMemory*>(at[i + 4]);
-    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+    return __builtin_shufflevector(row(i), row(i + 4), 0, 1, 2, 3, 4, 5, 6, 7);
 #else
-    return *reinterpret_cast<const QuadInMemory*>(at[i]);
+    return row(i);
 #endif
 }
 
-// Into the places of lane i, and i + 4 with AVX2, where `Keep` says nothing against it.
-template <typename Keep>
-EPODE_LANEWISE void put_quad(const FloatVector& value, float* const* at, const Keep& keep, int i)
+// put(i, row), the other way round.
+template <typename Put>
+EPODE_LANEWISE void put_rows_at(const FloatVector& rows, const Put& put, int i)
 {
 #if defined(__AVX2__)
-    if (!keep[i]) *reinterpret_cast<QuadInMemory*>(at[i]) = __builtin_shufflevector(value, value, 0, 1, 2, 3);
-    if (!keep[i + 4])
-        *reinterpret_cast<QuadInMemory*>(at[i + 4]) = __builtin_shufflevector(value, value, 4, 5, 6, 7);
+    put(i, __builtin_shufflevector(rows, rows, 0, 1, 2, 3));
+    put(i + 4, __builtin_shufflevector(rows, rows, 4, 5, 6, 7));
 #else
-    if (!keep[i]) *reinterpret_cast<QuadInMemory*>(at[i]) = value;
+    put(i, rows);
 #endif
 }
 
-#if defined(__AVX2__)
-#define EPODE_LOW_PAIRS 0, 8, 1, 9, 4, 12, 5, 13
-#define EPODE_HIGH_PAIRS 2, 10, 3, 11, 6, 14, 7, 15
-#define EPODE_FIRST_HALVES 0, 1, 8, 9, 4, 5, 12, 13
-#define EPODE_SECOND_HALVES 2, 3, 10, 11, 6, 7, 14, 15
-#else
-#define EPODE_LOW_PAIRS 0, 4, 1, 5
-#define EPODE_HIGH_PAIRS 2, 6, 3, 7
-#define EPODE_FIRST_HALVES 0, 1, 4, 5
-#define EPODE_SECOND_HALVES 2, 3, 6, 7
+#if defined(__AVX512F__)
+template <typename Row>
+EPODE_LANEWISE BroadVector rows_at(const BroadVector*, const Row& row, int i)
+{
+    const FloatVector* eight = nullptr;
+    return __builtin_shufflevector(rows_at(eight, row, i), rows_at(eight, row, i + 8), 0, 1, 2, 3, 4, 5, 6, 7,
+                                   8, 9, 10, 11, 12, 13, 14, 15);
+}
+
+template <typename Put>
+EPODE_LANEWISE void put_rows_at(const BroadVector& rows, const Put& put, int i)
+{
+    put_rows_at(__builtin_shufflevector(rows, rows, 0, 1, 2, 3, 4, 5, 6, 7), put, i);
+    put_rows_at(__builtin_shufflevector(rows, rows, 8, 9, 10, 11, 12, 13, 14, 15), put, i + 8);
+}
 #endif
 
-template <int n = kFloatVectors>
-EPODE_LANEWISE Floats3<n> gather_floats(const float* const* at)
+// `row(lane)` is four floats; one vector per component.
+template <typename V>
+struct Columns {
+    V w, x, y, z;
+};
+
+template <typename V, typename Row>
+EPODE_LANEWISE Columns<V> columns_of(const Row& row)
 {
-    Floats3<n> out;
+    const V* kind = nullptr;
+    const V a = rows_at(kind, row, 0), b = rows_at(kind, row, 1), c = rows_at(kind, row, 2),
+            d = rows_at(kind, row, 3);
+    const V ab_low = low_pairs(a, b), cd_low = low_pairs(c, d);  // aw bw ax bx
+    const V ab_high = high_pairs(a, b), cd_high = high_pairs(c, d);
+    return {first_halves(ab_low, cd_low), second_halves(ab_low, cd_low), first_halves(ab_high, cd_high),
+            second_halves(ab_high, cd_high)};
+}
+
+// put(lane, row) for each lane of a vector of x, y, z, and zero behind them.
+template <typename V, typename Put>
+EPODE_LANEWISE void put_rows(const V& x, const V& y, const V& z, const Put& put)
+{
+    const V zero{};
+    const V xy_low = low_pairs(x, y), xy_high = high_pairs(x, y);  // x0 y0 x1 y1
+    const V z_low = low_pairs(z, zero), z_high = high_pairs(z, zero);
+    put_rows_at(first_halves(xy_low, z_low), put, 0);
+    put_rows_at(second_halves(xy_low, z_low), put, 1);
+    put_rows_at(first_halves(xy_high, z_high), put, 2);
+    put_rows_at(second_halves(xy_high, z_high), put, 3);
+}
+
+// Four floats x, y, z, unused at the place of each lane, aligned as four.
+template <typename V, int n>
+EPODE_LANEWISE Floats3<V, n> gather_floats(const float* const* at)
+{
+    Floats3<V, n> out;
     for (int i = 0; i < n; ++i) {
-        const float* const* p = at + i * kFloatVector;
-        const FloatVector a = quad_at(p, 0), b = quad_at(p, 1), c = quad_at(p, 2), d = quad_at(p, 3);
-        const FloatVector ab = __builtin_shufflevector(a, b, EPODE_LOW_PAIRS);  // xa xb ya yb
-        const FloatVector cd = __builtin_shufflevector(c, d, EPODE_LOW_PAIRS);
-        out.x.v[i] = __builtin_shufflevector(ab, cd, EPODE_FIRST_HALVES);
-        out.y.v[i] = __builtin_shufflevector(ab, cd, EPODE_SECOND_HALVES);
-        out.z.v[i] =
-            __builtin_shufflevector(__builtin_shufflevector(a, b, EPODE_HIGH_PAIRS),
-                                    __builtin_shufflevector(c, d, EPODE_HIGH_PAIRS), EPODE_FIRST_HALVES);
+        const float* const* p = at + i * int(sizeof(V) / sizeof(float));
+        const auto rows = columns_of<V>([=](int lane) EPODE_INLINE_LAMBDA -> Quad {
+            return *reinterpret_cast<const QuadInMemory*>(p[lane]);
+        });
+        out.x.v[i] = rows.w, out.y.v[i] = rows.x, out.z.v[i] = rows.y;
     }
     return out;
 }
@@ -262,22 +309,16 @@ struct KeepNone {
 };
 
 // The unused fourth number becomes zero; places with `keep` are left alone.
-template <int n, typename Keep>
-EPODE_LANEWISE void scatter_floats(const Floats3<n>& value, float* const* at, const Keep& keep)
+template <typename V, int n, typename Keep>
+EPODE_LANEWISE void scatter_floats(const Floats3<V, n>& value, float* const* at, const Keep& keep)
 {
-    const FloatVector zero{};
     for (int i = 0; i < n; ++i) {
-        const FloatVector x = value.x.v[i], y = value.y.v[i], z = value.z.v[i];
-        const FloatVector xy_low = __builtin_shufflevector(x, y, EPODE_LOW_PAIRS);  // x0 y0 x1 y1
-        const FloatVector xy_high = __builtin_shufflevector(x, y, EPODE_HIGH_PAIRS);
-        const FloatVector z_low = __builtin_shufflevector(z, zero, EPODE_LOW_PAIRS);
-        const FloatVector z_high = __builtin_shufflevector(z, zero, EPODE_HIGH_PAIRS);
-        float* const* p = at + i * kFloatVector;
-        const auto k = keep + i * kFloatVector;
-        put_quad(__builtin_shufflevector(xy_low, z_low, EPODE_FIRST_HALVES), p, k, 0);
-        put_quad(__builtin_shufflevector(xy_low, z_low, EPODE_SECOND_HALVES), p, k, 1);
-        put_quad(__builtin_shufflevector(xy_high, z_high, EPODE_FIRST_HALVES), p, k, 2);
-        put_quad(__builtin_shufflevector(xy_high, z_high, EPODE_SECOND_HALVES), p, k, 3);
+        float* const* p = at + i * int(sizeof(V) / sizeof(float));
+        const auto k = keep + i * int(sizeof(V) / sizeof(float));
+        put_rows(value.x.v[i], value.y.v[i], value.z.v[i],
+                 [=](int lane, const Quad& row) EPODE_INLINE_LAMBDA {
+                     if (!k[lane]) *reinterpret_cast<QuadInMemory*>(p[lane]) = row;
+                 });
     }
 }
 

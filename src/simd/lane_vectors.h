@@ -155,7 +155,7 @@ EPODE_LANEWISE Vector3Of<V> turned_by(const Vector4Of<V>& q, const Vector3Of<V>&
 }
 
 // Four numbers at the place of each lane of floats, aligned as four, and one vector per component.
-typedef float FloatRow __attribute__((vector_size(4 * sizeof(float))));
+using FloatRow = Quad;
 typedef FloatRow FloatRowInMemory __attribute__((may_alias));
 typedef Real RealRow __attribute__((vector_size(4 * sizeof(Real))));
 
@@ -163,45 +163,15 @@ typedef Real RealRow __attribute__((vector_size(4 * sizeof(Real))));
 template <typename Row>
 EPODE_LANEWISE Vector4Of<FloatVector> columns(const Row& row)
 {
-#if defined(__AVX2__)
-    const auto both = [&](int lane) EPODE_INLINE_LAMBDA {
-        return __builtin_shufflevector(row(lane), row(lane + 4), 0, 1, 2, 3, 4, 5, 6, 7);
-    };
-    const FloatVector a = both(0), b = both(1), c = both(2), d = both(3);
-#else
-    const FloatVector a = row(0), b = row(1), c = row(2), d = row(3);
-#endif
-    const FloatVector ab_low = __builtin_shufflevector(a, b, EPODE_LOW_PAIRS);  // aw bw ax bx
-    const FloatVector cd_low = __builtin_shufflevector(c, d, EPODE_LOW_PAIRS);
-    const FloatVector ab_high = __builtin_shufflevector(a, b, EPODE_HIGH_PAIRS);
-    const FloatVector cd_high = __builtin_shufflevector(c, d, EPODE_HIGH_PAIRS);
-    return {__builtin_shufflevector(ab_low, cd_low, EPODE_FIRST_HALVES),
-            __builtin_shufflevector(ab_low, cd_low, EPODE_SECOND_HALVES),
-            __builtin_shufflevector(ab_high, cd_high, EPODE_FIRST_HALVES),
-            __builtin_shufflevector(ab_high, cd_high, EPODE_SECOND_HALVES)};
+    const auto of = columns_of<FloatVector>(row);
+    return {of.w, of.x, of.y, of.z};
 }
 
 // put(lane, row) for each lane of a vector of x, y, z, and zero behind them.
 template <typename Put>
 EPODE_LANEWISE void put_rows(const Vector3Of<FloatVector>& v, const Put& put)
 {
-    const FloatVector zero{};
-    const FloatVector xy_low = __builtin_shufflevector(v.x, v.y, EPODE_LOW_PAIRS);  // x0 y0 x1 y1
-    const FloatVector xy_high = __builtin_shufflevector(v.x, v.y, EPODE_HIGH_PAIRS);
-    const FloatVector z_low = __builtin_shufflevector(v.z, zero, EPODE_LOW_PAIRS);
-    const FloatVector z_high = __builtin_shufflevector(v.z, zero, EPODE_HIGH_PAIRS);
-    const auto both = [&](int lane, const FloatVector& rows) EPODE_INLINE_LAMBDA {
-#if defined(__AVX2__)
-        put(lane, __builtin_shufflevector(rows, rows, 0, 1, 2, 3));
-        put(lane + 4, __builtin_shufflevector(rows, rows, 4, 5, 6, 7));
-#else
-        put(lane, rows);
-#endif
-    };
-    both(0, __builtin_shufflevector(xy_low, z_low, EPODE_FIRST_HALVES));
-    both(1, __builtin_shufflevector(xy_low, z_low, EPODE_SECOND_HALVES));
-    both(2, __builtin_shufflevector(xy_high, z_high, EPODE_FIRST_HALVES));
-    both(3, __builtin_shufflevector(xy_high, z_high, EPODE_SECOND_HALVES));
+    put_rows(v.x, v.y, v.z, put);
 }
 
 EPODE_LANEWISE FloatRow rounded(const RowInMemory& a) { return __builtin_convertvector(a, FloatRow); }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Patches of the world's own contacts (rows/patch.h) as the kernels read them: eight patches side by side,
-// none of which shares a dynamic body with another. 76 bytes per point and patch, 142 per patch; with one
-// friction per patch 56 and 218. A point that a shorter patch lacks is far open and does nothing.
+// Patches of the world's own contacts (rows/patch.h) as the kernels read them: sixteen patches side by
+// side, or eight in the first half of the lanes, none of which shares a dynamic body with another. 76 bytes
+// per point and lane, 142 per lane; with one friction per patch 56 and 218. A point that a shorter patch
+// lacks is far open and does nothing.
 #pragma once
 
 #include "rows/patch.h"
@@ -19,24 +20,24 @@ struct alignas(64) FloatMotion {
 static_assert(sizeof(FloatMotion) == 64);
 
 struct PatchLanes {
-    FloatLaneVec3 r1, r2;
-    FloatLanes gap;       // when the step began
-    FloatLanes approach;  // n . u then
-    FloatLanes open;      // the gap when the correcting sweep came by; what is open is left alone in relaxing
-    FloatLanes p[3];      // along n, t1, t2: of one small step
-    FloatLanes sum[3];    // over the small steps
-    FloatLanes gain;      // of the normal row: 1 / (J M^-1 J^T)
-    FloatLanes grip;      // of both friction rows: 1 / (an upper bound of their 2 x 2 block's eigenvalues)
-    FloatLanes k_n1, k_n2;  // grip times their coupling with the normal row
+    BroadLaneVec3 r1, r2;
+    BroadLanes gap;       // when the step began
+    BroadLanes approach;  // n . u then
+    BroadLanes open;      // the gap when the correcting sweep came by; what is open is left alone in relaxing
+    BroadLanes p[3];      // along n, t1, t2: of one small step
+    BroadLanes sum[3];    // over the small steps
+    BroadLanes gain;      // of the normal row: 1 / (J M^-1 J^T)
+    BroadLanes grip;      // of both friction rows: 1 / (an upper bound of their 2 x 2 block's eigenvalues)
+    BroadLanes k_n1, k_n2;  // grip times their coupling with the normal row
 };
 
 // What soft and rolling patches have besides; zero in the lanes of others.
 struct PatchExtra {
-    FloatLanes soft, rate;          // of the spring: C p; velocity per depth
-    FloatLanes keep[kPatchPoints];  // of a point: share of the gain and of p
-    FloatLanes rolling;             // m
-    FloatLanes roll_gain;           // 1 / (an upper bound of the eigenvalues of I1^-1 + I2^-1)
-    FloatLaneVec3 roll, roll_sum;   // of one small step; over all
+    BroadLanes soft, rate;          // of the spring: C p; velocity per depth
+    BroadLanes keep[kPatchPoints];  // of a point: share of the gain and of p
+    BroadLanes rolling;             // m
+    BroadLanes roll_gain;           // 1 / (an upper bound of the eigenvalues of I1^-1 + I2^-1)
+    BroadLaneVec3 roll, roll_sum;   // of one small step; over all
 };
 
 // Points that no lane has: so far open that they never act. (Zero would be a contact at the body's centre,
@@ -46,38 +47,39 @@ inline constexpr float kFarOpen = 1e20f;
 // A point of a patch that has one friction for all its points. Its arms matter only as a = r x n, since
 // n . (w x r) = w . a.
 struct PatchPush {
-    FloatLaneVec3 a1, a2;
-    FloatLanes x, y;                 // its place along t1 and t2, from the anchor
-    FloatLanes gap, approach, open;  // as in PatchLanes
-    FloatLanes p, sum, gain;         // of the normal row
+    BroadLaneVec3 a1, a2;
+    BroadLanes x, y;                 // its place along t1 and t2, from the anchor
+    BroadLanes gap, approach, open;  // as in PatchLanes
+    BroadLanes p, sum, gain;         // of the normal row
 };
 
 // That friction (patch_friction.inc): a force along t1 and t2 at an anchor, which is the mean of the points,
 // and a couple about n.
 struct PatchFriction {
-    FloatLaneVec3 r1, r2;  // of the anchor
-    FloatLanes k_11, k_22, k_12, k_1n, k_2n,
+    BroadLaneVec3 r1, r2;  // of the anchor
+    BroadLanes k_11, k_22, k_12, k_1n, k_2n,
         k_nn;                       // J M^-1 J^T of the tangents there and of the turn about n
-    FloatLanes least_radius;        // no couple is known from rounding below
-    FloatLanes x, y, radius, grip;  // of the centre of push; gain of the three rows there
-    FloatLanes p[3], sum[3];        // force, couple: of one small step; over all
+    BroadLanes least_radius;        // no couple is known from rounding below
+    BroadLanes x, y, radius, grip;  // of the centre of push; gain of the three rows there
+    BroadLanes p[3], sum[3];        // force, couple: of one small step; over all
     PatchPush points[kPatchPoints];
 };
 
 struct PatchBatch {
     int first, count;                            // of the points
+    int lanes;                                   // that are in use: 8, or all
     PatchExtra* extra;                           // null: no lane is soft or rolls
     PatchFriction* friction;                     // null: each point has its own; else the points are there
-    int body1[kFloatLanes], body2[kFloatLanes];  // into the motions; ~i: reads i, which does not change
-    FloatLanes inv_mass1, inv_mass2;
-    FloatLaneSym3 inv_inertia1, inv_inertia2;
-    FloatLaneVec3 n, t1, t2;
-    FloatLaneVec3 drift;  // wanted u: as a vector of the world, once prepared along t1 (x) and t2 (y)
-    FloatLanes mu;
-    FloatLanes bounce, bounce_speed;
-    FloatLanes soft, rate;  // of a contact that is too deep: share of the gain and of p; velocity per depth
-    FloatLanes share;       // of the gain, of one that is open: 1 / points
-    FloatLanes behind;      // of the way that body 1 goes relative to body 2, what the points do not go along
+    int body1[kBroadLanes], body2[kBroadLanes];  // into the motions; ~i: reads i, which does not change
+    BroadLanes inv_mass1, inv_mass2;
+    BroadLaneSym3 inv_inertia1, inv_inertia2;
+    BroadLaneVec3 n, t1, t2;
+    BroadLaneVec3 drift;  // wanted u: as a vector of the world, once prepared along t1 (x) and t2 (y)
+    BroadLanes mu;
+    BroadLanes bounce, bounce_speed;
+    BroadLanes soft, rate;  // of a contact that is too deep: share of the gain and of p; velocity per depth
+    BroadLanes share;       // of the gain, of one that is open: 1 / points
+    BroadLanes behind;      // of the way that body 1 goes relative to body 2, what the points do not go along
 };
 
 }  // namespace epode

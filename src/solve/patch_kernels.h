@@ -33,8 +33,8 @@ struct PatchBodies {
 // What the lanes of a batch are made of. A lane that is not needed has a patch without points; who does not
 // move, a body without mass.
 struct PatchSources {
-    const Patch* patches[kFloatLanes];
-    const SolverBody *body1[kFloatLanes], *body2[kFloatLanes];
+    const Patch* patches[kBroadLanes];
+    const SolverBody *body1[kBroadLanes], *body2[kBroadLanes];
     float rate[2], soft[2];  // of the batch: if both move, if one does
 };
 
@@ -52,7 +52,7 @@ struct PatchKernels {
                     const PatchSweep& sweep);
     void (*relax)(const PatchBatch* batches, int first, int last, PatchLanes* points, FloatMotion* motions);
     // Into along1 and along2: what of the sum of batch.friction is its points' part (contact_friction.inc).
-    void (*share_friction)(const PatchBatch& batch, FloatLanes* along1, FloatLanes* along2);
+    void (*share_friction)(const PatchBatch& batch, BroadLanes* along1, BroadLanes* along2);
     // What came in fast and was pushed leaves with its rebound.
     void (*rebound)(const PatchBatch* batches, int first, int last, PatchLanes* points, FloatMotion* motions);
     // Of the bodies first ... last - 1: velocities to floats, and what sweeps have changed back.

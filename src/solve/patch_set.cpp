@@ -18,8 +18,8 @@ namespace {
 // Less than contact joints have, 10: what is deep comes out faster, and a tall wall leans less. With 4 the
 // top of a pile that falls into place is thrown up by what its rows push one another apart.
 constexpr Real kDampingRatio = 7;
-constexpr int kBatchPiece = 4, kBodyPiece = 64;    // of parallel work in a sweep, at least
-constexpr int kBatchRange = 16, kBodyRange = 256;  // and before and behind all of them
+constexpr int kBatchPiece = 2, kBodyPiece = 64;   // of parallel work in a sweep, at least
+constexpr int kBatchRange = 8, kBodyRange = 256;  // and before and behind all of them
 
 bool dynamic(std::span<const SolverBody> bodies, int index)
 {
@@ -31,8 +31,8 @@ struct PatchPalette : Palette {
 };
 
 // Of a point: its push, and friction along the tangents.
-void store_point(const PatchBatch& batch, int lane, const FloatLanes& push, const FloatLanes& along1,
-                 const FloatLanes& along2, PatchPoint& to)
+void store_point(const PatchBatch& batch, int lane, const BroadLanes& push, const BroadLanes& along1,
+                 const BroadLanes& along2, PatchPoint& to)
 {
     const float a = along1[lane], c = along2[lane];
     to.push = push[lane];
@@ -45,7 +45,7 @@ void store_couple(const PatchExtra& extra, int lane, Patch& to)
     to.roll = {extra.roll_sum.x[lane], extra.roll_sum.y[lane], extra.roll_sum.z[lane]};
 }
 
-void set(FloatLaneVec3& to, int lane, Float3 a) { to.x[lane] = a.x, to.y[lane] = a.y, to.z[lane] = a.z; }
+void set(BroadLaneVec3& to, int lane, Float3 a) { to.x[lane] = a.x, to.y[lane] = a.y, to.z[lane] = a.z; }
 
 }  // namespace
 
@@ -66,15 +66,15 @@ bool PatchSet::prepare(const RowSystem& system, const Substep& step, const Tasks
     colour(system.patches, system.bodies, colours, arena);
     if (arena.failed()) return false;
     const auto starts = arena.take_zeroed<int>(colours_ * kPatchPoints + 1);
-    // Of each colour one batch may stay partly empty.
-    const int most = count / kFloatLanes + colours_;
-    batches_ = arena.take<PatchBatch>(most);
-    chosen_ = arena.take<int>(most * kFloatLanes);
     first_of_colour_ = arena.take<int>(colours_ + 1);
     stages_ = arena.take<Stage>(kMostVisits * (colours_ + 1));
     if (arena.failed()) return false;
     sort(system.patches, colours, starts);
-    const int points = batches_.empty() ? 0 : batches_.back().first + batches_.back().count;
+    const int batches = count_batches(system.patches, starts);
+    batches_ = arena.take<PatchBatch>(batches);
+    chosen_ = arena.take<int>(batches * kBroadLanes);
+    if (arena.failed()) return false;
+    const int points = cut(system.patches, starts);
     whole_ = system.manifold_friction;
     if (whole_)
         frictions_ = arena.take<PatchFriction>(int(batches_.size()));
@@ -109,7 +109,8 @@ void PatchSet::colour(std::span<Patch* const> patches, std::span<const SolverBod
     colours_ = moving + fixed;
 }
 
-// Counting sort by colour, then by number of points, the longest first; then cut into eights.
+// Counting sort by colour, then by number of points, the longest first. Behind it, starts[k] is where the
+// next key begins.
 void PatchSet::sort(std::span<Patch* const> patches, std::span<const int> colours, std::span<int> starts)
 {
     const auto key = [&](std::size_t i) {
@@ -121,33 +122,58 @@ void PatchSet::sort(std::span<Patch* const> patches, std::span<const int> colour
     }
     for (std::size_t k = 1; k < starts.size(); ++k) starts[k] += starts[k - 1];
     for (std::size_t i = 0; i < patches.size(); ++i) order_[std::size_t(starts[key(i)]++)] = int(i);
+}
 
-    // Behind the sort, starts[k] is where the next key begins.
-    int batches = 0, points = 0, from = 0;
+// f(colour, first, patches) for each batch: eight of the order, or sixteen if the second eight begins with as
+// many points, so that no lane goes along with longer ones for the sake of company.
+template <typename F>
+void PatchSet::for_each_batch(std::span<Patch* const> patches, std::span<const int> starts, F&& f) const
+{
+    const auto points = [&](int i) { return patches[std::size_t(order_[std::size_t(i)])]->count; };
+    int from = 0;
     for (int c = 0; c < colours_; ++c) {
-        first_of_colour_[std::size_t(c)] = batches;
         const int to = starts[std::size_t(c * kPatchPoints + kPatchPoints - 1)];
-        for (; from < to; from += kFloatLanes) {
-            const int taken = std::min(kFloatLanes, to - from);
-            int* lanes = &chosen_[std::size_t(batches * kFloatLanes)];
-            std::copy_n(&order_[std::size_t(from)], taken, lanes);
-            std::fill(lanes + taken, lanes + kFloatLanes, -1);
-            PatchBatch& batch = batches_[std::size_t(batches++)];
-            batch.first = points;
-            batch.count = patches[std::size_t(lanes[0])]->count;
-            points += batch.count;
+        while (from < to) {
+            const int left = to - from;
+            const bool all = left > kFloatLanes && points(from) == points(from + kFloatLanes);
+            const int taken = std::min(left, all ? kBroadLanes : kFloatLanes);
+            f(c, from, taken);
+            from += taken;
         }
-        from = to;
     }
-    first_of_colour_[std::size_t(colours_)] = batches;
-    batches_ = batches_.first(std::size_t(batches));
+}
+
+int PatchSet::count_batches(std::span<Patch* const> patches, std::span<const int> starts) const
+{
+    int count = 0;
+    for_each_batch(patches, starts, [&](int, int, int) { ++count; });
+    return count;
+}
+
+// The number of points.
+int PatchSet::cut(std::span<Patch* const> patches, std::span<const int> starts)
+{
+    std::fill(first_of_colour_.begin(), first_of_colour_.end(), 0);
+    int batches = 0, points = 0;
+    for_each_batch(patches, starts, [&](int colour, int from, int taken) {
+        int* lanes = &chosen_[std::size_t(batches * kBroadLanes)];
+        std::copy_n(&order_[std::size_t(from)], taken, lanes);
+        std::fill(lanes + taken, lanes + kBroadLanes, -1);
+        PatchBatch& batch = batches_[std::size_t(batches++)];
+        batch.first = points;
+        batch.count = patches[std::size_t(lanes[0])]->count;
+        batch.lanes = taken > kFloatLanes ? kBroadLanes : kFloatLanes;
+        points += batch.count;
+        first_of_colour_[std::size_t(colour) + 1] = batches;
+    });
+    return points;
 }
 
 // False: out of memory.
 bool PatchSet::place_extras(std::span<Patch* const> patches, Arena& arena)
 {
     const auto wants = [&](std::size_t b) {
-        const auto lanes = chosen_.subspan(b * kFloatLanes, kFloatLanes);
+        const auto lanes = chosen_.subspan(b * kBroadLanes, kBroadLanes);
         return std::any_of(lanes.begin(), lanes.end(),
                            [&](int i) { return i >= 0 && patches[std::size_t(i)]->special(); });
     };
@@ -187,8 +213,8 @@ void PatchSet::fill(const RowSystem& system, const Substep& step)
 // The bodies of this batch, and the patches of the next: neighbours in a batch are none in memory.
 void PatchSet::fetch_lanes(const RowSystem& system, std::size_t b) const
 {
-    for (int lane = 0; lane < kFloatLanes; ++lane) {
-        const std::size_t at = b * kFloatLanes + std::size_t(lane), next = at + kFloatLanes;
+    for (int lane = 0; lane < kBroadLanes; ++lane) {
+        const std::size_t at = b * kBroadLanes + std::size_t(lane), next = at + kBroadLanes;
         if (const int i = chosen_[at]; i >= 0) {
             const Patch& p = *system.patches[std::size_t(i)];
             fetch<3>(system.bodies.data() + p.body1);
@@ -210,10 +236,10 @@ void PatchSet::fill_batch(const RowSystem& system, const Substep& step, std::siz
         const RowAim aim = default_contact(step, 1, fixed, kDampingRatio);
         from.rate[fixed] = float(aim.rate), from.soft[fixed] = float(1 / (1 + aim.C));  // 1 - C/(1 + C)
     }
-    for (int lane = 0; lane < kFloatLanes; ++lane) choose_lane(system, b, lane, from);
+    for (int lane = 0; lane < batch.lanes; ++lane) choose_lane(system, b, lane, from);
     kernels_->gather(batch, points, from);
     if (batch.extra)
-        for (int lane = 0; lane < kFloatLanes; ++lane) fill_extra(*from.patches[lane], *batch.extra, lane);
+        for (int lane = 0; lane < batch.lanes; ++lane) fill_extra(*from.patches[lane], *batch.extra, lane);
     kernels_->prepare(batch, points, motions_.data(), float(1) / float(step.n));
 }
 
@@ -222,7 +248,7 @@ void PatchSet::choose_lane(const RowSystem& system, std::size_t b, int lane, Pat
     static const Patch none{};
     static const SolverBody world{};
     PatchBatch& batch = batches_[b];
-    const int patch = chosen_[b * kFloatLanes + std::size_t(lane)];
+    const int patch = chosen_[b * kBroadLanes + std::size_t(lane)];
     const Patch& p = patch >= 0 ? *system.patches[std::size_t(patch)] : none;
     const auto choose = [&](int index, int& slot) {
         const bool moves = patch >= 0 && dynamic(system.bodies, index);
@@ -343,7 +369,7 @@ void PatchSet::rebound(std::span<Velocity> bodies)
 {
     bool any = false;
     for (const PatchBatch& batch : batches_)
-        for (int lane = 0; lane < kFloatLanes; ++lane) any = any || batch.bounce[lane] > 0;
+        for (int lane = 0; lane < batch.lanes; ++lane) any = any || batch.bounce[lane] > 0;
     if (any) perform({Visit::kLoad, Visit::kRebound, Visit::kTake}, 1, view(bodies));
 }
 
@@ -361,11 +387,11 @@ void PatchSet::follow_motion(std::span<const Velocity> bodies)
 void PatchSet::store_impulses(std::span<Patch* const> patches) const
 {
     tasks_.each_of(int(batches_.size()), kBatchRange, [&](std::size_t b) {
-        FloatLanes along1[kPatchPoints], along2[kPatchPoints];
+        BroadLanes along1[kPatchPoints], along2[kPatchPoints];
         const PatchBatch& batch = batches_[b];
         if (batch.friction) kernels_->share_friction(batch, along1, along2);
-        for (int lane = 0; lane < kFloatLanes; ++lane) {
-            const int index = chosen_[b * kFloatLanes + std::size_t(lane)];
+        for (int lane = 0; lane < batch.lanes; ++lane) {
+            const int index = chosen_[b * kBroadLanes + std::size_t(lane)];
             if (index < 0) continue;
             Patch& patch = *patches[std::size_t(index)];
             if (batch.extra) store_couple(*batch.extra, lane, patch);

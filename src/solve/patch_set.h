@@ -3,10 +3,10 @@
 //
 // Patches packed for sweeping (solve/patch_batch.h). Every patch gets a colour, so that patches of one colour
 // share no dynamic body: the smallest that its bodies still have, in the order of the patches; those against
-// what cannot move come behind all others, so that theirs is the last word. Eight of one colour make a batch,
-// patches with as many points together. Since colours depend on the neighbours alone, an island has the same
-// answer whether it is packed alone or with others: many small ones fill the lanes that one would leave
-// empty.
+// what cannot move come behind all others, so that theirs is the last word. Sixteen of one colour make a
+// batch, or eight, patches with as many points together. Since colours depend on the neighbours alone, an
+// island has the same answer whether it is packed alone or with others: many small ones fill the lanes that
+// one would leave empty.
 #pragma once
 
 #include <initializer_list>
@@ -49,6 +49,10 @@ class PatchSet {
     void colour(std::span<Patch* const> patches, std::span<const SolverBody> bodies, std::span<int> colours,
                 Arena& arena);
     void sort(std::span<Patch* const> patches, std::span<const int> colours, std::span<int> starts);
+    template <typename F>
+    void for_each_batch(std::span<Patch* const> patches, std::span<const int> starts, F&& f) const;
+    int count_batches(std::span<Patch* const> patches, std::span<const int> starts) const;
+    int cut(std::span<Patch* const> patches, std::span<const int> starts);
     bool place_extras(std::span<Patch* const> patches, Arena& arena);
     void fill_extra(const Patch& patch, PatchExtra& extra, int lane) const;
     void fill(const RowSystem& system, const Substep& step);
