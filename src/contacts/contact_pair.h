@@ -50,6 +50,7 @@ struct ContactPair {
     bool asked : 1 = false;    // functions of the program tell its contacts
     bool touched : 1 = false;  // in the step before
     bool on_mesh : 1 = false;  // a solid and a mesh
+    bool tied : 1 = false;     // by a joint that is no contact
 };
 static_assert(sizeof(ContactPair) <= kCacheLine);
 

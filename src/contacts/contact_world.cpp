@@ -90,7 +90,7 @@ bool ContactWorld::update(const World& world, Space& in, Real h, const Tasks& ta
     fresh_.pairs.clear();
     fresh_.patches.clear();
     fresh_.leaves.clear();
-    if (!find_geom_pairs(in, soon, tasks, found_) || !choose_pairs(world, tasks) || !list_pairs(tasks))
+    if (!find_geom_pairs(in, soon, tasks, found_) || !choose_pairs(world, tasks) || !list_pairs(world, tasks))
         return false;
     if (filter) ask_filter();
     collide_pairs(world, h, tasks);
@@ -139,8 +139,9 @@ bool ContactWorld::choose_range(const World& world, int range, RecordFinder& fin
 }
 
 // Room for all patches that there may be, and for what accept() will keep.
-bool ContactWorld::list_pairs(const Tasks& tasks)
+bool ContactWorld::list_pairs(const World& world, const Tasks& tasks)
 {
+    fresh_.ties = world.ties;
     PairRange total;
     for (PairRange& range : ranges_) {
         const PairRange own = range;
@@ -159,11 +160,15 @@ bool ContactWorld::list_pairs(const Tasks& tasks)
             pair = {to_handle(&a), to_handle(&b), a.serial,   b.serial, body_of(a),
                     body_of(b),    from->old,     at.patches, {}};
             pair.most = std::uint8_t(most_patches(*from));
-            pair.wanted = from->old < 0 || last_.pairs.data()[from->old].wanted;
+            const ContactPair* old = from->old < 0 ? nullptr : last_.pairs.data() + from->old;
+            pair.wanted = !old || old->wanted;
+            const bool as_before =
+                old && last_.ties == world.ties && old->body1 == pair.body1 && old->body2 == pair.body2;
+            pair.tied = as_before ? old->tied : tied(*pair.body1, pair.body2);
             if ((pair.on_mesh = on_mesh(*from)))
                 pair.leaves = at.leaves++;
             else
-                pair.parting = from->old < 0 ? 0 : last_.pairs.data()[from->old].parting;
+                pair.parting = old ? old->parting : 0;
             pair.asked = asks_program(a, b);
             at.patches += pair.most;
         }
@@ -188,7 +193,7 @@ void ContactWorld::update_one(ContactPair& pair, int place, const NarrowSettings
     if (!awake(pair.body1) && !awake(pair.body2)) {
         pair.count = std::uint8_t(old.size());
         std::copy(old.begin(), old.end(), into);
-    } else if (pair.wanted && !tied(*pair.body1, pair.body2)) {
+    } else if (pair.wanted && !pair.tied) {
         update_pair(pair, old, settings, into, leaves);
     }
 }

@@ -48,6 +48,7 @@ class ContactWorld {
         Array<ContactPair> pairs;
         Array<KeptPatch> patches;  // those of a pair lie together; there are gaps
         Array<NearLeaves> leaves;
+        std::uint64_t ties = 0;  // of the world, when `tied` was right
 
         std::span<const KeptPatch> of(const ContactPair& pair) const
         {
@@ -66,7 +67,7 @@ class ContactWorld {
 
     [[nodiscard]] bool choose_pairs(const World& world, const Tasks& tasks);
     [[nodiscard]] bool choose_range(const World& world, int range, RecordFinder& finder);
-    [[nodiscard]] bool list_pairs(const Tasks& tasks);
+    [[nodiscard]] bool list_pairs(const World& world, const Tasks& tasks);
     void ask_filter();
     void collide_pairs(const World& world, Real h, const Tasks& tasks);
     void update_one(ContactPair& pair, int place, const NarrowSettings& settings);

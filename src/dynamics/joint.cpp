@@ -44,11 +44,17 @@ void leave(JointNode& node, bool contact)
     node.next = nullptr;
 }
 
+void note_tie(Joint& joint)
+{
+    if (joint.world && joint.attached() && !is_contact(joint)) ++joint.world->ties;
+}
+
 }  // namespace
 
 void detach(Joint& joint)
 {
     const bool contact = is_contact(joint);
+    note_tie(joint);
     leave(joint.node[0], contact);
     leave(joint.node[1], contact);
     joint.impulse_rows = 0;
@@ -61,6 +67,7 @@ void attach(Joint& joint, Body* a, Body* b)
     if (joint.reverse) a = b, b = nullptr;
     enter(joint.node[0], a);
     enter(joint.node[1], b);
+    note_tie(joint);
     if (a) joint.type->attached(joint);
 }
 
