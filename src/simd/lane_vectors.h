@@ -159,6 +159,11 @@ using FloatRow = Quad;
 typedef FloatRow FloatRowInMemory __attribute__((may_alias));
 typedef Real RealRow __attribute__((vector_size(4 * sizeof(Real))));
 
+// As four neighbours lie in a structure, aligned as one number: to be copied, since who is given a reference
+// takes them for aligned ones.
+typedef float LooseRow __attribute__((vector_size(4 * sizeof(float)), aligned(sizeof(float)), may_alias));
+typedef Real LooseRealRow __attribute__((vector_size(4 * sizeof(Real)), aligned(sizeof(Real)), may_alias));
+
 // `row(lane)` is a FloatRow.
 template <typename Row>
 EPODE_LANEWISE Vector4Of<FloatVector> columns(const Row& row)

@@ -8,10 +8,19 @@
 
 #include <span>
 
+#include "rows/row_system.h"
 #include "solve/contact_batch.h"
 #include "solve/velocities.h"
 
 namespace epode {
+
+// What the lanes of a batch are made of; lanes without a manifold, points or bodies have such as do nothing.
+template <typename L>
+struct ContactSourcesOf {
+    const Manifold* manifold[kLanesOf<L>];
+    const SolverBody *body1[kLanesOf<L>], *body2[kLanesOf<L>];
+    const ManifoldPoint* point[kManifoldPoints][kLanesOf<L>];
+};
 
 // Plain pointers and counts: an inline function of a span, compiled for AVX2, could be the copy that the
 // linker keeps for everybody. `batch.first` counts from `points`, `order` from `batches`; a lone batch comes
@@ -19,6 +28,8 @@ namespace epode {
 template <typename L>
 struct ContactKernelsOf {
     using Bodies = typename VelocityOf<L>::Type;
+    // Out: of the batch masses, directions and what friction asks for; arms, normal and p of the points.
+    void (*gather)(ContactBatchOf<L>& batch, BatchPointOf<L>* points, const ContactSourcesOf<L>& from);
     // [0]: friction lies in the box of its limits, [1]: in their ellipse, a cone.
     // Of what is prepared all but couplings and gains is given; these come out, and p within its limits.
     void (*prepare[2])(const ContactBatchOf<L>& batch, BatchPointOf<L>* points, typename L::Number w);

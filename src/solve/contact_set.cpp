@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Packing writes what the manifolds say, one lane at a time; what follows from it (mobilities, couplings) the
-// kernels compute for all lanes at once.
+// Packing chooses what comes into which lane; the kernels bring it there, and compute for all lanes at once
+// what follows from it (mobilities, couplings).
 #include "solve/contact_set.h"
 
 #include <algorithm>
@@ -30,15 +30,6 @@ N narrowed(Real x)
     return std::is_same_v<N, Real> || x <= most || x == kInf ? N(x) : N(most);
 }
 
-template <typename L>
-void fill_point(const ManifoldPoint& from, BatchPointOf<L>& to, int lane)
-{
-    using N = typename L::Number;
-    to.r1.set(lane, from.r1);
-    to.c[lane] = N(from.c), to.C[lane] = N(from.C);
-    for (int k = 0; k < 3; ++k) to.p[k][lane] = N(from.p[k]);
-}
-
 // Lanes without a point have the directions of their manifold, but no say.
 template <typename L>
 void silence_unused(const ContactSourceOf<L>& source, BatchPointOf<L>& point)
@@ -46,18 +37,6 @@ void silence_unused(const ContactSourceOf<L>& source, BatchPointOf<L>& point)
     for (int lane = 0; lane < kLanesOf<L>; ++lane)
         if (source.point[lane] < 0)
             for (L& gain : point.gain) gain[lane] = 0;
-}
-
-template <typename L>
-void fill_common(const Manifold& from, ContactBatchOf<L>& to, int lane)
-{
-    using N = typename L::Number;
-    to.n.set(lane, from.n), to.t1.set(lane, from.t1), to.t2.set(lane, from.t2);
-    to.offset.set(lane, from.offset);
-    for (int k = 0; k < 2; ++k) {
-        to.c[k][lane] = N(from.c[k]), to.C[k][lane] = N(from.C[k]);
-        to.mu[k][lane] = narrowed<N>(from.mu[k]), to.fixed[k][lane] = narrowed<N>(from.fixed[k]);
-    }
 }
 
 bool is_even(const Sym3& s) { return s.xx == s.yy && s.yy == s.zz && s.xy == 0 && s.xz == 0 && s.yz == 0; }
@@ -191,33 +170,36 @@ void ContactSetOf<L>::fill_batch(const RowSystem& system, const ManifoldList& li
 {
     batch.first = choice.first, batch.count = choice.count;
     batch.form = BatchForm::kEven;
+    ContactSourcesOf<L> from;
     for (int lane = 0; lane < kCount; ++lane) {
         const int manifold = choice.manifold[lane];
-        fill_lane(system, list, manifold, batch, lane);
+        choose_lane(system, list, manifold, batch, lane, from);
         if (manifold >= 0)
             batch.form = std::min(batch.form, form_of(system, list.manifolds[std::size_t(manifold)]));
     }
+    kernels_->gather(batch, &points_[std::size_t(batch.first)], from);
 }
 
 template <typename L>
-void ContactSetOf<L>::fill_lane(const RowSystem& system, const ManifoldList& list, int index, Batch& batch,
-                                int lane)
+void ContactSetOf<L>::choose_lane(const RowSystem& system, const ManifoldList& list, int index, Batch& batch,
+                                  int lane, ContactSourcesOf<L>& from)
 {
     const Manifold& manifold = index >= 0 ? list.manifolds[std::size_t(index)] : kNoManifold;
-    const auto set_body = [&](int body, std::uint32_t& at, L& inv_mass, LaneSym3Of<L>& inv_inertia) {
-        const SolverBody& from = body >= 0 ? system.bodies[std::size_t(body)] : kAtRest;
+    const auto choose = [&](int body, std::uint32_t& at) {
         at = std::uint32_t(std::size_t(second_slot(system, body)) * sizeof(Bodies));
-        inv_mass[lane] = Number(from.inv_mass);
-        inv_inertia.set(lane, from.inv_inertia);
+        return body >= 0 ? &system.bodies[std::size_t(body)] : &kAtRest;
     };
-    set_body(manifold.body1, batch.at1[lane], batch.inv_mass1, batch.inv_inertia1);
-    set_body(manifold.body2, batch.at2[lane], batch.inv_mass2, batch.inv_inertia2);
-    fill_common(manifold, batch, lane);
+    from.manifold[lane] = &manifold;
+    from.body1[lane] = choose(manifold.body1, batch.at1[lane]);
+    from.body2[lane] = choose(manifold.body2, batch.at2[lane]);
+    for (int k = 0; k < 2; ++k) {
+        batch.mu[k][lane] = narrowed<Number>(manifold.mu[k]);
+        batch.fixed[k][lane] = narrowed<Number>(manifold.fixed[k]);
+    }
     for (int i = 0; i < batch.count; ++i) {
-        const auto at = std::size_t(batch.first + i);
         const int point = i < manifold.count ? manifold.first + i : -1;
-        sources_[at].point[lane] = point;
-        fill_point(point >= 0 ? list.points[std::size_t(point)] : kNoPoint, points_[at], lane);
+        sources_[std::size_t(batch.first + i)].point[lane] = point;
+        from.point[i][lane] = point >= 0 ? &list.points[std::size_t(point)] : &kNoPoint;
     }
 }
 

@@ -68,7 +68,8 @@ class ContactSetOf {
 
     bool choose(const RowSystem& system, std::span<const Manifold> manifolds, Arena& arena);
     void fill_batch(const RowSystem& system, const ManifoldList& list, const Choice& choice, Batch& batch);
-    void fill_lane(const RowSystem& system, const ManifoldList& list, int manifold, Batch& batch, int lane);
+    void choose_lane(const RowSystem& system, const ManifoldList& list, int manifold, Batch& batch, int lane,
+                     ContactSourcesOf<L>& from);
     bool place_frictions(std::span<const Manifold> manifolds, Arena& arena);
     void fill_friction(const ManifoldList& list, std::size_t batch);
     WholeFriction friction_of(const Batch& batch, int lane) const;
