@@ -169,6 +169,60 @@ TEST_P(ManagedContacts, work_beside_joints_and_contact_joints)
         EXPECT_FALSE(dGeomGetBody(c.g1) == a && dGeomGetBody(c.g2) == b) << "joined bodies do not collide";
 }
 
+bool collide_after_a_step(Managed& sim, dGeomID a, dGeomID b)
+{
+    sim.run(1);
+    const auto all = sim.all_contacts();
+    return std::any_of(all.begin(), all.end(), [&](const dWorldContact& c) {
+        return (c.g1 == a && c.g2 == b) || (c.g1 == b && c.g2 == a);
+    });
+}
+
+// What is known of a pair from the step before must not outlive the joint.
+TEST_P(ManagedContacts, are_between_bodies_without_a_joint_whenever_it_comes_or_goes)
+{
+    Managed sim(GetParam());
+    sim.ground();
+    const dBodyID low = sim.box({0, 0, 0.5}, {1, 1, 1}, 4), high = sim.box({0, 0, 1.5}, {1, 1, 1}, 2);
+    const dGeomID below = geom_of(low), above = geom_of(high);
+    sim.run(30);
+    EXPECT_TRUE(collide_after_a_step(sim, below, above));
+    const dJointID joint = dJointCreateFixed(sim.world, nullptr);
+    EXPECT_TRUE(collide_after_a_step(sim, below, above)) << "attached to nothing";
+    for (int times = 0; times < 2; ++times) {
+        dJointAttach(joint, low, high);
+        dJointSetFixed(joint);
+        EXPECT_FALSE(collide_after_a_step(sim, below, above));
+        EXPECT_FALSE(collide_after_a_step(sim, below, above));
+        dJointAttach(joint, nullptr, nullptr);
+        EXPECT_TRUE(collide_after_a_step(sim, below, above));
+    }
+    dJointAttach(joint, high, low);
+    dJointSetFixed(joint);
+    EXPECT_FALSE(collide_after_a_step(sim, below, above));
+    dJointDestroy(joint);
+    EXPECT_TRUE(collide_after_a_step(sim, below, above));
+}
+
+TEST_P(ManagedContacts, follow_a_geom_to_a_body_with_a_joint_and_back)
+{
+    Managed sim(GetParam());
+    sim.ground();
+    const dBodyID low = sim.box({0, 0, 0.5}, {1, 1, 1}, 4), high = sim.box({0, 0, 1.5}, {1, 1, 1}, 2);
+    const dGeomID below = geom_of(low), above = geom_of(high);
+    const dBodyID tied = sim.body({0, 0, 1.5});
+    const dJointID joint = dJointCreateFixed(sim.world, nullptr);
+    dJointAttach(joint, low, tied);
+    dJointSetFixed(joint);
+    sim.run(30);
+    EXPECT_TRUE(collide_after_a_step(sim, below, above));
+    dGeomSetBody(above, tied);
+    EXPECT_FALSE(collide_after_a_step(sim, below, above));
+    dGeomSetBody(above, high);
+    dBodySetPosition(high, 0, 0, real(1.4999));
+    EXPECT_TRUE(collide_after_a_step(sim, below, above));
+}
+
 INSTANTIATE_TEST_SUITE_P(Steppers, ManagedContacts, testing::ValuesIn(kSteppers), case_name);
 
 TEST(ManagedContactEvents, tell_when_geoms_begin_and_cease_to_touch)
