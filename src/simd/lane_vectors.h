@@ -159,10 +159,13 @@ using FloatRow = Quad;
 typedef FloatRow FloatRowInMemory __attribute__((may_alias));
 typedef Real RealRow __attribute__((vector_size(4 * sizeof(Real))));
 
-// As four neighbours lie in a structure, aligned as one number: to be copied, since who is given a reference
-// takes them for aligned ones.
-typedef float LooseRow __attribute__((vector_size(4 * sizeof(float)), aligned(sizeof(float)), may_alias));
-typedef Real LooseRealRow __attribute__((vector_size(4 * sizeof(Real)), aligned(sizeof(Real)), may_alias));
+// Four neighbours in a structure, aligned as one number. (Types of vectors that say so lose it on their way
+// through references and templates.)
+template <typename Row>
+EPODE_LANEWISE void read_row(Row& to, const void* from, std::size_t offset)
+{
+    __builtin_memcpy(&to, static_cast<const char*>(from) + offset, sizeof to);
+}
 
 // `row(lane)` is a FloatRow.
 template <typename Row>
