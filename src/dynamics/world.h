@@ -26,8 +26,8 @@ struct World : Tagged {
     int body_count = 0;
     std::uint64_t bodies_made = 0;  // gives each body its serial
     int joint_count = 0;
-    std::uint64_t ties =
-        0;  // another number when a joint that is no contact has come to bodies, or left them
+    // Another number when a joint that is no contact has come to bodies, or left them.
+    std::uint64_t ties = 0;
 
     Vec3 gravity;
     Real erp = Real(0.2);
