@@ -31,8 +31,6 @@ struct alignas(kBroadLanes * sizeof(float)) BroadLanes {
     float& operator[](int lane) { return at[lane]; }
 };
 
-using FloatLaneVec3 = LaneVec3Of<FloatLanes>;
-using FloatLaneSym3 = LaneSym3Of<FloatLanes>;
 using BroadLaneVec3 = LaneVec3Of<BroadLanes>;
 using BroadLaneSym3 = LaneSym3Of<BroadLanes>;
 

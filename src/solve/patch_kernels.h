@@ -35,13 +35,18 @@ struct PatchBodies {
 struct PatchSources {
     const Patch* patches[kBroadLanes];
     const SolverBody *body1[kBroadLanes], *body2[kBroadLanes];
-    float rate[2], soft[2];  // of the batch: if both move, if one does
+};
+
+// Of what is too deep (PatchBatch): if both bodies move, if one does.
+struct PatchSprings {
+    float rate[2], soft[2];
 };
 
 struct PatchKernels {
     const char* name;
     // Out: masses, material, n, drift, rate and soft of the batch, and of its points what `prepare` takes.
-    void (*gather)(PatchBatch& batch, PatchLanes* points, const PatchSources& from);
+    void (*gather)(PatchBatch& batch, PatchLanes* points, const PatchSources& from,
+                   const PatchSprings& springs);
     // In: arms, normal, drift, p along n and `sum` as a vector of the world. Out: all but gap, or where there
     // is one, batch.friction.
     void (*prepare)(PatchBatch& batch, PatchLanes* points, const FloatMotion* motions, float share);

@@ -6,7 +6,6 @@
 #include "solve/patch_set.h"
 
 #include <algorithm>
-#include <cstring>
 
 #include "base/ahead.h"
 #include "solve/colours.h"
@@ -29,6 +28,16 @@ bool dynamic(std::span<const SolverBody> bodies, int index)
 struct PatchPalette : Palette {
     int fixed = 0;  // the first free colour against what cannot move
 };
+
+PatchSprings springs_of(const Substep& step)
+{
+    PatchSprings out;
+    for (const bool fixed : {false, true}) {
+        const RowAim aim = default_contact(step, 1, fixed, kDampingRatio);
+        out.rate[fixed] = float(aim.rate), out.soft[fixed] = float(1 / (1 + aim.C));  // 1 - C/(1 + C)
+    }
+    return out;
+}
 
 // Of a point: its push, and friction along the tangents.
 void store_point(const PatchBatch& batch, int lane, const BroadLanes& push, const BroadLanes& along1,
@@ -153,7 +162,7 @@ int PatchSet::count_batches(std::span<Patch* const> patches, std::span<const int
 // The number of points.
 int PatchSet::cut(std::span<Patch* const> patches, std::span<const int> starts)
 {
-    std::fill(first_of_colour_.begin(), first_of_colour_.end(), 0);
+    first_of_colour_[0] = 0;  // and each colour has patches
     int batches = 0, points = 0;
     for_each_batch(patches, starts, [&](int colour, int from, int taken) {
         int* lanes = &chosen_[std::size_t(batches * kBroadLanes)];
@@ -200,7 +209,9 @@ void PatchSet::fill(const RowSystem& system, const Substep& step)
         motions_[i] = {
             {float(b.v.x), float(b.v.y), float(b.v.z), 0, float(b.w.x), float(b.w.y), float(b.w.z), 0}, {}};
     });
-    tasks_.each_of(int(batches_.size()), kBatchRange, [&](std::size_t b) { fill_batch(system, step, b); });
+    const PatchSprings springs = springs_of(step);
+    tasks_.each_of(int(batches_.size()), kBatchRange,
+                   [&](std::size_t b) { fill_batch(system, step, springs, b); });
     // What the first small step begins with.
     each_body([&](std::size_t i) { motions_[i] = {}; });
     motions_.back() = {};
@@ -225,19 +236,16 @@ void PatchSet::fetch_lanes(const RowSystem& system, std::size_t b) const
     }
 }
 
-void PatchSet::fill_batch(const RowSystem& system, const Substep& step, std::size_t b)
+void PatchSet::fill_batch(const RowSystem& system, const Substep& step, const PatchSprings& springs,
+                          std::size_t b)
 {
     fetch_lanes(system, b);
     PatchBatch& batch = batches_[b];
     PatchLanes passing[kPatchPoints];  // on their way into the friction of the whole
     PatchLanes* points = whole_ ? passing : &points_[std::size_t(batch.first)];
     PatchSources from;
-    for (const bool fixed : {false, true}) {
-        const RowAim aim = default_contact(step, 1, fixed, kDampingRatio);
-        from.rate[fixed] = float(aim.rate), from.soft[fixed] = float(1 / (1 + aim.C));  // 1 - C/(1 + C)
-    }
     for (int lane = 0; lane < batch.lanes; ++lane) choose_lane(system, b, lane, from);
-    kernels_->gather(batch, points, from);
+    kernels_->gather(batch, points, from, springs);
     if (batch.extra)
         for (int lane = 0; lane < batch.lanes; ++lane) fill_extra(*from.patches[lane], *batch.extra, lane);
     kernels_->prepare(batch, points, motions_.data(), float(1) / float(step.n));

@@ -57,7 +57,8 @@ class PatchSet {
     void fill_extra(const Patch& patch, PatchExtra& extra, int lane) const;
     void fill(const RowSystem& system, const Substep& step);
     void fetch_lanes(const RowSystem& system, std::size_t batch) const;
-    void fill_batch(const RowSystem& system, const Substep& step, std::size_t batch);
+    void fill_batch(const RowSystem& system, const Substep& step, const PatchSprings& springs,
+                    std::size_t batch);
     void choose_lane(const RowSystem& system, std::size_t batch, int lane, PatchSources& from);
     PatchBodies view(std::span<Velocity> bodies);
     // A look at every body, or at every batch, colour by colour.
