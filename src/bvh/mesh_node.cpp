@@ -40,27 +40,13 @@ void GridSteps::enclose(float low, float high, std::uint8_t& lo, std::uint8_t& h
     lo = std::uint8_t(from), hi = std::uint8_t(to);
 }
 
-void MeshNode::set_grid(const FloatBox& all)
+void MeshNode::place(const FloatBox* boxes, const FloatBox& all)
 {
     for (int i = 0; i < 3; ++i) {
         const GridSteps grid(all.lo[i], all.hi[i]);
         origin[i] = grid.origin, step[i] = grid.step;
+        for (int k = 0; k < count; ++k) grid.enclose(boxes[k].lo[i], boxes[k].hi[i], lo[i][k], hi[i][k]);
     }
-}
-
-void MeshNode::set_box(int k, const FloatBox& box)
-{
-    for (int i = 0; i < 3; ++i) {
-        GridSteps grid(0, 0);
-        grid.origin = origin[i], grid.step = step[i];
-        grid.enclose(box.lo[i], box.hi[i], lo[i][k], hi[i][k]);
-    }
-}
-
-void MeshNode::set_none(int k)
-{
-    child[k] = kNone;
-    for (int i = 0; i < 3; ++i) lo[i][k] = hi[i][k] = 0;
 }
 
 }  // namespace epode

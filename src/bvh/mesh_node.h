@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A node of the tree over a mesh: four boxes on a grid of 256 steps a side, lo = origin + step * q, tested
-// four at a time. Vectors of 16 bytes are on every machine that we serve; every operation is done lane by
-// lane, so the answers do not depend on how.
+// A node of the tree over a mesh: sixteen boxes on a grid of 256 steps a side, lo = origin + step * q.
+// Vectors of 16 bytes are on every machine that we serve; every operation is done lane by lane, so the
+// answers do not depend on how.
+//   box    goes onto the grid; a bound of all 16 children is one vector of bytes, so that they are told apart
+//          in no more work than four.
 //   ray    a slab is met between (origin - o) inv + q (step inv) for its two q; o, inv: the ray's origin and
-//          the inverse of its direction, in which what is next to zero is replaced by something tiny.
+//          the inverse of its direction, in which what is next to zero is replaced by something tiny. Four
+//          children at a time. Nodes of four would be as much work, but twice as many must be waited for, one
+//          after the other, where the tree is larger than the cache.
 #pragma once
 
 #include <bit>
@@ -19,7 +23,6 @@ namespace epode {
 inline constexpr float kMeshMargin = 0x1p-19f;
 inline constexpr int kMeshLeaf = 4;    // most triangles in one (mesh_packet.h)
 inline constexpr int kMeshDepth = 68;  // most levels of nodes
-inline constexpr int kMeshStack = 3 * kMeshDepth + 4;
 
 struct FloatBox {
     float lo[3], hi[3];
@@ -68,12 +71,6 @@ struct NodeRay {
     bool down[3];  // runs against the axis
 };
 
-// Which of four children a ray meets (all bits of their lanes are set), and how far away.
-struct MetNodes {
-    mesh_lanes::Ints yes;
-    mesh_lanes::Floats near;
-};
-
 // A child and how far away it is, at least 0, as one number that grows with the distance: bits of floats that
 // are not negative are ordered as they are. No child of a node is node 0, so 0 is none.
 class WaitingNode {
@@ -85,58 +82,32 @@ class WaitingNode {
     int child() const { return int(std::uint32_t(key_)); }
     float near() const { return std::bit_cast<float>(std::uint32_t(key_ >> 32)); }
 
+    bool nearer(const WaitingNode& other) const { return key_ < other.key_; }
+
     friend void far_first(WaitingNode* four);
 
   private:
     std::uint64_t key_;
 };
 
-// Sorts four, the nearest last and none behind it. A network: what comparisons say cannot be foreseen, so
-// there are no branches on it.
-inline void far_first(WaitingNode* w)
-{
-    const auto order = [w](int i, int j) {
-        const std::uint64_t a = w[i].key_, b = w[j].key_;
-        w[i].key_ = a > b ? a : b;
-        w[j].key_ = a > b ? b : a;
-    };
-    order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
-}
-
-// The children that are met, none in the places of the others; without branches, too. As pairs of numbers,
-// the lesser half first, a key is a child and a distance.
-inline void put_met(const MetNodes& met, const int* children, WaitingNode* w)
-{
-    using namespace mesh_lanes;
-    static_assert(std::endian::native == std::endian::little && sizeof(WaitingNode) == 8);
-    Ints child;
-    __builtin_memcpy(&child, children, sizeof child);
-    child &= met.yes;
-    const Ints near = Ints(met.near) & met.yes;
-    const Ints low = __builtin_shufflevector(child, near, 0, 4, 1, 5),
-               high = __builtin_shufflevector(child, near, 2, 6, 3, 7);
-    __builtin_memcpy(static_cast<void*>(w), &low, sizeof low);
-    __builtin_memcpy(static_cast<void*>(w + 2), &high, sizeof high);
-}
-
 struct alignas(64) MeshNode {
-    static constexpr int kNone = INT_MIN;
+    static constexpr int kMost = 16;
 
     float origin[3], step[3];
-    std::uint8_t lo[3][4], hi[3][4];
-    int child[4];  // a node, -1 - a packet of triangles, or kNone
+    int count;  // of the children
+    std::uint8_t lo[3][kMost], hi[3][kMost];
+    int child[kMost];  // a node, or -1 - a packet of triangles
 
-    void set_grid(const FloatBox& all);
-    void set_box(int k, const FloatBox& box);  // within the grid
-    void set_none(int k);
+    // The boxes of the children, on a grid over all of them.
+    void place(const FloatBox* boxes, const FloatBox& all);
 
     // Bits of the children met.
     unsigned met_by(const NodeBox& box) const;
     unsigned met_by(const HalfSpace& space) const;
-    MetNodes met_by(const NodeRay& ray, float reach) const;
-    unsigned there() const;  // bits of the children that exist
+    unsigned met_by(const NodeRay& ray, float reach, float (&near)[kMost]) const;  // and how far each is
+    unsigned there() const { return (1u << count) - 1; }
 };
-static_assert(sizeof(MeshNode) == 64);
+static_assert(sizeof(MeshNode) == 192);
 
 namespace mesh_lanes {
 
@@ -190,9 +161,6 @@ inline Bytes steps(Floats x)
     return Bytes(twice | twice << 16);
 }
 
-// Of four bits, how many are set: a digit each.
-inline int count(unsigned bits) { return int(0x4332322132212110u >> 4 * bits & 7); }
-
 // A box on the grid of a node: its origin in three numbers and, behind them, the steps of its axes. Rounded
 // outward to whole steps.
 struct BoxSteps {
@@ -209,51 +177,57 @@ struct BoxSteps {
 
 }  // namespace mesh_lanes
 
-inline unsigned MeshNode::there() const
-{
-    using namespace mesh_lanes;
-    Ints children;
-    __builtin_memcpy(&children, child, sizeof(children));
-    return bits(children != Ints{kNone, kNone, kNone, kNone});
-}
-
-// The box goes onto the grid, which is less work than the children leaving it, and all its bounds are
-// compared at once. What that rounds is far less than kMeshMargin.
+// What the grid rounds is far less than kMeshMargin.
 inline unsigned MeshNode::met_by(const NodeBox& box) const
 {
     using namespace mesh_lanes;
     const BoxSteps on(origin, box);
-    // The bounds of the three axes are 12 bytes; what lies behind them is not looked at.
-    const unsigned met = bits(Bytes((bytes_at(lo[0]) <= on.to) & (bytes_at(hi[0]) >= on.from)));
-    return met & met >> 4 & met >> 8 & there();
+    const Ints from = Ints(on.from), to = Ints(on.to);
+    const Bytes met = (bytes_at(lo[0]) <= Bytes(__builtin_shufflevector(to, to, 0, 0, 0, 0))) &
+                      (bytes_at(hi[0]) >= Bytes(__builtin_shufflevector(from, from, 0, 0, 0, 0))) &
+                      (bytes_at(lo[1]) <= Bytes(__builtin_shufflevector(to, to, 1, 1, 1, 1))) &
+                      (bytes_at(hi[1]) >= Bytes(__builtin_shufflevector(from, from, 1, 1, 1, 1))) &
+                      (bytes_at(lo[2]) <= Bytes(__builtin_shufflevector(to, to, 2, 2, 2, 2))) &
+                      (bytes_at(hi[2]) >= Bytes(__builtin_shufflevector(from, from, 2, 2, 2, 2)));
+    return bits(met) & there();
 }
 
 inline unsigned MeshNode::met_by(const HalfSpace& space) const
 {
     using namespace mesh_lanes;
-    Floats least{};
-    for (int i = 0; i < 3; ++i) {
-        const Floats nearest = floats(origin[i]) + places(space.n[i] > 0 ? lo[i] : hi[i]) * floats(step[i]);
-        least += floats(space.n[i]) * nearest;
+    unsigned met = 0;
+    for (int k = 0; k < kMost; k += 4) {
+        Floats least{};
+        for (int i = 0; i < 3; ++i) {
+            const std::uint8_t* nearest = space.n[i] > 0 ? lo[i] : hi[i];
+            least += floats(space.n[i]) * (floats(origin[i]) + places(nearest + k) * floats(step[i]));
+        }
+        met |= bits(least <= floats(space.d)) << k;
     }
-    return bits(least <= floats(space.d)) & there();
+    return met & there();
 }
 
-inline MetNodes MeshNode::met_by(const NodeRay& ray, float reach) const
+inline unsigned MeshNode::met_by(const NodeRay& ray, float reach, float (&near)[kMost]) const
 {
     using namespace mesh_lanes;
-    Floats first = Floats{}, last = floats(reach);
+    Floats base[3], grain[3];
+    const std::uint8_t *in[3], *out[3];
     for (int i = 0; i < 3; ++i) {
-        const Floats base = floats((origin[i] - ray.origin[i]) * ray.inverse[i]);
-        const Floats grain = floats(step[i] * ray.inverse[i]);
-        const Floats a = base + places(ray.down[i] ? hi[i] : lo[i]) * grain;
-        const Floats b = base + places(ray.down[i] ? lo[i] : hi[i]) * grain;
-        first = larger(a, first);
-        last = smaller(b, last);
+        base[i] = floats((origin[i] - ray.origin[i]) * ray.inverse[i]);
+        grain[i] = floats(step[i] * ray.inverse[i]);
+        in[i] = ray.down[i] ? hi[i] : lo[i], out[i] = ray.down[i] ? lo[i] : hi[i];
     }
-    Ints children;
-    __builtin_memcpy(&children, child, sizeof(children));
-    return {(first <= last) & (children != Ints{kNone, kNone, kNone, kNone}), first};
+    unsigned met = 0;
+    for (int k = 0; k < kMost; k += 4) {
+        Floats first = Floats{}, last = floats(reach);
+        for (int i = 0; i < 3; ++i) {
+            first = larger(base[i] + places(in[i] + k) * grain[i], first);
+            last = smaller(base[i] + places(out[i] + k) * grain[i], last);
+        }
+        __builtin_memcpy(near + k, &first, sizeof(first));
+        met |= bits(first <= last) << k;
+    }
+    return met & there();
 }
 
 }  // namespace epode

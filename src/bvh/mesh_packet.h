@@ -11,6 +11,7 @@
 #pragma once
 
 #include "bvh/mesh_node.h"
+#include "geometry/triangle_mesh.h"
 
 namespace epode {
 
@@ -26,8 +27,9 @@ struct PacketRay {
 struct alignas(16) MeshPacket {
     static constexpr int kNone = -1;
 
-    float at[3][3][4];  // corner, axis, lane
-    int lanes[4];       // the triangle; -2 - it when that is degenerate; kNone
+    float at[3][3][4];       // corner, axis, lane
+    int lanes[4];            // the triangle; -2 - it when that is degenerate; kNone
+    MeshCorners corners[4];  // of each lane: so who needs the vertices need not look them up first
 
     bool used(int k) const { return lanes[k] != kNone; }
     int triangle(int k) const { return lanes[k] >= 0 ? lanes[k] : -2 - lanes[k]; }

@@ -5,6 +5,7 @@
 // (number of triangles) is least, among kBins - 1 places on each axis; a node takes four parts, always
 // cutting the one of the largest surface. Beyond kGreedy cuts on top of each other ranges are halved by
 // number, which bounds the depth at kGreedy + 27 for all meshes; so are triangles with one common centre.
+// Nodes of four then give way to their children until sixteen have come together (put_together).
 #include "bvh/mesh_tree.h"
 
 #include <algorithm>
@@ -162,6 +163,12 @@ int divide(const Part& part)
     return left;
 }
 
+// A node while the tree is made: nodes of four, -1 - packets, or kNone.
+struct Four {
+    static constexpr int kNone = INT_MIN;
+    int child[4];
+};
+
 // What the children of a node of so many triangles should hold at most: the least of 4, 16, 64, ... that four
 // of them take. Cutting smaller ones in two makes nodes of two children, twice as many in all.
 int full_child(int count)
@@ -183,7 +190,7 @@ int to_cut(const Part* parts, int count, int full)
 // Node by node from the root; the items stand in one array, in the end in the order of the leaves.
 class Builder {
   public:
-    Builder(Array<MeshNode>& nodes, Array<MeshPacket>& packets) : nodes_(nodes), packets_(packets) {}
+    Builder(Array<Four>& nodes, Array<MeshPacket>& packets) : nodes_(nodes), packets_(packets) {}
 
     // The new node, or -1 when memory is exhausted.
     int build(const Part& whole)
@@ -195,7 +202,7 @@ class Builder {
         const int full = full_child(whole.count);
         for (int i = 0; count < 4 && (i = to_cut(parts, count, full)) >= 0; ++count) cut(parts, count, i);
         for (int k = 0; k < 4; ++k) {
-            int child = MeshNode::kNone;
+            int child = Four::kNone;
             if (k < count && parts[k].count <= kMeshLeaf) {
                 if (!packets_.push(packet_of(parts[k]))) return -1;
                 child = -packets_.size();
@@ -226,9 +233,45 @@ class Builder {
         return p;
     }
 
-    Array<MeshNode>& nodes_;
+    Array<Four>& nodes_;
     Array<MeshPacket>& packets_;
 };
+
+// Nodes of sixteen from those of four: of the children of one, those with the most below them give way to
+// their own until sixteen are reached. False when memory is exhausted.
+bool put_together(const Array<Four>& fours, Array<MeshNode>& nodes)
+{
+    Array<int> below;  // of each of four: nodes in its part of the tree
+    Array<int> roots;  // of each of sixteen: the one of four that it begins with
+    if (!below.resize(fours.size()) || !roots.push(0)) return false;
+    for (int n = fours.size() - 1; n >= 0; --n) {
+        below[n] = 1;
+        for (const int c : fours[n].child) below[n] += c >= 0 ? below[c] : 0;
+    }
+    for (int w = 0; w < roots.size(); ++w) {
+        MeshNode node{};
+        node.child[node.count++] = roots[w];
+        while (node.count <= MeshNode::kMost - 3) {
+            int best = -1;
+            for (int i = 0; i < node.count; ++i)
+                if (node.child[i] >= 0 && (best < 0 || below[node.child[i]] > below[node.child[best]]))
+                    best = i;
+            if (best < 0) break;
+            const Four& four = fours[node.child[best]];
+            node.child[best] = node.child[--node.count];
+            for (const int c : four.child)
+                if (c != Four::kNone) node.child[node.count++] = c;
+        }
+        for (int i = 0; i < node.count; ++i) {
+            if (node.child[i] < 0) continue;
+            const int four = node.child[i];
+            node.child[i] = roots.size();
+            if (!roots.push(four)) return false;
+        }
+        if (!nodes.push(node)) return false;
+    }
+    return true;
+}
 
 // The power of two that brings x, positive, into 1/2 ... 1; next to zero, one that is still a number.
 Real scale_for(Real x)
@@ -272,8 +315,10 @@ bool MeshTree::build(const TriangleMesh& mesh)
             const Aabb box = mesh.box(t);
             items[t] = {widened(float_box({made.in_frame(box.lo), made.in_frame(box.hi)})), t};
         }
-        if (Builder(made.nodes_, made.packets_).build(part_of(items.data(), count, 0)) < 0) return false;
-        if (!made.bounds_.resize(made.nodes_.size()) || !made.widen()) return false;
+        Array<Four> fours;
+        if (Builder(fours, made.packets_).build(part_of(items.data(), count, 0)) < 0 ||
+            !put_together(fours, made.nodes_) || !made.bounds_.resize(made.nodes_.size()))
+            return false;
         made.refit(mesh);
     }
     *this = static_cast<MeshTree&&>(made);
@@ -298,6 +343,7 @@ void MeshTree::fill(MeshPacket& packet, const TriangleMesh& mesh) const
     for (int k = 0; k < 4; ++k) {
         const int t = packet.triangle(packet.used(k) ? k : 0);
         if (packet.used(k)) packet.lanes[k] = mesh.degenerate(t) ? -2 - t : t;
+        packet.corners[k] = mesh.corners(t);
         for (int c = 0; c < 3; ++c) {
             const Vec3 p = in_frame(mesh.corner(t, c));
             for (int i = 0; i < 3; ++i) packet.at[c][i][k] = float(p[i]);
@@ -311,22 +357,14 @@ void MeshTree::refit(const TriangleMesh& mesh)
     for (MeshPacket& packet : packets_) fill(packet, mesh);
     for (int n = nodes_.size() - 1; n >= 0; --n) {
         MeshNode& node = nodes_[n];
-        FloatBox boxes[4], all = kEmpty;
-        for (int k = 0; k < 4; ++k) {
-            if (node.child[k] == MeshNode::kNone) continue;
+        FloatBox boxes[MeshNode::kMost], all = kEmpty;
+        for (int k = 0; k < node.count; ++k) {
             boxes[k] = bounds_of(mesh, node.child[k]);
             enclose(all, boxes[k]);
         }
-        node.set_grid(all);
-        for (int k = 0; k < 4; ++k) {
-            if (node.child[k] == MeshNode::kNone)
-                node.set_none(k);
-            else
-                node.set_box(k, boxes[k]);
-        }
+        node.place(boxes, all);
         bounds_[n] = all;
     }
-    for (int w = 0; w < wide_.size(); ++w) place(wide_[w], sources_.data() + WideNode::kMost * w, mesh);
 }
 
 bool MeshTree::bring_up_to_date(NearLeaves& kept, const FloatBox& asked) const
@@ -349,64 +387,13 @@ bool MeshTree::bring_up_to_date(NearLeaves& kept, const FloatBox& asked) const
 void MeshTree::gather(NearLeaves& kept) const
 {
     kept.count = 0;
-    walk_wide(NodeBox(kept.box), [&](int leaf) {
-        if (!packets_.data()[leaf].met_by(kept.box)) return true;
-        if (kept.count < NearLeaves::kMost) kept.leaf[kept.count] = leaf;
-        return ++kept.count <= NearLeaves::kMost;
-    });
-}
-
-// Wide nodes from the nodes of four: of the children of one, those with the most below them give way to their
-// own until 16 are reached.
-bool MeshTree::widen()
-{
-    Array<int> below;  // of each node: nodes in its part of the tree
-    if (!below.resize(nodes_.size())) return false;
-    for (int n = nodes_.size() - 1; n >= 0; --n) {
-        below[n] = 1;
-        for (const int c : nodes_[n].child) below[n] += c >= 0 ? below[c] : 0;
-    }
-    Array<int> roots;
-    if (!roots.push(0)) return false;
-    for (int w = 0; w < roots.size(); ++w) {
-        int sources[WideNode::kMost], count = 1;
-        sources[0] = roots[w];
-        while (count <= WideNode::kMost - 3) {
-            int best = -1;
-            for (int i = 0; i < count; ++i)
-                if (sources[i] >= 0 && (best < 0 || below[sources[i]] > below[sources[best]])) best = i;
-            if (best < 0) break;
-            const MeshNode& node = nodes_[sources[best]];
-            sources[best] = sources[--count];
-            for (const int c : node.child)
-                if (c != MeshNode::kNone) sources[count++] = c;
-        }
-        if (!wide_.push({})) return false;
-        WideNode& node = wide_[w];
-        node.count = count;
-        for (int i = 0; i < WideNode::kMost; ++i) {
-            const int source = i < count ? sources[i] : MeshNode::kNone;
-            if (!sources_.push(source)) return false;
-            node.child[i] = source < 0 ? source : roots.size();
-            if (source >= 0 && !roots.push(source)) return false;
-        }
-    }
-    return true;
-}
-
-void MeshTree::place(WideNode& node, const int* sources, const TriangleMesh& mesh) const
-{
-    FloatBox boxes[WideNode::kMost], all = kEmpty;
-    for (int k = 0; k < node.count; ++k) {
-        boxes[k] = bounds_of(mesh, sources[k]);
-        enclose(all, boxes[k]);
-    }
-    for (int i = 0; i < 3; ++i) {
-        const GridSteps grid(all.lo[i], all.hi[i]);
-        node.origin[i] = grid.origin, node.step[i] = grid.step;
-        for (int k = 0; k < node.count; ++k)
-            grid.enclose(boxes[k].lo[i], boxes[k].hi[i], node.lo[i][k], node.hi[i][k]);
-    }
+    const NodeBox node_box(kept.box);
+    walk([&](const MeshNode& node) { return node.met_by(node_box); },
+         [&](int leaf) {
+             if (!packets_.data()[leaf].met_by(kept.box)) return true;
+             if (kept.count < NearLeaves::kMost) kept.leaf[kept.count] = leaf;
+             return ++kept.count <= NearLeaves::kMost;
+         });
 }
 
 // Of unit length; beyond the mesh d does not matter.

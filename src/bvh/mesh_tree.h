@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The tree over the triangles of a mesh, asked by box and by ray. A node has four children and fills one
-// cache line: their boxes lie on a grid of its own, 256 steps to a side (8 bits a bound instead of 32 or 64).
-// The grids are in a frame of the whole mesh, [-1, 1] to the half of its largest side or less, where floats
-// are as good as anywhere; every box is larger by kMargin than what it holds, which is more than the rounding
-// of all that is done with it, so that nothing is ever missed. One grid for all nodes (16 bits) would be
-// simpler, but blind in a mesh of which one vertex lies far off. Built from above by binned surface area
-// (Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007). The depth is bounded, so
-// that walks need no more than a short stack. The order in which triangles are reported depends on how the
+// The tree over the triangles of a mesh, asked by box and by ray. A node has sixteen children, whose boxes
+// lie on a grid of its own, 256 steps to a side (8 bits a bound instead of 32 or 64). The grids are in a
+// frame of the whole mesh, [-1, 1] to the half of its largest side or less, where floats are as good as
+// anywhere; every box is larger by kMargin than what it holds, which is more than the rounding of all that is
+// done with it, so that nothing is ever missed. One grid for all nodes (16 bits) would be simpler, but blind
+// in a mesh of which one vertex lies far off. Built from above by binned surface area (Wald, "On fast
+// construction of SAH-based bounding volume hierarchies", 2007), four parts at a time. The depth is bounded,
+// so that walks need no more than a short stack. The order in which triangles are reported depends on how the
 // tree was made and on nothing else; refit() keeps it.
 #pragma once
 
@@ -17,7 +17,6 @@
 #include "base/ahead.h"
 #include "bvh/mesh_probe.h"
 #include "bvh/near_leaves.h"
-#include "bvh/wide_node.h"
 #include "geometry/triangle_mesh.h"
 
 namespace epode {
@@ -53,40 +52,32 @@ class MeshTree {
     template <typename Visit>
     void below(Vec3 n, Real d, Visit&& visit) const;
 
-    // visit(ray, triangle) for those, degenerate ones too, whose leaf the ray meets between `from` and `to`,
-    // near ones first as a rule. It answers how far the ray has still to be followed (from its unmoved
-    // origin); less than `from` ends it.
-    template <typename Visit>
-    void cast(Vec3 origin, Vec3 direction, Real from, Real to, Visit&& visit) const;
-
-    // The same for those that the ray may hit, degenerate ones left out.
-    template <typename Visit>
-    void shoot(Vec3 origin, Vec3 direction, Real from, Real to, Visit&& visit) const;
+    // visit(ray, packet, lane) for those, not degenerate, that the ray may hit between `from` and `to`, near
+    // ones first as a rule. It answers how far the ray has still to be followed (from its unmoved origin);
+    // less than `from` ends it. see(packet) before, for each that the ray comes upon.
+    template <typename See, typename Visit>
+    void shoot(Vec3 origin, Vec3 direction, Real from, Real to, See&& see, Visit&& visit) const;
 
     const Aabb& box() const { return box_; }  // of the mesh; the origin when it is empty
     int node_count() const { return nodes_.size(); }
 
   private:
+    static constexpr int kStack = (MeshNode::kMost - 1) * kMeshDepth + 1;
+
     // open(leaf) for those that are met, until it answers false.
-    template <int kStack, typename Node, typename Meets, typename Open>
-    void walk(const Array<Node>& nodes, Meets&& meets, Open&& open) const;
-    // The same along a ray that has entered: open(packet, reach) answers as a visit of cast() does.
+    template <typename Meets, typename Open>
+    void walk(Meets&& meets, Open&& open) const;
+    // The same along a ray that has entered: open(packet, reach) answers as a visit of shoot() does.
     template <typename Open>
     void follow(const MeshRay& ray, Real from, Real to, Open&& open) const;
-    // The same for those that meet a box, by the wide nodes.
-    template <typename Open>
-    void walk_wide(const NodeBox& box, Open&& open) const;
     // Whether `kept` has all leaves that meet `asked`, then.
     bool bring_up_to_date(NearLeaves& kept, const FloatBox& asked) const;
     void gather(NearLeaves& kept) const;
-    [[nodiscard]] bool widen();
-    void place(WideNode& node, const int* sources, const TriangleMesh& mesh) const;
     // Asks for the memory of a child that will be looked at soon.
-    template <typename Node>
-    void fetch(const Array<Node>& nodes, int child) const
+    void fetch(int child) const
     {
         if (child >= 0)
-            epode::fetch<(sizeof(Node) + kCacheLine - 1) / kCacheLine>(nodes.data() + child);
+            epode::fetch<sizeof(MeshNode) / kCacheLine>(nodes_.data() + child);
         else
             fetch_leaf(-1 - child);
     }
@@ -108,18 +99,16 @@ class MeshTree {
     Array<MeshNode> nodes_;  // children behind their parents
     Array<MeshPacket> packets_;
     Array<FloatBox> bounds_;  // of each node, for refit()
-    Array<WideNode> wide_;
-    Array<int> sources_;  // of each child of these: the child of nodes_ that it is
     Aabb box_;
     Vec3 centre_;
     Real scale_ = 1;             // a power of two
     std::uint64_t edition_ = 0;  // see near_leaves.h
 };
 
-template <int kStack, typename Node, typename Meets, typename Open>
-void MeshTree::walk(const Array<Node>& nodes, Meets&& meets, Open&& open) const
+template <typename Meets, typename Open>
+void MeshTree::walk(Meets&& meets, Open&& open) const
 {
-    if (nodes.empty()) return;
+    if (nodes_.empty()) return;
     int stack[kStack];
     int top = 0;
     stack[top++] = 0;
@@ -129,21 +118,13 @@ void MeshTree::walk(const Array<Node>& nodes, Meets&& meets, Open&& open) const
             if (!open(-1 - child)) return;
             continue;
         }
-        const Node& node = nodes.data()[child];
+        const MeshNode& node = nodes_.data()[child];
         for (unsigned met = meets(node); met != 0; met &= met - 1) {
             const int next = node.child[std::countr_zero(met)];
-            fetch(nodes, next);
+            fetch(next);
             stack[top++] = next;
         }
     }
-}
-
-template <typename Open>
-void MeshTree::walk_wide(const NodeBox& box, Open&& open) const
-{
-    constexpr int kStack = (WideNode::kMost - 1) * kMeshDepth + 1;
-    walk<kStack>(
-        wide_, [&](const WideNode& node) { return node.met_by(box); }, open);
 }
 
 template <typename Visit>
@@ -151,14 +132,16 @@ void MeshTree::query(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) c
 {
     if (!overlap(box, box_)) return;
     const FloatBox asked = in_frame(box);
-    walk_wide(NodeBox(asked), [&](int leaf) {
-        const MeshPacket& packet = packets_.data()[leaf];
-        for (unsigned met = packet.met_by(asked); met != 0; met &= met - 1) {
-            const int t = packet.lanes[std::countr_zero(met)];
-            if (overlap(mesh.box(t), box) && !visit(t)) return false;
-        }
-        return true;
-    });
+    const NodeBox node_box(asked);
+    walk([&](const MeshNode& node) { return node.met_by(node_box); },
+         [&](int leaf) {
+             const MeshPacket& packet = packets_.data()[leaf];
+             for (unsigned met = packet.met_by(asked); met != 0; met &= met - 1) {
+                 const int t = packet.lanes[std::countr_zero(met)];
+                 if (overlap(mesh.box(t), box) && !visit(t)) return false;
+             }
+             return true;
+         });
 }
 
 template <typename See, typename Visit>
@@ -177,7 +160,10 @@ void MeshTree::query(const Aabb& box, const SolidProbe& solid, NearLeaves* kept,
             visit(packet.lanes[std::countr_zero(close)]);
         return true;
     };
-    if (!kept || !bring_up_to_date(*kept, asked)) return walk_wide(NodeBox(asked), open);
+    if (!kept || !bring_up_to_date(*kept, asked)) {
+        const NodeBox node_box(asked);
+        return walk([&](const MeshNode& node) { return node.met_by(node_box); }, open);
+    }
     for (int i = 0; i < kept->count; ++i) fetch_leaf(kept->leaf[i]);
     for (int i = 0; i < kept->count; ++i) open(kept->leaf[i]);
 }
@@ -186,14 +172,13 @@ template <typename Visit>
 void MeshTree::below(Vec3 n, Real d, Visit&& visit) const
 {
     const HalfSpace asked = half_space(n, d);
-    walk<kMeshStack>(
-        nodes_, [&](const MeshNode& node) { return node.met_by(asked); },
-        [&](int leaf) {
-            const MeshPacket& packet = packets_.data()[leaf];
-            for (unsigned met = packet.whole(); met != 0; met &= met - 1)
-                if (!visit(packet.lanes[std::countr_zero(met)])) return false;
-            return true;
-        });
+    walk([&](const MeshNode& node) { return node.met_by(asked); },
+         [&](int leaf) {
+             const MeshPacket& packet = packets_.data()[leaf];
+             for (unsigned met = packet.whole(); met != 0; met &= met - 1)
+                 if (!visit(packet.lanes[std::countr_zero(met)])) return false;
+             return true;
+         });
 }
 
 template <typename Open>
@@ -202,7 +187,7 @@ void MeshTree::follow(const MeshRay& ray, Real from, Real to, Open&& open) const
     const NodeRay node_ray(in_frame(ray.origin), ray.direction);
     const auto left = [&] { return float(scale_ * (to - ray.start)) + kMeshMargin; };
     float reach = left();
-    WaitingNode stack[kMeshStack];
+    WaitingNode stack[kStack];
     int top = 0;
     stack[top++] = WaitingNode(0, 0);
     while (top > 0) {
@@ -215,39 +200,29 @@ void MeshTree::follow(const MeshRay& ray, Real from, Real to, Open&& open) const
             continue;
         }
         const MeshNode& node = nodes_.data()[next.child()];
-        const MetNodes children = node.met_by(node_ray, reach);
-        const unsigned met = mesh_lanes::bits(children.yes);
-        put_met(children, node.child, stack + top);
-        for (unsigned rest = met; rest != 0; rest &= rest - 1)
-            fetch(nodes_, node.child[std::countr_zero(rest)]);
-        far_first(stack + top);
-        top += mesh_lanes::count(met);
+        float near[MeshNode::kMost];
+        const int bottom = top;
+        for (unsigned met = node.met_by(node_ray, reach, near); met != 0; met &= met - 1) {
+            const int k = std::countr_zero(met);
+            fetch(node.child[k]);
+            const WaitingNode one(node.child[k], near[k]);
+            int at = top++;
+            for (; at > bottom && stack[at - 1].nearer(one); --at) stack[at] = stack[at - 1];
+            stack[at] = one;
+        }
     }
 }
 
-template <typename Visit>
-void MeshTree::cast(Vec3 origin, Vec3 direction, Real from, Real to, Visit&& visit) const
-{
-    MeshRay ray{origin, direction, 0, scale_};
-    if (nodes_.empty() || !enter(ray, from, to)) return;
-    follow(ray, from, to, [&](const MeshPacket& packet, float) {
-        for (int k = 0; k < 4 && packet.used(k); ++k) {
-            to = visit(ray, packet.triangle(k));
-            if (to < from) break;
-        }
-        return to;
-    });
-}
-
-template <typename Visit>
-void MeshTree::shoot(Vec3 origin, Vec3 direction, Real from, Real to, Visit&& visit) const
+template <typename See, typename Visit>
+void MeshTree::shoot(Vec3 origin, Vec3 direction, Real from, Real to, See&& see, Visit&& visit) const
 {
     MeshRay ray{origin, direction, 0, scale_};
     if (nodes_.empty() || !enter(ray, from, to)) return;
     const PacketRay packet_ray(in_frame(ray.origin), direction);
     follow(ray, from, to, [&](const MeshPacket& packet, float reach) {
+        see(packet);
         for (unsigned met = packet.met_by(packet_ray, reach); met != 0; met &= met - 1) {
-            to = visit(ray, packet.lanes[std::countr_zero(met)]);
+            to = visit(ray, packet, std::countr_zero(met));
             if (to < from) break;
         }
         return to;

@@ -16,6 +16,43 @@
 
 namespace epode {
 
+// Which of four children a ray meets (all bits of their lanes are set), and how far away.
+struct MetNodes {
+    mesh_lanes::Ints yes;
+    mesh_lanes::Floats near;
+};
+
+// Sorts four, the nearest last and none behind it. A network: what comparisons say cannot be foreseen, so
+// there are no branches on it.
+inline void far_first(WaitingNode* w)
+{
+    const auto order = [w](int i, int j) {
+        const std::uint64_t a = w[i].key_, b = w[j].key_;
+        w[i].key_ = a > b ? a : b;
+        w[j].key_ = a > b ? b : a;
+    };
+    order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
+}
+
+// The children that are met, none in the places of the others; without branches, too. As pairs of numbers,
+// the lesser half first, a key is a child and a distance.
+inline void put_met(const MetNodes& met, const int* children, WaitingNode* w)
+{
+    using namespace mesh_lanes;
+    static_assert(std::endian::native == std::endian::little && sizeof(WaitingNode) == 8);
+    Ints child;
+    __builtin_memcpy(&child, children, sizeof child);
+    child &= met.yes;
+    const Ints near = Ints(met.near) & met.yes;
+    const Ints low = __builtin_shufflevector(child, near, 0, 4, 1, 5),
+               high = __builtin_shufflevector(child, near, 2, 6, 3, 7);
+    __builtin_memcpy(static_cast<void*>(w), &low, sizeof low);
+    __builtin_memcpy(static_cast<void*>(w + 2), &high, sizeof high);
+}
+
+// Of four bits, how many are set: a digit each.
+inline int count(unsigned bits) { return int(0x4332322132212110u >> 4 * bits & 7); }
+
 struct alignas(64) RayNode {
     float lo[3][4], hi[3][4];
     int child[4];     // a node, or ~item
@@ -98,7 +135,7 @@ void RayTree::cast(const TreeRay& ray, Vec3 direction, const Aabb& all, Real rea
         for (unsigned soon = met & node.leaves; soon != 0; soon &= soon - 1)
             fetch(~node.child[__builtin_ctz(soon)]);
         far_first(stack + top);
-        top += mesh_lanes::count(met);
+        top += count(met);
     }
 }
 

@@ -80,9 +80,11 @@ class TriangleMesh {
         __builtin_prefetch(rims_.data() + t);
         __builtin_prefetch(across_.data() + 3 * t);
     }
+    void fetch_vertex(int i) const { __builtin_prefetch(vertices_.data() + i); }
+    void fetch_normal(int t) const { __builtin_prefetch(normals_.data() + t); }
     void fetch_corners(int t) const
     {
-        for (const int v : corners(t).at) __builtin_prefetch(vertices_.data() + v);
+        for (const int v : corners(t).at) fetch_vertex(v);
     }
 
     // The first corner of a triangle, not a degenerate one, that is the same vertex, as 3 t + k.

@@ -51,11 +51,17 @@ class Caster {
     void each(Found&& found) const
     {
         Real reach = length_;
-        tree_.shoot(origin_, direction_, 0, length_, [&](const MeshRay& ray, int t) {
-            Hit hit;
-            if (meets(ray, t, hit)) reach = found(hit);
-            return reach;
-        });
+        // A corner of each triangle, before it is known which of them are hit: their others lie beside these
+        // as a rule, and all twelve are more than can be asked for at once.
+        const auto see = [&](const MeshPacket& packet) {
+            for (const MeshCorners& corners : packet.corners) mesh_.fetch_vertex(corners.at[0]);
+        };
+        tree_.shoot(origin_, direction_, 0, length_, see,
+                    [&](const MeshRay& ray, const MeshPacket& packet, int lane) {
+                        Hit hit;
+                        if (meets(ray, packet.lanes[lane], packet.corners[lane], hit)) reach = found(hit);
+                        return reach;
+                    });
     }
 
     // The nearest hit after another one, which may be none; none: triangle -1.
@@ -99,10 +105,12 @@ class Caster {
         return forwards == (sense > 0);
     }
 
-    bool meets(const MeshRay& ray, int t, Hit& hit) const
+    bool meets(const MeshRay& ray, int t, const MeshCorners& corners, Hit& hit) const
     {
-        const Shadow a = shadow(ray, mesh_.corner(t, 0)), b = shadow(ray, mesh_.corner(t, 1)),
-                     c = shadow(ray, mesh_.corner(t, 2));
+        mesh_.fetch_normal(t);
+        const Shadow a = shadow(ray, mesh_.vertex(corners.at[0])),
+                     b = shadow(ray, mesh_.vertex(corners.at[1])),
+                     c = shadow(ray, mesh_.vertex(corners.at[2]));
         const Real u = b.x * c.y - b.y * c.x, v = c.x * a.y - c.y * a.x, w = a.x * b.y - a.y * b.x;
         if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return false;
         const Real sense = u + v + w;
