@@ -299,7 +299,7 @@ dJointID dBodyGetJoint(dBodyID b, int index)
 void dBodySetMovedCallback(dBodyID b, void (*callback)(dBodyID))
 {
     BODY_OR();
-    body->moved = callback;
+    body->moved = callback, body->tells = callback != nullptr;
 }
 
 }  // extern "C"

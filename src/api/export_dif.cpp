@@ -126,12 +126,12 @@ extern "C" void dWorldExportDIF(dWorldID w, FILE* file, const char* world_name)
     write_world(out, *world);
     out.collection("body");
     int count = 0;
-    for (Body* body = world->bodies; body; body = body->next) {
-        body->island_index = count;
-        write_body(out, *body, count++);
+    for (Body& body : world->bodies) {
+        body.island_index = count;
+        write_body(out, body, count++);
     }
     out.collection("joint");
     count = 0;
-    for (const Joint* joint = world->joints; joint; joint = joint->next) write_joint(out, *joint, count++);
-    for (Body* body = world->bodies; body; body = body->next) body->island_index = -1;
+    for (const Joint& joint : world->joints) write_joint(out, joint, count++);
+    for (Body& body : world->bodies) body.island_index = -1;
 }

@@ -54,7 +54,7 @@ void dWorldDestroy(dWorldID w)
 {
     WORLD_OR();
     EPODE_USER_SAY(!world->stepping, "Invalid operation during a step");
-    for (Body* b = world->bodies; b; b = b->next) release_geoms(*b);
+    for (Body& b : world->bodies) release_geoms(b);
     Pool<World>::destroy(world);
 }
 
@@ -223,7 +223,7 @@ void dWorldSetExactRotation(dWorldID w, int mode)
     EPODE_USER(mode == 0 || mode == 1);
     EPODE_USER_SAY(!world->stepping, "Invalid operation during a step");
     world->exact_rotation = mode != 0;
-    for (Body* b = world->bodies; b; b = b->next) b->spin_excess = {};
+    for (Body& b : world->bodies) b.spin_excess = {};
 }
 
 int dWorldGetExactRotation(dWorldID w)

@@ -14,41 +14,25 @@
 
 namespace epode {
 
-// Starts to bring the first kLines lines of the cache at p, which may be no pointer to anything.
+// Starts to bring the first kLines lines of the cache at p, which may be no pointer to anything. The empty
+// statement keeps it alive: gcc takes functions that do nothing but this for functions without effect, and
+// leaves calls of them out where it has not put them in line before.
 template <int kLines>
-void fetch(const void* p)
+inline void fetch(const void* p)
 {
     const auto at = reinterpret_cast<std::uintptr_t>(p);
     for (int i = 0; i < kLines; ++i)
         __builtin_prefetch(reinterpret_cast<const void*>(at + std::uintptr_t(i) * kCacheLine));
+    asm volatile("" : : "r"(p));
 }
 
-// f(i, object i) one after the other, each fetched kLines lines far in time.
-template <int kLines, typename T, typename F>
+// f(i, object i) one after the other, each fetched kLines lines far in time: the farther, the less f does.
+template <int kLines, std::size_t kAhead = 6, typename T, typename F>
 void for_each_fetched(std::span<T* const> objects, F&& f)
 {
-    constexpr std::size_t kAhead = 6;
     for (std::size_t i = 0; i < objects.size(); ++i) {
         if (i + kAhead < objects.size()) fetch<kLines>(objects[i + kAhead]);
         f(i, *objects[i]);
-    }
-}
-
-// f(object) down a list by `next`, which f may not change. Objects of a list have as a rule been made one
-// after the other, at equal distances in memory: the next but three is likely to be where the last step,
-// taken four times, leads. Where it is not, nothing is lost. Of kLines, so many lie before the object's
-// address.
-template <int kLines, int kLinesBefore = 0, typename T, typename F>
-void for_each_linked(T* first, F&& f)
-{
-    for (T* object = first; object;) {
-        T* const next = object->next;
-        const auto here = reinterpret_cast<std::uintptr_t>(object),
-                   there = reinterpret_cast<std::uintptr_t>(next);
-        const std::uintptr_t before = kLinesBefore * kCacheLine;
-        if (next) fetch<kLines>(reinterpret_cast<const void*>(there + 7 * (there - here) - before));
-        f(*object);
-        object = next;
     }
 }
 

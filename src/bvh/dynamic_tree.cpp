@@ -178,13 +178,17 @@ void DynamicTree::refit_above(int node)
     }
 }
 
-// The surface of all inner nodes below and of this one.
+// The surface of all inner nodes below and of this one. Leaves lie anywhere: of all below a node's children
+// the memory is asked for at once, before anybody waits for it.
 Real DynamicTree::refit(int top)
 {
-    Node& node = nodes_.data()[top];
+    Node* nodes = nodes_.data();
+    Node& node = nodes[top];
     if (node.child < 0) return 0;
+    for (const int k : {node.child, node.other})
+        if (nodes[k].child >= 0) fetch<1>(nodes + nodes[k].child), fetch<1>(nodes + nodes[k].other);
     const Real below = refit(node.child) + refit(node.other);
-    node.box = merge(nodes_.data()[node.child].box, nodes_.data()[node.other].box);
+    node.box = merge(nodes[node.child].box, nodes[node.other].box);
     return below + area(node.box);
 }
 

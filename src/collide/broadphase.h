@@ -75,6 +75,12 @@ class Broadphase {
     std::span<const SlotPair> pairs() const { return pairs_.span(); }
 
     bool present(int slot) const { return proxies_.data()[slot].present; }
+    // What update() of the slot looks at, in two steps.
+    void fetch_box(int slot) const { fetch<2>(proxies_.data() + slot); }
+    void fetch_fat_box(int slot) const
+    {
+        if (proxies_.data()[slot].leaf >= 0) fetch<1>(&tree_.box(proxies_.data()[slot].leaf));
+    }
     const Aabb& box(int slot) const { return proxies_.data()[slot].box; }
     const Aabb& way(int slot) const { return proxies_.data()[slot].way; }
 

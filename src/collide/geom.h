@@ -15,6 +15,7 @@
 
 #include <atomic>
 
+#include "base/ahead.h"
 #include "base/handle.h"
 #include "geometry/shapes.h"
 #include "ode/collision.h"
@@ -70,22 +71,22 @@ struct Geom : Numbered {
     std::uint8_t continuous = 0;  // a dContinuous... value; set_continuous() writes it
     bool dying = false;         // being destroyed: its class's function, or those of its members, are running
     int slot = -1;              // place among the members of its space
-    std::atomic<int> users{0};  // calls into the program in progress that rely on this geom
+    std::uint32_t changes = 0;  // of the shape, see mark_changed()
     Space* space = nullptr;
 
-    // The next: whom it belongs to.
+    // The next: whom it belongs to, and what programs ask for first when a pair is reported.
     TransformGeom* holders = nullptr;  // transforms that place this geom
     GeomOffset* offset = nullptr;
-    dMaterial* material = nullptr;  // null: the default
-    Geom* body_next = nullptr;      // geoms of the same body, newest first
+    void* data = nullptr;
+    Geom* body_next = nullptr;  // geoms of the same body, newest first
     BodyLink body;
 
     Aabb box;
     unsigned long category = ~0ul;
     unsigned long collide = ~0ul;
-    void* data = nullptr;
+    dMaterial* material = nullptr;  // null: the default
     Geom* body_prev = nullptr;
-    std::uint32_t changes = 0;                 // of the shape, see mark_changed()
+    std::atomic<int> users{0};                 // calls into the program in progress that rely on this geom
     std::atomic<GeomLeaves*> leaves{nullptr};  // of the mesh met last, see geom_leaves.h
     alignas(32) Real own_rotation[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
     Real own_position[4] = {};  // beside the shape, which follows
@@ -116,6 +117,13 @@ class GeomHold {
   private:
     Geom& geom_;
 };
+
+// Starts to bring what a box is made of and goes to: the mark, the box, the shape. No more: in a pile of
+// thousands as many lines are on their way as the processor can wait for.
+inline void fetch_shape(const Geom* geom)
+{
+    fetch<1>(geom), fetch<1>(&geom->box), fetch<1>(geom->own_position);
+}
 
 inline bool of_one_body(const Geom& a, const Geom& b) { return a.body.id && a.body.id == b.body.id; }
 inline bool is_space(const Geom& geom)

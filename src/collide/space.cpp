@@ -71,14 +71,18 @@ void list_queued(Space& space)
 template <typename Chosen>
 void clean_queued(Space& space, Chosen&& chosen)
 {
+    constexpr int kAhead = 8;
     const int due = space.queue.size();
-    const auto fetch_pose = [&](int i) {
+    const auto fetch_member = [&](int i) {
+        if (i < due) fetch_shape(space.members[space.queue[i]]), space.broadphase.fetch_box(space.queue[i]);
+    };
+    const auto fetch_places = [&](int i) {
         const Geom* geom = i < due ? space.members[space.queue[i]] : nullptr;
-        if (geom) fetch<3>(geom->position);
+        if (geom) fetch<3>(geom->position), space.broadphase.fetch_fat_box(geom->slot);
     };
     for (int i = 0; i < due; ++i) {
-        if (i + 8 < due) fetch<6>(space.members[space.queue[i + 8]]);
-        fetch_pose(i + 4);
+        fetch_member(i + 2 * kAhead);
+        fetch_places(i + kAhead);
         const int slot = space.queue[i];
         Geom* geom = space.members[slot];
         if (!geom || !geom->queued || !chosen(*geom)) continue;
@@ -202,9 +206,15 @@ void clean(Space& space, const WayFinder& finder, const Tasks& tasks)
     const int count = space.members.size();
     Geom* const* members = space.members.data();
     boxes.note_all(tasks, count, [&](int slot, Broadphase::Notes& notes) {
-        constexpr int kAhead = 3;
-        if (slot + 2 * kAhead < count) fetch<6>(members[slot + 2 * kAhead]);
-        if (slot + kAhead < count && members[slot + kAhead]) fetch<8>(members[slot + kAhead]->body.id);
+        constexpr int kAhead = 6;
+        if (slot + 2 * kAhead < count && members[slot + 2 * kAhead]) {
+            const Geom* geom = members[slot + 2 * kAhead];
+            fetch_shape(geom), fetch<1>(&geom->body);
+        }
+        if (slot + kAhead < count && members[slot + kAhead]) {
+            fetch<5>(members[slot + kAhead]->body.id);
+            boxes.fetch_fat_box(slot + kAhead);
+        }
         Geom* geom = members[slot];
         if (!geom) return;
         if (moves && geom->queued && stands_alone(*geom)) {

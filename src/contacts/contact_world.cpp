@@ -74,12 +74,22 @@ bool touches(std::span<const KeptPatch> patches)
 }
 
 // What the narrow phase reads of a pair, told twice: first the geoms, then what they lead to.
-void fetch_geoms(const ContactPair& pair) { fetch<6>(pair.id1), fetch<6>(pair.id2); }
+void fetch_geoms(const ContactPair& pair)
+{
+    for (const dGeomID id : {pair.id1, pair.id2}) {
+        const Geom* geom = from_handle<Geom>(id);
+        fetch_shape(geom), fetch<1>(&geom->material);
+    }
+}
 void fetch_poses(const ContactPair& pair)
 {
-    for (const dGeomID id : {pair.id1, pair.id2}) fetch<5>(from_handle<Geom>(id)->position);
+    for (const dGeomID id : {pair.id1, pair.id2}) {
+        const Geom& geom = *from_handle<Geom>(id);
+        fetch<1>(geom.position), fetch<2>(geom.rotation);
+    }
+    for (const Body* body : {pair.body1, pair.body2})
+        if (body) fetch<2>(body->lvel);
 }
-
 }  // namespace
 
 bool ContactWorld::update(const World& world, Space& in, Real h, const Tasks& tasks)
@@ -224,10 +234,12 @@ void ContactWorld::collide_pairs(const World& world, Real h, const Tasks& tasks)
     settings.foresees = true;
     tasks.for_each((count + kPiece - 1) / kPiece, [&](int piece, int) {
         const int begin = piece * kPiece, end = std::min(count, begin + kPiece);
+        constexpr int kAhead = 4;
         int place = pairs[begin].first;
         for (int i = begin; i < end; ++i) {
-            if (i + 4 < end) fetch_geoms(pairs[i + 4]);
-            if (i + 2 < end) fetch_poses(pairs[i + 2]), fetch<6>(last_.of(pairs[i + 2].old).data());
+            if (i + 2 * kAhead < end) fetch_geoms(pairs[i + 2 * kAhead]);
+            if (i + kAhead < end)
+                fetch_poses(pairs[i + kAhead]), fetch<6>(last_.of(pairs[i + kAhead].old).data());
             if (!pairs[i].asked) update_one(pairs[i], place, settings);
             place = pairs[i].asked ? pairs[i].first + pairs[i].most : place + pairs[i].count;
         }

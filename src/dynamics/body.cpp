@@ -28,21 +28,6 @@ bool positive_definite(const Sym3& s)
     return s.xx > 0 && s.yy > 0 && s.zz > 0 && minor2 > 0 && minor3 > 0 && size < kInf;
 }
 
-void link(Body& body, World& world)
-{
-    body.next = world.bodies;
-    if (body.next) body.next->prev = &body;
-    world.bodies = &body;
-    ++world.body_count;
-}
-
-void unlink(Body& body)
-{
-    (body.prev ? body.prev->next : body.world->bodies) = body.next;
-    if (body.next) body.next->prev = body.prev;
-    --body.world->body_count;
-}
-
 }  // namespace
 
 Body::Body(World& w) : Numbered(Tag::kBody), world(&w), mass(unit_mass())
@@ -61,19 +46,18 @@ Body* create_body(World& world)
 {
     Body* body = Pool<Body>::create(world);
     if (!body) return nullptr;
-    if (!set_sleep_samples(*body, world.sleep.samples)) {
+    if (!set_sleep_samples(*body, world.sleep.samples) || !world.bodies.join(*body)) {
         Pool<Body>::destroy(body);
         return nullptr;
     }
     body->serial = ++world.bodies_made;
-    link(*body, world);
     return body;
 }
 
 void destroy_body(Body& body)
 {
     while (body.joints) detach(*body.joints->joint);
-    unlink(body);
+    body.world->bodies.leave(body);
     Pool<Body>::destroy(&body);
 }
 

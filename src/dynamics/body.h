@@ -49,7 +49,11 @@ struct Body : Numbered {
 
     // ---- all that walks over the world's bodies look at: one line of the cache, with the tag ----
     World* world;
-    Body* next = nullptr;          // world's list, newest first
+    int place = -1;      // in the world's roster
+    bool tells = false;  // there is a function that wants to know when it has `moved`
+    bool gravity = true;
+    bool gyroscopic = true;
+    bool finite_rotation = false;
     JointNode* joints = nullptr;   // most recently attached first
     PatchEdge* patches = nullptr;  // contacts that the world manages, during a step
     dxGeom* first_geom = nullptr;  // list of geoms; only step/link.cpp looks inside
@@ -68,27 +72,23 @@ struct Body : Numbered {
     Real facc[4] = {};  // force and torque accumulators, world frame
     Real tacc[4] = {};
 
-    // ---- read once a step ----
+    // ---- read once a step, up to the number that is the mass ----
+    DampingRule damping;
     Real inv_mass = 1;          // 0: kinematic
     Sym3 inertia{1, 1, 1};      // body frame, about the centre
     Sym3 inv_inertia{1, 1, 1};  // 0: kinematic
-    bool gravity = true;
-    bool gyroscopic = true;
-    bool finite_rotation = false;
+    Real max_angular_speed = kInf;
     JointNode* lasting = nullptr;  // the first of `joints` that is no contact
-    Vec3 finite_axis;              // zero: none
+    dMass mass;                    // as the user gave it, kept while kinematic
+
+    // ---- rest ----
+    void (*moved)(dBodyID) = nullptr;
     // With exact rotation: angular momentum, body frame, that the angular velocity does not show
     // (dynamics/exact_spin.cpp). Else zero.
     Vec3 spin_excess;
-    Real max_angular_speed = kInf;
-    DampingRule damping;
-
-    // ---- rest ----
-    Body* prev = nullptr;
+    Vec3 finite_axis;  // zero: none
     HybridState hybrid;
     void* data = nullptr;
-    void (*moved)(dBodyID) = nullptr;
-    dMass mass;  // as the user gave it, kept while kinematic
     SleepRule sleep;
     int idle_steps_left = 0;
     Real idle_time_left = 0;

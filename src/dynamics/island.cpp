@@ -4,11 +4,10 @@
 // Depth-first search with an explicit stack from each awake body, newest first. The order of bodies and
 // joints is a function of the calls that built the world only. Union-find would do as well; the search yields
 // bodies in an order in which neighbours are close in memory.
-// Joints come by the ten thousand, mostly contacts, and lie apart in memory: one walk along the world's list,
-// in which they lie as a rule one behind the other, finds out all that is asked of them here. Joints that
-// follow each other there between the same two bodies, as the contacts of a pair do, are one bond; the search
-// goes over bonds, two in a line of the cache. Bodies themselves it does not touch: neighbours in a pile are
-// none in memory.
+// Joints come by the ten thousand, mostly contacts, and lie apart in memory: one walk along the world's
+// roster finds out all that is asked of them here. Joints that follow each other there between the same two
+// bodies, as the contacts of a pair do, are one bond; the search goes over bonds, two in a line of the cache.
+// Bodies themselves it does not touch: neighbours in a pile are none in memory.
 #include "dynamics/island.h"
 
 #include <cstdint>
@@ -19,7 +18,7 @@
 namespace epode {
 namespace {
 
-// Acting joints of one pair of bodies, given by their places in the world's list.
+// Acting joints of one pair of bodies, given by their places in the world's roster.
 struct Bond {
     int body[2];  // the second is kWorld for the static world
     int next[2];  // in the lists of the bodies
@@ -30,37 +29,33 @@ struct Bond {
 
 constexpr int kWorld = -1, kNone = -1;
 
-// From here until its island is assembled, a body has its place in the world's list in island_index.
-int place_of(const Body& body) { return -2 - body.island_index; }
-void set_place(Body& body, int place) { body.island_index = -2 - place; }
+enum class Reach : std::uint8_t { kNobody, kAwake, kAsleep, kReached, kTaken };
 
-enum class Reach : std::uint8_t { kAwake, kAsleep, kReached, kTaken };
-
-// The world as arrays, newest first.
+// The world as arrays. `places`: of the bodies that there are; bonds are newest first.
 class Bonds {
   public:
-    Bonds(const World& world, Arena& arena)
-        : bodies_(arena.take<Body*>(world.body_count)),
-          reach_(arena.take<Reach>(world.body_count)),
-          newest_(arena.take<int>(world.body_count)),
-          patches_(arena.take<PatchEdge*>(world.body_count)),
-          joints_(arena.take<Joint*>(world.joint_count)),
-          bonds_(arena.take<Bond>(world.joint_count))
+    Bonds(int places, int joints, Arena& arena)
+        : bodies_(arena.take<Body*>(places)),
+          reach_(arena.take_zeroed<Reach>(places)),
+          newest_(arena.take<int>(places)),
+          patches_(arena.take<PatchEdge*>(places)),
+          joints_(arena.take<Joint*>(joints)),
+          bonds_(arena.take<Bond>(joints))
     {}
 
-    void gather(Body* newest, Joint* newest_joint)
+    // Joints below `joint_places`.
+    void gather(World& world, int joint_places)
     {
-        std::size_t count = 0;
-        for_each_linked<1>(newest, [&](Body& b) {
+        for (Body& b : world.bodies.before(int(bodies_.size()))) {
             b.patches = nullptr;
-            set_place(b, int(count));
-            bodies_[count] = &b;
-            reach_[count] = b.disabled ? Reach::kAsleep : Reach::kAwake;
-            patches_[count] = nullptr;
-            newest_[count++] = kNone;
-        });
-        bodies_ = bodies_.first(count);
-        for_each_linked<2>(newest_joint, [&](Joint& joint) { add(joint); });
+            b.island_index = -1;
+            const auto place = std::size_t(b.place);
+            bodies_[place] = &b;
+            reach_[place] = b.disabled ? Reach::kAsleep : Reach::kAwake;
+            patches_[place] = nullptr;
+            newest_[place] = kNone;
+        }
+        for (Joint& joint : world.joints.before(joint_places)) add(joint);
         // From the oldest on, so that each list begins with the newest.
         for (int i = bond_count_; i-- > 0;) link(i);
     }
@@ -71,13 +66,13 @@ class Bonds {
         for (std::size_t i = patches.size(); i-- > 0;)
             for (int side = 0; side < 2; ++side)
                 if (Body* body = patches[i].body[side]) {
-                    const int place = patches[i].place[side] = place_of(*body);
+                    const int place = patches[i].place[side] = body->place;
                     patches[i].next[side] = body->patches;
                     body->patches = patches_[std::size_t(place)] = &patches[i];
                 }
     }
 
-    std::size_t body_count() const { return bodies_.size(); }
+    std::size_t places() const { return bodies_.size(); }
     Body& body(std::size_t place) const { return *bodies_[place]; }
     Reach& reach(std::size_t place) { return reach_[place]; }
     // f(bond, the body's side of it), the newest first.
@@ -119,8 +114,8 @@ class Bonds {
     {
         open_ = &bonds_[std::size_t(bond_count_++)];
         *open_ = {};
-        open_->body[0] = place_of(*body1_);
-        open_->body[1] = body2_ ? place_of(*body2_) : kWorld;
+        open_->body[0] = body1_->place;
+        open_->body[1] = body2_ ? body2_->place : kWorld;
         open_->first = joint_count_;
         open_->plain = joint.plain;
     }
@@ -150,11 +145,11 @@ class Bonds {
 
 class Search {
   public:
-    Search(const World& world, std::size_t patches, Arena& arena)
-        : bodies_(arena.take<Body*>(world.body_count)),
-          joints_(arena.take<Joint*>(world.joint_count)),
+    Search(int bodies, int joints, std::size_t patches, Arena& arena)
+        : bodies_(arena.take<Body*>(bodies)),
+          joints_(arena.take<Joint*>(joints)),
           patches_(arena.take<PatchEdge*>(int(patches))),
-          islands_(arena.take<Island>(world.body_count))
+          islands_(arena.take<Island>(bodies))
     {}
 
     // `stack`: room for all bodies' places.
@@ -216,18 +211,18 @@ class Search {
 
 bool find_islands(World& world, std::span<PatchEdge> patches, Arena& arena, std::span<Island>& islands)
 {
-    // Bodies and joints that the program creates while it is asked for memory come before these: the next
+    // Bodies and joints that the program creates while it is asked for memory are behind these: the next
     // step's.
-    Body* const newest = world.bodies;
-    Joint* const newest_joint = world.joints;
-    Search search(world, patches.size(), arena);
+    const int bodies = world.bodies.count(), places = world.bodies.places();
+    const int joints = world.joints.count(), joint_places = world.joints.places();
+    Search search(bodies, joints, patches.size(), arena);
     Arena::Scope scope(arena);
-    Bonds bonds(world, arena);
-    const auto stack = arena.take<int>(world.body_count);
+    Bonds bonds(places, joints, arena);
+    const auto stack = arena.take<int>(bodies);
     if (arena.failed()) return false;
-    bonds.gather(newest, newest_joint);
+    bonds.gather(world, joint_places);
     bonds.link(patches);
-    for (std::size_t place = 0; place < bonds.body_count(); ++place)
+    for (std::size_t place = bonds.places(); place-- > 0;)
         if (bonds.reach(place) == Reach::kAwake) search.grow_from(place, bonds, stack);
     islands = search.islands();
     return true;

@@ -18,7 +18,7 @@ struct PatchEdge {
     Body* body[2];
     PatchEdge* next[2];  // in the lists of the bodies
     Patch* patch;
-    int place[2];  // of the bodies in the world's list, while the search is on; -1: the static world
+    int place[2];  // of the bodies in the world's roster; -1: the static world
 };
 
 struct Island {

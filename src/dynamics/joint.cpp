@@ -73,26 +73,20 @@ void attach(Joint& joint, Body* a, Body* b)
 
 bool link_into_world(Joint& joint, JointGroup* group)
 {
-    if (group) {
-        if (!group->joints.push(&joint)) return false;
-        joint.grouped = true;
+    if (group && !group->joints.push(&joint)) return false;
+    if (!joint.world->joints.join(joint)) {
+        if (group) group->joints.pop();
+        return false;
     }
-    World& world = *joint.world;
-    joint.next = world.joints;
-    if (joint.next) joint.next->prev = &joint;
-    world.joints = &joint;
-    ++world.joint_count;
+    joint.grouped = group != nullptr;
     return true;
 }
 
 void unlink_from_world(Joint& joint)
 {
     if (!joint.world) return;
-    (joint.prev ? joint.prev->next : joint.world->joints) = joint.next;
-    if (joint.next) joint.next->prev = joint.prev;
-    --joint.world->joint_count;
+    joint.world->joints.leave(joint);
     joint.world = nullptr;
-    joint.next = joint.prev = nullptr;
 }
 
 void destroy_joint(Joint& joint)

@@ -62,9 +62,8 @@ struct Joint : Tagged {
     World* world;  // null once its world is gone and only a group keeps it
     dJointFeedback* feedback = nullptr;
     void* data = nullptr;
-    Joint* next = nullptr;  // world's list, newest first
-    Joint* prev = nullptr;
-    JointNode node[2];
+    int place = -1;  // in the world's roster
+    alignas(kCacheLine) JointNode node[2];
 
     Body* body1() const { return node[0].body; }
     Body* body2() const { return node[1].body; }

@@ -40,8 +40,8 @@ void put_to_sleep(Body& body)
 void auto_disable(World& world, Real h)
 {
     if (!world.watches_bodies) return;
-    for_each_linked<1>(world.bodies, [h](Body& b) {
-        if ((!b.joints && !b.patched) || !b.auto_disable || b.disabled || b.sleep.samples <= 0) return;
+    for (Body& b : world.bodies) {
+        if ((!b.joints && !b.patched) || !b.auto_disable || b.disabled || b.sleep.samples <= 0) continue;
         if (idle(b)) {
             --b.idle_steps_left;
             b.idle_time_left -= h;
@@ -50,7 +50,7 @@ void auto_disable(World& world, Real h)
             b.idle_time_left = b.sleep.time;
         }
         if (b.idle_steps_left <= 0 && b.idle_time_left <= 0) put_to_sleep(b);
-    });
+    }
 }
 
 }  // namespace epode

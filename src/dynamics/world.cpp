@@ -29,9 +29,9 @@ World::World() : Tagged(Tag::kWorld) {}
 
 World::~World()
 {
-    while (bodies) destroy_body(*bodies);
-    while (joints) {
-        Joint& joint = *joints;
+    while (bodies.count() > 0) destroy_body(*bodies.begin());
+    while (joints.count() > 0) {
+        Joint& joint = *joints.begin();
         if (joint.grouped) {
             note(0, "warning: destroying world containing grouped joints");
             detach(joint);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "base/handle.h"
+#include "base/roster.h"
 #include "base/step_memory.h"
 #include "dynamics/body.h"
 #include "dynamics/joint.h"
@@ -21,11 +22,9 @@ struct World : Tagged {
     World();
     ~World();
 
-    Body* bodies = nullptr;
-    Joint* joints = nullptr;
-    int body_count = 0;
+    Roster<Body, 1> bodies;
+    Roster<Joint, 2> joints;
     std::uint64_t bodies_made = 0;  // gives each body its serial
-    int joint_count = 0;
     // Another number when a joint that is no contact has come to bodies, or left them.
     std::uint64_t ties = 0;
 

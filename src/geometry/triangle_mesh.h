@@ -21,6 +21,7 @@
 
 #include <cstdint>
 
+#include "base/ahead.h"
 #include "base/array.h"
 #include "geometry/shapes.h"
 
@@ -75,13 +76,13 @@ class TriangleMesh {
     // Asks for the memory of what contacts look at first, then for that of its corners.
     void fetch(int t) const
     {
-        __builtin_prefetch(triangles_.data() + t);
-        __builtin_prefetch(normals_.data() + t);
-        __builtin_prefetch(rims_.data() + t);
-        __builtin_prefetch(across_.data() + 3 * t);
+        epode::fetch<1>(triangles_.data() + t);
+        epode::fetch<1>(normals_.data() + t);
+        epode::fetch<1>(rims_.data() + t);
+        epode::fetch<1>(across_.data() + 3 * t);
     }
-    void fetch_vertex(int i) const { __builtin_prefetch(vertices_.data() + i); }
-    void fetch_normal(int t) const { __builtin_prefetch(normals_.data() + t); }
+    void fetch_vertex(int i) const { epode::fetch<1>(vertices_.data() + i); }
+    void fetch_normal(int t) const { epode::fetch<1>(normals_.data() + t); }
     void fetch_corners(int t) const
     {
         for (const int v : corners(t).at) fetch_vertex(v);

@@ -97,15 +97,12 @@ void RayCaster::walk(Space& space, const RayQuestion& question, Real& reach, Fou
     const bool by_tree = ready_ ? space.broadphase.ready() : space.broadphase.prepare(1);
     if (!ready_) ++space.locks;  // to clean what is in it may call functions of the program
     // Of most geoms a ray wants the first lines only, which seldom are in the cache.
-    const auto fetch = [&](int slot) {
+    const auto fetch_member = [&](int slot) {
         const Geom* m = space.members.data()[slot];
-        for (const void* part :
-             {static_cast<const void*>(&m->type), static_cast<const void*>(m->own_rotation),
-              static_cast<const void*>(m->own_position)})
-            __builtin_prefetch(part);
+        fetch<1>(&m->type), fetch<1>(m->own_rotation), fetch<1>(m->own_position);
     };
     if (by_tree) {
-        space.broadphase.cast(question.origin, question.direction, reach, visit, fetch);
+        space.broadphase.cast(question.origin, question.direction, reach, visit, fetch_member);
     } else {
         for (int slot = space.members.size(); slot-- > 0;)
             if (space.members.data()[slot] && space.broadphase.present(slot)) visit(slot);

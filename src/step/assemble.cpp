@@ -66,7 +66,13 @@ bool sort_joints(const Island& island, bool manifolds, Arena& arena, IslandWork&
 // Emits all joints of the island; returns the number of rows and of joints that have any.
 void emit_rows(const StepInfo& info, std::span<Joint*> joints, IslandWork& work, int& rows, int& blocks)
 {
-    for (Joint* joint : joints) {
+    constexpr std::size_t kAhead = 4;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        if (i + 2 * kAhead < joints.size()) fetch<6>(joints[i + 2 * kAhead]);
+        if (i + kAhead < joints.size())
+            for (const JointNode& node : joints[i + kAhead]->node)
+                if (node.body) fetch<4>(node.body->pos);
+        Joint* const joint = joints[i];
         RowWriter out(&work.system.rows[std::size_t(rows)], info);
         joint->type->emit(*joint, out);
         if (out.applied()) add_applied(out, *joint);
@@ -155,10 +161,11 @@ void load_body(const World& world, Real h, const Solver& solver, Body& body, Sol
     load_inertia(body, out);
     if (solver.needs_inertia) load_mass(body, out);
     load_velocity(body, out);
-    if (solver.substeps)
-        body.spin_excess = {};  // it turns bodies in its own way
-    else
-        world.exact_rotation ? add_forces_exactly(body, h, out) : add_forces(body, h, out);
+    if (solver.substeps) {
+        if (world.exact_rotation) body.spin_excess = {};  // it turns bodies in its own way
+        return;
+    }
+    world.exact_rotation ? add_forces_exactly(body, h, out) : add_forces(body, h, out);
 }
 
 }  // namespace

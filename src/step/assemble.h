@@ -32,7 +32,7 @@ StepInfo step_info(const World& world, Real h);
 bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Arena& arena, IslandWork& work,
               StepUndo* undo);
 
-inline constexpr int kLinesOfBody = 10;  // of the cache: all that a step reads of one
+inline constexpr int kLinesOfBody = 8;  // of the cache: all that a step reads of one
 
 // One body alone; small steps do the same to eight of them (solve/body_kernels.inc).
 void load_inertia(const Body& body, SolverBody& out);  // the inverse only

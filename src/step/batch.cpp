@@ -34,8 +34,8 @@ template <typename Visit>
 void for_spaces(World& world, Visit&& visit)
 {
     Space* last = nullptr;
-    for (Body* body = world.bodies; body; body = body->next)
-        for_each_geom(*body, [&](Geom& geom) {
+    for (Body& body : world.bodies)
+        for_each_geom(body, [&](Geom& geom) {
             Space* const space = outermost_space(geom);
             if (space && space != last) visit(space);
             last = space;
@@ -66,8 +66,8 @@ bool calls_program(const Body& body)
 bool calls_program(World& world)
 {
     if (world.threading) return true;
-    for (Body* body = world.bodies; body; body = body->next)
-        if (calls_program(*body)) return true;
+    for (Body& body : world.bodies)
+        if (calls_program(body)) return true;
     const ContactWorld* contacts = managed_contacts(world);
     if (!contacts && !any_continuous()) return false;
     if (any_overridden() || (contacts && contacts->filter)) return true;
@@ -172,7 +172,7 @@ void WorldBatch::make_pieces()
         const Entry& entry = entries_[order_[own_]];
         if (own_ == 0 || entries_[order_[own_ - 1]].piece != entry.piece) (void)pieces_.push({own_, 0, 0});
         ++pieces_.back().count;
-        pieces_.back().weight += entry.world->body_count + entry.world->joint_count;
+        pieces_.back().weight += entry.world->bodies.count() + entry.world->joints.count();
     }
     std::sort(pieces_.begin(), pieces_.end(), [](const Piece& a, const Piece& b) {
         return a.weight != b.weight ? a.weight > b.weight : a.first < b.first;

@@ -10,7 +10,10 @@
 namespace epode {
 namespace {
 
-constexpr int kLines = 9;  // with the rule of damping
+constexpr int kAhead = 6;
+
+// What one() reads and writes of a body.
+void fetch_body(const Body* body) { fetch<1>(body), fetch<3>(body->lvel); }
 
 void empty(Body& body)
 {
@@ -36,11 +39,18 @@ void Finish::at_once(std::span<Body* const> piece, const Tasks& tasks)
 {
     if (!early_) return;
     const auto first = std::size_t(piece.data() - bodies_.data());
-    for_each_fetched<kLines>(tasks, piece, [&](std::size_t i, Body& body) {
-        if (i + 3 < piece.size()) fetch_geoms(*piece[i + 3]);
-        if (body.moved || !mark_geoms(body)) return any_left_.store(true, std::memory_order_relaxed);
-        empty(body);
-        done_[first + i] = true;
+    tasks.in_ranges(int(piece.size()), kObjectRange, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            if (i + 2 * kAhead < end) fetch_body(piece[std::size_t(i + 2 * kAhead)]);
+            if (i + kAhead < end) fetch_geoms(*piece[std::size_t(i + kAhead)]);
+            Body& body = *piece[std::size_t(i)];
+            if (body.tells || !mark_geoms(body)) {
+                any_left_.store(true, std::memory_order_relaxed);
+                continue;
+            }
+            empty(body);
+            done_[first + std::size_t(i)] = true;
+        }
     });
 }
 
@@ -50,8 +60,8 @@ void Finish::rest()
     if (!any_left_) return;
     const auto is_left = [&](std::size_t i) { return i < bodies_.size() && !(early_ && done_[i]); };
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        if (is_left(i + 6)) fetch<kLines>(bodies_[i + 6]);
-        if (is_left(i + 3)) fetch_geoms(*bodies_[i + 3]);
+        if (is_left(i + 2 * kAhead)) fetch_body(bodies_[i + 2 * kAhead]);
+        if (is_left(i + kAhead)) fetch_geoms(*bodies_[i + kAhead]);
         if (is_left(i)) one(*bodies_[i]);
     }
 }
@@ -72,7 +82,7 @@ bool Finish::moves_geoms(const Body& body) const
 void Finish::one(Body& body) const
 {
     if (moves_geoms(body)) body_moved(body);
-    if (body.moved) body.moved(to_handle(&body));
+    if (body.tells) body.moved(to_handle(&body));
     empty(body);
 }
 

@@ -32,18 +32,18 @@ bool StepUndo::save_idleness(Arena& arena)
 {
     if (!world_.watches_bodies) return true;
     int count = 0;
-    for_each_linked<1>(world_.bodies, [&](const Body& b) { count += b.auto_disable; });
+    for (const Body& b : world_.bodies) count += b.auto_disable;
     idleness_ = arena.take<Idleness>(count);
     if (arena.failed()) return false;
     if (!count) return true;
     Idleness* to = idleness_.data();
-    for (const Body* b = world_.bodies; b; b = b->next) {
-        if (!b->auto_disable) continue;
-        copy(to->lvel, b->lvel), copy(to->avel, b->avel);
-        to->spin_excess = b->spin_excess;
-        to->time_left = b->idle_time_left, to->steps_left = b->idle_steps_left;
-        to->next_sample = b->sample_next, to->samples_ready = b->samples_ready;
-        to->disabled = b->disabled;
+    for (const Body& b : world_.bodies) {
+        if (!b.auto_disable) continue;
+        copy(to->lvel, b.lvel), copy(to->avel, b.avel);
+        to->spin_excess = b.spin_excess;
+        to->time_left = b.idle_time_left, to->steps_left = b.idle_steps_left;
+        to->next_sample = b.sample_next, to->samples_ready = b.samples_ready;
+        to->disabled = b.disabled;
         ++to;
     }
     return true;
@@ -67,8 +67,10 @@ bool StepUndo::save_islands(std::span<const Island> islands, Arena& arena)
 void StepUndo::save(std::size_t i)
 {
     const Body& body = *bodies_[i];
-    saved_[i] = {body.position(),         body.orientation(), body.rotation(), body.velocity(),
-                 body.angular_velocity(), load(body.facc),    load(body.tacc), body.spin_excess};
+    saved_[i] = {body.position(),         body.orientation(),
+                 body.rotation(),         body.velocity(),
+                 body.angular_velocity(), load(body.facc),
+                 load(body.tacc),         world_.exact_rotation ? body.spin_excess : Vec3{}};
     marks_[i].saved = true, marks_[i].patched = body.patched;
 }
 
@@ -104,13 +106,13 @@ void StepUndo::restore() const
     restore_impulses();
     if (idleness_.empty()) return;
     const Idleness* from = idleness_.data();
-    for (Body* b = world_.bodies; b; b = b->next) {
-        if (!b->auto_disable) continue;
-        copy(b->lvel, from->lvel), copy(b->avel, from->avel);
-        b->spin_excess = from->spin_excess;
-        b->idle_time_left = from->time_left, b->idle_steps_left = from->steps_left;
-        b->sample_next = from->next_sample, b->samples_ready = from->samples_ready;
-        b->disabled = from->disabled;
+    for (Body& b : world_.bodies) {
+        if (!b.auto_disable) continue;
+        copy(b.lvel, from->lvel), copy(b.avel, from->avel);
+        b.spin_excess = from->spin_excess;
+        b.idle_time_left = from->time_left, b.idle_steps_left = from->steps_left;
+        b.sample_next = from->next_sample, b.samples_ready = from->samples_ready;
+        b.disabled = from->disabled;
         ++from;
     }
 }
