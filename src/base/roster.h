@@ -74,7 +74,7 @@ class Roster {
     Walk before(int place) const { return {all_.data(), all_.data() + place}; }
 
   private:
-    static constexpr int kFew = 64, kAhead = 8;
+    static constexpr int kFew = 64, kAhead = 16;
 
     void close_up()
     {

@@ -41,9 +41,9 @@ class MeshTree {
     template <typename Visit>
     void query(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) const;
 
-    // visit(triangle) for those that a solid, which lies in the box, may touch; see(leaf, lanes) before, for
-    // the leaves that meet the box: at() of each has the triangles. `kept`: of who asks, brought up to date;
-    // or null.
+    // visit(packet, lane) for those that a solid, which lies in the box, may touch; see(leaf, lanes) before,
+    // for the leaves that meet the box: at() of each has the triangles. `kept`: of who asks, brought up to
+    // date; or null.
     template <typename See, typename Visit>
     void query(const Aabb& box, const SolidProbe& solid, NearLeaves* kept, See&& see, Visit&& visit) const;
     int at(int leaf, int lane) const { return packets_.data()[leaf].lanes[lane]; }
@@ -157,7 +157,7 @@ void MeshTree::query(const Aabb& box, const SolidProbe& solid, NearLeaves* kept,
         if (met == 0) return true;
         see(leaf, met);
         for (unsigned close = probe.meets(packet, met); close != 0; close &= close - 1)
-            visit(packet.lanes[std::countr_zero(close)]);
+            visit(packet, std::countr_zero(close));
         return true;
     };
     if (!kept || !bring_up_to_date(*kept, asked)) {

@@ -10,7 +10,7 @@ JointGroup::JointGroup() : Tagged(Tag::kJointGroup) {}
 
 void empty_group(JointGroup& group)
 {
-    constexpr int kAhead = 8, kLines = 2;
+    constexpr int kAhead = 16, kLines = 2;
     for (int i = group.joints.size(); i-- > 0;) {
         if (i >= kAhead) fetch<kLines>(group.joints[i - kAhead]);
         destroy_joint(*group.joints[i]);

@@ -73,20 +73,20 @@ class TriangleMesh {
     const MeshRims& rims(int t) const { return rims_.data()[t]; }
     int neighbour(int t, int k) const { return across_.data()[3 * t + k] >> 1; }  // over edge k; -1: none
 
-    // Asks for the memory of what contacts look at first, then for that of its corners.
+    // Ask for the memory of what contacts look at.
     void fetch(int t) const
     {
         epode::fetch<1>(triangles_.data() + t);
-        epode::fetch<1>(normals_.data() + t);
         epode::fetch<1>(rims_.data() + t);
         epode::fetch<1>(across_.data() + 3 * t);
+        fetch_normal(t);
+    }
+    void fetch(const MeshCorners& corners) const
+    {
+        for (const int v : corners.at) fetch_vertex(v);
     }
     void fetch_vertex(int i) const { epode::fetch<1>(vertices_.data() + i); }
     void fetch_normal(int t) const { epode::fetch<1>(normals_.data() + t); }
-    void fetch_corners(int t) const
-    {
-        for (const int v : corners(t).at) fetch_vertex(v);
-    }
 
     // The first corner of a triangle, not a degenerate one, that is the same vertex, as 3 t + k.
     int first_corner(int t, int k) const { return first_.data()[start(3 * t + k)]; }

@@ -269,9 +269,13 @@ inline void set_point(const Contact& contact, const StepInfo& info, Vec3 n, Mani
 void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, ManifoldList& out)
 {
     constexpr int kLines = 3;  // of a contact without special surface
+    constexpr std::size_t kAhead = 8;
     std::size_t manifolds = 0;
     const Contact* last = nullptr;
-    for_each_fetched<kLines>(contacts, [&](std::size_t i, const Joint& joint) {
+    for_each_fetched<kLines, 2 * kAhead>(contacts, [&](std::size_t i, const Joint& joint) {
+        if (i + kAhead < contacts.size())
+            for (const JointNode& node : contacts[i + kAhead]->node)
+                if (node.body) fetch<2>(node.body);
         const Contact& contact = static_cast<const Contact&>(joint);
         if (!last || !joins(*last, contact) || out.manifolds[manifolds - 1].count == kManifoldPoints)
             begin_manifold(contact, info, int(i), out.manifolds[manifolds++]);

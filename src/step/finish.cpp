@@ -10,7 +10,7 @@
 namespace epode {
 namespace {
 
-constexpr int kAhead = 6;
+constexpr int kAhead = 10;
 
 // What one() reads and writes of a body.
 void fetch_body(const Body* body) { fetch<1>(body), fetch<3>(body->lvel); }

@@ -133,11 +133,10 @@ void NearTriangles::find(const Surface& surface, const Aabb& box, const SolidPro
     surface.tree.query(
         box, solid, kept,
         [this](int leaf, unsigned met) { all_ = leaves_.add(leaf << 4 | int(met)) && all_; },
-        [&](int t) {
-            all_ = close_.add(t) && all_;
-            surface.mesh.fetch(t);
+        [&](const MeshPacket& packet, int lane) {
+            all_ = close_.add(packet.lanes[lane]) && all_;
+            surface.mesh.fetch(packet.lanes[lane]), surface.mesh.fetch(packet.corners[lane]);
         });
-    for (const int t : close_) surface.mesh.fetch_corners(t);
     close_.sort();
 }
 

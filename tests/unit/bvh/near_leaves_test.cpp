@@ -34,7 +34,7 @@ Found ask(const MeshTree& tree, Vec3 at, Real radius, NearLeaves* kept)
         [&](int leaf, unsigned met) {
             found.seen.push_back({leaf, met});
         },
-        [&](int t) { found.close.push_back(t); });
+        [&](const MeshPacket& packet, int lane) { found.close.push_back(packet.lanes[lane]); });
     return found;
 }
 
