@@ -104,7 +104,7 @@ class DynamicTree {
         // What goes to the stack has been tested, and what that will lead to is on its way.
         const auto look = [&](int at) {
             const Node& node = nodes_.data()[at];
-            if (!overlap(node.box, box)) return;
+            if (!meet(node.box, box)) return;
             if (node.child >= 0) fetch<1>(nodes_.data() + node.child), fetch<1>(nodes_.data() + node.other);
             stack[top++] = at;
         };
@@ -213,10 +213,11 @@ class DynamicTree {
             if (meet(a, nb.other)) pairs_between(a, nb.other, visit);
         }
     }
-    // Half of them do, in no order that a processor could guess: all six comparisons, no branch between them.
-    bool meet(int a, int b) const
+    bool meet(int a, int b) const { return meet(nodes_.data()[a].box, nodes_.data()[b].box); }
+    // overlap(), of which half are so, in no order that a processor could guess: all six comparisons, no
+    // branch between them.
+    static bool meet(const Aabb& p, const Aabb& q)
     {
-        const Aabb &p = nodes_.data()[a].box, &q = nodes_.data()[b].box;
         const bool x = (p.lo.x <= q.hi.x) & (q.lo.x <= p.hi.x), y = (p.lo.y <= q.hi.y) & (q.lo.y <= p.hi.y),
                    z = (p.lo.z <= q.hi.z) & (q.lo.z <= p.hi.z);
         return x & y & z;
