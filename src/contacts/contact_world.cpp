@@ -74,13 +74,7 @@ bool touches(std::span<const KeptPatch> patches)
 }
 
 // What the narrow phase reads of a pair, told twice: first the geoms, then what they lead to.
-void fetch_geoms(const ContactPair& pair)
-{
-    for (const dGeomID id : {pair.id1, pair.id2}) {
-        const Geom* geom = from_handle<Geom>(id);
-        fetch_shape(geom), fetch<1>(&geom->material);
-    }
-}
+void fetch_geoms(const ContactPair& pair) { fetch<6>(pair.id1), fetch<6>(pair.id2); }
 void fetch_poses(const ContactPair& pair)
 {
     for (const dGeomID id : {pair.id1, pair.id2}) {
