@@ -7,6 +7,7 @@
 // namespace: one text compiled for several machines must not be merged by the linker.
 #pragma once
 
+#include "simd/components.h"
 #include "simd/float_lanes.h"
 #include "simd/lanewise.h"
 
@@ -35,8 +36,9 @@ using BroadVector = FloatVector;
 using BroadVectorInMemory = FloatVectorInMemory;
 #endif
 
-typedef float Quad __attribute__((vector_size(4 * sizeof(float))));
-typedef Quad QuadInMemory __attribute__((may_alias));
+// Four neighbours in memory.
+typedef float FloatRow __attribute__((vector_size(4 * sizeof(float))));
+typedef FloatRow FloatRowInMemory __attribute__((may_alias));
 
 // n vectors side by side.
 template <typename V, int n>
@@ -257,14 +259,9 @@ EPODE_LANEWISE void put_rows_at(const BroadVector& rows, const Put& put, int i)
 }
 #endif
 
-// `row(lane)` is four floats; one vector per component.
-template <typename V>
-struct Columns {
-    V w, x, y, z;
-};
-
+// `row(lane)` is a FloatRow; one vector per component.
 template <typename V, typename Row>
-EPODE_LANEWISE Columns<V> columns_of(const Row& row)
+EPODE_LANEWISE Vector4Of<V> columns_of(const Row& row)
 {
     const V* kind = nullptr;
     const V a = rows_at(kind, row, 0), b = rows_at(kind, row, 1), c = rows_at(kind, row, 2),
@@ -277,30 +274,44 @@ EPODE_LANEWISE Columns<V> columns_of(const Row& row)
 
 // put(lane, row) for each lane of a vector of x, y, z, and zero behind them.
 template <typename V, typename Put>
-EPODE_LANEWISE void put_rows(const V& x, const V& y, const V& z, const Put& put)
+EPODE_LANEWISE void put_rows(const Vector3Of<V>& v, const Put& put)
 {
     const V zero{};
-    const V xy_low = low_pairs(x, y), xy_high = high_pairs(x, y);  // x0 y0 x1 y1
-    const V z_low = low_pairs(z, zero), z_high = high_pairs(z, zero);
+    const V xy_low = low_pairs(v.x, v.y), xy_high = high_pairs(v.x, v.y);  // x0 y0 x1 y1
+    const V z_low = low_pairs(v.z, zero), z_high = high_pairs(v.z, zero);
     put_rows_at(first_halves(xy_low, z_low), put, 0);
     put_rows_at(second_halves(xy_low, z_low), put, 1);
     put_rows_at(first_halves(xy_high, z_high), put, 2);
     put_rows_at(second_halves(xy_high, z_high), put, 3);
 }
 
+// The same of n vectors side by side.
+template <typename V, int n>
+struct Floats4 {
+    Floats<V, n> w, x, y, z;
+};
+
+template <typename V, int n, typename Row>
+EPODE_LANEWISE Floats4<V, n> columns_side_by_side(const Row& row)
+{
+    Floats4<V, n> out;
+    for (int i = 0; i < n; ++i) {
+        const int first = i * int(sizeof(V) / sizeof(float));
+        const auto of =
+            columns_of<V>([=](int lane) EPODE_INLINE_LAMBDA -> FloatRow { return row(first + lane); });
+        out.w.v[i] = of.w, out.x.v[i] = of.x, out.y.v[i] = of.y, out.z.v[i] = of.z;
+    }
+    return out;
+}
+
 // Four floats x, y, z, unused at the place of each lane, aligned as four.
 template <typename V, int n>
 EPODE_LANEWISE Floats3<V, n> gather_floats(const float* const* at)
 {
-    Floats3<V, n> out;
-    for (int i = 0; i < n; ++i) {
-        const float* const* p = at + i * int(sizeof(V) / sizeof(float));
-        const auto rows = columns_of<V>([=](int lane) EPODE_INLINE_LAMBDA -> Quad {
-            return *reinterpret_cast<const QuadInMemory*>(p[lane]);
-        });
-        out.x.v[i] = rows.w, out.y.v[i] = rows.x, out.z.v[i] = rows.y;
-    }
-    return out;
+    const auto of = columns_side_by_side<V, n>([=](int lane) EPODE_INLINE_LAMBDA -> FloatRow {
+        return *reinterpret_cast<const FloatRowInMemory*>(at[lane]);
+    });
+    return {of.w, of.x, of.y};
 }
 
 struct KeepNone {
@@ -315,9 +326,9 @@ EPODE_LANEWISE void scatter_floats(const Floats3<V, n>& value, float* const* at,
     for (int i = 0; i < n; ++i) {
         float* const* p = at + i * int(sizeof(V) / sizeof(float));
         const auto k = keep + i * int(sizeof(V) / sizeof(float));
-        put_rows(value.x.v[i], value.y.v[i], value.z.v[i],
-                 [=](int lane, const Quad& row) EPODE_INLINE_LAMBDA {
-                     if (!k[lane]) *reinterpret_cast<QuadInMemory*>(p[lane]) = row;
+        put_rows(Vector3Of<V>{value.x.v[i], value.y.v[i], value.z.v[i]},
+                 [=](int lane, const FloatRow& row) EPODE_INLINE_LAMBDA {
+                     if (!k[lane]) *reinterpret_cast<FloatRowInMemory*>(p[lane]) = row;
                  });
     }
 }

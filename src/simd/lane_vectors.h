@@ -154,9 +154,6 @@ EPODE_LANEWISE Vector3Of<V> turned_by(const Vector4Of<V>& q, const Vector3Of<V>&
     return plus(plus(a, times(q.w, t)), outer(vec_of(q), t));
 }
 
-// Four numbers at the place of each lane of floats, aligned as four, and one vector per component.
-using FloatRow = Quad;
-typedef FloatRow FloatRowInMemory __attribute__((may_alias));
 typedef Real RealRow __attribute__((vector_size(4 * sizeof(Real))));
 
 // Four neighbours in a structure, aligned as one number. (Types of vectors that say so lose it on their way
@@ -167,22 +164,14 @@ EPODE_LANEWISE void read_row(Row& to, const void* from, std::size_t offset)
     __builtin_memcpy(&to, static_cast<const char*>(from) + offset, sizeof to);
 }
 
-// `row(lane)` is a FloatRow.
-template <typename Row>
-EPODE_LANEWISE Vector4Of<FloatVector> columns(const Row& row)
-{
-    const auto of = columns_of<FloatVector>(row);
-    return {of.w, of.x, of.y, of.z};
-}
-
-// put(lane, row) for each lane of a vector of x, y, z, and zero behind them.
-template <typename Put>
-EPODE_LANEWISE void put_rows(const Vector3Of<FloatVector>& v, const Put& put)
-{
-    put_rows(v.x, v.y, v.z, put);
-}
-
 EPODE_LANEWISE FloatRow rounded(const RowInMemory& a) { return __builtin_convertvector(a, FloatRow); }
+
+EPODE_LANEWISE FloatRow rounded_row(const void* from, std::size_t offset)
+{
+    RealRow row;
+    read_row(row, from, offset);
+    return __builtin_convertvector(row, FloatRow);
+}
 
 // Compilers make two conversions and a detour through memory of it where one instruction would do.
 EPODE_LANEWISE void add_widened(const FloatRow& change, RowInMemory& to)

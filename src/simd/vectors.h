@@ -9,6 +9,7 @@
 // namespace, and code for a better machine than the baseline calls no shared inline function at all.
 #pragma once
 
+#include "simd/components.h"
 #include "simd/lanes.h"
 #include "simd/lanewise.h"
 
@@ -53,17 +54,6 @@ EPODE_LANEWISE Vector roots(const Vector& x)
 
 EPODE_LANEWISE PairInMemory& pair_at(Real* p) { return *reinterpret_cast<PairInMemory*>(p); }
 EPODE_LANEWISE AnyPair pair_at(const Real* p) { return *reinterpret_cast<const AnyPair*>(p); }
-
-// V: a vector, of Reals or of floats.
-template <typename V>
-struct Vector3Of {
-    V x, y, z;
-};
-
-template <typename V>
-struct Vector4Of {
-    V w, x, y, z;
-};
 
 using Vector3 = Vector3Of<Vector>;
 using Vector4 = Vector4Of<Vector>;
