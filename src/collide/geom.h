@@ -120,9 +120,9 @@ class GeomHold {
 
 // Starts to bring what a box is made of and goes to: the mark, the box, the shape. No more: in a pile of
 // thousands as many lines are on their way as the processor can wait for.
-inline void fetch_shape(const Geom* geom)
+inline void fetch_shape(const Geom& geom)
 {
-    fetch<1>(geom), fetch<1>(&geom->box), fetch<1>(geom->own_position);
+    fetch<1>(&geom), fetch<1>(&geom.box), fetch<1>(geom.own_position);
 }
 
 inline bool of_one_body(const Geom& a, const Geom& b) { return a.body.id && a.body.id == b.body.id; }

@@ -73,16 +73,12 @@ void clean_queued(Space& space, Chosen&& chosen)
 {
     constexpr int kAhead = 8;
     const int due = space.queue.size();
-    const auto fetch_member = [&](int i) {
-        if (i < due) fetch_shape(space.members[space.queue[i]]), space.broadphase.fetch_box(space.queue[i]);
-    };
-    const auto fetch_places = [&](int i) {
-        const Geom* geom = i < due ? space.members[space.queue[i]] : nullptr;
-        if (geom) fetch<3>(geom->position), space.broadphase.fetch_fat_box(geom->slot);
-    };
+    const auto due_in = [&](int i) { return i < due ? space.members[space.queue[i]] : nullptr; };
     for (int i = 0; i < due; ++i) {
-        fetch_member(i + 2 * kAhead);
-        fetch_places(i + kAhead);
+        if (const Geom* geom = due_in(i + 2 * kAhead))
+            fetch_shape(*geom), space.broadphase.fetch_box(space.queue[i + 2 * kAhead]);
+        if (const Geom* geom = due_in(i + kAhead))
+            fetch<3>(geom->position), space.broadphase.fetch_fat_box(geom->slot);
         const int slot = space.queue[i];
         Geom* geom = space.members[slot];
         if (!geom || !geom->queued || !chosen(*geom)) continue;
@@ -207,14 +203,10 @@ void clean(Space& space, const WayFinder& finder, const Tasks& tasks)
     Geom* const* members = space.members.data();
     boxes.note_all(tasks, count, [&](int slot, Broadphase::Notes& notes) {
         constexpr int kAhead = 6;
-        if (slot + 2 * kAhead < count && members[slot + 2 * kAhead]) {
-            const Geom* geom = members[slot + 2 * kAhead];
-            fetch_shape(geom), fetch<1>(&geom->body);
-        }
-        if (slot + kAhead < count && members[slot + kAhead]) {
-            fetch<5>(members[slot + kAhead]->body.id);
-            boxes.fetch_fat_box(slot + kAhead);
-        }
+        const auto member = [&](int i) { return i < count ? members[i] : nullptr; };
+        if (const Geom* soon = member(slot + 2 * kAhead)) fetch_shape(*soon), fetch<1>(&soon->body);
+        if (const Geom* next = member(slot + kAhead))
+            fetch<5>(next->body.id), boxes.fetch_fat_box(slot + kAhead);
         Geom* geom = members[slot];
         if (!geom) return;
         if (moves && geom->queued && stands_alone(*geom)) {

@@ -84,6 +84,7 @@ void fetch_poses(const ContactPair& pair)
     for (const Body* body : {pair.body1, pair.body2})
         if (body) fetch<2>(body->lvel);
 }
+
 }  // namespace
 
 bool ContactWorld::update(const World& world, Space& in, Real h, const Tasks& tasks)
@@ -227,8 +228,8 @@ void ContactWorld::collide_pairs(const World& world, Real h, const Tasks& tasks)
         if (pair.asked) update_one(pair, pair.first, settings);
     settings.foresees = true;
     tasks.for_each((count + kPiece - 1) / kPiece, [&](int piece, int) {
-        const int begin = piece * kPiece, end = std::min(count, begin + kPiece);
         constexpr int kAhead = 4;
+        const int begin = piece * kPiece, end = std::min(count, begin + kPiece);
         int place = pairs[begin].first;
         for (int i = begin; i < end; ++i) {
             if (i + 2 * kAhead < end) fetch_geoms(pairs[i + 2 * kAhead]);

@@ -13,7 +13,7 @@ namespace {
 constexpr int kAhead = 10;
 
 // What one() reads and writes of a body.
-void fetch_body(const Body* body) { fetch<1>(body), fetch<3>(body->lvel); }
+void fetch_body(const Body& body) { fetch<1>(&body), fetch<3>(body.lvel); }
 
 void empty(Body& body)
 {
@@ -41,7 +41,7 @@ void Finish::at_once(std::span<Body* const> piece, const Tasks& tasks)
     const auto first = std::size_t(piece.data() - bodies_.data());
     tasks.in_ranges(int(piece.size()), kObjectRange, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) {
-            if (i + 2 * kAhead < end) fetch_body(piece[std::size_t(i + 2 * kAhead)]);
+            if (i + 2 * kAhead < end) fetch_body(*piece[std::size_t(i + 2 * kAhead)]);
             if (i + kAhead < end) fetch_geoms(*piece[std::size_t(i + kAhead)]);
             Body& body = *piece[std::size_t(i)];
             if (body.tells || !mark_geoms(body)) {
@@ -60,7 +60,7 @@ void Finish::rest()
     if (!any_left_) return;
     const auto is_left = [&](std::size_t i) { return i < bodies_.size() && !(early_ && done_[i]); };
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        if (is_left(i + 2 * kAhead)) fetch_body(bodies_[i + 2 * kAhead]);
+        if (is_left(i + 2 * kAhead)) fetch_body(*bodies_[i + 2 * kAhead]);
         if (is_left(i + kAhead)) fetch_geoms(*bodies_[i + kAhead]);
         if (is_left(i)) one(*bodies_[i]);
     }
