@@ -387,13 +387,11 @@ bool MeshTree::bring_up_to_date(NearLeaves& kept, const FloatBox& asked) const
 void MeshTree::gather(NearLeaves& kept) const
 {
     kept.count = 0;
-    const NodeBox node_box(kept.box);
-    walk([&](const MeshNode& node) { return node.met_by(node_box); },
-         [&](int leaf) {
-             if (!packets_.data()[leaf].met_by(kept.box)) return true;
-             if (kept.count < NearLeaves::kMost) kept.leaf[kept.count] = leaf;
-             return ++kept.count <= NearLeaves::kMost;
-         });
+    walk(NodeBox(kept.box), [&](int leaf) {
+        if (!packets_.data()[leaf].met_by(kept.box)) return true;
+        if (kept.count < NearLeaves::kMost) kept.leaf[kept.count] = leaf;
+        return ++kept.count <= NearLeaves::kMost;
+    });
 }
 
 // Of unit length; beyond the mesh d does not matter.

@@ -48,7 +48,8 @@ class MeshTree {
     void query(const Aabb& box, const SolidProbe& solid, NearLeaves* kept, See&& see, Visit&& visit) const;
     int at(int leaf, int lane) const { return packets_.data()[leaf].lanes[lane]; }
 
-    // The same for those that may lie at or below the plane n . x = d.
+    // visit(triangle) for those, not degenerate, that may lie at or below the plane n . x = d, until it
+    // answers false.
     template <typename Visit>
     void below(Vec3 n, Real d, Visit&& visit) const;
 
@@ -64,9 +65,9 @@ class MeshTree {
   private:
     static constexpr int kStack = (MeshNode::kMost - 1) * kMeshDepth + 1;
 
-    // open(leaf) for those that are met, until it answers false.
-    template <typename Meets, typename Open>
-    void walk(Meets&& meets, Open&& open) const;
+    // open(leaf) for those that a box or a half-space meets, until it answers false.
+    template <typename Asked, typename Open>
+    void walk(const Asked& asked, Open&& open) const;
     // The same along a ray that has entered: open(packet, reach) answers as a visit of shoot() does.
     template <typename Open>
     void follow(const MeshRay& ray, Real from, Real to, Open&& open) const;
@@ -105,8 +106,8 @@ class MeshTree {
     std::uint64_t edition_ = 0;  // see near_leaves.h
 };
 
-template <typename Meets, typename Open>
-void MeshTree::walk(Meets&& meets, Open&& open) const
+template <typename Asked, typename Open>
+void MeshTree::walk(const Asked& asked, Open&& open) const
 {
     if (nodes_.empty()) return;
     int stack[kStack];
@@ -119,7 +120,7 @@ void MeshTree::walk(Meets&& meets, Open&& open) const
             continue;
         }
         const MeshNode& node = nodes_.data()[child];
-        for (unsigned met = meets(node); met != 0; met &= met - 1) {
+        for (unsigned met = node.met_by(asked); met != 0; met &= met - 1) {
             const int next = node.child[std::countr_zero(met)];
             fetch(next);
             stack[top++] = next;
@@ -132,16 +133,14 @@ void MeshTree::query(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) c
 {
     if (!overlap(box, box_)) return;
     const FloatBox asked = in_frame(box);
-    const NodeBox node_box(asked);
-    walk([&](const MeshNode& node) { return node.met_by(node_box); },
-         [&](int leaf) {
-             const MeshPacket& packet = packets_.data()[leaf];
-             for (unsigned met = packet.met_by(asked); met != 0; met &= met - 1) {
-                 const int t = packet.lanes[std::countr_zero(met)];
-                 if (overlap(mesh.box(t), box) && !visit(t)) return false;
-             }
-             return true;
-         });
+    walk(NodeBox(asked), [&](int leaf) {
+        const MeshPacket& packet = packets_.data()[leaf];
+        for (unsigned met = packet.met_by(asked); met != 0; met &= met - 1) {
+            const int t = packet.lanes[std::countr_zero(met)];
+            if (overlap(mesh.box(t), box) && !visit(t)) return false;
+        }
+        return true;
+    });
 }
 
 template <typename See, typename Visit>
@@ -160,10 +159,7 @@ void MeshTree::query(const Aabb& box, const SolidProbe& solid, NearLeaves* kept,
             visit(packet, std::countr_zero(close));
         return true;
     };
-    if (!kept || !bring_up_to_date(*kept, asked)) {
-        const NodeBox node_box(asked);
-        return walk([&](const MeshNode& node) { return node.met_by(node_box); }, open);
-    }
+    if (!kept || !bring_up_to_date(*kept, asked)) return walk(NodeBox(asked), open);
     for (int i = 0; i < kept->count; ++i) fetch_leaf(kept->leaf[i]);
     for (int i = 0; i < kept->count; ++i) open(kept->leaf[i]);
 }
@@ -171,14 +167,12 @@ void MeshTree::query(const Aabb& box, const SolidProbe& solid, NearLeaves* kept,
 template <typename Visit>
 void MeshTree::below(Vec3 n, Real d, Visit&& visit) const
 {
-    const HalfSpace asked = half_space(n, d);
-    walk([&](const MeshNode& node) { return node.met_by(asked); },
-         [&](int leaf) {
-             const MeshPacket& packet = packets_.data()[leaf];
-             for (unsigned met = packet.whole(); met != 0; met &= met - 1)
-                 if (!visit(packet.lanes[std::countr_zero(met)])) return false;
-             return true;
-         });
+    walk(half_space(n, d), [&](int leaf) {
+        const MeshPacket& packet = packets_.data()[leaf];
+        for (unsigned met = packet.whole(); met != 0; met &= met - 1)
+            if (!visit(packet.lanes[std::countr_zero(met)])) return false;
+        return true;
+    });
 }
 
 template <typename Open>
