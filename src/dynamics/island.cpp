@@ -4,10 +4,10 @@
 // Depth-first search with an explicit stack from each awake body, newest first. The order of bodies and
 // joints is a function of the calls that built the world only. Union-find would do as well; the search yields
 // bodies in an order in which neighbours are close in memory.
-// Joints come by the ten thousand, mostly contacts, and lie apart in memory: one walk along the world's roster
-// finds out all that is asked of them here. Joints that follow each other there between the same two bodies,
-// as the contacts of a pair do, are one bond; the search goes over bonds, two in a line of the cache. Bodies
-// themselves it does not touch: neighbours in a pile are none in memory.
+// Joints come by the ten thousand, mostly contacts, and lie apart in memory: one walk along the world's
+// roster finds out all that is asked of them here. Joints that follow each other there between the same two
+// bodies, as the contacts of a pair do, are one bond; the search goes over bonds, two in a line of the cache.
+// Bodies themselves it does not touch: neighbours in a pile are none in memory.
 #include "dynamics/island.h"
 
 #include <cstdint>
