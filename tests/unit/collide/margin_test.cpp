@@ -81,9 +81,10 @@ class Margin : public testing::TestWithParam<Kind> {
         const dReal* R = dGeomGetRotation(upper);
         Real down = 0;
         for (int k = 0; k < 3; ++k) down += std::fabs(R[8 + k]) * kUpper[k];
-        const Real top = on_plane() ? Real(0) : kLower.z;
-        dGeomSetPosition(upper, between(Real(-0.8), Real(0.8)), between(Real(-0.8), Real(0.8)),
-                         top + down - between(Real(0.001), Real(0.02)));
+        // Each draw is a statement of its own: compilers differ in the order in which arguments are reckoned.
+        const Real z = (on_plane() ? Real(0) : kLower.z) + down - between(Real(0.001), Real(0.02));
+        const Real y = between(Real(-0.8), Real(0.8)), x = between(Real(-0.8), Real(0.8));
+        dGeomSetPosition(upper, x, y, z);
     }
     // Of a point from the surface of one of the two; less than nothing inside.
     Real distance(dGeomID geom, Vec3 half, Vec3 p) const
@@ -105,7 +106,8 @@ class Margin : public testing::TestWithParam<Kind> {
     dGeomID upper, lower;
 };
 
-// Each lies on one of the two, and its gap away on the other.
+// Each lies on one of the two, and its gap away on the other. Where the normal is that of two edges, which is
+// nearly a face's, corners are off by as much as it leans.
 TEST_P(Margin, corners_over_a_face_are_told_with_their_gap)
 {
     int near = 0;
@@ -117,13 +119,15 @@ TEST_P(Margin, corners_over_a_face_are_told_with_their_gap)
             if (c.depth >= 0) continue;
             ++near;
             const Vec3 p = load(c.pos), n = load(c.normal);
+            const dReal* R = dGeomGetRotation(upper);
+            const Real lean = std::min(length(n - Vec3{0, 0, 1}), length(n - Vec3{R[2], R[6], R[10]}));
             const Real on_upper = std::fabs(distance(upper, kUpper, p)),
                        on_lower = std::fabs(distance(lower, kLower, p));
             EXPECT_LT(std::min(on_upper, on_lower), kTight) << i;
             const Vec3 there = on_upper < on_lower ? p + c.depth * n : p - c.depth * n;
             EXPECT_LT(std::fabs(distance(on_upper < on_lower ? lower : upper,
                                          on_upper < on_lower ? kLower : kUpper, there)),
-                      kTight)
+                      kTight - c.depth * lean)
                 << i;
         }
     }

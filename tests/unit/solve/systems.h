@@ -137,6 +137,7 @@ struct RandomKind {
     bool kinematic = false;  // the first body is moved by nothing
 };
 
+// Each draw is a statement of its own: compilers differ in the order in which arguments are reckoned.
 inline Problem random_problem(std::uint64_t seed, const RandomKind& kind)
 {
     Dice dice(seed);
@@ -144,8 +145,8 @@ inline Problem random_problem(std::uint64_t seed, const RandomKind& kind)
     for (int i = 0; i < kind.bodies; ++i) {
         const bool fixed = kind.kinematic && i == 0;
         const Real mass = fixed ? 0 : std::pow(kind.heaviest, dice.real(0, 1));
-        const int b = p.body(dice.vec(3), mass,
-                             {dice.real(Real(.5), 2), dice.real(Real(.5), 2), dice.real(Real(.5), 2)});
+        const Vec3 inertia{dice.real(Real(.5), 2), dice.real(Real(.5), 2), dice.real(Real(.5), 2)};
+        const int b = p.body(dice.vec(3), mass, inertia);
         p.bodies[std::size_t(b)].v = dice.vec(1);
         p.bodies[std::size_t(b)].w = dice.vec(1);
     }
@@ -158,13 +159,15 @@ inline Problem random_problem(std::uint64_t seed, const RandomKind& kind)
     for (int i = 0; i < kind.joints; ++i) {
         int a, b;
         pair(a, b);
-        p.ball(a, b, p.places[std::size_t(a)] + dice.vec(1), kind.cfm, dice.vec(Real(0.01)));
+        const Vec3 error = dice.vec(Real(0.01));
+        p.ball(a, b, p.places[std::size_t(a)] + dice.vec(1), kind.cfm, error);
     }
     for (int i = 0; i < kind.contacts; ++i) {
         int a, b;
         pair(a, b);
-        p.contact(a, b, p.places[std::size_t(a)] + dice.vec(1), dice.direction(), dice.real(0, Real(0.01)),
-                  kind.mu, kind.cfm);
+        const Real depth = dice.real(0, Real(0.01));
+        const Vec3 n = dice.direction();
+        p.contact(a, b, p.places[std::size_t(a)] + dice.vec(1), n, depth, kind.mu, kind.cfm);
     }
     return p;
 }
