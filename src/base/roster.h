@@ -37,6 +37,8 @@ class Roster {
     // Places are below this, and who joins later has none of them, until somebody leaves.
     int places() const { return all_.size(); }
 
+    T& newest() const { return *all_.data()[all_.size() - 1]; }  // of those that there are: not of none
+
     // Nobody may join or leave during a walk.
     class Walk {
       public:

@@ -13,7 +13,6 @@
 #pragma once
 
 #include <bit>
-#include <climits>
 #include <cmath>
 
 #include "geometry/shapes.h"

@@ -4,12 +4,12 @@
 // The tree over the triangles of a mesh, asked by box and by ray. A node has sixteen children, whose boxes
 // lie on a grid of its own, 256 steps to a side (8 bits a bound instead of 32 or 64). The grids are in a
 // frame of the whole mesh, [-1, 1] to the half of its largest side or less, where floats are as good as
-// anywhere; every box is larger by kMargin than what it holds, which is more than the rounding of all that is
-// done with it, so that nothing is ever missed. One grid for all nodes (16 bits) would be simpler, but blind
-// in a mesh of which one vertex lies far off. Built from above by binned surface area (Wald, "On fast
-// construction of SAH-based bounding volume hierarchies", 2007), four parts at a time. The depth is bounded,
-// so that walks need no more than a short stack. The order in which triangles are reported depends on how the
-// tree was made and on nothing else; refit() keeps it.
+// anywhere; every box is larger by kMeshMargin than what it holds, which is more than the rounding of all
+// that is done with it, so that nothing is ever missed. One grid for all nodes (16 bits) would be simpler,
+// but blind in a mesh of which one vertex lies far off. Built from above by binned surface area (Wald, "On
+// fast construction of SAH-based bounding volume hierarchies", 2007), four parts at a time. The depth is
+// bounded, so that walks need no more than a short stack. The order in which triangles are reported depends
+// on how the tree was made and on nothing else; refit() keeps it.
 #pragma once
 
 #include <bit>

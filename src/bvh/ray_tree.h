@@ -51,7 +51,7 @@ inline void put_met(const MetNodes& met, const int* children, WaitingNode* w)
 }
 
 // Of four bits, how many are set: a digit each.
-inline int count(unsigned bits) { return int(0x4332322132212110u >> 4 * bits & 7); }
+inline int count_of_four(unsigned bits) { return int(0x4332322132212110u >> 4 * bits & 7); }
 
 struct alignas(64) RayNode {
     float lo[3][4], hi[3][4];
@@ -135,7 +135,7 @@ void RayTree::cast(const TreeRay& ray, Vec3 direction, const Aabb& all, Real rea
         for (unsigned soon = met & node.leaves; soon != 0; soon &= soon - 1)
             fetch(~node.child[__builtin_ctz(soon)]);
         far_first(stack + top);
-        top += count(met);
+        top += count_of_four(met);
     }
 }
 

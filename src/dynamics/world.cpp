@@ -29,9 +29,9 @@ World::World() : Tagged(Tag::kWorld) {}
 
 World::~World()
 {
-    while (bodies.count() > 0) destroy_body(*bodies.begin());
+    while (bodies.count() > 0) destroy_body(bodies.newest());
     while (joints.count() > 0) {
-        Joint& joint = *joints.begin();
+        Joint& joint = joints.newest();
         if (joint.grouped) {
             note(0, "warning: destroying world containing grouped joints");
             detach(joint);

@@ -58,7 +58,7 @@ void for_shares(World& world, Visit&& visit)
 // Of the body itself, and of geoms in transforms: those are marked wherever the transform is.
 bool calls_program(const Body& body)
 {
-    bool calls = body.moved != nullptr;
+    bool calls = body.tells;
     for_each_geom(body, [&](Geom& geom) { calls = calls || geom.holders; });
     return calls;
 }

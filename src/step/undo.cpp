@@ -32,12 +32,13 @@ bool StepUndo::save_idleness(Arena& arena)
 {
     if (!world_.watches_bodies) return true;
     int count = 0;
+    places_ = world_.bodies.places();
     for (const Body& b : world_.bodies) count += b.auto_disable;
     idleness_ = arena.take<Idleness>(count);
     if (arena.failed()) return false;
     if (!count) return true;
     Idleness* to = idleness_.data();
-    for (const Body& b : world_.bodies) {
+    for (const Body& b : world_.bodies.before(places_)) {
         if (!b.auto_disable) continue;
         copy(to->lvel, b.lvel), copy(to->avel, b.avel);
         to->spin_excess = b.spin_excess;
@@ -106,7 +107,7 @@ void StepUndo::restore() const
     restore_impulses();
     if (idleness_.empty()) return;
     const Idleness* from = idleness_.data();
-    for (Body& b : world_.bodies) {
+    for (Body& b : world_.bodies.before(places_)) {
         if (!b.auto_disable) continue;
         copy(b.lvel, from->lvel), copy(b.avel, from->avel);
         b.spin_excess = from->spin_excess;

@@ -67,6 +67,7 @@ class StepUndo {
 
     World& world_;
     std::span<Idleness> idleness_;   // of the bodies that watch themselves, in the world's order
+    int places_ = 0;                 // of bodies when these were saved: the program may have made more since
     std::span<Body* const> bodies_;  // of all islands, one after the other
     std::span<Joint* const> joints_;
     std::span<Saved> saved_;  // of bodies_

@@ -64,6 +64,7 @@ TEST(Roster, closes_the_end_at_once)
     EXPECT_EQ(roster.places(), 3);
     roster.leave(c);
     EXPECT_EQ(roster.places(), 1);
+    EXPECT_EQ(&roster.newest(), &a);
     EXPECT_EQ(newest_first(roster), std::vector<const Member*>{&a});
     roster.leave(a);
     EXPECT_EQ(roster.places(), 0);
