@@ -51,34 +51,55 @@ void ContactCache::look_into(int index, const Wanted& wanted, Found& best)
     }
 }
 
+// The points of an old pair, a lane each; those that are used, and those that are none, are not free. They
+// stay in registers: vectors read from what has just been written number by number would have to wait for it.
+struct ContactCache::Places {
+    Quad x, y, z;
+    unsigned free;
+
+    // Mostly there is one within reach, and no more to compare.
+    int nearest(const Levers& levers, int i) const  // -1: none
+    {
+        const Quad dx = x - quad(levers.x[i]), dy = y - quad(levers.y[i]), dz = z - quad(levers.z[i]);
+        const Quad distance2 = dx * dx + dy * dy + dz * dz;
+        const unsigned near = bits(distance2 <= quad(levers.within2[i])) & free;
+        if ((near & (near - 1)) == 0) return near ? std::countr_zero(near) : -1;
+        int best = -1;
+        for (unsigned left = near; left != 0; left &= left - 1) {
+            const int k = std::countr_zero(left);
+            if (best < 0 || lane(distance2, k) <= lane(distance2, best)) best = k;
+        }
+        return best;
+    }
+};
+
 ContactCache::Places ContactCache::places_of(const Pair& pair) const
 {
-    Places places;
-    for (int k = 0; k < kManifoldPoints; ++k) places.x[k] = places.y[k] = places.z[k] = kInf;
-    for (int k = 0; k < pair.count; ++k) {
-        const Point& point = old_.points[pair.first + k];
-        if (point.used) continue;
-        const Vec3 at = widen(point.place);
-        places.x[k] = at.x, places.y[k] = at.y, places.z[k] = at.z;
-    }
-    return places;
+    static_assert(kManifoldPoints == 4);
+    const Point* at = old_.points.data() + pair.first;
+    const int last = pair.count - 1;
+    const Point &a = at[0], &b = at[std::min(1, last)], &c = at[std::min(2, last)], &d = at[last];
+    const unsigned used =
+        unsigned(a.used) | unsigned(b.used) << 1 | unsigned(c.used) << 2 | unsigned(d.used) << 3;
+    return {quad(a.place.x, b.place.x, c.place.x, d.place.x),
+            quad(a.place.y, b.place.y, c.place.y, d.place.y),
+            quad(a.place.z, b.place.z, c.place.z, d.place.z), ~used & ((1u << pair.count) - 1)};
 }
 
-// Mostly there is one within reach, and no more to compare.
-int ContactCache::Places::nearest(Vec3 place, Real within2) const
+ContactCache::Levers ContactCache::levers_of(const Body& body1, std::span<const ManifoldPoint> points)
 {
-    static_assert(kManifoldPoints == 4);
-    const Quad dx = load_quad(x) - quad(place.x), dy = load_quad(y) - quad(place.y),
-               dz = load_quad(z) - quad(place.z);
-    const Quad distance2 = dx * dx + dy * dy + dz * dz;
-    const unsigned near = bits(distance2 <= quad(within2));
-    if ((near & (near - 1)) == 0) return near ? std::countr_zero(near) : -1;
-    Real all[kManifoldPoints];
-    store_quad(all, distance2);
-    int best = -1;
-    for (int k = 0; k < kManifoldPoints; ++k)
-        if (all[k] <= within2) best = k, within2 = all[k];
-    return best;
+    const int last = int(points.size()) - 1;
+    const Vec3 &a = points[0].r1, &b = points[std::min(1, last)].r1, &c = points[std::min(2, last)].r1,
+               &d = points[last].r1;
+    const Quad x = quad(a.x, b.x, c.x, d.x), y = quad(a.y, b.y, c.y, d.y), z = quad(a.z, b.z, c.z, d.z);
+    const Mat3 R = body1.rotation();
+    const auto along = [&](Vec3 axis) { return quad(axis.x) * x + quad(axis.y) * y + quad(axis.z) * z; };
+    const Quad u = along(R.column(0)), v = along(R.column(1)), w = along(R.column(2));
+    const Quad within2 = quad(kReach * kReach) * (u * u + v * v + w * w + quad(kReach * kReach));
+    Levers levers;
+    store_quad(levers.x, u), store_quad(levers.y, v), store_quad(levers.z, w);
+    store_quad(levers.within2, within2);
+    return levers;
 }
 
 ContactCache::Found ContactCache::find(const Wanted& wanted, Real within2)
@@ -105,6 +126,15 @@ void ContactCache::note(Run& run, const Wanted& wanted, int ticket, int points)
     ++run.count;
 }
 
+void ContactCache::note_points(int ticket, int count, const Levers& levers)
+{
+    for (int i = 0; i < count; ++i) {
+        Point& fresh = fresh_.points.data()[ticket + i];
+        fresh.place = narrow(levers.place(i)), fresh.friction = {0, 0, 0};
+        fresh.push = 0, fresh.used = false;
+    }
+}
+
 void ContactCache::load(int writer, int ticket, const Body& body1, const Body* body2,
                         const Manifold& manifold, std::span<ManifoldPoint> points, Real share)
 {
@@ -113,34 +143,29 @@ void ContactCache::load(int writer, int ticket, const Body& body1, const Body* b
     const std::uint64_t serial1 = body1.serial, serial2 = body2 ? body2->serial : 0;
     Wanted wanted{serial1, serial2, {}, manifold.n};
     note(run, wanted, ticket, int(points.size()));
-    const bool known = share > 0 && !buckets_.empty();
-    const Mat3 R = body1.rotation();
-    const bool guessed = known && is_guess(run.guess, wanted);
-    const int guess = guessed ? run.guess : -1;
-    Places places;
-    if (guessed) places = places_of(old_.pairs[guess]);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Vec3 place = transposed_times(R, points[i].r1);
-        Point& fresh = fresh_.points[ticket + int(i)];
-        fresh.place = narrow(place), fresh.friction = {0, 0, 0};
-        fresh.push = 0, fresh.used = false;
-        if (!known) continue;
-        const Real within2 = kReach * kReach * (length2(place) + kReach * kReach);
-        const int nearest = guessed ? places.nearest(place, within2) : -1;
-        Found old{nullptr, guess, within2};
+    const Levers levers = levers_of(body1, points);
+    note_points(ticket, int(points.size()), levers);
+    if (!(share > 0) || buckets_.empty()) return;
+    const int guess = is_guess(run.guess, wanted) ? run.guess : -1;
+    Places places{};
+    if (guess >= 0) places = places_of(old_.pairs[guess]);
+    for (int i = 0; i < int(points.size()); ++i) {
+        const int nearest = places.nearest(levers, i);
+        Found old{nullptr, guess, levers.within2[i]};
         if (nearest >= 0) {
             old.point = &old_.points[old_.pairs[guess].first + nearest];
-            places.x[nearest] = kInf;
+            places.free &= ~(1u << nearest);
         } else {
-            wanted.place = place;
-            old = find(wanted, within2);
+            wanted.place = levers.place(i);
+            old = find(wanted, levers.within2[i]);
         }
         if (!old.point) continue;
         old.point->used = true;
         run.guess = old.pair + 1;
-        points[i].p[0] = share * Real(old.point->push);
-        points[i].p[1] = share * dot(widen(old.point->friction), manifold.t1);
-        points[i].p[2] = share * dot(widen(old.point->friction), manifold.t2);
+        ManifoldPoint& point = points[std::size_t(i)];
+        point.p[0] = share * Real(old.point->push);
+        point.p[1] = share * dot(widen(old.point->friction), manifold.t1);
+        point.p[2] = share * dot(widen(old.point->friction), manifold.t2);
     }
 }
 

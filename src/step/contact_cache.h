@@ -73,16 +73,19 @@ class ContactCache {
         std::uint64_t serial1, serial2;
         Vec3 place, normal;
     };
-    // The points of an old pair, taken apart once for all points of a manifold; those that are used, and
-    // those that are none, lie infinitely far away.
-    struct Places {
-        Real x[kManifoldPoints], y[kManifoldPoints], z[kManifoldPoints];
-        int nearest(Vec3 place, Real within2) const;  // -1: none
+    struct Places;
+    // Of points of one manifold, from body 1 in its frame: where they are, and the square of how far from
+    // there they may have been.
+    struct Levers {
+        Real x[kManifoldPoints], y[kManifoldPoints], z[kManifoldPoints], within2[kManifoldPoints];
+        Vec3 place(int i) const { return {x[i], y[i], z[i]}; }
     };
+    static Levers levers_of(const Body& body1, std::span<const ManifoldPoint> points);
     void note(Run& run, const Wanted& wanted, int ticket, int points);
     bool is_guess(int guess, const Wanted& wanted) const;
     bool fits(const Pair& pair, const Wanted& wanted) const;
     Places places_of(const Pair& pair) const;
+    void note_points(int ticket, int count, const Levers& levers);
     void look_into(int pair, const Wanted& wanted, Found& best);
     Found find(const Wanted& wanted, Real within2);
     static int buckets_for(int pairs);
