@@ -21,7 +21,7 @@ MAY_INCLUDE = {
     "solve": {"base", "math", "simd", "tasks", "rows"},
     "collide": {"base", "math", "simd", "tasks", "geometry", "bvh"},
     "query": {"base", "math", "simd", "tasks", "geometry", "bvh", "collide"},
-    "contacts": {"base", "math", "tasks", "rows", "geometry", "bvh", "dynamics", "collide"},
+    "contacts": {"base", "math", "simd", "tasks", "rows", "geometry", "bvh", "dynamics", "collide"},
     "step": {"base", "math", "simd", "tasks", "rows", "geometry", "bvh", "dynamics", "joints", "solve", "collide",
              "query", "contacts"},
 }

@@ -17,19 +17,29 @@ namespace epode {
 
 inline constexpr int kSurfacePatches = 3;
 
-struct ContactAnchor {
-    Float3 a1, a2;  // one place when they were collided, in the frames of the two geoms
-    float gap;      // then
+// One place for each point of a patch when the two were collided, in the frames of both geoms; side by side.
+// What is missing repeats the last.
+struct ContactAnchors {
+    float a1[3][kPatchPoints], a2[3][kPatchPoints];
+    float gap[kPatchPoints];  // then
+
+    Float3 first(int i) const { return {a1[0][i], a1[1][i], a1[2][i]}; }
+    Float3 second(int i) const { return {a2[0][i], a2[1][i], a2[2][i]}; }
+};
+
+// What the last collision has told of a patch.
+struct PatchFinding {
+    std::uint32_t changes;  // of both geoms' shapes, then
+    Float3 offset;          // of g2 in g1's frame, then
+    Float3 turn[3];
+    Float3 normal;  // in g1's frame
+    ContactAnchors anchors;
 };
 
 struct KeptPatch {
-    Vec3 origin;            // of body1 at the step's beginning
-    float layer;            // depth that was allowed then
-    std::uint32_t changes;  // of both geoms' shapes, when they were collided
-    Float3 offset;          // of g2 in g1's frame when they were collided
-    Float3 turn[3];
-    Float3 normal;  // in g1's frame
-    ContactAnchor anchors[kPatchPoints];
+    Vec3 origin;  // of body1 at the step's beginning
+    float layer;  // depth that was allowed then
+    PatchFinding found;
     Patch patch;  // has points
 };
 

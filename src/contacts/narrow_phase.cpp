@@ -110,32 +110,25 @@ class PairUpdate {
     // How far any point of the smaller one can have moved in the other's frame.
     bool hardly_moved(std::span<const KeptPatch> old) const
     {
-        const KeptPatch& was = old[0];
+        const PatchFinding& was = old[0].found;
         if (was.changes != changes() || may_have_changed()) return false;
-        const bool full = knows_corners() || (pair_.most == 1 && was.patch.count == kPatchPoints);
+        const bool full = knows_corners() || (pair_.most == 1 && old[0].patch.count == kPatchPoints);
         const Real size = this->size();
         const Real most = full ? kReuse * size : kReuseLayer * settings_.layer;
         const Mat3 turn = {widen(was.turn[0]), widen(was.turn[1]), widen(was.turn[2])};
         // |R - R'| in the sense of Frobenius is 2 sqrt(2) sin(angle / 2).
         Real turned2 = 0;
         for (int k = 0; k < 3; ++k) turned2 += length2(turn_.row(k) - turn.row(k));
-        const Real turned = std::sqrt(turned2 / 2);
+        turned2 /= 2;
         // Of g2's place; of the solid's where the other is a landscape, whose place may be far away.
         const bool first = pair_.most > 1 && is_solid(g1_);
         const Vec3 then = widen(was.offset),
                    way = offset_ - (first ? turn_ * transposed_times(turn, then) : then);
-        return length(way) + turned * std::max(size, reach(was, first)) <= most;
-    }
-
-    // Of the points from the place of the first geom or the second: what a turn moves them by.
-    static Real reach(const KeptPatch& was, bool first)
-    {
-        float most = 0;
-        for (int i = 0; i < was.patch.count; ++i) {
-            const Float3 a = first ? was.anchors[i].a1 : was.anchors[i].a2;
-            most = std::max(most, a.x * a.x + a.y * a.y + a.z * a.z);
-        }
-        return std::sqrt(Real(most));
+        const Real way2 = length2(way), reach2 = largest_reach2(first ? was.anchors.a1 : was.anchors.a2);
+        // Mostly by far, and (a + b)^2 <= 2 (a^2 + b^2) needs no roots, for each of which the next would
+        // wait.
+        if (2 * (way2 + turned2 * std::max(size * size, reach2)) < Real(0.99) * most * most) return true;
+        return std::sqrt(way2) + std::sqrt(turned2) * std::max(size, std::sqrt(reach2)) <= most;
     }
 
     // False: they have come apart.
@@ -143,35 +136,22 @@ class PairUpdate {
     {
         bool touches = false;
         for (std::size_t i = 0; i < old.size(); ++i) {
-            parts_[i] = old[i];
-            touches = place(parts_[i]) || touches;
+            parts_[i].found = old[i].found, parts_[i].patch = old[i].patch;
+            touches = place(old[i], parts_[i]) || touches;
         }
         pair_.count = std::uint8_t(old.size());
         return touches;
     }
 
-    // Arms and gaps of the points at the present poses. True if one of them still touches.
-    bool place(KeptPatch& part)
+    // A copy of `was`, or itself, at the present poses; true if a point of it still touches. `was` is read,
+    // since a copy just made takes its time to arrive.
+    bool place(const KeptPatch& was, KeptPatch& part)
     {
-        Patch& patch = part.patch;
         part.origin = x1_;
         part.layer = float(settings_.layer);
-        const Vec3 n = pose1_.R * widen(part.normal);
-        patch.normal = narrow(n);
-        combine_materials(g1_, g2_, patch);
-        bool touches = false;
-        for (int i = 0; i < patch.count; ++i) {
-            const ContactAnchor& anchor = part.anchors[i];
-            const Vec3 at1 = pose1_.p + pose1_.R * widen(anchor.a1);
-            const Vec3 at2 = pose2_.p + pose2_.R * widen(anchor.a2);
-            const Vec3 at = Real(0.5) * (at1 + at2);
-            const Real gap = Real(anchor.gap) + dot(n, at1 - at2);
-            PatchPoint& point = patch.points[i];
-            point.r1 = narrow(at - x1_);
-            point.r2 = narrow(pair_.body2 ? at - x2_ : Vec3{});
-            point.gap = float(gap + settings_.layer);
-            touches = touches || gap <= 0;
-        }
+        const bool touches =
+            place_points(pose1_, pose2_, x1_, pair_.body2 ? &x2_ : nullptr, settings_.layer, was, part.patch);
+        combine_materials(g1_, g2_, part.patch);
         return touches;
     }
 
@@ -222,12 +202,13 @@ class PairUpdate {
         const Vec3 behind = moves(pair_.body1) ? Vec3{} : way1 - way2;
         for (int i = 0; i < part.patch.count; ++i) {
             PatchPoint& point = part.patch.points[i];
-            const Vec3 at = soon1.p + soon1.R * widen(part.anchors[i].a1) - way1 + behind;
+            const Vec3 at = soon1.p + soon1.R * widen(part.found.anchors.first(i)) - way1 + behind;
             const Vec3 r1 = at - x1_, r2 = at - x2_;
             const Vec3 u = way1 + turn_of(pair_.body1, r1) - way2 - turn_of(pair_.body2, r2);
             point.r1 = narrow(r1);
             point.r2 = narrow(pair_.body2 ? r2 : Vec3{});
-            point.gap = float(Real(part.anchors[i].gap) + settings_.layer - dot(widen(part.patch.normal), u));
+            point.gap =
+                float(Real(part.found.anchors.gap[i]) + settings_.layer - dot(widen(part.patch.normal), u));
         }
     }
 
@@ -284,21 +265,16 @@ class PairUpdate {
                 std::span<const KeptPatch> old)
     {
         KeptPatch& part = parts_[std::size_t(index)];
+        PatchFinding& found = part.found;
         Patch& patch = part.patch;
-        part.changes = changes();
-        part.offset = narrow(offset_);
-        for (int k = 0; k < 3; ++k) part.turn[k] = narrow(turn_.row(k));
-        part.normal = narrow(transposed_times(pose1_.R, widen(patch.normal)));
+        found.changes = changes();
+        found.offset = narrow(offset_);
+        for (int k = 0; k < 3; ++k) found.turn[k] = narrow(turn_.row(k));
+        found.normal = narrow(transposed_times(pose1_.R, widen(patch.normal)));
         patch.roll = {};
-        for (int i = 0; i < patch.count; ++i) {
-            const dContactGeom& c = maker.source(index, i);
-            const Vec3 p = load(c.pos);
-            patch.points[i].push = 0;
-            patch.points[i].friction = {};
-            part.anchors[i] = {narrow(transposed_times(A.R, p - A.p)), narrow(transposed_times(B.R, p - B.p)),
-                               float(-c.depth)};
-        }
-        place(part);
+        for (int i = 0; i < patch.count; ++i) patch.points[i].push = 0, patch.points[i].friction = {};
+        fix_points(maker, index, A, B, found.anchors);
+        place(part, part);
         const Real size = this->size();
         for (const KeptPatch& was : old) inherit_impulses(was, size, part);
     }

@@ -7,6 +7,8 @@
 #include <cstdint>
 
 #include "geometry/best_four.h"
+#include "simd/components.h"
+#include "simd/quad.h"
 
 namespace epode {
 namespace {
@@ -26,7 +28,85 @@ int best_of(int count, Score&& score)
     return best;
 }
 
+// A point for each lane.
+using Places = Vector3Of<Quad>;
+
+Places places_of(const Pose& pose, const float (&in)[3][kPatchPoints])
+{
+    const Quad x = widen(load_floats(in[0])), y = widen(load_floats(in[1])), z = widen(load_floats(in[2]));
+    const auto along = [&](Real p, Vec3 row) {
+        return quad(p) + (quad(row.x) * x + quad(row.y) * y + quad(row.z) * z);
+    };
+    return {along(pose.p.x, pose.R.row0), along(pose.p.y, pose.R.row1), along(pose.p.z, pose.R.row2)};
+}
+
+void fix(const Places& at, const Pose& pose, float (&in)[3][kPatchPoints])
+{
+    const Quad x = at.x - quad(pose.p.x), y = at.y - quad(pose.p.y), z = at.z - quad(pose.p.z);
+    for (int k = 0; k < 3; ++k) {
+        const Vec3 axis = pose.R.column(k);
+        store_floats(in[k], narrow(quad(axis.x) * x + quad(axis.y) * y + quad(axis.z) * z));
+    }
+}
+
+// By point: where it is from a body, and a number.
+struct Rows {
+    FloatQuad of[kPatchPoints];
+    Rows(const Places& at, Vec3 from, FloatQuad number)
+        : of{narrow(at.x - quad(from.x)), narrow(at.y - quad(from.y)), narrow(at.z - quad(from.z)), number}
+    {
+        transpose(of);
+    }
+};
+
 }  // namespace
+
+void fix_points(const PatchMaker& maker, int part, const Pose& A, const Pose& B, ContactAnchors& anchors)
+{
+    const int last = maker.count(part) - 1;
+    const dContactGeom &a = maker.source(part, 0), &b = maker.source(part, std::min(1, last)),
+                       &c = maker.source(part, std::min(2, last)), &d = maker.source(part, last);
+    const auto all = [&](int k) { return quad(a.pos[k], b.pos[k], c.pos[k], d.pos[k]); };
+    const Places at = {all(0), all(1), all(2)};
+    fix(at, A, anchors.a1);
+    fix(at, B, anchors.a2);
+    store_floats(anchors.gap, narrow(quad(-a.depth, -b.depth, -c.depth, -d.depth)));
+}
+
+Real largest_reach2(const float (&at)[3][kPatchPoints])
+{
+    const FloatQuad x = load_floats(at[0]), y = load_floats(at[1]), z = load_floats(at[2]);
+    const FloatQuad r2 = x * x + y * y + z * z;
+    return std::max(std::max(r2[0], r2[1]), std::max(r2[2], r2[3]));
+}
+
+bool place_points(const Pose& pose1, const Pose& pose2, Vec3 x1, const Vec3* x2, Real layer,
+                  const KeptPatch& was, Patch& patch)
+{
+    static_assert(kPatchPoints == 4);
+    const int count = was.patch.count;
+    const ContactAnchors& anchors = was.found.anchors;
+    const Vec3 n = pose1.R * widen(was.found.normal);
+    patch.normal = narrow(n);
+    const Places at1 = places_of(pose1, anchors.a1), at2 = places_of(pose2, anchors.a2);
+    const Quad half = quad(Real(0.5));
+    const Places at = {half * (at1.x + at2.x), half * (at1.y + at2.y), half * (at1.z + at2.z)};
+    const Quad apart =
+        quad(n.x) * (at1.x - at2.x) + quad(n.y) * (at1.y - at2.y) + quad(n.z) * (at1.z - at2.z);
+    const Quad gap = widen(load_floats(anchors.gap)) + apart;
+    const Rows first(at, x1, narrow(gap + quad(layer))), second(at, x2 ? *x2 : Vec3{}, FloatQuad{});
+    for (int i = 0; i < count; ++i) {
+        PatchPoint& point = patch.points[i];
+        const float push = was.patch.points[i].push;
+        store_floats(&point.r1.x, first.of[i]);
+        if (x2)
+            store_floats(&point.r2.x, second.of[i]);
+        else
+            point.r2 = {};
+        point.push = push;
+    }
+    return (bits(gap <= quad(0)) & ((1u << count) - 1)) != 0;
+}
 
 PatchMaker::PatchMaker(std::span<KeptPatch> parts) : parts_(parts)
 {
@@ -74,12 +154,13 @@ void inherit_impulses(const KeptPatch& was, Real size, KeptPatch& part)
 {
     const Real reach2 = kReach * kReach * size * size;
     bool taken[kPatchPoints] = {};
+    const ContactAnchors &here = part.found.anchors, &there = was.found.anchors;
     for (int i = 0; i < part.patch.count; ++i) {
         if (was.patch.count == 0) return;
-        const ContactAnchor& here = part.anchors[i];
+        const Float3 first = here.first(i), second = here.second(i);
         const auto nearness = [&](int j) {
-            const ContactAnchor& there = was.anchors[j];
-            return taken[j] ? -kInf : -std::min(distance2(here.a1, there.a1), distance2(here.a2, there.a2));
+            return taken[j] ? -kInf
+                            : -std::min(distance2(first, there.first(j)), distance2(second, there.second(j)));
         };
         const int j = best_of(was.patch.count, nearness);
         if (-nearness(j) > reach2) continue;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Contacts of one pair sorted into patches by their normals, at most four points each, and the impulses that
-// points inherit from those that were near them a step before.
+// Contacts of one pair sorted into patches by their normals, at most four points each, where these points are
+// as the two move, and the impulses that they inherit from those that were near them a step before.
 #pragma once
 
 #include <span>
@@ -21,6 +21,7 @@ class PatchMaker {
     // Leaves the best four of each patch that has more.
     void finish();
     int used() const { return used_; }
+    int count(int part) const { return counts_[part]; }  // of its points
     const dContactGeom& source(int part, int point) const { return *chosen_[part][point]; }
 
   private:
@@ -34,6 +35,18 @@ class PatchMaker {
     int counts_[kSurfacePatches] = {};
     int used_ = 0;
 };
+
+// Fixes the points of a patch in both geoms, which were at A and B when they were found.
+void fix_points(const PatchMaker& maker, int part, const Pose& A, const Pose& B, ContactAnchors& anchors);
+
+// The square of how far from the geom's place one of the points is: what a turn moves it by.
+Real largest_reach2(const float (&at)[3][kPatchPoints]);
+
+// The normal and where the points of a patch are now, seen from the bodies at x1 and *x2 (null: none), and
+// their gaps along the normal beyond the layer. True if one of them touches. `patch` is a copy of was.patch,
+// or it.
+bool place_points(const Pose& pose1, const Pose& pose2, Vec3 x1, const Vec3* x2, Real layer,
+                  const KeptPatch& was, Patch& patch);
 
 // Points of `part` take the impulses of the nearest points of `was`, within a tenth of `size` in the frame of
 // either body; so does the patch its couple.

@@ -112,6 +112,54 @@ EPODE_LANEWISE void store_quad(Real* p, const Quad& a)
 }
 EPODE_LANEWISE Quad quad(Real a) { return quad(a, a, a, a); }
 
+// Four floats, whatever Real is.
+typedef float FloatQuad __attribute__((vector_size(16)));
+#if defined(dIDESINGLE)
+EPODE_LANEWISE Quad widen(const FloatQuad& a) { return {a}; }
+EPODE_LANEWISE FloatQuad narrow(const Quad& a) { return a.x; }
+#else
+#if defined(__SSE2__) && !defined(__clang__)
+// Of the first two. GCC 12 converts pairs of floats one by one.
+EPODE_LANEWISE QuadPart widen_pair(const FloatQuad& a) { return __builtin_ia32_cvtps2pd(a); }
+EPODE_LANEWISE FloatQuad narrow_pair(const QuadPart& a) { return __builtin_ia32_cvtpd2ps(a); }
+#else
+typedef float FloatPair __attribute__((vector_size(8)));
+EPODE_LANEWISE QuadPart widen_pair(const FloatQuad& a)
+{
+    return __builtin_convertvector(__builtin_shufflevector(a, a, 0, 1), QuadPart);
+}
+EPODE_LANEWISE FloatQuad narrow_pair(const QuadPart& a)
+{
+    const FloatPair pair = __builtin_convertvector(a, FloatPair);
+    return __builtin_shufflevector(pair, pair, 0, 1, 0, 1);
+}
+#endif
+EPODE_LANEWISE Quad widen(const FloatQuad& a)
+{
+    return {widen_pair(a), widen_pair(__builtin_shufflevector(a, a, 2, 3, 2, 3))};
+}
+EPODE_LANEWISE FloatQuad narrow(const Quad& a)
+{
+    return __builtin_shufflevector(narrow_pair(a.x), narrow_pair(a.y), 0, 1, 4, 5);
+}
+#endif
+EPODE_LANEWISE FloatQuad load_floats(const float* p)
+{
+    FloatQuad a;
+    __builtin_memcpy(&a, p, sizeof(a));
+    return a;
+}
+EPODE_LANEWISE void store_floats(float* p, const FloatQuad& a) { __builtin_memcpy(p, &a, sizeof(a)); }
+EPODE_LANEWISE void transpose(FloatQuad (&m)[4])
+{
+    const FloatQuad a = __builtin_shufflevector(m[0], m[1], 0, 4, 1, 5),
+                    b = __builtin_shufflevector(m[0], m[1], 2, 6, 3, 7),
+                    c = __builtin_shufflevector(m[2], m[3], 0, 4, 1, 5),
+                    d = __builtin_shufflevector(m[2], m[3], 2, 6, 3, 7);
+    m[0] = __builtin_shufflevector(a, c, 0, 1, 4, 5), m[1] = __builtin_shufflevector(a, c, 2, 3, 6, 7);
+    m[2] = __builtin_shufflevector(b, d, 0, 1, 4, 5), m[3] = __builtin_shufflevector(b, d, 2, 3, 6, 7);
+}
+
 EPODE_LANEWISE Quad square_root(const Quad& a)
 {
 #if defined(__SSE2__) && defined(dIDESINGLE)

@@ -98,7 +98,7 @@ class NarrowPhase : public testing::Test {
         place_cube(along, turned);
         update_pair(pair, std::span(before).first(std::size_t(count)), settings, after, nullptr);
         EXPECT_GT(pair.count, 0);
-        const Float3 was = before[0].offset, is = after[0].offset;
+        const Float3 was = before[0].found.offset, is = after[0].found.offset;
         return was.x == is.x && was.y == is.y && was.z == is.z;
     }
 
@@ -161,7 +161,7 @@ TEST_F(NarrowPhase, kept_points_of_polyhedra_miss_no_corner_that_comes_down)
         const KeptPatch old = patch;
         place(turn + more, kLayer);
         const Patch after = update({&old, 1});
-        if (patch.offset.z != old.offset.z) continue;
+        if (patch.found.offset.z != old.found.offset.z) continue;
         ++kept;
         became_deepest += deepest(before) != deepest(after);
         EXPECT_NEAR(after.points[deepest(after)].gap, 0, Real(0.1) * kLayer) << i;
