@@ -50,7 +50,8 @@ void refresh_box(Geom& geom)
     if (!geom.box_stale) return;
     refresh_pose(geom);
     geom.box_stale = false;
-    geom.box = geom.type->aabb(geom);
+    // Made in its place: a copy of what has just been written number by number would wait for it.
+    new (&geom.box) Aabb(geom.type->aabb(geom));
 }
 
 void mark_moved(Geom& geom)

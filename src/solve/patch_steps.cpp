@@ -25,7 +25,8 @@ class PatchSteps {
         for (Velocity& world : velocities_.subspan(gain_.size())) world = {};
         each_body([&](std::size_t i) {
             const SolverBody& body = system_.bodies[i];
-            velocities_[i] = gain_[i] = {body.v, 0, body.w, 0};
+            velocities_[i] = {body.v, 0, body.w, 0};
+            gain_[i] = {body.v, 0, body.w, 0};
         });
         model_.apply_forces(model_.model, gain_.data(), system_.h);
         const Real share = 1 / Real(step_.n);

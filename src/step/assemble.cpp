@@ -79,13 +79,11 @@ void emit_rows(const StepInfo& info, std::span<Joint*> joints, IslandWork& work,
         if (out.count() == 0) continue;
         const Body* b2 = joint->body2();
         work.joints[std::size_t(blocks)] = joint;
-        work.system.blocks[std::size_t(blocks)] = {rows,
-                                                   out.count(),
-                                                   joint->body1()->island_index,
-                                                   b2 ? b2->island_index : -1,
-                                                   joint->type->number == dJointTypeContact,
-                                                   out.arms(),
-                                                   out.form()};
+        RowBlock& block = work.system.blocks[std::size_t(blocks)];
+        block.first = rows, block.count = out.count();
+        block.body1 = joint->body1()->island_index, block.body2 = b2 ? b2->island_index : -1;
+        block.contact = joint->type->number == dJointTypeContact;
+        block.arms = out.arms(), block.form = out.form(), block.followed = false;
         rows += out.count();
         ++blocks;
     }
@@ -141,17 +139,18 @@ void load_velocity(const Body& body, SolverBody& out)
     out.w = body.angular_velocity();
 }
 
-void add_forces(const Body& body, Real h, SolverBody& out)
+void load_pushed(const Body& body, Real h, SolverBody& out)
 {
-    const Vec3 torque = load(body.tacc) + gyroscopic_torque(body, out.w, h);
-    out.v += (h * out.inv_mass) * load(body.facc);
-    out.w += h * (out.inv_inertia * torque);
+    const Vec3 w = body.angular_velocity();
+    const Vec3 torque = load(body.tacc) + gyroscopic_torque(body, w, h);
+    out.v = body.velocity() + (h * out.inv_mass) * load(body.facc);
+    out.w = w + h * (out.inv_inertia * torque);
 }
 
-void add_forces_exactly(Body& body, Real h, SolverBody& out)
+void load_pushed_exactly(Body& body, Real h, SolverBody& out)
 {
-    out.v += (h * out.inv_mass) * load(body.facc);
-    out.w = kicked_spin(body, load(body.tacc), out.w, h);
+    out.v = body.velocity() + (h * out.inv_mass) * load(body.facc);
+    out.w = kicked_spin(body, load(body.tacc), body.angular_velocity(), h);
 }
 
 namespace {
@@ -160,12 +159,10 @@ void load_body(const World& world, Real h, const Solver& solver, Body& body, Sol
 {
     load_inertia(body, out);
     if (solver.needs_inertia) load_mass(body, out);
+    if (!solver.substeps)
+        return world.exact_rotation ? load_pushed_exactly(body, h, out) : load_pushed(body, h, out);
     load_velocity(body, out);
-    if (solver.substeps) {
-        if (world.exact_rotation) body.spin_excess = {};  // it turns bodies in its own way
-        return;
-    }
-    world.exact_rotation ? add_forces_exactly(body, h, out) : add_forces(body, h, out);
+    if (world.exact_rotation) body.spin_excess = {};  // it turns bodies in its own way
 }
 
 }  // namespace

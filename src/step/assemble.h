@@ -37,7 +37,8 @@ inline constexpr int kLinesOfBody = 8;  // of the cache: all that a step reads o
 // One body alone; small steps do the same to eight of them (solve/body_kernels.inc).
 void load_inertia(const Body& body, SolverBody& out);  // the inverse only
 void load_velocity(const Body& body, SolverBody& out);
-void add_forces(const Body& body, Real h, SolverBody& out);    // v += h M^-1 (accumulated + gyroscopic)
-void add_forces_exactly(Body& body, Real h, SolverBody& out);  // the same with exact rotation
+// The present velocity with h M^-1 (accumulated + gyroscopic) on top; behind the inertia.
+void load_pushed(const Body& body, Real h, SolverBody& out);
+void load_pushed_exactly(Body& body, Real h, SolverBody& out);  // with exact rotation
 
 }  // namespace epode

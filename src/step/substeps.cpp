@@ -41,13 +41,12 @@ Quat quat_in(const Lanes* q, std::size_t lane)
 
 bool even(const Sym3& s) { return s.xx == s.yy && s.yy == s.zz && s.xy == 0 && s.xz == 0 && s.yz == 0; }
 
-SolverPose pose_of(const Body& body, const SolverBody& solver)
+void load_pose(const Body& body, const SolverBody& solver, SolverPose& pose)
 {
     const Sym3& s = solver.inv_inertia;
-    SolverPose pose;
     pose.x = body.position(), pose.inv_mass = solver.inv_mass, pose.q = body.orientation();
     pose.main = {s.xx, s.yy, s.zz}, pose.mixed = {s.xy, s.xz, s.yz};
-    return pose;
+    pose.unused1 = pose.unused2 = 0;
 }
 
 SubstepModel& model_of(void* p) { return *static_cast<SubstepModel*>(p); }
@@ -68,7 +67,7 @@ bool SubstepModel::prepare(Arena& arena)
     for_each_fetched<kLinesOfBody>(tasks_, island_bodies(), [&](std::size_t i, Body& body) {
         const SolverBody& solver = system.bodies[i];
         load_body(i, body, solver);
-        if (!system.poses.empty()) system.poses[i] = pose_of(body, solver);
+        if (!system.poses.empty()) load_pose(body, solver, system.poses[i]);
     });
     if (!system.poses.empty())
         for (SolverPose& world : system.poses.subspan(std::size_t(bodies))) world = {};

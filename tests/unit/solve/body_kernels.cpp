@@ -93,10 +93,9 @@ TEST(BodyLanes, move_bodies_to_the_bit_as_they_move_one_by_one)
             for (std::size_t i = 0; i < kBodies; ++i) {
                 Body& body = *alone.bodies()[i];
                 SolverBody& s = alone.solver()[i];
-                add_forces(body, kStep, s);
+                load_pushed(body, kStep, s);
                 store(body.lvel, s.v), store(body.avel, s.w);
                 advance_pose(body, kStep);
-                s.w = body.angular_velocity();
                 load_inertia(body, s);
             }
         }
