@@ -95,9 +95,11 @@ class BulletEngine : public Engine {
     std::vector<std::unique_ptr<btCollisionShape>> shapes_, compounds_;
     std::vector<std::unique_ptr<btRigidBody>> bodies_;
     std::vector<std::unique_ptr<btTypedConstraint>> joints_;
+    std::vector<int> driven_;
 };
 
-BulletEngine::BulletEngine(const SceneData& data, const EngineOptions& options) : data_(data)
+BulletEngine::BulletEngine(const SceneData& data, const EngineOptions& options)
+    : data_(data), driven_(driven_bodies(data))
 {
     world_.setGravity({0, 0, btScalar(-data.gravity)});
     world_.getPairCache()->setOverlapFilterCallback(&filter_);
@@ -224,11 +226,10 @@ StageTimes BulletEngine::step(double time)
 {
     world_.times = {};
     world_.watch.lap();
-    for (size_t i = 0; i < bodies_.size(); ++i) {
-        if (data_.bodies[i].motion != Motion::kDriven) continue;
+    for (int i : driven_) {
         // A body moved by hand is asked where it will be: Bullet takes its velocity from the difference.
-        const BodyState there = driven(data_.bodies[i], time + data_.dt, data_.dt);
-        bodies_[i]->setWorldTransform(to_bullet(there.pos, there.turn));
+        const BodyState there = driven(data_.bodies[size_t(i)], time + data_.dt, data_.dt);
+        bodies_[size_t(i)]->setWorldTransform(to_bullet(there.pos, there.turn));
     }
     world_.stepSimulation(btScalar(data_.dt), 0);
     world_.times.rest += world_.watch.lap();

@@ -58,13 +58,18 @@ OdeScene::OdeScene(const SceneData& data, const EngineOptions& options)
       world_(dWorldCreate()),
       space_(make_space(options.space, data.room)),
       hulls_(data.shapes.size()),
-      meshes_(data.shapes.size())
+      meshes_(data.shapes.size()),
+      driven_(driven_bodies(data))
 {
     dWorldSetGravity(world_, 0, 0, dReal(-data.gravity));
     if (options.iterations > 0) dWorldSetQuickStepNumIterations(world_, options.iterations);
     if (options.threads > 1) scenes::set_step_threads(world_, options.threads);
     for (const ShapeData& shape : data.shapes) make_shape_arrays(shape);
-    for (int i = 0; i < int(data.bodies.size()); ++i) make_body(i);
+    for (int i = 0; i < int(data.bodies.size()); ++i) {
+        const BodyData& body = data.bodies[size_t(i)];
+        kinds_.push_back({body.group, body.motion == Motion::kDynamic});
+        make_body(i);
+    }
     for (const JointData& joint : data.joints) make_joint(joint);
 }
 
@@ -224,12 +229,10 @@ void OdeScene::make_joint(const JointData& joint)
     }
 }
 
-const BodyData& OdeScene::body_of(dGeomID geom) const { return data_.bodies[size_t(body_number(geom))]; }
-
 bool OdeScene::may_touch(dGeomID geom1, dGeomID geom2) const
 {
-    const BodyData &a = body_of(geom1), &b = body_of(geom2);
-    if (a.motion != Motion::kDynamic && b.motion != Motion::kDynamic) return false;
+    const Kind a = kinds_[size_t(body_number(geom1))], b = kinds_[size_t(body_number(geom2))];
+    if (!a.dynamic && !b.dynamic) return false;
     if (a.group != 0 && a.group == b.group) return false;
     if (data_.joints.empty()) return true;
     dBodyID body1 = dGeomGetBody(geom1), body2 = dGeomGetBody(geom2);
@@ -238,10 +241,9 @@ bool OdeScene::may_touch(dGeomID geom1, dGeomID geom2) const
 
 void OdeScene::drive(double time)
 {
-    for (size_t i = 0; i < data_.bodies.size(); ++i) {
-        if (data_.bodies[i].motion != Motion::kDriven) continue;
-        const BodyState now = driven(data_.bodies[i], time, data_.dt);
-        dBodyID moved = bodies_[i];
+    for (int i : driven_) {
+        const BodyState now = driven(data_.bodies[size_t(i)], time, data_.dt);
+        dBodyID moved = body(i);
         place_at(now.pos, now.turn, [&](dReal x, dReal y, dReal z, const dQuaternion q) {
             dBodySetPosition(moved, x, y, z);
             dBodySetQuaternion(moved, q);

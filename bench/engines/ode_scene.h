@@ -34,6 +34,11 @@ class OdeScene {
     int pairs_at(const std::vector<Vec>& places);
 
   private:
+    // What a near callback asks of a body. Pairs come in no order of theirs: it must lie close together.
+    struct Kind {
+        int group;
+        bool dynamic;
+    };
     // What geoms point into.
     struct HullArrays {
         std::vector<dReal> planes, points;
@@ -52,7 +57,6 @@ class OdeScene {
     void make_joint(const JointData& joint);
     void make_hinge2(const JointData& joint, dJointID made) const;
     dBodyID body(int number) const { return bodies_[size_t(number)]; }
-    const BodyData& body_of(dGeomID geom) const;
 
     const SceneData& data_;
     EngineOptions options_;
@@ -62,6 +66,8 @@ class OdeScene {
     std::deque<MeshArrays> meshes_;
     std::vector<dBodyID> bodies_;  // null: static
     std::vector<dGeomID> geoms_;   // the first of each body, null: none
+    std::vector<Kind> kinds_;      // by body
+    std::vector<int> driven_;
     dGeomID ray_ = nullptr;
 };
 

@@ -47,4 +47,12 @@ Vec flown(const SceneData& scene, const BodyData& body, double time)
     return {folded(there.x, half), folded(there.y, half), folded(there.z, half)};
 }
 
+std::vector<int> driven_bodies(const SceneData& scene)
+{
+    std::vector<int> driven;
+    for (size_t i = 0; i < scene.bodies.size(); ++i)
+        if (scene.bodies[i].motion == Motion::kDriven) driven.push_back(int(i));
+    return driven;
+}
+
 }  // namespace epode::bench

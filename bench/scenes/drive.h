@@ -20,4 +20,7 @@ BodyState driven(const BodyData& body, double time, double dt);
 // On a straight line, thrown back by the walls of the room.
 Vec flown(const SceneData& scene, const BodyData& body, double time);
 
+// The numbers of the bodies that are driven.
+std::vector<int> driven_bodies(const SceneData& scene);
+
 }  // namespace epode::bench
