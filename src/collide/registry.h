@@ -10,16 +10,21 @@
 #include "base/pool.h"
 #include "collide/geom.h"
 #include "collide/heightfield.h"
+#include "collide/shared_solid.h"
 #include "collide/space.h"
 #include "collide/transform.h"
 #include "collide/trimesh.h"
-#include "geometry/polyhedron.h"
 
 namespace epode {
 
 struct ConvexGeom : ShapeGeom<Convex> {
-    explicit ConvexGeom(const GeomType& t) : ShapeGeom<Convex>(t) { shape.solid = &own; }
-    Polyhedron own;
+    using ShapeGeom<Convex>::ShapeGeom;
+    void take(SharedSolid& made)
+    {
+        solid = static_cast<SharedSolid&&>(made);
+        shape.solid = solid.get();
+    }
+    SharedSolid solid;
 };
 
 template <typename Name>

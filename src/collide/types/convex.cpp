@@ -17,11 +17,12 @@ Aabb aabb(Geom& geom)
 {
     const ConvexGeom& g = static_cast<const ConvexGeom&>(geom);
     const Mat3 r = load_mat(geom.rotation);
-    const Vec3 middle = load(geom.position) + r * g.own.centre();
+    const Polyhedron& solid = *g.shape.solid;
+    const Vec3 middle = load(geom.position) + r * solid.centre();
     Aabb box;
     for (int i = 0; i < 3; ++i) {
         Real low, high;
-        g.own.extent(r.row(i), low, high);
+        solid.extent(r.row(i), low, high);
         box.lo.set(i, middle[i] + low), box.hi.set(i, middle[i] + high);
     }
     return box;
@@ -46,20 +47,27 @@ const char* fault_of(const dReal* planes, unsigned plane_count, unsigned point_c
     return nullptr;
 }
 
-// The reason of a refusal, or null.
-const char* build(Polyhedron& solid, const dReal* planes, unsigned plane_count, const dReal* points,
+// These answer the reason of a refusal, or null.
+const char* build(SharedSolid& solid, const dReal* points, unsigned point_count, int most, bool plates)
+{
+    Polyhedron made;
+    const char* const refusal = made.build(points, point_count, most, plates);
+    return refusal || solid.take(made) ? refusal : "out of memory";
+}
+
+const char* build(SharedSolid& solid, const dReal* planes, unsigned plane_count, const dReal* points,
                   unsigned point_count, const unsigned* polygons)
 {
     if (!planes || !points || !polygons) return "Bad argument(s)";
     const char* const fault = fault_of(planes, plane_count, point_count, polygons);
-    return fault ? fault : solid.build(points, point_count, kNoLimit, true);
+    return fault ? fault : build(solid, points, point_count, kNoLimit, true);
 }
 
-const char* build_hull(Polyhedron& solid, const dReal* points, unsigned point_count, unsigned most)
+const char* build_hull(SharedSolid& solid, const dReal* points, unsigned point_count, unsigned most)
 {
     if (!points || (most > 0 && most < 4)) return "Bad argument(s)";
-    return solid.build(points, point_count, most > 0 && most < unsigned(kNoLimit) ? int(most) : kNoLimit,
-                       false);
+    return build(solid, points, point_count, most > 0 && most < unsigned(kNoLimit) ? int(most) : kNoLimit,
+                 false);
 }
 
 // As the original, without its points.
@@ -90,11 +98,11 @@ extern "C" dGeomID dCreateConvex(dSpaceID space, const dReal* planes, unsigned i
                                  const dReal* points, unsigned int pointcount, const unsigned int* polygons)
 {
     EPODE_PARENT_SPACE(space, nullptr);
-    Polyhedron solid;
+    SharedSolid solid;
     const char* const refusal = build(solid, planes, planecount, points, pointcount, polygons);
     EPODE_USER_SAY(!refusal, refusal, nullptr);
     ConvexGeom* geom = create_geom<Convex>(space);
-    if (geom) geom->own.swap(solid);
+    if (geom) geom->take(solid);
     return to_handle<Geom>(geom);
 }
 
@@ -103,10 +111,10 @@ extern "C" void dGeomSetConvex(dGeomID g, const dReal* planes, unsigned int coun
 {
     EPODE_GEOM_AS(Convex, geom, g);
     EPODE_UNLOCKED(geom);
-    Polyhedron solid;
+    SharedSolid solid;
     const char* const refusal = build(solid, planes, count, points, pointcount, polygons);
     EPODE_USER_SAY(!refusal, refusal);
-    geom->own.swap(solid);
+    geom->take(solid);
     mark_changed(*geom);
 }
 
@@ -114,11 +122,11 @@ extern "C" dGeomID dCreateConvexHull(dSpaceID space, const dReal* points, unsign
                                      unsigned int maxvertices)
 {
     EPODE_PARENT_SPACE(space, nullptr);
-    Polyhedron solid;
+    SharedSolid solid;
     const char* const refusal = build_hull(solid, points, pointcount, maxvertices);
     EPODE_USER_SAY(!refusal, refusal, nullptr);
     ConvexGeom* geom = create_geom<Convex>(space);
-    if (geom) geom->own.swap(solid);
+    if (geom) geom->take(solid);
     return to_handle<Geom>(geom);
 }
 
@@ -127,10 +135,10 @@ extern "C" void dGeomSetConvexHull(dGeomID convex, const dReal* points, unsigned
 {
     EPODE_GEOM_AS(Convex, geom, convex);
     EPODE_UNLOCKED(geom);
-    Polyhedron solid;
+    SharedSolid solid;
     const char* const refusal = build_hull(solid, points, pointcount, maxvertices);
     EPODE_USER_SAY(!refusal, refusal);
-    geom->own.swap(solid);
+    geom->take(solid);
     mark_changed(*geom);
 }
 
@@ -138,9 +146,9 @@ extern "C" int dGeomConvexGetPoints(dGeomID convex, dReal* points, int room)
 {
     EPODE_GEOM_AS(Convex, geom, convex, 0);
     EPODE_USER(room >= 0 && (points || room == 0), 0);
-    const std::span<const Vec3> all = geom->own.vertices();
+    const std::span<const Vec3> all = geom->shape.solid->vertices();
     for (int i = 0; i < room && i < int(all.size()); ++i) {
-        const Vec3 p = all[std::size_t(i)] + geom->own.centre();
+        const Vec3 p = all[std::size_t(i)] + geom->shape.solid->centre();
         for (int k = 0; k < 3; ++k) points[3 * i + k] = p[k];
     }
     return int(all.size());
@@ -150,11 +158,11 @@ extern "C" int dGeomConvexGetPlanes(dGeomID convex, dReal* planes, int room)
 {
     EPODE_GEOM_AS(Convex, geom, convex, 0);
     EPODE_USER(room >= 0 && (planes || room == 0), 0);
-    const std::span<const PolyhedronFace> all = geom->own.faces();
+    const std::span<const PolyhedronFace> all = geom->shape.solid->faces();
     for (int i = 0; i < room && i < int(all.size()); ++i) {
         const PolyhedronFace& f = all[std::size_t(i)];
         for (int k = 0; k < 3; ++k) planes[4 * i + k] = f.normal[k];
-        planes[4 * i + 3] = f.offset + dot(f.normal, geom->own.centre());
+        planes[4 * i + 3] = f.offset + dot(f.normal, geom->shape.solid->centre());
     }
     return int(all.size());
 }
@@ -168,9 +176,9 @@ extern "C" int dGeomConvexGetPolygons(dGeomID convex, unsigned int* polygons, in
         if (count < room) polygons[count] = unsigned(number);
         ++count;
     };
-    for (const PolyhedronFace& f : geom->own.faces()) {
+    for (const PolyhedronFace& f : geom->shape.solid->faces()) {
         put(f.count);
-        for (int k = 0; k < f.count; ++k) put(geom->own.corners()[std::size_t(f.first + k)]);
+        for (int k = 0; k < f.count; ++k) put(geom->shape.solid->corners()[std::size_t(f.first + k)]);
     }
     return count;
 }
@@ -179,7 +187,7 @@ extern "C" void dMassSetConvex(dMass* m, dReal density, dGeomID convex)
 {
     EPODE_GEOM_AS(Convex, geom, convex);
     EPODE_USER(m && usable(density));
-    const MassProperties unit = geom->own.mass();
+    const MassProperties unit = geom->shape.solid->mass();
     EPODE_USER_SAY(unit.mass > 0, "convex has no volume");
     EPODE_USER(put(m, with_mass(unit, density * unit.mass)));
 }
@@ -188,7 +196,7 @@ extern "C" void dMassSetConvexTotal(dMass* m, dReal total_mass, dGeomID convex)
 {
     EPODE_GEOM_AS(Convex, geom, convex);
     EPODE_USER(m && usable(total_mass));
-    const MassProperties unit = geom->own.mass();
+    const MassProperties unit = geom->shape.solid->mass();
     EPODE_USER_SAY(unit.mass > 0, "convex has no volume");
     EPODE_USER(put(m, with_mass(unit, total_mass)));
 }

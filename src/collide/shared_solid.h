@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Polyhedra that geoms have in common. A heap of a thousand rocks is made of a few shapes, and who makes each
+// geom of the same points means the same solid; one of each stays in the cache, a thousand do not. Programs
+// do not see it: a geom that is given other points leaves the solid to the others.
+#pragma once
+
+#include "geometry/polyhedron.h"
+
+namespace epode {
+
+class SharedSolid {
+  public:
+    SharedSolid() = default;
+    SharedSolid(SharedSolid&& other) noexcept { swap(other); }
+    SharedSolid& operator=(SharedSolid&& other) noexcept
+    {
+        swap(other);
+        return *this;
+    }
+    ~SharedSolid();
+
+    // Takes what is in `made`, unless a solid with the same bits is among those that were asked for last.
+    // False when memory is exhausted.
+    [[nodiscard]] bool take(Polyhedron& made);
+
+    const Polyhedron* get() const;  // null: none
+
+  private:
+    struct Entry;
+    struct Shelf;
+    static Shelf& shelf();
+    void swap(SharedSolid& other) noexcept;
+
+    Entry* entry_ = nullptr;
+};
+
+}  // namespace epode
