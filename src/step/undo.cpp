@@ -97,7 +97,11 @@ bool StepUndo::save_impulses(std::span<const Island> islands, Arena& arena)
     joints_ = joined(islands.front().joints, islands.back().joints);  // now there is something to restore
     remembering_ = remembering.first(count);
     Real* to = impulses_.data();
-    for (const Remembering& r : remembering_) to = std::copy_n(impulses(*r.joint), r.rows, to);
+    constexpr std::size_t kAhead = 12;
+    for (std::size_t i = 0; i < remembering_.size(); ++i) {
+        if (i + kAhead < remembering_.size()) fetch<1>(impulses(*remembering_[i + kAhead].joint));
+        to = std::copy_n(impulses(*remembering_[i].joint), remembering_[i].rows, to);
+    }
     return true;
 }
 
