@@ -45,6 +45,6 @@ void build_rays(SceneData& scene, int count)
 extern const SceneRecipe kTerrainScene = {
     "mixed solids on a terrain of 131,072 triangles", build_solids, {{"S7", 2000, 180, 200, 40, 4}}};
 extern const SceneRecipe kTerrainRayScene = {
-    "rays at the terrain", build_rays, {{"S8m", 20000, 5, 5000, 2, 2}}};
+    "rays at the terrain", build_rays, {{"S8m", 20000, 20, 5000, 2, 2}}};
 
 }  // namespace epode::bench

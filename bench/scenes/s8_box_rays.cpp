@@ -34,6 +34,6 @@ void build(SceneData& scene, int count)
 
 }  // namespace
 
-extern const SceneRecipe kBoxRayScene = {"rays at 8,000 boxes", build, {{"S8b", 2000, 3, 500, 2, 300}}};
+extern const SceneRecipe kBoxRayScene = {"rays at 8,000 boxes", build, {{"S8b", 2000, 20, 500, 2, 300}}};
 
 }  // namespace epode::bench
