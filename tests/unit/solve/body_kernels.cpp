@@ -96,6 +96,7 @@ TEST(BodyLanes, move_bodies_to_the_bit_as_they_move_one_by_one)
                 load_pushed(body, kStep, s);
                 store(body.lvel, s.v), store(body.avel, s.w);
                 advance_pose(body, kStep);
+                s.w = body.angular_velocity();
                 load_inertia(body, s);
             }
         }
