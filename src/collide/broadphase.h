@@ -121,8 +121,8 @@ class Broadphase {
     }
 
   private:
-    struct Proxy {
-        Aabb box;
+    // Two lines of the cache; walks over pairs look at the ways or at the boxes alone.
+    struct alignas(kCacheLine) Proxy {
         Aabb way;        // its box, or what was expected since: lies in a new fat box too
         Real shift = 0;  // how far it moved when it last changed
         int leaf = -1;   // in the tree; -1: none
@@ -130,6 +130,7 @@ class Broadphase {
         bool settled = false;  // has had a place: gets a margin when it leaves it
         bool escaped = false;  // waits for a new fat box
         bool fresh = false;    // waits for its pairs
+        alignas(kCacheLine) Aabb box;
     };
 
     // Whether the slot has left its fat box and is not listed yet.

@@ -123,16 +123,15 @@ void visit_pairs(Space& space, PairsOf of, std::size_t first, std::size_t last, 
     const Broadphase& boxes = space.broadphase;
     Geom* const* members = space.members.data();
     const SlotPair* pairs = boxes.pairs().data();
-    const auto near = [&](std::size_t i) {
-        const auto [newer, older] = pairs[i];
-        return of == PairsOf::kWays ? overlap(boxes.way(newer), boxes.way(older))
-                                    : overlap(boxes.box(newer), boxes.box(older));
+    const auto box_of = [&](int slot) -> const Aabb& {
+        return of == PairsOf::kWays ? boxes.way(slot) : boxes.box(slot);
     };
+    const auto near = [&](std::size_t i) { return overlap(box_of(pairs[i].newer), box_of(pairs[i].older)); };
     unsigned ahead = 0;  // bit k: the pair k places ahead is near
     const auto look_ahead = [&](std::size_t i) {
         if (i + kBoxes - kGeoms < last) {
             const auto [newer, older] = pairs[i + kBoxes - kGeoms];
-            fetch<2>(&boxes.box(newer)), fetch<2>(&boxes.box(older));
+            fetch<1>(&box_of(newer)), fetch<1>(&box_of(older));
         }
         if (i >= last || !near(i)) return;
         fetch<3>(members[pairs[i].newer]), fetch<3>(members[pairs[i].older]);

@@ -122,9 +122,9 @@ std::uint32_t pack_direction(Vec3 n)
 
 Vec3 unpack_direction(std::uint32_t code)
 {
-    const auto coordinate = [](std::uint32_t steps) { return (Real(int(steps)) - (kSteps + 1)) / kSteps; };
+    const auto coordinate = [](std::uint32_t steps) { return Real(int(steps)) - (kSteps + 1); };
     const Real x = coordinate(code >> 16), y = coordinate(code & 0xffff);
-    const Vec3 n = folded(x, y, 1 - std::fabs(x) - std::fabs(y));
+    const Vec3 n = folded(x, y, kSteps - std::fabs(x) - std::fabs(y));
     return (1 / length(n)) * n;
 }
 
