@@ -31,8 +31,13 @@ def processor():
 
 
 def commit():
-    told = subprocess.run(['git', '-C', both.ROOT, 'describe', '--always', '--dirty'], capture_output=True, text=True, check=False)
-    return told.stdout.strip() or 'unknown'
+    def git(*words):
+        return subprocess.run(['git', '-C', both.ROOT, *words], capture_output=True, text=True, check=False).stdout.strip()
+
+    # What this very run has saved is no change of what it measures.
+    changed = git('status', '--porcelain', '--untracked-files=no', '--', '.', ':!bench/results', ':!docs')
+    told = git('describe', '--always')
+    return (told + '-dirty' if changed else told) or 'unknown'
 
 
 def load(name, folder=None):
