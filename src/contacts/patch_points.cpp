@@ -63,14 +63,14 @@ struct Rows {
 
 void fix_points(const PatchMaker& maker, int part, const Pose& A, const Pose& B, ContactAnchors& anchors)
 {
-    const int last = maker.count(part) - 1;
-    const dContactGeom &a = maker.source(part, 0), &b = maker.source(part, std::min(1, last)),
-                       &c = maker.source(part, std::min(2, last)), &d = maker.source(part, last);
-    const auto all = [&](int k) { return quad(a.pos[k], b.pos[k], c.pos[k], d.pos[k]); };
-    const Places at = {all(0), all(1), all(2)};
+    const auto all = [&](auto&& number) {
+        return quad_of(maker.count(part), [&](int i) { return number(maker.source(part, i)); });
+    };
+    const auto coordinate = [&](int k) { return all([k](const dContactGeom& c) { return c.pos[k]; }); };
+    const Places at = {coordinate(0), coordinate(1), coordinate(2)};
     fix(at, A, anchors.a1);
     fix(at, B, anchors.a2);
-    store_floats(anchors.gap, narrow(quad(-a.depth, -b.depth, -c.depth, -d.depth)));
+    store_floats(anchors.gap, narrow(all([](const dContactGeom& c) { return -c.depth; })));
 }
 
 Real largest_reach2(const float (&at)[3][kPatchPoints])

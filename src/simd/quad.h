@@ -111,6 +111,13 @@ EPODE_LANEWISE void store_quad(Real* p, const Quad& a)
 #endif
 }
 EPODE_LANEWISE Quad quad(Real a) { return quad(a, a, a, a); }
+// get(0) ... get(count - 1), one to four; what is missing repeats the last.
+template <typename Get>
+EPODE_LANEWISE Quad quad_of(int count, const Get& get)
+{
+    const int last = count - 1;
+    return quad(get(0), get(last < 1 ? last : 1), get(last < 2 ? last : 2), get(last));
+}
 
 // Four floats, whatever Real is.
 typedef float FloatQuad __attribute__((vector_size(16)));

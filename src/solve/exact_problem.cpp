@@ -159,11 +159,9 @@ void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock&
         put(lin, J), put(ang, J + 3);
         to_root(roots_[std::size_t(index)], J);
         // In registers: pairs read from where numbers have just been written would wait for them.
-        const DoubleLane a = {J[0], J[1]}, b = {J[2], J[3]}, c = {J[4], J[5]};
-        const DoubleLane squares = a * a + b * b + c * c;
-        mobility += squares[0] + squares[1];
-        auto* const pairs = reinterpret_cast<DoubleLane*>(half);
-        pairs[0] = a, pairs[1] = b, pairs[2] = c;
+        const DoubleLane pairs[] = {{J[0], J[1]}, {J[2], J[3]}, {J[4], J[5]}};
+        mobility += six_dot(pairs, pairs);
+        std::copy_n(pairs, 3, reinterpret_cast<DoubleLane*>(half));
         half = out.J + 6;
         *body = index;
         body = &out.b;

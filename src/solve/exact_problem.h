@@ -130,12 +130,14 @@ class ExactProblem {
     int factorisations_ = 0;
 };
 
-inline double six_dot(const double* x, const double* y)
+inline double six_dot(const DoubleLane* a, const DoubleLane* b)
 {
-    const auto* a = reinterpret_cast<const DoubleLane*>(x);
-    const auto* b = reinterpret_cast<const DoubleLane*>(y);
     const DoubleLane s = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     return s[0] + s[1];
+}
+inline double six_dot(const double* x, const double* y)
+{
+    return six_dot(reinterpret_cast<const DoubleLane*>(x), reinterpret_cast<const DoubleLane*>(y));
 }
 
 inline double ExactProblem::jv(const ExactRow& row, const double* v)

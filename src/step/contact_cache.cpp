@@ -77,21 +77,19 @@ ContactCache::Places ContactCache::places_of(const Pair& pair) const
 {
     static_assert(kManifoldPoints == 4);
     const Point* at = old_.points.data() + pair.first;
-    const int last = pair.count - 1;
-    const Point &a = at[0], &b = at[std::min(1, last)], &c = at[std::min(2, last)], &d = at[last];
-    const unsigned used =
-        unsigned(a.used) | unsigned(b.used) << 1 | unsigned(c.used) << 2 | unsigned(d.used) << 3;
-    return {quad(a.place.x, b.place.x, c.place.x, d.place.x),
-            quad(a.place.y, b.place.y, c.place.y, d.place.y),
-            quad(a.place.z, b.place.z, c.place.z, d.place.z), ~used & ((1u << pair.count) - 1)};
+    unsigned free = 0;
+    for (int k = 0; k < pair.count; ++k) free |= unsigned(!at[k].used) << k;
+    return {quad_of(pair.count, [&](int k) { return Real(at[k].place.x); }),
+            quad_of(pair.count, [&](int k) { return Real(at[k].place.y); }),
+            quad_of(pair.count, [&](int k) { return Real(at[k].place.z); }), free};
 }
 
 ContactCache::Levers ContactCache::levers_of(const Body& body1, std::span<const ManifoldPoint> points)
 {
-    const int last = int(points.size()) - 1;
-    const Vec3 &a = points[0].r1, &b = points[std::min(1, last)].r1, &c = points[std::min(2, last)].r1,
-               &d = points[last].r1;
-    const Quad x = quad(a.x, b.x, c.x, d.x), y = quad(a.y, b.y, c.y, d.y), z = quad(a.z, b.z, c.z, d.z);
+    const int count = int(points.size());
+    const Quad x = quad_of(count, [&](int i) { return points[std::size_t(i)].r1.x; }),
+               y = quad_of(count, [&](int i) { return points[std::size_t(i)].r1.y; }),
+               z = quad_of(count, [&](int i) { return points[std::size_t(i)].r1.z; });
     const Mat3 R = body1.rotation();
     const auto along = [&](Vec3 axis) { return quad(axis.x) * x + quad(axis.y) * y + quad(axis.z) * z; };
     const Quad u = along(R.column(0)), v = along(R.column(1)), w = along(R.column(2));

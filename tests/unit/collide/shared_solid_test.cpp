@@ -8,6 +8,7 @@
 #include <ode/ext.h>
 #include <ode/ode.h>
 
+#include <cstdlib>
 #include <thread>
 #include <vector>
 
@@ -96,18 +97,47 @@ TEST_F(SharedSolids, are_looked_for_among_those_asked_for_last)
     for (dGeomID g : geoms) dGeomDestroy(g);
 }
 
-TEST_F(SharedSolids, are_given_back_by_their_last_geom)
+long g_bytes = 0;
+void* counted(dsizeint size)
+{
+    g_bytes += long(size);
+    return std::malloc(size);
+}
+void uncounted(void* memory, dsizeint size)
+{
+    g_bytes -= long(size);
+    std::free(memory);
+}
+
+bool take(SharedSolid& solid, const Points& points)
+{
+    Polyhedron made;
+    return !made.build(points.data(), unsigned(points.size() / 3), 1000, false) && solid.take(made);
+}
+
+TEST_F(SharedSolids, are_given_back_by_their_last_user)
 {
     const Points points = rock(5);
-    std::vector<dGeomID> geoms;
-    for (int i = 0; i < 10; ++i) geoms.push_back(geom_of(points));
-    const Points before = points_of(geoms.back());
-    while (geoms.size() > 1) {
-        dGeomDestroy(geoms.front());
-        geoms.erase(geoms.begin());
-        EXPECT_EQ(points_of(geoms.back()), before);
+    dSetAllocHandler(counted);
+    dSetFreeHandler(uncounted);
+    const long before = g_bytes;
+    {
+        SharedSolid last;
+        {
+            SharedSolid one;
+            ASSERT_TRUE(take(one, points));
+            const long alone = g_bytes;
+            EXPECT_GT(alone, before);
+            ASSERT_TRUE(take(last, points));
+            EXPECT_EQ(last.get(), one.get());
+            EXPECT_EQ(g_bytes, alone);
+        }
+        EXPECT_GT(g_bytes, before);
+        EXPECT_EQ(last.get()->vertices().size(), points.size() / 3);
     }
-    dGeomDestroy(geoms.back());
+    EXPECT_EQ(g_bytes, before);
+    dSetAllocHandler(nullptr);
+    dSetFreeHandler(nullptr);
 }
 
 TEST_F(SharedSolids, may_be_made_by_several_threads)
