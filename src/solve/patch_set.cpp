@@ -329,10 +329,11 @@ int PatchSet::list_stages(std::initializer_list<Visit> round)
     return int(count);
 }
 
-// One alone has no need of colours: batches lie in their order.
+// One alone has no need of colours: batches lie in their order. (Nor of stages: on a busy machine the wait
+// for helpers who do not come is a quarter of a short step.)
 void PatchSet::perform(std::initializer_list<Visit> round, int times, const PatchBodies& bodies)
 {
-    if (tasks_.workers() == 1) {
+    if (tasks_.alone()) {
         for (int i = 0; i < times; ++i)
             for (const Visit v : round)
                 visit(v, bodies, 0, is_of_bodies(v) ? int(kicks_.size()) : int(batches_.size()));

@@ -11,15 +11,18 @@
 // Time decides who does a piece, never what comes out: pieces have the same bits on any worker.
 #pragma once
 
+#include <atomic>
+
 namespace epode {
 
 class HelpBalance {
   public:
     // Nanoseconds of one clock that never goes back.
     using Time = long long;
-    static constexpr Time kWindow = 4'000'000, kLeastRest = 16'000'000, kMostRest = 256'000'000;
+    static constexpr Time kWindow = 4'000'000, kLeastRest = 64'000'000, kMostRest = 1'024'000'000;
 
-    bool worth(Time now) const { return now >= rest_until_; }
+    // May be asked while another thread notes.
+    bool worth(Time now) const { return now >= rest_until_.load(std::memory_order_relaxed); }
 
     // A job from `begin` to `end`, in which its caller waited so long; helpers lost their cores so often,
     // ever.
@@ -28,7 +31,7 @@ class HelpBalance {
         worked_ += end - begin, waited_ += waited;
         if (worked_ < kWindow) return;
         if (waited_ > worked_ / 2 && lost != lost_before_) {
-            rest_until_ = end + rest_;
+            rest_until_.store(end + rest_, std::memory_order_relaxed);
             rest_ = rest_ < kMostRest / 4 ? 4 * rest_ : kMostRest;
         } else {
             rest_ = kLeastRest;
@@ -39,7 +42,8 @@ class HelpBalance {
   private:
     Time worked_ = 0, waited_ = 0;  // in this window
     unsigned lost_before_ = 0;
-    Time rest_ = kLeastRest, rest_until_ = 0;
+    Time rest_ = kLeastRest;
+    std::atomic<Time> rest_until_{0};
 };
 
 }  // namespace epode

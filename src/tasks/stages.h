@@ -10,7 +10,8 @@
 //            longer than a moment, it helps them; before, looking at their tickets would hold them up.
 //   done     A worker tells once a stage how many pieces it has done; who tells the last one opens the next
 //            stage. Both are in one word, so a hand-over moves one line from cache to cache.
-//   waiting  Nobody waits for one who has not come: whoever is there does all pieces.
+//   waiting  Nobody waits for one who has not come: whoever is there does all pieces. Who is there alone does
+//            not even give others that moment.
 #pragma once
 
 #include <atomic>
@@ -36,17 +37,21 @@ class Stages {
     void serve(int worker)
     {
         const int home = worker % shares_;
+        come_.fetch_add(1, std::memory_order_relaxed);
         Waiting waiting;
         for (int last = -1, patience = 0;;) {
             const int stage = int(state_.load(std::memory_order_acquire) >> 32);
             if (stage >= stages_) return;
             if (stage != last) {
                 waiting.end();
-                last = stage, patience = kPatience;
+                last = stage;
+                patience = come_.load(std::memory_order_relaxed) > 1 ? kPatience : 1;
                 tell(stage, take_from(home, stage, worker));
             } else if (patience > 0) {
-                spin_once();
-                if (--patience == 0) tell(stage, take_from_others(home, stage, worker));
+                if (--patience == 0)
+                    tell(stage, take_from_others(home, stage, worker));
+                else
+                    spin_once();
             } else {
                 waiting.once();
             }
@@ -107,6 +112,7 @@ class Stages {
     const Body& body_;
     using State = unsigned long long;  // stage << 32 | pieces of it that are done
     alignas(kCacheLine) std::atomic<State> state_{0};
+    std::atomic<int> come_{0};  // workers
     Share share_[kMostShares];
 };
 

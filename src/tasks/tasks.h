@@ -28,6 +28,10 @@ class Tasks {
 
     int workers() const { return workers_; }
 
+    // A hint, and another one at any time: nobody would help with a job of now. Work that is slower in pieces
+    // is then better done without; memory should be sized by workers(), which stays.
+    bool alone() const;
+
     template <typename Body>
     void for_each(int count, Body&& body) const
     {

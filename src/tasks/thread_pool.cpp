@@ -48,6 +48,11 @@ constinit thread_local int t_worker = -1;
 
 constinit thread_local long long t_waited = 0;
 
+bool ThreadPool::refuses() const
+{
+    return taken_.test(std::memory_order_relaxed) || !(kAlwaysHelped || balance_.worth(nanoseconds_now()));
+}
+
 bool ThreadPool::run(int workers, int count, Piece piece, void* body)
 {
     if (t_worker >= 0 || taken_.test_and_set(std::memory_order_acquire)) return false;
@@ -185,6 +190,8 @@ void Tasks::run(int count, Piece piece, void* body) const
     const AsWorker mark(self);
     for (int i = 0; i < count; ++i) piece(body, i, self);
 }
+
+bool Tasks::alone() const { return workers_ == 1 || t_worker >= 0 || (!posting_ && thread_pool().refuses()); }
 
 int processor_count()
 {

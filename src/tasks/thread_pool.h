@@ -23,6 +23,9 @@ class ThreadPool {
     // The caller becomes worker 0 of at most `workers`. False: the pool is taken or rests, nothing was run.
     bool run(int workers, int count, Piece piece, void* body);
 
+    // A hint, for any thread at any time: a job of now would run nothing.
+    bool refuses() const;
+
     // Ends all threads; the next run starts new ones.
     void stop();
 

@@ -15,6 +15,7 @@
 
 #include "taken_pool.h"
 #include "tasks/thread_pool.h"
+#include "tasks/waiting.h"
 
 namespace epode {
 namespace {
@@ -76,6 +77,22 @@ TEST(Tasks, a_job_inside_a_piece_runs_in_place_when_the_pool_was_taken)
         });
     });
     EXPECT_EQ(elsewhere, 0);
+}
+
+TEST(Tasks, know_when_nobody_would_help)
+{
+    EXPECT_TRUE(Tasks(1).alone());
+    const Tasks tasks(3);
+    {
+        const TakenPool taken;
+        EXPECT_TRUE(tasks.alone());
+    }
+    std::atomic<int> hoped{0};
+    tasks.for_each(8, [&](int, int) { hoped += !tasks.alone(); });
+    EXPECT_EQ(hoped, 0);
+    // On a busy machine the pool may rest after the tests before, but never for longer than its limit.
+    for (const auto begin = nanoseconds_now(); tasks.alone();)
+        ASSERT_LT(nanoseconds_now() - begin, 2 * HelpBalance::kMostRest);
 }
 
 TEST(Tasks, callers_on_several_threads_share_the_pool)
