@@ -329,8 +329,8 @@ int PatchSet::list_stages(std::initializer_list<Visit> round)
     return int(count);
 }
 
-// One alone has no need of colours: batches lie in their order. (Nor of stages: on a busy machine the wait
-// for helpers who do not come is a quarter of a short step.)
+// One alone has no need of colours: batches lie in their order. Nor of stages: those that nobody
+// shares cost a short step 3 % more.
 void PatchSet::perform(std::initializer_list<Visit> round, int times, const PatchBodies& bodies)
 {
     if (tasks_.alone()) {
