@@ -77,7 +77,8 @@ void App::look_at_everything()
 {
     following_ = false;
     const viewer::Picture picture = drawing_.picture(*session_, record::kNobody);
-    if (!picture.shapes.empty()) orbit_.look_like(viewer::frame_shapes(picture.shapes, 1.6f));
+    if (!picture.shapes.empty())
+        orbit_.look_like(viewer::frame_shapes(picture.shapes, float(Orbit::kAspect)));
 }
 
 void App::look_from_scene()
@@ -89,14 +90,31 @@ void App::look_from_scene()
     }
     const scenes::View& view = live->scene().view;
     orbit_.look({view.eye[0], view.eye[1], view.eye[2]}, {view.target[0], view.target[1], view.target[2]});
+    follow_from_start(*live);
+    hold_what_moves();
+}
+
+// A view that follows a body has been composed around the origin.
+void App::follow_from_start(Live& live)
+{
+    const scenes::View& view = live.scene().view;
     if (!view.follow) return;
-    const auto& bodies = live->scene().bodies();
+    const auto& bodies = live.scene().bodies();
     for (size_t i = 0; i < bodies.size(); ++i) {
         if (bodies[i] == view.follow) {
             const Vec at = vec(session_->moment().bodies[i]->pose.pos);
             orbit_.shift({at.x, at.y, 0});
         }
     }
+}
+
+void App::hold_what_moves()
+{
+    std::vector<Vec> points;
+    for (const record::BodyState* body : session_->moment().bodies) {
+        if (body && std::isfinite(scenes::length(vec(body->pose.pos)))) points.push_back(vec(body->pose.pos));
+    }
+    orbit_.hold(points);
 }
 
 void App::follow()
@@ -232,9 +250,9 @@ void App::other_scene(int by)
     if (!open(all[size_t(next)]->name, problem)) note_ = problem, note_until_ = clock_ + 6;
 }
 
-void App::pick(double x, double y, int width, int height)
+void App::pick(double x, double y)
 {
-    const Ray ray = orbit_.ray(x, y, width, height);
+    const Ray ray = orbit_.ray(x, y);
     const auto hit = session_->pick(ray.origin, ray.direction);
     picked_ = hit ? hit->body : record::kNobody;
     picked_geom_ = hit ? hit->geom : record::kNoGeom;
@@ -273,15 +291,15 @@ void App::shoot()
                 count ? 3 * mass / count : 1);
 }
 
-void App::grab_or_pull(double x, double y, int width, int height)
+void App::grab_or_pull(double x, double y)
 {
     Live* live = session_->live();
     if (!live) return;
-    const Ray ray = orbit_.ray(x, y, width, height);
+    const Ray ray = orbit_.ray(x, y);
     Vec right, up, forward;
     orbit_.axes(right, up, forward);
     if (live->grabbed() == record::kNobody) {
-        pick(x, y, width, height);
+        pick(x, y);
         if (picked_ == record::kNobody) return;
         const Vec point = place(session_->moment().bodies[size_t(picked_)]->pose, picked_local_);
         grab_depth_ = scenes::dot(point - ray.origin, forward);
@@ -290,7 +308,7 @@ void App::grab_or_pull(double x, double y, int width, int height)
     live->pull_to(ray.origin + (grab_depth_ / scenes::dot(ray.direction, forward)) * ray.direction);
 }
 
-void App::use_mouse(int width, int height)
+void App::use_mouse()
 {
     const ImGuiIO& io = ImGui::GetIO();
     Live* live = session_->live();
@@ -298,7 +316,7 @@ void App::use_mouse(int width, int height)
     const auto free_click = [&](int button) { return ImGui::IsMouseClicked(button) && !io.WantCaptureMouse; };
     if (free_click(0)) {
         if (io.KeyCtrl)
-            grab_or_pull(double(io.MousePos.x), double(io.MousePos.y), width, height);
+            grab_or_pull(double(io.MousePos.x), double(io.MousePos.y));
         else
             turning_ = true;
     }
@@ -307,22 +325,21 @@ void App::use_mouse(int width, int height)
         turning_ = false;
         if (grabbing) live->release();
     } else if (grabbing) {
-        grab_or_pull(double(io.MousePos.x), double(io.MousePos.y), width, height);
+        grab_or_pull(double(io.MousePos.x), double(io.MousePos.y));
     }
     if (!ImGui::IsMouseDown(1) && !ImGui::IsMouseDown(2)) panning_ = false;
     if (turning_) orbit_.turn(double(io.MouseDelta.x), double(io.MouseDelta.y));
-    if (panning_) orbit_.pan(double(io.MouseDelta.x), double(io.MouseDelta.y), height);
+    if (panning_) orbit_.pan(double(io.MouseDelta.x), double(io.MouseDelta.y));
     if (io.WantCaptureMouse) return;
     if (io.MouseWheel != 0) orbit_.zoom(double(io.MouseWheel));
-    if (ImGui::IsMouseDoubleClicked(0) && !io.KeyCtrl)
-        pick(double(io.MousePos.x), double(io.MousePos.y), width, height);
+    if (ImGui::IsMouseDoubleClicked(0) && !io.KeyCtrl) pick(double(io.MousePos.x), double(io.MousePos.y));
 }
 
 void App::frame(double seconds, int width, int height)
 {
     clock_ += seconds;
-    orbit_.set_offset(panels_ ? 0.5 * double(kPanelWidth) : 0);
-    use_mouse(width, height);
+    orbit_.set_area(clear_area(width, height));
+    use_mouse();
     session_->pass(seconds, patient_ ? 1e9 : 0.05);
     follow();
     menus();
@@ -331,7 +348,7 @@ void App::frame(double seconds, int width, int height)
     note();
     drawing_.switches.soft_light = drawing_.switches.soft_light || fine_;
     picture_ = drawing_.picture(*session_, picked_);
-    picture_.camera = orbit_.camera(height);
+    picture_.camera = orbit_.camera();
     picture_.width = width;
     picture_.height = height;
 }

@@ -17,8 +17,6 @@
 
 namespace epode::view {
 
-constexpr float kPanelWidth = 320;  // pixels at the left
-
 class App {
   public:
     // Patient: frames wait for all steps that are due, however long they take, so that runs without a window
@@ -45,10 +43,12 @@ class App {
   private:
     void look_at_everything();
     void look_from_scene();
+    void follow_from_start(Live& live);
+    void hold_what_moves();
     void follow();
-    void use_mouse(int width, int height);
-    void pick(double x, double y, int width, int height);
-    void grab_or_pull(double x, double y, int width, int height);
+    void use_mouse();
+    void pick(double x, double y);
+    void grab_or_pull(double x, double y);
     void push();
     void shoot();
     void other_scene(int by);
@@ -56,6 +56,8 @@ class App {
     bool* switch_of(Action action);
 
     // panels.cpp
+    // What the menus and, if they are shown, the panels leave free.
+    WindowArea clear_area(int width, int height) const;
     void menus();
     void panels();
     void run_panel();

@@ -15,8 +15,10 @@ namespace {
 constexpr double kMostElevation = 1.55;
 constexpr double kTurnRate = 0.006;  // radians a pixel
 constexpr double kZoomRate = 0.88;   // of the distance, a notch
+constexpr double kAir = 0.94;        // of the view's half, for the middle of what it holds
 const viewer::Camera kLens;
 
+// Of the composed view, upwards.
 double half_opening() { return std::tan(double(kLens.fov) * scenes::kPi / 360); }
 
 }  // namespace
@@ -32,17 +34,37 @@ void Orbit::look(Vec eye, Vec target)
     azimuth_ = std::atan2(back.y, back.x);
 }
 
+// A point (u, v, w) along right, up and back from the target is inside while |u| and |v| are at most the
+// view's half width and height at its depth: t (distance - w), t the tangent of the half opening.
+void Orbit::hold(const std::vector<Vec>& points)
+{
+    if (points.empty()) return;
+    Vec right, up, forward;
+    axes(right, up, forward);
+    const double tangent = kAir * half_opening();
+    std::vector<double> needed;
+    for (const Vec& point : points) {
+        const Vec to = point - target_;
+        const double across = std::abs(scenes::dot(to, right)) / kAspect,
+                     upward = std::abs(scenes::dot(to, up));
+        needed.push_back(std::max(across, upward) / tangent - scenes::dot(to, forward));
+    }
+    const auto last = needed.begin() + std::ptrdiff_t(std::ceil(0.98 * double(needed.size() - 1)));
+    std::nth_element(needed.begin(), last, needed.end());
+    if (std::isfinite(*last)) distance_ = std::max(distance_, *last);
+}
+
 void Orbit::turn(double dx, double dy)
 {
     azimuth_ -= kTurnRate * dx;
     elevation_ = std::clamp(elevation_ + kTurnRate * dy, -kMostElevation, kMostElevation);
 }
 
-void Orbit::pan(double dx, double dy, int height)
+void Orbit::pan(double dx, double dy)
 {
     Vec right, up, forward;
     axes(right, up, forward);
-    const double scale = 2 * half_opening() * distance_ / std::max(height, 1);
+    const double scale = pixel() * distance_;
     target_ = target_ - (scale * dx) * right + (scale * dy) * up;
 }
 
@@ -64,32 +86,42 @@ void Orbit::axes(Vec& right, Vec& up, Vec& forward) const
     up = scenes::cross(right, forward);
 }
 
-Vec Orbit::aside(int height) const
+void Orbit::set_area(const WindowArea& area)
 {
-    Vec right, up, forward;
-    axes(right, up, forward);
-    return (-offset_ * 2 * half_opening() * distance_ / std::max(height, 1)) * right;
+    area_ = area;
+    area_.clear_width = std::max(area.clear_width, 1.0);
+    area_.clear_height = std::max(area.clear_height, 1.0);
 }
 
-viewer::Camera Orbit::camera(int height) const
+double Orbit::pixel() const
+{
+    return 2 * half_opening() / std::min(area_.clear_height, area_.clear_width / kAspect);
+}
+
+viewer::Camera Orbit::camera() const
 {
     viewer::Camera camera;
-    const Vec shift = aside(height), from = eye() + shift, to = target_ + shift;
-    const double e[3] = {from.x, from.y, from.z}, t[3] = {to.x, to.y, to.z};
+    const Vec from = eye();
+    const double e[3] = {from.x, from.y, from.z}, t[3] = {target_.x, target_.y, target_.z};
     for (int i = 0; i < 3; ++i) {
         camera.eye[i] = float(e[i]);
         camera.target[i] = float(t[i]);
     }
+    const double width = std::max(area_.width, 1), height = std::max(area_.height, 1);
+    camera.fov = float(std::atan(0.5 * pixel() * height) * 360 / scenes::kPi);
+    camera.shift[0] = float((2 * area_.left + area_.clear_width) / width - 1);
+    camera.shift[1] = float(1 - (2 * area_.top + area_.clear_height) / height);
     return camera;
 }
 
-Ray Orbit::ray(double x, double y, int width, int height) const
+Ray Orbit::ray(double x, double y) const
 {
     Vec right, up, forward;
     axes(right, up, forward);
-    const double scale = 2 * half_opening() / std::max(height, 1);
-    const Vec along = forward + (scale * (x - 0.5 * width)) * right - (scale * (y - 0.5 * height)) * up;
-    return {eye() + aside(height), (1 / scenes::length(along)) * along};
+    const double across = x - area_.left - 0.5 * area_.clear_width,
+                 down = y - area_.top - 0.5 * area_.clear_height;
+    const Vec along = forward + (pixel() * across) * right - (pixel() * down) * up;
+    return {eye(), (1 / scenes::length(along)) * along};
 }
 
 }  // namespace epode::view

@@ -5,12 +5,17 @@
 // actions.h is a line of a menu.
 #include <imgui.h>
 
+#include <algorithm>
+
 #include "scenes/extensions.h"
 #include "view/app.h"
 
 namespace epode::view {
 
 namespace {
+
+// At the left; of a narrow window at most half.
+float panel_width(float window) { return std::min(320.0f, 0.5f * window); }
 
 void row(const char* name, const char* format, double a, double b, double c)
 {
@@ -20,6 +25,13 @@ void row(const char* name, const char* format, double a, double b, double c)
 }
 
 }  // namespace
+
+WindowArea App::clear_area(int width, int height) const
+{
+    const double left = panels_ ? double(panel_width(float(width))) : 0,
+                 top = double(ImGui::GetFrameHeight());
+    return {width, height, left, top, width - left, height - top};
+}
 
 void App::menus()
 {
@@ -46,7 +58,7 @@ void App::panels()
     const ImGuiIO& io = ImGui::GetIO();
     const float top = ImGui::GetFrameHeight();
     ImGui::SetNextWindowPos({0, top}, ImGuiCond_Always);
-    ImGui::SetNextWindowSize({kPanelWidth, io.DisplaySize.y - top}, ImGuiCond_Always);
+    ImGui::SetNextWindowSize({panel_width(io.DisplaySize.x), io.DisplaySize.y - top}, ImGuiCond_Always);
     ImGui::SetNextWindowBgAlpha(0.82f);
     const ImGuiWindowFlags flags =
         ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove;
@@ -152,7 +164,7 @@ void App::drawing_panel()
     if (!ImGui::CollapsingHeader("Show")) return;
     const auto checked = [&](const char* label, Action action) {
         ImGui::Checkbox(label, switch_of(action));
-        ImGui::SameLine(kPanelWidth - 50);
+        ImGui::SameLine(panel_width(ImGui::GetIO().DisplaySize.x) - 50);
         ImGui::TextDisabled("%s", shown(row_of(action).keys.front()).c_str());
     };
     Switches& s = drawing_.switches;

@@ -114,8 +114,8 @@ float view_distance(const Camera& camera) { return length(vec(camera.eye) - vec(
 bool valid(const Camera& camera)
 {
     const float d = view_distance(camera);
-    return finite(vec(camera.eye)) && finite(vec(camera.up)) && d > 1e-6f && d < 1e15f && camera.fov > 1 &&
-           camera.fov < 170;
+    return finite(vec(camera.eye)) && finite(vec(camera.up)) && std::isfinite(camera.shift[0]) &&
+           std::isfinite(camera.shift[1]) && d > 1e-6f && d < 1e15f && camera.fov > 1 && camera.fov < 170;
 }
 
 Mat4 camera_matrix(const Camera& camera, float aspect)
@@ -123,7 +123,9 @@ Mat4 camera_matrix(const Camera& camera, float aspect)
     const Vec eye = vec(camera.eye);
     const Basis basis = look_along(eye - vec(camera.target), vec(camera.up));
     const float d = view_distance(camera);
-    return perspective(camera.fov, aspect, 0.02f * d, 400 * d) * view_matrix(basis, eye);
+    Mat4 lens = perspective(camera.fov, aspect, 0.02f * d, 400 * d);
+    for (int i = 0; i < 2; ++i) lens.m[8 + i] = -camera.shift[i];
+    return lens * view_matrix(basis, eye);
 }
 
 bool project(const Camera& camera, int width, int height, const float point[3], float pixel[2])

@@ -151,7 +151,7 @@ Frame make_frame(const Picture& picture)
           1 / static_cast<float>(quality.sun_map));
     store(frame.look, {picture.haze, static_cast<float>(picture.floor), static_cast<float>(picture.clouds)},
           picture.hidden_lines);
-    store(frame.state, {static_cast<float>(picture.shadows), 0, 0}, 0);
+    store(frame.state, {static_cast<float>(picture.shadows), camera.shift[0], camera.shift[1]}, 0);
     set_lights(frame, picture, quality);
     set_spiral(frame, quality.sun_samples);
     return frame;

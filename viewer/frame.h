@@ -34,7 +34,7 @@ struct Frame {
     float options[4];          // grid spacing, sky's normal offset, sky lights, samples of the sun's map
     float viewport[4];         // width, height, half line width in pixels, width of the sun's map's pixel
     float look[4];             // haze, kind of floor, clouds, opacity of hidden lines
-    float state[4];            // shadows, unused, unused, unused
+    float state[4];            // shadows, shift of the lens right and up, unused
     float spiral[kSpiral][4];  // points spread evenly over the unit disc: where a soft shadow is sampled
 };
 

@@ -71,6 +71,9 @@ struct Camera {
     float target[3] = {0, 0, 1};
     float up[3] = {0, 0, 1};
     float fov = 32;  // vertical opening, degrees
+    // The whole picture is moved to the right and up by these parts of half its width and height, as by a
+    // lens that is shifted: what is looked at leaves the middle and keeps its perspective.
+    float shift[2] = {0, 0};
 };
 
 // How much work a picture may be. kFine takes about a second without a GPU, kQuick a few hundredths.

@@ -281,7 +281,7 @@ constexpr char kLightVertex[] = R"(
 out vec3 ray;
 void main() {
     vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0;
-    ray = view_forward.xyz + corner.x * view_right.xyz + corner.y * view_up.xyz;
+    ray = view_forward.xyz + (corner.x - state.y) * view_right.xyz + (corner.y - state.z) * view_up.xyz;
     gl_Position = vec4(corner, 0.0, 1.0);
 }
 )";

@@ -62,15 +62,15 @@ cat > mouse <<'END'
 frames 60
 key space
 key tab
-double 702 362
+double 688 381
 print
 key d
 print
 ctrl on
-move 702 362
+move 688 381
 down left
 frames 2
-move 740 150
+move 724 180
 print
 key space
 frames 60

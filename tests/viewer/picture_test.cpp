@@ -116,6 +116,27 @@ TEST_F(PictureTest, BoxIsRedWhereItProjects)
     EXPECT_FALSE(is_red(at(0, 0, 1.6f)));
 }
 
+TEST_F(PictureTest, ShiftedLensMovesEverythingAlike)
+{
+    Picture picture = box_scene();
+    DRAW(picture);
+    const Image straight = image_;
+    picture.camera.shift[0] = 0.25f;  // 80 of 640 pixels
+    picture.camera.shift[1] = -0.2f;  // 36 of 360 pixels down
+    DRAW(picture);
+    EXPECT_TRUE(is_red(at(0, 0, 1)));
+    EXPECT_FALSE(is_red(at(0, 0, 1.6f)));
+    int different = 0, seen = 0;
+    for (int y = 0; y < 324; y += 3) {
+        for (int x = 0; x < 560; x += 4) {
+            const Rgb before = pixel_of(straight, x, y), after = pixel_of(image_, x + 80, y + 36);
+            different += std::abs(before.sum() - after.sum()) > 24;
+            ++seen;
+        }
+    }
+    EXPECT_LT(different, seen / 100) << "sky, ground, shadow and box are moved by the same pixels";
+}
+
 TEST_F(PictureTest, SkyDiffersFromGround)
 {
     Picture picture = empty_scene();
