@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cli/console.h"
 #include "cli/plan.h"
 #include "record/compare.h"
 #include "record/hash.h"
@@ -63,7 +64,7 @@ void describe_distances(const Recording& a, const Recording& b, FieldList& out)
 int report(FieldList& out, bool json, bool fine)
 {
     const auto fields = out.take();
-    fmt::print("{}", json ? as_json(fields) : as_table(fields));
+    put(json ? as_json(fields) : as_table(fields));
     return fine ? kFine : kProblem;
 }
 

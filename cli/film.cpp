@@ -2,7 +2,9 @@
 // Copyright (c) 2026 The Epode authors
 //
 // posix_spawnp rather than popen: no shell reads the file's name, and a missing ffmpeg is told from a failing
-// one. An encoder that dies closes the pipe; the write then fails instead of ending this program.
+// one. An encoder that dies closes the pipe; the write then fails instead of ending this program, which
+// ignores SIGPIPE. The encoder is in a process group of its own, so that Ctrl+C does not end it before the
+// film does.
 #include "cli/film.h"
 
 #include <fcntl.h>
@@ -62,7 +64,6 @@ bool Film::start_encoder(const std::string& path, double fps)
 {
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) return false;
-    signal(SIGPIPE, SIG_IGN);
     const std::string size = fmt::format("{}x{}", width_, height_), rate = fmt::format("{:.9g}", fps);
     const std::vector<std::string> words = {
         "ffmpeg", "-loglevel", "error",    "-y",      "-f",        "rawvideo",   "-pix_fmt",
@@ -74,7 +75,11 @@ bool Film::start_encoder(const std::string& path, double fps)
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
-    const int failed = posix_spawnp(&encoder_, "ffmpeg", &actions, nullptr, arguments.data(), environ);
+    posix_spawnattr_t own_group;
+    posix_spawnattr_init(&own_group);
+    posix_spawnattr_setflags(&own_group, POSIX_SPAWN_SETPGROUP);
+    const int failed = posix_spawnp(&encoder_, "ffmpeg", &actions, &own_group, arguments.data(), environ);
+    posix_spawnattr_destroy(&own_group);
     posix_spawn_file_actions_destroy(&actions);
     ::close(ends[0]);
     if (failed) {

@@ -4,16 +4,26 @@
 // epode: simulates a named scene, judges the result, shows a picture. This file is the command line alone.
 #include <CLI/CLI.hpp>
 
+#include <exception>
+#include <new>
+#include <sstream>
+
 #include "cli/capture.h"
+#include "cli/console.h"
+#include "cli/numbers.h"
 #include "cli/replay.h"
 #include "cli/run.h"
+#include "cli/suggest.h"
 #include "cli/view.h"
+#include "scenes/extensions.h"
 
 namespace {
 
 using epode::cli::CaptureOptions;
+using epode::cli::number_within;
 using epode::cli::ReplayOptions;
 using epode::cli::RunOptions;
+using epode::cli::whole_number_within;
 
 std::string with_ending(const std::string& path, const std::string& ending)
 {
@@ -24,20 +34,27 @@ std::string with_ending(const std::string& path, const std::string& ending)
 // What is stepped and how.
 void add_plan_options(CLI::App& command, RunOptions& options)
 {
-    const CLI::Range positive(1e-9, 1e9);
+    const CLI::Validator positive = number_within(1e-9, 1e9);
     command.add_option("scene", options.scene, "one of `epode list`")->required();
-    command.add_option("--stepper", options.stepper, "exact, quick or fast; default: the scene's own");
+    command.add_option("--stepper", options.stepper,
+                       "exact, quick, fast or hybrid; default: as the guide recommends, which is exact for "
+                       "mechanisms and, for scenes of many bodies as in games, fast with --managed");
+    command.add_flag("--managed", options.managed,
+                     "contacts that the world manages instead of contact joints from a callback; without "
+                     "--stepper that is the default for scenes of many bodies");
+    command.add_option("--threads", options.threads, "threads of a step (default 1), with the same results")
+        ->check(whole_number_within(1, epode::cli::kMaxThreads));
     command.add_option("--dt", options.dt, "step size in seconds; default: the scene's own")->check(positive);
-    auto* steps =
-        command.add_option("--steps", options.steps, "number of steps")->check(CLI::Range(1, 100'000'000));
+    auto* steps = command.add_option("--steps", options.steps, "number of steps")
+                      ->check(whole_number_within(1, 100'000'000));
     auto* seconds =
         command.add_option("--seconds", options.seconds, "simulated time; default: the scene's own")
             ->check(positive);
     steps->excludes(seconds);
     command
         .add_option("--iterations", options.iterations,
-                    "sweeps of quick (default 20), small steps of fast (default 4)")
-        ->check(CLI::Range(1, epode::cli::kMaxIterations));
+                    "sweeps of quick (default 20), substeps of fast and hybrid (default 4)")
+        ->check(whole_number_within(1, epode::cli::kMaxIterations));
     command.add_option("--seed", options.seed, "of the scenes that are poured at random (default 1)");
     command.add_flag("--json", options.json, "report as one JSON object");
     command.add_flag("--quiet", options.quiet, "no progress on stderr");
@@ -70,16 +87,17 @@ void add_record_options(CLI::App& command, RunOptions& options)
 void add_fps(CLI::App& command, double& fps)
 {
     command.add_option("--fps", fps, "pictures a second of animations (default 30)")
-        ->check(CLI::Range(0.1, 1000.0));
+        ->check(number_within(0.1, 1000.0));
 }
 
 void add_replay_options(CLI::App& command, ReplayOptions& options)
 {
     command.add_option("file", options.file, "recording (.epr)")->required();
-    command.add_option("--stepper", options.stepper,
-                       "step with another stepper and tell how far apart they go");
+    command.add_option(
+        "--stepper", options.stepper,
+        "step with another stepper (exact, quick, fast, hybrid) and tell how far apart they go");
     command.add_option("--iterations", options.iterations, "another number of them, likewise")
-        ->check(CLI::Range(1, epode::cli::kMaxIterations));
+        ->check(whole_number_within(1, epode::cli::kMaxIterations));
     command
         .add_option("--contacts", options.contacts,
                     "of a captured program: recorded, or found anew (default with another stepper)")
@@ -93,7 +111,8 @@ void add_capture_options(CLI::App& command, CaptureOptions& options)
     command
         .add_option("-o,--output", options.output, "recording to write (.epr); further worlds get -2, -3 ...")
         ->required();
-    command.add_option("--stepper", options.stepper, "exact, quick or fast, whatever the program calls");
+    command.add_option("--stepper", options.stepper,
+                       "exact, quick, fast or hybrid, whatever the program calls");
     command.add_option("program", options.command, "program and arguments, after --")->required();
     command.positionals_at_end();
 }
@@ -105,13 +124,69 @@ void add_common_options(CLI::App& command, ReplayOptions& options)
     command.add_flag("--quiet", options.quiet, "no progress on stderr");
 }
 
-}  // namespace
+std::string version()
+{
+    return fmt::format("epode {} ({} precision), with {} {}: {}", EPODE_VERSION,
+                       sizeof(dReal) == 8 ? "double" : "single", epode::scenes::loaded_library_kind(),
+                       epode::scenes::loaded_library(), dGetConfiguration());
+}
 
-int main(int argc, char** argv)
+// Every name of an option that a command takes.
+std::vector<std::string> option_names(const CLI::App& command)
+{
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    return names;
+}
+
+// What may have been meant by the first word that is none: a verb, else an option. "" where all words are
+// known.
+std::string suggestion(const CLI::App& app, int argc, char** argv)
+{
+    std::vector<std::string> verbs;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        verbs.push_back(command->get_name());
+    const CLI::App* command = &app;
+    for (int i = 1; i < argc && std::string(argv[i]) != "--"; ++i) {
+        const std::string word = argv[i], name = word.substr(0, word.find('='));
+        const bool is_verb = std::find(verbs.begin(), verbs.end(), word) != verbs.end();
+        if (command == &app && is_verb) {
+            command = app.get_subcommand(word);
+        } else if (command == &app && word[0] != '-') {
+            return epode::cli::did_you_mean(word, verbs);
+        } else if (word.starts_with("--")) {
+            const std::vector<std::string> names = option_names(*command);
+            const bool known = std::find(names.begin(), names.end(), name) != names.end();
+            if (!known) return epode::cli::did_you_mean(name, names);
+        }
+    }
+    return {};
+}
+
+// Help and the version are printed like everything else, so that a full disk shows.
+int print_usage(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv)
+{
+    if (error.get_exit_code() != 0) {
+        const std::string meant = suggestion(app, argc, argv);
+        return epode::cli::refuse(std::string(error.what()) + "." + meant +
+                                  "\nRun with --help for more information.");
+    }
+    std::ostringstream text, nothing;
+    app.exit(error, text, nothing);
+    epode::cli::put(text.str());
+    return epode::cli::kFine;
+}
+
+int carry_out(int argc, char** argv)
 {
     CLI::App app("Simulates a scene with the ODE interface, judges the result, shows a picture.", "epode");
     app.require_subcommand(1);
-    app.footer("Exit codes: 0 fine, 1 a problem was found, 2 wrong usage.");
+    app.set_version_flag("--version", version, "this program's version, its library and how that was built");
+    app.footer(
+        "Exit codes: 0 fine, 1 a problem was found or a file cannot be written, 2 wrong usage, 128 + n ended "
+        "by signal n with all files whole.");
     CLI::App* list = app.add_subcommand("list", "names the scenes");
     CLI::App* run = app.add_subcommand("run", "runs a scene and reports");
     CLI::App* record = app.add_subcommand("record", "runs a scene into a recording");
@@ -146,7 +221,7 @@ int main(int argc, char** argv)
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? epode::cli::kFine : epode::cli::kUsage;
+        return print_usage(app, error, argc, argv);
     }
     if (list->parsed()) return epode::cli::list_scenes();
     if (view->parsed()) return epode::cli::view(viewing);
@@ -156,4 +231,27 @@ int main(int argc, char** argv)
     if (inspect->parsed()) return epode::cli::inspect(replaying);
     if (capture->parsed()) return epode::cli::capture(capturing);
     return epode::cli::run(options);
+}
+
+// What is thrown is a bug or the lack of memory; either is a problem and no crash.
+int guarded(int argc, char** argv)
+{
+    try {
+        return carry_out(argc, argv);
+    } catch (const std::bad_alloc&) {
+        epode::cli::warn("there is not enough memory");
+    } catch (const std::exception& error) {
+        epode::cli::warn("{}", error.what());
+    }
+    return epode::cli::kProblem;
+}
+
+}  // namespace
+
+int main(int argc, char** argv)
+{
+    // `epode view` writes its status as it goes and ends with its reader.
+    const bool viewing = argc > 1 && std::string(argv[1]) == "view";
+    epode::cli::open_console(!viewing);
+    return epode::cli::finish_console(guarded(argc, argv));
 }

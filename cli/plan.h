@@ -13,16 +13,20 @@
 namespace epode::cli {
 
 constexpr int kMaxIterations = 1'000'000;
+constexpr int kMaxThreads = 256;
 
 enum ExitCode { kFine = 0, kProblem = 1, kUsage = 2 };
 
 struct RunOptions {
     std::string scene;
-    std::string stepper;  // empty: the scene's own
-    double dt = 0;        // 0: the scene's own
-    int steps = 0;        // 0: by seconds
-    double seconds = 0;   // 0: the scene's own
-    int iterations = 0;   // 0: the stepper's own
+    std::string stepper;  // empty: as recommended for the scene
+    bool managed =
+        false;  // contacts that the world manages; also where that is recommended and no stepper named
+    int threads = 1;
+    double dt = 0;       // 0: the scene's own
+    int steps = 0;       // 0: by seconds
+    double seconds = 0;  // 0: the scene's own
+    int iterations = 0;  // 0: the stepper's own
     std::uint32_t seed = 1;
     bool json = false;
     bool quiet = false;
@@ -35,6 +39,9 @@ struct RunOptions {
 
 struct RunPlan {
     scenes::Stepper stepper = scenes::Stepper::kQuick;
+    bool managed = false;
+    bool recommended = false;  // nobody said otherwise
+    int threads = 1;
     double dt = 0;
     int steps = 0;
     int iterations = 0;
@@ -45,6 +52,10 @@ struct RunPlan {
 bool settle(const RunOptions& options, const scenes::Recipe& recipe, RunPlan& plan, std::string& problem);
 // The message where there is no such scene: it names those there are.
 std::string no_such_scene(const std::string& name);
+// The same of a stepper.
+std::string no_such_stepper(const std::string& name);
+// Threads and contacts of a scene that was just built. False and why.
+bool set_up(scenes::Scene& scene, const RunPlan& plan, std::string& problem);
 // Prints the problem; the exit code of wrong usage.
 int refuse(const std::string& problem);
 // The same of a file that is no good; the exit code of a problem.

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdio>
+#include "cli/console.h"
 
 namespace epode::cli {
 
@@ -30,7 +30,7 @@ Progress::Progress(std::string name, int steps, bool wanted)
 Progress::~Progress()
 {
     // Leaves the terminal as it was: the report belongs there.
-    if (drawn_ && terminal_) fmt::print(stderr, "\r\033[K");
+    if (drawn_ && terminal_) put_error("\r\033[K");
 }
 
 void Progress::show(int done, size_t contacts)
@@ -42,12 +42,7 @@ void Progress::show(int done, size_t contacts)
     const std::string line =
         fmt::format("{}: step {} of {} ({} %), {} contacts, about {:.0f} s left", name_, done, steps_,
                     100LL * done / steps_, contacts, spent * (steps_ - done) / done);
-    if (terminal_) {
-        fmt::print(stderr, "\r\033[K{}", line);
-    } else {
-        fmt::print(stderr, "{}\n", line);
-    }
-    std::fflush(stderr);
+    put_error(terminal_ ? "\r\033[K" + line : line + "\n");
     drawn_ = true;
     next_ = now + (terminal_ ? 200ms : 10000ms);
 }

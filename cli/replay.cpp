@@ -11,8 +11,11 @@
 
 #include "cli/about.h"
 #include "cli/comparison.h"
+#include "cli/console.h"
 #include "cli/export.h"
 #include "cli/fields.h"
+#include "cli/interrupt.h"
+#include "cli/paths.h"
 #include "cli/plan.h"
 #include "cli/progress.h"
 #include "cli/rerun.h"
@@ -34,7 +37,7 @@ bool load(const std::string& path, bool partial, Recording& recording)
     if (result.whole()) return true;
     const bool usable = result.damage == record::Damage::kBreaksOff && !recording.steps.empty();
     if (usable && partial) {
-        fmt::print(stderr, "epode: '{}': {}; going on with these\n", path, result.problem);
+        warn("'{}': {}; going on with these", path, result.problem);
         return true;
     }
     complain(path, result.problem + (usable ? " (--partial takes these)" : ""));
@@ -48,14 +51,15 @@ int simulate_again(const Recording& was, const RunOptions& run, const RunPlan& p
     scenes::Runtime runtime;
     scenes::MessageCounter messages;
     scenes::Scene scene(*scenes::find_recipe(run.scene), plan.seed);
-    scene.set_iterations(plan.iterations);
+    std::string problem;
+    if (!set_up(scene, plan, problem)) return refuse(problem);
     now.info(about(scene, plan));
     view::SceneRecorder recorder(scene, now);
     recorder.state(scenes::measure(scene), 0);
     Progress progress(run.scene, plan.steps, !quiet);
     for (size_t i = 1; i < was.steps.size(); ++i) {
         if (!scene.step(plan.stepper, plan.dt)) {
-            fmt::print(stderr, "epode: the library reports that step {} failed\n", i);
+            warn("the library reports that step {} failed", i);
             return kProblem;
         }
         recorder.state(scenes::measure(scene), plan.dt);
@@ -78,6 +82,9 @@ bool hashes_fit(const Recording& recording, size_t& step)
 int replay(const ReplayOptions& options)
 {
     Recording was, now;
+    std::string problem;
+    if (!options.output.empty() && !can_write(options.output, problem))
+        return complain(options.output, problem);
     if (!load(options.file, options.partial, was)) return kProblem;
     if (was.steps.empty()) return complain(options.file, "it has no state");
     if (was.about_value("source") == "program") return rerun(options, was);
@@ -86,7 +93,6 @@ int replay(const ReplayOptions& options)
             "--output and --contacts are for recordings of programs; a scene's run is recorded by `epode "
             "record`");
     RunOptions run;
-    std::string problem;
     if (!options_from(was, run, problem)) return refuse(fmt::format("'{}': {}", options.file, problem));
     const bool other =
         (!options.stepper.empty() && options.stepper != run.stepper) || options.iterations >= 0;
@@ -100,7 +106,7 @@ int replay(const ReplayOptions& options)
     size_t step = 0;
     if (!hashes_fit(was, step))
         return complain(options.file, fmt::format("the hash of state {} is not its own", step));
-    if (simulate_again(was, run, plan, options.quiet, now) != kFine) return kProblem;
+    if (const int code = simulate_again(was, run, plan, options.quiet, now)) return code;
 
     FieldList out;
     out.string("scene", run.scene, "scene", run.scene);
@@ -122,11 +128,13 @@ int convert(const ReplayOptions& options)
 {
     std::string problem;
     if (!can_export(options.other, problem)) return refuse(problem);
+    if (!can_write(options.other, problem)) return complain(options.other, problem);
     Recording recording;
     if (!load(options.file, options.partial, recording)) return kProblem;
+    const Interruptible file_is_made_whole;
     if (!export_recording(recording, options.other, options.fps, problem))
         return complain(options.other, problem);
-    return kFine;
+    return interruption() ? interruption_code() : int(kFine);
 }
 
 int inspect(const ReplayOptions& options)
@@ -137,8 +145,8 @@ int inspect(const ReplayOptions& options)
     const bool fit = hashes_fit(recording, wrong);
     if (!fit) complain(options.file, fmt::format("the hash of state {} is not its own", wrong));
     if (options.hashes) {
-        for (size_t i = 0; i < recording.steps.size(); ++i)
-            fmt::print("{} {}\n", i, record::as_text(recording.steps[i].hash));
+        for (size_t i = 0; i < recording.steps.size() && can_say(); ++i)
+            say("{} {}\n", i, record::as_text(recording.steps[i].hash));
         return fit ? kFine : kProblem;
     }
     FieldList out;

@@ -48,14 +48,30 @@ std::vector<double> pick(const RunRecord& record, double (*part)(const StepTimes
     return values;
 }
 
+// What steps, and who said so. Exact rotation and parts are what dWorldStep has: the others do not look at
+// them.
+std::string describe_stepper(const Scene& scene, const RunPlan& plan)
+{
+    std::string text = scenes::name_of(plan.stepper);
+    if (plan.iterations > 0) text += fmt::format(", {} iterations", plan.iterations);
+    if (plan.stepper == scenes::Stepper::kExact && scene.precise_parts() > 0)
+        text += fmt::format(", {} parts a step, exact rotation", scene.precise_parts());
+    text += plan.managed ? ", world-managed contacts" : ", contact joints";
+    if (plan.threads > 1) text += fmt::format(", {} threads", plan.threads);
+    if (plan.recommended) text += plan.managed ? " (the default for games)" : " (this scene's default)";
+    return text;
+}
+
 void describe_setting(const Scene& scene, const RunPlan& plan, const RunRecord& record,
                       const Outcome& outcome, FieldList& out)
 {
-    const std::string stepper = scenes::name_of(plan.stepper);
     out.string("scene", scene.recipe().name, "scene",
                fmt::format("{} - {}", scene.recipe().name, scene.recipe().description));
-    out.string("stepper", stepper, "stepper",
-               plan.iterations > 0 ? fmt::format("{}, {} iterations", stepper, plan.iterations) : stepper);
+    out.string("stepper", scenes::name_of(plan.stepper), "stepper", describe_stepper(scene, plan));
+    out.raw("stepper_is_default", plan.recommended ? "true" : "false");
+    out.raw("managed_contacts", plan.managed ? "true" : "false");
+    out.number("threads", plan.threads);
+    out.number("exact_parts", scene.precise_parts());
     out.number("iterations", plan.iterations);
     out.number("seed", plan.seed);
     out.number("dt", plan.dt);
@@ -92,11 +108,22 @@ void describe_time(const RunRecord& record, FieldList& out)
     out.number("ms_step_median", step);
 }
 
-void describe_errors(const Scene& scene, const RunRecord& record, FieldList& out)
+void describe_errors(const Scene& scene, const RunPlan& plan, const RunRecord& record, FieldList& out)
 {
     const bool touched = record.contacts_max > 0;
-    out.number("penetration", record.penetration, "worst penetration",
-               touched ? meters(record.penetration) : "no contacts");
+    const scenes::Impact& impact = record.touching.at_impact;
+    const std::string at_impact =
+        impact.depth > 0
+            ? fmt::format("{} at impact (step {}; met at {:.3g} m/s, {} a step)", meters(impact.depth),
+                          impact.step, impact.speed, meters(impact.speed * plan.dt))
+            : "none at impact";
+    out.number(
+        "penetration", record.penetration, "worst penetration",
+        touched ? fmt::format("{} at rest, {}", meters(record.touching.at_rest), at_impact) : "no contacts");
+    out.number("penetration_at_rest", record.touching.at_rest);
+    out.number("penetration_at_impact", impact.depth);
+    out.number("penetration_at_impact_step", impact.step);
+    out.number("penetration_at_impact_speed", impact.speed);
     out.number("joint_error", record.joint_error, "worst joint error",
                scene.joints().empty() ? "no joints" : meters(record.joint_error));
     if (record.has_residual) {
@@ -113,8 +140,9 @@ void describe_energy(const Scene& scene, const RunRecord& record, FieldList& out
 {
     const double change = relative(record.last.energy() - record.first.energy(), record.energy_scale);
     const double rise = relative(record.energy_peak_rise, record.energy_scale);
-    const char* meaning =
-        scene.conservative ? "lossless scene: should stay 0" : "friction, impacts or motors act";
+    const char* meaning = scene.conservative
+                              ? "nothing here takes energy: a drift is the stepper's error at this step size"
+                              : "friction, impacts or motors act";
     out.number("energy_start", record.first.energy());
     out.number("energy_end", record.last.energy());
     out.number("energy_change", change, "energy drift",
@@ -130,8 +158,10 @@ void describe_momentum(const Scene& scene, const RunRecord& record, FieldList& o
     const double spin = relative(record.spin_drift, record.spin_scale);
     const std::string text =
         scene.isolated
-            ? fmt::format("linear {:.1e}, angular {:.1e} relative (isolated scene: should stay 0)", linear,
-                          spin)
+            ? fmt::format(
+                  "linear {:.1e}, angular {:.1e} relative (nothing acts from outside: a drift is the "
+                  "stepper's error)",
+                  linear, spin)
             : fmt::format("not an isolated scene: supports gave up to {:.3g} kg m/s against gravity",
                           record.momentum_drift);
     out.number("momentum_drift", record.momentum_drift, "momentum drift", text);
@@ -151,7 +181,7 @@ std::vector<Field> describe(const Scene& scene, const RunPlan& plan, const RunRe
     describe_setting(scene, plan, record, outcome, out);
     describe_size(scene, record, out);
     describe_time(record, out);
-    describe_errors(scene, record, out);
+    describe_errors(scene, plan, record, out);
     describe_energy(scene, record, out);
     describe_momentum(scene, record, out);
     out.number("nans", record.not_finite, "NaNs", fmt::format("{}", record.not_finite));

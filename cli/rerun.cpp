@@ -9,6 +9,7 @@
 
 #include "cli/about.h"
 #include "cli/comparison.h"
+#include "cli/interrupt.h"
 #include "cli/plan.h"
 #include "cli/progress.h"
 #include "record/rerun.h"
@@ -33,7 +34,7 @@ int rerun(const ReplayOptions& options, const record::Recording& was)
 {
     scenes::Stepper stepper;
     if (!options.stepper.empty() && !scenes::stepper_named(options.stepper, stepper))
-        return refuse(scenes::no_such_stepper(options.stepper));
+        return refuse(no_such_stepper(options.stepper));
     if (const std::string why = hindrance(was); !why.empty())
         return refuse(fmt::format("'{}': {}", options.file, why));
     const bool other = !options.stepper.empty() || options.iterations >= 0;
@@ -47,8 +48,10 @@ int rerun(const ReplayOptions& options, const record::Recording& was)
         run.run(now, [&](size_t step) { progress.show(int(step), now.steps.back().contacts.size()); });
     if (!whole) return complain(options.file, run.problem());
     std::string problem;
+    const Interruptible file_is_made_whole;
     if (!options.output.empty() && !record::write_file(now, options.output, problem))
         return complain(options.output, problem);
+    if (interruption()) return interruption_code();
 
     FieldList out;
     out.string("program", was.about_value("program"), "program", was.about_value("program"));

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The run itself: settle what was asked, step, watch, report. Files are opened before the first step, so that
-// a wrong path costs no time.
+// The run itself: settle what was asked, step, watch, report. Files are tried before the first step, so that
+// a wrong path costs no time, and closed before the report, which may go to a pipe that nobody reads.
 #include "cli/run.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "cli/console.h"
 #include "cli/export.h"
+#include "cli/interrupt.h"
 #include "cli/outputs.h"
+#include "cli/paths.h"
 #include "cli/picture.h"
 #include "cli/progress.h"
 #include "cli/report.h"
@@ -25,13 +28,13 @@ namespace epode::cli {
 
 namespace {
 
-// Runs until done, or until numbers stop being numbers: what follows would say nothing. The rows of the trace
-// are written as they come.
+// Runs until done, interrupted, or numbers stop being numbers: what follows would say nothing. The rows of
+// the trace are written as they come.
 void simulate(scenes::Scene& scene, const RunPlan& plan, scenes::RunRecord& record, Trace& trace,
               Outputs& outputs, Video& video, Outcome& outcome, bool quiet)
 {
     Progress progress(scene.recipe().name, plan.steps, !quiet);
-    for (int i = 0; i < plan.steps; ++i) {
+    for (int i = 0; i < plan.steps && !interruption(); ++i) {
         outcome.step_failed = !scene.step(plan.stepper, plan.dt);
         const scenes::Quality quality = record.observe(scene);
         trace.add(scene, quality, record);
@@ -46,16 +49,31 @@ bool write_picture(const scenes::Scene& scene, const std::string& path)
 {
     std::string problem;
     if (path.empty() || save_picture(scene, path, problem)) return true;
-    fmt::print(stderr, "epode: cannot write the picture '{}': {}\n", path, problem);
+    warn("cannot write the picture '{}': {}", path, problem);
     return false;
 }
 
 bool close_video(Video& video, const std::string& path)
 {
     const bool filmed = video.close();
-    if (!filmed) fmt::print(stderr, "epode: cannot make the video '{}': {}\n", path, video.problem());
-    if (!video.remark().empty()) fmt::print(stderr, "epode: {}\n", video.remark());
+    if (!filmed) warn("cannot make the video '{}': {}", path, video.problem());
+    if (!video.remark().empty()) warn("{}", video.remark());
     return filmed;
+}
+
+int fail(const char* what, const std::string& path, const std::string& why)
+{
+    warn("cannot {} '{}': {}", what, path, why);
+    return kProblem;
+}
+
+// What the files hold that were being written when the signal came.
+int say_interrupted(const RunOptions& options, const scenes::RunRecord& record, const RunPlan& plan)
+{
+    warn("interrupted after step {} of {}", record.steps, plan.steps);
+    for (const std::string& path : options.records)
+        warn("'{}' is whole and has the {} states until then", path, record.steps + 1);
+    return interruption_code();
 }
 
 int carry_out(const RunOptions& options, const scenes::Recipe& recipe, const RunPlan& plan)
@@ -63,25 +81,21 @@ int carry_out(const RunOptions& options, const scenes::Recipe& recipe, const Run
     scenes::Runtime runtime;
     scenes::MessageCounter messages;
     scenes::Scene scene(recipe, plan.seed);
-    scene.set_iterations(plan.iterations);
+    std::string problem;
+    if (!set_up(scene, plan, problem)) return refuse(problem);
 
+    const Interruptible files_are_made_whole;
     Trace trace;
-    if (!options.trace.empty() && !trace.open(options.trace, scene)) {
-        fmt::print(stderr, "epode: cannot write the trace '{}': {}\n", options.trace, trace.problem());
-        return kProblem;
-    }
-
+    if (!options.trace.empty() && !trace.open(options.trace, scene))
+        return fail("write the trace", options.trace, trace.problem());
     Outputs outputs;
     if (!outputs.open(options, plan, scene)) {
-        fmt::print(stderr, "epode: {}\n", outputs.problem());
+        warn("{}", outputs.problem());
         return kProblem;
     }
-
     Video video;
-    if (!options.video.empty() && !video.open(options.video, options.fps, scene)) {
-        fmt::print(stderr, "epode: cannot make the video '{}': {}\n", options.video, video.problem());
-        return kProblem;
-    }
+    if (!options.video.empty() && !video.open(options.video, options.fps, scene))
+        return fail("make the video", options.video, video.problem());
 
     scenes::RunRecord record(scene);
     Outcome outcome;
@@ -91,19 +105,39 @@ int carry_out(const RunOptions& options, const scenes::Recipe& recipe, const Run
 
     const bool drawn = write_picture(scene, options.picture);
     const bool traced = trace.close();
-    if (!traced)
-        fmt::print(stderr, "epode: cannot write the trace '{}': {}\n", options.trace, trace.problem());
-
+    if (!traced) fail("write the trace", options.trace, trace.problem());
     const bool filmed = close_video(video, options.video);
     const bool recorded = outputs.close();
-    if (!recorded) fmt::print(stderr, "epode: {}\n", outputs.problem());
+    if (!recorded) warn("{}", outputs.problem());
 
     const auto fields = describe(scene, plan, record, outcome);
-    fmt::print("{}", options.json ? as_json(fields) : as_table(fields));
-    if (record.not_finite > 0) fmt::print(stderr, "epode: {} bodies are not finite\n", record.not_finite);
-    if (outcome.step_failed) fmt::print(stderr, "epode: the library reports that the step failed\n");
-    return drawn && traced && filmed && recorded && record.not_finite == 0 && !outcome.step_failed ? kFine
-                                                                                                   : kProblem;
+    put(options.json ? as_json(fields) : as_table(fields));
+    if (record.not_finite > 0) warn("{} bodies are not finite", record.not_finite);
+    if (outcome.step_failed) warn("the library reports that the step failed");
+    if (!(drawn && traced && filmed && recorded && record.not_finite == 0 && !outcome.step_failed))
+        return kProblem;
+    return interruption() ? say_interrupted(options, record, plan) : int(kFine);
+}
+
+// Of all files at once, before anything is done. No two of them may be one.
+bool check_paths(const RunOptions& options, int& code)
+{
+    std::vector<std::string> paths = options.records;
+    for (const std::string& path : {options.trace, options.picture, options.video}) {
+        if (!path.empty()) paths.push_back(path);
+    }
+    std::string problem;
+    for (size_t i = 0; i < paths.size(); ++i) {
+        if (std::count(paths.begin(), paths.end(), paths[i]) > 1) {
+            code = refuse(fmt::format("'{}' is named for two files", paths[i]));
+            return false;
+        }
+        if (!can_write(paths[i], problem)) {
+            code = complain(paths[i], problem);
+            return false;
+        }
+    }
+    return true;
 }
 
 }  // namespace
@@ -122,7 +156,8 @@ int run(const RunOptions& options)
         return refuse("this build has no viewer, so --picture is not to be had");
     if (!options.video.empty() && !Video::possible())
         return refuse("this build has no viewer, so --video is not to be had");
-    return carry_out(options, *recipe, plan);
+    int code = kFine;
+    return check_paths(options, code) ? carry_out(options, *recipe, plan) : code;
 }
 
 int list_scenes()
@@ -131,7 +166,7 @@ int list_scenes()
     for (const scenes::Recipe* recipe : scenes::all_recipes())
         width = std::max(width, std::string(recipe->name).size());
     for (const scenes::Recipe* recipe : scenes::all_recipes())
-        fmt::print("{:<{}}  {}\n", recipe->name, width, recipe->description);
+        say("{:<{}}  {}\n", recipe->name, width, recipe->description);
     return kFine;
 }
 

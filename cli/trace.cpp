@@ -23,15 +23,15 @@ bool Trace::open(const std::string& path, const scenes::Scene& scene)
         problem_ = std::strerror(errno);
         return false;
     }
-    fmt::print(file_, "time,energy,kinetic,penetration,joint_error,residual,ms,contacts");
-    for (size_t i = 0; i < scene.tracked.size(); ++i) fmt::print(file_, ",x{0},y{0},z{0}", i);
-    fmt::print(file_, "\n");
+    std::string line = "time,energy,kinetic,penetration,joint_error,residual,ms,contacts";
+    for (size_t i = 0; i < scene.tracked.size(); ++i) line += fmt::format(",x{0},y{0},z{0}", i);
+    put_line(line);
     return true;
 }
 
 void Trace::add(const scenes::Scene& scene, const scenes::Quality& quality, const scenes::RunRecord& record)
 {
-    if (!file_ || std::ferror(file_)) return;
+    if (!file_ || !problem_.empty()) return;
     std::string line = fmt::format("{:.9g},{:.9g},{:.9g},{:.6g},{:.6g},", scene.time(), quality.energy(),
                                    quality.kinetic, quality.penetration, quality.joint_error);
     if (record.has_residual) line += fmt::format("{:.6g}", record.last_residual);
@@ -40,18 +40,22 @@ void Trace::add(const scenes::Scene& scene, const scenes::Quality& quality, cons
         const dReal* pos = dBodyGetPosition(body);
         line += fmt::format(",{:.9g},{:.9g},{:.9g}", pos[0], pos[1], pos[2]);
     }
-    line += '\n';
-    std::fwrite(line.data(), 1, line.size(), file_);
+    put_line(line);
+}
+
+// The reason of the first failure: errno says something else by the time the file is closed.
+void Trace::put_line(const std::string& line)
+{
+    const bool written = std::fwrite(line.data(), 1, line.size(), file_) == line.size();
+    if (!(written && std::fputc('\n', file_) != EOF)) problem_ = std::strerror(errno);
 }
 
 bool Trace::close()
 {
     if (!file_) return true;
-    const bool written = !std::ferror(file_);
-    const bool closed = std::fclose(file_) == 0;
-    if (!written || !closed) problem_ = errno ? std::strerror(errno) : "write error";
+    if (std::fclose(file_) != 0 && problem_.empty()) problem_ = std::strerror(errno);
     file_ = nullptr;
-    return written && closed;
+    return problem_.empty();
 }
 
 }  // namespace epode::cli

@@ -27,6 +27,7 @@ class Trace {
     const std::string& problem() const { return problem_; }
 
   private:
+    void put_line(const std::string& line);
     std::FILE* file_ = nullptr;
     std::string problem_;
 };

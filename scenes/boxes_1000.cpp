@@ -3,7 +3,9 @@
 //
 // Boxes-1000, the benchmark scene: a loose 10 x 10 x 10 grid of unit boxes dropped into a pit, dt 1/60,
 // friction 0.6. Layers are shifted and turned a little so that nothing balances by symmetry. It falls, crowds
-// and comes to rest: collision and contact rows in one figure.
+// and comes to rest: collision and contact rows in one figure. Boxes arrive at up to 10 m/s, 0.17 m a step:
+// so deep are contacts in ODE's way, which first sees two boxes when they overlap. The report counts that as
+// penetration at impact.
 #include "scenes/build.h"
 
 namespace epode::scenes {

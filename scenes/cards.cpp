@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Card house: three storeys of thin boards leaning on each other in pairs, with boards laid across. It stands
-// by friction alone: a stepper whose friction creeps, or whose contacts push, brings it down within seconds.
+// Card house: three storeys of thin boards leaning on each other in pairs, with boards laid across. Only
+// friction holds it up: a stepper whose friction creeps, or whose contacts push, brings it down within
+// seconds, as QuickStep's 20 sweeps do.
 #include <cmath>
 
 #include "scenes/build.h"
@@ -58,7 +59,7 @@ void build(Scene& scene)
 
 extern const Recipe kCards = {
     .name = "cards",
-    .description = "a card house of three storeys, standing by friction alone",
+    .description = "a card house of three storeys that nothing but friction holds up",
     .dt = 0.005,
     .seconds = 3,
     .stepper = Stepper::kExact,

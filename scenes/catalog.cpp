@@ -37,4 +37,11 @@ std::string scene_names()
     return names;
 }
 
+std::vector<std::string> scene_list()
+{
+    std::vector<std::string> names;
+    for (const Recipe* recipe : all_recipes()) names.emplace_back(recipe->name);
+    return names;
+}
+
 }  // namespace epode::scenes

@@ -4,7 +4,8 @@
 // Chain: 32 capsule links on ball joints, hung from the world, with a ball of 100 times a link's mass at the
 // free end, let go horizontally. The mass ratio makes iterative solvers stretch it: at the bottom of the
 // swing the first joint holds five times the ball's weight through links that weigh almost nothing. An exact
-// solver keeps it together. Nothing collides.
+// solver keeps it together; with exact rotation and 10 parts it keeps the energy too, to 0.03 % in 5 s (7 %
+// without). Nothing collides.
 #include "scenes/build.h"
 
 namespace epode::scenes {
@@ -38,6 +39,7 @@ void build(Scene& scene)
 
     scene.tracked = {heavy};
     scene.conservative = true;
+    scene.step_precisely(10);
     add_floor(scene);
     set_view(scene, {3, -24, 7}, {1, 0, 5.4});
 }

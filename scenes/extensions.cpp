@@ -20,6 +20,20 @@ struct RawStepReport {
     int iterations, fallbacks, contained_islands;
 };
 
+struct RawMaterial {
+    dReal friction, bounce, bounce_speed;
+    dVector3 velocity;
+    dReal rolling, softness, damping_time;
+    int friction_rule, bounce_rule, rolling_rule;
+};
+
+struct RawContact {
+    dGeomID g1, g2;
+    dVector3 pos, normal;
+    dReal depth, push;
+    dVector3 friction;
+};
+
 template <class Function>
 Function find(const char* name)
 {
@@ -29,6 +43,11 @@ Function find(const char* name)
 using StepFast = int (*)(dWorldID, dReal, int);
 using SetMode = void (*)(dWorldID, int);
 using SetWarmStarting = void (*)(dWorldID, dReal);
+using Step = int (*)(dWorldID, dReal);
+using SetSpace = void (*)(dWorldID, dSpaceID);
+using GetMaterial = int (*)(dGeomID, RawMaterial*);
+using SetMaterial = int (*)(dGeomID, const RawMaterial*);
+using GetContacts = int (*)(dWorldID, RawContact*, int);
 using GetReport = int (*)(dWorldID, RawStepReport*);
 
 StepFast fast_function()
@@ -41,9 +60,81 @@ StepFast fast_function()
 
 bool has_step_fast() { return fast_function() != nullptr; }
 
-int step_fast(dWorldID world, dReal dt, int small_steps)
+int step_fast(dWorldID world, dReal dt, int substeps)
 {
-    return has_step_fast() ? fast_function()(world, dt, small_steps) : 0;
+    return has_step_fast() ? fast_function()(world, dt, substeps) : 0;
+}
+
+bool has_step_hybrid() { return find<Step>("dWorldStepHybrid") != nullptr; }
+
+int step_hybrid(dWorldID world, dReal dt, int substeps)
+{
+    static const Step function = find<Step>("dWorldStepHybrid");
+    static const SetMode set_substeps = find<SetMode>("dWorldSetHybridSmallSteps");
+    if (!function || !set_substeps) return 0;
+    set_substeps(world, substeps);
+    return function(world, dt);
+}
+
+bool has_managed_contacts() { return find<SetSpace>("dWorldSetContactSpace") != nullptr; }
+
+void set_contact_space(dWorldID world, dSpaceID space)
+{
+    static const SetSpace function = find<SetSpace>("dWorldSetContactSpace");
+    if (function) function(world, space);
+}
+
+void set_material(dGeomID geom, const dSurfaceParameters& surface)
+{
+    static const GetMaterial get = find<GetMaterial>("dGeomGetMaterial");
+    static const SetMaterial set = find<SetMaterial>("dGeomSetMaterial");
+    RawMaterial material;
+    if (!get || !set || !get(geom, &material)) return;
+    material.friction = surface.mu;
+    if (surface.mode & dContactBounce) {
+        material.bounce = surface.bounce;
+        material.bounce_speed = surface.bounce_vel;
+    }
+    set(geom, &material);
+}
+
+std::vector<ManagedContact> managed_contacts(dWorldID world)
+{
+    static const GetContacts function = find<GetContacts>("dWorldGetContacts");
+    if (!function) return {};
+    std::vector<RawContact> raw(size_t(function(world, nullptr, 0)));
+    function(world, raw.data(), int(raw.size()));
+    std::vector<ManagedContact> contacts;
+    contacts.reserve(raw.size());
+    for (const RawContact& from : raw) {
+        ManagedContact& to = contacts.emplace_back();
+        to.geom1 = from.g1;
+        to.geom2 = from.g2;
+        to.depth = double(from.depth);
+        to.push = double(from.push);
+        for (int k = 0; k < 3; ++k) {
+            to.pos[k] = double(from.pos[k]);
+            to.normal[k] = double(from.normal[k]);
+            to.friction[k] = double(from.friction[k]);
+        }
+    }
+    return contacts;
+}
+
+bool set_exact_rotation(dWorldID world, bool on)
+{
+    static const SetMode function = find<SetMode>("dWorldSetExactRotation");
+    if (!function) return false;
+    function(world, on ? 1 : 0);
+    return true;
+}
+
+bool set_exact_substeps(dWorldID world, int parts)
+{
+    static const SetMode function = find<SetMode>("dWorldSetExactSubsteps");
+    if (!function) return false;
+    function(world, parts);
+    return true;
 }
 
 bool has_step_threads() { return find<SetMode>("dWorldSetStepThreads") != nullptr; }
@@ -98,6 +189,8 @@ bool set_step_projection(dWorldID world, int iterations)
     function(world, iterations);
     return true;
 }
+
+const char* loaded_library_kind() { return has_managed_contacts() ? "Epode" : "ODE"; }
 
 std::string loaded_library()
 {

@@ -10,6 +10,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace epode::scenes {
 
@@ -22,7 +23,24 @@ struct StepReport {
 
 bool has_step_fast();
 // dWorldStepFast1; 0 where the library has none.
-int step_fast(dWorldID world, dReal dt, int small_steps);
+int step_fast(dWorldID world, dReal dt, int substeps);
+bool has_step_hybrid();
+// dWorldStepHybrid; 0 where the library has none.
+int step_hybrid(dWorldID world, dReal dt, int substeps);
+
+// Contacts that the world manages (ode/contacts.h).
+struct ManagedContact {
+    dGeomID geom1, geom2;
+    double pos[3], normal[3];  // the normal points into geom1
+    double depth;              // at the step's beginning; below 0: still apart then
+    double push;               // along the normal, N
+    double friction[3];        // on geom1, N
+};
+bool has_managed_contacts();
+void set_contact_space(dWorldID world, dSpaceID space);
+// Friction and bounce of contact joints with that surface, as a material.
+void set_material(dGeomID geom, const dSurfaceParameters& surface);
+std::vector<ManagedContact> managed_contacts(dWorldID world);
 
 // Residuals cost time, so a world reports only when asked to. False where the library cannot.
 bool request_step_report(dWorldID world, bool on);
@@ -34,11 +52,17 @@ bool set_warm_starting(dWorldID world, double factor);
 // How often joints are closed after each step, at most; 0: never. False where the library cannot.
 bool set_step_projection(dWorldID world, int iterations);
 
+// How dWorldStep turns bodies, and into how many parts it divides its step. False where the library cannot.
+bool set_exact_rotation(dWorldID world, bool on);
+bool set_exact_substeps(dWorldID world, int parts);
+
 // How many threads a world's steps use. False where the library cannot.
 bool has_step_threads();
 bool set_step_threads(dWorldID world, int threads);
 
 // The file of the libode that this process runs on, "statically linked" when there is none.
 std::string loaded_library();
+// Whose it is: "Epode", or "ODE" for the original.
+const char* loaded_library_kind();
 
 }  // namespace epode::scenes

@@ -163,7 +163,7 @@ Quality measure(const Scene& scene)
     return quality;
 }
 
-RunRecord::RunRecord(const Scene& scene) : first(measure(scene)), last(first)
+RunRecord::RunRecord(const Scene& scene) : first(measure(scene)), last(first), touching(scene)
 {
     has_residual = request_step_report(scene.world(), true);
     energy_scale = first.kinetic;
@@ -172,6 +172,7 @@ RunRecord::RunRecord(const Scene& scene) : first(measure(scene)), last(first)
 Quality RunRecord::observe(const Scene& scene)
 {
     last = measure(scene);
+    touching.observe(scene);
     ++steps;
     times.push_back(scene.times());
     contacts_sum += double(scene.contacts().size());

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The quality of a state, by the public API only, so that any library is judged by the same ruler.
-//   penetration   the deepest contact of the last collision pass, m
+//   penetration   the deepest contact of the last collision pass, m; touching.h parts rest from impact
 //   joint error   the distance that a joint lets its two anchors part, m; along a slider's axis and a
 //   suspension's travel they may energy        kinetic, 1/2 m v.v + 1/2 w.I w, and potential, -m g.x; springs
 //   (soft constraints) are not counted momentum      linear sum m v; angular about the common centre of mass,
@@ -11,6 +11,7 @@
 #pragma once
 
 #include "scenes/scene.h"
+#include "scenes/touching.h"
 
 namespace epode::scenes {
 
@@ -57,6 +58,7 @@ class RunRecord {
     double momentum_drift = 0;    // worst |p - p0 - m g t|
     double spin_drift = 0;        // worst |L - L0|
     double momentum_scale = 0, spin_scale = 0;
+    Touching touching;
 
     double contacts_mean() const { return steps ? contacts_sum / steps : 0; }
 };

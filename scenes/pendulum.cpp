@@ -2,7 +2,9 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Pendulum: a steel ball on a light rod, one body, hinged to the world and let go at 60 degrees. Not chaotic
-// and without loss, so energy and period tell the integrator's error. The period of the small swing is 2 pi
+// and without loss, so energy and period tell the integrator's error: 3.9 % of the energy moved in 10 s with
+// ODE's step, which is of first order, 0.07 % with the exact rotation and 50 parts that the exact stepper has
+// here. The period of the small swing is 2 pi
 // sqrt(I / (m g l)), here about 2.1 s; at 60 degrees 7 % longer.
 #include "scenes/build.h"
 
@@ -23,6 +25,7 @@ void build(Scene& scene)
     add_hinge(scene, bob, nullptr, pivot, kY);
 
     scene.conservative = true;
+    scene.step_precisely(50);
     add_floor(scene);
     set_view(scene, {1.6, -5.2, 2.1}, {0.1, 0, 1.25});
 }

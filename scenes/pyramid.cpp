@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Pyramid: 15 rows of boxes, 120 in all, each standing on two below, one box thick. It should stand still for
+// Pyramid: 15 rows of boxes, 120 in all, each standing on two below, one box thick. It should stand for
 // ever; creep and sway show how much error a stepper leaves each step, since the weight of 14 rows goes
 // through every box of the lowest.
 #include "scenes/build.h"
@@ -32,7 +32,7 @@ void build(Scene& scene)
 
 extern const Recipe kPyramid = {
     .name = "pyramid",
-    .description = "120 boxes in 15 rows, one box thick, standing still",
+    .description = "120 boxes in 15 rows, one box thick, which should stand for ever",
     .dt = 0.01,
     .seconds = 5,
     .stepper = Stepper::kQuick,

@@ -2,8 +2,10 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Satellite: six bodies joined by every articulated joint type tumble in empty space, with no gravity and
-// nothing to touch. Whatever the joints do inside, linear and angular momentum of the whole must stay: any
-// drift is an error of the library.
+// nothing to touch. Whatever the joints do inside, linear and angular momentum of the whole are conserved by
+// the motion: what drifts is the stepper's error. Linear momentum stays to rounding with all of them; angular
+// momentum to 4e-4 in 10 s with ODE's step, to 5e-6 with the exact rotation and 20 parts of the exact
+// stepper. Energy goes where the stops of the panel and the rail are met.
 #include "scenes/build.h"
 
 namespace epode::scenes {
@@ -35,6 +37,7 @@ void build(Scene& scene)
     set_velocity(left, {}, {0, 1.0, 0});
     set_velocity(hub, {}, {0.3, 0.2, 0.5});
     for (dBodyID body : scene.bodies()) set_bits(body, 1, 0);
+    scene.step_precisely(20);
     scene.isolated = true;
     scene.tracked = {hub};
     set_view(scene, {-3.2, -6.5, 4.2}, {0, 0, 2.4});
@@ -44,7 +47,7 @@ void build(Scene& scene)
 
 extern const Recipe kSatellite = {
     .name = "satellite",
-    .description = "six jointed bodies tumbling in empty space: momentum must stay",
+    .description = "six jointed bodies tumbling in empty space, where momentum is conserved",
     .dt = 0.005,
     .seconds = 10,
     .stepper = Stepper::kExact,

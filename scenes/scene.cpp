@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMaxContactsPerPair = 32;
 constexpr int kDefaultSweeps = 20;
-constexpr int kDefaultSmallSteps = 4;
+constexpr int kDefaultSubsteps = 4;
 
 using Clock = std::chrono::steady_clock;
 
@@ -38,13 +38,15 @@ const char* name_of(Stepper stepper)
             return "quick";
         case Stepper::kFast:
             return "fast";
+        case Stepper::kHybrid:
+            return "hybrid";
     }
     return "";
 }
 
 bool stepper_named(const std::string& name, Stepper& stepper)
 {
-    for (Stepper candidate : {Stepper::kExact, Stepper::kQuick, Stepper::kFast}) {
+    for (Stepper candidate : kSteppers) {
         if (name == name_of(candidate)) {
             stepper = candidate;
             return true;
@@ -55,10 +57,20 @@ bool stepper_named(const std::string& name, Stepper& stepper)
 
 std::string no_such_stepper(const std::string& name)
 {
-    return "there is no stepper '" + name + "'. Steppers: exact quick fast";
+    return "there is no stepper '" + name + "'. Steppers: exact quick fast hybrid";
 }
 
-bool available(Stepper stepper) { return stepper != Stepper::kFast || has_step_fast(); }
+bool available(Stepper stepper)
+{
+    if (stepper == Stepper::kHybrid) return has_step_hybrid();
+    return stepper != Stepper::kFast || has_step_fast();
+}
+
+Setting recommended(const Recipe& recipe)
+{
+    const bool game = recipe.stepper == Stepper::kQuick && has_managed_contacts() && has_step_fast();
+    return game ? Setting{Stepper::kFast, true} : Setting{recipe.stepper, false};
+}
 
 Runtime::Runtime()
 {
@@ -158,11 +170,49 @@ int Scene::advance(Stepper stepper, double dt)
 {
     const dReal h = dReal(dt);
     if (stepper == Stepper::kExact) return dWorldStep(world_, h);
-    if (stepper == Stepper::kFast) {
-        return step_fast(world_, h, iterations_ > 0 ? iterations_ : kDefaultSmallSteps);
-    }
+    const int substeps = iterations_ > 0 ? iterations_ : kDefaultSubsteps;
+    if (stepper == Stepper::kFast) return step_fast(world_, h, substeps);
+    if (stepper == Stepper::kHybrid) return step_hybrid(world_, h, substeps);
     dWorldSetQuickStepNumIterations(world_, iterations_ > 0 ? iterations_ : kDefaultSweeps);
     return dWorldQuickStep(world_, h);
+}
+
+bool Scene::manage_contacts(std::string& problem)
+{
+    if (!has_managed_contacts()) problem = loaded_library() + " has no contacts that the world manages";
+    if (contact_copies != 1 || on_contact)
+        problem = std::string("the scene '") + recipe_.name +
+                  "' makes contacts of its own, which the world would not: it cannot be run with --managed";
+    if (!problem.empty()) return false;
+    set_contact_space(world_, space_);
+    managed_ = true;
+    return true;
+}
+
+void Scene::step_precisely(int parts)
+{
+    parts_ = set_exact_rotation(world_, true) && set_exact_substeps(world_, parts) ? parts : 0;
+}
+
+void Scene::set_materials()
+{
+    for (; materials_ < geoms_.size(); ++materials_) set_material(geoms_[materials_], surface);
+}
+
+void Scene::read_managed_contacts()
+{
+    contacts_.clear();
+    for (const ManagedContact& from : managed_contacts(world_)) {
+        ContactRecord& to = contacts_.emplace_back();
+        to.geom1 = from.geom1;
+        to.geom2 = from.geom2;
+        to.depth = from.depth;
+        for (int k = 0; k < 3; ++k) {
+            to.pos[k] = from.pos[k];
+            to.normal[k] = from.normal[k];
+            to.force[k] = from.push * from.normal[k] + from.friction[k];
+        }
+    }
 }
 
 bool Scene::step(Stepper stepper, double dt)
@@ -170,14 +220,19 @@ bool Scene::step(Stepper stepper, double dt)
     for (auto& hook : hooks_) hook(time_, dt);
     contacts_.clear();
     feedback_.clear();
+    if (managed_) set_materials();
 
     const auto start = Clock::now();
-    dSpaceCollide(space_, this, &near_callback);
+    if (!managed_) dSpaceCollide(space_, this, &near_callback);
     const auto collided = Clock::now();
     const int ok = advance(stepper, dt);
     const auto stepped = Clock::now();
-    read_forces();
-    dJointGroupEmpty(contact_group_);
+    if (managed_) {
+        read_managed_contacts();
+    } else {
+        read_forces();
+        dJointGroupEmpty(contact_group_);
+    }
     const auto emptied = Clock::now();
 
     times_ = {milliseconds(start, collided), milliseconds(collided, stepped), milliseconds(stepped, emptied)};

@@ -18,12 +18,13 @@
 
 namespace epode::scenes {
 
-enum class Stepper { kExact, kQuick, kFast };
+enum class Stepper { kExact, kQuick, kFast, kHybrid };
+constexpr Stepper kSteppers[] = {Stepper::kExact, Stepper::kQuick, Stepper::kFast, Stepper::kHybrid};
 const char* name_of(Stepper stepper);
 bool stepper_named(const std::string& name, Stepper& stepper);
 // The message where there is none of that name.
 std::string no_such_stepper(const std::string& name);
-// dWorldStepFast1 is not in every library; the other two are.
+// dWorldStepFast1 and dWorldStepHybrid are not in every library; the other two are.
 bool available(Stepper stepper);
 
 class Scene;
@@ -33,9 +34,18 @@ struct Recipe {
     const char* description;
     double dt;
     double seconds;
-    Stepper stepper;
+    Stepper stepper;  // in ODE's way, on any library: exact for mechanisms, quick for many bodies in contact
     void (*build)(Scene&);
 };
+
+// How a scene is stepped where nobody says otherwise: as the guide recommends (docs/guide/steppers.md).
+// Mechanisms exactly; many bodies in contact, as in games, in substeps with contacts that the world manages,
+// or where the library has none of that, in ODE's way.
+struct Setting {
+    Stepper stepper;
+    bool managed;
+};
+Setting recommended(const Recipe& recipe);
 
 struct ContactRecord {
     dGeomID geom1, geom2;
@@ -98,9 +108,13 @@ class Scene {
     const std::vector<dGeomID>& geoms() const { return geoms_; }
     const std::vector<JointRecord>& joints() const { return joints_; }
 
-    // Sweeps of dWorldQuickStep, small steps of dWorldStepFast1; the exact stepper has none. 0: the defaults,
-    // 20 and 4.
+    // Sweeps of dWorldQuickStep, substeps of dWorldStepFast1 and dWorldStepHybrid; the exact stepper has
+    // none. 0: the defaults, 20 and 4.
     void set_iterations(int iterations) { iterations_ = iterations; }
+    // The world finds its contacts itself (ode/contacts.h) from now on, with materials in place of `surface`.
+    // False, and why: the library cannot, or the scene makes contacts that the world would not.
+    bool manage_contacts(std::string& problem);
+    bool manages_contacts() const { return managed_; }
     // Whether contact records tell the forces of the step; it costs a little time.
     void want_forces(bool wanted) { want_forces_ = wanted; }
     // False when the library reports that the step failed.
@@ -118,7 +132,11 @@ class Scene {
 
     // What the recipe knows about its own physics, for whoever judges the run.
     bool isolated = false;      // nothing acts but its own bodies: momentum must stay
-    bool conservative = false;  // no friction, no motor, no impact: energy must stay
+    bool conservative = false;  // no friction, no motor, no impact: the motion itself keeps energy
+    // For scenes that say so: dWorldStep turns bodies exactly and divides its step into so many parts, where
+    // the library can. Then the exact stepper keeps what the motion keeps.
+    void step_precisely(int parts);
+    int precise_parts() const { return parts_; }  // 0: as ODE does
     std::vector<dBodyID> tracked;
     View view;
 
@@ -128,6 +146,8 @@ class Scene {
     void make_contact(dBodyID body1, dBodyID body2, dContact& contact);
     int advance(Stepper stepper, double dt);
     void read_forces();
+    void set_materials();
+    void read_managed_contacts();
 
     const Recipe& recipe_;
     std::uint32_t seed_;
@@ -136,6 +156,9 @@ class Scene {
     dJointGroupID contact_group_;
     double time_ = 0;
     int iterations_ = 0;
+    bool managed_ = false;
+    int parts_ = 0;
+    size_t materials_ = 0;  // geoms that have theirs
     std::vector<dBodyID> bodies_;
     std::vector<dGeomID> geoms_;
     std::vector<JointRecord> joints_;
@@ -152,5 +175,7 @@ const std::vector<const Recipe*>& all_recipes();
 const Recipe* find_recipe(const std::string& name);
 // All names, a space before each: for messages.
 std::string scene_names();
+// The same as a list.
+std::vector<std::string> scene_list();
 
 }  // namespace epode::scenes
