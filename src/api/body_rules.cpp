@@ -20,7 +20,7 @@ bool take_sleep_rule(Body& body)
     if (!set_sleep_samples(body, world.sleep.samples)) return false;
     body.sleep = world.sleep;
     watch(body, world.auto_disable);
-    if (!world.auto_disable) body.disabled = false;
+    if (!world.auto_disable) enable(body);
     return true;
 }
 

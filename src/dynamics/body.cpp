@@ -6,6 +6,7 @@
 #include "dynamics/body.h"
 
 #include "base/pool.h"
+#include "dynamics/active.h"
 #include "dynamics/joint.h"
 #include "dynamics/world.h"
 
@@ -51,6 +52,7 @@ Body* create_body(World& world)
         return nullptr;
     }
     body->serial = ++world.bodies_made;
+    activate(*body);
     return body;
 }
 
@@ -107,7 +109,7 @@ bool set_auto_disable(Body& body, bool on)
 {
     if (!on) {
         if (!set_sleep_samples(body, body.world->sleep.samples)) return false;
-        body.disabled = false;
+        enable(body);
         body.sleep.steps = body.world->sleep.steps;
         body.sleep.time = body.world->sleep.time;
     }
@@ -127,9 +129,15 @@ bool set_sleep_samples(Body& body, int samples)
     return true;
 }
 
-void wake(Body& body)
+void enable(Body& body)
 {
     body.disabled = false;
+    activate(body);
+}
+
+void wake(Body& body)
+{
+    enable(body);
     body.idle_steps_left = body.sleep.steps;
     body.idle_time_left = body.sleep.time;
 }

@@ -125,6 +125,7 @@ void set_dynamic(Body& body);
 void watch(Body& body, bool on);                           // sets `auto_disable`, no more
 [[nodiscard]] bool set_auto_disable(Body& body, bool on);  // false: no memory, nothing changed
 [[nodiscard]] bool set_sleep_samples(Body& body, int samples);
-void wake(Body& body);  // clears `disabled` and reloads the idle counters
+void enable(Body& body);  // clears `disabled`
+void wake(Body& body);    // and reloads the idle counters
 
 }  // namespace epode

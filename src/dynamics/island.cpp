@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Depth-first search with an explicit stack from each awake body, newest first. The order of bodies and
-// joints is a function of the calls that built the world only. Union-find would do as well; the search yields
-// bodies in an order in which neighbours are close in memory.
-// Joints come by the ten thousand, mostly contacts, and lie apart in memory: one walk along the world's
-// roster finds out all that is asked of them here. Joints that follow each other there between the same two
-// bodies, as the contacts of a pair do, are one bond; the search goes over bonds, two in a line of the cache.
-// Bodies themselves it does not touch: neighbours in a pile are none in memory.
+// Depth-first search with an explicit stack from each awake body, newest first, among the active ones
+// (dynamics/active); where a joint leads behind these, what is there is made active first. The order of
+// bodies and joints is a function of the calls that built the world only. Union-find would do as well; the
+// search yields bodies in an order in which neighbours are close in memory. Joints come by the ten thousand,
+// mostly contacts, and lie apart in memory: one walk along the world's roster finds out all that is asked of
+// them here. Bodies are numbered in the order of that walk. Joints that follow each other there between the
+// same two bodies, as the contacts of a pair do, are one bond; the search goes over bonds, two in a line of
+// the cache. Bodies themselves it does not touch: neighbours in a pile are none in memory.
 #include "dynamics/island.h"
 
 #include <cstdint>
 #include <new>
 
 #include "base/ahead.h"
+#include "dynamics/active.h"
 
 namespace epode {
 namespace {
 
-// Acting joints of one pair of bodies, given by their places in the world's roster.
+// Acting joints of one pair of bodies, given by their numbers.
 struct Bond {
     int body[2];  // the second is kWorld for the static world
     int next[2];  // in the lists of the bodies
@@ -27,37 +29,38 @@ struct Bond {
     bool feedback, impulses;
 };
 
-constexpr int kWorld = -1, kNone = -1;
+constexpr int kWorld = -1, kNone = -1, kUnknown = -2;
 
 enum class Reach : std::uint8_t { kNobody, kAwake, kAsleep, kReached, kTaken };
 
-// The world as arrays. `places`: of the bodies that there are; bonds are newest first.
+// What is active, as arrays; bodies and bonds are newest first.
 class Bonds {
   public:
-    Bonds(int places, int joints, Arena& arena)
-        : bodies_(arena.take<Body*>(places)),
-          reach_(arena.take_zeroed<Reach>(places)),
-          newest_(arena.take<int>(places)),
-          patches_(arena.take<PatchEdge*>(places)),
+    Bonds(int bodies, int joints, Arena& arena)
+        : bodies_(arena.take<Body*>(bodies)),
+          reach_(arena.take<Reach>(bodies)),
+          newest_(arena.take<int>(bodies)),
+          patches_(arena.take<PatchEdge*>(bodies)),
           joints_(arena.take<Joint*>(joints)),
           bonds_(arena.take<Bond>(joints))
     {}
 
-    // Joints below `joint_places`.
-    void gather(World& world, int joint_places)
+    // Below these places; world.reached gets the bodies behind what is active. False: out of memory.
+    bool gather(World& world, int body_places, int joint_places)
     {
-        for (Body& b : world.bodies.before(int(bodies_.size()))) {
+        world.reached.clear();
+        world.bodies.for_each_active_before(body_places, [&](Body& b) {
+            const auto number = std::size_t(b.island_index = body_count_++);
             b.patches = nullptr;
-            b.island_index = -1;
-            const auto place = std::size_t(b.place);
-            bodies_[place] = &b;
-            reach_[place] = b.disabled ? Reach::kAsleep : Reach::kAwake;
-            patches_[place] = nullptr;
-            newest_[place] = kNone;
-        }
-        for (Joint& joint : world.joints.before(joint_places)) add(joint);
+            bodies_[number] = &b;
+            reach_[number] = b.disabled ? Reach::kAsleep : Reach::kAwake;
+            patches_[number] = nullptr;
+            newest_[number] = kNone;
+        });
+        world.joints.for_each_active_before(joint_places, [&](Joint& joint) { add(joint); });
         // From the oldest on, so that each list begins with the newest.
         for (int i = bond_count_; i-- > 0;) link(i);
+        return complete_;
     }
 
     // Into the lists of their bodies, in order.
@@ -66,13 +69,13 @@ class Bonds {
         for (std::size_t i = patches.size(); i-- > 0;)
             for (int side = 0; side < 2; ++side)
                 if (Body* body = patches[i].body[side]) {
-                    const int place = patches[i].place[side] = body->place;
+                    const int place = patches[i].place[side] = body->island_index;
                     patches[i].next[side] = body->patches;
                     body->patches = patches_[std::size_t(place)] = &patches[i];
                 }
     }
 
-    std::size_t places() const { return bodies_.size(); }
+    std::size_t bodies() const { return std::size_t(body_count_); }
     Body& body(std::size_t place) const { return *bodies_[place]; }
     Reach& reach(std::size_t place) { return reach_[place]; }
     // f(bond, the body's side of it), the newest first.
@@ -96,11 +99,13 @@ class Bonds {
     void add(Joint& joint)
     {
         if (joint.disabled) return;
-        const Body *body1 = joint.body1(), *body2 = joint.body2();
+        Body *body1 = joint.body1(), *body2 = joint.body2();
         if (body1 != body1_ || body2 != body2_) {
             body1_ = body1, body2_ = body2;
             acting_ = acting(joint);
             open_ = nullptr;
+            if (acting_) number1_ = number_of(*body1), number2_ = body2 ? number_of(*body2) : kWorld;
+            acting_ = acting_ && number1_ != kUnknown && number2_ != kUnknown;
         }
         if (!acting_) return;
         if (!open_ || open_->plain != joint.plain) open_bond(joint);
@@ -110,12 +115,22 @@ class Bonds {
         open_->impulses = open_->impulses || joint.impulse_rows;
     }
 
+    // Unknown are those that become active now, and what the program has made while it was asked for memory.
+    int number_of(Body& body)
+    {
+        if (!is_active(body))
+            complete_ = body.world->reached.push(&body) && complete_;
+        else if (unsigned(body.island_index) < unsigned(body_count_))
+            return body.island_index;
+        return kUnknown;
+    }
+
     void open_bond(const Joint& joint)
     {
         open_ = &bonds_[std::size_t(bond_count_++)];
         *open_ = {};
-        open_->body[0] = body1_->place;
-        open_->body[1] = body2_ ? body2_->place : kWorld;
+        open_->body[0] = number1_;
+        open_->body[1] = number2_;
         open_->first = joint_count_;
         open_->plain = joint.plain;
     }
@@ -137,10 +152,12 @@ class Bonds {
     std::span<PatchEdge*> patches_;  // the first of each body
     std::span<Joint*> joints_;
     std::span<Bond> bonds_;
-    int joint_count_ = 0, bond_count_ = 0;
-    const Body *body1_ = nullptr, *body2_ = nullptr;  // of the last joint,
-    bool acting_ = false;                             // which acts as it is not disabled
-    Bond* open_ = nullptr;                            // the last bond, if the next joint may belong to it
+    int body_count_ = 0, joint_count_ = 0, bond_count_ = 0;
+    bool complete_ = true;
+    Body *body1_ = nullptr, *body2_ = nullptr;  // of the last joint,
+    int number1_ = 0, number2_ = 0;             // their numbers,
+    bool acting_ = false;                       // which acts as it is not disabled
+    Bond* open_ = nullptr;                      // the last bond, if the next joint may belong to it
 };
 
 class Search {
@@ -152,7 +169,7 @@ class Search {
           islands_(arena.take<Island>(bodies))
     {}
 
-    // `stack`: room for all bodies' places.
+    // `stack`: room for all bodies.
     void grow_from(std::size_t seed, Bonds& bonds, std::span<int> stack)
     {
         const std::size_t first_body = body_count_, first_joint = joint_count_, first_patch = patch_count_;
@@ -207,25 +224,40 @@ class Search {
     std::size_t body_count_ = 0, joint_count_ = 0, patch_count_ = 0, island_count_ = 0;
 };
 
-}  // namespace
-
-bool find_islands(World& world, std::span<PatchEdge> patches, Arena& arena, std::span<Island>& islands)
+// If world.reached is not empty afterwards, it has to be done again.
+bool look_for_islands(World& world, std::span<PatchEdge> patches, Arena& arena, Islands& found)
 {
     // Bodies and joints that the program creates while it is asked for memory are behind these: the next
     // step's.
-    const int bodies = world.bodies.count(), places = world.bodies.places();
-    const int joints = world.joints.count(), joint_places = world.joints.places();
+    const int bodies = world.bodies.active_count(), body_places = world.bodies.places();
+    const int joints = world.joints.active_count(), joint_places = world.joints.places();
     Search search(bodies, joints, patches.size(), arena);
+    found.asleep = arena.take<Body*>(bodies);
     Arena::Scope scope(arena);
-    Bonds bonds(places, joints, arena);
+    Bonds bonds(bodies, joints, arena);
     const auto stack = arena.take<int>(bodies);
-    if (arena.failed()) return false;
-    bonds.gather(world, joint_places);
+    if (arena.failed() || !bonds.gather(world, body_places, joint_places)) return false;
+    if (!world.reached.empty()) return true;
     bonds.link(patches);
-    for (std::size_t place = bonds.places(); place-- > 0;)
-        if (bonds.reach(place) == Reach::kAwake) search.grow_from(place, bonds, stack);
-    islands = search.islands();
+    for (std::size_t i = 0; i < bonds.bodies(); ++i)
+        if (bonds.reach(i) == Reach::kAwake) search.grow_from(i, bonds, stack);
+    std::size_t asleep = 0;
+    for (std::size_t i = 0; i < bonds.bodies(); ++i)
+        if (bonds.reach(i) == Reach::kAsleep) found.asleep[asleep++] = &bonds.body(i);
+    found.asleep = found.asleep.first(asleep);
+    found.all = search.islands();
     return true;
+}
+
+}  // namespace
+
+bool find_islands(World& world, std::span<PatchEdge> patches, Arena& arena, Islands& found)
+{
+    while (look_for_islands(world, patches, arena, found)) {
+        if (world.reached.empty()) return true;
+        if (!activate_reached(world)) return false;
+    }
+    return false;
 }
 
 }  // namespace epode

@@ -18,7 +18,7 @@ struct PatchEdge {
     Body* body[2];
     PatchEdge* next[2];  // in the lists of the bodies
     Patch* patch;
-    int place[2];  // of the bodies in the world's roster; -1: the static world
+    int place[2];  // of the bodies among the active ones; -1: the static world
 };
 
 struct Island {
@@ -30,7 +30,12 @@ struct Island {
     bool impulses = false;   // are remembered by a joint
 };
 
-// `patches`: those that touch in this step. False: out of memory.
-bool find_islands(World& world, std::span<PatchEdge> patches, Arena& arena, std::span<Island>& islands);
+struct Islands {
+    std::span<Island> all;
+    std::span<Body*> asleep;  // active bodies of none
+};
+
+// `patches`: those that touch in this step, between active bodies. False: out of memory.
+bool find_islands(World& world, std::span<PatchEdge> patches, Arena& arena, Islands& found);
 
 }  // namespace epode

@@ -5,8 +5,6 @@
 // the ring has been filled once, no body is.
 #include "dynamics/sleep.h"
 
-#include "base/ahead.h"
-
 namespace epode {
 namespace {
 
@@ -40,8 +38,8 @@ void put_to_sleep(Body& body)
 void auto_disable(World& world, Real h)
 {
     if (!world.watches_bodies) return;
-    for (Body& b : world.bodies) {
-        if ((!b.joints && !b.patched) || !b.auto_disable || b.disabled || b.sleep.samples <= 0) continue;
+    world.bodies.for_each_active([&](Body& b) {
+        if ((!b.joints && !b.patched) || !b.auto_disable || b.disabled || b.sleep.samples <= 0) return;
         if (idle(b)) {
             --b.idle_steps_left;
             b.idle_time_left -= h;
@@ -50,7 +48,7 @@ void auto_disable(World& world, Real h)
             b.idle_time_left = b.sleep.time;
         }
         if (b.idle_steps_left <= 0 && b.idle_time_left <= 0) put_to_sleep(b);
-    }
+    });
 }
 
 }  // namespace epode

@@ -22,8 +22,9 @@ struct World : Tagged {
     World();
     ~World();
 
-    Roster<Body, 1> bodies;
+    Roster<Body, 1> bodies;  // which of them are active: dynamics/active
     Roster<Joint, 2> joints;
+    Array<Body*> reached;           // that are to become active, during a step
     std::uint64_t bodies_made = 0;  // gives each body its serial
     // Another number when a joint that is no contact has come to bodies, or left them.
     std::uint64_t ties = 0;

@@ -12,6 +12,7 @@
 #include <atomic>
 #include <new>
 
+#include "dynamics/active.h"
 #include "dynamics/island.h"
 #include "dynamics/sleep.h"
 #include "step/finish.h"
@@ -90,12 +91,15 @@ class WorldStep {
     {
         World& world = context_.world;
         Arena& arena = memory().arena(0);
+        if (context_.manages_contacts) activate_all(world);
         if (!undo_.save_idleness(arena)) return false;
         auto_disable(world, context_.h);
         std::span<PatchEdge> patches;
         if (context_.manages_contacts && !find_contacts(arena, patches)) return false;
-        if (!find_islands(world, patches, arena, islands_) || !undo_.save_islands(islands_, arena))
+        Islands found;
+        if (!find_islands(world, patches, arena, found) || !undo_.save_islands(found.all, arena))
             return false;
+        islands_ = found.all, asleep_ = found.asleep;
         if (hybrid_ && !choose_solvers(arena)) return false;
         groups_ = arena.take<Group>(int(islands_.size()));
         parcels_ = arena.take<int>(int(islands_.size()) + 1);
@@ -134,6 +138,13 @@ class WorldStep {
     {
         for (std::size_t i = 0; i < solvers_.size(); ++i)
             remember_choice(islands_[i], *solvers_[i], factorisations_[i]);
+    }
+
+    // Later steps need not look at them.
+    void let_rest() const
+    {
+        if (context_.manages_contacts) return;
+        for (Body* body : asleep_) deactivate(*body);
     }
 
     void finish() { finish_.rest(); }
@@ -279,6 +290,7 @@ class WorldStep {
     StepState& state_;
     const Workers& workers_;
     std::span<Island> islands_;
+    std::span<Body*> asleep_;           // active ones of no island
     std::span<const Solver*> solvers_;  // of a hybrid step, by island
     std::span<int> factorisations_;     // likewise
     std::span<Group> groups_;
@@ -344,6 +356,7 @@ bool step_in(World& world, StepState& state, const Solver* solver, Real h, int i
         state.contacts.end();
         if (context.manages_contacts) state.managed.accept(h, workers.of_islands);
         step.remember_choices();
+        step.let_rest();
         step.finish();
         if (world.report_wanted) world.report = sum_of(state.reports.span());
     } else {

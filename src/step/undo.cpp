@@ -31,22 +31,21 @@ std::span<T> joined(std::span<T> first, std::span<T> last)
 bool StepUndo::save_idleness(Arena& arena)
 {
     if (!world_.watches_bodies) return true;
-    int count = 0;
-    places_ = world_.bodies.places();
-    for (const Body& b : world_.bodies) count += b.auto_disable;
-    idleness_ = arena.take<Idleness>(count);
+    // The program may make more bodies while it is asked for memory.
+    const int places = world_.bodies.places();
+    const auto idleness = arena.take<Idleness>(world_.bodies.active_count());
     if (arena.failed()) return false;
-    if (!count) return true;
-    Idleness* to = idleness_.data();
-    for (const Body& b : world_.bodies.before(places_)) {
-        if (!b.auto_disable) continue;
-        copy(to->lvel, b.lvel), copy(to->avel, b.avel);
-        to->spin_excess = b.spin_excess;
-        to->time_left = b.idle_time_left, to->steps_left = b.idle_steps_left;
-        to->next_sample = b.sample_next, to->samples_ready = b.samples_ready;
-        to->disabled = b.disabled;
-        ++to;
-    }
+    std::size_t count = 0;
+    world_.bodies.for_each_active_before(places, [&](Body& b) {
+        if (!b.auto_disable || b.disabled) return;
+        Idleness& to = idleness[count++];
+        to.body = &b;
+        copy(to.lvel, b.lvel), copy(to.avel, b.avel);
+        to.spin_excess = b.spin_excess;
+        to.time_left = b.idle_time_left, to.steps_left = b.idle_steps_left;
+        to.next_sample = b.sample_next, to.samples_ready = b.samples_ready;
+    });
+    idleness_ = idleness.first(count);
     return true;
 }
 
@@ -109,16 +108,13 @@ void StepUndo::restore() const
 {
     restore_bodies();
     restore_impulses();
-    if (idleness_.empty()) return;
-    const Idleness* from = idleness_.data();
-    for (Body& b : world_.bodies.before(places_)) {
-        if (!b.auto_disable) continue;
-        copy(b.lvel, from->lvel), copy(b.avel, from->avel);
-        b.spin_excess = from->spin_excess;
-        b.idle_time_left = from->time_left, b.idle_steps_left = from->steps_left;
-        b.sample_next = from->next_sample, b.samples_ready = from->samples_ready;
-        b.disabled = from->disabled;
-        ++from;
+    for (const Idleness& from : idleness_) {
+        Body& b = *from.body;
+        copy(b.lvel, from.lvel), copy(b.avel, from.avel);
+        b.spin_excess = from.spin_excess;
+        b.idle_time_left = from.time_left, b.idle_steps_left = from.steps_left;
+        b.sample_next = from.next_sample, b.samples_ready = from.samples_ready;
+        b.disabled = false;
     }
 }
 

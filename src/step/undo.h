@@ -40,11 +40,12 @@ class StepUndo {
 
   private:
     struct Idleness {  // and what a body loses that falls asleep
+        Body* body;
         Real lvel[4], avel[4];
         Vec3 spin_excess;
         Real time_left;
         int steps_left, next_sample;
-        bool samples_ready, disabled;
+        bool samples_ready;
     };
     struct Saved {  // of four lines of the cache
         Vec3 position;
@@ -66,8 +67,7 @@ class StepUndo {
     void restore_impulses() const;
 
     World& world_;
-    std::span<Idleness> idleness_;   // of the bodies that watch themselves, in the world's order
-    int places_ = 0;                 // of bodies when these were saved: the program may have made more since
+    std::span<Idleness> idleness_;   // of the awake bodies that watch themselves
     std::span<Body* const> bodies_;  // of all islands, one after the other
     std::span<Joint* const> joints_;
     std::span<Saved> saved_;  // of bodies_

@@ -83,5 +83,46 @@ TEST(Roster, who_joins_later_is_not_before_an_earlier_place)
     EXPECT_EQ(met, (std::vector<const Member*>{&b, &a}));
 }
 
+TEST(Roster, walks_over_the_active_alone_whoever_has_left)
+{
+    RandomNumbers random(7);
+    std::vector<Member> members(700);
+    Members roster;
+    std::vector<const Member*> active;  // the newest last
+    const auto forget = [&](const Member& one) {
+        active.erase(std::remove(active.begin(), active.end(), &one), active.end());
+    };
+    for (int round = 0; round < 20000; ++round) {
+        const bool flow = round / 1500 % 2 == 0;
+        Member& one = members[std::size_t(random.in(0, Real(699.99)))];
+        if (one.place < 0 && (flow || random.in(0, 1) < Real(0.1))) {
+            ASSERT_TRUE(roster.join(one));
+            EXPECT_FALSE(roster.is_active(one));
+        } else if (one.place >= 0 && !flow && random.in(0, 1) < Real(0.5)) {
+            roster.leave(one);
+            forget(one);
+        } else if (one.place >= 0 && roster.is_active(one)) {
+            roster.deactivate(one);
+            forget(one);
+        } else if (one.place >= 0) {
+            roster.activate(one), roster.activate(one);  // the second time in vain
+            const auto older = [&](const Member* other) { return other->place < one.place; };
+            active.insert(std::partition_point(active.begin(), active.end(), older), &one);
+        }
+        ASSERT_EQ(roster.active_count(), int(active.size()));
+        if (round % 20 != 0) continue;
+        std::vector<const Member*> walked;
+        roster.for_each_active([&](const Member& m) { walked.push_back(&m); });
+        ASSERT_EQ(walked, std::vector<const Member*>(active.rbegin(), active.rend()));
+        const int limit = int(random.in(0, Real(roster.places()) + 1));
+        walked.clear();
+        roster.for_each_active_before(limit, [&](const Member& m) { walked.push_back(&m); });
+        for (const Member* m : walked) ASSERT_LT(m->place, limit);
+        const auto below =
+            std::count_if(active.begin(), active.end(), [&](const Member* m) { return m->place < limit; });
+        ASSERT_EQ(std::ptrdiff_t(walked.size()), below);
+    }
+}
+
 }  // namespace
 }  // namespace epode
