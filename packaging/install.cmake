@@ -2,7 +2,8 @@
 # Copyright (c) 2026 The Epode authors
 #
 # What `cmake --install` puts under a prefix. Nothing installed holds the prefix itself: the tree may be moved.
-#   include/ode/*.h   lib/libode.so.8 and libode_single.so.8 with their links   lib/pkgconfig/ode.pc, ode-single.pc
+#   include/ode/*.h   lib/libode.so.8 and libode_single.so.8 with their links, or libode.a and libode_single.a
+#   lib/pkgconfig/ode.pc, ode-single.pc
 #   lib/cmake/ode     bin/ode-config, bin/epode    share/epode/replay.html     share/doc/epode
 #   include/drawstuff/*.h   lib/libdrawstuff.a   lib/pkgconfig/drawstuff.pc, where drawstuff is built (ODE::drawstuff in lib/cmake/ode)
 include(GNUInstallDirs)
@@ -10,8 +11,8 @@ include(CMakePackageConfigHelpers)
 
 set(EPODE_ODE_VERSION 0.16.2)
 set(EPODE_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/ode)
-set(EPODE_PACKAGING ${CMAKE_SOURCE_DIR}/packaging)
-set(EPODE_OUT ${CMAKE_BINARY_DIR}/packaging)
+set(EPODE_PACKAGING ${PROJECT_SOURCE_DIR}/packaging)
+set(EPODE_OUT ${PROJECT_BINARY_DIR}/packaging)
 
 # The way from a folder of the installed tree back to its prefix.
 file(RELATIVE_PATH EPODE_PREFIX_FROM_PC /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
@@ -22,21 +23,28 @@ string(REGEX REPLACE "/$" "" EPODE_PREFIX_FROM_BIN ${EPODE_PREFIX_FROM_BIN})
 install(FILES ${EPODE_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ode)
 install(FILES LICENSE README.md CHANGES.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
-# install_ode(target NAME TARGET LIBRARY PC PRECISION FLAG): library, links and pkg-config file of one precision.
-function(install_ode target EXPORT LIBRARY PC PRECISION FLAG)
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${EXPORT})
+# What a program must name beside the library: a shared one brings it, a static one does not.
+set(EPODE_PC_LIBS "")
+set(EPODE_PC_PRIVATE "-lstdc++ -lm ${CMAKE_THREAD_LIBS_INIT}")
+string(STRIP ${EPODE_PC_PRIVATE} EPODE_PC_PRIVATE)
+if(EPODE_STATIC)
+  set(EPODE_PC_LIBS " ${EPODE_PC_PRIVATE}")
+endif()
+
+# install_ode(target LIBRARY PC PRECISION FLAG): library, links and pkg-config file of one precision.
+function(install_ode target LIBRARY PC PRECISION FLAG)
   target_include_directories(${target} INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
-  install(TARGETS ${target} EXPORT ode-targets LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(TARGETS ${target} EXPORT ode-targets DESTINATION ${CMAKE_INSTALL_LIBDIR})
   configure_file(${EPODE_PACKAGING}/ode.pc.in ${EPODE_OUT}/${PC}.pc @ONLY)
   install(FILES ${EPODE_OUT}/${PC}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endfunction()
 
 # The compiler's default in our headers is double, so ode.pc needs no flag, as Debian's has none.
 if("double" IN_LIST EPODE_PRECISIONS)
-  install_ode(ode ODE ode ode dDOUBLE "")
+  install_ode(ode ode ode dDOUBLE "")
 endif()
 if("single" IN_LIST EPODE_PRECISIONS)
-  install_ode(ode_single ODE_single ode_single ode-single dSINGLE " -DdIDESINGLE")
+  install_ode(ode_single ode_single ode-single dSINGLE " -DdIDESINGLE")
 endif()
 
 # drawstuff is a static library and brings along what it wants, for the CMake package and for drawstuff.pc.
@@ -69,13 +77,13 @@ if(TARGET epode)
     install(TARGETS epode_preload epode_observer LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
   endif()
   # The replay page's template is there when record/page/build has made it; without it `epode --html` says so.
-  install(FILES ${CMAKE_SOURCE_DIR}/build/page/replay.html DESTINATION share/epode OPTIONAL)
+  install(FILES ${PROJECT_SOURCE_DIR}/build/page/replay.html DESTINATION share/epode OPTIONAL)
 endif()
 
 if(TARGET drawstuff)
   list(TRANSFORM EPODE_DRAWSTUFF_WANTS PREPEND -l OUTPUT_VARIABLE EPODE_DRAWSTUFF_LIBS)
   list(JOIN EPODE_DRAWSTUFF_LIBS " " EPODE_DRAWSTUFF_LIBS)
-  file(GLOB EPODE_DRAWSTUFF_HEADERS CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/include/drawstuff/*.h)
+  file(GLOB EPODE_DRAWSTUFF_HEADERS CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/drawstuff/*.h)
   install(FILES ${EPODE_DRAWSTUFF_HEADERS} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/drawstuff)
   install(TARGETS drawstuff ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   configure_file(${EPODE_PACKAGING}/drawstuff.pc.in ${EPODE_OUT}/drawstuff.pc @ONLY)
