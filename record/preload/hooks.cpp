@@ -57,7 +57,7 @@ void* find_real(const char* name)
 
 const Observer* observer()
 {
-    static const Observer* const loaded = std::getenv("EPODE_RECORD") ? load_observer() : nullptr;
+    static const Observer* const loaded = secure_getenv("EPODE_RECORD") ? load_observer() : nullptr;
     return loaded;
 }
 
@@ -73,7 +73,7 @@ bool other_step(dWorldID world, StepMade& made, int& ok)
 {
     using Step = int (*)(dWorldID, dReal);
     using StepFast = int (*)(dWorldID, dReal, int);
-    static const char* const wanted = std::getenv("EPODE_RECORD_STEPPER");
+    static const char* const wanted = secure_getenv("EPODE_RECORD_STEPPER");
     if (!wanted) return false;
     if (std::strcmp(wanted, "fast") == 0) {
         static const auto fast = find<StepFast>("dWorldStepFast1");
@@ -111,7 +111,7 @@ int watched_step(dWorldID world, StepMade made, Real real)
 // Many worlds with another stepper: one after the other.
 bool other_steps(const dWorldID* worlds, int count, dReal dt, int steps, int* made)
 {
-    if (!std::getenv("EPODE_RECORD_STEPPER")) return false;
+    if (!secure_getenv("EPODE_RECORD_STEPPER")) return false;
     for (int i = 0; i < count; ++i) {
         int done = 0;
         for (int ok = 1; done < steps && ok; done += ok) ok = dWorldStep(worlds[i], dt);

@@ -59,7 +59,7 @@ int files = 0;
 
 std::string next_path()
 {
-    const char* said = std::getenv("EPODE_RECORD");
+    const char* said = secure_getenv("EPODE_RECORD");
     std::string path = said && *said ? said : "recording.epr";
     if (++files == 1) return path;
     const size_t dot = path.rfind('.'), slash = path.rfind('/');
@@ -120,7 +120,7 @@ Info about()
         std::fclose(file);
     }
     while (!program.empty() && program.back() == '\n') program.pop_back();
-    const char* stepper = std::getenv("EPODE_RECORD_STEPPER");
+    const char* stepper = secure_getenv("EPODE_RECORD_STEPPER");
     return {{"source", "program"},
             {"program", program},
             {"stepper", stepper && *stepper ? stepper : "the program's own"},

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A library that exports.sh, needed.sh and allocations.sh must refuse: a foreign symbol, an undeclared one,
-// another name, almost everything missing, memory past the client's handlers.
+// A library that exports.sh, needed.sh, allocations.sh and hardening.sh must refuse: a foreign symbol, an undeclared
+// one, another name, almost everything missing, memory past the client's handlers, wishes read from anybody's
+// environment, room in the static TLS block.
 #include <stdlib.h>
 
 #define VISIBLE __attribute__((visibility("default")))
@@ -10,7 +11,13 @@
 VISIBLE int stray_symbol(void);
 VISIBLE int dUndeclared(void);
 VISIBLE void* stray_memory(void);
+VISIBLE int stray_wish(void);
 
 int stray_symbol(void) { return 1; }
 int dUndeclared(void) { return 2; }
 void* stray_memory(void) { return malloc(8); }
+int stray_wish(void)
+{
+    static _Thread_local int wishes __attribute__((tls_model("initial-exec")));
+    return getenv("STRAY") ? ++wishes : 0;
+}
