@@ -12,9 +12,10 @@ namespace epode::cli {
 struct CaptureOptions {
     std::string output, stepper;
     std::vector<std::string> command;  // the program and its arguments
+    bool quiet = false;
 };
 
-// Becomes the program; returns only when it cannot.
+// The program's own exit code, unless nothing was recorded.
 int capture(const CaptureOptions& options);
 
 }  // namespace epode::cli

@@ -113,6 +113,7 @@ void add_capture_options(CLI::App& command, CaptureOptions& options)
         ->required();
     command.add_option("--stepper", options.stepper,
                        "exact, quick, fast or hybrid, whatever the program calls");
+    command.add_flag("--quiet", options.quiet, "do not say what was recorded");
     command.add_option("program", options.command, "program and arguments, after --")->required();
     command.positionals_at_end();
 }

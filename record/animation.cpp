@@ -13,6 +13,10 @@ namespace epode::record {
 
 namespace {
 
+// Every carrier has a pose at every moment, there or not: more of them than the file has states, by so much,
+// would take memory out of all proportion to the file.
+constexpr double kFewPoses = 1e6, kMostWaste = 32;
+
 Quat product(const Quat& a, const Quat& b)
 {
     return {a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
@@ -224,6 +228,20 @@ Pose compose(const Pose& a, const Pose& b)
     out.pos = turned(a.turn, b.pos);
     for (size_t i = 0; i < 3; ++i) out.pos[i] += a.pos[i];
     return out;
+}
+
+bool can_animate(const Recording& recording, double fps, std::string& problem)
+{
+    Animation empty;
+    choose_moments(recording, fps, empty);
+    cast_parts(recording, empty);
+    double states = 0;
+    for (const Step& step : recording.steps) states += double(step.bodies.size());
+    const double poses = double(empty.carriers.size()) * double(empty.times.size());
+    if (poses <= kFewPoses + kMostWaste * states) return true;
+    problem = std::to_string(empty.carriers.size()) + " bodies that mostly are not there, at " +
+              std::to_string(empty.times.size()) + " moments, are too many; take fewer moments (--fps)";
+    return false;
 }
 
 Animation make_animation(const Recording& recording, double fps)

@@ -38,6 +38,8 @@ struct Animation {
     double reach = 0;           // how far from the origin bodies go, m
 };
 
+// False, and why, where the animation would be out of all proportion to the recording.
+bool can_animate(const Recording& recording, double fps, std::string& problem);
 // About fps moments a second of simulated time, or every state where there are fewer.
 Animation make_animation(const Recording& recording, double fps);
 

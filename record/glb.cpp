@@ -338,6 +338,7 @@ class GlbBuilder {
 
 bool write_glb(const Recording& recording, const std::string& path, double fps, std::string& problem)
 {
+    if (!can_animate(recording, fps, problem)) return false;
     const auto bytes = GlbBuilder(recording, fps).build();
     if (bytes.size() > UINT32_MAX - 64) {
         problem = "a .glb file cannot be larger than 4 GB; record fewer frames a second (--fps)";

@@ -10,6 +10,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "record/animation.h"
 #include "record/page_data.h"
 #include "record/whole_file.h"
 
@@ -93,6 +94,7 @@ bool write_page(const Recording& recording, const std::string& path, double fps,
 {
     const std::string text = page_template(problem);
     if (text.empty()) return false;
+    if (!can_animate(recording, fps, problem)) return false;
     const PageData data = make_page_data(recording, fps);
     const std::string name = recording.about_value("scene");
     std::string title, page;

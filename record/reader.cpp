@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <span>
 
 #include "record/bytes.h"
 #include "record/format.h"
@@ -327,12 +328,16 @@ ReadResult read_chunks(const std::uint8_t* bytes, size_t size, Decoder& decoder)
     return {};
 }
 
+bool is_recording(std::span<const std::uint8_t> bytes)
+{
+    return bytes.size() >= kFileHead && std::memcmp(bytes.data(), kMark, sizeof kMark) == 0;
+}
+
 }  // namespace
 
 ReadResult read_bytes(const std::uint8_t* bytes, size_t size, Sink& sink)
 {
-    if (size < kFileHead || std::memcmp(bytes, kMark, sizeof kMark) != 0)
-        return unreadable("this is not a recording of epode");
+    if (!is_recording({bytes, size})) return unreadable("this is not a recording of epode");
     ByteReader version(bytes + sizeof kMark, 4);
     const std::uint32_t said = version.u32();
     if (said < kOldestVersion || said > kVersion)
@@ -346,9 +351,11 @@ ReadResult read_file(const std::string& path, Sink& sink)
 {
     std::FILE* file = std::fopen(path.c_str(), "rb");
     if (!file) return unreadable(std::strerror(errno));
-    std::vector<std::uint8_t> bytes;
+    // The head first: a device that never ends is not read to its end.
+    std::vector<std::uint8_t> bytes(kFileHead);
+    bytes.resize(std::fread(bytes.data(), 1, kFileHead, file));
     constexpr size_t kPiece = size_t(1) << 20;
-    for (size_t got = kPiece; got == kPiece;) {
+    for (size_t got = is_recording(bytes) ? kPiece : 0; got == kPiece;) {
         bytes.resize(bytes.size() + kPiece);
         got = std::fread(bytes.data() + bytes.size() - kPiece, 1, kPiece, file);
         bytes.resize(bytes.size() - kPiece + got);

@@ -25,6 +25,9 @@ namespace {
 // More of these in one call are a damaged file's, whatever the library thinks of them: the call would not end
 // in a lifetime, or a body would take gigabytes.
 constexpr int kMostSteps = 10000, kMostSweeps = 10000000, kMostSamples = 10000;
+// Of all calls together, for each recorded state in the mean: a number that was damaged into a large one
+// would else be paid in every step that follows.
+constexpr std::int64_t kMeanSweeps = 100000;
 
 struct Bound {
     const char* name;
@@ -313,6 +316,20 @@ void Rerun::take_new_bodies()
     }
 }
 
+// dWorldSetExactSubsteps, where the library has that.
+int Rerun::parts_of_exact_steps() const
+{
+    static const auto parts = reinterpret_cast<int (*)(dWorldID)>(find("dWorldGetExactSubsteps"));
+    return parts ? parts(world_) : 1;
+}
+
+void Rerun::set_iterations()
+{
+    static const auto substeps = reinterpret_cast<void (*)(dWorldID, int)>(find("dWorldSetHybridSmallSteps"));
+    dWorldSetQuickStepNumIterations(world_, options_.iterations);
+    if (substeps) substeps(world_, std::min(options_.iterations, kMostSteps));
+}
+
 bool Rerun::step(const std::string& name, const std::vector<Argument>& arguments)
 {
     using enum ArgumentKind;
@@ -327,6 +344,9 @@ bool Rerun::step(const std::string& name, const std::vector<Argument>& arguments
     if (steps > kMostSteps || small > kMostSteps ||
         std::int64_t(steps) * std::max(small, sweeps) > kMostSweeps)
         return refuse("a call of " + name + " asks for absurdly many steps");
+    sweeps_ += std::int64_t(std::max(1, steps)) * std::max({small, sweeps, parts_of_exact_steps()});
+    if (sweeps_ > kMeanSweeps * std::int64_t(was_.steps.size()))
+        return refuse("all calls together ask for absurdly many steps");
     if (found_ && step_ < was_.steps.size()) {
         take_new_bodies();
         found_->learn(was_.steps[step_], surfaces_);
@@ -341,14 +361,15 @@ bool Rerun::step(const std::string& name, const std::vector<Argument>& arguments
         if (!function) return refuse("the library here has no " + name);
         ok = function(&world_, 1, dt, arguments[2].integer, arguments[3].integer, steps, 1, nullptr);
     } else {
-        std::string chosen = options_.stepper == "exact"   ? "dWorldStep"
-                             : options_.stepper == "quick" ? "dWorldQuickStep"
-                             : options_.stepper == "fast"  ? "dWorldStepFast1"
-                                                           : name;
+        std::string chosen = options_.stepper == "exact"    ? "dWorldStep"
+                             : options_.stepper == "quick"  ? "dWorldQuickStep"
+                             : options_.stepper == "fast"   ? "dWorldStepFast1"
+                             : options_.stepper == "hybrid" ? "dWorldStepHybrid"
+                                                            : name;
         void* function = find(chosen);
         if (!function) return refuse("the library here has no " + chosen);
         const int parts = options_.iterations > 0 ? options_.iterations : fast ? small : kFastSteps;
-        if (options_.iterations > 0) dWorldSetQuickStepNumIterations(world_, options_.iterations);
+        if (options_.iterations > 0) set_iterations();
         for (int i = 0; i < steps && ok; ++i) {
             ok = chosen == "dWorldStepFast1"
                      ? reinterpret_cast<int (*)(dWorldID, dReal, int)>(function)(world_, dt, parts)

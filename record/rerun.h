@@ -19,8 +19,8 @@
 namespace epode::record {
 
 struct RerunOptions {
-    std::string stepper;         // exact, quick or fast; "": as recorded
-    int iterations = -1;         // sweeps of quick, small steps of fast; -1: as recorded
+    std::string stepper;         // exact, quick, fast or hybrid; "": as recorded
+    int iterations = -1;         // sweeps of quick, substeps of fast and hybrid; -1: as recorded
     bool find_contacts = false;  // anew, instead of the recorded ones
 };
 
@@ -52,6 +52,8 @@ class Rerun {
     bool make(const std::string& name, const std::vector<Argument>& arguments);
     bool destroy(const std::string& name, const std::vector<Argument>& arguments);
     bool step(const std::string& name, const std::vector<Argument>& arguments);
+    int parts_of_exact_steps() const;
+    void set_iterations();
     void make_contact(const std::vector<Argument>& arguments);
     void keep_joint(dJointID joint, std::int32_t group);
     void forget_joint(dJointID joint);
@@ -73,6 +75,7 @@ class Rerun {
     size_t taken_ = 0;                          // bodies that have one, or died before
     std::vector<dSurfaceParameters> surfaces_;  // of the contacts made since the last step
     size_t step_ = 0;                           // the state that comes next
+    std::int64_t sweeps_ = 0;                   // asked for so far
     double time_ = 0, dt_ = 0, ms_ = 0;
     std::unique_ptr<Recorder> recorder_;
     std::unique_ptr<FoundContacts> found_;

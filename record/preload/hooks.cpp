@@ -6,7 +6,7 @@
 // so that it can be put before any program; where the observer cannot be loaded, the program runs as if
 // nothing were there.
 //   EPODE_RECORD          the file to write
-//   EPODE_RECORD_STEPPER  exact, quick or fast: step with this one, whatever the program calls
+//   EPODE_RECORD_STEPPER  exact, quick, fast or hybrid: step with this one, whatever the program calls
 // A program that finds ODE's functions by dlsym from a handle of its own (ctypes) passes by all this.
 #include <dlfcn.h>
 #include <ode/ext.h>
@@ -83,9 +83,10 @@ bool other_step(dWorldID world, StepMade& made, int& ok)
         made.small_steps = kFastSteps;
         return true;
     }
-    static const char* const name = std::strcmp(wanted, "exact") == 0   ? "dWorldStep"
-                                    : std::strcmp(wanted, "quick") == 0 ? "dWorldQuickStep"
-                                                                        : "";
+    static const char* const name = std::strcmp(wanted, "exact") == 0    ? "dWorldStep"
+                                    : std::strcmp(wanted, "quick") == 0  ? "dWorldQuickStep"
+                                    : std::strcmp(wanted, "hybrid") == 0 ? "dWorldStepHybrid"
+                                                                         : "";
     static const auto step = find<Step>(name);
     if (!step) return false;
     ok = step(world, made.dt);
@@ -132,6 +133,7 @@ dGeomID made(dGeomID geom)
     dJointID dJointCreate##Type(dWorldID world, dJointGroupID group)                       \
     {                                                                                      \
         EPODE_REAL(dJointCreate##Type);                                                    \
+        change("dJointCreate" #Type " in a moved callback");                               \
         dJointID joint = real(world, group);                                               \
         if (joint) tell(&Observer::joint_made, world, joint, group, "dJointCreate" #Type); \
         return joint;                                                                      \
@@ -191,6 +193,7 @@ void dWorldDestroy(dWorldID world)
 dBodyID dBodyCreate(dWorldID world)
 {
     EPODE_REAL(dBodyCreate);
+    change("dBodyCreate in a moved callback");
     dBodyID body = real(world);
     if (body) tell(&Observer::body_made, world, body);
     return body;
@@ -199,6 +202,7 @@ dBodyID dBodyCreate(dWorldID world)
 void dBodyDestroy(dBodyID body)
 {
     EPODE_REAL_VOID(dBodyDestroy);
+    change("dBodyDestroy in a moved callback");
     tell(&Observer::body_gone, body);
     real(body);
 }
@@ -223,6 +227,7 @@ EPODE_JOINT(Transmission)
 dJointID dJointCreateContact(dWorldID world, dJointGroupID group, const dContact* contact)
 {
     EPODE_REAL(dJointCreateContact);
+    change("dJointCreateContact in a moved callback");
     dJointID joint = real(world, group, contact);
     if (joint) tell(&Observer::contact_made, world, joint, group, contact);
     return joint;
@@ -231,6 +236,7 @@ dJointID dJointCreateContact(dWorldID world, dJointGroupID group, const dContact
 void dJointDestroy(dJointID joint)
 {
     EPODE_REAL_VOID(dJointDestroy);
+    change("dJointDestroy in a moved callback");
     tell(&Observer::joint_gone, joint);
     real(joint);
 }
@@ -238,6 +244,7 @@ void dJointDestroy(dJointID joint)
 void dJointGroupEmpty(dJointGroupID group)
 {
     EPODE_REAL_VOID(dJointGroupEmpty);
+    change("dJointGroupEmpty in a moved callback");
     tell(&Observer::group_emptied, group);
     real(group);
 }
@@ -245,6 +252,7 @@ void dJointGroupEmpty(dJointGroupID group)
 void dJointGroupDestroy(dJointGroupID group)
 {
     EPODE_REAL_VOID(dJointGroupDestroy);
+    change("dJointGroupDestroy in a moved callback");
     tell(&Observer::group_emptied, group);
     real(group);
 }

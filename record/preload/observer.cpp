@@ -10,6 +10,7 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -20,6 +21,7 @@
 #include <string>
 
 #include "record/figures.h"
+#include "record/file_names.h"
 #include "record/preload/contact_forces.h"
 #include "record/preload/tape.h"
 #include "record/recorder.h"
@@ -60,12 +62,7 @@ int files = 0;
 std::string next_path()
 {
     const char* said = secure_getenv("EPODE_RECORD");
-    std::string path = said && *said ? said : "recording.epr";
-    if (++files == 1) return path;
-    const size_t dot = path.rfind('.'), slash = path.rfind('/');
-    const size_t at =
-        dot == std::string::npos || (slash != std::string::npos && dot < slash) ? path.size() : dot;
-    return path.insert(at, std::string("-").append(std::to_string(files)));
+    return numbered_path(said && *said ? said : "recording.epr", ++files);
 }
 
 Watch& watch_of(dWorldID world)
@@ -102,13 +99,29 @@ void observed(Action action)
     inside = false;
 }
 
-std::string library()
+// The libode that the program runs on, by a function that no hook stands for.
+std::string library_file()
 {
     Dl_info info;
     const bool found = dladdr(reinterpret_cast<void*>(&dWorldGetGravity), &info) && info.dli_fname;
+    return found ? info.dli_fname : "";
+}
+
+std::string library()
+{
     std::error_code error;
-    const auto path = found ? std::filesystem::canonical(info.dli_fname, error) : std::filesystem::path();
+    const auto path = std::filesystem::canonical(library_file(), error);
     return path.empty() ? "unknown" : path.string();
+}
+
+// Asked of that library alone: in the process at large the hooks have every name.
+const char* library_kind()
+{
+    void* handle = dlopen(library_file().c_str(), RTLD_LAZY | RTLD_NOLOAD);
+    if (!handle) return "unknown";
+    const char* kind = dlsym(handle, "dWorldGetStepReport") ? "Epode" : "ODE";
+    dlclose(handle);
+    return kind;
 }
 
 Info about()
@@ -125,7 +138,9 @@ Info about()
             {"program", program},
             {"stepper", stepper && *stepper ? stepper : "the program's own"},
             {"precision", kPrecision},
-            {"library", library()}};
+            {"library", library()},
+            {"library_kind", library_kind()},
+            {"library_configuration", dGetConfiguration()}};
 }
 
 void flush(dWorldID world, Watch& watch)
@@ -278,6 +293,7 @@ void called(const char* name, const Given* given, int count)
 {
     observed([&] {
         if (count == 0) {
+            if (std::find(beyond.begin(), beyond.end(), name) != beyond.end()) return;
             beyond.push_back(name);
             for (auto& [world, watch] : watches) watch->tape.called(name, nullptr, 0);
         } else if (dWorldID world = world_of(given[0])) {

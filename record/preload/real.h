@@ -27,6 +27,15 @@ void tell(void (*Observer::*what)(Arguments...), Given... given)
     if (const Observer* listening = observer()) (listening->*what)(given...);
 }
 
+// Whether this thread is in a moved callback of the program's, and so in the middle of a step
+// (callbacks.cpp).
+bool in_callback();
+// What is changed there cannot be done again between steps: the recording is told the name of it.
+inline void change(const char* in_a_callback)
+{
+    if (in_callback()) tell(&Observer::called, in_a_callback, static_cast<const Given*>(nullptr), 0);
+}
+
 class Outermost {
   public:
     Outermost() { ++depth_; }

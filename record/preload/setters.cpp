@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Hooks of the calls that change what a step computes from (record/calls.inc), and of three that a recording
+// Hooks of the calls that change what a step computes from (record/calls.inc), and of two that a recording
 // can only say to have been there. A geom that is put elsewhere takes its body along: told as what the body
 // got.
 #include "record/preload/real.h"
@@ -67,6 +67,7 @@ void beyond(const char* name) { tell(&Observer::called, name, static_cast<const 
         EPODE_REAL_VOID(name);                                       \
         const Outermost outermost;                                   \
         real arguments;                                              \
+        change(#name " in a moved callback");                        \
         if (outermost) called(#name, count, EPODE_UNPACK arguments); \
     }
 
@@ -77,6 +78,7 @@ extern "C" {
 void dGeomSetPosition(dGeomID geom, dReal x, dReal y, dReal z)
 {
     EPODE_REAL_VOID(dGeomSetPosition);
+    change("dGeomSetPosition in a moved callback");
     const Outermost outermost;
     real(geom, x, y, z);
     if (outermost) body_was_moved(geom);
@@ -85,6 +87,7 @@ void dGeomSetPosition(dGeomID geom, dReal x, dReal y, dReal z)
 void dGeomSetRotation(dGeomID geom, const dReal* turn)
 {
     EPODE_REAL_VOID(dGeomSetRotation);
+    change("dGeomSetRotation in a moved callback");
     const Outermost outermost;
     real(geom, turn);
     if (outermost) body_was_turned(geom, "dBodySetRotation", turn, 12);
@@ -93,6 +96,7 @@ void dGeomSetRotation(dGeomID geom, const dReal* turn)
 void dGeomSetQuaternion(dGeomID geom, const dReal* turn)
 {
     EPODE_REAL_VOID(dGeomSetQuaternion);
+    change("dGeomSetQuaternion in a moved callback");
     const Outermost outermost;
     real(geom, turn);
     if (outermost) body_was_turned(geom, "dBodySetQuaternion", turn, 4);
@@ -110,13 +114,6 @@ void dGeomSetContinuous(dGeomID geom, int mode)
     EPODE_REAL_VOID(dGeomSetContinuous);
     real(geom, mode);
     if (mode) beyond("dGeomSetContinuous");
-}
-
-void dBodySetMovedCallback(dBodyID body, void (*callback)(dBodyID))
-{
-    EPODE_REAL_VOID(dBodySetMovedCallback);
-    real(body, callback);
-    if (callback) beyond("dBodySetMovedCallback");
 }
 
 }  // extern "C"

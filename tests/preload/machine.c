@@ -3,9 +3,11 @@
 
    A program to be captured and run again: every joint type with parameters that change on the way, forces, bodies and
    joints that come and go, geoms that take their bodies along, contacts with every kind of surface, every stepper of the
-   library. `machine managed` lets the world manage its contacts, which no recording can do again. */
+   library. `machine managed` lets the world manage its contacts, which no recording can do again; so does `machine push`,
+   with a moved callback that adds forces in the middle of steps. `machine watch` has one that only reads. */
 #include <ode/ext.h>
 #include <ode/ode.h>
+#include <stdio.h>
 #include <string.h>
 
 static dWorldID world;
@@ -36,6 +38,17 @@ static void near_callback(void* data, dGeomID a, dGeomID b)
         surface->slip1 = 1e-4;
         dJointAttach(dJointCreateContact(world, contacts, &contact[i]), first, second);
     }
+}
+
+static dReal seen = 0;
+static void watch(dBodyID body)
+{
+    seen += dBodyGetPosition(body)[2] + dBodyGetLinearVel(body)[0];
+}
+
+static void push(dBodyID body)
+{
+    dBodyAddForce(body, 0, 0, 0.1);
 }
 
 static dBodyID box_at(dReal x, dReal y, dReal z)
@@ -166,6 +179,11 @@ int main(int argc, char** argv)
     dBodySetQuaternion(loose, turn);
     dBodySetAngularVel(guest, 0, 2, 1);
     if (argc > 1 && strcmp(argv[1], "managed") == 0) dWorldSetContactSpace(world, space);
+    if (argc > 1 && strcmp(argv[1], "watch") == 0) {
+        dBodySetMovedCallback(loose, watch);
+        dBodySetMovedCallback(guest, watch);
+    }
+    if (argc > 1 && strcmp(argv[1], "push") == 0) dBodySetMovedCallback(loose, push);
     for (i = 0; i < 100; ++i) {
         dBodyAddForceAtRelPos(loose, 0.2, 0, 0.1, 0, 0.1, 0);
         if (i == 20) dJointGroupEmpty(kept);
@@ -185,6 +203,7 @@ int main(int argc, char** argv)
         if (i == 70) dBodySetKinematic(loose);
         one_step(i);
     }
+    printf("%.17g\n", (double)seen);
     dJointGroupDestroy(contacts);
     dJointGroupDestroy(kept);
     dSpaceDestroy(space);

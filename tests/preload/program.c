@@ -3,8 +3,9 @@
 
    A program that knows nothing of being recorded. It makes and destroys bodies, geoms and joints between steps, in two
    worlds, and prints after each step of the first the hash of its states, by the definition in docs/recording.md: what
-   the recording must say too. */
+   the recording must say too. With the name of a signal it ends by that. */
 #include <ode/ode.h>
+#include <signal.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <string.h>
@@ -75,7 +76,15 @@ static void step(int i)
     print_hash(i);
 }
 
-int main(void)
+/* Ends the program as Ctrl+C (INT), kill (TERM) or a crash (KILL) would. */
+static void end_by(const char* name)
+{
+    int number = strcmp(name, "INT") == 0 ? SIGINT : strcmp(name, "TERM") == 0 ? SIGTERM : SIGKILL;
+    signal(number, SIG_DFL);
+    raise(number);
+}
+
+int main(int argc, char** argv)
 {
     dInitODE2(0);
     world = dWorldCreate();
@@ -107,6 +116,7 @@ int main(void)
         dWorldStep(other_world, (dReal)0.02);
         dGeomSetPosition(wall, (dReal)(0.01 * i), 0, (dReal)0.2);
     }
+    if (argc > 1) end_by(argv[1]);
     dJointGroupDestroy(contacts);
     dSpaceDestroy(space);
     dWorldDestroy(other_world);

@@ -7,8 +7,11 @@
 
 #include <cmath>
 
+#include "record/animation.h"
 #include "record/bytes.h"
+#include "record/file_end.h"
 #include "record/format.h"
+#include "record/glb.h"
 #include "record/hash.h"
 #include "record/page_data.h"
 #include "record/reader.h"
@@ -159,6 +162,70 @@ TEST(Recordings, of_another_version_or_of_something_else_are_refused_by_name)
     EXPECT_NE(read_bytes(bytes.data(), bytes.size(), got).problem.find("not a recording"), std::string::npos);
     EXPECT_EQ(read_file(scratch("absent.epr"), got).damage, Damage::kUnreadable);
     EXPECT_EQ(read_file(scratch("."), got).damage, Damage::kUnreadable);
+}
+
+// A file that never ends is not read to its end.
+TEST(Recordings, are_known_by_their_first_bytes)
+{
+    Recording got;
+    const ReadResult result = read_file("/dev/zero", got);
+    EXPECT_EQ(result.damage, Damage::kUnreadable);
+    EXPECT_NE(result.problem.find("not a recording"), std::string::npos) << result.problem;
+}
+
+// What a signal cut off anywhere becomes whole at the last state before, and says how many those are.
+TEST(Recordings, that_break_off_anywhere_can_be_completed)
+{
+    const Recording original = sample_recording();
+    const auto bytes = bytes_of(original);
+    const std::string path = scratch("cut.epr");
+    std::uint64_t most = 0;
+    for (size_t size = kFileHead; size <= bytes.size(); size += 13) {
+        std::FILE* file = std::fopen(path.c_str(), "wb");
+        std::fwrite(bytes.data(), 1, size, file);
+        std::fclose(file);
+        FileEnd end;
+        std::string problem;
+        ASSERT_TRUE(find_end(path, end, problem)) << problem;
+        EXPECT_FALSE(end.complete);
+        ASSERT_TRUE(complete_file(path, end, problem)) << problem;
+        Listener got;
+        const ReadResult result = read_file(path, got);
+        EXPECT_TRUE(result.whole()) << size << ": " << result.problem;
+        EXPECT_EQ(got.steps.size(), end.states);
+        EXPECT_GE(end.states, most);
+        most = end.states;
+        EXPECT_TRUE(got.about.empty() || end.about == original.about);
+    }
+    EXPECT_EQ(most, original.steps.size());
+}
+
+TEST(Recordings, that_are_no_files_have_no_end)
+{
+    FileEnd end;
+    std::string problem;
+    EXPECT_FALSE(find_end(scratch("absent.epr"), end, problem));
+    EXPECT_FALSE(find_end("/dev/zero", end, problem));
+    EXPECT_NE(problem.find("not a recording"), std::string::npos) << problem;
+}
+
+// Bodies that come and go at once, at as many moments: poses would be their product.
+TEST(Recordings, of_things_that_are_hardly_there_make_no_animation)
+{
+    Recording recording;
+    for (std::uint32_t i = 0; i < 20000; ++i) {
+        recording.body({1, false});
+        recording.gone(Thing::kBody, i);
+        Step step;
+        step.time = 0.1 * i;
+        recording.step(step);
+    }
+    std::string problem;
+    EXPECT_FALSE(can_animate(recording, 30, problem));
+    EXPECT_NE(problem.find("--fps"), std::string::npos) << problem;
+    EXPECT_FALSE(write_glb(recording, scratch("hardly.glb"), 30, problem));
+    EXPECT_TRUE(can_animate(recording, 0.01, problem));
+    EXPECT_TRUE(can_animate(sample_recording(), 30, problem));
 }
 
 TEST(Recordings, end_where_they_say)
