@@ -189,9 +189,12 @@ ODE_API dReal dWorldGetContactSurfaceLayer(dWorldID world);
 
 /** @chapter auto_disable Automatic disabling: the values for bodies made later
 
-    A body with the flag on, at least one joint, and average linear and angular speed at or below the
-    thresholds is idle. When it has been idle for `steps` steps and `time` seconds it is disabled and its
-    velocity set to zero. It wakes when an enabled body reaches it through a joint.
+    A body with the flag on, at least one joint or contact, and average linear and angular speed at or below
+    the thresholds is idle. In an island with contacts it is also idle if it has moved by at most the linear
+    threshold times T, and turned by at most five times the angular one times T, over the last T = 0.5 s or
+    4 s. When all bodies of an island have been idle for `steps` steps and `time` seconds they are disabled
+    and their velocities set to zero; nine in ten suffice if the others have stayed near their places for a
+    second. A body wakes when an enabled one reaches it through a joint or contact.
 
     Refused: as for worlds; thresholds and times may be infinite. */
 

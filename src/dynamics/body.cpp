@@ -140,6 +140,8 @@ void wake(Body& body)
     enable(body);
     body.idle_steps_left = body.sleep.steps;
     body.idle_time_left = body.sleep.time;
+    body.short_window.time = body.long_window.time = body.settling_time = 0;
+    body.short_window.still = body.long_window.still = false;
 }
 
 }  // namespace epode

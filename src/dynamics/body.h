@@ -30,6 +30,14 @@ struct SleepRule {
     int samples = 1;
 };
 
+// Where a body was when a window of time began, and whether it stayed nearby for the whole window before.
+struct Stillness {
+    Vec3 position;
+    Quat orientation;
+    Real time = 0;  // since then
+    bool still = false;
+};
+
 struct DampingRule {
     Real linear_scale = 0, angular_scale = 0;
     Real linear_threshold2 = Real(0.01) * Real(0.01);
@@ -95,6 +103,8 @@ struct Body : Numbered {
     Array<Vec3> sample_v, sample_w;  // rings of sleep.samples velocities
     int sample_next = 0;
     bool samples_ready = false;
+    Stillness short_window, long_window;  // dynamics/sleep
+    Real settling_time = 0;  // that its island has been settling without falling asleep (dynamics/settle)
 
     Pose pose() const { return load_pose(pos, R); }
     Vec3 position() const { return load(pos); }

@@ -16,6 +16,7 @@
 
 #include "base/ahead.h"
 #include "dynamics/active.h"
+#include "dynamics/settle.h"
 
 namespace epode {
 namespace {
@@ -170,7 +171,7 @@ class Search {
     {}
 
     // `stack`: room for all bodies.
-    void grow_from(std::size_t seed, Bonds& bonds, std::span<int> stack)
+    Island& grow_from(std::size_t seed, Bonds& bonds, std::span<int> stack)
     {
         const std::size_t first_body = body_count_, first_joint = joint_count_, first_patch = patch_count_;
         Island& island = *new (&islands_[island_count_++]) Island;
@@ -204,6 +205,15 @@ class Search {
         island.bodies = bodies_.subspan(first_body, body_count_ - first_body);
         island.joints = joints_.subspan(first_joint, joint_count_ - first_joint);
         island.patches = patches_.subspan(first_patch, patch_count_ - first_patch);
+        return island;
+    }
+
+    void drop_last()
+    {
+        const Island& island = islands_[--island_count_];
+        body_count_ -= island.bodies.size();
+        joint_count_ -= island.joints.size();
+        patch_count_ -= island.patches.size();
     }
 
     std::span<Island> islands() const { return islands_.first(island_count_); }
@@ -224,8 +234,17 @@ class Search {
     std::size_t body_count_ = 0, joint_count_ = 0, patch_count_ = 0, island_count_ = 0;
 };
 
+// True: it has fallen asleep.
+bool comes_to_rest(Island& island, Real h)
+{
+    Readiness found;
+    if (fall_asleep(island, h, found)) return true;
+    settle(island, h, found);
+    return false;
+}
+
 // If world.reached is not empty afterwards, it has to be done again.
-bool look_for_islands(World& world, std::span<PatchEdge> patches, Arena& arena, Islands& found)
+bool look_for_islands(World& world, Real h, std::span<PatchEdge> patches, Arena& arena, Islands& found)
 {
     // Bodies and joints that the program creates while it is asked for memory are behind these: the next
     // step's.
@@ -240,7 +259,10 @@ bool look_for_islands(World& world, std::span<PatchEdge> patches, Arena& arena, 
     if (!world.reached.empty()) return true;
     bonds.link(patches);
     for (std::size_t i = 0; i < bonds.bodies(); ++i)
-        if (bonds.reach(i) == Reach::kAwake) search.grow_from(i, bonds, stack);
+        if (bonds.reach(i) == Reach::kAwake) {
+            Island& island = search.grow_from(i, bonds, stack);
+            if (world.watches_bodies && comes_to_rest(island, h)) search.drop_last();
+        }
     std::size_t asleep = 0;
     for (std::size_t i = 0; i < bonds.bodies(); ++i)
         if (bonds.reach(i) == Reach::kAsleep) found.asleep[asleep++] = &bonds.body(i);
@@ -251,9 +273,9 @@ bool look_for_islands(World& world, std::span<PatchEdge> patches, Arena& arena, 
 
 }  // namespace
 
-bool find_islands(World& world, std::span<PatchEdge> patches, Arena& arena, Islands& found)
+bool find_islands(World& world, Real h, std::span<PatchEdge> patches, Arena& arena, Islands& found)
 {
-    while (look_for_islands(world, patches, arena, found)) {
+    while (look_for_islands(world, h, patches, arena, found)) {
         if (world.reached.empty()) return true;
         if (!activate_reached(world)) return false;
     }

@@ -28,14 +28,18 @@ struct Island {
     int plain_contacts = 0;  // of the joints
     bool feedback = false;   // is asked of one of these contacts
     bool impulses = false;   // are remembered by a joint
+    Real kept_depth = 0;     // that contact joints may keep while it settles, m; 0: it does not
+
+    bool settles() const { return kept_depth > 0; }
 };
 
+// Of a step of size h.
 struct Islands {
-    std::span<Island> all;
+    std::span<Island> all;    // but those that now fall asleep
     std::span<Body*> asleep;  // active bodies of none
 };
 
 // `patches`: those that touch in this step, between active bodies. False: out of memory.
-bool find_islands(World& world, std::span<PatchEdge> patches, Arena& arena, Islands& found);
+bool find_islands(World& world, Real h, std::span<PatchEdge> patches, Arena& arena, Islands& found);
 
 }  // namespace epode

@@ -205,6 +205,6 @@ bool solve_direct(RowSystem& system, const SolverSettings& settings, Arena& aren
 
 }  // namespace
 
-const Solver kDirect{"direct", false, true, true, false, false, false, 1, solve_direct};
+const Solver kDirect{"direct", false, true, true, false, false, false, 1, 1, solve_direct};
 
 }  // namespace epode

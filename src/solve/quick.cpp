@@ -151,6 +151,6 @@ bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena
 
 }  // namespace
 
-const Solver kQuick{"quick", false, false, false, true, true, false, Real(0.6), solve_quick};
+const Solver kQuick{"quick", false, false, false, true, true, false, Real(0.6), 5, solve_quick};
 
 }  // namespace epode

@@ -48,6 +48,7 @@ struct Solver {
     bool cones;          // knows RowSystem::cone and manifold_friction
     bool takes_patches;  // solves RowSystem::patches, and parts; others want rows
     Real warm_share;  // of the last step's impulses that it starts from when the world asks for warm starting
+    int settling_factor;  // so many times the iterations for islands that settle; 1: its answer needs no more
     // False: out of memory, nothing usable was computed.
     bool (*solve)(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report);
 };

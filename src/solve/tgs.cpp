@@ -247,7 +247,7 @@ bool solve_network(RowSystem& system, const SolverSettings& settings, Arena& are
 
 }  // namespace
 
-const Solver kTgs{"tgs", true, false, false, false, true, true, Real(0.9), solve_tgs};
-const Solver kNetwork{"network", true, false, false, false, true, true, Real(0.9), solve_network};
+const Solver kTgs{"tgs", true, false, false, false, true, true, Real(0.9), 4, solve_tgs};
+const Solver kNetwork{"network", true, false, false, false, true, true, Real(0.9), 4, solve_network};
 
 }  // namespace epode

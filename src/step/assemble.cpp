@@ -198,7 +198,8 @@ bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Ar
         if (forces_known) load_body(world, h, solver, body, work.system.bodies[i]);
     });
     int rows = 0, blocks = 0;
-    const StepInfo info = step_info(world, h);
+    StepInfo info = step_info(world, h);
+    if (solver.settling_factor > 1) info.contact_layer = std::max(info.contact_layer, island.kept_depth);
     write_manifolds(work.contacts, info, work.system.contacts);
     emit_rows(info, joints, work, rows, blocks);
     work.joints = work.joints.first(std::size_t(blocks));

@@ -29,6 +29,8 @@ void contain(std::span<Body* const> bodies, std::span<Joint* const> joints)
     }
 }
 
+constexpr int kManyIterations = 1000;  // of a program that wants an answer, not speed
+
 void silence_patch(Patch& patch)
 {
     patch.roll = {};
@@ -74,7 +76,7 @@ class IslandStep {
         const bool inner = context_.solver.substeps;
         if (inner && !model.prepare(arena_)) return false;
         SolverSettings settings;
-        settings.iterations = context_.iterations;
+        settings.iterations = iterations();
         settings.w = world_.quick_w;
         settings.seed = world_.step_count * 0x9e3779b97f4a7c15u + std::uint64_t(place_.index);
         settings.substeps = inner ? &callbacks : nullptr;
@@ -126,6 +128,11 @@ class IslandStep {
     }
 
   private:
+    int iterations() const
+    {
+        const int n = context_.iterations, factor = context_.solver.settling_factor;
+        return work_.island.settles() && n < kManyIterations ? n * factor : n;
+    }
     bool projects() const { return exact_ && world_.projection_iterations > 0; }
     bool divides() const { return exact_ && world_.exact_substeps > 1; }
     bool divided() const { return !work_.system.parts.empty(); }
@@ -253,6 +260,7 @@ Island joined(std::span<const Island> islands)
         sum.plain_contacts += island.plain_contacts;
         sum.feedback = sum.feedback || island.feedback;
         sum.impulses = sum.impulses || island.impulses;
+        sum.kept_depth = std::max(sum.kept_depth, island.kept_depth);
     }
     return sum;
 }

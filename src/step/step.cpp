@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The pipeline: sleep, islands, every island from forces to poses, then the callbacks. Islands know nothing
-// of each other, so they are the pieces of parallel work: large ones one after another with all workers on
-// each, if the solver can use them, and then the others at once, in parcels of about equal weight. Callbacks
-// come last, body by body in island order on the caller's thread: a program sees the same order on any
-// number of workers.
+// The pipeline: islands, of which some fall asleep, every island from forces to poses, then the callbacks.
+// Islands know nothing of each other, so they are the pieces of parallel work: large ones one after another
+// with all workers on each, if the solver can use them, and then the others at once, in parcels of about
+// equal weight. Callbacks come last, body by body in island order on the caller's thread: a program sees the
+// same order on any number of workers.
 #include "step/step.h"
 
 #include <algorithm>
@@ -14,7 +14,6 @@
 
 #include "dynamics/active.h"
 #include "dynamics/island.h"
-#include "dynamics/sleep.h"
 #include "step/finish.h"
 #include "step/hybrid.h"
 #include "step/island_step.h"
@@ -93,11 +92,10 @@ class WorldStep {
         Arena& arena = memory().arena(0);
         if (context_.manages_contacts) activate_all(world);
         if (!undo_.save_idleness(arena)) return false;
-        auto_disable(world, context_.h);
         std::span<PatchEdge> patches;
         if (context_.manages_contacts && !find_contacts(arena, patches)) return false;
         Islands found;
-        if (!find_islands(world, patches, arena, found) || !undo_.save_islands(found.all, arena))
+        if (!find_islands(world, context_.h, patches, arena, found) || !undo_.save_islands(found.all, arena))
             return false;
         islands_ = found.all, asleep_ = found.asleep;
         if (hybrid_ && !choose_solvers(arena)) return false;
@@ -205,6 +203,7 @@ class WorldStep {
     {
         // All workers sweep over a large one together, and over others each by itself.
         if (has_many_patches(i) || has_many_patches(i - 1)) return false;
+        if (islands_[i].settles() != islands_[i - 1].settles()) return false;
         const Solver& solver = solver_of(i);
         const bool joints = !islands_[i].joints.empty(), before = !islands_[i - 1].joints.empty();
         if (&solver != &solver_of(i - 1) || !makes_groups(solver)) return false;

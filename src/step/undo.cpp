@@ -42,6 +42,8 @@ bool StepUndo::save_idleness(Arena& arena)
         to.body = &b;
         copy(to.lvel, b.lvel), copy(to.avel, b.avel);
         to.spin_excess = b.spin_excess;
+        to.short_window = b.short_window, to.long_window = b.long_window;
+        to.settling_time = b.settling_time;
         to.time_left = b.idle_time_left, to.steps_left = b.idle_steps_left;
         to.next_sample = b.sample_next, to.samples_ready = b.samples_ready;
     });
@@ -112,6 +114,8 @@ void StepUndo::restore() const
         Body& b = *from.body;
         copy(b.lvel, from.lvel), copy(b.avel, from.avel);
         b.spin_excess = from.spin_excess;
+        b.short_window = from.short_window, b.long_window = from.long_window;
+        b.settling_time = from.settling_time;
         b.idle_time_left = from.time_left, b.idle_steps_left = from.steps_left;
         b.sample_next = from.next_sample, b.samples_ready = from.samples_ready;
         b.disabled = false;

@@ -17,7 +17,7 @@ class StepUndo {
   public:
     explicit StepUndo(World& world) : world_(world) {}
 
-    // Before the test for idle bodies. False: out of memory.
+    // Before the search for islands, which finds the idle ones. False: out of memory.
     [[nodiscard]] bool save_idleness(Arena& arena);
     // After the search for islands: impulses of their joints, and room for their bodies; those that sleep
     // although an awake one reaches them wake up here.
@@ -43,6 +43,8 @@ class StepUndo {
         Body* body;
         Real lvel[4], avel[4];
         Vec3 spin_excess;
+        Stillness short_window, long_window;
+        Real settling_time;
         Real time_left;
         int steps_left, next_sample;
         bool samples_ready;

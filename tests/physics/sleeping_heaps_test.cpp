@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Heaps that fall, come to rest and sleep, with every stepper, world-managed and in ODE's way: the fall is
+// over after two seconds, everybody sleeps some seconds later, nobody gains speed by falling asleep, and a
+// shot wakes the heap that it hits and not the one beside. Sizes, masses and places come from seeds.
+#include <algorithm>
+
+#include "managed.h"
+
+namespace epode::physics {
+namespace {
+
+enum class Kind { kColumns, kBoxes, kRocks, kMixed };
+const char* name_of(Kind kind)
+{
+    constexpr const char* kNames[] = {"columns", "boxes", "rocks", "mixed"};
+    return kNames[int(kind)];
+}
+
+struct Case {
+    Kind kind;
+    Stepper stepper;
+    bool managed;
+};
+
+constexpr double kPit = 1.6;       // half its width, m
+constexpr double kRolling = 0.01;  // resistance of what is round, m: nothing else ends its rolling
+
+class Heap : public Sim {
+  public:
+    Heap(const Case& c, std::uint32_t seed, double x) : Heap(c, seed) { add(x); }
+    Heap(const Case& c, std::uint32_t seed) : Sim(c.stepper), case_(c), random_(seed)
+    {
+        small_steps = 4;
+        gravity(0, 0, -9.81);
+        dWorldSetAutoDisableFlag(world, 1);
+        if (c.managed) dWorldSetContactSpace(world, space);
+        surface.mode = dContactApprox1;
+        surface.mu = real(0.6);
+        if (c.kind == Kind::kMixed) surface.mode |= dContactRolling, surface.rho = real(kRolling);
+        ground();
+    }
+
+    // Bodies over a square of the ground about (x, 0); what could roll away has walls about it.
+    void add(double x)
+    {
+        if (case_.kind == Kind::kColumns) {
+            for (int i = 0; i < 54; ++i) brick(x, i);
+            return;
+        }
+        wall(x);
+        for (int i = 0; i < 60; ++i) {
+            const V3 at = {x + 0.7 * (i % 4 - 1.5) + random_.uniform(-0.1, 0.1),
+                           0.7 * (i / 4 % 4 - 1.5) + random_.uniform(-0.1, 0.1), 0.4 + 0.6 * (i / 16)};
+            solid(at, case_.kind == Kind::kMixed ? i % 4 : case_.kind == Kind::kRocks ? 1 : 0);
+        }
+    }
+
+    void advance_heap()
+    {
+        if (case_.managed) {
+            ASSERT_EQ(advance(kH), 1);
+        } else {
+            ASSERT_EQ(step(kH), 1);
+        }
+    }
+
+    double fastest() const
+    {
+        double most = 0;
+        for (dBodyID b : bodies) most = std::max(most, length(velocity(b)));
+        return most;
+    }
+
+    int awake(std::size_t from = 0) const
+    {
+        return int(std::count_if(bodies.begin() + std::ptrdiff_t(from), bodies.end(),
+                                 [](dBodyID b) { return dBodyIsEnabled(b) != 0; }));
+    }
+
+    // Seconds until all sleep, at most `limit`.
+    double fall_asleep(double limit)
+    {
+        double t = 0;
+        for (; t < limit && awake() > 0; t += kH) advance_heap();
+        return t;
+    }
+
+  private:
+    void brick(double x, int i)
+    {
+        const V3 offset = {random_.uniform(-0.05, 0.05), random_.uniform(-0.05, 0.05), 0};
+        const double across = 0.6 * (i % 9 % 3 - 1), along = 0.6 * (i % 9 / 3 - 1);
+        box(V3{x + across, along, 0.3 + 0.55 * (i / 9)} + offset, {0.5, 0.5, 0.5}, 100);
+    }
+
+    void wall(double x)
+    {
+        for (double side : {-1.0, 1.0}) {
+            dGeomID a = dCreateBox(space, real(0.2), real(2 * kPit), 4);
+            dGeomSetPosition(a, real(x + side * kPit), 0, 2);
+            dGeomID b = dCreateBox(space, real(2 * kPit), real(0.2), 4);
+            dGeomSetPosition(b, real(x), real(side * kPit), 2);
+        }
+    }
+
+    void solid(V3 at, int shape)
+    {
+        const double size = random_.uniform(0.3, 0.5), mass = random_.uniform(20, 100);
+        dBodyID body;
+        if (shape == 0)
+            body = box(at, {size, random_.uniform(0.3, 0.5), random_.uniform(0.3, 0.5)}, mass);
+        else if (shape == 1)
+            body = rock(at, size, mass);
+        else if (shape == 2)
+            body = capsule(at, 0.4 * size, size, mass);
+        else
+            body = cylinder(at, 0.5 * size, size, mass);
+        dQuaternion q;
+        random_.quaternion(q);
+        dBodySetQuaternion(body, q);
+        dMaterial material;
+        dGeomGetMaterial(geom_of(body), &material);
+        if (shape >= 2) material.rolling = real(kRolling);
+        dGeomSetMaterial(geom_of(body), &material);
+    }
+
+    dBodyID rock(V3 at, double size, double mass)
+    {
+        dReal points[3 * 12];
+        for (int i = 0; i < 12; ++i) {
+            const V3 p = random_.point(1);
+            const double k = 0.5 * size / std::max(0.2, length(p));
+            points[3 * i] = real(k * p.x), points[3 * i + 1] = real(k * p.y),
+                       points[3 * i + 2] = real(k * p.z);
+        }
+        dBodyID b = body(at, mass, 0.1 * mass * size * size);
+        dGeomSetBody(dCreateConvexHull(space, points, 12, 0), b);
+        return b;
+    }
+
+    const Case case_;
+    Random random_;
+};
+
+struct SleepingHeaps : testing::TestWithParam<Case> {};
+
+TEST_P(SleepingHeaps, come_to_rest_and_stay_there)
+{
+    for (std::uint32_t seed : {5u, 23u}) {
+        Heap heap(GetParam(), seed, 0);
+        for (double t = 0; t < 2.5; t += kH) heap.advance_heap();
+        const double first = heap.fastest();
+        double before = energy(heap), gained = 0, fastest = first;
+        for (double t = 2.5; t < 10 && heap.awake() > 0; t += kH) {
+            heap.advance_heap();
+            const double now = energy(heap);
+            gained = std::max(gained, now - before);
+            before = std::min(before, now);
+            fastest = std::max(fastest, heap.fastest());
+        }
+        EXPECT_EQ(heap.awake(), 0) << "seed " << seed;
+        EXPECT_LT(fastest, std::max(2.5, 1.5 * first)) << "nobody is thrown";
+        // 54 to 60 bodies of 20 to 100 kg: a millimetre for all of them is 35 J.
+        EXPECT_LT(gained, 35) << "nothing lifts the heap";
+        EXPECT_EQ(heap.fastest(), 0);
+        const std::uint64_t asleep = hash_state(heap);
+        for (int i = 0; i < 60; ++i) heap.advance_heap();
+        EXPECT_EQ(hash_state(heap), asleep);
+    }
+}
+
+TEST_P(SleepingHeaps, wake_where_a_shot_hits_and_sleep_again)
+{
+    Heap heap(GetParam(), 77, 0);
+    heap.add(8);
+    const std::size_t second = heap.bodies.size() / 2;
+    heap.fall_asleep(15);
+    ASSERT_EQ(heap.awake(), 0);
+    const double at_rest = energy(heap);
+    dBodyID shot = heap.sphere({0.1, 0.2, 4}, 0.15, 10);
+    velocity(shot, {0, 0, -8});
+    dGeomSetCollideBits(geom_of(shot), ~0ul);
+    const double given = energy(heap) - at_rest;
+    int woken = 0;
+    double fastest = 0;
+    for (double t = 0; t < 1.5; t += kH) {
+        heap.advance_heap();
+        woken = std::max(woken, heap.awake() - heap.awake(second));
+        fastest = std::max(fastest, heap.fastest());
+        for (std::size_t i = second; i < 2 * second; ++i) ASSERT_FALSE(dBodyIsEnabled(heap.bodies[i])) << t;
+        ASSERT_LT(energy(heap) - at_rest, given + 1) << "a shot brings energy, waking does not";
+    }
+    EXPECT_GT(woken, 0);
+    EXPECT_LT(fastest, 12) << "nobody is faster than the shot";
+    dBodyDestroy(shot), heap.bodies.pop_back();
+    EXPECT_LT(heap.fall_asleep(8), 8);
+}
+
+std::vector<Case> all_cases()
+{
+    std::vector<Case> cases;
+    for (Kind kind : {Kind::kColumns, Kind::kBoxes, Kind::kRocks, Kind::kMixed})
+        for (Stepper stepper : kSteppers)
+            for (bool managed : {true, false}) cases.push_back({kind, stepper, managed});
+    return cases;
+}
+
+std::string heap_name(const testing::TestParamInfo<Case>& c)
+{
+    return std::string(name_of(c.param.kind)) + "_" + name_of(c.param.stepper) +
+           (c.param.managed ? "_managed" : "_joints");
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, SleepingHeaps, testing::ValuesIn(all_cases()), heap_name);
+
+}  // namespace
+}  // namespace epode::physics
