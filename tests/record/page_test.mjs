@@ -7,6 +7,8 @@
 // FOLDER gets screenshots; --measure also counts frames a second. The browser is Debian's chromium, drawing by software.
 import {createRequire} from 'node:module';
 import {pathToFileURL} from 'node:url';
+import {execFileSync} from 'node:child_process';
+import fs from 'node:fs';
 import path from 'node:path';
 
 const {chromium} = createRequire(process.env.EPODE_NPM + '/')('playwright-core');
@@ -18,10 +20,11 @@ function check(holds, text) {
     if (!holds) ++failures;
 }
 
-const browser = await chromium.launch({
+const server = await chromium.launchServer({
     executablePath: process.env.EPODE_CHROMIUM ?? '/usr/bin/chromium',
     args: ['--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--no-sandbox'],
 });
+const browser = await chromium.connect(server.wsEndpoint());
 const page = await browser.newPage({viewport: {width: 1100, height: 760}});
 const complaints = [], requests = [];
 page.on('console', message => { if (message.type() === 'error' || message.type() === 'warning') complaints.push(message.text()); });
@@ -30,6 +33,7 @@ page.on('request', request => { if (!request.url().startsWith('file:') && !/^(da
 
 // How many different colours a canvas shows, and its picture as a number that changes when it does.
 const look = id => page.evaluate(canvas_id => {
+    window.epode.use_level?.(0);
     window.epode.draw();
     const canvas = document.getElementById(canvas_id), copy = document.createElement('canvas');
     copy.width = 220;
@@ -44,6 +48,23 @@ const look = id => page.evaluate(canvas_id => {
     }
     return {colors: colors.size, hash};
 }, id);
+
+// Milliseconds of processors that the browser with all its processes has used: on a busy machine a better measure than the clock.
+function browser_work() {
+    const table = execFileSync('ps', ['-eo', 'pid=,ppid=']).toString().trim().split('\n').map(line => line.trim().split(/\s+/).map(Number));
+    const family = new Set([server.process().pid]);
+    for (let size = 0; size !== family.size;) {
+        size = family.size;
+        for (const [pid, parent] of table) if (family.has(parent)) family.add(pid);
+    }
+    let ticks = 0;
+    for (const pid of family) {
+        if (!fs.existsSync(`/proc/${pid}/stat`)) continue;
+        const fields = fs.readFileSync(`/proc/${pid}/stat`, 'utf8').split(') ').pop().split(' ');
+        ticks += Number(fields[11]) + Number(fields[12]);
+    }
+    return 10 * ticks;
+}
 const get = name => page.evaluate(key => window.epode[key], name);
 const state = () => page.locator('#state').textContent();
 
@@ -126,9 +147,11 @@ check(await get('time') > first && /hash [0-9a-f]{16}/.test(await state()), `the
 
 const followed = await page.evaluate(() => {
     const {values} = window.epode.poses;
-    const select = document.getElementById('follow');
+    const select = document.getElementById('body');
     select.value = '0';
     select.dispatchEvent(new Event('change'));
+    const box = document.getElementById('follow');
+    if (!box.checked) box.click();
     window.epode.seek(window.epode.end);
     window.epode.draw();
     const target = window.epode.stage.controls.target;
@@ -136,6 +159,77 @@ const followed = await page.evaluate(() => {
 });
 check(followed < 1e-4, 'the view follows a body');
 await page.screenshot({path: path.join(folder, 'page_end.png')});
+
+// Picking: a body that nothing hides is chosen by a click on it, marked in the list and in the picture; the list, and keys, do the reverse.
+await page.evaluate(() => {
+    document.getElementById('follow').checked && document.getElementById('follow').click();
+    document.getElementById('reset').click();
+    document.getElementById('follow').checked && document.getElementById('follow').click();
+    window.epode.seek(0);
+    window.epode.choose(-1);
+    window.epode.draw();
+});
+const seen_body = await page.evaluate(() => {
+    const {stage, poses} = window.epode;
+    stage.camera.updateMatrixWorld();
+    for (let i = 0; i < poses.values.length / 7; ++i) {
+        const p = stage.controls.target.clone().fromArray(poses.values, 7 * i).project(stage.camera);
+        const [x, y] = [0.5 + 0.5 * p.x, 0.5 - 0.5 * p.y];
+        if (Math.abs(p.x) < 0.9 && Math.abs(p.y) < 0.9 && stage.pick(x, y) === i) return {body: i, x, y};
+    }
+    return null;
+});
+const chosen_now = () => page.evaluate(() => ({list: document.getElementById('body').value, name: document.getElementById('body').selectedOptions[0].text,
+                                               marked: window.epode.stage.mark.lines.geometry.drawRange.count, where: document.getElementById('where').textContent}));
+const unmarked = await look('view');
+const area = await page.locator('#view').boundingBox();
+await page.mouse.click(area.x + seen_body.x * area.width, area.y + seen_body.y * area.height);
+const after_click = await chosen_now();
+check(after_click.list === String(seen_body.body), `a click in the picture chooses ${after_click.name} in the list`);
+const marked = await look('view');
+check(after_click.marked > 0 && marked.hash !== unmarked.hash, 'it is marked in the picture');
+check((await chosen_now()).where.startsWith(`${after_click.name} at `), `its place is told: ${(await chosen_now()).where}`);
+await page.locator('#body').focus();
+await page.keyboard.press('ArrowDown');
+const by_list = await chosen_now();
+check(by_list.list === String(seen_body.body + 1) && (await look('view')).hash !== marked.hash, `the list by keys chooses ${by_list.name}`);
+await page.locator('#view').focus();
+await page.keyboard.press('PageUp');
+check((await chosen_now()).list === String(seen_body.body) && (await look('view')).hash === marked.hash, 'page up in the picture goes back to it');
+await page.keyboard.press('Escape');
+check((await chosen_now()).list === '-1' && (await look('view')).hash === unmarked.hash, 'Escape chooses nothing, and all looks as before');
+await page.mouse.move(area.x + seen_body.x * area.width, area.y + seen_body.y * area.height);
+await page.mouse.down();
+await page.mouse.move(area.x + seen_body.x * area.width + 60, area.y + seen_body.y * area.height, {steps: 4});
+await page.mouse.up();
+check((await chosen_now()).list === '-1', 'a drag orbits and chooses nothing');
+
+// Orbiting, shifting and coming back from below: the eye stays above the floor.
+const floors = await page.evaluate(() => window.epode.stage.ground.floors.length);
+if (floors > 0) {
+    const eye = () => page.evaluate(() => window.epode.stage.camera.position.z - Math.max(...window.epode.stage.ground.floors));
+    const drag = async (button, dy) => {
+        for (let k = 0; k < 3; ++k) {
+            await page.mouse.move(area.x + 0.5 * area.width, area.y + (dy < 0 ? 0.9 : 0.1) * area.height);
+            await page.mouse.down({button});
+            await page.mouse.move(area.x + 0.5 * area.width, area.y + (dy < 0 ? 0.05 : 0.95) * area.height, {steps: 6});
+            await page.mouse.up({button});
+        }
+    };
+    const high = await eye();
+    await drag('left', -1);
+    const low = await eye();
+    check(low > 0 && low < 0.5 * high, `orbiting under the floor ends above it: ${low.toFixed(2)} m`);
+    await page.screenshot({path: path.join(folder, 'page_low.png')});
+    await drag('right', -1);
+    check(await eye() > 0, `shifting down ends above it: ${(await eye()).toFixed(2)} m`);
+    await page.evaluate(() => {
+        const {controls, camera} = window.epode.stage;
+        camera.position.z = -50;
+        controls.update();
+    });
+    check(await eye() > 0, 'an eye below the floor is lifted');
+}
 
 if (measure) {
     for (const shadows of [true, false]) {
@@ -145,8 +239,11 @@ if (measure) {
             window.epode.seek(0);
             window.epode.play(true);
         }, shadows);
-        await page.waitForTimeout(5000);
-        const fps = await get('fps');
+        const pictures = () => page.evaluate(() => window.epode.stage.renderer.info.render.frame);
+        const [frame_before, work_before, begin] = [await pictures(), browser_work(), performance.now()];
+        await page.waitForTimeout(6000);
+        const drawn = await pictures() - frame_before, seconds = (performance.now() - begin) / 1000;
+        const fps = drawn / seconds, cpu = (browser_work() - work_before) / drawn;
         const work = await page.evaluate(() => {
             const begin = performance.now();
             for (let i = 0; i < 20; ++i) {
@@ -155,7 +252,8 @@ if (measure) {
             }
             return (performance.now() - begin) / 20;
         });
-        console.log(`${fps.toFixed(1)} frames/s ${shadows ? 'with' : 'without'} shadows, of which own work ${work.toFixed(2)} ms a frame`);
+        console.log(`${fps.toFixed(1)} frames/s ${shadows ? 'with' : 'without'} shadows, level ${await get('level') ?? 0}; a frame took the browser ` +
+                    `${cpu.toFixed(0)} ms of processors' time, of which own work ${work.toFixed(2)} ms`);
     }
 }
 
@@ -163,6 +261,7 @@ check(requests.length === 0, `nothing is asked of the network${requests.length ?
 const real = complaints.filter(text => !/GPU stall|swiftshader|software WebGL/i.test(text));
 check(real.length === 0, `no complaint on the console${real.length ? ': ' + real[0] : ''}`);
 await browser.close();
+await server.close();
 if (failures > 0) {
     console.log(`${failures} failed`);
     process.exit(1);

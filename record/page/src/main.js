@@ -6,6 +6,7 @@
 import {hash_text, load_recording} from './recording.js';
 import {Plot} from './plot.js';
 import {Poses} from './poses.js';
+import {Pace, kLevels} from './quality.js';
 import {Stage} from './stage.js';
 
 const element = id => document.getElementById(id);
@@ -15,6 +16,8 @@ function complain(text) {
     box.textContent = text;
     box.hidden = false;
 }
+
+const kRest = 400;  // ms without a change after which a picture is fine
 
 class Player {
     constructor(recording) {
@@ -30,6 +33,10 @@ class Player {
         this.fps = 0;
         this.dirty = true;
         this.frames = [];
+        this.pace = new Pace(this.stage.in_software ? 2 : 0);
+        this.level = 0;
+        this.chosen = -1;
+        this.moved = -Infinity;
         const series = recording.series, energy = series.kinetic.map((k, i) => k + series.potential[i]);
         const seek = time => this.seek(time);
         this.plots = [
@@ -64,9 +71,28 @@ class Player {
         this.seek(this.recording.times[Math.min(Math.max(at, 0), this.recording.times.length - 1)]);
     }
 
+    // The body that is marked, in the list and in the picture; -1: none.
+    choose(carrier) {
+        this.chosen = carrier;
+        this.stage.mark.set(carrier);
+        element('body').value = String(carrier);
+        element('follow').disabled = carrier < 0;
+        if (element('follow').checked) this.follow(carrier);
+        this.dirty = true;
+    }
+
+    // To the body after or before the chosen one that is there now.
+    choose_next(by) {
+        const {count} = this.recording.carriers;
+        for (let i = 1, at = this.chosen < 0 && by < 0 ? 0 : this.chosen; i <= count; ++i) {
+            at = (at + by + count) % count;
+            if (this.poses.alive[at]) return this.choose(at);
+        }
+    }
+
     follow(carrier) {
         this.stage.follow = carrier;
-        element('follow').value = String(carrier);
+        element('follow').checked = carrier >= 0;
         this.dirty = true;
     }
 
@@ -77,10 +103,28 @@ class Player {
             this.seek(this.time + this.speed * spent);
             if (this.time >= this.end) this.play(false);
         }
+        this.keep_pace(now, 1000 * spent);
         if (this.dirty) this.draw();
         this.frames.push(now);
         while (this.frames.length > 2 && now - this.frames[0] > 2000) this.frames.shift();
         if (this.frames.length > 1) this.fps = 1000 * (this.frames.length - 1) / (now - this.frames[0]);
+    }
+
+    // Coarser pictures while they follow one another too slowly, a fine one where they have stopped.
+    keep_pace(now, interval) {
+        const rested = now - this.moved > Math.max(kRest, 2 * interval);
+        if (this.dirty) {
+            if (rested) this.pace.start_again(); else this.pace.tell(interval);
+            this.moved = now;
+        }
+        this.use_level(rested && !this.dirty ? 0 : this.pace.level);
+    }
+
+    use_level(level) {
+        if (level === this.level) return;
+        this.level = level;
+        this.stage.set_level(kLevels[level]);
+        this.dirty = true;
     }
 
     draw() {
@@ -93,8 +137,20 @@ class Player {
         const moment = this.poses.moment, {contacts} = this.recording;
         const counted = contacts.counts[moment];
         element('clock').textContent = `${this.time.toFixed(2)} / ${this.end.toFixed(2)} s`;
+        element('where').textContent = this.chosen < 0 ? '' : place_words(this.recording, this.poses, this.chosen);
         element('state').textContent = `state ${this.recording.steps[moment]}, ${counted} contacts, hash ${hash_text(this.recording, moment)}`;
     }
+}
+
+function name_of(recording, carrier) {
+    const body = recording.carriers.numbers[4 * carrier];
+    return body < 0 ? `moving geom ${carrier}` : `body ${body}`;
+}
+
+function place_words(recording, poses, carrier) {
+    if (!poses.alive[carrier]) return `${name_of(recording, carrier)} is not there now`;
+    const [x, y, z] = Array.from(poses.values.subarray(7 * carrier, 7 * carrier + 3), value => value.toFixed(3));
+    return `${name_of(recording, carrier)} at ${x}, ${y}, ${z} m`;
 }
 
 function describe(recording) {
@@ -124,31 +180,48 @@ function wire_controls(player) {
     show('contacts', player.stage.contact_lines);
     show('joints', player.stage.joint_lines);
     element('shadows').addEventListener('change', event => {
-        player.stage.sun.castShadow = event.target.checked;
+        player.stage.set_shadows(event.target.checked);
         player.dirty = true;
     });
     element('reset').addEventListener('click', () => {
-        player.stage.follow = -1;
-        player.follow(player.stage.frame_all());
+        player.follow(-1);
+        begin_following(player, player.stage.frame_all());
         player.stage.aim_sun();
         player.dirty = true;
     });
-    const follow = element('follow'), {carriers} = player.recording;
-    follow.append(new Option('nothing', '-1'));
-    for (let i = 0; i < Math.min(carriers.count, 2000); ++i) {
-        const body = carriers.numbers[4 * i];
-        follow.append(new Option(body < 0 ? `moving geom ${i}` : `body ${body}`, String(i)));
-    }
-    follow.addEventListener('change', () => player.follow(Number(follow.value)));
+    const body = element('body'), follow = element('follow');
+    const names = Array.from({length: player.recording.carriers.count}, (_, i) => new Option(name_of(player.recording, i), String(i)));
+    body.append(new Option('none', '-1'), ...names);
+    body.addEventListener('change', () => player.choose(Number(body.value)));
+    follow.addEventListener('change', () => player.follow(follow.checked ? player.chosen : -1));
+    player.choose(-1);
+}
+
+function begin_following(player, carrier) {
+    if (carrier < 0) return;
+    player.choose(carrier);
+    player.follow(carrier);
+}
+
+// A click chooses what is under it, a double click follows it as well; a drag orbits and chooses nothing.
+function wire_picking(player, view) {
+    const picked = event => {
+        const box = view.getBoundingClientRect();
+        return player.stage.pick((event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height);
+    };
+    let pressed = null;
+    view.addEventListener('pointerdown', event => { pressed = event.button === 0 ? [event.clientX, event.clientY] : null; });
+    view.addEventListener('pointerup', event => {
+        if (pressed && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) < 4) player.choose(picked(event));
+        pressed = null;
+    });
+    view.addEventListener('dblclick', event => player.follow(picked(event)));
 }
 
 function wire_view(player) {
     const view = element('view');
     player.stage.controls.addEventListener('change', () => { player.dirty = true; });
-    view.addEventListener('dblclick', event => {
-        const box = view.getBoundingClientRect();
-        player.follow(player.stage.pick((event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height));
-    });
+    wire_picking(player, view);
     const keys = {
         ' ': () => player.play(!player.playing),
         p: () => player.play(!player.playing),
@@ -157,11 +230,15 @@ function wire_view(player) {
         ArrowLeft: () => player.step(-1),
         ',': () => player.step(-1),
         r: () => player.seek(player.start),
+        PageDown: () => player.choose_next(1),
+        PageUp: () => player.choose_next(-1),
+        Escape: () => player.choose(-1),
+        f: () => element('follow').click(),
         c: () => element('contacts').click(),
         j: () => element('joints').click(),
     };
     window.addEventListener('keydown', event => {
-        if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches('input, select')) return;
+        if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches('input[type=range], select')) return;
         if (event.key === ' ' && event.target.matches('button')) return;
         const action = keys[event.key];
         if (!action) return;
@@ -185,7 +262,7 @@ try {
     const player = new Player(recording);
     wire_controls(player);
     wire_view(player);
-    player.follow(player.stage.frame_all());
+    begin_following(player, player.stage.frame_all());
     window.epode = player;
     const loop = now => {
         player.tick(now);

@@ -3,12 +3,15 @@
 //
 // What is seen: one instanced mesh for each solid, lights, a floor, contacts and joints as lines, and the camera.
 import {
-    AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, Fog, HemisphereLight, InstancedMesh,
-    LineBasicMaterial, LineSegments, Matrix4, MeshLambertMaterial, PCFShadowMap, PerspectiveCamera, Quaternion,
-    Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
+    BasicShadowMap, BufferAttribute, BufferGeometry, Color, DirectionalLight, Fog, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4,
+    PCFShadowMap, PerspectiveCamera, Quaternion, Raycaster, Scene, Vector2, Vector3, WebGLRenderer,
 } from 'three';
 import {OrbitControls} from 'three/addons/controls/OrbitControls.js';
+import {Ground, level_floors} from './ground.js';
+import {Mark, instances_of} from './mark.js';
+import {kSunDirection, paint} from './paint.js';
 import {Poses} from './poses.js';
+import {draws_in_software, kLevels} from './quality.js';
 
 const kSky = new Color(0xdfe7ee);
 const kSolid = {plane: 5};
@@ -34,7 +37,7 @@ function lines(color, room) {
 function grid_of(half, spacing) {
     const points = [];
     for (let i = -half; i <= half; ++i) {
-        for (let k = -half; k < half; ++k) points.push(i, k, 0, i, k + 1, 0, k, i, 0, k + 1, i, 0);
+        for (let k = -half; k < half; k += 4) points.push(i, k, 0, i, k + 4, 0, k, i, 0, k + 4, i, 0);
     }
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new BufferAttribute(new Float32Array(points).map(x => spacing * x), 3));
@@ -54,15 +57,17 @@ export class Stage {
     constructor(canvas, recording, poses) {
         this.recording = recording;
         this.poses = poses;
-        this.renderer = new WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: false});
+        this.in_software = draws_in_software();
+        this.renderer = new WebGLRenderer({canvas, antialias: !this.in_software, preserveDrawingBuffer: false});
         this.renderer.shadowMap.enabled = true;
-        this.renderer.shadowMap.type = PCFShadowMap;
+        this.shadows = true;
         this.scene = new Scene();
         this.scene.background = kSky;
         this.camera = new PerspectiveCamera(38, 1, 0.01, 5000);
         this.camera.up.set(0, 0, 1);
         this.controls = new OrbitControls(this.camera, canvas);
         this.controls.enableDamping = false;
+        this.controls.addEventListener('change', () => this.stay_above());
         this.follow = -1;
         this.make_parts();
         this.make_lines();
@@ -70,6 +75,7 @@ export class Stage {
         this.frame_all();
         this.make_lights();
         this.make_grid();
+        this.set_level(kLevels[0]);
         this.update();
     }
 
@@ -81,7 +87,7 @@ export class Stage {
         for (let s = 0; s < solids.length; ++s) {
             if (members[s].length === 0 || solids[s].corners.length === 0) continue;
             const is_plane = solids[s].kind === kSolid.plane;
-            const material = new MeshLambertMaterial({polygonOffset: is_plane, polygonOffsetFactor: 1, polygonOffsetUnits: 8});
+            const material = paint({polygonOffset: is_plane, polygonOffsetFactor: 1, polygonOffsetUnits: 8});
             const mesh = new InstancedMesh(geometry_of(solids[s]), material, members[s].length);
             mesh.frustumCulled = false;
             mesh.castShadow = !is_plane;
@@ -104,14 +110,15 @@ export class Stage {
         this.contact_lines = lines(0xd0021b, most);
         this.contact_lines.visible = false;
         this.joint_lines = lines(0x2b2d42, 2 * Math.max(1, joints.count));
-        this.scene.add(this.contact_lines, this.joint_lines);
+        const mark_lines = lines(0x111111, 12 * Mark.kRoom);
+        this.scene.add(this.contact_lines, this.joint_lines, mark_lines);
+        this.mark = new Mark(instances_of(this.recording, this.meshes), mark_lines);
+        this.ground = new Ground(this.recording, this.meshes);
     }
 
     make_lights() {
-        this.scene.add(new AmbientLight(0xffffff, 0.35), new HemisphereLight(0xeaf2ff, 0xb8b0a4, 1.3));
-        const sun = new DirectionalLight(0xfff4e0, 2.4);
+        const sun = new DirectionalLight();  // for its shadows: paint.js has its light
         sun.castShadow = true;
-        sun.shadow.mapSize.set(2048, 2048);
         sun.shadow.bias = -0.0005;
         sun.shadow.normalBias = 0.02;
         this.sun = sun;
@@ -121,14 +128,13 @@ export class Stage {
 
     // Lines on level floors, in steps of 1, 10, 100 m: what moves is seen to move.
     make_grid() {
-        const {solids, parts} = this.recording;
-        for (let i = 0; i < parts.count; ++i) {
-            const solid = solids[parts.numbers[4 * i]];
-            if (solid.kind !== kSolid.plane || solid.normals.length < 3 || Math.abs(solid.normals[2]) < 0.999) continue;
+        this.grids = [];
+        for (const height of level_floors(this.recording)) {
             const spacing = 10 ** Math.max(0, Math.round(Math.log10(this.radius / 3)));
             const grid = new LineSegments(grid_of(40, spacing), new LineBasicMaterial(
                 {color: 0x000000, transparent: true, opacity: 0.14, depthWrite: false}));
-            grid.position.z = solid.points[2] + 0.002 * this.radius;
+            grid.position.z = height + 0.002 * this.radius;
+            this.grids.push(grid);
             this.scene.add(grid);
         }
     }
@@ -137,7 +143,7 @@ export class Stage {
     aim_sun() {
         const reach = Math.max(2, 1.6 * this.radius), target = this.controls.target;
         this.sun.target.position.copy(target);
-        this.sun.position.set(target.x - 1.2 * reach, target.y - reach, target.z + 1.8 * reach);
+        this.sun.position.copy(target).addScaledVector(kSunDirection, 2.4 * reach);
         const camera = this.sun.shadow.camera;
         camera.left = camera.bottom = -reach;
         camera.right = camera.top = reach;
@@ -165,6 +171,7 @@ export class Stage {
     look_at({center, radius}) {
         this.radius = radius;
         this.controls.target.copy(center);
+        this.ground.stand_under(center.z);
         const distance = 1.1 * this.radius / Math.sin(0.5 * this.camera.fov * Math.PI / 180);
         this.camera.position.copy(center).add(new Vector3(0.45, -0.85, 0.32).normalize().multiplyScalar(distance));
         this.camera.near = distance / 500;
@@ -174,8 +181,28 @@ export class Stage {
         this.controls.update();
     }
 
+    // See quality.js.
+    set_level(level) {
+        this.level = level;
+        const {sun, renderer} = this, type = level.soft ? PCFShadowMap : BasicShadowMap;
+        renderer.setPixelRatio(Math.min(level.ratio, level.ratio * window.devicePixelRatio, Math.max(1, window.devicePixelRatio)));
+        sun.castShadow = this.shadows && level.map > 0;
+        if (level.map > 0 && sun.shadow.mapSize.x !== level.map) {
+            sun.shadow.mapSize.set(level.map, level.map);
+            sun.shadow.map?.dispose();
+            sun.shadow.map = null;
+        }
+        if (renderer.shadowMap.type === type) return;
+        renderer.shadowMap.type = type;
+        for (const mesh of this.meshes) mesh.material.needsUpdate = true;
+    }
+
+    set_shadows(on) {
+        this.shadows = on;
+        this.set_level(this.level);
+    }
+
     resize(width, height) {
-        this.renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
         this.renderer.setSize(width, height, false);
         this.camera.aspect = width / Math.max(1, height);
         this.camera.updateProjectionMatrix();
@@ -202,7 +229,12 @@ export class Stage {
         }
         this.update_joints();
         this.update_contacts();
+        this.mark.update();
         this.update_follow();
+    }
+
+    stay_above() {
+        this.ground.keep_above(this.controls, 0.02 * this.radius);
     }
 
     update_joints() {
@@ -262,5 +294,11 @@ export class Stage {
         return hit ? this.recording.parts.numbers[4 * hit.object.userData.members[hit.instanceId] + 1] : -1;
     }
 
-    draw() { this.renderer.render(this.scene, this.camera); }
+    draw() {
+        // Lines that a low eye sees one behind the other would add up to a black band.
+        const {position} = this.camera, {target} = this.controls;
+        const slope = Math.abs(position.z - target.z) / Math.max(1e-9, position.distanceTo(target));
+        for (const grid of this.grids) grid.material.opacity = 0.14 * Math.min(1, 0.1 + 4 * slope);
+        this.renderer.render(this.scene, this.camera);
+    }
 }
