@@ -9,7 +9,11 @@ from (header_docs.py has the convention). Fails on
   a function in no chapter, or in one that does not say what is refused;
   a comment without [guide], [0.16] or [ours], or [guide] where the guide knows none of its functions, or the
   other way round (tests/abi/guide_names.inc lists what the guide names);
-  a function declared in two headers.
+  a function declared in two headers;
+  a function that has no text of its own in a run of several, or the text of another one of the run;
+  a text that names an argument that the function lacks, or that speaks of its place on a page ("above", "the first
+  two functions", "the same"), since each entry of the manual stands alone;
+  a refusal of a kind of argument that the function does not take, or that no function of the chapter can have.
 
 check_docs.py [FILE...]: without files all of both folders; --count prints how many functions there are."""
 import pathlib
@@ -28,6 +32,35 @@ WITHOUT_FUNCTIONS = ("odecpp", "doubles")
 def guide_names():
     text = (ROOT / "tests" / "abi" / "guide_names.inc").read_text(encoding="utf-8")
     return set(re.findall(r"^F\((\w+)\)", text, re.M))
+
+
+# Names of arguments that are words of English as well: in a text they need not mean the argument.
+WORDS = set("""
+    a adr ap axis back bits block bodies body bounce bound buffer callback capsule center channel clip collide color comp
+    contact convex count cylinder data depth description dir direction distance down end enable enabled err error
+    factor file flags force friction from function functions geom g group handle head hit hits hole i id index info instance
+    iterations joint k l left length level lines list m mass material mesh message mode moment motion mu n name normal
+    num number offset on out over p pair parameter parts plane planes point points polygons position prefix problem
+    quality r radius range ratio ray rel requirements reserve resources room s scale seconds side size slip
+    solid solution source space sphere start stats step stepper steps t text the threads threshold time tolerance
+    angle backlash box by category contacts cooperative Data directions events geoms gravity lengths most origin other
+    report result skip torque transform triangle type u v value vector vel vertices w way width world x y z
+""".split())
+# What points to another place of a page.
+PLACES = re.compile(r"""
+    \b(?:see|as|said|named|listed|described|explained|given|told|functions?|that|one|here)\s+(?:above|below)\b
+    | \((?:see\s+)?(?:above|below)\) | ,\s+(?:above|below)[,.]
+    | \bthe\s+(?:former|latter)\b
+    | \b[Tt]he\s+(?:first|second|third|last|other|previous|next|preceding|following|same)\s+(?:(?:one|two|three|four|five|six|seven|eight)\s+)?
+      (?:functions?|forms?|products?|calls?|getters?|setters?|flags)\b
+    | \b(?:[Tt]he|[Tt]his)\s+(?:getters?|setters?)\b | ^(?:Get|Set)\d?\s+(?:answers|writes)\b
+    | ^(?:The\s+same\b(?!\s+\w+\s+(?:of|as)\b)|And\s|Likewise|Each\s+sets|Old\s+forms\b|Rates\s+of\s+the\s+two)
+    """, re.X | re.M)
+
+
+def all_chapters():
+    """The chapters of all headers by name."""
+    return {chapter.name: chapter for path in HEADERS for chapter in header_docs.chapters(path.read_text(encoding="utf-8"))}
 
 
 def names_in(comment):
@@ -58,6 +91,41 @@ def faults_of(path, run, guide):
             yield f"{where}: [guide] does not agree with the names that the guide has"
 
 
+def faults_of_entries(path, run, foreign):
+    """What keeps the entries of a run's functions from standing on their own. `foreign`: the arguments' names in this header."""
+    common, own = run.items()
+    seen = {}
+    for function in run.functions:
+        where = f"{path}:{function.line}: {function.name}"
+        if len(run.functions) > 1 and not own.get(function.name):
+            yield f"{where}: no text of its own beside the others of its run"
+            continue
+        text = run.text_of(function.name)
+        words = " ".join(own.get(function.name, "").split())
+        if words and words in seen:
+            yield f"{where}: the text of {seen[words]}"
+        seen[words] = function.name
+        plain_text = re.sub(r"\b\w+\(.*?\)|`[^`]*`|\b\w+(?:->|\.|::)\w+|\[[^\]]*\]", " ", text)
+        for name in sorted((names_in(plain_text) & foreign) - set(function.parameters) - WORDS):
+            if len(name) == 1:  # a symbol of a formula
+                continue
+            yield f"{where}: the text names {name}, which it does not take"
+        place = PLACES.search(text)
+        if place:
+            yield f"{where}: '{' '.join(place[0].split())}' points to another place of the page"
+        for refused in re.findall(r"Refused: (.*)", text, re.S):
+            for clause in header_docs.clauses(" ".join(refused.split()))[0]:
+                if not header_docs.applies(clause, function):
+                    yield f"{where}: refuses what it does not take: {clause}"
+
+
+def dead_clauses(path, chapter, functions):
+    """Clauses of a chapter's refusals that none of its functions can have."""
+    for clause in header_docs.clauses(chapter.refused)[0]:
+        if functions and not re.match(r"as for ", clause) and not any(header_docs.applies(clause, one) for one in functions):
+            yield f"{path}: chapter {chapter.name}: no function can refuse: {clause}"
+
+
 def main():
     arguments = [a for a in sys.argv[1:] if not a.startswith("-")]
     paths = [pathlib.Path(a).resolve() for a in arguments] or HEADERS
@@ -66,8 +134,15 @@ def main():
         if path.name.startswith(WITHOUT_FUNCTIONS):
             continue
         shown = path.relative_to(ROOT) if path.is_relative_to(ROOT) else path
-        for run in header_docs.runs(path.read_text(encoding="utf-8")):
+        runs = header_docs.runs(path.read_text(encoding="utf-8"))
+        foreign = {name for run in runs for function in run.functions for name in function.parameters if name}
+        for chapter in header_docs.chapters(path.read_text(encoding="utf-8")):
+            members = [one for run in runs if run.chapter for one in run.functions
+                       if run.chapter.name == chapter.name or f"as for {chapter.name}" in run.chapter.refused]
+            faults += dead_clauses(shown, chapter, members)
+        for run in runs:
             faults += faults_of(shown, run, guide)
+            faults += faults_of_entries(shown, run, foreign)
             commented += bool(run.functions and run.comment)
             for function in run.functions:
                 if function.name in declared:

@@ -111,12 +111,13 @@ def linked(text, functions):
     return re.sub(parts_of, piece, " ".join(text.split()))
 
 
-def said_of(chapter, functions):
+def said_of(chapter, functions, titles):
     """What a chapter says of all its functions. (Breathe would part the list of arguments from its heading.)"""
     if not chapter:
         return ""
     said = "".join(linked(paragraph, functions) + "\n\n" for paragraph in chapter.text.split("\n\n"))
-    said += f"**Refused:** {linked(chapter.refused, functions)}\n\n" if chapter.refused else ""
+    refused = re.sub(r"as for (\w+)", lambda m: f'as for @ref {m[1]} "{titles[m[1]]}"', header_docs.untagged(chapter.refused))
+    said += f"**Refused:** {linked(refused, functions)}\n\n" if refused else ""
     named = {}  # arguments that mean the same share a line
     for name, meaning in chapter.explained.items():
         named.setdefault(meaning, []).append(f"``{name}``")
@@ -134,12 +135,13 @@ def write_reference():
               "them; the world's frame, right-handed, unless a text says otherwise; vectors of 3 reals and one of "
               "padding, matrices by rows padded to 4 reals, quaternions (w, x, y, z); handles are opaque and 0 is "
               "\"none\"; ``dReal`` is double, or float in ``libode_single``. What is refused everywhere: "
-              ":doc:`/errors`.\n\n")
+              ":doc:`/errors`. What each number dParam... of a joint means, its unit, default, and which types take it: "
+              ":doc:`/guide/joint_parameters`.\n\n")
     for name, title, groups in parts():
         index += f".. toctree::\n   :caption: {title}\n   :maxdepth: 1\n\n"
         for _, group_title, group in groups:
             index += f"   {group}\n"
-            page = heading(group_title, "=") + said_of(chapters.get(group), functions)
+            page = heading(group_title, "=") + said_of(chapters.get(group), functions, {name: one.title for name, one in chapters.items()})
             page += f".. doxygengroup:: {group}\n   :content-only:\n   :members:\n"
             (folder / f"{group}.rst").write_text(page, encoding="utf-8")
         index += "\n"

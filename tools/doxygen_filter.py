@@ -25,6 +25,7 @@ PARTS = {"objects": "dynamics", "contact": "dynamics", "objects_joints": "joint_
          "compatibility": "names", "ext": "names", "drawstuff": "drawing"}
 GUIDE_JOINTS = "joint types and joint functions"
 GUIDE_NAMES = check_docs.guide_names()
+CHAPTERS = check_docs.all_chapters()
 
 
 def escape(text):
@@ -33,10 +34,8 @@ def escape(text):
 
 
 def linked(refused):
-    """What is refused, with a link where it says "as for" another chapter."""
-    chapter = {"worlds": "worlds", "bodies": "bodies", "geoms": "geoms", "ball joints": "ball"}
-    return re.sub(r"as for (worlds|bodies|geoms|ball joints)", lambda m: f'as for @ref {chapter[m[1]]} "{m[1]}"',
-                  escape(refused))
+    """What the functions of a chapter refuse, with a link where it says "as for" another chapter."""
+    return re.sub(r"as for (\w+)", lambda m: f'as for @ref {m[1]} "{CHAPTERS[m[1]].title}"', escape(header_docs.untagged(refused)))
 
 
 def source_words(run, function):
@@ -51,14 +50,14 @@ def source_words(run, function):
 def comment_of(run, function=None):
     """The comment of one function of a run (or of what is none), with @param lines for what the chapter explains."""
     names = function.parameters if function else []
-    said = re.sub(r"\s*\[[\w., ]+\]\s*$", "", run.comment) if run.sources() else run.comment
-    lines = [escape(said)]
+    lines = [escape(run.text_of(function.name) if function else run.items()[0] or run.said())]
     chapter = run.chapter
     for name in names:
         if chapter and name in chapter.arguments:
             lines.append(f"@param {name} {escape(chapter.arguments[name])}")
-    if function and chapter and chapter.refused:
-        lines.append(f"@par Refused\n{linked(chapter.refused)} See also @ref refusals.")
+    refused = header_docs.refusals(function, chapter, CHAPTERS) if function and chapter else ""
+    if refused:
+        lines.append(f"@par Refused\n{escape(refused)} See also @ref refusals.")
     if run.sources():
         lines.append("@par Defined by\n" + source_words(run, function and function.name))
     return "/** " + "\n".join(lines) + " */\n"

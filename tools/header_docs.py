@@ -7,9 +7,13 @@ The convention of include/ode: a comment that opens with two stars speaks of eve
 line or the next comment of its own, a *run*: a setter and its getter, the eight ways to add a force. It names every
 argument and ends with where the definition comes from, in brackets:
   [guide]  the user guide of ODE 0.039     [0.16]  the behaviour of ODE 0.16     [ours]  this library
+In a run of several functions each has an item of its own, "- name: text", after what is true of them all: an entry of
+the manual is the function's item and what is common, and stands on its own.
 A comment that opens with "@chapter name Title" begins a chapter of the manual. Its paragraph "Arguments:" explains,
 one "- name, name: text" each, arguments that mean the same in all functions from there to the end of the file; a run
-need not repeat them. Its paragraph "Refused: ..." tells what every function of the chapter refuses."""
+need not repeat them. Its paragraph "Refused: clause; clause. Consequence." tells what the functions of the chapter
+refuse. A clause belongs to those that have an argument of a kind it names (KINDS), or whose names begin with one of
+the words before it in brackets, "[dGeomSet, dGeomDestroy] moving ..."; "as for NAME" stands for another chapter's."""
 import dataclasses
 import re
 
@@ -23,6 +27,8 @@ class Function:
     name: str
     parameters: list  # names; "" where the declaration leaves one out
     line: int
+    types: str = ""  # the parameters as they are declared
+    answers: bool = False  # returns something
 
 
 @dataclasses.dataclass
@@ -38,6 +44,21 @@ class Run:
         found = re.search(r"\[([\w., ]+)\]\s*$", self.comment)
         names = [name.strip() for name in found.group(1).split(",")] if found else []
         return names if names and all(name in SOURCES for name in names) else []
+
+    def said(self):
+        """The comment without its sources."""
+        return re.sub(r"\s*\[[\w., ]+\]\s*$", "", self.comment) if self.sources() else self.comment
+
+    def items(self):
+        """(what is common, {name: the text of that function alone})."""
+        names = "|".join(function.name for function in self.functions)
+        pieces = re.split(rf"^- ({names}): ", self.said(), flags=re.M) if names else [self.said()]
+        return pieces[0].strip(), {name: text.strip() for name, text in zip(pieces[1::2], pieces[2::2])}
+
+    def text_of(self, name):
+        """What the entry of one function says."""
+        common, own = self.items()
+        return "\n\n".join(piece for piece in (own.get(name, ""), common) if piece)
 
 
 @dataclasses.dataclass
@@ -72,6 +93,66 @@ def chapters(text):
         result.append(Chapter(head[1], head[2], "\n\n".join(said).strip(), dict(arguments), explained, refused,
                               match.start(), match.end()))
     return result
+
+
+_VECTORS = r"dVector\w+|dMatrix\w+|dQuaternion"
+# What a clause of refusals may name, and what a function must take to be able to refuse it.
+KINDS = (
+    (r"\bworlds?\b", r"dWorldID"),
+    (r"\bbod(?:y|ies)\b", r"dBodyID"),
+    (r"\bgeoms?\b", r"dGeomID"),
+    (r"\bspaces?\b", r"dSpaceID"),
+    (r"\bjoints?\b", r"dJointID"),
+    (r"\bgroups?\b", r"dJointGroupID"),
+    (r"\bdata\b", r"dTriMeshDataID|dHeightfieldDataID"),
+    (r"\bnull\b|\bNULL\b", rf"\*|\[|{_VECTORS}"),
+    (r"\bnot finite\b|\bno finite\b|\bno numbers?\b", rf"\b(?:dReal|float|double|{_VECTORS}|dMass|dMaterial|dContact)\b"),
+    (r"\b(?:sizes?|stepsize)\b", r"\bdReal\b"),
+    (r"\baxis\b", r"dReal x|dReal\s*\* axis"),
+)
+
+
+def applies(clause, function):
+    """Whether a clause of refusals can hold for a function: it has an argument of a kind that the clause names."""
+    tagged = re.match(r"\[([\w, ]+)\]", clause)
+    if tagged:
+        return function.name.startswith(tuple(word.strip() for word in tagged[1].split(",")))
+    needed = [kind for word, kind in KINDS if re.search(word, clause)]
+    return not needed or any(re.search(kind, function.types) for kind in needed)
+
+
+def clauses(refused):
+    """The clauses of a "Refused:", and what follows from a refusal."""
+    head, dot, tail = re.match(r"((?:[^.(]|\([^)]*\)|\.(?!\s|$))*)(\.?)\s*(.*)", refused, re.S).groups()
+    return [clause.strip() for clause in re.split(r";(?![^(]*\))", head) if clause.strip()], tail.strip()
+
+
+def refusals(function, chapter, chapters_of):
+    """What a function refuses, in words: the clauses of its chapter that can hold for it."""
+    held, tail = clauses(chapter.refused)
+    result = []
+    for clause in held:
+        other = re.match(r"as for (\w+)$", clause)
+        if other:
+            more, more_tail = clauses(chapters_of[other[1]].refused)
+            tail = tail or more_tail
+        for one in more if other else [clause]:
+            if applies(one, function) and not re.match(r"(?:what|as) each function", one):
+                result.append(re.sub(r"^\[[\w, ]+\]\s*", "", one))
+    if not result:
+        return ""
+    if not function.answers:
+        tail = re.sub(r"(?:,? and|;)? ?(?:getters answer|the answer is|[Tt]he answer is then) 0(?: then)?", "", tail)
+        tail = "" if tail.strip() in (".", "") else tail
+    else:
+        tail = tail.replace("getters answer 0", "the answer is 0")
+    text = "; ".join(result)
+    return text[0].upper() + text[1:] + "." + (" " + tail if tail else "")
+
+
+def untagged(refused):
+    """The words of a "Refused:" without the names of functions that its clauses belong to."""
+    return re.sub(r"\[[\w, ]+\]\s*", "", refused)
 
 
 def plain(comment):
@@ -127,7 +208,8 @@ def _functions(code, offset, line_of):
         declared = re.search(r"\b(?:ODE_(?:API|PURE_INLINE|INLINE)|DS_API)\b", head)
         if not declared or "typedef" in head or "#define" in head.rsplit("\n", 1)[-1]:
             continue
-        found.append(Function(match["name"], parameters(match["args"]), line_of(offset + match.start("name"))))
+        found.append(Function(match["name"], parameters(match["args"]), line_of(offset + match.start("name")),
+                              match["args"], not re.search(r"\bvoid\s*$", head)))
     return found
 
 

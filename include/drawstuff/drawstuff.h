@@ -115,10 +115,11 @@ typedef enum {
    A number that is none of DS_TEXTURE_NUMBER means none. [0.16] */
 DS_API void dsSetTexture(int texture_number);
 
-/** The colour of what is drawn from here to the end of the frame: red, green and blue, sRGB, 0 to 1 each,
-   with textures multiplied by them; frames begin white. dsSetColor is opaque; dsSetColorAlpha mixes it with
-   what lies behind: alpha 0 is not seen, 1 is opaque, below 0.5 there is no shadow. Lines are opaque always.
-   Numbers beyond 0..1 are brought into it. [0.16] */
+/** The colour holds for what is drawn from here to the end of the frame: red, green and blue, sRGB, 0 to 1
+    each, with textures multiplied by them; frames begin white. Numbers beyond 0 ... 1 are brought into it.
+    - dsSetColor: Draw in this colour, opaque.
+    - dsSetColorAlpha: Draw in this colour, mixed with what lies behind: alpha 0 is not seen, 1 is opaque,
+      below 0.5 there is no shadow. Lines are opaque always. [0.16] */
 DS_API void dsSetColor(float red, float green, float blue);
 DS_API void dsSetColorAlpha(float red, float green, float blue, float alpha);
 
@@ -126,10 +127,10 @@ DS_API void dsSetColorAlpha(float red, float green, float blue, float alpha);
     too. [0.16] */
 DS_API void dsSetDrawMode(int mode);
 
-/** How finely spheres (n = 1 unless set) and capsules (3) are cut into triangles, from here on, in later
-   frames too. Surfaces look round from 1 on; in wireframe one sees the difference. More than 15 is 15.
-   Refused: n below
-    1. [0.16] */
+/** It holds from here on, in later frames too. Surfaces look round from 1 on; wireframes show the
+    difference. More than 15 is 15. Refused: n below 1.
+    - dsSetSphereQuality: Set how finely (n) spheres are cut into triangles; default 1.
+    - dsSetCapsuleQuality: Set how finely (n) capsules are cut into triangles; default 3. [0.16] */
 DS_API void dsSetSphereQuality(int n);
 DS_API void dsSetCapsuleQuality(int n);
 
@@ -149,42 +150,55 @@ DS_API void dsSetCapsuleQuality(int n);
     Refused: what cannot be drawn (a null pointer, a number that is not finite, a size that is not positive):
    it is left out of the frame and all else is drawn. */
 
-/** A box; sides: 3 numbers, its lengths along its own x, y and z. [0.16] */
+/** sides: 3 numbers, its lengths along its own x, y and z.
+    - dsDrawBox: Draw a box, from floats.
+    - dsDrawBoxD: Draw a box, from doubles. [0.16] */
 DS_API void dsDrawBox(const float pos[3], const float R[12], const float sides[3]);
 DS_API void dsDrawBoxD(const double pos[3], const double R[12], const double sides[3]);
 
-/** A sphere. [0.16] */
+/** - dsDrawSphere: Draw a sphere, from floats.
+    - dsDrawSphereD: Draw a sphere, from doubles. [0.16] */
 DS_API void dsDrawSphere(const float pos[3], const float R[12], float radius);
 DS_API void dsDrawSphereD(const double pos[3], const double R[12], float radius);
 
-/** A cylinder with flat ends along its own z, length m between the ends. Mind the order: length before
-   radius. [0.16] */
+/** length is that between the ends, m. Mind the order: length before radius.
+    - dsDrawCylinder: Draw a cylinder with flat ends along its own z, from floats.
+    - dsDrawCylinderD: Draw a cylinder with flat ends along its own z, from doubles. [0.16] */
 DS_API void dsDrawCylinder(const float pos[3], const float R[12], float length, float radius);
 DS_API void dsDrawCylinderD(const double pos[3], const double R[12], float length, float radius);
 
-/** A cylinder with half spheres for ends, along its own z; its length, without the ends as in ODE, may be 0.
-   Mind the order: length before radius. [0.16] */
+/** length, without the half spheres as in ODE, may be 0. Mind the order: length before radius.
+    - dsDrawCapsule: Draw a cylinder with half spheres for ends, along its own z, from floats.
+    - dsDrawCapsuleD: Draw a cylinder with half spheres for ends, along its own z, from doubles. [0.16] */
 DS_API void dsDrawCapsule(const float pos[3], const float R[12], float length, float radius);
 DS_API void dsDrawCapsuleD(const double pos[3], const double R[12], float length, float radius);
 
-/** A triangle with the corners v0, v1 and v2, 3 numbers each, in its own frame. [0.16] */
+/** v0, v1 and v2: its corners, 3 numbers each, in its own frame.
+    - dsDrawTriangle: Draw a triangle, from floats.
+    - dsDrawTriangleD: Draw a triangle, from doubles. [0.16] */
 DS_API void dsDrawTriangle(const float pos[3], const float R[12], const float* v0, const float* v1,
                            const float* v2, int solid);
 DS_API void dsDrawTriangleD(const double pos[3], const double R[12], const double* v0, const double* v1,
                             const double* v2, int solid);
 
-/** n triangles; v: 9 n numbers, three corners after three corners. [0.16] */
+/** v: 9 n numbers, three corners after three corners.
+    - dsDrawTriangles: Draw n triangles, from floats.
+    - dsDrawTrianglesD: Draw n triangles, from doubles. [0.16] */
 DS_API void dsDrawTriangles(const float pos[3], const float R[12], const float* v, int n, int solid);
 DS_API void dsDrawTrianglesD(const double pos[3], const double R[12], const double* v, int n, int solid);
 
-/** A line in the world from pos1 to pos2, 3 numbers each, hidden by what stands before it. [0.16] */
+/** Each end has 3 numbers. What stands before the line hides it.
+    - dsDrawLine: Draw a line in the world from pos1 to pos2, from floats.
+    - dsDrawLineD: Draw a line in the world from pos1 to pos2, from doubles. [0.16] */
 DS_API void dsDrawLine(const float pos1[3], const float pos2[3]);
 DS_API void dsDrawLineD(const double pos1[3], const double pos2[3]);
 
-/** A convex solid, given as for dGeomSetConvex: _planecount faces and _planes, their normals and distances, 4
-    numbers each (not read: the polygons say it all); _pointcount corners and _points, 3 numbers each, in the
-    solid's frame; _polygons, for each face the number of its corners, then their indices, counter-clockwise
-   from outside. A polygon with a corner that does not exist is left out. [0.16] */
+/** It is given as for dGeomSetConvex: _planecount faces and _planes, their normals and distances, 4 numbers
+    each (not read: the polygons say it all); _pointcount corners and _points, 3 numbers each, in the solid's
+    frame; _polygons, for each face the number of its corners, then their indices, counter-clockwise from
+    outside. A polygon with a corner that does not exist is left out.
+    - dsDrawConvex: Draw a convex solid, from floats.
+    - dsDrawConvexD: Draw a convex solid, from doubles. [0.16] */
 DS_API void dsDrawConvex(const float pos[3], const float R[12], const float* _planes,
                          unsigned int _planecount, const float* _points, unsigned int _pointcount,
                          const unsigned int* _polygons);

@@ -32,34 +32,48 @@ extern "C" {
     - result: where the answer is written: 3 reals, of a quaternion 4.
     - px, py, pz: a point or direction.
 
-    Refused: a geom that is 0 or destroyed; numbers that are not finite; null pointers; a pose of what has
-   none (planes, spaces); moving or destroying members of a space that is being collided. Nothing changes
-   then, and getters answer 0. */
+    Refused: a geom that is 0 or destroyed; numbers that are not finite; null pointers; [dGeomSetPosition,
+    dGeomSetRotation, dGeomSetQuaternion, dGeomGetPosition, dGeomGetRotation, dGeomGetQuaternion, dGeomCopy,
+    dGeomSetBody] a geom that has no pose (a plane, a space); [dGeomSetPosition, dGeomSetRotation,
+    dGeomSetQuaternion, dGeomSetBody, dGeomDestroy] a member of a space that is being collided. Nothing
+    changes then, and getters answer 0. */
 
 /** Destroy the geom; it leaves its space and its body. For a space the same as dSpaceDestroy. [0.16] */
 ODE_API void dGeomDestroy(dGeomID geom);
 
-/** A pointer of the program's: data, NULL at first. [0.16] */
+/** - dGeomSetData: Store a pointer of the program's, data, with the geom; NULL at first. The library never
+      looks at it.
+    - dGeomGetData: The pointer that the program stored with dGeomSetData; NULL if it stored none. [0.16] */
 ODE_API void dGeomSetData(dGeomID geom, void* data);
 ODE_API void* dGeomGetData(dGeomID geom);
 
-/** Put the geom on the body, whose pose it then shares (an offset is dropped); 0 takes it off, and it stays
-   where it is. A geom on a body moves with it, and setting the geom's pose moves the body. [0.16] */
+/** - dGeomSetBody: Put the geom on the body, whose pose it then shares (an offset is dropped); 0 takes it
+      off its body, and it stays where it is. A geom on a body moves with it, and setting the geom's pose
+      moves the body.
+    - dGeomGetBody: The body that the geom is on, or 0. [0.16] */
 ODE_API void dGeomSetBody(dGeomID geom, dBodyID body);
 ODE_API dBodyID dGeomGetBody(dGeomID geom);
 
-/** Set the pose in the world: the position, or the rotation by matrix or quaternion (of any length; zero is
-    refused). On a body with an offset the body is moved so that the geom gets there. [0.16] */
+/** On a body with an offset the body is moved so that the geom gets there.
+    - dGeomSetPosition: Set the geom's position in the world to (x, y, z), m.
+    - dGeomSetRotation: Set the geom's rotation in the world to the matrix R, from the geom's frame to the
+      world's.
+    - dGeomSetQuaternion: Set the geom's rotation in the world to the quaternion Q, of any length but zero.
+      [0.16] */
 ODE_API void dGeomSetPosition(dGeomID geom, dReal x, dReal y, dReal z);
 ODE_API void dGeomSetRotation(dGeomID geom, const dMatrix3 R);
 ODE_API void dGeomSetQuaternion(dGeomID geom, const dQuaternion Q);
 
-/** Pointers to the position (3 reals, m) and the rotation matrix (12) in the world; valid until the geom is
-   changed, moved to another body or destroyed. [0.16] */
+/** The pointer is valid until the geom is changed, moved to another body or destroyed.
+    - dGeomGetPosition: A pointer to the geom's position in the world: 3 reals, m.
+    - dGeomGetRotation: A pointer to the geom's rotation matrix in the world: 12 reals. [0.16] */
 ODE_API const dReal* dGeomGetPosition(dGeomID geom);
 ODE_API const dReal* dGeomGetRotation(dGeomID geom);
 
-/** Copies of position, rotation matrix and quaternion in the world; the padding is not written. [0.16] */
+/** The padding is not written.
+    - dGeomCopyPosition: Copy the geom's position in the world, m, to pos.
+    - dGeomCopyRotation: Copy the geom's rotation matrix in the world to R: the 9 elements of 12 reals.
+    - dGeomGetQuaternion: Write the geom's rotation in the world to result as a quaternion. [0.16] */
 ODE_API void dGeomCopyPosition(dGeomID geom, dVector3 pos);
 ODE_API void dGeomCopyRotation(dGeomID geom, dMatrix3 R);
 ODE_API void dGeomGetQuaternion(dGeomID geom, dQuaternion result);
@@ -68,19 +82,29 @@ ODE_API void dGeomGetQuaternion(dGeomID geom, dQuaternion result);
  * members. [0.16] */
 ODE_API void dGeomGetAABB(dGeomID geom, dReal aabb[6]);
 
-/** 1 for a space, else 0; the space the geom is in, or 0; its class number. [0.16] */
+/** - dGeomIsSpace: 1 if the geom is a space, else 0.
+    - dGeomGetSpace: The space that the geom is in, or 0.
+    - dGeomGetClass: The number of the geom's class: dSphereClass, dBoxClass and so on; of a class of the
+      program's, what dCreateGeomClass returned. [0.16] */
 ODE_API int dGeomIsSpace(dGeomID geom);
 ODE_API dSpaceID dGeomGetSpace(dGeomID geom);
 ODE_API int dGeomGetClass(dGeomID geom);
 
-/** Filter of pairs (bits): spaces report two geoms when the category bits of one meet the collide bits of
-    the other, in at least one direction. [0.16] */
+/** Spaces report two geoms when the category bits of one meet the collide bits of the other, in at least one
+    direction.
+    - dGeomSetCategoryBits: Set the categories that the geom is in, one bit each; default: all.
+    - dGeomSetCollideBits: Set the categories with which the geom collides, one bit each; default: all.
+    - dGeomGetCategoryBits: The categories that the geom is in, one bit each.
+    - dGeomGetCollideBits: The categories with which the geom collides, one bit each. [0.16] */
 ODE_API void dGeomSetCategoryBits(dGeomID geom, unsigned long bits);
 ODE_API void dGeomSetCollideBits(dGeomID geom, unsigned long bits);
 ODE_API unsigned long dGeomGetCategoryBits(dGeomID geom);
 ODE_API unsigned long dGeomGetCollideBits(dGeomID geom);
 
-/** Spaces skip disabled geoms; dCollide does not. Independent of the body's state. [0.16] */
+/** Spaces skip disabled geoms; dCollide does not. A body's own state does not matter.
+    - dGeomEnable: Let spaces find the geom again. New geoms are enabled.
+    - dGeomDisable: Let spaces skip the geom until dGeomEnable.
+    - dGeomIsEnabled: 1 if spaces find the geom, 0 if they skip it. [0.16] */
 ODE_API void dGeomEnable(dGeomID geom);
 ODE_API void dGeomDisable(dGeomID geom);
 ODE_API int dGeomIsEnabled(dGeomID geom);
@@ -103,15 +127,18 @@ enum {
     dGeomColliderMergeContactsValue_Full = 3
 };
 
-/** Settings of single classes, by controlClass and controlCode (above). *dataSize is the size of *dataValue.
-   Returns 1 when done; 0, with the size needed in *dataSize, when size or pointer do not fit; a control the
-   geom does not have gives size 0 and 0. Only triangle meshes have controls. [0.16] */
+/** Set or read a setting of the geom's class: controlClass is dGeomCommonControlClass or
+   dGeomColliderControlClass, controlCode says which setting. *dataSize is the size of *dataValue. Returns 1
+   when done; 0, with the size needed in *dataSize, when size or pointer do not fit; a control the geom does
+   not have gives size 0 and 0. Only triangle meshes have controls. [0.16] */
 ODE_API int dGeomLowLevelControl(dGeomID geom, int controlClass, int controlCode, void* dataValue,
                                  int* dataSize);
 
-/** Points and directions between geom and world, as the functions of bodies: world position of the point (px,
-   py, pz) of the geom; geom coordinates of that point of the world; that direction turned from geom to world
-   axes; and back. Geoms without a pose give the input back. [0.16] */
+/** A geom without a pose (a plane, a space) gives the input back.
+    - dGeomGetRelPointPos: The position in the world of the point (px, py, pz) of the geom's frame, m.
+    - dGeomGetPosRelPoint: The coordinates in the geom's frame of the world's point (px, py, pz), m.
+    - dGeomVectorToWorld: The direction (px, py, pz) of the geom's frame, turned to the world's axes.
+    - dGeomVectorFromWorld: The direction (px, py, pz) of the world, turned to the geom's axes. [0.16] */
 ODE_API void dGeomGetRelPointPos(dGeomID geom, dReal px, dReal py, dReal pz, dVector3 result);
 ODE_API void dGeomGetPosRelPoint(dGeomID geom, dReal px, dReal py, dReal pz, dVector3 result);
 ODE_API void dGeomVectorToWorld(dGeomID geom, dReal px, dReal py, dReal pz, dVector3 result);
@@ -121,11 +148,20 @@ ODE_API void dGeomVectorFromWorld(dGeomID geom, dReal px, dReal py, dReal pz, dV
 
    A geom may sit anywhere on its body.
 
-   Refused: as for geoms; setting an offset of a geom that is on no body. */
+   Refused: as for geoms; [dGeomSetOffset] a geom that is on no body. */
 
-/** Set the offset: the position, or the rotation by matrix or quaternion, in the body's frame; the World
-   forms say where in the world the geom is to be now and leave the body alone. Setting one part keeps the
-   other. [0.16] */
+/** - dGeomSetOffsetPosition: Set the offset's position to (x, y, z), m, in the body's frame; its rotation
+      stays.
+    - dGeomSetOffsetRotation: Set the offset's rotation to the matrix R, from the geom's frame to the body's;
+      its position stays.
+    - dGeomSetOffsetQuaternion: Set the offset's rotation to the quaternion Q, of any length but zero, from
+      the geom's frame to the body's; its position stays.
+    - dGeomSetOffsetWorldPosition: Set the offset's position so that the geom is at the world's point (x, y,
+      z), m, now; the body and the offset's rotation stay.
+    - dGeomSetOffsetWorldRotation: Set the offset's rotation so that the geom has the rotation matrix R in
+      the world now; the body and the offset's position stay.
+    - dGeomSetOffsetWorldQuaternion: Set the offset's rotation so that the geom has the rotation Q in the
+      world now, a quaternion of any length but zero; the body and the offset's position stay. [0.16] */
 ODE_API void dGeomSetOffsetPosition(dGeomID geom, dReal x, dReal y, dReal z);
 ODE_API void dGeomSetOffsetRotation(dGeomID geom, const dMatrix3 R);
 ODE_API void dGeomSetOffsetQuaternion(dGeomID geom, const dQuaternion Q);
@@ -139,7 +175,16 @@ ODE_API void dGeomClearOffset(dGeomID geom);
 /** 1 when the geom has an offset, else 0. [0.16] */
 ODE_API int dGeomIsOffset(dGeomID geom);
 
-/** The offset in the body's frame; zero and identity when there is none. [0.16] */
+/** - dGeomGetOffsetPosition: A pointer to the offset's position in the body's frame, 3 reals, m; zeros if
+      there is no offset. Valid until the offset is changed.
+    - dGeomCopyOffsetPosition: Copy the offset's position in the body's frame, m, to pos; zeros if there is
+      no offset.
+    - dGeomGetOffsetRotation: A pointer to the offset's rotation matrix, from the geom's frame to the body's,
+      12 reals; the identity if there is no offset. Valid until the offset is changed.
+    - dGeomCopyOffsetRotation: Copy the offset's rotation matrix, from the geom's frame to the body's, to R;
+      the identity if there is no offset.
+    - dGeomGetOffsetQuaternion: Write the offset's rotation, from the geom's frame to the body's, to result
+      as a quaternion; the identity if there is no offset. [0.16] */
 ODE_API const dReal* dGeomGetOffsetPosition(dGeomID geom);
 ODE_API void dGeomCopyOffsetPosition(dGeomID geom, dVector3 pos);
 ODE_API const dReal* dGeomGetOffsetRotation(dGeomID geom);
@@ -148,8 +193,7 @@ ODE_API void dGeomGetOffsetQuaternion(dGeomID geom, dQuaternion result);
 
 /** @chapter collide Collision of geoms and spaces
 
-    Refused: what is no geom or space, a null pointer, a null callback; what each function names. The answer
-   is then 0. */
+    Refused: what is no geom or space; a null pointer. The answer is then 0. */
 
 /** For dCollide's flags: any contacts will do, so the search may stop when the room is full. */
 #define CONTACTS_UNIMPORTANT 0x80000000
@@ -168,8 +212,9 @@ ODE_API int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom* contact, i
    The order of pairs and within a pair is not promised. [0.16] */
 ODE_API void dSpaceCollide(dSpaceID space, void* data, dNearCallback* callback);
 
-/** The same, with callback and data, between two geoms or spaces: each pair has one from space1 and one from
-   space2, in this order. Of two spaces with different sublevels the higher one is opened and the other passed
+/** Call the callback, with data, once for each pair of geoms, one of (or in) space1 and one of (or in)
+   space2, in this order, that are enabled, not on the same body, not filtered by their bits, and whose
+   bounding boxes touch. Of two spaces with different sublevels the higher one is opened and the other passed
    whole; with equal sublevels both are opened; the same space twice is dSpaceCollide. [0.16] */
 ODE_API void dSpaceCollide2(dGeomID space1, dGeomID space2, void* data, dNearCallback* callback);
 
@@ -189,9 +234,9 @@ ODE_API void dSpaceCollide2(dGeomID space1, dGeomID space2, void* data, dNearCal
    - x, y, z: a point of the world, m.
    - result: where the answer is written, in the order of the setter's arguments: 3 reals, of a plane 4.
 
-   Refused: a geom of another class, destroyed or 0; a space that is destroyed or being collided; a negative
-   size, a number that is not finite (the length of a ray may be infinite), a null pointer. Nothing changes
-   then, nothing is made, and getters answer 0. */
+   Refused: a geom of another class, destroyed or 0; a space that is destroyed or being collided; a
+    negative size; a number that is not finite (the length of a ray may be infinite); a null pointer.
+    Nothing changes then, and the answer is 0. */
 
 /** How many classes a program can add. */
 enum { dMaxUserClasses = 4 };
@@ -221,28 +266,37 @@ enum {
     dGeomNumClasses
 };
 
-/** A sphere, its radius, and how deep a point is inside it. [0.16] */
+/** - dCreateSphere: A new sphere of this radius, m, in the space, or (0) in none.
+    - dGeomSphereSetRadius: Set the sphere's radius, m.
+    - dGeomSphereGetRadius: The sphere's radius, m.
+    - dGeomSpherePointDepth: How deep the world's point (x, y, z) is inside the sphere, m: positive inside, 0
+      on the surface, negative outside. [0.16] */
 ODE_API dGeomID dCreateSphere(dSpaceID space, dReal radius);
 ODE_API void dGeomSphereSetRadius(dGeomID sphere, dReal radius);
 ODE_API dReal dGeomSphereGetRadius(dGeomID sphere);
 ODE_API dReal dGeomSpherePointDepth(dGeomID sphere, dReal x, dReal y, dReal z);
 
-/** A convex polyhedron: the hull of the points, in the geom's frame. The arrays are read once and copied; a
-    shape that was changed in them is given again by dGeomSetConvex. What lies in one plane is one face; all
-    points in one plane make a plate. Of contacts there are up to four, as of the other solids.
+/** The solid is the hull of the points, in the geom's frame. The arrays are read once and copied. What lies
+    in one plane is one face; points that are all in one plane make a plate. Contacts are up to four, as of
+    the other solids. Planes and polygons must be numbers and indices of points; the faces are found from the
+    points, so that missing or inverted ones do no harm. Refused: no plane; fewer than 3 points; points that
+    are all in a line.
     - points: pointcount points, 3 reals each, m.
     - polygons: for each of the planecount faces the number of its corners and then their indices into the
-    points, counter-clockwise seen from outside.
-    - planes: for each face its unit outward normal n and the distance d with n . p = d on the face, 4 reals.
-
-    Planes and polygons must be numbers and indices of points; the faces are found from the points, so that
-    missing or inverted ones do no harm. Refused: no plane, fewer than 3 points, all in a line. [0.16] */
+      points, counter-clockwise seen from outside.
+    - planes: for each face its unit outward normal n and the distance n . p of the face's points p, 4 reals.
+    - dCreateConvex: A new convex polyhedron in the space, or (0) in none.
+    - dGeomSetConvex: Give the geom convex another polyhedron. A program that has changed its arrays calls
+      this again. [0.16] */
 ODE_API dGeomID dCreateConvex(dSpaceID space, const dReal* planes, unsigned int planecount,
                               const dReal* points, unsigned int pointcount, const unsigned int* polygons);
 ODE_API void dGeomSetConvex(dGeomID convex, const dReal* planes, unsigned int planecount, const dReal* points,
                             unsigned int pointcount, const unsigned int* polygons);
 
-/** A box with full side lengths along its own axes, centred. [0.16] */
+/** - dCreateBox: A new box in the space, or (0) in none, centred, with the full side lengths lx, ly, lz
+      along its own axes, m.
+    - dGeomBoxSetLengths: Set the box's full side lengths to lx, ly, lz, m.
+    - dGeomBoxGetLengths: Write the box's full side lengths to result: 3 reals, m. [0.16] */
 ODE_API dGeomID dCreateBox(dSpaceID space, dReal lx, dReal ly, dReal lz);
 ODE_API void dGeomBoxSetLengths(dGeomID box, dReal lx, dReal ly, dReal lz);
 ODE_API void dGeomBoxGetLengths(dGeomID box, dVector3 result);
@@ -250,15 +304,28 @@ ODE_API void dGeomBoxGetLengths(dGeomID box, dVector3 result);
 /** How deep a point is inside the box: the distance to the nearest face, negative outside. [0.16] */
 ODE_API dReal dGeomBoxPointDepth(dGeomID box, dReal x, dReal y, dReal z);
 
-/** A plane: the solid half-space a x + b y + c z <= d, in world coordinates. (a, b, c) is the outward normal;
-   the four numbers are divided by its length. A zero normal becomes (1, 0, 0) with d = 0. It has no pose and
-   is on no body. [0.16] */
+/** - dCreatePlane: A new plane in the space, or (0) in none: the solid half-space a x + b y + c z <= d of
+      the world. (a, b, c) is the outward normal; the four numbers are divided by its length, and a zero
+      normal becomes (1, 0, 0) with d = 0. A plane has no pose and is on no body.
+    - dGeomPlaneSetParams: Set the plane to the half-space a x + b y + c z <= d of the world; the four
+      numbers are divided by the length of the outward normal (a, b, c), and a zero normal becomes (1, 0, 0)
+      with d = 0.
+    - dGeomPlaneGetParams: Write the plane's unit outward normal and its distance from the origin along it,
+      m, to result: 4 reals.
+    - dGeomPlanePointDepth: How deep the world's point (x, y, z) is below the plane's surface, m: positive
+      inside the solid half-space, 0 on the surface, negative outside. [0.16] */
 ODE_API dGeomID dCreatePlane(dSpaceID space, dReal a, dReal b, dReal c, dReal d);
 ODE_API void dGeomPlaneSetParams(dGeomID plane, dReal a, dReal b, dReal c, dReal d);
 ODE_API void dGeomPlaneGetParams(dGeomID plane, dVector4 result);
 ODE_API dReal dGeomPlanePointDepth(dGeomID plane, dReal x, dReal y, dReal z);
 
-/** A capsule: a cylinder along its own z axis with round caps; length without the caps. [0.16] */
+/** The length leaves out the round caps.
+    - dCreateCapsule: A new capsule in the space, or (0) in none: a cylinder of radius and length, m, along
+      its own z axis, with round caps.
+    - dGeomCapsuleSetParams: Set the capsule's radius and length, m.
+    - dGeomCapsuleGetParams: Write the capsule's radius to *radius and its length to *length, m.
+    - dGeomCapsulePointDepth: How deep the world's point (x, y, z) is inside the capsule, m: positive inside,
+      0 on the surface, negative outside. [0.16] */
 ODE_API dGeomID dCreateCapsule(dSpaceID space, dReal radius, dReal length);
 ODE_API void dGeomCapsuleSetParams(dGeomID capsule, dReal radius, dReal length);
 ODE_API void dGeomCapsuleGetParams(dGeomID capsule, dReal* radius, dReal* length);
@@ -271,26 +338,43 @@ ODE_API dReal dGeomCapsulePointDepth(dGeomID capsule, dReal x, dReal y, dReal z)
 #define dGeomCCylinderPointDepth dGeomCapsulePointDepth
 #define dCCylinderClass dCapsuleClass
 
-/** A cylinder along its own z axis, with flat ends. [0.16] */
+/** - dCreateCylinder: A new cylinder with flat ends in the space, or (0) in none, of radius and length, m,
+      along its own z axis.
+    - dGeomCylinderSetParams: Set the cylinder's radius and length, m.
+    - dGeomCylinderGetParams: Write the cylinder's radius to *radius and its length to *length, m. [0.16] */
 ODE_API dGeomID dCreateCylinder(dSpaceID space, dReal radius, dReal length);
 ODE_API void dGeomCylinderSetParams(dGeomID cylinder, dReal radius, dReal length);
 ODE_API void dGeomCylinderGetParams(dGeomID cylinder, dReal* radius, dReal* length);
 
-/** A ray from its position along its own z axis. In a contact of a ray pos is where it hits, depth the
-   distance from its start, normal the surface normal that faces the start. At most one contact with a simple
-   shape. [0.16] */
+/** - dCreateRay: A new ray of this length, m, in the space, or (0) in none. It goes from its position along
+      its own z axis. A contact of a ray has its `pos` where it hits, as depth the distance from its start, as
+   normal the surface normal that faces the start. It has at most one contact with a simple shape.
+    - dGeomRaySetLength: Set the ray's length, m; it may be infinite.
+    - dGeomRayGetLength: The ray's length, m. [0.16] */
 ODE_API dGeomID dCreateRay(dSpaceID space, dReal length);
 ODE_API void dGeomRaySetLength(dGeomID ray, dReal length);
 ODE_API dReal dGeomRayGetLength(dGeomID ray);
 
-/** The start (px, py, pz), m, and the direction (dx, dy, dz) (normalised here; zero is refused), world frame.
-   The getter writes 3 reals each to start and dir, the latter a unit vector. [0.16] */
+/** - dGeomRaySet: Set the ray's start to (px, py, pz), m, and its direction to (dx, dy, dz), which is
+      normalised here and must not be zero; both in the world's frame.
+    - dGeomRayGet: Write where the ray starts, m, to start, and its direction, a unit vector, to dir: 3 reals
+      each, world frame. [0.16] */
 ODE_API void dGeomRaySet(dGeomID ray, dReal px, dReal py, dReal pz, dReal dx, dReal dy, dReal dz);
 ODE_API void dGeomRayGet(dGeomID ray, dVector3 start, dVector3 dir);
 
-/** Flags for shapes with many hits, all 0 by default: take the first one found (firstContact); ignore faces
-   seen from behind (backfaceCull); give the closest hit only (closestHit). The first two functions are the
-   old form of the first two flags, FirstContact and BackfaceCull. [0.16] */
+/** - dGeomRaySetParams: Old form of two calls: dGeomRaySetFirstContact with FirstContact and
+      dGeomRaySetBackfaceCull with BackfaceCull.
+    - dGeomRayGetParams: Old form of two calls: write what dGeomRayGetFirstContact answers to *FirstContact
+      and what dGeomRayGetBackfaceCull answers to *BackfaceCull.
+    - dGeomRaySetFirstContact: Let the ray take the first hit that is found on a shape with many
+      (firstContact not 0) instead of looking for more; default 0.
+    - dGeomRayGetFirstContact: Whether the ray takes the first hit that is found: 1 or 0.
+    - dGeomRaySetBackfaceCull: Let the ray ignore faces that it meets from behind (backfaceCull not 0);
+      default 0.
+    - dGeomRayGetBackfaceCull: Whether the ray ignores faces that it meets from behind: 1 or 0.
+    - dGeomRaySetClosestHit: Let the ray give only the closest of the hits on a shape with many (closestHit
+      not 0); default 0.
+    - dGeomRayGetClosestHit: Whether the ray gives only the closest hit: 1 or 0. [0.16] */
 ODE_API_DEPRECATED ODE_API void dGeomRaySetParams(dGeomID ray, int FirstContact, int BackfaceCull);
 ODE_API_DEPRECATED ODE_API void dGeomRayGetParams(dGeomID ray, int* FirstContact, int* BackfaceCull);
 ODE_API void dGeomRaySetFirstContact(dGeomID ray, int firstContact);
@@ -306,17 +390,21 @@ ODE_API int dGeomRayGetClosestHit(dGeomID ray);
     instead. [0.16] */
 ODE_API_DEPRECATED ODE_API dGeomID dCreateGeomTransform(dSpaceID space);
 
-/** The geom obj inside, placed relative to the transform. It must be in no space and on no body. 0: none.
- * [0.16] */
+/** - dGeomTransformSetGeom: Put the geom obj inside the transform, relative to which it is placed; 0: none.
+      It must be in no space and on no body.
+    - dGeomTransformGetGeom: The geom inside the transform, or 0. [0.16] */
 ODE_API_DEPRECATED ODE_API void dGeomTransformSetGeom(dGeomID transform, dGeomID obj);
 ODE_API_DEPRECATED ODE_API dGeomID dGeomTransformGetGeom(dGeomID transform);
 
-/** Whether (mode) the geom inside is destroyed with the transform or when it is replaced, default 0. [0.16]
- */
+/** - dGeomTransformSetCleanup: Say whether (mode not 0) the geom inside is destroyed with the transform and
+      when it is replaced; default 0.
+    - dGeomTransformGetCleanup: The mode that dGeomTransformSetCleanup has set, 0 at first. [0.16] */
 ODE_API_DEPRECATED ODE_API void dGeomTransformSetCleanup(dGeomID transform, int mode);
 ODE_API_DEPRECATED ODE_API int dGeomTransformGetCleanup(dGeomID transform);
 
-/** Whether contacts name the transform (mode 1) or the geom inside (0, default). [0.16] */
+/** - dGeomTransformSetInfo: Say whether contacts name the transform (mode 1) or the geom inside (0, the
+      default).
+    - dGeomTransformGetInfo: The mode that dGeomTransformSetInfo has set, 0 at first. [0.16] */
 ODE_API_DEPRECATED ODE_API void dGeomTransformSetInfo(dGeomID transform, int mode);
 ODE_API_DEPRECATED ODE_API int dGeomTransformGetInfo(dGeomID transform);
 
@@ -344,21 +432,31 @@ typedef dReal dHeightfieldGetHeight(void* p_user_data, int x, int z);
    - pHeightData: widthSamples * depthSamples samples.
    - scale, offset: height = sample * scale + offset, m.
 
-   Refused: data or a geom that is 0 or destroyed; sizes that are not positive, fewer than 2 samples along a
-   side, numbers that are not finite, null pointers. Nothing changes then, and the answer is 0. */
+   Refused: data or a geom that is 0 or destroyed; [dGeomHeightfieldDataBuild] sizes that are not positive;
+    [dGeomHeightfieldDataBuild] fewer than 2 samples along a side; numbers that are not finite; null
+    pointers. Nothing changes then, and the answer is 0. */
 
-/** The heights of one or more geoms: make them, destroy them. Destroy data after their geoms; a geom whose
-   data are gone collides with nothing. [0.16] */
+/** - dGeomHeightfieldDataCreate: New data for the heights of one or more geoms, empty at first.
+    - dGeomHeightfieldDataDestroy: Destroy the data; do so after their geoms. A geom whose data are gone
+      collides with nothing. [0.16] */
 ODE_API dHeightfieldDataID dGeomHeightfieldDataCreate(void);
 ODE_API void dGeomHeightfieldDataDestroy(dHeightfieldDataID d);
 
-/** Set the heights from an array of a type, or by calling a function whenever one is needed.
-    bCopyHeightData: 0 means that the program keeps the array alive. width, depth > 0: sides of the rectangle;
-    widthSamples, depthSamples >= 2: samples along them. thickness >= 0 lowers the bounding box's bottom, so
-   that spaces still report what has sunk that far. bWrap: the field repeats without end along x and z (then
-   the last column and row stand for the first, and the bounding box is infinite). Heights that are no usable
-   numbers are refused and nothing changes. Geoms that use the data already get their new box when they move
-   or are given the data again. [0.16] */
+/** width, depth > 0: sides of the rectangle, m; widthSamples, depthSamples >= 2: samples along them.
+    thickness >= 0 lowers the bottom of the bounding box, so that spaces still report what has sunk that far.
+    bWrap: the field repeats without end along x and z (then the last column and row stand for the first, and
+    the bounding box is infinite). Heights that are no usable numbers are refused. Geoms that use the data
+    already get their new box when they move or are given the data again.
+    - dGeomHeightfieldDataBuildCallback: Take the heights from the function pCallback, which is called with
+      pUserData whenever a sample is needed.
+    - dGeomHeightfieldDataBuildByte: Take the heights from the bytes at pHeightData. bCopyHeightData 0: the
+      program keeps the array alive.
+    - dGeomHeightfieldDataBuildShort: Take the heights from the short integers at pHeightData.
+      bCopyHeightData 0: the program keeps the array alive.
+    - dGeomHeightfieldDataBuildSingle: Take the heights from the floats at pHeightData. bCopyHeightData 0:
+      the program keeps the array alive.
+    - dGeomHeightfieldDataBuildDouble: Take the heights from the doubles at pHeightData. bCopyHeightData 0:
+      the program keeps the array alive. [0.16] */
 ODE_API void dGeomHeightfieldDataBuildCallback(dHeightfieldDataID d, void* pUserData,
                                                dHeightfieldGetHeight* pCallback, dReal width, dReal depth,
                                                int widthSamples, int depthSamples, dReal scale, dReal offset,
@@ -384,16 +482,17 @@ ODE_API void dGeomHeightfieldDataBuildDouble(dHeightfieldDataID d, const double*
    Arrays know theirs; a callback's field has an infinite box until this is called. [0.16] */
 ODE_API void dGeomHeightfieldDataSetBounds(dHeightfieldDataID d, dReal minHeight, dReal maxHeight);
 
-/** A field in the world, in space or (0) in none: bPlaceable 0 for one that stays at the origin, not rotated.
-   data may be 0 for now. The other functions change and tell the data d of the field g. [0.16] */
+/** - dCreateHeightfield: A new height field in the space, or (0) in none, over data, which may be 0 for now.
+      bPlaceable 0: it stays at the origin, not rotated.
+    - dGeomHeightfieldSetHeightfieldData: Give the height field g other heights: the data d.
+    - dGeomHeightfieldGetHeightfieldData: The data of the height field g, or 0. [0.16] */
 ODE_API dGeomID dCreateHeightfield(dSpaceID space, dHeightfieldDataID data, int bPlaceable);
 ODE_API void dGeomHeightfieldSetHeightfieldData(dGeomID g, dHeightfieldDataID d);
 ODE_API dHeightfieldDataID dGeomHeightfieldGetHeightfieldData(dGeomID g);
 
 /** @chapter collision_helpers Collision: helpers
 
-    Refused: null pointers, and boxes with numbers that are not finite. Nothing is written then, and the
-   answer is 0. */
+    Refused: null pointers; numbers that are not finite. Nothing is written then, and the answer is 0. */
 
 /** The closest points cp1 and cp2 (3 reals each) of the segments a1-a2 and b1-b2; of parallel segments one
    pair of them. [0.16] */
@@ -407,7 +506,7 @@ ODE_API int dBoxTouchesBox(const dVector3 _p1, const dMatrix3 R1, const dVector3
 
 /** Contacts of two boxes with centres p1, p2, rotation matrices R1, R2 and full side lengths side1, side2.
    Written: normal (from box 1 to box 2), the greatest depth, *return_code (1-3 face of box 1, 4-6 face of box
-   2, 7-15 a pair of edges), and pos and depth of as many entries of contact as fit (flags and skip as for
+   2, 7-15 a pair of edges), and `pos` and `depth` of as many entries of contact as fit (flags and skip as for
    dCollide). Returns their number, 0 when the boxes are apart. [0.16] */
 ODE_API int dBoxBox(const dVector3 p1, const dMatrix3 R1, const dVector3 side1, const dVector3 p2,
                     const dMatrix3 R2, const dVector3 side2, dVector3 normal, dReal* depth, int* return_code,

@@ -20,8 +20,8 @@ extern "C" {
     - space: the space; of create functions the space to put the new one into, or 0.
     - geom: a geom, or (cast) a space.
 
-    Refused: a space or geom that is 0 (where it may not be) or destroyed; changing, destroying or adding
-    to a space that is being collided. Nothing changes then, and the answer is 0. */
+    Refused: a space or geom that is 0 (where it may not be) or destroyed; [dSpaceAdd, dSpaceRemove,
+    dSpaceDestroy, dSpaceClean] a space that is being collided. Nothing changes then, and the answer is 0. */
 
 struct dContactGeom;
 
@@ -56,28 +56,34 @@ ODE_API dSpaceID dQuadTreeSpaceCreate(dSpaceID space, const dVector3 Center, con
 /** Destroy a space; with it, in cleanup mode, its members, else they only leave it. [0.16] */
 ODE_API void dSpaceDestroy(dSpaceID space);
 
-/** Cell sizes 2^minlevel ... 2^maxlevel metres of a hash space, default -3 and 10. minlevel > maxlevel is
-    refused. They are for speed only: no pair is lost whatever they are. Null pointers are skipped on
-    reading. [0.16] */
+/** - dHashSpaceSetLevels: Set the cell sizes of a hash space to 2^minlevel ... 2^maxlevel metres; default -3
+      and 10. They are for speed only: no pair is lost whatever they are. minlevel > maxlevel is refused.
+    - dHashSpaceGetLevels: Write the exponents of the smallest and the largest cell size of a hash space to
+      *minlevel and *maxlevel: cells are 2^level metres. A null pointer is skipped. [0.16] */
 ODE_API void dHashSpaceSetLevels(dSpaceID space, int minlevel, int maxlevel);
 ODE_API void dHashSpaceGetLevels(dSpaceID space, int* minlevel, int* maxlevel);
 
-/** Whether (mode) destroying the space destroys its members, default 1. [0.16] */
+/** - dSpaceSetCleanup: Say whether destroying the space destroys its members (mode not 0, the default) or
+      leaves them.
+    - dSpaceGetCleanup: Whether destroying the space destroys its members: 1 or 0. [0.16] */
 ODE_API void dSpaceSetCleanup(dSpaceID space, int mode);
 ODE_API int dSpaceGetCleanup(dSpaceID space);
 
-/** A number sublevel that decides which of two spaces dSpaceCollide2 opens: the one with the higher
-    sublevel. Default 0; the program keeps it. [0.16] */
+/** - dSpaceSetSublevel: Set the number by which dSpaceCollide2 decides which of two spaces it opens: the one
+      with the higher sublevel. Default 0; the library does not change it.
+    - dSpaceGetSublevel: The number that dSpaceSetSublevel has set, 0 at first. [0.16] */
 ODE_API void dSpaceSetSublevel(dSpaceID space, int sublevel);
 ODE_API int dSpaceGetSublevel(dSpaceID space);
 
-/** A hint on the lifetime of per-thread caches. This library has none; the value mode is only stored.
-    [0.16] */
+/** - dSpaceSetManualCleanup: Store whether mode is not 0, in ODE a hint on the lifetime of caches that
+      threads have; this library has no such caches.
+    - dSpaceGetManualCleanup: What dSpaceSetManualCleanup has stored: 1 or 0, which is the default. [0.16] */
 ODE_API void dSpaceSetManualCleanup(dSpaceID space, int mode);
 ODE_API int dSpaceGetManualCleanup(dSpaceID space);
 
-/** Add a geom that is in no space; take a member out; ask whether a geom is a direct member (1 or 0).
-    [0.16] */
+/** - dSpaceAdd: Add a geom that is in no space to the space.
+    - dSpaceRemove: Take a direct member, geom, out of the space.
+    - dSpaceQuery: 1 if geom is a direct member of the space, else 0. [0.16] */
 ODE_API void dSpaceAdd(dSpaceID space, dGeomID geom);
 ODE_API void dSpaceRemove(dSpaceID space, dGeomID geom);
 ODE_API int dSpaceQuery(dSpaceID space, dGeomID geom);
@@ -85,8 +91,9 @@ ODE_API int dSpaceQuery(dSpaceID space, dGeomID geom);
 /** Compute the bounding boxes of moved members now. dSpaceCollide does it by itself. [0.16] */
 ODE_API void dSpaceClean(dSpaceID space);
 
-/** Direct members: how many, and number i of 0 ... n-1 in no promised order, which may change when geoms
-    move. A bad index is refused. [0.16] */
+/** - dSpaceGetNumGeoms: How many direct members the space has.
+    - dSpaceGetGeom: Direct member number i, 0 ... dSpaceGetNumGeoms - 1, of the space. The order is not
+      promised and may change when geoms move. An i that there is not is refused. [0.16] */
 ODE_API int dSpaceGetNumGeoms(dSpaceID space);
 ODE_API dGeomID dSpaceGetGeom(dSpaceID space, int i);
 

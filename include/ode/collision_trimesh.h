@@ -77,9 +77,10 @@ enum {
    - Callback, ArrayCallback, RayCallback: functions that have a say in the contacts of a mesh, or 0. While
    they run, the geoms and the data of the pair cannot be destroyed or given other triangles.
 
-   Refused: data or a geom that is 0, destroyed or no mesh; null pointers, counts and strides that are too
-   small, an index beyond the vertices, a coordinate that is no finite number. Nothing changes then, and the
-   answer is 0. */
+   Refused: data or a geom that is 0, destroyed or no mesh; null pointers; [dGeomTriMeshDataBuild] counts
+    and strides that are too small; [dGeomTriMeshDataBuild] an index beyond the vertices;
+    [dGeomTriMeshDataBuild] a coordinate that is no finite number. Nothing changes then, and the answer is
+    0. */
 
 /** May a triangle touch the other geom? Returns non-zero to let it. */
 typedef int dTriCallback(dGeomID TriMesh, dGeomID RefObject, int TriangleIndex);
@@ -93,16 +94,27 @@ typedef int dTriRayCallback(dGeomID TriMesh, dGeomID Ray, int TriangleIndex, dRe
 /** Which triangle number a contact gets that is merged from those of two triangles. */
 typedef int dTriTriMergeCallback(dGeomID TriMesh, int FirstTriangleIndex, int SecondTriangleIndex);
 
-/** The triangles of one or more geoms, empty at first. Geoms whose data are destroyed touch nothing.
-    Refused while a collision goes on that may need them. [0.16] */
+/** - dGeomTriMeshDataCreate: New data for the triangles of one or more geoms, empty at first.
+    - dGeomTriMeshDataDestroy: Destroy the data g; geoms that have them touch nothing afterwards. Refused
+      during a collision that may need them. [0.16] */
 ODE_API dTriMeshDataID dGeomTriMeshDataCreate(void);
 ODE_API void dGeomTriMeshDataDestroy(dTriMeshDataID g);
 
-/** Set the triangles, from vertices of type float (Single), double (Double) or of dVector3 without gaps, with
-   indices without gaps (Simple). Data that have been built already get new triangles, and their geoms with
-   them. Normals: three dReal for each triangle, or 0, as for dTRIMESHDATA_FACE_NORMALS; the last function
-   takes them under another type. Single vertices are taken to be rounded as floats are: edges that this may
-   have bent count as flat. Refused while a collision goes on that needs the data. [0.16] */
+/** Data that have been built already get new triangles, and their geoms with them. Refused during a
+    collision that needs the data.
+    - dGeomTriMeshDataBuildSingle: Set the triangles of the data g from vertices of type float. Edges that
+      the rounding to floats may have bent count as flat.
+    - dGeomTriMeshDataBuildSingle1: Set the triangles of the data g from vertices of type float, and their
+      normals. Edges that the rounding to floats may have bent count as flat. Normals: three dReal for each
+      triangle, or 0, as for dTRIMESHDATA_FACE_NORMALS.
+    - dGeomTriMeshDataBuildDouble: Set the triangles of the data g from vertices of type double.
+    - dGeomTriMeshDataBuildDouble1: Set the triangles of the data g from vertices of type double, and their
+      normals. Normals: three dReal for each triangle, or 0, as for dTRIMESHDATA_FACE_NORMALS.
+    - dGeomTriMeshDataBuildSimple: Set the triangles of the data g from vertices of type dVector3 and
+      indices, both without gaps.
+    - dGeomTriMeshDataBuildSimple1: Set the triangles of the data g from vertices of type dVector3 and
+      indices, both without gaps, and their normals. Normals: three dReal for each triangle, behind a pointer
+      of another type, or 0, as for dTRIMESHDATA_FACE_NORMALS. [0.16] */
 ODE_API void dGeomTriMeshDataBuildSingle(dTriMeshDataID g, const void* Vertices, int VertexStride,
                                          int VertexCount, const void* Indices, int IndexCount, int TriStride);
 ODE_API void dGeomTriMeshDataBuildSingle1(dTriMeshDataID g, const void* Vertices, int VertexStride,
@@ -124,42 +136,64 @@ ODE_API void dGeomTriMeshDataBuildSimple1(dTriMeshDataID g, const dReal* Vertice
     while a collision goes on that needs the data. [0.16] */
 ODE_API void dGeomTriMeshDataUpdate(dTriMeshDataID g);
 
-/** Compute what buildRequestFlags asks for, bits 1 << dTRIDATAPREPROCESS_BUILD_...; 0 only when memory is
-    exhausted or something is refused. Asking again computes again. CONCAVE_EDGES makes the use flags:
-    dMESHDATAUSE_ bits for each triangle, every edge that is not concave and every vertex without concave
-   edges given to one triangle, the first. FACE_ANGLES makes nothing, as all that contacts need is always
-   there; its extra data, requestExtraData[dTRIDATAPREPROCESS_BUILD_FACE_ANGLES], is checked. requestExtraData
-   may be 0. Face normals that are not unit vectors are refused. The first function asks for CONCAVE_EDGES.
-   [0.16] */
+/** CONCAVE_EDGES makes the use flags: dMESHDATAUSE_ bits for each triangle; every edge that is not concave
+    and every vertex without concave edges is given to one triangle, the one with the lowest index. Returns
+    1, or 0 if memory is exhausted or the call is refused. Calling it again computes again. Face normals that
+    are not unit vectors are refused.
+    - dGeomTriMeshDataPreprocess: Compute CONCAVE_EDGES for the data g: dGeomTriMeshDataPreprocess2 with that
+      bit alone.
+    - dGeomTriMeshDataPreprocess2: Compute for the data g what buildRequestFlags asks for, bits 1 <<
+      dTRIDATAPREPROCESS_BUILD_... FACE_ANGLES makes nothing, as all that contacts need is always there; its
+      extra data, requestExtraData[dTRIDATAPREPROCESS_BUILD_FACE_ANGLES], is checked. requestExtraData may be
+      0. [0.16] */
 ODE_API int dGeomTriMeshDataPreprocess(dTriMeshDataID g);
 ODE_API int dGeomTriMeshDataPreprocess2(dTriMeshDataID g, unsigned int buildRequestFlags,
                                         const dintptr* requestExtraData);
 
-/** Data of the program's own, in_data, for data_id (dTRIMESHDATA_...); not copied. Use flags hide those that
-    have been computed until they are set to 0. Contacts do without either: they are there for programs that
-    store them. Get2 answers what is set or computed, else 0, and writes the number of bytes, if pout_size is
-    not 0. [0.16] */
+/** Contacts do not use these data: they are there for programs that store them.
+    - dGeomTriMeshDataSet: Give the data g an array of the program's own, in_data, for data_id
+      (dTRIMESHDATA_...); it is not copied. Use flags that are given hide those that have been computed until
+      they are set to 0.
+    - dGeomTriMeshDataGet2: The array for data_id (dTRIMESHDATA_...) that the program has set or the library
+      has computed, else 0. The number of its bytes is written to *pout_size unless pout_size is 0. [0.16] */
 ODE_API void dGeomTriMeshDataSet(dTriMeshDataID g, int data_id, void* in_data);
 ODE_API void* dGeomTriMeshDataGet2(dTriMeshDataID g, int data_id, dsizeint* pout_size);
 
-/** The use flags under their old names: buf are the flags, *bufLen their number. buf and bufLen may be 0 when
-    they are asked for. [0.16] */
+/** - dGeomTriMeshDataGetBuffer: Old form that reads the use flags of the data g: a pointer to them is
+      written to *buf, their number to *bufLen; either pointer may be 0.
+    - dGeomTriMeshDataSetBuffer: Old form that sets the use flags of the data g: buf are the flags, one byte
+      for each triangle. [0.16] */
 ODE_API_DEPRECATED ODE_API void dGeomTriMeshDataGetBuffer(dTriMeshDataID g, unsigned char** buf, int* bufLen);
 ODE_API_DEPRECATED ODE_API void dGeomTriMeshDataSetBuffer(dTriMeshDataID g, unsigned char* buf);
 
-/** A mesh in the world, in space or (0) in none, and its data. Its bounding box is that of the data, turned.
-    Setting data is refused while the geom is being collided. [0.16] */
+/** - dCreateTriMesh: A new mesh in the space, or (0) in none, of the triangles Data, with three functions of
+      the program, each of which may be 0. Its bounding box is that of the data, turned.
+    - dGeomTriMeshSetData: Give the mesh g other triangles, Data. Refused while the geom is being collided.
+    - dGeomTriMeshGetData: The data of the mesh g, or 0.
+    - dGeomTriMeshGetTriMeshDataID: The data of the mesh g, or 0; the same answer as dGeomTriMeshGetData.
+      [0.16] */
 ODE_API dGeomID dCreateTriMesh(dSpaceID space, dTriMeshDataID Data, dTriCallback* Callback,
                                dTriArrayCallback* ArrayCallback, dTriRayCallback* RayCallback);
 ODE_API void dGeomTriMeshSetData(dGeomID g, dTriMeshDataID Data);
 ODE_API dTriMeshDataID dGeomTriMeshGetData(dGeomID g);
 ODE_API dTriMeshDataID dGeomTriMeshGetTriMeshDataID(dGeomID g);
 
-/** The functions of the program that have a say in contacts. Callback and ArrayCallback are called for
-    triangles near the other geom, which need not touch it. Hits of a ray are put to RayCallback and then to
-    Callback, from the nearest on, until enough have been accepted by both. The last is called when contacts
-    of two triangles, at the same place and with the same normal, become one, and says its number; without it
-    the contact has that of the deeper one. [0.16] */
+/** - dGeomTriMeshSetCallback: Set the function that accepts or refuses contacts of the mesh g with a
+      triangle; 0: none. It is called for triangles near the other geom, which need not touch it, and for
+      hits of rays.
+    - dGeomTriMeshGetCallback: The function that dGeomTriMeshSetCallback has set, or 0.
+    - dGeomTriMeshSetArrayCallback: Set the function that is given all triangles of the mesh g near the other
+      geom at once; 0: none. They need not touch it.
+    - dGeomTriMeshGetArrayCallback: The function that dGeomTriMeshSetArrayCallback has set, or 0.
+    - dGeomTriMeshSetRayCallback: Set the function that accepts or refuses hits of rays on the mesh g, from
+      the nearest on, until enough are accepted; 0: none. The one of dGeomTriMeshSetCallback is asked after
+      it, and both must accept.
+    - dGeomTriMeshGetRayCallback: The function that dGeomTriMeshSetRayCallback has set, or 0.
+    - dGeomTriMeshSetTriMergeCallback: Set the function that is called when contacts of two triangles of the
+      mesh g, at the same place and with the same normal, become one, and that gives the contact its index;
+      0: the contact has the index of the deeper one.
+    - dGeomTriMeshGetTriMergeCallback: The function that dGeomTriMeshSetTriMergeCallback has set, or 0.
+      [0.16] */
 ODE_API void dGeomTriMeshSetCallback(dGeomID g, dTriCallback* Callback);
 ODE_API dTriCallback* dGeomTriMeshGetCallback(dGeomID g);
 ODE_API void dGeomTriMeshSetArrayCallback(dGeomID g, dTriArrayCallback* ArrayCallback);
@@ -172,19 +206,27 @@ ODE_API dTriTriMergeCallback* dGeomTriMeshGetTriMergeCallback(dGeomID g);
 /** How many triangles there are, those without area included; 0 without data. [0.16] */
 ODE_API int dGeomTriMeshGetTriangleCount(dGeomID g);
 
-/** The corners of a triangle in the world, m, written to *v0, *v1 and *v2, of which some but not all may be
-   0; and the point (1 - u - v) v0 + u v1 + v v2, written to Out. [0.16] */
+/** - dGeomTriMeshGetTriangle: Write the corners of triangle Index of the mesh g in the world, m, to *v0, *v1
+      and *v2; some of the pointers may be 0, but not all.
+    - dGeomTriMeshGetPoint: Write the point (1 - u - v) a + u b + v c of triangle Index of the mesh g,
+      with its corners a, b, c in the world, m, to Out. [0.16] */
 ODE_API void dGeomTriMeshGetTriangle(dGeomID g, int Index, dVector3* v0, dVector3* v1, dVector3* v2);
 ODE_API void dGeomTriMeshGetPoint(dGeomID g, int Index, dReal u, dReal v, dVector3 Out);
 
-/** Sixteen numbers, last_trans, kept for the program, zero at first: its place for the pose of the step
-   before, which contacts do not need. The pointer stays valid as long as the geom. [0.16] */
+/** Contacts do not need it.
+    - dGeomTriMeshSetLastTransform: Store 16 reals, last_trans, for the program: a place for the pose of the
+      step before.
+    - dGeomTriMeshGetLastTransform: A pointer to the 16 reals that dGeomTriMeshSetLastTransform has stored,
+      zeros at first; valid as long as the geom. [0.16] */
 ODE_API void dGeomTriMeshSetLastTransform(dGeomID g, const dMatrix4 last_trans);
 ODE_API const dReal* dGeomTriMeshGetLastTransform(dGeomID g);
 
-/** Whether (enable) what is found out about geoms of class geomClass (dSphereClass, dBoxClass, dCapsuleClass;
-    others stay 0) may be remembered for their next collision, default 0. Kept and answered; nothing is
-    remembered, so nothing is there to be cleared. [0.16] */
+/** The setting is stored for the program; the library keeps no such memory.
+    - dGeomTriMeshEnableTC: Say whether (enable not 0) what is found out about geoms of class geomClass may
+      be remembered for their next collision; default 0. It holds for dSphereClass, dBoxClass and
+      dCapsuleClass; others stay 0.
+    - dGeomTriMeshIsTCEnabled: Whether dGeomTriMeshEnableTC has been switched on for class geomClass: 1 or 0.
+    - dGeomTriMeshClearTCCache: Does nothing: there is nothing to be cleared. [0.16] */
 ODE_API void dGeomTriMeshEnableTC(dGeomID g, int geomClass, int enable);
 ODE_API int dGeomTriMeshIsTCEnabled(dGeomID g, int geomClass);
 ODE_API void dGeomTriMeshClearTCCache(dGeomID g);

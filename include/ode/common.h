@@ -233,7 +233,9 @@ typedef dReal dQuaternion[dQUE__MAX]; /**< w, x, y, z */
 
     Refused: as each function says. */
 
-/** The smaller, the greater of x and y. Nothing is refused. [0.16] */
+/** Nothing is refused.
+    - dMin: The smaller of x and y.
+    - dMax: The greater of x and y. [0.16] */
 ODE_PURE_INLINE dReal dMin(dReal x, dReal y) { return y < x ? y : x; }
 ODE_PURE_INLINE dReal dMax(dReal x, dReal y) { return y > x ? y : x; }
 
@@ -363,7 +365,7 @@ typedef struct dJointFeedback {
 } dJointFeedback;
 
 /** Say that the pose of geom changed behind the library's back: its bounding box will be computed
-    anew. The setters and the steppers do this themselves. Refused: what is no
+    anew. Functions that move geoms or bodies, and steps, do this themselves. Refused: what is no
     geom. [0.16] */
 ODE_API void dGeomMoved(dGeomID geom);
 

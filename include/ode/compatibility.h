@@ -28,8 +28,8 @@ extern "C" {
     - w: a world.
     - b: a body.
 
-    Refused: a world or body that is 0 or destroyed, numbers that are not finite. Nothing changes then,
-    and getters answer 0. */
+    Refused: a world or body that is 0 or destroyed; numbers that are not finite. Nothing changes then, and
+    getters answer 0. */
 
 /** Advance the world by stepsize seconds with the small-step solver: the step is cut into maxiterations
     (1 ... 10000) equal small steps, and in each of them every joint is solved on its own as a rigid block.
@@ -40,14 +40,21 @@ extern "C" {
     velocities and accumulators are then as they were. [guide] */
 ODE_API int dWorldStepFast1(dWorldID w, dReal stepsize, int maxiterations);
 
-/** The world's autoEnableDepth of the guide: an int that is stored and given back (waking through joints
-    always reaches the whole island). [guide] */
+/** - dWorldSetAutoEnableDepthSF1: Store the world's autoEnableDepth of the guide. It changes nothing: waking
+      through joints always reaches the whole island.
+    - dWorldGetAutoEnableDepthSF1: The number that dWorldSetAutoEnableDepthSF1 has stored. [guide] */
 ODE_API void dWorldSetAutoEnableDepthSF1(dWorldID w, int autoEnableDepth);
 ODE_API int dWorldGetAutoEnableDepthSF1(dWorldID w);
 
-/** Old names of the body's auto-disable settings. autoDisableThreshold sets the linear (m/s) and the
-    angular (rad/s) threshold to the same value and reads back the linear one; AutoDisableSteps and
-    doAutoDisable are those of dBodySetAutoDisableSteps and dBodySetAutoDisableFlag. [guide] */
+/** - dBodySetAutoDisableThresholdSF1: Old form that sets both thresholds of idleness to
+      autoDisableThreshold: the linear one, m/s, and the angular one, rad/s.
+    - dBodyGetAutoDisableThresholdSF1: The body's threshold of the linear speed, m/s: old name of
+      dBodyGetAutoDisableLinearThreshold.
+    - dBodySetAutoDisableStepsSF1: Old name of dBodySetAutoDisableSteps; AutoDisableSteps is the number of
+      idle steps.
+    - dBodyGetAutoDisableStepsSF1: Old name of dBodyGetAutoDisableSteps.
+    - dBodySetAutoDisableSF1: Old name of dBodySetAutoDisableFlag; doAutoDisable not 0 switches it on.
+    - dBodyGetAutoDisableSF1: Old name of dBodyGetAutoDisableFlag. [guide] */
 ODE_API void dBodySetAutoDisableThresholdSF1(dBodyID b, dReal autoDisableThreshold);
 ODE_API dReal dBodyGetAutoDisableThresholdSF1(dBodyID b);
 ODE_API void dBodySetAutoDisableStepsSF1(dBodyID b, int AutoDisableSteps);

@@ -35,12 +35,14 @@ extern "C" {
     - world: the world.
     - geom: the geom.
 
-    Refused: a world or geom that is 0 or destroyed, null pointers, numbers that are not finite, and what each
-   function names. Nothing changes then, and the answer is 0. While a step is in progress, the space and the
-   filter cannot be changed. */
+    Refused: a world or geom that is 0 or destroyed; null pointers; numbers that are not finite; what each
+    function names; [dWorldSetContactSpace, dWorldSetContactFilter] a call during a step. Nothing changes
+    then, and the answer is 0. */
 
-/** Gives the world the space whose geoms it shall keep apart; 0, the default: none. All contacts that the
-    world knew are forgotten. A space that is destroyed is taken away from its world. [ours] */
+/** - dWorldSetContactSpace: Give the world the space whose geoms it is to keep apart by contacts that it
+      manages; 0, the default: none. All contacts that the world knew are forgotten. A space that is
+      destroyed is taken away from its world.
+    - dWorldGetContactSpace: The space that dWorldSetContactSpace has set, or 0. [ours] */
 ODE_API void dWorldSetContactSpace(dWorldID world, dSpaceID space);
 ODE_API dSpaceID dWorldGetContactSpace(dWorldID world);
 
@@ -72,9 +74,11 @@ typedef struct dMaterial {
     int rolling_rule;   /**< for rolling. dCombineDefault */
 } dMaterial;
 
-/** The material of a geom, from the next step on; material 0: the default again, as named above. Reading a
-   geom that has none gives the default. Return 1. Refused: coefficients below 0, a bounce above 1, infinite
-   rolling, softness or damping time, rules that there are not. [ours] */
+/** - dGeomSetMaterial: Give the geom a copy of *material from the next step on; 0: the default of this
+      chapter again. Returns 1. Refused: coefficients below 0; a bounce above 1; infinite rolling, softness
+      or damping time; unknown rules.
+    - dGeomGetMaterial: Write the geom's material to *material, the default if it has none. Returns 1. [ours]
+ */
 ODE_API int dGeomSetMaterial(dGeomID geom, const dMaterial* material);
 ODE_API int dGeomGetMaterial(dGeomID geom, dMaterial* material);
 

@@ -29,7 +29,7 @@ extern "C" {
     Arguments:
     - cooperative, requirements, resources: the object; 0 is ignored where one is destroyed.
 
-    Refused: an object that is 0 or destroyed, and as each function says. */
+    Refused: an object that is 0 or destroyed; what each function says. */
 
 struct dxCooperative;
 struct dxResourceRequirements;
@@ -48,7 +48,9 @@ ODE_API dCooperativeID dCooperativeCreate(const dThreadingFunctionsInfo* functio
 /** The requirements and containers made for it stay. [0.16] */
 ODE_API void dCooperativeDestroy(dCooperativeID cooperative);
 
-/** New requirements: for nothing yet. [0.16] */
+/** - dResourceRequirementsCreate: New requirements for calls with the container cooperative: at first for
+      nothing.
+    - dResourceRequirementsDestroy: Destroy the requirements. [0.16] */
 ODE_API dResourceRequirementsID dResourceRequirementsCreate(dCooperativeID cooperative);
 ODE_API void dResourceRequirementsDestroy(dResourceRequirementsID requirements);
 

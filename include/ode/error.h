@@ -27,14 +27,19 @@ extern "C" {
     ap: its arguments, which the handler may consume once. */
 typedef void dMessageFunction(int errnum, const char* msg, va_list ap);
 
-/** Install the handler fn of dError, dDebug, dMessage; NULL brings the default back, which prints to
-    stderr. Process-wide; install handlers before other threads use the library. A handler may leave
-    by longjmp or by a C++ exception. [0.16] */
+/** Handlers are process-wide; install them before other threads use the library. A handler may leave by
+    longjmp or by a C++ exception. NULL brings the default back, which prints to the standard error stream.
+    - dSetErrorHandler: Install the handler fn, which dError calls.
+    - dSetDebugHandler: Install the handler fn, which dDebug calls.
+    - dSetMessageHandler: Install the handler fn, which dMessage calls. [0.16] */
 ODE_API void dSetErrorHandler(dMessageFunction* fn);
 ODE_API void dSetDebugHandler(dMessageFunction* fn);
 ODE_API void dSetMessageHandler(dMessageFunction* fn);
 
-/** The handler installed by the program, or NULL when it is the default one. [0.16] */
+/** - dGetErrorHandler: The handler that dSetErrorHandler has installed, or NULL if it is the default one.
+    - dGetDebugHandler: The handler that dSetDebugHandler has installed, or NULL if it is the default one.
+    - dGetMessageHandler: The handler that dSetMessageHandler has installed, or NULL if it is the default
+      one. [0.16] */
 ODE_API dMessageFunction* dGetErrorHandler(void);
 ODE_API dMessageFunction* dGetDebugHandler(void);
 ODE_API dMessageFunction* dGetMessageHandler(void);

@@ -23,8 +23,8 @@ extern "C" {
     Arguments:
     - world: the world.
 
-    Refused: a world that is 0 or destroyed, null pointers, numbers that are not finite, and what each
-   function names. Nothing changes then, and the answer is 0. */
+    Refused: a world that is 0 or destroyed; null pointers; numbers that are not finite; what each function
+    names. Nothing changes then, and the answer is 0. */
 
 /** What the last step of a world did. Sums and worst values over its islands. Lengths in m, angles in
     rad, energies in J. */
@@ -85,8 +85,9 @@ typedef struct dIslandStepReport {
     int stopped;              /**< see dWorldStepReport */
 } dIslandStepReport;
 
-/** Switch the report on (mode 1) or off (0, the default). Off costs nothing; on costs one more evaluation
-    of the residual per step. Other values are refused. [ours] */
+/** - dWorldSetStepReportMode: Switch the report of steps on (mode 1) or off (0, the default). Off costs
+      nothing; on costs one more evaluation of the residual per step. Other values are refused.
+    - dWorldGetStepReportMode: 1 if steps are reported, else 0. [ours] */
 ODE_API void dWorldSetStepReportMode(dWorldID world, int mode);
 ODE_API int dWorldGetStepReportMode(dWorldID world);
 
@@ -96,103 +97,117 @@ ODE_API int dWorldGetStepReportMode(dWorldID world);
     argument, struct_size smaller than itself). [ours] */
 ODE_API int dWorldGetStepReport(dWorldID world, dWorldStepReport* report);
 
-/** The same, to report, for one island of the last step, 0 <= island < dWorldStepReport::islands, in the
+/** Write to *report what the last step did in one island, 0 <= island < dWorldStepReport::islands, in the
    order in which ODE finds them: from the youngest body on. Another index is refused. [ours] */
 ODE_API int dWorldGetIslandStepReport(dWorldID world, int island, dIslandStepReport* report);
 
-/** Over how many threads a step of this world may spread its islands, the caller's included; 1 is the
-    default, 0 means as many as the machine has processors, at most 64. A step has the same bits on any
-    number of threads. Callbacks run on the caller's thread only; memory handlers set by the program may be
-    called from the others. Threads are shared by all worlds, start with the first step that wants them and
-    end with the last dCloseODE. dWorldSetStepIslandsProcessingMaxThreadCount limits them further. While an
-    implementation is set by dWorldSetStepThreadingImplementation, its threads do the work and this number is
-    kept for later. Negative numbers are refused. [ours] */
+/** - dWorldSetStepThreads: Set over how many threads a step of this world may spread its islands, the
+      caller's included; 1 is the default, 0 means as many as the machine has processors, at most 64. A step
+      has the same bits on any number of threads. Callbacks run on the caller's thread only; memory handlers
+      set by the program may be called from the others. Threads are shared by all worlds, start with the
+      first step that wants them and end with the last dCloseODE.
+      dWorldSetStepIslandsProcessingMaxThreadCount limits them further. While an implementation is set by
+      dWorldSetStepThreadingImplementation, its threads do the work and this number is kept for later.
+      Negative numbers are refused.
+    - dWorldGetStepThreads: The number that dWorldSetStepThreads has set, 1 at first. [ours] */
 ODE_API void dWorldSetStepThreads(dWorldID world, int threads);
 ODE_API int dWorldGetStepThreads(dWorldID world);
 
-/** How far a step of the world starts from the constraint forces of the last one, as a factor 0 ... 1 on each
-   stepper's usual share; default 1, 0 starts from nothing as the original does. Contacts find their forces
-   again although they are new joints in every step. The answer of dWorldStep does not depend on it, only the
-   time it takes. Values outside 0 ... 1 are refused. [ours] */
+/** - dWorldSetQuickStepWarmStarting: Set how far a step of the world starts from the constraint forces of
+      the last one: factor, 0 ... 1, of each stepper's usual share; default 1, 0 starts from nothing as ODE
+      does. Contacts find their forces again although they are new joints in every step. The answer of
+      dWorldStep does not depend on it, only the time it takes. Values outside 0 ... 1 are refused.
+    - dWorldGetQuickStepWarmStarting: The factor that dWorldSetQuickStepWarmStarting has set, 1 at first.
+      [ours] */
 ODE_API void dWorldSetQuickStepWarmStarting(dWorldID world, dReal factor);
 ODE_API dReal dWorldGetQuickStepWarmStarting(dWorldID world);
 
-/** How contact joints bound friction in dWorldQuickStep and dWorldStepFast1 (mode): 0 (the default) as the
-    original does, each direction by itself, so that a box slides askew with up to 1.41 times the friction; 1
-    in the plane as a whole, |(f1/l1, f2/l2)| <= 1 with the limits l1 and l2 of the two directions (mu times
-    the normal force, or force bounds as the surface flags say), which with one mu is Coulomb's cone: the same
-    in every direction, opposite to the slip. Contacts with both directions are meant; those with one, or that
-    resist rolling, are as ever, and so is dWorldStep, whose bounds are those of each row. What the world
-    manages (ode/contacts.h) has the cone anyway. Costs a root and three divisions a contact and sweep. Other
-    values are refused, as is a call during a step. [ours] */
+/** - dWorldSetContactCone: Set how contact joints bound friction in dWorldQuickStep and dWorldStepFast1.
+      mode 0 (the default): as ODE does, each direction by itself, so that a box slides askew with up to 1.41
+      times the friction. mode 1: in the plane as a whole, |(f1/l1, f2/l2)| <= 1 with the limits l1 and l2 of
+      the two directions (mu times the normal force, or force bounds as the surface flags say), which with
+      one mu is Coulomb's cone: the same in every direction, opposite to the slip. Contacts with both
+      directions are meant; those with one, or that resist rolling, do not change, nor does dWorldStep, whose
+      bounds are those of each row. Contacts that the world manages (ode/contacts.h) always have the cone.
+      Costs a root and three divisions per contact and sweep. Other values are refused, as is a call during a
+      step.
+    - dWorldGetContactCone: The mode that dWorldSetContactCone has set, 0 at first. [ours] */
 ODE_API void dWorldSetContactCone(dWorldID world, int mode);
 ODE_API int dWorldGetContactCone(dWorldID world);
 
-/** How many frictions the points of one contact have in dWorldQuickStep and dWorldStepFast1 (mode): 0 (the
-    default) one for each, 1 one for all points of two bodies that follow each other with one normal (up to
-    four), and for each patch of contacts that the world manages: a force in the plane at the centre of what
-    the points push, and a couple about the normal, bounded together. With N the sum of the pushes and rho
-   their mean distance from that centre, |f|^2 + (m/rho)^2 <= (mu N)^2: a body that only slides is braked by
-   mu N in every direction, one that only turns on its face by mu N rho, one that does both by what an
-   ellipsoid between them allows. Contacts that the world manages cost less, contact joints more (up to a
-   fifth of the solver's time, since the box of the default needs no roots). Friction is still told point by
-   point (dJointFeedback, impulses of contacts that the world manages): each one has its part by its push, and
-   these parts add up to the force and couple that acted. Contact joints have it whose mu is finite and the
-   same in both directions; those with mu2, with force bounds instead of mu or with an endless one, with one
-   direction or against rolling are as ever. Surface motion is kept, slip becomes that of all points side by
-   side. dWorldStep, which is exact for each row, does not know it. Other values are refused, as is a call
-   during a step. [ours] */
+/** - dWorldSetManifoldFriction: Set how many frictions the points of one contact have in dWorldQuickStep and
+      dWorldStepFast1. mode 0 (the default): one for each point. mode 1: one for all points of two bodies
+      that follow each other with one normal (up to four), and for each patch of contacts that the world
+      manages: a force in the plane at the centre of the normal forces, and a couple about the normal,
+      bounded together. With N the sum of the normal forces and rho their mean distance from that centre,
+      |f|^2 + (m/rho)^2 <= (mu N)^2: a body that only slides is braked by mu N in every direction, one that
+      only turns on its face by mu N rho, one that does both by what an ellipsoid between them allows.
+      Contacts that the world manages cost less, contact joints more (up to a fifth of the solver's time,
+      since the box of the default needs no roots). Friction is still reported point by point
+      (dJointFeedback, impulses of contacts that the world manages): each point has its part by its normal
+      force, and these parts add up to the force and couple that acted. Contact joints have it whose mu is
+      finite and the same in both directions; those with mu2, with force bounds instead of mu or with an
+      infinite one, with one direction or against rolling do not change. Surface motion is kept, slip becomes
+      that of all points side by side. dWorldStep, which is exact for each row, does not use it. Other values
+      are refused, as is a call during a step.
+    - dWorldGetManifoldFriction: The mode that dWorldSetManifoldFriction has set, 0 at first. [ours] */
 ODE_API void dWorldSetManifoldFriction(dWorldID world, int mode);
 ODE_API int dWorldGetManifoldFriction(dWorldID world);
 
-/** How dWorldStep and dWorldQuickStep turn bodies (mode): 0 (the default) as the original does, 1 exactly.
-    Exactly means: the orientation turns by the exponential map, so a spin w held for h turns by w h and not
-    by 2 atan(w h/2); and the gyroscopic torque follows the implicit midpoint rule with that map, so that a
-    body on which nothing acts keeps its energy and its angular momentum, direction included, to rounding
-    (while |w| h < 2 rad; beyond, mostly energy and |L| still). The original's rule damps tumbling away.
-    Bodies under joints or contacts have the same torque in the velocity that the constraints start from;
-    the angular velocity that is read of them is that of the middle of the last step, which satisfies the
-    constraints; a body on which none has acted reads that of the end.
-    Gyroscopic mode off (dBodySetGyroscopicMode) leaves the torque out and keeps the exact turn; a finite
-    rotation axis (dBodySetFiniteRotationAxis in finite mode) still splits the turn as the client asked;
-    the largest angular speed cuts in as always. dWorldStepFast1 is not affected: its small steps turn as
-    before. Costs about 0.4 microseconds per body. Other values are refused, as is a call during a step.
-   [ours] */
+/** - dWorldSetExactRotation: Set how dWorldStep and dWorldQuickStep turn bodies: mode 0 (the default) as ODE
+      does, 1 exactly. Exactly means: the orientation turns by the exponential map, so a spin w held for h
+      turns by w h and not by 2 atan(w h/2); and the gyroscopic torque follows the implicit midpoint rule
+      with that map, so that a body on which nothing acts keeps its energy and its angular momentum,
+      direction included, to rounding (while |w| h < 2 rad; beyond, mostly energy and |L| still). ODE's rule
+      damps tumbling away. Bodies under joints or contacts have the same torque in the velocity that the
+      constraints start from; the angular velocity that is read of them is that of the middle of the last
+      step, which satisfies the constraints; a body on which none has acted reads that of the end. Gyroscopic
+      mode off (dBodySetGyroscopicMode) leaves the torque out and keeps the exact turn; a finite rotation
+      axis (dBodySetFiniteRotationAxis in finite mode) still splits the turn as the program asked; the
+      largest angular speed cuts in as always. dWorldStepFast1 is not affected: its small steps turn as
+      before. Costs about 0.4 microseconds per body. Other values are refused, as is a call during a step.
+    - dWorldGetExactRotation: The mode that dWorldSetExactRotation has set, 0 at first. [ours] */
 ODE_API void dWorldSetExactRotation(dWorldID world, int mode);
 ODE_API int dWorldGetExactRotation(dWorldID world);
 
-/** Into how many equal parts dWorldStep divides its step; 1 is the default. Each part is an exact solve of
-   its own with the poses, joints, stops and rebounds of that moment, while contacts stay those that the step
-    began with: their depth follows the motion, one that has opened may close but not enter, and a bounce
-    happens in the first part. Forces are held over the step. ERP and CFM keep their meaning for the whole
-    step: the parts use those that stand for the same spring and damper, so that a spring stays the same
-    spring. Joint feedback is the mean force over the step; damping, sleep and callbacks come once. Errors of
-    joints and of free motion fall as in as many steps, with one collision instead of n; time grows with n.
-    A projection (dWorldSetStepProjection) follows the last part. Values outside 1 ... 1000 are refused.
-   [ours] */
+/** - dWorldSetExactSubsteps: Set into how many equal parts dWorldStep divides its step; 1 is the default.
+      Each part is an exact solve of its own with the poses, joints, stops and rebounds of that moment, while
+      contacts stay those that the step began with: their depth follows the motion, one that has opened may
+      close but not enter, and a bounce happens in the first part. Forces are held over the step. ERP and CFM
+      keep their meaning for the whole step: the parts use those that stand for the same spring and damper,
+      so that a spring stays the same spring. Joint feedback is the mean force over the step; damping, sleep
+      and callbacks come once. Errors of joints and of free motion fall as in as many steps, with one
+      collision instead of n; time grows with n. A projection (dWorldSetStepProjection) follows the last
+      part. Values outside 1 ... 1000 are refused.
+    - dWorldGetExactSubsteps: The number of parts that dWorldSetExactSubsteps has set, 1 at first. [ours] */
 ODE_API void dWorldSetExactSubsteps(dWorldID world, int parts);
 ODE_API int dWorldGetExactSubsteps(dWorldID world);
 
-/** How many steps (iterations) of Newton's method on positions may follow each dWorldStep, 0 (the default, as
-   the original) to 100; 8 are plenty, and most steps take one. dWorldStep solves for velocities: at its end
-   joints are open by about (w h)^2/2 of a lever that turns at w, and more where a light link carries a heavy
-   load. The projection closes joints (all rows that hold positions, and stops that act) until the worst error
-   is below the tolerance, and takes from the depth of contacts the share that is their ERP, moving bodies as
-    little as their masses allow. Contacts and stops are then not pushed out by velocities, so nothing is
-    thrown off. It never pulls a contact or a stop that has opened. It leaves springs alone (rows whose
-    softness, by CFM, is more than a thousandth of what the bodies give), motors and friction. Contacts keep
-    the surface layer, and half the tolerance so that they are found again. Errors that contradict each other
-    are left at their least squares; a Newton step that does not make the errors smaller is shortened, and at
-    last taken back. Velocities are not changed. The joints' tension is felt in the inertia of the bodies that
-    they hold, where the step is too long to follow how fast it swings them: without that, light links under a
-    heavy load thrash about. The step report tells what was done. Costs about as much again as the step.
-    Other values are refused. [ours] */
+/** - dWorldSetStepProjection: Set how many steps (iterations) of Newton's method on positions may follow
+      each dWorldStep, 0 (the default, as in ODE) to 100; 8 are plenty, and most steps take one. dWorldStep
+      solves for velocities: at its end joints are open by about (w h)^2/2 of a lever that turns at w, and
+      more where a light link carries a heavy load. The projection closes joints (all rows that hold
+      positions, and stops that act) until the worst error is below the tolerance, and takes from the depth
+      of contacts the share that is their ERP, moving bodies as little as their masses allow. Contacts and
+      stops are then not pushed out by velocities, so nothing is thrown off. It never pulls a contact or a
+      stop that has opened. It leaves springs alone (rows whose softness, by CFM, is more than a thousandth
+      of what the bodies give), motors and friction. Contacts keep the surface layer, and half the tolerance
+      so that they are found again. Errors that contradict each other are left at their least squares; a
+      Newton step that does not make the errors smaller is shortened, and at last taken back. Velocities are
+      not changed. The joints' tension is felt in the inertia of the bodies that they hold, where the step is
+      too long to follow how fast it swings them: without that, light links under a heavy load thrash about.
+      The step report says what was done. Costs about as much again as the step. Other values are refused.
+    - dWorldGetStepProjection: The number of iterations that dWorldSetStepProjection has set, 0 at first.
+      [ours] */
 ODE_API void dWorldSetStepProjection(dWorldID world, int iterations);
 ODE_API int dWorldGetStepProjection(dWorldID world);
 
-/** The error (tolerance) that the projection need not remove: of angles in rad, of lengths as a share of the
-   longest lever (from the centre of a body to the joint, at least its radius of gyration). Default 1e-4 (1e-3
-   in single precision); values outside 0 ... 1, and both ends, are refused. [ours] */
+/** - dWorldSetStepProjectionTolerance: Set the error (tolerance) that the projection need not remove: of
+      angles in rad, of lengths as a share of the longest lever (from the centre of a body to the joint, at
+      least its radius of gyration). Default 1e-4 (1e-3 in single precision); values outside 0 ... 1, and
+      both ends, are refused.
+    - dWorldGetStepProjectionTolerance: The tolerance that dWorldSetStepProjectionTolerance has set; at first
+      1e-4, 1e-3 in single precision. [ours] */
 ODE_API void dWorldSetStepProjectionTolerance(dWorldID world, dReal tolerance);
 ODE_API dReal dWorldGetStepProjectionTolerance(dWorldID world);
 
@@ -203,8 +218,8 @@ ODE_API dReal dWorldGetStepProjectionTolerance(dWorldID world);
     Arguments:
     - geom: any geom but a space.
 
-    Refused: a geom that is a space, destroyed or 0, and what each function names. Nothing changes then, and
-    the answer is 0. */
+    Refused: a geom that is a space, destroyed or 0; what each function names. Nothing changes then, and the
+    answer is 0. */
 
 /** What steps do about a geom's way from one place to the next. */
 typedef enum {
@@ -213,24 +228,25 @@ typedef enum {
     dContinuousIgnored /**< it may be passed by those that pass nothing else: sensors */
 } dContinuousMode;
 
-/** What steps do about the geom's way, mode, one of dContinuousMode; dContinuousOff is the default. The body
-   of a geom with dContinuousOn is looked at by every stepper when it has moved, in this step, by more than a
-    small share of the geom's thickness (twice the radius of a ball inside): if on its way the geom goes
-    deeper than about an eighth of its thickness into another one, the body stands still, from the moment
-    when it met that geom, for the rest of the step, a hair deep, so that the next collision finds the
-    contact. Velocities are kept. What only grazes, slides or rests is left as it is. Turning counts, up to
-    half a turn in a step, and so does the motion of the other geom: two that look out stop both; what meets
-    a moving body that does not is carried on by it for the rest of the step.
-    Met are all geoms in its outermost space that agree by category and collide bits and are enabled, planes,
-    meshes and height fields included; those that push forwards only (meshes against spheres, capsules and
-    cylinders, height fields) from their fronts. Not met are geoms of the same body, of bodies that a joint
-    other than a contact connects with it, rays, classes of the program, pairs that the program has overridden
-    (dSetColliderOverride), and what it already lies in when no contact joint acts between the two bodies:
-    then the program has no use for the contact. Bodies that joints hold together stop together. Kinematic
-    bodies are met, but never stopped. dWorldStepReport::stopped counts. A step without such geoms is not
-    changed by a bit.
-    Refused: other modes; dContinuousOn for a geom that is neither sphere, box, capsule, cylinder, convex,
-    mesh nor a transform. [ours] */
+/** - dGeomSetContinuous: Set what steps do about the geom's way: mode is one of dContinuousMode;
+      dContinuousOff is the default. The body of a geom with dContinuousOn is looked at by every stepper when
+      it has moved, in this step, by more than a small share of the geom's thickness (twice the radius of a
+      ball inside): if on its way the geom goes deeper than about an eighth of its thickness into another
+      one, the body stands still, from the moment when it met that geom, for the rest of the step, a hair
+      deep, so that the next collision finds the contact. Velocities are kept. What only grazes, slides or
+      rests is left as it is. Turning counts, up to half a turn in a step, and so does the motion of the
+      other geom: two continuous ones stop both; what meets a moving body that is not continuous is carried
+      on by it for the rest of the step. Met are all geoms in its outermost space that agree by category and
+      collide bits and are enabled, planes, meshes and height fields included; those that push forwards only
+      (meshes against spheres, capsules and cylinders, height fields) from their fronts. Not met are geoms of
+      the same body, of bodies that a joint other than a contact connects with it, rays, classes of the
+      program, pairs that the program has overridden (dSetColliderOverride), and what it already lies in when
+      no contact joint acts between the two bodies: then the program has no use for the contact. Bodies that
+      joints hold together stop together. Kinematic bodies are met, but never stopped.
+      dWorldStepReport::stopped counts. A step without such geoms is not changed by a bit. Refused: other
+      modes; dContinuousOn for a geom that is neither sphere, box, capsule, cylinder, convex, mesh nor a
+      transform.
+    - dGeomGetContinuous: The mode that dGeomSetContinuous has set, dContinuousOff at first. [ours] */
 ODE_API void dGeomSetContinuous(dGeomID geom, int mode);
 ODE_API int dGeomGetContinuous(dGeomID geom);
 
@@ -245,33 +261,40 @@ ODE_API int dGeomGetContinuous(dGeomID geom);
     array may then be null.
 
     Refused: a geom of another class, destroyed or 0; a space that is destroyed or being collided; null
-   pointers, numbers that are not finite, and what each function names. Nothing changes then, nothing is made,
-   and the answer is 0. */
+    pointers; numbers that are not finite; what each function names. Nothing changes then, and the answer is
+    0. */
 
-/** The convex hull of pointcount points, 3 reals each, m, in the geom's frame; they are copied and may be in
-    any order, equal, inside, in a line or in a plane with others. At most maxvertices of them become
-   vertices, those that stand out farthest first (at least 4; 0: no limit). What lies in one plane becomes one
-   face, within a millionth of the extent (the longest side of the points' bounding box; 1e-5 of it in single
-    precision), and every point lies within twice that of all faces unless maxvertices left it out. The result
-    does not depend on the order of the points. Refused: fewer than 4 points, all in one plane to that
-   measure, more than 2^24. [ours] */
+/** The hull is that of pointcount points, 3 reals each, m, in the geom's frame; they are copied and may be
+    in any order, equal, inside, in a line or in a plane with others. At most maxvertices of them become
+    vertices, those that stand out farthest first (at least 4; 0: no limit). What lies in one plane becomes
+    one face, within a millionth of the extent (the longest side of the points' bounding box; 1e-5 of it in
+    single precision), and every point lies within twice that of all faces unless maxvertices left it out.
+    The result does not depend on the order of the points. Refused: fewer than 4 points; points that are all
+    in one plane to that measure; more than 2^24.
+    - dCreateConvexHull: A new convex geom in the space, or (0) in none: the convex hull of the points.
+    - dGeomSetConvexHull: Make the geom convex the convex hull of the points. [ours] */
 ODE_API dGeomID dCreateConvexHull(dSpaceID space, const dReal* points, unsigned int pointcount,
                                   unsigned int maxvertices);
 ODE_API void dGeomSetConvexHull(dGeomID convex, const dReal* points, unsigned int pointcount,
                                 unsigned int maxvertices);
 
-/** The vertices, 3 reals each, into points, in the order in which they were given; the planes of the faces,
-    4 reals each, into planes: unit outward normal n and n . p on the face; and the faces into polygons: for
-    each the number of its corners and their places among the vertices, counter-clockwise seen from outside.
-    All in the geom's frame, as dCreateConvex takes them. Return the number of vertices, of planes, and of
-    numbers in all polygons together, and write up to room of them. [ours] */
+/** Coordinates are in the geom's frame, as dCreateConvex takes them.
+    - dGeomConvexGetPoints: Write up to room of the vertices, 3 reals each, m, to points, in the order in
+      which they were given. Returns how many vertices there are.
+    - dGeomConvexGetPlanes: Write up to room of the planes of the faces, 4 reals each, to planes: the unit
+      outward normal n, and n . p of the face's points. Returns how many planes there are.
+    - dGeomConvexGetPolygons: Write up to room of the numbers that describe the faces to polygons: for each
+      face the number of its corners and their places among the vertices, counter-clockwise seen from
+      outside. Returns how many numbers there are. [ours] */
 ODE_API int dGeomConvexGetPoints(dGeomID convex, dReal* points, int room);
 ODE_API int dGeomConvexGetPlanes(dGeomID convex, dReal* planes, int room);
 ODE_API int dGeomConvexGetPolygons(dGeomID convex, unsigned int* polygons, int room);
 
-/** Set the mass m to that of the solid in the geom's own frame, exactly: centre of mass and inertia about the
-    frame's origin; density in kg/m^3, or total_mass in kg. For a body, move it to its centre with
-    dMassTranslate and the geom with it (dGeomSetOffsetPosition). Refused: a plate without volume. [ours] */
+/** The mass is that of the solid in the geom's own frame, exactly: centre of mass, and inertia about the
+    frame's origin. For a body, move it to its centre with dMassTranslate and the geom with it
+    (dGeomSetOffsetPosition). Refused: a plate without volume.
+    - dMassSetConvex: Set *m to the mass of the geom convex filled with density, kg/m^3.
+    - dMassSetConvexTotal: Set *m to the mass of the geom convex that weighs total_mass, kg. [ours] */
 ODE_API void dMassSetConvex(dMass* m, dReal density, dGeomID convex);
 ODE_API void dMassSetConvexTotal(dMass* m, dReal total_mass, dGeomID convex);
 
@@ -280,20 +303,20 @@ ODE_API void dMassSetConvexTotal(dMass* m, dReal total_mass, dGeomID convex);
     Arguments:
     - mesh: a geom of class dTriMeshClass.
 
-    Refused: a geom of another class, destroyed or 0, and what each function names. Nothing changes then, and
+    Refused: a geom of another class, destroyed or 0; what each function names. Nothing changes then, and
     the answer is 0. */
 
-/** Whether the mesh is the solid that its triangles enclose (solid 1) or, as ODE has it and as is the
-   default, their surface (0). A sphere, box, capsule, cylinder or convex whose middle is inside a solid mesh
-   is pushed out by the nearest way, however deep it is: dCollide gives up to 4 contacts as with a plane
-   across that way, with the nearest triangle as side; dGeomGetDistance is minus the depth along that way, and
-    dSpaceOverlap tells it. One whose middle is outside meets the surface as ever, and so do rays, planes,
-    casts, height fields and other meshes. The middle is the origin of the geom's frame, of a convex the
-    middle of its box. Get answers 1 if the mesh is solid now: new data that are not closed make it a surface
-    for as long as it has them. Costs a search for the nearest triangle.
-    Refused: other values of solid; 1 for a mesh that is not closed, that is one with a triangle that has no
-    neighbour over an edge or one wound the other way, or that looks inward (its volume is not positive).
-    [ours] */
+/** - dGeomTriMeshSetSolid: Say whether the mesh is the solid that its triangles enclose (solid 1) or, as in
+      ODE and by default, their surface (0). A sphere, box, capsule, cylinder or convex whose middle is
+      inside a solid mesh is pushed out by the nearest way, however deep it is: dCollide gives up to 4
+      contacts as with a plane across that way, with the nearest triangle as side; dGeomGetDistance is minus
+      the depth along that way, and dSpaceOverlap reports it. One whose middle is outside meets the surface
+      as before, and so do rays, planes, casts, height fields and other meshes. The middle is the origin of
+      the geom's frame, of a convex the middle of its box. Costs a search for the nearest triangle. Refused:
+      other values of solid; 1 for a mesh that is not closed, that is one with a triangle that has no
+      neighbour over an edge or one wound the other way, or that looks inward (its volume is not positive).
+    - dGeomTriMeshGetSolid: 1 if the mesh is a solid now, else 0: data that are not closed make it a surface
+      for as long as it has them. [ours] */
 ODE_API void dGeomTriMeshSetSolid(dGeomID mesh, int solid);
 ODE_API int dGeomTriMeshGetSolid(dGeomID mesh);
 
@@ -318,8 +341,8 @@ ODE_API int dGeomTriMeshGetSolid(dGeomID mesh);
     - d: the data, built before. Building them again makes a field without holes.
     - i, j: a cell, counted from 0, i along the width and j along the depth.
 
-    Refused: data that are 0, destroyed or not built; cells that the field has not; calls from a height
-    function; and what each function names. Nothing changes then, and the answer is 0. */
+    Refused: data that are 0, destroyed or not built; cells that the field has not; a call from a height
+    function; what each function names. Nothing changes then, and the answer is 0. */
 
 /** Which cells are missing: those whose byte is not 0, cell (i, j) being element i + j * widthCells of holes,
    which is copied; 0 for none. All holes from before are gone. Set while nothing is collided with the field;
@@ -328,8 +351,9 @@ ODE_API int dGeomTriMeshGetSolid(dGeomID mesh);
 ODE_API void dGeomHeightfieldDataSetHoles(dHeightfieldDataID d, const unsigned char* holes, int widthCells,
                                           int depthCells);
 
-/** One cell: hole 1 takes it away, 0 puts it back. Get answers 1 where a cell is missing. Refused: other
-   values of hole, no memory. [ours] */
+/** - dGeomHeightfieldDataSetHole: Take cell (i, j) away (hole 1) or put it back (0). Refused: other values
+      of hole; no memory.
+    - dGeomHeightfieldDataGetHole: 1 if cell (i, j) has been taken away, else 0. [ours] */
 ODE_API void dGeomHeightfieldDataSetHole(dHeightfieldDataID d, int i, int j, int hole);
 ODE_API int dGeomHeightfieldDataGetHole(dHeightfieldDataID d, int i, int j);
 
@@ -349,10 +373,9 @@ ODE_API int dGeomHeightfieldDataGetHole(dHeightfieldDataID d, int i, int j);
     - room: how many answers the array holds, 0 or more; 0 to ask for the number alone, the array may then be
     null.
 
-    Refused: a space that is 0, destroyed or none; null pointers, numbers that are not finite, and what each
-   function names. Nothing changes then, nothing is written, and the answer is 0. While functions of the
-   program are called (user classes, overridden pairs, functions of meshes and heights), the space is locked.
- */
+    Refused: a space that is 0, destroyed or none; null pointers; numbers that are not finite; what each
+    function names. Nothing changes then, and the answer is 0. While functions of the program are called
+    (user classes, overridden pairs, functions of meshes and heights), the space is locked. */
 
 /** What a question has found. */
 typedef struct dQueryHit {
@@ -419,15 +442,17 @@ typedef struct dQueryDistance {
    two endless height fields. Refused: equal geoms, one that is destroyed or 0. [ours] */
 ODE_API int dGeomGetDistance(dGeomID o1, dGeomID o2, dReal most, dQueryDistance* result);
 
-/** What the geom o meets first when it is moved by motion (m, world, not zero) without turning: in *hit the
-   way until then (distance, at most the length of motion), the point (pos) and the normal, out of what is
-   met. o is convex: sphere, box, capsule, cylinder, convex, ray, or a transform that holds one. What it
-   overlaps at the beginning is met at distance 0, with the normal that leads out; what it only touches is met
-   if the motion leads into it. Nothing is passed, however thin or small it is and however long the motion; a
-   height field is met at its surface. dGeomCast: one other geom, whatever its bits. dSpaceCast: all members
-   of the space that o's bits let it see, but o and geoms on its body; the newest of those met at once.
-   Classes of the program are not met. Returns 1, or 0 if nothing is met: then hit->geom is 0. Refused: no
-   motion, an o that is not convex, another geom that is o, destroyed, 0 or a space. [ours] */
+/** Convex geoms are sphere, box, capsule, cylinder, convex, ray, or a transform that holds one. What o
+    overlaps at the beginning is met at distance 0, with the normal that leads out; what it only touches is
+    met if the motion leads into it. Nothing is passed, however thin or small it is and however long the
+    motion; a height field is met at its surface. Classes of the program are not met. Written to *hit: the
+    way until then (distance, at most the length of motion), the point (pos) and the normal, out of what is
+    met. Returns 1, or 0 if nothing is met: then hit->geom is 0. Refused: no motion; an o that is not convex.
+    - dGeomCast: Whether the geom o meets one other geom, whatever its bits, when o is moved by motion (m,
+      world, not zero) without turning. Refused: another geom that is o, destroyed, 0 or a space.
+    - dSpaceCast: What the geom o meets first among all members of the space that o's bits let it see, except
+      o itself and geoms on its body, when o is moved by motion (m, world, not zero) without turning; the
+      newest of those met at once. [ours] */
 ODE_API int dGeomCast(dGeomID o, const dVector3 motion, dGeomID other, dQueryHit* hit);
 ODE_API int dSpaceCast(dSpaceID space, dGeomID o, const dVector3 motion, dQueryHit* hit);
 

@@ -29,7 +29,8 @@ extern "C" {
     - radius, length: m.
     - lx, ly, lz: full side lengths, m.
 
-    Refused: null pointers, numbers that are not finite, another direction. A result that no real body can
+    Refused: null pointers; numbers that are not finite; [dMassSetCapsule, dMassSetCylinder,
+    dMassSetCappedCylinder] another direction than 1, 2 or 3 (x, y or z). A result that no real body can
     have is stored, with a message. */
 
 struct dMass;
@@ -47,30 +48,43 @@ ODE_API void dMassSetZero(dMass* m);
 ODE_API void dMassSetParameters(dMass* m, dReal themass, dReal cgx, dReal cgy, dReal cgz, dReal I11,
                                 dReal I22, dReal I33, dReal I12, dReal I13, dReal I23);
 
-/** A full sphere of the given radius: m = 4/3 pi r^3 density, I = 2/5 m r^2. The ...Total forms, here and
-    below, take the mass instead of the density. [guide] */
+/** - dMassSetSphere: Set *m to a full sphere of this radius, m, and density, kg/m^3: mass 4/3 pi r^3 times
+      the density, I = 2/5 of the mass times r^2.
+    - dMassSetSphereTotal: Set *m to a full sphere of this radius, m, that weighs total_mass, kg: I = 2/5
+      total_mass r^2. [guide] */
 ODE_API void dMassSetSphere(dMass* m, dReal density, dReal radius);
 ODE_API void dMassSetSphereTotal(dMass* m, dReal total_mass, dReal radius);
 
-/** A capsule with its axis along direction; length is that of the cylindrical part, without the caps.
-    [0.16] */
+/** The length is that of the cylindrical part, without the caps.
+    - dMassSetCapsule: Set *m to a full capsule of this density, kg/m^3, radius and length, m, with its axis
+      along direction.
+    - dMassSetCapsuleTotal: Set *m to a full capsule that weighs total_mass, kg, of this radius and length,
+      m, with its axis along direction. [0.16] */
 ODE_API void dMassSetCapsule(dMass* m, dReal density, int direction, dReal radius, dReal length);
 ODE_API void dMassSetCapsuleTotal(dMass* m, dReal total_mass, int direction, dReal radius, dReal length);
 
-/** A cylinder with flat ends and its axis along direction. [guide] */
+/** - dMassSetCylinder: Set *m to a full cylinder with flat ends of this density, kg/m^3, radius and length,
+      m, with its axis along direction.
+    - dMassSetCylinderTotal: Set *m to a full cylinder with flat ends that weighs total_mass, kg, of this
+      radius and length, m, with its axis along direction. [guide] */
 ODE_API void dMassSetCylinder(dMass* m, dReal density, int direction, dReal radius, dReal length);
 ODE_API void dMassSetCylinderTotal(dMass* m, dReal total_mass, int direction, dReal radius, dReal length);
 
-/** A box with full side lengths lx, ly, lz. [guide] */
+/** - dMassSetBox: Set *m to a full box of this density, kg/m^3, with the full side lengths lx, ly, lz, m.
+    - dMassSetBoxTotal: Set *m to a full box that weighs total_mass, kg, with the full side lengths lx, ly,
+      lz, m. [guide] */
 ODE_API void dMassSetBox(dMass* m, dReal density, dReal lx, dReal ly, dReal lz);
 ODE_API void dMassSetBoxTotal(dMass* m, dReal total_mass, dReal lx, dReal ly, dReal lz);
 
-/** What the triangles of the geom g, a mesh, enclose, as it stands in the world: the centre is written as it
-    is, and the inertia is that about the world's origin; translate by -c for a body. The integrals are exact
-    for a closed mesh whose fronts are outside; turned inside out it has a negative mass (a mass given as a
-    total stays as given). An open mesh is taken to be closed by cones over its border, from the first corner
-    of its first triangle. Refused: a geom of another class, a mesh without data, triangles that enclose
-    nothing. [0.16] */
+/** The mass is that of what the triangles enclose, as the mesh stands in the world: the centre is written as
+    it is, and the inertia is that about the world's origin; translate by minus the centre for a body. The
+    integrals are exact for a closed mesh whose fronts are outside. An open mesh is taken to be closed by
+    cones over its border, from the first corner of its triangle 0. Refused: a geom without triangles;
+   triangles that enclose nothing.
+    - dMassSetTrimesh: Set *m to the solid that the triangles of the mesh g enclose, filled with density,
+      kg/m^3. A mesh that is turned inside out has a negative mass.
+    - dMassSetTrimeshTotal: Set *m to the solid that the triangles of the mesh g enclose and that weighs
+      total_mass, kg. [0.16] */
 ODE_API void dMassSetTrimesh(dMass* m, dReal density, dGeomID g);
 ODE_API void dMassSetTrimeshTotal(dMass* m, dReal total_mass, dGeomID g);
 
@@ -89,7 +103,10 @@ ODE_API void dMassRotate(dMass* m, const dMatrix3 R);
     [0.16] */
 ODE_API void dMassAdd(dMass* a, const dMass* b);
 
-/** Old names of dMassSetCapsule and dMassSetCapsuleTotal. [guide] */
+/** - dMassSetCappedCylinder: Old name of dMassSetCapsule: a capsule of this density, kg/m^3, radius and
+      length of its cylindrical part, m, with its axis along direction.
+    - dMassSetCappedCylinderTotal: Old name of dMassSetCapsuleTotal: a capsule that weighs total_mass, kg, of
+      this radius and length of its cylindrical part, m, with its axis along direction. [guide] */
 ODE_API_DEPRECATED ODE_API void dMassSetCappedCylinder(dMass* m, dReal density, int direction, dReal radius,
                                                        dReal length);
 ODE_API_DEPRECATED ODE_API void dMassSetCappedCylinderTotal(dMass* m, dReal total_mass, int direction,

@@ -21,20 +21,21 @@ extern "C" {
     - n: the number of elements, or of rows and columns.
     - nskip: how many reals a row of the array has.
 
-    Refused: null pointers, n that is not positive (0 does nothing where vectors are meant), nskip < n.
-   Nothing changes then, and the answer is 0. */
+    Refused: null pointers; n that is not positive (0 does nothing where vectors are meant); nskip < n.
+    Nothing changes then, and the answer is 0. */
 
-/** Set the n reals at a to zero, or to value. [0.16] */
+/** - dSetZero: Set the n reals at a to zero.
+    - dSetValue: Set the n reals at a to value. [0.16] */
 ODE_API void dSetZero(dReal* a, int n);
 ODE_API void dSetValue(dReal* a, int n, dReal value);
 
 /** Inner product of two vectors a and b of n reals. [0.16] */
 ODE_API dReal dDot(const dReal* a, const dReal* b, int n);
 
-/** Products; A is p x r and must not overlap B or C.
-    dMultiply0: A = B C    with B p x q, C q x r
-    dMultiply1: A = B^T C  with B q x p, C q x r
-    dMultiply2: A = B C^T  with B p x q, C r x q [0.16] */
+/** A is p x r and must not overlap B or C.
+    - dMultiply0: A = B C, with B p x q and C q x r.
+    - dMultiply1: A = B^T C, with B q x p and C q x r.
+    - dMultiply2: A = B C^T, with B p x q and C r x q. [0.16] */
 ODE_API void dMultiply0(dReal* A, const dReal* B, const dReal* C, int p, int q, int r);
 ODE_API void dMultiply1(dReal* A, const dReal* B, const dReal* C, int p, int q, int r);
 ODE_API void dMultiply2(dReal* A, const dReal* B, const dReal* C, int p, int q, int r);
@@ -57,11 +58,14 @@ ODE_API int dIsPositiveDefinite(const dReal* A, int n);
 /** A = L D L^T in place: L goes to the strict lower triangle, 1/D to d (n reals). [0.16] */
 ODE_API void dFactorLDLT(dReal* A, dReal* d, int n, int nskip);
 
-/** Solve L x = b, or L^T x = b, in place; L unit lower triangular. [0.16] */
+/** L is unit lower triangular, n x n with rows of nskip reals; the solution takes the place of b.
+    - dSolveL1: Solve L x = b for x.
+    - dSolveL1T: Solve L^T x = b for x. [0.16] */
 ODE_API void dSolveL1(const dReal* L, dReal* b, int n, int nskip);
 ODE_API void dSolveL1T(const dReal* L, dReal* b, int n, int nskip);
 
-/** a[i] *= d[i] for n elements. dVectorScale is the old name. [0.16] */
+/** - dScaleVector: a[i] *= d[i] for n elements.
+    - dVectorScale: Old name of dScaleVector: a[i] *= d[i] for n elements. [0.16] */
 ODE_API void dScaleVector(dReal* a, const dReal* d, int n);
 ODE_API_DEPRECATED ODE_API void dVectorScale(dReal* a, const dReal* d, int n);
 

@@ -25,19 +25,28 @@ typedef void* dReallocFunction(void* ptr, dsizeint oldsize, dsizeint newsize);
 /** Takes back a block of `size` bytes. */
 typedef void dFreeFunction(void* ptr, dsizeint size);
 
-/** Install a handler fn; NULL brings malloc / realloc / free back. Process-wide. [0.16] */
+/** Process-wide. NULL brings the default back.
+    - dSetAllocHandler: Install the function fn that gives memory in place of malloc.
+    - dSetReallocHandler: Install the function fn that changes the size of a block in place of realloc.
+    - dSetFreeHandler: Install the function fn that takes memory back in place of free. [0.16] */
 ODE_API void dSetAllocHandler(dAllocFunction* fn);
 ODE_API void dSetReallocHandler(dReallocFunction* fn);
 ODE_API void dSetFreeHandler(dFreeFunction* fn);
 
-/** The installed handler, or NULL when it is the default one. [0.16] */
+/** - dGetAllocHandler: The function that dSetAllocHandler has installed, or NULL if it is the default one.
+    - dGetReallocHandler: The function that dSetReallocHandler has installed, or NULL if it is the default
+      one.
+    - dGetFreeHandler: The function that dSetFreeHandler has installed, or NULL if it is the default one.
+      [0.16] */
 ODE_API dAllocFunction* dGetAllocHandler(void);
 ODE_API dReallocFunction* dGetReallocHandler(void);
 ODE_API dFreeFunction* dGetFreeHandler(void);
 
-/** Use the handlers (or the defaults): give size bytes; change the block ptr from oldsize to newsize bytes,
-   keeping what fits; take the block ptr of size bytes back. dFree(NULL, n) does nothing and calls no handler.
-   [0.16] */
+/** Uses the handler that the program has installed, or the default one.
+    - dAlloc: A block of size bytes.
+    - dRealloc: Change the block ptr from oldsize to newsize bytes, keeping what fits; returns where it is
+      now.
+    - dFree: Take the block ptr of size bytes back. A NULL ptr does nothing and calls no handler. [0.16] */
 ODE_API void* dAlloc(dsizeint size);
 ODE_API void* dRealloc(void* ptr, dsizeint oldsize, dsizeint newsize);
 ODE_API void dFree(void* ptr, dsizeint size);

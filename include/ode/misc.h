@@ -22,17 +22,19 @@ extern "C" {
 /** 1 when the generator gives its known first numbers. The state is kept. [0.16] */
 ODE_API int dTestRand(void);
 
-/** The library checks itself and tells the result on the standard output: its containers against plain
-    arrays, and the solvers of dWorldStep on random linear complementarity problems. dTestSolveLCP returns 1
-    when all were solved to rounding, else 0. Takes some hundredths of a second; dRand is not disturbed.
-    [0.16] */
+/** The result is written to the standard output. Takes some hundredths of a second; dRand is not disturbed.
+    - dTestDataStructures: Check the library's containers against plain arrays.
+    - dTestSolveLCP: Check the solvers of dWorldStep on random linear complementarity problems. Returns 1 if
+      all were solved to rounding, else 0. [0.16] */
 ODE_API void dTestDataStructures(void);
 ODE_API int dTestSolveLCP(void);
 
 /** The next number, 0 ... 2^32 - 1. [0.16] */
 ODE_API unsigned long dRand(void);
 
-/** The generator's state; setting it to s makes what follows repeatable. [0.16] */
+/** - dRandGetSeed: The state of the generator behind dRand.
+    - dRandSetSeed: Set the state of the generator behind dRand to s, so that what follows can be repeated.
+      [0.16] */
 ODE_API unsigned long dRandGetSeed(void);
 ODE_API void dRandSetSeed(unsigned long s);
 
@@ -45,16 +47,18 @@ ODE_API dReal dRandReal(void);
 /** Print the n x m matrix A to the file f, each element with the printf format fmt, a line per row. [0.16] */
 ODE_API void dPrintMatrix(const dReal* A, int n, int m, const char* fmt, FILE* f);
 
-/** Fill a vector A of n, or an n x m matrix A (row by row, padding untouched), with reals from
-    -range ... range. [0.16] */
+/** - dMakeRandomVector: Fill the vector A of n reals with numbers from -range ... range.
+    - dMakeRandomMatrix: Fill the n x m matrix A row by row with numbers from -range ... range; its padding
+      is not written. [0.16] */
 ODE_API void dMakeRandomVector(dReal* A, int n, dReal range);
 ODE_API void dMakeRandomMatrix(dReal* A, int n, int m, dReal range);
 
 /** Zero the elements above the diagonal of the n x n matrix A. [0.16] */
 ODE_API void dClearUpperTriangle(dReal* A, int n);
 
-/** The largest absolute difference of two n x m matrices A and B, or of two n x n lower triangles
-    (diagonal included). [0.16] */
+/** - dMaxDifference: The largest absolute difference of two n x m matrices A and B.
+    - dMaxDifferenceLowerTriangle: The largest absolute difference of the lower triangles, diagonal included,
+      of two n x n matrices A and B. [0.16] */
 ODE_API dReal dMaxDifference(const dReal* A, const dReal* B, int n, int m);
 ODE_API dReal dMaxDifferenceLowerTriangle(const dReal* A, const dReal* B, int n);
 

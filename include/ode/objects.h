@@ -44,23 +44,30 @@ ODE_API dWorldID dWorldCreate(void);
     their group. [guide] */
 ODE_API void dWorldDestroy(dWorldID world);
 
-/** A pointer of the program's: data, NULL at first; the library never looks at it. [0.16] */
+/** - dWorldSetData: Store a pointer of the program's, data, with the world; NULL at first. The library never
+      looks at it.
+    - dWorldGetData: The pointer that the program stored with dWorldSetData; NULL if it stored none. [0.16] */
 ODE_API void dWorldSetData(dWorldID world, void* data);
 ODE_API void* dWorldGetData(dWorldID world);
 
-/** Gravity (x, y, z), m/s^2, world frame, default (0, 0, 0); 3 reals are written to gravity. It acts on
-    every body whose gravity mode is on. [guide] */
+/** - dWorldSetGravity: Set gravity to (x, y, z), m/s^2, world frame; default (0, 0, 0). It acts on every
+      body whose gravity mode is on.
+    - dWorldGetGravity: Write the world's gravity, m/s^2, to gravity: 3 reals, world frame. [guide] */
 ODE_API void dWorldSetGravity(dWorldID world, dReal x, dReal y, dReal z);
 ODE_API void dWorldGetGravity(dWorldID world, dVector3 gravity);
 
-/** The world's error reduction parameter erp: the part of joint errors that is corrected per step,
-    sensibly 0.1 ... 0.8, default 0.2. Joints use the current value, except those parameters that a joint
-    copies when it is created (dParamERP, dParamStopERP, dParamSuspensionERP). [guide] */
+/** - dWorldSetERP: Set the world's error reduction parameter erp: the part of joint errors that is corrected
+      per step, sensibly 0.1 ... 0.8, default 0.2. Joints use the current value, except those parameters that
+      a joint copies when it is created (dParamERP, dParamStopERP, dParamSuspensionERP).
+    - dWorldGetERP: The world's error reduction parameter, 0.2 at first. [guide] */
 ODE_API void dWorldSetERP(dWorldID world, dReal erp);
 ODE_API dReal dWorldGetERP(dWorldID world);
 
-/** The world's constraint force mixing cfm: the softness of joints, sensibly 1e-9 ... 1, default 1e-10
-    (1e-5 in single precision). Copied by joints like ERP. A negative one is refused. [guide] */
+/** - dWorldSetCFM: Set the world's constraint force mixing cfm: the softness of joints, sensibly 1e-9 ... 1,
+      default 1e-10 (1e-5 in single precision). Joints use the current value, except those parameters that a
+      joint copies when it is created (dParamCFM, dParamStopCFM, dParamSuspensionCFM). A negative one is
+      refused.
+    - dWorldGetCFM: The world's constraint force mixing; at first 1e-10, 1e-5 in single precision. [guide] */
 ODE_API void dWorldSetCFM(dWorldID world, dReal cfm);
 ODE_API dReal dWorldGetCFM(dWorldID world);
 
@@ -77,8 +84,11 @@ ODE_API void dWorldSetStepThreadingImplementation(dWorldID world,
                                                   const dThreadingFunctionsInfo* functions_info,
                                                   dThreadingImplementationID threading_impl);
 
-/** The most threads (count) that work on a step; 0 (the default, dWORLDSTEP_THREADCOUNT_UNLIMITED) sets no
-    limit. It is a limit only: a world that has been given no threads steps on the calling thread. [0.16] */
+/** - dWorldSetStepIslandsProcessingMaxThreadCount: Set the most threads (count) that work on a step; 0 (the
+      default, dWORLDSTEP_THREADCOUNT_UNLIMITED) sets no limit. It is a limit only: a world that has been
+      given no threads steps on the calling thread.
+    - dWorldGetStepIslandsProcessingMaxThreadCount: The most threads that work on a step; 0: no limit. [0.16]
+ */
 #define dWORLDSTEP_THREADCOUNT_UNLIMITED dTHREADING_THREAD_COUNT_UNLIMITED
 ODE_API void dWorldSetStepIslandsProcessingMaxThreadCount(dWorldID world, unsigned count);
 ODE_API unsigned dWorldGetStepIslandsProcessingMaxThreadCount(dWorldID world);
@@ -89,7 +99,8 @@ ODE_API unsigned dWorldGetStepIslandsProcessingMaxThreadCount(dWorldID world);
     more are asked for. The memory is made by the first step, or by the functions below, and has settings of
     its own. Without them it comes from dAlloc.
 
-    Refused: a world that is 0 or destroyed; during a step. Nothing changes then. */
+    Refused: a world that is 0 or destroyed; a call during a step. Nothing changes then, and the answer is
+    0. */
 
 /** Let the world use the working memory of from_world, and its settings, from now on (it is made if
     from_world has none); it is given back with the last world that uses it. The worlds must not step at the
@@ -143,8 +154,9 @@ ODE_API int dWorldSetStepMemoryManager(dWorldID world, const dWorldStepMemoryFun
     Three solvers, which may be mixed freely on one world: dWorldStep solves exactly, dWorldQuickStep
     iterates, dWorldStepFast1 (compatibility.h) takes small steps.
 
-    Refused: a world that is 0 or destroyed; a stepsize that is not positive and finite; a step within a
-    step, as from a moved callback. Nothing changes then. */
+    Refused: a world that is 0 or destroyed; [dWorldStep, dWorldQuickStep] a stepsize that is not positive
+    and finite; [dWorldStep, dWorldQuickStep] a step within a step, as from a moved callback; numbers that
+    are not finite. Nothing changes then, and the answer is 0. */
 
 /** Advance by stepsize seconds with the exact solver: the mixed complementarity problem of each island is
     solved to rounding. Friction limits are taken from the normal forces of the frictionless solution.
@@ -165,12 +177,15 @@ ODE_API int dWorldQuickStep(dWorldID world, dReal stepsize);
 ODE_API void dWorldImpulseToForce(dWorldID world, dReal stepsize, dReal ix, dReal iy, dReal iz,
                                   dVector3 force);
 
-/** How many iterations (num) dWorldQuickStep makes, default 20. 0 or less lets the joints exert no force.
-    More than 100000 are refused. [0.16] */
+/** - dWorldSetQuickStepNumIterations: Set how many iterations (num) dWorldQuickStep makes, default 20. 0 or
+      less lets the joints exert no force. More than 100000 are refused.
+    - dWorldGetQuickStepNumIterations: How many iterations dWorldQuickStep makes, 20 at first. [0.16] */
 ODE_API void dWorldSetQuickStepNumIterations(dWorldID world, int num);
 ODE_API int dWorldGetQuickStepNumIterations(dWorldID world);
 
-/** The factor over_relaxation of dWorldQuickStep, sensibly within (0, 2), default 1.3. [0.16] */
+/** - dWorldSetQuickStepW: Set the factor over_relaxation of dWorldQuickStep, sensibly within (0, 2), default
+      1.3.
+    - dWorldGetQuickStepW: The factor of over-relaxation of dWorldQuickStep, 1.3 at first. [0.16] */
 ODE_API void dWorldSetQuickStepW(dWorldID world, dReal over_relaxation);
 ODE_API dReal dWorldGetQuickStepW(dWorldID world);
 
@@ -178,12 +193,17 @@ ODE_API dReal dWorldGetQuickStepW(dWorldID world);
 
     Settings for all contact joints of a world. Refused: as for worlds. */
 
-/** The greatest velocity vel (m/s, may be dInfinity) that a contact may use to undo penetration, default
-    dInfinity. Does not limit bouncing. [0.16] */
+/** - dWorldSetContactMaxCorrectingVel: Set the greatest velocity vel, m/s, that a contact may use to undo
+      penetration; default dInfinity, which is allowed. It does not limit bouncing.
+    - dWorldGetContactMaxCorrectingVel: The greatest velocity that a contact may use to undo penetration,
+      m/s; dInfinity at first. [0.16] */
 ODE_API void dWorldSetContactMaxCorrectingVel(dWorldID world, dReal vel);
 ODE_API dReal dWorldGetContactMaxCorrectingVel(dWorldID world);
 
-/** The depth of penetration (m) that contacts leave alone so that they persist, default 0. [0.16] */
+/** - dWorldSetContactSurfaceLayer: Set the depth of penetration, m, that contacts leave alone so that they
+      persist; default 0.
+    - dWorldGetContactSurfaceLayer: The depth of penetration that contacts leave alone, m; 0 at first. [0.16]
+ */
 ODE_API void dWorldSetContactSurfaceLayer(dWorldID world, dReal depth);
 ODE_API dReal dWorldGetContactSurfaceLayer(dWorldID world);
 
@@ -196,31 +216,47 @@ ODE_API dReal dWorldGetContactSurfaceLayer(dWorldID world);
     and their velocities set to zero; nine in ten suffice if the others have stayed near their places for a
     second. A body wakes when an enabled one reaches it through a joint or contact.
 
-    Refused: as for worlds; thresholds and times may be infinite. */
+    Refused: a world that is 0 or destroyed; numbers that are not finite (thresholds and times may be
+    infinite). Nothing changes then, and getters answer 0. */
 
-/** The threshold of the linear speed (linear_average_threshold), m/s, default 0.01. [0.16] */
+/** - dWorldSetAutoDisableLinearThreshold: Set the linear speed linear_average_threshold, m/s, up to which
+      new bodies count as idle; default 0.01.
+    - dWorldGetAutoDisableLinearThreshold: The linear speed up to which new bodies count as idle, m/s; 0.01
+      at first. [0.16] */
 ODE_API void dWorldSetAutoDisableLinearThreshold(dWorldID world, dReal linear_average_threshold);
 ODE_API dReal dWorldGetAutoDisableLinearThreshold(dWorldID world);
 
-/** The threshold of the angular speed (angular_average_threshold), rad/s, default 0.01. [0.16] */
+/** - dWorldSetAutoDisableAngularThreshold: Set the angular speed angular_average_threshold, rad/s, up to
+      which new bodies count as idle; default 0.01.
+    - dWorldGetAutoDisableAngularThreshold: The angular speed up to which new bodies count as idle, rad/s;
+      0.01 at first. [0.16] */
 ODE_API void dWorldSetAutoDisableAngularThreshold(dWorldID world, dReal angular_average_threshold);
 ODE_API dReal dWorldGetAutoDisableAngularThreshold(dWorldID world);
 
-/** Over how many steps (average_samples_count) velocities are averaged, as vectors, so that swinging
-    cancels. Default 1: the current velocity; 0: never disable. More than 2^20 are refused. [0.16] */
+/** - dWorldSetAutoDisableAverageSamplesCount: Set over how many steps (average_samples_count) the velocities
+      of new bodies are averaged, as vectors, so that swinging cancels. Default 1: the current velocity; 0:
+      never disable. More than 2^20 are refused.
+    - dWorldGetAutoDisableAverageSamplesCount: Over how many steps the velocities of new bodies are averaged,
+      1 at first. [0.16] */
 ODE_API void dWorldSetAutoDisableAverageSamplesCount(dWorldID world, unsigned int average_samples_count);
 ODE_API int dWorldGetAutoDisableAverageSamplesCount(dWorldID world);
 
-/** How many idle steps are needed, default 10. [0.16] */
+/** - dWorldSetAutoDisableSteps: Set how many idle steps new bodies need before they are disabled; default
+      10.
+    - dWorldGetAutoDisableSteps: How many idle steps new bodies need before they are disabled, 10 at first.
+      [0.16] */
 ODE_API void dWorldSetAutoDisableSteps(dWorldID world, int steps);
 ODE_API int dWorldGetAutoDisableSteps(dWorldID world);
 
-/** How much idle time is needed, s, default 0. [0.16] */
+/** - dWorldSetAutoDisableTime: Set how much idle time, s, new bodies need before they are disabled; default
+      0.
+    - dWorldGetAutoDisableTime: How much idle time new bodies need before they are disabled, s; 0 at first.
+      [0.16] */
 ODE_API void dWorldSetAutoDisableTime(dWorldID world, dReal time);
 ODE_API dReal dWorldGetAutoDisableTime(dWorldID world);
 
-/** Whether new bodies disable themselves (do_auto_disable not 0), default 0. The getter answers zero or
-    non-zero. [0.16] */
+/** - dWorldSetAutoDisableFlag: Set whether new bodies disable themselves (do_auto_disable not 0); default 0.
+    - dWorldGetAutoDisableFlag: Non-zero if new bodies disable themselves, else 0. [0.16] */
 ODE_API void dWorldSetAutoDisableFlag(dWorldID world, int do_auto_disable);
 ODE_API int dWorldGetAutoDisableFlag(dWorldID world);
 
@@ -228,24 +264,40 @@ ODE_API int dWorldGetAutoDisableFlag(dWorldID world);
 
     After each step a speed above its threshold is multiplied by (1 - scale), whatever the step size.
 
-    Refused: as for worlds; thresholds and the greatest speed may be infinite. */
+    Refused: a world that is 0 or destroyed; numbers that are not finite (thresholds and the
+    greatest speed may be infinite). Nothing changes then, and getters answer 0. */
 
-/** The threshold of the linear speed, m/s, and of the angular speed, rad/s, from which on damping acts;
-    default 0.01. [0.16] */
+/** - dWorldSetLinearDampingThreshold: Set the linear speed threshold, m/s, from which on damping acts on new
+   bodies; default 0.01.
+    - dWorldGetLinearDampingThreshold: The linear speed from which on damping acts on new bodies, m/s; 0.01
+      at first.
+    - dWorldSetAngularDampingThreshold: Set the angular speed threshold, rad/s, from which on damping acts on
+   new bodies; default 0.01.
+    - dWorldGetAngularDampingThreshold: The angular speed from which on damping acts on new bodies, rad/s;
+      0.01 at first. [0.16] */
 ODE_API void dWorldSetLinearDampingThreshold(dWorldID world, dReal threshold);
 ODE_API dReal dWorldGetLinearDampingThreshold(dWorldID world);
 ODE_API void dWorldSetAngularDampingThreshold(dWorldID world, dReal threshold);
 ODE_API dReal dWorldGetAngularDampingThreshold(dWorldID world);
 
-/** The scale of damping, sensibly 0 ... 1, default 0: no damping. dWorldSetDamping sets both,
-    linear_scale and angular_scale. [0.16] */
+/** - dWorldSetLinearDamping: Set the scale of linear damping of new bodies, sensibly 0 ... 1; default 0, no
+      damping.
+    - dWorldGetLinearDamping: The scale of linear damping of new bodies, 0 at first.
+    - dWorldSetAngularDamping: Set the scale of angular damping of new bodies, sensibly 0 ... 1; default 0,
+      no damping.
+    - dWorldGetAngularDamping: The scale of angular damping of new bodies, 0 at first.
+    - dWorldSetDamping: Set the scales of linear (linear_scale) and angular damping (angular_scale) of new
+      bodies, each sensibly 0 ... 1; default 0, no damping. [0.16] */
 ODE_API void dWorldSetLinearDamping(dWorldID world, dReal scale);
 ODE_API dReal dWorldGetLinearDamping(dWorldID world);
 ODE_API void dWorldSetAngularDamping(dWorldID world, dReal scale);
 ODE_API dReal dWorldGetAngularDamping(dWorldID world);
 ODE_API void dWorldSetDamping(dWorldID world, dReal linear_scale, dReal angular_scale);
 
-/** The angular speed max_speed that bodies are held to, rad/s, default dInfinity. [0.16] */
+/** - dWorldSetMaxAngularSpeed: Set the angular speed max_speed, rad/s, that new bodies are held to; default
+      dInfinity.
+    - dWorldGetMaxAngularSpeed: The angular speed that new bodies are held to, rad/s; dInfinity at first.
+      [0.16] */
 ODE_API void dWorldSetMaxAngularSpeed(dWorldID world, dReal max_speed);
 ODE_API dReal dWorldGetMaxAngularSpeed(dWorldID world);
 
@@ -275,7 +327,9 @@ ODE_API void dBodyDestroy(dBodyID body);
 /** The world that the body is in. [0.16] */
 ODE_API dWorldID dBodyGetWorld(dBodyID body);
 
-/** A pointer of the program's: data, NULL at first. [guide] */
+/** - dBodySetData: Store a pointer of the program's, data, with the body; NULL at first. The library never
+      looks at it.
+    - dBodyGetData: The pointer that the program stored with dBodySetData; NULL if it stored none. [guide] */
 ODE_API void dBodySetData(dBodyID body, void* data);
 ODE_API void* dBodyGetData(dBodyID body);
 
@@ -284,30 +338,39 @@ ODE_API void* dBodyGetData(dBodyID body);
     Setters move the body at once, with its geoms; they do not wake it and call no callback. After a jump
     joints have errors, which the following steps correct.
 
-    Refused: as for bodies; moving a body whose geoms are in a space that is being collided. */
+    Refused: as for bodies; [dBodySet] moving a body whose geoms are in a space that is being collided. */
 
 /** Position of the body's origin, which is its centre of mass, m. [guide] */
 ODE_API void dBodySetPosition(dBodyID body, dReal x, dReal y, dReal z);
 
-/** Orientation, from body to world: by the rotation matrix R (12 reals, made orthonormal here) or the
-    quaternion q (4 reals, normalised here). A zero quaternion or a degenerate matrix is refused. [guide] */
+/** - dBodySetRotation: Set the body's orientation, from body to world, by the rotation matrix R (12 reals,
+      made orthonormal here). A degenerate matrix is refused.
+    - dBodySetQuaternion: Set the body's orientation, from body to world, by the quaternion q (4 reals,
+      normalised here). A zero quaternion is refused. [guide] */
 ODE_API void dBodySetRotation(dBodyID body, const dMatrix3 R);
 ODE_API void dBodySetQuaternion(dBodyID body, const dQuaternion q);
 
-/** Velocity of the centre of mass, m/s; angular velocity, rad/s. [guide] */
+/** - dBodySetLinearVel: Set the velocity of the body's centre of mass to (x, y, z), m/s.
+    - dBodySetAngularVel: Set the body's angular velocity to (x, y, z), rad/s. [guide] */
 ODE_API void dBodySetLinearVel(dBodyID body, dReal x, dReal y, dReal z);
 ODE_API void dBodySetAngularVel(dBodyID body, dReal x, dReal y, dReal z);
 
-/** Pointers into the body: position, m (3 reals), rotation matrix (12), quaternion (4), velocity of the
-    centre of mass, m/s (3), and angular velocity, rad/s (3). They stay valid as long as the body, and
-    show its current state. [guide] */
+/** The pointer stays valid as long as the body, and shows its current state.
+    - dBodyGetPosition: A pointer to the body's position, 3 reals, m.
+    - dBodyGetRotation: A pointer to the body's rotation matrix, from body to world, 12 reals.
+    - dBodyGetQuaternion: A pointer to the body's orientation as a quaternion, from body to world, 4 reals.
+    - dBodyGetLinearVel: A pointer to the velocity of the body's centre of mass, 3 reals, m/s.
+    - dBodyGetAngularVel: A pointer to the body's angular velocity, 3 reals, rad/s. [guide] */
 ODE_API const dReal* dBodyGetPosition(dBodyID body);
 ODE_API const dReal* dBodyGetRotation(dBodyID body);
 ODE_API const dReal* dBodyGetQuaternion(dBodyID body);
 ODE_API const dReal* dBodyGetLinearVel(dBodyID body);
 ODE_API const dReal* dBodyGetAngularVel(dBodyID body);
 
-/** Copies of the pose: 3 reals are written to pos, 12 to R, 4 to quat. [0.16] */
+/** - dBodyCopyPosition: Copy the body's position, m, to pos: 3 reals.
+    - dBodyCopyRotation: Copy the body's rotation matrix, from body to world, to R: 12 reals.
+    - dBodyCopyQuaternion: Copy the body's orientation, from body to world, to the quaternion quat: 4 reals.
+      [0.16] */
 ODE_API void dBodyCopyPosition(dBodyID body, dVector3 pos);
 ODE_API void dBodyCopyRotation(dBodyID body, dMatrix3 R);
 ODE_API void dBodyCopyQuaternion(dBodyID body, dQuaternion quat);
@@ -316,16 +379,25 @@ ODE_API void dBodyCopyQuaternion(dBodyID body, dQuaternion quat);
 
     Refused: as for bodies. */
 
-/** Give the body a copy of *mass; it becomes dynamic. Refused when the centre of mass is not at the
-    origin or dMassCheck says no. dBodyGetMass writes *mass, also of a kinematic body, which keeps its
-    mass in store. [guide] */
+/** - dBodySetMass: Give the body a copy of *mass; it becomes dynamic. Refused if the centre of mass is not
+      at the origin or dMassCheck says no.
+    - dBodyGetMass: Write the body's mass to *mass. A kinematic body has one in store. [guide] */
 ODE_API void dBodySetMass(dBodyID body, const dMass* mass);
 ODE_API void dBodyGetMass(dBodyID body, dMass* mass);
 
-/** Add (fx, fy, fz) to the forces (N) or torques (N m) of the next step. They act during the whole step
-    and are zeroed after it. "Rel" before Force or Torque: given in body axes, else in the world's. AtPos:
-    the force acts at the point (px, py, pz) of the world, AtRelPos: at that point of the body frame; both
-    add the torque about the centre; the others act at the centre. [guide] */
+/** It acts during the whole next step and is zeroed after it, as are all others that have been added.
+    - dBodyAddForce: Add the force (fx, fy, fz), N, world frame, at the body's centre of mass.
+    - dBodyAddTorque: Add the torque (fx, fy, fz), N m, world frame.
+    - dBodyAddRelForce: Add the force (fx, fy, fz), N, in the body's axes, at the body's centre of mass.
+    - dBodyAddRelTorque: Add the torque (fx, fy, fz), N m, in the body's axes.
+    - dBodyAddForceAtPos: Add the force (fx, fy, fz), N, world frame, at the world's point (px, py, pz), with
+      its torque about the centre of mass.
+    - dBodyAddForceAtRelPos: Add the force (fx, fy, fz), N, world frame, at the point (px, py, pz) of the
+      body's frame, with its torque about the centre of mass.
+    - dBodyAddRelForceAtPos: Add the force (fx, fy, fz), N, in the body's axes, at the world's point (px, py,
+      pz), with its torque about the centre of mass.
+    - dBodyAddRelForceAtRelPos: Add the force (fx, fy, fz), N, in the body's axes, at the point (px, py, pz)
+      of the body's frame, with its torque about the centre of mass. [guide] */
 ODE_API void dBodyAddForce(dBodyID body, dReal fx, dReal fy, dReal fz);
 ODE_API void dBodyAddTorque(dBodyID body, dReal fx, dReal fy, dReal fz);
 ODE_API void dBodyAddRelForce(dBodyID body, dReal fx, dReal fy, dReal fz);
@@ -336,8 +408,13 @@ ODE_API void dBodyAddRelForceAtPos(dBodyID body, dReal fx, dReal fy, dReal fz, d
 ODE_API void dBodyAddRelForceAtRelPos(dBodyID body, dReal fx, dReal fy, dReal fz, dReal px, dReal py,
                                       dReal pz);
 
-/** The sums of force (N) and torque (N m) so far, as pointers into the body (3 reals, world frame), and
-    setting them to (x, y, z) outright. A disabled body keeps its sums until it moves again. [guide] */
+/** A disabled body keeps its sum until it moves again.
+    - dBodyGetForce: A pointer to the sum of the forces that have been added for the next step: 3 reals, N,
+      world frame.
+    - dBodyGetTorque: A pointer to the sum of the torques that have been added for the next step: 3 reals, N
+      m, world frame.
+    - dBodySetForce: Set the sum of the forces for the next step to (x, y, z), N, world frame.
+    - dBodySetTorque: Set the sum of the torques for the next step to (x, y, z), N m, world frame. [guide] */
 ODE_API const dReal* dBodyGetForce(dBodyID body);
 ODE_API const dReal* dBodyGetTorque(dBodyID body);
 ODE_API void dBodySetForce(dBodyID body, dReal x, dReal y, dReal z);
@@ -347,7 +424,9 @@ ODE_API void dBodySetTorque(dBodyID body, dReal x, dReal y, dReal z);
 
     Refused: as for bodies. */
 
-/** World position (m), world velocity (m/s) of the point (px, py, pz) given in the body frame. [guide] */
+/** - dBodyGetRelPointPos: The position in the world, m, of the point (px, py, pz) of the body's frame.
+    - dBodyGetRelPointVel: The velocity in the world, m/s, of the point (px, py, pz) of the body's frame.
+      [guide] */
 ODE_API void dBodyGetRelPointPos(dBodyID body, dReal px, dReal py, dReal pz, dVector3 result);
 ODE_API void dBodyGetRelPointVel(dBodyID body, dReal px, dReal py, dReal pz, dVector3 result);
 
@@ -357,7 +436,8 @@ ODE_API void dBodyGetPointVel(dBodyID body, dReal px, dReal py, dReal pz, dVecto
 /** Body coordinates of the world point (px, py, pz). [guide] */
 ODE_API void dBodyGetPosRelPoint(dBodyID body, dReal px, dReal py, dReal pz, dVector3 result);
 
-/** Turn the direction (px, py, pz) from body to world axes and back. [guide] */
+/** - dBodyVectorToWorld: The direction (px, py, pz) of the body's frame, turned to the world's axes.
+    - dBodyVectorFromWorld: The direction (px, py, pz) of the world, turned to the body's axes. [guide] */
 ODE_API void dBodyVectorToWorld(dBodyID body, dReal px, dReal py, dReal pz, dVector3 result);
 ODE_API void dBodyVectorFromWorld(dBodyID body, dReal px, dReal py, dReal pz, dVector3 result);
 
@@ -365,42 +445,53 @@ ODE_API void dBodyVectorFromWorld(dBodyID body, dReal px, dReal py, dReal pz, dV
 
     Refused: as for bodies. */
 
-/** How orientations are advanced (mode). 0 (default): q += h/2 (0, w) q, normalised; cheap, inexact at
-    high spin. Non-zero: the exact rotation by |w| h. With a finite rotation axis only the part of w about
-    that axis is treated exactly. [guide, 0.16] */
+/** - dBodySetFiniteRotationMode: Set how the body's orientation is advanced (mode). 0 (default): q += h/2
+      (0, w) q, normalised; cheap, inexact at high spin. Non-zero: the exact rotation by |w| h; with a finite
+      rotation axis only the part of w about that axis is treated exactly.
+    - dBodyGetFiniteRotationMode: Non-zero if the body's orientation is advanced by exact rotations, else 0,
+      the default. [guide, 0.16] */
 ODE_API void dBodySetFiniteRotationMode(dBodyID body, int mode);
 ODE_API int dBodyGetFiniteRotationMode(dBodyID body);
 
-/** The axis (x, y, z) of fast spin, world frame, normalised here; (0, 0, 0), the default, means none.
-    [guide, 0.16] */
+/** - dBodySetFiniteRotationAxis: Set the axis of fast spin to (x, y, z), world frame, normalised here; (0,
+      0, 0), the default, means none.
+    - dBodyGetFiniteRotationAxis: Write the axis of fast spin, a unit vector in the world's frame, to result;
+      zeros: none. [guide, 0.16] */
 ODE_API void dBodySetFiniteRotationAxis(dBodyID body, dReal x, dReal y, dReal z);
 ODE_API void dBodyGetFiniteRotationAxis(dBodyID body, dVector3 result);
 
-/** How many joints are attached to the body, and the one number index, the most recently attached first;
-    a bad index gives 0. [guide] */
+/** - dBodyGetNumJoints: How many joints are attached to the body.
+    - dBodyGetJoint: The joint number index of those attached to the body, 0 being the one attached most
+      recently; 0 for an index that there is not. [guide] */
 ODE_API int dBodyGetNumJoints(dBodyID body);
 ODE_API dJointID dBodyGetJoint(dBodyID body, int index);
 
-/** Dynamic (default) or kinematic. A kinematic body moves by its velocity alone: forces, gravity and
-    joints do not act on it, while it acts on others as if infinitely heavy. dBodySetDynamic gives it its
-    stored mass back. [0.16] */
+/** A kinematic body moves by its velocity alone: forces, gravity and joints do not act on it, while it acts
+    on others as if infinitely heavy.
+    - dBodySetDynamic: Make the body dynamic, which is the default, with the mass that it had.
+    - dBodySetKinematic: Make the body kinematic; it keeps its mass in store.
+    - dBodyIsKinematic: 1 if the body is kinematic, else 0. [0.16] */
 ODE_API void dBodySetDynamic(dBodyID body);
 ODE_API void dBodySetKinematic(dBodyID body);
 ODE_API int dBodyIsKinematic(dBodyID body);
 
-/** Put a body to sleep or wake it by hand. A disabled body is not stepped until it is enabled or an
-    enabled body reaches it through a joint; it keeps its velocity. Enabling restarts the idle counters.
-    Bodies begin enabled. [guide] */
+/** A disabled body is not stepped until it is enabled or an enabled body reaches it through a joint; it
+    keeps its velocity.
+    - dBodyEnable: Wake the body and restart its idle counters. New bodies are enabled.
+    - dBodyDisable: Put the body to sleep.
+    - dBodyIsEnabled: 1 if the body is enabled, 0 if it is disabled. [guide] */
 ODE_API void dBodyEnable(dBodyID body);
 ODE_API void dBodyDisable(dBodyID body);
 ODE_API int dBodyIsEnabled(dBodyID body);
 
-/** Whether the world's gravity acts (mode not 0), default 1. [guide] */
+/** - dBodySetGravityMode: Set whether the world's gravity acts on the body (mode not 0); default 1.
+    - dBodyGetGravityMode: Non-zero if the world's gravity acts on the body, else 0. [guide] */
 ODE_API void dBodySetGravityMode(dBodyID body, int mode);
 ODE_API int dBodyGetGravityMode(dBodyID body);
 
-/** Whether the gyroscopic torque -w x I w is applied (enabled not 0), by an implicit formula that is
-    stable at any spin; default on. The getter answers zero or non-zero. [0.16] */
+/** - dBodySetGyroscopicMode: Set whether the gyroscopic torque -w x I w is applied to the body (enabled not
+      0), by an implicit formula that is stable at any spin; default on.
+    - dBodyGetGyroscopicMode: Non-zero if the gyroscopic torque is applied to the body, else 0. [0.16] */
 ODE_API void dBodySetGyroscopicMode(dBodyID body, int enabled);
 ODE_API int dBodyGetGyroscopicMode(dBodyID body);
 
@@ -409,8 +500,8 @@ ODE_API int dBodyGetGyroscopicMode(dBodyID body);
     [0.16] */
 ODE_API void dBodySetMovedCallback(dBodyID body, void (*callback)(dBodyID));
 
-/** The geoms of a body, most recently attached first: the first one, and the one after geom; 0 at the
-    end. [0.16] */
+/** - dBodyGetFirstGeom: The geom that was put on the body most recently, or 0.
+    - dBodyGetNextGeom: The geom of the same body that was put on it just before geom, or 0. [0.16] */
 ODE_API dGeomID dBodyGetFirstGeom(dBodyID body);
 ODE_API dGeomID dBodyGetNextGeom(dGeomID geom);
 
@@ -418,29 +509,43 @@ ODE_API dGeomID dBodyGetNextGeom(dGeomID geom);
 
     What the settings mean stands with the world's functions. New bodies take theirs over from the world.
 
-    Refused: as for bodies; thresholds and times may be infinite. */
+    Refused: a body that is 0 or destroyed; numbers that are not finite (thresholds and times may be
+    infinite). Nothing changes then, and getters answer 0. */
 
-/** The thresholds of the averaged linear (linear_average_threshold, m/s) and angular speed
-    (angular_average_threshold, rad/s). [0.16] */
+/** - dBodySetAutoDisableLinearThreshold: Set the averaged linear speed linear_average_threshold, m/s, up to
+      which the body counts as idle.
+    - dBodyGetAutoDisableLinearThreshold: The averaged linear speed up to which the body counts as idle, m/s.
+    - dBodySetAutoDisableAngularThreshold: Set the averaged angular speed angular_average_threshold, rad/s,
+      up to which the body counts as idle.
+    - dBodyGetAutoDisableAngularThreshold: The averaged angular speed up to which the body counts as idle,
+      rad/s. [0.16] */
 ODE_API void dBodySetAutoDisableLinearThreshold(dBodyID body, dReal linear_average_threshold);
 ODE_API dReal dBodyGetAutoDisableLinearThreshold(dBodyID body);
 ODE_API void dBodySetAutoDisableAngularThreshold(dBodyID body, dReal angular_average_threshold);
 ODE_API dReal dBodyGetAutoDisableAngularThreshold(dBodyID body);
 
-/** Over how many steps (average_samples_count) velocities are averaged; more than 2^20 are refused.
-    Changing the count throws the samples gathered so far away. [0.16] */
+/** - dBodySetAutoDisableAverageSamplesCount: Set over how many steps (average_samples_count) the body's
+      velocities are averaged; more than 2^20 are refused. Changing the count throws the samples gathered so
+      far away.
+    - dBodyGetAutoDisableAverageSamplesCount: Over how many steps the body's velocities are averaged. [0.16]
+ */
 ODE_API void dBodySetAutoDisableAverageSamplesCount(dBodyID body, unsigned int average_samples_count);
 ODE_API int dBodyGetAutoDisableAverageSamplesCount(dBodyID body);
 
-/** The idle steps and the idle time (s) that are needed. New values count from the next restart of the
-    idle counters. [0.16] */
+/** - dBodySetAutoDisableSteps: Set how many idle steps the body needs before it is disabled. The new value
+      counts from the next restart of the idle counters.
+    - dBodyGetAutoDisableSteps: How many idle steps the body needs before it is disabled.
+    - dBodySetAutoDisableTime: Set how much idle time, s, the body needs before it is disabled. The new value
+      counts from the next restart of the idle counters.
+    - dBodyGetAutoDisableTime: How much idle time the body needs before it is disabled, s. [0.16] */
 ODE_API void dBodySetAutoDisableSteps(dBodyID body, int steps);
 ODE_API int dBodyGetAutoDisableSteps(dBodyID body);
 ODE_API void dBodySetAutoDisableTime(dBodyID body, dReal time);
 ODE_API dReal dBodyGetAutoDisableTime(dBodyID body);
 
-/** Switch automatic disabling on or off (do_auto_disable 0). Off also enables the body and takes steps,
-    time and sample count over from the world. [0.16] */
+/** - dBodySetAutoDisableFlag: Switch automatic disabling of the body on (do_auto_disable not 0) or off. Off
+      also enables the body and takes steps, time and sample count over from the world.
+    - dBodyGetAutoDisableFlag: Non-zero if the body disables itself, else 0. [0.16] */
 ODE_API void dBodySetAutoDisableFlag(dBodyID body, int do_auto_disable);
 ODE_API int dBodyGetAutoDisableFlag(dBodyID body);
 
@@ -451,26 +556,38 @@ ODE_API void dBodySetAutoDisableDefaults(dBodyID body);
 
     What the settings mean stands with the world's functions. New bodies take theirs over from the world.
 
-    Refused: as for bodies; thresholds and the greatest speed may be infinite. */
+    Refused: a body that is 0 or destroyed; numbers that are not finite (thresholds and the
+    greatest speed may be infinite). Nothing changes then, and getters answer 0. */
 
 /** Take all damping settings over from the world. [0.16] */
 ODE_API void dBodySetDampingDefaults(dBodyID body);
 
-/** The scale of linear and angular damping; dBodySetDamping sets both, linear_scale and angular_scale.
-    [0.16] */
+/** - dBodySetLinearDamping: Set the scale of the body's linear damping, sensibly 0 ... 1; 0: no damping.
+    - dBodyGetLinearDamping: The scale of the body's linear damping.
+    - dBodySetAngularDamping: Set the scale of the body's angular damping, sensibly 0 ... 1; 0: no damping.
+    - dBodyGetAngularDamping: The scale of the body's angular damping.
+    - dBodySetDamping: Set the scales of the body's linear (linear_scale) and angular damping
+      (angular_scale), each sensibly 0 ... 1; 0: no damping. [0.16] */
 ODE_API void dBodySetLinearDamping(dBodyID body, dReal scale);
 ODE_API dReal dBodyGetLinearDamping(dBodyID body);
 ODE_API void dBodySetAngularDamping(dBodyID body, dReal scale);
 ODE_API dReal dBodyGetAngularDamping(dBodyID body);
 ODE_API void dBodySetDamping(dBodyID body, dReal linear_scale, dReal angular_scale);
 
-/** The threshold of the linear (m/s) and the angular speed (rad/s) from which on damping acts. [0.16] */
+/** - dBodySetLinearDampingThreshold: Set the linear speed threshold, m/s, from which on damping acts on the
+   body.
+    - dBodyGetLinearDampingThreshold: The linear speed from which on damping acts on the body, m/s.
+    - dBodySetAngularDampingThreshold: Set the angular speed threshold, rad/s, from which on damping acts on
+   the body.
+    - dBodyGetAngularDampingThreshold: The angular speed from which on damping acts on the body, rad/s.
+      [0.16] */
 ODE_API void dBodySetLinearDampingThreshold(dBodyID body, dReal threshold);
 ODE_API dReal dBodyGetLinearDampingThreshold(dBodyID body);
 ODE_API void dBodySetAngularDampingThreshold(dBodyID body, dReal threshold);
 ODE_API dReal dBodyGetAngularDampingThreshold(dBodyID body);
 
-/** The angular speed max_speed that the body is held to, rad/s. [0.16] */
+/** - dBodySetMaxAngularSpeed: Set the angular speed max_speed, rad/s, that the body is held to.
+    - dBodyGetMaxAngularSpeed: The angular speed that the body is held to, rad/s. [0.16] */
 ODE_API void dBodySetMaxAngularSpeed(dBodyID body, dReal max_speed);
 ODE_API dReal dBodyGetMaxAngularSpeed(dBodyID body);
 
@@ -487,11 +604,28 @@ ODE_API dReal dBodyGetMaxAngularSpeed(dBodyID body);
     - group: a group of joints, or (to make a joint alone) 0.
     - body1, body2: bodies of one world; 0 stands for the world.
 
-    Refused: a joint, group or body that is 0 (where it may not be) or destroyed; attaching and destroying
-    within a step. Nothing changes then, and the answer is 0. */
+    Refused: a joint, group or body that is 0 (where it may not be) or destroyed; [dJointCreate] a world
+    that is 0 or destroyed; [dJointAttach, dJointDestroy, dJointGroup] a call within a step. Nothing changes
+    then, and the answer is 0. */
 
-/** A new joint of a type in the world, in the group or alone; attached to nothing and without effect so
-    far. 0 when refused or out of memory. [guide, 0.16] */
+/** It is made in the world, in the group or (0) alone, attached to nothing and without effect so far. 0 if
+    the call is refused or memory is exhausted.
+    - dJointCreateBall: A new ball joint, which holds a point of each body together.
+    - dJointCreateHinge: A new hinge: a common point and a common axis.
+    - dJointCreateSlider: A new slider, which lets the bodies move along one axis only.
+    - dJointCreateHinge2: A new hinge-2, a car wheel on its chassis.
+    - dJointCreateUniversal: A new universal (cardan) joint.
+    - dJointCreateFixed: A new fixed joint, which holds the bodies' relative pose.
+    - dJointCreateAMotor: A new angular motor.
+    - dJointCreateLMotor: A new linear motor.
+    - dJointCreatePlane2D: A new plane joint, which keeps a body in the plane z = 0.
+    - dJointCreatePR: A new prismatic-rotoid joint: a slide and a turn.
+    - dJointCreatePU: A new prismatic-universal joint: a slide and a universal joint.
+    - dJointCreatePiston: A new piston, which slides along an axis and turns about it.
+    - dJointCreateDBall: A new double ball joint, which keeps the distance of two points.
+    - dJointCreateDHinge: A new double hinge: a bar with parallel hinges at its ends.
+    - dJointCreateTransmission: A new transmission: gears, bevel gears or wheels with a chain. [guide, 0.16]
+ */
 ODE_API dJointID dJointCreateBall(dWorldID world, dJointGroupID group);
 ODE_API dJointID dJointCreateHinge(dWorldID world, dJointGroupID group);
 ODE_API dJointID dJointCreateSlider(dWorldID world, dJointGroupID group);
@@ -524,7 +658,8 @@ ODE_API void dJointDestroy(dJointID joint);
 /** A set of joints that are destroyed together, cheaply. max_size is not used; give 0. [0.16] */
 ODE_API dJointGroupID dJointGroupCreate(int max_size);
 
-/** Destroy the group with its joints; or only its joints, the group staying usable. [guide, 0.16] */
+/** - dJointGroupDestroy: Destroy the group and all its joints.
+    - dJointGroupEmpty: Destroy all joints of the group, which stays usable. [guide, 0.16] */
 ODE_API void dJointGroupDestroy(dJointGroupID group);
 ODE_API void dJointGroupEmpty(dJointGroupID group);
 
@@ -535,38 +670,49 @@ ODE_API void dJointGroupEmpty(dJointGroupID group);
     [guide] */
 ODE_API void dJointAttach(dJointID joint, dBodyID body1, dBodyID body2);
 
-/** How many bodies are attached (0, 1, 2), and which: index 0 or 1 as in dJointAttach, 0 when there is
-    none or for another index. [0.16] */
+/** - dJointGetNumBodies: How many bodies are attached to the joint: 0, 1 or 2.
+    - dJointGetBody: The body of the joint with this index, 0 or 1 as in dJointAttach; 0 if there is none, or
+      for another index. [0.16] */
 ODE_API int dJointGetNumBodies(dJointID joint);
 ODE_API dBodyID dJointGetBody(dJointID joint, int index);
 
-/** A disabled joint exerts no force and connects no island, but stays attached. Default: enabled. [0.16] */
+/** A disabled joint exerts no force and connects no island, but stays attached.
+    - dJointEnable: Let the joint act again. New joints are enabled.
+    - dJointDisable: Let the joint act no more until dJointEnable.
+    - dJointIsEnabled: 1 if the joint is enabled, 0 if it is disabled. [0.16] */
 ODE_API void dJointEnable(dJointID joint);
 ODE_API void dJointDisable(dJointID joint);
 ODE_API int dJointIsEnabled(dJointID joint);
 
-/** A pointer of the program's: data, NULL at first. [guide] */
+/** - dJointSetData: Store a pointer of the program's, data, with the joint; NULL at first. The library never
+      looks at it.
+    - dJointGetData: The pointer that the program stored with dJointSetData; NULL if it stored none. [guide]
+ */
 ODE_API void dJointSetData(dJointID joint, void* data);
 ODE_API void* dJointGetData(dJointID joint);
 
 /** The joint's type; dJointTypeNone when refused. [guide] */
 ODE_API dJointType dJointGetType(dJointID joint);
 
-/** Where each step writes the joint's forces: *feedback (common.h), N and N m, world frame. The struct
-    belongs to the program and must outlive its use. NULL (default): nowhere. With one body attached only
-    f1 and t1 are written. Motor forces applied while at a stop, and the dJointAdd... functions, are not
-    included. [guide] */
+/** - dJointSetFeedback: Set where each step writes the joint's forces: *feedback (common.h), N and N m,
+      world frame. The struct belongs to the program and must outlive its use. NULL (default): nowhere. With
+      one body attached only f1 and t1 are written. Motor forces applied while at a stop, and the
+      dJointAdd... functions, are not included.
+    - dJointGetFeedback: The struct that dJointSetFeedback has set, or NULL. [guide] */
 ODE_API void dJointSetFeedback(dJointID joint, dJointFeedback* feedback);
 ODE_API dJointFeedback* dJointGetFeedback(dJointID joint);
 
-/** A joint between body1 and body2, most recently attached first, or 0. One of the bodies may be 0: the
-    world. The second form writes all of them to the caller's array list (as many as dBodyGetNumJoints
-    says are enough) and returns how many. [0.16] */
+/** One of the bodies may be 0: the world.
+    - dConnectingJoint: A joint between body1 and body2, the one attached most recently, or 0.
+    - dConnectingJointList: Write all joints between body1 and body2, most recently attached first, to the
+      caller's array list (as many as dBodyGetNumJoints says are enough) and return how many. [0.16] */
 ODE_API dJointID dConnectingJoint(dBodyID body1, dBodyID body2);
 ODE_API int dConnectingJointList(dBodyID body1, dBodyID body2, dJointID* list);
 
-/** 1 when a joint connects body1 and body2 directly, else 0. body1 must not be 0, body2 may be. The
-    second form does not count joints of the type joint_type (usually dJointTypeContact). [0.16] */
+/** body1 must not be 0; body2 may be: the world.
+    - dAreConnected: 1 if a joint connects body1 and body2 directly, else 0.
+    - dAreConnectedExcluding: 1 if a joint of another type than joint_type (usually dJointTypeContact)
+      connects body1 and body2 directly, else 0. [0.16] */
 ODE_API int dAreConnected(dBodyID body1, dBodyID body2);
 ODE_API int dAreConnectedExcluding(dBodyID body1, dBodyID body2, int joint_type);
 

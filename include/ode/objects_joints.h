@@ -30,11 +30,11 @@ extern "C" {
     - x, y, z: a point, m; or an axis, of any length but zero, normalised here. World frame.
     - result: where 3 reals are written, world frame.
     - parameter: a number dParam... of common.h; those that the type does not have are ignored, and read
-      as 0.
+      as 0. docs/guide/joint_parameters.md has each one's meaning, unit and default, and who takes it.
     - value: the parameter's value, in its unit.
 
     Refused: a joint that is 0, destroyed or of another type; numbers that are not finite (stops and FMax
-    may be infinite); a zero axis; a null result. Nothing changes then, and getters answer 0. */
+    may be infinite); a zero axis; null pointers. Nothing changes then, and getters answer 0. */
 
 /** The point that both bodies have in common. Default: the origin of each body. [0.16] */
 ODE_API void dJointSetBallAnchor(dJointID joint, dReal x, dReal y, dReal z);
@@ -43,18 +43,22 @@ ODE_API void dJointSetBallAnchor(dJointID joint, dReal x, dReal y, dReal z);
     [0.16] */
 ODE_API void dJointSetBallAnchor2(dJointID joint, dReal x, dReal y, dReal z);
 
-/** The anchor as body 1 (body 2) has it now; they differ by the joint's error. [guide] */
+/** - dJointGetBallAnchor: Write the anchor as body 1 has it now to result, m, world frame. It differs from
+      dJointGetBallAnchor2 by the joint's error.
+    - dJointGetBallAnchor2: Write the anchor as body 2 has it now to result, m, world frame. It differs from
+      dJointGetBallAnchor by the joint's error. [guide] */
 ODE_API void dJointGetBallAnchor(dJointID joint, dVector3 result);
 ODE_API void dJointGetBallAnchor2(dJointID joint, dVector3 result);
 
-/** A parameter of the joint: dParamERP or dParamCFM, at first those of the world. [0.16] */
+/** - dJointSetBallParam: Set a parameter of the joint to value: dParamERP or dParamCFM, at first those of
+      the world.
+    - dJointGetBallParam: The value of a parameter of the joint: dParamERP or dParamCFM. [0.16] */
 ODE_API void dJointSetBallParam(dJointID joint, int parameter, dReal value);
 ODE_API dReal dJointGetBallParam(dJointID joint, int parameter);
 
 /** @chapter hinge Hinge joints: 5 rows, limit and motor
 
-    A common point and a common axis. Default axis x. Parameters: the plain names. Refused: as for ball
-    joints. */
+    A common point and a common axis. Default axis x. Parameters: the plain names. Refused: as for ball. */
 
 /** The point that both bodies have in common. The angle then reads 0. [guide] */
 ODE_API void dJointSetHingeAnchor(dJointID joint, dReal x, dReal y, dReal z);
@@ -70,29 +74,36 @@ ODE_API void dJointSetHingeAxis(dJointID joint, dReal x, dReal y, dReal z);
 /** Sets the axis and shifts the zero so that the angle now reads -angle (rad). [0.16] */
 ODE_API void dJointSetHingeAxisOffset(dJointID joint, dReal x, dReal y, dReal z, dReal angle);
 
-/** A parameter of the hinge's limit and motor. [guide] */
+/** - dJointSetHingeParam: Set a parameter of the hinge's limit and motor to value; its unit is in the table
+      of parameters.
+    - dJointGetHingeParam: The value of a parameter of the hinge's limit and motor. [guide] */
 ODE_API void dJointSetHingeParam(dJointID joint, int parameter, dReal value);
 ODE_API dReal dJointGetHingeParam(dJointID joint, int parameter);
 
 /** Apply a torque (N m) about the axis to body 1 and the opposite to body 2, for the next step. [0.16] */
 ODE_API void dJointAddHingeTorque(dJointID joint, dReal torque);
 
-/** The anchor as body 1 (body 2) has it now; they differ by the joint's error. [guide] */
+/** - dJointGetHingeAnchor: Write the anchor as body 1 has it now to result, m, world frame. It differs from
+      dJointGetHingeAnchor2 by the joint's error.
+    - dJointGetHingeAnchor2: Write the anchor as body 2 has it now to result, m, world frame. It differs from
+      dJointGetHingeAnchor by the joint's error. [guide] */
 ODE_API void dJointGetHingeAnchor(dJointID joint, dVector3 result);
 ODE_API void dJointGetHingeAnchor2(dJointID joint, dVector3 result);
 
 /** The axis as body 1 has it now, a unit vector. [guide] */
 ODE_API void dJointGetHingeAxis(dJointID joint, dVector3 result);
 
-/** Rotation of body 1 relative to body 2 about the axis since the anchor or axis was set, within [-pi,
-    pi], rad; and its rate, rad/s. Both change sign when attached as (0, body). [guide] */
+/** It changes sign when the joint is attached as (0, body).
+    - dJointGetHingeAngle: The rotation of body 1 relative to body 2 about the axis since the anchor or axis
+      was set, rad, within [-pi, pi].
+    - dJointGetHingeAngleRate: The rate of the hinge's angle, rad/s. [guide] */
 ODE_API dReal dJointGetHingeAngle(dJointID joint);
 ODE_API dReal dJointGetHingeAngleRate(dJointID joint);
 
 /** @chapter slider Slider joints: 5 rows, limit and motor
 
     No relative rotation, translation along one axis only. Default axis x. It has no anchor. Parameters:
-    the plain names. Refused: as for ball joints. */
+    the plain names. Refused: as for ball. */
 
 /** The axis of the sliding. The position then reads 0, and the present rotation is the one to keep.
     [guide] */
@@ -103,7 +114,9 @@ ODE_API void dJointSetSliderAxis(dJointID joint, dReal x, dReal y, dReal z);
 ODE_API void dJointSetSliderAxisDelta(dJointID joint, dReal x, dReal y, dReal z, dReal ax, dReal ay,
                                       dReal az);
 
-/** A parameter of the slider's limit and motor. [guide] */
+/** - dJointSetSliderParam: Set a parameter of the slider's limit and motor to value; its unit is in the
+      table of parameters.
+    - dJointGetSliderParam: The value of a parameter of the slider's limit and motor. [guide] */
 ODE_API void dJointSetSliderParam(dJointID joint, int parameter, dReal value);
 ODE_API dReal dJointGetSliderParam(dJointID joint, int parameter);
 
@@ -111,8 +124,10 @@ ODE_API dReal dJointGetSliderParam(dJointID joint, int parameter);
     that keeps angular momentum is added, too. [0.16] */
 ODE_API void dJointAddSliderForce(dJointID joint, dReal force);
 
-/** How far body 1 has moved along the axis since the axis was set, m; and its rate, m/s. Both change sign
-    when attached as (0, body). [guide] */
+/** It changes sign when the joint is attached as (0, body).
+    - dJointGetSliderPosition: How far body 1 has moved along the axis, relative to body 2, since the axis
+      was set, m.
+    - dJointGetSliderPositionRate: The rate of the slider's position, m/s. [guide] */
 ODE_API dReal dJointGetSliderPosition(dJointID joint);
 ODE_API dReal dJointGetSliderPositionRate(dJointID joint);
 
@@ -122,23 +137,29 @@ ODE_API void dJointGetSliderAxis(dJointID joint, dVector3 result);
 /** @chapter universal Universal joints: 4 rows, 2 limits and motors
 
     A common point, and axis 1 (of body 1) kept perpendicular to axis 2 (of body 2): a cardan joint.
-    Defaults x and y. Parameters: axis 1, and axis 2 with the names ending in 2. Refused: as for ball
-    joints. */
+    Defaults x and y. Parameters: axis 1, and axis 2 with the names ending in 2. Refused: as for ball. */
 
 /** The point that both bodies have in common. The angles then read 0. [guide] */
 ODE_API void dJointSetUniversalAnchor(dJointID joint, dReal x, dReal y, dReal z);
 
-/** The axis of body 1 (body 2); set them perpendicular. The angles then read 0. [guide] */
+/** The angles then read 0.
+    - dJointSetUniversalAxis1: Set axis 1, which moves with body 1; set it perpendicular to axis 2.
+    - dJointSetUniversalAxis2: Set axis 2, which moves with body 2; set it perpendicular to axis 1. [guide] */
 ODE_API void dJointSetUniversalAxis1(dJointID joint, dReal x, dReal y, dReal z);
 ODE_API void dJointSetUniversalAxis2(dJointID joint, dReal x, dReal y, dReal z);
 
-/** Set an axis and shift the zeros so that the angles now read offset1 and offset2, rad. [0.16] */
+/** The zeros are shifted so that the angles now read offset1 and offset2, rad.
+    - dJointSetUniversalAxis1Offset: Set axis 1, which moves with body 1, and the angles.
+    - dJointSetUniversalAxis2Offset: Set axis 2, which moves with body 2, and the angles. [0.16] */
 ODE_API void dJointSetUniversalAxis1Offset(dJointID joint, dReal x, dReal y, dReal z, dReal offset1,
                                            dReal offset2);
 ODE_API void dJointSetUniversalAxis2Offset(dJointID joint, dReal x, dReal y, dReal z, dReal offset1,
                                            dReal offset2);
 
-/** A parameter of one of the two limits and motors. [0.16] */
+/** - dJointSetUniversalParam: Set a parameter of one of the two limits and motors to value: of axis 1 by the
+      plain names, of axis 2 by those that end in 2.
+    - dJointGetUniversalParam: The value of a parameter of one of the two limits and motors: of axis 1 by the
+      plain names, of axis 2 by those that end in 2. [0.16] */
 ODE_API void dJointSetUniversalParam(dJointID joint, int parameter, dReal value);
 ODE_API dReal dJointGetUniversalParam(dJointID joint, int parameter);
 
@@ -146,21 +167,32 @@ ODE_API dReal dJointGetUniversalParam(dJointID joint, int parameter);
     the next step. [0.16] */
 ODE_API void dJointAddUniversalTorques(dJointID joint, dReal torque1, dReal torque2);
 
-/** The anchor as body 1 (body 2) has it now; they differ by the joint's error. [guide] */
+/** - dJointGetUniversalAnchor: Write the anchor as body 1 has it now to result, m, world frame. It differs
+      from dJointGetUniversalAnchor2 by the joint's error.
+    - dJointGetUniversalAnchor2: Write the anchor as body 2 has it now to result, m, world frame. It differs
+      from dJointGetUniversalAnchor by the joint's error. [guide] */
 ODE_API void dJointGetUniversalAnchor(dJointID joint, dVector3 result);
 ODE_API void dJointGetUniversalAnchor2(dJointID joint, dVector3 result);
 
-/** Axis 1 as body 1 has it now, axis 2 as body 2 has it, unit vectors. [guide] */
+/** - dJointGetUniversalAxis1: Write axis 1 as body 1 has it now to result: a unit vector, world frame.
+    - dJointGetUniversalAxis2: Write axis 2 as body 2 has it now to result: a unit vector, world frame.
+      [guide] */
 ODE_API void dJointGetUniversalAxis1(dJointID joint, dVector3 result);
 ODE_API void dJointGetUniversalAxis2(dJointID joint, dVector3 result);
 
-/** Angles between each body and the cross piece about its axis, rad, within [-pi, pi]. The first form
-    writes both to *angle1 and *angle2, of which neither may be null. [0.16] */
+/** - dJointGetUniversalAngles: Write the angles between body 1 and the cross piece about axis 1, and between
+      body 2 and the cross piece about axis 2, to *angle1 and *angle2: rad, within [-pi, pi]. Neither pointer
+      may be null.
+    - dJointGetUniversalAngle1: The angle between body 1 and the cross piece about axis 1, rad, within [-pi,
+      pi].
+    - dJointGetUniversalAngle2: The angle between body 2 and the cross piece about axis 2, rad, within [-pi,
+      pi]. [0.16] */
 ODE_API void dJointGetUniversalAngles(dJointID joint, dReal* angle1, dReal* angle2);
 ODE_API dReal dJointGetUniversalAngle1(dJointID joint);
 ODE_API dReal dJointGetUniversalAngle2(dJointID joint);
 
-/** Rates of the two angles, rad/s. [0.16] */
+/** - dJointGetUniversalAngle1Rate: The rate of the angle about axis 1, rad/s.
+    - dJointGetUniversalAngle2Rate: The rate of the angle about axis 2, rad/s. [0.16] */
 ODE_API dReal dJointGetUniversalAngle1Rate(dJointID joint);
 ODE_API dReal dJointGetUniversalAngle2Rate(dJointID joint);
 
@@ -169,8 +201,11 @@ ODE_API dReal dJointGetUniversalAngle2Rate(dJointID joint);
     A car wheel: body 1 is the chassis with axis 1 (steering, also the direction of the suspension), body
     2 the wheel with axis 2 (spin). The angle between the axes is kept as set. Both bodies are needed.
     Parameters: axis 1; axis 2 with names ending in 2 (motor only, its stops are not used);
-    dParamSuspensionERP and dParamSuspensionCFM for the play along axis 1. Refused: as for ball joints,
-    and attaching to one body only. */
+    dParamSuspensionERP and dParamSuspensionCFM for the play along axis 1.
+
+    Attaching to one body only is refused.
+
+    Refused: as for ball. */
 
 /** The centre of the wheel, common to both bodies. The angles then read 0. [guide] */
 ODE_API void dJointSetHinge2Anchor(dJointID joint, dReal x, dReal y, dReal z);
@@ -180,11 +215,16 @@ ODE_API void dJointSetHinge2Anchor(dJointID joint, dReal x, dReal y, dReal z);
     one turn is left free). The angles then read 0. [0.16] */
 ODE_API void dJointSetHinge2Axes(dJointID joint, const dReal* axis1, const dReal* axis2);
 
-/** Old forms that set one axis. [guide] */
+/** The other axis stays. dJointSetHinge2Axes sets both.
+    - dJointSetHinge2Axis1: Old form: set axis 1, of the steering, which moves with body 1.
+    - dJointSetHinge2Axis2: Old form: set axis 2, of the spin, which moves with body 2. [guide] */
 ODE_API_DEPRECATED ODE_API void dJointSetHinge2Axis1(dJointID joint, dReal x, dReal y, dReal z);
 ODE_API_DEPRECATED ODE_API void dJointSetHinge2Axis2(dJointID joint, dReal x, dReal y, dReal z);
 
-/** A parameter of one of the two axes, or of the suspension. [guide] */
+/** - dJointSetHinge2Param: Set a parameter to value: of axis 1 by the plain names, of the motor of axis 2 by
+      those that end in 2, of the suspension dParamSuspensionERP and dParamSuspensionCFM.
+    - dJointGetHinge2Param: The value of a parameter: of axis 1 by the plain names, of the motor of axis 2 by
+      those that end in 2, of the suspension dParamSuspensionERP and dParamSuspensionCFM. [guide] */
 ODE_API void dJointSetHinge2Param(dJointID joint, int parameter, dReal value);
 ODE_API dReal dJointGetHinge2Param(dJointID joint, int parameter);
 
@@ -192,11 +232,16 @@ ODE_API dReal dJointGetHinge2Param(dJointID joint, int parameter);
     the next step. [0.16] */
 ODE_API void dJointAddHinge2Torques(dJointID joint, dReal torque1, dReal torque2);
 
-/** The anchor as body 1 (body 2) has it now; they differ by the travel of the suspension. [guide] */
+/** - dJointGetHinge2Anchor: Write the anchor as body 1 has it now to result, m, world frame. It differs from
+      dJointGetHinge2Anchor2 by the travel of the suspension.
+    - dJointGetHinge2Anchor2: Write the anchor as body 2 has it now to result, m, world frame. It differs
+      from dJointGetHinge2Anchor by the travel of the suspension. [guide] */
 ODE_API void dJointGetHinge2Anchor(dJointID joint, dVector3 result);
 ODE_API void dJointGetHinge2Anchor2(dJointID joint, dVector3 result);
 
-/** Axis 1 as body 1 has it now, axis 2 as body 2 has it, unit vectors. [guide] */
+/** - dJointGetHinge2Axis1: Write axis 1 as body 1 has it now to result: a unit vector, world frame.
+    - dJointGetHinge2Axis2: Write axis 2 as body 2 has it now to result: a unit vector, world frame. [guide]
+ */
 ODE_API void dJointGetHinge2Axis1(dJointID joint, dVector3 result);
 ODE_API void dJointGetHinge2Axis2(dJointID joint, dVector3 result);
 
@@ -207,21 +252,25 @@ ODE_API dReal dJointGetHinge2Angle1(dJointID joint);
     [0.16] */
 ODE_API dReal dJointGetHinge2Angle2(dJointID joint);
 
-/** Rates of body 1 relative to body 2 about the axes, rad/s. Note that Angle2Rate therefore has the
-    opposite sign of the change of Angle2. [guide] */
+/** - dJointGetHinge2Angle1Rate: The rate of the steering angle, of body 1 relative to body 2 about axis 1,
+      rad/s.
+    - dJointGetHinge2Angle2Rate: The angular velocity of body 1 relative to body 2 about axis 2, rad/s. It
+      has the opposite sign of the change of dJointGetHinge2Angle2. [guide] */
 ODE_API dReal dJointGetHinge2Angle1Rate(dJointID joint);
 ODE_API dReal dJointGetHinge2Angle2Rate(dJointID joint);
 
 /** @chapter fixed Fixed joints: 6 rows
 
     Holds the relative pose. Two bodies that never part are better one body. Parameters: dParamERP and
-    dParamCFM, of the linear rows. Refused: as for ball joints. */
+    dParamCFM, of the linear rows. Refused: as for ball. */
 
 /** Take the current relative pose as the one to keep. Call it after attaching: attaching alone does not.
     [0.16] */
 ODE_API void dJointSetFixed(dJointID joint);
 
-/** A parameter of the joint: dParamERP or dParamCFM, at first those of the world. [0.16] */
+/** - dJointSetFixedParam: Set a parameter of the joint to value: dParamERP or dParamCFM, at first those of
+      the world.
+    - dJointGetFixedParam: The value of a parameter of the joint: dParamERP or dParamCFM. [0.16] */
 ODE_API void dJointSetFixedParam(dJointID joint, int parameter, dReal value);
 ODE_API dReal dJointGetFixedParam(dJointID joint, int parameter);
 
@@ -233,37 +282,45 @@ ODE_API dReal dJointGetFixedParam(dJointID joint, int parameter);
     - anum: number of the axis, 0, 1 or 2.
     - rel: what an axis moves with: 0 the world, 1 body 1, 2 body 2.
 
-    Refused: as for ball joints; an anum or rel that there is not. */
+    Refused: as for ball; [dJointSetAMotorA, dJointGetAMotorA] an axis number or rel that there is not. */
 
-/** What mode the motor is in. dAMotorUser (default): the program sets axes and, for stops, angles.
-    dAMotorEuler: three axes, of which the program sets axis 0 (fixed in body 1) and axis 2 (fixed in body
-    2), perpendicular at that time; axis 1 and the Euler angles follow. The angle about axis 1 must stay
-    within (-pi/2, pi/2): give it stops. Another mode is refused. [guide] */
+/** - dJointSetAMotorMode: Set what mode the motor is in. dAMotorUser (default): the program sets axes and,
+      for stops, angles. dAMotorEuler: three axes, of which the program sets axis 0 (fixed in body 1) and
+      axis 2 (fixed in body 2), perpendicular at that time; axis 1 and the Euler angles follow. The angle
+      about axis 1 must stay within (-pi/2, pi/2): give it stops. Another mode is refused.
+    - dJointGetAMotorMode: The motor's mode: dAMotorUser or dAMotorEuler. [guide] */
 ODE_API void dJointSetAMotorMode(dJointID joint, int mode);
 ODE_API int dJointGetAMotorMode(dJointID joint);
 
-/** How many axes are in use: num is 0 ... 3 (others are refused), default 0; in Euler mode it is always
-    3. [guide] */
+/** - dJointSetAMotorNumAxes: Set how many axes are in use: num is 0 ... 3 (others are refused), default 0;
+      in Euler mode it is always 3.
+    - dJointGetAMotorNumAxes: How many axes are in use. [guide] */
 ODE_API void dJointSetAMotorNumAxes(dJointID joint, int num);
 ODE_API int dJointGetAMotorNumAxes(dJointID joint);
 
-/** Axis anum and what it moves with: rel 0 the world, 1 body 1, 2 body 2. (x, y, z) is in the world frame
-    in any case, and so is result. In Euler mode axis 0 goes with body 1 and axis 2 with body 2, else the
-    call is refused. [guide] */
+/** - dJointSetAMotorAxis: Set axis anum to (x, y, z), world frame in any case, and what it moves with: rel 0
+      the world, 1 body 1, 2 body 2. In Euler mode axis 0 goes with body 1 and axis 2 with body 2, else the
+      call is refused.
+    - dJointGetAMotorAxis: Write axis anum as it is now to result: a unit vector, world frame.
+    - dJointGetAMotorAxisRel: What axis anum moves with: 0 the world, 1 body 1, 2 body 2. [guide] */
 ODE_API void dJointSetAMotorAxis(dJointID joint, int anum, int rel, dReal x, dReal y, dReal z);
 ODE_API void dJointGetAMotorAxis(dJointID joint, int anum, dVector3 result);
 ODE_API int dJointGetAMotorAxisRel(dJointID joint, int anum);
 
-/** The angle about axis anum that stops are compared with, rad. User mode: what the program says, before
-    each step, default 0; setting is refused in Euler mode, where the last step's Euler angles are given.
-    [guide] */
+/** - dJointSetAMotorAngle: Tell the motor the angle about axis anum, rad, with which stops are compared;
+      default 0. A program in user mode does so before each step; in Euler mode the call is refused.
+    - dJointGetAMotorAngle: The angle about axis anum, rad: in user mode what the program has set, in Euler
+      mode that of the last step. [guide] */
 ODE_API void dJointSetAMotorAngle(dJointID joint, int anum, dReal angle);
 ODE_API dReal dJointGetAMotorAngle(dJointID joint, int anum);
 
 /** Relative angular velocity of the bodies about axis anum, rad/s. [0.16] */
 ODE_API dReal dJointGetAMotorAngleRate(dJointID joint, int anum);
 
-/** A parameter of one of the three limits and motors. [guide] */
+/** - dJointSetAMotorParam: Set a parameter of one of the three limits and motors to value: of axis 0 by the
+      plain names, of axis 1 and 2 by those that end in 2 and 3.
+    - dJointGetAMotorParam: The value of a parameter of one of the three limits and motors: of axis 0 by the
+      plain names, of axis 1 and 2 by those that end in 2 and 3. [guide] */
 ODE_API void dJointSetAMotorParam(dJointID joint, int parameter, dReal value);
 ODE_API dReal dJointGetAMotorParam(dJointID joint, int parameter);
 
@@ -274,10 +331,10 @@ ODE_API void dJointAddAMotorTorques(dJointID joint, dReal torque1, dReal torque2
 /** @chapter lmotor Linear motors: up to 3 rows
 
     Motors on the relative velocity of the bodies' centres along up to three axes; no other constraint. It
-    has no stops. Parameters of axis 0, 1, 2: plain names, names ending in 2, in 3. Refused: as for ball
-    joints. */
+    has no stops. Parameters of axis 0, 1, 2: plain names, names ending in 2, in 3. Refused: as for ball. */
 
-/** How many axes are in use: num, held to 0 ... 3, default 0. [0.16] */
+/** - dJointSetLMotorNumAxes: Set how many axes are in use: num, held to 0 ... 3; default 0.
+    - dJointGetLMotorNumAxes: How many axes are in use. [0.16] */
 ODE_API void dJointSetLMotorNumAxes(dJointID joint, int num);
 ODE_API int dJointGetLMotorNumAxes(dJointID joint);
 
@@ -288,7 +345,10 @@ ODE_API void dJointSetLMotorAxis(dJointID joint, int anum, int rel, dReal x, dRe
 /** Axis anum as it is stored: result is in the frame of the body it turns with, or in the world's. [0.16] */
 ODE_API void dJointGetLMotorAxis(dJointID joint, int anum, dVector3 result);
 
-/** A parameter of one of the three motors. [0.16] */
+/** - dJointSetLMotorParam: Set a parameter of one of the three motors to value: of axis 0 by the plain
+      names, of axis 1 and 2 by those that end in 2 and 3.
+    - dJointGetLMotorParam: The value of a parameter of one of the three motors: of axis 0 by the plain
+      names, of axis 1 and 2 by those that end in 2 and 3. [0.16] */
 ODE_API void dJointSetLMotorParam(dJointID joint, int parameter, dReal value);
 ODE_API dReal dJointGetLMotorParam(dJointID joint, int parameter);
 
@@ -296,9 +356,12 @@ ODE_API dReal dJointGetLMotorParam(dJointID joint, int parameter);
 
     Keeps body 1 in the world's plane z = 0, turning about z only; attach it as (body, 0). It removes
     rates of tilt, not a tilt that is there: put the body upright first, and set its orientation back now
-    and then. Refused: as for ball joints. */
+    and then. Refused: as for ball. */
 
-/** A parameter of the motor along x, along y, about z: the plain names. There are no stops. [0.16] */
+/** The plain names are meant; there are no stops.
+    - dJointSetPlane2DXParam: Set a parameter of the motor along x to value.
+    - dJointSetPlane2DYParam: Set a parameter of the motor along y to value.
+    - dJointSetPlane2DAngleParam: Set a parameter of the motor about z to value. [0.16] */
 ODE_API void dJointSetPlane2DXParam(dJointID joint, int parameter, dReal value);
 ODE_API void dJointSetPlane2DYParam(dJointID joint, int parameter, dReal value);
 ODE_API void dJointSetPlane2DAngleParam(dJointID joint, int parameter, dReal value);
@@ -307,17 +370,22 @@ ODE_API void dJointSetPlane2DAngleParam(dJointID joint, int parameter, dReal val
 
     Body 2 turns about axis 2 through the anchor; the anchor slides along axis 1 of body 1. Set the axes
     perpendicular. Defaults: axis 1 (slide) y, axis 2 (turn) x. Parameters: the slide; the turn with names
-    ending in 2. Attached as (0, body), positions, angles and their rates change sign. Refused: as for
-    ball joints. */
+    ending in 2. Attached as (0, body), positions, angles and their rates change sign. Refused: as for ball.
+ */
 
 /** The point on the turning axis. The position reads 0 afterwards; the angle keeps its zero. [0.16] */
 ODE_API void dJointSetPRAnchor(dJointID joint, dReal x, dReal y, dReal z);
 
-/** The axis of the slide (1) and of the turn (2). Both set the zero of the angle, too. [0.16] */
+/** It sets the zero of the angle, too.
+    - dJointSetPRAxis1: Set axis 1, along which the anchor slides.
+    - dJointSetPRAxis2: Set axis 2, about which body 2 turns. [0.16] */
 ODE_API void dJointSetPRAxis1(dJointID joint, dReal x, dReal y, dReal z);
 ODE_API void dJointSetPRAxis2(dJointID joint, dReal x, dReal y, dReal z);
 
-/** A parameter of the slide's or the turn's limit and motor. [0.16] */
+/** - dJointSetPRParam: Set a parameter of a limit and motor to value: of the slide by the plain names, of
+      the turn by those that end in 2.
+    - dJointGetPRParam: The value of a parameter of a limit and motor: of the slide by the plain names, of
+      the turn by those that end in 2. [0.16] */
 ODE_API void dJointSetPRParam(dJointID joint, int parameter, dReal value);
 ODE_API dReal dJointGetPRParam(dJointID joint, int parameter);
 
@@ -327,15 +395,20 @@ ODE_API void dJointAddPRTorque(dJointID joint, dReal torque);
 /** The anchor as body 2 has it now. [0.16] */
 ODE_API void dJointGetPRAnchor(dJointID joint, dVector3 result);
 
-/** The axes as body 1 has them now, unit vectors. [0.16] */
+/** - dJointGetPRAxis1: Write the axis of the slide as body 1 has it now to result: a unit vector, world
+      frame.
+    - dJointGetPRAxis2: Write the axis of the turn as body 1 has it now to result: a unit vector, world
+      frame. [0.16] */
 ODE_API void dJointGetPRAxis1(dJointID joint, dVector3 result);
 ODE_API void dJointGetPRAxis2(dJointID joint, dVector3 result);
 
-/** How far body 1's anchor is along axis 1 from body 2's, m; and how fast that changes, m/s. [0.16] */
+/** - dJointGetPRPosition: How far body 1's anchor is along axis 1 from body 2's, m.
+    - dJointGetPRPositionRate: The rate of the position along axis 1, m/s. [0.16] */
 ODE_API dReal dJointGetPRPosition(dJointID joint);
 ODE_API dReal dJointGetPRPositionRate(dJointID joint);
 
-/** Rotation of body 1 relative to body 2 about axis 2, within [-pi, pi], rad; and its rate, rad/s. [0.16] */
+/** - dJointGetPRAngle: The rotation of body 1 relative to body 2 about axis 2, rad, within [-pi, pi].
+    - dJointGetPRAngleRate: The rate of the angle about axis 2, rad/s. [0.16] */
 ODE_API dReal dJointGetPRAngle(dJointID joint);
 ODE_API dReal dJointGetPRAngleRate(dJointID joint);
 
@@ -344,7 +417,7 @@ ODE_API dReal dJointGetPRAngleRate(dJointID joint);
     A universal joint (axis 1 of body 1, axis 2 of body 2, kept perpendicular) whose anchor slides along a
     third axis of body 1. Defaults: axis 1 y, axis 2 z, axis 3 x. Parameters: axis 1; axis 2 and the slide
     (axis 3) with names ending in 2 and 3. Attached as (0, body), axes 1 and 2 and their angles change
-    places, and the position changes sign. Refused: as for ball joints. */
+    places, and the position changes sign. Refused: as for ball. */
 
 /** The point where axes 1 and 2 meet. The position and the angles read 0 afterwards. [0.16] */
 ODE_API void dJointSetPUAnchor(dJointID joint, dReal x, dReal y, dReal z);
@@ -357,32 +430,52 @@ ODE_API void dJointSetPUAnchorOffset(dJointID joint, dReal x, dReal y, dReal z, 
 ODE_API_DEPRECATED ODE_API void dJointSetPUAnchorDelta(dJointID joint, dReal x, dReal y, dReal z, dReal dx,
                                                        dReal dy, dReal dz);
 
-/** The axes of the universal joint (1 and 2) and of the slide (3; P is another name of it). The first two
-    set the zeros of the angles, too. [0.16] */
+/** - dJointSetPUAxis1: Set axis 1 of the universal joint, which moves with body 1. It sets the zeros of the
+      angles, too.
+    - dJointSetPUAxis2: Set axis 2 of the universal joint, which moves with body 2. It sets the zeros of the
+      angles, too.
+    - dJointSetPUAxis3: Set axis 3, along which the anchor slides.
+    - dJointSetPUAxisP: Another name of dJointSetPUAxis3: set the axis along which the anchor slides. [0.16]
+ */
 ODE_API void dJointSetPUAxis1(dJointID joint, dReal x, dReal y, dReal z);
 ODE_API void dJointSetPUAxis2(dJointID joint, dReal x, dReal y, dReal z);
 ODE_API void dJointSetPUAxis3(dJointID joint, dReal x, dReal y, dReal z);
 ODE_API void dJointSetPUAxisP(dJointID joint, dReal x, dReal y, dReal z);
 
-/** A parameter of one of the three limits and motors. [0.16] */
+/** - dJointSetPUParam: Set a parameter of a limit and motor to value: of axis 1 by the plain names, of axis
+      2 and the slide by those that end in 2 and 3.
+    - dJointGetPUParam: The value of a parameter of a limit and motor: of axis 1 by the plain names, of axis
+      2 and the slide by those that end in 2 and 3. [0.16] */
 ODE_API void dJointSetPUParam(dJointID joint, int parameter, dReal value);
 ODE_API dReal dJointGetPUParam(dJointID joint, int parameter);
 
 /** The anchor as body 2 has it now. [0.16] */
 ODE_API void dJointGetPUAnchor(dJointID joint, dVector3 result);
 
-/** The axes as their bodies have them now, unit vectors. [0.16] */
+/** - dJointGetPUAxis1: Write axis 1 of the universal joint as body 1 has it now to result: a unit vector,
+      world frame.
+    - dJointGetPUAxis2: Write axis 2 of the universal joint as body 2 has it now to result: a unit vector,
+      world frame.
+    - dJointGetPUAxis3: Write axis 3, of the slide, as body 1 has it now to result: a unit vector, world
+      frame.
+    - dJointGetPUAxisP: Another name of dJointGetPUAxis3: write the axis of the slide to result, a unit
+      vector, world frame. [0.16] */
 ODE_API void dJointGetPUAxis1(dJointID joint, dVector3 result);
 ODE_API void dJointGetPUAxis2(dJointID joint, dVector3 result);
 ODE_API void dJointGetPUAxis3(dJointID joint, dVector3 result);
 ODE_API void dJointGetPUAxisP(dJointID joint, dVector3 result);
 
-/** How far body 1's anchor is along axis 3 from body 2's, m; and how fast that changes, m/s. [0.16] */
+/** - dJointGetPUPosition: How far body 1's anchor is along axis 3 from body 2's, m.
+    - dJointGetPUPositionRate: The rate of the position along axis 3, m/s. [0.16] */
 ODE_API dReal dJointGetPUPosition(dJointID joint);
 ODE_API dReal dJointGetPUPositionRate(dJointID joint);
 
-/** Angles about axis 1 and axis 2, rad, and their rates, rad/s, as of the universal joint. The first form
-    writes both angles to *angle1 and *angle2, of which neither may be null. [0.16] */
+/** - dJointGetPUAngles: Write the angles about axis 1 and axis 2 to *angle1 and *angle2: rad, as of the
+      universal joint. Neither pointer may be null.
+    - dJointGetPUAngle1: The angle about axis 1, rad, as of the universal joint.
+    - dJointGetPUAngle1Rate: The rate of the angle about axis 1, rad/s.
+    - dJointGetPUAngle2: The angle about axis 2, rad, as of the universal joint.
+    - dJointGetPUAngle2Rate: The rate of the angle about axis 2, rad/s. [0.16] */
 ODE_API void dJointGetPUAngles(dJointID joint, dReal* angle1, dReal* angle2);
 ODE_API dReal dJointGetPUAngle1(dJointID joint);
 ODE_API dReal dJointGetPUAngle1Rate(dJointID joint);
@@ -392,8 +485,8 @@ ODE_API dReal dJointGetPUAngle2Rate(dJointID joint);
 /** @chapter piston Pistons: 4 rows, 2 limits and motors
 
     Body 1 slides along one axis and turns about it. Default axis x. Parameters: the slide; the turn with
-    names ending in 2. Attached as (0, body), positions, angles and their rates change sign. Refused: as
-    for ball joints. */
+    names ending in 2. Attached as (0, body), positions, angles and their rates change sign. Refused: as for
+   ball. */
 
 /** A point on the axis. The position and the angle read 0 afterwards. [0.16] */
 ODE_API void dJointSetPistonAnchor(dJointID joint, dReal x, dReal y, dReal z);
@@ -411,7 +504,10 @@ ODE_API void dJointSetPistonAxis(dJointID joint, dReal x, dReal y, dReal z);
 ODE_API_DEPRECATED ODE_API void dJointSetPistonAxisDelta(dJointID joint, dReal x, dReal y, dReal z, dReal ax,
                                                          dReal ay, dReal az);
 
-/** A parameter of the slide's or the turn's limit and motor. [0.16] */
+/** - dJointSetPistonParam: Set a parameter of a limit and motor to value: of the slide by the plain names,
+      of the turn by those that end in 2.
+    - dJointGetPistonParam: The value of a parameter of a limit and motor: of the slide by the plain names,
+      of the turn by those that end in 2. [0.16] */
 ODE_API void dJointSetPistonParam(dJointID joint, int parameter, dReal value);
 ODE_API dReal dJointGetPistonParam(dJointID joint, int parameter);
 
@@ -419,42 +515,49 @@ ODE_API dReal dJointGetPistonParam(dJointID joint, int parameter);
     two bodies at its anchor, on one body at its centre. [0.16] */
 ODE_API void dJointAddPistonForce(dJointID joint, dReal force);
 
-/** The anchor as body 1 (body 2) has it now. [0.16] */
+/** - dJointGetPistonAnchor: Write the anchor as body 1 has it now to result, m, world frame.
+    - dJointGetPistonAnchor2: Write the anchor as body 2 has it now to result, m, world frame. [0.16] */
 ODE_API void dJointGetPistonAnchor(dJointID joint, dVector3 result);
 ODE_API void dJointGetPistonAnchor2(dJointID joint, dVector3 result);
 
 /** The axis as body 1 has it now, a unit vector. [0.16] */
 ODE_API void dJointGetPistonAxis(dJointID joint, dVector3 result);
 
-/** How far body 1's anchor is along the axis from body 2's, m; and the velocity along the axis of body
-    1's centre relative to body 2's, m/s. [0.16] */
+/** - dJointGetPistonPosition: How far body 1's anchor is along the axis from body 2's, m.
+    - dJointGetPistonPositionRate: The velocity along the axis of body 1's centre relative to body 2's, m/s.
+      [0.16] */
 ODE_API dReal dJointGetPistonPosition(dJointID joint);
 ODE_API dReal dJointGetPistonPositionRate(dJointID joint);
 
-/** Rotation of body 1 relative to body 2 about the axis, within [-pi, pi], rad; and its rate, rad/s.
-    [0.16] */
+/** - dJointGetPistonAngle: The rotation of body 1 relative to body 2 about the axis, rad, within [-pi, pi].
+    - dJointGetPistonAngleRate: The rate of the angle about the axis, rad/s. [0.16] */
 ODE_API dReal dJointGetPistonAngle(dJointID joint);
 ODE_API dReal dJointGetPistonAngleRate(dJointID joint);
 
 /** @chapter dball Double ball joints: 1 row
 
     Keeps the distance between a point of body 1 and a point of body 2: a rod with a ball joint at each
-    end, which pulls and pushes. Parameters: dParamERP, dParamCFM. Refused: as for ball joints. */
+    end, which pulls and pushes. Parameters: dParamERP, dParamCFM. Refused: as for ball. */
 
-/** Each sets the point of one body and takes the present distance as the one to keep, as attaching does.
-    [0.16] */
+/** The present distance becomes the one to keep, as when the joint is attached.
+    - dJointSetDBallAnchor1: Set the point of body 1, world frame.
+    - dJointSetDBallAnchor2: Set the point of body 2, world frame. [0.16] */
 ODE_API void dJointSetDBallAnchor1(dJointID joint, dReal x, dReal y, dReal z);
 ODE_API void dJointSetDBallAnchor2(dJointID joint, dReal x, dReal y, dReal z);
 
-/** The distance to keep, m; a negative one is refused. The getter gives this, not the present one. [0.16] */
+/** - dJointSetDBallDistance: Set the distance to keep, m; a negative one is refused.
+    - dJointGetDBallDistance: The distance to keep, m, which need not be the present one. [0.16] */
 ODE_API void dJointSetDBallDistance(dJointID joint, dReal distance);
 ODE_API dReal dJointGetDBallDistance(dJointID joint);
 
-/** A parameter of the joint: dParamERP or dParamCFM, at first those of the world. [0.16] */
+/** - dJointSetDBallParam: Set a parameter of the joint to value: dParamERP or dParamCFM, at first those of
+      the world.
+    - dJointGetDBallParam: The value of a parameter of the joint: dParamERP or dParamCFM. [0.16] */
 ODE_API void dJointSetDBallParam(dJointID joint, int parameter, dReal value);
 ODE_API dReal dJointGetDBallParam(dJointID joint, int parameter);
 
-/** Where the points of body 1 and of body 2 are now. [0.16] */
+/** - dJointGetDBallAnchor1: Write where the point of body 1 is now to result, m, world frame.
+    - dJointGetDBallAnchor2: Write where the point of body 2 is now to result, m, world frame. [0.16] */
 ODE_API void dJointGetDBallAnchor1(dJointID joint, dVector3 result);
 ODE_API void dJointGetDBallAnchor2(dJointID joint, dVector3 result);
 
@@ -462,21 +565,26 @@ ODE_API void dJointGetDBallAnchor2(dJointID joint, dVector3 result);
 
     A bar with a hinge at each end, the hinges being parallel: keeps an axis common to both bodies, the
     distance between a point of each, and their offset along the axis. Parameters: dParamERP, dParamCFM
-    (of the distance). Refused: as for ball joints. */
+    (of the distance). Refused: as for ball. */
 
 /** The common axis. Needs a body; before it is called the joint keeps no axis. [0.16] */
 ODE_API void dJointSetDHingeAxis(dJointID joint, dReal x, dReal y, dReal z);
 
-/** Each sets the point of one body and takes the present distance as the one to keep, as attaching does.
-    [0.16] */
+/** The present distance becomes the one to keep, as when the joint is attached.
+    - dJointSetDHingeAnchor1: Set the point of body 1, world frame.
+    - dJointSetDHingeAnchor2: Set the point of body 2, world frame. [0.16] */
 ODE_API void dJointSetDHingeAnchor1(dJointID joint, dReal x, dReal y, dReal z);
 ODE_API void dJointSetDHingeAnchor2(dJointID joint, dReal x, dReal y, dReal z);
 
-/** A parameter of the joint: dParamERP or dParamCFM, at first those of the world. [0.16] */
+/** - dJointSetDHingeParam: Set a parameter of the joint to value: dParamERP or dParamCFM, at first those of
+      the world.
+    - dJointGetDHingeParam: The value of a parameter of the joint: dParamERP or dParamCFM. [0.16] */
 ODE_API void dJointSetDHingeParam(dJointID joint, int parameter, dReal value);
 ODE_API dReal dJointGetDHingeParam(dJointID joint, int parameter);
 
-/** Where the axis, as body 1 has it, and the points of body 1 and of body 2 are now. [0.16] */
+/** - dJointGetDHingeAxis: Write the common axis as body 1 has it now to result: a unit vector, world frame.
+    - dJointGetDHingeAnchor1: Write where the point of body 1 is now to result, m, world frame.
+    - dJointGetDHingeAnchor2: Write where the point of body 2 is now to result, m, world frame. [0.16] */
 ODE_API void dJointGetDHingeAxis(dJointID joint, dVector3 result);
 ODE_API void dJointGetDHingeAnchor1(dJointID joint, dVector3 result);
 ODE_API void dJointGetDHingeAnchor2(dJointID joint, dVector3 result);
@@ -497,52 +605,83 @@ ODE_API dReal dJointGetDHingeDistance(dJointID joint);
     angles at zero; after ratio or radii have been set, what slip there is becomes zero. Should axes point
     against each other, axis 1 is turned round then.
 
-    Refused: as for ball joints; attaching to one body only; what belongs to another mode than the
-    joint's. */
+    Attaching to one body only is refused.
 
-/** What kind of wheels: mode is one of the three numbers dTransmission...; another one is refused. [0.16] */
+    Refused: as for ball; [dJointSetTransmission] what belongs to another mode
+    than the joint's. */
+
+/** - dJointSetTransmissionMode: Set what kind of wheels the joint couples: mode is dTransmissionParallelAxes
+      (default), dTransmissionIntersectingAxes or dTransmissionChainDrive; another one is refused.
+    - dJointGetTransmissionMode: What kind of wheels the joint couples: dTransmissionParallelAxes,
+      dTransmissionIntersectingAxes or dTransmissionChainDrive. [0.16] */
 ODE_API void dJointSetTransmissionMode(dJointID joint, int mode);
 ODE_API int dJointGetTransmissionMode(dJointID joint);
 
-/** Centres of the wheels; at first the centres of the bodies. [0.16] */
+/** - dJointSetTransmissionAnchor1: Set the centre of wheel 1; at first the centre of body 1.
+    - dJointSetTransmissionAnchor2: Set the centre of wheel 2; at first the centre of body 2.
+    - dJointGetTransmissionAnchor1: Write the centre of wheel 1 to result, m, world frame.
+    - dJointGetTransmissionAnchor2: Write the centre of wheel 2 to result, m, world frame. [0.16] */
 ODE_API void dJointSetTransmissionAnchor1(dJointID joint, dReal x, dReal y, dReal z);
 ODE_API void dJointSetTransmissionAnchor2(dJointID joint, dReal x, dReal y, dReal z);
 ODE_API void dJointGetTransmissionAnchor1(dJointID joint, dVector3 result);
 ODE_API void dJointGetTransmissionAnchor2(dJointID joint, dVector3 result);
 
-/** The axis of both wheels; refused with intersecting axes. Default: x of each body. [0.16] */
+/** - dJointSetTransmissionAxis: Set the axis of both wheels; refused with intersecting axes. Default: x of
+      each body.
+    - dJointGetTransmissionAxis: Write the axis of both wheels to result: a unit vector, world frame. [0.16]
+ */
 ODE_API void dJointSetTransmissionAxis(dJointID joint, dReal x, dReal y, dReal z);
 ODE_API void dJointGetTransmissionAxis(dJointID joint, dVector3 result);
 
-/** The axis of one wheel; to be set with intersecting axes only. [0.16] */
+/** - dJointSetTransmissionAxis1: Set the axis of wheel 1; allowed with intersecting axes only.
+    - dJointSetTransmissionAxis2: Set the axis of wheel 2; allowed with intersecting axes only.
+    - dJointGetTransmissionAxis1: Write the axis of wheel 1 to result: a unit vector, world frame.
+    - dJointGetTransmissionAxis2: Write the axis of wheel 2 to result: a unit vector, world frame. [0.16] */
 ODE_API void dJointSetTransmissionAxis1(dJointID joint, dReal x, dReal y, dReal z);
 ODE_API void dJointSetTransmissionAxis2(dJointID joint, dReal x, dReal y, dReal z);
 ODE_API void dJointGetTransmissionAxis1(dJointID joint, dVector3 result);
 ODE_API void dJointGetTransmissionAxis2(dJointID joint, dVector3 result);
 
-/** The ratio radius 1 / radius 2, positive; to be set with parallel axes only. Default 1. [0.16] */
+/** - dJointSetTransmissionRatio: Set the ratio radius 1 / radius 2, positive; allowed with parallel axes
+      only. Default 1.
+    - dJointGetTransmissionRatio: The ratio radius 1 / radius 2. [0.16] */
 ODE_API void dJointSetTransmissionRatio(dJointID joint, dReal ratio);
 ODE_API dReal dJointGetTransmissionRatio(dJointID joint);
 
-/** The radius of each wheel, m, positive; to be set for a chain only, else as measured by the first step.
-    Without radii a chain does nothing. [0.16] */
+/** Without radii a chain does nothing; in the other modes they follow from the geometry.
+    - dJointSetTransmissionRadius1: Set the radius of wheel 1, m, positive; allowed for a chain only.
+    - dJointSetTransmissionRadius2: Set the radius of wheel 2, m, positive; allowed for a chain only.
+    - dJointGetTransmissionRadius1: The radius of wheel 1, m: as set for a chain, else as measured by the
+      first step.
+    - dJointGetTransmissionRadius2: The radius of wheel 2, m: as set for a chain, else as measured by the
+      first step. [0.16] */
 ODE_API void dJointSetTransmissionRadius1(dJointID joint, dReal radius);
 ODE_API void dJointSetTransmissionRadius2(dJointID joint, dReal radius);
 ODE_API dReal dJointGetTransmissionRadius1(dJointID joint);
 ODE_API dReal dJointGetTransmissionRadius2(dJointID joint);
 
-/** The backlash: free play of the rims to either side of zero slip, m, default 0; a negative one is
-    refused. [0.16] */
+/** - dJointSetTransmissionBacklash: Set the backlash: the free play of the rims to either side of zero slip,
+      m; default 0. A negative one is refused.
+    - dJointGetTransmissionBacklash: The backlash: the free play of the rims to either side of zero slip, m.
+      [0.16] */
 ODE_API void dJointSetTransmissionBacklash(dJointID joint, dReal backlash);
 ODE_API dReal dJointGetTransmissionBacklash(dJointID joint);
 
-/** A parameter of the joint: dParamERP or dParamCFM, at first those of the world. [0.16] */
+/** - dJointSetTransmissionParam: Set a parameter of the joint to value: dParamERP or dParamCFM, at first
+      those of the world.
+    - dJointGetTransmissionParam: The value of a parameter of the joint: dParamERP or dParamCFM. [0.16] */
 ODE_API void dJointSetTransmissionParam(dJointID joint, int parameter, dReal value);
 ODE_API dReal dJointGetTransmissionParam(dJointID joint, int parameter);
 
-/** What the last step began with: how far the point of contact has run around each wheel, as its body
-    sees it, about its axis, rad (a wheel that turns forward counts backward; full turns add up); and
-    where the wheels, or wheel and chain, touched. [0.16] */
+/** It is what the last step began with.
+    - dJointGetTransmissionAngle1: How far the point of contact has run around wheel 1, as body 1 sees it,
+      about its axis, rad: a wheel that turns forward counts backward; full turns add up.
+    - dJointGetTransmissionAngle2: How far the point of contact has run around wheel 2, as body 2 sees it,
+      about its axis, rad: a wheel that turns forward counts backward; full turns add up.
+    - dJointGetTransmissionContactPoint1: Write where wheel 1 touched the other wheel or the chain to result,
+      m, world frame.
+    - dJointGetTransmissionContactPoint2: Write where wheel 2 touched the other wheel or the chain to result,
+      m, world frame. [0.16] */
 ODE_API dReal dJointGetTransmissionAngle1(dJointID joint);
 ODE_API dReal dJointGetTransmissionAngle2(dJointID joint);
 ODE_API void dJointGetTransmissionContactPoint1(dJointID joint, dVector3 result);

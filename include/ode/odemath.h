@@ -41,7 +41,9 @@ ODE_PURE_INLINE void dAssignVector3(dVector3 res, dReal x, dReal y, dReal z)
     res[dV3E_Z] = z;
 }
 
-/** Set all of res to 0: 3 reals, 12 reals, 16 reals. [0.16] */
+/** - dZeroVector3: Set the 3 reals of the vector res to 0.
+    - dZeroMatrix3: Set the 12 reals of the matrix res to 0.
+    - dZeroMatrix4: Set the 16 reals of the matrix res to 0. [0.16] */
 ODE_PURE_INLINE void dZeroVector3(dVector3 res) { dAssignVector3(res, REAL(0.0), REAL(0.0), REAL(0.0)); }
 ODE_PURE_INLINE void dZeroMatrix3(dMatrix3 res)
 {
@@ -162,7 +164,14 @@ ODE_PURE_INLINE dReal _dCalcVectorDot3(const dReal* a, const dReal* b, unsigned 
     return a[0] * b[0] + a[step_a] * b[step_b] + a[2 * step_a] * b[2 * step_b];
 }
 
-/** The inner product a . b; the digits are the strides of a and b: 4 for a column of a matrix. [0.16] */
+/** A column of a matrix of 4 reals a row has its elements 4 apart.
+    - dCalcVectorDot3: The inner product of the vectors a and b, 3 reals each.
+    - dCalcVectorDot3_13: The inner product of 3 reals of a, 1 apart, and 3 reals of b, 3 apart.
+    - dCalcVectorDot3_31: The inner product of 3 reals of a, 3 apart, and 3 reals of b, 1 apart.
+    - dCalcVectorDot3_33: The inner product of 3 reals of a, 3 apart, and 3 reals of b, 3 apart.
+    - dCalcVectorDot3_14: The inner product of 3 reals of a, 1 apart, and 3 reals of b, 4 apart.
+    - dCalcVectorDot3_41: The inner product of 3 reals of a, 4 apart, and 3 reals of b, 1 apart.
+    - dCalcVectorDot3_44: The inner product of 3 reals of a, 4 apart, and 3 reals of b, 4 apart. [0.16] */
 ODE_PURE_INLINE dReal dCalcVectorDot3(const dReal* a, const dReal* b) { return _dCalcVectorDot3(a, b, 1, 1); }
 ODE_PURE_INLINE dReal dCalcVectorDot3_13(const dReal* a, const dReal* b)
 {
@@ -222,7 +231,15 @@ ODE_PURE_INLINE void _dCalcVectorCross3(dReal* res, const dReal* a, const dReal*
     res[2 * step_res] = ax * by - ay * bx;
 }
 
-/** res = a x b; the digits are the strides of res, a, b. [0.16] */
+/** A column of a matrix of 4 reals a row has its elements 4 apart.
+    - dCalcVectorCross3: res = a x b: the cross product of the vectors a and b, 3 reals each.
+    - dCalcVectorCross3_114: res = a x b, of 3 reals each: those of res are 1 apart, of a 1, of b 4.
+    - dCalcVectorCross3_141: res = a x b, of 3 reals each: those of res are 1 apart, of a 4, of b 1.
+    - dCalcVectorCross3_144: res = a x b, of 3 reals each: those of res are 1 apart, of a 4, of b 4.
+    - dCalcVectorCross3_411: res = a x b, of 3 reals each: those of res are 4 apart, of a 1, of b 1.
+    - dCalcVectorCross3_414: res = a x b, of 3 reals each: those of res are 4 apart, of a 1, of b 4.
+    - dCalcVectorCross3_441: res = a x b, of 3 reals each: those of res are 4 apart, of a 4, of b 1.
+    - dCalcVectorCross3_444: res = a x b, of 3 reals each: those of res are 4 apart, of a 4, of b 4. [0.16] */
 ODE_PURE_INLINE void dCalcVectorCross3(dReal* res, const dReal* a, const dReal* b)
 {
     _dCalcVectorCross3(res, a, b, 1, 1, 1);
@@ -285,7 +302,8 @@ ODE_PURE_INLINE void dSetCrossMatrixPlus(dReal* res, const dReal* a, unsigned sk
     res[2 * skip + 1] = x;
 }
 
-/** The same for -[a], the transpose: rows of `skip` reals. [0.16] */
+/** Write to res the matrix -[a] with -[a] v = v x a, the transpose of that of dSetCrossMatrixPlus: rows of
+   `skip` reals, of which the diagonal and the padding are not written. [0.16] */
 ODE_PURE_INLINE void dSetCrossMatrixMinus(dReal* res, const dReal* a, unsigned skip)
 {
     const dReal x = a[0], y = a[1], z = a[2];
@@ -330,7 +348,10 @@ ODE_PURE_INLINE void dMultiplyHelper1_133(dReal* res, const dReal* a, const dRea
     dAssignVector3(res, x, y, z);
 }
 
-/** res = A b (0_331), A^T b (1_331), a B (0_133). res must be none of the arguments' storage. [0.16] */
+/** res must not share storage with a or b.
+    - dMultiply0_331: res = a b for a 3 x 3 matrix a and a vector b.
+    - dMultiply1_331: res = a^T b for a 3 x 3 matrix a and a vector b.
+    - dMultiply0_133: res = a b for a row vector a and a 3 x 3 matrix b. [0.16] */
 ODE_PURE_INLINE void dMultiply0_331(dReal* res, const dReal* a, const dReal* b)
 {
     dMultiplyHelper0_331(res, a, b);
@@ -365,7 +386,13 @@ ODE_PURE_INLINE void dMultiply2_333(dReal* res, const dReal* a, const dReal* b)
     for (i = 0; i < 12; i += 4) dMultiplyHelper0_331(res + i, b, a + i);
 }
 
-/** The same six products, added to what res holds. [0.16] */
+/** res must not share storage with a or b.
+    - dMultiplyAdd0_331: res += a b for a 3 x 3 matrix a and a vector b.
+    - dMultiplyAdd1_331: res += a^T b for a 3 x 3 matrix a and a vector b.
+    - dMultiplyAdd0_133: res += a b for a row vector a and a 3 x 3 matrix b.
+    - dMultiplyAdd0_333: res += a b for 3 x 3 matrices.
+    - dMultiplyAdd1_333: res += a^T b for 3 x 3 matrices.
+    - dMultiplyAdd2_333: res += a b^T for 3 x 3 matrices. [0.16] */
 ODE_PURE_INLINE void dMultiplyAdd0_331(dReal* res, const dReal* a, const dReal* b)
 {
     dReal t[3];
@@ -438,12 +465,16 @@ extern "C" {
 
     Refused: a null pointer; what each function names. Nothing is written then, and the answer is 0. */
 
-/** Scale a vector a of 3 (4) reals to length 1, safely for very large and very small ones. Returns 1,
-    or 0 with the vector unchanged when it is zero or not finite. [0.16] */
+/** It is safe for very large and very small ones. Returns 1, or 0 with nothing changed if it is zero or not
+    finite.
+    - dSafeNormalize3: Scale the vector a of 3 reals to length 1.
+    - dSafeNormalize4: Scale the vector a of 4 reals to length 1. [0.16] */
 ODE_API int dSafeNormalize3(dVector3 a);
 ODE_API int dSafeNormalize4(dVector4 a);
 
-/** The same for a vector a known not to be zero. A zero vector is refused and stays as it is. [0.16] */
+/** A zero vector is refused and stays as it is.
+    - dNormalize3: Scale the vector a of 3 reals, which must not be zero, to length 1.
+    - dNormalize4: Scale the vector a of 4 reals, which must not be zero, to length 1. [0.16] */
 ODE_API void dNormalize3(dVector3 a);
 ODE_API void dNormalize4(dVector4 a);
 

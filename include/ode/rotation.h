@@ -23,7 +23,7 @@ extern "C" {
     - angle: rad.
     - ax, ay, az: an axis, of any length.
 
-    Refused: null pointers, numbers that are not finite. Nothing is written then. */
+    Refused: null pointers; numbers that are not finite. Nothing is written then. */
 
 /** Set R to no rotation, the identity. [guide] */
 ODE_API void dRSetIdentity(dMatrix3 R);
@@ -52,9 +52,12 @@ ODE_API void dQSetIdentity(dQuaternion q);
 /** The quaternion of a turn by angle about the axis (ax, ay, az), as dRFromAxisAndAngle. [0.16] */
 ODE_API void dQFromAxisAndAngle(dQuaternion q, dReal ax, dReal ay, dReal az, dReal angle);
 
-/** Products of quaternions, ' meaning the conjugate (the inverse of a unit quaternion): dQMultiply0: qa =
-    qb qc;  1: qa = qb' qc;  2: qa = qb qc';  3: qa = qb' qc'. For rotation matrices qb qc is "first qc,
-    then qb". qa must be neither qb nor qc. [guide] */
+/** ' means the conjugate, which is the inverse of a unit quaternion. For rotations qb qc is "first qc, then
+    qb". qa must be neither qb nor qc.
+    - dQMultiply0: qa = qb qc.
+    - dQMultiply1: qa = qb' qc.
+    - dQMultiply2: qa = qb qc'.
+    - dQMultiply3: qa = qb' qc'. [guide] */
 ODE_API void dQMultiply0(dQuaternion qa, const dQuaternion qb, const dQuaternion qc);
 ODE_API void dQMultiply1(dQuaternion qa, const dQuaternion qb, const dQuaternion qc);
 ODE_API void dQMultiply2(dQuaternion qa, const dQuaternion qb, const dQuaternion qc);

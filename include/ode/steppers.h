@@ -45,25 +45,30 @@ typedef enum {
     - body: the body.
     - stepper: one of dStepper.
 
-    Refused: a world or body that is 0 or destroyed, and what each function names. Nothing changes then, and
-   the answer is 0. */
+    Refused: a world or body that is 0 or destroyed; what each function names. Nothing changes then, and the
+    answer is 0. */
 
 /** Makes a hybrid step of the given stepsize, s. Everything else is as in dWorldStep. Refused: a stepsize
    that dWorldStep would refuse; a call during a step. [ours] */
 ODE_API int dWorldStepHybrid(dWorldID world, dReal stepsize);
 
-/** How hybrid steps treat islands none of whose bodies has a wish; dStepperHybrid, the default, lets the
-   model choose. Other numbers are refused. [ours] */
+/** - dWorldSetHybridStepper: Set how hybrid steps treat islands none of whose bodies asks for a stepper;
+      dStepperHybrid, the default, lets the model choose. Other numbers are refused.
+    - dWorldGetHybridStepper: What dWorldSetHybridStepper has set, dStepperHybrid at first. [ours] */
 ODE_API void dWorldSetHybridStepper(dWorldID world, int stepper);
 ODE_API int dWorldGetHybridStepper(dWorldID world);
 
-/** How the body wishes its island to be treated in hybrid steps; dStepperHybrid, the default: no wish. An
-   island takes the most exact of the wishes of its bodies. Other numbers are refused. [ours] */
+/** - dBodySetHybridStepper: Set the stepper that the body asks for its island in hybrid steps;
+      dStepperHybrid, the default: none. An island takes the most exact of those that its bodies ask for.
+      Other numbers are refused.
+    - dBodyGetHybridStepper: What dBodySetHybridStepper has set, dStepperHybrid at first. [ours] */
 ODE_API void dBodySetHybridStepper(dBodyID body, int stepper);
 ODE_API int dBodyGetHybridStepper(dBodyID body);
 
-/** How many small steps (count) a hybrid step has where it has any; default 4. Values outside 1 ... 10000 are
-   refused. [ours] */
+/** - dWorldSetHybridSmallSteps: Set how many small steps (count) a hybrid step has where it has any; default
+      4. Values outside 1 ... 10000 are refused.
+    - dWorldGetHybridSmallSteps: The number of small steps that dWorldSetHybridSmallSteps has set, 4 at
+      first. [ours] */
 ODE_API void dWorldSetHybridSmallSteps(dWorldID world, int count);
 ODE_API int dWorldGetHybridSmallSteps(dWorldID world);
 

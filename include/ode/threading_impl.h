@@ -51,7 +51,8 @@ ODE_API dThreadingImplementationID dThreadingAllocateSelfThreadedImplementation(
     waits for calls runs them, so that a step never waits for ever. Returns NULL when memory is out. [0.16] */
 ODE_API dThreadingImplementationID dThreadingAllocateMultiThreadedImplementation(void);
 
-/** The functions of an implementation made by one of the two functions above; static, never freed. [0.16] */
+/** The functions of an implementation made by dThreadingAllocateSelfThreadedImplementation or
+    dThreadingAllocateMultiThreadedImplementation; static, never freed. [0.16] */
 ODE_API const dThreadingFunctionsInfo* dThreadingImplementationGetFunctions(dThreadingImplementationID impl);
 
 /** Let the threads that serve go, after the calls that they are in. Calls that have not started stay. Without
@@ -99,8 +100,8 @@ ODE_API void dThreadingThreadPoolServeMultiThreadedImplementation(dThreadingThre
     serve has not been shut down. [0.16] */
 ODE_API void dThreadingThreadPoolWaitIdleState(dThreadingThreadPoolID pool);
 
-/** End the threads and free the pool, after waiting as above, and refused as above. NULL is ignored. [0.16]
- */
+/** Wait as dThreadingThreadPoolWaitIdleState does, end the threads and free the pool. Refused while an
+    implementation that they serve has not been shut down. NULL is ignored. [0.16] */
 ODE_API void dThreadingFreeThreadPool(dThreadingThreadPoolID pool);
 
 #ifdef __cplusplus

@@ -21,14 +21,20 @@ typedef struct dStopwatch {
     unsigned long cc[2]; /**< the library's */
 } dStopwatch;
 
-/** The stopwatch s: back to zero; start; stop, adding the time since the start; total in seconds. [0.16] */
+/** - dStopwatchReset: Set the stopwatch s back to zero.
+    - dStopwatchStart: Start the stopwatch s.
+    - dStopwatchStop: Stop the stopwatch s and add the time since its start.
+    - dStopwatchTime: The total time of the stopwatch s, in seconds. [0.16] */
 ODE_API void dStopwatchReset(dStopwatch* s);
 ODE_API void dStopwatchStart(dStopwatch* s);
 ODE_API void dStopwatchStop(dStopwatch* s);
 ODE_API double dStopwatchTime(dStopwatch* s);
 
-/** Begin a new list of events; begin the next event (at most 100 count); end the list. A
-    description is not copied and must live until the report. [0.16] */
+/** - dTimerStart: Begin a new list of events with one of this description, which is not copied and must live
+      until the report.
+    - dTimerNow: Begin the next event, of this description, which is not copied and must live until the
+      report. At most 100 events count.
+    - dTimerEnd: End the list of events. [0.16] */
 ODE_API void dTimerStart(const char* description);
 ODE_API void dTimerNow(const char* description);
 ODE_API void dTimerEnd(void);
@@ -37,7 +43,8 @@ ODE_API void dTimerEnd(void);
    events were the same. [0.16] */
 ODE_API void dTimerReport(FILE* fout, int average);
 
-/** Ticks of the clock per second, and its smallest visible step in seconds. [0.16] */
+/** - dTimerTicksPerSecond: Ticks of the clock per second.
+    - dTimerResolution: The smallest step of the clock that can be seen, in seconds. [0.16] */
 ODE_API double dTimerTicksPerSecond(void);
 ODE_API double dTimerResolution(void);
 

@@ -26,3 +26,29 @@ ODE_API void dBodyFromNowhere(dBodyID body);
 
 /** The guide has this function: of *mass. [0.16] */
 ODE_API void dBodyGetMass(dBodyID body, dMass* mass);
+
+/** A common text. [0.16]
+ */
+ODE_API void dBodySetNothing(dBodyID body, int n);
+ODE_API int dBodyGetNothing(dBodyID body);
+
+/** - dBodySetTwin: Whether the body has a number n.
+    - dBodyGetTwin: Whether the body has a number n. [0.16] */
+ODE_API void dBodySetTwin(dBodyID body, int n);
+ODE_API int dBodyGetTwin(dBodyID body, int n);
+
+/** The first two functions forget forgotten. [0.16] */
+ODE_API void dBodyPoints(dBodyID body);
+
+/** Does something. Refused: a joint that is 0. [0.16] */
+ODE_API void dBodyRefuses(dBodyID body);
+
+/** @chapter planted A chapter whose functions cannot refuse what it says
+
+    Arguments:
+    - body: a body.
+
+    Refused: a body that is 0; a space that is 0; [dBodyNowhere] all else. */
+
+/** Does what it can. [0.16] */
+ODE_API void dBodyCan(dBodyID body);
