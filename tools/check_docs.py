@@ -119,6 +119,17 @@ def faults_of_entries(path, run, foreign):
                     yield f"{where}: refuses what it does not take: {clause}"
 
 
+def foreign_refusals(path, run, chapters):
+    """Clauses in a function's "Refused" that name an object which it does not take."""
+    for function in run.functions:
+        if not run.chapter:
+            continue
+        for clause in header_docs.held(function, run.chapter, chapters, run.text_of(function.name)):
+            for name, kind in () if clause.startswith("[") else header_docs.OBJECTS:
+                if re.search(name, clause) and not re.search(kind, function.types):
+                    yield f"{path}:{function.line}: {function.name}: refuses what it does not take: {clause}"
+
+
 def dead_clauses(path, chapter, functions):
     """Clauses of a chapter's refusals that none of its functions can have."""
     for clause in header_docs.clauses(chapter.refused)[0]:
@@ -130,11 +141,13 @@ def main():
     arguments = [a for a in sys.argv[1:] if not a.startswith("-")]
     paths = [pathlib.Path(a).resolve() for a in arguments] or HEADERS
     guide, declared, faults, commented = guide_names(), {}, [], 0
+    chapters = all_chapters()
     for path in paths:
         if path.name.startswith(WITHOUT_FUNCTIONS):
             continue
         shown = path.relative_to(ROOT) if path.is_relative_to(ROOT) else path
         runs = header_docs.runs(path.read_text(encoding="utf-8"))
+        known = chapters | {one.name: one for one in header_docs.chapters(path.read_text(encoding="utf-8"))}
         foreign = {name for run in runs for function in run.functions for name in function.parameters if name}
         for chapter in header_docs.chapters(path.read_text(encoding="utf-8")):
             members = [one for run in runs if run.chapter for one in run.functions
@@ -143,6 +156,7 @@ def main():
         for run in runs:
             faults += faults_of(shown, run, guide)
             faults += faults_of_entries(shown, run, foreign)
+            faults += foreign_refusals(shown, run, known)
             commented += bool(run.functions and run.comment)
             for function in run.functions:
                 if function.name in declared:

@@ -55,7 +55,7 @@ def comment_of(run, function=None):
     for name in names:
         if chapter and name in chapter.arguments:
             lines.append(f"@param {name} {escape(chapter.arguments[name])}")
-    refused = header_docs.refusals(function, chapter, CHAPTERS) if function and chapter else ""
+    refused = header_docs.refusals(function, chapter, CHAPTERS, run.text_of(function.name)) if function and chapter else ""
     if refused:
         lines.append(f"@par Refused\n{escape(refused)} See also @ref refusals.")
     if run.sources():

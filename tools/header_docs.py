@@ -13,8 +13,10 @@ A comment that opens with "@chapter name Title" begins a chapter of the manual. 
 one "- name, name: text" each, arguments that mean the same in all functions from there to the end of the file; a run
 need not repeat them. Its paragraph "Refused: clause; clause. Consequence." tells what the functions of the chapter
 refuse. A clause belongs to those that have an argument of a kind it names (KINDS), or whose names begin with one of
-the words before it in brackets, "[dGeomSet, dGeomDestroy] moving ..."; "as for NAME" stands for another chapter's."""
+the words before it in brackets, "[dGeomSet, dJointSet*Param] moving ..." (with "!" before it: do not); "as for NAME"
+stands for another chapter's. Who may be given NULL says so in its text, and refuses no null pointer."""
 import dataclasses
+import fnmatch
 import re
 
 SOURCES = ("guide", "0.16", "ours")
@@ -95,6 +97,7 @@ def chapters(text):
     return result
 
 
+_TAG = r"\[([\w, *!]+)\]"
 _VECTORS = r"dVector\w+|dMatrix\w+|dQuaternion"
 # What a clause of refusals may name, and what a function must take to be able to refuse it.
 KINDS = (
@@ -102,23 +105,56 @@ KINDS = (
     (r"\bbod(?:y|ies)\b", r"dBodyID"),
     (r"\bgeoms?\b", r"dGeomID"),
     (r"\bspaces?\b", r"dSpaceID"),
-    (r"\bjoints?\b", r"dJointID"),
+    (r"\bjoints?\b", r"dJointID\s+\w"),
     (r"\bgroups?\b", r"dJointGroupID"),
     (r"\bdata\b", r"dTriMeshDataID|dHeightfieldDataID"),
+    (r"\bimplementation\b", r"dThreadingImplementationID"),
+    (r"\bpool\b", r"dThreadingThreadPoolID"),
+    (r"\brequirements\b", r"dResourceRequirementsID"),
+    (r"\bresources\b", r"dResourceContainerID"),
     (r"\bnull\b|\bNULL\b", rf"\*|\[|{_VECTORS}"),
-    (r"\bnot finite\b|\bno finite\b|\bno numbers?\b", rf"\b(?:dReal|float|double|{_VECTORS}|dMass|dMaterial|dContact)\b"),
+    (r"\bnskip\b", r"\bnskip\b"),
+    (r"\browSkip\b", r"\browSkip\b"),
+    (r"^n that\b", r"\bint n\b"),
+    (r"\bnot finite\b|\bno finite\b|\bno numbers?\b",
+     rf"const\s+(?:dReal|float|double|void|{_VECTORS}|dMass|dMaterial|dContact)\b|(?:^|,)\s*(?:dReal|float|double)\s+\w+\s*(?=,|$)"),
     (r"\b(?:sizes?|stepsize)\b", r"\bdReal\b"),
-    (r"\baxis\b", r"dReal x|dReal\s*\* axis"),
 )
 
 
 def applies(clause, function):
     """Whether a clause of refusals can hold for a function: it has an argument of a kind that the clause names."""
-    tagged = re.match(r"\[([\w, ]+)\]", clause)
-    if tagged:
-        return function.name.startswith(tuple(word.strip() for word in tagged[1].split(",")))
+    tagged = re.match(_TAG, clause)
+    words = [word.strip() for word in tagged[1].split(",")] if tagged else []
+    if any(word[0] == "!" and fnmatch.fnmatchcase(function.name, word[1:] + "*") for word in words):
+        return False
+    wanted = [word for word in words if word[0] != "!"]
+    if wanted:
+        return any(fnmatch.fnmatchcase(function.name, word + "*") for word in wanted)
     needed = [kind for word, kind in KINDS if re.search(word, clause)]
-    return not needed or any(re.search(kind, function.types) for kind in needed)
+    types = re.sub(r"(?<!const )\bvoid\s*\*\s*\w+", "", function.types)  # a pointer of the program's own may be null
+    return not needed or any(re.search(kind, types) for kind in needed)
+
+
+OBJECTS = KINDS[:11]
+
+
+def narrowed(clause, function):
+    """A clause like "a space or geom that is 0" with those objects alone that the function takes."""
+    listed = re.match(r"(?:an? )?(\w+(?:, (?:an? )?\w+)*(?:,? or (?:an? )?\w+)?) (that (?:is|are) .*)", clause, re.S)
+    if not listed or clause.startswith("["):
+        return clause
+    words = re.split(r",? or (?:an? )?|, (?:an? )?", listed[1])
+    kinds = {word: kind for word in words for name, kind in OBJECTS if re.fullmatch(name, word)}
+    if len(kinds) < len(words):
+        return clause
+    taken = [word for word in words if re.search(kinds[word], function.types)]
+    if not taken:
+        return clause
+    many = ("data", "requirements", "resources")
+    names = [word if word in many else f"{'an' if word[0] in 'aeiou' else 'a'} {word}" for word in taken]
+    held_back = re.sub(r"^that (?:is|are)", "that are" if taken[-1] in many else "that is", listed[2])
+    return ", ".join(names[:-1]) + (" or " if names[1:] else "") + names[-1] + " " + held_back
 
 
 def clauses(refused):
@@ -127,32 +163,45 @@ def clauses(refused):
     return [clause.strip() for clause in re.split(r";(?![^(]*\))", head) if clause.strip()], tail.strip()
 
 
-def refusals(function, chapter, chapters_of):
-    """What a function refuses, in words: the clauses of its chapter that can hold for it."""
-    held, tail = clauses(chapter.refused)
+ALLOWS_NULL = r"\bNULL\b|\b0: none\b|(?<!Neither pointer )\bmay be (?:0|null)\b|pointer is skipped"
+
+
+def held(function, chapter, chapters_of, text=""):
+    """The clauses of its chapter that can hold for a function, those of another chapter where it says "as for"."""
     result = []
-    for clause in held:
+    for clause in clauses(chapter.refused)[0]:
         other = re.match(r"as for (\w+)$", clause)
-        if other:
-            more, more_tail = clauses(chapters_of[other[1]].refused)
-            tail = tail or more_tail
-        for one in more if other else [clause]:
-            if applies(one, function) and not re.match(r"(?:what|as) each function", one):
-                result.append(re.sub(r"^\[[\w, ]+\]\s*", "", one))
+        for one in clauses(chapters_of[other[1]].refused)[0] if other else [clause]:
+            says_so = re.match(r"(?:a )?null pointer", one) and re.search(ALLOWS_NULL, text)
+            if applies(one, function) and not says_so and not re.match(r"(?:what|as|the rest as) each function", one):
+                result.append(narrowed(one, function))
+    return result
+
+
+def consequence(function, chapter, chapters_of):
+    """What follows from a refusal: of what answers nothing, nothing about answers."""
+    tail = clauses(chapter.refused)[1]
+    other = re.match(r"as for (\w+)", chapter.refused)
+    if not tail and other:
+        tail = clauses(chapters_of[other[1]].refused)[1]
+    if function.answers:
+        return tail.replace("getters answer 0", "the answer is 0")
+    tail = re.sub(r"(?:,? and|;)? ?(?:getters answer|the answer is|[Tt]he answer is then) 0(?: then)?", "", tail)
+    return "" if tail.strip() == "." else tail
+
+
+def refusals(function, chapter, chapters_of, text=""):
+    """What a function refuses, in words."""
+    result = [untagged(clause) for clause in held(function, chapter, chapters_of, text)]
     if not result:
         return ""
-    if not function.answers:
-        tail = re.sub(r"(?:,? and|;)? ?(?:getters answer|the answer is|[Tt]he answer is then) 0(?: then)?", "", tail)
-        tail = "" if tail.strip() in (".", "") else tail
-    else:
-        tail = tail.replace("getters answer 0", "the answer is 0")
-    text = "; ".join(result)
-    return text[0].upper() + text[1:] + "." + (" " + tail if tail else "")
+    said, tail = "; ".join(result), consequence(function, chapter, chapters_of)
+    return said[0].upper() + said[1:] + "." + (" " + tail if tail else "")
 
 
 def untagged(refused):
     """The words of a "Refused:" without the names of functions that its clauses belong to."""
-    return re.sub(r"\[[\w, ]+\]\s*", "", refused)
+    return re.sub(_TAG + r"\s*", "", refused)
 
 
 def plain(comment):

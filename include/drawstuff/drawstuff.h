@@ -35,8 +35,8 @@ extern "C" {
    EPODE_LOOK=fine, soft shadows of the whole sky, about a second each without a GPU; EPODE_GL=egl or window,
    files or a window, whatever the surroundings say.
 
-    Refused: what each function says; outside the loop dsSetViewpoint and dsGetViewpoint end the program by
-    dsError. */
+    Refused: what each function says; [dsSetViewpoint, dsGetViewpoint] a call outside the loop, which ends
+    the program by dsError. */
 
 /** What the program does when. Functions may be null. */
 typedef struct dsFunctions {
@@ -147,8 +147,8 @@ DS_API void dsSetCapsuleQuality(int n);
     - radius: its radius, m
     - solid: 0: the edges of triangles as lines, else their surfaces, seen from both sides
 
-    Refused: what cannot be drawn (a null pointer, a number that is not finite, a size that is not positive):
-   it is left out of the frame and all else is drawn. */
+    Refused: what cannot be drawn, as what is not finite: it is left out of the frame and all else is drawn.
+ */
 
 /** sides: 3 numbers, its lengths along its own x, y and z.
     - dsDrawBox: Draw a box, from floats.

@@ -33,10 +33,10 @@ extern "C" {
     - px, py, pz: a point or direction.
 
     Refused: a geom that is 0 or destroyed; numbers that are not finite; null pointers; [dGeomSetPosition,
-    dGeomSetRotation, dGeomSetQuaternion, dGeomGetPosition, dGeomGetRotation, dGeomGetQuaternion, dGeomCopy,
-    dGeomSetBody] a geom that has no pose (a plane, a space); [dGeomSetPosition, dGeomSetRotation,
-    dGeomSetQuaternion, dGeomSetBody, dGeomDestroy] a member of a space that is being collided. Nothing
-    changes then, and getters answer 0. */
+    dGeomSetRotation, dGeomSetQuaternion, dGeomGetPosition, dGeomGetRotation, dGeomGetQuaternion,
+    dGeomCopyPosition, dGeomCopyRotation, dGeomSetBody] a geom that has no pose (a plane, a space);
+    [dGeomSetPosition, dGeomSetRotation, dGeomSetQuaternion, dGeomSetBody, dGeomDestroy] a member of a space
+    that is being collided. Nothing changes then, and getters answer 0. */
 
 /** Destroy the geom; it leaves its space and its body. For a space the same as dSpaceDestroy. [0.16] */
 ODE_API void dGeomDestroy(dGeomID geom);
@@ -193,7 +193,7 @@ ODE_API void dGeomGetOffsetQuaternion(dGeomID geom, dQuaternion result);
 
 /** @chapter collide Collision of geoms and spaces
 
-    Refused: what is no geom or space; a null pointer. The answer is then 0. */
+    Refused: an object that is 0, destroyed or of another kind; a null pointer. The answer is then 0. */
 
 /** For dCollide's flags: any contacts will do, so the search may stop when the room is full. */
 #define CONTACTS_UNIMPORTANT 0x80000000
@@ -234,8 +234,10 @@ ODE_API void dSpaceCollide2(dGeomID space1, dGeomID space2, void* data, dNearCal
    - x, y, z: a point of the world, m.
    - result: where the answer is written, in the order of the setter's arguments: 3 reals, of a plane 4.
 
-   Refused: a geom of another class, destroyed or 0; a space that is destroyed or being collided; a
-    negative size; a number that is not finite (the length of a ray may be infinite); a null pointer.
+    Refused: a geom of another class, destroyed or 0; a space that is destroyed or being collided;
+    [dCreateSphere, dGeomSphereSet, dCreateBox, dGeomBoxSet, dCreateCapsule, dGeomCapsuleSet,
+    dCreateCylinder, dGeomCylinderSet, dCreateRay, dGeomRaySetLength] a negative size; [!dCreateRay,
+    !dGeomRaySetLength] a number that is not finite; [dCreateRay, dGeomRaySetLength] NaN; a null pointer.
     Nothing changes then, and the answer is 0. */
 
 /** How many classes a program can add. */
@@ -346,9 +348,10 @@ ODE_API dGeomID dCreateCylinder(dSpaceID space, dReal radius, dReal length);
 ODE_API void dGeomCylinderSetParams(dGeomID cylinder, dReal radius, dReal length);
 ODE_API void dGeomCylinderGetParams(dGeomID cylinder, dReal* radius, dReal* length);
 
-/** - dCreateRay: A new ray of this length, m, in the space, or (0) in none. It goes from its position along
-      its own z axis. A contact of a ray has its `pos` where it hits, as depth the distance from its start, as
-   normal the surface normal that faces the start. It has at most one contact with a simple shape.
+/** - dCreateRay: A new ray of this length, m (it may be infinite), in the space, or (0) in none. It goes from
+   its position along its own z axis. A contact of a ray has its `pos` where it hits, as depth the distance
+   from its start, as normal the surface normal that faces the start. It has at most one contact with a simple
+   shape.
     - dGeomRaySetLength: Set the ray's length, m; it may be infinite.
     - dGeomRayGetLength: The ray's length, m. [0.16] */
 ODE_API dGeomID dCreateRay(dSpaceID space, dReal length);

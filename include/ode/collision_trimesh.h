@@ -191,7 +191,8 @@ ODE_API dTriMeshDataID dGeomTriMeshGetTriMeshDataID(dGeomID g);
     - dGeomTriMeshGetRayCallback: The function that dGeomTriMeshSetRayCallback has set, or 0.
     - dGeomTriMeshSetTriMergeCallback: Set the function that is called when contacts of two triangles of the
       mesh g, at the same place and with the same normal, become one, and that gives the contact its index;
-      0: the contact has the index of the deeper one.
+      0: none,
+      so that the contact has the index of the deeper one.
     - dGeomTriMeshGetTriMergeCallback: The function that dGeomTriMeshSetTriMergeCallback has set, or 0.
       [0.16] */
 ODE_API void dGeomTriMeshSetCallback(dGeomID g, dTriCallback* Callback);

@@ -21,7 +21,7 @@ extern "C" {
 
 /** @chapter errors Errors and messages
 
-    Refused: a null text given to dMessage. */
+    Refused: [dMessage] a null text. */
 
 /** A handler. errnum: one of the d_ERR_... numbers of common.h, 0 when unknown; msg: printf format;
     ap: its arguments, which the handler may consume once. */

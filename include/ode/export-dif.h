@@ -13,7 +13,8 @@ extern "C" {
 
 /** @chapter export Worlds as text
 
-    Refused: a world that is 0 or destroyed, a file that is NULL; during a step. Nothing is written then. */
+    Refused: a world that is 0 or destroyed; a file that is NULL; a call during a step. Nothing is written
+    then. */
 
 /** Write the world w to the open text file as "Dynamics Interchange Format v0.1", tables in the syntax of
    Lua: Nworld, then Nbody[i] (pose, velocities, mass, flags, geoms) and Njoint[i] (bodies,

@@ -218,8 +218,8 @@ ODE_API dReal dWorldGetStepProjectionTolerance(dWorldID world);
     Arguments:
     - geom: any geom but a space.
 
-    Refused: a geom that is a space, destroyed or 0; what each function names. Nothing changes then, and the
-    answer is 0. */
+    Refused: [dGeom] a geom that is a space, destroyed or 0; what each function names. Nothing changes then,
+   and the answer is 0. */
 
 /** What steps do about a geom's way from one place to the next. */
 typedef enum {

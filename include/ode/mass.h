@@ -21,6 +21,8 @@ extern "C" {
     Mass, centre of mass and inertia of shapes, and the arithmetic on them. All shapes have their centre
     at the origin.
 
+    A result that no real body can have is stored, with a message.
+
     Arguments:
     - m: the mass to write or to change.
     - density: kg/m^3.
@@ -30,8 +32,7 @@ extern "C" {
     - lx, ly, lz: full side lengths, m.
 
     Refused: null pointers; numbers that are not finite; [dMassSetCapsule, dMassSetCylinder,
-    dMassSetCappedCylinder] another direction than 1, 2 or 3 (x, y or z). A result that no real body can
-    have is stored, with a message. */
+    dMassSetCappedCylinder] another direction than 1, 2 or 3 (x, y or z). */
 
 struct dMass;
 typedef struct dMass dMass;

@@ -16,7 +16,7 @@ extern "C" {
 
 /** @chapter memory Memory
 
-    Refused: nothing; NULL is answered when there is no memory. */
+    Refused: nothing. */
 
 /** Gives `size` bytes aligned for any type, or NULL. */
 typedef void* dAllocFunction(dsizeint size);
@@ -43,9 +43,9 @@ ODE_API dReallocFunction* dGetReallocHandler(void);
 ODE_API dFreeFunction* dGetFreeHandler(void);
 
 /** Uses the handler that the program has installed, or the default one.
-    - dAlloc: A block of size bytes.
+    - dAlloc: A block of size bytes; NULL if there is no memory.
     - dRealloc: Change the block ptr from oldsize to newsize bytes, keeping what fits; returns where it is
-      now.
+   now, or NULL if there is no memory.
     - dFree: Take the block ptr of size bytes back. A NULL ptr does nothing and calls no handler. [0.16] */
 ODE_API void* dAlloc(dsizeint size);
 ODE_API void* dRealloc(void* ptr, dsizeint oldsize, dsizeint newsize);

@@ -33,8 +33,8 @@ extern "C" {
     Arguments:
     - world: the world.
 
-    Refused: a world that is 0 or destroyed; numbers that are not finite, unless infinity is named; a null
-    pointer to what is to be written. Nothing changes then, and getters answer 0. */
+    Refused: a world that is 0 or destroyed; numbers that are not finite; a null pointer to what is to be
+    written. Nothing changes then, and getters answer 0. */
 
 /** A new, empty world with no gravity. [guide] */
 ODE_API dWorldID dWorldCreate(void);
@@ -155,8 +155,9 @@ ODE_API int dWorldSetStepMemoryManager(dWorldID world, const dWorldStepMemoryFun
     iterates, dWorldStepFast1 (compatibility.h) takes small steps.
 
     Refused: a world that is 0 or destroyed; [dWorldStep, dWorldQuickStep] a stepsize that is not positive
-    and finite; [dWorldStep, dWorldQuickStep] a step within a step, as from a moved callback; numbers that
-    are not finite. Nothing changes then, and the answer is 0. */
+    and finite; [dWorldStep, dWorldQuickStep] a step within a step, as from a moved callback;
+    [dWorldImpulse, dWorldSetQuickStepW] numbers that are not finite. Nothing changes then, and the answer
+    is 0. */
 
 /** Advance by stepsize seconds with the exact solver: the mixed complementarity problem of each island is
     solved to rounding. Friction limits are taken from the normal forces of the frictionless solution.
@@ -191,7 +192,10 @@ ODE_API dReal dWorldGetQuickStepW(dWorldID world);
 
 /** @chapter world_contacts Contacts of a world
 
-    Settings for all contact joints of a world. Refused: as for worlds. */
+    Settings for all contact joints of a world.
+
+    Refused: a world that is 0 or destroyed; [dWorldSetContactSurfaceLayer] a depth that is not finite;
+    [dWorldSetContactMaxCorrectingVel] NaN. Nothing changes then, and getters answer 0. */
 
 /** - dWorldSetContactMaxCorrectingVel: Set the greatest velocity vel, m/s, that a contact may use to undo
       penetration; default dInfinity, which is allowed. It does not limit bouncing.
@@ -216,8 +220,8 @@ ODE_API dReal dWorldGetContactSurfaceLayer(dWorldID world);
     and their velocities set to zero; nine in ten suffice if the others have stayed near their places for a
     second. A body wakes when an enabled one reaches it through a joint or contact.
 
-    Refused: a world that is 0 or destroyed; numbers that are not finite (thresholds and times may be
-    infinite). Nothing changes then, and getters answer 0. */
+    Refused: a world that is 0 or destroyed; [dWorldSet*Threshold, dWorldSet*Time] NaN. Nothing changes
+    then, and getters answer 0. */
 
 /** - dWorldSetAutoDisableLinearThreshold: Set the linear speed linear_average_threshold, m/s, up to which
       new bodies count as idle; default 0.01.
@@ -264,8 +268,9 @@ ODE_API int dWorldGetAutoDisableFlag(dWorldID world);
 
     After each step a speed above its threshold is multiplied by (1 - scale), whatever the step size.
 
-    Refused: a world that is 0 or destroyed; numbers that are not finite (thresholds and the
-    greatest speed may be infinite). Nothing changes then, and getters answer 0. */
+    Refused: a world that is 0 or destroyed; [dWorldSet*Damping, !dWorldSet*DampingThreshold] numbers that are
+   not finite; [dWorldSet*DampingThreshold, dWorldSetMaxAngularSpeed] NaN. Nothing changes then, and getters
+   answer 0. */
 
 /** - dWorldSetLinearDampingThreshold: Set the linear speed threshold, m/s, from which on damping acts on new
    bodies; default 0.01.
@@ -312,8 +317,8 @@ ODE_API dReal dWorldGetMaxAngularSpeed(dWorldID world);
     - px, py, pz: a point, m, in the frame that the text names.
     - result: where 3 reals are written.
 
-    Refused: a body that is 0 or destroyed; numbers that are not finite, unless infinity is named; a null
-    pointer to what is to be read or written. Nothing changes then, and getters answer 0. */
+    Refused: a body that is 0 or destroyed; numbers that are not finite; a null pointer to what is to be
+    read or written. Nothing changes then, and getters answer 0. */
 
 /** A new body in the world: at the origin, not rotated, at rest, mass 1 kg with unit inertia, enabled;
     gravity and gyroscopic mode on; auto-disable, damping and speed limit as the world has them now.
@@ -509,8 +514,8 @@ ODE_API dGeomID dBodyGetNextGeom(dGeomID geom);
 
     What the settings mean stands with the world's functions. New bodies take theirs over from the world.
 
-    Refused: a body that is 0 or destroyed; numbers that are not finite (thresholds and times may be
-    infinite). Nothing changes then, and getters answer 0. */
+    Refused: a body that is 0 or destroyed; [dBodySet*Threshold, dBodySet*Time] NaN. Nothing changes then,
+    and getters answer 0. */
 
 /** - dBodySetAutoDisableLinearThreshold: Set the averaged linear speed linear_average_threshold, m/s, up to
       which the body counts as idle.
@@ -556,8 +561,9 @@ ODE_API void dBodySetAutoDisableDefaults(dBodyID body);
 
     What the settings mean stands with the world's functions. New bodies take theirs over from the world.
 
-    Refused: a body that is 0 or destroyed; numbers that are not finite (thresholds and the
-    greatest speed may be infinite). Nothing changes then, and getters answer 0. */
+    Refused: a body that is 0 or destroyed; [dBodySet*Damping, !dBodySet*DampingThreshold,
+   !dBodySetDampingDefaults] numbers that are not finite; [dBodySet*DampingThreshold, dBodySetMaxAngularSpeed]
+   NaN. Nothing changes then, and getters answer 0. */
 
 /** Take all damping settings over from the world. [0.16] */
 ODE_API void dBodySetDampingDefaults(dBodyID body);
@@ -605,8 +611,8 @@ ODE_API dReal dBodyGetMaxAngularSpeed(dBodyID body);
     - body1, body2: bodies of one world; 0 stands for the world.
 
     Refused: a joint, group or body that is 0 (where it may not be) or destroyed; [dJointCreate] a world
-    that is 0 or destroyed; [dJointAttach, dJointDestroy, dJointGroup] a call within a step. Nothing changes
-    then, and the answer is 0. */
+    that is 0 or destroyed; [dJointAttach, dJointDestroy, dJointGroupDestroy, dJointGroupEmpty] a call
+    within a step. Nothing changes then, and the answer is 0. */
 
 /** It is made in the world, in the group or (0) alone, attached to nothing and without effect so far. 0 if
     the call is refused or memory is exhausted.

@@ -33,8 +33,10 @@ extern "C" {
       as 0. docs/guide/joint_parameters.md has each one's meaning, unit and default, and who takes it.
     - value: the parameter's value, in its unit.
 
-    Refused: a joint that is 0, destroyed or of another type; numbers that are not finite (stops and FMax
-    may be infinite); a zero axis; null pointers. Nothing changes then, and getters answer 0. */
+    Refused: a joint that is 0, destroyed or of another type; [!dJointSet*Param] numbers that are not
+    finite; [dJointSet*Param] NaN; [dJointSet*Param] infinity for what is neither a stop nor FMax;
+    [dJointSet*Axis, dJointSetHinge2Axes] a zero axis; null pointers. Nothing changes then, and getters answer
+   0. */
 
 /** The point that both bodies have in common. Default: the origin of each body. [0.16] */
 ODE_API void dJointSetBallAnchor(dJointID joint, dReal x, dReal y, dReal z);
@@ -282,7 +284,8 @@ ODE_API dReal dJointGetFixedParam(dJointID joint, int parameter);
     - anum: number of the axis, 0, 1 or 2.
     - rel: what an axis moves with: 0 the world, 1 body 1, 2 body 2.
 
-    Refused: as for ball; [dJointSetAMotorA, dJointGetAMotorA] an axis number or rel that there is not. */
+    Refused: as for ball; [dJointSetAMotorA, dJointGetAMotorA] an axis number that there is not;
+   [dJointSetAMotorAxis] a rel that there is not. */
 
 /** - dJointSetAMotorMode: Set what mode the motor is in. dAMotorUser (default): the program sets axes and,
       for stops, angles. dAMotorEuler: three axes, of which the program sets axis 0 (fixed in body 1) and

@@ -35,8 +35,9 @@ extern "C" {
     - impl: an implementation made by one of the first two functions.
     - pool: a pool of threads.
 
-    Refused: an implementation or pool that is 0 or destroyed (0 is ignored where one is freed); freeing what
-    is in use; waiting for threads that nobody has released; the rest as each function says. */
+    Refused: an implementation or pool that is 0 or destroyed (0 is ignored where one is freed);
+    [dThreadingFreeImplementation] one that is in use; [dThreadingThreadPoolWait, dThreadingFreeThreadPool]
+    waiting for threads that nobody has released; the rest as each function says. */
 
 struct dxThreadingThreadPool;
 typedef struct dxThreadingThreadPool* dThreadingThreadPoolID; /**< A pool of threads. */

@@ -13,7 +13,8 @@ extern "C" {
 
 /** @chapter timers Timers
 
-    Refused: a null stopwatch, description or file. Nothing changes then, and the answer is 0. */
+    Refused: [dStopwatch] a null stopwatch; [dTimerStart, dTimerNow] a null description; [dTimerReport] a
+    null file. Nothing changes then, and the answer is 0. */
 
 /** A stopwatch. The members are the library's business; set it up with dStopwatchReset. */
 typedef struct dStopwatch {

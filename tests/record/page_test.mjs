@@ -231,6 +231,27 @@ if (floors > 0) {
     check(await eye() > 0, 'an eye below the floor is lifted');
 }
 
+// Pictures that follow one another too slowly become coarser, and no coarser than the last level; quick ones stay as they are.
+const levels = await page.evaluate(() => {
+    const {pace, stage} = window.epode, told = (interval, count) => {
+        for (let i = 0; i < count; ++i) pace.tell(interval);
+        return pace.level;
+    };
+    pace.level = 0;
+    pace.start_again();
+    const found = [told(16, 60), told(80, 6), told(300, 6), told(300, 60)];
+    const side = level => {
+        window.epode.use_level(level);
+        stage.draw();
+        return stage.renderer.domElement.width;
+    };
+    return {found, fine: side(0), coarse: side(pace.level), shadows: stage.sun.castShadow};
+});
+check(levels.found.join() === '0,1,3,3' && levels.coarse < 0.6 * levels.fine && !levels.shadows,
+      `slow pictures become coarser: levels ${levels.found}, ${levels.fine} and ${levels.coarse} pixels wide`);
+const rests = await page.waitForFunction(() => window.epode.level === 0, null, {timeout: 20000}).then(() => true, () => false);
+check(rests, 'a picture that stands still is fine');
+
 if (measure) {
     for (const shadows of [true, false]) {
         await page.evaluate(on => {

@@ -297,8 +297,9 @@ export class Stage {
     draw() {
         // Lines that a low eye sees one behind the other would add up to a black band.
         const {position} = this.camera, {target} = this.controls;
-        const slope = Math.abs(position.z - target.z) / Math.max(1e-9, position.distanceTo(target));
-        for (const grid of this.grids) grid.material.opacity = 0.14 * Math.min(1, 0.1 + 4 * slope);
+        const distance = Math.max(1e-9, position.distanceTo(target));
+        for (const grid of this.grids)
+            grid.material.opacity = 0.14 * Math.min(1, 0.05 + 4 * Math.abs(position.z - grid.position.z) / distance);
         this.renderer.render(this.scene, this.camera);
     }
 }
