@@ -52,6 +52,7 @@ void dGeomSetCategoryBits(dGeomID id, unsigned long bits)
     EPODE_GEOM(geom, id);
     EPODE_UNLOCKED(geom);
     geom->category = bits;
+    note_rules_changed(*geom);
 }
 
 void dGeomSetCollideBits(dGeomID id, unsigned long bits)
@@ -59,6 +60,7 @@ void dGeomSetCollideBits(dGeomID id, unsigned long bits)
     EPODE_GEOM(geom, id);
     EPODE_UNLOCKED(geom);
     geom->collide = bits;
+    note_rules_changed(*geom);
 }
 
 unsigned long dGeomGetCategoryBits(dGeomID id)
@@ -77,12 +79,14 @@ void dGeomEnable(dGeomID id)
 {
     EPODE_GEOM(geom, id);
     geom->enabled = true;
+    note_rules_changed(*geom);
 }
 
 void dGeomDisable(dGeomID id)
 {
     EPODE_GEOM(geom, id);
     geom->enabled = false;
+    note_rules_changed(*geom);
 }
 
 int dGeomIsEnabled(dGeomID id)

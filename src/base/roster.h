@@ -22,7 +22,6 @@ class Roster {
   public:
     [[nodiscard]] bool join(T& one)  // false: no memory, nothing done
     {
-        if (all_.size() >= 64 * bits_.size() && !bits_.push(0)) return false;
         if (!all_.push(&one)) return false;
         one.place = all_.size() - 1;
         ++count_;
@@ -31,7 +30,8 @@ class Roster {
 
     void leave(T& one)
     {
-        deactivate(one);
+        if (idle_count_ > 0) [[unlikely]]
+            clear_bit(one);
         all_[one.place] = nullptr;
         one.place = -1;
         --count_;
@@ -43,32 +43,40 @@ class Roster {
     // Places are below this, and who joins later has none of them, until somebody leaves.
     int places() const { return all_.size(); }
 
-    // Who joins is not active.
+    // Who joins is active.
     void activate(T& one)
     {
-        active_ += !is_active(one);
+        if (idle_count_ > 0) [[unlikely]]
+            clear_bit(one);
+    }
+    void deactivate(T& one)  // in vain if there is no memory
+    {
+        if (!is_active(one) || !has_bit(one.place)) return;
+        ++idle_count_;
         word_of(one.place) |= bit_of(one.place);
     }
-    void deactivate(T& one)
+    bool is_active(const T& one) const
     {
-        active_ -= is_active(one);
-        word_of(one.place) &= ~bit_of(one.place);
+        return idle_count_ == 0 || !(idle_word(one.place >> 6) & bit_of(one.place));
     }
-    bool is_active(const T& one) const { return bits_.data()[one.place >> 6] & bit_of(one.place); }
-    int active_count() const { return active_; }
+    int active_count() const { return count_ - idle_count_; }
 
     T& newest() const { return *all_.data()[all_.size() - 1]; }  // of those that there are: not of none
 
-    // f(one) for the active ones below `place`, the newest first. Nobody may join, leave or change activity
+    // f(one) for the active ones below `place`, the newest first. Nobody may join, leave or become active
     // meanwhile.
     template <typename F>
     void for_each_active_before(int place, F&& f) const
     {
-        Bits ahead(bits_.data(), place), at = ahead;
-        for (int i = 0; i < kAhead; ++i) fetch_next(ahead);
-        for (int i = at.next(); i >= 0; i = at.next()) {
-            fetch_next(ahead);
-            f(*all_.data()[i]);
+        if (idle_count_ == 0) {
+            for (T& one : before(place)) f(one);
+            return;
+        }
+        Active at(*this, place), ahead = at;
+        for (int i = 0; i < kAhead; ++i) ahead.fetch_next();
+        while (T* one = at.next()) {
+            ahead.fetch_next();
+            f(*one);
         }
     }
     template <typename F>
@@ -116,63 +124,66 @@ class Roster {
   private:
     static constexpr int kFew = 64, kAhead = 16;
 
-    // The places below a limit whose bits are set, from the highest on.
-    class Bits {
+    // A walk over the active ones alone.
+    class Active {
       public:
-        Bits(const std::uint64_t* words, int limit) : words_(words), word_((limit + 63) / 64)
+        Active(const Roster& in, int limit) : in_(in), word_((limit + 63) / 64)
         {
-            if (limit % 64) left_ = words_[--word_] & (bit_of(limit) - 1);
+            if (limit % 64) left_ = ~in.idle_word(--word_) & (bit_of(limit) - 1);
         }
-        int next()  // -1: none
+        T* next()  // null: that was all
         {
-            while (!left_) {
-                if (word_ == 0) return -1;
-                left_ = words_[--word_];
+            while (left_ || word_ > 0) {
+                if (!left_) {
+                    left_ = ~in_.idle_word(--word_);
+                    continue;
+                }
+                const int bit = 63 - std::countl_zero(left_);
+                left_ &= ~bit_of(bit);
+                if (T* one = in_.all_.data()[64 * word_ + bit]) return one;
             }
-            const int bit = 63 - std::countl_zero(left_);
-            left_ &= ~bit_of(bit);
-            return 64 * word_ + bit;
+            return nullptr;
+        }
+        void fetch_next()
+        {
+            if (const T* one = next()) fetch<kLines>(one);
         }
 
       private:
-        const std::uint64_t* words_;
+        const Roster& in_;
         int word_;
         std::uint64_t left_ = 0;
     };
 
     static std::uint64_t bit_of(int place) { return std::uint64_t(1) << (place & 63); }
-    std::uint64_t& word_of(int place) { return bits_.data()[place >> 6]; }
-    void fetch_next(Bits& ahead) const
+    // Out of the way of those who join and leave by the thousand.
+    [[gnu::noinline]] void clear_bit(const T& one)
     {
-        if (const int i = ahead.next(); i >= 0) fetch<kLines>(all_.data()[i]);
+        if (is_active(one)) return;
+        --idle_count_;
+        word_of(one.place) &= ~bit_of(one.place);
     }
+    bool has_bit(int place) { return place < 64 * idle_.size() || idle_.resize((all_.capacity() + 63) / 64); }
+    std::uint64_t idle_word(int i) const { return i < idle_.size() ? idle_.data()[i] : 0; }
+    std::uint64_t& word_of(int place) { return idle_.data()[place >> 6]; }
 
     void close_up()
     {
         int place = 0;
         for (T* one : all_) {
             if (!one) continue;
-            const bool active = is_active(*one);
+            const bool idle = !is_active(*one);
+            activate(*one);
             one->place = place;
             all_[place++] = one;
-            // No bit that is read later has been written yet.
-            word_of(one->place) &= ~bit_of(one->place);
-            if (active) word_of(one->place) |= bit_of(one->place);
+            if (idle) deactivate(*one);
         }
         all_.truncate(place);
-        forget_bits_behind(place);
-    }
-
-    // Places that nobody has are not active.
-    void forget_bits_behind(int place)
-    {
-        if (place % 64) word_of(place) &= bit_of(place) - 1;
-        for (int i = (place + 63) / 64; i < bits_.size(); ++i) bits_[i] = 0;
     }
 
     Array<T*> all_;
-    Array<std::uint64_t> bits_;  // of places, 64 in a word
-    int count_ = 0, active_ = 0;
+    Array<std::uint64_t> idle_;  // bits of places, 64 in a word: taken, and not active; 0 behind the end
+    int count_ = 0, idle_count_ = 0;
 };
 
 }  // namespace epode

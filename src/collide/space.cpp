@@ -55,8 +55,6 @@ int height(const Space& space)
 
 bool zero_sized(const Geom& geom) { return geom.type->zero_sized && geom.type->zero_sized(geom); }
 
-bool has_queued(const Space& space) { return space.unlisted || !space.queue.empty(); }
-
 // Puts into the queue all who are marked so.
 void list_queued(Space& space)
 {
@@ -119,6 +117,7 @@ void remove_member(Space& space, Geom& geom)
 {
     space.members[geom.slot] = nullptr;
     space.broadphase.remove(geom.slot);
+    ++space.edition;
     geom.space = nullptr;
     geom.slot = -1;
     geom.queued = false;
@@ -171,17 +170,24 @@ void enqueue(Space& space, Geom& geom)
 {
     // Room was made when the member joined; only a move during the cleaning itself may need more.
     geom.queued = space.queue.push(geom.slot);
+    ++space.edition;
 }
 
 void members_marked(Space& space)
 {
     space.unlisted = true;
+    ++space.edition;
     mark_moved(space);
+}
+
+void note_rules_changed(Geom& geom)
+{
+    for (Space* space = geom.space; space; space = space->space) ++space->edition;
 }
 
 void clean(Space& space)
 {
-    if (space.locks > 0 || !has_queued(space)) return;
+    if (space.locks > 0 || is_clean(space)) return;
     SpaceLock lock(space);
     list_queued(space);
     clean_queued(space, [](const Geom&) { return true; });
@@ -189,7 +195,7 @@ void clean(Space& space)
 
 void clean(Space& space, const WayFinder& finder, const Tasks& tasks)
 {
-    const bool moves = space.locks == 0 && has_queued(space);
+    const bool moves = space.locks == 0 && !is_clean(space);
     SpaceLock lock(space);
     if (moves && space.helped > 0) {
         list_queued(space);

@@ -37,6 +37,7 @@ struct Space : Geom {
     int sublevel = 0;
     bool cleanup = true;  // destroys its members with itself
     bool manual_cleanup = false;
+    std::uint64_t edition = 0;  // another one when something has happened that may change its pairs
     int min_level = -3, max_level = 10;
 };
 
@@ -80,6 +81,10 @@ void enqueue(Space& space, Geom& geom);  // the member has moved
 // if it does not), without listing it; then the space has to be told.
 inline bool mark_member(Geom& geom, const Space& space);
 void members_marked(Space& space);
+// Is no member, at any depth, waiting for the next cleaning?
+inline bool is_clean(const Space& space) { return !space.unlisted && space.queue.empty(); }
+// Something that decides about pairs of the geom has changed, and is not its place or shape.
+void note_rules_changed(Geom& geom);
 void clean(Space& space);  // gives every queued member its box, at all depths
 // A geom whose box and pairs are its own affair: no space or transform, and not of a class of the program.
 inline bool stands_alone(const Geom& geom)

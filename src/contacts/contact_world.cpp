@@ -87,8 +87,22 @@ void fetch_poses(const ContactPair& pair)
 
 }  // namespace
 
+bool ContactWorld::is_settled(const Space& in) const
+{
+    return settled_ && edition_ == in.edition && is_clean(in) && in.helped == 0;
+}
+
+void ContactWorld::accept_settled(Real h)
+{
+    ended_.clear();
+    h_ = h;
+}
+
 bool ContactWorld::update(const World& world, Space& in, Real h, const Tasks& tasks)
 {
+    settled_ = false;
+    all_asleep_ = true;
+    edition_ = in.edition;
     const Foresight soon{h, world.gravity};
     expect_motion(in, soon, tasks);
     const DeepLock lock(in);
@@ -198,9 +212,10 @@ void ContactWorld::update_one(ContactPair& pair, int place, const NarrowSettings
     if (!awake(pair.body1) && !awake(pair.body2)) {
         pair.count = std::uint8_t(old.size());
         std::copy(old.begin(), old.end(), into);
-    } else if (pair.wanted && !pair.tied) {
-        update_pair(pair, old, settings, into, leaves);
+        return;
     }
+    if (all_asleep_.load(std::memory_order_relaxed)) all_asleep_.store(false, std::memory_order_relaxed);
+    if (pair.wanted && !pair.tied) update_pair(pair, old, settings, into, leaves);
 }
 
 // What the pair kept in the step before, or nothing yet.
@@ -278,6 +293,7 @@ void ContactWorld::accept(Real h, const Tasks& tasks)
         if (pair.old != -2 && touches(last_.of(pair))) (void)ended_.push({dContactEnds, pair.id1, pair.id2});
     std::swap(last_, fresh_);
     h_ = h;
+    settled_ = all_asleep_;
 }
 
 void ContactWorld::forget()
@@ -286,6 +302,7 @@ void ContactWorld::forget()
     last_.patches.clear();
     last_.leaves.clear();
     ended_.clear();
+    settled_ = false;
 }
 
 int ContactWorld::events(dContactEvent* out, int room) const

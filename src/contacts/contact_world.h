@@ -8,6 +8,8 @@
 // memory.
 #pragma once
 
+#include <atomic>
+
 #include "base/arena.h"
 #include "base/array.h"
 #include "bvh/near_leaves.h"
@@ -26,6 +28,12 @@ class ContactWorld {
     dSpaceID space = nullptr;
     dContactFilter* filter = nullptr;
     void* filter_data = nullptr;
+
+    // Would update() find what it found in the last step, given that all bodies sleep? Nobody was awake then,
+    // and nothing has happened to the space since.
+    bool is_settled(const Space& in) const;
+    // The step is done, without an update: all pairs are as they were.
+    void accept_settled(Real h);
 
     // Null: there is none, or it has been destroyed.
     Space* live_space() const { return space ? space_from(space) : nullptr; }
@@ -79,6 +87,9 @@ class ContactWorld {
     Array<int> table_;
     Array<dContactEvent> ended_;  // of the last step
     Real h_ = 0;
+    std::atomic<bool> all_asleep_{false};  // no pair that the last update has found has an awake body
+    bool settled_ = false;                 // so it was in the last step that was made
+    std::uint64_t edition_ = 0;            // of the space, then
 };
 
 }  // namespace epode

@@ -12,8 +12,6 @@ void for_each_joint(const Body& body, F&& f)
     for (JointNode* n = body.joints; n; n = n->next) f(*n->joint, n->joint->node[n == n->joint->node].body);
 }
 
-bool leads_to_active(const Body* body) { return body && is_active(*body); }
-
 }  // namespace
 
 void activate(Body& body)
@@ -32,23 +30,8 @@ void activate_all(World& world)
 
 void deactivate(Body& body)
 {
-    World& world = *body.world;
-    world.bodies.deactivate(body);
+    body.world->bodies.deactivate(body);
     body.patches = nullptr;
-    for_each_joint(body, [&](Joint& joint, Body* other) {
-        if (!leads_to_active(other)) world.joints.deactivate(joint);
-    });
-}
-
-void joint_attached(Joint& joint)
-{
-    if (!joint.world) return;
-    if (leads_to_active(joint.body1()) || leads_to_active(joint.body2())) joint.world->joints.activate(joint);
-}
-
-void joint_detached(Joint& joint)
-{
-    if (joint.world) joint.world->joints.deactivate(joint);
 }
 
 bool activate_reached(World& world)

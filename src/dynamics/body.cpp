@@ -52,7 +52,6 @@ Body* create_body(World& world)
         return nullptr;
     }
     body->serial = ++world.bodies_made;
-    activate(*body);
     return body;
 }
 
@@ -76,6 +75,7 @@ bool set_mass(Body& body, const dMass& mass)
     if (!usable(mass.mass) || !(mass.mass > 0) || !usable(mass.c, 3) || !usable(mass.I, 12)) return false;
     if (max_component(abs(load(mass.c))) > kEpsilon || !positive_definite(inertia)) return false;
     if (!invert(full(inertia), inverse)) return false;
+    if (body.driven) activate(body);  // another rule for its contacts
     body.mass = mass;
     body.inertia = inertia;
     body.driven = false;
@@ -87,6 +87,7 @@ bool set_mass(Body& body, const dMass& mass)
 
 void set_kinematic(Body& body)
 {
+    activate(body);  // as above
     body.driven = true;
     body.inv_mass = 0;
     body.inv_inertia = Sym3{};

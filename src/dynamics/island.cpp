@@ -58,7 +58,8 @@ class Bonds {
             patches_[number] = nullptr;
             newest_[number] = kNone;
         });
-        world.joints.for_each_active_before(joint_places, [&](Joint& joint) { add(joint); });
+        world.joints.for_each_active_before(
+            joint_places, [&](Joint & joint) __attribute__((always_inline)) { add(joint); });
         // From the oldest on, so that each list begins with the newest.
         for (int i = bond_count_; i-- > 0;) link(i);
         return complete_;
@@ -97,23 +98,30 @@ class Bonds {
     }
 
   private:
-    void add(Joint& joint)
+    [[gnu::always_inline]] void add(Joint& joint)
     {
-        if (joint.disabled) return;
         Body *body1 = joint.body1(), *body2 = joint.body2();
         if (body1 != body1_ || body2 != body2_) {
             body1_ = body1, body2_ = body2;
-            acting_ = acting(joint);
             open_ = nullptr;
-            if (acting_) number1_ = number_of(*body1), number2_ = body2 ? number_of(*body2) : kWorld;
-            acting_ = acting_ && number1_ != kUnknown && number2_ != kUnknown;
+            look_at_bodies();
         }
-        if (!acting_) return;
+        if (!active_) joint.world->joints.deactivate(joint);
+        if (!acting_ || joint.disabled) return;
         if (!open_ || open_->plain != joint.plain) open_bond(joint);
         joints_[std::size_t(joint_count_++)] = &joint;
         ++open_->count;
         open_->feedback = open_->feedback || joint.feedback;
         open_->impulses = open_->impulses || joint.impulse_rows;
+    }
+
+    void look_at_bodies()
+    {
+        active_ = (body1_ && is_active(*body1_)) || (body2_ && is_active(*body2_));
+        acting_ = active_ && (!body1_->kinematic() || (body2_ && !body2_->kinematic()));
+        if (!acting_) return;
+        number1_ = number_of(*body1_), number2_ = body2_ ? number_of(*body2_) : kWorld;
+        acting_ = number1_ != kUnknown && number2_ != kUnknown;
     }
 
     // Unknown are those that become active now, and what the program has made while it was asked for memory.
@@ -157,7 +165,8 @@ class Bonds {
     bool complete_ = true;
     Body *body1_ = nullptr, *body2_ = nullptr;  // of the last joint,
     int number1_ = 0, number2_ = 0;             // their numbers,
-    bool acting_ = false;                       // which acts as it is not disabled
+    bool active_ = false;                       // whether one of them is active,
+    bool acting_ = false;                       // and whether it acts if it is not disabled
     Bond* open_ = nullptr;                      // the last bond, if the next joint may belong to it
 };
 

@@ -5,7 +5,6 @@
 // a thousand contacts on one body come and go at constant cost.
 #include "dynamics/joint.h"
 
-#include "dynamics/active.h"
 #include "dynamics/joint_group.h"
 #include "dynamics/world.h"
 
@@ -56,7 +55,6 @@ void detach(Joint& joint)
 {
     const bool contact = is_contact(joint);
     note_tie(joint);
-    joint_detached(joint);
     leave(joint.node[0], contact);
     leave(joint.node[1], contact);
     joint.impulse_rows = 0;
@@ -69,7 +67,7 @@ void attach(Joint& joint, Body* a, Body* b)
     if (joint.reverse) a = b, b = nullptr;
     enter(joint.node[0], a);
     enter(joint.node[1], b);
-    joint_attached(joint);
+    if (joint.world) joint.world->joints.activate(joint);
     note_tie(joint);
     if (a) joint.type->attached(joint);
 }

@@ -89,7 +89,7 @@ void Finish::one(Body& body) const
 // Which members have been marked, it does not know.
 void Finish::tell_space() const
 {
-    if (managed_ && early_) members_marked(*managed_);
+    if (managed_ && early_ && !bodies_.empty()) members_marked(*managed_);
 }
 
 }  // namespace epode

@@ -90,10 +90,11 @@ class WorldStep {
     {
         World& world = context_.world;
         Arena& arena = memory().arena(0);
-        if (context_.manages_contacts) activate_all(world);
+        updates_contacts_ = context_.manages_contacts && !is_settled();
+        if (updates_contacts_) activate_all(world);
         if (!undo_.save_idleness(arena)) return false;
         std::span<PatchEdge> patches;
-        if (context_.manages_contacts && !find_contacts(arena, patches)) return false;
+        if (updates_contacts_ && !find_contacts(arena, patches)) return false;
         Islands found;
         if (!find_islands(world, context_.h, patches, arena, found) || !undo_.save_islands(found.all, arena))
             return false;
@@ -138,11 +139,17 @@ class WorldStep {
             remember_choice(islands_[i], *solvers_[i], factorisations_[i]);
     }
 
-    // Later steps need not look at them.
+    // Later steps need not look at what sleeps: by contacts that the world manages, only if all do.
     void let_rest() const
     {
-        if (context_.manages_contacts) return;
+        if (context_.manages_contacts && !islands_.empty()) return;
         for (Body* body : asleep_) deactivate(*body);
+    }
+
+    void accept_contacts() const
+    {
+        if (updates_contacts_) return state_.managed.accept(context_.h, workers_.of_islands);
+        if (context_.manages_contacts) state_.managed.accept_settled(context_.h);
     }
 
     void finish() { finish_.rest(); }
@@ -159,6 +166,13 @@ class WorldStep {
     }
 
   private:
+    // Everybody sleeps, and the contacts are known.
+    bool is_settled() const
+    {
+        return context_.world.bodies.active_count() == 0 &&
+               state_.managed.is_settled(*state_.managed.live_space());
+    }
+
     bool find_contacts(Arena& arena, std::span<PatchEdge>& patches)
     {
         ContactWorld& managed = state_.managed;
@@ -289,6 +303,7 @@ class WorldStep {
     StepState& state_;
     const Workers& workers_;
     std::span<Island> islands_;
+    bool updates_contacts_ = false;
     std::span<Body*> asleep_;           // active ones of no island
     std::span<const Solver*> solvers_;  // of a hybrid step, by island
     std::span<int> factorisations_;     // likewise
@@ -353,7 +368,7 @@ bool step_in(World& world, StepState& state, const Solver* solver, Real h, int i
     const bool made = step.prepare() && step.run() && step.hold_back();
     if (made) {
         state.contacts.end();
-        if (context.manages_contacts) state.managed.accept(h, workers.of_islands);
+        step.accept_contacts();
         step.remember_choices();
         step.let_rest();
         step.finish();

@@ -9,6 +9,7 @@
 
 #include <vector>
 
+#include "ode/ext.h"
 #include "ode/ode.h"
 
 namespace epode {
@@ -73,12 +74,15 @@ TEST_F(Chains, come_back_one_by_one)
     EXPECT_EQ(dBodyIsEnabled(link(6, 2)), 0);
 }
 
-TEST_F(Chains, that_the_program_puts_to_sleep_leave_in_the_next_step)
+TEST_F(Chains, that_the_program_puts_to_sleep_leave_at_once)
 {
+    dWorldSetAutoDisableFlag(id_, 0);
+    for (const dBodyID body : links_) dBodySetAutoDisableFlag(body, 0);
     for (int chain = 0; chain < kChains; chain += 2)
         for (int i = 0; i < kLinks; ++i) dBodyDisable(link(chain, i));
     step(1);
     EXPECT_EQ(active_bodies(), kChains / 2 * kLinks);
+    step(1);
     EXPECT_EQ(active_joints(), kChains / 2 * kLinks);
 }
 
@@ -113,6 +117,39 @@ TEST_F(Chains, are_reached_through_joints_that_come_and_go)
     EXPECT_EQ(active_joints(), 0);
     dBodyDestroy(newcomer);
     EXPECT_EQ(active_bodies(), 0);
+}
+
+// Also with contacts that the world manages: once all sleep, nobody is looked at, whatever lies there.
+TEST(ActiveBodies, are_none_when_all_sleep_on_managed_contacts)
+{
+    const dWorldID id = dWorldCreate();
+    const dSpaceID space = dHashSpaceCreate(nullptr);
+    dWorldSetGravity(id, 0, 0, dReal(-9.81));
+    dWorldSetContactSpace(id, space);
+    dCreatePlane(space, 0, 0, 1, 0);
+    std::vector<dBodyID> boxes;
+    for (int i = 0; i < 30; ++i) {
+        boxes.push_back(dBodyCreate(id));
+        dBodySetPosition(boxes.back(), 2 * (i % 6), 2 * (i / 6), dReal(0.5));
+        dGeomSetBody(dCreateBox(space, 1, 1, 1), boxes.back());
+    }
+    const World& world = *from_handle<World>(id);
+    const auto step = [&](int times) {
+        for (int i = 0; i < times; ++i) dWorldQuickStep(id, dReal(1) / 60);
+    };
+    step(10);
+    EXPECT_EQ(world.bodies.active_count(), 30);
+    for (const dBodyID box : boxes) dBodyDisable(box);
+    step(1);
+    EXPECT_EQ(world.bodies.active_count(), 0);
+    step(3);
+    dBodyEnable(boxes[7]);
+    EXPECT_EQ(world.bodies.active_count(), 1);
+    step(1);
+    EXPECT_EQ(dBodyIsEnabled(boxes[7]), 1);
+    EXPECT_EQ(dBodyIsEnabled(boxes[8]), 0);
+    dWorldDestroy(id);
+    dSpaceDestroy(space);
 }
 
 }  // namespace
