@@ -4,6 +4,7 @@
 // Bodies: life, pose, velocity, mass, forces, frames, joints. What decides when they sleep, damp and turn is
 // in body_rules.cpp.
 #include "api/body_handle.h"
+#include "base/float_environment.h"
 #include "math/rotation.h"
 #include "ode/ode.h"
 #include "step/link.h"
@@ -163,6 +164,7 @@ void dBodyCopyQuaternion(dBodyID b, dQuaternion q)
 
 void dBodySetMass(dBodyID b, const dMass* mass)
 {
+    const FloatEnvironment floats;
     BODY_OR();
     EPODE_USER(mass);
     EPODE_USER_SAY(max_component(abs(load(mass->c))) <= kEpsilon, "The centre of mass must be at the origin");

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/check.h"
+#include "base/float_environment.h"
 #include "collide/registry.h"
 #include "geometry/box_box.h"
 #include "geometry/closest.h"
@@ -45,6 +46,7 @@ extern "C" {
 void dClosestLineSegmentPoints(const dVector3 a1, const dVector3 a2, const dVector3 b1, const dVector3 b2,
                                dVector3 cp1, dVector3 cp2)
 {
+    const FloatEnvironment floats;
     EPODE_USER(a1 && a2 && b1 && b2 && cp1 && cp2);
     Vec3 p, q;
     closest_segment_points(load(a1), load(a2), load(b1), load(b2), p, q);
@@ -55,6 +57,7 @@ void dClosestLineSegmentPoints(const dVector3 a1, const dVector3 a2, const dVect
 int dBoxTouchesBox(const dVector3 p1, const dMatrix3 R1, const dVector3 side1, const dVector3 p2,
                    const dMatrix3 R2, const dVector3 side2)
 {
+    const FloatEnvironment floats;
     EPODE_USER(usable_box(p1, R1, side1) && usable_box(p2, R2, side2), 0);
     return boxes_touch(box_of_sides(side1), load_pose(p1, R1), box_of_sides(side2), load_pose(p2, R2));
 }
@@ -63,6 +66,7 @@ int dBoxBox(const dVector3 p1, const dMatrix3 R1, const dVector3 side1, const dV
             const dVector3 side2, dVector3 normal, dReal* depth, int* return_code, int flags,
             dContactGeom* contact, int skip)
 {
+    const FloatEnvironment floats;
     EPODE_USER(usable_box(p1, R1, side1) && usable_box(p2, R2, side2), 0);
     EPODE_USER(normal && depth && return_code && contact && skip >= int(sizeof(dContactGeom)), 0);
     EPODE_USER_SAY((flags & 0xffff) != 0, "no contacts requested", 0);

@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What all classes of geoms have in common: life, data, class, bits, box, enabling.
+#include "base/float_environment.h"
 #include "collide/height_function.h"
 #include "collide/registry.h"
 
@@ -97,6 +98,7 @@ int dGeomIsEnabled(dGeomID id)
 
 void dGeomGetAABB(dGeomID id, dReal aabb[6])
 {
+    const FloatEnvironment floats;
     EPODE_GEOM(geom, id);
     EPODE_USER(aabb);
     const Aabb& box = box_of(*geom);

@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Where a geom is: its own pose, or its body's. Setting the pose of a geom on a body moves the body.
+#include "base/float_environment.h"
 #include "collide/registry.h"
 #include "math/rotation.h"
 #include "step/link.h"
@@ -62,6 +63,7 @@ void dGeomSetQuaternion(dGeomID id, const dQuaternion q)
 
 const dReal* dGeomGetPosition(dGeomID id)
 {
+    const FloatEnvironment floats;
     EPODE_GEOM(geom, id, nullptr);
     EPODE_PLACEABLE(geom, nullptr);
     refresh_pose(*geom);
@@ -70,6 +72,7 @@ const dReal* dGeomGetPosition(dGeomID id)
 
 const dReal* dGeomGetRotation(dGeomID id)
 {
+    const FloatEnvironment floats;
     EPODE_GEOM(geom, id, nullptr);
     EPODE_PLACEABLE(geom, nullptr);
     refresh_pose(*geom);
@@ -78,6 +81,7 @@ const dReal* dGeomGetRotation(dGeomID id)
 
 void dGeomCopyPosition(dGeomID id, dVector3 pos)
 {
+    const FloatEnvironment floats;
     EPODE_GEOM(geom, id);
     EPODE_PLACEABLE(geom);
     EPODE_USER(pos);
@@ -86,6 +90,7 @@ void dGeomCopyPosition(dGeomID id, dVector3 pos)
 
 void dGeomCopyRotation(dGeomID id, dMatrix3 R)
 {
+    const FloatEnvironment floats;
     EPODE_GEOM(geom, id);
     EPODE_PLACEABLE(geom);
     EPODE_USER(R);
@@ -95,6 +100,7 @@ void dGeomCopyRotation(dGeomID id, dMatrix3 R)
 
 void dGeomGetQuaternion(dGeomID id, dQuaternion result)
 {
+    const FloatEnvironment floats;
     EPODE_GEOM(geom, id);
     EPODE_PLACEABLE(geom);
     EPODE_USER(result);
@@ -104,6 +110,7 @@ void dGeomGetQuaternion(dGeomID id, dQuaternion result)
 
 void dGeomRaySet(dGeomID ray, dReal px, dReal py, dReal pz, dReal dx, dReal dy, dReal dz)
 {
+    const FloatEnvironment floats;
     EPODE_GEOM_AS(Ray, geom, ray);
     EPODE_USER(usable(px) && usable(py) && usable(pz) && usable(dx) && usable(dy) && usable(dz));
     Mat3 R;
@@ -118,6 +125,7 @@ void dGeomRaySet(dGeomID ray, dReal px, dReal py, dReal pz, dReal dx, dReal dy, 
     void name(dGeomID id, dReal px, dReal py, dReal pz, dVector3 result)   \
     {                                                                      \
         EPODE_GEOM(geom, id);                                              \
+        const FloatEnvironment floats;                                     \
         EPODE_USER(result&& usable(px) && usable(py) && usable(pz));       \
         const Vec3 in{px, py, pz};                                         \
         const Pose pose = geom->type->placeable ? pose_of(*geom) : Pose{}; \

@@ -8,6 +8,7 @@
 #include "ode/mass.h"
 
 #include "base/check.h"
+#include "base/float_environment.h"
 #include "base/messages.h"
 #include "geometry/inertia.h"
 
@@ -51,6 +52,7 @@ using namespace epode;
 
 extern "C" int dMassCheck(const dMass* m)
 {
+    const FloatEnvironment floats;
     EPODE_USER(m, 0);
     return check_and_tell(properties_of(*m));
 }
@@ -64,6 +66,7 @@ extern "C" void dMassSetZero(dMass* m)
 extern "C" void dMassSetParameters(dMass* m, dReal themass, dReal cgx, dReal cgy, dReal cgz, dReal I11,
                                    dReal I22, dReal I33, dReal I12, dReal I13, dReal I23)
 {
+    const FloatEnvironment floats;
     const MassProperties p = {themass, {cgx, cgy, cgz}, {I11, I22, I33, I12, I13, I23}};
     EPODE_USER(m && usable(p));
     put_and_check(m, p);
@@ -71,6 +74,7 @@ extern "C" void dMassSetParameters(dMass* m, dReal themass, dReal cgx, dReal cgy
 
 extern "C" void dMassSetSphere(dMass* m, dReal density, dReal radius)
 {
+    const FloatEnvironment floats;
     const MassProperties p = solid_sphere(density * sphere_volume(radius), radius);
     EPODE_USER(m && usable(p));
     put_and_check(m, p);
@@ -78,6 +82,7 @@ extern "C" void dMassSetSphere(dMass* m, dReal density, dReal radius)
 
 extern "C" void dMassSetSphereTotal(dMass* m, dReal total_mass, dReal radius)
 {
+    const FloatEnvironment floats;
     const MassProperties p = solid_sphere(total_mass, radius);
     EPODE_USER(m && usable(p));
     put_and_check(m, p);
@@ -85,6 +90,7 @@ extern "C" void dMassSetSphereTotal(dMass* m, dReal total_mass, dReal radius)
 
 extern "C" void dMassSetBox(dMass* m, dReal density, dReal lx, dReal ly, dReal lz)
 {
+    const FloatEnvironment floats;
     const MassProperties p = solid_box(density * box_volume({lx, ly, lz}), {lx, ly, lz});
     EPODE_USER(m && usable(p));
     put_and_check(m, p);
@@ -92,6 +98,7 @@ extern "C" void dMassSetBox(dMass* m, dReal density, dReal lx, dReal ly, dReal l
 
 extern "C" void dMassSetBoxTotal(dMass* m, dReal total_mass, dReal lx, dReal ly, dReal lz)
 {
+    const FloatEnvironment floats;
     const MassProperties p = solid_box(total_mass, {lx, ly, lz});
     EPODE_USER(m && usable(p));
     put_and_check(m, p);
@@ -99,6 +106,7 @@ extern "C" void dMassSetBoxTotal(dMass* m, dReal total_mass, dReal lx, dReal ly,
 
 extern "C" void dMassSetCylinder(dMass* m, dReal density, int direction, dReal radius, dReal length)
 {
+    const FloatEnvironment floats;
     EPODE_USER_SAY(is_direction(direction), kBadDirection);
     const Real mass = density * cylinder_volume(radius, length);
     const MassProperties p = solid_cylinder(mass, direction - 1, radius, length);
@@ -108,6 +116,7 @@ extern "C" void dMassSetCylinder(dMass* m, dReal density, int direction, dReal r
 
 extern "C" void dMassSetCylinderTotal(dMass* m, dReal total_mass, int direction, dReal radius, dReal length)
 {
+    const FloatEnvironment floats;
     EPODE_USER_SAY(is_direction(direction), kBadDirection);
     const MassProperties p = solid_cylinder(total_mass, direction - 1, radius, length);
     EPODE_USER(m && usable(p));
@@ -118,6 +127,7 @@ extern "C" void dMassSetCylinderTotal(dMass* m, dReal total_mass, int direction,
 #define MASS_CAPSULE(Name)                                                                             \
     extern "C" void dMassSet##Name(dMass* m, dReal density, int direction, dReal radius, dReal length) \
     {                                                                                                  \
+        const FloatEnvironment floats;                                                                 \
         EPODE_USER_SAY(is_direction(direction), kBadDirection);                                        \
         const Real mass = density * capsule_volume(radius, length);                                    \
         const MassProperties p = solid_capsule(mass, direction - 1, radius, length);                   \
@@ -127,6 +137,7 @@ extern "C" void dMassSetCylinderTotal(dMass* m, dReal total_mass, int direction,
     extern "C" void dMassSet##Name##Total(dMass* m, dReal total_mass, int direction, dReal radius,     \
                                           dReal length)                                                \
     {                                                                                                  \
+        const FloatEnvironment floats;                                                                 \
         EPODE_USER_SAY(is_direction(direction), kBadDirection);                                        \
         const MassProperties p = solid_capsule(total_mass, direction - 1, radius, length);             \
         EPODE_USER(m&& usable(p));                                                                     \
@@ -138,6 +149,7 @@ MASS_CAPSULE(CappedCylinder)
 
 extern "C" void dMassAdjust(dMass* m, dReal newmass)
 {
+    const FloatEnvironment floats;
     EPODE_USER(m);
     const MassProperties p = with_mass(properties_of(*m), newmass);
     EPODE_USER(usable(p));  // also a mass of zero, which nothing can be scaled from
@@ -146,6 +158,7 @@ extern "C" void dMassAdjust(dMass* m, dReal newmass)
 
 extern "C" void dMassTranslate(dMass* m, dReal x, dReal y, dReal z)
 {
+    const FloatEnvironment floats;
     EPODE_USER(m);
     const MassProperties p = translated(properties_of(*m), {x, y, z});
     EPODE_USER(usable(p));
@@ -154,6 +167,7 @@ extern "C" void dMassTranslate(dMass* m, dReal x, dReal y, dReal z)
 
 extern "C" void dMassRotate(dMass* m, const dMatrix3 R)
 {
+    const FloatEnvironment floats;
     EPODE_USER(m && R);
     const MassProperties p = rotated(properties_of(*m), load_mat(R));
     EPODE_USER(usable(p));
@@ -162,6 +176,7 @@ extern "C" void dMassRotate(dMass* m, const dMatrix3 R)
 
 extern "C" void dMassAdd(dMass* a, const dMass* b)
 {
+    const FloatEnvironment floats;
     EPODE_USER(a && b);
     const MassProperties p = united(properties_of(*a), properties_of(*b));
     EPODE_USER(usable(p));

@@ -3,10 +3,12 @@
 //
 // The cooperative functions: a container is taken for the call, asked how many threads there are now, and
 // given back. With fewer than two there is nothing to share.
+#include <algorithm>
 #include <climits>
 
 #include "api/cooperative.h"
 #include "base/check.h"
+#include "base/float_environment.h"
 #include "ode/matrix_coop.h"
 #include "solve/shared_ldlt.h"
 
@@ -86,6 +88,7 @@ void dEstimateCooperativelyScaleVectorResourceRequirements(dResourceRequirements
 void dCooperativelyFactorLDLT(dResourceContainerID id, unsigned threads, dReal* A, dReal* d, unsigned rows,
                               unsigned skip)
 {
+    const FloatEnvironment floats;
     USE_OR(rows, rows);
     EPODE_USER(rows == 0 || (A && d && fits(rows, skip)));
     factor_ldlt(A, d, int(rows), int(skip), use.tasks());
@@ -94,6 +97,7 @@ void dCooperativelyFactorLDLT(dResourceContainerID id, unsigned threads, dReal* 
 void dCooperativelySolveLDLT(dResourceContainerID id, unsigned threads, const dReal* L, const dReal* d,
                              dReal* b, unsigned rows, unsigned skip)
 {
+    const FloatEnvironment floats;
     USE_OR(rows, rows);
     EPODE_USER(rows == 0 || (L && d && b && fits(rows, skip)));
     solve_ldlt(L, d, b, int(rows), int(skip), use.tasks());
@@ -102,6 +106,7 @@ void dCooperativelySolveLDLT(dResourceContainerID id, unsigned threads, const dR
 void dCooperativelySolveL1Straight(dResourceContainerID id, unsigned threads, const dReal* L, dReal* b,
                                    unsigned rows, unsigned skip)
 {
+    const FloatEnvironment floats;
     USE_OR(rows, rows);
     EPODE_USER(rows == 0 || (L && b && fits(rows, skip)));
     solve_unit_lower(L, b, int(rows), int(skip), use.tasks());
@@ -110,6 +115,7 @@ void dCooperativelySolveL1Straight(dResourceContainerID id, unsigned threads, co
 void dCooperativelySolveL1Transposed(dResourceContainerID id, unsigned threads, const dReal* L, dReal* b,
                                      unsigned rows, unsigned skip)
 {
+    const FloatEnvironment floats;
     USE_OR(rows, rows);
     EPODE_USER(rows == 0 || (L && b && fits(rows, skip)));
     solve_unit_lower_transposed(L, b, int(rows), int(skip), use.tasks());
@@ -118,6 +124,7 @@ void dCooperativelySolveL1Transposed(dResourceContainerID id, unsigned threads, 
 void dCooperativelyScaleVector(dResourceContainerID id, unsigned threads, dReal* data, const dReal* scale,
                                unsigned elements)
 {
+    const FloatEnvironment floats;
     USE_OR(elements, elements);
     EPODE_USER(elements == 0 || (data && scale));
     scale_vector(data, scale, int(elements), use.tasks());

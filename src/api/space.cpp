@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What all spaces have in common.
+#include "base/float_environment.h"
 #include "collide/height_function.h"
 #include "collide/registry.h"
 
@@ -85,6 +86,7 @@ int dSpaceQuery(dSpaceID id, dGeomID geom_id)
 
 void dSpaceClean(dSpaceID id)
 {
+    const FloatEnvironment floats;
     EPODE_SPACE(space, id);
     clean(*space);
 }
@@ -110,6 +112,7 @@ int dSpaceGetClass(dSpaceID id)
 
 void dSpaceCollide(dSpaceID id, void* data, dNearCallback* callback)
 {
+    const FloatEnvironment floats;
     EPODE_SPACE(space, id);
     EPODE_USER(callback);
     collide_space(*space, data, callback);
@@ -117,6 +120,7 @@ void dSpaceCollide(dSpaceID id, void* data, dNearCallback* callback)
 
 void dSpaceCollide2(dGeomID o1, dGeomID o2, void* data, dNearCallback* callback)
 {
+    const FloatEnvironment floats;
     EPODE_GEOM(first, o1);
     EPODE_GEOM(second, o2);
     EPODE_USER(callback);

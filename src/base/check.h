@@ -14,6 +14,10 @@
 #pragma once
 
 #include <atomic>
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <type_traits>
 
 #include "base/config.h"
 
@@ -51,8 +55,20 @@ inline constexpr const char* kOutOfMemory = "out of memory";
 // Largest magnitude accepted from a client; beyond it squares and volumes overflow.
 inline constexpr Real kAbsurd = kSingle ? Real(1e18) : Real(1e100);
 
-constexpr bool usable(Real x) { return x >= -kAbsurd && x <= kAbsurd; }
-constexpr bool usable_or_infinite(Real x) { return usable(x) || x == kInf || x == -kInf; }
+// |x| <= limit, by the bits: comparing what is no number would trap in a host that has unmasked such
+// exceptions.
+constexpr bool within(Real x, Real limit)
+{
+    using Bits = std::conditional_t<kSingle, std::uint32_t, std::uint64_t>;
+    constexpr Bits kMagnitude = ~Bits(0) >> 1;
+    return (std::bit_cast<Bits>(x) & kMagnitude) <= std::bit_cast<Bits>(limit);
+}
+
+constexpr bool usable(Real x) { return within(x, kAbsurd); }
+constexpr bool usable_or_infinite(Real x)
+{
+    return usable(x) || (within(x, kInf) && !within(x, std::numeric_limits<Real>::max()));
+}
 
 inline bool usable(const Real* values, int count)
 {

@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "base/config.h"
+#include "base/float_environment.h"
 
 namespace epode {
 namespace {
@@ -31,6 +32,7 @@ std::size_t allocation_count() noexcept { return g_allocations.load(std::memory_
 void* raw_allocate(std::size_t size) noexcept
 {
     g_allocations.fetch_add(1, std::memory_order_relaxed);
+    const CallerFloatEnvironment program;
     const auto hook = memory_hooks().alloc;
     return hook ? hook(size) : std::malloc(size);
 }
@@ -38,6 +40,7 @@ void* raw_allocate(std::size_t size) noexcept
 void* raw_reallocate(void* pointer, std::size_t old_size, std::size_t new_size) noexcept
 {
     g_allocations.fetch_add(1, std::memory_order_relaxed);
+    const CallerFloatEnvironment program;
     const auto hook = memory_hooks().realloc;
     return hook ? hook(pointer, old_size, new_size) : std::realloc(pointer, new_size);
 }
@@ -45,6 +48,7 @@ void* raw_reallocate(void* pointer, std::size_t old_size, std::size_t new_size) 
 void raw_free(void* pointer, std::size_t size) noexcept
 {
     if (!pointer) return;
+    const CallerFloatEnvironment program;
     const auto hook = memory_hooks().free;
     hook ? hook(pointer, size) : std::free(pointer);
 }
@@ -52,6 +56,7 @@ void raw_free(void* pointer, std::size_t size) noexcept
 void* allocate_from(dAllocFunction* alloc, std::size_t size) noexcept
 {
     if (size > SIZE_MAX - kMargin) return nullptr;
+    const CallerFloatEnvironment program;
     void* raw = alloc(size + kMargin);
     if (!raw) return nullptr;
     const auto first = reinterpret_cast<std::uintptr_t>(raw) + sizeof(void*);
@@ -66,6 +71,7 @@ void release_to(dFreeFunction* free, void* pointer, std::size_t size) noexcept
     if (!pointer) return;
     void* raw;
     std::memcpy(&raw, reinterpret_cast<char*>(pointer) - sizeof(void*), sizeof raw);
+    const CallerFloatEnvironment program;
     free(raw, size + kMargin);
 }
 

@@ -8,6 +8,8 @@
 #include <atomic>
 #include <cstdio>
 
+#include "base/float_environment.h"
+
 namespace epode {
 namespace {
 
@@ -34,6 +36,7 @@ void set_handler(Channel channel, dMessageFunction* function) noexcept
 
 void deliver(Channel channel, int number, const char* format, va_list arguments)
 {
+    const CallerFloatEnvironment program;
     if (dMessageFunction* installed = handler(channel)) {
         installed(number, format, arguments);
     } else {

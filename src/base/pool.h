@@ -18,6 +18,7 @@
 
 #include "base/handle.h"
 #include "base/memory.h"
+#include "base/spin.h"
 
 namespace epode {
 
@@ -27,7 +28,7 @@ class SpinLock {
     void lock()
     {
         if (alone()) return taken_.store(true, std::memory_order_relaxed);
-        while (taken_.exchange(true, std::memory_order_acquire)) __builtin_ia32_pause();
+        while (taken_.exchange(true, std::memory_order_acquire)) spin_once();
     }
     // False, and nothing to unlock, when it is locked.
     bool try_lock()

@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/float_environment.h"
 #include "base/lifecycle.h"
 #include "collide/geom_leaves.h"
 #include "collide/pairs/at_once.h"
@@ -166,7 +167,9 @@ ColliderTable::ColliderTable()
 dColliderFn* offer(int i, int j)
 {
     const dGeomClass* description = user_description(i);
-    return description ? description->collider(j) : nullptr;
+    if (!description) return nullptr;
+    const CallerFloatEnvironment program;
+    return description->collider(j);
 }
 
 // The collider of the two classes; a user class is asked once and the answer, also "none", remembered. Of two
@@ -262,6 +265,7 @@ int call_user(dColliderFn* function, const Placed& a, const Placed& b, const Con
 {
     const int room = out.room - out.count;
     const int flags = room | (out.unimportant ? int(CONTACTS_UNIMPORTANT) : 0);
+    const CallerFloatEnvironment program;
     const int found = function(to_handle(a.geom), to_handle(b.geom), flags, out.at(out.count), out.stride);
     return std::clamp(found, 0, room);
 }
@@ -407,8 +411,14 @@ bool rays_overridden() { return table().rays_overridden.load(std::memory_order_r
 
 using namespace epode;
 
+// Called for every pair, and often as small as a dozen operations: there is no way out to pass where nothing
+// has to be given back.
 extern "C" int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom* contact, int skip)
 {
+    if (!has_library_modes()) [[unlikely]] {
+        const FloatEnvironment floats;
+        return dCollide(o1, o2, flags, contact, skip);
+    }
     EPODE_GEOM(a, o1, 0);
     EPODE_GEOM(b, o2, 0);
     EPODE_USER(contact && skip >= int(sizeof(dContactGeom)), 0);

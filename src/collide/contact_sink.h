@@ -10,6 +10,7 @@
 
 #include <span>
 
+#include "base/float_environment.h"
 #include "math/vec.h"
 #include "ode/collision.h"
 #include "ode/contact.h"
@@ -52,6 +53,7 @@ class ContactSink {
     int merged(int side, int one, int other, int deeper) const
     {
         if (one == other || one < 0 || other < 0 || !merge_[side]) return deeper;
+        const CallerFloatEnvironment program;
         return merge_[side](geoms_[side], one, other);
     }
 

@@ -8,6 +8,7 @@
 #include <atomic>
 
 #include "base/check.h"
+#include "base/float_environment.h"
 #include "base/memory.h"
 #include "collide/height_function.h"
 
@@ -73,6 +74,7 @@ Real HeightfieldData::sample(int i, int j) const
     switch (source) {
         case Source::kCallback: {
             const InHeightFunction calling;
+            const CallerFloatEnvironment program;
             value = callback(user, i, j);
             break;
         }

@@ -12,6 +12,7 @@
 
 #include <span>
 
+#include "base/float_environment.h"
 #include "collide/contact_sink.h"
 #include "collide/trimesh.h"
 
@@ -26,15 +27,23 @@ class MeshFunctions {
           other_(mesh_first ? sink.second_geom() : sink.first_geom())
     {}
 
-    bool wants(int triangle) const { return !mesh_.wants || mesh_.wants(geom_, other_, triangle) != 0; }
+    bool wants(int triangle) const
+    {
+        if (!mesh_.wants) return true;
+        const CallerFloatEnvironment program;
+        return mesh_.wants(geom_, other_, triangle) != 0;
+    }
     void tell(std::span<const int> triangles) const
     {
-        if (mesh_.told && !triangles.empty())
-            mesh_.told(geom_, other_, triangles.data(), int(triangles.size()));
+        if (!mesh_.told || triangles.empty()) return;
+        const CallerFloatEnvironment program;
+        mesh_.told(geom_, other_, triangles.data(), int(triangles.size()));
     }
     bool ray_hits(int triangle, Real u, Real v) const
     {
-        return !mesh_.ray_hits || mesh_.ray_hits(geom_, other_, triangle, u, v) != 0;
+        if (!mesh_.ray_hits) return true;
+        const CallerFloatEnvironment program;
+        return mesh_.ray_hits(geom_, other_, triangle, u, v) != 0;
     }
 
   private:

@@ -6,6 +6,7 @@
 // ones.
 #include <algorithm>
 
+#include "base/float_environment.h"
 #include "collide/collide.h"
 #include "collide/space.h"
 
@@ -15,7 +16,11 @@ namespace {
 struct Report {
     void* data;
     dNearCallback* callback;
-    void operator()(Geom& a, Geom& b) const { callback(data, to_handle(&a), to_handle(&b)); }
+    void operator()(Geom& a, Geom& b) const
+    {
+        const CallerFloatEnvironment program;
+        callback(data, to_handle(&a), to_handle(&b));
+    }
 };
 
 // The callback may move and enable geoms, but not change the list.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/ahead.h"
+#include "base/float_environment.h"
 #include "collide/collide.h"
 #include "collide/solid_view.h"
 #include "contacts/narrow_phase.h"
@@ -198,6 +199,7 @@ bool ContactWorld::list_pairs(const World& world, const Tasks& tasks)
 // About those that are new.
 void ContactWorld::ask_filter()
 {
+    const CallerFloatEnvironment program;
     for (ContactPair& pair : fresh_.pairs)
         if (pair.old < 0) pair.wanted = filter(filter_data, pair.id1, pair.id2) != 0;
 }

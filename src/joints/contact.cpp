@@ -317,8 +317,8 @@ bool usable_softness(const dSurfaceParameters& s)
 // are made by the thousand in every step. What is not finite makes the sum so.
 bool usable_place(const dContactGeom& g)
 {
-    const Real n2 = length2(load(g.normal));
-    return n2 > 0 && length2(load(g.pos)) + n2 + g.depth * g.depth <= kAbsurd * kAbsurd;
+    const Real n2 = length2(load(g.normal)), all = length2(load(g.pos)) + n2 + g.depth * g.depth;
+    return within(all, kAbsurd * kAbsurd) && n2 > 0;
 }
 
 // Are all members that the mode names fit for use? Coefficients of friction may be infinite.

@@ -6,6 +6,7 @@
 // out.
 #include <algorithm>
 
+#include "base/float_environment.h"
 #include "collide/registry.h"
 #include "ode/ext.h"
 #include "query/distance.h"
@@ -67,6 +68,7 @@ using namespace epode;
 
 extern "C" int dGeomGetDistance(dGeomID o1, dGeomID o2, dReal most, dQueryDistance* result)
 {
+    const FloatEnvironment floats;
     EPODE_GEOM(a, o1, 0);
     EPODE_GEOM(b, o2, 0);
     EPODE_USER(a != b && result && (usable(most) || most == kInf), 0);
@@ -86,6 +88,7 @@ extern "C" int dGeomGetDistance(dGeomID o1, dGeomID o2, dReal most, dQueryDistan
 
 extern "C" int dSpaceOverlap(dSpaceID id, dGeomID o, dGeomID* geoms, int room)
 {
+    const FloatEnvironment floats;
     EPODE_SPACE(space, id, 0);
     EPODE_GEOM(geom, o, 0);
     EPODE_USER(room >= 0 && (geoms || room == 0), 0);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "base/float_environment.h"
 #include "ode/ext.h"
 #include "tasks/tasks.h"
 
@@ -196,6 +197,7 @@ bool question_of(const dReal* origin, const dReal* direction, dReal length, Quer
 extern "C" int dSpaceRayClosest(dSpaceID id, const dVector3 origin, const dVector3 direction, dReal length,
                                 unsigned long category, unsigned long collide, dQueryHit* hit)
 {
+    const FloatEnvironment floats;
     EPODE_SPACE(space, id, 0);
     EPODE_USER(origin && direction && hit && usable_ray(origin, direction, length), 0);
     RayQuestion question;
@@ -209,6 +211,7 @@ extern "C" int dSpaceRayClosest(dSpaceID id, const dVector3 origin, const dVecto
 extern "C" int dSpaceRayAll(dSpaceID id, const dVector3 origin, const dVector3 direction, dReal length,
                             unsigned long category, unsigned long collide, dQueryHit* hits, int room)
 {
+    const FloatEnvironment floats;
     EPODE_SPACE(space, id, 0);
     EPODE_USER(origin && direction && usable_ray(origin, direction, length), 0);
     EPODE_USER(room >= 0 && (hits || room == 0), 0);
@@ -225,6 +228,7 @@ extern "C" int dSpaceRayBatch(dSpaceID id, int count, const dReal* origins, cons
                               const dReal* lengths, unsigned long category, unsigned long collide,
                               dQueryHit* hits, int threads)
 {
+    const FloatEnvironment floats;
     EPODE_SPACE(space, id, 0);
     EPODE_USER(count >= 0 && threads >= 0, 0);
     EPODE_USER(count == 0 || (origins && directions && lengths && hits), 0);

@@ -4,6 +4,7 @@
 // Shape casts against geoms and spaces: the functions of the interface. Of a space those members are tried
 // whose boxes the moving box meets before the best so far; the newer of equals wins, as all are tried that
 // may be equal.
+#include "base/float_environment.h"
 #include "collide/registry.h"
 #include "ode/ext.h"
 #include "query/members.h"
@@ -70,6 +71,7 @@ using namespace epode;
 
 extern "C" int dGeomCast(dGeomID o, const dVector3 motion, dGeomID other_id, dQueryHit* hit)
 {
+    const FloatEnvironment floats;
     EPODE_GEOM(solid, o, 0);
     EPODE_GEOM(other, other_id, 0);
     EPODE_USER(solid != other && motion && hit && usable(motion, 3), 0);
@@ -85,6 +87,7 @@ extern "C" int dGeomCast(dGeomID o, const dVector3 motion, dGeomID other_id, dQu
 
 extern "C" int dSpaceCast(dSpaceID id, dGeomID o, const dVector3 motion, dQueryHit* hit)
 {
+    const FloatEnvironment floats;
     EPODE_SPACE(space, id, 0);
     EPODE_GEOM(solid, o, 0);
     EPODE_USER(motion && hit && usable(motion, 3), 0);

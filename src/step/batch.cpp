@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 
 #include "collide/collide.h"
 #include "query/members.h"

@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 #include "step/finish.h"
 
+#include "base/float_environment.h"
 #include "collide/space.h"
 #include "dynamics/integrate.h"
 #include "step/link.h"
@@ -14,6 +15,12 @@ constexpr int kAhead = 10;
 
 // What one() reads and writes of a body.
 void fetch_body(const Body& body) { fetch<1>(&body), fetch<3>(body.lvel); }
+
+void tell_program(Body& body)
+{
+    const CallerFloatEnvironment program;
+    body.moved(to_handle(&body));
+}
 
 void empty(Body& body)
 {
@@ -82,7 +89,7 @@ bool Finish::moves_geoms(const Body& body) const
 void Finish::one(Body& body) const
 {
     if (moves_geoms(body)) body_moved(body);
-    if (body.tells) body.moved(to_handle(&body));
+    if (body.tells) tell_program(body);
     empty(body);
 }
 

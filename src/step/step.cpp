@@ -12,6 +12,7 @@
 #include <atomic>
 #include <new>
 
+#include "base/float_environment.h"
 #include "dynamics/active.h"
 #include "dynamics/island.h"
 #include "step/finish.h"
@@ -383,6 +384,7 @@ bool step_in(World& world, StepState& state, const Solver* solver, Real h, int i
 
 bool step_with(World& world, const Solver* solver, Real h, int iterations)
 {
+    const FloatEnvironment floats;
     const Stepping mark(world);
     StepState* state = step_state(world);
     StepMemory* memory = working_memory(world);

@@ -9,7 +9,7 @@
 #include "tasks/call_queue.h"
 
 #include "base/pool.h"
-#include "tasks/spin.h"
+#include "base/spin.h"
 
 namespace epode {
 

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <thread>
 
+#include "base/float_environment.h"
 #include "base/pool.h"
 #include "tasks/worker.h"
 
@@ -44,6 +45,7 @@ struct Job : Tagged {
 
 int take_part(void* context, dcallindex_t index, dCallReleaseeID)
 {
+    const FloatEnvironment floats;
     Job& job = *static_cast<Job*>(context);
     job.work(int(index) + 1);
     job.leave();
@@ -56,6 +58,7 @@ int nothing(void*, dcallindex_t, dCallReleaseeID) { return 1; }
 
 bool Posting::open(const dThreadingFunctionsInfo& functions, dThreadingImplementationID impl, unsigned limit)
 {
+    const CallerFloatEnvironment program;
     functions_ = functions;
     impl_ = impl;
     measure(limit);
@@ -66,25 +69,30 @@ bool Posting::open(const dThreadingFunctionsInfo& functions, dThreadingImplement
 
 void Posting::measure(unsigned limit)
 {
+    const CallerFloatEnvironment program;
     const unsigned threads = std::clamp(functions_.retrieve_thread_count(impl_), 1u, unsigned(kMostCalls));
     width_ = int(limit ? std::min(threads, limit) : threads);
 }
 
 void Posting::close()
 {
+    const CallerFloatEnvironment program;
     if (wait_) functions_.free_call_wait(impl_, wait_);
     wait_ = nullptr;
 }
 
-void Posting::post(int calls, void* job) const
+void Posting::post_and_wait(int calls, void* job) const
 {
+    const CallerFloatEnvironment program;
     dCallReleaseeID all = nullptr;
+    functions_.reset_call_wait(impl_, wait_);
     if (calls > 1)
         functions_.post_call(impl_, nullptr, &all, ddependencycount_t(calls), nullptr, wait_, nothing,
                              nullptr, 0, "step: all parts done");
     for (int i = 0; i < calls; ++i)
         functions_.post_call(impl_, nullptr, nullptr, 0, all, calls > 1 ? nullptr : wait_, take_part, job,
                              dcallindex_t(i), "step: part");
+    functions_.wait_call(impl_, nullptr, wait_, nullptr, "step");
 }
 
 void Posting::run(int calls, int count, Piece piece, void* body) const
@@ -95,9 +103,7 @@ void Posting::run(int calls, int count, Piece piece, void* body) const
         for (int i = 0; i < count; ++i) piece(body, i, 0);
         return;
     }
-    functions_.reset_call_wait(impl_, wait_);
-    post(calls, job);
-    functions_.wait_call(impl_, nullptr, wait_, nullptr, "step");
+    post_and_wait(calls, job);
     job->work(0);
     while (job->done.load(std::memory_order_acquire) < count) std::this_thread::yield();
     job->leave();

@@ -39,7 +39,7 @@ class Posting {
     void run(int calls, int count, Piece piece, void* body) const;
 
   private:
-    void post(int calls, void* job) const;
+    void post_and_wait(int calls, void* job) const;
 
     dThreadingFunctionsInfo functions_{};
     dThreadingImplementationID impl_ = nullptr;

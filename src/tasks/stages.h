@@ -17,7 +17,7 @@
 #include <atomic>
 
 #include "base/config.h"
-#include "tasks/spin.h"
+#include "base/spin.h"
 #include "tasks/tasks.h"
 #include "tasks/waiting.h"
 

@@ -13,8 +13,9 @@
 #include <new>
 #include <thread>
 
+#include "base/float_environment.h"
 #include "base/lifecycle.h"
-#include "tasks/spin.h"
+#include "base/spin.h"
 #include "tasks/tasks.h"
 #include "tasks/waiting.h"
 #include "tasks/worker.h"
@@ -126,6 +127,7 @@ void ThreadPool::serve(int worker)
 
 void* ThreadPool::main_of(void* argument)
 {
+    const FloatEnvironment floats;
     Thread& self = *static_cast<Thread*>(argument);
     self.pool->serve(self.worker);
     return nullptr;

@@ -9,7 +9,7 @@
 
 #include <thread>
 
-#include "tasks/spin.h"
+#include "base/spin.h"
 
 namespace epode {
 

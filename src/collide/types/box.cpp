@@ -5,6 +5,7 @@
 //   half extent of the bounding box along world axis i: sum_j |R_ij| half_j
 //   depth of a point q (local): inside min_i (half_i - |q_i|), outside minus the distance to the box. (The
 //   original measures outside points to the far face; its sign is the same.)
+#include "base/float_environment.h"
 #include "collide/describe.h"
 #include "collide/registry.h"
 
@@ -76,6 +77,7 @@ extern "C" void dGeomBoxGetLengths(dGeomID box, dVector3 result)
 
 extern "C" dReal dGeomBoxPointDepth(dGeomID box, dReal x, dReal y, dReal z)
 {
+    const FloatEnvironment floats;
     EPODE_GEOM_AS(Box, geom, box, 0);
     EPODE_USER(usable(x) && usable(y) && usable(z), 0);
     const Vec3 beyond = abs(pose_of(*geom).to_local({x, y, z})) - geom->shape.half;

@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Capsule: the points within `radius` of the segment |z| <= half_length on the local z axis.
+#include "base/float_environment.h"
 #include "collide/describe.h"
 #include "collide/registry.h"
 
@@ -72,6 +73,7 @@ extern "C" void dGeomCapsuleGetParams(dGeomID capsule, dReal* radius, dReal* len
 
 extern "C" dReal dGeomCapsulePointDepth(dGeomID capsule, dReal x, dReal y, dReal z)
 {
+    const FloatEnvironment floats;
     EPODE_GEOM_AS(Capsule, geom, capsule, 0);
     EPODE_USER(usable(x) && usable(y) && usable(z), 0);
     Vec3 q = pose_of(*geom).to_local({x, y, z});

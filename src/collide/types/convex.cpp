@@ -4,6 +4,7 @@
 // Convex polyhedron: the hull of the client's points (geometry/polyhedron.h), copied; ODE keeps pointers, and
 // so a program that frees them early is safe here. The original, too, meets other solids with all points,
 // whatever the polygons say: these and the planes must make sense by themselves and are then passed over.
+#include "base/float_environment.h"
 #include "collide/describe.h"
 #include "collide/registry.h"
 #include "geometry/inertia.h"
@@ -97,6 +98,7 @@ using namespace epode;
 extern "C" dGeomID dCreateConvex(dSpaceID space, const dReal* planes, unsigned int planecount,
                                  const dReal* points, unsigned int pointcount, const unsigned int* polygons)
 {
+    const FloatEnvironment floats;
     EPODE_PARENT_SPACE(space, nullptr);
     SharedSolid solid;
     const char* const refusal = build(solid, planes, planecount, points, pointcount, polygons);
@@ -109,6 +111,7 @@ extern "C" dGeomID dCreateConvex(dSpaceID space, const dReal* planes, unsigned i
 extern "C" void dGeomSetConvex(dGeomID g, const dReal* planes, unsigned int count, const dReal* points,
                                unsigned int pointcount, const unsigned int* polygons)
 {
+    const FloatEnvironment floats;
     EPODE_GEOM_AS(Convex, geom, g);
     EPODE_UNLOCKED(geom);
     SharedSolid solid;
@@ -121,6 +124,7 @@ extern "C" void dGeomSetConvex(dGeomID g, const dReal* planes, unsigned int coun
 extern "C" dGeomID dCreateConvexHull(dSpaceID space, const dReal* points, unsigned int pointcount,
                                      unsigned int maxvertices)
 {
+    const FloatEnvironment floats;
     EPODE_PARENT_SPACE(space, nullptr);
     SharedSolid solid;
     const char* const refusal = build_hull(solid, points, pointcount, maxvertices);
@@ -133,6 +137,7 @@ extern "C" dGeomID dCreateConvexHull(dSpaceID space, const dReal* points, unsign
 extern "C" void dGeomSetConvexHull(dGeomID convex, const dReal* points, unsigned int pointcount,
                                    unsigned int maxvertices)
 {
+    const FloatEnvironment floats;
     EPODE_GEOM_AS(Convex, geom, convex);
     EPODE_UNLOCKED(geom);
     SharedSolid solid;
@@ -144,6 +149,7 @@ extern "C" void dGeomSetConvexHull(dGeomID convex, const dReal* points, unsigned
 
 extern "C" int dGeomConvexGetPoints(dGeomID convex, dReal* points, int room)
 {
+    const FloatEnvironment floats;
     EPODE_GEOM_AS(Convex, geom, convex, 0);
     EPODE_USER(room >= 0 && (points || room == 0), 0);
     const std::span<const Vec3> all = geom->shape.solid->vertices();
@@ -156,6 +162,7 @@ extern "C" int dGeomConvexGetPoints(dGeomID convex, dReal* points, int room)
 
 extern "C" int dGeomConvexGetPlanes(dGeomID convex, dReal* planes, int room)
 {
+    const FloatEnvironment floats;
     EPODE_GEOM_AS(Convex, geom, convex, 0);
     EPODE_USER(room >= 0 && (planes || room == 0), 0);
     const std::span<const PolyhedronFace> all = geom->shape.solid->faces();
@@ -185,6 +192,7 @@ extern "C" int dGeomConvexGetPolygons(dGeomID convex, unsigned int* polygons, in
 
 extern "C" void dMassSetConvex(dMass* m, dReal density, dGeomID convex)
 {
+    const FloatEnvironment floats;
     EPODE_GEOM_AS(Convex, geom, convex);
     EPODE_USER(m && usable(density));
     const MassProperties unit = geom->shape.solid->mass();
@@ -194,6 +202,7 @@ extern "C" void dMassSetConvex(dMass* m, dReal density, dGeomID convex)
 
 extern "C" void dMassSetConvexTotal(dMass* m, dReal total_mass, dGeomID convex)
 {
+    const FloatEnvironment floats;
     EPODE_GEOM_AS(Convex, geom, convex);
     EPODE_USER(m && usable(total_mass));
     const MassProperties unit = geom->shape.solid->mass();

@@ -6,6 +6,7 @@
 // as 0.
 #include <type_traits>
 
+#include "base/float_environment.h"
 #include "base/memory.h"
 #include "collide/describe.h"
 #include "collide/height_function.h"
@@ -98,6 +99,7 @@ template <typename Sample>
 const char* build(dHeightfieldDataID id, const Sample* samples, int copy, const Layout& layout,
                   HeightfieldData::Source source)
 {
+    const FloatEnvironment floats;
     HeightfieldData* d = from_handle<HeightfieldData>(id);
     Range range;
     if (InHeightFunction::now()) return EPODE_HEIGHT_FUNCTION_TEXT;
@@ -202,6 +204,7 @@ void dGeomHeightfieldDataBuildDouble(dHeightfieldDataID d, const double* pHeight
 
 void dGeomHeightfieldDataSetBounds(dHeightfieldDataID d, dReal minHeight, dReal maxHeight)
 {
+    const FloatEnvironment floats;
     HeightfieldData* data = from_handle<HeightfieldData>(d);
     EPODE_USER(data && data->source != HeightfieldData::Source::kNone);
     const Real low = minHeight * data->scale + data->offset, high = maxHeight * data->scale + data->offset;

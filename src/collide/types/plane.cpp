@@ -5,6 +5,8 @@
 // plane across a world axis, which bounds one side.
 #include "collide/registry.h"
 
+#include "base/float_environment.h"
+
 namespace epode {
 namespace {
 
@@ -70,6 +72,7 @@ extern "C" void dGeomPlaneGetParams(dGeomID plane, dVector4 result)
 
 extern "C" dReal dGeomPlanePointDepth(dGeomID plane, dReal x, dReal y, dReal z)
 {
+    const FloatEnvironment floats;
     EPODE_GEOM_AS(Plane, geom, plane, 0);
     EPODE_USER(usable(x) && usable(y) && usable(z), 0);
     return geom->shape.d - dot(geom->shape.normal, {x, y, z});

@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Sphere: |x| <= radius.
+#include "base/float_environment.h"
 #include "collide/describe.h"
 #include "collide/registry.h"
 
@@ -61,6 +62,7 @@ extern "C" dReal dGeomSphereGetRadius(dGeomID sphere)
 
 extern "C" dReal dGeomSpherePointDepth(dGeomID sphere, dReal x, dReal y, dReal z)
 {
+    const FloatEnvironment floats;
     EPODE_GEOM_AS(Sphere, geom, sphere, 0);
     EPODE_USER(usable(x) && usable(y) && usable(z), 0);
     return geom->shape.radius - length(Vec3{x, y, z} - pose_of(*geom).p);

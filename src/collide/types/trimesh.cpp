@@ -5,6 +5,7 @@
 // turned into the world, not that of every vertex turned: a geom that moves costs the same whatever its size.
 #include <cstring>
 
+#include "base/float_environment.h"
 #include "collide/describe.h"
 #include "collide/height_function.h"
 #include "collide/registry.h"
@@ -215,6 +216,7 @@ void dGeomTriMeshClearTCCache(dGeomID g) { EPODE_TRIMESH_GEOM(geom, g); }
 
 void dMassSetTrimesh(dMass* m, dReal density, dGeomID g)
 {
+    const FloatEnvironment floats;
     EPODE_GEOM_AS(Trimesh, geom, g);
     MassProperties p;
     EPODE_USER(m && usable(density));
@@ -225,6 +227,7 @@ void dMassSetTrimesh(dMass* m, dReal density, dGeomID g)
 
 void dMassSetTrimeshTotal(dMass* m, dReal total_mass, dGeomID g)
 {
+    const FloatEnvironment floats;
     EPODE_GEOM_AS(Trimesh, geom, g);
     MassProperties p;
     EPODE_USER(m && usable(total_mass));

@@ -6,6 +6,7 @@
 // The program's arrays are read here and by dGeomTriMeshDataUpdate, never during a collision.
 #include <cstring>
 
+#include "base/float_environment.h"
 #include "collide/closed_mesh.h"
 #include "collide/height_function.h"
 #include "collide/registry.h"
@@ -89,6 +90,7 @@ bool take(const MeshSource& s, TrimeshData& d)
 
 const char* build(dTriMeshDataID id, const MeshSource& source, int index_count, const void* normals)
 {
+    const FloatEnvironment floats;
     TrimeshData* d = from_handle<TrimeshData>(id);
     if (!d || index_count % 3 != 0) return kBad;
     if (InHeightFunction::now()) return EPODE_HEIGHT_FUNCTION_TEXT;
@@ -137,6 +139,7 @@ void make_use_flags(const TriangleMesh& mesh, unsigned char* flags)
 
 const char* update(dTriMeshDataID id)
 {
+    const FloatEnvironment floats;
     TrimeshData* d = from_handle<TrimeshData>(id);
     if (!d || !d->built) return kBad;
     if (InHeightFunction::now()) return EPODE_HEIGHT_FUNCTION_TEXT;

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <mutex>
 
+#include "base/float_environment.h"
 #include "base/lifecycle.h"
 #include "collide/registry.h"
 
@@ -42,6 +43,7 @@ Aabb aabb(Geom& geom)
 {
     Real b[6] = {};
     const GeomHold hold(geom);
+    const CallerFloatEnvironment program;
     static_cast<UserGeom&>(geom).functions.aabb(to_handle(&geom), b);
     return {{b[0], b[2], b[4]}, {b[1], b[3], b[5]}};
 }
@@ -53,6 +55,7 @@ bool may_touch(Geom& geom, Geom& other)
     const GeomHold hold_geom(geom), hold_other(other);
     Real bounds[6];
     to_bounds(box_of(other), bounds);
+    const CallerFloatEnvironment program;
     return test(to_handle(&geom), to_handle(&other), bounds) != 0;
 }
 
