@@ -73,7 +73,9 @@ ODE_API void dJointSetHingeAnchorDelta(dJointID joint, dReal x, dReal y, dReal z
 /** The axis that both bodies have in common. The angle then reads 0. [guide] */
 ODE_API void dJointSetHingeAxis(dJointID joint, dReal x, dReal y, dReal z);
 
-/** Sets the axis and shifts the zero so that the angle now reads -angle (rad). [0.16] */
+/** Sets the axis and shifts the zero of the angle, rad. With t the turn about the axis from body 2's
+   orientation to body 1's, the angle then reads 2 t - angle: t if the bodies are turned by the given angle,
+   -angle if they are not turned; attached as (0, B), all of it counts the turn the other way round. [0.16] */
 ODE_API void dJointSetHingeAxisOffset(dJointID joint, dReal x, dReal y, dReal z, dReal angle);
 
 /** - dJointSetHingeParam: Set a parameter of the hinge's limit and motor to value; its unit is in the table
@@ -301,9 +303,9 @@ ODE_API int dJointGetAMotorMode(dJointID joint);
 ODE_API void dJointSetAMotorNumAxes(dJointID joint, int num);
 ODE_API int dJointGetAMotorNumAxes(dJointID joint);
 
-/** - dJointSetAMotorAxis: Set axis anum to (x, y, z), world frame in any case, and what it moves with: rel 0
-      the world, 1 body 1, 2 body 2. In Euler mode axis 0 goes with body 1 and axis 2 with body 2, else the
-      call is refused.
+/** - dJointSetAMotorAxis: Set axis anum to (x, y, z), world frame, and what it moves with: rel 0 the world,
+      1 body 1, 2 body 2. In Euler mode axis 0 goes with body 1 and axis 2 with body 2: with rel 0 their
+      (x, y, z) are in the frame of that body, and the other body is refused.
     - dJointGetAMotorAxis: Write axis anum as it is now to result: a unit vector, world frame.
     - dJointGetAMotorAxisRel: What axis anum moves with: 0 the world, 1 body 1, 2 body 2. [guide] */
 ODE_API void dJointSetAMotorAxis(dJointID joint, int anum, int rel, dReal x, dReal y, dReal z);
@@ -406,7 +408,8 @@ ODE_API void dJointGetPRAxis1(dJointID joint, dVector3 result);
 ODE_API void dJointGetPRAxis2(dJointID joint, dVector3 result);
 
 /** - dJointGetPRPosition: How far body 1's anchor is along axis 1 from body 2's, m.
-    - dJointGetPRPositionRate: The rate of the position along axis 1, m/s. [0.16] */
+    - dJointGetPRPositionRate: The rate of the position along axis 1, m/s, where body 1 does not turn: its
+      angular velocity is not counted. [0.16] */
 ODE_API dReal dJointGetPRPosition(dJointID joint);
 ODE_API dReal dJointGetPRPositionRate(dJointID joint);
 
@@ -469,7 +472,8 @@ ODE_API void dJointGetPUAxis3(dJointID joint, dVector3 result);
 ODE_API void dJointGetPUAxisP(dJointID joint, dVector3 result);
 
 /** - dJointGetPUPosition: How far body 1's anchor is along axis 3 from body 2's, m.
-    - dJointGetPUPositionRate: The rate of the position along axis 3, m/s. [0.16] */
+    - dJointGetPUPositionRate: The rate of the position along axis 3, m/s, where body 2 does not turn: its
+      angular velocity is counted with the opposite sign. [0.16] */
 ODE_API dReal dJointGetPUPosition(dJointID joint);
 ODE_API dReal dJointGetPUPositionRate(dJointID joint);
 

@@ -32,9 +32,9 @@ struct AMotor : LastingJoint {
     // In Euler mode the axis number decides, also when the joint is attached anew the other way round.
     const Body* frame(int i) const
     {
-        if (mode == dAMotorEuler && i != 1) return user_body(i / 2);
-        return rel[i] == 0 ? nullptr : node[rel[i] - 1].body;
+        return mode == dAMotorEuler && i != 1 ? user_body(i / 2) : frame_of_rel(rel[i]);
     }
+    const Body* frame_of_rel(int r) const { return r == 0 ? nullptr : node[r - 1].body; }
     Vec3 given_axis(int i) const { return direction_to_world(frame(i), axis_local[i]); }
     int user_rel(int r) const { return reverse && r > 0 ? 3 - r : r; }
 
@@ -86,7 +86,7 @@ void AMotor::motor_axes(Vec3 a[3]) const
 void AMotor::set_axis(int i, int r, Vec3 unit)
 {
     rel[i] = r;
-    axis_local[i] = direction_to_local(frame(i), unit);
+    axis_local[i] = direction_to_local(frame_of_rel(r), unit);
     if (mode == dAMotorEuler) take_references();
 }
 
@@ -142,12 +142,14 @@ void dJointSetAMotorNumAxes(dJointID id, int count)
     if (j && demand(count >= 0 && count <= 3, __func__)) j->count = j->mode == dAMotorEuler ? 3 : count;
 }
 
+// In Euler mode, axes 0 and 2 belong to bodies 1 and 2: numbers given with rel 0 are taken as seen from them,
+// as ODE does.
 void dJointSetAMotorAxis(dJointID id, int i, int rel, dReal x, dReal y, dReal z)
 {
     AMotor* j = motor_for_axis(id, i, __func__);
     Vec3 axis{x, y, z};
     if (!j || !demand(rel >= 0 && rel <= 2 && usable(axis) && normalize(axis), __func__)) return;
-    const bool fits = j->mode != dAMotorEuler || i == 1 || rel == i / 2 + 1;
+    const bool fits = j->mode != dAMotorEuler || i == 1 || rel == 0 || rel == i / 2 + 1;
     if (demand(fits, __func__)) j->set_axis(i, j->user_rel(rel), axis);
 }
 

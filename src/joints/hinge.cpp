@@ -9,6 +9,7 @@
 // Attached as (0, B), a client reads the angle and its rate negated, but stops and motor keep the sign of
 // node 0: visible behaviour of ODE.
 #include "joints/access.h"
+#include "math/rotation.h"
 
 namespace epode {
 
@@ -29,12 +30,13 @@ struct Hinge : LastingJoint {
         return hinge_angle(orientation_of(body1()), orientation_of(body2()), zero, axis.local[0]);
     }
     Real rate() const { return dot(axis_world(), relative_angular_velocity(*this)); }
-    void set_zero(Real reading = 0)
+    void set_zero() { zero = relative_orientation(*this); }
+    void set_zero_beyond(Vec3 unit, Real offset)
     {
-        zero = hinge_zero(orientation_of(body1()), orientation_of(body2()), axis.local[0], reading);
+        zero = rotation_about(unit, -sign() * offset) * conjugate(relative_orientation(*this));
     }
     void set_anchor(Vec3 point) { anchor.set(*this, point), set_zero(); }
-    void set_axis(Vec3 unit, Real reading = 0) { axis.set(*this, unit), set_zero(reading); }
+    void set_axis(Vec3 unit) { axis.set(*this, unit), set_zero(); }
 
     void emit(RowWriter& out)
     {
@@ -91,11 +93,14 @@ void dJointSetHingeAxis(dJointID id, dReal x, dReal y, dReal z)
     if (Hinge* j = joint_for_axis<Hinge>(id, axis)) j->set_axis(axis);
 }
 
-// The angle then reads -angle, however the joint is attached.
+// A body that is turned by `angle` about the axis reads it: that is what programs call this for. In general
+// ODE's zero is the opposite of the relative turn, so the reading is twice the turn less the given angle; and
+// the shift is about the axis as given in the world, also where body 1 leans.
 void dJointSetHingeAxisOffset(dJointID id, dReal x, dReal y, dReal z, dReal angle)
 {
     Vec3 axis{x, y, z};
-    if (Hinge* j = joint_for_axis<Hinge>(id, axis, Vec3{angle, 0, 0})) j->set_axis(axis, -j->sign() * angle);
+    if (Hinge* j = joint_for_axis<Hinge>(id, axis, Vec3{angle, 0, 0}))
+        j->set_axis(axis), j->set_zero_beyond(axis, angle);
 }
 
 void dJointGetHingeAnchor(dJointID id, dVector3 result)

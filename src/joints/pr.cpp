@@ -31,7 +31,13 @@ struct PR : LastingJoint {
     Vec3 slide_motion() const { return sign() * slide(); }
     Vec3 turn() const { return axis.world(*this, 0); }
     Real position() const { return dot(slide_motion(), anchor.world(*this, 0) - anchor.world(*this, 1)); }
-    Real position_rate() const { return rate_along(*this, parted_jacobian(*this, anchor, slide_motion())); }
+    // As ODE reads it: without the turning of body 1, about whose centre the slide swings.
+    Real position_rate() const
+    {
+        Jacobian row = parted_jacobian(*this, anchor, slide_motion());
+        row.ang1 = {};
+        return rate_along(*this, row);
+    }
     Real angle() const
     {
         return hinge_angle(orientation_of(body1()), orientation_of(body2()), zero, axis.local[0]);

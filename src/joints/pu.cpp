@@ -31,7 +31,14 @@ struct PU : LastingJoint {
     Vec3 slide() const { return direction_to_world(body1(), slide_local); }
     Vec3 slide_motion() const { return sign() * slide(); }
     Real position() const { return dot(slide_motion(), anchor.world(*this, 0) - anchor.world(*this, 1)); }
-    Real position_rate() const { return rate_along(*this, parted_jacobian(*this, anchor, slide_motion())); }
+    // As ODE reads it: with the turning of body 2 counted the other way round. Stop and motor take the true
+    // rate.
+    Real position_rate() const
+    {
+        Jacobian row = parted_jacobian(*this, anchor, slide_motion());
+        row.ang2 = -row.ang2;
+        return rate_along(*this, row);
+    }
     Vec3 user_axis(int i) const { return arms.axis(*this, node_of(*this, i)); }
     Real user_angle(int i) const { return arms.angle(*this, node_of(*this, i)); }
     Real user_rate(int i) const { return arms.rate(*this, node_of(*this, i)); }

@@ -35,6 +35,19 @@ dJointID create_euler(const Rig& rig, Random& random)
     return joint;
 }
 
+// Axes given with rel 0, as seen from the bodies that they belong to: both, the first or the last.
+template <int kRel0, int kRel2>
+dJointID create_euler_with_rel(const Rig& rig, Random& random)
+{
+    const dJointID joint = dJointCreateAMotor(rig.world(), nullptr);
+    rig.attach(joint);
+    dJointSetAMotorMode(joint, dAMotorEuler);
+    if (random.below(2)) { dJointSetAMotorAxis(joint, 1, 0, 0.3, 1, 0.2); }
+    dJointSetAMotorAxis(joint, 0, kRel0, 1, 0, 0);
+    dJointSetAMotorAxis(joint, 2, kRel2, 0, 0, 1);
+    return joint;
+}
+
 void put_amotor(Output& out, const std::string& when, dJointID joint)
 {
     const int axes = dJointGetAMotorNumAxes(joint);
@@ -96,6 +109,26 @@ PARITY_CASE(step_amotor_user3)
 }
 
 PARITY_CASE(step_amotor_euler) { run_bench(out, rng, {create_euler, put_amotor, variants_of(3)}); }
+
+// The stops of one that is attached as (0, B) are left out (differences.tsv, D33).
+PARITY_CASE(step_amotor_euler_world)
+{
+    const auto run = [&](auto create, const char* name) {
+        JointBench bench{create, put_amotor, variants_of(3)};
+        bench.poses = 5;
+        for (JointVariant& variant : bench.variants) { variant.name = name + variant.name; }
+        bench.attachments = {Attach::kAB, Attach::kBA, Attach::kA0};
+        run_bench(out, rng, bench);
+        std::erase_if(bench.variants, [](const JointVariant& variant) {
+            return !variant.name.ends_with("add-torques") && !variant.name.ends_with("all-motors");
+        });
+        bench.attachments = {Attach::kOA};
+        run_bench(out, rng, bench);
+    };
+    run(create_euler_with_rel<0, 0>, "rel00-");
+    run(create_euler_with_rel<1, 0>, "rel10-");
+    run(create_euler_with_rel<0, 2>, "rel02-");
+}
 
 }  // namespace
 }  // namespace parity

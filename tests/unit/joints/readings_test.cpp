@@ -4,6 +4,8 @@
 // Signs and zeros of anchors, axes, angles, positions and rates, as clients of ODE know them.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "ode/objects.h"
 #include "rig.h"
 
@@ -84,14 +86,49 @@ TEST_F(Readings, hinge_angle_wraps_at_half_a_turn)
     EXPECT_NEAR(dJointGetHingeAngle(j), 4 - 2 * kPi, kNear);
 }
 
-TEST_F(Readings, hinge_offset_reads_minus_the_given_angle)
+Real turns_off(Real angle, Real expected) { return std::remainder(angle - expected, 2 * kPi); }
+
+// The turn that the hinge has at the call counts twice, so that a body turned by the given angle reads it.
+TEST_F(Readings, hinge_offset_reads_twice_the_turn_less_the_given_angle)
 {
-    Rig::place(a, {0, 0, 0}, turn({1, 2, 3}, 1));
+    for (int way = 0; way < 3; ++way)
+        for (const Real turned : {0.0, 0.5, 1.5708, -0.7, -3.0})
+            for (const Real given : {0.0, 0.23, -1.5708, 2.9}) {
+                SCOPED_TRACE(testing::Message() << way << " " << turned << " " << given);
+                Rig::place(a, {0, 0, 0}), Rig::place(b, {2, 0, 0});
+                const dJointID j = dJointCreateHinge(rig.id(), nullptr);
+                if (way == 0) Rig::join(j, a, b);
+                if (way == 1) Rig::join(j, a);
+                if (way == 2) Rig::join(j, nullptr, a);
+                dJointSetHingeAxis(j, 0, 0, 1);
+                Rig::place(a, {0, 0, 0}, turn(kZ, turned));
+                dJointSetHingeAxisOffset(j, 0, 0, 4, given);
+                const Real as_read = way == 2 ? -turned : turned;  // reversed, the angle runs backwards
+                EXPECT_NEAR(turns_off(dJointGetHingeAngle(j), 2 * as_read - given), 0, kNear);
+                Rig::place(a, {0, 0, 0}, turn(kZ, turned + Real(0.4)));
+                EXPECT_NEAR(turns_off(dJointGetHingeAngle(j), 2 * as_read - given + (way == 2 ? -0.4 : 0.4)),
+                            0, kNear);
+                dJointSetHingeAxis(j, 0, 0, 1);
+                EXPECT_NEAR(dJointGetHingeAngle(j), 0, kNear) << "the offset is gone";
+                dJointDestroy(j);
+            }
+}
+
+// The stop acts on the angle that is read, minus the sign of a reversed joint.
+TEST_F(Readings, hinge_offset_moves_the_stops)
+{
     for (const bool reversed : {false, true}) {
+        Rig::place(a, {0, 0, 0});
         const dJointID j = dJointCreateHinge(rig.id(), nullptr);
-        reversed ? Rig::join(j, nullptr, a) : Rig::join(j, a, b);
-        dJointSetHingeAxisOffset(j, 0, 1, 0, Real(0.3));
-        EXPECT_NEAR(dJointGetHingeAngle(j), -0.3, kNear);
+        reversed ? Rig::join(j, nullptr, a) : Rig::join(j, a);
+        dJointSetHingeAxisOffset(j, 0, 0, 1, Real(-0.5));
+        const Real internal = reversed ? Real(-0.5) : Real(0.5);
+        dJointSetHingeParam(j, dParamLoStop, internal - Real(0.3));
+        dJointSetHingeParam(j, dParamHiStop, internal - Real(0.1));
+        const Emitted e = rig.emit(j);
+        ASSERT_EQ(e.rows.size(), 6u);
+        EXPECT_NEAR(rig.c(e.rows[5]), -2, 1e-4) << "0.1 beyond the upper stop";
+        dJointDestroy(j);
     }
 }
 
@@ -287,6 +324,37 @@ TEST_F(Readings, euler_motor_separates_the_three_turns)
                 EXPECT_NEAR(dJointGetAMotorAngleRate(j, i), i == k ? sign : 0, 0.3 * (i != k) + kNear);
             }
         }
+    }
+}
+
+// As ODE has it: numbers given with rel 0 are taken as seen from the body that the axis belongs to; the wrong
+// body stays refused.
+TEST_F(Readings, euler_axes_may_be_given_with_rel_0)
+{
+    for (int way = 0; way < 3; ++way) {
+        Rig::place(a, {0, 0, 0}), Rig::place(b, {2, 0, 0});
+        const dJointID j = dJointCreateAMotor(rig.id(), nullptr);
+        if (way == 0) Rig::join(j, a, b);
+        if (way == 1) Rig::join(j, a);
+        if (way == 2) Rig::join(j, nullptr, a);
+        dJointSetAMotorMode(j, dAMotorEuler);
+        dJointSetAMotorAxis(j, 0, 0, 1, 0, 0);
+        dJointSetAMotorAxis(j, 2, 0, 0, 0, 1);
+        const Vec3 axes[3] = {kX, kY, kZ};
+        for (int i = 0; i < 3; ++i) {
+            dJointGetAMotorAxis(j, i, r);
+            EXPECT_NEAR(length(load(r) - axes[i]), 0, kNear) << way << i;
+            EXPECT_EQ(dJointGetAMotorAxisRel(j, i), 0);
+        }
+        dJointSetAMotorAxis(j, 0, 2, 0, 1, 0);
+        dJointSetAMotorAxis(j, 2, 1, 0, 1, 0);
+        dJointGetAMotorAxis(j, 0, r);
+        EXPECT_NEAR(length(load(r) - kX), 0, kNear) << "rel 2 is not axis 0's body";
+        Rig::place(a, {0, 0, 0}, turn(kZ, kPi / 2));
+        const int own = way == 2 ? 2 : 0;
+        dJointSetAMotorAxis(j, own, 0, own ? 0 : 1, 0, own ? 1 : 0);
+        dJointGetAMotorAxis(j, 0, r);
+        EXPECT_NEAR(length(load(r) - (way == 2 ? kX : kY)), 0, kNear) << "the numbers turn with the body";
     }
 }
 
