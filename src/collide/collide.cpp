@@ -41,6 +41,7 @@ void direct(Geom& a, Geom& b, ContactArray& out)
     sink.name(to_handle(&a), to_handle(&b));
     sink.keep(out.kept);
     sink.reach(out.margin);
+    sink.tell_program(out.to_program);
     thunk<function, First, Second>(a, pose_of(a), b, pose_of(b), sink);
     out.count += sink.count();
 }
@@ -235,6 +236,7 @@ void run_pair(PairFunction pair, const Placed& a, const Placed& b, ContactArray&
     sink.name(to_handle(a.geom), to_handle(b.geom));
     sink.keep(out.kept);
     sink.reach(out.margin);
+    sink.tell_program(out.to_program);
     pair(*a.geom, a.pose, *b.geom, b.pose, sink);
     name_outer(a, b, out, sink.count());
 }
@@ -424,6 +426,7 @@ extern "C" int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom* contact
     EPODE_USER(contact && skip >= int(sizeof(dContactGeom)), 0);
     EPODE_USER_SAY((flags & 0xffff) != 0, "no contacts requested", 0);
     ContactArray out{contact, skip, flags & 0xffff, (unsigned(flags) & CONTACTS_UNIMPORTANT) != 0};
+    out.to_program = true;
     collide_two(*a, *b, out);
     return out.count;
 }

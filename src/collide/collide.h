@@ -18,6 +18,7 @@ struct ContactArray {
     bool unimportant;  // any contacts will do
     int count = 0;
     Real margin = 0;             // see ContactSink
+    bool to_program = false;     // see ContactSink
     NearLeaves* kept = nullptr;  // of the caller, for a solid and a mesh that it collides again and again
 
     bool full() const { return count >= room; }

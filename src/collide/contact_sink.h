@@ -66,6 +66,10 @@ class ContactSink {
     void reach(Real margin) { margin_ = margin; }
     Real margin() const { return margin_; }
 
+    // A program reads them, which knows ODE's; else they make up a manifold of ours.
+    void tell_program(bool yes) { to_program_ = yes; }
+    bool to_program() const { return to_program_; }
+
     // False when there was no room.
     bool add(const ContactPoint& point)
     {
@@ -102,6 +106,7 @@ class ContactSink {
     dTriTriMergeCallback* merge_[2] = {};
     NearLeaves* kept_ = nullptr;
     Real margin_ = 0;
+    bool to_program_ = false;
 };
 
 }  // namespace epode

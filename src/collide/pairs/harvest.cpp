@@ -26,6 +26,11 @@ void Harvest::add(const ContactPoint& point)
         p.side2 = sink_.merged(1, p.side2, point.side2, deeper ? point.side2 : p.side2);
         return;
     }
+    add_apart(point);
+}
+
+void Harvest::add_apart(const ContactPoint& point)
+{
     if (count_ == kRoom) make_room();
     points_[count_++] = point;
 }

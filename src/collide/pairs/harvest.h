@@ -21,6 +21,8 @@ class Harvest {
     {
         add({position, normal, depth, -1, side2});
     }
+    // Never one with another.
+    void add_apart(const ContactPoint& point);
     bool empty() const { return count_ == 0; }
     void deliver(ContactSink& sink);
 

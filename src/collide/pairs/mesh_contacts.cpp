@@ -74,19 +74,34 @@ bool one_plane(const Surface& surface, NearTriangles& near, const Aabb& box, Rea
     return true;
 }
 
+bool is_over(const TriangleMesh& mesh, int triangle, Vec3 p, Real slack)
+{
+    const Vec3 n = mesh.normal(triangle);
+    bool in = true;
+    for (int k = 0; in && k < 3; ++k) {
+        const Vec3 v = mesh.corner(triangle, k), e = mesh.corner(triangle, (k + 1) % 3) - v;
+        in = dot(cross(n, e), p - v) >= -slack * length(e);
+    }
+    return in;
+}
+
 // The first of the triangles that the point is over.
 int triangle_under(const Surface& surface, const NearTriangles& near, Vec3 p, Real slack)
 {
-    for (const int t : near.near()) {
-        const Vec3 n = surface.mesh.normal(t);
-        bool in = true;
-        for (int k = 0; in && k < 3; ++k) {
-            const Vec3 v = surface.mesh.corner(t, k), e = surface.mesh.corner(t, (k + 1) % 3) - v;
-            in = dot(cross(n, e), p - v) >= -slack * length(e);
-        }
-        if (in) return t;
-    }
+    for (const int t : near.near())
+        if (is_over(surface.mesh, t, p, slack)) return t;
     return *near.near().begin();
+}
+
+// A ball's contact with the plane as ODE tells it: the place is on the mesh, and where several triangles meet
+// there, each of them has one.
+void tell_each(const Surface& surface, const NearTriangles& near, Real slack, ContactSink& sink)
+{
+    dContactGeom& c = *sink.at(sink.count() - 1);
+    const Vec3 n = load(c.normal), foot = load(c.pos) + c.depth * n;
+    store(c.pos, foot);
+    for (const int t : near.near())
+        if (t > c.side2 && is_over(surface.mesh, t, foot, slack)) sink.add({foot, n, c.depth, -1, t});
 }
 
 }  // namespace
@@ -165,6 +180,7 @@ void mesh_contacts(const Shape& a, const Pose& A, const Surface& surface, NearTr
     if (near.close().count() == 0) return;
     const ConvexView solid = view_of(a, A);
     const Real slack = slack_of(solid);
+    const bool as_ode = std::is_same_v<Shape, Sphere> && sink.to_program();
     Plane plane;
     if (one_plane(surface, near, box_around(a, A, slack), slack, plane) &&
         dot(plane.normal, solid.pose.p) >= plane.d) {
@@ -173,10 +189,11 @@ void mesh_contacts(const Shape& a, const Pose& A, const Surface& surface, NearTr
         on_plane(a, A, plane, sink);
         for (int k = before; k < sink.count(); ++k)
             sink.at(k)->side2 = triangle_under(surface, near, load(sink.at(k)->pos), slack);
+        if (as_ode && sink.count() > before) tell_each(surface, near, slack, sink);
         return;
     }
     Harvest harvest(Real(1e-6) * (solid.size + solid.radius), sink);
-    MeshMeeting meeting{surface.mesh, solid, slack, kTwoSided<Shape>, near.all(), harvest};
+    MeshMeeting meeting{surface.mesh, solid, slack, kTwoSided<Shape>, near.all(), as_ode, harvest};
     for (const int t : near.close()) {
         if constexpr (std::is_same_v<Shape, Sphere>) {
             ball_on(A.p, a.radius, t, meeting);

@@ -40,6 +40,7 @@ struct MeshMeeting {
     Real slack;               // slack_of(solid)
     bool two_sided;           // else only the fronts of triangles push
     bool whole;               // no triangle is left out; else seams are kept, their neighbours may be missing
+    bool as_ode;              // of a ball: its place on the mesh, and a contact for each triangle under it
     Harvest& out;
 
     bool seam(const MeshFacet& f, int edge) const { return whole && f.rim[edge] == Rim::kSeam; }

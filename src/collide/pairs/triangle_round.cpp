@@ -5,6 +5,8 @@
 //   over the triangle   ends of the part of s whose foot lies in it, depth r - height; where s pierces it,
 //                       the end that is through, if no crest is nearer (triangle_solid.cpp)
 //   beside a crest      nearest points p, q of s and the edge, along p - q
+// Of a ball that a program asks about the place is told as ODE does, on the mesh, and where its foot is on an
+// edge or a corner, each triangle that lies there in one plane has a contact.
 // Ends that a seam has cut are left to the neighbour.
 #include "collide/pairs/mesh_facet.h"
 #include "collide/pairs/round_edges.h"
@@ -59,7 +61,15 @@ void beside(const RoundSolid& s, const MeshFacet& f, int edge, Vec3 p, Vec3 q, M
     else
         crest = crest_at_edge(f, edge, n);
     if (!crest.stands || (crest.border && over_lip(s, f, p, q, m))) return;
-    m.out.add(p - s.r * n, n, s.r > distance ? s.r - distance : 0, f.index);
+    m.out.add(m.as_ode ? q : p - s.r * n, n, s.r > distance ? s.r - distance : 0, f.index);
+}
+
+// A ball over a triangle.
+void over_inside(Vec3 centre, Real radius, Vec3 n, Real height, int triangle, MeshMeeting& m)
+{
+    const ContactPoint point{centre - (m.as_ode ? height : radius) * n, n,
+                             radius > height ? radius - height : 0, -1, triangle};
+    m.as_ode ? m.out.add_apart(point) : m.out.add(point);
 }
 
 }  // namespace
@@ -94,9 +104,9 @@ void ball_on(Vec3 centre, Real radius, int triangle, MeshMeeting& m)
         beyond[k] = dot(cross(e[k], n), centre - v[k]) / length(e[k]);
         aside = beyond[k] > aside ? beyond[k] : aside;
     }
-    const Real above = height > 0 ? height : Real(0), depth = radius - height;
+    const Real above = height > 0 ? height : Real(0);
     if (aside * aside + above * above > top * top) return;
-    if (aside <= m.slack) m.out.add(centre - radius * n, n, depth > 0 ? depth : 0, triangle);
+    if (aside <= m.slack) over_inside(centre, radius, n, height, triangle, m);
     const MeshRims& rims = mesh.rims(triangle);
     const Real inside = -kLevel * top;
     MeshFacet f;

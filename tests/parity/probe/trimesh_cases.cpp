@@ -356,5 +356,45 @@ PARITY_CASE(trimesh_mass)
     }
 }
 
+// A flat sheet of four squares, each cut along a diagonal, and its middle: coordinates are exact.
+dGeomID exact_sheet(dTriMeshDataID data)
+{
+    static const float corners[9][3] = {{-2, -2, 0}, {0, -2, 0}, {2, -2, 0}, {-2, 0, 0}, {0, 0, 0},
+                                        {2, 0, 0},   {-2, 2, 0}, {0, 2, 0},  {2, 2, 0}};
+    static const dTriIndex faces[8][3] = {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4},
+                                          {3, 4, 7}, {3, 7, 6}, {4, 5, 8}, {4, 8, 7}};
+    dGeomTriMeshDataBuildSingle(data, corners, sizeof corners[0], 9, faces, 24, sizeof faces[0]);
+    return dCreateTriMesh(nullptr, data, nullptr, nullptr, nullptr);
+}
+
+// A ball whose foot is on an edge or a corner of triangles in one plane has a contact with each of them; the
+// places are on the mesh. Balls touch exactly, or sink in so little that no other triangle is in reach.
+PARITY_CASE(trimesh_sphere_feet)
+{
+    const dTriMeshDataID data = dGeomTriMeshDataCreate();
+    const dGeomID sheet = exact_sheet(data), ball = dCreateSphere(nullptr, 0.5);
+    const double feet[][2] = {{1, 1}, {-1, -1}, {0.5, 0.5}, {0, 1}, {1, 0},   {-1, 0},   {0, -1},
+                              {2, 1}, {-1, 2},  {2, 2},     {0, 0}, {-2, -2}, {1, 0.25}, {-1.5, 0.75}};
+    for (const auto& foot : feet)
+        for (const double depth : {0.0, 0.00390625, 0.03125}) {
+            out.open_block(std::to_string(foot[0]) + "," + std::to_string(foot[1]) + "/" +
+                           std::to_string(depth));
+            dGeomSetPosition(ball, foot[0], foot[1], 0.5 - depth);
+            dContactGeom found[16] = {};
+            const int count = dCollide(ball, sheet, 16, found, sizeof(dContactGeom));
+            std::sort(found, found + count,
+                      [](const dContactGeom& a, const dContactGeom& b) { return a.side2 < b.side2; });
+            out.put("count", {static_cast<double>(count)});
+            for (int i = 0; i < count; ++i) {
+                const dContactGeom& c = found[i];
+                out.put("contact" + std::to_string(i), {c.depth, c.pos[0], c.pos[1], c.pos[2], c.normal[0],
+                                                        c.normal[1], c.normal[2], double(c.side2)});
+            }
+        }
+    dGeomDestroy(ball);
+    dGeomDestroy(sheet);
+    dGeomTriMeshDataDestroy(data);
+}
+
 }  // namespace
 }  // namespace parity
