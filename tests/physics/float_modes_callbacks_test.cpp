@@ -130,14 +130,14 @@ std::uint64_t run(const FloatMode& mode, bool& kept)
         for (int i = 0; i < 5; ++i) {
             dJointGroupEmpty(sim.contacts);
             dSpaceCollide(sim.space, &sim, near);
-            dWorldStep(sim.world, real(0.01));
+            dWorldStep(sim.world, dReal(0.01));
         }
         dCollide(ray, floor, 1, &hit, sizeof hit);
         dMassSetParameters(&mass, 1, 0, 0, 0, -1, 1, 1, 0, 0, 0);  // a message from inside
         dJointGroupEmpty(sim.contacts);
         dWorldSetContactSpace(sim.world, sim.space);
         dWorldSetContactFilter(sim.world, filter, nullptr);
-        for (int i = 0; i < 5; ++i) dWorldStepFast1(sim.world, real(0.01), 3);
+        for (int i = 0; i < 5; ++i) dWorldStepFast1(sim.world, dReal(0.01), 3);
     };
     in_mode();
     g_seen.on = false;

@@ -40,7 +40,7 @@ struct Field {
     {
         for (int i = 0; i < 36; ++i) heights[i] = float((i * 7 + i * i * 3) % 11) / 16;
         id = dGeomHeightfieldDataCreate();
-        dGeomHeightfieldDataBuildSingle(id, heights, 0, 6, 6, 6, 6, 1, real(-0.3), 1, 0);
+        dGeomHeightfieldDataBuildSingle(id, heights, 0, 6, 6, 6, 6, 1, dReal(-0.3), 1, 0);
     }
     ~Field() { dGeomHeightfieldDataDestroy(id); }
     Field(const Field&) = delete;
@@ -69,12 +69,12 @@ struct Zoo {
     explicit Zoo(std::uint32_t seed)
     {
         Random random(seed);
-        static const dReal points[15] = {1,         0, 0, -1,        real(0.5), 0,         0, -1,
-                                         real(0.2), 0, 0, real(1.3), real(0.3), real(0.4), -1};
-        geoms = {dCreateSphere(space, real(0.8)),
-                 dCreateBox(space, 1, real(1.3), real(0.7)),
-                 dCreateCapsule(space, real(0.4), real(0.9)),
-                 dCreateCylinder(space, real(0.5), real(1.1)),
+        static const dReal points[15] = {1,          0, 0, -1,         dReal(0.5), 0,          0, -1,
+                                         dReal(0.2), 0, 0, dReal(1.3), dReal(0.3), dReal(0.4), -1};
+        geoms = {dCreateSphere(space, dReal(0.8)),
+                 dCreateBox(space, 1, dReal(1.3), dReal(0.7)),
+                 dCreateCapsule(space, dReal(0.4), dReal(0.9)),
+                 dCreateCylinder(space, dReal(0.5), dReal(1.1)),
                  dCreateConvexHull(space, points, 5, 0),
                  dCreateTriMesh(space, mesh.id, nullptr, nullptr, nullptr),
                  dCreateHeightfield(space, field.id, 1),
@@ -86,7 +86,7 @@ struct Zoo {
             dGeomSetPosition(geom, real(at.x), real(at.y), real(at.z));
             dGeomSetQuaternion(geom, q);
         }
-        geoms.push_back(dCreatePlane(space, real(0.1), real(0.2), real(0.97), real(-0.2)));
+        geoms.push_back(dCreatePlane(space, dReal(0.1), dReal(0.2), dReal(0.97), dReal(-0.2)));
     }
     ~Zoo() { dSpaceDestroy(space); }
     Zoo(const Zoo&) = delete;
@@ -191,7 +191,7 @@ std::uint64_t rays_of(const Zoo& zoo, const FloatMode& mode, int threads, bool& 
 std::uint64_t queries_of(const Zoo& zoo, const FloatMode& mode, bool& kept)
 {
     Results results;
-    const dVector3 motion = {real(0.3), real(-2), real(1.1), 0};
+    const dVector3 motion = {dReal(0.3), dReal(-2), dReal(1.1), 0};
     for (const dGeomID a : zoo.geoms)
         for (const dGeomID b : zoo.geoms) {
             if (a == b || !is_solid(a)) continue;
@@ -220,28 +220,28 @@ std::uint64_t numbers_of(const Zoo& zoo, const FloatMode& mode, bool& kept)
     dMass m[8] = {};
     dReal depth[4];
     dVector3 p, q;
-    const dVector3 a = {0, 0, 0, 0}, b = {1, real(0.7), 0, 0}, c = {real(0.3), 1, 1, 0},
-                   d = {real(0.1), -1, real(0.7), 0};
-    const dMatrix3 turn = {real(0.36), real(0.48), real(-0.8), 0,          real(-0.8), real(0.6),
-                           0,          0,          real(0.48), real(0.64), real(0.6),  0};
+    const dVector3 a = {0, 0, 0, 0}, b = {1, dReal(0.7), 0, 0}, c = {dReal(0.3), 1, 1, 0},
+                   d = {dReal(0.1), -1, dReal(0.7), 0};
+    const dMatrix3 turn = {dReal(0.36), dReal(0.48), dReal(-0.8), 0,           dReal(-0.8), dReal(0.6),
+                           0,           0,           dReal(0.48), dReal(0.64), dReal(0.6),  0};
     {
         const HostMode host(mode, kept);
-        dMassSetSphere(&m[0], real(0.7), real(0.3));
-        dMassSetBox(&m[1], real(0.7), real(0.1), real(0.3), real(1.1));
-        dMassSetCylinder(&m[2], real(0.7), 2, real(0.3), real(1.1));
-        dMassSetCapsule(&m[3], real(0.7), 3, real(0.3), real(1.1));
-        dMassSetTrimesh(&m[4], real(0.7), zoo.geoms[5]);
-        dMassSetConvex(&m[5], real(0.7), zoo.geoms[4]);
+        dMassSetSphere(&m[0], dReal(0.7), dReal(0.3));
+        dMassSetBox(&m[1], dReal(0.7), dReal(0.1), dReal(0.3), dReal(1.1));
+        dMassSetCylinder(&m[2], dReal(0.7), 2, dReal(0.3), dReal(1.1));
+        dMassSetCapsule(&m[3], dReal(0.7), 3, dReal(0.3), dReal(1.1));
+        dMassSetTrimesh(&m[4], dReal(0.7), zoo.geoms[5]);
+        dMassSetConvex(&m[5], dReal(0.7), zoo.geoms[4]);
         m[6] = m[1];
-        dMassTranslate(&m[6], real(0.1), real(0.2), real(0.3));
+        dMassTranslate(&m[6], dReal(0.1), dReal(0.2), dReal(0.3));
         dMassRotate(&m[6], turn);
         dMassAdd(&m[6], &m[2]);
         m[7] = m[3];
-        dMassAdjust(&m[7], real(0.77));
-        depth[0] = dGeomSpherePointDepth(zoo.geoms[0], real(0.1), real(0.2), real(0.3));
-        depth[1] = dGeomBoxPointDepth(zoo.geoms[1], real(0.1), real(0.2), real(0.3));
-        depth[2] = dGeomCapsulePointDepth(zoo.geoms[2], real(0.1), real(0.2), real(0.3));
-        depth[3] = dGeomPlanePointDepth(zoo.geoms[8], real(0.1), real(0.2), real(0.3));
+        dMassAdjust(&m[7], dReal(0.77));
+        depth[0] = dGeomSpherePointDepth(zoo.geoms[0], dReal(0.1), dReal(0.2), dReal(0.3));
+        depth[1] = dGeomBoxPointDepth(zoo.geoms[1], dReal(0.1), dReal(0.2), dReal(0.3));
+        depth[2] = dGeomCapsulePointDepth(zoo.geoms[2], dReal(0.1), dReal(0.2), dReal(0.3));
+        depth[3] = dGeomPlanePointDepth(zoo.geoms[8], dReal(0.1), dReal(0.2), dReal(0.3));
         dClosestLineSegmentPoints(a, b, c, d, p, q);
     }
     Results results;
@@ -264,11 +264,11 @@ std::uint64_t shapes_made(const FloatMode& mode, bool& kept)
     Zoo other(3);
     {
         const HostMode host(mode, kept);
-        static const dReal points[15] = {1,         0, 0, -1,        real(0.5), 0,         0, -1,
-                                         real(0.2), 0, 0, real(1.3), real(0.3), real(0.4), -1};
+        static const dReal points[15] = {1,          0, 0, -1,         dReal(0.5), 0,          0, -1,
+                                         dReal(0.2), 0, 0, dReal(1.3), dReal(0.3), dReal(0.4), -1};
         dGeomSetConvexHull(other.geoms[4], points, 5, 0);
         dGeomTriMeshDataUpdate(other.mesh.id);
-        dGeomHeightfieldDataSetBounds(other.field.id, real(-0.1), real(0.7));
+        dGeomHeightfieldDataSetBounds(other.field.id, dReal(-0.1), dReal(0.7));
     }
     bool usual = true;
     return contacts_of(other, {"usual", kUsualControl}, usual);

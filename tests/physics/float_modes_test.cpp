@@ -21,13 +21,13 @@ int step_by(int stepper, dWorldID world)
 {
     switch (stepper) {
         case 0:
-            return dWorldStep(world, real(0.01));
+            return dWorldStep(world, dReal(0.01));
         case 1:
-            return dWorldQuickStep(world, real(0.01));
+            return dWorldQuickStep(world, dReal(0.01));
         case 2:
-            return dWorldStepFast1(world, real(0.01), 4);
+            return dWorldStepFast1(world, dReal(0.01), 4);
         default:
-            return dWorldStepHybrid(world, real(0.01));
+            return dWorldStepHybrid(world, dReal(0.01));
     }
 }
 
@@ -86,7 +86,7 @@ TEST(FloatModes, what_is_read_in_them_is_what_steps_go_by)
         const dBodyID body = sim.box({0.1, 0.2, 0.9}, {0.7, 0.3, 0.9}, 3);
         const dGeomID geom = dBodyGetFirstGeom(body);
         const dQuaternion turn = {1, 2, 3, 5}, tilt = {3, 1, 1, 2};
-        dGeomSetOffsetPosition(geom, real(0.1), real(0.3), real(-0.1));
+        dGeomSetOffsetPosition(geom, dReal(0.1), dReal(0.3), dReal(-0.1));
         dGeomSetOffsetQuaternion(geom, tilt);
         dBodySetQuaternion(body, turn);
         for (int i = 0; i < 40; ++i) {
@@ -122,7 +122,7 @@ TEST(FloatModes, batches_leave_the_same_bits_in_all_of_them)
         }
         {
             const HostMode host(mode, kept);
-            dWorldStepMany(worlds, 4, real(0.01), stepper, 4, 20, threads, nullptr);
+            dWorldStepMany(worlds, 4, dReal(0.01), stepper, 4, 20, threads, nullptr);
         }
         std::uint64_t all = 0;
         for (const Sim& sim : sims) all = all * 31 + hash_state(sim);
