@@ -54,6 +54,23 @@ inline DoubleDouble operator*(DoubleDouble a, double b)
     return quick_two_sum(p.hi, p.lo + a.lo * b);
 }
 
+inline DoubleDouble operator*(DoubleDouble a, DoubleDouble b)
+{
+    const DoubleDouble p = two_product(a.hi, b.hi);
+    return quick_two_sum(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
+}
+
+inline DoubleDouble operator-(DoubleDouble a) { return {-a.hi, -a.lo}; }
+inline DoubleDouble operator-(DoubleDouble a, DoubleDouble b) { return a + -b; }
+
+// Two digits of long division, each corrected by what it leaves.
+inline DoubleDouble operator/(DoubleDouble a, DoubleDouble b)
+{
+    const double first = a.hi / b.hi;
+    const DoubleDouble rest = a - b * first;
+    return quick_two_sum(first, rest.hi / b.hi);
+}
+
 inline double rounded(DoubleDouble a) { return a.hi + a.lo; }
 
 }  // namespace epode

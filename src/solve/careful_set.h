@@ -19,6 +19,11 @@ namespace epode {
 class CarefulSet {
   public:
     bool prepare(const ExactProblem& problem, Arena& arena);  // false: out of memory
+    // For what still has not enough digits: the equalities densely from now on. False: out of memory.
+    bool prepare_dense(const ExactProblem& problem, Arena& arena)
+    {
+        return equalities_.prepare_dense(problem.row_count(), arena);
+    }
 
     // The factor of H must have been built. Leaves the best point that was seen in `state`, with the
     // velocities that belong to its impulses with all their digits in `v`, and returns its residual.

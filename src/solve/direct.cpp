@@ -118,9 +118,19 @@ class DirectSolve {
         if (!(residual_ > careful_above_)) return true;
         if (!careful_ready_ && !(careful_ready_ = careful_.prepare(problem_, arena))) return false;
         residual_ = careful_.solve(problem_, state_, scratch_, report.iterations);
-        if (!(residual_ > kPromised) || !problem_.soften()) return true;
+        if (!(residual_ > kPromised)) return true;
+        if (!problem_.soften()) return solve_densely(arena, report);
         std::copy(begun_.begin(), begun_.end(), state_.p.begin());
         return solve_phase(arena, report);
+    }
+
+    // Better than it was, or as it was.
+    bool solve_densely(Arena& arena, SolveReport& report)
+    {
+        if (problem_.row_count() > WideFactor::kMostRows) return true;
+        if (!careful_dense_ && !(careful_dense_ = careful_.prepare_dense(problem_, arena))) return false;
+        residual_ = careful_.solve(problem_, state_, scratch_, report.iterations);
+        return true;
     }
 
     bool solve_box(Arena& arena, SolveReport& report)
@@ -168,7 +178,7 @@ class DirectSolve {
     InteriorPoint interior_;
     CarefulSet careful_;
     bool give_up_early_;
-    bool interior_ready_ = false, careful_ready_ = false;
+    bool interior_ready_ = false, careful_ready_ = false, careful_dense_ = false;
     double residual_ = 0;  // that scratch_ and state_ have
     BoxState state_;
     std::span<double> kept_, begun_, scratch_;

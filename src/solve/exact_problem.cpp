@@ -263,6 +263,23 @@ void ExactProblem::velocities(std::span<const double> p, std::span<const double>
     for (std::size_t i = 0; i < v.size(); ++i) v[i] = v_star_[i] + rounded(sums[i]);
 }
 
+void ExactProblem::defect(std::span<const double> p, std::span<const double> low,
+                          std::span<const double> free, std::span<DoubleDouble> sums,
+                          std::span<DoubleDouble> r) const
+{
+    sum_impulses(p, low, sums);
+    for (std::size_t n = 0; n < v_star_.size(); ++n) sums[n] = sums[n] + v_star_[n];
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        r[i] = {};
+        if (!(free[i] > 0)) continue;
+        const ExactRow& row = rows_[i];
+        DoubleDouble sum = DoubleDouble{p[i], low[i]} * -row.C + row.c;
+        for (int k = 0; k < (row.b < 0 ? 6 : 12); ++k)
+            sum = sum - sums[std::size_t(6 * (k < 6 ? row.a : row.b) + k % 6)] * row.J[k];
+        r[i] = sum;
+    }
+}
+
 void ExactProblem::apply(std::span<const double> p, std::span<DoubleDouble> sums, std::span<double> v,
                          std::span<double> Ap) const
 {

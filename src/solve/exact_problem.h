@@ -84,6 +84,10 @@ class ExactProblem {
     // The same for p + low, with J^T (p + low) summed in twice the digits: `sums`, as many as unknowns.
     void velocities(std::span<const double> p, std::span<const double> low, std::span<DoubleDouble> sums,
                     std::span<double> v) const;
+    // r = c - J v - C p of the rows for which `free` is positive, 0 for the others: v from sums = J^T (p +
+    // low), and everything in twice the digits.
+    void defect(std::span<const double> p, std::span<const double> low, std::span<const double> free,
+                std::span<DoubleDouble> sums, std::span<DoubleDouble> r) const;
     // Ap = J J^T p + C p, with J^T p summed in the same way; `v` is scratch.
     void apply(std::span<const double> p, std::span<DoubleDouble> sums, std::span<double> v,
                std::span<double> Ap) const;

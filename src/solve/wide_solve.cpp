@@ -11,8 +11,10 @@
 namespace epode {
 namespace {
 
-constexpr double kEnough = 1e-13;  // of the scale: nothing left to correct
+constexpr double kEnough = 1e-13;       // of the scale: nothing left to correct
+constexpr double kDenseEnough = 1e-20;  // the same in 106 bits
 constexpr int kMostPasses = 80;
+constexpr int kDensePasses = 6;
 constexpr int kMostDirections = 30;
 constexpr int kLeastDirections = 8;
 constexpr int kManyRows = 2000;  // from which on directions cost too much memory
@@ -30,9 +32,24 @@ bool WideSolve::prepare(const ExactProblem& problem, Arena& arena)
     return !arena.failed();
 }
 
+bool WideSolve::prepare_dense(int rows, Arena& arena)
+{
+    defects_ = arena.take<DoubleDouble>(rows);
+    dense_ = factor_.prepare(rows, arena);
+    return dense_;
+}
+
 void WideSolve::solve(ExactProblem& problem, BoxState& state, std::span<double> low, std::span<double> v)
 {
     weigh(problem, state);
+    if (!dense_) return iterate(problem, state, low, v);
+    refine(problem, state, low);
+    velocities(problem, state, low, v);
+}
+
+void WideSolve::iterate(ExactProblem& problem, BoxState& state, std::span<double> low, std::span<double> v)
+{
+    problem.factor(D_);
     double mark = HUGE_VAL, now = residual(problem, state, low, v);
     for (int pass = 0, stall = 0, k = 0; pass < kMostPasses && now > kEnough * problem.scale(); ++pass) {
         if (k == directions_) k = 0;
@@ -47,7 +64,35 @@ void WideSolve::solve(ExactProblem& problem, BoxState& state, std::span<double> 
     }
 }
 
-void WideSolve::weigh(ExactProblem& problem, const BoxState& state)
+void WideSolve::refine(const ExactProblem& problem, BoxState& state, std::span<double> low)
+{
+    factor_.factor(problem, D_);
+    double before = HUGE_VAL, now = largest_defect(problem, state, low);
+    for (int pass = 0; pass < kDensePasses && now > kDenseEnough * problem.scale(); ++pass) {
+        if (!(now < 0.5 * before)) return;
+        factor_.solve(defects_);
+        for (std::size_t i = 0; i < D_.size(); ++i) {
+            if (!(D_[i] > 0)) continue;
+            const DoubleDouble p = DoubleDouble{state.p[i], low[i]} + defects_[i];
+            state.p[i] = p.hi;
+            low[i] = p.lo;
+        }
+        before = now;
+        now = largest_defect(problem, state, low);
+    }
+}
+
+// Leaves r in defects_.
+double WideSolve::largest_defect(const ExactProblem& problem, const BoxState& state,
+                                 std::span<const double> low)
+{
+    problem.defect(state.p, low, D_, sums_, defects_);
+    double worst = 0;
+    for (const DoubleDouble& x : defects_) worst = std::max(worst, std::fabs(x.hi));
+    return worst;
+}
+
+void WideSolve::weigh(const ExactProblem& problem, const BoxState& state)
 {
     for (std::size_t i = 0; i < D_.size(); ++i) {
         const ExactRow& row = problem.row(int(i));
@@ -55,7 +100,6 @@ void WideSolve::weigh(ExactProblem& problem, const BoxState& state)
         const bool free = state.tag[i] == BoxState::kFree && row.d > 0;
         D_[i] = free ? 1 / (row.C + row.weight_min) : 0;
     }
-    problem.factor(D_);
 }
 
 // v and r of the present impulses; returns max |r|.
