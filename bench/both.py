@@ -34,9 +34,9 @@ def library(options, folder):
     return run(options, folder, ['library']).stdout.strip()
 
 
-def run(options, folder, arguments):
+def run(options, folder, arguments, given=None):
     environment = dict(os.environ, LD_LIBRARY_PATH=folder)
-    return subprocess.run([options.bench] + arguments, env=environment, capture_output=True, text=True, check=False)
+    return subprocess.run([options.bench] + arguments, env=environment, input=given, capture_output=True, text=True, check=False)
 
 
 def median(values):

@@ -12,6 +12,7 @@
 #include "bench/pile.h"
 #include "bench/scene_bench.h"
 #include "bench/scene_run.h"
+#include "bench/space_table.h"
 #include "bench/spaces.h"
 #include "bench/terrain.h"
 #include "bench/worlds.h"
@@ -199,6 +200,8 @@ CLI::App* add_pairs(CLI::App& app, epode::bench::PairOptions& options)
     command->add_option("--poses", options.poses, "of each set (default 500)")->check(CLI::Range(1, 100'000));
     command->add_option("--rounds", options.rounds, "the quickest counts (default 5)")
         ->check(CLI::Range(1, 1'000'000));
+    command->add_flag("--listed", options.listed,
+                      "those that standard input lists, as bench/collide --table asks");
     return command;
 }
 
@@ -236,6 +239,7 @@ int main(int argc, char** argv)
     CLI::App* pairs_command = add_pairs(app, pairs);
     epode::bench::SpaceOptions spaces;
     CLI::App* spaces_command = add_spaces(app, spaces);
+    CLI::App* space_table = app.add_subcommand("space-table", "what programs ask of each kind of space");
     epode::bench::WorldsOptions worlds;
     CLI::App* worlds_command = add_worlds(app, worlds);
     epode::bench::SceneRunOptions run;
@@ -275,8 +279,11 @@ int main(int argc, char** argv)
     }
     if (*mesh_rays) return epode::bench::bench_mesh_rays(rays);
     if (*terrain_command) return epode::bench::bench_terrain(terrain);
-    if (*pairs_command) return epode::bench::bench_pairs(pairs);
+    if (*pairs_command)
+        return pairs.listed ? epode::bench::bench_listed_pairs(pairs.poses)
+                            : epode::bench::bench_pairs(pairs);
     if (*spaces_command) return epode::bench::bench_spaces(spaces);
+    if (*space_table) return epode::bench::bench_space_table();
     if (*worlds_command) return epode::bench::bench_worlds(worlds);
     if (*make_pile) return epode::bench::print_pile(pile.count, pile.side, pile.rows, pile.seed);
     return epode::bench::bench_scene(options);

@@ -10,6 +10,7 @@ namespace epode::bench {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
+constexpr int kCells = 64;  // to a side of a ground
 
 int rings_of(const std::string& kind) { return kind == "cube" ? 2 : kind == "hull20" ? 4 : 10; }
 int sides_of(const std::string& kind) { return kind == "cube" ? 4 : kind == "hull20" ? 5 : 10; }
@@ -81,9 +82,12 @@ PairMember::PairMember(const std::string& kind)
     } else if (kind == "plane") {
         geom_ = dCreatePlane(nullptr, 0, 0, 1, 0);
         top_ = 0;
-    } else if (kind == "ray") {
-        geom_ = dCreateRay(nullptr, 2);
-        top_ = 0, reach_ = 1;
+    } else if (is_ray()) {
+        make_ray();
+    } else if (kind == "ground") {
+        ground_ = std::make_unique<MeshGround>(kCells), geom_ = ground_->geom();
+    } else if (kind == "field") {
+        field_ = std::make_unique<FieldGround>(kCells), geom_ = field_->geom();
     } else if (kind == "mesh") {
         make_mesh();
         reach_ = hull_.reach;
@@ -96,8 +100,17 @@ PairMember::PairMember(const std::string& kind)
 
 PairMember::~PairMember()
 {
-    dGeomDestroy(geom_);
+    if (!is_ground()) dGeomDestroy(geom_);
     if (data_) dGeomTriMeshDataDestroy(data_);
+}
+
+void PairMember::make_ray()
+{
+    geom_ = dCreateRay(nullptr, 2);
+    dGeomRaySetFirstContact(geom_, kind_ == "ray-first");
+    dGeomRaySetClosestHit(geom_, kind_ == "ray-closest");
+    dGeomRaySetBackfaceCull(geom_, kind_ == "ray-cull");
+    top_ = 0, reach_ = 1;
 }
 
 void PairMember::make_mesh()

@@ -8,6 +8,9 @@
 //   ellipsoid
 //                           (planar quadrangles, flat above and below), so that no hull need be computed here
 //   mesh                    the ellipsoid of 100 points as a triangle mesh
+//   ground, field           the terrain of bench/ground.h as a mesh and as a height field; the height is that
+//   at a place ray, ray-first ...      2 m long; all hits, or those that FirstContact, ClosestHit and
+//   BackfaceCull leave
 #pragma once
 
 #include <ode/ode.h>
@@ -15,8 +18,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "bench/ground.h"
 
 namespace epode::bench {
 
@@ -33,8 +39,9 @@ class PairDice {
     std::uint64_t state_;
 };
 
-inline constexpr const char* kMembers[] = {"sphere", "box",     "capsule", "cylinder", "cube",
-                                           "hull20", "hull100", "plane",   "ray",      "mesh"};
+inline constexpr const char* kMembers[] = {"sphere", "box",     "capsule",   "cylinder",    "cube",
+                                           "hull20", "hull100", "plane",     "ray",         "mesh",
+                                           "ground", "field",   "ray-first", "ray-closest", "ray-cull"};
 
 // Points, planes and polygons as dCreateConvex reads them: they must outlive the geom.
 struct RingHull {
@@ -56,16 +63,22 @@ class PairMember {
     ~PairMember();
 
     dGeomID geom() const { return geom_; }
-    double top() const { return top_; }      // of the upright solid
+    double top() const { return top_; }  // of the upright solid
+    double height(double x, double y) const { return is_ground() ? ground_height(x, y) : top_; }
     double reach() const { return reach_; }  // of any pose
     bool is_plane() const { return kind_ == "plane"; }
-    bool is_ray() const { return kind_ == "ray"; }
+    bool is_ray() const { return kind_.starts_with("ray"); }
+    bool is_ground() const { return kind_ == "ground" || kind_ == "field"; }
+    bool is_fixed() const { return is_plane() || is_ground(); }  // stays where it is made
 
   private:
     void make_mesh();
+    void make_ray();
 
     std::string kind_;
     RingHull hull_;
+    std::unique_ptr<MeshGround> ground_;
+    std::unique_ptr<FieldGround> field_;
     dGeomID geom_ = nullptr;
     dTriMeshDataID data_ = nullptr;
     std::vector<dTriIndex> triangles_;

@@ -13,8 +13,14 @@ struct PairOptions {
     std::string set;            // resting, tumbled or apart; empty: all
     int poses = 500;
     int rounds = 5;  // the quickest counts
+    bool listed = false;
 };
 
 int bench_pairs(const PairOptions& options);
+
+// Reads lines `FIRST SECOND [SELECTED]` from standard input, in any order of the two. For each prints
+// `FIRST SECOND COUNTS`, a digit with the number of contacts per pose, all sets after each other; or, for
+// those poses that SELECTED has a 1 for, `FIRST SECOND NS` a call.
+int bench_listed_pairs(int poses);
 
 }  // namespace epode::bench

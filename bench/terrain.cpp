@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The terrain of scene S7: hills of several wavelengths over 256 x 256 cells of half a metre, 131,072
-// triangles, or a height field of the same heights (other diagonals). Solids of about half a metre lie on it
-// in random poses, sunk in by up to 5 cm, and for each dCollide is asked for eight contacts. Printed per
-// class: the least time per pair over the rounds, how many pairs touch, and the mean number of contacts of
-// these.
+// The terrain of scene S7 (bench/ground.h): 256 x 256 cells, 131,072 triangles, or a height field of the same
+// heights. Solids of about half a metre lie on it in random poses, sunk in by up to 5 cm, and for each
+// dCollide is asked for eight contacts. Printed per class: the least time per pair over the rounds, how many
+// pairs touch, and the mean number of contacts of these.
 #include "bench/terrain.h"
 
 #include <fmt/format.h>
@@ -17,13 +16,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "bench/ground.h"
 #include "scenes/extensions.h"
 
 namespace epode::bench {
 
 namespace {
-
-constexpr double kCell = 0.5;
 
 class Dice {
   public:
@@ -35,76 +33,6 @@ class Dice {
 
   private:
     std::uint64_t state_ = 12345;
-};
-
-double height(double x, double y)
-{
-    return 1.5 * std::sin(0.11 * x) * std::cos(0.13 * y) + 0.3 * std::sin(0.7 * x + 0.2) * std::sin(0.6 * y) +
-           0.04 * std::sin(3.1 * x) * std::cos(2.7 * y);
-}
-
-class MeshGround {
-  public:
-    explicit MeshGround(int n)
-    {
-        for (int j = 0; j <= n; ++j)
-            for (int i = 0; i <= n; ++i) {
-                const double x = kCell * (i - 0.5 * n), y = kCell * (j - 0.5 * n);
-                for (const double v : {x, y, height(x, y), 0.0}) vertices_.push_back(dReal(v));
-            }
-        for (int j = 0; j < n; ++j)
-            for (int i = 0; i < n; ++i) {
-                const dTriIndex a = dTriIndex(i + j * (n + 1)), b = a + 1, c = a + dTriIndex(n) + 1,
-                                d = c + 1;
-                for (const dTriIndex corner : {a, b, d, a, d, c}) corners_.push_back(corner);
-            }
-        dGeomTriMeshDataBuildSimple(data_, vertices_.data(), int(vertices_.size() / 4), corners_.data(),
-                                    int(corners_.size()));
-        geom_ = dCreateTriMesh(nullptr, data_, nullptr, nullptr, nullptr);
-    }
-    MeshGround(const MeshGround&) = delete;
-    MeshGround& operator=(const MeshGround&) = delete;
-    ~MeshGround()
-    {
-        dGeomDestroy(geom_);
-        dGeomTriMeshDataDestroy(data_);
-    }
-    dGeomID geom() const { return geom_; }
-
-  private:
-    std::vector<dReal> vertices_;
-    std::vector<dTriIndex> corners_;
-    dTriMeshDataID data_ = dGeomTriMeshDataCreate();
-    dGeomID geom_ = nullptr;
-};
-
-// Its own y up is the world's z, its z against the world's y.
-class FieldGround {
-  public:
-    explicit FieldGround(int n)
-    {
-        std::vector<double> heights;
-        for (int j = 0; j <= n; ++j)
-            for (int i = 0; i <= n; ++i)
-                heights.push_back(height(kCell * (i - 0.5 * n), -kCell * (j - 0.5 * n)));
-        dGeomHeightfieldDataBuildDouble(data_, heights.data(), 1, dReal(kCell * n), dReal(kCell * n), n + 1,
-                                        n + 1, 1, 0, 1, 0);
-        geom_ = dCreateHeightfield(nullptr, data_, 1);
-        dMatrix3 up = {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0};
-        dGeomSetRotation(geom_, up);
-    }
-    FieldGround(const FieldGround&) = delete;
-    FieldGround& operator=(const FieldGround&) = delete;
-    ~FieldGround()
-    {
-        dGeomDestroy(geom_);
-        dGeomHeightfieldDataDestroy(data_);
-    }
-    dGeomID geom() const { return geom_; }
-
-  private:
-    dHeightfieldDataID data_ = dGeomHeightfieldDataCreate();
-    dGeomID geom_ = nullptr;
 };
 
 dGeomID make(const char* name, Dice& dice)
@@ -135,7 +63,7 @@ void put(dGeomID solid, Dice& dice, double half)
     dGeomSetPosition(solid, dReal(x), dReal(y), 0);
     dReal box[6];
     dGeomGetAABB(solid, box);
-    dGeomSetPosition(solid, dReal(x), dReal(y), dReal(height(x, y) - box[4] - dice.in(0, 0.05)));
+    dGeomSetPosition(solid, dReal(x), dReal(y), dReal(ground_height(x, y) - box[4] - dice.in(0, 0.05)));
 }
 
 void bench_class(const char* name, dGeomID terrain, const TerrainOptions& options)
@@ -144,7 +72,7 @@ void bench_class(const char* name, dGeomID terrain, const TerrainOptions& option
     std::vector<dGeomID> all;
     for (int k = 0; k < options.solids; ++k) {
         all.push_back(make(name, dice));
-        put(all.back(), dice, 0.45 * kCell * options.cells);
+        put(all.back(), dice, 0.45 * kGroundCell * options.cells);
     }
     double least = 1e300;
     int touching = 0, contacts = 0;
