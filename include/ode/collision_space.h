@@ -75,9 +75,9 @@ ODE_API int dSpaceGetCleanup(dSpaceID space);
 ODE_API void dSpaceSetSublevel(dSpaceID space, int sublevel);
 ODE_API int dSpaceGetSublevel(dSpaceID space);
 
-/** - dSpaceSetManualCleanup: Store whether mode is not 0, in ODE a hint on the lifetime of caches that
-      threads have; this library has no such caches.
-    - dSpaceGetManualCleanup: What dSpaceSetManualCleanup has stored: 1 or 0, which is the default. [0.16] */
+/** - dSpaceSetManualCleanup: Do nothing with mode, in ODE a hint on the lifetime of caches that threads have;
+      neither Debian's ODE nor this library has such caches.
+    - dSpaceGetManualCleanup: 1, whatever was set, as from Debian's ODE. [0.16] */
 ODE_API void dSpaceSetManualCleanup(dSpaceID space, int mode);
 ODE_API int dSpaceGetManualCleanup(dSpaceID space);
 

@@ -374,11 +374,11 @@ ODE_API void dGeomMoved(dGeomID geom);
 ODE_API dGeomID dGeomGetBodyNext(dGeomID geom);
 
 /** How this library was built: words separated by single spaces, for example "ODE" and
-    "ODE_double_precision". It takes nothing and refuses nothing. [0.16] */
+    "ODE_double_precision"; those of Debian's libode8. It takes nothing and refuses nothing. [0.16] */
 ODE_API const char* dGetConfiguration(void);
 
-/** 1 when `token` is one whole word of dGetConfiguration() (case counts), else 0. A null token is refused: 0.
- * [0.16] */
+/** 1 when `token` is one whole word of dGetConfiguration() (case counts), else 0; an empty text and one with
+   a space in it give 1. A null token is refused: 0. [0.16] */
 ODE_API int dCheckConfiguration(const char* token);
 
 #ifdef __cplusplus

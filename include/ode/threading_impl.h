@@ -44,7 +44,7 @@ typedef struct dxThreadingThreadPool* dThreadingThreadPoolID; /**< A pool of thr
 
 /* ---- implementations ---- */
 
-/** A new implementation whose calls are run by the thread that waits for them, in the order they were posted.
+/** A new implementation whose calls are run by the thread that waits for them, the last posted first.
     Its thread count is 0 and no thread may serve it. Returns NULL when memory is out. [0.16] */
 ODE_API dThreadingImplementationID dThreadingAllocateSelfThreadedImplementation(void);
 

@@ -42,16 +42,18 @@ int dSpaceGetSublevel(dSpaceID id)
     return space->sublevel;
 }
 
-void dSpaceSetManualCleanup(dSpaceID id, int mode)
+// There are no caches of threads to look after: as in Debian's build of ODE, the answer is 1 for ever.
+void dSpaceSetManualCleanup(dSpaceID id, int)
 {
     EPODE_SPACE(space, id);
-    space->manual_cleanup = mode != 0;
+    static_cast<void>(space);
 }
 
 int dSpaceGetManualCleanup(dSpaceID id)
 {
     EPODE_SPACE(space, id, 0);
-    return space->manual_cleanup;
+    static_cast<void>(space);
+    return 1;
 }
 
 void dSpaceAdd(dSpaceID id, dGeomID geom_id)

@@ -85,6 +85,7 @@ class ContactSink {
         return true;
     }
     void clear() { count_ = 0; }
+    void keep_first(int count) { count_ = count; }  // of those that there are
 
     // A manifold of one normal: keeps the best `min(4, room)` points when there are more, those within the
     // margin only if fewer touch: the deepest, then the one farthest from it, then those that span the

@@ -35,8 +35,7 @@ struct Space : Geom {
     int locks = 0;
     int pair_walks = 0;  // walks over the pair list in progress
     int sublevel = 0;
-    bool cleanup = true;  // destroys its members with itself
-    bool manual_cleanup = false;
+    bool cleanup = true;        // destroys its members with itself
     std::uint64_t edition = 0;  // another one when something has happened that may change its pairs
     int min_level = -3, max_level = 10;
 };

@@ -64,6 +64,7 @@ struct Trimesh {
     dTriArrayCallback* told = nullptr;
     dTriRayCallback* ray_hits = nullptr;
     dTriTriMergeCallback* merged = nullptr;
+    int merging = dGeomColliderMergeContactsValue_None;  // of a ball's contacts, for a program
     bool solid = false;  // wanted; meshes that are not closed are surfaces all the same
 
     const TrimeshData* mesh() const { return data && data->built ? data : nullptr; }  // null: no triangles

@@ -8,6 +8,8 @@
 // in lanes; which edges can be better than the faces is told without a root.
 #include "geometry/box_box.h"
 
+#include <algorithm>
+
 #include "geometry/best_four.h"
 #include "geometry/closest.h"
 #include "geometry/rectangle_cut.h"
@@ -230,6 +232,16 @@ struct Wanted {
     Real margin;
 };
 
+// Which of the points to keep where there is room for fewer: the best four, then the first of the others.
+[[gnu::noinline]] int keep_best(ManifoldPoints& points, Vec3 normal, int room, int* chosen)
+{
+    const int all = points.count;
+    int kept = best_four(points, normal, room < kBestFour ? room : kBestFour, chosen);
+    for (int i = 0; i < all && room > kBestFour && kept < room; ++i)
+        if (std::find(chosen, chosen + kept, i) == chosen + kept) chosen[kept++] = i;
+    return kept;
+}
+
 void face_manifold(const Reference& face, const Incident& other, Real slack, const Pose& world, Wanted wanted,
                    BoxBox& out)
 {
@@ -238,8 +250,7 @@ void face_manifold(const Reference& face, const Incident& other, Real slack, con
     face_points(face, other, slack, wanted.margin, points);
     int chosen[BoxBox::kMax] = {0, 1, 2, 3, 4, 5, 6, 7};
     out.count = points.count;
-    if (points.count > room)
-        out.count = best_four(points, {0, 0, face.inward}, room < kBestFour ? room : kBestFour, chosen);
+    if (points.count > room) out.count = keep_best(points, {0, 0, face.inward}, room, chosen);
     const Real* at[3];
     at[kNext[face.k]] = points.x, at[kLast[face.k]] = points.y, at[face.k] = points.z;
     for (int n = 0; n < out.count; ++n) {

@@ -19,7 +19,9 @@ struct AMotor : LastingJoint {
     static constexpr const char* kDifName = "ODE_angular_motor_joint";
     AMotor(const JointType& t, World& w)
         : LastingJoint(t, w), motor{LimitMotor(w), LimitMotor(w), LimitMotor(w)}
-    {}
+    {
+        for (LimitMotor& m : motor) m.crossed_act = true;  // as in ODE, on this type alone
+    }
 
     int mode = dAMotorUser;
     int count = 0;

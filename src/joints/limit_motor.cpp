@@ -103,10 +103,10 @@ void LimitMotor::emit_linear(const Joint& j, RowWriter& out, Vec3 axis, Real pos
 void LimitMotor::emit(const Joint& j, RowWriter& out, const Jacobian& jacobian, Real value, Real rate)
 {
     if (!out.info().inner) note(value, rate);
-    const bool unlimited_pull = pulls_away() && fmax == kInf && lo < hi;
+    const bool unlimited_pull = pulls_away() && fmax == kInf && lo != hi;
     if (stop_ == Stop::kNone || unlimited_pull) return emit_motor(out, jacobian);
     write_stop(out, jacobian, value);
-    if (fmax > 0 && fmax < kInf && lo < hi && !out.info().inner) push(j, out, jacobian);
+    if (fmax > 0 && fmax < kInf && lo != hi && !out.info().inner) push(j, out, jacobian);
 }
 
 void LimitMotor::emit_motor(RowWriter& out, const Jacobian& jacobian) const
@@ -132,7 +132,7 @@ void LimitMotor::note(Real value, Real rate)
     else if (value >= hi)
         stop_ = Stop::kHigh;
     const bool hits = (stop_ == Stop::kLow && rate < 0) || (stop_ == Stop::kHigh && rate > 0);
-    rebounds_ = hits && bounce > 0 && lo < hi;
+    rebounds_ = hits && bounce > 0 && lo != hi;
     rebound_ = -bounce * rate;
 }
 

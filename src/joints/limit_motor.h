@@ -29,7 +29,10 @@ struct LimitMotor {
 
     bool set(int param, Real value);  // false: unknown here
     bool get(int param, Real& value) const;
-    bool has_stops() const { return lo <= hi && lo < kInf && hi > -kInf && (lo > -kInf || hi < kInf); }
+    bool has_stops() const
+    {
+        return (lo <= hi || crossed_act) && lo < kInf && hi > -kInf && (lo > -kInf || hi < kInf);
+    }
 
     // At most one row. `value` is read only when there are stops. Whether a stop acts, and how it rebounds,
     // is decided at the first call of a step and kept at inner poses, so that the number of rows stays the
@@ -44,6 +47,7 @@ struct LimitMotor {
     Real vel = 0, fmax = 0, fudge = 1, bounce = 0;
     Real cfm, stop_erp, stop_cfm;
     bool cfm_chosen = false, stop_chosen = false;  // set by the client, not the world's
+    bool crossed_act = false;                      // stops with lo > hi count, the low one first
 
   private:
     enum class Stop : unsigned char { kNone, kLow, kHigh };

@@ -225,9 +225,11 @@ bool CallQueue::alter(dCallReleaseeID id, std::ptrdiff_t change)
 void CallQueue::make_ready(Call& call)
 {
     call.state = Call::State::kReady;
-    call.next = nullptr;
-    (first_ready_ ? last_ready_->next : first_ready_) = &call;
-    last_ready_ = &call;
+    const bool last_first = !served_ || !first_ready_;  // as ODE's self-threaded implementation takes them
+    call.next = last_first ? first_ready_ : nullptr;
+    if (!last_first) last_ready_->next = &call;
+    if (!call.next) last_ready_ = &call;
+    if (last_first) first_ready_ = &call;
     ready_.fetch_add(1, std::memory_order_release);
     rouse();
 }

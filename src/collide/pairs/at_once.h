@@ -26,6 +26,7 @@ namespace epode {
         ContactSink sink(out.at(out.count), out.stride, out.room - out.count, out.unimportant); \
         sink.name(to_handle(&a), to_handle(&b));                                                \
         sink.reach(out.margin);                                                                 \
+        sink.tell_program(out.to_program);                                                      \
         function(static_cast<const ShapeGeom<First>&>(a).shape, pose_of(a),                     \
                  static_cast<const ShapeGeom<Second>&>(b).shape, pose_of(b), sink);             \
         out.count += sink.count();                                                              \

@@ -12,7 +12,7 @@ namespace epode {
 
 namespace {
 
-constexpr Real kParallel = Real(1e-4);  // of the squared sine between the axes
+constexpr Real kParallel = Real(1e-5);  // of the squared sine between the axes; ODE's
 
 struct Axis {
     Vec3 middle, along;

@@ -4,6 +4,8 @@
 // The pairs of geoms in which one is a mesh (but for rays and planes), and the say that functions of the
 // program have in them: with spheres, boxes, capsules and cylinders the one is told all triangles near, once,
 // the other is asked about each. What it refuses is left out.
+#include <algorithm>
+
 #include "collide/closed_mesh.h"
 #include "collide/mesh_functions.h"
 #include "collide/pairs/mesh_contacts.h"
@@ -55,11 +57,51 @@ void collide_mesh(const Shape& a, const Pose& A, const Trimesh& b, const Pose& B
     to_world(B, sink, before);
 }
 
+// The mean normal of a ball's contacts, each as much as it is deep.
+bool mean_normal(const ContactSink& sink, int before, Vec3& mean)
+{
+    mean = {};
+    for (int k = before; k < sink.count(); ++k) mean += sink.at(k)->depth * load(sink.at(k)->normal);
+    return normalize(mean);
+}
+
+// All of a ball's contacts become one: in their middle, as deep as the deepest along the new normal.
+void make_one(ContactSink& sink, int before, Vec3 normal)
+{
+    dContactGeom& one = *sink.at(before);
+    Vec3 middle = {};
+    Real depth = 0, deepest = one.depth;
+    int triangle = one.side2;
+    for (int k = before; k < sink.count(); ++k) {
+        const dContactGeom& c = *sink.at(k);
+        const Real cosine = dot(load(c.normal), normal), along = c.depth / std::max(Real(0.5), cosine);
+        middle += load(c.pos), depth = std::max(depth, along);
+        triangle = sink.merged(1, triangle, c.side2, c.depth > deepest ? c.side2 : triangle);
+        deepest = std::max(deepest, c.depth);
+    }
+    store(one.pos, (1 / Real(sink.count() - before)) * middle);
+    store(one.normal, normal);
+    one.depth = depth, one.side2 = triangle;
+    sink.keep_first(before + 1);
+}
+
+// As the program has wished by dGeomLowLevelControl.
+void merge(const Trimesh& mesh, int before, ContactSink& sink)
+{
+    Vec3 normal;
+    const bool any = mesh.merging != dGeomColliderMergeContactsValue_None && !sink.unimportant();
+    if (!any || sink.count() - before < 2 || !mean_normal(sink, before, normal)) return;
+    if (mesh.merging == dGeomColliderMergeContactsValue_Full) return make_one(sink, before, normal);
+    for (int k = before; k < sink.count(); ++k) store(sink.at(k)->normal, normal);
+}
+
 }  // namespace
 
 void sphere_trimesh(const Sphere& a, const Pose& A, const Trimesh& b, const Pose& B, ContactSink& sink)
 {
+    const int before = sink.count();
     collide_mesh(a, A, b, B, sink);
+    if (sink.to_program()) merge(b, before, sink);
 }
 void box_trimesh(const Box& a, const Pose& A, const Trimesh& b, const Pose& B, ContactSink& sink)
 {

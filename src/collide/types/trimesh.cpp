@@ -52,11 +52,33 @@ void put(dMass* m, const MassProperties& p)
     dMassSetParameters(m, p.mass, p.center.x, p.center.y, p.center.z, I.xx, I.yy, I.zz, I.xy, I.xz, I.yz);
 }
 
+// dGeomLowLevelControl: is there any control, and how contacts of a ball are merged.
+int control_trimesh(Geom& geom, int control_class, int code, void* data, int* size)
+{
+    Trimesh& mesh = static_cast<TrimeshGeom&>(geom).shape;
+    const bool any = control_class == dGeomColliderControlClass && code == dGeomCommonAnyControlCode;
+    const bool merging = control_class == dGeomColliderControlClass &&
+                         (code == dGeomColliderSetMergeSphereContactsControlCode ||
+                          code == dGeomColliderGetMergeSphereContactsControlCode);
+    const int wanted = merging ? int(sizeof(int)) : 0;
+    const bool fits = *size == wanted && (data || !merging);
+    *size = wanted;
+    if (!merging || !fits) return any && fits;
+    int& value = *static_cast<int*>(data);
+    if (code == dGeomColliderGetMergeSphereContactsControlCode) return value = mesh.merging, 1;
+    if (value < dGeomColliderMergeContactsValue__Default || value > dGeomColliderMergeContactsValue_Full)
+        return 0;
+    mesh.merging =
+        value == dGeomColliderMergeContactsValue__Default ? int(dGeomColliderMergeContactsValue_None) : value;
+    return 1;
+}
+
 }  // namespace
 
 const GeomType kTrimeshType = {.number = dTriMeshClass,
                                .aabb = aabb,
                                .destroy = destroy_pooled<TrimeshGeom>,
+                               .control = control_trimesh,
                                .describe = describe_trimesh};
 
 }  // namespace epode

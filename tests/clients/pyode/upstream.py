@@ -138,6 +138,12 @@ def heap_obeys(frames, theirs):
     def speed(frame):
         return max(sum(x * x for x in numbers[:3]) ** 0.5 for (_, kind), numbers in frames[frame].items() if kind == "motion")
 
+    def mean_speed(frames_of, first, last):
+        """Of all boxes in these frames: one that is still tumbling, chance decides which, does not count for all."""
+        speeds = [sum(x * x for x in numbers[:3]) ** 0.5 for frame in range(first, last)
+                  for (_, kind), numbers in frames_of[frame].items() if kind == "motion"]
+        return sum(speeds) / len(speeds)
+
     def mean_height(frame):
         heights = [numbers[1] for (_, kind), numbers in frames[frame].items() if kind == "place"]
         return sum(heights) / len(heights)
@@ -145,7 +151,9 @@ def heap_obeys(frames, theirs):
     dropped = max(speed(frame) for frame in frames if frame < 700)
     require(depth(frames) < 0.2, "tutorial3: no box deeper in the floor than %.3f m (reference %.3f)" % (depth(frames), depth(theirs)))
     require(dropped < (2 * 9.81 * 3.2) ** 0.5, "tutorial3: nothing faster than its fall from 3 m: %.2f m/s" % dropped)
-    require(speed(699) < 0.5, "tutorial3: the heap comes to rest: %.3f m/s" % speed(699))
+    # With six seeds 0.01 to 0.09 m/s, in the original 0.003 to 0.07.
+    require(mean_speed(frames, 680, 700) < 0.15, "tutorial3: the heap comes to rest: %.3f m/s (reference %.3f)"
+            % (mean_speed(frames, 680, 700), mean_speed(theirs, 680, 700)))
     require(speed(701) > 5, "tutorial3: the explosion throws it apart: %.2f m/s" % speed(701))
     require(speed(900) < 0.5 and 0.09 < mean_height(900) < 0.2, "tutorial3: the boxes lie about: mean height %.4f m" % mean_height(900))
 

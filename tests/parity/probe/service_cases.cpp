@@ -236,10 +236,18 @@ PARITY_CASE(service_configuration)
                             "ODE_double_precision2",
                             "ODE_EXT_trimesh",
                             "ODE_EXT_gimpact",
+                            "ODE_EXT_opcode",
+                            "ODE_OPC_new_collider",
+                            "ODE_OPC_old_collider",
+                            "ODE_EXT_mt_collisions",
+                            "",
+                            " ",
+                            "ODE ODE_EXT_trimesh",
+                            "no such words",
                             "ODE_OPC_16bit_indices"};
     for (const char* token : tokens) { out.put(token, {number(dCheckConfiguration(token))}); }
     const std::string all = dGetConfiguration();
-    out.put_text("first-word", all.substr(0, all.find(' ')));
+    out.put_text("all", all);
     // Every word of the text is one that is found.
     int unknown = 0;
     for (std::size_t at = 0; at < all.size();) {

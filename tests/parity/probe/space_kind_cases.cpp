@@ -254,7 +254,9 @@ PARITY_CASE(space_settings)
                 {static_cast<double>(dSpaceGetSublevel(space)), static_cast<double>(dSpaceGetCleanup(space)),
                  static_cast<double>(dSpaceGetManualCleanup(space))});
         dSpaceSetCleanup(space, 0);
-        out.put("unset", {static_cast<double>(dSpaceGetCleanup(space))});
+        dSpaceSetManualCleanup(space, 0);
+        out.put("unset", {static_cast<double>(dSpaceGetCleanup(space)),
+                          static_cast<double>(dSpaceGetManualCleanup(space))});
         dSpaceDestroy(parent);
     }
     out.open_block("levels");

@@ -85,8 +85,6 @@ std::vector<JointVariant> variants_of(int axes)
         const std::string prefix = "axis" + std::to_string(i) + "-";
         add_variants(variants, limit_variants(&dJointSetAMotorParam, i * dParamGroup, prefix));
     }
-    // The original obeys an angular motor's stops even when low > high (differences.tsv, D31).
-    std::erase_if(variants, [](const JointVariant& variant) { return variant.name.ends_with("crossed"); });
     variants.push_back({"add-torques", add_torques});
     variants.push_back({"all-motors", all_motors});
     return variants;

@@ -87,7 +87,7 @@ struct Log {
     }
 };
 
-TEST(Tasks, the_self_threaded_implementation_runs_calls_in_order_on_the_thread_that_waits)
+TEST(Tasks, the_self_threaded_implementation_runs_the_last_call_first_on_the_thread_that_waits)
 {
     const Implementation impl(0);
     EXPECT_EQ(impl.f->struct_size, sizeof(dThreadingFunctionsInfo));
@@ -99,7 +99,7 @@ TEST(Tasks, the_self_threaded_implementation_runs_calls_in_order_on_the_thread_t
     EXPECT_TRUE(log.order.empty());
     EXPECT_EQ(impl.await(wait), 1);
     ASSERT_EQ(log.order.size(), 50u);
-    for (int i = 0; i < 50; ++i) EXPECT_EQ(log.order[std::size_t(i)], i);
+    for (int i = 0; i < 50; ++i) EXPECT_EQ(log.order[std::size_t(i)], 49 - i);
     EXPECT_EQ(log.threads, std::set{std::this_thread::get_id()});
     impl.f->free_call_wait(impl.id, wait);
 }
