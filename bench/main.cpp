@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "bench/accuracy.h"
+#include "bench/asleep.h"
 #include "bench/exact_table.h"
 #include "bench/mesh_rays.h"
 #include "bench/pairs.h"
@@ -130,6 +131,17 @@ CLI::App* add_worlds(CLI::App& app, epode::bench::WorldsOptions& options)
     return command;
 }
 
+CLI::App* add_asleep(CLI::App& app, epode::bench::AsleepOptions& options)
+{
+    CLI::App* command = app.add_subcommand("asleep", "steps of a world of which most sleeps");
+    command->add_option("--boxes", options.boxes, "asleep (default 20000)")->check(CLI::Range(4, 1'000'000));
+    command->add_option("--awake", options.awake, "balls (default 100)")->check(CLI::Range(0, 1'000'000));
+    command->add_option("--steps", options.steps, "that are timed (default 100)")
+        ->check(CLI::Range(1, 1'000'000));
+    command->add_flag("--no-space", options.no_space, "without contacts");
+    return command;
+}
+
 // Of benchmark scenes: run, export, judge.
 void add_scene_choice(CLI::App& command, epode::bench::SceneChoice& choice)
 {
@@ -242,6 +254,8 @@ int main(int argc, char** argv)
     CLI::App* space_table = app.add_subcommand("space-table", "what programs ask of each kind of space");
     epode::bench::WorldsOptions worlds;
     CLI::App* worlds_command = add_worlds(app, worlds);
+    epode::bench::AsleepOptions asleep;
+    CLI::App* asleep_command = add_asleep(app, asleep);
     epode::bench::SceneRunOptions run;
     CLI::App* run_command = add_run(app, run);
     epode::bench::SceneChoice exported;
@@ -285,6 +299,7 @@ int main(int argc, char** argv)
     if (*spaces_command) return epode::bench::bench_spaces(spaces);
     if (*space_table) return epode::bench::bench_space_table();
     if (*worlds_command) return epode::bench::bench_worlds(worlds);
+    if (*asleep_command) return epode::bench::bench_asleep(asleep);
     if (*make_pile) return epode::bench::print_pile(pile.count, pile.side, pile.rows, pile.seed);
     return epode::bench::bench_scene(options);
 }

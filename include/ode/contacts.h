@@ -104,8 +104,9 @@ typedef struct dContactEvent {
     dGeomID g2;             /**< 0, as g1, if it has been destroyed since */
 } dContactEvent;
 
-/** The events of the last step into events, as many as there is room for (0: ask for the number alone), in
-   an order that depends on the creation of the geoms alone. A pair that ends because one of its geoms is
+/** The events of the last step into events, as many as there is room for (0: ask for the number alone). First
+   come pairs that the step has looked at, in the order in which their geoms were created, then pairs at rest,
+   in one that depends on the calls made so far alone. A pair that ends because one of its geoms is
    destroyed or taken out of the space has its event in the step after that. Returns how many there are.
    [ours] */
 ODE_API int dWorldGetContactEvents(dWorldID world, dContactEvent* events, int room);

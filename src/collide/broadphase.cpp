@@ -11,11 +11,6 @@
 namespace epode {
 namespace {
 
-bool before(const SlotPair& a, const SlotPair& b)
-{
-    return a.newer != b.newer ? a.newer > b.newer : a.older > b.older;
-}
-
 bool keep(Array<SlotPair>& found, int a, int b)
 {
     return found.push(a > b ? SlotPair{a, b} : SlotPair{b, a});
@@ -313,7 +308,7 @@ bool Broadphase::sort_found()
     for (const Found& part : parts_) count += part.size();
     if (count < slots / 8) {
         if (!join_found()) return false;
-        std::sort(found_.begin(), found_.end(), before);
+        std::sort(found_.begin(), found_.end(), in_order);
         return true;
     }
     first_of_.clear();
@@ -329,7 +324,7 @@ bool Broadphase::sort_found()
     for (int begin = 0; begin < sorted_.size();) {
         int end = begin + 1;
         while (end < sorted_.size() && sorted_.data()[end].newer == sorted_.data()[begin].newer) ++end;
-        std::sort(sorted_.data() + begin, sorted_.data() + end, before);
+        std::sort(sorted_.data() + begin, sorted_.data() + end, in_order);
         begin = end;
     }
     found_.swap(sorted_);
@@ -346,7 +341,7 @@ bool Broadphase::merge_found()
     int a = pairs_.size() - 1, b = found_.size() - 1;
     if (!pairs_.resize(pairs_.size() + found_.size())) return false;
     for (int to = pairs_.size() - 1; b >= 0; --to) {
-        const bool old_last = a >= 0 && before(found_[b], pairs_[a]);
+        const bool old_last = a >= 0 && in_order(found_[b], pairs_[a]);
         pairs_[to] = old_last ? pairs_[a--] : found_[b--];
     }
     return true;

@@ -23,6 +23,12 @@ struct SlotPair {
     int newer, older;
 };
 
+// The order of the list.
+inline bool in_order(const SlotPair& a, const SlotPair& b)
+{
+    return a.newer != b.newer ? a.newer > b.newer : a.older > b.older;
+}
+
 class Broadphase {
   public:
     // Room for slots below `slots`. False when memory is exhausted.
@@ -32,6 +38,12 @@ class Broadphase {
 
     // A slot has joined or changed; absent ones have no pairs.
     void update(int slot, const Aabb& box, bool present);
+
+    // Where a present slot will be for a while, as Notes::expect().
+    void expect(int slot, const Aabb& way)
+    {
+        if (note_way(slot, way)) (void)escaped_.push(slot);
+    }
 
     // What a walk over many slots at once, by several workers, tells of them.
     class Notes {
@@ -92,6 +104,18 @@ class Broadphase {
         if (!update_tree()) return false;
         query_fat(box, [&](int slot) {
             if (overlap(proxies_.data()[slot].box, box)) visit(slot);
+        });
+        return true;
+    }
+
+    // visit(other) for every other present slot whose way meets that of the slot, in no promised order.
+    template <typename Visit>
+    [[nodiscard]] bool query_way(int slot, Visit&& visit)
+    {
+        if (!update_tree()) return false;
+        const Aabb way = proxies_.data()[slot].way;
+        query_fat(way, [&](int other) {
+            if (other != slot && overlap(proxies_.data()[other].way, way)) visit(other);
         });
         return true;
     }

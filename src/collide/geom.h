@@ -70,6 +70,7 @@ struct Geom : Numbered {
     bool pose_stale = false;      // only with an offset
     std::uint8_t continuous = 0;  // a dContinuous... value; set_continuous() writes it
     bool dying = false;         // being destroyed: its class's function, or those of its members, are running
+    bool at_rest = false;       // who keeps pairs of its space wants to know when something happens to it
     int slot = -1;              // place among the members of its space
     std::uint32_t changes = 0;  // of the shape, see mark_changed()
     Space* space = nullptr;
@@ -123,6 +124,13 @@ class GeomHold {
 inline void fetch_shape(const Geom& geom)
 {
     fetch<1>(&geom), fetch<1>(&geom.box), fetch<1>(geom.own_position);
+}
+
+// visit(geom) for every geom of a body, given its newest; they stay its geoms meanwhile.
+template <typename Visit>
+void for_each_geom_from(dGeomID newest, Visit&& visit)
+{
+    for (Geom* geom = from_handle<Geom>(newest); geom; geom = geom->body_next) visit(*geom);
 }
 
 inline bool of_one_body(const Geom& a, const Geom& b) { return a.body.id && a.body.id == b.body.id; }

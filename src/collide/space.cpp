@@ -55,6 +55,11 @@ int height(const Space& space)
 
 bool zero_sized(const Geom& geom) { return geom.type->zero_sized && geom.type->zero_sized(geom); }
 
+void note_disturbed(Space& space, const Geom& geom)
+{
+    if (geom.at_rest) space.disturbances.note(geom);
+}
+
 // Puts into the queue all who are marked so.
 void list_queued(Space& space)
 {
@@ -117,6 +122,8 @@ void remove_member(Space& space, Geom& geom)
 {
     space.members[geom.slot] = nullptr;
     space.broadphase.remove(geom.slot);
+    note_disturbed(space, geom);
+    geom.at_rest = false;
     ++space.edition;
     geom.space = nullptr;
     geom.slot = -1;
@@ -170,18 +177,25 @@ void enqueue(Space& space, Geom& geom)
 {
     // Room was made when the member joined; only a move during the cleaning itself may need more.
     geom.queued = space.queue.push(geom.slot);
+    note_disturbed(space, geom);
     ++space.edition;
 }
 
 void members_marked(Space& space)
 {
     space.unlisted = true;
+    members_listed(space);
+}
+
+void members_listed(Space& space)
+{
     ++space.edition;
     mark_moved(space);
 }
 
 void note_rules_changed(Geom& geom)
 {
+    if (geom.space) note_disturbed(*geom.space, geom);
     for (Space* space = geom.space; space; space = space->space) ++space->edition;
 }
 

@@ -22,6 +22,25 @@ namespace epode {
 
 inline constexpr int kMostNested = 100;  // spaces in spaces, transforms in transforms
 
+// Members at rest (Geom::at_rest) that have moved or left, or whose rules have changed: the last few of them.
+class Disturbances {
+  public:
+    static constexpr int kKept = 256;
+    struct Entry {
+        dGeomID id;
+        std::uint64_t serial;
+    };
+
+    void note(const Geom& geom) { entries_[count_++ % kKept] = {to_handle(&geom), geom.serial}; }
+    std::uint64_t count() const { return count_; }
+    bool knows_since(std::uint64_t earlier) const { return count_ - earlier <= kKept; }
+    const Entry& operator[](std::uint64_t i) const { return entries_[i % kKept]; }
+
+  private:
+    Entry entries_[kKept];
+    std::uint64_t count_ = 0;
+};
+
 struct Space : Geom {
     explicit Space(const GeomType& space_type) : Geom(space_type) {}
 
@@ -37,6 +56,8 @@ struct Space : Geom {
     int sublevel = 0;
     bool cleanup = true;        // destroys its members with itself
     std::uint64_t edition = 0;  // another one when something has happened that may change its pairs
+    Disturbances disturbances;
+    const void* keeper = nullptr;  // the only one who keeps pairs at rest; null: nobody
     int min_level = -3, max_level = 10;
 };
 
@@ -80,6 +101,7 @@ void enqueue(Space& space, Geom& geom);  // the member has moved
 // if it does not), without listing it; then the space has to be told.
 inline bool mark_member(Geom& geom, const Space& space);
 void members_marked(Space& space);
+void members_listed(Space& space);  // the same, if each of them has been put into the queue
 // Is no member, at any depth, waiting for the next cleaning?
 inline bool is_clean(const Space& space) { return !space.unlisted && space.queue.empty(); }
 // Something that decides about pairs of the geom has changed, and is not its place or shape.

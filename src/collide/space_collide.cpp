@@ -31,14 +31,15 @@ void report_pairs(Space& space, const Report& report, PairsOf of)
     --space.pair_walks;
 }
 
-void report_all_pairs(Space& space, const Report& report)
+void report_all_pairs(Space& space, const Report& report, PairsOf of)
 {
     const Broadphase& boxes = space.broadphase;
+    const auto box_of = [&](int slot) { return of == PairsOf::kWays ? boxes.way(slot) : boxes.box(slot); };
     for (int i = space.members.size(); i-- > 0;) {
         if (!space.members[i] || !boxes.present(i)) continue;
         for (int j = i; j-- > 0;) {
             Geom *a = space.members[i], *b = space.members[j];
-            if (!b || !boxes.present(j) || !overlap(boxes.box(i), boxes.box(j))) continue;
+            if (!b || !boxes.present(j) || !overlap(box_of(i), box_of(j))) continue;
             if (a->enabled && b->enabled && may_meet(*a, *b)) report(*a, *b);
         }
     }
@@ -153,7 +154,7 @@ void collide_space(Space& space, void* data, dNearCallback* callback, PairsOf of
     if (space.pair_walks > 0 || space.broadphase.find_pairs())
         report_pairs(space, report, of);
     else
-        report_all_pairs(space, report);
+        report_all_pairs(space, report, of);
 }
 
 void collide_across(Geom& first, Geom& second, void* data, dNearCallback* callback)

@@ -11,12 +11,15 @@
 #include "collide/collide.h"
 #include "collide/solid_view.h"
 #include "contacts/narrow_phase.h"
+#include "dynamics/active.h"
 
 namespace epode {
 namespace {
 
 constexpr Real kDefaultLayer = Real(2e-4);
 constexpr int kPiece = 32;  // pairs
+// Few are active if they are this part of all, to begin with and as long as it lasts.
+constexpr int kFew = 16, kStillFew = 8;
 
 Body* body_of(const Geom& geom) { return from_handle<Body>(geom.body.id); }
 
@@ -74,6 +77,19 @@ bool touches(std::span<const KeptPatch> patches)
     return false;
 }
 
+SlotPair slots_of(const ContactPair& pair)
+{
+    const int a = from_handle<Geom>(pair.id1)->slot, b = from_handle<Geom>(pair.id2)->slot;
+    return {std::max(a, b), std::min(a, b)};
+}
+
+// False: out of memory.
+bool reach(dGeomID id, Array<Body*>& reached)
+{
+    Body* body = body_of(*from_handle<Geom>(id));
+    return !body || is_active(*body) || reached.push(body);
+}
+
 // What the narrow phase reads of a pair, told twice: first the geoms, then what they lead to.
 void fetch_geoms(const ContactPair& pair) { fetch<6>(pair.id1), fetch<6>(pair.id2); }
 void fetch_poses(const ContactPair& pair)
@@ -90,7 +106,7 @@ void fetch_poses(const ContactPair& pair)
 
 bool ContactWorld::is_settled(const Space& in) const
 {
-    return settled_ && edition_ == in.edition && is_clean(in) && in.helped == 0;
+    return settled_ && !unfinished_ && edition_ == in.edition && is_clean(in) && in.helped == 0;
 }
 
 void ContactWorld::accept_settled(Real h)
@@ -99,21 +115,91 @@ void ContactWorld::accept_settled(Real h)
     h_ = h;
 }
 
+bool ContactWorld::leaves_at_rest(const Space& in, ActiveBodies active) const
+{
+    return !unfinished_ && in.helped == 0 && in.locks == 0 && (!in.keeper || in.keeper == this) &&
+           in.disturbances.knows_since(seen_disturbances_) &&
+           (few_active_ ? kStillFew : kFew) * active.count <= active.all;
+}
+
 bool ContactWorld::update(const World& world, Space& in, Real h, const Tasks& tasks)
 {
     settled_ = false;
     all_asleep_ = true;
     edition_ = in.edition;
+    disturbances_ = in.disturbances.count();
+    few_active_ = leaves_at_rest(in, {world.bodies.active_count(), world.bodies.count()});
+    unfinished_ = true;
     const Foresight soon{h, world.gravity};
-    expect_motion(in, soon, tasks);
+    if (few_active_ ? !expect_few(world, in, soon) : !expect_all(in, soon, tasks)) return false;
     const DeepLock lock(in);
-    fresh_.pairs.clear();
-    fresh_.patches.clear();
-    fresh_.leaves.clear();
-    if (!find_geom_pairs(in, soon, tasks, found_) || !choose_pairs(world, tasks) || !list_pairs(world, tasks))
-        return false;
+    fresh_.clear();
+    const bool found =
+        few_active_ ? find_geom_pairs(in, active_, near_, found_) : find_geom_pairs(in, soon, tasks, found_);
+    if (!found || !choose_pairs(world, tasks) || !list_pairs(world, tasks)) return false;
     if (filter) ask_filter();
     collide_pairs(world, h, tasks);
+    brought_ = last_.pairs.size();
+    return true;
+}
+
+bool ContactWorld::expect_all(Space& in, const Foresight& soon, const Tasks& tasks)
+{
+    expect_motion(in, soon, tasks);
+    return resting_.empty() || resting_.take_all(last_);
+}
+
+// What is active brings its pairs back from rest.
+bool ContactWorld::expect_few(const World& world, Space& in, const Foresight& soon)
+{
+    in.keeper = this;
+    if (!active_.gather(world, in, seen_disturbances_)) return false;
+    expect_motion(in, soon, active_);
+    for (std::uint64_t i = seen_disturbances_; i < disturbances_; ++i)
+        if (!resting_.take(in.disturbances[i].serial, last_)) return false;
+    for (const int slot : active_.slots())
+        if (!bring(*in.members[slot])) return false;
+    return true;
+}
+
+bool ContactWorld::bring(Geom& geom)
+{
+    if (!geom.at_rest) return true;
+    geom.at_rest = false;
+    return resting_.take(geom.serial, last_);
+}
+
+bool ContactWorld::bring_pairs(const Body& body, Array<Body*>& reached)
+{
+    bool room = true;
+    for_each_geom_from(body.first_geom, [&](Geom& geom) {
+        const int first = last_.pairs.size();
+        if (!room || geom.space != live_space()) return;
+        room = bring(geom);
+        for (int i = first; i < last_.pairs.size(); ++i) {
+            const ContactPair& pair = last_.pairs[i];
+            if (pair.count > 0) room = reach(pair.id1, reached) && reach(pair.id2, reached) && room;
+        }
+    });
+    return room;
+}
+
+// In the space's order among the others: all is as if they had been looked at, too.
+bool ContactWorld::list_brought(const World& world)
+{
+    if (brought_ == last_.pairs.size()) return true;
+    for (; brought_ < last_.pairs.size(); ++brought_) {
+        const ContactPair& old = last_.pairs[brought_];
+        const int patch = fresh_.patches.size(), leaf = fresh_.leaves.size();
+        if (!fresh_.patches.extend(old.most) || !fresh_.leaves.extend(old.on_mesh)) return false;
+        const GeomPair geoms{from_handle<Geom>(old.id1), from_handle<Geom>(old.id2), brought_};
+        ContactPair pair = pair_of(world, geoms, patch, leaf);
+        (void)leaves_of(pair);
+        keep_patches(pair, patch);
+        if (!fresh_.pairs.push(pair)) return false;
+    }
+    std::sort(fresh_.pairs.begin(), fresh_.pairs.end(),
+              [](const ContactPair& a, const ContactPair& b) { return in_order(slots_of(a), slots_of(b)); });
     return true;
 }
 
@@ -176,24 +262,32 @@ bool ContactWorld::list_pairs(const World& world, const Tasks& tasks)
         const GeomPair* from = found_.data() + range * kPairRange;
         for (; at.pairs < ranges_[range + 1].pairs; ++from) {
             ContactPair& pair = fresh_.pairs.data()[at.pairs++];
-            Geom &a = *from->a, &b = *from->b;
-            pair = {to_handle(&a), to_handle(&b), a.serial,   b.serial, body_of(a),
-                    body_of(b),    from->old,     at.patches, {}};
-            pair.most = std::uint8_t(most_patches(*from));
-            const ContactPair* old = from->old < 0 ? nullptr : last_.pairs.data() + from->old;
-            pair.wanted = !old || old->wanted;
-            const bool as_before =
-                old && last_.ties == world.ties && old->body1 == pair.body1 && old->body2 == pair.body2;
-            pair.tied = as_before ? old->tied : tied(*pair.body1, pair.body2);
-            if ((pair.on_mesh = on_mesh(*from)))
-                pair.leaves = at.leaves++;
-            else
-                pair.parting = old ? old->parting : 0;
-            pair.asked = asks_program(a, b);
+            pair = pair_of(world, *from, at.patches, at.leaves);
+            at.leaves += pair.on_mesh;
             at.patches += pair.most;
         }
     });
     return true;
+}
+
+// `patch`, `leaf`: where its own begin.
+ContactPair ContactWorld::pair_of(const World& world, const GeomPair& from, int patch, int leaf) const
+{
+    Geom &a = *from.a, &b = *from.b;
+    ContactPair pair{to_handle(&a), to_handle(&b), a.serial, b.serial, body_of(a),
+                     body_of(b),    from.old,      patch,    {}};
+    pair.most = std::uint8_t(most_patches(from));
+    const ContactPair* old = from.old < 0 ? nullptr : last_.pairs.data() + from.old;
+    pair.wanted = !old || old->wanted;
+    const bool as_before =
+        old && last_.ties == world.ties && old->body1 == pair.body1 && old->body2 == pair.body2;
+    pair.tied = as_before ? old->tied : tied(*pair.body1, pair.body2);
+    if ((pair.on_mesh = on_mesh(from)))
+        pair.leaves = leaf;
+    else
+        pair.parting = old ? old->parting : 0;
+    pair.asked = asks_program(a, b);
+    return pair;
 }
 
 // About those that are new.
@@ -207,17 +301,22 @@ void ContactWorld::ask_filter()
 void ContactWorld::update_one(ContactPair& pair, int place, const NarrowSettings& settings)
 {
     const std::span<const KeptPatch> old = last_.of(pair.old);
-    KeptPatch* into = fresh_.patches.data() + place;
+    NearLeaves* const leaves = leaves_of(pair);
+    if (!awake(pair.body1) && !awake(pair.body2)) return keep_patches(pair, place);
     pair.first = place;
     pair.touched = touches(old);
-    NearLeaves* const leaves = leaves_of(pair);
-    if (!awake(pair.body1) && !awake(pair.body2)) {
-        pair.count = std::uint8_t(old.size());
-        std::copy(old.begin(), old.end(), into);
-        return;
-    }
     if (all_asleep_.load(std::memory_order_relaxed)) all_asleep_.store(false, std::memory_order_relaxed);
-    if (pair.wanted && !pair.tied) update_pair(pair, old, settings, into, leaves);
+    if (pair.wanted && !pair.tied) update_pair(pair, old, settings, fresh_.patches.data() + place, leaves);
+}
+
+// Those of the step before.
+void ContactWorld::keep_patches(ContactPair& pair, int place)
+{
+    const std::span<const KeptPatch> old = last_.of(pair.old);
+    pair.first = place;
+    pair.touched = touches(old);
+    pair.count = std::uint8_t(old.size());
+    std::copy(old.begin(), old.end(), fresh_.patches.data() + place);
 }
 
 // What the pair kept in the step before, or nothing yet.
@@ -293,18 +392,31 @@ void ContactWorld::accept(Real h, const Tasks& tasks)
     ended_.clear();
     for (const ContactPair& pair : last_.pairs)
         if (pair.old != -2 && touches(last_.of(pair))) (void)ended_.push({dContactEnds, pair.id1, pair.id2});
-    std::swap(last_, fresh_);
+    last_.swap(fresh_);
     h_ = h;
     settled_ = all_asleep_;
+    seen_disturbances_ = disturbances_;
+    unfinished_ = false;
+}
+
+void ContactWorld::lay_to_rest()
+{
+    const auto is_idle = [](const Body* body) { return !body || !is_active(*body); };
+    const bool room = resting_.put(last_, [&](const ContactPair& pair) {
+        if (!is_idle(pair.body1) || !is_idle(pair.body2)) return false;
+        from_handle<Geom>(pair.id1)->at_rest = from_handle<Geom>(pair.id2)->at_rest = true;
+        return true;
+    });
+    if (!room) unfinished_ = true;  // so that the next update looks everywhere
 }
 
 void ContactWorld::forget()
 {
-    last_.pairs.clear();
-    last_.patches.clear();
-    last_.leaves.clear();
+    if (Space* in = live_space(); in && in->keeper == this) in->keeper = nullptr;
+    last_.clear();
+    resting_.clear();
     ended_.clear();
-    settled_ = false;
+    settled_ = unfinished_ = few_active_ = false;
 }
 
 int ContactWorld::events(dContactEvent* out, int room) const
@@ -315,11 +427,11 @@ int ContactWorld::events(dContactEvent* out, int room) const
         if (count < room) out[count] = {kind, alive ? g1 : nullptr, alive ? g2 : nullptr};
         ++count;
     };
-    for (const ContactPair& pair : last_.pairs) {
-        const bool now = touches(last_.of(pair));
-        if (!now && !pair.touched) continue;
+    for_each_pair([&](const ContactPair& pair, std::span<const KeptPatch> patches) {
+        const bool now = touches(patches);
+        if (!now && !pair.touched) return;
         add(!now ? dContactEnds : pair.touched ? dContactStays : dContactBegins, pair.id1, pair.id2);
-    }
+    });
     for (const dContactEvent& event : ended_) add(event.kind, event.g1, event.g2);
     return count;
 }
@@ -340,10 +452,11 @@ int ContactWorld::contacts(dWorldContact* out, int room) const
         to.push = per_h * Real(point.push);
         store(to.friction, per_h * widen(point.friction));
     };
-    for (const ContactPair& pair : last_.pairs)
-        for (const KeptPatch& kept : last_.of(pair))
+    for_each_pair([&](const ContactPair& pair, std::span<const KeptPatch> patches) {
+        for (const KeptPatch& kept : patches)
             for (int i = 0; i < kept.patch.count; ++i)
                 if (touches(kept, kept.patch.points[i])) add(pair, kept, kept.patch.points[i]);
+    });
     return count;
 }
 

@@ -6,25 +6,38 @@
 // old. A step that cannot be finished just drops the new one, so it leaves no trace. Patches move from list
 // to list, which costs less than looking for them in holes, and neighbours in space stay neighbours in
 // memory.
+// Where most of the world sleeps, a step looks at the geoms of active bodies alone, and the pairs between
+// others lie apart (contacts/resting_pairs.h): what sleeps costs nothing.
 #pragma once
 
 #include <atomic>
 
 #include "base/arena.h"
 #include "base/array.h"
-#include "bvh/near_leaves.h"
 #include "collide/space.h"
+#include "contacts/active_geoms.h"
 #include "contacts/contact_pair.h"
 #include "contacts/narrow_phase.h"
 #include "contacts/pair_finder.h"
+#include "contacts/pair_list.h"
+#include "contacts/resting_pairs.h"
 #include "dynamics/island.h"
 #include "ode/contacts.h"
 #include "tasks/tasks.h"
 
 namespace epode {
 
+struct ActiveBodies {
+    int count, all;
+};
+
 class ContactWorld {
   public:
+    ContactWorld() = default;
+    ContactWorld(const ContactWorld&) = delete;
+    ContactWorld& operator=(const ContactWorld&) = delete;
+    ~ContactWorld() { forget(); }
+
     dSpaceID space = nullptr;
     dContactFilter* filter = nullptr;
     void* filter_data = nullptr;
@@ -38,55 +51,66 @@ class ContactWorld {
     // Null: there is none, or it has been destroyed.
     Space* live_space() const { return space ? space_from(space) : nullptr; }
 
+    // Would update() look at active bodies alone? If not, all have to be active before.
+    bool leaves_at_rest(const Space& in, ActiveBodies active) const;
     // Pairs and patches at the bodies' present poses. False: out of memory.
     // `h`: the coming step.
     [[nodiscard]] bool update(const World& world, Space& in, Real h, const Tasks& tasks);
-    // The touching patches of what `update` found, in order.
+    // A body becomes active after update(): its pairs that were at rest come back. `reached` gets the bodies
+    // that they hold to it. When all have come they are listed, behind what update() has found. False: out of
+    // memory.
+    [[nodiscard]] bool bring_pairs(const Body& body, Array<Body*>& reached);
+    [[nodiscard]] bool list_brought(const World& world);
+    // The touching patches of what has been found, in order.
     [[nodiscard]] bool touching(const Tasks& tasks, Arena& arena, std::span<PatchEdge>& out);
     // The step is done: what it found is what the next one starts from. `h`: its length.
     void accept(Real h, const Tasks& tasks);
+    // What is between bodies that are not active now lies apart until one of the geoms is looked at again.
+    void lay_to_rest();
     void forget();
 
     int events(dContactEvent* out, int room) const;
     int contacts(dWorldContact* out, int room) const;
 
   private:
-    // Pairs and what came of them.
-    struct List {
-        Array<ContactPair> pairs;
-        Array<KeptPatch> patches;  // those of a pair lie together; there are gaps
-        Array<NearLeaves> leaves;
-        std::uint64_t ties = 0;  // of the world, when `tied` was right
-
-        std::span<const KeptPatch> of(const ContactPair& pair) const
-        {
-            return patches.span().subspan(std::size_t(pair.first), pair.count);
-        }
-        std::span<const KeptPatch> of(int pair) const
-        {
-            return pair < 0 ? std::span<const KeptPatch>{} : of(pairs.data()[pair]);
-        }
-    };
-
     // What a range of found pairs has; after summing up, where it begins.
     struct PairRange {
         int pairs = 0, patches = 0, leaves = 0;
     };
 
+    [[nodiscard]] bool expect_all(Space& in, const Foresight& soon, const Tasks& tasks);
+    [[nodiscard]] bool expect_few(const World& world, Space& in, const Foresight& soon);
+    [[nodiscard]] bool bring(Geom& geom);
     [[nodiscard]] bool choose_pairs(const World& world, const Tasks& tasks);
     [[nodiscard]] bool choose_range(const World& world, int range, RecordFinder& finder);
     [[nodiscard]] bool list_pairs(const World& world, const Tasks& tasks);
+    ContactPair pair_of(const World& world, const GeomPair& from, int patch, int leaf) const;
     void ask_filter();
     void collide_pairs(const World& world, Real h, const Tasks& tasks);
     void update_one(ContactPair& pair, int place, const NarrowSettings& settings);
+    void keep_patches(ContactPair& pair, int place);
     NearLeaves* leaves_of(const ContactPair& pair);
 
-    List last_, fresh_;  // of the last step, of this one
+    template <typename F>
+    void for_each_pair(F&& f) const
+    {
+        for (const ContactPair& pair : last_.pairs) f(pair, last_.of(pair));
+        resting_.for_each(f);
+    }
+
+    PairList last_, fresh_;  // of the last step, of this one
+    RestingPairs resting_;
+    ActiveGeoms active_;
+    Array<SlotPair> near_;
+    int brought_ = 0;  // pairs of last_ from here on are not listed yet
     Array<GeomPair> found_;
     Array<PairRange> ranges_;
     Array<int> table_;
     Array<dContactEvent> ended_;  // of the last step
     Real h_ = 0;
+    bool unfinished_ = false;                                 // an update that nobody has accepted yet
+    bool few_active_ = false;                                 // so it was in the last update
+    std::uint64_t seen_disturbances_ = 0, disturbances_ = 0;  // of the space, by the last step and this one
     std::atomic<bool> all_asleep_{false};  // no pair that the last update has found has an awake body
     bool settled_ = false;                 // so it was in the last step that was made
     std::uint64_t edition_ = 0;            // of the space, then

@@ -80,6 +80,40 @@ bool find_geom_pairs(Space& space, const Foresight& soon, const Tasks& tasks, Ar
     return into.complete;
 }
 
+void expect_motion(Space& space, const Foresight& soon, const ActiveGeoms& active)
+{
+    clean(space);
+    Broadphase& boxes = space.broadphase;
+    for (const int slot : active.slots()) {
+        const Geom& geom = *space.members[slot];
+        if (geom.body.id && boxes.present(slot)) boxes.expect(slot, way_of(&soon, geom, boxes.box(slot)));
+    }
+}
+
+bool find_geom_pairs(Space& space, const ActiveGeoms& active, Array<SlotPair>& near, Array<GeomPair>& out)
+{
+    out.clear();
+    near.clear();
+    Broadphase& boxes = space.broadphase;
+    bool room = true;
+    const auto meet = [&](int a, int b) {
+        Geom &first = *space.members[a], &second = *space.members[b];
+        if (first.enabled && second.enabled && may_meet(first, second)) room = near.push({a, b}) && room;
+    };
+    for (const int slot : active.slots()) {
+        if (!boxes.present(slot)) continue;
+        const bool found = boxes.query_way(slot, [&](int other) {
+            if (other < slot || !active.has(other)) meet(std::max(slot, other), std::min(slot, other));
+        });
+        room = found && room;
+    }
+    std::sort(near.begin(), near.end(), in_order);
+    room = room && out.extend(near.size());
+    for (int i = 0; room && i < near.size(); ++i)
+        out[i] = {space.members[near[i].newer], space.members[near[i].older]};
+    return room;
+}
+
 void DeepLock::count(Space& space, int by)
 {
     space.locks += by;

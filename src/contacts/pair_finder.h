@@ -8,6 +8,7 @@
 
 #include "base/array.h"
 #include "collide/space.h"
+#include "contacts/active_geoms.h"
 #include "contacts/contact_pair.h"
 #include "contacts/foresight.h"
 
@@ -26,6 +27,12 @@ void expect_motion(Space& space, const Foresight& soon, const Tasks& tasks);
 // Then all pairs of geoms that are no spaces, spaces in it opened. Ranges of kPairRange pairs may end early.
 // False: out of memory.
 [[nodiscard]] bool find_geom_pairs(Space& space, const Foresight& soon, const Tasks& tasks,
+                                   Array<GeomPair>& out);
+
+// Both for the active members of a space that holds none but geoms that stand alone: as if all had been
+// looked at, and only their pairs been kept. `near` is scratch.
+void expect_motion(Space& space, const Foresight& soon, const ActiveGeoms& active);
+[[nodiscard]] bool find_geom_pairs(Space& space, const ActiveGeoms& active, Array<SlotPair>& near,
                                    Array<GeomPair>& out);
 
 // Keeps a space and all in it, at any depth, locked: the filter is the program's.

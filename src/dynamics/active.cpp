@@ -3,16 +3,6 @@
 #include "dynamics/active.h"
 
 namespace epode {
-namespace {
-
-// f(joint, the body behind it or null).
-template <typename F>
-void for_each_joint(const Body& body, F&& f)
-{
-    for (JointNode* n = body.joints; n; n = n->next) f(*n->joint, n->joint->node[n == n->joint->node].body);
-}
-
-}  // namespace
 
 void activate(Body& body)
 {
@@ -32,21 +22,6 @@ void deactivate(Body& body)
 {
     body.world->bodies.deactivate(body);
     body.patches = nullptr;
-}
-
-bool activate_reached(World& world)
-{
-    bool room = true;
-    while (!world.reached.empty()) {
-        Body& body = *world.reached.back();
-        world.reached.pop();
-        if (is_active(body)) continue;
-        activate(body);
-        for_each_joint(body, [&](Joint& joint, Body* other) {
-            if (other && !is_active(*other) && acting(joint)) room = world.reached.push(other) && room;
-        });
-    }
-    return room;
 }
 
 }  // namespace epode

@@ -17,8 +17,30 @@ void deactivate(Body& body);
 
 void activate_all(World& world);
 
+// f(joint, the body behind it or null).
+template <typename F>
+void for_each_joint(const Body& body, F&& f)
+{
+    for (JointNode* n = body.joints; n; n = n->next) f(*n->joint, n->joint->node[n == n->joint->node].body);
+}
+
 // Makes active the bodies in world.reached, which it empties, and all that acting joints connect with them.
-// False: out of memory.
-[[nodiscard]] bool activate_reached(World& world);
+// visit(body) for each of them may add others to world.reached; both answer false when memory is exhausted.
+template <typename Visit>
+[[nodiscard]] bool activate_reached(World& world, Visit&& visit)
+{
+    bool room = true;
+    while (room && !world.reached.empty()) {
+        Body& body = *world.reached.back();
+        world.reached.pop();
+        if (is_active(body)) continue;
+        activate(body);
+        for_each_joint(body, [&](Joint& joint, Body* other) {
+            if (other && !is_active(*other) && acting(joint)) room = world.reached.push(other) && room;
+        });
+        room = visit(body) && room;
+    }
+    return room;
+}
 
 }  // namespace epode

@@ -65,6 +65,15 @@ class Bonds {
         return complete_;
     }
 
+    // world.reached gets the bodies behind these, too. False: out of memory.
+    bool reach_through(std::span<const PatchEdge> patches)
+    {
+        for (const PatchEdge& edge : patches)
+            for (Body* body : edge.body)
+                if (body && !is_active(*body)) complete_ = body->world->reached.push(body) && complete_;
+        return complete_;
+    }
+
     // Into the lists of their bodies, in order.
     void link(std::span<PatchEdge> patches)
     {
@@ -252,8 +261,9 @@ bool comes_to_rest(Island& island, Real h)
     return false;
 }
 
-// If world.reached is not empty afterwards, it has to be done again.
-bool look_for_islands(World& world, Real h, std::span<PatchEdge> patches, Arena& arena, Islands& found)
+}  // namespace
+
+bool find_islands(World& world, Real h, std::span<PatchEdge> patches, Arena& arena, Islands& found)
 {
     // Bodies and joints that the program creates while it is asked for memory are behind these: the next
     // step's.
@@ -264,7 +274,8 @@ bool look_for_islands(World& world, Real h, std::span<PatchEdge> patches, Arena&
     Arena::Scope scope(arena);
     Bonds bonds(bodies, joints, arena);
     const auto stack = arena.take<int>(bodies);
-    if (arena.failed() || !bonds.gather(world, body_places, joint_places)) return false;
+    if (arena.failed() || !bonds.gather(world, body_places, joint_places) || !bonds.reach_through(patches))
+        return false;
     if (!world.reached.empty()) return true;
     bonds.link(patches);
     for (std::size_t i = 0; i < bonds.bodies(); ++i)
@@ -278,17 +289,6 @@ bool look_for_islands(World& world, Real h, std::span<PatchEdge> patches, Arena&
     found.asleep = found.asleep.first(asleep);
     found.all = search.islands();
     return true;
-}
-
-}  // namespace
-
-bool find_islands(World& world, Real h, std::span<PatchEdge> patches, Arena& arena, Islands& found)
-{
-    while (look_for_islands(world, h, patches, arena, found)) {
-        if (world.reached.empty()) return true;
-        if (!activate_reached(world)) return false;
-    }
-    return false;
 }
 
 }  // namespace epode

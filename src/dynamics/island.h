@@ -39,7 +39,8 @@ struct Islands {
     std::span<Body*> asleep;  // active bodies of none
 };
 
-// `patches`: those that touch in this step, between active bodies. False: out of memory.
+// `patches`: those that touch in this step. If world.reached is not empty afterwards, active bodies hold to
+// others, which have to become active; then it has to be done again. False: out of memory.
 bool find_islands(World& world, Real h, std::span<PatchEdge> patches, Arena& arena, Islands& found);
 
 }  // namespace epode

@@ -2,6 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 #include "step/finish.h"
 
+#include <algorithm>
+
 #include "base/float_environment.h"
 #include "collide/space.h"
 #include "dynamics/integrate.h"
@@ -12,6 +14,7 @@ namespace epode {
 namespace {
 
 constexpr int kAhead = 10;
+constexpr std::size_t kMany = 8;  // a part of 1 / kMany
 
 // What one() reads and writes of a body.
 void fetch_body(const Body& body) { fetch<1>(&body), fetch<3>(body.lvel); }
@@ -93,10 +96,18 @@ void Finish::one(Body& body) const
     empty(body);
 }
 
-// Which members have been marked, it does not know.
+// Which members have been marked: if they are few it is told, else it looks at all.
 void Finish::tell_space() const
 {
-    if (managed_ && early_ && !bodies_.empty()) members_marked(*managed_);
+    if (!managed_ || !early_ || bodies_.empty()) return;
+    const bool few = kMany * bodies_.size() <= std::size_t(managed_->count);
+    few&& list_marked() ? members_listed(*managed_) : members_marked(*managed_);
+}
+
+bool Finish::list_marked() const
+{
+    return std::all_of(bodies_.begin(), bodies_.end(),
+                       [&](const Body* body) { return list_members(*body, *managed_); });
 }
 
 }  // namespace epode

@@ -40,6 +40,7 @@ class Finish {
     bool moves_geoms(const Body& body) const;
     void one(Body& body) const;
     void tell_space() const;
+    [[nodiscard]] bool list_marked() const;
 
     const Continuous& continuous_;
     Space* const managed_;

@@ -39,6 +39,15 @@ bool mark_members(Body& body, const Space& space)
     return all;
 }
 
+bool list_members(const Body& body, Space& space)
+{
+    bool room = true;
+    for_each_geom(body, [&](const Geom& geom) {
+        if (geom.space == &space && geom.queued) room = space.queue.push(geom.slot) && room;
+    });
+    return room;
+}
+
 void release_geoms(Body& body)
 {
     while (Geom* geom = first_geom(body)) {

@@ -21,7 +21,7 @@ Body* body_of(const Geom& geom);
 template <typename Visit>
 void for_each_geom(const Body& body, Visit&& visit)
 {
-    for (Geom* geom = from_handle<Geom>(body.first_geom); geom; geom = geom->body_next) visit(*geom);
+    for_each_geom_from(body.first_geom, visit);
 }
 
 // The body's pose has changed: its geoms are marked. Costs a few instructions per geom. Not to be called from
@@ -30,6 +30,9 @@ void body_moved(Body& body);
 // The same by any worker, for a body whose geoms are all members of the space, in their own right; false if
 // they are not. When all bodies have been told of, members_marked() must follow.
 bool mark_members(Body& body, const Space& space);
+// Lists the members among its geoms that have been marked; members_marked() need not follow then. False:
+// there was no memory, and it must.
+[[nodiscard]] bool list_members(const Body& body, Space& space);
 // body_moved() is about to be called.
 inline void fetch_geoms(const Body& body) { fetch<2>(body.first_geom); }
 

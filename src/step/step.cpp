@@ -92,14 +92,12 @@ class WorldStep {
         World& world = context_.world;
         Arena& arena = memory().arena(0);
         updates_contacts_ = context_.manages_contacts && !is_settled();
-        if (updates_contacts_) activate_all(world);
-        if (!undo_.save_idleness(arena)) return false;
-        std::span<PatchEdge> patches;
-        if (updates_contacts_ && !find_contacts(arena, patches)) return false;
-        Islands found;
-        if (!find_islands(world, context_.h, patches, arena, found) || !undo_.save_islands(found.all, arena))
+        const ActiveBodies active{world.bodies.active_count(), world.bodies.count()};
+        if (updates_contacts_ && !state_.managed.leaves_at_rest(*state_.managed.live_space(), active))
+            activate_all(world);
+        if (!undo_.save_idleness(arena) || !find_contacts() || !find_islands(arena) ||
+            !undo_.save_islands(islands_, arena))
             return false;
-        islands_ = found.all, asleep_ = found.asleep;
         if (hybrid_ && !choose_solvers(arena)) return false;
         groups_ = arena.take<Group>(int(islands_.size()));
         parcels_ = arena.take<int>(int(islands_.size()) + 1);
@@ -140,11 +138,15 @@ class WorldStep {
             remember_choice(islands_[i], *solvers_[i], factorisations_[i]);
     }
 
-    // Later steps need not look at what sleeps: by contacts that the world manages, only if all do.
+    // Later steps need not look at what sleeps.
     void let_rest() const
     {
-        if (context_.manages_contacts && !islands_.empty()) return;
+        const auto& bodies = context_.world.bodies;
+        const ActiveBodies left{bodies.active_count() - int(asleep_.size()), bodies.count()};
+        if (context_.manages_contacts && !state_.managed.leaves_at_rest(*state_.managed.live_space(), left))
+            return;
         for (Body* body : asleep_) deactivate(*body);
+        if (updates_contacts_) state_.managed.lay_to_rest();
     }
 
     void accept_contacts() const
@@ -174,12 +176,37 @@ class WorldStep {
                state_.managed.is_settled(*state_.managed.live_space());
     }
 
-    bool find_contacts(Arena& arena, std::span<PatchEdge>& patches)
+    bool find_contacts()
     {
         ContactWorld& managed = state_.managed;
-        const Tasks& tasks = workers_.of_islands;
-        return managed.update(context_.world, *managed.live_space(), context_.h, tasks) &&
-               managed.touching(tasks, arena, patches);
+        return !updates_contacts_ ||
+               managed.update(context_.world, *managed.live_space(), context_.h, workers_.of_islands);
+    }
+
+    // What rests becomes active where something active holds to it, and is looked at then.
+    bool find_islands(Arena& arena)
+    {
+        World& world = context_.world;
+        std::span<PatchEdge> patches;
+        Islands found;
+        do {
+            if (updates_contacts_ && !state_.managed.touching(workers_.of_islands, arena, patches))
+                return false;
+            if (!epode::find_islands(world, context_.h, patches, arena, found)) return false;
+            if (world.reached.empty()) break;
+        } while (activate_reached());
+        islands_ = found.all, asleep_ = found.asleep;
+        return world.reached.empty();
+    }
+
+    bool activate_reached()
+    {
+        World& world = context_.world;
+        if (!updates_contacts_) return epode::activate_reached(world, [](Body&) { return true; });
+        ContactWorld& managed = state_.managed;
+        return epode::activate_reached(
+                   world, [&](Body& body) { return managed.bring_pairs(body, world.reached); }) &&
+               managed.list_brought(world);
     }
 
     bool choose_solvers(Arena& arena)

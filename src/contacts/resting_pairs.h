@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The pairs that no step looks at: neither geom's body is active, and nothing has happened to either geom.
+// They stay as they are, whatever their number, until something wants those of one geom back. Each pair is in
+// the lists of both of its geoms, which a table finds by serial number. What is taken leaves its place to
+// what is put, so that taking and putting cost the same however many pairs rest.
+#pragma once
+
+#include "contacts/pair_list.h"
+
+namespace epode {
+
+class RestingPairs {
+  public:
+    bool empty() const { return count_ == 0; }
+
+    // Those pairs of the list for which rests(pair), without their bodies' addresses: bodies may go
+    // meanwhile. False: out of memory; each pair is in one of the two lists.
+    template <typename Rests>
+    [[nodiscard]] bool put(PairList& from, Rests&& rests);
+    // Moves all pairs of the geom to the end of `to`. False: out of memory; some may have been moved.
+    [[nodiscard]] bool take(std::uint64_t serial, PairList& to);
+    [[nodiscard]] bool take_all(PairList& to);
+    void clear();
+
+    // f(pair, its patches), in no promised order.
+    template <typename F>
+    void for_each(F&& f) const
+    {
+        for (const ContactPair& pair : list_.pairs)
+            if (is_there(pair)) f(pair, list_.of(pair));
+    }
+
+  private:
+    static constexpr int kEnd = -1;
+
+    struct Link {
+        int next[2], previous[2];  // in the lists of the pair's geoms
+    };
+    struct Head {
+        std::uint64_t serial;  // 0: free
+        int first;
+    };
+
+    static bool is_there(const ContactPair& pair) { return pair.id1 != nullptr; }
+    [[nodiscard]] bool put_one(const PairList& from, const ContactPair& pair);
+    [[nodiscard]] bool make_room();
+    Head& place_of(std::uint64_t serial);  // its head, or where that would be
+    int side_of(int pair, std::uint64_t serial) const
+    {
+        return list_.pairs.data()[pair].serial1 == serial ? 0 : 1;
+    }
+    std::uint64_t serial_of(int pair, int side) const
+    {
+        const ContactPair& p = list_.pairs.data()[pair];
+        return side == 0 ? p.serial1 : p.serial2;
+    }
+    [[nodiscard]] bool link(int pair);
+    void unlink(int pair);
+    [[nodiscard]] bool move(int pair, PairList& to);
+
+    PairList list_;
+    Array<Link> links_;   // of each pair
+    Array<Head> heads_;   // open addressing; its size is a power of two
+    int head_count_ = 0;  // that are not free
+    int count_ = 0;       // pairs that are there
+    // Places that nobody has: of pairs, of leaves, and of so many patches side by side. Where these lists
+    // have no room, places are lost until all pairs have been taken.
+    Array<int> free_pairs_, free_leaves_, free_patches_[kSurfacePatches + 1];
+};
+
+// Where nothing rests yet the whole list moves in, and the others back: mostly a world falls asleep at once.
+template <typename Rests>
+bool RestingPairs::put(PairList& from, Rests&& rests)
+{
+    if (empty()) {
+        clear();
+        if (!links_.resize(from.pairs.size())) return false;
+        list_.swap(from);
+        count_ = list_.pairs.size();
+        for (int i = 0; i < list_.pairs.size(); ++i)
+            if (!link(i)) return false;
+        for (int i = 0; i < list_.pairs.size(); ++i)
+            if (!rests(list_.pairs.data()[i]) && !move(i, from)) return false;
+        return true;
+    }
+    int left = 0;
+    bool room = true;
+    for (const ContactPair& pair : from.pairs) {
+        const bool moves = room && rests(pair);
+        room = room && (!moves || put_one(from, pair));
+        if (!moves || !room) from.pairs.data()[left++] = pair;
+    }
+    from.pairs.truncate(left);
+    return room;
+}
+
+}  // namespace epode
