@@ -94,6 +94,12 @@ bool settle(const RunOptions& options, const scenes::Recipe& recipe, RunPlan& pl
     }
     plan.seed = options.seed;
     plan.iterations = options.iterations;
+    const bool small_steps =
+        plan.stepper == scenes::Stepper::kFast || plan.stepper == scenes::Stepper::kHybrid;
+    if (small_steps && options.iterations > kMaxSmallSteps) {
+        problem = fmt::format("{} small steps are more than {}", options.iterations, kMaxSmallSteps);
+        return false;
+    }
     return true;
 }
 

@@ -12,7 +12,7 @@
 
 namespace epode::cli {
 
-constexpr int kMaxIterations = 1'000'000;
+constexpr int kMaxIterations = 100'000, kMaxSmallSteps = 10'000;  // what the library takes
 constexpr int kMaxThreads = 256;
 
 enum ExitCode { kFine = 0, kProblem = 1, kUsage = 2 };

@@ -77,6 +77,15 @@ bool hashes_fit(const Recording& recording, size_t& step)
     return true;
 }
 
+// By number of the state.
+std::string hashes_as_json(const Recording& recording)
+{
+    std::string list;
+    for (const record::Step& step : recording.steps)
+        list += fmt::format("{}\"{}\"", list.empty() ? "" : ",", record::as_text(step.hash));
+    return "[" + list + "]";
+}
+
 }  // namespace
 
 int replay(const ReplayOptions& options)
@@ -144,12 +153,16 @@ int inspect(const ReplayOptions& options)
     size_t wrong = 0;
     const bool fit = hashes_fit(recording, wrong);
     if (!fit) complain(options.file, fmt::format("the hash of state {} is not its own", wrong));
-    if (options.hashes) {
+    if (options.hashes && !options.json) {
         for (size_t i = 0; i < recording.steps.size() && can_say(); ++i)
             say("{} {}\n", i, record::as_text(recording.steps[i].hash));
         return fit ? kFine : kProblem;
     }
     FieldList out;
+    if (options.hashes) {
+        out.raw("hashes", hashes_as_json(recording));
+        return report(out, options.json, fit);
+    }
     for (const auto& [key, value] : recording.about) out.string(key.c_str(), value, key, value);
     const auto count = [&](const char* key, size_t number) {
         out.number(key, double(number), key, fmt::format("{}", number));

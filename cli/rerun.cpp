@@ -9,6 +9,7 @@
 
 #include "cli/about.h"
 #include "cli/comparison.h"
+#include "cli/console.h"
 #include "cli/interrupt.h"
 #include "cli/plan.h"
 #include "cli/progress.h"
@@ -28,6 +29,13 @@ std::string hindrance(const record::Recording& was)
     return other_precision(was);
 }
 
+int say_interrupted(const ReplayOptions& options, size_t states, size_t of)
+{
+    warn("interrupted after state {} of {}", states, of);
+    if (!options.output.empty()) warn("'{}' is whole and has the states until then", options.output);
+    return interruption_code();
+}
+
 }  // namespace
 
 int rerun(const ReplayOptions& options, const record::Recording& was)
@@ -44,14 +52,16 @@ int rerun(const ReplayOptions& options, const record::Recording& was)
     record::Recording now;
     record::Rerun run(was, {options.stepper, options.iterations, find});
     Progress progress(was.about_value("program"), int(was.steps.size()), !options.quiet);
-    const bool whole =
-        run.run(now, [&](size_t step) { progress.show(int(step), now.steps.back().contacts.size()); });
+    const Interruptible file_is_made_whole;
+    const bool whole = run.run(now, [&](size_t step) {
+        progress.show(int(step), now.steps.back().contacts.size());
+        return interruption() == 0;
+    });
     if (!whole) return complain(options.file, run.problem());
     std::string problem;
-    const Interruptible file_is_made_whole;
     if (!options.output.empty() && !record::write_file(now, options.output, problem))
         return complain(options.output, problem);
-    if (interruption()) return interruption_code();
+    if (interruption()) return say_interrupted(options, now.steps.size(), was.steps.size());
 
     FieldList out;
     out.string("program", was.about_value("program"), "program", was.about_value("program"));

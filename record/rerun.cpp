@@ -421,7 +421,7 @@ void Rerun::sample(Recording& now)
     now.steps.back().contacts = found_ ? found_->take() : was_.steps[step_].contacts;
 }
 
-bool Rerun::run(Recording& now, const std::function<void(size_t)>& progress)
+bool Rerun::run(Recording& now, const std::function<bool(size_t)>& goes_on)
 {
     begin_recording(now);
     size_t block = 0;
@@ -430,7 +430,7 @@ bool Rerun::run(Recording& now, const std::function<void(size_t)>& progress)
             if (!play(was_.calls_made[block].block)) return false;
         }
         sample(now);
-        progress(step_);
+        if (!goes_on(step_)) break;
     }
     return true;
 }

@@ -31,8 +31,9 @@ class Rerun {
     Rerun(const Rerun&) = delete;
     Rerun& operator=(const Rerun&) = delete;
 
-    // All steps; `progress` is told of each. False: problem() says why, and `now` ends there.
-    bool run(Recording& now, const std::function<void(size_t)>& progress);
+    // All steps, as long as `goes_on`, which is told of each, says so. False: problem() says why, and `now`
+    // ends there.
+    bool run(Recording& now, const std::function<bool(size_t)>& goes_on);
     const std::string& problem() const { return problem_; }
 
     // Handles of the numbers that arguments hold; null where there is none or it lives no more.

@@ -141,8 +141,7 @@ void App::solver_panel()
             ImGui::Text("%s: %s", key.c_str(), value.c_str());
         return;
     }
-    for (scenes::Stepper stepper :
-         {scenes::Stepper::kExact, scenes::Stepper::kQuick, scenes::Stepper::kFast}) {
+    for (scenes::Stepper stepper : scenes::kSteppers) {
         if (!scenes::available(stepper)) continue;
         if (stepper != scenes::Stepper::kExact) ImGui::SameLine();
         if (ImGui::RadioButton(scenes::name_of(stepper), live->options.stepper == stepper))
@@ -150,7 +149,7 @@ void App::solver_panel()
     }
     ImGui::PushItemWidth(150);
     if (live->options.stepper != scenes::Stepper::kExact)
-        ImGui::SliderInt(live->options.stepper == scenes::Stepper::kFast ? "small steps" : "iterations",
+        ImGui::SliderInt(live->options.stepper == scenes::Stepper::kQuick ? "iterations" : "small steps",
                          &live->options.iterations, 0, 200, live->options.iterations ? "%d" : "its own");
     if (scenes::has_step_threads()) ImGui::SliderInt("threads", &live->options.threads, 1, 16);
     float ms = float(1e3 * live->options.dt);

@@ -34,7 +34,7 @@ lacks out .
 expect 2 run pendulum --stepper best
 has err "no stepper 'best'.*exact quick fast hybrid"
 for wrong in '--dt 0' '--dt -1' '--dt x' '--steps 0' '--steps 1.5' '--seconds -1' '--steps 3 --seconds 1' '--iterations 0' '--unknown' \
-             '--seconds 1e9 --dt 1e-9' '--threads 0' '--threads 1000000'; do
+             '--seconds 1e9 --dt 1e-9' '--threads 0' '--threads 1000000' '--iterations 100001' '--stepper fast --iterations 10001'; do
     # shellcheck disable=SC2086
     expect 2 run pendulum $wrong
     has err .

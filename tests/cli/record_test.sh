@@ -133,6 +133,9 @@ expect 2 record pile -o "$work/x.foo"
 has err "x.foo.*\.epr"
 expect 2 convert "$work/five.epr" "$work/x.foo"
 expect 2 diff "$work/five.epr"
+expect 0 inspect "$work/five.epr" --hashes --json
+python3 -c 'import json, sys; hashes = json.load(open(sys.argv[1]))["hashes"]; sys.exit(not (len(hashes) > 1 and all(len(h) == 16 for h in hashes)))' \
+    "$work/out" || fail 'inspect --hashes --json is not a list of hashes'
 expect 2 replay "$work/five.epr" --stepper best
 expect 2 replay "$work/five.epr" --iterations 0
 expect 1 run pile --steps 2 --record "$work/absent/x.epr"

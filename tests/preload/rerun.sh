@@ -64,6 +64,19 @@ if [ -e "$debian/libode.so.8" ]; then
     [ $code = 0 ] && [ "$(field identical)" = false ] || fail "two libraries have the same bits"
 fi
 
+# Ctrl+C in the middle leaves a recording of what has been done.
+set -m # in the background of a script SIGINT would be ignored
+"$program" replay --quiet machine.epr --stepper quick --iterations 100000 -o stopped.epr > said 2> err &
+replaying=$!
+sleep 1
+kill -INT $replaying
+code=0
+wait $replaying || code=$?
+set +m
+[ $code = 130 ] || fail "interrupted: code $code"
+grep -q 'interrupted after state [0-9]* of [0-9]*' err && grep -q "'stopped.epr' is whole" err || fail "it is not said where it stopped"
+[ "$("$program" inspect stopped.epr --hashes | wc -l)" -lt "$("$program" inspect machine.epr --hashes | wc -l)" ] || fail "it did not stop"
+
 refused() { grep -q "$1" err || fail "it is not said that: $1"; }
 captured managed.epr -- "$machine" managed
 replayed managed.epr

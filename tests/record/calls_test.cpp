@@ -109,7 +109,7 @@ TEST(Calls, are_made_again)
     Recording now;
     const Recording was = ball();
     Rerun rerun(was, {});
-    ASSERT_TRUE(rerun.run(now, [](size_t) {})) << rerun.problem();
+    ASSERT_TRUE(rerun.run(now, [](size_t) { return true; })) << rerun.problem();
     ASSERT_EQ(now.steps.size(), 5u);
     const Vec3& velocity = now.steps[2].bodies[0].linear;
     EXPECT_NEAR(velocity[0], 0.02, 1e-9);
@@ -170,7 +170,7 @@ TEST(Calls, that_are_damaged_do_no_harm)
             damaged.calls_made[block].block.bytes[at] = std::uint8_t(random());
             Recording now;
             Rerun rerun(damaged, {});
-            (rerun.run(now, [](size_t) {}) ? whole : refused) += 1;
+            (rerun.run(now, [](size_t) { return true; }) ? whole : refused) += 1;
         }
     }
     EXPECT_GT(refused, 100);
@@ -188,7 +188,7 @@ std::string problem_of(const char* name, const std::vector<Argument>& arguments)
     recording.calls_made[0].block = tape.take();
     Recording now;
     Rerun rerun(recording, {});
-    return rerun.run(now, [](size_t) {}) ? std::string() : rerun.problem();
+    return rerun.run(now, [](size_t) { return true; }) ? std::string() : rerun.problem();
 }
 
 TEST(Calls, of_unknown_functions_or_other_arguments_are_refused_by_name)
@@ -243,7 +243,7 @@ TEST(Calls, that_ask_for_absurdly_much_together_are_refused)
     recording.calls_made[0].block = tape.take();
     Recording now;
     Rerun rerun(recording, {});
-    EXPECT_FALSE(rerun.run(now, [](size_t) {}));
+    EXPECT_FALSE(rerun.run(now, [](size_t) { return true; }));
     EXPECT_NE(rerun.problem().find("absurd"), std::string::npos);
 }
 
