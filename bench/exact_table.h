@@ -14,6 +14,7 @@ struct TableOptions {
     std::string velocities;  // a file to write every body's velocity after the first step to; empty: none
     double seconds = 0.3;    // stop timing a problem after that, but not before three steps
     int steps = 2000;        // or after as many steps
+    std::string untimed;     // warm or cold: only take the steps, for a tool that counts what they do
 };
 
 // 0 fine, 1 a problem that cannot be made or a state that is not finite, 2 wrong usage.

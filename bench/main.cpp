@@ -31,6 +31,9 @@ CLI::App* add_exact_table(CLI::App& app, epode::bench::TableOptions& options)
     command->add_option("--seconds", options.seconds, "time to spend on timing a problem (default 0.3)");
     command->add_option("--steps", options.steps, "steps to time at most (default 2000)")
         ->check(CLI::Range(1, 10'000'000));
+    command
+        ->add_option("--untimed", options.untimed, "only take the steps of one problem, from these impulses")
+        ->check(CLI::IsMember({"warm", "cold"}));
     return command;
 }
 

@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 //   box, stack  boxes on the ground and on each other, 4 contacts and 12 rows each
+//   rest        a stack at rest: every step finds the state and the impulses of the last
 //   chain       links on ball joints from the world, 3 rows a link; heavy: the last one weighs 100 others
 //   ladder      two rails and rungs on parallel hinges: a closed loop a rung, 20 rows for its 18 freedoms
 //   wall        bricks in running bond; 4 contacts where two overlap. Every brick has a velocity of its own,
@@ -55,6 +56,13 @@ bool add_stack(Problem& problem, const ProblemRecipe& recipe, Vec at)
         under = box;
     }
     return true;
+}
+
+// Every step begins with what the last one ended with: its impulses are this one's.
+bool add_resting_stack(Problem& problem, const ProblemRecipe& recipe, Vec at)
+{
+    problem.set_spread(0);
+    return add_stack(problem, recipe, at);
 }
 
 bool add_moving_box(Problem& problem, const ProblemRecipe& recipe, Vec at)
@@ -171,6 +179,7 @@ void append_sizes(std::vector<ProblemRecipe>& list)
     };
     for (int links : {4, 8, 20, 32, 50, 67, 100}) append("chain", 3 * links, add_chain, links, 1);
     for (int boxes : {1, 2, 5, 8, 13, 17, 25}) append("stack", 12 * boxes, add_stack, boxes, 1);
+    for (int boxes : {1, 2, 3, 5}) append("rest", 12 * boxes, add_resting_stack, boxes, 1);
     append("gable", 48, add_gable, 2, 2);
     append("gable", 84, add_gable, 3, 2);
     append("gable", 108, add_gable, 3, 3);
