@@ -17,6 +17,7 @@
 #include <cmath>
 
 #include "solve/active_set.h"
+#include "solve/box_phases.h"
 #include "solve/careful_set.h"
 #include "solve/interior_point.h"
 #include "solve/small_island.h"
@@ -25,9 +26,8 @@
 namespace epode {
 namespace {
 
-constexpr double kPromised = 1e-9;    // natural residual that an answer must have
-constexpr int kQuickRounds = 30;      // of the first active set
-constexpr double kMostTrusted = 1e8;  // times the problem's velocity scale, of an impulse to start from
+constexpr double kPromised = 1e-9;  // natural residual that an answer must have
+constexpr int kQuickRounds = 30;    // of the first active set
 constexpr double kInteriorTolerance = 2e-10;
 
 class DirectSolve {
@@ -56,12 +56,10 @@ class DirectSolve {
     // Both phases; false: out of memory, or given up.
     bool run(RowSystem& system, Arena& arena, SolveReport& report)
     {
-        const bool friction = set_bounds_without_friction(system);
-        for (std::size_t i = 0; i < state_.p.size(); ++i) guess(i, double(system.numbers[i].p));
+        const bool friction = bound_without_friction(problem_, system, state_);
         if (!solve_phase(arena, report)) return false;
         if (friction) {
-            for (std::size_t i = 0; i < state_.p.size(); ++i)
-                if (system.numbers[i].parent >= 0) freeze_limit(i, system);
+            freeze_friction(problem_, system, state_);
             if (!solve_phase(arena, report)) return false;
         }
         problem_.store(system, state_.p, scratch_);
@@ -72,45 +70,6 @@ class DirectSolve {
     }
 
   private:
-    bool set_bounds_without_friction(const RowSystem& system)
-    {
-        bool friction = false;
-        for (std::size_t i = 0; i < state_.p.size(); ++i) {
-            const RowNumbers& n = system.numbers[i];
-            const bool empty = !(problem_.row(int(i)).d > 0);
-            friction |= n.parent >= 0;
-            state_.lo[i] = n.parent >= 0 || empty ? 0 : double(n.lo);
-            state_.hi[i] = n.parent >= 0 || empty ? 0 : double(n.hi);
-        }
-        return friction;
-    }
-
-    void freeze_limit(std::size_t i, const RowSystem& system)
-    {
-        const double normal = std::fabs(state_.p[std::size_t(system.numbers[i].parent)]);
-        // An infinite coefficient on no load is no friction, as ODE decides it.
-        state_.hi[i] = normal > 0 && problem_.row(int(i)).d > 0 ? double(system.numbers[i].hi) * normal : 0;
-        state_.lo[i] = -state_.hi[i];
-        guess(i, double(system.numbers[i].p));
-    }
-
-    void guess(std::size_t i, double p)
-    {
-        const double lo = state_.lo[i], hi = state_.hi[i];
-        // The last step's impulse only saves time; one of another size altogether would cost digits instead.
-        if (!(std::fabs(p) * problem_.row(int(i)).d <= kMostTrusted * problem_.scale())) p = 0;
-        state_.p[i] = std::min(std::max(p, lo), hi);
-        // A width that is below rounding of the impulse is no freedom.
-        if (!((hi - lo) * problem_.row(int(i)).d > 1e-13 * problem_.scale())) {
-            state_.tag[i] = BoxState::kFixed;
-            state_.p[i] = state_.lo[i];
-        } else if (lo > -HUGE_VAL && lo < 0 && hi < HUGE_VAL && p != 0 && (p <= lo || p >= hi)) {
-            state_.tag[i] = p <= lo ? BoxState::kLower : BoxState::kUpper;
-        } else {
-            state_.tag[i] = BoxState::kFree;
-        }
-    }
-
     bool solve_phase(Arena& arena, SolveReport& report)
     {
         if (!solve_box(arena, report)) return false;

@@ -75,6 +75,7 @@ class ExactProblem {
     int factorisations() const { return factorisations_; }
     void solve(std::span<double> x) { H_.solve(x); }
 
+    std::span<const double> free_motion() const { return v_star_; }  // v*
     // r = v* - v
     void momentum_change(std::span<const double> v, std::span<double> r) const;
     // v = v* + J^T p

@@ -4,6 +4,7 @@
 // Which islands are small, and for which method, is measured (docs/solvers.md), not derived.
 #include "solve/small_island.h"
 
+#include "solve/few_bodies.h"
 #include "solve/residual.h"
 #include "solve/small_island.inc"
 
@@ -74,6 +75,12 @@ SmallResult solve_small(RowSystem& system, const SolverSettings& settings, Arena
         const SmallResult result = solve_with(Method::kNewton, system, settings, arena, report);
         if (result != SmallResult::kNotSolved || !can_pivot(system)) return result;
         return solve_by_pivoting(system, settings, arena, report);
+    }
+    if (dynamic <= FewBodies::kMostBodies && system.rows.size() <= kPivotMost) {
+        Arena::Scope scope(arena);
+        FewBodies few;
+        const SmallResult result = few.solve(system, settings.careful_above, arena, report);
+        if (result != SmallResult::kNotSolved) return result;
     }
     if (system.rows.size() > kPivotFirst || almost_right(system, arena)) return SmallResult::kNotSolved;
     return solve_by_pivoting(system, settings, arena, report);

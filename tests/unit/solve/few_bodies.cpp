@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The dense active set of one to three bodies against principal pivoting, and how little it needs from a good
+// start.
+#include "solve/few_bodies.h"
+
+#include <gtest/gtest.h>
+
+#include "solve/residual.h"
+#include "systems.h"
+
+namespace {
+
+using namespace epode_test;
+
+SmallResult solve(Problem& p, SolveReport& report)
+{
+    Arena arena;
+    RowSystem system = p.system();
+    FewBodies few;
+    return few.solve(system, kSingle ? 1e-5 : 1e-10, arena, report);
+}
+
+Problem tumbling(std::uint64_t seed)
+{
+    Dice dice(seed);
+    Problem p = box_grid(1, 1, 1 + int(seed % 3), Real(.5), false);
+    for (SolverBody& body : p.bodies) {
+        body.v += dice.vec(1);
+        body.w += dice.vec(1);
+    }
+    return p;
+}
+
+TEST(FewBodies, AgreeWithPrincipalPivoting)
+{
+    if (kSingle) GTEST_SKIP() << "compared in double";
+    int settled = 0;
+    for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+        Problem p = tumbling(seed), other = p;
+        SolveReport report, wanted;
+        if (solve(p, report) == SmallResult::kNotSolved) continue;
+        ++settled;
+        EXPECT_LE(report.residual, 1e-10) << seed;
+        Arena arena;
+        RowSystem system = other.system();
+        ASSERT_EQ(solve_by_pivoting(system, SolverSettings(), arena, wanted), SmallResult::kSolved) << seed;
+        for (std::size_t i = 0; i < p.bodies.size(); ++i) {
+            EXPECT_LE(length(p.bodies[i].v - other.bodies[i].v), 1e-9) << seed;
+            EXPECT_LE(length(p.bodies[i].w - other.bodies[i].w), 1e-9) << seed;
+        }
+    }
+    EXPECT_GE(settled, 290) << "too many go on to pivoting";
+}
+
+TEST(FewBodies, ANotSolvedSystemIsAsItWas)
+{
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        Problem p = tumbling(seed);
+        const Problem before = p;
+        Arena arena;
+        RowSystem system = p.system();
+        SolveReport report;
+        FewBodies few;
+        ASSERT_EQ(few.solve(system, -1, arena, report), SmallResult::kNotSolved) << "no residual is below 0";
+        for (std::size_t i = 0; i < p.bodies.size(); ++i) EXPECT_EQ(p.bodies[i].v, before.bodies[i].v);
+        for (std::size_t i = 0; i < p.numbers.size(); ++i) EXPECT_EQ(p.numbers[i].p, before.numbers[i].p);
+    }
+}
+
+TEST(FewBodies, OneRoundAPhaseFromTheirOwnAnswer)
+{
+    for (int boxes = 1; boxes <= 3; ++boxes) {
+        Problem p = box_grid(1, 1, boxes, Real(.5), false);
+        const std::vector<SolverBody> start = p.bodies;
+        SolveReport first, second;
+        ASSERT_EQ(solve(p, first), SmallResult::kSolved);
+        p.bodies = start;
+        ASSERT_EQ(solve(p, second), SmallResult::kSolved);
+        EXPECT_EQ(second.iterations, 2) << boxes;
+        EXPECT_LE(second.residual, kSingle ? 1e-5 : 1e-10);
+    }
+}
+
+TEST(FewBodies, RedundantRowsWithoutSoftness)
+{
+    for (int boxes = 1; boxes <= 2; ++boxes) {
+        Problem p = box_grid(1, 1, boxes, Real(.5), false, 0);
+        SolveReport report;
+        ASSERT_EQ(solve(p, report), SmallResult::kSolved);
+        EXPECT_LE(report.residual, kSingle ? 1e-5 : 1e-10);
+        Real ground = 0, gained = Real(boxes) * p.h * Real(9.81);
+        for (std::size_t i = 0; i < 12; i += 3) ground += p.numbers[i].p;
+        for (const SolverBody& body : p.bodies) gained += body.v.z;
+        EXPECT_NEAR(ground, gained, kSingle ? 1e-4 : 1e-10);
+        EXPECT_GT(p.bodies[0].v.z, 0) << "what is too deep comes up";
+    }
+}
+
+}  // namespace
