@@ -36,7 +36,7 @@ dWorldStepReport report_of(const Mechanism& m)
 }
 
 struct Totals {
-    int failed = 0, steps = 0, steps_failed = 0, fallbacks = 0, contained = 0, not_finite = 0;
+    int failed = 0, steps = 0, steps_failed = 0, fallbacks = 0, contained = 0, said = 0, not_finite = 0;
     long rows = 0, iterations = 0;
     int most_rows = 0;
     int torn = 0, torn_steps = 0, torn_steps_failed = 0, torn_contained = 0;
@@ -87,6 +87,7 @@ void run(int number, int steps, Totals& totals)
     int bad = 0, first = -1;
     double worst = 0;
     const int said_before = said, contained_before = totals.contained;
+    int said_whole = said;  // while it was in one piece: of what flies beyond 1e100 m contacts are refused
     bool torn = false;
     for (int i = 0; i < steps; ++i) {
         m.collide();
@@ -100,6 +101,7 @@ void run(int number, int steps, Totals& totals)
             continue;
         }
         count(r, totals);
+        said_whole = said;
         worst = std::max(worst, r.residual);
         if (!(r.residual <= kPromised) || r.contained_islands) {
             if (bad++ == 0) first = i;
@@ -108,10 +110,11 @@ void run(int number, int steps, Totals& totals)
     const bool finite = m.finite();
     totals.not_finite += !finite;
     totals.steps_failed += bad;
-    if (bad == 0 && finite && said == said_before && totals.contained == contained_before) return;
+    totals.said += said_whole - said_before;
+    if (bad == 0 && finite && said_whole == said_before && totals.contained == contained_before) return;
     ++totals.failed;
     std::printf("%4d: %d steps, first %d, worst %.1e, contained %d, said %d, fastest %.1e | %s\n", number,
-                bad, first, worst, totals.contained - contained_before, said - said_before, fastest(m),
+                bad, first, worst, totals.contained - contained_before, said_whole - said_before, fastest(m),
                 m.summary().c_str());
 }
 
@@ -123,7 +126,7 @@ int sweep(int first, int number, int steps)
                 number, t.steps, t.rows, t.most_rows, t.iterations, t.fallbacks);
     std::printf(
         "failed: %d mechanisms, %d steps; worst residual %.2e; contained %d; said %d; not finite %d\n",
-        t.failed, t.steps_failed, t.worst, t.contained, said, t.not_finite);
+        t.failed, t.steps_failed, t.worst, t.contained, t.said, t.not_finite);
     std::printf(
         "torn apart: %d mechanisms, %d steps, of which %d failed; worst residual %.2e; contained %d\n",
         t.torn, t.torn_steps, t.torn_steps_failed, t.torn_worst, t.torn_contained);
