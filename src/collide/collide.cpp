@@ -46,6 +46,9 @@ void direct(Geom& a, Geom& b, ContactArray& out)
     out.count += sink.count();
 }
 
+// Classes of ours that have nothing to tell each other, such as two planes.
+void tell_nothing(Geom&, Geom&, ContactArray&) {}
+
 // Solids keep what is near them of a mesh; of two meshes, a ray or a plane nothing is kept.
 template <typename First, typename Second>
 constexpr bool kKeepsLeaves =
@@ -133,8 +136,9 @@ void ColliderTable::fill()
     any_overridden = rays_overridden = false;
     for (int i = 0; i < dGeomNumClasses; ++i)
         for (int j = 0; j < dGeomNumClasses; ++j) {
-            const bool ask = (is_user_class(i) || is_user_class(j)) && !is_opened(i) && !is_opened(j);
-            entries[i][j].set({.settled = !ask});
+            const bool opened = is_opened(i) || is_opened(j), ours = !is_user_class(i) && !is_user_class(j);
+            entries[i][j].set(
+                {.settled = opened || ours, .direct = ours && !opened ? tell_nothing : nullptr});
         }
 #define PAIR_BY(First, Second, function, way)                         \
     set_both(GeomTraits<First>::kNumber, GeomTraits<Second>::kNumber, \
