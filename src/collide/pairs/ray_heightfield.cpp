@@ -21,6 +21,8 @@ struct Walk {
     Vec3 o, d;          // in the field's frame
     Real u, v, du, dv;  // place and speed of the shadow, in cells
     Real from, to;      // of the ray's parameter
+    Real steepness;     // of a facet, per difference of its heights, at most
+    Real hair;          // rounding of a height above a level facet
     Vec3 at(Real t) const { return o + t * d; }
 };
 
@@ -72,9 +74,24 @@ void cross_wall(const Walk& w, const Facet& f, int edge, Real t, ContactSink& si
     if (p.y <= top && p.y >= top - w.terrain.thickness()) sink.add({p, f.out(edge), t});
 }
 
+// On which side of all of the cell the stretch surely is: most cells need no planes of their facets.
+int sure_side(const Walk& w, const Terrain::BareCell& cell, Real ta, Real tb)
+{
+    const Real a = w.o.y + ta * w.d.y, b = w.o.y + tb * w.d.y;
+    const Real slack = w.hair * (1 + (cell.highest - cell.lowest) * w.steepness);
+    if (a > cell.highest + slack && b > cell.highest + slack) return 1;
+    return a < cell.lowest - slack && b < cell.lowest - slack ? -1 : 0;
+}
+
 // What the ray meets of cell (i, j) from ta to tb; false when the sink is full.
 bool cross_cell(const Walk& w, int i, int j, Real ta, Real tb, Crossing& crossing, ContactSink& sink)
 {
+    Terrain::BareCell cell = w.terrain.bare_cell(i, j);
+    const int side = sure_side(w, cell, ta, tb);
+    if (side != 0 && (!crossing.started || crossing.side == side)) {
+        crossing = {side, true};
+        return true;
+    }
     // Where the shadow crosses the diagonal, if it does so here.
     const Real across = w.du + w.dv;
     const Real diagonal = across != 0 ? (Real(i) + Real(j) + 1 - w.u - w.v) / across : kInf;
@@ -83,10 +100,12 @@ bool cross_cell(const Walk& w, int i, int j, Real ta, Real tb, Crossing& crossin
         const Real middle = Real(0.5) * (a + b);
         return w.u + w.v + middle * across - Real(i) - Real(j) > 1;
     };
-    const Real first_end = split ? diagonal : tb;
-    if (!cross_facet(w, w.terrain.facet(i, j, upper(ta, first_end)), ta, first_end, crossing, sink))
-        return false;
-    return !split || cross_facet(w, w.terrain.facet(i, j, upper(diagonal, tb)), diagonal, tb, crossing, sink);
+    const auto cross = [&](Real a, Real b) {
+        Facet& f = cell.facets[upper(a, b)];
+        finish(f);
+        return cross_facet(w, f, a, b, crossing, sink);
+    };
+    return split ? cross(ta, diagonal) && cross(diagonal, tb) : cross(ta, tb);
 }
 
 int start_cell(Real place, int count, bool endless)
@@ -151,7 +170,10 @@ void ray_heightfield(const Ray& a, const Pose& A, const Heightfield& b, const Po
            .du = 0,
            .dv = 0,
            .from = 0,
-           .to = a.length};
+           .to = a.length,
+           .steepness = 2 / cell.x + 2 / cell.z,
+           .hair = 0};
+    w.hair = 64 * kEpsilon * (std::fabs(w.o.x) + std::fabs(w.o.y) + std::fabs(w.o.z) + a.length);
     w.u = (w.o.x - corner.x) / cell.x, w.v = (w.o.z - corner.z) / cell.z;
     w.du = w.d.x / cell.x, w.dv = w.d.z / cell.z;
     if (data->wrap) {
