@@ -60,7 +60,7 @@ bool roots(Real a, Real b, Real c, Real& lower, Real& upper)
     return true;
 }
 
-// Both quadratics are solved from the point of the line nearest to the solid's centre, so that rays from afar
+// Quadratics are solved from the point of the line nearest to the solid's centre, so that rays from afar
 // keep their digits.
 Real nearest_to(const Line& line, Vec3 centre) { return dot(centre - line.o, line.d); }
 
@@ -81,19 +81,30 @@ void cut_tube(const Line& line, Real r, Interval& in)
     in.cut(base + lower, outward(lower), base + upper, outward(upper));
 }
 
-// The ball of radius r about c.
+// A ball: from the point of the line nearest to its centre both ends are as far, but for rounding. `room` is
+// negative where the line passes.
+struct Chord {
+    Real base, shift, room;
+    Vec3 nearest;  // from the centre
+    Chord(const Line& line, Vec3 c, Real r) : base(nearest_to(line, c)), nearest(line.at(base) - c)
+    {
+        const Real per = 1 / length2(line.d);
+        shift = -dot(nearest, line.d) * per;
+        room = (r * r - length2(nearest)) * per;
+    }
+};
+
 Interval ball(const Line& line, Vec3 c, Real r)
 {
     Interval in;
-    const Real base = nearest_to(line, c);
-    const Vec3 p = line.at(base) - c;
-    const Real distance = length(p);
-    Real lower, upper;
-    if (!roots(length2(line.d), dot(p, line.d), (distance - r) * (distance + r), lower, upper)) {
+    const Chord chord(line, c, r);
+    if (!(chord.room >= 0)) {
         in.clear();
         return in;
     }
-    in.cut(base + lower, p + lower * line.d, base + upper, p + upper * line.d);
+    const Real half = std::sqrt(chord.room), lower = chord.shift - half, upper = chord.shift + half;
+    in.cut(chord.base + lower, chord.nearest + lower * line.d, chord.base + upper,
+           chord.nearest + upper * line.d);
     return in;
 }
 
@@ -166,11 +177,12 @@ bool passes(const Line& line, Real radius)
 void ray_sphere(const Ray& a, const Pose& A, const Sphere& b, const Pose& B, ContactSink& sink)
 {
     const Line line = {A.p - B.p, A.R.column(2)};
-    if (passes(line, b.radius)) return;
-    const Interval in = ball(line, {}, b.radius);
+    const Chord chord(line, {}, b.radius);
+    if (!(chord.room >= 0)) return;
+    const Real half = std::sqrt(chord.room), lower = chord.shift - half, upper = chord.shift + half;
     Meeting m;
-    if (!meets(a, in.enter, in.leave, b.radius, m)) return;
-    const Vec3 n = m.outside ? in.enter_normal : in.leave_normal;
+    if (!meets(a, chord.base + lower, chord.base + upper, b.radius, m)) return;
+    const Vec3 n = chord.nearest + (m.outside ? lower : upper) * line.d;
     add_hit(m, A, direction_of(n, length(n), {1, 0, 0}), sink);
 }
 
