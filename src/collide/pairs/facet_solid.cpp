@@ -13,6 +13,7 @@
 #include "geometry/epa.h"
 #include "geometry/polyhedron.h"
 #include "geometry/triangle_rim.h"
+#include "simd/quad.h"
 
 namespace epode {
 
@@ -36,7 +37,8 @@ class LeastRise {
         depth = own_ = overlap_along(facet_.n);
         normal = facet_.n;
         if (depth < 0) return false;
-        if (reach_.own_is_least(facet_, depth, reach_.lowest_along(facet_.n))) return true;
+        lowest_ = reach_.lowest_along(facet_.n);
+        if (reach_.own_is_least(facet_, depth, lowest_)) return true;
         if (!(walls() && others())) return false;
         if (kFaceFirst * depth > elsewhere_) on_crest = false;
         return true;
@@ -75,13 +77,20 @@ class LeastRise {
             elsewhere_ = d < elsewhere_ ? d : elsewhere_;
     }
 
-    // Whether the ball within a polyhedron shows already that an upward direction is worth nothing.
+    // An overlap of more than this parts nothing and is worth nothing, whatever was rounded.
+    Real enough() const
+    {
+        const Real worth = kFaceFirst * depth / kSure;
+        return worth > 2 * m_.slack ? worth : 2 * m_.slack;
+    }
+
+    // Whether what is known to be in a polyhedron, a ball and its lowest point, shows already that an upward
+    // direction is worth nothing.
     bool surely_more(Vec3 n) const
     {
         Real top = -kInf;
         for (const Vec3 v : facet_.v) top = dot(n, v) > top ? dot(n, v) : top;
-        const Real worth = kFaceFirst * depth, bound = top - dot(n, ball_centre_) + ball_radius_;
-        return bound > m_.slack && bound * kSure > worth;
+        return top - dot(n, ball_centre_) + ball_radius_ > enough() || top - dot(n, lowest_) > enough();
     }
 
     // False when the direction (either sense that is not downward) parts the two.
@@ -179,9 +188,33 @@ class LeastRise {
 
     bool edge(Vec3 axis)
     {
-        for (int k = 0; k < 3; ++k)
-            if (!offer_cross(axis, facet_.edge(k))) return false;
+        for (unsigned some = ball_radius_ > 0 ? worth_a_look(axis) : 7u; some; some &= some - 1)
+            if (!offer_cross(axis, facet_.edge(__builtin_ctz(some)))) return false;
         return true;
+    }
+
+    // Of the directions across the axis and the facet's edges those of which surely_more() is not known, a
+    // bit for each. With x |x| for the squares of both signs no root is needed.
+    unsigned worth_a_look(Vec3 a) const
+    {
+        const auto lanes = [this](auto&& of) { return quad(of(0), of(1), of(2), of(2)); };
+        const Quad ex = lanes([this](int k) { return facet_.edge(k).x; }),
+                   ey = lanes([this](int k) { return facet_.edge(k).y; }),
+                   ez = lanes([this](int k) { return facet_.edge(k).z; });
+        const Quad x = quad(a.y) * ez - quad(a.z) * ey, y = quad(a.z) * ex - quad(a.x) * ez,
+                   z = quad(a.x) * ey - quad(a.y) * ex, size2 = x * x + y * y + z * z;
+        const auto along = [&](Vec3 v) { return x * quad(v.x) + y * quad(v.y) + z * quad(v.z); };
+        const Quad p = along(facet_.v[0] - lowest_), q = along(facet_.v[1] - lowest_),
+                   r = along(facet_.v[2] - lowest_), middle = along(lowest_ - ball_centre_);
+        const Quad most = larger(larger(p, q), r), least = smaller(smaller(p, q), r), none = quad(0);
+        const Quad by_point = if_less(y, none, none - least, most),
+                   by_ball = by_point + if_less(y, none, none - middle, middle);
+        const Real worth = enough(), spare = worth - ball_radius_;
+        const auto beyond = [&](const Quad& d, Real bound) {
+            return bits(quad(bound * std::fabs(bound)) * size2 < d * magnitude(d));
+        };
+        const unsigned steep = bits(quad(kSteepest * kSteepest) * size2 <= y * y);
+        return 7u & ~(steep & (beyond(by_point, worth) | beyond(by_ball, spare)));
     }
 
     // On a ridge, the round of a cylinder against corners, and its rims against edges.
@@ -223,6 +256,7 @@ class LeastRise {
     const SolidReach reach_;
     Vec3 ball_centre_;
     Real ball_radius_ = 0;
+    Vec3 lowest_;   // along the facet's normal
     Real own_ = 0;  // the overlap along the facet's normal
     // Least overlap in directions that are no contact's: aside, through the walls between columns, or against
     // a surface that goes on rising. When it is less than a crest's, the solid is not on that crest: it has
