@@ -124,6 +124,7 @@ class Broadphase {
     // about to be cast. False when memory is exhausted: cast() must not be used then.
     [[nodiscard]] bool prepare(int rays);
     bool ready() const { return escaped_.empty() && tree_.sound(); }
+    int waiting() const { return escaped_.size(); }  // for a new place in the tree
 
     // visit(slot) for every present slot whose box the ray (unit direction) meets, and for some that it
     // hardly misses, near ones first as a rule, in no promised order; it answers how far the ray has still to

@@ -53,6 +53,7 @@ struct Space : Geom {
     int helped = 0;  // of them that do not stand alone
     int locks = 0;
     int pair_walks = 0;  // walks over the pair list in progress
+    int tried = 0;       // calls in a row that have tried all pairs
     int sublevel = 0;
     bool cleanup = true;        // destroys its members with itself
     std::uint64_t edition = 0;  // another one when something has happened that may change its pairs

@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Which pairs a space reports, and in which order: newer members before older ones, as a function of the
-// order of joining alone. Where memory for the broadphase is lacking all pairs are tried; that finds the same
-// ones.
+// order of joining alone. Where memory for the broadphase is lacking, and where few move much, all pairs are
+// tried; that finds the same ones.
 #include <algorithm>
 
 #include "base/float_environment.h"
@@ -34,7 +34,9 @@ void report_pairs(Space& space, const Report& report, PairsOf of)
 void report_all_pairs(Space& space, const Report& report, PairsOf of)
 {
     const Broadphase& boxes = space.broadphase;
-    const auto box_of = [&](int slot) { return of == PairsOf::kWays ? boxes.way(slot) : boxes.box(slot); };
+    const auto box_of = [&](int slot) -> const Aabb& {
+        return of == PairsOf::kWays ? boxes.way(slot) : boxes.box(slot);
+    };
     for (int i = space.members.size(); i-- > 0;) {
         if (!space.members[i] || !boxes.present(i)) continue;
         for (int j = i; j-- > 0;) {
@@ -43,6 +45,17 @@ void report_all_pairs(Space& space, const Report& report, PairsOf of)
             if (a->enabled && b->enabled && may_meet(*a, *b)) report(*a, *b);
         }
     }
+}
+
+// Of so few members that many of them have left their places in the tree, all pairs are tried sooner than new
+// places found. Those that move slowly stay for long where they are put, so that is tried from time to time.
+bool try_all_pairs(Space& space)
+{
+    constexpr int kFew = 32, kInARow = 32;
+    const int count = space.members.size();
+    const bool yes = count <= kFew && 4 * space.broadphase.waiting() > count && space.tried < kInARow;
+    space.tried = yes ? space.tried + 1 : 0;
+    return yes;
 }
 
 // visit(slot) for the members whose boxes meet the geom's; of a ray, for those of them that it meets itself
@@ -147,9 +160,11 @@ bool may_meet(Geom& a, Geom& b)
 
 void collide_space(Space& space, void* data, dNearCallback* callback, PairsOf of)
 {
+    const bool moves = !is_clean(space);
     clean(space);
     SpaceLock lock(space);
     const Report report{data, callback};
+    if (moves && of == PairsOf::kBoxes && try_all_pairs(space)) return report_all_pairs(space, report, of);
     // During a walk over the pair list it must stay; then it is up to date already.
     if (space.pair_walks > 0 || space.broadphase.find_pairs())
         report_pairs(space, report, of);
