@@ -280,13 +280,18 @@ void ray_convex(const Ray& a, const Pose& A, const Convex& b, const Pose& B, Con
 {
     const Pose centred = {B.to_world(b.solid->centre()), B.R};
     const Line line = line_of(A, centred);
+    if (passes(line, b.solid->size())) return;
     Interval in;
+    const PolyhedronFace *first = nullptr, *last = nullptr;
     for (const PolyhedronFace& f : b.solid->faces()) {
         const Real above = dot(f.normal, line.o) - f.offset, rate = dot(f.normal, line.d);
         if (rate == 0 && above > 0) return;
-        if (rate < 0) in.cut(-above / rate, f.normal, in.leave, in.leave_normal);
-        if (rate > 0) in.cut(in.enter, in.enter_normal, -above / rate, f.normal);
+        const Real t = -above / rate;
+        if (rate < 0 && t > in.enter) in.enter = t, first = &f;
+        if (rate > 0 && t < in.leave) in.leave = t, last = &f;
     }
+    if (first) in.enter_normal = first->normal;
+    if (last) in.leave_normal = last->normal;
     hit_flat(a, A, centred, in, b.solid->size(), sink);
 }
 
