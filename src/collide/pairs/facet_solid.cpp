@@ -6,6 +6,7 @@
 // normal: the lower faces of the solid cut by the column, each point with its own depth below the facet.
 // Along another, the facet's edge or corner is what pushes: the manifold of two convex solids. Rejected: each
 // column as a solid of its own with GJK/EPA; it meets the walls between columns, which do not exist.
+#include "collide/pairs/across_edges.h"
 #include "collide/pairs/box_axes.h"
 #include "collide/pairs/facet.h"
 #include "collide/pairs/least_axes.h"
@@ -13,7 +14,6 @@
 #include "geometry/epa.h"
 #include "geometry/polyhedron.h"
 #include "geometry/triangle_rim.h"
-#include "simd/quad.h"
 
 namespace epode {
 
@@ -193,28 +193,17 @@ class LeastRise {
         return true;
     }
 
-    // Of the directions across the axis and the facet's edges those of which surely_more() is not known, a
-    // bit for each. With x |x| for the squares of both signs no root is needed.
-    unsigned worth_a_look(Vec3 a) const
+    // Of the directions across the axis and the facet's edges those of which surely_more() is not known.
+    unsigned worth_a_look(Vec3 axis) const
     {
-        const auto lanes = [this](auto&& of) { return quad(of(0), of(1), of(2), of(2)); };
-        const Quad ex = lanes([this](int k) { return facet_.edge(k).x; }),
-                   ey = lanes([this](int k) { return facet_.edge(k).y; }),
-                   ez = lanes([this](int k) { return facet_.edge(k).z; });
-        const Quad x = quad(a.y) * ez - quad(a.z) * ey, y = quad(a.z) * ex - quad(a.x) * ez,
-                   z = quad(a.x) * ey - quad(a.y) * ex, size2 = x * x + y * y + z * z;
-        const auto along = [&](Vec3 v) { return x * quad(v.x) + y * quad(v.y) + z * quad(v.z); };
-        const Quad p = along(facet_.v[0] - lowest_), q = along(facet_.v[1] - lowest_),
-                   r = along(facet_.v[2] - lowest_), middle = along(lowest_ - ball_centre_);
-        const Quad most = larger(larger(p, q), r), least = smaller(smaller(p, q), r), none = quad(0);
-        const Quad by_point = if_less(y, none, none - least, most),
-                   by_ball = by_point + if_less(y, none, none - middle, middle);
-        const Real worth = enough(), spare = worth - ball_radius_;
-        const auto beyond = [&](const Quad& d, Real bound) {
-            return bits(quad(bound * std::fabs(bound)) * size2 < d * magnitude(d));
-        };
-        const unsigned steep = bits(quad(kSteepest * kSteepest) * size2 <= y * y);
-        return 7u & ~(steep & (beyond(by_point, worth) | beyond(by_ball, spare)));
+        const AcrossEdges across(axis, facet_);
+        const auto [most, least] = across.reach(facet_, lowest_);
+        const Quad middle = across.along(lowest_ - ball_centre_), rise = across.rise(), none = quad(0);
+        const Quad by_point = if_less(rise, none, none - least, most),
+                   by_ball = by_point + if_less(rise, none, none - middle, middle);
+        const Real worth = enough();
+        return 7u & ~(across.at_least(rise, kSteepest) &
+                      (across.beyond(by_point, worth) | across.beyond(by_ball, worth - ball_radius_)));
     }
 
     // On a ridge, the round of a cylinder against corners, and its rims against edges.

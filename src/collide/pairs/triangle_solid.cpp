@@ -7,6 +7,7 @@
 // prism, each point with its own depth. Along another, a crest pushes: the manifold of two convex solids. The
 // own normal points to the side on which the solid's middle is. A box or polyhedron in the back of a triangle
 // is pushed out backwards, a cylinder is not pushed, as in ODE.
+#include "collide/pairs/across_edges.h"
 #include "collide/pairs/box_axes.h"
 #include "collide/pairs/least_axes.h"
 #include "collide/pairs/mesh_ground.h"
@@ -206,9 +207,27 @@ class LeastWay : public Way {
             if (!offer(s.pose.R * face.normal)) return false;
         if (many_edges()) return true;
         for (const Vec3 edge : s.edges)
-            for (int k = 0; k < 3; ++k)
-                if (!offer_cross(s.pose.R * edge, f_.edge(k))) return false;
+            if (!offer_edge(s.pose.R * edge)) return false;
         return true;
+    }
+    bool offer_edge(Vec3 edge)
+    {
+        for (unsigned some = ball_radius_ > 0 ? worth_a_look(edge) : 7u; some; some &= some - 1)
+            if (!offer_cross(edge, f_.edge(__builtin_ctz(some)))) return false;
+        return true;
+    }
+    // Of the directions across an edge of a polyhedron and those of the triangle those of which what
+    // surely_more() tells is not known.
+    unsigned worth_a_look(Vec3 edge) const
+    {
+        const AcrossEdges across(edge, f_);
+        const auto [most, least] = across.reach(f_, lowest_);
+        const Quad middle = across.along(lowest_ - ball_centre_);
+        const Real enough = depth > 0 ? kFaceFirst * depth / kSure : Real(0), spare = enough - ball_radius_;
+        const auto more = [&](const Quad& by_point, const Quad& by_ball) {
+            return across.beyond(by_point, enough) | across.beyond(by_ball, spare);
+        };
+        return 7u & ~(more(most, most + middle) & more(quad(0) - least, quad(0) - least - middle));
     }
     bool many_edges() const { return m_.solid.edges.size() > kManyEdges; }
 
