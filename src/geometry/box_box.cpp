@@ -232,12 +232,42 @@ struct Wanted {
     Real margin;
 };
 
-// Which of the points to keep where there is room for fewer: the best four, then the first of the others.
+constexpr Real kReach = Real(0.002);  // of the span of four points: what others must add to be told
+
+// Is one of the points outside the polygon of the chosen ones, which are in the order of best_four (the ends
+// of a diagonal, then one on each side of it), by more than a part of their span? Seen along the third axis.
+bool others_reach_farther(const ManifoldPoints& points, const int* chosen)
+{
+    const int ring[4] = {chosen[0], chosen[2], chosen[1], chosen[3]};
+    Real outside[ManifoldPoints::kMax] = {};
+    Real span2 = 0;
+    for (int n = 0; n < 4; ++n) {
+        const int from = ring[n], to = ring[(n + 1) & 3];
+        const Real ex = points.x[to] - points.x[from], ey = points.y[to] - points.y[from];
+        const Real length2 = ex * ex + ey * ey;
+        span2 = std::max(span2, length2);
+        if (!(length2 > 0)) continue;
+        const Real ox = points.x[ring[(n + 2) & 3]] - points.x[from],
+                   oy = points.y[ring[(n + 2) & 3]] - points.y[from];
+        const Real inward = ex * oy - ey * ox > 0 ? Real(-1) : Real(1), scale = inward / std::sqrt(length2);
+        for (int i = 0; i < points.count; ++i) {
+            const Real away =
+                scale * (ex * (points.y[i] - points.y[from]) - ey * (points.x[i] - points.x[from]));
+            outside[i] = std::max(outside[i], away);
+        }
+    }
+    const Real most = *std::max_element(outside, outside + points.count);
+    return most * most > kReach * kReach * span2;
+}
+
+// Which of the points to keep: all that there is room for, but only the best four where the others reach
+// hardly farther, as when one of two flush faces is turned by a hair.
 [[gnu::noinline]] int keep_best(ManifoldPoints& points, Vec3 normal, int room, int* chosen)
 {
     const int all = points.count;
     int kept = best_four(points, normal, room < kBestFour ? room : kBestFour, chosen);
-    for (int i = 0; i < all && room > kBestFour && kept < room; ++i)
+    if (room <= kBestFour || kept < kBestFour || !others_reach_farther(points, chosen)) return kept;
+    for (int i = 0; i < all && kept < room; ++i)
         if (std::find(chosen, chosen + kept, i) == chosen + kept) chosen[kept++] = i;
     return kept;
 }
@@ -250,7 +280,8 @@ void face_manifold(const Reference& face, const Incident& other, Real slack, con
     face_points(face, other, slack, wanted.margin, points);
     int chosen[BoxBox::kMax] = {0, 1, 2, 3, 4, 5, 6, 7};
     out.count = points.count;
-    if (points.count > room) out.count = keep_best(points, {0, 0, face.inward}, room, chosen);
+    if (points.count > kBestFour || points.count > room)
+        out.count = keep_best(points, {0, 0, face.inward}, room, chosen);
     const Real* at[3];
     at[kNext[face.k]] = points.x, at[kLast[face.k]] = points.y, at[face.k] = points.z;
     for (int n = 0; n < out.count; ++n) {
