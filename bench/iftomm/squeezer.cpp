@@ -9,8 +9,7 @@
 namespace epode::iftomm::squeezer {
 namespace {
 
-constexpr double d = 0.028, da = 0.0115, e = 0.02, ea = 0.01421, zf = 0.02, fa = 0.01421, rr = 0.007,
-                 ra = 0.00092;
+constexpr double da = 0.0115, e = 0.02, ea = 0.01421, zf = 0.02, fa = 0.01421, rr = 0.007, ra = 0.00092;
 constexpr double ss = 0.035, sa = 0.01874, sb = 0.01043, sc = 0.018, sd = 0.02;
 constexpr double zt = 0.04, ta = 0.02308, tb = 0.00916, u = 0.04, ua = 0.01228, ub = 0.00449;
 constexpr Point A{-0.06934, -0.00227}, B{-0.03635, 0.03273}, O{0, 0};

@@ -83,7 +83,9 @@ class HostMode {
     {
         const FloatRegisters now = float_registers();
         set_float_registers(before_);
-        kept_ = kept_ && (keeps_ == Keeps::kModes ? now.control == mine_.control : now == mine_);
+        // With the usual modes, as they are where the machine has no traps, flags may be raised.
+        const bool modes_only = keeps_ == Keeps::kModes || mine_.control == kUsualControl;
+        kept_ = kept_ && (modes_only ? now.control == mine_.control : now == mine_);
     }
     HostMode(const HostMode&) = delete;
     HostMode& operator=(const HostMode&) = delete;

@@ -24,6 +24,14 @@ struct Case {
     bool managed;
 };
 
+std::string text_of(const Case& c)
+{
+    return std::string(name_of(c.kind)) + "_" + name_of(c.stepper) + (c.managed ? "_managed" : "_joints");
+}
+
+// GoogleTest would print the bytes, some of which nobody has written.
+void PrintTo(const Case& c, std::ostream* out) { *out << text_of(c); }
+
 constexpr double kPit = 1.6;       // half its width, m
 constexpr double kRolling = 0.01;  // resistance of what is round, m: nothing else ends its rolling
 
@@ -214,13 +222,8 @@ std::vector<Case> all_cases()
     return cases;
 }
 
-std::string heap_name(const testing::TestParamInfo<Case>& c)
-{
-    return std::string(name_of(c.param.kind)) + "_" + name_of(c.param.stepper) +
-           (c.param.managed ? "_managed" : "_joints");
-}
-
-INSTANTIATE_TEST_SUITE_P(Kinds, SleepingHeaps, testing::ValuesIn(all_cases()), heap_name);
+INSTANTIATE_TEST_SUITE_P(Kinds, SleepingHeaps, testing::ValuesIn(all_cases()),
+                         [](const testing::TestParamInfo<Case>& info) { return text_of(info.param); });
 
 }  // namespace
 }  // namespace epode::physics
