@@ -223,7 +223,7 @@ std::vector<Case> all_cases()
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, SleepingHeaps, testing::ValuesIn(all_cases()),
-                         [](const testing::TestParamInfo<Case>& info) { return text_of(info.param); });
+                         [](const testing::TestParamInfo<Case>& c) { return text_of(c.param); });
 
 }  // namespace
 }  // namespace epode::physics
