@@ -213,13 +213,17 @@ Placed opened(const Placed& outer, const TransformGeom& transform)
     return {inner, outer.pose * pose_of(*inner), pinned ? outer.named : inner, true};
 }
 
+void turn(dContactGeom& c)
+{
+    for (int k = 0; k < 3; ++k) c.normal[k] = -c.normal[k];
+    if (c.side1 != c.side2) std::swap(c.side1, c.side2);
+}
+
 void reverse_from(int first, const ContactArray& out)
 {
     for (int i = first; i < out.count; ++i) {
-        dContactGeom& c = *out.at(i);
-        for (int k = 0; k < 3; ++k) c.normal[k] = -c.normal[k];
-        std::swap(c.g1, c.g2);
-        std::swap(c.side1, c.side2);
+        turn(*out.at(i));
+        std::swap(out.at(i)->g1, out.at(i)->g2);
     }
 }
 
@@ -335,7 +339,12 @@ void collide_members(void* data, dGeomID o1, dGeomID o2)
 {
     const int before = out.count;
     direct(b, a, out);
-    reverse_from(before, out);
+    // What has just been written is written anew and not read where it can be told: the processor waits for
+    // two stores that are read as one.
+    for (int i = before; i < out.count; ++i) {
+        turn(*out.at(i));
+        out.at(i)->g1 = to_handle(&a), out.at(i)->g2 = to_handle(&b);
+    }
 }
 
 [[gnu::always_inline]] inline void collide_two(Geom& a, Geom& b, ContactArray& out)
