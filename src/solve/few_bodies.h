@@ -5,13 +5,14 @@
 // small stack. The active set of active_set.h with H = 1 + J^T D J as one dense matrix of at most 18 rows:
 // nothing is ordered, planned or packed. It differs in two things.
 //
-//   Guesses. A row begins on the side on which its own step q = p - w / d ends, w = J v + C p - c, from the
-//   impulses of the last step. For one row alone this is the answer, and at rest it is that of the last step;
-//   with nothing to start from it says which contacts part and where friction slides. Boxes that tumbled onto
-//   a plane settled in 2.4 rounds per phase on the average, at rest in one. Flips. All wrong rows in the
-//   first two rounds, then the most wrong alone. Half of the rows of a box are redundant, and flipping all of
-//   them cycles: of 168 phases of one box 4 did not settle so, of 388 of two 16, of 526 of three 17; now 0, 0
-//   and 1 do not. Those go to principal pivoting.
+// Guesses: a row begins on the side on which its own step q = p - w / d ends, w = J v + C p - c, from the
+// impulses of the last step. For one row alone this is the answer, and at rest it is that of the last step;
+// with nothing to start from it says which contacts part and where friction slides.
+//
+// Flips: all wrong rows in the first two rounds, then the most wrong alone. Half of the rows of a box are
+// redundant, and flipping all of them cycles: of 168 phases of one box that tumbles onto a plane 4 did not
+// settle so, now all do, in 2.4 rounds on the average. Two and three bodies with many wrong rows are given up
+// early, for principal pivoting: it costs less.
 #pragma once
 
 #include <type_traits>
@@ -56,7 +57,7 @@ class FewBodies {
     std::span<double> D_, w_, weight_, begun_, v_, base_;
     std::span<int> rows_, open_;  // rows that may move
     bool warm_ = false;
-    int n_ = 0, round_ = 0, factorisations_ = 0;
+    int n_ = 0, round_ = 0, wrong_ = 0, factorisations_ = 0;
     DoubleLane H_[kMost][kLanes];  // upper half: D and L^T times D
     double inverse_[kMost];        // of D
 };
