@@ -81,6 +81,21 @@ class Heap : public Sim {
         return most;
     }
 
+    // The most that a body's energy has risen since it was least, as the speed that it makes: what falls
+    // through a gap is not thrown.
+    double thrown()
+    {
+        least_.resize(bodies.size(), 1e300);
+        double most = 0;
+        for (std::size_t i = 0; i < bodies.size(); ++i) {
+            const double speed = length(velocity(bodies[i])), z = position(bodies[i]).z;
+            const double energy = 0.5 * speed * speed + 9.81 * z;
+            least_[i] = std::min(least_[i], energy);
+            most = std::max(most, energy - least_[i]);
+        }
+        return std::sqrt(2 * most);
+    }
+
     int awake(std::size_t from = 0) const
     {
         return int(std::count_if(bodies.begin() + std::ptrdiff_t(from), bodies.end(),
@@ -156,6 +171,7 @@ class Heap : public Sim {
 
     const Case case_;
     Random random_;
+    std::vector<double> least_;  // energy of each body, J/kg
 };
 
 struct SleepingHeaps : testing::TestWithParam<Case> {};
@@ -166,16 +182,16 @@ TEST_P(SleepingHeaps, come_to_rest_and_stay_there)
         Heap heap(GetParam(), seed, 0);
         for (double t = 0; t < 2.5; t += kH) heap.advance_heap();
         const double first = heap.fastest();
-        double before = energy(heap), gained = 0, fastest = first;
+        double before = energy(heap), gained = 0, thrown = heap.thrown();
         for (double t = 2.5; t < 10 && heap.awake() > 0; t += kH) {
             heap.advance_heap();
             const double now = energy(heap);
             gained = std::max(gained, now - before);
             before = std::min(before, now);
-            fastest = std::max(fastest, heap.fastest());
+            thrown = std::max(thrown, heap.thrown());
         }
         EXPECT_EQ(heap.awake(), 0) << "seed " << seed;
-        EXPECT_LT(fastest, std::max(2.5, 1.5 * first)) << "nobody is thrown";
+        EXPECT_LT(thrown, std::max(2.5, 1.5 * first)) << "nobody is thrown";
         // 54 to 60 bodies of 20 to 100 kg: a millimetre for all of them is 35 J.
         EXPECT_LT(gained, 35) << "nothing lifts the heap";
         EXPECT_EQ(heap.fastest(), 0);
