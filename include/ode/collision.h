@@ -508,9 +508,10 @@ ODE_API int dBoxTouchesBox(const dVector3 _p1, const dMatrix3 R1, const dVector3
                            const dMatrix3 R2, const dVector3 side2);
 
 /** Contacts of two boxes with centres p1, p2, rotation matrices R1, R2 and full side lengths side1, side2.
-   Written: normal (from box 1 to box 2), the greatest depth, *return_code (1-3 face of box 1, 4-6 face of box
-   2, 7-15 a pair of edges), and `pos` and `depth` of as many entries of contact as fit (flags and skip as for
-   dCollide). Returns their number, 0 when the boxes are apart. [0.16] */
+   Written: normal (from box 1 to box 2), the greatest depth (how far they must move apart along that normal),
+   *return_code (1-3 face of box 1, 4-6 face of box 2, 7-15 a pair of edges), and `pos` and `depth` of as many
+   entries of contact as fit (flags and skip as for dCollide). Returns their number, 0 when the boxes are
+   apart. [0.16] */
 ODE_API int dBoxBox(const dVector3 p1, const dMatrix3 R1, const dVector3 side1, const dVector3 p2,
                     const dMatrix3 R2, const dVector3 side2, dVector3 normal, dReal* depth, int* return_code,
                     int flags, dContactGeom* contact, int skip);

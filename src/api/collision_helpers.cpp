@@ -77,7 +77,7 @@ int dBoxBox(const dVector3 p1, const dMatrix3 R1, const dVector3 side1, const dV
         return 0;
     }
     store(normal, m.normal);
-    *depth = m.depth;
+    *depth = m.deepest();
     *return_code = m.code;
     const int count = std::min(m.count, flags & 0xffff);
     write_contacts(m, count, contact, skip);

