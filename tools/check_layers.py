@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
 #
-# Dependencies between folders point one way. This table is the architecture; CI runs it first.
+# Dependencies between folders, and between the rooms of a folder, point one way. These tables are the architecture; CI runs
+# them first.
 import pathlib
 import re
 import sys
@@ -30,15 +31,61 @@ OUTSIDE = ["viewer", "view", "drawstuff", "demos", "scenes", "record", "cli", "b
            "tests/cli", "tests/viewer", "tests/view", "tests/drawstuff", "tests/record", "tests/abi"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)
 
+# Rooms of the two largest folders: what each of them may include of its own folder.
+ROOMS = {
+    "solve": {
+        "": set(),
+        "common": {""},
+        "exact/factor": set(),
+        "exact/problem": {"common", "exact/factor"},
+        "exact/wide": {"exact/problem", "exact/factor"},
+        "exact/small": {"", "common", "exact/factor", "exact/problem"},
+        "exact": {"", "common", "exact/factor", "exact/problem", "exact/wide", "exact/small"},
+        "joints": {"", "common"},
+        "sweeps": {"", "common", "joints"},
+        "substeps": {"", "common", "joints", "sweeps", "exact/factor"},
+    },
+    "collide": {
+        "": set(),
+        "surfaces": {""},
+        "types": {"", "surfaces"},
+        "pairs": {"", "surfaces", "types"},
+        "pairs/round": {"", "pairs"},
+        "pairs/polyhedra": {"", "pairs"},
+        "pairs/surfaces": {"", "surfaces", "pairs", "pairs/polyhedra"},
+        "pairs/rays": {"", "surfaces", "pairs", "pairs/surfaces"},
+    },
+}
+MAX_FILES = 30  # of a room
+
+
+def room_of(name):
+    folder, *inner = name.split("/")[:-1]
+    return folder, "/".join(inner)
+
+
+def may_see(source, target):
+    (folder, room), (its_folder, its_room) = room_of(source), room_of(target)
+    if folder != its_folder:
+        return its_folder == "ode" or its_folder in MAY_INCLUDE.get(folder, set())
+    return room == its_room or folder not in ROOMS or its_room in ROOMS[folder].get(room, set())
+
+
 errors = []
+files_of = {}
 for path in sorted((ROOT / "src").rglob("*")):
     if path.suffix not in (".h", ".cpp", ".inc"):
         continue
-    folder = path.relative_to(ROOT / "src").parts[0]
-    for name in INCLUDE.findall(path.read_text()):
-        target = name.split("/")[0]
-        if target != "ode" and target != folder and target not in MAY_INCLUDE.get(folder, set()):
-            errors.append(f"{path.relative_to(ROOT)}: {folder} may not include {name}")
+    name = str(path.relative_to(ROOT / "src"))
+    files_of.setdefault(room_of(name), []).append(name)
+    for included in INCLUDE.findall(path.read_text()):
+        if not may_see(name, included):
+            errors.append(f"src/{name}: may not include {included}")
+for (folder, room), files in files_of.items():
+    if folder in ROOMS and room not in ROOMS[folder]:
+        errors.append(f"src/{folder}/{room}: a room that is not in the table")
+    if folder in ROOMS and len(files) > MAX_FILES:
+        errors.append(f"src/{folder}/{room}: {len(files)} files")
 for outside in OUTSIDE:
     for path in sorted((ROOT / outside).rglob("*")):
         if path.suffix in (".h", ".cpp", ".c"):

@@ -7,7 +7,7 @@
 
 #include "base/check.h"
 #include "base/float_environment.h"
-#include "collide/registry.h"
+#include "collide/types/registry.h"
 #include "geometry/box_box.h"
 #include "geometry/closest.h"
 

@@ -4,7 +4,7 @@
 // Contacts that the world manages, as C functions.
 #include "ode/contacts.h"
 
-#include "collide/registry.h"
+#include "collide/types/registry.h"
 #include "contacts/material.h"
 #include "dynamics/world.h"
 #include "step/step.h"

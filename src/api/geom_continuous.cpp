@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Which geoms steps look at on their whole way (step/continuous.h).
-#include "collide/registry.h"
+#include "collide/types/registry.h"
 #include "ode/ext.h"
 
 namespace epode {

@@ -3,7 +3,7 @@
 //
 // Where a geom is: its own pose, or its body's. Setting the pose of a geom on a body moves the body.
 #include "base/float_environment.h"
-#include "collide/registry.h"
+#include "collide/types/registry.h"
 #include "math/rotation.h"
 #include "step/link.h"
 

@@ -10,7 +10,7 @@
 #include "base/check.h"
 #include "base/float_environment.h"
 #include "ode/matrix_coop.h"
-#include "solve/shared_ldlt.h"
+#include "solve/exact/factor/shared_ldlt.h"
 
 using namespace epode;
 

@@ -16,7 +16,7 @@
 #include "base/check.h"
 #include "base/random.h"
 #include "ode/misc.h"
-#include "solve/box_pivoting.h"
+#include "solve/exact/small/box_pivoting.h"
 #include "solve/solver.h"
 
 using namespace epode;

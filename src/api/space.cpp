@@ -3,8 +3,8 @@
 //
 // What all spaces have in common.
 #include "base/float_environment.h"
-#include "collide/height_function.h"
-#include "collide/registry.h"
+#include "collide/surfaces/height_function.h"
+#include "collide/types/registry.h"
 
 using namespace epode;
 

@@ -3,7 +3,7 @@
 //
 // Where pair functions put their contacts: the client's array of dContactGeom, walked with the client's
 // stride, never beyond the client's room. A pair function is pure, (shape a, pose A, shape b, pose B, sink);
-// who the geoms are is told by the dispatcher (collide/collide.cpp).
+// who the geoms are is told by the dispatcher (collide/pairs/collide.cpp).
 //   normal: unit, world, from b into a: moving a by depth * normal separates the two.
 //   depth:  >= 0 along that normal; touching counts (but see margin).
 #pragma once

@@ -198,7 +198,7 @@ class PairUpdate {
     {
         const Foresight& soon = settings_.soon;
         const Vec3 way1 = soon.h * soon.velocity(pair_.body1), way2 = soon.h * soon.velocity(pair_.body2);
-        // Until then the point goes along with the one that moves, see solve/patch_kernels.inc.
+        // Until then the point goes along with the one that moves, see solve/substeps/patch_kernels.inc.
         const Vec3 behind = moves(pair_.body1) ? Vec3{} : way1 - way2;
         for (int i = 0; i < part.patch.count; ++i) {
             PatchPoint& point = part.patch.points[i];

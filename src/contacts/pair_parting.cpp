@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "collide/registry.h"
 #include "collide/solid_view.h"
+#include "collide/types/registry.h"
 #include "geometry/parting.h"
 
 namespace epode {

@@ -4,9 +4,9 @@
 // See distance.h. Surfaces are asked in their own frame, two of them in that of the second.
 #include "query/distance.h"
 
-#include "collide/closed_mesh.h"
 #include "collide/collide.h"
-#include "collide/registry.h"
+#include "collide/surfaces/closed_mesh.h"
+#include "collide/types/registry.h"
 #include "collide/user_class.h"
 #include "query/thing.h"
 

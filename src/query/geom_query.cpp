@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "base/float_environment.h"
-#include "collide/registry.h"
+#include "collide/types/registry.h"
 #include "ode/ext.h"
 #include "query/distance.h"
 #include "query/members.h"

@@ -11,7 +11,7 @@
 #pragma once
 
 #include "collide/collide.h"
-#include "collide/registry.h"
+#include "collide/types/registry.h"
 #include "query/members.h"
 
 namespace epode {

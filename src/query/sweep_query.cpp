@@ -5,7 +5,7 @@
 // whose boxes the moving box meets before the best so far; the newer of equals wins, as all are tried that
 // may be equal.
 #include "base/float_environment.h"
-#include "collide/registry.h"
+#include "collide/types/registry.h"
 #include "ode/ext.h"
 #include "query/members.h"
 #include "query/sweep.h"

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "collide/geom.h"
-#include "collide/registry.h"
+#include "collide/types/registry.h"
 #include "query/separation.h"
 #include "query/triangle_set.h"
 

@@ -9,8 +9,8 @@
 
 #include <algorithm>
 
-#include "collide/heightfield.h"
-#include "collide/trimesh.h"
+#include "collide/surfaces/heightfield.h"
+#include "collide/surfaces/trimesh.h"
 
 namespace epode {
 

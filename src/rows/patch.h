@@ -17,7 +17,7 @@ namespace epode {
 
 inline constexpr int kPatchPoints = 4;
 
-// Here as below, neighbours are read four numbers at a time (solve/patch_gather.inc).
+// Here as below, neighbours are read four numbers at a time (solve/substeps/patch_gather.inc).
 struct PatchPoint {
     Float3 r1;        // from the centre of body 1, world frame, at the beginning of the step
     float gap;        // distance along n beyond the layer; below zero: deeper than allowed

@@ -41,8 +41,8 @@ struct alignas(4 * sizeof(Real)) SolverPose {
 };
 static_assert(sizeof(SolverPose) == 16 * sizeof(Real));
 
-struct Velocity;       // solve/velocities.h
-struct WholeFriction;  // solve/whole_friction.h
+struct Velocity;       // solve/common/velocities.h
+struct WholeFriction;  // solve/common/whole_friction.h
 
 // The numbers that a policy makes of a Row.
 struct RowNumbers {

@@ -33,7 +33,7 @@ struct SolverSettings {
 
 struct SolveReport {
     dIslandMethod method = dIslandMethodNone;
-    Real residual = 0;  // natural residual, relative (solve/residual.h)
+    Real residual = 0;  // natural residual, relative (solve/common/residual.h)
     int iterations = 0;
     int factorisations = 0;
     bool fallback = false;

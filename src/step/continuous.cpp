@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "collide/collide.h"
-#include "collide/registry.h"
+#include "collide/types/registry.h"
 #include "query/members.h"
 #include "query/triangle_set.h"
 #include "step/link.h"

@@ -3,7 +3,7 @@
 //
 // Every substep assembles the island anew: joints say where they are, which stops act, and how they rebound
 // at that moment, as if the program had made the step itself. Forces are those of the beginning, held. ERP
-// and CFM of h become those of h/n that stand for the same spring and damper (solve/substep_rows.h).
+// and CFM of h become those of h/n that stand for the same spring and damper (solve/common/substep_rows.h).
 // Contacts are not sought again. Their separation follows the motion, error <- error - hs J v, and one that
 // has opened may close exactly but not further; a rebound is due in the first substep. They act at one point
 // of both bodies, half way between where the two have carried it, so that angular momentum is kept.
@@ -15,7 +15,7 @@
 #include "dynamics/exact_spin.h"
 #include "dynamics/integrate.h"
 #include "rows/policy.h"
-#include "solve/substep_rows.h"
+#include "solve/common/substep_rows.h"
 #include "step/substeps.h"
 #include "step/tension.h"
 #include "step/write_back.h"

@@ -32,7 +32,7 @@
 
 #include "dynamics/integrate.h"
 #include "rows/policy.h"
-#include "solve/equalities.h"
+#include "solve/exact/equalities.h"
 #include "step/tension.h"
 
 namespace epode {

@@ -5,7 +5,7 @@
 // reached.
 #pragma once
 
-#include "solve/plan_cache.h"
+#include "solve/exact/factor/plan_cache.h"
 #include "step/assemble.h"
 #include "tasks/tasks.h"
 

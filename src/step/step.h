@@ -7,7 +7,7 @@
 #include "base/array.h"
 #include "contacts/contact_world.h"
 #include "dynamics/world.h"
-#include "solve/plan_cache.h"
+#include "solve/exact/factor/plan_cache.h"
 #include "solve/solver.h"
 #include "step/contact_cache.h"
 #include "step/continuous.h"

@@ -6,7 +6,7 @@
 
 #include "base/arena.h"
 #include "rows/row_system.h"
-#include "solve/body_kernels.h"
+#include "solve/substeps/body_kernels.h"
 #include "step/assemble.h"
 #include "tasks/tasks.h"
 

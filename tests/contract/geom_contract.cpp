@@ -11,7 +11,7 @@
 
 #include "../unit/api/message_recorder.h"
 #include "../unit/math/random_numbers.h"
-#include "collide/registry.h"
+#include "collide/types/registry.h"
 #include "geometry/convex_view.h"
 
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"
@@ -147,7 +147,7 @@ std::vector<Case> cases(bool (*wanted)(const Case&))
 {
     std::vector<Case> all;
 #define GEOM_TYPE(Name, Number, Object, Refusal) all.push_back(make_case(#Name, Number));
-#include "collide/geom_types.inc"
+#include "collide/types/geom_types.inc"
 #undef GEOM_TYPE
     std::erase_if(all, [&](const Case& c) { return !wanted(c); });
     return all;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What every pair function owes, tried for each line of collide/pairs.inc in seeded random poses, many of
-// them aligned or almost so, because that is where manifolds break:
+// What every pair function owes, tried for each line of collide/pairs/pairs.inc in seeded random poses, many
+// of them aligned or almost so, because that is where manifolds break:
 //   hit or miss and depth as a brute-force sweep over 20 000 directions finds them; the normal is unit, and
 //   moving the first solid along it by the depth parts the two; points lie in both solids; the room is never
 //   exceeded, and less room still holds a contact; the same class exchanged gives the opposite normal and the
@@ -596,5 +596,5 @@ void check_steady(F function)
     TEST(PairContract, function##_claims) { check_claims<First, Second>(function); }         \
     TEST(PairContract, function##_degenerate) { check_degenerate<First, Second>(function); } \
     TEST(PairContract, function##_steady) { check_steady<First, Second>(function); }
-#include "collide/pairs.inc"
+#include "collide/pairs/pairs.inc"
 #undef PAIR

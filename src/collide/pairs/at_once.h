@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Pairs whose own work is a few dozen instructions (PAIR_AT_ONCE in collide/pairs.inc) would spend most of
-// their time on the way: poses copied, a sink handed along, one call more. For these the way from two geoms
-// to the client's array is a function of its own, made where the pair function is and of one piece with it;
-// what of the poses it does not need is not read. The pair function itself stays as pure as the others, for
-// geoms in transforms and for queries.
+// Pairs whose own work is a few dozen instructions (PAIR_AT_ONCE in collide/pairs/pairs.inc) would spend most
+// of their time on the way: poses copied, a sink handed along, one call more. For these the way from two
+// geoms to the client's array is a function of its own, made where the pair function is and of one piece with
+// it; what of the poses it does not need is not read. The pair function itself stays as pure as the others,
+// for geoms in transforms and for queries.
 #pragma once
 
 #include "collide/collide.h"
@@ -15,7 +15,7 @@ namespace epode {
 
 #define PAIR(First, Second, function)
 #define PAIR_AT_ONCE(First, Second, function) void function##_at_once(Geom& a, Geom& b, ContactArray& out);
-#include "collide/pairs.inc"
+#include "collide/pairs/pairs.inc"
 #undef PAIR
 
 }  // namespace epode

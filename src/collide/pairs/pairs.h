@@ -3,13 +3,13 @@
 //
 // The pair functions: pure, from two placed shapes to contacts. Each serves one order of the two classes; for
 // the other order the dispatcher swaps the arguments and turns the normals round. Which pairs exist:
-// collide/pairs.inc. Planes have no pose and ignore theirs; of a ray's pose only the origin and the third
-// column are read.
+// collide/pairs/pairs.inc. Planes have no pose and ignore theirs; of a ray's pose only the origin and the
+// third column are read.
 #pragma once
 
 #include "collide/contact_sink.h"
-#include "collide/heightfield.h"
-#include "collide/trimesh.h"
+#include "collide/surfaces/heightfield.h"
+#include "collide/surfaces/trimesh.h"
 #include "geometry/convex_view.h"
 #include "geometry/shapes.h"
 
@@ -17,9 +17,9 @@ namespace epode {
 
 #define PAIR(First, Second, function) \
     void function(const First& a, const Pose& A, const Second& b, const Pose& B, ContactSink& sink);
-#include "collide/mesh_pairs.inc"
-#include "collide/pairs.inc"
-#include "collide/terrain_pairs.inc"
+#include "collide/pairs/mesh_pairs.inc"
+#include "collide/pairs/pairs.inc"
+#include "collide/pairs/terrain_pairs.inc"
 #undef PAIR
 
 // Any two convex solids, by their views. The answer for classes without a pair function of their own.

@@ -7,7 +7,7 @@
 //   original measures outside points to the far face; its sign is the same.)
 #include "base/float_environment.h"
 #include "collide/describe.h"
-#include "collide/registry.h"
+#include "collide/types/registry.h"
 
 namespace epode {
 namespace {

@@ -4,7 +4,7 @@
 // Capsule: the points within `radius` of the segment |z| <= half_length on the local z axis.
 #include "base/float_environment.h"
 #include "collide/describe.h"
-#include "collide/registry.h"
+#include "collide/types/registry.h"
 
 #include <algorithm>
 

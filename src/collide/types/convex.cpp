@@ -6,7 +6,7 @@
 // whatever the polygons say: these and the planes must make sense by themselves and are then passed over.
 #include "base/float_environment.h"
 #include "collide/describe.h"
-#include "collide/registry.h"
+#include "collide/types/registry.h"
 #include "geometry/inertia.h"
 #include "ode/ext.h"
 #include "ode/mass.h"

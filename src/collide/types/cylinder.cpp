@@ -5,7 +5,7 @@
 //   half extent of the bounding box along world axis i, a = R z being the axis:
 //   half_length |a_i| + radius sqrt(1 - a_i^2): the ends' centre and the most of a circle perpendicular to a.
 #include "collide/describe.h"
-#include "collide/registry.h"
+#include "collide/types/registry.h"
 
 #include <algorithm>
 

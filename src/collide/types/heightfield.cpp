@@ -9,8 +9,8 @@
 #include "base/float_environment.h"
 #include "base/memory.h"
 #include "collide/describe.h"
-#include "collide/height_function.h"
-#include "collide/registry.h"
+#include "collide/surfaces/height_function.h"
+#include "collide/types/registry.h"
 
 namespace epode {
 namespace {

@@ -4,8 +4,8 @@
 // Cells of a height field that are missing: one byte each, kept with the data and gone with the layout that
 // they belong to. No array means none, so that fields without holes pay for one look at a number.
 #include "base/memory.h"
-#include "collide/height_function.h"
-#include "collide/registry.h"
+#include "collide/surfaces/height_function.h"
+#include "collide/types/registry.h"
 #include "ode/ext.h"
 
 namespace epode {

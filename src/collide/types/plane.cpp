@@ -3,7 +3,7 @@
 //
 // Plane: the half-space normal . x <= d, in the world; it has no pose. Its bounding box is endless, but for a
 // plane across a world axis, which bounds one side.
-#include "collide/registry.h"
+#include "collide/types/registry.h"
 
 #include "base/float_environment.h"
 

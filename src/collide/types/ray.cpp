@@ -6,7 +6,7 @@
 #include "bvh/dynamic_tree.h"
 #include "collide/collide.h"
 #include "collide/describe.h"
-#include "collide/registry.h"
+#include "collide/types/registry.h"
 
 #include <algorithm>
 

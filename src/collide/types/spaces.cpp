@@ -3,7 +3,7 @@
 //
 // The four classes of spaces and the functions of a single class. What is special to a class of the original
 // is advice on its own data structure; it is checked and kept, and the broadphase needs none of it.
-#include "collide/registry.h"
+#include "collide/types/registry.h"
 
 namespace epode {
 namespace {

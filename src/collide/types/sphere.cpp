@@ -4,7 +4,7 @@
 // Sphere: |x| <= radius.
 #include "base/float_environment.h"
 #include "collide/describe.h"
-#include "collide/registry.h"
+#include "collide/types/registry.h"
 
 namespace epode {
 namespace {

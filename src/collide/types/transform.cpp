@@ -8,8 +8,8 @@
 
 #include <algorithm>
 
-#include "collide/height_function.h"
-#include "collide/registry.h"
+#include "collide/surfaces/height_function.h"
+#include "collide/types/registry.h"
 
 namespace epode {
 namespace {

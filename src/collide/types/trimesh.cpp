@@ -7,8 +7,8 @@
 
 #include "base/float_environment.h"
 #include "collide/describe.h"
-#include "collide/height_function.h"
-#include "collide/registry.h"
+#include "collide/surfaces/height_function.h"
+#include "collide/types/registry.h"
 #include "geometry/inertia.h"
 #include "ode/ext.h"
 #include "ode/mass.h"

@@ -7,9 +7,9 @@
 #include <cstring>
 
 #include "base/float_environment.h"
-#include "collide/closed_mesh.h"
-#include "collide/height_function.h"
-#include "collide/registry.h"
+#include "collide/surfaces/closed_mesh.h"
+#include "collide/surfaces/height_function.h"
+#include "collide/types/registry.h"
 
 namespace epode {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "base/float_environment.h"
 #include "base/lifecycle.h"
-#include "collide/registry.h"
+#include "collide/types/registry.h"
 
 namespace epode {
 namespace {

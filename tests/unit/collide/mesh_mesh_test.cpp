@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Two meshes: boxes of 12 triangles against cut-up floors and each other, in both orders.
-#include "collide/pairs/mesh_mesh.h"
+#include "collide/pairs/surfaces/mesh_mesh.h"
 #include "collide/pairs/pairs.h"
 #include "mesh_scene.h"
 

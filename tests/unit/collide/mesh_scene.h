@@ -13,7 +13,7 @@
 
 #include "../math/random_numbers.h"
 #include "bvh/mesh_tree.h"
-#include "collide/pairs/mesh_contacts.h"
+#include "collide/pairs/surfaces/mesh_contacts.h"
 
 namespace epode::test {
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "../math/random_numbers.h"
-#include "collide/registry.h"
+#include "collide/types/registry.h"
 
 namespace epode::test {
 namespace {

@@ -2,14 +2,14 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The sparse factor against dense arithmetic, and every kind of machine's kernels against the baseline's.
-#include "solve/block_cholesky.h"
+#include "solve/exact/factor/block_cholesky.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-#include "solve/plan_cache.h"
+#include "solve/exact/factor/plan_cache.h"
 #include "systems.h"
 
 namespace {

@@ -8,9 +8,9 @@
 #include <cstring>
 #include <vector>
 
-#include "solve/contact_rows.h"
-#include "solve/contact_set.h"
-#include "solve/residual.h"
+#include "solve/common/contact_rows.h"
+#include "solve/common/residual.h"
+#include "solve/sweeps/contact_set.h"
 #include "systems.h"
 
 namespace {

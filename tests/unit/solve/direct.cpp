@@ -5,7 +5,7 @@
 // double), and on what breaks pivoting methods: redundancy, CFM = 0, mass ratios.
 #include <gtest/gtest.h>
 
-#include "solve/residual.h"
+#include "solve/common/residual.h"
 #include "solve/solver.h"
 #include "systems.h"
 

@@ -3,11 +3,11 @@
 //
 // The dense active set of one to three bodies against principal pivoting, and how little it needs from a good
 // start.
-#include "solve/few_bodies.h"
+#include "solve/exact/small/few_bodies.h"
 
 #include <gtest/gtest.h>
 
-#include "solve/residual.h"
+#include "solve/common/residual.h"
 #include "systems.h"
 
 namespace {

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <vector>
 
-#include "solve/joint_lanes.h"
+#include "solve/joints/joint_lanes.h"
 #include "systems.h"
 
 namespace epode_test {

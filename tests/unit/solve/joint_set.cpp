@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "joint_mechanisms.h"
-#include "solve/residual.h"
+#include "solve/common/residual.h"
 
 namespace {
 
 using namespace epode_test;
 
-// One joint, number by number: the formulas of solve/joint_kernels.inc in their order.
+// One joint, number by number: the formulas of solve/joints/joint_kernels.inc in their order.
 class OneJoint {
   public:
     OneJoint(Problem& p, const RowBlock& block) : p_(p), block_(block), form_(block.form)

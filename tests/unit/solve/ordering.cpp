@@ -3,13 +3,13 @@
 //
 // The body graph, the order of elimination and the structure of the factor, against elimination carried out
 // literally on a dense pattern.
-#include "solve/ordering.h"
+#include "solve/exact/factor/ordering.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "solve/symbolic.h"
+#include "solve/exact/factor/symbolic.h"
 #include "systems.h"
 
 namespace {

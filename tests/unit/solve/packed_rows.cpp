@@ -3,7 +3,7 @@
 //
 // Packed rows against the same rows one by one, and the kernels of every machine against each other: all must
 // leave the same bits through an active set and an interior point.
-#include "solve/packed_rows.h"
+#include "solve/exact/problem/packed_rows.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <new>
 #include <vector>
 
-#include "solve/active_set.h"
-#include "solve/interior_point.h"
+#include "solve/exact/active_set.h"
+#include "solve/exact/interior_point.h"
 #include "systems.h"
 
 namespace {

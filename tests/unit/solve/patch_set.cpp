@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "../tasks/taken_pool.h"
-#include "solve/patch_set.h"
+#include "solve/substeps/patch_set.h"
 #include "systems.h"
 
 namespace {

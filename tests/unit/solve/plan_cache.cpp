@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Plans are found again exactly when the pairs are the same, and hold what a fresh analysis finds.
-#include "solve/plan_cache.h"
+#include "solve/exact/factor/plan_cache.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 // momentum, the meaning of the parameters.
 #include <gtest/gtest.h>
 
-#include "solve/residual.h"
+#include "solve/common/residual.h"
 #include "solve/solver.h"
 #include "systems.h"
 

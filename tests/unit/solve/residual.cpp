@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The yardstick itself, on problems whose answer is known by hand.
-#include "solve/residual.h"
+#include "solve/common/residual.h"
 
 #include <gtest/gtest.h>
 

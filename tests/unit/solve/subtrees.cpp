@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Where trees are cut for several threads.
-#include "solve/subtrees.h"
+#include "solve/exact/factor/subtrees.h"
 
 #include <gtest/gtest.h>
 

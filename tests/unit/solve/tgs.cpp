@@ -6,9 +6,9 @@
 // impulses.
 #include <gtest/gtest.h>
 
+#include "solve/common/substep_rows.h"
+#include "solve/common/velocities.h"
 #include "solve/solver.h"
-#include "solve/substep_rows.h"
-#include "solve/velocities.h"
 #include "systems.h"
 
 namespace {

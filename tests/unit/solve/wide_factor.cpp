@@ -3,7 +3,7 @@
 //
 // Equalities in 106 bits where long lever arms and repeated joints leave eigenvalues of 1e-21 of the
 // diagonal, and the arithmetic that they are solved in.
-#include "solve/wide_factor.h"
+#include "solve/exact/wide/wide_factor.h"
 
 #include <gtest/gtest.h>
 

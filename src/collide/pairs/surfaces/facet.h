@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// One facet of a height field against one solid, in the field's frame (y up). The ground is solid down to any
+// depth: under each facet stands an endless column. Contacts go to the harvest, all facets' together. A
+// contact normal that is not the facet's own must crest there (Terrain::crests): the surface lies below it on
+// all sides. At flat and hollow edges none does, so a solid that slides over them meets no bumps.
+// Where cells are missing, their walls push, too (hole_walls.h).
+#pragma once
+
+#include "collide/pairs/harvest.h"
+#include "collide/pairs/polyhedra/least_axes.h"
+#include "collide/pairs/surfaces/hole_walls.h"
+#include "collide/pairs/surfaces/on_surface.h"
+#include "collide/surfaces/heightfield.h"
+
+namespace epode {
+
+// Level directions in which columns are parted from a solid that is not round: across the cells' diagonals,
+// and along its edges. They are the same for all facets, so what the solid has of them is reckoned once.
+class Sides {
+  public:
+    Sides(const Terrain& terrain, const ConvexView& solid, Real slack);
+    bool reach(const Facet& facet) const  // of the facet its corners only
+    {
+        for (int s = 0; s < count_; ++s) {
+            const Side& side = sides_[s];
+            Real at[3];
+            for (int k = 0; k < 3; ++k) at[k] = side.x * facet.v[k].x + side.z * facet.v[k].z;
+            const bool before = at[0] < side.lo && at[1] < side.lo && at[2] < side.lo;
+            const bool behind = at[0] > side.hi && at[1] > side.hi && at[2] > side.hi;
+            if (before || behind) return false;
+        }
+        return true;
+    }
+
+  private:
+    struct Side {
+        Real x, z, lo, hi;
+    };
+    void add(Vec3 level, const SolidReach& reach, Real slack);
+    static constexpr int kMost = 4;
+    Side sides_[kMost];
+    int count_ = 0;
+};
+
+struct Meeting {
+    const Terrain& terrain;
+    const ConvexView& solid;
+    Aabb box;    // of the solid
+    Real slack;  // rounding of coordinates
+    Harvest& out;
+    HoleWalls* walls = nullptr;  // there are holes under the solid
+};
+
+inline constexpr Vec3 kUp{0, 1, 0};
+inline constexpr Real kSteepest = Real(1e-3);  // least upward part of a contact normal
+
+// A sphere or capsule.
+void round_on(const RoundSolid& core, const Facet& facet, Meeting& meeting);
+
+// A box, a cylinder or a polyhedron, by the view in `meeting`.
+void solid_on(const Facet& facet, Meeting& meeting);
+
+// Whether walls under the facet's edges, rather than its face, push: tells meeting.walls.
+void weigh_round(const RoundSolid& core, const Facet& facet, Meeting& meeting);
+void weigh_solid(const Facet& facet, Meeting& meeting);
+
+}  // namespace epode

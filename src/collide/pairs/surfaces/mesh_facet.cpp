@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See mesh_facet.h. The edges around a corner are found by walking from neighbour to neighbour, both ways
+// until the walk is closed or a border ends it.
+#include "collide/pairs/surfaces/mesh_facet.h"
+
+namespace epode {
+
+namespace {
+
+constexpr int kMostAround = 256;  // triangles at a corner
+
+bool level_or_falls(Vec3 n, Vec3 along)
+{
+    const Real rise = dot(n, along);
+    return rise <= 0 || rise * rise <= kLevel * kLevel * length2(along);
+}
+
+int corner_at(const TriangleMesh& mesh, int t, Vec3 v)
+{
+    for (int k = 0; k < 3; ++k)
+        if (mesh.corner(t, k) == v) return k;
+    return -1;
+}
+
+// Walks around v from triangle t over its edge `over`.
+bool falls_around(const TriangleMesh& mesh, int t, int over, Vec3 v, Vec3 n, bool& border)
+{
+    const int first = t;
+    for (int steps = 0; steps < kMostAround; ++steps) {
+        const int next = mesh.neighbour(t, over);
+        if (next == first) return true;
+        if (next < 0) {
+            border = true;
+            return true;
+        }
+        const int k = corner_at(mesh, next, v);
+        if (k < 0) return true;  // beyond triangles without area: the corner ends here
+        for (const int j : {(k + 1) % 3, (k + 2) % 3})
+            if (!level_or_falls(n, mesh.corner(next, j) - v)) return false;
+        // On over the edge that we have not come by.
+        over = mesh.neighbour(next, k) == t ? (k + 2) % 3 : k;
+        t = next;
+    }
+    return true;
+}
+
+}  // namespace
+
+MeshFacet facet_of(const TriangleMesh& mesh, int triangle)
+{
+    MeshFacet f;
+    static_cast<MeshRims&>(f) = mesh.rims(triangle);
+    for (int k = 0; k < 3; ++k) f.v[k] = mesh.corner(triangle, k);
+    f.n = mesh.normal(triangle);
+    f.c = dot(f.n, f.v[0]);
+    f.index = triangle;
+    for (int k = 0; k < 3; ++k)
+        if (f.rim[k] != Rim::kSeam) f.beyond[k] = mesh.beyond(triangle, k);
+    return f;
+}
+
+MeshFacet turned(const MeshFacet& f)
+{
+    MeshFacet t = f;
+    t.n = -f.n;
+    t.c = -f.c;
+    t.v[1] = f.v[2], t.v[2] = f.v[1];
+    t.behind = !f.behind;
+    for (int k = 0; k < 3; ++k) {
+        const Rim rim = f.rim[2 - k];
+        t.beyond[k] = -f.beyond[2 - k];
+        t.rim[k] = rim == Rim::kConvex ? Rim::kHollow : rim == Rim::kHollow ? Rim::kConvex : rim;
+        t.sharp[k] = true;  // not known: the walk around the corner tells
+    }
+    return t;
+}
+
+Crest crest_at_edge(const MeshFacet& f, int edge, Vec3 n)
+{
+    const Rim rim = f.rim[edge];
+    if (!level_or_falls(n, cross(f.n, f.edge(edge)))) return {};  // towards the triangle's own inside
+    if (rim == Rim::kBorder) return {true, true};
+    return {rim == Rim::kConvex && level_or_falls(n, f.into(edge)), false};
+}
+
+Crest crest_at_corner(const TriangleMesh& mesh, const MeshFacet& f, int corner, Vec3 n)
+{
+    if (!f.sharp[corner]) return {};
+    const Vec3 v = f.v[corner];
+    const int k = corner_at(mesh, f.index, v);
+    if (k < 0) return {};
+    Crest c{true, false};
+    for (const int j : {1, 2})
+        if (!level_or_falls(n, f.v[(corner + j) % 3] - v)) return {};
+    if (!falls_around(mesh, f.index, k, v, n, c.border)) return {};
+    if (c.border && !falls_around(mesh, f.index, (k + 2) % 3, v, n, c.border)) return {};
+    return c;
+}
+
+Shows shown_along(const MeshFacet& f, Vec3 direction) { return shown_along(f, direction, kLevel); }
+
+}  // namespace epode

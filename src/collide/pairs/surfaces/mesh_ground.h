@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What becomes of a solid that is pushed out along a facet's own normal n: of every face of it that looks at
+// the facet the corners of its common part with the facet's prism, each a contact of its own depth. The prism
+// stands along n, of a height field along the vertical. Such a corner is
+//   a corner of the face          in the prism
+//   on an edge of the face        where it goes through a wall of the prism
+//   over a corner of the triangle in the face
+// Where a wall stands on a seam the patch goes on in the neighbour: what it cuts is no contact. Heights and
+// distances from the walls are linear, so each is reckoned once for every corner, and what is above the facet
+// is done with. Cutting the face wall by wall (Sutherland and Hodgman 1974) makes the same points and many
+// that are above.
+#pragma once
+
+#include "collide/pairs/surfaces/mesh_patch.h"
+
+namespace epode {
+
+// Where a point is: above the facet, and beyond the walls.
+struct PrismPlace {
+    Real height, beyond[3];
+};
+
+class FaceGround {
+  public:
+    FaceGround(const MeshFacet& facet, MeshMeeting& m)
+        : f_(facet), prism_(facet), up_(facet.n), slack_(m.slack), out_(m.out), index_(facet.index)
+    {
+        for (int k = 0; k < 3; ++k) ends_[k] = !m.seam(facet, k);
+    }
+    // About `up`; behind the edge `shared`, if it is none of -1, the patch goes on.
+    FaceGround(const Triangle& face, Vec3 up, int shared, Real slack, Harvest& out)
+        : f_(face), prism_(face, up), up_(up), slack_(slack), out_(out), index_(-1)
+    {
+        for (int k = 0; k < 3; ++k) ends_[k] = k != shared;
+    }
+
+    PrismPlace place(Vec3 p) const
+    {
+        return {f_.height(p),
+                {dot(prism_.out[0], p) - prism_.limit[0], dot(prism_.out[1], p) - prism_.limit[1],
+                 dot(prism_.out[2], p) - prism_.limit[2]}};
+    }
+    PrismPlace along(Vec3 d) const  // of a difference of points
+    {
+        return {dot(f_.n, d), {dot(prism_.out[0], d), dot(prism_.out[1], d), dot(prism_.out[2], d)}};
+    }
+    bool low(Real height) const { return height <= slack_; }
+    bool within(const PrismPlace& a) const
+    {
+        return a.beyond[0] <= slack_ && a.beyond[1] <= slack_ && a.beyond[2] <= slack_;
+    }
+
+    void press(const Polygon& face);
+    void press(Vec3 p)
+    {
+        if (low(f_.height(p)) && within(place(p))) give(p);
+    }
+    void press_edge(Vec3 p, const PrismPlace& at_p, Vec3 q, const PrismPlace& at_q);
+    void give(Vec3 p)
+    {
+        if (held_ >= 0 && held_ < kMostHeld)
+            holds_[held_++] = p;
+        else
+            put(p);
+    }
+
+    // From now on contacts are held back until deliver(), as far as there is room.
+    void hold() { held_ = 0; }
+    int held() const { return held_; }
+    // Whether one of them shows that the triangle is met: the way to it from the solid's middle, which is
+    // above, goes through.
+    bool met(Vec3 middle) const;
+    void deliver()
+    {
+        for (int i = 0; i < held_; ++i) put(holds_[i]);
+    }
+    // A corner of the triangle is where two walls meet; the later of them has the word.
+    bool corner_counts(int corner) const { return ends_at(corner == 1 ? 1 : 2); }
+
+    bool ends_at(int edge) const { return ends_[edge]; }
+    Vec3 wall(int edge) const { return prism_.out[edge]; }
+    Real before(int edge, Vec3 p) const { return prism_.limit[edge] - dot(prism_.out[edge], p); }
+    Vec3 upright() const { return up_; }
+    Real slack() const { return slack_; }
+
+  private:
+    static constexpr int kMostHeld = 64;  // a cylinder has less
+    void press_corners(const Polygon& face);
+    void put(Vec3 p)
+    {
+        const Real depth = -f_.height(p);
+        out_.add(p, f_.n, depth > 0 ? depth : 0, index_);
+    }
+
+    const Triangle& f_;
+    const Prism prism_;
+    Vec3 up_;
+    bool ends_[3];
+    Real slack_;
+    Harvest& out_;
+    int index_;
+    int held_ = -1;
+    union {
+        Vec3 holds_[kMostHeld];  // in a union: left unwritten until held
+    };
+};
+
+// A box, cylinder or polyhedron.
+void press_out(const ConvexView& solid, const Triangle& face, FaceGround& ground);
+
+}  // namespace epode

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See mesh_mesh.h. Everything in the second mesh's frame.
+#include "collide/pairs/surfaces/mesh_mesh.h"
+
+#include <algorithm>
+
+#include "collide/pairs/surfaces/triangle_triangle.h"
+
+namespace epode {
+
+namespace {
+
+// The box of a box that has been turned.
+Aabb box_in(const Pose& pose, const Aabb& box)
+{
+    const Vec3 half = Real(0.5) * (box.hi - box.lo), centre = pose.to_world(box.lo + half);
+    const Vec3 reach{dot(abs(pose.R.row0), half), dot(abs(pose.R.row1), half), dot(abs(pose.R.row2), half)};
+    return {centre - reach, centre + reach};
+}
+
+Aabb box_of(const Triangle& t)
+{
+    return {min(t.v[0], min(t.v[1], t.v[2])), max(t.v[0], max(t.v[1], t.v[2]))};
+}
+
+Real reach_of(const Aabb& box) { return max_component(max(abs(box.lo), abs(box.hi))); }
+
+constexpr Real kOtherWay = Real(0.99);  // cosine between normals of different contacts
+constexpr Real kCovers = Real(1.05);
+
+// Are two triangles the same or neighbours?
+bool adjoin(const TriangleMesh& mesh, int t, int u)
+{
+    return t == u || mesh.neighbour(t, 0) == u || mesh.neighbour(t, 1) == u || mesh.neighbour(t, 2) == u;
+}
+
+// What pairs of triangles say: a list without bound that rarely needs memory.
+class PushList {
+  public:
+    PushList() {}
+    PushList(const PushList&) = delete;
+    PushList& operator=(const PushList&) = delete;
+
+    TrianglePush* begin() { return count_ <= kFew ? few_ : many_.data(); }
+    TrianglePush* end() { return begin() + count_; }
+    int count() const { return count_; }
+    bool add(const TrianglePush& push)  // false without memory
+    {
+        if (count_ < kFew) {
+            few_[count_++] = push;
+            return true;
+        }
+        if (count_ == kFew) {
+            many_.clear();
+            if (!many_.reserve(4 * kFew)) return false;
+            for (const TrianglePush& p : few_)
+                if (!many_.push(p)) return false;
+        }
+        if (!many_.push(push)) return false;
+        ++count_;
+        return true;
+    }
+
+  private:
+    static constexpr int kFew = 40;
+    union {
+        TrianglePush few_[kFew];  // in a union: left unwritten until added
+    };
+    Array<TrianglePush> many_;
+    int count_ = 0;
+};
+
+// Where two solids meet edge to edge, pairs of triangles beside those edges cross, too, and see only longer
+// ways out. A push is needless when a shorter one nearby, in another direction, parts its triangles as well.
+template <typename Other>
+bool needless(const TrianglePush& push, const TrianglePush* shorter, int count, const Surface& a,
+              const Other& b)
+{
+    for (int i = 0; i < count; ++i) {
+        const TrianglePush& s = shorter[i];
+        if (s.allowed && dot(s.normal, push.normal) < kOtherWay && adjoin(a.mesh, s.a, push.a) &&
+            b.adjoin(s, push) && push.overlap_along(s.normal) <= kCovers * s.depth)
+            return true;
+    }
+    return false;
+}
+
+template <typename Other>
+void reap(PushList& pushes, const Surface& a, const Other& b, Harvest& harvest)
+{
+    std::sort(pushes.begin(), pushes.end(), [](const TrianglePush& x, const TrianglePush& y) {
+        if (x.depth != y.depth) return x.depth < y.depth;
+        return x.a != y.a ? x.a < y.a : x.b < y.b;
+    });
+    for (int i = 0; i < pushes.count(); ++i) {
+        const TrianglePush& p = pushes.begin()[i];
+        if (!p.allowed || needless(p, pushes.begin(), i, a, b)) continue;
+        for (int k = 0; k < p.count; ++k) harvest.add({p.points[k], p.normal, p.depths[k], p.a, p.b});
+    }
+    if (!harvest.empty()) return;
+    for (const TrianglePush& p : pushes)  // the least that nobody allows
+        if (!p.allowed) return harvest.add({p.points[0], p.normal, p.depths[0], p.a, p.b});
+}
+
+// The second mesh, in its own frame.
+class MeshSide {
+  public:
+    explicit MeshSide(const Surface& surface) : s_(surface) {}
+
+    Aabb box() const { return s_.tree.box(); }
+    bool adjoin(const TrianglePush& p, const TrianglePush& q) const
+    {
+        return epode::adjoin(s_.mesh, p.b, q.b);
+    }
+    // visit(facet) for all whose boxes meet the box, until it says false.
+    template <typename Visit>
+    void each(const Aabb& box, const Visit& visit)
+    {
+        s_.tree.query(s_.mesh, box, [&](int t) {
+            PlacedFacet f = placed(s_.mesh, t, here_);
+            return visit(f);
+        });
+    }
+
+  private:
+    const Surface& s_;
+    const Pose here_;
+};
+
+// `a` at the pose P in b's frame; contacts in b's frame.
+template <typename Other>
+void meet(const Surface& a, const Pose& P, Other& b, ContactSink& sink)
+{
+    const Pose back = inverse_times(P, Pose{});
+    const Aabb whole = box_in(P, a.tree.box());
+    const Real slack = 64 * kEpsilon * std::max(reach_of(whole), reach_of(a.tree.box()));
+    const Tolerance tolerance{slack, std::max(slack, kMeshTouch * length(whole.hi - whole.lo))};
+    PushList pushes;
+    // In any order: what they say is sorted.
+    a.tree.query(a.mesh, box_in(back, b.box()), [&](int t) {
+        const PlacedFacet fa = placed(a.mesh, t, P);
+        b.each(box_of(fa.f), [&](PlacedFacet& fb) {
+            TrianglePush push;
+            return !triangle_triangle(fa, fb, tolerance, push) || pushes.add(push);
+        });
+        return true;
+    });
+    Harvest harvest(Real(1e-6) * length(whole.hi - whole.lo), sink);
+    reap(pushes, a, b, harvest);
+    harvest.deliver(sink);
+}
+
+// A range of samples, ends included.
+struct Samples {
+    int from, to;
+    int count() const { return to - from + 1; }
+};
+
+// Those under [lo, hi] and one more to each side; at most kMost. Empty when there are none.
+Samples samples_under(Real lo, Real hi, Real origin, Real cell, int cells, bool endless)
+{
+    constexpr Real kMost = 256, kFar = 1e9;
+    Real from = std::floor((lo - origin) / cell) - 1, to = std::floor((hi - origin) / cell) + 2;
+    if (!(from > -kFar && to < kFar) || (!endless && (to < 0 || from > Real(cells)))) return {0, -1};
+    if (to - from > kMost) {
+        const Real middle = std::floor(Real(0.5) * (from + to));
+        from = middle - kMost / 2, to = middle + kMost / 2;
+    }
+    if (!endless) from = std::max(from, Real(0)), to = std::min(to, Real(cells));
+    return {int(from), int(to)};
+}
+
+// The ground near a box: a window of the grid, the facets of which are numbered row by row.
+class GroundSide {
+  public:
+    // `near`: a box in the ground's frame.
+    GroundSide(const Terrain& terrain, const Aabb& near) : terrain_(terrain)
+    {
+        const Vec3 o = terrain.low_corner(), cell = terrain.cell();
+        x_ = samples_under(near.lo.x, near.hi.x, o.x, cell.x, terrain.cells_x(), terrain.endless());
+        z_ = samples_under(near.lo.z, near.hi.z, o.z, cell.z, terrain.cells_z(), terrain.endless());
+        if (x_.count() < 2 || z_.count() < 2) return;
+        for (int j = z_.from; j < z_.to; ++j)
+            for (int i = x_.from; i < x_.to; ++i) {
+                if (terrain.hole(i, j)) {
+                    holes_ = true;
+                    continue;
+                }
+                for (const int corner : {0, 1, 2, 3}) take(terrain.vertex(i + (corner & 1), j + corner / 2));
+            }
+        lowest_ = box_.lo.y;
+        if (holes_) box_.lo.y -= terrain.thickness();
+    }
+
+    bool empty() const { return !(box_.lo.y <= box_.hi.y); }
+    bool holes() const { return holes_; }
+    Real lowest() const { return lowest_; }
+    const Aabb& box() const { return box_; }
+
+    // Do two triangles share an edge?
+    bool adjoin(const TrianglePush& p, const TrianglePush& q) const
+    {
+        int same = 0;
+        for (const Vec3 v : p.corners_b)
+            for (const Vec3 w : q.corners_b) same += v == w;
+        return same >= 2;
+    }
+
+    template <typename Visit>
+    void each(const Aabb& box, const Visit& visit) const
+    {
+        const Vec3 o = terrain_.low_corner(), cell = terrain_.cell();
+        const Samples x = cells_within(x_, (box.lo.x - o.x) / cell.x, (box.hi.x - o.x) / cell.x);
+        const Samples z = cells_within(z_, (box.lo.z - o.z) / cell.z, (box.hi.z - o.z) / cell.z);
+        for (int j = z.from; j <= z.to; ++j)
+            for (int i = x.from; i <= x.to; ++i)
+                if (!terrain_.hole(i, j) && !each_of_cell(i, j, box, visit)) return;
+    }
+
+  private:
+    void take(Vec3 v) { box_ = {min(box_.lo, v), max(box_.hi, v)}; }
+
+    // Cells of the window from one place to another, and a little more to each side for rounding.
+    static Samples cells_within(const Samples& window, Real from, Real to)
+    {
+        constexpr Real kMargin = kSingle ? Real(0.01) : Real(1e-6);
+        const Real first = std::max(std::floor(from - kMargin), Real(window.from));
+        const Real last = std::min(std::floor(to + kMargin), Real(window.to - 1));
+        if (!(first <= last)) return {0, -1};
+        return {int(first), int(last)};
+    }
+
+    // Walls are under the facets' sides.
+    template <typename Visit>
+    bool each_of_cell(int i, int j, const Aabb& box, const Visit& visit) const
+    {
+        const Terrain::BareCell cell = terrain_.bare_cell(i, j);
+        const Real deep = terrain_.holed() ? terrain_.thickness() : Real(0);
+        if (cell.highest < box.lo.y || cell.lowest - deep > box.hi.y) return true;
+        for (const bool upper : {false, true}) {
+            const Facet& facet = cell.facets[upper];
+            const Aabb own = box_of(facet);
+            Aabb all = own;
+            all.lo.y -= deep;
+            if (!overlap(all, box)) continue;
+            PlacedFacet f{{}, nullptr, nullptr, &terrain_, {facet, false}};
+            if (!bare_ground_facet(facet, f.f)) continue;
+            f.f.index = 2 * ((j - z_.from) * (x_.count() - 1) + i - x_.from) + (upper ? 1 : 0);
+            if (overlap(own, box) && !visit(f)) return false;
+            if (terrain_.holed() && !walls(f, box, visit)) return false;
+        }
+        return true;
+    }
+
+    template <typename Visit>
+    bool walls(const PlacedFacet& of, const Aabb& box, const Visit& visit) const
+    {
+        const int facets = 2 * (x_.count() - 1) * (z_.count() - 1);
+        for (const int k : {0, 2}) {
+            MeshFacet pair[2];
+            if (!ground_walls(terrain_, of.place.facet, k, pair)) continue;
+            for (int n = 0; n < 2; ++n) {
+                PlacedFacet w{pair[n], nullptr, nullptr, &terrain_, {of.place.facet, true}};
+                w.f.index = facets + 4 * of.f.index + k + n;
+                if (overlap(box_of(w.f), box) && !visit(w)) return false;
+            }
+        }
+        return true;
+    }
+
+    const Terrain& terrain_;
+    Samples x_{0, -1}, z_{0, -1};
+    Aabb box_{{kInf, kInf, kInf}, {-kInf, -kInf, -kInf}};
+    Real lowest_ = kInf;
+    bool holes_ = false;
+};
+
+}  // namespace
+
+void mesh_mesh_contacts(const Surface& a, const Pose& A, const Surface& b, const Pose& B, ContactSink& sink)
+{
+    const int before = sink.count();
+    MeshSide second(b);
+    meet(a, inverse_times(B, A), second, sink);
+    to_world(B, sink, before);
+}
+
+void mesh_ground_contacts(const Surface& a, const Pose& A, const HeightfieldData& ground, const Pose& B,
+                          ContactSink& sink)
+{
+    if (a.mesh.triangle_count() == 0) return;
+    const Pose P = inverse_times(B, A);
+    const Aabb box = box_in(P, a.tree.box());
+    const Terrain terrain(ground);
+    GroundSide side(terrain, box);
+    if (side.empty()) return;
+    const Real slack = 64 * kEpsilon * reach_of(box);
+    if (terrain.holed() && terrain.under_slab(P.p, side.lowest(), slack)) return;
+    const int before = sink.count();
+    if (box.hi.y < side.lowest() && !side.holes()) {  // buried: straight up
+        sink.add({{P.p.x, side.lowest(), P.p.z}, {0, 1, 0}, side.lowest() - box.hi.y});
+    } else {
+        meet(a, P, side, sink);
+        for (int k = before; k < sink.count(); ++k) sink.at(k)->side2 = -1;
+    }
+    to_world(B, sink, before);
+}
+
+}  // namespace epode

@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A box, cylinder or polyhedron against a triangle of a mesh: of all directions that can part the two the one
+// of least overlap (Gottschalk, Lin, Manocha 1996), among those that the mesh allows (mesh_facet.h), then the
+// manifold along it. Along the triangle's own normal: the faces of the solid that look at it, cut by its
+// prism, each point with its own depth. Along another, a crest pushes: the manifold of two convex solids. The
+// own normal points to the side on which the solid's middle is. A box or polyhedron in the back of a triangle
+// is pushed out backwards, a cylinder is not pushed, as in ODE.
+#include "collide/pairs/across_edges.h"
+#include "collide/pairs/polyhedra/box_axes.h"
+#include "collide/pairs/polyhedra/least_axes.h"
+#include "collide/pairs/surfaces/mesh_ground.h"
+#include "geometry/epa.h"
+#include "geometry/gjk.h"
+#include "geometry/polyhedron.h"
+#include "geometry/triangle_rim.h"
+
+namespace epode {
+
+namespace {
+
+constexpr Real kThere =
+    Real(0.5);  // less of the own depth against a neighbour that rises: it is that which is touched
+constexpr Real kShallow = Real(5e-4);   // of the size: no less than the depth of whatever a search would find
+constexpr std::size_t kManyEdges = 16;  // of a polyhedron: more are searched by expansion
+constexpr Real kSure = Real(0.999);     // less than this of a bound is no matter of rounding
+constexpr Real kAlongCrest = Real(0.2);  // a normal that leans along a crest by less is made upright to it
+
+// The least overlap among the directions that have been tried.
+struct Way {
+    Vec3 normal;
+    Real depth = 0;
+    bool on_crest = false;  // the normal is not the triangle's own
+    // Least overlap in directions that are no contact's. When it is less than a crest's, the solid is not on
+    // that crest: it has barely come over this triangle, and what it really touches is another.
+    Real blocked = kInf;
+    Real hollow = kInf;  // of these, against a neighbour that rises
+};
+
+// The search for the direction of least overlap that is allowed.
+class LeastWay : public Way {
+  public:
+    LeastWay(const MeshFacet& facet, const MeshMeeting& meeting)
+        : f_(facet), m_(meeting), reach_(meeting.solid)
+    {
+        if (meeting.solid.kind != SolidKind::kPolyhedron) return;
+        const Polyhedron& solid = *static_cast<const Polyhedron*>(meeting.solid.shape);
+        ball_centre_ = meeting.solid.pose.to_world(solid.inner()), ball_radius_ = solid.inner_radius();
+    }
+
+    // False: the two do not touch.
+    bool search()
+    {
+        const bool by_corner = m_.solid.kind == SolidKind::kPolyhedron;
+        if (by_corner) lowest_ = reach_.lowest_along(f_.n);
+        normal = f_.n;
+        depth = f_.c - (by_corner ? dot(f_.n, lowest_) : reach_.low_along(f_.n));
+        own_ = depth;
+        if (depth < -m_.slack) return false;
+        if (!by_corner) lowest_ = reach_.lowest_along(f_.n);
+        if (reach_.own_is_least(f_, own_, lowest_)) return true;
+        if (!(axes() && exact())) return false;
+        if (quick_ && on_crest) return search_all();
+        return decide();
+    }
+
+    // Whether what touches may still be found apart: the rest of the directions has not been tried.
+    bool quick() const { return quick_; }
+    // Of these the hollow edges, which tell that the solid is on a neighbour.
+    bool try_hollows()
+    {
+        for (int k = 0; k < 3; ++k)
+            if (f_.rim[k] == Rim::kHollow &&
+                !rim_on(k, RimArc(*reach_.cylinder(), m_.solid.pose, f_, k), kThere * own_))
+                return false;
+        return decide();
+    }
+    // From where the first was left out.
+    bool search_all()
+    {
+        quick_ = false;
+        static_cast<Way&>(*this) = before_;
+        return rims(skipped_, true) && decide();
+    }
+
+  private:
+    bool decide()
+    {
+        if (on_crest && kFaceFirst * depth > blocked) on_crest = false, normal = f_.n, depth = own_;
+        if (!on_crest && hollow < kThere * own_) return false;  // it touches the neighbour, not this one
+        return true;
+    }
+
+    Real overlap_along(Vec3 n) const
+    {
+        Real top = -kInf;
+        for (const Vec3 v : f_.v) top = dot(n, v) > top ? dot(n, v) : top;
+        return top - reach_.low_along(n);
+    }
+
+    // A direction and what moving the solid along it would take.
+    void consider(Vec3 n, Real d)
+    {
+        if (!(d < kFaceFirst * depth)) return;
+        const Shows shows = shown_along(f_, n);
+        if (shows.corners == 3) return;
+        if (shows.corners == 2) return judge(n, d, crest_at_edge(f_, shows.at, n), shows.at);
+        const Crest crest = crest_at_corner(m_.mesh, f_, shows.at, n);
+        if (crest.stands) return judge(n, d, crest, -1);
+        // The corner is not the top of its edges: upright to one of them it may be.
+        for (const int edge : {shows.at, (shows.at + 2) % 3}) {
+            Vec3 e = f_.edge(edge);
+            if (!normalize(e) || std::fabs(dot(n, e)) > kAlongCrest) continue;
+            Vec3 upright = n - dot(n, e) * e;
+            if (!normalize(upright)) continue;
+            const Crest beside = crest_at_edge(f_, edge, upright);
+            const Real across = overlap_along(upright);
+            if (beside.stands && across < kFaceFirst * depth) return judge(upright, across, beside, edge);
+        }
+        judge(n, d, crest, shows.at);
+    }
+
+    void judge(Vec3 n, Real d, Crest crest, int edge)
+    {
+        if (crest.stands) {
+            if (!crest.border || own_ > kLip * m_.solid.size)
+                normal = n, depth = d > 0 ? d : 0, on_crest = true;
+            return;
+        }
+        blocked = d < blocked ? d : blocked;
+        if (edge >= 0 && f_.rim[edge] == Rim::kHollow && d < hollow) hollow = d;
+    }
+
+    // Whether what is known to be in a polyhedron, a ball and its lowest point, shows already that neither
+    // sense of an axis is worth anything.
+    bool surely_more(Vec3 a, Real size2, Real least, Real most) const
+    {
+        const Real worth = kFaceFirst * depth, spare = kSure * (ball_radius_ - worth);
+        const Real middle = dot(a, ball_centre_), low = dot(a, lowest_);
+        const auto more = [&](Real of_middle, Real of_low) {
+            const bool by_ball =
+                spare > 0 && (of_middle >= 0 || of_middle * of_middle <= spare * spare * size2);
+            return by_ball || (of_low > 0 && kSure * kSure * of_low * of_low >= worth * worth * size2);
+        };
+        return more(most - middle, most - low) && more(middle - least, low - least);
+    }
+
+    // Both senses of an axis of the length sqrt(size2); false when it parts the two. Most axes are done with
+    // before their length is needed.
+    bool offer(Vec3 a, Real size2 = 1)
+    {
+        Real least = kInf, most = -kInf;
+        for (const Vec3 v : f_.v) {
+            const Real at = dot(a, v);
+            least = at < least ? at : least, most = at > most ? at : most;
+        }
+        if (ball_radius_ > 0 && surely_more(a, size2, least, most)) return true;
+        const Real low = reach_.low_along(a);
+        const Real high = reach_.symmetric() ? 2 * dot(a, m_.solid.pose.p) - low : -reach_.low_along(-a);
+        const Real up = most - low, down = high - least, d = up <= down ? up : down;
+        if (d < 0 && d * d > m_.slack * m_.slack * size2) return false;
+        const Real worth = kFaceFirst * depth;
+        if (d > 0 && d * d >= worth * worth * size2) return true;
+        const Real size = std::sqrt(size2);
+        consider(up <= down ? a / size : -a / size, d / size);
+        return true;
+    }
+
+    bool offer_cross(Vec3 a, Vec3 b)
+    {
+        const Vec3 n = cross(a, b);
+        const Real size2 = length2(n);
+        return size2 <= Real(1e-6) * length2(a) * length2(b) || offer(n, size2);
+    }
+
+    bool closed_axes()
+    {
+        const auto offer = [this](Real up, Real down, Real size2, auto&& axis) {
+            const Real d = up <= down ? up : down, worth = kFaceFirst * depth;
+            if (d < 0 && d * d > m_.slack * m_.slack * size2) return false;
+            if (d > 0 && d * d >= worth * worth * size2) return true;
+            const Real size = std::sqrt(size2), per = (up <= down ? 1 : -1) / size;
+            consider(per * axis(), d / size);
+            return true;
+        };
+        if (!reach_.box()) return each_cylinder_axis(*reach_.cylinder(), m_.solid.pose, f_, offer);
+        const auto look = [this](const AxisOverlaps& o) {
+            const Quad d = smaller(o.up, o.down), d2 = d * magnitude(d);
+            const Real worth = kFaceFirst * depth;
+            return AxisVerdict{bits(d2 < quad(-m_.slack * m_.slack) * o.size2),
+                               bits(d2 < quad(worth * worth) * o.size2)};
+        };
+        return BoxAxes(*reach_.box(), m_.solid.pose, f_).each(look, offer);
+    }
+
+    bool axes()
+    {
+        if (reach_.box() || reach_.cylinder()) return closed_axes();
+        const ConvexView& s = m_.solid;
+        for (int i = 0; i < 3; ++i)
+            if ((s.face_axes >> i & 1) && !offer(s.pose.R.column(i))) return false;
+        for (int i = 0; i < 3; ++i)
+            for (int k = 0; k < 3; ++k)
+                if ((s.edge_axes >> i & 1) && !offer_cross(s.pose.R.column(i), f_.edge(k))) return false;
+        for (const PolyhedronFace& face : s.faces)
+            if (!offer(s.pose.R * face.normal)) return false;
+        if (many_edges()) return true;
+        for (const Vec3 edge : s.edges)
+            if (!offer_edge(s.pose.R * edge)) return false;
+        return true;
+    }
+    bool offer_edge(Vec3 edge)
+    {
+        for (unsigned some = ball_radius_ > 0 ? worth_a_look(edge) : 7u; some; some &= some - 1)
+            if (!offer_cross(edge, f_.edge(__builtin_ctz(some)))) return false;
+        return true;
+    }
+    // Of the directions across an edge of a polyhedron and those of the triangle those of which what
+    // surely_more() tells is not known.
+    unsigned worth_a_look(Vec3 edge) const
+    {
+        const AcrossEdges across(edge, f_);
+        const auto [most, least] = across.reach(f_, lowest_);
+        const Quad middle = across.along(lowest_ - ball_centre_);
+        const Real enough = depth > 0 ? kFaceFirst * depth / kSure : Real(0), spare = enough - ball_radius_;
+        const auto more = [&](const Quad& by_point, const Quad& by_ball) {
+            return across.beyond(by_point, enough) | across.beyond(by_ball, spare);
+        };
+        return 7u & ~(more(most, most + middle) & more(quad(0) - least, quad(0) - least - middle));
+    }
+    bool many_edges() const { return m_.solid.edges.size() > kManyEdges; }
+
+    // The round of a cylinder against corners.
+    bool rounds()
+    {
+        return each_round_axis(*reach_.cylinder(), m_.solid.pose, f_, [this](Real d, Vec3 n) {
+            if (d < -m_.slack) return false;
+            consider(n, d);
+            return true;
+        });
+    }
+
+    // Its rims against edges, from one on: every one, or what may be a crest. Without crests, an edge says
+    // only how far the solid is over the triangle.
+    bool rims(int first, bool every)
+    {
+        for (int k = first; k < 3; ++k) {
+            const Rim rim = f_.rim[k];
+            const bool level = !every && (rim == Rim::kSeam || rim == Rim::kFlat || rim == Rim::kHollow);
+            if (!level) {
+                const RimArc arc(*reach_.cylinder(), m_.solid.pose, f_, k);
+                if (every || rim != Rim::kConvex || rim_turns_before(arc, f_.beyond[k])) {
+                    if (!rim_on(k, arc, kFaceFirst * depth)) return false;
+                    continue;
+                }
+            }
+            if (!quick_) quick_ = true, skipped_ = k, before_ = *this;
+        }
+        return true;
+    }
+    bool rim_on(int k, const RimArc& arc, Real worth)
+    {
+        if (reach_.own_is_less(f_, k, own_, lowest_)) return true;
+        RimMinimum found[kMostRimMinima];
+        const int count = rim_minima(arc, worth, found);
+        for (int i = 0; i < count; ++i) {
+            if (found[i].overlap < -m_.slack) return false;
+            consider(found[i].normal, found[i].overlap);
+        }
+        return true;
+    }
+
+    // What has no short list of directions: rims, and polyhedra with many edges.
+    bool exact()
+    {
+        const ConvexView& s = m_.solid;
+        if (reach_.cylinder()) return rounds() && rims(0, false);
+        if (s.face_axes == 7 || (!s.edges.empty() && !many_edges())) return true;
+        const ConvexView flat = view_of(f_);
+        if (!f_.has_crest() || own_ < kShallow * s.size) return !(gjk_distance(s, flat).distance > m_.slack);
+        const Overlap o = least_overlap(s, flat);
+        if (o.depth < -m_.slack) return false;
+        consider(o.normal, o.depth);
+        return true;
+    }
+
+    const MeshFacet& f_;
+    const MeshMeeting& m_;
+    const SolidReach reach_;
+    Vec3 ball_centre_, lowest_;  // the lowest point of the solid, along the triangle's normal
+    Real ball_radius_ = 0;
+    Real own_ = 0;
+    bool quick_ = false;
+    int skipped_ = 0;  // the first edge that was left out
+    Way before_;       // what was known then
+};
+
+// A crest of the surface pushes into the solid.
+void press_crest(const MeshFacet& f, Vec3 normal, Real depth, MeshMeeting& m)
+{
+    dContactGeom found[4];
+    ContactSink sink(found, sizeof(dContactGeom), 4, false);
+    convex_manifold(m.solid, view_of(f), normal, depth, sink);
+    for (int k = 0; k < sink.count(); ++k)
+        m.out.add(load(found[k].pos), load(found[k].normal), found[k].depth, f.index);
+}
+
+// The rest of the search is only for what has contacts, and most of it for what is not seen to touch.
+void press_if_met(const MeshFacet& f, LeastWay& least, MeshMeeting& m)
+{
+    FaceGround ground(f, m);
+    ground.hold();
+    press_out(m.solid, f, ground);
+    if (ground.held() == 0 || !least.try_hollows()) return;
+    if (!least.on_crest && ground.met(m.solid.pose.p)) return ground.deliver();
+    if (!least.search_all()) return;
+    if (least.on_crest)
+        press_crest(f, least.normal, least.depth, m);
+    else
+        ground.deliver();
+}
+
+void meet_side(const MeshFacet& f, MeshMeeting& m)
+{
+    LeastWay least(f, m);
+    if (!least.search()) return;
+    if (least.on_crest) return press_crest(f, least.normal, least.depth, m);
+    if (least.quick()) return press_if_met(f, least, m);
+    FaceGround ground(f, m);
+    press_out(m.solid, f, ground);
+}
+
+}  // namespace
+
+void solid_on(const MeshFacet& f, MeshMeeting& m)
+{
+    if (f.height(m.solid.pose.p) >= -m.slack)
+        meet_side(f, m);
+    else if (m.two_sided)
+        meet_side(turned(f), m);
+}
+
+bool crest_pushes(const MeshFacet& f, MeshMeeting& m)
+{
+    LeastWay least(f, m);
+    if (!least.search() || !least.on_crest) return false;
+    press_crest(f, least.normal, least.depth, m);
+    return true;
+}
+
+}  // namespace epode

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "solve/common/contact_rows.h"
+
+#include <algorithm>
+
+namespace epode {
+namespace {
+
+bool same_friction(const Manifold& a, const Manifold& b)
+{
+    for (int k = 0; k < 2; ++k)
+        if (a.c[k] != b.c[k] || a.C[k] != b.C[k] || a.mu[k] != b.mu[k] || a.fixed[k] != b.fixed[k])
+            return false;
+    return a.t1 == b.t1 && a.t2 == b.t2;
+}
+
+bool joins(const Manifold& m, const Manifold& next)
+{
+    return m.count < kManifoldPoints && m.body1 == next.body1 && m.body2 == next.body2 && m.n == next.n &&
+           same_friction(m, next);
+}
+
+ManifoldPoint point_of(const RowSystem& system, const RowBlock& block)
+{
+    const RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
+    ManifoldPoint point{
+        block.arms.r1, numbers[0].c, numbers[0].C, system.rows[std::size_t(block.first)].error, {}};
+    for (int k = 0; k < block.count; ++k) point.p[k] = numbers[k].p;
+    return point;
+}
+
+void expand_point(const Manifold& m, const ManifoldPoint& point, int first, Row* rows, RowNumbers* numbers)
+{
+    const Vec3 d[3] = {m.n, m.t1, m.t2}, r2 = point.r1 + m.offset;
+    for (int k = 0; k < 3; ++k) {
+        rows[k] = {};
+        static_cast<Jacobian&>(rows[k]) = {d[k], cross(point.r1, d[k]), -d[k], -cross(r2, d[k])};
+        numbers[k] = {};
+        numbers[k].p = point.p[k];
+    }
+    numbers[0].c = point.c, numbers[0].C = point.C, numbers[0].lo = 0;
+    for (int k = 1; k < 3; ++k) {
+        numbers[k].c = m.c[k - 1], numbers[k].C = m.C[k - 1];
+        const bool shares = m.mu[k - 1] > 0;
+        numbers[k].parent = shares ? first : -1;
+        numbers[k].hi = shares ? m.mu[k - 1] : m.fixed[k - 1];
+        numbers[k].lo = -numbers[k].hi;
+    }
+}
+
+template <typename T>
+std::span<T> with_room(std::span<T> from, int more, Arena& arena)
+{
+    auto out = arena.take<T>(int(from.size()) + more);
+    if (!out.empty()) std::copy(from.begin(), from.end(), out.begin());
+    return out;
+}
+
+}  // namespace
+
+bool has_contact_form(const RowSystem& system, const RowBlock& block)
+{
+    if (!block.contact || (block.count != 1 && block.count != 3)) return false;
+    const auto first = std::size_t(block.first);
+    const RowNumbers& normal = system.numbers[first];
+    if (normal.parent >= 0 || normal.lo != 0 || normal.hi < kInf) return false;
+    for (std::size_t k = first + 1; k < first + std::size_t(block.count); ++k) {
+        const RowNumbers& n = system.numbers[k];
+        if (n.lo != -n.hi || !(n.hi >= 0) || (n.parent >= 0 && n.parent != block.first)) return false;
+        if (system.rows[k].lin1 == Vec3{}) return false;  // friction against rolling
+    }
+    return true;
+}
+
+Manifold manifold_of(const RowSystem& system, const RowBlock& block)
+{
+    const Row* rows = &system.rows[std::size_t(block.first)];
+    const RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
+    Manifold m{};
+    m.body1 = block.body1, m.body2 = block.body2;
+    m.n = rows[0].lin1;
+    if (block.body2 >= 0) m.offset = block.arms.r2 - block.arms.r1;
+    if (block.count == 1) return m;
+    m.t1 = rows[1].lin1, m.t2 = rows[2].lin1;
+    for (int k = 0; k < 2; ++k) {
+        const RowNumbers& n = numbers[k + 1];
+        m.c[k] = n.c, m.C[k] = n.C;
+        (n.parent >= 0 ? m.mu[k] : m.fixed[k]) = n.hi;
+    }
+    return m;
+}
+
+bool ContactRows::gather(const RowSystem& system, std::span<bool> taken, Arena& arena)
+{
+    std::fill(taken.begin(), taken.end(), false);
+    int contacts = 0;
+    for (const RowBlock& block : system.blocks) contacts += block.contact;
+    if (contacts == 0) return true;
+    list_.manifolds = arena.take<Manifold>(contacts);
+    list_.points = arena.take<ManifoldPoint>(contacts);
+    rows_ = arena.take<PointRows>(contacts);
+    if (arena.failed()) return false;
+
+    std::size_t manifolds = 0, points = 0;
+    bool open = false;  // may the next block join the last manifold?
+    for (std::size_t i = 0; i < system.blocks.size(); ++i) {
+        const RowBlock& block = system.blocks[i];
+        taken[i] = has_contact_form(system, block);
+        if (!taken[i]) {
+            open = false;
+            continue;
+        }
+        Manifold next = manifold_of(system, block);
+        if (!open || !joins(list_.manifolds[manifolds - 1], next)) {
+            next.first = int(points);
+            list_.manifolds[manifolds++] = next;
+        }
+        ++list_.manifolds[manifolds - 1].count;
+        rows_[points] = {block.first, block.count};
+        list_.points[points++] = point_of(system, block);
+        open = true;
+    }
+    list_.manifolds = list_.manifolds.first(manifolds);
+    list_.points = list_.points.first(points);
+    rows_ = rows_.first(points);
+    return true;
+}
+
+bool expand_manifolds(const RowSystem& system, Arena& arena, RowSystem& out)
+{
+    const int points = int(system.contacts.points.size());
+    out = system;
+    out.contacts = {};
+    out.rows = with_room(system.rows, 3 * points, arena);
+    out.numbers = with_room(system.numbers, 3 * points, arena);
+    out.blocks = with_room(system.blocks, points, arena);
+    if (arena.failed()) return false;
+    int row = int(system.rows.size());
+    std::size_t block = system.blocks.size();
+    for (const Manifold& m : system.contacts.manifolds)
+        for (int i = m.first; i < m.first + m.count; ++i, row += 3) {
+            const ManifoldPoint& point = system.contacts.points[std::size_t(i)];
+            expand_point(m, point, row, &out.rows[std::size_t(row)], &out.numbers[std::size_t(row)]);
+            out.blocks[block++] = {row, 3, m.body1, m.body2, true, {point.r1, point.r1 + m.offset}};
+        }
+    return true;
+}
+
+}  // namespace epode

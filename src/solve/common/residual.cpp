@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Two passes over the rows: J^T p into velocities, then each row's own residual.
+#include "solve/common/residual.h"
+
+#include <algorithm>
+
+#include "solve/common/contact_rows.h"
+#include "solve/common/whole_friction.h"
+
+namespace epode {
+namespace {
+
+template <typename B>
+B* second(std::span<B> bodies, const RowBlock& block)
+{
+    return block.body2 >= 0 ? &bodies[std::size_t(block.body2)] : nullptr;
+}
+
+template <typename B>
+B* second(std::span<B> bodies, const WholeFriction& f)
+{
+    return std::size_t(f.body2) < bodies.size() ? &bodies[std::size_t(f.body2)] : nullptr;
+}
+
+Row row_of(const WholeFriction& f, int k)
+{
+    Row row;
+    static_cast<Jacobian&>(row) = f.rows[k];
+    return row;
+}
+
+// Has the block's friction gone into that of its manifold?
+bool in_whole(const RowSystem& system, const RowBlock& block)
+{
+    return system.manifold_friction && block.count == 3 && has_contact_form(system, block) &&
+           can_be_whole(manifold_of(system, block));
+}
+
+// How many of the block's rows stand for themselves.
+int own_rows(const RowSystem& system, const RowBlock& block)
+{
+    return in_whole(system, block) ? 1 : block.count;
+}
+
+// What is to be in the box of its bounds, or the two friction rows of a contact in the ellipse of theirs.
+class Wanted {
+  public:
+    Wanted(const RowSystem& system, std::span<const SolverBody> bodies, std::span<const Real> lo,
+           std::span<const Real> hi)
+        : system_(system), bodies_(bodies), lo_(lo), hi_(hi)
+    {}
+
+    // d |p - clip(p - w/d)|, of all rows of the block the largest.
+    Real residual(const RowBlock& block) const
+    {
+        const int own = own_rows(system_, block);
+        const bool cone = system_.cone && slides(block) && own == block.count;
+        Real worst = 0;
+        for (int i = block.first; i < block.first + (cone ? 1 : own); ++i) {
+            const auto k = std::size_t(i);
+            const Real d = mobility(block, k), p = system_.numbers[k].p;
+            if (!(d > 0)) continue;  // an empty row constrains nothing
+            const Real clipped = std::min(std::max(p - violation(block, k) / d, lo_[k]), hi_[k]);
+            worst = std::max(worst, d * std::fabs(p - clipped));
+        }
+        return cone ? std::max(worst, friction_residual(block)) : worst;
+    }
+
+    // The same of a friction in the ball of its limit, with the largest d of its rows.
+    Real residual(const WholeFriction& f) const
+    {
+        const SolverBody& one = bodies_[std::size_t(f.body1)];
+        Real d = 0, q[3], length2 = 0, worst = 0;
+        for (int k = 0; k < 3; ++k)
+            d = std::max(d, row_mobility(row_of(f, k), one, second(bodies_, f)) + f.C);
+        if (!(d > 0)) return 0;
+        for (int k = 0; k < 3; ++k) {
+            const Real w = row_velocity(row_of(f, k), one, second(bodies_, f)) + f.C * f.p[k] - f.c[k];
+            q[k] = f.p[k] - w / d;
+            length2 += q[k] * q[k];
+        }
+        const Real scale = length2 > f.limit * f.limit ? f.limit / std::sqrt(length2) : 1;
+        for (int k = 0; k < 3; ++k) worst = std::max(worst, d * std::fabs(f.p[k] - scale * q[k]));
+        return worst;
+    }
+
+  private:
+    // Has the block a normal and two tangents, and nothing against rolling?
+    bool slides(const RowBlock& block) const
+    {
+        const Row* rows = &system_.rows[std::size_t(block.first)];
+        return block.contact && block.count == 3 && rows[1].lin1 != Vec3{} && rows[2].lin1 != Vec3{};
+    }
+
+    const SolverBody& one(const RowBlock& block) const { return bodies_[std::size_t(block.body1)]; }
+    const SolverBody* two(const RowBlock& block) const { return second(bodies_, block); }
+
+    Real mobility(const RowBlock& block, std::size_t k) const
+    {
+        return row_mobility(system_.rows[k], one(block), two(block)) + system_.numbers[k].C;
+    }
+
+    Real violation(const RowBlock& block, std::size_t k) const
+    {
+        const RowNumbers& n = system_.numbers[k];
+        return row_velocity(system_.rows[k], one(block), two(block)) + n.C * n.p - n.c;
+    }
+
+    Real friction_residual(const RowBlock& block) const
+    {
+        const auto k = std::size_t(block.first) + 1;
+        const Real d = std::max(mobility(block, k), mobility(block, k + 1));
+        if (!(d > 0)) return 0;
+        Real p[2], q[2], length2 = 0;
+        for (std::size_t i = 0; i < 2; ++i) {
+            p[i] = system_.numbers[k + i].p;
+            q[i] = p[i] - violation(block, k + i) / d;
+            const Real share = hi_[k + i] > 0 ? q[i] / hi_[k + i] : kInf;
+            length2 += q[i] == 0 ? 0 : share * share;
+        }
+        const Real scale = length2 > 1 ? 1 / std::sqrt(length2) : 1;
+        return d * std::max(std::fabs(p[0] - scale * q[0]), std::fabs(p[1] - scale * q[1]));
+    }
+
+    const RowSystem& system_;
+    std::span<const SolverBody> bodies_;
+    std::span<const Real> lo_, hi_;
+};
+
+}  // namespace
+
+void present_bounds(const RowSystem& system, std::span<Real> lo, std::span<Real> hi)
+{
+    for (std::size_t i = 0; i < system.numbers.size(); ++i) {
+        const RowNumbers& n = system.numbers[i];
+        lo[i] = n.lo, hi[i] = n.hi;
+        if (n.parent < 0) continue;
+        const Real p = std::fabs(system.numbers[std::size_t(n.parent)].p);
+        hi[i] = p > 0 ? n.hi * p : 0;
+        lo[i] = -hi[i];
+    }
+}
+
+std::span<const WholeFriction> frictions_of(const RowSystem& system, int part)
+{
+    const auto begin_at = [&](int body) {
+        return std::partition_point(system.frictions.begin(), system.frictions.end(),
+                                    [body](const WholeFriction& f) { return f.body1 < body; });
+    };
+    return {begin_at(system.begin_of(part).bodies), begin_at(system.end_of(part).bodies)};
+}
+
+Real natural_residual(const RowSystem& system, std::span<const SolverBody> v_star, std::span<const Real> lo,
+                      std::span<const Real> hi, Arena& arena)
+{
+    if (system.rows.empty()) return 0;
+    Arena::Scope scope(arena);
+    auto bodies = arena.take<SolverBody>(int(v_star.size()));
+    if (bodies.empty()) return -1;
+    std::copy(v_star.begin(), v_star.end(), bodies.begin());
+
+    Real scale = 0;
+    for (const WholeFriction& f : system.frictions)
+        for (int k = 0; k < 3; ++k)
+            apply_impulse(row_of(f, k), f.p[k], bodies[std::size_t(f.body1)], second(std::span(bodies), f));
+    for (const RowBlock& block : system.blocks) {
+        const int own = own_rows(system, block);
+        for (int i = block.first; i < block.first + block.count; ++i) {
+            const auto k = std::size_t(i);
+            const SolverBody& a = v_star[std::size_t(block.body1)];
+            const SolverBody* b = second(v_star, block);
+            const Real c = system.numbers[k].c;
+            scale = std::max({scale, std::fabs(c), std::fabs(c - row_velocity(system.rows[k], a, b))});
+            if (i < block.first + own)
+                apply_impulse(system.rows[k], system.numbers[k].p, bodies[std::size_t(block.body1)],
+                              second(std::span(bodies), block));
+        }
+    }
+
+    const Wanted wanted(system, bodies, lo, hi);
+    Real worst = 0;
+    for (const RowBlock& block : system.blocks) worst = std::max(worst, wanted.residual(block));
+    for (const WholeFriction& f : system.frictions) worst = std::max(worst, wanted.residual(f));
+    return worst / (scale > 0 ? scale : 1);
+}
+
+}  // namespace epode

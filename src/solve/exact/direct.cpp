@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// dWorldStep: ODE's mixed complementarity problem, exactly. Friction limits make it non-convex; ODE defines
+// the answer in two phases, each a strictly convex box problem with one solution (C > 0):
+//
+//   1. without the rows that have a parent (their bounds are 0)           -> p1
+//   2. all rows, with limits  hi = mu |p1[parent]|,  lo = -hi, frozen     -> p
+//
+// Phase 1 must be exact including the split among redundant contacts, since phase 2 inherits it as limits.
+// Small islands are solved by a method of their own (small_island.h). Others, and those that it gives up, per
+// phase: active set from the warm start, interior point where the guess does not settle, then the active set
+// again from its tags; the better answer by natural residual counts. Nothing is ever printed. The
+// alternative, Dantzig's principal pivoting on the dense J M^-1 J^T, is what ODE does: cubic in the rows, and
+// a pivot near zero on redundant contacts ends it.
+#include <algorithm>
+#include <cmath>
+
+#include "solve/exact/active_set.h"
+#include "solve/exact/interior_point.h"
+#include "solve/exact/small/box_phases.h"
+#include "solve/exact/small/small_island.h"
+#include "solve/exact/wide/careful_set.h"
+#include "solve/solver.h"
+
+namespace epode {
+namespace {
+
+constexpr double kPromised = 1e-9;  // natural residual that an answer must have
+constexpr int kQuickRounds = 30;    // of the first active set
+constexpr double kInteriorTolerance = 2e-10;
+
+class DirectSolve {
+  public:
+    // `give_up_early`: fail where the active set does not settle, there is something better than the interior
+    // point.
+    explicit DirectSolve(bool give_up_early) : give_up_early_(give_up_early) {}
+
+    bool prepare(RowSystem& system, const SolverSettings& settings, Arena& arena)
+    {
+        careful_above_ = settings.careful_above;
+        const int m = int(system.rows.size());
+        if (!problem_.build(system, arena)) return false;
+        state_.lo = arena.take<double>(m);
+        state_.hi = arena.take<double>(m);
+        state_.p = arena.take<double>(m);
+        state_.tag = arena.take<BoxState::Tag>(m);
+        state_.v = arena.take<double>(problem_.unknowns());
+        kept_ = arena.take<double>(m);
+        begun_ = arena.take<double>(m);
+        scratch_ = arena.take<double>(problem_.unknowns());
+        return !arena.failed() && problem_.build_factor(system, settings.plans, settings.tasks, arena) &&
+               packed_.prepare(problem_, arena) && active_.prepare(problem_, packed_.most_places(), arena);
+    }
+
+    // Both phases; false: out of memory, or given up.
+    bool run(RowSystem& system, Arena& arena, SolveReport& report)
+    {
+        const bool friction = bound_without_friction(problem_, system, state_);
+        if (!solve_phase(arena, report)) return false;
+        if (friction) {
+            freeze_friction(problem_, system, state_);
+            if (!solve_phase(arena, report)) return false;
+        }
+        problem_.store(system, state_.p, scratch_);
+        report.factorisations = problem_.factorisations();
+        report.method = report.fallback ? dIslandMethodInterior : dIslandMethodActiveSet;
+        report.residual = Real(residual_);
+        return true;
+    }
+
+  private:
+    bool solve_phase(Arena& arena, SolveReport& report)
+    {
+        if (!solve_box(arena, report)) return false;
+        residual_ = problem_.residual(state_, scratch_);
+        if (!(residual_ > careful_above_)) return true;
+        if (!careful_ready_ && !(careful_ready_ = careful_.prepare(problem_, arena))) return false;
+        residual_ = careful_.solve(problem_, state_, scratch_, report.iterations);
+        if (!(residual_ > kPromised)) return true;
+        if (!problem_.soften()) return solve_densely(arena, report);
+        std::copy(begun_.begin(), begun_.end(), state_.p.begin());
+        return solve_phase(arena, report);
+    }
+
+    // Better than it was, or as it was.
+    bool solve_densely(Arena& arena, SolveReport& report)
+    {
+        if (problem_.row_count() > WideFactor::kMostRows) return true;
+        if (!careful_dense_ && !(careful_dense_ = careful_.prepare_dense(problem_, arena))) return false;
+        residual_ = careful_.solve(problem_, state_, scratch_, report.iterations);
+        return true;
+    }
+
+    bool solve_box(Arena& arena, SolveReport& report)
+    {
+        const ActiveSetSettings settings{kQuickRounds, false};
+        std::copy(state_.p.begin(), state_.p.end(), begun_.begin());
+        packed_.pack(problem_, state_);
+        if (active_.solve(problem_, packed_, state_.v, settings, report.iterations)) {
+            packed_.unpack(state_);
+            return true;
+        }
+        if (give_up_early_) return false;
+        report.fallback = true;
+        if (!interior_ready_) interior_ready_ = interior_.prepare(problem_, packed_.most_places(), arena);
+        if (!interior_ready_) return false;
+        // A wrong guess of the active set may have left impulses of any size.
+        packed_.take_impulses(begun_);
+        interior_.solve(problem_, packed_, state_.v, kInteriorTolerance, report.iterations);
+        packed_.unpack(state_);
+        keep_better_of_polish(report);
+        return true;
+    }
+
+    // The active set from the interior point's tags usually ends exactly; if it does not, the interior answer
+    // stands as it is.
+    void keep_better_of_polish(SolveReport& report)
+    {
+        const double before = problem_.residual(state_, scratch_);
+        std::copy(state_.p.begin(), state_.p.end(), kept_.begin());
+        const int rounds = 30 + problem_.row_count() / 2;
+        const bool exact = active_.solve(problem_, packed_, state_.v, {before > kPromised ? rounds : 8, true},
+                                         report.iterations);
+        packed_.unpack(state_);
+        if (exact) return;
+        for (std::size_t i = 0; i < state_.p.size(); ++i)
+            state_.p[i] = std::min(std::max(state_.p[i], state_.lo[i]), state_.hi[i]);
+        if (problem_.residual(state_, scratch_) > before)
+            std::copy(kept_.begin(), kept_.end(), state_.p.begin());
+    }
+
+    double careful_above_ = 0;
+    ExactProblem problem_;
+    PackedRows packed_;
+    ActiveSet active_;
+    InteriorPoint interior_;
+    CarefulSet careful_;
+    bool give_up_early_;
+    bool interior_ready_ = false, careful_ready_ = false, careful_dense_ = false;
+    double residual_ = 0;  // that scratch_ and state_ have
+    BoxState state_;
+    std::span<double> kept_, begun_, scratch_;
+};
+
+bool solve_large(RowSystem& system, const SolverSettings& settings, bool pivot, Arena& arena,
+                 SolveReport& report)
+{
+    {
+        Arena::Scope scope(arena);
+        DirectSolve direct(pivot);
+        if (!direct.prepare(system, settings, arena)) return false;
+        if (direct.run(system, arena, report)) return true;
+    }
+    if (!pivot || arena.failed()) return false;
+    const SmallResult result = solve_by_pivoting(system, settings, arena, report);
+    if (result != SmallResult::kNotSolved) return result == SmallResult::kSolved;
+    return solve_large(system, settings, false, arena, report);
+}
+
+bool solve_direct(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
+{
+    if (system.rows.empty()) return true;
+    switch (solve_small(system, settings, arena, report)) {
+        case SmallResult::kSolved:
+            return true;
+        case SmallResult::kNoMemory:
+            return false;
+        case SmallResult::kNotSolved:
+            break;
+    }
+    return solve_large(system, settings, can_pivot(system), arena, report);
+}
+
+}  // namespace
+
+const Solver kDirect{"direct", false, true, true, false, false, false, 1, 1, solve_direct};
+
+}  // namespace epode

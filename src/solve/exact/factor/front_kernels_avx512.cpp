@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The front kernels compiled for AVX-512, eight lanes to a vector, as simd/vectors.h tells.
+#if defined(__x86_64__)
+#define EPODE_VECTOR_LANES 8
+#include "solve/exact/factor/front_kernels.inc"
+
+namespace epode {
+
+extern const FrontKernels kAvx512FrontKernels;
+constinit const FrontKernels kAvx512FrontKernels = kernels_named("avx512");
+
+}  // namespace epode
+#endif

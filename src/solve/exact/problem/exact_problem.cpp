@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Kinematic bodies have no unknowns: what they contribute to J v is moved to the right-hand side. A row whose
+// Jacobian is empty gets d = C, so that no division by zero can follow from it.
+#include "solve/exact/problem/exact_problem.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epode {
+namespace {
+
+void put(Vec3 a, double* out) { out[0] = a.x, out[1] = a.y, out[2] = a.z; }
+
+// block += s x y^T, 6x6 column-major
+void add_outer(double* block, double s, const double* x, const double* y)
+{
+    const DoubleLane* a = reinterpret_cast<const DoubleLane*>(x);
+    DoubleLane* out = reinterpret_cast<DoubleLane*>(block);
+    for (int c = 0; c < 6; ++c) {
+        const double sy = s * y[c];
+        for (int r = 0; r < 3; ++r) out[3 * c + r] += a[r] * sy;
+    }
+}
+
+}  // namespace
+
+bool ExactProblem::build(const RowSystem& system, Arena& arena)
+{
+    rows_ = arena.take<ExactRow>(int(system.rows.size()));
+    if (arena.failed() || !number_bodies(system, arena)) return false;
+    fill_rows(system);
+    return true;
+}
+
+bool ExactProblem::number_bodies(const RowSystem& system, Arena& arena)
+{
+    const int count = int(system.bodies.size());
+    dynamic_ = arena.take<int>(count);
+    roots_ = arena.take<BodyRoot>(count);
+    v_star_ = arena.take<double>(6 * count);
+    if (arena.failed()) return false;
+    std::size_t n = 0;
+    for (int i = 0; i < count; ++i) {
+        const SolverBody& body = system.bodies[std::size_t(i)];
+        dynamic_[std::size_t(i)] = body.inv_mass > 0 ? int(n) : -1;
+        if (body.inv_mass <= 0) continue;
+        const BodyRoot& root = roots_[n] = root_of(body);
+        double* v = &v_star_[6 * n++];
+        put(body.v, v), put(body.w, v + 3);
+        for (int k = 0; k < 3; ++k) v[k] *= root.root;
+        v[3] = v[3] / root.r0 + root.l10 * v[4] + root.l20 * v[5];
+        v[4] = v[4] / root.r1 + root.l21 * v[5];
+        v[5] = v[5] / root.r2;
+    }
+    roots_ = roots_.first(n);
+    v_star_ = v_star_.first(6 * n);
+    return true;
+}
+
+ExactProblem::BodyRoot ExactProblem::root_of(const SolverBody& body)
+{
+    constexpr double kFlat = 1e-14;  // of the diagonal: an inertia that is singular to rounding
+    const Sym3& I = body.inertia;
+    const auto reciprocal = [](double square, double diagonal) {
+        return 1 / std::sqrt(std::max(square, kFlat * diagonal));
+    };
+    BodyRoot out;
+    out.root = std::sqrt(double(body.mass));
+    out.inv_root = 1 / out.root;
+    out.r0 = reciprocal(I.xx, I.xx);
+    out.l10 = I.xy * out.r0;
+    out.l20 = I.xz * out.r0;
+    out.r1 = reciprocal(I.yy - out.l10 * out.l10, I.yy);
+    out.l21 = (I.yz - out.l20 * out.l10) * out.r1;
+    out.r2 = reciprocal(I.zz - out.l20 * out.l20 - out.l21 * out.l21, I.zz);
+    return out;
+}
+
+void ExactProblem::to_root(const BodyRoot& root, double* six)
+{
+    for (int i = 0; i < 3; ++i) six[i] *= root.inv_root;
+    six[3] *= root.r0;
+    six[4] = (six[4] - root.l10 * six[3]) * root.r1;
+    six[5] = (six[5] - root.l20 * six[3] - root.l21 * six[4]) * root.r2;
+}
+
+void ExactProblem::from_root(const BodyRoot& root, double* six)
+{
+    for (int i = 0; i < 3; ++i) six[i] *= root.inv_root;
+    six[5] *= root.r2;
+    six[4] = (six[4] - root.l21 * six[5]) * root.r1;
+    six[3] = (six[3] - root.l10 * six[4] - root.l20 * six[5]) * root.r0;
+}
+
+bool ExactProblem::build_factor(const RowSystem& system, PlanCache* plans, const Tasks& tasks, Arena& arena)
+{
+    const int blocks = int(system.blocks.size());
+    auto pairs = arena.take<BodyPair>(blocks);
+    pairs_ = arena.take<PairBlocks>(blocks);
+    if (arena.failed()) return false;
+    for (int k = 0; k < blocks; ++k) {
+        const RowBlock& block = system.blocks[std::size_t(k)];
+        int a = dynamic_[std::size_t(block.body1)];
+        int b = block.body2 >= 0 ? dynamic_[std::size_t(block.body2)] : -1;
+        if (a < 0) a = b;
+        if (b < 0) b = a;
+        pairs[std::size_t(k)] = {a, b};
+    }
+    if (!plan_.take(int(roots_.size()), pairs, plans, arena) || !H_.prepare(plan_.plan(), tasks, arena))
+        return false;
+    for (int k = 0; k < blocks; ++k) {
+        const auto [a, b] = pairs[std::size_t(k)];
+        PairBlocks& s = pairs_[std::size_t(k)];
+        s = {H_.diagonal(a), H_.diagonal(b), nullptr, false};
+        if (a != b) s.ab = H_.between(a, b, s.transposed);
+    }
+    return true;
+}
+
+void ExactProblem::fill_rows(const RowSystem& system)
+{
+    scale_ = 0;
+    for (std::size_t k = 0; k < system.blocks.size(); ++k) {
+        const RowBlock& block = system.blocks[k];
+        for (int i = block.first; i < block.first + block.count; ++i) {
+            const auto at = std::size_t(i);
+            ExactRow& row = rows_[at];
+            row.pair = int(k);
+            fill_row(system.rows[at], system.numbers[at], block, system, row);
+        }
+    }
+    if (!(scale_ > 0)) scale_ = 1;
+}
+
+// Also raises the scale to max(|c - J v*|, |J| |v*| / 1000).
+void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock& block,
+                            const RowSystem& system, ExactRow& out)
+{
+    double* half = out.J;
+    int* body = &out.a;
+    double sum = 0, motion = 0, mobility = 0;
+    out.c = n.c;
+    out.C = n.C;
+    out.b = -1;
+    const auto take = [&](int island_body, Vec3 lin, Vec3 ang) {
+        if (island_body < 0) return;
+        const SolverBody& s = system.bodies[std::size_t(island_body)];
+        const int index = dynamic_[std::size_t(island_body)];
+        const double along = dot(lin, s.v), about = dot(ang, s.w);
+        if (index < 0) {
+            out.c -= along + about;
+            return;
+        }
+        sum += along + about;
+        motion += std::fabs(along) + std::fabs(about);
+        double J[6];
+        put(lin, J), put(ang, J + 3);
+        to_root(roots_[std::size_t(index)], J);
+        // In registers: pairs read from where numbers have just been written would wait for them.
+        const DoubleLane pairs[] = {{J[0], J[1]}, {J[2], J[3]}, {J[4], J[5]}};
+        mobility += six_dot(pairs, pairs);
+        std::copy_n(pairs, 3, reinterpret_cast<DoubleLane*>(half));
+        half = out.J + 6;
+        *body = index;
+        body = &out.b;
+    };
+    take(block.body1, row.lin1, row.ang1);
+    take(block.body2, row.lin2, row.ang2);
+    scale_ = std::max({scale_, std::fabs(out.c - sum), 1e-3 * motion});
+    out.d = mobility + out.C;
+    out.weight_min = 1e-11 * out.d;
+}
+
+bool ExactProblem::soften()
+{
+    bool any = false;
+    for (ExactRow& row : rows_) {
+        if (row.C > 0 || !(row.d > 0)) continue;
+        row.C = row.weight_min;
+        any = true;
+    }
+    return any;
+}
+
+// H = 1, M in these coordinates.
+void ExactProblem::begin_factor()
+{
+    H_.clear();
+    for (std::size_t n = 0; n < roots_.size(); ++n) {
+        double* h = H_.diagonal(int(n));
+        for (int i = 0; i < 6; ++i) h[7 * i] = 1;
+    }
+    ++factorisations_;
+}
+
+int ExactProblem::factor(std::span<const double> D)
+{
+    begin_factor();
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        if (!(D[i] > 0)) continue;
+        const ExactRow& row = rows_[i];
+        const PairBlocks& s = pairs_[std::size_t(row.pair)];
+        const double* Ja = row.J;
+        const double* Jb = row.J + 6;
+        // A pair of which one body is kinematic has both slots on the dynamic one.
+        add_outer(s.aa, D[i], Ja, Ja);
+        if (row.b < 0) continue;
+        add_outer(s.bb, D[i], Jb, Jb);
+        s.transposed ? add_outer(s.ab, D[i], Jb, Ja) : add_outer(s.ab, D[i], Ja, Jb);
+    }
+    return H_.factor();
+}
+
+int ExactProblem::factor(std::span<const RowGroup> groups, std::span<const double> D,
+                         const RowKernels& kernels)
+{
+    begin_factor();
+    kernels.assemble(groups.data(), int(groups.size()), D.data(), pairs_.data());
+    return H_.factor();
+}
+
+void ExactProblem::momentum_change(std::span<const double> v, std::span<double> r) const
+{
+    for (std::size_t i = 0; i < v.size(); ++i) r[i] = v_star_[i] - v[i];
+}
+
+void ExactProblem::velocities(std::span<const double> p, std::span<double> v) const
+{
+    std::copy(v_star_.begin(), v_star_.end(), v.begin());
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+        if (p[i] != 0) add_jt(rows_[i], p[i], v.data());
+}
+
+void ExactProblem::velocities_after(std::span<const double> momentum, std::span<double> v) const
+{
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] = v_star_[i] + momentum[i];
+}
+
+// sums = J^T (p + low); an empty `low` is zero.
+void ExactProblem::sum_impulses(std::span<const double> p, std::span<const double> low,
+                                std::span<DoubleDouble> sums) const
+{
+    std::fill(sums.begin(), sums.end(), DoubleDouble{});
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const ExactRow& row = rows_[i];
+        if (p[i] == 0) continue;
+        const DoubleDouble impulse{p[i], low.empty() ? 0 : low[i]};
+        for (int k = 0; k < 12; ++k) {
+            const int body = k < 6 ? row.a : row.b;
+            if (body < 0) break;
+            DoubleDouble& sum = sums[std::size_t(6 * body + k % 6)];
+            sum = sum + impulse * row.J[k];
+        }
+    }
+}
+
+void ExactProblem::velocities(std::span<const double> p, std::span<const double> low,
+                              std::span<DoubleDouble> sums, std::span<double> v) const
+{
+    sum_impulses(p, low, sums);
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] = v_star_[i] + rounded(sums[i]);
+}
+
+void ExactProblem::defect(std::span<const double> p, std::span<const double> low,
+                          std::span<const double> free, std::span<DoubleDouble> sums,
+                          std::span<DoubleDouble> r) const
+{
+    sum_impulses(p, low, sums);
+    for (std::size_t n = 0; n < v_star_.size(); ++n) sums[n] = sums[n] + v_star_[n];
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        r[i] = {};
+        if (!(free[i] > 0)) continue;
+        const ExactRow& row = rows_[i];
+        DoubleDouble sum = DoubleDouble{p[i], low[i]} * -row.C + row.c;
+        for (int k = 0; k < (row.b < 0 ? 6 : 12); ++k)
+            sum = sum - sums[std::size_t(6 * (k < 6 ? row.a : row.b) + k % 6)] * row.J[k];
+        r[i] = sum;
+    }
+}
+
+void ExactProblem::apply(std::span<const double> p, std::span<DoubleDouble> sums, std::span<double> v,
+                         std::span<double> Ap) const
+{
+    sum_impulses(p, {}, sums);
+    for (std::size_t i = 0; i < v.size(); ++i) v[i] = rounded(sums[i]);
+    for (std::size_t i = 0; i < Ap.size(); ++i) Ap[i] = jv(rows_[i], v.data()) + rows_[i].C * p[i];
+}
+
+double ExactProblem::residual(const BoxState& state, std::span<double> v) const
+{
+    velocities(state.p, v);
+    return residual_at(state, v);
+}
+
+double ExactProblem::residual_at(const BoxState& state, std::span<const double> v) const
+{
+    double worst = 0;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const ExactRow& row = rows_[i];
+        if (!(row.d > 0)) continue;
+        const double p = state.p[i];
+        const double w = jv(row, v.data()) + row.C * p - row.c;
+        const double clipped = std::min(std::max(p - w / row.d, state.lo[i]), state.hi[i]);
+        worst = std::max(worst, row.d * std::fabs(p - clipped));
+    }
+    return worst / scale_;
+}
+
+void ExactProblem::store(RowSystem& system, std::span<const double> p, std::span<const double> v) const
+{
+    for (std::size_t i = 0; i < rows_.size(); ++i) system.numbers[i].p = Real(p[i]);
+    for (std::size_t k = 0; k < dynamic_.size(); ++k) {
+        if (dynamic_[k] < 0) continue;
+        const auto first = std::size_t(6 * dynamic_[k]);
+        double change[6];
+        for (std::size_t i = 0; i < 6; ++i) change[i] = v[first + i] - v_star_[first + i];
+        from_root(roots_[std::size_t(dynamic_[k])], change);
+        system.bodies[k].v += Vec3{Real(change[0]), Real(change[1]), Real(change[2])};
+        system.bodies[k].w += Vec3{Real(change[3]), Real(change[4]), Real(change[5])};
+    }
+}
+
+}  // namespace epode

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The joint kernels compiled for AVX-512, eight lanes to a vector, as simd/vectors.h tells.
+#if defined(__x86_64__)
+#define EPODE_VECTOR_LANES 8
+#include "solve/joints/joint_facts.inc"
+#include "solve/joints/joint_kernels.inc"
+
+namespace epode {
+
+extern const JointKernels kAvx512JointKernels;
+constinit const JointKernels kAvx512JointKernels = kernels_named("avx512");
+
+}  // namespace epode
+#endif

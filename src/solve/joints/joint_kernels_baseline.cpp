@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The joint kernels for any machine, and the choice between those that there are. It is made when the
+// library is loaded, so that calls go through one pointer and no test.
+#include "simd/machine.h"
+#include "solve/joints/joint_facts.inc"
+#include "solve/joints/joint_kernels.inc"
+
+namespace epode {
+
+extern const JointKernels kAvx2JointKernels, kAvx512JointKernels;
+
+namespace {
+
+constexpr JointKernels kBaseline = kernels_named("baseline");
+
+constexpr const JointKernels* kAll[] = {
+    &kBaseline,
+#if defined(__x86_64__)
+    &kAvx2JointKernels,
+    &kAvx512JointKernels,
+#endif
+};
+
+const std::size_t usable = usable_kernels();
+
+}  // namespace
+
+std::span<const JointKernels* const> joint_kernels() { return std::span(kAll).first(usable); }
+
+}  // namespace epode

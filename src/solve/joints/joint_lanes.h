@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The joints of an island, or of several that are solved together, in lanes of floats or of Reals. Float
+// lanes take half the time and half the memory. What they change they add to velocities that stay Reals, and
+// what is far from the bodies, positions, they are told as differences of Reals. An island has lanes of Reals
+// where digits could show:
+//
+// - masses of more than 1 : 1000, as in solve/sweeps/quick_contacts.h;
+// - arms so long beside a body's radius of gyration that the block of a joint loses more than three digits;
+// - joints of free form, of whose rows nothing is known;
+// - an island that nothing holds or stands on, whose momentum is kept to the rounding of a Real;
+// - numbers out of the range of floats;
+//
+// and all islands of a system have, for few joints, which settle, and for more sweeps than are worth it
+// otherwise, by which a program asks for more digits.
+#pragma once
+
+#include "solve/joints/joint_set.h"
+
+namespace epode {
+
+class JointLanes {
+  public:
+    // Of a pass in small steps: contacts come first when errors are corrected, last when that is relaxed.
+    static constexpr bool kHasBothEnds = false;
+
+    // `sweeps`: as many as there will be.
+    explicit JointLanes(int sweeps) : sweeps_(sweeps) {}
+
+    // As in JointSet.
+    bool pack(const RowSystem& system, Arena& arena);
+    void load(const RowSystem& system);
+    bool follow(const RowSystem& system, const Substep& step, std::span<const Velocity> bodies, Arena& arena);
+    void load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
+    void apply_impulses(std::span<Velocity> bodies) const;
+    void sweep(std::span<Velocity> bodies, const JointSweep& how);
+    void store_impulses(std::span<RowNumbers> numbers) const;
+    void sum_impulses();
+    void store_sums(std::span<RowNumbers> numbers) const;
+    void describe(std::span<RowNumbers> numbers, std::span<Row> rows) const;
+    void rebound(const RowSystem& system, std::span<Velocity> bodies);
+
+    bool in_floats() const { return reals_.empty(); }  // all of them
+    // Where they are.
+    void sweep(std::span<FloatVelocity> bodies, const JointSweep& how) { floats_.sweep(bodies, how); }
+
+  private:
+    bool part_fits_floats(const RowSystem& system, int part) const;
+
+    int sweeps_;
+    JointSet reals_;
+    FloatJointSet floats_;
+};
+
+}  // namespace epode

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The body kernels compiled for AVX2, that is with 32-byte registers and without fused multiply-add, which
+// would round differently. CMake gives this file its flag; on other machines it is empty.
+#if defined(__x86_64__)
+#include "solve/substeps/body_kernels.inc"
+
+namespace epode {
+
+extern const BodyKernels kAvx2BodyKernels;
+constinit const BodyKernels kAvx2BodyKernels = kernels_named("avx2");
+
+}  // namespace epode
+#endif

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// All joints of an island as one block: what JointSet does for the rows of one joint,
+//
+//   (J M^-1 J^T + C) dp = c - J v - C p,
+//
+// for the rows of all of them at once, so that nothing is left to iterate between joints however unequal the
+// masses are. The matrix has a block of six for each joint and one for each pair of joints on a body that
+// moves; that is sparse like the joints' graph, and a tree of joints fills in nothing. It is factored by the
+// kernel of the exact solver (solve/exact/factor/block_cholesky), once for a pose, and solved in every visit.
+// The dual and not the primal matrix 1 + J^T D J of the exact solver: joints have few rows per body, C = 0
+// needs no refinement, and what a row on its bound costs is one row and column of ones.
+// Bounds: a row that leaves them is held on its bound, one that is held and wants off it is let go, for a few
+// rounds; who is held is remembered from visit to visit.
+#pragma once
+
+#include <span>
+
+#include "base/arena.h"
+#include "rows/row_system.h"
+#include "solve/common/substep_rows.h"
+#include "solve/common/velocities.h"
+#include "solve/exact/factor/block_cholesky.h"
+#include "solve/exact/factor/plan_cache.h"
+#include "solve/joints/joint_kernels.h"
+
+namespace epode {
+
+class JointNetwork {
+  public:
+    static constexpr bool kHasBothEnds = true;  // of a pass: joints stay exact, contacts are what iterates
+
+    // The structure. `plans` may be null. False: out of memory.
+    bool plan(const RowSystem& system, PlanCache* plans, Arena& arena);
+    // Is the factor so sparse that this way is worth it? There may also be no joints at all.
+    bool worth() const { return worth_; }
+
+    // As in JointSet, after `plan`.
+    bool pack(const RowSystem& system, Arena& arena);
+    // Rows are asked for anew.
+    bool follow(const RowSystem&, const Substep&, std::span<const Velocity>, Arena&) { return true; }
+    void load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
+    void apply_impulses(std::span<Velocity> bodies) const;
+    void sweep(std::span<Velocity> bodies, const JointSweep& how);
+    void sum_impulses();
+    void store_sums(std::span<RowNumbers> numbers) const;
+    void describe(std::span<RowNumbers> numbers, std::span<Row> rows) const;
+    void rebound(const RowSystem& system, std::span<Velocity> bodies);
+
+    int factorisations() const { return factorisations_; }
+
+  private:
+    enum class Hold : unsigned char { kFree, kLow, kHigh };
+    struct NetworkRow {
+        Vec3 lin[2], ang[2], turn[2];  // turn = I^-1 ang
+        Real c, c_relaxed, C;
+        Real lo, hi, p;  // of a row with a parent: hi is the coefficient
+        Real sum;        // of p over the small steps before
+        int parent;      // in the rows of the network, or -1
+        Hold hold;
+    };
+    struct NetworkJoint {
+        int first, count, source;
+        int body[2];  // into the velocities
+        Real inv_mass[2];
+        double* diagonal;
+    };
+    // Two joints on one body: sides 0 and 1 are a joint's first and second body.
+    struct Coupling {
+        int a, b;
+        int side_a, side_b;
+        double* block;
+        bool transposed;
+    };
+
+    bool list_joints(const RowSystem& system, Arena& arena);
+    bool list_couplings(const RowSystem& system, Arena& arena);
+    std::span<NetworkRow> rows_of(const NetworkJoint& joint) const
+    {
+        return rows_.subspan(std::size_t(joint.first), std::size_t(joint.count));
+    }
+    void load_row(const Row& row, const SolverBody* const (&bodies)[2], const Substep& step,
+                  NetworkRow& out) const;
+    void factor();
+    void fill_diagonal(const NetworkJoint& joint);
+    void fill_coupling(const Coupling& coupling);
+
+    Real bound(const NetworkRow& row) const;
+    void bounds(const NetworkRow& row, Real& lo, Real& hi) const;
+    void put_on_bounds(std::span<Velocity> bodies);
+    void solve_free(std::span<Velocity> bodies, bool relax);
+    bool change_holds(std::span<Velocity> bodies, bool relax, bool may_let_go);
+
+    static Real velocity(const NetworkRow& row, const NetworkJoint& joint, std::span<const Velocity> bodies);
+    static void apply(const NetworkRow& row, const NetworkJoint& joint, Real dp, std::span<Velocity> bodies);
+
+    std::span<NetworkJoint> joints_;
+    std::span<NetworkRow> rows_;
+    std::span<Coupling> couplings_;
+    std::span<double> x_;  // six numbers per joint
+    PlanLease lease_;
+    BlockCholesky A_;
+    bool worth_ = false, bounded_ = false, stale_ = true;
+    int factorisations_ = 0;
+};
+
+}  // namespace epode

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Small steps of islands that nothing but patches holds together (solve/substeps/tgs.cpp has those with
+// joints). Nothing asks for poses in between, so bodies are moved once, by the mean of their velocities over
+// the small steps; forces, the gyroscopic torque among them, are those of the beginning.
+#pragma once
+
+#include "solve/solver.h"
+
+namespace epode {
+
+// False: out of memory.
+bool solve_patches(RowSystem& system, const SolverSettings& settings, Arena& arena);
+
+}  // namespace epode

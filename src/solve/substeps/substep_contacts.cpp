@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// `begin_pass` writes what a sweep reads, by the same formula for one contact and for several in a register.
+#include "solve/substeps/substep_contacts.h"
+
+#include <algorithm>
+
+#include "simd/registers.h"
+
+namespace epode {
+namespace {
+
+[[gnu::always_inline]] inline Real at_most(Real bound, Real x) { return bound < x ? bound : x; }
+[[gnu::always_inline]] inline Real if_positive(Real test, Real yes, Real no) { return test > 0 ? yes : no; }
+
+// T: Real or Register.
+template <typename T>
+struct PassInput {
+    T error, speed, cap, rate, push, gain, C, hard_gain;
+};
+
+template <typename T>
+[[gnu::always_inline]] inline void begin_pass(const PassInput<T>& in, T zero, T per_hs, T& c, T& C, T& gain)
+{
+    const T open = -in.error;  // where positive
+    const T pushed = at_most(in.push, in.rate * in.error);
+    c = at_most(in.cap, if_positive(open, per_hs * in.error, pushed) + in.speed);
+    C = if_positive(open, zero, in.C);
+    gain = if_positive(open, in.hard_gain, in.gain);
+}
+
+void begin_pass(const NormalAim<Real>& a, int pass, Real per_hs, PackedRow& row)
+{
+    const PassInput<Real> in{a.error, a.speed,      a.cap,     a.rate[pass],
+                             a.push,  a.gain[pass], a.C[pass], a.hard_gain};
+    Real C;
+    begin_pass(in, Real(0), per_hs, row.c, C, row.gain);
+    row.keep = 1 - row.gain * C;
+}
+
+void begin_pass(const NormalAim<Lanes>& a, int pass, Real per_hs, BatchPoint& point)
+{
+    for (int part = 0; part < kParts; ++part) {
+        const PassInput<Register> in{
+            load(a.error, part), load(a.speed, part),      load(a.cap, part),     load(a.rate[pass], part),
+            load(a.push, part),  load(a.gain[pass], part), load(a.C[pass], part), load(a.hard_gain, part)};
+        Register c, C, gain;
+        begin_pass(in, Register{}, all(per_hs), c, C, gain);
+        store(point.c, part, c), store(point.C, part, C), store(point.gain[0], part, gain);
+    }
+}
+
+NormalAim<Real> aim_of(const Row& row, const Substep& step, Real mobility, bool against_static)
+{
+    const RowAim aim =
+        row.soft ? map_row(row, step, mobility) : default_contact(step, mobility, against_static);
+    NormalAim<Real> out{};
+    if (!(mobility > 0)) return out;
+    out.error = row.error, out.speed = row.speed, out.cap = row.cap;
+    out.push = aim.push;
+    out.hard_gain = 1 / mobility;
+    const Real gain = 1 / (mobility + aim.C);
+    out.rate[0] = aim.rate, out.gain[0] = gain, out.C[0] = aim.C;
+    out.rate[1] = aim.spring ? out.rate[0] : 0;
+    out.gain[1] = aim.spring ? gain : out.hard_gain;
+    out.C[1] = aim.spring ? aim.C : 0;
+    return out;
+}
+
+void set_lane(const NormalAim<Real>& a, int lane, NormalAim<Lanes>& out)
+{
+    out.error[lane] = a.error, out.speed[lane] = a.speed, out.cap[lane] = a.cap, out.push[lane] = a.push;
+    out.hard_gain[lane] = a.hard_gain;
+    for (int k = 0; k < 2; ++k) {
+        out.rate[k][lane] = a.rate[k], out.gain[k][lane] = a.gain[k], out.C[k][lane] = a.C[k];
+    }
+}
+
+// Friction and rolling rows are dampers: the same in every pass.
+void set_tangent_numbers(RowSystem& system, const RowBlock& block, const Substep& step)
+{
+    RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
+    const Row* rows = &system.rows[std::size_t(block.first)];
+    numbers[0].c = numbers[0].C = 0;  // aimed anew in every pass
+    for (int k = 1; k < block.count; ++k) {
+        numbers[k].c = std::min(rows[k].speed, rows[k].cap);
+        numbers[k].C = rows[k].cfm / step.hs;
+    }
+}
+
+const SolverBody* body_or_null(const RowSystem& system, int index)
+{
+    return index >= 0 ? &system.bodies[std::size_t(index)] : nullptr;
+}
+
+}  // namespace
+
+bool SubstepContacts::prepare(RowSystem& system, const Substep& step, std::uint64_t seed, Arena& arena)
+{
+    random_ = CounterRandom(seed);
+    hs_ = step.hs;
+    auto skip = arena.take<bool>(int(system.blocks.size()));
+    if (skip.empty()) return false;
+    for (const RowBlock& block : system.blocks)
+        if (block.contact) set_tangent_numbers(system, block, step);
+    if (!rows_.gather(system, skip, arena) || !set_.pack(system, rows_.list(), 1, arena)) return false;
+    for (std::size_t i = 0; i < skip.size(); ++i) skip[i] = skip[i] || !system.blocks[i].contact;
+    if (!others_.pack(system, 1, skip, arena)) return false;
+    aims_ = arena.take_zeroed<NormalAim<Lanes>>(int(set_.points().size()));
+    other_aims_ = arena.take<NormalAim<Real>>(int(others_.blocks().size()));
+    if (arena.failed()) return false;
+    aim(system, step);
+    return true;
+}
+
+template <typename Visit>
+void SubstepContacts::for_each_lane(Visit&& f) const
+{
+    for (std::size_t i = 0; i < set_.sources().size(); ++i)
+        for (int lane = 0; lane < kLanes; ++lane)
+            if (const int point = set_.sources()[i].point[lane]; point >= 0) f(rows_.row_of(point), i, lane);
+}
+
+void SubstepContacts::aim(const RowSystem& system, const Substep& step)
+{
+    const auto aim_block = [&](int row, int body1, int body2) {
+        const SolverBody& a = system.bodies[std::size_t(body1)];
+        const SolverBody* b = body_or_null(system, std::size_t(body2) < system.bodies.size() ? body2 : -1);
+        const Row& normal = system.rows[std::size_t(row)];
+        const bool against_static = !b || !(a.inv_mass > 0) || !(b->inv_mass > 0);
+        return aim_of(normal, step, row_mobility(normal, a, b), against_static);
+    };
+    for (const ContactBatch& batch : set_.batches())
+        for (int i = batch.first; i < batch.first + batch.count; ++i)
+            for (int lane = 0; lane < kLanes; ++lane)
+                if (const int point = set_.sources()[std::size_t(i)].point[lane]; point >= 0)
+                    set_lane(aim_block(rows_.row_of(point), batch.body1(lane), batch.body2(lane)), lane,
+                             aims_[std::size_t(i)]);
+    for (std::size_t i = 0; i < other_aims_.size(); ++i) {
+        const PackedBlock& block = others_.blocks()[i];
+        other_aims_[i] = aim_block(others_.rows()[std::size_t(block.first)].source, block.body1, block.body2);
+    }
+}
+
+void SubstepContacts::apply_impulses(std::span<Velocity> bodies) const
+{
+    set_.apply_impulses(bodies);
+    others_.apply_impulses(bodies);
+}
+
+void SubstepContacts::sweep(std::span<Velocity> bodies, bool relax)
+{
+    const int pass = relax ? 1 : 0;
+    const Real per_hs = 1 / hs_;
+    for (std::size_t i = 0; i < aims_.size(); ++i) begin_pass(aims_[i], pass, per_hs, set_.points()[i]);
+    for (std::size_t i = 0; i < other_aims_.size(); ++i) {
+        PackedRow& row = others_.rows()[std::size_t(others_.blocks()[i].first)];
+        begin_pass(other_aims_[i], pass, per_hs, row);
+    }
+    others_.sweep(bodies, relax);
+    set_.shuffle(random_);
+    set_.sweep(bodies);
+}
+
+void SubstepContacts::follow_motion(std::span<const Velocity> bodies)
+{
+    Lanes approach[kManifoldPoints];
+    for (const ContactBatch& batch : set_.batches()) {
+        set_.normal_velocities(batch, bodies, approach);
+        for (int i = 0; i < batch.count; ++i)
+            for (int lane = 0; lane < kLanes; ++lane)
+                aims_[std::size_t(batch.first + i)].error[lane] -= hs_ * approach[i][lane];
+    }
+    for (std::size_t i = 0; i < other_aims_.size(); ++i) {
+        const PackedBlock& block = others_.blocks()[i];
+        other_aims_[i].error -=
+            hs_ * row_velocity(others_.rows()[std::size_t(block.first)], bodies[std::size_t(block.body1)],
+                               bodies[std::size_t(block.body2)]);
+    }
+}
+
+void SubstepContacts::add_impulses(std::span<RowNumbers> numbers)
+{
+    set_.store_impulses(rows_.list().points);
+    rows_.for_each_impulse([&](int row, Real p) { numbers[std::size_t(row)].p += p; });
+    for (const PackedRow& row : others_.rows()) numbers[std::size_t(row.source)].p += row.p;
+}
+
+void SubstepContacts::describe(std::span<RowNumbers> numbers)
+{
+    set_.store_impulses(rows_.list().points);
+    rows_.for_each_impulse([&](int row, Real p) { numbers[std::size_t(row)].p = p; });
+    others_.store_impulses(numbers);
+    for_each_lane([&](int row, std::size_t point, int lane) {
+        const BatchPoint& p = set_.points()[point];
+        numbers[std::size_t(row)].c = p.c[lane];
+        numbers[std::size_t(row)].C = p.gain[0][lane] > 0 ? p.C[lane] : 0;
+    });
+    for (const PackedBlock& block : others_.blocks()) {
+        const PackedRow& row = others_.rows()[std::size_t(block.first)];
+        RowNumbers& normal = numbers[std::size_t(row.source)];
+        normal.c = row.c;
+        normal.C = row.gain > 0 ? (1 - row.keep) / row.gain : 0;
+    }
+}
+
+}  // namespace epode

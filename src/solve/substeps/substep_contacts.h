@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Contacts over the inner steps of one step. Arms, directions and masses are those of the beginning; only the
+// separation follows the motion, to first order: error -= hs J v. A contact that has opened may close again
+// exactly (c = error/hs < 0), never sooner and never softly.
+#pragma once
+
+#include <span>
+
+#include "solve/common/contact_rows.h"
+#include "solve/common/substep_rows.h"
+#include "solve/sweeps/contact_set.h"
+#include "solve/sweeps/row_sweep.h"
+
+namespace epode {
+
+// A normal row, T = Real or Lanes. Index 0: correcting, 1: relaxing.
+template <typename T>
+struct NormalAim {
+    T error, speed, cap;
+    T rate[2], push;
+    T gain[2], C[2];
+    T hard_gain;  // 1/d: of a contact that is open
+};
+
+class SubstepContacts {
+  public:
+    // `system.numbers` hold bounds and warm start of one inner step; c and C are set here. False: out of
+    // memory.
+    bool prepare(RowSystem& system, const Substep& step, std::uint64_t seed, Arena& arena);
+
+    void apply_impulses(std::span<Velocity> bodies) const;
+    void sweep(std::span<Velocity> bodies, bool relax);
+    void follow_motion(std::span<const Velocity> bodies);  // error -= hs J v
+    void add_impulses(std::span<RowNumbers> numbers);      // numbers.p += p
+    // The problem that the last correcting sweep worked on, into c, C and p: for the residual.
+    void describe(std::span<RowNumbers> numbers);
+    std::span<WholeFriction> whole_frictions(Arena& arena) const { return set_.whole_frictions(arena); }
+
+  private:
+    void aim(const RowSystem& system, const Substep& step);
+
+    // f(row of the normal, point of the set, its lane)
+    template <typename Visit>
+    void for_each_lane(Visit&& f) const;
+
+    ContactRows rows_;
+    ContactSet set_;
+    RowSweep others_;
+    std::span<NormalAim<Lanes>> aims_;       // per point of the set
+    std::span<NormalAim<Real>> other_aims_;  // per block of the others
+    Real hs_ = 0;
+    CounterRandom random_{0};
+};
+
+}  // namespace epode

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// dWorldStepFast1: n small steps of hs = h/n instead of n sweeps over one large one (Macklin, Storey et al.,
+// "Small Steps in Physics Simulation", 2019). Per small step:
+//
+//   v += hs M^-1 f;  v += M^-1 J^T p          forces, and the impulses of the small step before
+//   solve contacts, then joints as blocks     J v + C p = c, correcting position errors
+//   x += hs v
+//   solve joints, then contacts, without it   takes out the velocity that the correction put in
+//
+// After the last one, what carried load and came in fast rebounds. Errors of joints are measured anew at
+// every pose, so mass ratios that would need hundreds of sweeps settle in ten small steps; on regular stacks
+// the gain is nil. A step's impulse is the sum over its small steps; the next step starts from its n-th part.
+// The residual that is reported is that of the last small step after its correcting solve: for the step as a
+// whole no single problem exists. Patches are solved in float lanes beside them and have no part in it.
+//
+// The second solver here differs in one thing: all joints of the island are one block that is solved exactly
+// (solve/substeps/joint_network), before and after the contacts of each pass. An articulated body in a heap
+// keeps its joints, and only contacts are left to iterate. Where the factor would fill in it is the first
+// one.
+#include <algorithm>
+
+#include "solve/common/residual.h"
+#include "solve/joints/joint_lanes.h"
+#include "solve/solver.h"
+#include "solve/substeps/joint_network.h"
+#include "solve/substeps/patch_set.h"
+#include "solve/substeps/patch_steps.h"
+#include "solve/substeps/substep_contacts.h"
+
+namespace epode {
+namespace {
+
+// Joints: JointLanes or JointNetwork.
+template <typename Joints>
+class SmallSteps {
+  public:
+    SmallSteps(RowSystem& system, const Substeps& model, int n, Joints& joints)
+        : system_(system), model_(model), step_{system.h / Real(n), n}, joints_(joints)
+    {}
+
+    bool prepare(const SolverSettings& settings, Arena& arena)
+    {
+        // Numbers of the whole step become those of a small one.
+        const Real share = Real(1) / Real(step_.n);
+        for (RowNumbers& n : system_.numbers) {
+            n.p *= share;
+            if (n.parent < 0) n.lo *= share, n.hi *= share;
+        }
+        velocities_ = take_velocities(system_, arena);
+        if (velocities_.empty() || !joints_.pack(system_, arena)) return false;
+        load_velocities(system_, velocities_);
+        if (!joints_.follow(system_, step_, velocities_, arena)) return false;
+        if (!contacts_.prepare(system_, step_, settings.seed, arena)) return false;
+        if (!patches_.prepare(system_, step_, settings.tasks, arena)) return false;
+        if (settings.want_residual) {
+            before_ = arena.take<SolverBody>(int(system_.bodies.size()));
+            described_ = arena.take<RowNumbers>(int(system_.numbers.size()));
+            lo_ = arena.take<Real>(int(system_.numbers.size()));
+            hi_ = arena.take<Real>(int(system_.numbers.size()));
+            rows_ = arena.take<Row>(int(system_.rows.size()));
+            if (arena.failed()) return false;
+            std::copy(system_.numbers.begin(), system_.numbers.end(), described_.begin());
+        }
+        for (RowNumbers& n : system_.numbers) n.p = 0;  // from here on the sum
+        return !arena.failed();
+    }
+
+    bool run(const SolverSettings& settings, Arena& arena, SolveReport& report)
+    {
+        for (int i = 0; i < step_.n; ++i) {
+            const bool last = i == step_.n - 1;
+            correct(i > 0, last);
+            if (last && !before_.empty() && !measure(settings, arena, report)) return false;
+            move();
+            relax(last);
+        }
+        joints_.store_sums(system_.numbers);
+        store_velocities(velocities_, system_);
+        model_.settle(model_.model, system_);
+        model_.gather_contacts(model_.model, system_);
+        rebound_contacts();
+        if (!patches_.empty()) rebound_patches();
+        return true;
+    }
+
+  private:
+    void correct(bool moved, bool last)
+    {
+        model_.apply_forces(model_.model, velocities_.data(), step_.hs);
+        if (moved) model_.refresh(model_.model, system_);
+        if (last && !before_.empty()) save_bodies();
+        joints_.load_small_step(system_, step_, velocities_);
+        contacts_.apply_impulses(velocities_);
+        patches_.apply_impulses(velocities_);
+        if (Joints::kHasBothEnds) joints_.sweep(velocities_, {1, false});
+        contacts_.sweep(velocities_, false);
+        patches_.correct(velocities_);
+        joints_.sweep(velocities_, {1, false});  // what poses are to follow
+    }
+
+    void save_bodies()
+    {
+        store_velocities(velocities_, system_);
+        model_.settle(model_.model, system_);
+        std::copy(system_.bodies.begin(), system_.bodies.end(), before_.begin());
+    }
+
+    void move()
+    {
+        contacts_.follow_motion(velocities_);
+        patches_.follow_motion(velocities_);
+        model_.advance(model_.model, system_, velocities_.data(), step_.hs);
+    }
+
+    void relax(bool last)
+    {
+        joints_.sweep(velocities_, {1, true});
+        contacts_.sweep(velocities_, true);
+        patches_.relax(velocities_);
+        if (Joints::kHasBothEnds) joints_.sweep(velocities_, {1, true});
+        if (last) joints_.rebound(system_, velocities_);
+        joints_.sum_impulses();
+        contacts_.add_impulses(system_.numbers);
+    }
+
+    // Contacts in their order, those against what cannot move last, so that theirs is the last word.
+    void rebound_contacts()
+    {
+        for (const bool against_static : {false, true})
+            for (const RowBlock& block : system_.blocks) {
+                const Row& row = system_.rows[std::size_t(block.first)];
+                RowNumbers& n = system_.numbers[std::size_t(block.first)];
+                if (!block.contact || !row.rebounds || !(n.p > 0)) continue;
+                SolverBody& a = system_.bodies[std::size_t(block.body1)];
+                SolverBody* b = block.body2 >= 0 ? &system_.bodies[std::size_t(block.body2)] : nullptr;
+                if (against_static != (!b || !(a.inv_mass > 0) || !(b->inv_mass > 0))) continue;
+                const Real missing = row.rebound - row_velocity(row, a, b);
+                const Real d = row_mobility(row, a, b);
+                if (!(missing > 0) || !(d > 0)) continue;
+                apply_impulse(row, missing / d, a, b);
+                n.p += missing / d;
+            }
+    }
+
+    void rebound_patches()
+    {
+        load_velocities(system_, velocities_);
+        patches_.rebound(velocities_);
+        store_velocities(velocities_, system_);
+        patches_.store_impulses(system_.patches);
+    }
+
+    bool measure(const SolverSettings& settings, Arena& arena, SolveReport& report)
+    {
+        std::copy(system_.rows.begin(), system_.rows.end(), rows_.begin());
+        joints_.describe(described_, rows_);
+        contacts_.describe(described_);
+        RowSystem one = system_;
+        one.numbers = described_, one.rows = rows_;
+        one.frictions = contacts_.whole_frictions(arena);
+        const RowSystem all = one;
+        present_bounds(one, lo_, hi_);
+        report.residual = natural_residual(one, before_, lo_, hi_, arena);
+        for (int part = 0; part < int(system_.parts.size()) && report.residual >= 0; ++part) {
+            const int from = system_.begin_of(part).blocks, to = system_.end_of(part).blocks;
+            one.blocks = system_.blocks.subspan(std::size_t(from), std::size_t(to - from));
+            one.frictions = frictions_of(all, part);
+            settings.part_residuals[std::size_t(part)] = natural_residual(one, before_, lo_, hi_, arena);
+        }
+        return report.residual >= 0;
+    }
+
+    RowSystem& system_;
+    const Substeps& model_;
+    const Substep step_;
+    Joints& joints_;
+    SubstepContacts contacts_;
+    PatchSet patches_;
+    std::span<Velocity> velocities_;
+    std::span<SolverBody> before_;  // only when the residual is wanted
+    std::span<RowNumbers> described_;
+    std::span<Row> rows_;
+    std::span<Real> lo_, hi_;
+};
+
+// What there is without rows. False: there are rows.
+bool solve_without_rows(RowSystem& system, const SolverSettings& settings, Arena& arena, int n, bool& solved)
+{
+    if (!system.rows.empty()) return false;
+    solved = true;
+    const Substeps& model = *settings.substeps;
+    if (settings.patches) {
+        solved = solve_patches(system, settings, arena);
+        return true;
+    }
+    Arena::Scope scope(arena);
+    const auto velocities = take_velocities(system, arena);
+    solved = !arena.failed();
+    if (!solved) return true;
+    load_velocities(system, velocities);
+    for (int i = 0; i < n; ++i) {  // free bodies move in small steps too: their rotation is better for it
+        model.apply_forces(model.model, velocities.data(), system.h / Real(n));
+        model.advance(model.model, system, velocities.data(), system.h / Real(n));
+    }
+    store_velocities(velocities, system);
+    model.settle(model.model, system);
+    return true;
+}
+
+template <typename Joints>
+bool run(RowSystem& system, const SolverSettings& settings, int n, Joints& joints, Arena& arena,
+         SolveReport& report)
+{
+    SmallSteps<Joints> steps(system, *settings.substeps, n, joints);
+    return steps.prepare(settings, arena) && steps.run(settings, arena, report);
+}
+
+bool solve_tgs(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
+{
+    const int n = std::max(1, settings.iterations);
+    report.method = dIslandMethodSmallSteps;
+    report.iterations = 2 * n;
+    bool solved;
+    if (solve_without_rows(system, settings, arena, n, solved)) return solved;
+    Arena::Scope scope(arena);
+    JointLanes joints(n);
+    return run(system, settings, n, joints, arena, report);
+}
+
+bool solve_network(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
+{
+    const int n = std::max(1, settings.iterations);
+    bool solved;
+    report.method = dIslandMethodSmallSteps;
+    report.iterations = 2 * n;
+    if (solve_without_rows(system, settings, arena, n, solved)) return solved;
+    Arena::Scope scope(arena);
+    JointNetwork joints;
+    if (!joints.plan(system, settings.plans, arena)) return false;
+    if (!joints.worth()) return solve_tgs(system, settings, arena, report);
+    report.method = dIslandMethodJointsExact;
+    solved = run(system, settings, n, joints, arena, report);
+    report.factorisations = joints.factorisations();
+    return solved;
+}
+
+}  // namespace
+
+const Solver kTgs{"tgs", true, false, false, false, true, true, Real(0.9), 4, solve_tgs};
+const Solver kNetwork{"network", true, false, false, false, true, true, Real(0.9), 4, solve_network};
+
+}  // namespace epode

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// dWorldQuickStep: a fixed number of projected SOR sweeps over
+//
+//   q_i = clip(p_i + W (c_i - J_i v - C_i p_i) / d_i, lo_i, hi_i),   d_i = J_i M^-1 J_i^T + C_i
+//
+// with friction limits that follow their parent's present impulse. Joints come first, forwards and backwards
+// by turns, which carries an impulse through a chain in both directions; then contacts, each one's normal
+// before its tangents, in a new random order in every sweep: any fixed order tilts a stack a little, always
+// to the same side, and a stack at rest trembles twice as much for it. ODE shuffles every eight sweeps, from
+// the process-wide dRand; here the numbers are a function of the step and the island.
+// Over-relaxation carries impulses far but leaves the last row visited too much: the second half of
+// the sweeps over contacts is made with W = 1, which lets that settle (a third less trembling of 1,000
+// boxes).
+#include <algorithm>
+
+#include "solve/common/contact_rows.h"
+#include "solve/common/residual.h"
+#include "solve/joints/joint_lanes.h"
+#include "solve/solver.h"
+#include "solve/sweeps/quick_contacts.h"
+#include "solve/sweeps/row_sweep.h"
+
+namespace epode {
+namespace {
+
+constexpr int kCalmShare = 2;  // the second half of the sweeps
+
+struct Sweeps {
+    ContactRows rows;  // contacts that came as rows
+    QuickContacts contacts;
+    JointLanes joints;
+    RowSweep others;  // contacts of other kinds
+
+    explicit Sweeps(const SolverSettings& settings) : joints(settings.iterations) {}
+
+    bool pack(const RowSystem& system, const SolverSettings& settings, Arena& arena)
+    {
+        auto taken = arena.take<bool>(int(system.blocks.size()));
+        if (arena.failed()) return false;
+        if (system.contacts.points.empty()) {
+            if (!rows.gather(system, taken, arena)) return false;
+        } else {
+            std::fill(taken.begin(), taken.end(), false);
+        }
+        if (!joints.pack(system, arena)) return false;
+        joints.load(system);
+        for (std::size_t i = 0; i < taken.size(); ++i) taken[i] = taken[i] || !system.blocks[i].contact;
+        if (!others.pack(system, settings.w, taken, arena)) return false;
+        const bool alone = joints.in_floats() && others.blocks().empty();
+        return contacts.pack(system, manifolds(system), settings, alone, arena);
+    }
+
+    // The contacts as manifolds, however they came.
+    const ManifoldList& manifolds(const RowSystem& system) const
+    {
+        return system.contacts.points.empty() ? rows.list() : system.contacts;
+    }
+
+    void store_impulses(RowSystem& system) const
+    {
+        joints.store_impulses(system.numbers);
+        others.store_impulses(system.numbers);
+        contacts.store_impulses(manifolds(system).points);
+        rows.for_each_impulse([&](int row, Real p) { system.numbers[std::size_t(row)].p = p; });
+    }
+
+    void run(std::span<Velocity> bodies, const SolverSettings& settings)
+    {
+        const int iterations = settings.iterations;
+        const Real w = settings.w;
+        CounterRandom random(settings.seed);
+        const int calm = w > 1 ? iterations - iterations / kCalmShare : iterations;
+        joints.apply_impulses(bodies);
+        others.apply_impulses(bodies);
+        contacts.begin(bodies);
+        for (int i = 0; i < iterations; ++i) {
+            if (i == calm) contacts.relax_by(1 / w);
+            if (const auto floats = contacts.floats(); floats.empty())
+                joints.sweep(bodies, {w, false});
+            else
+                joints.sweep(floats, {w, false});
+            others.sweep(bodies, i % 2 != 0);
+            contacts.sweep(bodies, random);
+        }
+        contacts.end(bodies);
+    }
+};
+
+// The blocks whose bodies belong to the part, moved to the front of the others.
+std::span<RowBlock> blocks_of(const RowSystem& system, std::size_t part)
+{
+    const int from = part > 0 ? system.parts[part - 1].bodies : 0, to = system.parts[part].bodies;
+    const auto end =
+        std::partition(system.blocks.begin(), system.blocks.end(),
+                       [from, to](const RowBlock& b) { return b.body1 >= from && b.body1 < to; });
+    return {system.blocks.begin(), end};
+}
+
+bool find_residuals(const RowSystem& given, const SolverSettings& settings,
+                    std::span<const SolverBody> before, std::span<const WholeFriction> frictions,
+                    Arena& arena, SolveReport& report)
+{
+    RowSystem system;
+    if (!expand_manifolds(given, arena, system)) return false;
+    system.frictions = frictions;
+    auto lo = arena.take<Real>(int(system.rows.size()));
+    auto hi = arena.take<Real>(int(system.rows.size()));
+    if (arena.failed()) return false;
+    present_bounds(system, lo, hi);
+    report.residual = natural_residual(system, before, lo, hi, arena);
+    for (std::size_t part = 0; part < system.parts.size() && report.residual >= 0; ++part) {
+        RowSystem one = system;
+        one.blocks = blocks_of(system, part);
+        one.frictions = frictions_of(system, int(part));
+        settings.part_residuals[part] = natural_residual(one, before, lo, hi, arena);
+    }
+    return report.residual >= 0;
+}
+
+bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
+{
+    report.method = dIslandMethodSweeps;
+    report.iterations = std::max(settings.iterations, 0);
+    if (system.rows.empty() && system.contacts.points.empty()) return true;
+    if (settings.iterations <= 0) {  // ODE's meaning: constraints without effect
+        for (RowNumbers& n : system.numbers) n.p = 0;
+        for (ManifoldPoint& point : system.contacts.points)
+            for (Real& p : point.p) p = 0;
+        return true;
+    }
+    Arena::Scope scope(arena);
+    std::span<SolverBody> before;
+    if (settings.want_residual) {
+        before = arena.take<SolverBody>(int(system.bodies.size()));
+        if (before.empty()) return false;
+        std::copy(system.bodies.begin(), system.bodies.end(), before.begin());
+    }
+    Sweeps sweeps(settings);
+    auto velocities = take_velocities(system, arena);
+    if (velocities.empty() || !sweeps.pack(system, settings, arena)) return false;
+    load_velocities(system, velocities);
+    sweeps.run(velocities, settings);
+    store_velocities(velocities, system);
+    sweeps.store_impulses(system);
+    if (!settings.want_residual) return true;
+    const auto frictions = sweeps.contacts.whole_frictions(arena);
+    return find_residuals(system, settings, before, frictions, arena, report);
+}
+
+}  // namespace
+
+const Solver kQuick{"quick", false, false, false, true, true, false, Real(0.6), 5, solve_quick};
+
+}  // namespace epode
