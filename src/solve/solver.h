@@ -41,14 +41,16 @@ struct SolveReport {
 
 struct Solver {
     const char* name;
-    bool substeps;       // advances poses itself through SolverSettings::substeps
-    bool needs_inertia;  // reads SolverBody::mass and inertia, not only the inverses
-    bool inner_tasks;    // has work for several workers in one large island
-    bool manifolds;      // takes RowSystem::contacts and parts; others are given rows only
-    bool cones;          // knows RowSystem::cone and manifold_friction
-    bool takes_patches;  // solves RowSystem::patches, and parts; others want rows
-    Real warm_share;  // of the last step's impulses that it starts from when the world asks for warm starting
-    int settling_factor;  // so many times the iterations for islands that settle; 1: its answer needs no more
+    bool substeps = false;       // advances poses itself through SolverSettings::substeps
+    bool needs_inertia = false;  // reads SolverBody::mass and inertia, not only the inverses
+    bool inner_tasks = false;    // has work for several workers in one large island
+    bool manifolds = false;      // takes RowSystem::contacts and parts; others are given rows only
+    bool cones = false;          // knows RowSystem::cone and manifold_friction
+    bool takes_patches = false;  // solves RowSystem::patches, and parts; others want rows
+    Real warm_share =
+        1;  // of the last step's impulses that it starts from when the world asks for warm starting
+    int settling_factor =
+        1;  // so many times the iterations for islands that settle; 1: its answer needs no more
     // False: out of memory, nothing usable was computed.
     bool (*solve)(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report);
 };

@@ -174,6 +174,6 @@ bool solve_direct(RowSystem& system, const SolverSettings& settings, Arena& aren
 
 }  // namespace
 
-const Solver kDirect{"direct", false, true, true, false, false, false, 1, 1, solve_direct};
+const Solver kDirect{.name = "direct", .needs_inertia = true, .inner_tasks = true, .solve = solve_direct};
 
 }  // namespace epode

@@ -248,7 +248,19 @@ bool solve_network(RowSystem& system, const SolverSettings& settings, Arena& are
 
 }  // namespace
 
-const Solver kTgs{"tgs", true, false, false, false, true, true, Real(0.9), 4, solve_tgs};
-const Solver kNetwork{"network", true, false, false, false, true, true, Real(0.9), 4, solve_network};
+const Solver kTgs{.name = "tgs",
+                  .substeps = true,
+                  .cones = true,
+                  .takes_patches = true,
+                  .warm_share = Real(0.9),
+                  .settling_factor = 4,
+                  .solve = solve_tgs};
+const Solver kNetwork{.name = "network",
+                      .substeps = true,
+                      .cones = true,
+                      .takes_patches = true,
+                      .warm_share = Real(0.9),
+                      .settling_factor = 4,
+                      .solve = solve_network};
 
 }  // namespace epode

@@ -151,6 +151,11 @@ bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena
 
 }  // namespace
 
-const Solver kQuick{"quick", false, false, false, true, true, false, Real(0.6), 5, solve_quick};
+const Solver kQuick{.name = "quick",
+                    .manifolds = true,
+                    .cones = true,
+                    .warm_share = Real(0.6),
+                    .settling_factor = 5,
+                    .solve = solve_quick};
 
 }  // namespace epode
