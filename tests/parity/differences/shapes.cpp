@@ -243,6 +243,31 @@ DIFFERENCE(C30, apart, "a convex and a cylinder that are apart have no contact")
     return wrong == 0;
 }
 
+DIFFERENCE(C40, parts, "boxes that touch still do when moved apart by 0.96 of the depth of dBoxBox")
+{
+    Dice dice;
+    int touching = 0, wrong = 0;
+    for (int i = 0; i < 100000; ++i) {
+        const dGeomID a = dCreateBox(nullptr, 1, 1, 1), b = dCreateBox(nullptr, 1, 1, 1);
+        turn_at_random(a, dice), turn_at_random(b, dice);
+        const dVector3 here = {0, 0, 0, 0}, side1 = {dice.in(0.1, 2), dice.in(0.1, 2), dice.in(0.1, 2), 0},
+                       side2 = {dice.in(0.1, 2), dice.in(0.1, 2), dice.in(0.1, 2), 0};
+        dVector3 there = {dice.in(-1, 1), dice.in(-1, 1), dice.in(-1, 1), 0}, normal;
+        dReal depth = 0;
+        int code = 0;
+        dContactGeom contacts[8];
+        if (dBoxBox(here, dGeomGetRotation(a), side1, there, dGeomGetRotation(b), side2, normal, &depth,
+                    &code, 8, contacts, sizeof(dContactGeom))) {
+            ++touching;
+            for (int k = 0; k < 3; ++k) there[k] += 0.96 * depth * normal[k];
+            wrong += !dBoxTouchesBox(here, dGeomGetRotation(a), side1, there, dGeomGetRotation(b), side2);
+        }
+        dGeomDestroy(a), dGeomDestroy(b);
+    }
+    note("touching", touching), note("wrong", wrong);
+    return touching > 1000 && wrong == 0;
+}
+
 DIFFERENCE(C37, scaled, "a quaternion of another length does not scale a geom")
 {
     const dGeomID box = dCreateBox(nullptr, 1, 1, 1);
