@@ -20,7 +20,9 @@ namespace epode {
 namespace {
 
 constexpr Real kFaceMargin = Real(1e-5);  // of the sizes
-constexpr unsigned kThree = 7;            // lanes 0 to 2
+// Of the squared sine between edges that are parallel: what is left of it, 1 - cos^2, must have digits.
+constexpr Real kParallel = kSingle ? Real(1e-3) : Real(1e-6);
+constexpr unsigned kThree = 7;  // lanes 0 to 2
 
 // The best axis so far.
 struct Search {
@@ -124,8 +126,8 @@ bool Axes::offer_edges(int i, unsigned those, const Quad& overlap, const Quad& a
     for (; those; those &= those - 1) {
         const int j = __builtin_ctz(those);
         const Real sine2 = 1 - c[j] * c[j];
-        if (sine2 < Real(1e-6)) continue;  // parallel edges: a face direction does as well
-        if (over[j] > s.score) continue;   // times |L| = sqrt(sine2) <= 1: cannot win, nor part
+        if (sine2 < kParallel) continue;  // parallel edges: a face direction does as well
+        if (over[j] > s.score) continue;  // times |L| = sqrt(sine2) <= 1: cannot win, nor part
         if (!s.offer(over[j] / std::sqrt(sine2), kEdgeHandicap, on[j], 7 + 3 * i + j, touch,
                      kFaceMargin * size))
             return false;
