@@ -22,7 +22,8 @@ PARTS = {"objects": "dynamics", "contact": "dynamics", "objects_joints": "joint_
          "collision_space": "collision", "collision_trimesh": "collision", "mass": "mathematics",
          "rotation": "mathematics", "odemath": "mathematics", "matrix": "mathematics", "matrix_coop": "mathematics",
          "misc": "mathematics",
-         "compatibility": "names", "ext": "names", "drawstuff": "drawing"}
+         "report": "dynamics", "step_options": "dynamics", "steppers": "dynamics", "contacts": "dynamics", "shapes": "collision",
+         "queries": "collision", "compatibility": "names", "ext": "names", "drawstuff": "drawing"}
 GUIDE_JOINTS = "joint types and joint functions"
 GUIDE_NAMES = check_docs.guide_names()
 CHAPTERS = check_docs.all_chapters()

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What a step did: sums over the world, and island by island. Included by ode/ext.h.
+#ifndef _ODE_REPORT_H_
+#define _ODE_REPORT_H_
+
+#include <ode/common.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** @chapter report Step reports
+
+    Arguments:
+    - world: the world.
+
+    Refused: a world that is 0 or destroyed; null pointers; what each function
+    names. Nothing changes then, and the answer is 0. */
+
+/** What the last step of a world did. Sums and worst values over its islands. Lengths in m, angles in
+    rad, energies in J. */
+typedef struct dWorldStepReport {
+    unsigned struct_size;     /**< sizeof(dWorldStepReport), set by the caller */
+    int islands;              /**< islands that were simulated */
+    int bodies;               /**< bodies in them */
+    int joints;               /**< joints in them that gave at least one row */
+    int rows;                 /**< constraint rows, all islands together */
+    double residual;          /**< worst natural residual over the islands, relative; 0 = solved exactly */
+    int iterations;           /**< solver iterations, or pivots of the exact solver, summed over islands */
+    int fallbacks;            /**< islands that needed a more careful method than the first one */
+    int contained_islands;    /**< islands kept from spreading bad numbers: velocities kept, forces zero */
+    int factorisations;       /**< sparse factorisations, summed over islands */
+    double joint_error;       /**< worst distance that a joint should hold at zero, at the step's beginning */
+    double joint_angle_error; /**< the same for angles, rad */
+    double penetration;       /**< deepest contact beyond the surface layer, at the step's beginning */
+    double energy_before;     /**< kinetic energy plus that of weight, at the step's beginning */
+    double energy_after;      /**< the same at its end, before the bodies' own damping */
+    int projections;          /**< Newton steps of dWorldSetStepProjection, summed over islands */
+    int projections_open;     /**< islands that they left above the tolerance */
+    double projection_error;  /**< worst error that they left, in the unit of the tolerance */
+    int stopped;              /**< bodies that continuous collision (dGeomSetContinuous) has stopped */
+} dWorldStepReport;
+
+/** How an island was solved. */
+typedef enum {
+    dIslandMethodNone,       /**< nothing to solve */
+    dIslandMethodDense,      /**< exact: active set on the dense matrix of a small island */
+    dIslandMethodActiveSet,  /**< exact: active set on the sparse matrix */
+    dIslandMethodInterior,   /**< exact: interior point, then the active set from its answer */
+    dIslandMethodSweeps,     /**< dWorldQuickStep */
+    dIslandMethodSmallSteps, /**< dWorldStepFast1 */
+    dIslandMethodJointsExact /**< small steps with all joints solved together */
+} dIslandMethod;
+
+/** What the last step did with one island. Fields as in dWorldStepReport. */
+typedef struct dIslandStepReport {
+    unsigned struct_size;     /**< sizeof(dIslandStepReport), set by the caller */
+    int method;               /**< one of dIslandMethod */
+    dBodyID body;             /**< a body of the island; it may have been destroyed since the step */
+    int bodies;               /**< its bodies */
+    int joints;               /**< its joints that gave at least one row */
+    int rows;                 /**< its constraint rows */
+    int iterations;           /**< as in dWorldStepReport, as are those below without a text of their own */
+    int factorisations;       /**< see dWorldStepReport */
+    int fallback;             /**< 1: needed a more careful method than the first one */
+    int contained;            /**< 1: kept from spreading bad numbers */
+    double residual;          /**< see dWorldStepReport */
+    double joint_error;       /**< see dWorldStepReport */
+    double joint_angle_error; /**< see dWorldStepReport */
+    double penetration;       /**< see dWorldStepReport */
+    double energy_before;     /**< see dWorldStepReport */
+    double energy_after;      /**< see dWorldStepReport */
+    int projections;          /**< see dWorldStepReport */
+    int projection_open;      /**< 1: left above the tolerance */
+    double projection_error;  /**< see dWorldStepReport */
+    int stopped;              /**< see dWorldStepReport */
+} dIslandStepReport;
+
+/** - dWorldSetStepReportMode: Switch the report of steps on (mode 1) or off (0, the default). Off costs
+      nothing; on costs one more evaluation of the residual per step. Other values are refused.
+    - dWorldGetStepReportMode: 1 if steps are reported, else 0. [ours] */
+ODE_API void dWorldSetStepReportMode(dWorldID world, int mode);
+ODE_API int dWorldGetStepReportMode(dWorldID world);
+
+/** Copy the report of the world's last step. The caller sets report->struct_size; as many bytes as that
+    are written, so an older program keeps working with a newer library. Returns 1, or 0 when the
+    mode is off, no step has been made since it was switched on, or the call is refused (null
+    argument, struct_size smaller than itself). [ours] */
+ODE_API int dWorldGetStepReport(dWorldID world, dWorldStepReport* report);
+
+/** Write to *report what the last step did in one island, 0 <= island < dWorldStepReport::islands, in the
+   order in which ODE finds them: from the youngest body on. Another index is refused. [ours] */
+ODE_API int dWorldGetIslandStepReport(dWorldID world, int island, dIslandStepReport* report);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
