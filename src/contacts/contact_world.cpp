@@ -336,8 +336,11 @@ void ContactWorld::collide_pairs(const World& world, Real h, const Tasks& tasks)
 {
     // Functions of the program are called by the caller's thread, and first; they are asked about the present
     // only.
-    NarrowSettings settings{
-        world.contact_layer > 0 ? world.contact_layer : kDefaultLayer, {h, world.gravity}, false};
+    const bool chosen = world.contact_layer > 0;
+    NarrowSettings settings{.layer = chosen ? world.contact_layer : kDefaultLayer,
+                            .layer_fits = !chosen,
+                            .soon = {h, world.gravity},
+                            .foresees = false};
     ContactPair* pairs = fresh_.pairs.data();
     const int count = fresh_.pairs.size();
     for (ContactPair& pair : fresh_.pairs)

@@ -15,6 +15,7 @@ namespace epode {
 namespace {
 
 constexpr Real kReuse = Real(0.02);         // of the size, for patches that miss nothing
+constexpr Real kLayerShare = Real(1e-3);    // of the size, the layer at most where nobody has set it
 constexpr Real kReuseLayer = Real(0.25);    // of the layer, for others
 constexpr Real kSwift = Real(0.02);         // of the size, a way in one step
 constexpr Real kNear = Real(0.3);           // of the size, at most, for points that do not touch yet
@@ -83,6 +84,11 @@ class PairUpdate {
         if (size_ < 0) size_ = size_of(g1_, g2_);
         return size_;
     }
+    // What the program has asked for; else it is small beside the smaller geom, too.
+    Real layer() const
+    {
+        return settings_.layer_fits ? std::min(settings_.layer, kLayerShare * size()) : settings_.layer;
+    }
     bool can_be_parted() const { return settings_.foresees && is_solid(g1_) && is_solid(g2_); }
 
     // Now and at the end of the step, along the direction of the step before or another one.
@@ -114,7 +120,7 @@ class PairUpdate {
         if (was.changes != changes() || may_have_changed()) return false;
         const bool full = knows_corners() || (pair_.most == 1 && old[0].patch.count == kPatchPoints);
         const Real size = this->size();
-        const Real most = full ? kReuse * size : kReuseLayer * settings_.layer;
+        const Real most = full ? kReuse * size : kReuseLayer * layer();
         const Mat3 turn = {widen(was.turn[0]), widen(was.turn[1]), widen(was.turn[2])};
         // |R - R'| in the sense of Frobenius is 2 sqrt(2) sin(angle / 2).
         Real turned2 = 0;
@@ -148,9 +154,9 @@ class PairUpdate {
     bool place(const KeptPatch& was, KeptPatch& part)
     {
         part.origin = x1_;
-        part.layer = float(settings_.layer);
+        part.layer = float(layer());
         const bool touches =
-            place_points(pose1_, pose2_, x1_, pair_.body2 ? &x2_ : nullptr, settings_.layer, was, part.patch);
+            place_points(pose1_, pose2_, x1_, pair_.body2 ? &x2_ : nullptr, layer(), was, part.patch);
         combine_materials(g1_, g2_, part.patch);
         return touches;
     }
@@ -177,7 +183,7 @@ class PairUpdate {
     }
 
     // Is it worth while to look where the two will be?
-    bool draws_near() const { return settings_.foresees && way() > settings_.layer; }
+    bool draws_near() const { return settings_.foresees && way() > layer(); }
 
     // Of the smaller one's surface in the frame of the other, in the step.
     Real way() const
@@ -207,8 +213,7 @@ class PairUpdate {
             const Vec3 u = way1 + turn_of(pair_.body1, r1) - way2 - turn_of(pair_.body2, r2);
             point.r1 = narrow(r1);
             point.r2 = narrow(pair_.body2 ? r2 : Vec3{});
-            point.gap =
-                float(Real(part.found.anchors.gap[i]) + settings_.layer - dot(widen(part.patch.normal), u));
+            point.gap = float(Real(part.found.anchors.gap[i]) + layer() - dot(widen(part.patch.normal), u));
         }
     }
 

@@ -18,7 +18,8 @@
 namespace epode {
 
 struct NarrowSettings {
-    Real layer;  // allowed depth, m
+    Real layer;       // allowed depth, m
+    bool layer_fits;  // is made smaller for small geoms: nobody has chosen it
     Foresight soon;
     bool foresees;  // what does not touch yet is looked at where it will be
 };

@@ -3,7 +3,7 @@
 //
 // The rules of the model, in their order:
 //   nothing but free motion       small steps: what flies shall not change its ways when it lands
-//   contacts only                 small steps; exact if masses differ a lot and it is cheap
+//   contacts only                 small steps; exact if cheap, for unequal masses and small stacks
 //   what hangs and swings fast    small steps with exact joints
 //   joints only                   exact: linear, and nothing is iterated
 //   joints and contacts           exact if cheap, else small steps with exact joints
@@ -16,10 +16,11 @@
 namespace epode {
 namespace {
 
-constexpr double kBudget = 200;              // microseconds that an exact step may cost
-constexpr double kJointsBudget = 2000;       // without contacts
-constexpr double kStay = 2;                  // times the budget for those who were exact
-constexpr double kUnequal = 20;              // ratio of masses
+constexpr double kBudget = 200;         // microseconds that an exact step may cost
+constexpr double kJointsBudget = 2000;  // without contacts
+constexpr double kStay = 2;             // times the budget for those who were exact
+constexpr double kUnequal = 20;         // ratio of masses
+constexpr double kSmall = 1e-3;         // fall in a small step over the radius of gyration, of small bodies
 constexpr int kGuess = 8, kGuessJoints = 2;  // factorisations, of those who remember none
 
 struct Structure {
@@ -28,6 +29,7 @@ struct Structure {
     int pairs = 0;  // of bodies that move
     double lightest = 0, heaviest = 0, mass = 0;
     double arm = 0;     // the least m r
+    double radius = 0;  // the least radius of gyration
     bool hung = false;  // a joint holds on to what does not move
 
     double rows() const { return 5.0 * joints + 3.0 * contacts; }
@@ -47,6 +49,7 @@ void add_bodies(const Island& island, Structure& s)
         const double arm =
             std::sqrt(mass * double(body->inertia.xx + body->inertia.yy + body->inertia.zz) / 3);
         s.arm = s.bodies ? std::min(s.arm, arm) : arm;
+        s.radius = s.bodies ? std::min(s.radius, arm / mass) : arm / mass;
         s.mass += mass;
         ++s.bodies;
     }
@@ -105,9 +108,22 @@ bool swings_too_fast(const Structure& s, const World& world, Real h)
     return s.hung && s.mass * double(length(world.gravity) * h * h) > s.arm;
 }
 
-const Solver& by_model(const Structure& s, const History& history)
+// By Froude's law times go by the root of lengths, so a stack of small bodies topples as fast as a large one
+// does in longer steps, and one sweep in a substep no longer holds it up.
+bool is_stack_of_small(const Structure& s, const World& world, Real h)
 {
-    if (s.joints == 0 && (s.contacts == 0 || s.ratio() < kUnequal)) return kTgs;
+    const double hs = double(h) / world.hybrid_small_steps;
+    return s.pairs > 0 && double(length(world.gravity)) * hs * hs > kSmall * s.radius;
+}
+
+bool iterates_well(const Structure& s, const World& world, Real h)
+{
+    return s.contacts == 0 || (s.ratio() < kUnequal && !is_stack_of_small(s, world, h));
+}
+
+const Solver& by_model(const Structure& s, const History& history, const World& world, Real h)
+{
+    if (s.joints == 0 && iterates_well(s, world, h)) return kTgs;
     const double budget = (s.contacts == 0 ? kJointsBudget : kBudget) * (history.exact ? kStay : 1);
     if (exact_cost(s, history) <= budget) return kDirect;
     return s.joints > 0 ? kNetwork : kTgs;
@@ -142,7 +158,7 @@ const Solver& choose_solver(const World& world, const Island& island, Real h)
     if (const Solver* wished = solver_named(history.wish)) return *wished;
     if (const Solver* wanted = solver_named(world.hybrid_stepper)) return *wanted;
     const Structure structure = structure_of(island);
-    return swings_too_fast(structure, world, h) ? kNetwork : by_model(structure, history);
+    return swings_too_fast(structure, world, h) ? kNetwork : by_model(structure, history, world, h);
 }
 
 void remember_choice(const Island& island, const Solver& solver, int factorisations)

@@ -109,10 +109,10 @@ constexpr std::uint64_t kGolden[kLongScenes][6] = {
      0x116f8f924fe0d4f9u},
     {0xd2257bf05ba82c12u, 0x7dd589e0a66ce4dau, 0x36af88215a80bd34u, 0x71e021ca4210f327u, 0xa3eac814f78d3a57u,
      0x171ecac2829ee0f9u},
-    {0x3cba79e9e872f149u, 0x2abe26fcd38cdfcau, 0xf64694cf3713f879u, 0x458a0e5ca307d204u, 0x518032f9b1bfceabu,
+    {0x3cba79e9e872f149u, 0x2abe26fcd38cdfcau, 0xf64694cf3713f879u, 0x4c3e723c633f42abu, 0x518032f9b1bfceabu,
      0x7dfeec9c2950a9f0u},
-    {0x115959e03f2d5f6eu, 0xf6bc8e382be526d4u, 0xaa4853f4152af0c3u, 0x7f11cd5b19e8381eu, 0x3e6f94e50c14173au,
-     0xcb1c243f63875a8du},
+    {0x115959e03f2d5f6eu, 0xf6bc8e382be526d4u, 0xaa4853f4152af0c3u, 0x2da51520ca1d2d81u, 0x0f507feea23b5c4du,
+     0x39f2f9f8ffc2fe27u},
     {0x3e65810f493564b5u, 0x78fcdfba5281d65du, 0x1bc5a72077788fa1u, 0xd55734a3efb8c3eeu, 0x791cea09b6070269u,
      0x15082898c42f6248u}};
 

@@ -76,7 +76,7 @@ class NarrowPhase : public testing::Test {
     Patch update(std::span<const KeptPatch> old)
     {
         ContactPair pair = cube_and_ground();
-        update_pair(pair, old, {kLayer, {Real(1) / 60, {}}, foresees}, &patch, nullptr);
+        update_pair(pair, old, {kLayer, false, {Real(1) / 60, {}}, foresees}, &patch, nullptr);
         EXPECT_EQ(pair.count, 1);
         return patch.patch;
     }
@@ -89,7 +89,7 @@ class NarrowPhase : public testing::Test {
     bool keeps_points(Real along, Real turned)
     {
         ContactPair pair = cube_and_ground();
-        const NarrowSettings settings = {kLayer, {Real(1) / 60, {}}, foresees};
+        const NarrowSettings settings = {kLayer, false, {Real(1) / 60, {}}, foresees};
         KeptPatch before[kSurfacePatches], after[kSurfacePatches];
         place_cube(0, 0);
         update_pair(pair, {}, settings, before, nullptr);
