@@ -83,8 +83,9 @@ ODE_API int dWorldGetManifoldFriction(dWorldID world);
       step, which satisfies the constraints; a body on which none has acted reads that of the end. Gyroscopic
       mode off (dBodySetGyroscopicMode) leaves the torque out and keeps the exact turn; a finite rotation
       axis (dBodySetFiniteRotationAxis in finite mode) still splits the turn as the program asked; the
-      largest angular speed cuts in as always. dWorldStepFast1 is not affected: its small steps turn as
-      before. Costs about 0.4 microseconds per body. Other values are refused, as is a call during a step.
+      largest angular speed cuts in as always. In small steps it acts on free bodies; those under joints
+      or contacts turn as before. Costs about 0.4 microseconds per body. Other values are refused, as is a
+      call during a step.
     - dWorldGetExactRotation: The mode that dWorldSetExactRotation has set, 0 at first. [ours] */
 ODE_API void dWorldSetExactRotation(dWorldID world, int mode);
 ODE_API int dWorldGetExactRotation(dWorldID world);

@@ -8,6 +8,7 @@
 #include "dynamics/integrate.h"
 #include "step/assemble.h"
 #include "step/exact_substeps.h"
+#include "step/free_flight.h"
 #include "step/patch_rows.h"
 #include "step/report.h"
 #include "step/substeps.h"
@@ -104,8 +105,11 @@ class IslandStep {
 
     void accept(const Tasks& tasks, std::span<dIslandStepReport> reports)
     {
-        for (int part = 0; divided() && part < work_.system.worlds(); ++part)
-            if (!sound(work_.system, part)) silence(part, reports);
+        for (int part = 0; part < work_.system.worlds(); ++part)
+            if (divided() && !sound(work_.system, part))
+                silence(part, reports);
+            else if (context_.solver.substeps && is_free(part))
+                fly_freely(part);
         if (!divides()) write_back(work_, tasks);
         remember_contacts();
         if (!context_.solver.takes_patches) store_patch_impulses(work_);
@@ -136,6 +140,24 @@ class IslandStep {
     bool projects() const { return exact_ && world_.projection_iterations > 0; }
     bool divides() const { return exact_ && world_.exact_substeps > 1; }
     bool divided() const { return !work_.system.parts.empty(); }
+
+    bool is_free(int part) const
+    {
+        const SystemPart from = work_.system.begin_of(part), to = work_.system.end_of(part);
+        return from.blocks == to.blocks && from.manifolds == to.manifolds && from.patches == to.patches;
+    }
+
+    void fly_freely(int part)
+    {
+        const SystemPart from = work_.system.begin_of(part), to = work_.system.end_of(part);
+        for (int i = from.bodies; i < to.bodies; ++i) {
+            Body& body = *work_.island.bodies[std::size_t(i)];
+            if (!flies_by_itself(world_, body)) continue;
+            context_.undo.restore_poses(slice(work_.island.bodies, i, i + 1));
+            fly(world_, body, context_.h, std::max(1, iterations()));
+            load_velocity(body, work_.system.bodies[std::size_t(i)]);
+        }
+    }
 
     // What is not a number in one part leaves the others alone: this one keeps its velocities, and its
     // constraints exert nothing.
