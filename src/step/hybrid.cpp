@@ -3,7 +3,7 @@
 //
 // The rules of the model, in their order:
 //   nothing but free motion       small steps: what flies shall not change its ways when it lands
-//   contacts only                 small steps; exact if cheap, for unequal masses and small stacks
+//   contacts only                 small steps; exact if cheap, for unequal masses and stacks that topple
 //   what hangs and swings fast    small steps with exact joints
 //   joints only                   exact: linear, and nothing is iterated
 //   joints and contacts           exact if cheap, else small steps with exact joints
@@ -16,11 +16,12 @@
 namespace epode {
 namespace {
 
-constexpr double kBudget = 200;         // microseconds that an exact step may cost
-constexpr double kJointsBudget = 2000;  // without contacts
-constexpr double kStay = 2;             // times the budget for those who were exact
-constexpr double kUnequal = 20;         // ratio of masses
-constexpr double kSmall = 1e-3;         // fall in a small step over the radius of gyration, of small bodies
+constexpr double kBudget = 200;              // microseconds that an exact step may cost
+constexpr double kLinearBudget = 2000;       // without contacts, and of stacks without loops
+constexpr double kStay = 2;                  // times the budget for those who were exact
+constexpr double kUnequal = 20;              // ratio of masses
+constexpr double kSmall = 1e-3;              // fall in a substep over the radius of gyration, of small bodies
+constexpr double kTall = 0.4;                // the same times (height / radius)^2, of tall stacks
 constexpr int kGuess = 8, kGuessJoints = 2;  // factorisations, of those who remember none
 
 struct Structure {
@@ -28,9 +29,10 @@ struct Structure {
     int joints = 0, contacts = 0;
     int pairs = 0;  // of bodies that move
     double lightest = 0, heaviest = 0, mass = 0;
-    double arm = 0;     // the least m r
-    double radius = 0;  // the least radius of gyration
-    bool hung = false;  // a joint holds on to what does not move
+    double arm = 0;             // the least m r
+    double radius = 0;          // the least radius of gyration
+    double deep = 0, high = 0;  // the extent of the centres along gravity, times it
+    bool hung = false;          // a joint holds on to what does not move
 
     double rows() const { return 5.0 * joints + 3.0 * contacts; }
     double loops() const { return std::max(0, pairs - bodies + 1); }
@@ -39,10 +41,13 @@ struct Structure {
 
 bool can_move(const Body* body) { return body && !body->kinematic(); }
 
-void add_bodies(const Island& island, Structure& s)
+void add_bodies(const World& world, const Island& island, Structure& s)
 {
     for (const Body* body : island.bodies) {
         if (body->kinematic()) continue;
+        const double depth = double(dot(world.gravity, body->position()));
+        s.deep = s.bodies ? std::max(s.deep, depth) : depth;
+        s.high = s.bodies ? std::min(s.high, depth) : depth;
         const double mass = double(body->mass.mass);
         s.lightest = s.bodies ? std::min(s.lightest, mass) : mass;
         s.heaviest = std::max(s.heaviest, mass);
@@ -55,10 +60,10 @@ void add_bodies(const Island& island, Structure& s)
     }
 }
 
-Structure structure_of(const Island& island)
+Structure structure_of(const World& world, const Island& island)
 {
     Structure s;
-    add_bodies(island, s);
+    add_bodies(world, island, s);
     const Body *last1 = nullptr, *last2 = nullptr;
     for (const Joint* joint : island.joints) {
         const Body *a = joint->body1(), *b = joint->body2();
@@ -108,23 +113,27 @@ bool swings_too_fast(const Structure& s, const World& world, Real h)
     return s.hung && s.mass * double(length(world.gravity) * h * h) > s.arm;
 }
 
-// By Froude's law times go by the root of lengths, so a stack of small bodies topples as fast as a large one
-// does in longer steps, and one sweep in a substep no longer holds it up.
-bool is_stack_of_small(const Structure& s, const World& world, Real h)
+// Does a sweep in a substep not hold the stack up? By Froude's law times go by the root of lengths, so small
+// bodies topple as fast as large ones do in longer steps; and errors travel a link a sweep, so that what a
+// tower of n needs grows as n^2. Cubes of 1 m fall from 16 on (0.57 for kTall), of 0.5 m from 14 on (0.84).
+bool topples(const Structure& s, const World& world, Real h)
 {
-    const double hs = double(h) / world.hybrid_small_steps;
-    return s.pairs > 0 && double(length(world.gravity)) * hs * hs > kSmall * s.radius;
+    if (s.pairs == 0) return false;
+    const double g = double(length(world.gravity)), hs = double(h) / world.hybrid_small_steps;
+    const double fall = g * hs * hs, height = g > 0 ? (s.deep - s.high) / g : 0;
+    return fall > kSmall * s.radius || fall * height * height > kTall * s.radius * s.radius * s.radius;
 }
 
 bool iterates_well(const Structure& s, const World& world, Real h)
 {
-    return s.contacts == 0 || (s.ratio() < kUnequal && !is_stack_of_small(s, world, h));
+    return s.contacts == 0 || (s.ratio() < kUnequal && !topples(s, world, h));
 }
 
 const Solver& by_model(const Structure& s, const History& history, const World& world, Real h)
 {
     if (s.joints == 0 && iterates_well(s, world, h)) return kTgs;
-    const double budget = (s.contacts == 0 ? kJointsBudget : kBudget) * (history.exact ? kStay : 1);
+    const bool linear = s.contacts == 0 || (s.joints == 0 && s.loops() == 0);
+    const double budget = (linear ? kLinearBudget : kBudget) * (history.exact ? kStay : 1);
     if (exact_cost(s, history) <= budget) return kDirect;
     return s.joints > 0 ? kNetwork : kTgs;
 }
@@ -157,7 +166,7 @@ const Solver& choose_solver(const World& world, const Island& island, Real h)
     const History history = history_of(island);
     if (const Solver* wished = solver_named(history.wish)) return *wished;
     if (const Solver* wanted = solver_named(world.hybrid_stepper)) return *wanted;
-    const Structure structure = structure_of(island);
+    const Structure structure = structure_of(world, island);
     return swings_too_fast(structure, world, h) ? kNetwork : by_model(structure, history, world, h);
 }
 
