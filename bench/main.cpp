@@ -121,7 +121,7 @@ CLI::App* add_spaces(CLI::App& app, epode::bench::SpaceOptions& options)
 CLI::App* add_worlds(CLI::App& app, epode::bench::WorldsOptions& options)
 {
     CLI::App* command =
-        app.add_subcommand("worlds", "many small worlds: a loop of single steps against dWorldStepMany");
+        app.add_subcommand("worlds", "many small worlds: a loop of single steps against dWorldsStep");
     command->add_option("--scene", options.scene, "one of `epode_bench scenes` (default S4)");
     command->add_option("--size", options.size, "of the scene (default 1)")->check(CLI::Range(1, 100'000));
     command->add_option("--worlds", options.worlds, "default 64")->check(CLI::Range(1, 100'000));

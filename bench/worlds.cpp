@@ -47,7 +47,7 @@ int number_of(const std::string& stepper) { return stepper == "exact" ? 1 : step
 
 bool run_round(Way& way, const WorldsOptions& options, double dt)
 {
-    static const StepMany step_many = find<StepMany>("dWorldStepMany");
+    static const StepMany step_many = find<StepMany>("dWorldsStep");
     const int count = int(way.worlds.size());
     for (int i = 0; i < options.steps; i += way.per_call) {
         if (way.threads == 0) {
@@ -79,8 +79,8 @@ int bench_worlds(const WorldsOptions& options)
 {
     const auto data = make_scene({options.scene, false, options.size, 0});
     const auto set_space = find<SetSpace>("dWorldSetContactSpace");
-    if (!data || !set_space || !find<StepMany>("dWorldStepMany")) {
-        fmt::print(stderr, "epode_bench: no such scene, or a library without dWorldStepMany\n");
+    if (!data || !set_space || !find<StepMany>("dWorldsStep")) {
+        fmt::print(stderr, "epode_bench: no such scene, or a library without dWorldsStep\n");
         return 1;
     }
     EngineOptions engine;

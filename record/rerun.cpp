@@ -165,7 +165,7 @@ bool is_absurd(const std::string& name, const std::vector<Argument>& given)
 }
 
 constexpr const char* kSteps[] = {"dWorldStep", "dWorldQuickStep", "dWorldStepFast1", "dWorldStepHybrid",
-                                  "dWorldStepMany"};
+                                  "dWorldsStep"};
 
 }  // namespace
 
@@ -325,7 +325,7 @@ int Rerun::parts_of_exact_steps() const
 
 void Rerun::set_iterations()
 {
-    static const auto substeps = reinterpret_cast<void (*)(dWorldID, int)>(find("dWorldSetHybridSmallSteps"));
+    static const auto substeps = reinterpret_cast<void (*)(dWorldID, int)>(find("dWorldSetHybridSubsteps"));
     dWorldSetQuickStepNumIterations(world_, options_.iterations);
     if (substeps) substeps(world_, std::min(options_.iterations, kMostSteps));
 }
@@ -333,8 +333,7 @@ void Rerun::set_iterations()
 bool Rerun::step(const std::string& name, const std::vector<Argument>& arguments)
 {
     using enum ArgumentKind;
-    const bool many =
-        name == "dWorldStepMany" && is(arguments, {kWorld, kNumber, kInteger, kInteger, kInteger});
+    const bool many = name == "dWorldsStep" && is(arguments, {kWorld, kNumber, kInteger, kInteger, kInteger});
     const bool fast = name == "dWorldStepFast1" && is(arguments, {kWorld, kNumber, kInteger});
     if (!many && !fast && !is(arguments, {kWorld, kNumber})) return refuse("a step of another kind");
     const dReal dt = dReal(arguments[1].number);

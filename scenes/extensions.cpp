@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Names and layouts of ode/ext.h, repeated here by hand because the headers of ODE itself do not have them.
-// struct_size guards the layout: the library fills no more than it is told there is room for.
+// struct_size guards the layout: the library takes and fills as many fields as it says.
 #include "scenes/extensions.h"
 
 #include <dlfcn.h>
@@ -21,17 +21,18 @@ struct RawStepReport {
 };
 
 struct RawMaterial {
+    unsigned struct_size;
     dReal friction, bounce, bounce_speed;
-    dVector3 velocity;
-    dReal rolling, softness, damping_time;
-    int friction_rule, bounce_rule, rolling_rule;
+    dVector3 surface_velocity;
+    dReal rolling_friction, compliance, damping_time;
+    int friction_rule, bounce_rule, rolling_friction_rule;
 };
 
 struct RawContact {
     dGeomID g1, g2;
     dVector3 pos, normal;
-    dReal depth, push;
-    dVector3 friction;
+    dReal depth, normal_force;
+    dVector3 friction_force;
 };
 
 template <class Function>
@@ -70,7 +71,7 @@ bool has_step_hybrid() { return find<Step>("dWorldStepHybrid") != nullptr; }
 int step_hybrid(dWorldID world, dReal dt, int substeps)
 {
     static const Step function = find<Step>("dWorldStepHybrid");
-    static const SetMode set_substeps = find<SetMode>("dWorldSetHybridSmallSteps");
+    static const SetMode set_substeps = find<SetMode>("dWorldSetHybridSubsteps");
     if (!function || !set_substeps) return 0;
     set_substeps(world, substeps);
     return function(world, dt);
@@ -88,7 +89,8 @@ void set_material(dGeomID geom, const dSurfaceParameters& surface)
 {
     static const GetMaterial get = find<GetMaterial>("dGeomGetMaterial");
     static const SetMaterial set = find<SetMaterial>("dGeomSetMaterial");
-    RawMaterial material;
+    RawMaterial material{};
+    material.struct_size = sizeof material;
     if (!get || !set || !get(geom, &material)) return;
     material.friction = surface.mu;
     if (surface.mode & dContactBounce) {
@@ -111,11 +113,11 @@ std::vector<ManagedContact> managed_contacts(dWorldID world)
         to.geom1 = from.g1;
         to.geom2 = from.g2;
         to.depth = double(from.depth);
-        to.push = double(from.push);
+        to.normal_force = double(from.normal_force);
         for (int k = 0; k < 3; ++k) {
             to.pos[k] = double(from.pos[k]);
             to.normal[k] = double(from.normal[k]);
-            to.friction[k] = double(from.friction[k]);
+            to.friction_force[k] = double(from.friction_force[k]);
         }
     }
     return contacts;
@@ -176,7 +178,7 @@ std::optional<StepReport> step_report(dWorldID world)
 
 bool set_warm_starting(dWorldID world, double factor)
 {
-    static const SetWarmStarting function = find<SetWarmStarting>("dWorldSetQuickStepWarmStarting");
+    static const SetWarmStarting function = find<SetWarmStarting>("dWorldSetStepWarmStarting");
     if (!function) return false;
     function(world, dReal(factor));
     return true;

@@ -33,8 +33,8 @@ struct ManagedContact {
     dGeomID geom1, geom2;
     double pos[3], normal[3];  // the normal points into geom1
     double depth;              // at the step's beginning; below 0: still apart then
-    double push;               // along the normal, N
-    double friction[3];        // on geom1, N
+    double normal_force;       // along the normal, N
+    double friction_force[3];  // on geom1, N
 };
 bool has_managed_contacts();
 void set_contact_space(dWorldID world, dSpaceID space);

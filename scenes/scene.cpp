@@ -210,7 +210,7 @@ void Scene::read_managed_contacts()
         for (int k = 0; k < 3; ++k) {
             to.pos[k] = from.pos[k];
             to.normal[k] = from.normal[k];
-            to.force[k] = from.push * from.normal[k] + from.friction[k];
+            to.force[k] = from.normal_force * from.normal[k] + from.friction_force[k];
         }
     }
 }

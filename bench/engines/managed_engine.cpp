@@ -72,7 +72,7 @@ class HybridEngine : public ManagedEngine {
     HybridEngine(const SceneData& data, const EngineOptions& options) : ManagedEngine(data, options)
     {
         find<SetNumber>("dWorldSetHybridStepper")(scene_.world(), number_of(options.stepper));
-        find<SetNumber>("dWorldSetHybridSmallSteps")(scene_.world(), std::max(options.iterations, 4));
+        find<SetNumber>("dWorldSetHybridSubsteps")(scene_.world(), std::max(options.iterations, 4));
     }
 
   private:

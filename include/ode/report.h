@@ -13,14 +13,19 @@ extern "C" {
 
 /** @chapter report Step reports
 
+    A report begins with struct_size, which the caller sets to sizeof of its structure. As many bytes are
+    written, so a program keeps working when a later library has more fields: those of an older, shorter
+    structure are filled and nothing behind them.
+
     Arguments:
     - world: the world.
 
-    Refused: a world that is 0 or destroyed; null pointers; what each function
-    names. Nothing changes then, and the answer is 0. */
+    Refused: a world that is 0 or destroyed; null pointers; [dWorldGet] a struct_size that is smaller than
+    the structure's first field or larger than this library's structure; what each function names. Nothing
+    changes then, and the answer is 0. */
 
-/** What the last step of a world did. Sums and worst values over its islands. Lengths in m, angles in
-    rad, energies in J. */
+/** What the last step of a world did. Sums and worst values over its islands. Lengths in m, angles in rad,
+    energies in J. */
 typedef struct dWorldStepReport {
     unsigned struct_size;     /**< sizeof(dWorldStepReport), set by the caller */
     int islands;              /**< islands that were simulated */
@@ -37,61 +42,60 @@ typedef struct dWorldStepReport {
     double penetration;       /**< deepest contact beyond the surface layer, at the step's beginning */
     double energy_before;     /**< kinetic energy plus that of weight, at the step's beginning */
     double energy_after;      /**< the same at its end, before the bodies' own damping */
-    int projections;          /**< Newton steps of dWorldSetStepProjection, summed over islands */
-    int projections_open;     /**< islands that they left above the tolerance */
-    double projection_error;  /**< worst error that they left, in the unit of the tolerance */
-    int stopped;              /**< bodies that continuous collision (dGeomSetContinuous) has stopped */
+    int projection_iterations;   /**< Newton steps of dWorldSetStepProjection, summed over islands */
+    int projections_unconverged; /**< islands that they left above the tolerance */
+    double projection_error;     /**< worst error that they left, in the unit of the tolerance */
+    int stopped_bodies;          /**< bodies that continuous collision (dGeomSetContinuous) has stopped */
 } dWorldStepReport;
 
 /** How an island was solved. */
 typedef enum {
-    dIslandMethodNone,       /**< nothing to solve */
-    dIslandMethodDense,      /**< exact: active set on the dense matrix of a small island */
-    dIslandMethodActiveSet,  /**< exact: active set on the sparse matrix */
-    dIslandMethodInterior,   /**< exact: interior point, then the active set from its answer */
-    dIslandMethodSweeps,     /**< dWorldQuickStep */
-    dIslandMethodSmallSteps, /**< dWorldStepFast1 */
-    dIslandMethodJointsExact /**< small steps with all joints solved together */
+    dIslandMethodNone,               /**< nothing to solve */
+    dIslandMethodDense,              /**< exact: active set on the dense matrix of a small island */
+    dIslandMethodActiveSet,          /**< exact: active set on the sparse matrix */
+    dIslandMethodInteriorPoint,      /**< exact: interior point, then the active set from its answer */
+    dIslandMethodSweeps,             /**< dWorldQuickStep */
+    dIslandMethodSubsteps,           /**< dWorldStepFast1 */
+    dIslandMethodSubstepsExactJoints /**< substeps with all joints solved together */
 } dIslandMethod;
 
 /** What the last step did with one island. Fields as in dWorldStepReport. */
 typedef struct dIslandStepReport {
-    unsigned struct_size;     /**< sizeof(dIslandStepReport), set by the caller */
-    int method;               /**< one of dIslandMethod */
-    dBodyID body;             /**< a body of the island; it may have been destroyed since the step */
-    int bodies;               /**< its bodies */
-    int joints;               /**< its joints that gave at least one row */
-    int rows;                 /**< its constraint rows */
-    int iterations;           /**< as in dWorldStepReport, as are those below without a text of their own */
-    int factorisations;       /**< see dWorldStepReport */
-    int fallback;             /**< 1: needed a more careful method than the first one */
-    int contained;            /**< 1: kept from spreading bad numbers */
-    double residual;          /**< see dWorldStepReport */
-    double joint_error;       /**< see dWorldStepReport */
-    double joint_angle_error; /**< see dWorldStepReport */
-    double penetration;       /**< see dWorldStepReport */
-    double energy_before;     /**< see dWorldStepReport */
-    double energy_after;      /**< see dWorldStepReport */
-    int projections;          /**< see dWorldStepReport */
-    int projection_open;      /**< 1: left above the tolerance */
-    double projection_error;  /**< see dWorldStepReport */
-    int stopped;              /**< see dWorldStepReport */
+    unsigned struct_size;       /**< sizeof(dIslandStepReport), set by the caller */
+    int method;                 /**< one of dIslandMethod */
+    dBodyID body;               /**< a body of the island; it may have been destroyed since the step */
+    int bodies;                 /**< its bodies */
+    int joints;                 /**< its joints that gave at least one row */
+    int rows;                   /**< its constraint rows */
+    int iterations;             /**< as in dWorldStepReport, as are those below without a text of their own */
+    int factorisations;         /**< see dWorldStepReport */
+    int fallback;               /**< 1: needed a more careful method than the first one */
+    int contained;              /**< 1: kept from spreading bad numbers */
+    double residual;            /**< see dWorldStepReport */
+    double joint_error;         /**< see dWorldStepReport */
+    double joint_angle_error;   /**< see dWorldStepReport */
+    double penetration;         /**< see dWorldStepReport */
+    double energy_before;       /**< see dWorldStepReport */
+    double energy_after;        /**< see dWorldStepReport */
+    int projection_iterations;  /**< see dWorldStepReport */
+    int projection_unconverged; /**< 1: left above the tolerance */
+    double projection_error;    /**< see dWorldStepReport */
+    int stopped_bodies;         /**< see dWorldStepReport */
 } dIslandStepReport;
 
-/** - dWorldSetStepReportMode: Switch the report of steps on (mode 1) or off (0, the default). Off costs
-      nothing; on costs one more evaluation of the residual per step. Other values are refused.
+/** - dWorldSetStepReportMode: Switch the report of steps on (mode 1) or off (0, the default). A report
+      costs one more evaluation of the residual per step. Other values are refused.
     - dWorldGetStepReportMode: 1 if steps are reported, else 0. [ours] */
 ODE_API void dWorldSetStepReportMode(dWorldID world, int mode);
 ODE_API int dWorldGetStepReportMode(dWorldID world);
 
-/** Copy the report of the world's last step. The caller sets report->struct_size; as many bytes as that
-    are written, so an older program keeps working with a newer library. Returns 1, or 0 when the
-    mode is off, no step has been made since it was switched on, or the call is refused (null
-    argument, struct_size smaller than itself). [ours] */
+/** Copies the report of the world's last step to *report. Returns 1; 0 while the mode is off and before the
+    first step since it was switched on. [ours] */
 ODE_API int dWorldGetStepReport(dWorldID world, dWorldStepReport* report);
 
-/** Write to *report what the last step did in one island, 0 <= island < dWorldStepReport::islands, in the
-   order in which ODE finds them: from the youngest body on. Another index is refused. [ours] */
+/** Copies to *report what the last step did in one island, 0 <= island < dWorldStepReport::islands. Islands
+    are in the order in which ODE finds them, from the youngest body on. Returns as dWorldGetStepReport
+    does. Refused: another index. [ours] */
 ODE_API int dWorldGetIslandStepReport(dWorldID world, int island, dIslandStepReport* report);
 
 #ifdef __cplusplus

@@ -160,10 +160,10 @@ int dWorldStepFast1(dWorldID world, dReal dt, int steps)
 }
 
 // Only the state after the last of its steps is seen.
-int dWorldStepMany(const dWorldID* worlds, int count, dReal dt, int stepper, int iterations, int steps,
-                   int threads, int* made)
+int dWorldsStep(const dWorldID* worlds, int count, dReal dt, int stepper, int iterations, int steps,
+                int threads, int* made)
 {
-    EPODE_REAL(dWorldStepMany);
+    EPODE_REAL(dWorldsStep);
     if (!worlds || count <= 0 || !observer())
         return real(worlds, count, dt, stepper, iterations, steps, threads, made);
     if (other_steps(worlds, count, dt, steps, made)) return count;
@@ -172,7 +172,7 @@ int dWorldStepMany(const dWorldID* worlds, int count, dReal dt, int stepper, int
     const auto start = std::chrono::steady_clock::now();
     const int ok = real(worlds, count, dt, stepper, iterations, steps, threads, made);
     const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
-    const StepMade step{"dWorldStepMany", dt, -1, stepper, iterations, steps, spent.count() / count};
+    const StepMade step{"dWorldsStep", dt, -1, stepper, iterations, steps, spent.count() / count};
     for (int i = 0; i < count; ++i) tell(&Observer::after_step, worlds[i], &step);
     return ok;
 }

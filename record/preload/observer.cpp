@@ -319,7 +319,7 @@ void after_step(dWorldID world, const StepMade* made)
         Watch& watch = watch_of(world);
         const double dt = double(made->dt) * made->steps;
         watch.time += dt;
-        if (std::strcmp(made->name, "dWorldStepMany") == 0) {
+        if (std::strcmp(made->name, "dWorldsStep") == 0) {
             watch.tape.stepped_many(double(made->dt), made->stepper, made->iterations, made->steps);
         } else {
             watch.tape.stepped(made->name, double(made->dt), made->small_steps);

@@ -27,7 +27,7 @@ struct StepMade {
     const char* name;
     dReal dt;
     int small_steps;                             // of dWorldStepFast1; -1: it has none
-    int stepper = 0, iterations = 0, steps = 1;  // of dWorldStepMany
+    int stepper = 0, iterations = 0, steps = 1;  // of dWorldsStep
     double ms = 0;
 };
 

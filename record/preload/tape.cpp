@@ -91,8 +91,8 @@ void WorldTape::stepped(const char* name, double dt, int small_steps)
 
 void WorldTape::stepped_many(double dt, int stepper, int iterations, int steps)
 {
-    tape_.add("dWorldStepMany", {Argument::world(), Argument::of(dt), Argument::of(stepper),
-                                 Argument::of(iterations), Argument::of(steps)});
+    tape_.add("dWorldsStep", {Argument::world(), Argument::of(dt), Argument::of(stepper),
+                              Argument::of(iterations), Argument::of(steps)});
 }
 
 }  // namespace epode::record

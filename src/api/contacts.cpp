@@ -21,12 +21,12 @@ bool usable_rule(int rule) { return rule >= dCombineDefault && rule <= dCombineM
 
 bool usable_material(const dMaterial& m)
 {
-    if (!usable_rule(m.friction_rule) || !usable_rule(m.bounce_rule) || !usable_rule(m.rolling_rule))
+    if (!usable_rule(m.friction_rule) || !usable_rule(m.bounce_rule) || !usable_rule(m.rolling_friction_rule))
         return false;
-    for (const Real x : {m.rolling, m.softness, m.damping_time})
+    for (const Real x : {m.rolling_friction, m.compliance, m.damping_time})
         if (!(x >= 0) || !usable(x)) return false;
     return m.friction >= 0 && usable_or_infinite(m.friction) && m.bounce >= 0 && m.bounce <= 1 &&
-           m.bounce_speed >= 0 && usable_or_infinite(m.bounce_speed) && usable(m.velocity, 3);
+           m.bounce_speed >= 0 && usable_or_infinite(m.bounce_speed) && usable(m.surface_velocity, 3);
 }
 
 const ContactWorld* managed(const World& world)
@@ -70,33 +70,45 @@ void dWorldSetContactFilter(dWorldID w, dContactFilter* filter, void* data)
 int dGeomSetMaterial(dGeomID g, const dMaterial* material)
 {
     EPODE_GEOM(geom, g, 0);
-    EPODE_USER(!material || usable_material(*material), 0);
-    EPODE_USER_SAY(set_material(*geom, material), "out of memory", 0);
+    dMaterial whole = kDefaultMaterial;
+    if (material) {
+        EPODE_SIZED(material, 0);
+        whole = completed(*material, kDefaultMaterial);
+        EPODE_USER(usable_material(whole), 0);
+    }
+    EPODE_USER_SAY(set_material(*geom, material ? &whole : nullptr), "out of memory", 0);
     return 1;
 }
 
 int dGeomGetMaterial(dGeomID g, dMaterial* material)
 {
     EPODE_GEOM(geom, g, 0);
-    EPODE_USER(material, 0);
-    *material = material_of(*geom);
+    EPODE_SIZED(material, 0);
+    copy_sized(material_of(*geom), material, material->struct_size);
     return 1;
 }
 
-int dWorldGetContactEvents(dWorldID w, dContactEvent* events, int room)
+int dMaterialInit(dMaterial* material, unsigned struct_size)
 {
-    WORLD_OR(0);
-    EPODE_USER(room >= 0 && (events || room == 0), 0);
-    const ContactWorld* contacts = managed(*world);
-    return contacts ? contacts->events(events, room) : 0;
+    EPODE_SIZED_AS(material, struct_size, 0);
+    copy_sized(kDefaultMaterial, material, struct_size);
+    return 1;
 }
 
-int dWorldGetContacts(dWorldID w, dWorldContact* out, int room)
+int dWorldGetContactEvents(dWorldID w, dContactEvent* events, int capacity)
 {
     WORLD_OR(0);
-    EPODE_USER(room >= 0 && (out || room == 0), 0);
+    EPODE_USER(capacity >= 0 && (events || capacity == 0), 0);
     const ContactWorld* contacts = managed(*world);
-    return contacts ? contacts->contacts(out, room) : 0;
+    return contacts ? contacts->events(events, capacity) : 0;
+}
+
+int dWorldGetContacts(dWorldID w, dWorldContact* out, int capacity)
+{
+    WORLD_OR(0);
+    EPODE_USER(capacity >= 0 && (out || capacity == 0), 0);
+    const ContactWorld* contacts = managed(*world);
+    return contacts ? contacts->contacts(out, capacity) : 0;
 }
 
 }  // extern "C"

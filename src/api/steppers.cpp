@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Hybrid steps and dWorldStepMany (ode/steppers.h). Of the latter the arguments are looked at for all worlds
+// Hybrid steps and dWorldsStep (ode/steppers.h). Of the latter the arguments are looked at for all worlds
 // before any is touched. A world that is in the array twice shows by the mark that its first place has put on
 // it.
 #include "base/check.h"
@@ -29,12 +29,12 @@ int dWorldStepHybrid(dWorldID w, dReal stepsize)
     return 1;
 }
 
-int dWorldStepMany(const dWorldID* worlds, int count, dReal stepsize, int stepper, int iterations, int steps,
-                   int threads, int* made)
+int dWorldsStep(const dWorldID* worlds, int count, dReal stepsize, int stepper, int iterations, int steps,
+                int threads, int* steps_made)
 {
     EPODE_USER(is_stepper(stepper) && usable(stepsize) && stepsize > 0 && steps >= 1, 0);
     const Solver* const solver = solver_named(stepper);
-    EPODE_USER(!solver || !solver->substeps || (iterations >= 1 && iterations <= kMostSmallSteps), 0);
+    EPODE_USER(!solver || !solver->substeps || (iterations >= 1 && iterations <= kMaxSubsteps), 0);
     EPODE_USER(count >= 0 && (worlds || count == 0) && threads >= 0 && threads <= kMostThreads, 0);
     for (int i = 0; i < count; ++i) {
         const World* world = from_handle<World>(worlds[i]);
@@ -48,7 +48,7 @@ int dWorldStepMany(const dWorldID* worlds, int count, dReal stepsize, int steppe
         EPODE_USER_SAY(batch.add(world), kOutOfMemory, 0);
     }
     EPODE_USER_SAY(batch.plan(threads), kOutOfMemory, 0);
-    const int whole = batch.run({solver, stepsize, iterations}, steps, made);
+    const int whole = batch.run({solver, stepsize, iterations}, steps, steps_made);
     EPODE_USER_SAY(whole == count, kOutOfMemory, whole);
     return whole;
 }

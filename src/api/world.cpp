@@ -5,15 +5,25 @@
 // refused, infinity only where it means "no limit".
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "base/pool.h"
+#include "base/struct_size.h"
 #include "dynamics/world.h"
+#include "ode/ext.h"
 #include "ode/ode.h"
 #include "step/hybrid.h"
 #include "step/link.h"
 #include "step/step.h"
 #include "tasks/threading.h"
+
+namespace epode {
+
+template <>
+inline constexpr std::size_t kSmallestSize<dWorldStepReport> = offsetof(dWorldStepReport, bodies);
+template <>
+inline constexpr std::size_t kSmallestSize<dIslandStepReport> = offsetof(dIslandStepReport, body);
+
+}  // namespace epode
 
 using namespace epode;
 
@@ -24,15 +34,6 @@ constexpr int kMostIterations = 100000;
 
 // Thresholds are kept squared.
 Real square(Real x) { return x * x; }
-
-// As much of a report as the caller's struct_size has room for.
-template <typename Report>
-void copy_report(const Report& from, Report* to)
-{
-    const unsigned size = to->struct_size;
-    std::memcpy(to, &from, std::min<std::size_t>(size, sizeof from));
-    to->struct_size = size;
-}
 
 }  // namespace
 
@@ -122,7 +123,7 @@ WORLD_NUMBER(dReal, AutoDisableTime, sleep.time, usable_or_infinite(value))
 WORLD_NUMBER(dReal, LinearDamping, damping.linear_scale, usable(value))
 WORLD_NUMBER(dReal, AngularDamping, damping.angular_scale, usable(value))
 WORLD_NUMBER(dReal, MaxAngularSpeed, max_angular_speed, value >= 0)
-WORLD_NUMBER(dReal, QuickStepWarmStarting, warm_starting, value >= 0 && value <= 1)
+WORLD_NUMBER(dReal, StepWarmStarting, warm_starting, value >= 0 && value <= 1)
 WORLD_NUMBER(int, AutoEnableDepthSF1, auto_enable_depth, true)
 
 // A threshold, kept squared.
@@ -208,7 +209,7 @@ int dWorldQuickStep(dWorldID w, dReal stepsize)
 int dWorldStepFast1(dWorldID w, dReal stepsize, int maxiterations)
 {
     WORLD_OR(0);
-    EPODE_USER(usable(stepsize) && stepsize > 0 && maxiterations >= 1 && maxiterations <= kMostSmallSteps, 0);
+    EPODE_USER(usable(stepsize) && stepsize > 0 && maxiterations >= 1 && maxiterations <= kMaxSubsteps, 0);
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", 0);
     EPODE_USER_SAY(step_world(*world, kTgs, stepsize, maxiterations), kOutOfMemory, 0);
     return 1;
@@ -232,18 +233,18 @@ int dWorldGetExactRotation(dWorldID w)
     return world->exact_rotation;
 }
 
-void dWorldSetContactCone(dWorldID w, int mode)
+void dWorldSetFrictionCone(dWorldID w, int mode)
 {
     WORLD_OR();
     EPODE_USER(mode == 0 || mode == 1);
     EPODE_USER_SAY(!world->stepping, "Invalid operation during a step");
-    world->contact_cone = mode != 0;
+    world->friction_cone = mode != 0;
 }
 
-int dWorldGetContactCone(dWorldID w)
+int dWorldGetFrictionCone(dWorldID w)
 {
     WORLD_OR(0);
-    return world->contact_cone;
+    return world->friction_cone;
 }
 
 void dWorldSetManifoldFriction(dWorldID w, int mode)
@@ -264,7 +265,7 @@ WORLD_NUMBER(int, ExactSubsteps, exact_substeps, value >= 1 && value <= 1000)
 WORLD_NUMBER(int, StepProjection, projection_iterations, value >= 0 && value <= 100)
 WORLD_NUMBER(dReal, StepProjectionTolerance, projection_tolerance, value > 0 && value < 1)
 WORLD_NUMBER(int, HybridStepper, hybrid_stepper, is_stepper(value))
-WORLD_NUMBER(int, HybridSmallSteps, hybrid_small_steps, value >= 1 && value <= kMostSmallSteps)
+WORLD_NUMBER(int, HybridSubsteps, hybrid_substeps, value >= 1 && value <= kMaxSubsteps)
 
 // ---- report (ode/ext.h)
 // -------------------------------------------------------------------------------------
@@ -286,20 +287,20 @@ int dWorldGetStepReportMode(dWorldID w)
 int dWorldGetStepReport(dWorldID w, dWorldStepReport* report)
 {
     WORLD_OR(0);
-    EPODE_USER(report && report->struct_size >= sizeof report->struct_size, 0);
+    EPODE_SIZED(report, 0);
     if (!world->report_wanted || !world->report_made) return 0;
-    copy_report(world->report, report);
+    copy_sized(world->report, report, report->struct_size);
     return 1;
 }
 
 int dWorldGetIslandStepReport(dWorldID w, int island, dIslandStepReport* report)
 {
     WORLD_OR(0);
-    EPODE_USER(report && report->struct_size >= sizeof report->struct_size, 0);
+    EPODE_SIZED(report, 0);
     if (!world->report_wanted || !world->report_made) return 0;
     const auto islands = island_reports(*world);
     EPODE_USER(island >= 0 && std::size_t(island) < islands.size(), 0);
-    copy_report(islands[std::size_t(island)], report);
+    copy_sized(islands[std::size_t(island)], report, report->struct_size);
     return 1;
 }
 

@@ -12,6 +12,8 @@
 #include "collide/geom_leaves.h"
 #include "collide/space.h"
 #include "collide/transform.h"
+#include "ode/contacts.h"
+#include "ode/shapes.h"
 
 namespace epode {
 namespace {

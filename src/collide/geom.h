@@ -19,7 +19,8 @@
 #include "base/handle.h"
 #include "geometry/shapes.h"
 #include "ode/collision.h"
-#include "ode/ext.h"
+
+struct dMaterial;
 
 namespace epode {
 

@@ -394,7 +394,7 @@ void ContactWorld::accept(Real h, const Tasks& tasks)
     });
     ended_.clear();
     for (const ContactPair& pair : last_.pairs)
-        if (pair.old != -2 && touches(last_.of(pair))) (void)ended_.push({dContactEnds, pair.id1, pair.id2});
+        if (pair.old != -2 && touches(last_.of(pair))) (void)ended_.push({dContactEnd, pair.id1, pair.id2});
     last_.swap(fresh_);
     h_ = h;
     settled_ = all_asleep_;
@@ -422,29 +422,29 @@ void ContactWorld::forget()
     settled_ = unfinished_ = few_active_ = false;
 }
 
-int ContactWorld::events(dContactEvent* out, int room) const
+int ContactWorld::events(dContactEvent* out, int capacity) const
 {
     int count = 0;
     const auto add = [&](dContactEventKind kind, dGeomID g1, dGeomID g2) {
         const bool alive = from_handle<Geom>(g1) && from_handle<Geom>(g2);
-        if (count < room) out[count] = {kind, alive ? g1 : nullptr, alive ? g2 : nullptr};
+        if (count < capacity) out[count] = {kind, alive ? g1 : nullptr, alive ? g2 : nullptr};
         ++count;
     };
     for_each_pair([&](const ContactPair& pair, std::span<const KeptPatch> patches) {
         const bool now = touches(patches);
         if (!now && !pair.touched) return;
-        add(!now ? dContactEnds : pair.touched ? dContactStays : dContactBegins, pair.id1, pair.id2);
+        add(!now ? dContactEnd : pair.touched ? dContactPersist : dContactBegin, pair.id1, pair.id2);
     });
     for (const dContactEvent& event : ended_) add(event.kind, event.g1, event.g2);
     return count;
 }
 
-int ContactWorld::contacts(dWorldContact* out, int room) const
+int ContactWorld::contacts(dWorldContact* out, int capacity) const
 {
     int count = 0;
     const Real per_h = h_ > 0 ? 1 / h_ : 0;
     const auto add = [&](const ContactPair& pair, const KeptPatch& kept, const PatchPoint& point) {
-        if (count++ >= room) return;
+        if (count++ >= capacity) return;
         dWorldContact& to = out[count - 1];
         to = {};
         to.g1 = from_handle<Geom>(pair.id1) ? pair.id1 : nullptr;
@@ -452,8 +452,8 @@ int ContactWorld::contacts(dWorldContact* out, int room) const
         store(to.pos, kept.origin + widen(point.r1));
         store(to.normal, widen(kept.patch.normal));
         to.depth = Real(kept.layer - point.gap);
-        to.push = per_h * Real(point.push);
-        store(to.friction, per_h * widen(point.friction));
+        to.normal_force = per_h * Real(point.push);
+        store(to.friction_force, per_h * widen(point.friction));
     };
     for_each_pair([&](const ContactPair& pair, std::span<const KeptPatch> patches) {
         for (const KeptPatch& kept : patches)

@@ -69,8 +69,8 @@ class ContactWorld {
     void lay_to_rest();
     void forget();
 
-    int events(dContactEvent* out, int room) const;
-    int contacts(dWorldContact* out, int room) const;
+    int events(dContactEvent* out, int capacity) const;
+    int contacts(dWorldContact* out, int capacity) const;
 
   private:
     // What a range of found pairs has; after summing up, where it begins.

@@ -37,31 +37,32 @@ void combine_friction(const dMaterial& a, const dMaterial& b, Patch& patch)
     if (!(patch.mu >= 0)) patch.mu = 0;  // infinite against none
 }
 
-void combine_softness(const dMaterial& a, const dMaterial& b, Patch& patch)
+void combine_compliance(const dMaterial& a, const dMaterial& b, Patch& patch)
 {
-    const Real sum = a.softness + b.softness;
+    const Real sum = a.compliance + b.compliance;
     patch.softness = sum < kHardest ? 0 : float(std::min(sum, kSoftest));
     patch.damping_time = 0;
     if (!(patch.softness > 0)) return;
-    const Real share = a.softness / sum;
+    const Real share = a.compliance / sum;
     patch.damping_time = float(std::min(share * a.damping_time + (1 - share) * b.damping_time, kSlowest));
 }
 
-static_assert(kDefaultMaterial.bounce == 0 && kDefaultMaterial.rolling == 0 &&
-              kDefaultMaterial.softness == 0);
+static_assert(kDefaultMaterial.bounce == 0 && kDefaultMaterial.rolling_friction == 0 &&
+              kDefaultMaterial.compliance == 0);
 
 void combine_others(const dMaterial& a, const dMaterial& b, Patch& patch)
 {
-    combine_softness(a, b, patch);
+    combine_compliance(a, b, patch);
     patch.bounce = float(combined(std::max(a.bounce_rule, b.bounce_rule), a.bounce, b.bounce));
-    const Real rolling = combined(std::max(a.rolling_rule, b.rolling_rule), a.rolling, b.rolling);
+    const Real rolling = combined(std::max(a.rolling_friction_rule, b.rolling_friction_rule),
+                                  a.rolling_friction, b.rolling_friction);
     patch.rolling = float(std::min(rolling, kMostRolling));
 }
 
 Vec3 surface_velocity(const Geom& geom)
 {
     if (!geom.material) return {};
-    return load_mat(geom.rotation) * load(geom.material->velocity);
+    return load_mat(geom.rotation) * load(geom.material->surface_velocity);
 }
 
 const Real kDefaultMu = std::sqrt(kDefaultMaterial.friction) * std::sqrt(kDefaultMaterial.friction);

@@ -8,14 +8,19 @@
 // what slow motion sees, and exact where they are equal.
 #pragma once
 
+#include "base/struct_size.h"
 #include "collide/geom.h"
 #include "ode/contacts.h"
 #include "rows/patch.h"
 
 namespace epode {
 
+template <>
+inline constexpr std::size_t kSmallestSize<dMaterial> = offsetof(dMaterial, bounce);
+
 inline constexpr dMaterial kDefaultMaterial{
-    Real(0.6), 0, 1, {0, 0, 0, 0}, 0, 0, 0, dCombineDefault, dCombineDefault, dCombineDefault};
+    sizeof(dMaterial), Real(0.6),      0, 1, {0, 0, 0, 0}, 0, 0, 0, dCombineDefault,
+    dCombineDefault,   dCombineDefault};
 
 inline const dMaterial& material_of(const Geom& geom)
 {

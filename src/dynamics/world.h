@@ -11,7 +11,8 @@
 #include "base/step_memory.h"
 #include "dynamics/body.h"
 #include "dynamics/joint.h"
-#include "ode/ext.h"
+#include "ode/report.h"
+#include "ode/steppers.h"
 #include "ode/threading.h"
 
 namespace epode {
@@ -36,7 +37,7 @@ struct World : Tagged {
     Real contact_layer = 0;
     int quick_iterations = 20;
     Real quick_w = Real(1.3);
-    bool contact_cone = false;       // friction of contact joints, where the solver sweeps
+    bool friction_cone = false;      // friction of contact joints, where the solver sweeps
     bool manifold_friction = false;  // one for the points of a manifold, where the solver sweeps
     Real warm_starting = 1;          // times the solver's own share of the last impulses
     int auto_enable_depth = 3;       // of the 0.039 guide; stored, never used by it either
@@ -45,7 +46,7 @@ struct World : Tagged {
     int projection_iterations = 0;   // of positions after dWorldStep; 0: none
     Real projection_tolerance = kSingle ? Real(1e-3) : Real(1e-4);
     int hybrid_stepper = 0;            // of dStepper, for islands whose bodies wish nothing; 0: by the model
-    int hybrid_small_steps = 4;        // where hybrid steps have them
+    int hybrid_substeps = 4;           // where hybrid steps have them
     unsigned islands_max_threads = 0;  // 0: unlimited
     int step_threads = 1;              // 0: one per processor; not looked at while `threading` is set
     dThreadingImplementationID threading = nullptr;

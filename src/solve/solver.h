@@ -8,7 +8,7 @@
 #include <cstdint>
 
 #include "base/arena.h"
-#include "ode/ext.h"
+#include "ode/report.h"
 #include "rows/row_system.h"
 #include "tasks/tasks.h"
 

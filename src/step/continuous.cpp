@@ -10,6 +10,7 @@
 
 #include "collide/collide.h"
 #include "collide/types/registry.h"
+#include "ode/shapes.h"
 #include "query/members.h"
 #include "query/triangle_set.h"
 #include "step/link.h"

@@ -119,7 +119,7 @@ bool swings_too_fast(const Structure& s, const World& world, Real h)
 bool topples(const Structure& s, const World& world, Real h)
 {
     if (s.pairs == 0) return false;
-    const double g = double(length(world.gravity)), hs = double(h) / world.hybrid_small_steps;
+    const double g = double(length(world.gravity)), hs = double(h) / world.hybrid_substeps;
     const double fall = g * hs * hs, height = g > 0 ? (s.deep - s.high) / g : 0;
     return fall > kSmall * s.radius || fall * height * height > kTall * s.radius * s.radius * s.radius;
 }
@@ -145,9 +145,9 @@ const Solver* solver_named(int stepper)
     switch (stepper) {
         case dStepperExact:
             return &kDirect;
-        case dStepperJointsExact:
+        case dStepperSubstepsExactJoints:
             return &kNetwork;
-        case dStepperSmallSteps:
+        case dStepperSubsteps:
             return &kTgs;
         case dStepperQuick:
             return &kQuick;
@@ -158,7 +158,7 @@ const Solver* solver_named(int stepper)
 
 int hybrid_iterations(const World& world, const Solver& solver)
 {
-    return solver.substeps ? world.hybrid_small_steps : world.quick_iterations;
+    return solver.substeps ? world.hybrid_substeps : world.quick_iterations;
 }
 
 const Solver& choose_solver(const World& world, const Island& island, Real h)

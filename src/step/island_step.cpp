@@ -64,7 +64,7 @@ class IslandStep {
         if (divides() && !small_.begin()) return false;
         const Real h = divides() ? small_.small_step() : context_.h;
         if (!assemble(world_, h, context_.solver, tasks, arena_, work_, &context_.undo)) return false;
-        work_.system.cone = world_.contact_cone && context_.solver.cones;
+        work_.system.cone = world_.friction_cone && context_.solver.cones;
         work_.system.manifold_friction = world_.manifold_friction && context_.solver.cones;
         if (divides()) small_.map(work_.system);
         for (std::size_t i = 0; i < reports.size(); ++i) report_errors(work_, int(i), reports[i]);

@@ -78,8 +78,8 @@ void report_solution(const SolveReport& solved, dIslandStepReport& report)
 
 void report_projection(const ProjectionReport& done, dIslandStepReport& report)
 {
-    report.projections = done.iterations;
-    report.projection_open = done.open;
+    report.projection_iterations = done.iterations;
+    report.projection_unconverged = done.open;
     report.projection_error = done.error;
 }
 
@@ -91,8 +91,8 @@ void end_report(const World& world, const Island& island, dIslandStepReport& rep
 void report_stopped(const World& world, const Island& island, const Continuous& continuous,
                     dIslandStepReport& report)
 {
-    for (const Body* body : island.bodies) report.stopped += continuous.stopped(*body);
-    if (report.stopped) report.energy_after = energy(world, island);
+    for (const Body* body : island.bodies) report.stopped_bodies += continuous.stopped(*body);
+    if (report.stopped_bodies) report.energy_after = energy(world, island);
 }
 
 dWorldStepReport sum_of(std::span<const dIslandStepReport> islands)
@@ -111,10 +111,10 @@ dWorldStepReport sum_of(std::span<const dIslandStepReport> islands)
         total.joint_error = std::max(total.joint_error, one.joint_error);
         total.joint_angle_error = std::max(total.joint_angle_error, one.joint_angle_error);
         total.penetration = std::max(total.penetration, one.penetration);
-        total.projections += one.projections;
-        total.projections_open += one.projection_open;
+        total.projection_iterations += one.projection_iterations;
+        total.projections_unconverged += one.projection_unconverged;
         total.projection_error = std::max(total.projection_error, one.projection_error);
-        total.stopped += one.stopped;
+        total.stopped_bodies += one.stopped_bodies;
         total.energy_before += one.energy_before;
         total.energy_after += one.energy_after;
     }

@@ -7,7 +7,7 @@
 
 #include <span>
 
-#include "ode/ext.h"
+#include "ode/report.h"
 #include "step/assemble.h"
 #include "step/continuous.h"
 #include "step/projection.h"

@@ -36,7 +36,7 @@ void free_working_memory(World& world);
 // there had been no step, but for the feedback of joints and the report.
 bool step_world(World& world, const Solver& solver, Real h, int iterations);
 
-inline constexpr int kMostSmallSteps = 10000;
+inline constexpr int kMaxSubsteps = 10000;
 
 // The same with a solver for each island (step/hybrid).
 bool step_world_hybrid(World& world, Real h);

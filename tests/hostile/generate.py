@@ -66,9 +66,9 @@ MATRIX = (r"d(SetZero|SetValue|Dot|Multiply\d|FactorCholesky|SolveCholesky|Inver
 KIND_OF_PARAMETER = [
     (r"dPrintMatrix:fmt", "Format"),
     (r"dThreadingAllocateThreadPool:thread_count", "ThreadCount"),
-    (r"dWorldStepMany:(count|steps)", "Length"),
-    (r"dWorldStepMany:threads", "ThreadCount"),
-    (r"dWorldStepMany:made", "QueryHits"),
+    (r"dWorldsStep:(count|steps)", "Length"),
+    (r"dWorldsStep:threads", "ThreadCount"),
+    (r"dWorldsStep:steps_made", "QueryHits"),
     (r"dSpaceRayBatch:count", "Length"),
     (r"dSpaceRayBatch:(origins|directions|lengths)", "Reals"),
     (r"dCooperatively\w+:(rowCount|rowSkip|elementCount)", "Length"),
@@ -118,7 +118,7 @@ MAY_BE_NULL = [
     r"d(Create|GeomTriMeshSet)\w+:(Data|\w*Callback)", r"dGeomTriMeshGetTriangle:v[012]",
     r"dGeomTriMeshData\w+:(Normals|requestExtraData|in_data|pout_size|buf|bufLen)",
     r"dGeomConvexGet\w+:(points|planes|polygons)",
-    r"dWorldStepMany:(worlds|made)",
+    r"dWorldsStep:(worlds|steps_made)",
     r"dGeomHeightfieldDataSetHoles:holes", r"dWorldGetContacts:contacts", r"dWorldGetContactEvents:events", r"dSpaceRayAll:hits", r"dSpaceOverlap:geoms", r"dSpaceRayBatch:(origins|directions|lengths|hits)",
     # With no elements there is nothing to point to.
     r"d(SetZero|SetValue|Dot|ScaleVector|VectorScale|FactorLDLT):(a|b|d|A)",

@@ -200,6 +200,7 @@ template <typename Change>
 dMaterial material_with(Change&& change)
 {
     dMaterial m{};
+    m.struct_size = sizeof m;
     change(m);
     return m;
 }
@@ -209,17 +210,24 @@ inline const std::vector<Item<dMaterial>>& materials()
     static const std::vector<Item<dMaterial>> list = {
         {material_with([](dMaterial& m) { m.friction = dReal(0.3), m.bounce = dReal(0.5); }), Trait::kFine,
          "dull"},
-        {material_with([](dMaterial& m) { m.velocity[0] = 2; }), Trait::kFine, "a belt"},
-        {material_with([](dMaterial& m) { m.rolling = 1, m.softness = dReal(1e-4), m.damping_time = 1; }),
-         Trait::kFine, "rubber"},
+        {material_with([](dMaterial& m) { m.surface_velocity[0] = 2; }), Trait::kFine, "a belt"},
         {material_with(
-             [](dMaterial& m) { m.friction_rule = dCombineProduct, m.rolling_rule = dCombineAverage; }),
+             [](dMaterial& m) { m.rolling_friction = 1, m.compliance = dReal(1e-4), m.damping_time = 1; }),
+         Trait::kFine, "rubber"},
+        {material_with([](dMaterial& m) {
+             m.friction_rule = dCombineProduct, m.rolling_friction_rule = dCombineAverage;
+         }),
          Trait::kFine, "rules"},
-        {material_with([](dMaterial& m) { m.rolling = -1; }), Trait::kStrange, "rolling -1"},
-        {material_with([](dMaterial& m) { m.rolling = kNaN; }), Trait::kNaN, "rolling NaN"},
-        {material_with([](dMaterial& m) { m.softness = kInf; }), Trait::kStrange, "softness inf"},
-        {material_with([](dMaterial& m) { m.softness = kNaN; }), Trait::kNaN, "softness NaN"},
-        {material_with([](dMaterial& m) { m.softness = kLarge; }), Trait::kStrange, "as soft as can be"},
+        {material_with([](dMaterial& m) { m.struct_size = offsetof(dMaterial, bounce), m.bounce = kNaN; }),
+         Trait::kFine, "friction alone"},
+        {material_with([](dMaterial& m) { m.struct_size = 0; }), Trait::kBad, "size 0"},
+        {material_with([](dMaterial& m) { m.struct_size = 4; }), Trait::kBad, "size 4"},
+        {material_with([](dMaterial& m) { m.struct_size = UINT_MAX; }), Trait::kBad, "size UINT_MAX"},
+        {material_with([](dMaterial& m) { m.rolling_friction = -1; }), Trait::kStrange, "rolling -1"},
+        {material_with([](dMaterial& m) { m.rolling_friction = kNaN; }), Trait::kNaN, "rolling NaN"},
+        {material_with([](dMaterial& m) { m.compliance = kInf; }), Trait::kStrange, "softness inf"},
+        {material_with([](dMaterial& m) { m.compliance = kNaN; }), Trait::kNaN, "softness NaN"},
+        {material_with([](dMaterial& m) { m.compliance = kLarge; }), Trait::kStrange, "as soft as can be"},
         {material_with([](dMaterial& m) { m.damping_time = kNaN; }), Trait::kNaN, "damping time NaN"},
         {material_with([](dMaterial& m) { m.bounce_rule = 7; }), Trait::kStrange, "no rule"},
         {material_with([](dMaterial& m) { m.friction = kInf; }), Trait::kStrange, "friction inf"},
@@ -228,8 +236,8 @@ inline const std::vector<Item<dMaterial>>& materials()
         {material_with([](dMaterial& m) { m.bounce = 2; }), Trait::kStrange, "bounce 2"},
         {material_with([](dMaterial& m) { m.bounce = kNaN; }), Trait::kNaN, "bounce NaN"},
         {material_with([](dMaterial& m) { m.bounce_speed = kNaN; }), Trait::kNaN, "bounce speed NaN"},
-        {material_with([](dMaterial& m) { m.velocity[1] = kLarge; }), Trait::kStrange, "a fast belt"},
-        {material_with([](dMaterial& m) { m.velocity[2] = kNaN; }), Trait::kNaN, "velocity NaN"}};
+        {material_with([](dMaterial& m) { m.surface_velocity[1] = kLarge; }), Trait::kStrange, "a fast belt"},
+        {material_with([](dMaterial& m) { m.surface_velocity[2] = kNaN; }), Trait::kNaN, "velocity NaN"}};
     return list;
 }
 
@@ -450,10 +458,11 @@ inline const std::vector<Item<Report>>& reports()
         return r;
     };
     static const std::vector<Item<Report>> list = {{sized(sizeof(Report)), Trait::kFine, "good"},
-                                                   {sized(4), Trait::kFine, "size 4"},
+                                                   {sized(8), Trait::kFine, "size 8"},
                                                    {sized(0), Trait::kBad, "size 0"},
-                                                   {sized(3), Trait::kBad, "size 3"},
-                                                   {sized(UINT_MAX), Trait::kStrange, "size UINT_MAX"}};
+                                                   {sized(4), Trait::kBad, "size 4"},
+                                                   {sized(9), Trait::kBad, "size 9"},
+                                                   {sized(UINT_MAX), Trait::kBad, "size UINT_MAX"}};
     return list;
 }
 

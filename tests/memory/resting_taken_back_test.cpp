@@ -67,7 +67,7 @@ class Piles {
         std::vector<dWorldContact> got(std::size_t(dWorldGetContacts(world_, nullptr, 0)));
         dWorldGetContacts(world_, got.data(), int(got.size()));
         std::vector<std::tuple<dReal, dReal, dReal>> out;
-        for (const dWorldContact& c : got) out.emplace_back(c.pos[0], c.pos[2], c.push);
+        for (const dWorldContact& c : got) out.emplace_back(c.pos[0], c.pos[2], c.normal_force);
         std::sort(out.begin(), out.end());
         return out;
     }

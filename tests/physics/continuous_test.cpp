@@ -301,7 +301,7 @@ TEST(Continuous, stops_a_hair_deep_and_keeps_the_velocity)
     look_out(b);
     velocity(b, {700, 0, 0}, {5, 6, 7});
     sim.advance(0.01);
-    EXPECT_EQ(sim.report().stopped, 1);
+    EXPECT_EQ(sim.report().stopped_bodies, 1);
     EXPECT_EQ(length(velocity(b) - V3{700, 0, 0}), 0);
     EXPECT_EQ(length(spin(b) - V3{5, 6, 7}), 0);
     dContactGeom contact;
@@ -311,7 +311,7 @@ TEST(Continuous, stops_a_hair_deep_and_keeps_the_velocity)
     place(b, {-3, 0, 0});
     velocity(b, {70, 0, 0});
     sim.advance(0.01);
-    EXPECT_EQ(sim.report().stopped, 0);
+    EXPECT_EQ(sim.report().stopped_bodies, 0);
 }
 
 // ---- against what moves ----

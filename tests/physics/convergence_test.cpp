@@ -48,7 +48,7 @@ TEST(Convergence, of_quick_steps_to_the_exact_step_on_a_wall_being_hit)
         double before = 0;
         for (int iterations : {10, 100, 1000, 10000}) {
             const auto quick = wall_after(steps);
-            dWorldSetQuickStepWarmStarting(quick->world, 0);
+            dWorldSetStepWarmStarting(quick->world, 0);
             dWorldSetQuickStepNumIterations(quick->world, iterations);
             ASSERT_EQ(dWorldQuickStep(quick->world, real(0.01)), 1);
             const double worst = worst_velocity_difference(*quick, *exact);
@@ -112,7 +112,7 @@ TEST(Convergence, of_quick_steps_reports_a_falling_residual)
     for (int iterations : {10, 100, 1000}) {
         const auto quick = wall_after(12);
         dWorldSetStepReportMode(quick->world, 1);
-        dWorldSetQuickStepWarmStarting(quick->world, 0);
+        dWorldSetStepWarmStarting(quick->world, 0);
         dWorldSetQuickStepNumIterations(quick->world, iterations);
         dWorldQuickStep(quick->world, real(0.01));
         const double residual = quick->report().residual;

@@ -122,13 +122,13 @@ TEST(FloatModes, batches_leave_the_same_bits_in_all_of_them)
         }
         {
             const HostMode host(mode, kept);
-            dWorldStepMany(worlds, 4, dReal(0.01), stepper, 4, 20, threads, nullptr);
+            dWorldsStep(worlds, 4, dReal(0.01), stepper, 4, 20, threads, nullptr);
         }
         std::uint64_t all = 0;
         for (const Sim& sim : sims) all = all * 31 + hash_state(sim);
         return Outcome{all, kept};
     };
-    for (int stepper : {int(dStepperExact), int(dStepperQuick), int(dStepperSmallSteps)}) {
+    for (int stepper : {int(dStepperExact), int(dStepperQuick), int(dStepperSubsteps)}) {
         const Outcome alone = run_batch(kUsual, stepper, 1);
         EXPECT_EQ(run_batch(kEverythingTraps, stepper, 3), (Outcome{alone.hash, true}));
         for (const FloatMode& mode : kFloatModes)

@@ -20,7 +20,7 @@ class FreeInSubsteps : public testing::TestWithParam<std::tuple<Way, bool>> {
     {
         if (std::get<1>(GetParam())) dWorldSetContactSpace(sim.world, sim.space);
         sim.small_steps = kSubsteps;
-        dWorldSetHybridSmallSteps(sim.world, kSubsteps);
+        dWorldSetHybridSubsteps(sim.world, kSubsteps);
     }
 
     void step(double h)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// dWorldSetContactCone: what slides on contact joints is braked by mu g in whatever direction it goes, where
+// dWorldSetFrictionCone: what slides on contact joints is braked by mu g in whatever direction it goes, where
 // the pyramid brakes by up to 1.41 times that and pulls askew.
 #include <algorithm>
 
@@ -18,7 +18,7 @@ struct ConeSim : Sim {
     {
         gravity(0, 0, -kG);
         surface.mu = real(kMu);
-        dWorldSetContactCone(world, cone);
+        dWorldSetFrictionCone(world, cone);
     }
 };
 
@@ -64,7 +64,7 @@ TEST_P(Cone, brakes_by_mu_g_in_every_direction)
 TEST_P(Cone, is_off_by_default_and_the_pyramid_brakes_more_across_its_edges)
 {
     Sim sim(GetParam());
-    EXPECT_EQ(dWorldGetContactCone(sim.world), 0);
+    EXPECT_EQ(dWorldGetFrictionCone(sim.world), 0);
     sim.gravity(0, 0, -kG);
     sim.surface.mu = real(kMu);
     EXPECT_NEAR(brake(sim, kPi / 4, 1).most, std::sqrt(2.0) * kMu * kG, 0.02 * kMu * kG);
@@ -145,9 +145,9 @@ TEST(ConeSetter, refuses_other_modes)
 {
     Sim sim;
     Messages messages;
-    dWorldSetContactCone(sim.world, 2);
-    dWorldSetContactCone(sim.world, -1);
-    EXPECT_EQ(dWorldGetContactCone(sim.world), 0);
+    dWorldSetFrictionCone(sim.world, 2);
+    dWorldSetFrictionCone(sim.world, -1);
+    EXPECT_EQ(dWorldGetFrictionCone(sim.world), 0);
     EXPECT_EQ(messages.count(), 2);
 }
 

@@ -98,14 +98,14 @@ double worst_gap_of_swing(int stepper)
 
 TEST(Hybrid, a_load_of_a_hundred_hangs_within_a_hundredth_of_a_link)
 {
-    EXPECT_LT(worst_gap_of_swing(dStepperJointsExact), 0.01);
+    EXPECT_LT(worst_gap_of_swing(dStepperSubstepsExactJoints), 0.01);
     EXPECT_LT(worst_gap_of_swing(dStepperHybrid), 0.01);
-    EXPECT_GT(worst_gap_of_swing(dStepperSmallSteps), 0.05);  // what it is good for
+    EXPECT_GT(worst_gap_of_swing(dStepperSubsteps), 0.05);  // what it is good for
 }
 
 TEST(Hybrid, a_load_of_a_hundred_hangs_within_a_hundredth_of_a_link_in_a_heap)
 {
-    Hybrid sim(dStepperJointsExact);
+    Hybrid sim(dStepperSubstepsExactJoints);
     sim.ground();
     Chain chain = hang_chain(sim, {0, 0, 3.3}, 12, 100);
     for (int i = 0; i < 120; ++i)
@@ -120,8 +120,8 @@ TEST(Hybrid, a_load_of_a_hundred_hangs_within_a_hundredth_of_a_link_in_a_heap)
         dWorldGetContacts(sim.world, contacts.data(), int(contacts.size()));
         for (const dWorldContact& c : contacts)
             for (dBodyID link : chain.links)
-                touched = touched || (dGeomGetBody(c.g1) == link && c.push > 0) ||
-                          (c.g2 && dGeomGetBody(c.g2) == link && c.push > 0);
+                touched = touched || (dGeomGetBody(c.g1) == link && c.normal_force > 0) ||
+                          (c.g2 && dGeomGetBody(c.g2) == link && c.normal_force > 0);
     }
     EXPECT_TRUE(touched);
     EXPECT_LT(chain.worst / kLink, 0.01);
@@ -133,7 +133,7 @@ TEST(Hybrid, a_load_of_a_hundred_hangs_within_a_hundredth_of_a_link_in_a_heap)
 
 TEST(Hybrid, joints_carry_what_hangs_on_them)
 {
-    Hybrid sim(dStepperJointsExact);
+    Hybrid sim(dStepperSubstepsExactJoints);
     Chain chain = hang_chain(sim, {0, 0, 5}, 6, 50);
     dJointFeedback force[6];
     for (std::size_t i = 0; i < 6; ++i) dJointSetFeedback(chain.joints[i], &force[i]);
@@ -157,7 +157,7 @@ dJointID motor_arm(Sim& sim, double torque)
 
 TEST(Hybrid, motors_hold_up_to_their_torque_and_stops_stop)
 {
-    Hybrid sim(dStepperJointsExact);
+    Hybrid sim(dStepperSubstepsExactJoints);
     const dJointID strong = motor_arm(sim, 6), weak = motor_arm(sim, 2), stopped = motor_arm(sim, 0);
     dJointSetHingeParam(stopped, dParamLoStop, real(-0.5));
     dJointSetHingeParam(stopped, dParamHiStop, real(0.5));
@@ -173,7 +173,7 @@ TEST(Hybrid, motors_hold_up_to_their_torque_and_stops_stop)
 TEST(Hybrid, closed_loops_that_repeat_their_rows_stay_closed)
 {
     for (const double cfm : {0.0, 1e-10}) {
-        Hybrid sim(dStepperJointsExact);
+        Hybrid sim(dStepperSubstepsExactJoints);
         dWorldSetCFM(sim.world, real(cfm));
         // A four-bar of hinges with parallel axes: 20 rows, of which some say the same.
         const V3 corner[4] = {{0, 0, 1}, {0, 0, 2}, {1, 0, 2}, {1, 0, 1}};
@@ -231,7 +231,7 @@ struct MomentumLoss {
 
 MomentumLoss collide_machines(int per_step, double aside)
 {
-    Hybrid sim(dStepperJointsExact);
+    Hybrid sim(dStepperSubstepsExactJoints);
     sim.gravity(0, 0, 0);
     const auto one = spider(sim, {0, 0, 0}, 1), two = spider(sim, {3.2, 0.3 + aside, 0.1}, 1);
     velocity(one[0], {2, 0.1, 0}, {0.5, 1, 0.3});
@@ -278,7 +278,7 @@ TEST(Hybrid, keeps_momentum_of_what_is_tied_and_of_what_collides)
 TEST(Hybrid, tied_boxes_slide_as_far_as_friction_lets_them)
 {
     for (const bool managed : {true, false}) {
-        Hybrid sim(dStepperJointsExact, managed);
+        Hybrid sim(dStepperSubstepsExactJoints, managed);
         sim.surface.mu = real(0.6);
         sim.surface.mode = dContactApprox1;
         sim.ground();
@@ -294,7 +294,7 @@ TEST(Hybrid, tied_boxes_slide_as_far_as_friction_lets_them)
         sim.run(120);
         EXPECT_LT(length(velocity(b)), 1e-2) << managed;
         EXPECT_NEAR(position(b).x - x, v * v / (2 * 0.6 * 9.81), 0.03 * v * v / (2 * 0.6 * 9.81)) << managed;
-        EXPECT_EQ(sim.method_of(b), dIslandMethodJointsExact);
+        EXPECT_EQ(sim.method_of(b), dIslandMethodSubstepsExactJoints);
     }
 }
 
@@ -323,33 +323,33 @@ TEST(Hybrid, chooses_by_structure)
         dJointSetBallAnchor(j, real(80 + 0.1 * i), 0, 21);
     }
     sim.run(60);
-    const auto is_exact = [](int m) { return m >= dIslandMethodDense && m <= dIslandMethodInterior; };
+    const auto is_exact = [](int m) { return m >= dIslandMethodDense && m <= dIslandMethodInteriorPoint; };
     EXPECT_TRUE(is_exact(sim.method_of(chain.links.back())));
-    EXPECT_EQ(sim.method_of(loaded.links.back()), dIslandMethodJointsExact);
-    EXPECT_EQ(sim.method_of(box), dIslandMethodSmallSteps);
-    EXPECT_EQ(sim.method_of(free), dIslandMethodSmallSteps);
+    EXPECT_EQ(sim.method_of(loaded.links.back()), dIslandMethodSubstepsExactJoints);
+    EXPECT_EQ(sim.method_of(box), dIslandMethodSubsteps);
+    EXPECT_EQ(sim.method_of(free), dIslandMethodSubsteps);
     EXPECT_TRUE(is_exact(std::max(sim.method_of(low), sim.method_of(high))));
     int heap_method = -1;
     for (dBodyID b : heap) heap_method = std::max(heap_method, sim.method_of(b));
-    EXPECT_EQ(heap_method, dIslandMethodJointsExact);
+    EXPECT_EQ(heap_method, dIslandMethodSubstepsExactJoints);
 
     // The world's word, and over it the most exact of the bodies'.
     dWorldSetHybridStepper(sim.world, dStepperQuick);
     sim.run(1);
     EXPECT_EQ(sim.method_of(box), dIslandMethodSweeps);
-    dBodySetHybridStepper(under, dStepperSmallSteps);
+    dBodySetHybridStepper(under, dStepperSubsteps);
     sim.run(1);
-    EXPECT_EQ(std::max(sim.method_of(under), sim.method_of(over)), dIslandMethodSmallSteps);
+    EXPECT_EQ(std::max(sim.method_of(under), sim.method_of(over)), dIslandMethodSubsteps);
     dBodySetHybridStepper(over, dStepperExact);
     sim.run(1);
     EXPECT_TRUE(is_exact(std::max(sim.method_of(under), sim.method_of(over))));
     EXPECT_EQ(sim.method_of(box), dIslandMethodSweeps);
-    dWorldSetHybridStepper(sim.world, dStepperJointsExact);
+    dWorldSetHybridStepper(sim.world, dStepperSubstepsExactJoints);
     sim.run(1);
     int hub_method = -1;
     for (dBodyID b : sim.bodies)
         if (position(b).x > 79) hub_method = std::max(hub_method, sim.method_of(b));
-    EXPECT_EQ(hub_method, dIslandMethodSmallSteps);
+    EXPECT_EQ(hub_method, dIslandMethodSubsteps);
 }
 
 // A trunk of 100 kg on four legs with feet of 1 kg, its hinges held by motors.
@@ -385,21 +385,21 @@ TEST(Hybrid, settings_are_kept_and_bad_ones_refused)
 {
     Hybrid sim;
     const dBodyID body = sim.body({0, 0, 0});
-    dWorldSetHybridSmallSteps(sim.world, 7);
-    dBodySetHybridStepper(body, dStepperJointsExact);
-    dWorldSetHybridStepper(sim.world, dStepperSmallSteps);
+    dWorldSetHybridSubsteps(sim.world, 7);
+    dBodySetHybridStepper(body, dStepperSubstepsExactJoints);
+    dWorldSetHybridStepper(sim.world, dStepperSubsteps);
     const Messages messages;
-    dWorldSetHybridSmallSteps(sim.world, 0);
-    dWorldSetHybridSmallSteps(sim.world, 10001);
+    dWorldSetHybridSubsteps(sim.world, 0);
+    dWorldSetHybridSubsteps(sim.world, 10001);
     dBodySetHybridStepper(body, 5);
     dBodySetHybridStepper(body, -1);
     dWorldSetHybridStepper(sim.world, 5);
     EXPECT_EQ(dWorldStepHybrid(sim.world, 0), 0);
     EXPECT_EQ(dWorldStepHybrid(nullptr, real(0.01)), 0);
     EXPECT_EQ(messages.count(), 7);
-    EXPECT_EQ(dWorldGetHybridSmallSteps(sim.world), 7);
-    EXPECT_EQ(dBodyGetHybridStepper(body), dStepperJointsExact);
-    EXPECT_EQ(dWorldGetHybridStepper(sim.world), dStepperSmallSteps);
+    EXPECT_EQ(dWorldGetHybridSubsteps(sim.world), 7);
+    EXPECT_EQ(dBodyGetHybridStepper(body), dStepperSubstepsExactJoints);
+    EXPECT_EQ(dWorldGetHybridStepper(sim.world), dStepperSubsteps);
 }
 
 // ---- determinism
@@ -418,7 +418,7 @@ void build_mixed(Hybrid& sim)
 
 TEST(Hybrid, gives_the_same_bits_on_any_number_of_threads_and_in_a_batch)
 {
-    for (const int stepper : {int(dStepperHybrid), int(dStepperJointsExact)})
+    for (const int stepper : {int(dStepperHybrid), int(dStepperSubstepsExactJoints)})
         for (const bool managed : {true, false}) {
             const auto hash = [&](int threads, bool batch) {
                 Hybrid sim(stepper, managed);
@@ -430,7 +430,7 @@ TEST(Hybrid, gives_the_same_bits_on_any_number_of_threads_and_in_a_batch)
                         continue;
                     }
                     if (!managed) sim.collide();
-                    EXPECT_EQ(dWorldStepMany(&sim.world, 1, real(kH), dStepperHybrid, 0, 1, threads, nullptr),
+                    EXPECT_EQ(dWorldsStep(&sim.world, 1, real(kH), dStepperHybrid, 0, 1, threads, nullptr),
                               1);
                 }
                 EXPECT_TRUE(finite_state(sim));
@@ -460,7 +460,7 @@ TEST(Hybrid, agrees_with_the_steppers_to_the_bit)
         }
         return hash_state(sim);
     };
-    for (const int stepper : {int(dStepperExact), int(dStepperQuick), int(dStepperSmallSteps)})
+    for (const int stepper : {int(dStepperExact), int(dStepperQuick), int(dStepperSubsteps)})
         EXPECT_EQ(hash(stepper, true), hash(stepper, false)) << stepper;
 }
 

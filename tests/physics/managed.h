@@ -47,8 +47,10 @@ inline dGeomID geom_of(dBodyID body) { return dBodyGetFirstGeom(body); }
 inline void set_material(dGeomID geom, double friction, double bounce = 0, V3 belt = {})
 {
     dMaterial m{};
+    m.struct_size = sizeof m;
     m.friction = real(friction), m.bounce = real(bounce);
-    m.velocity[0] = real(belt.x), m.velocity[1] = real(belt.y), m.velocity[2] = real(belt.z);
+    m.surface_velocity[0] = real(belt.x), m.surface_velocity[1] = real(belt.y),
+    m.surface_velocity[2] = real(belt.z);
     ASSERT_EQ(dGeomSetMaterial(geom, &m), 1);
 }
 

@@ -28,7 +28,7 @@ TEST_P(ManagedContacts, carry_the_weight_of_what_rests_on_them)
     V3 force[4];
     const dBodyID bodies[4] = {low, high, ball, can};
     for (const dWorldContact& c : sim.all_contacts()) {
-        const V3 f = double(c.push) * vec(c.normal) + vec(c.friction);
+        const V3 f = double(c.normal_force) * vec(c.normal) + vec(c.friction_force);
         for (int k = 0; k < 4; ++k) {
             if (dGeomGetBody(c.g1) == bodies[k]) force[k] = force[k] + f;
             if (dGeomGetBody(c.g2) == bodies[k]) force[k] = force[k] - f;
@@ -241,7 +241,7 @@ TEST(ManagedContactEvents, tell_when_geoms_begin_and_cease_to_touch)
     for (int i = 0; i < 60; ++i) sim.run(1), note();
     velocity(box, {0, 0, 3});
     for (int i = 0; i < 20; ++i) sim.run(1), note();
-    EXPECT_EQ(seen, (std::vector{dContactBegins, dContactStays, dContactEnds}));
+    EXPECT_EQ(seen, (std::vector{dContactBegin, dContactPersist, dContactEnd}));
     EXPECT_TRUE(sim.events().empty());
 }
 
@@ -257,7 +257,7 @@ TEST(ManagedContactEvents, tell_of_geoms_that_are_gone_that_they_do_not_touch)
     EXPECT_EQ(sim.all_contacts()[0].g1, nullptr);
     sim.run(1);
     ASSERT_EQ(sim.events().size(), 1u);
-    EXPECT_EQ(sim.events()[0].kind, dContactEnds);
+    EXPECT_EQ(sim.events()[0].kind, dContactEnd);
     EXPECT_EQ(sim.events()[0].g1, nullptr);
     sim.run(1);
     EXPECT_TRUE(sim.events().empty());
@@ -536,14 +536,16 @@ TEST(ManagedContacts, refuse_what_is_not_usable)
     Managed sim(Stepper::kFast);
     const dGeomID ground = sim.ground();
     dMaterial before{}, after{};
+    before.struct_size = after.struct_size = sizeof before;
     EXPECT_EQ(dGeomGetMaterial(ground, &before), 1);
     EXPECT_NEAR(before.friction, 0.6, 1e-6);
     Messages messages;
     int expected = 0;
     const auto refused = [&](double friction, double bounce, double speed, double belt) {
         dMaterial m{};
+        m.struct_size = sizeof m;
         m.friction = real(friction), m.bounce = real(bounce), m.bounce_speed = real(speed);
-        m.velocity[0] = real(belt);
+        m.surface_velocity[0] = real(belt);
         EXPECT_EQ(dGeomSetMaterial(ground, &m), 0);
         EXPECT_EQ(messages.count(), ++expected);
     };

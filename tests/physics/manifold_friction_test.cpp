@@ -301,7 +301,7 @@ TEST(ManifoldFeedback, of_contacts_that_the_world_manages_adds_up_too)
         double couple = 0;
         for (const dWorldContact& c : all) {
             const double sign = dGeomGetBody(c.g1) == box ? 1 : -1;
-            const V3 f = sign * vec(c.friction);
+            const V3 f = sign * vec(c.friction_force);
             force = force + f;
             couple += cross(vec(c.pos) - 0.5 * (at + position(box)), f).z;
         }

@@ -17,8 +17,9 @@ constexpr double kLayer = 2e-4;  // that contacts may keep when the world's own 
 dMaterial material(double rolling, double softness = 0, double damping_time = 0)
 {
     dMaterial m{};
+    m.struct_size = sizeof m;
     m.friction = real(0.8);
-    m.rolling = real(rolling), m.softness = real(softness), m.damping_time = real(damping_time);
+    m.rolling_friction = real(rolling), m.compliance = real(softness), m.damping_time = real(damping_time);
     return m;
 }
 

@@ -99,7 +99,7 @@ TEST_F(Report, names_the_method_of_each_stepper)
     EXPECT_EQ(island(sim, 0).method, dIslandMethodSweeps);
     sim.stepper = Stepper::kFast;
     sim.step(0.01);
-    EXPECT_EQ(island(sim, 0).method, dIslandMethodSmallSteps);
+    EXPECT_EQ(island(sim, 0).method, dIslandMethodSubsteps);
 }
 
 TEST_F(Report, an_island_that_is_not_there_is_refused)
@@ -118,6 +118,24 @@ TEST_F(Report, an_island_that_is_not_there_is_refused)
     EXPECT_EQ(dWorldGetIslandStepReport(sim.world, 0, &r), 1);
     EXPECT_EQ(r.body, nullptr);
     EXPECT_EQ(r.struct_size, 8u);
+}
+
+TEST_F(Report, of_a_size_that_no_version_has_is_refused)
+{
+    sim.body({0, 0, 0});
+    sim.advance(0.01);
+    dWorldStepReport r{};
+    Messages messages;
+    int refused = 0;
+    for (const unsigned size : {0u, 4u, 9u, unsigned(sizeof r + 8), ~0u}) {
+        r.struct_size = size;
+        EXPECT_EQ(dWorldGetStepReport(sim.world, &r), 0) << size;
+        EXPECT_EQ(messages.count(), ++refused);
+        EXPECT_EQ(r.islands, 0);
+    }
+    r.struct_size = sizeof r;
+    EXPECT_EQ(dWorldGetStepReport(sim.world, &r), 1);
+    EXPECT_EQ(r.islands, 1);
 }
 
 TEST_F(Report, thread_counts_out_of_range_are_refused)

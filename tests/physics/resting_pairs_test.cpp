@@ -142,7 +142,7 @@ class Scene {
         std::vector<std::array<dReal, 9>> out;
         for (const dWorldContact& c : got)
             out.push_back({dReal(number(c.g1)), dReal(number(c.g2)), c.pos[0], c.pos[1], c.pos[2],
-                           c.normal[0], c.normal[2], c.depth, c.push});
+                           c.normal[0], c.normal[2], c.depth, c.normal_force});
         std::sort(out.begin(), out.end());
         return out;
     }

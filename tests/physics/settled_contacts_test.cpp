@@ -66,11 +66,11 @@ class SettledContacts : public testing::Test {
     void expect_ended(int pairs)
     {
         step(1);
-        EXPECT_EQ(count(dContactEnds), pairs);
-        EXPECT_EQ(count(dContactStays), kBoxes - pairs);
+        EXPECT_EQ(count(dContactEnd), pairs);
+        EXPECT_EQ(count(dContactPersist), kBoxes - pairs);
         step(1);
-        EXPECT_EQ(count(dContactEnds), 0);
-        EXPECT_EQ(count(dContactStays), kBoxes - pairs);
+        EXPECT_EQ(count(dContactEnd), 0);
+        EXPECT_EQ(count(dContactPersist), kBoxes - pairs);
     }
 
     dWorldID world_;
@@ -87,14 +87,14 @@ TEST_F(SettledContacts, stay_and_are_told_with_their_forces)
     ASSERT_GE(points, 3 * kBoxes);
     for (int i = 0; i < 50; ++i) {
         step(1);
-        ASSERT_EQ(count(dContactStays), kBoxes);
-        ASSERT_EQ(count(dContactBegins) + count(dContactEnds), 0);
+        ASSERT_EQ(count(dContactPersist), kBoxes);
+        ASSERT_EQ(count(dContactBegin) + count(dContactEnd), 0);
     }
     ASSERT_EQ(dWorldGetContacts(world_, after.data(), 100), points);
     double push = 0;
     for (int i = 0; i < points; ++i) {
-        EXPECT_EQ(before[std::size_t(i)].push, after[std::size_t(i)].push);
-        push += double(after[std::size_t(i)].push);
+        EXPECT_EQ(before[std::size_t(i)].normal_force, after[std::size_t(i)].normal_force);
+        push += double(after[std::size_t(i)].normal_force);
     }
     EXPECT_NEAR(push, kBoxes * 9.81, 0.05 * kBoxes * 9.81);
     EXPECT_EQ(awake(), 0);
@@ -151,7 +151,7 @@ TEST_F(SettledContacts, end_when_a_geom_leaves_the_space_and_come_back_with_it)
     dSpaceAdd(space_, geoms_[8]);
     dBodyEnable(bodies_[8]);
     step(2);
-    EXPECT_EQ(count(dContactStays), kBoxes);
+    EXPECT_EQ(count(dContactPersist), kBoxes);
     EXPECT_NEAR(dBodyGetPosition(bodies_[8])[2], 0.5, 0.01);
 }
 

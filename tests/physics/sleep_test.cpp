@@ -95,7 +95,7 @@ double stack_after_ten_seconds(double warm_starting)
     Sim sim(Stepper::kQuick);
     sim.gravity(0, 0, -9.81);
     dWorldSetQuickStepNumIterations(sim.world, 12);
-    dWorldSetQuickStepWarmStarting(sim.world, real(warm_starting));
+    dWorldSetStepWarmStarting(sim.world, real(warm_starting));
     dWorldSetContactSurfaceLayer(sim.world, real(0.001));
     sim.ground();
     for (int i = 0; i < 10; ++i) sim.box({0, 0, 0.25 + 0.5 * i}, {0.5, 0.5, 0.5}, 1);
@@ -118,7 +118,7 @@ TEST(WarmStarting, leaves_less_residual_to_the_same_sweeps)
         Sim sim(Stepper::kQuick);
         sim.gravity(0, 0, -9.81);
         dWorldSetStepReportMode(sim.world, 1);
-        dWorldSetQuickStepWarmStarting(sim.world, k == 0 ? real(0.9) : real(0));
+        dWorldSetStepWarmStarting(sim.world, k == 0 ? real(0.9) : real(0));
         dWorldSetContactSurfaceLayer(sim.world, real(0.001));
         sim.ground();
         for (int i = 0; i < 6; ++i) sim.box({0, 0, 0.25 + 0.5 * i}, {0.5, 0.5, 0.5}, 1);

@@ -144,8 +144,9 @@ class Heap : public Sim {
         random_.quaternion(q);
         dBodySetQuaternion(body, q);
         dMaterial material;
+        material.struct_size = sizeof material;
         dGeomGetMaterial(geom_of(body), &material);
-        if (shape >= 2) material.rolling = real(kRolling);
+        if (shape >= 2) material.rolling_friction = real(kRolling);
         dGeomSetMaterial(geom_of(body), &material);
     }
 

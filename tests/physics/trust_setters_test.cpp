@@ -74,7 +74,7 @@ struct Trust : testing::Test {
                                dWorldGetContactMaxCorrectingVel(w), dWorldGetContactSurfaceLayer(w),
                                dWorldGetLinearDamping(w), dWorldGetAngularDamping(w),
                                dWorldGetMaxAngularSpeed(w), dWorldGetAutoDisableTime(w),
-                               dWorldGetAutoDisableLinearThreshold(w), dWorldGetQuickStepWarmStarting(w)});
+                               dWorldGetAutoDisableLinearThreshold(w), dWorldGetStepWarmStarting(w)});
     }
     void read_joints(Reals& out)
     {
@@ -203,7 +203,7 @@ TEST_F(Trust, setters_of_worlds_refuse_what_is_no_number)
     finite("surface layer", [&](dReal x) { dWorldSetContactSurfaceLayer(w, x); });
     finite("linear damping", [&](dReal x) { dWorldSetLinearDamping(w, x); });
     finite("angular damping", [&](dReal x) { dWorldSetAngularDamping(w, x); });
-    finite("warm starting", [&](dReal x) { dWorldSetQuickStepWarmStarting(w, x); });
+    finite("warm starting", [&](dReal x) { dWorldSetStepWarmStarting(w, x); });
     number("correcting velocity", [&](dReal x) { dWorldSetContactMaxCorrectingVel(w, x); });
     number("max angular speed", [&](dReal x) { dWorldSetMaxAngularSpeed(w, x); });
     number("sleep time", [&](dReal x) { dWorldSetAutoDisableTime(w, x); });

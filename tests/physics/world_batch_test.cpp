@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// dWorldStepMany: what a world gets does not depend on the worlds beside it, their order or the number of
+// dWorldsStep: what a world gets does not depend on the worlds beside it, their order or the number of
 // threads; functions of the program are called on its own thread; what may not be stepped is refused whole.
 #include <algorithm>
 #include <cstdlib>
@@ -21,7 +21,7 @@ constexpr double kH = 0.01;
 
 int number_of(Stepper s)
 {
-    return s == Stepper::kExact ? dStepperExact : s == Stepper::kQuick ? dStepperQuick : dStepperSmallSteps;
+    return s == Stepper::kExact ? dStepperExact : s == Stepper::kQuick ? dStepperQuick : dStepperSubsteps;
 }
 
 std::vector<dWorldID> worlds_of(const Sims& sims)
@@ -38,8 +38,8 @@ int step_many(const Sims& sims, int threads, int steps = 1, int* made = nullptr)
         if (!dWorldGetContactSpace(sim->world)) sim->collide();
     const std::vector<dWorldID> worlds = worlds_of(sims);
     const int stepper = number_of(sims.front()->stepper);
-    return dWorldStepMany(worlds.data(), int(worlds.size()), real(kH), stepper, sims.front()->small_steps,
-                          steps, threads, made);
+    return dWorldsStep(worlds.data(), int(worlds.size()), real(kH), stepper, sims.front()->small_steps, steps,
+                       threads, made);
 }
 
 void step_alone(Sim& sim)
@@ -220,7 +220,7 @@ void note_call(dBodyID body)
     const Messages messages;
     dWorldDestroy(g_calls->victim);
     EXPECT_EQ(dWorldStep(g_calls->victim, real(0.01)), 0);
-    EXPECT_EQ(dWorldStepMany(&g_calls->victim, 1, real(0.01), dStepperExact, 1, 1, 1, nullptr), 0);
+    EXPECT_EQ(dWorldsStep(&g_calls->victim, 1, real(0.01), dStepperExact, 1, 1, 1, nullptr), 0);
     g_calls->refused += messages.count();
 }
 
@@ -277,8 +277,8 @@ TEST_P(WorldBatch, refuses_all_or_nothing)
                              int steps, int threads) {
         const Messages messages;
         const std::vector<dWorldID> worlds(list);
-        const int done = dWorldStepMany(worlds.data(), int(worlds.size()), real(h), stepper, iterations,
-                                        steps, threads, made);
+        const int done = dWorldsStep(worlds.data(), int(worlds.size()), real(h), stepper, iterations, steps,
+                                     threads, made);
         return done == 0 && messages.count() == 1;
     };
     EXPECT_TRUE(refused({a, b, a}, kH, number, n, 1, 2));
@@ -288,16 +288,16 @@ TEST_P(WorldBatch, refuses_all_or_nothing)
     EXPECT_TRUE(refused({a, b, c}, std::nan(""), number, n, 1, 2));
     EXPECT_TRUE(refused({a, b, c}, kH, 99, n, 1, 2));
     EXPECT_TRUE(refused({a, b, c}, kH, -1, n, 1, 2));
-    EXPECT_TRUE(refused({a, b, c}, kH, dStepperSmallSteps, 0, 1, 2));
+    EXPECT_TRUE(refused({a, b, c}, kH, dStepperSubsteps, 0, 1, 2));
     EXPECT_TRUE(refused({a, b, c}, kH, number, n, 0, 2));
     EXPECT_TRUE(refused({a, b, c}, kH, number, n, 1, -1));
     EXPECT_TRUE(refused({a, b, c}, kH, number, n, 1, 65));
     {
         const Messages messages;
-        EXPECT_EQ(dWorldStepMany(nullptr, 2, real(kH), number, n, 1, 1, made), 0);
-        EXPECT_EQ(dWorldStepMany(&a, -1, real(kH), number, n, 1, 1, made), 0);
+        EXPECT_EQ(dWorldsStep(nullptr, 2, real(kH), number, n, 1, 1, made), 0);
+        EXPECT_EQ(dWorldsStep(&a, -1, real(kH), number, n, 1, 1, made), 0);
         EXPECT_EQ(messages.count(), 2);
-        EXPECT_EQ(dWorldStepMany(nullptr, 0, real(kH), number, n, 1, 1, nullptr), 0);
+        EXPECT_EQ(dWorldsStep(nullptr, 0, real(kH), number, n, 1, 1, nullptr), 0);
         EXPECT_EQ(messages.count(), 2);
     }
     EXPECT_EQ(hashes(sims), before);

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause
    Copyright (c) 2026 The Epode authors
 
-   A program to be captured and run again: every joint type with parameters that change on the way, forces, bodies and
-   joints that come and go, geoms that take their bodies along, contacts with every kind of surface, every stepper of the
-   library. `machine managed` lets the world manage its contacts, which no recording can do again; so does `machine push`,
-   with a moved callback that adds forces in the middle of steps. `machine watch` has one that only reads. */
+   A program to be captured and run again: every joint type with parameters that change on the way, forces,
+   bodies and joints that come and go, geoms that take their bodies along, contacts with every kind of
+   surface, every stepper of the library. `machine managed` lets the world manage its contacts, which no
+   recording can do again; so does `machine push`, with a moved callback that adds forces in the middle of
+   steps. `machine watch` has one that only reads. */
 #include <ode/ext.h>
 #include <ode/ode.h>
 #include <stdio.h>
@@ -27,8 +28,9 @@ static void near_callback(void* data, dGeomID a, dGeomID b)
     for (i = 0; i < n; ++i) {
         dSurfaceParameters* surface = &contact[i].surface;
         surface->mu = i % 3 ? 0.5 : dInfinity;
-        surface->mode = (steps / 5 + i) % 2 ? dContactApprox1 | dContactBounce | dContactSoftCFM | dContactRolling
-                                            : dContactApprox1_1 | dContactMu2 | dContactSoftERP | dContactSlip1;
+        surface->mode = (steps / 5 + i) % 2
+                            ? dContactApprox1 | dContactBounce | dContactSoftCFM | dContactRolling
+                            : dContactApprox1_1 | dContactMu2 | dContactSoftERP | dContactSlip1;
         surface->mu2 = 0.3;
         surface->bounce = 0.1;
         surface->bounce_vel = 0.2;
@@ -41,15 +43,9 @@ static void near_callback(void* data, dGeomID a, dGeomID b)
 }
 
 static dReal seen = 0;
-static void watch(dBodyID body)
-{
-    seen += dBodyGetPosition(body)[2] + dBodyGetLinearVel(body)[0];
-}
+static void watch(dBodyID body) { seen += dBodyGetPosition(body)[2] + dBodyGetLinearVel(body)[0]; }
 
-static void push(dBodyID body)
-{
-    dBodyAddForce(body, 0, 0, 0.1);
-}
+static void push(dBodyID body) { dBodyAddForce(body, 0, 0, 0.1); }
 
 static dBodyID box_at(dReal x, dReal y, dReal z)
 {
@@ -140,11 +136,21 @@ static void one_step(int i)
 {
     dSpaceCollide(space, 0, near_callback);
     switch (i % 5) {
-        case 0: dWorldStep(world, 0.01); break;
-        case 1: dWorldQuickStep(world, 0.01); break;
-        case 2: dWorldStepFast1(world, 0.01, 3); break;
-        case 3: dWorldStepHybrid(world, 0.01); break;
-        default: dWorldStepMany(&world, 1, 0.005, dStepperQuick, 4, 2, 1, 0); break;
+        case 0:
+            dWorldStep(world, 0.01);
+            break;
+        case 1:
+            dWorldQuickStep(world, 0.01);
+            break;
+        case 2:
+            dWorldStepFast1(world, 0.01, 3);
+            break;
+        case 3:
+            dWorldStepHybrid(world, 0.01);
+            break;
+        default:
+            dWorldsStep(&world, 1, 0.005, dStepperQuick, 4, 2, 1, 0);
+            break;
     }
     dJointGroupEmpty(contacts);
     ++steps;

@@ -211,7 +211,7 @@ TEST(Calls, that_ask_for_absurdly_much_are_refused)
     const Argument world = Argument::world(), body = Argument::of(ArgumentKind::kBody, 0),
                    dt = Argument::of(0.001);
     const auto many = [&](int stepper, int small, int steps) {
-        return problem_of("dWorldStepMany",
+        return problem_of("dWorldsStep",
                           {world, dt, Argument::of(stepper), Argument::of(small), Argument::of(steps)});
     };
     for (int count : {10000001, 2000000000})
@@ -223,12 +223,12 @@ TEST(Calls, that_ask_for_absurdly_much_are_refused)
     }
     EXPECT_NE(problem_of("dWorldStepFast1", {world, dt, Argument::of(10001)}).find("absurd"),
               std::string::npos);
-    EXPECT_NE(many(dStepperSmallSteps, 10000, 10000).find("absurd"), std::string::npos);
-    EXPECT_NE(many(dStepperSmallSteps, 4, 10001).find("absurd"), std::string::npos);
+    EXPECT_NE(many(dStepperSubsteps, 10000, 10000).find("absurd"), std::string::npos);
+    EXPECT_NE(many(dStepperSubsteps, 4, 10001).find("absurd"), std::string::npos);
     // What a program may well ask for.
     EXPECT_EQ(problem_of("dWorldSetQuickStepNumIterations", {world, Argument::of(1000)}), "");
     EXPECT_EQ(problem_of("dBodySetAutoDisableAverageSamplesCount", {body, Argument::of(100)}), "");
-    EXPECT_EQ(many(dStepperSmallSteps, 20, 10), "");
+    EXPECT_EQ(many(dStepperSubsteps, 20, 10), "");
 }
 
 // Sweeps of each step times steps.
@@ -237,8 +237,8 @@ TEST(Calls, that_ask_for_absurdly_much_together_are_refused)
     Recording recording = ball();
     CallTape tape;
     tape.add("dWorldSetQuickStepNumIterations", {Argument::world(), Argument::of(100000)});
-    tape.add("dWorldStepMany", {Argument::world(), Argument::of(0.001), Argument::of(dStepperQuick),
-                                Argument::of(1), Argument::of(10000)});
+    tape.add("dWorldsStep", {Argument::world(), Argument::of(0.001), Argument::of(dStepperQuick),
+                             Argument::of(1), Argument::of(10000)});
     recording.calls_made.resize(1);
     recording.calls_made[0].block = tape.take();
     Recording now;

@@ -114,13 +114,13 @@ void Player::tune_world(Dice& dice)
             ATTEMPT(true, dWorldSetContactMaxCorrectingVel, world, dice.between(0.1, 10));
             break;
         case 13:
-            ATTEMPT(true, dWorldSetQuickStepWarmStarting, world, dice.between(0, 1));
+            ATTEMPT(true, dWorldSetStepWarmStarting, world, dice.between(0, 1));
             break;
         case 14:
             ATTEMPT(true, dWorldSetAutoDisableAverageSamplesCount, world, unsigned(dice.below(20)));
             break;
         case 15:
-            ATTEMPT(true, dWorldSetContactCone, world, dice.below(2));
+            ATTEMPT(true, dWorldSetFrictionCone, world, dice.below(2));
             break;
         case 16:
             ATTEMPT(true, dWorldSetManifoldFriction, world, dice.below(2));

@@ -147,26 +147,26 @@ extern "C" void dGeomSetConvexHull(dGeomID convex, const dReal* points, unsigned
     mark_changed(*geom);
 }
 
-extern "C" int dGeomConvexGetPoints(dGeomID convex, dReal* points, int room)
+extern "C" int dGeomConvexGetPoints(dGeomID convex, dReal* points, int capacity)
 {
     const FloatEnvironment floats;
     EPODE_GEOM_AS(Convex, geom, convex, 0);
-    EPODE_USER(room >= 0 && (points || room == 0), 0);
+    EPODE_USER(capacity >= 0 && (points || capacity == 0), 0);
     const std::span<const Vec3> all = geom->shape.solid->vertices();
-    for (int i = 0; i < room && i < int(all.size()); ++i) {
+    for (int i = 0; i < capacity && i < int(all.size()); ++i) {
         const Vec3 p = all[std::size_t(i)] + geom->shape.solid->centre();
         for (int k = 0; k < 3; ++k) points[3 * i + k] = p[k];
     }
     return int(all.size());
 }
 
-extern "C" int dGeomConvexGetPlanes(dGeomID convex, dReal* planes, int room)
+extern "C" int dGeomConvexGetPlanes(dGeomID convex, dReal* planes, int capacity)
 {
     const FloatEnvironment floats;
     EPODE_GEOM_AS(Convex, geom, convex, 0);
-    EPODE_USER(room >= 0 && (planes || room == 0), 0);
+    EPODE_USER(capacity >= 0 && (planes || capacity == 0), 0);
     const std::span<const PolyhedronFace> all = geom->shape.solid->faces();
-    for (int i = 0; i < room && i < int(all.size()); ++i) {
+    for (int i = 0; i < capacity && i < int(all.size()); ++i) {
         const PolyhedronFace& f = all[std::size_t(i)];
         for (int k = 0; k < 3; ++k) planes[4 * i + k] = f.normal[k];
         planes[4 * i + 3] = f.offset + dot(f.normal, geom->shape.solid->centre());
@@ -174,13 +174,13 @@ extern "C" int dGeomConvexGetPlanes(dGeomID convex, dReal* planes, int room)
     return int(all.size());
 }
 
-extern "C" int dGeomConvexGetPolygons(dGeomID convex, unsigned int* polygons, int room)
+extern "C" int dGeomConvexGetPolygons(dGeomID convex, unsigned int* polygons, int capacity)
 {
     EPODE_GEOM_AS(Convex, geom, convex, 0);
-    EPODE_USER(room >= 0 && (polygons || room == 0), 0);
+    EPODE_USER(capacity >= 0 && (polygons || capacity == 0), 0);
     int count = 0;
     const auto put = [&](int number) {
-        if (count < room) polygons[count] = unsigned(number);
+        if (count < capacity) polygons[count] = unsigned(number);
         ++count;
     };
     for (const PolyhedronFace& f : geom->shape.solid->faces()) {

@@ -64,7 +64,7 @@ class DirectSolve {
         }
         problem_.store(system, state_.p, scratch_);
         report.factorisations = problem_.factorisations();
-        report.method = report.fallback ? dIslandMethodInterior : dIslandMethodActiveSet;
+        report.method = report.fallback ? dIslandMethodInteriorPoint : dIslandMethodActiveSet;
         report.residual = Real(residual_);
         return true;
     }

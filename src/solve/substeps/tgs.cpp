@@ -220,7 +220,7 @@ bool run(RowSystem& system, const SolverSettings& settings, int n, Joints& joint
 bool solve_tgs(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
 {
     const int n = std::max(1, settings.iterations);
-    report.method = dIslandMethodSmallSteps;
+    report.method = dIslandMethodSubsteps;
     report.iterations = 2 * n;
     bool solved;
     if (solve_without_rows(system, settings, arena, n, solved)) return solved;
@@ -233,14 +233,14 @@ bool solve_network(RowSystem& system, const SolverSettings& settings, Arena& are
 {
     const int n = std::max(1, settings.iterations);
     bool solved;
-    report.method = dIslandMethodSmallSteps;
+    report.method = dIslandMethodSubsteps;
     report.iterations = 2 * n;
     if (solve_without_rows(system, settings, arena, n, solved)) return solved;
     Arena::Scope scope(arena);
     JointNetwork joints;
     if (!joints.plan(system, settings.plans, arena)) return false;
     if (!joints.worth()) return solve_tgs(system, settings, arena, report);
-    report.method = dIslandMethodJointsExact;
+    report.method = dIslandMethodSubstepsExactJoints;
     solved = run(system, settings, n, joints, arena, report);
     report.factorisations = joints.factorisations();
     return solved;
