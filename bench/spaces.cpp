@@ -125,11 +125,11 @@ void cast_our_way(dSpaceID space, const RaySet& set, RayResult& out)
     for (int round = 0; round < rounds; ++round) {
         const double one = seconds([&] {
             for (std::size_t i = 0; i < hits.size(); ++i)
-                closest(space, &set.origins[3 * i], &set.directions[3 * i], set.lengths[i], ~0ul, ~0ul,
+                closest(space, &set.origins[3 * i], &set.directions[3 * i], set.lengths[i], nullptr,
                         &hits[i]);
         });
         const double many = seconds([&] {
-            batch(space, set.count, set.origins.data(), set.directions.data(), set.lengths.data(), ~0ul, ~0ul,
+            batch(space, set.count, set.origins.data(), set.directions.data(), set.lengths.data(), nullptr,
                   hits.data(), 1);
         });
         out.closest = std::max(out.closest, set.count / one);

@@ -18,7 +18,7 @@ namespace {
 constexpr double kReach = 1e5;
 constexpr double kPlaneReach = 1000;
 
-// dQueryHit of ode/ext.h, which the headers of ODE itself do not have.
+// dQueryHit of ode/queries.h, which the headers of ODE itself do not have.
 struct RawHit {
     dGeomID geom;
     dVector3 pos, normal;
@@ -26,8 +26,7 @@ struct RawHit {
     int side;
 };
 
-using RayClosest = int (*)(dSpaceID, const dReal*, const dReal*, dReal, unsigned long, unsigned long,
-                           RawHit*);
+using RayClosest = int (*)(dSpaceID, const dReal*, const dReal*, dReal, const void*, RawHit*);
 
 void nearest_of_pair(void* data, dGeomID a, dGeomID b)
 {
@@ -81,7 +80,7 @@ std::optional<Met> closest_geom(dSpaceID space, Vec origin, Vec direction)
     const dVector3 from = {dReal(origin.x), dReal(origin.y), dReal(origin.z)};
     const dVector3 along = {dReal(direction.x), dReal(direction.y), dReal(direction.z)};
     RawHit hit{};
-    if (!closest(space, from, along, dReal(kReach), ~0ul, ~0ul, &hit)) return std::nullopt;
+    if (!closest(space, from, along, dReal(kReach), nullptr, &hit)) return std::nullopt;
     return Met{hit.geom, {double(hit.pos[0]), double(hit.pos[1]), double(hit.pos[2])}, double(hit.distance)};
 }
 

@@ -12,66 +12,86 @@
 extern "C" {
 #endif
 
-/** @chapter queries Questions to spaces
+/** @chapter queries Spatial queries
 
-    What lies where in a space, without contacts and without a callback. Members of nested spaces, at any
-   depth, count as members. Disabled geoms and those of no size are not seen, as dSpaceCollide does not see
-   them, nor is anything in a disabled space. Answers do not depend on how a space is organised: where order
-   matters, and between geoms at equal distance, the geom that has joined last comes first, as in
-   dSpaceCollide. All lengths in m, all vectors in the world's frame.
+    What lies where in a space, without contacts and without a near callback. Members of nested spaces, at
+    any depth, count as members. Disabled geoms and those of zero size are not found, as dSpaceCollide does
+    not find them, nor is anything in a disabled space. Results do not depend on how a space is organised:
+    where order matters, and between geoms at equal distance, the geom that has joined last comes first. All
+    lengths in m, all vectors in the world's frame.
 
     Arguments:
     - space: any space; it may be one that is being collided, and is then seen as when that began.
-    - category, collide: what the question is as a geom would be: it sees the geoms whose collide bits have
-   one of its category bits, or whose category bits have one of its collide bits. The same is asked of spaces,
-   for all that is in them. ~0ul sees everything.
-    - room: how many answers the array holds, 0 or more; 0 to ask for the number alone, the array may then be
-    null.
+    - filter: what the query finds, a dQueryFilter; 0: what each function says.
+    - capacity: how many elements the array has, 0 or more; 0 to ask for the number alone, the array may
+      then be null.
 
-    Refused: a space that is 0, destroyed or none; null pointers; numbers that are not finite; what each
-    function names. Nothing changes then, and the answer is 0. While functions of the program are called
-    (user classes, overridden pairs, functions of meshes and heights), the space is locked. */
+    Refused: a space that is 0, destroyed or none; [dSpace] a filter smaller than one that has the two bit
+    fields alone or larger than this library's, or one whose skip_body is destroyed; null pointers; numbers
+    that are not finite; what each function names. Nothing changes then, and the answer is 0. While
+    functions of the program are called (filters, user classes, overridden pairs, functions of meshes and
+    heights), the space is locked. */
 
-/** What a question has found. */
+/** Decides whether a query keeps a geom that it has met: not if it returns 0. data is the filter's; geom is
+    the one that the result would name. It is called on the caller's thread, the geom that has joined last
+    first, but not for geoms farther than one that has been kept already where the nearest is asked for. It
+    must not change the space. */
+typedef int dQueryCallback(void* data, dGeomID geom);
+
+/** What a query finds. A geom is left out if its bits do not agree, if it is on skip_body, or if the
+    callback rejects it. The same bits are asked of nested spaces, for all that is in them. Each field ends
+    with its default. */
+typedef struct dQueryFilter {
+    unsigned struct_size;        /**< sizeof(dQueryFilter), set by the caller or dQueryFilterInit */
+    unsigned long category_bits; /**< finds geoms whose collide bits have one of these ... ~0ul */
+    unsigned long collide_bits;  /**< ... or whose category bits have one of these. ~0ul */
+    dBodyID skip_body;           /**< leave the geoms of this body out; 0: none. 0 */
+    dQueryCallback* callback;    /**< has the last word; 0: none. 0 */
+    void* data;                  /**< for the callback. 0 */
+} dQueryFilter;
+
+/** Fills *filter with the default of every field, a filter that finds everything, and writes struct_size,
+    which is sizeof(dQueryFilter), to it: dQueryFilterInit(&filter, sizeof filter). Returns 1. [ours] */
+ODE_API int dQueryFilterInit(dQueryFilter* filter, unsigned struct_size);
+
+/** What a query has hit. */
 typedef struct dQueryHit {
     dGeomID geom;    /**< the geom that was hit; 0: none, and all else is 0 */
     dVector3 pos;    /**< where, in the world */
-    dVector3 normal; /**< unit, out of that geom's surface, against the ray or the motion (see there) */
+    dVector3 normal; /**< unit, out of that geom's surface, against the ray or the motion */
     dReal distance;  /**< from the beginning of the ray or of the motion, m */
     int side;        /**< triangle of a mesh, as dContactGeom::side2; -1: it has none */
 } dQueryHit;
 
-/** The geom that a ray meets first, from origin into direction (of any length but 0), to the distance length
-   (0 ... dInfinity), in *hit. Each geom is met as dCollide with a ray geom says, with the closest hit
-   counted: one whose inside the ray starts in is met at its far wall, from inside; normals of meshes are
-   those of their fronts. Returns 1, or 0 when nothing is met: then hit->geom is 0. Refused: a zero direction,
-   a length below 0. [ours] */
+/** Finds the geom that a ray hits first and writes it to *hit. The ray goes from origin in direction (of
+    any length but 0) to the distance length (0 ... dInfinity). Each geom is hit as dCollide with a ray geom
+    says, with its closest hit; from inside, at its far wall. A null filter finds everything. Returns 1, or
+    0 if nothing is hit: then hit->geom is 0. Refused: a zero direction; a length below 0. [ours] */
 ODE_API int dSpaceRayClosest(dSpaceID space, const dVector3 origin, const dVector3 direction, dReal length,
-                             unsigned long category, unsigned long collide, dQueryHit* hit);
+                             const dQueryFilter* filter, dQueryHit* hit);
 
-/** All geoms that the ray from origin into direction meets within length, each once, at its nearest hit, the
-   nearest first; as many of them as there is room for in hits. The rest as dSpaceRayClosest. Returns how many
-   there are. [ours] */
+/** Finds all geoms that a ray hits, each once, and writes at most capacity of them to hits, the nearest
+    first. The ray (origin, direction, length) and a null filter are as in dSpaceRayClosest. Returns how
+    many there are. [ours] */
 ODE_API int dSpaceRayAll(dSpaceID space, const dVector3 origin, const dVector3 direction, dReal length,
-                         unsigned long category, unsigned long collide, dQueryHit* hits, int room);
+                         const dQueryFilter* filter, dQueryHit* hits, int capacity);
 
-/** Many rays at once: for ray i of count the answer of dSpaceRayClosest in hits[i], geom 0 if it meets
-   nothing; origins and directions have 3 reals for each ray, lengths one. Over at most so many threads, the
-   caller's included (threads 0: as many as there are processors); the answers have the same bits on any
-   number. Where a function of the program would be called for any geom of the space, the caller's thread does
-   all. Returns how many rays meet something. Refused, all of them: one ray that dSpaceRayClosest would
-   refuse, a negative count or number of threads. [ours] */
+/** Casts count rays at once: hits[i] is the hit of dSpaceRayClosest for ray i. origins and directions have
+    3 reals for each ray, lengths one. At most so many threads work, the caller's included (threads 0: one
+    for each processor), with the same bits on any number; the caller's does all if the filter has a
+    callback, or if a geom of the space would call a function of the program. A null filter finds
+    everything. Returns how many rays hit something. Refused, all of them: a ray that dSpaceRayClosest would
+    refuse; a negative count or number of threads. [ours] */
 ODE_API int dSpaceRayBatch(dSpaceID space, int count, const dReal* origins, const dReal* directions,
-                           const dReal* lengths, unsigned long category, unsigned long collide,
-                           dQueryHit* hits, int threads);
+                           const dReal* lengths, const dQueryFilter* filter, dQueryHit* hits, int threads);
 
-/** Which members of the space touch or overlap the geom, which may be one of them and is then left out; the
-   one that has joined last first, as many as there is room for in geoms. The geom is any but a space; its own
-   bits decide what it sees; geoms on its body are left out. Meshes are met at their triangles from either
-   side, not where they enclose the geom; height fields are solid down to the bottom of their boxes. Classes
-   of the program and overridden pairs are met as dCollide says. Returns how many there are. Refused: a geom
-   that is a space, destroyed or 0. [ours] */
-ODE_API int dSpaceOverlap(dSpaceID space, dGeomID geom, dGeomID* geoms, int room);
+/** Finds the members of the space that touch or overlap a geom, other than itself and geoms of its body,
+    and writes at most capacity of them to geoms, the one that has joined last first. A null filter takes
+    the geom's own bits. Meshes are surfaces, unless solid; height fields are solid down to the bottom of
+    their boxes; classes of the program and overridden pairs are met as dCollide says. Returns how many
+    there are. Refused: a geom that is a space, destroyed or 0. [ours] */
+ODE_API int dSpaceOverlap(dSpaceID space, dGeomID geom, const dQueryFilter* filter, dGeomID* geoms,
+                          int capacity);
 
 /** How far two geoms are from each other. */
 typedef struct dQueryDistance {
@@ -85,31 +105,26 @@ typedef struct dQueryDistance {
     int side2;       /**< the same of g2 */
 } dQueryDistance;
 
-/** The signed distance of o1 and o2 and the points where it is attained, in *result, if it is no more than
-   most (dInfinity: however far). Exchanging o1 and o2 changes no bit but signs and names. Solids that overlap
-   have minus the least depth: moving o1 by -distance * normal parts them. A ray is the segment that it
-   covers. A mesh is the surface that its triangles make: its distance is the least over triangles, so where
-   some are cut, minus the depth of the deepest. Below a height field all is ground for solids and meshes,
-   with the deepest contact of dCollide; to rays and other height fields it is a surface. Two planes that do
-   not look at each other overlap without end: -dInfinity. Of a space the least over what is in it and whose
-   bits agree with those of the other. Enabling, bodies and overridden pairs do not matter otherwise. Returns
-   1; 0 if farther than most, or where there is no distance: geoms of no triangles, classes of the program,
-   two endless height fields. Refused: equal geoms, one that is destroyed or 0. [ours] */
-ODE_API int dGeomGetDistance(dGeomID o1, dGeomID o2, dReal most, dQueryDistance* result);
+/** Computes the signed distance of o1 and o2 and the points where it is attained, and writes them to
+    *result if it is at most max_distance (dInfinity: however far). Solids that overlap have minus the least
+    depth: moving o1 by -distance * normal parts them. Of a space counts the member nearest to the other
+    geom whose bits agree with its bits. Returns 1; 0 if they are farther apart, or where there is no
+    distance: geoms of no triangles, classes of the program, two endless height fields. Meshes, rays, planes
+    and height fields: docs/guide/queries.md. Refused: equal geoms, one that is destroyed or 0. [ours] */
+ODE_API int dGeomGetDistance(dGeomID o1, dGeomID o2, dReal max_distance, dQueryDistance* result);
 
-/** Convex geoms are sphere, box, capsule, cylinder, convex, ray, or a transform that holds one. What o
-    overlaps at the beginning is met at distance 0, with the normal that leads out; what it only touches is
-    met if the motion leads into it. Nothing is passed, however thin or small it is and however long the
-    motion; a height field is met at its surface. Classes of the program are not met. Written to *hit: the
-    way until then (distance, at most the length of motion), the point (pos) and the normal, out of what is
-    met. Returns 1, or 0 if nothing is met: then hit->geom is 0. Refused: no motion; an o that is not convex.
-    - dGeomCast: Whether the geom o meets one other geom, whatever its bits, when o is moved by motion (m,
-      world, not zero) without turning. Refused: another geom that is o, destroyed, 0 or a space.
-    - dSpaceCast: What the geom o meets first among all members of the space that o's bits let it see, except
-      o itself and geoms on its body, when o is moved by motion (m, world, not zero) without turning; the
-      newest of those met at once. [ours] */
+/** The geom o moves by motion (m, world, not zero) without turning. It is convex: a sphere, box, capsule,
+    cylinder, convex, ray, or a transform that holds one. What it overlaps at the beginning is hit at
+    distance 0, with the normal that leads out; what it only touches is hit if the motion leads into it.
+    Nothing is passed, however thin. Classes of the program are not met. Returns 1, or 0 if nothing is hit:
+    then hit->geom is 0. Refused: no motion; an o that is not convex.
+    - dGeomCast: Find where the geom hits one other geom, whatever its bits, and write that to *hit.
+      Refused: another geom that is o, destroyed, 0 or a space.
+    - dSpaceCast: Find what the geom hits first in the space, other than itself and geoms of its body, and
+      write that to *hit. A null filter takes the geom's own bits. [ours] */
 ODE_API int dGeomCast(dGeomID o, const dVector3 motion, dGeomID other, dQueryHit* hit);
-ODE_API int dSpaceCast(dSpaceID space, dGeomID o, const dVector3 motion, dQueryHit* hit);
+ODE_API int dSpaceCast(dSpaceID space, dGeomID o, const dVector3 motion, const dQueryFilter* filter,
+                       dQueryHit* hit);
 
 #ifdef __cplusplus
 }

@@ -124,7 +124,8 @@ void clean(Space& space, const WayFinder& finder, const Tasks& tasks);
 Aabb space_aabb(Geom& space);  // a GeomType's function
 
 // ---- collision ----
-bool may_meet(Geom& a, Geom& b);  // all that decides but enabling and boxes
+bool can_pair(Geom& a, Geom& b);  // all that decides but enabling, boxes and bits
+bool may_meet(Geom& a, Geom& b);  // and bits
 // Which boxes of two members must overlap: their own, or those of the ways that are expected of them.
 enum class PairsOf { kBoxes, kWays };
 // visit(a, b) for the pairs first ... last - 1 of the broadphase's list that are there and may meet.

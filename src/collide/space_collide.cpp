@@ -150,12 +150,16 @@ void space_with_space(Space& walked, Space& asked, const Tell& tell)
 
 }  // namespace
 
-bool may_meet(Geom& a, Geom& b)
+bool can_pair(Geom& a, Geom& b)
 {
     if (&a == &b || of_one_body(a, b)) return false;
-    if (!(a.category & b.collide) && !(b.category & a.collide)) return false;
     return !(a.type->may_touch && !a.type->may_touch(a, b)) &&
            !(b.type->may_touch && !b.type->may_touch(b, a));
+}
+
+bool may_meet(Geom& a, Geom& b)
+{
+    return ((a.category & b.collide) || (b.category & a.collide)) && can_pair(a, b);
 }
 
 void collide_space(Space& space, void* data, dNearCallback* callback, PairsOf of)

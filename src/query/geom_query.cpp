@@ -18,12 +18,12 @@ namespace {
 
 Space* space_of(Geom& geom) { return is_space(geom) ? static_cast<Space*>(&geom) : nullptr; }
 
-bool leaves_of(Geom& geom, QueryBits bits, Array<Geom*>& out)
+bool leaves_of(Geom& geom, const QueryFilter& filter, Array<Geom*>& out)
 {
-    return is_space(geom) ? collect_seen(static_cast<Space&>(geom), bits, out) : out.push(&geom);
+    return is_space(geom) ? collect_seen(static_cast<Space&>(geom), filter, out) : out.push(&geom);
 }
 
-bool agree(const Geom& a, const Geom& b) { return QueryBits{a.category, a.collide}.meet(b); }
+bool agree(const Geom& a, const Geom& b) { return QueryFilter{a.category, a.collide}.admits(b); }
 
 // No more than their distance. Infinite boxes are left alone, and height fields, whose ground goes on below.
 Real box_gap(Geom& a, Geom& b)
@@ -66,12 +66,12 @@ void put(const GeomSeparation& s, dQueryDistance& out)
 
 using namespace epode;
 
-extern "C" int dGeomGetDistance(dGeomID o1, dGeomID o2, dReal most, dQueryDistance* result)
+extern "C" int dGeomGetDistance(dGeomID o1, dGeomID o2, dReal max_distance, dQueryDistance* result)
 {
     const FloatEnvironment floats;
     EPODE_GEOM(a, o1, 0);
     EPODE_GEOM(b, o2, 0);
-    EPODE_USER(a != b && result && (usable(most) || most == kInf), 0);
+    EPODE_USER(a != b && result && (usable(max_distance) || max_distance == kInf), 0);
     const GeomHold hold_a(*a), hold_b(*b);
     for (Geom* g : {a, b})
         if (is_space(*g)) clean(static_cast<Space&>(*g));
@@ -80,29 +80,30 @@ extern "C" int dGeomGetDistance(dGeomID o1, dGeomID o2, dReal most, dQueryDistan
         leaves_of(*a, {b->category, b->collide}, first) && leaves_of(*b, {a->category, a->collide}, second);
     EPODE_USER_SAY(room, kOutOfMemory, 0);
     const MembersLock lock_a(space_of(*a), first), lock_b(space_of(*b), second);
-    const GeomSeparation found = least(first, second, is_space(*a) || is_space(*b), most);
+    const GeomSeparation found = least(first, second, is_space(*a) || is_space(*b), max_distance);
     if (!found.a) return 0;
     put(found, *result);
     return 1;
 }
 
-extern "C" int dSpaceOverlap(dSpaceID id, dGeomID o, dGeomID* geoms, int room)
+extern "C" int dSpaceOverlap(dSpaceID id, dGeomID o, const dQueryFilter* given, dGeomID* geoms, int capacity)
 {
     const FloatEnvironment floats;
     EPODE_SPACE(space, id, 0);
     EPODE_GEOM(geom, o, 0);
-    EPODE_USER(room >= 0 && (geoms || room == 0), 0);
+    EPODE_USER(capacity >= 0 && (geoms || capacity == 0), 0);
     EPODE_USER_SAY(!is_space(*geom), "argument must not be a space", 0);
+    QueryFilter filter{geom->category, geom->collide};
+    if (!read_filter(given, __func__, filter)) return 0;
     const GeomHold hold(*geom);
     Array<Geom*> near;
-    const QueryBits bits{geom->category, geom->collide};
     clean(*space);
-    EPODE_USER_SAY(collect_near(*space, bits, box_of(*geom), near), kOutOfMemory, 0);
+    EPODE_USER_SAY(collect_near(*space, filter, box_of(*geom), near), kOutOfMemory, 0);
     const MembersLock lock(space, near);
     int count = 0;
     for (Geom* m : near) {
-        if (!may_meet(*geom, *m) || !overlapping(*geom, *m)) continue;
-        if (count < room) geoms[count] = to_handle(m);
+        if (!can_pair(*geom, *m) || !overlapping(*geom, *m) || !filter.keeps(to_handle(m))) continue;
+        if (count < capacity) geoms[count] = to_handle(m);
         ++count;
     }
     return count;

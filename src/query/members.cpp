@@ -44,17 +44,17 @@ bool make_ready(Space& space, int rays)
     return ready;
 }
 
-bool collect_seen(Space& space, QueryBits bits, Array<Geom*>& out)
+bool collect_seen(Space& space, const QueryFilter& filter, Array<Geom*>& out)
 {
     for (int slot = space.members.size(); slot-- > 0;) {
         Geom* m = space.members[slot];
-        if (!m || !m->enabled || !space.broadphase.present(slot) || !bits.meet(*m)) continue;
-        if (is_space(*m) ? !collect_seen(static_cast<Space&>(*m), bits, out) : !out.push(m)) return false;
+        if (!m || !m->enabled || !space.broadphase.present(slot) || !filter.admits(*m)) continue;
+        if (is_space(*m) ? !collect_seen(static_cast<Space&>(*m), filter, out) : !out.push(m)) return false;
     }
     return true;
 }
 
-bool collect_near(Space& space, QueryBits bits, const Aabb& box, Array<Geom*>& out)
+bool collect_near(Space& space, const QueryFilter& filter, const Aabb& box, Array<Geom*>& out)
 {
     Array<int> slots;
     slots.swap(space.scratch);
@@ -64,8 +64,8 @@ bool collect_near(Space& space, QueryBits bits, const Aabb& box, Array<Geom*>& o
     std::sort(slots.begin(), slots.end(), [](int a, int b) { return a > b; });
     for (int i = 0; i < slots.size() && room; ++i) {
         Geom* m = space.members[slots[i]];
-        if (!m->enabled || !bits.meet(*m)) continue;
-        room = is_space(*m) ? collect_near(static_cast<Space&>(*m), bits, box, out) : out.push(m);
+        if (!m->enabled || !filter.admits(*m)) continue;
+        room = is_space(*m) ? collect_near(static_cast<Space&>(*m), filter, box, out) : out.push(m);
     }
     slots.swap(space.scratch);
     return room;

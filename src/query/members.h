@@ -4,21 +4,13 @@
 // What queries of spaces have in common: which members they look at, and in which order they report them.
 // Members of nested spaces count as members, at the place of the space that holds them; order is that of
 // dSpaceCollide, newer before older, and so depends on the order of joining alone, never on the shape of a
-// tree. Filters are those of spaces: one of the two must collide with a category of the other; bits and
-// enabling of a nested space hold for what is in it.
+// tree. Bits and enabling of a nested space hold for what is in it.
 #pragma once
 
 #include "collide/space.h"
+#include "query/query_filter.h"
 
 namespace epode {
-
-struct QueryBits {
-    unsigned long category = ~0ul, collide = ~0ul;
-    bool meet(const Geom& geom) const
-    {
-        return (category & geom.collide) != 0 || (geom.category & collide) != 0;
-    }
-};
 
 // Did a join later? Both are members, at any depth, of one space.
 bool is_newer(const Geom& a, const Geom& b);
@@ -39,11 +31,11 @@ bool each_member(Space& space, Visit&& visit)
     return true;
 }
 
-// All that is seen by the bits in a space, or of that what may meet a box: no spaces, newest first. The
+// All that the filter admits in a space, or of that what may meet a box: no spaces, newest first. The
 // caller has cleaned the space, and with it what is in it: here no function of the program is called. False:
 // memory is exhausted.
-[[nodiscard]] bool collect_seen(Space& space, QueryBits bits, Array<Geom*>& out);
-[[nodiscard]] bool collect_near(Space& space, QueryBits bits, const Aabb& box, Array<Geom*>& out);
+[[nodiscard]] bool collect_seen(Space& space, const QueryFilter& filter, Array<Geom*>& out);
+[[nodiscard]] bool collect_near(Space& space, const QueryFilter& filter, const Aabb& box, Array<Geom*>& out);
 
 // Locks the spaces from those of members up to an outer one, so that the members stay what and where they are
 // while functions of the program may be called. Null: nothing is to be locked.

@@ -72,15 +72,16 @@ template <typename Found>
 void RayCaster::walk(Space& space, const RayQuestion& question, Real& reach, Found&& found)
 {
     if (!ready_) clean(space);  // but not one that is being collided
+    const bool calls_back = question.filter.callback != nullptr;
     const auto visit = [&](int slot) {
         Geom& m = *space.members.data()[slot];
-        if (!m.enabled || !question.bits.meet(m)) return reach;
+        if (!m.enabled || !question.filter.admits(m)) return reach;
         if (is_space(m)) {
             walk(static_cast<Space&>(m), question, reach, found);
             return reach;
         }
         RayAnswer answer;
-        if (const PairFunction pair = direct(m)) {
+        if (const PairFunction pair = calls_back ? nullptr : direct(m)) {
             probe_.shape.length = reach;
             ContactSink sink(&answer.contact, int(sizeof(dContactGeom)), 1, false);
             pair(probe_, pose_, m, pose_of(m), sink);
@@ -90,7 +91,7 @@ void RayCaster::walk(Space& space, const RayQuestion& question, Real& reach, Fou
             found(answer);
             return reach;
         }
-        const bool waits = m.type->number == dHeightfieldClass || asks_program(probe_, m);
+        const bool waits = calls_back || m.type->number == dHeightfieldClass || asks_program(probe_, m);
         if (waits && waiting_.push(&m)) return reach;
         if (hit(question, m, reach, answer)) found(answer);
         return reach;
@@ -141,6 +142,7 @@ RayAnswer RayCaster::closest(const RayQuestion& question)
     aim(question);
     const auto found = [&](const RayAnswer& answer) {
         if (best.member && !comes_before(answer, best)) return;
+        if (!question.filter.keeps(answer.contact.g2)) return;
         best = answer;
         reach = std::min(reach, just_beyond(answer.contact.depth));
     };
@@ -154,7 +156,9 @@ bool RayCaster::all(const RayQuestion& question, Array<RayAnswer>& out)
     Real reach = question.length;
     bool room = true;
     aim(question);
-    const auto found = [&](const RayAnswer& answer) { room = out.push(answer) && room; };
+    const auto found = [&](const RayAnswer& answer) {
+        if (question.filter.keeps(answer.contact.g2)) room = out.push(answer) && room;
+    };
     walk(space_, question, reach, found);
     ask_waiting(question, reach, found);
     std::sort(out.begin(), out.end(), comes_before);
@@ -186,22 +190,25 @@ bool usable_ray(const dReal* origin, const dReal* direction, dReal length)
 }
 
 // The direction is not zero.
-bool question_of(const dReal* origin, const dReal* direction, dReal length, QueryBits bits, RayQuestion& out)
+bool question_of(const dReal* origin, const dReal* direction, dReal length, const QueryFilter& filter,
+                 RayQuestion& out)
 {
-    out = {load(origin), load(direction), std::min(length, kAbsurd), bits};
+    out = {load(origin), load(direction), std::min(length, kAbsurd), filter};
     return normalize(out.direction);
 }
 
 }  // namespace
 
 extern "C" int dSpaceRayClosest(dSpaceID id, const dVector3 origin, const dVector3 direction, dReal length,
-                                unsigned long category, unsigned long collide, dQueryHit* hit)
+                                const dQueryFilter* given, dQueryHit* hit)
 {
     const FloatEnvironment floats;
     EPODE_SPACE(space, id, 0);
     EPODE_USER(origin && direction && hit && usable_ray(origin, direction, length), 0);
+    QueryFilter filter;
+    if (!read_filter(given, __func__, filter)) return 0;
     RayQuestion question;
-    EPODE_USER(question_of(origin, direction, length, {category, collide}, question), 0);
+    EPODE_USER(question_of(origin, direction, length, filter, question), 0);
     RayCaster caster(*space, false);
     const RayAnswer answer = caster.closest(question);
     put(answer, *hit);
@@ -209,24 +216,25 @@ extern "C" int dSpaceRayClosest(dSpaceID id, const dVector3 origin, const dVecto
 }
 
 extern "C" int dSpaceRayAll(dSpaceID id, const dVector3 origin, const dVector3 direction, dReal length,
-                            unsigned long category, unsigned long collide, dQueryHit* hits, int room)
+                            const dQueryFilter* given, dQueryHit* hits, int capacity)
 {
     const FloatEnvironment floats;
     EPODE_SPACE(space, id, 0);
     EPODE_USER(origin && direction && usable_ray(origin, direction, length), 0);
-    EPODE_USER(room >= 0 && (hits || room == 0), 0);
+    EPODE_USER(capacity >= 0 && (hits || capacity == 0), 0);
+    QueryFilter filter;
+    if (!read_filter(given, __func__, filter)) return 0;
     RayQuestion question;
-    EPODE_USER(question_of(origin, direction, length, {category, collide}, question), 0);
+    EPODE_USER(question_of(origin, direction, length, filter, question), 0);
     RayCaster caster(*space, false);
     Array<RayAnswer> answers;
     EPODE_USER_SAY(caster.all(question, answers), kOutOfMemory, 0);
-    for (int i = 0; i < std::min(room, answers.size()); ++i) put(answers[i], hits[i]);
+    for (int i = 0; i < std::min(capacity, answers.size()); ++i) put(answers[i], hits[i]);
     return answers.size();
 }
 
 extern "C" int dSpaceRayBatch(dSpaceID id, int count, const dReal* origins, const dReal* directions,
-                              const dReal* lengths, unsigned long category, unsigned long collide,
-                              dQueryHit* hits, int threads)
+                              const dReal* lengths, const dQueryFilter* given, dQueryHit* hits, int threads)
 {
     const FloatEnvironment floats;
     EPODE_SPACE(space, id, 0);
@@ -237,9 +245,11 @@ extern "C" int dSpaceRayBatch(dSpaceID id, int count, const dReal* origins, cons
         EPODE_USER(usable_ray(origins + 3 * i, directions + 3 * i, lengths[i]), 0);
         EPODE_USER(question_of(origins + 3 * i, directions + 3 * i, lengths[i], {}, question), 0);
     }
+    QueryFilter filter;
+    if (!read_filter(given, __func__, filter)) return 0;
     constexpr int kParcel = 64;
     (void)make_ready(*space, count);
-    const bool alone = RayCaster(*space, true).asks_program_of_any();
+    const bool alone = filter.callback || RayCaster(*space, true).asks_program_of_any();
     const SpaceLock lock(*space);
     const Tasks tasks(alone ? 1 : threads == 0 ? processor_count() : threads);
     std::atomic<int> met{0};
@@ -249,7 +259,7 @@ extern "C" int dSpaceRayBatch(dSpaceID id, int count, const dReal* origins, cons
         const std::size_t first = std::size_t(parcel) * kParcel;
         for (std::size_t i = first; i < std::min(first + kParcel, std::size_t(count)); ++i) {
             RayQuestion question;
-            (void)question_of(origins + 3 * i, directions + 3 * i, lengths[i], {category, collide}, question);
+            (void)question_of(origins + 3 * i, directions + 3 * i, lengths[i], filter, question);
             const RayAnswer answer = caster.closest(question);
             put(answer, hits[i]);
             here += answer.member != nullptr;

@@ -7,7 +7,8 @@
 // and the answer is still that of trying all: boxes are widened by more than rounding, the reach is a little
 // more than the best distance, and of equal distances the newer geom wins. What needs a reach that does not
 // depend on the shape of the tree waits for the end of the walk and is asked in order of joining: geoms for
-// which functions of the program are called, and height fields, whose walk over the grid rounds with its end.
+// which functions of the program are called, and height fields, whose walk over the grid rounds with its end;
+// and all geoms if the filter has a callback.
 #pragma once
 
 #include "collide/collide.h"
@@ -19,7 +20,7 @@ namespace epode {
 struct RayQuestion {
     Vec3 origin, direction;  // unit
     Real length = 0;
-    QueryBits bits;
+    QueryFilter filter;
 };
 
 struct RayAnswer {

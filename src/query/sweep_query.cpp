@@ -29,7 +29,7 @@ bool boxes_may_meet(const Aabb& box, const Way& way, const Aabb& other, Real lim
     return TreeRay(centre, way.along, wide).enters(wide, limit) < kInf;
 }
 
-SweepHit nearest(Geom& solid, const Way& way, const Array<Geom*>& others)
+SweepHit nearest(Geom& solid, const Way& way, const Array<Geom*>& others, const QueryFilter& filter)
 {
     SweepHit best;
     const Aabb box = box_of(solid);
@@ -39,7 +39,7 @@ SweepHit nearest(Geom& solid, const Way& way, const Array<Geom*>& others)
         // Below the box of a height field is ground.
         if (m->type->number != dHeightfieldClass && !boxes_may_meet(box, way, box_of(*m), limit)) continue;
         const SweepHit hit = sweep(solid, way, *m, limit);
-        if (hit.distance < best.distance) best = hit;
+        if (hit.distance < best.distance && filter.keeps(to_handle(hit.named))) best = hit;
     }
     return best;
 }
@@ -85,7 +85,8 @@ extern "C" int dGeomCast(dGeomID o, const dVector3 motion, dGeomID other_id, dQu
     return found.distance < kInf;
 }
 
-extern "C" int dSpaceCast(dSpaceID id, dGeomID o, const dVector3 motion, dQueryHit* hit)
+extern "C" int dSpaceCast(dSpaceID id, dGeomID o, const dVector3 motion, const dQueryFilter* given,
+                          dQueryHit* hit)
 {
     const FloatEnvironment floats;
     EPODE_SPACE(space, id, 0);
@@ -94,14 +95,14 @@ extern "C" int dSpaceCast(dSpaceID id, dGeomID o, const dVector3 motion, dQueryH
     EPODE_USER_SAY(is_solid(*solid), "argument not convex", 0);
     Way way;
     EPODE_USER(way_of(motion, way), 0);
+    QueryFilter filter{solid->category, solid->collide};
+    if (!read_filter(given, __func__, filter)) return 0;
     const GeomHold hold(*solid);
     clean(*space);
     Array<Geom*> near;
-    const bool room =
-        collect_near(*space, {solid->category, solid->collide}, swept(box_of(*solid), way), near);
-    EPODE_USER_SAY(room, kOutOfMemory, 0);
+    EPODE_USER_SAY(collect_near(*space, filter, swept(box_of(*solid), way), near), kOutOfMemory, 0);
     const MembersLock lock(space, near);
-    const SweepHit found = nearest(*solid, way, near);
+    const SweepHit found = nearest(*solid, way, near, filter);
     put(found, *hit);
     return found.distance < kInf;
 }

@@ -66,6 +66,7 @@ enum class Kind {
     kQueryHits,
     kWorldList,
     kMaterial,
+    kQueryFilter,
     kGeomClass,
     kWorldReport,
     kIslandReport,

@@ -205,6 +205,28 @@ dMaterial material_with(Change&& change)
     return m;
 }
 
+inline const std::vector<Item<dQueryFilter>>& filters()
+{
+    static const auto with = [](auto change) {
+        dQueryFilter f{sizeof(dQueryFilter), ~0ul, ~0ul, nullptr, nullptr, nullptr};
+        change(f);
+        return f;
+    };
+    using F = dQueryFilter;
+    static const std::vector<Item<F>> list = {
+        {with([](F&) {}), Trait::kFine, "everything"},
+        {with([](F& f) { f.category_bits = f.collide_bits = 0; }), Trait::kFine, "nothing"},
+        {with([](F& f) { f.callback = [](void*, dGeomID) { return 0; }; }), Trait::kFine, "rejects all"},
+        {with([](F& f) { f.callback = [](void*, dGeomID) { return 1; }; }), Trait::kFine, "keeps all"},
+        {with([](F& f) { f.struct_size = offsetof(F, skip_body), f.skip_body = dBodyID(-1); }), Trait::kFine,
+         "bits alone"},
+        {with([](F& f) { f.skip_body = dBodyID(-1); }), Trait::kBad, "skip_body -1"},
+        {with([](F& f) { f.struct_size = 0; }), Trait::kBad, "size 0"},
+        {with([](F& f) { f.struct_size = 4; }), Trait::kBad, "size 4"},
+        {with([](F& f) { f.struct_size = UINT_MAX; }), Trait::kBad, "size UINT_MAX"}};
+    return list;
+}
+
 inline const std::vector<Item<dMaterial>>& materials()
 {
     static const std::vector<Item<dMaterial>> list = {

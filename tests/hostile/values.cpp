@@ -156,6 +156,8 @@ int Values::count(Kind kind)
             return int(masses().size()) + 1;
         case Kind::kMaterial:
             return int(materials().size()) + 1;
+        case Kind::kQueryFilter:
+            return int(filters().size()) + 1;
         case Kind::kContact:
             return int(hostile::contacts().size()) + 1;
         case Kind::kGeomClass:
@@ -331,6 +333,8 @@ Value Values::memory(Kind kind, int index, int position)
             return item(masses());
         case Kind::kMaterial:
             return item(materials());
+        case Kind::kQueryFilter:
+            return item(filters());
         case Kind::kContact:
             return item(hostile::contacts());
         case Kind::kGeomClass:

@@ -175,9 +175,9 @@ std::uint64_t rays_of(const Zoo& zoo, const FloatMode& mode, int threads, bool& 
     int met, several;
     {
         const HostMode host(mode, kept);
-        met = dSpaceRayBatch(zoo.space, kRays, origins, directions, lengths, ~0ul, ~0ul, hits, threads);
-        dSpaceRayClosest(zoo.space, origins, directions + 3, 4, ~0ul, ~0ul, &one);
-        several = dSpaceRayAll(zoo.space, origins + 6, directions, 4, ~0ul, ~0ul, all, 16);
+        met = dSpaceRayBatch(zoo.space, kRays, origins, directions, lengths, nullptr, hits, threads);
+        dSpaceRayClosest(zoo.space, origins, directions + 3, 4, nullptr, &one);
+        several = dSpaceRayAll(zoo.space, origins + 6, directions, 4, nullptr, all, 16);
     }
     Results results;
     results.add(met);
@@ -203,8 +203,8 @@ std::uint64_t queries_of(const Zoo& zoo, const FloatMode& mode, bool& kept)
                 const HostMode host(mode, kept);
                 found[0] = dGeomGetDistance(a, b, dInfinity, &distance);
                 found[1] = dGeomCast(a, motion, b, &cast);
-                found[2] = dSpaceCast(zoo.space, a, motion, &first);
-                found[3] = dSpaceOverlap(zoo.space, b, near, 16);
+                found[2] = dSpaceCast(zoo.space, a, motion, nullptr, &first);
+                found[3] = dSpaceOverlap(zoo.space, b, nullptr, near, 16);
             }
             results.add(found);
             results.add(distance.distance);

@@ -91,9 +91,9 @@ TEST(SolidMesh, pushes_a_ball_out_by_the_nearest_face)
     ASSERT_EQ(dGeomGetDistance(ball, cube, dInfinity, &d), 1);
     EXPECT_NEAR(d.distance, -0.4, tol(1e-12, 1e-6));
     dGeomID met[2];
-    EXPECT_EQ(dSpaceOverlap(sim.space, ball, met, 2), 1);
+    EXPECT_EQ(dSpaceOverlap(sim.space, ball, nullptr, met, 2), 1);
     dGeomTriMeshSetSolid(cube, 0);
-    EXPECT_EQ(dSpaceOverlap(sim.space, ball, met, 2), 0);
+    EXPECT_EQ(dSpaceOverlap(sim.space, ball, nullptr, met, 2), 0);
 }
 
 // Moving a solid by normal * depth must part it from the mesh.

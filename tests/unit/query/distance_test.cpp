@@ -284,16 +284,16 @@ TEST(SpaceOverlap, is_what_has_no_distance_newest_first)
                     wanted.push_back(g);
             }
             dGeomID got[200];
-            ASSERT_EQ(dSpaceOverlap(scene.space, probe, got, 200), int(wanted.size())) << kind;
+            ASSERT_EQ(dSpaceOverlap(scene.space, probe, nullptr, got, 200), int(wanted.size())) << kind;
             for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_EQ(got[i], wanted[i]);
-            EXPECT_EQ(dSpaceOverlap(scene.space, probe, nullptr, 0), int(wanted.size()));
+            EXPECT_EQ(dSpaceOverlap(scene.space, probe, nullptr, nullptr, 0), int(wanted.size()));
             found += int(wanted.size());
             dGeomDestroy(probe);
         }
         // A member does not overlap itself.
         for (const dGeomID g : scene.leaves()) {
             dGeomID got[200];
-            const int n = dSpaceOverlap(scene.space, g, got, 200);
+            const int n = dSpaceOverlap(scene.space, g, nullptr, got, 200);
             EXPECT_EQ(std::find(got, got + n, g), got + n);
         }
     }
@@ -314,11 +314,11 @@ TEST(GeomDistance, refuses_what_makes_no_sense)
     EXPECT_EQ(dGeomGetDistance(g, g, 1, &d), 0);
     EXPECT_EQ(dGeomGetDistance(g, h, dReal(NAN), &d), 0);
     EXPECT_EQ(dGeomGetDistance(g, h, 1, nullptr), 0);
-    EXPECT_EQ(dSpaceOverlap(nullptr, g, list, 4), 0);
-    EXPECT_EQ(dSpaceOverlap(scene.space, nullptr, list, 4), 0);
-    EXPECT_EQ(dSpaceOverlap(scene.space, g, list, -1), 0);
-    EXPECT_EQ(dSpaceOverlap(scene.space, g, nullptr, 4), 0);
-    EXPECT_EQ(dSpaceOverlap(scene.space, geom_of(scene.space), list, 4), 0);
+    EXPECT_EQ(dSpaceOverlap(nullptr, g, nullptr, list, 4), 0);
+    EXPECT_EQ(dSpaceOverlap(scene.space, nullptr, nullptr, list, 4), 0);
+    EXPECT_EQ(dSpaceOverlap(scene.space, g, nullptr, list, -1), 0);
+    EXPECT_EQ(dSpaceOverlap(scene.space, g, nullptr, nullptr, 4), 0);
+    EXPECT_EQ(dSpaceOverlap(scene.space, geom_of(scene.space), nullptr, list, 4), 0);
     const std::string said = recorder.take();
     EXPECT_EQ(std::count(said.begin(), said.end(), '|'), 9) << said;
     EXPECT_EQ(std::memcmp(&d, &untouched, sizeof d), 0);

@@ -21,6 +21,14 @@ namespace epode::test {
 
 inline dGeomID geom_of(dSpaceID space) { return reinterpret_cast<dGeomID>(space); }
 
+inline dQueryFilter bits(unsigned long category, unsigned long collide)
+{
+    dQueryFilter filter;
+    dQueryFilterInit(&filter, sizeof filter);
+    filter.category_bits = category, filter.collide_bits = collide;
+    return filter;
+}
+
 class QueryScene {
   public:
     explicit QueryScene(std::uint64_t key, int count, Real extent = 6) : dice_(key)

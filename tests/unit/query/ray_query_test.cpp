@@ -106,16 +106,16 @@ TEST(RayQuery, finds_what_dCollide_finds_in_scenes_of_all_classes)
         QueryScene scene(key, key % 3 == 0 ? 300 : 25);
         for (int i = 0; i < 100; ++i) {
             const Question q = random_question(scene.dice());
+            const dQueryFilter filter = bits(q.category, q.collide);
             const std::vector<dQueryHit> wanted = by_collide(scene, q);
             std::vector<dQueryHit> got(wanted.size() + 5);
-            ASSERT_EQ(dSpaceRayAll(scene.space, q.origin, q.direction, q.length, q.category, q.collide,
-                                   got.data(), int(got.size())),
+            ASSERT_EQ(dSpaceRayAll(scene.space, q.origin, q.direction, q.length, &filter, got.data(),
+                                   int(got.size())),
                       int(wanted.size()));
             for (std::size_t k = 0; k < wanted.size(); ++k) expect_same(got[k], wanted[k], 0);
             dQueryHit first;
-            EXPECT_EQ(
-                dSpaceRayClosest(scene.space, q.origin, q.direction, q.length, q.category, q.collide, &first),
-                int(!wanted.empty()));
+            EXPECT_EQ(dSpaceRayClosest(scene.space, q.origin, q.direction, q.length, &filter, &first),
+                      int(!wanted.empty()));
             if (!wanted.empty())
                 expect_same(first, wanted[0], slack_of(wanted[0].geom));
             else
@@ -131,14 +131,14 @@ TEST(RayQuery, room_takes_the_nearest_and_the_number_is_that_of_all)
     QueryScene scene(5, 200, 3);
     const dVector3 from = {-20, 0, 0}, along = {1, 0, 0};
     dQueryHit all[64], few[3];
-    const int count = dSpaceRayAll(scene.space, from, along, 40, ~0ul, ~0ul, all, 64);
+    const int count = dSpaceRayAll(scene.space, from, along, 40, nullptr, all, 64);
     ASSERT_GT(count, 5);
     few[2].side = 77;
-    EXPECT_EQ(dSpaceRayAll(scene.space, from, along, 40, ~0ul, ~0ul, few, 2), count);
+    EXPECT_EQ(dSpaceRayAll(scene.space, from, along, 40, nullptr, few, 2), count);
     EXPECT_EQ(few[0].geom, all[0].geom);
     EXPECT_EQ(few[1].geom, all[1].geom);
     EXPECT_EQ(few[2].side, 77);
-    EXPECT_EQ(dSpaceRayAll(scene.space, from, along, 40, ~0ul, ~0ul, nullptr, 0), count);
+    EXPECT_EQ(dSpaceRayAll(scene.space, from, along, 40, nullptr, nullptr, 0), count);
 }
 
 TEST(RayQuery, the_newer_of_equals_comes_first_however_the_tree_has_grown)
@@ -158,10 +158,10 @@ TEST(RayQuery, the_newer_of_equals_comes_first_however_the_tree_has_grown)
         for (const dGeomID g : spheres) dGeomSetPosition(g, 0, 0, 5);
         const dVector3 from = {0, 0, 10}, down = {0, 0, -1};
         dQueryHit hits[80];
-        ASSERT_EQ(dSpaceRayAll(space, from, down, 20, ~0ul, ~0ul, hits, 80), 80);
+        ASSERT_EQ(dSpaceRayAll(space, from, down, 20, nullptr, hits, 80), 80);
         for (int i = 0; i < 40; ++i) EXPECT_EQ(hits[i].geom, spheres[std::size_t(39 - i)]);
         dQueryHit first;
-        EXPECT_EQ(dSpaceRayClosest(space, from, down, 20, ~0ul, ~0ul, &first), 1);
+        EXPECT_EQ(dSpaceRayClosest(space, from, down, 20, nullptr, &first), 1);
         EXPECT_EQ(first.geom, spheres[39]);
         dSpaceDestroy(space);
     }
@@ -178,16 +178,17 @@ TEST(RayQuery, a_batch_has_the_bits_of_single_rays_on_any_number_of_threads)
         for (int k = 0; k < 3; ++k) origins.push_back(q.origin[k]), directions.push_back(q.direction[k]);
         lengths.push_back(q.length);
     }
+    const dQueryFilter filter = bits(1, ~0ul);
     std::vector<dQueryHit> single(kCount);
     int met = 0;
     for (std::size_t i = 0; i < kCount; ++i)
-        met += dSpaceRayClosest(scene.space, &origins[3 * i], &directions[3 * i], lengths[i], 1, ~0ul,
+        met += dSpaceRayClosest(scene.space, &origins[3 * i], &directions[3 * i], lengths[i], &filter,
                                 &single[i]);
     EXPECT_GT(met, kCount / 4);
     for (const int threads : {1, 2, 3, 0}) {
         std::vector<dQueryHit> batch(kCount);
-        EXPECT_EQ(dSpaceRayBatch(scene.space, kCount, origins.data(), directions.data(), lengths.data(), 1,
-                                 ~0ul, batch.data(), threads),
+        EXPECT_EQ(dSpaceRayBatch(scene.space, kCount, origins.data(), directions.data(), lengths.data(),
+                                 &filter, batch.data(), threads),
                   met);
         for (std::size_t i = 0; i < kCount; ++i) expect_same(batch[i], single[i], 0);
     }
@@ -205,13 +206,13 @@ TEST(RayQuery, functions_of_the_program_are_asked_once_and_cannot_spoil_the_ray)
     const dVector3 from = {0, 0, 1}, down = {0, 0, -1};
     count_threads_calls = 0;
     dQueryHit hits[40];
-    const int all = dSpaceRayAll(scene.space, from, down, 20, ~0ul, ~0ul, hits, 40);
+    const int all = dSpaceRayAll(scene.space, from, down, 20, nullptr, hits, 40);
     EXPECT_GE(all, 1);
     EXPECT_EQ(count_threads_calls, 1);
     std::vector<dReal> origins(3 * 200, 0), directions(3 * 200, 0), lengths(200, 20);
     for (std::size_t i = 2; i < 600; i += 3) origins[i] = 1, directions[i] = -1;
     std::vector<dQueryHit> batch(200);
-    EXPECT_EQ(dSpaceRayBatch(scene.space, 200, origins.data(), directions.data(), lengths.data(), ~0ul, ~0ul,
+    EXPECT_EQ(dSpaceRayBatch(scene.space, 200, origins.data(), directions.data(), lengths.data(), nullptr,
                              batch.data(), 4),
               200);
     for (const dQueryHit& hit : batch) {
@@ -226,7 +227,7 @@ TEST(RayQuery, may_be_asked_from_inside_a_collision)
     QueryScene scene(4, 60, 2);
     dQueryHit before;
     const dVector3 from = {-20, 0, 0}, along = {1, 0, 0};
-    ASSERT_EQ(dSpaceRayClosest(scene.space, from, along, 40, ~0ul, ~0ul, &before), 1);
+    ASSERT_EQ(dSpaceRayClosest(scene.space, from, along, 40, nullptr, &before), 1);
     struct Inside {
         dSpaceID space;
         dGeomID wanted;
@@ -237,7 +238,7 @@ TEST(RayQuery, may_be_asked_from_inside_a_collision)
         const dVector3 start = {-20, 0, 0}, forward = {1, 0, 0};
         dQueryHit hit;
         if (in.asked++ >= 20) return;
-        EXPECT_EQ(dSpaceRayClosest(in.space, start, forward, 40, ~0ul, ~0ul, &hit), 1);
+        EXPECT_EQ(dSpaceRayClosest(in.space, start, forward, 40, nullptr, &hit), 1);
         EXPECT_EQ(hit.geom, in.wanted);
     });
     EXPECT_GT(inside.asked, 0);
@@ -253,22 +254,22 @@ TEST(RayQuery, refuses_what_makes_no_sense_and_writes_nothing)
     untouched = hit;
     const dSpaceID none = nullptr, wrong = dSpaceID(dSpaceGetGeom(scene.space, 0));
     const dReal one[3] = {0, 0, 1}, length[1] = {-1};
-    EXPECT_EQ(dSpaceRayClosest(none, o, d, 1, 1, 1, &hit), 0);
-    EXPECT_EQ(dSpaceRayClosest(dGeomIsSpace(dGeomID(wrong)) ? none : wrong, o, d, 1, 1, 1, &hit), 0);
-    EXPECT_EQ(dSpaceRayClosest(scene.space, nullptr, d, 1, 1, 1, &hit), 0);
-    EXPECT_EQ(dSpaceRayClosest(scene.space, o, zero, 1, 1, 1, &hit), 0);
-    EXPECT_EQ(dSpaceRayClosest(scene.space, nan, d, 1, 1, 1, &hit), 0);
-    EXPECT_EQ(dSpaceRayClosest(scene.space, o, d, -1, 1, 1, &hit), 0);
-    EXPECT_EQ(dSpaceRayClosest(scene.space, o, d, dReal(NAN), 1, 1, &hit), 0);
-    EXPECT_EQ(dSpaceRayClosest(scene.space, o, d, 1, 1, 1, nullptr), 0);
-    EXPECT_EQ(dSpaceRayAll(scene.space, o, d, 1, 1, 1, &hit, -1), 0);
-    EXPECT_EQ(dSpaceRayAll(scene.space, o, d, 1, 1, 1, nullptr, 1), 0);
-    EXPECT_EQ(dSpaceRayBatch(scene.space, 1, one, one, length, 1, 1, &hit, 1), 0);
-    EXPECT_EQ(dSpaceRayBatch(scene.space, -1, one, one, one, 1, 1, &hit, 1), 0);
-    EXPECT_EQ(dSpaceRayBatch(scene.space, 1, one, one, one + 2, 1, 1, &hit, -1), 0);
+    EXPECT_EQ(dSpaceRayClosest(none, o, d, 1, nullptr, &hit), 0);
+    EXPECT_EQ(dSpaceRayClosest(dGeomIsSpace(dGeomID(wrong)) ? none : wrong, o, d, 1, nullptr, &hit), 0);
+    EXPECT_EQ(dSpaceRayClosest(scene.space, nullptr, d, 1, nullptr, &hit), 0);
+    EXPECT_EQ(dSpaceRayClosest(scene.space, o, zero, 1, nullptr, &hit), 0);
+    EXPECT_EQ(dSpaceRayClosest(scene.space, nan, d, 1, nullptr, &hit), 0);
+    EXPECT_EQ(dSpaceRayClosest(scene.space, o, d, -1, nullptr, &hit), 0);
+    EXPECT_EQ(dSpaceRayClosest(scene.space, o, d, dReal(NAN), nullptr, &hit), 0);
+    EXPECT_EQ(dSpaceRayClosest(scene.space, o, d, 1, nullptr, nullptr), 0);
+    EXPECT_EQ(dSpaceRayAll(scene.space, o, d, 1, nullptr, &hit, -1), 0);
+    EXPECT_EQ(dSpaceRayAll(scene.space, o, d, 1, nullptr, nullptr, 1), 0);
+    EXPECT_EQ(dSpaceRayBatch(scene.space, 1, one, one, length, nullptr, &hit, 1), 0);
+    EXPECT_EQ(dSpaceRayBatch(scene.space, -1, one, one, one, nullptr, &hit, 1), 0);
+    EXPECT_EQ(dSpaceRayBatch(scene.space, 1, one, one, one + 2, nullptr, &hit, -1), 0);
     const std::string said = recorder.take();
     EXPECT_EQ(std::count(said.begin(), said.end(), '|'), 12) << said;
     EXPECT_EQ(std::memcmp(&hit, &untouched, sizeof hit), 0);
-    EXPECT_EQ(dSpaceRayBatch(scene.space, 0, nullptr, nullptr, nullptr, 1, 1, nullptr, 1), 0);
+    EXPECT_EQ(dSpaceRayBatch(scene.space, 0, nullptr, nullptr, nullptr, nullptr, nullptr, 1), 0);
     EXPECT_EQ(recorder.take(), "");
 }

@@ -187,7 +187,7 @@ TEST(SpaceCast, finds_what_casts_at_every_member_find)
                 if (!boxes_meet(probe, m, g)) continue;
                 if (dGeomCast(probe, motion, g, &hit) && hit.distance < best.distance) best = hit;
             }
-            EXPECT_EQ(dSpaceCast(scene.space, probe, motion, &got), int(best.geom != nullptr));
+            EXPECT_EQ(dSpaceCast(scene.space, probe, motion, nullptr, &got), int(best.geom != nullptr));
             EXPECT_EQ(got.geom, best.geom);
             if (best.geom) { EXPECT_EQ(got.distance, best.distance); }
             hits += best.geom != nullptr;
@@ -216,9 +216,9 @@ TEST(SpaceCast, refuses_what_makes_no_sense)
     EXPECT_EQ(dGeomCast(plane, way, ball, &hit), 0);
     EXPECT_EQ(dGeomCast(ball, way, geom_of(scene.space), &hit), 0);
     EXPECT_EQ(dGeomCast(ball, way, other, nullptr), 0);
-    EXPECT_EQ(dSpaceCast(nullptr, ball, way, &hit), 0);
-    EXPECT_EQ(dSpaceCast(scene.space, geom_of(scene.space), way, &hit), 0);
-    EXPECT_EQ(dSpaceCast(scene.space, ball, zero, &hit), 0);
+    EXPECT_EQ(dSpaceCast(nullptr, ball, way, nullptr, &hit), 0);
+    EXPECT_EQ(dSpaceCast(scene.space, geom_of(scene.space), way, nullptr, &hit), 0);
+    EXPECT_EQ(dSpaceCast(scene.space, ball, zero, nullptr, &hit), 0);
     const std::string said = recorder.take();
     EXPECT_EQ(std::count(said.begin(), said.end(), '|'), 11) << said;
     EXPECT_EQ(std::memcmp(&hit, &untouched, sizeof hit), 0);
