@@ -155,7 +155,8 @@ def classes_page():
     page = heading("C++ classes", "=")
     page += ("Each object of a class owns one object of the C interface and destroys it at its end; each member calls "
              "the C function of its name, so ``body.addForce(...)`` is ``dBodyAddForce(body, ...)``. They are in "
-             "``ode/odecpp.h`` and ``ode/odecpp_collision.h``, included by ``<ode/ode.h>`` in C++.\n\n"
+             "``ode/odecpp.h`` and ``ode/odecpp_collision.h``, included by ``<ode/ode.h>`` in C++; those with this "
+             "library's additions are in ``ode/odecpp_ext.h``.\n\n"
              ".. list-table::\n   :header-rows: 1\n\n   * - class\n     - members\n")
     for file in sorted(XML.glob("classd*.xml")):
         tree = ElementTree.parse(file).getroot().find("compounddef")

@@ -9,7 +9,7 @@
 #define dODECPP_JOINTGROUP_TEMPLATE_BASE dJointGroupSimpleIDContainer
 #define dODECPP_JOINT_TEMPLATE_BASE dJointSimpleIDContainer
 #endif
-#include <ode/ode.h>
+#include <ode/odecpp_ext.h>
 
 #define INSTANTIATE(World, Body, Group, Joint)                  \
     template class dWorldTemplate<World>;                       \
@@ -33,6 +33,12 @@
 INSTANTIATE(dODECPP_WORLD_TEMPLATE_BASE, dODECPP_BODY_TEMPLATE_BASE, dODECPP_JOINTGROUP_TEMPLATE_BASE,
             dODECPP_JOINT_TEMPLATE_BASE)
 
+template class dGeomExt<dSphere>;
+template class dGeomExt<dPlane>;
+template class dGeomExt<dConvexHull>;
+template class dSpaceExt<dSimpleSpace>;
+template class dSpaceExt<dHashSpace>;
+
 /* A negative size of an array is an error in every version of the language. */
 #define PROMISE(name, condition) typedef char name[(condition) ? 1 : -1]
 
@@ -48,6 +54,10 @@ PROMISE(group_is_number_and_table, sizeof(dJointGroup) == 2 * sizeof(void*));
 PROMISE(joint_is_number_and_table, sizeof(dHingeJoint) == 2 * sizeof(void*));
 PROMISE(contact_is_number_and_table, sizeof(dContactJoint) == sizeof(dJoint));
 PROMISE(geom_is_its_number, sizeof(dBox) == sizeof(dGeomID));
+PROMISE(extended_world_is_a_world, sizeof(dWorldExt) == sizeof(dWorld));
+PROMISE(extended_geom_is_its_number, sizeof(dGeomExt<dSphere>) == sizeof(dGeomID));
+PROMISE(extended_space_is_its_number, sizeof(dSpaceExt<dHashSpace>) == sizeof(dSpaceID));
+PROMISE(material_is_the_structure, sizeof(dMaterialExt) == sizeof(dMaterial));
 PROMISE(space_is_its_number, sizeof(dHashSpace) == sizeof(dSpaceID));
 
 #if __cplusplus >= 201103L

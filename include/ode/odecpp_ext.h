@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The C++ classes with what this library adds to ODE's interface. A program includes this file, which
+// includes ode/ode.h and ode/ext.h; the classes of ode/odecpp.h are as they were.
+//
+// d<Name>Ext is the class or structure d<Name> with its additions: dWorldExt, dBodyExt, dMassExt; dGeomExt
+// and dSpaceExt take the class that they extend, dGeomExt<dSphere> or dSpaceExt<dHashSpace>. Structures that
+// begin with struct_size have it, and their defaults, from the beginning. As in ode/odecpp.h each member
+// calls the C function of its name, which tells units, defaults and refusals, wrappers own their object, and
+// there is no library code behind them. They compile from C++98 on.
+#ifndef _ODE_ODECPP_EXT_H_
+#define _ODE_ODECPP_EXT_H_
+
+#include <ode/ext.h>
+#include <ode/ode.h>
+
+#ifdef __cplusplus
+
+/** A material with all defaults: dMaterialInit. */
+struct dMaterialExt : public dMaterial {
+    dMaterialExt() { dMaterialInit(this, sizeof(dMaterial)); }
+};
+
+/** A filter that finds everything: dQueryFilterInit. */
+struct dQueryFilterExt : public dQueryFilter {
+    dQueryFilterExt() { dQueryFilterInit(this, sizeof(dQueryFilter)); }
+};
+
+/** A report that knows its size; all else is 0 at first. */
+struct dWorldStepReportExt : public dWorldStepReport {
+    dWorldStepReportExt() : dWorldStepReport() { struct_size = sizeof(dWorldStepReport); }
+};
+/** The same of one island. */
+struct dIslandStepReportExt : public dIslandStepReport {
+    dIslandStepReportExt() : dIslandStepReport() { struct_size = sizeof(dIslandStepReport); }
+};
+
+/** A world with the additions of ode/step_options.h, ode/report.h, ode/contacts.h and ode/steppers.h. */
+class dWorldExt : public dWorld {
+  public:
+    /** dWorldSetStepThreads, dWorldSetStepWarmStarting. */
+    void setStepThreads(int threads) { dWorldSetStepThreads(get_id(), threads); }
+    int getStepThreads() const { return dWorldGetStepThreads(get_id()); }
+    void setStepWarmStarting(dReal factor) { dWorldSetStepWarmStarting(get_id(), factor); }
+    dReal getStepWarmStarting() const { return dWorldGetStepWarmStarting(get_id()); }
+
+    /** Friction of contacts: dWorldSetFrictionCone, dWorldSetManifoldFriction. */
+    void setFrictionCone(int mode) { dWorldSetFrictionCone(get_id(), mode); }
+    int getFrictionCone() const { return dWorldGetFrictionCone(get_id()); }
+    void setManifoldFriction(int mode) { dWorldSetManifoldFriction(get_id(), mode); }
+    int getManifoldFriction() const { return dWorldGetManifoldFriction(get_id()); }
+
+    /** More accurate steps: dWorldSetExactRotation, dWorldSetExactSubsteps, dWorldSetStepProjection,
+        dWorldSetStepProjectionTolerance. */
+    void setExactRotation(int mode) { dWorldSetExactRotation(get_id(), mode); }
+    int getExactRotation() const { return dWorldGetExactRotation(get_id()); }
+    void setExactSubsteps(int count) { dWorldSetExactSubsteps(get_id(), count); }
+    int getExactSubsteps() const { return dWorldGetExactSubsteps(get_id()); }
+    void setStepProjection(int iterations) { dWorldSetStepProjection(get_id(), iterations); }
+    int getStepProjection() const { return dWorldGetStepProjection(get_id()); }
+    void setStepProjectionTolerance(dReal tolerance)
+    {
+        dWorldSetStepProjectionTolerance(get_id(), tolerance);
+    }
+    dReal getStepProjectionTolerance() const { return dWorldGetStepProjectionTolerance(get_id()); }
+
+    /** Hybrid steps: dWorldStepHybrid, dWorldSetHybridStepper, dWorldSetHybridSubsteps. */
+    int stepHybrid(dReal stepsize) { return dWorldStepHybrid(get_id(), stepsize); }
+    void setHybridStepper(int stepper) { dWorldSetHybridStepper(get_id(), stepper); }
+    int getHybridStepper() const { return dWorldGetHybridStepper(get_id()); }
+    void setHybridSubsteps(int count) { dWorldSetHybridSubsteps(get_id(), count); }
+    int getHybridSubsteps() const { return dWorldGetHybridSubsteps(get_id()); }
+
+    /** What a step did: dWorldSetStepReportMode, dWorldGetStepReport, dWorldGetIslandStepReport. */
+    void setStepReportMode(int mode) { dWorldSetStepReportMode(get_id(), mode); }
+    int getStepReportMode() const { return dWorldGetStepReportMode(get_id()); }
+    int getStepReport(dWorldStepReport* report) const { return dWorldGetStepReport(get_id(), report); }
+    int getIslandStepReport(int island, dIslandStepReport* report) const
+    {
+        return dWorldGetIslandStepReport(get_id(), island, report);
+    }
+
+    /** World-managed contacts: dWorldSetContactSpace, dWorldSetContactFilter, dWorldGetContactEvents,
+        dWorldGetContacts. */
+    void setContactSpace(dSpaceID space) { dWorldSetContactSpace(get_id(), space); }
+    dSpaceID getContactSpace() const { return dWorldGetContactSpace(get_id()); }
+    void setContactFilter(dContactFilter* filter, void* data)
+    {
+        dWorldSetContactFilter(get_id(), filter, data);
+    }
+    int getContactEvents(dContactEvent* events, int capacity) const
+    {
+        return dWorldGetContactEvents(get_id(), events, capacity);
+    }
+    int getContacts(dWorldContact* contacts, int capacity) const
+    {
+        return dWorldGetContacts(get_id(), contacts, capacity);
+    }
+};
+
+/** A body with the additions of ode/steppers.h. */
+class dBodyExt : public dBody {
+  public:
+    /** Without a world there is no body yet. */
+    dBodyExt() {}
+    dBodyExt(dWorldID world) : dBody(world) {}
+    dBodyExt(dWorld& world) : dBody(world) {}
+
+    /** dBodySetHybridStepper, dBodyGetHybridStepper. */
+    void setHybridStepper(int stepper) { dBodySetHybridStepper(get_id(), stepper); }
+    int getHybridStepper() const { return dBodyGetHybridStepper(get_id()); }
+};
+
+/** A geom of class Shape, one of ode/odecpp_collision.h, with the additions of ode/contacts.h, ode/shapes.h
+    and ode/queries.h. It is made by create() of that class. */
+template <class Shape>
+class dGeomExt : public Shape {
+  public:
+    /** The geom's number; of a space it is that of a geom, too. */
+    dGeomID geom() const { return *this; }
+
+    /** dGeomSetMaterial, dGeomGetMaterial. */
+    int setMaterial(const dMaterial& material) { return dGeomSetMaterial(geom(), &material); }
+    int getMaterial(dMaterial* material) const { return dGeomGetMaterial(geom(), material); }
+
+    /** dGeomSetContinuous, dGeomGetContinuous. */
+    void setContinuous(int mode) { dGeomSetContinuous(geom(), mode); }
+    int getContinuous() const { return dGeomGetContinuous(geom()); }
+
+    /** dGeomGetDistance, dGeomCast. */
+    int getDistance(dGeomID other, dReal max_distance, dQueryDistance* result) const
+    {
+        return dGeomGetDistance(geom(), other, max_distance, result);
+    }
+    int cast(const dVector3 motion, dGeomID other, dQueryHit* hit) const
+    {
+        return dGeomCast(geom(), motion, other, hit);
+    }
+};
+
+/** The convex hull of points: dCreateConvexHull. */
+class dConvexHull : public dGeom {
+  public:
+    /** Without points there is no geom yet; else it is made at once, in no space or in the given one. */
+    dConvexHull() {}
+    dConvexHull(dSpaceID space, const dReal* points, unsigned pointcount, unsigned maxvertices)
+    {
+        create(space, points, pointcount, maxvertices);
+    }
+
+    /** Make a new geom in the space or (0) in none; the one before is destroyed. */
+    void create(dSpaceID space, const dReal* points, unsigned pointcount, unsigned maxvertices)
+    {
+        own(dCreateConvexHull(space, points, pointcount, maxvertices));
+    }
+
+    /** dGeomSetConvexHull, dGeomConvexGetPoints, dGeomConvexGetPlanes, dGeomConvexGetPolygons. */
+    void set(const dReal* points, unsigned pointcount, unsigned maxvertices)
+    {
+        dGeomSetConvexHull(_id, points, pointcount, maxvertices);
+    }
+    int getPoints(dReal* points, int capacity) const { return dGeomConvexGetPoints(_id, points, capacity); }
+    int getPlanes(dReal* planes, int capacity) const { return dGeomConvexGetPlanes(_id, planes, capacity); }
+    int getPolygons(unsigned* polygons, int capacity) const
+    {
+        return dGeomConvexGetPolygons(_id, polygons, capacity);
+    }
+};
+
+/** A mesh that may be solid: dCreateTriMesh. */
+class dTriMeshExt : public dGeom {
+  public:
+    /** Without data there is no geom yet; else it is made at once, in no space or in the given one. */
+    dTriMeshExt() {}
+    dTriMeshExt(dSpaceID space, dTriMeshDataID data) { create(space, data); }
+
+    /** Make a new geom in the space or (0) in none; the one before is destroyed. */
+    void create(dSpaceID space, dTriMeshDataID data) { own(dCreateTriMesh(space, data, 0, 0, 0)); }
+
+    /** dGeomTriMeshSetSolid, dGeomTriMeshGetSolid. */
+    void setSolid(int solid) { dGeomTriMeshSetSolid(_id, solid); }
+    int getSolid() const { return dGeomTriMeshGetSolid(_id); }
+};
+
+/** A space of class Space, one of ode/odecpp_collision.h, with the additions of ode/queries.h. Filters may
+    be 0, as in the C functions. */
+template <class Space>
+class dSpaceExt : public Space {
+  public:
+    /** Made at once, at the top or inside another space. */
+    dSpaceExt() {}
+    explicit dSpaceExt(dSpaceID space) : Space(space) {}
+
+    /** dSpaceRayClosest, dSpaceRayAll, dSpaceRayBatch. */
+    int rayClosest(const dVector3 origin, const dVector3 direction, dReal length, const dQueryFilter* filter,
+                   dQueryHit* hit) const
+    {
+        return dSpaceRayClosest(Space::id(), origin, direction, length, filter, hit);
+    }
+    int rayAll(const dVector3 origin, const dVector3 direction, dReal length, const dQueryFilter* filter,
+               dQueryHit* hits, int capacity) const
+    {
+        return dSpaceRayAll(Space::id(), origin, direction, length, filter, hits, capacity);
+    }
+    int rayBatch(int count, const dReal* origins, const dReal* directions, const dReal* lengths,
+                 const dQueryFilter* filter, dQueryHit* hits, int threads) const
+    {
+        return dSpaceRayBatch(Space::id(), count, origins, directions, lengths, filter, hits, threads);
+    }
+
+    /** dSpaceOverlap, dSpaceCast. */
+    int overlap(dGeomID geom, const dQueryFilter* filter, dGeomID* geoms, int capacity) const
+    {
+        return dSpaceOverlap(Space::id(), geom, filter, geoms, capacity);
+    }
+    int cast(dGeomID o, const dVector3 motion, const dQueryFilter* filter, dQueryHit* hit) const
+    {
+        return dSpaceCast(Space::id(), o, motion, filter, hit);
+    }
+};
+
+/** A mass with the additions of ode/shapes.h. */
+struct dMassExt : public dMass {
+    /** dMassSetConvex, dMassSetConvexTotal. */
+    void setConvex(dReal density, dGeomID convex) { dMassSetConvex(this, density, convex); }
+    void setConvexTotal(dReal total_mass, dGeomID convex) { dMassSetConvexTotal(this, total_mass, convex); }
+};
+
+/** Holes in a height field's data, which it does not own. */
+class dHeightfieldHoles {
+    dHeightfieldDataID _data;
+
+  public:
+    /** The holes of these data. */
+    explicit dHeightfieldHoles(dHeightfieldDataID data) : _data(data) {}
+
+    /** dGeomHeightfieldDataSetHoles, dGeomHeightfieldDataSetHole, dGeomHeightfieldDataGetHole. */
+    void setHoles(const unsigned char* holes, int widthCells, int depthCells)
+    {
+        dGeomHeightfieldDataSetHoles(_data, holes, widthCells, depthCells);
+    }
+    void setHole(int i, int j, int hole) { dGeomHeightfieldDataSetHole(_data, i, j, hole); }
+    int getHole(int i, int j) const { return dGeomHeightfieldDataGetHole(_data, i, j); }
+};
+
+#endif
+#endif

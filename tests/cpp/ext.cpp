@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Every member of ode/odecpp_ext.h against the C call it stands for: setters by reading both objects, getters
+// and queries by their result on one.
+#include <ode/odecpp_ext.h>
+
+#include "twins.h"
+
+namespace {
+
+Numbers read_world(dWorldID w)
+{
+    Numbers n;
+    n.push_back(dWorldGetStepThreads(w));
+    n.push_back(dWorldGetStepWarmStarting(w));
+    n.push_back(dWorldGetFrictionCone(w));
+    n.push_back(dWorldGetManifoldFriction(w));
+    n.push_back(dWorldGetExactRotation(w));
+    n.push_back(dWorldGetExactSubsteps(w));
+    n.push_back(dWorldGetStepProjection(w));
+    n.push_back(dWorldGetStepProjectionTolerance(w));
+    n.push_back(dWorldGetHybridStepper(w));
+    n.push_back(dWorldGetHybridSubsteps(w));
+    n.push_back(dWorldGetStepReportMode(w));
+    n.push_back(dWorldGetContactSpace(w) != 0);
+    return n;
+}
+
+#define WORLD_SET(Name, value)                                                                        \
+    do {                                                                                              \
+        SET("dWorldExt::set" #Name, read_world, a, b, a.set##Name(value), dWorldSet##Name(b, value)); \
+        judge_get("dWorldExt::get" #Name, a.get##Name(), dWorldGet##Name(b));                         \
+    } while (0)
+
+void test_world_options()
+{
+    dWorldExt a, b;
+    WORLD_SET(StepThreads, 2);
+    WORLD_SET(StepWarmStarting, REAL(0.5));
+    WORLD_SET(FrictionCone, 1);
+    WORLD_SET(ManifoldFriction, 1);
+    WORLD_SET(ExactRotation, 1);
+    WORLD_SET(ExactSubsteps, 3);
+    WORLD_SET(StepProjection, 8);
+    WORLD_SET(StepProjectionTolerance, REAL(0.01));
+    WORLD_SET(HybridStepper, dStepperExact);
+    WORLD_SET(HybridSubsteps, 7);
+    WORLD_SET(StepReportMode, 1);
+}
+
+int reject_all(void* data, dGeomID, dGeomID)
+{
+    ++*static_cast<int*>(data);
+    return 0;
+}
+
+int keep_none(void*, dGeomID) { return 0; }
+
+// A ball that lies on a plane, in a world that finds its contacts.
+struct Ground {
+    dWorldExt world;
+    dSpaceExt<dHashSpace> space;
+    dGeomExt<dPlane> plane;
+    dGeomExt<dSphere> ball;
+    dBodyExt body;
+
+    Ground() : body(world)
+    {
+        space.setCleanup(0);
+        plane.create(space, 0, 0, 1, 0);
+        ball.create(space, 1);
+        ball.setBody(body);
+        body.setPosition(0, 0, REAL(0.9));
+        world.setGravity(0, 0, -10);
+    }
+};
+
+void test_contacts()
+{
+    Ground ground;
+    dWorldExt& world = ground.world;
+    world.setContactSpace(ground.space);
+    judge("dWorldExt::setContactSpace", dWorldGetContactSpace(world) == ground.space.id(), Numbers());
+    judge("dWorldExt::getContactSpace", world.getContactSpace() == ground.space.id(), Numbers());
+    world.setStepReportMode(1);
+    judge("dWorldExt::stepHybrid", world.stepHybrid(REAL(0.01)) == 1,
+          Numbers(1, ground.body.getPosition()[2]));
+    dWorldContact points[4];
+    dContactEvent events[4];
+    judge("dWorldExt::getContacts", world.getContacts(points, 4) == 1 && points[0].g1 == ground.ball.geom(),
+          Numbers(1, points[0].depth));
+    judge("dWorldExt::getContactEvents",
+          world.getContactEvents(events, 4) == 1 && events[0].kind == dContactBegin, Numbers());
+    dWorldStepReportExt whole;
+    dIslandStepReportExt one;
+    judge("dWorldExt::getStepReport", world.getStepReport(&whole) == 1 && whole.islands == 1,
+          Numbers(1, whole.bodies));
+    judge("dWorldExt::getIslandStepReport", world.getIslandStepReport(0, &one) == 1 && one.bodies == 1,
+          Numbers(1, one.rows));
+    int asked = 0;
+    world.setContactSpace(0);
+    world.setContactSpace(ground.space);
+    world.setContactFilter(reject_all, &asked);
+    world.stepHybrid(REAL(0.01));
+    judge("dWorldExt::setContactFilter", asked == 1 && world.getContacts(points, 4) == 0, Numbers());
+}
+
+void test_body_and_geoms()
+{
+    Ground ground;
+    ground.body.setHybridStepper(dStepperExact);
+    judge("dBodyExt::setHybridStepper", dBodyGetHybridStepper(ground.body) == dStepperExact, Numbers());
+    judge("dBodyExt::getHybridStepper", ground.body.getHybridStepper() == dStepperExact, Numbers());
+    judge("dGeomExt::geom", ground.ball.geom() == ground.ball.id(), Numbers());
+    dMaterialExt ice, read;
+    ice.friction = REAL(0.02);
+    judge("dGeomExt::setMaterial", ground.ball.setMaterial(ice) == 1, Numbers());
+    judge("dGeomExt::getMaterial", ground.ball.getMaterial(&read) == 1 && read.friction == ice.friction,
+          Numbers(1, read.bounce_speed));
+    ground.ball.setContinuous(dContinuousOn);
+    judge("dGeomExt::setContinuous", dGeomGetContinuous(ground.ball) == dContinuousOn, Numbers());
+    judge("dGeomExt::getContinuous", ground.ball.getContinuous() == dContinuousOn, Numbers());
+    dQueryDistance d, plain;
+    const int near = ground.ball.getDistance(ground.plane, dInfinity, &d);
+    judge("dGeomExt::getDistance",
+          near == dGeomGetDistance(ground.ball, ground.plane, dInfinity, &plain) &&
+              d.distance == plain.distance,
+          Numbers(1, d.distance));
+    ground.ball.setPosition(0, 0, 5);
+    const dVector3 down = {0, 0, -10, 0};
+    dQueryHit hit, same;
+    const int met = ground.ball.cast(down, ground.plane, &hit);
+    judge("dGeomExt::cast",
+          met == 1 && dGeomCast(ground.ball, down, ground.plane, &same) == 1 && hit.distance == same.distance,
+          Numbers(1, hit.distance));
+}
+
+void test_queries()
+{
+    Ground ground;
+    const dReal from[3] = {REAL(0.2), 0, 5}, down[3] = {0, 0, -1}, length = 10;
+    const dVector3 way = {0, 0, -10, 0};
+    dQueryHit a[4], b[4];
+    dQueryFilterExt no_ball, nothing;
+    no_ball.skip_body = ground.body;
+    nothing.callback = keep_none;
+    judge("dSpaceExt::rayClosest",
+          ground.space.rayClosest(from, down, length, &no_ball, a) == 1 && a[0].geom == ground.plane.geom() &&
+              ground.space.rayClosest(from, down, length, 0, b) == 1 && b[0].geom == ground.ball.geom() &&
+              ground.space.rayClosest(from, down, length, &nothing, b) == 0,
+          Numbers(1, a[0].distance));
+    judge("dSpaceExt::rayAll", ground.space.rayAll(from, down, length, 0, a, 4) == 2,
+          Numbers(1, a[1].distance));
+    judge("dSpaceExt::rayBatch",
+          ground.space.rayBatch(1, from, down, &length, &no_ball, b, 1) == 1 &&
+              b[0].geom == ground.plane.geom(),
+          Numbers(1, b[0].distance));
+    dGeomExt<dBox> probe;
+    probe.create(0, 1, 1, 1);
+    dGeomID met[4];
+    judge("dSpaceExt::overlap",
+          ground.space.overlap(probe, &no_ball, met, 4) == 1 && met[0] == ground.plane.geom(), Numbers());
+    probe.setPosition(0, 0, 5);
+    judge("dSpaceExt::cast",
+          ground.space.cast(probe, way, &no_ball, a) == 1 && a[0].geom == ground.plane.geom(),
+          Numbers(1, a[0].distance));
+}
+
+void test_hull()
+{
+    const dReal points[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1};
+    dConvexHull hull(0, points, 4, 0);
+    judge("dConvexHull::create", hull.getClass() == dConvexClass, Numbers());
+    dReal corners[15], planes[24];
+    unsigned polygons[64];
+    judge("dConvexHull::getPoints", hull.getPoints(corners, 5) == 4, Numbers(1, corners[3]));
+    judge("dConvexHull::getPlanes", hull.getPlanes(planes, 6) == 4, Numbers(1, planes[3]));
+    judge("dConvexHull::getPolygons", hull.getPolygons(polygons, 64) == 16, Numbers(1, polygons[0]));
+    dMassExt mass, plain;
+    mass.setConvex(6, hull);
+    dMassSetConvex(&plain, 6, hull);
+    judge("dMassExt::setConvex", mass.mass == plain.mass, Numbers(1, mass.mass));
+    mass.setConvexTotal(3, hull);
+    judge("dMassExt::setConvexTotal", mass.mass == 3, Numbers(1, mass.mass));
+    hull.set(points, 5, 0);
+    judge("dConvexHull::set", dGeomConvexGetPoints(hull, 0, 0) == 5, Numbers());
+}
+
+void test_surfaces()
+{
+    static const dReal corners[] = {0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+    static const dTriIndex triangles[] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    const dTriMeshDataID data = dGeomTriMeshDataCreate();
+    dGeomTriMeshDataBuildSimple(data, corners, 4, triangles, 12);
+    {
+        dTriMeshExt mesh(0, data);
+        judge("dTriMeshExt::create", mesh.getClass() == dTriMeshClass, Numbers());
+        mesh.setSolid(1);
+        judge("dTriMeshExt::setSolid", dGeomTriMeshGetSolid(mesh) == 1, Numbers());
+        judge("dTriMeshExt::getSolid", mesh.getSolid() == 1, Numbers());
+    }
+    dGeomTriMeshDataDestroy(data);
+
+    const double heights[9] = {0, 0, 0, 0, 0, 0, 0, 0, 0};
+    const unsigned char gone[4] = {0, 1, 0, 0};
+    const dHeightfieldDataID field = dGeomHeightfieldDataCreate();
+    dGeomHeightfieldDataBuildDouble(field, heights, 1, 2, 2, 3, 3, 1, 0, 1, 0);
+    dHeightfieldHoles holes(field);
+    holes.setHoles(gone, 2, 2);
+    judge("dHeightfieldHoles::setHoles", dGeomHeightfieldDataGetHole(field, 1, 0) == 1, Numbers());
+    judge("dHeightfieldHoles::getHole", holes.getHole(1, 0) == 1 && holes.getHole(0, 0) == 0, Numbers());
+    holes.setHole(1, 0, 0);
+    judge("dHeightfieldHoles::setHole", dGeomHeightfieldDataGetHole(field, 1, 0) == 0, Numbers());
+    dGeomHeightfieldDataDestroy(field);
+}
+
+}  // namespace
+
+int main()
+{
+    dInitODE();
+    test_world_options();
+    test_contacts();
+    test_body_and_geoms();
+    test_queries();
+    test_hull();
+    test_surfaces();
+    dCloseODE();
+    std::fprintf(stderr, "%d checks of the additions, %d failed\n", g_checks, g_failures);
+    return g_failures != 0;
+}
