@@ -9,6 +9,7 @@
 // size.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
@@ -44,11 +45,12 @@ class SizeRefusal {
     char text_[120];
 };
 
-// The program's structure, of an accepted size; fields that it does not have as in `defaults`.
+// The program's structure; fields that it does not have are those of `defaults`. (Bounded here too, for
+// builds without checks.)
 template <typename T>
 T completed(const T& given, T defaults)
 {
-    std::memcpy(&defaults, &given, given.struct_size);
+    std::memcpy(&defaults, &given, std::min<std::size_t>(given.struct_size, sizeof(T)));
     defaults.struct_size = sizeof(T);
     return defaults;
 }
@@ -57,7 +59,7 @@ T completed(const T& given, T defaults)
 template <typename T>
 void copy_sized(const T& from, T* to, unsigned size)
 {
-    std::memcpy(to, &from, size);
+    std::memcpy(to, &from, std::min<std::size_t>(size, sizeof(T)));
     to->struct_size = size;
 }
 
