@@ -67,6 +67,7 @@ KIND_OF_PARAMETER = [
     (r"dPrintMatrix:fmt", "Format"),
     (r"dThreadingAllocateThreadPool:thread_count", "ThreadCount"),
     (r"d(Material|QueryFilter)Init:(material|filter)", "QueryHits"),
+    (r"\w+:struct_size", "StructSize"),
     (r"dWorldsStep:(count|steps)", "Length"),
     (r"dWorldsStep:threads", "ThreadCount"),
     (r"dWorldsStep:steps_made", "QueryHits"),

@@ -42,6 +42,7 @@ enum class Kind {
     kSampleCount,
     kContactFlags,
     kSkip,
+    kStructSize,
     kVertexStride,
     kVertexCount,
     kTriangleStride,

@@ -65,6 +65,13 @@ constexpr Integer kSkips[] = {{sizeof(dContactGeom), "sizeof(dContactGeom)"},
                               {1, "1"},
                               {-1, "-1"},
                               {INT_MIN, "INT_MIN"}};
+constexpr Integer kStructSizes[] = {{sizeof(dQueryFilter), "sizeof(dQueryFilter)"},
+                                    {sizeof(dMaterial), "sizeof(dMaterial)"},
+                                    {sizeof(dQueryFilter) - 1, "sizeof(dQueryFilter)-1"},
+                                    {0, "0"},
+                                    {4, "4"},
+                                    {-1, "-1"},
+                                    {INT_MAX, "INT_MAX"}};
 constexpr Integer kThreadCounts[] = {{1, "1"},   {2, "2"},       {0, "0"},
                                      {-1, "-1"}, {1025, "1025"}, {INT_MAX, "INT_MAX"}};
 constexpr Integer kFaceCounts[] = {

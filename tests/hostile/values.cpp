@@ -120,6 +120,8 @@ int Values::count(Kind kind)
             return int(std::size(kContactFlags));
         case Kind::kSkip:
             return int(std::size(kSkips));
+        case Kind::kStructSize:
+            return int(std::size(kStructSizes));
         case Kind::kThreadCount:
             return int(std::size(kThreadCounts));
         case Kind::kFaceCount:
@@ -267,6 +269,8 @@ Value Values::get(Kind kind, int index, int position)
             return from_integers(kContactFlags, index);
         case Kind::kSkip:
             return from_integers(kSkips, index);
+        case Kind::kStructSize:
+            return from_integers(kStructSizes, index);
         case Kind::kThreadCount:
             return from_integers(kThreadCounts, index);
         case Kind::kVertexStride:
