@@ -67,20 +67,20 @@ EPODE_LANEWISE Vector3Of<V> times(const V& s, const Vector3Of<V>& a)
 }
 
 template <typename V>
-EPODE_LANEWISE V inner(const Vector3Of<V>& a, const Vector3Of<V>& b)
+EPODE_LANEWISE V dot(const Vector3Of<V>& a, const Vector3Of<V>& b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
 template <typename V>
-EPODE_LANEWISE Vector3Of<V> outer(const Vector3Of<V>& a, const Vector3Of<V>& b)
+EPODE_LANEWISE Vector3Of<V> cross(const Vector3Of<V>& a, const Vector3Of<V>& b)
 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 // xx, yy, zz, xy, xz, yz times a.
 template <typename L>
-EPODE_LANEWISE Vector3Of<VectorOf<L>> tensor(const L* s, int part, const Vector3Of<VectorOf<L>>& a)
+EPODE_LANEWISE Vector3Of<VectorOf<L>> symmetric_times(const L* s, int part, const Vector3Of<VectorOf<L>>& a)
 {
     const VectorOf<L> xy = get(s[3], part), xz = get(s[4], part), yz = get(s[5], part);
     return {get(s[0], part) * a.x + xy * a.y + xz * a.z, xy * a.x + get(s[1], part) * a.y + yz * a.z,
@@ -150,8 +150,8 @@ EPODE_LANEWISE Vector4Of<V> product(const Vector4Of<V>& a, const Vector4Of<V>& b
 template <typename V>
 EPODE_LANEWISE Vector3Of<V> turned_by(const Vector4Of<V>& q, const Vector3Of<V>& a)
 {
-    const Vector3Of<V> u = outer(vec_of(q), a), t = plus(u, u);
-    return plus(plus(a, times(q.w, t)), outer(vec_of(q), t));
+    const Vector3Of<V> u = cross(vec_of(q), a), t = plus(u, u);
+    return plus(plus(a, times(q.w, t)), cross(vec_of(q), t));
 }
 
 typedef Real RealRow __attribute__((vector_size(4 * sizeof(Real))));
