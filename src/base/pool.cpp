@@ -26,7 +26,7 @@ void trim_foreign() { SlotPool::trim_all(false); }
 
 // More objects are likely to be made soon: contacts come by the thousand, from slots that lie at equal
 // distances as a rule. The fourth from here on is where the step to the next, taken four times, leads.
-void fetch_to_write(const void* slot, const void* next, std::size_t size)
+void prefetch_to_write(const void* slot, const void* next, std::size_t size)
 {
     constexpr std::size_t kMost = 4 * kCacheLine;
     const auto here = reinterpret_cast<std::uintptr_t>(slot), there = reinterpret_cast<std::uintptr_t>(next);
@@ -43,7 +43,7 @@ void* SlotPool::take() noexcept
     if (!free_ && !grow()) return nullptr;
     void* slot = free_;
     free_ = link(slot);
-    if (free_) fetch_to_write(slot, free_, slot_size_);
+    if (free_) prefetch_to_write(slot, free_, slot_size_);
     ++live_;
     unpoison(slot, slot_size_);
     return slot;

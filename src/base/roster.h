@@ -12,8 +12,8 @@
 #include <bit>
 #include <cstdint>
 
-#include "base/ahead.h"
 #include "base/array.h"
+#include "base/prefetch.h"
 
 namespace epode {
 
@@ -73,9 +73,9 @@ class Roster {
             return;
         }
         Active at(*this, place), ahead = at;
-        for (int i = 0; i < kAhead; ++i) ahead.fetch_next();
+        for (int i = 0; i < kAhead; ++i) ahead.prefetch_next();
         while (T* one = at.next()) {
-            ahead.fetch_next();
+            ahead.prefetch_next();
             f(*one);
         }
     }
@@ -90,7 +90,7 @@ class Roster {
       public:
         Walk(T* const* first, T* const* behind) : first_(first), behind_(behind)
         {
-            for (T* const* one = behind; one != first && behind - one < kAhead;) fetch<kLines>(*--one);
+            for (T* const* one = behind; one != first && behind - one < kAhead;) prefetch<kLines>(*--one);
             pass_holes();
         }
         Walk begin() const { return *this; }
@@ -108,7 +108,7 @@ class Roster {
         void step()
         {
             --behind_;
-            if (behind_ - first_ >= kAhead) fetch<kLines>(behind_[-kAhead]);
+            if (behind_ - first_ >= kAhead) prefetch<kLines>(behind_[-kAhead]);
         }
         void pass_holes()
         {
@@ -144,9 +144,9 @@ class Roster {
             }
             return nullptr;
         }
-        void fetch_next()
+        void prefetch_next()
         {
-            if (const T* one = next()) fetch<kLines>(one);
+            if (const T* one = next()) prefetch<kLines>(one);
         }
 
       private:

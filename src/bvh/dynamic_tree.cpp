@@ -186,7 +186,7 @@ Real DynamicTree::refit(int top)
     Node& node = nodes[top];
     if (node.child < 0) return 0;
     for (const int k : {node.child, node.other})
-        if (nodes[k].child >= 0) fetch<1>(nodes + nodes[k].child), fetch<1>(nodes + nodes[k].other);
+        if (nodes[k].child >= 0) prefetch<1>(nodes + nodes[k].child), prefetch<1>(nodes + nodes[k].other);
     const Real below = refit(node.child) + refit(node.other);
     node.box = merge(nodes[node.child].box, nodes[node.other].box);
     return below + area(node.box);

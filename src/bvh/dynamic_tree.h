@@ -12,8 +12,8 @@
 #include <cmath>
 #include <utility>
 
-#include "base/ahead.h"
 #include "base/array.h"
+#include "base/prefetch.h"
 #include "geometry/shapes.h"
 #include "tasks/tasks.h"
 
@@ -105,7 +105,8 @@ class DynamicTree {
         const auto look = [&](int at) {
             const Node& node = nodes_.data()[at];
             if (!meet(node.box, box)) return;
-            if (node.child >= 0) fetch<1>(nodes_.data() + node.child), fetch<1>(nodes_.data() + node.other);
+            if (node.child >= 0)
+                prefetch<1>(nodes_.data() + node.child), prefetch<1>(nodes_.data() + node.other);
             stack[top++] = at;
         };
         while (top > 0) {
@@ -204,11 +205,11 @@ class DynamicTree {
         if (na.child < 0 && nb.child < 0) {
             visit(na.item, nb.item);
         } else if (opens_first(na, nb)) {
-            fetch<1>(nodes_.data() + na.other);
+            prefetch<1>(nodes_.data() + na.other);
             if (meet(na.child, b)) pairs_between(na.child, b, visit);
             if (meet(na.other, b)) pairs_between(na.other, b, visit);
         } else {
-            fetch<1>(nodes_.data() + nb.other);
+            prefetch<1>(nodes_.data() + nb.other);
             if (meet(a, nb.child)) pairs_between(a, nb.child, visit);
             if (meet(a, nb.other)) pairs_between(a, nb.other, visit);
         }

@@ -14,7 +14,7 @@
 
 #include <bit>
 
-#include "base/ahead.h"
+#include "base/prefetch.h"
 #include "bvh/mesh_probe.h"
 #include "bvh/near_leaves.h"
 #include "geometry/triangle_mesh.h"
@@ -75,16 +75,16 @@ class MeshTree {
     bool bring_up_to_date(NearLeaves& kept, const FloatBox& asked) const;
     void gather(NearLeaves& kept) const;
     // Asks for the memory of a child that will be looked at soon.
-    void fetch(int child) const
+    void prefetch(int child) const
     {
         if (child >= 0)
-            epode::fetch<sizeof(MeshNode) / kCacheLine>(nodes_.data() + child);
+            epode::prefetch<sizeof(MeshNode) / kCacheLine>(nodes_.data() + child);
         else
-            fetch_leaf(-1 - child);
+            prefetch_leaf(-1 - child);
     }
-    void fetch_leaf(int leaf) const
+    void prefetch_leaf(int leaf) const
     {
-        epode::fetch<(sizeof(MeshPacket) + kCacheLine - 1) / kCacheLine>(packets_.data() + leaf);
+        epode::prefetch<(sizeof(MeshPacket) + kCacheLine - 1) / kCacheLine>(packets_.data() + leaf);
     }
     HalfSpace half_space(Vec3 n, Real d) const;
     bool enter(MeshRay& ray, Real from, Real& to) const;
@@ -122,7 +122,7 @@ void MeshTree::walk(const Asked& asked, Open&& open) const
         const MeshNode& node = nodes_.data()[child];
         for (unsigned met = node.met_by(asked); met != 0; met &= met - 1) {
             const int next = node.child[std::countr_zero(met)];
-            fetch(next);
+            prefetch(next);
             stack[top++] = next;
         }
     }
@@ -160,7 +160,7 @@ void MeshTree::query(const Aabb& box, const SolidProbe& solid, NearLeaves* kept,
         return true;
     };
     if (!kept || !bring_up_to_date(*kept, asked)) return walk(NodeBox(asked), open);
-    for (int i = 0; i < kept->count; ++i) fetch_leaf(kept->leaf[i]);
+    for (int i = 0; i < kept->count; ++i) prefetch_leaf(kept->leaf[i]);
     for (int i = 0; i < kept->count; ++i) open(kept->leaf[i]);
 }
 
@@ -198,7 +198,7 @@ void MeshTree::follow(const MeshRay& ray, Real from, Real to, Open&& open) const
         const int bottom = top;
         for (unsigned met = node.met_by(node_ray, reach, near); met != 0; met &= met - 1) {
             const int k = std::countr_zero(met);
-            fetch(node.child[k]);
+            prefetch(node.child[k]);
             const WaitingNode one(node.child[k], near[k]);
             int at = top++;
             for (; at > bottom && stack[at - 1].nearer(one); --at) stack[at] = stack[at - 1];

@@ -82,11 +82,11 @@ class RayTree {
     bool empty() const { return nodes_.empty(); }
     void clear() { nodes_.clear(); }
 
-    // visit(item) for every leaf whose box the ray may meet, as DynamicTree::cast; before that fetch(item),
+    // visit(item) for every leaf whose box the ray may meet, as DynamicTree::cast; before that prefetch(item),
     // which may bring what it needs nearer.
-    template <typename Visit, typename Fetch>
+    template <typename Visit, typename Prefetch>
     void cast(const TreeRay& ray, Vec3 direction, const Aabb& all, Real reach, Visit&& visit,
-              Fetch&& fetch) const;
+              Prefetch&& prefetch) const;
 
   private:
     static constexpr Real kPad = Real(0x1p-17);
@@ -107,9 +107,9 @@ inline RayNode::RayNode() : lo{}, hi{}, child{}, leaves(0)
         for (int k = 0; k < 4; ++k) lo[i][k] = FLT_MAX, hi[i][k] = -FLT_MAX;
 }
 
-template <typename Visit, typename Fetch>
+template <typename Visit, typename Prefetch>
 void RayTree::cast(const TreeRay& ray, Vec3 direction, const Aabb& all, Real reach, Visit&& visit,
-                   Fetch&& fetch) const
+                   Prefetch&& prefetch) const
 {
     const Real start = ray.enters(all, reach);
     if (!(start < kInf)) return;
@@ -133,7 +133,7 @@ void RayTree::cast(const TreeRay& ray, Vec3 direction, const Aabb& all, Real rea
         const unsigned met = mesh_lanes::bits(children.yes);
         put_met(children, node.child, stack + top);
         for (unsigned soon = met & node.leaves; soon != 0; soon &= soon - 1)
-            fetch(~node.child[__builtin_ctz(soon)]);
+            prefetch(~node.child[__builtin_ctz(soon)]);
         far_first(stack + top);
         top += count_of_four(met);
     }

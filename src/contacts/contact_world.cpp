@@ -6,8 +6,8 @@
 #include <atomic>
 #include <utility>
 
-#include "base/ahead.h"
 #include "base/float_environment.h"
+#include "base/prefetch.h"
 #include "collide/collide.h"
 #include "collide/solid_view.h"
 #include "contacts/narrow_phase.h"
@@ -91,15 +91,15 @@ bool reach(dGeomID id, Array<Body*>& reached)
 }
 
 // What the narrow phase reads of a pair, told twice: first the geoms, then what they lead to.
-void fetch_geoms(const ContactPair& pair) { fetch<6>(pair.id1), fetch<6>(pair.id2); }
-void fetch_poses(const ContactPair& pair)
+void prefetch_geoms(const ContactPair& pair) { prefetch<6>(pair.id1), prefetch<6>(pair.id2); }
+void prefetch_poses(const ContactPair& pair)
 {
     for (const dGeomID id : {pair.id1, pair.id2}) {
         const Geom& geom = *from_handle<Geom>(id);
-        fetch<1>(geom.position), fetch<2>(geom.rotation);
+        prefetch<1>(geom.position), prefetch<2>(geom.rotation);
     }
     for (const Body* body : {pair.body1, pair.body2})
-        if (body) fetch<2>(body->lvel);
+        if (body) prefetch<2>(body->lvel);
 }
 
 }  // namespace
@@ -228,9 +228,10 @@ bool ContactWorld::choose_range(const World& world, int range, RecordFinder& fin
     PairRange& sum = ranges_[range];
     for (int i = 0; i < known; ++i) {
         constexpr int kAhead = 4;
-        if (i + 2 * kAhead < known) fetch<2>(pairs[i + 2 * kAhead].a), fetch<2>(pairs[i + 2 * kAhead].b);
+        if (i + 2 * kAhead < known)
+            prefetch<2>(pairs[i + 2 * kAhead].a), prefetch<2>(pairs[i + 2 * kAhead].b);
         if (i + kAhead < known)
-            fetch<1>(pairs[i + kAhead].a->body.id), fetch<1>(pairs[i + kAhead].b->body.id);
+            prefetch<1>(pairs[i + kAhead].a->body.id), prefetch<1>(pairs[i + kAhead].b->body.id);
         GeomPair pair = pairs[i];
         if (!may_push(world, pair)) continue;
         if (!pair.a->body.id) std::swap(pair.a, pair.b);
@@ -351,9 +352,9 @@ void ContactWorld::collide_pairs(const World& world, Real h, const Tasks& tasks)
         const int begin = piece * kPiece, end = std::min(count, begin + kPiece);
         int place = pairs[begin].first;
         for (int i = begin; i < end; ++i) {
-            if (i + 2 * kAhead < end) fetch_geoms(pairs[i + 2 * kAhead]);
+            if (i + 2 * kAhead < end) prefetch_geoms(pairs[i + 2 * kAhead]);
             if (i + kAhead < end)
-                fetch_poses(pairs[i + kAhead]), fetch<6>(last_.of(pairs[i + kAhead].old).data());
+                prefetch_poses(pairs[i + kAhead]), prefetch<6>(last_.of(pairs[i + kAhead].old).data());
             if (!pairs[i].asked) update_one(pairs[i], place, settings);
             place = pairs[i].asked ? pairs[i].first + pairs[i].most : place + pairs[i].count;
         }

@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <new>
 
-#include "base/ahead.h"
+#include "base/prefetch.h"
 #include "dynamics/active.h"
 #include "dynamics/settle.h"
 

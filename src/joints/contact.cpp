@@ -13,7 +13,7 @@
 
 #include <algorithm>
 
-#include "base/ahead.h"
+#include "base/prefetch.h"
 #include "joints/access.h"
 #include "joints/contact_manifolds.h"
 #include "rows/policy.h"
@@ -272,10 +272,10 @@ void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, Man
     constexpr std::size_t kAhead = 8;
     std::size_t manifolds = 0;
     const Contact* last = nullptr;
-    for_each_fetched<kLines, 2 * kAhead>(contacts, [&](std::size_t i, const Joint& joint) {
+    for_each_prefetched<kLines, 2 * kAhead>(contacts, [&](std::size_t i, const Joint& joint) {
         if (i + kAhead < contacts.size())
             for (const JointNode& node : contacts[i + kAhead]->node)
-                if (node.body) fetch<2>(node.body);
+                if (node.body) prefetch<2>(node.body);
         const Contact& contact = static_cast<const Contact&>(joint);
         if (!last || !joins(*last, contact) || out.manifolds[manifolds - 1].count == kManifoldPoints)
             begin_manifold(contact, info, int(i), out.manifolds[manifolds++]);

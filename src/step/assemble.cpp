@@ -13,7 +13,7 @@
 #include "joints/contact_manifolds.h"
 #include "rows/policy.h"
 #include "step/patch_rows.h"
-#include "tasks/fetched.h"
+#include "tasks/prefetched.h"
 
 namespace epode {
 namespace {
@@ -57,7 +57,7 @@ bool sort_joints(const Island& island, bool manifolds, Arena& arena, IslandWork&
     if (arena.failed()) return false;
     work.contacts = sorted.first(contacts), work.joints = sorted.subspan(contacts);
     std::size_t contact = 0, other = 0;
-    for_each_fetched<1>(std::span<Joint* const>(joints), [&](std::size_t, Joint& joint) {
+    for_each_prefetched<1>(std::span<Joint* const>(joints), [&](std::size_t, Joint& joint) {
         (manifolds && joint.plain ? work.contacts[contact++] : work.joints[other++]) = &joint;
     });
     return true;
@@ -68,10 +68,10 @@ void emit_rows(const StepInfo& info, std::span<Joint*> joints, IslandWork& work,
 {
     constexpr std::size_t kAhead = 4;
     for (std::size_t i = 0; i < joints.size(); ++i) {
-        if (i + 2 * kAhead < joints.size()) fetch<6>(joints[i + 2 * kAhead]);
+        if (i + 2 * kAhead < joints.size()) prefetch<6>(joints[i + 2 * kAhead]);
         if (i + kAhead < joints.size())
             for (const JointNode& node : joints[i + kAhead]->node)
-                if (node.body) fetch<4>(node.body->pos);
+                if (node.body) prefetch<4>(node.body->pos);
         Joint* const joint = joints[i];
         RowWriter out(&work.system.rows[std::size_t(rows)], info);
         joint->type->emit(*joint, out);
@@ -191,7 +191,7 @@ bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Ar
     }
 
     const std::span<Body* const> bodies = island.bodies;
-    for_each_fetched<kLinesOfBody>(tasks, bodies, [&](std::size_t i, Body& body) {
+    for_each_prefetched<kLinesOfBody>(tasks, bodies, [&](std::size_t i, Body& body) {
         if (undo) undo->save(first + i);
         body.island_index = int(i);
         add_gravity(body, world.gravity);
@@ -213,7 +213,7 @@ bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Ar
     if (arena.failed() || !mark_parts(arena, work)) return false;
 
     if (!forces_known)
-        for_each_fetched<kLinesOfBody>(tasks, bodies, [&](std::size_t i, Body& body) {
+        for_each_prefetched<kLinesOfBody>(tasks, bodies, [&](std::size_t i, Body& body) {
             load_body(world, h, solver, body, work.system.bodies[i]);
         });
     for (const RowBlock& block : work.system.blocks)

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tasks/fetched.h"
+#include "tasks/prefetched.h"
 
 namespace epode {
 namespace {

@@ -8,7 +8,7 @@
 #include "step/substeps.h"
 
 #include "dynamics/integrate.h"
-#include "tasks/fetched.h"
+#include "tasks/prefetched.h"
 
 namespace epode {
 namespace {
@@ -64,7 +64,7 @@ bool SubstepModel::prepare(Arena& arena)
     if (!lanes_.empty()) lanes_.back() = {};
     // Ranges of bodies begin with a group of lanes.
     static_assert(kObjectRange % kLanes == 0);
-    for_each_fetched<kLinesOfBody>(tasks_, island_bodies(), [&](std::size_t i, Body& body) {
+    for_each_prefetched<kLinesOfBody>(tasks_, island_bodies(), [&](std::size_t i, Body& body) {
         const SolverBody& solver = system.bodies[i];
         load_body(i, body, solver);
         if (!system.poses.empty()) load_pose(body, solver, system.poses[i]);
@@ -136,7 +136,7 @@ void SubstepModel::turn_finitely(std::size_t group, const Velocity* bodies, Real
 void SubstepModel::settle(void* p, RowSystem& system)
 {
     SubstepModel& model = model_of(p);
-    for_each_fetched<kLinesOfBody>(model.tasks_, model.island_bodies(), [&](std::size_t i, Body& body) {
+    for_each_prefetched<kLinesOfBody>(model.tasks_, model.island_bodies(), [&](std::size_t i, Body& body) {
         const BodyLanes& from = model.lanes_[i / kLanes];
         const std::size_t lane = i % kLanes;
         store(body.pos, vec_in(from.x, lane));

@@ -7,7 +7,7 @@
 
 #include <atomic>
 
-#include "tasks/fetched.h"
+#include "tasks/prefetched.h"
 
 namespace epode {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "base/ahead.h"
+#include "base/prefetch.h"
 #include "solve/common/colours.h"
 #include "tasks/stages.h"
 
@@ -222,24 +222,24 @@ void PatchSet::fill(const RowSystem& system, const Substep& step)
 }
 
 // The bodies of this batch, and the patches of the next: neighbours in a batch are none in memory.
-void PatchSet::fetch_lanes(const RowSystem& system, std::size_t b) const
+void PatchSet::prefetch_lanes(const RowSystem& system, std::size_t b) const
 {
     for (int lane = 0; lane < kBroadLanes; ++lane) {
         const std::size_t at = b * kBroadLanes + std::size_t(lane), next = at + kBroadLanes;
         if (const int i = chosen_[at]; i >= 0) {
             const Patch& p = *system.patches[std::size_t(i)];
-            fetch<3>(system.bodies.data() + p.body1);
-            if (p.body2 >= 0) fetch<3>(system.bodies.data() + p.body2);
+            prefetch<3>(system.bodies.data() + p.body1);
+            if (p.body2 >= 0) prefetch<3>(system.bodies.data() + p.body2);
         }
         if (b + 1 < batches_.size() && chosen_[next] >= 0)
-            fetch<4>(system.patches[std::size_t(chosen_[next])]);
+            prefetch<4>(system.patches[std::size_t(chosen_[next])]);
     }
 }
 
 void PatchSet::fill_batch(const RowSystem& system, const Substep& step, const PatchSprings& springs,
                           std::size_t b)
 {
-    fetch_lanes(system, b);
+    prefetch_lanes(system, b);
     PatchBatch& batch = batches_[b];
     PatchLanes passing[kPatchPoints];  // on their way into the friction of the whole
     PatchLanes* points = whole_ ? passing : &points_[std::size_t(batch.first)];

@@ -56,7 +56,7 @@ class PatchSet {
     bool place_extras(std::span<Patch* const> patches, Arena& arena);
     void fill_extra(const Patch& patch, PatchExtra& extra, int lane) const;
     void fill(const RowSystem& system, const Substep& step);
-    void fetch_lanes(const RowSystem& system, std::size_t batch) const;
+    void prefetch_lanes(const RowSystem& system, std::size_t batch) const;
     void fill_batch(const RowSystem& system, const Substep& step, const PatchSprings& springs,
                     std::size_t batch);
     void choose_lane(const RowSystem& system, std::size_t batch, int lane, PatchSources& from);

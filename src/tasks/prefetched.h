@@ -2,21 +2,21 @@
 // Copyright (c) 2026 The Epode authors
 #pragma once
 
-#include "base/ahead.h"
+#include "base/prefetch.h"
 #include "tasks/tasks.h"
 
 namespace epode {
 
 inline constexpr int kObjectRange = 256;  // objects in one piece of work; a multiple of all lanes
 
-// for_each_fetched() (base/ahead.h) on all workers: f(i, object i) must change nothing that another reads.
+// for_each_prefetched() (base/prefetch.h) on all workers: f(i, object i) must change nothing that another reads.
 template <int kLines, typename T, typename F>
-void for_each_fetched(const Tasks& tasks, std::span<T* const> objects, F&& f)
+void for_each_prefetched(const Tasks& tasks, std::span<T* const> objects, F&& f)
 {
     tasks.in_ranges(int(objects.size()), kObjectRange, [&](int first, int last) {
         const auto begin = std::size_t(first);
-        for_each_fetched<kLines>(objects.subspan(begin, std::size_t(last) - begin),
-                                 [&](std::size_t i, T& object) { f(begin + i, object); });
+        for_each_prefetched<kLines>(objects.subspan(begin, std::size_t(last) - begin),
+                                    [&](std::size_t i, T& object) { f(begin + i, object); });
     });
 }
 

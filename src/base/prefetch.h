@@ -18,7 +18,7 @@ namespace epode {
 // statement keeps it alive: gcc takes functions that do nothing but this for functions without effect, and
 // leaves calls of them out where it has not put them in line before.
 template <int kLines>
-inline void fetch(const void* p)
+inline void prefetch(const void* p)
 {
     const auto at = reinterpret_cast<std::uintptr_t>(p);
     for (int i = 0; i < kLines; ++i)
@@ -28,10 +28,10 @@ inline void fetch(const void* p)
 
 // f(i, object i) one after the other, each fetched kLines lines far in time: the farther, the less f does.
 template <int kLines, std::size_t kAhead = 6, typename T, typename F>
-void for_each_fetched(std::span<T* const> objects, F&& f)
+void for_each_prefetched(std::span<T* const> objects, F&& f)
 {
     for (std::size_t i = 0; i < objects.size(); ++i) {
-        if (i + kAhead < objects.size()) fetch<kLines>(objects[i + kAhead]);
+        if (i + kAhead < objects.size()) prefetch<kLines>(objects[i + kAhead]);
         f(i, *objects[i]);
     }
 }
