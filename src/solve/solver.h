@@ -14,7 +14,7 @@
 
 namespace epode {
 
-class PlanCache;
+class SymbolicCache;
 
 struct SolverSettings {
     int iterations = 20;
@@ -28,7 +28,7 @@ struct SolverSettings {
     // Of the exact solver: natural residual from which on it spends time on more digits; 1e-9 it always
     // gives.
     double careful_above = 1e-10;
-    PlanCache* plans = nullptr;  // what the world keeps of structures that were analysed before
+    SymbolicCache* symbolic_cache = nullptr;  // what the world keeps of structures that were analysed before
 };
 
 struct SolveReport {

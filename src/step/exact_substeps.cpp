@@ -151,7 +151,7 @@ bool ExactSubsteps::run(IslandWork& first, const SolverSettings& settings, Solve
         follow_contacts(first, work);
         carry_out(work);
         if (i == n_ - 1 && world_.projection_iterations > 0)
-            projected = project_poses(world_, work, settings.tasks, *settings.plans, arena_);
+            projected = project_poses(world_, work, settings.tasks, *settings.symbolic_cache, arena_);
     }
     store_feedback();
     return true;

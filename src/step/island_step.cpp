@@ -87,7 +87,7 @@ class IslandStep {
         if (arena_.failed()) return false;
         std::fill(settings.part_residuals.begin(), settings.part_residuals.end(), Real(0));
         settings.tasks = tasks;
-        settings.plans = &context_.plans;
+        settings.symbolic_cache = &context_.symbolic_cache;
         if (projects()) settings.careful_above = 1e-9;  // the projection corrects what positions would feel
         load_warm_start(world_.warm_starting * context_.solver.warm_share);
         SolveReport solved;
@@ -116,7 +116,7 @@ class IslandStep {
         if (context_.solver.substeps) return;  // poses are where the inner steps have put them
         if (!divides()) {
             advance();
-            if (projects()) projected_ = project_poses(world_, work_, tasks, context_.plans, arena_);
+            if (projects()) projected_ = project_poses(world_, work_, tasks, context_.symbolic_cache, arena_);
         }
         for (dIslandStepReport& report : reports)
             if (projects()) report_projection(projected_, report);

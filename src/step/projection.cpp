@@ -66,8 +66,12 @@ struct PoseBefore {
 
 class Projection {
   public:
-    Projection(const World& world, const IslandWork& work, PlanCache& plans, Arena& arena)
-        : world_(world), work_(work), plans_(plans), arena_(arena), info_(step_info(world, work.system.h))
+    Projection(const World& world, const IslandWork& work, SymbolicCache& symbolic_cache, Arena& arena)
+        : world_(world),
+          work_(work),
+          symbolic_cache_(symbolic_cache),
+          arena_(arena),
+          info_(step_info(world, work.system.h))
     {
         info_.inner = true;
     }
@@ -224,10 +228,10 @@ class Projection {
     bool solve(const Tasks& tasks)
     {
         const bool small = system_.rows.size() <= kFewRows;  // kDirect has a shorter way
-        if (!one_sided_ && !small) return solve_equalities(system_, &plans_, arena_);
+        if (!one_sided_ && !small) return solve_equalities(system_, &symbolic_cache_, arena_);
         SolverSettings settings;
         settings.tasks = tasks;
-        settings.plans = &plans_;
+        settings.symbolic_cache = &symbolic_cache_;
         SolveReport report;
         return kDirect.solve(system_, settings, arena_, report);
     }
@@ -316,7 +320,7 @@ class Projection {
 
     const World& world_;
     const IslandWork& work_;
-    PlanCache& plans_;
+    SymbolicCache& symbolic_cache_;
     Arena& arena_;
     StepInfo info_;
     RowSystem system_;                // of one Newton step
@@ -341,10 +345,10 @@ void leave_depth_to_projection(RowSystem& system)
 }
 
 ProjectionReport project_poses(const World& world, const IslandWork& work, const Tasks& tasks,
-                               PlanCache& plans, Arena& arena)
+                               SymbolicCache& symbolic_cache, Arena& arena)
 {
     Arena::Scope scope(arena);
-    Projection projection(world, work, plans, arena);
+    Projection projection(world, work, symbolic_cache, arena);
     return projection.prepare() ? projection.run(tasks) : ProjectionReport{};
 }
 

@@ -322,7 +322,7 @@ class WorldStep {
         const StepContext& c = context_;
         const int iterations = hybrid_ ? hybrid_iterations(c.world, *group.solver) : c.iterations;
         return {c.world,    *group.solver,      c.h,
-                iterations, c.contacts,         c.plans,
+                iterations, c.contacts,         c.symbolic_cache,
                 c.undo,     c.manages_contacts, factorisations_};
     }
 
@@ -388,7 +388,7 @@ bool step_in(World& world, StepState& state, const Solver* solver, Real h, int i
                               h,
                               iterations,
                               state.contacts,
-                              state.plans,
+                              state.symbolic_cache,
                               undo,
                               state.managed.live_space() != nullptr,
                               {}};
@@ -432,7 +432,7 @@ StepMemory* working_memory(World& world)
 void free_working_memory(World& world)
 {
     if (world.memory) world.memory->free_blocks();
-    if (world.step_state) world.step_state->plans.clear();
+    if (world.step_state) world.step_state->symbolic_cache.clear();
 }
 
 bool step_world(World& world, const Solver& solver, Real h, int iterations)

@@ -49,7 +49,8 @@ class DirectSolve {
         kept_ = arena.take<double>(m);
         begun_ = arena.take<double>(m);
         scratch_ = arena.take<double>(problem_.unknowns());
-        return !arena.failed() && problem_.build_factor(system, settings.plans, settings.tasks, arena) &&
+        return !arena.failed() &&
+               problem_.build_factor(system, settings.symbolic_cache, settings.tasks, arena) &&
                packed_.prepare(problem_, arena) && active_.prepare(problem_, packed_.most_places(), arena);
     }
 

@@ -22,9 +22,9 @@ constexpr double kEnough = 1e-4;  // of the largest velocity that a row has to c
 
 class Equalities {
   public:
-    bool prepare(const RowSystem& system, PlanCache* plans, Arena& arena)
+    bool prepare(const RowSystem& system, SymbolicCache* symbolic_cache, Arena& arena)
     {
-        if (!problem_.build(system, arena) || !problem_.build_factor(system, plans, Tasks(1), arena))
+        if (!problem_.build(system, arena) || !problem_.build_factor(system, symbolic_cache, Tasks(1), arena))
             return false;
         const int m = problem_.row_count();
         D_ = arena.take<double>(m);
@@ -82,11 +82,11 @@ class Equalities {
 
 }  // namespace
 
-bool solve_equalities(RowSystem& system, PlanCache* plans, Arena& arena)
+bool solve_equalities(RowSystem& system, SymbolicCache* symbolic_cache, Arena& arena)
 {
     Arena::Scope scope(arena);
     Equalities equalities;
-    if (!equalities.prepare(system, plans, arena)) return false;
+    if (!equalities.prepare(system, symbolic_cache, arena)) return false;
     equalities.solve();
     equalities.store(system);
     return true;

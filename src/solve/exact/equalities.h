@@ -10,10 +10,10 @@
 
 namespace epode {
 
-class PlanCache;
+class SymbolicCache;
 
-// J v + C p = c to about 1e-4 of the largest c, for every row, whatever bounds it has. `plans` may be null.
+// J v + C p = c to about 1e-4 of the largest c, for every row, whatever bounds it has. `symbolic_cache` may be null.
 // False: out of memory.
-bool solve_equalities(RowSystem& system, PlanCache* plans, Arena& arena);
+bool solve_equalities(RowSystem& system, SymbolicCache* symbolic_cache, Arena& arena);
 
 }  // namespace epode

@@ -31,7 +31,7 @@ bool moves(const RowSystem& system, int body)
 
 }  // namespace
 
-bool JointNetwork::plan(const RowSystem& system, PlanCache* plans, Arena& arena)
+bool JointNetwork::analyse(const RowSystem& system, SymbolicCache* symbolic_cache, Arena& arena)
 {
     worth_ = false;
     if (!list_joints(system, arena)) return false;
@@ -41,8 +41,8 @@ bool JointNetwork::plan(const RowSystem& system, PlanCache* plans, Arena& arena)
     auto pairs = arena.take<BodyPair>(int(couplings_.size()));
     if (arena.failed()) return false;
     for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i] = {couplings_[i].a, couplings_[i].b};
-    if (!lease_.take(int(joints_.size()), pairs, plans, arena)) return false;
-    worth_ = std::size_t(lease_.plan().blocks) <= kMostBlocks * joints_.size();
+    if (!lease_.take(int(joints_.size()), pairs, symbolic_cache, arena)) return false;
+    worth_ = std::size_t(lease_.symbolic().blocks) <= kMostBlocks * joints_.size();
     return true;
 }
 
@@ -107,7 +107,7 @@ bool JointNetwork::pack(const RowSystem& system, Arena& arena)
     for (const NetworkJoint& joint : joints_) rows += joint.count;
     rows_ = arena.take<NetworkRow>(rows);
     x_ = arena.take<double>(6 * int(joints_.size()));
-    if (arena.failed() || !A_.prepare(lease_.plan(), Tasks(1), arena)) return false;
+    if (arena.failed() || !A_.prepare(lease_.symbolic(), Tasks(1), arena)) return false;
     for (std::size_t j = 0; j < joints_.size(); ++j) joints_[j].diagonal = A_.diagonal(int(j));
     for (Coupling& c : couplings_)
         if (c.a != c.b) c.block = A_.between(c.a, c.b, c.transposed);

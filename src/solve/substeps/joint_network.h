@@ -22,7 +22,7 @@
 #include "solve/common/substep_rows.h"
 #include "solve/common/velocities.h"
 #include "solve/exact/factor/block_cholesky.h"
-#include "solve/exact/factor/plan_cache.h"
+#include "solve/exact/factor/symbolic_cache.h"
 #include "solve/joints/joint_kernels.h"
 
 namespace epode {
@@ -31,12 +31,12 @@ class JointNetwork {
   public:
     static constexpr bool kHasBothEnds = true;  // of a pass: joints stay exact, contacts are what iterates
 
-    // The structure. `plans` may be null. False: out of memory.
-    bool plan(const RowSystem& system, PlanCache* plans, Arena& arena);
+    // The structure. `symbolic_cache` may be null. False: out of memory.
+    bool analyse(const RowSystem& system, SymbolicCache* symbolic_cache, Arena& arena);
     // Is the factor so sparse that this way is worth it? There may also be no joints at all.
     bool worth() const { return worth_; }
 
-    // As in JointSet, after `plan`.
+    // As in JointSet, after `analyse`.
     bool pack(const RowSystem& system, Arena& arena);
     // Rows are asked for anew.
     bool follow(const RowSystem&, const Substep&, std::span<const Velocity>, Arena&) { return true; }
@@ -99,7 +99,7 @@ class JointNetwork {
     std::span<NetworkRow> rows_;
     std::span<Coupling> couplings_;
     std::span<double> x_;  // six numbers per joint
-    PlanLease lease_;
+    SymbolicLease lease_;
     BlockCholesky A_;
     bool worth_ = false, bounded_ = false, stale_ = true;
     int factorisations_ = 0;

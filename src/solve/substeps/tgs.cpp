@@ -238,7 +238,7 @@ bool solve_network(RowSystem& system, const SolverSettings& settings, Arena& are
     if (solve_without_rows(system, settings, arena, n, solved)) return solved;
     Arena::Scope scope(arena);
     JointNetwork joints;
-    if (!joints.plan(system, settings.plans, arena)) return false;
+    if (!joints.analyse(system, settings.symbolic_cache, arena)) return false;
     if (!joints.worth()) return solve_tgs(system, settings, arena, report);
     report.method = dIslandMethodJointsExact;
     solved = run(system, settings, n, joints, arena, report);

@@ -22,7 +22,7 @@ class BlockCholesky {
     static constexpr int kBlock = 36;  // doubles of a block, column-major
 
     // Takes the memory for a matrix of this structure, which must outlive it; false: out of memory.
-    bool prepare(const FactorPlan& plan, const Tasks& tasks, Arena& arena);
+    bool prepare(const SymbolicFactor& symbolic, const Tasks& tasks, Arena& arena);
     // Another kind of machine's kernels than the best: for tests.
     void use(const FrontKernels& kernels) { kernels_ = &kernels; }
 
@@ -44,10 +44,10 @@ class BlockCholesky {
     void for_borders(Visit visit);
     int factor_top();
 
-    const FactorPlan* plan_ = nullptr;
+    const SymbolicFactor* symbolic_ = nullptr;
     const FrontKernels* kernels_ = nullptr;
     std::span<double> blocks_;  // of all fronts: H, then L
-    std::span<double> work_;    // six numbers per column of the plan
+    std::span<double> work_;    // six numbers per column of the symbolic factor
     std::span<int> bad_;        // pivots, per subtree
     Tasks tasks_;
 };

@@ -16,8 +16,8 @@
 
 namespace epode {
 
-// The lists of a FactorPlan as plain pointers, for the reason given in contact_kernels.h. `entries` are where
-// rows find their numbers in a vector: the plan's entries, or rows where it has none.
+// The lists of a SymbolicFactor as plain pointers, for the reason given in contact_kernels.h. `entries` are where
+// rows find their numbers in a vector: its entries, or rows where it has none.
 struct FrontLists {
     const Front* fronts;
     const int* entries;
@@ -25,13 +25,13 @@ struct FrontLists {
     const int* places;
 };
 
-// Fronts begin .. end - 1 of a plan, or of `which` if that is not null.
+// Fronts begin .. end - 1 of a symbolic, or of `which` if that is not null.
 struct FrontRange {
     const int* which;
     int begin, end;
 };
 
-// `x` has six numbers per column of the plan.
+// `x` has six numbers per column of the symbolic factor.
 struct FrontKernels {
     const char* name;
 

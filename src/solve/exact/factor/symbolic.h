@@ -20,9 +20,9 @@ namespace epode {
 struct Front {
     int first;                  // its columns are first .. first + width - 1 in elimination order
     int width, below;           // in bodies
-    int rows;                   // its rows below begin here in FactorPlan::rows
+    int rows;                   // its rows below begin here in SymbolicFactor::rows
     int block;                  // its blocks begin here; block (i, c) is i * width + c further on
-    int updates, update_count;  // in FactorPlan::updates
+    int updates, update_count;  // in SymbolicFactor::updates
 };
 
 // Rows begin .. begin + columns - 1 (counted below the columns) of a front are columns of `target`; row
@@ -38,12 +38,12 @@ struct FrontUpdate {
 // never factored, but added to the fronts that own its columns when all subtrees are done. There are subtrees
 // or not by the structure alone, so the sums are the same on any number of threads.
 struct Subtree {
-    int fronts, count;  // in FactorPlan::subtree_fronts, ascending
+    int fronts, count;  // in SymbolicFactor::subtree_fronts, ascending
     int root;           // the last of them
     int border;         // index of the border
 };
 
-struct FactorPlan {
+struct SymbolicFactor {
     int bodies = 0;
     int columns = 0;          // the bodies', then those of the borders
     int blocks = 0;           // 6x6 blocks of all fronts
@@ -62,7 +62,8 @@ struct FactorPlan {
     int block_at(int row, int column) const;
 };
 
-// The plan for a given order of elimination. False: out of memory.
-bool make_plan(const BodyGraph& graph, std::span<const int> order, Arena& arena, FactorPlan& out);
+// The symbolic factor for a given order of elimination. False: out of memory.
+bool factor_symbolically(const BodyGraph& graph, std::span<const int> order, Arena& arena,
+                         SymbolicFactor& out);
 
 }  // namespace epode

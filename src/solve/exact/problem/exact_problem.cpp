@@ -94,7 +94,8 @@ void ExactProblem::from_root(const BodyRoot& root, double* six)
     six[3] = (six[3] - root.l10 * six[4] - root.l20 * six[5]) * root.r0;
 }
 
-bool ExactProblem::build_factor(const RowSystem& system, PlanCache* plans, const Tasks& tasks, Arena& arena)
+bool ExactProblem::build_factor(const RowSystem& system, SymbolicCache* symbolic_cache, const Tasks& tasks,
+                                Arena& arena)
 {
     const int blocks = int(system.blocks.size());
     auto pairs = arena.take<BodyPair>(blocks);
@@ -108,7 +109,8 @@ bool ExactProblem::build_factor(const RowSystem& system, PlanCache* plans, const
         if (b < 0) b = a;
         pairs[std::size_t(k)] = {a, b};
     }
-    if (!plan_.take(int(roots_.size()), pairs, plans, arena) || !H_.prepare(plan_.plan(), tasks, arena))
+    if (!symbolic_.take(int(roots_.size()), pairs, symbolic_cache, arena) ||
+        !H_.prepare(symbolic_.symbolic(), tasks, arena))
         return false;
     for (int k = 0; k < blocks; ++k) {
         const auto [a, b] = pairs[std::size_t(k)];

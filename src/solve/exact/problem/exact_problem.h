@@ -24,7 +24,7 @@
 #include "math/double_double.h"
 #include "rows/row_system.h"
 #include "solve/exact/factor/block_cholesky.h"
-#include "solve/exact/factor/plan_cache.h"
+#include "solve/exact/factor/symbolic_cache.h"
 #include "solve/exact/problem/row_kernels.h"
 
 namespace epode {
@@ -55,8 +55,9 @@ class ExactProblem {
   public:
     // False: out of memory. The factor of H is prepared by a call of its own: not every method needs it.
     bool build(const RowSystem& system, Arena& arena);
-    // `plans` may be null.
-    bool build_factor(const RowSystem& system, PlanCache* plans, const Tasks& tasks, Arena& arena);
+    // `symbolic_cache` may be null.
+    bool build_factor(const RowSystem& system, SymbolicCache* symbolic_cache, const Tasks& tasks,
+                      Arena& arena);
 
     int row_count() const { return int(rows_.size()); }
     int unknowns() const { return int(v_star_.size()); }
@@ -129,7 +130,7 @@ class ExactProblem {
     std::span<double> v_star_;
     std::span<ExactRow> rows_;
     std::span<PairBlocks> pairs_;  // one per block of rows
-    PlanLease plan_;
+    SymbolicLease symbolic_;
     BlockCholesky H_;
     double scale_ = 1;
     int factorisations_ = 0;

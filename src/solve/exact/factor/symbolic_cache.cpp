@@ -3,7 +3,7 @@
 //
 // Graph and plan are a handful of integer arrays: an entry holds them in one block of memory that grows to
 // the largest it has held. Entries are few, so they are searched one after another.
-#include "solve/exact/factor/plan_cache.h"
+#include "solve/exact/factor/symbolic_cache.h"
 
 #include <algorithm>
 #include <cstring>
@@ -30,20 +30,20 @@ bool equal(std::span<const int> a, std::span<const int> b)
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
 }
 
-// visit(array) for every array of a graph and its plan, in a fixed order.
+// visit(array) for every array of a graph and its symbolic, in a fixed order.
 template <typename Visit>
-void for_arrays(BodyGraph& graph, FactorPlan& plan, Visit visit)
+void for_arrays(BodyGraph& graph, SymbolicFactor& symbolic, Visit visit)
 {
     visit(graph.first), visit(graph.neighbour);
-    visit(plan.position), visit(plan.front_of), visit(plan.fronts);
-    visit(plan.rows), visit(plan.entries), visit(plan.updates), visit(plan.places);
-    visit(plan.subtrees), visit(plan.subtree_fronts);
+    visit(symbolic.position), visit(symbolic.front_of), visit(symbolic.fronts);
+    visit(symbolic.rows), visit(symbolic.entries), visit(symbolic.updates), visit(symbolic.places);
+    visit(symbolic.subtrees), visit(symbolic.subtree_fronts);
 }
 
 }  // namespace
 
 // Held for the comparison of one graph or the copy of one plan at most.
-class PlanCache::Lock {
+class SymbolicCache::Lock {
   public:
     explicit Lock(std::atomic_flag& busy) : busy_(busy)
     {
@@ -61,7 +61,7 @@ class PlanCache::Lock {
     std::atomic_flag& busy_;
 };
 
-PlanCache::Entry* PlanCache::find(const BodyGraph& graph, std::uint64_t hash)
+SymbolicCache::Entry* SymbolicCache::find(const BodyGraph& graph, std::uint64_t hash)
 {
     for (Entry& e : entries_)
         if (e.used && e.hash == hash && equal(e.graph.first, graph.first) &&
@@ -70,7 +70,7 @@ PlanCache::Entry* PlanCache::find(const BodyGraph& graph, std::uint64_t hash)
     return nullptr;
 }
 
-const FactorPlan* PlanCache::borrow(const BodyGraph& graph)
+const SymbolicFactor* SymbolicCache::borrow(const BodyGraph& graph)
 {
     const std::uint64_t hash = hash_of(graph);
     const Lock lock(busy_);
@@ -78,17 +78,17 @@ const FactorPlan* PlanCache::borrow(const BodyGraph& graph)
     if (!e) return nullptr;
     e->used = ++time_;
     ++e->borrowers;
-    return &e->plan;
+    return &e->symbolic;
 }
 
-void PlanCache::give_back(const FactorPlan& plan)
+void SymbolicCache::give_back(const SymbolicFactor& symbolic)
 {
     const Lock lock(busy_);
     for (Entry& e : entries_)
-        if (&e.plan == &plan) --e.borrowers;
+        if (&e.symbolic == &symbolic) --e.borrowers;
 }
 
-void PlanCache::keep(const BodyGraph& graph, const FactorPlan& plan)
+void SymbolicCache::keep(const BodyGraph& graph, const SymbolicFactor& symbolic)
 {
     const std::uint64_t hash = hash_of(graph);
     const Lock lock(busy_);
@@ -99,10 +99,10 @@ void PlanCache::keep(const BodyGraph& graph, const FactorPlan& plan)
     if (!oldest) return;
     oldest->used = 0;
     oldest->graph = graph;
-    oldest->plan = plan;
+    oldest->symbolic = symbolic;
     int words = 0;
     const auto count = [&](auto& array) { words += int(array.size_bytes() / sizeof(int)); };
-    for_arrays(oldest->graph, oldest->plan, count);
+    for_arrays(oldest->graph, oldest->symbolic, count);
     if (!oldest->memory.resize(words)) return;
     int* to = oldest->memory.data();
     const auto copy = [&](auto& array) {
@@ -112,36 +112,36 @@ void PlanCache::keep(const BodyGraph& graph, const FactorPlan& plan)
         array = {reinterpret_cast<T*>(to), array.size()};
         to += array.size_bytes() / sizeof(int);
     };
-    for_arrays(oldest->graph, oldest->plan, copy);
+    for_arrays(oldest->graph, oldest->symbolic, copy);
     oldest->hash = hash;
     oldest->used = ++time_;
 }
 
-void PlanCache::clear()
+void SymbolicCache::clear()
 {
     const Lock lock(busy_);
     for (Entry& e : entries_) {
         e.memory.reset();
         e.graph = {};
-        e.plan = {};
+        e.symbolic = {};
         e.used = 0;
     }
 }
 
-bool PlanLease::take(int n, std::span<const BodyPair> pairs, PlanCache* cache, Arena& arena)
+bool SymbolicLease::take(int n, std::span<const BodyPair> pairs, SymbolicCache* cache, Arena& arena)
 {
     BodyGraph graph;
     if (!build_body_graph(n, pairs, arena, graph)) return false;
     if (n < kSmallest) cache = nullptr;
     cache_ = cache;
-    if (cache && (plan_ = cache->borrow(graph))) {
+    if (cache && (symbolic_ = cache->borrow(graph))) {
         borrowed_ = true;
         return true;
     }
     auto order = arena.take<int>(n);
-    plan_ = &made_;
+    symbolic_ = &made_;
     if (arena.failed() || !order_minimum_degree(graph, arena, order) ||
-        !make_plan(graph, order, arena, made_))
+        !factor_symbolically(graph, order, arena, made_))
         return false;
     if (cache) cache->keep(graph, made_);
     return true;

@@ -18,19 +18,19 @@
 namespace epode {
 
 // May be used by several threads at once.
-class PlanCache {
+class SymbolicCache {
   public:
     static constexpr int kEntries = 24;
 
-    PlanCache() = default;
-    PlanCache(const PlanCache&) = delete;
-    PlanCache& operator=(const PlanCache&) = delete;
+    SymbolicCache() = default;
+    SymbolicCache(const SymbolicCache&) = delete;
+    SymbolicCache& operator=(const SymbolicCache&) = delete;
 
     // Null: unknown. Otherwise the plan stays until it is given back.
-    const FactorPlan* borrow(const BodyGraph& graph);
-    void give_back(const FactorPlan& plan);
+    const SymbolicFactor* borrow(const BodyGraph& graph);
+    void give_back(const SymbolicFactor& symbolic);
     // Copies both; does nothing when there is no memory or no plan that may go.
-    void keep(const BodyGraph& graph, const FactorPlan& plan);
+    void keep(const BodyGraph& graph, const SymbolicFactor& symbolic);
     // Forgets all plans and gives their memory back; none may be in use.
     void clear();
 
@@ -40,7 +40,7 @@ class PlanCache {
         unsigned used = 0;  // time of the last use, 0: empty
         int borrowers = 0;
         BodyGraph graph;
-        FactorPlan plan;
+        SymbolicFactor symbolic;
         Array<int> memory;  // that graph and plan lie in
     };
     class Lock;
@@ -53,25 +53,25 @@ class PlanCache {
 };
 
 // The plan for the pairs of an island: from the cache, or made in the arena and left in the cache.
-class PlanLease {
+class SymbolicLease {
   public:
-    PlanLease() = default;
-    PlanLease(const PlanLease&) = delete;
-    PlanLease& operator=(const PlanLease&) = delete;
-    ~PlanLease()
+    SymbolicLease() = default;
+    SymbolicLease(const SymbolicLease&) = delete;
+    SymbolicLease& operator=(const SymbolicLease&) = delete;
+    ~SymbolicLease()
     {
-        if (borrowed_) cache_->give_back(*plan_);
+        if (borrowed_) cache_->give_back(*symbolic_);
     }
 
     // `cache` may be null. False: out of memory.
-    bool take(int n, std::span<const BodyPair> pairs, PlanCache* cache, Arena& arena);
-    const FactorPlan& plan() const { return *plan_; }
+    bool take(int n, std::span<const BodyPair> pairs, SymbolicCache* cache, Arena& arena);
+    const SymbolicFactor& symbolic() const { return *symbolic_; }
 
   private:
-    PlanCache* cache_ = nullptr;
-    const FactorPlan* plan_ = nullptr;
+    SymbolicCache* cache_ = nullptr;
+    const SymbolicFactor* symbolic_ = nullptr;
     bool borrowed_ = false;
-    FactorPlan made_;
+    SymbolicFactor made_;
 };
 
 }  // namespace epode

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Plans are found again exactly when the pairs are the same, and hold what a fresh analysis finds.
-#include "solve/exact/factor/plan_cache.h"
+#include "solve/exact/factor/symbolic_cache.h"
 
 #include <gtest/gtest.h>
 
@@ -24,28 +24,28 @@ Pairs chain_of(int n)
     return pairs;
 }
 
-const FactorPlan* known(PlanCache& cache, int n, const Pairs& pairs)
+const SymbolicFactor* known(SymbolicCache& cache, int n, const Pairs& pairs)
 {
     Arena arena;
     BodyGraph graph;
     EXPECT_TRUE(build_body_graph(n, pairs, arena, graph));
-    const FactorPlan* plan = cache.borrow(graph);
-    if (plan) cache.give_back(*plan);
-    return plan;
+    const SymbolicFactor* symbolic = cache.borrow(graph);
+    if (symbolic) cache.give_back(*symbolic);
+    return symbolic;
 }
 
-void use(PlanCache& cache, int n, const Pairs& pairs)
+void use(SymbolicCache& cache, int n, const Pairs& pairs)
 {
     Arena arena;
-    PlanLease lease;
+    SymbolicLease lease;
     ASSERT_TRUE(lease.take(n, pairs, &cache, arena));
 }
 
 bool same(std::span<const int> a, std::span<const int> b) { return std::ranges::equal(a, b); }
 
-TEST(PlanCache, KnowsWhatItHasSeen)
+TEST(SymbolicCache, KnowsWhatItHasSeen)
 {
-    PlanCache cache;
+    SymbolicCache cache;
     Pairs pairs = chain_of(20);
     EXPECT_FALSE(known(cache, 20, pairs));
     use(cache, 20, pairs);
@@ -61,21 +61,21 @@ TEST(PlanCache, KnowsWhatItHasSeen)
     EXPECT_FALSE(known(cache, 21, chain_of(20)));
 }
 
-TEST(PlanCache, HoldsWhatAnAnalysisFinds)
+TEST(SymbolicCache, HoldsWhatAnAnalysisFinds)
 {
     Dice dice(3);
-    PlanCache cache;
+    SymbolicCache cache;
     for (int round = 0; round < 10; ++round) {
         const int n = 10 + 5 * round;
         Pairs pairs;
         for (int i = 0; i < 2 * n; ++i) pairs.push_back({dice.below(n), dice.below(n)});
         use(cache, n, pairs);
         Arena arena;
-        PlanLease fresh, found;
+        SymbolicLease fresh, found;
         ASSERT_TRUE(fresh.take(n, pairs, nullptr, arena));
         ASSERT_TRUE(found.take(n, pairs, &cache, arena));
-        ASSERT_NE(&fresh.plan(), &found.plan());
-        const FactorPlan &a = fresh.plan(), &b = found.plan();
+        ASSERT_NE(&fresh.symbolic(), &found.symbolic());
+        const SymbolicFactor &a = fresh.symbolic(), &b = found.symbolic();
         EXPECT_EQ(a.bodies, b.bodies);
         EXPECT_EQ(a.blocks, b.blocks);
         EXPECT_TRUE(same(a.position, b.position) && same(a.front_of, b.front_of) && same(a.rows, b.rows) &&
@@ -90,10 +90,10 @@ TEST(PlanCache, HoldsWhatAnAnalysisFinds)
     }
 }
 
-TEST(PlanCache, ForgetsTheLeastRecentlyUsed)
+TEST(SymbolicCache, ForgetsTheLeastRecentlyUsed)
 {
-    PlanCache cache;
-    for (int k = 0; k < PlanCache::kEntries; ++k) use(cache, 10 + k, chain_of(10 + k));
+    SymbolicCache cache;
+    for (int k = 0; k < SymbolicCache::kEntries; ++k) use(cache, 10 + k, chain_of(10 + k));
     use(cache, 10, chain_of(10));
     use(cache, 500, chain_of(500));
     EXPECT_TRUE(known(cache, 10, chain_of(10)));
@@ -101,22 +101,22 @@ TEST(PlanCache, ForgetsTheLeastRecentlyUsed)
     EXPECT_TRUE(known(cache, 500, chain_of(500)));
 }
 
-TEST(PlanCache, NeverTakesAPlanFromItsBorrower)
+TEST(SymbolicCache, NeverTakesAFactorFromItsBorrower)
 {
-    PlanCache cache;
+    SymbolicCache cache;
     Arena arena;
     use(cache, 10, chain_of(10));
-    PlanLease lease;
+    SymbolicLease lease;
     ASSERT_TRUE(lease.take(10, chain_of(10), &cache, arena));
-    const std::vector<int> before(lease.plan().position.begin(), lease.plan().position.end());
-    for (int n = 100; n < 100 + 3 * PlanCache::kEntries; ++n) use(cache, n, chain_of(n));
-    EXPECT_TRUE(same(lease.plan().position, before));
+    const std::vector<int> before(lease.symbolic().position.begin(), lease.symbolic().position.end());
+    for (int n = 100; n < 100 + 3 * SymbolicCache::kEntries; ++n) use(cache, n, chain_of(n));
+    EXPECT_TRUE(same(lease.symbolic().position, before));
     EXPECT_TRUE(known(cache, 10, chain_of(10)));
 }
 
-TEST(PlanCache, ServesSeveralThreads)
+TEST(SymbolicCache, ServesSeveralThreads)
 {
-    PlanCache cache;
+    SymbolicCache cache;
     std::vector<std::thread> threads;
     std::vector<int> wrong(4, 0);
     for (int t = 0; t < 4; ++t)
@@ -124,9 +124,9 @@ TEST(PlanCache, ServesSeveralThreads)
             for (int round = 0; round < 300; ++round) {
                 const int n = 5 + (round * (t + 1)) % 40;
                 Arena arena;
-                PlanLease lease;
-                if (!lease.take(n, chain_of(n), &cache, arena) || lease.plan().bodies != n ||
-                    lease.plan().position.size() != std::size_t(n))
+                SymbolicLease lease;
+                if (!lease.take(n, chain_of(n), &cache, arena) || lease.symbolic().bodies != n ||
+                    lease.symbolic().position.size() != std::size_t(n))
                     ++wrong[std::size_t(t)];
             }
         });
