@@ -27,7 +27,7 @@ struct SolverSettings {
     Tasks tasks;                     // for solvers with inner_tasks
     // Of the exact solver: natural residual from which on it spends time on more digits; 1e-9 it always
     // gives.
-    double careful_above = 1e-10;
+    double refine_above = 1e-10;
     SymbolicCache* symbolic_cache = nullptr;  // what the world keeps of structures that were analysed before
 };
 

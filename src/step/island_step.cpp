@@ -88,7 +88,7 @@ class IslandStep {
         std::fill(settings.part_residuals.begin(), settings.part_residuals.end(), Real(0));
         settings.tasks = tasks;
         settings.symbolic_cache = &context_.symbolic_cache;
-        if (projects()) settings.careful_above = 1e-9;  // the projection corrects what positions would feel
+        if (projects()) settings.refine_above = 1e-9;  // the projection corrects what positions would feel
         load_warm_start(world_.warm_starting * context_.solver.warm_share);
         SolveReport solved;
         bool sane = context_.solver.solve(work_.system, settings, arena_, solved);

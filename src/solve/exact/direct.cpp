@@ -17,10 +17,10 @@
 #include <cmath>
 
 #include "solve/exact/active_set.h"
+#include "solve/exact/extended/primal_active_set.h"
 #include "solve/exact/interior_point.h"
 #include "solve/exact/small/box_phases.h"
 #include "solve/exact/small/small_island.h"
-#include "solve/exact/wide/careful_set.h"
 #include "solve/solver.h"
 
 namespace epode {
@@ -38,7 +38,7 @@ class DirectSolve {
 
     bool prepare(RowSystem& system, const SolverSettings& settings, Arena& arena)
     {
-        careful_above_ = settings.careful_above;
+        refine_above_ = settings.refine_above;
         const int m = int(system.rows.size());
         if (!problem_.build(system, arena)) return false;
         state_.lo = arena.take<double>(m);
@@ -75,9 +75,9 @@ class DirectSolve {
     {
         if (!solve_box(arena, report)) return false;
         residual_ = problem_.residual(state_, scratch_);
-        if (!(residual_ > careful_above_)) return true;
-        if (!careful_ready_ && !(careful_ready_ = careful_.prepare(problem_, arena))) return false;
-        residual_ = careful_.solve(problem_, state_, scratch_, report.iterations);
+        if (!(residual_ > refine_above_)) return true;
+        if (!fallback_ready_ && !(fallback_ready_ = fallback_.prepare(problem_, arena))) return false;
+        residual_ = fallback_.solve(problem_, state_, scratch_, report.iterations);
         if (!(residual_ > kPromised)) return true;
         if (!problem_.soften()) return solve_densely(arena, report);
         std::copy(begun_.begin(), begun_.end(), state_.p.begin());
@@ -87,9 +87,9 @@ class DirectSolve {
     // Better than it was, or as it was.
     bool solve_densely(Arena& arena, SolveReport& report)
     {
-        if (problem_.row_count() > WideFactor::kMostRows) return true;
-        if (!careful_dense_ && !(careful_dense_ = careful_.prepare_dense(problem_, arena))) return false;
-        residual_ = careful_.solve(problem_, state_, scratch_, report.iterations);
+        if (problem_.row_count() > ExtendedFactor::kMostRows) return true;
+        if (!fallback_dense_ && !(fallback_dense_ = fallback_.prepare_dense(problem_, arena))) return false;
+        residual_ = fallback_.solve(problem_, state_, scratch_, report.iterations);
         return true;
     }
 
@@ -131,14 +131,14 @@ class DirectSolve {
             std::copy(kept_.begin(), kept_.end(), state_.p.begin());
     }
 
-    double careful_above_ = 0;
+    double refine_above_ = 0;
     ExactProblem problem_;
     PackedRows packed_;
     ActiveSet active_;
     InteriorPoint interior_;
-    CarefulSet careful_;
+    PrimalActiveSet fallback_;
     bool give_up_early_;
-    bool interior_ready_ = false, careful_ready_ = false, careful_dense_ = false;
+    bool interior_ready_ = false, fallback_ready_ = false, fallback_dense_ = false;
     double residual_ = 0;  // that scratch_ and state_ have
     BoxState state_;
     std::span<double> kept_, begun_, scratch_;

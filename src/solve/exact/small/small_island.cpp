@@ -31,7 +31,7 @@ SmallResult solve_with(Method method, RowSystem& system, const SolverSettings& s
     if (result != SmallResult::kSolved) return result;
     // What these methods take for settled may still lack digits; the general path has more.
     const double residual = island.residual();
-    if (!(residual <= settings.careful_above)) return SmallResult::kNotSolved;
+    if (!(residual <= settings.refine_above)) return SmallResult::kNotSolved;
     island.store(system);
     report.method = dIslandMethodDense;
     report.factorisations += island.factorisations();
@@ -79,7 +79,7 @@ SmallResult solve_small(RowSystem& system, const SolverSettings& settings, Arena
     if (dynamic <= FewBodies::kMostBodies && system.rows.size() <= kPivotMost) {
         Arena::Scope scope(arena);
         FewBodies few;
-        const SmallResult result = few.solve(system, settings.careful_above, arena, report);
+        const SmallResult result = few.solve(system, settings.refine_above, arena, report);
         if (result != SmallResult::kNotSolved) return result;
     }
     if (system.rows.size() > kPivotFirst || almost_right(system, arena)) return SmallResult::kNotSolved;

@@ -3,7 +3,7 @@
 //
 // Equalities in 106 bits where long lever arms and repeated joints leave eigenvalues of 1e-21 of the
 // diagonal, and the arithmetic that they are solved in.
-#include "solve/exact/wide/wide_factor.h"
+#include "solve/exact/extended/extended_factor.h"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ TEST(DoubleDouble, ProductsAndQuotientsHaveAHundredBits)
     EXPECT_NE(third.lo, 0);
 }
 
-TEST(WideFactor, SolvesWhatLongLeverArmsMakeSingularInDoubles)
+TEST(ExtendedFactor, SolvesWhatLongLeverArmsMakeSingularInDoubles)
 {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         Problem p = far_chain(seed, Real(1e6), Real(1e-10));
@@ -61,7 +61,7 @@ TEST(WideFactor, SolvesWhatLongLeverArmsMakeSingularInDoubles)
         std::vector<double> impulse(m, 0), low(m, 0), free(m, 1);
         for (std::size_t i = 0; i < m; i += 5) free[i] = 0;
         std::vector<DoubleDouble> sums(std::size_t(problem.unknowns())), r(m);
-        WideFactor factor;
+        ExtendedFactor factor;
         ASSERT_TRUE(factor.prepare(int(m), arena));
         factor.factor(problem, free);
         double worst = 0;
@@ -80,7 +80,7 @@ TEST(WideFactor, SolvesWhatLongLeverArmsMakeSingularInDoubles)
     }
 }
 
-TEST(WideFactor, LongLeverArmsKeepThePromiseOfTheExactSolver)
+TEST(ExtendedFactor, LongLeverArmsKeepThePromiseOfTheExactSolver)
 {
     if (kSingle) GTEST_SKIP() << "such arms leave no digits to floats";
     for (const Real far : {Real(1e4), Real(1e6), Real(1e8), Real(1e10)})

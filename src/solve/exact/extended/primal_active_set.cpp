@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See careful_set.h. A row's wrongness is measured as the velocity by which its sign is violated.
-#include "solve/exact/wide/careful_set.h"
+// See primal_active_set.h. A row's wrongness is measured as the velocity by which its sign is violated.
+#include "solve/exact/extended/primal_active_set.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ constexpr int kPatience = 3;  // rounds without fewer wrong rows
 
 }  // namespace
 
-bool CarefulSet::prepare(const ExactProblem& problem, Arena& arena)
+bool PrimalActiveSet::prepare(const ExactProblem& problem, Arena& arena)
 {
     const int m = problem.row_count(), n = problem.unknowns();
     for (std::span<double>* rows : {&low_, &from_, &from_low_, &best_.p, &best_.low})
@@ -28,7 +28,7 @@ bool CarefulSet::prepare(const ExactProblem& problem, Arena& arena)
     return !arena.failed() && equalities_.prepare(problem, arena);
 }
 
-double CarefulSet::solve(ExactProblem& problem, BoxState& state, std::span<double> v, int& rounds)
+double PrimalActiveSet::solve(ExactProblem& problem, BoxState& state, std::span<double> v, int& rounds)
 {
     std::fill(low_.begin(), low_.end(), 0.0);
     best_residual_ = HUGE_VAL;
@@ -42,7 +42,7 @@ double CarefulSet::solve(ExactProblem& problem, BoxState& state, std::span<doubl
     return best_residual_;
 }
 
-bool CarefulSet::flip_rounds(ExactProblem& problem, BoxState& state, std::span<double> v, int& rounds)
+bool PrimalActiveSet::flip_rounds(ExactProblem& problem, BoxState& state, std::span<double> v, int& rounds)
 {
     int fewest = problem.row_count() + 1, patience = kPatience;
     for (int round = 0; round < kFlipRounds; ++round) {
@@ -61,7 +61,7 @@ bool CarefulSet::flip_rounds(ExactProblem& problem, BoxState& state, std::span<d
     return false;
 }
 
-void CarefulSet::descend(ExactProblem& problem, BoxState& state, std::span<double> v, int& rounds)
+void PrimalActiveSet::descend(ExactProblem& problem, BoxState& state, std::span<double> v, int& rounds)
 {
     for (std::size_t i = 0; i < low_.size(); ++i) {
         const double inside = std::min(std::max(state.p[i], state.lo[i]), state.hi[i]);
@@ -81,7 +81,7 @@ void CarefulSet::descend(ExactProblem& problem, BoxState& state, std::span<doubl
 }
 
 // Impulses of bound rows are their bounds.
-void CarefulSet::settle(BoxState& state)
+void PrimalActiveSet::settle(BoxState& state)
 {
     for (std::size_t i = 0; i < low_.size(); ++i) {
         if (state.tag[i] == BoxState::kFree) continue;
@@ -91,7 +91,7 @@ void CarefulSet::settle(BoxState& state)
 }
 
 // Back along the way from from_ to the first bound in it; false: there is none.
-bool CarefulSet::stop_at_bound(const ExactProblem& problem, BoxState& state)
+bool PrimalActiveSet::stop_at_bound(const ExactProblem& problem, BoxState& state)
 {
     const double tolerance = kFeasible * problem.scale();
     double share = 1;
@@ -119,7 +119,7 @@ bool CarefulSet::stop_at_bound(const ExactProblem& problem, BoxState& state)
 }
 
 // Frees the bound row whose multiplier is most wrong; false: all are right.
-bool CarefulSet::release_worst(const ExactProblem& problem, BoxState& state, std::span<const double> v)
+bool PrimalActiveSet::release_worst(const ExactProblem& problem, BoxState& state, std::span<const double> v)
 {
     const int wrong = find_wrong(problem, state, v);
     double worst = 0;
@@ -136,7 +136,8 @@ bool CarefulSet::release_worst(const ExactProblem& problem, BoxState& state, std
     return true;
 }
 
-void CarefulSet::keep_better(const ExactProblem& problem, const BoxState& state, std::span<const double> v)
+void PrimalActiveSet::keep_better(const ExactProblem& problem, const BoxState& state,
+                                  std::span<const double> v)
 {
     const double residual = problem.residual_at(state, v);
     if (!(residual < best_residual_)) return;
@@ -147,7 +148,7 @@ void CarefulSet::keep_better(const ExactProblem& problem, const BoxState& state,
     std::copy(v.begin(), v.end(), best_.v.begin());
 }
 
-void CarefulSet::go_back(BoxState& state, std::span<double> v)
+void PrimalActiveSet::go_back(BoxState& state, std::span<double> v)
 {
     if (!(best_residual_ < HUGE_VAL)) return;
     std::copy(best_.p.begin(), best_.p.end(), state.p.begin());
@@ -156,7 +157,7 @@ void CarefulSet::go_back(BoxState& state, std::span<double> v)
     std::copy(best_.v.begin(), best_.v.end(), v.begin());
 }
 
-int CarefulSet::find_wrong(const ExactProblem& problem, const BoxState& state, std::span<const double> v)
+int PrimalActiveSet::find_wrong(const ExactProblem& problem, const BoxState& state, std::span<const double> v)
 {
     const double tolerance = kFeasible * problem.scale();
     int count = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See wide_factor.h. Right-looking; what is zero, as between joints that share no body, is skipped.
-#include "solve/exact/wide/wide_factor.h"
+// See extended_factor.h. Right-looking; what is zero, as between joints that share no body, is skipped.
+#include "solve/exact/extended/extended_factor.h"
 
 namespace epode {
 namespace {
@@ -32,7 +32,7 @@ bool is_zero(DoubleDouble x) { return x.hi == 0; }
 
 }  // namespace
 
-bool WideFactor::prepare(int rows, Arena& arena)
+bool ExtendedFactor::prepare(int rows, Arena& arena)
 {
     free_ = arena.take<int>(rows);
     L_ = arena.take<DoubleDouble>(int(start(rows)));
@@ -40,7 +40,7 @@ bool WideFactor::prepare(int rows, Arena& arena)
     return !arena.failed();
 }
 
-void WideFactor::factor(const ExactProblem& problem, std::span<const double> free)
+void ExtendedFactor::factor(const ExactProblem& problem, std::span<const double> free)
 {
     count_ = 0;
     for (std::size_t i = 0; i < free.size(); ++i)
@@ -49,7 +49,7 @@ void WideFactor::factor(const ExactProblem& problem, std::span<const double> fre
     for (int k = 0; k < count_; ++k) eliminate(k, problem.row(free_[std::size_t(k)]).d);
 }
 
-void WideFactor::fill(const ExactProblem& problem)
+void ExtendedFactor::fill(const ExactProblem& problem)
 {
     for (int i = 0; i < count_; ++i) {
         const ExactRow& one = problem.row(free_[std::size_t(i)]);
@@ -60,7 +60,7 @@ void WideFactor::fill(const ExactProblem& problem)
 }
 
 // Rows below k become those of what is left without it, column k that of L.
-void WideFactor::eliminate(int k, double d)
+void ExtendedFactor::eliminate(int k, double d)
 {
     const auto at = std::size_t(k);
     DoubleDouble& pivot = row(k)[at];
@@ -76,7 +76,7 @@ void WideFactor::eliminate(int k, double d)
     }
 }
 
-void WideFactor::solve(std::span<DoubleDouble> x) const
+void ExtendedFactor::solve(std::span<DoubleDouble> x) const
 {
     const auto at = [&](int k) -> DoubleDouble& { return x[std::size_t(free_[std::size_t(k)])]; };
     for (int i = 0; i < count_; ++i)

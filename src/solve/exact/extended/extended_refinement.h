@@ -13,14 +13,14 @@
 // J^T D J gives (Woodbury), D = 1/(C + F): H x = J^T D r, z = D (r - J x). In the inner product with weights
 // 1/d, F is a multiple of 1, so that A B is symmetric with eigenvalues a/(a + F): one cluster at 1 and one
 // pass more for each redundant row. Refinement with B alone would need F/C passes. What these passes leave of
-// a small island is for refinement with a dense factor in 106 bits (solve/exact/wide/wide_factor.h).
+// a small island is for refinement with a dense factor in 106 bits (solve/exact/extended/extended_factor.h).
 #pragma once
 
-#include "solve/exact/wide/wide_factor.h"
+#include "solve/exact/extended/extended_factor.h"
 
 namespace epode {
 
-class WideSolve {
+class ExtendedRefinement {
   public:
     // False: out of memory. The factor of H must have been built.
     bool prepare(const ExactProblem& problem, Arena& arena);
@@ -57,7 +57,7 @@ class WideSolve {
     bool dense_ = false;
     std::span<double> D_, inv_d_, r_, pairs_, x_;
     std::span<DoubleDouble> sums_, defects_;
-    WideFactor factor_;
+    ExtendedFactor factor_;
 };
 
 }  // namespace epode

@@ -16,7 +16,7 @@
 
 namespace epode {
 
-class WideFactor {
+class ExtendedFactor {
   public:
     static constexpr int kMostRows = 512;
 

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The last resort of the exact solver, for the few islands whose residual the quick methods leave above what
-// is promised: an active set whose equalities are solved with 106 bits (solve/exact/wide/wide_solve.h), in
+// is promised: an active set whose equalities are solved with 106 bits (solve/exact/extended/extended_refinement.h), in
 // two stages.
 //
 //   1. flips, as in active_set.cpp: usually only digits were missing;
@@ -13,11 +13,11 @@
 //      it takes.
 #pragma once
 
-#include "solve/exact/wide/wide_solve.h"
+#include "solve/exact/extended/extended_refinement.h"
 
 namespace epode {
 
-class CarefulSet {
+class PrimalActiveSet {
   public:
     bool prepare(const ExactProblem& problem, Arena& arena);  // false: out of memory
     // For what still has not enough digits: the equalities densely from now on. False: out of memory.
@@ -45,7 +45,7 @@ class CarefulSet {
     void go_back(BoxState& state, std::span<double> v);
     int find_wrong(const ExactProblem& problem, const BoxState& state, std::span<const double> v);
 
-    WideSolve equalities_;
+    ExtendedRefinement equalities_;
     Point best_;
     double best_residual_ = 0;
     std::span<double> low_, from_, from_low_;

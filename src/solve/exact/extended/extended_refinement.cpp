@@ -3,7 +3,7 @@
 //
 // Residuals are taken anew from p in every pass, images anew from their directions, and every pass goes to
 // the least residual along all of them: rounding and errors of the factor only cost passes.
-#include "solve/exact/wide/wide_solve.h"
+#include "solve/exact/extended/extended_refinement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +21,7 @@ constexpr int kManyRows = 2000;  // from which on directions cost too much memor
 
 }  // namespace
 
-bool WideSolve::prepare(const ExactProblem& problem, Arena& arena)
+bool ExtendedRefinement::prepare(const ExactProblem& problem, Arena& arena)
 {
     const int m = problem.row_count(), n = problem.unknowns();
     for (std::span<double>* rows : {&D_, &inv_d_, &r_}) *rows = arena.take<double>(m);
@@ -32,14 +32,15 @@ bool WideSolve::prepare(const ExactProblem& problem, Arena& arena)
     return !arena.failed();
 }
 
-bool WideSolve::prepare_dense(int rows, Arena& arena)
+bool ExtendedRefinement::prepare_dense(int rows, Arena& arena)
 {
     defects_ = arena.take<DoubleDouble>(rows);
     dense_ = factor_.prepare(rows, arena);
     return dense_;
 }
 
-void WideSolve::solve(ExactProblem& problem, BoxState& state, std::span<double> low, std::span<double> v)
+void ExtendedRefinement::solve(ExactProblem& problem, BoxState& state, std::span<double> low,
+                               std::span<double> v)
 {
     weigh(problem, state);
     if (!dense_) return iterate(problem, state, low, v);
@@ -47,7 +48,8 @@ void WideSolve::solve(ExactProblem& problem, BoxState& state, std::span<double> 
     velocities(problem, state, low, v);
 }
 
-void WideSolve::iterate(ExactProblem& problem, BoxState& state, std::span<double> low, std::span<double> v)
+void ExtendedRefinement::iterate(ExactProblem& problem, BoxState& state, std::span<double> low,
+                                 std::span<double> v)
 {
     problem.factor(D_);
     double mark = HUGE_VAL, now = residual(problem, state, low, v);
@@ -64,7 +66,7 @@ void WideSolve::iterate(ExactProblem& problem, BoxState& state, std::span<double
     }
 }
 
-void WideSolve::refine(const ExactProblem& problem, BoxState& state, std::span<double> low)
+void ExtendedRefinement::refine(const ExactProblem& problem, BoxState& state, std::span<double> low)
 {
     factor_.factor(problem, D_);
     double before = HUGE_VAL, now = largest_defect(problem, state, low);
@@ -83,8 +85,8 @@ void WideSolve::refine(const ExactProblem& problem, BoxState& state, std::span<d
 }
 
 // Leaves r in defects_.
-double WideSolve::largest_defect(const ExactProblem& problem, const BoxState& state,
-                                 std::span<const double> low)
+double ExtendedRefinement::largest_defect(const ExactProblem& problem, const BoxState& state,
+                                          std::span<const double> low)
 {
     problem.defect(state.p, low, D_, sums_, defects_);
     double worst = 0;
@@ -92,7 +94,7 @@ double WideSolve::largest_defect(const ExactProblem& problem, const BoxState& st
     return worst;
 }
 
-void WideSolve::weigh(const ExactProblem& problem, const BoxState& state)
+void ExtendedRefinement::weigh(const ExactProblem& problem, const BoxState& state)
 {
     for (std::size_t i = 0; i < D_.size(); ++i) {
         const ExactRow& row = problem.row(int(i));
@@ -103,8 +105,8 @@ void WideSolve::weigh(const ExactProblem& problem, const BoxState& state)
 }
 
 // v and r of the present impulses; returns max |r|.
-double WideSolve::residual(const ExactProblem& problem, const BoxState& state, std::span<const double> low,
-                           std::span<double> v)
+double ExtendedRefinement::residual(const ExactProblem& problem, const BoxState& state,
+                                    std::span<const double> low, std::span<double> v)
 {
     velocities(problem, state, low, v);
     double worst = 0;
@@ -117,7 +119,7 @@ double WideSolve::residual(const ExactProblem& problem, const BoxState& state, s
 }
 
 // z = B r
-void WideSolve::precondition(ExactProblem& problem, std::span<double> z)
+void ExtendedRefinement::precondition(ExactProblem& problem, std::span<double> z)
 {
     std::fill(x_.begin(), x_.end(), 0.0);
     for (std::size_t i = 0; i < D_.size(); ++i)
@@ -128,7 +130,7 @@ void WideSolve::precondition(ExactProblem& problem, std::span<double> z)
 }
 
 // Makes the image of direction k orthogonal to the earlier ones and of length 1.
-bool WideSolve::orthogonalise(const ExactProblem& problem, int k)
+bool ExtendedRefinement::orthogonalise(const ExactProblem& problem, int k)
 {
     const std::span<double> q = direction(k), Aq = image(k);
     take_image(problem, k);
@@ -146,7 +148,7 @@ bool WideSolve::orthogonalise(const ExactProblem& problem, int k)
     return dot(Aq, Aq) > 0;
 }
 
-void WideSolve::take_image(const ExactProblem& problem, int k)
+void ExtendedRefinement::take_image(const ExactProblem& problem, int k)
 {
     const std::span<double> Aq = image(k);
     problem.apply(direction(k), sums_, x_, Aq);
@@ -155,7 +157,7 @@ void WideSolve::take_image(const ExactProblem& problem, int k)
 }
 
 // Along direction j to the least residual.
-void WideSolve::advance(BoxState& state, std::span<double> low, int j)
+void ExtendedRefinement::advance(BoxState& state, std::span<double> low, int j)
 {
     const double step = dot(r_, image(j)) / dot(image(j), image(j));
     for (std::size_t i = 0; i < r_.size(); ++i) {
@@ -166,7 +168,7 @@ void WideSolve::advance(BoxState& state, std::span<double> low, int j)
     }
 }
 
-double WideSolve::dot(std::span<const double> x, std::span<const double> y) const
+double ExtendedRefinement::dot(std::span<const double> x, std::span<const double> y) const
 {
     double sum = 0;
     for (std::size_t i = 0; i < x.size(); ++i) sum += x[i] * y[i] * inv_d_[i];
