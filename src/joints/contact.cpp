@@ -15,7 +15,7 @@
 
 #include "base/prefetch.h"
 #include "joints/access.h"
-#include "joints/contact_manifolds.h"
+#include "joints/joint_manifolds.h"
 #include "rows/policy.h"
 
 namespace epode {
@@ -221,7 +221,7 @@ bool joins(const Contact& last, const Contact& next)
            !next.has(kTangential);
 }
 
-void set_friction(const Contact& contact, const StepInfo& info, Manifold& m)
+void set_friction(const Contact& contact, const StepInfo& info, JointManifold& m)
 {
     const Real limit[2] = {contact.mu, contact.mu2()};
     const Real speed[2] = {contact.has(dContactMotion1) ? contact.surface().motion1 : 0,
@@ -240,7 +240,7 @@ void set_friction(const Contact& contact, const StepInfo& info, Manifold& m)
 
 // Both member by member into their place: there are thousands of them, and a copy of what has just been
 // written in smaller pieces waits for them all.
-void begin_manifold(const Contact& contact, const StepInfo& info, int first, Manifold& m)
+void begin_manifold(const Contact& contact, const StepInfo& info, int first, JointManifold& m)
 {
     const Body &a = *contact.body1(), *b = contact.body2();
     m.n = contact.outward();
@@ -252,7 +252,7 @@ void begin_manifold(const Contact& contact, const StepInfo& info, int first, Man
     for (int k = 0; k < 2; ++k) m.c[k] = m.C[k] = m.mu[k] = m.fixed[k] = 0;
 }
 
-inline void set_point(const Contact& contact, const StepInfo& info, Vec3 n, ManifoldPoint& point)
+inline void set_point(const Contact& contact, const StepInfo& info, Vec3 n, JointManifoldPoint& point)
 {
     Row row;
     row.erp = info.erp, row.cfm = info.cfm;
@@ -266,7 +266,7 @@ inline void set_point(const Contact& contact, const StepInfo& info, Vec3 n, Mani
 
 }  // namespace
 
-void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, ManifoldList& out)
+void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, JointManifoldList& out)
 {
     constexpr int kLines = 3;  // of a contact without special surface
     constexpr std::size_t kAhead = 8;
@@ -279,7 +279,7 @@ void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, Man
         const Contact& contact = static_cast<const Contact&>(joint);
         if (!last || !joins(*last, contact) || out.manifolds[manifolds - 1].count == kManifoldPoints)
             begin_manifold(contact, info, int(i), out.manifolds[manifolds++]);
-        Manifold& m = out.manifolds[manifolds - 1];
+        JointManifold& m = out.manifolds[manifolds - 1];
         set_point(contact, info, m.n, out.points[i]);
         ++m.count;
         last = &contact;

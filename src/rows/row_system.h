@@ -14,7 +14,7 @@
 #include <span>
 
 #include "math/pose.h"
-#include "rows/manifold.h"
+#include "rows/joint_manifold.h"
 #include "rows/patch.h"
 #include "rows/row.h"
 
@@ -70,7 +70,7 @@ struct RowBlock {
 // and share nothing: not even the world, so that what is not a number in one of them stays there. Each part
 // ends before these.
 struct SystemPart {
-    int bodies = 0, blocks = 0, manifolds = 0, patches = 0;
+    int bodies = 0, blocks = 0, joint_manifolds = 0, patches = 0;
 };
 
 struct RowSystem {
@@ -81,7 +81,7 @@ struct RowSystem {
     std::span<Row> rows;
     std::span<RowNumbers> numbers;             // parallel to rows
     std::span<RowBlock> blocks;                // in joint order, covering rows without gaps
-    ManifoldList contacts;                     // beside the rows; of solvers that take manifolds, else empty
+    JointManifoldList joint_contacts;          // beside the rows; of solvers that take manifolds, else empty
     std::span<Patch* const> patches;           // likewise, of solvers that take patches
     std::span<const SystemPart> parts;         // none: all is one
     std::span<const WholeFriction> frictions;  // of what has been solved: one for several points each
@@ -92,7 +92,8 @@ struct RowSystem {
     SystemPart end_of(int part) const
     {
         if (!parts.empty()) return parts[std::size_t(part)];
-        return {int(bodies.size()), int(blocks.size()), int(contacts.manifolds.size()), int(patches.size())};
+        return {int(bodies.size()), int(blocks.size()), int(joint_contacts.manifolds.size()),
+                int(patches.size())};
     }
 };
 

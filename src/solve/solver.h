@@ -41,12 +41,12 @@ struct SolveReport {
 
 struct Solver {
     const char* name;
-    bool substeps = false;       // advances poses itself through SolverSettings::substeps
-    bool needs_inertia = false;  // reads SolverBody::mass and inertia, not only the inverses
-    bool inner_tasks = false;    // has work for several workers in one large island
-    bool manifolds = false;      // takes RowSystem::contacts and parts; others are given rows only
-    bool cones = false;          // knows RowSystem::cone and manifold_friction
-    bool takes_patches = false;  // solves RowSystem::patches, and parts; others want rows
+    bool substeps = false;         // advances poses itself through SolverSettings::substeps
+    bool needs_inertia = false;    // reads SolverBody::mass and inertia, not only the inverses
+    bool inner_tasks = false;      // has work for several workers in one large island
+    bool joint_manifolds = false;  // takes RowSystem::joint_contacts and parts; others are given rows only
+    bool cones = false;            // knows RowSystem::cone and manifold_friction
+    bool takes_patches = false;    // solves RowSystem::patches, and parts; others want rows
     Real warm_share =
         1;  // of the last step's impulses that it starts from when the world asks for warm starting
     int settling_factor =

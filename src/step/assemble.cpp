@@ -10,7 +10,7 @@
 
 #include "dynamics/exact_spin.h"
 #include "dynamics/integrate.h"
-#include "joints/contact_manifolds.h"
+#include "joints/joint_manifolds.h"
 #include "rows/policy.h"
 #include "step/patch_rows.h"
 #include "tasks/prefetched.h"
@@ -106,7 +106,7 @@ bool mark_parts(Arena& arena, IslandWork& work)
                 if (int& body2 = items[std::size_t(at)].body2; body2 < 0) body2 = world;
         };
         take(system.blocks, end.blocks);
-        take(system.contacts.manifolds, end.manifolds);
+        take(system.joint_contacts.manifolds, end.joint_manifolds);
         parts[i] = end;
     }
     system.parts = parts;
@@ -174,14 +174,14 @@ bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Ar
     const bool forces_known = island.joints.empty();
     const std::size_t first = undo ? undo->first_of(island.bodies) : 0;
     work.system.h = h;
-    if (!sort_joints(island, solver.manifolds, arena, work)) return false;
+    if (!sort_joints(island, solver.joint_manifolds, arena, work)) return false;
     const std::span<Joint*> joints = work.joints;
     const int joint_count = int(joints.size()), contact_count = int(work.contacts.size());
     const bool as_rows = !solver.takes_patches;
     const int points = as_rows ? patch_point_count(island) : 0;
     work.system.bodies = arena.take<SolverBody>(int(island.bodies.size()));
-    work.system.contacts.manifolds = arena.take<Manifold>(contact_count);
-    work.system.contacts.points = arena.take<ManifoldPoint>(contact_count);
+    work.system.joint_contacts.manifolds = arena.take<JointManifold>(contact_count);
+    work.system.joint_contacts.points = arena.take<JointManifoldPoint>(contact_count);
     work.system.blocks = arena.take<RowBlock>(joint_count + points);
     work.system.rows = arena.take<Row>(joint_count * kMaxJointRows + (as_rows ? patch_row_count(island) : 0));
     const auto patches = arena.take<Patch*>(as_rows ? 0 : int(island.patches.size()));
@@ -200,7 +200,7 @@ bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Ar
     int rows = 0, blocks = 0;
     StepInfo info = step_info(world, h);
     if (solver.settling_factor > 1) info.contact_layer = std::max(info.contact_layer, island.kept_depth);
-    write_manifolds(work.contacts, info, work.system.contacts);
+    write_manifolds(work.contacts, info, work.system.joint_contacts);
     emit_rows(info, joints, work, rows, blocks);
     work.joints = work.joints.first(std::size_t(blocks));
     place_patches(tasks, island);

@@ -144,7 +144,7 @@ class IslandStep {
     bool is_free(int part) const
     {
         const SystemPart from = work_.system.begin_of(part), to = work_.system.end_of(part);
-        return from.blocks == to.blocks && from.manifolds == to.manifolds && from.patches == to.patches;
+        return from.blocks == to.blocks && from.joint_manifolds == to.joint_manifolds && from.patches == to.patches;
     }
 
     void fly_freely(int part)
@@ -171,8 +171,9 @@ class IslandStep {
         for (const RowBlock& block : slice(system.blocks, from.blocks, to.blocks))
             for (int i = block.first; i < block.first + block.count; ++i)
                 system.numbers[std::size_t(i)].p = 0;
-        for (const Manifold& m : slice(system.contacts.manifolds, from.manifolds, to.manifolds))
-            for (ManifoldPoint& point : points_of(m))
+        for (const JointManifold& m :
+             slice(system.joint_contacts.manifolds, from.joint_manifolds, to.joint_manifolds))
+            for (JointManifoldPoint& point : points_of(m))
                 for (Real& p : point.p) p = 0;
         for (Patch* patch : slice(system.patches, from.patches, to.patches)) silence_patch(*patch);
         if (context_.solver.substeps) {
@@ -195,14 +196,14 @@ class IslandStep {
     {
         RowSystem& system = work_.system;
         if (!context_.solver.takes_patches) load_patch_impulses(work_, share);
-        for (const Manifold& m : system.contacts.manifolds)
+        for (const JointManifold& m : system.joint_contacts.manifolds)
             load_contact(ticket_of_point(m.first), m, points_of(m), share);
         for (std::size_t k = 0; k < work_.joints.size(); ++k) {
             const Joint& joint = *work_.joints[k];
             const RowBlock& block = system.blocks[k];
             RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
             if (block.contact) {
-                ManifoldPoint point{block.arms.r1, 0, 0, 0, {}};
+                JointManifoldPoint point{block.arms.r1, 0, 0, 0, {}};
                 load_contact(ticket_of_block(k), manifold_of(block), {&point, 1}, share);
                 for (int i = 0; i < std::min(block.count, 3); ++i) numbers[i].p = point.p[i];
             } else if (joint.impulse_rows == block.count) {
@@ -211,7 +212,7 @@ class IslandStep {
         }
     }
 
-    void load_contact(int ticket, const Manifold& m, std::span<ManifoldPoint> points, Real share)
+    void load_contact(int ticket, const JointManifold& m, std::span<JointManifoldPoint> points, Real share)
     {
         const auto& bodies = work_.island.bodies;
         const Body* body2 = m.body2 >= 0 ? bodies[std::size_t(m.body2)] : nullptr;
@@ -221,29 +222,29 @@ class IslandStep {
     void remember_contacts()
     {
         const RowSystem& system = work_.system;
-        for (const Manifold& m : system.contacts.manifolds)
+        for (const JointManifold& m : system.joint_contacts.manifolds)
             context_.contacts.remember(ticket_of_point(m.first), m, points_of(m));
         for (std::size_t k = 0; k < work_.joints.size(); ++k) {
             const RowBlock& block = system.blocks[k];
             if (!block.contact) continue;
-            ManifoldPoint point{};
+            JointManifoldPoint point{};
             for (int i = 0; i < std::min(block.count, 3); ++i)
                 point.p[i] = system.numbers[std::size_t(block.first + i)].p;
             context_.contacts.remember(ticket_of_block(k), manifold_of(block), {&point, 1});
         }
     }
 
-    std::span<ManifoldPoint> points_of(const Manifold& m) const
+    std::span<JointManifoldPoint> points_of(const JointManifold& m) const
     {
-        return work_.system.contacts.points.subspan(std::size_t(m.first), std::size_t(m.count));
+        return work_.system.joint_contacts.points.subspan(std::size_t(m.first), std::size_t(m.count));
     }
 
     // Directions and bodies of a contact that is rows: the normal comes first, the linear parts of the others
     // are tangents, or zero.
-    Manifold manifold_of(const RowBlock& block) const
+    JointManifold manifold_of(const RowBlock& block) const
     {
         const Row* rows = &work_.system.rows[std::size_t(block.first)];
-        Manifold m{};
+        JointManifold m{};
         m.n = rows[0].lin1;
         if (block.count > 1) m.t1 = rows[1].lin1;
         if (block.count > 2) m.t2 = rows[2].lin1;

@@ -236,7 +236,7 @@ class WorldStep {
     // rows, behind those of all joints.
     bool makes_groups(const Solver& solver) const
     {
-        return solver.takes_patches || (solver.manifolds && !context_.manages_contacts);
+        return solver.takes_patches || (solver.joint_manifolds && !context_.manages_contacts);
     }
 
     // What only patches hold together moves in another way in small steps, and joints that are one block are

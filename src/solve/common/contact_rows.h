@@ -9,7 +9,7 @@
 #include <span>
 
 #include "base/arena.h"
-#include "rows/manifold.h"
+#include "rows/joint_manifold.h"
 #include "rows/row_system.h"
 
 namespace epode {
@@ -19,7 +19,7 @@ class ContactRows {
     // Marks the blocks that it takes; false: out of memory.
     bool gather(const RowSystem& system, std::span<bool> taken, Arena& arena);
 
-    const ManifoldList& list() const { return list_; }
+    const JointManifoldList& list() const { return list_; }
     // The normal row that a point came from.
     int row_of(int point) const { return rows_[std::size_t(point)].normal; }
 
@@ -36,13 +36,13 @@ class ContactRows {
         int normal, count;
     };
 
-    ManifoldList list_;
+    JointManifoldList list_;
     std::span<PointRows> rows_;  // parallel to the points
 };
 
 // Is it a contact as a manifold has them, and which would it be a point of?
 bool has_contact_form(const RowSystem& system, const RowBlock& block);
-Manifold manifold_of(const RowSystem& system, const RowBlock& block);
+JointManifold manifold_of(const RowSystem& system, const RowBlock& block);
 
 // The other way round: the system with its manifolds as rows behind its own, for what judges rows. False: out
 // of memory.

@@ -5,7 +5,7 @@
 // three rows, for what judges it.
 #pragma once
 
-#include "rows/manifold.h"
+#include "rows/joint_manifold.h"
 #include "rows/row_system.h"
 
 namespace epode {
@@ -20,7 +20,7 @@ struct WholeFriction {
 
 // A disc needs a limit that is mu times the push, one mu and one softness for both directions, and directions
 // that are a frame with the normal.
-inline bool can_be_whole(const Manifold& m)
+inline bool can_be_whole(const JointManifold& m)
 {
     constexpr Real kSkew2 = Real(1e-6);
     return m.mu[0] == m.mu[1] && m.mu[0] < kInf && m.fixed[0] == 0 && m.fixed[1] == 0 && m.C[0] == m.C[1] &&

@@ -76,7 +76,7 @@ bool stands(const RowSystem& system, const SystemPart& from, const SystemPart& t
 {
     const auto fixed = [&](const auto& x) { return !moving(system, x.body1) || !moving(system, x.body2); };
     return any(system.blocks, from.blocks, to.blocks, fixed) ||
-           any(system.contacts.manifolds, from.manifolds, to.manifolds, fixed) ||
+           any(system.joint_contacts.manifolds, from.joint_manifolds, to.joint_manifolds, fixed) ||
            any(system.patches, from.patches, to.patches, [&](const Patch* p) { return fixed(*p); });
 }
 

@@ -3,14 +3,14 @@
 //
 // Contacts as the kernels read them, eight manifolds in Reals or sixteen in floats side by side. A batch is
 // one manifold per lane, none of which shares a dynamic body with another; what the points of a manifold have
-// in common (rows/manifold.h) is here, and a point has 14 numbers of its own: a sweep is as fast as they come
+// in common (rows/joint_manifold.h) is here, and a point has 14 numbers of its own: a sweep is as fast as they come
 // out of the caches. In floats twice as many fit a register and a cache. Lanes of shorter manifolds are
 // filled with points of zero gain, which do nothing.
 #pragma once
 
 #include <cstdint>
 
-#include "rows/manifold.h"
+#include "rows/joint_manifold.h"
 #include "simd/float_lanes.h"
 #include "simd/lanes.h"
 #include "solve/common/velocities.h"

@@ -17,9 +17,9 @@ namespace epode {
 // What the lanes of a batch are made of; lanes without a manifold, points or bodies have such as do nothing.
 template <typename L>
 struct ContactSourcesOf {
-    const Manifold* manifold[kLanesOf<L>];
+    const JointManifold* manifold[kLanesOf<L>];
     const SolverBody *body1[kLanesOf<L>], *body2[kLanesOf<L>];
-    const ManifoldPoint* point[kManifoldPoints][kLanesOf<L>];
+    const JointManifoldPoint* point[kManifoldPoints][kLanesOf<L>];
 };
 
 // Plain pointers and counts: an inline function of a span, compiled for AVX2, could be the copy that the

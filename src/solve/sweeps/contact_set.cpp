@@ -19,8 +19,8 @@ constexpr int kRun = 32;
 
 // What fills lanes that have nothing.
 constexpr SolverBody kAtRest{};
-constexpr Manifold kNoManifold{{}, {}, {}, {}, {}, {}, {}, {}, -1, -1, 0, 0};
-constexpr ManifoldPoint kNoPoint{};
+constexpr JointManifold kNoManifold{{}, {}, {}, {}, {}, {}, {}, {}, -1, -1, 0, 0};
+constexpr JointManifoldPoint kNoPoint{};
 
 // To floats without leaving their range: a limit that is finite stays so.
 template <typename N>
@@ -41,7 +41,7 @@ void silence_unused(const ContactSourceOf<L>& source, BatchPointOf<L>& point)
 
 bool is_even(const Sym3& s) { return s.xx == s.yy && s.yy == s.zz && s.xy == 0 && s.xz == 0 && s.yz == 0; }
 
-BatchForm form_of(const RowSystem& system, const Manifold& m)
+BatchForm form_of(const RowSystem& system, const JointManifold& m)
 {
     if (m.c[0] != 0 || m.c[1] != 0 || m.fixed[0] != 0 || m.fixed[1] != 0 || m.mu[0] != m.mu[1] ||
         m.C[0] != m.C[1])
@@ -55,7 +55,7 @@ BatchForm form_of(const RowSystem& system, const Manifold& m)
 // it is in.
 class Chooser {
   public:
-    Chooser(const RowSystem& system, std::span<const Manifold> manifolds, std::span<int> stamps,
+    Chooser(const RowSystem& system, std::span<const JointManifold> manifolds, std::span<int> stamps,
             std::span<bool> used, int lanes)
         : system_(system),
           manifolds_(manifolds),
@@ -89,7 +89,7 @@ class Chooser {
   private:
     bool free(int batch, int j) const
     {
-        const Manifold &m = manifolds_[std::size_t(j)], &first = manifolds_[std::size_t(first_)];
+        const JointManifold &m = manifolds_[std::size_t(j)], &first = manifolds_[std::size_t(first_)];
         if (whole_ && can_be_whole(m) != can_be_whole(first)) return false;
         return stamps_[std::size_t(m.body1)] != batch &&
                (m.body2 < 0 || stamps_[std::size_t(m.body2)] != batch);
@@ -97,7 +97,7 @@ class Chooser {
 
     void take(int batch, int j, int& lane)
     {
-        const Manifold& m = manifolds_[std::size_t(j)];
+        const JointManifold& m = manifolds_[std::size_t(j)];
         for (const int body : {m.body1, m.body2})
             if (body >= 0 && system_.bodies[std::size_t(body)].inv_mass > 0)
                 stamps_[std::size_t(body)] = batch;
@@ -106,7 +106,7 @@ class Chooser {
     }
 
     const RowSystem& system_;
-    std::span<const Manifold> manifolds_;
+    std::span<const JointManifold> manifolds_;
     std::span<int> stamps_;
     std::span<bool> used_;
     int lanes_;
@@ -117,7 +117,7 @@ class Chooser {
 }  // namespace
 
 template <typename L>
-bool ContactSetOf<L>::pack(const RowSystem& system, const ManifoldList& list, Real w, Arena& arena)
+bool ContactSetOf<L>::pack(const RowSystem& system, const JointManifoldList& list, Real w, Arena& arena)
 {
     cone_ = system.cone, whole_ = system.manifold_friction, manifolds_ = int(list.manifolds.size());
     if (list.manifolds.empty()) return true;
@@ -141,7 +141,7 @@ bool ContactSetOf<L>::pack(const RowSystem& system, const ManifoldList& list, Re
 }
 
 template <typename L>
-bool ContactSetOf<L>::choose(const RowSystem& system, std::span<const Manifold> manifolds, Arena& arena)
+bool ContactSetOf<L>::choose(const RowSystem& system, std::span<const JointManifold> manifolds, Arena& arena)
 {
     const int n = int(manifolds.size());
     chosen_ = arena.take<Choice>(n);
@@ -165,7 +165,7 @@ bool ContactSetOf<L>::choose(const RowSystem& system, std::span<const Manifold> 
 }
 
 template <typename L>
-void ContactSetOf<L>::fill_batch(const RowSystem& system, const ManifoldList& list, const Choice& choice,
+void ContactSetOf<L>::fill_batch(const RowSystem& system, const JointManifoldList& list, const Choice& choice,
                                  Batch& batch)
 {
     batch.first = choice.first, batch.count = choice.count;
@@ -181,10 +181,10 @@ void ContactSetOf<L>::fill_batch(const RowSystem& system, const ManifoldList& li
 }
 
 template <typename L>
-void ContactSetOf<L>::choose_lane(const RowSystem& system, const ManifoldList& list, int index, Batch& batch,
-                                  int lane, ContactSourcesOf<L>& from)
+void ContactSetOf<L>::choose_lane(const RowSystem& system, const JointManifoldList& list, int index,
+                                  Batch& batch, int lane, ContactSourcesOf<L>& from)
 {
-    const Manifold& manifold = index >= 0 ? list.manifolds[std::size_t(index)] : kNoManifold;
+    const JointManifold& manifold = index >= 0 ? list.manifolds[std::size_t(index)] : kNoManifold;
     const auto choose = [&](int body, std::uint32_t& at) {
         at = std::uint32_t(std::size_t(second_slot(system, body)) * sizeof(Bodies));
         return body >= 0 ? &system.bodies[std::size_t(body)] : &kAtRest;
@@ -204,7 +204,7 @@ void ContactSetOf<L>::choose_lane(const RowSystem& system, const ManifoldList& l
 }
 
 template <typename L>
-bool ContactSetOf<L>::place_frictions(std::span<const Manifold> manifolds, Arena& arena)
+bool ContactSetOf<L>::place_frictions(std::span<const JointManifold> manifolds, Arena& arena)
 {
     const auto wants = [&](std::size_t b) {
         return whole_ && can_be_whole(manifolds[std::size_t(chosen_[b].manifold[0])]);
@@ -221,16 +221,16 @@ bool ContactSetOf<L>::place_frictions(std::span<const Manifold> manifolds, Arena
 
 // The anchors of a batch and the places of its points, in Reals before they are lanes.
 template <typename L>
-void ContactSetOf<L>::fill_friction(const ManifoldList& list, std::size_t b)
+void ContactSetOf<L>::fill_friction(const JointManifoldList& list, std::size_t b)
 {
     ManifoldFrictionOf<L>& to = *batches_[b].friction;
     for (int lane = 0; lane < kCount && chosen_[b].manifold[lane] >= 0; ++lane) {
-        const Manifold& m = list.manifolds[std::size_t(chosen_[b].manifold[lane])];
+        const JointManifold& m = list.manifolds[std::size_t(chosen_[b].manifold[lane])];
         const auto points = list.points.subspan(std::size_t(m.first), std::size_t(m.count));
         const Real share = 1 / Real(m.count);
         Vec3 anchor;
         Real size = 0;
-        for (const ManifoldPoint& point : points) anchor += share * point.r1;
+        for (const JointManifoldPoint& point : points) anchor += share * point.r1;
         for (std::size_t i = 0; i < points.size(); ++i) {
             const Vec3 d = points[i].r1 - anchor;
             const Real x = dot(d, m.t1), y = dot(d, m.t2);
@@ -335,7 +335,7 @@ void ContactSetOf<L>::relax_by(Real factor)
 }
 
 template <typename L>
-void ContactSetOf<L>::store_impulses(std::span<ManifoldPoint> points) const
+void ContactSetOf<L>::store_impulses(std::span<JointManifoldPoint> points) const
 {
     for (const Batch& batch : batches_)
         if (batch.friction) kernels_->share_friction(batch, &points_[std::size_t(batch.first)]);

@@ -37,13 +37,13 @@ class ContactSetOf {
     {}
 
     // False: out of memory. `w`: over-relaxation.
-    bool pack(const RowSystem& system, const ManifoldList& list, Real w, Arena& arena);
+    bool pack(const RowSystem& system, const JointManifoldList& list, Real w, Arena& arena);
 
     void apply_impulses(std::span<Bodies> bodies) const;  // v += M^-1 J^T p
     void shuffle(CounterRandom& random);                  // the order of the sweeps to come
     void sweep(std::span<Bodies> bodies);
     void relax_by(Real factor);  // multiplies the over-relaxation of the sweeps to come
-    void store_impulses(std::span<ManifoldPoint> points) const;
+    void store_impulses(std::span<JointManifoldPoint> points) const;
     // One for each manifold that has one friction, in the order of the manifolds. Empty: none, or out of
     // memory.
     std::span<WholeFriction> whole_frictions(Arena& arena) const;
@@ -66,12 +66,13 @@ class ContactSetOf {
         int first, count;
     };
 
-    bool choose(const RowSystem& system, std::span<const Manifold> manifolds, Arena& arena);
-    void fill_batch(const RowSystem& system, const ManifoldList& list, const Choice& choice, Batch& batch);
-    void choose_lane(const RowSystem& system, const ManifoldList& list, int manifold, Batch& batch, int lane,
-                     ContactSourcesOf<L>& from);
-    bool place_frictions(std::span<const Manifold> manifolds, Arena& arena);
-    void fill_friction(const ManifoldList& list, std::size_t batch);
+    bool choose(const RowSystem& system, std::span<const JointManifold> manifolds, Arena& arena);
+    void fill_batch(const RowSystem& system, const JointManifoldList& list, const Choice& choice,
+                    Batch& batch);
+    void choose_lane(const RowSystem& system, const JointManifoldList& list, int manifold, Batch& batch,
+                     int lane, ContactSourcesOf<L>& from);
+    bool place_frictions(std::span<const JointManifold> manifolds, Arena& arena);
+    void fill_friction(const JointManifoldList& list, std::size_t batch);
     WholeFriction friction_of(const Batch& batch, int lane) const;
 
     const ContactKernels* machine_;

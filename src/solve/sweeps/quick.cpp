@@ -39,7 +39,7 @@ struct Sweeps {
     {
         auto taken = arena.take<bool>(int(system.blocks.size()));
         if (arena.failed()) return false;
-        if (system.contacts.points.empty()) {
+        if (system.joint_contacts.points.empty()) {
             if (!rows.gather(system, taken, arena)) return false;
         } else {
             std::fill(taken.begin(), taken.end(), false);
@@ -53,9 +53,9 @@ struct Sweeps {
     }
 
     // The contacts as manifolds, however they came.
-    const ManifoldList& manifolds(const RowSystem& system) const
+    const JointManifoldList& manifolds(const RowSystem& system) const
     {
-        return system.contacts.points.empty() ? rows.list() : system.contacts;
+        return system.joint_contacts.points.empty() ? rows.list() : system.joint_contacts;
     }
 
     void store_impulses(RowSystem& system) const
@@ -123,10 +123,10 @@ bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena
 {
     report.method = dIslandMethodSweeps;
     report.iterations = std::max(settings.iterations, 0);
-    if (system.rows.empty() && system.contacts.points.empty()) return true;
+    if (system.rows.empty() && system.joint_contacts.points.empty()) return true;
     if (settings.iterations <= 0) {  // ODE's meaning: constraints without effect
         for (RowNumbers& n : system.numbers) n.p = 0;
-        for (ManifoldPoint& point : system.contacts.points)
+        for (JointManifoldPoint& point : system.joint_contacts.points)
             for (Real& p : point.p) p = 0;
         return true;
     }
@@ -152,7 +152,7 @@ bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena
 }  // namespace
 
 const Solver kQuick{.name = "quick",
-                    .manifolds = true,
+                    .joint_manifolds = true,
                     .cones = true,
                     .warm_share = Real(0.6),
                     .settling_factor = 5,

@@ -35,11 +35,11 @@ bool bodies_fit_floats(std::span<const SolverBody> bodies)
 }
 
 // Friction limits are not looked at: they may be infinite.
-bool contacts_fit_floats(const ManifoldList& list)
+bool contacts_fit_floats(const JointManifoldList& list)
 {
-    for (const Manifold& m : list.manifolds)
+    for (const JointManifold& m : list.manifolds)
         if (!in_range(size(m.offset) + size(m.c[0]) + size(m.c[1]) + m.C[0] + m.C[1])) return false;
-    for (const ManifoldPoint& point : list.points)
+    for (const JointManifoldPoint& point : list.points)
         if (!in_range(size(point.r1) + size(point.c) + point.C + size(point.p[0]) + size(point.p[1]) +
                       size(point.p[2])))
             return false;
@@ -52,13 +52,13 @@ bool stands(const RowSystem& system, int body)
 }
 
 // Does every part that has contacts touch something that takes up momentum?
-bool all_parts_stand(const RowSystem& system, const ManifoldList& list)
+bool all_parts_stand(const RowSystem& system, const JointManifoldList& list)
 {
-    if (system.contacts.manifolds.empty()) return true;
+    if (system.joint_contacts.manifolds.empty()) return true;
     for (int part = 0; part < system.worlds(); ++part) {
-        const auto from = list.manifolds.begin() + system.begin_of(part).manifolds;
-        const auto to = list.manifolds.begin() + system.end_of(part).manifolds;
-        const auto on_ground = [&](const Manifold& m) {
+        const auto from = list.manifolds.begin() + system.begin_of(part).joint_manifolds;
+        const auto to = list.manifolds.begin() + system.end_of(part).joint_manifolds;
+        const auto on_ground = [&](const JointManifold& m) {
             return stands(system, m.body1) || stands(system, m.body2);
         };
         if (from != to && std::none_of(from, to, on_ground)) return false;
@@ -68,8 +68,8 @@ bool all_parts_stand(const RowSystem& system, const ManifoldList& list)
 
 }  // namespace
 
-bool QuickContacts::pack(const RowSystem& system, const ManifoldList& list, const SolverSettings& settings,
-                         bool alone, Arena& arena)
+bool QuickContacts::pack(const RowSystem& system, const JointManifoldList& list,
+                         const SolverSettings& settings, bool alone, Arena& arena)
 {
     in_floats_ = list.points.empty()
                      ? alone
@@ -118,7 +118,7 @@ void QuickContacts::end(std::span<Velocity> bodies) const
         machine_.add_changes(velocities_.data(), int(velocities_.size()), bodies.data());
 }
 
-void QuickContacts::store_impulses(std::span<ManifoldPoint> points) const
+void QuickContacts::store_impulses(std::span<JointManifoldPoint> points) const
 {
     in_floats_ ? floats_.store_impulses(points) : reals_.store_impulses(points);
 }

@@ -25,14 +25,14 @@ class QuickContacts {
   public:
     // `alone`: nothing changes velocities between begin() and end() that cannot do it in floats. False: out
     // of memory.
-    bool pack(const RowSystem& system, const ManifoldList& list, const SolverSettings& settings, bool alone,
-              Arena& arena);
+    bool pack(const RowSystem& system, const JointManifoldList& list, const SolverSettings& settings,
+              bool alone, Arena& arena);
 
     void begin(std::span<Velocity> bodies);  // v += M^-1 J^T p
     void sweep(std::span<Velocity> bodies, CounterRandom& random);
     void relax_by(Real factor);
     void end(std::span<Velocity> bodies) const;
-    void store_impulses(std::span<ManifoldPoint> points) const;
+    void store_impulses(std::span<JointManifoldPoint> points) const;
     // What the velocities are between begin() and end(); none, if they stay where they are.
     std::span<FloatVelocity> floats() const
     {

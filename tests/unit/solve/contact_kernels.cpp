@@ -76,7 +76,7 @@ Outcome outcome_of(const ContactKernels& kernels, Problem problem, int sweeps, F
 // The impulses that float sweeps find, and the velocities that they leave.
 struct FloatOutcome {
     std::vector<Velocity> velocities;
-    std::vector<ManifoldPoint> points;
+    std::vector<JointManifoldPoint> points;
 };
 
 FloatOutcome outcome_in_floats(const ContactKernels& kernels, Problem problem, int sweeps, Friction friction)
@@ -138,7 +138,8 @@ std::vector<Real> numbers_after_sweeps(Problem problem, Friction friction, bool 
     std::vector<typename VelocityOf<L>::Type> bodies(packed.velocities.size());
     packed.run(bodies, 20);
     std::vector<Real> out;
-    for (const ManifoldPoint& point : packed.rows.list().points) out.insert(out.end(), point.p, point.p + 3);
+    for (const JointManifoldPoint& point : packed.rows.list().points)
+        out.insert(out.end(), point.p, point.p + 3);
     for (auto& body : bodies) {
         const auto* from = reinterpret_cast<const typename L::Number*>(&body);
         out.insert(out.end(), from, from + kTwistNumbers);
@@ -266,15 +267,15 @@ TEST(ContactKernels, PartsOfAWholeFrictionAddUp)
         Packed<Lanes> packed(*kernels, problem, Friction::kWhole);
         packed.run(packed.velocities, 6);
         const auto frictions = packed.set.whole_frictions(packed.arena);
-        const ManifoldList& list = packed.rows.list();
+        const JointManifoldList& list = packed.rows.list();
         ASSERT_EQ(frictions.size(), list.manifolds.size());
         for (std::size_t i = 0; i < frictions.size(); ++i) {
-            const Manifold& m = list.manifolds[i];
+            const JointManifold& m = list.manifolds[i];
             const WholeFriction& f = frictions[i];
             if (f.limit == 0) continue;  // lost its pushes in the last sweep: nobody to tell
             Vec3 force, torque, expected_force, expected_torque;
             for (int k = m.first; k < m.first + m.count; ++k) {
-                const ManifoldPoint& point = list.points[std::size_t(k)];
+                const JointManifoldPoint& point = list.points[std::size_t(k)];
                 const Vec3 here = point.p[1] * m.t1 + point.p[2] * m.t2;
                 force += here, torque += cross(point.r1, here);
                 EXPECT_TRUE(point.p[0] > 0 || here == Vec3{});

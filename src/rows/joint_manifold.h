@@ -19,7 +19,7 @@ namespace epode {
 
 inline constexpr int kManifoldPoints = 4;
 
-struct Manifold {
+struct JointManifold {
     Vec3 n, t1, t2;    // n points to body 1; tangents are zero where there is no friction
     Vec3 offset;       // r2 = r1 + offset: x1 - x2; without a second body zero
     Real c[2], C[2];   // of the tangents
@@ -29,7 +29,7 @@ struct Manifold {
     int first, count;  // of the points
 };
 
-struct ManifoldPoint {
+struct JointManifoldPoint {
     Vec3 r1;     // from the centre of body 1, world frame
     Real c, C;   // of the normal: wanted velocity, softness of the impulse
     Real error;  // depth beyond the layer, for reports
@@ -37,9 +37,9 @@ struct ManifoldPoint {
 };
 
 // Where manifolds are written: room for as many of each as there are points.
-struct ManifoldList {
-    std::span<Manifold> manifolds;
-    std::span<ManifoldPoint> points;
+struct JointManifoldList {
+    std::span<JointManifold> manifolds;
+    std::span<JointManifoldPoint> points;
 };
 
 }  // namespace epode

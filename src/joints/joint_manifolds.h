@@ -5,7 +5,7 @@
 #pragma once
 
 #include "dynamics/joint.h"
-#include "rows/manifold.h"
+#include "rows/joint_manifold.h"
 #include "rows/row_writer.h"
 
 namespace epode {
@@ -13,6 +13,6 @@ namespace epode {
 // Consecutive of these plain contacts (Joint::plain) of the same bodies, with the same normal and friction,
 // share a manifold. `out` has room for as many of each as there are contacts, in whose order the points are;
 // its manifolds are cut to their number.
-void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, ManifoldList& out);
+void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, JointManifoldList& out);
 
 }  // namespace epode
