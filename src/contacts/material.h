@@ -10,7 +10,7 @@
 
 #include "collide/geom.h"
 #include "ode/contacts.h"
-#include "rows/patch.h"
+#include "rows/contact_manifold.h"
 
 namespace epode {
 
@@ -25,7 +25,7 @@ inline const dMaterial& material_of(const Geom& geom)
 // False: out of memory. null: the default again.
 bool set_material(Geom& geom, const dMaterial* material);
 
-// Coefficients and drift of a patch between the two, whose normal is known.
-void combine_materials(const Geom& g1, const Geom& g2, Patch& patch);
+// Coefficients and drift of a manifold between the two, whose normal is known.
+void combine_materials(const Geom& g1, const Geom& g2, ContactManifold& manifold);
 
 }  // namespace epode

@@ -14,10 +14,9 @@
 #include <span>
 
 #include "math/vec.h"
+#include "rows/contact_manifold.h"
 
 namespace epode {
-
-inline constexpr int kManifoldPoints = 4;
 
 struct JointManifold {
     Vec3 n, t1, t2;    // n points to body 1; tangents are zero where there is no friction

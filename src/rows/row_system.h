@@ -14,8 +14,8 @@
 #include <span>
 
 #include "math/pose.h"
+#include "rows/contact_manifold.h"
 #include "rows/joint_manifold.h"
-#include "rows/patch.h"
 #include "rows/row.h"
 
 namespace epode {
@@ -70,20 +70,20 @@ struct RowBlock {
 // and share nothing: not even the world, so that what is not a number in one of them stays there. Each part
 // ends before these.
 struct SystemPart {
-    int bodies = 0, blocks = 0, joint_manifolds = 0, patches = 0;
+    int bodies = 0, blocks = 0, joint_manifolds = 0, contact_manifolds = 0;
 };
 
 struct RowSystem {
     Real h = 0;
     bool cone = false;  // friction of contacts with both directions is bounded by an ellipse, not a box
-    bool manifold_friction = false;  // manifolds and patches have one friction for all their points
+    bool manifold_friction = false;  // a manifold has one friction for all their points
     std::span<SolverBody> bodies;
     std::span<Row> rows;
-    std::span<RowNumbers> numbers;             // parallel to rows
-    std::span<RowBlock> blocks;                // in joint order, covering rows without gaps
-    JointManifoldList joint_contacts;          // beside the rows; of solvers that take manifolds, else empty
-    std::span<Patch* const> patches;           // likewise, of solvers that take patches
-    std::span<const SystemPart> parts;         // none: all is one
+    std::span<RowNumbers> numbers;     // parallel to rows
+    std::span<RowBlock> blocks;        // in joint order, covering rows without gaps
+    JointManifoldList joint_contacts;  // beside the rows; of solvers that take them, else empty
+    std::span<ContactManifold* const> contact_manifolds;  // likewise
+    std::span<const SystemPart> parts;                    // none: all is one
     std::span<const WholeFriction> frictions;  // of what has been solved: one for several points each
     std::span<SolverPose> poses;  // with inner steps and blocks: of the bodies, then of the worlds
 
@@ -93,7 +93,7 @@ struct RowSystem {
     {
         if (!parts.empty()) return parts[std::size_t(part)];
         return {int(bodies.size()), int(blocks.size()), int(joint_contacts.manifolds.size()),
-                int(patches.size())};
+                int(contact_manifolds.size())};
     }
 };
 

@@ -23,7 +23,7 @@ struct SolverSettings {
     const Substeps* substeps = nullptr;
     bool want_residual = false;      // costs an evaluation
     std::span<Real> part_residuals;  // with it, of a system of several parts
-    bool patches = false;            // the world manages contacts: islands may come with patches
+    bool contact_manifolds = false;  // the world manages contacts: islands may come with manifolds
     Tasks tasks;                     // for solvers with inner_tasks
     // Of the exact solver: natural residual from which on it spends time on more digits; 1e-9 it always
     // gives.
@@ -41,12 +41,12 @@ struct SolveReport {
 
 struct Solver {
     const char* name;
-    bool substeps = false;         // advances poses itself through SolverSettings::substeps
-    bool needs_inertia = false;    // reads SolverBody::mass and inertia, not only the inverses
-    bool inner_tasks = false;      // has work for several workers in one large island
-    bool joint_manifolds = false;  // takes RowSystem::joint_contacts and parts; others are given rows only
-    bool cones = false;            // knows RowSystem::cone and manifold_friction
-    bool takes_patches = false;    // solves RowSystem::patches, and parts; others want rows
+    bool substeps = false;           // advances poses itself through SolverSettings::substeps
+    bool needs_inertia = false;      // reads SolverBody::mass and inertia, not only the inverses
+    bool inner_tasks = false;        // has work for several workers in one large island
+    bool joint_manifolds = false;    // takes RowSystem::joint_contacts and parts; others are given rows only
+    bool cones = false;              // knows RowSystem::cone and manifold_friction
+    bool contact_manifolds = false;  // solves RowSystem::contact_manifolds, and parts; others want rows
     Real warm_share =
         1;  // of the last step's impulses that it starts from when the world asks for warm starting
     int settling_factor =

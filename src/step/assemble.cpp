@@ -12,7 +12,7 @@
 #include "dynamics/integrate.h"
 #include "joints/joint_manifolds.h"
 #include "rows/policy.h"
-#include "step/patch_rows.h"
+#include "step/manifold_rows.h"
 #include "tasks/prefetched.h"
 
 namespace epode {
@@ -100,7 +100,7 @@ bool mark_parts(Arena& arena, IslandWork& work)
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const int world = -1 - int(i);
         end.bodies += int(work.members[i].bodies.size());
-        if (!system.patches.empty()) end.patches += int(work.members[i].patches.size());
+        if (!system.contact_manifolds.empty()) end.contact_manifolds += int(work.members[i].manifolds.size());
         const auto take = [&](auto& items, int& at) {
             for (; std::size_t(at) < items.size() && items[std::size_t(at)].body1 < end.bodies; ++at)
                 if (int& body2 = items[std::size_t(at)].body2; body2 < 0) body2 = world;
@@ -177,14 +177,15 @@ bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Ar
     if (!sort_joints(island, solver.joint_manifolds, arena, work)) return false;
     const std::span<Joint*> joints = work.joints;
     const int joint_count = int(joints.size()), contact_count = int(work.contacts.size());
-    const bool as_rows = !solver.takes_patches;
-    const int points = as_rows ? patch_point_count(island) : 0;
+    const bool as_rows = !solver.contact_manifolds;
+    const int points = as_rows ? manifold_point_count(island) : 0;
     work.system.bodies = arena.take<SolverBody>(int(island.bodies.size()));
     work.system.joint_contacts.manifolds = arena.take<JointManifold>(contact_count);
     work.system.joint_contacts.points = arena.take<JointManifoldPoint>(contact_count);
     work.system.blocks = arena.take<RowBlock>(joint_count + points);
-    work.system.rows = arena.take<Row>(joint_count * kMaxJointRows + (as_rows ? patch_row_count(island) : 0));
-    const auto patches = arena.take<Patch*>(as_rows ? 0 : int(island.patches.size()));
+    work.system.rows =
+        arena.take<Row>(joint_count * kMaxJointRows + (as_rows ? manifold_row_count(island) : 0));
+    const auto manifolds = arena.take<ContactManifold*>(as_rows ? 0 : int(island.manifolds.size()));
     if (arena.failed()) {
         work.joints = work.contacts = {};  // nothing was written there
         return false;
@@ -203,10 +204,10 @@ bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Ar
     write_manifolds(work.contacts, info, work.system.joint_contacts);
     emit_rows(info, joints, work, rows, blocks);
     work.joints = work.joints.first(std::size_t(blocks));
-    place_patches(tasks, island);
-    if (as_rows) emit_patches(info, work, rows, blocks);
-    for (std::size_t i = 0; i < patches.size(); ++i) patches[i] = island.patches[i]->patch;
-    work.system.patches = patches;
+    place_manifolds(tasks, island);
+    if (as_rows) emit_manifolds(info, work, rows, blocks);
+    for (std::size_t i = 0; i < manifolds.size(); ++i) manifolds[i] = island.manifolds[i]->manifold;
+    work.system.contact_manifolds = manifolds;
     work.system.blocks = work.system.blocks.first(std::size_t(blocks));
     work.system.rows = work.system.rows.first(std::size_t(rows));
     work.system.numbers = arena.take<RowNumbers>(rows);

@@ -30,8 +30,8 @@ void empty(Body& body)
     damp(body);
     store(body.facc, {});
     store(body.tacc, {});
-    body.patched = body.patches != nullptr;
-    body.patches = nullptr;
+    body.had_manifolds = body.manifolds != nullptr;
+    body.manifolds = nullptr;
 }
 
 }  // namespace

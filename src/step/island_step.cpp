@@ -9,7 +9,7 @@
 #include "step/assemble.h"
 #include "step/exact_substeps.h"
 #include "step/free_flight.h"
-#include "step/patch_rows.h"
+#include "step/manifold_rows.h"
 #include "step/report.h"
 #include "step/substeps.h"
 #include "step/tension.h"
@@ -32,10 +32,10 @@ void contain(std::span<Body* const> bodies, std::span<Joint* const> joints)
 
 constexpr int kManyIterations = 1000;  // of a program that wants an answer, not speed
 
-void silence_patch(Patch& patch)
+void silence_manifold(ContactManifold& manifold)
 {
-    patch.roll = {};
-    for (PatchPoint& point : patch.points) point.push = 0, point.friction = {};
+    manifold.roll = {};
+    for (ManifoldPoint& point : manifold.points) point.push = 0, point.friction = {};
 }
 
 template <typename T>
@@ -82,7 +82,7 @@ class IslandStep {
         settings.seed = world_.step_count * 0x9e3779b97f4a7c15u + std::uint64_t(place_.index);
         settings.substeps = inner ? &callbacks : nullptr;
         settings.want_residual = !reports.empty();
-        settings.patches = context_.manages_contacts;
+        settings.contact_manifolds = context_.manages_contacts;
         settings.part_residuals = arena_.take<Real>(int(reports.size()));
         if (arena_.failed()) return false;
         std::fill(settings.part_residuals.begin(), settings.part_residuals.end(), Real(0));
@@ -112,7 +112,7 @@ class IslandStep {
                 fly_freely(part);
         if (!divides()) write_back(work_, tasks);
         remember_contacts();
-        if (!context_.solver.takes_patches) store_patch_impulses(work_);
+        if (!context_.solver.contact_manifolds) store_manifold_impulses(work_);
         if (context_.solver.substeps) return;  // poses are where the inner steps have put them
         if (!divides()) {
             advance();
@@ -126,7 +126,7 @@ class IslandStep {
     {
         divides() ? small_.undo() : context_.undo.restore_poses(work_.island.bodies);
         contain(work_.island.bodies, work_.joints);
-        for (PatchEdge* edge : work_.island.patches) silence_patch(*edge->patch);
+        for (ManifoldEdge* edge : work_.island.manifolds) silence_manifold(*edge->manifold);
         advance();
         for (dIslandStepReport& report : reports) report.contained = true;
     }
@@ -144,7 +144,8 @@ class IslandStep {
     bool is_free(int part) const
     {
         const SystemPart from = work_.system.begin_of(part), to = work_.system.end_of(part);
-        return from.blocks == to.blocks && from.joint_manifolds == to.joint_manifolds && from.patches == to.patches;
+        return from.blocks == to.blocks && from.joint_manifolds == to.joint_manifolds &&
+               from.contact_manifolds == to.contact_manifolds;
     }
 
     void fly_freely(int part)
@@ -175,7 +176,9 @@ class IslandStep {
              slice(system.joint_contacts.manifolds, from.joint_manifolds, to.joint_manifolds))
             for (JointManifoldPoint& point : points_of(m))
                 for (Real& p : point.p) p = 0;
-        for (Patch* patch : slice(system.patches, from.patches, to.patches)) silence_patch(*patch);
+        for (ContactManifold* manifold :
+             slice(system.contact_manifolds, from.contact_manifolds, to.contact_manifolds))
+            silence_manifold(*manifold);
         if (context_.solver.substeps) {
             // The inner steps have moved the bodies.
             const auto bodies = slice(work_.island.bodies, from.bodies, to.bodies);
@@ -195,7 +198,7 @@ class IslandStep {
     void load_warm_start(Real share)
     {
         RowSystem& system = work_.system;
-        if (!context_.solver.takes_patches) load_patch_impulses(work_, share);
+        if (!context_.solver.contact_manifolds) load_manifold_impulses(work_, share);
         for (const JointManifold& m : system.joint_contacts.manifolds)
             load_contact(ticket_of_point(m.first), m, points_of(m), share);
         for (std::size_t k = 0; k < work_.joints.size(); ++k) {
@@ -278,7 +281,7 @@ Island joined(std::span<const Island> islands)
         const auto &first = islands.front().*items, &last = islands.back().*items;
         return std::span(first.data(), last.data() + last.size());
     };
-    Island sum{all(&Island::bodies), all(&Island::joints), all(&Island::patches)};
+    Island sum{all(&Island::bodies), all(&Island::joints), all(&Island::manifolds)};
     for (const Island& island : islands) {
         sum.plain_contacts += island.plain_contacts;
         sum.feedback = sum.feedback || island.feedback;

@@ -73,7 +73,7 @@ void StepUndo::save(std::size_t i)
                  body.rotation(),         body.velocity(),
                  body.angular_velocity(), load(body.facc),
                  load(body.tacc),         world_.exact_rotation ? body.spin_excess : Vec3{}};
-    marks_[i].saved = true, marks_[i].patched = body.patched;
+    marks_[i].saved = true, marks_[i].had_manifolds = body.had_manifolds;
 }
 
 // Most joints are contacts, which remember nothing: islands know whether another does.
@@ -128,7 +128,7 @@ void StepUndo::restore_bodies() const
         Body& body = *bodies_[i];
         body.disabled = marks_[i].slept;
         if (!marks_[i].saved) continue;
-        body.patched = marks_[i].patched;
+        body.had_manifolds = marks_[i].had_manifolds;
         const Saved& saved = saved_[i];
         restore_pose(body, saved);
         store(body.lvel, saved.velocity), store(body.avel, saved.angular_velocity);

@@ -50,11 +50,12 @@ bool is_sound(const SolverBody& b)
     return usable(sum.x + sum.y + sum.z);
 }
 
-bool is_sound(const Patch& patch)
+bool is_sound(const ContactManifold& manifold)
 {
-    if (patch.special() && !usable(Real(patch.roll.x + patch.roll.y + patch.roll.z))) return false;
-    for (int i = 0; i < patch.count; ++i)
-        if (!usable(Real(patch.points[i].push))) return false;
+    if (manifold.special() && !usable(Real(manifold.roll.x + manifold.roll.y + manifold.roll.z)))
+        return false;
+    for (int i = 0; i < manifold.count; ++i)
+        if (!usable(Real(manifold.points[i].push))) return false;
     return true;
 }
 
@@ -71,7 +72,8 @@ bool sound(const RowSystem& system, int part, const Tasks& tasks)
         });
     };
     check(from.bodies, to.bodies, [&](std::size_t i) { return is_sound(system.bodies[i]); });
-    check(from.patches, to.patches, [&](std::size_t i) { return is_sound(*system.patches[i]); });
+    check(from.contact_manifolds, to.contact_manifolds,
+          [&](std::size_t i) { return is_sound(*system.contact_manifolds[i]); });
     if (!all) return false;
     for (auto k = std::size_t(from.blocks); k < std::size_t(to.blocks); ++k)
         for (int i = system.blocks[k].first; i < system.blocks[k].first + system.blocks[k].count; ++i)

@@ -77,7 +77,8 @@ bool stands(const RowSystem& system, const SystemPart& from, const SystemPart& t
     const auto fixed = [&](const auto& x) { return !moving(system, x.body1) || !moving(system, x.body2); };
     return any(system.blocks, from.blocks, to.blocks, fixed) ||
            any(system.joint_contacts.manifolds, from.joint_manifolds, to.joint_manifolds, fixed) ||
-           any(system.patches, from.patches, to.patches, [&](const Patch* p) { return fixed(*p); });
+           any(system.contact_manifolds, from.contact_manifolds, to.contact_manifolds,
+               [&](const ContactManifold* p) { return fixed(*p); });
 }
 
 }  // namespace

@@ -13,7 +13,7 @@
 // every pose, so mass ratios that would need hundreds of sweeps settle in ten small steps; on regular stacks
 // the gain is nil. A step's impulse is the sum over its small steps; the next step starts from its n-th part.
 // The residual that is reported is that of the last small step after its correcting solve: for the step as a
-// whole no single problem exists. Patches are solved in float lanes beside them and have no part in it.
+// whole no single problem exists. Manifolds are solved in float lanes beside them and have no part in it.
 //
 // The second solver here differs in one thing: all joints of the island are one block that is solved exactly
 // (solve/substeps/joint_network), before and after the contacts of each pass. An articulated body in a heap
@@ -25,8 +25,8 @@
 #include "solve/joints/joint_lanes.h"
 #include "solve/solver.h"
 #include "solve/substeps/joint_network.h"
-#include "solve/substeps/patch_set.h"
-#include "solve/substeps/patch_steps.h"
+#include "solve/substeps/manifold_set.h"
+#include "solve/substeps/manifold_steps.h"
 #include "solve/substeps/substep_contacts.h"
 
 namespace epode {
@@ -53,7 +53,7 @@ class SmallSteps {
         load_velocities(system_, velocities_);
         if (!joints_.follow(system_, step_, velocities_, arena)) return false;
         if (!contacts_.prepare(system_, step_, settings.seed, arena)) return false;
-        if (!patches_.prepare(system_, step_, settings.tasks, arena)) return false;
+        if (!manifolds_.prepare(system_, step_, settings.tasks, arena)) return false;
         if (settings.want_residual) {
             before_ = arena.take<SolverBody>(int(system_.bodies.size()));
             described_ = arena.take<RowNumbers>(int(system_.numbers.size()));
@@ -81,7 +81,7 @@ class SmallSteps {
         model_.settle(model_.model, system_);
         model_.gather_contacts(model_.model, system_);
         rebound_contacts();
-        if (!patches_.empty()) rebound_patches();
+        if (!manifolds_.empty()) rebound_manifolds();
         return true;
     }
 
@@ -93,10 +93,10 @@ class SmallSteps {
         if (last && !before_.empty()) save_bodies();
         joints_.load_small_step(system_, step_, velocities_);
         contacts_.apply_impulses(velocities_);
-        patches_.apply_impulses(velocities_);
+        manifolds_.apply_impulses(velocities_);
         if (Joints::kHasBothEnds) joints_.sweep(velocities_, {1, false});
         contacts_.sweep(velocities_, false);
-        patches_.correct(velocities_);
+        manifolds_.correct(velocities_);
         joints_.sweep(velocities_, {1, false});  // what poses are to follow
     }
 
@@ -110,7 +110,7 @@ class SmallSteps {
     void move()
     {
         contacts_.follow_motion(velocities_);
-        patches_.follow_motion(velocities_);
+        manifolds_.follow_motion(velocities_);
         model_.advance(model_.model, system_, velocities_.data(), step_.hs);
     }
 
@@ -118,7 +118,7 @@ class SmallSteps {
     {
         joints_.sweep(velocities_, {1, true});
         contacts_.sweep(velocities_, true);
-        patches_.relax(velocities_);
+        manifolds_.relax(velocities_);
         if (Joints::kHasBothEnds) joints_.sweep(velocities_, {1, true});
         if (last) joints_.rebound(system_, velocities_);
         joints_.sum_impulses();
@@ -144,12 +144,12 @@ class SmallSteps {
             }
     }
 
-    void rebound_patches()
+    void rebound_manifolds()
     {
         load_velocities(system_, velocities_);
-        patches_.rebound(velocities_);
+        manifolds_.rebound(velocities_);
         store_velocities(velocities_, system_);
-        patches_.store_impulses(system_.patches);
+        manifolds_.store_impulses(system_.contact_manifolds);
     }
 
     bool measure(const SolverSettings& settings, Arena& arena, SolveReport& report)
@@ -177,7 +177,7 @@ class SmallSteps {
     const Substep step_;
     Joints& joints_;
     SubstepContacts contacts_;
-    PatchSet patches_;
+    ManifoldSet manifolds_;
     std::span<Velocity> velocities_;
     std::span<SolverBody> before_;  // only when the residual is wanted
     std::span<RowNumbers> described_;
@@ -191,8 +191,8 @@ bool solve_without_rows(RowSystem& system, const SolverSettings& settings, Arena
     if (!system.rows.empty()) return false;
     solved = true;
     const Substeps& model = *settings.substeps;
-    if (settings.patches) {
-        solved = solve_patches(system, settings, arena);
+    if (settings.contact_manifolds) {
+        solved = solve_manifolds(system, settings, arena);
         return true;
     }
     Arena::Scope scope(arena);
@@ -251,14 +251,14 @@ bool solve_network(RowSystem& system, const SolverSettings& settings, Arena& are
 const Solver kTgs{.name = "tgs",
                   .substeps = true,
                   .cones = true,
-                  .takes_patches = true,
+                  .contact_manifolds = true,
                   .warm_share = Real(0.9),
                   .settling_factor = 4,
                   .solve = solve_tgs};
 const Solver kNetwork{.name = "network",
                       .substeps = true,
                       .cones = true,
-                      .takes_patches = true,
+                      .contact_manifolds = true,
                       .warm_share = Real(0.9),
                       .settling_factor = 4,
                       .solve = solve_network};

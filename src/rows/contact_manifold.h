@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A contact patch of two bodies that the world manages, as solvers see it: up to four points with one normal
+// A contact manifold of two bodies that the world manages, as solvers see it: up to four points with one normal
 // n. Floats suffice, since all of it is relative to the bodies: arms of a metre are known to 60 nm wherever
 // in the world they are. What is solved for comes back in it and starts the next step.
 //
@@ -15,10 +15,10 @@
 
 namespace epode {
 
-inline constexpr int kPatchPoints = 4;
+inline constexpr int kManifoldPoints = 4;
 
-// Here as below, neighbours are read four numbers at a time (solve/substeps/patch_gather.inc).
-struct PatchPoint {
+// Here as below, neighbours are read four numbers at a time (solve/substeps/manifold_gather.inc).
+struct ManifoldPoint {
     Float3 r1;        // from the centre of body 1, world frame, at the beginning of the step
     float gap;        // distance along n beyond the layer; below zero: deeper than allowed
     Float3 r2;        // from the centre of body 2
@@ -26,7 +26,7 @@ struct PatchPoint {
     Float3 friction;  // the same in the plane, as a vector of the world
 };
 
-struct Patch {
+struct ContactManifold {
     int body1, body2;  // in the island; -1: the world, only for body2
     int count;         // points; 0: does not touch
     Float3 normal;     // unit, into body1
@@ -38,7 +38,7 @@ struct Patch {
     float softness;      // of each point, depth per force, m/N; 0: hard
     float damping_time;  // of what is soft: damper over spring, s
     Float3 roll;         // angular impulse on body1 over the whole step, in and out as `push`
-    PatchPoint points[kPatchPoints];
+    ManifoldPoint points[kManifoldPoints];
 
     bool special() const { return rolling > 0 || softness > 0; }
 };

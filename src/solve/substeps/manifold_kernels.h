@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What is done to packed patches, once per kind of machine (see contact_kernels.h), with the same
+// What is done to packed manifolds, once per kind of machine (see contact_kernels.h), with the same
 // bits as result.
 #pragma once
 
@@ -9,19 +9,19 @@
 
 #include "rows/row_system.h"
 #include "solve/common/velocities.h"
-#include "solve/substeps/patch_batch.h"
+#include "solve/substeps/manifold_batch.h"
 
 namespace epode {
 
 // What a sweep needs besides the batches.
-struct PatchSweep {
+struct ManifoldSweep {
     float per_step;  // 1 / hs
     float push_out;  // largest velocity that takes depth away
 };
 
 // Bodies as sweeps see them: what they do to the floats becomes a change of the doubles, so that a body that
 // nobody pushes keeps its velocity to the last bit.
-struct PatchBodies {
+struct ManifoldBodies {
     Velocity* v;
     Velocity* kicks;       // what the impulses at hand do: M^-1 J^T p
     const Velocity* gain;  // by forces, in one small step
@@ -30,46 +30,48 @@ struct PatchBodies {
     float hs;
 };
 
-// What the lanes of a batch are made of. A lane that is not needed has a patch without points; who does not
+// What the lanes of a batch are made of. A lane that is not needed has a manifold without points; who does not
 // move, a body without mass.
-struct PatchSources {
-    const Patch* patches[kBroadLanes];
+struct ManifoldSources {
+    const ContactManifold* manifolds[kBroadLanes];
     const SolverBody *body1[kBroadLanes], *body2[kBroadLanes];
 };
 
-// Of what is too deep (PatchBatch): if both bodies move, if one does.
-struct PatchSprings {
+// Of what is too deep (ManifoldBatch): if both bodies move, if one does.
+struct ManifoldSprings {
     float rate[2], soft[2];
 };
 
-struct PatchKernels {
+struct ManifoldKernels {
     const char* name;
     // Out: masses, material, n, drift, rate and soft of the batch, and of its points what `prepare` takes.
-    void (*gather)(PatchBatch& batch, PatchLanes* points, const PatchSources& from,
-                   const PatchSprings& springs);
+    void (*gather)(ManifoldBatch& batch, ManifoldLanes* points, const ManifoldSources& from,
+                   const ManifoldSprings& springs);
     // In: arms, normal, drift, p along n and `sum` as a vector of the world. Out: all but gap, or where there
     // is one, batch.friction.
-    void (*prepare)(PatchBatch& batch, PatchLanes* points, const FloatMotion* motions, float share);
+    void (*prepare)(ManifoldBatch& batch, ManifoldLanes* points, const FloatMotion* motions, float share);
     // v += M^-1 J^T p of the batches first ... last - 1.
-    void (*apply_impulses)(const PatchBatch* batches, int first, int last, const PatchLanes* points,
+    void (*apply_impulses)(const ManifoldBatch* batches, int first, int last, const ManifoldLanes* points,
                            FloatMotion* motions);
-    void (*correct)(const PatchBatch* batches, int first, int last, PatchLanes* points, FloatMotion* motions,
-                    const PatchSweep& sweep);
-    void (*relax)(const PatchBatch* batches, int first, int last, PatchLanes* points, FloatMotion* motions);
+    void (*correct)(const ManifoldBatch* batches, int first, int last, ManifoldLanes* points,
+                    FloatMotion* motions, const ManifoldSweep& sweep);
+    void (*relax)(const ManifoldBatch* batches, int first, int last, ManifoldLanes* points,
+                  FloatMotion* motions);
     // Into along1 and along2: what of the sum of batch.friction is its points' part (contact_friction.inc).
-    void (*share_friction)(const PatchBatch& batch, BroadLanes* along1, BroadLanes* along2);
+    void (*share_friction)(const ManifoldBatch& batch, BroadLanes* along1, BroadLanes* along2);
     // What came in fast and was pushed leaves with its rebound.
-    void (*rebound)(const PatchBatch* batches, int first, int last, PatchLanes* points, FloatMotion* motions);
+    void (*rebound)(const ManifoldBatch* batches, int first, int last, ManifoldLanes* points,
+                    FloatMotion* motions);
     // Of the bodies first ... last - 1: velocities to floats, and what sweeps have changed back.
-    void (*load_speeds)(const PatchBodies& bodies, int first, int last);
-    void (*take_changes)(const PatchBodies& bodies, int first, int last);
+    void (*load_speeds)(const ManifoldBodies& bodies, int first, int last);
+    void (*take_changes)(const ManifoldBodies& bodies, int first, int last);
     // Before the first sweep of a small step: v += gain + kicks; between correcting and relaxing: the change
     // taken, then the bodies move for hs. Both leave v in the floats.
-    void (*accelerate)(const PatchBodies& bodies, int first, int last);
-    void (*move)(const PatchBodies& bodies, int first, int last);
+    void (*accelerate)(const ManifoldBodies& bodies, int first, int last);
+    void (*move)(const ManifoldBodies& bodies, int first, int last);
 };
 
 // Those that this machine can run; the first is the baseline, the last the fastest.
-std::span<const PatchKernels* const> patch_kernels();
+std::span<const ManifoldKernels* const> manifold_kernels();
 
 }  // namespace epode

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
-#include "contacts/patch_points.h"
+#include "contacts/manifold_points.h"
 
 #include <algorithm>
 #include <bit>
@@ -31,7 +31,7 @@ int best_of(int count, Score&& score)
 // A point for each lane.
 using Places = Vector3Of<Quad>;
 
-Places places_of(const Pose& pose, const float (&in)[3][kPatchPoints])
+Places places_of(const Pose& pose, const float (&in)[3][kManifoldPoints])
 {
     const Quad x = widen(load_floats(in[0])), y = widen(load_floats(in[1])), z = widen(load_floats(in[2]));
     const auto along = [&](Real p, Vec3 row) {
@@ -40,7 +40,7 @@ Places places_of(const Pose& pose, const float (&in)[3][kPatchPoints])
     return {along(pose.p.x, pose.R.row0), along(pose.p.y, pose.R.row1), along(pose.p.z, pose.R.row2)};
 }
 
-void fix(const Places& at, const Pose& pose, float (&in)[3][kPatchPoints])
+void fix(const Places& at, const Pose& pose, float (&in)[3][kManifoldPoints])
 {
     const Quad x = at.x - quad(pose.p.x), y = at.y - quad(pose.p.y), z = at.z - quad(pose.p.z);
     for (int k = 0; k < 3; ++k) {
@@ -51,7 +51,7 @@ void fix(const Places& at, const Pose& pose, float (&in)[3][kPatchPoints])
 
 // By point: where it is from a body, and a number.
 struct Rows {
-    FloatQuad of[kPatchPoints];
+    FloatQuad of[kManifoldPoints];
     Rows(const Places& at, Vec3 from, FloatQuad number)
         : of{narrow(at.x - quad(from.x)), narrow(at.y - quad(from.y)), narrow(at.z - quad(from.z)), number}
     {
@@ -61,7 +61,7 @@ struct Rows {
 
 }  // namespace
 
-void fix_points(const PatchMaker& maker, int part, const Pose& A, const Pose& B, ContactAnchors& anchors)
+void fix_points(const ManifoldMaker& maker, int part, const Pose& A, const Pose& B, ContactAnchors& anchors)
 {
     const auto all = [&](auto&& number) {
         return quad_of(maker.count(part), [&](int i) { return number(maker.source(part, i)); });
@@ -73,7 +73,7 @@ void fix_points(const PatchMaker& maker, int part, const Pose& A, const Pose& B,
     store_floats(anchors.gap, narrow(all([](const dContactGeom& c) { return -c.depth; })));
 }
 
-Real largest_reach2(const float (&at)[3][kPatchPoints])
+Real largest_reach2(const float (&at)[3][kManifoldPoints])
 {
     const FloatQuad x = load_floats(at[0]), y = load_floats(at[1]), z = load_floats(at[2]);
     const FloatQuad r2 = x * x + y * y + z * z;
@@ -81,13 +81,13 @@ Real largest_reach2(const float (&at)[3][kPatchPoints])
 }
 
 bool place_points(const Pose& pose1, const Pose& pose2, Vec3 x1, const Vec3* x2, Real layer,
-                  const KeptPatch& was, Patch& patch)
+                  const CachedManifold& was, ContactManifold& manifold)
 {
-    static_assert(kPatchPoints == 4);
-    const int count = was.patch.count;
+    static_assert(kManifoldPoints == 4);
+    const int count = was.manifold.count;
     const ContactAnchors& anchors = was.found.anchors;
     const Vec3 n = pose1.R * widen(was.found.normal);
-    patch.normal = narrow(n);
+    manifold.normal = narrow(n);
     const Places at1 = places_of(pose1, anchors.a1), at2 = places_of(pose2, anchors.a2);
     const Quad half = quad(Real(0.5));
     const Places at = {half * (at1.x + at2.x), half * (at1.y + at2.y), half * (at1.z + at2.z)};
@@ -96,8 +96,8 @@ bool place_points(const Pose& pose1, const Pose& pose2, Vec3 x1, const Vec3* x2,
     const Quad gap = widen(load_floats(anchors.gap)) + apart;
     const Rows first(at, x1, narrow(gap + quad(layer))), second(at, x2 ? *x2 : Vec3{}, FloatQuad{});
     for (int i = 0; i < count; ++i) {
-        PatchPoint& point = patch.points[i];
-        const float push = was.patch.points[i].push;
+        ManifoldPoint& point = manifold.points[i];
+        const float push = was.manifold.points[i].push;
         store_floats(&point.r1.x, first.of[i]);
         if (x2)
             store_floats(&point.r2.x, second.of[i]);
@@ -108,66 +108,67 @@ bool place_points(const Pose& pose1, const Pose& pose2, Vec3 x1, const Vec3* x2,
     return (bits(gap <= quad(0)) & ((1u << count) - 1)) != 0;
 }
 
-PatchMaker::PatchMaker(std::span<KeptPatch> parts) : parts_(parts)
+ManifoldMaker::ManifoldMaker(std::span<CachedManifold> parts) : parts_(parts)
 {
-    for (KeptPatch& part : parts_) part.patch.count = 0;
+    for (CachedManifold& part : parts_) part.manifold.count = 0;
 }
 
-// The patch of that normal, a new one, or when there is no more the one that is nearest.
-int PatchMaker::part_for(Vec3 normal)
+// The manifold of that normal, a new one, or when there is no more the one that is nearest.
+int ManifoldMaker::part_for(Vec3 normal)
 {
-    const auto agreement = [&](int i) { return dot(widen(parts_[std::size_t(i)].patch.normal), normal); };
+    const auto agreement = [&](int i) { return dot(widen(parts_[std::size_t(i)].manifold.normal), normal); };
     const int nearest = used_ ? best_of(used_, agreement) : -1;
     if (nearest >= 0 && (agreement(nearest) > kPatchCosine || used_ == int(parts_.size()))) return nearest;
-    parts_[std::size_t(used_)].patch.normal = narrow(normal);
+    parts_[std::size_t(used_)].manifold.normal = narrow(normal);
     return used_++;
 }
 
-void PatchMaker::add(const dContactGeom& contact)
+void ManifoldMaker::add(const dContactGeom& contact)
 {
     const int part = part_for(load(contact.normal));
     if (counts_[part] < kMost) chosen_[part][counts_[part]++] = &contact;
 }
 
-void PatchMaker::finish()
+void ManifoldMaker::finish()
 {
     for (int part = 0; part < used_; ++part) {
-        if (counts_[part] > kPatchPoints) keep_four(part);
-        parts_[std::size_t(part)].patch.count = counts_[part];
+        if (counts_[part] > kManifoldPoints) keep_four(part);
+        parts_[std::size_t(part)].manifold.count = counts_[part];
     }
 }
 
-void PatchMaker::keep_four(int part)
+void ManifoldMaker::keep_four(int part)
 {
     const dContactGeom** points = chosen_[part];
     ManifoldPoints lanes;
     for (int i = 0; i < counts_[part]; ++i) lanes.add(load(points[i]->pos), points[i]->depth);
     int best[kBestFour];
-    const int count = best_four(lanes, widen(parts_[std::size_t(part)].patch.normal), kPatchPoints, best);
+    const int count =
+        best_four(lanes, widen(parts_[std::size_t(part)].manifold.normal), kManifoldPoints, best);
     std::uint64_t kept = 0;
     for (int i = 0; i < count; ++i) kept |= std::uint64_t(1) << best[i];
     counts_[part] = 0;
     for (; kept; kept &= kept - 1) points[counts_[part]++] = points[std::countr_zero(kept)];
 }
 
-void inherit_impulses(const KeptPatch& was, Real size, KeptPatch& part)
+void inherit_impulses(const CachedManifold& was, Real size, CachedManifold& part)
 {
     const Real reach2 = kReach * kReach * size * size;
-    bool taken[kPatchPoints] = {};
+    bool taken[kManifoldPoints] = {};
     const ContactAnchors &here = part.found.anchors, &there = was.found.anchors;
-    for (int i = 0; i < part.patch.count; ++i) {
-        if (was.patch.count == 0) return;
+    for (int i = 0; i < part.manifold.count; ++i) {
+        if (was.manifold.count == 0) return;
         const Float3 first = here.first(i), second = here.second(i);
         const auto nearness = [&](int j) {
             return taken[j] ? -kInf
                             : -std::min(distance2(first, there.first(j)), distance2(second, there.second(j)));
         };
-        const int j = best_of(was.patch.count, nearness);
+        const int j = best_of(was.manifold.count, nearness);
         if (-nearness(j) > reach2) continue;
         taken[j] = true;
-        part.patch.points[i].push = was.patch.points[j].push;
-        part.patch.points[i].friction = was.patch.points[j].friction;
-        part.patch.roll = was.patch.roll;
+        part.manifold.points[i].push = was.manifold.points[j].push;
+        part.manifold.points[i].friction = was.manifold.points[j].friction;
+        part.manifold.roll = was.manifold.roll;
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Patches in lanes: the kernels of every machine leave the same bits, an island has the same answer alone and
+// Manifolds in lanes: the kernels of every machine leave the same bits, an island has the same answer alone and
 // packed with others, and what a sweep leaves is what Signorini and Coulomb ask for.
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "../tasks/taken_pool.h"
-#include "solve/substeps/patch_set.h"
+#include "solve/substeps/manifold_set.h"
 #include "systems.h"
 
 namespace {
@@ -19,14 +19,14 @@ using namespace epode_test;
 
 struct Contacts {
     std::vector<SolverBody> bodies;
-    std::vector<Patch> patches;
+    std::vector<ContactManifold> manifolds;
 };
 
 Float3 float3(Vec3 a) { return narrow(a); }
 
-// Bodies and patches between them: chains and stars, points in any number, some against the world or a
+// Bodies and manifolds between them: chains and stars, points in any number, some against the world or a
 // kinematic body; one platform with more neighbours than there are colours in a mask.
-Contacts random_contacts(std::uint64_t seed, int bodies, int patches, bool platform = false)
+Contacts random_contacts(std::uint64_t seed, int bodies, int manifolds, bool platform = false)
 {
     Dice dice(seed);
     Contacts c;
@@ -42,8 +42,8 @@ Contacts random_contacts(std::uint64_t seed, int bodies, int patches, bool platf
         }
         c.bodies.push_back(b);
     }
-    for (int i = 0; i < patches; ++i) {
-        Patch p{};
+    for (int i = 0; i < manifolds; ++i) {
+        ContactManifold p{};
         p.body1 = platform ? 0 : int(dice.real(0, Real(bodies - 1)));
         p.body2 = platform ? 1 + i % (bodies - 1) : int(dice.real(-1, Real(bodies)));
         if (p.body2 == p.body1) p.body2 = -1;
@@ -54,45 +54,45 @@ Contacts random_contacts(std::uint64_t seed, int bodies, int patches, bool platf
         p.mu = float(dice.real(0, 1));
         p.bounce = i % 5 ? 0 : 0.5f;
         for (int k = 0; k < p.count; ++k) {
-            PatchPoint& point = p.points[k];
+            ManifoldPoint& point = p.points[k];
             point.r1 = float3(vector(Real(0.5))), point.r2 = float3(vector(Real(0.5)));
             point.gap = float(dice.real(Real(-0.01), Real(0.005)));
             point.push = float(dice.real(0, 1));
             const Vec3 f = vector(Real(0.3));
             point.friction = float3(f - dot(f, n) * n);
         }
-        c.patches.push_back(p);
+        c.manifolds.push_back(p);
     }
     return c;
 }
 
 struct Answer {
     std::vector<Velocity> velocities;
-    std::vector<Patch> patches;
+    std::vector<ContactManifold> manifolds;
 };
 
 // The contacts as a solver gets them; they must stay where they are.
 struct Island {
     RowSystem system;
-    std::vector<Patch*> pointers;
+    std::vector<ContactManifold*> pointers;
 
     explicit Island(Contacts& c, bool whole, Real h = Real(0.01))
     {
         system.manifold_friction = whole;
-        for (Patch& p : c.patches) pointers.push_back(&p);
+        for (ContactManifold& p : c.manifolds) pointers.push_back(&p);
         system.h = h;
         system.bodies = c.bodies;
-        system.patches = pointers;
+        system.contact_manifolds = pointers;
     }
 };
 
-// `whole`: one friction per patch.
-Answer solve(const PatchKernels& kernels, Contacts c, int steps, bool whole)
+// `whole`: one friction per manifold.
+Answer solve(const ManifoldKernels& kernels, Contacts c, int steps, bool whole)
 {
     Arena arena;
     const Island island(c, whole);
     const RowSystem& system = island.system;
-    PatchSet set(kernels);
+    ManifoldSet set(kernels);
     EXPECT_TRUE(set.prepare(system, {system.h / Real(steps), steps}, Tasks(1), arena));
     Answer out;
     out.velocities.resize(c.bodies.size() + 1);
@@ -105,31 +105,32 @@ Answer solve(const PatchKernels& kernels, Contacts c, int steps, bool whole)
     }
     set.rebound(out.velocities);
     set.store_impulses(island.pointers);
-    out.patches = c.patches;
+    out.manifolds = c.manifolds;
     return out;
 }
 
-void expect_same(const Answer& a, const Answer& b, std::size_t body0 = 0, std::size_t patch0 = 0)
+void expect_same(const Answer& a, const Answer& b, std::size_t body0 = 0, std::size_t manifold0 = 0)
 {
     for (std::size_t i = 0; i + 1 < a.velocities.size(); ++i)
         EXPECT_EQ(std::memcmp(&a.velocities[i], &b.velocities[body0 + i], sizeof(Velocity)), 0)
             << "body " << i;
-    for (std::size_t i = 0; i < a.patches.size(); ++i)
-        EXPECT_EQ(std::memcmp(a.patches[i].points, b.patches[patch0 + i].points, sizeof a.patches[i].points),
+    for (std::size_t i = 0; i < a.manifolds.size(); ++i)
+        EXPECT_EQ(std::memcmp(a.manifolds[i].points, b.manifolds[manifold0 + i].points,
+                              sizeof a.manifolds[i].points),
                   0)
-            << "patch " << i;
+            << "manifold " << i;
 }
 
-TEST(PatchKernels, of_all_machines_make_the_same_bits)
+TEST(ManifoldKernels, of_all_machines_make_the_same_bits)
 {
-    const auto all = patch_kernels();
+    const auto all = manifold_kernels();
     ASSERT_STREQ(all[0]->name, "baseline");
     if (all.size() == 1) GTEST_SKIP() << "this machine runs the baseline only";
     for (std::uint64_t seed = 1; seed <= 16; ++seed) {
         const bool whole = seed > 8, many = seed % 2 == 0;  // batches of eight alone, and of sixteen, too
         const Contacts c = random_contacts(seed, many ? 300 : 40, many ? 900 : 90, seed % 8 == 0);
         const Answer expected = solve(*all[0], c, 4, whole);
-        for (const PatchKernels* other : all.subspan(1)) {
+        for (const ManifoldKernels* other : all.subspan(1)) {
             SCOPED_TRACE(other->name);
             expect_same(expected, solve(*other, c, 4, whole));
         }
@@ -143,7 +144,7 @@ Answer small_steps(std::uint64_t seed, int workers)
     Contacts c = random_contacts(seed, 300, 900, seed % 4 == 0);
     Arena arena;
     const Island island(c, seed > 4);
-    PatchSet set;
+    ManifoldSet set;
     EXPECT_TRUE(set.prepare(island.system, {island.system.h / 5, 5}, Tasks(workers), arena));
     Answer answer;
     answer.velocities.resize(301);
@@ -152,11 +153,11 @@ Answer small_steps(std::uint64_t seed, int workers)
     set.small_steps(5, answer.velocities, gain, mean);
     set.rebound(answer.velocities);
     set.store_impulses(island.pointers);
-    answer.patches = c.patches;
+    answer.manifolds = c.manifolds;
     return answer;
 }
 
-TEST(PatchSet, has_the_same_bits_on_any_number_of_workers)
+TEST(ManifoldSet, has_the_same_bits_on_any_number_of_workers)
 {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         const Answer alone = small_steps(seed, 1);
@@ -164,14 +165,14 @@ TEST(PatchSet, has_the_same_bits_on_any_number_of_workers)
     }
 }
 
-TEST(PatchSet, has_the_same_bits_when_its_workers_do_not_come)
+TEST(ManifoldSet, has_the_same_bits_when_its_workers_do_not_come)
 {
     const TakenPool taken;
     for (std::uint64_t seed = 1; seed <= 8; ++seed) expect_same(small_steps(seed, 1), small_steps(seed, 3));
 }
 
 // Three visits to each body instead of nine must not move a bit.
-TEST(PatchSet, a_small_step_in_one_is_that_of_its_parts)
+TEST(ManifoldSet, a_small_step_in_one_is_that_of_its_parts)
 {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         Contacts c = random_contacts(seed, 40, seed == 4 ? 0 : 90);
@@ -182,7 +183,7 @@ TEST(PatchSet, a_small_step_in_one_is_that_of_its_parts)
         const std::vector<Velocity> gain(bodies, {{0, 0, Real(-0.02)}, 0, {Real(0.001), 0, 0}, 0});
         std::vector<Velocity> v[2], mean[2];
         for (const bool whole : {false, true}) {
-            PatchSet set;
+            ManifoldSet set;
             ASSERT_TRUE(set.prepare(system, {system.h / 4, 4}, Tasks(1), arena));
             v[whole].resize(bodies + 1), mean[whole].resize(bodies);
             load_velocities(system, v[whole]);
@@ -202,7 +203,7 @@ TEST(PatchSet, a_small_step_in_one_is_that_of_its_parts)
     }
 }
 
-TEST(PatchSet, an_island_has_the_same_answer_alone_and_packed)
+TEST(ManifoldSet, an_island_has_the_same_answer_alone_and_packed)
 {
     Contacts together;
     std::vector<Contacts> islands;
@@ -211,37 +212,37 @@ TEST(PatchSet, an_island_has_the_same_answer_alone_and_packed)
         islands.push_back(c);
         const int base = int(together.bodies.size());
         together.bodies.insert(together.bodies.end(), c.bodies.begin(), c.bodies.end());
-        for (Patch p : c.patches) {
+        for (ContactManifold p : c.manifolds) {
             p.body1 += base;
             if (p.body2 >= 0) p.body2 += base;
-            together.patches.push_back(p);
+            together.manifolds.push_back(p);
         }
     }
-    const PatchKernels& kernels = *patch_kernels().back();
+    const ManifoldKernels& kernels = *manifold_kernels().back();
     for (const bool whole : {false, true}) {
         const Answer packed = solve(kernels, together, 3, whole);
-        std::size_t body = 0, patch = 0;
+        std::size_t body = 0, manifold = 0;
         for (const Contacts& c : islands) {
-            expect_same(solve(kernels, c, 3, whole), packed, body, patch);
-            body += c.bodies.size(), patch += c.patches.size();
+            expect_same(solve(kernels, c, 3, whole), packed, body, manifold);
+            body += c.bodies.size(), manifold += c.manifolds.size();
         }
     }
 }
 
-Vec3 slip(const Answer& a, const Patch& p, const PatchPoint& point)
+Vec3 slip(const Answer& a, const ContactManifold& p, const ManifoldPoint& point)
 {
     const Velocity &b1 = a.velocities[std::size_t(p.body1)], none{},
                    &b2 = p.body2 < 0 ? none : a.velocities[std::size_t(p.body2)];
     return b1.v + cross(b1.w, widen(point.r1)) - b2.v - cross(b2.w, widen(point.r2));
 }
 
-// The friction of a patch as one: its force and its couple about the centre of push, bounds and velocities
-// there, by the formulas of patch_friction.inc in Reals.
-struct WholePatch {
+// The friction of a manifold as one: its force and its couple about the centre of push, bounds and velocities
+// there, by the formulas of manifold_friction.inc in Reals.
+struct WholeManifold {
     Real push = 0, radius = 0, couple = 0, turn;
     Vec3 centre, force, along;
 
-    WholePatch(const Answer& a, const Patch& p, const Patch& was)
+    WholeManifold(const Answer& a, const ContactManifold& p, const ContactManifold& was)
     {
         const Vec3 n = widen(p.normal);
         Vec3 arm2;
@@ -256,7 +257,7 @@ struct WholePatch {
             force += f, couple += dot(n, cross(d, f));
             radius += pushed(k) / push * length(d - dot(n, d) * n);
         }
-        PatchPoint point{};
+        ManifoldPoint point{};
         point.r1 = narrow(centre), point.r2 = narrow(arm2);
         const Vec3 u = slip(a, p, point);
         along = u - dot(n, u) * n;
@@ -266,13 +267,13 @@ struct WholePatch {
     }
 };
 
-TEST(PatchSet, whole_patches_leave_what_the_ellipsoid_asks_for)
+TEST(ManifoldSet, whole_manifolds_leave_what_the_ellipsoid_asks_for)
 {
     Contacts c = random_contacts(3, 24, 20);
-    for (Patch& p : c.patches) {
+    for (ContactManifold& p : c.manifolds) {
         p.bounce = 0, p.mu = 0.4f;
         const Vec3 n = widen(p.normal);
-        for (PatchPoint& point : p.points) {
+        for (ManifoldPoint& point : p.points) {
             const Vec3 r = widen(point.r1);  // in one plane
             point.push = 0, point.gap = 0, point.friction = {};
             point.r1 = point.r2 = float3(r - (dot(n, r) - Real(0.1)) * n);
@@ -280,7 +281,7 @@ TEST(PatchSet, whole_patches_leave_what_the_ellipsoid_asks_for)
     }
     Arena arena;
     const Island island(c, true, Real(1e-6));  // nothing moves
-    PatchSet set;
+    ManifoldSet set;
     ASSERT_TRUE(set.prepare(island.system, {island.system.h, 1}, Tasks(1), arena));
     Answer a;
     a.velocities.resize(c.bodies.size() + 1);
@@ -288,17 +289,17 @@ TEST(PatchSet, whole_patches_leave_what_the_ellipsoid_asks_for)
     set.correct(a.velocities);  // finds out who touches
     for (int i = 0; i < 4000; ++i) set.relax(a.velocities);
     set.store_impulses(island.pointers);
-    const std::vector<Patch> before = c.patches;
+    const std::vector<ContactManifold> before = c.manifolds;
     set.relax(a.velocities);
     set.store_impulses(island.pointers);
     int sliding = 0, sticking = 0;
     for (std::size_t i = 0; i < before.size(); ++i) {
-        const Patch& p = c.patches[i];
+        const ContactManifold& p = c.manifolds[i];
         if (c.bodies[std::size_t(p.body1)].inv_mass +
                 (p.body2 < 0 ? 0 : c.bodies[std::size_t(p.body2)].inv_mass) ==
             0)
             continue;
-        const WholePatch w(a, p, before[i]);
+        const WholeManifold w(a, p, before[i]);
         if (w.push < 0.05) continue;
         // In the coordinates in which the ellipsoid is a ball.
         const Real rest = w.radius > 0.01 ? w.couple / w.radius : 0;
@@ -320,37 +321,37 @@ TEST(PatchSet, whole_patches_leave_what_the_ellipsoid_asks_for)
 
 // Contacts without bounce, swept until nothing changes: u_n >= 0, p >= 0, u_n p = 0, and friction on the disc
 // against the slip, or less and no slip. Stored is the sum over all sweeps; the last one is the difference.
-TEST(PatchSet, leaves_what_signorini_and_coulomb_ask_for)
+TEST(ManifoldSet, leaves_what_signorini_and_coulomb_ask_for)
 {
     Contacts c = random_contacts(3, 24, 20);
-    for (Patch& p : c.patches) {
+    for (ContactManifold& p : c.manifolds) {
         p.bounce = 0, p.mu = 0.4f;
-        for (PatchPoint& point : p.points) point.push = 0, point.friction = {};
+        for (ManifoldPoint& point : p.points) point.push = 0, point.friction = {};
     }
     Arena arena;
     const Island island(c, false, Real(1e-6));  // nothing moves
     const RowSystem& system = island.system;
-    PatchSet set;
+    ManifoldSet set;
     ASSERT_TRUE(set.prepare(system, {system.h, 1}, Tasks(1), arena));
     Answer a;
     a.velocities.resize(c.bodies.size() + 1);
     load_velocities(system, a.velocities);
     for (int i = 0; i < 2000; ++i) set.relax(a.velocities);
     set.store_impulses(island.pointers);
-    const std::vector<Patch> before = c.patches;
+    const std::vector<ContactManifold> before = c.manifolds;
     set.relax(a.velocities);
     set.store_impulses(island.pointers);
     for (std::size_t i = 0; i < before.size(); ++i)
         for (int k = 0; k < before[i].count; ++k) {
-            PatchPoint& point = c.patches[i].points[k];
-            const PatchPoint& was = before[i].points[k];
+            ManifoldPoint& point = c.manifolds[i].points[k];
+            const ManifoldPoint& was = before[i].points[k];
             point.push -= was.push;
             point.friction = float3(widen(point.friction) - widen(was.friction));
         }
     int pushing = 0, sliding = 0;
-    for (const Patch& p : c.patches)
+    for (const ContactManifold& p : c.manifolds)
         for (int k = 0; k < p.count; ++k) {
-            const PatchPoint& point = p.points[k];
+            const ManifoldPoint& point = p.points[k];
             const Vec3 n = widen(p.normal), u = slip(a, p, point), friction = widen(point.friction);
             const Vec3 along = u - dot(n, u) * n;
             const Real moves = c.bodies[std::size_t(p.body1)].inv_mass +

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Points fixed in two geoms and placed again, four at a time, beside the formulas one by one.
-#include "contacts/patch_points.h"
+#include "contacts/manifold_points.h"
 
 #include <gtest/gtest.h>
 
@@ -13,11 +13,11 @@
 namespace epode::test {
 namespace {
 
-class PatchPoints : public testing::Test {
+class ManifoldPoints : public testing::Test {
   protected:
     Vec3 vector(Real most) { return most * random.vec(); }
     Pose pose() { return {vector(10), to_matrix(random.rotation())}; }
-    // Points around `middle`, all in one patch.
+    // Points around `middle`, all in one manifold.
     void find(int count, Vec3 middle, Vec3 normal)
     {
         for (int i = 0; i < count; ++i) {
@@ -30,9 +30,9 @@ class PatchPoints : public testing::Test {
     }
 
     RandomNumbers random{7};
-    KeptPatch was{}, now{};
-    PatchMaker maker{std::span(&was, 1)};
-    dContactGeom contacts[kPatchPoints] = {};
+    CachedManifold was{}, now{};
+    ManifoldMaker maker{std::span(&was, 1)};
+    dContactGeom contacts[kManifoldPoints] = {};
 };
 
 void expect_equal(Float3 a, Float3 b)
@@ -42,17 +42,17 @@ void expect_equal(Float3 a, Float3 b)
     EXPECT_EQ(a.z, b.z);
 }
 
-TEST_F(PatchPoints, are_fixed_in_both_frames_and_missing_ones_repeat_the_last)
+TEST_F(ManifoldPoints, are_fixed_in_both_frames_and_missing_ones_repeat_the_last)
 {
-    for (int count = 1; count <= kPatchPoints; ++count) {
-        maker = PatchMaker(std::span(&was, 1));
+    for (int count = 1; count <= kManifoldPoints; ++count) {
+        maker = ManifoldMaker(std::span(&was, 1));
         const Pose A = pose(), B = pose();
         find(count, A.p, {0, 0, 1});
         ASSERT_EQ(maker.count(0), count);
         ContactAnchors anchors;
         fix_points(maker, 0, A, B, anchors);
         Real most = 0;
-        for (int i = 0; i < kPatchPoints; ++i) {
+        for (int i = 0; i < kManifoldPoints; ++i) {
             const dContactGeom& c = contacts[std::min(i, count - 1)];
             const Vec3 p = load(c.pos);
             expect_equal(anchors.first(i), narrow(A.to_local(p)));
@@ -64,17 +64,17 @@ TEST_F(PatchPoints, are_fixed_in_both_frames_and_missing_ones_repeat_the_last)
     }
 }
 
-TEST_F(PatchPoints, follow_both_geoms)
+TEST_F(ManifoldPoints, follow_both_geoms)
 {
     int touching = 0;
     for (int trial = 0; trial < 400; ++trial) {
-        const int count = 1 + trial % kPatchPoints;
-        maker = PatchMaker(std::span(&was, 1));
+        const int count = 1 + trial % kManifoldPoints;
+        maker = ManifoldMaker(std::span(&was, 1));
         const Pose A = pose(), B = pose();
         find(count, A.p, {0, 0, 1});
         was.found.normal = narrow(A.R.column(trial % 3));
         fix_points(maker, 0, A, B, was.found.anchors);
-        for (int i = 0; i < count; ++i) was.patch.points[i].push = float(i + 1);
+        for (int i = 0; i < count; ++i) was.manifold.points[i].push = float(i + 1);
         now = was;
 
         // Both a little on, the second one on its own.
@@ -82,23 +82,23 @@ TEST_F(PatchPoints, follow_both_geoms)
         const Pose A2 = {A.p + vector(Real(0.02)), A.R}, B2 = {B.p + away, B.R};
         const Vec3 x1 = vector(5), x2 = vector(5);
         const Real layer = Real(0.005);
-        const bool touches = place_points(A2, B2, x1, trial % 5 ? &x2 : nullptr, layer, was, now.patch);
+        const bool touches = place_points(A2, B2, x1, trial % 5 ? &x2 : nullptr, layer, was, now.manifold);
 
         const Vec3 n = A2.R * widen(was.found.normal);
-        expect_equal(now.patch.normal, narrow(n));
+        expect_equal(now.manifold.normal, narrow(n));
         bool touched = false;
         for (int i = 0; i < count; ++i) {
             const Vec3 at1 = A2.to_world(widen(was.found.anchors.first(i))),
                        at2 = B2.to_world(widen(was.found.anchors.second(i))), at = Real(0.5) * (at1 + at2);
             const Real gap = Real(was.found.anchors.gap[i]) + dot(n, at1 - at2);
-            const PatchPoint& point = now.patch.points[i];
+            const ManifoldPoint& point = now.manifold.points[i];
             expect_equal(point.r1, narrow(at - x1));
             expect_equal(point.r2, narrow(trial % 5 ? at - x2 : Vec3{}));
             EXPECT_EQ(point.gap, float(gap + layer));
             EXPECT_EQ(point.push, float(i + 1));
             touched = touched || gap <= 0;
         }
-        for (int i = count; i < kPatchPoints; ++i) expect_equal(now.patch.points[i].r1, {0, 0, 0});
+        for (int i = count; i < kManifoldPoints; ++i) expect_equal(now.manifold.points[i].r1, {0, 0, 0});
         EXPECT_EQ(touches, touched);
         touching += touches;
     }

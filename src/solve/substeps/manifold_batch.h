@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Patches of the world's own contacts (rows/patch.h) as the kernels read them: sixteen patches side by
+// Manifolds of the world's own contacts (rows/contact_manifold.h) as the kernels read them: sixteen manifolds side by
 // side, or eight in the first half of the lanes, none of which shares a dynamic body with another. 76 bytes
-// per point and lane, 142 per lane; with one friction per patch 56 and 218. A point that a shorter patch
+// per point and lane, 142 per lane; with one friction per manifold 56 and 218. A point that a shorter manifold
 // lacks is far open and does nothing.
 #pragma once
 
-#include "rows/patch.h"
+#include "rows/contact_manifold.h"
 #include "simd/float_lanes.h"
 
 namespace epode {
@@ -19,7 +19,7 @@ struct alignas(64) FloatMotion {
 };
 static_assert(sizeof(FloatMotion) == 64);
 
-struct PatchLanes {
+struct ManifoldLanes {
     BroadLaneVec3 r1, r2;
     BroadLanes gap;       // when the step began
     BroadLanes approach;  // n . u then
@@ -31,45 +31,45 @@ struct PatchLanes {
     BroadLanes k_n1, k_n2;  // grip times their coupling with the normal row
 };
 
-// What soft and rolling patches have besides; zero in the lanes of others.
-struct PatchExtra {
-    BroadLanes soft, rate;          // of the spring: C p; velocity per depth
-    BroadLanes keep[kPatchPoints];  // of a point: share of the gain and of p
-    BroadLanes rolling;             // m
-    BroadLanes roll_gain;           // 1 / (an upper bound of the eigenvalues of I1^-1 + I2^-1)
-    BroadLaneVec3 roll, roll_sum;   // of one small step; over all
+// What soft and rolling manifolds have besides; zero in the lanes of others.
+struct ManifoldExtra {
+    BroadLanes soft, rate;             // of the spring: C p; velocity per depth
+    BroadLanes keep[kManifoldPoints];  // of a point: share of the gain and of p
+    BroadLanes rolling;                // m
+    BroadLanes roll_gain;              // 1 / (an upper bound of the eigenvalues of I1^-1 + I2^-1)
+    BroadLaneVec3 roll, roll_sum;      // of one small step; over all
 };
 
 // Points that no lane has: so far open that they never act. (Zero would be a contact at the body's centre,
 // since the normal and the masses are those of the batch.)
 inline constexpr float kFarOpen = 1e20f;
 
-// A point of a patch that has one friction for all its points. Its arms matter only as a = r x n, since
+// A point of a manifold that has one friction for all its points. Its arms matter only as a = r x n, since
 // n . (w x r) = w . a.
-struct PatchPush {
+struct ManifoldPush {
     BroadLaneVec3 a1, a2;
     BroadLanes x, y;                 // its place along t1 and t2, from the anchor
-    BroadLanes gap, approach, open;  // as in PatchLanes
+    BroadLanes gap, approach, open;  // as in ManifoldLanes
     BroadLanes p, sum, gain;         // of the normal row
 };
 
-// That friction (patch_friction.inc): a force along t1 and t2 at an anchor, which is the mean of the points,
+// That friction (manifold_friction.inc): a force along t1 and t2 at an anchor, which is the mean of the points,
 // and a couple about n.
-struct PatchFriction {
+struct ManifoldFrictionLanes {
     BroadLaneVec3 r1, r2;  // of the anchor
     BroadLanes k_11, k_22, k_12, k_1n, k_2n,
         k_nn;                       // J M^-1 J^T of the tangents there and of the turn about n
     BroadLanes least_radius;        // no couple is known from rounding below
     BroadLanes x, y, radius, grip;  // of the centre of push; gain of the three rows there
     BroadLanes p[3], sum[3];        // force, couple: of one small step; over all
-    PatchPush points[kPatchPoints];
+    ManifoldPush points[kManifoldPoints];
 };
 
-struct PatchBatch {
+struct ManifoldBatch {
     int first, count;                            // of the points
     int lanes;                                   // that are in use: 8, or all
-    PatchExtra* extra;                           // null: no lane is soft or rolls
-    PatchFriction* friction;                     // null: each point has its own; else the points are there
+    ManifoldExtra* extra;                        // null: no lane is soft or rolls
+    ManifoldFrictionLanes* friction;             // null: each point has its own; else the points are there
     int body1[kBroadLanes], body2[kBroadLanes];  // into the motions; ~i: reads i, which does not change
     BroadLanes inv_mass1, inv_mass2;
     BroadLaneSym3 inv_inertia1, inv_inertia2;

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
-#include "solve/substeps/patch_steps.h"
+#include "solve/substeps/manifold_steps.h"
 
 #include <algorithm>
 
-#include "solve/substeps/patch_set.h"
+#include "solve/substeps/manifold_set.h"
 
 namespace epode {
 namespace {
 
-class PatchSteps {
+class ManifoldSteps {
   public:
-    PatchSteps(RowSystem& system, const Substeps& model, int n, const Tasks& tasks)
+    ManifoldSteps(RowSystem& system, const Substeps& model, int n, const Tasks& tasks)
         : system_(system), model_(model), step_{system.h / Real(n), n}, tasks_(tasks)
     {}
 
@@ -21,7 +21,7 @@ class PatchSteps {
         velocities_ = take_velocities(system_, arena);
         gain_ = arena.take<Velocity>(bodies);
         mean_ = arena.take_zeroed<Velocity>(bodies);
-        if (arena.failed() || !patches_.prepare(system_, step_, tasks_, arena)) return false;
+        if (arena.failed() || !manifolds_.prepare(system_, step_, tasks_, arena)) return false;
         for (Velocity& world : velocities_.subspan(gain_.size())) world = {};
         each_body([&](std::size_t i) {
             const SolverBody& body = system_.bodies[i];
@@ -39,13 +39,13 @@ class PatchSteps {
 
     void run()
     {
-        patches_.small_steps(step_.n, velocities_, gain_, mean_);
+        manifolds_.small_steps(step_.n, velocities_, gain_, mean_);
         move();
-        patches_.rebound(velocities_);
+        manifolds_.rebound(velocities_);
         each_body([&](std::size_t i) {
             system_.bodies[i].v = velocities_[i].v, system_.bodies[i].w = velocities_[i].w;
         });
-        patches_.store_impulses(system_.patches);
+        manifolds_.store_impulses(system_.contact_manifolds);
     }
 
   private:
@@ -68,7 +68,7 @@ class PatchSteps {
     const Substeps& model_;
     const Substep step_;
     const Tasks& tasks_;
-    PatchSet patches_;
+    ManifoldSet manifolds_;
     std::span<Velocity> velocities_;
     std::span<Velocity> gain_;  // by forces, in one small step
     std::span<Velocity> mean_;  // times n
@@ -76,10 +76,10 @@ class PatchSteps {
 
 }  // namespace
 
-bool solve_patches(RowSystem& system, const SolverSettings& settings, Arena& arena)
+bool solve_manifolds(RowSystem& system, const SolverSettings& settings, Arena& arena)
 {
     Arena::Scope scope(arena);
-    PatchSteps steps(system, *settings.substeps, std::max(1, settings.iterations), settings.tasks);
+    ManifoldSteps steps(system, *settings.substeps, std::max(1, settings.iterations), settings.tasks);
     if (!steps.prepare(arena)) return false;
     steps.run();
     return true;
