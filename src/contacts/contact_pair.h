@@ -21,7 +21,7 @@ inline constexpr int kSurfaceManifolds = 3;
 // What is missing repeats the last.
 struct ContactAnchors {
     float a1[3][kManifoldPoints], a2[3][kManifoldPoints];
-    float gap[kManifoldPoints];  // then
+    float separation[kManifoldPoints];  // then
 
     Float3 first(int i) const { return {a1[0][i], a1[1][i], a1[2][i]}; }
     Float3 second(int i) const { return {a2[0][i], a2[1][i], a2[2][i]}; }

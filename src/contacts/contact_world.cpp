@@ -66,7 +66,7 @@ int most_manifolds(const GeomPair& pair)
 // What is open and has not been pushed was only near.
 bool touches(const CachedManifold& kept, const ManifoldPoint& point)
 {
-    return point.push > 0 || point.gap <= kept.layer;
+    return point.normal_impulse > 0 || point.separation <= kept.layer;
 }
 
 bool touches(std::span<const CachedManifold> manifolds)
@@ -452,9 +452,9 @@ int ContactWorld::contacts(dWorldContact* out, int room) const
         to.g2 = from_handle<Geom>(pair.id2) ? pair.id2 : nullptr;
         store(to.pos, kept.origin + widen(point.r1));
         store(to.normal, widen(kept.manifold.normal));
-        to.depth = Real(kept.layer - point.gap);
-        to.push = per_h * Real(point.push);
-        store(to.friction, per_h * widen(point.friction));
+        to.depth = Real(kept.layer - point.separation);
+        to.push = per_h * Real(point.normal_impulse);
+        store(to.friction, per_h * widen(point.friction_impulse));
     };
     for_each_pair([&](const ContactPair& pair, std::span<const CachedManifold> manifolds) {
         for (const CachedManifold& kept : manifolds)

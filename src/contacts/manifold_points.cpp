@@ -70,7 +70,7 @@ void fix_points(const ManifoldMaker& maker, int part, const Pose& A, const Pose&
     const Places at = {coordinate(0), coordinate(1), coordinate(2)};
     fix(at, A, anchors.a1);
     fix(at, B, anchors.a2);
-    store_floats(anchors.gap, narrow(all([](const dContactGeom& c) { return -c.depth; })));
+    store_floats(anchors.separation, narrow(all([](const dContactGeom& c) { return -c.depth; })));
 }
 
 Real largest_reach2(const float (&at)[3][kManifoldPoints])
@@ -93,19 +93,19 @@ bool place_points(const Pose& pose1, const Pose& pose2, Vec3 x1, const Vec3* x2,
     const Places at = {half * (at1.x + at2.x), half * (at1.y + at2.y), half * (at1.z + at2.z)};
     const Quad apart =
         quad(n.x) * (at1.x - at2.x) + quad(n.y) * (at1.y - at2.y) + quad(n.z) * (at1.z - at2.z);
-    const Quad gap = widen(load_floats(anchors.gap)) + apart;
-    const Rows first(at, x1, narrow(gap + quad(layer))), second(at, x2 ? *x2 : Vec3{}, FloatQuad{});
+    const Quad separation = widen(load_floats(anchors.separation)) + apart;
+    const Rows first(at, x1, narrow(separation + quad(layer))), second(at, x2 ? *x2 : Vec3{}, FloatQuad{});
     for (int i = 0; i < count; ++i) {
         ManifoldPoint& point = manifold.points[i];
-        const float push = was.manifold.points[i].push;
+        const float normal_impulse = was.manifold.points[i].normal_impulse;
         store_floats(&point.r1.x, first.of[i]);
         if (x2)
             store_floats(&point.r2.x, second.of[i]);
         else
             point.r2 = {};
-        point.push = push;
+        point.normal_impulse = normal_impulse;
     }
-    return (bits(gap <= quad(0)) & ((1u << count) - 1)) != 0;
+    return (bits(separation <= quad(0)) & ((1u << count) - 1)) != 0;
 }
 
 ManifoldMaker::ManifoldMaker(std::span<CachedManifold> parts) : parts_(parts)
@@ -166,9 +166,9 @@ void inherit_impulses(const CachedManifold& was, Real size, CachedManifold& part
         const int j = best_of(was.manifold.count, nearness);
         if (-nearness(j) > reach2) continue;
         taken[j] = true;
-        part.manifold.points[i].push = was.manifold.points[j].push;
-        part.manifold.points[i].friction = was.manifold.points[j].friction;
-        part.manifold.roll = was.manifold.roll;
+        part.manifold.points[i].normal_impulse = was.manifold.points[j].normal_impulse;
+        part.manifold.points[i].friction_impulse = was.manifold.points[j].friction_impulse;
+        part.manifold.rolling_impulse = was.manifold.rolling_impulse;
     }
 }
 

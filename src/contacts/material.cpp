@@ -40,9 +40,9 @@ void combine_friction(const dMaterial& a, const dMaterial& b, ContactManifold& m
 void combine_softness(const dMaterial& a, const dMaterial& b, ContactManifold& manifold)
 {
     const Real sum = a.softness + b.softness;
-    manifold.softness = sum < kHardest ? 0 : float(std::min(sum, kSoftest));
+    manifold.compliance = sum < kHardest ? 0 : float(std::min(sum, kSoftest));
     manifold.damping_time = 0;
-    if (!(manifold.softness > 0)) return;
+    if (!(manifold.compliance > 0)) return;
     const Real share = a.softness / sum;
     manifold.damping_time = float(std::min(share * a.damping_time + (1 - share) * b.damping_time, kSlowest));
 }
@@ -53,9 +53,9 @@ static_assert(kDefaultMaterial.bounce == 0 && kDefaultMaterial.rolling == 0 &&
 void combine_others(const dMaterial& a, const dMaterial& b, ContactManifold& manifold)
 {
     combine_softness(a, b, manifold);
-    manifold.bounce = float(combined(std::max(a.bounce_rule, b.bounce_rule), a.bounce, b.bounce));
+    manifold.restitution = float(combined(std::max(a.bounce_rule, b.bounce_rule), a.bounce, b.bounce));
     const Real rolling = combined(std::max(a.rolling_rule, b.rolling_rule), a.rolling, b.rolling);
-    manifold.rolling = float(std::min(rolling, kMostRolling));
+    manifold.rolling_friction = float(std::min(rolling, kMostRolling));
 }
 
 Vec3 surface_velocity(const Geom& geom)
@@ -70,9 +70,9 @@ const Real kDefaultMu = std::sqrt(kDefaultMaterial.friction) * std::sqrt(kDefaul
 void take_defaults(ContactManifold& manifold)
 {
     manifold.mu = float(kDefaultMu);
-    manifold.bounce = manifold.rolling = manifold.softness = manifold.damping_time = 0;
-    manifold.bounce_speed = float(kDefaultMaterial.bounce_speed);
-    manifold.drift = {};
+    manifold.restitution = manifold.rolling_friction = manifold.compliance = manifold.damping_time = 0;
+    manifold.restitution_threshold = float(kDefaultMaterial.bounce_speed);
+    manifold.surface_velocity = {};
 }
 
 }  // namespace
@@ -95,10 +95,10 @@ void combine_materials(const Geom& g1, const Geom& g2, ContactManifold& manifold
     const dMaterial &a = material_of(g1), &b = material_of(g2);
     combine_friction(a, b, manifold);
     combine_others(a, b, manifold);
-    manifold.bounce_speed = float(std::max(a.bounce_speed, b.bounce_speed));
+    manifold.restitution_threshold = float(std::max(a.bounce_speed, b.bounce_speed));
     // Surfaces do not slide against each other: v1 + s1 = v2 + s2.
     const Vec3 drift = surface_velocity(g2) - surface_velocity(g1), n = widen(manifold.normal);
-    manifold.drift = narrow(drift - dot(n, drift) * n);
+    manifold.surface_velocity = narrow(drift - dot(n, drift) * n);
 }
 
 }  // namespace epode

@@ -213,8 +213,8 @@ class PairUpdate {
             const Vec3 u = way1 + turn_of(pair_.body1, r1) - way2 - turn_of(pair_.body2, r2);
             point.r1 = narrow(r1);
             point.r2 = narrow(pair_.body2 ? r2 : Vec3{});
-            point.gap =
-                float(Real(part.found.anchors.gap[i]) + layer() - dot(widen(part.manifold.normal), u));
+            point.separation =
+                float(Real(part.found.anchors.separation[i]) + layer() - dot(widen(part.manifold.normal), u));
         }
     }
 
@@ -232,7 +232,7 @@ class PairUpdate {
         const auto passed = [](const CachedManifold& part) {
             const auto points = std::span(part.manifold.points).first(std::size_t(part.manifold.count));
             return std::any_of(points.begin(), points.end(),
-                               [](const ManifoldPoint& p) { return p.gap < 0; });
+                               [](const ManifoldPoint& p) { return p.separation < 0; });
         };
         const auto end = std::remove_if(parts_.begin(), parts_.begin() + pair_.count, passed);
         pair_.count = std::uint8_t(end - parts_.begin());
@@ -278,9 +278,9 @@ class PairUpdate {
         found.offset = narrow(offset_);
         for (int k = 0; k < 3; ++k) found.turn[k] = narrow(turn_.row(k));
         found.normal = narrow(transposed_times(pose1_.R, widen(manifold.normal)));
-        manifold.roll = {};
+        manifold.rolling_impulse = {};
         for (int i = 0; i < manifold.count; ++i)
-            manifold.points[i].push = 0, manifold.points[i].friction = {};
+            manifold.points[i].normal_impulse = 0, manifold.points[i].friction_impulse = {};
         fix_points(maker, index, A, B, found.anchors);
         place(part, part);
         const Real size = this->size();

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A contact manifold of two bodies that the world manages, as solvers see it: up to four points with one normal
-// n. Floats suffice, since all of it is relative to the bodies: arms of a metre are known to 60 nm wherever
-// in the world they are. What is solved for comes back in it and starts the next step.
+// The contact manifold of two bodies whose contacts the world manages, as solvers see it: up to four points
+// with one normal n. Floats suffice, because everything is relative to the bodies: an arm of one metre is
+// known to 60 nm wherever the bodies are. The impulses that a solver finds come back in the manifold and warm
+// start the next step.
 //
-//   u = v1 + w1 x r1 - v2 - w2 x r2,   gap' = n . u,   push >= 0,   |friction| <= mu push
+//   u = v1 + w1 x r1 - v2 - w2 x r2       relative velocity at a point
+//   separation' = n . u                   negative: penetration beyond the layer
+//   normal_impulse >= 0,  |friction_impulse| <= mu normal_impulse        (Coulomb's cone)
+//   |rolling_impulse| <= rolling_friction * (sum of the normal impulses)
 //
-// Friction is bounded in the plane as a whole (a cone), the same in every direction; so is the couple against
-// rolling and spinning, |roll| <= rolling * sum of push, in all three.
+// Friction is isotropic: it is bounded in the contact plane as a whole. The torque against rolling and
+// spinning is bounded in all three directions together.
 #pragma once
 
 #include "math/float3.h"
@@ -17,30 +21,31 @@ namespace epode {
 
 inline constexpr int kManifoldPoints = 4;
 
-// Here as below, neighbours are read four numbers at a time (solve/substeps/manifold_gather.inc).
+// The order of members matters here and below: kernels read groups of four floats at a time
+// (solve/substeps/manifold_gather.inc).
 struct ManifoldPoint {
-    Float3 r1;        // from the centre of body 1, world frame, at the beginning of the step
-    float gap;        // distance along n beyond the layer; below zero: deeper than allowed
-    Float3 r2;        // from the centre of body 2
-    float push;       // impulse along n over the whole step: of the last one in, of this one out
-    Float3 friction;  // the same in the plane, as a vector of the world
+    Float3 r1;                // from the centre of body 1, world frame, at the beginning of the step
+    float separation;         // along n, m; below zero: deeper than the layer allows
+    Float3 r2;                // from the centre of body 2
+    float normal_impulse;     // over the whole step, N s; in: of the last step, out: of this step
+    Float3 friction_impulse;  // likewise, a vector of the world in the contact plane
 };
 
 struct ContactManifold {
-    int body1, body2;  // in the island; -1: the world, only for body2
-    int count;         // points; 0: does not touch
-    Float3 normal;     // unit, into body1
-    float mu;
-    Float3 drift;        // wanted u in the plane: surfaces that move
-    float bounce;        // rebound: so many times an approach
-    float bounce_speed;  // of at least that, m/s
-    float rolling;       // m
-    float softness;      // of each point, depth per force, m/N; 0: hard
-    float damping_time;  // of what is soft: damper over spring, s
-    Float3 roll;         // angular impulse on body1 over the whole step, in and out as `push`
+    int body1, body2;         // in the island; body2 = -1: the world
+    int count;                // points; 0: the bodies do not touch
+    Float3 normal;            // unit, into body1
+    float mu;                 // coefficient of friction
+    Float3 surface_velocity;  // tangential u that friction aims at, m/s: conveyor belts
+    float restitution;
+    float restitution_threshold;  // approach below which nothing bounces, m/s
+    float rolling_friction;       // coefficient of rolling friction, m
+    float compliance;             // of each point, m/N; 0: rigid
+    float damping_time;           // of a compliant point: damper over spring, s
+    Float3 rolling_impulse;       // angular, on body1, over the whole step, N m s; in and out
     ManifoldPoint points[kManifoldPoints];
 
-    bool special() const { return rolling > 0 || softness > 0; }
+    bool special() const { return rolling_friction > 0 || compliance > 0; }
 };
 
 }  // namespace epode

@@ -34,8 +34,8 @@ constexpr int kManyIterations = 1000;  // of a program that wants an answer, not
 
 void silence_manifold(ContactManifold& manifold)
 {
-    manifold.roll = {};
-    for (ManifoldPoint& point : manifold.points) point.push = 0, point.friction = {};
+    manifold.rolling_impulse = {};
+    for (ManifoldPoint& point : manifold.points) point.normal_impulse = 0, point.friction_impulse = {};
 }
 
 template <typename T>

@@ -13,7 +13,7 @@ constexpr int kPointRows = 3, kRollingRows = 3;
 
 int rows_of_point(const ContactManifold& manifold)
 {
-    return kPointRows + (manifold.rolling > 0 ? kRollingRows : 0);
+    return kPointRows + (manifold.rolling_friction > 0 ? kRollingRows : 0);
 }
 
 Row& point_row(RowWriter& out, Vec3 d, RowKind kind)
@@ -35,12 +35,12 @@ Real approach_of(const Row& row, const Island& island, const ContactManifold& ma
 }
 
 // The spring and damper of ERP = h k / (h k + d) and CFM = 1 / (h k + d).
-void soften(Row& normal, const ContactManifold& manifold, Real gap, Real h)
+void soften(Row& normal, const ContactManifold& manifold, Real separation, Real h)
 {
     const Real rest = h + Real(manifold.damping_time);
-    normal.erp = h / rest, normal.cfm = Real(manifold.softness) / rest;
+    normal.erp = h / rest, normal.cfm = Real(manifold.compliance) / rest;
     normal.soft = true;
-    normal.error = -gap;
+    normal.error = -separation;
 }
 
 void write_rolling(RowWriter& out, const ContactManifold& manifold)
@@ -50,7 +50,7 @@ void write_rolling(RowWriter& out, const ContactManifold& manifold)
     plane_space(n, axes[0], axes[1]);
     for (const Vec3& a : axes) {
         Row& row = out.row({{}, a, {}, -a}, 0, RowKind::kFriction);
-        row.hi = Real(manifold.rolling), row.lo = -row.hi;
+        row.hi = Real(manifold.rolling_friction), row.lo = -row.hi;
         row.parent = 0;
     }
 }
@@ -62,29 +62,30 @@ void write_point(RowWriter& out, const Island& island, const ContactManifold& ma
     out.contact_at(widen(point.r1), widen(point.r2));
     const Vec3 n = widen(manifold.normal);
     Row& normal = point_row(out, n, RowKind::kNormal);
-    const Real gap = point.gap;
-    if (manifold.softness > 0) {
-        soften(normal, manifold, gap, out.info().h);
+    const Real separation = point.separation;
+    if (manifold.compliance > 0) {
+        soften(normal, manifold, separation, out.info().h);
     } else {
-        normal.error = std::max(-gap, Real(0));
-        normal.speed = gap > 0 ? -gap * out.info().fps : 0;
+        normal.error = std::max(-separation, Real(0));
+        normal.speed = separation > 0 ? -separation * out.info().fps : 0;
         normal.cap = out.info().contact_max_vel;
     }
     const Real approach = approach_of(normal, island, manifold);
-    if (manifold.bounce > 0 && approach > manifold.bounce_speed && approach > gap * out.info().fps) {
+    if (manifold.restitution > 0 && approach > manifold.restitution_threshold &&
+        approach > separation * out.info().fps) {
         normal.rebounds = true;
-        normal.rebound = Real(manifold.bounce) * approach;
+        normal.rebound = Real(manifold.restitution) * approach;
     }
     Vec3 t[2];
     plane_space(n, t[0], t[1]);
     for (const Vec3& d : t) {
         Row& row = point_row(out, d, RowKind::kFriction);
-        row.speed = dot(widen(manifold.drift), d);
+        row.speed = dot(widen(manifold.surface_velocity), d);
         row.hi = Real(manifold.mu);
         row.lo = -row.hi;
         row.parent = 0;
     }
-    if (manifold.rolling > 0) write_rolling(out, manifold);
+    if (manifold.rolling_friction > 0) write_rolling(out, manifold);
 }
 
 // f(manifold, point, block) for each point and its block, in order.
@@ -144,9 +145,9 @@ void load_manifold_impulses(IslandWork& work, Real share)
         for (int k = 0; k < block.count; ++k) {
             const auto at = std::size_t(block.first + k);
             const Row& row = work.system.rows[at];
-            const Real sliding = dot(widen(point.friction), row.lin1);
-            const Real couple = dot(widen(manifold.roll), row.ang1) / Real(manifold.count);
-            const Real p = k == 0 ? Real(point.push) : k < kPointRows ? sliding : couple;
+            const Real sliding = dot(widen(point.friction_impulse), row.lin1);
+            const Real couple = dot(widen(manifold.rolling_impulse), row.ang1) / Real(manifold.count);
+            const Real p = k == 0 ? Real(point.normal_impulse) : k < kPointRows ? sliding : couple;
             work.system.numbers[at].p = share * p;
         }
     });
@@ -154,9 +155,9 @@ void load_manifold_impulses(IslandWork& work, Real share)
 
 void store_manifold_impulses(const IslandWork& work)
 {
-    for (ManifoldEdge* edge : work.island.manifolds) edge->manifold->roll = {};
+    for (ManifoldEdge* edge : work.island.manifolds) edge->manifold->rolling_impulse = {};
     for_points(work, [&](ContactManifold& manifold, ManifoldPoint& point, const RowBlock& block) {
-        Vec3 friction, couple = widen(manifold.roll);
+        Vec3 friction, couple = widen(manifold.rolling_impulse);
         for (int k = 1; k < block.count; ++k) {
             const auto at = std::size_t(block.first + k);
             const Row& row = work.system.rows[at];
@@ -166,9 +167,9 @@ void store_manifold_impulses(const IslandWork& work)
             else
                 couple += p * row.ang1;
         }
-        point.push = float(work.system.numbers[std::size_t(block.first)].p);
-        point.friction = narrow(friction);
-        manifold.roll = narrow(couple);
+        point.normal_impulse = float(work.system.numbers[std::size_t(block.first)].p);
+        point.friction_impulse = narrow(friction);
+        manifold.rolling_impulse = narrow(couple);
     });
 }
 

@@ -52,10 +52,11 @@ bool is_sound(const SolverBody& b)
 
 bool is_sound(const ContactManifold& manifold)
 {
-    if (manifold.special() && !usable(Real(manifold.roll.x + manifold.roll.y + manifold.roll.z)))
+    if (manifold.special() &&
+        !usable(Real(manifold.rolling_impulse.x + manifold.rolling_impulse.y + manifold.rolling_impulse.z)))
         return false;
     for (int i = 0; i < manifold.count; ++i)
-        if (!usable(Real(manifold.points[i].push))) return false;
+        if (!usable(Real(manifold.points[i].normal_impulse))) return false;
     return true;
 }
 

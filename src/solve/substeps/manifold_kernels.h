@@ -15,17 +15,17 @@ namespace epode {
 
 // What a sweep needs besides the batches.
 struct ManifoldSweep {
-    float per_step;  // 1 / hs
-    float push_out;  // largest velocity that takes depth away
+    float per_hs;             // 1 / hs
+    float max_bias_velocity;  // largest velocity that takes depth away
 };
 
 // Bodies as sweeps see them: what they do to the floats becomes a change of the doubles, so that a body that
 // nobody pushes keeps its velocity to the last bit.
 struct ManifoldBodies {
     Velocity* v;
-    Velocity* kicks;       // what the impulses at hand do: M^-1 J^T p
-    const Velocity* gain;  // by forces, in one small step
-    Velocity* mean;        // sum over the small steps
+    Velocity* impulse_velocity;      // what the impulses at hand do: M^-1 J^T p
+    const Velocity* force_velocity;  // by forces, in one small step
+    Velocity* mean;                  // sum over the small steps
     FloatMotion* motions;
     float hs;
 };
@@ -39,7 +39,7 @@ struct ManifoldSources {
 
 // Of what is too deep (ManifoldBatch): if both bodies move, if one does.
 struct ManifoldSprings {
-    float rate[2], soft[2];
+    float bias_rate[2], mass_scale[2];
 };
 
 struct ManifoldKernels {
@@ -47,7 +47,7 @@ struct ManifoldKernels {
     // Out: masses, material, n, drift, rate and soft of the batch, and of its points what `prepare` takes.
     void (*gather)(ManifoldBatch& batch, ManifoldLanes* points, const ManifoldSources& from,
                    const ManifoldSprings& springs);
-    // In: arms, normal, drift, p along n and `sum` as a vector of the world. Out: all but gap, or where there
+    // In: arms, normal, drift, p along n and `sum` as a vector of the world. Out: all but separation, or where there
     // is one, batch.friction.
     void (*prepare)(ManifoldBatch& batch, ManifoldLanes* points, const FloatMotion* motions, float share);
     // v += M^-1 J^T p of the batches first ... last - 1.
@@ -60,10 +60,10 @@ struct ManifoldKernels {
     // Into along1 and along2: what of the sum of batch.friction is its points' part (contact_friction.inc).
     void (*share_friction)(const ManifoldBatch& batch, BroadLanes* along1, BroadLanes* along2);
     // What came in fast and was pushed leaves with its rebound.
-    void (*rebound)(const ManifoldBatch* batches, int first, int last, ManifoldLanes* points,
-                    FloatMotion* motions);
+    void (*apply_restitution)(const ManifoldBatch* batches, int first, int last, ManifoldLanes* points,
+                              FloatMotion* motions);
     // Of the bodies first ... last - 1: velocities to floats, and what sweeps have changed back.
-    void (*load_speeds)(const ManifoldBodies& bodies, int first, int last);
+    void (*load_velocities)(const ManifoldBodies& bodies, int first, int last);
     void (*take_changes)(const ManifoldBodies& bodies, int first, int last);
     // Before the first sweep of a small step: v += gain + kicks; between correcting and relaxing: the change
     // taken, then the bodies move for hs. Both leave v in the floats.

@@ -34,24 +34,26 @@ ManifoldSprings springs_of(const Substep& step)
     ManifoldSprings out;
     for (const bool fixed : {false, true}) {
         const RowAim aim = default_contact(step, 1, fixed, kDampingRatio);
-        out.rate[fixed] = float(aim.rate), out.soft[fixed] = float(1 / (1 + aim.C));  // 1 - C/(1 + C)
+        out.bias_rate[fixed] = float(aim.rate),
+        out.mass_scale[fixed] = float(1 / (1 + aim.C));  // 1 - C/(1 + C)
     }
     return out;
 }
 
 // Of a point: its push, and friction along the tangents.
-void store_point(const ManifoldBatch& batch, int lane, const BroadLanes& push, const BroadLanes& along1,
+void store_point(const ManifoldBatch& batch, int lane, const BroadLanes& normal, const BroadLanes& along1,
                  const BroadLanes& along2, ManifoldPoint& to)
 {
     const float a = along1[lane], c = along2[lane];
-    to.push = push[lane];
-    to.friction = {a * batch.t1.x[lane] + c * batch.t2.x[lane], a * batch.t1.y[lane] + c * batch.t2.y[lane],
-                   a * batch.t1.z[lane] + c * batch.t2.z[lane]};
+    to.normal_impulse = normal[lane];
+    to.friction_impulse = {a * batch.t1.x[lane] + c * batch.t2.x[lane],
+                           a * batch.t1.y[lane] + c * batch.t2.y[lane],
+                           a * batch.t1.z[lane] + c * batch.t2.z[lane]};
 }
 
 void store_couple(const ManifoldExtra& extra, int lane, ContactManifold& to)
 {
-    to.roll = {extra.roll_sum.x[lane], extra.roll_sum.y[lane], extra.roll_sum.z[lane]};
+    to.rolling_impulse = {extra.rolling_sum.x[lane], extra.rolling_sum.y[lane], extra.rolling_sum.z[lane]};
 }
 
 void set(BroadLaneVec3& to, int lane, Float3 a) { to.x[lane] = a.x, to.y[lane] = a.y, to.z[lane] = a.z; }
@@ -64,11 +66,11 @@ bool ManifoldSet::prepare(const RowSystem& system, const Substep& step, const Ta
     const int count = int(system.contact_manifolds.size());
     if (count == 0) return true;
     hs_ = step.hs;
-    sweep_.per_step = float(1 / step.hs);
-    sweep_.push_out = float(default_contact(step, 1, false).push);
+    sweep_.per_hs = float(1 / step.hs);
+    sweep_.max_bias_velocity = float(default_contact(step, 1, false).push);
     const int bodies = int(system.bodies.size());
     motions_ = arena.take_zeroed<FloatMotion>(bodies + 1);
-    kicks_ = arena.take<Velocity>(bodies);
+    impulse_velocity_ = arena.take<Velocity>(bodies);
     order_ = arena.take<int>(count);
     const auto colours = arena.take<int>(count);
     if (arena.failed()) return false;
@@ -84,8 +86,8 @@ bool ManifoldSet::prepare(const RowSystem& system, const Substep& step, const Ta
     chosen_ = arena.take<int>(batches * kBroadLanes);
     if (arena.failed()) return false;
     const int points = cut(system.contact_manifolds, starts);
-    whole_ = system.manifold_friction;
-    if (whole_)
+    manifold_friction_ = system.manifold_friction;
+    if (manifold_friction_)
         frictions_ = arena.take<ManifoldFrictionLanes>(int(batches_.size()));
     else
         points_ = arena.take<ManifoldLanes>(points);
@@ -190,7 +192,7 @@ bool ManifoldSet::place_extras(std::span<ContactManifold* const> manifolds, Aren
     };
     for (std::size_t b = 0; b < batches_.size(); ++b) {
         batches_[b].extra = nullptr;
-        batches_[b].friction = whole_ ? &frictions_[b] : nullptr;
+        batches_[b].friction = manifold_friction_ ? &frictions_[b] : nullptr;
     }
     if (!any_special_) return true;
     int count = 0;
@@ -205,7 +207,7 @@ bool ManifoldSet::place_extras(std::span<ContactManifold* const> manifolds, Aren
 
 void ManifoldSet::fill(const RowSystem& system, const Substep& step)
 {
-    const auto each_body = [&](auto&& f) { tasks_.each_of(int(kicks_.size()), kBodyRange, f); };
+    const auto each_body = [&](auto&& f) { tasks_.each_of(int(impulse_velocity_.size()), kBodyRange, f); };
     each_body([&](std::size_t i) {
         const SolverBody& b = system.bodies[i];
         motions_[i] = {
@@ -217,9 +219,9 @@ void ManifoldSet::fill(const RowSystem& system, const Substep& step)
     // What the first small step begins with.
     each_body([&](std::size_t i) { motions_[i] = {}; });
     motions_.back() = {};
-    perform({Visit::kPush}, 1, {});
+    perform({Visit::kApplyImpulses}, 1, {});
     each_body([&](std::size_t i) {
-        for (int k = 0; k < kTwistNumbers; ++k) numbers(kicks_[i])[k] = motions_[i].speed[k];
+        for (int k = 0; k < kTwistNumbers; ++k) numbers(impulse_velocity_[i])[k] = motions_[i].velocity[k];
     });
 }
 
@@ -244,7 +246,7 @@ void ManifoldSet::fill_batch(const RowSystem& system, const Substep& step, const
     prefetch_lanes(system, b);
     ManifoldBatch& batch = batches_[b];
     ManifoldLanes passing[kManifoldPoints];  // on their way into the friction of the whole
-    ManifoldLanes* points = whole_ ? passing : &points_[std::size_t(batch.first)];
+    ManifoldLanes* points = manifold_friction_ ? passing : &points_[std::size_t(batch.first)];
     ManifoldSources from;
     for (int lane = 0; lane < batch.lanes; ++lane) choose_lane(system, b, lane, from);
     kernels_->gather(batch, points, from, springs);
@@ -274,16 +276,16 @@ void ManifoldSet::choose_lane(const RowSystem& system, std::size_t b, int lane, 
 
 void ManifoldSet::fill_extra(const ContactManifold& p, ManifoldExtra& extra, int lane) const
 {
-    extra.rolling[lane] = p.rolling;
-    if (p.rolling > 0) set(extra.roll, lane, p.roll);
-    if (!(p.softness > 0)) return;
+    extra.rolling_friction[lane] = p.rolling_friction;
+    if (p.rolling_friction > 0) set(extra.rolling, lane, p.rolling_impulse);
+    if (!(p.compliance > 0)) return;
     const Real rate = 1 / (hs_ + Real(p.damping_time));
-    extra.rate[lane] = float(rate), extra.soft[lane] = float(rate * Real(p.softness) / hs_);
+    extra.bias_rate[lane] = float(rate), extra.compliance[lane] = float(rate * Real(p.compliance) / hs_);
 }
 
 ManifoldBodies ManifoldSet::view(std::span<Velocity> bodies)
 {
-    return {bodies.data(), kicks_.data(), nullptr, nullptr, motions_.data(), float(hs_)};
+    return {bodies.data(), impulse_velocity_.data(), nullptr, nullptr, motions_.data(), float(hs_)};
 }
 
 void ManifoldSet::visit(Visit what, const ManifoldBodies& bodies, int first, int last) const
@@ -293,21 +295,21 @@ void ManifoldSet::visit(Visit what, const ManifoldBodies& bodies, int first, int
     FloatMotion* motions = motions_.data();
     switch (what) {
         case Visit::kLoad:
-            return kernels_->load_speeds(bodies, first, last);
+            return kernels_->load_velocities(bodies, first, last);
         case Visit::kAccelerate:
             return kernels_->accelerate(bodies, first, last);
         case Visit::kMove:
             return kernels_->move(bodies, first, last);
         case Visit::kTake:
             return kernels_->take_changes(bodies, first, last);
-        case Visit::kPush:
+        case Visit::kApplyImpulses:
             return kernels_->apply_impulses(batches, first, last, points, motions);
         case Visit::kCorrect:
             return kernels_->correct(batches, first, last, points, motions, sweep_);
         case Visit::kRelax:
             return kernels_->relax(batches, first, last, points, motions);
-        case Visit::kRebound:
-            return kernels_->rebound(batches, first, last, points, motions);
+        case Visit::kRestitution:
+            return kernels_->apply_restitution(batches, first, last, points, motions);
     }
 }
 
@@ -324,7 +326,7 @@ int ManifoldSet::list_stages(std::initializer_list<Visit> round)
 {
     std::size_t count = 0;
     for (const Visit v : round) {
-        if (is_of_bodies(v)) stages_[count++] = stage(v, 0, int(kicks_.size()));
+        if (is_of_bodies(v)) stages_[count++] = stage(v, 0, int(impulse_velocity_.size()));
         for (std::size_t c = 0; !is_of_bodies(v) && c < std::size_t(colours_); ++c)
             stages_[count++] = stage(v, first_of_colour_[c], first_of_colour_[c + 1]);
     }
@@ -338,7 +340,7 @@ void ManifoldSet::perform(std::initializer_list<Visit> round, int times, const M
     if (tasks_.alone()) {
         for (int i = 0; i < times; ++i)
             for (const Visit v : round)
-                visit(v, bodies, 0, is_of_bodies(v) ? int(kicks_.size()) : int(batches_.size()));
+                visit(v, bodies, 0, is_of_bodies(v) ? int(impulse_velocity_.size()) : int(batches_.size()));
         return;
     }
     const int length = list_stages(round);
@@ -364,33 +366,33 @@ void ManifoldSet::relax(std::span<Velocity> bodies)
     if (!empty()) perform({Visit::kLoad, Visit::kRelax, Visit::kTake}, 1, view(bodies));
 }
 
-void ManifoldSet::small_steps(int n, std::span<Velocity> bodies, std::span<const Velocity> gain,
+void ManifoldSet::small_steps(int n, std::span<Velocity> bodies, std::span<const Velocity> force_velocity,
                               std::span<Velocity> mean)
 {
     if (empty()) {
-        for (int i = 0; i < n; ++i) add(bodies, gain), add(mean, bodies.first(mean.size()));
+        for (int i = 0; i < n; ++i) add(bodies, force_velocity), add(mean, bodies.first(mean.size()));
         return;
     }
     ManifoldBodies of = view(bodies);
-    of.gain = gain.data(), of.mean = mean.data();
+    of.force_velocity = force_velocity.data(), of.mean = mean.data();
     perform({Visit::kAccelerate, Visit::kCorrect, Visit::kMove, Visit::kRelax, Visit::kTake}, n, of);
 }
 
-void ManifoldSet::rebound(std::span<Velocity> bodies)
+void ManifoldSet::apply_restitution(std::span<Velocity> bodies)
 {
     bool any = false;
     for (const ManifoldBatch& batch : batches_)
-        for (int lane = 0; lane < batch.lanes; ++lane) any = any || batch.bounce[lane] > 0;
-    if (any) perform({Visit::kLoad, Visit::kRebound, Visit::kTake}, 1, view(bodies));
+        for (int lane = 0; lane < batch.lanes; ++lane) any = any || batch.restitution[lane] > 0;
+    if (any) perform({Visit::kLoad, Visit::kRestitution, Visit::kTake}, 1, view(bodies));
 }
 
-void ManifoldSet::apply_impulses(std::span<Velocity> bodies) const { add(bodies, kicks_); }
+void ManifoldSet::apply_impulses(std::span<Velocity> bodies) const { add(bodies, impulse_velocity_); }
 
 void ManifoldSet::follow_motion(std::span<const Velocity> bodies)
 {
     const float hs = float(hs_);
-    for (std::size_t i = 0; i < kicks_.size(); ++i) {
-        float* to = motions_[i].way;
+    for (std::size_t i = 0; i < impulse_velocity_.size(); ++i) {
+        float* to = motions_[i].displacement;
         for (int k = 0; k < kTwistNumbers; ++k) to[k] += hs * float(numbers(bodies[i])[k]);
     }
 }

@@ -33,11 +33,11 @@ class ManifoldSet {
     // Sweeps over the velocities, in floats; what they change is added to the doubles.
     void correct(std::span<Velocity> bodies);
     void relax(std::span<Velocity> bodies);
-    void rebound(std::span<Velocity> bodies);
+    void apply_restitution(std::span<Velocity> bodies);
     // n small steps of bodies that manifolds alone hold, each in three visits to a body: forces (`gain`) and
     // impulses; when its contacts are corrected, motion (velocities summed in `mean`); when they are relaxed,
     // what that changed.
-    void small_steps(int n, std::span<Velocity> bodies, std::span<const Velocity> gain,
+    void small_steps(int n, std::span<Velocity> bodies, std::span<const Velocity> force_velocity,
                      std::span<Velocity> mean);
     // v += M^-1 J^T p with the impulses that the last small step ended with: the sum of all changes since its
     // beginning, body by body, so it costs no visit to the contacts.
@@ -64,8 +64,8 @@ class ManifoldSet {
     void choose_lane(const RowSystem& system, std::size_t batch, int lane, ManifoldSources& from);
     ManifoldBodies view(std::span<Velocity> bodies);
     // A look at every body, or at every batch, colour by colour.
-    enum class Visit { kLoad, kAccelerate, kMove, kTake, kPush, kCorrect, kRelax, kRebound };
-    static bool is_of_bodies(Visit visit) { return visit < Visit::kPush; }
+    enum class Visit { kLoad, kAccelerate, kMove, kTake, kApplyImpulses, kCorrect, kRelax, kRestitution };
+    static bool is_of_bodies(Visit visit) { return visit < Visit::kApplyImpulses; }
     // Bodies or batches that know nothing of each other.
     struct Stage {
         Visit visit;
@@ -83,14 +83,14 @@ class ManifoldSet {
     std::span<ManifoldLanes> points_;             // if each has its friction
     std::span<ManifoldFrictionLanes> frictions_;  // else one per batch
     std::span<FloatMotion> motions_;              // the last is the world
-    std::span<Velocity> kicks_;                   // what the last small step did to each body
+    std::span<Velocity> impulse_velocity_;        // what the last small step did to each body
     std::span<int> order_;            // of the manifolds, by colour and number of points; lane by lane
     std::span<int> chosen_;           // the manifold in each lane of each batch; -1: none
     std::span<int> first_of_colour_;  // batch; one more at the end
     std::span<Stage> stages_;         // of a round
     int colours_ = 0;
     bool any_special_ = false;
-    bool whole_ = false;  // one friction per manifold
+    bool manifold_friction_ = false;  // one friction per manifold
     Tasks tasks_;
     Real hs_ = 0;
     ManifoldSweep sweep_{};

@@ -19,29 +19,29 @@ class ManifoldSteps {
     {
         const int bodies = int(system_.bodies.size());
         velocities_ = take_velocities(system_, arena);
-        gain_ = arena.take<Velocity>(bodies);
+        force_velocity_ = arena.take<Velocity>(bodies);
         mean_ = arena.take_zeroed<Velocity>(bodies);
         if (arena.failed() || !manifolds_.prepare(system_, step_, tasks_, arena)) return false;
-        for (Velocity& world : velocities_.subspan(gain_.size())) world = {};
+        for (Velocity& world : velocities_.subspan(force_velocity_.size())) world = {};
         each_body([&](std::size_t i) {
             const SolverBody& body = system_.bodies[i];
             velocities_[i] = {body.v, 0, body.w, 0};
-            gain_[i] = {body.v, 0, body.w, 0};
+            force_velocity_[i] = {body.v, 0, body.w, 0};
         });
-        model_.apply_forces(model_.model, gain_.data(), system_.h);
+        model_.apply_forces(model_.model, force_velocity_.data(), system_.h);
         const Real share = 1 / Real(step_.n);
         each_body([&](std::size_t i) {
-            const Velocity &now = velocities_[i], then = gain_[i];
-            gain_[i] = {share * (then.v - now.v), 0, share * (then.w - now.w), 0};
+            const Velocity &now = velocities_[i], then = force_velocity_[i];
+            force_velocity_[i] = {share * (then.v - now.v), 0, share * (then.w - now.w), 0};
         });
         return true;
     }
 
     void run()
     {
-        manifolds_.small_steps(step_.n, velocities_, gain_, mean_);
+        manifolds_.small_steps(step_.n, velocities_, force_velocity_, mean_);
         move();
-        manifolds_.rebound(velocities_);
+        manifolds_.apply_restitution(velocities_);
         each_body([&](std::size_t i) {
             system_.bodies[i].v = velocities_[i].v, system_.bodies[i].w = velocities_[i].w;
         });
@@ -60,7 +60,7 @@ class ManifoldSteps {
     template <typename F>
     void each_body(F&& f) const
     {
-        tasks_.each_of(int(gain_.size()), kRange, f);
+        tasks_.each_of(int(force_velocity_.size()), kRange, f);
     }
 
     static constexpr int kRange = 512;  // bodies that one worker does
@@ -70,8 +70,8 @@ class ManifoldSteps {
     const Tasks& tasks_;
     ManifoldSet manifolds_;
     std::span<Velocity> velocities_;
-    std::span<Velocity> gain_;  // by forces, in one small step
-    std::span<Velocity> mean_;  // times n
+    std::span<Velocity> force_velocity_;  // by forces, in one small step
+    std::span<Velocity> mean_;            // times n
 };
 
 }  // namespace

@@ -80,8 +80,8 @@ class SmallSteps {
         store_velocities(velocities_, system_);
         model_.settle(model_.model, system_);
         model_.gather_contacts(model_.model, system_);
-        rebound_contacts();
-        if (!manifolds_.empty()) rebound_manifolds();
+        apply_contacts_restitution();
+        if (!manifolds_.empty()) apply_manifolds_restitution();
         return true;
     }
 
@@ -126,7 +126,7 @@ class SmallSteps {
     }
 
     // Contacts in their order, those against what cannot move last, so that theirs is the last word.
-    void rebound_contacts()
+    void apply_contacts_restitution()
     {
         for (const bool against_static : {false, true})
             for (const RowBlock& block : system_.blocks) {
@@ -144,10 +144,10 @@ class SmallSteps {
             }
     }
 
-    void rebound_manifolds()
+    void apply_manifolds_restitution()
     {
         load_velocities(system_, velocities_);
-        manifolds_.rebound(velocities_);
+        manifolds_.apply_restitution(velocities_);
         store_velocities(velocities_, system_);
         manifolds_.store_impulses(system_.contact_manifolds);
     }

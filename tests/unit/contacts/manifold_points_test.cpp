@@ -57,7 +57,7 @@ TEST_F(ManifoldPoints, are_fixed_in_both_frames_and_missing_ones_repeat_the_last
             const Vec3 p = load(c.pos);
             expect_equal(anchors.first(i), narrow(A.to_local(p)));
             expect_equal(anchors.second(i), narrow(B.to_local(p)));
-            EXPECT_EQ(anchors.gap[i], float(-c.depth));
+            EXPECT_EQ(anchors.separation[i], float(-c.depth));
             most = std::max(most, length2(widen(anchors.second(i))));
         }
         EXPECT_NEAR(largest_reach2(anchors.a2), most, 1e-6 * most);
@@ -74,7 +74,7 @@ TEST_F(ManifoldPoints, follow_both_geoms)
         find(count, A.p, {0, 0, 1});
         was.found.normal = narrow(A.R.column(trial % 3));
         fix_points(maker, 0, A, B, was.found.anchors);
-        for (int i = 0; i < count; ++i) was.manifold.points[i].push = float(i + 1);
+        for (int i = 0; i < count; ++i) was.manifold.points[i].normal_impulse = float(i + 1);
         now = was;
 
         // Both a little on, the second one on its own.
@@ -90,13 +90,13 @@ TEST_F(ManifoldPoints, follow_both_geoms)
         for (int i = 0; i < count; ++i) {
             const Vec3 at1 = A2.to_world(widen(was.found.anchors.first(i))),
                        at2 = B2.to_world(widen(was.found.anchors.second(i))), at = Real(0.5) * (at1 + at2);
-            const Real gap = Real(was.found.anchors.gap[i]) + dot(n, at1 - at2);
+            const Real separation = Real(was.found.anchors.separation[i]) + dot(n, at1 - at2);
             const ManifoldPoint& point = now.manifold.points[i];
             expect_equal(point.r1, narrow(at - x1));
             expect_equal(point.r2, narrow(trial % 5 ? at - x2 : Vec3{}));
-            EXPECT_EQ(point.gap, float(gap + layer));
-            EXPECT_EQ(point.push, float(i + 1));
-            touched = touched || gap <= 0;
+            EXPECT_EQ(point.separation, float(separation + layer));
+            EXPECT_EQ(point.normal_impulse, float(i + 1));
+            touched = touched || separation <= 0;
         }
         for (int i = count; i < kManifoldPoints; ++i) expect_equal(now.manifold.points[i].r1, {0, 0, 0});
         EXPECT_EQ(touches, touched);

@@ -53,8 +53,8 @@ TEST(Material, coefficients_follow_the_later_rule_of_the_two)
                 const ContactManifold manifold =
                     pair.of(with(0.2, 0.9, 0.02, r), with(0.8, 0.1, 0.06, s), exchanged);
                 EXPECT_NEAR(manifold.mu, kFriction[later], 1e-6);
-                EXPECT_NEAR(manifold.bounce, kBounce[later], 1e-6);
-                EXPECT_NEAR(manifold.rolling, kRolling[later], 1e-6);
+                EXPECT_NEAR(manifold.restitution, kBounce[later], 1e-6);
+                EXPECT_NEAR(manifold.rolling_friction, kRolling[later], 1e-6);
             }
 }
 
@@ -80,10 +80,10 @@ TEST(Material, soft_surfaces_are_springs_one_behind_the_other)
     a.softness = Real(1e-3), a.damping_time = Real(0.2);
     b.softness = Real(3e-3), b.damping_time = Real(0.6);
     const ContactManifold both = pair.of(a, b);
-    EXPECT_NEAR(both.softness, 4e-3, 1e-9);
+    EXPECT_NEAR(both.compliance, 4e-3, 1e-9);
     EXPECT_NEAR(both.damping_time, 0.5, 1e-6);
     b.softness = 0;  // hard: its damping time says nothing
-    EXPECT_NEAR(pair.of(a, b).softness, 1e-3, 1e-9);
+    EXPECT_NEAR(pair.of(a, b).compliance, 1e-3, 1e-9);
     EXPECT_NEAR(pair.of(b, a).damping_time, 0.2, 1e-6);
     a.softness = Real(1e-12);
     EXPECT_FALSE(pair.of(a, b).special());

@@ -82,7 +82,9 @@ class NarrowPhase : public testing::Test {
     }
     static int deepest(const ContactManifold& p)
     {
-        const auto less = [](const ManifoldPoint& a, const ManifoldPoint& b) { return a.gap < b.gap; };
+        const auto less = [](const ManifoldPoint& a, const ManifoldPoint& b) {
+            return a.separation < b.separation;
+        };
         return int(std::min_element(p.points, p.points + p.count, less) - p.points);
     }
     // Points of a collision at the present place, after one at the first.
@@ -164,7 +166,7 @@ TEST_F(NarrowPhase, kept_points_of_polyhedra_miss_no_corner_that_comes_down)
         if (manifold.found.offset.z != old.found.offset.z) continue;
         ++kept;
         became_deepest += deepest(before) != deepest(after);
-        EXPECT_NEAR(after.points[deepest(after)].gap, 0, Real(0.1) * kLayer) << i;
+        EXPECT_NEAR(after.points[deepest(after)].separation, 0, Real(0.1) * kLayer) << i;
     }
     EXPECT_GT(kept, 100);
     EXPECT_GT(became_deepest, 20);

@@ -52,14 +52,14 @@ Contacts random_contacts(std::uint64_t seed, int bodies, int manifolds, bool pla
         normalize(n);
         p.normal = float3(n);
         p.mu = float(dice.real(0, 1));
-        p.bounce = i % 5 ? 0 : 0.5f;
+        p.restitution = i % 5 ? 0 : 0.5f;
         for (int k = 0; k < p.count; ++k) {
             ManifoldPoint& point = p.points[k];
             point.r1 = float3(vector(Real(0.5))), point.r2 = float3(vector(Real(0.5)));
-            point.gap = float(dice.real(Real(-0.01), Real(0.005)));
-            point.push = float(dice.real(0, 1));
+            point.separation = float(dice.real(Real(-0.01), Real(0.005)));
+            point.normal_impulse = float(dice.real(0, 1));
             const Vec3 f = vector(Real(0.3));
-            point.friction = float3(f - dot(f, n) * n);
+            point.friction_impulse = float3(f - dot(f, n) * n);
         }
         c.manifolds.push_back(p);
     }
@@ -103,7 +103,7 @@ Answer solve(const ManifoldKernels& kernels, Contacts c, int steps, bool whole)
         set.follow_motion(out.velocities);
         set.relax(out.velocities);
     }
-    set.rebound(out.velocities);
+    set.apply_restitution(out.velocities);
     set.store_impulses(island.pointers);
     out.manifolds = c.manifolds;
     return out;
@@ -151,7 +151,7 @@ Answer small_steps(std::uint64_t seed, int workers)
     load_velocities(island.system, answer.velocities);
     std::vector<Velocity> mean(300);
     set.small_steps(5, answer.velocities, gain, mean);
-    set.rebound(answer.velocities);
+    set.apply_restitution(answer.velocities);
     set.store_impulses(island.pointers);
     answer.manifolds = c.manifolds;
     return answer;
@@ -236,26 +236,28 @@ Vec3 slip(const Answer& a, const ContactManifold& p, const ManifoldPoint& point)
     return b1.v + cross(b1.w, widen(point.r1)) - b2.v - cross(b2.w, widen(point.r2));
 }
 
-// The friction of a manifold as one: its force and its couple about the centre of push, bounds and velocities
+// The friction of a manifold as one: its force and its couple about the centre of pressure, bounds and velocities
 // there, by the formulas of manifold_friction.inc in Reals.
-struct WholeManifold {
-    Real push = 0, radius = 0, couple = 0, turn;
+struct ManifoldFrictionReference {
+    Real normal = 0, radius = 0, couple = 0, turn;
     Vec3 centre, force, along;
 
-    WholeManifold(const Answer& a, const ContactManifold& p, const ContactManifold& was)
+    ManifoldFrictionReference(const Answer& a, const ContactManifold& p, const ContactManifold& was)
     {
         const Vec3 n = widen(p.normal);
         Vec3 arm2;
-        const auto pushed = [&](int k) { return Real(p.points[k].push) - Real(was.points[k].push); };
-        for (int k = 0; k < p.count; ++k) push += pushed(k);
-        for (int k = 0; k < p.count && push > 0; ++k)
-            centre += pushed(k) / push * widen(p.points[k].r1),
-                arm2 += pushed(k) / push * widen(p.points[k].r2);
-        for (int k = 0; k < p.count && push > 0; ++k) {
-            const Vec3 f = widen(p.points[k].friction) - widen(was.points[k].friction);
+        const auto pushed = [&](int k) {
+            return Real(p.points[k].normal_impulse) - Real(was.points[k].normal_impulse);
+        };
+        for (int k = 0; k < p.count; ++k) normal += pushed(k);
+        for (int k = 0; k < p.count && normal > 0; ++k)
+            centre += pushed(k) / normal * widen(p.points[k].r1),
+                arm2 += pushed(k) / normal * widen(p.points[k].r2);
+        for (int k = 0; k < p.count && normal > 0; ++k) {
+            const Vec3 f = widen(p.points[k].friction_impulse) - widen(was.points[k].friction_impulse);
             const Vec3 d = widen(p.points[k].r1) - centre;
             force += f, couple += dot(n, cross(d, f));
-            radius += pushed(k) / push * length(d - dot(n, d) * n);
+            radius += pushed(k) / normal * length(d - dot(n, d) * n);
         }
         ManifoldPoint point{};
         point.r1 = narrow(centre), point.r2 = narrow(arm2);
@@ -271,11 +273,11 @@ TEST(ManifoldSet, whole_manifolds_leave_what_the_ellipsoid_asks_for)
 {
     Contacts c = random_contacts(3, 24, 20);
     for (ContactManifold& p : c.manifolds) {
-        p.bounce = 0, p.mu = 0.4f;
+        p.restitution = 0, p.mu = 0.4f;
         const Vec3 n = widen(p.normal);
         for (ManifoldPoint& point : p.points) {
             const Vec3 r = widen(point.r1);  // in one plane
-            point.push = 0, point.gap = 0, point.friction = {};
+            point.normal_impulse = 0, point.separation = 0, point.friction_impulse = {};
             point.r1 = point.r2 = float3(r - (dot(n, r) - Real(0.1)) * n);
         }
     }
@@ -299,11 +301,11 @@ TEST(ManifoldSet, whole_manifolds_leave_what_the_ellipsoid_asks_for)
                 (p.body2 < 0 ? 0 : c.bodies[std::size_t(p.body2)].inv_mass) ==
             0)
             continue;
-        const WholeManifold w(a, p, before[i]);
-        if (w.push < 0.05) continue;
+        const ManifoldFrictionReference w(a, p, before[i]);
+        if (w.normal < 0.05) continue;
         // In the coordinates in which the ellipsoid is a ball.
         const Real rest = w.radius > 0.01 ? w.couple / w.radius : 0;
-        const Real limit = Real(0.4) * w.push, size = std::sqrt(length2(w.force) + rest * rest);
+        const Real limit = Real(0.4) * w.normal, size = std::sqrt(length2(w.force) + rest * rest);
         const Real speed = std::sqrt(length2(w.along) + w.radius * w.radius * w.turn * w.turn);
         EXPECT_LT(size, limit + 2e-2) << i;  // sums of thousands of floats, one less the other
         if (speed < 1e-2) {
@@ -319,14 +321,14 @@ TEST(ManifoldSet, whole_manifolds_leave_what_the_ellipsoid_asks_for)
     EXPECT_GT(sticking, 0);
 }
 
-// Contacts without bounce, swept until nothing changes: u_n >= 0, p >= 0, u_n p = 0, and friction on the disc
+// Contacts without restitution, swept until nothing changes: u_n >= 0, p >= 0, u_n p = 0, and friction on the disc
 // against the slip, or less and no slip. Stored is the sum over all sweeps; the last one is the difference.
 TEST(ManifoldSet, leaves_what_signorini_and_coulomb_ask_for)
 {
     Contacts c = random_contacts(3, 24, 20);
     for (ContactManifold& p : c.manifolds) {
-        p.bounce = 0, p.mu = 0.4f;
-        for (ManifoldPoint& point : p.points) point.push = 0, point.friction = {};
+        p.restitution = 0, p.mu = 0.4f;
+        for (ManifoldPoint& point : p.points) point.normal_impulse = 0, point.friction_impulse = {};
     }
     Arena arena;
     const Island island(c, false, Real(1e-6));  // nothing moves
@@ -345,30 +347,30 @@ TEST(ManifoldSet, leaves_what_signorini_and_coulomb_ask_for)
         for (int k = 0; k < before[i].count; ++k) {
             ManifoldPoint& point = c.manifolds[i].points[k];
             const ManifoldPoint& was = before[i].points[k];
-            point.push -= was.push;
-            point.friction = float3(widen(point.friction) - widen(was.friction));
+            point.normal_impulse -= was.normal_impulse;
+            point.friction_impulse = float3(widen(point.friction_impulse) - widen(was.friction_impulse));
         }
     int pushing = 0, sliding = 0;
     for (const ContactManifold& p : c.manifolds)
         for (int k = 0; k < p.count; ++k) {
             const ManifoldPoint& point = p.points[k];
-            const Vec3 n = widen(p.normal), u = slip(a, p, point), friction = widen(point.friction);
+            const Vec3 n = widen(p.normal), u = slip(a, p, point), friction = widen(point.friction_impulse);
             const Vec3 along = u - dot(n, u) * n;
             const Real moves = c.bodies[std::size_t(p.body1)].inv_mass +
                                (p.body2 < 0 ? 0 : c.bodies[std::size_t(p.body2)].inv_mass);
             if (moves == 0) continue;
             EXPECT_GT(dot(n, u), -1e-3);
-            EXPECT_GE(point.push, -1e-3);
-            if (point.push > 1e-2) {
+            EXPECT_GE(point.normal_impulse, -1e-3);
+            if (point.normal_impulse > 1e-2) {
                 ++pushing;
                 EXPECT_LT(dot(n, u), 1e-3);
             }
-            EXPECT_LE(length(friction), 0.4 * point.push + 1e-3);
-            if (length(along) > 1e-2 && point.push > 1e-2) {
+            EXPECT_LE(length(friction), 0.4 * point.normal_impulse + 1e-3);
+            if (length(along) > 1e-2 && point.normal_impulse > 1e-2) {
                 ++sliding;
-                EXPECT_NEAR(length(friction), 0.4 * point.push, 1e-3);
+                EXPECT_NEAR(length(friction), 0.4 * point.normal_impulse, 1e-3);
                 EXPECT_LT(length(friction + (length(friction) / length(along)) * along),
-                          1e-2 * point.push + 1e-3);
+                          1e-2 * point.normal_impulse + 1e-3);
             }
         }
     EXPECT_GT(pushing, 5);
