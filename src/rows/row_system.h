@@ -41,8 +41,8 @@ struct alignas(4 * sizeof(Real)) SolverPose {
 };
 static_assert(sizeof(SolverPose) == 16 * sizeof(Real));
 
-struct Velocity;       // solve/common/velocities.h
-struct WholeFriction;  // solve/common/whole_friction.h
+struct Velocity;          // solve/common/velocities.h
+struct ManifoldFriction;  // solve/common/manifold_friction.h
 
 // The numbers that a policy makes of a Row.
 struct RowNumbers {
@@ -84,7 +84,7 @@ struct RowSystem {
     JointManifoldList joint_contacts;  // beside the rows; of solvers that take them, else empty
     std::span<ContactManifold* const> contact_manifolds;  // likewise
     std::span<const SystemPart> parts;                    // none: all is one
-    std::span<const WholeFriction> frictions;  // of what has been solved: one for several points each
+    std::span<const ManifoldFriction> frictions;  // of what has been solved: one for several points each
     std::span<SolverPose> poses;  // with inner steps and blocks: of the bodies, then of the worlds
 
     int worlds() const { return parts.empty() ? 1 : int(parts.size()); }

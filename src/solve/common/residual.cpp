@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "solve/common/contact_rows.h"
-#include "solve/common/whole_friction.h"
+#include "solve/common/manifold_friction.h"
 
 namespace epode {
 namespace {
@@ -19,12 +19,12 @@ B* second(std::span<B> bodies, const RowBlock& block)
 }
 
 template <typename B>
-B* second(std::span<B> bodies, const WholeFriction& f)
+B* second(std::span<B> bodies, const ManifoldFriction& f)
 {
     return std::size_t(f.body2) < bodies.size() ? &bodies[std::size_t(f.body2)] : nullptr;
 }
 
-Row row_of(const WholeFriction& f, int k)
+Row row_of(const ManifoldFriction& f, int k)
 {
     Row row;
     static_cast<Jacobian&>(row) = f.rows[k];
@@ -32,16 +32,16 @@ Row row_of(const WholeFriction& f, int k)
 }
 
 // Has the block's friction gone into that of its manifold?
-bool in_whole(const RowSystem& system, const RowBlock& block)
+bool in_manifold_friction(const RowSystem& system, const RowBlock& block)
 {
     return system.manifold_friction && block.count == 3 && has_contact_form(system, block) &&
-           can_be_whole(manifold_of(system, block));
+           allows_manifold_friction(manifold_of(system, block));
 }
 
 // How many of the block's rows stand for themselves.
 int own_rows(const RowSystem& system, const RowBlock& block)
 {
-    return in_whole(system, block) ? 1 : block.count;
+    return in_manifold_friction(system, block) ? 1 : block.count;
 }
 
 // What is to be in the box of its bounds, or the two friction rows of a contact in the ellipse of theirs.
@@ -69,7 +69,7 @@ class Wanted {
     }
 
     // The same of a friction in the ball of its limit, with the largest d of its rows.
-    Real residual(const WholeFriction& f) const
+    Real residual(const ManifoldFriction& f) const
     {
         const SolverBody& one = bodies_[std::size_t(f.body1)];
         Real d = 0, q[3], length2 = 0, worst = 0;
@@ -143,11 +143,11 @@ void present_bounds(const RowSystem& system, std::span<Real> lo, std::span<Real>
     }
 }
 
-std::span<const WholeFriction> frictions_of(const RowSystem& system, int part)
+std::span<const ManifoldFriction> frictions_of(const RowSystem& system, int part)
 {
     const auto begin_at = [&](int body) {
         return std::partition_point(system.frictions.begin(), system.frictions.end(),
-                                    [body](const WholeFriction& f) { return f.body1 < body; });
+                                    [body](const ManifoldFriction& f) { return f.body1 < body; });
     };
     return {begin_at(system.begin_of(part).bodies), begin_at(system.end_of(part).bodies)};
 }
@@ -162,7 +162,7 @@ Real natural_residual(const RowSystem& system, std::span<const SolverBody> v_sta
     std::copy(v_star.begin(), v_star.end(), bodies.begin());
 
     Real scale = 0;
-    for (const WholeFriction& f : system.frictions)
+    for (const ManifoldFriction& f : system.frictions)
         for (int k = 0; k < 3; ++k)
             apply_impulse(row_of(f, k), f.p[k], bodies[std::size_t(f.body1)], second(std::span(bodies), f));
     for (const RowBlock& block : system.blocks) {
@@ -182,7 +182,7 @@ Real natural_residual(const RowSystem& system, std::span<const SolverBody> v_sta
     const Wanted wanted(system, bodies, lo, hi);
     Real worst = 0;
     for (const RowBlock& block : system.blocks) worst = std::max(worst, wanted.residual(block));
-    for (const WholeFriction& f : system.frictions) worst = std::max(worst, wanted.residual(f));
+    for (const ManifoldFriction& f : system.frictions) worst = std::max(worst, wanted.residual(f));
     return worst / (scale > 0 ? scale : 1);
 }
 

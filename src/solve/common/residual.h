@@ -26,7 +26,7 @@ Real natural_residual(const RowSystem& system, std::span<const SolverBody> v_sta
                       std::span<const Real> hi, Arena& arena);
 
 // Those of one part of the system.
-std::span<const WholeFriction> frictions_of(const RowSystem& system, int part);
+std::span<const ManifoldFriction> frictions_of(const RowSystem& system, int part);
 
 // Bounds with friction limits taken from the parents' present impulses: what iterative solvers aim at.
 void present_bounds(const RowSystem& system, std::span<Real> lo, std::span<Real> hi);

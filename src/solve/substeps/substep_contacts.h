@@ -36,7 +36,10 @@ class SubstepContacts {
     void add_impulses(std::span<RowNumbers> numbers);      // numbers.p += p
     // The problem that the last correcting sweep worked on, into c, C and p: for the residual.
     void describe(std::span<RowNumbers> numbers);
-    std::span<WholeFriction> whole_frictions(Arena& arena) const { return set_.whole_frictions(arena); }
+    std::span<ManifoldFriction> manifold_frictions(Arena& arena) const
+    {
+        return set_.manifold_frictions(arena);
+    }
 
   private:
     void aim(const RowSystem& system, const Substep& step);

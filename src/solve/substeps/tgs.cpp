@@ -159,7 +159,7 @@ class SmallSteps {
         contacts_.describe(described_);
         RowSystem one = system_;
         one.numbers = described_, one.rows = rows_;
-        one.frictions = contacts_.whole_frictions(arena);
+        one.frictions = contacts_.manifold_frictions(arena);
         const RowSystem all = one;
         present_bounds(one, lo_, hi_);
         report.residual = natural_residual(one, before_, lo_, hi_, arena);

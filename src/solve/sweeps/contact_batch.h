@@ -44,11 +44,11 @@ struct BatchPointOf {
 // One friction for all points of a manifold (contact_friction.inc): a force along t1 and t2 at an anchor,
 // which is the mean of the points, and a couple about n.
 template <typename L>
-struct ManifoldFrictionOf {
+struct ManifoldFrictionLanesOf {
     LaneVec3Of<L> r1;                          // of the anchor; r2 = r1 + offset
     L x[kManifoldPoints], y[kManifoldPoints];  // places of the points along t1 and t2, from there
     L k_11, k_22, k_12, k_1n, k_2n, k_nn;      // J M^-1 J^T of the tangents there and of the turn about n
-    L least_radius;                            // no couple is known from rounding below
+    L min_radius;                              // no couple is known from rounding below
     L C;                                       // that of one point by the number of points
     L w;                                       // over-relaxation
     L p[3];                                    // force, couple
@@ -66,7 +66,7 @@ template <typename L>
 struct ContactBatchOf {
     int first, count;  // of the points
     BatchForm form;
-    ManifoldFrictionOf<L>* friction;                   // null: each point has its own
+    ManifoldFrictionLanesOf<L>* friction;              // null: each point has its own
     std::uint32_t at1[kLanesOf<L>], at2[kLanesOf<L>];  // of the bodies, in bytes behind the first velocity
     L inv_mass1, inv_mass2;
     LaneSym3Of<L> inv_inertia1, inv_inertia2;

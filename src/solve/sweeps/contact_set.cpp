@@ -62,7 +62,7 @@ class Chooser {
           stamps_(stamps),
           used_(used),
           lanes_(lanes),
-          whole_(system.manifold_friction)
+          manifold_friction_(system.manifold_friction)
     {
         std::fill(stamps.begin(), stamps.end(), -1);
     }
@@ -90,7 +90,8 @@ class Chooser {
     bool free(int batch, int j) const
     {
         const JointManifold &m = manifolds_[std::size_t(j)], &first = manifolds_[std::size_t(first_)];
-        if (whole_ && can_be_whole(m) != can_be_whole(first)) return false;
+        if (manifold_friction_ && allows_manifold_friction(m) != allows_manifold_friction(first))
+            return false;
         return stamps_[std::size_t(m.body1)] != batch &&
                (m.body2 < 0 || stamps_[std::size_t(m.body2)] != batch);
     }
@@ -110,8 +111,8 @@ class Chooser {
     std::span<int> stamps_;
     std::span<bool> used_;
     int lanes_;
-    bool whole_;     // those that can have one friction stay by themselves
-    int first_ = 0;  // of the batch
+    bool manifold_friction_;  // those that can have one friction stay by themselves
+    int first_ = 0;           // of the batch
 };
 
 }  // namespace
@@ -119,7 +120,8 @@ class Chooser {
 template <typename L>
 bool ContactSetOf<L>::pack(const RowSystem& system, const JointManifoldList& list, Real w, Arena& arena)
 {
-    cone_ = system.cone, whole_ = system.manifold_friction, manifolds_ = int(list.manifolds.size());
+    cone_ = system.cone, manifold_friction_ = system.manifold_friction,
+    manifolds_ = int(list.manifolds.size());
     if (list.manifolds.empty()) return true;
     if (!choose(system, list.manifolds, arena)) return false;
     const int count = chosen_.back().first + chosen_.back().count;
@@ -207,11 +209,11 @@ template <typename L>
 bool ContactSetOf<L>::place_frictions(std::span<const JointManifold> manifolds, Arena& arena)
 {
     const auto wants = [&](std::size_t b) {
-        return whole_ && can_be_whole(manifolds[std::size_t(chosen_[b].manifold[0])]);
+        return manifold_friction_ && allows_manifold_friction(manifolds[std::size_t(chosen_[b].manifold[0])]);
     };
     int count = 0;
     for (std::size_t b = 0; b < batches_.size(); ++b) count += wants(b);
-    const auto frictions = arena.take_zeroed<ManifoldFrictionOf<L>>(count);
+    const auto frictions = arena.take_zeroed<ManifoldFrictionLanesOf<L>>(count);
     if (arena.failed()) return false;
     std::size_t next = 0;
     for (std::size_t b = 0; b < batches_.size(); ++b)
@@ -223,7 +225,7 @@ bool ContactSetOf<L>::place_frictions(std::span<const JointManifold> manifolds, 
 template <typename L>
 void ContactSetOf<L>::fill_friction(const JointManifoldList& list, std::size_t b)
 {
-    ManifoldFrictionOf<L>& to = *batches_[b].friction;
+    ManifoldFrictionLanesOf<L>& to = *batches_[b].friction;
     for (int lane = 0; lane < kCount && chosen_[b].manifold[lane] >= 0; ++lane) {
         const JointManifold& m = list.manifolds[std::size_t(chosen_[b].manifold[lane])];
         const auto points = list.points.subspan(std::size_t(m.first), std::size_t(m.count));
@@ -238,33 +240,33 @@ void ContactSetOf<L>::fill_friction(const JointManifoldList& list, std::size_t b
             size += std::fabs(x) + std::fabs(y);
         }
         to.r1.set(lane, anchor);
-        to.least_radius[lane] = Number(kLeastRadius * size);
+        to.min_radius[lane] = Number(kMinRadius * size);
         to.C[lane] = Number(share * m.C[0]);
     }
 }
 
 template <typename L>
-WholeFriction ContactSetOf<L>::friction_of(const Batch& batch, int lane) const
+ManifoldFriction ContactSetOf<L>::friction_of(const Batch& batch, int lane) const
 {
-    const ManifoldFrictionOf<L>& all = *batch.friction;
+    const ManifoldFrictionLanesOf<L>& all = *batch.friction;
     const auto vector = [&](const LaneVec3Of<L>& a) {
         return Vec3{Real(a.x[lane]), Real(a.y[lane]), Real(a.z[lane])};
     };
     const Vec3 n = vector(batch.n), t1 = vector(batch.t1), t2 = vector(batch.t2);
-    const auto push = [&](int i) { return Real(points_[std::size_t(batch.first + i)].p[0][lane]); };
+    const auto normal = [&](int i) { return Real(points_[std::size_t(batch.first + i)].p[0][lane]); };
     Real sum = 0, x = 0, y = 0, radius = 0;
-    for (int i = 0; i < batch.count; ++i) sum += push(i);
+    for (int i = 0; i < batch.count; ++i) sum += normal(i);
     for (int i = 0; i < batch.count && sum > 0; ++i)
-        x += push(i) / sum * Real(all.x[i][lane]), y += push(i) / sum * Real(all.y[i][lane]);
+        x += normal(i) / sum * Real(all.x[i][lane]), y += normal(i) / sum * Real(all.y[i][lane]);
     for (int i = 0; i < batch.count && sum > 0; ++i)
-        radius += push(i) / sum * length(Vec3{Real(all.x[i][lane]) - x, Real(all.y[i][lane]) - y, 0});
+        radius += normal(i) / sum * length(Vec3{Real(all.x[i][lane]) - x, Real(all.y[i][lane]) - y, 0});
     const Vec3 r1 = vector(all.r1) + x * t1 + y * t2, r2 = r1 + vector(batch.offset);
     const Real p1 = Real(all.p[0][lane]), p2 = Real(all.p[1][lane]);
     const Real couple = Real(all.p[2][lane]) - (x * p2 - y * p1);
     return {{{t1, cross(r1, t1), -t1, -cross(r2, t1)},
              {t2, cross(r1, t2), -t2, -cross(r2, t2)},
              {{}, radius * n, {}, -radius * n}},
-            {p1, p2, radius > Real(all.least_radius[lane]) ? couple / radius : 0},
+            {p1, p2, radius > Real(all.min_radius[lane]) ? couple / radius : 0},
             {Real(batch.c[0][lane]), Real(batch.c[1][lane]), 0},
             Real(all.C[lane]),
             Real(batch.mu[0][lane]) * sum,
@@ -273,18 +275,18 @@ WholeFriction ContactSetOf<L>::friction_of(const Batch& batch, int lane) const
 }
 
 template <typename L>
-std::span<WholeFriction> ContactSetOf<L>::whole_frictions(Arena& arena) const
+std::span<ManifoldFriction> ContactSetOf<L>::manifold_frictions(Arena& arena) const
 {
-    if (!whole_) return {};
-    auto all = arena.take<WholeFriction>(manifolds_);
+    if (!manifold_friction_) return {};
+    auto all = arena.take<ManifoldFriction>(manifolds_);
     if (all.empty()) return {};
-    for (WholeFriction& f : all) f.body1 = -1;
+    for (ManifoldFriction& f : all) f.body1 = -1;
     for (std::size_t b = 0; b < batches_.size(); ++b)
         for (int lane = 0; batches_[b].friction && lane < kCount; ++lane)
             if (const int at = chosen_[b].manifold[lane]; at >= 0)
                 all[std::size_t(at)] = friction_of(batches_[b], lane);
     const auto end =
-        std::remove_if(all.begin(), all.end(), [](const WholeFriction& f) { return f.body1 < 0; });
+        std::remove_if(all.begin(), all.end(), [](const ManifoldFriction& f) { return f.body1 < 0; });
     return {all.begin(), end};
 }
 

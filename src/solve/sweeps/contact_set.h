@@ -11,7 +11,7 @@
 #include "base/arena.h"
 #include "base/random.h"
 #include "rows/row_system.h"
-#include "solve/common/whole_friction.h"
+#include "solve/common/manifold_friction.h"
 #include "solve/sweeps/contact_batch.h"
 #include "solve/sweeps/contact_kernels.h"
 
@@ -46,7 +46,7 @@ class ContactSetOf {
     void store_impulses(std::span<JointManifoldPoint> points) const;
     // One for each manifold that has one friction, in the order of the manifolds. Empty: none, or out of
     // memory.
-    std::span<WholeFriction> whole_frictions(Arena& arena) const;
+    std::span<ManifoldFriction> manifold_frictions(Arena& arena) const;
     // J_n v of the points of a batch; of Lanes only.
     void normal_velocities(const Batch& batch, std::span<const Velocity> bodies,
                            std::span<Lanes, kManifoldPoints> out) const;
@@ -73,12 +73,12 @@ class ContactSetOf {
                      int lane, ContactSourcesOf<L>& from);
     bool place_frictions(std::span<const JointManifold> manifolds, Arena& arena);
     void fill_friction(const JointManifoldList& list, std::size_t batch);
-    WholeFriction friction_of(const Batch& batch, int lane) const;
+    ManifoldFriction friction_of(const Batch& batch, int lane) const;
 
     const ContactKernels* machine_;
     const ContactKernelsOf<L>* kernels_;
     bool cone_ = false;
-    bool whole_ = false;  // manifolds that can have one friction do
+    bool manifold_friction_ = false;  // manifolds that can have one friction do
     int manifolds_ = 0;
     std::span<Choice> chosen_;
     std::span<Batch> batches_;

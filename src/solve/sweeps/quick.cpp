@@ -99,7 +99,7 @@ std::span<RowBlock> blocks_of(const RowSystem& system, std::size_t part)
 }
 
 bool find_residuals(const RowSystem& given, const SolverSettings& settings,
-                    std::span<const SolverBody> before, std::span<const WholeFriction> frictions,
+                    std::span<const SolverBody> before, std::span<const ManifoldFriction> frictions,
                     Arena& arena, SolveReport& report)
 {
     RowSystem system;
@@ -145,7 +145,7 @@ bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena
     store_velocities(velocities, system);
     sweeps.store_impulses(system);
     if (!settings.want_residual) return true;
-    const auto frictions = sweeps.contacts.whole_frictions(arena);
+    const auto frictions = sweeps.contacts.manifold_frictions(arena);
     return find_residuals(system, settings, before, frictions, arena, report);
 }
 

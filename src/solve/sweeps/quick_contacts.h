@@ -38,9 +38,9 @@ class QuickContacts {
     {
         return in_floats_ && alone_ ? velocities_ : std::span<FloatVelocity>{};
     }
-    std::span<WholeFriction> whole_frictions(Arena& arena) const
+    std::span<ManifoldFriction> manifold_frictions(Arena& arena) const
     {
-        return in_floats_ ? floats_.whole_frictions(arena) : reals_.whole_frictions(arena);
+        return in_floats_ ? floats_.manifold_frictions(arena) : reals_.manifold_frictions(arena);
     }
 
   private:

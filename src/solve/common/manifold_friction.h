@@ -11,7 +11,7 @@
 namespace epode {
 
 // Along t1 and t2 at the centre of push and about n times the mean radius, bounded by |p| <= limit.
-struct WholeFriction {
+struct ManifoldFriction {
     Jacobian rows[3];
     Real p[3], c[3];
     Real C, limit;
@@ -20,7 +20,7 @@ struct WholeFriction {
 
 // A disc needs a limit that is mu times the push, one mu and one softness for both directions, and directions
 // that are a frame with the normal.
-inline bool can_be_whole(const JointManifold& m)
+inline bool allows_manifold_friction(const JointManifold& m)
 {
     constexpr Real kSkew2 = Real(1e-6);
     return m.mu[0] == m.mu[1] && m.mu[0] < kInf && m.fixed[0] == 0 && m.fixed[1] == 0 && m.C[0] == m.C[1] &&
@@ -28,6 +28,6 @@ inline bool can_be_whole(const JointManifold& m)
 }
 
 // Below this part of a manifold's size a mean radius may be rounding.
-inline constexpr Real kLeastRadius = Real(1e-3);
+inline constexpr Real kMinRadius = Real(1e-3);
 
 }  // namespace epode
