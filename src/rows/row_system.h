@@ -135,7 +135,7 @@ inline void apply_impulse(const Row& r, Real dp, SolverBody& a, SolverBody* b)
 }
 
 // J M^-1 J^T of one row, without C.
-inline Real row_mobility(const Row& r, const SolverBody& a, const SolverBody* b)
+inline Real inverse_effective_mass(const Row& r, const SolverBody& a, const SolverBody* b)
 {
     Real s = a.inv_mass * length2(r.lin1) + dot(r.ang1, a.inv_inertia * r.ang1);
     if (b) s += b->inv_mass * length2(r.lin2) + dot(r.ang2, b->inv_inertia * r.ang2);

@@ -23,10 +23,10 @@
 namespace epode {
 namespace {
 
-RowNumbers numbers_of(const Row& row, const Substep& step, Real mobility, int block_first)
+RowNumbers numbers_of(const Row& row, const Substep& step, Real inverse_mass, int block_first)
 {
     RowNumbers n = ode_baumgarte(row, step.hs, block_first);
-    const RowAim aim = map_row(row, step, mobility);
+    const RowAim aim = map_row(row, step, inverse_mass);
     n.C = aim.C;
     n.c = wanted_velocity(row, aim.rate);
     if (row.kind == RowKind::kNormal && row.error < 0) n.c = row.error / step.hs;
@@ -134,7 +134,8 @@ void ExactSubsteps::map(RowSystem& system) const
         const SolverBody* b = block.body2 < 0 ? nullptr : &system.bodies[std::size_t(block.body2)];
         for (int i = block.first; i < block.first + block.count; ++i) {
             const Row& row = system.rows[std::size_t(i)];
-            system.numbers[std::size_t(i)] = numbers_of(row, step, row_mobility(row, a, b), block.first);
+            system.numbers[std::size_t(i)] =
+                numbers_of(row, step, inverse_effective_mass(row, a, b), block.first);
         }
     }
 }

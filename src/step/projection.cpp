@@ -13,7 +13,7 @@
 // tolerance is relative. No accepted step makes the errors worse; what is not accepted is taken back.
 //
 // Which rows: equalities and stops of joints, contact normals; not motors, friction, and what is a spring
-// (its softness more than a thousandth of the row's mobility). Errors are read from the joints at every pose;
+// (its softness more than a thousandth of the row's inverse_mass). Errors are read from the joints at every pose;
 // contacts, and rows whose error does not answer to the pose (Plane2D's rates, angles that the client hands
 // in), follow the motion to first order: e <- e - J dx. What is beyond a stop or inside a contact is removed
 // here and not by velocities, which would outlive the depth and throw the body off ("split impulses",
@@ -38,8 +38,8 @@
 namespace epode {
 namespace {
 
-constexpr Real kSpringShare = Real(1e-3);            // of the mobility, above which softness is meant
-constexpr double kSoftness = kSingle ? 1e-6 : 1e-9;  // of the mobility, for redundant rows
+constexpr Real kSpringShare = Real(1e-3);            // of the inverse_mass, above which softness is meant
+constexpr double kSoftness = kSingle ? 1e-6 : 1e-9;  // of the inverse_mass, for redundant rows
 constexpr Real kLargestTurn = 1;                     // rad, of one Newton step
 constexpr std::size_t kFewRows = 64;
 constexpr int kMostHalvings = 5;
@@ -56,7 +56,7 @@ bool is_spring(const Row& row, const RowBlock& block, const RowSystem& system)
 {
     const SolverBody& a = system.bodies[std::size_t(block.body1)];
     const SolverBody* b = block.body2 < 0 ? nullptr : &system.bodies[std::size_t(block.body2)];
-    return row.cfm / system.h > kSpringShare * row_mobility(row, a, b);
+    return row.cfm / system.h > kSpringShare * inverse_effective_mass(row, a, b);
 }
 
 struct PoseBefore {
@@ -261,7 +261,7 @@ class Projection {
                 n = {};
                 n.c = holds_[std::size_t(i)].error;
                 n.C = Real(kSoftness) *
-                      row_mobility(row, system_.bodies[std::size_t(block.body1)], second(block));
+                      inverse_effective_mass(row, system_.bodies[std::size_t(block.body1)], second(block));
                 if (bounds.lo == 0) n.lo = 0;
                 if (bounds.hi == 0) n.hi = 0;
             }

@@ -60,7 +60,7 @@ class Wanted {
         Real worst = 0;
         for (int i = block.first; i < block.first + (cone ? 1 : own); ++i) {
             const auto k = std::size_t(i);
-            const Real d = mobility(block, k), p = system_.numbers[k].p;
+            const Real d = inverse_mass(block, k), p = system_.numbers[k].p;
             if (!(d > 0)) continue;  // an empty row constrains nothing
             const Real clipped = std::min(std::max(p - violation(block, k) / d, lo_[k]), hi_[k]);
             worst = std::max(worst, d * std::fabs(p - clipped));
@@ -74,7 +74,7 @@ class Wanted {
         const SolverBody& one = bodies_[std::size_t(f.body1)];
         Real d = 0, q[3], length2 = 0, worst = 0;
         for (int k = 0; k < 3; ++k)
-            d = std::max(d, row_mobility(row_of(f, k), one, second(bodies_, f)) + f.C);
+            d = std::max(d, inverse_effective_mass(row_of(f, k), one, second(bodies_, f)) + f.C);
         if (!(d > 0)) return 0;
         for (int k = 0; k < 3; ++k) {
             const Real w = row_velocity(row_of(f, k), one, second(bodies_, f)) + f.C * f.p[k] - f.c[k];
@@ -97,9 +97,9 @@ class Wanted {
     const SolverBody& one(const RowBlock& block) const { return bodies_[std::size_t(block.body1)]; }
     const SolverBody* two(const RowBlock& block) const { return second(bodies_, block); }
 
-    Real mobility(const RowBlock& block, std::size_t k) const
+    Real inverse_mass(const RowBlock& block, std::size_t k) const
     {
-        return row_mobility(system_.rows[k], one(block), two(block)) + system_.numbers[k].C;
+        return inverse_effective_mass(system_.rows[k], one(block), two(block)) + system_.numbers[k].C;
     }
 
     Real violation(const RowBlock& block, std::size_t k) const
@@ -111,7 +111,7 @@ class Wanted {
     Real friction_residual(const RowBlock& block) const
     {
         const auto k = std::size_t(block.first) + 1;
-        const Real d = std::max(mobility(block, k), mobility(block, k + 1));
+        const Real d = std::max(inverse_mass(block, k), inverse_mass(block, k + 1));
         if (!(d > 0)) return 0;
         Real p[2], q[2], length2 = 0;
         for (std::size_t i = 0; i < 2; ++i) {

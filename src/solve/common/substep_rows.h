@@ -26,37 +26,37 @@ struct Substep {
 
 // J v + C p = c while correcting; afterwards, relaxing, `c_relaxed`.
 struct RowAim {
-    Real rate;  // correcting velocity per error
-    Real push;  // its largest value
+    Real rate;               // correcting velocity per error
+    Real max_bias_velocity;  // its largest value
     Real C;
     bool spring;  // softness that was chosen: the error term belongs to the force and stays when relaxing
 };
 
-// Above this share of the row's own mobility, CFM is meant as softness and not as regularisation.
+// Above this share of the row's own inverse_mass, CFM is meant as softness and not as regularisation.
 inline constexpr Real kSoftShare = Real(1e-3);
 
-inline RowAim map_row(const Row& row, const Substep& step, Real mobility)
+inline RowAim map_row(const Row& row, const Substep& step, Real inverse_mass)
 {
     const Real erp = row.kind == RowKind::kFriction ? 0 : row.erp;
     const Real share = Real(1) / Real(step.n);
     const Real rest = 1 - erp * (1 - share);
     RowAim aim;
     aim.rate = erp * share / rest / step.hs;
-    aim.push = kInf;
+    aim.max_bias_velocity = kInf;
     aim.C = row.cfm / rest / step.hs;
-    aim.spring = row.soft || aim.C > kSoftShare * mobility;
+    aim.spring = row.soft || aim.C > kSoftShare * inverse_mass;
     return aim;
 }
 
-inline RowAim default_contact(const Substep& step, Real mobility, bool against_static,
+inline RowAim default_contact(const Substep& step, Real inverse_mass, bool against_static,
                               Real damping_ratio = 10)
 {
-    constexpr Real kFrequency = 60, kPushOut = 3;
+    constexpr Real kFrequency = 60, kMaxBiasVelocity = 3;
     const Real f = std::min(kFrequency, Real(0.125) / step.hs) * (against_static ? 2 : 1);
     const Real w = 2 * kPi * f;
     const Real a1 = 2 * damping_ratio + step.hs * w;
     const Real a2 = step.hs * w * a1;
-    return {w / a1, kPushOut, mobility / a2, false};
+    return {w / a1, kMaxBiasVelocity, inverse_mass / a2, false};
 }
 
 }  // namespace epode

@@ -33,7 +33,7 @@ template <typename L>
 struct JointBeginOf {
     L* facts;                 // only of batches that are followed
     const SolverPose* poses;  // likewise
-    Real soft_share;          // above zero: rows with C above this share of their mobility relax to c
+    Real soft_share;          // above zero: rows with C above this share of their inverse_mass relax to c
     Velocity* bodies;         // null: p does nothing yet
 };
 

@@ -30,7 +30,7 @@ void set(L* to, int lane, const Sym3& s)
 }
 
 // Rows mostly ask for the same as that in their place in the joint before; mapping takes four divisions. Who
-// is soft by mobility, the kernels find.
+// is soft by inverse_mass, the kernels find.
 class AimMap {
   public:
     explicit AimMap(const Substep& step) : step_(step) {}

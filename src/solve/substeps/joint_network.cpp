@@ -137,7 +137,7 @@ void JointNetwork::load_row(const Row& row, const SolverBody* const (&bodies)[2]
     out.lin[1] = b ? row.lin2 : Vec3{};
     out.ang[1] = b ? row.ang2 : Vec3{};
     out.turn[1] = b ? b->inv_inertia * row.ang2 : Vec3{};
-    const RowAim aim = map_row(row, step, row_mobility(row, a, b));
+    const RowAim aim = map_row(row, step, inverse_effective_mass(row, a, b));
     out.C = aim.C;
     out.c = std::min(aim.rate * row.error + row.speed, row.cap);
     out.c_relaxed = aim.spring ? out.c : std::min(row.speed, row.cap);

@@ -67,7 +67,7 @@ bool ManifoldSet::prepare(const RowSystem& system, const Substep& step, const Ta
     if (count == 0) return true;
     hs_ = step.hs;
     sweep_.per_hs = float(1 / step.hs);
-    sweep_.max_bias_velocity = float(default_contact(step, 1, false).push);
+    sweep_.max_bias_velocity = float(default_contact(step, 1, false).max_bias_velocity);
     const int bodies = int(system.bodies.size());
     motions_ = arena.take_zeroed<FloatMotion>(bodies + 1);
     impulse_velocity_ = arena.take<Velocity>(bodies);

@@ -19,9 +19,9 @@ namespace epode {
 template <typename T>
 struct NormalAim {
     T error, speed, cap;
-    T rate[2], push;
-    T gain[2], C[2];
-    T hard_gain;  // 1/d: of a contact that is open
+    T rate[2], max_bias_velocity;
+    T effective_mass[2], C[2];
+    T rigid_mass;  // 1/d: of a contact that is open
 };
 
 class SubstepContacts {

@@ -137,7 +137,7 @@ class SmallSteps {
                 SolverBody* b = block.body2 >= 0 ? &system_.bodies[std::size_t(block.body2)] : nullptr;
                 if (against_static != (!b || !(a.inv_mass > 0) || !(b->inv_mass > 0))) continue;
                 const Real missing = row.rebound - row_velocity(row, a, b);
-                const Real d = row_mobility(row, a, b);
+                const Real d = inverse_effective_mass(row, a, b);
                 if (!(missing > 0) || !(d > 0)) continue;
                 apply_impulse(row, missing / d, a, b);
                 n.p += missing / d;

@@ -5,7 +5,7 @@
 // one manifold per lane, none of which shares a dynamic body with another; what the points of a manifold have
 // in common (rows/joint_manifold.h) is here, and a point has 14 numbers of its own: a sweep is as fast as they come
 // out of the caches. In floats twice as many fit a register and a cache. Lanes of shorter manifolds are
-// filled with points of zero gain, which do nothing.
+// filled with points of zero effective_mass, which do nothing.
 #pragma once
 
 #include <cstdint>
@@ -36,9 +36,9 @@ struct VelocityOf<BroadLanes> {
 template <typename L>
 struct BatchPointOf {
     LaneVec3Of<L> r1;
-    L c, C;              // of the normal
-    L gain[3], p[3];     // n, t1, t2
-    L k_n1, k_n2, k_12;  // gain of the later row times coupling with the earlier
+    L c, C;                     // of the normal
+    L effective_mass[3], p[3];  // n, t1, t2
+    L k_n1, k_n2, k_12;         // effective_mass of the later row times coupling with the earlier
 };
 
 // One friction for all points of a manifold (contact_friction.inc): a force along t1 and t2 at an anchor,

@@ -36,7 +36,7 @@ void silence_unused(const ContactSourceOf<L>& source, BatchPointOf<L>& point)
 {
     for (int lane = 0; lane < kLanesOf<L>; ++lane)
         if (source.point[lane] < 0)
-            for (L& gain : point.gain) gain[lane] = 0;
+            for (L& effective_mass : point.effective_mass) effective_mass[lane] = 0;
 }
 
 bool is_even(const Sym3& s) { return s.xx == s.yy && s.yy == s.zz && s.xy == 0 && s.xz == 0 && s.yz == 0; }
@@ -330,7 +330,8 @@ template <typename L>
 void ContactSetOf<L>::relax_by(Real factor)
 {
     for (Point& point : points_)
-        for (L* x : {&point.gain[0], &point.gain[1], &point.gain[2], &point.k_n1, &point.k_n2, &point.k_12})
+        for (L* x : {&point.effective_mass[0], &point.effective_mass[1], &point.effective_mass[2],
+                     &point.k_n1, &point.k_n2, &point.k_12})
             for (Number& value : x->at) value *= Number(factor);
     for (const Batch& batch : batches_)
         for (int lane = 0; batch.friction && lane < kCount; ++lane) batch.friction->w[lane] *= Number(factor);

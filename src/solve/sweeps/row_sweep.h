@@ -16,11 +16,11 @@ namespace epode {
 
 struct PackedRow {
     Vec3 lin1, ang1, lin2, ang2;
-    Vec3 turn1, turn2;      // I^-1 ang
-    Real c, keep, gain, p;  // q = clip(keep p + gain (c - J v))
-    Real lo, hi;            // of a row with a parent: hi is the coefficient
-    int parent;             // packed row, or -1
-    int source;             // row of the system
+    Vec3 turn1, turn2;                         // I^-1 ang
+    Real c, impulse_scale, effective_mass, p;  // q = clip(impulse_scale p + effective_mass (c - J v))
+    Real lo, hi;                               // of a row with a parent: hi is the coefficient
+    int parent;                                // packed row, or -1
+    int source;                                // row of the system
 };
 
 struct PackedBlock {
