@@ -161,8 +161,8 @@ inline void Contact::aim_normal(Row& row, const StepInfo& info, Vec3 n) const
     if (!has(dContactBounce) || !(surface().bounce_vel >= 0)) return;
     const Vec3 v = body1()->point_velocity(pos) - (body2() ? body2()->point_velocity(pos) : Vec3{});
     const Real approach = row.speed - dot(n, v);
-    row.rebounds = approach > surface().bounce_vel;
-    row.rebound = surface().bounce * approach + row.speed;
+    row.has_restitution = approach > surface().bounce_vel;
+    row.restitution_velocity = surface().bounce * approach + row.speed;
 }
 
 void Contact::tangents(Vec3 n, Vec3& t1, Vec3& t2) const

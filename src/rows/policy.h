@@ -16,7 +16,8 @@ namespace epode {
 inline Real wanted_velocity(const Row& row, Real rate)
 {
     Real c = std::min(rate * row.error + row.speed, row.cap);
-    if (row.rebounds) c = row.lo >= 0 ? std::max(c, row.rebound) : std::min(c, row.rebound);
+    if (row.has_restitution)
+        c = row.lo >= 0 ? std::max(c, row.restitution_velocity) : std::min(c, row.restitution_velocity);
     return c;
 }
 

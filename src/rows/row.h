@@ -34,12 +34,12 @@ struct Row : Jacobian {
     Real erp = 0;  // share of the error to remove in one step; 0 where there is no position, as of motors
     Real cfm = 0;  // softness, velocity per force times h (ODE's CFM)
     Real speed = 0;
-    Real cap = kInf;   // largest c that correction and speed together may ask for
-    Real rebound = 0;  // J v wanted after an impact; used when `rebounds`
+    Real cap = kInf;                // largest c that correction and speed together may ask for
+    Real restitution_velocity = 0;  // J v wanted after an impact; used if `has_restitution`
     Real lo = -kInf, hi = kInf;
     int parent = -1;  // row of the same joint whose force times `hi` bounds this row; -1: constant bounds
     RowKind kind = RowKind::kLock;
-    bool rebounds = false;
+    bool has_restitution = false;
     bool soft = false;  // the user chose erp or cfm for this row: take them literally
 };
 

@@ -38,11 +38,11 @@ class RowWriter {
         r.cfm = info_.cfm;
         r.speed = 0;
         r.cap = kInf;
-        r.rebound = 0;
+        r.restitution_velocity = 0;
         r.lo = -kInf, r.hi = kInf;
         r.parent = -1;
         r.kind = kind;
-        r.rebounds = r.soft = false;
+        r.has_restitution = r.soft = false;
         return r;
     }
 

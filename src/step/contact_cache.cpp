@@ -129,7 +129,7 @@ void ContactCache::note_points(int ticket, int count, const Levers& levers)
     for (int i = 0; i < count; ++i) {
         Point& fresh = fresh_.points.data()[ticket + i];
         fresh.place = narrow(levers.place(i)), fresh.friction = {0, 0, 0};
-        fresh.push = 0, fresh.used = false;
+        fresh.normal_impulse = 0, fresh.used = false;
     }
 }
 
@@ -161,7 +161,7 @@ void ContactCache::load(int writer, int ticket, const Body& body1, const Body* b
         old.point->used = true;
         run.guess = old.pair + 1;
         JointManifoldPoint& point = points[std::size_t(i)];
-        point.p[0] = share * Real(old.point->push);
+        point.p[0] = share * Real(old.point->normal_impulse);
         point.p[1] = share * dot(widen(old.point->friction), manifold.t1);
         point.p[2] = share * dot(widen(old.point->friction), manifold.t2);
     }
@@ -172,7 +172,7 @@ void ContactCache::remember(int ticket, const JointManifold& manifold,
 {
     for (const JointManifoldPoint& point : points) {
         Point& fresh = fresh_.points[ticket++];
-        fresh.push = float(point.p[0]);
+        fresh.normal_impulse = float(point.p[0]);
         fresh.friction = narrow(point.p[1] * manifold.t1 + point.p[2] * manifold.t2);
     }
 }

@@ -47,7 +47,7 @@ class ContactCache {
     struct Point {
         Float3 place;     // lever arm from body 1, in its frame
         Float3 friction;  // world impulse
-        float push;       // normal impulse
+        float normal_impulse;
         bool used;
     };
     // What one writer has noted.

@@ -81,7 +81,7 @@ void follow_contacts(IslandWork& first, IslandWork& work)
         const SolverBody* b = from.body2 < 0 ? nullptr : &work.system.bodies[std::size_t(from.body2)];
         Row& normal = first.system.rows[std::size_t(to.first)];
         normal.error -= work.system.h * row_velocity(work.system.rows[std::size_t(from.first)], a, b);
-        normal.rebounds = false;
+        normal.has_restitution = false;
         for (int i = 0; i < from.count; ++i)
             first.system.numbers[std::size_t(to.first + i)].p =
                 work.system.numbers[std::size_t(from.first + i)].p;

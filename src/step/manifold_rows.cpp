@@ -73,8 +73,8 @@ void write_point(RowWriter& out, const Island& island, const ContactManifold& ma
     const Real approach = approach_of(normal, island, manifold);
     if (manifold.restitution > 0 && approach > manifold.restitution_threshold &&
         approach > separation * out.info().fps) {
-        normal.rebounds = true;
-        normal.rebound = Real(manifold.restitution) * approach;
+        normal.has_restitution = true;
+        normal.restitution_velocity = Real(manifold.restitution) * approach;
     }
     Vec3 t[2];
     plane_space(n, t[0], t[1]);

@@ -164,11 +164,11 @@ void SubstepModel::refresh(void* p, RowSystem& system)
         for (int i = 0; i < block.count && i < out.count(); ++i) {
             Row& row = system.rows[std::size_t(block.first + i)];
             // Decided at the beginning of the step, by the velocities of then.
-            const bool rebounds = row.rebounds;
-            const Real rebound = row.rebound;
+            const bool has_restitution = row.has_restitution;
+            const Real restitution_velocity = row.restitution_velocity;
             row = rows[i];
-            row.rebounds = rebounds;
-            row.rebound = rebound;
+            row.has_restitution = has_restitution;
+            row.restitution_velocity = restitution_velocity;
         }
     }
 }

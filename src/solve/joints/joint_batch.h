@@ -22,7 +22,7 @@ struct JointBatch {
     int count;                         // joints; the lanes behind them are empty
     int at;                            // the first of its numbers
     int facts;                         // the first of its facts; -1: rows are asked for anew
-    bool rebounds;                     // with facts: some of its rows may
+    bool has_restitution;              // with facts: some of its rows may
     int body1[kLanes], body2[kLanes];  // into the velocities
 };
 

@@ -160,9 +160,9 @@ void JointLanes::describe(std::span<RowNumbers> numbers, std::span<Row> rows) co
     floats_.describe(numbers, rows), reals_.describe(numbers, rows);
 }
 
-void JointLanes::rebound(const RowSystem& system, std::span<Velocity> bodies)
+void JointLanes::apply_restitution(const RowSystem& system, std::span<Velocity> bodies)
 {
-    floats_.rebound(system, bodies), reals_.rebound(system, bodies);
+    floats_.apply_restitution(system, bodies), reals_.apply_restitution(system, bodies);
 }
 
 }  // namespace epode

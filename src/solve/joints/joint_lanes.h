@@ -39,7 +39,7 @@ class JointLanes {
     void sum_impulses();
     void store_sums(std::span<RowNumbers> numbers) const;
     void describe(std::span<RowNumbers> numbers, std::span<Row> rows) const;
-    void rebound(const RowSystem& system, std::span<Velocity> bodies);
+    void apply_restitution(const RowSystem& system, std::span<Velocity> bodies);
 
     bool in_floats() const { return reals_.empty(); }  // all of them
     // Where they are.

@@ -285,7 +285,7 @@ void JointSetOf<L>::take_facts(const RowSystem& system, std::size_t b, JointRows
             const Row& row = system.rows[std::size_t(source.first + source.row[i])];
             from.row[i][lane] = &row;
             if (row.soft) f[fact.keeps + i][lane] = 1;
-            if (row.rebounds) batch.rebounds = true;
+            if (row.has_restitution) batch.has_restitution = true;
         }
     }
     for (int lane = batch.count; lane < kLanes; ++lane) {
@@ -413,10 +413,10 @@ void JointSetOf<L>::describe_rows(std::span<Row> rows) const
 }
 
 template <typename L>
-void JointSetOf<L>::rebound(const RowSystem& system, std::span<Velocity> bodies)
+void JointSetOf<L>::apply_restitution(const RowSystem& system, std::span<Velocity> bodies)
 {
     for (std::size_t b = 0; b < batches_.size(); ++b) {
-        if (batches_[b].facts >= 0 && !batches_[b].rebounds) continue;
+        if (batches_[b].facts >= 0 && !batches_[b].has_restitution) continue;
         const JointLayout at(batches_[b]);
         L* n = &numbers_[std::size_t(batches_[b].at)];
         bool lanes[kLanes] = {};
@@ -425,8 +425,8 @@ void JointSetOf<L>::rebound(const RowSystem& system, std::span<Velocity> bodies)
             for (int i = 0; i < batches_[b].rows; ++i) {
                 const auto k = std::size_t(source.first + source.row[i]);
                 const Row& row = system.rows[k];
-                if (!row.rebounds || n[at.sum + i][lane] + n[at.p + i][lane] == 0) continue;
-                n[at.relaxed + i][lane] = Number(row.rebound);
+                if (!row.has_restitution || n[at.sum + i][lane] + n[at.p + i][lane] == 0) continue;
+                n[at.relaxed + i][lane] = Number(row.restitution_velocity);
                 lanes[lane] = true;
             }
         }

@@ -51,7 +51,7 @@ class JointSetOf {
     void describe(std::span<RowNumbers> numbers, std::span<Row> rows) const;
 
     // One more visit to joints with rows that rebound and have carried an impulse: they reach their rebound.
-    void rebound(const RowSystem& system, std::span<Velocity> bodies);
+    void apply_restitution(const RowSystem& system, std::span<Velocity> bodies);
 
     bool empty() const { return batches_.empty(); }
 

@@ -336,15 +336,15 @@ void JointNetwork::describe(std::span<RowNumbers> numbers, std::span<Row>) const
         }
 }
 
-void JointNetwork::rebound(const RowSystem& system, std::span<Velocity> bodies)
+void JointNetwork::apply_restitution(const RowSystem& system, std::span<Velocity> bodies)
 {
     bool any = false;
     for (const NetworkJoint& joint : joints_)
         for (int i = 0; i < joint.count; ++i) {
             const Row& row = system.rows[std::size_t(joint.source + i)];
             NetworkRow& mine = rows_[std::size_t(joint.first + i)];
-            if (!row.rebounds || mine.sum + mine.p == 0) continue;
-            mine.c_relaxed = row.rebound;
+            if (!row.has_restitution || mine.sum + mine.p == 0) continue;
+            mine.c_relaxed = row.restitution_velocity;
             any = true;
         }
     if (any) sweep(bodies, {1, true});

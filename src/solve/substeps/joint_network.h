@@ -46,7 +46,7 @@ class JointNetwork {
     void sum_impulses();
     void store_sums(std::span<RowNumbers> numbers) const;
     void describe(std::span<RowNumbers> numbers, std::span<Row> rows) const;
-    void rebound(const RowSystem& system, std::span<Velocity> bodies);
+    void apply_restitution(const RowSystem& system, std::span<Velocity> bodies);
 
     int factorisations() const { return factorisations_; }
 

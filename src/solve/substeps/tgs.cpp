@@ -120,7 +120,7 @@ class SmallSteps {
         contacts_.sweep(velocities_, true);
         manifolds_.relax(velocities_);
         if (Joints::kHasBothEnds) joints_.sweep(velocities_, {1, true});
-        if (last) joints_.rebound(system_, velocities_);
+        if (last) joints_.apply_restitution(system_, velocities_);
         joints_.sum_impulses();
         contacts_.add_impulses(system_.numbers);
     }
@@ -132,11 +132,11 @@ class SmallSteps {
             for (const RowBlock& block : system_.blocks) {
                 const Row& row = system_.rows[std::size_t(block.first)];
                 RowNumbers& n = system_.numbers[std::size_t(block.first)];
-                if (!block.contact || !row.rebounds || !(n.p > 0)) continue;
+                if (!block.contact || !row.has_restitution || !(n.p > 0)) continue;
                 SolverBody& a = system_.bodies[std::size_t(block.body1)];
                 SolverBody* b = block.body2 >= 0 ? &system_.bodies[std::size_t(block.body2)] : nullptr;
                 if (against_static != (!b || !(a.inv_mass > 0) || !(b->inv_mass > 0))) continue;
-                const Real missing = row.rebound - row_velocity(row, a, b);
+                const Real missing = row.restitution_velocity - row_velocity(row, a, b);
                 const Real d = inverse_effective_mass(row, a, b);
                 if (!(missing > 0) || !(d > 0)) continue;
                 apply_impulse(row, missing / d, a, b);
