@@ -54,7 +54,7 @@ bool ActiveSet::prepare(const ExactProblem& problem, int places, Arena& arena)
 {
     D_ = arena.take<double>(places);
     w_ = arena.take<double>(places);
-    push_ = arena.take<double>(places);
+    scratch_ = arena.take<double>(places);
     wrong_ = arena.take<int>(places);
     touched_ = arena.take<bool>(problem.unknowns() / 6);
     r_ = arena.take<double>(problem.unknowns());
@@ -115,19 +115,19 @@ void ActiveSet::refine(ExactProblem& problem, PackedRows& rows, std::span<double
 {
     const double small = 1e-15 * problem.scale();
     const auto n = std::size_t(rows.count());
-    const std::span<double> w = w_.first(n), push = push_.first(n);
+    const std::span<double> w = w_.first(n), scratch = scratch_.first(n);
     double before = HUGE_VAL;
     for (int pass = 0; pass < kMostPasses; ++pass) {
         rows.momentum_change(problem, v, r_);
         rows.products(v, w);
         for (std::size_t i = 0; i < n; ++i) {
             w[i] = rows.c[i] - w[i] - rows.C[i] * rows.p[i];
-            push[i] = rows.p[i] + D_[i] * w[i];
+            scratch[i] = rows.p[i] + D_[i] * w[i];
         }
-        rows.add_transposed(push, r_);
+        rows.add_transposed(scratch, r_);
         problem.solve(r_);
-        rows.products(r_, push);
-        for (std::size_t i = 0; i < n; ++i) rows.p[i] += D_[i] * (w[i] - push[i]);
+        rows.products(r_, scratch);
+        for (std::size_t i = 0; i < n; ++i) rows.p[i] += D_[i] * (w[i] - scratch[i]);
         double change = 0;
         for (std::size_t i = 0; i < v.size(); ++i) {
             v[i] += r_[i];

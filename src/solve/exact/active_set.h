@@ -31,8 +31,8 @@ class ActiveSet {
     void flip_apart(const ExactProblem& problem, PackedRows& rows, int wrong);
     void flip(PackedRows& rows, int place);
 
-    std::span<double> D_, w_, push_;  // per place
-    std::span<double> r_;             // per unknown
+    std::span<double> D_, w_, scratch_;  // per place
+    std::span<double> r_;               // per unknown
     std::span<int> wrong_;
     std::span<bool> touched_;  // per body
 };

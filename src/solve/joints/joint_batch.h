@@ -33,7 +33,7 @@ struct JointLayout {
     int C, c, p;                 // per row
     int lo, hi;                  // per bounded row
     int relaxed;                 // per row: c of relaxing sweeps
-    int sum;                     // per row: p of the small steps before
+    int sum;                     // per row: p of the substeps before
     int size;
 
     static constexpr int kInvMass = 0, kInvInertia = 2, kGeometry = 14;  // two masses, two tensors of six

@@ -22,7 +22,7 @@ namespace epode {
 
 class JointLanes {
   public:
-    // Of a pass in small steps: contacts come first when errors are corrected, last when that is relaxed.
+    // Of a pass in substeps: contacts come first when errors are corrected, last when that is relaxed.
     static constexpr bool kHasBothEnds = false;
 
     // `sweeps`: as many as there will be.
@@ -32,7 +32,7 @@ class JointLanes {
     bool pack(const RowSystem& system, Arena& arena);
     void load(const RowSystem& system);
     bool follow(const RowSystem& system, const Substep& step, std::span<const Velocity> bodies, Arena& arena);
-    void load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
+    void load_substep(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
     void apply_impulses(std::span<Velocity> bodies) const;
     void sweep(std::span<Velocity> bodies, const JointSweep& how);
     void store_impulses(std::span<RowNumbers> numbers) const;

@@ -296,7 +296,7 @@ void JointSetOf<L>::take_facts(const RowSystem& system, std::size_t b, JointRows
 }
 
 template <typename L>
-void JointSetOf<L>::load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies)
+void JointSetOf<L>::load_substep(const RowSystem& system, const Substep& step, std::span<Velocity> bodies)
 {
     AimMap aims(step);
     fill(system, [&](std::size_t i, int place) {

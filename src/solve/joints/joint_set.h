@@ -32,12 +32,12 @@ class JointSetOf {
     // of memory.
     bool pack(const RowSystem& system, std::span<const int> blocks, Arena& arena);
     void load(const RowSystem& system);  // what the numbers ask for
-    // Instead, in small steps: at first, from rows, poses and velocities of the beginning, the facts of all
+    // Instead, in substeps: at first, from rows, poses and velocities of the beginning, the facts of all
     // blocks that the kernels follow (solve/joints/joint_follow.inc), which are marked; false: out of memory.
     // Then, as often as poses change, what followed rows ask for at these, and what the others say; and what
-    // the impulses of the small step before do to the bodies, if there are any.
+    // the impulses of the substep before do to the bodies, if there are any.
     bool follow(const RowSystem& system, const Substep& step, std::span<const Velocity> bodies, Arena& arena);
-    void load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
+    void load_substep(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
 
     void apply_impulses(std::span<Velocity> bodies) const;  // v += M^-1 J^T p
     void sweep(std::span<Velocity> bodies, const JointSweep& how);
@@ -45,7 +45,7 @@ class JointSetOf {
     void apply_impulses(std::span<FloatVelocity> bodies) const;
     void sweep(std::span<FloatVelocity> bodies, const JointSweep& how);
     void store_impulses(std::span<RowNumbers> numbers) const;
-    void sum_impulses();  // sum += p, after each small step
+    void sum_impulses();  // sum += p, after each substep
     void store_sums(std::span<RowNumbers> numbers) const;
     // c, C and p of the correcting problem, and the Jacobians of followed rows.
     void describe(std::span<RowNumbers> numbers, std::span<Row> rows) const;

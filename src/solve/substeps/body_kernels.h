@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What small steps do to bodies in lanes, once per kind of machine, with the same bits as result; chosen as
+// What substeps do to bodies in lanes, once per kind of machine, with the same bits as result; chosen as
 // contact_kernels.h tells. Plain pointers and counts for the reason given there. `groups` are of eight.
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Bodies that small steps move, kLanes side by side: what moves them and where they are. Velocities stay
+// Bodies that substeps move, kLanes side by side: what moves them and where they are. Velocities stay
 // beside, one line of the cache per body, since joints and contacts change them.
 #pragma once
 

@@ -143,7 +143,7 @@ void JointNetwork::load_row(const Row& row, const SolverBody* const (&bodies)[2]
     out.c_relaxed = aim.spring ? out.c : std::min(row.speed, row.cap);
 }
 
-void JointNetwork::load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies)
+void JointNetwork::load_substep(const RowSystem& system, const Substep& step, std::span<Velocity> bodies)
 {
     const auto body = [&](int slot) {
         return std::size_t(slot) < system.bodies.size() ? &system.bodies[std::size_t(slot)] : nullptr;

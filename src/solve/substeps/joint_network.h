@@ -40,7 +40,7 @@ class JointNetwork {
     bool pack(const RowSystem& system, Arena& arena);
     // Rows are asked for anew.
     bool follow(const RowSystem&, const Substep&, std::span<const Velocity>, Arena&) { return true; }
-    void load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
+    void load_substep(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
     void apply_impulses(std::span<Velocity> bodies) const;
     void sweep(std::span<Velocity> bodies, const JointSweep& how);
     void sum_impulses();
@@ -56,7 +56,7 @@ class JointNetwork {
         Vec3 lin[2], ang[2], turn[2];  // turn = I^-1 ang
         Real c, c_relaxed, C;
         Real lo, hi, p;  // of a row with a parent: hi is the coefficient
-        Real sum;        // of p over the small steps before
+        Real sum;        // of p over the substeps before
         int parent;      // in the rows of the network, or -1
         Hold hold;
     };

@@ -25,8 +25,8 @@ struct ManifoldLanes {
     BroadLanes initial_velocity;  // n . u then
     BroadLanes
         last_separation;  // the separation when the correcting sweep came by; what is open is left alone in relaxing
-    BroadLanes p[3];         // along n, t1, t2: of one small step
-    BroadLanes sum[3];       // over the small steps
+    BroadLanes p[3];         // along n, t1, t2: of one substep
+    BroadLanes sum[3];       // over the substeps
     BroadLanes normal_mass;  // of the normal row: 1 / (J M^-1 J^T)
     BroadLanes
         friction_mass;      // of both friction rows: 1 / (an upper bound of their 2 x 2 block's eigenvalues)
@@ -39,7 +39,7 @@ struct ManifoldExtra {
     BroadLanes mass_scale[kManifoldPoints];  // of a point: share of the gain and of p
     BroadLanes rolling_friction;             // m
     BroadLanes rolling_mass;                 // 1 / (an upper bound of the eigenvalues of I1^-1 + I2^-1)
-    BroadLaneVec3 rolling, rolling_sum;      // of one small step; over all
+    BroadLaneVec3 rolling, rolling_sum;      // of one substep; over all
 };
 
 // Points that no lane has: so far open that they never act. (Zero would be a contact at the body's centre,
@@ -63,7 +63,7 @@ struct ManifoldFrictionLanes {
         k_nn;                                // J M^-1 J^T of the tangents there and of the turn about n
     BroadLanes min_radius;                   // no couple is known from rounding below
     BroadLanes x, y, radius, friction_mass;  // of the centre of push; gain of the three rows there
-    BroadLanes p[3], sum[3];                 // force, couple: of one small step; over all
+    BroadLanes p[3], sum[3];                 // force, couple: of one substep; over all
     NormalLanes points[kManifoldPoints];
 };
 

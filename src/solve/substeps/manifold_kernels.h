@@ -24,8 +24,8 @@ struct ManifoldSweep {
 struct ManifoldBodies {
     Velocity* v;
     Velocity* impulse_velocity;      // what the impulses at hand do: M^-1 J^T p
-    const Velocity* force_velocity;  // by forces, in one small step
-    Velocity* mean;                  // sum over the small steps
+    const Velocity* force_velocity;  // by forces, in one substep
+    Velocity* mean;                  // sum over the substeps
     FloatMotion* motions;
     float hs;
 };
@@ -65,7 +65,7 @@ struct ManifoldKernels {
     // Of the bodies first ... last - 1: velocities to floats, and what sweeps have changed back.
     void (*load_velocities)(const ManifoldBodies& bodies, int first, int last);
     void (*take_changes)(const ManifoldBodies& bodies, int first, int last);
-    // Before the first sweep of a small step: v += gain + kicks; between correcting and relaxing: the change
+    // Before the first sweep of a substep: v += gain + kicks; between correcting and relaxing: the change
     // taken, then the bodies move for hs. Both leave v in the floats.
     void (*accelerate)(const ManifoldBodies& bodies, int first, int last);
     void (*move)(const ManifoldBodies& bodies, int first, int last);

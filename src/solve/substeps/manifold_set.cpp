@@ -216,7 +216,7 @@ void ManifoldSet::fill(const RowSystem& system, const Substep& step)
     const ManifoldSprings springs = springs_of(step);
     tasks_.each_of(int(batches_.size()), kBatchRange,
                    [&](std::size_t b) { fill_batch(system, step, springs, b); });
-    // What the first small step begins with.
+    // What the first substep begins with.
     each_body([&](std::size_t i) { motions_[i] = {}; });
     motions_.back() = {};
     perform({Visit::kApplyImpulses}, 1, {});
@@ -366,8 +366,8 @@ void ManifoldSet::relax(std::span<Velocity> bodies)
     if (!empty()) perform({Visit::kLoad, Visit::kRelax, Visit::kTake}, 1, view(bodies));
 }
 
-void ManifoldSet::small_steps(int n, std::span<Velocity> bodies, std::span<const Velocity> force_velocity,
-                              std::span<Velocity> mean)
+void ManifoldSet::run_substeps(int n, std::span<Velocity> bodies, std::span<const Velocity> force_velocity,
+                               std::span<Velocity> mean)
 {
     if (empty()) {
         for (int i = 0; i < n; ++i) add(bodies, force_velocity), add(mean, bodies.first(mean.size()));

@@ -34,12 +34,12 @@ class ManifoldSet {
     void correct(std::span<Velocity> bodies);
     void relax(std::span<Velocity> bodies);
     void apply_restitution(std::span<Velocity> bodies);
-    // n small steps of bodies that manifolds alone hold, each in three visits to a body: forces (`gain`) and
+    // n substeps of bodies that manifolds alone hold, each in three visits to a body: forces (`gain`) and
     // impulses; when its contacts are corrected, motion (velocities summed in `mean`); when they are relaxed,
     // what that changed.
-    void small_steps(int n, std::span<Velocity> bodies, std::span<const Velocity> force_velocity,
-                     std::span<Velocity> mean);
-    // v += M^-1 J^T p with the impulses that the last small step ended with: the sum of all changes since its
+    void run_substeps(int n, std::span<Velocity> bodies, std::span<const Velocity> force_velocity,
+                      std::span<Velocity> mean);
+    // v += M^-1 J^T p with the impulses that the last substep ended with: the sum of all changes since its
     // beginning, body by body, so it costs no visit to the contacts.
     void apply_impulses(std::span<Velocity> bodies) const;
     void follow_motion(std::span<const Velocity> bodies);  // the bodies move for hs
@@ -83,7 +83,7 @@ class ManifoldSet {
     std::span<ManifoldLanes> points_;             // if each has its friction
     std::span<ManifoldFrictionLanes> frictions_;  // else one per batch
     std::span<FloatMotion> motions_;              // the last is the world
-    std::span<Velocity> impulse_velocity_;        // what the last small step did to each body
+    std::span<Velocity> impulse_velocity_;        // what the last substep did to each body
     std::span<int> order_;            // of the manifolds, by colour and number of points; lane by lane
     std::span<int> chosen_;           // the manifold in each lane of each batch; -1: none
     std::span<int> first_of_colour_;  // batch; one more at the end

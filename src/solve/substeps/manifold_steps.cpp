@@ -39,7 +39,7 @@ class ManifoldSteps {
 
     void run()
     {
-        manifolds_.small_steps(step_.n, velocities_, force_velocity_, mean_);
+        manifolds_.run_substeps(step_.n, velocities_, force_velocity_, mean_);
         move();
         manifolds_.apply_restitution(velocities_);
         each_body([&](std::size_t i) {
@@ -70,7 +70,7 @@ class ManifoldSteps {
     const Tasks& tasks_;
     ManifoldSet manifolds_;
     std::span<Velocity> velocities_;
-    std::span<Velocity> force_velocity_;  // by forces, in one small step
+    std::span<Velocity> force_velocity_;  // by forces, in one substep
     std::span<Velocity> mean_;            // times n
 };
 

@@ -3,7 +3,7 @@
 //
 // Small steps of islands that nothing but manifolds holds together (solve/substeps/tgs.cpp has those with
 // joints). Nothing asks for poses in between, so bodies are moved once, by the mean of their velocities over
-// the small steps; forces, the gyroscopic torque among them, are those of the beginning.
+// the substeps; forces, the gyroscopic torque among them, are those of the beginning.
 #pragma once
 
 #include "solve/solver.h"

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// dWorldStepFast1: n small steps of hs = h/n instead of n sweeps over one large one (Macklin, Storey et al.,
-// "Small Steps in Physics Simulation", 2019). Per small step:
+// dWorldStepFast1: n substeps of hs = h/n instead of n sweeps over one large one (Macklin, Storey et al.,
+// "Small Steps in Physics Simulation", 2019). Per substep:
 //
-//   v += hs M^-1 f;  v += M^-1 J^T p          forces, and the impulses of the small step before
+//   v += hs M^-1 f;  v += M^-1 J^T p          forces, and the impulses of the substep before
 //   solve contacts, then joints as blocks     J v + C p = c, correcting position errors
 //   x += hs v
 //   solve joints, then contacts, without it   takes out the velocity that the correction put in
 //
 // After the last one, what carried load and came in fast rebounds. Errors of joints are measured anew at
-// every pose, so mass ratios that would need hundreds of sweeps settle in ten small steps; on regular stacks
-// the gain is nil. A step's impulse is the sum over its small steps; the next step starts from its n-th part.
-// The residual that is reported is that of the last small step after its correcting solve: for the step as a
+// every pose, so mass ratios that would need hundreds of sweeps settle in ten substeps; on regular stacks
+// the gain is nil. A step's impulse is the sum over its substeps; the next step starts from its n-th part.
+// The residual that is reported is that of the last substep after its correcting solve: for the step as a
 // whole no single problem exists. Manifolds are solved in float lanes beside them and have no part in it.
 //
 // The second solver here differs in one thing: all joints of the island are one block that is solved exactly
@@ -34,9 +34,9 @@ namespace {
 
 // Joints: JointLanes or JointNetwork.
 template <typename Joints>
-class SmallSteps {
+class SubstepSolver {
   public:
-    SmallSteps(RowSystem& system, const Substeps& model, int n, Joints& joints)
+    SubstepSolver(RowSystem& system, const Substeps& model, int n, Joints& joints)
         : system_(system), model_(model), step_{system.h / Real(n), n}, joints_(joints)
     {}
 
@@ -91,7 +91,7 @@ class SmallSteps {
         model_.apply_forces(model_.model, velocities_.data(), step_.hs);
         if (moved) model_.refresh(model_.model, system_);
         if (last && !before_.empty()) save_bodies();
-        joints_.load_small_step(system_, step_, velocities_);
+        joints_.load_substep(system_, step_, velocities_);
         contacts_.apply_impulses(velocities_);
         manifolds_.apply_impulses(velocities_);
         if (Joints::kHasBothEnds) joints_.sweep(velocities_, {1, false});
@@ -200,7 +200,7 @@ bool solve_without_rows(RowSystem& system, const SolverSettings& settings, Arena
     solved = !arena.failed();
     if (!solved) return true;
     load_velocities(system, velocities);
-    for (int i = 0; i < n; ++i) {  // free bodies move in small steps too: their rotation is better for it
+    for (int i = 0; i < n; ++i) {  // free bodies move in substeps too: their rotation is better for it
         model.apply_forces(model.model, velocities.data(), system.h / Real(n));
         model.advance(model.model, system, velocities.data(), system.h / Real(n));
     }
@@ -213,7 +213,7 @@ template <typename Joints>
 bool run(RowSystem& system, const SolverSettings& settings, int n, Joints& joints, Arena& arena,
          SolveReport& report)
 {
-    SmallSteps<Joints> steps(system, *settings.substeps, n, joints);
+    SubstepSolver<Joints> steps(system, *settings.substeps, n, joints);
     return steps.prepare(settings, arena) && steps.run(settings, arena, report);
 }
 

@@ -138,9 +138,9 @@ TEST(ManifoldKernels, of_all_machines_make_the_same_bits)
 }
 
 // Small steps of random contacts.
-Answer small_steps(std::uint64_t seed, int workers)
+Answer run_substeps(std::uint64_t seed, int workers)
 {
-    const std::vector<Velocity> gain(300, {{0, 0, Real(-0.02)}, 0, {}, 0});
+    const std::vector<Velocity> force_velocity(300, {{0, 0, Real(-0.02)}, 0, {}, 0});
     Contacts c = random_contacts(seed, 300, 900, seed % 4 == 0);
     Arena arena;
     const Island island(c, seed > 4);
@@ -150,7 +150,7 @@ Answer small_steps(std::uint64_t seed, int workers)
     answer.velocities.resize(301);
     load_velocities(island.system, answer.velocities);
     std::vector<Velocity> mean(300);
-    set.small_steps(5, answer.velocities, gain, mean);
+    set.run_substeps(5, answer.velocities, force_velocity, mean);
     set.apply_restitution(answer.velocities);
     set.store_impulses(island.pointers);
     answer.manifolds = c.manifolds;
@@ -160,19 +160,19 @@ Answer small_steps(std::uint64_t seed, int workers)
 TEST(ManifoldSet, has_the_same_bits_on_any_number_of_workers)
 {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-        const Answer alone = small_steps(seed, 1);
-        for (const int workers : {2, 3, 8}) expect_same(alone, small_steps(seed, workers));
+        const Answer alone = run_substeps(seed, 1);
+        for (const int workers : {2, 3, 8}) expect_same(alone, run_substeps(seed, workers));
     }
 }
 
 TEST(ManifoldSet, has_the_same_bits_when_its_workers_do_not_come)
 {
     const TakenPool taken;
-    for (std::uint64_t seed = 1; seed <= 8; ++seed) expect_same(small_steps(seed, 1), small_steps(seed, 3));
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) expect_same(run_substeps(seed, 1), run_substeps(seed, 3));
 }
 
 // Three visits to each body instead of nine must not move a bit.
-TEST(ManifoldSet, a_small_step_in_one_is_that_of_its_parts)
+TEST(ManifoldSet, substeps_in_one_run_are_those_of_single_calls)
 {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         Contacts c = random_contacts(seed, 40, seed == 4 ? 0 : 90);
@@ -180,16 +180,16 @@ TEST(ManifoldSet, a_small_step_in_one_is_that_of_its_parts)
         const Island island(c, seed > 4);
         const RowSystem& system = island.system;
         const std::size_t bodies = c.bodies.size();
-        const std::vector<Velocity> gain(bodies, {{0, 0, Real(-0.02)}, 0, {Real(0.001), 0, 0}, 0});
+        const std::vector<Velocity> force_velocity(bodies, {{0, 0, Real(-0.02)}, 0, {Real(0.001), 0, 0}, 0});
         std::vector<Velocity> v[2], mean[2];
         for (const bool whole : {false, true}) {
             ManifoldSet set;
             ASSERT_TRUE(set.prepare(system, {system.h / 4, 4}, Tasks(1), arena));
             v[whole].resize(bodies + 1), mean[whole].resize(bodies);
             load_velocities(system, v[whole]);
-            if (whole) set.small_steps(4, v[whole], gain, mean[whole]);
+            if (whole) set.run_substeps(4, v[whole], force_velocity, mean[whole]);
             for (int i = 0; !whole && i < 4; ++i) {
-                add(v[whole], gain);
+                add(v[whole], force_velocity);
                 set.apply_impulses(v[whole]);
                 set.correct(v[whole]);
                 add(mean[whole], std::span(std::as_const(v[whole])).first(bodies));

@@ -87,7 +87,7 @@ Problem spring(Real k, Real d, Real h)
     return p;
 }
 
-TEST(Tgs, SmallStepsOfASpringAreThoseOfTheSameSpring)
+TEST(Tgs, SubstepsOfASpringAreThoseOfTheSameSpring)
 {
     for (const int n : {1, 2, 5}) {
         const Real h = Real(0.02), k = 300, d = 4;

@@ -142,7 +142,7 @@ void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock&
 {
     double* half = out.J;
     int* body = &out.a;
-    double sum = 0, motion = 0, mobility = 0;
+    double sum = 0, motion = 0, inverse_mass = 0;
     out.c = n.c;
     out.C = n.C;
     out.b = -1;
@@ -162,7 +162,7 @@ void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock&
         to_root(roots_[std::size_t(index)], J);
         // In registers: pairs read from where numbers have just been written would wait for them.
         const DoubleLane pairs[] = {{J[0], J[1]}, {J[2], J[3]}, {J[4], J[5]}};
-        mobility += six_dot(pairs, pairs);
+        inverse_mass += six_dot(pairs, pairs);
         std::copy_n(pairs, 3, reinterpret_cast<DoubleLane*>(half));
         half = out.J + 6;
         *body = index;
@@ -171,7 +171,7 @@ void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock&
     take(block.body1, row.lin1, row.ang1);
     take(block.body2, row.lin2, row.ang2);
     scale_ = std::max({scale_, std::fabs(out.c - sum), 1e-3 * motion});
-    out.d = mobility + out.C;
+    out.d = inverse_mass + out.C;
     out.weight_min = 1e-11 * out.d;
 }
 
