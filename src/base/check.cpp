@@ -23,10 +23,10 @@ namespace {
 
 }  // namespace
 
-void refuse(const char* text, const char* function, std::atomic<bool>& told)
+void refuse(const char* text, const char* function, std::atomic<bool>& reported)
 {
     // With a handler every refusal is delivered; without one stderr hears of each call site once.
-    if (!handler(Channel::kDebug) && told.exchange(true)) return;
+    if (!handler(Channel::kDebug) && reported.exchange(true)) return;
     report(d_ERR_UASSERT, "%s in %s()", text, function);
 }
 
@@ -35,15 +35,15 @@ void refuse(const char* text, const char* function, std::atomic<bool>& told)
 void refuse_for(const char* caller, const char* text)
 {
     static std::atomic<const char*> refused[256] = {};
-    std::atomic<bool> told{true};  // silent once the table is full, which the number of functions forbids
+    std::atomic<bool> reported{true};  // silent once the table is full, which the number of functions forbids
     for (std::atomic<const char*>& slot : refused) {
         const char* present = nullptr;
         const bool first = slot.compare_exchange_strong(present, caller);
         if (!first && present != caller) continue;
-        told = !first;
+        reported = !first;
         break;
     }
-    refuse(text, caller, told);
+    refuse(text, caller, reported);
 }
 
 #if !defined(NDEBUG)

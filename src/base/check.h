@@ -23,8 +23,8 @@
 
 namespace epode {
 
-// Reports a refused public call: `text in function()`. `told` remembers that a call site has printed.
-[[gnu::cold]] void refuse(const char* text, const char* function, std::atomic<bool>& told);
+// Reports a refused public call: `text in function()`. `reported` remembers that a call site has printed.
+[[gnu::cold]] void refuse(const char* text, const char* function, std::atomic<bool>& reported);
 
 // Refuses a call in the name of the C function `caller`: EPODE_USER_SAY for helpers that many functions
 // share.
@@ -53,7 +53,7 @@ inline constexpr const char* kOutOfMemory = "out of memory";
 #define EPODE_USER(condition, ...) EPODE_USER_SAY(condition, "Bad argument(s)" __VA_OPT__(, ) __VA_ARGS__)
 
 // Largest magnitude accepted from a client; beyond it squares and volumes overflow.
-inline constexpr Real kAbsurd = kSingle ? Real(1e18) : Real(1e100);
+inline constexpr Real kMaxMagnitude = kSingle ? Real(1e18) : Real(1e100);
 
 // |x| <= limit, by the bits: comparing what is no number would trap in a host that has unmasked such
 // exceptions.
@@ -64,7 +64,7 @@ constexpr bool within(Real x, Real limit)
     return (std::bit_cast<Bits>(x) & kMagnitude) <= std::bit_cast<Bits>(limit);
 }
 
-constexpr bool usable(Real x) { return within(x, kAbsurd); }
+constexpr bool usable(Real x) { return within(x, kMaxMagnitude); }
 constexpr bool usable_or_infinite(Real x)
 {
     return usable(x) || (within(x, kInf) && !within(x, std::numeric_limits<Real>::max()));

@@ -28,10 +28,10 @@ void trim_foreign() { SlotPool::trim_all(false); }
 // distances as a rule. The fourth from here on is where the step to the next, taken four times, leads.
 void prefetch_to_write(const void* slot, const void* next, std::size_t size)
 {
-    constexpr std::size_t kMost = 4 * kCacheLine;
+    constexpr std::size_t kMaxBytes = 4 * kCacheLine;
     const auto here = reinterpret_cast<std::uintptr_t>(slot), there = reinterpret_cast<std::uintptr_t>(next);
     const std::uintptr_t ahead = there + 3 * (there - here);
-    for (std::size_t i = 0; i < std::min(size, kMost); i += kCacheLine)
+    for (std::size_t i = 0; i < std::min(size, kMaxBytes); i += kCacheLine)
         __builtin_prefetch(reinterpret_cast<const void*>(ahead + i), 1);
 }
 

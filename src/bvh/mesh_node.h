@@ -90,12 +90,12 @@ class WaitingNode {
 };
 
 struct alignas(64) MeshNode {
-    static constexpr int kMost = 16;
+    static constexpr int kMaxChildren = 16;
 
     float origin[3], step[3];
     int count;  // of the children
-    std::uint8_t lo[3][kMost], hi[3][kMost];
-    int child[kMost];  // a node, or -1 - a packet of triangles
+    std::uint8_t lo[3][kMaxChildren], hi[3][kMaxChildren];
+    int child[kMaxChildren];  // a node, or -1 - a packet of triangles
 
     // The boxes of the children, on a grid over all of them.
     void place(const FloatBox* boxes, const FloatBox& all);
@@ -103,7 +103,8 @@ struct alignas(64) MeshNode {
     // Bits of the children met.
     unsigned met_by(const NodeBox& box) const;
     unsigned met_by(const HalfSpace& space) const;
-    unsigned met_by(const NodeRay& ray, float reach, float (&near)[kMost]) const;  // and how far each is
+    unsigned met_by(const NodeRay& ray, float reach,
+                    float (&near)[kMaxChildren]) const;  // and how far each is
     unsigned there() const { return (1u << count) - 1; }
 };
 static_assert(sizeof(MeshNode) == 192);
@@ -195,7 +196,7 @@ inline unsigned MeshNode::met_by(const HalfSpace& space) const
 {
     using namespace mesh_lanes;
     unsigned met = 0;
-    for (int k = 0; k < kMost; k += 4) {
+    for (int k = 0; k < kMaxChildren; k += 4) {
         Floats least{};
         for (int i = 0; i < 3; ++i) {
             const std::uint8_t* nearest = space.n[i] > 0 ? lo[i] : hi[i];
@@ -206,7 +207,7 @@ inline unsigned MeshNode::met_by(const HalfSpace& space) const
     return met & there();
 }
 
-inline unsigned MeshNode::met_by(const NodeRay& ray, float reach, float (&near)[kMost]) const
+inline unsigned MeshNode::met_by(const NodeRay& ray, float reach, float (&near)[kMaxChildren]) const
 {
     using namespace mesh_lanes;
     Floats base[3], grain[3];
@@ -217,7 +218,7 @@ inline unsigned MeshNode::met_by(const NodeRay& ray, float reach, float (&near)[
         in[i] = ray.down[i] ? hi[i] : lo[i], out[i] = ray.down[i] ? lo[i] : hi[i];
     }
     unsigned met = 0;
-    for (int k = 0; k < kMost; k += 4) {
+    for (int k = 0; k < kMaxChildren; k += 4) {
         Floats first = Floats{}, last = floats(reach);
         for (int i = 0; i < 3; ++i) {
             first = larger(base[i] + places(in[i] + k) * grain[i], first);

@@ -252,7 +252,7 @@ bool put_together(const Array<Four>& fours, Array<MeshNode>& nodes)
     for (int w = 0; w < roots.size(); ++w) {
         MeshNode node{};
         node.child[node.count++] = roots[w];
-        while (node.count <= MeshNode::kMost - 3) {
+        while (node.count <= MeshNode::kMaxChildren - 3) {
             int best = -1;
             for (int i = 0; i < node.count; ++i)
                 if (node.child[i] >= 0 && (best < 0 || below[node.child[i]] > below[node.child[best]]))
@@ -358,7 +358,7 @@ void MeshTree::refit(const TriangleMesh& mesh)
     for (MeshPacket& packet : packets_) fill(packet, mesh);
     for (int n = nodes_.size() - 1; n >= 0; --n) {
         MeshNode& node = nodes_[n];
-        FloatBox boxes[MeshNode::kMost], all = kEmpty;
+        FloatBox boxes[MeshNode::kMaxChildren], all = kEmpty;
         for (int k = 0; k < node.count; ++k) {
             boxes[k] = bounds_of(mesh, node.child[k]);
             enclose(all, boxes[k]);
@@ -382,7 +382,7 @@ bool MeshTree::bring_up_to_date(NearLeaves& kept, const FloatBox& asked) const
         kept.count = NearLeaves::kOnlyPlace;
         if (near) gather(kept);
     }
-    return kept.count <= NearLeaves::kMost;
+    return kept.count <= NearLeaves::kCapacity;
 }
 
 void MeshTree::gather(NearLeaves& kept) const
@@ -390,8 +390,8 @@ void MeshTree::gather(NearLeaves& kept) const
     kept.count = 0;
     walk(NodeBox(kept.box), [&](int leaf) {
         if (!packets_.data()[leaf].met_by(kept.box)) return true;
-        if (kept.count < NearLeaves::kMost) kept.leaf[kept.count] = leaf;
-        return ++kept.count <= NearLeaves::kMost;
+        if (kept.count < NearLeaves::kCapacity) kept.leaf[kept.count] = leaf;
+        return ++kept.count <= NearLeaves::kCapacity;
     });
 }
 

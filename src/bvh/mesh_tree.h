@@ -63,7 +63,7 @@ class MeshTree {
     int node_count() const { return nodes_.size(); }
 
   private:
-    static constexpr int kStack = (MeshNode::kMost - 1) * kMeshDepth + 1;
+    static constexpr int kStack = (MeshNode::kMaxChildren - 1) * kMeshDepth + 1;
 
     // open(leaf) for those that a box or a half-space meets, until it answers false.
     template <typename Asked, typename Open>
@@ -194,7 +194,7 @@ void MeshTree::follow(const MeshRay& ray, Real from, Real to, Open&& open) const
             continue;
         }
         const MeshNode& node = nodes_.data()[next.child()];
-        float near[MeshNode::kMost];
+        float near[MeshNode::kMaxChildren];
         const int bottom = top;
         for (unsigned met = node.met_by(node_ray, reach, near); met != 0; met &= met - 1) {
             const int k = std::countr_zero(met);

@@ -16,13 +16,13 @@
 namespace epode {
 
 struct NearLeaves {
-    static constexpr int kMost = 15;
-    static constexpr int kOnlyPlace = kMost + 2;
+    static constexpr int kCapacity = 15;
+    static constexpr int kOnlyPlace = kCapacity + 2;
 
     std::uint64_t edition = 0;  // of the tree; 0: nothing is kept
     FloatBox box;               // in the tree's frame
-    int count;                  // kMost + 1: there are more than there is room for; kOnlyPlace: not gathered
-    int leaf[kMost];
+    int count;  // kCapacity + 1: there are more than there is room for; kOnlyPlace: not gathered
+    int leaf[kCapacity];
 
     bool knows(std::uint64_t of, const FloatBox& asked) const
     {

@@ -318,7 +318,7 @@ bool usable_softness(const dSurfaceParameters& s)
 bool usable_place(const dContactGeom& g)
 {
     const Real n2 = length2(load(g.normal)), all = length2(load(g.pos)) + n2 + g.depth * g.depth;
-    return within(all, kAbsurd * kAbsurd) && n2 > 0;
+    return within(all, kMaxMagnitude * kMaxMagnitude) && n2 > 0;
 }
 
 // Are all members that the mode names fit for use? Coefficients of friction may be infinite.

@@ -188,7 +188,7 @@ bool usable_ray(const dReal* origin, const dReal* direction, dReal length)
 // The direction is not zero.
 bool question_of(const dReal* origin, const dReal* direction, dReal length, QueryBits bits, RayQuestion& out)
 {
-    out = {load(origin), load(direction), std::min(length, kAbsurd), bits};
+    out = {load(origin), load(direction), std::min(length, kMaxMagnitude), bits};
     return normalize(out.direction);
 }
 

@@ -42,7 +42,7 @@ struct HandleOf<Call> {
 namespace {
 
 constexpr int kSpins = 4000;  // some ten microseconds
-constexpr std::size_t kMostReserved = 1 << 16;
+constexpr std::size_t kMaxReserved = 1 << 16;
 
 // The calls that a thread is in, the innermost first.
 struct Frame {
@@ -110,7 +110,7 @@ void CallQueue::give_back(Call& call)
 
 bool CallQueue::reserve(std::size_t calls)
 {
-    if (calls > kMostReserved) return false;
+    if (calls > kMaxReserved) return false;
     Guard guard(lock_);
     while (slot_count_ < calls)
         if (!make_slot()) return false;
@@ -213,7 +213,7 @@ bool CallQueue::alter(dCallReleaseeID id, std::ptrdiff_t change)
     Call* const call = from_handle<Call>(id);
     if (!call || call->queue != this) return false;
     const std::size_t free = call->dependencies - call->posted;
-    if (change < 0 ? free < std::size_t(0) - std::size_t(change) : std::size_t(change) > kMostReserved)
+    if (change < 0 ? free < std::size_t(0) - std::size_t(change) : std::size_t(change) > kMaxReserved)
         return false;
     call->dependencies += std::size_t(change);
     if (settle(*call)) finish(*call);

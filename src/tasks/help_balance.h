@@ -19,7 +19,7 @@ class HelpBalance {
   public:
     // Nanoseconds of one clock that never goes back.
     using Time = long long;
-    static constexpr Time kWindow = 4'000'000, kLeastRest = 64'000'000, kMostRest = 1'024'000'000;
+    static constexpr Time kWindow = 4'000'000, kMinRest = 64'000'000, kMaxRest = 1'024'000'000;
 
     // May be asked while another thread notes.
     bool worth(Time now) const { return now >= rest_until_.load(std::memory_order_relaxed); }
@@ -32,9 +32,9 @@ class HelpBalance {
         if (worked_ < kWindow) return;
         if (waited_ > worked_ / 2 && lost != lost_before_) {
             rest_until_.store(end + rest_, std::memory_order_relaxed);
-            rest_ = rest_ < kMostRest / 4 ? 4 * rest_ : kMostRest;
+            rest_ = rest_ < kMaxRest / 4 ? 4 * rest_ : kMaxRest;
         } else {
-            rest_ = kLeastRest;
+            rest_ = kMinRest;
         }
         worked_ = waited_ = 0, lost_before_ = lost;
     }
@@ -42,7 +42,7 @@ class HelpBalance {
   private:
     Time worked_ = 0, waited_ = 0;  // in this window
     unsigned lost_before_ = 0;
-    Time rest_ = kLeastRest;
+    Time rest_ = kMinRest;
     std::atomic<Time> rest_until_{0};
 };
 

@@ -70,7 +70,7 @@ bool Posting::open(const dThreadingFunctionsInfo& functions, dThreadingImplement
 void Posting::measure(unsigned limit)
 {
     const CallerFloatEnvironment program;
-    const unsigned threads = std::clamp(functions_.retrieve_thread_count(impl_), 1u, unsigned(kMostCalls));
+    const unsigned threads = std::clamp(functions_.retrieve_thread_count(impl_), 1u, unsigned(kMaxCalls));
     width_ = int(limit ? std::min(threads, limit) : threads);
 }
 

@@ -18,7 +18,7 @@ namespace epode {
 class Posting {
   public:
     using Piece = void (*)(void* body, int index, int worker);
-    static constexpr int kMostCalls = 64;
+    static constexpr int kMaxCalls = 64;
 
     Posting() = default;
     Posting(const Posting&) = delete;

@@ -14,7 +14,7 @@
 namespace epode {
 namespace {
 
-constexpr std::size_t kLeastStack = 64 * 1024;  // a step of a large island needs less
+constexpr std::size_t kMinStack = 64 * 1024;  // a step of a large island needs less
 
 thread_local const ServingPool* t_pool = nullptr;
 
@@ -80,7 +80,7 @@ bool ServingPool::spawn()
     if (pthread_attr_init(&attributes) != 0) return false;
     bool good = settings_.stack == 0 || settings_.stack >= std::size_t(PTHREAD_STACK_MIN);
     if (good && settings_.stack) {
-        const std::size_t stack = settings_.stack < kLeastStack ? kLeastStack : settings_.stack;
+        const std::size_t stack = settings_.stack < kMinStack ? kMinStack : settings_.stack;
         good = pthread_attr_setstacksize(&attributes, stack) == 0;
     }
     const BlockedSignals blocked;

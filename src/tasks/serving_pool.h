@@ -23,7 +23,7 @@ struct PoolSettings {
 
 class ServingPool : public Tagged {
   public:
-    static constexpr unsigned kMostThreads = 1024;
+    static constexpr unsigned kMaxThreads = 1024;
 
     // Null when memory, the system or a thread's start fails; all threads have started otherwise.
     static ServingPool* create(const PoolSettings& settings);

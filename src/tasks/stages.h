@@ -28,7 +28,7 @@ template <typename Pieces, typename Body>
 class Stages {
   public:
     Stages(int stages, int shares, const Pieces& pieces, const Body& body)
-        : stages_(stages), shares_(shares < kMostShares ? shares : kMostShares), pieces_(pieces), body_(body)
+        : stages_(stages), shares_(shares < kMaxShares ? shares : kMaxShares), pieces_(pieces), body_(body)
     {
         open(0);
     }
@@ -59,7 +59,7 @@ class Stages {
     }
 
   private:
-    static constexpr int kMostShares = 64;
+    static constexpr int kMaxShares = 64;
     static constexpr int kPatience = 30;  // spins, about a microsecond
     using Ticket = unsigned long long;    // stage << 32 | next piece; of an earlier stage: none taken yet
     struct alignas(kCacheLine) Share {
@@ -113,7 +113,7 @@ class Stages {
     using State = unsigned long long;  // stage << 32 | pieces of it that are done
     alignas(kCacheLine) std::atomic<State> state_{0};
     std::atomic<int> come_{0};  // workers
-    Share share_[kMostShares];
+    Share share_[kMaxShares];
 };
 
 template <typename Pieces, typename Body>

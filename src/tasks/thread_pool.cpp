@@ -136,7 +136,7 @@ void* ThreadPool::main_of(void* argument)
 // Where the system refuses a thread, those that exist do the work.
 void ThreadPool::start_up_to(int threads)
 {
-    if (threads > kMostThreads) threads = kMostThreads;
+    if (threads > kMaxThreads) threads = kMaxThreads;
     if (thread_count_ >= threads) return;
     pthread_attr_t attributes;
     if (pthread_attr_init(&attributes) != 0) return;
@@ -198,7 +198,7 @@ bool Tasks::alone() const { return workers_ == 1 || t_worker >= 0 || (!posting_ 
 int processor_count()
 {
     const long n = sysconf(_SC_NPROCESSORS_ONLN);
-    return n < 1 ? 1 : n > ThreadPool::kMostThreads ? ThreadPool::kMostThreads : int(n);
+    return n < 1 ? 1 : n > ThreadPool::kMaxThreads ? ThreadPool::kMaxThreads : int(n);
 }
 
 }  // namespace epode

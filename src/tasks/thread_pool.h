@@ -18,7 +18,7 @@ namespace epode {
 class ThreadPool {
   public:
     using Piece = void (*)(void* body, int index, int worker);
-    static constexpr int kMostThreads = 64;
+    static constexpr int kMaxThreads = 64;
 
     // The caller becomes worker 0 of at most `workers`. False: the pool is taken or rests, nothing was run.
     bool run(int workers, int count, Piece piece, void* body);
@@ -60,7 +60,7 @@ class ThreadPool {
     std::atomic_flag taken_ = ATOMIC_FLAG_INIT;
     HelpBalance balance_;                  // of who has taken it
     std::atomic<unsigned> lost_cores_{0};  // by helpers, in a job or while they looked for the next
-    Thread threads_[kMostThreads] = {};
+    Thread threads_[kMaxThreads] = {};
     int thread_count_ = 0;
 };
 

@@ -10,8 +10,8 @@
 namespace epode {
 namespace {
 
-constexpr dmutexindex_t kMostMutexes = 1 << 16;
-constexpr std::size_t kMostDependencies = std::size_t(1) << 31;
+constexpr dmutexindex_t kMaxMutexes = 1 << 16;
+constexpr std::size_t kMaxDependencies = std::size_t(1) << 31;
 
 // The implementation behind the handle, or the call is refused with the given result.
 #define IMPLEMENTATION_OR(...)                           \
@@ -21,7 +21,7 @@ constexpr std::size_t kMostDependencies = std::size_t(1) << 31;
 dMutexGroupID alloc_mutex_group(dThreadingImplementationID impl, dmutexindex_t count, const char* const*)
 {
     IMPLEMENTATION_OR(nullptr);
-    EPODE_USER(count > 0 && count <= kMostMutexes, nullptr);
+    EPODE_USER(count > 0 && count <= kMaxMutexes, nullptr);
     const MutexGroup* const group = own->make_group(count);
     EPODE_USER_SAY(group, kOutOfMemory, nullptr);
     return to_handle(group);
@@ -76,7 +76,7 @@ void post_call(dThreadingImplementationID impl, int* fault, dCallReleaseeID* rel
 {
     if (releasee) *releasee = nullptr;
     IMPLEMENTATION_OR((void)(fault && (*fault = 1)));
-    EPODE_USER(function && dependencies <= kMostDependencies, (void)(fault && (*fault = 1)));
+    EPODE_USER(function && dependencies <= kMaxDependencies, (void)(fault && (*fault = 1)));
     const CallQueue::Posted posted =
         own->calls.post({function, context, index, dependencies, dependent, wait, fault, releasee});
     EPODE_USER_SAY(posted != CallQueue::Posted::kNoMemory, kOutOfMemory);

@@ -26,7 +26,7 @@ namespace {
 
 constexpr double kFeasible = 1e-11;  // relative tolerance of a sign, in units of the problem's velocity scale
 constexpr int kPatience = 8;         // rounds without a new minimum
-constexpr int kMostPasses = 8;       // of refinement
+constexpr int kMaxPasses = 8;        // of refinement
 constexpr int kFew = 16;             // wrong rows that are never hopeless
 
 // Guesses that settle have less than 0.4 of their rows wrong at first, 0.3 after one round, and fewer than
@@ -117,7 +117,7 @@ void ActiveSet::refine(ExactProblem& problem, PackedRows& rows, std::span<double
     const auto n = std::size_t(rows.count());
     const std::span<double> w = w_.first(n), scratch = scratch_.first(n);
     double before = HUGE_VAL;
-    for (int pass = 0; pass < kMostPasses; ++pass) {
+    for (int pass = 0; pass < kMaxPasses; ++pass) {
         rows.momentum_change(problem, v, r_);
         rows.products(v, w);
         for (std::size_t i = 0; i < n; ++i) {

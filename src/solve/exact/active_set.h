@@ -32,7 +32,7 @@ class ActiveSet {
     void flip(PackedRows& rows, int place);
 
     std::span<double> D_, w_, scratch_;  // per place
-    std::span<double> r_;               // per unknown
+    std::span<double> r_;                // per unknown
     std::span<int> wrong_;
     std::span<bool> touched_;  // per body
 };

@@ -51,7 +51,7 @@ class DirectSolve {
         scratch_ = arena.take<double>(problem_.unknowns());
         return !arena.failed() &&
                problem_.build_factor(system, settings.symbolic_cache, settings.tasks, arena) &&
-               packed_.prepare(problem_, arena) && active_.prepare(problem_, packed_.most_places(), arena);
+               packed_.prepare(problem_, arena) && active_.prepare(problem_, packed_.max_places(), arena);
     }
 
     // Both phases; false: out of memory, or given up.
@@ -87,7 +87,7 @@ class DirectSolve {
     // Better than it was, or as it was.
     bool solve_densely(Arena& arena, SolveReport& report)
     {
-        if (problem_.row_count() > ExtendedFactor::kMostRows) return true;
+        if (problem_.row_count() > ExtendedFactor::kMaxRows) return true;
         if (!fallback_dense_ && !(fallback_dense_ = fallback_.prepare_dense(problem_, arena))) return false;
         residual_ = fallback_.solve(problem_, state_, scratch_, report.iterations);
         return true;
@@ -104,7 +104,7 @@ class DirectSolve {
         }
         if (give_up_early_) return false;
         report.fallback = true;
-        if (!interior_ready_) interior_ready_ = interior_.prepare(problem_, packed_.most_places(), arena);
+        if (!interior_ready_) interior_ready_ = interior_.prepare(problem_, packed_.max_places(), arena);
         if (!interior_ready_) return false;
         // A wrong guess of the active set may have left impulses of any size.
         packed_.take_impulses(begun_);

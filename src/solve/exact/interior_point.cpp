@@ -31,7 +31,7 @@
 namespace epode {
 namespace {
 
-constexpr int kMostIterations = 60;
+constexpr int kMaxIterations = 60;
 constexpr int kPatience = 2;  // iterations without a tenth of progress before recentring
 constexpr int kStall = 12;    // and before giving up
 constexpr double kStepShare = 0.9999;
@@ -74,7 +74,7 @@ bool InteriorPoint::solve(ExactProblem& problem, PackedRows& rows, std::span<dou
         stall = measure < 0.9 * mark || mu < 0.5 * mu_mark ? 0 : stall + 1;
         if (stall == 0) mark = std::min(mark, measure), mu_mark = std::min(mu_mark, mu);
         if (reached || stall >= kStall || !(measure < HUGE_VAL) || !(mu < HUGE_VAL)) break;
-        if (k == kMostIterations) break;
+        if (k == kMaxIterations) break;
         ++iterations;
         rows.factor(problem, {rows_.D, std::size_t(rows.count())});
         const bool cramped = stall >= kPatience && step < 0.9;

@@ -16,8 +16,8 @@ constexpr int kRounds = 4;                                   // of holding and l
 constexpr int kRoundsThatLetGo = 2;                          // of them, so that no two rows take turns
 constexpr double kFirm = 1e-9;                               // share of the diagonal
 constexpr Real kSlack = kSingle ? Real(1e-5) : Real(1e-10);  // velocity that lets nothing go
-constexpr int kMostPartners = 12;                            // couplings per joint, on average
-constexpr int kMostBlocks = 24;                              // of the factor, per joint
+constexpr int kMaxPartners = 12;                             // couplings per joint, on average
+constexpr int kMaxBlocks = 24;                               // of the factor, per joint
 
 double wide_dot(Vec3 a, Vec3 b)
 {
@@ -37,12 +37,12 @@ bool JointNetwork::analyse(const RowSystem& system, SymbolicCache* symbolic_cach
     if (!list_joints(system, arena)) return false;
     if (joints_.empty()) return true;
     if (!list_couplings(system, arena)) return false;
-    if (couplings_.size() > kMostPartners * joints_.size()) return true;
+    if (couplings_.size() > kMaxPartners * joints_.size()) return true;
     auto pairs = arena.take<BodyPair>(int(couplings_.size()));
     if (arena.failed()) return false;
     for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i] = {couplings_[i].a, couplings_[i].b};
     if (!lease_.take(int(joints_.size()), pairs, symbolic_cache, arena)) return false;
-    worth_ = std::size_t(lease_.symbolic().blocks) <= kMostBlocks * joints_.size();
+    worth_ = std::size_t(lease_.symbolic().blocks) <= kMaxBlocks * joints_.size();
     return true;
 }
 
@@ -87,7 +87,7 @@ bool JointNetwork::list_couplings(const RowSystem& system, Arena& arena)
         first[std::size_t(b) + 1] += first[std::size_t(b)];
         fill[std::size_t(b)] = first[std::size_t(b)];
     }
-    const std::size_t most = kMostPartners * joints_.size() + 1;  // so many are too many, whichever they are
+    const std::size_t most = kMaxPartners * joints_.size() + 1;  // so many are too many, whichever they are
     couplings_ = arena.take<Coupling>(int(std::min(pairs, most)));
     if (arena.failed()) return false;
     for_ends([&](int b, int j, int side) { ends[std::size_t(fill[std::size_t(b)]++)] = 2 * j + side; });

@@ -78,7 +78,7 @@ bool ManifoldSet::prepare(const RowSystem& system, const Substep& step, const Ta
     if (arena.failed()) return false;
     const auto starts = arena.take_zeroed<int>(colours_ * kManifoldPoints + 1);
     first_of_colour_ = arena.take<int>(colours_ + 1);
-    stages_ = arena.take<Stage>(kMostVisits * (colours_ + 1));
+    stages_ = arena.take<Stage>(kMaxVisits * (colours_ + 1));
     if (arena.failed()) return false;
     sort(system.contact_manifolds, colours, starts);
     const int batches = count_batches(system.contact_manifolds, starts);

@@ -72,7 +72,7 @@ class ManifoldSet {
         int first, last;
         int pieces;  // of work, all but equal
     };
-    static constexpr int kMostVisits = 5;
+    static constexpr int kMaxVisits = 5;
     void perform(std::initializer_list<Visit> round, int times, const ManifoldBodies& bodies);
     Stage stage(Visit visit, int first, int last) const;
     int list_stages(std::initializer_list<Visit> round);

@@ -7,7 +7,7 @@
 namespace epode {
 namespace {
 
-constexpr double kLeastPivot = 1e-28;  // of d: what rounding may have left of zero
+constexpr double kMinPivot = 1e-28;  // of d: what rounding may have left of zero
 
 DoubleDouble six_product(const double* x, const double* y)
 {
@@ -64,7 +64,7 @@ void ExtendedFactor::eliminate(int k, double d)
 {
     const auto at = std::size_t(k);
     DoubleDouble& pivot = row(k)[at];
-    if (!(pivot.hi > kLeastPivot * d)) pivot = {kLeastPivot * d, 0};
+    if (!(pivot.hi > kMinPivot * d)) pivot = {kMinPivot * d, 0};
     for (int i = k + 1; i < count_; ++i) {
         const std::span<DoubleDouble> to = row(i);
         column_[std::size_t(i)] = to[at];

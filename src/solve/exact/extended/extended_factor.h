@@ -18,9 +18,9 @@ namespace epode {
 
 class ExtendedFactor {
   public:
-    static constexpr int kMostRows = 512;
+    static constexpr int kMaxRows = 512;
 
-    // False: out of memory. `rows`: as many as the problem has, at most kMostRows.
+    // False: out of memory. `rows`: as many as the problem has, at most kMaxRows.
     bool prepare(int rows, Arena& arena);
 
     // Rows for which `free` is positive, in the problem's order.

@@ -13,10 +13,10 @@ namespace {
 
 constexpr double kEnough = 1e-13;       // of the scale: nothing left to correct
 constexpr double kDenseEnough = 1e-20;  // the same in 106 bits
-constexpr int kMostPasses = 80;
+constexpr int kMaxPasses = 80;
 constexpr int kDensePasses = 6;
-constexpr int kMostDirections = 30;
-constexpr int kLeastDirections = 8;
+constexpr int kMaxDirections = 30;
+constexpr int kMinDirections = 8;
 constexpr int kManyRows = 2000;  // from which on directions cost too much memory
 
 }  // namespace
@@ -25,7 +25,7 @@ bool ExtendedRefinement::prepare(const ExactProblem& problem, Arena& arena)
 {
     const int m = problem.row_count(), n = problem.unknowns();
     for (std::span<double>* rows : {&D_, &inv_d_, &r_}) *rows = arena.take<double>(m);
-    directions_ = m < kManyRows ? kMostDirections : kLeastDirections;
+    directions_ = m < kManyRows ? kMaxDirections : kMinDirections;
     pairs_ = arena.take<double>(2 * directions_ * m);
     x_ = arena.take<double>(n);
     sums_ = arena.take<DoubleDouble>(n);
@@ -53,7 +53,7 @@ void ExtendedRefinement::iterate(ExactProblem& problem, BoxState& state, std::sp
 {
     problem.factor(D_);
     double mark = HUGE_VAL, now = residual(problem, state, low, v);
-    for (int pass = 0, stall = 0, k = 0; pass < kMostPasses && now > kEnough * problem.scale(); ++pass) {
+    for (int pass = 0, stall = 0, k = 0; pass < kMaxPasses && now > kEnough * problem.scale(); ++pass) {
         if (k == directions_) k = 0;
         precondition(problem, direction(k));
         if (!orthogonalise(problem, k)) return;

@@ -16,7 +16,7 @@ namespace {
 
 // To post a job and to wait for it takes some ten microseconds; what is smaller than this takes one thread
 // about a hundred.
-constexpr int kLeastFactor = 128, kLeastSolve = 1024, kLeastScale = 1 << 18;
+constexpr int kMinFactor = 128, kMinSolve = 1024, kMinScale = 1 << 18;
 constexpr int kBlock = 64;       // numbers of b in a piece of a solution
 constexpr int kChunk = 1 << 14;  // numbers in a piece of a scaling
 
@@ -66,7 +66,7 @@ void scale_row(Real* row, Real* d, int i)
 
 void factor_ldlt(Real* A, Real* d, int n, int stride, const Tasks& tasks)
 {
-    if (tasks.workers() == 1 || n < kLeastFactor) return factor_ldlt(A, d, n, stride);
+    if (tasks.workers() == 1 || n < kMinFactor) return factor_ldlt(A, d, n, stride);
     const int size = rows_of_piece(n);
     Progress rows;  // of L that are known
     tasks.for_each(pieces_of(n, size), [&](int piece, int) {
@@ -86,7 +86,7 @@ void factor_ldlt(Real* A, Real* d, int n, int stride, const Tasks& tasks)
 
 void solve_unit_lower(const Real* L, Real* b, int n, int stride, const Tasks& tasks)
 {
-    if (tasks.workers() == 1 || n < kLeastSolve) return solve_unit_lower(L, b, n, stride);
+    if (tasks.workers() == 1 || n < kMinSolve) return solve_unit_lower(L, b, n, stride);
     Progress solved;
     tasks.for_each(pieces_of(n, kBlock), [&](int piece, int) {
         const int first = piece * kBlock, end = std::min(first + kBlock, n);
@@ -102,7 +102,7 @@ void solve_unit_lower(const Real* L, Real* b, int n, int stride, const Tasks& ta
 
 void solve_unit_lower_transposed(const Real* L, Real* b, int n, int stride, const Tasks& tasks)
 {
-    if (tasks.workers() == 1 || n < kLeastSolve) return solve_unit_lower_transposed(L, b, n, stride);
+    if (tasks.workers() == 1 || n < kMinSolve) return solve_unit_lower_transposed(L, b, n, stride);
     Progress solved;  // numbers, from the end of b
     tasks.for_each(pieces_of(n, kBlock), [&](int piece, int) {
         const int end = n - piece * kBlock, first = std::max(end - kBlock, 0);
@@ -122,7 +122,7 @@ void scale_vector(Real* a, const Real* d, int n, const Tasks& tasks)
     const auto scale = [&](int from, int to) {
         for (int i = from; i < to; ++i) a[i] *= d[i];
     };
-    if (tasks.workers() == 1 || n < kLeastScale) return scale(0, n);
+    if (tasks.workers() == 1 || n < kMinScale) return scale(0, n);
     tasks.for_each(pieces_of(n, kChunk),
                    [&](int piece, int) { scale(piece * kChunk, std::min(n, (piece + 1) * kChunk)); });
 }

@@ -14,7 +14,7 @@ namespace epode {
 namespace {
 
 constexpr double kWorth = 6000;    // weight from which a tree is cut: about a tenth of a millisecond
-constexpr int kMost = 32;          // subtrees
+constexpr int kMaxSubtrees = 32;   // subtrees
 constexpr double kLight = 1 / 4.;  // of the whole: no need to divide
 constexpr double kWorthy = 0.6;    // weight moved above per weight that goes at once
 constexpr double kTiny = 1 / 64.;  // of the whole, not worth a subtree
@@ -71,7 +71,7 @@ class Cutter {
 
     void add(int s)
     {
-        if (count_ < kMost && total_[std::size_t(s)] >= kTiny * whole_) roots_[count_++] = s;
+        if (count_ < kMaxSubtrees && total_[std::size_t(s)] >= kTiny * whole_) roots_[count_++] = s;
     }
 
     void divide()
@@ -117,7 +117,7 @@ class Cutter {
     double whole_ = 0;
     std::span<double> total_;  // weight of the subtree
     std::span<int> child_, sibling_;
-    int roots_[kMost];
+    int roots_[kMaxSubtrees];
     int count_ = 0;
 };
 

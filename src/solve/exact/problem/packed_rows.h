@@ -21,8 +21,8 @@ class PackedRows {
     void unpack(BoxState& state) const;                   // p and tags
     void take_impulses(std::span<const double> of_rows);  // p only
 
-    int most_places() const { return int(places_.size()); }  // of any choice of fixed rows
-    int count() const { return int(row_.size()); }           // places, a multiple of four
+    int max_places() const { return int(places_.size()); }  // of any choice of fixed rows
+    int count() const { return int(row_.size()); }          // places, a multiple of four
     int row(int i) const { return row_[std::size_t(i)]; }
 
     // out = J v

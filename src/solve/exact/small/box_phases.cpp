@@ -8,13 +8,13 @@
 namespace epode {
 namespace {
 
-constexpr double kMostTrusted = 1e8;  // times the problem's velocity scale, of an impulse to start from
+constexpr double kMaxTrusted = 1e8;  // times the problem's velocity scale, of an impulse to start from
 
 void guess(const ExactProblem& problem, std::size_t i, double p, BoxState& state)
 {
     const double lo = state.lo[i], hi = state.hi[i], d = problem.row(int(i)).d;
     // The last step's impulse only saves time; one of another size altogether would cost digits instead.
-    if (!(std::fabs(p) * d <= kMostTrusted * problem.scale())) p = 0;
+    if (!(std::fabs(p) * d <= kMaxTrusted * problem.scale())) p = 0;
     state.p[i] = std::min(std::max(p, lo), hi);
     // A width that is below rounding of the impulse is no freedom.
     if (!((hi - lo) * d > 1e-13 * problem.scale())) {

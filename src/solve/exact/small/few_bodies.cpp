@@ -25,7 +25,7 @@ constexpr struct Patience {
     int rounds, wrong;
 } kPatience[] = {{16, 1000}, {6, 5}, {6, 1}};
 
-constexpr int kMostPasses = 8;
+constexpr int kMaxPasses = 8;
 constexpr double kContraction = 1e-3;  // of a pass, as long as none has been seen
 
 // The upper half of sum x x^T s, three lanes a row of which those left of the diagonal are left out.
@@ -270,7 +270,7 @@ bool FewBodies::refine()
 {
     const double small = 1e-15 * problem_.scale();
     double before = HUGE_VAL;
-    for (int pass = 0; pass < kMostPasses; ++pass) {
+    for (int pass = 0; pass < kMaxPasses; ++pass) {
         double largest = 0;
         by_bodies([&](auto lanes) { largest = improve<lanes>(); });
         if (largest >= 0.5 * before) return true;

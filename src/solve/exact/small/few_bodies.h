@@ -24,13 +24,13 @@ namespace epode {
 
 class FewBodies {
   public:
-    static constexpr std::size_t kMostBodies = 3;
+    static constexpr std::size_t kMaxBodies = 3;
 
     // Both phases; kNotSolved: the guesses do not settle, or not to the residual `enough`.
     SmallResult solve(RowSystem& system, double enough, Arena& arena, SolveReport& report);
 
   private:
-    static constexpr int kMost = 6 * int(kMostBodies), kLanes = kMost / 2;
+    static constexpr int kMaxUnknowns = 6 * int(kMaxBodies), kLanes = kMaxUnknowns / 2;
 
     // Calls `work` with the lanes of a vector of unknowns as a constant.
     template <class Work>
@@ -58,8 +58,8 @@ class FewBodies {
     std::span<int> rows_, open_;  // rows that may move
     bool warm_ = false;
     int n_ = 0, round_ = 0, wrong_ = 0, factorisations_ = 0;
-    DoubleLane H_[kMost][kLanes];  // upper half: D and L^T times D
-    double inverse_[kMost];        // of D
+    DoubleLane H_[kMaxUnknowns][kLanes];  // upper half: D and L^T times D
+    double inverse_[kMaxUnknowns];        // of D
 };
 
 }  // namespace epode

@@ -11,9 +11,9 @@
 namespace epode {
 namespace {
 
-constexpr std::size_t kMostBlocks = SmallIsland::kMostBlocks;
+constexpr std::size_t kMaxBlocks = SmallIsland::kMaxBlocks;
 constexpr std::size_t kPivotFirst = 36;  // rows up to which the active set is not tried before
-constexpr std::size_t kPivotMost = 64;   // rows up to which it beats the interior point
+constexpr std::size_t kPivotMax = 64;    // rows up to which it beats the interior point
 
 constexpr double kNearly = 0.01;  // natural residual of a guess that is almost right
 
@@ -57,7 +57,7 @@ bool almost_right(const RowSystem& system, Arena& arena)
 
 bool can_pivot(const RowSystem& system)
 {
-    return system.rows.size() <= kPivotMost && system.blocks.size() <= kMostBlocks;
+    return system.rows.size() <= kPivotMax && system.blocks.size() <= kMaxBlocks;
 }
 
 SmallResult solve_by_pivoting(RowSystem& system, const SolverSettings& settings, Arena& arena,
@@ -70,13 +70,13 @@ SmallResult solve_small(RowSystem& system, const SolverSettings& settings, Arena
 {
     std::size_t dynamic = 0;
     for (const SolverBody& body : system.bodies) dynamic += body.inv_mass > 0;
-    if (system.blocks.size() > kMostBlocks) return SmallResult::kNotSolved;
+    if (system.blocks.size() > kMaxBlocks) return SmallResult::kNotSolved;
     if (system.rows.size() <= 6 * dynamic) {
         const SmallResult result = solve_with(Method::kNewton, system, settings, arena, report);
         if (result != SmallResult::kNotSolved || !can_pivot(system)) return result;
         return solve_by_pivoting(system, settings, arena, report);
     }
-    if (dynamic <= FewBodies::kMostBodies && system.rows.size() <= kPivotMost) {
+    if (dynamic <= FewBodies::kMaxBodies && system.rows.size() <= kPivotMax) {
         Arena::Scope scope(arena);
         FewBodies few;
         const SmallResult result = few.solve(system, settings.refine_above, arena, report);
