@@ -222,10 +222,10 @@ void DynamicTree::changed(int leaf)
 
 int DynamicTree::height() const
 {
-    int most = 0;
+    int largest = 0;
     for (int i = 0; i < nodes_.size(); ++i)
-        if (i == root_ || nodes_[i].parent >= 0) most = std::max(most, depth_of(i));
-    return most;
+        if (i == root_ || nodes_[i].parent >= 0) largest = std::max(largest, depth_of(i));
+    return largest;
 }
 
 // The leaves are found by a walk along the child links, which also gathers the inner nodes for reuse.

@@ -43,8 +43,8 @@ struct TreeRay {
     TreeRay(Vec3 o, Vec3 d, const Aabb& all)
         : origin(o), slack(16 * kEpsilon * max_component(max(abs(o), max(abs(all.lo), abs(all.hi)))))
     {
-        constexpr Real most = kSingle ? Real(1e30) : Real(1e290);
-        for (int i = 0; i < 3; ++i) inverse.set(i, std::fabs(d[i]) * most > 1 ? 1 / d[i] : most);
+        constexpr Real limit = kSingle ? Real(1e30) : Real(1e290);
+        for (int i = 0; i < 3; ++i) inverse.set(i, std::fabs(d[i]) * limit > 1 ? 1 / d[i] : limit);
     }
     // Where the ray enters the box if it does so within `reach`, kInf if not.
     Real enters(const Aabb& box, Real reach) const

@@ -109,13 +109,13 @@ unsigned MeshProbe::ball_meets(const MeshPacket& packet, unsigned asked) const
     const Floats blur =
         length * (floats(kMeshMargin) * (length + sum(v) + floats(size_)) + floats(slack_) * length);
     const Floats height = larger(magnitude(dot(n, v)) - blur, zero);
-    const Floats room2 = floats(round_ * round_) * n2 - height * height;  // over the square of n
+    const Floats reach2 = floats(round_ * round_) * n2 - height * height;  // over the square of n
     const Floats more = floats(2) * length * blur;
-    Ints apart = room2 < zero;
+    Ints apart = reach2 < zero;
     for (int k = 0; k < 3; ++k) {
         const Floats on = dot(m, e[k]), inward = k == 1 ? on + n2 : on;
         const Floats beyond = larger(-inward - more, zero);
-        apart |= beyond * beyond > larger(room2, zero) * dot(e[k], e[k]);
+        apart |= beyond * beyond > larger(reach2, zero) * dot(e[k], e[k]);
     }
     return asked & ~bits(apart);
 }

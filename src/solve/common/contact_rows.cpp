@@ -51,7 +51,7 @@ void expand_point(const JointManifold& m, const JointManifoldPoint& point, int f
 }
 
 template <typename T>
-std::span<T> with_room(std::span<T> from, int more, Arena& arena)
+std::span<T> with_capacity(std::span<T> from, int more, Arena& arena)
 {
     auto out = arena.take<T>(int(from.size()) + more);
     if (!out.empty()) std::copy(from.begin(), from.end(), out.begin());
@@ -133,9 +133,9 @@ bool expand_manifolds(const RowSystem& system, Arena& arena, RowSystem& out)
     const int points = int(system.joint_contacts.points.size());
     out = system;
     out.joint_contacts = {};
-    out.rows = with_room(system.rows, 3 * points, arena);
-    out.numbers = with_room(system.numbers, 3 * points, arena);
-    out.blocks = with_room(system.blocks, points, arena);
+    out.rows = with_capacity(system.rows, 3 * points, arena);
+    out.numbers = with_capacity(system.numbers, 3 * points, arena);
+    out.blocks = with_capacity(system.blocks, points, arena);
     if (arena.failed()) return false;
     int row = int(system.rows.size());
     std::size_t block = system.blocks.size();

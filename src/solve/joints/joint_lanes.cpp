@@ -31,10 +31,16 @@ const SolverBody* moving(const RowSystem& system, int body)
 }
 
 struct Masses {
-    Real least = kFloatRange, most = 1 / kFloatRange;  // inverse ones
+    Real smallest = kFloatRange, largest = 1 / kFloatRange;  // inverse ones
 
-    void add(Real inv_mass) { least = std::min(least, inv_mass), most = std::max(most, inv_mass); }
-    bool fit() const { return most <= kFloatRatio * least && in_range(most) && in_range(1 / least); }
+    void add(Real inv_mass)
+    {
+        smallest = std::min(smallest, inv_mass), largest = std::max(largest, inv_mass);
+    }
+    bool fit() const
+    {
+        return largest <= kFloatRatio * smallest && in_range(largest) && in_range(1 / smallest);
+    }
 };
 
 // An impulse at the arm r turns a body by I^-1 (r x p) and so moves that point beside what the mass lets it
@@ -42,8 +48,8 @@ struct Masses {
 bool arm_fits(const SolverBody& b, Vec3 r)
 {
     const Sym3& I = b.inv_inertia;
-    const Real trace = I.xx + I.yy + I.zz, most = trace * length2(r), bound = kFloatArms * b.inv_mass;
-    return in_range(trace) && (most <= bound || most - dot(r, I * r) <= bound);
+    const Real trace = I.xx + I.yy + I.zz, largest = trace * length2(r), bound = kFloatArms * b.inv_mass;
+    return in_range(trace) && (largest <= bound || largest - dot(r, I * r) <= bound);
 }
 
 bool bounded(const RowNumbers& n) { return n.lo > -kInf || n.hi < kInf; }

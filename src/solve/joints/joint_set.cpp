@@ -132,14 +132,14 @@ bool JointSetOf<L>::sort(std::span<Joint> joints, int shapes, Arena& arena)
     const auto order = arena.take<int>(int(joints.size()));
     if (arena.failed()) return false;
     const auto key = [shapes](const Joint& j) { return std::size_t(j.colour * shapes + j.shape); };
-    int most = 0;
+    int max_batches = 0;
     for (const Joint& joint : joints)
-        if (starts[key(joint) + 1]++ % kLanes == 0) ++most;
+        if (starts[key(joint) + 1]++ % kLanes == 0) ++max_batches;
     for (std::size_t k = 1; k < starts.size(); ++k) starts[k] += starts[k - 1];
     for (const Joint& joint : joints) order[std::size_t(starts[key(joint)]++)] = joint.block;
 
-    batches_ = arena.take<JointBatch>(most);
-    sources_ = arena.take<Source>(most * kLanes);
+    batches_ = arena.take<JointBatch>(max_batches);
+    sources_ = arena.take<Source>(max_batches * kLanes);
     if (arena.failed()) return false;
     // Behind the sort, starts[k] is where the next key begins.
     std::size_t next = 0;

@@ -87,8 +87,8 @@ bool JointNetwork::list_couplings(const RowSystem& system, Arena& arena)
         first[std::size_t(b) + 1] += first[std::size_t(b)];
         fill[std::size_t(b)] = first[std::size_t(b)];
     }
-    const std::size_t most = kMaxPartners * joints_.size() + 1;  // so many are too many, whichever they are
-    couplings_ = arena.take<Coupling>(int(std::min(pairs, most)));
+    const std::size_t limit = kMaxPartners * joints_.size() + 1;  // so many are too many, whichever they are
+    couplings_ = arena.take<Coupling>(int(std::min(pairs, limit)));
     if (arena.failed()) return false;
     for_ends([&](int b, int j, int side) { ends[std::size_t(fill[std::size_t(b)]++)] = 2 * j + side; });
     std::size_t next = 0;

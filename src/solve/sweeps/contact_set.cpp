@@ -26,8 +26,8 @@ constexpr JointManifoldPoint kNoPoint{};
 template <typename N>
 N narrowed(Real x)
 {
-    constexpr Real most = Real(std::numeric_limits<float>::max());
-    return std::is_same_v<N, Real> || x <= most || x == kInf ? N(x) : N(most);
+    constexpr Real limit = Real(std::numeric_limits<float>::max());
+    return std::is_same_v<N, Real> || x <= limit || x == kInf ? N(x) : N(limit);
 }
 
 // Lanes without a point have the directions of their manifold, but no say.

@@ -25,13 +25,14 @@ Real size(Vec3 a)
 
 bool bodies_fit_floats(std::span<const SolverBody> bodies)
 {
-    Real least = kFloatRange, most = 1 / kFloatRange;
+    Real smallest = kFloatRange, largest = 1 / kFloatRange;
     for (const SolverBody& b : bodies) {
         const Sym3& I = b.inv_inertia;
         if (!in_range(size(b.v) + size(b.w) + I.xx + I.yy + I.zz)) return false;
-        if (b.inv_mass > 0) least = std::min(least, b.inv_mass), most = std::max(most, b.inv_mass);
+        if (b.inv_mass > 0)
+            smallest = std::min(smallest, b.inv_mass), largest = std::max(largest, b.inv_mass);
     }
-    return most <= kFloatRatio * least && in_range(most) && in_range(1 / least);
+    return largest <= kFloatRatio * smallest && in_range(largest) && in_range(1 / smallest);
 }
 
 // Friction limits are not looked at: they may be infinite.

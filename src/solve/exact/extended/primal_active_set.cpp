@@ -67,8 +67,8 @@ void PrimalActiveSet::descend(ExactProblem& problem, BoxState& state, std::span<
         const double inside = std::min(std::max(state.p[i], state.lo[i]), state.hi[i]);
         if (inside != state.p[i]) state.p[i] = inside, low_[i] = 0;
     }
-    const int most = 20 + 2 * problem.row_count();
-    for (int round = 0; round < most && best_residual_ > kGood; ++round) {
+    const int max_rounds = 20 + 2 * problem.row_count();
+    for (int round = 0; round < max_rounds && best_residual_ > kGood; ++round) {
         ++rounds;
         settle(state);
         std::copy(state.p.begin(), state.p.end(), from_.begin());

@@ -134,9 +134,9 @@ class QuotientGraph {
     bool form_element(int p)
     {
         Node& pivot = at(p);
-        int most = pivot.bodies;
-        for (int k = 0; k < pivot.elements; ++k) most += at(pivot.list[k]).elements;
-        int* list = take_list(std::min(most, n_));
+        int capacity = pivot.bodies;
+        for (int k = 0; k < pivot.elements; ++k) capacity += at(pivot.list[k]).elements;
+        int* list = take_list(std::min(capacity, n_));
         if (!list) return false;
         ++round_;
         pivot.seen = round_;

@@ -108,8 +108,8 @@ class Cutter {
                 s = heaviest;
                 continue;
             }
-            const double all = total_[std::size_t(root)], most = total_[std::size_t(heaviest)];
-            return all - branches < kWorthy * (all - most) ? s : -1;
+            const double all = total_[std::size_t(root)], largest = total_[std::size_t(heaviest)];
+            return all - branches < kWorthy * (all - largest) ? s : -1;
         }
         return -1;
     }

@@ -43,9 +43,9 @@ bool PackedRows::prepare(const ExactProblem& problem, Arena& arena)
 void PackedRows::pack(const ExactProblem& problem, const BoxState& state)
 {
     std::fill(fixed_.begin(), fixed_.end(), 0.0);
-    const std::size_t most = places_.size();
+    const std::size_t capacity = places_.size();
     std::span<double>* const columns_of[] = {&c, &C, &d, &inv_d, &weight_min, &lo, &hi, &p};
-    for (std::size_t k = 0; k < 8; ++k) *columns_of[k] = numbers_.subspan(k * most, most);
+    for (std::size_t k = 0; k < 8; ++k) *columns_of[k] = numbers_.subspan(k * capacity, capacity);
     tag = tags_, row_ = places_, groups = all_groups_;
     group_count_ = place_count_ = J_used_ = 0;
     for (int i = 0; i < problem.row_count(); ++i) {

@@ -68,10 +68,10 @@ bool BoxPivoting::drive(int i, double tolerance)
         if (sweeps_left_-- <= 0) return false;
         gather(i);
         const double direction = x_[k] < 0 ? 1 : -1;
-        const double room = direction > 0 ? hi_[k] - p_[k] : p_[k] - lo_[k];
+        const double distance = direction > 0 ? hi_[k] - p_[k] : p_[k] - lo_[k];
         double length = std::fabs(x_[k]) / column_[k];
-        const bool meets_bound = room < length;
-        if (meets_bound) length = room;
+        const bool meets_bound = distance < length;
+        if (meets_bound) length = distance;
         const int first = first_to_stop(direction, length);
         const bool below = first >= 0 && rate_[at(first)] < 0;
         DoubleLane *x = lanes(x_), *rate = lanes(rate_);
