@@ -15,3 +15,19 @@
 // Behind the arguments of a lambda.
 #define EPODE_INLINE_LAMBDA __attribute__((always_inline))
 #endif
+
+namespace epode {
+namespace {
+
+// Returns p, of which the compiler no longer knows that it is p. What lies there is then loaded a second time
+// where it is needed, instead of being kept from the first load on: in a kernel whose registers are all in
+// use, compilers keep such numbers on the stack, which takes more instructions than to load them again.
+template <typename T>
+EPODE_LANEWISE const T* reload(const T* p)
+{
+    asm("" : "+r"(p));
+    return p;
+}
+
+}  // namespace
+}  // namespace epode
