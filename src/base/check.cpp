@@ -25,13 +25,13 @@ namespace {
 
 void refuse(const char* text, const char* function, std::atomic<bool>& reported)
 {
-    // With a handler every refusal is delivered; without one stderr hears of each call site once.
+    // With a handler, every refusal is delivered. Without one, stderr gets one message per call site.
     if (!handler(Channel::kDebug) && reported.exchange(true)) return;
     report(d_ERR_UASSERT, "%s in %s()", text, function);
 }
 
-// Who has been refused already: without a handler a message is printed once per C function, as EPODE_USER
-// does once per call site.
+// The functions that have been refused already: without a handler, a message is printed once per C function,
+// as EPODE_USER prints once per call site.
 void refuse_for(const char* caller, const char* text)
 {
     static std::atomic<const char*> refused[256] = {};

@@ -2,15 +2,17 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Four strengths of checking.
-//   EPODE_ASSERT(c)              the library's own reasoning; Debug builds only; stops the program there.
-//   EPODE_USER(c, result)        an argument of a public call, in Release too: the call is refused and
-//   returns
-//                                `result` (nothing for void functions), one message goes through the debug
-//                                handler in ODE's words ("Bad argument(s) in dFoo()"); without a handler it
-//                                is printed once per call site.
-//   EPODE_USER_SAY(c, text, r)   the same with a text of its own.
-//   usable(x)                    is a number that a client hands in finite?
-// Refusing instead of ODE's abort() is the first promise of the project: no argument may bring a host down.
+//
+//   EPODE_ASSERT(c)             an invariant of the library; Debug builds only; stops the program there.
+//   EPODE_USER(c, result)       an argument of a public call, in Release too. If c is false the call is
+//                               refused: it returns `result` (nothing for void functions) and sends one
+//                               message to the debug handler in ODE's words ("Bad argument(s) in dFoo()").
+//                               Without a handler the message is printed once per call site.
+//   EPODE_USER_SAY(c, text, r)  the same with another text.
+//   usable(x)                   is a number from a client finite and not absurdly large?
+//
+// Refusing instead of calling abort() as ODE does is the first promise of the project: no argument may bring
+// the host down.
 #pragma once
 
 #include <atomic>
@@ -30,7 +32,7 @@ namespace epode {
 // share.
 [[gnu::cold]] void refuse_for(const char* caller, const char* text);
 
-// What a call says that finds no memory.
+// The message of a call that finds no memory.
 inline constexpr const char* kOutOfMemory = "out of memory";
 
 #if defined(NDEBUG)

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Going through objects that lie about in memory, in an order of their own (bodies in the order of their
-// islands): the processor cannot guess where the next one is, so it is told a few objects before it is
-// needed. In a world of thousands of bodies, most of the time of such a loop was waiting.
+// Prefetching. A loop over bodies in the order of their islands jumps through memory, and the processor
+// cannot guess where the next body lies. Such a loop prefetches each object a few iterations before it needs
+// it. Without this, most of the time of such a loop in a world of thousands of bodies was spent waiting for
+// memory.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +15,9 @@
 
 namespace epode {
 
-// Starts to bring the first kLines lines of the cache at p, which may be no pointer to anything. The empty
-// statement keeps it alive: gcc takes functions that do nothing but this for functions without effect, and
-// leaves calls of them out where it has not put them in line before.
+// Prefetches the first kLines cache lines at p, which need not be a valid pointer. The empty asm statement
+// keeps the function alive: gcc treats functions that only prefetch as functions without effect, and drops
+// calls to them that it has not inlined.
 template <int kLines>
 inline void prefetch(const void* p)
 {
@@ -26,7 +27,8 @@ inline void prefetch(const void* p)
     asm volatile("" : : "r"(p));
 }
 
-// f(i, object i) one after the other, each fetched kLines lines far in time: the farther, the less f does.
+// Calls f(i, object i) for every object and prefetches kLines lines of the object kAhead iterations later.
+// The less f does, the larger kAhead should be.
 template <int kLines, std::size_t kAhead = 6, typename T, typename F>
 void for_each_prefetched(std::span<T* const> objects, F&& f)
 {

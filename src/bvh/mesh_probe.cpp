@@ -42,7 +42,7 @@ Floats root(Floats x)
 #endif
 }
 
-// Corners from the middle of the solid, and edges: edge k from corner k to the next.
+// Corners relative to the centre of the solid, and edges: edge k goes from corner k to the next.
 struct Corners {
     Floats3 v[3], e[3];
     Floats3 n;
@@ -96,9 +96,9 @@ MeshProbe::MeshProbe(const SolidProbe& solid, Vec3 centre_in_frame, Real scale) 
     size_ = float(scale * (solid.half.x + solid.half.y + solid.half.z + solid.round));
 }
 
-// By the height over the plane and by how far the middle is beyond an edge, which is out . v_k for out = e_k
-// x n: all three from m = n x v_0. Apart by n and out together, in whose plane the distance is the root of
-// the squares; near a corner it is more, which is not looked at.
+// By the height above the plane and by how far the centre lies beyond an edge, which is out . v_k for out =
+// e_k x n; all three follow from m = n x v_0. The distance in the plane of n and out together is the root of
+// the sum of squares. Near a corner the true distance is larger, which is not considered.
 unsigned MeshProbe::ball_meets(const MeshPacket& packet, unsigned asked) const
 {
     const Floats3 a = corner_of(packet, 0), b = corner_of(packet, 1), c = corner_of(packet, 2);

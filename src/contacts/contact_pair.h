@@ -17,8 +17,8 @@ namespace epode {
 
 inline constexpr int kSurfaceManifolds = 3;
 
-// One place for each point of a manifold when the two were collided, in the frames of both geoms; side by side.
-// What is missing repeats the last.
+// One place for each point of a manifold when the two were collided, in the frames of both geoms; side by
+// side. What is missing repeats the last.
 struct ContactAnchors {
     float a1[3][kManifoldPoints], a2[3][kManifoldPoints];
     float separation[kManifoldPoints];  // then

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Contacts of one pair sorted into manifolds by their normals, at most four points each, where these points are
-// as the two move, and the impulses that they inherit from those that were near them a step before.
+// Contacts of one pair sorted into manifolds by their normals, at most four points each, where these points
+// are as the two move, and the impulses that they inherit from those that were near them a step before.
 #pragma once
 
 #include <span>
@@ -43,8 +43,8 @@ void fix_points(const ManifoldMaker& maker, int part, const Pose& A, const Pose&
 Real largest_reach2(const float (&at)[3][kManifoldPoints]);
 
 // The normal and where the points of a manifold are now, seen from the bodies at x1 and *x2 (null: none), and
-// their gaps along the normal beyond the layer. True if one of them touches. `manifold` is a copy of was.manifold,
-// or it.
+// their gaps along the normal beyond the layer. True if one of them touches. `manifold` is a copy of
+// was.manifold, or it.
 bool place_points(const Pose& pose1, const Pose& pose2, Vec3 x1, const Vec3* x2, Real layer,
                   const CachedManifold& was, ContactManifold& manifold);
 

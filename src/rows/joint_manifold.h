@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Contact points of one pair of bodies as numbers, without the detour over rows. What the points of a
-// manifold have in common is said once: the directions, what friction asks for, its bounds. Per point, with
-// u = v1 + w1 x r1 - v2 - w2 x r2 and impulses p (of the step, as in rows/row_system.h)
+// The contact joints of one pair of bodies as a manifold: numbers instead of rows. What the points share is
+// stored once: the directions, the target of friction and its bounds. Per point, with u = v1 + w1 x r1 - v2 -
+// w2 x r2 and impulses p (over the step, as in rows/row_system.h)
 //
 //   w_0 = n.u + C p_0 - c,    w_k = t_k.u + C_k p_k - c_k,  |p_k| <= mu_k p_0 + fixed_k,   k = 1, 2
 //
-// Rows carry their Jacobians and forms that contacts never have; a step of a thousand boxes spent more time
-// on writing and reading them than on its sweeps.
+// Rows carry Jacobians and forms that contacts do not need; writing and reading them took more time in a step
+// of a thousand boxes than its sweeps.
 #pragma once
 
 #include <span>
@@ -22,7 +22,7 @@ struct JointManifold {
     Vec3 n, t1, t2;    // n points to body 1; tangents are zero where there is no friction
     Vec3 offset;       // r2 = r1 + offset: x1 - x2; without a second body zero
     Real c[2], C[2];   // of the tangents
-    Real mu[2];        // bound per normal impulse
+    Real mu[2];        // coefficients of friction
     Real fixed[2];     // constant bound of the impulse
     int body1, body2;  // below zero: the world, see RowBlock
     int first, count;  // of the points
@@ -30,12 +30,12 @@ struct JointManifold {
 
 struct JointManifoldPoint {
     Vec3 r1;     // from the centre of body 1, world frame
-    Real c, C;   // of the normal: wanted velocity, softness of the impulse
-    Real error;  // depth beyond the layer, for reports
+    Real c, C;   // of the normal: target velocity, compliance of the impulse
+    Real error;  // penetration beyond the layer, for reports
     Real p[3];   // impulses along n, t1, t2: warm start in, answer out
 };
 
-// Where manifolds are written: room for as many of each as there are points.
+// Where manifolds are written: capacity for as many of each as there are points.
 struct JointManifoldList {
     std::span<JointManifold> manifolds;
     std::span<JointManifoldPoint> points;

@@ -13,10 +13,10 @@
 // tolerance is relative. No accepted step makes the errors worse; what is not accepted is taken back.
 //
 // Which rows: equalities and stops of joints, contact normals; not motors, friction, and what is a spring
-// (its softness more than a thousandth of the row's inverse_mass). Errors are read from the joints at every pose;
-// contacts, and rows whose error does not answer to the pose (Plane2D's rates, angles that the client hands
-// in), follow the motion to first order: e <- e - J dx. What is beyond a stop or inside a contact is removed
-// here and not by velocities, which would outlive the depth and throw the body off ("split impulses",
+// (its softness more than a thousandth of the row's inverse_mass). Errors are read from the joints at every
+// pose; contacts, and rows whose error does not answer to the pose (Plane2D's rates, angles that the client
+// hands in), follow the motion to first order: e <- e - J dx. What is beyond a stop or inside a contact is
+// removed here and not by velocities, which would outlive the depth and throw the body off ("split impulses",
 // Guendelman, Bridson & Fedkiw, 2003). Contacts lose their ERP's share of the depth in a step: all at once, a
 // pile that is wedged pushes itself apart for ever. They keep half the tolerance, so that they are found
 // again.

@@ -239,8 +239,8 @@ class WorldStep {
         return solver.contact_manifolds || (solver.joint_manifolds && !context_.manages_contacts);
     }
 
-    // What only manifolds hold together moves in another way in small steps, and joints that are one block are
-    // one island's.
+    // What only manifolds hold together moves in another way in small steps, and joints that are one block
+    // are one island's.
     bool may_join(std::size_t i) const
     {
         // All workers sweep over a large one together, and over others each by itself.

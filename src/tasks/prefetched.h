@@ -9,7 +9,8 @@ namespace epode {
 
 inline constexpr int kObjectRange = 256;  // objects in one piece of work; a multiple of all lanes
 
-// for_each_prefetched() (base/prefetch.h) on all workers: f(i, object i) must change nothing that another reads.
+// for_each_prefetched() (base/prefetch.h) on all workers. f(i, object i) must not change anything that
+// another call reads.
 template <int kLines, typename T, typename F>
 void for_each_prefetched(const Tasks& tasks, std::span<T* const> objects, F&& f)
 {

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Work in stages on several cores: pieces of one stage know nothing of each other, and none of them is begun
-// before all of the stage before are done. A job of Tasks for every stage would do the same, but small steps
-// are a hundred stages of a few microseconds: here all are one job, whose workers stay in it from stage to
-// stage.
-//   home     Each worker begins with the pieces of its own share, the same share in every stage: what it
-//            wrote is still in its cache, and claiming them is nobody else's business. When the others take
-//            longer than a moment, it helps them; before, looking at their tickets would hold them up.
-//   done     A worker tells once a stage how many pieces it has done; who tells the last one opens the next
-//            stage. Both are in one word, so a hand-over moves one line from cache to cache.
-//   waiting  Nobody waits for one who has not come: whoever is there does all pieces. Who is there alone does
-//            not even give others that moment.
+// Work in stages on several cores: the pieces of one stage are independent, and no piece begins before all
+// pieces of the stage before are done. One job of Tasks per stage would do the same, but a step in substeps
+// has a hundred stages of a few microseconds. Here all stages are one job, whose workers stay in it from
+// stage to stage.
+//
+//   home     Each worker begins with its own share of the pieces, the same share in every stage: what it
+//            wrote before is still in its cache, and no other worker competes for the claim. When the others
+//            take longer than a moment, it helps them; looking at their tickets earlier would delay them.
+//   done     Once per stage a worker reports how many pieces it has done; the worker that completes the stage
+//            opens the next one. Both are in one word, so a hand-over moves one line from cache to cache.
+//   waiting  No worker waits for one that has not arrived: those present do all pieces. A worker that is
+//            alone does not even grant the others that moment.
 #pragma once
 
 #include <atomic>
@@ -23,7 +24,8 @@
 
 namespace epode {
 
-// `pieces(stage)`: how many; asked by all workers, so always the same. `body(stage, index, worker)`.
+// `pieces(stage)`: the number of pieces; all workers call it, so it must always return the same. Runs
+// `body(stage, index, worker)`.
 template <typename Pieces, typename Body>
 class Stages {
   public:
@@ -33,7 +35,7 @@ class Stages {
         open(0);
     }
 
-    // What a worker does; when it returns, all that is left is with others.
+    // The work of one worker; when it returns, all remaining pieces are in the hands of others.
     void serve(int worker)
     {
         const int home = worker % shares_;
@@ -66,8 +68,8 @@ class Stages {
         std::atomic<Ticket> ticket{Ticket(0xffffffffu) << 32};
     };
 
-    // All stages before are done, so a share whose pieces are not all taken belongs to this one: a ticket
-    // that was read in an earlier stage has changed since.
+    // All earlier stages are done, so a share with untaken pieces belongs to this stage: a ticket read in an
+    // earlier stage has changed since.
     int take_from(int share, int stage, int worker)
     {
         const int count = pieces_(stage);
@@ -100,7 +102,7 @@ class Stages {
         if (int(before & 0xffffffffu) + done == pieces_(stage)) open(stage + 1);
     }
 
-    // Stages without pieces are none.
+    // Stages without pieces are skipped.
     void open(int stage)
     {
         while (stage < stages_ && pieces_(stage) <= 0) ++stage;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The functions of the table check what they are given as the exported ones do: programs call them directly.
+// The functions of the table check their arguments as the exported ones do, because programs call them
+// directly.
 #include "tasks/threading.h"
 
 #include "base/check.h"
@@ -13,7 +14,7 @@ namespace {
 constexpr dmutexindex_t kMaxMutexes = 1 << 16;
 constexpr std::size_t kMaxDependencies = std::size_t(1) << 31;
 
-// The implementation behind the handle, or the call is refused with the given result.
+// The implementation behind the handle; without one the call is refused and returns the given result.
 #define IMPLEMENTATION_OR(...)                           \
     Threading* const own = from_handle<Threading>(impl); \
     EPODE_USER(own __VA_OPT__(, ) __VA_ARGS__)
@@ -53,7 +54,7 @@ void unlock_group_mutex(dThreadingImplementationID impl, dMutexGroupID id, dmute
 dCallWaitID alloc_call_wait(dThreadingImplementationID impl)
 {
     IMPLEMENTATION_OR(nullptr);
-    return to_handle(own->calls.make_wait());  // a step that has none says itself that memory is lacking
+    return to_handle(own->calls.make_wait());  // a step that gets none reports the lack of memory itself
 }
 
 void reset_call_wait(dThreadingImplementationID impl, dCallWaitID wait)
@@ -69,7 +70,7 @@ void free_call_wait(dThreadingImplementationID impl, dCallWaitID wait)
     EPODE_USER(own->calls.free_wait(wait));
 }
 
-// A call that is refused counts as one that failed.
+// A refused call counts as one that failed.
 void post_call(dThreadingImplementationID impl, int* fault, dCallReleaseeID* releasee,
                ddependencycount_t dependencies, dCallReleaseeID dependent, dCallWaitID wait,
                dThreadedCallFunction* function, void* context, dcallindex_t index, const char*)

@@ -253,9 +253,9 @@ MomentumLoss collide_machines(int per_step, double aside)
     return loss;
 }
 
-// A manifold keeps the arms of the step's beginning while its bodies slide past each other in the small steps:
-// what that costs is of first order in the step. Each step size has collisions of its own, so it shows in the
-// mean of several encounters.
+// A manifold keeps the arms of the step's beginning while its bodies slide past each other in the small
+// steps: what that costs is of first order in the step. Each step size has collisions of its own, so it shows
+// in the mean of several encounters.
 TEST(Hybrid, keeps_momentum_of_what_is_tied_and_of_what_collides)
 {
     MomentumLoss loss, fine;

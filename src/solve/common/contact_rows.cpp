@@ -69,7 +69,7 @@ bool has_contact_form(const RowSystem& system, const RowBlock& block)
     for (std::size_t k = first + 1; k < first + std::size_t(block.count); ++k) {
         const RowNumbers& n = system.numbers[k];
         if (n.lo != -n.hi || !(n.hi >= 0) || (n.parent >= 0 && n.parent != block.first)) return false;
-        if (system.rows[k].lin1 == Vec3{}) return false;  // friction against rolling
+        if (system.rows[k].lin1 == Vec3{}) return false;  // rolling friction
     }
     return true;
 }
@@ -104,7 +104,7 @@ bool ContactRows::gather(const RowSystem& system, std::span<bool> taken, Arena& 
     if (arena.failed()) return false;
 
     std::size_t manifolds = 0, points = 0;
-    bool open = false;  // may the next block join the last manifold?
+    bool open = false;  // true if the next block may join the last manifold
     for (std::size_t i = 0; i < system.blocks.size(); ++i) {
         const RowBlock& block = system.blocks[i];
         taken[i] = has_contact_form(system, block);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Which manifolds can have one friction for all their points (contact_friction.inc), and that friction as
-// three rows, for what judges it.
+// Which joint manifolds can have one friction for all their points (contact_friction.inc), and that friction
+// as three rows, for code that judges it.
 #pragma once
 
 #include "rows/joint_manifold.h"
@@ -10,7 +10,7 @@
 
 namespace epode {
 
-// Along t1 and t2 at the centre of push and about n times the mean radius, bounded by |p| <= limit.
+// Rows along t1 and t2 at the centre of pressure, and about n times the mean radius, bounded by |p| <= limit.
 struct ManifoldFriction {
     Jacobian rows[3];
     Real p[3], c[3];
@@ -18,8 +18,8 @@ struct ManifoldFriction {
     int body1, body2;
 };
 
-// A disc needs a limit that is mu times the push, one mu and one softness for both directions, and directions
-// that are a frame with the normal.
+// Coulomb's disc needs a limit mu times the normal impulse, one mu and one softness for both directions, and
+// directions that are a frame with the normal.
 inline bool allows_manifold_friction(const JointManifold& m)
 {
     constexpr Real kSkew2 = Real(1e-6);
@@ -27,7 +27,7 @@ inline bool allows_manifold_friction(const JointManifold& m)
            length2(cross(m.t1, m.t2) - m.n) < kSkew2 && std::fabs(length2(m.t1) - 1) < kSkew2;
 }
 
-// Below this part of a manifold's size a mean radius may be rounding.
+// Below this share of a manifold's size a mean radius may be rounding.
 inline constexpr Real kMinRadius = Real(1e-3);
 
 }  // namespace epode

@@ -31,20 +31,21 @@ Row row_of(const ManifoldFriction& f, int k)
     return row;
 }
 
-// Has the block's friction gone into that of its manifold?
+// True if the friction of the block is part of its manifold's friction.
 bool in_manifold_friction(const RowSystem& system, const RowBlock& block)
 {
     return system.manifold_friction && block.count == 3 && has_contact_form(system, block) &&
            allows_manifold_friction(manifold_of(system, block));
 }
 
-// How many of the block's rows stand for themselves.
+// The number of the block's rows that are judged one by one.
 int own_rows(const RowSystem& system, const RowBlock& block)
 {
     return in_manifold_friction(system, block) ? 1 : block.count;
 }
 
-// What is to be in the box of its bounds, or the two friction rows of a contact in the ellipse of theirs.
+// Measures how far impulses are from the box of their bounds; the two friction rows of a contact may be
+// bounded by an ellipse.
 class Wanted {
   public:
     Wanted(const RowSystem& system, std::span<const SolverBody> bodies, std::span<const Real> lo,
@@ -52,7 +53,7 @@ class Wanted {
         : system_(system), bodies_(bodies), lo_(lo), hi_(hi)
     {}
 
-    // d |p - clip(p - w/d)|, of all rows of the block the largest.
+    // d |p - clip(p - w/d)|, the largest over the rows of the block.
     Real residual(const RowBlock& block) const
     {
         const int own = own_rows(system_, block);
@@ -68,7 +69,7 @@ class Wanted {
         return cone ? std::max(worst, friction_residual(block)) : worst;
     }
 
-    // The same of a friction in the ball of its limit, with the largest d of its rows.
+    // The same for a manifold friction in the ball of its limit, with the largest d of its rows.
     Real residual(const ManifoldFriction& f) const
     {
         const SolverBody& one = bodies_[std::size_t(f.body1)];
@@ -87,7 +88,7 @@ class Wanted {
     }
 
   private:
-    // Has the block a normal and two tangents, and nothing against rolling?
+    // True if the block has a normal and two tangents, and no rolling friction.
     bool slides(const RowBlock& block) const
     {
         const Row* rows = &system_.rows[std::size_t(block.first)];

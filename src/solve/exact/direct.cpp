@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// dWorldStep: ODE's mixed complementarity problem, exactly. Friction limits make it non-convex; ODE defines
-// the answer in two phases, each a strictly convex box problem with one solution (C > 0):
+// dWorldStep: ODE's mixed complementarity problem, solved exactly. Friction limits make it non-convex; ODE
+// defines the answer in two phases, each a strictly convex box problem with one solution (C > 0):
 //
 //   1. without the rows that have a parent (their bounds are 0)           -> p1
 //   2. all rows, with limits  hi = mu |p1[parent]|,  lo = -hi, frozen     -> p
 //
-// Phase 1 must be exact including the split among redundant contacts, since phase 2 inherits it as limits.
-// Small islands are solved by a method of their own (small_island.h). Others, and those that it gives up, per
-// phase: active set from the warm start, interior point where the guess does not settle, then the active set
-// again from its tags; the better answer by natural residual counts. Nothing is ever printed. The
-// alternative, Dantzig's principal pivoting on the dense J M^-1 J^T, is what ODE does: cubic in the rows, and
-// a pivot near zero on redundant contacts ends it.
+// Phase 1 must be exact including the split among redundant contacts, because phase 2 takes it as limits.
+// Small islands have methods of their own (small_island.h). All others, and those that these give up, take
+// per phase: the active set from the warm start; the interior point where the guess does not settle; then the
+// active set again from its tags. The answer with the smaller natural residual counts. Nothing is ever
+// printed. The alternative, Dantzig's principal pivoting on the dense J M^-1 J^T, is what ODE does: its cost
+// is cubic in the rows, and a pivot near zero on redundant contacts ends it.
 #include <algorithm>
 #include <cmath>
 
@@ -26,14 +26,14 @@
 namespace epode {
 namespace {
 
-constexpr double kPromised = 1e-9;  // natural residual that an answer must have
+constexpr double kPromised = 1e-9;  // natural residual that every answer must reach
 constexpr int kQuickRounds = 30;    // of the first active set
 constexpr double kInteriorTolerance = 2e-10;
 
 class DirectSolve {
   public:
-    // `give_up_early`: fail where the active set does not settle, there is something better than the interior
-    // point.
+    // `give_up_early`: fail where the active set does not settle, because a better method than the interior
+    // point is available.
     explicit DirectSolve(bool give_up_early) : give_up_early_(give_up_early) {}
 
     bool prepare(RowSystem& system, const SolverSettings& settings, Arena& arena)
@@ -84,7 +84,7 @@ class DirectSolve {
         return solve_phase(arena, report);
     }
 
-    // Better than it was, or as it was.
+    // Improves the answer or leaves it as it was.
     bool solve_densely(Arena& arena, SolveReport& report)
     {
         if (problem_.row_count() > ExtendedFactor::kMaxRows) return true;
@@ -114,8 +114,8 @@ class DirectSolve {
         return true;
     }
 
-    // The active set from the interior point's tags usually ends exactly; if it does not, the interior answer
-    // stands as it is.
+    // The active set from the interior point's tags usually ends exactly; otherwise the answer of the
+    // interior point is kept.
     void keep_better_of_polish(SolveReport& report)
     {
         const double before = problem_.residual(state_, scratch_);
@@ -139,7 +139,7 @@ class DirectSolve {
     PrimalActiveSet fallback_;
     bool give_up_early_;
     bool interior_ready_ = false, fallback_ready_ = false, fallback_dense_ = false;
-    double residual_ = 0;  // that scratch_ and state_ have
+    double residual_ = 0;  // residual of scratch_ and state_
     BoxState state_;
     std::span<double> kept_, begun_, scratch_;
 };

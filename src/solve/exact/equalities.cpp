@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // One factorisation of H = M + J^T D J, D = 1/C, and as few passes of the KKT refinement of active_set.cpp as
-// will do:
+// suffice:
 //
 //   r1 = M (v* - v) + J^T p,  r2 = c - J v - C p,  dv = H^-1 (r1 + J^T D r2),  dp = D (r2 - J dv)
 //
@@ -18,7 +18,7 @@ namespace epode {
 namespace {
 
 constexpr int kMaxPasses = 4;
-constexpr double kEnough = 1e-4;  // of the largest velocity that a row has to change
+constexpr double kEnough = 1e-4;  // of the largest velocity change of a row
 
 class Equalities {
   public:
@@ -53,7 +53,7 @@ class Equalities {
     void store(RowSystem& system) { problem_.store(system, p_, v_); }
 
   private:
-    // r2, and its largest.
+    // Computes r2; returns its largest element.
     double measure()
     {
         double worst = 0;

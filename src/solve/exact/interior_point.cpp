@@ -113,11 +113,11 @@ void InteriorPoint::start(const ExactProblem& problem, std::span<double> v)
     const auto n = std::size_t(rows.count());
     const double scale = problem.scale();
     bounds_ = 0;
-    // Rows with two bounds start in their middle: friction taken over from the last step is often far off.
+    // Rows with two bounds start in their middle: friction from the last step is often far off.
     for (std::size_t i = 0; i < n; ++i)
         if (rows.lo[i] > -HUGE_VAL && rows.hi[i] < HUGE_VAL) rows.p[i] = 0.5 * (rows.lo[i] + rows.hi[i]);
     // The velocities are those of the impulses before they are moved off their bounds: the momentum that is
-    // then missing costs less than hundreds of contacts that all push.
+    // then missing costs less than hundreds of contacts that all carry an impulse.
     rows.velocities(problem, r1_, v);
     for (std::size_t i = 0; i < n; ++i) {
         const bool real = rows.tag[i] != BoxState::kFixed;
@@ -135,7 +135,7 @@ void InteriorPoint::start(const ExactProblem& problem, std::span<double> v)
         place(rows_.upper, above, rows.hi[i] - rows.p[i]);
         bounds_ += below + above;
     }
-    // What the rows' velocities lack at this point, multipliers of the right sign take over.
+    // The rows' velocities at this point, with multipliers of the right sign.
     const std::span<double> w(rows_.e, n);
     rows.products(v, w);
     for (std::size_t i = 0; i < n; ++i) {
@@ -145,7 +145,7 @@ void InteriorPoint::start(const ExactProblem& problem, std::span<double> v)
     }
 }
 
-// `push` makes t and e and adds J^T D e to its argument.
+// `push` computes t and e and adds J^T D e to its argument.
 template <typename Push>
 void InteriorPoint::direction(ExactProblem& problem, const Push& push)
 {
@@ -163,13 +163,13 @@ double InteriorPoint::complementarity(double step) const
     return std::max(0.0, sum) / bounds_;
 }
 
-// Up to which all slacks and multipliers stay positive.
+// The longest step for which all slacks and multipliers stay positive.
 double InteriorPoint::longest_step() const
 {
     return ahead_.shrink > kStepShare ? 1 / ahead_.shrink : 1 / kStepShare;
 }
 
-// Predictor and corrector; returns the complementarity aimed at.
+// Predictor and corrector; returns the target complementarity.
 double InteriorPoint::aim(ExactProblem& problem)
 {
     const RowKernels& kernels = packed_->kernels();
@@ -182,8 +182,8 @@ double InteriorPoint::aim(ExactProblem& problem)
     return target;
 }
 
-// Where predictor and corrector no longer get on, a few products are far off the mean: back towards the
-// middle.
+// If predictor and corrector stop making progress, a few products are far from the mean: step back towards
+// the centre.
 double InteriorPoint::recentre(ExactProblem& problem)
 {
     const double target = 0.5 * complementarity(0);
@@ -192,7 +192,7 @@ double InteriorPoint::recentre(ExactProblem& problem)
 }
 
 // Gondzio's correctors: where a longer step would leave products far from the target, aim at the nearest
-// bound of [1/10, 10] of it instead; each costs one more solution with the same factor. They are kept only
+// bound of [1/10, 10] of it instead. Each costs one more solution with the same factor. They are kept only
 // while they lengthen the step.
 void InteriorPoint::correct_centrality(ExactProblem& problem, double target)
 {

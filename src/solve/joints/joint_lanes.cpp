@@ -14,7 +14,7 @@ constexpr Real kFloatRatio = 1000;  // of masses
 constexpr Real kFloatArms = 1000;   // m r x I^-1 r x
 constexpr Real kFloatRange = Real(1e12);
 
-bool in_range(Real sum) { return sum <= kFloatRange; }  // what is not a number is not
+bool in_range(Real sum) { return sum <= kFloatRange; }  // false for NaN
 
 Real size(Vec3 a)
 {
@@ -43,8 +43,8 @@ struct Masses {
     }
 };
 
-// An impulse at the arm r turns a body by I^-1 (r x p) and so moves that point beside what the mass lets it
-// move: the trace of the one over the other is how many digits the block of a joint may lose.
+// An impulse at the arm r rotates a body by I^-1 (r x p) and so moves the point in addition to what the mass
+// allows: the trace of the one over the other is the number of digits that the block of a joint may lose.
 bool arm_fits(const SolverBody& b, Vec3 r)
 {
     const Sym3& I = b.inv_inertia;
@@ -65,7 +65,7 @@ bool rows_fit(const RowSystem& system, const RowBlock& block)
 {
     const RowNumbers* rows = &system.numbers[std::size_t(block.first)];
     for (int i = 0; i < std::min(block.count, 3); ++i)
-        if (bounded(rows[i])) return false;  // becomes one of free form
+        if (bounded(rows[i])) return false;  // becomes a joint of free form
     Real sum = 0;
     for (int i = 0; i < block.count; ++i) sum += std::abs(rows[i].c) + rows[i].C + std::abs(rows[i].p);
     return in_range(sum);
@@ -77,7 +77,7 @@ bool any(const List& list, int from, int to, const Test& test)
     return std::any_of(list.begin() + from, list.begin() + to, test);
 }
 
-// Does anything of the part hold on to what takes up momentum?
+// True if some body of the part is attached to something that absorbs momentum.
 bool stands(const RowSystem& system, const SystemPart& from, const SystemPart& to)
 {
     const auto fixed = [&](const auto& x) { return !moving(system, x.body1) || !moving(system, x.body2); };

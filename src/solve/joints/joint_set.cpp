@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Packing writes rows one lane at a time; what follows from them (the matrix of each joint) the kernels
-// compute for several lanes at once.
+// Packing writes rows one lane at a time; the kernels compute what follows from them (the matrix of each
+// joint) for several lanes at once.
 #include "solve/joints/joint_set.h"
 
 #include <algorithm>
@@ -29,8 +29,8 @@ void set(L* to, int lane, const Sym3& s)
     set(to + 3, lane, Vec3{s.xy, s.xz, s.yz});
 }
 
-// Rows mostly ask for the same as that in their place in the joint before; mapping takes four divisions. Who
-// is soft by inverse_mass, the kernels find.
+// Most rows have the same parameters as the row in their place in the joint before; mapping takes four
+// divisions. Which rows are compliant relative to their inverse effective mass is decided by the kernels.
 class AimMap {
   public:
     explicit AimMap(const Substep& step) : step_(step) {}
@@ -53,7 +53,7 @@ class AimMap {
     RowAim aims_[kMaxJointRows];
 };
 
-// What one row asks for.
+// The target of one row.
 struct RowAsks {
     Real c, C, relaxed;
 };
@@ -100,7 +100,7 @@ void JointSetOf<L>::colour(const RowSystem& system, std::span<Joint> joints, Are
     if (arena.failed()) return;
     for (Joint& joint : joints) {
         const RowBlock& block = system.blocks[std::size_t(joint.block)];
-        Palette nothing[2];  // of what does not move
+        Palette nothing[2];  // for static bodies
         const auto palette_of = [&](int body, Palette& none) -> Palette& {
             const bool moves = body >= 0 && system.bodies[std::size_t(body)].inv_mass > 0;
             return moves ? palettes[std::size_t(body)] : none;
@@ -110,7 +110,7 @@ void JointSetOf<L>::colour(const RowSystem& system, std::span<Joint> joints, Are
     }
 }
 
-// Numbers the shapes in the order in which they appear; returns how many there are.
+// Numbers the shapes in the order of their first appearance; returns their count.
 template <typename L>
 int JointSetOf<L>::find_shapes(const RowSystem& system, std::span<Joint> joints)
 {
@@ -141,7 +141,7 @@ bool JointSetOf<L>::sort(std::span<Joint> joints, int shapes, Arena& arena)
     batches_ = arena.take<JointBatch>(max_batches);
     sources_ = arena.take<Source>(max_batches * kLanes);
     if (arena.failed()) return false;
-    // Behind the sort, starts[k] is where the next key begins.
+    // After the sort, starts[k] is where the next key begins.
     std::size_t next = 0;
     int from = 0;
     for (int k = 0; k < keys; ++k) {
@@ -274,7 +274,7 @@ void JointSetOf<L>::take_facts(const RowSystem& system, std::size_t b, JointRows
     JointBatch& batch = batches_[b];
     const FactLayout fact(batch);
     L* f = &facts_[std::size_t(batch.facts)];
-    // What no joint fills must be numbers.
+    // Lanes without a joint must hold finite numbers.
     const int blank = batch.count < kLanes ? 0 : fact.keeps;
     std::memset(static_cast<void*>(f + blank), 0, sizeof(L) * std::size_t(fact.size - blank));
     for (int lane = 0; lane < batch.count; ++lane) {
@@ -334,7 +334,7 @@ void FloatJointSet::sweep(std::span<FloatVelocity> bodies, const JointSweep& how
     machine_->on_floats.sweep(batches_.data(), int(batches_.size()), numbers_.data(), bodies.data(), how);
 }
 
-// f(row of the system, its place in the batch, the batch's numbers and layout, lane)
+// Calls f(row of the system, its place in the batch, the batch's numbers and layout, lane).
 template <typename L>
 template <typename Visit>
 void JointSetOf<L>::for_each_row(Visit&& f) const

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Rows and columns that are not there, behind the rows of a joint and those of rows that are held, are ones
-// of the unit matrix with a right-hand side of zero. Every diagonal gets a billionth of itself on top: rows
-// that repeat each other then have a factor, and since each visit starts from the true residual, what that
-// costs in digits the next visit brings back.
+// Padding rows and columns, after the rows of a joint and for rows that are held on a bound, are those of the
+// unit matrix with right-hand side zero. Every diagonal element gets a billionth of itself added: redundant
+// rows then have a factor, and since each visit starts from the true residual, the next visit recovers the
+// digits that this costs.
 #include "solve/substeps/joint_network.h"
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 namespace epode {
 namespace {
 
-constexpr int kRounds = 4;                                   // of holding and letting go, in a visit
-constexpr int kRoundsThatLetGo = 2;                          // of them, so that no two rows take turns
+constexpr int kRounds = 4;                                   // of holding and releasing, per visit
+constexpr int kRoundsThatLetGo = 2;                          // of them may release: no two rows alternate
 constexpr double kFirm = 1e-9;                               // share of the diagonal
-constexpr Real kSlack = kSingle ? Real(1e-5) : Real(1e-10);  // velocity that lets nothing go
+constexpr Real kSlack = kSingle ? Real(1e-5) : Real(1e-10);  // velocity that releases nothing
 constexpr int kMaxPartners = 12;                             // couplings per joint, on average
 constexpr int kMaxBlocks = 24;                               // of the factor, per joint
 
@@ -121,7 +121,7 @@ bool JointNetwork::pack(const RowSystem& system, Arena& arena)
             const bool bounded = n.parent >= 0 || n.lo > -kInf || n.hi < kInf;
             bounded_ = bounded_ || bounded;
             if (!bounded || n.parent >= 0) continue;
-            // What the last step left on a bound is likely to be there still.
+            // Rows that the last step left on a bound will probably be there again.
             if (row.p <= row.lo) row.hold = Hold::kLow;
             if (row.p >= row.hi) row.hold = Hold::kHigh;
         }
@@ -181,7 +181,7 @@ void JointNetwork::fill_diagonal(const NetworkJoint& joint)
 
 void JointNetwork::fill_coupling(const Coupling& c)
 {
-    // A joint of a body with itself holds nothing: such rows are of no effect.
+    // A joint of a body with itself has no effect.
     if (c.a == c.b) return;
     const NetworkJoint& a = joints_[std::size_t(c.a)];
     const auto rows_a = rows_of(a), rows_b = rows_of(joints_[std::size_t(c.b)]);
@@ -281,7 +281,7 @@ void JointNetwork::solve_free(std::span<Velocity> bodies, bool relax)
     }
 }
 
-// True: some rows are held or let go that were not.
+// True: some rows changed between held and free.
 bool JointNetwork::change_holds(std::span<Velocity> bodies, bool relax, bool may_let_go)
 {
     bool changed = false;
@@ -311,7 +311,7 @@ void JointNetwork::sweep(std::span<Velocity> bodies, const JointSweep& how)
         solve_free(bodies, relax);
         if (!bounded_ || !change_holds(bodies, relax, round < kRoundsThatLetGo)) return;
     }
-    put_on_bounds(bodies);  // the rest is for the next visit
+    put_on_bounds(bodies);  // the next visit does the rest
 }
 
 void JointNetwork::sum_impulses()

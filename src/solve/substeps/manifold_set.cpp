@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// First-fit colours among moving bodies (solve/common/colours.h), and a count of their own for manifolds
-// against what cannot move.
+// First-fit graph colouring among moving bodies (solve/common/colours.h), and separate colours for manifolds
+// against static bodies.
 #include "solve/substeps/manifold_set.h"
 
 #include <algorithm>
@@ -14,11 +14,11 @@
 namespace epode {
 namespace {
 
-// Less than contact joints have, 10: what is deep comes out faster, and a tall wall leans less. With 4 the
-// top of a pile that falls into place is thrown up by what its rows push one another apart.
+// Contact joints have 10. With less, penetration is removed faster and a tall wall leans less. With 4 the top
+// of a pile that falls into place is thrown up by the velocity that its rows of contacts add to each other.
 constexpr Real kDampingRatio = 7;
-constexpr int kBatchPiece = 2, kBodyPiece = 64;   // of parallel work in a sweep, at least
-constexpr int kBatchRange = 8, kBodyRange = 256;  // and before and behind all of them
+constexpr int kBatchPiece = 2, kBodyPiece = 64;   // least pieces of parallel work in a sweep
+constexpr int kBatchRange = 8, kBodyRange = 256;  // the same before and after all sweeps
 
 bool dynamic(std::span<const SolverBody> bodies, int index)
 {
@@ -40,7 +40,7 @@ ManifoldSprings springs_of(const Substep& step)
     return out;
 }
 
-// Of a point: its push, and friction along the tangents.
+// Stores the normal impulse of a point, and friction as a vector.
 void store_point(const ManifoldBatch& batch, int lane, const BroadLanes& normal, const BroadLanes& along1,
                  const BroadLanes& along2, ManifoldPoint& to)
 {
@@ -109,7 +109,7 @@ void ManifoldSet::colour(std::span<ContactManifold* const> manifolds, std::span<
             colours[i] = first_free(palettes[std::size_t(p.body1)], palettes[std::size_t(p.body2)]);
             moving = std::max(moving, colours[i] + 1);
         } else {
-            // ~c: counted from behind the last colour of the others.
+            // ~c: counted from the last colour of the others.
             const int c = one || two ? palettes[std::size_t(one ? p.body1 : p.body2)].fixed++ : 0;
             colours[i] = ~c;
             fixed = std::max(fixed, c + 1);
@@ -120,8 +120,8 @@ void ManifoldSet::colour(std::span<ContactManifold* const> manifolds, std::span<
     colours_ = moving + fixed;
 }
 
-// Counting sort by colour, then by number of points, the longest first. Behind it, starts[k] is where the
-// next key begins.
+// Counting sort by colour, then by number of points, the longest first. Afterwards starts[k] is where key k +
+// 1 begins.
 void ManifoldSet::sort(std::span<ContactManifold* const> manifolds, std::span<const int> colours,
                        std::span<int> starts)
 {
@@ -136,8 +136,8 @@ void ManifoldSet::sort(std::span<ContactManifold* const> manifolds, std::span<co
     for (std::size_t i = 0; i < manifolds.size(); ++i) order_[std::size_t(starts[key(i)]++)] = int(i);
 }
 
-// f(colour, first, manifolds) for each batch: eight of the order, or sixteen if the second eight begins with as
-// many points, so that no lane goes along with longer ones for the sake of company.
+// Calls f(colour, first, manifolds) for each batch: eight of the order, or sixteen if the second eight begins
+// with as many points, so that no lane must wait for longer ones.
 template <typename F>
 void ManifoldSet::for_each_batch(std::span<ContactManifold* const> manifolds, std::span<const int> starts,
                                  F&& f) const
@@ -216,7 +216,7 @@ void ManifoldSet::fill(const RowSystem& system, const Substep& step)
     const ManifoldSprings springs = springs_of(step);
     tasks_.each_of(int(batches_.size()), kBatchRange,
                    [&](std::size_t b) { fill_batch(system, step, springs, b); });
-    // What the first substep begins with.
+    // The state that the first substep begins with.
     each_body([&](std::size_t i) { motions_[i] = {}; });
     motions_.back() = {};
     perform({Visit::kApplyImpulses}, 1, {});
@@ -225,7 +225,8 @@ void ManifoldSet::fill(const RowSystem& system, const Substep& step)
     });
 }
 
-// The bodies of this batch, and the manifolds of the next: neighbours in a batch are none in memory.
+// Prefetches the bodies of this batch and the manifolds of the next: neighbours in a batch are not neighbours
+// in memory.
 void ManifoldSet::prefetch_lanes(const RowSystem& system, std::size_t b) const
 {
     for (int lane = 0; lane < kBroadLanes; ++lane) {
@@ -245,7 +246,7 @@ void ManifoldSet::fill_batch(const RowSystem& system, const Substep& step, const
 {
     prefetch_lanes(system, b);
     ManifoldBatch& batch = batches_[b];
-    ManifoldLanes passing[kManifoldPoints];  // on their way into the friction of the whole
+    ManifoldLanes passing[kManifoldPoints];  // only needed to prepare manifold friction
     ManifoldLanes* points = manifold_friction_ ? passing : &points_[std::size_t(batch.first)];
     ManifoldSources from;
     for (int lane = 0; lane < batch.lanes; ++lane) choose_lane(system, b, lane, from);
@@ -313,7 +314,8 @@ void ManifoldSet::visit(Visit what, const ManifoldBodies& bodies, int first, int
     }
 }
 
-// A few pieces for each worker, and as many for each: who is late should leave something to the others.
+// A few pieces for each worker, the same number for each: a worker that is late should leave some to the
+// others.
 ManifoldSet::Stage ManifoldSet::stage(Visit visit, int first, int last) const
 {
     const int count = last - first, workers = tasks_.workers();
@@ -333,8 +335,8 @@ int ManifoldSet::list_stages(std::initializer_list<Visit> round)
     return int(count);
 }
 
-// One alone has no need of colours: batches lie in their order. Nor of stages: those that nobody
-// shares cost a short step 3 % more.
+// A single worker needs no colours, because batches lie in their order. It needs no stages either, which cost
+// time when no other worker shares them.
 void ManifoldSet::perform(std::initializer_list<Visit> round, int times, const ManifoldBodies& bodies)
 {
     if (tasks_.alone()) {

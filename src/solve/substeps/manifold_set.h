@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Manifolds packed for sweeping (solve/substeps/manifold_batch.h). Every manifold gets a colour, so that manifolds of
-// one colour share no dynamic body: the smallest that its bodies still have, in the order of the manifolds;
-// those against what cannot move come behind all others, so that theirs is the last word. Sixteen of one
-// colour make a batch, or eight, manifolds with as many points together. Since colours depend on the neighbours
-// alone, an island has the same answer whether it is packed alone or with others: many small ones fill the
-// lanes that one would leave empty.
+// Contact manifolds packed for sweeping (solve/substeps/manifold_batch.h). Graph colouring: manifolds of one
+// colour share no dynamic body. Each gets the smallest colour that its bodies have free, in the order of the
+// manifolds; manifolds against static bodies come after all others, so that they have the last word. Sixteen
+// of one colour make a batch, or eight, manifolds with as many points together. Since colours depend on the
+// neighbours alone, an island has the same answer whether it is packed alone or with others: many small
+// islands fill the lanes that one would leave empty.
 #pragma once
 
 #include <initializer_list>
@@ -25,22 +25,22 @@ class ManifoldSet {
   public:
     explicit ManifoldSet(const ManifoldKernels& kernels = *manifold_kernels().back()) : kernels_(&kernels) {}
 
-    // False: out of memory. Velocities are those before any force. `tasks` does the batches of a colour, and
-    // bodies, in parallel if there are many.
+    // False: out of memory. Velocities are those before any force. `tasks` runs the batches of a colour, and
+    // the bodies, in parallel if there are many.
     bool prepare(const RowSystem& system, const Substep& step, const Tasks& tasks, Arena& arena);
     bool empty() const { return batches_.empty(); }
 
-    // Sweeps over the velocities, in floats; what they change is added to the doubles.
+    // Sweeps over the velocities in floats; their changes are added to the doubles.
     void correct(std::span<Velocity> bodies);
     void relax(std::span<Velocity> bodies);
     void apply_restitution(std::span<Velocity> bodies);
-    // n substeps of bodies that manifolds alone hold, each in three visits to a body: forces (`gain`) and
-    // impulses; when its contacts are corrected, motion (velocities summed in `mean`); when they are relaxed,
-    // what that changed.
+    // n substeps for bodies that only manifolds hold, with three visits to a body in each: first forces
+    // (`force_velocity`) and impulses; after its contacts are corrected, motion (velocities summed in
+    // `mean`); after they are relaxed, that change.
     void run_substeps(int n, std::span<Velocity> bodies, std::span<const Velocity> force_velocity,
                       std::span<Velocity> mean);
-    // v += M^-1 J^T p with the impulses that the last substep ended with: the sum of all changes since its
-    // beginning, body by body, so it costs no visit to the contacts.
+    // v += M^-1 J^T p with the impulses at the end of the last substep: the sum of all changes since its
+    // beginning, body by body, so it needs no visit to the contacts.
     void apply_impulses(std::span<Velocity> bodies) const;
     void follow_motion(std::span<const Velocity> bodies);  // the bodies move for hs
     void store_impulses(std::span<ContactManifold* const> manifolds) const;
@@ -63,14 +63,14 @@ class ManifoldSet {
                     std::size_t batch);
     void choose_lane(const RowSystem& system, std::size_t batch, int lane, ManifoldSources& from);
     ManifoldBodies view(std::span<Velocity> bodies);
-    // A look at every body, or at every batch, colour by colour.
+    // One pass over all bodies, or over all batches colour by colour.
     enum class Visit { kLoad, kAccelerate, kMove, kTake, kApplyImpulses, kCorrect, kRelax, kRestitution };
     static bool is_of_bodies(Visit visit) { return visit < Visit::kApplyImpulses; }
-    // Bodies or batches that know nothing of each other.
+    // Bodies or batches that are independent of each other.
     struct Stage {
         Visit visit;
         int first, last;
-        int pieces;  // of work, all but equal
+        int pieces;  // of work, of nearly equal size
     };
     static constexpr int kMaxVisits = 5;
     void perform(std::initializer_list<Visit> round, int times, const ManifoldBodies& bodies);
@@ -80,10 +80,10 @@ class ManifoldSet {
 
     const ManifoldKernels* kernels_;
     std::span<ManifoldBatch> batches_;
-    std::span<ManifoldLanes> points_;             // if each has its friction
+    std::span<ManifoldLanes> points_;             // if each point has its own friction
     std::span<ManifoldFrictionLanes> frictions_;  // else one per batch
     std::span<FloatMotion> motions_;              // the last is the world
-    std::span<Velocity> impulse_velocity_;        // what the last substep did to each body
+    std::span<Velocity> impulse_velocity_;        // effect of the impulses of the last substep on each body
     std::span<int> order_;            // of the manifolds, by colour and number of points; lane by lane
     std::span<int> chosen_;           // the manifold in each lane of each batch; -1: none
     std::span<int> first_of_colour_;  // batch; one more at the end

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// `begin_pass` writes what a sweep reads, by the same formula for one contact and for several in a register.
+// `begin_pass` writes what a sweep reads, with the same formula for one contact and for several in a
+// register.
 #include "solve/substeps/substep_contacts.h"
 
 #include <algorithm>
@@ -92,7 +93,7 @@ void set_tangent_numbers(RowSystem& system, const RowBlock& block, const Substep
 {
     RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
     const Row* rows = &system.rows[std::size_t(block.first)];
-    numbers[0].c = numbers[0].C = 0;  // aimed anew in every pass
+    numbers[0].c = numbers[0].C = 0;  // set anew in every pass
     for (int k = 1; k < block.count; ++k) {
         numbers[k].c = std::min(rows[k].speed, rows[k].cap);
         numbers[k].C = rows[k].cfm / step.hs;

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// dWorldStepFast1: n substeps of hs = h/n instead of n sweeps over one large one (Macklin, Storey et al.,
-// "Small Steps in Physics Simulation", 2019). Per substep:
+// dWorldStepFast1: n substeps of hs = h/n instead of n sweeps over one large step (TGS; Macklin, Storey et
+// al., "Small Steps in Physics Simulation", 2019). Per substep:
 //
-//   v += hs M^-1 f;  v += M^-1 J^T p          forces, and the impulses of the substep before
+//   v += hs M^-1 f;  v += M^-1 J^T p          forces, and the impulses of the substep before (warm start)
 //   solve contacts, then joints as blocks     J v + C p = c, correcting position errors
 //   x += hs v
-//   solve joints, then contacts, without it   takes out the velocity that the correction put in
+//   solve joints, then contacts, without it   relax: removes the velocity that the correction added
 //
-// After the last one, what carried load and came in fast rebounds. Errors of joints are measured anew at
-// every pose, so mass ratios that would need hundreds of sweeps settle in ten substeps; on regular stacks
-// the gain is nil. A step's impulse is the sum over its substeps; the next step starts from its n-th part.
-// The residual that is reported is that of the last substep after its correcting solve: for the step as a
-// whole no single problem exists. Manifolds are solved in float lanes beside them and have no part in it.
+// After the last substep, restitution is applied to what approached fast and carried load. Errors of joints
+// are measured at every pose, so mass ratios that would need hundreds of sweeps settle in ten substeps; on
+// regular stacks there is no gain. The impulse of a step is the sum over its substeps; the next step starts
+// from its n-th part. The reported residual is that of the last substep after its correcting solve, because
+// for the whole step no single problem exists. Contact manifolds are solved in float lanes in the same passes
+// and are not part of it.
 //
 // The second solver here differs in one thing: all joints of the island are one block that is solved exactly
-// (solve/substeps/joint_network), before and after the contacts of each pass. An articulated body in a heap
-// keeps its joints, and only contacts are left to iterate. Where the factor would fill in it is the first
-// one.
+// (solve/substeps/joint_network), before and after the contacts of each pass. An articulated body in a pile
+// keeps its joints together, and only contacts iterate. Where the factor would fill in, the first solver is
+// used.
 #include <algorithm>
 
 #include "solve/common/residual.h"
@@ -42,7 +43,7 @@ class SubstepSolver {
 
     bool prepare(const SolverSettings& settings, Arena& arena)
     {
-        // Numbers of the whole step become those of a small one.
+        // Converts numbers of the whole step to those of a substep.
         const Real share = Real(1) / Real(step_.n);
         for (RowNumbers& n : system_.numbers) {
             n.p *= share;
@@ -97,7 +98,7 @@ class SubstepSolver {
         if (Joints::kHasBothEnds) joints_.sweep(velocities_, {1, false});
         contacts_.sweep(velocities_, false);
         manifolds_.correct(velocities_);
-        joints_.sweep(velocities_, {1, false});  // what poses are to follow
+        joints_.sweep(velocities_, {1, false});  // the velocities that poses follow
     }
 
     void save_bodies()
@@ -125,7 +126,7 @@ class SubstepSolver {
         contacts_.add_impulses(system_.numbers);
     }
 
-    // Contacts in their order, those against what cannot move last, so that theirs is the last word.
+    // Contacts in their order, those against static bodies last, so that they have the last word.
     void apply_contacts_restitution()
     {
         for (const bool against_static : {false, true})
@@ -185,7 +186,7 @@ class SubstepSolver {
     std::span<Real> lo_, hi_;
 };
 
-// What there is without rows. False: there are rows.
+// Solves a system without rows. False: there are rows.
 bool solve_without_rows(RowSystem& system, const SolverSettings& settings, Arena& arena, int n, bool& solved)
 {
     if (!system.rows.empty()) return false;
@@ -200,7 +201,7 @@ bool solve_without_rows(RowSystem& system, const SolverSettings& settings, Arena
     solved = !arena.failed();
     if (!solved) return true;
     load_velocities(system, velocities);
-    for (int i = 0; i < n; ++i) {  // free bodies move in substeps too: their rotation is better for it
+    for (int i = 0; i < n; ++i) {  // free bodies take substeps too, which improves their rotation
         model.apply_forces(model.model, velocities.data(), system.h / Real(n));
         model.advance(model.model, system, velocities.data(), system.h / Real(n));
     }

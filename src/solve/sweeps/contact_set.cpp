@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Packing chooses what comes into which lane; the kernels bring it there, and compute for all lanes at once
-// what follows from it (mobilities, couplings).
+// Packing decides what each lane holds; the kernels load it and compute for all lanes at once what follows
+// from it (effective masses, couplings).
 #include "solve/sweeps/contact_set.h"
 
 #include <algorithm>
@@ -17,12 +17,12 @@ constexpr int kWindow = 6;          // manifolds looked at for each lane
 constexpr int kFullShuffle = 1536;  // batches, about 6 MB
 constexpr int kRun = 32;
 
-// What fills lanes that have nothing.
+// Fills unused lanes.
 constexpr SolverBody kAtRest{};
 constexpr JointManifold kNoManifold{{}, {}, {}, {}, {}, {}, {}, {}, -1, -1, 0, 0};
 constexpr JointManifoldPoint kNoPoint{};
 
-// To floats without leaving their range: a limit that is finite stays so.
+// Converts to float within its range: a finite limit stays finite.
 template <typename N>
 N narrowed(Real x)
 {
@@ -30,7 +30,7 @@ N narrowed(Real x)
     return std::is_same_v<N, Real> || x <= limit || x == kInf ? N(x) : N(limit);
 }
 
-// Lanes without a point have the directions of their manifold, but no say.
+// Lanes without a point have the directions of their manifold, but no effect.
 template <typename L>
 void silence_unused(const ContactSourceOf<L>& source, BatchPointOf<L>& point)
 {
@@ -52,7 +52,7 @@ BatchForm form_of(const RowSystem& system, const JointManifold& m)
 }
 
 // Fills one batch after the other. A body that moves may be in a batch once: its stamp is the last batch that
-// it is in.
+// contains it.
 class Chooser {
   public:
     Chooser(const RowSystem& system, std::span<const JointManifold> manifolds, std::span<int> stamps,
@@ -67,7 +67,7 @@ class Chooser {
         std::fill(stamps.begin(), stamps.end(), -1);
     }
 
-    // The lanes of the batch that manifold `first` begins; the rest is -1.
+    // Chooses the lanes of the batch that manifold `first` begins; the rest is -1.
     void fill(int batch, int first, int* lanes)
     {
         int taken = 0;
@@ -75,7 +75,7 @@ class Chooser {
         first_ = first;
         const int count = manifolds_[std::size_t(first)].count;
         const int end = std::min(int(manifolds_.size()), first + kWindow * lanes_);
-        // First those of the same length, then any.
+        // First manifolds of the same length, then any.
         for (const bool any : {false, true})
             for (int j = first + 1; j < end && taken < lanes_; ++j)
                 if (!used_[std::size_t(j)] && (any || manifolds_[std::size_t(j)].count == count) &&
@@ -111,7 +111,7 @@ class Chooser {
     std::span<int> stamps_;
     std::span<bool> used_;
     int lanes_;
-    bool manifold_friction_;  // those that can have one friction stay by themselves
+    bool manifold_friction_;  // manifolds that allow manifold friction stay by themselves
     int first_ = 0;           // of the batch
 };
 
@@ -221,7 +221,7 @@ bool ContactSetOf<L>::place_frictions(std::span<const JointManifold> manifolds, 
     return true;
 }
 
-// The anchors of a batch and the places of its points, in Reals before they are lanes.
+// The anchors of a batch and the positions of its points, in Reals before they become lanes.
 template <typename L>
 void ContactSetOf<L>::fill_friction(const JointManifoldList& list, std::size_t b)
 {
@@ -303,7 +303,7 @@ void ContactSetOf<Lanes>::normal_velocities(const ContactBatch& batch, std::span
     machine_->normal_velocities(batch, &points_[std::size_t(batch.first)], bodies.data(), out.data());
 }
 
-// Islands that no longer fit the caches keep neighbours together: runs are shuffled, then what is in each
+// Islands that exceed the caches keep neighbours together: runs are shuffled, then the batches within each
 // run.
 template <typename L>
 void ContactSetOf<L>::shuffle(CounterRandom& random)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Manifolds packed for sweeping (solve/sweeps/contact_batch.h) and what is done to all of them. Those that
-// share no dynamic body are put side by side into batches, greedily from a short window, in order, so that
-// the packing is a function of the island alone and neighbours in memory stay neighbours.
+// Joint manifolds packed for sweeping (solve/sweeps/contact_batch.h) and the operations on all of them.
+// Manifolds that share no dynamic body are put side by side into batches, greedily from a short window, in
+// order. So the packing is a function of the island alone, and neighbours in memory stay neighbours.
 #pragma once
 
 #include <span>
@@ -44,10 +44,10 @@ class ContactSetOf {
     void sweep(std::span<Bodies> bodies);
     void relax_by(Real factor);  // multiplies the over-relaxation of the sweeps to come
     void store_impulses(std::span<JointManifoldPoint> points) const;
-    // One for each manifold that has one friction, in the order of the manifolds. Empty: none, or out of
+    // One for each manifold with manifold friction, in the order of the manifolds. Empty: none, or out of
     // memory.
     std::span<ManifoldFriction> manifold_frictions(Arena& arena) const;
-    // J_n v of the points of a batch; of Lanes only.
+    // J_n v of the points of a batch; for Lanes only.
     void normal_velocities(const Batch& batch, std::span<const Velocity> bodies,
                            std::span<Lanes, kManifoldPoints> out) const;
 
@@ -78,7 +78,7 @@ class ContactSetOf {
     const ContactKernels* machine_;
     const ContactKernelsOf<L>* kernels_;
     bool cone_ = false;
-    bool manifold_friction_ = false;  // manifolds that can have one friction do
+    bool manifold_friction_ = false;  // manifolds that allow it have one friction
     int manifolds_ = 0;
     std::span<Choice> chosen_;
     std::span<Batch> batches_;

@@ -13,7 +13,7 @@ constexpr int kFloatSweeps = 50;
 constexpr Real kFloatRatio = 1000;  // of masses
 constexpr Real kFloatRange = Real(1e12);
 
-bool in_range(Real sum) { return sum <= kFloatRange; }  // what is not a number is not
+bool in_range(Real sum) { return sum <= kFloatRange; }  // false for NaN
 
 Real size(Real a) { return std::abs(a); }
 
@@ -35,7 +35,7 @@ bool bodies_fit_floats(std::span<const SolverBody> bodies)
     return largest <= kFloatRatio * smallest && in_range(largest) && in_range(1 / smallest);
 }
 
-// Friction limits are not looked at: they may be infinite.
+// Ignores friction limits, which may be infinite.
 bool contacts_fit_floats(const JointManifoldList& list)
 {
     for (const JointManifold& m : list.manifolds)
@@ -52,7 +52,7 @@ bool stands(const RowSystem& system, int body)
     return body < 0 || !(system.bodies[std::size_t(body)].inv_mass > 0);
 }
 
-// Does every part that has contacts touch something that takes up momentum?
+// True if every part with contacts touches something that absorbs momentum.
 bool all_parts_stand(const RowSystem& system, const JointManifoldList& list)
 {
     if (system.joint_contacts.manifolds.empty()) return true;
@@ -84,7 +84,7 @@ bool QuickContacts::pack(const RowSystem& system, const JointManifoldList& list,
     return !arena.failed() && floats_.pack(system, list, settings.w, arena);
 }
 
-// Of floats, from begin() to end() if nobody else looks, else each time.
+// For floats: from begin() to end() if no other code uses the velocities meanwhile, else each time.
 template <typename Change>
 void QuickContacts::change(std::span<Velocity> bodies, Change&& change)
 {

@@ -14,7 +14,7 @@ void limits(const PackedRow& row, const PackedRow* rows, Real& lo, Real& hi)
 {
     lo = row.lo, hi = row.hi;
     if (row.parent < 0) return;
-    hi = row.hi * std::fabs(rows[row.parent].p);  // infinity times zero binds nothing: comparisons are false
+    hi = row.hi * std::fabs(rows[row.parent].p);  // infinity times zero is NaN, which never limits
     lo = -hi;
 }
 

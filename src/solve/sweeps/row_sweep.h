@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Rows of any form, one at a time: contacts that solve/sweeps/contact_set.h does not know (rolling friction,
-// one tangent). Everything a visit needs lies in one record, since a row is met once per sweep and then not
-// again before the caches have forgotten it.
+// Rows of any form, one at a time: contacts that solve/sweeps/contact_set.h does not pack (rolling friction,
+// one tangent). Everything that a visit needs is in one record, because a row is visited once per sweep and
+// not again before it has left the caches.
 #pragma once
 
 #include <span>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Manifolds in lanes: the kernels of every machine leave the same bits, an island has the same answer alone and
-// packed with others, and what a sweep leaves is what Signorini and Coulomb ask for.
+// Manifolds in lanes: the kernels of every machine leave the same bits, an island has the same answer alone
+// and packed with others, and what a sweep leaves is what Signorini and Coulomb ask for.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -236,8 +236,8 @@ Vec3 slip(const Answer& a, const ContactManifold& p, const ManifoldPoint& point)
     return b1.v + cross(b1.w, widen(point.r1)) - b2.v - cross(b2.w, widen(point.r2));
 }
 
-// The friction of a manifold as one: its force and its couple about the centre of pressure, bounds and velocities
-// there, by the formulas of manifold_friction.inc in Reals.
+// The friction of a manifold as one: its force and its couple about the centre of pressure, bounds and
+// velocities there, by the formulas of manifold_friction.inc in Reals.
 struct ManifoldFrictionReference {
     Real normal = 0, radius = 0, couple = 0, turn;
     Vec3 centre, force, along;
@@ -321,8 +321,9 @@ TEST(ManifoldSet, whole_manifolds_leave_what_the_ellipsoid_asks_for)
     EXPECT_GT(sticking, 0);
 }
 
-// Contacts without restitution, swept until nothing changes: u_n >= 0, p >= 0, u_n p = 0, and friction on the disc
-// against the slip, or less and no slip. Stored is the sum over all sweeps; the last one is the difference.
+// Contacts without restitution, swept until nothing changes: u_n >= 0, p >= 0, u_n p = 0, and friction on the
+// disc against the slip, or less and no slip. Stored is the sum over all sweeps; the last one is the
+// difference.
 TEST(ManifoldSet, leaves_what_signorini_and_coulomb_ask_for)
 {
     Contacts c = random_contacts(3, 24, 20);

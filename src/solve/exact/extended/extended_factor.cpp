@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See extended_factor.h. Right-looking; what is zero, as between joints that share no body, is skipped.
+// See extended_factor.h. Right-looking; zeros, as between joints that share no body, are skipped.
 #include "solve/exact/extended/extended_factor.h"
 
 namespace epode {
@@ -59,7 +59,7 @@ void ExtendedFactor::fill(const ExactProblem& problem)
     }
 }
 
-// Rows below k become those of what is left without it, column k that of L.
+// Turns the rows below k into those of the Schur complement without k, and column k into that of L.
 void ExtendedFactor::eliminate(int k, double d)
 {
     const auto at = std::size_t(k);

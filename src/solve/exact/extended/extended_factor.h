@@ -2,14 +2,14 @@
 // Copyright (c) 2026 The Epode authors
 //
 // A = J J^T + C of the free rows, dense, as L D L^T in 106 bits: for islands of a few hundred rows whose
-// redundant rows leave A with eigenvalues so small that no factor in doubles carries them, nor conjugate
-// residuals around one. Long lever arms do that: d of a joint 1e6 m from its body is 1e12 of what C opposes
-// with, and with C = 1e-9 the eigenvalues of redundant rows lie at 1e-21 d, below the rounding of doubles,
+// redundant rows leave A with eigenvalues so small that neither a factor in doubles nor conjugate residuals
+// with one can resolve them. Long lever arms cause that: d of a joint 1e6 m from its body is 1e12 times what
+// C adds, and with C = 1e-9 the eigenvalues of redundant rows lie at 1e-21 d, below the rounding of doubles,
 // above that of 106 bits.
 //
-// No pivoting: A is positive definite but for rounding. A pivot that is rounding belongs to a row that
-// follows from those before it; raised to what rounding leaves, it makes the row that much softer, and
-// refinement takes this back as far as the rows agree.
+// No pivoting: A is positive definite except for rounding. A pivot that is rounding belongs to a row that
+// follows from those before it. Raised to the size of rounding it gives the row that much compliance, and
+// refinement removes this as far as the rows agree.
 #pragma once
 
 #include "solve/exact/problem/exact_problem.h"

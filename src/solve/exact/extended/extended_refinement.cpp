@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Residuals are taken anew from p in every pass, images anew from their directions, and every pass goes to
-// the least residual along all of them: rounding and errors of the factor only cost passes.
+// Residuals are recomputed from p in every pass and images from their directions, and every pass minimises
+// the residual along all of them: rounding and errors of the factor only cost passes.
 #include "solve/exact/extended/extended_refinement.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ constexpr int kMaxPasses = 80;
 constexpr int kDensePasses = 6;
 constexpr int kMaxDirections = 30;
 constexpr int kMinDirections = 8;
-constexpr int kManyRows = 2000;  // from which on directions cost too much memory
+constexpr int kManyRows = 2000;  // above this, directions cost too much memory
 
 }  // namespace
 
@@ -156,7 +156,7 @@ void ExtendedRefinement::take_image(const ExactProblem& problem, int k)
         if (!(D_[i] > 0)) Aq[i] = 0;
 }
 
-// Along direction j to the least residual.
+// Moves along direction j to the least residual.
 void ExtendedRefinement::advance(BoxState& state, std::span<double> low, int j)
 {
     const double step = dot(r_, image(j)) / dot(image(j), image(j));

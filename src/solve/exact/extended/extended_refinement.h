@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The equalities of given free rows where double precision is too narrow: a gram between two tons has
-// impulses whose rounding alone, eps d |p|, moves it by more than the promised 1e-9; loops with redundant
-// joints and a CFM of 1e-10 have A = J J^T + C with eigenvalues of 1e-13 d, which no factor carries. Here
-// impulses are p = hi + lo and J^T p is summed in 106 bits, and
+// Solves the equalities of given free rows where double precision is too narrow. One gram between two tons
+// has impulses whose rounding alone, eps d |p|, moves it by more than the promised 1e-9; loops with redundant
+// joints and a CFM of 1e-10 have A = J J^T + C with eigenvalues of 1e-13 d, which no factor in doubles
+// resolves. Here impulses are p = hi + lo and J^T p is summed in 106 bits, and
 //
 //   A p = b:   v = v* + J^T p,  r = c - J v - C p = 0
 //
-// is solved by conjugate residuals with all directions kept (GCR: Eisenstat, Elman & Schultz, SIAM J. Numer.
-// Anal. 20, 1983) and B = (A + F)^-1, F = 1e-11 d, as approximate inverse, which one solution with H = 1 +
-// J^T D J gives (Woodbury), D = 1/(C + F): H x = J^T D r, z = D (r - J x). In the inner product with weights
-// 1/d, F is a multiple of 1, so that A B is symmetric with eigenvalues a/(a + F): one cluster at 1 and one
-// pass more for each redundant row. Refinement with B alone would need F/C passes. What these passes leave of
-// a small island is for refinement with a dense factor in 106 bits (solve/exact/extended/extended_factor.h).
+// is solved by conjugate residuals that keep all directions (GCR: Eisenstat, Elman & Schultz, SIAM J. Numer.
+// Anal. 20, 1983), with the approximate inverse B = (A + F)^-1, F = 1e-11 d. One solution with H = 1 + J^T D
+// J gives B (Woodbury), D = 1/(C + F): H x = J^T D r, z = D (r - J x). In the inner product with weights 1/d,
+// F is a multiple of 1, so A B is symmetric with eigenvalues a/(a + F): one cluster at 1, and one more pass
+// for each redundant row. Refinement with B alone would need F/C passes. What these passes leave of a small
+// island is refined with a dense factor in 106 bits (solve/exact/extended/extended_factor.h).
 #pragma once
 
 #include "solve/exact/extended/extended_factor.h"
@@ -27,8 +27,8 @@ class ExtendedRefinement {
     // From now on with the dense factor; false: out of memory.
     bool prepare_dense(int rows, Arena& arena);
 
-    // Impulses of rows that are not free are data. `low` and what it adds to p survive from call to call; the
-    // velocities that belong to the impulses are left in `v`.
+    // Impulses of rows that are not free are data. `low`, which is added to p, persists from call to call;
+    // the velocities that belong to the impulses are left in `v`.
     void solve(ExactProblem& problem, BoxState& state, std::span<double> low, std::span<double> v);
 
     // v of the present impulses, with all their digits.

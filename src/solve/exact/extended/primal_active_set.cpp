@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See primal_active_set.h. A row's wrongness is measured as the velocity by which its sign is violated.
+// See primal_active_set.h. The error of a row is the velocity by which its sign is violated.
 #include "solve/exact/extended/primal_active_set.h"
 
 #include <algorithm>
@@ -80,7 +80,7 @@ void PrimalActiveSet::descend(ExactProblem& problem, BoxState& state, std::span<
     }
 }
 
-// Impulses of bound rows are their bounds.
+// Sets impulses of bound rows to their bounds.
 void PrimalActiveSet::settle(BoxState& state)
 {
     for (std::size_t i = 0; i < low_.size(); ++i) {
@@ -90,7 +90,7 @@ void PrimalActiveSet::settle(BoxState& state)
     }
 }
 
-// Back along the way from from_ to the first bound in it; false: there is none.
+// Moves back along the way from from_ to the first bound in it; false: there is none.
 bool PrimalActiveSet::stop_at_bound(const ExactProblem& problem, BoxState& state)
 {
     const double tolerance = kFeasible * problem.scale();

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The last resort of the exact solver, for the few islands whose residual the quick methods leave above what
-// is promised: an active set whose equalities are solved with 106 bits (solve/exact/extended/extended_refinement.h), in
-// two stages.
+// The fallback of the exact solver, for the few islands whose residual the fast methods leave above the
+// promise: an active set whose equalities are solved with 106 bits
+// (solve/exact/extended/extended_refinement.h), in two stages.
 //
 //   1. flips, as in active_set.cpp: usually only digits were missing;
-//   2. from the best point so far the primal method for strictly convex quadratic programs (Nocedal & Wright,
-//      Numerical Optimization, 16.5): go towards the solution of the free rows, stop at the first bound and
-//      keep it; where none is in the way, release the bound whose multiplier is most wrong. 1/2 p A p - b p
-//      falls in every round, so no set of bounds comes twice, which Murty's rule does not say about the time
-//      it takes.
+//   2. from the best point so far the primal active-set method for strictly convex quadratic programs
+//      (Nocedal & Wright, Numerical Optimization, 16.5): move towards the solution of the free rows, stop at
+//      the first bound and keep it; if none is in the way, release the bound whose multiplier is most wrong.
+//      The energy 1/2 p A p - b p falls in every round, so no set of bounds comes twice. Murty's rule is
+//      finite too, but has no bound on its time.
 #pragma once
 
 #include "solve/exact/extended/extended_refinement.h"
@@ -20,14 +20,14 @@ namespace epode {
 class PrimalActiveSet {
   public:
     bool prepare(const ExactProblem& problem, Arena& arena);  // false: out of memory
-    // For what still has not enough digits: the equalities densely from now on. False: out of memory.
+    // For islands that still lack digits: solves the equalities densely from now on. False: out of memory.
     bool prepare_dense(const ExactProblem& problem, Arena& arena)
     {
         return equalities_.prepare_dense(problem.row_count(), arena);
     }
 
-    // The factor of H must have been built. Leaves the best point that was seen in `state`, with the
-    // velocities that belong to its impulses with all their digits in `v`, and returns its residual.
+    // The factor of H must have been built. Leaves the best point found in `state`, with the velocities that
+    // belong to its impulses with all their digits in `v`, and returns its residual.
     double solve(ExactProblem& problem, BoxState& state, std::span<double> v, int& rounds);
 
   private:

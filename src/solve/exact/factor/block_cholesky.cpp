@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Right-looking by fronts: a front is factored as a dense matrix, then its outer product is subtracted, block
-// by block, straight from the fronts that own its rows. A multifrontal method would first gather the
+// Right-looking by fronts: a front is factored as a dense matrix, then its outer product B B^T is subtracted,
+// block by block, directly from the fronts that own its rows. A multifrontal method would first collect the
 // products in a matrix per front and pass it up the tree: the same arithmetic, and a stack of copies.
 #include "solve/exact/factor/block_cholesky.h"
 
@@ -11,7 +11,7 @@
 namespace epode {
 namespace {
 
-constexpr int kHeavy = 1500;  // block products that are worth spreading over threads
+constexpr int kHeavy = 1500;  // so many block products are worth several threads
 
 }  // namespace
 
@@ -48,7 +48,7 @@ FrontLists BlockCholesky::lists() const
     return {symbolic_->fronts.data(), entries.data(), symbolic_->updates.data(), symbolic_->places.data()};
 }
 
-// A lone thread goes through all subtrees together: it has arithmetic of one to do while that of another
+// A single thread works through all subtrees together: the arithmetic of one fills the time in which another
 // waits for its own results.
 template <typename Work>
 void BlockCholesky::for_subtrees(Work work) const

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Pieces are begun in the order of their numbers (tasks/tasks.h), so the piece that another waits for is in
-// the hands of a thread that runs, and the first of all waits for none.
+// Pieces begin in the order of their numbers (tasks/tasks.h). So a piece that another waits for is in the
+// hands of a running thread, and the first waits for none.
 #include "solve/exact/factor/shared_ldlt.h"
 
 #include <algorithm>
@@ -14,21 +14,21 @@
 namespace epode {
 namespace {
 
-// To post a job and to wait for it takes some ten microseconds; what is smaller than this takes one thread
-// about a hundred.
+// Posting a job and waiting for it takes about ten microseconds. Work below these sizes takes one thread less
+// than about a hundred.
 constexpr int kMinFactor = 128, kMinSolve = 1024, kMinScale = 1 << 18;
 constexpr int kBlock = 64;       // numbers of b in a piece of a solution
 constexpr int kChunk = 1 << 14;  // numbers in a piece of a scaling
 
-// Rows in a piece of a factorisation: a row of L is fetched once for all of them, but what is left to do when
-// the piece before is done grows with their square.
+// Rows in a piece of a factorisation: a row of L is loaded once for all of them, but the work that remains
+// when the piece before is done grows with their square.
 int rows_of_piece(int n) { return std::clamp(n / 100, 4, 16); }
 
-// How far something has come, for those who need it.
+// How far a thread has come, for those that depend on it.
 class Progress {
   public:
     void reach(int mark) { mark_.store(mark, std::memory_order_release); }
-    // Waits until it is beyond `mark`, and tells where it is.
+    // Waits until it is beyond `mark`, and returns where it is.
     int beyond(int mark) const
     {
         int now;

@@ -2,14 +2,13 @@
 // Copyright (c) 2026 The Epode authors
 //
 // 1. Lengths of the columns, from the elimination tree.
-// 2. Fronts. From the leaves up, the front that ends in column j is joined to that of its parent when an
+// 2. Fronts. From the leaves up, the front that ends in column j is joined to that of its parent if an
 //    estimate of time says so: longer inner products against arithmetic on blocks that are zero. The rows of
 //    a front are those of its last column.
 // 3. Large trees are cut into subtrees (solve/exact/factor/subtrees.h).
-// 4. Columns are numbered anew, front by front, each front in the place of its last column: children stay
-//    before parents, so the fill does not change, and branches of the tree alternate as the order of
-//    elimination had them; the processor then overlaps their arithmetic, which within a branch is a chain of
-//    dependent operations.
+// 4. Columns are renumbered, front by front, each front in the place of its last column. Children stay before
+//    parents, so the fill does not change. Branches of the tree alternate as in the order of elimination; the
+//    processor then overlaps their arithmetic, which within a branch is a chain of dependent operations.
 // 5. The rows of the fronts, in ascending order, and where their products go.
 #include "solve/exact/factor/symbolic.h"
 
@@ -22,9 +21,9 @@
 namespace epode {
 namespace {
 
-// Time of a front, in units of one 6x6 times 6x6: its products, and half a unit for each block that it has or
-// subtracts something from. Measured on walls, piles and ladders; three times as much or none at all for the
-// blocks costs a few per cent.
+// Time of a front, in units of one 6x6 times 6x6 product: its products, and half a unit for each block that
+// it has or subtracts from. Measured on walls, piles and ladders; with three times as much or nothing for the
+// blocks a step takes a few per cent longer.
 double estimate(double width, double below)
 {
     constexpr double kTouch = 0.5;
@@ -72,7 +71,7 @@ class SymbolicAnalysis {
         }
     }
 
-    // Fronts in the order of their last columns, and who is above whom.
+    // Fronts in the order of their last columns, with their parents.
     bool make_tree()
     {
         int count = 0;
@@ -165,7 +164,7 @@ class SymbolicAnalysis {
         return true;
     }
 
-    // Rows in the new order append themselves to the fronts whose last column they are in.
+    // Rows, in the new order, append themselves to the fronts whose last column they are in.
     bool find_rows()
     {
         auto column_of = arena_.take<int>(n_);  // new -> old
@@ -184,7 +183,7 @@ class SymbolicAnalysis {
         return true;
     }
 
-    // Consecutive rows of s that one front takes: within a subtree its border takes all that are outside.
+    // Consecutive rows of s that belong to one front; within a subtree the border receives all rows outside.
     template <typename Visit>
     void for_targets(int s, bool as_border, Visit visit) const
     {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The structure of the factor L of H = L L^T, found from the body graph alone: what a numeric factorisation
-// has to do, and where. Columns (bodies) with nearly equal structure are joined into a front: `width` columns
-// and, below them, `below` rows that at least one of the columns has,
+// Symbolic factorisation: the structure of the factor L of H = L L^T, found from the body graph alone, and
+// what a numeric factorisation has to do where. Columns (bodies) with nearly equal structure are joined into
+// a front: `width` columns and, below them, `below` rows that at least one of the columns has,
 //
 //   front s:   [ D ]  width   rows        D lower triangular
 //              [ B ]  below   rows
 //
-// stored as one dense array of 6x6 blocks, row of blocks after row of blocks. When s is done, B B^T has to be
-// subtracted from the fronts that own its rows. Which blocks go where is written down here once, so that the
+// stored as one dense array of 6x6 blocks, row of blocks after row of blocks. When s is done, B B^T is
+// subtracted from the fronts that own its rows. The places of these blocks are stored here once, so that the
 // numeric part neither searches nor compares.
 #pragma once
 
@@ -33,10 +33,11 @@ struct FrontUpdate {
     int place;
 };
 
-// A subtree of the tree of fronts, to be worked on beside others. What it subtracts from fronts outside is
-// gathered in a front of its own, the border, whose `width` columns are the rows of the subtree's root; it is
-// never factored, but added to the fronts that own its columns when all subtrees are done. There are subtrees
-// or not by the structure alone, so the sums are the same on any number of threads.
+// A subtree of the tree of fronts, which can be factored in parallel with others. What it subtracts from
+// fronts outside is collected in a front of its own, the border, whose `width` columns are the rows of the
+// subtree's root. The border is never factored; when all subtrees are done it is added to the fronts that own
+// its columns. Whether there are subtrees depends on the structure alone, so the sums are the same on any
+// number of threads.
 struct Subtree {
     int fronts, count;  // in SymbolicFactor::subtree_fronts, ascending
     int root;           // the last of them
@@ -52,13 +53,13 @@ struct SymbolicFactor {
     std::span<int> front_of;  // column -> front
     std::span<Front> fronts;  // children before their parents
     std::span<int> rows;      // columns, ascending within a front
-    std::span<int> entries;   // the same, but of the border where the border takes what the row is owed
+    std::span<int> entries;   // the same, but of the border where the border takes the row's sums
     std::span<FrontUpdate> updates;
     std::span<int> places;
     std::span<Subtree> subtrees;
     std::span<int> subtree_fronts;
 
-    // Where the block of two columns lies, row >= column, if the structure has it.
+    // The block of two columns, row >= column, if the structure has it.
     int block_at(int row, int column) const;
 };
 

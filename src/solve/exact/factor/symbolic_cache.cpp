@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Graph and plan are a handful of integer arrays: an entry holds them in one block of memory that grows to
-// the largest it has held. Entries are few, so they are searched one after another.
+// A graph and its symbolic factor are a handful of integer arrays. An entry holds them in one block of
+// memory, which grows to the largest it has held. Entries are few, so they are searched one after another.
 #include "solve/exact/factor/symbolic_cache.h"
 
 #include <algorithm>
@@ -13,10 +13,11 @@
 namespace epode {
 namespace {
 
-// Bodies of the smallest island worth remembering; below that the analysis costs as little as the search.
+// The number of bodies of the smallest island worth caching; for smaller ones the analysis costs as little as
+// the search.
 constexpr int kSmallest = 4;
 
-// FNV-1a over words instead of bytes: it only chooses whom to compare.
+// FNV-1a over words instead of bytes: it only preselects which graphs are compared.
 std::uint64_t hash_of(const BodyGraph& graph)
 {
     std::uint64_t h = 0xcbf29ce484222325u ^ std::uint64_t(graph.size());
@@ -30,7 +31,7 @@ bool equal(std::span<const int> a, std::span<const int> b)
     return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size_bytes()) == 0);
 }
 
-// visit(array) for every array of a graph and its symbolic, in a fixed order.
+// Calls visit(array) for every array of a graph and its symbolic factor, in a fixed order.
 template <typename Visit>
 void for_arrays(BodyGraph& graph, SymbolicFactor& symbolic, Visit visit)
 {
@@ -42,7 +43,7 @@ void for_arrays(BodyGraph& graph, SymbolicFactor& symbolic, Visit visit)
 
 }  // namespace
 
-// Held for the comparison of one graph or the copy of one plan at most.
+// Held for at most one comparison of a graph or one copy of a symbolic factor.
 class SymbolicCache::Lock {
   public:
     explicit Lock(std::atomic_flag& busy) : busy_(busy)
@@ -92,7 +93,7 @@ void SymbolicCache::keep(const BodyGraph& graph, const SymbolicFactor& symbolic)
 {
     const std::uint64_t hash = hash_of(graph);
     const Lock lock(busy_);
-    if (find(graph, hash)) return;  // a twin on another thread was first
+    if (find(graph, hash)) return;  // another thread has added the same graph first
     Entry* oldest = nullptr;
     for (Entry& e : entries_)
         if (e.borrowers == 0 && (!oldest || e.used < oldest->used)) oldest = &e;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The plans of the factors of the last steps. A structure changes less often than the numbers in it: a chain
-// keeps its plan for ever, a pile at rest keeps the pairs that touch although contacts between them come and
-// go. What is looked up is the body graph, by hash, and a hit is a graph that is equal word by word. A plan
-// is a function of its graph alone, so a hit gives the same bits as a fresh analysis, and islands of the same
-// structure share one. The least recently used plan makes room; one in use never does.
+// Caches the symbolic factors of the last steps. A structure changes less often than the numbers in it: a
+// chain keeps its structure for ever, and a pile at rest keeps the pairs that touch although contacts between
+// them are created and removed. The key is the body graph, found by hash; a hit is a graph that is equal word
+// by word. A symbolic factor is a function of its graph alone, so a hit gives the same bits as a new
+// analysis, and islands of the same structure share one. The least recently used one is replaced, never one
+// in use.
 #pragma once
 
 #include <atomic>
@@ -26,12 +27,12 @@ class SymbolicCache {
     SymbolicCache(const SymbolicCache&) = delete;
     SymbolicCache& operator=(const SymbolicCache&) = delete;
 
-    // Null: unknown. Otherwise the plan stays until it is given back.
+    // Null: unknown. Otherwise the symbolic factor stays valid until it is given back.
     const SymbolicFactor* borrow(const BodyGraph& graph);
     void give_back(const SymbolicFactor& symbolic);
-    // Copies both; does nothing when there is no memory or no plan that may go.
+    // Copies both. Does nothing if there is no memory or no entry may be replaced.
     void keep(const BodyGraph& graph, const SymbolicFactor& symbolic);
-    // Forgets all plans and gives their memory back; none may be in use.
+    // Removes all entries and frees their memory; none may be in use.
     void clear();
 
   private:
@@ -41,7 +42,7 @@ class SymbolicCache {
         int borrowers = 0;
         BodyGraph graph;
         SymbolicFactor symbolic;
-        Array<int> memory;  // that graph and plan lie in
+        Array<int> memory;  // of the graph and its symbolic factor
     };
     class Lock;
 
@@ -52,7 +53,8 @@ class SymbolicCache {
     Entry entries_[kEntries];
 };
 
-// The plan for the pairs of an island: from the cache, or made in the arena and left in the cache.
+// The symbolic factor for the pairs of an island: from the cache, or computed in the arena and added to the
+// cache.
 class SymbolicLease {
   public:
     SymbolicLease() = default;

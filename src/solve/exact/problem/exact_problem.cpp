@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Kinematic bodies have no unknowns: what they contribute to J v is moved to the right-hand side. A row whose
-// Jacobian is empty gets d = C, so that no division by zero can follow from it.
+// Kinematic bodies have no unknowns: their part of J v is moved to the right-hand side. A row with an empty
+// Jacobian gets d = C, so that nothing is divided by zero.
 #include "solve/exact/problem/exact_problem.h"
 
 #include <algorithm>
@@ -160,7 +160,8 @@ void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock&
         double J[6];
         put(lin, J), put(ang, J + 3);
         to_root(roots_[std::size_t(index)], J);
-        // In registers: pairs read from where numbers have just been written would wait for them.
+        // In registers: reading pairs from memory where single numbers have just been written would wait for
+        // them.
         const DoubleLane pairs[] = {{J[0], J[1]}, {J[2], J[3]}, {J[4], J[5]}};
         inverse_mass += six_dot(pairs, pairs);
         std::copy_n(pairs, 3, reinterpret_cast<DoubleLane*>(half));
@@ -186,7 +187,7 @@ bool ExactProblem::soften()
     return any;
 }
 
-// H = 1, M in these coordinates.
+// Starts with H = 1, which is M in these coordinates.
 void ExactProblem::begin_factor()
 {
     H_.clear();

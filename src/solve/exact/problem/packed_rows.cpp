@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Rows are taken in their order; a group ends where the pair of bodies changes. The contacts of two touching
-// bodies follow each other in an island, so nothing is sorted.
+// Rows keep their order; a group ends where the pair of bodies changes. The contacts of two touching bodies
+// are neighbours in an island, so nothing is sorted.
 #include "solve/exact/problem/packed_rows.h"
 
 #include <algorithm>
@@ -86,7 +86,7 @@ void PackedRows::begin_group(const ExactRow& row)
     groups[group_count_++] = {J_.data() + J_used_, row.a, row.b, int(place_count_) / kPack, 0, row.pair};
 }
 
-// Empty places up to the end of the pack.
+// Fills the pack with empty places.
 void PackedRows::fill_up()
 {
     for (; place_count_ % kPack != 0; ++place_count_) {

@@ -3,16 +3,16 @@
 //
 // The exact solve of islands of one to three bodies with more rows than unknowns: a box on the ground, a
 // small stack. The active set of active_set.h with H = 1 + J^T D J as one dense matrix of at most 18 rows:
-// nothing is ordered, planned or packed. It differs in two things.
+// nothing is ordered, analysed or packed. It differs in two things.
 //
 // Guesses: a row begins on the side on which its own step q = p - w / d ends, w = J v + C p - c, from the
-// impulses of the last step. For one row alone this is the answer, and at rest it is that of the last step;
-// with nothing to start from it says which contacts part and where friction slides.
+// impulses of the last step. For a single row this is the answer, and at rest it is that of the last step.
+// Without a warm start it says which contacts separate and where friction slides.
 //
-// Flips: all wrong rows in the first two rounds, then the most wrong alone. Half of the rows of a box are
+// Flips: all wrong rows in the first two rounds, then the worst alone. Half of the rows of a box are
 // redundant, and flipping all of them cycles: of 168 phases of one box that tumbles onto a plane 4 did not
-// settle so, now all do, in 2.4 rounds on the average. Two and three bodies with many wrong rows are given up
-// early, for principal pivoting: it costs less.
+// settle that way; now all do, in 2.4 rounds on average. Islands of two and three bodies with many wrong rows
+// are given up early and go to principal pivoting, which costs less.
 #pragma once
 
 #include <type_traits>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Which islands are small, and for which method, is measured (docs/solvers.md), not derived.
+// Which islands are small, and for which method, was determined by measurement (docs/solvers.md).
 #include "solve/exact/small/small_island.h"
 
 #include "solve/common/residual.h"
@@ -29,7 +29,7 @@ SmallResult solve_with(Method method, RowSystem& system, const SolverSettings& s
     const SmallResult result = method == Method::kNewton ? island.newton(system, arena, report.iterations)
                                                          : island.pivoting(system, arena, report.iterations);
     if (result != SmallResult::kSolved) return result;
-    // What these methods take for settled may still lack digits; the general path has more.
+    // Answers that these methods accept may still lack digits; the general path has more.
     const double residual = island.residual();
     if (!(residual <= settings.refine_above)) return SmallResult::kNotSolved;
     island.store(system);
@@ -39,9 +39,8 @@ SmallResult solve_with(Method method, RowSystem& system, const SolverSettings& s
     return result;
 }
 
-// At rest the impulses of the last step are almost those of this one, and the active set that they name needs
-// one factorisation or two where pivoting enters row by row: 0.56 of the instructions of a step for two boxes
-// on each other, 0.40 for three.
+// At rest the impulses of the last step are almost those of this one. The active set that they name then
+// needs one or two factorisations, where pivoting enters row by row.
 bool almost_right(const RowSystem& system, Arena& arena)
 {
     Arena::Scope scope(arena);
