@@ -135,7 +135,7 @@ class Arena {
         return p;
     }
 
-    // Moves on to a block with room for `size`, an existing one if possible.
+    // Continues in a block with space for `size`, an existing one if possible.
     bool advance(std::size_t size)
     {
         while (current_ && current_->next) {

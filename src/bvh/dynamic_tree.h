@@ -76,9 +76,9 @@ class DynamicTree {
     void remove(int leaf);
     void move(int leaf, const Aabb& box);
 
-    // For many changes at once: leaves are put in anywhere or get new boxes, and before the tree is asked
-    // again it is settled. Where leaves have only moved, and mostly together, that fits its inner boxes to
-    // them; else it builds the tree anew. False when memory is exhausted.
+    // For many changes at once: leaves are inserted anywhere or get new boxes, and the tree must be settled
+    // before the next query. If leaves have only moved, and mostly together, settling refits the inner boxes;
+    // otherwise it rebuilds the tree. False when memory is exhausted.
     int insert_loose(const Aabb& box, int item);
     void set_box(int leaf, const Aabb& box);
     [[nodiscard]] bool settle(const Tasks& tasks = Tasks(1));

@@ -36,18 +36,18 @@ struct SolidProbe {
 class MeshProbe {
   public:
     MeshProbe(const SolidProbe& solid, Vec3 centre_in_frame, Real scale);
-    // Of the lanes in `asked`, the bits of those that the solid may touch.
-    unsigned meets(const MeshPacket& packet, unsigned asked) const
+    // Of the lanes in `candidates`, the bits of those that the solid may touch.
+    unsigned meets(const MeshPacket& packet, unsigned candidates) const
     {
-        return kind_ == ProbeKind::kBall  ? ball_meets(packet, asked)
-               : kind_ == ProbeKind::kBox ? box_meets(packet, asked)
-                                          : rod_meets(packet, asked);
+        return kind_ == ProbeKind::kBall  ? ball_meets(packet, candidates)
+               : kind_ == ProbeKind::kBox ? box_meets(packet, candidates)
+                                          : rod_meets(packet, candidates);
     }
 
   private:
-    unsigned ball_meets(const MeshPacket& packet, unsigned asked) const;
-    unsigned box_meets(const MeshPacket& packet, unsigned asked) const;
-    unsigned rod_meets(const MeshPacket& packet, unsigned asked) const;
+    unsigned ball_meets(const MeshPacket& packet, unsigned candidates) const;
+    unsigned box_meets(const MeshPacket& packet, unsigned candidates) const;
+    unsigned rod_meets(const MeshPacket& packet, unsigned candidates) const;
 
     ProbeKind kind_;
     float centre_[3];

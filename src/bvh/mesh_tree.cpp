@@ -368,16 +368,16 @@ void MeshTree::refit(const TriangleMesh& mesh)
     }
 }
 
-bool MeshTree::bring_up_to_date(NearLeaves& kept, const FloatBox& asked) const
+bool MeshTree::update_cache(NearLeaves& kept, const FloatBox& query_box) const
 {
-    if (!kept.knows(edition_, asked) || kept.count == NearLeaves::kOnlyPlace) {
-        const bool near = kept.is_near(edition_, asked);
+    if (!kept.knows(edition_, query_box) || kept.count == NearLeaves::kOnlyPlace) {
+        const bool near = kept.is_near(edition_, query_box);
         kept.edition = edition_;
         float side = 0;
-        for (int i = 0; i < 3; ++i) side = std::max(side, asked.hi[i] - asked.lo[i]);
+        for (int i = 0; i < 3; ++i) side = std::max(side, query_box.hi[i] - query_box.lo[i]);
         for (int i = 0; i < 3; ++i) {
-            kept.box.lo[i] = asked.lo[i] - kRoam * side;
-            kept.box.hi[i] = asked.hi[i] + kRoam * side;
+            kept.box.lo[i] = query_box.lo[i] - kRoam * side;
+            kept.box.hi[i] = query_box.hi[i] + kRoam * side;
         }
         kept.count = NearLeaves::kOnlyPlace;
         if (near) gather(kept);

@@ -67,14 +67,14 @@ class MeshTree {
     static constexpr int kStack = (MeshNode::kMaxChildren - 1) * kMeshDepth + 1;
 
     // Calls open(leaf) for the leaves that overlap a box or a half-space, until it returns false.
-    template <typename Asked, typename Open>
-    void walk(const Asked& asked, Open&& open) const;
+    template <typename Query, typename Open>
+    void walk(const Query& shape, Open&& open) const;
     // The same along a ray that has entered the box: open(packet, reach) returns the same as visit in
     // shoot().
     template <typename Open>
     void follow(const MeshRay& ray, Real from, Real to, Open&& open) const;
-    // True if `kept`, after an update, has all leaves that overlap `asked`.
-    bool bring_up_to_date(NearLeaves& kept, const FloatBox& asked) const;
+    // True if `kept`, after an update, has all leaves that overlap `query_box`.
+    bool update_cache(NearLeaves& kept, const FloatBox& query_box) const;
     void gather(NearLeaves& kept) const;
     // Prefetches a child that will be visited soon.
     void prefetch(int child) const
@@ -108,8 +108,8 @@ class MeshTree {
     std::uint64_t edition_ = 0;  // see near_leaves.h
 };
 
-template <typename Asked, typename Open>
-void MeshTree::walk(const Asked& asked, Open&& open) const
+template <typename Query, typename Open>
+void MeshTree::walk(const Query& shape, Open&& open) const
 {
     if (nodes_.empty()) return;
     int stack[kStack];
@@ -122,7 +122,7 @@ void MeshTree::walk(const Asked& asked, Open&& open) const
             continue;
         }
         const MeshNode& node = nodes_.data()[child];
-        for (unsigned met = node.met_by(asked); met != 0; met &= met - 1) {
+        for (unsigned met = node.met_by(shape); met != 0; met &= met - 1) {
             const int next = node.child[std::countr_zero(met)];
             prefetch(next);
             stack[top++] = next;
@@ -134,10 +134,10 @@ template <typename Visit>
 void MeshTree::query(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) const
 {
     if (!overlap(box, box_)) return;
-    const FloatBox asked = in_frame(box);
-    walk(NodeBox(asked), [&](int leaf) {
+    const FloatBox query_box = in_frame(box);
+    walk(NodeBox(query_box), [&](int leaf) {
         const MeshPacket& packet = packets_.data()[leaf];
-        for (unsigned met = packet.met_by(asked); met != 0; met &= met - 1) {
+        for (unsigned met = packet.met_by(query_box); met != 0; met &= met - 1) {
             const int t = packet.lanes[std::countr_zero(met)];
             if (overlap(mesh.box(t), box) && !visit(t)) return false;
         }
@@ -150,18 +150,18 @@ void MeshTree::query(const Aabb& box, const SolidProbe& solid, NearLeaves* kept,
                      Visit&& visit) const
 {
     if (!overlap(box, box_)) return;
-    const FloatBox asked = in_frame(box);
+    const FloatBox query_box = in_frame(box);
     const MeshProbe probe(solid, in_frame(solid.centre), scale_);
     const auto open = [&](int leaf) {
         const MeshPacket& packet = packets_.data()[leaf];
-        const unsigned met = packet.met_by(asked);
+        const unsigned met = packet.met_by(query_box);
         if (met == 0) return true;
         see(leaf, met);
         for (unsigned close = probe.meets(packet, met); close != 0; close &= close - 1)
             visit(packet, std::countr_zero(close));
         return true;
     };
-    if (!kept || !bring_up_to_date(*kept, asked)) return walk(NodeBox(asked), open);
+    if (!kept || !update_cache(*kept, query_box)) return walk(NodeBox(query_box), open);
     for (int i = 0; i < kept->count; ++i) prefetch_leaf(kept->leaf[i]);
     for (int i = 0; i < kept->count; ++i) open(kept->leaf[i]);
 }

@@ -24,19 +24,20 @@ struct NearLeaves {
     int count;                  // kCapacity + 1: more than fit; kOnlyPlace: not collected
     int leaf[kCapacity];
 
-    bool knows(std::uint64_t of, const FloatBox& asked) const
+    bool knows(std::uint64_t of, const FloatBox& query_box) const
     {
         if (edition != of) return false;
         bool in = true;
-        for (int i = 0; i < 3; ++i) in = in && box.lo[i] <= asked.lo[i] && asked.hi[i] <= box.hi[i];
+        for (int i = 0; i < 3; ++i) in = in && box.lo[i] <= query_box.lo[i] && query_box.hi[i] <= box.hi[i];
         return in;
     }
     // For the same edition: true if collecting the leaves is worth it.
-    bool is_near(std::uint64_t of, const FloatBox& asked) const
+    bool is_near(std::uint64_t of, const FloatBox& query_box) const
     {
         if (edition != of) return false;
         bool meet = true;
-        for (int i = 0; i < 3; ++i) meet = meet && box.lo[i] <= asked.hi[i] && asked.lo[i] <= box.hi[i];
+        for (int i = 0; i < 3; ++i)
+            meet = meet && box.lo[i] <= query_box.hi[i] && query_box.lo[i] <= box.hi[i];
         return meet;
     }
 };

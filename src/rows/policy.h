@@ -3,7 +3,7 @@
 //
 // From facts to numbers: how a stepper removes position errors. ERP and CFM as the guide defines them: CFM
 // shifts J v by cfm * lambda, ERP asks for erp/h of the error. The restitution velocity replaces the
-// correction where it is larger in the direction in which the row can push.
+// correction where it is larger in the direction in which the row acts.
 #pragma once
 
 #include <algorithm>

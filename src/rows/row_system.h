@@ -82,7 +82,7 @@ struct RowSystem {
     std::span<Row> rows;
     std::span<RowNumbers> numbers;     // parallel to rows
     std::span<RowBlock> blocks;        // in joint order, covering rows without gaps
-    JointManifoldList joint_contacts;  // beside the rows; of solvers that take them, else empty
+    JointManifoldList joint_contacts;  // for solvers that take them, else empty; not among the rows
     std::span<ContactManifold* const> contact_manifolds;  // likewise
     std::span<const SystemPart> parts;                    // none: all is one
     std::span<const ManifoldFriction> frictions;  // of the solution: one friction for several points each

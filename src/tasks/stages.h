@@ -48,10 +48,10 @@ class Stages {
                 waiting.end();
                 last = stage;
                 patience = come_.load(std::memory_order_relaxed) > 1 ? kPatience : 1;
-                tell(stage, take_from(home, stage, worker));
+                report(stage, take_from(home, stage, worker));
             } else if (patience > 0) {
                 if (--patience == 0)
-                    tell(stage, take_from_others(home, stage, worker));
+                    report(stage, take_from_others(home, stage, worker));
                 else
                     spin_once();
             } else {
@@ -95,7 +95,7 @@ class Stages {
         return done;
     }
 
-    void tell(int stage, int done)
+    void report(int stage, int done)
     {
         if (done == 0) return;
         const State before = state_.fetch_add(State(done), std::memory_order_acq_rel);

@@ -21,8 +21,8 @@
 // set to finish (15 and two rounds more; from 1e-6 it often does not). At a redundant solution half of the
 // iterations go into the split among rows that only C decides, from mu near C p^2 on.
 //
-// A direction costs two passes over the rows around the solution with H: one that makes t, e and J^T D e, one
-// that makes dp and all that is asked of the direction, since s dz + z ds = t.
+// A direction costs two passes over the rows around the solution with H: one computes t, e and J^T D e, the
+// other dp and all sums over the direction, since s dz + z ds = t.
 #include "solve/exact/interior_point.h"
 
 #include <algorithm>
@@ -145,12 +145,12 @@ void InteriorPoint::start(const ExactProblem& problem, std::span<double> v)
     }
 }
 
-// `push` computes t and e and adds J^T D e to its argument.
-template <typename Push>
-void InteriorPoint::direction(ExactProblem& problem, const Push& push)
+// `add_target` computes t and e and adds J^T D e to its argument.
+template <typename AddTarget>
+void InteriorPoint::direction(ExactProblem& problem, const AddTarget& add_target)
 {
     std::copy(r1_.begin(), r1_.end(), dv_.begin());
-    push(dv_.data());
+    add_target(dv_.data());
     problem.solve(dv_);
     ahead_ = packed_->kernels().finish(rows_, dv_.data());
 }

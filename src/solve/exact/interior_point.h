@@ -23,8 +23,8 @@ class InteriorPoint {
   private:
     void lay_out();
     void start(const ExactProblem& problem, std::span<double> v);
-    template <typename Push>
-    void direction(ExactProblem& problem, const Push& push);
+    template <typename AddTarget>
+    void direction(ExactProblem& problem, const AddTarget& add_target);
     double complementarity(double step) const;
     double longest_step() const;
     double aim(ExactProblem& problem);

@@ -54,7 +54,7 @@ class AimMap {
 };
 
 // The target of one row.
-struct RowAsks {
+struct RowTarget {
     Real c, C, relaxed;
 };
 
@@ -230,9 +230,9 @@ void JointSetOf<L>::fill(const RowSystem& system, const Aim& aim)
             const RowBlock& block = system.blocks[std::size_t(source.block)];
             fill_lane(system, block, source, n, lane, at, batch.form);
             for (int i = 0; i < block.count; ++i) {
-                const RowAsks asks = aim(std::size_t(source.first + source.row[i]), i);
-                n[at.c + i][lane] = Number(asks.c), n[at.C + i][lane] = Number(asks.C);
-                n[at.relaxed + i][lane] = Number(asks.relaxed);
+                const RowTarget target = aim(std::size_t(source.first + source.row[i]), i);
+                n[at.c + i][lane] = Number(target.c), n[at.C + i][lane] = Number(target.C);
+                n[at.relaxed + i][lane] = Number(target.relaxed);
             }
         }
     }
@@ -243,7 +243,7 @@ void JointSetOf<L>::load(const RowSystem& system)
 {
     fill(system, [&](std::size_t row, int) {
         const RowNumbers& n = system.numbers[row];
-        return RowAsks{n.c, n.C, n.c};
+        return RowTarget{n.c, n.C, n.c};
     });
     kernels_->begin(batches_.data(), int(batches_.size()), numbers_.data(), {nullptr, nullptr, 0, nullptr});
 }
@@ -303,7 +303,7 @@ void JointSetOf<L>::load_substep(const RowSystem& system, const Substep& step, s
         const Row& row = system.rows[i];
         const RowAim& aim = aims.of(row, place);
         const Real c = std::min(aim.rate * row.error + row.speed, row.cap);
-        return RowAsks{c, aim.C, aim.spring ? c : std::min(row.speed, row.cap)};
+        return RowTarget{c, aim.C, aim.spring ? c : std::min(row.speed, row.cap)};
     });
     kernels_->begin(batches_.data(), int(batches_.size()), numbers_.data(),
                     {facts_.data(), system.poses.data(), kSoftShare, bodies.data()});

@@ -25,11 +25,11 @@ template <typename T>
 [[gnu::always_inline]] inline void begin_pass(const PassInput<T>& in, T zero, T per_hs, T& c, T& C,
                                               T& effective_mass)
 {
-    const T open = -in.error;  // where positive
-    const T pushed = at_most(in.max_bias_velocity, in.rate * in.error);
-    c = at_most(in.cap, if_positive(open, per_hs * in.error, pushed) + in.speed);
-    C = if_positive(open, zero, in.C);
-    effective_mass = if_positive(open, in.rigid_mass, in.effective_mass);
+    const T separation = -in.error;
+    const T bias = at_most(in.max_bias_velocity, in.rate * in.error);
+    c = at_most(in.cap, if_positive(separation, per_hs * in.error, bias) + in.speed);
+    C = if_positive(separation, zero, in.C);
+    effective_mass = if_positive(separation, in.rigid_mass, in.effective_mass);
 }
 
 void begin_pass(const NormalAim<Real>& a, int pass, Real per_hs, PackedRow& row)

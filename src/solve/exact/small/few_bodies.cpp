@@ -290,12 +290,12 @@ double FewBodies::improve()
     for (const int i : open_) {
         const auto k = std::size_t(i);
         const ExactRow& row = problem_.row(i);
-        double push = state_.p[k];
+        double impulse = state_.p[k];
         if (D_[k] > 0) {
-            w_[k] = row.c - times<Lanes>(row, v_.data()) - row.C * push;
-            push += D_[k] * w_[k];
+            w_[k] = row.c - times<Lanes>(row, v_.data()) - row.C * impulse;
+            impulse += D_[k] * w_[k];
         }
-        add_transposed<Lanes>(row, push, r);
+        add_transposed<Lanes>(row, impulse, r);
     }
     solve_lanes<Lanes>(H_, inverse_, r);
     for (const int i : open_) {
