@@ -19,7 +19,7 @@ struct EngineOptions {
     std::string stepper;             // ODE: exact, quick or fast; empty: the scene's own
     std::string space = "hash";      // ODE: hash, quadtree or sap
     int contacts = 8;                // ODE: of a pair, at most
-    bool manifold_friction = false;  // managed, hybrid: one for the points of a patch
+    bool manifold_friction = false;  // managed, hybrid: one for the points of a manifold
 };
 
 // Milliseconds of a step's stages.

@@ -3,8 +3,8 @@
 //
 // What can be done with any joint: attach, enable, ask, group, and find by bodies. Functions of one type
 // stand in that type's file.
-#include "base/ahead.h"
 #include "base/pool.h"
+#include "base/prefetch.h"
 #include "dynamics/joint_group.h"
 #include "dynamics/world.h"
 #include "ode/ode.h"
@@ -20,8 +20,8 @@ bool stepping(const JointGroup& group)
 {
     if (!any_world_steps()) return false;
     bool any = false;
-    for_each_fetched<1>(group.joints.span(),
-                        [&](std::size_t, const Joint& joint) { any = any || stepping(joint); });
+    for_each_prefetched<1>(group.joints.span(),
+                           [&](std::size_t, const Joint& joint) { any = any || stepping(joint); });
     return any;
 }
 

@@ -173,8 +173,8 @@ struct BodyProblem {
         });
         for_rows([&](const Row& row, const RowNumbers& n, SolverBody& a, SolverBody& b) {
             const double w = double(row_velocity(row, a, &b) + n.C * n.p - n.c);
-            const double mobility = double(row_mobility(row, a, &b) + n.C);
-            worst = std::fmax(worst, fault(double(n.p), w, mobility, double(n.lo), double(n.hi)));
+            const double inverse_mass = double(inverse_effective_mass(row, a, &b) + n.C);
+            worst = std::fmax(worst, fault(double(n.p), w, inverse_mass, double(n.lo), double(n.hi)));
         });
         return worst / scale;
     }

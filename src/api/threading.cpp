@@ -76,7 +76,7 @@ void dExternalThreadingServeMultiThreadedImplementation(dThreadingImplementation
 dThreadingThreadPoolID dThreadingAllocateThreadPool(unsigned thread_count, dsizeint stack_size,
                                                     unsigned int ode_data_allocate_flags, void*)
 {
-    EPODE_USER(thread_count > 0 && thread_count <= ServingPool::kMostThreads, nullptr);
+    EPODE_USER(thread_count > 0 && thread_count <= ServingPool::kMaxThreads, nullptr);
     if (!dAllocateODEDataForThread(ode_data_allocate_flags)) return nullptr;
     const ServingPool* const pool =
         ServingPool::create({thread_count, stack_size, dAllocateODEDataForThread, ode_data_allocate_flags});

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Getting and giving back the blocks of an arena. The functions of a client's step memory are called by one
-// thread at a time: workers of a step may grow their arenas at once, and a client that replaces the step's
-// memory knows of one stepping thread. (The lock is recursive, for a client that steps another world inside.)
+// How an arena gets and returns its blocks. The client's memory functions are called by one thread at a time:
+// the workers of a step may grow their arenas at the same moment, but a client that replaces the step memory
+// expects one stepping thread. The lock is recursive because a client may step another world inside such a
+// call.
 #include "base/arena.h"
 
 #include <mutex>

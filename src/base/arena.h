@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Memory for one step: bump allocation, scopes that give back what was taken inside them, and no allocation
-// once the arena has seen its largest step. While it is too small it chains further blocks; `reset` then
-// replaces them by one block of the size that was needed and the reserve of its supply on top, so a steady
-// scene allocates nothing.
-// A request that cannot be met returns an empty span and sets `failed`, which the step turns into a
-// refused step: nothing is half done.
+// Memory for one step: bump allocation, and scopes that return what was taken inside them. Once the arena has
+// seen its largest step it allocates nothing. While it is too small it chains further blocks; `reset` then
+// replaces them by one block of the size that was needed plus the reserve of its supply. A request that
+// cannot be met returns an empty span and sets `failed`; the step then refuses to run and changes nothing.
 #pragma once
 
 #include <algorithm>
@@ -24,14 +22,14 @@ namespace epode {
 struct ArenaSupply {
     dAllocFunction* alloc = nullptr;  // both null: the library's own memory
     dFreeFunction* free = nullptr;
-    double factor = 1.2;              // a block that replaces others has this times what was needed,
-    std::size_t minimum = 64 * 1024;  // and none has less than this
+    double factor = 1.2;              // a replacing block has this times the size needed
+    std::size_t minimum = 64 * 1024;  // no block is smaller than this, bytes
 };
 
 struct ArenaBlock {
     ArenaBlock* next;
     std::size_t size;     // bytes behind the header
-    dFreeFunction* free;  // partner of what gave it, whatever the supply is by now; null: the library's
+    dFreeFunction* free;  // the function that matches the allocator of this block; null: the library's
 };
 
 class Arena {
@@ -68,7 +66,7 @@ class Arena {
     {
         if (first_ && first_->next) {
             free_all();
-            // A reserve that cannot be had is not a failure.
+            // Failing to allocate the reserve is not an error.
             if (!add_block(reserve())) (void)add_block(high_water_);
         }
         poison_since(first_, 0);
@@ -78,16 +76,16 @@ class Arena {
         failed_ = false;
     }
 
-    // A first block before anything is taken, if there is memory for one.
+    // Allocates the first block early, if there is memory for it.
     void open()
     {
         if (!first_) (void)add_block(std::max(supply_.minimum, kCacheLine));
     }
 
-    // Counts from the next block on.
+    // Takes effect with the next block.
     void set_supply(const ArenaSupply& supply) { supply_ = supply; }
 
-    // Gives all blocks back; the next step starts from nothing.
+    // Frees all blocks; the next step starts from nothing.
     void free_blocks()
     {
         free_all();
@@ -95,7 +93,7 @@ class Arena {
         failed_ = false;
     }
 
-    // Takes since the construction of a Scope are given back at its end.
+    // Everything taken during the lifetime of a Scope is returned at its end.
     class Scope {
       public:
         explicit Scope(Arena& arena)
@@ -137,7 +135,7 @@ class Arena {
         return p;
     }
 
-    // Moves on to a block with room for `size`, an existing one if possible.
+    // Continues in a block with space for `size`, an existing one if possible.
     bool advance(std::size_t size)
     {
         while (current_ && current_->next) {
@@ -170,7 +168,7 @@ class Arena {
     ArenaSupply supply_;
 };
 
-// What has been taken since `used` bytes of `block` were, up to the present end, holds nothing any more.
+// Marks everything taken since `used` bytes of `block` as unused.
 inline void Arena::poison_since(ArenaBlock* block, std::size_t used)
 {
     for (ArenaBlock* b = block; b; b = b->next) {

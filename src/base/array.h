@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A growable array of plain data over the library's memory hooks. Growing may fail and says so: that is why
-// it is not std::vector, which can only throw. Elements must be trivially copyable.
+// A growable array of trivially copyable elements over the library's memory hooks. Growing reports failure by
+// its return value, which std::vector can do only by an exception.
 #pragma once
 
 #include <cstring>
@@ -89,7 +89,7 @@ class Array {
         return true;
     }
 
-    // `more` elements at the end, whose bytes are whatever they are.
+    // Appends `more` uninitialised elements.
     [[nodiscard]] bool extend(int more)
     {
         if (size_ + more > capacity_ && !reserve(size_ + more + capacity_ / 2)) return false;

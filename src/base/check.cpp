@@ -23,27 +23,27 @@ namespace {
 
 }  // namespace
 
-void refuse(const char* text, const char* function, std::atomic<bool>& told)
+void refuse(const char* text, const char* function, std::atomic<bool>& reported)
 {
-    // With a handler every refusal is delivered; without one stderr hears of each call site once.
-    if (!handler(Channel::kDebug) && told.exchange(true)) return;
+    // With a handler, every refusal is delivered. Without one, stderr gets one message per call site.
+    if (!handler(Channel::kDebug) && reported.exchange(true)) return;
     report(d_ERR_UASSERT, "%s in %s()", text, function);
 }
 
-// Who has been refused already: without a handler a message is printed once per C function, as EPODE_USER
-// does once per call site.
+// The functions that have been refused already: without a handler, a message is printed once per C function,
+// as EPODE_USER prints once per call site.
 void refuse_for(const char* caller, const char* text)
 {
     static std::atomic<const char*> refused[256] = {};
-    std::atomic<bool> told{true};  // silent once the table is full, which the number of functions forbids
+    std::atomic<bool> reported{true};  // silent once the table is full, which the number of functions forbids
     for (std::atomic<const char*>& slot : refused) {
         const char* present = nullptr;
         const bool first = slot.compare_exchange_strong(present, caller);
         if (!first && present != caller) continue;
-        told = !first;
+        reported = !first;
         break;
     }
-    refuse(text, caller, told);
+    refuse(text, caller, reported);
 }
 
 #if !defined(NDEBUG)

@@ -2,15 +2,17 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Four strengths of checking.
-//   EPODE_ASSERT(c)              the library's own reasoning; Debug builds only; stops the program there.
-//   EPODE_USER(c, result)        an argument of a public call, in Release too: the call is refused and
-//   returns
-//                                `result` (nothing for void functions), one message goes through the debug
-//                                handler in ODE's words ("Bad argument(s) in dFoo()"); without a handler it
-//                                is printed once per call site.
-//   EPODE_USER_SAY(c, text, r)   the same with a text of its own.
-//   usable(x)                    is a number that a client hands in finite?
-// Refusing instead of ODE's abort() is the first promise of the project: no argument may bring a host down.
+//
+//   EPODE_ASSERT(c)             an invariant of the library; Debug builds only; stops the program there.
+//   EPODE_USER(c, result)       an argument of a public call, in Release too. If c is false the call is
+//                               refused: it returns `result` (nothing for void functions) and sends one
+//                               message to the debug handler in ODE's words ("Bad argument(s) in dFoo()").
+//                               Without a handler the message is printed once per call site.
+//   EPODE_USER_SAY(c, text, r)  the same with another text.
+//   usable(x)                   is a number from a client finite and not absurdly large?
+//
+// Refusing instead of calling abort() as ODE does is the first promise of the project: no argument may bring
+// the host down.
 #pragma once
 
 #include <atomic>
@@ -23,14 +25,14 @@
 
 namespace epode {
 
-// Reports a refused public call: `text in function()`. `told` remembers that a call site has printed.
-[[gnu::cold]] void refuse(const char* text, const char* function, std::atomic<bool>& told);
+// Reports a refused public call: `text in function()`. `reported` remembers that a call site has printed.
+[[gnu::cold]] void refuse(const char* text, const char* function, std::atomic<bool>& reported);
 
 // Refuses a call in the name of the C function `caller`: EPODE_USER_SAY for helpers that many functions
 // share.
 [[gnu::cold]] void refuse_for(const char* caller, const char* text);
 
-// What a call says that finds no memory.
+// The message of a call that finds no memory.
 inline constexpr const char* kOutOfMemory = "out of memory";
 
 #if defined(NDEBUG)
@@ -53,7 +55,7 @@ inline constexpr const char* kOutOfMemory = "out of memory";
 #define EPODE_USER(condition, ...) EPODE_USER_SAY(condition, "Bad argument(s)" __VA_OPT__(, ) __VA_ARGS__)
 
 // Largest magnitude accepted from a client; beyond it squares and volumes overflow.
-inline constexpr Real kAbsurd = kSingle ? Real(1e18) : Real(1e100);
+inline constexpr Real kMaxMagnitude = kSingle ? Real(1e18) : Real(1e100);
 
 // |x| <= limit, by the bits: comparing what is no number would trap in a host that has unmasked such
 // exceptions.
@@ -64,7 +66,7 @@ constexpr bool within(Real x, Real limit)
     return (std::bit_cast<Bits>(x) & kMagnitude) <= std::bit_cast<Bits>(limit);
 }
 
-constexpr bool usable(Real x) { return within(x, kAbsurd); }
+constexpr bool usable(Real x) { return within(x, kMaxMagnitude); }
 constexpr bool usable_or_infinite(Real x)
 {
     return usable(x) || (within(x, kInf) && !within(x, std::numeric_limits<Real>::max()));

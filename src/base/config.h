@@ -25,7 +25,7 @@ inline constexpr Real kPi = Real(3.14159265358979323846);
 inline constexpr std::size_t kCacheLine = 64;
 inline constexpr bool kSingle = sizeof(Real) == 4;
 
-// Off only in the library that bench/checks builds to measure what checking arguments costs.
+// Off only in the library that bench/checks builds to measure the cost of checking arguments.
 #if defined(EPODE_UNCHECKED)
 inline constexpr bool kChecked = false;
 #else

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// std::to_chars and not printf: the latter writes a comma for a point where the user's language does.
+// Uses std::to_chars, because printf writes a decimal comma in some locales.
 #include "base/dif_writer.h"
 
 #include <charconv>

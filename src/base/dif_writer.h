@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The text of dWorldExportDIF: tables in the syntax of Lua, one field a line, a tab per level, a comma behind
-// every field (Lua allows one behind the last), which ODE forgets behind some. Numbers have 15 significant
-// digits in double precision, 9 in single (enough to read a float back), and a decimal point whatever the
-// locale of the process; infinity is `inf`. Joints and geoms describe themselves through this class, so that
-// a new type stays one file.
+// Writes the text of dWorldExportDIF: tables in the syntax of Lua, one field per line, one tab per level, a
+// comma after every field. (Lua allows a comma after the last field; ODE forgets some.) Numbers have 15
+// significant digits in double precision and 9 in single, enough to read a float back, and a decimal point in
+// any locale; infinity is `inf`. Joints and geoms describe themselves through this class, so that a new type
+// stays one file.
 #pragma once
 
 #include <cstdio>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A thread is in a call with other modes (t_inside), or in the program. A function of the program that is
-// called inside a call is in the program: calls that it makes itself enter anew.
+// A thread is either inside a library call with switched modes (t_inside) or in the program. A function of
+// the program that the library calls counts as the program: calls that it makes itself enter the library
+// again.
 #include "base/float_environment.h"
 
 namespace epode {
@@ -81,7 +82,7 @@ bool enter_program_modes()
     return true;
 }
 
-// Flags that the function has raised are the program's, and so are modes that it has set.
+// Flags raised and modes set by the program's function belong to the program.
 void leave_program_modes()
 {
     t_program = read();

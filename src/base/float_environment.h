@@ -2,19 +2,22 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The floating-point environment that the library computes in, whatever the program has set: rounding to
-// nearest, denormal numbers kept (neither flushed to zero nor read as zero), no exception that traps. Threads
-// have each their own environment, so a host's mode would else change the caller's share of a step alone.
-//   FloatEnvironment        for the time of a call: ours; then the program's again, as it was.
-//   CallerFloatEnvironment  around a function of the program that is called inside: the program's.
-// Modes are switched only where they differ: else the first costs a read of the control register, the second
-// one of a flag. A call with other modes gives the whole register back, sticky flags included. With the usual
-// modes the flags that our arithmetic raises stay raised, as after a function of the C library: to find out
-// costs a second read, on some machines as much as a small collision.
-// Functions of the program leave modes as they find them, by C's convention (7.6 of C11): modes that one sets
-// and keeps are the program's from then on, but the rest of a call with usual modes is computed in them.
+// nearest, denormal numbers kept (neither flushed to zero nor read as zero), no exception that traps. Every
+// thread has its own environment; without this, the modes of the host would change only the part of a step
+// that runs on the calling thread.
 //
-// Compilers do not know that modes matter to arithmetic. What is computed below a FloatEnvironment therefore
-// comes from memory, or in a function of its own, not from arguments in registers alone.
+//   FloatEnvironment        during a call: the library's modes; afterwards the program's, as they were.
+//   CallerFloatEnvironment  around a function of the program that the library calls: the program's modes.
+//
+// Modes are switched only where they differ. Otherwise the first class costs a read of the control register
+// and the second a read of a flag. A call that has switched modes restores the whole register, sticky flags
+// included. A call in the usual modes leaves the flags raised that its arithmetic raises, as a function of
+// the C library does; finding out would cost a second read, on some machines as much as a small collision.
+// Functions of the program leave modes as they find them (C11, 7.6). If one sets modes and keeps them, they
+// are the program's from then on, but the rest of a call in usual modes is computed in them.
+//
+// Compilers do not know that modes affect arithmetic. What is computed inside a FloatEnvironment therefore
+// reads its operands from memory or stands in a function of its own; it does not use arguments in registers.
 #pragma once
 
 #include <atomic>
@@ -44,7 +47,7 @@ inline bool has_library_modes()
 
 #else
 
-// What C knows of it: rounding, and traps where the library can tell.
+// What standard C can tell: rounding, and traps where the C library reports them.
 inline bool has_library_modes()
 {
 #if defined(__GLIBC__) && defined(_GNU_SOURCE)
@@ -55,15 +58,15 @@ inline bool has_library_modes()
 
 #endif
 
-// Of the calling thread: the program's registers are kept, ours set, and the way back.
+// For the calling thread: saves the program's registers, sets the library's, and later restores them.
 [[gnu::cold]] void enter_library_modes();
 [[gnu::cold]] void leave_library_modes();
 
-// The program's registers again, for a function of it. False: there are no others.
+// Restores the program's registers around a function of the program. False: they do not differ.
 [[gnu::cold]] bool enter_program_modes();
 [[gnu::cold]] void leave_program_modes();
 
-// Has a thread ever come with other modes?
+// True if a thread has ever entered with other modes.
 extern constinit std::atomic<bool> g_other_modes;
 
 class FloatEnvironment {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// From ODE's opaque handles (dBodyID = dxBody*) to our objects and back: the only reinterpret_casts of the
-// tree live here. Every object begins with a Tag, overwritten when it dies; pools keep the memory readable,
-// so a null, stale or mistyped handle is recognised instead of followed. Objects are aligned to 64 bytes, and
-// the six low bits of a handle say which of the objects that have lived in the slot is meant: a stale handle
-// is recognised although its memory is in use again, until the 64th successor. Keeping freed slots unused for
-// a while would promise less and cost the warmth of a slot that is taken again at once. (A pointer that never
-// came from us cannot be recognised by anyone.)
+// From ODE's opaque handles (dBodyID = dxBody*) to our objects and back; the only reinterpret_casts of the
+// tree are here. Every object begins with a Tag, which is overwritten when the object dies. Pools keep the
+// memory readable, so a null, stale or mistyped handle is recognised and not followed. Objects are aligned to
+// 64 bytes, and the six low bits of a handle count the objects that have used the slot: a stale handle is
+// recognised even when a new object lives there, until the 64th successor. Leaving freed slots unused for a
+// while would promise less, and a slot that is reused at once is still in the cache. (A pointer that never
+// came from the library cannot be recognised.)
 #pragma once
 
 #include <cstdint>
@@ -72,7 +72,7 @@ O* from_handle(typename HandleOf<O>::Id id)
     const auto bits = reinterpret_cast<std::uintptr_t>(id);
     auto* object = reinterpret_cast<O*>(bits & ~std::uintptr_t(kGenerations - 1));
     if constexpr (!kChecked) return object;
-    // Signed: neither the first page nor what no program is given, as (dBodyID)-1, is looked at.
+    // Signed: addresses in the first page and values such as (dBodyID)-1 are never dereferenced.
     const bool alive = std::intptr_t(bits) >= kFirstPage && object->tag == HandleOf<O>::kTag &&
                        object->generation == std::uint32_t(bits & (kGenerations - 1));
     return alive ? object : nullptr;

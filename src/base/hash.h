@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Of two serial numbers, for tables whose size is a power of two (multipliers and shifts as in SplitMix64).
+// A hash of two serial numbers, for tables whose size is a power of two (multipliers and shifts as in
+// SplitMix64).
 #pragma once
 
 #include <cstddef>

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A fixed table: the number of owners of process-wide state is known when the library is written, and
-// registering must not fail for want of memory. Hooks run outside the lock, so a hook may register another.
+// A table of fixed size: the number of owners of process-wide state is known when the library is written, and
+// registering must not fail for lack of memory. Hooks run outside the lock, so a hook may register another
+// one.
 #include "base/lifecycle.h"
 
 #include <mutex>

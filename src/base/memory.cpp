@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// An aligned block is cut out of a larger raw one; the word before the block remembers where that began.
+// An aligned block is cut from a larger one; the word before the block remembers where the larger one begins.
 #include "base/memory.h"
 
 #include <atomic>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// All memory of the library goes through the client's dSetAllocHandler family. Every allocation may fail;
-// callers test for null. `allocate` hands back `alignment`-aligned memory whatever the client's hook does.
+// All memory of the library comes from the client's dSetAllocHandler family. Every allocation may fail, and
+// callers test for null. `allocate` returns memory aligned to `alignment` whatever the client's hook does.
 #pragma once
 
 #include <cstddef>
@@ -28,12 +28,12 @@ void raw_free(void* pointer, std::size_t size) noexcept;
 void* allocate(std::size_t size) noexcept;
 void release(void* pointer, std::size_t size) noexcept;
 
-// The same over a pair of functions of the client's (step memory); they see the size with its margin, both
-// times the same.
+// The same with a pair of the client's functions (step memory). Both see the size with its margin, the same
+// value both times.
 void* allocate_from(dAllocFunction* alloc, std::size_t size) noexcept;
 void release_to(dFreeFunction* free, void* pointer, std::size_t size) noexcept;
 
-// How many allocations the process has made: tests prove with it that a warm step makes none.
+// The number of allocations of the process. Tests use it to prove that a warm step makes none.
 std::size_t allocation_count() noexcept;
 
 }  // namespace epode

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Handlers are process-wide, as in ODE; they are atomics so that a worker thread may report while the
-// client installs one.
+// Handlers are process-wide, as in ODE. They are atomics so that a worker thread may report while the client
+// installs one.
 #include "base/messages.h"
 
 #include <atomic>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The three channels of ODE: error, debug and message. Each has a replaceable handler. The library itself
-// never stops its host: it reports and goes on; only a client's own dError/dDebug call ends the program,
-// as the guide documents (api/runtime.cpp).
+// The three channels of ODE: error, debug and message, each with a replaceable handler. The library itself
+// never stops its host: it reports and continues. Only a client's own call of dError or dDebug ends the
+// program, as the guide documents (api/runtime.cpp).
 #pragma once
 
 #include <cstdarg>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Tells the address sanitizer which parts of the library's own stores (pools, arenas) hold nothing at the
-// moment: what it knows of malloc it cannot know of them, and a use of a destroyed object or of a step's
-// leftovers would pass unseen. Without that sanitizer both functions are empty.
+// Tells the address sanitizer which parts of the library's own pools and arenas are unused. It knows this of
+// malloc but not of them, and without it would miss uses of destroyed objects and of memory of earlier steps.
+// Without the sanitizer both functions are empty.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Free slots form a stack, so the slot given last is taken first: a frame's contact joints come back warm.
+// Free slots form a stack, so the slot freed last is reused first: the contact joints of a frame come back
+// while still in the cache.
 #include "base/pool.h"
 
 #include <algorithm>
@@ -13,25 +14,26 @@
 namespace epode {
 namespace {
 
-std::atomic<SlotPool*> g_pools{nullptr};  // grows at its front only
+std::atomic<SlotPool*> g_pools{nullptr};  // new pools are added at the front
 
 void trim_foreign() { SlotPool::trim_all(false); }
 
-// A host that unloads the library gets everything back. Handlers of the program may be gone by then: what
-// they gave stays theirs.
+// A host that unloads the library gets all memory back. Handlers of the program may be gone by then, so
+// memory that came from them is left alone.
 [[gnu::destructor]] void trim_at_unload()
 {
     if (!memory_hooks().free) SlotPool::trim_all(true);
 }
 
-// More objects are likely to be made soon: contacts come by the thousand, from slots that lie at equal
-// distances as a rule. The fourth from here on is where the step to the next, taken four times, leads.
-void fetch_to_write(const void* slot, const void* next, std::size_t size)
+// More objects will probably be created soon: contacts come by the thousand, usually in slots at equal
+// distances. Taking the step to the next slot four times leads to the fourth slot from here, which is
+// prefetched for writing.
+void prefetch_to_write(const void* slot, const void* next, std::size_t size)
 {
-    constexpr std::size_t kMost = 4 * kCacheLine;
+    constexpr std::size_t kMaxBytes = 4 * kCacheLine;
     const auto here = reinterpret_cast<std::uintptr_t>(slot), there = reinterpret_cast<std::uintptr_t>(next);
     const std::uintptr_t ahead = there + 3 * (there - here);
-    for (std::size_t i = 0; i < std::min(size, kMost); i += kCacheLine)
+    for (std::size_t i = 0; i < std::min(size, kMaxBytes); i += kCacheLine)
         __builtin_prefetch(reinterpret_cast<const void*>(ahead + i), 1);
 }
 
@@ -43,7 +45,7 @@ void* SlotPool::take() noexcept
     if (!free_ && !grow()) return nullptr;
     void* slot = free_;
     free_ = link(slot);
-    if (free_) fetch_to_write(slot, free_, slot_size_);
+    if (free_) prefetch_to_write(slot, free_, slot_size_);
     ++live_;
     unpoison(slot, slot_size_);
     return slot;
@@ -82,7 +84,7 @@ void SlotPool::enlist()
     while (!g_pools.compare_exchange_weak(next_pool_, this)) {}
 }
 
-// From the last to the first, so that slots are handed out in address order.
+// From last to first, so that slots are handed out in the order of their addresses.
 void SlotPool::push_slots(Chunk& chunk)
 {
     for (std::size_t i = slots_per_chunk_; i-- > 0;) {

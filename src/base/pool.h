@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Chunked storage for the objects behind ODE's handles: addresses never change, and the head of a destroyed
-// object stays readable, so that its overwritten tag and its generation can unmask a stale handle. One pool
-// per type and process: handles of a destroyed world must be recognised too. A spin lock guards the free
-// list, because worlds may be built on several threads; held for a few instructions only.
-// Chunks are kept even after the last dCloseODE, for the sake of handles that outlive it, and go with the
-// library itself. Those that a memory handler of the program has given are the exception: the program may
-// take its heap away then, so the last dCloseODE gives them back when no object of the pool is left.
+// Chunked storage for the objects behind ODE's handles. Addresses never change, and the head of a destroyed
+// object stays readable, so that its overwritten tag and its generation reveal a stale handle. There is one
+// pool per type and process, because handles of destroyed worlds must be recognised too. A spin lock guards
+// the free list, since worlds may be built on several threads; it is held for a few instructions only. Chunks
+// are kept after the last dCloseODE, for handles that outlive it, and freed when the library is unloaded.
+// Chunks from a memory handler of the program are the exception: the program may take its heap away, so the
+// last dCloseODE frees them if the pool holds no object.
 #pragma once
 
 #include <atomic>
@@ -24,13 +24,13 @@ namespace epode {
 
 class SpinLock {
   public:
-    // While the process has one thread nobody is in the way, and an exchange costs more than what it guards.
+    // A process with one thread needs no lock, and the exchange costs more than what it guards.
     void lock()
     {
         if (alone()) return taken_.store(true, std::memory_order_relaxed);
         while (taken_.exchange(true, std::memory_order_acquire)) spin_once();
     }
-    // False, and nothing to unlock, when it is locked.
+    // False if it is locked; there is nothing to unlock then.
     bool try_lock()
     {
         if (!alone()) return !taken_.exchange(true, std::memory_order_acquire);
@@ -49,7 +49,7 @@ class SpinLock {
     std::atomic<bool> taken_{false};
 };
 
-// Untyped part, so that the list handling exists once.
+// The untyped part, so that the list handling exists once.
 class SlotPool {
   public:
     constexpr SlotPool(std::size_t slot_size, std::size_t slots_per_chunk)
@@ -60,7 +60,7 @@ class SlotPool {
     void give(void* slot) noexcept;  // keeps the Tagged at its beginning as it is
     std::size_t live() const { return live_; }
 
-    // Gives chunks back, if no slot is in use: those of the program's memory handlers, or all.
+    // Frees chunks if no slot is in use: those from the program's memory handlers, or all.
     void trim(bool all = true) noexcept;
     static void trim_all(bool all) noexcept;  // of every pool
 
@@ -69,7 +69,7 @@ class SlotPool {
         Chunk* next;
         bool foreign;  // came from a handler of the program
     };
-    // The link lies behind the tag, which must survive for handle checks.
+    // The link is stored behind the tag, which must stay intact for handle checks.
     static constexpr std::size_t kHead = 24;
     static void*& link(void* slot) { return *reinterpret_cast<void**>(static_cast<char*>(slot) + 16); }
     std::size_t chunk_size() const { return kCacheLine + slot_size_ * slots_per_chunk_; }
@@ -87,7 +87,7 @@ class SlotPool {
     std::size_t live_ = 0;
     void* free_ = nullptr;
     Chunk* chunks_ = nullptr;
-    SlotPool* next_pool_ = nullptr;  // of all that have ever held something
+    SlotPool* next_pool_ = nullptr;  // all pools that have ever held an object
     bool listed_ = false;
 };
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A counter-based generator: the n-th number is a function of (key, n) alone, so a solver that shuffles its
-// rows depends on no process-wide state and two worlds cannot disturb each other (ODE's QuickStep draws from
-// dRand, which all worlds share). Mixing function: the finaliser of SplitMix64 (Steele, Lea, Flood 2014).
+// A counter-based generator: the n-th number is a function of (key, n) alone. A solver that shuffles its rows
+// therefore depends on no process-wide state, and worlds cannot disturb each other. (ODE's QuickStep draws
+// from dRand, which all worlds share.) The mixing function is the finaliser of SplitMix64 (Steele, Lea, Flood
+// 2014).
 #pragma once
 
 #include <cstdint>

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Objects in the order in which they have joined, each of which knows its `place`; walked from the newest on.
-// Who leaves makes a hole. Holes at the end go at once, the others when they are more than half: so joining
-// and leaving cost nothing to speak of, touch nobody else, and never change the order. A list through the
-// objects would need no memory of its own, but a walk along it waits for each object to learn where the next
-// one is; here they are fetched ahead, kLines lines of the cache of each.
-// Some members may be active, one bit each: a walk over those passes 64 others at a glance.
+// Objects in the order in which they joined. Each knows its `place`, and walks go from the newest to the
+// oldest. An object that leaves makes a hole. Holes at the end disappear at once, the others when they are
+// more than half of all places; so joining and leaving cost almost nothing, touch no other object and keep
+// the order. A linked list through the objects would need no memory of its own, but a walk along it waits for
+// each object to learn where the next one is. Here a walk prefetches kLines cache lines of each object.
+// Members may be active, one bit each: a walk over active members skips 64 others at a time.
 #pragma once
 
 #include <bit>
 #include <cstdint>
 
-#include "base/ahead.h"
 #include "base/array.h"
+#include "base/prefetch.h"
 
 namespace epode {
 
@@ -40,16 +40,17 @@ class Roster {
     }
 
     int count() const { return count_; }
-    // Places are below this, and who joins later has none of them, until somebody leaves.
+    // All places are below this number, and objects that join later get none of them until some object
+    // leaves.
     int places() const { return all_.size(); }
 
-    // Who joins is active.
+    // Objects are active when they join.
     void activate(T& one)
     {
         if (idle_count_ > 0) [[unlikely]]
             clear_bit(one);
     }
-    void deactivate(T& one)  // in vain if there is no memory
+    void deactivate(T& one)  // has no effect without memory
     {
         if (!is_active(one) || !has_bit(one.place)) return;
         ++idle_count_;
@@ -61,10 +62,10 @@ class Roster {
     }
     int active_count() const { return count_ - idle_count_; }
 
-    T& newest() const { return *all_.data()[all_.size() - 1]; }  // of those that there are: not of none
+    T& newest() const { return *all_.data()[all_.size() - 1]; }  // must not be empty
 
-    // f(one) for the active ones below `place`, the newest first. Nobody may join, leave or become active
-    // meanwhile.
+    // Calls f(one) for the active members below `place`, the newest first. No member may join, leave or
+    // become active meanwhile.
     template <typename F>
     void for_each_active_before(int place, F&& f) const
     {
@@ -73,9 +74,9 @@ class Roster {
             return;
         }
         Active at(*this, place), ahead = at;
-        for (int i = 0; i < kAhead; ++i) ahead.fetch_next();
+        for (int i = 0; i < kAhead; ++i) ahead.prefetch_next();
         while (T* one = at.next()) {
-            ahead.fetch_next();
+            ahead.prefetch_next();
             f(*one);
         }
     }
@@ -85,12 +86,12 @@ class Roster {
         for_each_active_before(places(), f);
     }
 
-    // Nobody may join or leave during a walk.
+    // No member may join or leave during a walk.
     class Walk {
       public:
         Walk(T* const* first, T* const* behind) : first_(first), behind_(behind)
         {
-            for (T* const* one = behind; one != first && behind - one < kAhead;) fetch<kLines>(*--one);
+            for (T* const* one = behind; one != first && behind - one < kAhead;) prefetch<kLines>(*--one);
             pass_holes();
         }
         Walk begin() const { return *this; }
@@ -108,7 +109,7 @@ class Roster {
         void step()
         {
             --behind_;
-            if (behind_ - first_ >= kAhead) fetch<kLines>(behind_[-kAhead]);
+            if (behind_ - first_ >= kAhead) prefetch<kLines>(behind_[-kAhead]);
         }
         void pass_holes()
         {
@@ -144,9 +145,9 @@ class Roster {
             }
             return nullptr;
         }
-        void fetch_next()
+        void prefetch_next()
         {
-            if (const T* one = next()) fetch<kLines>(one);
+            if (const T* one = next()) prefetch<kLines>(one);
         }
 
       private:
@@ -156,7 +157,7 @@ class Roster {
     };
 
     static std::uint64_t bit_of(int place) { return std::uint64_t(1) << (place & 63); }
-    // Out of the way of those who join and leave by the thousand.
+    // Kept out of line: members join and leave by the thousand.
     [[gnu::noinline]] void clear_bit(const T& one)
     {
         if (is_active(one)) return;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The arenas of further workers are made by the first step that has so many and stay until the last holder is
-// gone; only their blocks can be given back before.
+// The first step that needs further workers creates their arenas, and they stay until the last holder is
+// gone; before that only their blocks can be freed.
 #include "base/step_memory.h"
 
 #include <new>
@@ -57,7 +57,7 @@ bool StepMemory::provide(int workers)
     }
     for (Arena* arena : others_) {
         arena->reset();
-        arena->open();  // a worker that has its first turn late must not allocate then
+        arena->open();  // a worker that starts late must not allocate then
     }
     return true;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The working memory of steps: one arena per worker, all from one supply. Worlds that are never stepped at
-// the same time may share it (dWorldUseSharedWorkingMemory): it counts its holders and goes with the last. A
-// step takes it for itself from its beginning to its end, callbacks included, so a world that is stepped from
-// inside another world's step is told instead of writing over it.
+// The working memory of steps: one arena per worker, all with the same supply. Worlds that are never stepped
+// at the same time may share it (dWorldUseSharedWorkingMemory); it counts its holders and is freed with the
+// last. A step owns it from beginning to end, callbacks included. A world that is stepped inside the step of
+// another world with the same memory is refused.
 #pragma once
 
 #include <atomic>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A tree of n leaves has n - 1 inner nodes. Removal gives the parent of the leaf free and puts the sibling in
-// its place; insertion takes one and puts it above the chosen sibling.
+// A tree of n leaves has n - 1 inner nodes. Removing a leaf frees its parent and puts the sibling in the
+// parent's place; inserting a leaf takes a free inner node and puts it above the chosen sibling.
 #include "bvh/dynamic_tree.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace epode {
 namespace {
 
-// A tree whose inner boxes have grown to so many times their surface costs more to ask than to build anew.
+// A tree whose inner boxes have grown to this many times their surface costs more to query than to rebuild.
 constexpr Real kWorn = Real(1.15);
 
 // Half the surface.
@@ -68,7 +68,7 @@ void DynamicTree::set_box(int leaf, const Aabb& box)
     sound_ = false;
 }
 
-// Beside no node: as the root of an empty tree.
+// Without a sibling the leaf becomes the root of an empty tree.
 int DynamicTree::insert_beside(int sibling, const Aabb& box, int item)
 {
     const int leaf = take_node();
@@ -118,7 +118,7 @@ void DynamicTree::clear()
     surface_ = -1;
 }
 
-// The node that a leaf with this box shall stand beside; the boxes on the way down are enlarged already.
+// The node that becomes the sibling of a leaf with this box; the boxes on the way down are already enlarged.
 int DynamicTree::find_sibling(const Aabb& box)
 {
     int sibling = root_;
@@ -148,7 +148,7 @@ void DynamicTree::attach(int leaf, int pair, int sibling)
         (nodes_[parent].child == sibling ? nodes_[parent].child : nodes_[parent].other) = pair;
 }
 
-// Takes the leaf out; the inner node that is free now, or -1 when the leaf was alone.
+// Removes the leaf. Returns the inner node that is free now, or -1 when the leaf was alone.
 int DynamicTree::detach(int leaf)
 {
     const int pair = nodes_[leaf].parent;
@@ -178,21 +178,21 @@ void DynamicTree::refit_above(int node)
     }
 }
 
-// The surface of all inner nodes below and of this one. Leaves lie anywhere: of all below a node's children
-// the memory is asked for at once, before anybody waits for it.
+// Refits the inner nodes below `top` and returns their total surface, `top` included. Leaves are scattered in
+// memory: all children's memory below a node is prefetched before anything waits for it.
 Real DynamicTree::refit(int top)
 {
     Node* nodes = nodes_.data();
     Node& node = nodes[top];
     if (node.child < 0) return 0;
     for (const int k : {node.child, node.other})
-        if (nodes[k].child >= 0) fetch<1>(nodes + nodes[k].child), fetch<1>(nodes + nodes[k].other);
+        if (nodes[k].child >= 0) prefetch<1>(nodes + nodes[k].child), prefetch<1>(nodes + nodes[k].other);
     const Real below = refit(node.child) + refit(node.other);
     node.box = merge(nodes[node.child].box, nodes[node.other].box);
     return below + area(node.box);
 }
 
-// False when the tree is worn.
+// False when the tree has degraded and must be rebuilt.
 bool DynamicTree::refit()
 {
     const Real surface = refit(root_);
@@ -222,13 +222,13 @@ void DynamicTree::changed(int leaf)
 
 int DynamicTree::height() const
 {
-    int most = 0;
+    int largest = 0;
     for (int i = 0; i < nodes_.size(); ++i)
-        if (i == root_ || nodes_[i].parent >= 0) most = std::max(most, depth_of(i));
-    return most;
+        if (i == root_ || nodes_[i].parent >= 0) largest = std::max(largest, depth_of(i));
+    return largest;
 }
 
-// The leaves are found by a walk along the child links, which also gathers the inner nodes for reuse.
+// Finds the leaves by a walk along the child links, which also collects the inner nodes for reuse.
 bool DynamicTree::rebuild(const Tasks& tasks)
 {
     if (leaves_ < 2) return loose_ = false, sound_ = true;
@@ -264,7 +264,7 @@ std::pair<DynamicTree::Branch, DynamicTree::Branch> DynamicTree::cut(const Branc
             {b.first + left, b.count - left, b.depth + 1, b.inner + left}};
 }
 
-// Two branches that are complete become one.
+// Joins two complete branches.
 int DynamicTree::join(const Branch& whole, int a, int b)
 {
     const int node = inner_.data()[whole.inner];
@@ -285,7 +285,7 @@ int DynamicTree::build(const Branch& branch)
     return join(branch, a, build(two));
 }
 
-// The upper branches are cut one after the other until there are enough for all workers; the same tree.
+// Cuts the upper branches one after the other until there are enough for all workers; the tree is the same.
 int DynamicTree::build_in_pieces(const Branch& all, const Tasks& tasks)
 {
     constexpr int kPieces = 32;
@@ -323,7 +323,7 @@ int DynamicTree::split(int* first, int count, int depth) const
     auto key = [&](int leaf) { return twice_centre(nodes[leaf].box)[axis]; };
     int* cut = std::partition(first, first + count, [&](int leaf) { return key(leaf) < middle; });
     const int left = int(cut - first);
-    // A lopsided cut is taken only near the root, which bounds the height.
+    // An unbalanced cut is allowed only near the root, which bounds the height.
     const int least = depth < 20 ? count / 16 + 1 : count / 2;
     if (left >= least && count - left >= least) return left;
     std::nth_element(first, first + count / 2, first + count, [&](int a, int b) {
@@ -347,7 +347,7 @@ bool DynamicTree::split_pairs(int wanted, Array<NodePair>& pieces) const
     return true;
 }
 
-// The piece becomes the first of those that it consists of; the others come behind all.
+// Replaces the piece by the first of its parts; the others are appended.
 bool DynamicTree::open_pair(int i, Array<NodePair>& pieces) const
 {
     const auto [a, b] = pieces[i];

@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A binary tree of boxes for things that come, move and go. Each leaf carries the client's box and number;
-// each inner node the union of its children. A leaf is inserted beside the node whose surface grows least on
-// the way down (Goldsmith and Salmon 1987, greedy); many changes at once are cheaper as a rebuild from above
-// (split in the middle of the longest axis). Rotations, the usual remedy for what single changes do to a
-// tree, are left out: after as many changes as 4 times its leaves, or when too high for the walk's stack, the
-// tree is rebuilt. Boxes must be ordered and finite (bounded()), or areas would not be numbers.
+// A binary tree of boxes for objects that are created, move and are removed. Each leaf holds the client's box
+// and number; each inner node holds the union of its children. A leaf is inserted next to the node whose
+// surface grows least on the way down (Goldsmith and Salmon 1987, greedy). For many changes at once a rebuild
+// from the top is cheaper (split in the middle of the longest axis). Rotations, the usual repair after single
+// changes, are left out: after 4 times as many changes as it has leaves, or when it is too high for the stack
+// of a walk, the tree is rebuilt. Boxes must be ordered and finite (bounded()), or their areas would not be
+// numbers.
 #pragma once
 
 #include <cmath>
 #include <utility>
 
-#include "base/ahead.h"
 #include "base/array.h"
+#include "base/prefetch.h"
 #include "geometry/shapes.h"
 #include "tasks/tasks.h"
 
 namespace epode {
 
-// Within reach of the tree: squares of such sides are far from overflow in float, too.
+// A box that the tree can hold: squares of its sides are far from overflow, in float too.
 constexpr bool bounded(const Aabb& box)
 {
     constexpr Real reach = Real(1e15);
@@ -36,17 +37,16 @@ constexpr bool contains(const Aabb& outer, const Aabb& inner)
            outer.hi.x >= inner.hi.x && outer.hi.y >= inner.hi.y && outer.hi.z >= inner.hi.z;
 }
 
-// A ray as boxes are tested by it, all of them inside `all`. `slack` widens each by more than the rounding of
-// what is in it, so that nothing is missed; what is next to zero in the direction is replaced by something
-// tiny.
+// A ray prepared for tests against boxes inside `all`. `slack` widens each box by more than its rounding, so
+// that nothing is missed. Components of the direction that are next to zero are replaced by a tiny number.
 struct TreeRay {
     TreeRay(Vec3 o, Vec3 d, const Aabb& all)
         : origin(o), slack(16 * kEpsilon * max_component(max(abs(o), max(abs(all.lo), abs(all.hi)))))
     {
-        constexpr Real most = kSingle ? Real(1e30) : Real(1e290);
-        for (int i = 0; i < 3; ++i) inverse.set(i, std::fabs(d[i]) * most > 1 ? 1 / d[i] : most);
+        constexpr Real limit = kSingle ? Real(1e30) : Real(1e290);
+        for (int i = 0; i < 3; ++i) inverse.set(i, std::fabs(d[i]) * limit > 1 ? 1 / d[i] : limit);
     }
-    // Where the ray enters the box if it does so within `reach`, kInf if not.
+    // The distance at which the ray enters the box, or kInf if that is beyond `reach`.
     Real enters(const Aabb& box, Real reach) const
     {
         Real near = 0, far = reach;
@@ -63,8 +63,8 @@ struct TreeRay {
     Real slack;
 };
 
-// A piece of the walk over all pairs of a tree's leaves: those of the leaves below a with those below b, or
-// of those below a with one another if b is negative.
+// A piece of the walk over all pairs of leaves: leaves below a with leaves below b, or leaves below a with
+// one another if b is negative.
 struct NodePair {
     int a, b;
 };
@@ -76,15 +76,15 @@ class DynamicTree {
     void remove(int leaf);
     void move(int leaf, const Aabb& box);
 
-    // For many changes at once: leaves are put in anywhere or get new boxes, and before the tree is asked
-    // again it is settled. Where leaves have only moved, and mostly together, that fits its inner boxes to
-    // them; else it builds the tree anew. False when memory is exhausted.
+    // For many changes at once: leaves are inserted anywhere or get new boxes, and the tree must be settled
+    // before the next query. If leaves have only moved, and mostly together, settling refits the inner boxes;
+    // otherwise it rebuilds the tree. False when memory is exhausted.
     int insert_loose(const Aabb& box, int item);
     void set_box(int leaf, const Aabb& box);
     [[nodiscard]] bool settle(const Tasks& tasks = Tasks(1));
     [[nodiscard]] bool rebuild(const Tasks& tasks = Tasks(1));
 
-    // Whether the tree may be asked; if not, settle() is due.
+    // True if the tree can be queried; otherwise settle() must be called first.
     bool sound() const { return sound_; }
 
     const Aabb& box(int leaf) const { return nodes_[leaf].box; }
@@ -93,7 +93,7 @@ class DynamicTree {
     int height() const;
     void clear();
 
-    // visit(item) for every leaf whose box meets `box`, in no promised order.
+    // Calls visit(item) for every leaf whose box overlaps `box`, in no promised order.
     template <typename Visit>
     void query(const Aabb& box, Visit&& visit) const
     {
@@ -101,11 +101,12 @@ class DynamicTree {
         int stack[kMaxHeight + 2];
         int top = 0;
         stack[top++] = root_;
-        // What goes to the stack has been tested, and what that will lead to is on its way.
+        // Nodes on the stack have been tested, and the memory that they lead to is being prefetched.
         const auto look = [&](int at) {
             const Node& node = nodes_.data()[at];
             if (!meet(node.box, box)) return;
-            if (node.child >= 0) fetch<1>(nodes_.data() + node.child), fetch<1>(nodes_.data() + node.other);
+            if (node.child >= 0)
+                prefetch<1>(nodes_.data() + node.child), prefetch<1>(nodes_.data() + node.other);
             stack[top++] = at;
         };
         while (top > 0) {
@@ -119,8 +120,8 @@ class DynamicTree {
         }
     }
 
-    // visit(item) for every leaf whose box the ray meets, near ones first as a rule; it answers how far the
-    // ray has still to be followed, less than 0 ends it.
+    // Calls visit(item) for every leaf whose box the ray meets, mostly the near ones first. visit returns how
+    // far the ray must still be followed; a negative value ends the walk.
     template <typename Visit>
     void cast(const TreeRay& ray, Real reach, Visit&& visit) const
     {
@@ -151,7 +152,7 @@ class DynamicTree {
     // The union of all leaves' boxes; the tree must not be empty.
     const Aabb& bounds() const { return nodes_.data()[root_].box; }
 
-    // For those who copy the tree; box() serves inner nodes, too.
+    // For copies of the tree; box() serves inner nodes too.
     static constexpr int kMaxHeight = 60;
     int root() const { return root_; }
     bool is_leaf(int node) const { return nodes_.data()[node].child < 0; }
@@ -159,11 +160,11 @@ class DynamicTree {
     int other(int node) const { return nodes_.data()[node].other; }
     int item(int leaf) const { return nodes_.data()[leaf].item; }
 
-    // Every two leaves whose boxes meet, each pair once, are found by a walk over all pairs of nodes. For
-    // many leaves this is several times quicker than a query for each: common ancestors are compared once.
-    // split_pairs() opens the upper nodes until there are about `wanted` pieces of the walk, or nothing is
-    // left to open; false when memory is exhausted. query_pairs() calls visit(item, item) for those of a
-    // piece.
+    // Finds every pair of leaves whose boxes overlap, each once, by a walk over all pairs of nodes. With many
+    // leaves this is several times faster than a query for each leaf, because common ancestors are compared
+    // once. split_pairs() opens the upper nodes until there are about `wanted` pieces of the walk or nothing
+    // is left to open; false when memory is exhausted. query_pairs() calls visit(item, item) for the pairs of
+    // one piece.
     [[nodiscard]] bool split_pairs(int wanted, Array<NodePair>& pieces) const;
     template <typename Visit>
     void query_pairs(const NodePair& piece, Visit&& visit) const
@@ -196,7 +197,7 @@ class DynamicTree {
         if (meet(node.child, node.other)) pairs_between(node.child, node.other, visit);
     }
 
-    // Of nodes that meet.
+    // For nodes that overlap.
     template <typename Visit>
     void pairs_between(int a, int b, Visit& visit) const
     {
@@ -204,25 +205,25 @@ class DynamicTree {
         if (na.child < 0 && nb.child < 0) {
             visit(na.item, nb.item);
         } else if (opens_first(na, nb)) {
-            fetch<1>(nodes_.data() + na.other);
+            prefetch<1>(nodes_.data() + na.other);
             if (meet(na.child, b)) pairs_between(na.child, b, visit);
             if (meet(na.other, b)) pairs_between(na.other, b, visit);
         } else {
-            fetch<1>(nodes_.data() + nb.other);
+            prefetch<1>(nodes_.data() + nb.other);
             if (meet(a, nb.child)) pairs_between(a, nb.child, visit);
             if (meet(a, nb.other)) pairs_between(a, nb.other, visit);
         }
     }
     bool meet(int a, int b) const { return meet(nodes_.data()[a].box, nodes_.data()[b].box); }
-    // overlap(), of which half are so, in no order that a processor could guess: all six comparisons, no
-    // branch between them.
+    // overlap() with all six comparisons and no branch between them: half of the tests succeed, in an order
+    // that no processor can predict.
     static bool meet(const Aabb& p, const Aabb& q)
     {
         const bool x = (p.lo.x <= q.hi.x) & (q.lo.x <= p.hi.x), y = (p.lo.y <= q.hi.y) & (q.lo.y <= p.hi.y),
                    z = (p.lo.z <= q.hi.z) & (q.lo.z <= p.hi.z);
         return x & y & z;
     }
-    // The larger of two nodes, one of which is no leaf.
+    // The larger of two nodes, at least one of which is an inner node.
     static bool opens_first(const Node& a, const Node& b)
     {
         return b.child < 0 || (a.child >= 0 && extent(a.box) >= extent(b.box));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Rays as nodes and packets see them, and putting boxes on the grid of a node: outward, by the very
-// expression that is evaluated when it is asked.
+// Prepares rays for nodes and packets, and quantises boxes to the grid of a node: outward, by the same
+// expression that is evaluated in a query.
 #include "bvh/mesh_packet.h"
 
 #include <algorithm>

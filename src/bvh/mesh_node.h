@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A node of the tree over a mesh: sixteen boxes on a grid of 256 steps a side, lo = origin + step * q.
-// Vectors of 16 bytes are on every machine that we serve; every operation is done lane by lane, so the
-// answers do not depend on how.
-//   box    goes onto the grid; a bound of all 16 children is one vector of bytes, so that they are told apart
-//          in no more work than four.
-//   ray    a slab is met between (origin - o) inv + q (step inv) for its two q; o, inv: the ray's origin and
-//          the inverse of its direction, in which what is next to zero is replaced by something tiny. Four
-//          children at a time. Nodes of four would be as much work, but twice as many must be waited for, one
-//          after the other, where the tree is larger than the cache.
+// A node of the tree over a mesh: sixteen boxes on a grid of 256 steps per side, lo = origin + step * q.
+// Vectors of 16 bytes exist on every supported machine; every operation works lane by lane, so results do not
+// depend on how it is compiled.
+//
+//   box    is quantised to the grid; one bound of all 16 children is one vector of bytes, so testing sixteen
+//          takes no more work than testing four.
+//   ray    meets a slab between (origin - o) inv + q (step inv) for its two q; o, inv: the ray's origin and
+//          the inverse of its direction, in which components next to zero are replaced by a tiny number. Four
+//          children at a time. Nodes of four children would be as much work, but a tree larger than the cache
+//          would wait for twice as many of them, one after the other.
 #pragma once
 
 #include <bit>
@@ -32,16 +33,16 @@ inline FloatBox float_box(const Aabb& b)
     return {{float(b.lo.x), float(b.lo.y), float(b.lo.z)}, {float(b.hi.x), float(b.hi.y), float(b.hi.z)}};
 }
 
-// One side of a grid of 256 steps: origin + step * q. A little more than what it is for, so that its far end
-// is within reach of the 255th step whatever is rounded.
+// One side of a grid of 256 steps: origin + step * q. A little larger than needed, so that its far end is
+// within the 255th step whatever is rounded.
 struct GridSteps {
     GridSteps(float low, float high) : origin(low), step((high - low) / 254) {}
-    // Rounds outward, by the very expression that is evaluated when it is asked.
+    // Rounds outward, by the same expression that is evaluated in a query.
     void enclose(float low, float high, std::uint8_t& lo, std::uint8_t& hi) const;
     float origin, step;
 };
 
-// n . x <= d in the frame of the mesh.
+// The half-space n . x <= d in the frame of the mesh.
 struct HalfSpace {
     float n[3], d;
 };
@@ -55,7 +56,7 @@ typedef std::uint16_t Shorts __attribute__((vector_size(16)));
 
 }  // namespace mesh_lanes
 
-// A box as nodes are asked with it.
+// A query box, prepared for nodes.
 struct NodeBox {
     explicit NodeBox(const FloatBox& b)
         : lo{b.lo[0], b.lo[1], b.lo[2], b.lo[2]}, hi{b.hi[0], b.hi[1], b.hi[2], b.hi[2]}
@@ -70,11 +71,11 @@ struct NodeRay {
     bool down[3];  // runs against the axis
 };
 
-// A child and how far away it is, at least 0, as one number that grows with the distance: bits of floats that
-// are not negative are ordered as they are. No child of a node is node 0, so 0 is none.
+// A child and its distance, at least 0, as one number that grows with the distance: the bits of non-negative
+// floats are ordered like the floats. Node 0 is no node's child, so 0 means none.
 class WaitingNode {
   public:
-    WaitingNode() {}  // nothing: stacks of them are left unwritten
+    WaitingNode() {}  // uninitialised: stacks of them are left unwritten
     WaitingNode(int child, float near)
         : key_(std::uint64_t(std::bit_cast<std::uint32_t>(near)) << 32 | std::uint32_t(child))
     {}
@@ -90,12 +91,12 @@ class WaitingNode {
 };
 
 struct alignas(64) MeshNode {
-    static constexpr int kMost = 16;
+    static constexpr int kMaxChildren = 16;
 
     float origin[3], step[3];
     int count;  // of the children
-    std::uint8_t lo[3][kMost], hi[3][kMost];
-    int child[kMost];  // a node, or -1 - a packet of triangles
+    std::uint8_t lo[3][kMaxChildren], hi[3][kMaxChildren];
+    int child[kMaxChildren];  // a node, or -1 - a packet of triangles
 
     // The boxes of the children, on a grid over all of them.
     void place(const FloatBox* boxes, const FloatBox& all);
@@ -103,7 +104,8 @@ struct alignas(64) MeshNode {
     // Bits of the children met.
     unsigned met_by(const NodeBox& box) const;
     unsigned met_by(const HalfSpace& space) const;
-    unsigned met_by(const NodeRay& ray, float reach, float (&near)[kMost]) const;  // and how far each is
+    unsigned met_by(const NodeRay& ray, float reach,
+                    float (&near)[kMaxChildren]) const;  // and how far each is
     unsigned there() const { return (1u << count) - 1; }
 };
 static_assert(sizeof(MeshNode) == 192);
@@ -113,7 +115,7 @@ namespace mesh_lanes {
 inline Floats floats(float x) { return Floats{x, x, x, x}; }
 inline Floats places(const std::uint8_t* q)
 {
-    // In two steps, each of which is one instruction; a conversion in one is done number by number.
+    // In two steps of one instruction each; a conversion in one step is done number by number.
     std::uint32_t four;
     __builtin_memcpy(&four, q, 4);
     const Bytes bytes = Bytes(Ints{int(four), 0, 0, 0});
@@ -160,8 +162,8 @@ inline Bytes steps(Floats x)
     return Bytes(twice | twice << 16);
 }
 
-// A box on the grid of a node: its origin in three numbers and, behind them, the steps of its axes. Rounded
-// outward to whole steps.
+// A box on the grid of a node: its origin in three numbers, followed by the steps along its axes, rounded
+// outward.
 struct BoxSteps {
     Bytes from, to;
     BoxSteps(const float (&origin)[3], const NodeBox& box)
@@ -176,7 +178,7 @@ struct BoxSteps {
 
 }  // namespace mesh_lanes
 
-// What the grid rounds is far less than kMeshMargin.
+// The rounding of the grid is far smaller than kMeshMargin.
 inline unsigned MeshNode::met_by(const NodeBox& box) const
 {
     using namespace mesh_lanes;
@@ -195,7 +197,7 @@ inline unsigned MeshNode::met_by(const HalfSpace& space) const
 {
     using namespace mesh_lanes;
     unsigned met = 0;
-    for (int k = 0; k < kMost; k += 4) {
+    for (int k = 0; k < kMaxChildren; k += 4) {
         Floats least{};
         for (int i = 0; i < 3; ++i) {
             const std::uint8_t* nearest = space.n[i] > 0 ? lo[i] : hi[i];
@@ -206,7 +208,7 @@ inline unsigned MeshNode::met_by(const HalfSpace& space) const
     return met & there();
 }
 
-inline unsigned MeshNode::met_by(const NodeRay& ray, float reach, float (&near)[kMost]) const
+inline unsigned MeshNode::met_by(const NodeRay& ray, float reach, float (&near)[kMaxChildren]) const
 {
     using namespace mesh_lanes;
     Floats base[3], grain[3];
@@ -217,7 +219,7 @@ inline unsigned MeshNode::met_by(const NodeRay& ray, float reach, float (&near)[
         in[i] = ray.down[i] ? hi[i] : lo[i], out[i] = ray.down[i] ? lo[i] : hi[i];
     }
     unsigned met = 0;
-    for (int k = 0; k < kMost; k += 4) {
+    for (int k = 0; k < kMaxChildren; k += 4) {
         Floats first = Floats{}, last = floats(reach);
         for (int i = 0; i < 3; ++i) {
             first = larger(base[i] + places(in[i] + k) * grain[i], first);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A leaf of the tree over a mesh: up to four triangles in floats, in the tree's frame, tested four at a time
-// before any of them is looked at exactly. Nothing is missed: coordinates are within 2^-24 of the true ones,
-// and what is asked for is widened by kMeshMargin, some 30 times as much.
-//   ray    shadows A, B, C of the corners along the ray (Woop, Benthin and Wald, JCGT 2013) and the numbers
-//          U = C x B ...; with corners off by d, U is off by no more than d (|B| + |C|) and rounding as
-//          much. A triangle is passed over only if two of the three have other signs than that can change,
-//          or if all of it is beyond the ends.
+// A leaf of the tree over a mesh: up to four triangles in floats, in the tree's frame. Four are tested at a
+// time before any of them is tested exactly. Nothing is missed: coordinates are within 2^-24 of the true
+// ones, and queries are widened by kMeshMargin, about 30 times as much.
+//
+//   ray    uses the shadows A, B, C of the corners along the ray (Woop, Benthin and Wald, JCGT 2013) and the
+//          numbers U = C x B ...; with corners off by d, U is off by at most d (|B| + |C|) and as much again
+//          by rounding. A triangle is skipped only if two of the three have opposite signs beyond that error,
+//          or if it lies entirely beyond the ends of the ray.
 #pragma once
 
 #include "bvh/mesh_node.h"
@@ -15,7 +16,7 @@
 
 namespace epode {
 
-// A ray in the tree's frame, as triangles see it: along the largest axis of its direction.
+// A ray in the tree's frame, prepared for triangles: along the largest axis of its direction.
 struct PacketRay {
     PacketRay(Vec3 origin, Vec3 direction);
     float origin[3];
@@ -28,8 +29,8 @@ struct alignas(16) MeshPacket {
     static constexpr int kNone = -1;
 
     float at[3][3][4];       // corner, axis, lane
-    int lanes[4];            // the triangle; -2 - it when that is degenerate; kNone
-    MeshCorners corners[4];  // of each lane: so who needs the vertices need not look them up first
+    int lanes[4];            // the triangle; -2 - triangle if it is degenerate; kNone
+    MeshCorners corners[4];  // of each lane, so that the vertices need not be looked up first
 
     bool used(int k) const { return lanes[k] != kNone; }
     int triangle(int k) const { return lanes[k] >= 0 ? lanes[k] : -2 - lanes[k]; }

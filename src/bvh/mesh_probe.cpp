@@ -42,7 +42,7 @@ Floats root(Floats x)
 #endif
 }
 
-// Corners from the middle of the solid, and edges: edge k from corner k to the next.
+// Corners relative to the centre of the solid, and edges: edge k goes from corner k to the next.
 struct Corners {
     Floats3 v[3], e[3];
     Floats3 n;
@@ -84,22 +84,22 @@ Floats3 from(const Floats3& a, const float (&centre)[3])
 MeshProbe::MeshProbe(const SolidProbe& solid, Vec3 centre_in_frame, Real scale) : kind_(solid.kind)
 {
     constexpr Real kMore = Real(1.00001);
-    const Real beside = scale * solid.slack + 2 * Real(kMeshMargin);
+    const Real margin = scale * solid.slack + 2 * Real(kMeshMargin);
     for (int i = 0; i < 3; ++i) {
         centre_[i] = float(centre_in_frame[i]);
         const Vec3 axis = solid.R.column(i);
         for (int k = 0; k < 3; ++k) axis_[i][k] = float(axis[k]);
-        half_[i] = float(kMore * scale * solid.half[i] + beside);
+        half_[i] = float(kMore * scale * solid.half[i] + margin);
     }
-    round_ = float(kMore * scale * solid.round + beside);
+    round_ = float(kMore * scale * solid.round + margin);
     slack_ = float(scale * solid.slack);
     size_ = float(scale * (solid.half.x + solid.half.y + solid.half.z + solid.round));
 }
 
-// By the height over the plane and by how far the middle is beyond an edge, which is out . v_k for out = e_k
-// x n: all three from m = n x v_0. Apart by n and out together, in whose plane the distance is the root of
-// the squares; near a corner it is more, which is not looked at.
-unsigned MeshProbe::ball_meets(const MeshPacket& packet, unsigned asked) const
+// By the height above the plane and by how far the centre lies beyond an edge, which is out . v_k for out =
+// e_k x n; all three follow from m = n x v_0. The distance in the plane of n and out together is the root of
+// the sum of squares. Near a corner the true distance is larger, which is not considered.
+unsigned MeshProbe::ball_meets(const MeshPacket& packet, unsigned candidates) const
 {
     const Floats3 a = corner_of(packet, 0), b = corner_of(packet, 1), c = corner_of(packet, 2);
     const Floats3 v = from(a, centre_), e[3] = {b - a, c - b, a - c};
@@ -109,18 +109,18 @@ unsigned MeshProbe::ball_meets(const MeshPacket& packet, unsigned asked) const
     const Floats blur =
         length * (floats(kMeshMargin) * (length + sum(v) + floats(size_)) + floats(slack_) * length);
     const Floats height = larger(magnitude(dot(n, v)) - blur, zero);
-    const Floats room2 = floats(round_ * round_) * n2 - height * height;  // over the square of n
+    const Floats reach2 = floats(round_ * round_) * n2 - height * height;  // over the square of n
     const Floats more = floats(2) * length * blur;
-    Ints apart = room2 < zero;
+    Ints apart = reach2 < zero;
     for (int k = 0; k < 3; ++k) {
         const Floats on = dot(m, e[k]), inward = k == 1 ? on + n2 : on;
         const Floats beyond = larger(-inward - more, zero);
-        apart |= beyond * beyond > larger(room2, zero) * dot(e[k], e[k]);
+        apart |= beyond * beyond > larger(reach2, zero) * dot(e[k], e[k]);
     }
-    return asked & ~bits(apart);
+    return candidates & ~bits(apart);
 }
 
-unsigned MeshProbe::box_meets(const MeshPacket& packet, unsigned asked) const
+unsigned MeshProbe::box_meets(const MeshPacket& packet, unsigned candidates) const
 {
     const Corners t = in_frame(packet, centre_, axis_, slack_, size_);
     const Floats hx = floats(half_[0]), hy = floats(half_[1]), hz = floats(half_[2]);
@@ -130,7 +130,7 @@ unsigned MeshProbe::box_meets(const MeshPacket& packet, unsigned asked) const
     apart |= (smallest(t.v[0].z, t.v[1].z, t.v[2].z) > hz) | (largest(t.v[0].z, t.v[1].z, t.v[2].z) < -hz);
     const Floats reach = hx * magnitude(t.n.x) + hy * magnitude(t.n.y) + hz * magnitude(t.n.z);
     apart |= magnitude(dot(t.n, t.v[0])) - t.blur > reach;
-    if (!(asked & ~bits(apart))) return 0;
+    if (!(candidates & ~bits(apart))) return 0;
     for (int k = 0; k < 3; ++k) {
         const Floats3 &p = t.v[k], &e = t.e[k], &q = t.v[(k + 2) % 3];
         const Floats x = magnitude(e.x), y = magnitude(e.y), z = magnitude(e.z);
@@ -141,10 +141,10 @@ unsigned MeshProbe::box_meets(const MeshPacket& packet, unsigned asked) const
         across(e.z * p.x - e.x * p.z, e.z * q.x - e.x * q.z, hz * x + hx * z);
         across(e.x * p.y - e.y * p.x, e.x * q.y - e.y * q.x, hx * y + hy * x);
     }
-    return asked & ~bits(apart);
+    return candidates & ~bits(apart);
 }
 
-unsigned MeshProbe::rod_meets(const MeshPacket& packet, unsigned asked) const
+unsigned MeshProbe::rod_meets(const MeshPacket& packet, unsigned candidates) const
 {
     const Corners t = in_frame(packet, centre_, axis_, slack_, size_);
     const bool flat = kind_ == ProbeKind::kCylinder;
@@ -157,7 +157,7 @@ unsigned MeshProbe::rod_meets(const MeshPacket& packet, unsigned asked) const
         return half * magnitude(n.z) + radius * root(flat ? across2 : across2 + n.z * n.z);
     };
     apart |= magnitude(dot(t.n, t.v[0])) - t.blur > reach(t.n);
-    if (!(asked & ~bits(apart))) return 0;
+    if (!(candidates & ~bits(apart))) return 0;
     for (int k = 0; k < 3; ++k) {
         const Floats3 &p = t.v[k], &e = t.e[k], &back = t.e[(k + 2) % 3], &q = t.v[(k + 2) % 3];
         const Floats3 out = cross(e, t.n);
@@ -168,7 +168,7 @@ unsigned MeshProbe::rod_meets(const MeshPacket& packet, unsigned asked) const
         const Floats on = e.x * p.y - e.y * p.x, off = e.x * q.y - e.y * q.x;
         apart |= (on * on > radius2 * (e.x * e.x + e.y * e.y)) & ((off - on) * on >= zero);
     }
-    return asked & ~bits(apart);
+    return candidates & ~bits(apart);
 }
 
 }  // namespace epode

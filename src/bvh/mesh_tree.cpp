@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Building. A range of triangles is cut in two where the sum over both sides of (surface of the box) x
-// (number of triangles) is least, among kBins - 1 places on each axis; a node takes four parts, always
-// cutting the one of the largest surface. Beyond kGreedy cuts on top of each other ranges are halved by
-// number, which bounds the depth at kGreedy + 27 for all meshes; so are triangles with one common centre.
-// Nodes of four then give way to their children until sixteen have come together (put_together).
+// Builds the tree. A range of triangles is cut where the sum over both sides of (surface of the box) x
+// (number of triangles) is least, among kBins - 1 places on each axis. A node takes four parts; the part with
+// the largest surface is always cut next. Beyond kGreedy successive cuts, ranges are halved by number, which
+// bounds the depth at kGreedy + 27 for every mesh; so are triangles with one common centre. Nodes of four are
+// then replaced by their children until sixteen have come together (put_together).
 #include "bvh/mesh_tree.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 namespace epode {
 namespace {
 
-constexpr float kRoam = 0.125f;  // of its longest side a box may move before the tree is gone through again
+constexpr float kRoam = 0.125f;  // of its longest side: a cached box may move so far
 constexpr int kBins = 16;
 constexpr int kGreedy = 40;
 static_assert(kGreedy + 27 < kMeshDepth && TriangleMesh::kMostTriangles <= 1 << 27);
@@ -30,8 +30,8 @@ void enclose(FloatBox& all, const FloatBox& one)
     }
 }
 
-// How many leaves that many triangles fill: what a side costs, for a leaf with one costs as much as a full
-// one.
+// The number of leaves for so many triangles, the cost of a side: a leaf with one triangle costs as much as a
+// full one.
 float leaves(int count) { return float((count + kMeshLeaf - 1) / kMeshLeaf); }
 
 // Half the surface.
@@ -129,7 +129,7 @@ void best_cut(const Bin* bins, int axis, Cut& best)
     }
 }
 
-// Half of the triangles to each side, along the longest axis.
+// Half of the triangles on each side, along the longest axis.
 int halve(const Part& part)
 {
     FloatBox all = kEmpty;
@@ -144,7 +144,7 @@ int halve(const Part& part)
     return part.count / 2;
 }
 
-// Orders the items; how many of them make the first side.
+// Orders the items; returns how many belong to the first side.
 int divide(const Part& part)
 {
     if (part.cuts >= kGreedy) return halve(part);
@@ -164,14 +164,14 @@ int divide(const Part& part)
     return left;
 }
 
-// A node while the tree is made: nodes of four, -1 - packets, or kNone.
+// A node during construction: nodes of four, -1 - packet, or kNone.
 struct Four {
     static constexpr int kNone = INT_MIN;
     int child[4];
 };
 
-// What the children of a node of so many triangles should hold at most: the least of 4, 16, 64, ... that four
-// of them take. Cutting smaller ones in two makes nodes of two children, twice as many in all.
+// The most triangles that the children of a node of so many should hold: the smallest of 4, 16, 64, ... of
+// which four suffice. Halving smaller ones would make nodes of two children, twice as many in all.
 int full_child(int count)
 {
     int full = kMeshLeaf;
@@ -179,7 +179,7 @@ int full_child(int count)
     return full;
 }
 
-// The part to be cut next: the largest of those that are more than `full`. -1: none.
+// The part to cut next: the largest of those above `full`; -1: none.
 int to_cut(const Part* parts, int count, int full)
 {
     int best = -1;
@@ -188,7 +188,7 @@ int to_cut(const Part* parts, int count, int full)
     return best;
 }
 
-// Node by node from the root; the items stand in one array, in the end in the order of the leaves.
+// Builds node by node from the root. The items stand in one array, finally in the order of the leaves.
 class Builder {
   public:
     Builder(Array<Four>& nodes, Array<MeshPacket>& packets) : nodes_(nodes), packets_(packets) {}
@@ -216,7 +216,7 @@ class Builder {
     }
 
   private:
-    // The second side is put behind the first, so that the parts stay in the order of their items.
+    // The second side is appended, so that the parts stay in the order of their items.
     static void cut(Part* parts, int count, int i)
     {
         const Part whole = parts[i];
@@ -238,12 +238,12 @@ class Builder {
     Array<MeshPacket>& packets_;
 };
 
-// Nodes of sixteen from those of four: of the children of one, those with the most below them give way to
-// their own until sixteen are reached. False when memory is exhausted.
+// Makes nodes of sixteen from nodes of four: children of a node with the most nodes below them are replaced
+// by their own children until sixteen are reached. False when memory is exhausted.
 bool put_together(const Array<Four>& fours, Array<MeshNode>& nodes)
 {
-    Array<int> below;  // of each of four: nodes in its part of the tree
-    Array<int> roots;  // of each of sixteen: the one of four that it begins with
+    Array<int> below;  // of each node of four: number of nodes below it
+    Array<int> roots;  // of each node of sixteen: the node of four at its top
     if (!below.resize(fours.size()) || !roots.push(0)) return false;
     for (int n = fours.size() - 1; n >= 0; --n) {
         below[n] = 1;
@@ -252,7 +252,7 @@ bool put_together(const Array<Four>& fours, Array<MeshNode>& nodes)
     for (int w = 0; w < roots.size(); ++w) {
         MeshNode node{};
         node.child[node.count++] = roots[w];
-        while (node.count <= MeshNode::kMost - 3) {
+        while (node.count <= MeshNode::kMaxChildren - 3) {
             int best = -1;
             for (int i = 0; i < node.count; ++i)
                 if (node.child[i] >= 0 && (best < 0 || below[node.child[i]] > below[node.child[best]]))
@@ -274,7 +274,7 @@ bool put_together(const Array<Four>& fours, Array<MeshNode>& nodes)
     return true;
 }
 
-// The power of two that brings x, positive, into 1/2 ... 1; next to zero, one that is still a number.
+// The power of two that scales x, positive, into 1/2 ... 1; next to zero, one that is still finite.
 Real scale_for(Real x)
 {
     int exponent = 0;
@@ -293,8 +293,8 @@ FloatBox widened(FloatBox b)
 
 }  // namespace
 
-// Half of the corners before they are added or taken from each other: their sum might overflow. What was kept
-// of another frame is forgotten.
+// Halves the corners before it adds or subtracts them, because their sum might overflow. Leaves cached for
+// another frame are invalidated.
 void MeshTree::set_frame(const TriangleMesh& mesh)
 {
     edition_ = g_editions.fetch_add(1, std::memory_order_relaxed) + 1;
@@ -358,7 +358,7 @@ void MeshTree::refit(const TriangleMesh& mesh)
     for (MeshPacket& packet : packets_) fill(packet, mesh);
     for (int n = nodes_.size() - 1; n >= 0; --n) {
         MeshNode& node = nodes_[n];
-        FloatBox boxes[MeshNode::kMost], all = kEmpty;
+        FloatBox boxes[MeshNode::kMaxChildren], all = kEmpty;
         for (int k = 0; k < node.count; ++k) {
             boxes[k] = bounds_of(mesh, node.child[k]);
             enclose(all, boxes[k]);
@@ -368,21 +368,21 @@ void MeshTree::refit(const TriangleMesh& mesh)
     }
 }
 
-bool MeshTree::bring_up_to_date(NearLeaves& kept, const FloatBox& asked) const
+bool MeshTree::update_cache(NearLeaves& kept, const FloatBox& query_box) const
 {
-    if (!kept.knows(edition_, asked) || kept.count == NearLeaves::kOnlyPlace) {
-        const bool near = kept.is_near(edition_, asked);
+    if (!kept.knows(edition_, query_box) || kept.count == NearLeaves::kOnlyPlace) {
+        const bool near = kept.is_near(edition_, query_box);
         kept.edition = edition_;
         float side = 0;
-        for (int i = 0; i < 3; ++i) side = std::max(side, asked.hi[i] - asked.lo[i]);
+        for (int i = 0; i < 3; ++i) side = std::max(side, query_box.hi[i] - query_box.lo[i]);
         for (int i = 0; i < 3; ++i) {
-            kept.box.lo[i] = asked.lo[i] - kRoam * side;
-            kept.box.hi[i] = asked.hi[i] + kRoam * side;
+            kept.box.lo[i] = query_box.lo[i] - kRoam * side;
+            kept.box.hi[i] = query_box.hi[i] + kRoam * side;
         }
         kept.count = NearLeaves::kOnlyPlace;
         if (near) gather(kept);
     }
-    return kept.count <= NearLeaves::kMost;
+    return kept.count <= NearLeaves::kCapacity;
 }
 
 void MeshTree::gather(NearLeaves& kept) const
@@ -390,8 +390,8 @@ void MeshTree::gather(NearLeaves& kept) const
     kept.count = 0;
     walk(NodeBox(kept.box), [&](int leaf) {
         if (!packets_.data()[leaf].met_by(kept.box)) return true;
-        if (kept.count < NearLeaves::kMost) kept.leaf[kept.count] = leaf;
-        return ++kept.count <= NearLeaves::kMost;
+        if (kept.count < NearLeaves::kCapacity) kept.leaf[kept.count] = leaf;
+        return ++kept.count <= NearLeaves::kCapacity;
     });
 }
 
@@ -404,7 +404,7 @@ HalfSpace MeshTree::half_space(Vec3 n, Real d) const
     return {{float(unit.x), float(unit.y), float(unit.z)}, float(far > 4 ? 4 : far < -4 ? -4 : far)};
 }
 
-// Cuts the ray by the mesh's box, a little widened, and moves it there. False when it passes by.
+// Clips the ray to the slightly widened box of the mesh and moves its origin there. False when it misses.
 bool MeshTree::enter(MeshRay& ray, Real from, Real& to) const
 {
     const Real margin = Real(kMeshMargin) / scale_;

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The tree over the triangles of a mesh, asked by box and by ray. A node has sixteen children, whose boxes
-// lie on a grid of its own, 256 steps to a side (8 bits a bound instead of 32 or 64). The grids are in a
-// frame of the whole mesh, [-1, 1] to the half of its largest side or less, where floats are as good as
-// anywhere; every box is larger by kMeshMargin than what it holds, which is more than the rounding of all
-// that is done with it, so that nothing is ever missed. One grid for all nodes (16 bits) would be simpler,
-// but blind in a mesh of which one vertex lies far off. Built from above by binned surface area (Wald, "On
-// fast construction of SAH-based bounding volume hierarchies", 2007), four parts at a time. The depth is
-// bounded, so that walks need no more than a short stack. The order in which triangles are reported depends
-// on how the tree was made and on nothing else; refit() keeps it.
+// The tree over the triangles of a mesh, queried by boxes and rays. A node has sixteen children, whose boxes
+// lie on a grid of the node, 256 steps per side (8 bits per bound instead of 32 or 64). The grids are in a
+// frame of the whole mesh, [-1, 1] to half of its largest side or less, where floats are as accurate as
+// anywhere. Every box is larger by kMeshMargin than its contents, which is more than all rounding, so nothing
+// is missed. One grid for all nodes (16 bits) would be simpler, but useless for a mesh with one distant
+// vertex. The tree is built from the top by binned surface area (Wald, "On fast construction of SAH-based
+// bounding volume hierarchies", 2007), four parts at a time. Its depth is bounded, so walks need only a short
+// stack. The order in which triangles are reported depends only on how the tree was built; refit() preserves
+// it.
 #pragma once
 
 #include <bit>
 
-#include "base/ahead.h"
+#include "base/prefetch.h"
 #include "bvh/mesh_probe.h"
 #include "bvh/near_leaves.h"
 #include "geometry/triangle_mesh.h"
 
 namespace epode {
 
-// A ray in the mesh's frame, as triangles are tested by it: moved to where it enters the mesh's box.
+// A ray in the mesh's frame, prepared for triangles: its origin is moved to where it enters the mesh's box.
 struct MeshRay {
     Vec3 origin;
     Vec3 direction;
@@ -31,31 +31,32 @@ struct MeshRay {
 
 class MeshTree {
   public:
-    // False when memory is exhausted: the tree is as it was.
+    // False when memory is exhausted; the tree is unchanged then.
     [[nodiscard]] bool build(const TriangleMesh& mesh);
 
     // After vertices have moved. Needs no memory.
     void refit(const TriangleMesh& mesh);
 
-    // visit(triangle) for all that are not degenerate and whose boxes meet `box`, until it answers false.
+    // Calls visit(triangle) for all non-degenerate triangles whose boxes overlap `box`, until it returns
+    // false.
     template <typename Visit>
     void query(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) const;
 
-    // visit(packet, lane) for those that a solid, which lies in the box, may touch; see(leaf, lanes) before,
-    // for the leaves that meet the box: at() of each has the triangles. `kept`: of who asks, brought up to
-    // date; or null.
+    // Calls visit(packet, lane) for the triangles that a solid inside the box may touch, and before that
+    // see(leaf, lanes) for every leaf that overlaps the box; at() of a leaf has the triangles. `kept`: the
+    // cached leaves of the caller, which are updated; or null.
     template <typename See, typename Visit>
     void query(const Aabb& box, const SolidProbe& solid, NearLeaves* kept, See&& see, Visit&& visit) const;
     int at(int leaf, int lane) const { return packets_.data()[leaf].lanes[lane]; }
 
-    // visit(triangle) for those, not degenerate, that may lie at or below the plane n . x = d, until it
-    // answers false.
+    // Calls visit(triangle) for the non-degenerate triangles that may lie at or below the plane n . x = d,
+    // until it returns false.
     template <typename Visit>
     void below(Vec3 n, Real d, Visit&& visit) const;
 
-    // visit(ray, packet, lane) for those, not degenerate, that the ray may hit between `from` and `to`, near
-    // ones first as a rule. It answers how far the ray has still to be followed (from its unmoved origin);
-    // less than `from` ends it. see(packet) before, for each that the ray comes upon.
+    // Calls visit(ray, packet, lane) for the non-degenerate triangles that the ray may hit between `from` and
+    // `to`, mostly near ones first. It returns how far the ray must still be followed (from its original
+    // origin); less than `from` ends the walk. see(packet) comes first, for every packet that the ray meets.
     template <typename See, typename Visit>
     void shoot(Vec3 origin, Vec3 direction, Real from, Real to, See&& see, Visit&& visit) const;
 
@@ -63,33 +64,34 @@ class MeshTree {
     int node_count() const { return nodes_.size(); }
 
   private:
-    static constexpr int kStack = (MeshNode::kMost - 1) * kMeshDepth + 1;
+    static constexpr int kStack = (MeshNode::kMaxChildren - 1) * kMeshDepth + 1;
 
-    // open(leaf) for those that a box or a half-space meets, until it answers false.
-    template <typename Asked, typename Open>
-    void walk(const Asked& asked, Open&& open) const;
-    // The same along a ray that has entered: open(packet, reach) answers as a visit of shoot() does.
+    // Calls open(leaf) for the leaves that overlap a box or a half-space, until it returns false.
+    template <typename Query, typename Open>
+    void walk(const Query& shape, Open&& open) const;
+    // The same along a ray that has entered the box: open(packet, reach) returns the same as visit in
+    // shoot().
     template <typename Open>
     void follow(const MeshRay& ray, Real from, Real to, Open&& open) const;
-    // Whether `kept` has all leaves that meet `asked`, then.
-    bool bring_up_to_date(NearLeaves& kept, const FloatBox& asked) const;
+    // True if `kept`, after an update, has all leaves that overlap `query_box`.
+    bool update_cache(NearLeaves& kept, const FloatBox& query_box) const;
     void gather(NearLeaves& kept) const;
-    // Asks for the memory of a child that will be looked at soon.
-    void fetch(int child) const
+    // Prefetches a child that will be visited soon.
+    void prefetch(int child) const
     {
         if (child >= 0)
-            epode::fetch<sizeof(MeshNode) / kCacheLine>(nodes_.data() + child);
+            epode::prefetch<sizeof(MeshNode) / kCacheLine>(nodes_.data() + child);
         else
-            fetch_leaf(-1 - child);
+            prefetch_leaf(-1 - child);
     }
-    void fetch_leaf(int leaf) const
+    void prefetch_leaf(int leaf) const
     {
-        epode::fetch<(sizeof(MeshPacket) + kCacheLine - 1) / kCacheLine>(packets_.data() + leaf);
+        epode::prefetch<(sizeof(MeshPacket) + kCacheLine - 1) / kCacheLine>(packets_.data() + leaf);
     }
     HalfSpace half_space(Vec3 n, Real d) const;
     bool enter(MeshRay& ray, Real from, Real& to) const;
     Vec3 in_frame(Vec3 p) const { return scale_ * (p - centre_); }
-    FloatBox in_frame(const Aabb& box) const  // what of it is in the mesh's
+    FloatBox in_frame(const Aabb& box) const  // the box in the mesh's frame
     {
         return float_box({in_frame(max(box.lo, box_.lo)), in_frame(min(box.hi, box_.hi))});
     }
@@ -106,8 +108,8 @@ class MeshTree {
     std::uint64_t edition_ = 0;  // see near_leaves.h
 };
 
-template <typename Asked, typename Open>
-void MeshTree::walk(const Asked& asked, Open&& open) const
+template <typename Query, typename Open>
+void MeshTree::walk(const Query& shape, Open&& open) const
 {
     if (nodes_.empty()) return;
     int stack[kStack];
@@ -120,9 +122,9 @@ void MeshTree::walk(const Asked& asked, Open&& open) const
             continue;
         }
         const MeshNode& node = nodes_.data()[child];
-        for (unsigned met = node.met_by(asked); met != 0; met &= met - 1) {
+        for (unsigned met = node.met_by(shape); met != 0; met &= met - 1) {
             const int next = node.child[std::countr_zero(met)];
-            fetch(next);
+            prefetch(next);
             stack[top++] = next;
         }
     }
@@ -132,10 +134,10 @@ template <typename Visit>
 void MeshTree::query(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) const
 {
     if (!overlap(box, box_)) return;
-    const FloatBox asked = in_frame(box);
-    walk(NodeBox(asked), [&](int leaf) {
+    const FloatBox query_box = in_frame(box);
+    walk(NodeBox(query_box), [&](int leaf) {
         const MeshPacket& packet = packets_.data()[leaf];
-        for (unsigned met = packet.met_by(asked); met != 0; met &= met - 1) {
+        for (unsigned met = packet.met_by(query_box); met != 0; met &= met - 1) {
             const int t = packet.lanes[std::countr_zero(met)];
             if (overlap(mesh.box(t), box) && !visit(t)) return false;
         }
@@ -148,19 +150,19 @@ void MeshTree::query(const Aabb& box, const SolidProbe& solid, NearLeaves* kept,
                      Visit&& visit) const
 {
     if (!overlap(box, box_)) return;
-    const FloatBox asked = in_frame(box);
+    const FloatBox query_box = in_frame(box);
     const MeshProbe probe(solid, in_frame(solid.centre), scale_);
     const auto open = [&](int leaf) {
         const MeshPacket& packet = packets_.data()[leaf];
-        const unsigned met = packet.met_by(asked);
+        const unsigned met = packet.met_by(query_box);
         if (met == 0) return true;
         see(leaf, met);
         for (unsigned close = probe.meets(packet, met); close != 0; close &= close - 1)
             visit(packet, std::countr_zero(close));
         return true;
     };
-    if (!kept || !bring_up_to_date(*kept, asked)) return walk(NodeBox(asked), open);
-    for (int i = 0; i < kept->count; ++i) fetch_leaf(kept->leaf[i]);
+    if (!kept || !update_cache(*kept, query_box)) return walk(NodeBox(query_box), open);
+    for (int i = 0; i < kept->count; ++i) prefetch_leaf(kept->leaf[i]);
     for (int i = 0; i < kept->count; ++i) open(kept->leaf[i]);
 }
 
@@ -194,11 +196,11 @@ void MeshTree::follow(const MeshRay& ray, Real from, Real to, Open&& open) const
             continue;
         }
         const MeshNode& node = nodes_.data()[next.child()];
-        float near[MeshNode::kMost];
+        float near[MeshNode::kMaxChildren];
         const int bottom = top;
         for (unsigned met = node.met_by(node_ray, reach, near); met != 0; met &= met - 1) {
             const int k = std::countr_zero(met);
-            fetch(node.child[k]);
+            prefetch(node.child[k]);
             const WaitingNode one(node.child[k], near[k]);
             int at = top++;
             for (; at > bottom && stack[at - 1].nearer(one); --at) stack[at] = stack[at - 1];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Folding a binary tree into one of four children. Nodes are numbered in the order in which their parents are
-// made.
+// Folds a binary tree into one of four children. Nodes are numbered in the order in which their parents are
+// created.
 #include "bvh/ray_tree.h"
 
 #include <algorithm>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A dynamic tree as rays like it: nodes of four children, their boxes as floats side by side, in two cache
-// lines. It is made from a dynamic tree by folding two levels into one (the larger of two children is opened
-// first) and holds until that one changes; many rays between two changes pay for it. Boxes are relative to
-// the middle of all and larger than what they hold by kPad of its extent, which is more than the rounding of
-// all that is done with them, the ray being moved to where it enters the whole. So nothing is missed, and who
-// needs the exact box asks it of the leaf.
+// A copy of a dynamic tree for rays: nodes of four children with their boxes as floats side by side, in two
+// cache lines. It folds two levels of the dynamic tree into one (the larger of two children is opened first)
+// and is valid until that tree changes; many rays between two changes pay for it. Boxes are relative to the
+// centre of all boxes and larger than their contents by kPad of its extent, which is more than all rounding,
+// because rays are first moved to where they enter the whole. So nothing is missed, and a caller that needs
+// the exact box reads it from the leaf.
 #pragma once
 
 #include <cfloat>
@@ -22,8 +22,8 @@ struct MetNodes {
     mesh_lanes::Floats near;
 };
 
-// Sorts four, the nearest last and none behind it. A network: what comparisons say cannot be foreseen, so
-// there are no branches on it.
+// Sorts four, the nearest last and empty ones first. A sorting network without branches, because the
+// comparisons cannot be predicted.
 inline void far_first(WaitingNode* w)
 {
     const auto order = [w](int i, int j) {
@@ -34,8 +34,8 @@ inline void far_first(WaitingNode* w)
     order(0, 1), order(2, 3), order(0, 2), order(1, 3), order(1, 2);
 }
 
-// The children that are met, none in the places of the others; without branches, too. As pairs of numbers,
-// the lesser half first, a key is a child and a distance.
+// The children that are met, and empty entries for the others, also without branches. As pairs of numbers
+// with the low half first, a key is a child and a distance.
 inline void put_met(const MetNodes& met, const int* children, WaitingNode* w)
 {
     using namespace mesh_lanes;
@@ -50,7 +50,7 @@ inline void put_met(const MetNodes& met, const int* children, WaitingNode* w)
     __builtin_memcpy(static_cast<void*>(w + 2), &high, sizeof high);
 }
 
-// Of four bits, how many are set: a digit each.
+// The number of set bits of four, as a table of digits.
 inline int count_of_four(unsigned bits) { return int(0x4332322132212110u >> 4 * bits & 7); }
 
 struct alignas(64) RayNode {
@@ -82,11 +82,11 @@ class RayTree {
     bool empty() const { return nodes_.empty(); }
     void clear() { nodes_.clear(); }
 
-    // visit(item) for every leaf whose box the ray may meet, as DynamicTree::cast; before that fetch(item),
-    // which may bring what it needs nearer.
-    template <typename Visit, typename Fetch>
+    // Calls visit(item) for every leaf whose box the ray may meet, as DynamicTree::cast; before that
+    // prefetch(item), which may prefetch what the visit needs.
+    template <typename Visit, typename Prefetch>
     void cast(const TreeRay& ray, Vec3 direction, const Aabb& all, Real reach, Visit&& visit,
-              Fetch&& fetch) const;
+              Prefetch&& prefetch) const;
 
   private:
     static constexpr Real kPad = Real(0x1p-17);
@@ -107,9 +107,9 @@ inline RayNode::RayNode() : lo{}, hi{}, child{}, leaves(0)
         for (int k = 0; k < 4; ++k) lo[i][k] = FLT_MAX, hi[i][k] = -FLT_MAX;
 }
 
-template <typename Visit, typename Fetch>
+template <typename Visit, typename Prefetch>
 void RayTree::cast(const TreeRay& ray, Vec3 direction, const Aabb& all, Real reach, Visit&& visit,
-                   Fetch&& fetch) const
+                   Prefetch&& prefetch) const
 {
     const Real start = ray.enters(all, reach);
     if (!(start < kInf)) return;
@@ -133,7 +133,7 @@ void RayTree::cast(const TreeRay& ray, Vec3 direction, const Aabb& all, Real rea
         const unsigned met = mesh_lanes::bits(children.yes);
         put_met(children, node.child, stack + top);
         for (unsigned soon = met & node.leaves; soon != 0; soon &= soon - 1)
-            fetch(~node.child[__builtin_ctz(soon)]);
+            prefetch(~node.child[__builtin_ctz(soon)]);
         far_first(stack + top);
         top += count_of_four(met);
     }

@@ -88,10 +88,10 @@ class Broadphase {
 
     bool present(int slot) const { return proxies_.data()[slot].present; }
     // What update() of the slot looks at, in two steps.
-    void fetch_box(int slot) const { fetch<2>(proxies_.data() + slot); }
-    void fetch_fat_box(int slot) const
+    void prefetch_box(int slot) const { prefetch<2>(proxies_.data() + slot); }
+    void prefetch_fat_box(int slot) const
     {
-        if (proxies_.data()[slot].leaf >= 0) fetch<1>(&tree_.box(proxies_.data()[slot].leaf));
+        if (proxies_.data()[slot].leaf >= 0) prefetch<1>(&tree_.box(proxies_.data()[slot].leaf));
     }
     const Aabb& box(int slot) const { return proxies_.data()[slot].box; }
     const Aabb& way(int slot) const { return proxies_.data()[slot].way; }
@@ -128,15 +128,15 @@ class Broadphase {
 
     // visit(slot) for every present slot whose box the ray (unit direction) meets, and for some that it
     // hardly misses, near ones first as a rule, in no promised order; it answers how far the ray has still to
-    // be followed, less than 0 ends it. fetch(slot) may come before, when there will be a visit soon.
-    template <typename Visit, typename Fetch>
-    void cast(Vec3 origin, Vec3 direction, Real reach, Visit&& visit, Fetch&& fetch) const
+    // be followed, less than 0 ends it. prefetch(slot) may come before, when there will be a visit soon.
+    template <typename Visit, typename Prefetch>
+    void cast(Vec3 origin, Vec3 direction, Real reach, Visit&& visit, Prefetch&& prefetch) const
     {
         for (int slot : unbounded_) reach = visit(slot);
         if (tree_.leaf_count() == 0 || reach < 0) return;
         const TreeRay ray(origin, direction, tree_.bounds());
         if (!ray_tree_.empty()) {
-            ray_tree_.cast(ray, direction, tree_.bounds(), reach, visit, fetch);
+            ray_tree_.cast(ray, direction, tree_.bounds(), reach, visit, prefetch);
             return;
         }
         tree_.cast(ray, reach, [&](int slot) {

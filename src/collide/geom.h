@@ -15,8 +15,8 @@
 
 #include <atomic>
 
-#include "base/ahead.h"
 #include "base/handle.h"
+#include "base/prefetch.h"
 #include "geometry/shapes.h"
 #include "ode/collision.h"
 
@@ -122,9 +122,9 @@ class GeomHold {
 
 // Starts to bring what a box is made of and goes to: the mark, the box, the shape. No more: in a pile of
 // thousands as many lines are on their way as the processor can wait for.
-inline void fetch_shape(const Geom& geom)
+inline void prefetch_shape(const Geom& geom)
 {
-    fetch<1>(&geom), fetch<1>(&geom.box), fetch<1>(geom.own_position);
+    prefetch<1>(&geom), prefetch<1>(&geom.box), prefetch<1>(geom.own_position);
 }
 
 // visit(geom) for every geom of a body, given its newest; they stay its geoms meanwhile.

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "base/ahead.h"
+#include "base/prefetch.h"
 
 namespace epode {
 namespace {
@@ -79,9 +79,9 @@ void clean_queued(Space& space, Chosen&& chosen)
     const auto due_in = [&](int i) { return i < due ? space.members[space.queue[i]] : nullptr; };
     for (int i = 0; i < due; ++i) {
         if (const Geom* geom = due_in(i + 2 * kAhead))
-            fetch_shape(*geom), space.broadphase.fetch_box(space.queue[i + 2 * kAhead]);
+            prefetch_shape(*geom), space.broadphase.prefetch_box(space.queue[i + 2 * kAhead]);
         if (const Geom* geom = due_in(i + kAhead))
-            fetch<3>(geom->position), space.broadphase.fetch_fat_box(geom->slot);
+            prefetch<3>(geom->position), space.broadphase.prefetch_fat_box(geom->slot);
         const int slot = space.queue[i];
         Geom* geom = space.members[slot];
         if (!geom || !geom->queued || !chosen(*geom)) continue;
@@ -224,9 +224,9 @@ void clean(Space& space, const WayFinder& finder, const Tasks& tasks)
     boxes.note_all(tasks, count, [&](int slot, Broadphase::Notes& notes) {
         constexpr int kAhead = 6;
         const auto member = [&](int i) { return i < count ? members[i] : nullptr; };
-        if (const Geom* soon = member(slot + 2 * kAhead)) fetch_shape(*soon), fetch<1>(&soon->body);
+        if (const Geom* soon = member(slot + 2 * kAhead)) prefetch_shape(*soon), prefetch<1>(&soon->body);
         if (const Geom* next = member(slot + kAhead))
-            fetch<5>(next->body.id), boxes.fetch_fat_box(slot + kAhead);
+            prefetch<5>(next->body.id), boxes.prefetch_fat_box(slot + kAhead);
         Geom* geom = members[slot];
         if (!geom) return;
         if (moves && geom->queued && stands_alone(*geom)) {

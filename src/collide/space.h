@@ -13,7 +13,7 @@
 //             cleaned: whoever looks sees it as it was when the outermost collision began.
 #pragma once
 
-#include "base/ahead.h"
+#include "base/prefetch.h"
 #include "collide/broadphase.h"
 #include "collide/geom.h"
 #include "collide/user_class.h"
@@ -159,10 +159,10 @@ void visit_pairs(Space& space, PairsOf of, std::size_t first, std::size_t last, 
     const auto look_ahead = [&](std::size_t i) {
         if (i + kBoxes - kGeoms < last) {
             const auto [newer, older] = pairs[i + kBoxes - kGeoms];
-            fetch<1>(&box_of(newer)), fetch<1>(&box_of(older));
+            prefetch<1>(&box_of(newer)), prefetch<1>(&box_of(older));
         }
         if (i >= last || !near(i)) return;
-        fetch<3>(members[pairs[i].newer]), fetch<3>(members[pairs[i].older]);
+        prefetch<3>(members[pairs[i].newer]), prefetch<3>(members[pairs[i].older]);
         ahead |= 1u << kGeoms;
     };
     for (std::size_t i = first; i < first + kGeoms; ++i) look_ahead(i), ahead >>= 1;
@@ -170,7 +170,7 @@ void visit_pairs(Space& space, PairsOf of, std::size_t first, std::size_t last, 
         look_ahead(i + kGeoms);
         if (of == PairsOf::kBoxes && (ahead >> kPoses & 1)) {
             const auto [newer, older] = pairs[i + kPoses];
-            fetch<3>(members[newer]->position), fetch<3>(members[older]->position);
+            prefetch<3>(members[newer]->position), prefetch<3>(members[older]->position);
         }
         if (!(ahead & 1)) continue;
         const auto [newer, older] = pairs[i];

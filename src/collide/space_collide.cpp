@@ -74,7 +74,7 @@ bool ask(Broadphase& boxes, Geom& geom, const Aabb& box, Visit&& visit)
         if (overlap(boxes.box(slot), box)) visit(slot);
         return reach;
     };
-    boxes.cast(pose.p, way, reach, look, [&](int slot) { fetch<1>(&boxes.box(slot)); });
+    boxes.cast(pose.p, way, reach, look, [&](int slot) { prefetch<1>(&boxes.box(slot)); });
     return true;
 }
 

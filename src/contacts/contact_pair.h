@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What the world remembers of two geoms from step to step. A pair is one line of the cache: most pairs are
-// only near, and large worlds have more of them than the cache has room. Those that touch have patches
-// beside: the patch that came of the last collision, its points fixed in both geoms; between surfaces
+// only near, and large worlds have more of them than the cache has room. Those that touch have manifolds
+// beside: the manifold that came of the last collision, its points fixed in both geoms; between surfaces
 // (meshes, height fields) and others up to three, of different normals. A solid and a mesh keep beside which
 // part of the mesh is near (bvh/near_leaves.h).
 #pragma once
@@ -11,24 +11,24 @@
 #include "base/config.h"
 #include "collide/geom.h"
 #include "dynamics/body.h"
-#include "rows/patch.h"
+#include "rows/contact_manifold.h"
 
 namespace epode {
 
-inline constexpr int kSurfacePatches = 3;
+inline constexpr int kSurfaceManifolds = 3;
 
-// One place for each point of a patch when the two were collided, in the frames of both geoms; side by side.
-// What is missing repeats the last.
+// One place for each point of a manifold when the two were collided, in the frames of both geoms; side by
+// side. What is missing repeats the last.
 struct ContactAnchors {
-    float a1[3][kPatchPoints], a2[3][kPatchPoints];
-    float gap[kPatchPoints];  // then
+    float a1[3][kManifoldPoints], a2[3][kManifoldPoints];
+    float separation[kManifoldPoints];  // then
 
     Float3 first(int i) const { return {a1[0][i], a1[1][i], a1[2][i]}; }
     Float3 second(int i) const { return {a2[0][i], a2[1][i], a2[2][i]}; }
 };
 
-// What the last collision has told of a patch.
-struct PatchFinding {
+// What the last collision has told of a manifold.
+struct ManifoldFinding {
     std::uint32_t changes;  // of both geoms' shapes, then
     Float3 offset;          // of g2 in g1's frame, then
     Float3 turn[3];
@@ -36,11 +36,11 @@ struct PatchFinding {
     ContactAnchors anchors;
 };
 
-struct KeptPatch {
+struct CachedManifold {
     Vec3 origin;  // of body1 at the step's beginning
     float layer;  // depth that was allowed then
-    PatchFinding found;
-    Patch patch;  // has points
+    ManifoldFinding found;
+    ContactManifold manifold;  // has points
 };
 
 struct ContactPair {
@@ -48,7 +48,7 @@ struct ContactPair {
     std::uint64_t serial1, serial2;
     Body *body1, *body2;  // live during a step only; body2 may be null
     int old = -1;         // place in the list of the step before, -1: none, -2: not needed any more
-    int first = 0;        // place of its patches
+    int first = 0;        // place of its manifolds
     union {
         std::uint32_t parting = 0;  // of solids: a direction that has parted them, packed
                                     // (contacts/pair_parting.h)

@@ -6,8 +6,8 @@
 #include <atomic>
 #include <utility>
 
-#include "base/ahead.h"
 #include "base/float_environment.h"
+#include "base/prefetch.h"
 #include "collide/collide.h"
 #include "collide/solid_view.h"
 #include "contacts/narrow_phase.h"
@@ -58,22 +58,22 @@ bool on_mesh(const GeomPair& pair)
     return meets(*pair.a, *pair.b) || meets(*pair.b, *pair.a);
 }
 
-int most_patches(const GeomPair& pair)
+int most_manifolds(const GeomPair& pair)
 {
-    return is_surface(*pair.a) || is_surface(*pair.b) ? kSurfacePatches : 1;
+    return is_surface(*pair.a) || is_surface(*pair.b) ? kSurfaceManifolds : 1;
 }
 
 // What is open and has not been pushed was only near.
-bool touches(const KeptPatch& kept, const PatchPoint& point)
+bool touches(const CachedManifold& kept, const ManifoldPoint& point)
 {
-    return point.push > 0 || point.gap <= kept.layer;
+    return point.normal_impulse > 0 || point.separation <= kept.layer;
 }
 
-bool touches(std::span<const KeptPatch> patches)
+bool touches(std::span<const CachedManifold> manifolds)
 {
-    for (const KeptPatch& kept : patches)
-        for (int i = 0; i < kept.patch.count; ++i)
-            if (touches(kept, kept.patch.points[i])) return true;
+    for (const CachedManifold& kept : manifolds)
+        for (int i = 0; i < kept.manifold.count; ++i)
+            if (touches(kept, kept.manifold.points[i])) return true;
     return false;
 }
 
@@ -91,15 +91,15 @@ bool reach(dGeomID id, Array<Body*>& reached)
 }
 
 // What the narrow phase reads of a pair, told twice: first the geoms, then what they lead to.
-void fetch_geoms(const ContactPair& pair) { fetch<6>(pair.id1), fetch<6>(pair.id2); }
-void fetch_poses(const ContactPair& pair)
+void prefetch_geoms(const ContactPair& pair) { prefetch<6>(pair.id1), prefetch<6>(pair.id2); }
+void prefetch_poses(const ContactPair& pair)
 {
     for (const dGeomID id : {pair.id1, pair.id2}) {
         const Geom& geom = *from_handle<Geom>(id);
-        fetch<1>(geom.position), fetch<2>(geom.rotation);
+        prefetch<1>(geom.position), prefetch<2>(geom.rotation);
     }
     for (const Body* body : {pair.body1, pair.body2})
-        if (body) fetch<2>(body->lvel);
+        if (body) prefetch<2>(body->lvel);
 }
 
 }  // namespace
@@ -190,12 +190,12 @@ bool ContactWorld::list_brought(const World& world)
     if (brought_ == last_.pairs.size()) return true;
     for (; brought_ < last_.pairs.size(); ++brought_) {
         const ContactPair& old = last_.pairs[brought_];
-        const int patch = fresh_.patches.size(), leaf = fresh_.leaves.size();
-        if (!fresh_.patches.extend(old.most) || !fresh_.leaves.extend(old.on_mesh)) return false;
+        const int manifold = fresh_.manifolds.size(), leaf = fresh_.leaves.size();
+        if (!fresh_.manifolds.extend(old.most) || !fresh_.leaves.extend(old.on_mesh)) return false;
         const GeomPair geoms{from_handle<Geom>(old.id1), from_handle<Geom>(old.id2), brought_};
-        ContactPair pair = pair_of(world, geoms, patch, leaf);
+        ContactPair pair = pair_of(world, geoms, manifold, leaf);
         (void)leaves_of(pair);
-        keep_patches(pair, patch);
+        keep_manifolds(pair, manifold);
         if (!fresh_.pairs.push(pair)) return false;
     }
     std::sort(fresh_.pairs.begin(), fresh_.pairs.end(),
@@ -228,9 +228,10 @@ bool ContactWorld::choose_range(const World& world, int range, RecordFinder& fin
     PairRange& sum = ranges_[range];
     for (int i = 0; i < known; ++i) {
         constexpr int kAhead = 4;
-        if (i + 2 * kAhead < known) fetch<2>(pairs[i + 2 * kAhead].a), fetch<2>(pairs[i + 2 * kAhead].b);
+        if (i + 2 * kAhead < known)
+            prefetch<2>(pairs[i + 2 * kAhead].a), prefetch<2>(pairs[i + 2 * kAhead].b);
         if (i + kAhead < known)
-            fetch<1>(pairs[i + kAhead].a->body.id), fetch<1>(pairs[i + kAhead].b->body.id);
+            prefetch<1>(pairs[i + kAhead].a->body.id), prefetch<1>(pairs[i + kAhead].b->body.id);
         GeomPair pair = pairs[i];
         if (!may_push(world, pair)) continue;
         if (!pair.a->body.id) std::swap(pair.a, pair.b);
@@ -239,12 +240,12 @@ bool ContactWorld::choose_range(const World& world, int range, RecordFinder& fin
         // What sleeps will be looked at when one of them wakes up.
         if (pair.old < 0 && !awake(body_of(*pair.a)) && !awake(body_of(*pair.b))) continue;
         *to++ = pair;
-        ++sum.pairs, sum.patches += most_patches(pair), sum.leaves += on_mesh(pair);
+        ++sum.pairs, sum.manifolds += most_manifolds(pair), sum.leaves += on_mesh(pair);
     }
     return true;
 }
 
-// Room for all patches that there may be, and for what accept() will keep.
+// Room for all manifolds that there may be, and for what accept() will keep.
 bool ContactWorld::list_pairs(const World& world, const Tasks& tasks)
 {
     fresh_.ties = world.ties;
@@ -252,9 +253,9 @@ bool ContactWorld::list_pairs(const World& world, const Tasks& tasks)
     for (PairRange& range : ranges_) {
         const PairRange own = range;
         range = total;
-        total.pairs += own.pairs, total.patches += own.patches, total.leaves += own.leaves;
+        total.pairs += own.pairs, total.manifolds += own.manifolds, total.leaves += own.leaves;
     }
-    if (!fresh_.pairs.extend(total.pairs) || !fresh_.patches.extend(total.patches) ||
+    if (!fresh_.pairs.extend(total.pairs) || !fresh_.manifolds.extend(total.manifolds) ||
         !fresh_.leaves.extend(total.leaves) || !ended_.reserve(last_.pairs.size()))
         return false;
     tasks.for_each(ranges_.size() - 1, [&](int range, int) {
@@ -262,21 +263,21 @@ bool ContactWorld::list_pairs(const World& world, const Tasks& tasks)
         const GeomPair* from = found_.data() + range * kPairRange;
         for (; at.pairs < ranges_[range + 1].pairs; ++from) {
             ContactPair& pair = fresh_.pairs.data()[at.pairs++];
-            pair = pair_of(world, *from, at.patches, at.leaves);
+            pair = pair_of(world, *from, at.manifolds, at.leaves);
             at.leaves += pair.on_mesh;
-            at.patches += pair.most;
+            at.manifolds += pair.most;
         }
     });
     return true;
 }
 
-// `patch`, `leaf`: where its own begin.
-ContactPair ContactWorld::pair_of(const World& world, const GeomPair& from, int patch, int leaf) const
+// `manifold`, `leaf`: where its own begin.
+ContactPair ContactWorld::pair_of(const World& world, const GeomPair& from, int manifold, int leaf) const
 {
     Geom &a = *from.a, &b = *from.b;
     ContactPair pair{to_handle(&a), to_handle(&b), a.serial, b.serial, body_of(a),
-                     body_of(b),    from.old,      patch,    {}};
-    pair.most = std::uint8_t(most_patches(from));
+                     body_of(b),    from.old,      manifold, {}};
+    pair.most = std::uint8_t(most_manifolds(from));
     const ContactPair* old = from.old < 0 ? nullptr : last_.pairs.data() + from.old;
     pair.wanted = !old || old->wanted;
     const bool as_before =
@@ -300,23 +301,23 @@ void ContactWorld::ask_filter()
 
 void ContactWorld::update_one(ContactPair& pair, int place, const NarrowSettings& settings)
 {
-    const std::span<const KeptPatch> old = last_.of(pair.old);
+    const std::span<const CachedManifold> old = last_.of(pair.old);
     NearLeaves* const leaves = leaves_of(pair);
-    if (!awake(pair.body1) && !awake(pair.body2)) return keep_patches(pair, place);
+    if (!awake(pair.body1) && !awake(pair.body2)) return keep_manifolds(pair, place);
     pair.first = place;
     pair.touched = touches(old);
     if (all_asleep_.load(std::memory_order_relaxed)) all_asleep_.store(false, std::memory_order_relaxed);
-    if (pair.wanted && !pair.tied) update_pair(pair, old, settings, fresh_.patches.data() + place, leaves);
+    if (pair.wanted && !pair.tied) update_pair(pair, old, settings, fresh_.manifolds.data() + place, leaves);
 }
 
 // Those of the step before.
-void ContactWorld::keep_patches(ContactPair& pair, int place)
+void ContactWorld::keep_manifolds(ContactPair& pair, int place)
 {
-    const std::span<const KeptPatch> old = last_.of(pair.old);
+    const std::span<const CachedManifold> old = last_.of(pair.old);
     pair.first = place;
     pair.touched = touches(old);
     pair.count = std::uint8_t(old.size());
-    std::copy(old.begin(), old.end(), fresh_.patches.data() + place);
+    std::copy(old.begin(), old.end(), fresh_.manifolds.data() + place);
 }
 
 // What the pair kept in the step before, or nothing yet.
@@ -331,7 +332,7 @@ NearLeaves* ContactWorld::leaves_of(const ContactPair& pair)
     return leaves;
 }
 
-// Patches of a piece lie close together, at the beginning of its room: gaps cost no memory of the cache.
+// Manifolds of a piece lie close together, at the beginning of its room: gaps cost no memory of the cache.
 void ContactWorld::collide_pairs(const World& world, Real h, const Tasks& tasks)
 {
     // Functions of the program are called by the caller's thread, and first; they are asked about the present
@@ -351,16 +352,16 @@ void ContactWorld::collide_pairs(const World& world, Real h, const Tasks& tasks)
         const int begin = piece * kPiece, end = std::min(count, begin + kPiece);
         int place = pairs[begin].first;
         for (int i = begin; i < end; ++i) {
-            if (i + 2 * kAhead < end) fetch_geoms(pairs[i + 2 * kAhead]);
+            if (i + 2 * kAhead < end) prefetch_geoms(pairs[i + 2 * kAhead]);
             if (i + kAhead < end)
-                fetch_poses(pairs[i + kAhead]), fetch<6>(last_.of(pairs[i + kAhead].old).data());
+                prefetch_poses(pairs[i + kAhead]), prefetch<6>(last_.of(pairs[i + kAhead].old).data());
             if (!pairs[i].asked) update_one(pairs[i], place, settings);
             place = pairs[i].asked ? pairs[i].first + pairs[i].most : place + pairs[i].count;
         }
     });
 }
 
-bool ContactWorld::touching(const Tasks& tasks, Arena& arena, std::span<PatchEdge>& out)
+bool ContactWorld::touching(const Tasks& tasks, Arena& arena, std::span<ManifoldEdge>& out)
 {
     const int ranges = (fresh_.pairs.size() + kPairRange - 1) / kPairRange;
     const auto range = [&](int i) {
@@ -373,14 +374,14 @@ bool ContactWorld::touching(const Tasks& tasks, Arena& arena, std::span<PatchEdg
         for (const ContactPair& pair : range(i)) begin[std::size_t(i) + 1] += pair.count;
     });
     for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
-    out = arena.take<PatchEdge>(begin.back());
+    out = arena.take<ManifoldEdge>(begin.back());
     if (arena.failed()) return false;
     tasks.for_each(ranges, [&](int i, int) {
-        PatchEdge* to = out.data() + begin[std::size_t(i)];
+        ManifoldEdge* to = out.data() + begin[std::size_t(i)];
         for (const ContactPair& pair : range(i))
             for (int k = 0; k < pair.count; ++k) {
-                Patch& patch = fresh_.patches.data()[pair.first + k].patch;
-                *to++ = {{pair.body1, pair.body2}, {nullptr, nullptr}, &patch, {-1, -1}};
+                ContactManifold& manifold = fresh_.manifolds.data()[pair.first + k].manifold;
+                *to++ = {{pair.body1, pair.body2}, {nullptr, nullptr}, &manifold, {-1, -1}};
             }
     });
     return true;
@@ -430,8 +431,8 @@ int ContactWorld::events(dContactEvent* out, int capacity) const
         if (count < capacity) out[count] = {kind, alive ? g1 : nullptr, alive ? g2 : nullptr};
         ++count;
     };
-    for_each_pair([&](const ContactPair& pair, std::span<const KeptPatch> patches) {
-        const bool now = touches(patches);
+    for_each_pair([&](const ContactPair& pair, std::span<const CachedManifold> manifolds) {
+        const bool now = touches(manifolds);
         if (!now && !pair.touched) return;
         add(!now ? dContactEnd : pair.touched ? dContactPersist : dContactBegin, pair.id1, pair.id2);
     });
@@ -443,22 +444,22 @@ int ContactWorld::contacts(dWorldContact* out, int capacity) const
 {
     int count = 0;
     const Real per_h = h_ > 0 ? 1 / h_ : 0;
-    const auto add = [&](const ContactPair& pair, const KeptPatch& kept, const PatchPoint& point) {
+    const auto add = [&](const ContactPair& pair, const CachedManifold& kept, const ManifoldPoint& point) {
         if (count++ >= capacity) return;
         dWorldContact& to = out[count - 1];
         to = {};
         to.g1 = from_handle<Geom>(pair.id1) ? pair.id1 : nullptr;
         to.g2 = from_handle<Geom>(pair.id2) ? pair.id2 : nullptr;
         store(to.pos, kept.origin + widen(point.r1));
-        store(to.normal, widen(kept.patch.normal));
-        to.depth = Real(kept.layer - point.gap);
-        to.normal_force = per_h * Real(point.push);
-        store(to.friction_force, per_h * widen(point.friction));
+        store(to.normal, widen(kept.manifold.normal));
+        to.depth = Real(kept.layer - point.separation);
+        to.normal_force = per_h * Real(point.normal_impulse);
+        store(to.friction_force, per_h * widen(point.friction_impulse));
     };
-    for_each_pair([&](const ContactPair& pair, std::span<const KeptPatch> patches) {
-        for (const KeptPatch& kept : patches)
-            for (int i = 0; i < kept.patch.count; ++i)
-                if (touches(kept, kept.patch.points[i])) add(pair, kept, kept.patch.points[i]);
+    for_each_pair([&](const ContactPair& pair, std::span<const CachedManifold> manifolds) {
+        for (const CachedManifold& kept : manifolds)
+            for (int i = 0; i < kept.manifold.count; ++i)
+                if (touches(kept, kept.manifold.points[i])) add(pair, kept, kept.manifold.points[i]);
     });
     return count;
 }

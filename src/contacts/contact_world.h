@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The contacts that a world manages. Every step makes a new list of pairs from the one before: pairs of the
-// space in its order, each with its patches brought up to date; then the new list takes the place of the
-// old. A step that cannot be finished just drops the new one, so it leaves no trace. Patches move from list
+// space in its order, each with its manifolds brought up to date; then the new list takes the place of the
+// old. A step that cannot be finished just drops the new one, so it leaves no trace. Manifolds move from list
 // to list, which costs less than looking for them in holes, and neighbours in space stay neighbours in
 // memory.
 // Where most of the world sleeps, a step looks at the geoms of active bodies alone, and the pairs between
@@ -53,7 +53,7 @@ class ContactWorld {
 
     // Would update() look at active bodies alone? If not, all have to be active before.
     bool leaves_at_rest(const Space& in, ActiveBodies active) const;
-    // Pairs and patches at the bodies' present poses. False: out of memory.
+    // Pairs and manifolds at the bodies' present poses. False: out of memory.
     // `h`: the coming step.
     [[nodiscard]] bool update(const World& world, Space& in, Real h, const Tasks& tasks);
     // A body becomes active after update(): its pairs that were at rest come back. `reached` gets the bodies
@@ -61,8 +61,8 @@ class ContactWorld {
     // memory.
     [[nodiscard]] bool bring_pairs(const Body& body, Array<Body*>& reached);
     [[nodiscard]] bool list_brought(const World& world);
-    // The touching patches of what has been found, in order.
-    [[nodiscard]] bool touching(const Tasks& tasks, Arena& arena, std::span<PatchEdge>& out);
+    // The touching manifolds of what has been found, in order.
+    [[nodiscard]] bool touching(const Tasks& tasks, Arena& arena, std::span<ManifoldEdge>& out);
     // The step is done: what it found is what the next one starts from. `h`: its length.
     void accept(Real h, const Tasks& tasks);
     // What is between bodies that are not active now lies apart until one of the geoms is looked at again.
@@ -75,7 +75,7 @@ class ContactWorld {
   private:
     // What a range of found pairs has; after summing up, where it begins.
     struct PairRange {
-        int pairs = 0, patches = 0, leaves = 0;
+        int pairs = 0, manifolds = 0, leaves = 0;
     };
 
     [[nodiscard]] bool expect_all(Space& in, const Foresight& soon, const Tasks& tasks);
@@ -84,11 +84,11 @@ class ContactWorld {
     [[nodiscard]] bool choose_pairs(const World& world, const Tasks& tasks);
     [[nodiscard]] bool choose_range(const World& world, int range, RecordFinder& finder);
     [[nodiscard]] bool list_pairs(const World& world, const Tasks& tasks);
-    ContactPair pair_of(const World& world, const GeomPair& from, int patch, int leaf) const;
+    ContactPair pair_of(const World& world, const GeomPair& from, int manifold, int leaf) const;
     void ask_filter();
     void collide_pairs(const World& world, Real h, const Tasks& tasks);
     void update_one(ContactPair& pair, int place, const NarrowSettings& settings);
-    void keep_patches(ContactPair& pair, int place);
+    void keep_manifolds(ContactPair& pair, int place);
     NearLeaves* leaves_of(const ContactPair& pair);
 
     template <typename F>

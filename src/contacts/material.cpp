@@ -28,35 +28,35 @@ Real combined(int rule, Real a, Real b)
     }
 }
 
-void combine_friction(const dMaterial& a, const dMaterial& b, Patch& patch)
+void combine_friction(const dMaterial& a, const dMaterial& b, ContactManifold& manifold)
 {
     const int rule = std::max(a.friction_rule, b.friction_rule);
     const Real mu = rule == dCombineDefault ? std::sqrt(a.friction) * std::sqrt(b.friction)
                                             : combined(rule, a.friction, b.friction);
-    patch.mu = float(std::min(mu, kMostFriction));
-    if (!(patch.mu >= 0)) patch.mu = 0;  // infinite against none
+    manifold.mu = float(std::min(mu, kMostFriction));
+    if (!(manifold.mu >= 0)) manifold.mu = 0;  // infinite against none
 }
 
-void combine_compliance(const dMaterial& a, const dMaterial& b, Patch& patch)
+void combine_compliance(const dMaterial& a, const dMaterial& b, ContactManifold& manifold)
 {
     const Real sum = a.compliance + b.compliance;
-    patch.softness = sum < kHardest ? 0 : float(std::min(sum, kSoftest));
-    patch.damping_time = 0;
-    if (!(patch.softness > 0)) return;
+    manifold.compliance = sum < kHardest ? 0 : float(std::min(sum, kSoftest));
+    manifold.damping_time = 0;
+    if (!(manifold.compliance > 0)) return;
     const Real share = a.compliance / sum;
-    patch.damping_time = float(std::min(share * a.damping_time + (1 - share) * b.damping_time, kSlowest));
+    manifold.damping_time = float(std::min(share * a.damping_time + (1 - share) * b.damping_time, kSlowest));
 }
 
 static_assert(kDefaultMaterial.bounce == 0 && kDefaultMaterial.rolling_friction == 0 &&
               kDefaultMaterial.compliance == 0);
 
-void combine_others(const dMaterial& a, const dMaterial& b, Patch& patch)
+void combine_others(const dMaterial& a, const dMaterial& b, ContactManifold& manifold)
 {
-    combine_compliance(a, b, patch);
-    patch.bounce = float(combined(std::max(a.bounce_rule, b.bounce_rule), a.bounce, b.bounce));
+    combine_compliance(a, b, manifold);
+    manifold.restitution = float(combined(std::max(a.bounce_rule, b.bounce_rule), a.bounce, b.bounce));
     const Real rolling = combined(std::max(a.rolling_friction_rule, b.rolling_friction_rule),
                                   a.rolling_friction, b.rolling_friction);
-    patch.rolling = float(std::min(rolling, kMostRolling));
+    manifold.rolling_friction = float(std::min(rolling, kMostRolling));
 }
 
 Vec3 surface_velocity(const Geom& geom)
@@ -68,12 +68,12 @@ Vec3 surface_velocity(const Geom& geom)
 const Real kDefaultMu = std::sqrt(kDefaultMaterial.friction) * std::sqrt(kDefaultMaterial.friction);
 
 // Both are the default's.
-void take_defaults(Patch& patch)
+void take_defaults(ContactManifold& manifold)
 {
-    patch.mu = float(kDefaultMu);
-    patch.bounce = patch.rolling = patch.softness = patch.damping_time = 0;
-    patch.bounce_speed = float(kDefaultMaterial.bounce_speed);
-    patch.drift = {};
+    manifold.mu = float(kDefaultMu);
+    manifold.restitution = manifold.rolling_friction = manifold.compliance = manifold.damping_time = 0;
+    manifold.restitution_threshold = float(kDefaultMaterial.bounce_speed);
+    manifold.surface_velocity = {};
 }
 
 }  // namespace
@@ -90,16 +90,16 @@ bool set_material(Geom& geom, const dMaterial* material)
     return true;
 }
 
-void combine_materials(const Geom& g1, const Geom& g2, Patch& patch)
+void combine_materials(const Geom& g1, const Geom& g2, ContactManifold& manifold)
 {
-    if (!g1.material && !g2.material) return take_defaults(patch);
+    if (!g1.material && !g2.material) return take_defaults(manifold);
     const dMaterial &a = material_of(g1), &b = material_of(g2);
-    combine_friction(a, b, patch);
-    combine_others(a, b, patch);
-    patch.bounce_speed = float(std::max(a.bounce_speed, b.bounce_speed));
+    combine_friction(a, b, manifold);
+    combine_others(a, b, manifold);
+    manifold.restitution_threshold = float(std::max(a.bounce_speed, b.bounce_speed));
     // Surfaces do not slide against each other: v1 + s1 = v2 + s2.
-    const Vec3 drift = surface_velocity(g2) - surface_velocity(g1), n = widen(patch.normal);
-    patch.drift = narrow(drift - dot(n, drift) * n);
+    const Vec3 drift = surface_velocity(g2) - surface_velocity(g1), n = widen(manifold.normal);
+    manifold.surface_velocity = narrow(drift - dot(n, drift) * n);
 }
 
 }  // namespace epode

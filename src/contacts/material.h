@@ -11,7 +11,7 @@
 #include "base/struct_size.h"
 #include "collide/geom.h"
 #include "ode/contacts.h"
-#include "rows/patch.h"
+#include "rows/contact_manifold.h"
 
 namespace epode {
 
@@ -30,7 +30,7 @@ inline const dMaterial& material_of(const Geom& geom)
 // False: out of memory. null: the default again.
 bool set_material(Geom& geom, const dMaterial* material);
 
-// Coefficients and drift of a patch between the two, whose normal is known.
-void combine_materials(const Geom& g1, const Geom& g2, Patch& patch);
+// Coefficients and drift of a manifold between the two, whose normal is known.
+void combine_materials(const Geom& g1, const Geom& g2, ContactManifold& manifold);
 
 }  // namespace epode

@@ -7,19 +7,19 @@
 
 #include "collide/collide.h"
 #include "collide/solid_view.h"
+#include "contacts/manifold_points.h"
 #include "contacts/material.h"
 #include "contacts/pair_parting.h"
-#include "contacts/patch_points.h"
 
 namespace epode {
 namespace {
 
-constexpr Real kReuse = Real(0.02);         // of the size, for patches that miss nothing
-constexpr Real kLayerShare = Real(1e-3);    // of the size, the layer at most where nobody has set it
-constexpr Real kReuseLayer = Real(0.25);    // of the layer, for others
-constexpr Real kSwift = Real(0.02);         // of the size, a way in one step
-constexpr Real kNear = Real(0.3);           // of the size, at most, for points that do not touch yet
-constexpr int kSolidPoints = kPatchPoints;  // that are asked for
+constexpr Real kReuse = Real(0.02);            // of the size, for manifolds that miss nothing
+constexpr Real kLayerShare = Real(1e-3);       // of the size, the layer at most where nobody has set it
+constexpr Real kReuseLayer = Real(0.25);       // of the layer, for others
+constexpr Real kSwift = Real(0.02);            // of the size, a way in one step
+constexpr Real kNear = Real(0.3);              // of the size, at most, for points that do not touch yet
+constexpr int kSolidPoints = kManifoldPoints;  // that are asked for
 constexpr int kSurfacePoints = 16;
 
 // Half the longest side of the box, or nothing for what has no bounds.
@@ -54,7 +54,7 @@ bool sound(const dContactGeom& c)
 
 class PairUpdate {
   public:
-    PairUpdate(ContactPair& pair, const NarrowSettings& settings, KeptPatch* into, NearLeaves* leaves)
+    PairUpdate(ContactPair& pair, const NarrowSettings& settings, CachedManifold* into, NearLeaves* leaves)
         : pair_(pair),
           g1_(*from_handle<Geom>(pair.id1)),
           g2_(*from_handle<Geom>(pair.id2)),
@@ -67,7 +67,7 @@ class PairUpdate {
           x2_(pair.body2 ? pair.body2->position() : Vec3{})
     {}
 
-    void run(std::span<const KeptPatch> old)
+    void run(std::span<const CachedManifold> old)
     {
         pair_.count = 0;
         if (old.empty() && stays_apart()) return;
@@ -114,11 +114,11 @@ class PairUpdate {
     bool may_have_changed() const { return pair_.asked || changes_unseen(g1_) || changes_unseen(g2_); }
 
     // How far any point of the smaller one can have moved in the other's frame.
-    bool hardly_moved(std::span<const KeptPatch> old) const
+    bool hardly_moved(std::span<const CachedManifold> old) const
     {
-        const PatchFinding& was = old[0].found;
+        const ManifoldFinding& was = old[0].found;
         if (was.changes != changes() || may_have_changed()) return false;
-        const bool full = knows_corners() || (pair_.most == 1 && old[0].patch.count == kPatchPoints);
+        const bool full = knows_corners() || (pair_.most == 1 && old[0].manifold.count == kManifoldPoints);
         const Real size = this->size();
         const Real most = full ? kReuse * size : kReuseLayer * layer();
         const Mat3 turn = {widen(was.turn[0]), widen(was.turn[1]), widen(was.turn[2])};
@@ -138,11 +138,11 @@ class PairUpdate {
     }
 
     // False: they have come apart.
-    bool reuse(std::span<const KeptPatch> old)
+    bool reuse(std::span<const CachedManifold> old)
     {
         bool touches = false;
         for (std::size_t i = 0; i < old.size(); ++i) {
-            parts_[i].found = old[i].found, parts_[i].patch = old[i].patch;
+            parts_[i].found = old[i].found, parts_[i].manifold = old[i].manifold;
             touches = place(old[i], parts_[i]) || touches;
         }
         pair_.count = std::uint8_t(old.size());
@@ -151,17 +151,17 @@ class PairUpdate {
 
     // A copy of `was`, or itself, at the present poses; true if a point of it still touches. `was` is read,
     // since a copy just made takes its time to arrive.
-    bool place(const KeptPatch& was, KeptPatch& part)
+    bool place(const CachedManifold& was, CachedManifold& part)
     {
         part.origin = x1_;
         part.layer = float(layer());
         const bool touches =
-            place_points(pose1_, pose2_, x1_, pair_.body2 ? &x2_ : nullptr, layer(), was, part.patch);
-        combine_materials(g1_, g2_, part.patch);
+            place_points(pose1_, pose2_, x1_, pair_.body2 ? &x2_ : nullptr, layer(), was, part.manifold);
+        combine_materials(g1_, g2_, part.manifold);
         return touches;
     }
 
-    void collide(std::span<const KeptPatch> old)
+    void collide(std::span<const CachedManifold> old)
     {
         dContactGeom found[kSurfacePoints];
         ContactArray out{found, int(sizeof(dContactGeom)), pair_.most > 1 ? kSurfacePoints : kSolidPoints,
@@ -178,7 +178,7 @@ class PairUpdate {
         collide_at(g1_, soon1, g2_, soon2, out);
         take(out, soon1, soon2, {});
         if (one_stands() && (is_round(g1_) || is_round(g2_)))
-            for (KeptPatch& part : parts_.first(pair_.count)) look_back(part, soon1);
+            for (CachedManifold& part : parts_.first(pair_.count)) look_back(part, soon1);
         drop_passed();
     }
 
@@ -200,20 +200,21 @@ class PairUpdate {
     // and the gap the one that so becomes what was found. (Fixed in the body, the lowest point of a ball that
     // rolls a millimetre above the ground is in front now, comes down, and throws it up. Corners of polyhedra
     // are fixed.)
-    void look_back(KeptPatch& part, const Pose& soon1) const
+    void look_back(CachedManifold& part, const Pose& soon1) const
     {
         const Foresight& soon = settings_.soon;
         const Vec3 way1 = soon.h * soon.velocity(pair_.body1), way2 = soon.h * soon.velocity(pair_.body2);
-        // Until then the point goes along with the one that moves, see solve/substeps/patch_kernels.inc.
+        // Until then the point goes along with the one that moves, see solve/substeps/manifold_kernels.inc.
         const Vec3 behind = moves(pair_.body1) ? Vec3{} : way1 - way2;
-        for (int i = 0; i < part.patch.count; ++i) {
-            PatchPoint& point = part.patch.points[i];
+        for (int i = 0; i < part.manifold.count; ++i) {
+            ManifoldPoint& point = part.manifold.points[i];
             const Vec3 at = soon1.p + soon1.R * widen(part.found.anchors.first(i)) - way1 + behind;
             const Vec3 r1 = at - x1_, r2 = at - x2_;
             const Vec3 u = way1 + turn_of(pair_.body1, r1) - way2 - turn_of(pair_.body2, r2);
             point.r1 = narrow(r1);
             point.r2 = narrow(pair_.body2 ? r2 : Vec3{});
-            point.gap = float(Real(part.found.anchors.gap[i]) + layer() - dot(widen(part.patch.normal), u));
+            point.separation =
+                float(Real(part.found.anchors.separation[i]) + layer() - dot(widen(part.manifold.normal), u));
         }
     }
 
@@ -228,18 +229,19 @@ class PairUpdate {
     // What is too fast to be stopped meets the other side there.
     void drop_passed()
     {
-        const auto passed = [](const KeptPatch& part) {
-            const auto points = std::span(part.patch.points).first(std::size_t(part.patch.count));
-            return std::any_of(points.begin(), points.end(), [](const PatchPoint& p) { return p.gap < 0; });
+        const auto passed = [](const CachedManifold& part) {
+            const auto points = std::span(part.manifold.points).first(std::size_t(part.manifold.count));
+            return std::any_of(points.begin(), points.end(),
+                               [](const ManifoldPoint& p) { return p.separation < 0; });
         };
         const auto end = std::remove_if(parts_.begin(), parts_.begin() + pair_.count, passed);
         pair_.count = std::uint8_t(end - parts_.begin());
     }
 
     // The contacts of the two at A and B.
-    void take(const ContactArray& out, const Pose& A, const Pose& B, std::span<const KeptPatch> old)
+    void take(const ContactArray& out, const Pose& A, const Pose& B, std::span<const CachedManifold> old)
     {
-        PatchMaker maker(parts_);
+        ManifoldMaker maker(parts_);
         for (int i = 0; i < out.count; ++i)
             if (sound(*out.at(i))) maker.add(*out.at(i));
         maker.finish();
@@ -266,27 +268,28 @@ class PairUpdate {
     }
 
     // Anchors, and impulses from the points that were near.
-    void settle(int index, const PatchMaker& maker, const Pose& A, const Pose& B,
-                std::span<const KeptPatch> old)
+    void settle(int index, const ManifoldMaker& maker, const Pose& A, const Pose& B,
+                std::span<const CachedManifold> old)
     {
-        KeptPatch& part = parts_[std::size_t(index)];
-        PatchFinding& found = part.found;
-        Patch& patch = part.patch;
+        CachedManifold& part = parts_[std::size_t(index)];
+        ManifoldFinding& found = part.found;
+        ContactManifold& manifold = part.manifold;
         found.changes = changes();
         found.offset = narrow(offset_);
         for (int k = 0; k < 3; ++k) found.turn[k] = narrow(turn_.row(k));
-        found.normal = narrow(transposed_times(pose1_.R, widen(patch.normal)));
-        patch.roll = {};
-        for (int i = 0; i < patch.count; ++i) patch.points[i].push = 0, patch.points[i].friction = {};
+        found.normal = narrow(transposed_times(pose1_.R, widen(manifold.normal)));
+        manifold.rolling_impulse = {};
+        for (int i = 0; i < manifold.count; ++i)
+            manifold.points[i].normal_impulse = 0, manifold.points[i].friction_impulse = {};
         fix_points(maker, index, A, B, found.anchors);
         place(part, part);
         const Real size = this->size();
-        for (const KeptPatch& was : old) inherit_impulses(was, size, part);
+        for (const CachedManifold& was : old) inherit_impulses(was, size, part);
     }
 
     ContactPair& pair_;
     Geom &g1_, &g2_;
-    const std::span<KeptPatch> parts_;
+    const std::span<CachedManifold> parts_;
     const NarrowSettings& settings_;
     NearLeaves* const leaves_;
     const Pose pose1_, pose2_;
@@ -299,8 +302,8 @@ class PairUpdate {
 
 }  // namespace
 
-void update_pair(ContactPair& pair, std::span<const KeptPatch> old, const NarrowSettings& settings,
-                 KeptPatch* into, NearLeaves* leaves)
+void update_pair(ContactPair& pair, std::span<const CachedManifold> old, const NarrowSettings& settings,
+                 CachedManifold* into, NearLeaves* leaves)
 {
     PairUpdate(pair, settings, into, leaves).run(old);
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// From a pair to its patches. Two geoms that have hardly moved against each other since they were collided
+// From a pair to its manifolds. Two geoms that have hardly moved against each other since they were collided
 // keep the points they had, fixed in both bodies, and only the gaps are measured anew: a tenth of the cost,
-// and points of a settled pile do not wander. How much is hardly: 2 % of the smaller one's size for a patch
-// that misses nothing, as do four points under a face, and those of two polyhedra, which are found with a
-// margin of as much; a quarter of the surface layer for all others. What is collided again finds its impulses
-// by place. What did not touch is first parted, if it can be (contacts/pair_parting.h).
+// and points of a settled pile do not wander. How much is hardly: 2 % of the smaller one's size for a
+// manifold that misses nothing, as do four points under a face, and those of two polyhedra, which are found
+// with a margin of as much; a quarter of the surface layer for all others. What is collided again finds its
+// impulses by place. What did not touch is first parted, if it can be (contacts/pair_parting.h).
 #pragma once
 
 #include <span>
@@ -24,10 +24,10 @@ struct NarrowSettings {
     bool foresees;  // what does not touch yet is looked at where it will be
 };
 
-// Brings up to date what is known of a pair that may touch: `old` are its patches of the step before,
+// Brings up to date what is known of a pair that may touch: `old` are its manifolds of the step before,
 // `into` room for pair.most new ones; the pair gets their count. `leaves`: what is kept of a mesh, or null.
 // Pairs may be updated at the same time, unless functions of the program are asked about them.
-void update_pair(ContactPair& pair, std::span<const KeptPatch> old, const NarrowSettings& settings,
-                 KeptPatch* into, NearLeaves* leaves);
+void update_pair(ContactPair& pair, std::span<const CachedManifold> old, const NarrowSettings& settings,
+                 CachedManifold* into, NearLeaves* leaves);
 
 }  // namespace epode

@@ -14,46 +14,46 @@ namespace epode {
 
 struct PairList {
     Array<ContactPair> pairs;
-    Array<KeptPatch> patches;  // those of a pair lie together; there are gaps
+    Array<CachedManifold> manifolds;  // those of a pair lie together; there are gaps
     Array<NearLeaves> leaves;
     std::uint64_t ties = 0;  // of the world, when `tied` was right
 
-    std::span<const KeptPatch> of(const ContactPair& pair) const
+    std::span<const CachedManifold> of(const ContactPair& pair) const
     {
-        return patches.span().subspan(std::size_t(pair.first), pair.count);
+        return manifolds.span().subspan(std::size_t(pair.first), pair.count);
     }
-    std::span<const KeptPatch> of(int pair) const
+    std::span<const CachedManifold> of(int pair) const
     {
-        return pair < 0 ? std::span<const KeptPatch>{} : of(pairs.data()[pair]);
+        return pair < 0 ? std::span<const CachedManifold>{} : of(pairs.data()[pair]);
     }
 
     // A pair of another list, at the end. False: out of memory, and all is as it was.
     [[nodiscard]] bool append(const PairList& other, const ContactPair& pair)
     {
         ContactPair own = pair;
-        const std::span<const KeptPatch> kept = other.of(pair);
-        const int patch_count = patches.size(), leaf_count = leaves.size();
-        own.first = patch_count;
+        const std::span<const CachedManifold> kept = other.of(pair);
+        const int manifold_count = manifolds.size(), leaf_count = leaves.size();
+        own.first = manifold_count;
         if (pair.on_mesh) own.leaves = leaf_count;
-        if (patches.extend(int(kept.size())) &&
+        if (manifolds.extend(int(kept.size())) &&
             (!pair.on_mesh || leaves.push(other.leaves.data()[pair.leaves])) && pairs.push(own)) {
-            std::copy(kept.begin(), kept.end(), patches.data() + patch_count);
+            std::copy(kept.begin(), kept.end(), manifolds.data() + manifold_count);
             return true;
         }
-        patches.truncate(patch_count), leaves.truncate(leaf_count);
+        manifolds.truncate(manifold_count), leaves.truncate(leaf_count);
         return false;
     }
 
     void clear()
     {
         pairs.clear();
-        patches.clear();
+        manifolds.clear();
         leaves.clear();
     }
     void swap(PairList& other)
     {
         pairs.swap(other.pairs);
-        patches.swap(other.patches);
+        manifolds.swap(other.manifolds);
         leaves.swap(other.leaves);
         std::swap(ties, other.ties);
     }

@@ -33,20 +33,20 @@ int place_in(Array<T>& all, int count, Array<int>& free)
 
 bool RestingPairs::put_one(const PairList& from, const ContactPair& pair)
 {
-    const std::span<const KeptPatch> kept = from.of(pair);
-    Array<int>& free_blocks = free_patches_[kept.size()];
+    const std::span<const CachedManifold> kept = from.of(pair);
+    Array<int>& free_blocks = free_manifolds_[kept.size()];
     const int at = place_in(list_.pairs, 1, free_pairs_);
     if (at < 0) return false;
     ContactPair& own = list_.pairs.data()[at];
     own = pair;
     own.id1 = nullptr;  // until all has been found
-    own.first = kept.empty() ? 0 : place_in(list_.patches, int(kept.size()), free_blocks);
+    own.first = kept.empty() ? 0 : place_in(list_.manifolds, int(kept.size()), free_blocks);
     if (pair.on_mesh) own.leaves = place_in(list_.leaves, 1, free_leaves_);
     const bool linked = own.first >= 0 && !(pair.on_mesh && own.leaves < 0) &&
                         (links_.size() > at || links_.resize(at + 1)) && link(at);
     if (!linked) return false;  // its places are lost, as where lists of free ones have no room
     own.id1 = pair.id1;
-    std::copy(kept.begin(), kept.end(), list_.patches.data() + own.first);
+    std::copy(kept.begin(), kept.end(), list_.manifolds.data() + own.first);
     if (pair.on_mesh) list_.leaves.data()[own.leaves] = from.leaves.data()[pair.leaves];
     ++count_;
     return true;
@@ -116,7 +116,7 @@ bool RestingPairs::move(int pair, PairList& to)
     p.id1 = nullptr;
     --count_;
     (void)free_pairs_.push(pair);
-    if (p.count > 0) (void)free_patches_[p.count].push(p.first);
+    if (p.count > 0) (void)free_manifolds_[p.count].push(p.first);
     if (p.on_mesh) (void)free_leaves_.push(p.leaves);
     return true;
 }
@@ -150,7 +150,7 @@ void RestingPairs::clear()
     links_.clear();
     for (Head& head : heads_) head = {};
     for (Array<int>* places : {&free_pairs_, &free_leaves_}) places->clear();
-    for (Array<int>& places : free_patches_) places.clear();
+    for (Array<int>& places : free_manifolds_) places.clear();
     head_count_ = count_ = 0;
 }
 

@@ -24,7 +24,7 @@ class RestingPairs {
     [[nodiscard]] bool take_all(PairList& to);
     void clear();
 
-    // f(pair, its patches), in no promised order.
+    // f(pair, its manifolds), in no promised order.
     template <typename F>
     void for_each(F&& f) const
     {
@@ -65,9 +65,9 @@ class RestingPairs {
     Array<Head> heads_;   // open addressing; its size is a power of two
     int head_count_ = 0;  // that are not free
     int count_ = 0;       // pairs that are there
-    // Places that nobody has: of pairs, of leaves, and of so many patches side by side. Where these lists
+    // Places that nobody has: of pairs, of leaves, and of so many manifolds side by side. Where these lists
     // have no room, places are lost until all pairs have been taken.
-    Array<int> free_pairs_, free_leaves_, free_patches_[kSurfacePatches + 1];
+    Array<int> free_pairs_, free_leaves_, free_manifolds_[kSurfaceManifolds + 1];
 };
 
 // Where nothing rests yet the whole list moves in, and the others back: mostly a world falls asleep at once.

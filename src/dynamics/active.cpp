@@ -21,7 +21,7 @@ void activate_all(World& world)
 void deactivate(Body& body)
 {
     body.world->bodies.deactivate(body);
-    body.patches = nullptr;
+    body.manifolds = nullptr;
 }
 
 }  // namespace epode

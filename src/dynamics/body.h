@@ -19,7 +19,7 @@ namespace epode {
 struct World;
 struct Joint;
 struct JointNode;
-struct PatchEdge;
+struct ManifoldEdge;
 
 // When a body may fall asleep; thresholds are kept squared, as they are compared.
 struct SleepRule {
@@ -62,14 +62,14 @@ struct Body : Numbered {
     bool gravity = true;
     bool gyroscopic = true;
     bool finite_rotation = false;
-    JointNode* joints = nullptr;   // most recently attached first
-    PatchEdge* patches = nullptr;  // contacts that the world manages, during a step
-    dxGeom* first_geom = nullptr;  // list of geoms; only step/link.cpp looks inside
-    int island_index = -1;         // place in its island during a step, else below 0
+    JointNode* joints = nullptr;        // most recently attached first
+    ManifoldEdge* manifolds = nullptr;  // contacts that the world manages, during a step
+    dxGeom* first_geom = nullptr;       // list of geoms; only step/link.cpp looks inside
+    int island_index = -1;              // place in its island during a step, else below 0
     bool disabled = false;
     bool auto_disable = false;
-    bool patched = false;  // by a contact that the world manages, in the last step
-    bool driven = false;   // kinematic: forces do not move it
+    bool had_manifolds = false;  // by a contact that the world manages, in the last step
+    bool driven = false;         // kinematic: forces do not move it
 
     // ---- visible through the ABI ----
     alignas(kCacheLine) Real pos[4] = {};

@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <new>
 
-#include "base/ahead.h"
+#include "base/prefetch.h"
 #include "dynamics/active.h"
 #include "dynamics/settle.h"
 
@@ -41,7 +41,7 @@ class Bonds {
         : bodies_(arena.take<Body*>(bodies)),
           reach_(arena.take<Reach>(bodies)),
           newest_(arena.take<int>(bodies)),
-          patches_(arena.take<PatchEdge*>(bodies)),
+          manifolds_(arena.take<ManifoldEdge*>(bodies)),
           joints_(arena.take<Joint*>(joints)),
           bonds_(arena.take<Bond>(joints))
     {}
@@ -52,10 +52,10 @@ class Bonds {
         world.reached.clear();
         world.bodies.for_each_active_before(body_places, [&](Body& b) {
             const auto number = std::size_t(b.island_index = body_count_++);
-            b.patches = nullptr;
+            b.manifolds = nullptr;
             bodies_[number] = &b;
             reach_[number] = b.disabled ? Reach::kAsleep : Reach::kAwake;
-            patches_[number] = nullptr;
+            manifolds_[number] = nullptr;
             newest_[number] = kNone;
         });
         world.joints.for_each_active_before(
@@ -66,23 +66,23 @@ class Bonds {
     }
 
     // world.reached gets the bodies behind these, too. False: out of memory.
-    bool reach_through(std::span<const PatchEdge> patches)
+    bool reach_through(std::span<const ManifoldEdge> manifolds)
     {
-        for (const PatchEdge& edge : patches)
+        for (const ManifoldEdge& edge : manifolds)
             for (Body* body : edge.body)
                 if (body && !is_active(*body)) complete_ = body->world->reached.push(body) && complete_;
         return complete_;
     }
 
     // Into the lists of their bodies, in order.
-    void link(std::span<PatchEdge> patches)
+    void link(std::span<ManifoldEdge> manifolds)
     {
-        for (std::size_t i = patches.size(); i-- > 0;)
+        for (std::size_t i = manifolds.size(); i-- > 0;)
             for (int side = 0; side < 2; ++side)
-                if (Body* body = patches[i].body[side]) {
-                    const int place = patches[i].place[side] = body->island_index;
-                    patches[i].next[side] = body->patches;
-                    body->patches = patches_[std::size_t(place)] = &patches[i];
+                if (Body* body = manifolds[i].body[side]) {
+                    const int place = manifolds[i].place[side] = body->island_index;
+                    manifolds[i].next[side] = body->manifolds;
+                    body->manifolds = manifolds_[std::size_t(place)] = &manifolds[i];
                 }
     }
 
@@ -100,7 +100,7 @@ class Bonds {
             i = bond.next[side];
         }
     }
-    PatchEdge* patches_of(std::size_t place) const { return patches_[place]; }
+    ManifoldEdge* manifolds_of(std::size_t place) const { return manifolds_[place]; }
     std::span<Joint* const> joints_of(const Bond& bond) const
     {
         return joints_.subspan(std::size_t(bond.first), std::size_t(bond.count));
@@ -166,8 +166,8 @@ class Bonds {
 
     std::span<Body*> bodies_;
     std::span<Reach> reach_;
-    std::span<int> newest_;          // bond of each body
-    std::span<PatchEdge*> patches_;  // the first of each body
+    std::span<int> newest_;               // bond of each body
+    std::span<ManifoldEdge*> manifolds_;  // the first of each body
     std::span<Joint*> joints_;
     std::span<Bond> bonds_;
     int body_count_ = 0, joint_count_ = 0, bond_count_ = 0;
@@ -181,17 +181,18 @@ class Bonds {
 
 class Search {
   public:
-    Search(int bodies, int joints, std::size_t patches, Arena& arena)
+    Search(int bodies, int joints, std::size_t manifolds, Arena& arena)
         : bodies_(arena.take<Body*>(bodies)),
           joints_(arena.take<Joint*>(joints)),
-          patches_(arena.take<PatchEdge*>(int(patches))),
+          manifolds_(arena.take<ManifoldEdge*>(int(manifolds))),
           islands_(arena.take<Island>(bodies))
     {}
 
     // `stack`: room for all bodies.
     Island& grow_from(std::size_t seed, Bonds& bonds, std::span<int> stack)
     {
-        const std::size_t first_body = body_count_, first_joint = joint_count_, first_patch = patch_count_;
+        const std::size_t first_body = body_count_, first_joint = joint_count_,
+                          first_manifold = manifold_count_;
         Island& island = *new (&islands_[island_count_++]) Island;
         std::size_t depth = 0;
         const auto reach = [&](int place) {
@@ -211,10 +212,10 @@ class Search {
                 take(bonds.joints_of(bond), bond, island);
                 if (const int other = bond.body[1 - side]; other != kWorld) reach(other);
             });
-            for (PatchEdge* e = bonds.patches_of(place); e;) {
+            for (ManifoldEdge* e = bonds.manifolds_of(place); e;) {
                 const int side = e->place[0] == int(place) ? 0 : 1, other = e->place[1 - side];
                 if (other == kWorld || bonds.reach(std::size_t(other)) != Reach::kTaken) {
-                    patches_[patch_count_++] = e;
+                    manifolds_[manifold_count_++] = e;
                     if (other != kWorld) reach(other);
                 }
                 e = e->next[side];
@@ -222,7 +223,7 @@ class Search {
         }
         island.bodies = bodies_.subspan(first_body, body_count_ - first_body);
         island.joints = joints_.subspan(first_joint, joint_count_ - first_joint);
-        island.patches = patches_.subspan(first_patch, patch_count_ - first_patch);
+        island.manifolds = manifolds_.subspan(first_manifold, manifold_count_ - first_manifold);
         return island;
     }
 
@@ -231,7 +232,7 @@ class Search {
         const Island& island = islands_[--island_count_];
         body_count_ -= island.bodies.size();
         joint_count_ -= island.joints.size();
-        patch_count_ -= island.patches.size();
+        manifold_count_ -= island.manifolds.size();
     }
 
     std::span<Island> islands() const { return islands_.first(island_count_); }
@@ -247,9 +248,9 @@ class Search {
 
     std::span<Body*> bodies_;
     std::span<Joint*> joints_;
-    std::span<PatchEdge*> patches_;
+    std::span<ManifoldEdge*> manifolds_;
     std::span<Island> islands_;
-    std::size_t body_count_ = 0, joint_count_ = 0, patch_count_ = 0, island_count_ = 0;
+    std::size_t body_count_ = 0, joint_count_ = 0, manifold_count_ = 0, island_count_ = 0;
 };
 
 // True: it has fallen asleep.
@@ -263,21 +264,21 @@ bool comes_to_rest(Island& island, Real h)
 
 }  // namespace
 
-bool find_islands(World& world, Real h, std::span<PatchEdge> patches, Arena& arena, Islands& found)
+bool find_islands(World& world, Real h, std::span<ManifoldEdge> manifolds, Arena& arena, Islands& found)
 {
     // Bodies and joints that the program creates while it is asked for memory are behind these: the next
     // step's.
     const int bodies = world.bodies.active_count(), body_places = world.bodies.places();
     const int joints = world.joints.active_count(), joint_places = world.joints.places();
-    Search search(bodies, joints, patches.size(), arena);
+    Search search(bodies, joints, manifolds.size(), arena);
     found.asleep = arena.take<Body*>(bodies);
     Arena::Scope scope(arena);
     Bonds bonds(bodies, joints, arena);
     const auto stack = arena.take<int>(bodies);
-    if (arena.failed() || !bonds.gather(world, body_places, joint_places) || !bonds.reach_through(patches))
+    if (arena.failed() || !bonds.gather(world, body_places, joint_places) || !bonds.reach_through(manifolds))
         return false;
     if (!world.reached.empty()) return true;
-    bonds.link(patches);
+    bonds.link(manifolds);
     for (std::size_t i = 0; i < bonds.bodies(); ++i)
         if (bonds.reach(i) == Reach::kAwake) {
             Island& island = search.grow_from(i, bonds, stack);

@@ -9,22 +9,22 @@
 
 #include "base/arena.h"
 #include "dynamics/world.h"
-#include "rows/patch.h"
+#include "rows/contact_manifold.h"
 
 namespace epode {
 
-// A patch of contact as what holds two bodies together; body[1] is null for the static world.
-struct PatchEdge {
+// A manifold of contact as what holds two bodies together; body[1] is null for the static world.
+struct ManifoldEdge {
     Body* body[2];
-    PatchEdge* next[2];  // in the lists of the bodies
-    Patch* patch;
+    ManifoldEdge* next[2];  // in the lists of the bodies
+    ContactManifold* manifold;
     int place[2];  // of the bodies among the active ones; -1: the static world
 };
 
 struct Island {
     std::span<Body*> bodies;
     std::span<Joint*> joints;
-    std::span<PatchEdge*> patches;
+    std::span<ManifoldEdge*> manifolds;
     int plain_contacts = 0;  // of the joints
     bool feedback = false;   // is asked of one of these contacts
     bool impulses = false;   // are remembered by a joint
@@ -39,8 +39,8 @@ struct Islands {
     std::span<Body*> asleep;  // active bodies of none
 };
 
-// `patches`: those that touch in this step. If world.reached is not empty afterwards, active bodies hold to
+// `manifolds`: those that touch in this step. If world.reached is not empty afterwards, active bodies hold to
 // others, which have to become active; then it has to be done again. False: out of memory.
-bool find_islands(World& world, Real h, std::span<PatchEdge> patches, Arena& arena, Islands& found);
+bool find_islands(World& world, Real h, std::span<ManifoldEdge> manifolds, Arena& arena, Islands& found);
 
 }  // namespace epode

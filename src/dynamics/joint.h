@@ -55,7 +55,8 @@ struct Joint : Tagged {
     bool reverse : 1 = false;
     bool disabled : 1 = false;
     bool grouped : 1 = false;  // a group destroys it
-    bool plain : 1 = false;    // a contact that is a normal with two tangents or with none (rows/manifold.h)
+    bool plain : 1 =
+        false;  // a contact that is a normal with two tangents or with none (rows/joint_manifold.h)
     std::uint8_t impulse_rows = 0;  // of a LastingJoint
     std::uint16_t mode = 0;         // of a contact's surface
     const JointType* type;

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 #include "dynamics/joint_group.h"
 
-#include "base/ahead.h"
+#include "base/prefetch.h"
 
 namespace epode {
 
@@ -12,7 +12,7 @@ void empty_group(JointGroup& group)
 {
     constexpr int kAhead = 16, kLines = 2;
     for (int i = group.joints.size(); i-- > 0;) {
-        if (i >= kAhead) fetch<kLines>(group.joints[i - kAhead]);
+        if (i >= kAhead) prefetch<kLines>(group.joints[i - kAhead]);
         destroy_joint(*group.joints[i]);
     }
     group.joints.clear();

@@ -67,13 +67,13 @@ bool is_nearly_still(const Body& body)
 
 bool has_contacts(const Island& island)
 {
-    return !island.patches.empty() || std::any_of(island.joints.begin(), island.joints.end(),
-                                                  [](const Joint* joint) { return is_contact(*joint); });
+    return !island.manifolds.empty() || std::any_of(island.joints.begin(), island.joints.end(),
+                                                    [](const Joint* joint) { return is_contact(*joint); });
 }
 
 bool is_watched(const Body& body)
 {
-    return body.auto_disable && body.sleep.samples > 0 && (body.joints || body.patches);
+    return body.auto_disable && body.sleep.samples > 0 && (body.joints || body.manifolds);
 }
 
 // Counts a step at the beginning of which the body is idle, or is not; true if it is ready to sleep.

@@ -21,8 +21,8 @@
 
 #include <cstdint>
 
-#include "base/ahead.h"
 #include "base/array.h"
+#include "base/prefetch.h"
 #include "geometry/shapes.h"
 
 namespace epode {
@@ -74,19 +74,19 @@ class TriangleMesh {
     int neighbour(int t, int k) const { return across_.data()[3 * t + k] >> 1; }  // over edge k; -1: none
 
     // Ask for the memory of what contacts look at.
-    void fetch(int t) const
+    void prefetch(int t) const
     {
-        epode::fetch<1>(triangles_.data() + t);
-        epode::fetch<1>(rims_.data() + t);
-        epode::fetch<1>(across_.data() + 3 * t);
-        fetch_normal(t);
+        epode::prefetch<1>(triangles_.data() + t);
+        epode::prefetch<1>(rims_.data() + t);
+        epode::prefetch<1>(across_.data() + 3 * t);
+        prefetch_normal(t);
     }
-    void fetch(const MeshCorners& corners) const
+    void prefetch(const MeshCorners& corners) const
     {
-        for (const int v : corners.at) fetch_vertex(v);
+        for (const int v : corners.at) prefetch_vertex(v);
     }
-    void fetch_vertex(int i) const { epode::fetch<1>(vertices_.data() + i); }
-    void fetch_normal(int t) const { epode::fetch<1>(normals_.data() + t); }
+    void prefetch_vertex(int i) const { epode::prefetch<1>(vertices_.data() + i); }
+    void prefetch_normal(int t) const { epode::prefetch<1>(normals_.data() + t); }
 
     // The first corner of a triangle, not a degenerate one, that is the same vertex, as 3 t + k.
     int first_corner(int t, int k) const { return first_.data()[start(3 * t + k)]; }

@@ -13,9 +13,9 @@
 
 #include <algorithm>
 
-#include "base/ahead.h"
+#include "base/prefetch.h"
 #include "joints/access.h"
-#include "joints/contact_manifolds.h"
+#include "joints/joint_manifolds.h"
 #include "rows/policy.h"
 
 namespace epode {
@@ -161,8 +161,8 @@ inline void Contact::aim_normal(Row& row, const StepInfo& info, Vec3 n) const
     if (!has(dContactBounce) || !(surface().bounce_vel >= 0)) return;
     const Vec3 v = body1()->point_velocity(pos) - (body2() ? body2()->point_velocity(pos) : Vec3{});
     const Real approach = row.speed - dot(n, v);
-    row.rebounds = approach > surface().bounce_vel;
-    row.rebound = surface().bounce * approach + row.speed;
+    row.has_restitution = approach > surface().bounce_vel;
+    row.restitution_velocity = surface().bounce * approach + row.speed;
 }
 
 void Contact::tangents(Vec3 n, Vec3& t1, Vec3& t2) const
@@ -221,7 +221,7 @@ bool joins(const Contact& last, const Contact& next)
            !next.has(kTangential);
 }
 
-void set_friction(const Contact& contact, const StepInfo& info, Manifold& m)
+void set_friction(const Contact& contact, const StepInfo& info, JointManifold& m)
 {
     const Real limit[2] = {contact.mu, contact.mu2()};
     const Real speed[2] = {contact.has(dContactMotion1) ? contact.surface().motion1 : 0,
@@ -240,7 +240,7 @@ void set_friction(const Contact& contact, const StepInfo& info, Manifold& m)
 
 // Both member by member into their place: there are thousands of them, and a copy of what has just been
 // written in smaller pieces waits for them all.
-void begin_manifold(const Contact& contact, const StepInfo& info, int first, Manifold& m)
+void begin_manifold(const Contact& contact, const StepInfo& info, int first, JointManifold& m)
 {
     const Body &a = *contact.body1(), *b = contact.body2();
     m.n = contact.outward();
@@ -252,7 +252,7 @@ void begin_manifold(const Contact& contact, const StepInfo& info, int first, Man
     for (int k = 0; k < 2; ++k) m.c[k] = m.C[k] = m.mu[k] = m.fixed[k] = 0;
 }
 
-inline void set_point(const Contact& contact, const StepInfo& info, Vec3 n, ManifoldPoint& point)
+inline void set_point(const Contact& contact, const StepInfo& info, Vec3 n, JointManifoldPoint& point)
 {
     Row row;
     row.erp = info.erp, row.cfm = info.cfm;
@@ -266,20 +266,20 @@ inline void set_point(const Contact& contact, const StepInfo& info, Vec3 n, Mani
 
 }  // namespace
 
-void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, ManifoldList& out)
+void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, JointManifoldList& out)
 {
     constexpr int kLines = 3;  // of a contact without special surface
     constexpr std::size_t kAhead = 8;
     std::size_t manifolds = 0;
     const Contact* last = nullptr;
-    for_each_fetched<kLines, 2 * kAhead>(contacts, [&](std::size_t i, const Joint& joint) {
+    for_each_prefetched<kLines, 2 * kAhead>(contacts, [&](std::size_t i, const Joint& joint) {
         if (i + kAhead < contacts.size())
             for (const JointNode& node : contacts[i + kAhead]->node)
-                if (node.body) fetch<2>(node.body);
+                if (node.body) prefetch<2>(node.body);
         const Contact& contact = static_cast<const Contact&>(joint);
         if (!last || !joins(*last, contact) || out.manifolds[manifolds - 1].count == kManifoldPoints)
             begin_manifold(contact, info, int(i), out.manifolds[manifolds++]);
-        Manifold& m = out.manifolds[manifolds - 1];
+        JointManifold& m = out.manifolds[manifolds - 1];
         set_point(contact, info, m.n, out.points[i]);
         ++m.count;
         last = &contact;
@@ -318,7 +318,7 @@ bool usable_softness(const dSurfaceParameters& s)
 bool usable_place(const dContactGeom& g)
 {
     const Real n2 = length2(load(g.normal)), all = length2(load(g.pos)) + n2 + g.depth * g.depth;
-    return within(all, kAbsurd * kAbsurd) && n2 > 0;
+    return within(all, kMaxMagnitude * kMaxMagnitude) && n2 > 0;
 }
 
 // Are all members that the mode names fit for use? Coefficients of friction may be infinite.

@@ -125,15 +125,15 @@ void LimitMotor::emit_motor(RowWriter& out, const Jacobian& jacobian) const
 void LimitMotor::note(Real value, Real rate)
 {
     stop_ = Stop::kNone;
-    rebounds_ = false;
+    has_restitution_ = false;
     if (!has_stops()) return;
     if (value <= lo)
         stop_ = Stop::kLow;
     else if (value >= hi)
         stop_ = Stop::kHigh;
     const bool hits = (stop_ == Stop::kLow && rate < 0) || (stop_ == Stop::kHigh && rate > 0);
-    rebounds_ = hits && bounce > 0 && lo != hi;
-    rebound_ = -bounce * rate;
+    has_restitution_ = hits && bounce > 0 && lo != hi;
+    restitution_velocity_ = -bounce * rate;
 }
 
 void LimitMotor::write_stop(RowWriter& out, const Jacobian& jacobian, Real value) const
@@ -144,8 +144,8 @@ void LimitMotor::write_stop(RowWriter& out, const Jacobian& jacobian, Real value
     row.erp = stop_erp;
     row.cfm = stop_cfm;
     row.soft = stop_chosen;
-    row.rebounds = rebounds_;
-    row.rebound = rebound_;
+    row.has_restitution = has_restitution_;
+    row.restitution_velocity = restitution_velocity_;
     if (servo) return;
     (stop_ == Stop::kLow ? row.lo : row.hi) = 0;
 }

@@ -58,8 +58,8 @@ struct LimitMotor {
     bool pulls_away() const;
 
     Stop stop_ = Stop::kNone;  // of the present step
-    bool rebounds_ = false;
-    Real rebound_ = 0;
+    bool has_restitution_ = false;
+    Real restitution_velocity_ = 0;
 };
 
 // The rule of joints with two such axes: numbers of group 2 lose their group and go to the second axis, all

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A vector in floats whatever Real is: for what is relative to a body, or a first guess.
+// A vector of floats, whatever Real is: for quantities relative to a body, and for first guesses.
 #pragma once
 
 #include "math/vec.h"

@@ -39,7 +39,7 @@ void nearest_triangle(const ConvexView& a, int side_a, const TriangleSet& b, Rea
             if (s.distance <= limit && s.before(best)) best = s;
         });
         if (best.distance <= reach || reach >= limit || contains(asked, b.box())) return;
-        if (!(reach < kAbsurd)) return;
+        if (!(reach < kMaxMagnitude)) return;
     }
 }
 

@@ -179,7 +179,7 @@ Real meet_surface(const Traveller& a, const Mover& surface, bool one_sided, cons
     const TriangleSet set = triangles_of(surface.thing);
     const WayPast way(a, surface);
     Real best = kInf;
-    if (!(a.reach > 0) || !(way.length_of_way() < kAbsurd)) return best;
+    if (!(a.reach > 0) || !(way.length_of_way() < kMaxMagnitude)) return best;
     // What goes so far over ground without end is not held.
     if (set.endless() && way.length_of_way() > kEndless * a.reach) return best;
     const Pose& pose = surface.thing.pose;

@@ -99,12 +99,12 @@ void RayCaster::walk(Space& space, const RayQuestion& question, Real& reach, Fou
     const bool by_tree = ready_ ? space.broadphase.ready() : space.broadphase.prepare(1);
     if (!ready_) ++space.locks;  // to clean what is in it may call functions of the program
     // Of most geoms a ray wants the first lines only, which seldom are in the cache.
-    const auto fetch_member = [&](int slot) {
+    const auto prefetch_member = [&](int slot) {
         const Geom* m = space.members.data()[slot];
-        fetch<1>(&m->type), fetch<1>(m->own_rotation), fetch<1>(m->own_position);
+        prefetch<1>(&m->type), prefetch<1>(m->own_rotation), prefetch<1>(m->own_position);
     };
     if (by_tree) {
-        space.broadphase.cast(question.origin, question.direction, reach, visit, fetch_member);
+        space.broadphase.cast(question.origin, question.direction, reach, visit, prefetch_member);
     } else {
         for (int slot = space.members.size(); slot-- > 0;)
             if (space.members.data()[slot] && space.broadphase.present(slot)) visit(slot);
@@ -193,7 +193,7 @@ bool usable_ray(const dReal* origin, const dReal* direction, dReal length)
 bool question_of(const dReal* origin, const dReal* direction, dReal length, const QueryFilter& filter,
                  RayQuestion& out)
 {
-    out = {load(origin), load(direction), std::min(length, kAbsurd), filter};
+    out = {load(origin), load(direction), std::min(length, kMaxMagnitude), filter};
     return normalize(out.direction);
 }
 

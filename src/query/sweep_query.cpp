@@ -61,7 +61,7 @@ bool way_of(const dReal* motion, Way& way)
 {
     way.along = load(motion);
     way.length = length(way.along);
-    return way.length < kAbsurd && normalize(way.along);
+    return way.length < kMaxMagnitude && normalize(way.along);
 }
 
 }  // namespace

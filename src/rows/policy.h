@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Facts to numbers: how a stepper wants position error removed. ERP and CFM as the guide defines them: CFM
-// shifts J v by cfm * lambda, ERP asks for erp/h of the error. A rebound wins over the correction in the
-// direction in which the row can push.
+// From facts to numbers: how a stepper removes position errors. ERP and CFM as the guide defines them: CFM
+// shifts J v by cfm * lambda, ERP asks for erp/h of the error. The restitution velocity replaces the
+// correction where it is larger in the direction in which the row acts.
 #pragma once
 
 #include <algorithm>
@@ -12,15 +12,17 @@
 
 namespace epode {
 
-// The wanted velocity of a row with a given correction rate instead of erp/h.
+// The target velocity of a row with a given correction rate instead of erp/h.
 inline Real wanted_velocity(const Row& row, Real rate)
 {
     Real c = std::min(rate * row.error + row.speed, row.cap);
-    if (row.rebounds) c = row.lo >= 0 ? std::max(c, row.rebound) : std::min(c, row.rebound);
+    if (row.has_restitution)
+        c = row.lo >= 0 ? std::max(c, row.restitution_velocity) : std::min(c, row.restitution_velocity);
     return c;
 }
 
-// ODE's meaning, for the whole step h = 1/fps:  c = min(erp/h error + speed, cap), at least the rebound.
+// ODE's meaning, for the whole step h = 1/fps:  c = min(erp/h error + speed, cap), at least the restitution
+// velocity.
 inline RowNumbers ode_baumgarte(const Row& row, Real h, Real fps, int block_first)
 {
     RowNumbers n;

@@ -4,14 +4,14 @@
 // One scalar constraint as a joint states it: facts, no policy.
 //
 //   J v = lin1.v1 + ang1.w1 + lin2.v2 + ang2.w2     relative velocity along the row
-//   error                                           position error; positive wants J v > 0
-//   speed                                           wanted J v besides the correction of the error
+//   error                                           position error; positive asks for J v > 0
+//   speed                                           target J v in addition to the correction of the error
 //   lo <= lambda <= hi                              bounds of the constraint force (N or N m)
 //
-// What a stepper asks for is made of this in rows/policy.cpp:  J v + (cfm/h)(h lambda) = c, where
-// c = min(erp/h * error + speed, cap), and not less than the rebound where there is one.
-// ODE's joints write c directly; keeping error and rate apart lets one text of a joint serve steppers that
-// treat position error differently (idea: MuJoCo's constraint rows, ODE's getInfo2).
+// rows/policy.h makes from this what a stepper solves:  J v + (cfm/h)(h lambda) = c, where c = min(erp/h *
+// error + speed, cap), and not less than the restitution velocity if there is one. ODE's joints write c
+// directly. Keeping error and rate apart lets one text of a joint serve steppers that treat position errors
+// differently (idea: MuJoCo's constraint rows, ODE's getInfo2).
 #pragma once
 
 #include "math/vec.h"
@@ -19,8 +19,8 @@
 namespace epode {
 
 enum class RowKind : unsigned char {
-    kLock,      // equality of a joint: hold it hard
-    kLimit,     // stop or motor: bounded
+    kLock,      // equality constraint of a joint
+    kLimit,     // bounded constraint: stop or motor
     kNormal,    // contact normal, lambda >= 0
     kFriction,  // bounded by a share of another row's force, or by a constant
 };
@@ -31,16 +31,16 @@ struct Jacobian {
 
 struct Row : Jacobian {
     Real error = 0;
-    Real erp = 0;  // share of the error to remove in one step; 0 where there is no position, as of motors
-    Real cfm = 0;  // softness, velocity per force times h (ODE's CFM)
+    Real erp = 0;  // share of the error to remove in one step; 0 for motors, which have no position
+    Real cfm = 0;  // compliance: velocity per force times h (ODE's CFM)
     Real speed = 0;
-    Real cap = kInf;   // largest c that correction and speed together may ask for
-    Real rebound = 0;  // J v wanted after an impact; used when `rebounds`
+    Real cap = kInf;                // upper limit of c before restitution
+    Real restitution_velocity = 0;  // target J v after an impact; used if `has_restitution`
     Real lo = -kInf, hi = kInf;
     int parent = -1;  // row of the same joint whose force times `hi` bounds this row; -1: constant bounds
     RowKind kind = RowKind::kLock;
-    bool rebounds = false;
-    bool soft = false;  // the user chose erp or cfm for this row: take them literally
+    bool has_restitution = false;
+    bool soft = false;  // the user chose erp or cfm for this row: use them literally
 };
 
 inline constexpr int kMaxJointRows = 6;
@@ -50,12 +50,12 @@ struct ContactArms {
     Vec3 r1, r2;
 };
 
-// What is known of the Jacobians of a joint's rows, so that solvers need not carry twelve numbers a row.
+// What is known about the Jacobians of a joint's rows, so that solvers need not store twelve numbers per row.
 enum class RowForm : unsigned char {
-    kFree,    // nothing
+    kFree,    // nothing is known
     kPoint,   // rows 0 to 2 move the points at the arms apart along x, y, z; the others turn body 1 against
               // body 2 about an axis: [ 0, a, 0, -a ]
-    kTurned,  // likewise, along three other directions, perpendicular to one another
+    kTurned,  // the same along three other directions, perpendicular to one another
 };
 
 }  // namespace epode

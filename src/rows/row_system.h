@@ -8,14 +8,14 @@
 //   lo_i < p_i < hi_i -> w_i = 0;   p_i = lo_i -> w_i >= 0;   p_i = hi_i -> w_i <= 0
 //
 // where v* is the velocity after all external forces, C = cfm/h, and friction rows take their bounds from
-// their parent's impulse. A solver leaves p and v; who it was, the caller need not know.
+// their parent's impulse. A solver leaves p and v; the caller need not know which solver it was.
 #pragma once
 
 #include <span>
 
 #include "math/pose.h"
-#include "rows/manifold.h"
-#include "rows/patch.h"
+#include "rows/contact_manifold.h"
+#include "rows/joint_manifold.h"
 #include "rows/row.h"
 
 namespace epode {
@@ -29,7 +29,8 @@ struct SolverBody {
     Sym3 inertia;       // world frame
 };
 
-// Where inner steps have moved a body, and what it weighs there: four numbers at a time, as lanes read them.
+// The pose of a body within a step in substeps, with its mass and inertia there, in groups of four numbers as
+// lanes read them.
 struct alignas(4 * sizeof(Real)) SolverPose {
     Vec3 x;
     Real inv_mass = 0;
@@ -41,13 +42,13 @@ struct alignas(4 * sizeof(Real)) SolverPose {
 };
 static_assert(sizeof(SolverPose) == 16 * sizeof(Real));
 
-struct Velocity;       // solve/common/velocities.h
-struct WholeFriction;  // solve/common/whole_friction.h
+struct Velocity;          // solve/common/velocities.h
+struct ManifoldFriction;  // solve/common/manifold_friction.h
 
-// The numbers that a policy makes of a Row.
+// The numbers that a policy derives from a Row.
 struct RowNumbers {
-    Real c = 0;       // wanted J v, m/s or rad/s
-    Real C = 0;       // softness of p: cfm / h
+    Real c = 0;       // target J v, m/s or rad/s
+    Real C = 0;       // compliance of p: cfm / h
     Real lo = -kInf;  // bounds of p; for rows with a parent: hi is the friction coefficient, lo = -hi
     Real hi = kInf;
     Real p = 0;       // impulse: warm start in, answer out
@@ -59,58 +60,59 @@ struct RowBlock {
     int first = 0;
     int count = 0;
     int body1 = 0;         // index into bodies
-    int body2 = -1;        // below zero: the world, as the part -1 - body2 of the system sees it
+    int body2 = -1;        // below zero: the world of part -1 - body2 of the system
     bool contact = false;  // rows of one contact point with these arms: normal, tangents, then rolling rows
     ContactArms arms;
     RowForm form = RowForm::kFree;  // of a joint's rows
-    bool followed = false;          // by a solver with inner steps that keeps the rows up to date itself
+    bool followed = false;          // by a solver with substeps that keeps the rows up to date itself
 };
 
 // Islands that are solved together, because each alone would leave most lanes empty, are parts of one system
-// and share nothing: not even the world, so that what is not a number in one of them stays there. Each part
+// and share nothing. They do not even share the world, so that a NaN in one of them stays there. Each part
 // ends before these.
 struct SystemPart {
-    int bodies = 0, blocks = 0, manifolds = 0, patches = 0;
+    int bodies = 0, blocks = 0, joint_manifolds = 0, contact_manifolds = 0;
 };
 
 struct RowSystem {
     Real h = 0;
     bool cone = false;  // friction of contacts with both directions is bounded by an ellipse, not a box
-    bool manifold_friction = false;  // manifolds and patches have one friction for all their points
+    bool manifold_friction = false;  // a manifold has one friction for all their points
     std::span<SolverBody> bodies;
     std::span<Row> rows;
-    std::span<RowNumbers> numbers;             // parallel to rows
-    std::span<RowBlock> blocks;                // in joint order, covering rows without gaps
-    ManifoldList contacts;                     // beside the rows; of solvers that take manifolds, else empty
-    std::span<Patch* const> patches;           // likewise, of solvers that take patches
-    std::span<const SystemPart> parts;         // none: all is one
-    std::span<const WholeFriction> frictions;  // of what has been solved: one for several points each
-    std::span<SolverPose> poses;  // with inner steps and blocks: of the bodies, then of the worlds
+    std::span<RowNumbers> numbers;     // parallel to rows
+    std::span<RowBlock> blocks;        // in joint order, covering rows without gaps
+    JointManifoldList joint_contacts;  // for solvers that take them, else empty; not among the rows
+    std::span<ContactManifold* const> contact_manifolds;  // likewise
+    std::span<const SystemPart> parts;                    // none: all is one
+    std::span<const ManifoldFriction> frictions;  // of the solution: one friction for several points each
+    std::span<SolverPose> poses;  // with substeps and blocks: of the bodies, then of the worlds
 
     int worlds() const { return parts.empty() ? 1 : int(parts.size()); }
     SystemPart begin_of(int part) const { return part > 0 ? parts[std::size_t(part - 1)] : SystemPart{}; }
     SystemPart end_of(int part) const
     {
         if (!parts.empty()) return parts[std::size_t(part)];
-        return {int(bodies.size()), int(blocks.size()), int(contacts.manifolds.size()), int(patches.size())};
+        return {int(bodies.size()), int(blocks.size()), int(joint_contacts.manifolds.size()),
+                int(contact_manifolds.size())};
     }
 };
 
-// How a solver with inner steps drives the model between its solves. Implemented by step/, which knows
-// joints.
+// How a solver with substeps drives the model between its solves. Implemented by step/, which knows joints.
 struct Substeps {
     void* model = nullptr;
     // v += h M^-1 f with gravity and gyroscopic torque.
     void (*apply_forces)(void* model, Velocity* bodies, Real h) = nullptr;
-    // x += h v, and bodies turn; spins above a body's limit are cut. `system.poses` follow, and nothing else.
+    // x += h v, and bodies rotate; angular velocities above a body's limit are cut. Updates `system.poses`
+    // and nothing else.
     void (*advance)(void* model, RowSystem& system, Velocity* bodies, Real h) = nullptr;
-    // The bodies themselves, and the inertia in the SolverBodies, follow the poses.
+    // Updates the bodies themselves and the inertia in the SolverBodies to the poses.
     void (*settle)(void* model, RowSystem& system) = nullptr;
-    // Rewrites Jacobians and errors of the rows at the present pose, but for those that are followed and
-    // those of contacts; then all has settled. Row counts, kinds and bounds stay.
+    // Settles everything and rewrites Jacobians and errors of the rows at the present pose, except those that
+    // are followed and those of contacts. Numbers of rows, kinds and bounds do not change.
     void (*refresh)(void* model, RowSystem& system) = nullptr;
-    // Contact rows act at one point of the present pose again: what is applied then keeps angular momentum.
-    // Everything has settled.
+    // After everything has settled: contact rows act at one point of the present pose again, so that impulses
+    // conserve angular momentum.
     void (*gather_contacts)(void* model, RowSystem& system) = nullptr;
 };
 
@@ -133,8 +135,8 @@ inline void apply_impulse(const Row& r, Real dp, SolverBody& a, SolverBody* b)
     }
 }
 
-// J M^-1 J^T of one row, without C.
-inline Real row_mobility(const Row& r, const SolverBody& a, const SolverBody* b)
+// The inverse effective mass J M^-1 J^T of one row, without C.
+inline Real inverse_effective_mass(const Row& r, const SolverBody& a, const SolverBody* b)
 {
     Real s = a.inv_mass * length2(r.lin1) + dot(r.ang1, a.inv_inertia * r.ang1);
     if (b) s += b->inv_mass * length2(r.lin2) + dot(r.ang2, b->inv_inertia * r.ang2);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What a joint sees of a step: the numbers of the world it may need, a place to write up to six rows, and a
-// place for forces that it applies outright (a motor that works against its own stop, for instance).
+// What a joint sees of a step: the numbers of the world that it may need, a place for up to six rows, and a
+// place for forces that it applies directly (for instance a motor that works against its own stop).
 #pragma once
 
 #include "base/check.h"
@@ -15,9 +15,9 @@ struct StepInfo {
     Real fps = 0;                 // 1/h
     Real erp = 0;                 // of the world
     Real cfm = 0;                 // of the world
-    Real contact_layer = 0;       // depth that contacts are allowed to keep, m
-    Real contact_max_vel = kInf;  // cap of a contact's correcting velocity, m/s
-    bool inner = false;           // an inner pose of a step already begun: row counts must not change
+    Real contact_layer = 0;       // depth that contacts may keep, m
+    Real contact_max_vel = kInf;  // limit of a contact's correcting velocity, m/s
+    bool inner = false;           // a pose within a step that has begun: the number of rows must not change
 };
 
 class RowWriter {
@@ -27,7 +27,7 @@ class RowWriter {
     const StepInfo& info() const { return info_; }
     int count() const { return count_; }
 
-    // A fresh row with the world's ERP and CFM and no bounds.
+    // A new row with the world's ERP and CFM and no bounds.
     Row& row(const Jacobian& J, Real error = 0, RowKind kind = RowKind::kLock)
     {
         EPODE_ASSERT(count_ < kMaxJointRows);
@@ -38,20 +38,20 @@ class RowWriter {
         r.cfm = info_.cfm;
         r.speed = 0;
         r.cap = kInf;
-        r.rebound = 0;
+        r.restitution_velocity = 0;
         r.lo = -kInf, r.hi = kInf;
         r.parent = -1;
         r.kind = kind;
-        r.rebounds = r.soft = false;
+        r.has_restitution = r.soft = false;
         return r;
     }
 
-    // All rows so far and to come are those of one contact point: J = [d, r1 x d, -d, -(r2 x d)] for normal
+    // All rows, written and to come, belong to one contact point: J = [d, r1 x d, -d, -(r2 x d)] for normal
     // and tangents. Solvers that pack contacts need the arms and not the products.
     void contact_at(Vec3 r1, Vec3 r2) { arms_ = {r1, r2}; }
     const ContactArms& arms() const { return arms_; }
 
-    // The first three rows, and those behind them, are of this form (rows/row.h), with these arms.
+    // The first three rows and those after them have this form (rows/row.h), with these arms.
     void point_at(Vec3 r1, Vec3 r2, RowForm form)
     {
         EPODE_ASSERT(count_ == 0);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Vectors and quaternions whose components are vectors of the machine, one lane per object. V: of Reals or of
-// floats. In an unnamed namespace for the reason given in simd/vectors.h.
+// Vectors and quaternions whose components are machine vectors V of Reals or floats, one lane per object. In
+// an unnamed namespace for the reason given in simd/vectors.h.
 #pragma once
 
 namespace epode {

@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Eight floats side by side, whatever Real is: for data relative to bodies, where float is enough and twice
-// as many numbers fit a register and a cache line. As with Lanes, lanes are independent problems and their
-// number is the same on every machine.
+// as many numbers fit a register and a cache line. As with Lanes, every lane is an independent problem and
+// the number of lanes is the same on every machine.
 #pragma once
 
 #include "simd/lanes.h"
@@ -20,7 +20,7 @@ struct alignas(kFloatLanes * sizeof(float)) FloatLanes {
     float& operator[](int lane) { return at[lane]; }
 };
 
-// Sixteen: for long chains of operations, two of which hide each other's waiting.
+// Sixteen: for long chains of operations. Two chains hide each other's latency.
 inline constexpr int kBroadLanes = 16;
 
 struct alignas(kBroadLanes * sizeof(float)) BroadLanes {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Computing with floats in lanes: eight of them in a vector with AVX2 and better, with AVX-512 also sixteen,
-// four elsewhere, and several vectors side by side. Operation by operation the same as for one lane, nothing
-// fused, so the bits are those of every other machine. As in simd/vectors.h everything is in an unnamed
-// namespace: one text compiled for several machines must not be merged by the linker.
+// Arithmetic on lanes of floats: a vector holds eight of them with AVX2 and better, with AVX-512 also
+// sixteen, elsewhere four; several vectors may stand side by side. Each operation is the same as for one lane
+// and nothing is fused, so the bits are those of every other machine. As in simd/vectors.h everything is in
+// an unnamed namespace: one text compiled for several machines must not be merged by the linker.
 #pragma once
 
 #include "simd/components.h"
@@ -93,7 +93,7 @@ EPODE_LANEWISE Floats<V, n> operator-(const Floats<V, n>& x)
     return out;
 }
 
-// Of these, x is the answer when the first argument is not a number.
+// If the first argument is NaN, these return x.
 template <typename V, int n>
 EPODE_LANEWISE Floats<V, n> at_most(const Floats<V, n>& bound, const Floats<V, n>& x)
 {
@@ -135,7 +135,7 @@ EPODE_LANEWISE FloatVector root_of(const FloatVector& x)
 }
 
 #if defined(__AVX512F__)
-// Masked, since gcc 12 takes the other form for a use of what is uninitialized.
+// Masked, because gcc 12 reports the unmasked intrinsic as a use of an uninitialised value.
 EPODE_LANEWISE BroadVector root_of(const BroadVector& x)
 {
     return BroadVector(_mm512_maskz_sqrt_ps(__mmask16(-1), __m512(x)));
@@ -192,8 +192,8 @@ EPODE_LANEWISE Floats3<V, n> operator*(const FloatsSym3<V, n>& s, const Floats3<
             s.xz * a.x + s.yz * a.y + s.zz * a.z};
 }
 
-// Transposing rows of four that lie in the fours of lanes of two vectors, in each four:
-// low_pairs a0 b0 a1 b1, high_pairs a2 b2 a3 b3, first_halves a0 a1 b0 b1, second_halves a2 a3 b2 b3.
+// Transposes rows of four. Rows lie in groups of four lanes of two vectors; in each group:
+//   low_pairs a0 b0 a1 b1, high_pairs a2 b2 a3 b3, first_halves a0 a1 b0 b1, second_halves a2 a3 b2 b3.
 #define EPODE_SHUFFLES(V, low, high, first, second)                                                        \
     EPODE_LANEWISE V low_pairs(const V& a, const V& b) { return __builtin_shufflevector(a, b, low); }      \
     EPODE_LANEWISE V high_pairs(const V& a, const V& b) { return __builtin_shufflevector(a, b, high); }    \
@@ -219,7 +219,7 @@ EPODE_SHUFFLES(FloatVector, EPODE_LOW, EPODE_HIGH, EPODE_FIRST, EPODE_SECOND)
 EPODE_SHUFFLES(BroadVector, EPODE_BROAD_LOW, EPODE_BROAD_HIGH, EPODE_BROAD_FIRST, EPODE_BROAD_SECOND)
 #endif
 
-// row(i), and with wider vectors row(i + 4) behind it, and row(i + 8) and row(i + 12).
+// row(i); with wider vectors row(i + 4) follows it, then row(i + 8) and row(i + 12).
 template <typename Row>
 EPODE_LANEWISE FloatVector rows_at(const FloatVector*, const Row& row, int i)
 {
@@ -230,7 +230,7 @@ EPODE_LANEWISE FloatVector rows_at(const FloatVector*, const Row& row, int i)
 #endif
 }
 
-// put(i, row), the other way round.
+// The inverse: put(i, row).
 template <typename Put>
 EPODE_LANEWISE void put_rows_at(const FloatVector& rows, const Put& put, int i)
 {
@@ -319,7 +319,7 @@ struct KeepNone {
     EPODE_LANEWISE constexpr KeepNone operator+(int) const { return {}; }
 };
 
-// The unused fourth number becomes zero; places with `keep` are left alone.
+// The unused fourth number becomes zero. Addresses with `keep` are not written.
 template <typename V, int n, typename Keep>
 EPODE_LANEWISE void scatter_floats(const Floats3<V, n>& value, float* const* at, const Keep& keep)
 {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Computing with Lanes, or with FloatLanes, one vector of them at a time, and not two as in a Register: for
-// what is chains enough by itself, as the rows of a joint or the components of a rotation are. As everything
-// in simd/vectors.h, this is compiled once per kind of machine and leaves the bits of the scalar formulas.
+// Arithmetic on Lanes or FloatLanes, one machine vector of them at a time (a Register is two): for work that
+// has enough independent chains of its own, such as the rows of a joint or the components of a rotation. Like
+// everything in simd/vectors.h it is compiled once per kind of machine and gives the bits of the scalar
+// formulas.
 #pragma once
 
 #include "simd/float_registers.h"
@@ -12,7 +13,7 @@
 namespace epode {
 namespace {
 
-// What lanes of a kind are computed with, `kWidth` of them at once.
+// The machine vector for a kind of lanes; it holds `kWidth` of them.
 template <typename L>
 struct LaneVector;
 
@@ -67,20 +68,20 @@ EPODE_LANEWISE Vector3Of<V> times(const V& s, const Vector3Of<V>& a)
 }
 
 template <typename V>
-EPODE_LANEWISE V inner(const Vector3Of<V>& a, const Vector3Of<V>& b)
+EPODE_LANEWISE V dot(const Vector3Of<V>& a, const Vector3Of<V>& b)
 {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
 template <typename V>
-EPODE_LANEWISE Vector3Of<V> outer(const Vector3Of<V>& a, const Vector3Of<V>& b)
+EPODE_LANEWISE Vector3Of<V> cross(const Vector3Of<V>& a, const Vector3Of<V>& b)
 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-// xx, yy, zz, xy, xz, yz times a.
+// The symmetric matrix xx, yy, zz, xy, xz, yz times a.
 template <typename L>
-EPODE_LANEWISE Vector3Of<VectorOf<L>> tensor(const L* s, int part, const Vector3Of<VectorOf<L>>& a)
+EPODE_LANEWISE Vector3Of<VectorOf<L>> symmetric_times(const L* s, int part, const Vector3Of<VectorOf<L>>& a)
 {
     const VectorOf<L> xy = get(s[3], part), xz = get(s[4], part), yz = get(s[5], part);
     return {get(s[0], part) * a.x + xy * a.y + xz * a.z, xy * a.x + get(s[1], part) * a.y + yz * a.z,
@@ -146,18 +147,18 @@ EPODE_LANEWISE Vector4Of<V> product(const Vector4Of<V>& a, const Vector4Of<V>& b
             a.w * b.y + a.y * b.w + a.z * b.x - a.x * b.z, a.w * b.z + a.z * b.w + a.x * b.y - a.y * b.x};
 }
 
-// a as the unit quaternion q turns it: a + w t + q x t, t = 2 q x a.
+// a rotated by the unit quaternion q: a + w t + q x t, t = 2 q x a.
 template <typename V>
 EPODE_LANEWISE Vector3Of<V> turned_by(const Vector4Of<V>& q, const Vector3Of<V>& a)
 {
-    const Vector3Of<V> u = outer(vec_of(q), a), t = plus(u, u);
-    return plus(plus(a, times(q.w, t)), outer(vec_of(q), t));
+    const Vector3Of<V> u = cross(vec_of(q), a), t = plus(u, u);
+    return plus(plus(a, times(q.w, t)), cross(vec_of(q), t));
 }
 
 typedef Real RealRow __attribute__((vector_size(4 * sizeof(Real))));
 
-// Four neighbours in a structure, aligned as one number. (Types of vectors that say so lose it on their way
-// through references and templates.)
+// Four neighbours in a structure that is aligned as one number. (Vector types with such an alignment lose it
+// when they pass through references and templates.)
 template <typename Row>
 EPODE_LANEWISE void read_row(Row& to, const void* from, std::size_t offset)
 {
@@ -173,7 +174,7 @@ EPODE_LANEWISE FloatRow rounded_row(const void* from, std::size_t offset)
     return __builtin_convertvector(row, FloatRow);
 }
 
-// Compilers make two conversions and a detour through memory of it where one instruction would do.
+// Compilers make two conversions and a detour through memory of this, where one instruction is enough.
 EPODE_LANEWISE void add_widened(const FloatRow& change, RowInMemory& to)
 {
 #if defined(__AVX2__) && !defined(dIDESINGLE)

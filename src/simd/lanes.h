@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Numbers of kLanes independent problems side by side in memory: how data lies, not how it is computed with.
-// Lanes are never parts of one vector of space, so the arithmetic per lane is that of the scalar formula,
-// operation by operation. kLanes is the same on every machine, because packing, and with it the answer, must
-// not depend on it; how many lanes one register takes is the business of simd/vectors.h.
+// The numbers of kLanes independent problems side by side in memory: how data lie, not how they are computed
+// with. A lane is never a component of a space vector, so the arithmetic per lane is the scalar formula,
+// operation by operation. kLanes is the same on every machine, because the packing, and with it the result,
+// must not depend on the machine. How many lanes a register holds is the business of simd/vectors.h.
 #pragma once
 
 #include "math/mat.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The compiler's library asks the processor, and whether the operating system keeps such registers (XCR0).
-// AVX-512 is here what every processor of x86-64-v4 has. In a build with EPODE_LOWERED_AVX512, its kernels
-// are made of AVX2's instructions: their arithmetic can be tested anywhere.
+// The compiler's library queries the processor and whether the operating system saves such registers (XCR0).
+// AVX-512 here means what every x86-64-v4 processor has. In a build with EPODE_LOWERED_AVX512 those kernels
+// are compiled to AVX2 instructions, so that their arithmetic can be tested on any machine.
 #include "simd/machine.h"
 
 #include <cstdlib>
@@ -34,8 +34,8 @@ std::size_t runnable_kernels()
 #endif
 }
 
-// A program with other rights than its caller's (set-user-ID) does not listen to the caller's environment.
-const char* wish(const char* name)
+// A program with other rights than its caller's (set-user-ID) ignores the caller's environment.
+const char* environment_value(const char* name)
 {
 #if defined(__linux__)
     return secure_getenv(name);
@@ -47,7 +47,7 @@ const char* wish(const char* name)
 std::size_t chosen_kernels()
 {
     const std::size_t all = runnable_kernels();
-    const char* wanted = wish("EPODE_KERNELS");
+    const char* wanted = environment_value("EPODE_KERNELS");
     if (!wanted || std::strcmp(wanted, "best") == 0) return all;
     for (std::size_t i = 0; i < all; ++i)
         if (std::strcmp(wanted, kNames[i]) == 0) return i + 1;

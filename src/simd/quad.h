@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Four Reals at a time in vectors of 16 bytes, which every machine we serve has: one vector of floats, two of
-// doubles. For short work on the spot, where an answer is wanted at once and not eight of them: the axes of a
-// box, the corners of a face. Lanes never mix and nothing is fused: the bits are those of the scalar formula.
-// Wider vectors were rejected: code for other machines would have to be chosen by a call that costs as much
-// as it saves. Everything is in an unnamed namespace for the reason given in simd/vectors.h.
+// Four Reals at a time in vectors of 16 bytes, which every supported machine has: one vector of floats, two
+// of doubles. For short work inside scalar code that needs one answer at once and not eight: the axes of a
+// box, the corners of a face. Lanes never mix and nothing is fused, so the bits are those of the scalar
+// formula. Wider vectors were rejected: kernels for other machines are selected by a call, which costs as
+// much as they save. Everything is in an unnamed namespace for the reason given in simd/vectors.h.
 #pragma once
 
 #include <cmath>
@@ -91,7 +91,7 @@ EPODE_LANEWISE Quad if_less(const Quad& a, const Quad& b, const Quad& yes, const
 #endif
 }
 
-// Not by way of memcpy, after which compilers keep a copy in memory.
+// Not through memcpy, after which compilers keep a copy in memory.
 typedef QuadPart QuadPartAnywhere __attribute__((aligned(sizeof(Real)), may_alias));
 EPODE_LANEWISE Quad load_quad(const Real* p)
 {
@@ -111,7 +111,7 @@ EPODE_LANEWISE void store_quad(Real* p, const Quad& a)
 #endif
 }
 EPODE_LANEWISE Quad quad(Real a) { return quad(a, a, a, a); }
-// get(0) ... get(count - 1), one to four; what is missing repeats the last.
+// get(0) ... get(count - 1), one to four of them; missing ones repeat the last.
 template <typename Get>
 EPODE_LANEWISE Quad quad_of(int count, const Get& get)
 {
@@ -126,7 +126,7 @@ EPODE_LANEWISE Quad widen(const FloatQuad& a) { return {a}; }
 EPODE_LANEWISE FloatQuad narrow(const Quad& a) { return a.x; }
 #else
 #if defined(__SSE2__) && !defined(__clang__)
-// Of the first two. GCC 12 converts pairs of floats one by one.
+// Widens the first two floats. GCC 12 converts pairs of floats one by one.
 EPODE_LANEWISE QuadPart widen_pair(const FloatQuad& a) { return __builtin_ia32_cvtps2pd(a); }
 EPODE_LANEWISE FloatQuad narrow_pair(const QuadPart& a) { return __builtin_ia32_cvtpd2ps(a); }
 #else

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Computing with Lanes a Register at a time. That is two vectors (simd/vectors.h): a visit to a contact is
-// one long chain in which every operation waits for the one before, so the units idle half of the time unless
-// a second, independent chain runs in between; where one vector takes all lanes, there is no second. Where a
-// Register takes fewer lanes than kLanes, a kernel runs kParts times, each time over the part of the lanes
-// that fits. Whatever the width, the bits are the same.
+// Arithmetic on Lanes, one Register at a time. A Register is two machine vectors (simd/vectors.h): a visit to
+// a contact is one long dependency chain, and the execution units idle half of the time unless a second,
+// independent chain runs in between. Where one vector holds all lanes there is no second one. Where a
+// Register holds fewer lanes than kLanes, a kernel runs kParts times, each time over the lanes that fit. The
+// bits do not depend on the width.
 #pragma once
 
 #include "simd/vectors.h"
@@ -53,7 +53,7 @@ EPODE_LANEWISE Register operator*(const Register& x, const Register& y) { return
 EPODE_LANEWISE Register operator/(const Register& x, const Register& y) { return {x.a / y.a, x.b / y.b}; }
 EPODE_LANEWISE Register operator-(const Register& x) { return {-x.a, -x.b}; }
 
-// Of these, x is the answer when the first argument is not a number.
+// If the first argument is NaN, these return x.
 EPODE_LANEWISE Register at_most(const Register& bound, const Register& x)
 {
     return {bound.a < x.a ? bound.a : x.a, bound.b < x.b ? bound.b : x.b};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Vectors of the machine that the including file is compiled for, to compute with Lanes: all eight with
-// AVX-512, 32 bytes with AVX2, otherwise the 16 that every machine we serve has (SSE2, NEON). The order of
-// operations does not change with the width, and nothing is fused, so neither do the bits.
+// Vectors of the machine that the including file is compiled for: with AVX-512 one vector holds all eight
+// lanes, with AVX2 it has 32 bytes, otherwise the 16 bytes that every supported machine has (SSE2, NEON). The
+// order of operations does not depend on the width and nothing is fused, so the bits do not either.
 //
 // One text compiled for several machines must not be merged by the linker: everything here is in an unnamed
 // namespace, and code for a better machine than the baseline calls no shared inline function at all.
@@ -16,7 +16,7 @@
 namespace epode {
 namespace {
 
-#if !defined(EPODE_VECTOR_LANES)  // 8 where the file is one for AVX-512
+#if !defined(EPODE_VECTOR_LANES)  // 8 in files that are compiled for AVX-512
 #if defined(__AVX2__) || defined(dIDESINGLE)
 #define EPODE_VECTOR_LANES 4
 #else
@@ -28,7 +28,7 @@ constexpr int kVector = EPODE_VECTOR_LANES;
 typedef Real Vector __attribute__((vector_size(kVector * sizeof(Real))));
 typedef Vector VectorInMemory __attribute__((may_alias));
 typedef Real PairInMemory __attribute__((vector_size(2 * sizeof(Real)), may_alias));
-// At any place.
+// At any alignment.
 typedef Real AnyPair __attribute__((vector_size(2 * sizeof(Real)), may_alias, aligned(sizeof(Real))));
 typedef Real AnyRow __attribute__((vector_size(4 * sizeof(Real)), may_alias, aligned(sizeof(Real))));
 typedef Real RowInMemory __attribute__((vector_size(4 * sizeof(Real)), may_alias));
@@ -44,7 +44,7 @@ EPODE_LANEWISE void put(Lanes& x, int part, const Vector& value)
     reinterpret_cast<VectorInMemory*>(x.at)[part] = value;
 }
 
-// Square roots are exact everywhere; compilers make one instruction of this.
+// Square roots are correctly rounded everywhere; compilers make one instruction of this.
 EPODE_LANEWISE Vector roots(const Vector& x)
 {
     Vector out{};
@@ -90,8 +90,8 @@ EPODE_LANEWISE Vector4 transposed(const Vector4& m)
 }
 #endif
 
-// Between four numbers w, x, y, z at the place of each lane, aligned as four where they are written, and one
-// vector per component: small matrices are transposed instead of moving number by number.
+// Converts between four numbers w, x, y, z at the address of each lane (aligned as four where they are
+// written) and one vector per component. Small matrices are transposed, instead of moving number by number.
 EPODE_LANEWISE Vector4 read_quads(const Real* const* at)
 {
 #if EPODE_VECTOR_LANES == 4

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What every solver is: a function from a RowSystem with numbers for the whole step (rows/policy.h, p = warm
-// start) to velocities and impulses. Steppers differ in this one argument.
+// The interface of every solver: a function from a RowSystem with numbers for the whole step (rows/policy.h,
+// p = warm start) to velocities and impulses. Steppers differ in this one argument.
 #pragma once
 
 #include <cstdint>
@@ -14,21 +14,21 @@
 
 namespace epode {
 
-class PlanCache;
+class SymbolicCache;
 
 struct SolverSettings {
     int iterations = 20;
     Real w = Real(1.3);      // over-relaxation
-    std::uint64_t seed = 0;  // function of world, step and island: for shuffles
+    std::uint64_t seed = 0;  // a function of world, step and island: for shuffles
     const Substeps* substeps = nullptr;
     bool want_residual = false;      // costs an evaluation
-    std::span<Real> part_residuals;  // with it, of a system of several parts
-    bool patches = false;            // the world manages contacts: islands may come with patches
+    std::span<Real> part_residuals;  // also of each part of a system of several
+    bool contact_manifolds = false;  // the world manages contacts: islands may come with contact manifolds
     Tasks tasks;                     // for solvers with inner_tasks
-    // Of the exact solver: natural residual from which on it spends time on more digits; 1e-9 it always
-    // gives.
-    double careful_above = 1e-10;
-    PlanCache* plans = nullptr;  // what the world keeps of structures that were analysed before
+    // Exact solver: the natural residual above which it refines the answer with more digits; it always
+    // reaches 1e-9.
+    double refine_above = 1e-10;
+    SymbolicCache* symbolic_cache = nullptr;  // symbolic factors of earlier steps, kept by the world
 };
 
 struct SolveReport {
@@ -41,12 +41,12 @@ struct SolveReport {
 
 struct Solver {
     const char* name;
-    bool substeps = false;       // advances poses itself through SolverSettings::substeps
-    bool needs_inertia = false;  // reads SolverBody::mass and inertia, not only the inverses
-    bool inner_tasks = false;    // has work for several workers in one large island
-    bool manifolds = false;      // takes RowSystem::contacts and parts; others are given rows only
-    bool cones = false;          // knows RowSystem::cone and manifold_friction
-    bool takes_patches = false;  // solves RowSystem::patches, and parts; others want rows
+    bool substeps = false;           // advances poses itself through SolverSettings::substeps
+    bool needs_inertia = false;      // reads SolverBody::mass and inertia, not only their inverses
+    bool inner_tasks = false;        // has work for several workers in one large island
+    bool joint_manifolds = false;    // takes RowSystem::joint_contacts and parts; others are given rows only
+    bool cones = false;              // knows RowSystem::cone and manifold_friction
+    bool contact_manifolds = false;  // solves RowSystem::contact_manifolds, and parts; others want rows
     Real warm_share =
         1;  // of the last step's impulses that it starts from when the world asks for warm starting
     int settling_factor =

@@ -10,10 +10,10 @@
 
 #include "dynamics/exact_spin.h"
 #include "dynamics/integrate.h"
-#include "joints/contact_manifolds.h"
+#include "joints/joint_manifolds.h"
 #include "rows/policy.h"
-#include "step/patch_rows.h"
-#include "tasks/fetched.h"
+#include "step/manifold_rows.h"
+#include "tasks/prefetched.h"
 
 namespace epode {
 namespace {
@@ -57,7 +57,7 @@ bool sort_joints(const Island& island, bool manifolds, Arena& arena, IslandWork&
     if (arena.failed()) return false;
     work.contacts = sorted.first(contacts), work.joints = sorted.subspan(contacts);
     std::size_t contact = 0, other = 0;
-    for_each_fetched<1>(std::span<Joint* const>(joints), [&](std::size_t, Joint& joint) {
+    for_each_prefetched<1>(std::span<Joint* const>(joints), [&](std::size_t, Joint& joint) {
         (manifolds && joint.plain ? work.contacts[contact++] : work.joints[other++]) = &joint;
     });
     return true;
@@ -68,10 +68,10 @@ void emit_rows(const StepInfo& info, std::span<Joint*> joints, IslandWork& work,
 {
     constexpr std::size_t kAhead = 4;
     for (std::size_t i = 0; i < joints.size(); ++i) {
-        if (i + 2 * kAhead < joints.size()) fetch<6>(joints[i + 2 * kAhead]);
+        if (i + 2 * kAhead < joints.size()) prefetch<6>(joints[i + 2 * kAhead]);
         if (i + kAhead < joints.size())
             for (const JointNode& node : joints[i + kAhead]->node)
-                if (node.body) fetch<4>(node.body->pos);
+                if (node.body) prefetch<4>(node.body->pos);
         Joint* const joint = joints[i];
         RowWriter out(&work.system.rows[std::size_t(rows)], info);
         joint->type->emit(*joint, out);
@@ -100,13 +100,13 @@ bool mark_parts(Arena& arena, IslandWork& work)
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const int world = -1 - int(i);
         end.bodies += int(work.members[i].bodies.size());
-        if (!system.patches.empty()) end.patches += int(work.members[i].patches.size());
+        if (!system.contact_manifolds.empty()) end.contact_manifolds += int(work.members[i].manifolds.size());
         const auto take = [&](auto& items, int& at) {
             for (; std::size_t(at) < items.size() && items[std::size_t(at)].body1 < end.bodies; ++at)
                 if (int& body2 = items[std::size_t(at)].body2; body2 < 0) body2 = world;
         };
         take(system.blocks, end.blocks);
-        take(system.contacts.manifolds, end.manifolds);
+        take(system.joint_contacts.manifolds, end.joint_manifolds);
         parts[i] = end;
     }
     system.parts = parts;
@@ -174,24 +174,25 @@ bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Ar
     const bool forces_known = island.joints.empty();
     const std::size_t first = undo ? undo->first_of(island.bodies) : 0;
     work.system.h = h;
-    if (!sort_joints(island, solver.manifolds, arena, work)) return false;
+    if (!sort_joints(island, solver.joint_manifolds, arena, work)) return false;
     const std::span<Joint*> joints = work.joints;
     const int joint_count = int(joints.size()), contact_count = int(work.contacts.size());
-    const bool as_rows = !solver.takes_patches;
-    const int points = as_rows ? patch_point_count(island) : 0;
+    const bool as_rows = !solver.contact_manifolds;
+    const int points = as_rows ? manifold_point_count(island) : 0;
     work.system.bodies = arena.take<SolverBody>(int(island.bodies.size()));
-    work.system.contacts.manifolds = arena.take<Manifold>(contact_count);
-    work.system.contacts.points = arena.take<ManifoldPoint>(contact_count);
+    work.system.joint_contacts.manifolds = arena.take<JointManifold>(contact_count);
+    work.system.joint_contacts.points = arena.take<JointManifoldPoint>(contact_count);
     work.system.blocks = arena.take<RowBlock>(joint_count + points);
-    work.system.rows = arena.take<Row>(joint_count * kMaxJointRows + (as_rows ? patch_row_count(island) : 0));
-    const auto patches = arena.take<Patch*>(as_rows ? 0 : int(island.patches.size()));
+    work.system.rows =
+        arena.take<Row>(joint_count * kMaxJointRows + (as_rows ? manifold_row_count(island) : 0));
+    const auto manifolds = arena.take<ContactManifold*>(as_rows ? 0 : int(island.manifolds.size()));
     if (arena.failed()) {
         work.joints = work.contacts = {};  // nothing was written there
         return false;
     }
 
     const std::span<Body* const> bodies = island.bodies;
-    for_each_fetched<kLinesOfBody>(tasks, bodies, [&](std::size_t i, Body& body) {
+    for_each_prefetched<kLinesOfBody>(tasks, bodies, [&](std::size_t i, Body& body) {
         if (undo) undo->save(first + i);
         body.island_index = int(i);
         add_gravity(body, world.gravity);
@@ -200,20 +201,20 @@ bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Ar
     int rows = 0, blocks = 0;
     StepInfo info = step_info(world, h);
     if (solver.settling_factor > 1) info.contact_layer = std::max(info.contact_layer, island.kept_depth);
-    write_manifolds(work.contacts, info, work.system.contacts);
+    write_manifolds(work.contacts, info, work.system.joint_contacts);
     emit_rows(info, joints, work, rows, blocks);
     work.joints = work.joints.first(std::size_t(blocks));
-    place_patches(tasks, island);
-    if (as_rows) emit_patches(info, work, rows, blocks);
-    for (std::size_t i = 0; i < patches.size(); ++i) patches[i] = island.patches[i]->patch;
-    work.system.patches = patches;
+    place_manifolds(tasks, island);
+    if (as_rows) emit_manifolds(info, work, rows, blocks);
+    for (std::size_t i = 0; i < manifolds.size(); ++i) manifolds[i] = island.manifolds[i]->manifold;
+    work.system.contact_manifolds = manifolds;
     work.system.blocks = work.system.blocks.first(std::size_t(blocks));
     work.system.rows = work.system.rows.first(std::size_t(rows));
     work.system.numbers = arena.take<RowNumbers>(rows);
     if (arena.failed() || !mark_parts(arena, work)) return false;
 
     if (!forces_known)
-        for_each_fetched<kLinesOfBody>(tasks, bodies, [&](std::size_t i, Body& body) {
+        for_each_prefetched<kLinesOfBody>(tasks, bodies, [&](std::size_t i, Body& body) {
             load_body(world, h, solver, body, work.system.bodies[i]);
         });
     for (const RowBlock& block : work.system.blocks)

@@ -18,9 +18,9 @@ namespace epode {
 struct IslandWork {
     Island island;                    // all members together
     std::span<const Island> members;  // at least one
-    std::span<Joint*> joints;         // of the first blocks of the system: those that gave rows; then patches
-    std::span<Joint*> contacts;       // parallel to system.contacts.points
-    bool contact_feedback = false;    // has any of them?
+    std::span<Joint*> joints;       // of the first blocks of the system: those that gave rows; then manifolds
+    std::span<Joint*> contacts;     // parallel to system.joint_contacts.points
+    bool contact_feedback = false;  // has any of them?
     RowSystem system;
 };
 

@@ -84,7 +84,7 @@ ContactCache::Places ContactCache::places_of(const Pair& pair) const
             quad_of(pair.count, [&](int k) { return Real(at[k].place.z); }), free};
 }
 
-ContactCache::Levers ContactCache::levers_of(const Body& body1, std::span<const ManifoldPoint> points)
+ContactCache::Levers ContactCache::levers_of(const Body& body1, std::span<const JointManifoldPoint> points)
 {
     const int count = int(points.size());
     const Quad x = quad_of(count, [&](int i) { return points[std::size_t(i)].r1.x; }),
@@ -129,12 +129,12 @@ void ContactCache::note_points(int ticket, int count, const Levers& levers)
     for (int i = 0; i < count; ++i) {
         Point& fresh = fresh_.points.data()[ticket + i];
         fresh.place = narrow(levers.place(i)), fresh.friction = {0, 0, 0};
-        fresh.push = 0, fresh.used = false;
+        fresh.normal_impulse = 0, fresh.used = false;
     }
 }
 
 void ContactCache::load(int writer, int ticket, const Body& body1, const Body* body2,
-                        const Manifold& manifold, std::span<ManifoldPoint> points, Real share)
+                        const JointManifold& manifold, std::span<JointManifoldPoint> points, Real share)
 {
     Run& run = fresh_.runs[writer];
     if (run.count == 0) run.first = ticket, run.guess = -1;
@@ -160,18 +160,19 @@ void ContactCache::load(int writer, int ticket, const Body& body1, const Body* b
         if (!old.point) continue;
         old.point->used = true;
         run.guess = old.pair + 1;
-        ManifoldPoint& point = points[std::size_t(i)];
-        point.p[0] = share * Real(old.point->push);
+        JointManifoldPoint& point = points[std::size_t(i)];
+        point.p[0] = share * Real(old.point->normal_impulse);
         point.p[1] = share * dot(widen(old.point->friction), manifold.t1);
         point.p[2] = share * dot(widen(old.point->friction), manifold.t2);
     }
 }
 
-void ContactCache::remember(int ticket, const Manifold& manifold, std::span<const ManifoldPoint> points)
+void ContactCache::remember(int ticket, const JointManifold& manifold,
+                            std::span<const JointManifoldPoint> points)
 {
-    for (const ManifoldPoint& point : points) {
+    for (const JointManifoldPoint& point : points) {
         Point& fresh = fresh_.points[ticket++];
-        fresh.push = float(point.p[0]);
+        fresh.normal_impulse = float(point.p[0]);
         fresh.friction = narrow(point.p[1] * manifold.t1 + point.p[2] * manifold.t2);
     }
 }

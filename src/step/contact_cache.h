@@ -13,7 +13,7 @@
 #include "base/array.h"
 #include "dynamics/body.h"
 #include "math/float3.h"
-#include "rows/manifold.h"
+#include "rows/joint_manifold.h"
 
 namespace epode {
 
@@ -25,10 +25,10 @@ class ContactCache {
     [[nodiscard]] bool begin(int tickets, int writers);
     // Notes a manifold under the tickets ticket, ticket + 1 ... of its points, and writes `share` of what is
     // remembered of them into the points. The tickets of one writer follow each other.
-    void load(int writer, int ticket, const Body& body1, const Body* body2, const Manifold& manifold,
-              std::span<ManifoldPoint> points, Real share);
+    void load(int writer, int ticket, const Body& body1, const Body* body2, const JointManifold& manifold,
+              std::span<JointManifoldPoint> points, Real share);
     // The answer for a manifold that has been loaded under these tickets.
-    void remember(int ticket, const Manifold& manifold, std::span<const ManifoldPoint> points);
+    void remember(int ticket, const JointManifold& manifold, std::span<const JointManifoldPoint> points);
     // The step is over: what it noted is what the next one loads from.
     void end();
     // There was no step: the next one finds what this one has found.
@@ -47,7 +47,7 @@ class ContactCache {
     struct Point {
         Float3 place;     // lever arm from body 1, in its frame
         Float3 friction;  // world impulse
-        float push;       // normal impulse
+        float normal_impulse;
         bool used;
     };
     // What one writer has noted.
@@ -80,7 +80,7 @@ class ContactCache {
         Real x[kManifoldPoints], y[kManifoldPoints], z[kManifoldPoints], within2[kManifoldPoints];
         Vec3 place(int i) const { return {x[i], y[i], z[i]}; }
     };
-    static Levers levers_of(const Body& body1, std::span<const ManifoldPoint> points);
+    static Levers levers_of(const Body& body1, std::span<const JointManifoldPoint> points);
     void note(Run& run, const Wanted& wanted, int ticket, int points);
     bool is_guess(int guess, const Wanted& wanted) const;
     bool fits(const Pair& pair, const Wanted& wanted) const;

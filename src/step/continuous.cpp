@@ -50,7 +50,7 @@ Bond bond_between(const Body& a, const Body* b)
     Bond bond;
     for (const JointNode* n = find_connection(a.joints, b); n; n = find_connection(n->next, b))
         (is_contact(*n->joint) ? bond.contact : bond.other) = true;
-    for (const PatchEdge* e = a.patches; e;) {
+    for (const ManifoldEdge* e = a.manifolds; e;) {
         const int side = e->body[0] == &a ? 0 : 1;
         bond.contact = bond.contact || e->body[1 - side] == b;
         e = e->next[side];

@@ -23,10 +23,10 @@
 namespace epode {
 namespace {
 
-RowNumbers numbers_of(const Row& row, const Substep& step, Real mobility, int block_first)
+RowNumbers numbers_of(const Row& row, const Substep& step, Real inverse_mass, int block_first)
 {
     RowNumbers n = ode_baumgarte(row, step.hs, block_first);
-    const RowAim aim = map_row(row, step, mobility);
+    const RowAim aim = map_row(row, step, inverse_mass);
     n.C = aim.C;
     n.c = wanted_velocity(row, aim.rate);
     if (row.kind == RowKind::kNormal && row.error < 0) n.c = row.error / step.hs;
@@ -81,7 +81,7 @@ void follow_contacts(IslandWork& first, IslandWork& work)
         const SolverBody* b = from.body2 < 0 ? nullptr : &work.system.bodies[std::size_t(from.body2)];
         Row& normal = first.system.rows[std::size_t(to.first)];
         normal.error -= work.system.h * row_velocity(work.system.rows[std::size_t(from.first)], a, b);
-        normal.rebounds = false;
+        normal.has_restitution = false;
         for (int i = 0; i < from.count; ++i)
             first.system.numbers[std::size_t(to.first + i)].p =
                 work.system.numbers[std::size_t(from.first + i)].p;
@@ -134,7 +134,8 @@ void ExactSubsteps::map(RowSystem& system) const
         const SolverBody* b = block.body2 < 0 ? nullptr : &system.bodies[std::size_t(block.body2)];
         for (int i = block.first; i < block.first + block.count; ++i) {
             const Row& row = system.rows[std::size_t(i)];
-            system.numbers[std::size_t(i)] = numbers_of(row, step, row_mobility(row, a, b), block.first);
+            system.numbers[std::size_t(i)] =
+                numbers_of(row, step, inverse_effective_mass(row, a, b), block.first);
         }
     }
 }
@@ -151,7 +152,7 @@ bool ExactSubsteps::run(IslandWork& first, const SolverSettings& settings, Solve
         follow_contacts(first, work);
         carry_out(work);
         if (i == n_ - 1 && world_.projection_iterations > 0)
-            projected = project_poses(world_, work, settings.tasks, *settings.plans, arena_);
+            projected = project_poses(world_, work, settings.tasks, *settings.symbolic_cache, arena_);
     }
     store_feedback();
     return true;

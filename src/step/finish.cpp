@@ -8,7 +8,7 @@
 #include "collide/space.h"
 #include "dynamics/integrate.h"
 #include "step/link.h"
-#include "tasks/fetched.h"
+#include "tasks/prefetched.h"
 
 namespace epode {
 namespace {
@@ -17,7 +17,7 @@ constexpr int kAhead = 10;
 constexpr std::size_t kMany = 8;  // a part of 1 / kMany
 
 // What one() reads and writes of a body.
-void fetch_body(const Body& body) { fetch<1>(&body), fetch<3>(body.lvel); }
+void prefetch_body(const Body& body) { prefetch<1>(&body), prefetch<3>(body.lvel); }
 
 void tell_program(Body& body)
 {
@@ -30,8 +30,8 @@ void empty(Body& body)
     damp(body);
     store(body.facc, {});
     store(body.tacc, {});
-    body.patched = body.patches != nullptr;
-    body.patches = nullptr;
+    body.had_manifolds = body.manifolds != nullptr;
+    body.manifolds = nullptr;
 }
 
 }  // namespace
@@ -51,8 +51,8 @@ void Finish::at_once(std::span<Body* const> piece, const Tasks& tasks)
     const auto first = std::size_t(piece.data() - bodies_.data());
     tasks.in_ranges(int(piece.size()), kObjectRange, [&](int begin, int end) {
         for (int i = begin; i < end; ++i) {
-            if (i + 2 * kAhead < end) fetch_body(*piece[std::size_t(i + 2 * kAhead)]);
-            if (i + kAhead < end) fetch_geoms(*piece[std::size_t(i + kAhead)]);
+            if (i + 2 * kAhead < end) prefetch_body(*piece[std::size_t(i + 2 * kAhead)]);
+            if (i + kAhead < end) prefetch_geoms(*piece[std::size_t(i + kAhead)]);
             Body& body = *piece[std::size_t(i)];
             if (body.tells || !mark_geoms(body)) {
                 any_left_.store(true, std::memory_order_relaxed);
@@ -70,8 +70,8 @@ void Finish::rest()
     if (!any_left_) return;
     const auto is_left = [&](std::size_t i) { return i < bodies_.size() && !(early_ && done_[i]); };
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
-        if (is_left(i + 2 * kAhead)) fetch_body(*bodies_[i + 2 * kAhead]);
-        if (is_left(i + kAhead)) fetch_geoms(*bodies_[i + kAhead]);
+        if (is_left(i + 2 * kAhead)) prefetch_body(*bodies_[i + 2 * kAhead]);
+        if (is_left(i + kAhead)) prefetch_geoms(*bodies_[i + kAhead]);
         if (is_left(i)) one(*bodies_[i]);
     }
 }

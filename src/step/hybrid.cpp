@@ -74,8 +74,8 @@ Structure structure_of(const World& world, const Island& island)
         if (can_move(a) && can_move(b) && !(a == last1 && b == last2)) ++s.pairs;
         last1 = a, last2 = b;
     }
-    for (const PatchEdge* edge : island.patches) {
-        s.contacts += edge->patch->count;
+    for (const ManifoldEdge* edge : island.manifolds) {
+        s.contacts += edge->manifold->count;
         s.pairs += can_move(edge->body[0]) && can_move(edge->body[1]);
     }
     return s;

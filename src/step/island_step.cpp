@@ -9,7 +9,7 @@
 #include "step/assemble.h"
 #include "step/exact_substeps.h"
 #include "step/free_flight.h"
-#include "step/patch_rows.h"
+#include "step/manifold_rows.h"
 #include "step/report.h"
 #include "step/substeps.h"
 #include "step/tension.h"
@@ -32,10 +32,10 @@ void contain(std::span<Body* const> bodies, std::span<Joint* const> joints)
 
 constexpr int kManyIterations = 1000;  // of a program that wants an answer, not speed
 
-void silence_patch(Patch& patch)
+void silence_manifold(ContactManifold& manifold)
 {
-    patch.roll = {};
-    for (PatchPoint& point : patch.points) point.push = 0, point.friction = {};
+    manifold.rolling_impulse = {};
+    for (ManifoldPoint& point : manifold.points) point.normal_impulse = 0, point.friction_impulse = {};
 }
 
 template <typename T>
@@ -82,13 +82,13 @@ class IslandStep {
         settings.seed = world_.step_count * 0x9e3779b97f4a7c15u + std::uint64_t(place_.index);
         settings.substeps = inner ? &callbacks : nullptr;
         settings.want_residual = !reports.empty();
-        settings.patches = context_.manages_contacts;
+        settings.contact_manifolds = context_.manages_contacts;
         settings.part_residuals = arena_.take<Real>(int(reports.size()));
         if (arena_.failed()) return false;
         std::fill(settings.part_residuals.begin(), settings.part_residuals.end(), Real(0));
         settings.tasks = tasks;
-        settings.plans = &context_.plans;
-        if (projects()) settings.careful_above = 1e-9;  // the projection corrects what positions would feel
+        settings.symbolic_cache = &context_.symbolic_cache;
+        if (projects()) settings.refine_above = 1e-9;  // the projection corrects what positions would feel
         load_warm_start(world_.warm_starting * context_.solver.warm_share);
         SolveReport solved;
         bool sane = context_.solver.solve(work_.system, settings, arena_, solved);
@@ -112,11 +112,11 @@ class IslandStep {
                 fly_freely(part);
         if (!divides()) write_back(work_, tasks);
         remember_contacts();
-        if (!context_.solver.takes_patches) store_patch_impulses(work_);
+        if (!context_.solver.contact_manifolds) store_manifold_impulses(work_);
         if (context_.solver.substeps) return;  // poses are where the inner steps have put them
         if (!divides()) {
             advance();
-            if (projects()) projected_ = project_poses(world_, work_, tasks, context_.plans, arena_);
+            if (projects()) projected_ = project_poses(world_, work_, tasks, context_.symbolic_cache, arena_);
         }
         for (dIslandStepReport& report : reports)
             if (projects()) report_projection(projected_, report);
@@ -126,7 +126,7 @@ class IslandStep {
     {
         divides() ? small_.undo() : context_.undo.restore_poses(work_.island.bodies);
         contain(work_.island.bodies, work_.joints);
-        for (PatchEdge* edge : work_.island.patches) silence_patch(*edge->patch);
+        for (ManifoldEdge* edge : work_.island.manifolds) silence_manifold(*edge->manifold);
         advance();
         for (dIslandStepReport& report : reports) report.contained = true;
     }
@@ -144,7 +144,8 @@ class IslandStep {
     bool is_free(int part) const
     {
         const SystemPart from = work_.system.begin_of(part), to = work_.system.end_of(part);
-        return from.blocks == to.blocks && from.manifolds == to.manifolds && from.patches == to.patches;
+        return from.blocks == to.blocks && from.joint_manifolds == to.joint_manifolds &&
+               from.contact_manifolds == to.contact_manifolds;
     }
 
     void fly_freely(int part)
@@ -171,10 +172,13 @@ class IslandStep {
         for (const RowBlock& block : slice(system.blocks, from.blocks, to.blocks))
             for (int i = block.first; i < block.first + block.count; ++i)
                 system.numbers[std::size_t(i)].p = 0;
-        for (const Manifold& m : slice(system.contacts.manifolds, from.manifolds, to.manifolds))
-            for (ManifoldPoint& point : points_of(m))
+        for (const JointManifold& m :
+             slice(system.joint_contacts.manifolds, from.joint_manifolds, to.joint_manifolds))
+            for (JointManifoldPoint& point : points_of(m))
                 for (Real& p : point.p) p = 0;
-        for (Patch* patch : slice(system.patches, from.patches, to.patches)) silence_patch(*patch);
+        for (ContactManifold* manifold :
+             slice(system.contact_manifolds, from.contact_manifolds, to.contact_manifolds))
+            silence_manifold(*manifold);
         if (context_.solver.substeps) {
             // The inner steps have moved the bodies.
             const auto bodies = slice(work_.island.bodies, from.bodies, to.bodies);
@@ -194,15 +198,15 @@ class IslandStep {
     void load_warm_start(Real share)
     {
         RowSystem& system = work_.system;
-        if (!context_.solver.takes_patches) load_patch_impulses(work_, share);
-        for (const Manifold& m : system.contacts.manifolds)
+        if (!context_.solver.contact_manifolds) load_manifold_impulses(work_, share);
+        for (const JointManifold& m : system.joint_contacts.manifolds)
             load_contact(ticket_of_point(m.first), m, points_of(m), share);
         for (std::size_t k = 0; k < work_.joints.size(); ++k) {
             const Joint& joint = *work_.joints[k];
             const RowBlock& block = system.blocks[k];
             RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
             if (block.contact) {
-                ManifoldPoint point{block.arms.r1, 0, 0, 0, {}};
+                JointManifoldPoint point{block.arms.r1, 0, 0, 0, {}};
                 load_contact(ticket_of_block(k), manifold_of(block), {&point, 1}, share);
                 for (int i = 0; i < std::min(block.count, 3); ++i) numbers[i].p = point.p[i];
             } else if (joint.impulse_rows == block.count) {
@@ -211,7 +215,7 @@ class IslandStep {
         }
     }
 
-    void load_contact(int ticket, const Manifold& m, std::span<ManifoldPoint> points, Real share)
+    void load_contact(int ticket, const JointManifold& m, std::span<JointManifoldPoint> points, Real share)
     {
         const auto& bodies = work_.island.bodies;
         const Body* body2 = m.body2 >= 0 ? bodies[std::size_t(m.body2)] : nullptr;
@@ -221,29 +225,29 @@ class IslandStep {
     void remember_contacts()
     {
         const RowSystem& system = work_.system;
-        for (const Manifold& m : system.contacts.manifolds)
+        for (const JointManifold& m : system.joint_contacts.manifolds)
             context_.contacts.remember(ticket_of_point(m.first), m, points_of(m));
         for (std::size_t k = 0; k < work_.joints.size(); ++k) {
             const RowBlock& block = system.blocks[k];
             if (!block.contact) continue;
-            ManifoldPoint point{};
+            JointManifoldPoint point{};
             for (int i = 0; i < std::min(block.count, 3); ++i)
                 point.p[i] = system.numbers[std::size_t(block.first + i)].p;
             context_.contacts.remember(ticket_of_block(k), manifold_of(block), {&point, 1});
         }
     }
 
-    std::span<ManifoldPoint> points_of(const Manifold& m) const
+    std::span<JointManifoldPoint> points_of(const JointManifold& m) const
     {
-        return work_.system.contacts.points.subspan(std::size_t(m.first), std::size_t(m.count));
+        return work_.system.joint_contacts.points.subspan(std::size_t(m.first), std::size_t(m.count));
     }
 
     // Directions and bodies of a contact that is rows: the normal comes first, the linear parts of the others
     // are tangents, or zero.
-    Manifold manifold_of(const RowBlock& block) const
+    JointManifold manifold_of(const RowBlock& block) const
     {
         const Row* rows = &work_.system.rows[std::size_t(block.first)];
-        Manifold m{};
+        JointManifold m{};
         m.n = rows[0].lin1;
         if (block.count > 1) m.t1 = rows[1].lin1;
         if (block.count > 2) m.t2 = rows[2].lin1;
@@ -277,7 +281,7 @@ Island joined(std::span<const Island> islands)
         const auto &first = islands.front().*items, &last = islands.back().*items;
         return std::span(first.data(), last.data() + last.size());
     };
-    Island sum{all(&Island::bodies), all(&Island::joints), all(&Island::patches)};
+    Island sum{all(&Island::bodies), all(&Island::joints), all(&Island::manifolds)};
     for (const Island& island : islands) {
         sum.plain_contacts += island.plain_contacts;
         sum.feedback = sum.feedback || island.feedback;

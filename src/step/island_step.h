@@ -20,7 +20,7 @@ struct StepContext {
     Real h;
     int iterations;
     ContactCache& contacts;
-    PlanCache& plans;
+    SymbolicCache& symbolic_cache;
     StepUndo& undo;
     bool manages_contacts;          // the world does
     std::span<int> factorisations;  // by island, if wanted

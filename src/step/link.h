@@ -5,7 +5,7 @@
 // into it; a geom holds pointers to its body's pose and never asks whose they are.
 #pragma once
 
-#include "base/ahead.h"
+#include "base/prefetch.h"
 #include "collide/geom.h"
 #include "dynamics/body.h"
 
@@ -34,7 +34,7 @@ bool mark_members(Body& body, const Space& space);
 // there was no memory, and it must.
 [[nodiscard]] bool list_members(const Body& body, Space& space);
 // body_moved() is about to be called.
-inline void fetch_geoms(const Body& body) { fetch<2>(body.first_geom); }
+inline void prefetch_geoms(const Body& body) { prefetch<2>(body.first_geom); }
 
 // The body is about to go: its geoms stay where they are.
 void release_geoms(Body& body);

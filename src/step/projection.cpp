@@ -13,10 +13,10 @@
 // tolerance is relative. No accepted step makes the errors worse; what is not accepted is taken back.
 //
 // Which rows: equalities and stops of joints, contact normals; not motors, friction, and what is a spring
-// (its softness more than a thousandth of the row's mobility). Errors are read from the joints at every pose;
-// contacts, and rows whose error does not answer to the pose (Plane2D's rates, angles that the client hands
-// in), follow the motion to first order: e <- e - J dx. What is beyond a stop or inside a contact is removed
-// here and not by velocities, which would outlive the depth and throw the body off ("split impulses",
+// (its softness more than a thousandth of the row's inverse_mass). Errors are read from the joints at every
+// pose; contacts, and rows whose error does not answer to the pose (Plane2D's rates, angles that the client
+// hands in), follow the motion to first order: e <- e - J dx. What is beyond a stop or inside a contact is
+// removed here and not by velocities, which would outlive the depth and throw the body off ("split impulses",
 // Guendelman, Bridson & Fedkiw, 2003). Contacts lose their ERP's share of the depth in a step: all at once, a
 // pile that is wedged pushes itself apart for ever. They keep half the tolerance, so that they are found
 // again.
@@ -38,8 +38,8 @@
 namespace epode {
 namespace {
 
-constexpr Real kSpringShare = Real(1e-3);            // of the mobility, above which softness is meant
-constexpr double kSoftness = kSingle ? 1e-6 : 1e-9;  // of the mobility, for redundant rows
+constexpr Real kSpringShare = Real(1e-3);            // of the inverse_mass, above which softness is meant
+constexpr double kSoftness = kSingle ? 1e-6 : 1e-9;  // of the inverse_mass, for redundant rows
 constexpr Real kLargestTurn = 1;                     // rad, of one Newton step
 constexpr std::size_t kFewRows = 64;
 constexpr int kMostHalvings = 5;
@@ -56,7 +56,7 @@ bool is_spring(const Row& row, const RowBlock& block, const RowSystem& system)
 {
     const SolverBody& a = system.bodies[std::size_t(block.body1)];
     const SolverBody* b = block.body2 < 0 ? nullptr : &system.bodies[std::size_t(block.body2)];
-    return row.cfm / system.h > kSpringShare * row_mobility(row, a, b);
+    return row.cfm / system.h > kSpringShare * inverse_effective_mass(row, a, b);
 }
 
 struct PoseBefore {
@@ -66,8 +66,12 @@ struct PoseBefore {
 
 class Projection {
   public:
-    Projection(const World& world, const IslandWork& work, PlanCache& plans, Arena& arena)
-        : world_(world), work_(work), plans_(plans), arena_(arena), info_(step_info(world, work.system.h))
+    Projection(const World& world, const IslandWork& work, SymbolicCache& symbolic_cache, Arena& arena)
+        : world_(world),
+          work_(work),
+          symbolic_cache_(symbolic_cache),
+          arena_(arena),
+          info_(step_info(world, work.system.h))
     {
         info_.inner = true;
     }
@@ -224,10 +228,10 @@ class Projection {
     bool solve(const Tasks& tasks)
     {
         const bool small = system_.rows.size() <= kFewRows;  // kDirect has a shorter way
-        if (!one_sided_ && !small) return solve_equalities(system_, &plans_, arena_);
+        if (!one_sided_ && !small) return solve_equalities(system_, &symbolic_cache_, arena_);
         SolverSettings settings;
         settings.tasks = tasks;
-        settings.plans = &plans_;
+        settings.symbolic_cache = &symbolic_cache_;
         SolveReport report;
         return kDirect.solve(system_, settings, arena_, report);
     }
@@ -257,7 +261,7 @@ class Projection {
                 n = {};
                 n.c = holds_[std::size_t(i)].error;
                 n.C = Real(kSoftness) *
-                      row_mobility(row, system_.bodies[std::size_t(block.body1)], second(block));
+                      inverse_effective_mass(row, system_.bodies[std::size_t(block.body1)], second(block));
                 if (bounds.lo == 0) n.lo = 0;
                 if (bounds.hi == 0) n.hi = 0;
             }
@@ -316,7 +320,7 @@ class Projection {
 
     const World& world_;
     const IslandWork& work_;
-    PlanCache& plans_;
+    SymbolicCache& symbolic_cache_;
     Arena& arena_;
     StepInfo info_;
     RowSystem system_;                // of one Newton step
@@ -341,10 +345,10 @@ void leave_depth_to_projection(RowSystem& system)
 }
 
 ProjectionReport project_poses(const World& world, const IslandWork& work, const Tasks& tasks,
-                               PlanCache& plans, Arena& arena)
+                               SymbolicCache& symbolic_cache, Arena& arena)
 {
     Arena::Scope scope(arena);
-    Projection projection(world, work, plans, arena);
+    Projection projection(world, work, symbolic_cache, arena);
     return projection.prepare() ? projection.run(tasks) : ProjectionReport{};
 }
 

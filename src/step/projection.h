@@ -5,7 +5,7 @@
 // reached.
 #pragma once
 
-#include "solve/exact/factor/plan_cache.h"
+#include "solve/exact/factor/symbolic_cache.h"
 #include "step/assemble.h"
 #include "tasks/tasks.h"
 
@@ -23,6 +23,6 @@ void leave_depth_to_projection(RowSystem& system);
 // The island's poses have been advanced by h with the velocities that its bodies have, its joints remember
 // the impulses of this step. Velocities stay. Out of memory: so do poses.
 ProjectionReport project_poses(const World& world, const IslandWork& work, const Tasks& tasks,
-                               PlanCache& plans, Arena& arena);
+                               SymbolicCache& symbolic_cache, Arena& arena);
 
 }  // namespace epode

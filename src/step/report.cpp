@@ -51,13 +51,13 @@ void report_errors(const IslandWork& work, int part, dIslandStepReport& report)
     const RowSystem& system = work.system;
     const SystemPart from = system.begin_of(part), to = system.end_of(part);
     report.joints = to.blocks - from.blocks;
-    for (int k = from.manifolds; k < to.manifolds; ++k) {
-        const Manifold& m = system.contacts.manifolds[std::size_t(k)];
+    for (int k = from.joint_manifolds; k < to.joint_manifolds; ++k) {
+        const JointManifold& m = system.joint_contacts.manifolds[std::size_t(k)];
         report.joints += m.count;
         report.rows += m.count * (m.t1 == Vec3{} ? 1 : 3);
         for (int i = m.first; i < m.first + m.count; ++i)
             report.penetration =
-                std::max(report.penetration, double(system.contacts.points[std::size_t(i)].error));
+                std::max(report.penetration, double(system.joint_contacts.points[std::size_t(i)].error));
     }
     for (int k = from.blocks; k < to.blocks; ++k) {
         const RowBlock& block = system.blocks[std::size_t(k)];

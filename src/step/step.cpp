@@ -26,11 +26,11 @@
 namespace epode {
 namespace {
 
-constexpr int kLarge = 256;         // joints of an island that is worth all workers
-constexpr int kLargePatches = 256;  // or patches
-// Joints, patches and bodies of islands that are solved together: the more, the fewer lanes stay empty; but
-// sweeps over patches hold more of each, and go over them more often.
-constexpr int kGroup = 1024, kGroupOfPatches = 512;
+constexpr int kLarge = 256;           // joints of an island that is worth all workers
+constexpr int kLargeManifolds = 256;  // or manifolds
+// Joints, manifolds and bodies of islands that are solved together: the more, the fewer lanes stay empty; but
+// sweeps over manifolds hold more of each, and go over them more often.
+constexpr int kGroup = 1024, kGroupOfManifolds = 512;
 constexpr int kParcel = 128;  // of a parcel of groups
 
 // Who does the parts of a step: threads of our own, or calls of the implementation that the world was given.
@@ -68,7 +68,7 @@ class Workers {
 
 int weight(const Island& island)
 {
-    return int(island.joints.size() + island.bodies.size() + island.patches.size());
+    return int(island.joints.size() + island.bodies.size() + island.manifolds.size());
 }
 
 class WorldStep {
@@ -187,12 +187,12 @@ class WorldStep {
     bool find_islands(Arena& arena)
     {
         World& world = context_.world;
-        std::span<PatchEdge> patches;
+        std::span<ManifoldEdge> manifolds;
         Islands found;
         do {
-            if (updates_contacts_ && !state_.managed.touching(workers_.of_islands, arena, patches))
+            if (updates_contacts_ && !state_.managed.touching(workers_.of_islands, arena, manifolds))
                 return false;
-            if (!epode::find_islands(world, context_.h, patches, arena, found)) return false;
+            if (!epode::find_islands(world, context_.h, manifolds, arena, found)) return false;
             if (world.reached.empty()) break;
         } while (activate_reached());
         islands_ = found.all, asleep_ = found.asleep;
@@ -232,24 +232,24 @@ class WorldStep {
         int first_contact;
     };
 
-    // May islands be solved beside one another? If the solver knows of parts; but not where patches become
+    // May islands be solved beside one another? If the solver knows of parts; but not where manifolds become
     // rows, behind those of all joints.
     bool makes_groups(const Solver& solver) const
     {
-        return solver.takes_patches || (solver.manifolds && !context_.manages_contacts);
+        return solver.contact_manifolds || (solver.joint_manifolds && !context_.manages_contacts);
     }
 
-    // What only patches hold together moves in another way in small steps, and joints that are one block are
-    // one island's.
+    // What only manifolds hold together moves in another way in small steps, and joints that are one block
+    // are one island's.
     bool may_join(std::size_t i) const
     {
         // All workers sweep over a large one together, and over others each by itself.
-        if (has_many_patches(i) || has_many_patches(i - 1)) return false;
+        if (has_many_manifolds(i) || has_many_manifolds(i - 1)) return false;
         if (islands_[i].settles() != islands_[i - 1].settles()) return false;
         const Solver& solver = solver_of(i);
         const bool joints = !islands_[i].joints.empty(), before = !islands_[i - 1].joints.empty();
         if (&solver != &solver_of(i - 1) || !makes_groups(solver)) return false;
-        return !solver.takes_patches || (joints == before && !(joints && &solver == &kNetwork));
+        return !solver.contact_manifolds || (joints == before && !(joints && &solver == &kNetwork));
     }
 
     // Small islands that follow each other make groups, if they may. Returns the number of joints.
@@ -259,7 +259,7 @@ class WorldStep {
         for (std::size_t i = 0; i < islands_.size(); ++i) {
             const int joints = int(islands_[i].joints.size()), w = weight(islands_[i]);
             const Solver& solver = solver_of(i);
-            const int most = solver.takes_patches ? kGroupOfPatches : kGroup;
+            const int most = solver.contact_manifolds ? kGroupOfManifolds : kGroup;
             const bool joins = count > 0 && may_join(i) && groups_[std::size_t(count - 1)].weight + w <= most;
             if (!joins) groups_[std::size_t(count++)] = {&solver, int(i), 0, 0, 0, contacts};
             Group& group = groups_[std::size_t(count - 1)];
@@ -270,16 +270,17 @@ class WorldStep {
         return contacts;
     }
 
-    bool has_many_patches(std::size_t island) const
+    bool has_many_manifolds(std::size_t island) const
     {
-        return solver_of(island).takes_patches && int(islands_[island].patches.size()) >= kLargePatches;
+        return solver_of(island).contact_manifolds &&
+               int(islands_[island].manifolds.size()) >= kLargeManifolds;
     }
 
     bool large(const Group& group) const
     {
         if (workers_.of_an_island.workers() <= 1) return false;
         return (group.solver->inner_tasks && group.joints >= kLarge) ||
-               has_many_patches(std::size_t(group.first));
+               has_many_manifolds(std::size_t(group.first));
     }
 
     bool prepare_reports()
@@ -322,7 +323,7 @@ class WorldStep {
         const StepContext& c = context_;
         const int iterations = hybrid_ ? hybrid_iterations(c.world, *group.solver) : c.iterations;
         return {c.world,    *group.solver,      c.h,
-                iterations, c.contacts,         c.plans,
+                iterations, c.contacts,         c.symbolic_cache,
                 c.undo,     c.manages_contacts, factorisations_};
     }
 
@@ -388,7 +389,7 @@ bool step_in(World& world, StepState& state, const Solver* solver, Real h, int i
                               h,
                               iterations,
                               state.contacts,
-                              state.plans,
+                              state.symbolic_cache,
                               undo,
                               state.managed.live_space() != nullptr,
                               {}};
@@ -432,7 +433,7 @@ StepMemory* working_memory(World& world)
 void free_working_memory(World& world)
 {
     if (world.memory) world.memory->free_blocks();
-    if (world.step_state) world.step_state->plans.clear();
+    if (world.step_state) world.step_state->symbolic_cache.clear();
 }
 
 bool step_world(World& world, const Solver& solver, Real h, int iterations)

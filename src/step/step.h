@@ -7,7 +7,7 @@
 #include "base/array.h"
 #include "contacts/contact_world.h"
 #include "dynamics/world.h"
-#include "solve/exact/factor/plan_cache.h"
+#include "solve/exact/factor/symbolic_cache.h"
 #include "solve/solver.h"
 #include "step/contact_cache.h"
 #include "step/continuous.h"
@@ -17,7 +17,7 @@ namespace epode {
 // What survives from one step to the next.
 struct StepState {
     ContactCache contacts;
-    PlanCache plans;
+    SymbolicCache symbolic_cache;
     ContinuousLists continuous;
     ContactWorld managed;              // contacts that the world finds by itself
     Array<dIslandStepReport> reports;  // of the last step's islands, when they were wanted

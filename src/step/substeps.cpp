@@ -8,7 +8,7 @@
 #include "step/substeps.h"
 
 #include "dynamics/integrate.h"
-#include "tasks/fetched.h"
+#include "tasks/prefetched.h"
 
 namespace epode {
 namespace {
@@ -64,7 +64,7 @@ bool SubstepModel::prepare(Arena& arena)
     if (!lanes_.empty()) lanes_.back() = {};
     // Ranges of bodies begin with a group of lanes.
     static_assert(kObjectRange % kLanes == 0);
-    for_each_fetched<kLinesOfBody>(tasks_, island_bodies(), [&](std::size_t i, Body& body) {
+    for_each_prefetched<kLinesOfBody>(tasks_, island_bodies(), [&](std::size_t i, Body& body) {
         const SolverBody& solver = system.bodies[i];
         load_body(i, body, solver);
         if (!system.poses.empty()) load_pose(body, solver, system.poses[i]);
@@ -136,7 +136,7 @@ void SubstepModel::turn_finitely(std::size_t group, const Velocity* bodies, Real
 void SubstepModel::settle(void* p, RowSystem& system)
 {
     SubstepModel& model = model_of(p);
-    for_each_fetched<kLinesOfBody>(model.tasks_, model.island_bodies(), [&](std::size_t i, Body& body) {
+    for_each_prefetched<kLinesOfBody>(model.tasks_, model.island_bodies(), [&](std::size_t i, Body& body) {
         const BodyLanes& from = model.lanes_[i / kLanes];
         const std::size_t lane = i % kLanes;
         store(body.pos, vec_in(from.x, lane));
@@ -164,11 +164,11 @@ void SubstepModel::refresh(void* p, RowSystem& system)
         for (int i = 0; i < block.count && i < out.count(); ++i) {
             Row& row = system.rows[std::size_t(block.first + i)];
             // Decided at the beginning of the step, by the velocities of then.
-            const bool rebounds = row.rebounds;
-            const Real rebound = row.rebound;
+            const bool has_restitution = row.has_restitution;
+            const Real restitution_velocity = row.restitution_velocity;
             row = rows[i];
-            row.rebounds = rebounds;
-            row.rebound = rebound;
+            row.has_restitution = has_restitution;
+            row.restitution_velocity = restitution_velocity;
         }
     }
 }

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "base/ahead.h"
+#include "base/prefetch.h"
 
 namespace epode {
 namespace {
@@ -59,7 +59,7 @@ bool StepUndo::save_islands(std::span<const Island> islands, Arena& arena)
     marks_ = arena.take_zeroed<Mark>(int(bodies.size()));
     if (arena.failed() || !save_impulses(islands, arena)) return false;
     bodies_ = bodies;  // now there is something to restore
-    for_each_fetched<1>(bodies_, [&](std::size_t i, Body& body) {
+    for_each_prefetched<1>(bodies_, [&](std::size_t i, Body& body) {
         marks_[i].slept = body.disabled;
         body.disabled = false;
     });
@@ -73,7 +73,7 @@ void StepUndo::save(std::size_t i)
                  body.rotation(),         body.velocity(),
                  body.angular_velocity(), load(body.facc),
                  load(body.tacc),         world_.exact_rotation ? body.spin_excess : Vec3{}};
-    marks_[i].saved = true, marks_[i].patched = body.patched;
+    marks_[i].saved = true, marks_[i].had_manifolds = body.had_manifolds;
 }
 
 // Most joints are contacts, which remember nothing: islands know whether another does.
@@ -87,7 +87,7 @@ bool StepUndo::save_impulses(std::span<const Island> islands, Arena& arena)
     std::size_t count = 0;
     for (const Island& island : islands) {
         if (!island.impulses) continue;
-        for_each_fetched<1>(std::span<Joint* const>(island.joints), [&](std::size_t, Joint& joint) {
+        for_each_prefetched<1>(std::span<Joint* const>(island.joints), [&](std::size_t, Joint& joint) {
             if (joint.impulse_rows == 0) return;
             remembering[count++] = {&joint, joint.impulse_rows};
             rows += joint.impulse_rows;
@@ -100,7 +100,7 @@ bool StepUndo::save_impulses(std::span<const Island> islands, Arena& arena)
     Real* to = impulses_.data();
     constexpr std::size_t kAhead = 12;
     for (std::size_t i = 0; i < remembering_.size(); ++i) {
-        if (i + kAhead < remembering_.size()) fetch<1>(impulses(*remembering_[i + kAhead].joint));
+        if (i + kAhead < remembering_.size()) prefetch<1>(impulses(*remembering_[i + kAhead].joint));
         to = std::copy_n(impulses(*remembering_[i].joint), remembering_[i].rows, to);
     }
     return true;
@@ -128,7 +128,7 @@ void StepUndo::restore_bodies() const
         Body& body = *bodies_[i];
         body.disabled = marks_[i].slept;
         if (!marks_[i].saved) continue;
-        body.patched = marks_[i].patched;
+        body.had_manifolds = marks_[i].had_manifolds;
         const Saved& saved = saved_[i];
         restore_pose(body, saved);
         store(body.lvel, saved.velocity), store(body.avel, saved.angular_velocity);

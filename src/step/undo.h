@@ -56,7 +56,7 @@ class StepUndo {
         Vec3 velocity, angular_velocity, force, torque, spin_excess;
     };
     struct Mark {
-        bool slept, saved, patched;
+        bool slept, saved, had_manifolds;
     };
     struct Remembering {
         Joint* joint;

@@ -7,7 +7,7 @@
 
 #include <atomic>
 
-#include "tasks/fetched.h"
+#include "tasks/prefetched.h"
 
 namespace epode {
 namespace {
@@ -28,7 +28,7 @@ void write_feedback(const Joint& joint, const RowBlock& block, const RowSystem& 
     store(joint.feedback->t2, t2);
 }
 
-void write_feedback(const Joint& joint, const Manifold& m, const ManifoldPoint& point, Real h)
+void write_feedback(const Joint& joint, const JointManifold& m, const JointManifoldPoint& point, Real h)
 {
     const Vec3 f = (1 / h) * (point.p[0] * m.n + point.p[1] * m.t1 + point.p[2] * m.t2);
     store(joint.feedback->f1, f);
@@ -50,11 +50,13 @@ bool is_sound(const SolverBody& b)
     return usable(sum.x + sum.y + sum.z);
 }
 
-bool is_sound(const Patch& patch)
+bool is_sound(const ContactManifold& manifold)
 {
-    if (patch.special() && !usable(Real(patch.roll.x + patch.roll.y + patch.roll.z))) return false;
-    for (int i = 0; i < patch.count; ++i)
-        if (!usable(Real(patch.points[i].push))) return false;
+    if (manifold.special() &&
+        !usable(Real(manifold.rolling_impulse.x + manifold.rolling_impulse.y + manifold.rolling_impulse.z)))
+        return false;
+    for (int i = 0; i < manifold.count; ++i)
+        if (!usable(Real(manifold.points[i].normal_impulse))) return false;
     return true;
 }
 
@@ -71,15 +73,16 @@ bool sound(const RowSystem& system, int part, const Tasks& tasks)
         });
     };
     check(from.bodies, to.bodies, [&](std::size_t i) { return is_sound(system.bodies[i]); });
-    check(from.patches, to.patches, [&](std::size_t i) { return is_sound(*system.patches[i]); });
+    check(from.contact_manifolds, to.contact_manifolds,
+          [&](std::size_t i) { return is_sound(*system.contact_manifolds[i]); });
     if (!all) return false;
     for (auto k = std::size_t(from.blocks); k < std::size_t(to.blocks); ++k)
         for (int i = system.blocks[k].first; i < system.blocks[k].first + system.blocks[k].count; ++i)
             if (!usable(system.numbers[std::size_t(i)].p)) return false;
-    for (auto k = std::size_t(from.manifolds); k < std::size_t(to.manifolds); ++k) {
-        const Manifold& m = system.contacts.manifolds[k];
+    for (auto k = std::size_t(from.joint_manifolds); k < std::size_t(to.joint_manifolds); ++k) {
+        const JointManifold& m = system.joint_contacts.manifolds[k];
         for (int i = m.first; i < m.first + m.count; ++i)
-            if (!usable(system.contacts.points[std::size_t(i)].p, 3)) return false;
+            if (!usable(system.joint_contacts.points[std::size_t(i)].p, 3)) return false;
     }
     return true;
 }
@@ -97,8 +100,8 @@ void write_back(const IslandWork& work, const Tasks& tasks)
         if (joint.feedback) write_feedback(joint, block, work.system);
     }
     if (!work.contact_feedback) return;
-    const ManifoldList& list = work.system.contacts;
-    for (const Manifold& m : list.manifolds)
+    const JointManifoldList& list = work.system.joint_contacts;
+    for (const JointManifold& m : list.manifolds)
         for (auto i = std::size_t(m.first); i < std::size_t(m.first + m.count); ++i)
             if (work.contacts[i]->feedback)
                 write_feedback(*work.contacts[i], m, list.points[i], work.system.h);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// One lock for all of it: a call is a piece of work of microseconds at least, posted by few threads. The lock
-// is never held while a client's function runs, memory handlers included. A thread without work spins for
-// some microseconds before it sleeps, since a step posts its stages one shortly after another.
-// A call lives in a slot that its queue keeps, so that posting allocates nothing after `reserve`; the tag of
-// a slot that is free is dead, which unmasks a releasee kept for too long.
+// One lock guards everything: a call takes microseconds at least and few threads post calls. The lock is
+// never held while a function of the client runs, memory handlers included. A thread without work spins for
+// some microseconds before it sleeps, because a step posts its stages in quick succession. A call lives in a
+// slot that its queue owns, so posting allocates nothing after `reserve`. The tag of a free slot is dead,
+// which reveals a releasee that was kept for too long.
 #include "tasks/call_queue.h"
 
 #include "base/pool.h"
@@ -19,12 +19,12 @@ struct Call : Tagged {
     explicit Call(CallQueue& q) : Tagged(Tag::kCall), queue(&q) {}
     CallQueue* queue;
     Call* all = nullptr;   // of its queue
-    Call* next = nullptr;  // in the list of ready ones or of free slots
+    Call* next = nullptr;  // in the list of ready calls or of free slots
     dThreadedCallFunction* function = nullptr;
     void* context = nullptr;
     dcallindex_t index = 0;
-    std::size_t dependencies = 0;  // that are not done
-    std::size_t posted = 0;        // of these
+    std::size_t dependencies = 0;  // calls it waits for that are not done
+    std::size_t posted = 0;        // how many of these have been posted
     Call* dependent = nullptr;
     CallWait* wait = nullptr;
     int* fault = nullptr;
@@ -42,9 +42,9 @@ struct HandleOf<Call> {
 namespace {
 
 constexpr int kSpins = 4000;  // some ten microseconds
-constexpr std::size_t kMostReserved = 1 << 16;
+constexpr std::size_t kMaxReserved = 1 << 16;
 
-// The calls that a thread is in, the innermost first.
+// The calls that a thread is running, the innermost first.
 struct Frame {
     const CallQueue* queue;
     const Call* call;
@@ -74,7 +74,7 @@ CallQueue::~CallQueue()
 
 // ---- slots
 
-// The lock is held by the caller, but not while memory is asked for.
+// The caller holds the lock; it is released while memory is allocated.
 bool CallQueue::make_slot()
 {
     lock_.unlock();
@@ -110,7 +110,7 @@ void CallQueue::give_back(Call& call)
 
 bool CallQueue::reserve(std::size_t calls)
 {
-    if (calls > kMostReserved) return false;
+    if (calls > kMaxReserved) return false;
     Guard guard(lock_);
     while (slot_count_ < calls)
         if (!make_slot()) return false;
@@ -125,7 +125,7 @@ CallWait* CallQueue::known(dCallWaitID id)
     return wait && wait->queue == this ? wait : nullptr;
 }
 
-// The call behind the releasee, if it counts on one more dependency than have been posted.
+// The call that the releasee names, if it expects more dependencies than have been posted.
 Call* CallQueue::expecting(dCallReleaseeID id)
 {
     Call* const call = from_handle<Call>(id);
@@ -170,7 +170,7 @@ void CallQueue::fill(Call& call, const CallRequest& request, Call* dependent, Ca
     if (request.releasee) *request.releasee = to_handle(&call);
 }
 
-// Where memory is out, a call that may start at once is run here and now; one that has to be kept is not.
+// Without memory, a call that may start at once is run here; one that would have to be stored is not.
 CallQueue::Posted CallQueue::post_without_slot(const CallRequest& request, Call* dependent, CallWait* wait)
 {
     if (request.dependencies > 0) return drop(request, dependent, wait);
@@ -191,7 +191,7 @@ CallQueue::Posted CallQueue::post_without_slot(const CallRequest& request, Call*
     return Posted::kYes;
 }
 
-// As if it had been run and had failed.
+// Treated as a call that ran and failed.
 CallQueue::Posted CallQueue::drop(const CallRequest& request, Call* dependent, CallWait* wait)
 {
     if (request.fault) *request.fault = 1;
@@ -213,7 +213,7 @@ bool CallQueue::alter(dCallReleaseeID id, std::ptrdiff_t change)
     Call* const call = from_handle<Call>(id);
     if (!call || call->queue != this) return false;
     const std::size_t free = call->dependencies - call->posted;
-    if (change < 0 ? free < std::size_t(0) - std::size_t(change) : std::size_t(change) > kMostReserved)
+    if (change < 0 ? free < std::size_t(0) - std::size_t(change) : std::size_t(change) > kMaxReserved)
         return false;
     call->dependencies += std::size_t(change);
     if (settle(*call)) finish(*call);
@@ -225,7 +225,7 @@ bool CallQueue::alter(dCallReleaseeID id, std::ptrdiff_t change)
 void CallQueue::make_ready(Call& call)
 {
     call.state = Call::State::kReady;
-    const bool last_first = !served_ || !first_ready_;  // as ODE's self-threaded implementation takes them
+    const bool last_first = !served_ || !first_ready_;  // as ODE's self-threaded implementation does
     call.next = last_first ? first_ready_ : nullptr;
     if (!last_first) last_ready_->next = &call;
     if (!call.next) last_ready_ = &call;
@@ -251,7 +251,7 @@ Call* CallQueue::take_ready()
     return call;
 }
 
-// After a change of its dependencies. True: it is done.
+// After its dependencies have changed. True: the call is done.
 bool CallQueue::settle(Call& call)
 {
     if (call.dependencies > 0) return false;
@@ -267,7 +267,7 @@ bool CallQueue::release_one(Call& call, bool failed)
     return settle(call);
 }
 
-// The lock is held before and after, not during.
+// The lock is held on entry and on return, not meanwhile.
 void CallQueue::run(Call& call)
 {
     call.state = Call::State::kRunning;
@@ -284,7 +284,7 @@ void CallQueue::run(Call& call)
     if (settle(call)) finish(call);
 }
 
-// A loop, so that long chains of dependents need no stack.
+// A loop and not recursion, so that long chains of dependents need no stack.
 void CallQueue::finish(Call& first)
 {
     for (Call* call = &first; call;) {
@@ -337,7 +337,7 @@ void CallQueue::count_down(CallWait& wait)
     if (--wait.pending == 0) wait.over.store(true, std::memory_order_release);
 }
 
-// How many calls of this queue the thread is in.
+// The number of calls of this queue that the thread is running.
 int CallQueue::depth() const
 {
     int count = 0;
@@ -353,7 +353,7 @@ bool CallQueue::awaits_itself(const CallWait& wait) const
     return false;
 }
 
-// No other thread is in a call or will be.
+// True if no other thread runs a call or will.
 bool CallQueue::hopeless() const { return !served_ && running_ == depth(); }
 
 CallQueue::Waited CallQueue::wait(dCallWaitID id, const Deadline& until)
@@ -461,7 +461,8 @@ bool CallQueue::may_end()
     return running_ == 0;
 }
 
-// What other threads were doing is not done in the child of a fork: the calls that they were in never end.
+// The child of a fork does not continue what other threads were doing: the calls that they were running never
+// end.
 void CallQueue::act(ForkStage stage)
 {
     if (stage == ForkStage::kBefore) return lock_.lock();

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Calls as ODE's threading interface means them (ode/threading.h): posted to be run by some thread, each with
-// a number of other calls that must be done before it starts. A call is done when its function has returned
-// and nothing is left that it depends on, since a running call may add dependencies to itself. Then its
-// fault is written, its wait is told, and the call that depends on it has one dependency less, and the fault.
+// Calls as ODE's threading interface defines them (ode/threading.h): posted to be run by some thread, each
+// with a number of other calls that must be done before it starts. A call is done when its function has
+// returned and it depends on nothing any more, since a running call may add dependencies to itself. Then its
+// fault is written, its wait is signalled, and the call that depends on it loses one dependency and receives
+// the fault.
 //
-// Calls are run first in, first out, by the threads that serve. Where none serves, and inside a call, the
-// thread that waits runs them itself: a wait cannot starve. That one rule makes the self-threaded
-// implementation (nobody ever serves) and the multi-threaded one the same class.
+// The serving threads run calls first in, first out. Where no thread serves, and inside a call, the thread
+// that waits runs them itself, so a wait cannot starve. This one rule makes the self-threaded implementation
+// (no thread ever serves) and the multi-threaded one the same class.
 #pragma once
 
 #include <atomic>
@@ -24,7 +25,7 @@ namespace epode {
 class CallQueue;
 struct Call;
 
-// What a thread can wait on: all calls that were posted with it since it was reset.
+// An object to wait on: all calls posted with it since it was reset.
 struct CallWait : Tagged {
     explicit CallWait(CallQueue& q) : Tagged(Tag::kCallWait), queue(&q) {}
     CallQueue* queue;
@@ -51,7 +52,8 @@ struct CallRequest {
     dCallReleaseeID* releasee;
 };
 
-// Told by serve(): registered; about to be unregistered, with the queue's lock held.
+// Callbacks of serve(): after the thread has registered, and before it unregisters, with the queue's lock
+// held.
 struct ServeHooks {
     void (*ready)(void* context);
     void (*leaving)(void* context);
@@ -63,34 +65,37 @@ class CallQueue {
     enum class Posted { kYes, kRefused, kNoMemory };
     enum class Waited { kDone, kTimedOut, kUnknown, kForEver };
 
-    // `served`: threads may serve; else a wait that nothing can end is refused instead of being for ever.
+    // `served`: threads may serve. Otherwise a wait that nothing can end is refused instead of lasting for
+    // ever.
     explicit CallQueue(bool served);
     CallQueue(const CallQueue&) = delete;
     CallQueue& operator=(const CallQueue&) = delete;
     ~CallQueue();  // after may_end()
 
-    // Memory for so many calls at a time.
+    // Allocates memory for so many calls at a time.
     bool reserve(std::size_t calls);
     Posted post(const CallRequest& request);
-    // Dependencies more or less; false: no such call, or fewer than zero or than have been posted for it.
+    // Changes the number of dependencies. False: no such call, or the number would fall below zero or below
+    // those already posted.
     bool alter(dCallReleaseeID call, std::ptrdiff_t change);
 
     CallWait* make_wait();
     bool free_wait(dCallWaitID wait);   // false: not ours, or in use
     bool reset_wait(dCallWaitID wait);  // likewise
-    // For ever, and therefore not at all: without a limit of time, when nothing was posted with it, it is
-    // that of a call which the thread is in, or nothing can end it. Unknown: not one of this queue's.
+    // Refused if it would last for ever: no time limit, and either nothing was posted with the wait, or it
+    // belongs to a call that this thread is running, or nothing can end it. Unknown: not a wait of this
+    // queue.
     Waited wait(dCallWaitID wait, const Deadline& until);
 
     // Runs calls until close(). False: the calling thread is in a call of this queue.
     bool serve(const ServeHooks& hooks);
     unsigned serving() const { return serving_.load(std::memory_order_relaxed); }
-    // Lets the serving threads go; they finish the calls that they are in.
+    // Releases the serving threads; they finish the calls that they are running.
     void close();
     bool closed() const { return closed_.load(std::memory_order_acquire); }
-    // After close(): they may come again. False while some are still here.
+    // After close(): threads may serve again. False while some have not left yet.
     bool reopen();
-    // Waits for threads on their way out. False: one serves, waits or runs a call.
+    // Waits for threads that are leaving. False: a thread serves, waits or runs a call.
     bool may_end();
 
   private:
@@ -121,7 +126,7 @@ class CallQueue {
 
     const bool served_;
     Lock lock_;
-    Condition work_, change_;  // for those who serve; for those who wait
+    Condition work_, change_;  // for serving threads; for waiting threads
     int idle_servers_ = 0, idle_waiters_ = 0;
     std::atomic<unsigned> serving_{0};
     std::atomic<bool> closed_{false};

@@ -12,7 +12,7 @@ struct ForkList {
     Lock lock;
     ForkWatch* first[2] = {};
 
-    void tell(ForkStage stage)
+    void notify(ForkStage stage)
     {
         for (ForkWatch* head : first)
             for (ForkWatch* w = head; w; w = w->next_) w->act_(w->object_, stage);
@@ -46,14 +46,14 @@ ForkList& fork_list()
         pthread_atfork(
             [] {
                 fork_list().lock.lock();
-                fork_list().tell(ForkStage::kBefore);
+                fork_list().notify(ForkStage::kBefore);
             },
             [] {
-                fork_list().tell(ForkStage::kInParent);
+                fork_list().notify(ForkStage::kInParent);
                 fork_list().lock.unlock();
             },
             [] {
-                fork_list().tell(ForkStage::kInChild);
+                fork_list().notify(ForkStage::kInChild);
                 fork_list().lock.unlock();
             });
         return made;

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Objects with locks and threads of their own survive a fork: before it every lock is taken, so that none is
-// held by a thread that the child lacks; after it the parent gives them back, and the child also forgets the
-// threads. Such an object has a ForkWatch as its last member, so that it is whole while it is watched.
+// Objects with locks and threads of their own survive a fork. Before it every lock is taken, so that none is
+// held by a thread that the child lacks. Afterwards the parent releases them; the child does too and forgets
+// the threads. Such an object has a ForkWatch as its last member, so that it is fully constructed while it is
+// watched.
 #pragma once
 
 namespace epode {
 
 enum class ForkStage { kBefore, kInParent, kInChild };
 
-// Objects of a later rank are locked later: they may be locked from inside those of an earlier one.
+// Objects of a later rank are locked later: an object of an earlier rank may lock them while it is locked.
 enum class ForkRank { kCallQueue, kServingPool };
 
 class ForkWatch {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A mutex, a condition and a point in time over plain pthreads. std::mutex and std::condition_variable tell
-// their failures by exceptions, which src/ is compiled without, and cannot be made anew in the child of a
-// fork. Time is that of the monotonic clock: setting the clock of the machine neither ends a wait nor
-// prolongs it.
+// A mutex, a condition variable and a deadline over plain pthreads. std::mutex and std::condition_variable
+// report failures by exceptions, which src/ is compiled without, and cannot be recreated in the child of a
+// fork. Time is that of the monotonic clock: setting the machine's clock neither ends nor prolongs a wait.
 #pragma once
 
 #include <pthread.h>
@@ -40,7 +39,7 @@ class Guard {
     Lock& lock_;
 };
 
-// When a wait ends at the latest: never, at once, or at a time.
+// When a wait ends: never, at once, or at a time.
 class Deadline {
   public:
     static Deadline never() { return {}; }
@@ -93,7 +92,8 @@ class Condition {
     Condition& operator=(const Condition&) = delete;
     ~Condition() { pthread_cond_destroy(&condition_); }
 
-    // The lock is held before and after. May return without a reason: callers look again.
+    // The lock is held on entry and on return. May wake without a reason: callers check their condition
+    // again.
     void wait(Lock& lock) { pthread_cond_wait(&condition_, &lock.mutex_); }
     void wait(Lock& lock, const Deadline& until)
     {
@@ -105,7 +105,7 @@ class Condition {
     void wake_one() { pthread_cond_signal(&condition_); }
     void wake_all() { pthread_cond_broadcast(&condition_); }
 
-    // In the child of a fork, where those who waited do not exist.
+    // For the child of a fork, where the waiting threads do not exist.
     void renew() { new (this) Condition; }
 
   private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Several mutexes made and freed together, as ODE's threading interface has them. They know their owner: what
-// would block a thread on itself for ever, or hand another thread's mutex on, is refused instead.
+// Several mutexes created and freed together, as ODE's threading interface has them. Each knows its owner:
+// locking twice from one thread, and unlocking another thread's mutex, are refused.
 #pragma once
 
 #include <pthread.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A job lives until its last call has come, which is usually before the wait is over. (Calls that an
-// implementation loses keep theirs: a few dozen bytes each time.)
+// A job lives until its last call has arrived, which is usually before the wait ends. (Calls that an
+// implementation loses keep theirs alive: a few dozen bytes each time.)
 #include "tasks/posting.h"
 
 #include <algorithm>
@@ -70,7 +70,7 @@ bool Posting::open(const dThreadingFunctionsInfo& functions, dThreadingImplement
 void Posting::measure(unsigned limit)
 {
     const CallerFloatEnvironment program;
-    const unsigned threads = std::clamp(functions_.retrieve_thread_count(impl_), 1u, unsigned(kMostCalls));
+    const unsigned threads = std::clamp(functions_.retrieve_thread_count(impl_), 1u, unsigned(kMaxCalls));
     width_ = int(limit ? std::min(threads, limit) : threads);
 }
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Pieces of work as calls of a threading implementation: ours or a client's own, known by its table of
-// functions only. A job posts up to width() calls, each of which takes pieces until none is left, and one
-// more that depends on all of them and is waited for (a single call is waited for itself). The thread that
-// posts runs none of them, as in ODE: its clients choose on which threads a step happens.
+// Runs pieces of work as calls of a threading implementation, ours or a client's, known only by its table of
+// functions. A job posts up to width() calls, each of which takes pieces until none is left, and one more
+// call that depends on all of them and is waited for (a single call is waited for itself). As in ODE, the
+// thread that posts runs none of them: the client chooses on which threads a step runs.
 //
-// An implementation that loses calls, runs them late or waits too briefly cannot spoil the result: when the
-// wait is over the pieces that are left are done by the thread that waited, and a call that comes late finds
-// a job without pieces.
+// An implementation that loses calls, runs them late or waits too briefly cannot change the result: when the
+// wait is over, the waiting thread does the pieces that are left, and a call that arrives late finds a job
+// without pieces.
 #pragma once
 
 #include "ode/threading.h"
@@ -18,7 +18,7 @@ namespace epode {
 class Posting {
   public:
     using Piece = void (*)(void* body, int index, int worker);
-    static constexpr int kMostCalls = 64;
+    static constexpr int kMaxCalls = 64;
 
     Posting() = default;
     Posting(const Posting&) = delete;
@@ -31,7 +31,7 @@ class Posting {
     void close();
 
     int width() const { return width_; }
-    // Asks again how many threads there are.
+    // Queries again how many threads there are.
     void measure(unsigned limit);
 
     // piece(body, index, worker) once for each index; worker 1 ... width() in a call, 0 in this thread. Not

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A queue that is served lives at least until its last thread has been counted off here: `leaving` comes
-// before the queue forgets the thread, and a queue that threads are in is not freed. So `queue_` may be
-// looked at while `busy_` is not 0. The order of locks is that of the queue, then that of the pool.
+// A served queue lives at least until its last thread has been counted off here: `leaving` comes before the
+// queue forgets the thread, and a queue with threads inside is not freed. Therefore `queue_` may be read
+// while `busy_` is not 0. The queue's lock is taken before the pool's.
 #include "tasks/serving_pool.h"
 
 #include <limits.h>
@@ -14,11 +14,11 @@
 namespace epode {
 namespace {
 
-constexpr std::size_t kLeastStack = 64 * 1024;  // a step of a large island needs less
+constexpr std::size_t kMinStack = 64 * 1024;  // a step of a large island needs less
 
 thread_local const ServingPool* t_pool = nullptr;
 
-// A new thread takes no signals: it inherits what is blocked while it is created.
+// A new thread takes no signals: it inherits the mask that is set while it is created.
 class BlockedSignals {
   public:
     BlockedSignals()
@@ -80,7 +80,7 @@ bool ServingPool::spawn()
     if (pthread_attr_init(&attributes) != 0) return false;
     bool good = settings_.stack == 0 || settings_.stack >= std::size_t(PTHREAD_STACK_MIN);
     if (good && settings_.stack) {
-        const std::size_t stack = settings_.stack < kLeastStack ? kLeastStack : settings_.stack;
+        const std::size_t stack = settings_.stack < kMinStack ? kMinStack : settings_.stack;
         good = pthread_attr_setstacksize(&attributes, stack) == 0;
     }
     const BlockedSignals blocked;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Behind dThreadingThreadPoolID: threads that wait until they are told to serve a queue of calls, do so until
-// it is closed, and wait again. A pool serves one queue at a time. What would wait for threads that nobody
-// has told to leave is refused, since the one who could tell them may be the one who waits.
+// Behind dThreadingThreadPoolID: threads that wait for an order to serve a queue of calls, serve it until it
+// is closed, and wait again. A pool serves one queue at a time. Waiting for threads that have no order to
+// leave is refused, because the thread that could give the order may be the one that waits.
 #pragma once
 
 #include <pthread.h>
@@ -23,7 +23,7 @@ struct PoolSettings {
 
 class ServingPool : public Tagged {
   public:
-    static constexpr unsigned kMostThreads = 1024;
+    static constexpr unsigned kMaxThreads = 1024;
 
     // Null when memory, the system or a thread's start fails; all threads have started otherwise.
     static ServingPool* create(const PoolSettings& settings);
@@ -49,7 +49,7 @@ class ServingPool : public Tagged {
 
     const PoolSettings settings_;
     Lock lock_;
-    Condition orders_, news_;  // for the threads; from them
+    Condition orders_, news_;  // orders to the threads; reports from them
     pthread_t* threads_ = nullptr;
     unsigned count_ = 0;  // that were created
     unsigned started_ = 0, failed_ = 0;

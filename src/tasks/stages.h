@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Work in stages on several cores: pieces of one stage know nothing of each other, and none of them is begun
-// before all of the stage before are done. A job of Tasks for every stage would do the same, but small steps
-// are a hundred stages of a few microseconds: here all are one job, whose workers stay in it from stage to
-// stage.
-//   home     Each worker begins with the pieces of its own share, the same share in every stage: what it
-//            wrote is still in its cache, and claiming them is nobody else's business. When the others take
-//            longer than a moment, it helps them; before, looking at their tickets would hold them up.
-//   done     A worker tells once a stage how many pieces it has done; who tells the last one opens the next
-//            stage. Both are in one word, so a hand-over moves one line from cache to cache.
-//   waiting  Nobody waits for one who has not come: whoever is there does all pieces. Who is there alone does
-//            not even give others that moment.
+// Work in stages on several cores: the pieces of one stage are independent, and no piece begins before all
+// pieces of the stage before are done. One job of Tasks per stage would do the same, but a step in substeps
+// has a hundred stages of a few microseconds. Here all stages are one job, whose workers stay in it from
+// stage to stage.
+//
+//   home     Each worker begins with its own share of the pieces, the same share in every stage: what it
+//            wrote before is still in its cache, and no other worker competes for the claim. When the others
+//            take longer than a moment, it helps them; looking at their tickets earlier would delay them.
+//   done     Once per stage a worker reports how many pieces it has done; the worker that completes the stage
+//            opens the next one. Both are in one word, so a hand-over moves one line from cache to cache.
+//   waiting  No worker waits for one that has not arrived: those present do all pieces. A worker that is
+//            alone does not even grant the others that moment.
 #pragma once
 
 #include <atomic>
@@ -23,17 +24,18 @@
 
 namespace epode {
 
-// `pieces(stage)`: how many; asked by all workers, so always the same. `body(stage, index, worker)`.
+// `pieces(stage)`: the number of pieces; all workers call it, so it must always return the same. Runs
+// `body(stage, index, worker)`.
 template <typename Pieces, typename Body>
 class Stages {
   public:
     Stages(int stages, int shares, const Pieces& pieces, const Body& body)
-        : stages_(stages), shares_(shares < kMostShares ? shares : kMostShares), pieces_(pieces), body_(body)
+        : stages_(stages), shares_(shares < kMaxShares ? shares : kMaxShares), pieces_(pieces), body_(body)
     {
         open(0);
     }
 
-    // What a worker does; when it returns, all that is left is with others.
+    // The work of one worker; when it returns, all remaining pieces are in the hands of others.
     void serve(int worker)
     {
         const int home = worker % shares_;
@@ -46,10 +48,10 @@ class Stages {
                 waiting.end();
                 last = stage;
                 patience = come_.load(std::memory_order_relaxed) > 1 ? kPatience : 1;
-                tell(stage, take_from(home, stage, worker));
+                report(stage, take_from(home, stage, worker));
             } else if (patience > 0) {
                 if (--patience == 0)
-                    tell(stage, take_from_others(home, stage, worker));
+                    report(stage, take_from_others(home, stage, worker));
                 else
                     spin_once();
             } else {
@@ -59,15 +61,15 @@ class Stages {
     }
 
   private:
-    static constexpr int kMostShares = 64;
+    static constexpr int kMaxShares = 64;
     static constexpr int kPatience = 30;  // spins, about a microsecond
     using Ticket = unsigned long long;    // stage << 32 | next piece; of an earlier stage: none taken yet
     struct alignas(kCacheLine) Share {
         std::atomic<Ticket> ticket{Ticket(0xffffffffu) << 32};
     };
 
-    // All stages before are done, so a share whose pieces are not all taken belongs to this one: a ticket
-    // that was read in an earlier stage has changed since.
+    // All earlier stages are done, so a share with untaken pieces belongs to this stage: a ticket read in an
+    // earlier stage has changed since.
     int take_from(int share, int stage, int worker)
     {
         const int count = pieces_(stage);
@@ -93,14 +95,14 @@ class Stages {
         return done;
     }
 
-    void tell(int stage, int done)
+    void report(int stage, int done)
     {
         if (done == 0) return;
         const State before = state_.fetch_add(State(done), std::memory_order_acq_rel);
         if (int(before & 0xffffffffu) + done == pieces_(stage)) open(stage + 1);
     }
 
-    // Stages without pieces are none.
+    // Stages without pieces are skipped.
     void open(int stage)
     {
         while (stage < stages_ && pieces_(stage) <= 0) ++stage;
@@ -113,7 +115,7 @@ class Stages {
     using State = unsigned long long;  // stage << 32 | pieces of it that are done
     alignas(kCacheLine) std::atomic<State> state_{0};
     std::atomic<int> come_{0};  // workers
-    Share share_[kMostShares];
+    Share share_[kMaxShares];
 };
 
 template <typename Pieces, typename Body>

@@ -3,12 +3,12 @@
 //
 // Independent pieces of work on several cores. `for_each(count, body)` calls body(index, worker) once for
 // every index, on any worker 0 ... workers() - 1, and returns when all are done. What a piece computes must
-// depend on its index alone, never on its worker or on what runs beside it: then a result has the same bits
-// on any number of workers. `worker` is for scratch memory only. Pieces are begun in the order of their
-// indices: a piece may wait for what one with a lower index does.
-// A call from inside a piece runs its own pieces in place, one after another.
+// depend on its index alone, never on its worker or on what runs at the same time; then the result has the
+// same bits on any number of workers. `worker` is for scratch memory only. Pieces begin in the order of their
+// indices: a piece may wait for one with a lower index. A call from inside a piece runs its own pieces in
+// place, one after another.
 //
-// The workers are either threads of the library's own pool (tasks/thread_pool.h) and the caller, or calls of
+// The workers are either the caller and threads of the library's own pool (tasks/thread_pool.h), or calls of
 // a threading implementation that the program has given (tasks/posting.h), which the caller only waits for.
 #pragma once
 
@@ -21,15 +21,15 @@ class Tasks {
     // `workers` counts the caller; at least 1.
     explicit Tasks(int workers = 1) : workers_(workers < 1 ? 1 : workers) {}
 
-    // Posted calls. A job of one piece is posted too, and not simply done here, if `even_one`.
+    // Uses posted calls. A job of one piece is posted too, instead of run here, if `even_one`.
     explicit Tasks(const Posting& posting, bool even_one)
         : workers_(posting.width() + 1), posting_(&posting), least_(even_one ? 1 : 2)
     {}
 
     int workers() const { return workers_; }
 
-    // A hint, and another one at any time: nobody would help with a job of now. Work that is slower in pieces
-    // is then better done without; memory should be sized by workers(), which stays.
+    // A hint that may change at any time: no worker would help with a job now. Work that is slower in pieces
+    // should then not be divided; memory should be sized by workers(), which does not change.
     bool alone() const;
 
     template <typename Body>
@@ -67,7 +67,7 @@ class Tasks {
 
     int workers_;
     const Posting* posting_ = nullptr;
-    int least_ = 2;  // pieces that are not simply done here
+    int least_ = 2;  // the fewest pieces that are worth sharing
 };
 
 // Workers that the machine can run at once.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Pieces are claimed one by one by compare-and-swap on a ticket that carries the number of the job, so that a
+// Pieces are claimed one by one by compare-and-swap on a ticket that carries the number of the job, so a
 // worker that wakes late can never take a piece of the next job by the old count. A step has many short
-// stages: workers spin for a while before they sleep, and the caller spins, then yields, for the last piece.
-// Plain pthreads: starting a std::thread can only fail by exception.
+// stages: workers spin for a while before they sleep, and the caller spins, then yields, while it waits for
+// the last piece. Plain pthreads, because starting a std::thread can fail only by exception.
 #include "tasks/thread_pool.h"
 
 #include <sys/resource.h>
@@ -26,14 +26,14 @@ namespace {
 constexpr int kSpins = 4000;  // some ten microseconds
 constexpr std::size_t kStack = 512 * 1024;
 
-// Under the thread sanitizer helpers are what is looked at, and its slowness looks like lost cores.
+// Under the thread sanitizer the helpers are what is tested, and its slowness looks like lost cores.
 #ifdef __SANITIZE_THREAD__
 constexpr bool kAlwaysHelped = true;
 #else
 constexpr bool kAlwaysHelped = false;
 #endif
 
-// How often this thread lost its core although it could have gone on.
+// How often this thread lost its core although it could have continued.
 long times_unseated()
 {
 #ifdef RUSAGE_THREAD
@@ -115,7 +115,7 @@ unsigned ThreadPool::wait_for_news(unsigned seen)
 
 void ThreadPool::serve(int worker)
 {
-    // A job may have been posted before this thread came to run: it is looked at first.
+    // A job may have been posted before this thread started: look for it first.
     unsigned seen = 0;
     for (long lost = 0; !ending_.load(std::memory_order_acquire); seen = wait_for_news(seen)) {
         work(worker);
@@ -133,10 +133,10 @@ void* ThreadPool::main_of(void* argument)
     return nullptr;
 }
 
-// Where the system refuses a thread, those that exist do the work.
+// If the system refuses a thread, the existing ones do the work.
 void ThreadPool::start_up_to(int threads)
 {
-    if (threads > kMostThreads) threads = kMostThreads;
+    if (threads > kMaxThreads) threads = kMaxThreads;
     if (thread_count_ >= threads) return;
     pthread_attr_t attributes;
     if (pthread_attr_init(&attributes) != 0) return;
@@ -187,7 +187,7 @@ void Tasks::run(int count, Piece piece, void* body) const
 {
     if (posting_ && t_worker < 0) return posting_->run(workers_ - 1, count, piece, body);
     if (!posting_ && thread_pool().run(workers_, count, piece, body)) return;
-    // The pool is taken or rests, or this is a job inside a piece.
+    // The pool is in use or rests, or this is a job inside a piece.
     const int self = t_worker >= 0 && t_worker < workers_ ? t_worker : 0;
     const AsWorker mark(self);
     for (int i = 0; i < count; ++i) piece(body, i, self);
@@ -198,7 +198,7 @@ bool Tasks::alone() const { return workers_ == 1 || t_worker >= 0 || (!posting_ 
 int processor_count()
 {
     const long n = sysconf(_SC_NPROCESSORS_ONLN);
-    return n < 1 ? 1 : n > ThreadPool::kMostThreads ? ThreadPool::kMostThreads : int(n);
+    return n < 1 ? 1 : n > ThreadPool::kMaxThreads ? ThreadPool::kMaxThreads : int(n);
 }
 
 }  // namespace epode

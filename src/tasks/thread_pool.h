@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The threads behind Tasks: one pool for the process, since worlds that step at the same time share the same
-// cores. A step that finds the pool taken by another world works alone: slower, with the same result. So does
-// one when helpers lose their cores to other processes and are waited for more than they are worth
-// (help_balance.h).
+// The threads behind Tasks: one pool for the process, because worlds that step at the same time share the
+// same cores. A step that finds the pool in use works alone: slower, with the same result. So does a step
+// when helpers lose their cores to other processes and cost more than they contribute (help_balance.h).
 #pragma once
 
 #include <pthread.h>
@@ -18,18 +17,19 @@ namespace epode {
 class ThreadPool {
   public:
     using Piece = void (*)(void* body, int index, int worker);
-    static constexpr int kMostThreads = 64;
+    static constexpr int kMaxThreads = 64;
 
-    // The caller becomes worker 0 of at most `workers`. False: the pool is taken or rests, nothing was run.
+    // The caller becomes worker 0 of at most `workers`. False: the pool is in use or rests, and nothing was
+    // run.
     bool run(int workers, int count, Piece piece, void* body);
 
-    // A hint, for any thread at any time: a job of now would run nothing.
+    // A hint, for any thread at any time: a job now would run nothing.
     bool refuses() const;
 
     // Ends all threads; the next run starts new ones.
     void stop();
 
-    // In the child of a fork, which has none of the threads.
+    // For the child of a fork, which has none of the threads.
     void forget_threads();
 
   private:
@@ -45,8 +45,8 @@ class ThreadPool {
     void work(int worker);
     unsigned wait_for_news(unsigned seen);
 
-    // A job. Its fields may be read by a late worker while the next job is written, and are then not used,
-    // since the ticket is closed in between.
+    // A job. A late worker may read its fields while the next job is being written; it does not use them,
+    // because the ticket is closed meanwhile.
     std::atomic<Piece> piece_{nullptr};
     std::atomic<void*> body_{nullptr};
     std::atomic<int> count_{0};
@@ -58,9 +58,9 @@ class ThreadPool {
     std::atomic<unsigned> news_{0};  // grows with every job and at the end
     std::atomic<bool> ending_{false};
     std::atomic_flag taken_ = ATOMIC_FLAG_INIT;
-    HelpBalance balance_;                  // of who has taken it
-    std::atomic<unsigned> lost_cores_{0};  // by helpers, in a job or while they looked for the next
-    Thread threads_[kMostThreads] = {};
+    HelpBalance balance_;                  // of the caller that has taken the pool
+    std::atomic<unsigned> lost_cores_{0};  // by helpers, in a job or while they wait for the next
+    Thread threads_[kMaxThreads] = {};
     int thread_count_ = 0;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The functions of the table check what they are given as the exported ones do: programs call them directly.
+// The functions of the table check their arguments as the exported ones do, because programs call them
+// directly.
 #include "tasks/threading.h"
 
 #include "base/check.h"
@@ -10,10 +11,10 @@
 namespace epode {
 namespace {
 
-constexpr dmutexindex_t kMostMutexes = 1 << 16;
-constexpr std::size_t kMostDependencies = std::size_t(1) << 31;
+constexpr dmutexindex_t kMaxMutexes = 1 << 16;
+constexpr std::size_t kMaxDependencies = std::size_t(1) << 31;
 
-// The implementation behind the handle, or the call is refused with the given result.
+// The implementation behind the handle; without one the call is refused and returns the given result.
 #define IMPLEMENTATION_OR(...)                           \
     Threading* const own = from_handle<Threading>(impl); \
     EPODE_USER(own __VA_OPT__(, ) __VA_ARGS__)
@@ -21,7 +22,7 @@ constexpr std::size_t kMostDependencies = std::size_t(1) << 31;
 dMutexGroupID alloc_mutex_group(dThreadingImplementationID impl, dmutexindex_t count, const char* const*)
 {
     IMPLEMENTATION_OR(nullptr);
-    EPODE_USER(count > 0 && count <= kMostMutexes, nullptr);
+    EPODE_USER(count > 0 && count <= kMaxMutexes, nullptr);
     const MutexGroup* const group = own->make_group(count);
     EPODE_USER_SAY(group, kOutOfMemory, nullptr);
     return to_handle(group);
@@ -53,7 +54,7 @@ void unlock_group_mutex(dThreadingImplementationID impl, dMutexGroupID id, dmute
 dCallWaitID alloc_call_wait(dThreadingImplementationID impl)
 {
     IMPLEMENTATION_OR(nullptr);
-    return to_handle(own->calls.make_wait());  // a step that has none says itself that memory is lacking
+    return to_handle(own->calls.make_wait());  // a step that gets none reports the lack of memory itself
 }
 
 void reset_call_wait(dThreadingImplementationID impl, dCallWaitID wait)
@@ -69,14 +70,14 @@ void free_call_wait(dThreadingImplementationID impl, dCallWaitID wait)
     EPODE_USER(own->calls.free_wait(wait));
 }
 
-// A call that is refused counts as one that failed.
+// A refused call counts as one that failed.
 void post_call(dThreadingImplementationID impl, int* fault, dCallReleaseeID* releasee,
                ddependencycount_t dependencies, dCallReleaseeID dependent, dCallWaitID wait,
                dThreadedCallFunction* function, void* context, dcallindex_t index, const char*)
 {
     if (releasee) *releasee = nullptr;
     IMPLEMENTATION_OR((void)(fault && (*fault = 1)));
-    EPODE_USER(function && dependencies <= kMostDependencies, (void)(fault && (*fault = 1)));
+    EPODE_USER(function && dependencies <= kMaxDependencies, (void)(fault && (*fault = 1)));
     const CallQueue::Posted posted =
         own->calls.post({function, context, index, dependencies, dependent, wait, fault, releasee});
     EPODE_USER_SAY(posted != CallQueue::Posted::kNoMemory, kOutOfMemory);

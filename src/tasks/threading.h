@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Behind dThreadingImplementationID: a queue of calls and groups of mutexes, and the table of functions by
-// which a world, or a client's program, uses them. The self-threaded kind is the one that nobody may serve.
+// Behind dThreadingImplementationID: a queue of calls, groups of mutexes, and the table of functions through
+// which a world or a client's program uses them. The self-threaded kind is the one that no thread may serve.
 #pragma once
 
 #include "tasks/call_queue.h"
@@ -32,10 +32,10 @@ struct HandleOf<Threading> {
     static constexpr Tag kTag = Tag::kThreading;
 };
 
-// The table of ours; the same for both kinds.
+// Our table; the same for both kinds.
 const dThreadingFunctionsInfo& threading_functions();
 
-// A client's table with room for everything and nothing missing?
+// True if a client's table is large enough and lacks no function.
 bool complete(const dThreadingFunctionsInfo& functions);
 
 }  // namespace epode

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A thread that waits for what others are about to have done: it spins, since they mostly need microseconds,
-// and then lets others run, since one may have lost its core. What it waited beyond its spins is counted.
+// A thread that waits for the others to finish: it spins first, because they mostly need microseconds, and
+// then yields, because one may have lost its core. The time that it waits beyond its spins is counted.
 #pragma once
 
 #include <time.h>
@@ -41,7 +41,7 @@ class Waiting {
         std::this_thread::yield();
     }
 
-    // What was waited for has come; the next wait begins with spins again.
+    // The wait is over; the next one begins with spins again.
     void end()
     {
         if (counted_) t_waited += nanoseconds_now() - begin_;

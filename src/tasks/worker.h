@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Which worker a thread is while it runs pieces of a job; -1 while it does not. A job that is begun inside a
-// piece runs on the thread of that piece, with its number.
+// The number of the worker that a thread is while it runs pieces of a job; -1 otherwise. A job that begins
+// inside a piece runs on the thread of that piece, under its number.
 #pragma once
 
 namespace epode {

@@ -246,16 +246,16 @@ MomentumLoss collide_machines(int per_step, double aside)
         if (!met) loss.before = std::max(loss.before, lost());
     }
     EXPECT_TRUE(met);
-    // Patches are solved in floats: a rounding of 1e-7 of 20 kg m/s in some of the steps.
+    // Manifolds are solved in floats: a rounding of 1e-7 of 20 kg m/s in some of the steps.
     EXPECT_LT(length(momentum(sim) - p), per_step * tol(2e-5, 1e-3));
     EXPECT_LT(sim.report().joint_error, 2e-3);
     loss.in_all = lost();
     return loss;
 }
 
-// A patch keeps the arms of the step's beginning while its bodies slide past each other in the small steps:
-// what that costs is of first order in the step. Each step size has collisions of its own, so it shows in the
-// mean of several encounters.
+// A manifold keeps the arms of the step's beginning while its bodies slide past each other in the small
+// steps: what that costs is of first order in the step. Each step size has collisions of its own, so it shows
+// in the mean of several encounters.
 TEST(Hybrid, keeps_momentum_of_what_is_tied_and_of_what_collides)
 {
     MomentumLoss loss, fine;

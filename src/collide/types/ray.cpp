@@ -32,7 +32,7 @@ bool may_touch(Geom& geom, Geom& other)
     return ray.enters(box, 1) < kInf;
 }
 
-Real bearable(Real length) { return std::clamp(length, -kAbsurd, kAbsurd); }
+Real bearable(Real length) { return std::clamp(length, -kMaxMagnitude, kMaxMagnitude); }
 
 void describe_ray(const Geom& geom, DifWriter& out)
 {

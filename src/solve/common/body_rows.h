@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What lanes take of a SolverBody, as rows of four neighbouring numbers: 1/m and the main diagonal of the
-// inverse inertia, then its products (and a number that is not wanted).
+// Where lanes read a SolverBody, in groups of four neighbouring numbers: 1/m and the diagonal of the inverse
+// inertia, then its off-diagonal elements and an unused number.
 #pragma once
 
 #include <cstddef>

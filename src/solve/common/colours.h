@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// First-fit colours for what connects two bodies, so that nothing of one colour shares a body: a mask of 64
-// per body; a body that has used them all (a platform under a thousand ropes) goes on with a count of its
-// own, one behind the last that it or its partner has.
+// First-fit graph colouring of constraints between two bodies: constraints of one colour share no body. Each
+// body has a mask of 64 used colours. A body that has used all of them (a platform under a thousand ropes)
+// continues with a count of its own, one above the last colour of itself or its partner.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 
 namespace epode {
 
-// What is known of a body while colours are given.
+// The colours of one body during colouring.
 struct Palette {
     std::uint64_t used = 0;  // of the first 64 colours
-    int beyond = 0;          // the first free one behind these
+    int beyond = 0;          // the first free colour above these
 };
 
 inline int first_free(Palette& a, Palette& b)

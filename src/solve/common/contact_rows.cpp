@@ -7,7 +7,7 @@
 namespace epode {
 namespace {
 
-bool same_friction(const Manifold& a, const Manifold& b)
+bool same_friction(const JointManifold& a, const JointManifold& b)
 {
     for (int k = 0; k < 2; ++k)
         if (a.c[k] != b.c[k] || a.C[k] != b.C[k] || a.mu[k] != b.mu[k] || a.fixed[k] != b.fixed[k])
@@ -15,22 +15,23 @@ bool same_friction(const Manifold& a, const Manifold& b)
     return a.t1 == b.t1 && a.t2 == b.t2;
 }
 
-bool joins(const Manifold& m, const Manifold& next)
+bool joins(const JointManifold& m, const JointManifold& next)
 {
     return m.count < kManifoldPoints && m.body1 == next.body1 && m.body2 == next.body2 && m.n == next.n &&
            same_friction(m, next);
 }
 
-ManifoldPoint point_of(const RowSystem& system, const RowBlock& block)
+JointManifoldPoint point_of(const RowSystem& system, const RowBlock& block)
 {
     const RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
-    ManifoldPoint point{
+    JointManifoldPoint point{
         block.arms.r1, numbers[0].c, numbers[0].C, system.rows[std::size_t(block.first)].error, {}};
     for (int k = 0; k < block.count; ++k) point.p[k] = numbers[k].p;
     return point;
 }
 
-void expand_point(const Manifold& m, const ManifoldPoint& point, int first, Row* rows, RowNumbers* numbers)
+void expand_point(const JointManifold& m, const JointManifoldPoint& point, int first, Row* rows,
+                  RowNumbers* numbers)
 {
     const Vec3 d[3] = {m.n, m.t1, m.t2}, r2 = point.r1 + m.offset;
     for (int k = 0; k < 3; ++k) {
@@ -50,7 +51,7 @@ void expand_point(const Manifold& m, const ManifoldPoint& point, int first, Row*
 }
 
 template <typename T>
-std::span<T> with_room(std::span<T> from, int more, Arena& arena)
+std::span<T> with_capacity(std::span<T> from, int more, Arena& arena)
 {
     auto out = arena.take<T>(int(from.size()) + more);
     if (!out.empty()) std::copy(from.begin(), from.end(), out.begin());
@@ -68,16 +69,16 @@ bool has_contact_form(const RowSystem& system, const RowBlock& block)
     for (std::size_t k = first + 1; k < first + std::size_t(block.count); ++k) {
         const RowNumbers& n = system.numbers[k];
         if (n.lo != -n.hi || !(n.hi >= 0) || (n.parent >= 0 && n.parent != block.first)) return false;
-        if (system.rows[k].lin1 == Vec3{}) return false;  // friction against rolling
+        if (system.rows[k].lin1 == Vec3{}) return false;  // rolling friction
     }
     return true;
 }
 
-Manifold manifold_of(const RowSystem& system, const RowBlock& block)
+JointManifold manifold_of(const RowSystem& system, const RowBlock& block)
 {
     const Row* rows = &system.rows[std::size_t(block.first)];
     const RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
-    Manifold m{};
+    JointManifold m{};
     m.body1 = block.body1, m.body2 = block.body2;
     m.n = rows[0].lin1;
     if (block.body2 >= 0) m.offset = block.arms.r2 - block.arms.r1;
@@ -97,13 +98,13 @@ bool ContactRows::gather(const RowSystem& system, std::span<bool> taken, Arena& 
     int contacts = 0;
     for (const RowBlock& block : system.blocks) contacts += block.contact;
     if (contacts == 0) return true;
-    list_.manifolds = arena.take<Manifold>(contacts);
-    list_.points = arena.take<ManifoldPoint>(contacts);
+    list_.manifolds = arena.take<JointManifold>(contacts);
+    list_.points = arena.take<JointManifoldPoint>(contacts);
     rows_ = arena.take<PointRows>(contacts);
     if (arena.failed()) return false;
 
     std::size_t manifolds = 0, points = 0;
-    bool open = false;  // may the next block join the last manifold?
+    bool open = false;  // true if the next block may join the last manifold
     for (std::size_t i = 0; i < system.blocks.size(); ++i) {
         const RowBlock& block = system.blocks[i];
         taken[i] = has_contact_form(system, block);
@@ -111,7 +112,7 @@ bool ContactRows::gather(const RowSystem& system, std::span<bool> taken, Arena& 
             open = false;
             continue;
         }
-        Manifold next = manifold_of(system, block);
+        JointManifold next = manifold_of(system, block);
         if (!open || !joins(list_.manifolds[manifolds - 1], next)) {
             next.first = int(points);
             list_.manifolds[manifolds++] = next;
@@ -129,18 +130,18 @@ bool ContactRows::gather(const RowSystem& system, std::span<bool> taken, Arena& 
 
 bool expand_manifolds(const RowSystem& system, Arena& arena, RowSystem& out)
 {
-    const int points = int(system.contacts.points.size());
+    const int points = int(system.joint_contacts.points.size());
     out = system;
-    out.contacts = {};
-    out.rows = with_room(system.rows, 3 * points, arena);
-    out.numbers = with_room(system.numbers, 3 * points, arena);
-    out.blocks = with_room(system.blocks, points, arena);
+    out.joint_contacts = {};
+    out.rows = with_capacity(system.rows, 3 * points, arena);
+    out.numbers = with_capacity(system.numbers, 3 * points, arena);
+    out.blocks = with_capacity(system.blocks, points, arena);
     if (arena.failed()) return false;
     int row = int(system.rows.size());
     std::size_t block = system.blocks.size();
-    for (const Manifold& m : system.contacts.manifolds)
+    for (const JointManifold& m : system.joint_contacts.manifolds)
         for (int i = m.first; i < m.first + m.count; ++i, row += 3) {
-            const ManifoldPoint& point = system.contacts.points[std::size_t(i)];
+            const JointManifoldPoint& point = system.joint_contacts.points[std::size_t(i)];
             expand_point(m, point, row, &out.rows[std::size_t(row)], &out.numbers[std::size_t(row)]);
             out.blocks[block++] = {row, 3, m.body1, m.body2, true, {point.r1, point.r1 + m.offset}};
         }

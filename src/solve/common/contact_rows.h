@@ -1,29 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Contacts that are given as rows, as manifolds: for solvers that pack them. Consecutive blocks of one pair
-// of bodies with the same directions and the same numbers of friction make a manifold. Blocks that are not a
-// normal row with none or two tangents are left to others.
+// Joint manifolds from contacts that are given as rows, for solvers that pack manifolds. Consecutive blocks
+// of one pair of bodies with the same directions and friction numbers form a manifold. Blocks that are not a
+// normal row with none or two tangents are left to other code.
 #pragma once
 
 #include <span>
 
 #include "base/arena.h"
-#include "rows/manifold.h"
+#include "rows/joint_manifold.h"
 #include "rows/row_system.h"
 
 namespace epode {
 
 class ContactRows {
   public:
-    // Marks the blocks that it takes; false: out of memory.
+    // Marks the blocks that become points of manifolds; false: out of memory.
     bool gather(const RowSystem& system, std::span<bool> taken, Arena& arena);
 
-    const ManifoldList& list() const { return list_; }
+    const JointManifoldList& list() const { return list_; }
     // The normal row that a point came from.
     int row_of(int point) const { return rows_[std::size_t(point)].normal; }
 
-    // For each row of each point: f(number of the row, impulse).
+    // Calls f(number of the row, impulse) for each row of each point.
     template <typename Visit>
     void for_each_impulse(Visit&& f) const
     {
@@ -36,16 +36,16 @@ class ContactRows {
         int normal, count;
     };
 
-    ManifoldList list_;
+    JointManifoldList list_;
     std::span<PointRows> rows_;  // parallel to the points
 };
 
-// Is it a contact as a manifold has them, and which would it be a point of?
+// True if the block is a contact that fits a manifold; and the manifold that it would be a point of.
 bool has_contact_form(const RowSystem& system, const RowBlock& block);
-Manifold manifold_of(const RowSystem& system, const RowBlock& block);
+JointManifold manifold_of(const RowSystem& system, const RowBlock& block);
 
-// The other way round: the system with its manifolds as rows behind its own, for what judges rows. False: out
-// of memory.
+// The inverse: the system with its manifolds as additional rows, for code that judges rows. False: out of
+// memory.
 [[nodiscard]] bool expand_manifolds(const RowSystem& system, Arena& arena, RowSystem& out);
 
 }  // namespace epode

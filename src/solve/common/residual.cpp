@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "solve/common/contact_rows.h"
-#include "solve/common/whole_friction.h"
+#include "solve/common/manifold_friction.h"
 
 namespace epode {
 namespace {
@@ -19,32 +19,33 @@ B* second(std::span<B> bodies, const RowBlock& block)
 }
 
 template <typename B>
-B* second(std::span<B> bodies, const WholeFriction& f)
+B* second(std::span<B> bodies, const ManifoldFriction& f)
 {
     return std::size_t(f.body2) < bodies.size() ? &bodies[std::size_t(f.body2)] : nullptr;
 }
 
-Row row_of(const WholeFriction& f, int k)
+Row row_of(const ManifoldFriction& f, int k)
 {
     Row row;
     static_cast<Jacobian&>(row) = f.rows[k];
     return row;
 }
 
-// Has the block's friction gone into that of its manifold?
-bool in_whole(const RowSystem& system, const RowBlock& block)
+// True if the friction of the block is part of its manifold's friction.
+bool in_manifold_friction(const RowSystem& system, const RowBlock& block)
 {
     return system.manifold_friction && block.count == 3 && has_contact_form(system, block) &&
-           can_be_whole(manifold_of(system, block));
+           allows_manifold_friction(manifold_of(system, block));
 }
 
-// How many of the block's rows stand for themselves.
+// The number of the block's rows that are judged one by one.
 int own_rows(const RowSystem& system, const RowBlock& block)
 {
-    return in_whole(system, block) ? 1 : block.count;
+    return in_manifold_friction(system, block) ? 1 : block.count;
 }
 
-// What is to be in the box of its bounds, or the two friction rows of a contact in the ellipse of theirs.
+// Measures how far impulses are from the box of their bounds; the two friction rows of a contact may be
+// bounded by an ellipse.
 class Wanted {
   public:
     Wanted(const RowSystem& system, std::span<const SolverBody> bodies, std::span<const Real> lo,
@@ -52,7 +53,7 @@ class Wanted {
         : system_(system), bodies_(bodies), lo_(lo), hi_(hi)
     {}
 
-    // d |p - clip(p - w/d)|, of all rows of the block the largest.
+    // d |p - clip(p - w/d)|, the largest over the rows of the block.
     Real residual(const RowBlock& block) const
     {
         const int own = own_rows(system_, block);
@@ -60,7 +61,7 @@ class Wanted {
         Real worst = 0;
         for (int i = block.first; i < block.first + (cone ? 1 : own); ++i) {
             const auto k = std::size_t(i);
-            const Real d = mobility(block, k), p = system_.numbers[k].p;
+            const Real d = inverse_mass(block, k), p = system_.numbers[k].p;
             if (!(d > 0)) continue;  // an empty row constrains nothing
             const Real clipped = std::min(std::max(p - violation(block, k) / d, lo_[k]), hi_[k]);
             worst = std::max(worst, d * std::fabs(p - clipped));
@@ -68,13 +69,13 @@ class Wanted {
         return cone ? std::max(worst, friction_residual(block)) : worst;
     }
 
-    // The same of a friction in the ball of its limit, with the largest d of its rows.
-    Real residual(const WholeFriction& f) const
+    // The same for a manifold friction in the ball of its limit, with the largest d of its rows.
+    Real residual(const ManifoldFriction& f) const
     {
         const SolverBody& one = bodies_[std::size_t(f.body1)];
         Real d = 0, q[3], length2 = 0, worst = 0;
         for (int k = 0; k < 3; ++k)
-            d = std::max(d, row_mobility(row_of(f, k), one, second(bodies_, f)) + f.C);
+            d = std::max(d, inverse_effective_mass(row_of(f, k), one, second(bodies_, f)) + f.C);
         if (!(d > 0)) return 0;
         for (int k = 0; k < 3; ++k) {
             const Real w = row_velocity(row_of(f, k), one, second(bodies_, f)) + f.C * f.p[k] - f.c[k];
@@ -87,7 +88,7 @@ class Wanted {
     }
 
   private:
-    // Has the block a normal and two tangents, and nothing against rolling?
+    // True if the block has a normal and two tangents, and no rolling friction.
     bool slides(const RowBlock& block) const
     {
         const Row* rows = &system_.rows[std::size_t(block.first)];
@@ -97,9 +98,9 @@ class Wanted {
     const SolverBody& one(const RowBlock& block) const { return bodies_[std::size_t(block.body1)]; }
     const SolverBody* two(const RowBlock& block) const { return second(bodies_, block); }
 
-    Real mobility(const RowBlock& block, std::size_t k) const
+    Real inverse_mass(const RowBlock& block, std::size_t k) const
     {
-        return row_mobility(system_.rows[k], one(block), two(block)) + system_.numbers[k].C;
+        return inverse_effective_mass(system_.rows[k], one(block), two(block)) + system_.numbers[k].C;
     }
 
     Real violation(const RowBlock& block, std::size_t k) const
@@ -111,7 +112,7 @@ class Wanted {
     Real friction_residual(const RowBlock& block) const
     {
         const auto k = std::size_t(block.first) + 1;
-        const Real d = std::max(mobility(block, k), mobility(block, k + 1));
+        const Real d = std::max(inverse_mass(block, k), inverse_mass(block, k + 1));
         if (!(d > 0)) return 0;
         Real p[2], q[2], length2 = 0;
         for (std::size_t i = 0; i < 2; ++i) {
@@ -143,11 +144,11 @@ void present_bounds(const RowSystem& system, std::span<Real> lo, std::span<Real>
     }
 }
 
-std::span<const WholeFriction> frictions_of(const RowSystem& system, int part)
+std::span<const ManifoldFriction> frictions_of(const RowSystem& system, int part)
 {
     const auto begin_at = [&](int body) {
         return std::partition_point(system.frictions.begin(), system.frictions.end(),
-                                    [body](const WholeFriction& f) { return f.body1 < body; });
+                                    [body](const ManifoldFriction& f) { return f.body1 < body; });
     };
     return {begin_at(system.begin_of(part).bodies), begin_at(system.end_of(part).bodies)};
 }
@@ -162,7 +163,7 @@ Real natural_residual(const RowSystem& system, std::span<const SolverBody> v_sta
     std::copy(v_star.begin(), v_star.end(), bodies.begin());
 
     Real scale = 0;
-    for (const WholeFriction& f : system.frictions)
+    for (const ManifoldFriction& f : system.frictions)
         for (int k = 0; k < 3; ++k)
             apply_impulse(row_of(f, k), f.p[k], bodies[std::size_t(f.body1)], second(std::span(bodies), f));
     for (const RowBlock& block : system.blocks) {
@@ -182,7 +183,7 @@ Real natural_residual(const RowSystem& system, std::span<const SolverBody> v_sta
     const Wanted wanted(system, bodies, lo, hi);
     Real worst = 0;
     for (const RowBlock& block : system.blocks) worst = std::max(worst, wanted.residual(block));
-    for (const WholeFriction& f : system.frictions) worst = std::max(worst, wanted.residual(f));
+    for (const ManifoldFriction& f : system.frictions) worst = std::max(worst, wanted.residual(f));
     return worst / (scale > 0 ? scale : 1);
 }
 

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What a row asks for in one of n inner steps, hs = h/n.
+// The target of a row in one of n substeps, hs = h/n.
 //
 // ODE's pair is a spring k and damper d at step h: ERP = h k/(h k + d), CFM = 1/(h k + d). The same k and d
 // at hs are
-//   CFM_s = CFM / (1 - ERP (1 - 1/n)),   ERP_s = (ERP/n) / (1 - ERP (1 - 1/n)).
-// A row without position error (motor, friction) is a damper: k = 0, and its CFM stays what it is.
 //
-// Contacts whose softness nobody chose are springs relative to the mass they feel (frequency f, damping
+//   CFM_s = CFM / (1 - ERP (1 - 1/n)),   ERP_s = (ERP/n) / (1 - ERP (1 - 1/n)).
+//
+// A row without position error (motor, friction) is a damper: k = 0, and its CFM does not change.
+//
+// Contacts with default softness are soft constraints relative to their effective mass (frequency f, damping
 // ratio z, w = 2 pi f):  a1 = 2 z + hs w,  a2 = hs w a1,  rate = w/a1,  C = d/a2   (after Box2D's soft step
-// by Catto, 2022: relaxed without bias afterwards, so the push-out velocity does not stay).
+// by Catto, 2022: relaxed without bias afterwards, so the bias velocity does not remain).
 #pragma once
 
 #include <algorithm>
@@ -24,39 +26,39 @@ struct Substep {
     int n;
 };
 
-// J v + C p = c while correcting; afterwards, relaxing, `c_relaxed`.
+// J v + C p = c while correcting; while relaxing, `c_relaxed`.
 struct RowAim {
-    Real rate;  // correcting velocity per error
-    Real push;  // its largest value
+    Real rate;               // bias velocity per position error
+    Real max_bias_velocity;  // its largest value
     Real C;
-    bool spring;  // softness that was chosen: the error term belongs to the force and stays when relaxing
+    bool spring;  // chosen softness: the error term belongs to the force and stays while relaxing
 };
 
-// Above this share of the row's own mobility, CFM is meant as softness and not as regularisation.
+// Above this share of the row's inverse effective mass, CFM is meant as compliance and not as regularisation.
 inline constexpr Real kSoftShare = Real(1e-3);
 
-inline RowAim map_row(const Row& row, const Substep& step, Real mobility)
+inline RowAim map_row(const Row& row, const Substep& step, Real inverse_mass)
 {
     const Real erp = row.kind == RowKind::kFriction ? 0 : row.erp;
     const Real share = Real(1) / Real(step.n);
     const Real rest = 1 - erp * (1 - share);
     RowAim aim;
     aim.rate = erp * share / rest / step.hs;
-    aim.push = kInf;
+    aim.max_bias_velocity = kInf;
     aim.C = row.cfm / rest / step.hs;
-    aim.spring = row.soft || aim.C > kSoftShare * mobility;
+    aim.spring = row.soft || aim.C > kSoftShare * inverse_mass;
     return aim;
 }
 
-inline RowAim default_contact(const Substep& step, Real mobility, bool against_static,
+inline RowAim default_contact(const Substep& step, Real inverse_mass, bool against_static,
                               Real damping_ratio = 10)
 {
-    constexpr Real kFrequency = 60, kPushOut = 3;
+    constexpr Real kFrequency = 60, kMaxBiasVelocity = 3;
     const Real f = std::min(kFrequency, Real(0.125) / step.hs) * (against_static ? 2 : 1);
     const Real w = 2 * kPi * f;
     const Real a1 = 2 * damping_ratio + step.hs * w;
     const Real a2 = step.hs * w * a1;
-    return {w / a1, kPushOut, mobility / a2, false};
+    return {w / a1, kMaxBiasVelocity, inverse_mass / a2, false};
 }
 
 }  // namespace epode

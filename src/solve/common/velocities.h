@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What a sweep changes, and nothing else: one cache line per body (half of one in float), while masses stay
-// where only preparation reads them. The slots behind the last body are the world, one for each part: it is
-// gathered like any body, and since its inverse mass is zero, scattering to it changes nothing.
+// What a sweep changes, and nothing else: one cache line per body (half a line in floats), while masses stay
+// where only preparation reads them. The slots after the last body are the world, one for each part. The
+// world is gathered like any body, and scattering to it changes nothing, because its inverse mass is zero.
 #pragma once
 
 #include <span>
@@ -20,7 +20,7 @@ struct alignas(8 * sizeof(Real)) Velocity {
     Real unused2;
 };
 
-// Number by number, the unused ones included: loops over these become vectors.
+// Access number by number, the unused ones included: loops over them are vectorised.
 inline constexpr int kTwistNumbers = 8;
 static_assert(sizeof(Velocity) == kTwistNumbers * sizeof(Real));
 
@@ -39,7 +39,7 @@ inline void add(std::span<Velocity> to, std::span<const Velocity> by)
         for (int k = 0; k < kTwistNumbers; ++k) numbers(to[i])[k] += numbers(by[i])[k];
 }
 
-// Room for the bodies and the world; empty when the arena is exhausted.
+// Takes velocities for the bodies and the worlds; empty when the arena is exhausted.
 inline std::span<Velocity> take_velocities(const RowSystem& system, Arena& arena)
 {
     return arena.take<Velocity>(int(system.bodies.size()) + system.worlds());
@@ -60,7 +60,7 @@ inline void store_velocities(std::span<const Velocity> from, RowSystem& system)
     }
 }
 
-// Where a second body is in the velocities.
+// The index of a second body in the velocities.
 inline int second_slot(const RowSystem& system, int body2)
 {
     return body2 >= 0 ? body2 : int(system.bodies.size()) - 1 - body2;

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Free rows satisfy w = J v + C p - c = 0; with D = 1/C on them and 0 elsewhere, eliminating p gives H dv =
-// r. p is carried as an unknown of its own through the KKT refinement and never recomputed as (c - J v)/C,
-// which would cost eps/C of it (8 digits at ODE's CFM):
+// Free rows satisfy w = J v + C p - c = 0. With D = 1/C on them and 0 elsewhere, eliminating p (the Schur
+// complement of the KKT system) gives H dv = r. p is carried as an unknown of its own through the refinement
+// of the KKT system and never recomputed as (c - J v)/C, which would cost eps/C of it (8 digits at ODE's
+// CFM):
 //
 //   r1 = M (v* - v) + J^T p,  r2 = c - J v - C p   (free rows)
 //   dv = H^-1 (r1 + J^T D r2),  dp = D (r2 - J dv)
 //
-// A softness below 1e-11 d is replaced by that in D only; refinement against the true C converges for
-// consistent redundant rows and leaves inconsistent ones as soft as that.
+// Where C is below 1e-11 d, D uses 1e-11 d instead. Refinement against the true C converges for consistent
+// redundant rows and leaves inconsistent ones with that compliance.
+//
 // All wrong rows are flipped while their number falls (Portugal, Judice & Vicente 1994). When it does not,
-// rows of neighbours are overreacting to each other: then only those are flipped that share no body, the most
-// violated first. Clusters that are far from each other so progress at the same time, each by steps that are
-// nearly single. On 46 first phases of moving walls and piles this settles 33, flipping all of them 20; the
-// least violated first settles 26, one per pair of bodies 32. The last resort is one row at a time, the last
-// of the wrong ones (Murty's rule, finite for this positive definite problem).
+// neighbouring rows are overreacting to each other; then only rows that share no body are flipped, the most
+// violated first. Distant clusters so progress at the same time, each by nearly single steps. On 46 first
+// phases of moving walls and piles this settles 33, flipping all of them 20; the least violated first settles
+// 26, one per pair of bodies 32. The last resort is one row at a time, the last of the wrong ones (Murty's
+// rule, which is finite for this positive definite problem).
 #include "solve/exact/active_set.h"
 
 #include <algorithm>
@@ -26,14 +28,14 @@ namespace {
 
 constexpr double kFeasible = 1e-11;  // relative tolerance of a sign, in units of the problem's velocity scale
 constexpr int kPatience = 8;         // rounds without a new minimum
-constexpr int kMostPasses = 8;       // of refinement
-constexpr int kFew = 16;             // wrong rows that are never hopeless
+constexpr int kMaxPasses = 8;        // of refinement
+constexpr int kFew = 16;             // so few wrong rows never end the search
 
 // Guesses that settle have less than 0.4 of their rows wrong at first, 0.3 after one round, and fewer than
 // two rounds before. With friction, where rows have two bounds, 0.2 after one round and 0.6 of two rounds
-// before; what loses them more slowly mostly ends in a cycle. Of 70 phases of walls, piles and pyramids
-// without friction 63 settle within 40 rounds; given up are those 7 after 18 rounds in all and 5 others. Of
-// 70 with friction 21 settle; the others and 9 of them are given up after 75 rounds in all.
+// before; guesses that improve more slowly mostly end in a cycle. Of 70 phases of walls, piles and pyramids
+// without friction 63 settle within 40 rounds; this gives up the other 7 after 18 rounds in all, and 5 more.
+// Of 70 with friction 21 settle; the others and 9 of them are given up after 75 rounds in all.
 bool hopeless(int wrong, const int* before, int count, bool friction, int round)
 {
     if (wrong <= kFew || 64 * wrong <= count) return false;
@@ -54,7 +56,7 @@ bool ActiveSet::prepare(const ExactProblem& problem, int places, Arena& arena)
 {
     D_ = arena.take<double>(places);
     w_ = arena.take<double>(places);
-    push_ = arena.take<double>(places);
+    scratch_ = arena.take<double>(places);
     wrong_ = arena.take<int>(places);
     touched_ = arena.take<bool>(problem.unknowns() / 6);
     r_ = arena.take<double>(problem.unknowns());
@@ -90,7 +92,7 @@ bool ActiveSet::solve(ExactProblem& problem, PackedRows& rows, std::span<double>
     return false;
 }
 
-// Impulses on their bounds, weights for the others.
+// Impulses of bound rows are set to their bounds; free rows get their weights.
 void ActiveSet::settle(PackedRows& rows)
 {
     for (std::size_t i = 0; i < std::size_t(rows.count()); ++i) {
@@ -115,33 +117,33 @@ void ActiveSet::refine(ExactProblem& problem, PackedRows& rows, std::span<double
 {
     const double small = 1e-15 * problem.scale();
     const auto n = std::size_t(rows.count());
-    const std::span<double> w = w_.first(n), push = push_.first(n);
+    const std::span<double> w = w_.first(n), scratch = scratch_.first(n);
     double before = HUGE_VAL;
-    for (int pass = 0; pass < kMostPasses; ++pass) {
+    for (int pass = 0; pass < kMaxPasses; ++pass) {
         rows.momentum_change(problem, v, r_);
         rows.products(v, w);
         for (std::size_t i = 0; i < n; ++i) {
             w[i] = rows.c[i] - w[i] - rows.C[i] * rows.p[i];
-            push[i] = rows.p[i] + D_[i] * w[i];
+            scratch[i] = rows.p[i] + D_[i] * w[i];
         }
-        rows.add_transposed(push, r_);
+        rows.add_transposed(scratch, r_);
         problem.solve(r_);
-        rows.products(r_, push);
-        for (std::size_t i = 0; i < n; ++i) rows.p[i] += D_[i] * (w[i] - push[i]);
+        rows.products(r_, scratch);
+        for (std::size_t i = 0; i < n; ++i) rows.p[i] += D_[i] * (w[i] - scratch[i]);
         double change = 0;
         for (std::size_t i = 0; i < v.size(); ++i) {
             v[i] += r_[i];
             change = std::max(change, std::fabs(r_[i]));
         }
         // Corrections shrink by about the same factor each time: stop when the next one would be below
-        // rounding, or when they have stopped shrinking. The first pass mostly moves v, it proves nothing.
+        // rounding, or when they stop shrinking. The first pass mostly moves v and proves nothing.
         if (pass > 0 && (change >= 0.5 * before || change * (change / before) <= small)) break;
         if (change == 0) break;
         before = change;
     }
 }
 
-// Leaves in w_ by how much, as a velocity.
+// Stores in w_ by how much each row is wrong, as a velocity.
 int ActiveSet::find_wrong(const ExactProblem& problem, const PackedRows& rows, std::span<const double> v)
 {
     const double tolerance = kFeasible * problem.scale();
@@ -186,7 +188,7 @@ void ActiveSet::flip_apart(const ExactProblem& problem, PackedRows& rows, int wr
     }
 }
 
-// The other side of a wrong guess.
+// Flips a wrong guess.
 void ActiveSet::flip(PackedRows& rows, int place)
 {
     const auto i = std::size_t(place);

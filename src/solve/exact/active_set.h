@@ -12,7 +12,7 @@ namespace epode {
 
 struct ActiveSetSettings {
     int rounds = 30;
-    bool persistent = false;  // goes on where the guess looks hopeless, at last one row at a time (Murty)
+    bool persistent = false;  // continues where the guess looks hopeless, finally one row at a time (Murty)
 };
 
 class ActiveSet {
@@ -20,7 +20,7 @@ class ActiveSet {
     bool prepare(const ExactProblem& problem, int places, Arena& arena);  // false: out of memory
 
     // From rows.p and the tags to the answer in rows.p, with its velocities `v`, 6 per body. True: exact.
-    // False: the rounds are used up or do not help; what is there may be far off.
+    // False: the rounds are used up or do not help; the result may be far off.
     bool solve(ExactProblem& problem, PackedRows& rows, std::span<double> v,
                const ActiveSetSettings& settings, int& rounds);
 
@@ -31,8 +31,8 @@ class ActiveSet {
     void flip_apart(const ExactProblem& problem, PackedRows& rows, int wrong);
     void flip(PackedRows& rows, int place);
 
-    std::span<double> D_, w_, push_;  // per place
-    std::span<double> r_;             // per unknown
+    std::span<double> D_, w_, scratch_;  // per place
+    std::span<double> r_;                // per unknown
     std::span<int> wrong_;
     std::span<bool> touched_;  // per body
 };

@@ -1,44 +1,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// dWorldStep: ODE's mixed complementarity problem, exactly. Friction limits make it non-convex; ODE defines
-// the answer in two phases, each a strictly convex box problem with one solution (C > 0):
+// dWorldStep: ODE's mixed complementarity problem, solved exactly. Friction limits make it non-convex; ODE
+// defines the answer in two phases, each a strictly convex box problem with one solution (C > 0):
 //
 //   1. without the rows that have a parent (their bounds are 0)           -> p1
 //   2. all rows, with limits  hi = mu |p1[parent]|,  lo = -hi, frozen     -> p
 //
-// Phase 1 must be exact including the split among redundant contacts, since phase 2 inherits it as limits.
-// Small islands are solved by a method of their own (small_island.h). Others, and those that it gives up, per
-// phase: active set from the warm start, interior point where the guess does not settle, then the active set
-// again from its tags; the better answer by natural residual counts. Nothing is ever printed. The
-// alternative, Dantzig's principal pivoting on the dense J M^-1 J^T, is what ODE does: cubic in the rows, and
-// a pivot near zero on redundant contacts ends it.
+// Phase 1 must be exact including the split among redundant contacts, because phase 2 takes it as limits.
+// Small islands have methods of their own (small_island.h). All others, and those that these give up, take
+// per phase: the active set from the warm start; the interior point where the guess does not settle; then the
+// active set again from its tags. The answer with the smaller natural residual counts. Nothing is ever
+// printed. The alternative, Dantzig's principal pivoting on the dense J M^-1 J^T, is what ODE does: its cost
+// is cubic in the rows, and a pivot near zero on redundant contacts ends it.
 #include <algorithm>
 #include <cmath>
 
 #include "solve/exact/active_set.h"
+#include "solve/exact/extended/primal_active_set.h"
 #include "solve/exact/interior_point.h"
 #include "solve/exact/small/box_phases.h"
 #include "solve/exact/small/small_island.h"
-#include "solve/exact/wide/careful_set.h"
 #include "solve/solver.h"
 
 namespace epode {
 namespace {
 
-constexpr double kPromised = 1e-9;  // natural residual that an answer must have
+constexpr double kPromised = 1e-9;  // natural residual that every answer must reach
 constexpr int kQuickRounds = 30;    // of the first active set
 constexpr double kInteriorTolerance = 2e-10;
 
 class DirectSolve {
   public:
-    // `give_up_early`: fail where the active set does not settle, there is something better than the interior
-    // point.
+    // `give_up_early`: fail where the active set does not settle, because a better method than the interior
+    // point is available.
     explicit DirectSolve(bool give_up_early) : give_up_early_(give_up_early) {}
 
     bool prepare(RowSystem& system, const SolverSettings& settings, Arena& arena)
     {
-        careful_above_ = settings.careful_above;
+        refine_above_ = settings.refine_above;
         const int m = int(system.rows.size());
         if (!problem_.build(system, arena)) return false;
         state_.lo = arena.take<double>(m);
@@ -49,8 +49,9 @@ class DirectSolve {
         kept_ = arena.take<double>(m);
         begun_ = arena.take<double>(m);
         scratch_ = arena.take<double>(problem_.unknowns());
-        return !arena.failed() && problem_.build_factor(system, settings.plans, settings.tasks, arena) &&
-               packed_.prepare(problem_, arena) && active_.prepare(problem_, packed_.most_places(), arena);
+        return !arena.failed() &&
+               problem_.build_factor(system, settings.symbolic_cache, settings.tasks, arena) &&
+               packed_.prepare(problem_, arena) && active_.prepare(problem_, packed_.max_places(), arena);
     }
 
     // Both phases; false: out of memory, or given up.
@@ -74,21 +75,21 @@ class DirectSolve {
     {
         if (!solve_box(arena, report)) return false;
         residual_ = problem_.residual(state_, scratch_);
-        if (!(residual_ > careful_above_)) return true;
-        if (!careful_ready_ && !(careful_ready_ = careful_.prepare(problem_, arena))) return false;
-        residual_ = careful_.solve(problem_, state_, scratch_, report.iterations);
+        if (!(residual_ > refine_above_)) return true;
+        if (!fallback_ready_ && !(fallback_ready_ = fallback_.prepare(problem_, arena))) return false;
+        residual_ = fallback_.solve(problem_, state_, scratch_, report.iterations);
         if (!(residual_ > kPromised)) return true;
         if (!problem_.soften()) return solve_densely(arena, report);
         std::copy(begun_.begin(), begun_.end(), state_.p.begin());
         return solve_phase(arena, report);
     }
 
-    // Better than it was, or as it was.
+    // Improves the answer or leaves it as it was.
     bool solve_densely(Arena& arena, SolveReport& report)
     {
-        if (problem_.row_count() > WideFactor::kMostRows) return true;
-        if (!careful_dense_ && !(careful_dense_ = careful_.prepare_dense(problem_, arena))) return false;
-        residual_ = careful_.solve(problem_, state_, scratch_, report.iterations);
+        if (problem_.row_count() > ExtendedFactor::kMaxRows) return true;
+        if (!fallback_dense_ && !(fallback_dense_ = fallback_.prepare_dense(problem_, arena))) return false;
+        residual_ = fallback_.solve(problem_, state_, scratch_, report.iterations);
         return true;
     }
 
@@ -103,7 +104,7 @@ class DirectSolve {
         }
         if (give_up_early_) return false;
         report.fallback = true;
-        if (!interior_ready_) interior_ready_ = interior_.prepare(problem_, packed_.most_places(), arena);
+        if (!interior_ready_) interior_ready_ = interior_.prepare(problem_, packed_.max_places(), arena);
         if (!interior_ready_) return false;
         // A wrong guess of the active set may have left impulses of any size.
         packed_.take_impulses(begun_);
@@ -113,8 +114,8 @@ class DirectSolve {
         return true;
     }
 
-    // The active set from the interior point's tags usually ends exactly; if it does not, the interior answer
-    // stands as it is.
+    // The active set from the interior point's tags usually ends exactly; otherwise the answer of the
+    // interior point is kept.
     void keep_better_of_polish(SolveReport& report)
     {
         const double before = problem_.residual(state_, scratch_);
@@ -130,15 +131,15 @@ class DirectSolve {
             std::copy(kept_.begin(), kept_.end(), state_.p.begin());
     }
 
-    double careful_above_ = 0;
+    double refine_above_ = 0;
     ExactProblem problem_;
     PackedRows packed_;
     ActiveSet active_;
     InteriorPoint interior_;
-    CarefulSet careful_;
+    PrimalActiveSet fallback_;
     bool give_up_early_;
-    bool interior_ready_ = false, careful_ready_ = false, careful_dense_ = false;
-    double residual_ = 0;  // that scratch_ and state_ have
+    bool interior_ready_ = false, fallback_ready_ = false, fallback_dense_ = false;
+    double residual_ = 0;  // residual of scratch_ and state_
     BoxState state_;
     std::span<double> kept_, begun_, scratch_;
 };

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // One factorisation of H = M + J^T D J, D = 1/C, and as few passes of the KKT refinement of active_set.cpp as
-// will do:
+// suffice:
 //
 //   r1 = M (v* - v) + J^T p,  r2 = c - J v - C p,  dv = H^-1 (r1 + J^T D r2),  dp = D (r2 - J dv)
 //
@@ -17,14 +17,14 @@
 namespace epode {
 namespace {
 
-constexpr int kMostPasses = 4;
-constexpr double kEnough = 1e-4;  // of the largest velocity that a row has to change
+constexpr int kMaxPasses = 4;
+constexpr double kEnough = 1e-4;  // of the largest velocity change of a row
 
 class Equalities {
   public:
-    bool prepare(const RowSystem& system, PlanCache* plans, Arena& arena)
+    bool prepare(const RowSystem& system, SymbolicCache* symbolic_cache, Arena& arena)
     {
-        if (!problem_.build(system, arena) || !problem_.build_factor(system, plans, Tasks(1), arena))
+        if (!problem_.build(system, arena) || !problem_.build_factor(system, symbolic_cache, Tasks(1), arena))
             return false;
         const int m = problem_.row_count();
         D_ = arena.take<double>(m);
@@ -44,7 +44,7 @@ class Equalities {
         problem_.factor(D_);
         problem_.velocities(p_, v_);
         const double enough = kEnough * measure();
-        for (int pass = 0; pass < kMostPasses; ++pass) {
+        for (int pass = 0; pass < kMaxPasses; ++pass) {
             correct();
             if (measure() <= enough) return;
         }
@@ -53,7 +53,7 @@ class Equalities {
     void store(RowSystem& system) { problem_.store(system, p_, v_); }
 
   private:
-    // r2, and its largest.
+    // Computes r2; returns its largest element.
     double measure()
     {
         double worst = 0;
@@ -82,11 +82,11 @@ class Equalities {
 
 }  // namespace
 
-bool solve_equalities(RowSystem& system, PlanCache* plans, Arena& arena)
+bool solve_equalities(RowSystem& system, SymbolicCache* symbolic_cache, Arena& arena)
 {
     Arena::Scope scope(arena);
     Equalities equalities;
-    if (!equalities.prepare(system, plans, arena)) return false;
+    if (!equalities.prepare(system, symbolic_cache, arena)) return false;
     equalities.solve();
     equalities.store(system);
     return true;

@@ -21,8 +21,8 @@
 // set to finish (15 and two rounds more; from 1e-6 it often does not). At a redundant solution half of the
 // iterations go into the split among rows that only C decides, from mu near C p^2 on.
 //
-// A direction costs two passes over the rows around the solution with H: one that makes t, e and J^T D e, one
-// that makes dp and all that is asked of the direction, since s dz + z ds = t.
+// A direction costs two passes over the rows around the solution with H: one computes t, e and J^T D e, the
+// other dp and all sums over the direction, since s dz + z ds = t.
 #include "solve/exact/interior_point.h"
 
 #include <algorithm>
@@ -31,7 +31,7 @@
 namespace epode {
 namespace {
 
-constexpr int kMostIterations = 60;
+constexpr int kMaxIterations = 60;
 constexpr int kPatience = 2;  // iterations without a tenth of progress before recentring
 constexpr int kStall = 12;    // and before giving up
 constexpr double kStepShare = 0.9999;
@@ -74,7 +74,7 @@ bool InteriorPoint::solve(ExactProblem& problem, PackedRows& rows, std::span<dou
         stall = measure < 0.9 * mark || mu < 0.5 * mu_mark ? 0 : stall + 1;
         if (stall == 0) mark = std::min(mark, measure), mu_mark = std::min(mu_mark, mu);
         if (reached || stall >= kStall || !(measure < HUGE_VAL) || !(mu < HUGE_VAL)) break;
-        if (k == kMostIterations) break;
+        if (k == kMaxIterations) break;
         ++iterations;
         rows.factor(problem, {rows_.D, std::size_t(rows.count())});
         const bool cramped = stall >= kPatience && step < 0.9;
@@ -113,11 +113,11 @@ void InteriorPoint::start(const ExactProblem& problem, std::span<double> v)
     const auto n = std::size_t(rows.count());
     const double scale = problem.scale();
     bounds_ = 0;
-    // Rows with two bounds start in their middle: friction taken over from the last step is often far off.
+    // Rows with two bounds start in their middle: friction from the last step is often far off.
     for (std::size_t i = 0; i < n; ++i)
         if (rows.lo[i] > -HUGE_VAL && rows.hi[i] < HUGE_VAL) rows.p[i] = 0.5 * (rows.lo[i] + rows.hi[i]);
     // The velocities are those of the impulses before they are moved off their bounds: the momentum that is
-    // then missing costs less than hundreds of contacts that all push.
+    // then missing costs less than hundreds of contacts that all carry an impulse.
     rows.velocities(problem, r1_, v);
     for (std::size_t i = 0; i < n; ++i) {
         const bool real = rows.tag[i] != BoxState::kFixed;
@@ -135,7 +135,7 @@ void InteriorPoint::start(const ExactProblem& problem, std::span<double> v)
         place(rows_.upper, above, rows.hi[i] - rows.p[i]);
         bounds_ += below + above;
     }
-    // What the rows' velocities lack at this point, multipliers of the right sign take over.
+    // The rows' velocities at this point, with multipliers of the right sign.
     const std::span<double> w(rows_.e, n);
     rows.products(v, w);
     for (std::size_t i = 0; i < n; ++i) {
@@ -145,12 +145,12 @@ void InteriorPoint::start(const ExactProblem& problem, std::span<double> v)
     }
 }
 
-// `push` makes t and e and adds J^T D e to its argument.
-template <typename Push>
-void InteriorPoint::direction(ExactProblem& problem, const Push& push)
+// `add_target` computes t and e and adds J^T D e to its argument.
+template <typename AddTarget>
+void InteriorPoint::direction(ExactProblem& problem, const AddTarget& add_target)
 {
     std::copy(r1_.begin(), r1_.end(), dv_.begin());
-    push(dv_.data());
+    add_target(dv_.data());
     problem.solve(dv_);
     ahead_ = packed_->kernels().finish(rows_, dv_.data());
 }
@@ -163,13 +163,13 @@ double InteriorPoint::complementarity(double step) const
     return std::max(0.0, sum) / bounds_;
 }
 
-// Up to which all slacks and multipliers stay positive.
+// The longest step for which all slacks and multipliers stay positive.
 double InteriorPoint::longest_step() const
 {
     return ahead_.shrink > kStepShare ? 1 / ahead_.shrink : 1 / kStepShare;
 }
 
-// Predictor and corrector; returns the complementarity aimed at.
+// Predictor and corrector; returns the target complementarity.
 double InteriorPoint::aim(ExactProblem& problem)
 {
     const RowKernels& kernels = packed_->kernels();
@@ -182,8 +182,8 @@ double InteriorPoint::aim(ExactProblem& problem)
     return target;
 }
 
-// Where predictor and corrector no longer get on, a few products are far off the mean: back towards the
-// middle.
+// If predictor and corrector stop making progress, a few products are far from the mean: step back towards
+// the centre.
 double InteriorPoint::recentre(ExactProblem& problem)
 {
     const double target = 0.5 * complementarity(0);
@@ -192,7 +192,7 @@ double InteriorPoint::recentre(ExactProblem& problem)
 }
 
 // Gondzio's correctors: where a longer step would leave products far from the target, aim at the nearest
-// bound of [1/10, 10] of it instead; each costs one more solution with the same factor. They are kept only
+// bound of [1/10, 10] of it instead. Each costs one more solution with the same factor. They are kept only
 // while they lengthen the step.
 void InteriorPoint::correct_centrality(ExactProblem& problem, double target)
 {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Joints as the kernels read them, kLanes side by side: joints of one form, with as many rows and as many
-// bounded ones, none of which shares a dynamic body with another. Their numbers follow each other as Lanes or
-// FloatLanes, in the order of JointLayout. A ball needs 280 bytes in doubles and half of that in floats,
-// where three rows with their Jacobians and M^-1 J^T take 600: in a net of joints that no longer fits the
-// caches, a sweep is as fast as they come.
+// Joints as the kernels read them, kLanes side by side: joints of one form, with equal numbers of rows and of
+// bounded rows, none of which shares a dynamic body with another. Their numbers follow each other as Lanes or
+// FloatLanes, in the order of JointLayout. A ball joint needs 280 bytes in doubles and half of that in
+// floats, where three rows with their Jacobians and M^-1 J^T take 600: in a net of joints that no longer fits
+// the caches, a sweep is as fast as the numbers arrive.
 #pragma once
 
 #include "rows/row.h"
@@ -19,21 +19,21 @@ static_assert(kLanes == kFloatLanes);  // batches are the same in both
 struct JointBatch {
     RowForm form;
     int rows, bounded;                 // the last `bounded` rows have bounds
-    int count;                         // joints; the lanes behind them are empty
+    int count;                         // joints; the lanes after them are empty
     int at;                            // the first of its numbers
-    int facts;                         // the first of its facts; -1: rows are asked for anew
-    bool rebounds;                     // with facts: some of its rows may
+    int facts;                         // the first of its facts; -1: rows are evaluated by the joints
+    bool has_restitution;              // with facts: true if some of its rows may
     int body1[kLanes], body2[kLanes];  // into the velocities
 };
 
 // Where the numbers of a batch are.
 struct JointLayout {
-    int arms, directions, axes;  // r1 and r2; three vectors of a turned point; one vector per row behind
+    int arms, directions, axes;  // r1 and r2; three vectors of a turned point; one vector per row after it
     int matrix;                  // lower triangle, row by row: see joint_kernels.inc
     int C, c, p;                 // per row
     int lo, hi;                  // per bounded row
     int relaxed;                 // per row: c of relaxing sweeps
-    int sum;                     // per row: p of the small steps before
+    int sum;                     // per row: sum of p over the earlier substeps
     int size;
 
     static constexpr int kInvMass = 0, kInvInertia = 2, kGeometry = 14;  // two masses, two tensors of six
@@ -64,15 +64,15 @@ struct JointLayout {
     }
 };
 
-// What a step knows of a batch that is followed (solve/joints/joint_follow.inc), of a point form.
+// The facts of a batch that is followed (solve/joints/joint_follow.inc), of a point form.
 struct FactLayout {
     int anchors, directions, axes;  // in the bodies' frames; directions and axes in that of the guide
     int apart;                      // orientation of the other body seen from the guide, at the beginning
     int side;                       // 1: body 1 is the guide, -1: body 2
-    int start;                      // per row: its error when nothing has moved
+    int start;                      // per row: its error at the beginning
     int rate, speed;                // c = rate * error + speed
-    int keeps;                      // 1: relaxing sweeps aim at c too, else at the speed
-    int made;                       // orientations of both bodies when the matrix was made; zero: not yet
+    int keeps;                      // 1: relaxing sweeps aim at c too, else at speed
+    int made;                       // orientations of both bodies when the matrix was made; zero: never
     int size;
 
     EPODE_LANEWISE constexpr FactLayout(RowForm form, int rows)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What is done to packed joints, once per kind of machine, with the same bits as result; chosen as
-// contact_kernels.h tells. Plain pointers and counts for the reason given there.
+// The operations on packed joints, once per kind of machine, with the same bits as result; the processor is
+// queried as in contact_kernels.h. Plain pointers and counts for the reason given there.
 #pragma once
 
 #include <span>
@@ -15,11 +15,10 @@ namespace epode {
 
 struct JointSweep {
     Real w;      // over-relaxation
-    bool relax;  // aims at `relaxed` instead of c
+    bool relax;  // target `relaxed` instead of c
 };
 
-// What the joints of a batch say at the beginning of a step, lane by lane; where there is no joint, nothing
-// but zeros.
+// The rows of the joints of a batch at the beginning of a step, lane by lane; zeros where there is no joint.
 struct JointRows {
     const Row* row[kMaxJointRows][kLanes];  // by their place in the batch
     const RowBlock* block[kLanes];
@@ -31,10 +30,10 @@ struct JointRows {
 // L: Lanes or FloatLanes.
 template <typename L>
 struct JointBeginOf {
-    L* facts;                 // only of batches that are followed
+    L* facts;                 // only for batches that are followed
     const SolverPose* poses;  // likewise
-    Real soft_share;          // above zero: rows with C above this share of their mobility relax to c
-    Velocity* bodies;         // null: p does nothing yet
+    Real soft_share;          // above zero: rows with C above this share of 1 / effective mass relax to c
+    Velocity* bodies;         // null: p is not applied yet
 };
 
 // `at` of the batches counts from `numbers`. B: Velocity or FloatVelocity.
@@ -47,13 +46,13 @@ struct JointSweepsOf {
 
 template <typename L>
 struct JointKernelsOf {
-    // Facts of a batch, masses and C; but not who keeps its aim, nor when the matrix was made.
+    // Facts of a batch, masses and C, except which rows keep their target and when the matrix was made.
     void (*take_facts)(const JointBatch& batch, L* numbers, L* facts, const JointRows& from);
-    // Batch by batch, while its numbers are near: of those that have facts, masses, geometry, c and what
-    // relaxing aims at; then of masses, geometry, C, p and bounds, the matrix, and p within its bounds; then
-    // what p does to the bodies.
+    // Batch by batch, while its numbers are in the cache: for batches with facts, masses, geometry, c and the
+    // relaxing target; then, from masses, geometry, C, p and bounds, the matrix and p within its bounds; then
+    // the effect of p on the bodies.
     void (*begin)(const JointBatch* batches, int count, L* numbers, const JointBeginOf<L>& how);
-    // Of FloatLanes: velocities are rounded on their way in, and what has changed is added to them.
+    // For FloatLanes: velocities are rounded when they are read, and their changes are added.
     JointSweepsOf<L, Velocity> on_velocities;
 };
 
@@ -67,7 +66,7 @@ struct JointKernels {
     const JointKernelsOf<FloatLanes>& of(const FloatLanes*) const { return floats; }
 };
 
-// Those that this machine can run; the first is the baseline, the last the fastest.
+// The kernels that this machine can run; the first is the baseline, the last the fastest.
 std::span<const JointKernels* const> joint_kernels();
 
 }  // namespace epode

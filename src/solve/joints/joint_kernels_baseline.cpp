@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The joint kernels for any machine, and the choice between those that there are. It is made when the
-// library is loaded, so that calls go through one pointer and no test.
+// The joint kernels for any machine, and the choice among the available sets. It is made when the library is
+// loaded, so that calls go through one pointer without a test.
 #include "simd/machine.h"
 #include "solve/joints/joint_facts.inc"
 #include "solve/joints/joint_kernels.inc"

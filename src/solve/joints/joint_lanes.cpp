@@ -14,7 +14,7 @@ constexpr Real kFloatRatio = 1000;  // of masses
 constexpr Real kFloatArms = 1000;   // m r x I^-1 r x
 constexpr Real kFloatRange = Real(1e12);
 
-bool in_range(Real sum) { return sum <= kFloatRange; }  // what is not a number is not
+bool in_range(Real sum) { return sum <= kFloatRange; }  // false for NaN
 
 Real size(Vec3 a)
 {
@@ -31,19 +31,25 @@ const SolverBody* moving(const RowSystem& system, int body)
 }
 
 struct Masses {
-    Real least = kFloatRange, most = 1 / kFloatRange;  // inverse ones
+    Real smallest = kFloatRange, largest = 1 / kFloatRange;  // inverse ones
 
-    void add(Real inv_mass) { least = std::min(least, inv_mass), most = std::max(most, inv_mass); }
-    bool fit() const { return most <= kFloatRatio * least && in_range(most) && in_range(1 / least); }
+    void add(Real inv_mass)
+    {
+        smallest = std::min(smallest, inv_mass), largest = std::max(largest, inv_mass);
+    }
+    bool fit() const
+    {
+        return largest <= kFloatRatio * smallest && in_range(largest) && in_range(1 / smallest);
+    }
 };
 
-// An impulse at the arm r turns a body by I^-1 (r x p) and so moves that point beside what the mass lets it
-// move: the trace of the one over the other is how many digits the block of a joint may lose.
+// An impulse at the arm r rotates a body by I^-1 (r x p) and so moves the point in addition to what the mass
+// allows: the trace of the one over the other is the number of digits that the block of a joint may lose.
 bool arm_fits(const SolverBody& b, Vec3 r)
 {
     const Sym3& I = b.inv_inertia;
-    const Real trace = I.xx + I.yy + I.zz, most = trace * length2(r), bound = kFloatArms * b.inv_mass;
-    return in_range(trace) && (most <= bound || most - dot(r, I * r) <= bound);
+    const Real trace = I.xx + I.yy + I.zz, largest = trace * length2(r), bound = kFloatArms * b.inv_mass;
+    return in_range(trace) && (largest <= bound || largest - dot(r, I * r) <= bound);
 }
 
 bool bounded(const RowNumbers& n) { return n.lo > -kInf || n.hi < kInf; }
@@ -59,7 +65,7 @@ bool rows_fit(const RowSystem& system, const RowBlock& block)
 {
     const RowNumbers* rows = &system.numbers[std::size_t(block.first)];
     for (int i = 0; i < std::min(block.count, 3); ++i)
-        if (bounded(rows[i])) return false;  // becomes one of free form
+        if (bounded(rows[i])) return false;  // becomes a joint of free form
     Real sum = 0;
     for (int i = 0; i < block.count; ++i) sum += std::abs(rows[i].c) + rows[i].C + std::abs(rows[i].p);
     return in_range(sum);
@@ -71,13 +77,14 @@ bool any(const List& list, int from, int to, const Test& test)
     return std::any_of(list.begin() + from, list.begin() + to, test);
 }
 
-// Does anything of the part hold on to what takes up momentum?
+// True if some body of the part is attached to something that absorbs momentum.
 bool stands(const RowSystem& system, const SystemPart& from, const SystemPart& to)
 {
     const auto fixed = [&](const auto& x) { return !moving(system, x.body1) || !moving(system, x.body2); };
     return any(system.blocks, from.blocks, to.blocks, fixed) ||
-           any(system.contacts.manifolds, from.manifolds, to.manifolds, fixed) ||
-           any(system.patches, from.patches, to.patches, [&](const Patch* p) { return fixed(*p); });
+           any(system.joint_contacts.manifolds, from.joint_manifolds, to.joint_manifolds, fixed) ||
+           any(system.contact_manifolds, from.contact_manifolds, to.contact_manifolds,
+               [&](const ContactManifold* p) { return fixed(*p); });
 }
 
 }  // namespace
@@ -127,9 +134,9 @@ bool JointLanes::follow(const RowSystem& system, const Substep& step, std::span<
     return floats_.follow(system, step, bodies, arena) && reals_.follow(system, step, bodies, arena);
 }
 
-void JointLanes::load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies)
+void JointLanes::load_substep(const RowSystem& system, const Substep& step, std::span<Velocity> bodies)
 {
-    floats_.load_small_step(system, step, bodies), reals_.load_small_step(system, step, bodies);
+    floats_.load_substep(system, step, bodies), reals_.load_substep(system, step, bodies);
 }
 
 void JointLanes::apply_impulses(std::span<Velocity> bodies) const
@@ -159,9 +166,9 @@ void JointLanes::describe(std::span<RowNumbers> numbers, std::span<Row> rows) co
     floats_.describe(numbers, rows), reals_.describe(numbers, rows);
 }
 
-void JointLanes::rebound(const RowSystem& system, std::span<Velocity> bodies)
+void JointLanes::apply_restitution(const RowSystem& system, std::span<Velocity> bodies)
 {
-    floats_.rebound(system, bodies), reals_.rebound(system, bodies);
+    floats_.apply_restitution(system, bodies), reals_.apply_restitution(system, bodies);
 }
 
 }  // namespace epode

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Packing writes rows one lane at a time; what follows from them (the matrix of each joint) the kernels
-// compute for several lanes at once.
+// Packing writes rows one lane at a time; the kernels compute what follows from them (the matrix of each
+// joint) for several lanes at once.
 #include "solve/joints/joint_set.h"
 
 #include <algorithm>
@@ -29,8 +29,8 @@ void set(L* to, int lane, const Sym3& s)
     set(to + 3, lane, Vec3{s.xy, s.xz, s.yz});
 }
 
-// Rows mostly ask for the same as that in their place in the joint before; mapping takes four divisions. Who
-// is soft by mobility, the kernels find.
+// Most rows have the same parameters as the row in their place in the joint before; mapping takes four
+// divisions. Which rows are compliant relative to their inverse effective mass is decided by the kernels.
 class AimMap {
   public:
     explicit AimMap(const Substep& step) : step_(step) {}
@@ -53,8 +53,8 @@ class AimMap {
     RowAim aims_[kMaxJointRows];
 };
 
-// What one row asks for.
-struct RowAsks {
+// The target of one row.
+struct RowTarget {
     Real c, C, relaxed;
 };
 
@@ -100,7 +100,7 @@ void JointSetOf<L>::colour(const RowSystem& system, std::span<Joint> joints, Are
     if (arena.failed()) return;
     for (Joint& joint : joints) {
         const RowBlock& block = system.blocks[std::size_t(joint.block)];
-        Palette nothing[2];  // of what does not move
+        Palette nothing[2];  // for static bodies
         const auto palette_of = [&](int body, Palette& none) -> Palette& {
             const bool moves = body >= 0 && system.bodies[std::size_t(body)].inv_mass > 0;
             return moves ? palettes[std::size_t(body)] : none;
@@ -110,7 +110,7 @@ void JointSetOf<L>::colour(const RowSystem& system, std::span<Joint> joints, Are
     }
 }
 
-// Numbers the shapes in the order in which they appear; returns how many there are.
+// Numbers the shapes in the order of their first appearance; returns their count.
 template <typename L>
 int JointSetOf<L>::find_shapes(const RowSystem& system, std::span<Joint> joints)
 {
@@ -132,16 +132,16 @@ bool JointSetOf<L>::sort(std::span<Joint> joints, int shapes, Arena& arena)
     const auto order = arena.take<int>(int(joints.size()));
     if (arena.failed()) return false;
     const auto key = [shapes](const Joint& j) { return std::size_t(j.colour * shapes + j.shape); };
-    int most = 0;
+    int max_batches = 0;
     for (const Joint& joint : joints)
-        if (starts[key(joint) + 1]++ % kLanes == 0) ++most;
+        if (starts[key(joint) + 1]++ % kLanes == 0) ++max_batches;
     for (std::size_t k = 1; k < starts.size(); ++k) starts[k] += starts[k - 1];
     for (const Joint& joint : joints) order[std::size_t(starts[key(joint)]++)] = joint.block;
 
-    batches_ = arena.take<JointBatch>(most);
-    sources_ = arena.take<Source>(most * kLanes);
+    batches_ = arena.take<JointBatch>(max_batches);
+    sources_ = arena.take<Source>(max_batches * kLanes);
     if (arena.failed()) return false;
-    // Behind the sort, starts[k] is where the next key begins.
+    // After the sort, starts[k] is where the next key begins.
     std::size_t next = 0;
     int from = 0;
     for (int k = 0; k < keys; ++k) {
@@ -230,9 +230,9 @@ void JointSetOf<L>::fill(const RowSystem& system, const Aim& aim)
             const RowBlock& block = system.blocks[std::size_t(source.block)];
             fill_lane(system, block, source, n, lane, at, batch.form);
             for (int i = 0; i < block.count; ++i) {
-                const RowAsks asks = aim(std::size_t(source.first + source.row[i]), i);
-                n[at.c + i][lane] = Number(asks.c), n[at.C + i][lane] = Number(asks.C);
-                n[at.relaxed + i][lane] = Number(asks.relaxed);
+                const RowTarget target = aim(std::size_t(source.first + source.row[i]), i);
+                n[at.c + i][lane] = Number(target.c), n[at.C + i][lane] = Number(target.C);
+                n[at.relaxed + i][lane] = Number(target.relaxed);
             }
         }
     }
@@ -243,7 +243,7 @@ void JointSetOf<L>::load(const RowSystem& system)
 {
     fill(system, [&](std::size_t row, int) {
         const RowNumbers& n = system.numbers[row];
-        return RowAsks{n.c, n.C, n.c};
+        return RowTarget{n.c, n.C, n.c};
     });
     kernels_->begin(batches_.data(), int(batches_.size()), numbers_.data(), {nullptr, nullptr, 0, nullptr});
 }
@@ -274,7 +274,7 @@ void JointSetOf<L>::take_facts(const RowSystem& system, std::size_t b, JointRows
     JointBatch& batch = batches_[b];
     const FactLayout fact(batch);
     L* f = &facts_[std::size_t(batch.facts)];
-    // What no joint fills must be numbers.
+    // Lanes without a joint must hold finite numbers.
     const int blank = batch.count < kLanes ? 0 : fact.keeps;
     std::memset(static_cast<void*>(f + blank), 0, sizeof(L) * std::size_t(fact.size - blank));
     for (int lane = 0; lane < batch.count; ++lane) {
@@ -285,7 +285,7 @@ void JointSetOf<L>::take_facts(const RowSystem& system, std::size_t b, JointRows
             const Row& row = system.rows[std::size_t(source.first + source.row[i])];
             from.row[i][lane] = &row;
             if (row.soft) f[fact.keeps + i][lane] = 1;
-            if (row.rebounds) batch.rebounds = true;
+            if (row.has_restitution) batch.has_restitution = true;
         }
     }
     for (int lane = batch.count; lane < kLanes; ++lane) {
@@ -296,14 +296,14 @@ void JointSetOf<L>::take_facts(const RowSystem& system, std::size_t b, JointRows
 }
 
 template <typename L>
-void JointSetOf<L>::load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies)
+void JointSetOf<L>::load_substep(const RowSystem& system, const Substep& step, std::span<Velocity> bodies)
 {
     AimMap aims(step);
     fill(system, [&](std::size_t i, int place) {
         const Row& row = system.rows[i];
         const RowAim& aim = aims.of(row, place);
         const Real c = std::min(aim.rate * row.error + row.speed, row.cap);
-        return RowAsks{c, aim.C, aim.spring ? c : std::min(row.speed, row.cap)};
+        return RowTarget{c, aim.C, aim.spring ? c : std::min(row.speed, row.cap)};
     });
     kernels_->begin(batches_.data(), int(batches_.size()), numbers_.data(),
                     {facts_.data(), system.poses.data(), kSoftShare, bodies.data()});
@@ -334,7 +334,7 @@ void FloatJointSet::sweep(std::span<FloatVelocity> bodies, const JointSweep& how
     machine_->on_floats.sweep(batches_.data(), int(batches_.size()), numbers_.data(), bodies.data(), how);
 }
 
-// f(row of the system, its place in the batch, the batch's numbers and layout, lane)
+// Calls f(row of the system, its place in the batch, the batch's numbers and layout, lane).
 template <typename L>
 template <typename Visit>
 void JointSetOf<L>::for_each_row(Visit&& f) const
@@ -413,10 +413,10 @@ void JointSetOf<L>::describe_rows(std::span<Row> rows) const
 }
 
 template <typename L>
-void JointSetOf<L>::rebound(const RowSystem& system, std::span<Velocity> bodies)
+void JointSetOf<L>::apply_restitution(const RowSystem& system, std::span<Velocity> bodies)
 {
     for (std::size_t b = 0; b < batches_.size(); ++b) {
-        if (batches_[b].facts >= 0 && !batches_[b].rebounds) continue;
+        if (batches_[b].facts >= 0 && !batches_[b].has_restitution) continue;
         const JointLayout at(batches_[b]);
         L* n = &numbers_[std::size_t(batches_[b].at)];
         bool lanes[kLanes] = {};
@@ -425,8 +425,8 @@ void JointSetOf<L>::rebound(const RowSystem& system, std::span<Velocity> bodies)
             for (int i = 0; i < batches_[b].rows; ++i) {
                 const auto k = std::size_t(source.first + source.row[i]);
                 const Row& row = system.rows[k];
-                if (!row.rebounds || n[at.sum + i][lane] + n[at.p + i][lane] == 0) continue;
-                n[at.relaxed + i][lane] = Number(row.rebound);
+                if (!row.has_restitution || n[at.sum + i][lane] + n[at.p + i][lane] == 0) continue;
+                n[at.relaxed + i][lane] = Number(row.restitution_velocity);
                 lanes[lane] = true;
             }
         }

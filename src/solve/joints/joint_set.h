@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Joints packed for sweeping (solve/joints/joint_batch.h) and what is done to all of them. Every joint gets a
-// colour, so that joints of one colour share no dynamic body: the smallest that its bodies still have, in the
-// order of the joints. Joints of one colour and one shape of rows make batches of up to eight. Sweeps go
-// colour by colour, always in the same direction: forwards and backwards by turns, as symmetric SOR would,
-// made a hanging net part twice as far. Since colours depend on the neighbours alone, an island has the same
-// answer whether it is packed alone or beside others. Which joints are packed in floats is the business of
-// solve/joints/joint_lanes.h.
+// Joints packed for sweeping (solve/joints/joint_batch.h) and the operations on all of them. Graph colouring:
+// joints of one colour share no dynamic body. Each gets the smallest colour that its bodies have free, in the
+// order of the joints. Joints of one colour and one shape of rows form batches of up to eight. Sweeps go
+// colour by colour, always in the same direction: alternating directions, as symmetric SOR does, made a
+// hanging net separate twice as far. Since colours depend on the neighbours alone, an island has the same
+// answer whether it is packed alone or with others. solve/joints/joint_lanes.h decides which joints are
+// packed in floats.
 #pragma once
 
 #include <span>
@@ -28,37 +28,38 @@ class JointSetOf {
         : machine_(&kernels), kernels_(&kernels.of(static_cast<const L*>(nullptr)))
     {}
 
-    // Takes these blocks, none of which are contacts, with bounds and warm start from the numbers; false: out
+    // Packs these blocks, none of which are contacts, with bounds and warm start from the numbers; false: out
     // of memory.
     bool pack(const RowSystem& system, std::span<const int> blocks, Arena& arena);
-    void load(const RowSystem& system);  // what the numbers ask for
-    // Instead, in small steps: at first, from rows, poses and velocities of the beginning, the facts of all
-    // blocks that the kernels follow (solve/joints/joint_follow.inc), which are marked; false: out of memory.
-    // Then, as often as poses change, what followed rows ask for at these, and what the others say; and what
-    // the impulses of the small step before do to the bodies, if there are any.
+    void load(const RowSystem& system);  // targets from the numbers
+    // Alternative for substeps. follow, once, computes from rows, poses and velocities at the beginning the
+    // facts of all blocks that the kernels follow (solve/joints/joint_follow.inc) and marks these blocks;
+    // false: out of memory. load_substep, whenever poses have changed, computes the targets of followed rows
+    // there, reads those of the others, and applies the impulses of the substep before, if there are any.
     bool follow(const RowSystem& system, const Substep& step, std::span<const Velocity> bodies, Arena& arena);
-    void load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
+    void load_substep(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
 
     void apply_impulses(std::span<Velocity> bodies) const;  // v += M^-1 J^T p
     void sweep(std::span<Velocity> bodies, const JointSweep& how);
-    // Of FloatLanes, the same where velocities have been rounded already.
+    // For FloatLanes, the same on velocities that are rounded already.
     void apply_impulses(std::span<FloatVelocity> bodies) const;
     void sweep(std::span<FloatVelocity> bodies, const JointSweep& how);
     void store_impulses(std::span<RowNumbers> numbers) const;
-    void sum_impulses();  // sum += p, after each small step
+    void sum_impulses();  // sum += p, after each substep
     void store_sums(std::span<RowNumbers> numbers) const;
     // c, C and p of the correcting problem, and the Jacobians of followed rows.
     void describe(std::span<RowNumbers> numbers, std::span<Row> rows) const;
 
-    // One more visit to joints with rows that rebound and have carried an impulse: they reach their rebound.
-    void rebound(const RowSystem& system, std::span<Velocity> bodies);
+    // Restitution: one more visit to joints whose rows have restitution and carried an impulse; they reach
+    // their restitution velocity.
+    void apply_restitution(const RowSystem& system, std::span<Velocity> bodies);
 
     bool empty() const { return batches_.empty(); }
 
   private:
     using Number = typename L::Number;
 
-    // Which joint is in a lane, and which of its rows is where: free rows come first.
+    // Which joint is in a lane, and where its rows are: free rows come first.
     struct Source {
         int block;  // -1: none
         int first;  // row of the system
@@ -69,7 +70,7 @@ class JointSetOf {
         int rows, bounded;
         bool operator==(const Shape&) const = default;
     };
-    // A joint while it is sorted.
+    // A joint during sorting.
     struct Joint {
         int block, colour, shape;
     };
@@ -79,7 +80,7 @@ class JointSetOf {
     int find_shapes(const RowSystem& system, std::span<Joint> joints);
     bool sort(std::span<Joint> joints, int shapes, Arena& arena);
     void place(const RowSystem& system, std::size_t batch);
-    // Of the batches that are not followed.
+    // For the batches that are not followed.
     template <typename Aim>
     void fill(const RowSystem& system, const Aim& aim);
     void take_facts(const RowSystem& system, std::size_t batch, JointRows& from);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Bodies that small steps move, kLanes side by side: what moves them and where they are. Velocities stay
-// beside, one line of the cache per body, since joints and contacts change them.
+// Bodies that substeps move, kLanes side by side: their poses and what moves them. Velocities are stored
+// separately, one cache line per body, because joints and contacts change them.
 #pragma once
 
 #include "rows/row_system.h"
@@ -12,7 +12,7 @@ namespace epode {
 
 struct BodyLanes {
     Lanes x[3], q[4];
-    Lanes next[4];  // q when it has turned, not yet of length one
+    Lanes next[4];  // q after the rotation, not yet normalised
     Lanes R[9];     // of q, row by row
     Lanes inv_mass;
     Lanes force[3], torque[3];
@@ -22,7 +22,7 @@ struct BodyLanes {
     Lanes uneven;           // 1: the inertia is not the same about all axes
     Lanes max_spin;         // rad/s
     bool any_gyroscopic, any_uneven, any_limit;
-    unsigned char finite;  // bit by bit: turns as ODE's finite rotation mode has it, which is not done here
+    unsigned char finite;  // bit by bit: body uses ODE's finite rotation mode, which is not done here
 };
 
 }  // namespace epode

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Rows and columns that are not there, behind the rows of a joint and those of rows that are held, are ones
-// of the unit matrix with a right-hand side of zero. Every diagonal gets a billionth of itself on top: rows
-// that repeat each other then have a factor, and since each visit starts from the true residual, what that
-// costs in digits the next visit brings back.
+// Padding rows and columns, after the rows of a joint and for rows that are held on a bound, are those of the
+// unit matrix with right-hand side zero. Every diagonal element gets a billionth of itself added: redundant
+// rows then have a factor, and since each visit starts from the true residual, the next visit recovers the
+// digits that this costs.
 #include "solve/substeps/joint_network.h"
 
 #include <algorithm>
@@ -12,12 +12,12 @@
 namespace epode {
 namespace {
 
-constexpr int kRounds = 4;                                   // of holding and letting go, in a visit
-constexpr int kRoundsThatLetGo = 2;                          // of them, so that no two rows take turns
+constexpr int kRounds = 4;                                   // of holding and releasing, per visit
+constexpr int kRoundsThatLetGo = 2;                          // of them may release: no two rows alternate
 constexpr double kFirm = 1e-9;                               // share of the diagonal
-constexpr Real kSlack = kSingle ? Real(1e-5) : Real(1e-10);  // velocity that lets nothing go
-constexpr int kMostPartners = 12;                            // couplings per joint, on average
-constexpr int kMostBlocks = 24;                              // of the factor, per joint
+constexpr Real kSlack = kSingle ? Real(1e-5) : Real(1e-10);  // velocity that releases nothing
+constexpr int kMaxPartners = 12;                             // couplings per joint, on average
+constexpr int kMaxBlocks = 24;                               // of the factor, per joint
 
 double wide_dot(Vec3 a, Vec3 b)
 {
@@ -31,18 +31,18 @@ bool moves(const RowSystem& system, int body)
 
 }  // namespace
 
-bool JointNetwork::plan(const RowSystem& system, PlanCache* plans, Arena& arena)
+bool JointNetwork::analyse(const RowSystem& system, SymbolicCache* symbolic_cache, Arena& arena)
 {
     worth_ = false;
     if (!list_joints(system, arena)) return false;
     if (joints_.empty()) return true;
     if (!list_couplings(system, arena)) return false;
-    if (couplings_.size() > kMostPartners * joints_.size()) return true;
+    if (couplings_.size() > kMaxPartners * joints_.size()) return true;
     auto pairs = arena.take<BodyPair>(int(couplings_.size()));
     if (arena.failed()) return false;
     for (std::size_t i = 0; i < pairs.size(); ++i) pairs[i] = {couplings_[i].a, couplings_[i].b};
-    if (!lease_.take(int(joints_.size()), pairs, plans, arena)) return false;
-    worth_ = std::size_t(lease_.plan().blocks) <= kMostBlocks * joints_.size();
+    if (!lease_.take(int(joints_.size()), pairs, symbolic_cache, arena)) return false;
+    worth_ = std::size_t(lease_.symbolic().blocks) <= kMaxBlocks * joints_.size();
     return true;
 }
 
@@ -87,8 +87,8 @@ bool JointNetwork::list_couplings(const RowSystem& system, Arena& arena)
         first[std::size_t(b) + 1] += first[std::size_t(b)];
         fill[std::size_t(b)] = first[std::size_t(b)];
     }
-    const std::size_t most = kMostPartners * joints_.size() + 1;  // so many are too many, whichever they are
-    couplings_ = arena.take<Coupling>(int(std::min(pairs, most)));
+    const std::size_t limit = kMaxPartners * joints_.size() + 1;  // so many are too many, whichever they are
+    couplings_ = arena.take<Coupling>(int(std::min(pairs, limit)));
     if (arena.failed()) return false;
     for_ends([&](int b, int j, int side) { ends[std::size_t(fill[std::size_t(b)]++)] = 2 * j + side; });
     std::size_t next = 0;
@@ -107,7 +107,7 @@ bool JointNetwork::pack(const RowSystem& system, Arena& arena)
     for (const NetworkJoint& joint : joints_) rows += joint.count;
     rows_ = arena.take<NetworkRow>(rows);
     x_ = arena.take<double>(6 * int(joints_.size()));
-    if (arena.failed() || !A_.prepare(lease_.plan(), Tasks(1), arena)) return false;
+    if (arena.failed() || !A_.prepare(lease_.symbolic(), Tasks(1), arena)) return false;
     for (std::size_t j = 0; j < joints_.size(); ++j) joints_[j].diagonal = A_.diagonal(int(j));
     for (Coupling& c : couplings_)
         if (c.a != c.b) c.block = A_.between(c.a, c.b, c.transposed);
@@ -121,7 +121,7 @@ bool JointNetwork::pack(const RowSystem& system, Arena& arena)
             const bool bounded = n.parent >= 0 || n.lo > -kInf || n.hi < kInf;
             bounded_ = bounded_ || bounded;
             if (!bounded || n.parent >= 0) continue;
-            // What the last step left on a bound is likely to be there still.
+            // Rows that the last step left on a bound will probably be there again.
             if (row.p <= row.lo) row.hold = Hold::kLow;
             if (row.p >= row.hi) row.hold = Hold::kHigh;
         }
@@ -137,13 +137,13 @@ void JointNetwork::load_row(const Row& row, const SolverBody* const (&bodies)[2]
     out.lin[1] = b ? row.lin2 : Vec3{};
     out.ang[1] = b ? row.ang2 : Vec3{};
     out.turn[1] = b ? b->inv_inertia * row.ang2 : Vec3{};
-    const RowAim aim = map_row(row, step, row_mobility(row, a, b));
+    const RowAim aim = map_row(row, step, inverse_effective_mass(row, a, b));
     out.C = aim.C;
     out.c = std::min(aim.rate * row.error + row.speed, row.cap);
     out.c_relaxed = aim.spring ? out.c : std::min(row.speed, row.cap);
 }
 
-void JointNetwork::load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies)
+void JointNetwork::load_substep(const RowSystem& system, const Substep& step, std::span<Velocity> bodies)
 {
     const auto body = [&](int slot) {
         return std::size_t(slot) < system.bodies.size() ? &system.bodies[std::size_t(slot)] : nullptr;
@@ -181,7 +181,7 @@ void JointNetwork::fill_diagonal(const NetworkJoint& joint)
 
 void JointNetwork::fill_coupling(const Coupling& c)
 {
-    // A joint of a body with itself holds nothing: such rows are of no effect.
+    // A joint of a body with itself has no effect.
     if (c.a == c.b) return;
     const NetworkJoint& a = joints_[std::size_t(c.a)];
     const auto rows_a = rows_of(a), rows_b = rows_of(joints_[std::size_t(c.b)]);
@@ -281,7 +281,7 @@ void JointNetwork::solve_free(std::span<Velocity> bodies, bool relax)
     }
 }
 
-// True: some rows are held or let go that were not.
+// True: some rows changed between held and free.
 bool JointNetwork::change_holds(std::span<Velocity> bodies, bool relax, bool may_let_go)
 {
     bool changed = false;
@@ -311,7 +311,7 @@ void JointNetwork::sweep(std::span<Velocity> bodies, const JointSweep& how)
         solve_free(bodies, relax);
         if (!bounded_ || !change_holds(bodies, relax, round < kRoundsThatLetGo)) return;
     }
-    put_on_bounds(bodies);  // the rest is for the next visit
+    put_on_bounds(bodies);  // the next visit does the rest
 }
 
 void JointNetwork::sum_impulses()
@@ -336,15 +336,15 @@ void JointNetwork::describe(std::span<RowNumbers> numbers, std::span<Row>) const
         }
 }
 
-void JointNetwork::rebound(const RowSystem& system, std::span<Velocity> bodies)
+void JointNetwork::apply_restitution(const RowSystem& system, std::span<Velocity> bodies)
 {
     bool any = false;
     for (const NetworkJoint& joint : joints_)
         for (int i = 0; i < joint.count; ++i) {
             const Row& row = system.rows[std::size_t(joint.source + i)];
             NetworkRow& mine = rows_[std::size_t(joint.first + i)];
-            if (!row.rebounds || mine.sum + mine.p == 0) continue;
-            mine.c_relaxed = row.rebound;
+            if (!row.has_restitution || mine.sum + mine.p == 0) continue;
+            mine.c_relaxed = row.restitution_velocity;
             any = true;
         }
     if (any) sweep(bodies, {1, true});

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// All joints of an island as one block: what JointSet does for the rows of one joint,
+// All joints of an island as one block. What JointSet does for the rows of one joint,
 //
 //   (J M^-1 J^T + C) dp = c - J v - C p,
 //
-// for the rows of all of them at once, so that nothing is left to iterate between joints however unequal the
-// masses are. The matrix has a block of six for each joint and one for each pair of joints on a body that
-// moves; that is sparse like the joints' graph, and a tree of joints fills in nothing. It is factored by the
-// kernel of the exact solver (solve/exact/factor/block_cholesky), once for a pose, and solved in every visit.
-// The dual and not the primal matrix 1 + J^T D J of the exact solver: joints have few rows per body, C = 0
-// needs no refinement, and what a row on its bound costs is one row and column of ones.
-// Bounds: a row that leaves them is held on its bound, one that is held and wants off it is let go, for a few
-// rounds; who is held is remembered from visit to visit.
+// is done here for the rows of all joints at once, so that no iteration between joints remains however
+// unequal the masses are. The matrix has a block of six for each joint and one for each pair of joints on a
+// body that moves. It is as sparse as the joints' graph, and a tree of joints has no fill. The kernel of the
+// exact solver (solve/exact/factor/block_cholesky) factors it once per pose; every visit solves with it. The
+// dual matrix and not the primal 1 + J^T D J of the exact solver: joints have few rows per body, C = 0 needs
+// no refinement, and a row on its bound costs one row and column of ones. Bounds: a row that leaves them is
+// held on its bound, and a held row that pulls away from it is released, for a few rounds; which rows are
+// held is remembered from visit to visit.
 #pragma once
 
 #include <span>
@@ -22,31 +22,31 @@
 #include "solve/common/substep_rows.h"
 #include "solve/common/velocities.h"
 #include "solve/exact/factor/block_cholesky.h"
-#include "solve/exact/factor/plan_cache.h"
+#include "solve/exact/factor/symbolic_cache.h"
 #include "solve/joints/joint_kernels.h"
 
 namespace epode {
 
 class JointNetwork {
   public:
-    static constexpr bool kHasBothEnds = true;  // of a pass: joints stay exact, contacts are what iterates
+    static constexpr bool kHasBothEnds = true;  // of a pass: joints stay exact, contacts iterate
 
-    // The structure. `plans` may be null. False: out of memory.
-    bool plan(const RowSystem& system, PlanCache* plans, Arena& arena);
-    // Is the factor so sparse that this way is worth it? There may also be no joints at all.
+    // Analyses the structure. `symbolic_cache` may be null. False: out of memory.
+    bool analyse(const RowSystem& system, SymbolicCache* symbolic_cache, Arena& arena);
+    // True if the factor is sparse enough for this method to pay. There may also be no joints at all.
     bool worth() const { return worth_; }
 
-    // As in JointSet, after `plan`.
+    // As in JointSet, after `analyse`.
     bool pack(const RowSystem& system, Arena& arena);
-    // Rows are asked for anew.
+    // Rows are evaluated anew by the joints.
     bool follow(const RowSystem&, const Substep&, std::span<const Velocity>, Arena&) { return true; }
-    void load_small_step(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
+    void load_substep(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
     void apply_impulses(std::span<Velocity> bodies) const;
     void sweep(std::span<Velocity> bodies, const JointSweep& how);
     void sum_impulses();
     void store_sums(std::span<RowNumbers> numbers) const;
     void describe(std::span<RowNumbers> numbers, std::span<Row> rows) const;
-    void rebound(const RowSystem& system, std::span<Velocity> bodies);
+    void apply_restitution(const RowSystem& system, std::span<Velocity> bodies);
 
     int factorisations() const { return factorisations_; }
 
@@ -56,7 +56,7 @@ class JointNetwork {
         Vec3 lin[2], ang[2], turn[2];  // turn = I^-1 ang
         Real c, c_relaxed, C;
         Real lo, hi, p;  // of a row with a parent: hi is the coefficient
-        Real sum;        // of p over the small steps before
+        Real sum;        // of p over the earlier substeps
         int parent;      // in the rows of the network, or -1
         Hold hold;
     };
@@ -99,7 +99,7 @@ class JointNetwork {
     std::span<NetworkRow> rows_;
     std::span<Coupling> couplings_;
     std::span<double> x_;  // six numbers per joint
-    PlanLease lease_;
+    SymbolicLease lease_;
     BlockCholesky A_;
     bool worth_ = false, bounded_ = false, stale_ = true;
     int factorisations_ = 0;

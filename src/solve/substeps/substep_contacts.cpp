@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// `begin_pass` writes what a sweep reads, by the same formula for one contact and for several in a register.
+// `begin_pass` writes what a sweep reads, with the same formula for one contact and for several in a
+// register.
 #include "solve/substeps/substep_contacts.h"
 
 #include <algorithm>
@@ -17,63 +18,73 @@ namespace {
 // T: Real or Register.
 template <typename T>
 struct PassInput {
-    T error, speed, cap, rate, push, gain, C, hard_gain;
+    T error, speed, cap, rate, max_bias_velocity, effective_mass, C, rigid_mass;
 };
 
 template <typename T>
-[[gnu::always_inline]] inline void begin_pass(const PassInput<T>& in, T zero, T per_hs, T& c, T& C, T& gain)
+[[gnu::always_inline]] inline void begin_pass(const PassInput<T>& in, T zero, T per_hs, T& c, T& C,
+                                              T& effective_mass)
 {
-    const T open = -in.error;  // where positive
-    const T pushed = at_most(in.push, in.rate * in.error);
-    c = at_most(in.cap, if_positive(open, per_hs * in.error, pushed) + in.speed);
-    C = if_positive(open, zero, in.C);
-    gain = if_positive(open, in.hard_gain, in.gain);
+    const T separation = -in.error;
+    const T bias = at_most(in.max_bias_velocity, in.rate * in.error);
+    c = at_most(in.cap, if_positive(separation, per_hs * in.error, bias) + in.speed);
+    C = if_positive(separation, zero, in.C);
+    effective_mass = if_positive(separation, in.rigid_mass, in.effective_mass);
 }
 
 void begin_pass(const NormalAim<Real>& a, int pass, Real per_hs, PackedRow& row)
 {
-    const PassInput<Real> in{a.error, a.speed,      a.cap,     a.rate[pass],
-                             a.push,  a.gain[pass], a.C[pass], a.hard_gain};
+    const PassInput<Real> in{
+        a.error,   a.speed,     a.cap, a.rate[pass], a.max_bias_velocity, a.effective_mass[pass],
+        a.C[pass], a.rigid_mass};
     Real C;
-    begin_pass(in, Real(0), per_hs, row.c, C, row.gain);
-    row.keep = 1 - row.gain * C;
+    begin_pass(in, Real(0), per_hs, row.c, C, row.effective_mass);
+    row.impulse_scale = 1 - row.effective_mass * C;
 }
 
 void begin_pass(const NormalAim<Lanes>& a, int pass, Real per_hs, BatchPoint& point)
 {
     for (int part = 0; part < kParts; ++part) {
-        const PassInput<Register> in{
-            load(a.error, part), load(a.speed, part),      load(a.cap, part),     load(a.rate[pass], part),
-            load(a.push, part),  load(a.gain[pass], part), load(a.C[pass], part), load(a.hard_gain, part)};
-        Register c, C, gain;
-        begin_pass(in, Register{}, all(per_hs), c, C, gain);
-        store(point.c, part, c), store(point.C, part, C), store(point.gain[0], part, gain);
+        const PassInput<Register> in{load(a.error, part),
+                                     load(a.speed, part),
+                                     load(a.cap, part),
+                                     load(a.rate[pass], part),
+                                     load(a.max_bias_velocity, part),
+                                     load(a.effective_mass[pass], part),
+                                     load(a.C[pass], part),
+                                     load(a.rigid_mass, part)};
+        Register c, C, effective_mass;
+        begin_pass(in, Register{}, all(per_hs), c, C, effective_mass);
+        store(point.c, part, c), store(point.C, part, C),
+            store(point.effective_mass[0], part, effective_mass);
     }
 }
 
-NormalAim<Real> aim_of(const Row& row, const Substep& step, Real mobility, bool against_static)
+NormalAim<Real> aim_of(const Row& row, const Substep& step, Real inverse_mass, bool against_static)
 {
     const RowAim aim =
-        row.soft ? map_row(row, step, mobility) : default_contact(step, mobility, against_static);
+        row.soft ? map_row(row, step, inverse_mass) : default_contact(step, inverse_mass, against_static);
     NormalAim<Real> out{};
-    if (!(mobility > 0)) return out;
+    if (!(inverse_mass > 0)) return out;
     out.error = row.error, out.speed = row.speed, out.cap = row.cap;
-    out.push = aim.push;
-    out.hard_gain = 1 / mobility;
-    const Real gain = 1 / (mobility + aim.C);
-    out.rate[0] = aim.rate, out.gain[0] = gain, out.C[0] = aim.C;
+    out.max_bias_velocity = aim.max_bias_velocity;
+    out.rigid_mass = 1 / inverse_mass;
+    const Real effective_mass = 1 / (inverse_mass + aim.C);
+    out.rate[0] = aim.rate, out.effective_mass[0] = effective_mass, out.C[0] = aim.C;
     out.rate[1] = aim.spring ? out.rate[0] : 0;
-    out.gain[1] = aim.spring ? gain : out.hard_gain;
+    out.effective_mass[1] = aim.spring ? effective_mass : out.rigid_mass;
     out.C[1] = aim.spring ? aim.C : 0;
     return out;
 }
 
 void set_lane(const NormalAim<Real>& a, int lane, NormalAim<Lanes>& out)
 {
-    out.error[lane] = a.error, out.speed[lane] = a.speed, out.cap[lane] = a.cap, out.push[lane] = a.push;
-    out.hard_gain[lane] = a.hard_gain;
+    out.error[lane] = a.error, out.speed[lane] = a.speed, out.cap[lane] = a.cap,
+    out.max_bias_velocity[lane] = a.max_bias_velocity;
+    out.rigid_mass[lane] = a.rigid_mass;
     for (int k = 0; k < 2; ++k) {
-        out.rate[k][lane] = a.rate[k], out.gain[k][lane] = a.gain[k], out.C[k][lane] = a.C[k];
+        out.rate[k][lane] = a.rate[k], out.effective_mass[k][lane] = a.effective_mass[k],
+        out.C[k][lane] = a.C[k];
     }
 }
 
@@ -82,7 +93,7 @@ void set_tangent_numbers(RowSystem& system, const RowBlock& block, const Substep
 {
     RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
     const Row* rows = &system.rows[std::size_t(block.first)];
-    numbers[0].c = numbers[0].C = 0;  // aimed anew in every pass
+    numbers[0].c = numbers[0].C = 0;  // set anew in every pass
     for (int k = 1; k < block.count; ++k) {
         numbers[k].c = std::min(rows[k].speed, rows[k].cap);
         numbers[k].C = rows[k].cfm / step.hs;
@@ -129,7 +140,7 @@ void SubstepContacts::aim(const RowSystem& system, const Substep& step)
         const SolverBody* b = body_or_null(system, std::size_t(body2) < system.bodies.size() ? body2 : -1);
         const Row& normal = system.rows[std::size_t(row)];
         const bool against_static = !b || !(a.inv_mass > 0) || !(b->inv_mass > 0);
-        return aim_of(normal, step, row_mobility(normal, a, b), against_static);
+        return aim_of(normal, step, inverse_effective_mass(normal, a, b), against_static);
     };
     for (const ContactBatch& batch : set_.batches())
         for (int i = batch.first; i < batch.first + batch.count; ++i)
@@ -195,13 +206,13 @@ void SubstepContacts::describe(std::span<RowNumbers> numbers)
     for_each_lane([&](int row, std::size_t point, int lane) {
         const BatchPoint& p = set_.points()[point];
         numbers[std::size_t(row)].c = p.c[lane];
-        numbers[std::size_t(row)].C = p.gain[0][lane] > 0 ? p.C[lane] : 0;
+        numbers[std::size_t(row)].C = p.effective_mass[0][lane] > 0 ? p.C[lane] : 0;
     });
     for (const PackedBlock& block : others_.blocks()) {
         const PackedRow& row = others_.rows()[std::size_t(block.first)];
         RowNumbers& normal = numbers[std::size_t(row.source)];
         normal.c = row.c;
-        normal.C = row.gain > 0 ? (1 - row.keep) / row.gain : 0;
+        normal.C = row.effective_mass > 0 ? (1 - row.impulse_scale) / row.effective_mass : 0;
     }
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Contacts over the inner steps of one step. Arms, directions and masses are those of the beginning; only the
-// separation follows the motion, to first order: error -= hs J v. A contact that has opened may close again
-// exactly (c = error/hs < 0), never sooner and never softly.
+// Contact joints over the substeps of one step. Arms, directions and masses are those of the beginning; only
+// the separation follows the motion, to first order: error -= hs J v. A separated (speculative) contact may
+// close exactly (c = error/hs < 0), never earlier and never softly.
 #pragma once
 
 #include <span>
@@ -19,15 +19,14 @@ namespace epode {
 template <typename T>
 struct NormalAim {
     T error, speed, cap;
-    T rate[2], push;
-    T gain[2], C[2];
-    T hard_gain;  // 1/d: of a contact that is open
+    T rate[2], max_bias_velocity;
+    T effective_mass[2], C[2];
+    T rigid_mass;  // 1/d: effective mass of a speculative contact
 };
 
 class SubstepContacts {
   public:
-    // `system.numbers` hold bounds and warm start of one inner step; c and C are set here. False: out of
-    // memory.
+    // `system.numbers` hold bounds and warm start of one substep; c and C are set here. False: out of memory.
     bool prepare(RowSystem& system, const Substep& step, std::uint64_t seed, Arena& arena);
 
     void apply_impulses(std::span<Velocity> bodies) const;
@@ -36,12 +35,15 @@ class SubstepContacts {
     void add_impulses(std::span<RowNumbers> numbers);      // numbers.p += p
     // The problem that the last correcting sweep worked on, into c, C and p: for the residual.
     void describe(std::span<RowNumbers> numbers);
-    std::span<WholeFriction> whole_frictions(Arena& arena) const { return set_.whole_frictions(arena); }
+    std::span<ManifoldFriction> manifold_frictions(Arena& arena) const
+    {
+        return set_.manifold_frictions(arena);
+    }
 
   private:
     void aim(const RowSystem& system, const Substep& step);
 
-    // f(row of the normal, point of the set, its lane)
+    // Calls f(row of the normal, point of the set, its lane).
     template <typename Visit>
     void for_each_lane(Visit&& f) const;
 

@@ -1,32 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// dWorldStepFast1: n small steps of hs = h/n instead of n sweeps over one large one (Macklin, Storey et al.,
-// "Small Steps in Physics Simulation", 2019). Per small step:
+// dWorldStepFast1: n substeps of hs = h/n instead of n sweeps over one large step (TGS; Macklin, Storey et
+// al., "Small Steps in Physics Simulation", 2019). Per substep:
 //
-//   v += hs M^-1 f;  v += M^-1 J^T p          forces, and the impulses of the small step before
+//   v += hs M^-1 f;  v += M^-1 J^T p          forces, and the impulses of the substep before (warm start)
 //   solve contacts, then joints as blocks     J v + C p = c, correcting position errors
 //   x += hs v
-//   solve joints, then contacts, without it   takes out the velocity that the correction put in
+//   solve joints, then contacts, without it   relax: removes the velocity that the correction added
 //
-// After the last one, what carried load and came in fast rebounds. Errors of joints are measured anew at
-// every pose, so mass ratios that would need hundreds of sweeps settle in ten small steps; on regular stacks
-// the gain is nil. A step's impulse is the sum over its small steps; the next step starts from its n-th part.
-// The residual that is reported is that of the last small step after its correcting solve: for the step as a
-// whole no single problem exists. Patches are solved in float lanes beside them and have no part in it.
+// After the last substep, restitution is applied to what approached fast and carried load. Errors of joints
+// are measured at every pose, so mass ratios that would need hundreds of sweeps settle in ten substeps; on
+// regular stacks there is no gain. The impulse of a step is the sum over its substeps; the next step starts
+// from its n-th part. The reported residual is that of the last substep after its correcting solve, because
+// for the whole step no single problem exists. Contact manifolds are solved in float lanes in the same passes
+// and are not part of it.
 //
 // The second solver here differs in one thing: all joints of the island are one block that is solved exactly
-// (solve/substeps/joint_network), before and after the contacts of each pass. An articulated body in a heap
-// keeps its joints, and only contacts are left to iterate. Where the factor would fill in it is the first
-// one.
+// (solve/substeps/joint_network), before and after the contacts of each pass. An articulated body in a pile
+// keeps its joints together, and only contacts iterate. Where the factor would fill in, the first solver is
+// used.
 #include <algorithm>
 
 #include "solve/common/residual.h"
 #include "solve/joints/joint_lanes.h"
 #include "solve/solver.h"
 #include "solve/substeps/joint_network.h"
-#include "solve/substeps/patch_set.h"
-#include "solve/substeps/patch_steps.h"
+#include "solve/substeps/manifold_set.h"
+#include "solve/substeps/manifold_steps.h"
 #include "solve/substeps/substep_contacts.h"
 
 namespace epode {
@@ -34,15 +35,15 @@ namespace {
 
 // Joints: JointLanes or JointNetwork.
 template <typename Joints>
-class SmallSteps {
+class SubstepSolver {
   public:
-    SmallSteps(RowSystem& system, const Substeps& model, int n, Joints& joints)
+    SubstepSolver(RowSystem& system, const Substeps& model, int n, Joints& joints)
         : system_(system), model_(model), step_{system.h / Real(n), n}, joints_(joints)
     {}
 
     bool prepare(const SolverSettings& settings, Arena& arena)
     {
-        // Numbers of the whole step become those of a small one.
+        // Converts numbers of the whole step to those of a substep.
         const Real share = Real(1) / Real(step_.n);
         for (RowNumbers& n : system_.numbers) {
             n.p *= share;
@@ -53,7 +54,7 @@ class SmallSteps {
         load_velocities(system_, velocities_);
         if (!joints_.follow(system_, step_, velocities_, arena)) return false;
         if (!contacts_.prepare(system_, step_, settings.seed, arena)) return false;
-        if (!patches_.prepare(system_, step_, settings.tasks, arena)) return false;
+        if (!manifolds_.prepare(system_, step_, settings.tasks, arena)) return false;
         if (settings.want_residual) {
             before_ = arena.take<SolverBody>(int(system_.bodies.size()));
             described_ = arena.take<RowNumbers>(int(system_.numbers.size()));
@@ -80,8 +81,8 @@ class SmallSteps {
         store_velocities(velocities_, system_);
         model_.settle(model_.model, system_);
         model_.gather_contacts(model_.model, system_);
-        rebound_contacts();
-        if (!patches_.empty()) rebound_patches();
+        apply_contacts_restitution();
+        if (!manifolds_.empty()) apply_manifolds_restitution();
         return true;
     }
 
@@ -91,13 +92,13 @@ class SmallSteps {
         model_.apply_forces(model_.model, velocities_.data(), step_.hs);
         if (moved) model_.refresh(model_.model, system_);
         if (last && !before_.empty()) save_bodies();
-        joints_.load_small_step(system_, step_, velocities_);
+        joints_.load_substep(system_, step_, velocities_);
         contacts_.apply_impulses(velocities_);
-        patches_.apply_impulses(velocities_);
+        manifolds_.apply_impulses(velocities_);
         if (Joints::kHasBothEnds) joints_.sweep(velocities_, {1, false});
         contacts_.sweep(velocities_, false);
-        patches_.correct(velocities_);
-        joints_.sweep(velocities_, {1, false});  // what poses are to follow
+        manifolds_.correct(velocities_);
+        joints_.sweep(velocities_, {1, false});  // the velocities that poses follow
     }
 
     void save_bodies()
@@ -110,7 +111,7 @@ class SmallSteps {
     void move()
     {
         contacts_.follow_motion(velocities_);
-        patches_.follow_motion(velocities_);
+        manifolds_.follow_motion(velocities_);
         model_.advance(model_.model, system_, velocities_.data(), step_.hs);
     }
 
@@ -118,38 +119,38 @@ class SmallSteps {
     {
         joints_.sweep(velocities_, {1, true});
         contacts_.sweep(velocities_, true);
-        patches_.relax(velocities_);
+        manifolds_.relax(velocities_);
         if (Joints::kHasBothEnds) joints_.sweep(velocities_, {1, true});
-        if (last) joints_.rebound(system_, velocities_);
+        if (last) joints_.apply_restitution(system_, velocities_);
         joints_.sum_impulses();
         contacts_.add_impulses(system_.numbers);
     }
 
-    // Contacts in their order, those against what cannot move last, so that theirs is the last word.
-    void rebound_contacts()
+    // Contacts in their order, those against static bodies last, so that they have the last word.
+    void apply_contacts_restitution()
     {
         for (const bool against_static : {false, true})
             for (const RowBlock& block : system_.blocks) {
                 const Row& row = system_.rows[std::size_t(block.first)];
                 RowNumbers& n = system_.numbers[std::size_t(block.first)];
-                if (!block.contact || !row.rebounds || !(n.p > 0)) continue;
+                if (!block.contact || !row.has_restitution || !(n.p > 0)) continue;
                 SolverBody& a = system_.bodies[std::size_t(block.body1)];
                 SolverBody* b = block.body2 >= 0 ? &system_.bodies[std::size_t(block.body2)] : nullptr;
                 if (against_static != (!b || !(a.inv_mass > 0) || !(b->inv_mass > 0))) continue;
-                const Real missing = row.rebound - row_velocity(row, a, b);
-                const Real d = row_mobility(row, a, b);
+                const Real missing = row.restitution_velocity - row_velocity(row, a, b);
+                const Real d = inverse_effective_mass(row, a, b);
                 if (!(missing > 0) || !(d > 0)) continue;
                 apply_impulse(row, missing / d, a, b);
                 n.p += missing / d;
             }
     }
 
-    void rebound_patches()
+    void apply_manifolds_restitution()
     {
         load_velocities(system_, velocities_);
-        patches_.rebound(velocities_);
+        manifolds_.apply_restitution(velocities_);
         store_velocities(velocities_, system_);
-        patches_.store_impulses(system_.patches);
+        manifolds_.store_impulses(system_.contact_manifolds);
     }
 
     bool measure(const SolverSettings& settings, Arena& arena, SolveReport& report)
@@ -159,7 +160,7 @@ class SmallSteps {
         contacts_.describe(described_);
         RowSystem one = system_;
         one.numbers = described_, one.rows = rows_;
-        one.frictions = contacts_.whole_frictions(arena);
+        one.frictions = contacts_.manifold_frictions(arena);
         const RowSystem all = one;
         present_bounds(one, lo_, hi_);
         report.residual = natural_residual(one, before_, lo_, hi_, arena);
@@ -177,7 +178,7 @@ class SmallSteps {
     const Substep step_;
     Joints& joints_;
     SubstepContacts contacts_;
-    PatchSet patches_;
+    ManifoldSet manifolds_;
     std::span<Velocity> velocities_;
     std::span<SolverBody> before_;  // only when the residual is wanted
     std::span<RowNumbers> described_;
@@ -185,14 +186,14 @@ class SmallSteps {
     std::span<Real> lo_, hi_;
 };
 
-// What there is without rows. False: there are rows.
+// Solves a system without rows. False: there are rows.
 bool solve_without_rows(RowSystem& system, const SolverSettings& settings, Arena& arena, int n, bool& solved)
 {
     if (!system.rows.empty()) return false;
     solved = true;
     const Substeps& model = *settings.substeps;
-    if (settings.patches) {
-        solved = solve_patches(system, settings, arena);
+    if (settings.contact_manifolds) {
+        solved = solve_manifolds(system, settings, arena);
         return true;
     }
     Arena::Scope scope(arena);
@@ -200,7 +201,7 @@ bool solve_without_rows(RowSystem& system, const SolverSettings& settings, Arena
     solved = !arena.failed();
     if (!solved) return true;
     load_velocities(system, velocities);
-    for (int i = 0; i < n; ++i) {  // free bodies move in small steps too: their rotation is better for it
+    for (int i = 0; i < n; ++i) {  // free bodies take substeps too, which improves their rotation
         model.apply_forces(model.model, velocities.data(), system.h / Real(n));
         model.advance(model.model, system, velocities.data(), system.h / Real(n));
     }
@@ -213,7 +214,7 @@ template <typename Joints>
 bool run(RowSystem& system, const SolverSettings& settings, int n, Joints& joints, Arena& arena,
          SolveReport& report)
 {
-    SmallSteps<Joints> steps(system, *settings.substeps, n, joints);
+    SubstepSolver<Joints> steps(system, *settings.substeps, n, joints);
     return steps.prepare(settings, arena) && steps.run(settings, arena, report);
 }
 
@@ -238,7 +239,7 @@ bool solve_network(RowSystem& system, const SolverSettings& settings, Arena& are
     if (solve_without_rows(system, settings, arena, n, solved)) return solved;
     Arena::Scope scope(arena);
     JointNetwork joints;
-    if (!joints.plan(system, settings.plans, arena)) return false;
+    if (!joints.analyse(system, settings.symbolic_cache, arena)) return false;
     if (!joints.worth()) return solve_tgs(system, settings, arena, report);
     report.method = dIslandMethodSubstepsExactJoints;
     solved = run(system, settings, n, joints, arena, report);
@@ -251,14 +252,14 @@ bool solve_network(RowSystem& system, const SolverSettings& settings, Arena& are
 const Solver kTgs{.name = "tgs",
                   .substeps = true,
                   .cones = true,
-                  .takes_patches = true,
+                  .contact_manifolds = true,
                   .warm_share = Real(0.9),
                   .settling_factor = 4,
                   .solve = solve_tgs};
 const Solver kNetwork{.name = "network",
                       .substeps = true,
                       .cones = true,
-                      .takes_patches = true,
+                      .contact_manifolds = true,
                       .warm_share = Real(0.9),
                       .settling_factor = 4,
                       .solve = solve_network};

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Contacts as the kernels read them, eight manifolds in Reals or sixteen in floats side by side. A batch is
-// one manifold per lane, none of which shares a dynamic body with another; what the points of a manifold have
-// in common (rows/manifold.h) is here, and a point has 14 numbers of its own: a sweep is as fast as they come
-// out of the caches. In floats twice as many fit a register and a cache. Lanes of shorter manifolds are
-// filled with points of zero gain, which do nothing.
+// Joint manifolds as the kernels read them, eight in Reals or sixteen in floats side by side. A batch has one
+// manifold per lane, none of which shares a dynamic body with another. What the points of a manifold share
+// (rows/joint_manifold.h) is here, and a point has 14 numbers of its own: a sweep is as fast as they arrive
+// from the caches. In floats twice as many fit a register and a cache. Lanes of shorter manifolds are filled
+// with points of zero effective mass, which do nothing.
 #pragma once
 
 #include <cstdint>
 
-#include "rows/manifold.h"
+#include "rows/joint_manifold.h"
 #include "simd/float_lanes.h"
 #include "simd/lanes.h"
 #include "solve/common/velocities.h"
@@ -21,7 +21,7 @@ namespace epode {
 template <typename L>
 inline constexpr int kLanesOf = sizeof(L) / sizeof(typename L::Number);
 
-// What lanes sweep over.
+// The velocities that lanes sweep over.
 template <typename L>
 struct VelocityOf;
 template <>
@@ -36,38 +36,38 @@ struct VelocityOf<BroadLanes> {
 template <typename L>
 struct BatchPointOf {
     LaneVec3Of<L> r1;
-    L c, C;              // of the normal
-    L gain[3], p[3];     // n, t1, t2
-    L k_n1, k_n2, k_12;  // gain of the later row times coupling with the earlier
+    L c, C;                     // of the normal
+    L effective_mass[3], p[3];  // n, t1, t2
+    L k_n1, k_n2, k_12;         // effective mass of the later row times its coupling with the earlier one
 };
 
-// One friction for all points of a manifold (contact_friction.inc): a force along t1 and t2 at an anchor,
-// which is the mean of the points, and a couple about n.
+// Manifold friction (contact_friction.inc): a force along t1 and t2 at an anchor, which is the mean of the
+// points, and a torque about n.
 template <typename L>
-struct ManifoldFrictionOf {
+struct ManifoldFrictionLanesOf {
     LaneVec3Of<L> r1;                          // of the anchor; r2 = r1 + offset
-    L x[kManifoldPoints], y[kManifoldPoints];  // places of the points along t1 and t2, from there
-    L k_11, k_22, k_12, k_1n, k_2n, k_nn;      // J M^-1 J^T of the tangents there and of the turn about n
-    L least_radius;                            // no couple is known from rounding below
-    L C;                                       // that of one point by the number of points
+    L x[kManifoldPoints], y[kManifoldPoints];  // positions of the points along t1 and t2, from there
+    L k_11, k_22, k_12, k_1n, k_2n, k_nn;      // J M^-1 J^T of the tangents there and of the rotation about n
+    L min_radius;                              // below this radius a torque is only rounding
+    L C;                                       // that of one point divided by the number of points
     L w;                                       // over-relaxation
-    L p[3];                                    // force, couple
+    L p[3];                                    // force, torque
 };
 
-// What of a batch need not be computed, as it is with boxes that are cubes and with balls, and with friction
-// as most programs ask for it.
+// Which parts of a batch need not be computed, as with cubes and balls, and with friction as most programs
+// define it.
 enum class BatchForm : std::uint8_t {
     kAny,
-    kPlain,  // friction asks for no speed and has one C and one limit mu p_n for both tangents
-    kEven,   // also, every inverse inertia is a number: that in xx
+    kPlain,  // friction has target zero and one C and one limit mu p_n for both tangents
+    kEven,   // also, every inverse inertia is a multiple of 1: that in xx
 };
 
 template <typename L>
 struct ContactBatchOf {
     int first, count;  // of the points
     BatchForm form;
-    ManifoldFrictionOf<L>* friction;                   // null: each point has its own
-    std::uint32_t at1[kLanesOf<L>], at2[kLanesOf<L>];  // of the bodies, in bytes behind the first velocity
+    ManifoldFrictionLanesOf<L>* friction;              // null: each point has its own
+    std::uint32_t at1[kLanesOf<L>], at2[kLanesOf<L>];  // of the bodies, in bytes after the first velocity
     L inv_mass1, inv_mass2;
     LaneSym3Of<L> inv_inertia1, inv_inertia2;
     LaneVec3Of<L> n, t1, t2, offset;  // r2 = r1 + offset

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What is done to packed contacts, once per kind of machine: the same text (contact_kernels.inc) compiled for
-// the baseline, for AVX2 and for AVX-512, with the same bits as result. The best is chosen by asking the
-// processor; compiling the whole library for it would lock out the machines that lack it.
+// The operations on packed contacts, once per kind of machine: the same text (contact_kernels.inc) compiled
+// for the baseline, for AVX2 and for AVX-512, with the same bits as result. The processor is queried for the
+// fastest; compiling the whole library for it would exclude machines that lack it.
 #pragma once
 
 #include <span>
@@ -14,31 +14,31 @@
 
 namespace epode {
 
-// What the lanes of a batch are made of; lanes without a manifold, points or bodies have such as do nothing.
+// Where the lanes of a batch come from; lanes without a manifold, points or bodies have ones that do nothing.
 template <typename L>
 struct ContactSourcesOf {
-    const Manifold* manifold[kLanesOf<L>];
+    const JointManifold* manifold[kLanesOf<L>];
     const SolverBody *body1[kLanesOf<L>], *body2[kLanesOf<L>];
-    const ManifoldPoint* point[kManifoldPoints][kLanesOf<L>];
+    const JointManifoldPoint* point[kManifoldPoints][kLanesOf<L>];
 };
 
 // Plain pointers and counts: an inline function of a span, compiled for AVX2, could be the copy that the
-// linker keeps for everybody. `batch.first` counts from `points`, `order` from `batches`; a lone batch comes
-// with its own points.
+// linker keeps for everybody. `batch.first` counts from `points`, `order` from `batches`; a single batch
+// comes with its own points.
 template <typename L>
 struct ContactKernelsOf {
     using Bodies = typename VelocityOf<L>::Type;
-    // Out: of the batch masses, directions and what friction asks for; arms, normal and p of the points.
+    // Writes masses, directions and friction targets of the batch; arms, normal and p of the points.
     void (*gather)(ContactBatchOf<L>& batch, BatchPointOf<L>* points, const ContactSourcesOf<L>& from);
-    // [0]: friction lies in the box of its limits, [1]: in their ellipse, a cone.
-    // Of what is prepared all but couplings and gains is given; these come out, and p within its limits.
+    // [0]: friction lies in the box of its limits, [1]: in their ellipse, a cone. Couplings and effective
+    // masses are computed from the rest, and p is put within its limits.
     void (*prepare[2])(const ContactBatchOf<L>& batch, BatchPointOf<L>* points, typename L::Number w);
     // v += M^-1 J^T p
     void (*apply_impulses)(const ContactBatchOf<L>* batches, int count, const BatchPointOf<L>* points,
                            Bodies* bodies);
     void (*sweep[2])(const ContactBatchOf<L>* batches, const int* order, int count, BatchPointOf<L>* points,
                      Bodies* bodies);
-    // Of a batch with one friction: into p of the tangents, what of it is each point's part.
+    // For a batch with manifold friction: writes each point's part of it to p of the tangents.
     void (*share_friction)(const ContactBatchOf<L>& batch, BatchPointOf<L>* points);
 };
 
@@ -49,7 +49,7 @@ struct ContactKernels {
     // J_n v of the batch's points.
     void (*normal_velocities)(const ContactBatch& batch, const BatchPoint* points, const Velocity* bodies,
                               Lanes* out);
-    // Before float sweeps: to = from, rounded. After them: to += what they have changed since.
+    // Before float sweeps: to = from, rounded. After them: to += what they have changed.
     void (*round_velocities)(const Velocity* from, int count, FloatVelocity* to);
     void (*add_changes)(const FloatVelocity* from, int count, Velocity* to);
 
@@ -57,7 +57,7 @@ struct ContactKernels {
     const ContactKernelsOf<BroadLanes>& of(const BroadLanes*) const { return floats; }
 };
 
-// Those that this machine can run; the first is the baseline, the last the fastest.
+// The kernels that this machine can run; the first is the baseline, the last the fastest.
 std::span<const ContactKernels* const> contact_kernels();
 
 }  // namespace epode

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Packing chooses what comes into which lane; the kernels bring it there, and compute for all lanes at once
-// what follows from it (mobilities, couplings).
+// Packing decides what each lane holds; the kernels load it and compute for all lanes at once what follows
+// from it (effective masses, couplings).
 #include "solve/sweeps/contact_set.h"
 
 #include <algorithm>
@@ -17,31 +17,31 @@ constexpr int kWindow = 6;          // manifolds looked at for each lane
 constexpr int kFullShuffle = 1536;  // batches, about 6 MB
 constexpr int kRun = 32;
 
-// What fills lanes that have nothing.
+// Fills unused lanes.
 constexpr SolverBody kAtRest{};
-constexpr Manifold kNoManifold{{}, {}, {}, {}, {}, {}, {}, {}, -1, -1, 0, 0};
-constexpr ManifoldPoint kNoPoint{};
+constexpr JointManifold kNoManifold{{}, {}, {}, {}, {}, {}, {}, {}, -1, -1, 0, 0};
+constexpr JointManifoldPoint kNoPoint{};
 
-// To floats without leaving their range: a limit that is finite stays so.
+// Converts to float within its range: a finite limit stays finite.
 template <typename N>
 N narrowed(Real x)
 {
-    constexpr Real most = Real(std::numeric_limits<float>::max());
-    return std::is_same_v<N, Real> || x <= most || x == kInf ? N(x) : N(most);
+    constexpr Real limit = Real(std::numeric_limits<float>::max());
+    return std::is_same_v<N, Real> || x <= limit || x == kInf ? N(x) : N(limit);
 }
 
-// Lanes without a point have the directions of their manifold, but no say.
+// Lanes without a point have the directions of their manifold, but no effect.
 template <typename L>
 void silence_unused(const ContactSourceOf<L>& source, BatchPointOf<L>& point)
 {
     for (int lane = 0; lane < kLanesOf<L>; ++lane)
         if (source.point[lane] < 0)
-            for (L& gain : point.gain) gain[lane] = 0;
+            for (L& effective_mass : point.effective_mass) effective_mass[lane] = 0;
 }
 
 bool is_even(const Sym3& s) { return s.xx == s.yy && s.yy == s.zz && s.xy == 0 && s.xz == 0 && s.yz == 0; }
 
-BatchForm form_of(const RowSystem& system, const Manifold& m)
+BatchForm form_of(const RowSystem& system, const JointManifold& m)
 {
     if (m.c[0] != 0 || m.c[1] != 0 || m.fixed[0] != 0 || m.fixed[1] != 0 || m.mu[0] != m.mu[1] ||
         m.C[0] != m.C[1])
@@ -52,22 +52,22 @@ BatchForm form_of(const RowSystem& system, const Manifold& m)
 }
 
 // Fills one batch after the other. A body that moves may be in a batch once: its stamp is the last batch that
-// it is in.
+// contains it.
 class Chooser {
   public:
-    Chooser(const RowSystem& system, std::span<const Manifold> manifolds, std::span<int> stamps,
+    Chooser(const RowSystem& system, std::span<const JointManifold> manifolds, std::span<int> stamps,
             std::span<bool> used, int lanes)
         : system_(system),
           manifolds_(manifolds),
           stamps_(stamps),
           used_(used),
           lanes_(lanes),
-          whole_(system.manifold_friction)
+          manifold_friction_(system.manifold_friction)
     {
         std::fill(stamps.begin(), stamps.end(), -1);
     }
 
-    // The lanes of the batch that manifold `first` begins; the rest is -1.
+    // Chooses the lanes of the batch that manifold `first` begins; the rest is -1.
     void fill(int batch, int first, int* lanes)
     {
         int taken = 0;
@@ -75,7 +75,7 @@ class Chooser {
         first_ = first;
         const int count = manifolds_[std::size_t(first)].count;
         const int end = std::min(int(manifolds_.size()), first + kWindow * lanes_);
-        // First those of the same length, then any.
+        // First manifolds of the same length, then any.
         for (const bool any : {false, true})
             for (int j = first + 1; j < end && taken < lanes_; ++j)
                 if (!used_[std::size_t(j)] && (any || manifolds_[std::size_t(j)].count == count) &&
@@ -89,15 +89,16 @@ class Chooser {
   private:
     bool free(int batch, int j) const
     {
-        const Manifold &m = manifolds_[std::size_t(j)], &first = manifolds_[std::size_t(first_)];
-        if (whole_ && can_be_whole(m) != can_be_whole(first)) return false;
+        const JointManifold &m = manifolds_[std::size_t(j)], &first = manifolds_[std::size_t(first_)];
+        if (manifold_friction_ && allows_manifold_friction(m) != allows_manifold_friction(first))
+            return false;
         return stamps_[std::size_t(m.body1)] != batch &&
                (m.body2 < 0 || stamps_[std::size_t(m.body2)] != batch);
     }
 
     void take(int batch, int j, int& lane)
     {
-        const Manifold& m = manifolds_[std::size_t(j)];
+        const JointManifold& m = manifolds_[std::size_t(j)];
         for (const int body : {m.body1, m.body2})
             if (body >= 0 && system_.bodies[std::size_t(body)].inv_mass > 0)
                 stamps_[std::size_t(body)] = batch;
@@ -106,20 +107,21 @@ class Chooser {
     }
 
     const RowSystem& system_;
-    std::span<const Manifold> manifolds_;
+    std::span<const JointManifold> manifolds_;
     std::span<int> stamps_;
     std::span<bool> used_;
     int lanes_;
-    bool whole_;     // those that can have one friction stay by themselves
-    int first_ = 0;  // of the batch
+    bool manifold_friction_;  // manifolds that allow manifold friction stay by themselves
+    int first_ = 0;           // of the batch
 };
 
 }  // namespace
 
 template <typename L>
-bool ContactSetOf<L>::pack(const RowSystem& system, const ManifoldList& list, Real w, Arena& arena)
+bool ContactSetOf<L>::pack(const RowSystem& system, const JointManifoldList& list, Real w, Arena& arena)
 {
-    cone_ = system.cone, whole_ = system.manifold_friction, manifolds_ = int(list.manifolds.size());
+    cone_ = system.cone, manifold_friction_ = system.manifold_friction,
+    manifolds_ = int(list.manifolds.size());
     if (list.manifolds.empty()) return true;
     if (!choose(system, list.manifolds, arena)) return false;
     const int count = chosen_.back().first + chosen_.back().count;
@@ -141,7 +143,7 @@ bool ContactSetOf<L>::pack(const RowSystem& system, const ManifoldList& list, Re
 }
 
 template <typename L>
-bool ContactSetOf<L>::choose(const RowSystem& system, std::span<const Manifold> manifolds, Arena& arena)
+bool ContactSetOf<L>::choose(const RowSystem& system, std::span<const JointManifold> manifolds, Arena& arena)
 {
     const int n = int(manifolds.size());
     chosen_ = arena.take<Choice>(n);
@@ -165,7 +167,7 @@ bool ContactSetOf<L>::choose(const RowSystem& system, std::span<const Manifold> 
 }
 
 template <typename L>
-void ContactSetOf<L>::fill_batch(const RowSystem& system, const ManifoldList& list, const Choice& choice,
+void ContactSetOf<L>::fill_batch(const RowSystem& system, const JointManifoldList& list, const Choice& choice,
                                  Batch& batch)
 {
     batch.first = choice.first, batch.count = choice.count;
@@ -181,10 +183,10 @@ void ContactSetOf<L>::fill_batch(const RowSystem& system, const ManifoldList& li
 }
 
 template <typename L>
-void ContactSetOf<L>::choose_lane(const RowSystem& system, const ManifoldList& list, int index, Batch& batch,
-                                  int lane, ContactSourcesOf<L>& from)
+void ContactSetOf<L>::choose_lane(const RowSystem& system, const JointManifoldList& list, int index,
+                                  Batch& batch, int lane, ContactSourcesOf<L>& from)
 {
-    const Manifold& manifold = index >= 0 ? list.manifolds[std::size_t(index)] : kNoManifold;
+    const JointManifold& manifold = index >= 0 ? list.manifolds[std::size_t(index)] : kNoManifold;
     const auto choose = [&](int body, std::uint32_t& at) {
         at = std::uint32_t(std::size_t(second_slot(system, body)) * sizeof(Bodies));
         return body >= 0 ? &system.bodies[std::size_t(body)] : &kAtRest;
@@ -204,14 +206,14 @@ void ContactSetOf<L>::choose_lane(const RowSystem& system, const ManifoldList& l
 }
 
 template <typename L>
-bool ContactSetOf<L>::place_frictions(std::span<const Manifold> manifolds, Arena& arena)
+bool ContactSetOf<L>::place_frictions(std::span<const JointManifold> manifolds, Arena& arena)
 {
     const auto wants = [&](std::size_t b) {
-        return whole_ && can_be_whole(manifolds[std::size_t(chosen_[b].manifold[0])]);
+        return manifold_friction_ && allows_manifold_friction(manifolds[std::size_t(chosen_[b].manifold[0])]);
     };
     int count = 0;
     for (std::size_t b = 0; b < batches_.size(); ++b) count += wants(b);
-    const auto frictions = arena.take_zeroed<ManifoldFrictionOf<L>>(count);
+    const auto frictions = arena.take_zeroed<ManifoldFrictionLanesOf<L>>(count);
     if (arena.failed()) return false;
     std::size_t next = 0;
     for (std::size_t b = 0; b < batches_.size(); ++b)
@@ -219,18 +221,18 @@ bool ContactSetOf<L>::place_frictions(std::span<const Manifold> manifolds, Arena
     return true;
 }
 
-// The anchors of a batch and the places of its points, in Reals before they are lanes.
+// The anchors of a batch and the positions of its points, in Reals before they become lanes.
 template <typename L>
-void ContactSetOf<L>::fill_friction(const ManifoldList& list, std::size_t b)
+void ContactSetOf<L>::fill_friction(const JointManifoldList& list, std::size_t b)
 {
-    ManifoldFrictionOf<L>& to = *batches_[b].friction;
+    ManifoldFrictionLanesOf<L>& to = *batches_[b].friction;
     for (int lane = 0; lane < kCount && chosen_[b].manifold[lane] >= 0; ++lane) {
-        const Manifold& m = list.manifolds[std::size_t(chosen_[b].manifold[lane])];
+        const JointManifold& m = list.manifolds[std::size_t(chosen_[b].manifold[lane])];
         const auto points = list.points.subspan(std::size_t(m.first), std::size_t(m.count));
         const Real share = 1 / Real(m.count);
         Vec3 anchor;
         Real size = 0;
-        for (const ManifoldPoint& point : points) anchor += share * point.r1;
+        for (const JointManifoldPoint& point : points) anchor += share * point.r1;
         for (std::size_t i = 0; i < points.size(); ++i) {
             const Vec3 d = points[i].r1 - anchor;
             const Real x = dot(d, m.t1), y = dot(d, m.t2);
@@ -238,33 +240,33 @@ void ContactSetOf<L>::fill_friction(const ManifoldList& list, std::size_t b)
             size += std::fabs(x) + std::fabs(y);
         }
         to.r1.set(lane, anchor);
-        to.least_radius[lane] = Number(kLeastRadius * size);
+        to.min_radius[lane] = Number(kMinRadius * size);
         to.C[lane] = Number(share * m.C[0]);
     }
 }
 
 template <typename L>
-WholeFriction ContactSetOf<L>::friction_of(const Batch& batch, int lane) const
+ManifoldFriction ContactSetOf<L>::friction_of(const Batch& batch, int lane) const
 {
-    const ManifoldFrictionOf<L>& all = *batch.friction;
+    const ManifoldFrictionLanesOf<L>& all = *batch.friction;
     const auto vector = [&](const LaneVec3Of<L>& a) {
         return Vec3{Real(a.x[lane]), Real(a.y[lane]), Real(a.z[lane])};
     };
     const Vec3 n = vector(batch.n), t1 = vector(batch.t1), t2 = vector(batch.t2);
-    const auto push = [&](int i) { return Real(points_[std::size_t(batch.first + i)].p[0][lane]); };
+    const auto normal = [&](int i) { return Real(points_[std::size_t(batch.first + i)].p[0][lane]); };
     Real sum = 0, x = 0, y = 0, radius = 0;
-    for (int i = 0; i < batch.count; ++i) sum += push(i);
+    for (int i = 0; i < batch.count; ++i) sum += normal(i);
     for (int i = 0; i < batch.count && sum > 0; ++i)
-        x += push(i) / sum * Real(all.x[i][lane]), y += push(i) / sum * Real(all.y[i][lane]);
+        x += normal(i) / sum * Real(all.x[i][lane]), y += normal(i) / sum * Real(all.y[i][lane]);
     for (int i = 0; i < batch.count && sum > 0; ++i)
-        radius += push(i) / sum * length(Vec3{Real(all.x[i][lane]) - x, Real(all.y[i][lane]) - y, 0});
+        radius += normal(i) / sum * length(Vec3{Real(all.x[i][lane]) - x, Real(all.y[i][lane]) - y, 0});
     const Vec3 r1 = vector(all.r1) + x * t1 + y * t2, r2 = r1 + vector(batch.offset);
     const Real p1 = Real(all.p[0][lane]), p2 = Real(all.p[1][lane]);
     const Real couple = Real(all.p[2][lane]) - (x * p2 - y * p1);
     return {{{t1, cross(r1, t1), -t1, -cross(r2, t1)},
              {t2, cross(r1, t2), -t2, -cross(r2, t2)},
              {{}, radius * n, {}, -radius * n}},
-            {p1, p2, radius > Real(all.least_radius[lane]) ? couple / radius : 0},
+            {p1, p2, radius > Real(all.min_radius[lane]) ? couple / radius : 0},
             {Real(batch.c[0][lane]), Real(batch.c[1][lane]), 0},
             Real(all.C[lane]),
             Real(batch.mu[0][lane]) * sum,
@@ -273,18 +275,18 @@ WholeFriction ContactSetOf<L>::friction_of(const Batch& batch, int lane) const
 }
 
 template <typename L>
-std::span<WholeFriction> ContactSetOf<L>::whole_frictions(Arena& arena) const
+std::span<ManifoldFriction> ContactSetOf<L>::manifold_frictions(Arena& arena) const
 {
-    if (!whole_) return {};
-    auto all = arena.take<WholeFriction>(manifolds_);
+    if (!manifold_friction_) return {};
+    auto all = arena.take<ManifoldFriction>(manifolds_);
     if (all.empty()) return {};
-    for (WholeFriction& f : all) f.body1 = -1;
+    for (ManifoldFriction& f : all) f.body1 = -1;
     for (std::size_t b = 0; b < batches_.size(); ++b)
         for (int lane = 0; batches_[b].friction && lane < kCount; ++lane)
             if (const int at = chosen_[b].manifold[lane]; at >= 0)
                 all[std::size_t(at)] = friction_of(batches_[b], lane);
     const auto end =
-        std::remove_if(all.begin(), all.end(), [](const WholeFriction& f) { return f.body1 < 0; });
+        std::remove_if(all.begin(), all.end(), [](const ManifoldFriction& f) { return f.body1 < 0; });
     return {all.begin(), end};
 }
 
@@ -301,7 +303,7 @@ void ContactSetOf<Lanes>::normal_velocities(const ContactBatch& batch, std::span
     machine_->normal_velocities(batch, &points_[std::size_t(batch.first)], bodies.data(), out.data());
 }
 
-// Islands that no longer fit the caches keep neighbours together: runs are shuffled, then what is in each
+// Islands that exceed the caches keep neighbours together: runs are shuffled, then the batches within each
 // run.
 template <typename L>
 void ContactSetOf<L>::shuffle(CounterRandom& random)
@@ -328,14 +330,15 @@ template <typename L>
 void ContactSetOf<L>::relax_by(Real factor)
 {
     for (Point& point : points_)
-        for (L* x : {&point.gain[0], &point.gain[1], &point.gain[2], &point.k_n1, &point.k_n2, &point.k_12})
+        for (L* x : {&point.effective_mass[0], &point.effective_mass[1], &point.effective_mass[2],
+                     &point.k_n1, &point.k_n2, &point.k_12})
             for (Number& value : x->at) value *= Number(factor);
     for (const Batch& batch : batches_)
         for (int lane = 0; batch.friction && lane < kCount; ++lane) batch.friction->w[lane] *= Number(factor);
 }
 
 template <typename L>
-void ContactSetOf<L>::store_impulses(std::span<ManifoldPoint> points) const
+void ContactSetOf<L>::store_impulses(std::span<JointManifoldPoint> points) const
 {
     for (const Batch& batch : batches_)
         if (batch.friction) kernels_->share_friction(batch, &points_[std::size_t(batch.first)]);

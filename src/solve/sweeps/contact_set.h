@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Manifolds packed for sweeping (solve/sweeps/contact_batch.h) and what is done to all of them. Those that
-// share no dynamic body are put side by side into batches, greedily from a short window, in order, so that
-// the packing is a function of the island alone and neighbours in memory stay neighbours.
+// Joint manifolds packed for sweeping (solve/sweeps/contact_batch.h) and the operations on all of them.
+// Manifolds that share no dynamic body are put side by side into batches, greedily from a short window, in
+// order. So the packing is a function of the island alone, and neighbours in memory stay neighbours.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 #include "base/arena.h"
 #include "base/random.h"
 #include "rows/row_system.h"
-#include "solve/common/whole_friction.h"
+#include "solve/common/manifold_friction.h"
 #include "solve/sweeps/contact_batch.h"
 #include "solve/sweeps/contact_kernels.h"
 
@@ -37,17 +37,17 @@ class ContactSetOf {
     {}
 
     // False: out of memory. `w`: over-relaxation.
-    bool pack(const RowSystem& system, const ManifoldList& list, Real w, Arena& arena);
+    bool pack(const RowSystem& system, const JointManifoldList& list, Real w, Arena& arena);
 
     void apply_impulses(std::span<Bodies> bodies) const;  // v += M^-1 J^T p
     void shuffle(CounterRandom& random);                  // the order of the sweeps to come
     void sweep(std::span<Bodies> bodies);
     void relax_by(Real factor);  // multiplies the over-relaxation of the sweeps to come
-    void store_impulses(std::span<ManifoldPoint> points) const;
-    // One for each manifold that has one friction, in the order of the manifolds. Empty: none, or out of
+    void store_impulses(std::span<JointManifoldPoint> points) const;
+    // One for each manifold with manifold friction, in the order of the manifolds. Empty: none, or out of
     // memory.
-    std::span<WholeFriction> whole_frictions(Arena& arena) const;
-    // J_n v of the points of a batch; of Lanes only.
+    std::span<ManifoldFriction> manifold_frictions(Arena& arena) const;
+    // J_n v of the points of a batch; for Lanes only.
     void normal_velocities(const Batch& batch, std::span<const Velocity> bodies,
                            std::span<Lanes, kManifoldPoints> out) const;
 
@@ -66,18 +66,19 @@ class ContactSetOf {
         int first, count;
     };
 
-    bool choose(const RowSystem& system, std::span<const Manifold> manifolds, Arena& arena);
-    void fill_batch(const RowSystem& system, const ManifoldList& list, const Choice& choice, Batch& batch);
-    void choose_lane(const RowSystem& system, const ManifoldList& list, int manifold, Batch& batch, int lane,
-                     ContactSourcesOf<L>& from);
-    bool place_frictions(std::span<const Manifold> manifolds, Arena& arena);
-    void fill_friction(const ManifoldList& list, std::size_t batch);
-    WholeFriction friction_of(const Batch& batch, int lane) const;
+    bool choose(const RowSystem& system, std::span<const JointManifold> manifolds, Arena& arena);
+    void fill_batch(const RowSystem& system, const JointManifoldList& list, const Choice& choice,
+                    Batch& batch);
+    void choose_lane(const RowSystem& system, const JointManifoldList& list, int manifold, Batch& batch,
+                     int lane, ContactSourcesOf<L>& from);
+    bool place_frictions(std::span<const JointManifold> manifolds, Arena& arena);
+    void fill_friction(const JointManifoldList& list, std::size_t batch);
+    ManifoldFriction friction_of(const Batch& batch, int lane) const;
 
     const ContactKernels* machine_;
     const ContactKernelsOf<L>* kernels_;
     bool cone_ = false;
-    bool whole_ = false;  // manifolds that can have one friction do
+    bool manifold_friction_ = false;  // manifolds that allow it have one friction
     int manifolds_ = 0;
     std::span<Choice> chosen_;
     std::span<Batch> batches_;

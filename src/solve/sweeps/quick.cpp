@@ -5,14 +5,13 @@
 //
 //   q_i = clip(p_i + W (c_i - J_i v - C_i p_i) / d_i, lo_i, hi_i),   d_i = J_i M^-1 J_i^T + C_i
 //
-// with friction limits that follow their parent's present impulse. Joints come first, forwards and backwards
-// by turns, which carries an impulse through a chain in both directions; then contacts, each one's normal
-// before its tangents, in a new random order in every sweep: any fixed order tilts a stack a little, always
-// to the same side, and a stack at rest trembles twice as much for it. ODE shuffles every eight sweeps, from
-// the process-wide dRand; here the numbers are a function of the step and the island.
-// Over-relaxation carries impulses far but leaves the last row visited too much: the second half of
-// the sweeps over contacts is made with W = 1, which lets that settle (a third less trembling of 1,000
-// boxes).
+// with friction limits that follow their parent's present impulse. Joints come first, in alternating
+// directions, which carries an impulse through a chain both ways. Then come contacts, each normal before its
+// tangents, in a new random order in every sweep: any fixed order tilts a stack slightly to the same side,
+// and a stack at rest trembles twice as much. ODE shuffles every eight sweeps, from the process-wide dRand;
+// here the numbers are a function of the step and the island. Over-relaxation carries impulses far but leaves
+// errors in the rows visited last. The second half of the sweeps over contacts therefore uses W = 1, which
+// lets them settle (a third less trembling of 1,000 boxes).
 #include <algorithm>
 
 #include "solve/common/contact_rows.h"
@@ -39,7 +38,7 @@ struct Sweeps {
     {
         auto taken = arena.take<bool>(int(system.blocks.size()));
         if (arena.failed()) return false;
-        if (system.contacts.points.empty()) {
+        if (system.joint_contacts.points.empty()) {
             if (!rows.gather(system, taken, arena)) return false;
         } else {
             std::fill(taken.begin(), taken.end(), false);
@@ -52,10 +51,10 @@ struct Sweeps {
         return contacts.pack(system, manifolds(system), settings, alone, arena);
     }
 
-    // The contacts as manifolds, however they came.
-    const ManifoldList& manifolds(const RowSystem& system) const
+    // The contacts as manifolds, whichever way they came.
+    const JointManifoldList& manifolds(const RowSystem& system) const
     {
-        return system.contacts.points.empty() ? rows.list() : system.contacts;
+        return system.joint_contacts.points.empty() ? rows.list() : system.joint_contacts;
     }
 
     void store_impulses(RowSystem& system) const
@@ -88,7 +87,7 @@ struct Sweeps {
     }
 };
 
-// The blocks whose bodies belong to the part, moved to the front of the others.
+// Moves the blocks whose bodies belong to the part to the front and returns them.
 std::span<RowBlock> blocks_of(const RowSystem& system, std::size_t part)
 {
     const int from = part > 0 ? system.parts[part - 1].bodies : 0, to = system.parts[part].bodies;
@@ -99,7 +98,7 @@ std::span<RowBlock> blocks_of(const RowSystem& system, std::size_t part)
 }
 
 bool find_residuals(const RowSystem& given, const SolverSettings& settings,
-                    std::span<const SolverBody> before, std::span<const WholeFriction> frictions,
+                    std::span<const SolverBody> before, std::span<const ManifoldFriction> frictions,
                     Arena& arena, SolveReport& report)
 {
     RowSystem system;
@@ -123,10 +122,10 @@ bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena
 {
     report.method = dIslandMethodSweeps;
     report.iterations = std::max(settings.iterations, 0);
-    if (system.rows.empty() && system.contacts.points.empty()) return true;
-    if (settings.iterations <= 0) {  // ODE's meaning: constraints without effect
+    if (system.rows.empty() && system.joint_contacts.points.empty()) return true;
+    if (settings.iterations <= 0) {  // as in ODE: constraints without effect
         for (RowNumbers& n : system.numbers) n.p = 0;
-        for (ManifoldPoint& point : system.contacts.points)
+        for (JointManifoldPoint& point : system.joint_contacts.points)
             for (Real& p : point.p) p = 0;
         return true;
     }
@@ -145,14 +144,14 @@ bool solve_quick(RowSystem& system, const SolverSettings& settings, Arena& arena
     store_velocities(velocities, system);
     sweeps.store_impulses(system);
     if (!settings.want_residual) return true;
-    const auto frictions = sweeps.contacts.whole_frictions(arena);
+    const auto frictions = sweeps.contacts.manifold_frictions(arena);
     return find_residuals(system, settings, before, frictions, arena, report);
 }
 
 }  // namespace
 
 const Solver kQuick{.name = "quick",
-                    .manifolds = true,
+                    .joint_manifolds = true,
                     .cones = true,
                     .warm_share = Real(0.6),
                     .settling_factor = 5,

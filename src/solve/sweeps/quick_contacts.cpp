@@ -13,7 +13,7 @@ constexpr int kFloatSweeps = 50;
 constexpr Real kFloatRatio = 1000;  // of masses
 constexpr Real kFloatRange = Real(1e12);
 
-bool in_range(Real sum) { return sum <= kFloatRange; }  // what is not a number is not
+bool in_range(Real sum) { return sum <= kFloatRange; }  // false for NaN
 
 Real size(Real a) { return std::abs(a); }
 
@@ -25,21 +25,22 @@ Real size(Vec3 a)
 
 bool bodies_fit_floats(std::span<const SolverBody> bodies)
 {
-    Real least = kFloatRange, most = 1 / kFloatRange;
+    Real smallest = kFloatRange, largest = 1 / kFloatRange;
     for (const SolverBody& b : bodies) {
         const Sym3& I = b.inv_inertia;
         if (!in_range(size(b.v) + size(b.w) + I.xx + I.yy + I.zz)) return false;
-        if (b.inv_mass > 0) least = std::min(least, b.inv_mass), most = std::max(most, b.inv_mass);
+        if (b.inv_mass > 0)
+            smallest = std::min(smallest, b.inv_mass), largest = std::max(largest, b.inv_mass);
     }
-    return most <= kFloatRatio * least && in_range(most) && in_range(1 / least);
+    return largest <= kFloatRatio * smallest && in_range(largest) && in_range(1 / smallest);
 }
 
-// Friction limits are not looked at: they may be infinite.
-bool contacts_fit_floats(const ManifoldList& list)
+// Ignores friction limits, which may be infinite.
+bool contacts_fit_floats(const JointManifoldList& list)
 {
-    for (const Manifold& m : list.manifolds)
+    for (const JointManifold& m : list.manifolds)
         if (!in_range(size(m.offset) + size(m.c[0]) + size(m.c[1]) + m.C[0] + m.C[1])) return false;
-    for (const ManifoldPoint& point : list.points)
+    for (const JointManifoldPoint& point : list.points)
         if (!in_range(size(point.r1) + size(point.c) + point.C + size(point.p[0]) + size(point.p[1]) +
                       size(point.p[2])))
             return false;
@@ -51,14 +52,14 @@ bool stands(const RowSystem& system, int body)
     return body < 0 || !(system.bodies[std::size_t(body)].inv_mass > 0);
 }
 
-// Does every part that has contacts touch something that takes up momentum?
-bool all_parts_stand(const RowSystem& system, const ManifoldList& list)
+// True if every part with contacts touches something that absorbs momentum.
+bool all_parts_stand(const RowSystem& system, const JointManifoldList& list)
 {
-    if (system.contacts.manifolds.empty()) return true;
+    if (system.joint_contacts.manifolds.empty()) return true;
     for (int part = 0; part < system.worlds(); ++part) {
-        const auto from = list.manifolds.begin() + system.begin_of(part).manifolds;
-        const auto to = list.manifolds.begin() + system.end_of(part).manifolds;
-        const auto on_ground = [&](const Manifold& m) {
+        const auto from = list.manifolds.begin() + system.begin_of(part).joint_manifolds;
+        const auto to = list.manifolds.begin() + system.end_of(part).joint_manifolds;
+        const auto on_ground = [&](const JointManifold& m) {
             return stands(system, m.body1) || stands(system, m.body2);
         };
         if (from != to && std::none_of(from, to, on_ground)) return false;
@@ -68,8 +69,8 @@ bool all_parts_stand(const RowSystem& system, const ManifoldList& list)
 
 }  // namespace
 
-bool QuickContacts::pack(const RowSystem& system, const ManifoldList& list, const SolverSettings& settings,
-                         bool alone, Arena& arena)
+bool QuickContacts::pack(const RowSystem& system, const JointManifoldList& list,
+                         const SolverSettings& settings, bool alone, Arena& arena)
 {
     in_floats_ = list.points.empty()
                      ? alone
@@ -83,7 +84,7 @@ bool QuickContacts::pack(const RowSystem& system, const ManifoldList& list, cons
     return !arena.failed() && floats_.pack(system, list, settings.w, arena);
 }
 
-// Of floats, from begin() to end() if nobody else looks, else each time.
+// For floats: from begin() to end() if no other code uses the velocities meanwhile, else each time.
 template <typename Change>
 void QuickContacts::change(std::span<Velocity> bodies, Change&& change)
 {
@@ -118,7 +119,7 @@ void QuickContacts::end(std::span<Velocity> bodies) const
         machine_.add_changes(velocities_.data(), int(velocities_.size()), bodies.data());
 }
 
-void QuickContacts::store_impulses(std::span<ManifoldPoint> points) const
+void QuickContacts::store_impulses(std::span<JointManifoldPoint> points) const
 {
     in_floats_ ? floats_.store_impulses(points) : reals_.store_impulses(points);
 }

@@ -2,18 +2,19 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Contacts of dWorldQuickStep, in lanes of floats or of Reals. Float sweeps take half the time, and after
-// twenty of them a heap is a thousand times further from its answer than their rounding. Lanes are Reals
+// twenty of them a pile is a thousand times further from its solution than their rounding. Lanes are Reals
 // where digits could show:
 //
-// - few contacts, which settle;
-// - more sweeps than are worth it otherwise, by which a program asks for more digits;
-// - masses of more than 1 : 1000, since a velocity is as good as the largest impulse over the lightest mass;
-// - bodies that touch nothing that stands, whose momentum is kept to the rounding of a Real;
+// - few contacts, which converge fully;
+// - more sweeps than are worthwhile otherwise, by which a program asks for more digits;
+// - masses of more than 1 : 1000, since a velocity is as accurate as the largest impulse over the lightest
+//   mass;
+// - bodies that touch nothing static, whose momentum is kept to the rounding of a Real;
 // - numbers out of the range of floats.
 //
-// All of it is a function of the island and the settings. The velocities themselves are Reals: float sweeps
-// begin with them rounded and add to them what they have changed; once for all sweeps, where joints are in
-// floats too (solve/joints/joint_lanes.h).
+// All of this is a function of the island and the settings. The velocities themselves are Reals: float sweeps
+// begin with them rounded and add their changes to them, once for all sweeps if joints are in floats too
+// (solve/joints/joint_lanes.h).
 #pragma once
 
 #include "solve/solver.h"
@@ -23,24 +24,23 @@ namespace epode {
 
 class QuickContacts {
   public:
-    // `alone`: nothing changes velocities between begin() and end() that cannot do it in floats. False: out
-    // of memory.
-    bool pack(const RowSystem& system, const ManifoldList& list, const SolverSettings& settings, bool alone,
-              Arena& arena);
+    // `alone`: no other code needs the Real velocities between begin() and end(). False: out of memory.
+    bool pack(const RowSystem& system, const JointManifoldList& list, const SolverSettings& settings,
+              bool alone, Arena& arena);
 
     void begin(std::span<Velocity> bodies);  // v += M^-1 J^T p
     void sweep(std::span<Velocity> bodies, CounterRandom& random);
     void relax_by(Real factor);
     void end(std::span<Velocity> bodies) const;
-    void store_impulses(std::span<ManifoldPoint> points) const;
-    // What the velocities are between begin() and end(); none, if they stay where they are.
+    void store_impulses(std::span<JointManifoldPoint> points) const;
+    // The velocities between begin() and end(); empty if they stay where they are.
     std::span<FloatVelocity> floats() const
     {
         return in_floats_ && alone_ ? velocities_ : std::span<FloatVelocity>{};
     }
-    std::span<WholeFriction> whole_frictions(Arena& arena) const
+    std::span<ManifoldFriction> manifold_frictions(Arena& arena) const
     {
-        return in_floats_ ? floats_.whole_frictions(arena) : reals_.whole_frictions(arena);
+        return in_floats_ ? floats_.manifold_frictions(arena) : reals_.manifold_frictions(arena);
     }
 
   private:

@@ -14,7 +14,7 @@ void limits(const PackedRow& row, const PackedRow* rows, Real& lo, Real& hi)
 {
     lo = row.lo, hi = row.hi;
     if (row.parent < 0) return;
-    hi = row.hi * std::fabs(rows[row.parent].p);  // infinity times zero binds nothing: comparisons are false
+    hi = row.hi * std::fabs(rows[row.parent].p);  // infinity times zero is NaN, which never limits
     lo = -hi;
 }
 
@@ -40,10 +40,10 @@ void pack_row(const Row& row, const RowNumbers& n, const SolverBody& a, const So
     out.lin2 = b ? row.lin2 : Vec3{};
     out.ang2 = b ? row.ang2 : Vec3{};
     out.turn2 = b ? b->inv_inertia * row.ang2 : Vec3{};
-    const Real d = row_mobility(row, a, b) + n.C;
+    const Real d = inverse_effective_mass(row, a, b) + n.C;
     out.c = n.c;
-    out.gain = d > 0 ? w / d : 0;
-    out.keep = 1 - out.gain * n.C;
+    out.effective_mass = d > 0 ? w / d : 0;
+    out.impulse_scale = 1 - out.effective_mass * n.C;
     out.p = d > 0 ? n.p : 0;
     out.lo = n.lo, out.hi = n.hi;
 }
@@ -102,7 +102,8 @@ void RowSweep::sweep(std::span<Velocity> bodies, bool backwards)
             PackedRow& row = rows_[std::size_t(k)];
             Real lo, hi;
             limits(row, rows_.data(), lo, hi);
-            const Real q = clip(row.keep * row.p + row.gain * (row.c - row_velocity(row, a, b)), lo, hi);
+            const Real q = clip(
+                row.impulse_scale * row.p + row.effective_mass * (row.c - row_velocity(row, a, b)), lo, hi);
             apply(row, block, q - row.p, a, b);
             row.p = q;
         }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Rows of any form, one at a time: contacts that solve/sweeps/contact_set.h does not know (rolling friction,
-// one tangent). Everything a visit needs lies in one record, since a row is met once per sweep and then not
-// again before the caches have forgotten it.
+// Rows of any form, one at a time: contacts that solve/sweeps/contact_set.h does not pack (rolling friction,
+// one tangent). Everything that a visit needs is in one record, because a row is visited once per sweep and
+// not again before it has left the caches.
 #pragma once
 
 #include <span>
@@ -16,11 +16,11 @@ namespace epode {
 
 struct PackedRow {
     Vec3 lin1, ang1, lin2, ang2;
-    Vec3 turn1, turn2;      // I^-1 ang
-    Real c, keep, gain, p;  // q = clip(keep p + gain (c - J v))
-    Real lo, hi;            // of a row with a parent: hi is the coefficient
-    int parent;             // packed row, or -1
-    int source;             // row of the system
+    Vec3 turn1, turn2;                         // I^-1 ang
+    Real c, impulse_scale, effective_mass, p;  // q = clip(impulse_scale p + effective_mass (c - J v))
+    Real lo, hi;                               // of a row with a parent: hi is the coefficient
+    int parent;                                // packed row, or -1
+    int source;                                // row of the system
 };
 
 struct PackedBlock {

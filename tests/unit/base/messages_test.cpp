@@ -74,11 +74,11 @@ TEST(Note, prints_its_number_unless_it_is_zero)
 TEST(Usable, refuses_what_no_simulation_can_mean)
 {
     EXPECT_TRUE(usable(Real(0)));
-    EXPECT_TRUE(usable(-kAbsurd));
+    EXPECT_TRUE(usable(-kMaxMagnitude));
     EXPECT_FALSE(usable(kInf));
     EXPECT_FALSE(usable(-kInf));
     EXPECT_FALSE(usable(std::numeric_limits<Real>::quiet_NaN()));
-    EXPECT_FALSE(usable(2 * kAbsurd));
+    EXPECT_FALSE(usable(2 * kMaxMagnitude));
     EXPECT_TRUE(usable_or_infinite(kInf));
     EXPECT_FALSE(usable_or_infinite(std::numeric_limits<Real>::quiet_NaN()));
     const Real three[] = {1, 2, kInf};

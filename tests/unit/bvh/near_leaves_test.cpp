@@ -118,7 +118,7 @@ TEST(NearLeaves, bear_more_leaves_than_there_is_room_for)
     NearLeaves kept;
     for (const Real radius : {Real(12), Real(0.2), Real(12), Real(12)})
         expect_the_same(tree, {20, 20, Real(0.2)}, radius, kept);
-    EXPECT_GT(kept.count, NearLeaves::kMost);
+    EXPECT_GT(kept.count, NearLeaves::kCapacity);
 }
 
 }  // namespace

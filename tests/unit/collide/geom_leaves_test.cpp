@@ -55,7 +55,7 @@ bool same(const Contacts& a, const Contacts& b)
 bool knows_leaves(dGeomID solid)
 {
     const GeomLeaves* kept = from_handle<Geom>(solid)->leaves.load();
-    return kept && kept->leaves.edition != 0 && kept->leaves.count <= NearLeaves::kMost;
+    return kept && kept->leaves.edition != 0 && kept->leaves.count <= NearLeaves::kCapacity;
 }
 
 // A mesh of the program's, and its arrays.

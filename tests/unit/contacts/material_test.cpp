@@ -22,15 +22,15 @@ struct Pair {
 
     ~Pair() { dGeomDestroy(a), dGeomDestroy(b); }
 
-    Patch of(const dMaterial& m, const dMaterial& n, bool exchanged = false)
+    ContactManifold of(const dMaterial& m, const dMaterial& n, bool exchanged = false)
     {
         EXPECT_EQ(dGeomSetMaterial(a, &m), 1);
         EXPECT_EQ(dGeomSetMaterial(b, &n), 1);
         Geom &one = *from_handle<Geom>(a), &two = *from_handle<Geom>(b);
-        Patch patch{};
-        patch.normal = {0, 0, 1};
-        exchanged ? combine_materials(two, one, patch) : combine_materials(one, two, patch);
-        return patch;
+        ContactManifold manifold{};
+        manifold.normal = {0, 0, 1};
+        exchanged ? combine_materials(two, one, manifold) : combine_materials(one, two, manifold);
+        return manifold;
     }
 };
 
@@ -55,10 +55,11 @@ TEST(Material, coefficients_follow_the_later_rule_of_the_two)
             for (const bool exchanged : {false, true}) {
                 SCOPED_TRACE(10 * r + s);
                 const int later = std::max(r, s);
-                const Patch patch = pair.of(with(0.2, 0.9, 0.02, r), with(0.8, 0.1, 0.06, s), exchanged);
-                EXPECT_NEAR(patch.mu, kFriction[later], 1e-6);
-                EXPECT_NEAR(patch.bounce, kBounce[later], 1e-6);
-                EXPECT_NEAR(patch.rolling, kRolling[later], 1e-6);
+                const ContactManifold manifold =
+                    pair.of(with(0.2, 0.9, 0.02, r), with(0.8, 0.1, 0.06, s), exchanged);
+                EXPECT_NEAR(manifold.mu, kFriction[later], 1e-6);
+                EXPECT_NEAR(manifold.restitution, kBounce[later], 1e-6);
+                EXPECT_NEAR(manifold.rolling_friction, kRolling[later], 1e-6);
             }
 }
 
@@ -84,11 +85,11 @@ TEST(Material, soft_surfaces_are_springs_one_behind_the_other)
     a.struct_size = b.struct_size = sizeof a;
     a.compliance = Real(1e-3), a.damping_time = Real(0.2);
     b.compliance = Real(3e-3), b.damping_time = Real(0.6);
-    const Patch both = pair.of(a, b);
-    EXPECT_NEAR(both.softness, 4e-3, 1e-9);
+    const ContactManifold both = pair.of(a, b);
+    EXPECT_NEAR(both.compliance, 4e-3, 1e-9);
     EXPECT_NEAR(both.damping_time, 0.5, 1e-6);
     b.compliance = 0;  // hard: its damping time says nothing
-    EXPECT_NEAR(pair.of(a, b).softness, 1e-3, 1e-9);
+    EXPECT_NEAR(pair.of(a, b).compliance, 1e-3, 1e-9);
     EXPECT_NEAR(pair.of(b, a).damping_time, 0.2, 1e-6);
     a.compliance = Real(1e-12);
     EXPECT_FALSE(pair.of(a, b).special());

@@ -69,20 +69,22 @@ class NarrowPhase : public testing::Test {
         ContactPair pair;
         pair.id1 = cube, pair.id2 = ground;
         pair.body1 = from_handle<Body>(dGeomGetBody(cube)), pair.body2 = nullptr;
-        pair.most = data ? kSurfacePatches : 1;
+        pair.most = data ? kSurfaceManifolds : 1;
         return pair;
     }
     // Where they are, on a ground that is no mesh.
-    Patch update(std::span<const KeptPatch> old)
+    ContactManifold update(std::span<const CachedManifold> old)
     {
         ContactPair pair = cube_and_ground();
-        update_pair(pair, old, {kLayer, false, {Real(1) / 60, {}}, foresees}, &patch, nullptr);
+        update_pair(pair, old, {kLayer, false, {Real(1) / 60, {}}, foresees}, &manifold, nullptr);
         EXPECT_EQ(pair.count, 1);
-        return patch.patch;
+        return manifold.manifold;
     }
-    static int deepest(const Patch& p)
+    static int deepest(const ContactManifold& p)
     {
-        const auto less = [](const PatchPoint& a, const PatchPoint& b) { return a.gap < b.gap; };
+        const auto less = [](const ManifoldPoint& a, const ManifoldPoint& b) {
+            return a.separation < b.separation;
+        };
         return int(std::min_element(p.points, p.points + p.count, less) - p.points);
     }
     // Points of a collision at the present place, after one at the first.
@@ -90,7 +92,7 @@ class NarrowPhase : public testing::Test {
     {
         ContactPair pair = cube_and_ground();
         const NarrowSettings settings = {kLayer, false, {Real(1) / 60, {}}, foresees};
-        KeptPatch before[kSurfacePatches], after[kSurfacePatches];
+        CachedManifold before[kSurfaceManifolds], after[kSurfaceManifolds];
         place_cube(0, 0);
         update_pair(pair, {}, settings, before, nullptr);
         EXPECT_GT(pair.count, 0);
@@ -107,13 +109,13 @@ class NarrowPhase : public testing::Test {
     bool foresees = false;
     dGeomID cube, ground = nullptr;
     dTriMeshDataID data = nullptr;
-    KeptPatch patch;
+    CachedManifold manifold;
     float vertices[12];
     const dTriIndex indices[6] = {0, 1, 2, 0, 2, 3};
 };
 
-// Full patches allow 2 % of half the cube, as it was found; others a quarter of the layer.
-TEST_F(NarrowPhase, a_full_patch_stays_while_the_cube_moves_by_less_than_a_hundredth)
+// Full manifolds allow 2 % of half the cube, as it was found; others a quarter of the layer.
+TEST_F(NarrowPhase, a_full_manifold_stays_while_the_cube_moves_by_less_than_a_hundredth)
 {
     lay_plane();
     EXPECT_TRUE(keeps_points(0, 0));
@@ -123,7 +125,7 @@ TEST_F(NarrowPhase, a_full_patch_stays_while_the_cube_moves_by_less_than_a_hundr
     EXPECT_FALSE(keeps_points(0, Real(0.03)));
 }
 
-TEST_F(NarrowPhase, a_patch_with_all_corners_nearby_stays_as_long_as_a_full_one)
+TEST_F(NarrowPhase, a_manifold_with_all_corners_nearby_stays_as_long_as_a_full_one)
 {
     lay_plane();
     lean = Real(0.3);
@@ -157,20 +159,20 @@ TEST_F(NarrowPhase, kept_points_of_polyhedra_miss_no_corner_that_comes_down)
                            between(-1, 1)};
         const Vec3 more = {between(Real(-0.01), Real(0.01)), between(Real(-0.01), Real(0.01)), 0};
         place(turn, kLayer);
-        const Patch before = update({});
-        const KeptPatch old = patch;
+        const ContactManifold before = update({});
+        const CachedManifold old = manifold;
         place(turn + more, kLayer);
-        const Patch after = update({&old, 1});
-        if (patch.found.offset.z != old.found.offset.z) continue;
+        const ContactManifold after = update({&old, 1});
+        if (manifold.found.offset.z != old.found.offset.z) continue;
         ++kept;
         became_deepest += deepest(before) != deepest(after);
-        EXPECT_NEAR(after.points[deepest(after)].gap, 0, Real(0.1) * kLayer) << i;
+        EXPECT_NEAR(after.points[deepest(after)].separation, 0, Real(0.1) * kLayer) << i;
     }
     EXPECT_GT(kept, 100);
     EXPECT_GT(became_deepest, 20);
 }
 
-TEST_F(NarrowPhase, patches_on_a_mesh_stay_while_the_cube_moves_by_less_than_a_quarter_of_the_layer)
+TEST_F(NarrowPhase, manifolds_on_a_mesh_stay_while_the_cube_moves_by_less_than_a_quarter_of_the_layer)
 {
     for (const Real far : {Real(0), Real(30), Real(200)}) {
         lay_mesh(far);

@@ -163,7 +163,7 @@ TEST_F(SliderStops, the_state_of_the_step_is_kept_at_inner_poses)
     ASSERT_EQ(left.rows.size(), 6u);
     EXPECT_NEAR(left.rows[5].error, 0.5, 1e-6);
     EXPECT_EQ(left.rows[5].hi, 0);
-    EXPECT_EQ(left.rows[5].rebound, -2) << "of the impact, not of the inner velocity";
+    EXPECT_EQ(left.rows[5].restitution_velocity, -2) << "of the impact, not of the inner velocity";
     EXPECT_FALSE(left.applied);
     rig.info.inner = false;
     EXPECT_EQ(at(-0.5).rows[5].hi, 50);

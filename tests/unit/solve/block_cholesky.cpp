@@ -9,7 +9,7 @@
 #include <array>
 #include <cmath>
 
-#include "solve/exact/factor/plan_cache.h"
+#include "solve/exact/factor/symbolic_cache.h"
 #include "systems.h"
 
 namespace {
@@ -53,7 +53,7 @@ void add_random(Dice& dice, BodyPair pair, BlockCholesky& H, std::vector<double>
 // A random positive definite matrix on random pairs, sparse and dense, with x and H x.
 struct System {
     Arena arena;
-    PlanLease lease;
+    SymbolicLease lease;
     BlockCholesky H;
     std::vector<double> dense, wanted, right;
 
@@ -63,7 +63,7 @@ struct System {
         const int size = 6 * n;
         const auto pairs = random_pairs(dice, n, pair_count);
         EXPECT_TRUE(lease.take(n, pairs, nullptr, arena));
-        EXPECT_TRUE(H.prepare(lease.plan(), Tasks(1), arena));
+        EXPECT_TRUE(H.prepare(lease.symbolic(), Tasks(1), arena));
         H.clear();
         dense.assign(std::size_t(size * size), 0);
         for (int b = 0; b < n; ++b)
@@ -115,9 +115,9 @@ TEST(BlockCholesky, CountsAndFreezesWhatIsNotPositive)
 {
     const BodyPair pairs[] = {{0, 1}, {1, 2}};
     Arena arena;
-    PlanLease lease;
+    SymbolicLease lease;
     BlockCholesky H;
-    ASSERT_TRUE(lease.take(3, pairs, nullptr, arena) && H.prepare(lease.plan(), Tasks(1), arena));
+    ASSERT_TRUE(lease.take(3, pairs, nullptr, arena) && H.prepare(lease.symbolic(), Tasks(1), arena));
     H.clear();
     for (int body = 0; body < 3; ++body)
         for (int i = 0; i < 6; ++i) H.diagonal(body)[7 * i] = body == 1 && i == 2 ? -1 : 2;
@@ -137,7 +137,7 @@ struct LargeSystem {
     std::vector<std::array<double, 72>> B;  // 12 x 6, column by column: first half of body a
     int n;
     Arena arena;
-    PlanLease lease;
+    SymbolicLease lease;
     BlockCholesky H;
 
     LargeSystem(std::vector<BodyPair> of, int bodies, const Tasks& tasks) : pairs(std::move(of)), n(bodies)
@@ -146,7 +146,7 @@ struct LargeSystem {
         B.resize(pairs.size());
         for (auto& one : B)
             for (double& x : one) x = double(dice.real(-1, 1));
-        EXPECT_TRUE(lease.take(n, pairs, nullptr, arena) && H.prepare(lease.plan(), tasks, arena));
+        EXPECT_TRUE(lease.take(n, pairs, nullptr, arena) && H.prepare(lease.symbolic(), tasks, arena));
         H.clear();
         for (int b = 0; b < n; ++b)
             for (int i = 0; i < 6; ++i) H.diagonal(b)[7 * i] += 1;
@@ -219,7 +219,7 @@ TEST(BlockCholesky, SolvesLargeSystemsBySubtrees)
     int cut = 0;
     for (const auto& [pairs, n] : large_graphs()) {
         LargeSystem s(pairs, n, Tasks(1));
-        cut += s.lease.plan().subtrees.size() >= 2;
+        cut += s.lease.symbolic().subtrees.size() >= 2;
         const auto x = s.solve(), back = s.times(x);
         for (std::size_t i = 0; i < back.size(); ++i) ASSERT_NEAR(back[i], double(i % 17) - 8, 1e-8) << n;
     }

@@ -18,7 +18,7 @@ namespace {
 using namespace epode_test;
 
 // In the box or the ellipse of its limits at every point, or one of a whole manifold.
-enum class Friction { kBox, kCone, kWhole };
+enum class Friction { kBox, kCone, kManifold };
 
 struct Outcome {
     std::vector<Velocity> velocities;
@@ -33,7 +33,7 @@ struct Packed {
         : system(problem.system()), set(kernels), velocities(system.bodies.size() + 1)
     {
         system.cone = friction == Friction::kCone;
-        system.manifold_friction = friction == Friction::kWhole;
+        system.manifold_friction = friction == Friction::kManifold;
         const auto taken = arena.take<bool>(int(system.blocks.size()));
         EXPECT_TRUE(rows.gather(system, taken, arena));
         EXPECT_TRUE(set.pack(system, rows.list(), Real(1.3), arena));
@@ -76,7 +76,7 @@ Outcome outcome_of(const ContactKernels& kernels, Problem problem, int sweeps, F
 // The impulses that float sweeps find, and the velocities that they leave.
 struct FloatOutcome {
     std::vector<Velocity> velocities;
-    std::vector<ManifoldPoint> points;
+    std::vector<JointManifoldPoint> points;
 };
 
 FloatOutcome outcome_in_floats(const ContactKernels& kernels, Problem problem, int sweeps, Friction friction)
@@ -121,7 +121,7 @@ std::vector<Problem> all_problems()
 template <typename F>
 void for_all_problems(F&& f)
 {
-    for (const Friction friction : {Friction::kBox, Friction::kCone, Friction::kWhole})
+    for (const Friction friction : {Friction::kBox, Friction::kCone, Friction::kManifold})
         for (const Problem& problem : all_problems()) f(problem, friction);
 }
 
@@ -138,7 +138,8 @@ std::vector<Real> numbers_after_sweeps(Problem problem, Friction friction, bool 
     std::vector<typename VelocityOf<L>::Type> bodies(packed.velocities.size());
     packed.run(bodies, 20);
     std::vector<Real> out;
-    for (const ManifoldPoint& point : packed.rows.list().points) out.insert(out.end(), point.p, point.p + 3);
+    for (const JointManifoldPoint& point : packed.rows.list().points)
+        out.insert(out.end(), point.p, point.p + 3);
     for (auto& body : bodies) {
         const auto* from = reinterpret_cast<const typename L::Number*>(&body);
         out.insert(out.end(), from, from + kTwistNumbers);
@@ -224,7 +225,7 @@ TEST(ContactKernels, ConesBoundFrictionInThePlane)
 }
 
 // Swept for long, lanes settle on the answer of the scalar formulas by which residuals are made.
-TEST(ContactKernels, FrictionOfWholeManifoldsSettlesOnItsBall)
+TEST(ContactKernels, ManifoldFrictionSettlesOnItsBall)
 {
     Problem falling = box_grid(2, 1, 2, Real(0.3), false), sliding = falling;
     for (SolverBody& body : sliding.bodies) body.v.x += 1, body.w.z += 2;
@@ -232,11 +233,11 @@ TEST(ContactKernels, FrictionOfWholeManifoldsSettlesOnItsBall)
         for (Problem& problem :
              std::vector<Problem>{falling, sliding, pyramid(3, Real(0.2)), warm_problem(2)}) {
             SCOPED_TRACE(kernels->name);
-            Packed<Lanes> packed(*kernels, problem, Friction::kWhole);
+            Packed<Lanes> packed(*kernels, problem, Friction::kManifold);
             packed.run(packed.velocities, 4000);
             packed.rows.for_each_impulse([&](int row, Real p) { problem.numbers[std::size_t(row)].p = p; });
             RowSystem& system = packed.system;
-            const auto frictions = packed.set.whole_frictions(packed.arena);
+            const auto frictions = packed.set.manifold_frictions(packed.arena);
             ASSERT_FALSE(frictions.empty());
             system.frictions = frictions;
             std::vector<Real> lo(problem.numbers.size()), hi(lo);
@@ -246,7 +247,7 @@ TEST(ContactKernels, FrictionOfWholeManifoldsSettlesOnItsBall)
             };
             const Real settled = residual();
             EXPECT_LT(settled, kSingle ? 1e-4 : 1e-5);  // pyramids settle slowly
-            for (WholeFriction& f : frictions) {
+            for (ManifoldFriction& f : frictions) {
                 EXPECT_LE(f.p[0] * f.p[0] + f.p[1] * f.p[1] + f.p[2] * f.p[2],
                           f.limit * f.limit * Real(1.001) + Real(1e-6));
                 f.p[0] += Real(0.01), f.p[2] += Real(0.01);
@@ -256,25 +257,25 @@ TEST(ContactKernels, FrictionOfWholeManifoldsSettlesOnItsBall)
 }
 
 // What the points are told adds up to the force and the couple of the whole.
-TEST(ContactKernels, PartsOfAWholeFrictionAddUp)
+TEST(ContactKernels, PartsOfAManifoldFrictionAddUp)
 {
     for (const ContactKernels* kernels : contact_kernels()) {
         int compared = 0;
         Problem problem = box_grid(3, 2, 3, Real(0.3), true);
         Dice dice(4);
         for (SolverBody& body : problem.bodies) body.v = dice.vec(1), body.w = dice.vec(1);
-        Packed<Lanes> packed(*kernels, problem, Friction::kWhole);
+        Packed<Lanes> packed(*kernels, problem, Friction::kManifold);
         packed.run(packed.velocities, 6);
-        const auto frictions = packed.set.whole_frictions(packed.arena);
-        const ManifoldList& list = packed.rows.list();
+        const auto frictions = packed.set.manifold_frictions(packed.arena);
+        const JointManifoldList& list = packed.rows.list();
         ASSERT_EQ(frictions.size(), list.manifolds.size());
         for (std::size_t i = 0; i < frictions.size(); ++i) {
-            const Manifold& m = list.manifolds[i];
-            const WholeFriction& f = frictions[i];
+            const JointManifold& m = list.manifolds[i];
+            const ManifoldFriction& f = frictions[i];
             if (f.limit == 0) continue;  // lost its pushes in the last sweep: nobody to tell
             Vec3 force, torque, expected_force, expected_torque;
             for (int k = m.first; k < m.first + m.count; ++k) {
-                const ManifoldPoint& point = list.points[std::size_t(k)];
+                const JointManifoldPoint& point = list.points[std::size_t(k)];
                 const Vec3 here = point.p[1] * m.t1 + point.p[2] * m.t2;
                 force += here, torque += cross(point.r1, here);
                 EXPECT_TRUE(point.p[0] > 0 || here == Vec3{});

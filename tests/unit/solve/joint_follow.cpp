@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Joints whose rows follow their bodies through the small steps of a step, and whose matrices are kept while
+// Joints whose rows follow their bodies through the substeps of a step, and whose matrices are kept while
 // bodies turn by little.
 #include <gtest/gtest.h>
 
@@ -76,7 +76,7 @@ void expect_followed_rows_of_the_moved_bodies()
         Dice dice(seed + 99);
         for (std::size_t i = 0; i < m.p.bodies.size(); ++i)
             m.turn(i, dice.vec(Real(0.05)), dice.direction(), dice.real(0, Real(0.3)));
-        set.load_small_step(m.system, step, {});
+        set.load_substep(m.system, step, {});
         std::vector<Row> rows = m.p.rows;
         set.describe(m.p.numbers, rows);
         int followed = 0;
@@ -131,7 +131,7 @@ void expect_rows_that_ask_for_what_they_said()
     JointSetOf<L> set;
     ASSERT_TRUE(set.pack(m.system, joints_of(m.system), arena));
     ASSERT_TRUE(set.follow(m.system, step, m.velocities(), arena));
-    set.load_small_step(m.system, step, {});
+    set.load_substep(m.system, step, {});
     std::vector<Row> rows = m.p.rows;
     set.describe(m.p.numbers, rows);
     int followed = 0;
@@ -173,7 +173,7 @@ void expect_soft_rows_to_keep_their_aim()
     std::vector<Velocity> velocities = m.velocities();
     ASSERT_TRUE(set.pack(m.system, joints_of(m.system), arena));
     ASSERT_TRUE(set.follow(m.system, step, velocities, arena));
-    set.load_small_step(m.system, step, velocities);
+    set.load_substep(m.system, step, velocities);
     set.sweep(velocities, {1, true});
     const Real c = map_row(of[0], step, kInf).rate * Real(0.01), tolerance = kCoarse<L> ? 1e-5 : 1e-12;
     const Velocity& now = velocities[0];
@@ -216,7 +216,7 @@ TEST(JointSet, a_turn_about_an_axis_is_an_angle_whoever_turns)
         if (!world) m.turn(0, {}, other, 1), m.turn(1, {}, other, 1);  // together: no change
         const Vec3 now = world ? axis : to_matrix(rotation_about(other, 1)) * axis;
         m.turn(second ? 1 : 0, {}, now, Real(0.7));
-        set.load_small_step(m.system, step, {});
+        set.load_substep(m.system, step, {});
         std::vector<Row> rows = m.p.rows;
         set.describe(m.p.numbers, rows);
         const RowAim aim = map_row(of[3], step, kInf);
@@ -239,7 +239,7 @@ void expect_to_follow_with_the_same_bits()
         Dice dice(8);
         for (std::size_t i = 0; i < m.p.bodies.size(); ++i)
             m.turn(i, dice.vec(Real(0.05)), dice.direction(), dice.real(0, Real(0.3)));
-        set.load_small_step(m.system, step, {});
+        set.load_substep(m.system, step, {});
         set.describe(m.p.numbers, m.p.rows);
         return m.p;
     };
@@ -264,7 +264,7 @@ TEST(JointKernels, all_machines_follow_with_the_same_bits)
 }
 
 // Pairs of bodies, each held together by a point and an axis, of which one turns by the angle of the pair
-// between two small steps; then they are visited.
+// between two substeps; then they are visited.
 template <typename L>
 class TurnedPairs {
   public:
@@ -282,10 +282,10 @@ class TurnedPairs {
         load_velocities(system, velocities_);
         EXPECT_TRUE(set_.pack(system, joints_of(system), arena_) &&
                     set_.follow(system, kStep, velocities_, arena_));
-        set_.load_small_step(system, kStep, velocities_);
+        set_.load_substep(system, kStep, velocities_);
         for (std::size_t i = 0; i < angles.size(); ++i)
             poses_[2 * i].q = rotation_about({0, 0, 1}, angles[i]) * poses_[2 * i].q;
-        set_.load_small_step(system, kStep, velocities_);
+        set_.load_substep(system, kStep, velocities_);
     }
 
     // What the rows of the first pair are off by after so many visits.

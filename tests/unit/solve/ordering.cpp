@@ -64,14 +64,14 @@ struct Analysis {
     Arena arena;
     BodyGraph graph;
     std::span<int> order;
-    FactorPlan plan;
+    SymbolicFactor symbolic;
 
     Analysis(int n, const std::vector<BodyPair>& pairs)
     {
         order = arena.take<int>(n);
         EXPECT_TRUE(build_body_graph(n, pairs, arena, graph));
         EXPECT_TRUE(order_minimum_degree(graph, arena, order));
-        EXPECT_TRUE(make_plan(graph, order, arena, plan));
+        EXPECT_TRUE(factor_symbolically(graph, order, arena, symbolic));
     }
 };
 
@@ -142,10 +142,11 @@ TEST(Symbolic, FrontsHoldWhatEliminationProduces)
         const auto pairs = random_pairs(dice, n, n % 4 * n);
         const Analysis a(n, pairs);
         std::vector<int> body_at(std::size_t(n), -1);
-        for (int body = 0; body < n; ++body) body_at[std::size_t(a.plan.position[std::size_t(body)])] = body;
+        for (int body = 0; body < n; ++body)
+            body_at[std::size_t(a.symbolic.position[std::size_t(body)])] = body;
         Pattern p = pattern_of(n, pairs);
         int column = 0, block = 0;
-        for (const Front& f : a.plan.fronts) {
+        for (const Front& f : a.symbolic.fronts) {
             ASSERT_EQ(f.first, column);
             ASSERT_EQ(f.block, block);
             block += f.width * (f.width + f.below);
@@ -154,12 +155,12 @@ TEST(Symbolic, FrontsHoldWhatEliminationProduces)
                 continue;
             }
             for (; column < f.first + f.width; ++column) {
-                ASSERT_EQ(&a.plan.fronts[std::size_t(a.plan.front_of[std::size_t(column)])], &f);
+                ASSERT_EQ(&a.symbolic.fronts[std::size_t(a.symbolic.front_of[std::size_t(column)])], &f);
                 std::set<int> fill;
                 for (const int other : p[std::size_t(body_at[std::size_t(column)])])
-                    fill.insert(a.plan.position[std::size_t(other)]);
-                const std::set<int> rows(a.plan.rows.begin() + f.rows,
-                                         a.plan.rows.begin() + f.rows + f.below);
+                    fill.insert(a.symbolic.position[std::size_t(other)]);
+                const std::set<int> rows(a.symbolic.rows.begin() + f.rows,
+                                         a.symbolic.rows.begin() + f.rows + f.below);
                 for (const int row : fill)
                     ASSERT_TRUE((row > column && row < f.first + f.width) || rows.contains(row)) << n;
                 // The last column has nothing that is zero.
@@ -167,21 +168,21 @@ TEST(Symbolic, FrontsHoldWhatEliminationProduces)
                 eliminate(p, body_at[std::size_t(column)]);
             }
         }
-        ASSERT_EQ(column, a.plan.columns);
-        ASSERT_EQ(a.plan.columns > n, !a.plan.subtrees.empty());
-        ASSERT_EQ(block, a.plan.blocks);
+        ASSERT_EQ(column, a.symbolic.columns);
+        ASSERT_EQ(a.symbolic.columns > n, !a.symbolic.subtrees.empty());
+        ASSERT_EQ(block, a.symbolic.blocks);
     }
 }
 
 // Column of row i of what an update changes: of a border, that of the subtree's row.
-int column_at(const FactorPlan& plan, int target, int place)
+int column_at(const SymbolicFactor& symbolic, int target, int place)
 {
-    const Front& f = plan.fronts[std::size_t(target)];
-    if (target >= plan.end) {
-        const Subtree& subtree = plan.subtrees[std::size_t(target - plan.end)];
-        return plan.rows[std::size_t(plan.fronts[std::size_t(subtree.root)].rows + place)];
+    const Front& f = symbolic.fronts[std::size_t(target)];
+    if (target >= symbolic.end) {
+        const Subtree& subtree = symbolic.subtrees[std::size_t(target - symbolic.end)];
+        return symbolic.rows[std::size_t(symbolic.fronts[std::size_t(subtree.root)].rows + place)];
     }
-    return place < f.width ? f.first + place : plan.rows[std::size_t(f.rows + place - f.width)];
+    return place < f.width ? f.first + place : symbolic.rows[std::size_t(f.rows + place - f.width)];
 }
 
 TEST(Symbolic, UpdatesNameEveryRowOfEveryTarget)
@@ -194,24 +195,27 @@ TEST(Symbolic, UpdatesNameEveryRowOfEveryTarget)
     graphs.push_back({grid_of(28), 28 * 28});
     for (const auto& [pairs, n] : graphs) {
         const Analysis a(n, pairs);
-        for (int s = 0; s < int(a.plan.fronts.size()); ++s) {
-            const bool border = s >= a.plan.end;
+        for (int s = 0; s < int(a.symbolic.fronts.size()); ++s) {
+            const bool border = s >= a.symbolic.end;
             borders += border;
-            const Front& f = a.plan.fronts[std::size_t(s)];
+            const Front& f = a.symbolic.fronts[std::size_t(s)];
             const Front& of =
-                border ? a.plan.fronts[std::size_t(a.plan.subtrees[std::size_t(s - a.plan.end)].root)] : f;
+                border ? a.symbolic
+                             .fronts[std::size_t(a.symbolic.subtrees[std::size_t(s - a.symbolic.end)].root)]
+                       : f;
             int begin = 0;
             for (int u = f.updates; u < f.updates + f.update_count; ++u) {
-                const FrontUpdate& update = a.plan.updates[std::size_t(u)];
+                const FrontUpdate& update = a.symbolic.updates[std::size_t(u)];
                 // From inside a subtree nothing outside is touched.
-                ASSERT_TRUE(border || s >= a.plan.top || update.target < a.plan.top ||
-                            update.target >= a.plan.end);
+                ASSERT_TRUE(border || s >= a.symbolic.top || update.target < a.symbolic.top ||
+                            update.target >= a.symbolic.end);
                 ASSERT_EQ(update.begin, begin);
                 for (int i = begin; i < of.below; ++i) {
-                    const int place = a.plan.places[std::size_t(update.place + i - begin)];
-                    ASSERT_EQ(column_at(a.plan, update.target, place), a.plan.rows[std::size_t(of.rows + i)]);
+                    const int place = a.symbolic.places[std::size_t(update.place + i - begin)];
+                    ASSERT_EQ(column_at(a.symbolic, update.target, place),
+                              a.symbolic.rows[std::size_t(of.rows + i)]);
                     ASSERT_EQ(i < begin + update.columns,
-                              place < a.plan.fronts[std::size_t(update.target)].width);
+                              place < a.symbolic.fronts[std::size_t(update.target)].width);
                 }
                 begin += update.columns;
             }
@@ -263,11 +267,12 @@ TEST(Ordering, AChainIsEatenFromBothEndsWithoutFill)
     const int n = 1001;
     const Analysis a(n, chain_of(n));
     EXPECT_EQ(fill_of(pattern_of(n, chain_of(n)), a.order), n - 1);
-    std::vector<int> height(a.plan.fronts.size(), 1);
-    for (std::size_t s = 0; s < a.plan.fronts.size(); ++s) {
-        const Front& f = a.plan.fronts[s];
+    std::vector<int> height(a.symbolic.fronts.size(), 1);
+    for (std::size_t s = 0; s < a.symbolic.fronts.size(); ++s) {
+        const Front& f = a.symbolic.fronts[s];
         if (!f.below) continue;
-        const auto parent = std::size_t(a.plan.front_of[std::size_t(a.plan.rows[std::size_t(f.rows)])]);
+        const auto parent =
+            std::size_t(a.symbolic.front_of[std::size_t(a.symbolic.rows[std::size_t(f.rows)])]);
         ASSERT_GT(parent, s);
         height[parent] = std::max(height[parent], height[s] + 1);
     }

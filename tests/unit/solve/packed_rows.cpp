@@ -99,8 +99,8 @@ Outcome solve_with(const RowKernels& kernels, std::uint64_t seed)
     InteriorPoint interior;
     ActiveSet active;
     EXPECT_TRUE(packed.prepare(box.exact, box.arena));
-    EXPECT_TRUE(interior.prepare(box.exact, packed.most_places(), box.arena));
-    EXPECT_TRUE(active.prepare(box.exact, packed.most_places(), box.arena));
+    EXPECT_TRUE(interior.prepare(box.exact, packed.max_places(), box.arena));
+    EXPECT_TRUE(active.prepare(box.exact, packed.max_places(), box.arena));
     packed.pack(box.exact, box.state);
     Outcome out;
     out.interior = interior.solve(box.exact, packed, box.v, 2e-10, out.iterations);
@@ -124,7 +124,7 @@ TEST(InteriorPoint, BeginsTheSameInAnyMemory)
             asm volatile("" : : "r"(memory) : "memory");  // or nobody would write what nobody may read
             auto* interior = new (memory) InteriorPoint;
             ASSERT_TRUE(packed.prepare(box.exact, box.arena));
-            ASSERT_TRUE(interior->prepare(box.exact, packed.most_places(), box.arena));
+            ASSERT_TRUE(interior->prepare(box.exact, packed.max_places(), box.arena));
             packed.pack(box.exact, box.state);
             int iterations = 0;
             interior->solve(box.exact, packed, box.v, 0, iterations);  // until it stalls

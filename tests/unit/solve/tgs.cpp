@@ -87,7 +87,7 @@ Problem spring(Real k, Real d, Real h)
     return p;
 }
 
-TEST(Tgs, SmallStepsOfASpringAreThoseOfTheSameSpring)
+TEST(Tgs, SubstepsOfASpringAreThoseOfTheSameSpring)
 {
     for (const int n : {1, 2, 5}) {
         const Real h = Real(0.02), k = 300, d = 4;
@@ -160,7 +160,7 @@ TEST(Tgs, ReboundIsWhatTheRowSays)
     p.body({0, 0, Real(.5)}, 1);
     p.bodies[0].v = {0, 0, -2};
     p.contact(0, -1, {0, 0, 0}, {0, 0, 1}, 0, 0, Real(1e-9));
-    p.rows[0].rebounds = true, p.rows[0].rebound = Real(1.5);
+    p.rows[0].has_restitution = true, p.rows[0].restitution_velocity = Real(1.5);
     Model model{p, {0, 0, Real(-9.81)}};
     model.step(5);
     EXPECT_NEAR(p.bodies[0].v.z, 1.5, 1e-5);

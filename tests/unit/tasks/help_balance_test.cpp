@@ -63,14 +63,14 @@ TEST(HelpBalance, rests_grow_to_a_limit_and_shrink_when_the_core_is_back)
         caller.work(0.8, true);
         const Time rest = caller.rest();
         ASSERT_GE(rest, before);
-        ASSERT_LE(rest, HelpBalance::kMostRest + kJob);
+        ASSERT_LE(rest, HelpBalance::kMaxRest + kJob);
         before = rest;
     }
-    EXPECT_GE(before, HelpBalance::kMostRest);
+    EXPECT_GE(before, HelpBalance::kMaxRest);
     caller.work(0.1, false);
     EXPECT_EQ(caller.rest(), 0);
     caller.work(0.8, true);
-    EXPECT_LE(caller.rest(), HelpBalance::kLeastRest + kJob);
+    EXPECT_LE(caller.rest(), HelpBalance::kMinRest + kJob);
 }
 
 // A core that another process holds for good: what helpers cost is a few hundredths of the time.

@@ -92,7 +92,7 @@ TEST(Tasks, know_when_nobody_would_help)
     EXPECT_EQ(hoped, 0);
     // On a busy machine the pool may rest after the tests before, but never for longer than its limit.
     for (const auto begin = nanoseconds_now(); tasks.alone();)
-        ASSERT_LT(nanoseconds_now() - begin, 2 * HelpBalance::kMostRest);
+        ASSERT_LT(nanoseconds_now() - begin, 2 * HelpBalance::kMaxRest);
 }
 
 TEST(Tasks, callers_on_several_threads_share_the_pool)

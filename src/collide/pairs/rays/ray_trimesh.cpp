@@ -54,7 +54,7 @@ class Caster {
         // A corner of each triangle, before it is known which of them are hit: their others lie beside these
         // as a rule, and all twelve are more than can be asked for at once.
         const auto see = [&](const MeshPacket& packet) {
-            for (const MeshCorners& corners : packet.corners) mesh_.fetch_vertex(corners.at[0]);
+            for (const MeshCorners& corners : packet.corners) mesh_.prefetch_vertex(corners.at[0]);
         };
         tree_.shoot(origin_, direction_, 0, length_, see,
                     [&](const MeshRay& ray, const MeshPacket& packet, int lane) {
@@ -107,7 +107,7 @@ class Caster {
 
     bool meets(const MeshRay& ray, int t, const MeshCorners& corners, Hit& hit) const
     {
-        mesh_.fetch_normal(t);
+        mesh_.prefetch_normal(t);
         const Shadow a = shadow(ray, mesh_.vertex(corners.at[0])),
                      b = shadow(ray, mesh_.vertex(corners.at[1])),
                      c = shadow(ray, mesh_.vertex(corners.at[2]));

@@ -150,7 +150,7 @@ void NearTriangles::find(const Surface& surface, const Aabb& box, const SolidPro
         [this](int leaf, unsigned met) { all_ = leaves_.add(leaf << 4 | int(met)) && all_; },
         [&](const MeshPacket& packet, int lane) {
             all_ = close_.add(packet.lanes[lane]) && all_;
-            surface.mesh.fetch(packet.lanes[lane]), surface.mesh.fetch(packet.corners[lane]);
+            surface.mesh.prefetch(packet.lanes[lane]), surface.mesh.prefetch(packet.corners[lane]);
         });
     close_.sort();
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Right-looking by fronts: a front is factored as a dense matrix, then its outer product is subtracted, block
-// by block, straight from the fronts that own its rows. A multifrontal method would first gather the
+// Right-looking by fronts: a front is factored as a dense matrix, then its outer product B B^T is subtracted,
+// block by block, directly from the fronts that own its rows. A multifrontal method would first collect the
 // products in a matrix per front and pass it up the tree: the same arithmetic, and a stack of copies.
 #include "solve/exact/factor/block_cholesky.h"
 
@@ -11,56 +11,56 @@
 namespace epode {
 namespace {
 
-constexpr int kHeavy = 1500;  // block products that are worth spreading over threads
+constexpr int kHeavy = 1500;  // so many block products are worth several threads
 
 }  // namespace
 
-bool BlockCholesky::prepare(const FactorPlan& plan, const Tasks& tasks, Arena& arena)
+bool BlockCholesky::prepare(const SymbolicFactor& symbolic, const Tasks& tasks, Arena& arena)
 {
-    plan_ = &plan;
+    symbolic_ = &symbolic;
     kernels_ = front_kernels().back();
-    blocks_ = arena.take<double>(kBlock * plan.blocks);
-    work_ = arena.take<double>(6 * plan.columns);
-    bad_ = arena.take<int>(int(plan.subtrees.size()));
+    blocks_ = arena.take<double>(kBlock * symbolic.blocks);
+    work_ = arena.take<double>(6 * symbolic.columns);
+    bad_ = arena.take<int>(int(symbolic.subtrees.size()));
     tasks_ = tasks;
     return !arena.failed();
 }
 
 double* BlockCholesky::diagonal(int body)
 {
-    const int at = plan_->position[std::size_t(body)];
-    return blocks_.data() + kBlock * std::size_t(plan_->block_at(at, at));
+    const int at = symbolic_->position[std::size_t(body)];
+    return blocks_.data() + kBlock * std::size_t(symbolic_->block_at(at, at));
 }
 
 double* BlockCholesky::between(int a, int b, bool& transposed)
 {
-    int row = plan_->position[std::size_t(a)], column = plan_->position[std::size_t(b)];
+    int row = symbolic_->position[std::size_t(a)], column = symbolic_->position[std::size_t(b)];
     transposed = row < column;
     if (transposed) std::swap(row, column);
-    return blocks_.data() + kBlock * std::size_t(plan_->block_at(row, column));
+    return blocks_.data() + kBlock * std::size_t(symbolic_->block_at(row, column));
 }
 
 void BlockCholesky::clear() { std::fill(blocks_.begin(), blocks_.end(), 0.0); }
 
 FrontLists BlockCholesky::lists() const
 {
-    const auto& entries = plan_->entries.empty() ? plan_->rows : plan_->entries;
-    return {plan_->fronts.data(), entries.data(), plan_->updates.data(), plan_->places.data()};
+    const auto& entries = symbolic_->entries.empty() ? symbolic_->rows : symbolic_->entries;
+    return {symbolic_->fronts.data(), entries.data(), symbolic_->updates.data(), symbolic_->places.data()};
 }
 
-// A lone thread goes through all subtrees together: it has arithmetic of one to do while that of another
+// A single thread works through all subtrees together: the arithmetic of one fills the time in which another
 // waits for its own results.
 template <typename Work>
 void BlockCholesky::for_subtrees(Work work) const
 {
     if (tasks_.workers() == 1) {
-        work(0, FrontRange{nullptr, 0, plan_->top});
+        work(0, FrontRange{nullptr, 0, symbolic_->top});
         return;
     }
-    const int count = int(plan_->subtrees.size());
+    const int count = int(symbolic_->subtrees.size());
     tasks_.for_each(count, [&](int t, int) {
-        const Subtree& subtree = plan_->subtrees[std::size_t(t)];
-        work(t, FrontRange{plan_->subtree_fronts.data(), subtree.fronts, subtree.fronts + subtree.count});
+        const Subtree& subtree = symbolic_->subtrees[std::size_t(t)];
+        work(t, FrontRange{symbolic_->subtree_fronts.data(), subtree.fronts, subtree.fronts + subtree.count});
     });
 }
 
@@ -73,7 +73,7 @@ int BlockCholesky::factor()
     });
     int bad = 0;
     for (const int b : bad_) bad += b;
-    for (const Subtree& subtree : plan_->subtrees)
+    for (const Subtree& subtree : symbolic_->subtrees)
         kernels_->add_border(lists(), subtree.border, blocks_.data());
     return bad + factor_top();
 }
@@ -81,10 +81,10 @@ int BlockCholesky::factor()
 int BlockCholesky::factor_top()
 {
     if (tasks_.workers() == 1)
-        return kernels_->factor(lists(), {nullptr, plan_->top, plan_->end}, blocks_.data());
+        return kernels_->factor(lists(), {nullptr, symbolic_->top, symbolic_->end}, blocks_.data());
     int bad = 0;
-    for (int s = plan_->top; s < plan_->end; ++s) {
-        const Front& f = plan_->fronts[std::size_t(s)];
+    for (int s = symbolic_->top; s < symbolic_->end; ++s) {
+        const Front& f = symbolic_->fronts[std::size_t(s)];
         if (f.width * f.below * (f.below + 1) / 2 < kHeavy) {
             bad += kernels_->factor(lists(), {nullptr, s, s + 1}, blocks_.data());
             continue;
@@ -101,9 +101,9 @@ int BlockCholesky::factor_top()
 template <typename Visit>
 void BlockCholesky::for_borders(Visit visit)
 {
-    for (const Subtree& subtree : plan_->subtrees) {
-        const int* rows = plan_->rows.data() + plan_->fronts[std::size_t(subtree.root)].rows;
-        const Front& border = plan_->fronts[std::size_t(subtree.border)];
+    for (const Subtree& subtree : symbolic_->subtrees) {
+        const int* rows = symbolic_->rows.data() + symbolic_->fronts[std::size_t(subtree.root)].rows;
+        const Front& border = symbolic_->fronts[std::size_t(subtree.border)];
         for (int k = 0; k < border.width; ++k)
             visit(work_.data() + 6 * rows[k], work_.data() + 6 * (border.first + k));
     }
@@ -112,10 +112,10 @@ void BlockCholesky::for_borders(Visit visit)
 void BlockCholesky::solve(std::span<double> x)
 {
     double* work = work_.data();
-    for (int body = 0; body < plan_->bodies; ++body)
-        std::copy_n(x.data() + 6 * body, 6, work + 6 * plan_->position[std::size_t(body)]);
-    std::fill(work + 6 * plan_->bodies, work + work_.size(), 0.0);
-    const FrontRange top{nullptr, plan_->top, plan_->end};
+    for (int body = 0; body < symbolic_->bodies; ++body)
+        std::copy_n(x.data() + 6 * body, 6, work + 6 * symbolic_->position[std::size_t(body)]);
+    std::fill(work + 6 * symbolic_->bodies, work + work_.size(), 0.0);
+    const FrontRange top{nullptr, symbolic_->top, symbolic_->end};
     for_subtrees([&](int, FrontRange range) { kernels_->forward(lists(), range, blocks_.data(), work); });
     for_borders([](double* row, const double* border) {
         for (int i = 0; i < 6; ++i) row[i] += border[i];
@@ -124,8 +124,8 @@ void BlockCholesky::solve(std::span<double> x)
     kernels_->backward(lists(), top, blocks_.data(), work);
     for_borders([](const double* row, double* border) { std::copy_n(row, 6, border); });
     for_subtrees([&](int, FrontRange range) { kernels_->backward(lists(), range, blocks_.data(), work); });
-    for (int body = 0; body < plan_->bodies; ++body)
-        std::copy_n(work + 6 * plan_->position[std::size_t(body)], 6, x.data() + 6 * body);
+    for (int body = 0; body < symbolic_->bodies; ++body)
+        std::copy_n(work + 6 * symbolic_->position[std::size_t(body)], 6, x.data() + 6 * body);
 }
 
 }  // namespace epode

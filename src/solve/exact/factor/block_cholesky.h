@@ -14,20 +14,20 @@
 
 namespace epode {
 
-// Two doubles at a time: what the baseline of x86-64 has. Blocks of six are three of them.
+// Two doubles at a time, which the baseline of x86-64 has. Blocks of six are three of them.
 using DoubleLane = double __attribute__((vector_size(16), aligned(8), may_alias));
 
 class BlockCholesky {
   public:
     static constexpr int kBlock = 36;  // doubles of a block, column-major
 
-    // Takes the memory for a matrix of this structure, which must outlive it; false: out of memory.
-    bool prepare(const FactorPlan& plan, const Tasks& tasks, Arena& arena);
-    // Another kind of machine's kernels than the best: for tests.
+    // Allocates a matrix of this structure, which must outlive it; false: out of memory.
+    bool prepare(const SymbolicFactor& symbolic, const Tasks& tasks, Arena& arena);
+    // For tests: uses the kernels of another kind of machine than the best.
     void use(const FrontKernels& kernels) { kernels_ = &kernels; }
 
-    // Where H[a][a] and, for a pair that was announced, the block between two bodies live. Of a diagonal
-    // block the lower triangle counts. `transposed`: the stored block is H[b][a] instead of H[a][b].
+    // Where H[a][a] lies and, for a pair in the structure, the block between two bodies. Of a diagonal block
+    // the lower triangle counts. `transposed`: the stored block is H[b][a] instead of H[a][b].
     double* diagonal(int body);
     double* between(int a, int b, bool& transposed);
 
@@ -37,17 +37,17 @@ class BlockCholesky {
 
   private:
     FrontLists lists() const;
-    // work(t, range) for all fronts of subtrees: at once, or one after another.
+    // Calls work(t, range) for all fronts of subtrees, in parallel or one after another.
     template <typename Work>
     void for_subtrees(Work work) const;
     template <typename Visit>
     void for_borders(Visit visit);
     int factor_top();
 
-    const FactorPlan* plan_ = nullptr;
+    const SymbolicFactor* symbolic_ = nullptr;
     const FrontKernels* kernels_ = nullptr;
     std::span<double> blocks_;  // of all fronts: H, then L
-    std::span<double> work_;    // six numbers per column of the plan
+    std::span<double> work_;    // six numbers per column of the symbolic factor
     std::span<int> bad_;        // pivots, per subtree
     Tasks tasks_;
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Two passes of bucket sort: the ends of all pairs are put behind their body, then the bodies in ascending
-// order write themselves behind each of their neighbours, which leaves every list sorted. Linear in bodies
-// and pairs; a comparison sort of the pairs would cost more than the elimination of a chain.
+// Two passes of bucket sort: first the ends of all pairs are stored with their body; then the bodies in
+// ascending order append themselves to each of their neighbours, which leaves every list sorted. Linear in
+// bodies and pairs; a comparison sort of the pairs would cost more than the elimination of a chain.
 #include "solve/exact/factor/body_graph.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace epode {
 namespace {
 
-// Counts to starts: first[v + 1] holds the size of list v, afterwards first[v] is where it begins.
+// From counts to starts: first[v + 1] holds the size of list v; afterwards first[v] is where it begins.
 void accumulate(std::span<int> first)
 {
     for (std::size_t v = 1; v < first.size(); ++v) first[v] += first[v - 1];
@@ -38,8 +38,8 @@ bool build_body_graph(int n, std::span<const BodyPair> pairs, Arena& arena, Body
         unsorted[std::size_t(fill[std::size_t(b)]++)] = a;
     }
 
-    // Sorted, a repeated neighbour follows itself. The sorted lists go where their unsorted ones would, and
-    // then move together.
+    // In a sorted list a repeated neighbour follows itself. The sorted lists are written where the unsorted
+    // ones would be, and then moved together.
     std::copy_n(first.begin(), n, fill.begin());
     for (int v = 0; v < n; ++v)
         for (int k = first[std::size_t(v)]; k < first[std::size_t(v) + 1]; ++k) {

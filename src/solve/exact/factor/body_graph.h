@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Which bodies of an island share rows: the sparsity of H = M + J^T D J in units of 6x6 blocks. However many
-// joints and contacts act between two bodies, they are one edge; rows on one body alone are none. Neighbours
-// are in ascending order, so two islands with the same edges have the same graph, word by word, in whatever
-// order their joints were made.
+// Which bodies of an island share rows: the sparsity of H = M + J^T D J in units of 6x6 blocks. All joints
+// and contacts between two bodies are one edge; rows on one body alone are none. Neighbours are in ascending
+// order, so two islands with the same edges have the same graph, word by word, in whatever order their joints
+// were created.
 #pragma once
 
 #include <span>
@@ -18,7 +18,7 @@ struct BodyPair {
     int a, b;
 };
 
-// The neighbours of v are neighbour[first[v]] .. neighbour[first[v + 1] - 1]; every edge is there twice.
+// The neighbours of v are neighbour[first[v]] .. neighbour[first[v + 1] - 1]; every edge is stored twice.
 struct BodyGraph {
     std::span<int> first;  // n + 1
     std::span<int> neighbour;

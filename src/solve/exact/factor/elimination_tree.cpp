@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Row by row, i becomes the parent of the roots of all subtrees that its earlier neighbours lie in. Paths to
-// the roots are shortened as they are walked, which makes it almost linear.
+// Row by row, i becomes the parent of the roots of all subtrees that contain its earlier neighbours. Paths to
+// the roots are compressed while they are walked, which makes the method almost linear.
 #include "solve/exact/factor/elimination_tree.h"
 
 #include <algorithm>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Which column of the factor is the first that another one changes: parent(k) = the first row below the
-// diagonal of column k. Row i of the factor has an entry in column k exactly if k lies on the path from some
-// neighbour j < i of i upwards before i (Liu, SIAM J. Matrix Anal. Appl. 11, 1990). The paths of row i
-// together are a subtree; walking it with marks visits every entry of the row once. Uniting the columns of
-// children instead would have to sort them.
+// Which column of the factor each column changes first: parent(k) = the first row below the diagonal of
+// column k. Row i of the factor has an entry in column k exactly if k lies on the path from some neighbour j
+// < i of i upwards before i (Liu, SIAM J. Matrix Anal. Appl. 11, 1990). The paths of row i together are a
+// subtree; walking it with marks visits every entry of the row once. Uniting the columns of children instead
+// would require sorting them.
 #pragma once
 
 #include "solve/exact/factor/body_graph.h"
@@ -21,7 +21,7 @@ class EliminationTree {
     int parent(int k) const { return parent_[std::size_t(k)]; }  // -1: a root
     int place_of(int body) const { return place_[std::size_t(body)]; }
 
-    // visit(k) for the entries of row i left of the diagonal, in no particular order.
+    // Calls visit(k) for the entries of row i left of the diagonal, in no particular order.
     template <typename Visit>
     void for_row(int i, Visit visit)
     {
@@ -36,7 +36,7 @@ class EliminationTree {
         }
     }
 
-    // To be called before rows are visited anew.
+    // Must be called before rows are visited again.
     void clear_marks();
 
   private:

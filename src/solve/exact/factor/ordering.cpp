@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Minimum degree on a quotient graph, with approximate degrees (Amestoy, Davis & Duff, SIAM J. Matrix Anal.
-// Appl. 17, 1996). Eliminating body p turns its neighbours into a clique; the clique is not written out but
-// kept as one "element" p with the list L_p of its members. A body i then has two lists, bodies A_i and
-// elements E_i, and its neighbours are A_i joined with L_e for e in E_i. What keeps it near linear:
+// Approximate minimum degree on a quotient graph (Amestoy, Davis & Duff, SIAM J. Matrix Anal. Appl. 17,
+// 1996). Eliminating body p turns its neighbours into a clique; the clique is not written out but stored as
+// one "element" p with the list L_p of its members. A body i then has two lists, bodies A_i and elements E_i,
+// and its neighbours are A_i joined with L_e for e in E_i. What keeps the method near linear:
 //
 //   L_p = A_p joined with L_e for e in E_p;  those e are inside L_p from now on and disappear
 //   degree of i in L_p, from above:  |A_i \ L_p| + |L_p \ i| + sum over e in E_i of |L_e \ L_p|,
 //     where |L_e \ L_p| for all e at once costs one pass over the E_i; an e for which it is 0 disappears too
-//   bodies of L_p with equal lists stay equal for ever: they go on as one with a weight
+//   bodies of L_p with equal lists stay equal for ever: they continue as one with a weight
 //   bodies of L_p with no other neighbours than L_p are eliminated together with p
 //
-// Of equal degrees, the body that has waited longest comes first. On a chain that takes both ends by turns,
+// Of equal degrees, the body that has waited longest comes first. On a chain this takes both ends by turns,
 // and on a grid it works inwards from all sides: the elimination tree gets several branches, where the usual
-// last-in-first-out gives one long path. Exact degrees over a bit matrix would cost n^2 memory, and time to
-// match. Everything depends on indices only, so the order is the same on every machine.
+// last-in-first-out gives one long path. Exact degrees over a bit matrix would cost memory of n^2, and time
+// to match. Everything depends on indices only, so the order is the same on every machine.
 #include "solve/exact/factor/ordering.h"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ class DegreeQueues {
         (after < 0 ? tail_[d] : previous_[std::size_t(after)]) = before;
     }
 
-    // The first body of the least degree; there must be one.
+    // Removes the first body of the least degree; there must be one.
     int pop()
     {
         while (head_[std::size_t(least_)] < 0) ++least_;
@@ -112,31 +112,31 @@ class QuotientGraph {
     }
 
   private:
-    // First a body, then the element that its elimination made, or nothing once it is absorbed.
+    // First a body, then the element that its elimination created, or nothing once that is absorbed.
     struct Node {
-        int* list;     // of a body: E_i, then A_i. Of an element: L_e
-        int elements;  // |E_i|, or of an element |L_e|
-        int bodies;    // |A_i|
-        int weight;    // bodies that this one stands for; 0 when eliminated or merged into another
-        int degree;    // of a body
-        int size;      // of an element: the weights of L_e together
-        int outside;   // of an element: the weights of L_e \ L_p, valid while `seen` is the present round
-        int seen;      // round in which this node was last marked
-        bool alive;    // of an element
-        int follower, last;  // the bodies it stands for, and those eliminated with it
+        int* list;           // of a body: E_i, then A_i. Of an element: L_e
+        int elements;        // |E_i|, or of an element |L_e|
+        int bodies;          // |A_i|
+        int weight;          // bodies that this one represents; 0 when eliminated or merged
+        int degree;          // of a body
+        int size;            // of an element: the weights of L_e together
+        int outside;         // of an element: weights of L_e \ L_p, valid while `seen` is this round
+        int seen;            // round in which this node was last marked
+        bool alive;          // of an element
+        int follower, last;  // the bodies it represents, and those eliminated with it
         int next;            // in its bucket of equal hashes
         unsigned hash;
     };
 
     Node& at(int v) { return node_[std::size_t(v)]; }
 
-    // L_p, from what p touches. Absorbed elements die.
+    // Forms L_p from the neighbours of p. Absorbed elements die.
     bool form_element(int p)
     {
         Node& pivot = at(p);
-        int most = pivot.bodies;
-        for (int k = 0; k < pivot.elements; ++k) most += at(pivot.list[k]).elements;
-        int* list = take_list(std::min(most, n_));
+        int capacity = pivot.bodies;
+        for (int k = 0; k < pivot.elements; ++k) capacity += at(pivot.list[k]).elements;
+        int* list = take_list(std::min(capacity, n_));
         if (!list) return false;
         ++round_;
         pivot.seen = round_;
@@ -163,7 +163,7 @@ class QuotientGraph {
         return true;
     }
 
-    // A piece of memory for a list of at most `count`; what it uses of that is added to used_ afterwards.
+    // Memory for a list of at most `count`; what the list uses of it is added to used_ afterwards.
     int* take_list(int count)
     {
         if (chunk_.empty() || used_ + count > int(chunk_.size())) {
@@ -173,7 +173,7 @@ class QuotientGraph {
         return chunk_.empty() ? nullptr : chunk_.data() + used_;
     }
 
-    // |L_e \ L_p| for every element that a member of L_p touches: each member takes its weight off.
+    // Computes |L_e \ L_p| for every element that a member of L_p touches: each member subtracts its weight.
     void measure_outside(int p)
     {
         const Node& pivot = at(p);
@@ -194,8 +194,8 @@ class QuotientGraph {
         for (int k = 0; k < pivot.elements; ++k) update_member(p, pivot.list[k]);
     }
 
-    // Strikes from the lists of i what L_p covers, and puts p there instead: something was struck, so there
-    // is room.
+    // Removes from the lists of i what L_p covers and inserts p instead. Something was removed, so there is
+    // space.
     void update_member(int p, int i)
     {
         Node& member = at(i);
@@ -242,7 +242,7 @@ class QuotientGraph {
         append(pivot, i);
     }
 
-    // i and those it stands for follow `to`.
+    // Appends i and the bodies that it represents to `to`.
     void append(Node& to, int i)
     {
         at(to.last).follower = i;

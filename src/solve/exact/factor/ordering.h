@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// In which order to eliminate the bodies of an island so that the factor of H stays sparse.
+// Chooses the order in which to eliminate the bodies of an island, so that the factor of H stays sparse.
 #pragma once
 
 #include "solve/exact/factor/body_graph.h"

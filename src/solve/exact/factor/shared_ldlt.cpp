@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Pieces are begun in the order of their numbers (tasks/tasks.h), so the piece that another waits for is in
-// the hands of a thread that runs, and the first of all waits for none.
+// Pieces begin in the order of their numbers (tasks/tasks.h). So a piece that another waits for is in the
+// hands of a running thread, and the first waits for none.
 #include "solve/exact/factor/shared_ldlt.h"
 
 #include <algorithm>
@@ -14,21 +14,21 @@
 namespace epode {
 namespace {
 
-// To post a job and to wait for it takes some ten microseconds; what is smaller than this takes one thread
-// about a hundred.
-constexpr int kLeastFactor = 128, kLeastSolve = 1024, kLeastScale = 1 << 18;
+// Posting a job and waiting for it takes about ten microseconds. Work below these sizes takes one thread less
+// than about a hundred.
+constexpr int kMinFactor = 128, kMinSolve = 1024, kMinScale = 1 << 18;
 constexpr int kBlock = 64;       // numbers of b in a piece of a solution
 constexpr int kChunk = 1 << 14;  // numbers in a piece of a scaling
 
-// Rows in a piece of a factorisation: a row of L is fetched once for all of them, but what is left to do when
-// the piece before is done grows with their square.
+// Rows in a piece of a factorisation: a row of L is loaded once for all of them, but the work that remains
+// when the piece before is done grows with their square.
 int rows_of_piece(int n) { return std::clamp(n / 100, 4, 16); }
 
-// How far something has come, for those who need it.
+// How far a thread has come, for those that depend on it.
 class Progress {
   public:
     void reach(int mark) { mark_.store(mark, std::memory_order_release); }
-    // Waits until it is beyond `mark`, and tells where it is.
+    // Waits until it is beyond `mark`, and returns where it is.
     int beyond(int mark) const
     {
         int now;
@@ -66,7 +66,7 @@ void scale_row(Real* row, Real* d, int i)
 
 void factor_ldlt(Real* A, Real* d, int n, int stride, const Tasks& tasks)
 {
-    if (tasks.workers() == 1 || n < kLeastFactor) return factor_ldlt(A, d, n, stride);
+    if (tasks.workers() == 1 || n < kMinFactor) return factor_ldlt(A, d, n, stride);
     const int size = rows_of_piece(n);
     Progress rows;  // of L that are known
     tasks.for_each(pieces_of(n, size), [&](int piece, int) {
@@ -86,7 +86,7 @@ void factor_ldlt(Real* A, Real* d, int n, int stride, const Tasks& tasks)
 
 void solve_unit_lower(const Real* L, Real* b, int n, int stride, const Tasks& tasks)
 {
-    if (tasks.workers() == 1 || n < kLeastSolve) return solve_unit_lower(L, b, n, stride);
+    if (tasks.workers() == 1 || n < kMinSolve) return solve_unit_lower(L, b, n, stride);
     Progress solved;
     tasks.for_each(pieces_of(n, kBlock), [&](int piece, int) {
         const int first = piece * kBlock, end = std::min(first + kBlock, n);
@@ -102,7 +102,7 @@ void solve_unit_lower(const Real* L, Real* b, int n, int stride, const Tasks& ta
 
 void solve_unit_lower_transposed(const Real* L, Real* b, int n, int stride, const Tasks& tasks)
 {
-    if (tasks.workers() == 1 || n < kLeastSolve) return solve_unit_lower_transposed(L, b, n, stride);
+    if (tasks.workers() == 1 || n < kMinSolve) return solve_unit_lower_transposed(L, b, n, stride);
     Progress solved;  // numbers, from the end of b
     tasks.for_each(pieces_of(n, kBlock), [&](int piece, int) {
         const int end = n - piece * kBlock, first = std::max(end - kBlock, 0);
@@ -122,7 +122,7 @@ void scale_vector(Real* a, const Real* d, int n, const Tasks& tasks)
     const auto scale = [&](int from, int to) {
         for (int i = from; i < to; ++i) a[i] *= d[i];
     };
-    if (tasks.workers() == 1 || n < kLeastScale) return scale(0, n);
+    if (tasks.workers() == 1 || n < kMinScale) return scale(0, n);
     tasks.for_each(pieces_of(n, kChunk),
                    [&](int piece, int) { scale(piece * kChunk, std::min(n, (piece + 1) * kChunk)); });
 }

@@ -2,10 +2,9 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The dense L D L^T of math/ldlt shared among workers, element by element with the same sums in the same
-// order: the bits are those of one thread. What one piece needs of another it waits for while both run (a
-// wavefront): rows of L become known one after another, and every later row uses each as soon as it is. The
-// usual alternative, blocks with a barrier after each panel, changes the order of sums and stands still at
-// every barrier.
+// order: the bits are those of one thread. Pieces wait for what they need of each other while both run (a
+// wavefront): rows of L become known one after another, and every later row uses each at once. The usual
+// alternative, blocks with a barrier after each panel, changes the order of sums and stops at every barrier.
 #pragma once
 
 #include "math/dense.h"

@@ -2,10 +2,10 @@
 // Copyright (c) 2026 The Epode authors
 //
 // From the roots down, the heaviest subtree is replaced by its branches (Geist & Ng, Int. J. Parallel
-// Program. 18, 1989) until all are light enough to be shared out. The fronts down to where it branches then
-// wait for all subtrees; that is worth it while they weigh less than the time which the branches save by
-// going at once. A chain is left in its two halves, since going down one of them only moves work above.
-// Branches too light for a thread of their own stay above.
+// Program. 18, 1989) until all are light enough to be shared out. The fronts above the point where it
+// branches then wait for all subtrees; this is worth it while they weigh less than the time that working on
+// the branches in parallel saves. A chain stays in its two halves, because going down one of them only moves
+// work above. Branches too light for a thread of their own stay above.
 #include "solve/exact/factor/subtrees.h"
 
 #include <algorithm>
@@ -14,9 +14,9 @@ namespace epode {
 namespace {
 
 constexpr double kWorth = 6000;    // weight from which a tree is cut: about a tenth of a millisecond
-constexpr int kMost = 32;          // subtrees
+constexpr int kMaxSubtrees = 32;   // subtrees
 constexpr double kLight = 1 / 4.;  // of the whole: no need to divide
-constexpr double kWorthy = 0.6;    // weight moved above per weight that goes at once
+constexpr double kWorthy = 0.6;    // weight moved above per weight that runs in parallel
 constexpr double kTiny = 1 / 64.;  // of the whole, not worth a subtree
 
 class Cutter {
@@ -71,12 +71,12 @@ class Cutter {
 
     void add(int s)
     {
-        if (count_ < kMost && total_[std::size_t(s)] >= kTiny * whole_) roots_[count_++] = s;
+        if (count_ < kMaxSubtrees && total_[std::size_t(s)] >= kTiny * whole_) roots_[count_++] = s;
     }
 
     void divide()
     {
-        int whole_ones = 0;  // roots_[0 .. whole_ones) are not divided any more
+        int whole_ones = 0;  // roots_[0 .. whole_ones) are not divided any further
         while (whole_ones < count_) {
             const auto lighter = [this](int a, int b) {
                 return total_[std::size_t(a)] < total_[std::size_t(b)];
@@ -108,8 +108,8 @@ class Cutter {
                 s = heaviest;
                 continue;
             }
-            const double all = total_[std::size_t(root)], most = total_[std::size_t(heaviest)];
-            return all - branches < kWorthy * (all - most) ? s : -1;
+            const double all = total_[std::size_t(root)], largest = total_[std::size_t(heaviest)];
+            return all - branches < kWorthy * (all - largest) ? s : -1;
         }
         return -1;
     }
@@ -117,7 +117,7 @@ class Cutter {
     double whole_ = 0;
     std::span<double> total_;  // weight of the subtree
     std::span<int> child_, sibling_;
-    int roots_[kMost];
+    int roots_[kMaxSubtrees];
     int count_ = 0;
 };
 

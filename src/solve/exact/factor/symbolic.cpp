@@ -2,14 +2,13 @@
 // Copyright (c) 2026 The Epode authors
 //
 // 1. Lengths of the columns, from the elimination tree.
-// 2. Fronts. From the leaves up, the front that ends in column j is joined to that of its parent when an
+// 2. Fronts. From the leaves up, the front that ends in column j is joined to that of its parent if an
 //    estimate of time says so: longer inner products against arithmetic on blocks that are zero. The rows of
 //    a front are those of its last column.
 // 3. Large trees are cut into subtrees (solve/exact/factor/subtrees.h).
-// 4. Columns are numbered anew, front by front, each front in the place of its last column: children stay
-//    before parents, so the fill does not change, and branches of the tree alternate as the order of
-//    elimination had them; the processor then overlaps their arithmetic, which within a branch is a chain of
-//    dependent operations.
+// 4. Columns are renumbered, front by front, each front in the place of its last column. Children stay before
+//    parents, so the fill does not change. Branches of the tree alternate as in the order of elimination; the
+//    processor then overlaps their arithmetic, which within a branch is a chain of dependent operations.
 // 5. The rows of the fronts, in ascending order, and where their products go.
 #include "solve/exact/factor/symbolic.h"
 
@@ -22,9 +21,9 @@
 namespace epode {
 namespace {
 
-// Time of a front, in units of one 6x6 times 6x6: its products, and half a unit for each block that it has or
-// subtracts something from. Measured on walls, piles and ladders; three times as much or none at all for the
-// blocks costs a few per cent.
+// Time of a front, in units of one 6x6 times 6x6 product: its products, and half a unit for each block that
+// it has or subtracts from. Measured on walls, piles and ladders; with three times as much or nothing for the
+// blocks a step takes a few per cent longer.
 double estimate(double width, double below)
 {
     constexpr double kTouch = 0.5;
@@ -33,10 +32,10 @@ double estimate(double width, double below)
     return products + kTouch * (outer + width * (width + below));
 }
 
-class Planner {
+class SymbolicAnalysis {
   public:
-    Planner(const BodyGraph& graph, std::span<const int> order, Arena& arena, FactorPlan& out)
-        : graph_(graph), order_(order), arena_(arena), plan_(out), n_(graph.size())
+    SymbolicAnalysis(const BodyGraph& graph, std::span<const int> order, Arena& arena, SymbolicFactor& out)
+        : graph_(graph), order_(order), arena_(arena), symbolic_(out), n_(graph.size())
     {}
 
     bool make()
@@ -44,10 +43,10 @@ class Planner {
         below_ = arena_.take_zeroed<int>(n_);
         width_ = arena_.take<int>(n_);
         joined_ = arena_.take<int>(n_);
-        plan_ = {};
-        plan_.bodies = plan_.columns = n_;
-        plan_.position = arena_.take<int>(n_);
-        plan_.front_of = arena_.take<int>(n_);
+        symbolic_ = {};
+        symbolic_.bodies = symbolic_.columns = n_;
+        symbolic_.position = arena_.take<int>(n_);
+        symbolic_.front_of = arena_.take<int>(n_);
         if (arena_.failed() || !tree_.build(graph_, order_, arena_)) return false;
         for (int i = 0; i < n_; ++i) tree_.for_row(i, [&](int k) { ++below_[std::size_t(k)]; });
         join_columns();
@@ -72,7 +71,7 @@ class Planner {
         }
     }
 
-    // Fronts in the order of their last columns, and who is above whom.
+    // Fronts in the order of their last columns, with their parents.
     bool make_tree()
     {
         int count = 0;
@@ -105,16 +104,16 @@ class Planner {
         const int count = int(last_.size());
         auto index = arena_.take<int>(count);
         auto last = arena_.take<int>(count);
-        plan_.fronts = arena_.take<Front>(count + subtree_count_);
-        plan_.subtrees = arena_.take<Subtree>(subtree_count_);
+        symbolic_.fronts = arena_.take<Front>(count + subtree_count_);
+        symbolic_.subtrees = arena_.take<Subtree>(subtree_count_);
         if (arena_.failed()) return false;
         int next = 0;
         for (const bool inside : {true, false}) {
-            if (!inside) plan_.top = next;
+            if (!inside) symbolic_.top = next;
             for (int s = 0; s < count; ++s)
                 if ((subtree_of_[std::size_t(s)] >= 0) == inside) index[std::size_t(s)] = next++;
         }
-        plan_.end = count;
+        symbolic_.end = count;
         auto of = arena_.take<int>(count);
         if (arena_.failed()) return false;
         for (std::size_t s = 0; s < last_.size(); ++s) {
@@ -131,71 +130,73 @@ class Planner {
     {
         std::int64_t rows = 0, block = 0;
         int column = 0;
-        auto next = arena_.take<int>(plan_.end);
+        auto next = arena_.take<int>(symbolic_.end);
         if (arena_.failed()) return false;
-        for (int s = 0; s < plan_.end; ++s) {
+        for (int s = 0; s < symbolic_.end; ++s) {
             const auto j = std::size_t(last_[std::size_t(s)]);
             const int w = width_[j], r = below_[j];
-            plan_.fronts[std::size_t(s)] = {column, w, r, int(rows), int(block), 0, 0};
+            symbolic_.fronts[std::size_t(s)] = {column, w, r, int(rows), int(block), 0, 0};
             next[std::size_t(s)] = column;
             column += w;
             rows += r;
             block += std::int64_t(w) * (w + r);
             if (subtree_of_[std::size_t(s)] >= 0)  // the last front of a subtree is its root
-                plan_.subtrees[std::size_t(subtree_of_[std::size_t(s)])].root = s;
+                symbolic_.subtrees[std::size_t(subtree_of_[std::size_t(s)])].root = s;
         }
         for (int t = 0; t < subtree_count_; ++t) {
-            const int root = plan_.subtrees[std::size_t(t)].root, w = plan_.fronts[std::size_t(root)].below;
-            plan_.subtrees[std::size_t(t)].border = plan_.end + t;
-            plan_.fronts[std::size_t(plan_.end + t)] = {plan_.columns, w, 0, 0, int(block), 0, 0};
-            plan_.columns += w;
+            const int root = symbolic_.subtrees[std::size_t(t)].root,
+                      w = symbolic_.fronts[std::size_t(root)].below;
+            symbolic_.subtrees[std::size_t(t)].border = symbolic_.end + t;
+            symbolic_.fronts[std::size_t(symbolic_.end + t)] = {symbolic_.columns, w, 0, 0, int(block), 0, 0};
+            symbolic_.columns += w;
             block += std::int64_t(w) * w;
         }
         if (block > INT32_MAX / 64) return false;  // 34 million blocks are 10 GB
-        plan_.blocks = int(block);
-        plan_.rows = arena_.take<int>(int(rows));
-        if (subtree_count_) plan_.entries = arena_.take<int>(int(rows));
+        symbolic_.blocks = int(block);
+        symbolic_.rows = arena_.take<int>(int(rows));
+        if (subtree_count_) symbolic_.entries = arena_.take<int>(int(rows));
         if (arena_.failed()) return false;
         for (int j = 0; j < n_; ++j) {
             const int s = front_[std::size_t(j)], at = next[std::size_t(s)]++;
-            plan_.position[std::size_t(order_[std::size_t(j)])] = at;
-            plan_.front_of[std::size_t(at)] = s;
+            symbolic_.position[std::size_t(order_[std::size_t(j)])] = at;
+            symbolic_.front_of[std::size_t(at)] = s;
         }
         return true;
     }
 
-    // Rows in the new order append themselves to the fronts whose last column they are in.
+    // Rows, in the new order, append themselves to the fronts whose last column they are in.
     bool find_rows()
     {
         auto column_of = arena_.take<int>(n_);  // new -> old
-        auto fill = arena_.take<int>(plan_.end);
+        auto fill = arena_.take<int>(symbolic_.end);
         if (arena_.failed()) return false;
         for (int j = 0; j < n_; ++j)
-            column_of[std::size_t(plan_.position[std::size_t(order_[std::size_t(j)])])] = j;
-        for (std::size_t s = 0; s < fill.size(); ++s) fill[s] = plan_.fronts[s].rows;
+            column_of[std::size_t(symbolic_.position[std::size_t(order_[std::size_t(j)])])] = j;
+        for (std::size_t s = 0; s < fill.size(); ++s) fill[s] = symbolic_.fronts[s].rows;
         tree_.clear_marks();
         for (int at = 0; at < n_; ++at)
             tree_.for_row(column_of[std::size_t(at)], [&](int k) {
                 if (joined_[std::size_t(k)] == k)
-                    plan_.rows[std::size_t(fill[std::size_t(front_[std::size_t(k)])]++)] = at;
+                    symbolic_.rows[std::size_t(fill[std::size_t(front_[std::size_t(k)])]++)] = at;
             });
-        std::copy_n(plan_.rows.begin(), plan_.entries.size(), plan_.entries.begin());
+        std::copy_n(symbolic_.rows.begin(), symbolic_.entries.size(), symbolic_.entries.begin());
         return true;
     }
 
-    // Consecutive rows of s that one front takes: within a subtree its border takes all that are outside.
+    // Consecutive rows of s that belong to one front; within a subtree the border receives all rows outside.
     template <typename Visit>
     void for_targets(int s, bool as_border, Visit visit) const
     {
-        const Front& f = plan_.fronts[std::size_t(s)];
-        const int* rows = plan_.rows.data() + f.rows;
+        const Front& f = symbolic_.fronts[std::size_t(s)];
+        const int* rows = symbolic_.rows.data() + f.rows;
         for (int begin = 0, end; begin < f.below; begin = end) {
-            int target = plan_.front_of[std::size_t(rows[begin])];
-            if (s < plan_.top && target >= plan_.top && !as_border) {
+            int target = symbolic_.front_of[std::size_t(rows[begin])];
+            if (s < symbolic_.top && target >= symbolic_.top && !as_border) {
                 end = f.below;
-                target = plan_.end + subtree_of_[std::size_t(s)];
+                target = symbolic_.end + subtree_of_[std::size_t(s)];
             } else {
-                for (end = begin; end < f.below && plan_.front_of[std::size_t(rows[end])] == target;) ++end;
+                for (end = begin; end < f.below && symbolic_.front_of[std::size_t(rows[end])] == target;)
+                    ++end;
             }
             visit(target, begin, end - begin);
         }
@@ -204,26 +205,26 @@ class Planner {
     bool find_updates()
     {
         int updates = 0, places = 0;
-        for (int s = 0; s < int(plan_.fronts.size()); ++s) {
-            const int from = s < plan_.end ? s : plan_.subtrees[std::size_t(s - plan_.end)].root;
-            const int rows = plan_.fronts[std::size_t(from)].below;
-            Front& f = plan_.fronts[std::size_t(s)];
+        for (int s = 0; s < int(symbolic_.fronts.size()); ++s) {
+            const int from = s < symbolic_.end ? s : symbolic_.subtrees[std::size_t(s - symbolic_.end)].root;
+            const int rows = symbolic_.fronts[std::size_t(from)].below;
+            Front& f = symbolic_.fronts[std::size_t(s)];
             f.updates = updates;
-            for_targets(from, s >= plan_.end,
+            for_targets(from, s >= symbolic_.end,
                         [&](int, int begin, int) { ++updates, places += rows - begin; });
             f.update_count = updates - f.updates;
         }
-        plan_.updates = arena_.take<FrontUpdate>(updates);
-        plan_.places = arena_.take<int>(places);
+        symbolic_.updates = arena_.take<FrontUpdate>(updates);
+        symbolic_.places = arena_.take<int>(places);
         if (arena_.failed()) return false;
         updates = places = 0;
-        for (int s = 0; s < int(plan_.fronts.size()); ++s) {
-            const int from = s < plan_.end ? s : plan_.subtrees[std::size_t(s - plan_.end)].root;
-            const Front& f = plan_.fronts[std::size_t(from)];
-            for_targets(from, s >= plan_.end, [&](int target, int begin, int columns) {
-                plan_.updates[std::size_t(updates++)] = {target, begin, columns, places};
-                target < plan_.end ? find_places(f, begin, plan_.fronts[std::size_t(target)], places)
-                                   : find_border_places(f, begin, target, places);
+        for (int s = 0; s < int(symbolic_.fronts.size()); ++s) {
+            const int from = s < symbolic_.end ? s : symbolic_.subtrees[std::size_t(s - symbolic_.end)].root;
+            const Front& f = symbolic_.fronts[std::size_t(from)];
+            for_targets(from, s >= symbolic_.end, [&](int target, int begin, int columns) {
+                symbolic_.updates[std::size_t(updates++)] = {target, begin, columns, places};
+                target < symbolic_.end ? find_places(f, begin, symbolic_.fronts[std::size_t(target)], places)
+                                       : find_border_places(f, begin, target, places);
                 places += f.below - begin;
             });
         }
@@ -233,8 +234,8 @@ class Planner {
     // Both lists ascend, and the target has every row that s has from there on.
     void find_places(const Front& s, int begin, const Front& target, int place)
     {
-        const int* rows = plan_.rows.data() + s.rows;
-        const int* theirs = plan_.rows.data() + target.rows;
+        const int* rows = symbolic_.rows.data() + s.rows;
+        const int* theirs = symbolic_.rows.data() + target.rows;
         int k = 0;
         for (int i = begin; i < s.below; ++i) {
             int at = rows[i] - target.first;
@@ -242,33 +243,34 @@ class Planner {
                 while (theirs[k] != rows[i]) ++k;
                 at = target.width + k;
             }
-            plan_.places[std::size_t(place + i - begin)] = at;
+            symbolic_.places[std::size_t(place + i - begin)] = at;
         }
     }
 
     void find_border_places(const Front& s, int begin, int border, int place)
     {
-        const Front& root = plan_.fronts[std::size_t(plan_.subtrees[std::size_t(border - plan_.end)].root)];
-        const int* rows = plan_.rows.data() + s.rows;
-        const int* theirs = plan_.rows.data() + root.rows;
+        const Front& root =
+            symbolic_.fronts[std::size_t(symbolic_.subtrees[std::size_t(border - symbolic_.end)].root)];
+        const int* rows = symbolic_.rows.data() + s.rows;
+        const int* theirs = symbolic_.rows.data() + root.rows;
         int k = 0;
         for (int i = begin; i < s.below; ++i) {
             while (theirs[k] != rows[i]) ++k;
-            plan_.places[std::size_t(place + i - begin)] = k;
-            plan_.entries[std::size_t(s.rows + i)] = plan_.fronts[std::size_t(border)].first + k;
+            symbolic_.places[std::size_t(place + i - begin)] = k;
+            symbolic_.entries[std::size_t(s.rows + i)] = symbolic_.fronts[std::size_t(border)].first + k;
         }
     }
 
     bool list_subtrees()
     {
-        plan_.subtree_fronts = arena_.take<int>(plan_.top);
+        symbolic_.subtree_fronts = arena_.take<int>(symbolic_.top);
         if (arena_.failed()) return false;
         int next = 0;
         for (int t = 0; t < subtree_count_; ++t) {
-            Subtree& subtree = plan_.subtrees[std::size_t(t)];
+            Subtree& subtree = symbolic_.subtrees[std::size_t(t)];
             subtree.fronts = next;
-            for (int s = 0; s < plan_.top; ++s)
-                if (subtree_of_[std::size_t(s)] == t) plan_.subtree_fronts[std::size_t(next++)] = s;
+            for (int s = 0; s < symbolic_.top; ++s)
+                if (subtree_of_[std::size_t(s)] == t) symbolic_.subtree_fronts[std::size_t(next++)] = s;
             subtree.count = next - subtree.fronts;
         }
         return true;
@@ -277,7 +279,7 @@ class Planner {
     const BodyGraph& graph_;
     std::span<const int> order_;
     Arena& arena_;
-    FactorPlan& plan_;
+    SymbolicFactor& symbolic_;
     int n_;
     EliminationTree tree_;
     std::span<int> below_;  // of a column: entries below the diagonal
@@ -292,7 +294,7 @@ class Planner {
 
 }  // namespace
 
-int FactorPlan::block_at(int row, int column) const
+int SymbolicFactor::block_at(int row, int column) const
 {
     const Front& f = fronts[std::size_t(front_of[std::size_t(column)])];
     int at = row - f.first;
@@ -303,9 +305,10 @@ int FactorPlan::block_at(int row, int column) const
     return f.block + at * f.width + (column - f.first);
 }
 
-bool make_plan(const BodyGraph& graph, std::span<const int> order, Arena& arena, FactorPlan& out)
+bool factor_symbolically(const BodyGraph& graph, std::span<const int> order, Arena& arena,
+                         SymbolicFactor& out)
 {
-    return Planner(graph, order, arena, out).make();
+    return SymbolicAnalysis(graph, order, arena, out).make();
 }
 
 }  // namespace epode

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Kinematic bodies have no unknowns: what they contribute to J v is moved to the right-hand side. A row whose
-// Jacobian is empty gets d = C, so that no division by zero can follow from it.
+// Kinematic bodies have no unknowns: their part of J v is moved to the right-hand side. A row with an empty
+// Jacobian gets d = C, so that nothing is divided by zero.
 #include "solve/exact/problem/exact_problem.h"
 
 #include <algorithm>
@@ -94,7 +94,8 @@ void ExactProblem::from_root(const BodyRoot& root, double* six)
     six[3] = (six[3] - root.l10 * six[4] - root.l20 * six[5]) * root.r0;
 }
 
-bool ExactProblem::build_factor(const RowSystem& system, PlanCache* plans, const Tasks& tasks, Arena& arena)
+bool ExactProblem::build_factor(const RowSystem& system, SymbolicCache* symbolic_cache, const Tasks& tasks,
+                                Arena& arena)
 {
     const int blocks = int(system.blocks.size());
     auto pairs = arena.take<BodyPair>(blocks);
@@ -108,7 +109,8 @@ bool ExactProblem::build_factor(const RowSystem& system, PlanCache* plans, const
         if (b < 0) b = a;
         pairs[std::size_t(k)] = {a, b};
     }
-    if (!plan_.take(int(roots_.size()), pairs, plans, arena) || !H_.prepare(plan_.plan(), tasks, arena))
+    if (!symbolic_.take(int(roots_.size()), pairs, symbolic_cache, arena) ||
+        !H_.prepare(symbolic_.symbolic(), tasks, arena))
         return false;
     for (int k = 0; k < blocks; ++k) {
         const auto [a, b] = pairs[std::size_t(k)];
@@ -140,7 +142,7 @@ void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock&
 {
     double* half = out.J;
     int* body = &out.a;
-    double sum = 0, motion = 0, mobility = 0;
+    double sum = 0, motion = 0, inverse_mass = 0;
     out.c = n.c;
     out.C = n.C;
     out.b = -1;
@@ -158,9 +160,10 @@ void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock&
         double J[6];
         put(lin, J), put(ang, J + 3);
         to_root(roots_[std::size_t(index)], J);
-        // In registers: pairs read from where numbers have just been written would wait for them.
+        // In registers: reading pairs from memory where single numbers have just been written would wait for
+        // them.
         const DoubleLane pairs[] = {{J[0], J[1]}, {J[2], J[3]}, {J[4], J[5]}};
-        mobility += six_dot(pairs, pairs);
+        inverse_mass += six_dot(pairs, pairs);
         std::copy_n(pairs, 3, reinterpret_cast<DoubleLane*>(half));
         half = out.J + 6;
         *body = index;
@@ -169,7 +172,7 @@ void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock&
     take(block.body1, row.lin1, row.ang1);
     take(block.body2, row.lin2, row.ang2);
     scale_ = std::max({scale_, std::fabs(out.c - sum), 1e-3 * motion});
-    out.d = mobility + out.C;
+    out.d = inverse_mass + out.C;
     out.weight_min = 1e-11 * out.d;
 }
 
@@ -184,7 +187,7 @@ bool ExactProblem::soften()
     return any;
 }
 
-// H = 1, M in these coordinates.
+// Starts with H = 1, which is M in these coordinates.
 void ExactProblem::begin_factor()
 {
     H_.clear();

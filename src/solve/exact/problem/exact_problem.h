@@ -11,10 +11,10 @@
 //   factor:  H = 1 + J'^T D J'                    (one 6x6 block per body and per touching pair)
 //   solve:   x = H^-1 x
 //
-// In these coordinates a rod's inertia of 1:100 or a neighbour of a thousand times the mass does not enter
-// the rounding of a factor, which is eps max(D d) and nothing else. From here on v and J mean v' and J'. Why
-// the primal H and not the dual A = J M^-1 J^T: H has six unknowns per body however many rows act on it,
-// stays positive definite whatever the rows' redundancy, and is as sparse as the body graph.
+// In these coordinates a rod's inertia of 1:100 or a neighbour of a thousand times the mass does not affect
+// the rounding of a factor, which is eps max(D d). From here on v and J mean v' and J'. Why the primal H and
+// not the dual A = J M^-1 J^T (the Schur complement): H has six unknowns per body however many rows act on
+// it, stays positive definite whatever the rows' redundancy, and is as sparse as the body graph.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@
 #include "math/double_double.h"
 #include "rows/row_system.h"
 #include "solve/exact/factor/block_cholesky.h"
-#include "solve/exact/factor/plan_cache.h"
+#include "solve/exact/factor/symbolic_cache.h"
 #include "solve/exact/problem/row_kernels.h"
 
 namespace epode {
@@ -32,9 +32,9 @@ namespace epode {
 struct ExactRow {
     double J[12];       // of body a, then of body b
     double c, C, d;     // d = J J^T + C
-    double weight_min;  // smallest softness that the factor may see, so that C = 0 has a finite weight
+    double weight_min;  // smallest compliance that the factor sees, so that C = 0 has a finite weight
     int a, b;           // dynamic bodies; b = -1: only one
-    int pair;           // which of the pairs of bodies, for H
+    int pair;           // index of the pair of bodies, for H
 };
 
 // The box problem of one phase and its present iterate.
@@ -43,7 +43,7 @@ struct BoxState {
     std::span<double> lo, hi, p, v;
     std::span<Tag> tag;
 
-    // The other side of a wrong guess: a bound row becomes free, a free one goes to the bound it has passed.
+    // Flips a wrong guess: a bound row becomes free, a free row goes to the bound that it has passed.
     void flip(int i)
     {
         const auto k = std::size_t(i);
@@ -53,23 +53,24 @@ struct BoxState {
 
 class ExactProblem {
   public:
-    // False: out of memory. The factor of H is prepared by a call of its own: not every method needs it.
+    // False: out of memory. The factor of H is prepared separately: not every method needs it.
     bool build(const RowSystem& system, Arena& arena);
-    // `plans` may be null.
-    bool build_factor(const RowSystem& system, PlanCache* plans, const Tasks& tasks, Arena& arena);
+    // `symbolic_cache` may be null.
+    bool build_factor(const RowSystem& system, SymbolicCache* symbolic_cache, const Tasks& tasks,
+                      Arena& arena);
 
     int row_count() const { return int(rows_.size()); }
     int unknowns() const { return int(v_star_.size()); }
     const ExactRow& row(int i) const { return rows_[std::size_t(i)]; }
-    // Typical velocity of the problem, m/s: the largest that a row has to change, but not below a thousandth
-    // of the velocities themselves, whose rounding nobody can undercut.
+    // Typical velocity of the problem, m/s: the largest velocity change of a row, but not below a thousandth
+    // of the velocities themselves, whose rounding no solver can undercut.
     double scale() const { return scale_; }
 
-    // Rows without any softness that contradict each other have no solution. They get the least softness that
+    // Rows without compliance that contradict each other have no solution. They get the least compliance that
     // a factor sees anyway; false: there are none.
     bool soften();
 
-    // H with one weight per row, factored; the second with one per place of the packed rows.
+    // Computes and factors H with one weight per row; the second with one per place of the packed rows.
     int factor(std::span<const double> D);
     int factor(std::span<const RowGroup> groups, std::span<const double> D, const RowKernels& kernels);
     int factorisations() const { return factorisations_; }
@@ -85,8 +86,8 @@ class ExactProblem {
     // The same for p + low, with J^T (p + low) summed in twice the digits: `sums`, as many as unknowns.
     void velocities(std::span<const double> p, std::span<const double> low, std::span<DoubleDouble> sums,
                     std::span<double> v) const;
-    // r = c - J v - C p of the rows for which `free` is positive, 0 for the others: v from sums = J^T (p +
-    // low), and everything in twice the digits.
+    // r = c - J v - C p of the rows for which `free` is positive, 0 for the others. v comes from sums = J^T
+    // (p + low), and everything has twice the digits.
     void defect(std::span<const double> p, std::span<const double> low, std::span<const double> free,
                 std::span<DoubleDouble> sums, std::span<DoubleDouble> r) const;
     // Ap = J J^T p + C p, with J^T p summed in the same way; `v` is scratch.
@@ -98,15 +99,15 @@ class ExactProblem {
 
     // Natural residual, relative to scale(), for bounds lo and hi; `v` is scratch.
     double residual(const BoxState& state, std::span<double> v) const;
-    // The same with velocities that belong to state.p, which may carry more digits than it.
+    // The same with velocities that belong to state.p and may carry more digits than it.
     double residual_at(const BoxState& state, std::span<const double> v) const;
 
-    // The answer into the system: impulses, and velocities that were computed from the impulses rather than
-    // from an iterate, so that momentum is conserved to rounding.
+    // Stores the answer in the system: impulses, and velocities computed from the impulses and not from an
+    // iterate, so that momentum is conserved to rounding.
     void store(RowSystem& system, std::span<const double> p, std::span<const double> v) const;
 
   private:
-    // M = L L^T of one body: the root of the mass, and of the inertia l10 l20 l21 and the reciprocals of the
+    // M = L L^T of one body: the root of the mass; of the inertia l10 l20 l21 and the reciprocals of the
     // diagonal.
     struct BodyRoot {
         double root, inv_root;
@@ -129,7 +130,7 @@ class ExactProblem {
     std::span<double> v_star_;
     std::span<ExactRow> rows_;
     std::span<PairBlocks> pairs_;  // one per block of rows
-    PlanLease plan_;
+    SymbolicLease symbolic_;
     BlockCholesky H_;
     double scale_ = 1;
     int factorisations_ = 0;

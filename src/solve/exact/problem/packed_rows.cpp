@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Rows are taken in their order; a group ends where the pair of bodies changes. The contacts of two touching
-// bodies follow each other in an island, so nothing is sorted.
+// Rows keep their order; a group ends where the pair of bodies changes. The contacts of two touching bodies
+// are neighbours in an island, so nothing is sorted.
 #include "solve/exact/problem/packed_rows.h"
 
 #include <algorithm>
@@ -43,9 +43,9 @@ bool PackedRows::prepare(const ExactProblem& problem, Arena& arena)
 void PackedRows::pack(const ExactProblem& problem, const BoxState& state)
 {
     std::fill(fixed_.begin(), fixed_.end(), 0.0);
-    const std::size_t most = places_.size();
+    const std::size_t capacity = places_.size();
     std::span<double>* const columns_of[] = {&c, &C, &d, &inv_d, &weight_min, &lo, &hi, &p};
-    for (std::size_t k = 0; k < 8; ++k) *columns_of[k] = numbers_.subspan(k * most, most);
+    for (std::size_t k = 0; k < 8; ++k) *columns_of[k] = numbers_.subspan(k * capacity, capacity);
     tag = tags_, row_ = places_, groups = all_groups_;
     group_count_ = place_count_ = J_used_ = 0;
     for (int i = 0; i < problem.row_count(); ++i) {
@@ -86,7 +86,7 @@ void PackedRows::begin_group(const ExactRow& row)
     groups[group_count_++] = {J_.data() + J_used_, row.a, row.b, int(place_count_) / kPack, 0, row.pair};
 }
 
-// Empty places up to the end of the pack.
+// Fills the pack with empty places.
 void PackedRows::fill_up()
 {
     for (; place_count_ % kPack != 0; ++place_count_) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The rows of a box problem that are not fixed, four to a pack, as the passes over them (row_kernels.h) want
-// them: rows of the same pair of bodies together, one array per number. A place that no row takes has an
-// empty Jacobian and moves nothing. Fixed rows, of friction in the first phase two of three, only leave
-// their constant J^T p here.
+// The rows of a box problem that are not fixed, four to a pack, as row_kernels.h reads them: rows of the same
+// pair of bodies together, one array per number. A place without a row has an empty Jacobian and moves
+// nothing. Of fixed rows (friction in the first phase, two of three) only their constant J^T p is stored
+// here.
 #pragma once
 
 #include "solve/exact/problem/exact_problem.h"
@@ -21,8 +21,8 @@ class PackedRows {
     void unpack(BoxState& state) const;                   // p and tags
     void take_impulses(std::span<const double> of_rows);  // p only
 
-    int most_places() const { return int(places_.size()); }  // of any choice of fixed rows
-    int count() const { return int(row_.size()); }           // places, a multiple of four
+    int max_places() const { return int(places_.size()); }  // for any choice of fixed rows
+    int count() const { return int(row_.size()); }          // places, a multiple of four
     int row(int i) const { return row_[std::size_t(i)]; }
 
     // out = J v

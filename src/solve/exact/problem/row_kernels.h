@@ -2,13 +2,13 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The passes over packed rows, once per kind of machine: the same text (row_kernels.inc) compiled for the
-// baseline, AVX2 and AVX-512, with the same bits as result; chosen by asking the processor, as
-// contact_kernels.h does. Plain pointers and counts for the reason given there.
+// baseline, AVX2 and AVX-512, with the same bits as result. The processor is queried as in contact_kernels.h.
+// Plain pointers and counts for the reason given there.
 #pragma once
 
 namespace epode {
 
-// Rows between the same one or two bodies, four to a pack; `J` holds per pack the columns of body a, then
+// Rows between the same one or two bodies, four to a pack. `J` holds per pack the columns of body a, then
 // those of body b if there is one, four rows side by side.
 struct RowGroup {
     const double* J;
@@ -17,26 +17,26 @@ struct RowGroup {
     int pair;          // where its blocks of H are
 };
 
-// The blocks of H = M + J^T D J that a pair of bodies contributes to, 6x6 column-major: H[a][a] and H[b][b],
-// of which the lower triangles count, and H[a][b] or, transposed, H[b][a].
+// The blocks of H = M + J^T D J to which a pair of bodies contributes, 6x6 by columns: H[a][a] and H[b][b],
+// whose lower triangles count, and H[a][b] or, transposed, H[b][a].
 struct PairBlocks {
     double *aa, *bb, *ab;
     bool transposed;
 };
 
-// One side of the box per row: distance s > 0 from the bound, multiplier z >= 0. Where there is no bound,
-// `present` and z are 0 and s is 1.
+// One side of the box per row: slack s > 0 from the bound, multiplier z >= 0. Without a bound, `present` and
+// z are 0 and s is 1.
 struct InteriorSide {
     double *s, *z, *present;
     double* inv_s;
-    double *t, *kept;  // what s z is meant to change by, and the same before a corrector
+    double *t, *kept;  // target change of s z, and the same before a corrector
 };
 
 struct InteriorRows {
     const RowGroup* groups;
     int group_count;
     const double *c, *C, *d, *inv_d, *weight_min;
-    double *p, *lo, *hi;  // bounds: 0 where there is none
+    double *p, *lo, *hi;  // bounds: 0 if there is none
     InteriorSide lower, upper;
     double *r2, *e, *D, *dp;
 };
@@ -51,8 +51,8 @@ struct RowKernels {
     // H += J^T D J
     void (*assemble)(const RowGroup* groups, int count, const double* D, const PairBlocks* blocks);
 
-    // A step along the direction, then the residuals there at velocities v: r2, D and r1 += J^T p. Returned:
-    // the worst of |r2| and min(s d, z), and the sum of s z d.
+    // Takes a step along the direction and computes the residuals there at velocities v: r2, D and r1 += J^T
+    // p. Returns the worst of |r2| and min(s d, z), and the sum of s z d.
     struct Residuals {
         double worst, products;
     };
@@ -60,20 +60,20 @@ struct RowKernels {
 
     // t = target/d - s z - second ds dz with the present direction; x += J^T D e
     void (*aim)(const InteriorRows& rows, double target, double second, double* x);
-    // t changed so that products that would leave [1/10, 10] of the target at step `wanted` come back.
+    // Changes t so that products that would leave [1/10, 10] of the target at step `wanted` come back.
     void (*centre)(const InteriorRows& rows, double target, double wanted, double* x);
 
-    // The rest of the direction from dv. `shrink`: the largest -ds/s or -dz/z; `first`, `second`: by what the
-    // sum of s z d changes per step and per square of it.
+    // Computes the rest of the direction from dv. `shrink`: the largest -ds/s or -dz/z; `first`, `second`:
+    // the change of the sum of s z d per step and per square of the step.
     struct Direction {
         double shrink, first, second;
     };
     Direction (*finish)(const InteriorRows& rows, const double* dv);
 };
 
-const RowKernels& row_kernels();  // the best that this machine can run
+const RowKernels& row_kernels();  // the fastest that this machine can run
 
-// All that it can run, for tests; the first is the baseline.
+// All kernels that it can run, for tests; the first is the baseline.
 int count_row_kernels();
 const RowKernels& row_kernels(int i);
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The row kernels for any machine, and the choice between those that there are, made when the library is
-// loaded.
+// The row kernels for any machine, and the choice among the available sets, made when the library is loaded.
 #include "simd/machine.h"
 #include "solve/exact/problem/row_kernels.inc"
 

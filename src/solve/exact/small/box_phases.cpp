@@ -8,15 +8,15 @@
 namespace epode {
 namespace {
 
-constexpr double kMostTrusted = 1e8;  // times the problem's velocity scale, of an impulse to start from
+constexpr double kMaxTrusted = 1e8;  // times the problem's velocity scale, of an impulse to start from
 
 void guess(const ExactProblem& problem, std::size_t i, double p, BoxState& state)
 {
     const double lo = state.lo[i], hi = state.hi[i], d = problem.row(int(i)).d;
-    // The last step's impulse only saves time; one of another size altogether would cost digits instead.
-    if (!(std::fabs(p) * d <= kMostTrusted * problem.scale())) p = 0;
+    // The last step's impulse only saves time; one of a different magnitude would cost digits instead.
+    if (!(std::fabs(p) * d <= kMaxTrusted * problem.scale())) p = 0;
     state.p[i] = std::min(std::max(p, lo), hi);
-    // A width that is below rounding of the impulse is no freedom.
+    // A range narrower than the rounding of the impulse leaves no freedom.
     if (!((hi - lo) * d > 1e-13 * problem.scale())) {
         state.tag[i] = BoxState::kFixed;
         state.p[i] = state.lo[i];
@@ -49,7 +49,7 @@ void freeze_friction(const ExactProblem& problem, const RowSystem& system, BoxSt
         const RowNumbers& n = system.numbers[i];
         if (n.parent < 0) continue;
         const double normal = std::fabs(state.p[std::size_t(n.parent)]);
-        // An infinite coefficient on no load is no friction, as ODE decides it.
+        // An infinite coefficient without normal impulse means no friction, as in ODE.
         state.hi[i] = normal > 0 && problem.row(int(i)).d > 0 ? double(n.hi) * normal : 0;
         state.lo[i] = -state.hi[i];
         guess(problem, i, double(n.p), state);

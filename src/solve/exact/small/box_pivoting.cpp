@@ -57,7 +57,7 @@ bool BoxPivoting::settle(double tolerance)
     return true;
 }
 
-// Moves p_i against w_i until w_i = 0 or p_i is at a bound; what reaches its own end on the way changes
+// Moves p_i against w_i until w_i = 0 or p_i is at a bound; rows that reach their own end on the way change
 // sides.
 bool BoxPivoting::drive(int i, double tolerance)
 {
@@ -68,10 +68,10 @@ bool BoxPivoting::drive(int i, double tolerance)
         if (sweeps_left_-- <= 0) return false;
         gather(i);
         const double direction = x_[k] < 0 ? 1 : -1;
-        const double room = direction > 0 ? hi_[k] - p_[k] : p_[k] - lo_[k];
+        const double distance = direction > 0 ? hi_[k] - p_[k] : p_[k] - lo_[k];
         double length = std::fabs(x_[k]) / column_[k];
-        const bool meets_bound = room < length;
-        if (meets_bound) length = room;
+        const bool meets_bound = distance < length;
+        if (meets_bound) length = distance;
         const int first = first_to_stop(direction, length);
         const bool below = first >= 0 && rate_[at(first)] < 0;
         DoubleLane *x = lanes(x_), *rate = lanes(rate_);
@@ -95,7 +95,7 @@ bool BoxPivoting::drive(int i, double tolerance)
     }
 }
 
-// Of the rows that would leave their range within `length`, the first to do so, and when; -1: none.
+// The row that leaves its range first within `length`, and when; -1: none does.
 int BoxPivoting::first_to_stop(double direction, double& length)
 {
     DoubleLane* rate = lanes(rate_);
@@ -125,7 +125,7 @@ void BoxPivoting::gather(int k)
     for (int i = k + 1; i < n_; ++i) column_[at(i)] = row(i)[k];
 }
 
-// The column of the row that changes sides has been gathered.
+// The column of the row that changes sides has been collected.
 void BoxPivoting::enter(int i)
 {
     sweep(i, 1);
@@ -144,7 +144,7 @@ void BoxPivoting::rest(int i, State bound)
     high_[k] = bound == kLower ? HUGE_VAL : 0;
 }
 
-// Four rows at a time, up to the diagonal and a little beyond; row and column k come out of it as rubbish.
+// Four rows at a time, up to the diagonal and a little beyond; row and column k are garbage afterwards.
 void BoxPivoting::sweep(int k, double sign)
 {
     const double* column = column_.data();

@@ -28,13 +28,12 @@ class BoxPivoting {
     int size() const { return n_; }
     double* row(int i) { return G_.data() + at(i) * stride_; }  // of A; columns up to i count
 
-    // Row i: its bounds, and p and w as they are. Until it is placed it is only watched.
+    // Defines row i: its bounds and its present p and w. Until it is placed it is only monitored.
     void place(int i, double lo, double hi, double p, double w);
-    // p and w anew, of a row that may or may not have been placed.
+    // Updates p and w of a row, placed or not.
     void refresh(int i, double p, double w);
 
-    // Drives all rows that were placed to where they belong, to within `tolerance` in w. False: too many
-    // sweeps.
+    // Drives all placed rows to where they belong, to within `tolerance` in w. False: too many sweeps.
     bool settle(double tolerance);
     // dp = A_BB^-1 r for rows in the basis, 0 elsewhere; one number per row.
     void correct(std::span<const double> r, std::span<double> dp) const;
@@ -57,7 +56,7 @@ class BoxPivoting {
     int n_ = 0, sweeps_left_ = 0;
     std::size_t stride_ = 0;
     std::span<double> G_, lo_, hi_, p_;  // p: of rows outside B
-    // What moves: x is p in B and w outside, and must stay between low and high.
+    // The moving quantities: x is p in B and w outside, and must stay between low and high.
     std::span<double> x_, low_, high_;
     std::span<double> column_, sign_, rate_;  // of G, gathered; -1 in B; of x: direction * sign * column
     std::span<State> state_;

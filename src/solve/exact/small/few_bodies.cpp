@@ -14,21 +14,21 @@ namespace {
 
 constexpr double kFeasible = 1e-11;  // relative tolerance of a sign, in units of the problem's velocity scale
 constexpr double kClearly = 1e-6;    // the same before refinement
-constexpr double kNear = 0.015;      // of the width between two bounds: who is as near to one begins on it
-constexpr double kShift = 1e-3;      // of the scale: a load that friction has turned
-constexpr int kFlipAll = 2;          // rounds in which all that is wrong is flipped
+constexpr double kNear = 0.015;      // of the range between two bounds: rows this near to a bound begin on it
+constexpr double kShift = 1e-3;      // of the scale: the load has been shifted by friction
+constexpr int kFlipAll = 2;          // rounds in which all wrong rows are flipped
 
 // When an island of one, two or three bodies is given up: after so many rounds, or when so many rows are
-// wrong. A round costs the cube of the bodies, pivoting what it costs whatever is wrong. Measured on boxes
-// that tumble and on pile-20.
+// wrong. A round costs the cube of the bodies; the cost of pivoting does not depend on how many rows are
+// wrong. Measured on tumbling boxes and on pile-20.
 constexpr struct Patience {
     int rounds, wrong;
 } kPatience[] = {{16, 1000}, {6, 5}, {6, 1}};
 
-constexpr int kMostPasses = 8;
-constexpr double kContraction = 1e-3;  // of a pass, as long as none has been seen
+constexpr int kMaxPasses = 8;
+constexpr double kContraction = 1e-3;  // of a pass, until one has been measured
 
-// The upper half of sum x x^T s, three lanes a row of which those left of the diagonal are left out.
+// The upper half of sum x x^T s, three lanes a row without those left of the diagonal.
 struct OuterSum {
     DoubleLane of[12] = {};
 
@@ -92,7 +92,7 @@ void solve_lanes(const Rows& H, const double* inverse, double* out)
     std::copy_n(x, Lanes, reinterpret_cast<DoubleLane*>(out));
 }
 
-// J v; one body alone is the first.
+// J v; a single body is the first.
 template <int Lanes>
 double times(const ExactRow& row, const double* v)
 {
@@ -170,8 +170,8 @@ bool FewBodies::settle(int& rounds)
     return false;
 }
 
-// Friction turns the load of a moving body from one contact to another: then the impulses of the last step as
-// a whole are nearer to this one's than its frictionless load with the last step's friction.
+// Friction shifts the load of a moving body from one contact to another: then all impulses of the last step
+// are nearer to this step's than its frictionless load with the last step's friction.
 bool FewBodies::has_shifted() const
 {
     for (const int i : open_) {
@@ -181,7 +181,7 @@ bool FewBodies::has_shifted() const
     return false;
 }
 
-// Lists the rows that may move; velocities without them, and of the present impulses.
+// Lists the rows that may move; computes velocities without them and with the present impulses.
 void FewBodies::begin()
 {
     std::copy(problem_.free_motion().begin(), problem_.free_motion().end(), base_.begin());
@@ -198,8 +198,8 @@ void FewBodies::begin()
     for (const int i : open_) ExactProblem::add_jt(problem_.row(i), state_.p[std::size_t(i)], v_.data());
 }
 
-// On which side a row's own step ends, or nearly: bounds of friction change with the load, and what slid goes
-// on.
+// Chooses the side on which a row's own step ends, or nearly: the bounds of friction change with the load,
+// and sliding contacts continue to slide.
 void FewBodies::choose()
 {
     for (const int at : open_) {
@@ -212,7 +212,7 @@ void FewBodies::choose()
     }
 }
 
-// Impulses on their bounds, weights for the others, and H = L D L^T of these.
+// Impulses of bound rows on their bounds, weights for the others, and H = L D L^T of these.
 void FewBodies::factor()
 {
     ++factorisations_;
@@ -264,13 +264,13 @@ void FewBodies::add_rows(int first, int last)
     }
 }
 
-// Newton's step on the free rows until it is rounding, as ActiveSet::refine. False: the first was enough to
-// see, and flip, rows on the wrong side.
+// Newton's step on the free rows until it is rounding, as ActiveSet::refine. False: the first step was enough
+// to find and flip rows on the wrong side.
 bool FewBodies::refine()
 {
     const double small = 1e-15 * problem_.scale();
     double before = HUGE_VAL;
-    for (int pass = 0; pass < kMostPasses; ++pass) {
+    for (int pass = 0; pass < kMaxPasses; ++pass) {
         double largest = 0;
         by_bodies([&](auto lanes) { largest = improve<lanes>(); });
         if (largest >= 0.5 * before) return true;
@@ -290,12 +290,12 @@ double FewBodies::improve()
     for (const int i : open_) {
         const auto k = std::size_t(i);
         const ExactRow& row = problem_.row(i);
-        double push = state_.p[k];
+        double impulse = state_.p[k];
         if (D_[k] > 0) {
-            w_[k] = row.c - times<Lanes>(row, v_.data()) - row.C * push;
-            push += D_[k] * w_[k];
+            w_[k] = row.c - times<Lanes>(row, v_.data()) - row.C * impulse;
+            impulse += D_[k] * w_[k];
         }
-        add_transposed<Lanes>(row, push, r);
+        add_transposed<Lanes>(row, impulse, r);
     }
     solve_lanes<Lanes>(H_, inverse_, r);
     for (const int i : open_) {
@@ -310,8 +310,8 @@ double FewBodies::improve()
     return largest;
 }
 
-// Flips what is on the wrong side by more than this share of the scale, all of it in the first rounds and
-// then what is most so; returns how many rows are.
+// Flips rows that are on the wrong side by more than this share of the scale: all of them in the first
+// rounds, then the worst; returns how many rows are wrong.
 int FewBodies::correct(double share)
 {
     double worst = share * problem_.scale();

@@ -3,16 +3,16 @@
 //
 // The exact solve of islands of one to three bodies with more rows than unknowns: a box on the ground, a
 // small stack. The active set of active_set.h with H = 1 + J^T D J as one dense matrix of at most 18 rows:
-// nothing is ordered, planned or packed. It differs in two things.
+// nothing is ordered, analysed or packed. It differs in two things.
 //
 // Guesses: a row begins on the side on which its own step q = p - w / d ends, w = J v + C p - c, from the
-// impulses of the last step. For one row alone this is the answer, and at rest it is that of the last step;
-// with nothing to start from it says which contacts part and where friction slides.
+// impulses of the last step. For a single row this is the answer, and at rest it is that of the last step.
+// Without a warm start it says which contacts separate and where friction slides.
 //
-// Flips: all wrong rows in the first two rounds, then the most wrong alone. Half of the rows of a box are
+// Flips: all wrong rows in the first two rounds, then the worst alone. Half of the rows of a box are
 // redundant, and flipping all of them cycles: of 168 phases of one box that tumbles onto a plane 4 did not
-// settle so, now all do, in 2.4 rounds on the average. Two and three bodies with many wrong rows are given up
-// early, for principal pivoting: it costs less.
+// settle that way; now all do, in 2.4 rounds on average. Islands of two and three bodies with many wrong rows
+// are given up early and go to principal pivoting, which costs less.
 #pragma once
 
 #include <type_traits>
@@ -24,13 +24,13 @@ namespace epode {
 
 class FewBodies {
   public:
-    static constexpr std::size_t kMostBodies = 3;
+    static constexpr std::size_t kMaxBodies = 3;
 
     // Both phases; kNotSolved: the guesses do not settle, or not to the residual `enough`.
     SmallResult solve(RowSystem& system, double enough, Arena& arena, SolveReport& report);
 
   private:
-    static constexpr int kMost = 6 * int(kMostBodies), kLanes = kMost / 2;
+    static constexpr int kMaxUnknowns = 6 * int(kMaxBodies), kLanes = kMaxUnknowns / 2;
 
     // Calls `work` with the lanes of a vector of unknowns as a constant.
     template <class Work>
@@ -58,8 +58,8 @@ class FewBodies {
     std::span<int> rows_, open_;  // rows that may move
     bool warm_ = false;
     int n_ = 0, round_ = 0, wrong_ = 0, factorisations_ = 0;
-    DoubleLane H_[kMost][kLanes];  // upper half: D and L^T times D
-    double inverse_[kMost];        // of D
+    DoubleLane H_[kMaxUnknowns][kLanes];  // upper half: D and L^T times D
+    double inverse_[kMaxUnknowns];        // of D
 };
 
 }  // namespace epode

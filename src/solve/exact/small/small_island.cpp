@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Which islands are small, and for which method, is measured (docs/solvers.md), not derived.
+// Which islands are small, and for which method, was determined by measurement (docs/solvers.md).
 #include "solve/exact/small/small_island.h"
 
 #include "solve/common/residual.h"
@@ -11,9 +11,9 @@
 namespace epode {
 namespace {
 
-constexpr std::size_t kMostBlocks = SmallIsland::kMostBlocks;
+constexpr std::size_t kMaxBlocks = SmallIsland::kMaxBlocks;
 constexpr std::size_t kPivotFirst = 36;  // rows up to which the active set is not tried before
-constexpr std::size_t kPivotMost = 64;   // rows up to which it beats the interior point
+constexpr std::size_t kPivotMax = 64;    // rows up to which it beats the interior point
 
 constexpr double kNearly = 0.01;  // natural residual of a guess that is almost right
 
@@ -29,9 +29,9 @@ SmallResult solve_with(Method method, RowSystem& system, const SolverSettings& s
     const SmallResult result = method == Method::kNewton ? island.newton(system, arena, report.iterations)
                                                          : island.pivoting(system, arena, report.iterations);
     if (result != SmallResult::kSolved) return result;
-    // What these methods take for settled may still lack digits; the general path has more.
+    // Answers that these methods accept may still lack digits; the general path has more.
     const double residual = island.residual();
-    if (!(residual <= settings.careful_above)) return SmallResult::kNotSolved;
+    if (!(residual <= settings.refine_above)) return SmallResult::kNotSolved;
     island.store(system);
     report.method = dIslandMethodDense;
     report.factorisations += island.factorisations();
@@ -39,9 +39,8 @@ SmallResult solve_with(Method method, RowSystem& system, const SolverSettings& s
     return result;
 }
 
-// At rest the impulses of the last step are almost those of this one, and the active set that they name needs
-// one factorisation or two where pivoting enters row by row: 0.56 of the instructions of a step for two boxes
-// on each other, 0.40 for three.
+// At rest the impulses of the last step are almost those of this one. The active set that they name then
+// needs one or two factorisations, where pivoting enters row by row.
 bool almost_right(const RowSystem& system, Arena& arena)
 {
     Arena::Scope scope(arena);
@@ -57,7 +56,7 @@ bool almost_right(const RowSystem& system, Arena& arena)
 
 bool can_pivot(const RowSystem& system)
 {
-    return system.rows.size() <= kPivotMost && system.blocks.size() <= kMostBlocks;
+    return system.rows.size() <= kPivotMax && system.blocks.size() <= kMaxBlocks;
 }
 
 SmallResult solve_by_pivoting(RowSystem& system, const SolverSettings& settings, Arena& arena,
@@ -70,16 +69,16 @@ SmallResult solve_small(RowSystem& system, const SolverSettings& settings, Arena
 {
     std::size_t dynamic = 0;
     for (const SolverBody& body : system.bodies) dynamic += body.inv_mass > 0;
-    if (system.blocks.size() > kMostBlocks) return SmallResult::kNotSolved;
+    if (system.blocks.size() > kMaxBlocks) return SmallResult::kNotSolved;
     if (system.rows.size() <= 6 * dynamic) {
         const SmallResult result = solve_with(Method::kNewton, system, settings, arena, report);
         if (result != SmallResult::kNotSolved || !can_pivot(system)) return result;
         return solve_by_pivoting(system, settings, arena, report);
     }
-    if (dynamic <= FewBodies::kMostBodies && system.rows.size() <= kPivotMost) {
+    if (dynamic <= FewBodies::kMaxBodies && system.rows.size() <= kPivotMax) {
         Arena::Scope scope(arena);
         FewBodies few;
-        const SmallResult result = few.solve(system, settings.careful_above, arena, report);
+        const SmallResult result = few.solve(system, settings.refine_above, arena, report);
         if (result != SmallResult::kNotSolved) return result;
     }
     if (system.rows.size() > kPivotFirst || almost_right(system, arena)) return SmallResult::kNotSolved;

@@ -11,10 +11,10 @@ namespace epode {
 // kNotSolved: the island is not of this kind, or not to be solved this way; `system` is as it was.
 enum class SmallResult { kSolved, kNotSolved, kNoMemory };
 
-// For chains, figures and a body or two on the ground; before anything else is tried.
+// For chains, figures and a few bodies on the ground; tried before all other methods.
 SmallResult solve_small(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report);
 
-// For heaps of a few bodies on which the active set did not settle.
+// For piles of a few bodies on which the active set did not settle.
 bool can_pivot(const RowSystem& system);
 SmallResult solve_by_pivoting(RowSystem& system, const SolverSettings& settings, Arena& arena,
                               SolveReport& report);

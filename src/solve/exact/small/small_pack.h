@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What the small-island solver computes with. One island: an entry is a double, and two rows of a column go
-// through the machine together. The order in which sums are taken is part of the definition: even rows, odd
-// rows, then both, whatever the machine.
+// The number types of the small-island solver. One island: an entry is a double, and two rows of a column are
+// processed together. The order of sums is part of the definition: even rows, odd rows, then both, on every
+// machine.
 #pragma once
 
 #include <type_traits>
@@ -21,7 +21,7 @@ struct OneIsland {
     static constexpr int kParts = 1;  // lanes that together hold an even and an odd row
 
     static constexpr int lanes(int rows) { return (rows + 1) / 2; }
-    // As whole lanes: who reads lanes of what was stored in halves waits for the store.
+    // As whole lanes: reading a lane of which halves were stored waits for the stores.
     template <int Size>
     static void store(Lane* to, const double* x)
     {

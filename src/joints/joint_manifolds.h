@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Contact joints as manifolds, for solvers that take them: many at a time, without rows in between.
+#pragma once
+
+#include "dynamics/joint.h"
+#include "rows/joint_manifold.h"
+#include "rows/row_writer.h"
+
+namespace epode {
+
+// Consecutive of these plain contacts (Joint::plain) of the same bodies, with the same normal and friction,
+// share a manifold. `out` has room for as many of each as there are contacts, in whose order the points are;
+// its manifolds are cut to their number.
+void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, JointManifoldList& out);
+
+}  // namespace epode

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The contact manifold of two bodies whose contacts the world manages, as solvers see it: up to four points
+// with one normal n. Floats suffice, because everything is relative to the bodies: an arm of one metre is
+// known to 60 nm wherever the bodies are. The impulses that a solver finds come back in the manifold and warm
+// start the next step.
+//
+//   u = v1 + w1 x r1 - v2 - w2 x r2       relative velocity at a point
+//   separation' = n . u                   negative: penetration beyond the layer
+//   normal_impulse >= 0,  |friction_impulse| <= mu normal_impulse        (Coulomb's cone)
+//   |rolling_impulse| <= rolling_friction * (sum of the normal impulses)
+//
+// Friction is isotropic: it is bounded in the contact plane as a whole. The torque against rolling and
+// spinning is bounded in all three directions together.
+#pragma once
+
+#include "math/float3.h"
+
+namespace epode {
+
+inline constexpr int kManifoldPoints = 4;
+
+// The order of members matters here and below: kernels read groups of four floats at a time
+// (solve/substeps/manifold_gather.inc).
+struct ManifoldPoint {
+    Float3 r1;                // from the centre of body 1, world frame, at the beginning of the step
+    float separation;         // along n, m; below zero: deeper than the layer allows
+    Float3 r2;                // from the centre of body 2
+    float normal_impulse;     // over the whole step, N s; in: of the last step, out: of this step
+    Float3 friction_impulse;  // likewise, a vector of the world in the contact plane
+};
+
+struct ContactManifold {
+    int body1, body2;         // in the island; body2 = -1: the world
+    int count;                // points; 0: the bodies do not touch
+    Float3 normal;            // unit, into body1
+    float mu;                 // coefficient of friction
+    Float3 surface_velocity;  // tangential u that friction aims at, m/s: conveyor belts
+    float restitution;
+    float restitution_threshold;  // approach below which nothing bounces, m/s
+    float rolling_friction;       // coefficient of rolling friction, m
+    float compliance;             // of each point, m/N; 0: rigid
+    float damping_time;           // of a compliant point: damper over spring, s
+    Float3 rolling_impulse;       // angular, on body1, over the whole step, N m s; in and out
+    ManifoldPoint points[kManifoldPoints];
+
+    bool special() const { return rolling_friction > 0 || compliance > 0; }
+};
+
+}  // namespace epode

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "solve/substeps/manifold_steps.h"
+
+#include <algorithm>
+
+#include "solve/substeps/manifold_set.h"
+
+namespace epode {
+namespace {
+
+class ManifoldSteps {
+  public:
+    ManifoldSteps(RowSystem& system, const Substeps& model, int n, const Tasks& tasks)
+        : system_(system), model_(model), step_{system.h / Real(n), n}, tasks_(tasks)
+    {}
+
+    bool prepare(Arena& arena)
+    {
+        const int bodies = int(system_.bodies.size());
+        velocities_ = take_velocities(system_, arena);
+        force_velocity_ = arena.take<Velocity>(bodies);
+        mean_ = arena.take_zeroed<Velocity>(bodies);
+        if (arena.failed() || !manifolds_.prepare(system_, step_, tasks_, arena)) return false;
+        for (Velocity& world : velocities_.subspan(force_velocity_.size())) world = {};
+        each_body([&](std::size_t i) {
+            const SolverBody& body = system_.bodies[i];
+            velocities_[i] = {body.v, 0, body.w, 0};
+            force_velocity_[i] = {body.v, 0, body.w, 0};
+        });
+        model_.apply_forces(model_.model, force_velocity_.data(), system_.h);
+        const Real share = 1 / Real(step_.n);
+        each_body([&](std::size_t i) {
+            const Velocity &now = velocities_[i], then = force_velocity_[i];
+            force_velocity_[i] = {share * (then.v - now.v), 0, share * (then.w - now.w), 0};
+        });
+        return true;
+    }
+
+    void run()
+    {
+        manifolds_.run_substeps(step_.n, velocities_, force_velocity_, mean_);
+        move();
+        manifolds_.apply_restitution(velocities_);
+        each_body([&](std::size_t i) {
+            system_.bodies[i].v = velocities_[i].v, system_.bodies[i].w = velocities_[i].w;
+        });
+        manifolds_.store_impulses(system_.contact_manifolds);
+    }
+
+  private:
+    void move()
+    {
+        const Real share = 1 / Real(step_.n);
+        each_body([&](std::size_t i) { mean_[i] = {share * mean_[i].v, 0, share * mean_[i].w, 0}; });
+        model_.advance(model_.model, system_, mean_.data(), system_.h);
+        model_.settle(model_.model, system_);
+    }
+
+    template <typename F>
+    void each_body(F&& f) const
+    {
+        tasks_.each_of(int(force_velocity_.size()), kRange, f);
+    }
+
+    static constexpr int kRange = 512;  // bodies that one worker does
+    RowSystem& system_;
+    const Substeps& model_;
+    const Substep step_;
+    const Tasks& tasks_;
+    ManifoldSet manifolds_;
+    std::span<Velocity> velocities_;
+    std::span<Velocity> force_velocity_;  // by forces, in one substep
+    std::span<Velocity> mean_;            // times n
+};
+
+}  // namespace
+
+bool solve_manifolds(RowSystem& system, const SolverSettings& settings, Arena& arena)
+{
+    Arena::Scope scope(arena);
+    ManifoldSteps steps(system, *settings.substeps, std::max(1, settings.iterations), settings.tasks);
+    if (!steps.prepare(arena)) return false;
+    steps.run();
+    return true;
+}
+
+}  // namespace epode
