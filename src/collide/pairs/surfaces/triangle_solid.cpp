@@ -42,7 +42,7 @@ struct Way {
 class LeastWay : public Way {
   public:
     LeastWay(const MeshFacet& facet, const MeshMeeting& meeting)
-        : f_(facet), m_(meeting), reach_(meeting.solid)
+        : f_(facet), m_(meeting), reach_(meeting.solid), tie_(kLevel * longest_edge(facet))
     {
         if (meeting.solid.kind != SolidKind::kPolyhedron) return;
         const Polyhedron& solid = *static_cast<const Polyhedron*>(meeting.solid.shape);
@@ -103,14 +103,16 @@ class LeastWay : public Way {
     void consider(Vec3 n, Real d)
     {
         if (!(d < kFaceFirst * depth)) return;
-        const Shows shows = shown_along(f_, n);
+        const Shows shows = shown_within(f_, n, tie_);
         if (shows.corners == 3) return;
         if (shows.corners == 2) return judge(n, d, crest_at_edge(f_, shows.at, n), shows.at);
         const Crest crest = crest_at_corner(m_.mesh, f_, shows.at, n);
         if (crest.stands) return judge(n, d, crest, -1);
         // The corner is not the top of its edges: upright to one of them it may be.
         for (const int edge : {shows.at, (shows.at + 2) % 3}) {
-            Vec3 e = f_.edge(edge);
+            const Vec3 side = f_.edge(edge);
+            if (runs_along(n, side)) continue;
+            Vec3 e = side;
             if (!normalize(e) || std::fabs(dot(n, e)) > kAlongCrest) continue;
             Vec3 upright = n - dot(n, e) * e;
             if (!normalize(upright)) continue;
@@ -119,6 +121,13 @@ class LeastWay : public Way {
             if (beside.stands && across < kFaceFirst * depth) return judge(upright, across, beside, edge);
         }
         judge(n, d, crest, shows.at);
+    }
+
+    // Whether n leans along a side by clearly more than is put upright: no root is taken to tell.
+    static bool runs_along(Vec3 n, Vec3 side)
+    {
+        const Real along = dot(n, side);
+        return along * along > Real(1.01) * kAlongCrest * kAlongCrest * length2(side);
     }
 
     void judge(Vec3 n, Real d, Crest crest, int edge)
@@ -325,6 +334,7 @@ class LeastWay : public Way {
     const MeshFacet& f_;
     const MeshMeeting& m_;
     const SolidReach reach_;
+    const Real tie_;             // of heights of corners
     Vec3 ball_centre_, lowest_;  // the lowest point of the solid, along the triangle's normal
     Real ball_radius_ = 0;
     Real own_ = 0;
