@@ -9,7 +9,6 @@
 #pragma once
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 
 #include "geometry/convex_view.h"
@@ -46,8 +45,9 @@ inline Shows shown_within(const Triangle& t, Vec3 direction, Real tie)  // a tie
     const unsigned is_top =
         (along[0] >= least ? 1u : 0u) | (along[1] >= least ? 2u : 0u) | (along[2] >= least ? 4u : 0u);
     // Of none, if that can be, to all: of two tops the edge begins at the one after the third corner.
-    constexpr std::int8_t kAt[8] = {0, 0, 1, 0, 2, 2, 1, 2}, kTop[8] = {0, 0, 1, 1, 2, 2, 2, 2};
-    return {std::popcount(is_top), kAt[is_top], kTop[is_top]};
+    constexpr std::int8_t kHow[8] = {0, 1, 1, 2, 1, 2, 2, 3}, kAt[8] = {0, 0, 1, 0, 2, 2, 1, 2},
+                          kTop[8] = {0, 0, 1, 1, 2, 2, 2, 2};
+    return {kHow[is_top], kAt[is_top], kTop[is_top]};
 }
 inline Shows shown_along(const Triangle& t, Vec3 direction, Real level)
 {

@@ -5,6 +5,7 @@
 #include "collide/pairs/surfaces/mesh_mesh.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "collide/pairs/surfaces/triangle_triangle.h"
 
@@ -129,6 +130,13 @@ class MeshSide {
     const Pose here_;
 };
 
+Aabb placed_box(const TriangleMesh& mesh, int t, const Pose& pose)
+{
+    const Vec3 u = pose.to_world(mesh.corner(t, 0)), v = pose.to_world(mesh.corner(t, 1)),
+               w = pose.to_world(mesh.corner(t, 2));
+    return {min(u, min(v, w)), max(u, max(v, w))};
+}
+
 // `a` at the pose P in b's frame; contacts in b's frame.
 template <typename Other>
 void meet(const Surface& a, const Pose& P, Other& b, ContactSink& sink)
@@ -140,8 +148,10 @@ void meet(const Surface& a, const Pose& P, Other& b, ContactSink& sink)
     PushList pushes;
     // In any order: what they say is sorted.
     a.tree.query(a.mesh, box_in(back, b.box()), [&](int t) {
+        const Aabb box = placed_box(a.mesh, t, P);
+        if (!overlap(box, b.box())) return true;
         const PlacedFacet fa = placed(a.mesh, t, P);
-        b.each(box_of(fa.f), [&](PlacedFacet& fb) {
+        b.each(box, [&](PlacedFacet& fb) {
             TrianglePush push;
             return !triangle_triangle(fa, fb, tolerance, push) || pushes.add(push);
         });
@@ -209,7 +219,7 @@ class GroundSide {
     }
 
     template <typename Visit>
-    void each(const Aabb& box, const Visit& visit) const
+    void each(const Aabb& box, const Visit& visit)
     {
         const Vec3 o = terrain_.low_corner(), cell = terrain_.cell();
         const Samples x = cells_within(x_, (box.lo.x - o.x) / cell.x, (box.hi.x - o.x) / cell.x);
@@ -234,24 +244,48 @@ class GroundSide {
 
     // Walls are under the facets' sides.
     template <typename Visit>
-    bool each_of_cell(int i, int j, const Aabb& box, const Visit& visit) const
+    bool each_of_cell(int i, int j, const Aabb& box, const Visit& visit)
     {
-        const Terrain::BareCell cell = terrain_.bare_cell(i, j);
+        Cell& cell = cell_at(i, j);
         const Real deep = terrain_.holed() ? terrain_.thickness() : Real(0);
         if (cell.highest < box.lo.y || cell.lowest - deep > box.hi.y) return true;
         for (const bool upper : {false, true}) {
-            const Facet& facet = cell.facets[upper];
-            const Aabb own = box_of(facet);
-            Aabb all = own;
+            Aabb all = cell.boxes[upper];
             all.lo.y -= deep;
-            if (!overlap(all, box)) continue;
-            PlacedFacet f{{}, nullptr, nullptr, &terrain_, {facet, false}};
-            if (!bare_ground_facet(facet, f.f)) continue;
-            f.f.index = 2 * ((j - z_.from) * (x_.count() - 1) + i - x_.from) + (upper ? 1 : 0);
-            if (overlap(own, box) && !visit(f)) return false;
+            if (!overlap(all, box) || !cell.there[upper]) continue;
+            PlacedFacet& f = cell.facets[upper];
+            if (overlap(cell.boxes[upper], box) && !visit(f)) return false;
             if (terrain_.holed() && !walls(f, box, visit)) return false;
         }
         return true;
+    }
+
+    // The two facets of a cell; `there`: those that have an area.
+    struct Cell {
+        Real lowest, highest;
+        Aabb boxes[2];
+        PlacedFacet facets[2];
+        bool there[2];
+    };
+
+    // Cells of a small window are found once.
+    Cell& cell_at(int i, int j)
+    {
+        const int columns = x_.count() - 1, number = (j - z_.from) * columns + i - x_.from;
+        const bool small = columns * (z_.count() - 1) <= kFewCells;
+        Cell& cell = cells_[small ? number : 0];
+        if (small && (known_ >> number & 1)) return cell;
+        known_ |= small ? std::uint64_t(1) << number : 0;
+        const Terrain::BareCell bare = terrain_.bare_cell(i, j);
+        cell.lowest = bare.lowest, cell.highest = bare.highest;
+        for (const bool upper : {false, true}) {
+            PlacedFacet& f = cell.facets[upper];
+            f = {{}, nullptr, nullptr, &terrain_, {bare.facets[upper], false}, true};
+            cell.boxes[upper] = box_of(bare.facets[upper]);
+            cell.there[upper] = bare_ground_facet(bare.facets[upper], f.f);
+            f.f.index = 2 * number + (upper ? 1 : 0);
+        }
+        return cell;
     }
 
     template <typename Visit>
@@ -275,6 +309,11 @@ class GroundSide {
     Aabb box_{{kInf, kInf, kInf}, {-kInf, -kInf, -kInf}};
     Real lowest_ = kInf;
     bool holes_ = false;
+    static constexpr int kFewCells = 36;
+    std::uint64_t known_ = 0;
+    union {
+        Cell cells_[kFewCells];  // in a union: left unwritten until found
+    };
 };
 
 }  // namespace

@@ -228,7 +228,7 @@ bool triangle_triangle(const PlacedFacet& a, PlacedFacet& b, Tolerance tolerance
 {
     Crossing crossing(a, b, tolerance);
     if (!crossing.crosses()) return false;
-    if (b.ground && !b.place.wall) find_ground_rims(*b.ground, b.place, b.f);
+    if (b.bare) find_ground_rims(*b.ground, b.place, b.f), b.bare = false;
     out.a = a.f.index, out.b = b.f.index;
     for (int k = 0; k < 3; ++k) out.corners_a[k] = a.f.v[k], out.corners_b[k] = b.f.v[k];
     crossing.meet(out);

@@ -20,6 +20,7 @@ struct PlacedFacet {
     const Pose* pose;  // of the mesh
     const Terrain* ground = nullptr;
     GroundPlace place{};  // in the ground
+    bool bare = false;    // its rims have not been looked for
     bool one_sided() const { return ground != nullptr; }
 };
 PlacedFacet placed(const TriangleMesh& mesh, int triangle, const Pose& pose);

@@ -63,6 +63,27 @@ struct Meeting {
     }
 };
 
+// Directions spread evenly over a circle.
+struct Turn {
+    Real cosine, sine;
+};
+const Turn* spread(int count)
+{
+    struct Table {
+        Turn turns[kMostDirections * (kMostDirections - 1) / 2];  // of 1, 2, 3 ... directions
+        Table()
+        {
+            for (int n = 1; n < kMostDirections; ++n)
+                for (int i = 0; i < n; ++i) {
+                    const Real angle = 2 * kPi * Real(i) / Real(n);
+                    turns[n * (n - 1) / 2 + i] = {cos(angle), sin(angle)};
+                }
+        }
+    };
+    static const Table table;
+    return table.turns + count * (count - 1) / 2;
+}
+
 // The vertices that reach farthest in some directions, four directions at a time: of most vertices none is
 // the farthest so far. Of equal ones the first half-edge counts.
 class Extremes {
@@ -73,10 +94,8 @@ class Extremes {
         Vec3 p, q;
         plane_space(normalized_or(normal, {0, 0, 1}), p, q);
         set(0, -normal);
-        for (int i = 1; i < count; ++i) {
-            const Real angle = 2 * kPi * Real(i - 1) / Real(count - 1);
-            set(i, cos(angle) * p + sin(angle) * q);
-        }
+        const Turn* const turns = spread(count - 1);
+        for (int i = 1; i < count; ++i) set(i, turns[i - 1].cosine * p + turns[i - 1].sine * q);
         for (int i = count; i < kWide * groups_; ++i) set(i, {});
     }
     void offer(Vec3 vertex, int half_edge)
