@@ -21,10 +21,7 @@ Aabb box_in(const Pose& pose, const Aabb& box)
     return {centre - reach, centre + reach};
 }
 
-Aabb box_of(const Triangle& t)
-{
-    return {min(t.v[0], min(t.v[1], t.v[2])), max(t.v[0], max(t.v[1], t.v[2]))};
-}
+Aabb box_of(const Vec3 (&v)[3]) { return {min(v[0], min(v[1], v[2])), max(v[0], max(v[1], v[2]))}; }
 
 Real reach_of(const Aabb& box) { return max_component(max(abs(box.lo), abs(box.hi))); }
 
@@ -120,7 +117,7 @@ class MeshSide {
     void each(const Aabb& box, const Visit& visit)
     {
         s_.tree.query(s_.mesh, box, [&](int t) {
-            PlacedFacet f = placed(s_.mesh, t, here_);
+            PlacedFacet f = placed(s_.mesh, t, here_, placed_corners(s_.mesh, t, here_));
             return visit(f);
         });
     }
@@ -129,13 +126,6 @@ class MeshSide {
     const Surface& s_;
     const Pose here_;
 };
-
-Aabb placed_box(const TriangleMesh& mesh, int t, const Pose& pose)
-{
-    const Vec3 u = pose.to_world(mesh.corner(t, 0)), v = pose.to_world(mesh.corner(t, 1)),
-               w = pose.to_world(mesh.corner(t, 2));
-    return {min(u, min(v, w)), max(u, max(v, w))};
-}
 
 // `a` at the pose P in b's frame; contacts in b's frame.
 template <typename Other>
@@ -148,9 +138,10 @@ void meet(const Surface& a, const Pose& P, Other& b, ContactSink& sink)
     PushList pushes;
     // In any order: what they say is sorted.
     a.tree.query(a.mesh, box_in(back, b.box()), [&](int t) {
-        const Aabb box = placed_box(a.mesh, t, P);
+        const PlacedCorners corners = placed_corners(a.mesh, t, P);
+        const Aabb box = box_of(corners.v);
         if (!overlap(box, b.box())) return true;
-        const PlacedFacet fa = placed(a.mesh, t, P);
+        const PlacedFacet fa = placed(a.mesh, t, P, corners);
         b.each(box, [&](PlacedFacet& fb) {
             TrianglePush push;
             return !triangle_triangle(fa, fb, tolerance, push) || pushes.add(push);
@@ -281,7 +272,7 @@ class GroundSide {
         for (const bool upper : {false, true}) {
             PlacedFacet& f = cell.facets[upper];
             f = {{}, nullptr, nullptr, &terrain_, {bare.facets[upper], false}, true};
-            cell.boxes[upper] = box_of(bare.facets[upper]);
+            cell.boxes[upper] = box_of(bare.facets[upper].v);
             cell.there[upper] = bare_ground_facet(bare.facets[upper], f.f);
             f.f.index = 2 * number + (upper ? 1 : 0);
         }
@@ -298,7 +289,7 @@ class GroundSide {
             for (int n = 0; n < 2; ++n) {
                 PlacedFacet w{pair[n], nullptr, nullptr, &terrain_, {of.place.facet, true}};
                 w.f.index = facets + 4 * of.f.index + k + n;
-                if (overlap(box_of(w.f), box) && !visit(w)) return false;
+                if (overlap(box_of(w.f.v), box) && !visit(w)) return false;
             }
         }
         return true;

@@ -204,11 +204,17 @@ class Crossing {
 
 }  // namespace
 
-PlacedFacet placed(const TriangleMesh& mesh, int triangle, const Pose& pose)
+PlacedCorners placed_corners(const TriangleMesh& mesh, int triangle, const Pose& pose)
+{
+    return {{pose.to_world(mesh.corner(triangle, 0)), pose.to_world(mesh.corner(triangle, 1)),
+             pose.to_world(mesh.corner(triangle, 2))}};
+}
+
+PlacedFacet placed(const TriangleMesh& mesh, int triangle, const Pose& pose, const PlacedCorners& corners)
 {
     PlacedFacet p{facet_of(mesh, triangle), &mesh, &pose};
     for (int k = 0; k < 3; ++k) {
-        p.f.v[k] = pose.to_world(p.f.v[k]);
+        p.f.v[k] = corners.v[k];
         p.f.beyond[k] = pose.R * mesh.beyond(triangle, k);
     }
     p.f.n = pose.R * p.f.n;
