@@ -42,7 +42,7 @@ struct Way {
 class LeastWay : public Way {
   public:
     LeastWay(const MeshFacet& facet, const MeshMeeting& meeting)
-        : f_(facet), m_(meeting), reach_(meeting.solid), tie_(kLevel * longest_edge(facet))
+        : f_(facet), m_(meeting), reach_(meeting.solid)
     {
         if (meeting.solid.kind != SolidKind::kPolyhedron) return;
         const Polyhedron& solid = *static_cast<const Polyhedron*>(meeting.solid.shape);
@@ -103,6 +103,7 @@ class LeastWay : public Way {
     void consider(Vec3 n, Real d)
     {
         if (!(d < kFaceFirst * depth)) return;
+        if (tie_ < 0) tie_ = kLevel * longest_edge(f_);
         const Shows shows = shown_within(f_, n, tie_);
         if (shows.corners == 3) return;
         if (shows.corners == 2) return judge(n, d, crest_at_edge(f_, shows.at, n), shows.at);
@@ -334,7 +335,7 @@ class LeastWay : public Way {
     const MeshFacet& f_;
     const MeshMeeting& m_;
     const SolidReach reach_;
-    const Real tie_;             // of heights of corners
+    Real tie_ = -1;              // of heights of corners; negative: not known yet
     Vec3 ball_centre_, lowest_;  // the lowest point of the solid, along the triangle's normal
     Real ball_radius_ = 0;
     Real own_ = 0;
