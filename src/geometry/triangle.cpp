@@ -56,23 +56,14 @@ ConvexView view_of(const Triangle& triangle)
             .rim_radius = 0};
 }
 
-Shows shown_along(const Triangle& t, Vec3 direction, Real level)
+Real longest_edge(const Triangle& t)
 {
-    Real along[3], most = -kInf, longest2 = 0;
+    Real longest2 = 0;
     for (int k = 0; k < 3; ++k) {
-        along[k] = dot(direction, t.v[k] - t.v[0]);
-        most = along[k] > most ? along[k] : most;
         const Real e2 = length2(t.edge(k));
         longest2 = e2 > longest2 ? e2 : longest2;
     }
-    const Real least = most - level * std::sqrt(longest2);
-    int tied = 0, top = 0, low = 0;
-    for (int k = 0; k < 3; ++k) {
-        const bool is_top = along[k] >= least;
-        tied += is_top ? 1 : 0;
-        (is_top ? top : low) = k;
-    }
-    return {tied, tied == 2 ? (low + 1) % 3 : top, top};
+    return std::sqrt(longest2);
 }
 
 Stretch within_prism(const Triangle& triangle, Vec3 direction, Vec3 a, Vec3 b, Real slack)

@@ -8,6 +8,9 @@
 // whose foot on the plane lies in the triangle; about the vertical, the column over and under it.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+
 #include "geometry/convex_view.h"
 
 namespace epode {
@@ -34,7 +37,22 @@ struct Shows {
     int at;
     int top;
 };
-Shows shown_along(const Triangle& triangle, Vec3 direction, Real level);
+Real longest_edge(const Triangle& triangle);
+inline Shows shown_within(const Triangle& t, Vec3 direction, Real tie)  // a tie is a height
+{
+    const Real along[3] = {0, dot(direction, t.v[1] - t.v[0]), dot(direction, t.v[2] - t.v[0])};
+    const Real most = std::max(std::max(along[0], along[1]), along[2]), least = most - tie;
+    const unsigned is_top =
+        (along[0] >= least ? 1u : 0u) | (along[1] >= least ? 2u : 0u) | (along[2] >= least ? 4u : 0u);
+    // Of none, if that can be, to all: of two tops the edge begins at the one after the third corner.
+    constexpr std::int8_t kHow[8] = {0, 1, 1, 2, 1, 2, 2, 3}, kAt[8] = {0, 0, 1, 0, 2, 2, 1, 2},
+                          kTop[8] = {0, 0, 1, 1, 2, 2, 2, 2};
+    return {kHow[is_top], kAt[is_top], kTop[is_top]};
+}
+inline Shows shown_along(const Triangle& t, Vec3 direction, Real level)
+{
+    return shown_within(t, direction, level * longest_edge(t));
+}
 
 struct Stretch {
     Real from = 0, to = 1;

@@ -90,6 +90,10 @@ class TriangleMesh {
 
     // The first corner of a triangle, not a degenerate one, that is the same vertex, as 3 t + k.
     int first_corner(int t, int k) const { return first_.data()[start(3 * t + k)]; }
+    int first_corner(int vertex) const
+    {
+        return first_.data()[vertex];
+    }                                 // of a place's first vertex, else -1
     bool leads(int t, int k) const;   // no triangle before t, not a degenerate one, has the edge k
     bool hollow(int t, int k) const;  // the edge k is concave
 

@@ -362,6 +362,32 @@ TEST_F(TrimeshTest, the_mass_is_that_of_the_solid)
     dGeomDestroy(sphere);
 }
 
+// Vertices that no triangle uses make the mesh one of many vertices, of which only those near are looked at.
+TEST_F(TrimeshTest, a_plane_meets_small_and_large_meshes_alike)
+{
+    Figure figure = flat_grid(8, 8, 0);
+    const dGeomID plane = dCreatePlane(nullptr, Real(0.28), 0, Real(0.96), Real(0.05));
+    std::vector<dContactGeom> found[2];
+    for (std::vector<dContactGeom>& contacts : found) {
+        build(Arrays(figure), 4);
+        for (const int room : {1, 4, 8, 20, 100}) {
+            const std::size_t before = contacts.size();
+            contacts.resize(before + std::size_t(room));
+            const int count = dCollide(geom, plane, room, &contacts[before], sizeof(dContactGeom));
+            EXPECT_GT(count, 0);
+            contacts.resize(before + std::size_t(count));
+        }
+        for (int i = 0; i < 100; ++i) figure.vertices.push_back({Real(9 + i), 9, -9});
+    }
+    dGeomDestroy(plane);
+    ASSERT_EQ(found[0].size(), found[1].size());
+    for (std::size_t i = 0; i < found[0].size(); ++i) {
+        for (int k = 0; k < 3; ++k) EXPECT_EQ(found[0][i].pos[k], found[1][i].pos[k]);
+        EXPECT_EQ(found[0][i].depth, found[1][i].depth);
+        EXPECT_EQ(found[0][i].side1, found[1][i].side1);
+    }
+}
+
 TEST_F(TrimeshTest, memory_that_runs_out_changes_nothing)
 {
     static int left;

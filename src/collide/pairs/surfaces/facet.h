@@ -10,6 +10,7 @@
 
 #include "collide/pairs/harvest.h"
 #include "collide/pairs/polyhedra/least_axes.h"
+#include "collide/pairs/polyhedra/placed_hull.h"
 #include "collide/pairs/surfaces/hole_walls.h"
 #include "collide/pairs/surfaces/on_surface.h"
 #include "collide/surfaces/heightfield.h"
@@ -51,6 +52,7 @@ struct Meeting {
     Real slack;  // rounding of coordinates
     Harvest& out;
     HoleWalls* walls = nullptr;  // there are holes under the solid
+    PlacedHull* hull = nullptr;  // the solid, if it is a polyhedron
 };
 
 inline constexpr Vec3 kUp{0, 1, 0};

@@ -93,11 +93,24 @@ class LeastRise {
         return top - dot(n, ball_centre_) + ball_radius_ > enough() || top - dot(n, lowest_) > enough();
     }
 
+    // Whether the direction's overlap is by more than rounding, and more than it is worth, or less than
+    // parts the two: 1, -1, else 0.
+    int clearly(Vec3 n) const
+    {
+        if (!m_.hull || n.y < kSteepest) return 0;
+        Real top = -kInf, low, high;
+        for (const Vec3 v : facet_.v) top = dot(n, v) > top ? dot(n, v) : top;
+        reach_.roughly_along(n, low, high);
+        const Real d = top - low, hair = 2 * m_.slack;
+        return d + hair < -m_.slack ? -1 : d - hair > kFaceFirst * depth ? 1 : 0;
+    }
+
     // False when the direction (either sense that is not downward) parts the two.
     bool offer(Vec3 n)
     {
         if (n.y < 0) n = -n;
         if (n.y >= kSteepest && ball_radius_ > 0 && surely_more(n)) return true;
+        if (const int clear = clearly(n)) return clear > 0;
         const Real d = overlap_along(n);
         if (d < -m_.slack) return false;
         if (n.y < kSteepest) return n.y > 0 || overlap_along(-n) >= -m_.slack;
@@ -171,8 +184,33 @@ class LeastRise {
     {
         for (int i = 0; i < 3; ++i)
             if ((m_.solid.face_axes >> i & 1) && !offer(m_.solid.pose.R.column(i))) return false;
-        for (const PolyhedronFace& f : m_.solid.faces)
-            if (!offer(m_.solid.pose.R * f.normal)) return false;
+        if (m_.hull && !hull_faces(*m_.hull)) return false;
+        for (std::size_t i = m_.hull ? std::size_t(m_.hull->count()) : 0; i < m_.solid.faces.size(); ++i)
+            if (!offer(m_.solid.pose.R * m_.solid.faces[i].normal)) return false;
+        return true;
+    }
+
+    // As offer() of each, the parting ones first.
+    bool hull_faces(PlacedHull& hull)
+    {
+        Real upward[PlacedHull::kMostFaces];
+        unsigned wanted[PlacedHull::kMostGroups];
+        const Quad none = quad(0), parts = quad(-m_.slack), worth = quad(kFaceFirst * depth);
+        for (int g = 0; g < hull.groups(); ++g) {
+            const FourFaces& some = hull.faces(g);
+            const FaceOverlaps o(some, facet_);
+            const Quad rise = load_quad(some.y), d = if_less(rise, none, o.down, o.up);
+            const unsigned level = bits(rise <= none) & bits(none <= rise);
+            if (bits(d < parts) | (level & bits(o.down < parts))) return false;
+            store_quad(upward + 4 * g, d);
+            wanted[g] = bits(quad(kSteepest) <= magnitude(rise)) & bits(d < worth);
+        }
+        for (int g = 0; g < hull.groups(); ++g)
+            for (unsigned some = wanted[g]; some; some &= some - 1) {
+                const int i = __builtin_ctz(some);
+                const Vec3 n = hull.faces(g).axis(i);
+                if (4 * g + i < hull.count()) consider(n.y < 0 ? -n : n, upward[4 * g + i]);
+            }
         return true;
     }
 
@@ -258,7 +296,7 @@ class LeastRise {
 void press_face(const Triangle& face, Vec3 up, int shared, Meeting& m)
 {
     FaceGround ground(face, up, shared, m.slack, m.out);
-    press_out(m.solid, face, ground);
+    press_out(m.solid, m.hull, face, ground);
 }
 
 constexpr int kNoEdge = -1, kWallEdge = 1;

@@ -273,7 +273,8 @@ void collide_holed(const Shape& a, const Pose& A, const Terrain& terrain, const 
     Harvest harvest(Real(1e-6) * (solid.size + solid.radius), sink);
     int i, j;
     HoleWalls walls(middle, terrain.cell_under(middle, i, j) && terrain.hole(i, j));
-    Meeting meeting{terrain, solid, box, slack, harvest, &walls};
+    PlacedHull hull(solid);
+    Meeting meeting{terrain, solid, box, slack, harvest, &walls, hull.count() > 0 ? &hull : nullptr};
     AllNear any;
     each_facet(meeting, cells, samples, any, [&](const Facet& f) {
         if (terrain.hole_beyond(f, 0) || terrain.hole_beyond(f, 2)) weigh_facet(a, A, f, meeting);
@@ -312,7 +313,8 @@ void collide_local(const Shape& a, const Pose& A, const HeightfieldData& data, C
         if (level(samples, cells, first, slack)) return on_plane(a, A, {first.n, first.c}, sink);
     }
     Harvest harvest(Real(1e-6) * (solid.size + solid.radius), sink);
-    Meeting meeting{terrain, solid, box, slack, harvest};
+    PlacedHull hull(solid);
+    Meeting meeting{terrain, solid, box, slack, harvest, nullptr, hull.count() > 0 ? &hull : nullptr};
     Near<Shape> near(a, A, terrain, solid, slack);
     each_facet(meeting, cells, samples, near, [&](const Facet& f) { meet_facet(a, A, f, meeting); });
     harvest.deliver(sink);

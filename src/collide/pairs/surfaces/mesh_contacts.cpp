@@ -193,7 +193,9 @@ void mesh_contacts(const Shape& a, const Pose& A, const Surface& surface, NearTr
         return;
     }
     Harvest harvest(Real(1e-6) * (solid.size + solid.radius), sink);
-    MeshMeeting meeting{surface.mesh, solid, slack, kTwoSided<Shape>, near.all(), as_ode, harvest};
+    PlacedHull hull(solid);
+    MeshMeeting meeting{surface.mesh, solid,  slack,   kTwoSided<Shape>,
+                        near.all(),   as_ode, harvest, hull.count() > 0 ? &hull : nullptr};
     for (const int t : near.close()) {
         if constexpr (std::is_same_v<Shape, Sphere>) {
             ball_on(A.p, a.radius, t, meeting);

@@ -19,8 +19,9 @@ bool level_or_falls(Vec3 n, Vec3 along)
 
 int corner_at(const TriangleMesh& mesh, int t, Vec3 v)
 {
+    const MeshCorners& corners = mesh.corners(t);
     for (int k = 0; k < 3; ++k)
-        if (mesh.corner(t, k) == v) return k;
+        if (mesh.vertex(corners.at[k]) == v) return k;
     return -1;
 }
 
@@ -37,10 +38,12 @@ bool falls_around(const TriangleMesh& mesh, int t, int over, Vec3 v, Vec3 n, boo
         }
         const int k = corner_at(mesh, next, v);
         if (k < 0) return true;  // beyond triangles without area: the corner ends here
-        for (const int j : {(k + 1) % 3, (k + 2) % 3})
-            if (!level_or_falls(n, mesh.corner(next, j) - v)) return false;
+        constexpr int kAfter[5] = {0, 1, 2, 0, 1};
+        const int one = kAfter[k + 1], two = kAfter[k + 2];
+        if (!level_or_falls(n, mesh.corner(next, one) - v) || !level_or_falls(n, mesh.corner(next, two) - v))
+            return false;
         // On over the edge that we have not come by.
-        over = mesh.neighbour(next, k) == t ? (k + 2) % 3 : k;
+        over = mesh.neighbour(next, k) == t ? two : k;
         t = next;
     }
     return true;
@@ -89,11 +92,11 @@ Crest crest_at_corner(const TriangleMesh& mesh, const MeshFacet& f, int corner, 
 {
     if (!f.sharp[corner]) return {};
     const Vec3 v = f.v[corner];
-    const int k = corner_at(mesh, f.index, v);
-    if (k < 0) return {};
     Crest c{true, false};
     for (const int j : {1, 2})
         if (!level_or_falls(n, f.v[(corner + j) % 3] - v)) return {};
+    const int k = corner_at(mesh, f.index, v);
+    if (k < 0) return {};
     if (!falls_around(mesh, f.index, k, v, n, c.border)) return {};
     if (c.border && !falls_around(mesh, f.index, (k + 2) % 3, v, n, c.border)) return {};
     return c;

@@ -11,6 +11,7 @@
 #pragma once
 
 #include "collide/pairs/harvest.h"
+#include "collide/pairs/polyhedra/placed_hull.h"
 #include "collide/pairs/surfaces/on_surface.h"
 #include "geometry/triangle.h"
 #include "geometry/triangle_mesh.h"
@@ -42,6 +43,7 @@ struct MeshMeeting {
     bool whole;               // no triangle is left out; else seams are kept, their neighbours may be missing
     bool as_ode;              // of a ball: its place on the mesh, and a contact for each triangle under it
     Harvest& out;
+    PlacedHull* hull = nullptr;  // the solid, if it is a polyhedron
 
     bool seam(const MeshFacet& f, int edge) const { return whole && f.rim[edge] == Rim::kSeam; }
 };

@@ -213,12 +213,12 @@ class BoxPress {
 
 }  // namespace
 
-void press_out(const ConvexView& solid, const Triangle& face, FaceGround& ground)
+void press_out(const ConvexView& solid, PlacedHull* hull, const Triangle& face, FaceGround& ground)
 {
     if (solid.kind == SolidKind::kBox)
         BoxPress(*static_cast<const Box*>(solid.shape), solid.pose, face, ground).all();
     else
-        press_solid<FaceGround&>(solid, face, ground);
+        press_solid<FaceGround&>(solid, hull, face, ground);
 }
 
 }  // namespace epode

@@ -107,7 +107,7 @@ class FaceGround {
     };
 };
 
-// A box, cylinder or polyhedron.
-void press_out(const ConvexView& solid, const Triangle& face, FaceGround& ground);
+// A box, cylinder or polyhedron; of this `hull`, if there is one.
+void press_out(const ConvexView& solid, PlacedHull* hull, const Triangle& face, FaceGround& ground);
 
 }  // namespace epode

@@ -5,6 +5,7 @@
 #include "collide/pairs/surfaces/mesh_mesh.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "collide/pairs/surfaces/triangle_triangle.h"
 
@@ -20,10 +21,7 @@ Aabb box_in(const Pose& pose, const Aabb& box)
     return {centre - reach, centre + reach};
 }
 
-Aabb box_of(const Triangle& t)
-{
-    return {min(t.v[0], min(t.v[1], t.v[2])), max(t.v[0], max(t.v[1], t.v[2]))};
-}
+Aabb box_of(const Vec3 (&v)[3]) { return {min(v[0], min(v[1], v[2])), max(v[0], max(v[1], v[2]))}; }
 
 Real reach_of(const Aabb& box) { return max_component(max(abs(box.lo), abs(box.hi))); }
 
@@ -119,7 +117,7 @@ class MeshSide {
     void each(const Aabb& box, const Visit& visit)
     {
         s_.tree.query(s_.mesh, box, [&](int t) {
-            PlacedFacet f = placed(s_.mesh, t, here_);
+            PlacedFacet f = placed(s_.mesh, t, here_, placed_corners(s_.mesh, t, here_));
             return visit(f);
         });
     }
@@ -140,8 +138,11 @@ void meet(const Surface& a, const Pose& P, Other& b, ContactSink& sink)
     PushList pushes;
     // In any order: what they say is sorted.
     a.tree.query(a.mesh, box_in(back, b.box()), [&](int t) {
-        const PlacedFacet fa = placed(a.mesh, t, P);
-        b.each(box_of(fa.f), [&](PlacedFacet& fb) {
+        const PlacedCorners corners = placed_corners(a.mesh, t, P);
+        const Aabb box = box_of(corners.v);
+        if (!overlap(box, b.box())) return true;
+        const PlacedFacet fa = placed(a.mesh, t, P, corners);
+        b.each(box, [&](PlacedFacet& fb) {
             TrianglePush push;
             return !triangle_triangle(fa, fb, tolerance, push) || pushes.add(push);
         });
@@ -209,7 +210,7 @@ class GroundSide {
     }
 
     template <typename Visit>
-    void each(const Aabb& box, const Visit& visit) const
+    void each(const Aabb& box, const Visit& visit)
     {
         const Vec3 o = terrain_.low_corner(), cell = terrain_.cell();
         const Samples x = cells_within(x_, (box.lo.x - o.x) / cell.x, (box.hi.x - o.x) / cell.x);
@@ -234,24 +235,48 @@ class GroundSide {
 
     // Walls are under the facets' sides.
     template <typename Visit>
-    bool each_of_cell(int i, int j, const Aabb& box, const Visit& visit) const
+    bool each_of_cell(int i, int j, const Aabb& box, const Visit& visit)
     {
-        const Terrain::BareCell cell = terrain_.bare_cell(i, j);
+        Cell& cell = cell_at(i, j);
         const Real deep = terrain_.holed() ? terrain_.thickness() : Real(0);
         if (cell.highest < box.lo.y || cell.lowest - deep > box.hi.y) return true;
         for (const bool upper : {false, true}) {
-            const Facet& facet = cell.facets[upper];
-            const Aabb own = box_of(facet);
-            Aabb all = own;
+            Aabb all = cell.boxes[upper];
             all.lo.y -= deep;
-            if (!overlap(all, box)) continue;
-            PlacedFacet f{{}, nullptr, nullptr, &terrain_, {facet, false}};
-            if (!bare_ground_facet(facet, f.f)) continue;
-            f.f.index = 2 * ((j - z_.from) * (x_.count() - 1) + i - x_.from) + (upper ? 1 : 0);
-            if (overlap(own, box) && !visit(f)) return false;
+            if (!overlap(all, box) || !cell.there[upper]) continue;
+            PlacedFacet& f = cell.facets[upper];
+            if (overlap(cell.boxes[upper], box) && !visit(f)) return false;
             if (terrain_.holed() && !walls(f, box, visit)) return false;
         }
         return true;
+    }
+
+    // The two facets of a cell; `there`: those that have an area.
+    struct Cell {
+        Real lowest, highest;
+        Aabb boxes[2];
+        PlacedFacet facets[2];
+        bool there[2];
+    };
+
+    // Cells of a small window are found once.
+    Cell& cell_at(int i, int j)
+    {
+        const int columns = x_.count() - 1, number = (j - z_.from) * columns + i - x_.from;
+        const bool small = columns * (z_.count() - 1) <= kFewCells;
+        Cell& cell = cells_[small ? number : 0];
+        if (small && (known_ >> number & 1)) return cell;
+        known_ |= small ? std::uint64_t(1) << number : 0;
+        const Terrain::BareCell bare = terrain_.bare_cell(i, j);
+        cell.lowest = bare.lowest, cell.highest = bare.highest;
+        for (const bool upper : {false, true}) {
+            PlacedFacet& f = cell.facets[upper];
+            f = {{}, nullptr, nullptr, &terrain_, {bare.facets[upper], false}, true};
+            cell.boxes[upper] = box_of(bare.facets[upper].v);
+            cell.there[upper] = bare_ground_facet(bare.facets[upper], f.f);
+            f.f.index = 2 * number + (upper ? 1 : 0);
+        }
+        return cell;
     }
 
     template <typename Visit>
@@ -264,7 +289,7 @@ class GroundSide {
             for (int n = 0; n < 2; ++n) {
                 PlacedFacet w{pair[n], nullptr, nullptr, &terrain_, {of.place.facet, true}};
                 w.f.index = facets + 4 * of.f.index + k + n;
-                if (overlap(box_of(w.f), box) && !visit(w)) return false;
+                if (overlap(box_of(w.f.v), box) && !visit(w)) return false;
             }
         }
         return true;
@@ -275,6 +300,11 @@ class GroundSide {
     Aabb box_{{kInf, kInf, kInf}, {-kInf, -kInf, -kInf}};
     Real lowest_ = kInf;
     bool holes_ = false;
+    static constexpr int kFewCells = 36;
+    std::uint64_t known_ = 0;
+    union {
+        Cell cells_[kFewCells];  // in a union: left unwritten until found
+    };
 };
 
 }  // namespace

@@ -12,7 +12,7 @@
 
 #include <type_traits>
 
-#include "geometry/polyhedron.h"
+#include "collide/pairs/polyhedra/placed_hull.h"
 #include "geometry/triangle.h"
 
 namespace epode {
@@ -23,7 +23,8 @@ inline constexpr Real kFlat = kSingle ? Real(1e-4) : Real(1e-6);  // lean of a r
 template <typename Ground>
 class Press {
   public:
-    Press(const ConvexView& solid, const Triangle& facet, Ground& ground) : s_(solid), f_(facet), to_(ground)
+    Press(const ConvexView& solid, PlacedHull* hull, const Triangle& facet, Ground& ground)
+        : s_(solid), hull_(hull), f_(facet), to_(ground)
     {}
 
     void all()
@@ -45,15 +46,28 @@ class Press {
         const Polyhedron& solid = *static_cast<const Polyhedron*>(s_.shape);
         const Vec3 n = transposed_times(s_.pose.R, f_.n);
         const Real middle = f_.height(s_.pose.p), limit = 4 * to_.slack() - middle;
-        for (const PolyhedronFace& own : s_.faces) {
+        for (int i = 0; i < int(s_.faces.size()); ++i) {
+            const PolyhedronFace& own = s_.faces[std::size_t(i)];
             if (-dot(own.normal, n) < kFaceLean - Real(0.01)) continue;
             bool low = false;
             for (int k = 0; k < own.count && !low; ++k) {
                 const int corner = solid.corners()[std::size_t(own.first + k)];
                 low = dot(n, solid.vertices()[std::size_t(corner)]) <= limit;
             }
-            if (low) face(s_.pose.R * own.normal);
+            if (!low) continue;
+            if (hull_ && i < hull_->count())
+                face_of_hull(i);
+            else
+                face(s_.pose.R * own.normal);
         }
+    }
+
+    void face_of_hull(int i)
+    {
+        if (!(-dot(hull_->axis(i), f_.n) >= kFaceLean)) return;
+        Polygon polygon;
+        hull_->polygon(i, polygon);
+        to_.press(polygon);
     }
 
     void face(Vec3 outward)
@@ -101,14 +115,15 @@ class Press {
     }
 
     const ConvexView& s_;
+    PlacedHull* const hull_;
     const Triangle& f_;
     Ground& to_;
 };
 
 template <typename Ground>
-void press_solid(const ConvexView& solid, const Triangle& facet, Ground ground)
+void press_solid(const ConvexView& solid, PlacedHull* hull, const Triangle& facet, Ground ground)
 {
-    Press<std::remove_reference_t<Ground>>(solid, facet, ground).all();
+    Press<std::remove_reference_t<Ground>>(solid, hull, facet, ground).all();
 }
 
 }  // namespace epode

@@ -103,14 +103,17 @@ class LeastWay : public Way {
     void consider(Vec3 n, Real d)
     {
         if (!(d < kFaceFirst * depth)) return;
-        const Shows shows = shown_along(f_, n);
+        if (tie_ < 0) tie_ = kLevel * longest_edge(f_);
+        const Shows shows = shown_within(f_, n, tie_);
         if (shows.corners == 3) return;
         if (shows.corners == 2) return judge(n, d, crest_at_edge(f_, shows.at, n), shows.at);
         const Crest crest = crest_at_corner(m_.mesh, f_, shows.at, n);
         if (crest.stands) return judge(n, d, crest, -1);
         // The corner is not the top of its edges: upright to one of them it may be.
         for (const int edge : {shows.at, (shows.at + 2) % 3}) {
-            Vec3 e = f_.edge(edge);
+            const Vec3 side = f_.edge(edge);
+            if (runs_along(n, side)) continue;
+            Vec3 e = side;
             if (!normalize(e) || std::fabs(dot(n, e)) > kAlongCrest) continue;
             Vec3 upright = n - dot(n, e) * e;
             if (!normalize(upright)) continue;
@@ -119,6 +122,13 @@ class LeastWay : public Way {
             if (beside.stands && across < kFaceFirst * depth) return judge(upright, across, beside, edge);
         }
         judge(n, d, crest, shows.at);
+    }
+
+    // Whether n leans along a side by clearly more than is put upright: no root is taken to tell.
+    static bool runs_along(Vec3 n, Vec3 side)
+    {
+        const Real along = dot(n, side);
+        return along * along > Real(1.01) * kAlongCrest * kAlongCrest * length2(side);
     }
 
     void judge(Vec3 n, Real d, Crest crest, int edge)
@@ -146,6 +156,20 @@ class LeastWay : public Way {
         return more(most - middle, most - low) && more(middle - least, low - least);
     }
 
+    // Whether the overlap of a polyhedron along the axis is by more than rounding, and more than it is worth,
+    // or less than parts the two: 1, -1, else 0.
+    int clearly(Vec3 a, Real size2, Real least, Real most) const
+    {
+        if (!m_.hull) return 0;
+        Real low, high;
+        reach_.roughly_along(a, low, high);
+        const Real hair = m_.slack * (std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z));
+        const Real d = std::min(most - low, high - least), worth = kFaceFirst * depth;
+        const Real more = d + hair, less = d - hair;
+        if (more < 0 && more * more > m_.slack * m_.slack * size2) return -1;
+        return less > 0 && less * less >= worth * worth * size2 ? 1 : 0;
+    }
+
     // Both senses of an axis of the length sqrt(size2); false when it parts the two. Most axes are done with
     // before their length is needed.
     bool offer(Vec3 a, Real size2 = 1)
@@ -156,6 +180,7 @@ class LeastWay : public Way {
             least = at < least ? at : least, most = at > most ? at : most;
         }
         if (ball_radius_ > 0 && surely_more(a, size2, least, most)) return true;
+        if (const int clear = clearly(a, size2, least, most)) return clear > 0;
         const Real low = reach_.low_along(a);
         const Real high = reach_.symmetric() ? 2 * dot(a, m_.solid.pose.p) - low : -reach_.low_along(-a);
         const Real up = most - low, down = high - least, d = up <= down ? up : down;
@@ -203,11 +228,33 @@ class LeastWay : public Way {
         for (int i = 0; i < 3; ++i)
             for (int k = 0; k < 3; ++k)
                 if ((s.edge_axes >> i & 1) && !offer_cross(s.pose.R.column(i), f_.edge(k))) return false;
-        for (const PolyhedronFace& face : s.faces)
-            if (!offer(s.pose.R * face.normal)) return false;
+        if (m_.hull && !hull_faces(*m_.hull)) return false;
+        for (std::size_t i = m_.hull ? std::size_t(m_.hull->count()) : 0; i < s.faces.size(); ++i)
+            if (!offer(s.pose.R * s.faces[i].normal)) return false;
         if (many_edges()) return true;
         for (const Vec3 edge : s.edges)
             if (!offer_edge(s.pose.R * edge)) return false;
+        return true;
+    }
+    // As offer() of each, the parting ones first.
+    bool hull_faces(PlacedHull& hull)
+    {
+        Real up[PlacedHull::kMostFaces], down[PlacedHull::kMostFaces];
+        unsigned wanted[PlacedHull::kMostGroups];
+        const Real worth = kFaceFirst * depth;
+        for (int g = 0; g < hull.groups(); ++g) {
+            const FaceOverlaps o(hull.faces(g), f_);
+            const Quad d = smaller(o.up, o.down), d2 = d * magnitude(d);
+            if (bits(d2 < quad(-m_.slack * m_.slack))) return false;
+            wanted[g] = bits(d2 < quad(worth * worth));
+            store_quad(up + 4 * g, o.up), store_quad(down + 4 * g, o.down);
+        }
+        for (int g = 0; g < hull.groups(); ++g)
+            for (unsigned some = wanted[g]; some; some &= some - 1) {
+                const int i = __builtin_ctz(some), k = 4 * g + i;
+                const Vec3 a = hull.faces(g).axis(i);
+                if (k < hull.count()) consider(up[k] <= down[k] ? a : -a, std::min(up[k], down[k]));
+            }
         return true;
     }
     bool offer_edge(Vec3 edge)
@@ -288,6 +335,7 @@ class LeastWay : public Way {
     const MeshFacet& f_;
     const MeshMeeting& m_;
     const SolidReach reach_;
+    Real tie_ = -1;              // of heights of corners; negative: not known yet
     Vec3 ball_centre_, lowest_;  // the lowest point of the solid, along the triangle's normal
     Real ball_radius_ = 0;
     Real own_ = 0;
@@ -311,7 +359,7 @@ void press_if_met(const MeshFacet& f, LeastWay& least, MeshMeeting& m)
 {
     FaceGround ground(f, m);
     ground.hold();
-    press_out(m.solid, f, ground);
+    press_out(m.solid, m.hull, f, ground);
     if (ground.held() == 0 || !least.try_hollows()) return;
     if (!least.on_crest && ground.met(m.solid.pose.p)) return ground.deliver();
     if (!least.search_all()) return;
@@ -328,7 +376,7 @@ void meet_side(const MeshFacet& f, MeshMeeting& m)
     if (least.on_crest) return press_crest(f, least.normal, least.depth, m);
     if (least.quick()) return press_if_met(f, least, m);
     FaceGround ground(f, m);
-    press_out(m.solid, f, ground);
+    press_out(m.solid, m.hull, f, ground);
 }
 
 }  // namespace

@@ -204,11 +204,17 @@ class Crossing {
 
 }  // namespace
 
-PlacedFacet placed(const TriangleMesh& mesh, int triangle, const Pose& pose)
+PlacedCorners placed_corners(const TriangleMesh& mesh, int triangle, const Pose& pose)
+{
+    return {{pose.to_world(mesh.corner(triangle, 0)), pose.to_world(mesh.corner(triangle, 1)),
+             pose.to_world(mesh.corner(triangle, 2))}};
+}
+
+PlacedFacet placed(const TriangleMesh& mesh, int triangle, const Pose& pose, const PlacedCorners& corners)
 {
     PlacedFacet p{facet_of(mesh, triangle), &mesh, &pose};
     for (int k = 0; k < 3; ++k) {
-        p.f.v[k] = pose.to_world(p.f.v[k]);
+        p.f.v[k] = corners.v[k];
         p.f.beyond[k] = pose.R * mesh.beyond(triangle, k);
     }
     p.f.n = pose.R * p.f.n;
@@ -228,7 +234,7 @@ bool triangle_triangle(const PlacedFacet& a, PlacedFacet& b, Tolerance tolerance
 {
     Crossing crossing(a, b, tolerance);
     if (!crossing.crosses()) return false;
-    if (b.ground && !b.place.wall) find_ground_rims(*b.ground, b.place, b.f);
+    if (b.bare) find_ground_rims(*b.ground, b.place, b.f), b.bare = false;
     out.a = a.f.index, out.b = b.f.index;
     for (int k = 0; k < 3; ++k) out.corners_a[k] = a.f.v[k], out.corners_b[k] = b.f.v[k];
     crossing.meet(out);

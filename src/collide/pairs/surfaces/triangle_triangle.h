@@ -20,9 +20,14 @@ struct PlacedFacet {
     const Pose* pose;  // of the mesh
     const Terrain* ground = nullptr;
     GroundPlace place{};  // in the ground
+    bool bare = false;    // its rims have not been looked for
     bool one_sided() const { return ground != nullptr; }
 };
-PlacedFacet placed(const TriangleMesh& mesh, int triangle, const Pose& pose);
+struct PlacedCorners {
+    Vec3 v[3];
+};
+PlacedCorners placed_corners(const TriangleMesh& mesh, int triangle, const Pose& pose);
+PlacedFacet placed(const TriangleMesh& mesh, int triangle, const Pose& pose, const PlacedCorners& corners);
 
 // What one pair of triangles says: move a by depth * normal.
 struct TrianglePush {

@@ -5,9 +5,13 @@
 // the order of the triangles. When there are more than the client has room for, what carries the mesh is
 // kept: the deepest vertex and those that reach farthest in directions spread evenly over the plane, and with
 // room for four or less the best manifold among these (contact_sink.h).
+#include <algorithm>
+#include <bit>
+
 #include "collide/pairs/best_contacts.h"
 #include "collide/pairs/pairs.h"
 #include "math/trig.h"
+#include "simd/quad.h"
 
 namespace epode {
 
@@ -15,6 +19,7 @@ namespace {
 
 constexpr int kMostDirections = 64;
 constexpr int kFewDirections = 32;  // to choose four from
+constexpr int kFewVertices = 128;   // are gone through one by one, without the tree
 
 // The plane in the mesh's frame, and the way back.
 struct Meeting {
@@ -35,69 +40,125 @@ struct Meeting {
     template <typename Visit>
     void each(Visit&& visit) const
     {
+        const auto low = [&](int half_edge) {
+            const Vec3 v = data.mesh.corner(half_edge / 3, half_edge % 3);
+            return !(depth(v) >= 0) || visit(half_edge, v);
+        };
+        if (data.mesh.vertex_count() > kFewVertices) return each_in_tree(low);
+        for (int i = 0; i < data.mesh.vertex_count(); ++i) {
+            const int half_edge = data.mesh.first_corner(i);
+            if (half_edge >= 0 && !low(half_edge)) return;
+        }
+    }
+
+  private:
+    template <typename Visit>
+    void each_in_tree(const Visit& visit) const
+    {
         data.tree.below(n, d, [&](int t) {
-            for (int k = 0; k < 3; ++k) {
-                if (data.mesh.first_corner(t, k) != 3 * t + k) continue;
-                const Vec3 v = data.mesh.corner(t, k);
-                if (depth(v) >= 0 && !visit(3 * t + k, v)) return false;
-            }
+            for (int k = 0; k < 3; ++k)
+                if (data.mesh.first_corner(t, k) == 3 * t + k && !visit(3 * t + k)) return false;
             return true;
         });
     }
 };
 
-struct Extreme {
-    Vec3 direction;
-    Real most = -kInf;
-    int half_edge = -1;
-    void offer(Vec3 vertex, int candidate)
+// Directions spread evenly over a circle.
+struct Turn {
+    Real cosine, sine;
+};
+const Turn* spread(int count)
+{
+    struct Table {
+        Turn turns[kMostDirections * (kMostDirections - 1) / 2];  // of 1, 2, 3 ... directions
+        Table()
+        {
+            for (int n = 1; n < kMostDirections; ++n)
+                for (int i = 0; i < n; ++i) {
+                    const Real angle = 2 * kPi * Real(i) / Real(n);
+                    turns[n * (n - 1) / 2 + i] = {cos(angle), sin(angle)};
+                }
+        }
+    };
+    static const Table table;
+    return table.turns + count * (count - 1) / 2;
+}
+
+// The vertices that reach farthest in some directions, four directions at a time: of most vertices none is
+// the farthest so far. Of equal ones the first half-edge counts.
+class Extremes {
+  public:
+    // The first direction is straight into the plane, the others spread evenly along it.
+    Extremes(Vec3 normal, int count) : count_(count), groups_((count + kWide - 1) / kWide)
     {
-        const Real along = dot(direction, vertex);
-        if (along > most || (along == most && candidate < half_edge)) {
-            most = along;
-            half_edge = candidate;
+        Vec3 p, q;
+        plane_space(normalized_or(normal, {0, 0, 1}), p, q);
+        set(0, -normal);
+        const Turn* const turns = spread(count - 1);
+        for (int i = 1; i < count; ++i) set(i, turns[i - 1].cosine * p + turns[i - 1].sine * q);
+        for (int i = count; i < kWide * groups_; ++i) set(i, {});
+    }
+    void offer(Vec3 vertex, int half_edge)
+    {
+        const Quad x = quad(vertex.x), y = quad(vertex.y), z = quad(vertex.z);
+        for (int g = 0; g < groups_; ++g) {
+            Group& some = some_[g];
+            const Quad along = load_quad(some.x) * x + load_quad(some.y) * y + load_quad(some.z) * z;
+            for (unsigned far = bits(load_quad(some.most) <= along); far != 0; far &= far - 1) {
+                const int i = std::countr_zero(far);
+                if (lane(along, i) == some.most[i] && half_edge > some.half_edge[i]) continue;
+                some.most[i] = lane(along, i), some.half_edge[i] = half_edge;
+            }
         }
     }
-};
+    // Each once, as half-edges; their number.
+    int distinct(int* out) const
+    {
+        int kept = 0;
+        for (int i = 0; i < count_; ++i) {
+            const int found = some_[i / kWide].half_edge[i % kWide];
+            if (std::find(out, out + kept, found) == out + kept) out[kept++] = found;
+        }
+        return kept;
+    }
 
-// The deepest vertex, then the farthest ones; each once.
-int extremes(const Meeting& m, Extreme* out, int count)
-{
-    Vec3 p, q;
-    plane_space(normalized_or(m.n, {0, 0, 1}), p, q);
-    out[0] = {-m.n};
-    for (int i = 1; i < count; ++i) {
-        const Real angle = 2 * kPi * Real(i - 1) / Real(count - 1);
-        out[i] = {cos(angle) * p + sin(angle) * q};
+  private:
+    static constexpr int kWide = 4;
+    struct Group {
+        Real x[kWide], y[kWide], z[kWide], most[kWide];
+        int half_edge[kWide];
+    };
+    void set(int i, Vec3 direction)
+    {
+        Group& some = some_[i / kWide];
+        const int k = i % kWide;
+        some.x[k] = direction.x, some.y[k] = direction.y, some.z[k] = direction.z;
+        some.most[k] = -kInf, some.half_edge[k] = -1;
     }
-    m.each([&](int half_edge, Vec3 vertex) {
-        for (int i = 0; i < count; ++i) out[i].offer(vertex, half_edge);
-        return true;
-    });
-    int kept = 0;
-    for (int i = 0; i < count; ++i) {
-        bool fresh = true;
-        for (int j = 0; j < kept; ++j) fresh = fresh && out[j].half_edge != out[i].half_edge;
-        if (fresh) out[kept++] = out[i];
-    }
-    return kept;
-}
+
+    union {
+        Group some_[kMostDirections / kWide];  // in a union: left unwritten until set
+    };
+    int count_, groups_;
+};
 
 void choose(const Meeting& m, ContactSink& sink)
 {
     const bool few = sink.room() <= 4;
     const int room = sink.room() < kMostDirections ? sink.room() : kMostDirections;
-    union Room {  // left unwritten until used
-        Extreme found[kMostDirections];
-        Room() {}
-    } extreme;
-    const int count = extremes(m, extreme.found, few ? kFewDirections : room);
+    Extremes extremes(m.n, few ? kFewDirections : room);
+    m.each([&](int half_edge, Vec3 vertex) {
+        extremes.offer(vertex, half_edge);
+        return true;
+    });
+    int found[kMostDirections];
+    const int count = extremes.distinct(found);
     if (!few) {
-        for (int i = 0; i < count; ++i) sink.add(m.contact(extreme.found[i].half_edge));
+        for (int i = 0; i < count; ++i) sink.add(m.contact(found[i]));
         return;
     }
     ContactPoint points[kFewDirections];
-    for (int i = 0; i < count; ++i) points[i] = m.contact(extreme.found[i].half_edge);
+    for (int i = 0; i < count; ++i) points[i] = m.contact(found[i]);
     sink.add_manifold({points, std::size_t(count)});
 }
 
