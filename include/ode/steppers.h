@@ -68,7 +68,7 @@ ODE_API int dWorldGetHybridSubsteps(dWorldID world);
     Worlds know nothing of each other, so each can be stepped on a thread of its own: a learner with a robot
     in each of a hundred worlds, or a search that tries what may come. A world gets the bits that it would
     get alone, whatever worlds are stepped alongside it and however many threads there are. Which worlds
-    stay on the caller's thread, and in which order: docs/guide/howto/many_worlds.md. */
+    stay on the caller's thread, and in which order: docs/guide/threads.md. */
 
 /** Makes the given number of steps (at least 1) of stepsize, s, in each of count worlds, with one stepper
     (of dStepper), on at most so many threads, the caller's included (threads 0: one for each processor, at
