@@ -184,8 +184,7 @@ void dWorldImpulseToForce(dWorldID w, dReal stepsize, dReal ix, dReal iy, dReal 
     store(force, Vec3{ix, iy, iz} * (1 / stepsize));
 }
 
-// ---- stepping
-// -----------------------------------------------------------------------------------------------
+// ---- stepping ----
 
 int dWorldStep(dWorldID w, dReal stepsize)
 {
@@ -214,8 +213,7 @@ int dWorldStepFast1(dWorldID w, dReal stepsize, int maxiterations)
     return 1;
 }
 
-// ---- accuracy (ode/ext.h)
-// -----------------------------------------------------------------------------------------------
+// ---- accuracy (ode/ext.h) ----
 
 void dWorldSetExactRotation(dWorldID w, int mode)
 {
@@ -266,8 +264,7 @@ WORLD_NUMBER(dReal, StepProjectionTolerance, projection_tolerance, value > 0 && 
 WORLD_NUMBER(int, HybridStepper, hybrid_stepper, is_stepper(value))
 WORLD_NUMBER(int, HybridSmallSteps, hybrid_small_steps, value >= 1 && value <= kMostSmallSteps)
 
-// ---- report (ode/ext.h)
-// -------------------------------------------------------------------------------------
+// ---- report (ode/ext.h) ----
 
 void dWorldSetStepReportMode(dWorldID w, int mode)
 {

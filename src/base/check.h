@@ -4,10 +4,9 @@
 // Four strengths of checking.
 //   EPODE_ASSERT(c)              the library's own reasoning; Debug builds only; stops the program there.
 //   EPODE_USER(c, result)        an argument of a public call, in Release too: the call is refused and
-//   returns
-//                                `result` (nothing for void functions), one message goes through the debug
-//                                handler in ODE's words ("Bad argument(s) in dFoo()"); without a handler it
-//                                is printed once per call site.
+//                                returns `result` (nothing for void functions), one message goes through the
+//                                debug handler in ODE's words ("Bad argument(s) in dFoo()"); without a
+//                                handler it is printed once per call site.
 //   EPODE_USER_SAY(c, text, r)   the same with a text of its own.
 //   usable(x)                    is a number that a client hands in finite?
 // Refusing instead of ODE's abort() is the first promise of the project: no argument may bring a host down.

@@ -4,15 +4,15 @@
 // All work is done in double, also in a single-precision build; every result is within 2 units of the last
 // place.
 //   sin, cos   x = k pi/2 + r, |r| <= pi/4, r kept as a sum high + low. For |k| < 2^20 by Cody-Waite
-//   reduction
-//              with pi/2 in parts of 33 + 33 + 53 bits (the first two products are exact); up to |x| = 1e15
-//              with pi/2 in 53 + 53 + 53 bits and exact products. Beyond, one place of x is a good part of a
-//              turn: the remainder modulo 2 pi in double stands for the phase. Then the Taylor series to r^17
-//              and r^16: remainder below 1e-17 on the interval; the low part enters to first order.
+//              reduction with pi/2 in parts of 33 + 33 + 53 bits (the first two products are exact); up to
+//              |x| = 1e15 with pi/2 in 53 + 53 + 53 bits and exact products. Beyond, one place of x is a good
+//              part of a turn: the remainder modulo 2 pi in double stands for the phase. Then the Taylor
+//              series to r^17 and r^16: remainder below 1e-17 on the interval; the low part enters to first
+//              order.
 //   atan       t = min/max of the arguments; atan(t) = atan(c) + atan((t - c)/(1 + t c)) with c the nearest
-//   multiple
-//              of 1/8, but 0 below 3/32, where the difference would cancel; then the series to u^17 on
-//              |u| < 3/32: remainder below 1e-20. The multiples of pi/2 and atan(c) are sums of two doubles.
+//              multiple of 1/8, but 0 below 3/32, where the difference would cancel; then the series to u^17
+//              on |u| < 3/32: remainder below 1e-20. The multiples of pi/2 and atan(c) are sums of two
+//              doubles.
 // Cody & Waite, "Software Manual for the Elementary Functions", 1980; exact products after Dekker, Numer.
 // Math. 18 (1971). Minimax coefficients would save a few multiplications; the series can be checked by eye.
 #include "math/trig.h"
