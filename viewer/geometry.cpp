@@ -129,8 +129,8 @@ void Geometry::add_shape(const Shape& shape, const Picture& picture)
     constexpr int kDefaultSteps = 6, kMaxSteps = 16;
     const bool is_round = shape.kind == ShapeKind::kSphere || shape.kind == ShapeKind::kCapsule;
     const int kind = is_round ? kRoundMesh : shape.kind == ShapeKind::kBox ? kBoxMesh : kCylinderMesh;
-    const int wished = shape.steps > 0 ? std::min(shape.steps, kMaxSteps) : kDefaultSteps;
-    const Key key{kind, is_round ? wished : 0, shape.wire};
+    const int requested = shape.steps > 0 ? std::min(shape.steps, kMaxSteps) : kDefaultSteps;
+    const Key key{kind, is_round ? requested : 0, shape.wire};
     const auto found = batches_.find(key);
     Batch& batch =
         found != batches_.end() ? found->second : batches_.emplace(key, make_batch(key)).first->second;

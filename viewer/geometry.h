@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What a picture holds, as OpenGL buffers: filled anew for each picture, kept from one to the next. Shapes
+// What a picture holds, as OpenGL buffers: filled again for each picture, kept from one to the next. Shapes
 // are instanced: one draw call per mesh and pass, however many there are; only translucent ones are drawn one
 // by one, the farthest first, since blending asks for an order.
 #pragma once

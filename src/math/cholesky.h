@@ -20,7 +20,7 @@ void solve_cholesky(const Real* L, Real* b, int n);
 // The full, exactly symmetric inverse of L L^T, padding zero. `inverse` must not overlap L.
 void invert_from_cholesky(const Real* L, Real* inverse, int n);
 
-// The same questions for the 3 x 3 tensors of rigid bodies.
+// The same functions for the 3 x 3 tensors of rigid bodies.
 bool positive_definite(const Sym3& s);
 bool invert_positive_definite(const Sym3& s, Sym3& inverse);  // false and untouched if it is not
 

@@ -84,7 +84,7 @@ struct Pose {
     constexpr Vec3 to_local(Vec3 world) const { return transposed_times(R, world - p); }
 };
 
-// The pose of b's frame when b is given in a's frame, and the inverse question.
+// The pose of b's frame when b is given in a's frame, and the inverse.
 constexpr Pose operator*(const Pose& a, const Pose& b) { return {a.to_world(b.p), a.R * b.R}; }
 constexpr Pose inverse_times(const Pose& a, const Pose& b) { return {a.to_local(b.p), transpose(a.R) * b.R}; }
 

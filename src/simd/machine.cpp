@@ -35,7 +35,7 @@ std::size_t runnable_kernels()
 }
 
 // A program with other rights than its caller's (set-user-ID) does not listen to the caller's environment.
-const char* wish(const char* name)
+const char* environment(const char* name)
 {
 #if defined(__linux__)
     return secure_getenv(name);
@@ -47,7 +47,7 @@ const char* wish(const char* name)
 std::size_t chosen_kernels()
 {
     const std::size_t all = runnable_kernels();
-    const char* wanted = wish("EPODE_KERNELS");
+    const char* wanted = environment("EPODE_KERNELS");
     if (!wanted || std::strcmp(wanted, "best") == 0) return all;
     for (std::size_t i = 0; i < all; ++i)
         if (std::strcmp(wanted, kNames[i]) == 0) return i + 1;
