@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/array.h"
 #include "bvh/near_leaves.h"
@@ -42,6 +43,26 @@ struct PairList {
         }
         patches.truncate(patch_count), leaves.truncate(leaf_count);
         return false;
+    }
+
+    // What is broken about one of the pairs, in words; null: nothing.
+    const char* fault(const ContactPair& pair) const
+    {
+        if (pair.count > kSurfacePatches) return "contacts: a pair has more manifolds than it may";
+        if (pair.count > 0 && (pair.first < 0 || pair.first + pair.count > patches.size()))
+            return "contacts: a pair's manifolds are not in its list";
+        if (pair.on_mesh && (pair.leaves < 0 || pair.leaves >= leaves.size()))
+            return "contacts: a pair's leaves are not in its list";
+        for (const KeptPatch& kept : of(pair)) {
+            const Patch& patch = kept.patch;
+            if (patch.count < 0 || patch.count > kPatchPoints) return "contacts: a manifold's count is wrong";
+            for (int i = 0; i < patch.count; ++i)
+                if (!(patch.points[i].push >= 0)) return "contacts: a normal impulse pulls";
+            const Vec3 n = widen(patch.normal);
+            if (patch.count > 0 && !(std::abs(dot(n, n) - 1) < Real(1e-3)))
+                return "contacts: a normal is not of unit length";
+        }
+        return nullptr;
     }
 
     void clear()

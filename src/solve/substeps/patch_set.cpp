@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "base/ahead.h"
+#include "base/check.h"
 #include "solve/common/colours.h"
 #include "tasks/stages.h"
 
@@ -116,6 +117,11 @@ void PatchSet::colour(std::span<Patch* const> patches, std::span<const SolverBod
     for (int& c : colours)
         if (c < 0) c = moving + ~c;
     colours_ = moving + fixed;
+    [[maybe_unused]] const auto moved = [&](std::size_t i, int side) {
+        const int body = side == 0 ? patches[i]->body1 : patches[i]->body2;
+        return dynamic(bodies, body) ? body : -1;
+    };
+    EPODE_ASSERT(disjoint(colours, moved, arena));
 }
 
 // Counting sort by colour, then by number of points, the longest first. Behind it, starts[k] is where the
