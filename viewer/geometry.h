@@ -59,7 +59,10 @@ class Geometry {
     void fill_shapes(const Picture& picture);
     void fill_triangles(const Picture& picture);
     void fill_lines(const Picture& picture);
-    void draw_batches(bool wire, bool fine) const;
+    struct Look {
+        bool wire = false, fine = false;
+    };
+    void draw_batches(Look look) const;
     void draw_range(Range range) const;
     GLsizei count(Range range) const { return first_[range + 1] - first_[range]; }
 
