@@ -5,8 +5,8 @@
 // it stands over its origin when it rests upright, so that pairs can be laid on each other without asking a
 // library for a depth. A new kind of geom is a new line of kMembers and a case of PairMember.
 //   cube, hull20, hull100   polyhedra with 8, 20 and 100 vertices; the latter are rings of points on an
-//   ellipsoid
-//                           (planar quadrangles, flat above and below), so that no hull need be computed here
+//                           ellipsoid (planar quadrangles, flat above and below), so that no hull need be
+//                           computed here
 //   mesh                    the ellipsoid of 100 points as a triangle mesh
 //   ground, field           the terrain of bench/ground.h as a mesh and as a height field; the height is that
 //   at a place ray, ray-first ...      2 m long; all hits, or those that FirstContact, ClosestHit and

@@ -4,8 +4,7 @@
 // SimBenchmark's tests with spheres of 10 kg and 0.1 m, without friction and error correction (ERP = 0):
 //   bouncing     7 x 7 spheres fall from 5 m, restitution 1, 20 s: energy must stay
 //   666          6 x 6 x 6 spheres 0.21 m apart, each moved by up to 1 mm, collapse on the ground,
-//   restitution
-//                0, 10 s: nothing may penetrate
+//                restitution 0, 10 s: nothing may penetrate
 //   elastic-666  the same from 1 m higher with restitution 1: energy must stay
 // Its random numbers are its own, so our cube starts otherwise than the published one.
 #include <fmt/format.h>

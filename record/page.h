@@ -13,8 +13,8 @@
 namespace epode::record {
 
 // The template's text; "" and where it was sought when there is none. It is sought where EPODE_PAGE says,
-// else in
-// ../share/epode/replay.html beside the program (installed), else in ../../page/replay.html (build tree).
+// else in ../share/epode/replay.html from the program (installed), else in ../../page/replay.html (build
+// tree).
 std::string page_template(std::string& problem);
 
 bool write_page(const Recording& recording, const std::string& path, double fps, std::string& problem);

@@ -49,9 +49,9 @@ find_window() {
     until_true "window=\$(xdotool search --name '$1' 2> /dev/null | head -1); [ -n \"\$window\" ]"
 }
 
-# until_heard KEY CONDITION: the window gets keys: KEY, sent again and again, does something. A window that is not yet
+# until_key_works KEY CONDITION: the window gets keys: KEY, sent again and again, does something. A window that is not yet
 # on the screen cannot have the focus, so this is asked for again too.
-until_heard() {
+until_key_works() {
     until_true "timeout 10 xdotool windowfocus $window > /dev/null 2>&1; xdotool key $1; sleep 1; $2"
 }
 

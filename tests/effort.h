@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// How hard the long sweeps try. A sanitizer makes every access several times dearer and looks for wrong
+// How hard the long sweeps try. A sanitizer makes every access several times slower and looks for wrong
 // accesses, which a part of the poses reaches as well as all of them; the figures themselves are judged by
 // the builds without one. Constants of the build and no environment variable: a test does the same work
 // wherever it runs.

@@ -73,22 +73,23 @@ def faults_of(path, run, guide):
     for function in run.functions:
         where = f"{path}:{function.line}: {function.name}"
         if len(words) < 2:
-            yield f"{where}: no comment"
+            yield f"{where}: no comment; write /** What it does ... [ours] */ on the lines before it, without an empty line between"
             continue
         if not run.chapter or not run.chapter.refused and "efuse" not in run.comment:
-            yield f"{where}: neither the comment nor the chapter says what is refused"
+            yield (f"{where}: neither the comment nor the chapter says what is refused; end the chapter (/* @chapter name Title) with "
+                   "\"Refused: ...\", or with \"Refused: as for NAME.\" of another one")
         for name in function.parameters:
             if not name:
-                yield f"{where}: an argument has no name"
+                yield f"{where}: an argument has no name; name it in the declaration"
             elif name not in words and name not in explained:
-                yield f"{where}: argument {name} is not in the comment"
+                yield f"{where}: argument {name} is not in the comment; use the word there, or explain it under \"Arguments:\" of the chapter as \"- {name}: ...\""
     if run.functions and run.comment:
         where = f"{path}:{run.functions[0].line}: {run.functions[0].name}"
         sources, known = run.sources(), {f.name for f in run.functions} & guide
         if not sources:
-            yield f"{where}: the comment does not end with [guide], [0.16] or [ours]"
+            yield f"{where}: the comment does not end with [guide] (the guide of 0.039 has it), [0.16] (ODE has it) or [ours]; an addition ends with [ours]"
         elif ("guide" in sources) != bool(known):
-            yield f"{where}: [guide] does not agree with the names that the guide has"
+            yield f"{where}: [guide] does not agree with the names that the guide has (tests/abi/guide_names.inc); use [0.16] or [ours] for others"
 
 
 def faults_of_entries(path, run, foreign):
@@ -98,25 +99,25 @@ def faults_of_entries(path, run, foreign):
     for function in run.functions:
         where = f"{path}:{function.line}: {function.name}"
         if len(run.functions) > 1 and not own.get(function.name):
-            yield f"{where}: no text of its own beside the others of its run"
+            yield f"{where}: no text of its own; its comment speaks of several functions: give each an item \"- {function.name}: ...\", or a comment"
             continue
         text = run.text_of(function.name)
         words = " ".join(own.get(function.name, "").split())
         if words and words in seen:
-            yield f"{where}: the text of {seen[words]}"
+            yield f"{where}: the text of {seen[words]}; say what is different about it"
         seen[words] = function.name
         plain_text = re.sub(r"\b\w+\(.*?\)|`[^`]*`|\b\w+(?:->|\.|::)\w+|\[[^\]]*\]", " ", text)
         for name in sorted((names_in(plain_text) & foreign) - set(function.parameters) - WORDS):
             if len(name) == 1:  # a symbol of a formula
                 continue
-            yield f"{where}: the text names {name}, which it does not take"
+            yield f"{where}: the text names {name}, which it does not take but others of the header do; reword, write `{name}`, or add it to WORDS"
         place = PLACES.search(text)
         if place:
-            yield f"{where}: '{' '.join(place[0].split())}' points to another place of the page"
+            yield f"{where}: '{' '.join(place[0].split())}' points to another place of the page; entries stand alone: name the function instead"
         for refused in re.findall(r"Refused: (.*)", text, re.S):
             for clause in header_docs.clauses(" ".join(refused.split()))[0]:
                 if not header_docs.applies(clause, function):
-                    yield f"{where}: refuses what it does not take: {clause}"
+                    yield f"{where}: refuses what it does not take: {clause}; write \"[{function.name[:8]}...] clause\" in the chapter for those that do"
 
 
 def foreign_refusals(path, run, chapters):
@@ -127,14 +128,14 @@ def foreign_refusals(path, run, chapters):
         for clause in header_docs.held(function, run.chapter, chapters, run.text_of(function.name)):
             for name, kind in () if clause.startswith("[") else header_docs.OBJECTS:
                 if re.search(name, clause) and not re.search(kind, function.types):
-                    yield f"{path}:{function.line}: {function.name}: refuses what it does not take: {clause}"
+                    yield f"{path}:{function.line}: {function.name}: refuses what it does not take: {clause}; write \"[{function.name[:8]}...] clause\" in the chapter for those that do"
 
 
 def dead_clauses(path, chapter, functions):
     """Clauses of a chapter's refusals that none of its functions can have."""
     for clause in header_docs.clauses(chapter.refused)[0]:
         if functions and not re.match(r"as for ", clause) and not any(header_docs.applies(clause, one) for one in functions):
-            yield f"{path}: chapter {chapter.name}: no function can refuse: {clause}"
+            yield f"{path}: chapter {chapter.name}: no function can refuse: {clause}; take the clause out of its \"Refused:\""
 
 
 def main():
@@ -160,7 +161,7 @@ def main():
             commented += bool(run.functions and run.comment)
             for function in run.functions:
                 if function.name in declared:
-                    faults.append(f"{shown}:{function.line}: {function.name}: also in {declared[function.name]}")
+                    faults.append(f"{shown}:{function.line}: {function.name}: also in {declared[function.name]}; declare it once")
                 declared[function.name] = shown
     print("\n".join(faults))
     print(f"{len(declared)} public functions in {len(paths)} headers, {commented} comments, {len(faults)} faults")

@@ -129,8 +129,8 @@ void Geometry::add_shape(const Shape& shape, const Picture& picture)
     constexpr int kDefaultSteps = 6, kMaxSteps = 16;
     const bool is_round = shape.kind == ShapeKind::kSphere || shape.kind == ShapeKind::kCapsule;
     const int kind = is_round ? kRoundMesh : shape.kind == ShapeKind::kBox ? kBoxMesh : kCylinderMesh;
-    const int wished = shape.steps > 0 ? std::min(shape.steps, kMaxSteps) : kDefaultSteps;
-    const Key key{kind, is_round ? wished : 0, shape.wire};
+    const int requested = shape.steps > 0 ? std::min(shape.steps, kMaxSteps) : kDefaultSteps;
+    const Key key{kind, is_round ? requested : 0, shape.wire};
     const auto found = batches_.find(key);
     Batch& batch =
         found != batches_.end() ? found->second : batches_.emplace(key, make_batch(key)).first->second;
@@ -215,11 +215,11 @@ void Geometry::fill_lines(const Picture& picture)
     upload(GL_ARRAY_BUFFER, lines, GL_STREAM_DRAW);
 }
 
-void Geometry::draw_batches(bool wire, bool fine) const
+void Geometry::draw_batches(Look look) const
 {
     for (const auto& [key, batch] : batches_) {
-        if (batch.instances.empty() || std::get<2>(key) != wire) continue;
-        const Level& level = fine ? batch.fine : batch.coarse;
+        if (batch.instances.empty() || std::get<2>(key) != look.wire) continue;
+        const Level& level = look.fine ? batch.fine : batch.coarse;
         glBindVertexArray(level.array);
         glDrawElementsInstanced(GL_TRIANGLES, level.count, GL_UNSIGNED_INT, nullptr,
                                 static_cast<GLsizei>(batch.instances.size()));
@@ -269,7 +269,7 @@ class Wires {
 void Geometry::draw_caster_shapes(bool fine) const
 {
     glEnable(GL_CULL_FACE);
-    draw_batches(false, fine);
+    draw_batches({.fine = fine});
     for (const Veiled& veiled : veiled_) {
         if (veiled.wire || veiled.instance.color[3] < kOpaqueShadow) continue;
         const Level& level = fine ? veiled.batch->fine : veiled.batch->coarse;
@@ -289,9 +289,9 @@ void Geometry::draw_caster_triangles() const
 void Geometry::draw_shapes() const
 {
     glEnable(GL_CULL_FACE);
-    draw_batches(false, true);
+    draw_batches({.fine = true});
     const Wires wires(true);
-    draw_batches(true, true);
+    draw_batches({.wire = true, .fine = true});
 }
 
 void Geometry::draw_triangles() const

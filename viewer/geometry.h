@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What a picture holds, as OpenGL buffers: filled anew for each picture, kept from one to the next. Shapes
+// What a picture holds, as OpenGL buffers: filled again for each picture, kept from one to the next. Shapes
 // are instanced: one draw call per mesh and pass, however many there are; only translucent ones are drawn one
 // by one, the farthest first, since blending asks for an order.
 #pragma once
@@ -59,7 +59,10 @@ class Geometry {
     void fill_shapes(const Picture& picture);
     void fill_triangles(const Picture& picture);
     void fill_lines(const Picture& picture);
-    void draw_batches(bool wire, bool fine) const;
+    struct Look {
+        bool wire = false, fine = false;
+    };
+    void draw_batches(Look look) const;
     void draw_range(Range range) const;
     GLsizei count(Range range) const { return first_[range + 1] - first_[range]; }
 

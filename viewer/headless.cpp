@@ -24,18 +24,18 @@ bool has_client_extension(const char* name) { return epoxy_has_egl_extension(EGL
 
 EGLContext make_context(EGLDisplay display)
 {
-    const EGLint config_wish[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
+    const EGLint config_attributes[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
-    if (!eglChooseConfig(display, config_wish, &config, 1, &count) || count < 1) return EGL_NO_CONTEXT;
-    const EGLint context_wish[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                   3,
-                                   EGL_CONTEXT_MINOR_VERSION,
-                                   3,
-                                   EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                   EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                   EGL_NONE};
-    return eglCreateContext(display, config, EGL_NO_CONTEXT, context_wish);
+    if (!eglChooseConfig(display, config_attributes, &config, 1, &count) || count < 1) return EGL_NO_CONTEXT;
+    const EGLint context_attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                         3,
+                                         EGL_CONTEXT_MINOR_VERSION,
+                                         3,
+                                         EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                         EGL_NONE};
+    return eglCreateContext(display, config, EGL_NO_CONTEXT, context_attributes);
 }
 
 }  // namespace

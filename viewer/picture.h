@@ -127,7 +127,7 @@ Camera frame_shapes(std::span<const Shape> shapes, float aspect, float azimuth =
 // behind the eye.
 bool project(const Camera& camera, int width, int height, const float point[3], float pixel[2]);
 
-// An endless row of muted colours that sit well beside each other; the same index gives the same colour.
+// An endless row of muted colours that go well together; the same index gives the same colour.
 Color palette(int index);
 // Of bodies by their number, so that neighbours in the order of making, which lie in rows, make no stripes.
 Color body_color(std::uint32_t number);

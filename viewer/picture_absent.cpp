@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // write_png where epoxy, EGL's headers or stb were missing when the library was configured: programs link and
-// run, and are told why they get no picture. Cameras and palette do not depend on OpenGL and stay as they
+// run, and report why they get no picture. Cameras and palette do not depend on OpenGL and stay as they
 // are.
 #include "picture.h"
 

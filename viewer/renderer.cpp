@@ -248,9 +248,9 @@ void Renderer::Passes::draw_lines()
 
 bool Renderer::Passes::draw(const Picture& picture, std::string& error)
 {
-    const Quality wished = bounded(picture.quality);
-    if (wished != quality_) {
-        quality_ = wished;
+    const Quality requested = bounded(picture.quality);
+    if (requested != quality_) {
+        quality_ = requested;
         if (!fit_maps(error)) return false;
     }
     if ((picture.width != width_ || picture.height != height_) && !fit_canvas(picture, error)) return false;

@@ -172,7 +172,7 @@ void main() {
 }
 )";
 
-// Triangles come in world coordinates, their textures' place and normal beside.
+// Triangles come in world coordinates, their textures' place and normal with them.
 constexpr char kTriangleVertex[] = R"(
 layout(location = 0) in vec3 place;
 layout(location = 1) in vec3 direction;

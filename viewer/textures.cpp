@@ -94,9 +94,9 @@ Tone checkered(float u, float v)
 
 Tone ground(float u, float v)
 {
-    const float patches = octaves(u, v, 5, 5, 3, 41), blades = octaves(u, v, 64, 64, 3, 53);
+    const float clumps = octaves(u, v, 5, 5, 3, 41), blades = octaves(u, v, 64, 64, 3, 53);
     const Tone tone =
-        mix(Tone{0.53f, 0.60f, 0.41f}, Tone{0.62f, 0.61f, 0.46f}, smooth(-0.45f, 0.45f, patches));
+        mix(Tone{0.53f, 0.60f, 0.41f}, Tone{0.62f, 0.61f, 0.46f}, smooth(-0.45f, 0.45f, clumps));
     return (1 + 0.22f * blades) * tone;
 }
 

@@ -29,14 +29,17 @@ constexpr double kThreshold = 1e-3;
 
 struct Mode {
     const char* name;
-    bool exact_rotation;
-    int projection;
-    double cfm;  // negative: the world's own
+    bool exact_rotation = false;
+    int projection = 0;
+    double cfm = -1;  // negative: the world's own
 };
 
 constexpr Mode kModes[] = {
-    {"plain", false, 0, -1},      {"cfm 1e-6", false, 0, 1e-6}, {"exact rotation", true, 0, -1},
-    {"projected", false, 20, -1}, {"both", true, 20, -1},
+    {.name = "plain"},
+    {.name = "cfm 1e-6", .cfm = 1e-6},
+    {.name = "exact rotation", .exact_rotation = true},
+    {.name = "projected", .projection = 20},
+    {.name = "both", .exact_rotation = true, .projection = 20},
 };
 
 struct Result {

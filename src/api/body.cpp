@@ -63,8 +63,7 @@ void* dBodyGetData(dBodyID b)
     return body->data;
 }
 
-// ---- pose and velocity
-// --------------------------------------------------------------------------------------
+// ---- pose and velocity ----
 
 void dBodySetPosition(dBodyID b, dReal x, dReal y, dReal z)
 {
@@ -159,8 +158,7 @@ void dBodyCopyQuaternion(dBodyID b, dQuaternion q)
     store_quat(q, body->orientation());
 }
 
-// ---- mass
-// ---------------------------------------------------------------------------------------------------
+// ---- mass ----
 
 void dBodySetMass(dBodyID b, const dMass* mass)
 {
@@ -196,8 +194,7 @@ int dBodyIsKinematic(dBodyID b)
     return body->kinematic();
 }
 
-// ---- forces
-// -------------------------------------------------------------------------------------------------
+// ---- forces ----
 
 void dBodyAddForce(dBodyID b, dReal fx, dReal fy, dReal fz)
 {
@@ -259,8 +256,7 @@ void dBodyAddRelForceAtRelPos(dBodyID b, dReal fx, dReal fy, dReal fz, dReal px,
     push(*body, world_arm(*body, {fx, fy, fz}), world_arm(*body, {px, py, pz}));
 }
 
-// ---- frames
-// -------------------------------------------------------------------------------------------------
+// ---- frames ----
 
 #define BODY_TRANSFORM(Name, expression)                                       \
     void dBody##Name(dBodyID b, dReal px, dReal py, dReal pz, dVector3 result) \
@@ -279,8 +275,7 @@ BODY_TRANSFORM(GetPosRelPoint, body->pose().to_local(p))
 BODY_TRANSFORM(VectorToWorld, world_arm(*body, p))
 BODY_TRANSFORM(VectorFromWorld, transposed_times(body->rotation(), p))
 
-// ---- joints
-// -------------------------------------------------------------------------------------------------
+// ---- joints ----
 
 int dBodyGetNumJoints(dBodyID b)
 {

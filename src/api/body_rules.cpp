@@ -162,8 +162,7 @@ void dBodyGetFiniteRotationAxis(dBodyID b, dVector3 result)
     store(result, body->finite_axis);
 }
 
-// ---- names of the 0.039 guide
-// -------------------------------------------------------------------------------
+// ---- names of the 0.039 guide ----
 
 void dBodySetAutoDisableThresholdSF1(dBodyID b, dReal threshold)
 {

@@ -148,8 +148,7 @@ dJointFeedback* dJointGetFeedback(dJointID j)
     return joint->feedback;
 }
 
-// ---- joints by bodies
-// ---------------------------------------------------------------------------------------
+// ---- joints by bodies ----
 
 dJointID dConnectingJoint(dBodyID b1, dBodyID b2)
 {

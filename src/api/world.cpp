@@ -185,8 +185,7 @@ void dWorldImpulseToForce(dWorldID w, dReal stepsize, dReal ix, dReal iy, dReal 
     store(force, Vec3{ix, iy, iz} * (1 / stepsize));
 }
 
-// ---- stepping
-// -----------------------------------------------------------------------------------------------
+// ---- stepping ----
 
 int dWorldStep(dWorldID w, dReal stepsize)
 {
@@ -215,8 +214,7 @@ int dWorldStepFast1(dWorldID w, dReal stepsize, int maxiterations)
     return 1;
 }
 
-// ---- accuracy (ode/ext.h)
-// -----------------------------------------------------------------------------------------------
+// ---- accuracy (ode/ext.h) ----
 
 void dWorldSetExactRotation(dWorldID w, int mode)
 {
@@ -267,8 +265,7 @@ WORLD_NUMBER(dReal, StepProjectionTolerance, projection_tolerance, value > 0 && 
 WORLD_NUMBER(int, HybridStepper, hybrid_stepper, is_stepper(value))
 WORLD_NUMBER(int, HybridSubsteps, hybrid_substeps, value >= 1 && value <= kMaxSubsteps)
 
-// ---- report (ode/ext.h)
-// -------------------------------------------------------------------------------------
+// ---- report (ode/ext.h) ----
 
 void dWorldSetStepReportMode(dWorldID w, int mode)
 {

@@ -6,11 +6,9 @@
 // expect of speed, and the broadphase serves each of them; levels, centres and axis orders are kept and
 // answered, nothing more.
 //   members   slots in order of joining. A slot is not used twice until compact() closes the gaps, so that
-//   work
-//             lists may name slots.
+//             work lists may name slots.
 //   locks     count the collisions in progress. A locked space refuses every change of its members, and is
-//   not
-//             cleaned: whoever looks sees it as it was when the outermost collision began.
+//             not cleaned: whoever looks sees it as it was when the outermost collision began.
 #pragma once
 
 #include "base/prefetch.h"

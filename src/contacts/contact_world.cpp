@@ -423,6 +423,15 @@ void ContactWorld::forget()
     settled_ = unfinished_ = few_active_ = false;
 }
 
+const char* ContactWorld::fault() const
+{
+    for (const ContactPair& pair : last_.pairs) {
+        if (pair.serial1 == pair.serial2) return "contacts: a pair of one geom with itself";
+        if (const char* found = last_.fault(pair)) return found;
+    }
+    return resting_.fault();
+}
+
 int ContactWorld::events(dContactEvent* out, int capacity) const
 {
     int count = 0;

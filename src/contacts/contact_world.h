@@ -69,6 +69,9 @@ class ContactWorld {
     void lay_to_rest();
     void forget();
 
+    // What is broken between two steps, in words; null: nothing.
+    const char* fault() const;
+
     int events(dContactEvent* out, int capacity) const;
     int contacts(dWorldContact* out, int capacity) const;
 

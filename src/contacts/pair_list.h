@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/array.h"
 #include "bvh/near_leaves.h"
@@ -42,6 +43,26 @@ struct PairList {
         }
         manifolds.truncate(manifold_count), leaves.truncate(leaf_count);
         return false;
+    }
+
+    // What is broken about one of the pairs, in words; null: nothing.
+    const char* fault(const ContactPair& pair) const
+    {
+        if (pair.count > kSurfaceManifolds) return "contacts: a pair has more manifolds than it may";
+        if (pair.count > 0 && (pair.first < 0 || pair.first + pair.count > manifolds.size()))
+            return "contacts: a pair's manifolds are not in its list";
+        if (pair.on_mesh && (pair.leaves < 0 || pair.leaves >= leaves.size()))
+            return "contacts: a pair's leaves are not in its list";
+        for (const CachedManifold& kept : of(pair)) {
+            const ContactManifold& manifold = kept.manifold;
+            if (manifold.count < 0 || manifold.count > kManifoldPoints) return "contacts: a manifold's count is wrong";
+            for (int i = 0; i < manifold.count; ++i)
+                if (!(manifold.points[i].normal_impulse >= 0)) return "contacts: a normal impulse pulls";
+            const Vec3 n = widen(manifold.normal);
+            if (manifold.count > 0 && !(std::abs(dot(n, n) - 1) < Real(1e-3)))
+                return "contacts: a normal is not of unit length";
+        }
+        return nullptr;
     }
 
     void clear()

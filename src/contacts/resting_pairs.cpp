@@ -154,4 +154,24 @@ void RestingPairs::clear()
     head_count_ = count_ = 0;
 }
 
+const char* RestingPairs::fault() const
+{
+    int count = 0;
+    for (int i = 0; i < list_.pairs.size(); ++i) {
+        const ContactPair& pair = list_.pairs.data()[i];
+        if (!is_there(pair)) continue;
+        ++count;
+        if (const char* found = list_.fault(pair)) return found;
+        for (int side = 0; side < 2; ++side) {
+            const std::uint64_t serial = serial_of(i, side);
+            const int next = links_.data()[i].next[side];
+            if (next == kEnd) continue;
+            const int its = side_of(next, serial);
+            if (serial_of(next, its) != serial || links_.data()[next].previous[its] != i)
+                return "resting pairs: a list of a geom's pairs is broken";
+        }
+    }
+    return count != count_ ? "resting pairs: the count is wrong" : nullptr;
+}
+
 }  // namespace epode

@@ -24,6 +24,9 @@ class RestingPairs {
     [[nodiscard]] bool take_all(PairList& to);
     void clear();
 
+    // What is broken, in words; null: nothing.
+    const char* fault() const;
+
     // f(pair, its manifolds), in no promised order.
     template <typename F>
     void for_each(F&& f) const

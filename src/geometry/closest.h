@@ -3,11 +3,10 @@
 //
 // Closest points between simple things, as pure numbers.
 //   segment-segment: minimise |a1 + s u - b1 - t v|^2 over the unit square (Lumelsky 1985; the order of
-//   clamping
-//                    follows from convexity). Parallel lines: a solution with an end point is chosen.
+//                    clamping follows from convexity). Parallel lines: a solution with an end point is
+//                    chosen.
 //   segment-box:     the squared distance of a point moving along the segment is a convex, piecewise
-//   quadratic
-//                    function of t; its pieces end where a coordinate crosses a face plane.
+//                    quadratic function of t; its pieces end where a coordinate crosses a face plane.
 #pragma once
 
 #include "geometry/shapes.h"

@@ -6,12 +6,12 @@
 // parts the solids for every unit n, so the depth is the least h(n); a negative h(n) proves that they are
 // apart already.
 //   expand:        grows a polytope inside C from four support points, always at the face plane nearest to
-//   (or
-//                  farthest beyond) the origin: van den Bergen's expanding polytope (2001), but with signed
-//                  plane distances, so that it needs no enclosing simplex from GJK and also answers "apart".
+//                  (or farthest beyond) the origin: van den Bergen's expanding polytope (2001), but with
+//                  signed plane distances, so that it needs no enclosing simplex from GJK and also answers
+//                  "apart".
 //   least_overlap: the same answer to rounding for the primitives: directions that can be least (faces,
-//   products of
-//                  edges) are tried exactly, the others are polished by root finding on the slope of h.
+//                  products of edges) are tried exactly, the others are polished by root finding on the slope
+//                  of h.
 // Rejected: MPR; its normal is only roughly the least one and jumps from step to step.
 #pragma once
 

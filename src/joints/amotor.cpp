@@ -6,8 +6,9 @@
 // User mode: the client names axes and angles. Euler mode: axis 0 is fixed in body 1, axis 2 in body 2,
 // axis 1 = a2 x a0 / |..|; with references b1 (axis 2 seen from body 1) and b2 (axis 0 seen from body 2)
 // taken when mode or axes are set (body 1 and 2 as the client counts them),
-//   angle0 = -atan2(a2.(a0 x b1), a2.b1),  angle1 = -atan2(a2.a0, a2.(a0 x a1)),  angle2 = -atan2(b2.a1,
-//   b2.(a1 x a2))
+//   angle0 = -atan2(a2.(a0 x b1), a2.b1)
+//   angle1 = -atan2(a2.a0, a2.(a0 x a1))
+//   angle2 = -atan2(b2.a1, b2.(a1 x a2))
 // and motors work along a1 x a2, a1, a0 x a1: the directions that change one angle and leave the others.
 #include "joints/access.h"
 #include "math/trig.h"
@@ -31,7 +32,7 @@ struct AMotor : LastingJoint {
     Vec3 reference1, reference2;
     LimitMotor motor[3];
 
-    // In Euler mode the axis number decides, also when the joint is attached anew the other way round.
+    // In Euler mode the axis number decides, also when the joint is attached again the other way round.
     const Body* frame(int i) const
     {
         return mode == dAMotorEuler && i != 1 ? user_body(i / 2) : frame_of_rel(rel[i]);

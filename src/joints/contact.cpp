@@ -210,7 +210,7 @@ void Contact::write_rolling(RowWriter& out, Vec3 t1, Vec3 t2, Vec3 n) const
 
 namespace {
 
-// Surface members that friction in the plane of contact depends on, beside mu and the approximation.
+// Surface members that friction in the plane of contact depends on, in addition to mu and the approximation.
 constexpr int kTangential =
     dContactMu2 | dContactFDir1 | dContactMotion1 | dContactMotion2 | dContactSlip1 | dContactSlip2;
 

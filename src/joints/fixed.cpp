@@ -2,9 +2,9 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Fixed: body 1 keeps its pose in the frame of body 2.
-//   C(x) = x2 - x1 + R1 o = 0           o = R1^T (x1 - x2) at set time; without body 2: o - x1, o in the
-//   world
-//          2 vec(q1^-1 q2 q0^-1) = 0    q0 = q1^-1 q2 at set time
+//   C(x) = x2 - x1 + R1 o = 0           o = R1^T (x1 - x2) at set time; without body 2: o - x1,
+//                                      o in the world
+//          2 vec(q1^-1 q2 q0^-1) = 0   q0 = q1^-1 q2 at set time
 //   J    = [ e, o x e, -e, 0 ],  [ 0, e, 0, -e ],   e = x, y, z of the world
 // Attaching does not take the pose over, dJointSetFixed does; before that o and q0 are zero, and clients see
 // it (spec'd behaviour of ODE). The joint's own ERP and CFM belong to the linear rows only, as there.

@@ -7,10 +7,9 @@
 //
 //   parallel axes      c1 = c2 on the segment a1 a2, divided as the ratio r1/r2 says;  l = d x n,
 //                      d = a2 - a1 across n,  n the mean axis
-//   intersecting axes  l = n1 x n2, the line common to both wheels' planes; c_i the nearest point of it to
-//   a_i chain drive        c_i = a_i + r_i u,  u.d = (r1 - r2)/|d|: the outer common tangent on the side n x
-//   d, or on the
-//                      other side when mirrored;  l = u x n
+//   intersecting axes  l = n1 x n2, the line common to both wheels' planes; c_i the nearest point of it to a_i
+//   chain drive        c_i = a_i + r_i u,  u.d = (r1 - r2)/|d|: the outer common tangent on the side n x d,
+//                      or on the other side when mirrored;  l = u x n
 //
 // The forces on the wheels act on one line, so that neither momentum nor moment is made: with parallel axes
 // that are not quite parallel l belongs to their mean, and the chain runs half way between wheels at

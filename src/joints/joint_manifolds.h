@@ -11,7 +11,7 @@
 namespace epode {
 
 // Consecutive of these plain contacts (Joint::plain) of the same bodies, with the same normal and friction,
-// share a manifold. `out` has room for as many of each as there are contacts, in whose order the points are;
+// share a manifold. `out` has capacity for as many of each as there are contacts, whose order the points keep;
 // its manifolds are cut to their number.
 void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, JointManifoldList& out);
 

@@ -119,7 +119,7 @@ void lock_axis(const Joint& j, RowWriter& out, const AxisPair& axis)
     out.row(angular_jacobian(j, q), dot(u, q));
 }
 
-Jacobian parted_jacobian(const Joint& j, const AnchorPair& anchor, Vec3 d)
+Jacobian separated_jacobian(const Joint& j, const AnchorPair& anchor, Vec3 d)
 {
     const Vec3 p = anchor.world(j, 1);
     return point_jacobian(j, d, p - j.body1()->position(), j.body2() ? p - j.body2()->position() : Vec3{});
@@ -127,7 +127,7 @@ Jacobian parted_jacobian(const Joint& j, const AnchorPair& anchor, Vec3 d)
 
 void lock_level(const Joint& j, RowWriter& out, const AnchorPair& anchor, Vec3 d)
 {
-    out.row(parted_jacobian(j, anchor, d), dot(d, anchor.world(j, 1) - anchor.world(j, 0)));
+    out.row(separated_jacobian(j, anchor, d), dot(d, anchor.world(j, 1) - anchor.world(j, 0)));
 }
 
 namespace {

@@ -98,7 +98,7 @@ void lock_axis(const Joint& j, RowWriter& out, const AxisPair& axis);
 // The row along a direction d of body 1 at body 2's anchor: the material points that are there now move
 // alike. With d turning with body 1, this is minus the exact rate of  d.(anchor 2 - anchor 1)  however far
 // they parted.
-Jacobian parted_jacobian(const Joint& j, const AnchorPair& anchor, Vec3 d);
+Jacobian separated_jacobian(const Joint& j, const AnchorPair& anchor, Vec3 d);
 // One row: the anchors stay level along d.
 void lock_level(const Joint& j, RowWriter& out, const AnchorPair& anchor, Vec3 d);
 

@@ -34,7 +34,7 @@ struct PR : LastingJoint {
     // As ODE reads it: without the turning of body 1, about whose centre the slide swings.
     Real position_rate() const
     {
-        Jacobian row = parted_jacobian(*this, anchor, slide_motion());
+        Jacobian row = separated_jacobian(*this, anchor, slide_motion());
         row.ang1 = {};
         return rate_along(*this, row);
     }

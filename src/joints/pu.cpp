@@ -35,7 +35,7 @@ struct PU : LastingJoint {
     // rate.
     Real position_rate() const
     {
-        Jacobian row = parted_jacobian(*this, anchor, slide_motion());
+        Jacobian row = separated_jacobian(*this, anchor, slide_motion());
         row.ang2 = -row.ang2;
         return rate_along(*this, row);
     }
@@ -91,7 +91,7 @@ void PU::emit(RowWriter& out)
     for (int i = 0; i < 2; ++i)
         motor[i].emit_angular(*this, out, arms.axis(*this, i),
                               motor[i].has_stops() ? arms.angle(*this, i) : 0);
-    const Jacobian along = parted_jacobian(*this, anchor, slide_motion());
+    const Jacobian along = separated_jacobian(*this, anchor, slide_motion());
     motor[2].emit(*this, out, along, position(), rate_along(*this, along));
 }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr Real kNoLength = sizeof(Real) == 8 ? Real(1e-12) : Real(1e-6);
 
 // Of the material points at both ends, where they are in one place.
-Vec3 parting_velocity(const Joint& j, Vec3 p)
+Vec3 relative_velocity(const Joint& j, Vec3 p)
 {
     const Vec3 v = j.body1()->point_velocity(p);
     return j.body2() ? v - j.body2()->point_velocity(p) : v;
@@ -32,7 +32,7 @@ void Rod::lock(const Joint& j, RowWriter& out) const
 {
     const Vec3 p1 = end.world(j, 0), p2 = end.world(j, 1);
     const Real now = epode::length(p1 - p2);
-    const Vec3 d = normalized_or(now > kNoLength ? p1 - p2 : parting_velocity(j, p1), {1, 0, 0});
+    const Vec3 d = normalized_or(now > kNoLength ? p1 - p2 : relative_velocity(j, p1), {1, 0, 0});
     const Vec3 r2 = j.body2() ? p2 - j.body2()->position() : Vec3{};
     softness.apply_to(out.row(point_jacobian(j, d, p1 - j.body1()->position(), r2), length - now));
 }

@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // A rod of a given length between a point of body 1 and a point of body 2, which pulls and pushes.
-//   C(x) = length - |g| = 0,  g = x1 + R1 s1 - x2 - R2 s2         J = [ d, r1 x d, -d, -(r2 x d) ],  d = g /
-//   |g|
+//   C(x) = length - |g| = 0,             g = x1 + R1 s1 - x2 - R2 s2
+//   J    = [ d, r1 x d, -d, -(r2 x d) ]  d = g / |g|
 // Points in one place have no direction: then the rod lies along their relative velocity, or along x. DBall
 // and DHinge have it in common. Unlike other anchors, its ends may be given before there are bodies: the
 // numbers are then those of the frames to come.

@@ -6,9 +6,8 @@
 //   solid, solid      separation.h
 //   with a plane      the farthest point against its normal, of a surface the lowest vertex
 //   with a surface    the least over its triangles, each taken as a flat solid: so within a surface, minus
-//   the depth
-//                     of the deepest triangle. Triangles are asked of the tree in boxes that grow until the
-//                     best is nearer than what has not been looked at.
+//                     the depth of the deepest triangle. Triangles are asked of the tree in boxes that grow
+//                     until the best is nearer than what has not been looked at.
 //   with a field      the ground under it is solid: where dCollide has contacts, minus the deepest of these
 //   two planes        finite only when they look at each other; else they overlap without end
 //   spaces            the least over their members

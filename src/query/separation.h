@@ -6,9 +6,8 @@
 // geometry/epa.h), radii subtracted from either. n points from b into a, and on_a - on_b = distance * n.
 //   apart        the closest points, moved along n by the radii
 //   overlapping  n is the way of least depth; the points are those that are closest when a has been moved
-//   along n
-//                until a little gap has opened, moved back. (The support points along n alone would lie
-//                anywhere on flush faces, on one of them beyond the other.)
+//                along n until a little gap has opened, moved back. (The support points along n alone would
+//                lie anywhere on flush faces, on one of them beyond the other.)
 // The alternative for the second case, the weights of the last face of the polytope, is exact only where the
 // polytope was, not where its answer has been polished.
 #pragma once

@@ -8,8 +8,7 @@
 // Against a surface each triangle that lies on the way is such a solid, the way taken piece by piece so that
 // little is looked at; a height field is ground where the solid begins.
 //   at the beginning  what overlaps is met at once, at distance 0; what only touches is met if the way leads
-//   into
-//                     it, so that a solid may slide along what it lies on.
+//                     into it, so that a solid may slide along what it lies on.
 // The alternative, GJK against the swept solid (ray casting on the difference; van den Bergen 2004), saves
 // iterations but ends with a normal that depends on them.
 #pragma once

@@ -229,4 +229,19 @@ void ContactCache::take_back()
                 old_.points[k].used = false;
 }
 
+const char* ContactCache::fault() const
+{
+    const Pair* pairs = old_.pairs.data();
+    for (const Run& run : old_.runs)
+        for (int i = run.first; i < run.first + run.count; ++i) {
+            if (i < 0 || i >= old_.pairs.size()) return "contact cache: a run leaves the list of pairs";
+            if (pairs[i].first < 0 || pairs[i].first + pairs[i].count > old_.points.size())
+                return "contact cache: a pair's points are not in the list";
+            if (pairs[i].next >= 0 && pairs[i].next <= i) return "contact cache: a chain runs backwards";
+            for (int k = pairs[i].first; k < pairs[i].first + pairs[i].count; ++k)
+                if (old_.points.data()[k].used) return "contact cache: a point is used between steps";
+        }
+    return nullptr;
+}
+
 }  // namespace epode

@@ -34,6 +34,9 @@ class ContactCache {
     // There was no step: the next one finds what this one has found.
     void take_back();
 
+    // What is broken between two steps, in words; null: nothing.
+    const char* fault() const;
+
   private:
     // In floats: seven digits are plenty for a start value.
     struct Pair {

@@ -21,6 +21,7 @@
 #include "step/link.h"
 #include "step/report.h"
 #include "step/undo.h"
+#include "step/validate.h"
 #include "tasks/tasks.h"
 
 namespace epode {
@@ -195,6 +196,7 @@ class WorldStep {
             if (!epode::find_islands(world, context_.h, manifolds, arena, found)) return false;
             if (world.reached.empty()) break;
         } while (activate_reached());
+        EPODE_ASSERT(!world.reached.empty() || !fault_of(world, found, arena));
         islands_ = found.all, asleep_ = found.asleep;
         return world.reached.empty();
     }
@@ -322,9 +324,15 @@ class WorldStep {
     {
         const StepContext& c = context_;
         const int iterations = hybrid_ ? hybrid_iterations(c.world, *group.solver) : c.iterations;
-        return {c.world,    *group.solver,      c.h,
-                iterations, c.contacts,         c.symbolic_cache,
-                c.undo,     c.manages_contacts, factorisations_};
+        return {.world = c.world,
+                .solver = *group.solver,
+                .h = c.h,
+                .iterations = iterations,
+                .contacts = c.contacts,
+                .symbolic_cache = c.symbolic_cache,
+                .undo = c.undo,
+                .manages_contacts = c.manages_contacts,
+                .factorisations = factorisations_};
     }
 
     const StepContext& context_;
@@ -384,15 +392,15 @@ bool step_in(World& world, StepState& state, const Solver* solver, Real h, int i
     if (!workers.hire(world)) return false;
     ++world.step_count;
     StepUndo undo(world);
-    const StepContext context{world,
-                              solver ? *solver : kDirect,
-                              h,
-                              iterations,
-                              state.contacts,
-                              state.symbolic_cache,
-                              undo,
-                              state.managed.live_space() != nullptr,
-                              {}};
+    const StepContext context{.world = world,
+                              .solver = solver ? *solver : kDirect,
+                              .h = h,
+                              .iterations = iterations,
+                              .contacts = state.contacts,
+                              .symbolic_cache = state.symbolic_cache,
+                              .undo = undo,
+                              .manages_contacts = state.managed.live_space() != nullptr,
+                              .factorisations = {}};
     WorldStep step(context, !solver, state, workers);
     const bool made = step.prepare() && step.run() && step.hold_back();
     if (made) {
@@ -419,6 +427,7 @@ bool step_with(World& world, const Solver* solver, Real h, int iterations)
     if (!state || !memory || !memory->begin()) return false;
     const bool done = step_in(world, *state, solver, h, iterations);
     memory->end();
+    EPODE_ASSERT(!fault_of(world));
     return done;
 }
 

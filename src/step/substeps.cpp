@@ -160,6 +160,7 @@ void SubstepModel::refresh(void* p, RowSystem& system)
         settled = true;
         RowWriter out(rows, model.info_);
         model.work_.joints[k]->type->emit(*model.work_.joints[k], out);
+        EPODE_ASSERT(out.count() == block.count);  // of every joint type: see StepInfo::inner
         block.arms = out.arms();
         for (int i = 0; i < block.count && i < out.count(); ++i) {
             Row& row = system.rows[std::size_t(block.first + i)];

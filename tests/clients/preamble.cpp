@@ -2,8 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Linked into clients that are not ours: before main, prints which libode.so.8 is in this process, from the
-// process map
-// ("#library PATH INODE"), so that the judge knows what was measured.
+// process map ("#library PATH INODE"), so that the judge knows what was measured.
 #include <cstdio>
 #include <cstring>
 

@@ -272,17 +272,17 @@ TEST_P(SolidContract, box_follows_the_body_with_and_without_offset)
 
 TEST_P(UnplacedContract, without_a_place_refuses_pose_and_body)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     dGeomSetPosition(geom, 1, 2, 3);
-    EXPECT_EQ(heard.take(), "2: geom must be placeable in dGeomSetPosition()");
+    EXPECT_EQ(messages.take(), "2: geom must be placeable in dGeomSetPosition()");
     EXPECT_EQ(dGeomGetPosition(geom), nullptr);
-    EXPECT_EQ(heard.take(), "2: geom must be placeable in dGeomGetPosition()");
+    EXPECT_EQ(messages.take(), "2: geom must be placeable in dGeomGetPosition()");
     dBodyID body = dBodyCreate(world);
     dGeomSetBody(geom, body);
-    EXPECT_EQ(heard.take(), "2: geom must be placeable in dGeomSetBody()");
+    EXPECT_EQ(messages.take(), "2: geom must be placeable in dGeomSetBody()");
     EXPECT_EQ(dBodyGetFirstGeom(body), nullptr);
     dGeomSetBody(geom, nullptr);
-    EXPECT_EQ(heard.take(), "");
+    EXPECT_EQ(messages.take(), "");
     dVector3 out;
     dGeomGetRelPointPos(geom, 1, 2, 3, out);
     EXPECT_EQ(out[1], 2);
@@ -290,7 +290,7 @@ TEST_P(UnplacedContract, without_a_place_refuses_pose_and_body)
 
 TEST_P(PosedContract, refuses_poses_that_are_not_numbers)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     place({1, 2, 3}, random.rotation());
     const Pose before = pose(geom);
     dMatrix3 R = {1, 0, 0, 0, 0, kNan, 0, 0, 0, 0, 1, 0};
@@ -301,7 +301,7 @@ TEST_P(PosedContract, refuses_poses_that_are_not_numbers)
     dGeomSetRotation(geom, nullptr);
     dGeomSetQuaternion(geom, q);
     dGeomSetOffsetPosition(geom, 1, 0, 0);
-    const std::string said = heard.take();
+    const std::string said = messages.take();
     EXPECT_EQ(std::count(said.begin(), said.end(), '|'), 5) << said;
     EXPECT_NE(said.find("geom must be on a body in dGeomSetOffsetPosition()"), std::string::npos);
     expect_pose(before.p, before.R);
@@ -376,7 +376,7 @@ TEST_P(PosedContract, with_an_offset_is_at_body_times_offset)
 
 TEST_P(PosedContract, stays_where_it_is_when_its_body_goes)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     dBodyID body = dBodyCreate(world);
     dGeomID other = dCreateSphere(nullptr, 1);
     dGeomSetBody(geom, body);
@@ -390,7 +390,7 @@ TEST_P(PosedContract, stays_where_it_is_when_its_body_goes)
     EXPECT_EQ(dGeomGetBody(geom), nullptr);
     expect_pose({6, 5, 5}, Mat3::identity());
     dGeomDestroy(other);
-    EXPECT_EQ(heard.take(), "");
+    EXPECT_EQ(messages.take(), "");
 }
 
 TEST_P(PosedContract, maps_points_and_vectors_by_its_pose)
@@ -415,9 +415,9 @@ TEST_P(GeomContract, leaves_its_space_when_destroyed)
     EXPECT_EQ(dGeomGetSpace(geom), space);
     dGeomDestroy(geom);
     EXPECT_EQ(dSpaceGetNumGeoms(space), 0);
-    MessageRecorder heard;
+    MessageRecorder messages;
     EXPECT_EQ(dGeomGetClass(geom), -1) << "a stale handle is recognised";
-    EXPECT_NE(heard.take(), "");
+    EXPECT_NE(messages.take(), "");
     geom = nullptr;
     dSpaceDestroy(space);
 }
@@ -426,7 +426,7 @@ TEST_P(GeomContract, leaves_its_space_when_destroyed)
 
 TEST(GeomSizes, read_as_set_and_nonsense_is_refused)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     dReal r = 0, l = 0;
     dVector3 sides;
     dGeomID sphere = dCreateSphere(nullptr, 1), box = dCreateBox(nullptr, 1, 1, 1);
@@ -434,11 +434,11 @@ TEST(GeomSizes, read_as_set_and_nonsense_is_refused)
     dGeomID ray = dCreateRay(nullptr, 1);
     dGeomSphereSetRadius(sphere, 2), dGeomBoxSetLengths(box, 2, 3, 4);
     dGeomCapsuleSetParams(capsule, 2, 3), dGeomCylinderSetParams(cylinder, 4, 5), dGeomRaySetLength(ray, -3);
-    EXPECT_EQ(heard.take(), "");
+    EXPECT_EQ(messages.take(), "");
     dGeomSphereSetRadius(sphere, -1), dGeomBoxSetLengths(box, 1, kNan, 1);
     dGeomCapsuleSetParams(capsule, -1, 1), dGeomCylinderSetParams(cylinder, 1, -1),
         dGeomRaySetLength(ray, kNan);
-    EXPECT_EQ(heard.take(),
+    EXPECT_EQ(messages.take(),
               "2: Bad argument(s) in dGeomSphereSetRadius()|2: Bad argument(s) in dGeomBoxSetLengths()|"
               "2: Bad argument(s) in dGeomCapsuleSetParams()|2: Bad argument(s) in dGeomCylinderSetParams()|"
               "2: Bad argument(s) in dGeomRaySetLength()");
@@ -455,11 +455,11 @@ TEST(GeomSizes, read_as_set_and_nonsense_is_refused)
     EXPECT_EQ(l, 5);
     EXPECT_EQ(dGeomRayGetLength(ray), -3);
     EXPECT_EQ(dGeomSphereGetRadius(box), 0);
-    EXPECT_EQ(heard.take(), "2: argument not a sphere in dGeomSphereGetRadius()");
+    EXPECT_EQ(messages.take(), "2: argument not a sphere in dGeomSphereGetRadius()");
     EXPECT_EQ(dCreateSphere(nullptr, -1), nullptr);
     EXPECT_EQ(dCreateBox(nullptr, 1, 1, kInf), nullptr);
     EXPECT_EQ(dCreateSphere(reinterpret_cast<dSpaceID>(box), 1), nullptr);
-    EXPECT_NE(heard.take().find("argument not a space in dCreateSphere()"), std::string::npos);
+    EXPECT_NE(messages.take().find("argument not a space in dCreateSphere()"), std::string::npos);
     for (dGeomID g : {sphere, box, capsule, cylinder, ray}) dGeomDestroy(g);
 }
 
@@ -507,7 +507,7 @@ TEST(GeomPlane, is_normalised_and_bounds_one_side_across_an_axis)
 
 TEST(GeomRay, set_gives_start_and_unit_direction_and_moves_its_body)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     dWorldID world = dWorldCreate();
     dBodyID body = dBodyCreate(world);
     dGeomID ray = dCreateRay(nullptr, 5);
@@ -521,10 +521,10 @@ TEST(GeomRay, set_gives_start_and_unit_direction_and_moves_its_body)
         EXPECT_NEAR(determinant(R), 1, kTight) << "a proper rotation";
         if (on_body) { EXPECT_EQ(dBodyGetPosition(body)[1], 2); }
         dGeomSetBody(ray, body);
-        EXPECT_EQ(heard.take(), "");
+        EXPECT_EQ(messages.take(), "");
     }
     dGeomRaySet(ray, 0, 0, 0, 0, 0, 0);
-    EXPECT_NE(heard.take(), "");
+    EXPECT_NE(messages.take(), "");
     dGeomRayGet(ray, start, dir);
     EXPECT_EQ(start[0], 1);
     dGeomRaySetClosestHit(ray, 7);

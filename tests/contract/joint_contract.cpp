@@ -3,200 +3,38 @@
 //
 // What every line of joint_types.inc must keep, whoever wrote it: rows within the stated number; Jacobians
 // that are the derivative of their errors; action equals reaction, in force and in moment; (A,B) and (B,A)
-// the same constraint; parameters read as they were set. Random poses, fixed seed.
+// the same constraint; parameters read as they were set. Random poses, fixed seed. A new type is judged from
+// its line in joint_types.inc on; how its anchors and axes are set may be a line of joint_geometry.cpp.
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "../unit/joints/rig.h"
 #include "../unit/joints/row_lines.h"
-#include "ode/contact.h"
-#include "ode/objects.h"
+#include "joint_geometry.h"
 
 namespace epode::test {
 namespace {
 
-struct Case {
-    int number;
-    const char* name;
-};
-
-std::vector<Case> all_types()
-{
-    return {
-#define JOINT_TYPE(Name, Number) {Number, #Name},
-#include "joints/joint_types.inc"
-#undef JOINT_TYPE
-    };
-}
-
-dContact some_contact(Vec3 point, Vec3 normal)
-{
-    dContact c{};
-    c.surface.mode = dContactRolling | dContactApprox1;
-    c.surface.mu = 1;
-    c.surface.rho = Real(0.1);
-    store(c.geom.pos, point);
-    store(c.geom.normal, normal);
-    return c;
-}
-
-// Geometry of a joint at which all its equality errors vanish.
-struct Geometry {
-    Vec3 anchor, axis1, axis2;
-    explicit Geometry(Dice& dice)
-    {
-        anchor = dice.vector();
-        axis1 = dice.unit();
-        axis2 = normalized_or(cross(axis1, dice.unit()), {0, 1, 0});
-    }
-};
-
-dJointID create(dWorldID w, int number, const Geometry& g, bool swapped = false)
-{
-    switch (number) {
-        case dJointTypeBall:
-            return dJointCreateBall(w, nullptr);
-        case dJointTypeHinge:
-            return dJointCreateHinge(w, nullptr);
-        case dJointTypeSlider:
-            return dJointCreateSlider(w, nullptr);
-        case dJointTypeUniversal:
-            return dJointCreateUniversal(w, nullptr);
-        case dJointTypeHinge2:
-            return dJointCreateHinge2(w, nullptr);
-        case dJointTypeFixed:
-            return dJointCreateFixed(w, nullptr);
-        case dJointTypeNull:
-            return dJointCreateNull(w, nullptr);
-        case dJointTypeAMotor:
-            return dJointCreateAMotor(w, nullptr);
-        case dJointTypeLMotor:
-            return dJointCreateLMotor(w, nullptr);
-        case dJointTypePlane2D:
-            return dJointCreatePlane2D(w, nullptr);
-        case dJointTypePR:
-            return dJointCreatePR(w, nullptr);
-        case dJointTypePU:
-            return dJointCreatePU(w, nullptr);
-        case dJointTypePiston:
-            return dJointCreatePiston(w, nullptr);
-        case dJointTypeDBall:
-            return dJointCreateDBall(w, nullptr);
-        case dJointTypeDHinge:
-            return dJointCreateDHinge(w, nullptr);
-        case dJointTypeTransmission:
-            return dJointCreateTransmission(w, nullptr);
-        case dJointTypeContact: {
-            const dContact c = some_contact(g.anchor, swapped ? -g.axis1 : g.axis1);
-            return dJointCreateContact(w, nullptr, &c);
-        }
-        default:
-            return nullptr;
-    }
-}
-
-// `swapped`: the joint is attached the other way round, and axes change places with their bodies.
-void set_geometry(dJointID j, int number, const Geometry& g, bool swapped = false)
-{
-    const Vec3 p = g.anchor, a = swapped ? g.axis2 : g.axis1, b = swapped ? g.axis1 : g.axis2;
-    const dReal a4[4] = {a.x, a.y, a.z, 0}, b4[4] = {b.x, b.y, b.z, 0};
-    // The far end of a rod, level with p about axis 1; and a line at an angle to both axes.
-    const Vec3 end = p + Real(1.5) * g.axis2, p1 = swapped ? end : p, p2 = swapped ? p : end;
-    const Vec3 oblique = g.axis1 + Real(0.5) * g.axis2 + Real(0.7) * cross(g.axis1, g.axis2);
-    switch (number) {
-        case dJointTypeBall:
-            dJointSetBallAnchor(j, p.x, p.y, p.z);
-            break;
-        case dJointTypeHinge:
-            dJointSetHingeAnchor(j, p.x, p.y, p.z);
-            dJointSetHingeAxis(j, g.axis1.x, g.axis1.y, g.axis1.z);
-            break;
-        case dJointTypeSlider:
-            dJointSetSliderAxis(j, g.axis1.x, g.axis1.y, g.axis1.z);
-            break;
-        case dJointTypeUniversal:
-            dJointSetUniversalAnchor(j, p.x, p.y, p.z);
-            dJointSetUniversalAxis1(j, a.x, a.y, a.z);
-            dJointSetUniversalAxis2(j, b.x, b.y, b.z);
-            break;
-        case dJointTypeHinge2:
-            dJointSetHinge2Anchor(j, p.x, p.y, p.z);
-            dJointSetHinge2Axes(j, a4, b4);
-            break;
-        case dJointTypeFixed:
-            dJointSetFixed(j);
-            break;
-        case dJointTypePR:
-            dJointSetPRAnchor(j, p.x, p.y, p.z);
-            dJointSetPRAxis1(j, g.axis1.x, g.axis1.y, g.axis1.z);
-            dJointSetPRAxis2(j, g.axis2.x, g.axis2.y, g.axis2.z);
-            break;
-        case dJointTypePU:
-            dJointSetPUAnchor(j, p.x, p.y, p.z);
-            dJointSetPUAxis1(j, a.x, a.y, a.z);
-            dJointSetPUAxis2(j, b.x, b.y, b.z);
-            dJointSetPUAxis3(j, oblique.x, oblique.y, oblique.z);
-            break;
-        case dJointTypePiston:
-            dJointSetPistonAnchor(j, p.x, p.y, p.z);
-            dJointSetPistonAxis(j, g.axis1.x, g.axis1.y, g.axis1.z);
-            break;
-        case dJointTypeDBall:
-            dJointSetDBallAnchor1(j, p1.x, p1.y, p1.z);
-            dJointSetDBallAnchor2(j, p2.x, p2.y, p2.z);
-            break;
-        case dJointTypeDHinge:
-            dJointSetDHingeAxis(j, g.axis1.x, g.axis1.y, g.axis1.z);
-            dJointSetDHingeAnchor1(j, p1.x, p1.y, p1.z);
-            dJointSetDHingeAnchor2(j, p2.x, p2.y, p2.z);
-            break;
-        case dJointTypeTransmission:
-            dJointSetTransmissionAxis(j, g.axis1.x, g.axis1.y, g.axis1.z);
-            dJointSetTransmissionAnchor1(j, p1.x, p1.y, p1.z);
-            dJointSetTransmissionAnchor2(j, p2.x, p2.y, p2.z);
-            dJointSetTransmissionRatio(j, swapped ? Real(0.5) : 2);
-            break;
-        case dJointTypeAMotor:
-            dJointSetAMotorNumAxes(j, 3);
-            dJointSetAMotorAxis(j, 0, 1, a.x, a.y, a.z);
-            dJointSetAMotorAxis(j, 1, 2, b.x, b.y, b.z);
-            dJointSetAMotorAxis(j, 2, 0, p.x, p.y, p.z);
-            for (int i = 0; i < 3; ++i) dJointSetAMotorParam(j, dParamFMax + i * dParamGroup, 1);
-            break;
-        case dJointTypeLMotor:
-            dJointSetLMotorNumAxes(j, 3);
-            dJointSetLMotorAxis(j, 0, 1, a.x, a.y, a.z);
-            dJointSetLMotorAxis(j, 1, 2, b.x, b.y, b.z);
-            dJointSetLMotorAxis(j, 2, 0, p.x, p.y, p.z);
-            for (int i = 0; i < 3; ++i) dJointSetLMotorParam(j, dParamFMax + i * dParamGroup, 1);
-            break;
-        default:
-            break;
-    }
-}
-
-class JointContract : public testing::TestWithParam<Case> {
+class JointContract : public testing::TestWithParam<JointCase> {
   protected:
     Rig rig;
     Dice dice;
 
     struct Scene {
         Body *a, *b;
-        Geometry geometry;
+        JointGeometry geometry;
         dJointID joint;
     };
     Scene scene(bool one_body = false, bool swapped = false)
     {
         const Vec3 xa = dice.vector(), xb = dice.vector();
         const Quat qa = dice.rotation(), qb = dice.rotation();
-        const Geometry g(dice);
+        const JointGeometry g(dice);
         Scene s{rig.body(xa, qa), one_body ? nullptr : rig.body(xb, qb), g, nullptr};
-        s.joint = create(rig.id(), GetParam().number, g, swapped);
-        if (s.joint) {
-            swapped ? Rig::join(s.joint, s.b, s.a) : Rig::join(s.joint, s.a, s.b);
-            set_geometry(s.joint, GetParam().number, g, swapped);
-        }
+        s.joint = GetParam().create(rig.id(), g, swapped);
+        swapped ? Rig::join(s.joint, s.b, s.a) : Rig::join(s.joint, s.a, s.b);
+        set_geometry(s.joint, g, swapped);
         return s;
     }
     const JointType& type() const { return *joint_type(GetParam().number); }
@@ -214,11 +52,21 @@ TEST_P(JointContract, is_in_the_table_under_its_number_and_name)
     EXPECT_TRUE(t->emit && t->attached && t->set_param && t->get_param && t->destroy);
 }
 
-TEST_P(JointContract, is_exercised_by_this_file)
+TEST_P(JointContract, is_made_by_the_function_of_its_name)
 {
-    const Scene s = scene();
-    ASSERT_NE(s.joint, nullptr) << "teach create() and set_geometry() of joint_contract.cpp this type";
-    EXPECT_EQ(from_handle<Joint>(s.joint)->type, &type());
+    EXPECT_EQ(from_handle<Joint>(scene().joint)->type, &type());
+}
+
+TEST_P(JointContract, has_no_error_where_it_is_set)
+{
+    if (bound_to_the_world()) GTEST_SKIP() << "holds one body to a plane of the world";
+    for (int trial = 0; trial < 20; ++trial) {
+        const Scene s = scene(trial % 2 == 1 && !type().needs_two_bodies);
+        if (!has_geometry(s.joint)) GTEST_SKIP() << kNoGeometry;
+        for (const Row& r : rig.emit(s.joint).rows) {
+            if (r.kind == RowKind::kLock) { EXPECT_NEAR(r.error, 0, 100 * kEpsilon); }
+        }
+    }
 }
 
 TEST_P(JointContract, writes_finite_rows_within_its_number)
@@ -235,8 +83,6 @@ TEST_P(JointContract, writes_finite_rows_within_its_number)
             EXPECT_LE(r.lo, 0);
             EXPECT_GE(r.hi, 0);
             EXPECT_LT(r.parent, int(e.rows.size()));
-            if (r.kind != RowKind::kLock || bound_to_the_world()) continue;
-            EXPECT_NEAR(r.error, 0, 100 * kEpsilon) << "at the pose of setting";
         }
     }
 }
@@ -268,6 +114,7 @@ TEST_P(JointContract, is_the_same_constraint_with_bodies_exchanged)
     for (int trial = 0; trial < 10; ++trial) {
         const Dice before = dice;
         const Scene straight = scene();
+        if (!has_geometry(straight.joint)) GTEST_SKIP() << kNoGeometry;
         dice = before;
         const Scene crossed = scene(false, true);
         const std::vector<Row> one = rig.emit(straight.joint).rows, two = rig.emit(crossed.joint).rows;
@@ -298,11 +145,12 @@ TEST_P(JointContract, reversed_to_the_world_holds_the_same_pose)
 {
     if (bound_to_the_world()) GTEST_SKIP() << "holds one body to a plane of the world";
     if (type().needs_two_bodies) GTEST_SKIP() << "needs two bodies";
-    const Geometry g(dice);
+    const JointGeometry g(dice);
     Body* b = rig.body(dice.vector(), dice.rotation());
-    const dJointID j = create(rig.id(), GetParam().number, g);
+    const dJointID j = GetParam().create(rig.id(), g, false);
     Rig::join(j, nullptr, b);
-    set_geometry(j, GetParam().number, g);
+    if (!has_geometry(j)) GTEST_SKIP() << kNoGeometry;
+    set_geometry(j, g);
     EXPECT_TRUE(from_handle<Joint>(j)->reverse);
     for (const Row& r : rig.emit(j).rows) EXPECT_NEAR(r.error, 0, 100 * kEpsilon);
 }
@@ -348,7 +196,10 @@ TEST_P(JointContract, keeps_its_row_count_at_inner_poses)
         Rig::place(s.a, dice.vector(), dice.rotation());
         const Emitted inner = rig.emit(s.joint);
         EXPECT_FALSE(inner.applied);
-        ASSERT_EQ(inner.rows.size(), first.size());
+        ASSERT_EQ(inner.rows.size(), first.size())
+            << "emit() must write as many rows at an inner pose (out.info().inner) as at the step's first "
+               "pose:\n"
+               "decide by what was remembered then, not by the pose (docs/architecture.md, A joint type)";
         for (std::size_t i = 0; i < first.size(); ++i) {
             EXPECT_EQ(inner.rows[i].lo, first[i].lo);
             EXPECT_EQ(inner.rows[i].hi, first[i].hi);
@@ -368,7 +219,7 @@ TEST_P(JointContract, survives_the_loss_of_its_bodies_and_a_new_attachment)
     EXPECT_LE(int(rig.emit(s.joint).rows.size()), type().max_rows);
 }
 
-INSTANTIATE_TEST_SUITE_P(AllTypes, JointContract, testing::ValuesIn(all_types()),
+INSTANTIATE_TEST_SUITE_P(AllTypes, JointContract, testing::ValuesIn(joint_cases()),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

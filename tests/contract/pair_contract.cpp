@@ -4,10 +4,10 @@
 // What every pair function owes, tried for each line of collide/pairs/pairs.inc in seeded random poses, many
 // of them aligned or almost so, because that is where manifolds break:
 //   hit or miss and depth as a brute-force sweep over 20 000 directions finds them; the normal is unit, and
-//   moving the first solid along it by the depth parts the two; points lie in both solids; the room is never
-//   exceeded, and less room still holds a contact; the same class exchanged gives the opposite normal and the
-//   same depth; a tiny motion of a resting solid moves its contacts but little; zero sizes and equal centres
-//   give numbers.
+//   moving the first solid along it by the depth parts the two; points lie in both solids; the capacity is
+//   never exceeded, and less capacity still holds a contact; the same class exchanged gives the opposite
+//   normal and the same depth; a tiny motion of a resting solid moves its contacts but little; zero sizes and
+//   equal centres give numbers.
 // The reference knows the solids only by the support and membership functions written here.
 #include <gtest/gtest.h>
 
@@ -114,10 +114,10 @@ Real beyond(const Cylinder& c, Vec3 p)
 }
 Real beyond(const Convex& c, Vec3 p)
 {
-    Real most = -kInf;
+    Real largest = -kInf;
     for (const PolyhedronFace& f : c.solid->faces())
-        most = std::max(most, dot(f.normal, p - c.solid->centre()) - f.offset);
-    return most;
+        largest = std::max(largest, dot(f.normal, p - c.solid->centre()) - f.offset);
+    return largest;
 }
 Real beyond(const Plane& plane, Vec3 p) { return dot(plane.normal, p) - plane.d; }
 
@@ -297,11 +297,11 @@ struct Found {
 };
 
 template <class A, class B, class F>
-Found collide(F function, const Scene<A, B>& s, int room = 16)
+Found collide(F function, const Scene<A, B>& s, int capacity = 16)
 {
     Found f;
     for (dContactGeom& c : f.contacts) c.depth = -7;
-    ContactSink sink(f.contacts, int(sizeof(dContactGeom)), room, false);
+    ContactSink sink(f.contacts, int(sizeof(dContactGeom)), capacity, false);
     function(s.a, s.pa, s.b, s.pb, sink);
     f.count = sink.count();
     for (int i = 0; i < f.count; ++i) f.depth = std::max(f.depth, f.contacts[i].depth);
@@ -379,16 +379,16 @@ bool in_a_line(const Found& f)
 }
 
 template <class A, class B, class F>
-void check_room(F function, const Scene<A, B>& s)
+void check_capacity(F function, const Scene<A, B>& s)
 {
     const Found all = collide(function, s);
     ASSERT_LE(all.count, 4);
-    for (int room = 1; room <= 3; ++room) {
-        const Found f = collide(function, s, room);
+    for (int capacity = 1; capacity <= 3; ++capacity) {
+        const Found f = collide(function, s, capacity);
         check_numbers(f);
         // Of points in a line, as seen along the normal, only the two ends bear on anything.
-        ASSERT_LE(f.count, std::min(room, all.count));
-        ASSERT_GE(f.count, std::min({room, all.count, in_a_line(all) ? 2 : room}));
+        ASSERT_LE(f.count, std::min(capacity, all.count));
+        ASSERT_GE(f.count, std::min({capacity, all.count, in_a_line(all) ? 2 : capacity}));
         if (f.count > 0) { ASSERT_NEAR(f.depth, all.depth, Real(1e-4)) << "the deepest must survive"; }
     }
 }
@@ -463,7 +463,7 @@ void check_pair(F function)
             check_ray(function, s);
         } else {
             check_depth(function, s);
-            check_room(function, s);
+            check_capacity(function, s);
             if constexpr (std::is_same_v<A, B>) check_exchange(function, s);
         }
         hits += collide(function, s).count > 0;
@@ -528,24 +528,24 @@ void check_degenerate(F function)
 // Largest distance from a contact of one manifold to the nearest of the other.
 Real wander(const Found& f, const Found& g)
 {
-    Real most = 0;
+    Real largest = 0;
     for (int i = 0; i < f.count; ++i) {
         Real nearest = kInf;
         for (int j = 0; j < g.count; ++j)
             nearest = std::min(nearest, length(load(f.contacts[i].pos) - load(g.contacts[j].pos)));
-        most = std::max(most, nearest);
+        largest = std::max(largest, nearest);
     }
-    return most;
+    return largest;
 }
 
 // Middle of all vertices that lie farthest along the direction.
 Vec3 middle_of_farthest(const Convex& c, Vec3 d)
 {
-    const Real most = dot(d, farthest(c, d) - c.solid->centre());
+    const Real extent = dot(d, farthest(c, d) - c.solid->centre());
     Vec3 sum;
     Real count = 0;
     for (const Vec3 v : c.solid->vertices())
-        if (dot(d, v) > most - kTight) sum += v, ++count;
+        if (dot(d, v) > extent - kTight) sum += v, ++count;
     return sum / count + c.solid->centre();
 }
 Vec3 level(Vec3 v) { return {v.x, v.y, 0}; }

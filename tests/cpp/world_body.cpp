@@ -342,7 +342,7 @@ void test_making_bodies(dWorld& world)
     judge_get("dBodyTemplate::create", dBodyGetWorld(empty) == world.id(), true);
     empty.setPosition(1, 2, 3);
     empty.create(world.id());
-    judge_get("dBodyTemplate::create anew", read_body(empty), read_body(by_number));
+    judge_get("dBodyTemplate::create again", read_body(empty), read_body(by_number));
     judge_get("dBodyTemplate::id", dBodyID(empty) == empty.id(), true);
 }
 

@@ -4,7 +4,7 @@
  * A program that uses every function of drawstuff, written as such programs are: in C, and (every.cpp) in C++. It
  * draws the board of board.h; pictures_test.cpp knows what must be where.
  *   stop N   ends by dsStop in frame N
- * Key q ends it too; every printable key is told on stdout. */
+ * Key q ends it too; every printable key is printed on stdout. */
 #include <drawstuff/drawstuff.h>
 #include <math.h>
 #include <stdio.h>

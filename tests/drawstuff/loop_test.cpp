@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The loop between a surface that plays a script of keys, frame by frame, and a program that writes down what
-// it is told. No OpenGL.
+// it gets. No OpenGL.
 #include "loop.h"
 
 #include <gtest/gtest.h>
@@ -159,13 +159,13 @@ TEST(Loop, TheMouseMovesTheViewpointAndControlVPrintsIt)
 {
     testing::internal::CaptureStdout();
     run({{drag(kLeftButton, 20, -10)}, {drag(kRightButton, 0, 100)}, {control('V')}});
-    const std::string told = testing::internal::GetCapturedStdout();
+    const std::string printed = testing::internal::GetCapturedStdout();
     // From (2, 0, 1), looking along -x: ten degrees to the left of it, five down, then a metre forwards.
     const double turn = 190 * 3.14159265358979 / 180;
     char expected[100];
     std::snprintf(expected, sizeof expected, "Viewpoint = (%.4f,%.4f,1.0000,-170.0000,-5.0000,0.0000)\n",
                   2 + std::cos(turn), std::sin(turn));
-    EXPECT_EQ(told, expected);
+    EXPECT_EQ(printed, expected);
     EXPECT_NE(diary.pictures[0].camera.eye[0], diary.pictures[1].camera.eye[0]);
 }
 

@@ -19,7 +19,7 @@ until_true 'window=$(xdotool search --name "^Simulation$" 2> /dev/null | head -1
 ! grep -q 'built without GLFW' err || skip "built without GLFW"
 
 # A plain key goes to the program, once frames run; a key with Ctrl does not.
-until_heard k 'grep -q "^command k" out'
+until_key_works k 'grep -q "^command k" out'
 xdotool key ctrl+v
 until_true 'grep -qF "Viewpoint = (4.0000,0.0000,11.0000,0.0000,-90.0000,0.0000)" out'
 # The view turns by half a degree a pixel.

@@ -233,9 +233,11 @@ def entry(index, result, name, typed):
 
 def main():
     include, cc, output = sys.argv[1:4]
-    lines, table, absent = [], [], []
+    lines, table, absent, joints = [], [], [], []
     for result, name, parameters in declarations(preprocessed(include, cc)):
         typed = [type_and_name(p, i) for i, p in enumerate(parameters)]
+        if name.startswith("dJointCreate") and [kind for kind, _ in typed] == ["dWorldID", "dJointGroupID"]:
+            joints.append(name)
         reason = EXCUSED.get(name) or unknown(name, typed)
         if reason:
             absent.append(f'{{"{name}", "{reason}", {"true" if name in EXCUSED else "false"}}}')
@@ -248,6 +250,7 @@ def main():
         f.write("\n".join(lines))
         f.write("\nconst Function kTable[] = {\n    " + ",\n    ".join(table) + "};\n")
         f.write("\nconst Absent kAbsent[] = {\n    " + ",\n    ".join(absent) + "};\n")
+        f.write("\nconst CreateJoint kJoints[] = {\n    " + ",\n    ".join(joints) + "};\n")
 
 
 main()

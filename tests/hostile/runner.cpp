@@ -186,6 +186,8 @@ void Runner::call_and_judge(const Function& f, const Choice& choice)
         restore_handlers();
         reset_ = true;
     }
+    if (phase_ == Phase::kTop && hostile_broken_invariant)
+        if (const char* broken = hostile_broken_invariant(scene_)) fault(f, std::string("breaks ") + broken);
     // From inside some functions nothing can be destroyed.
     result_ = result;
     if (phase_ == Phase::kTop) give_back(f, arguments_, result);

@@ -26,6 +26,10 @@ struct Tally {
     std::set<const Function*> called;
 };
 
+// What a call has broken inside the library, in words; null: nothing. Where the program is linked with the
+// library alone there is no such function (invariants.cpp).
+[[gnu::weak]] const char* hostile_broken_invariant(const Scene& scene);
+
 class Runner {
   public:
     explicit Runner(std::uint64_t seed);

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "table.h"
+
 namespace hostile {
 
 Hooks g_hooks;
@@ -101,13 +103,6 @@ void hear_nothing(int, const char*, va_list) {}
 
 constexpr int kBodies = 10;
 
-using CreateJoint = dJointID (*)(dWorldID, dJointGroupID);
-constexpr CreateJoint kJointTypes[] = {
-    dJointCreateBall,   dJointCreateHinge,   dJointCreateSlider, dJointCreateUniversal,
-    dJointCreateHinge2, dJointCreateFixed,   dJointCreateNull,   dJointCreateAMotor,
-    dJointCreateLMotor, dJointCreatePlane2D, dJointCreatePR,     dJointCreatePU,
-    dJointCreatePiston, dJointCreateDBall,   dJointCreateDHinge, dJointCreateTransmission};
-
 dContact contact_between(dReal x)
 {
     dContact c{};
@@ -182,24 +177,33 @@ void Scene::build_joints()
 {
     const auto body = [&](int i) { return static_cast<dBodyID>(live[int(Kind::kBody)][std::size_t(i)]); };
     int k = 0;
-    for (CreateJoint create : kJointTypes) {
+    for (CreateJoint create : joint_makers()) {
         const dJointID inner = create(world, nullptr), outer = create(world, nullptr);
         dJointAttach(inner, body(k % 7), body(k % 7 + 1));
         // Hinge-2 and transmission refuse a single body and stay loose.
-        if (k % 3 == 0 && create != dJointCreateTransmission) dJointAttach(outer, body(k % 7), nullptr);
-        if (k % 3 == 1 && create != dJointCreateHinge2) dJointAttach(outer, nullptr, body(k % 7));
+        const bool takes_one = create != dJointCreateTransmission && create != dJointCreateHinge2;
+        if (k % 3 == 0 && takes_one) dJointAttach(outer, body(k % 7), nullptr);
+        if (k % 3 == 1 && takes_one) dJointAttach(outer, nullptr, body(k % 7));
         add(Kind::kJoint, inner);
         add(Kind::kJoint, outer);
         ++k;
     }
-    const auto joint = [&](int i) { return static_cast<dJointID>(live[int(Kind::kJoint)][std::size_t(i)]); };
-    dJointSetHingeAxis(joint(2), 0, 1, 0);
-    dJointSetHingeParam(joint(2), dParamHiStop, 1);
-    dJointSetHingeParam(joint(2), dParamLoStop, -1);
-    dJointSetSliderParam(joint(4), dParamFMax, 1);
-    dJointSetTransmissionMode(joint(31), dTransmissionChainDrive);
-    dJointSetAMotorNumAxes(joint(14), 3);
-    dJointSetLMotorNumAxes(joint(16), 3);
+    // The first of the two of a type, or the second.
+    const auto joint = [&](dJointType type, int which = 0) {
+        for (void* p : live[int(Kind::kJoint)]) {
+            const dJointID candidate = static_cast<dJointID>(p);
+            if (dJointGetType(candidate) == type && which-- == 0) return candidate;
+        }
+        std::abort();
+    };
+    const dJointID hinge = joint(dJointTypeHinge);
+    dJointSetHingeAxis(hinge, 0, 1, 0);
+    dJointSetHingeParam(hinge, dParamHiStop, 1);
+    dJointSetHingeParam(hinge, dParamLoStop, -1);
+    dJointSetSliderParam(joint(dJointTypeSlider), dParamFMax, 1);
+    dJointSetTransmissionMode(joint(dJointTypeTransmission, 1), dTransmissionChainDrive);
+    dJointSetAMotorNumAxes(joint(dJointTypeAMotor), 3);
+    dJointSetLMotorNumAxes(joint(dJointTypeLMotor), 3);
 }
 
 void Scene::build_geoms()

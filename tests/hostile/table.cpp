@@ -13,5 +13,6 @@ namespace {
 
 std::span<const Function> functions() { return kTable; }
 std::span<const Absent> absent_functions() { return kAbsent; }
+std::span<const CreateJoint> joint_makers() { return kJoints; }
 
 }  // namespace hostile

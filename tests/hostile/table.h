@@ -204,6 +204,9 @@ struct Absent {
 };
 
 std::span<const Function> functions();
+// Of every joint type but contacts.
+using CreateJoint = dJointID (*)(dWorldID, dJointGroupID);
+std::span<const CreateJoint> joint_makers();
 std::span<const Absent> absent_functions();
 
 }  // namespace hostile

@@ -87,14 +87,14 @@ Mechanism::~Mechanism()
 void Mechanism::add_bodies(const Limits& limits)
 {
     const int count = limits.least_bodies + random_.below(limits.most_bodies - limits.least_bodies + 1);
-    const double room = 0.5 * std::cbrt(double(count));
+    const double half_side = 0.5 * std::cbrt(double(count));
     for (int i = 0; i < count; ++i) {
         const dBodyID body = dBodyCreate(world);
         bodies.push_back(body);
         mass.push_back(log_uniform(random_, 1e-3, 1e3));
         draw_mass(random_, body, mass.back());
         flat_.push_back(random_.unit() < 0.05);
-        const Vec3 p = random_.in_cube(room), v = random_.in_cube(1), w = random_.in_cube(2);
+        const Vec3 p = random_.in_cube(half_side), v = random_.in_cube(1), w = random_.in_cube(2);
         dBodySetPosition(body, dReal(p.x), dReal(p.y), flat_.back() ? 0 : dReal(p.z));
         turn(random_, body);
         dBodySetLinearVel(body, dReal(v.x), dReal(v.y), dReal(v.z));

@@ -22,7 +22,7 @@ namespace {
 using namespace epode::mechanisms;
 
 int said = 0;
-void hear(int, const char*, va_list) { ++said; }
+void count_message(int, const char*, va_list) { ++said; }
 
 std::string mapped_library()
 {
@@ -84,7 +84,7 @@ int main(int argc, char** argv)
     }
     std::printf("#library %s\n", mapped_library().c_str());
     dInitODE2(0);
-    dSetMessageHandler(&hear);
+    dSetMessageHandler(&count_message);
     const int first = std::atoi(argv[1]), count = std::atoi(argv[2]);
     for (int i = first; i < first + count; ++i) run_apart(i, std::atof(argv[3]));
     dCloseODE();

@@ -25,7 +25,7 @@ constexpr double kTorn = 1e5;  // m/s or rad/s
 constexpr double kPromised = sizeof(dReal) == 8 ? 1e-9 : 1e-4;
 
 int said = 0;
-void hear(int, const char*, va_list) { ++said; }
+void count_message(int, const char*, va_list) { ++said; }
 
 dWorldStepReport report_of(const Mechanism& m)
 {
@@ -53,11 +53,11 @@ int decade_of(double residual)
 
 double fastest(const Mechanism& m)
 {
-    double most = 0;
+    double fastest = 0;
     for (const BodyState& s : m.state())
         for (int i = 0; i < 3; ++i)
-            most = std::max({most, std::fabs(double(s.v[i])), std::fabs(double(s.w[i]))});
-    return most;
+            fastest = std::max({fastest, std::fabs(double(s.v[i])), std::fabs(double(s.w[i]))});
+    return fastest;
 }
 
 void count_torn(const dWorldStepReport& r, Totals& t)
@@ -183,9 +183,9 @@ int reduce(int number, int step)
 int main(int argc, char** argv)
 {
     dInitODE2(0);
-    dSetMessageHandler(&hear);
-    dSetDebugHandler(&hear);
-    dSetErrorHandler(&hear);
+    dSetMessageHandler(&count_message);
+    dSetDebugHandler(&count_message);
+    dSetErrorHandler(&count_message);
     const auto number = [&](int k, int otherwise) { return argc > k ? std::atoi(argv[k]) : otherwise; };
     const int status = argc > 3 && !std::strcmp(argv[1], "--reduce")
                            ? reduce(number(2, 0), number(3, 0))

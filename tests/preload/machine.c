@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause
    Copyright (c) 2026 The Epode authors
 
-   A program to be captured and run again: every joint type with parameters that change on the way, forces,
-   bodies and joints that come and go, geoms that take their bodies along, contacts with every kind of
-   surface, every stepper of the library. `machine managed` lets the world manage its contacts, which no
-   recording can do again; so does `machine push`, with a moved callback that adds forces in the middle of
-   steps. `machine watch` has one that only reads. */
+   A program to be captured and run again: every joint type with parameters that change on the way, forces, bodies and
+   joints that come and go, geoms that take their bodies along, contacts with every kind of surface, every stepper of the
+   library. `machine space` lets the world find its contacts, which no recording can do again; so does `machine shove`,
+   with a moved callback that adds forces in the middle of steps. `machine watch` has one that only reads. */
 #include <ode/ext.h>
 #include <ode/ode.h>
 #include <stdio.h>
@@ -45,7 +44,10 @@ static void near_callback(void* data, dGeomID a, dGeomID b)
 static dReal seen = 0;
 static void watch(dBodyID body) { seen += dBodyGetPosition(body)[2] + dBodyGetLinearVel(body)[0]; }
 
-static void push(dBodyID body) { dBodyAddForce(body, 0, 0, 0.1); }
+static void shove(dBodyID body)
+{
+    dBodyAddForce(body, 0, 0, 0.1);
+}
 
 static dBodyID box_at(dReal x, dReal y, dReal z)
 {
@@ -184,12 +186,12 @@ int main(int argc, char** argv)
     dGeomSetOffsetPosition(shell, 0.4, 0, 0);
     dBodySetQuaternion(loose, turn);
     dBodySetAngularVel(guest, 0, 2, 1);
-    if (argc > 1 && strcmp(argv[1], "managed") == 0) dWorldSetContactSpace(world, space);
+    if (argc > 1 && strcmp(argv[1], "space") == 0) dWorldSetContactSpace(world, space);
     if (argc > 1 && strcmp(argv[1], "watch") == 0) {
         dBodySetMovedCallback(loose, watch);
         dBodySetMovedCallback(guest, watch);
     }
-    if (argc > 1 && strcmp(argv[1], "push") == 0) dBodySetMovedCallback(loose, push);
+    if (argc > 1 && strcmp(argv[1], "shove") == 0) dBodySetMovedCallback(loose, shove);
     for (i = 0; i < 100; ++i) {
         dBodyAddForceAtRelPos(loose, 0.2, 0, 0.1, 0, 0.1, 0);
         if (i == 20) dJointGroupEmpty(kept);

@@ -30,7 +30,7 @@ for stepper in exact quick fast hybrid; do
     for name in client machine; do
         replayed $name.epr --stepper $stepper -o other.epr
         [ $code = 0 ] && [ "$(field identical)" = false ] || fail "$name with $stepper: code $code"
-        [ "$(field contacts)" = '"found"' ] || fail "contacts were not found anew"
+        [ "$(field contacts)" = '"found"' ] || fail "contacts were not found again"
         first=$(field first_step) farthest=$(field distance_10)
         code=0
         "$program" diff $name.epr other.epr --json > said || code=$?
@@ -78,9 +78,9 @@ grep -q 'interrupted after state [0-9]* of [0-9]*' err && grep -q "'stopped.epr'
 [ "$("$program" inspect stopped.epr --hashes | wc -l)" -lt "$("$program" inspect machine.epr --hashes | wc -l)" ] || fail "it did not stop"
 
 refused() { grep -q "$1" err || fail "it is not said that: $1"; }
-captured managed.epr -- "$machine" managed
-replayed managed.epr
-[ $code = 1 ] || fail "managed contacts are not refused"
+captured space.epr -- "$machine" space
+replayed space.epr
+[ $code = 1 ] || fail "world-managed contacts are not refused"
 refused 'dWorldSetContactSpace, which a recording cannot do again'
 # A moved callback that only reads is no reason to refuse: the program sees what it sees without the recorder, and its run is
 # made again to the last bit. One that changes something in the middle of a step is refused by the name of the call.
@@ -90,8 +90,8 @@ cmp alone watched || fail "the callback sees something else under the recorder"
 [ "$(cat alone)" != 0 ] || fail "the callback was never called"
 replayed watch.epr
 [ $code = 0 ] && [ "$(field identical)" = true ] || fail "a program whose callback reads is not run again"
-captured push.epr -- "$machine" push
-replayed push.epr
+captured shove.epr -- "$machine" shove
+replayed shove.epr
 [ $code = 1 ] || fail "a callback that pushes is not refused"
 refused 'dBodyAddForce in a moved callback, which a recording cannot do again'
 "$program" record pendulum --seconds 0.1 --quiet -o scene.epr > /dev/null

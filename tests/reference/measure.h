@@ -7,8 +7,7 @@
 //   least_overlap   the least of h over 20,000 directions evenly spread on the sphere, each of the best few
 //                   then bettered by trying circles of neighbours, ever smaller ones
 //   distance        the point of the difference nearest to the origin, among the support points so far: of
-//   all
-//                   their subsets of at most four, solved as linear equations (Wolfe 1976)
+//                   all their subsets of at most four, solved as linear equations (Wolfe 1976)
 #pragma once
 
 #include "solid.h"

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // reference_pairs: dCollide of every pair of {sphere, box, capsule, cylinder, convex, plane} in random poses
-// beside a reference that knows the solids by their support points alone. A third of the poses is drawn
+// compared with a reference that knows the solids by their support points alone. A third of the poses is drawn
 // freely, the rest brought together until they are apart, or overlap, by 1e-8 to 0.1. Printed for each pair,
 // as parts of the solids' size:
 //   wrong    hit where the reference is apart, or miss where it overlaps, by more than --touch

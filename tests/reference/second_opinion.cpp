@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Every pair of convex solids in random poses, with the opinion of another library beside the library's
+// Every pair of convex solids in random poses, with the opinion of another library compared with the library's
 // distance. Nobody is judge: reference_pairs is. What is counted:
 //   wrong    the two disagree on whether the solids meet although the library's distance is beyond 1e-4 of
 //            the size

@@ -144,10 +144,10 @@ Point Solid::support(const Point& direction) const
             break;
         }
         default: {
-            double most = -1e300;
+            double extent = -1e300;
             for (const Point& v : vertices_) {
                 const double along = dot(v, d);
-                if (along > most) most = along, s = v;
+                if (along > extent) extent = along, s = v;
             }
         }
     }

@@ -73,6 +73,7 @@ bool Player::play(std::uint64_t operation)
     Dice dice(operation);
     freedom_ = dice.below(4);
     run_once(dice);
+    check_invariants();
     return complaint_.empty();
 }
 

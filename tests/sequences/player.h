@@ -123,6 +123,7 @@ class Player {
     void shape(Geom& geom, Dice& dice);
     void adopt_contacts(World& world, Group* group);
     void run_once(Dice& dice);
+    void check_invariants();  // of the library's insides
 
     void check_worlds();
     void check_bodies();

@@ -16,7 +16,7 @@ shows() { tail -1 out | grep -q "$1"; }
 
 # Help comes by a key that is sent last, so all slower, of which there may be several, have been heard by then.
 until_true 'shows "state 0 .*paused speed 1 .*help 0"'
-until_heard minus '! shows "speed 1 "'
+until_key_works minus '! shows "speed 1 "'
 xdotool key 1 key F1
 until_true 'shows "state 0 .*paused speed 1 .*help 1"'
 xdotool key Right

@@ -9,6 +9,9 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <span>
+
+#include "base/arena.h"
 
 namespace epode {
 
@@ -31,6 +34,23 @@ inline int first_free(Palette& a, Palette& b)
     const int next = std::max(a.beyond, b.beyond);
     a.beyond = b.beyond = next + 1;
     return kMasked + next;
+}
+
+// Whether nothing of one colour shares a body. body(i, side): below 0 for what cannot move.
+template <typename BodyOf>
+bool disjoint(std::span<const int> colours, BodyOf&& body, Arena& arena)
+{
+    const Arena::Scope scope(arena);
+    const auto keys = arena.take<std::uint64_t>(2 * int(colours.size()));
+    if (arena.failed()) return true;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < colours.size(); ++i)
+        for (int side = 0; side < 2; ++side)
+            if (const int b = body(i, side); b >= 0)
+                keys[count++] = std::uint64_t(colours[i]) << 32 | std::uint64_t(b);
+    std::sort(keys.begin(), keys.begin() + std::ptrdiff_t(count));
+    return std::adjacent_find(keys.begin(), keys.begin() + std::ptrdiff_t(count)) ==
+           keys.begin() + std::ptrdiff_t(count);
 }
 
 }  // namespace epode

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "base/prefetch.h"
 #include "solve/common/colours.h"
 #include "tasks/stages.h"
@@ -118,6 +119,11 @@ void ManifoldSet::colour(std::span<ContactManifold* const> manifolds, std::span<
     for (int& c : colours)
         if (c < 0) c = moving + ~c;
     colours_ = moving + fixed;
+    [[maybe_unused]] const auto moved = [&](std::size_t i, int side) {
+        const int body = side == 0 ? manifolds[i]->body1 : manifolds[i]->body2;
+        return dynamic(bodies, body) ? body : -1;
+    };
+    EPODE_ASSERT(disjoint(colours, moved, arena));
 }
 
 // Counting sort by colour, then by number of points, the longest first. Afterwards starts[k] is where key k +

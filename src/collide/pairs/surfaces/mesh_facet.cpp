@@ -84,15 +84,15 @@ Crest crest_at_edge(const MeshFacet& f, int edge, Vec3 n)
 {
     const Rim rim = f.rim[edge];
     if (!level_or_falls(n, cross(f.n, f.edge(edge)))) return {};  // towards the triangle's own inside
-    if (rim == Rim::kBorder) return {true, true};
-    return {rim == Rim::kConvex && level_or_falls(n, f.into(edge)), false};
+    if (rim == Rim::kBorder) return {.stands = true, .border = true};
+    return {.stands = rim == Rim::kConvex && level_or_falls(n, f.into(edge))};
 }
 
 Crest crest_at_corner(const TriangleMesh& mesh, const MeshFacet& f, int corner, Vec3 n)
 {
     if (!f.sharp[corner]) return {};
     const Vec3 v = f.v[corner];
-    Crest c{true, false};
+    Crest c{.stands = true};
     for (const int j : {1, 2})
         if (!level_or_falls(n, f.v[(corner + j) % 3] - v)) return {};
     const int k = corner_at(mesh, f.index, v);
