@@ -36,7 +36,7 @@ ENFORCED = ("src/joints", "src/math", "src/simd", "tests", "tests/aarch64", "tes
 LONG_ENTRIES = tuple(f"include/ode/{name}.h" for name in ("step_options", "collision", "queries", "shapes", "steppers"))
 MAX_ENTRY = 8
 # Subjects after this commit keep to 72 characters.
-SUBJECTS_AFTER = "d38297e7fa890f1a5b76db16892a9bdd05fe70b7"
+SUBJECTS_AFTER = "1dc5d181ae838758b04abf29ae9f8974a61bada4"
 MAX_SUBJECT = 72
 
 

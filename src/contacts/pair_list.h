@@ -55,7 +55,8 @@ struct PairList {
             return "contacts: a pair's leaves are not in its list";
         for (const CachedManifold& kept : of(pair)) {
             const ContactManifold& manifold = kept.manifold;
-            if (manifold.count < 0 || manifold.count > kManifoldPoints) return "contacts: a manifold's count is wrong";
+            if (manifold.count < 0 || manifold.count > kManifoldPoints)
+                return "contacts: a manifold's count is wrong";
             for (int i = 0; i < manifold.count; ++i)
                 if (!(manifold.points[i].normal_impulse >= 0)) return "contacts: a normal impulse pulls";
             const Vec3 n = widen(manifold.normal);
