@@ -112,7 +112,8 @@ inline SolidProbe probe_of(const Cylinder& a, const Pose& A, Real slack)
 }
 inline SolidProbe probe_of(const Convex& a, const Pose& A, Real slack)
 {
-    return {ProbeKind::kBall, A.p, A.R, {}, view_of(a, A).size, slack};
+    const ConvexView view = view_of(a, A);
+    return {ProbeKind::kBall, view.pose.p, A.R, {}, view.size, slack};
 }
 
 // Contacts within this part of the size count as touching: of a solid that rests on many triangles some
