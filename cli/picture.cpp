@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Geoms become shapes, one colour per body, static ones in stone; joints become lines from anchor to body
-// centres. Planes other than the floor z = h are not drawn: they have no end.
+// Geoms become shapes, of convex solids without one triangles; one colour per body, static ones in stone;
+// joints become lines from anchor to body centres. Corners of triangles are shaded by the mean normal of
+// those there that face much the same way. Planes other than the floor z = h are not drawn: they have no end.
 #include "cli/picture.h"
 
 #ifdef EPODE_HAVE_VIEWER
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
 
+#include "scenes/extensions.h"
 #include "viewer/picture.h"
 
 namespace epode::cli {
@@ -52,6 +55,69 @@ bool set_size(dGeomID geom, Shape& shape)
     return true;
 }
 
+using Point = std::array<float, 3>;
+
+// The geom's triangles in its own frame, with their normals.
+std::vector<viewer::Triangle> solid_triangles(dGeomID geom)
+{
+    const std::vector<dReal> reals = scenes::triangles_of(geom);
+    std::vector<viewer::Triangle> out(reals.size() / 9);
+    std::map<Point, std::vector<Point>> normals_at;
+    const auto place = [&](size_t t, size_t k) {
+        const dReal* p = &reals[9 * t + 3 * k];
+        return Point{float(p[0]), float(p[1]), float(p[2])};
+    };
+    std::vector<Point> own(out.size());
+    for (size_t t = 0; t < out.size(); ++t) {
+        const Point a = place(t, 0), b = place(t, 1), c = place(t, 2);
+        float u[3], v[3];
+        for (size_t i = 0; i < 3; ++i) u[i] = b[i] - a[i], v[i] = c[i] - a[i];
+        Point n{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+        const float size = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+        for (float& x : n) x /= size;
+        own[t] = n;
+        for (size_t k = 0; k < 3; ++k) normals_at[place(t, k)].push_back(n);
+    }
+    for (size_t t = 0; t < out.size(); ++t)
+        for (size_t k = 0; k < 3; ++k) {
+            Point mean{};
+            for (const Point& n : normals_at[place(t, k)])
+                if (n[0] * own[t][0] + n[1] * own[t][1] + n[2] * own[t][2] > 0.8f)
+                    for (size_t i = 0; i < 3; ++i) mean[i] += n[i];
+            const float size = std::sqrt(mean[0] * mean[0] + mean[1] * mean[1] + mean[2] * mean[2]);
+            viewer::Corner& corner = out[t].corners[k];
+            for (size_t i = 0; i < 3; ++i) {
+                corner.pos[i] = place(t, k)[i];
+                corner.normal[i] = mean[i] / size;
+            }
+        }
+    return out;
+}
+
+void add_triangles(dGeomID geom, viewer::Color color, Picture& picture)
+{
+    const dReal *p = dGeomGetPosition(geom), *R = dGeomGetRotation(geom);
+    for (viewer::Triangle t : solid_triangles(geom)) {
+        t.color = color;
+        for (viewer::Corner& corner : t.corners) {
+            const viewer::Corner own = corner;
+            for (int i = 0; i < 3; ++i) {
+                corner.pos[i] = float(p[i]), corner.normal[i] = 0;
+                for (int k = 0; k < 3; ++k) {
+                    corner.pos[i] += float(R[4 * i + k]) * own.pos[k];
+                    corner.normal[i] += float(R[4 * i + k]) * own.normal[k];
+                }
+            }
+        }
+        picture.triangles.push_back(t);
+    }
+}
+
+bool is_convex_beyond_odes(dGeomID geom)
+{
+    return dGeomGetClass(geom) == dConvexClass || dGeomGetClass(geom) >= dGeomNumClasses;
+}
+
 void add_shapes(const scenes::Scene& scene, Picture& picture)
 {
     std::map<dBodyID, std::uint32_t> number;
@@ -65,10 +131,11 @@ void add_shapes(const scenes::Scene& scene, Picture& picture)
             picture.ground_height = float(plane[3]);
             continue;
         }
-        Shape shape;
-        if (!set_size(geom, shape)) continue;
         dBodyID body = dGeomGetBody(geom);
+        Shape shape;
         shape.color = body ? viewer::body_color(number[body]) : viewer::kStone;
+        if (is_convex_beyond_odes(geom)) add_triangles(geom, shape.color, picture);
+        if (!set_size(geom, shape)) continue;
         viewer::set_pose(shape, dGeomGetPosition(geom), dGeomGetRotation(geom));
         picture.shapes.push_back(shape);
     }

@@ -93,6 +93,17 @@ void draw_convex(dGeomID geom)
                  points.data(), unsigned(points.size() / 3), polygons.data());
 }
 
+// Of cones, ellipsoids and what else is convex and no class of ODE's.
+void draw_triangles(dGeomID geom)
+{
+    constexpr int kSegments = 24;
+    std::vector<dReal> corners(9 * size_t(dGeomGetTriangles(geom, kSegments, nullptr, 0)));
+    dGeomGetTriangles(geom, kSegments, corners.data(), int(corners.size() / 9));
+    for (size_t k = 0; k < corners.size(); k += 9)
+        dsDrawTriangle(dGeomGetPosition(geom), dGeomGetRotation(geom), &corners[k], &corners[k + 3],
+                       &corners[k + 6], 1);
+}
+
 void draw_one(dGeomID geom)
 {
     if (const auto* look = static_cast<const Paint*>(dGeomGetData(geom))) {
@@ -101,6 +112,7 @@ void draw_one(dGeomID geom)
     }
     if (dGeomGetClass(geom) == dTriMeshClass) return draw_mesh(geom);
     if (dGeomGetClass(geom) == dConvexClass) return draw_convex(geom);
+    if (dGeomGetClass(geom) >= dGeomNumClasses) return draw_triangles(geom);
     const dReal *pos = dGeomGetPosition(geom), *R = dGeomGetRotation(geom);
     dReal radius = 0, length = 0;
     dVector3 sides;

@@ -84,7 +84,7 @@ Shape shape_of(dGeomID given)
         case dHeightfieldClass:
             return height_field_surface(geom);
         default:
-            return {};
+            return solid_surface(geom);
     }
 }
 

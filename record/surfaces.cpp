@@ -101,6 +101,7 @@ bool height_at(dGeomID field, dGeomID ray, const Frame& frame, Vec3& point, doub
 
 using GetPoints = int (*)(dGeomID, dReal*, int);
 using GetPolygons = int (*)(dGeomID, unsigned int*, int);
+using GetTriangles = int (*)(dGeomID, int, dReal*, int);
 
 }  // namespace
 
@@ -139,6 +140,27 @@ Shape convex_surface(dGeomID convex)
         const unsigned int* corner = &polygons[at + 1];
         for (unsigned int i = 2; i < polygons[at]; ++i)
             shape.triangles.push_back({corner[0], corner[i - 1], corner[i]});
+    }
+    return shape;
+}
+
+Shape solid_surface(dGeomID solid)
+{
+    constexpr int kSegments = 32;
+    static const auto get = reinterpret_cast<GetTriangles>(dlsym(RTLD_DEFAULT, "dGeomGetTriangles"));
+    Shape shape;
+    if (!get || dGeomIsSpace(solid) || dGeomGetClass(solid) < dGeomNumClasses) return shape;
+    std::vector<dReal> reals(9 * size_t(std::max(0, get(solid, kSegments, nullptr, 0))));
+    get(solid, kSegments, reals.data(), int(reals.size() / 9));
+    shape.kind = ShapeKind::kConvex;
+    std::map<Vec3, std::uint32_t> known;
+    for (size_t at = 0; at + 9 <= reals.size(); at += 9) {
+        std::array<std::uint32_t, 3> triangle;
+        for (size_t k = 0; k < 3; ++k) {
+            const dReal* p = &reals[at + 3 * k];
+            triangle[k] = vertex_number(shape, known, {double(p[0]), double(p[1]), double(p[2])});
+        }
+        shape.triangles.push_back(triangle);
     }
     return shape;
 }

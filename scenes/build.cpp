@@ -17,17 +17,6 @@ void place(dBodyID body, Vec pos, Turn q)
     dBodySetQuaternion(body, quaternion);
 }
 
-dBodyID make_body(Scene& scene, dGeomID geom, const dMass& mass, Vec pos, Turn q)
-{
-    dBodyID body = dBodyCreate(scene.world());
-    dBodySetMass(body, &mass);
-    dGeomSetBody(geom, body);
-    place(body, pos, q);
-    scene.add_body(body);
-    scene.add_geom(geom);
-    return body;
-}
-
 dGeomID attach(Scene& scene, dBodyID body, dGeomID geom, Vec offset, Turn q)
 {
     const dQuaternion quaternion = {dReal(q.w), dReal(q.x), dReal(q.y), dReal(q.z)};
@@ -46,33 +35,44 @@ dJointID connect(dJointID joint, dBodyID body1, dBodyID body2)
 
 }  // namespace
 
+dBodyID add_body(Scene& scene, dGeomID geom, const dMass& mass, Vec pos, Turn q)
+{
+    dBodyID body = dBodyCreate(scene.world());
+    dBodySetMass(body, &mass);
+    dGeomSetBody(geom, body);
+    place(body, pos, q);
+    scene.add_body(body);
+    scene.add_geom(geom);
+    return body;
+}
+
 dBodyID add_sphere(Scene& scene, double radius, double density, Vec pos)
 {
     dMass mass;
     dMassSetSphere(&mass, dReal(density), dReal(radius));
-    return make_body(scene, dCreateSphere(scene.space(), dReal(radius)), mass, pos, {});
+    return add_body(scene, dCreateSphere(scene.space(), dReal(radius)), mass, pos, {});
 }
 
 dBodyID add_box(Scene& scene, Vec size, double density, Vec pos, Turn q)
 {
     dMass mass;
     dMassSetBox(&mass, dReal(density), dReal(size.x), dReal(size.y), dReal(size.z));
-    return make_body(scene, dCreateBox(scene.space(), dReal(size.x), dReal(size.y), dReal(size.z)), mass, pos,
-                     q);
+    return add_body(scene, dCreateBox(scene.space(), dReal(size.x), dReal(size.y), dReal(size.z)), mass, pos,
+                    q);
 }
 
 dBodyID add_capsule(Scene& scene, double radius, double length, double density, Vec pos, Turn q)
 {
     dMass mass;
     dMassSetCapsule(&mass, dReal(density), 3, dReal(radius), dReal(length));
-    return make_body(scene, dCreateCapsule(scene.space(), dReal(radius), dReal(length)), mass, pos, q);
+    return add_body(scene, dCreateCapsule(scene.space(), dReal(radius), dReal(length)), mass, pos, q);
 }
 
 dBodyID add_cylinder(Scene& scene, double radius, double length, double density, Vec pos, Turn q)
 {
     dMass mass;
     dMassSetCylinder(&mass, dReal(density), 3, dReal(radius), dReal(length));
-    return make_body(scene, dCreateCylinder(scene.space(), dReal(radius), dReal(length)), mass, pos, q);
+    return add_body(scene, dCreateCylinder(scene.space(), dReal(radius), dReal(length)), mass, pos, q);
 }
 
 dBodyID add_limb(Scene& scene, double radius, double density, Vec from, Vec to)

@@ -12,6 +12,7 @@
 namespace epode::scenes {
 
 // Dynamic bodies: one geom, its mass, one pose.
+dBodyID add_body(Scene& scene, dGeomID geom, const dMass& mass, Vec pos, Turn q = {});
 dBodyID add_sphere(Scene& scene, double radius, double density, Vec pos);
 dBodyID add_box(Scene& scene, Vec size, double density, Vec pos, Turn q = {});
 dBodyID add_capsule(Scene& scene, double radius, double length, double density, Vec pos, Turn q = {});

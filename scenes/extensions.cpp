@@ -59,6 +59,58 @@ StepFast fast_function()
 
 }  // namespace
 
+namespace {
+
+constexpr dReal kWater = 1000;
+constexpr int kAlongZ = 3, kSegments = 32;
+
+using CreateCone = dGeomID (*)(dSpaceID, dReal, dReal);
+using CreateOfThree = dGeomID (*)(dSpaceID, dReal, dReal, dReal);
+using MassOfCone = void (*)(dMass*, dReal, int, dReal, dReal);
+using MassOfEllipsoid = void (*)(dMass*, dReal, dReal, dReal, dReal);
+using MassOfTapered = void (*)(dMass*, dReal, int, dReal, dReal, dReal);
+using GetTriangles = int (*)(dGeomID, int, dReal*, int);
+
+}  // namespace
+
+dGeomID create_cone(dSpaceID space, double radius, double length, dMass& mass)
+{
+    const auto create = find<CreateCone>("dCreateCone");
+    const auto weigh = find<MassOfCone>("dMassSetCone");
+    if (!create || !weigh) return nullptr;
+    weigh(&mass, kWater, kAlongZ, dReal(radius), dReal(length));
+    return create(space, dReal(radius), dReal(length));
+}
+
+dGeomID create_ellipsoid(dSpaceID space, double rx, double ry, double rz, dMass& mass)
+{
+    const auto create = find<CreateOfThree>("dCreateEllipsoid");
+    const auto weigh = find<MassOfEllipsoid>("dMassSetEllipsoid");
+    if (!create || !weigh) return nullptr;
+    weigh(&mass, kWater, dReal(rx), dReal(ry), dReal(rz));
+    return create(space, dReal(rx), dReal(ry), dReal(rz));
+}
+
+dGeomID create_tapered_capsule(dSpaceID space, double r1, double r2, double length, dMass& mass)
+{
+    const auto create = find<CreateOfThree>("dCreateTaperedCapsule");
+    const auto weigh = find<MassOfTapered>("dMassSetTaperedCapsule");
+    if (!create || !weigh) return nullptr;
+    weigh(&mass, kWater, kAlongZ, dReal(r1), dReal(r2), dReal(length));
+    return create(space, dReal(r1), dReal(r2), dReal(length));
+}
+
+std::vector<dReal> triangles_of(dGeomID geom)
+{
+    const auto get = find<GetTriangles>("dGeomGetTriangles");
+    std::vector<dReal> out;
+    if (!get) return out;
+    const int count = get(geom, kSegments, nullptr, 0);
+    out.resize(9 * std::size_t(count));
+    get(geom, kSegments, out.data(), count);
+    return out;
+}
+
 bool has_step_fast() { return fast_function() != nullptr; }
 
 int step_fast(dWorldID world, dReal dt, int substeps)

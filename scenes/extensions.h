@@ -42,6 +42,14 @@ void set_contact_space(dWorldID world, dSpaceID space);
 void set_material(dGeomID geom, const dSurfaceParameters& surface);
 std::vector<ManagedContact> managed_contacts(dWorldID world);
 
+// Shapes beyond ODE's, with the mass of water; 0 where the library has none.
+dGeomID create_cone(dSpaceID space, double radius, double length, dMass& mass);
+dGeomID create_ellipsoid(dSpaceID space, double rx, double ry, double rz, dMass& mass);
+dGeomID create_tapered_capsule(dSpaceID space, double r1, double r2, double length, dMass& mass);
+
+// The surface of a convex geom in its frame, 9 reals a triangle; none where the library does not tell.
+std::vector<dReal> triangles_of(dGeomID geom);
+
 // Residuals cost time, so a world reports only when asked to. False where the library cannot.
 bool request_step_report(dWorldID world, bool on);
 std::optional<StepReport> step_report(dWorldID world);

@@ -156,7 +156,7 @@ def classes_page():
     page += ("Each object of a class owns one object of the C interface and destroys it at its end; each member calls "
              "the C function of its name, so ``body.addForce(...)`` is ``dBodyAddForce(body, ...)``. They are in "
              "``ode/odecpp.h`` and ``ode/odecpp_collision.h``, included by ``<ode/ode.h>`` in C++; those with this "
-             "library's additions are in ``ode/odecpp_ext.h``.\n\n"
+             "library's additions are in ``ode/odecpp_ext.h``, shapes beyond ODE's in ``ode/odecpp_shapes.h``.\n\n"
              ".. list-table::\n   :header-rows: 1\n\n   * - class\n     - members\n")
     for file in sorted(XML.glob("classd*.xml")):
         tree = ElementTree.parse(file).getroot().find("compounddef")

@@ -14,6 +14,99 @@
 extern "C" {
 #endif
 
+/** @chapter more_shapes Cones, ellipsoids, tapered capsules
+
+    Convex shapes beyond ODE's. They meet every other shape, in dCollide, queries and steps, as ODE's do. Put
+    on a body as they are, their centre of mass is the body's: their origin is it. The depth of a point is
+    positive inside, 0 on the surface, negative outside, m.
+
+    Arguments:
+    - space: the space to put a new geom into, or 0.
+    - cone, ellipsoid, tapered_capsule: a geom of that class.
+    - radius, length: of a cone, m: of its base, and from the base to the apex.
+    - r1, r2: the radii of a tapered capsule's balls, m; its length is the distance of their centres.
+    - rx, ry, rz: half the lengths of an ellipsoid along its own x, y and z axes, m.
+    - x, y, z: a point of the world, m.
+    - density: kg/m^3.
+    - total_mass: kg.
+    - direction: the axis, 1, 2 or 3 for x, y or z; the apex, or the ball r2, is on its positive side.
+
+    Refused: a geom of another class, destroyed or 0; a space that is destroyed or being collided; null
+    pointers; numbers that are not finite; [dCreateCone, dCreateEllipsoid, dCreateTaperedCapsule,
+   dGeomConeSet, dGeomEllipsoidSet, dGeomTaperedCapsuleSet, dMassSetTapered] a negative size; what each
+   function names. Nothing changes then, and the answer is 0. */
+
+/** The classes beyond ODE's, as dGeomGetClass returns them. Their numbers follow the last of ODE's, which
+    are those of the program's own classes, so that no number of ODE's changes: dGeomNumClasses counts ODE's
+    classes and the program's, not these. [ours] */
+enum { dConeClass = dGeomNumClasses, dEllipsoidClass, dTaperedCapsuleClass };
+
+/** - dCreateCone: Create a conical geom in the space, or (0) in none. Its own z axis is its axis: the base,
+   of that radius, lies at z = -length/4, the apex at z = 3 length/4, and the origin is the centre of mass.
+    - dGeomConeSetParams: Set the cone's radius and length, m.
+    - dGeomConeGetParams: Write the cone's radius to *radius and its length to *length, m.
+    - dGeomConePointDepth: Return how deep the world's point (x, y, z) is inside the cone, m. [ours] */
+ODE_API dGeomID dCreateCone(dSpaceID space, dReal radius, dReal length);
+ODE_API void dGeomConeSetParams(dGeomID cone, dReal radius, dReal length);
+ODE_API void dGeomConeGetParams(dGeomID cone, dReal* radius, dReal* length);
+ODE_API dReal dGeomConePointDepth(dGeomID cone, dReal x, dReal y, dReal z);
+
+/** - dMassSetCone: Set *m to the mass of a solid of that shape about the origin, its centre of mass.
+    - dMassSetConeTotal: Set *m to the mass of a solid of that shape that weighs total_mass. Refused by both:
+   other numbers of direction. [ours] */
+ODE_API void dMassSetCone(dMass* m, dReal density, int direction, dReal radius, dReal length);
+ODE_API void dMassSetConeTotal(dMass* m, dReal total_mass, int direction, dReal radius, dReal length);
+
+/** - dCreateEllipsoid: Create a geom with these radii in the space, or (0) in none, about its origin.
+    - dGeomEllipsoidSetRadii: Set the ellipsoid's radii along its own axes, m.
+    - dGeomEllipsoidGetRadii: Write the ellipsoid's radii to result, 3 reals, m.
+    - dGeomEllipsoidPointDepth: Return how deep the world's point (x, y, z) is inside the ellipsoid: the
+      distance from its surface, m. Refused: an ellipsoid with a radius of 0. [ours] */
+ODE_API dGeomID dCreateEllipsoid(dSpaceID space, dReal rx, dReal ry, dReal rz);
+ODE_API void dGeomEllipsoidSetRadii(dGeomID ellipsoid, dReal rx, dReal ry, dReal rz);
+ODE_API void dGeomEllipsoidGetRadii(dGeomID ellipsoid, dVector3 result);
+ODE_API dReal dGeomEllipsoidPointDepth(dGeomID ellipsoid, dReal x, dReal y, dReal z);
+
+/** - dMassSetEllipsoid: Set *m to the mass of a solid of these radii about the origin.
+    - dMassSetEllipsoidTotal: Set *m to the mass of a solid of these radii that weighs total_mass. [ours] */
+ODE_API void dMassSetEllipsoid(dMass* m, dReal density, dReal rx, dReal ry, dReal rz);
+ODE_API void dMassSetEllipsoidTotal(dMass* m, dReal total_mass, dReal rx, dReal ry, dReal rz);
+
+/** - dCreateTaperedCapsule: Create a tapered geom in the space, or (0) in none: the hull of two balls on its
+      own z axis, r2 above r1. The origin is its centre of mass.
+    - dGeomTaperedCapsuleSetParams: Set the geom's radii and length, m; the centre of mass stays the origin.
+    - dGeomTaperedCapsuleGetParams: Write the geom's radii to *r1 and *r2 and its length to *length, m.
+    - dGeomTaperedCapsulePointDepth: Return how deep the world's point (x, y, z) is inside the geom, m.
+    [ours] */
+ODE_API dGeomID dCreateTaperedCapsule(dSpaceID space, dReal r1, dReal r2, dReal length);
+ODE_API void dGeomTaperedCapsuleSetParams(dGeomID tapered_capsule, dReal r1, dReal r2, dReal length);
+ODE_API void dGeomTaperedCapsuleGetParams(dGeomID tapered_capsule, dReal* r1, dReal* r2, dReal* length);
+ODE_API dReal dGeomTaperedCapsulePointDepth(dGeomID tapered_capsule, dReal x, dReal y, dReal z);
+
+/** - dMassSetTaperedCapsule: Set *m to the mass of a solid of that shape about the origin, its centre of
+   mass.
+    - dMassSetTaperedCapsuleTotal: Set *m to the mass of a solid of that shape that weighs total_mass. Refused
+      by both: other numbers of direction; two radii of 0. [ours] */
+ODE_API void dMassSetTaperedCapsule(dMass* m, dReal density, int direction, dReal r1, dReal r2, dReal length);
+ODE_API void dMassSetTaperedCapsuleTotal(dMass* m, dReal total_mass, int direction, dReal r1, dReal r2,
+                                         dReal length);
+
+/** @chapter triangles Surfaces to draw
+
+    Arguments:
+    - geom: a sphere, box, capsule, cylinder, convex, cone, ellipsoid or other convex solid.
+    - capacity: how many triangles the array holds, 0 or more; 0 to ask for the number alone, the array may
+      then be null.
+
+    Refused: [dGeom] a geom that is no convex solid, destroyed or 0; null pointers; what each function names.
+    Nothing changes then, and the answer is 0. */
+
+/** Write the surface of the geom as triangles, and return how many there are. Each is 9 reals: three corners
+    in the geom's frame, m, counter-clockwise from outside. Round solids are cut into that many segments
+    around the z axis, and half as many along it; a convex has its faces. At most capacity are written to
+    facets. Refused: segments below 4 or above 512. [ours] */
+ODE_API int dGeomGetTriangles(dGeomID geom, int segments, dReal* facets, int capacity);
+
 /** @chapter continuous Continuous collision
 
     Without it a step moves bodies from one place to the next, and what is fast and thin passes what is

@@ -5,29 +5,6 @@
 #include "collide/types/registry.h"
 #include "ode/ext.h"
 
-namespace epode {
-namespace {
-
-// What may be in motion and has a shape that the library knows.
-bool can_be_followed(const Geom& geom)
-{
-    switch (geom.type->number) {
-        case dSphereClass:
-        case dBoxClass:
-        case dCapsuleClass:
-        case dCylinderClass:
-        case dConvexClass:
-        case dTriMeshClass:
-        case dGeomTransformClass:
-            return true;
-        default:
-            return false;
-    }
-}
-
-}  // namespace
-}  // namespace epode
-
 using namespace epode;
 
 extern "C" void dGeomSetContinuous(dGeomID id, int mode)
@@ -35,7 +12,7 @@ extern "C" void dGeomSetContinuous(dGeomID id, int mode)
     EPODE_GEOM(geom, id);
     EPODE_USER_SAY(!is_space(*geom), "argument must not be a space");
     EPODE_USER(mode >= dContinuousOff && mode <= dContinuousIgnored);
-    EPODE_USER_SAY(mode != dContinuousOn || can_be_followed(*geom),
+    EPODE_USER_SAY(mode != dContinuousOn || geom->type->half_thickness || as_transform(*geom),
                    "this class of geom cannot be continuous");
     set_continuous(*geom, mode);
 }

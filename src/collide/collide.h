@@ -32,6 +32,8 @@ struct ContactArray {
 // program is in its place; else null.
 using PairFunction = void (*)(const Geom& a, const Pose& A, const Geom& b, const Pose& B, ContactSink& sink);
 PairFunction own_pair(int first, int second);
+// The same, whatever the program has put in its place.
+PairFunction built_in_pair(int first, int second);
 
 // Appends the contacts of a and b; g1 belongs to a.
 void collide(Geom& a, Geom& b, ContactArray& out);

@@ -25,6 +25,7 @@ namespace epode {
 class DifWriter;
 struct Geom;
 struct GeomLeaves;
+struct SolidType;
 struct Space;
 struct TransformGeom;
 
@@ -38,6 +39,8 @@ struct GeomType {
     bool (*may_touch)(Geom& geom, Geom& other) = nullptr;  // a last look before a pair is reported; null: yes
     int (*control)(Geom& geom, int control_class, int code, void* data, int* size) = nullptr;  // null: none
     void (*describe)(const Geom& geom, DifWriter& out) = nullptr;  // in dWorldExportDIF; null: nothing to say
+    const SolidType* solid = nullptr;                    // convex solids (collide/solid_type.h); null: none
+    Real (*half_thickness)(const Geom& geom) = nullptr;  // of what may be continuous; null: it may not
 };
 
 // Where the body keeps what its geoms need; all null when there is none.

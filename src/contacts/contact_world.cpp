@@ -9,7 +9,7 @@
 #include "base/float_environment.h"
 #include "base/prefetch.h"
 #include "collide/collide.h"
-#include "collide/solid_view.h"
+#include "collide/solid_type.h"
 #include "contacts/narrow_phase.h"
 #include "dynamics/active.h"
 

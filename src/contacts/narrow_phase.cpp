@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "collide/collide.h"
-#include "collide/solid_view.h"
+#include "collide/solid_type.h"
 #include "contacts/manifold_points.h"
 #include "contacts/material.h"
 #include "contacts/pair_parting.h"
@@ -39,11 +39,7 @@ Real size_of(Geom& a, Geom& b)
 }
 
 // What of it touches is no point of the body, as corners are, but wherever its surface comes nearest.
-bool is_round(const Geom& geom)
-{
-    const int kind = geom.type->number;
-    return kind == dSphereClass || kind == dCapsuleClass || kind == dCylinderClass;
-}
+bool is_round(const Geom& geom) { return is_solid(geom) && geom.type->solid->round; }
 
 // Functions of the program may have made it.
 bool sound(const dContactGeom& c)

@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-#include "collide/solid_view.h"
-#include "collide/types/registry.h"
+#include "collide/solid_type.h"
 #include "geometry/parting.h"
 
 namespace epode {
@@ -15,65 +14,9 @@ constexpr Real kSteps = 32767;  // of a coordinate, either way
 constexpr Real kHair = kSingle ? Real(1e-4) : Real(1e-6);
 constexpr Real kLargestTurn = Real(0.5);
 
-template <typename Shape>
-const Shape& shape_of(const Geom& geom)
-{
-    return static_cast<const ShapeGeom<Shape>&>(geom).shape;
-}
-
-Real box_reach(const Box& box, Vec3 d) { return dot(abs(d), box.half); }
-Real cylinder_reach(const Cylinder& c, Vec3 d)
-{
-    return c.radius * std::sqrt(d.x * d.x + d.y * d.y) + c.half_length * std::fabs(d.z);
-}
-
 // How far the geom without its rounding reaches from its place along d, of about length 1, in its own frame.
-Real core_reach(const Geom& geom, Vec3 d)
-{
-    switch (geom.type->number) {
-        case dBoxClass:
-            return box_reach(shape_of<Box>(geom), d);
-        case dCapsuleClass:
-            return shape_of<Capsule>(geom).half_length * std::fabs(d.z);
-        case dCylinderClass:
-            return cylinder_reach(shape_of<Cylinder>(geom), d);
-        case dConvexClass: {
-            const Polyhedron& solid = *shape_of<Convex>(geom).solid;
-            return dot(d, solid.centre()) + solid.reach(d);
-        }
-        default:
-            return 0;
-    }
-}
-
-Real rounding_of(const Geom& geom)
-{
-    const int kind = geom.type->number;
-    return kind == dSphereClass    ? shape_of<Sphere>(geom).radius
-           : kind == dCapsuleClass ? shape_of<Capsule>(geom).radius
-                                   : Real(0);
-}
-
-// Of the core, from its place.
-Real farthest(const Geom& geom)
-{
-    switch (geom.type->number) {
-        case dBoxClass:
-            return length(shape_of<Box>(geom).half);
-        case dCapsuleClass:
-            return shape_of<Capsule>(geom).half_length;
-        case dCylinderClass: {
-            const Cylinder& c = shape_of<Cylinder>(geom);
-            return std::sqrt(c.radius * c.radius + c.half_length * c.half_length);
-        }
-        case dConvexClass: {
-            const Polyhedron& solid = *shape_of<Convex>(geom).solid;
-            return length(solid.centre()) + solid.size();
-        }
-        default:
-            return 0;
-    }
-}
+Real core_reach(const Geom& geom, Vec3 d) { return geom.type->solid->core_reach(geom, d); }
+CoreSize core_size(const Geom& geom) { return geom.type->solid->core_size(geom); }
 
 // What a geom may do in a step.
 struct Coming {
@@ -128,14 +71,13 @@ Vec3 unpack_direction(std::uint32_t code)
     return (1 / length(n)) * n;
 }
 
-Parting::Parting(const Geom& g1, const Geom& g2)
-    : g1_(g1),
-      g2_(g2),
-      size1_(farthest(g1)),
-      size2_(farthest(g2)),
-      rounding_(rounding_of(g1) + rounding_of(g2)),
-      hair_(kHair * (size1_ + size2_ + rounding_))
-{}
+Parting::Parting(const Geom& g1, const Geom& g2) : g1_(g1), g2_(g2)
+{
+    const CoreSize one = core_size(g1), two = core_size(g2);
+    size1_ = one.farthest, size2_ = two.farthest;
+    rounding_ = one.radius + two.radius;
+    hair_ = kHair * (size1_ + size2_ + rounding_);
+}
 
 Vec3 Parting::find(const Pose& pose1, const Pose& pose2, Vec3 guess) const
 {

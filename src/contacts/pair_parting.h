@@ -22,7 +22,7 @@ Vec3 unpack_direction(std::uint32_t code);
 
 class Parting {
   public:
-    // Of two solids (collide/solid_view.h).
+    // Of two solids (collide/solid_type.h).
     Parting(const Geom& g1, const Geom& g2);
 
     // A direction that parts them where they are taken to be, in the world; zero: none has been found.

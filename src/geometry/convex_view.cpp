@@ -90,15 +90,20 @@ void cylinder_feature(const void* shape, Vec3 d, Polygon& out)
         out.add({x, y, -c.half_length}), out.add({x, y, c.half_length});
         return;
     }
-    constexpr Real kHalf = Real(0.70710678118654752440);
-    constexpr Real kX[kRimPoints] = {1, kHalf, 0, -kHalf, -1, -kHalf, 0, kHalf};
     const Real side = d.z < 0 ? -1 : 1;
-    for (int i = 0; i < kRimPoints; ++i)  // sine of the i-th angle = cosine of the one two places before
-        out.add({c.radius * kX[i], side * c.radius * kX[(i + 6) % kRimPoints], side * c.half_length});
-    out.normal = {0, 0, side};
+    add_disc(c.radius, side * c.half_length, side, out);
 }
 
 }  // namespace
+
+void add_disc(Real radius, Real z, Real side, Polygon& out)
+{
+    constexpr Real kHalf = Real(0.70710678118654752440);
+    constexpr Real kX[kRimPoints] = {1, kHalf, 0, -kHalf, -1, -kHalf, 0, kHalf};
+    for (int i = 0; i < kRimPoints; ++i)  // sine of the i-th angle = cosine of the one two places before
+        out.add({radius * kX[i], side * radius * kX[(i + 6) % kRimPoints], z});
+    out.normal = {0, 0, side};
+}
 
 ConvexView view_of(const Sphere& sphere, const Pose& pose)
 {

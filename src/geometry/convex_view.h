@@ -32,11 +32,13 @@ struct PolyhedronEdge {
 };
 
 // What a view shows, for algorithms that know it better than through its functions.
-enum class SolidKind : unsigned char { kOther, kPoint, kSegment, kBox, kCylinder, kPolyhedron };
+// kCurved: known by its functions alone, and curved somewhere (curved_overlap.h).
+enum class SolidKind : unsigned char { kOther, kPoint, kSegment, kBox, kCylinder, kPolyhedron, kCurved };
 
 struct ConvexView {
     const void* shape = nullptr;
     SolidKind kind = SolidKind::kOther;  // `shape` is then the Sphere, Capsule, Box, Cylinder or Polyhedron
+    unsigned char base_axes = 0;         // bit i: -column i is a face normal, of a shape without symmetry
     Vec3 (*local_support)(const void* shape, Vec3 direction) = nullptr;
     // Face (counter-clockwise from outside), segment or point that looks most along `direction`: where two
     // faces do so alike, what they share.
@@ -77,7 +79,9 @@ ConvexView view_of(const Capsule& capsule, const Pose& pose);
 ConvexView view_of(const Cylinder& cylinder, const Pose& pose);
 ConvexView view_of(const Convex& convex, const Pose& pose);
 
-// A cylinder's end is drawn as a polygon of this many corners; a true rim point is added where it is deepest.
+// A round end is drawn as a polygon of this many corners; a true rim point is added where it is deepest.
 inline constexpr int kRimPoints = 8;
+// A disc across z at that height, seen from the side (1 or -1) that it looks to, as such a polygon.
+void add_disc(Real radius, Real z, Real side, Polygon& out);
 
 }  // namespace epode

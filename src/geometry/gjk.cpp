@@ -108,7 +108,7 @@ Vertex support(const ConvexView& a, const ConvexView& b, Vec3 d)
 
 }  // namespace
 
-Distance gjk_distance(const ConvexView& a, const ConvexView& b, Real limit)
+Distance gjk_distance(const ConvexView& a, const ConvexView& b, Real limit, Real tolerance)
 {
     constexpr int kIterations = 64;
     Simplex s;
@@ -126,7 +126,7 @@ Distance gjk_distance(const ConvexView& a, const ConvexView& b, Real limit)
             out.distance = bound / std::sqrt(d2);
             return out;
         }
-        if (d2 - bound <= 4 * kEpsilon * d2) break;
+        if (d2 - bound <= tolerance * d2) break;
         const Simplex before = s;
         s.v[s.count++] = next;
         if (bound <= 0 && encloses(s)) return out;  // else a plane keeps the origin out

@@ -17,7 +17,9 @@ struct Distance {
     Vec3 on_a, on_b;    // closest points of the cores, meaningful when distance > 0
 };
 
-// Stops early with a lower bound once the distance is known to exceed `limit`.
-Distance gjk_distance(const ConvexView& a, const ConvexView& b, Real limit = kInf);
+// Stops early with a lower bound once the distance is known to exceed `limit`, and with points so far apart
+// as they may be by `tolerance`, a part of the distance.
+Distance gjk_distance(const ConvexView& a, const ConvexView& b, Real limit = kInf,
+                      Real tolerance = 4 * kEpsilon);
 
 }  // namespace epode

@@ -9,6 +9,7 @@
 //   rim and rim           n free                                two unknowns: Newton
 // The slope of h at n is its support point, since h is homogeneous of degree one; for a rim of radius r about
 // u, with m the unit part of n across u and w = u x m, the second derivative is  r / |n - (n.u)u|  w w^T.
+#include "geometry/curved_overlap.h"
 #include "geometry/epa.h"
 #include "geometry/flat_overlap.h"
 #include "geometry/root.h"
@@ -190,6 +191,7 @@ Overlap least_overlap(const ConvexView& a, const ConvexView& b)
 {
     const Real enough =
         -(a.radius + b.radius) - 64 * kEpsilon * (a.size + b.size + length(b.pose.p - a.pose.p));
+    if (a.kind == SolidKind::kCurved || b.kind == SolidKind::kCurved) return curved_overlap(a, b, enough);
     Overlap least;
     const bool known = with_pair(a, b, [&](auto&& pair) {
         pair.try_faces(enough);

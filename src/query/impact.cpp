@@ -4,7 +4,7 @@
 // See impact.h.
 #include "query/impact.h"
 
-#include "geometry/polyhedron.h"
+#include "collide/solid_type.h"
 
 namespace epode {
 namespace {
@@ -199,8 +199,7 @@ Real meet_surface(const Traveller& a, const Mover& surface, bool one_sided, cons
 bool one_sided(const Thing& solid, const Thing& surface)
 {
     if (sort_of(surface) == Sort::kField) return true;
-    return solid.number() == dSphereClass || solid.number() == dCapsuleClass ||
-           solid.number() == dCylinderClass;
+    return is_solid(*solid.geom) && solid.geom->type->solid->round;
 }
 
 Real solid_meets(const Mover& a, const Mover& b, const ImpactRule& rule, Real most)
@@ -279,32 +278,8 @@ Real time_of_impact(const Mover& a, const Mover& b, const ImpactRule& rule, Real
 
 Real half_thickness(const Thing& thing)
 {
-    constexpr Real kThin = Real(0.01);  // of the size: what is thinner counts as so thick
-    const auto least = [](Vec3 h) { return std::min(std::min(h.x, h.y), h.z); };
-    const auto at_least = [](Real r, Real size) { return std::max(r, kThin * size); };
-    switch (thing.number()) {
-        case dSphereClass:
-            return thing.as<Sphere>().radius;
-        case dBoxClass:
-            return at_least(least(thing.as<Box>().half), max_component(thing.as<Box>().half));
-        case dCapsuleClass:
-            return thing.as<Capsule>().radius;
-        case dCylinderClass: {
-            const Cylinder& c = thing.as<Cylinder>();
-            return at_least(std::min(c.radius, c.half_length), std::max(c.radius, c.half_length));
-        }
-        case dConvexClass: {
-            const Polyhedron& p = *thing.as<Convex>().solid;
-            return at_least(p.inner_radius(), p.size());
-        }
-        case dTriMeshClass: {
-            const Aabb& box = thing.as<Trimesh>().mesh()->tree.box();
-            const Vec3 half = Real(0.5) * (box.hi - box.lo);
-            return at_least(least(half), max_component(half));
-        }
-        default:
-            return kInf;
-    }
+    const auto half = thing.geom->type->half_thickness;
+    return half ? half(*thing.geom) : kInf;
 }
 
 }  // namespace epode

@@ -44,11 +44,13 @@ bool RayCaster::asks_program_of_any()
     return !each_member(space_, [&](Geom& m) { return direct(m) || !asks_program(probe_, m); });
 }
 
+static_assert(kGeomClasses <= 32, "asked_ has a bit for each class");
+
 // Of solids and planes, which have no functions of the program.
 PairFunction RayCaster::direct(const Geom& geom)
 {
     const int number = geom.type->number;
-    if (number > dConvexClass) return nullptr;
+    if (number > dConvexClass && !geom.type->solid) return nullptr;
     if (!(asked_ >> number & 1)) {
         asked_ |= 1u << number;
         direct_[number] = number == dRayClass ? nullptr : own_pair(dRayClass, number);

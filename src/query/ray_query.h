@@ -75,7 +75,7 @@ class RayCaster {
     Pose pose_;  // of the ray: its axis is the third column
     // By class, from numbers that no program's function changes: the pair function, where it may be called at
     // once.
-    PairFunction direct_[dGeomNumClasses];
+    PairFunction direct_[kGeomClasses];
     unsigned asked_ = 0;  // bits of the classes for which that is known
     Array<Geom*> waiting_;
 };

@@ -4,8 +4,9 @@
 // See thing.h.
 #include "query/thing.h"
 
+#include "collide/collide.h"
 #include "collide/pairs/pairs.h"
-#include "collide/solid_view.h"
+#include "collide/solid_type.h"
 
 namespace epode {
 namespace {
@@ -46,18 +47,11 @@ Sort sort_of(const Thing& t)
 {
     if (!t.geom) return Sort::kNone;
     if (is_solid(*t.geom)) return Sort::kSolid;
-    switch (t.number()) {
-        case dRayClass:
-            return Sort::kSolid;
-        case dPlaneClass:
-            return Sort::kPlane;
-        case dTriMeshClass:
-            return t.as<Trimesh>().mesh() ? Sort::kMesh : Sort::kNone;
-        case dHeightfieldClass:
-            return t.as<Heightfield>().field() ? Sort::kField : Sort::kNone;
-        default:
-            return Sort::kNone;
-    }
+    if (t.number() == dRayClass) return Sort::kSolid;
+    if (t.number() == dPlaneClass) return Sort::kPlane;
+    if (t.number() == dTriMeshClass && t.as<Trimesh>().mesh()) return Sort::kMesh;
+    if (t.number() == dHeightfieldClass && t.as<Heightfield>().field()) return Sort::kField;
+    return Sort::kNone;
 }
 
 // `centre`, `reach`: a ball about what it is measured against; `memory` must stay.
@@ -102,29 +96,8 @@ bool in_ground(const Thing& a, const Thing& field, Separation& out)
     dContactGeom contacts[kRoom];
     ContactSink sink(contacts, sizeof(dContactGeom), kRoom, false);
     sink.name(to_handle(a.geom), to_handle(field.geom));
-    const Heightfield& ground = field.as<Heightfield>();
-    switch (a.number()) {
-        case dSphereClass:
-            sphere_heightfield(a.as<Sphere>(), a.pose, ground, field.pose, sink);
-            break;
-        case dBoxClass:
-            box_heightfield(a.as<Box>(), a.pose, ground, field.pose, sink);
-            break;
-        case dCapsuleClass:
-            capsule_heightfield(a.as<Capsule>(), a.pose, ground, field.pose, sink);
-            break;
-        case dCylinderClass:
-            cylinder_heightfield(a.as<Cylinder>(), a.pose, ground, field.pose, sink);
-            break;
-        case dConvexClass:
-            convex_heightfield(a.as<Convex>(), a.pose, ground, field.pose, sink);
-            break;
-        case dTriMeshClass:
-            trimesh_heightfield(a.as<Trimesh>(), a.pose, ground, field.pose, sink);
-            break;
-        default:
-            break;
-    }
+    const PairFunction pair = built_in_pair(a.number(), dHeightfieldClass);
+    if (pair && a.number() != dRayClass) pair(*a.geom, a.pose, *field.geom, field.pose, sink);
     if (sink.count() == 0) return false;
     int deepest = 0;
     for (int k = 1; k < sink.count(); ++k)

@@ -11,7 +11,7 @@ source "$(dirname "$0")/harness.sh"
 # Every scene that is listed runs, on its own stepper and on quick, with finite numbers.
 expect 0 list
 cp "$work/out" "$work/list"
-for name in pendulum chain wall pyramid pile ragdolls buggy fourbar tops dominoes boxes-1000; do has list "^$name +[^ ]"; done
+for name in pendulum chain wall pyramid pile shapes ragdolls buggy fourbar tops dominoes boxes-1000; do has list "^$name +[^ ]"; done
 while read -r name _; do
     expect 0 run "$name" --steps 5 --json --quiet
     has out "\"scene\": \"$name\""

@@ -6,6 +6,12 @@
 
 #include "twins.h"
 
+// Debian's headers have no such shapes.
+#if __has_include(<ode/odecpp_shapes.h>)
+#include <ode/odecpp_shapes.h>
+#define HAVE_MORE_SHAPES
+#endif
+
 namespace {
 
 Numbers read_geom(dGeomID g)
@@ -155,6 +161,33 @@ void test_rod(dSpace& space, const std::string& name, int number, void (*get)(dG
     GET_ARRAY((name + "::setParams").c_str(), 2, get(none, &out[0], &out[1]), (out[0] = 6, out[1] = 7));
 }
 
+#ifdef HAVE_MORE_SHAPES
+void test_more_shapes(dSpace& space)
+{
+    test_rod<dCone>(space, "dCone", dConeClass, dGeomConeGetParams);
+
+    dEllipsoid no_egg, egg(2, 3, 4), egg_inside(space, 2, 3, 4), egg_by_number(space.id(), 2, 3, 4);
+    judge_made("dEllipsoid::dEllipsoid", no_egg, egg, egg_inside, egg_by_number, space, dEllipsoidClass);
+    no_egg.create(space, 4, 5, 6);
+    judge_created("dEllipsoid::create", no_egg, space, 2);
+    GET_ARRAY("dEllipsoid::getRadii", 3, no_egg.getRadii(out), (out[0] = 4, out[1] = 5, out[2] = 6));
+    no_egg.setRadii(7, 8, 9);
+    GET_ARRAY("dEllipsoid::setRadii", 3, dGeomEllipsoidGetRadii(no_egg, out),
+              (out[0] = 7, out[1] = 8, out[2] = 9));
+
+    dTaperedCapsule none, alone(2, 1, 4), inside(space, 2, 1, 4), by_number(space.id(), 2, 1, 4);
+    judge_made("dTaperedCapsule::dTaperedCapsule", none, alone, inside, by_number, space,
+               dTaperedCapsuleClass);
+    none.create(space, 3, 2, 5);
+    judge_created("dTaperedCapsule::create", none, space, 5);
+    GET_ARRAY("dTaperedCapsule::getParams", 3, none.getParams(&out[0], &out[1], &out[2]),
+              (out[0] = 3, out[1] = 2, out[2] = 5));
+    none.setParams(1, 2, 3);
+    GET_ARRAY("dTaperedCapsule::setParams", 3, dGeomTaperedCapsuleGetParams(none, &out[0], &out[1], &out[2]),
+              (out[0] = 1, out[1] = 2, out[2] = 3));
+}
+#endif
+
 void test_ray(dSpace& space)
 {
     dRay none, alone(2), inside(space, 2), by_number(space.id(), 2);
@@ -259,6 +292,9 @@ void test_geoms()
     test_rod<dCapsule>(space, "dCapsule", dCapsuleClass, dGeomCapsuleGetParams);
     test_rod<dCylinder>(space, "dCylinder", dCylinderClass, dGeomCylinderGetParams);
     test_ray(space);
+#ifdef HAVE_MORE_SHAPES
+    test_more_shapes(space);
+#endif
     test_transform(space);
 }
 

@@ -208,6 +208,31 @@ TEST_F(RecorderTest, surfaces_are_the_librarys)
     dGeomTriMeshDataDestroy(data);
 }
 
+TEST_F(RecorderTest, shapes_beyond_odes_are_recorded_by_their_surface)
+{
+    const struct {
+        dGeomID geom;
+        double volume;
+    } cases[] = {{dCreateCone(space, 1, 3), 3.14159265},
+                 {dCreateEllipsoid(space, 1, 2, dReal(0.5)), 4.1887902},
+                 {dCreateTaperedCapsule(space, 1, dReal(0.5), 0), 4.1887902}};
+    for (const auto& one : cases) {
+        const Shape shape = shape_of(one.geom);
+        EXPECT_EQ(shape.kind, ShapeKind::kConvex);
+        ASSERT_GT(shape.triangles.size(), 30u);
+        EXPECT_LT(shape.vertices.size(), shape.triangles.size());
+        double volume = 0;
+        for (const auto& t : shape.triangles) {
+            const Vec3 a = shape.vertices[t[0]], b = shape.vertices[t[1]], c = shape.vertices[t[2]];
+            volume += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                       a[2] * (b[0] * c[1] - b[1] * c[0])) /
+                      6;
+        }
+        EXPECT_NEAR(volume, one.volume, 0.05 * one.volume);
+    }
+    dSpaceClean(space);
+}
+
 dReal slope(void*, int x, int z) { return dReal(0.1) * dReal(x) + dReal(0.2) * dReal(z); }
 
 TEST_F(RecorderTest, height_fields_are_found_by_rays)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// reference_pairs: dCollide of every pair of {sphere, box, capsule, cylinder, convex, plane} in random poses
-// compared with a reference that knows the solids by their support points alone. A third of the poses is drawn
-// freely, the rest brought together until they are apart, or overlap, by 1e-8 to 0.1. Printed for each pair,
-// as parts of the solids' size:
+// reference_pairs: dCollide of every pair of {sphere, box, capsule, cylinder, convex, cone, ellipsoid,
+// tapered capsule, plane} in random poses compared with a reference that knows the solids by their support points
+// alone. A third of the poses is drawn freely, the rest brought together until they are apart, or overlap, by
+// 1e-8 to 0.1. Printed for each pair, as parts of the solids' size:
 //   wrong    hit where the reference is apart, or miss where it overlaps, by more than --touch
 //   deeper   the most by which a depth exceeds the reference's (whose search gives an upper bound, too)
 //   left     the most overlap that is left when the first solid is moved by depth along the normal

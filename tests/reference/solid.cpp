@@ -47,6 +47,14 @@ Solid::Solid(const std::string& kind, Dice& dice)
         reach_ = std::hypot(radius_, half_[2]);
     } else if (kind == "convex") {
         make_hull(dice);
+    } else if (kind == "cone") {
+        geom_ = dCreateCone(nullptr, dReal(radius_), dReal(2 * half_[2]));
+        reach_ = std::fmax(std::hypot(radius_, half_[2] / 2), 1.5 * half_[2]);
+    } else if (kind == "ellipsoid") {
+        geom_ = dCreateEllipsoid(nullptr, dReal(half_[0]), dReal(half_[1]), dReal(half_[2]));
+        reach_ = std::fmax(half_[0], std::fmax(half_[1], half_[2]));
+    } else if (kind == "tapered") {
+        make_tapered();
     } else {
         half_ = dice.direction();
         geom_ = dCreatePlane(nullptr, dReal(half_[0]), dReal(half_[1]), dReal(half_[2]), dReal(radius_));
@@ -82,6 +90,21 @@ void Solid::make_hull(Dice& dice)
     for (const Point& p : vertices_)
         for (const double x : p) points_.push_back(dReal(x));
     geom_ = dCreateConvexHull(nullptr, points_.data(), unsigned(vertices_.size()), 0);
+}
+
+// Where the balls are about the centre of mass, the geom's own depths tell.
+void Solid::make_tapered()
+{
+    const double r1 = radius_, r2 = half_[0], length = double(dReal(2 * half_[2]));
+    geom_ = dCreateTaperedCapsule(nullptr, dReal(r1), dReal(r2), dReal(length));
+    double below = 0, above = 10;  // the lower end of the axis
+    for (int i = 0; i < 200; ++i) {
+        const double z = (below + above) / 2;
+        (dGeomTaperedCapsulePointDepth(geom_, 0, 0, dReal(-z)) > 0 ? below : above) = z;
+    }
+    balls_[0][0] = r1, balls_[0][1] = r2 - r1 > length ? -below + r2 - length : -below + r1;
+    balls_[1][0] = r2, balls_[1][1] = balls_[0][1] + length;
+    reach_ = std::fmax(std::fabs(balls_[0][1]) + r1, std::fabs(balls_[1][1]) + r2);
 }
 
 void Solid::place(const Point& position, Dice& turn)
@@ -141,6 +164,27 @@ Point Solid::support(const Point& direction) const
             const double across = std::sqrt(d[0] * d[0] + d[1] * d[1]);
             if (across > 0) s = {radius_ * d[0] / across, radius_ * d[1] / across, 0};
             s[2] = side(d[2], half_[2]);
+            break;
+        }
+        case Shape::kCone: {
+            const double across = std::sqrt(d[0] * d[0] + d[1] * d[1]), length = 2 * half_[2];
+            if (length * d[2] > radius_ * across)
+                s = {0, 0, 0.75 * length};
+            else
+                s = {across > 0 ? radius_ * d[0] / across : 0, across > 0 ? radius_ * d[1] / across : 0,
+                     -0.25 * length};
+            break;
+        }
+        case Shape::kEllipsoid: {
+            const Point along = {half_[0] * d[0], half_[1] * d[1], half_[2] * d[2]};
+            for (std::size_t i = 0; i < 3; ++i) s[i] = half_[i] * along[i] / norm(along);
+            break;
+        }
+        case Shape::kTapered: {
+            const bool first =
+                balls_[0][1] * d[2] + balls_[0][0] * norm(d) > balls_[1][1] * d[2] + balls_[1][0] * norm(d);
+            const double* ball = balls_[first ? 0 : 1];
+            s = sum({0, 0, ball[1]}, ball[0] / norm(d), d);
             break;
         }
         default: {

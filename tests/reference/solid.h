@@ -39,7 +39,8 @@ class Dice {
     std::uint64_t state_;
 };
 
-inline constexpr const char* kKinds[] = {"sphere", "box", "capsule", "cylinder", "convex", "plane"};
+inline constexpr const char* kKinds[] = {"sphere", "box",       "capsule", "cylinder", "convex",
+                                         "cone",   "ellipsoid", "tapered", "plane"};
 
 class Solid {
   public:
@@ -63,14 +64,16 @@ class Solid {
 
   private:
     void make_hull(Dice& dice);
+    void make_tapered();
     void read_pose();
 
-    enum class Shape { kSphere, kBox, kCapsule, kCylinder, kConvex, kPlane };
+    enum class Shape { kSphere, kBox, kCapsule, kCylinder, kConvex, kCone, kEllipsoid, kTapered, kPlane };
     Shape shape_;
     dGeomID geom_ = nullptr;
     double radius_ = 0, reach_ = 0;
     Point half_{}, position_{};
     double rotation_[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    double balls_[2][2] = {};  // of a tapered capsule: radius, height
     std::vector<Point> vertices_;
     std::vector<dReal> points_, planes_;
     std::vector<unsigned> polygons_;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The dispatcher. Pair functions are pure; a thunk made from each line of pairs.inc takes shapes out of
-// geoms. What a transform holds is never moved: its pose is handed along (only functions of the program,
-// which read the pose from the geom, see it placed for the time of the call). A pair served in the other
-// order: normals are negated, g1 with g2 and side1 with side2 exchanged.
+// The dispatcher. Convex solids meet each other, planes, rays, meshes and height fields by their views
+// (solid_pairs.h); pairs.inc replaces that where there is something better. Pair functions are pure; a thunk
+// made from each line of pairs.inc takes shapes out of geoms. What a transform holds is never moved: its pose
+// is handed along (only functions of the program, which read the pose from the geom, see it placed for the
+// time of the call). A pair served in the other order: normals are negated, g1 with g2 and side1 with side2
+// exchanged.
 #include "collide/collide.h"
 
 #include <algorithm>
@@ -16,6 +18,7 @@
 #include "base/lifecycle.h"
 #include "collide/geom_leaves.h"
 #include "collide/pairs/at_once.h"
+#include "collide/pairs/solid_pairs.h"
 #include "collide/types/registry.h"
 #include "collide/user_class.h"
 
@@ -34,16 +37,22 @@ using DirectFunction = void (*)(Geom& a, Geom& b, ContactArray& out);
 void collide_slowly(Geom& a, Geom& b, ContactArray& out);
 bool asks(Geom& geom);
 
-template <auto function, typename First, typename Second>
-void direct(Geom& a, Geom& b, ContactArray& out)
+template <PairFunction pair>
+void direct_pair(Geom& a, Geom& b, ContactArray& out)
 {
     ContactSink sink(out.at(out.count), out.stride, out.room - out.count, out.unimportant);
     sink.name(to_handle(&a), to_handle(&b));
     sink.keep(out.kept);
     sink.reach(out.margin);
     sink.tell_program(out.to_program);
-    thunk<function, First, Second>(a, pose_of(a), b, pose_of(b), sink);
+    pair(a, pose_of(a), b, pose_of(b), sink);
     out.count += sink.count();
+}
+
+template <auto function, typename First, typename Second>
+void direct(Geom& a, Geom& b, ContactArray& out)
+{
+    direct_pair<thunk<function, First, Second>>(a, b, out);
 }
 
 // Classes of ours that have nothing to tell each other, such as two planes.
@@ -55,15 +64,21 @@ constexpr bool kKeepsLeaves =
     std::is_same_v<Second, Trimesh> && !std::is_same_v<First, Trimesh> && !std::is_same_v<First, Ray>;
 
 // With a mesh, which may have functions of the program.
+template <PairFunction pair, bool keeps_leaves>
+void unasked_pair(Geom& a, Geom& b, ContactArray& out)
+{
+    if (asks(a) || asks(b)) return collide_slowly(a, b, out);
+    if (!keeps_leaves || out.kept) return direct_pair<pair>(a, b, out);
+    const GeomLeavesHold own(a);
+    out.kept = own.leaves();
+    direct_pair<pair>(a, b, out);
+    out.kept = nullptr;
+}
+
 template <auto function, typename First, typename Second>
 void unasked(Geom& a, Geom& b, ContactArray& out)
 {
-    if (asks(a) || asks(b)) return collide_slowly(a, b, out);
-    if (!kKeepsLeaves<First, Second> || out.kept) return direct<function, First, Second>(a, b, out);
-    const GeomLeavesHold own(a);
-    out.kept = own.leaves();
-    direct<function, First, Second>(a, b, out);
-    out.kept = nullptr;
+    unasked_pair<thunk<function, First, Second>, kKeepsLeaves<First, Second>>(a, b, out);
 }
 
 struct Collider {
@@ -115,14 +130,28 @@ class ColliderEntry {
 struct ColliderTable {
     ColliderTable();
     void fill();
+    void fill_solids();
     void set_both(int i, int j, Collider collider)
     {
         entries[i][j].set(collider);
         collider.reversed = !collider.reversed;
         if (i != j) entries[j][i].set(collider);
     }
-    ColliderEntry entries[dGeomNumClasses][dGeomNumClasses];
+    PairFunction built_in(int i, int j) const
+    {
+        return i >= 0 && j >= 0 && i < kGeomClasses && j < kGeomClasses ? built_in_[i][j] : nullptr;
+    }
+    ColliderEntry entries[kGeomClasses][kGeomClasses];
     std::atomic<bool> any_overridden{false}, rays_overridden{false};
+
+  private:
+    // Of the library, in this order of the two.
+    void set_built_in(int i, int j, PairFunction pair, DirectFunction direct)
+    {
+        built_in_[i][j] = pair;
+        set_both(i, j, {.pair = pair, .direct = direct});
+    }
+    PairFunction built_in_[kGeomClasses][kGeomClasses] = {};
 };
 
 // Spaces and transforms are opened, whatever they meet: user classes are not asked about them.
@@ -131,18 +160,36 @@ bool is_opened(int number)
     return number == dGeomTransformClass || (number >= dFirstSpaceClass && number <= dLastSpaceClass);
 }
 
+const GeomType* listed_type(int number) { return is_user_class(number) ? nullptr : geom_type(number); }
+
+void ColliderTable::fill_solids()
+{
+    for (int i = 0; i < kGeomClasses; ++i) {
+        const GeomType* type = listed_type(i);
+        if (!type || !type->solid) continue;
+        for (int j = i; j < kGeomClasses; ++j)
+            if (const GeomType* other = listed_type(j); other && other->solid)
+                set_built_in(i, j, solid_solid, direct_pair<solid_solid>);
+        set_built_in(i, dPlaneClass, solid_plane, direct_pair<solid_plane>);
+        set_built_in(dRayClass, i, ray_solid, direct_pair<ray_solid>);
+        set_built_in(i, dTriMeshClass, solid_trimesh, unasked_pair<solid_trimesh, true>);
+        set_built_in(i, dHeightfieldClass, solid_heightfield, direct_pair<solid_heightfield>);
+    }
+}
+
 void ColliderTable::fill()
 {
     any_overridden = rays_overridden = false;
-    for (int i = 0; i < dGeomNumClasses; ++i)
-        for (int j = 0; j < dGeomNumClasses; ++j) {
+    for (int i = 0; i < kGeomClasses; ++i)
+        for (int j = 0; j < kGeomClasses; ++j) {
             const bool opened = is_opened(i) || is_opened(j), ours = !is_user_class(i) && !is_user_class(j);
             entries[i][j].set(
                 {.settled = opened || ours, .direct = ours && !opened ? tell_nothing : nullptr});
         }
-#define PAIR_BY(First, Second, function, way)                         \
-    set_both(GeomTraits<First>::kNumber, GeomTraits<Second>::kNumber, \
-             {.pair = thunk<&function, First, Second>, .direct = way});
+    fill_solids();
+#define PAIR_BY(First, Second, function, way)                                                              \
+    set_built_in(GeomTraits<First>::kNumber, GeomTraits<Second>::kNumber, thunk<&function, First, Second>, \
+                 way);
 #define PAIR(First, Second, function) PAIR_BY(First, Second, function, (unasked<&function, First, Second>))
 #include "collide/pairs/mesh_pairs.inc"
 #undef PAIR
@@ -371,6 +418,8 @@ PairFunction own_pair(int first, int second)
     return collider.user || collider.disabled || collider.reversed ? nullptr : collider.pair;
 }
 
+PairFunction built_in_pair(int first, int second) { return table().built_in(first, second); }
+
 namespace {
 const HeightfieldData* field_of(const Geom& geom)
 {
@@ -446,6 +495,6 @@ extern "C" int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom* contact
 
 extern "C" void dSetColliderOverride(int i, int j, dColliderFn* fn)
 {
-    EPODE_USER(i >= 0 && i < dGeomNumClasses && j >= 0 && j < dGeomNumClasses);
+    EPODE_USER(i >= 0 && i < kGeomClasses && j >= 0 && j < kGeomClasses);
     override_collider(i, j, fn);
 }

@@ -22,8 +22,11 @@ namespace epode {
 #include "collide/pairs/terrain_pairs.inc"
 #undef PAIR
 
-// Any two convex solids, by their views. The answer for classes without a pair function of their own.
+// Any two convex solids, by their views. What classes have without a function of their own.
 void convex_convex(const ConvexView& a, const ConvexView& b, ContactSink& sink);
+
+// Any convex solid and a plane.
+void view_plane(const ConvexView& a, const Plane& b, ContactSink& sink);
 
 // The manifold when the normal is known. `depth` is that of the cores: radii not counted, negative when only
 // the inflated solids touch.

@@ -7,7 +7,10 @@
 //   original measures outside points to the far face; its sign is the same.)
 #include "base/float_environment.h"
 #include "collide/describe.h"
+#include "collide/solid_type.h"
 #include "collide/types/registry.h"
+
+#include <algorithm>
 
 namespace epode {
 namespace {
@@ -33,6 +36,14 @@ bool legal(Real lx, Real ly, Real lz)
     return usable(lx) && usable(ly) && usable(lz) && lx >= 0 && ly >= 0 && lz >= 0;
 }
 
+CoreSize core_size(const Geom& geom) { return {length(shape(geom).half), 0}; }
+Real core_reach(const Geom& geom, Vec3 d) { return dot(abs(d), shape(geom).half); }
+Real half_thickness(const Geom& geom)
+{
+    const Vec3 h = shape(geom).half;
+    return thickness_at_least(std::min(std::min(h.x, h.y), h.z), max_component(h));
+}
+
 void describe_box(const Geom& geom, DifWriter& out)
 {
     const Vec3 h = shape(geom).half;
@@ -40,13 +51,18 @@ void describe_box(const Geom& geom, DifWriter& out)
     out.list("sides", {2 * h.x, 2 * h.y, 2 * h.z});
 }
 
+constexpr SolidType kSolid = {
+    .view = view_of_shape<Box>, .core_reach = core_reach, .core_size = core_size, .round = false};
+
 }  // namespace
 
 const GeomType kBoxType = {.number = dBoxClass,
                            .aabb = aabb,
                            .zero_sized = zero_sized,
                            .destroy = destroy_pooled<ShapeGeom<Box>>,
-                           .describe = describe_box};
+                           .describe = describe_box,
+                           .solid = &kSolid,
+                           .half_thickness = half_thickness};
 
 }  // namespace epode
 

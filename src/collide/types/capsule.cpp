@@ -4,6 +4,7 @@
 // Capsule: the points within `radius` of the segment |z| <= half_length on the local z axis.
 #include "base/float_environment.h"
 #include "collide/describe.h"
+#include "collide/solid_type.h"
 #include "collide/types/registry.h"
 
 #include <algorithm>
@@ -28,6 +29,10 @@ bool legal(Real radius, Real length)
     return usable(radius) && usable(length) && radius >= 0 && length >= 0;
 }
 
+CoreSize core_size(const Geom& geom) { return {shape(geom).half_length, shape(geom).radius}; }
+Real core_reach(const Geom& geom, Vec3 d) { return shape(geom).half_length * std::fabs(d.z); }
+Real half_thickness(const Geom& geom) { return shape(geom).radius; }
+
 void describe_capsule(const Geom& geom, DifWriter& out)
 {
     out.text("type", "capsule");
@@ -35,13 +40,18 @@ void describe_capsule(const Geom& geom, DifWriter& out)
     out.real("length", 2 * shape(geom).half_length);
 }
 
+constexpr SolidType kSolid = {
+    .view = view_of_shape<Capsule>, .core_reach = core_reach, .core_size = core_size};
+
 }  // namespace
 
 const GeomType kCapsuleType = {.number = dCapsuleClass,
                                .aabb = aabb,
                                .zero_sized = zero_sized,
                                .destroy = destroy_pooled<ShapeGeom<Capsule>>,
-                               .describe = describe_capsule};
+                               .describe = describe_capsule,
+                               .solid = &kSolid,
+                               .half_thickness = half_thickness};
 
 }  // namespace epode
 

@@ -6,6 +6,7 @@
 // whatever the polygons say: these and the planes must make sense by themselves and are then passed over.
 #include "base/float_environment.h"
 #include "collide/describe.h"
+#include "collide/solid_type.h"
 #include "collide/types/registry.h"
 #include "geometry/inertia.h"
 #include "ode/ext.h"
@@ -71,25 +72,37 @@ const char* build_hull(SharedSolid& solid, const dReal* points, unsigned point_c
                  false);
 }
 
+const Polyhedron& solid_of(const Geom& geom) { return *static_cast<const ConvexGeom&>(geom).shape.solid; }
+
+CoreSize core_size(const Geom& geom)
+{
+    const Polyhedron& solid = solid_of(geom);
+    return {length(solid.centre()) + solid.size(), 0};
+}
+Real core_reach(const Geom& geom, Vec3 d)
+{
+    const Polyhedron& solid = solid_of(geom);
+    return dot(d, solid.centre()) + solid.reach(d);
+}
+Real half_thickness(const Geom& geom)
+{
+    return thickness_at_least(solid_of(geom).inner_radius(), solid_of(geom).size());
+}
+
 // As the original, without its points.
 void describe_convex(const Geom&, DifWriter& out) { out.text("type", "convex"); }
 
-// False when the solid or the numbers make no mass.
-bool put(dMass* m, const MassProperties& p)
-{
-    if (!usable(p)) return false;
-    m->mass = p.mass;
-    store(m->c, p.center);
-    m->c[3] = 0;
-    store_mat(m->I, full(p.inertia));
-    (void)dMassCheck(m);
-    return true;
-}
+constexpr SolidType kSolid = {
+    .view = view_of_shape<Convex>, .core_reach = core_reach, .core_size = core_size, .round = false};
 
 }  // namespace
 
-const GeomType kConvexType = {
-    .number = dConvexClass, .aabb = aabb, .destroy = destroy_pooled<ConvexGeom>, .describe = describe_convex};
+const GeomType kConvexType = {.number = dConvexClass,
+                              .aabb = aabb,
+                              .destroy = destroy_pooled<ConvexGeom>,
+                              .describe = describe_convex,
+                              .solid = &kSolid,
+                              .half_thickness = half_thickness};
 
 }  // namespace epode
 
@@ -197,7 +210,9 @@ extern "C" void dMassSetConvex(dMass* m, dReal density, dGeomID convex)
     EPODE_USER(m && usable(density));
     const MassProperties unit = geom->shape.solid->mass();
     EPODE_USER_SAY(unit.mass > 0, "convex has no volume");
-    EPODE_USER(put(m, with_mass(unit, density * unit.mass)));
+    const MassProperties p = with_mass(unit, density * unit.mass);
+    EPODE_USER(usable(p));
+    put_mass(m, p);
 }
 
 extern "C" void dMassSetConvexTotal(dMass* m, dReal total_mass, dGeomID convex)
@@ -207,5 +222,7 @@ extern "C" void dMassSetConvexTotal(dMass* m, dReal total_mass, dGeomID convex)
     EPODE_USER(m && usable(total_mass));
     const MassProperties unit = geom->shape.solid->mass();
     EPODE_USER_SAY(unit.mass > 0, "convex has no volume");
-    EPODE_USER(put(m, with_mass(unit, total_mass)));
+    const MassProperties p = with_mass(unit, total_mass);
+    EPODE_USER(usable(p));
+    put_mass(m, p);
 }

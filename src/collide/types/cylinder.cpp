@@ -5,6 +5,7 @@
 //   half extent of the bounding box along world axis i, a = R z being the axis:
 //   half_length |a_i| + radius sqrt(1 - a_i^2): the ends' centre and the most of a circle perpendicular to a.
 #include "collide/describe.h"
+#include "collide/solid_type.h"
 #include "collide/types/registry.h"
 
 #include <algorithm>
@@ -34,6 +35,21 @@ bool legal(Real radius, Real length)
     return usable(radius) && usable(length) && radius >= 0 && length >= 0;
 }
 
+CoreSize core_size(const Geom& geom)
+{
+    const Cylinder& c = shape(geom);
+    return {std::sqrt(c.radius * c.radius + c.half_length * c.half_length), 0};
+}
+Real core_reach(const Geom& geom, Vec3 d)
+{
+    return shape(geom).radius * std::sqrt(d.x * d.x + d.y * d.y) + shape(geom).half_length * std::fabs(d.z);
+}
+Real half_thickness(const Geom& geom)
+{
+    const Cylinder& c = shape(geom);
+    return thickness_at_least(std::min(c.radius, c.half_length), std::max(c.radius, c.half_length));
+}
+
 void describe_cylinder(const Geom& geom, DifWriter& out)
 {
     out.text("type", "cylinder");
@@ -41,13 +57,18 @@ void describe_cylinder(const Geom& geom, DifWriter& out)
     out.real("length", 2 * shape(geom).half_length);
 }
 
+constexpr SolidType kSolid = {
+    .view = view_of_shape<Cylinder>, .core_reach = core_reach, .core_size = core_size};
+
 }  // namespace
 
 const GeomType kCylinderType = {.number = dCylinderClass,
                                 .aabb = aabb,
                                 .zero_sized = zero_sized,
                                 .destroy = destroy_pooled<ShapeGeom<Cylinder>>,
-                                .describe = describe_cylinder};
+                                .describe = describe_cylinder,
+                                .solid = &kSolid,
+                                .half_thickness = half_thickness};
 
 }  // namespace epode
 

@@ -5,6 +5,8 @@
 #include "collide/types/registry.h"
 
 #include "collide/user_class.h"
+#include "geometry/inertia.h"
+#include "ode/mass.h"
 
 namespace epode {
 
@@ -39,6 +41,15 @@ bool in_use(const Geom& geom)
 }
 
 }  // namespace
+
+void put_mass(dMass* m, const MassProperties& p)
+{
+    m->mass = p.mass;
+    store(m->c, p.center);
+    m->c[3] = 0;
+    store_mat(m->I, full(p.inertia));
+    (void)dMassCheck(m);
+}
 
 bool may_destroy(const Geom& geom) { return !in_locked_space(geom) && !in_use(geom); }
 

@@ -14,8 +14,11 @@
 #include "collide/surfaces/heightfield.h"
 #include "collide/surfaces/trimesh.h"
 #include "collide/transform.h"
+#include "ode/shapes.h"
 
 namespace epode {
+
+struct MassProperties;  // geometry/inertia.h
 
 struct ConvexGeom : ShapeGeom<Convex> {
     using ShapeGeom<Convex>::ShapeGeom;
@@ -30,14 +33,9 @@ struct ConvexGeom : ShapeGeom<Convex> {
 template <typename Name>
 struct GeomTraits;
 
-namespace geom_names {
-struct Transform;
-struct SimpleSpace;
-struct HashSpace;
-struct SweepAndPruneSpace;
-struct QuadTreeSpace;
-}  // namespace geom_names
-using namespace geom_names;
+#define GEOM_TYPE(Name, Number, Object, Refusal) struct Name;
+#include "collide/types/geom_types.inc"
+#undef GEOM_TYPE
 
 #define GEOM_TYPE(Name, Number, Object, Refusal)               \
     extern const GeomType k##Name##Type;                       \
@@ -50,6 +48,15 @@ using namespace geom_names;
     };
 #include "collide/types/geom_types.inc"
 #undef GEOM_TYPE
+
+// Above every class's number, of the program's classes too.
+inline constexpr int kGeomClasses = [] {
+    int count = dGeomNumClasses;
+#define GEOM_TYPE(Name, Number, Object, Refusal) count = Number < count ? count : Number + 1;
+#include "collide/types/geom_types.inc"
+#undef GEOM_TYPE
+    return count;
+}();
 
 // The type with this number, or null; user classes included.
 const GeomType* geom_type(int number);
@@ -89,6 +96,9 @@ dGeomID create_shape(dSpaceID space, const Shape& shape, const char* caller = __
     if (geom) geom->shape = shape;
     return to_handle<Geom>(geom);
 }
+
+// Usable numbers into a dMass; of those that belong to no rigid body dMassCheck's message speaks.
+void put_mass(dMass* m, const MassProperties& p);
 
 // The geom and all that would die with it may be touched now.
 bool may_destroy(const Geom& geom);

@@ -4,6 +4,7 @@
 // Sphere: |x| <= radius.
 #include "base/float_environment.h"
 #include "collide/describe.h"
+#include "collide/solid_type.h"
 #include "collide/types/registry.h"
 
 namespace epode {
@@ -20,11 +21,18 @@ Aabb aabb(Geom& geom)
 
 bool zero_sized(const Geom& geom) { return shape(geom).radius == 0; }
 
+CoreSize core_size(const Geom& geom) { return {0, shape(geom).radius}; }
+Real core_reach(const Geom&, Vec3) { return 0; }
+Real half_thickness(const Geom& geom) { return shape(geom).radius; }
+
 void describe_sphere(const Geom& geom, DifWriter& out)
 {
     out.text("type", "sphere");
     out.real("radius", shape(geom).radius);
 }
+
+constexpr SolidType kSolid = {
+    .view = view_of_shape<Sphere>, .core_reach = core_reach, .core_size = core_size};
 
 }  // namespace
 
@@ -32,7 +40,9 @@ const GeomType kSphereType = {.number = dSphereClass,
                               .aabb = aabb,
                               .zero_sized = zero_sized,
                               .destroy = destroy_pooled<ShapeGeom<Sphere>>,
-                              .describe = describe_sphere};
+                              .describe = describe_sphere,
+                              .solid = &kSolid,
+                              .half_thickness = half_thickness};
 
 }  // namespace epode
 

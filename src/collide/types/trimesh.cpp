@@ -3,10 +3,12 @@
 //
 // Triangle mesh: the geom, and the mass of what it encloses. Its bounding box is that of the data's box
 // turned into the world, not that of every vertex turned: a geom that moves costs the same whatever its size.
+#include <algorithm>
 #include <cstring>
 
 #include "base/float_environment.h"
 #include "collide/describe.h"
+#include "collide/solid_type.h"
 #include "collide/surfaces/height_function.h"
 #include "collide/types/registry.h"
 #include "geometry/inertia.h"
@@ -25,6 +27,14 @@ Aabb aabb(Geom& geom)
     const Vec3 centre = pose.to_world(d->tree.box().lo + half);
     const Vec3 reach{dot(abs(pose.R.row0), half), dot(abs(pose.R.row1), half), dot(abs(pose.R.row2), half)};
     return {centre - reach, centre + reach};
+}
+
+Real half_thickness(const Geom& geom)
+{
+    const TrimeshData* d = static_cast<const TrimeshGeom&>(geom).shape.mesh();
+    if (!d) return kInf;
+    const Vec3 half = Real(0.5) * (d->tree.box().hi - d->tree.box().lo);
+    return thickness_at_least(std::min(std::min(half.x, half.y), half.z), max_component(half));
 }
 
 void describe_trimesh(const Geom&, DifWriter& out) { out.text("type", "trimesh"); }
@@ -79,7 +89,8 @@ const GeomType kTrimeshType = {.number = dTriMeshClass,
                                .aabb = aabb,
                                .destroy = destroy_pooled<TrimeshGeom>,
                                .control = control_trimesh,
-                               .describe = describe_trimesh};
+                               .describe = describe_trimesh,
+                               .half_thickness = half_thickness};
 
 }  // namespace epode
 

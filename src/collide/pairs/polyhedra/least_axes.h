@@ -21,7 +21,7 @@ class SolidReach {
     explicit SolidReach(const ConvexView& solid)
         : solid_(solid),
           box_(solid.face_axes == 7 ? static_cast<const Box*>(solid.shape) : nullptr),
-          cylinder_(solid.rim_radius > 0 ? static_cast<const Cylinder*>(solid.shape) : nullptr)
+          cylinder_(solid.kind == SolidKind::kCylinder ? static_cast<const Cylinder*>(solid.shape) : nullptr)
     {}
     const Box* box() const { return box_; }
     const Cylinder* cylinder() const { return cylinder_; }

@@ -177,8 +177,11 @@ class LeastRise {
                 (steep & bits(d2 < quad(worth * worth) * o.size2)) | bits(rise2 <= quad(0))};
     }
 
-    // A large polyhedron lists no edges.
-    bool listed() const { return m_.solid.faces.empty() || !m_.solid.edges.empty(); }
+    // A large polyhedron lists no edges, and what is known by its support points alone lists nothing.
+    bool listed() const
+    {
+        return m_.solid.kind != SolidKind::kCurved && (m_.solid.faces.empty() || !m_.solid.edges.empty());
+    }
 
     bool solid_faces()
     {

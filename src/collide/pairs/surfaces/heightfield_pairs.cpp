@@ -8,6 +8,7 @@
 // there are holes under the box. A field that has holes is a slab: what has its middle below it is not met.
 #include <optional>
 
+#include "collide/pairs/solid_pairs.h"
 #include "collide/pairs/surfaces/facet.h"
 #include "collide/pairs/surfaces/underpart.h"
 
@@ -215,10 +216,11 @@ class Near {
     std::optional<Sides> sides_;
 };
 
-template <>
-class Near<Convex> {
+template <typename Shape>
+requires kByView<Shape>
+class Near<Shape> {
   public:
-    Near(const Convex&, const Pose&, const Terrain& terrain, const ConvexView& solid, Real slack)
+    Near(const Shape&, const Pose&, const Terrain& terrain, const ConvexView& solid, Real slack)
         : sides_(terrain, solid, slack)
     {}
     unsigned may_meet(int, int, const CellHeights&, const CellHeights&) const { return 15; }
@@ -355,6 +357,10 @@ void convex_heightfield(const Convex& a, const Pose& A, const Heightfield& b, co
                         ContactSink& sink)
 {
     collide_field(a, A, b, B, sink);
+}
+void solid_heightfield(const Geom& a, const Pose& A, const Geom& field, const Pose& F, ContactSink& sink)
+{
+    collide_field(AnySolid(a), A, static_cast<const ShapeGeom<Heightfield>&>(field).shape, F, sink);
 }
 
 }  // namespace epode

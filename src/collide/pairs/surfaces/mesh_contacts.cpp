@@ -23,7 +23,7 @@ constexpr Real kSameWay = kSingle ? Real(1e-6) : Real(1e-9);  // 1 - cosine
 template <typename Shape>
 Real most_along(const Shape& a, const ConvexView& v, Vec3 n)
 {
-    if constexpr (std::is_same_v<Shape, Convex>)
+    if constexpr (kByView<Shape>)
         return v.size;
     else
         return reach_along(a, v.pose, n);
@@ -35,6 +35,13 @@ template <>
 constexpr bool kTwoSided<Box> = true;
 template <>
 constexpr bool kTwoSided<Convex> = true;
+
+template <typename Shape>
+bool two_sided(const Shape&)
+{
+    return kTwoSided<Shape>;
+}
+bool two_sided(const AnySolid& a) { return !a.round; }
 
 // Whether a neighbour of the triangle that is near leans: asked before all that are near are looked at.
 bool ends_plane(const TriangleMesh& mesh, int t, const Aabb& box)
@@ -194,7 +201,7 @@ void mesh_contacts(const Shape& a, const Pose& A, const Surface& surface, NearTr
     }
     Harvest harvest(Real(1e-6) * (solid.size + solid.radius), sink);
     PlacedHull hull(solid);
-    MeshMeeting meeting{surface.mesh, solid,  slack,   kTwoSided<Shape>,
+    MeshMeeting meeting{surface.mesh, solid,  slack,   two_sided(a),
                         near.all(),   as_ode, harvest, hull.count() > 0 ? &hull : nullptr};
     for (const int t : near.close()) {
         if constexpr (std::is_same_v<Shape, Sphere>) {
@@ -203,7 +210,7 @@ void mesh_contacts(const Shape& a, const Pose& A, const Surface& surface, NearTr
         }
         const Vec3 n = surface.mesh.normal(t);
         const Real height = dot(n, solid.pose.p - surface.mesh.corner(t, 0));
-        if (!kTwoSided<Shape> && height < -slack) continue;
+        if (!meeting.two_sided && height < -slack) continue;
         if (std::fabs(height) > most_along(a, solid, n) + slack) continue;
         meet_facet(a, A, facet_of(surface.mesh, t), meeting);
     }
@@ -217,5 +224,6 @@ EPODE_MESH_CONTACTS(Capsule);
 EPODE_MESH_CONTACTS(Box);
 EPODE_MESH_CONTACTS(Cylinder);
 EPODE_MESH_CONTACTS(Convex);
+EPODE_MESH_CONTACTS(AnySolid);
 
 }  // namespace epode

@@ -112,7 +112,16 @@ inline SolidProbe probe_of(const Cylinder& a, const Pose& A, Real slack)
 }
 inline SolidProbe probe_of(const Convex& a, const Pose& A, Real slack)
 {
-    return {ProbeKind::kBall, A.p, A.R, {}, view_of(a, A).size, slack};
+    const ConvexView view = view_of(a, A);
+    return {ProbeKind::kBall, view.pose.p, A.R, {}, view.size, slack};
+}
+
+// By the box about it in its own frame.
+inline SolidProbe probe_of(const AnySolid& a, const Pose& A, Real slack)
+{
+    const Aabb box = box_around(a, {}, 0);
+    const Vec3 half = Real(0.5) * (box.hi - box.lo);
+    return {ProbeKind::kBox, A.to_world(box.lo + half), A.R, half, 0, slack};
 }
 
 // Contacts within this part of the size count as touching: of a solid that rests on many triangles some

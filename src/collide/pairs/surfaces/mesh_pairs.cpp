@@ -6,6 +6,7 @@
 // the other is asked about each. What it refuses is left out.
 #include <algorithm>
 
+#include "collide/pairs/solid_pairs.h"
 #include "collide/pairs/surfaces/mesh_contacts.h"
 #include "collide/pairs/surfaces/mesh_mesh.h"
 #include "collide/surfaces/closed_mesh.h"
@@ -118,6 +119,11 @@ void cylinder_trimesh(const Cylinder& a, const Pose& A, const Trimesh& b, const 
 void convex_trimesh(const Convex& a, const Pose& A, const Trimesh& b, const Pose& B, ContactSink& sink)
 {
     if (a.solid) collide_mesh(a, A, b, B, sink);
+}
+
+void solid_trimesh(const Geom& a, const Pose& A, const Geom& mesh, const Pose& M, ContactSink& sink)
+{
+    collide_mesh(AnySolid(a), A, static_cast<const ShapeGeom<Trimesh>&>(mesh).shape, M, sink);
 }
 
 void trimesh_trimesh(const Trimesh& a, const Pose& A, const Trimesh& b, const Pose& B, ContactSink& sink)

@@ -7,6 +7,7 @@
 // compiled.
 #pragma once
 
+#include "collide/any_solid.h"
 #include "collide/pairs/pairs.h"
 
 namespace epode {
@@ -29,6 +30,14 @@ template <>
 inline constexpr bool kRound<Sphere> = true;
 template <>
 inline constexpr bool kRound<Capsule> = true;
+
+// Shapes that are known by their views alone: they reach no farther along any direction than their size.
+template <typename Shape>
+inline constexpr bool kByView = false;
+template <>
+inline constexpr bool kByView<Convex> = true;
+template <>
+inline constexpr bool kByView<AnySolid> = true;
 
 // One facet of a surface, as the pair of that surface calls it: round_on(core, facet, meeting) for spheres
 // and capsules, solid_on(facet, meeting) for what is known by the view in the meeting.
@@ -62,6 +71,11 @@ inline void on_plane(const Convex& a, const Pose& A, const Plane& p, ContactSink
     convex_plane(a, A, p, {}, s);
 }
 
+inline void on_plane(const AnySolid& a, const Pose& A, const Plane& p, ContactSink& s)
+{
+    view_plane(view_of(a, A), p, s);
+}
+
 // How far a solid that is symmetric about its pose's origin reaches along n, a unit vector, either way.
 inline Real reach_along(const Sphere& a, const Pose&, Vec3) { return a.radius; }
 inline Real reach_along(const Capsule& a, const Pose& A, Vec3 n)
@@ -80,13 +94,14 @@ inline Real reach_along(const Cylinder& a, const Pose& A, Vec3 n)
 
 // The box of a solid, larger by `more` to all sides.
 template <typename Shape>
-Aabb box_around(const Shape& a, const Pose& A, Real more)
+requires(!kByView<Shape>) Aabb box_around(const Shape& a, const Pose& A, Real more)
 {
     const Vec3 half{reach_along(a, A, {1, 0, 0}) + more, reach_along(a, A, {0, 1, 0}) + more,
                     reach_along(a, A, {0, 0, 1}) + more};
     return {A.p - half, A.p + half};
 }
-inline Aabb box_around(const Convex& a, const Pose& A, Real more)
+template <typename Shape>
+requires kByView<Shape> Aabb box_around(const Shape& a, const Pose& A, Real more)
 {
     const ConvexView v = view_of(a, A);
     const Vec3 margin{more, more, more};

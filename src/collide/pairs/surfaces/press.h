@@ -36,7 +36,8 @@ class Press {
             face(dot(axis, f_.n) > 0 ? -axis : axis);
         }
         if (!s_.faces.empty()) to_.press(s_.support(-f_.n));
-        if (s_.rim_radius > 0) round();
+        if (s_.kind == SolidKind::kCylinder) round();
+        if (s_.kind == SolidKind::kCurved) curved();
     }
 
   private:
@@ -95,6 +96,13 @@ class Press {
             const Vec3 centre = s_.pose.p + half * end;
             if (to_.low(f_.height(centre) - drop)) rim(axis, centre);
         }
+    }
+
+    // What it shows, and its lowest point, which a polygon for a curve may miss.
+    void curved()
+    {
+        feature(-f_.n);
+        to_.press(s_.support(-f_.n));
     }
 
     // Where the true rim passes over the facet's edges: on a ridge, these are the deepest points.
