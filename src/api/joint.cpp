@@ -5,6 +5,7 @@
 // stand in that type's file.
 #include "base/pool.h"
 #include "base/prefetch.h"
+#include "dynamics/joint_drives.h"
 #include "dynamics/joint_group.h"
 #include "dynamics/world.h"
 #include "ode/ode.h"
@@ -103,6 +104,7 @@ void dJointEnable(dJointID j)
 {
     JOINT_OR();
     joint->disabled = false;
+    if (joint->driven) drives_of(*joint).limits.broken = false;
 }
 
 void dJointDisable(dJointID j)

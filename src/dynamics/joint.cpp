@@ -86,6 +86,7 @@ bool link_into_world(Joint& joint, JointGroup* group)
 void unlink_from_world(Joint& joint)
 {
     if (!joint.world) return;
+    if (joint.driven) --joint.world->driven_joints;
     joint.world->joints.leave(joint);
     joint.world = nullptr;
 }

@@ -18,6 +18,9 @@ class DifWriter;
 class RowWriter;
 struct StepInfo;
 struct JointGroup;
+struct LimitMotor;
+struct OwnSoftness;
+struct JointDrives;
 struct Joint;
 
 // Membership of a joint in one body's list.
@@ -26,6 +29,13 @@ struct JointNode {
     Body* body = nullptr;
     JointNode* next = nullptr;
     JointNode* prev = nullptr;  // of the first of a list: anything
+};
+
+// One of a joint's axes: J v is the derivative of `value`, both in the sense in which a client reads them.
+struct JointAxis {
+    Jacobian J;
+    Real value = 0;      // m or rad
+    bool turns = false;  // an angle that is known up to whole turns
 };
 
 struct JointType {
@@ -39,6 +49,10 @@ struct JointType {
     void (*attached)(Joint&);                          // bodies have changed: recompute relative values
     bool (*set_param)(Joint&, int param, Real value);  // false: unknown here
     bool (*get_param)(const Joint&, int param, Real& value);
+    int (*axes)(const Joint&);                       // how many it has; null: it has none
+    JointAxis (*axis)(const Joint&, int i);          // of an attached joint
+    LimitMotor* (*stops)(Joint&, int i);             // of an axis; null, or returns null: none
+    OwnSoftness* (*softness)(Joint&);                // ERP and CFM of its own; null: none
     const char* dif_name;                            // in dWorldExportDIF
     void (*describe)(const Joint&, DifWriter& out);  // its fields there
     void (*destroy)(Joint&);
@@ -55,6 +69,7 @@ struct Joint : Tagged {
     bool reverse : 1 = false;
     bool disabled : 1 = false;
     bool grouped : 1 = false;  // a group destroys it
+    bool driven : 1 = false;   // a LastingJoint with JointDrives
     bool plain : 1 =
         false;  // a contact that is a normal with two tangents or with none (rows/joint_manifold.h)
     std::uint8_t impulse_rows = 0;  // of a LastingJoint
@@ -76,7 +91,9 @@ struct Joint : Tagged {
 // What outlives a step: all but contacts, which are found again by the bodies and the place.
 struct LastingJoint : Joint {
     using Joint::Joint;
-    Real impulse[kMaxJointRows];  // of the last step, for warm starting: the first `impulse_rows`
+    ~LastingJoint();
+    Real impulse[kMaxBlockRows];    // of the last step, for warm starting: the first `impulse_rows`
+    JointDrives* drives = nullptr;  // of a joint that is `driven`
 };
 
 template <>

@@ -29,6 +29,7 @@ struct World : Tagged {
     std::uint64_t bodies_made = 0;  // gives each body its serial
     // Another number when a joint that is no contact has come to bodies, or left them.
     std::uint64_t ties = 0;
+    int driven_joints = 0;  // that have JointDrives
 
     Vec3 gravity;
     Real erp = Real(0.2);

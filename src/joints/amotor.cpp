@@ -10,10 +10,14 @@
 //   angle1 = -atan2(a2.a0, a2.(a0 x a1))
 //   angle2 = -atan2(b2.a1, b2.(a1 x a2))
 // and motors work along a1 x a2, a1, a0 x a1: the directions that change one angle and leave the others.
+#include <algorithm>
+
 #include "joints/access.h"
 #include "math/trig.h"
 
 namespace epode {
+
+constexpr Real kNearLock = Real(0.05);  // sine between the outer axes
 
 struct AMotor : LastingJoint {
     static constexpr int kMaxRows = 3;
@@ -45,7 +49,10 @@ struct AMotor : LastingJoint {
     void motor_axes(Vec3 a[3]) const;
     void set_axis(int i, int r, Vec3 unit);
     void take_references();
-    void update_angles();
+    void read_angles(const Vec3 (&a)[3], Real (&out)[3]) const;
+    int axes() const { return count; }
+    LimitMotor* stops_of(int i) { return &motor[i]; }
+    JointAxis axis_at(int i) const;
     void emit(RowWriter& out);
 
     static bool in_groups(int param) { return param >= 0 && param < 3 * dParamGroup; }
@@ -100,21 +107,34 @@ void AMotor::take_references()
     reference2 = direction_to_local(user_body(1), given_axis(0));
 }
 
-void AMotor::update_angles()
+// In Euler mode.
+void AMotor::read_angles(const Vec3 (&a)[3], Real (&out)[3]) const
+{
+    const Vec3 b1 = direction_to_world(user_body(0), reference1),
+               b2 = direction_to_world(user_body(1), reference2);
+    out[0] = -atan2(dot(a[2], cross(a[0], b1)), dot(a[2], b1));
+    out[1] = -atan2(dot(a[2], a[0]), dot(a[2], cross(a[0], a[1])));
+    out[2] = -atan2(dot(b2, a[1]), dot(b2, cross(a[1], a[2])));
+}
+
+// The spin is the sum of rate_i a_i: an angle's Jacobian is a vector of the basis dual to the axes, which
+// grows without bound where the outer axes become parallel and is held there.
+JointAxis AMotor::axis_at(int i) const
 {
     Vec3 a[3];
     plain_axes(a);
-    const Vec3 b1 = direction_to_world(user_body(0), reference1),
-               b2 = direction_to_world(user_body(1), reference2);
-    angle[0] = -atan2(dot(a[2], cross(a[0], b1)), dot(a[2], b1));
-    angle[1] = -atan2(dot(a[2], a[0]), dot(a[2], cross(a[0], a[1])));
-    angle[2] = -atan2(dot(b2, a[1]), dot(b2, cross(a[1], a[2])));
+    if (mode != dAMotorEuler) return {angular_jacobian(*this, reverse ? -a[i] : a[i]), angle[i]};
+    const Real volume = std::max(dot(a[0], cross(a[1], a[2])), kNearLock);
+    const Vec3 dual = cross(a[(i + 1) % 3], a[(i + 2) % 3]) / volume;
+    Real angles[3];
+    read_angles(a, angles);
+    return {angular_jacobian(*this, reverse ? -dual : dual), angles[i], true};
 }
 
 void AMotor::emit(RowWriter& out)
 {
-    if (mode == dAMotorEuler) update_angles();
     Vec3 a[3];
+    if (mode == dAMotorEuler) plain_axes(a), read_angles(a, angle);
     motor_axes(a);
     // Attached as (0, B), Euler angles run against the axes; stops act on the internal sense, as a hinge's
     // do. (ODE tests the angle as read and so drives the body away from the range.)

@@ -19,6 +19,7 @@ struct Ball : LastingJoint {
 
     void emit(RowWriter& out) const { lock_point(*this, out, anchor, &softness); }
     void bodies_changed() { anchor.reattach(*this); }
+    OwnSoftness* own_softness() { return &softness; }
     bool set_param(int param, Real value) { return softness.set(param, value); }
     bool get_param(int param, Real& value) const { return softness.get(param, value); }
     void describe(DifWriter& out) const { epode::describe(out, anchor); }

@@ -18,6 +18,7 @@ struct DBall : LastingJoint {
 
     void emit(RowWriter& out) const { rod.lock(*this, out); }
     void bodies_changed() { rod.measure(*this); }
+    OwnSoftness* own_softness() { return &rod.softness; }
     bool set_param(int param, Real value) { return rod.softness.set(param, value); }
     bool get_param(int param, Real& value) const { return rod.softness.get(param, value); }
     void describe(DifWriter& out) const { rod.describe(out); }

@@ -24,6 +24,7 @@ struct DHinge : LastingJoint {
     void emit(RowWriter& out) const;
     void take_erp(Row& row) const { row.erp = rod.softness.erp, row.soft = rod.softness.chosen; }
     void bodies_changed() { rod.measure(*this); }
+    OwnSoftness* own_softness() { return &rod.softness; }
     bool set_param(int param, Real value) { return rod.softness.set(param, value); }
     bool get_param(int param, Real& value) const { return rod.softness.get(param, value); }
     void describe(DifWriter& out) const;

@@ -37,11 +37,12 @@ struct Fixed : LastingJoint {
         for (int i = 0; i < 3; ++i) {
             Vec3 e;
             e.set(i, 1);
-            softness.apply_to(out.row(point_jacobian(*this, e, -o, Vec3{}), error[i]));
+            softness.apply_to(out, out.row(point_jacobian(*this, e, -o, Vec3{}), error[i]));
         }
         lock_orientation(*this, out, zero);
     }
 
+    OwnSoftness* own_softness() { return &softness; }
     bool set_param(int param, Real value) { return softness.set(param, value); }
     bool get_param(int param, Real& value) const { return softness.get(param, value); }
     void describe(DifWriter& out) const;

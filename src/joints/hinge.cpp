@@ -50,6 +50,12 @@ struct Hinge : LastingJoint {
         axis.reattach(*this);
         set_zero();
     }
+    static int axes() { return 1; }
+    LimitMotor* stops_of(int) { return &motor; }
+    JointAxis axis_at(int) const
+    {
+        return {angular_jacobian(*this, sign() * axis_world()), sign() * angle(), true};
+    }
     bool set_param(int param, Real value) { return motor.set(param, value); }
     bool get_param(int param, Real& value) const { return motor.get(param, value); }
     void describe(DifWriter& out) const;

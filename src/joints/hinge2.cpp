@@ -9,6 +9,8 @@
 //   stops and motor about a1; motor alone about a2.
 // p, q are perpendicular to a1, so that only the first row is softened. Angle 1 is the turn of body 1 against
 // body 2 about a1; angle 2 grows with the wheel's own turn about a2, opposite to its rate: ODE's convention.
+#include <algorithm>
+
 #include "joints/access.h"
 #include "math/trig.h"
 
@@ -42,6 +44,10 @@ struct Hinge2 : LastingJoint {
     void take_pose();
     void set_anchor(Vec3 point) { anchor.set(*this, point), take_pose(); }
     void set_axes(const Vec3* a1, const Vec3* a2);
+    static int axes() { return 2; }
+    LimitMotor* stops_of(int i) { return i == 0 ? &motor[0] : nullptr; }
+    OwnSoftness* own_softness() { return &suspension; }
+    JointAxis axis_at(int i) const;
     void emit(RowWriter& out);
     void bodies_changed() { anchor.reattach(*this), take_pose(); }
     bool set_param(int param, Real value);
@@ -91,7 +97,7 @@ void Hinge2::emit(RowWriter& out)
     Vec3 p, q;
     plane_space(a1, p, q);
     out.point_at(r1, r2, RowForm::kTurned);
-    suspension.apply_to(out.row(point_jacobian(*this, a1, r1, r2), dot(a1, p2 - p1)));
+    suspension.apply_to(out, out.row(point_jacobian(*this, a1, r1, r2), dot(a1, p2 - p1)));
     out.row(point_jacobian(*this, p, r1, r2), dot(p, p2 - p1));
     out.row(point_jacobian(*this, q, r1, r2), dot(q, p2 - p1));
 
@@ -102,6 +108,15 @@ void Hinge2::emit(RowWriter& out)
 
     motor[0].emit_angular(*this, out, a1, motor[0].has_stops() ? angle(0) : 0);
     motor[1].emit_motor(out, angular_jacobian(*this, a2));
+}
+
+// The spin is rate1 a1 + rate2 a2 of axes that need not be perpendicular: J is what takes one and leaves the
+// other. Angle 2 is read against its rate.
+JointAxis Hinge2::axis_at(int i) const
+{
+    const Vec3 a = axis(i), other = axis(1 - i);
+    const Real c = dot(a, other), s2 = std::max(1 - c * c, Real(1e-3));
+    return {angular_jacobian(*this, (a - c * other) / s2), i == 0 ? angle(0) : -angle(1), true};
 }
 
 bool Hinge2::set_param(int param, Real value)

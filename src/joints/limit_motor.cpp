@@ -146,6 +146,7 @@ void LimitMotor::write_stop(RowWriter& out, const Jacobian& jacobian, Real value
     row.soft = stop_chosen;
     row.has_restitution = has_restitution_;
     row.restitution_velocity = restitution_velocity_;
+    stop_spring.apply_to(out, row);
     if (servo) return;
     (stop_ == Stop::kLow ? row.lo : row.hi) = 0;
 }

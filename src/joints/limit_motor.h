@@ -15,6 +15,7 @@
 #pragma once
 
 #include "dynamics/joint.h"
+#include "joints/parts.h"
 #include "rows/row_writer.h"
 
 namespace epode {
@@ -48,6 +49,7 @@ struct LimitMotor {
     Real cfm, stop_erp, stop_cfm;
     bool cfm_chosen = false, stop_chosen = false;  // set by the client, not the world's
     bool crossed_act = false;                      // stops with lo > hi count, the low one first
+    Spring stop_spring;                            // in place of stop_erp and stop_cfm
 
   private:
     enum class Stop : unsigned char { kNone, kLow, kHigh };

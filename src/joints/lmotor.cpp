@@ -40,6 +40,14 @@ struct LMotor : LastingJoint {
         }
     }
 
+    int axes() const { return count; }
+    // Exact while neither body turns the axis.
+    JointAxis axis_at(int i) const
+    {
+        const Vec3 a = direction_to_world(frame(rel[i]), axis_local[i]);
+        const Vec3 x2 = body2() ? body2()->position() : Vec3{};
+        return {sliding_jacobian(*this, a), dot(a, body1()->position() - x2)};
+    }
     static bool in_groups(int param) { return param >= 0 && param < 3 * dParamGroup; }
     bool set_param(int param, Real value)
     {

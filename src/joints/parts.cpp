@@ -21,6 +21,12 @@ void AxisPair::set(const Joint& j, Vec3 unit)
     for (int i = 0; i < 2; ++i) local[i] = direction_to_local(j.node[i].body, unit);
 }
 
+void Spring::take(RowWriter& out, Row* rows, int count) const
+{
+    for (Row* row = rows; row < rows + count; ++row) row->drive = &drive, row->soft = true;
+    out.ask_again();
+}
+
 OwnSoftness::OwnSoftness(const World& world) : erp(world.erp), cfm(world.cfm) {}
 
 bool OwnSoftness::set(int param, Real value)
@@ -89,12 +95,14 @@ void lock_point(const Joint& j, RowWriter& out, const AnchorPair& anchor, const 
     const Vec3 r2 = j.body2() ? a2 - j.body2()->position() : Vec3{};
     const Vec3 error = a2 - a1;
     if (out.count() == 0) out.point_at(r1, r2, RowForm::kPoint);
+    Row* last = nullptr;
     for (int i = 0; i < 3; ++i) {
         Vec3 d;
         d.set(i, 1);
-        Row& row = out.row(point_jacobian(j, d, r1, r2), error[i]);
-        if (own) own->apply_to(row);
+        last = &out.row(point_jacobian(j, d, r1, r2), error[i]);
+        if (own) own->apply_to(*last);
     }
+    if (own) own->spring.apply_to(out, *(last - 2), 3);
 }
 
 void lock_orientation(const Joint& j, RowWriter& out, Quat zero)

@@ -48,14 +48,32 @@ struct AxisPair {
     void reattach(const Joint& j) { set(j, world(j, 0)); }
 };
 
+// A spring and damper in physical units, in the place of ERP and CFM.
+struct Spring {
+    RowDrive drive;
+    bool acts = false;  // its stiffness and damping are not both 0
+
+    // To so many rows from this one on.
+    void apply_to(RowWriter& out, Row& first, int count = 1) const
+    {
+        if (acts) [[unlikely]]
+            take(out, &first, count);
+    }
+
+  private:
+    void take(RowWriter& out, Row* rows, int count) const;
+};
+
 // ERP and CFM that belong to the joint itself; the world's at its creation until the client sets them.
 struct OwnSoftness {
     explicit OwnSoftness(const World& world);
     Real erp, cfm;
     bool chosen = false;
+    Spring spring;  // takes their place
     bool set(int param, Real value);
     bool get(int param, Real& value) const;
     void apply_to(Row& row) const { row.erp = erp, row.cfm = cfm, row.soft = chosen; }
+    void apply_to(RowWriter& out, Row& row) const { apply_to(row), spring.apply_to(out, row); }
 };
 
 // ---- relative motion ----

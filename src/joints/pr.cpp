@@ -54,6 +54,13 @@ struct PR : LastingJoint {
         axis.reattach(*this);
         set_zero();
     }
+    static int axes() { return 2; }
+    LimitMotor* stops_of(int i) { return &motor[i]; }
+    JointAxis axis_at(int i) const
+    {
+        if (i == 0) return {separated_jacobian(*this, anchor, slide_motion()), position()};
+        return {angular_jacobian(*this, sign() * turn()), sign() * angle(), true};
+    }
     bool set_param(int param, Real value) { return motor_of(motor, param).set(param, value); }
     bool get_param(int param, Real& value) const { return motor_of(motor, param).get(param, value); }
     void describe(DifWriter& out) const;

@@ -58,6 +58,13 @@ struct PU : LastingJoint {
         const Vec3 p = anchor.world(*this, 1);
         set_anchor(p, p);
     }
+    static int axes() { return 3; }
+    LimitMotor* stops_of(int i) { return &motor[i]; }
+    JointAxis axis_at(int i) const
+    {
+        if (i < 2) return {angular_jacobian(*this, user_axis(i)), user_angle(i), true};
+        return {separated_jacobian(*this, anchor, slide_motion()), position()};
+    }
     static bool in_groups(int param) { return param >= 0 && param < 3 * dParamGroup; }
     bool set_param(int param, Real value)
     {

@@ -34,7 +34,9 @@ struct JointTypeOf;
 const JointType* joint_type(int number);
 
 // Says in words what a struct lacks to be a joint type. Optional members: bodies_changed(), set_param(int,
-// Real), get_param(int, Real&), kNeedsTwoBodies, destroy() where not all objects of the type are of one pool.
+// Real), get_param(int, Real&), kNeedsTwoBodies, axes() and axis_at(int), which give the type coordinates and
+// drives, LimitMotor* stops_of(int axis) and OwnSoftness* own_softness(), which may be springs in physical
+// units, and destroy() where not all objects of the type are of one pool.
 template <typename T>
 consteval bool is_joint_type()
 {
@@ -56,6 +58,9 @@ consteval bool is_joint_type()
         !requires(T & t, Real v) { t.set_param(0, v); } ||
             requires(const T& t, Real& v) { t.get_param(0, v); },
         "a joint type that lets a parameter be set lets it be read: bool get_param(int, Real&) const");
+    static_assert(
+        !requires(const T& t) { t.axes(); } || requires(const T& t) { JointAxis{t.axis_at(0)}; },
+        "a joint type that has axes tells what they are: JointAxis axis_at(int) const");
     return true;
 }
 template <typename T>
@@ -88,6 +93,14 @@ constexpr JointType describe_joint(const char* name)
         else
             return (void)j, (void)param, (void)value, false;
     };
+    if constexpr (requires(const T& t) { t.axes(); }) {
+        type.axes = [](const Joint& j) { return static_cast<const T&>(j).axes(); };
+        type.axis = [](const Joint& j, int i) { return static_cast<const T&>(j).axis_at(i); };
+    }
+    if constexpr (requires(T & t) { t.stops_of(0); })
+        type.stops = [](Joint& j, int i) -> LimitMotor* { return static_cast<T&>(j).stops_of(i); };
+    if constexpr (requires(T & t) { t.own_softness(); })
+        type.softness = [](Joint& j) -> OwnSoftness* { return static_cast<T&>(j).own_softness(); };
     type.dif_name = T::kDifName;
     type.describe = [](const Joint& j, DifWriter& out) { static_cast<const T&>(j).describe(out); };
     type.destroy = [](Joint& j) {

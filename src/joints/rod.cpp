@@ -34,7 +34,7 @@ void Rod::lock(const Joint& j, RowWriter& out) const
     const Real now = epode::length(p1 - p2);
     const Vec3 d = normalized_or(now > kNoLength ? p1 - p2 : relative_velocity(j, p1), {1, 0, 0});
     const Vec3 r2 = j.body2() ? p2 - j.body2()->position() : Vec3{};
-    softness.apply_to(out.row(point_jacobian(j, d, p1 - j.body1()->position(), r2), length - now));
+    softness.apply_to(out, out.row(point_jacobian(j, d, p1 - j.body1()->position(), r2), length - now));
 }
 
 }  // namespace epode

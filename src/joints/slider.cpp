@@ -49,6 +49,9 @@ struct Slider : LastingJoint {
         motor.emit_linear(*this, out, motion_axis(), position());
     }
     void bodies_changed() { take_pose(); }
+    static int axes() { return 1; }
+    LimitMotor* stops_of(int) { return &motor; }
+    JointAxis axis_at(int) const { return {sliding_jacobian(*this, motion_axis()), position()}; }
     bool set_param(int param, Real value) { return motor.set(param, value); }
     bool get_param(int param, Real& value) const { return motor.get(param, value); }
     void describe(DifWriter& out) const;

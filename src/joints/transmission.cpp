@@ -50,6 +50,7 @@ struct Transmission : LastingJoint {
 
     void emit(RowWriter& out);
     void bodies_changed() { fresh = true; }
+    OwnSoftness* own_softness() { return &softness; }
     bool set_param(int param, Real value) { return softness.set(param, value); }
     bool get_param(int param, Real& value) const { return softness.get(param, value); }
     void describe(DifWriter& out) const;
@@ -164,7 +165,7 @@ void Transmission::write(RowWriter& out, Real slip) const
     const Vec3 r1 = mesh.contact[0] - body1()->position(), r2 = mesh.contact[1] - body2()->position();
     const RowKind kind = play == Play::kNone ? RowKind::kLock : RowKind::kLimit;
     Row& row = out.row(point_jacobian(*this, mesh.line, r1, r2), 0, kind);
-    softness.apply_to(row);
+    softness.apply_to(out, row);
     if (play != Play::kInside) row.error = -slip + (play == Play::kNone ? 0 : std::copysign(backlash, slip));
     if (play == Play::kAhead || play == Play::kInside) row.hi = 0;
     if (play == Play::kBehind || play == Play::kInside) row.lo = 0;

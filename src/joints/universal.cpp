@@ -38,6 +38,14 @@ struct Universal : LastingJoint {
 
     void emit(RowWriter& out);
     void bodies_changed() { anchor.reattach(*this), arms.set_zero(*this); }
+    static int axes() { return 2; }
+    LimitMotor* stops_of(int i) { return &motor[i]; }
+    // Attached as (0, B), angle 2 runs against its axis.
+    JointAxis axis_at(int i) const
+    {
+        const Vec3 a = user_axis(i);
+        return {angular_jacobian(*this, reverse && i == 1 ? -a : a), user_angle(i), true};
+    }
     bool set_param(int param, Real value) { return motor_of(motor, param).set(param, value); }
     bool get_param(int param, Real& value) const { return motor_of(motor, param).get(param, value); }
     void describe(DifWriter& out) const;

@@ -29,6 +29,15 @@ struct Jacobian {
     Vec3 lin1, ang1, lin2, ang2;
 };
 
+// What pulls along a row by physical quantities, whatever the step h is (rows/policy.h makes numbers of it):
+//   lambda = force + stiffness error + damping (velocity - w') + inertia (w - w')/h,    w' = J v after h
+// at the place that w' leads to, so the spring is implicit: error' = error - h w'.
+struct RowDrive {
+    Real stiffness = 0, damping = 0, inertia = 0;
+    Real force = 0, velocity = 0;
+    Real rate = 0;  // w, J v at the beginning of the step or substep
+};
+
 struct Row : Jacobian {
     Real error = 0;
     Real erp = 0;  // share of the error to remove in one step; 0 for motors, which have no position
@@ -40,10 +49,14 @@ struct Row : Jacobian {
     int parent = -1;  // row of the same joint whose force times `hi` bounds this row; -1: constant bounds
     RowKind kind = RowKind::kLock;
     bool has_restitution = false;
-    bool soft = false;  // the user chose erp or cfm for this row: use them literally
+    bool soft = false;                // the user chose erp or cfm for this row: use them literally
+    const RowDrive* drive = nullptr;  // replaces erp, cfm and speed
 };
 
-inline constexpr int kMaxJointRows = 6;
+inline constexpr int kMaxJointRows = 6;  // of a joint's type, without drives
+inline constexpr int kMaxAxes = 3;       // of a joint
+inline constexpr int kMaxDriveRows = 3 * kMaxAxes;
+inline constexpr int kMaxBlockRows = kMaxJointRows + kMaxDriveRows;
 
 // From the centres of the bodies to a contact point, or to a joint's anchor, world frame.
 struct ContactArms {

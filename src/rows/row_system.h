@@ -108,9 +108,9 @@ struct Substeps {
     void (*advance)(void* model, RowSystem& system, Velocity* bodies, Real h) = nullptr;
     // Updates the bodies themselves and the inertia in the SolverBodies to the poses.
     void (*settle)(void* model, RowSystem& system) = nullptr;
-    // Settles everything and rewrites Jacobians and errors of the rows at the present pose, except those that
-    // are followed and those of contacts. Numbers of rows, kinds and bounds do not change.
-    void (*refresh)(void* model, RowSystem& system) = nullptr;
+    // Settles everything and rewrites Jacobians and errors of the rows at the present pose and velocities,
+    // except those that are followed and those of contacts. Numbers of rows, kinds and bounds do not change.
+    void (*refresh)(void* model, RowSystem& system, const Velocity* bodies) = nullptr;
     // After everything has settled: contact rows act at one point of the present pose again, so that impulses
     // conserve angular momentum.
     void (*gather_contacts)(void* model, RowSystem& system) = nullptr;

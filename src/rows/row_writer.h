@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What a joint sees of a step: the numbers of the world that it may need, a place for up to six rows, and a
-// place for forces that it applies directly (for instance a motor that works against its own stop).
+// What a joint sees of a step: the numbers of the world that it may need, a place for its rows (up to six of
+// its own and those of its drives), and a place for forces that it applies directly (for instance a motor
+// that works against its own stop).
 #pragma once
 
 #include "base/check.h"
@@ -20,6 +21,11 @@ struct StepInfo {
     bool inner = false;           // a pose within a step that has begun: the number of rows must not change
 };
 
+// Of a joint's bodies; zero for the world.
+struct JointMotion {
+    Vec3 v1, w1, v2, w2;
+};
+
 class RowWriter {
   public:
     RowWriter(Row* rows, const StepInfo& info) : rows_(rows), info_(info) {}
@@ -30,7 +36,7 @@ class RowWriter {
     // A new row with the world's ERP and CFM and no bounds.
     Row& row(const Jacobian& J, Real error = 0, RowKind kind = RowKind::kLock)
     {
-        EPODE_ASSERT(count_ < kMaxJointRows);
+        EPODE_ASSERT(count_ < kMaxBlockRows);
         Row& r = rows_[count_++];
         static_cast<Jacobian&>(r) = J;
         r.error = error;
@@ -43,6 +49,7 @@ class RowWriter {
         r.parent = -1;
         r.kind = kind;
         r.has_restitution = r.soft = false;
+        r.drive = nullptr;
         return r;
     }
 
@@ -59,6 +66,12 @@ class RowWriter {
         form_ = form;
     }
     RowForm form() const { return form_; }
+    // Rows that ask for more than a pose can tell have no form: the joint is asked for them in every substep.
+    void ask_again() { form_ = RowForm::kFree; }
+
+    // Velocities at an inner pose, where the bodies still have those of the beginning of the step; else null.
+    const JointMotion* motion() const { return motion_; }
+    void set_motion(const JointMotion& motion) { motion_ = &motion; }
 
     // Force and torque (about its centre) on the body at node 0 or 1 during this step.
     void apply(int node, Vec3 force, Vec3 torque)
@@ -80,6 +93,7 @@ class RowWriter {
     Vec3 force_[2], torque_[2];
     ContactArms arms_;
     RowForm form_ = RowForm::kFree;
+    const JointMotion* motion_ = nullptr;
 };
 
 }  // namespace epode

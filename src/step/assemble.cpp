@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Joints are asked once for their rows; room for six rows each is taken from the arena, and what is written
-// stays contiguous. Contacts become manifolds, without rows, where the solver takes them. Forces of joints (a
-// motor against its stop) must be in the accumulators before v* is formed, so rows come first.
+// Joints are asked once for their rows; room for six rows each, and more for drives, is taken from the arena,
+// and what is written stays contiguous. Contacts become manifolds, without rows, where the solver takes them.
+// Forces of joints (a motor against its stop) must be in the accumulators before v* is formed, so rows come
+// first.
 #include "step/assemble.h"
 
 #include <algorithm>
 
 #include "dynamics/exact_spin.h"
 #include "dynamics/integrate.h"
+#include "joints/breaking.h"
+#include "joints/drive_rows.h"
 #include "joints/joint_manifolds.h"
 #include "rows/policy.h"
 #include "step/manifold_rows.h"
@@ -64,7 +67,9 @@ bool sort_joints(const Island& island, bool manifolds, Arena& arena, IslandWork&
 }
 
 // Emits all joints of the island; returns the number of rows and of joints that have any.
-void emit_rows(const StepInfo& info, std::span<Joint*> joints, IslandWork& work, int& rows, int& blocks)
+// `begins`: the step does.
+void emit_rows(const StepInfo& info, std::span<Joint*> joints, bool begins, IslandWork& work, int& rows,
+               int& blocks)
 {
     constexpr std::size_t kAhead = 4;
     for (std::size_t i = 0; i < joints.size(); ++i) {
@@ -73,8 +78,9 @@ void emit_rows(const StepInfo& info, std::span<Joint*> joints, IslandWork& work,
             for (const JointNode& node : joints[i + kAhead]->node)
                 if (node.body) prefetch<4>(node.body->pos);
         Joint* const joint = joints[i];
+        if (joint->driven && begins) forget_load(*joint);
         RowWriter out(&work.system.rows[std::size_t(rows)], info);
-        joint->type->emit(*joint, out);
+        emit_joint(*joint, out);
         if (out.applied()) add_applied(out, *joint);
         if (out.count() == 0) continue;
         const Body* b2 = joint->body2();
@@ -183,8 +189,9 @@ bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Ar
     work.system.joint_contacts.manifolds = arena.take<JointManifold>(contact_count);
     work.system.joint_contacts.points = arena.take<JointManifoldPoint>(contact_count);
     work.system.blocks = arena.take<RowBlock>(joint_count + points);
-    work.system.rows =
-        arena.take<Row>(joint_count * kMaxJointRows + (as_rows ? manifold_row_count(island) : 0));
+    const int driven = std::min(joint_count, world.driven_joints);
+    work.system.rows = arena.take<Row>(joint_count * kMaxJointRows + driven * kMaxDriveRows +
+                                       (as_rows ? manifold_row_count(island) : 0));
     const auto manifolds = arena.take<ContactManifold*>(as_rows ? 0 : int(island.manifolds.size()));
     if (arena.failed()) {
         work.joints = work.contacts = {};  // nothing was written there
@@ -202,7 +209,7 @@ bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Ar
     StepInfo info = step_info(world, h);
     if (solver.settling_factor > 1) info.contact_layer = std::max(info.contact_layer, island.kept_depth);
     write_manifolds(work.contacts, info, work.system.joint_contacts);
-    emit_rows(info, joints, work, rows, blocks);
+    emit_rows(info, joints, undo != nullptr, work, rows, blocks);
     work.joints = work.joints.first(std::size_t(blocks));
     place_manifolds(tasks, island);
     if (as_rows) emit_manifolds(info, work, rows, blocks);
@@ -221,6 +228,8 @@ bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Ar
         for (int i = block.first; i < block.first + block.count; ++i)
             work.system.numbers[std::size_t(i)] =
                 ode_baumgarte(work.system.rows[std::size_t(i)], h, info.fps, block.first);
+    for (std::size_t i = 0; driven > 0 && i < work.system.rows.size(); ++i)
+        if (work.system.rows[i].drive) take_drive(work.system.rows[i], h, work.system.numbers[i]);
     return true;
 }
 

@@ -7,13 +7,15 @@
 // Contacts are not sought again. Their separation follows the motion, error <- error - hs J v, and one that
 // has opened may close exactly but not further; a rebound is due in the first substep. They act at one point
 // of both bodies, half way between where the two have carried it, so that angular momentum is kept.
-// A joint's feedback is the mean of its forces over the substeps, the impulse of the step over h.
+// A joint's feedback is the mean of its forces over the substeps, the impulse of the step over h; so is what
+// its drives report.
 #include "step/exact_substeps.h"
 
 #include <algorithm>
 
 #include "dynamics/exact_spin.h"
 #include "dynamics/integrate.h"
+#include "dynamics/joint_drives.h"
 #include "rows/policy.h"
 #include "solve/common/substep_rows.h"
 #include "step/substeps.h"
@@ -26,6 +28,7 @@ namespace {
 RowNumbers numbers_of(const Row& row, const Substep& step, Real inverse_mass, int block_first)
 {
     RowNumbers n = ode_baumgarte(row, step.hs, block_first);
+    if (row.drive) return take_drive(row, step.hs, n), n;
     const RowAim aim = map_row(row, step, inverse_mass);
     n.C = aim.C;
     n.c = wanted_velocity(row, aim.rate);
@@ -200,8 +203,9 @@ void ExactSubsteps::add_feedback(const IslandWork& work)
     std::size_t at = 0;
     for (const Joint* joint : work.joints) {
         while (island_.joints[at] != joint) ++at;
-        if (!joint->feedback) continue;
         Feedback& sum = feedback_[at];
+        for (int i = 0; joint->driven && i < kMaxAxes; ++i) sum.drive[i] += drives_of(*joint).axis[i].force;
+        if (!joint->feedback) continue;
         const dJointFeedback& now = *joint->feedback;
         sum.f1 += load(now.f1), sum.t1 += load(now.t1);
         if (joint->body2()) sum.f2 += load(now.f2), sum.t2 += load(now.t2);
@@ -213,10 +217,13 @@ void ExactSubsteps::store_feedback() const
 {
     for (std::size_t k = 0; k < feedback_.size(); ++k) {
         const Feedback& sum = feedback_[k];
+        Joint& joint = *island_.joints[k];
+        for (int i = 0; joint.driven && i < kMaxAxes; ++i)
+            drives_of(joint).axis[i].force = sum.drive[i] / Real(n_);
         if (!sum.any) continue;
-        dJointFeedback& out = *island_.joints[k]->feedback;
+        dJointFeedback& out = *joint.feedback;
         store(out.f1, sum.f1 / Real(n_)), store(out.t1, sum.t1 / Real(n_));
-        if (!island_.joints[k]->body2()) continue;
+        if (!joint.body2()) continue;
         store(out.f2, sum.f2 / Real(n_)), store(out.t2, sum.t2 / Real(n_));
     }
 }

@@ -36,6 +36,7 @@ class ExactSubsteps {
     struct Feedback {
         Vec3 f1, t1, f2, t2;
         bool any;
+        Real drive[kMaxAxes];
     };
 
     bool next(IslandWork& first, const SolverSettings& settings, SolveReport& report, IslandWork& work);

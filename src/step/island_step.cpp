@@ -6,6 +6,7 @@
 
 #include "dynamics/exact_spin.h"
 #include "dynamics/integrate.h"
+#include "joints/breaking.h"
 #include "step/assemble.h"
 #include "step/exact_substeps.h"
 #include "step/free_flight.h"
@@ -20,7 +21,10 @@ namespace {
 
 void contain(std::span<Body* const> bodies, std::span<Joint* const> joints)
 {
-    for (Joint* joint : joints) joint->impulse_rows = 0;
+    for (Joint* joint : joints) {
+        joint->impulse_rows = 0;
+        if (joint->driven) forget_load(*joint);
+    }
     for (Body* body : bodies) {
         body->spin_excess = {};
         if (!usable(body->lvel, 3) || !usable(body->avel, 3)) {

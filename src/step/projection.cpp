@@ -31,6 +31,7 @@
 #include <algorithm>
 
 #include "dynamics/integrate.h"
+#include "joints/drive_rows.h"
 #include "rows/policy.h"
 #include "solve/exact/equalities.h"
 #include "step/tension.h"
@@ -54,6 +55,7 @@ struct Hold {
 
 bool is_spring(const Row& row, const RowBlock& block, const RowSystem& system)
 {
+    if (row.drive) return true;
     const SolverBody& a = system.bodies[std::size_t(block.body1)];
     const SolverBody* b = block.body2 < 0 ? nullptr : &system.bodies[std::size_t(block.body2)];
     return row.cfm / system.h > kSpringShare * inverse_effective_mass(row, a, b);
@@ -120,11 +122,11 @@ class Projection {
     void choose_rows()
     {
         int rows = 0, blocks = 0;
-        Row now[kMaxJointRows];
+        Row now[kMaxBlockRows];
         for (std::size_t k = 0; k < work_.system.blocks.size(); ++k) {
             const RowBlock& block = work_.system.blocks[k];
             RowWriter out(now, info_);
-            if (!block.contact) work_.joints[k]->type->emit(*work_.joints[k], out);
+            if (!block.contact) emit_joint(*work_.joints[k], out);
             const int first = rows;
             const Real per_lever = 1 / lever(block);
             for (int i = 0; i < block.count; ++i) {
@@ -297,12 +299,9 @@ class Projection {
     void update(std::size_t k, Real share)
     {
         const RowBlock& block = system_.blocks[k];
-        Row now[kMaxJointRows];
+        Row now[kMaxBlockRows];
         RowWriter out(now, info_);
-        if (!block.contact) {
-            Joint& joint = *work_.joints[std::size_t(from_[k])];
-            joint.type->emit(joint, out);
-        }
+        if (!block.contact) emit_joint(*work_.joints[std::size_t(from_[k])], out);
         const int base = work_.system.blocks[std::size_t(from_[k])].first;
         for (int i = block.first; i < block.first + block.count; ++i) {
             Hold& hold = holds_[std::size_t(i)];

@@ -15,6 +15,7 @@
 #include "base/float_environment.h"
 #include "dynamics/active.h"
 #include "dynamics/island.h"
+#include "joints/breaking.h"
 #include "step/finish.h"
 #include "step/hybrid.h"
 #include "step/island_step.h"
@@ -406,6 +407,7 @@ bool step_in(World& world, StepState& state, const Solver* solver, Real h, int i
     if (made) {
         state.contacts.end();
         step.accept_contacts();
+        break_joints(world, h);
         step.remember_choices();
         step.let_rest();
         step.finish();

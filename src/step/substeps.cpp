@@ -8,6 +8,7 @@
 #include "step/substeps.h"
 
 #include "dynamics/integrate.h"
+#include "joints/drive_rows.h"
 #include "tasks/prefetched.h"
 
 namespace epode {
@@ -47,6 +48,14 @@ void load_pose(const Body& body, const SolverBody& solver, SolverPose& pose)
     pose.x = body.position(), pose.inv_mass = solver.inv_mass, pose.q = body.orientation();
     pose.main = {s.xx, s.yy, s.zz}, pose.mixed = {s.xy, s.xz, s.yz};
     pose.unused1 = pose.unused2 = 0;
+}
+
+JointMotion motion_of(const RowBlock& block, const Velocity* bodies)
+{
+    const Velocity& a = bodies[block.body1];
+    if (block.body2 < 0) return {a.v, a.w, {}, {}};
+    const Velocity& b = bodies[block.body2];
+    return {a.v, a.w, b.v, b.w};
 }
 
 SubstepModel& model_of(void* p) { return *static_cast<SubstepModel*>(p); }
@@ -148,10 +157,10 @@ void SubstepModel::settle(void* p, RowSystem& system)
     });
 }
 
-void SubstepModel::refresh(void* p, RowSystem& system)
+void SubstepModel::refresh(void* p, RowSystem& system, const Velocity* bodies)
 {
     SubstepModel& model = model_of(p);
-    Row rows[kMaxJointRows];
+    Row rows[kMaxBlockRows];
     bool settled = false;
     for (std::size_t k = 0; k < system.blocks.size(); ++k) {
         RowBlock& block = system.blocks[k];
@@ -159,7 +168,10 @@ void SubstepModel::refresh(void* p, RowSystem& system)
         if (!settled) settle(p, system);
         settled = true;
         RowWriter out(rows, model.info_);
-        model.work_.joints[k]->type->emit(*model.work_.joints[k], out);
+        Joint& joint = *model.work_.joints[k];
+        JointMotion motion;
+        if (joint.driven) out.set_motion(motion = motion_of(block, bodies));
+        emit_joint(joint, out);
         EPODE_ASSERT(out.count() == block.count);  // of every joint type: see StepInfo::inner
         block.arms = out.arms();
         for (int i = 0; i < block.count && i < out.count(); ++i) {

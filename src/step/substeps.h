@@ -35,7 +35,7 @@ class SubstepModel {
     static void apply_forces(void* model, Velocity* bodies, Real h);
     static void advance(void* model, RowSystem& system, Velocity* bodies, Real h);
     static void settle(void* model, RowSystem& system);
-    static void refresh(void* model, RowSystem& system);
+    static void refresh(void* model, RowSystem& system, const Velocity* bodies);
     static void gather_contacts(void* model, RowSystem& system);
 
     IslandWork& work_;

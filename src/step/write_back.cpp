@@ -7,6 +7,8 @@
 
 #include <atomic>
 
+#include "joints/breaking.h"
+#include "joints/drive_rows.h"
 #include "tasks/prefetched.h"
 
 namespace epode {
@@ -97,6 +99,7 @@ void write_back(const IslandWork& work, const Tasks& tasks)
         Joint& joint = *work.joints[k];
         const RowBlock& block = work.system.blocks[k];
         if (!block.contact) keep_impulses(joint, block, work.system);
+        if (joint.driven) store_drive_forces(joint, block, work.system), add_load(joint, block, work.system);
         if (joint.feedback) write_feedback(joint, block, work.system);
     }
     if (!work.contact_feedback) return;

@@ -68,6 +68,8 @@ enum class Kind {
     kWorldList,
     kMaterial,
     kQueryFilter,
+    kDrive,
+    kDriveRoom,
     kGeomClass,
     kWorldReport,
     kIslandReport,

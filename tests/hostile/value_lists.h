@@ -67,6 +67,7 @@ constexpr Integer kSkips[] = {{sizeof(dContactGeom), "sizeof(dContactGeom)"},
                               {INT_MIN, "INT_MIN"}};
 constexpr Integer kStructSizes[] = {{sizeof(dQueryFilter), "sizeof(dQueryFilter)"},
                                     {sizeof(dMaterial), "sizeof(dMaterial)"},
+                                    {sizeof(dDrive), "sizeof(dDrive)"},
                                     {sizeof(dQueryFilter) - 1, "sizeof(dQueryFilter)-1"},
                                     {0, "0"},
                                     {4, "4"},
@@ -201,6 +202,44 @@ inline dMass unit_mass()
     dMass m{};
     m.mass = m.I[0] = m.I[5] = m.I[10] = 1;
     return m;
+}
+
+template <typename Change>
+dDrive drive_with(Change&& change)
+{
+    dDrive d{};
+    d.struct_size = sizeof d;
+    change(d);
+    return d;
+}
+
+inline const std::vector<Item<dDrive>>& drives()
+{
+    static const std::vector<Item<dDrive>> list = {
+        {drive_with([](dDrive& d) { d.stiffness = 100, d.damping = 1, d.target = dReal(0.5); }), Trait::kFine,
+         "a spring"},
+        {drive_with([](dDrive& d) { d.armature = 2, d.friction = 1, d.force = 3; }), Trait::kFine, "a rotor"},
+        {drive_with([](dDrive& d) { d.stiffness = 9, d.armature = 1, d.force_limit = 1; }), Trait::kFine,
+         "a limited servo"},
+        {drive_with([](dDrive&) {}), Trait::kStrange, "nothing"},
+        {drive_with([](dDrive& d) { d.struct_size = 0; }), Trait::kBad, "struct_size 0"},
+        {drive_with([](dDrive& d) { d.stiffness = kLarge; }), Trait::kStrange, "as stiff as can be"},
+        {drive_with([](dDrive& d) { d.armature = d.damping = kTiny; }), Trait::kStrange, "denormal"},
+        {drive_with([](dDrive& d) { d.stiffness = -1; }), Trait::kStrange, "stiffness -1"},
+        {drive_with([](dDrive& d) { d.stiffness = kNaN; }), Trait::kNaN, "stiffness NaN"},
+        {drive_with([](dDrive& d) { d.damping = kInf; }), Trait::kStrange, "damping inf"},
+        {drive_with([](dDrive& d) { d.damping = kNaN; }), Trait::kNaN, "damping NaN"},
+        {drive_with([](dDrive& d) { d.armature = -1; }), Trait::kStrange, "armature -1"},
+        {drive_with([](dDrive& d) { d.armature = kNaN; }), Trait::kNaN, "armature NaN"},
+        {drive_with([](dDrive& d) { d.friction = kNaN; }), Trait::kNaN, "friction NaN"},
+        {drive_with([](dDrive& d) { d.target = kNaN; }), Trait::kNaN, "target NaN"},
+        {drive_with([](dDrive& d) { d.target_velocity = kNaN; }), Trait::kNaN, "target velocity NaN"},
+        {drive_with([](dDrive& d) { d.force = kLarge, d.force_limit = kInf; }), Trait::kStrange,
+         "force large"},
+        {drive_with([](dDrive& d) { d.force = kNaN; }), Trait::kNaN, "force NaN"},
+        {drive_with([](dDrive& d) { d.force_limit = -1; }), Trait::kStrange, "limit -1"},
+        {drive_with([](dDrive& d) { d.force_limit = kNaN; }), Trait::kNaN, "limit NaN"}};
+    return list;
 }
 
 template <typename Change>

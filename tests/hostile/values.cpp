@@ -160,6 +160,10 @@ int Values::count(Kind kind)
             return int(materials().size()) + 1;
         case Kind::kQueryFilter:
             return int(filters().size()) + 1;
+        case Kind::kDrive:
+            return int(drives().size()) + 1;
+        case Kind::kDriveRoom:
+            return int(reports<dDrive>().size()) + 1;
         case Kind::kContact:
             return int(hostile::contacts().size()) + 1;
         case Kind::kGeomClass:
@@ -339,6 +343,10 @@ Value Values::memory(Kind kind, int index, int position)
             return item(materials());
         case Kind::kQueryFilter:
             return item(filters());
+        case Kind::kDrive:
+            return item(drives());
+        case Kind::kDriveRoom:
+            return item(reports<dDrive>());
         case Kind::kContact:
             return item(hostile::contacts());
         case Kind::kGeomClass:

@@ -8,7 +8,8 @@
 //
 //   CFM_s = CFM / (1 - ERP (1 - 1/n)),   ERP_s = (ERP/n) / (1 - ERP (1 - 1/n)).
 //
-// A row without position error (motor, friction) is a damper: k = 0, and its CFM does not change.
+// A row without position error (motor, friction) is a damper: k = 0, and its CFM does not change. A drive has
+// physical units, from which its numbers at hs follow.
 //
 // Contacts with default softness are soft constraints relative to their effective mass (frequency f, damping
 // ratio z, w = 2 pi f):  a1 = 2 z + hs w,  a2 = hs w a1,  rate = w/a1,  C = d/a2   (after Box2D's soft step
@@ -17,7 +18,7 @@
 
 #include <algorithm>
 
-#include "rows/row.h"
+#include "rows/policy.h"
 
 namespace epode {
 
@@ -39,6 +40,10 @@ inline constexpr Real kSoftShare = Real(1e-3);
 
 inline RowAim map_row(const Row& row, const Substep& step, Real inverse_mass)
 {
+    if (row.drive) {
+        const DriveAim aim = drive_aim(*row.drive, step.hs);
+        return {aim.rate, kInf, aim.C, true};
+    }
     const Real erp = row.kind == RowKind::kFriction ? 0 : row.erp;
     const Real share = Real(1) / Real(step.n);
     const Real rest = 1 - erp * (1 - share);
@@ -48,6 +53,12 @@ inline RowAim map_row(const Row& row, const Substep& step, Real inverse_mass)
     aim.C = row.cfm / rest / step.hs;
     aim.spring = row.soft || aim.C > kSoftShare * inverse_mass;
     return aim;
+}
+
+// The part of c that is not correction.
+inline Real target_speed(const Row& row, const Substep& step)
+{
+    return row.drive ? drive_aim(*row.drive, step.hs).speed : row.speed;
 }
 
 inline RowAim default_contact(const Substep& step, Real inverse_mass, bool against_static,

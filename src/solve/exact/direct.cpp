@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "solve/common/cut_blocks.h"
 #include "solve/exact/active_set.h"
 #include "solve/exact/extended/primal_active_set.h"
 #include "solve/exact/interior_point.h"
@@ -159,9 +160,12 @@ bool solve_large(RowSystem& system, const SolverSettings& settings, bool pivot, 
     return solve_large(system, settings, false, arena, report);
 }
 
-bool solve_direct(RowSystem& system, const SolverSettings& settings, Arena& arena, SolveReport& report)
+bool solve_direct(RowSystem& whole, const SolverSettings& settings, Arena& arena, SolveReport& report)
 {
-    if (system.rows.empty()) return true;
+    if (whole.rows.empty()) return true;
+    Arena::Scope scope(arena);
+    RowSystem system = whole;
+    if (!cut_blocks(system, arena)) return false;
     switch (solve_small(system, settings, arena, report)) {
         case SmallResult::kSolved:
             return true;

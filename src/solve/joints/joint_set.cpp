@@ -45,12 +45,12 @@ class AimMap {
   private:
     static bool alike(const Row& a, const Row& b)
     {
-        return a.kind == b.kind && a.erp == b.erp && a.cfm == b.cfm && a.soft == b.soft;
+        return a.kind == b.kind && a.erp == b.erp && a.cfm == b.cfm && a.soft == b.soft && a.drive == b.drive;
     }
 
     const Substep& step_;
-    const Row* last_[kMaxJointRows] = {};
-    RowAim aims_[kMaxJointRows];
+    const Row* last_[kMaxBlockRows] = {};
+    RowAim aims_[kMaxBlockRows];
 };
 
 // The target of one row.
@@ -302,7 +302,7 @@ void JointSetOf<L>::load_substep(const RowSystem& system, const Substep& step, s
     fill(system, [&](std::size_t i, int place) {
         const Row& row = system.rows[i];
         const RowAim& aim = aims.of(row, place);
-        const Real c = std::min(aim.rate * row.error + row.speed, row.cap);
+        const Real c = std::min(aim.rate * row.error + target_speed(row, step), row.cap);
         return RowTarget{c, aim.C, aim.spring ? c : std::min(row.speed, row.cap)};
     });
     kernels_->begin(batches_.data(), int(batches_.size()), numbers_.data(),
@@ -440,7 +440,7 @@ template <typename L>
 void JointSetOf<L>::visit_lanes(const JointBatch& batch, const bool* lanes, L* n, int world,
                                 std::span<Velocity> bodies)
 {
-    constexpr JointLayout kLargest(RowForm::kFree, kMaxJointRows, kMaxJointRows);
+    constexpr JointLayout kLargest(RowForm::kFree, kMaxBlockRows, kMaxBlockRows);
     const JointLayout at(batch);
     L copy[std::size_t(kLargest.size)];
     JointBatch one = batch;

@@ -63,8 +63,10 @@ class JointSetOf {
     struct Source {
         int block;  // -1: none
         int first;  // row of the system
-        unsigned char row[kMaxJointRows];
+        unsigned char row[kMaxBlockRows];
+        char filled_up[9];  // to a power of two
     };
+    static_assert(sizeof(Source) == 32);
     struct Shape {
         RowForm form;
         int rows, bounded;
@@ -91,7 +93,9 @@ class JointSetOf {
     template <typename Visit>
     void for_each_row(Visit&& f) const;
 
-    static constexpr int kShapes = 3 * (kMaxJointRows + 1) * (kMaxJointRows + 1);
+    // Forms other than the free one have at most kMaxJointRows rows.
+    static constexpr int kShapes =
+        2 * (kMaxJointRows + 1) * (kMaxJointRows + 1) + (kMaxBlockRows + 1) * (kMaxBlockRows + 1);
 
     const JointKernels* machine_;
     const JointKernelsOf<L>* kernels_;

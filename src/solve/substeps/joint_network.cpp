@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+#include "solve/common/cut_blocks.h"
+
 namespace epode {
 namespace {
 
@@ -49,18 +51,21 @@ bool JointNetwork::analyse(const RowSystem& system, SymbolicCache* symbolic_cach
 bool JointNetwork::list_joints(const RowSystem& system, Arena& arena)
 {
     int joints = 0;
-    for (const RowBlock& block : system.blocks) joints += !block.contact && block.count > 0;
+    for (const RowBlock& block : system.blocks)
+        if (!block.contact) joints += pieces_of(block);
     joints_ = arena.take<NetworkJoint>(joints);
     if (arena.failed()) return false;
     int next = 0, row = 0;
     for (const RowBlock& block : system.blocks) {
-        if (block.contact || block.count == 0) continue;
-        NetworkJoint& out = joints_[std::size_t(next++)];
-        out.first = row, out.count = block.count, out.source = block.first;
-        out.body[0] = block.body1, out.body[1] = second_slot(system, block.body2);
-        out.inv_mass[0] = system.bodies[std::size_t(block.body1)].inv_mass;
-        out.inv_mass[1] = block.body2 >= 0 ? system.bodies[std::size_t(block.body2)].inv_mass : 0;
-        row += block.count;
+        if (block.contact) continue;
+        for_each_piece(block, [&](const RowBlock& piece) {
+            NetworkJoint& out = joints_[std::size_t(next++)];
+            out.first = row, out.count = piece.count, out.source = piece.first;
+            out.body[0] = block.body1, out.body[1] = second_slot(system, block.body2);
+            out.inv_mass[0] = system.bodies[std::size_t(block.body1)].inv_mass;
+            out.inv_mass[1] = block.body2 >= 0 ? system.bodies[std::size_t(block.body2)].inv_mass : 0;
+            row += out.count;
+        });
     }
     return true;
 }
@@ -139,7 +144,7 @@ void JointNetwork::load_row(const Row& row, const SolverBody* const (&bodies)[2]
     out.turn[1] = b ? b->inv_inertia * row.ang2 : Vec3{};
     const RowAim aim = map_row(row, step, inverse_effective_mass(row, a, b));
     out.C = aim.C;
-    out.c = std::min(aim.rate * row.error + row.speed, row.cap);
+    out.c = std::min(aim.rate * row.error + target_speed(row, step), row.cap);
     out.c_relaxed = aim.spring ? out.c : std::min(row.speed, row.cap);
 }
 

@@ -6,13 +6,13 @@
 //   (J M^-1 J^T + C) dp = c - J v - C p,
 //
 // is done here for the rows of all joints at once, so that no iteration between joints remains however
-// unequal the masses are. The matrix has a block of six for each joint and one for each pair of joints on a
-// body that moves. It is as sparse as the joints' graph, and a tree of joints has no fill. The kernel of the
-// exact solver (solve/exact/factor/block_cholesky) factors it once per pose; every visit solves with it. The
-// dual matrix and not the primal 1 + J^T D J of the exact solver: joints have few rows per body, C = 0 needs
-// no refinement, and a row on its bound costs one row and column of ones. Bounds: a row that leaves them is
-// held on its bound, and a held row that pulls away from it is released, for a few rounds; which rows are
-// held is remembered from visit to visit.
+// unequal the masses are. The matrix has a block of six for each joint (several for a joint with more rows)
+// and one for each pair of joints on a body that moves. It is as sparse as the joints' graph, and a tree of
+// joints has no fill. The kernel of the exact solver (solve/exact/factor/block_cholesky) factors it once per
+// pose; every visit solves with it. The dual matrix and not the primal 1 + J^T D J of the exact solver:
+// joints have few rows per body, C = 0 needs no refinement, and a row on its bound costs one row and column
+// of ones. Bounds: a row that leaves them is held on its bound, and a held row that pulls away from it is
+// released, for a few rounds; which rows are held is remembered from visit to visit.
 #pragma once
 
 #include <span>

@@ -89,8 +89,8 @@ class SubstepSolver {
   private:
     void correct(bool moved, bool last)
     {
+        if (moved) model_.refresh(model_.model, system_, velocities_.data());
         model_.apply_forces(model_.model, velocities_.data(), step_.hs);
-        if (moved) model_.refresh(model_.model, system_);
         if (last && !before_.empty()) save_bodies();
         joints_.load_substep(system_, step_, velocities_);
         contacts_.apply_impulses(velocities_);

@@ -10,6 +10,7 @@
 #include "base/pool.h"
 #include "dynamics/joint.h"
 #include "dynamics/world.h"
+#include "joints/drive_rows.h"
 #include "joints/registry.h"
 #include "math/trig.h"
 #include "rows/policy.h"
@@ -65,9 +66,9 @@ struct Rig {
     Emitted emit(dJointID id) const
     {
         Joint& j = *from_handle<Joint>(id);
-        Row rows[kMaxJointRows];
+        Row rows[kMaxBlockRows];
         RowWriter out(rows, info);
-        j.type->emit(j, out);
+        emit_joint(j, out);
         Emitted e;
         e.rows.assign(rows, rows + out.count());
         e.applied = out.applied();

@@ -39,7 +39,7 @@ struct Model {
         for (std::size_t i = 0; i < model.p.places.size(); ++i) model.p.places[i] += h * bodies[i].v;
     }
     static void nothing(void*, RowSystem&) {}
-    static void refresh(void* m, RowSystem&)
+    static void refresh(void* m, RowSystem&, const Velocity*)
     {
         Model& model = *static_cast<Model*>(m);
         model.measure(model.p);

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Coordinates of joints and drives on them, for joints of any type.
+#include <cstdio>
+
+#include "base/struct_size.h"
+#include "dynamics/world.h"
+#include "joints/drive_rows.h"
+#include "joints/limit_motor.h"
+#include "joints/registry.h"
+#include "ode/ode.h"
+
+namespace epode {
+
+template <>
+inline constexpr std::size_t kSmallestSize<dDrive> = offsetof(dDrive, damping);
+
+}  // namespace epode
+
+using namespace epode;
+
+namespace {
+
+bool stepping(const Joint& joint) { return joint.world && joint.world->stepping; }
+
+bool has_axis(const Joint& joint, int axis) { return axis >= 0 && axis < axis_count(joint); }
+
+const AxisDrive* axis_drive(const Joint& joint, int axis)
+{
+    return joint.driven ? &drives_of(joint).axis[axis] : nullptr;
+}
+
+AxisDrive* take_axis_drive(Joint& joint, int axis)
+{
+    JointDrives* drives = take_drives(static_cast<LastingJoint&>(joint));
+    return drives ? &drives->axis[axis] : nullptr;
+}
+
+// What is wrong with a drive, in words; empty: nothing.
+struct Fault {
+    char text[128] = "";
+
+    explicit Fault(const dDrive& drive)
+    {
+        check("stiffness", drive.stiffness, usable(drive.stiffness) && drive.stiffness >= 0, kShare);
+        check("damping", drive.damping, usable(drive.damping) && drive.damping >= 0, kShare);
+        check("armature", drive.armature, usable(drive.armature) && drive.armature >= 0, kShare);
+        check("friction", drive.friction, usable(drive.friction) && drive.friction >= 0, kShare);
+        check("target", drive.target, usable(drive.target), "finite");
+        check("target_velocity", drive.target_velocity, usable(drive.target_velocity), "finite");
+        check("force", drive.force, usable(drive.force), "finite");
+        const bool limited = usable_or_infinite(drive.force_limit) && drive.force_limit >= 0;
+        check("force_limit", drive.force_limit, limited, "0 or more, or dInfinity");
+    }
+
+  private:
+    static constexpr const char* kShare = "finite and 0 or more";
+
+    void check(const char* field, Real value, bool good, const char* wanted)
+    {
+        if (good || *text) return;
+        std::snprintf(text, sizeof text, "dDrive::%s is %g, must be %s", field, double(value), wanted);
+    }
+};
+
+constexpr dDrive kNoDrive = {sizeof(dDrive), 0, 0, 0, 0, 0, 0, 0, 0};
+
+bool same(const dDrive& a, const dDrive& b)
+{
+    return a.stiffness == b.stiffness && a.damping == b.damping && a.armature == b.armature &&
+           a.friction == b.friction && a.target == b.target && a.target_velocity == b.target_velocity &&
+           a.force == b.force && a.force_limit == b.force_limit;
+}
+
+LimitMotor* stops_of(Joint& joint, int axis)
+{
+    return joint.type->stops ? joint.type->stops(joint, axis) : nullptr;
+}
+
+OwnSoftness* own_softness(Joint& joint)
+{
+    return joint.type->softness ? joint.type->softness(joint) : nullptr;
+}
+
+int set_spring(Joint& joint, Spring& spring, Real stiffness, Real damping, const char* caller)
+{
+    if (!demand(usable(stiffness) && stiffness >= 0 && usable(damping) && damping >= 0, caller)) return 0;
+    if (stepping(joint)) return refuse_for(caller, "Invalid operation during a step"), 0;
+    // Steps look for rows in physical units where there are JointDrives.
+    if (!take_drives(static_cast<LastingJoint&>(joint))) return refuse_for(caller, kOutOfMemory), 0;
+    spring.drive.stiffness = stiffness, spring.drive.damping = damping;
+    spring.acts = stiffness > 0 || damping > 0;
+    return 1;
+}
+
+int get_spring(const Spring& spring, Real* stiffness, Real* damping)
+{
+    *stiffness = spring.drive.stiffness, *damping = spring.drive.damping;
+    return spring.acts;
+}
+
+void wake_bodies(Joint& joint)
+{
+    for (const JointNode& node : joint.node)
+        if (node.body && node.body->disabled) wake(*node.body);
+}
+
+}  // namespace
+
+#define JOINT_OR(...)                           \
+    Joint* const joint = from_handle<Joint>(j); \
+    EPODE_USER(joint != nullptr __VA_OPT__(, ) __VA_ARGS__)
+
+#define AXIS_OR(...)       \
+    JOINT_OR(__VA_ARGS__); \
+    EPODE_USER_SAY(has_axis(*joint, axis), "the joint does not have this axis" __VA_OPT__(, ) __VA_ARGS__)
+
+extern "C" {
+
+int dJointGetNumAxes(dJointID j)
+{
+    JOINT_OR(0);
+    return axis_count(*joint);
+}
+
+dReal dJointGetAxisPosition(dJointID j, int axis)
+{
+    AXIS_OR(0);
+    return joint->attached() ? axis_position(*joint, axis) : 0;
+}
+
+dReal dJointGetAxisRate(dJointID j, int axis)
+{
+    AXIS_OR(0);
+    return joint->attached() ? rate_along(*joint, joint->type->axis(*joint, axis).J) : 0;
+}
+
+int dJointSetAxisContinuous(dJointID j, int axis, int mode)
+{
+    AXIS_OR(0);
+    EPODE_USER_SAY(mode == 0 || mode == 1, "the mode must be 0 or 1", 0);
+    EPODE_USER_SAY(!stepping(*joint), "Invalid operation during a step", 0);
+    AxisDrive* const drive = take_axis_drive(*joint, axis);
+    EPODE_USER_SAY(drive, kOutOfMemory, 0);
+    if (!drive->continuous && joint->attached()) drive->reference = axis_position(*joint, axis);
+    drive->continuous = mode == 1;
+    return 1;
+}
+
+int dJointGetAxisContinuous(dJointID j, int axis)
+{
+    AXIS_OR(0);
+    const AxisDrive* const drive = axis_drive(*joint, axis);
+    return drive && drive->continuous;
+}
+
+int dDriveInit(dDrive* drive, unsigned struct_size)
+{
+    EPODE_SIZED_AS(drive, struct_size, 0);
+    copy_sized(kNoDrive, drive, struct_size);
+    return 1;
+}
+
+int dJointSetDrive(dJointID j, int axis, const dDrive* drive)
+{
+    AXIS_OR(0);
+    dDrive whole = kNoDrive;
+    if (drive) {
+        EPODE_SIZED(drive, 0);
+        whole = completed(*drive, kNoDrive);
+    }
+    const Fault fault(whole);
+    EPODE_USER_SAY(!*fault.text, fault.text, 0);
+    EPODE_USER_SAY(!stepping(*joint), "Invalid operation during a step", 0);
+    AxisDrive* const to = take_axis_drive(*joint, axis);
+    EPODE_USER_SAY(to, kOutOfMemory, 0);
+    if (to->driven != (drive != nullptr) || !same(to->drive, whole)) wake_bodies(*joint);
+    to->driven = drive != nullptr;
+    to->drive = whole;
+    if (!drive) to->force = 0;
+    return 1;
+}
+
+int dJointGetDrive(dJointID j, int axis, dDrive* drive)
+{
+    AXIS_OR(0);
+    EPODE_SIZED(drive, 0);
+    const AxisDrive* const from = axis_drive(*joint, axis);
+    copy_sized(from ? from->drive : kNoDrive, drive, drive->struct_size);
+    return from && from->driven;
+}
+
+dReal dJointGetDriveForce(dJointID j, int axis)
+{
+    AXIS_OR(0);
+    const AxisDrive* const drive = axis_drive(*joint, axis);
+    return drive ? drive->force : 0;
+}
+
+int dJointSetStopSpring(dJointID j, int axis, dReal stiffness, dReal damping)
+{
+    AXIS_OR(0);
+    LimitMotor* const stops = stops_of(*joint, axis);
+    EPODE_USER_SAY(stops, "the axis has no stops", 0);
+    return set_spring(*joint, stops->stop_spring, stiffness, damping, __func__);
+}
+
+int dJointGetStopSpring(dJointID j, int axis, dReal* stiffness, dReal* damping)
+{
+    AXIS_OR(0);
+    EPODE_USER(stiffness && damping, 0);
+    LimitMotor* const stops = stops_of(*joint, axis);
+    EPODE_USER_SAY(stops, "the axis has no stops", 0);
+    return get_spring(stops->stop_spring, stiffness, damping);
+}
+
+int dJointSetSpring(dJointID j, dReal stiffness, dReal damping)
+{
+    JOINT_OR(0);
+    OwnSoftness* const own = own_softness(*joint);
+    EPODE_USER_SAY(own, "the joint's type has no ERP and CFM of its own", 0);
+    return set_spring(*joint, own->spring, stiffness, damping, __func__);
+}
+
+int dJointGetSpring(dJointID j, dReal* stiffness, dReal* damping)
+{
+    JOINT_OR(0);
+    EPODE_USER(stiffness && damping, 0);
+    OwnSoftness* const own = own_softness(*joint);
+    EPODE_USER_SAY(own, "the joint's type has no ERP and CFM of its own", 0);
+    return get_spring(own->spring, stiffness, damping);
+}
+
+int dSpringFromFrequency(dReal mass, dReal hertz, dReal damping_ratio, dReal* stiffness, dReal* damping)
+{
+    const bool good = usable(mass) && usable(hertz) && usable(damping_ratio);
+    EPODE_USER(good && mass > 0 && hertz > 0 && damping_ratio >= 0 && stiffness && damping, 0);
+    const Real w = 2 * kPi * hertz, k = mass * w * w, d = 2 * damping_ratio * mass * w;
+    EPODE_USER_SAY(usable(k) && usable(d), "the spring would be too stiff", 0);
+    *stiffness = k, *damping = d;
+    return 1;
+}
+
+int dJointSetBreakLimits(dJointID j, dReal force, dReal torque)
+{
+    JOINT_OR(0);
+    const auto limit = [](Real x) { return usable_or_infinite(x) && x >= 0; };
+    EPODE_USER_SAY(limit(force) && limit(torque), "limits must be 0 or more, or dInfinity", 0);
+    EPODE_USER_SAY(!is_contact(*joint), "contact joints do not break", 0);
+    EPODE_USER_SAY(!stepping(*joint), "Invalid operation during a step", 0);
+    JointDrives* const drives = take_drives(static_cast<LastingJoint&>(*joint));
+    EPODE_USER_SAY(drives, kOutOfMemory, 0);
+    drives->limits.force = force > 0 ? force : kInf;
+    drives->limits.torque = torque > 0 ? torque : kInf;
+    return 1;
+}
+
+int dJointGetBreakLimits(dJointID j, dReal* force, dReal* torque)
+{
+    JOINT_OR(0);
+    EPODE_USER(force && torque, 0);
+    const BreakLimits limits = joint->driven ? drives_of(*joint).limits : BreakLimits{};
+    *force = limits.force, *torque = limits.torque;
+    return limits.any();
+}
+
+int dJointIsBroken(dJointID j)
+{
+    JOINT_OR(0);
+    return joint->driven && drives_of(*joint).limits.broken;
+}
+
+int dWorldGetBrokenJoints(dWorldID w, dJointID* joints, int capacity)
+{
+    const World* const world = from_handle<World>(w);
+    EPODE_USER(world && capacity >= 0 && (joints || capacity == 0), 0);
+    int count = 0;
+    if (world->driven_joints == 0) return 0;
+    for (Joint& joint : world->joints) {
+        if (!joint.driven || !drives_of(joint).limits.broken) continue;
+        if (drives_of(joint).limits.step != world->step_count) continue;
+        if (count < capacity) joints[count] = to_handle(&joint);
+        ++count;
+    }
+    return count;
+}
+
+}  // extern "C"

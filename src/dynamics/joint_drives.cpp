@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "dynamics/joint_drives.h"
+
+#include <new>
+
+#include "base/memory.h"
+#include "dynamics/world.h"
+
+namespace epode {
+
+JointDrives* take_drives(LastingJoint& joint)
+{
+    if (joint.drives) return joint.drives;
+    void* const room = allocate(sizeof(JointDrives));
+    if (!room) return nullptr;
+    joint.drives = new (room) JointDrives;
+    joint.driven = true;
+    if (joint.world) ++joint.world->driven_joints;
+    return joint.drives;
+}
+
+LastingJoint::~LastingJoint()
+{
+    if (drives) release(drives, sizeof *drives);
+}
+
+}  // namespace epode

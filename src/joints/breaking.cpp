@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "joints/breaking.h"
+
+#include "dynamics/world.h"
+
+namespace epode {
+
+void add_load(Joint& joint, const RowBlock& block, const RowSystem& system)
+{
+    BreakLimits& limits = drives_of(joint).limits;
+    if (!limits.any()) return;
+    for (int i = block.first; i < block.first + block.count; ++i) {
+        const Row& row = system.rows[std::size_t(i)];
+        const Real p = system.numbers[std::size_t(i)].p;
+        limits.linear += p * row.lin1;
+        limits.angular += p * (row.ang1 - cross(block.arms.r1, row.lin1));
+    }
+}
+
+void break_joints(World& world, Real h)
+{
+    if (world.driven_joints == 0) return;
+    world.joints.for_each_active([&](Joint& joint) {
+        if (!joint.driven || joint.disabled) return;
+        BreakLimits& limits = drives_of(joint).limits;
+        if (!(length(limits.linear) > limits.force * h) && !(length(limits.angular) > limits.torque * h))
+            return;
+        limits.broken = true, limits.step = world.step_count;
+        joint.disabled = true;
+        joint.impulse_rows = 0;
+    });
+}
+
+}  // namespace epode
