@@ -4,11 +4,11 @@
 // The C++ classes with what this library adds to ODE's interface. A program includes this file, which
 // includes ode/ode.h and ode/ext.h; the classes of ode/odecpp.h are as they were.
 //
-// d<Name>Ext is the class or structure d<Name> with its additions: dWorldExt, dBodyExt, dMassExt; dGeomExt
-// and dSpaceExt take the class that they extend, dGeomExt<dSphere> or dSpaceExt<dHashSpace>. Structures that
-// begin with struct_size have it, and their defaults, from the beginning. As in ode/odecpp.h each member
-// calls the C function of its name, which tells units, defaults and refusals, wrappers own their object, and
-// there is no library code behind them. They compile from C++98 on.
+// d<Name>Ext is the class or structure d<Name> with its additions: dWorldExt, dBodyExt, dMassExt; dGeomExt,
+// dSpaceExt and dJointExt take the class that they extend, dGeomExt<dSphere>, dSpaceExt<dHashSpace> or
+// dJointExt<dHingeJoint>. Structures that begin with struct_size have it, and their defaults, from the
+// beginning. As in ode/odecpp.h each member calls the C function of its name, which tells units, defaults and
+// refusals, wrappers own their object, and there is no library code behind them. They compile from C++98 on.
 #ifndef _ODE_ODECPP_EXT_H_
 #define _ODE_ODECPP_EXT_H_
 
@@ -25,6 +25,11 @@ struct dMaterialExt : public dMaterial {
 /** A filter that finds everything: dQueryFilterInit. */
 struct dQueryFilterExt : public dQueryFilter {
     dQueryFilterExt() { dQueryFilterInit(this, sizeof(dQueryFilter)); }
+};
+
+/** A drive that does nothing yet: dDriveInit. */
+struct dDriveExt : public dDrive {
+    dDriveExt() { dDriveInit(this, sizeof(dDrive)); }
 };
 
 /** A report that knows its size; all else is 0 at first. */
@@ -50,6 +55,12 @@ class dWorldExt : public dWorld {
     int getFrictionCone() const { return dWorldGetFrictionCone(get_id()); }
     void setManifoldFriction(int mode) { dWorldSetManifoldFriction(get_id(), mode); }
     int getManifoldFriction() const { return dWorldGetManifoldFriction(get_id()); }
+
+    /** Joints that broke in the last step: dWorldGetBrokenJoints. */
+    int getBrokenJoints(dJointID* joints, int capacity) const
+    {
+        return dWorldGetBrokenJoints(get_id(), joints, capacity);
+    }
 
     /** More accurate steps: dWorldSetExactRotation, dWorldSetExactSubsteps, dWorldSetStepProjection,
         dWorldSetStepProjectionTolerance. */
@@ -110,6 +121,47 @@ class dBodyExt : public dBody {
     /** dBodySetHybridStepper, dBodyGetHybridStepper. */
     void setHybridStepper(int stepper) { dBodySetHybridStepper(get_id(), stepper); }
     int getHybridStepper() const { return dBodyGetHybridStepper(get_id()); }
+};
+
+/** A joint of class Type, one of ode/odecpp_joints.h, with the additions of ode/drives.h. It is made by
+    create() of that class. */
+template <class Type>
+class dJointExt : public Type {
+  public:
+    /** Coordinates: dJointGetAxisPosition, dJointGetAxisRate, dJointSetAxisContinuous. */
+    int getNumAxes() const { return dJointGetNumAxes(this->id()); }
+    dReal getAxisPosition(int axis) const { return dJointGetAxisPosition(this->id(), axis); }
+    dReal getAxisRate(int axis) const { return dJointGetAxisRate(this->id(), axis); }
+    int setAxisContinuous(int axis, int mode) { return dJointSetAxisContinuous(this->id(), axis, mode); }
+    int getAxisContinuous(int axis) const { return dJointGetAxisContinuous(this->id(), axis); }
+
+    /** dJointSetDrive; drive 0 takes the drive away. */
+    int setDrive(int axis, const dDrive* drive) { return dJointSetDrive(this->id(), axis, drive); }
+    int getDrive(int axis, dDrive* drive) const { return dJointGetDrive(this->id(), axis, drive); }
+    dReal getDriveForce(int axis) const { return dJointGetDriveForce(this->id(), axis); }
+
+    /** Springs in physical units: dJointSetStopSpring, dJointSetSpring. */
+    int setStopSpring(int axis, dReal stiffness, dReal damping)
+    {
+        return dJointSetStopSpring(this->id(), axis, stiffness, damping);
+    }
+    int getStopSpring(int axis, dReal* stiffness, dReal* damping) const
+    {
+        return dJointGetStopSpring(this->id(), axis, stiffness, damping);
+    }
+    int setSpring(dReal stiffness, dReal damping) { return dJointSetSpring(this->id(), stiffness, damping); }
+    int getSpring(dReal* stiffness, dReal* damping) const
+    {
+        return dJointGetSpring(this->id(), stiffness, damping);
+    }
+
+    /** dJointSetBreakLimits, dJointIsBroken. */
+    int setBreakLimits(dReal force, dReal torque) { return dJointSetBreakLimits(this->id(), force, torque); }
+    int getBreakLimits(dReal* force, dReal* torque) const
+    {
+        return dJointGetBreakLimits(this->id(), force, torque);
+    }
+    int isBroken() const { return dJointIsBroken(this->id()); }
 };
 
 /** A geom of class Shape, one of ode/odecpp_collision.h, with the additions of ode/contacts.h, ode/shapes.h

@@ -106,6 +106,46 @@ void test_contacts()
     judge("dWorldExt::setContactFilter", asked == 1 && world.getContacts(points, 4) == 0, Numbers());
 }
 
+void test_joints()
+{
+    dWorldExt world;
+    dBody body(world);
+    dJointExt<dHingeJoint> joint;
+    joint.create(world);
+    joint.attach(body, 0);
+    joint.setAxis(0, 0, 1);
+    judge("dJointExt::getNumAxes", joint.getNumAxes() == 1, Numbers());
+    dDriveExt motor, read;
+    motor.force = 2;
+    judge("dJointExt::setDrive", joint.setDrive(0, &motor) == 1, Numbers());
+    judge("dJointExt::getDrive", joint.getDrive(0, &read) == 1 && read.force == 2, Numbers(1, read.force));
+    joint.setAxisContinuous(0, 1);
+    judge("dJointExt::setAxisContinuous", dJointGetAxisContinuous(joint, 0) == 1, Numbers());
+    judge("dJointExt::getAxisContinuous", joint.getAxisContinuous(0) == 1, Numbers());
+    dReal a, b;
+    joint.setStopSpring(0, 30, 4);
+    judge("dJointExt::setStopSpring", dJointGetStopSpring(joint, 0, &a, &b) == 1 && a == 30, Numbers(1, a));
+    judge("dJointExt::getStopSpring", joint.getStopSpring(0, &a, &b) == 1 && b == 4, Numbers(1, b));
+    joint.setBreakLimits(1, 0);
+    judge("dJointExt::setBreakLimits", dJointGetBreakLimits(joint, &a, &b) == 1 && a == 1, Numbers(1, a));
+    judge("dJointExt::getBreakLimits", joint.getBreakLimits(&a, &b) == 1 && a == 1, Numbers(1, a));
+    body.addForce(5, 0, 0);
+    world.step(REAL(0.01));
+    judge("dJointExt::getAxisPosition", joint.getAxisPosition(0) == dJointGetAxisPosition(joint, 0),
+          Numbers());
+    judge("dJointExt::getAxisRate", joint.getAxisRate(0) == dJointGetAxisRate(joint, 0), Numbers());
+    judge("dJointExt::getDriveForce", joint.getDriveForce(0) == dJointGetDriveForce(joint, 0), Numbers());
+    judge("dJointExt::isBroken", joint.isBroken() == 1, Numbers());
+    dJointID broken = 0;
+    judge("dWorldExt::getBrokenJoints", world.getBrokenJoints(&broken, 1) == 1 && broken == joint.id(),
+          Numbers());
+    dJointExt<dBallJoint> ball;
+    ball.create(world);
+    ball.setSpring(30, 4);
+    judge("dJointExt::setSpring", dJointGetSpring(ball, &a, &b) == 1 && a == 30, Numbers(1, a));
+    judge("dJointExt::getSpring", ball.getSpring(&a, &b) == 1 && b == 4, Numbers(1, b));
+}
+
 void test_body_and_geoms()
 {
     Ground ground;
@@ -222,6 +262,7 @@ int main()
     dInitODE();
     test_world_options();
     test_contacts();
+    test_joints();
     test_body_and_geoms();
     test_queries();
     test_hull();

@@ -33,6 +33,8 @@
 INSTANTIATE(dODECPP_WORLD_TEMPLATE_BASE, dODECPP_BODY_TEMPLATE_BASE, dODECPP_JOINTGROUP_TEMPLATE_BASE,
             dODECPP_JOINT_TEMPLATE_BASE)
 
+template class dJointExt<dHingeJoint>;
+template class dJointExt<dAMotorJoint>;
 template class dGeomExt<dSphere>;
 template class dGeomExt<dPlane>;
 template class dGeomExt<dConvexHull>;
@@ -57,6 +59,8 @@ PROMISE(geom_is_its_number, sizeof(dBox) == sizeof(dGeomID));
 PROMISE(extended_world_is_a_world, sizeof(dWorldExt) == sizeof(dWorld));
 PROMISE(extended_geom_is_its_number, sizeof(dGeomExt<dSphere>) == sizeof(dGeomID));
 PROMISE(extended_space_is_its_number, sizeof(dSpaceExt<dHashSpace>) == sizeof(dSpaceID));
+PROMISE(extended_joint_is_a_joint, sizeof(dJointExt<dHingeJoint>) == sizeof(dHingeJoint));
+PROMISE(drive_is_the_structure, sizeof(dDriveExt) == sizeof(dDrive));
 PROMISE(material_is_the_structure, sizeof(dMaterialExt) == sizeof(dMaterial));
 PROMISE(space_is_its_number, sizeof(dHashSpace) == sizeof(dSpaceID));
 
