@@ -46,30 +46,39 @@ class ViewFraming : public testing::Test {
         return panels && panels->Active ? panels->Pos.x + panels->Size.x : 0;
     }
 
-    static bool moves(const viewer::Shape& shape)
+    static bool moves(const viewer::Color& color)
     {
-        return shape.color.r != viewer::kStone.r || shape.color.g != viewer::kStone.g ||
-               shape.color.b != viewer::kStone.b;
+        return color.r != viewer::kStone.r || color.g != viewer::kStone.g || color.b != viewer::kStone.b;
     }
 
     struct Extent {
         float low[2] = {1e9f, 1e9f}, high[2] = {-1e9f, -1e9f};
         int count = 0, covered = 0;  // of all; of those that a panel or the window's edge hides
     };
+    static void add(const App& app, Size size, const float (&pos)[3], Extent& extent)
+    {
+        float pixel[2] = {-1e9f, -1e9f};
+        viewer::project(app.picture().camera, size.width, size.height, pos, pixel);
+        extent.covered += !(pixel[0] > covered() && pixel[0] < float(size.width) &&
+                            pixel[1] > ImGui::GetFrameHeight() && pixel[1] < float(size.height));
+        for (int k = 0; k < 2; ++k) {
+            extent.low[k] = std::min(extent.low[k], pixel[k]);
+            extent.high[k] = std::max(extent.high[k], pixel[k]);
+        }
+        ++extent.count;
+    }
+    // Of shapes by their centres, and of what is drawn as triangles by theirs.
     static Extent extent(const App& app, Size size)
     {
         Extent extent;
-        for (const viewer::Shape& shape : app.picture().shapes) {
-            if (!moves(shape)) continue;
-            float pixel[2] = {-1e9f, -1e9f};
-            viewer::project(app.picture().camera, size.width, size.height, shape.pos, pixel);
-            extent.covered += !(pixel[0] > covered() && pixel[0] < float(size.width) &&
-                                pixel[1] > ImGui::GetFrameHeight() && pixel[1] < float(size.height));
-            for (int k = 0; k < 2; ++k) {
-                extent.low[k] = std::min(extent.low[k], pixel[k]);
-                extent.high[k] = std::max(extent.high[k], pixel[k]);
-            }
-            ++extent.count;
+        for (const viewer::Shape& shape : app.picture().shapes)
+            if (moves(shape.color)) add(app, size, shape.pos, extent);
+        for (const viewer::Triangle& triangle : app.picture().triangles) {
+            if (!moves(triangle.color)) continue;
+            float centre[3] = {0, 0, 0};
+            for (int k = 0; k < 3; ++k)
+                for (const viewer::Corner& corner : triangle.corners) centre[k] += corner.pos[k] / 3;
+            add(app, size, centre, extent);
         }
         return extent;
     }
