@@ -16,6 +16,7 @@ namespace epode {
 
 class DifWriter;
 class RowWriter;
+class StateStream;
 struct StepInfo;
 struct JointGroup;
 struct Joint;
@@ -41,6 +42,7 @@ struct JointType {
     bool (*get_param)(const Joint&, int param, Real& value);
     const char* dif_name;                            // in dWorldExportDIF
     void (*describe)(const Joint&, DifWriter& out);  // its fields there
+    void (*state)(Joint&, StateStream&);  // in states of the world (dynamics/joint_state.h); null: none
     void (*destroy)(Joint&);
 };
 

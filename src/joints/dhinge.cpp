@@ -26,6 +26,7 @@ struct DHinge : LastingJoint {
     void bodies_changed() { rod.measure(*this); }
     bool set_param(int param, Real value) { return rod.softness.set(param, value); }
     bool get_param(int param, Real& value) const { return rod.softness.get(param, value); }
+    void state(StateStream& stream) { rod.softness.state(*world, stream); }
     void describe(DifWriter& out) const;
 };
 

@@ -55,6 +55,7 @@ struct OwnSoftness {
     bool chosen = false;
     bool set(int param, Real value);
     bool get(int param, Real& value) const;
+    void state(const World& world, StateStream& stream);
     void apply_to(Row& row) const { row.erp = erp, row.cfm = cfm, row.soft = chosen; }
 };
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "base/pool.h"
+#include "base/state_stream.h"
 #include "dynamics/joint.h"
 #include "dynamics/joint_group.h"
 #include "dynamics/world.h"
@@ -34,7 +35,9 @@ struct JointTypeOf;
 const JointType* joint_type(int number);
 
 // Says in words what a struct lacks to be a joint type. Optional members: bodies_changed(), set_param(int,
-// Real), get_param(int, Real&), kNeedsTwoBodies, destroy() where not all objects of the type are of one pool.
+// Real), get_param(int, Real&), state(StateStream&) of what it keeps from step to step and of its settings
+// that are numbers of motors and softness, kNeedsTwoBodies, destroy() where not all objects of the type are
+// of one pool.
 template <typename T>
 consteval bool is_joint_type()
 {
@@ -90,6 +93,8 @@ constexpr JointType describe_joint(const char* name)
     };
     type.dif_name = T::kDifName;
     type.describe = [](const Joint& j, DifWriter& out) { static_cast<const T&>(j).describe(out); };
+    if constexpr (requires(T & t, StateStream & stream) { t.state(stream); })
+        type.state = [](Joint& j, StateStream& stream) { static_cast<T&>(j).state(stream); };
     type.destroy = [](Joint& j) {
         if constexpr (requires(T & t) { t.destroy(); })
             static_cast<T&>(j).destroy();

@@ -51,6 +51,7 @@ struct Slider : LastingJoint {
     void bodies_changed() { take_pose(); }
     bool set_param(int param, Real value) { return motor.set(param, value); }
     bool get_param(int param, Real& value) const { return motor.get(param, value); }
+    void state(StateStream& stream) { motor.state(*world, stream); }
     void describe(DifWriter& out) const;
 };
 
