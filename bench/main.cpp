@@ -15,6 +15,7 @@
 #include "bench/scene_run.h"
 #include "bench/space_table.h"
 #include "bench/spaces.h"
+#include "bench/state.h"
 #include "bench/terrain.h"
 #include "bench/worlds.h"
 #include "scenes/extensions.h"
@@ -131,6 +132,19 @@ CLI::App* add_worlds(CLI::App& app, epode::bench::WorldsOptions& options)
         ->check(CLI::Range(1, 10'000));
     command->add_option("--stepper", options.stepper, "exact, quick or fast (default fast)")
         ->check(CLI::IsMember({"exact", "quick", "fast"}));
+    return command;
+}
+
+CLI::App* add_state(CLI::App& app, epode::bench::StateOptions& options)
+{
+    CLI::App* command = app.add_subcommand("state", "states of a heap of boxes: bytes, saving and restoring");
+    command->add_option("--boxes", options.boxes, "of the heap (default 1000)")
+        ->check(CLI::Range(1, 1'000'000));
+    command->add_option("--steps", options.steps, "before the first is timed (default 300)")
+        ->check(CLI::Range(0, 1'000'000));
+    command->add_option("--rounds", options.rounds, "that are timed (default 50)")
+        ->check(CLI::Range(1, 100'000));
+    command->add_flag("--sleep", options.sleeps, "boxes may fall asleep");
     return command;
 }
 
@@ -257,6 +271,8 @@ int main(int argc, char** argv)
     CLI::App* space_table = app.add_subcommand("space-table", "what programs ask of each kind of space");
     epode::bench::WorldsOptions worlds;
     CLI::App* worlds_command = add_worlds(app, worlds);
+    epode::bench::StateOptions state;
+    CLI::App* state_command = add_state(app, state);
     epode::bench::AsleepOptions asleep;
     CLI::App* asleep_command = add_asleep(app, asleep);
     epode::bench::SceneRunOptions run;
@@ -302,6 +318,7 @@ int main(int argc, char** argv)
     if (*spaces_command) return epode::bench::bench_spaces(spaces);
     if (*space_table) return epode::bench::bench_space_table();
     if (*worlds_command) return epode::bench::bench_worlds(worlds);
+    if (*state_command) return epode::bench::bench_state(state);
     if (*asleep_command) return epode::bench::bench_asleep(asleep);
     if (*make_pile) return epode::bench::print_pile(pile.count, pile.side, pile.rows, pile.seed);
     return epode::bench::bench_scene(options);

@@ -26,7 +26,8 @@ MAY_INCLUDE = {
     "step": {"base", "math", "simd", "tasks", "rows", "geometry", "bvh", "dynamics", "joints", "solve", "collide",
              "query", "contacts"},
 }
-MAY_INCLUDE["api"] = MAY_INCLUDE["step"] | {"step"}
+MAY_INCLUDE["state"] = MAY_INCLUDE["step"] | {"step"}
+MAY_INCLUDE["api"] = MAY_INCLUDE["state"] | {"state"}
 OUTSIDE = ["viewer", "view", "drawstuff", "demos", "scenes", "record", "cli", "bench", "tests/parity", "tests/clients", "tests/physics",
            "tests/cli", "tests/viewer", "tests/view", "tests/drawstuff", "tests/record", "tests/abi"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)

@@ -13,6 +13,7 @@
 #include <ode/queries.h>
 #include <ode/report.h>
 #include <ode/shapes.h>
+#include <ode/state.h>
 #include <ode/step_options.h>
 #include <ode/steppers.h>
 

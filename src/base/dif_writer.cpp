@@ -21,8 +21,14 @@ void DifWriter::begin(const char* name, int number)
     put(" = ");
 }
 
+void DifWriter::put_integer(long long value)
+{
+    hash_ ? hash_->add(std::uint64_t(value)) : (void)std::fprintf(file_, "%lld", value);
+}
+
 void DifWriter::put_real(Real value)
 {
+    if (hash_) return hash_->add(value);
     char digits[40];
     const auto end = std::to_chars(digits, digits + sizeof digits - 1, value, std::chars_format::general,
                                    kSingle ? 9 : 15);
@@ -93,7 +99,8 @@ void DifWriter::integer(const char* name, long long value)
 void DifWriter::bits(const char* name, unsigned long value)
 {
     begin(name, 0);
-    std::fprintf(file_, "%lu,\n", value);
+    hash_ ? hash_->add(std::uint64_t(value)) : (void)std::fprintf(file_, "%lu", value);
+    put(",\n");
 }
 
 void DifWriter::text(const char* name, const char* value)

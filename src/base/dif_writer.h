@@ -5,13 +5,15 @@
 // comma after every field. (Lua allows a comma after the last field; ODE forgets some.) Numbers have 15
 // significant digits in double precision and 9 in single, enough to read a float back, and a decimal point in
 // any locale; infinity is `inf`. Joints and geoms describe themselves through this class, so that a new type
-// stays one file.
+// stays one file. What describes an object can also tell it from others: then a fingerprint is made instead
+// of a text, of all that would be in it, with the numbers to the last bit.
 #pragma once
 
 #include <cstdio>
 #include <initializer_list>
 
 #include "base/config.h"
+#include "base/content_hash.h"
 
 namespace epode {
 
@@ -19,6 +21,7 @@ class DifWriter {
   public:
     // `prefix` goes in front of every global name.
     DifWriter(std::FILE* file, const char* prefix) : file_(file), prefix_(prefix) {}
+    explicit DifWriter(ContentHash& hash) : hash_(&hash) {}
 
     void comment(const char* text);
     // <prefix><collection> = {}
@@ -44,13 +47,14 @@ class DifWriter {
   private:
     void indent();
     void begin(const char* name, int number);
-    void put(const char* text) { std::fputs(text, file_); }
-    void put_integer(long long value) { std::fprintf(file_, "%lld", value); }
+    void put(const char* text) { hash_ ? hash_->add(text) : (void)std::fputs(text, file_); }
+    void put_integer(long long value);
     void put_real(Real value);
     void put_list(std::initializer_list<Real> values);
 
-    std::FILE* file_;
-    const char* prefix_;
+    std::FILE* file_ = nullptr;
+    ContentHash* hash_ = nullptr;  // null: a text is written
+    const char* prefix_ = "";
     int depth_ = 0;
 };
 

@@ -3,7 +3,7 @@
 //
 // A geom as a table of dWorldExportDIF: flags and filter bits where they are not the default, then what its
 // type says. Its pose is left out, as in ODE: it is that of the body, or an offset that the format has no
-// field for.
+// field for. And what tells its shape from others: a fingerprint of what its type says, the class included.
 #pragma once
 
 #include "base/dif_writer.h"
@@ -13,5 +13,9 @@ namespace epode {
 
 // The fields, inside a table that the caller opens.
 void describe(DifWriter& out, const Geom& geom);
+
+// Equal for geoms of equal class and shape, whatever their place, body, bits and functions of the program.
+// Kept in the geom until its shape changes.
+std::uint64_t shape_hash(Geom& geom);
 
 }  // namespace epode

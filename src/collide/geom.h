@@ -22,6 +22,7 @@ struct dMaterial;
 
 namespace epode {
 
+class ContentHash;
 class DifWriter;
 struct Geom;
 struct GeomLeaves;
@@ -39,6 +40,8 @@ struct GeomType {
     bool (*may_touch)(Geom& geom, Geom& other) = nullptr;  // a last look before a pair is reported; null: yes
     int (*control)(Geom& geom, int control_class, int code, void* data, int* size) = nullptr;  // null: none
     void (*describe)(const Geom& geom, DifWriter& out) = nullptr;  // in dWorldExportDIF; null: nothing to say
+    // What tells its shape from others and `describe` does not say; null: nothing.
+    void (*fingerprint)(const Geom& geom, ContentHash& hash) = nullptr;
     const SolidType* solid = nullptr;                    // convex solids (collide/solid_type.h); null: none
     Real (*half_thickness)(const Geom& geom) = nullptr;  // of what may be continuous; null: it may not
 };
@@ -91,6 +94,8 @@ struct Geom : Numbered {
     Geom* body_prev = nullptr;
     std::atomic<int> users{0};                 // calls into the program in progress that rely on this geom
     std::atomic<GeomLeaves*> leaves{nullptr};  // of the mesh met last, see geom_leaves.h
+    std::uint64_t shape_hash = 0;              // see describe.h
+    std::uint32_t hashed_changes = ~0u;        // changes_of() then
     alignas(32) Real own_rotation[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
     Real own_position[4] = {};  // beside the shape, which follows
 };

@@ -9,27 +9,16 @@
 #include "base/float_environment.h"
 #include "base/prefetch.h"
 #include "collide/collide.h"
-#include "collide/solid_type.h"
 #include "contacts/narrow_phase.h"
+#include "contacts/pair_rules.h"
 #include "dynamics/active.h"
 
 namespace epode {
 namespace {
 
-constexpr Real kDefaultLayer = Real(2e-4);
 constexpr int kPiece = 32;  // pairs
 // Few are active if they are this part of all, to begin with and as long as it lasts.
 constexpr int kFew = 16, kStillFew = 8;
-
-Body* body_of(const Geom& geom) { return from_handle<Body>(geom.body.id); }
-
-bool is_surface(const Geom& geom)
-{
-    return geom.type->number == dTriMeshClass || geom.type->number == dHeightfieldClass;
-}
-
-// Rays measure, they do not push.
-bool can_push(const Geom& geom) { return geom.type->number != dRayClass; }
 
 // By a joint that is no contact.
 bool tied(const Body& a, const Body* b)
@@ -40,47 +29,12 @@ bool tied(const Body& a, const Body* b)
     return false;
 }
 
-bool awake(const Body* body) { return body && !body->disabled; }
-
 bool may_push(const World& world, const GeomPair& pair)
 {
     if (!can_push(*pair.a) || !can_push(*pair.b)) return false;
     const Body *a = body_of(*pair.a), *b = body_of(*pair.b);
     const bool moves = (a && !a->kinematic()) || (b && !b->kinematic());
     return moves && (!a || a->world == &world) && (!b || b->world == &world);
-}
-
-bool on_mesh(const GeomPair& pair)
-{
-    const auto meets = [](const Geom& solid, const Geom& mesh) {
-        return mesh.type->number == dTriMeshClass && is_solid(solid);
-    };
-    return meets(*pair.a, *pair.b) || meets(*pair.b, *pair.a);
-}
-
-int most_manifolds(const GeomPair& pair)
-{
-    return is_surface(*pair.a) || is_surface(*pair.b) ? kSurfaceManifolds : 1;
-}
-
-// What is open and has not been pushed was only near.
-bool touches(const CachedManifold& kept, const ManifoldPoint& point)
-{
-    return point.normal_impulse > 0 || point.separation <= kept.layer;
-}
-
-bool touches(std::span<const CachedManifold> manifolds)
-{
-    for (const CachedManifold& kept : manifolds)
-        for (int i = 0; i < kept.manifold.count; ++i)
-            if (touches(kept, kept.manifold.points[i])) return true;
-    return false;
-}
-
-SlotPair slots_of(const ContactPair& pair)
-{
-    const int a = from_handle<Geom>(pair.id1)->slot, b = from_handle<Geom>(pair.id2)->slot;
-    return {std::max(a, b), std::min(a, b)};
 }
 
 // False: out of memory.
@@ -337,9 +291,8 @@ void ContactWorld::collide_pairs(const World& world, Real h, const Tasks& tasks)
 {
     // Functions of the program are called by the caller's thread, and first; they are asked about the present
     // only.
-    const bool chosen = world.contact_layer > 0;
-    NarrowSettings settings{.layer = chosen ? world.contact_layer : kDefaultLayer,
-                            .layer_fits = !chosen,
+    NarrowSettings settings{.layer = contact_layer(world),
+                            .layer_fits = !(world.contact_layer > 0),
                             .soon = {h, world.gravity},
                             .foresees = false};
     ContactPair* pairs = fresh_.pairs.data();

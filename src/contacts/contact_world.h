@@ -14,6 +14,7 @@
 
 #include "base/arena.h"
 #include "base/array.h"
+#include "base/state_stream.h"
 #include "collide/space.h"
 #include "contacts/active_geoms.h"
 #include "contacts/contact_pair.h"
@@ -21,6 +22,7 @@
 #include "contacts/pair_finder.h"
 #include "contacts/pair_list.h"
 #include "contacts/resting_pairs.h"
+#include "contacts/space_geoms.h"
 #include "dynamics/island.h"
 #include "ode/contacts.h"
 #include "tasks/tasks.h"
@@ -69,6 +71,19 @@ class ContactWorld {
     void lay_to_rest();
     void forget();
 
+    // In states of the world (contact_state.cpp): what the next step starts from, and what of the last one
+    // can be asked for. What is loaded lies where a step makes its pairs until it is accepted, which
+    // cannot fail.
+    class Loaded;
+    // A state is measured before it is written. False: out of memory.
+    [[nodiscard]] bool save(const World& world, const SpaceGeoms& geoms, StateStream& stream);
+    [[nodiscard]] bool load(const World& world, const SpaceGeoms& geoms, StateStream& stream, Loaded& out);
+    // All geoms have been told that they have moved, if they have.
+    // `disturbed`: as mark_disturbed() has found when the state was saved.
+    void accept(Loaded& loaded, const World& world, const SpaceGeoms& geoms,
+                std::span<const std::uint8_t> disturbed);
+    // 1 for those geoms at rest to which something has happened since the last step.
+    void mark_disturbed(const SpaceGeoms& geoms, std::span<std::uint8_t> by_number) const;
     // What is broken between two steps, in words; null: nothing.
     const char* fault() const;
 
@@ -81,6 +96,21 @@ class ContactWorld {
         int pairs = 0, manifolds = 0, leaves = 0;
     };
 
+    // A pair that a state has, and its geoms there.
+    struct Listed {
+        const ContactPair* pair;
+        const CachedManifold* manifolds;
+        int number1, number2;
+        int first_bits;  // of its manifolds
+        bool rests;
+    };
+
+    [[nodiscard]] bool list_for_state(const World& world, const SpaceGeoms& geoms);
+    void save_pair(const Listed& l, StateStream& stream) const;
+    static void save_ended(const dContactEvent& event, const SpaceGeoms& geoms, StateStream& stream);
+    [[nodiscard]] bool load_pair(const World& world, const SpaceGeoms& geoms, StateStream& stream,
+                                 std::uint32_t& used, Loaded& out);
+    void put_to_rest(const Loaded& loaded, Space& in);
     [[nodiscard]] bool expect_all(Space& in, const Foresight& soon, const Tasks& tasks);
     [[nodiscard]] bool expect_few(const World& world, Space& in, const Foresight& soon);
     [[nodiscard]] bool bring(Geom& geom);
@@ -109,6 +139,8 @@ class ContactWorld {
     Array<GeomPair> found_;
     Array<PairRange> ranges_;
     Array<int> table_;
+    Array<Listed> listed_;  // when a state has been measured, until it is written
+    Array<std::uint8_t> manifold_bits_;
     Array<dContactEvent> ended_;  // of the last step
     Real h_ = 0;
     bool unfinished_ = false;                                 // an update that nobody has accepted yet

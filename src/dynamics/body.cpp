@@ -5,6 +5,7 @@
 // are zero for a kinematic body and the inverses of the stored mass otherwise.
 #include "dynamics/body.h"
 
+#include "base/content_hash.h"
 #include "base/pool.h"
 #include "dynamics/active.h"
 #include "dynamics/joint.h"
@@ -20,6 +21,14 @@ dMass unit_mass()
     return m;
 }
 
+std::uint64_t hash_of(const dMass& mass)
+{
+    ContentHash hash;
+    hash.add(mass.mass);
+    for (int row = 0; row < 3; ++row) hash.add(mass.I + 4 * row, 3);
+    return hash.value();
+}
+
 // Sylvester's criterion, relative to the size of the entries.
 bool positive_definite(const Sym3& s)
 {
@@ -33,6 +42,7 @@ bool positive_definite(const Sym3& s)
 
 Body::Body(World& w) : Numbered(Tag::kBody), world(&w), mass(unit_mass())
 {
+    mass_hash = hash_of(mass);
     watch(*this, w.auto_disable);
     sleep = w.sleep;
     damping = w.damping;
@@ -77,6 +87,7 @@ bool set_mass(Body& body, const dMass& mass)
     if (!invert(full(inertia), inverse)) return false;
     if (body.driven) activate(body);  // another rule for its contacts
     body.mass = mass;
+    body.mass_hash = hash_of(mass);
     body.inertia = inertia;
     body.driven = false;
     body.inv_mass = 1 / mass.mass;

@@ -105,6 +105,7 @@ struct Body : Numbered {
     bool samples_ready = false;
     Stillness short_window, long_window;  // dynamics/sleep
     Real settling_time = 0;  // that its island has been settling without falling asleep (dynamics/settle)
+    std::uint64_t mass_hash = 0;  // tells `mass` from others
 
     Pose pose() const { return load_pose(pos, R); }
     Vec3 position() const { return load(pos); }

@@ -16,6 +16,7 @@ namespace epode {
 
 class DifWriter;
 class RowWriter;
+class StateStream;
 struct StepInfo;
 struct JointGroup;
 struct LimitMotor;
@@ -55,6 +56,7 @@ struct JointType {
     OwnSoftness* (*softness)(Joint&);                // ERP and CFM of its own; null: none
     const char* dif_name;                            // in dWorldExportDIF
     void (*describe)(const Joint&, DifWriter& out);  // its fields there
+    void (*state)(Joint&, StateStream&);  // in states of the world (dynamics/joint_state.h); null: none
     void (*destroy)(Joint&);
 };
 

@@ -64,6 +64,11 @@ struct AMotor : LastingJoint {
     {
         return in_groups(param) && motor[param / dParamGroup].get(param % dParamGroup, value);
     }
+    void state(StateStream& stream)
+    {
+        for (LimitMotor& m : motor) m.state(*world, stream);
+        stream.unusual({{&angle[0], 0}, {&angle[1], 0}, {&angle[2], 0}});
+    }
     void describe(DifWriter& out) const;
 };
 

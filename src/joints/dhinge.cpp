@@ -27,6 +27,7 @@ struct DHinge : LastingJoint {
     OwnSoftness* own_softness() { return &rod.softness; }
     bool set_param(int param, Real value) { return rod.softness.set(param, value); }
     bool get_param(int param, Real& value) const { return rod.softness.get(param, value); }
+    void state(StateStream& stream) { rod.softness.state(*world, stream); }
     void describe(DifWriter& out) const;
 };
 

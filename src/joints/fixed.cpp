@@ -45,6 +45,7 @@ struct Fixed : LastingJoint {
     OwnSoftness* own_softness() { return &softness; }
     bool set_param(int param, Real value) { return softness.set(param, value); }
     bool get_param(int param, Real& value) const { return softness.get(param, value); }
+    void state(StateStream& stream) { softness.state(*world, stream); }
     void describe(DifWriter& out) const;
 };
 

@@ -58,6 +58,7 @@ struct Hinge : LastingJoint {
     }
     bool set_param(int param, Real value) { return motor.set(param, value); }
     bool get_param(int param, Real& value) const { return motor.get(param, value); }
+    void state(StateStream& stream) { motor.state(*world, stream); }
     void describe(DifWriter& out) const;
 };
 

@@ -52,6 +52,11 @@ struct Hinge2 : LastingJoint {
     void bodies_changed() { anchor.reattach(*this), take_pose(); }
     bool set_param(int param, Real value);
     bool get_param(int param, Real& value) const;
+    void state(StateStream& stream)
+    {
+        for (LimitMotor& m : motor) m.state(*world, stream);
+        suspension.state(*world, stream);
+    }
     void describe(DifWriter& out) const;
 };
 

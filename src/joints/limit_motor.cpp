@@ -4,6 +4,7 @@
 // See limit_motor.h. Stops are limits of position: they act from the first step that begins beyond them.
 #include "joints/limit_motor.h"
 
+#include "base/state_stream.h"
 #include "dynamics/world.h"
 #include "joints/parts.h"
 
@@ -52,6 +53,24 @@ bool LimitMotor::set(int param, Real value)
             return false;
     }
     return true;
+}
+
+void LimitMotor::state(const World& world, StateStream& stream)
+{
+    const std::uint32_t bits =
+        stream.unusual({{&lo, -kInf, true},
+                        {&hi, kInf, true},
+                        {&vel, 0},
+                        {&fmax, 0, true, 0},
+                        {&fudge, 1},
+                        {&bounce, 0},
+                        {&cfm, world.cfm},
+                        {&stop_erp, world.erp},
+                        {&stop_cfm, world.cfm},
+                        {&stop_spring.drive.stiffness, 0, false, 0},
+                        {&stop_spring.drive.damping, 0, false, 0}},
+                       (cfm_chosen ? 1u : 0u) | (stop_chosen ? 2u : 0u) | (stop_spring.acts ? 4u : 0u));
+    if (stream.stores()) cfm_chosen = bits & 1, stop_chosen = bits & 2, stop_spring.acts = bits & 4;
 }
 
 bool LimitMotor::get(int param, Real& value) const

@@ -30,6 +30,7 @@ struct LimitMotor {
 
     bool set(int param, Real value);  // false: unknown here
     bool get(int param, Real& value) const;
+    void state(const World& world, StateStream& stream);
     bool has_stops() const
     {
         return (lo <= hi || crossed_act) && lo < kInf && hi > -kInf && (lo > -kInf || hi < kInf);

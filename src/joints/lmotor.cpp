@@ -57,6 +57,10 @@ struct LMotor : LastingJoint {
     {
         return in_groups(param) && motor[param / dParamGroup].get(param % dParamGroup, value);
     }
+    void state(StateStream& stream)
+    {
+        for (LimitMotor& m : motor) m.state(*world, stream);
+    }
     void describe(DifWriter& out) const;
 };
 

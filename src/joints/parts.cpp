@@ -5,6 +5,7 @@
 // is then exact to rounding at every angle. Orientation error: twice the vector part of the error quaternion.
 #include "joints/parts.h"
 
+#include "base/state_stream.h"
 #include "dynamics/world.h"
 #include "math/rotation.h"
 #include "math/trig.h"
@@ -34,6 +35,16 @@ bool OwnSoftness::set(int param, Real value)
     if (param != dParamERP && param != dParamCFM) return false;
     (param == dParamERP ? erp : cfm) = value;
     return chosen = true;
+}
+
+void OwnSoftness::state(const World& world, StateStream& stream)
+{
+    const std::uint32_t bits = stream.unusual({{&erp, world.erp},
+                                               {&cfm, world.cfm},
+                                               {&spring.drive.stiffness, 0, false, 0},
+                                               {&spring.drive.damping, 0, false, 0}},
+                                              (chosen ? 1u : 0u) | (spring.acts ? 2u : 0u));
+    if (stream.stores()) chosen = bits & 1, spring.acts = bits & 2;
 }
 
 bool OwnSoftness::get(int param, Real& value) const

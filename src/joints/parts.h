@@ -72,6 +72,7 @@ struct OwnSoftness {
     Spring spring;  // takes their place
     bool set(int param, Real value);
     bool get(int param, Real& value) const;
+    void state(const World& world, StateStream& stream);
     void apply_to(Row& row) const { row.erp = erp, row.cfm = cfm, row.soft = chosen; }
     void apply_to(RowWriter& out, Row& row) const { apply_to(row), spring.apply_to(out, row); }
 };

@@ -28,6 +28,10 @@ struct Plane2D : LastingJoint {
         motor_y.emit_motor(out, sliding_jacobian(*this, y));
         motor_angle.emit_motor(out, angular_jacobian(*this, z));
     }
+    void state(StateStream& stream)
+    {
+        for (LimitMotor* m : {&motor_x, &motor_y, &motor_angle}) m->state(*world, stream);
+    }
     void describe(DifWriter& out) const;
 };
 

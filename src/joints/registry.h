@@ -8,6 +8,7 @@
 #pragma once
 
 #include "base/pool.h"
+#include "base/state_stream.h"
 #include "dynamics/joint.h"
 #include "dynamics/joint_group.h"
 #include "dynamics/world.h"
@@ -34,9 +35,10 @@ struct JointTypeOf;
 const JointType* joint_type(int number);
 
 // Says in words what a struct lacks to be a joint type. Optional members: bodies_changed(), set_param(int,
-// Real), get_param(int, Real&), kNeedsTwoBodies, axes() and axis_at(int), which give the type coordinates and
-// drives, LimitMotor* stops_of(int axis) and OwnSoftness* own_softness(), which may be springs in physical
-// units, and destroy() where not all objects of the type are of one pool.
+// Real), get_param(int, Real&), state(StateStream&) of what it keeps from step to step and of its settings
+// that are numbers of motors and softness, kNeedsTwoBodies, axes() and axis_at(int), which give the type
+// coordinates and drives, LimitMotor* stops_of(int axis) and OwnSoftness* own_softness(), which may be springs
+// in physical units, and destroy() where not all objects of the type are of one pool.
 template <typename T>
 consteval bool is_joint_type()
 {
@@ -103,6 +105,8 @@ constexpr JointType describe_joint(const char* name)
         type.softness = [](Joint& j) -> OwnSoftness* { return static_cast<T&>(j).own_softness(); };
     type.dif_name = T::kDifName;
     type.describe = [](const Joint& j, DifWriter& out) { static_cast<const T&>(j).describe(out); };
+    if constexpr (requires(T & t, StateStream & stream) { t.state(stream); })
+        type.state = [](Joint& j, StateStream& stream) { static_cast<T&>(j).state(stream); };
     type.destroy = [](Joint& j) {
         if constexpr (requires(T & t) { t.destroy(); })
             static_cast<T&>(j).destroy();

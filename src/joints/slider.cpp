@@ -54,6 +54,7 @@ struct Slider : LastingJoint {
     JointAxis axis_at(int) const { return {sliding_jacobian(*this, motion_axis()), position()}; }
     bool set_param(int param, Real value) { return motor.set(param, value); }
     bool get_param(int param, Real& value) const { return motor.get(param, value); }
+    void state(StateStream& stream) { motor.state(*world, stream); }
     void describe(DifWriter& out) const;
 };
 

@@ -53,6 +53,7 @@ struct Transmission : LastingJoint {
     OwnSoftness* own_softness() { return &softness; }
     bool set_param(int param, Real value) { return softness.set(param, value); }
     bool get_param(int param, Real& value) const { return softness.get(param, value); }
+    void state(StateStream& stream);
     void describe(DifWriter& out) const;
 
   private:
@@ -79,6 +80,19 @@ void Transmission::describe(DifWriter& out) const
     out.real("ratio", ratio);
     out.real("backlash", backlash);
     epode::describe(out, softness);
+}
+
+// Axes, ratio and radii too: the first step measures them.
+void Transmission::state(StateStream& stream)
+{
+    for (Vec3* v : {&axis_local[0], &axis_local[1], &spoke_local[0], &spoke_local[1], &mesh.line,
+                    &mesh.contact[0], &mesh.contact[1]})
+        stream.reals(&v->x, 3);
+    stream.unusual({{&ratio, 1}, {&backlash, 0, false, 0}, {&radius[0], 0}, {&radius[1], 0}});
+    stream.unusual({{&angle[0], 0}, {&angle[1], 0}, {&zero_slip, 0}});
+    const std::uint32_t bits = stream.word((fresh ? 1u : 0u) | (regeared ? 2u : 0u));
+    if (stream.stores()) fresh = bits & 1, regeared = bits & 2;
+    softness.state(*world, stream);
 }
 
 bool Transmission::find_mesh(bool other_side)

@@ -48,6 +48,10 @@ struct Universal : LastingJoint {
     }
     bool set_param(int param, Real value) { return motor_of(motor, param).set(param, value); }
     bool get_param(int param, Real& value) const { return motor_of(motor, param).get(param, value); }
+    void state(StateStream& stream)
+    {
+        for (LimitMotor& m : motor) m.state(*world, stream);
+    }
     void describe(DifWriter& out) const;
 };
 

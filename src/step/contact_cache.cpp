@@ -209,6 +209,11 @@ void ContactCache::end()
     for (const Run& run : old_.runs) pairs += run.count;
     if (const int wanted = buckets_for(pairs); buckets_.size() < wanted)
         (void)buckets_.resize(wanted);  // begin() has reserved them
+    fill_buckets();
+}
+
+void ContactCache::fill_buckets()
+{
     std::fill(buckets_.begin(), buckets_.end(), -1);
     const auto mask = std::size_t(buckets_.size() - 1);
     // From the last to the first, so that each chain runs in order of creation.

@@ -11,7 +11,8 @@
 #pragma once
 
 #include "base/array.h"
-#include "dynamics/body.h"
+#include "base/state_stream.h"
+#include "dynamics/body_table.h"
 #include "math/float3.h"
 #include "rows/joint_manifold.h"
 
@@ -34,6 +35,13 @@ class ContactCache {
     // There was no step: the next one finds what this one has found.
     void take_back();
 
+    // In states of the world (contact_cache_state.cpp): what the next step finds. What is loaded lies apart
+    // until it is accepted, which cannot fail.
+    class Loaded;
+    void save(const BodyTable& bodies, StateStream& stream) const;
+    [[nodiscard]] static bool load(const BodyTable& bodies, StateStream& stream,
+                                   Loaded& out);  // false: no memory
+    void accept(Loaded& loaded);
     // What is broken between two steps, in words; null: nothing.
     const char* fault() const;
 
@@ -92,10 +100,17 @@ class ContactCache {
     void look_into(int pair, const Wanted& wanted, Found& best);
     Found find(const Wanted& wanted, Real within2);
     static int buckets_for(int pairs);
+    void fill_buckets();
 
     Store old_, fresh_;
     unsigned steps_ = 0;  // those that were taken back, too
     Array<int> buckets_;  // power of two many, index of the first pair or -1
+};
+
+class ContactCache::Loaded {
+    friend class ContactCache;
+    Store store;
+    Array<int> buckets;
 };
 
 }  // namespace epode

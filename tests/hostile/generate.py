@@ -27,7 +27,9 @@ EXCUSED = {name: "ends the program, as documented" for name in ("dError", "dDebu
 INCLUDED_BY_OTHERS = r"(collision_trimesh|odemath_legacy|odecpp\w*)\.h$"
 
 KIND_OF_TYPE = {
-    "dWorldID": "World", "const dWorldID*": "WorldList", "dBodyID": "Body", "dJointID": "Joint", "dJointGroupID": "Group",
+    "dWorldID": "World", "const dWorldID*": "WorldList", "const dBodyID*": "BodyList",
+    "const dJointID*": "JointHandles", "dBodyID*": "QueryHits", "size_t": "Size", "const void*": "QueryHits",
+    "dBodyID": "Body", "dJointID": "Joint", "dJointGroupID": "Group",
     "dGeomID": "Geom", "dSpaceID": "Space", "dHeightfieldDataID": "HeightfieldData",
     "dTriMeshDataID": "TriMeshData",
     "dThreadingImplementationID": "Threading", "dThreadingThreadPoolID": "ThreadPool",
@@ -71,6 +73,13 @@ KIND_OF_PARAMETER = [
     (r"dWorldsStep:(count|steps)", "Length"),
     (r"dWorldsStep:threads", "ThreadCount"),
     (r"dWorldsStep:steps_made", "QueryHits"),
+    (r"d(Bodies|Joints)[GS]etStates:(count|stride)", "Length"),
+    (r"d(Bodies|Joints)[GS]etStates:(out|in|value|rate)", "QueryHits"),
+    (r"dWorldGetJoints:joints", "QueryHits"),
+    (r"dWorldGetState(Delta)?:(buffer|out)", "StateRoom"),
+    (r"dWorld[GS]etState(Delta)?:(buffer|base)", "State"),
+    (r"dWorldSetStateDelta:delta", "StateDelta"),
+    (r"dWorld[GS]etState(Delta)?:(size|capacity|base_size|delta_size)", "BufferSize"),
     (r"dSpaceRayBatch:count", "Length"),
     (r"dSpaceRayBatch:(origins|directions|lengths)", "Reals"),
     (r"dCooperatively\w+:(rowCount|rowSkip|elementCount)", "Length"),
@@ -124,6 +133,8 @@ MAY_BE_NULL = [
     r"dGeomTriMeshData\w+:(Normals|requestExtraData|in_data|pout_size|buf|bufLen)",
     r"dGeomConvexGet\w+:(points|planes|polygons)", r"dGeomGetTriangles:facets",
     r"dWorldsStep:(worlds|steps_made)",
+    r"d(Bodies|Joints)[GS]etStates:(bodies|joints|out|in|value|rate)", r"dWorldGet(Bodies|Joints):(bodies|joints)",
+    r"dWorldGetStateDelta:out",
     r"dGeomHeightfieldDataSetHoles:holes", r"dWorldGetContacts:contacts", r"dWorldGetContactEvents:events", r"dSpaceRayAll:hits", r"dSpaceOverlap:geoms", r"dSpaceRayBatch:(origins|directions|lengths|hits)",
     # With no elements there is nothing to point to.
     r"d(SetZero|SetValue|Dot|ScaleVector|VectorScale|FactorLDLT):(a|b|d|A)",

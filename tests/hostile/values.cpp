@@ -86,8 +86,19 @@ std::FILE* nowhere()
     return file;
 }
 
+// What the world's state is now, its difference from itself, or room for one.
+void* state_of(dWorldID world, Kind kind)
+{
+    static std::array<unsigned char, kStateRoom> whole, delta, room;
+    if (kind == Kind::kStateRoom) return room.data();
+    (void)dWorldGetState(world, whole.data(), whole.size());
+    if (kind == Kind::kState) return whole.data();
+    (void)dWorldGetStateDelta(world, whole.data(), whole.size(), delta.data(), delta.size());
+    return delta.data();
+}
+
 constexpr std::size_t kMostContacts = 65536;
-constexpr int kWrongHandles = 15, kWorldLists = 3;
+constexpr int kWrongHandles = 15, kHandleLists = 3;
 
 }  // namespace
 
@@ -110,6 +121,8 @@ int Values::count(Kind kind)
             return int(std::size(kInts));
         case Kind::kSize:
             return int(std::size(kSizes));
+        case Kind::kBufferSize:
+            return int(std::size(kBufferSizes));
         case Kind::kParameterNumber:
             return int(std::size(kParameters));
         case Kind::kLength:
@@ -172,7 +185,9 @@ int Values::count(Kind kind)
         case Kind::kIslandReport:
             return int(reports<dWorldStepReport>().size()) + 1;
         case Kind::kWorldList:
-            return kWorldLists + 1;
+        case Kind::kBodyList:
+        case Kind::kJointHandles:
+            return kHandleLists + 1;
         case Kind::kText:
             return int(texts(false).size()) + 1;
         case Kind::kFormat:
@@ -197,6 +212,9 @@ int Values::count(Kind kind)
         case Kind::kFile:
         case Kind::kData:
         case Kind::kControl:
+        case Kind::kState:
+        case Kind::kStateDelta:
+        case Kind::kStateRoom:
         case Kind::kBlock:
         case Kind::kJointList:
         case Kind::kFeedback:
@@ -263,6 +281,8 @@ Value Values::get(Kind kind, int index, int position)
             return from_integers(kInts, index);
         case Kind::kSize:
             return from_integers(kSizes, index);
+        case Kind::kBufferSize:
+            return from_integers(kBufferSizes, index);
         case Kind::kParameterNumber:
             return from_integers(kParameters, index);
         case Kind::kLength:
@@ -409,10 +429,15 @@ Value Values::memory(Kind kind, int index, int position)
         case Kind::kQueryHits:
             v.pointer = fill(kind, position, kRoom.data(), kRoom.size());
             return v;
-        case Kind::kWorldList: {
-            const auto& live = scene_.live[std::size_t(Kind::kWorld)];
-            void* const dead = scene_.dead[std::size_t(Kind::kWorld)];
-            void* const lists[kWorldLists][8] = {
+        case Kind::kWorldList:
+        case Kind::kBodyList:
+        case Kind::kJointHandles: {
+            const Kind of = kind == Kind::kWorldList  ? Kind::kWorld
+                            : kind == Kind::kBodyList ? Kind::kBody
+                                                      : Kind::kJoint;
+            const auto& live = scene_.live[std::size_t(of)];
+            void* const dead = scene_.dead[std::size_t(of)];
+            void* const lists[kHandleLists][8] = {
                 {live[0], live[1]}, {live[0], live[0], live[0]}, {live[0], dead}};
             v.trait = index == 0 ? Trait::kFine : Trait::kStrange;
             v.pointer = fill(kind, position, lists[index], sizeof lists[index]);
@@ -426,6 +451,11 @@ Value Values::memory(Kind kind, int index, int position)
             return v;
         case Kind::kData:
             v.pointer = g_letters;
+            return v;
+        case Kind::kState:
+        case Kind::kStateDelta:
+        case Kind::kStateRoom:
+            v.pointer = state_of(static_cast<dWorldID>(scene_.live[std::size_t(Kind::kWorld)][0]), kind);
             return v;
         case Kind::kFile:
             v.pointer = nowhere();

@@ -92,6 +92,14 @@ Real half_thickness(const Geom& geom)
 // As the original, without its points.
 void describe_convex(const Geom&, DifWriter& out) { out.text("type", "convex"); }
 
+void fingerprint(const Geom& geom, ContentHash& hash)
+{
+    const Polyhedron& solid = *static_cast<const ConvexGeom&>(geom).shape.solid;
+    const Vec3 c = solid.centre();
+    hash.add({c.x, c.y, c.z});
+    for (const Vec3 v : solid.vertices()) hash.add({v.x, v.y, v.z});
+}
+
 constexpr SolidType kSolid = {
     .view = view_of_shape<Convex>, .core_reach = core_reach, .core_size = core_size, .round = false};
 
@@ -101,6 +109,7 @@ const GeomType kConvexType = {.number = dConvexClass,
                               .aabb = aabb,
                               .destroy = destroy_pooled<ConvexGeom>,
                               .describe = describe_convex,
+                              .fingerprint = fingerprint,
                               .solid = &kSolid,
                               .half_thickness = half_thickness};
 

@@ -39,13 +39,27 @@ Aabb aabb(Geom& geom)
 
 void describe_heightfield(const Geom&, DifWriter& out) { out.text("type", "heightfield"); }
 
+// Of heights that the program keeps, what they are now; of those that it is asked for, none.
+void fingerprint(const Geom& geom, ContentHash& hash)
+{
+    const HeightfieldData* d = static_cast<const HeightfieldGeom&>(geom).shape.field();
+    if (!d) return;
+    hash.add({d->width, d->depth, d->scale, d->offset, d->thickness});
+    for (const int number : {d->nx, d->nz, int(d->wrap)}) hash.add(std::uint64_t(number));
+    for (const unsigned char hole : d->holes) hash.add(std::uint64_t(hole));
+    if (d->source == HeightfieldData::Source::kCallback) return;
+    for (int j = 0; j < d->nz; ++j)
+        for (int i = 0; i < d->nx; ++i) hash.add(d->sample(i, j));
+}
+
 constexpr GeomType heightfield_type(bool placeable)
 {
     return {.number = dHeightfieldClass,
             .placeable = placeable,
             .aabb = aabb,
             .destroy = destroy_pooled<HeightfieldGeom>,
-            .describe = describe_heightfield};
+            .describe = describe_heightfield,
+            .fingerprint = fingerprint};
 }
 
 const GeomType kFixedHeightfieldType = heightfield_type(false);

@@ -84,6 +84,11 @@ void describe_transform(const Geom& geom, DifWriter& out)
     out.close();
 }
 
+void fingerprint(const Geom& geom, ContentHash& hash)
+{
+    if (Geom* inner = static_cast<const TransformGeom&>(geom).inner) hash.add(shape_hash(*inner));
+}
+
 // Whether `geom` goes when `transform` lets go what it holds.
 bool dies_with(const Geom& geom, const TransformGeom& transform)
 {
@@ -107,7 +112,8 @@ const GeomType kTransformType = {.number = dGeomTransformClass,
                                  .aabb = aabb,
                                  .zero_sized = zero_sized,
                                  .destroy = destroy,
-                                 .describe = describe_transform};
+                                 .describe = describe_transform,
+                                 .fingerprint = fingerprint};
 
 TransformGeom* as_transform(Geom& geom)
 {

@@ -39,6 +39,21 @@ Real half_thickness(const Geom& geom)
 
 void describe_trimesh(const Geom&, DifWriter& out) { out.text("type", "trimesh"); }
 
+void fingerprint(const Geom& geom, ContentHash& hash)
+{
+    const Trimesh& shape = static_cast<const TrimeshGeom&>(geom).shape;
+    hash.add(std::uint64_t(shape.solid));
+    const TrimeshData* d = shape.mesh();
+    if (!d) return;
+    const TriangleMesh& mesh = d->mesh;
+    for (int i = 0; i < mesh.vertex_count(); ++i) {
+        const Vec3 v = mesh.vertex(i);
+        hash.add({v.x, v.y, v.z});
+    }
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        for (const int corner : mesh.corners(t).at) hash.add(std::uint64_t(corner));
+}
+
 // The solid that the triangles enclose, where the geom is. False when they enclose nothing that can be told
 // from rounding.
 bool enclosed(TrimeshGeom& geom, Real density, MassProperties& out)
@@ -90,6 +105,7 @@ const GeomType kTrimeshType = {.number = dTriMeshClass,
                                .destroy = destroy_pooled<TrimeshGeom>,
                                .control = control_trimesh,
                                .describe = describe_trimesh,
+                               .fingerprint = fingerprint,
                                .half_thickness = half_thickness};
 
 }  // namespace epode

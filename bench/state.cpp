@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A heap of boxes whose contacts the world manages: bytes of its state, and medians of CPU time for a step,
+// for saving and restoring it, for the difference to the state of the step before, and for poses and
+// velocities of all boxes in one call. Names of our library are asked for at run time.
+#include "bench/state.h"
+
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <ode/ext.h>
+#include <ode/ode.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "bench/engines/stopwatch.h"
+
+namespace epode::bench {
+namespace {
+
+constexpr dReal kH = dReal(1) / 60;
+
+template <typename Function>
+Function* named(const char* name)
+{
+    return reinterpret_cast<Function*>(dlsym(RTLD_DEFAULT, name));
+}
+
+struct Library {
+    decltype(dWorldSetContactSpace)* set_space =
+        named<decltype(dWorldSetContactSpace)>("dWorldSetContactSpace");
+    decltype(dWorldStepFast1)* step = named<decltype(dWorldStepFast1)>("dWorldStepFast1");
+    decltype(dWorldGetContacts)* contacts = named<decltype(dWorldGetContacts)>("dWorldGetContacts");
+    decltype(dWorldGetStateSize)* size = named<decltype(dWorldGetStateSize)>("dWorldGetStateSize");
+    decltype(dWorldGetState)* save = named<decltype(dWorldGetState)>("dWorldGetState");
+    decltype(dWorldSetState)* load = named<decltype(dWorldSetState)>("dWorldSetState");
+    decltype(dWorldGetStateDelta)* delta = named<decltype(dWorldGetStateDelta)>("dWorldGetStateDelta");
+    decltype(dBodiesGetStates)* get = named<decltype(dBodiesGetStates)>("dBodiesGetStates");
+    decltype(dBodiesSetStates)* set = named<decltype(dBodiesSetStates)>("dBodiesSetStates");
+
+    bool complete() const
+    {
+        return set_space && step && contacts && size && save && load && delta && get && set;
+    }
+};
+
+// Boxes dropped in layers, each a little off the one below.
+class Heap {
+  public:
+    Heap(const StateOptions& options, const Library& library) : library_(library)
+    {
+        dWorldSetGravity(world, 0, 0, dReal(-9.81));
+        if (options.sleeps) dWorldSetAutoDisableFlag(world, 1);
+        library.set_space(world, space_);
+        dCreatePlane(space_, 0, 0, 1, 0);
+        const int side = std::max(1, int(std::cbrt(double(options.boxes))));
+        for (int i = 0; i < options.boxes; ++i) add(i, side);
+        for (int i = 0; i < options.steps; ++i) step();
+    }
+    ~Heap()
+    {
+        dWorldDestroy(world);
+        dSpaceDestroy(space_);
+    }
+    Heap(const Heap&) = delete;
+    Heap& operator=(const Heap&) = delete;
+
+    void step() { library_.step(world, kH, 4); }
+
+    const dWorldID world = dWorldCreate();
+    std::vector<dBodyID> boxes;
+
+  private:
+    void add(int i, int side)
+    {
+        const int column = i % (side * side), layer = i / (side * side);
+        const dGeomID geom = dCreateBox(space_, dReal(0.5), dReal(0.5), dReal(0.5));
+        const dBodyID body = dBodyCreate(world);
+        dMass mass;
+        dMassSetBox(&mass, 1000, dReal(0.5), dReal(0.5), dReal(0.5));
+        dBodySetMass(body, &mass);
+        const dReal off = dReal(0.1) * dReal(i * 7 % 11 - 5) / 5;
+        dBodySetPosition(body, dReal(0.55) * dReal(column % side) + off,
+                         dReal(0.55) * dReal(column / side) - off, dReal(0.3) + dReal(0.6) * dReal(layer));
+        dGeomSetBody(geom, body);
+        boxes.push_back(body);
+    }
+
+    const Library& library_;
+    const dSpaceID space_ = dHashSpaceCreate(nullptr);
+};
+
+class Medians {
+  public:
+    explicit Medians(int rounds) : rounds_(rounds) {}
+
+    // us.
+    template <typename Work>
+    double of(Work&& work)
+    {
+        std::vector<double> times;
+        for (int i = 0; i < rounds_; ++i) {
+            Stopwatch watch(false);
+            work();
+            times.push_back(1e3 * watch.lap());
+        }
+        std::nth_element(times.begin(), times.begin() + rounds_ / 2, times.end());
+        return times[std::size_t(rounds_ / 2)];
+    }
+
+  private:
+    int rounds_;
+};
+
+}  // namespace
+
+int bench_state(const StateOptions& options)
+{
+    const Library library;
+    if (!library.complete()) {
+        fmt::print(stderr, "this libode has no states\n");
+        return 1;
+    }
+    Heap heap(options, library);
+    const dWorldID world = heap.world;
+    const int count = int(heap.boxes.size());
+    std::vector<unsigned char> before(library.size(world)), state;
+    library.save(world, before.data(), before.size());
+    heap.step();
+    state.resize(library.size(world));
+    library.save(world, state.data(), state.size());
+    const int contacts = library.contacts(world, nullptr, 0);
+    fmt::print("{} boxes, {} points that touch: {} bytes, {:.1f} a box\n", count, contacts, state.size(),
+               double(state.size()) / count);
+    fmt::print("difference to the step before: {} bytes\n",
+               library.delta(world, before.data(), before.size(), nullptr, 0));
+    Medians us(options.rounds);
+    const double step = us.of([&] { heap.step(); });
+    // After a step, as a game does it: what is saved has not been looked at since.
+    const auto after_step = [&](auto&& work) {
+        Medians one(1);
+        std::vector<double> times;
+        for (int i = 0; i < options.rounds; ++i) heap.step(), times.push_back(one.of(work));
+        std::nth_element(times.begin(), times.begin() + options.rounds / 2, times.end());
+        return times[std::size_t(options.rounds / 2)];
+    };
+    std::vector<unsigned char> room(2 * state.size());
+    const double save = after_step([&] { library.save(world, room.data(), room.size()); });
+    const double load = after_step([&] { library.load(world, state.data(), state.size()); });
+    fmt::print("us: step {:.0f}, save {:.1f}, restore {:.1f}, both {:.1f} % of a step\n", step, save, load,
+               100 * (save + load) / step);
+    const unsigned fields = dStatePosition | dStateQuaternion | dStateLinearVel | dStateAngularVel;
+    std::vector<dReal> rows(std::size_t(13 * count));
+    const double get = us.of([&] { library.get(heap.boxes.data(), count, fields, rows.data(), 0); });
+    const double set = us.of([&] { library.set(heap.boxes.data(), count, fields, rows.data(), 0); });
+    fmt::print("us: poses and velocities of all read {:.1f}, set {:.1f}\n", get, set);
+    return 0;
+}
+
+}  // namespace epode::bench

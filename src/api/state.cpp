@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// States of worlds, as C functions.
+#include "ode/state.h"
+
+#include <climits>
+
+#include "base/check.h"
+#include "base/float_environment.h"
+#include "state/delta.h"
+#include "state/state_header.h"
+#include "state/world_state.h"
+#include "step/link.h"
+
+using namespace epode;
+
+namespace {
+
+constexpr std::size_t kMostBytes = INT_MAX;  // lists count in ints
+
+std::span<const std::byte> bytes(const void* data, std::size_t size)
+{
+    return {static_cast<const std::byte*>(data), size};
+}
+
+// May the geoms of the world be moved?
+bool is_unlocked(const World& world)
+{
+    for (const Body& body : world.bodies)
+        if (in_locked_space(body)) return false;
+    const Space* space = world.step_state ? world.step_state->managed.live_space() : nullptr;
+    return !space || space->locks == 0;
+}
+
+}  // namespace
+
+#define WORLD_OR(result)                        \
+    World* const world = from_handle<World>(w); \
+    EPODE_USER(world, result);                  \
+    EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", result)
+
+extern "C" {
+
+size_t dWorldGetStateSize(dWorldID w)
+{
+    const FloatEnvironment floats;
+    WORLD_OR(0);
+    WorldState state(*world);
+    std::size_t size = 0;
+    EPODE_USER_SAY(state.prepare() && state.measure(size), kOutOfMemory, 0);
+    return size;
+}
+
+int dWorldGetState(dWorldID w, void* buffer, size_t size)
+{
+    const FloatEnvironment floats;
+    WORLD_OR(0);
+    EPODE_USER(buffer, 0);
+    WorldState state(*world);
+    std::size_t needed = 0;
+    EPODE_USER_SAY(state.prepare() && state.measure(needed), kOutOfMemory, 0);
+    EPODE_USER_SAY(needed <= size && needed <= kMostBytes,
+                   "the buffer is smaller than dWorldGetStateSize() says", 0);
+    state.write(static_cast<std::byte*>(buffer));
+    return 1;
+}
+
+int dWorldSetState(dWorldID w, const void* buffer, size_t size)
+{
+    const FloatEnvironment floats;
+    WORLD_OR(0);
+    EPODE_USER(buffer, 0);
+    EPODE_USER_SAY(is_unlocked(*world), "Invalid operation for locked space", 0);
+    WorldState state(*world);
+    EPODE_USER_SAY(state.prepare(), kOutOfMemory, 0);
+    const char* const wrong = state.set(static_cast<const std::byte*>(buffer), size);
+    EPODE_USER_SAY(!wrong, wrong, 0);
+    return 1;
+}
+
+size_t dWorldGetStateDelta(dWorldID w, const void* base, size_t base_size, void* out, size_t capacity)
+{
+    const FloatEnvironment floats;
+    WORLD_OR(0);
+    EPODE_USER(base && (out || capacity == 0), 0);
+    WorldState state(*world);
+    std::size_t size = 0;
+    EPODE_USER_SAY(state.prepare() && state.measure(size), kOutOfMemory, 0);
+    const char* const wrong = state.check(static_cast<const std::byte*>(base), base_size);
+    EPODE_USER_SAY(!wrong, wrong, 0);
+    Array<std::uint32_t> whole, delta;
+    const bool written = size <= kMostBytes && whole.resize(int(size / 4));
+    EPODE_USER_SAY(written, kOutOfMemory, 0);
+    state.write(reinterpret_cast<std::byte*>(whole.data()));
+    EPODE_USER_SAY(write_delta(bytes(base, base_size), bytes(whole.data(), size), delta), kOutOfMemory, 0);
+    const std::size_t needed = 4 * std::size_t(delta.size());
+    if (out && needed <= capacity) std::memcpy(out, delta.data(), needed);
+    return needed;
+}
+
+int dWorldSetStateDelta(dWorldID w, const void* base, size_t base_size, const void* delta, size_t delta_size)
+{
+    const FloatEnvironment floats;
+    WORLD_OR(0);
+    EPODE_USER(base && delta, 0);
+    EPODE_USER_SAY(is_unlocked(*world), "Invalid operation for locked space", 0);
+    Array<std::uint32_t> whole;
+    char text[200];
+    const char* wrong =
+        read_delta(bytes(base, base_size), bytes(delta, delta_size), whole, text, sizeof text);
+    EPODE_USER_SAY(!wrong, wrong, 0);
+    WorldState state(*world);
+    EPODE_USER_SAY(state.prepare(), kOutOfMemory, 0);
+    wrong = state.set(reinterpret_cast<const std::byte*>(whole.data()), 4 * std::size_t(whole.size()));
+    EPODE_USER_SAY(!wrong, wrong, 0);
+    return 1;
+}
+
+}  // extern "C"

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What a state says of a world's contacts besides the pairs, until it is accepted.
+#pragma once
+
+#include "contacts/contact_world.h"
+
+namespace epode {
+
+class ContactWorld::Loaded {
+    friend class ContactWorld;
+    Array<std::uint8_t> rests;  // of each pair
+    Array<dContactEvent> ended;
+    Real h = 0;
+    bool few_active = false, unfinished = false, settled = false, any_rests = false;
+};
+
+}  // namespace epode

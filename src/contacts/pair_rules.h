@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What is asked of pairs of geoms and their patches again and again.
+#pragma once
+
+#include <algorithm>
+
+#include "collide/solid_type.h"
+#include "contacts/contact_pair.h"
+#include "contacts/pair_finder.h"
+#include "dynamics/world.h"
+
+namespace epode {
+
+// Allowed depth of contacts that the world manages, m.
+inline Real contact_layer(const World& world)
+{
+    return world.contact_layer > 0 ? world.contact_layer : Real(2e-4);
+}
+
+inline Body* body_of(const Geom& geom) { return from_handle<Body>(geom.body.id); }
+
+inline bool awake(const Body* body) { return body && !body->disabled; }
+
+// Rays measure, they do not push.
+inline bool can_push(const Geom& geom) { return geom.type->number != dRayClass; }
+
+inline bool is_surface(const Geom& geom)
+{
+    return geom.type->number == dTriMeshClass || geom.type->number == dHeightfieldClass;
+}
+
+inline bool on_mesh(const GeomPair& pair)
+{
+    const auto meets = [](const Geom& solid, const Geom& mesh) {
+        return mesh.type->number == dTriMeshClass && is_solid(solid);
+    };
+    return meets(*pair.a, *pair.b) || meets(*pair.b, *pair.a);
+}
+
+inline int most_manifolds(const GeomPair& pair)
+{
+    return is_surface(*pair.a) || is_surface(*pair.b) ? kSurfaceManifolds : 1;
+}
+
+inline SlotPair slots_of(const ContactPair& pair)
+{
+    const int a = from_handle<Geom>(pair.id1)->slot, b = from_handle<Geom>(pair.id2)->slot;
+    return {std::max(a, b), std::min(a, b)};
+}
+
+// What is open and has not been pushed was only near.
+inline bool touches(const CachedManifold& kept, const ManifoldPoint& point)
+{
+    return point.normal_impulse > 0 || point.separation <= kept.layer;
+}
+
+inline bool touches(std::span<const CachedManifold> patches)
+{
+    for (const CachedManifold& kept : patches)
+        for (int i = 0; i < kept.manifold.count; ++i)
+            if (touches(kept, kept.manifold.points[i])) return true;
+    return false;
+}
+
+}  // namespace epode

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "dynamics/joint_state.h"
+
+#include "dynamics/joint_drives.h"
+
+namespace epode {
+namespace {
+
+constexpr unsigned kRows = 15, kDisabled = 16, kActive = 32;
+static_assert(kMaxBlockRows <= int(kRows));
+
+constexpr std::uint32_t kDriven = 1, kContinuous = 2;  // of an axis
+constexpr std::uint32_t kBroken = 1;                   // of the limits
+
+int most_rows(const Joint& joint)
+{
+    if (is_contact(joint)) return 0;
+    return joint.type->max_rows + (joint.driven ? kMaxDriveRows : 0);
+}
+
+void state(AxisDrive& axis, StateStream& stream)
+{
+    dDrive& d = axis.drive;
+    const std::uint32_t bits =
+        stream.unusual({{&d.stiffness, 0, false, 0},
+                        {&d.damping, 0, false, 0},
+                        {&d.armature, 0, false, 0},
+                        {&d.friction, 0, false, 0},
+                        {&d.target, 0},
+                        {&d.target_velocity, 0},
+                        {&d.force, 0},
+                        {&d.force_limit, 0, true, 0},
+                        {&axis.reference, 0},
+                        {&axis.force, 0}},
+                       (axis.driven ? kDriven : 0) | (axis.continuous ? kContinuous : 0));
+    if (stream.stores()) axis.driven = bits & kDriven, axis.continuous = bits & kContinuous;
+}
+
+void state(BreakLimits& limits, StateStream& stream)
+{
+    const std::uint32_t bits = stream.unusual(
+        {{&limits.force, kInf, true, 0}, {&limits.torque, kInf, true, 0}}, limits.broken ? kBroken : 0);
+    const std::uint64_t step = stream.long_word(limits.step);
+    if (stream.stores()) limits.broken = bits & kBroken, limits.step = step;
+}
+
+}  // namespace
+
+std::uint8_t state_bits(const Joint& joint)
+{
+    return std::uint8_t(joint.impulse_rows | (joint.disabled ? kDisabled : 0u) |
+                        (joint.world->joints.is_active(joint) ? kActive : 0u));
+}
+
+void state(Joint& joint, std::uint8_t bits, StateStream& stream)
+{
+    const int rows = int(bits & kRows);
+    if (!stream.demand(rows <= most_rows(joint), "a joint of the state has more impulses than rows")) return;
+    if (stream.stores()) {
+        joint.impulse_rows = std::uint8_t(rows);
+        joint.disabled = bits & kDisabled;
+        auto& joints = joint.world->joints;
+        bits& kActive ? joints.activate(joint) : joints.deactivate(joint);
+    }
+    if (rows > 0) stream.guesses(impulses(joint), rows);
+    if (joint.type->state) joint.type->state(joint, stream);
+    if (!joint.driven) return;
+    for (AxisDrive& axis : drives_of(joint).axis) state(axis, stream);
+    state(drives_of(joint).limits, stream);
+}
+
+}  // namespace epode

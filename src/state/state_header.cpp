@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "state/state_header.h"
+
+#include <cstdio>
+#include <cstring>
+
+#include "base/checksum.h"
+
+namespace epode {
+namespace {
+
+std::uint64_t sum_of(const void* state, std::size_t size)
+{
+    return checksum(static_cast<const char*>(state) + sizeof(StateHeader), size - sizeof(StateHeader));
+}
+
+const char* precision(int real_size) { return real_size == sizeof(double) ? "double" : "single"; }
+
+}  // namespace
+
+void seal(void* state, std::size_t size, StateHeader::Kind kind)
+{
+    StateHeader header;
+    header.kind = kind;
+    header.size = size;
+    header.checksum = sum_of(state, size);
+    std::memcpy(state, &header, sizeof header);
+}
+
+const char* read_header(const void* state, std::size_t size, StateHeader::Kind kind, StateHeader& header,
+                        char* text, std::size_t text_size)
+{
+    const auto wrong = [&](auto... parts) {
+        std::snprintf(text, text_size, parts...);
+        return static_cast<const char*>(text);
+    };
+    if (size < sizeof header)
+        return wrong("%zu bytes are no state: even its header has %zu", size, sizeof header);
+    std::memcpy(&header, state, sizeof header);
+    if (header.magic != StateHeader::kMagic) return "these bytes are no state of a world";
+    if (header.version != StateHeader::kVersion)
+        return wrong("a state of version %d; this library reads version %d", int(header.version),
+                     int(StateHeader::kVersion));
+    if (header.real_size != sizeof(Real))
+        return wrong("a state of %s precision; this library has %s", precision(header.real_size),
+                     precision(sizeof(Real)));
+    if (header.kind != kind)
+        return kind == StateHeader::kWhole ? "a difference between states, where a whole one is wanted"
+                                           : "a whole state, where a difference is wanted";
+    if (header.size > size || header.size < sizeof header || header.size % 4 != 0)
+        return wrong("a state of %llu bytes, of which %zu are given",
+                     static_cast<unsigned long long>(header.size), size);
+    if (header.checksum != sum_of(state, std::size_t(header.size)))
+        return "the checksum of the state is wrong: its bytes have changed";
+    return nullptr;
+}
+
+}  // namespace epode

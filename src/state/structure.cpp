@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "state/structure.h"
+
+#include <cstdio>
+
+#include "base/content_hash.h"
+#include "collide/describe.h"
+#include "step/link.h"
+
+namespace epode {
+namespace {
+
+constexpr std::uint64_t kNobody = ~0ull, kStranger = ~1ull;
+
+// Of a body of the world; of others it is only known that they are there.
+std::uint64_t number_of(const Body* body, const World& world)
+{
+    if (!body) return kNobody;
+    return body->world == &world ? std::uint64_t(body->island_index) : kStranger;
+}
+
+void add_shape(Geom& geom, ContentHash& hash)
+{
+    hash.add(shape_hash(geom));
+    if (!geom.offset) return;
+    hash.add(geom.offset->position, 3);
+    for (int row = 0; row < 3; ++row) hash.add(geom.offset->rotation + 4 * row, 3);
+}
+
+std::uint64_t hash_of(const Body& body)
+{
+    ContentHash hash;
+    hash.add(body.mass_hash);
+    for_each_geom(body, [&](Geom& geom) { add_shape(geom, hash); });
+    return hash.value();
+}
+
+std::uint64_t hash_of(const Joint& joint, const World& world)
+{
+    ContentHash hash;
+    hash.add(std::uint64_t(joint.type->number) << 2 | joint.driven << 1 | joint.reverse);
+    for (int i = 0; i < 2; ++i) hash.add(number_of(joint.node[i].body, world));
+    return hash.value();
+}
+
+std::uint64_t hash_of(Geom& geom, const World& world)
+{
+    ContentHash hash;
+    add_shape(geom, hash);
+    hash.add(number_of(body_of(geom), world));
+    return hash.value();
+}
+
+}  // namespace
+
+void Structure::add(std::uint64_t own)
+{
+    ContentHash all;
+    all.add(hash_), all.add(own);
+    hash_ = all.value();
+    (void)marks_.push(std::uint8_t(own >> 56 ^ own));
+}
+
+bool Structure::measure(const World& world, const BodyTable& bodies, const SpaceGeoms& geoms)
+{
+    constexpr int kAhead = 8;
+    bodies_ = bodies.count(), joints_ = world.joints.count();
+    hash_ = 0;
+    marks_.clear();
+    if (!marks_.reserve(bodies_ + joints_ + geoms.count())) return false;
+    for (int i = 0; i < bodies_; ++i) {
+        if (i + kAhead < bodies_)
+            prefetch<1>(&bodies[i + kAhead].mass_hash), prefetch<1>(bodies[i + kAhead].first_geom);
+        add(hash_of(bodies[i]));
+    }
+    for (const Joint& joint : world.joints) add(hash_of(joint, world));
+    for (int i = 0; i < geoms.count(); ++i) add(hash_of(geoms[i], world));
+    return true;
+}
+
+// Joints are walked from the newest on.
+const char* Structure::difference(const std::uint8_t* marks, char* text, std::size_t size) const
+{
+    int at = 0;
+    while (at < marks_.size() && marks_[at] == marks[at]) ++at;
+    if (at == marks_.size())
+        std::snprintf(text, size, "a body, joint or geom differs from the one the state was saved with");
+    else if (at < bodies_)
+        std::snprintf(text, size, "body %d (of %d, in order of creation) had another mass or other geoms", at,
+                      bodies_);
+    else if (at < bodies_ + joints_)
+        std::snprintf(text, size,
+                      "joint %d (of %d, in order of creation) had another type, other bodies, or drives that "
+                      "the other lacks",
+                      bodies_ + joints_ - 1 - at, joints_);
+    else
+        std::snprintf(text, size,
+                      "geom %d (of %d, in order of creation) had another class, shape, offset or body",
+                      at - bodies_ - joints_, geoms());
+    return text;
+}
+
+}  // namespace epode

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The state of a world as bytes (ode/state.h): all that a step changes and later steps read. This file knows
+// the order of the parts, and each part writes and reads its own:
+//   header, structure                 state/state_header, state/structure
+//   count of steps                    the seed of random orders
+//   bodies, joints                    dynamics/body_state, dynamics/joint_state
+//   geoms of the contact space        enabled; poses of those without a body
+//   impulses of contact joints        step/contact_cache_state
+//   contacts that the world manages   contacts/contact_state
+// What step/undo takes back is what has to be here; plans of factors and working memory are caches.
+#pragma once
+
+#include "base/state_stream.h"
+#include "state/structure.h"
+#include "step/step.h"
+
+namespace epode {
+
+class WorldState {
+  public:
+    explicit WorldState(World& world) : world_(world) {}
+
+    // What the world is made of; before all else. False: out of memory.
+    [[nodiscard]] bool prepare();
+
+    // How long the state is.
+    [[nodiscard]] bool measure(std::size_t& size);  // false: out of memory
+    // Into as many bytes.
+    void write(std::byte* to);
+
+    // Null: done; else what is wrong, and nothing has changed.
+    const char* set(const std::byte* from, std::size_t size);
+    // The same of its header and structure alone.
+    const char* check(const std::byte* from, std::size_t size);
+
+  private:
+    void visit(StateStream& stream);  // all but the contacts
+    void visit_bodies(StateStream& stream, std::byte* bits);
+    void visit_joints(StateStream& stream, std::byte* bits);
+    void visit_geoms(StateStream& stream, std::byte* bits);
+    [[nodiscard]] bool save(StateStream& stream);
+    void take_geom(Geom& geom, std::uint8_t bits, StateStream& stream);
+
+    World& world_;
+    StepState* kept_ = nullptr;
+    BodyTable bodies_;
+    SpaceGeoms geoms_;
+    Structure structure_;
+    Array<std::uint16_t> body_bits_;
+    Array<std::uint8_t> disturbed_;  // geoms
+    char text_[200] = {};
+};
+
+}  // namespace epode
