@@ -87,7 +87,9 @@ def pages():
     if shutil.which("git"):
         listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard", "*.md"], cwd=ROOT, capture_output=True, text=True)
         if listed.stdout:
-            return [ROOT / name for name in listed.stdout.split() if (ROOT / name).exists()]
+            # Templates are pages only when scripts/new-joint and scripts/new-geom have filled them in.
+            return [ROOT / name for name in listed.stdout.split()
+                    if (ROOT / name).exists() and not name.startswith("tools/templates/")]
     return sorted([*ROOT.glob("*.md"), *(ROOT / "docs").rglob("*.md")])
 
 

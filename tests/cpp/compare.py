@@ -9,6 +9,8 @@ import subprocess
 import sys
 
 TOLERANCE = 1e-9
+# Classes that Debian's headers do not have.
+OURS_ALONE = ("dCone::", "dEllipsoid::", "dTaperedCapsule::")
 # A fault of the original wrapper: it takes the total mass for a density.
 DEBIAN_FAILS = {"dMass::setCapsuleTotal"}
 
@@ -27,7 +29,7 @@ def close(x, y):
 
 def main():
     (ours, our_failures, status), (debian, debian_failures, _) = run(sys.argv[1]), run(sys.argv[2])
-    ours = [record for record in ours if "(ours)" not in record[0]]
+    ours = [record for record in ours if "(ours)" not in record[0] and not record[0].startswith(OURS_ALONE)]
     wrong = [f"fails here: {name}" for name in sorted(our_failures)] + (["status not 0"] if status else [])
     wrong += [f"fails or not with Debian's: {name}" for name in sorted(debian_failures ^ DEBIAN_FAILS)]
     if [name for name, _ in ours] != [name for name, _ in debian]:

@@ -28,6 +28,7 @@ class Tower : public Sim {
     explicit Tower(double edge, int boxes = 8, double layer = 0) : edge_(edge)
     {
         gravity(0, 0, -9.81);
+        dWorldSetCFM(world, real(1e-10));  // that of floats, 1e-5, is a soft one: a tower of 8 sinks by 7 cm
         ground();
         for (int i = 0; i < boxes; ++i)
             box({0, 0, edge * (i + 0.5)}, {edge, edge, edge}, 1000 * edge * edge * edge);
