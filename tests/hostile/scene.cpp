@@ -129,6 +129,7 @@ const dGeomClass kUserClass = {8, offer_collider, unit_box, always_near, at_end}
 
 Messages& messages() { return g_messages; }
 long blocks_held() { return g_blocks; }
+void forget_blocks(long held) { g_blocks = held; }
 
 void restore_handlers()
 {

@@ -103,6 +103,8 @@ void reset_process();
 
 // Memory that the library holds now, in blocks: it goes through handlers of this test.
 long blocks_held();
+// The count is what it was: what came and went in between did so by two kinds of handlers.
+void forget_blocks(long held);
 
 // What the library has said since the last `take`.
 struct Messages {
