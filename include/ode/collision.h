@@ -128,9 +128,9 @@ enum {
 };
 
 /** Set or read a setting of the geom's class: controlClass is dGeomCommonControlClass or
-   dGeomColliderControlClass, controlCode says which setting. *dataSize is the size of *dataValue. Returns 1
-   when done; 0, with the size needed in *dataSize, when size or pointer do not fit; a control the geom does
-   not have gives size 0 and 0. Only triangle meshes have controls. [0.16] */
+    dGeomColliderControlClass, controlCode says which setting. *dataSize is the size of *dataValue. Returns 1
+    when done; 0, with the size needed in *dataSize, when size or pointer do not fit; a control the geom does
+    not have gives size 0 and 0. Only triangle meshes have controls. [0.16] */
 ODE_API int dGeomLowLevelControl(dGeomID geom, int controlClass, int controlCode, void* dataValue,
                                  int* dataSize);
 
@@ -146,9 +146,9 @@ ODE_API void dGeomVectorFromWorld(dGeomID geom, dReal px, dReal py, dReal pz, dV
 
 /** @chapter offsets Geoms: offsets from the body
 
-   A geom may sit anywhere on its body.
+    A geom may sit anywhere on its body.
 
-   Refused: as for geoms; [dGeomSetOffset] a geom that is on no body. */
+    Refused: as for geoms; [dGeomSetOffset] a geom that is on no body. */
 
 /** - dGeomSetOffsetPosition: Set the offset's position to (x, y, z), m, in the body's frame; its rotation
       stays.
@@ -208,31 +208,31 @@ ODE_API void dGeomGetOffsetQuaternion(dGeomID geom, dQuaternion result);
 ODE_API int dCollide(dGeomID o1, dGeomID o2, int flags, dContactGeom* contact, int skip);
 
 /** Call the callback, with data, once for each pair of direct members of the space that are enabled, not on
-   the same body, not filtered by their bits, and whose bounding boxes touch. Geoms of zero size are skipped.
-   The order of pairs and within a pair is not promised. [0.16] */
+    the same body, not filtered by their bits, and whose bounding boxes touch. Geoms of zero size are skipped.
+    The order of pairs and within a pair is not promised. [0.16] */
 ODE_API void dSpaceCollide(dSpaceID space, void* data, dNearCallback* callback);
 
 /** Call the callback, with data, once for each pair of geoms, one of (or in) space1 and one of (or in)
-   space2, in this order, that are enabled, not on the same body, not filtered by their bits, and whose
-   bounding boxes touch. Of two spaces with different sublevels the higher one is opened and the other passed
-   whole; with equal sublevels both are opened; the same space twice is dSpaceCollide. [0.16] */
+    space2, in this order, that are enabled, not on the same body, not filtered by their bits, and whose
+    bounding boxes touch. Of two spaces with different sublevels the higher one is opened and the other passed
+    whole; with equal sublevels both are opened; the same space twice is dSpaceCollide. [0.16] */
 ODE_API void dSpaceCollide2(dGeomID space1, dGeomID space2, void* data, dNearCallback* callback);
 
 /** @chapter shapes Shapes
 
-   Sizes must not be negative; 0 is allowed and makes the geom invisible to spaces. Changing a size does not
-   change the mass of a body. The PointDepth functions tell how deep the world point (x, y, z) is inside:
-   positive inside, 0 on the surface, negative outside, m.
+    Sizes must not be negative; 0 is allowed and makes the geom invisible to spaces. Changing a size does not
+    change the mass of a body. The PointDepth functions tell how deep the world point (x, y, z) is inside:
+    positive inside, 0 on the surface, negative outside, m.
 
-   Arguments:
-   - space: the space to put a new geom into, or 0.
-   - radius, length: m; of a capsule, length is that of the cylindrical part. Getters write them where
-   pointers point.
-   - lx, ly, lz: full side lengths, m.
-   - a, b, c, d: numbers of a plane a x + b y + c z = d.
-   - sphere, box, plane, capsule, cylinder, ray: a geom of that class.
-   - x, y, z: a point of the world, m.
-   - result: where the answer is written, in the order of the setter's arguments: 3 reals, of a plane 4.
+    Arguments:
+    - space: the space to put a new geom into, or 0.
+    - radius, length: m; of a capsule, length is that of the cylindrical part. Getters write them where
+    pointers point.
+    - lx, ly, lz: full side lengths, m.
+    - a, b, c, d: numbers of a plane a x + b y + c z = d.
+    - sphere, box, plane, capsule, cylinder, ray: a geom of that class.
+    - x, y, z: a point of the world, m.
+    - result: where the answer is written, in the order of the setter's arguments: 3 reals, of a plane 4.
 
     Refused: a geom of another class, destroyed or 0; a space that is destroyed or being collided;
     [dCreateSphere, dGeomSphereSet, dCreateBox, dGeomBoxSet, dCreateCapsule, dGeomCapsuleSet,
@@ -349,9 +349,9 @@ ODE_API void dGeomCylinderSetParams(dGeomID cylinder, dReal radius, dReal length
 ODE_API void dGeomCylinderGetParams(dGeomID cylinder, dReal* radius, dReal* length);
 
 /** - dCreateRay: A new ray of this length, m (it may be infinite), in the space, or (0) in none. It goes from
-   its position along its own z axis. A contact of a ray has its `pos` where it hits, as depth the distance
-   from its start, as normal the surface normal that faces the start. It has at most one contact with a simple
-   shape.
+    its position along its own z axis. A contact of a ray has its `pos` where it hits, as depth the distance
+    from its start, as normal the surface normal that faces the start. It has at most one contact with a simple
+    shape.
     - dGeomRaySetLength: Set the ray's length, m; it may be infinite.
     - dGeomRayGetLength: The ray's length, m. [0.16] */
 ODE_API dGeomID dCreateRay(dSpaceID space, dReal length);
@@ -419,23 +419,23 @@ typedef dReal dHeightfieldGetHeight(void* p_user_data, int x, int z);
 
 /** @chapter heightfields Height fields
 
-   Ground given by heights over a rectangle, solid to any depth (ext.h has holes). In the geom's own frame y
-   is up, x runs along the width and z along the depth, and the origin is the middle of the rectangle. Sample
-   (i, j), with i along x, is element i + j * widthSamples; its height is sample * scale + offset. Each cell
-   is two triangles, divided from the corner (i + 1, j) to the corner (i, j + 1). For z up rotate the geom by
-   90 degrees about x. Collides with spheres, boxes, capsules, cylinders and rays; normals point up out of the
-   ground. A solid wholly below the lowest sample under it gets one contact that pushes it straight up. A ray
-   gets all its hits, the nearest first. Of a solid that covers more than 1,024 cells along x or z (256 of a
-   field without end) the middle ones are looked at.
+    Ground given by heights over a rectangle, solid to any depth (ext.h has holes). In the geom's own frame y
+    is up, x runs along the width and z along the depth, and the origin is the middle of the rectangle. Sample
+    (i, j), with i along x, is element i + j * widthSamples; its height is sample * scale + offset. Each cell
+    is two triangles, divided from the corner (i + 1, j) to the corner (i, j + 1). For z up rotate the geom by
+    90 degrees about x. Collides with spheres, boxes, capsules, cylinders and rays; normals point up out of the
+    ground. A solid wholly below the lowest sample under it gets one contact that pushes it straight up. A ray
+    gets all its hits, the nearest first. Of a solid that covers more than 1,024 cells along x or z (256 of a
+    field without end) the middle ones are looked at.
 
-   Arguments:
-   - d: the data.
-   - pUserData: handed to the callback.
-   - pCallback: gives a sample.
-   - pHeightData: widthSamples * depthSamples samples.
-   - scale, offset: height = sample * scale + offset, m.
+    Arguments:
+    - d: the data.
+    - pUserData: handed to the callback.
+    - pCallback: gives a sample.
+    - pHeightData: widthSamples * depthSamples samples.
+    - scale, offset: height = sample * scale + offset, m.
 
-   Refused: data or a geom that is 0 or destroyed; [dGeomHeightfieldDataBuild] sizes that are not positive;
+    Refused: data or a geom that is 0 or destroyed; [dGeomHeightfieldDataBuild] sizes that are not positive;
     [dGeomHeightfieldDataBuild] fewer than 2 samples along a side; numbers that are not finite; null
     pointers. Nothing changes then, and the answer is 0. */
 
@@ -482,7 +482,7 @@ ODE_API void dGeomHeightfieldDataBuildDouble(dHeightfieldDataID d, const double*
                                              int bWrap);
 
 /** The range minHeight ... maxHeight of samples (before scale and offset) that the bounding box is made of.
-   Arrays know theirs; a callback's field has an infinite box until this is called. [0.16] */
+    Arrays know theirs; a callback's field has an infinite box until this is called. [0.16] */
 ODE_API void dGeomHeightfieldDataSetBounds(dHeightfieldDataID d, dReal minHeight, dReal maxHeight);
 
 /** - dCreateHeightfield: A new height field in the space, or (0) in none, over data, which may be 0 for now.
@@ -498,20 +498,20 @@ ODE_API dHeightfieldDataID dGeomHeightfieldGetHeightfieldData(dGeomID g);
     Refused: null pointers; numbers that are not finite. Nothing is written then, and the answer is 0. */
 
 /** The closest points cp1 and cp2 (3 reals each) of the segments a1-a2 and b1-b2; of parallel segments one
-   pair of them. [0.16] */
+    pair of them. [0.16] */
 ODE_API void dClosestLineSegmentPoints(const dVector3 a1, const dVector3 a2, const dVector3 b1,
                                        const dVector3 b2, dVector3 cp1, dVector3 cp2);
 
 /** 1 when two boxes touch or overlap, else 0. Their centres are _p1 and _p2 (m), their rotation matrices R1
-   and R2, their full side lengths side1 and side2 (3 reals each). [0.16] */
+    and R2, their full side lengths side1 and side2 (3 reals each). [0.16] */
 ODE_API int dBoxTouchesBox(const dVector3 _p1, const dMatrix3 R1, const dVector3 side1, const dVector3 _p2,
                            const dMatrix3 R2, const dVector3 side2);
 
 /** Contacts of two boxes with centres p1, p2, rotation matrices R1, R2 and full side lengths side1, side2.
-   Written: normal (from box 1 to box 2), the greatest depth (how far they must move apart along that normal),
-   *return_code (1-3 face of box 1, 4-6 face of box 2, 7-15 a pair of edges), and `pos` and `depth` of as many
-   entries of contact as fit (flags and skip as for dCollide). Returns their number, 0 when the boxes are
-   apart. [0.16] */
+    Written: normal (from box 1 to box 2), the greatest depth (how far they must move apart along that normal),
+    *return_code (1-3 face of box 1, 4-6 face of box 2, 7-15 a pair of edges), and `pos` and `depth` of as many
+    entries of contact as fit (flags and skip as for dCollide). Returns their number, 0 when the boxes are
+    apart. [0.16] */
 ODE_API int dBoxBox(const dVector3 p1, const dMatrix3 R1, const dVector3 side1, const dVector3 p2,
                     const dMatrix3 R2, const dVector3 side2, dVector3 normal, dReal* depth, int* return_code,
                     int flags, dContactGeom* contact, int skip);
@@ -549,7 +549,7 @@ typedef struct dGeomClass {
 } dGeomClass;
 
 /** Register the class that *classptr describes; returns its number, dFirstUserClass and up. Refused (-1) when
-   the description is bad or dMaxUserClasses are taken. dCloseODE forgets the classes. [0.16] */
+    the description is bad or dMaxUserClasses are taken. dCloseODE forgets the classes. [0.16] */
 ODE_API int dCreateGeomClass(const dGeomClass* classptr);
 
 /** The data of geom, of a user class: `bytes` bytes, zero at first. A geom of another class is refused: 0.

@@ -56,28 +56,28 @@ enum {
 
 /** @chapter trimeshes Triangle meshes
 
-   Surfaces of triangles, open or closed. The front of a triangle v0, v1, v2 is where it runs
-   counter-clockwise. A mesh is met at its surface: what lies wholly inside a closed one touches nothing. The
-   triangles are data that any number of geoms share.
+    Surfaces of triangles, open or closed. The front of a triangle v0, v1, v2 is where it runs
+    counter-clockwise. A mesh is met at its surface: what lies wholly inside a closed one touches nothing. The
+    triangles are data that any number of geoms share.
 
-   Vertices and indices are copied when data are built and when dGeomTriMeshDataUpdate is called, and read at
-   no other time: the program may change or free its arrays in between, but must keep them, or others at the
-   same place, for an update. Normals and use flags are not copied: the program keeps them alive. Edges are
-   recognised by equal indices or by exactly equal positions, so meshes that repeat their vertices for every
-   triangle are as good as others. A triangle without area keeps its number and touches nothing.
+    Vertices and indices are copied when data are built and when dGeomTriMeshDataUpdate is called, and read at
+    no other time: the program may change or free its arrays in between, but must keep them, or others at the
+    same place, for an update. Normals and use flags are not copied: the program keeps them alive. Edges are
+    recognised by equal indices or by exactly equal positions, so meshes that repeat their vertices for every
+    triangle are as good as others. A triangle without area keeps its number and touches nothing.
 
-   Arguments:
-   - g: the data in functions named dGeomTriMeshData..., else the geom.
-   - Data: the triangles of a geom, or 0 for none.
-   - Vertices, VertexCount: VertexCount >= 1 times x, y, z, m, in the frame of the geom.
-   - VertexStride: bytes from a vertex to the next, at least what three numbers take.
-   - Indices, IndexCount: three numbers of vertices, from 0, for each triangle; a multiple of 3 in all.
-   - TriStride: bytes from a triangle to the next, at least what three indices take.
-   - Index: the number of a triangle, from 0.
-   - Callback, ArrayCallback, RayCallback: functions that have a say in the contacts of a mesh, or 0. While
-   they run, the geoms and the data of the pair cannot be destroyed or given other triangles.
+    Arguments:
+    - g: the data in functions named dGeomTriMeshData..., else the geom.
+    - Data: the triangles of a geom, or 0 for none.
+    - Vertices, VertexCount: VertexCount >= 1 times x, y, z, m, in the frame of the geom.
+    - VertexStride: bytes from a vertex to the next, at least what three numbers take.
+    - Indices, IndexCount: three numbers of vertices, from 0, for each triangle; a multiple of 3 in all.
+    - TriStride: bytes from a triangle to the next, at least what three indices take.
+    - Index: the number of a triangle, from 0.
+    - Callback, ArrayCallback, RayCallback: functions that have a say in the contacts of a mesh, or 0. While
+    they run, the geoms and the data of the pair cannot be destroyed or given other triangles.
 
-   Refused: data or a geom that is 0, destroyed or no mesh; null pointers; [dGeomTriMeshDataBuild] counts
+    Refused: data or a geom that is 0, destroyed or no mesh; null pointers; [dGeomTriMeshDataBuild] counts
     and strides that are too small; [dGeomTriMeshDataBuild] an index beyond the vertices;
     [dGeomTriMeshDataBuild] a coordinate that is no finite number. Nothing changes then, and the answer is
     0. */

@@ -184,8 +184,8 @@ typedef dReal dQuaternion[dQUE__MAX]; /**< w, x, y, z */
 
 #if defined(dSINGLE)
 /** Scalar functions of the real type: a literal (REAL(0.5)), 1/x, the square root and 1 over it, sine,
-   cosine, absolute value, arcs, remainder, rounding down and up, the sign of b on a, the neighbour of x
-   towards y. */
+    cosine, absolute value, arcs, remainder, rounding down and up, the sign of b on a, the neighbour of x
+    towards y. */
 #define REAL(x) (x##f)
 #define dRecip(x) ((1.0f / (x)))
 #define dSqrt(x) (sqrtf(x))
@@ -203,8 +203,8 @@ typedef dReal dQuaternion[dQUE__MAX]; /**< w, x, y, z */
 #define dNextAfter(x, y) _ode_nextafterf(x, y)
 #else
 /** Scalar functions of the real type: a literal (REAL(0.5)), 1/x, the square root and 1 over it, sine,
-   cosine, absolute value, arcs, remainder, rounding down and up, the sign of b on a, the neighbour of x
-   towards y. */
+    cosine, absolute value, arcs, remainder, rounding down and up, the sign of b on a, the neighbour of x
+    towards y. */
 #define REAL(x) (x)
 #define dRecip(x) (1.0 / (x))
 #define dSqrt(x) sqrt(x)
@@ -370,7 +370,7 @@ typedef struct dJointFeedback {
 ODE_API void dGeomMoved(dGeomID geom);
 
 /** The next geom of the same body after geom, or 0: same as dBodyGetNextGeom. A geom that is 0 or destroyed
-   is refused. [0.16] */
+    is refused. [0.16] */
 ODE_API dGeomID dGeomGetBodyNext(dGeomID geom);
 
 /** How this library was built: words separated by single spaces, for example "ODE" and
@@ -378,7 +378,7 @@ ODE_API dGeomID dGeomGetBodyNext(dGeomID geom);
 ODE_API const char* dGetConfiguration(void);
 
 /** 1 when `token` is one whole word of dGetConfiguration() (case counts), else 0; an empty text and one with
-   a space in it give 1. A null token is refused: 0. [0.16] */
+    a space in it give 1. A null token is refused: 0. [0.16] */
 ODE_API int dCheckConfiguration(const char* token);
 
 #ifdef __cplusplus

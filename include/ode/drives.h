@@ -14,24 +14,24 @@ extern "C" {
 
 /** @chapter drives Joint coordinates and drives
 
-   A joint of most types has axes: directions in which it leaves its bodies free, each with a position q (m or
-   rad) and a rate, which is the position's derivative:
+    A joint of most types has axes: directions in which it leaves its bodies free, each with a position q (m or
+    rad) and a rate, which is the position's derivative:
 
-   | type | axis 0 | axis 1 | axis 2 |
-   |---|---|---|---|
-   | hinge | angle | | |
-   | slider | position | | |
-   | universal | angle 1 | angle 2 | |
-   | hinge-2 | angle 1 (steering) | angle 2 of the wheel, with the sign of its rate | |
-   | piston, PR | position | angle | |
-   | PU | angle 1 | angle 2 | position |
-   | AMotor | angle of axis 0 | of axis 1 | of axis 2 |
-   | LMotor | distance of the centres along axis 0 | along axis 1 | along axis 2 |
+    | type | axis 0 | axis 1 | axis 2 |
+    |---|---|---|---|
+    | hinge | angle | | |
+    | slider | position | | |
+    | universal | angle 1 | angle 2 | |
+    | hinge-2 | angle 1 (steering) | angle 2 of the wheel, with the sign of its rate | |
+    | piston, PR | position | angle | |
+    | PU | angle 1 | angle 2 | position |
+    | AMotor | angle of axis 0 | of axis 1 | of axis 2 |
+    | LMotor | distance of the centres along axis 0 | along axis 1 | along axis 2 |
 
-   Positions have the sign of the type's own functions (dJointGetHingeAngle and so on), except a hinge-2's
-   second, whose angle and rate run against each other there. An AMotor in user mode has the angles that the
-   program gives it. Types that are not named have no axes. A ball joint is driven by an AMotor in Euler mode
-   on the same bodies.
+    Positions have the sign of the type's own functions (dJointGetHingeAngle and so on), except a hinge-2's
+    second, whose angle and rate run against each other there. An AMotor in user mode has the angles that the
+    program gives it. Types that are not named have no axes. A ball joint is driven by an AMotor in Euler mode
+    on the same bodies.
 
     Arguments:
     - joint: the joint.
@@ -39,7 +39,7 @@ extern "C" {
     - world: the world.
 
     Refused: a joint or world that is 0 or destroyed; an axis that the joint does not have; null pointers;
-   what each function names; [dJointSet] a call during a step. Nothing changes then, and the answer is 0. */
+    what each function names; [dJointSet] a call during a step. Nothing changes then, and the answer is 0. */
 
 /** Returns how many axes the joint has: 0 ... 3, by its type; an AMotor and an LMotor have those that the
     program has given them. [ours] */
@@ -127,7 +127,7 @@ ODE_API int dSpringFromFrequency(dReal mass, dReal hertz, dReal damping_ratio, d
       drives and motors included, the torque about the anchor of a ball, hinge, universal, hinge-2 or fixed
       joint, else about the body's centre. A joint that breaks has acted in the whole step and is disabled at
       its end; dJointEnable mends it. Returns 1, or 0 when refused (negative numbers, a contact joint) or out
-   of memory.
+    of memory.
     - dJointGetBreakLimits: Write to *force and *torque what dJointSetBreakLimits has set, dInfinity for none.
       Returns 1 if the joint has a limit, else 0.
     - dJointIsBroken: Returns 1 if the joint has broken and has not been enabled since, else 0. [ours] */

@@ -81,7 +81,7 @@ ODE_API void dMassSetBoxTotal(dMass* m, dReal total_mass, dReal lx, dReal ly, dR
     it is, and the inertia is that about the world's origin; translate by minus the centre for a body. The
     integrals are exact for a closed mesh whose fronts are outside. An open mesh is taken to be closed by
     cones over its border, from the first corner of its triangle 0. Refused: a geom without triangles;
-   triangles that enclose nothing.
+    triangles that enclose nothing.
     - dMassSetTrimesh: Set *m to the solid that the triangles of the mesh g enclose, filled with density,
       kg/m^3. A mesh that is turned inside out has a negative mass.
     - dMassSetTrimeshTotal: Set *m to the solid that the triangles of the mesh g enclose and that weighs

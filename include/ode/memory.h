@@ -45,7 +45,7 @@ ODE_API dFreeFunction* dGetFreeHandler(void);
 /** Uses the handler that the program has installed, or the default one.
     - dAlloc: A block of size bytes; NULL if there is no memory.
     - dRealloc: Change the block ptr from oldsize to newsize bytes, keeping what fits; returns where it is
-   now, or NULL if there is no memory.
+    now, or NULL if there is no memory.
     - dFree: Take the block ptr of size bytes back. A NULL ptr does nothing and calls no handler. [0.16] */
 ODE_API void* dAlloc(dsizeint size);
 ODE_API void* dRealloc(void* ptr, dsizeint oldsize, dsizeint newsize);

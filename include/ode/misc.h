@@ -17,7 +17,7 @@ extern "C" {
 /** @chapter random Random numbers and test matrices
 
     Refused: null pointers. Nothing changes then, and the answer is 0. Sizes that are not positive are those
-   of nothing. */
+    of nothing. */
 
 /** 1 when the generator gives its known first numbers. The state is kept. [0.16] */
 ODE_API int dTestRand(void);

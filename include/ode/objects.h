@@ -118,8 +118,8 @@ ODE_API void dWorldCleanupWorkingMemory(dWorldID world);
 #define dWORLDSTEP_RESERVESIZE_DEFAULT 65536U
 
 /** How much is taken in reserve. When blocks have become too small, they are replaced by one of
-   reserve_factor times what the largest step needed; no block is smaller than reserve_minimum. struct_size:
-   sizeof of the struct, set by the caller. */
+    reserve_factor times what the largest step needed; no block is smaller than reserve_minimum. struct_size:
+    sizeof of the struct, set by the caller. */
 typedef struct {
     unsigned struct_size;     /**< sizeof(dWorldStepReserveInfo) */
     float reserve_factor;     /**< how many times what is needed, at least 1 */
@@ -127,8 +127,8 @@ typedef struct {
 } dWorldStepReserveInfo;
 
 /** Set the reserve for blocks taken from now on, to a copy of *policyinfo; NULL: back to the defaults.
-   Returns 1, or 0 when refused (a factor below 1 or not finite, struct_size too small) or out of memory.
-   [0.16] */
+    Returns 1, or 0 when refused (a factor below 1 or not finite, struct_size too small) or out of memory.
+    [0.16] */
 ODE_API int dWorldSetStepMemoryReservationPolicy(dWorldID world, const dWorldStepReserveInfo* policyinfo);
 
 /** Where step memory comes from. The functions are called by one thread at a time, which with several threads
@@ -145,7 +145,7 @@ typedef struct {
 } dWorldStepMemoryFunctionsInfo;
 
 /** Take blocks from a copy of *memfuncs from now on; NULL: from dAlloc again. Blocks that are there already
-   go back where they came from. Returns 1, or 0 when refused (alloc_block or free_block NULL, struct_size too
+    go back where they came from. Returns 1, or 0 when refused (alloc_block or free_block NULL, struct_size too
     small) or out of memory. [0.16] */
 ODE_API int dWorldSetStepMemoryManager(dWorldID world, const dWorldStepMemoryFunctionsInfo* memfuncs);
 
@@ -269,15 +269,15 @@ ODE_API int dWorldGetAutoDisableFlag(dWorldID world);
     After each step a speed above its threshold is multiplied by (1 - scale), whatever the step size.
 
     Refused: a world that is 0 or destroyed; [dWorldSet*Damping, !dWorldSet*DampingThreshold] numbers that are
-   not finite; [dWorldSet*DampingThreshold, dWorldSetMaxAngularSpeed] NaN. Nothing changes then, and getters
-   answer 0. */
+    not finite; [dWorldSet*DampingThreshold, dWorldSetMaxAngularSpeed] NaN. Nothing changes then, and getters
+    answer 0. */
 
 /** - dWorldSetLinearDampingThreshold: Set the linear speed threshold, m/s, from which on damping acts on new
-   bodies; default 0.01.
+    bodies; default 0.01.
     - dWorldGetLinearDampingThreshold: The linear speed from which on damping acts on new bodies, m/s; 0.01
       at first.
     - dWorldSetAngularDampingThreshold: Set the angular speed threshold, rad/s, from which on damping acts on
-   new bodies; default 0.01.
+    new bodies; default 0.01.
     - dWorldGetAngularDampingThreshold: The angular speed from which on damping acts on new bodies, rad/s;
       0.01 at first. [0.16] */
 ODE_API void dWorldSetLinearDampingThreshold(dWorldID world, dReal threshold);
@@ -562,8 +562,8 @@ ODE_API void dBodySetAutoDisableDefaults(dBodyID body);
     What the settings mean stands with the world's functions. New bodies take theirs over from the world.
 
     Refused: a body that is 0 or destroyed; [dBodySet*Damping, !dBodySet*DampingThreshold,
-   !dBodySetDampingDefaults] numbers that are not finite; [dBodySet*DampingThreshold, dBodySetMaxAngularSpeed]
-   NaN. Nothing changes then, and getters answer 0. */
+    !dBodySetDampingDefaults] numbers that are not finite; [dBodySet*DampingThreshold, dBodySetMaxAngularSpeed]
+    NaN. Nothing changes then, and getters answer 0. */
 
 /** Take all damping settings over from the world. [0.16] */
 ODE_API void dBodySetDampingDefaults(dBodyID body);
@@ -581,10 +581,10 @@ ODE_API dReal dBodyGetAngularDamping(dBodyID body);
 ODE_API void dBodySetDamping(dBodyID body, dReal linear_scale, dReal angular_scale);
 
 /** - dBodySetLinearDampingThreshold: Set the linear speed threshold, m/s, from which on damping acts on the
-   body.
+    body.
     - dBodyGetLinearDampingThreshold: The linear speed from which on damping acts on the body, m/s.
     - dBodySetAngularDampingThreshold: Set the angular speed threshold, rad/s, from which on damping acts on
-   the body.
+    the body.
     - dBodyGetAngularDampingThreshold: The angular speed from which on damping acts on the body, rad/s.
       [0.16] */
 ODE_API void dBodySetLinearDampingThreshold(dBodyID body, dReal threshold);

@@ -36,7 +36,7 @@ extern "C" {
     Refused: a joint that is 0, destroyed or of another type; [!dJointSet*Param] numbers that are not
     finite; [dJointSet*Param] NaN; [dJointSet*Param] infinity for what is neither a stop nor FMax;
     [dJointSet*Axis, dJointSetHinge2Axes] a zero axis; null pointers. Nothing changes then, and getters answer
-   0. */
+    0. */
 
 /** The point that both bodies have in common. Default: the origin of each body. [0.16] */
 ODE_API void dJointSetBallAnchor(dJointID joint, dReal x, dReal y, dReal z);
@@ -74,8 +74,8 @@ ODE_API void dJointSetHingeAnchorDelta(dJointID joint, dReal x, dReal y, dReal z
 ODE_API void dJointSetHingeAxis(dJointID joint, dReal x, dReal y, dReal z);
 
 /** Sets the axis and shifts the zero of the angle, rad. With t the turn about the axis from body 2's
-   orientation to body 1's, the angle then reads 2 t - angle: t if the bodies are turned by the given angle,
-   -angle if they are not turned; attached as (0, B), all of it counts the turn the other way round. [0.16] */
+    orientation to body 1's, the angle then reads 2 t - angle: t if the bodies are turned by the given angle,
+    -angle if they are not turned; attached as (0, B), all of it counts the turn the other way round. [0.16] */
 ODE_API void dJointSetHingeAxisOffset(dJointID joint, dReal x, dReal y, dReal z, dReal angle);
 
 /** - dJointSetHingeParam: Set a parameter of the hinge's limit and motor to value; its unit is in the table
@@ -287,7 +287,7 @@ ODE_API dReal dJointGetFixedParam(dJointID joint, int parameter);
     - rel: what an axis moves with: 0 the world, 1 body 1, 2 body 2.
 
     Refused: as for ball; [dJointSetAMotorA, dJointGetAMotorA] an axis number that there is not;
-   [dJointSetAMotorAxis] a rel that there is not. */
+    [dJointSetAMotorAxis] a rel that there is not. */
 
 /** - dJointSetAMotorMode: Set what mode the motor is in. dAMotorUser (default): the program sets axes and,
       for stops, angles. dAMotorEuler: three axes, of which the program sets axis 0 (fixed in body 1) and
@@ -493,7 +493,7 @@ ODE_API dReal dJointGetPUAngle2Rate(dJointID joint);
 
     Body 1 slides along one axis and turns about it. Default axis x. Parameters: the slide; the turn with
     names ending in 2. Attached as (0, body), positions, angles and their rates change sign. Refused: as for
-   ball. */
+    ball. */
 
 /** A point on the axis. The position and the angle read 0 afterwards. [0.16] */
 ODE_API void dJointSetPistonAnchor(dJointID joint, dReal x, dReal y, dReal z);

@@ -22,7 +22,7 @@
 /* ---- linkage ---- */
 
 /* ODE_API marks what the library exports. It is compiled with hidden visibility, so a function
-   without this mark cannot be reached from outside. */
+    without this mark cannot be reached from outside. */
 #if !defined(ODE_API)
 #if defined(_MSC_VER) && defined(ODE_DLL)
 #define ODE_API __declspec(dllexport)
@@ -123,9 +123,9 @@ typedef size_t dsizeint;
 /* ---- the precision of a program and of its library ---- */
 
 /* A program for float that is linked with a library for double is refused, since only libode_single has the
-   first of these two names. A program for double that is linked with libode_single is refused, since that
-   library asks for the second name, which only programs for float bring along. The names are the linker's
-   message. Programs for double are not touched at all. */
+    first of these two names. A program for double that is linked with libode_single is refused, since that
+    library asks for the second name, which only programs for float bring along. The names are the linker's
+    message. Programs for double are not touched at all. */
 #if defined(dSINGLE) && defined(__ELF__) && defined(__GNUC__)
 #ifdef __cplusplus
 extern "C" {

@@ -24,12 +24,12 @@
 /** @chapter vectors Vectors and 3x3 matrices
 
     Inline functions; matrices have rows of 4 reals. They check nothing: pointers must be good and sizes
-   right.
+    right.
 
     Arguments:
     - res: where the result is written; a vector (3 reals) or a matrix (12 reals).
     - a, b, c: vectors (3 reals) or matrices (12 reals), by the formula; a matrix is written as a capital
-   letter.
+    letter.
 
     Refused: nothing. */
 
@@ -303,7 +303,7 @@ ODE_PURE_INLINE void dSetCrossMatrixPlus(dReal* res, const dReal* a, unsigned sk
 }
 
 /** Write to res the matrix -[a] with -[a] v = v x a, the transpose of that of dSetCrossMatrixPlus: rows of
-   `skip` reals, of which the diagonal and the padding are not written. [0.16] */
+    `skip` reals, of which the diagonal and the padding are not written. [0.16] */
 ODE_PURE_INLINE void dSetCrossMatrixMinus(dReal* res, const dReal* a, unsigned skip)
 {
     const dReal x = a[0], y = a[1], z = a[2];
@@ -483,7 +483,7 @@ ODE_API void dNormalize4(dVector4 a);
 ODE_API void dPlaneSpace(const dVector3 n, dVector3 p, dVector3 q);
 
 /** Make the rows of m orthonormal (Gram and Schmidt, first row leading, third = first x second, so no
-   reflection survives). m: 12 reals; padding becomes 0. Returns 1, or 0 when a row degenerates. [0.16] */
+    reflection survives). m: 12 reals; padding becomes 0. Returns 1, or 0 when a row degenerates. [0.16] */
 ODE_API int dOrthogonalizeR(dMatrix3 m);
 
 #ifdef __cplusplus

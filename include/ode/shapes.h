@@ -33,8 +33,8 @@ extern "C" {
 
     Refused: a geom of another class, destroyed or 0; a space that is destroyed or being collided; null
     pointers; numbers that are not finite; [dCreateCone, dCreateEllipsoid, dCreateTaperedCapsule,
-   dGeomConeSet, dGeomEllipsoidSet, dGeomTaperedCapsuleSet, dMassSetTapered] a negative size; what each
-   function names. Nothing changes then, and the answer is 0. */
+    dGeomConeSet, dGeomEllipsoidSet, dGeomTaperedCapsuleSet, dMassSetTapered] a negative size; what each
+    function names. Nothing changes then, and the answer is 0. */
 
 /** The classes beyond ODE's, as dGeomGetClass returns them. Their numbers follow the last of ODE's, which
     are those of the program's own classes, so that no number of ODE's changes: dGeomNumClasses counts ODE's
@@ -42,7 +42,7 @@ extern "C" {
 enum { dConeClass = dGeomNumClasses, dEllipsoidClass, dTaperedCapsuleClass };
 
 /** - dCreateCone: Create a conical geom in the space, or (0) in none. Its own z axis is its axis: the base,
-   of that radius, lies at z = -length/4, the apex at z = 3 length/4, and the origin is the centre of mass.
+    of that radius, lies at z = -length/4, the apex at z = 3 length/4, and the origin is the centre of mass.
     - dGeomConeSetParams: Set the cone's radius and length, m.
     - dGeomConeGetParams: Write the cone's radius to *radius and its length to *length, m.
     - dGeomConePointDepth: Return how deep the world's point (x, y, z) is inside the cone, m. [ours] */
@@ -53,7 +53,7 @@ ODE_API dReal dGeomConePointDepth(dGeomID cone, dReal x, dReal y, dReal z);
 
 /** - dMassSetCone: Set *m to the mass of a solid of that shape about the origin, its centre of mass.
     - dMassSetConeTotal: Set *m to the mass of a solid of that shape that weighs total_mass. Refused by both:
-   other numbers of direction. [ours] */
+    other numbers of direction. [ours] */
 ODE_API void dMassSetCone(dMass* m, dReal density, int direction, dReal radius, dReal length);
 ODE_API void dMassSetConeTotal(dMass* m, dReal total_mass, int direction, dReal radius, dReal length);
 
@@ -84,7 +84,7 @@ ODE_API void dGeomTaperedCapsuleGetParams(dGeomID tapered_capsule, dReal* r1, dR
 ODE_API dReal dGeomTaperedCapsulePointDepth(dGeomID tapered_capsule, dReal x, dReal y, dReal z);
 
 /** - dMassSetTaperedCapsule: Set *m to the mass of a solid of that shape about the origin, its centre of
-   mass.
+    mass.
     - dMassSetTaperedCapsuleTotal: Set *m to the mass of a solid of that shape that weighs total_mass. Refused
       by both: other numbers of direction; two radii of 0. [ours] */
 ODE_API void dMassSetTaperedCapsule(dMass* m, dReal density, int direction, dReal r1, dReal r2, dReal length);

@@ -24,7 +24,7 @@ extern "C" {
     Structure is what stands: bodies, joints and geoms in the order of their creation, masses, shapes, what
     hangs on which body and which bodies a joint joins; contact joints that exist are joints. Not in the state
     are user data, callbacks, materials, anchors and axes of joints, and the settings of the world and those
-   of bodies that no step changes (damping, thresholds).
+    of bodies that no step changes (damping, thresholds).
 
     Arguments:
     - world: the world.
@@ -45,8 +45,8 @@ ODE_API int dWorldGetState(dWorldID world, void* buffer, size_t size);
 
 /** Give the world the state that dWorldGetState has written to buffer, this world's or that of another one of
     the same structure; size is how many bytes the buffer has, those behind the state's end are not looked at.
-   Geoms are marked as moved, and no callback is called. Points that dWorldGetContacts returns lie where the
-   bodies are now until the next step. Returns 1. [ours] */
+    Geoms are marked as moved, and no callback is called. Points that dWorldGetContacts returns lie where the
+    bodies are now until the next step. Returns 1. [ours] */
 ODE_API int dWorldSetState(dWorldID world, const void* buffer, size_t size);
 
 /** What has changed since another state, as bytes.
@@ -76,7 +76,7 @@ typedef enum {
 /** States of count bodies, which may be of several worlds, as arrays of count rows. A row has the parts that
     fields, a sum of dStateField, names, and begins stride numbers after the one before; stride 0: rows follow
     each other without gaps. Refused: a negative count, fields that are none, a stride above 0 and shorter
-   than a row.
+    than a row.
     - dBodiesGetStates: Write the states of bodies to the rows of out. Returns 1.
     - dBodiesSetStates: Set the states of bodies from the rows of in, as dBodySetPosition and its sisters do:
       geoms are marked as moved once, dStateEnabled wakes bodies or disables them. Of a body that is named
@@ -95,7 +95,7 @@ ODE_API int dJointsGetStates(const dJointID* joints, int count, dReal* value, dR
     the array may then be 0. Refused: a capacity below 0.
     - dWorldGetBodies: Write the bodies of the world to the array bodies. Returns how many there are.
     - dWorldGetJoints: Write the joints of the world, contact joints too, to the array joints. Returns how
-   many there are. [ours] */
+    many there are. [ours] */
 ODE_API int dWorldGetBodies(dWorldID world, dBodyID* bodies, int capacity);
 ODE_API int dWorldGetJoints(dWorldID world, dJointID* joints, int capacity);
 

@@ -41,7 +41,7 @@ ODE_API void dTimerNow(const char* description);
 ODE_API void dTimerEnd(void);
 
 /** Print the time and share of each event to fout. average != 0: also the means over all lists so far whose
-   events were the same. [0.16] */
+    events were the same. [0.16] */
 ODE_API void dTimerReport(FILE* fout, int average);
 
 /** - dTimerTicksPerSecond: Ticks of the clock per second.
