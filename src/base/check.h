@@ -36,8 +36,10 @@ namespace epode {
 inline constexpr const char* kOutOfMemory = "out of memory";
 
 #if defined(NDEBUG)
+inline constexpr bool kAsserts = false;
 #define EPODE_ASSERT(condition) ((void)sizeof(!(condition)))
 #else
+inline constexpr bool kAsserts = true;
 [[noreturn]] void assertion_failed(const char* expression, const char* file, int line);
 #define EPODE_ASSERT(condition) \
     ((condition) ? (void)0 : ::epode::assertion_failed(#condition, __FILE__, __LINE__))

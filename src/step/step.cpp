@@ -424,12 +424,14 @@ bool step_with(World& world, const Solver* solver, Real h, int iterations)
 {
     const FloatEnvironment floats;
     const Stepping mark(world);
+    // A program can write through the pointers that getters return: what was broken before, no step has to mend.
+    [[maybe_unused]] const bool was_whole = kAsserts && !fault_of(world);
     StepState* state = step_state(world);
     StepMemory* memory = working_memory(world);
     if (!state || !memory || !memory->begin()) return false;
     const bool done = step_in(world, *state, solver, h, iterations);
     memory->end();
-    EPODE_ASSERT(!fault_of(world));
+    EPODE_ASSERT(!was_whole || !fault_of(world));
     return done;
 }
 
