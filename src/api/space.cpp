@@ -60,14 +60,14 @@ void dSpaceAdd(dSpaceID id, dGeomID geom_id)
 {
     EPODE_SPACE(space, id);
     EPODE_GEOM(geom, geom_id);
-    EPODE_USER_SAY(takes_members(*space), EPODE_LOCKED_TEXT);
+    EPODE_USER_SAY(accepts_geoms(*space), EPODE_LOCKED_TEXT);
     EPODE_USER_SAY(!geom->space, "geom is already in a space");
     EPODE_USER_SAY(!geom->holders, "GeomTransform encapsulated object must not be in a space");
     EPODE_USER_SAY(!is_space(*geom) || !is_inside(*space, static_cast<Space&>(*geom)),
                    "a space cannot be put inside itself");
     EPODE_USER_SAY(!is_space(*geom) || nesting_fits(*space, static_cast<Space&>(*geom)),
                    "spaces are nested too deeply");
-    EPODE_USER_SAY(add_member(*space, *geom), kOutOfMemory);
+    EPODE_USER_SAY(add_geom(*space, *geom), kOutOfMemory);
 }
 
 void dSpaceRemove(dSpaceID id, dGeomID geom_id)
@@ -76,7 +76,7 @@ void dSpaceRemove(dSpaceID id, dGeomID geom_id)
     EPODE_GEOM(geom, geom_id);
     EPODE_USER_SAY(space->locks == 0, EPODE_LOCKED_TEXT);
     EPODE_USER_SAY(geom->space == space, "object is not in this space");
-    remove_member(*space, *geom);
+    remove_geom(*space, *geom);
 }
 
 int dSpaceQuery(dSpaceID id, dGeomID geom_id)
@@ -103,7 +103,7 @@ dGeomID dSpaceGetGeom(dSpaceID id, int i)
 {
     EPODE_SPACE(space, id, nullptr);
     EPODE_USER_SAY(i >= 0 && i < space->count, "index out of range", nullptr);
-    return to_handle(member(*space, i));
+    return to_handle(geom_at(*space, i));
 }
 
 int dSpaceGetClass(dSpaceID id)

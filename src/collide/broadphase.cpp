@@ -197,8 +197,9 @@ bool Broadphase::find_pairs(const Tasks& tasks)
     if (fresh_.empty() && !stale_pairs_) return true;
     drop_stale_pairs();
     if (fresh_.empty()) return true;
-    const bool most = fresh_.size() > tree_.leaf_count() / 3;
-    if (!(most ? collect_all(tasks) : collect_fresh(tasks)) || !sort_found() || !merge_found()) return false;
+    const bool many_fresh = fresh_.size() > tree_.leaf_count() / 3;
+    if (!(many_fresh ? collect_all(tasks) : collect_fresh(tasks)) || !sort_found() || !merge_found())
+        return false;
     for (int slot : fresh_) proxies_[slot].fresh = false;
     fresh_.clear();
     return true;
@@ -248,12 +249,12 @@ bool Broadphase::collect(int slot, Found& found) const
 {
     const Proxy& p = proxies_.data()[slot];
     if (!p.present) return true;
-    bool room = true;
+    bool stored = true;
     query_fat(fat_box(p), [&](int other) {
         if (other < slot || (other > slot && !proxies_.data()[other].fresh))
-            room = keep(found, slot, other) && room;
+            stored = keep(found, slot, other) && stored;
     });
-    return room;
+    return stored;
 }
 
 bool Broadphase::keep_fresh(int a, int b, Found& found) const
@@ -268,25 +269,25 @@ bool Broadphase::collect_all(const Tasks& tasks)
     const int subtrees = tasks.workers() > 1 ? 8 * kParts : 1;  // they differ in size
     if (!tree_.split_pairs(subtrees, subtrees_)) return false;
     return in_parts(tasks, [&](int part, int parts, Found& found) {
-        bool room = part > 0 || collect_unbounded(found);
-        const auto visit = [&](int a, int b) { room = keep_fresh(a, b, found) && room; };
+        bool stored = part > 0 || collect_unbounded(found);
+        const auto visit = [&](int a, int b) { stored = keep_fresh(a, b, found) && stored; };
         for (int i = part; i < subtrees_.size(); i += parts) tree_.query_pairs(subtrees_.data()[i], visit);
-        return room;
+        return stored;
     });
 }
 
 bool Broadphase::collect_unbounded(Found& found) const
 {
     const Proxy* proxies = proxies_.data();
-    bool room = true;
-    const auto visit = [&](int a, int b) { room = keep_fresh(a, b, found) && room; };
+    bool stored = true;
+    const auto visit = [&](int a, int b) { stored = keep_fresh(a, b, found) && stored; };
     for (int i = 0; i < unbounded_.size(); ++i) {
         const int slot = unbounded_[i];
         tree_.query(proxies[slot].box, [&](int other) { visit(slot, other); });
         for (int k = 0; k < i; ++k)
             if (overlap(proxies[slot].box, proxies[unbounded_[k]].box)) visit(slot, unbounded_[k]);
     }
-    return room;
+    return stored;
 }
 
 bool Broadphase::join_found()

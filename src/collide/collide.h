@@ -14,14 +14,14 @@ namespace epode {
 struct ContactArray {
     dContactGeom* first;
     int stride;
-    int room;
+    int capacity;
     bool unimportant;  // any contacts will do
     int count = 0;
     Real margin = 0;             // see ContactSink
     bool to_program = false;     // see ContactSink
     NearLeaves* kept = nullptr;  // of the caller, for a solid and a mesh that it collides again and again
 
-    bool full() const { return count >= room; }
+    bool full() const { return count >= capacity; }
     dContactGeom* at(int i) const
     {
         return reinterpret_cast<dContactGeom*>(reinterpret_cast<char*>(first) + std::ptrdiff_t(i) * stride);
@@ -50,7 +50,7 @@ bool rays_overridden();
 
 // May functions of the program be called when the two, neither of them a space, are collided? Of what a
 // transform holds this is not asked: yes.
-bool asks_program(Geom& a, Geom& b);
+bool may_call_program(Geom& a, Geom& b);
 
 // Another number after every change of the shape that the library is told of; and may it change without a
 // word, as heights do that are the program's?
@@ -59,7 +59,7 @@ bool changes_unseen(const Geom& geom);
 
 // The same of one geom, whatever it meets, but for functions that the program has put in place of ours; and
 // whether it has done so for any two classes since the last close.
-bool asks_program(Geom& geom);
+bool may_call_program(Geom& geom);
 bool any_overridden();
 
 // `function` serves (i, j) and, turned round, (j, i); null: the pair does not collide. Until the last close.

@@ -11,7 +11,7 @@ namespace epode {
 void ContactSink::add_manifold(std::span<const ContactPoint> points)
 {
     const int count = int(points.size());
-    const int left = room_ - count_;
+    const int left = capacity_ - count_;
     const int wanted = left < kBestFour ? left : kBestFour;
     if (count <= wanted) {
         for (const ContactPoint& p : points) add(p);

@@ -29,13 +29,13 @@ struct ContactPoint {
 
 class ContactSink {
   public:
-    ContactSink(dContactGeom* first, int stride, int room, bool unimportant)
-        : first_(first), stride_(stride), room_(room), unimportant_(unimportant)
+    ContactSink(dContactGeom* first, int stride, int capacity, bool unimportant)
+        : first_(first), stride_(stride), capacity_(capacity), unimportant_(unimportant)
     {}
 
     int count() const { return count_; }
-    int room() const { return room_; }
-    bool full() const { return count_ >= room_; }
+    int capacity() const { return capacity_; }
+    bool full() const { return count_ >= capacity_; }
     bool unimportant() const { return unimportant_; }  // the caller takes any contacts that fit
 
     // The geoms of the pair: contacts name them, and functions of the program are told of them.
@@ -67,7 +67,7 @@ class ContactSink {
     Real margin() const { return margin_; }
 
     // A program reads them, which knows ODE's; else they make up a manifold of ours.
-    void tell_program(bool yes) { to_program_ = yes; }
+    void report_to_program(bool yes) { to_program_ = yes; }
     bool to_program() const { return to_program_; }
 
     // False when there was no room.
@@ -100,7 +100,7 @@ class ContactSink {
   private:
     dContactGeom* first_;
     int stride_;
-    int room_;
+    int capacity_;
     bool unimportant_;
     int count_ = 0;
     dGeomID geoms_[2] = {};

@@ -148,7 +148,7 @@ void destroy_geom(Geom& geom)
     if (is_space(geom)) empty_space(static_cast<Space&>(geom));
     set_continuous(geom, dContinuousOff);
     while (geom.holders) set_transform_geom(*geom.holders, nullptr);
-    if (geom.space) remove_member(*geom.space, geom);
+    if (geom.space) remove_geom(*geom.space, geom);
     unlink_body(geom);
     drop_material(geom);
     drop_leaves(geom);

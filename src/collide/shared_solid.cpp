@@ -62,7 +62,7 @@ struct SharedSolid::Entry {
     Entry *next = nullptr, *prev = nullptr;
 };
 
-struct SharedSolid::Shelf {
+struct SharedSolid::Cache {
     SpinLock lock;
     Entry* front = nullptr;
 
@@ -86,15 +86,15 @@ struct SharedSolid::Shelf {
     }
 };
 
-SharedSolid::Shelf& SharedSolid::shelf()
+SharedSolid::Cache& SharedSolid::cache()
 {
-    static constinit Shelf shelf;
-    return shelf;
+    static constinit Cache cache;
+    return cache;
 }
 
 bool SharedSolid::take(Polyhedron& made)
 {
-    Shelf& all = shelf();
+    Cache& all = cache();
     const std::size_t print = fingerprint(made);
     SharedSolid taken;
     {
@@ -106,9 +106,9 @@ bool SharedSolid::take(Polyhedron& made)
         }
     }
     if (!taken.entry_) {
-        void* const room = allocate(sizeof(Entry));
-        if (!room) return false;
-        taken.entry_ = new (room) Entry;
+        void* const memory = allocate(sizeof(Entry));
+        if (!memory) return false;
+        taken.entry_ = new (memory) Entry;
         taken.entry_->solid.swap(made);
         taken.entry_->fingerprint = print;
         std::lock_guard guard(all.lock);
@@ -122,7 +122,7 @@ SharedSolid::~SharedSolid()
 {
     if (!entry_) return;
     {
-        Shelf& all = shelf();
+        Cache& all = cache();
         std::lock_guard guard(all.lock);
         if (--entry_->users > 0) return;
         all.remove(*entry_);

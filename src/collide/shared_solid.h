@@ -29,8 +29,8 @@ class SharedSolid {
 
   private:
     struct Entry;
-    struct Shelf;
-    static Shelf& shelf();
+    struct Cache;
+    static Cache& cache();
     void swap(SharedSolid& other) noexcept;
 
     Entry* entry_ = nullptr;

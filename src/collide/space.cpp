@@ -15,42 +15,43 @@ namespace {
 bool compact(Space& space)
 {
     Array<int> new_slot;
-    if (!new_slot.reserve(space.members.size())) return false;
+    if (!new_slot.reserve(space.geoms.size())) return false;
     int kept = 0;
-    for (Geom* geom : space.members) (void)new_slot.push(geom ? kept++ : -1);
+    for (Geom* geom : space.geoms) (void)new_slot.push(geom ? kept++ : -1);
     space.broadphase.renumber(new_slot.span(), kept);
     int queued = 0;
     for (int slot : space.queue)
         if (new_slot[slot] >= 0) space.queue[queued++] = new_slot[slot];
     space.queue.truncate(queued);
-    for (int i = 0; i < space.members.size(); ++i)
-        if (Geom* geom = space.members[i]) {
+    for (int i = 0; i < space.geoms.size(); ++i)
+        if (Geom* geom = space.geoms[i]) {
             geom->slot = new_slot[i];
-            space.members[geom->slot] = geom;
+            space.geoms[geom->slot] = geom;
         }
-    space.members.truncate(kept);
+    space.geoms.truncate(kept);
     return true;
 }
 
-bool has_gaps(const Space& space) { return space.count != space.members.size(); }
+bool has_gaps(const Space& space) { return space.count != space.geoms.size(); }
 
 // One more slot in every list that is indexed by slots or holds them.
-bool make_room(Space& space)
+bool reserve_slots(Space& space)
 {
-    const int wanted = space.members.size() + 1;
+    const int wanted = space.geoms.size() + 1;
     if (space.broadphase.slots() >= wanted) return true;
-    if (space.count < space.members.size() / 2) return compact(space);
-    const int room = std::max(8, wanted + wanted / 2);
-    return space.members.reserve(room) && space.queue.reserve(room) && space.broadphase.reserve(room);
+    if (space.count < space.geoms.size() / 2) return compact(space);
+    const int capacity = std::max(8, wanted + wanted / 2);
+    return space.geoms.reserve(capacity) && space.queue.reserve(capacity) &&
+           space.broadphase.reserve(capacity);
 }
 
 // Spaces in line downwards, the space included.
 int height(const Space& space)
 {
-    int most = 0;
-    for (const Geom* m : space.members)
-        if (m && is_space(*m)) most = std::max(most, height(static_cast<const Space&>(*m)));
-    return most + 1;
+    int highest = 0;
+    for (const Geom* m : space.geoms)
+        if (m && is_space(*m)) highest = std::max(highest, height(static_cast<const Space&>(*m)));
+    return highest + 1;
 }
 
 bool zero_sized(const Geom& geom) { return geom.type->zero_sized && geom.type->zero_sized(geom); }
@@ -66,7 +67,7 @@ void list_queued(Space& space)
     if (!space.unlisted) return;
     space.unlisted = false;
     space.queue.clear();
-    for (const Geom* geom : space.members)
+    for (const Geom* geom : space.geoms)
         if (geom && geom->queued) (void)space.queue.push(geom->slot);
 }
 
@@ -76,14 +77,14 @@ void clean_queued(Space& space, Chosen&& chosen)
 {
     constexpr int kAhead = 8;
     const int due = space.queue.size();
-    const auto due_in = [&](int i) { return i < due ? space.members[space.queue[i]] : nullptr; };
+    const auto due_in = [&](int i) { return i < due ? space.geoms[space.queue[i]] : nullptr; };
     for (int i = 0; i < due; ++i) {
         if (const Geom* geom = due_in(i + 2 * kAhead))
             prefetch_shape(*geom), space.broadphase.prefetch_box(space.queue[i + 2 * kAhead]);
         if (const Geom* geom = due_in(i + kAhead))
             prefetch<3>(geom->position), space.broadphase.prefetch_fat_box(geom->slot);
         const int slot = space.queue[i];
-        Geom* geom = space.members[slot];
+        Geom* geom = space.geoms[slot];
         if (!geom || !geom->queued || !chosen(*geom)) continue;
         geom->queued = false;
         if (is_space(*geom)) clean(static_cast<Space&>(*geom));
@@ -105,22 +106,22 @@ Space* space_from(dSpaceID id)
 
 dSpaceID id_of(const Space* space) { return reinterpret_cast<dSpaceID>(to_handle<Geom>(space)); }
 
-bool add_member(Space& space, Geom& geom)
+bool add_geom(Space& space, Geom& geom)
 {
-    if (!make_room(space)) return false;
+    if (!reserve_slots(space)) return false;
     geom.space = &space;
-    geom.slot = space.members.size();
+    geom.slot = space.geoms.size();
     geom.queued = false;
-    (void)space.members.push(&geom);
+    (void)space.geoms.push(&geom);
     ++space.count;
     space.helped += !stands_alone(geom);
     mark_moved(geom);
     return true;
 }
 
-void remove_member(Space& space, Geom& geom)
+void remove_geom(Space& space, Geom& geom)
 {
-    space.members[geom.slot] = nullptr;
+    space.geoms[geom.slot] = nullptr;
     space.broadphase.remove(geom.slot);
     note_disturbed(space, geom);
     geom.at_rest = false;
@@ -130,7 +131,7 @@ void remove_member(Space& space, Geom& geom)
     geom.queued = false;
     space.helped -= !stands_alone(geom);
     if (--space.count == 0) {
-        space.members.clear();
+        space.geoms.clear();
         space.queue.clear();
         space.broadphase.clear();
     }
@@ -139,23 +140,23 @@ void remove_member(Space& space, Geom& geom)
 
 void empty_space(Space& space)
 {
-    for (int slot = space.members.size(); slot-- > 0;) {
+    for (int slot = space.geoms.size(); slot-- > 0;) {
         // The last member clears the list; a user's destructor function may take others with it.
-        Geom* geom = slot < space.members.size() ? space.members[slot] : nullptr;
+        Geom* geom = slot < space.geoms.size() ? space.geoms[slot] : nullptr;
         if (!geom) continue;
         if (space.cleanup && !geom->dying)
             destroy_geom(*geom);
         else
-            remove_member(space, *geom);
+            remove_geom(space, *geom);
     }
 }
 
-Geom* member(Space& space, int index)
+Geom* geom_at(Space& space, int index)
 {
     if (has_gaps(space) && space.locks == 0) (void)compact(space);
-    if (!has_gaps(space)) return space.members[space.count - 1 - index];
-    for (int slot = space.members.size(); slot-- > 0;)
-        if (space.members[slot] && index-- == 0) return space.members[slot];
+    if (!has_gaps(space)) return space.geoms[space.count - 1 - index];
+    for (int slot = space.geoms.size(); slot-- > 0;)
+        if (space.geoms[slot] && index-- == 0) return space.geoms[slot];
     return nullptr;
 }
 
@@ -181,13 +182,13 @@ void enqueue(Space& space, Geom& geom)
     ++space.edition;
 }
 
-void members_marked(Space& space)
+void note_geoms_marked(Space& space)
 {
     space.unlisted = true;
-    members_listed(space);
+    note_geoms_listed(space);
 }
 
-void members_listed(Space& space)
+void note_geoms_listed(Space& space)
 {
     ++space.edition;
     mark_moved(space);
@@ -219,15 +220,15 @@ void clean(Space& space, const WayFinder& finder, const Tasks& tasks)
         space.unlisted = false;
     }
     Broadphase& boxes = space.broadphase;
-    const int count = space.members.size();
-    Geom* const* members = space.members.data();
+    const int count = space.geoms.size();
+    Geom* const* geoms = space.geoms.data();
     boxes.note_all(tasks, count, [&](int slot, Broadphase::Notes& notes) {
         constexpr int kAhead = 6;
-        const auto member = [&](int i) { return i < count ? members[i] : nullptr; };
-        if (const Geom* soon = member(slot + 2 * kAhead)) prefetch_shape(*soon), prefetch<1>(&soon->body);
-        if (const Geom* next = member(slot + kAhead))
+        const auto geom_in = [&](int i) { return i < count ? geoms[i] : nullptr; };
+        if (const Geom* soon = geom_in(slot + 2 * kAhead)) prefetch_shape(*soon), prefetch<1>(&soon->body);
+        if (const Geom* next = geom_in(slot + kAhead))
             prefetch<5>(next->body.id), boxes.prefetch_fat_box(slot + kAhead);
-        Geom* geom = members[slot];
+        Geom* geom = geoms[slot];
         if (!geom) return;
         if (moves && geom->queued && stands_alone(*geom)) {
             geom->queued = false;
@@ -244,7 +245,7 @@ Aabb space_aabb(Geom& geom)
     clean(space);
     Aabb all{};
     bool first = true;
-    for (Geom* m : space.members) {
+    for (Geom* m : space.geoms) {
         if (!m) continue;
         all = first ? box_of(*m) : merge(all, box_of(*m));
         first = false;

@@ -42,7 +42,7 @@ class Disturbances {
 struct Space : Geom {
     explicit Space(const GeomType& space_type) : Geom(space_type) {}
 
-    Array<Geom*> members;   // by slot; null: a gap
+    Array<Geom*> geoms;     // by slot; null: a gap
     Array<int> queue;       // slots of members that have moved
     bool unlisted = false;  // members are marked as queued that are not in the queue
     Array<int> scratch;     // for answers of queries; whoever uses it swaps it out
@@ -81,16 +81,16 @@ inline Space* outermost_space(const Geom& geom)
 }
 
 // Neither being collided nor being destroyed.
-inline bool takes_members(const Space& space) { return space.locks == 0 && !space.dying; }
+inline bool accepts_geoms(const Space& space) { return space.locks == 0 && !space.dying; }
 
 Space* space_from(dSpaceID id);  // null unless it is a live space
 dSpaceID id_of(const Space* space);
 
 // ---- members; the caller has checked the locks ----
-bool add_member(Space& space, Geom& geom);  // false when memory is exhausted
-void remove_member(Space& space, Geom& geom);
+bool add_geom(Space& space, Geom& geom);  // false when memory is exhausted
+void remove_geom(Space& space, Geom& geom);
 void empty_space(Space& space);                        // destroys or lets go all members, as `cleanup` says
-Geom* member(Space& space, int index);                 // newest first
+Geom* geom_at(Space& space, int index);                // newest first
 bool is_inside(const Geom& geom, const Space& space);  // at any depth, or the space itself
 bool nesting_fits(const Space& space, const Space& inner);  // functions that walk down call themselves
 
@@ -98,9 +98,9 @@ bool nesting_fits(const Space& space, const Space& inner);  // functions that wa
 void enqueue(Space& space, Geom& geom);  // the member has moved
 // Many members have moved: any worker may tell of one that is a member of the space and stands alone (false
 // if it does not), without listing it; then the space has to be told.
-inline bool mark_member(Geom& geom, const Space& space);
-void members_marked(Space& space);
-void members_listed(Space& space);  // the same, if each of them has been put into the queue
+inline bool mark_geom(Geom& geom, const Space& space);
+void note_geoms_marked(Space& space);
+void note_geoms_listed(Space& space);  // the same, if each of them has been put into the queue
 // Is no member, at any depth, waiting for the next cleaning?
 inline bool is_clean(const Space& space) { return !space.unlisted && space.queue.empty(); }
 // Something that decides about pairs of the geom has changed, and is not its place or shape.
@@ -125,14 +125,14 @@ Aabb space_aabb(Geom& space);  // a GeomType's function
 bool can_pair(Geom& a, Geom& b);  // all that decides but enabling, boxes and bits
 bool may_meet(Geom& a, Geom& b);  // and bits
 // Which boxes of two members must overlap: their own, or those of the ways that are expected of them.
-enum class PairsOf { kBoxes, kWays };
+enum class PairsOf { kBoxes, kSweptBoxes };
 // visit(a, b) for the pairs first ... last - 1 of the broadphase's list that are there and may meet.
 template <typename Visit>
 void visit_pairs(Space& space, PairsOf of, std::size_t first, std::size_t last, Visit&& visit);
 void collide_space(Space& space, void* data, dNearCallback* callback, PairsOf of = PairsOf::kBoxes);
 void collide_across(Geom& first, Geom& second, void* data, dNearCallback* callback);
 
-inline bool mark_member(Geom& geom, const Space& space)
+inline bool mark_geom(Geom& geom, const Space& space)
 {
     if (geom.space != &space || geom.holders || !stands_alone(geom)) return false;
     geom.pose_stale = geom.offset != nullptr;
@@ -147,10 +147,10 @@ void visit_pairs(Space& space, PairsOf of, std::size_t first, std::size_t last, 
     // fetched (the lines that may_meet() and most visitors read), and their poses.
     constexpr std::size_t kBoxes = 16, kGeoms = 8, kPoses = 3;
     const Broadphase& boxes = space.broadphase;
-    Geom* const* members = space.members.data();
+    Geom* const* geoms = space.geoms.data();
     const SlotPair* pairs = boxes.pairs().data();
     const auto box_of = [&](int slot) -> const Aabb& {
-        return of == PairsOf::kWays ? boxes.way(slot) : boxes.box(slot);
+        return of == PairsOf::kSweptBoxes ? boxes.way(slot) : boxes.box(slot);
     };
     const auto near = [&](std::size_t i) { return overlap(box_of(pairs[i].newer), box_of(pairs[i].older)); };
     unsigned ahead = 0;  // bit k: the pair k places ahead is near
@@ -160,7 +160,7 @@ void visit_pairs(Space& space, PairsOf of, std::size_t first, std::size_t last, 
             prefetch<1>(&box_of(newer)), prefetch<1>(&box_of(older));
         }
         if (i >= last || !near(i)) return;
-        prefetch<3>(members[pairs[i].newer]), prefetch<3>(members[pairs[i].older]);
+        prefetch<3>(geoms[pairs[i].newer]), prefetch<3>(geoms[pairs[i].older]);
         ahead |= 1u << kGeoms;
     };
     for (std::size_t i = first; i < first + kGeoms; ++i) look_ahead(i), ahead >>= 1;
@@ -168,11 +168,11 @@ void visit_pairs(Space& space, PairsOf of, std::size_t first, std::size_t last, 
         look_ahead(i + kGeoms);
         if (of == PairsOf::kBoxes && (ahead >> kPoses & 1)) {
             const auto [newer, older] = pairs[i + kPoses];
-            prefetch<3>(members[newer]->position), prefetch<3>(members[older]->position);
+            prefetch<3>(geoms[newer]->position), prefetch<3>(geoms[older]->position);
         }
         if (!(ahead & 1)) continue;
         const auto [newer, older] = pairs[i];
-        Geom &a = *members[newer], &b = *members[older];
+        Geom &a = *geoms[newer], &b = *geoms[older];
         if (a.enabled && b.enabled && may_meet(a, b)) visit(a, b);
     }
 }

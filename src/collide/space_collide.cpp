@@ -35,12 +35,12 @@ void report_all_pairs(Space& space, const Report& report, PairsOf of)
 {
     const Broadphase& boxes = space.broadphase;
     const auto box_of = [&](int slot) -> const Aabb& {
-        return of == PairsOf::kWays ? boxes.way(slot) : boxes.box(slot);
+        return of == PairsOf::kSweptBoxes ? boxes.way(slot) : boxes.box(slot);
     };
-    for (int i = space.members.size(); i-- > 0;) {
-        if (!space.members[i] || !boxes.present(i)) continue;
+    for (int i = space.geoms.size(); i-- > 0;) {
+        if (!space.geoms[i] || !boxes.present(i)) continue;
         for (int j = i; j-- > 0;) {
-            Geom *a = space.members[i], *b = space.members[j];
+            Geom *a = space.geoms[i], *b = space.geoms[j];
             if (!b || !boxes.present(j) || !overlap(box_of(i), box_of(j))) continue;
             if (a->enabled && b->enabled && may_meet(*a, *b)) report(*a, *b);
         }
@@ -52,7 +52,7 @@ void report_all_pairs(Space& space, const Report& report, PairsOf of)
 bool try_all_pairs(Space& space)
 {
     constexpr int kFew = 32, kInARow = 32;
-    const int count = space.members.size();
+    const int count = space.geoms.size();
     const bool yes = count <= kFew && 4 * space.broadphase.waiting() > count && space.tried < kInARow;
     space.tried = yes ? space.tried + 1 : 0;
     return yes;
@@ -85,10 +85,10 @@ class Candidates {
     {
         slots_.swap(space.scratch);
         slots_.clear();
-        bool room = true;
+        bool stored = true;
         const bool asked =
-            ask(space.broadphase, geom, box, [&](int slot) { room = slots_.push(slot) && room; });
-        complete_ = asked && room;
+            ask(space.broadphase, geom, box, [&](int slot) { stored = slots_.push(slot) && stored; });
+        complete_ = asked && stored;
         std::sort(slots_.begin(), slots_.end(), [](int a, int b) { return a > b; });
     }
     ~Candidates() { slots_.swap(space_.scratch); }
@@ -99,13 +99,13 @@ class Candidates {
     void for_each(const Aabb& box, Visit&& visit) const
     {
         if (complete_) {
-            for (int slot : slots_) visit(*space_.members[slot]);
+            for (int slot : slots_) visit(*space_.geoms[slot]);
             return;
         }
-        for (int slot = space_.members.size(); slot-- > 0;)
-            if (space_.members[slot] && space_.broadphase.present(slot) &&
+        for (int slot = space_.geoms.size(); slot-- > 0;)
+            if (space_.geoms[slot] && space_.broadphase.present(slot) &&
                 overlap(space_.broadphase.box(slot), box))
-                visit(*space_.members[slot]);
+                visit(*space_.geoms[slot]);
     }
 
   private:
@@ -115,36 +115,36 @@ class Candidates {
 };
 
 // Enabled members against one geom; `report` is told (geom, member).
-template <typename Tell>
-void report_members(Space& space, Geom& geom, const Aabb& box, const Tell& tell)
+template <typename Report>
+void report_candidates(Space& space, Geom& geom, const Aabb& box, const Report& report)
 {
     const Candidates candidates(space, geom, box);
     candidates.for_each(box, [&](Geom& m) {
-        if (m.enabled && may_meet(geom, m)) tell(geom, m);
+        if (m.enabled && may_meet(geom, m)) report(geom, m);
     });
 }
 
 // A space against a geom, or against a space that is taken as a geom.
-template <typename Tell>
-void space_with_geom(Space& space, Geom& geom, const Tell& tell)
+template <typename Report>
+void space_with_geom(Space& space, Geom& geom, const Report& report)
 {
     clean(space);
     const Aabb box = box_of(geom);
     SpaceLock lock(space);
-    report_members(space, geom, box, tell);
+    report_candidates(space, geom, box, report);
 }
 
 // Every pair across: the space with fewer members is walked, the other one is asked.
-template <typename Tell>
-void space_with_space(Space& walked, Space& asked, const Tell& tell)
+template <typename Report>
+void space_with_space(Space& walked, Space& asked, const Report& report)
 {
     clean(walked);
     clean(asked);
     SpaceLock lock_walked(walked), lock_asked(asked);
-    for (int slot = walked.members.size(); slot-- > 0;) {
-        Geom* geom = walked.members[slot];
+    for (int slot = walked.geoms.size(); slot-- > 0;) {
+        Geom* geom = walked.geoms[slot];
         if (!geom || !geom->enabled || !walked.broadphase.present(slot)) continue;
-        report_members(asked, *geom, walked.broadphase.box(slot), tell);
+        report_candidates(asked, *geom, walked.broadphase.box(slot), report);
     }
 }
 

@@ -7,7 +7,7 @@ namespace epode {
 bool ActiveGeoms::gather(const World& world, const Space& space, std::uint64_t since)
 {
     clear();
-    if (listed_.size() < space.members.size() && !listed_.resize(space.members.size())) return false;
+    if (listed_.size() < space.geoms.size() && !listed_.resize(space.geoms.size())) return false;
     bool room = true;
     world.bodies.for_each_active([&](const Body& body) {
         for_each_geom_from(body.first_geom, [&](const Geom& geom) {

@@ -112,7 +112,7 @@ bool ContactWorld::expect_few(const World& world, Space& in, const Foresight& so
     for (std::uint64_t i = seen_disturbances_; i < disturbances_; ++i)
         if (!resting_.take(in.disturbances[i].serial, last_)) return false;
     for (const int slot : active_.slots())
-        if (!bring(*in.members[slot])) return false;
+        if (!bring(*in.geoms[slot])) return false;
     return true;
 }
 
@@ -241,7 +241,7 @@ ContactPair ContactWorld::pair_of(const World& world, const GeomPair& from, int 
         pair.leaves = leaf;
     else
         pair.parting = old ? old->parting : 0;
-    pair.asked = asks_program(a, b);
+    pair.asked = may_call_program(a, b);
     return pair;
 }
 

@@ -42,9 +42,10 @@ bool collect_lone(Space& space, const Tasks& tasks, Array<GeomPair>& out)
     tasks.for_each((count + kPairRange - 1) / kPairRange, [&](int range, int) {
         const int first = range * kPairRange, last = std::min(count, first + kPairRange);
         GeomPair* to = pairs + first;
-        visit_pairs(space, PairsOf::kWays, std::size_t(first), std::size_t(last), [&](Geom& a, Geom& b) {
-            *to++ = {&a, &b};
-        });
+        visit_pairs(space, PairsOf::kSweptBoxes, std::size_t(first), std::size_t(last),
+                    [&](Geom& a, Geom& b) {
+                        *to++ = {&a, &b};
+                    });
         if (to < pairs + last) to->a = nullptr;
     });
     return true;
@@ -56,9 +57,9 @@ void collect_inside(Space& space, Collection& into)
         into.complete = collect_lone(space, into.tasks, into.pairs);
         return;
     }
-    collide_space(space, &into, collect, PairsOf::kWays);
+    collide_space(space, &into, collect, PairsOf::kSweptBoxes);
     const SpaceLock lock(space);
-    for (Geom* member : space.members)
+    for (Geom* member : space.geoms)
         if (member && member->enabled && is_space(*member)) {
             expect_motion(static_cast<Space&>(*member), into.soon, into.tasks);
             collect_inside(static_cast<Space&>(*member), into);
@@ -85,7 +86,7 @@ void expect_motion(Space& space, const Foresight& soon, const ActiveGeoms& activ
     clean(space);
     Broadphase& boxes = space.broadphase;
     for (const int slot : active.slots()) {
-        const Geom& geom = *space.members[slot];
+        const Geom& geom = *space.geoms[slot];
         if (geom.body.id && boxes.present(slot)) boxes.expect(slot, way_of(&soon, geom, boxes.box(slot)));
     }
 }
@@ -97,7 +98,7 @@ bool find_geom_pairs(Space& space, const ActiveGeoms& active, Array<SlotPair>& n
     Broadphase& boxes = space.broadphase;
     bool room = true;
     const auto meet = [&](int a, int b) {
-        Geom &first = *space.members[a], &second = *space.members[b];
+        Geom &first = *space.geoms[a], &second = *space.geoms[b];
         if (first.enabled && second.enabled && may_meet(first, second)) room = near.push({a, b}) && room;
     };
     for (const int slot : active.slots()) {
@@ -110,7 +111,7 @@ bool find_geom_pairs(Space& space, const ActiveGeoms& active, Array<SlotPair>& n
     std::sort(near.begin(), near.end(), in_order);
     room = room && out.extend(near.size());
     for (int i = 0; room && i < near.size(); ++i)
-        out[i] = {space.members[near[i].newer], space.members[near[i].older]};
+        out[i] = {space.geoms[near[i].newer], space.geoms[near[i].older]};
     return room;
 }
 
@@ -118,7 +119,7 @@ void DeepLock::count(Space& space, int by)
 {
     space.locks += by;
     if (space.helped == 0) return;  // no spaces among them
-    for (Geom* member : space.members)
+    for (Geom* member : space.geoms)
         if (member && is_space(*member)) count(static_cast<Space&>(*member), by);
 }
 

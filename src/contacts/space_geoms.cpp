@@ -11,8 +11,7 @@ bool SpaceGeoms::gather(Space* space)
     root_ = space;
     geoms_.clear(), deeper_.clear(), by_slot_.clear();
     if (!space) return true;
-    if (!by_slot_.resize(space->members.size()) || !geoms_.reserve(space->count) || !add(*space))
-        return false;
+    if (!by_slot_.resize(space->geoms.size()) || !geoms_.reserve(space->count) || !add(*space)) return false;
     std::sort(deeper_.begin(), deeper_.end(),
               [](const Entry& a, const Entry& b) { return a.serial < b.serial; });
     return true;
@@ -21,10 +20,10 @@ bool SpaceGeoms::gather(Space* space)
 bool SpaceGeoms::add(Space& space)
 {
     constexpr int kAhead = 8;
-    const int count = space.members.size();
+    const int count = space.geoms.size();
     for (int slot = 0; slot < count; ++slot) {
-        if (slot + kAhead < count) prefetch<1>(space.members.data()[slot + kAhead]);
-        Geom* geom = space.members.data()[slot];
+        if (slot + kAhead < count) prefetch<1>(space.geoms.data()[slot + kAhead]);
+        Geom* geom = space.geoms.data()[slot];
         if (!geom) continue;
         if (&space == root_)
             by_slot_.data()[slot] = geoms_.size();

@@ -34,7 +34,7 @@ bool make_ready(Space& space, int rays)
 {
     clean(space);
     bool ready = space.broadphase.prepare(rays);
-    for (Geom* m : space.members) {
+    for (Geom* m : space.geoms) {
         if (!m) continue;
         if (is_space(*m))
             ready = make_ready(static_cast<Space&>(*m), rays) && ready;
@@ -46,8 +46,8 @@ bool make_ready(Space& space, int rays)
 
 bool collect_seen(Space& space, const QueryFilter& filter, Array<Geom*>& out)
 {
-    for (int slot = space.members.size(); slot-- > 0;) {
-        Geom* m = space.members[slot];
+    for (int slot = space.geoms.size(); slot-- > 0;) {
+        Geom* m = space.geoms[slot];
         if (!m || !m->enabled || !space.broadphase.present(slot) || !filter.admits(*m)) continue;
         if (is_space(*m) ? !collect_seen(static_cast<Space&>(*m), filter, out) : !out.push(m)) return false;
     }
@@ -63,7 +63,7 @@ bool collect_near(Space& space, const QueryFilter& filter, const Aabb& box, Arra
     room = space.broadphase.query(box, [&](int slot) { room = slots.push(slot) && room; }) && room;
     std::sort(slots.begin(), slots.end(), [](int a, int b) { return a > b; });
     for (int i = 0; i < slots.size() && room; ++i) {
-        Geom* m = space.members[slots[i]];
+        Geom* m = space.geoms[slots[i]];
         if (!m->enabled || !filter.admits(*m)) continue;
         room = is_space(*m) ? collect_near(static_cast<Space&>(*m), filter, box, out) : out.push(m);
     }

@@ -23,8 +23,8 @@ bool make_ready(Space& space, int rays);
 template <typename Visit>
 bool each_member(Space& space, Visit&& visit)
 {
-    for (int slot = space.members.size(); slot-- > 0;) {
-        Geom* m = space.members[slot];
+    for (int slot = space.geoms.size(); slot-- > 0;) {
+        Geom* m = space.geoms[slot];
         if (!m) continue;
         if (is_space(*m) ? !each_member(static_cast<Space&>(*m), visit) : !visit(*m)) return false;
     }

@@ -26,7 +26,7 @@ RayProbe::RayProbe() : ShapeGeom<Ray>(kRayType) { shape.closest_hit = true; }
 
 RayProbe::~RayProbe()
 {
-    if (space) remove_member(*space, *this);
+    if (space) remove_geom(*space, *this);
     while (holders) set_transform_geom(*holders, nullptr);
     unlink_body(*this);
 }
@@ -41,7 +41,7 @@ void RayProbe::aim(const RayQuestion& question, Real length)
 
 bool RayCaster::asks_program_of_any()
 {
-    return !each_member(space_, [&](Geom& m) { return direct(m) || !asks_program(probe_, m); });
+    return !each_member(space_, [&](Geom& m) { return direct(m) || !may_call_program(probe_, m); });
 }
 
 static_assert(kGeomClasses <= 32, "asked_ has a bit for each class");
@@ -76,7 +76,7 @@ void RayCaster::walk(Space& space, const RayQuestion& question, Real& reach, Fou
     if (!ready_) clean(space);  // but not one that is being collided
     const bool calls_back = question.filter.callback != nullptr;
     const auto visit = [&](int slot) {
-        Geom& m = *space.members.data()[slot];
+        Geom& m = *space.geoms.data()[slot];
         if (!m.enabled || !question.filter.admits(m)) return reach;
         if (is_space(m)) {
             walk(static_cast<Space&>(m), question, reach, found);
@@ -93,7 +93,7 @@ void RayCaster::walk(Space& space, const RayQuestion& question, Real& reach, Fou
             found(answer);
             return reach;
         }
-        const bool waits = calls_back || m.type->number == dHeightfieldClass || asks_program(probe_, m);
+        const bool waits = calls_back || m.type->number == dHeightfieldClass || may_call_program(probe_, m);
         if (waits && waiting_.push(&m)) return reach;
         if (hit(question, m, reach, answer)) found(answer);
         return reach;
@@ -102,14 +102,14 @@ void RayCaster::walk(Space& space, const RayQuestion& question, Real& reach, Fou
     if (!ready_) ++space.locks;  // to clean what is in it may call functions of the program
     // Of most geoms a ray wants the first lines only, which seldom are in the cache.
     const auto prefetch_member = [&](int slot) {
-        const Geom* m = space.members.data()[slot];
+        const Geom* m = space.geoms.data()[slot];
         prefetch<1>(&m->type), prefetch<1>(m->own_rotation), prefetch<1>(m->own_position);
     };
     if (by_tree) {
         space.broadphase.cast(question.origin, question.direction, reach, visit, prefetch_member);
     } else {
-        for (int slot = space.members.size(); slot-- > 0;)
-            if (space.members.data()[slot] && space.broadphase.present(slot)) visit(slot);
+        for (int slot = space.geoms.size(); slot-- > 0;)
+            if (space.geoms.data()[slot] && space.broadphase.present(slot)) visit(slot);
     }
     if (!ready_) --space.locks;
 }

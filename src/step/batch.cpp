@@ -27,7 +27,7 @@ const ContactWorld* managed_contacts(const World& world)
 
 bool calls_program_inside(Space& space)
 {
-    return !each_member(space, [](Geom& g) { return !asks_program(g); });
+    return !each_member(space, [](Geom& g) { return !may_call_program(g); });
 }
 
 // visit(space) for the outermost spaces that the bodies' geoms are in; repeats itself.

@@ -101,7 +101,7 @@ void Finish::tell_space() const
 {
     if (!managed_ || !early_ || bodies_.empty()) return;
     const bool few = kMany * bodies_.size() <= std::size_t(managed_->count);
-    few&& list_marked() ? members_listed(*managed_) : members_marked(*managed_);
+    few&& list_marked() ? note_geoms_listed(*managed_) : note_geoms_marked(*managed_);
 }
 
 bool Finish::list_marked() const

@@ -35,7 +35,7 @@ void body_moved(Body& body)
 bool mark_members(Body& body, const Space& space)
 {
     bool all = true;
-    for_each_geom(body, [&](Geom& geom) { all = mark_member(geom, space) && all; });
+    for_each_geom(body, [&](Geom& geom) { all = mark_geom(geom, space) && all; });
     return all;
 }
 

@@ -28,9 +28,9 @@ void for_each_geom(const Body& body, Visit&& visit)
 // several threads at once for bodies whose geoms share a space.
 void body_moved(Body& body);
 // The same by any worker, for a body whose geoms are all members of the space, in their own right; false if
-// they are not. When all bodies have been told of, members_marked() must follow.
+// they are not. When all bodies have been told of, note_geoms_marked() must follow.
 bool mark_members(Body& body, const Space& space);
-// Lists the members among its geoms that have been marked; members_marked() need not follow then. False:
+// Lists the members among its geoms that have been marked; note_geoms_marked() need not follow then. False:
 // there was no memory, and it must.
 [[nodiscard]] bool list_members(const Body& body, Space& space);
 // body_moved() is about to be called.

@@ -126,8 +126,8 @@ const char* fault_of_pairs(const Broadphase& boxes)
 const char* fault_of(const Space& space)
 {
     int count = 0, helped = 0;
-    for (int slot = 0; slot < space.members.size(); ++slot) {
-        const Geom* geom = space.members.data()[slot];
+    for (int slot = 0; slot < space.geoms.size(); ++slot) {
+        const Geom* geom = space.geoms.data()[slot];
         if (!geom) continue;
         ++count, helped += !stands_alone(*geom);
         if (const char* found = fault_of_member(space, *geom, slot)) return found;
@@ -137,7 +137,7 @@ const char* fault_of(const Space& space)
     if (count != space.count) return "space: the count of members is wrong";
     if (helped != space.helped) return "space: the count of members that need help is wrong";
     for (int slot : space.queue)
-        if (slot < 0 || slot >= space.members.size()) return "space: a slot that is none waits for cleaning";
+        if (slot < 0 || slot >= space.geoms.size()) return "space: a slot that is none waits for cleaning";
     return fault_of_pairs(space.broadphase);
 }
 

@@ -31,7 +31,7 @@ class AcrossEdges {
 
     // The triangle's reach along them and against them, from a point.
     struct Reach {
-        Quad most, least;
+        Quad largest, least;
     };
     Reach reach(const Triangle& f, Vec3 from) const
     {

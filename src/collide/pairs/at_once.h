@@ -20,14 +20,14 @@ namespace epode {
 
 }  // namespace epode
 
-#define EPODE_AT_ONCE(First, Second, function)                                                  \
-    [[gnu::flatten]] void function##_at_once(Geom& a, Geom& b, ContactArray& out)               \
-    {                                                                                           \
-        ContactSink sink(out.at(out.count), out.stride, out.room - out.count, out.unimportant); \
-        sink.name(to_handle(&a), to_handle(&b));                                                \
-        sink.reach(out.margin);                                                                 \
-        sink.tell_program(out.to_program);                                                      \
-        function(static_cast<const ShapeGeom<First>&>(a).shape, pose_of(a),                     \
-                 static_cast<const ShapeGeom<Second>&>(b).shape, pose_of(b), sink);             \
-        out.count += sink.count();                                                              \
+#define EPODE_AT_ONCE(First, Second, function)                                                      \
+    [[gnu::flatten]] void function##_at_once(Geom& a, Geom& b, ContactArray& out)                   \
+    {                                                                                               \
+        ContactSink sink(out.at(out.count), out.stride, out.capacity - out.count, out.unimportant); \
+        sink.name(to_handle(&a), to_handle(&b));                                                    \
+        sink.reach(out.margin);                                                                     \
+        sink.report_to_program(out.to_program);                                                     \
+        function(static_cast<const ShapeGeom<First>&>(a).shape, pose_of(a),                         \
+                 static_cast<const ShapeGeom<Second>&>(b).shape, pose_of(b), sink);                 \
+        out.count += sink.count();                                                                  \
     }

@@ -35,16 +35,16 @@ void thunk(const Geom& a, const Pose& A, const Geom& b, const Pose& B, ContactSi
 // Where the two are.
 using DirectFunction = void (*)(Geom& a, Geom& b, ContactArray& out);
 void collide_slowly(Geom& a, Geom& b, ContactArray& out);
-bool asks(Geom& geom);
+bool has_callbacks(Geom& geom);
 
 template <PairFunction pair>
 void direct_pair(Geom& a, Geom& b, ContactArray& out)
 {
-    ContactSink sink(out.at(out.count), out.stride, out.room - out.count, out.unimportant);
+    ContactSink sink(out.at(out.count), out.stride, out.capacity - out.count, out.unimportant);
     sink.name(to_handle(&a), to_handle(&b));
     sink.keep(out.kept);
     sink.reach(out.margin);
-    sink.tell_program(out.to_program);
+    sink.report_to_program(out.to_program);
     pair(a, pose_of(a), b, pose_of(b), sink);
     out.count += sink.count();
 }
@@ -56,7 +56,7 @@ void direct(Geom& a, Geom& b, ContactArray& out)
 }
 
 // Classes of ours that have nothing to tell each other, such as two planes.
-void tell_nothing(Geom&, Geom&, ContactArray&) {}
+void collide_nothing(Geom&, Geom&, ContactArray&) {}
 
 // Solids keep what is near them of a mesh; of two meshes, a ray or a plane nothing is kept.
 template <typename First, typename Second>
@@ -67,7 +67,7 @@ constexpr bool kKeepsLeaves =
 template <PairFunction pair, bool keeps_leaves>
 void unasked_pair(Geom& a, Geom& b, ContactArray& out)
 {
-    if (asks(a) || asks(b)) return collide_slowly(a, b, out);
+    if (has_callbacks(a) || has_callbacks(b)) return collide_slowly(a, b, out);
     if (!keeps_leaves || out.kept) return direct_pair<pair>(a, b, out);
     const GeomLeavesHold own(a);
     out.kept = own.leaves();
@@ -184,7 +184,7 @@ void ColliderTable::fill()
         for (int j = 0; j < kGeomClasses; ++j) {
             const bool opened = is_opened(i) || is_opened(j), ours = !is_user_class(i) && !is_user_class(j);
             entries[i][j].set(
-                {.settled = opened || ours, .direct = ours && !opened ? tell_nothing : nullptr});
+                {.settled = opened || ours, .direct = ours && !opened ? collide_nothing : nullptr});
         }
     fill_solids();
 #define PAIR_BY(First, Second, function, way)                                                              \
@@ -287,11 +287,11 @@ void name_outer(const Placed& a, const Placed& b, ContactArray& out, int found)
 
 void run_pair(PairFunction pair, const Placed& a, const Placed& b, ContactArray& out)
 {
-    ContactSink sink(out.at(out.count), out.stride, out.room - out.count, out.unimportant);
+    ContactSink sink(out.at(out.count), out.stride, out.capacity - out.count, out.unimportant);
     sink.name(to_handle(a.geom), to_handle(b.geom));
     sink.keep(out.kept);
     sink.reach(out.margin);
-    sink.tell_program(out.to_program);
+    sink.report_to_program(out.to_program);
     pair(*a.geom, a.pose, *b.geom, b.pose, sink);
     name_outer(a, b, out, sink.count());
 }
@@ -320,11 +320,11 @@ void while_held(Call&& call, const Placed& a, const Placed& b)
 
 int call_user(dColliderFn* function, const Placed& a, const Placed& b, const ContactArray& out)
 {
-    const int room = out.room - out.count;
-    const int flags = room | (out.unimportant ? int(CONTACTS_UNIMPORTANT) : 0);
+    const int capacity = out.capacity - out.count;
+    const int flags = capacity | (out.unimportant ? int(CONTACTS_UNIMPORTANT) : 0);
     const CallerFloatEnvironment program;
     const int found = function(to_handle(a.geom), to_handle(b.geom), flags, out.at(out.count), out.stride);
-    return std::clamp(found, 0, room);
+    return std::clamp(found, 0, capacity);
 }
 
 void run_user(dColliderFn* function, const Placed& a, const Placed& b, ContactArray& out)
@@ -335,10 +335,10 @@ void run_user(dColliderFn* function, const Placed& a, const Placed& b, ContactAr
 }
 
 // Is there a function of the program that has a say in the contacts?
-bool asks(Geom& geom)
+bool has_callbacks(Geom& geom)
 {
     const TrimeshGeom* mesh = as_trimesh(geom);
-    return mesh && mesh->shape.asks();
+    return mesh && mesh->shape.has_callbacks();
 }
 
 void collide_placed(const Placed& a, const Placed& b, ContactArray& out)
@@ -359,7 +359,7 @@ void collide_placed(const Placed& a, const Placed& b, ContactArray& out)
     }
     const int before = out.count;
     const Placed &first = collider.reversed ? b : a, &second = collider.reversed ? a : b;
-    if (collider.pair && (asks(*first.geom) || asks(*second.geom)))
+    if (collider.pair && (has_callbacks(*first.geom) || has_callbacks(*second.geom)))
         while_held([&] { run_pair(collider.pair, first, second, out); }, first, second);
     else if (collider.pair)
         run_pair(collider.pair, first, second, out);
@@ -368,7 +368,7 @@ void collide_placed(const Placed& a, const Placed& b, ContactArray& out)
     if (collider.reversed) reverse_from(before, out);
 }
 
-void collide_members(void* data, dGeomID o1, dGeomID o2)
+void collide_candidates(void* data, dGeomID o1, dGeomID o2)
 {
     collide(*from_handle<Geom>(o1), *from_handle<Geom>(o2), *static_cast<ContactArray*>(data));
 }
@@ -377,7 +377,7 @@ void collide_members(void* data, dGeomID o1, dGeomID o2)
 [[gnu::noinline]] void collide_slowly(Geom& a, Geom& b, ContactArray& out)
 {
     if ((is_space(a) || is_space(b)) && !overridden(a, b))
-        collide_across(a, b, &out, collide_members);
+        collide_across(a, b, &out, collide_candidates);
     else
         collide_placed(in_place(a), in_place(b), out);
 }
@@ -428,16 +428,16 @@ const HeightfieldData* field_of(const Geom& geom)
 }
 }  // namespace
 
-bool asks_program(Geom& geom)
+bool may_call_program(Geom& geom)
 {
-    if (is_user_class(geom.type->number) || as_transform(geom) || asks(geom)) return true;
+    if (is_user_class(geom.type->number) || as_transform(geom) || has_callbacks(geom)) return true;
     const HeightfieldData* field = field_of(geom);
     return field && field->source == HeightfieldData::Source::kCallback;
 }
 
-bool asks_program(Geom& a, Geom& b)
+bool may_call_program(Geom& a, Geom& b)
 {
-    return asks_program(a) || asks_program(b) ||
+    return may_call_program(a) || may_call_program(b) ||
            (any_overridden() && collider_of(a.type->number, b.type->number).user);
 }
 

@@ -35,8 +35,8 @@ constexpr GridStep kAcross[2][3] = {{{-1, 1}, {1, 1}, {1, -1}}, {{2, 0}, {0, 0},
 constexpr GridStep kCorner[2][3] = {{{0, 0}, {0, 1}, {1, 0}}, {{1, 1}, {1, 0}, {0, 1}}};
 constexpr GridStep kAround[6] = {{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}};
 // The two cells beside each of these spokes, from the sample's own cell; of a diagonal twice the same.
-constexpr GridStep kBeside[6][2] = {{{0, 0}, {0, -1}},   {{0, 0}, {-1, 0}},   {{-1, 0}, {-1, 0}},
-                                    {{-1, 0}, {-1, -1}}, {{0, -1}, {-1, -1}}, {{0, -1}, {0, -1}}};
+constexpr GridStep kAdjacent[6][2] = {{{0, 0}, {0, -1}},   {{0, 0}, {-1, 0}},   {{-1, 0}, {-1, 0}},
+                                      {{-1, 0}, {-1, -1}}, {{0, -1}, {-1, -1}}, {{0, -1}, {0, -1}}};
 
 }  // namespace
 
@@ -222,7 +222,7 @@ bool Terrain::wall_below(const Facet& f, int k, Triangle (&wall)[2]) const
 // Is the edge from a sample to one around it in a hole?
 bool Terrain::spoke_gone(int i, int j, int around) const
 {
-    const GridStep a = kBeside[around][0], b = kBeside[around][1];
+    const GridStep a = kAdjacent[around][0], b = kAdjacent[around][1];
     return hole(i + a.i, j + a.j) && hole(i + b.i, j + b.j);
 }
 

@@ -33,11 +33,11 @@ class MeshFunctions {
         const CallerFloatEnvironment program;
         return mesh_.wants(geom_, other_, triangle) != 0;
     }
-    void tell(std::span<const int> triangles) const
+    void report(std::span<const int> triangles) const
     {
-        if (!mesh_.told || triangles.empty()) return;
+        if (!mesh_.array_callback || triangles.empty()) return;
         const CallerFloatEnvironment program;
-        mesh_.told(geom_, other_, triangles.data(), int(triangles.size()));
+        mesh_.array_callback(geom_, other_, triangles.data(), int(triangles.size()));
     }
     bool ray_hits(int triangle, Real u, Real v) const
     {

@@ -47,7 +47,7 @@ bool TrimeshData::in_use() const
     return false;
 }
 
-void TrimeshData::tell_geoms()
+void TrimeshData::notify_geoms()
 {
     for (TrimeshGeom* g = geoms; g; g = g->next_user) mark_changed(*g);
 }

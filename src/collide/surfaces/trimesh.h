@@ -36,7 +36,7 @@ struct TrimeshData : Numbered {
     TrimeshData& operator=(const TrimeshData&) = delete;
 
     bool in_use() const;  // a collision, or a space that is being gone through, relies on it
-    void tell_geoms();    // that the mesh has changed
+    void notify_geoms();  // that the mesh has changed
 
     TriangleMesh mesh;
     MeshTree tree;
@@ -61,7 +61,7 @@ struct HandleOf<TrimeshData> {
 struct Trimesh {
     TrimeshData* data = nullptr;
     dTriCallback* wants = nullptr;
-    dTriArrayCallback* told = nullptr;
+    dTriArrayCallback* array_callback = nullptr;
     dTriRayCallback* ray_hits = nullptr;
     dTriTriMergeCallback* merged = nullptr;
     int merging = dGeomColliderMergeContactsValue_None;  // of a ball's contacts, for a program
@@ -69,7 +69,7 @@ struct Trimesh {
 
     const TrimeshData* mesh() const { return data && data->built ? data : nullptr; }  // null: no triangles
     bool is_solid() const { return solid && mesh() && data->closed; }
-    bool asks() const { return wants || told || ray_hits || merged; }
+    bool has_callbacks() const { return wants || array_callback || ray_hits || merged; }
 };
 
 struct TrimeshGeom : ShapeGeom<Trimesh> {

@@ -50,10 +50,10 @@ const char* fault_of(const dReal* planes, unsigned plane_count, unsigned point_c
 }
 
 // These answer the reason of a refusal, or null.
-const char* build(SharedSolid& solid, const dReal* points, unsigned point_count, int most, bool plates)
+const char* build(SharedSolid& solid, const dReal* points, unsigned point_count, int max_faces, bool plates)
 {
     Polyhedron made;
-    const char* const refusal = made.build(points, point_count, most, plates);
+    const char* const refusal = made.build(points, point_count, max_faces, plates);
     return refusal || solid.take(made) ? refusal : "out of memory";
 }
 
@@ -65,11 +65,11 @@ const char* build(SharedSolid& solid, const dReal* planes, unsigned plane_count,
     return fault ? fault : build(solid, points, point_count, kNoLimit, true);
 }
 
-const char* build_hull(SharedSolid& solid, const dReal* points, unsigned point_count, unsigned most)
+const char* build_hull(SharedSolid& solid, const dReal* points, unsigned point_count, unsigned max_faces)
 {
-    if (!points || (most > 0 && most < 4)) return "Bad argument(s)";
-    return build(solid, points, point_count, most > 0 && most < unsigned(kNoLimit) ? int(most) : kNoLimit,
-                 false);
+    if (!points || (max_faces > 0 && max_faces < 4)) return "Bad argument(s)";
+    return build(solid, points, point_count,
+                 max_faces > 0 && max_faces < unsigned(kNoLimit) ? int(max_faces) : kNoLimit, false);
 }
 
 const Polyhedron& solid_of(const Geom& geom) { return *static_cast<const ConvexGeom&>(geom).shape.solid; }

@@ -35,7 +35,7 @@ bool in_use(const Geom& geom)
     const Space& space = static_cast<const Space&>(geom);
     if (space.locks > 0) return true;
     if (!space.cleanup) return false;
-    for (const Geom* m : space.members)
+    for (const Geom* m : space.geoms)
         if (m && in_use(*m)) return true;
     return false;
 }

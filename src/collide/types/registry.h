@@ -83,7 +83,7 @@ typename GeomTraits<Name>::Type* create_geom(dSpaceID space, const char* caller 
 {
     using Object = typename GeomTraits<Name>::Type;
     Object* geom = Pool<Object>::create(GeomTraits<Name>::get());
-    if (geom && (!space || add_member(*space_from(space), *geom))) return geom;
+    if (geom && (!space || add_geom(*space_from(space), *geom))) return geom;
     if (geom) destroy_geom(*geom);
     refuse_for(caller, kOutOfMemory);
     return nullptr;
@@ -127,4 +127,4 @@ bool may_destroy(const Geom& geom);
 // The space argument of a create function: null, or a space that takes members now.
 #define EPODE_PARENT_SPACE(id, result)                                                \
     EPODE_USER_SAY(!(id) || ::epode::space_from(id), "argument not a space", result); \
-    EPODE_USER_SAY(!(id) || takes_members(*::epode::space_from(id)), EPODE_LOCKED_TEXT, result)
+    EPODE_USER_SAY(!(id) || accepts_geoms(*::epode::space_from(id)), EPODE_LOCKED_TEXT, result)

@@ -57,10 +57,10 @@ int line_below(const Geom& geom)
 
 int line_above(const TransformGeom& transform)
 {
-    int most = 0;
+    int highest = 0;
     for (const TransformGeom* h = transform.holders; h; h = h->next_holder)
-        most = std::max(most, line_above(*h));
-    return most + 1;
+        highest = std::max(highest, line_above(*h));
+    return highest + 1;
 }
 
 // Whether `transform` would come to hold itself.

@@ -117,16 +117,16 @@ using namespace epode;
     EPODE_USER_SAY(geom, "The argument is not a trimesh" __VA_OPT__(, ) __VA_ARGS__)
 
 // The two C functions of a function of the program that the geom keeps.
-#define EPODE_TRIMESH_FUNCTION(set, get, Function, member) \
-    void set(dGeomID g, Function* f)                       \
-    {                                                      \
-        EPODE_TRIMESH_GEOM(geom, g);                       \
-        geom->shape.member = f;                            \
-    }                                                      \
-    Function* get(dGeomID g)                               \
-    {                                                      \
-        EPODE_TRIMESH_GEOM(geom, g, nullptr);              \
-        return geom->shape.member;                         \
+#define EPODE_TRIMESH_FUNCTION(set, get, Function, field) \
+    void set(dGeomID g, Function* f)                      \
+    {                                                     \
+        EPODE_TRIMESH_GEOM(geom, g);                      \
+        geom->shape.field = f;                            \
+    }                                                     \
+    Function* get(dGeomID g)                              \
+    {                                                     \
+        EPODE_TRIMESH_GEOM(geom, g, nullptr);             \
+        return geom->shape.field;                         \
     }
 
 extern "C" {
@@ -141,7 +141,7 @@ dGeomID dCreateTriMesh(dSpaceID space, dTriMeshDataID Data, dTriCallback* Callba
     if (!geom) return nullptr;
     geom->use(data);
     geom->shape.wants = Callback;
-    geom->shape.told = ArrayCallback;
+    geom->shape.array_callback = ArrayCallback;
     geom->shape.ray_hits = RayCallback;
     mark_changed(*geom);
     return to_handle<Geom>(geom);
@@ -174,7 +174,8 @@ dTriMeshDataID dGeomTriMeshGetTriMeshDataID(dGeomID g)
 // ---- functions of the program ----
 
 EPODE_TRIMESH_FUNCTION(dGeomTriMeshSetCallback, dGeomTriMeshGetCallback, dTriCallback, wants)
-EPODE_TRIMESH_FUNCTION(dGeomTriMeshSetArrayCallback, dGeomTriMeshGetArrayCallback, dTriArrayCallback, told)
+EPODE_TRIMESH_FUNCTION(dGeomTriMeshSetArrayCallback, dGeomTriMeshGetArrayCallback, dTriArrayCallback,
+                       array_callback)
 EPODE_TRIMESH_FUNCTION(dGeomTriMeshSetRayCallback, dGeomTriMeshGetRayCallback, dTriRayCallback, ray_hits)
 EPODE_TRIMESH_FUNCTION(dGeomTriMeshSetTriMergeCallback, dGeomTriMeshGetTriMergeCallback, dTriTriMergeCallback,
                        merged)

@@ -84,7 +84,7 @@ bool take(const MeshSource& s, TrimeshData& d)
     d.source = s;
     d.built = true;
     d.closed = is_closed(d.mesh);
-    d.tell_geoms();
+    d.notify_geoms();
     return true;
 }
 
@@ -150,7 +150,7 @@ const char* update(dTriMeshDataID id)
         d->mesh.refresh();
         d->tree.refit(d->mesh);
         d->closed = is_closed(d->mesh);
-        d->tell_geoms();
+        d->notify_geoms();
     } else if (!take(d->source, *d)) {
         return kOutOfMemory;
     }

@@ -21,7 +21,7 @@ struct AxisOverlaps {
 };
 // What a look at four tells: does one of them part the two, and which are worth more than a look?
 struct AxisVerdict {
-    unsigned parting, wanted;  // a bit for each
+    unsigned separating, wanted;  // a bit for each
 };
 
 // The box's axes: lanes are corners of the triangle, or the edges that begin there, or axes of the box.
@@ -39,13 +39,13 @@ class BoxAxes {
         const Mat3& R = pose.R;
         const Quad rows[3] = {quad(R.row0.x, R.row0.y, R.row0.z, 0), quad(R.row1.x, R.row1.y, R.row1.z, 0),
                               quad(R.row2.x, R.row2.y, R.row2.z, 0)};
-        Quad most = quad(-kInf), least = quad(kInf);
+        Quad largest = quad(-kInf), least = quad(kInf);
         for (const Vec3 v : {a, b, c}) {
             const Quad at = rows[0] * quad(v.x) + rows[1] * quad(v.y) + rows[2] * quad(v.z);
-            most = larger(at, most), least = smaller(at, least);
+            largest = larger(at, largest), least = smaller(at, least);
         }
         const Quad half = quad(box.half.x, box.half.y, box.half.z, 0);
-        faces_ = {most + half, half - least, quad(1), rows[1]};
+        faces_ = {largest + half, half - least, quad(1), rows[1]};
     }
 
     // False when look() says that one of the axes parts the two, or offer(up, down, size2, axis) that it
@@ -59,7 +59,7 @@ class BoxAxes {
             unsigned there = 7;
             if (i > 0) edges[i - 1] = across(i - 1, there);
             const AxisVerdict verdict = look(i > 0 ? edges[i - 1] : faces_);
-            if (verdict.parting & there) return false;
+            if (verdict.separating & there) return false;
             wanted[i] = verdict.wanted & there;
         }
         for (; wanted[0]; wanted[0] &= wanted[0] - 1) {

@@ -15,10 +15,10 @@ void box_box(const Box& a, const Pose& A, const Box& b, const Pose& B, ContactSi
 {
     constexpr Real kTwo = Real(2.0001);
     if (length2(B.p - A.p) > kTwo * (length2(a.half) + length2(b.half))) return;
-    const int left = sink.room() - sink.count();
-    const int room = sink.to_program() || left < kBestFour ? left : kBestFour;
+    const int left = sink.capacity() - sink.count();
+    const int capacity = sink.to_program() || left < kBestFour ? left : kBestFour;
     BoxBox m;
-    if (room <= 0 || !box_box_manifold(a, A, b, B, m, room, sink.margin())) return;
+    if (capacity <= 0 || !box_box_manifold(a, A, b, B, m, capacity, sink.margin())) return;
     for (int i = 0; i < m.count; ++i) sink.add({m.points[i], -m.normal, m.depths[i]});
 }
 

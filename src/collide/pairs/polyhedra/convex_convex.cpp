@@ -30,17 +30,17 @@ struct Manifold {
         ContactPoint points[kMax];  // in a union: left unwritten until added
     };
     int count = 0, touching = 0;  // of which
-    Real most = 0;
+    Real largest = 0;
     const Real margin;  // see ContactSink
     explicit Manifold(Real margin_of_it) : margin(margin_of_it) {}
     void add(Vec3 position, Vec3 normal, Real depth)
     {
         if (depth < -margin || count == kMax) return;
-        if (depth > most) most = depth;
+        if (depth > largest) largest = depth;
         if (depth >= 0) ++touching;
         points[count++] = {position, normal, depth};
     }
-    void clear() { count = 0, touching = 0, most = 0; }
+    void clear() { count = 0, touching = 0, largest = 0; }
 };
 
 // The face's own, else Newell's; zero for fewer than three points.
@@ -175,7 +175,7 @@ void face_contacts(const Side& reference, const Side& incident, Vec3 inward, boo
         if (d < 0 && d >= -hair) d = 0;
         out.add(x + own, normal, d);
     }
-    if (out.touching == 0 || out.most < depth + radii - Real(1e-5) * size)
+    if (out.touching == 0 || out.largest < depth + radii - Real(1e-5) * size)
         out.add(incident.view.support(inward) + own, normal, depth + radii > 0 ? depth + radii : Real(0));
 }
 
@@ -234,7 +234,7 @@ bool side_by_side(const Shown& a, const Shown& b, Vec3 normal, Real radii, Real 
         if (d > depth) d = depth;
         ends.add(x + (Real(0.5) * (d + radii) - own) * normal, normal, d + radii);
     }
-    if (ends.touching == 0 || ends.most < depth + radii - Real(1e-5) * length_a) return false;
+    if (ends.touching == 0 || ends.largest < depth + radii - Real(1e-5) * length_a) return false;
     for (int i = 0; i < ends.count; ++i) out.add(ends.points[i].position, normal, ends.points[i].depth);
     return true;
 }

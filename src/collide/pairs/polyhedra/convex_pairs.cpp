@@ -47,19 +47,19 @@ void convex_plane(const Convex& a, const Pose& A, const Plane& b, const Pose&, C
     const Vec3 n = transposed_times(A.R, b.normal), middle = A.to_world(a.solid->centre());
     const Real clearance = dot(b.normal, middle) - b.d;
     if (clearance > a.solid->size()) return;
-    constexpr int kRoom = 64;
+    constexpr int kCapacity = 64;
     union Below {
-        ContactPoint points[kRoom];  // in a union: left unwritten until found
+        ContactPoint points[kCapacity];  // in a union: left unwritten until found
         Below() {}
     } found;
     ContactPoint* const below = found.points;
     int count = 0, shallowest = 0;
     for (const Vec3 v : a.solid->vertices()) {
         const Real depth = -(clearance + dot(n, v));
-        if (!(depth >= -sink.margin()) || (count == kRoom && depth <= below[shallowest].depth)) continue;
-        below[count < kRoom ? count++ : shallowest] = {middle + A.R * v, b.normal, depth};
-        if (count < kRoom) continue;
-        for (int i = 0; i < kRoom; ++i)
+        if (!(depth >= -sink.margin()) || (count == kCapacity && depth <= below[shallowest].depth)) continue;
+        below[count < kCapacity ? count++ : shallowest] = {middle + A.R * v, b.normal, depth};
+        if (count < kCapacity) continue;
+        for (int i = 0; i < kCapacity; ++i)
             if (below[i].depth < below[shallowest].depth) shallowest = i;
     }
     sink.add_manifold({below, std::size_t(count)});

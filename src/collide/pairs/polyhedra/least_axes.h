@@ -102,9 +102,9 @@ bool each_cylinder_axis(const Cylinder& cylinder, const Pose& pose, const Triang
     const Vec3 axis = pose.R.column(2);
     const Vec3 v[3] = {f.v[0] - pose.p, f.v[1] - pose.p, f.v[2] - pose.p};
     const Real z[3] = {dot(axis, v[0]), dot(axis, v[1]), dot(axis, v[2])};
-    const Real least = std::min(std::min(z[0], z[1]), z[2]), most = std::max(std::max(z[0], z[1]), z[2]);
+    const Real least = std::min(std::min(z[0], z[1]), z[2]), largest = std::max(std::max(z[0], z[1]), z[2]);
     const Real half = cylinder.half_length;
-    if (!offer(most + half, half - least, Real(1), [&] { return axis; })) return false;
+    if (!offer(largest + half, half - least, Real(1), [&] { return axis; })) return false;
     for (int k = 0; k < 3; ++k) {
         const Vec3 e = f.edge(k), n = cross(axis, e);
         const Real size2 = length2(n);

@@ -70,13 +70,13 @@ struct FaceOverlaps {
     Quad up, down;
     EPODE_LANEWISE FaceOverlaps(const FourFaces& s, const Triangle& f)
     {
-        Quad most = quad(-kInf), least = quad(kInf);
+        Quad largest = quad(-kInf), least = quad(kInf);
         for (const Vec3 v : f.v) {
             const Quad at =
                 load_quad(s.x) * quad(v.x) + load_quad(s.y) * quad(v.y) + load_quad(s.z) * quad(v.z);
-            most = larger(at, most), least = smaller(at, least);
+            largest = larger(at, largest), least = smaller(at, least);
         }
-        up = most - load_quad(s.low), down = load_quad(s.high) - least;
+        up = largest - load_quad(s.low), down = load_quad(s.high) - least;
     }
 };
 

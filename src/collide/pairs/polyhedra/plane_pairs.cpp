@@ -25,7 +25,7 @@ class Below {
     }
     void deliver(ContactSink& sink) const
     {
-        if (count_ > sink.room() - sink.count()) return deliver_best(sink);
+        if (count_ > sink.capacity() - sink.count()) return deliver_best(sink);
         for (int i = 0; i < count_; ++i) sink.add({points_[i], plane_.normal, depths_[i]});
     }
 

@@ -144,9 +144,10 @@ void walk(const Walk& w, ContactSink& sink)
         (by_x ? i : j) += onward ? 1 : -1;
         if (terrain.holed() && hole != terrain.hole(i, j)) {
             // Out of the ground by the side ahead, or into it by the side that is behind then.
-            const Facet beside = hole ? terrain.facet(i, j, !onward) : terrain.facet(from_i, from_j, onward);
+            const Facet adjacent =
+                hole ? terrain.facet(i, j, !onward) : terrain.facet(from_i, from_j, onward);
             const int edge = by_x ? 0 : 2;
-            if (terrain.hole_beyond(beside, edge)) cross_wall(w, beside, edge, t, sink);
+            if (terrain.hole_beyond(adjacent, edge)) cross_wall(w, adjacent, edge, t, sink);
             if (sink.full()) return;
         }
         if (!terrain.endless() && (i < 0 || j < 0 || i >= terrain.cells_x() || j >= terrain.cells_z()))

@@ -84,13 +84,13 @@ void cut_tube(const Line& line, Real r, Interval& in)
 // A ball: from the point of the line nearest to its centre both ends are as far, but for rounding. `room` is
 // negative where the line passes.
 struct Chord {
-    Real base, shift, room;
+    Real base, shift, half2;
     Vec3 nearest;  // from the centre
     Chord(const Line& line, Vec3 c, Real r) : base(nearest_to(line, c)), nearest(line.at(base) - c)
     {
         const Real per = 1 / length2(line.d);
         shift = -dot(nearest, line.d) * per;
-        room = (r * r - length2(nearest)) * per;
+        half2 = (r * r - length2(nearest)) * per;
     }
 };
 
@@ -98,11 +98,11 @@ Interval ball(const Line& line, Vec3 c, Real r)
 {
     Interval in;
     const Chord chord(line, c, r);
-    if (!(chord.room >= 0)) {
+    if (!(chord.half2 >= 0)) {
         in.clear();
         return in;
     }
-    const Real half = std::sqrt(chord.room), lower = chord.shift - half, upper = chord.shift + half;
+    const Real half = std::sqrt(chord.half2), lower = chord.shift - half, upper = chord.shift + half;
     in.cut(chord.base + lower, chord.nearest + lower * line.d, chord.base + upper,
            chord.nearest + upper * line.d);
     return in;
@@ -121,13 +121,13 @@ void join(const Interval& other, Interval& in)
 }
 
 // Where the ray meets what it is inside of from `enter` to `leave`; false when it does not.
-struct Meeting {
+struct RayHit {
     Real depth;
     bool outside;  // it comes from there
     bool turned;   // the normal looks inward
 };
 
-bool meets(const Ray& ray, Real enter, Real leave, Real size, Meeting& out)
+bool meets(const Ray& ray, Real enter, Real leave, Real size, RayHit& out)
 {
     if (!(enter <= leave) || !(ray.length >= 0)) return false;
     const Real skin = 8 * kEpsilon * size;
@@ -138,7 +138,7 @@ bool meets(const Ray& ray, Real enter, Real leave, Real size, Meeting& out)
     return true;
 }
 
-void add_hit(const Meeting& m, const Pose& R, Vec3 outward, ContactSink& sink)
+void add_hit(const RayHit& m, const Pose& R, Vec3 outward, ContactSink& sink)
 {
     sink.add({R.p + m.depth * R.R.column(2), m.turned ? -outward : outward, m.depth});
 }
@@ -146,7 +146,7 @@ void add_hit(const Meeting& m, const Pose& R, Vec3 outward, ContactSink& sink)
 void hit_flat(const Ray& ray, const Pose& R, const Pose& solid, const Interval& in, Real size,
               ContactSink& sink)
 {
-    Meeting m;
+    RayHit m;
     if (!meets(ray, in.enter, in.leave, size, m)) return;
     add_hit(m, R, solid.R * (m.outside ? in.enter_normal : in.leave_normal), sink);
 }
@@ -154,7 +154,7 @@ void hit_flat(const Ray& ray, const Pose& R, const Pose& solid, const Interval& 
 void hit_round(const Ray& ray, const Pose& R, const Pose& solid, const Interval& in, Real size,
                ContactSink& sink)
 {
-    Meeting m;
+    RayHit m;
     if (!meets(ray, in.enter, in.leave, size, m)) return;
     const Vec3 n = m.outside ? in.enter_normal : in.leave_normal;
     add_hit(m, R, solid.R * direction_of(n, length(n), {1, 0, 0}), sink);
@@ -178,9 +178,9 @@ void ray_sphere(const Ray& a, const Pose& A, const Sphere& b, const Pose& B, Con
 {
     const Line line = {A.p - B.p, A.R.column(2)};
     const Chord chord(line, {}, b.radius);
-    if (!(chord.room >= 0)) return;
-    const Real half = std::sqrt(chord.room), lower = chord.shift - half, upper = chord.shift + half;
-    Meeting m;
+    if (!(chord.half2 >= 0)) return;
+    const Real half = std::sqrt(chord.half2), lower = chord.shift - half, upper = chord.shift + half;
+    RayHit m;
     if (!meets(a, chord.base + lower, chord.base + upper, b.radius, m)) return;
     const Vec3 n = chord.nearest + (m.outside ? lower : upper) * line.d;
     add_hit(m, A, direction_of(n, length(n), {1, 0, 0}), sink);
@@ -234,7 +234,7 @@ void ray_box(const Ray& a, const Pose& A, const Box& b, const Pose& B, ContactSi
         in.first = from[0] == in.enter ? 0 : from[1] == in.enter ? 1 : 2;
         in.last = to[0] == in.leave ? 0 : to[1] == in.leave ? 1 : 2;
     }
-    Meeting m;
+    RayHit m;
     if (!meets(a, in.enter, in.leave, max_component(b.half), m)) return;
     const int axis = m.outside ? in.first : in.last;
     const bool down = m.outside == (d[axis] > 0);

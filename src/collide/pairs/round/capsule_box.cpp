@@ -103,15 +103,15 @@ bool stretch(const Case& c, Vec3 normal, Real depth, const Pose& B, ContactSink&
     if (!(hi - lo > Real(1e-6))) return false;
     ContactPoint points[2];
     int count = 0;
-    Real most = -kInf;
+    Real largest = -kInf;
     for (const Real t : {lo, hi}) {
         const Real below =
             face >= 0 ? below_face(c, face, normal, c.at(t)) : below_edge(c, edge, normal, c.at(t));
         const Real at_end = below < depth ? below : depth;
-        if (at_end > most) most = at_end;
+        if (at_end > largest) largest = at_end;
         if (ball_at(c, t, normal, at_end, B, points[count])) ++count;
     }
-    if (count == 0 || most < depth - Real(1e-5) * (max_component(c.half) + length(d))) return false;
+    if (count == 0 || largest < depth - Real(1e-5) * (max_component(c.half) + length(d))) return false;
     sink.add_manifold({points, std::size_t(count)});
     return true;
 }

@@ -72,17 +72,17 @@ void capsule_capsule(const Capsule& a, const Pose& A, const Capsule& b, const Po
     const Real hi = middle + reach < u.half ? middle + reach : u.half;
     ContactPoint ends[2];
     int count = 0;
-    Real most = -1;
+    Real largest = -1;
     if (hi - lo > Real(1e-6) * (u.half + v.half))
         for (const Real t : {lo, hi}) {  // one normal for both, so that a turn by rounding cannot part them
             const Vec3 x = u.at(t), n = deepest.normal;
             const Real gap = dot(n, x - v.at(v.nearest(x))), depth = a.radius + b.radius - gap;
             if (depth < 0) continue;
-            if (depth > most) most = depth;
+            if (depth > largest) largest = depth;
             ends[count++] = {x + Real(0.5) * (b.radius - a.radius - gap) * n, n, depth};
         }
     // One point when the axes cross instead of running side by side.
-    if (count < 2 || most < deepest.depth - Real(1e-5) * (a.radius + b.radius))
+    if (count < 2 || largest < deepest.depth - Real(1e-5) * (a.radius + b.radius))
         sink.add(deepest);
     else
         sink.add_manifold({ends, 2});

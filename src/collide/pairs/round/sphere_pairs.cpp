@@ -26,10 +26,10 @@ void sphere_plane(const Sphere& a, const Pose& A, const Plane& b, const Pose&, C
 namespace {
 
 // Nearest face from inside: the axis with the least way out; x before y before z.
-int nearest_face(Vec3 room)
+int nearest_face(Vec3 clearance)
 {
-    int k = room.y < room.x ? 1 : 0;
-    return room.z < room[k] ? 2 : k;
+    int k = clearance.y < clearance.x ? 1 : 0;
+    return clearance.z < clearance[k] ? 2 : k;
 }
 
 }  // namespace
@@ -44,9 +44,9 @@ void sphere_box(const Sphere& a, const Pose& A, const Box& b, const Pose& B, Con
         sink.add({B.to_world(q), B.R * n, a.radius - distance});
         return;
     }
-    const Vec3 room = b.half - abs(c);
-    const int k = nearest_face(room);
-    sink.add({A.p, (c[k] < 0 ? Real(-1) : Real(1)) * B.R.column(k), room[k] + a.radius});
+    const Vec3 clearance = b.half - abs(c);
+    const int k = nearest_face(clearance);
+    sink.add({A.p, (c[k] < 0 ? Real(-1) : Real(1)) * B.R.column(k), clearance[k] + a.radius});
 }
 
 // A unit vector across `axis`, as near to x as can be.

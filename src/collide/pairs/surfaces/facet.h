@@ -8,7 +8,7 @@
 // Where cells are missing, their walls push, too (hole_walls.h).
 #pragma once
 
-#include "collide/pairs/harvest.h"
+#include "collide/pairs/contact_collector.h"
 #include "collide/pairs/polyhedra/least_axes.h"
 #include "collide/pairs/polyhedra/placed_hull.h"
 #include "collide/pairs/surfaces/hole_walls.h"
@@ -40,17 +40,17 @@ class Sides {
         Real x, z, lo, hi;
     };
     void add(Vec3 level, const SolidReach& reach, Real slack);
-    static constexpr int kMost = 4;
-    Side sides_[kMost];
+    static constexpr int kMax = 4;
+    Side sides_[kMax];
     int count_ = 0;
 };
 
-struct Meeting {
+struct TerrainPair {
     const Terrain& terrain;
     const ConvexView& solid;
     Aabb box;    // of the solid
     Real slack;  // rounding of coordinates
-    Harvest& out;
+    ContactCollector& out;
     HoleWalls* walls = nullptr;  // there are holes under the solid
     PlacedHull* hull = nullptr;  // the solid, if it is a polyhedron
 };
@@ -59,13 +59,13 @@ inline constexpr Vec3 kUp{0, 1, 0};
 inline constexpr Real kSteepest = Real(1e-3);  // least upward part of a contact normal
 
 // A sphere or capsule.
-void round_on(const RoundSolid& core, const Facet& facet, Meeting& meeting);
+void round_on(const RoundSolid& core, const Facet& facet, TerrainPair& pair);
 
 // A box, a cylinder or a polyhedron, by the view in `meeting`.
-void solid_on(const Facet& facet, Meeting& meeting);
+void solid_on(const Facet& facet, TerrainPair& pair);
 
 // Whether walls under the facet's edges, rather than its face, push: tells meeting.walls.
-void weigh_round(const RoundSolid& core, const Facet& facet, Meeting& meeting);
-void weigh_solid(const Facet& facet, Meeting& meeting);
+void weigh_round(const RoundSolid& core, const Facet& facet, TerrainPair& pair);
+void weigh_solid(const Facet& facet, TerrainPair& pair);
 
 }  // namespace epode

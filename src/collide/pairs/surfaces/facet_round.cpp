@@ -17,7 +17,7 @@ namespace {
 constexpr Real kInside = Real(1e-3);
 
 // The ends of a part of s, of which only what is over the face, or under it.
-void push_ends(const RoundSolid& s, const Triangle& f, bool over, Stretch part, Meeting& m)
+void push_ends(const RoundSolid& s, const Triangle& f, bool over, Stretch part, TerrainPair& m)
 {
     const Real at_a = f.height(s.a), at_b = f.height(s.b);
     const bool keep_a = over ? at_a >= 0 : at_a <= 0, keep_b = over ? at_b >= 0 : at_b <= 0;
@@ -37,7 +37,7 @@ void push_ends(const RoundSolid& s, const Triangle& f, bool over, Stretch part, 
 
 // `column`: the way to the face from behind it; `under`: does the face push what is there?
 void over_and_under(const RoundSolid& s, const Triangle& f, const PastEdges& past, Vec3 column, bool under,
-                    Meeting& m)
+                    TerrainPair& m)
 {
     const Real at_a = f.height(s.a), at_b = f.height(s.b);
     if (at_a >= 0 || at_b >= 0) push_ends(s, f, true, past.part_over(m.slack).t, m);
@@ -46,7 +46,7 @@ void over_and_under(const RoundSolid& s, const Triangle& f, const PastEdges& pas
 }
 
 // `rim`: of a hole, over a wall.
-void beside_edge(const RoundSolid& s, const Facet& f, bool rim, Vec3 p, Vec3 q, Meeting& m)
+void round_at_edge(const RoundSolid& s, const Facet& f, bool rim, Vec3 p, Vec3 q, TerrainPair& m)
 {
     Vec3 n = p - q;
     const Real distance = length(n);
@@ -57,7 +57,7 @@ void beside_edge(const RoundSolid& s, const Facet& f, bool rim, Vec3 p, Vec3 q, 
 }
 
 // The edge between two walls that meet at corner k of the facet; `one` and `other` point into the hole.
-void beside_upright(const RoundSolid& s, const Facet& f, int k, Vec3 one, Vec3 other, Meeting& m)
+void round_at_upright(const RoundSolid& s, const Facet& f, int k, Vec3 one, Vec3 other, TerrainPair& m)
 {
     const Vec3 down{0, -m.terrain.thickness(), 0};
     meet_edge(s, f.v[k], down, [&](Vec3 p, Vec3 q) {
@@ -69,12 +69,13 @@ void beside_upright(const RoundSolid& s, const Facet& f, int k, Vec3 one, Vec3 o
     });
 }
 
-void on_walls(const RoundSolid& s, const Facet& f, Meeting& m)
+void on_walls(const RoundSolid& s, const Facet& f, TerrainPair& m)
 {
     for (const int k : {0, 2}) {
         Triangle wall[2];
         if (!m.terrain.hole_beyond(f, k) || !m.terrain.wall_below(f, k, wall)) continue;
-        for (const Triangle& t : wall) over_and_under(s, t, PastEdges(s, t), t.n, m.walls->pushes(f, k), m);
+        for (const Triangle& t : wall)
+            over_and_under(s, t, PastEdges(s, t), t.n, m.walls->gives_contacts(f, k), m);
         // Either end of the edge may be a corner of the ground; k + 1 of edge 2 and k of edge 0 are one.
         const int step = f.upper ? 1 : -1;
         const Vec3 along = k == 0 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
@@ -85,14 +86,14 @@ void on_walls(const RoundSolid& s, const Facet& f, Meeting& m)
             if (!m.terrain.hole(i, j)) continue;
             const int corner = here ? 0 : k == 0 ? 1 : 2;
             if (!here && f.upper) continue;  // the lower facet's edge ends there, too
-            beside_upright(s, f, corner, f.out(k), side * along, m);
+            round_at_upright(s, f, corner, f.out(k), side * along, m);
         }
     }
 }
 
 }  // namespace
 
-void weigh_round(const RoundSolid& s, const Facet& f, Meeting& m)
+void weigh_round(const RoundSolid& s, const Facet& f, TerrainPair& m)
 {
     const Stretch part = within_prism(f, kUp, s.a, s.b, m.slack);
     if (part.empty()) return;
@@ -109,7 +110,7 @@ void weigh_round(const RoundSolid& s, const Facet& f, Meeting& m)
     }
 }
 
-void round_on(const RoundSolid& s, const Facet& f, Meeting& m)
+void round_on(const RoundSolid& s, const Facet& f, TerrainPair& m)
 {
     if (m.walls) on_walls(s, f, m);
     const Real at_a = f.height(s.a), at_b = f.height(s.b);
@@ -125,7 +126,7 @@ void round_on(const RoundSolid& s, const Facet& f, Meeting& m)
     for (int k = 0; k < 3; ++k) {
         const bool rim = m.walls && m.terrain.hole_beyond(f, k);
         if (!rim && (below || (past.a[k] < inside && past.b[k] < inside))) continue;
-        meet_edge(s, f.v[k], f.edge(k), [&](Vec3 p, Vec3 q) { beside_edge(s, f, rim, p, q, m); });
+        meet_edge(s, f.v[k], f.edge(k), [&](Vec3 p, Vec3 q) { round_at_edge(s, f, rim, p, q, m); });
     }
 }
 

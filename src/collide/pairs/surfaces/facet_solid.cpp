@@ -10,7 +10,7 @@
 #include "collide/pairs/polyhedra/box_axes.h"
 #include "collide/pairs/polyhedra/least_axes.h"
 #include "collide/pairs/surfaces/facet.h"
-#include "collide/pairs/surfaces/mesh_ground.h"
+#include "collide/pairs/surfaces/facet_contacts.h"
 #include "geometry/epa.h"
 #include "geometry/polyhedron.h"
 #include "geometry/triangle_rim.h"
@@ -19,16 +19,16 @@ namespace epode {
 
 namespace {
 
-constexpr Real kSure = Real(0.999);  // less than this of a bound is no matter of rounding
+constexpr Real kSafeFraction = Real(0.999);  // less than this of a bound is no matter of rounding
 
 // The search for the direction of least overlap between the solid and the column under a facet.
 class LeastRise {
   public:
-    LeastRise(const Facet& facet, const Meeting& meeting) : facet_(facet), m_(meeting), reach_(meeting.solid)
+    LeastRise(const Facet& facet, const TerrainPair& pair) : facet_(facet), m_(pair), reach_(pair.solid)
     {
-        if (meeting.solid.kind != SolidKind::kPolyhedron) return;
-        const Polyhedron& solid = *static_cast<const Polyhedron*>(meeting.solid.shape);
-        ball_centre_ = meeting.solid.pose.to_world(solid.inner()), ball_radius_ = solid.inner_radius();
+        if (pair.solid.kind != SolidKind::kPolyhedron) return;
+        const Polyhedron& solid = *static_cast<const Polyhedron*>(pair.solid.shape);
+        ball_centre_ = pair.solid.pose.to_world(solid.inner()), ball_radius_ = solid.inner_radius();
     }
 
     // False: the solid does not touch the column.
@@ -80,7 +80,7 @@ class LeastRise {
     // An overlap of more than this parts nothing and is worth nothing, whatever was rounded.
     Real enough() const
     {
-        const Real worth = kFaceFirst * depth / kSure;
+        const Real worth = kFaceFirst * depth / kSafeFraction;
         return worth > 2 * m_.slack ? worth : 2 * m_.slack;
     }
 
@@ -238,9 +238,9 @@ class LeastRise {
     unsigned worth_a_look(Vec3 axis) const
     {
         const AcrossEdges across(axis, facet_);
-        const auto [most, least] = across.reach(facet_, lowest_);
+        const auto [largest, least] = across.reach(facet_, lowest_);
         const Quad middle = across.along(lowest_ - ball_centre_), rise = across.rise(), none = quad(0);
-        const Quad by_point = if_less(rise, none, none - least, most),
+        const Quad by_point = if_less(rise, none, none - least, largest),
                    by_ball = by_point + if_less(rise, none, none - middle, middle);
         const Real worth = enough();
         return 7u & ~(across.at_least(rise, kSteepest) &
@@ -282,7 +282,7 @@ class LeastRise {
     }
 
     const Facet& facet_;
-    const Meeting& m_;
+    const TerrainPair& m_;
     const SolidReach reach_;
     Vec3 ball_centre_;
     Real ball_radius_ = 0;
@@ -296,26 +296,27 @@ class LeastRise {
 
 // The part of the solid that is behind a face of the ground, in the column that stands on it along `up`: a
 // facet, or one of the two triangles of a hole's wall, which go on beyond the edge that they share.
-void press_face(const Triangle& face, Vec3 up, int shared, Meeting& m)
+void add_face_contacts(const Triangle& face, Vec3 up, int shared, TerrainPair& m)
 {
-    FaceGround ground(face, up, shared, m.slack, m.out);
-    press_out(m.solid, m.hull, face, ground);
+    FacetContacts contacts(face, up, shared, m.slack, m.out);
+    collect_facet_contacts(m.solid, m.hull, face, contacts);
 }
 
 constexpr int kNoEdge = -1, kWallEdge = 1;
 
-void press_walls(const Facet& f, Meeting& m)
+void add_wall_contacts(const Facet& f, TerrainPair& m)
 {
     for (const int k : {0, 2}) {
         Triangle wall[2];
-        if (!m.terrain.hole_beyond(f, k) || !m.walls->pushes(f, k) || !m.terrain.wall_below(f, k, wall))
+        if (!m.terrain.hole_beyond(f, k) || !m.walls->gives_contacts(f, k) ||
+            !m.terrain.wall_below(f, k, wall))
             continue;
-        for (const Triangle& t : wall) press_face(t, t.n, kWallEdge, m);
+        for (const Triangle& t : wall) add_face_contacts(t, t.n, kWallEdge, m);
     }
 }
 
 // A crest of the surface pushes into the solid.
-void press_crest(const Facet& f, Vec3 normal, Real depth, Meeting& m)
+void add_crest_contacts(const Facet& f, Vec3 normal, Real depth, TerrainPair& m)
 {
     dContactGeom found[4];
     ContactSink sink(found, sizeof(dContactGeom), 4, false);
@@ -346,7 +347,7 @@ void Sides::add(Vec3 level, const SolidReach& reach, Real slack)
     sides_[count_++] = {level.x, level.z, reach.low_along(level) - more, more - reach.low_along(-level)};
 }
 
-void weigh_solid(const Facet& f, Meeting& m)
+void weigh_solid(const Facet& f, TerrainPair& m)
 {
     LeastRise least(f, m);
     if (!least.search()) return;
@@ -357,18 +358,18 @@ void weigh_solid(const Facet& f, Meeting& m)
         }
 }
 
-void solid_on(const Facet& f, Meeting& m)
+void solid_on(const Facet& f, TerrainPair& m)
 {
     if (m.walls) {
-        press_walls(f, m);
+        add_wall_contacts(f, m);
         if (m.walls->sunk(f) || m.walls->behind(f)) return;
     }
     LeastRise least(f, m);
     if (!least.search()) return;
     if (least.on_crest)
-        press_crest(f, least.normal, least.depth, m);
+        add_crest_contacts(f, least.normal, least.depth, m);
     else
-        press_face(f, kUp, kNoEdge, m);
+        add_face_contacts(f, kUp, kNoEdge, m);
 }
 
 }  // namespace epode

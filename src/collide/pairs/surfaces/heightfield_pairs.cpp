@@ -10,14 +10,14 @@
 
 #include "collide/pairs/solid_pairs.h"
 #include "collide/pairs/surfaces/facet.h"
-#include "collide/pairs/surfaces/underpart.h"
+#include "collide/pairs/surfaces/sub_plane_extent.h"
 
 namespace epode {
 
 namespace {
 
 template <typename Shape>
-void weigh_facet(const Shape& a, const Pose& A, const Facet& f, Meeting& m)
+void weigh_facet(const Shape& a, const Pose& A, const Facet& f, TerrainPair& m)
 {
     if constexpr (kRound<Shape>)
         weigh_round(core_of(a, A), f, m);
@@ -74,7 +74,7 @@ class Samples {
         : t_(terrain), i0_(cells.i0), j0_(cells.j0), columns_(cells.i1 - cells.i0 + 2)
     {
         const int rows = cells.j1 - cells.j0 + 2;
-        if (holes || columns_ > kMost / 2 || rows > kMost / columns_)
+        if (holes || columns_ > kMax / 2 || rows > kMax / columns_)
             return;  // in holes they are not looked at
         known_ = true;
         for (int j = 0; j < rows; ++j) t_.heights(i0_, j0_ + j, columns_, y_ + j * columns_);
@@ -89,17 +89,17 @@ class Samples {
     }
 
   private:
-    static constexpr int kMost = 100;
+    static constexpr int kMax = 100;
     const Terrain& t_;
     int i0_, j0_, columns_;
     bool known_ = false;
     union {
-        Real y_[kMost];  // in a union: left unwritten until read
+        Real y_[kMax];  // in a union: left unwritten until read
     };
 };
 
 // What the samples under the solid look like together.
-struct Ground {
+struct HeightRange {
     Real lowest = kInf, highest = -kInf;
     void take(Real y)
     {
@@ -108,9 +108,9 @@ struct Ground {
     }
 };
 
-Ground survey(const Samples& samples, const Cells& c)
+HeightRange survey(const Samples& samples, const Cells& c)
 {
-    Ground g;
+    HeightRange g;
     for (int j = c.j0; j <= c.j1 + 1; ++j)
         for (int i = c.i0; i <= c.i1 + 1; ++i) g.take(samples.height(i, j));
     return g;
@@ -126,9 +126,9 @@ bool level(const Samples& samples, const Cells& c, const Facet& first, Real slac
 }
 
 // Of the cells that are there; their number too. Samples inside holes are not looked at.
-Ground survey_holed(const Terrain& t, const Cells& c, int& there)
+HeightRange survey_holed(const Terrain& t, const Cells& c, int& there)
 {
-    Ground g;
+    HeightRange g;
     there = 0;
     for (int j = c.j0; j <= c.j1; ++j)
         for (int i = c.i0; i <= c.i1; ++i) {
@@ -211,7 +211,7 @@ class Near {
     const Terrain& terrain_;
     const ConvexView& solid_;
     FieldFrame frame_;
-    Underpart<Shape> under_;
+    SubPlaneExtent<Shape> under_;
     Real slack_;
     std::optional<Sides> sides_;
 };
@@ -238,7 +238,7 @@ struct AllNear {
 
 // Facets that are not below the box and may be met.
 template <typename MayMeet, typename Visit>
-void each_facet(const Meeting& m, const Cells& cells, const Samples& samples, MayMeet& near,
+void each_facet(const TerrainPair& m, const Cells& cells, const Samples& samples, MayMeet& near,
                 const Visit& visit)
 {
     const Terrain& terrain = m.terrain;
@@ -268,21 +268,21 @@ void collide_holed(const Shape& a, const Pose& A, const Terrain& terrain, const 
                    const Aabb& box, Real slack, const Cells& cells, ContactSink& sink)
 {
     int there;
-    const Ground ground = survey_holed(terrain, cells, there);
+    const HeightRange heights = survey_holed(terrain, cells, there);
     const Vec3 middle = solid.pose.p;
-    if (there == 0 || box.lo.y > ground.highest || terrain.under_slab(middle, ground.lowest, slack)) return;
+    if (there == 0 || box.lo.y > heights.highest || terrain.under_slab(middle, heights.lowest, slack)) return;
     const Samples samples(terrain, cells, true);
-    Harvest harvest(Real(1e-6) * (solid.size + solid.radius), sink);
+    ContactCollector collector(Real(1e-6) * (solid.size + solid.radius), sink);
     int i, j;
     HoleWalls walls(middle, terrain.cell_under(middle, i, j) && terrain.hole(i, j));
     PlacedHull hull(solid);
-    Meeting meeting{terrain, solid, box, slack, harvest, &walls, hull.count() > 0 ? &hull : nullptr};
+    TerrainPair pair{terrain, solid, box, slack, collector, &walls, hull.count() > 0 ? &hull : nullptr};
     AllNear any;
-    each_facet(meeting, cells, samples, any, [&](const Facet& f) {
-        if (terrain.hole_beyond(f, 0) || terrain.hole_beyond(f, 2)) weigh_facet(a, A, f, meeting);
+    each_facet(pair, cells, samples, any, [&](const Facet& f) {
+        if (terrain.hole_beyond(f, 0) || terrain.hole_beyond(f, 2)) weigh_facet(a, A, f, pair);
     });
-    each_facet(meeting, cells, samples, any, [&](const Facet& f) { meet_facet(a, A, f, meeting); });
-    harvest.deliver(sink);
+    each_facet(pair, cells, samples, any, [&](const Facet& f) { meet_facet(a, A, f, pair); });
+    collector.deliver(sink);
 }
 
 // Contacts in the field's frame.
@@ -298,12 +298,12 @@ void collide_local(const Shape& a, const Pose& A, const HeightfieldData& data, C
     const Real slack = 64 * kEpsilon * (reach + solid.size);
     if (any_hole(terrain, cells)) return collide_holed(a, A, terrain, solid, box, slack, cells, sink);
     const Samples samples(terrain, cells, false);
-    const Ground ground = survey(samples, cells);
-    if (box.lo.y > ground.highest) return;
+    const HeightRange heights = survey(samples, cells);
+    if (box.lo.y > heights.highest) return;
     const Vec3 middle = solid.pose.p;
-    if (terrain.holed() && terrain.under_slab(middle, ground.lowest, slack)) return;
-    if (box.hi.y < ground.lowest) {  // buried: straight up
-        sink.add({{middle.x, ground.lowest, middle.z}, kUp, ground.lowest - box.hi.y});
+    if (terrain.holed() && terrain.under_slab(middle, heights.lowest, slack)) return;
+    if (box.hi.y < heights.lowest) {  // buried: straight up
+        sink.add({{middle.x, heights.lowest, middle.z}, kUp, heights.lowest - box.hi.y});
         return;
     }
     if (inside(terrain, box)) {
@@ -314,12 +314,12 @@ void collide_local(const Shape& a, const Pose& A, const HeightfieldData& data, C
         finish(first);
         if (level(samples, cells, first, slack)) return on_plane(a, A, {first.n, first.c}, sink);
     }
-    Harvest harvest(Real(1e-6) * (solid.size + solid.radius), sink);
+    ContactCollector collector(Real(1e-6) * (solid.size + solid.radius), sink);
     PlacedHull hull(solid);
-    Meeting meeting{terrain, solid, box, slack, harvest, nullptr, hull.count() > 0 ? &hull : nullptr};
+    TerrainPair pair{terrain, solid, box, slack, collector, nullptr, hull.count() > 0 ? &hull : nullptr};
     Near<Shape> near(a, A, terrain, solid, slack);
-    each_facet(meeting, cells, samples, near, [&](const Facet& f) { meet_facet(a, A, f, meeting); });
-    harvest.deliver(sink);
+    each_facet(pair, cells, samples, near, [&](const Facet& f) { meet_facet(a, A, f, pair); });
+    collector.deliver(sink);
 }
 
 template <typename Shape>

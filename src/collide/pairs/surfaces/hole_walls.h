@@ -26,7 +26,7 @@ class HoleWalls {
         Real& limit = limit_[way(f, k)];
         limit = f.out_limit(k) > limit ? f.out_limit(k) : limit;
     }
-    bool pushes(const Facet& f, int k) const { return f.out_limit(k) <= limit_[way(f, k)]; }
+    bool gives_contacts(const Facet& f, int k) const { return f.out_limit(k) <= limit_[way(f, k)]; }
     bool behind(const Facet& f) const
     {
         for (int w = 0; w < 4; ++w) {

@@ -102,7 +102,7 @@ int triangle_under(const Surface& surface, const NearTriangles& near, Vec3 p, Re
 
 // A ball's contact with the plane as ODE tells it: the place is on the mesh, and where several triangles meet
 // there, each of them has one.
-void tell_each(const Surface& surface, const NearTriangles& near, Real slack, ContactSink& sink)
+void report_each(const Surface& surface, const NearTriangles& near, Real slack, ContactSink& sink)
 {
     dContactGeom& c = *sink.at(sink.count() - 1);
     const Vec3 n = load(c.normal), foot = load(c.pos) + c.depth * n;
@@ -122,7 +122,7 @@ bool TriangleList::grow()
         return false;
     }
     data_ = many_.data();
-    room_ = many_.size();
+    capacity_ = many_.size();
     return true;
 }
 
@@ -196,25 +196,25 @@ void mesh_contacts(const Shape& a, const Pose& A, const Surface& surface, NearTr
         on_plane(a, A, plane, sink);
         for (int k = before; k < sink.count(); ++k)
             sink.at(k)->side2 = triangle_under(surface, near, load(sink.at(k)->pos), slack);
-        if (as_ode && sink.count() > before) tell_each(surface, near, slack, sink);
+        if (as_ode && sink.count() > before) report_each(surface, near, slack, sink);
         return;
     }
-    Harvest harvest(Real(1e-6) * (solid.size + solid.radius), sink);
+    ContactCollector collector(Real(1e-6) * (solid.size + solid.radius), sink);
     PlacedHull hull(solid);
-    MeshMeeting meeting{surface.mesh, solid,  slack,   two_sided(a),
-                        near.all(),   as_ode, harvest, hull.count() > 0 ? &hull : nullptr};
+    MeshPair pair{surface.mesh, solid,  slack,     two_sided(a),
+                  near.all(),   as_ode, collector, hull.count() > 0 ? &hull : nullptr};
     for (const int t : near.close()) {
         if constexpr (std::is_same_v<Shape, Sphere>) {
-            ball_on(A.p, a.radius, t, meeting);
+            ball_on(A.p, a.radius, t, pair);
             continue;
         }
         const Vec3 n = surface.mesh.normal(t);
         const Real height = dot(n, solid.pose.p - surface.mesh.corner(t, 0));
-        if (!meeting.two_sided && height < -slack) continue;
+        if (!pair.two_sided && height < -slack) continue;
         if (std::fabs(height) > most_along(a, solid, n) + slack) continue;
-        meet_facet(a, A, facet_of(surface.mesh, t), meeting);
+        meet_facet(a, A, facet_of(surface.mesh, t), pair);
     }
-    harvest.deliver(sink);
+    collector.deliver(sink);
 }
 
 #define EPODE_MESH_CONTACTS(Shape) \

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A solid against a mesh, everything in the mesh's frame: triangles that the solid may touch are gone through
-// in the order of their numbers (mesh_facet.h), their contacts gathered and thinned together (harvest.h).
-// Where all whose boxes meet the solid's lie in one plane that goes on past the solid, the plane's own pair
-// function answers: a flat mesh, however finely cut, is a plane exactly.
+// A solid against a mesh, everything in the mesh's frame. The triangles that the solid may touch are visited in
+// the order of their numbers (mesh_facet.h), and their contacts are reduced together (contact_collector.h). If
+// all triangles whose boxes overlap the solid's lie in one plane that extends past the solid, the plane's pair
+// function answers: a flat mesh, however finely divided, is exactly a plane.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@ class TriangleList {
 
     bool add(int triangle)  // false without memory
     {
-        if (count_ == room_ && !grow()) return false;
+        if (count_ == capacity_ && !grow()) return false;
         data_[count_++] = triangle;
         return true;
     }
@@ -56,7 +56,7 @@ class TriangleList {
     int few_[kFew];
     Array<int> many_;
     int* data_ = few_;
-    int count_ = 0, room_ = kFew;
+    int count_ = 0, capacity_ = kFew;
 };
 
 // The triangles near a solid: those that it may touch, in order, and when they are asked for all whose boxes

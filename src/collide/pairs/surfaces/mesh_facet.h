@@ -10,7 +10,7 @@
 // Seams are edges so flat that a contact patch goes on beyond them: they end no manifold.
 #pragma once
 
-#include "collide/pairs/harvest.h"
+#include "collide/pairs/contact_collector.h"
 #include "collide/pairs/polyhedra/placed_hull.h"
 #include "collide/pairs/surfaces/on_surface.h"
 #include "geometry/triangle.h"
@@ -35,14 +35,14 @@ MeshFacet facet_of(const TriangleMesh& mesh, int triangle);
 MeshFacet turned(const MeshFacet& facet);
 
 // One solid and one mesh, while its triangles are gone through.
-struct MeshMeeting {
+struct MeshPair {
     const TriangleMesh& mesh;
     const ConvexView& solid;  // in the mesh's frame
     Real slack;               // slack_of(solid)
     bool two_sided;           // else only the fronts of triangles push
     bool whole;               // no triangle is left out; else seams are kept, their neighbours may be missing
     bool as_ode;              // of a ball: its place on the mesh, and a contact for each triangle under it
-    Harvest& out;
+    ContactCollector& out;
     PlacedHull* hull = nullptr;  // the solid, if it is a polyhedron
 
     bool seam(const MeshFacet& f, int edge) const { return whole && f.rim[edge] == Rim::kSeam; }
@@ -65,15 +65,15 @@ Shows shown_along(const MeshFacet& facet, Vec3 direction);
 inline constexpr Real kLip = Real(0.01);
 
 // Capsules.
-void round_on(const RoundSolid& core, const MeshFacet& facet, MeshMeeting& meeting);
+void round_on(const RoundSolid& core, const MeshFacet& facet, MeshPair& pair);
 
 // A sphere, as round_on(); of the triangle only what is needed is looked up.
-void ball_on(Vec3 centre, Real radius, int triangle, MeshMeeting& meeting);
+void ball_on(Vec3 centre, Real radius, int triangle, MeshPair& pair);
 
 // Any other solid, by the view in `meeting`.
-void solid_on(const MeshFacet& facet, MeshMeeting& meeting);
+void solid_on(const MeshFacet& facet, MeshPair& pair);
 
 // Whether the shortest way out is over a crest of the triangle; then the contacts are those.
-bool crest_pushes(const MeshFacet& facet, MeshMeeting& meeting);
+bool add_crest_if_least(const MeshFacet& facet, MeshPair& pair);
 
 }  // namespace epode

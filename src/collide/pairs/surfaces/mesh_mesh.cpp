@@ -35,28 +35,28 @@ bool adjoin(const TriangleMesh& mesh, int t, int u)
 }
 
 // What pairs of triangles say: a list without bound that rarely needs memory.
-class PushList {
+class TriangleContactList {
   public:
-    PushList() {}
-    PushList(const PushList&) = delete;
-    PushList& operator=(const PushList&) = delete;
+    TriangleContactList() {}
+    TriangleContactList(const TriangleContactList&) = delete;
+    TriangleContactList& operator=(const TriangleContactList&) = delete;
 
-    TrianglePush* begin() { return count_ <= kFew ? few_ : many_.data(); }
-    TrianglePush* end() { return begin() + count_; }
+    TriangleContact* begin() { return count_ <= kFew ? few_ : many_.data(); }
+    TriangleContact* end() { return begin() + count_; }
     int count() const { return count_; }
-    bool add(const TrianglePush& push)  // false without memory
+    bool add(const TriangleContact& contact)  // false without memory
     {
         if (count_ < kFew) {
-            few_[count_++] = push;
+            few_[count_++] = contact;
             return true;
         }
         if (count_ == kFew) {
             many_.clear();
             if (!many_.reserve(4 * kFew)) return false;
-            for (const TrianglePush& p : few_)
+            for (const TriangleContact& p : few_)
                 if (!many_.push(p)) return false;
         }
-        if (!many_.push(push)) return false;
+        if (!many_.push(contact)) return false;
         ++count_;
         return true;
     }
@@ -64,42 +64,42 @@ class PushList {
   private:
     static constexpr int kFew = 40;
     union {
-        TrianglePush few_[kFew];  // in a union: left unwritten until added
+        TriangleContact few_[kFew];  // in a union: left unwritten until added
     };
-    Array<TrianglePush> many_;
+    Array<TriangleContact> many_;
     int count_ = 0;
 };
 
 // Where two solids meet edge to edge, pairs of triangles beside those edges cross, too, and see only longer
 // ways out. A push is needless when a shorter one nearby, in another direction, parts its triangles as well.
 template <typename Other>
-bool needless(const TrianglePush& push, const TrianglePush* shorter, int count, const Surface& a,
+bool needless(const TriangleContact& contact, const TriangleContact* shorter, int count, const Surface& a,
               const Other& b)
 {
     for (int i = 0; i < count; ++i) {
-        const TrianglePush& s = shorter[i];
-        if (s.allowed && dot(s.normal, push.normal) < kOtherWay && adjoin(a.mesh, s.a, push.a) &&
-            b.adjoin(s, push) && push.overlap_along(s.normal) <= kCovers * s.depth)
+        const TriangleContact& s = shorter[i];
+        if (s.allowed && dot(s.normal, contact.normal) < kOtherWay && adjoin(a.mesh, s.a, contact.a) &&
+            b.adjoin(s, contact) && contact.overlap_along(s.normal) <= kCovers * s.depth)
             return true;
     }
     return false;
 }
 
 template <typename Other>
-void reap(PushList& pushes, const Surface& a, const Other& b, Harvest& harvest)
+void collect(TriangleContactList& contacts, const Surface& a, const Other& b, ContactCollector& collector)
 {
-    std::sort(pushes.begin(), pushes.end(), [](const TrianglePush& x, const TrianglePush& y) {
+    std::sort(contacts.begin(), contacts.end(), [](const TriangleContact& x, const TriangleContact& y) {
         if (x.depth != y.depth) return x.depth < y.depth;
         return x.a != y.a ? x.a < y.a : x.b < y.b;
     });
-    for (int i = 0; i < pushes.count(); ++i) {
-        const TrianglePush& p = pushes.begin()[i];
-        if (!p.allowed || needless(p, pushes.begin(), i, a, b)) continue;
-        for (int k = 0; k < p.count; ++k) harvest.add({p.points[k], p.normal, p.depths[k], p.a, p.b});
+    for (int i = 0; i < contacts.count(); ++i) {
+        const TriangleContact& p = contacts.begin()[i];
+        if (!p.allowed || needless(p, contacts.begin(), i, a, b)) continue;
+        for (int k = 0; k < p.count; ++k) collector.add({p.points[k], p.normal, p.depths[k], p.a, p.b});
     }
-    if (!harvest.empty()) return;
-    for (const TrianglePush& p : pushes)  // the least that nobody allows
-        if (!p.allowed) return harvest.add({p.points[0], p.normal, p.depths[0], p.a, p.b});
+    if (!collector.empty()) return;
+    for (const TriangleContact& p : contacts)  // the least that nobody allows
+        if (!p.allowed) return collector.add({p.points[0], p.normal, p.depths[0], p.a, p.b});
 }
 
 // The second mesh, in its own frame.
@@ -108,7 +108,7 @@ class MeshSide {
     explicit MeshSide(const Surface& surface) : s_(surface) {}
 
     Aabb box() const { return s_.tree.box(); }
-    bool adjoin(const TrianglePush& p, const TrianglePush& q) const
+    bool adjoin(const TriangleContact& p, const TriangleContact& q) const
     {
         return epode::adjoin(s_.mesh, p.b, q.b);
     }
@@ -135,7 +135,7 @@ void meet(const Surface& a, const Pose& P, Other& b, ContactSink& sink)
     const Aabb whole = box_in(P, a.tree.box());
     const Real slack = 64 * kEpsilon * std::max(reach_of(whole), reach_of(a.tree.box()));
     const Tolerance tolerance{slack, std::max(slack, kMeshTouch * length(whole.hi - whole.lo))};
-    PushList pushes;
+    TriangleContactList contacts;
     // In any order: what they say is sorted.
     a.tree.query(a.mesh, box_in(back, b.box()), [&](int t) {
         const PlacedCorners corners = placed_corners(a.mesh, t, P);
@@ -143,14 +143,14 @@ void meet(const Surface& a, const Pose& P, Other& b, ContactSink& sink)
         if (!overlap(box, b.box())) return true;
         const PlacedFacet fa = placed(a.mesh, t, P, corners);
         b.each(box, [&](PlacedFacet& fb) {
-            TrianglePush push;
-            return !triangle_triangle(fa, fb, tolerance, push) || pushes.add(push);
+            TriangleContact contact;
+            return !triangle_triangle(fa, fb, tolerance, contact) || contacts.add(contact);
         });
         return true;
     });
-    Harvest harvest(Real(1e-6) * length(whole.hi - whole.lo), sink);
-    reap(pushes, a, b, harvest);
-    harvest.deliver(sink);
+    ContactCollector collector(Real(1e-6) * length(whole.hi - whole.lo), sink);
+    collect(contacts, a, b, collector);
+    collector.deliver(sink);
 }
 
 // A range of samples, ends included.
@@ -162,22 +162,22 @@ struct Samples {
 // Those under [lo, hi] and one more to each side; at most kMost. Empty when there are none.
 Samples samples_under(Real lo, Real hi, Real origin, Real cell, int cells, bool endless)
 {
-    constexpr Real kMost = 256, kFar = 1e9;
+    constexpr Real kMax = 256, kFar = 1e9;
     Real from = std::floor((lo - origin) / cell) - 1, to = std::floor((hi - origin) / cell) + 2;
     if (!(from > -kFar && to < kFar) || (!endless && (to < 0 || from > Real(cells)))) return {0, -1};
-    if (to - from > kMost) {
+    if (to - from > kMax) {
         const Real middle = std::floor(Real(0.5) * (from + to));
-        from = middle - kMost / 2, to = middle + kMost / 2;
+        from = middle - kMax / 2, to = middle + kMax / 2;
     }
     if (!endless) from = std::max(from, Real(0)), to = std::min(to, Real(cells));
     return {int(from), int(to)};
 }
 
 // The ground near a box: a window of the grid, the facets of which are numbered row by row.
-class GroundSide {
+class TerrainSide {
   public:
     // `near`: a box in the ground's frame.
-    GroundSide(const Terrain& terrain, const Aabb& near) : terrain_(terrain)
+    TerrainSide(const Terrain& terrain, const Aabb& near) : terrain_(terrain)
     {
         const Vec3 o = terrain.low_corner(), cell = terrain.cell();
         x_ = samples_under(near.lo.x, near.hi.x, o.x, cell.x, terrain.cells_x(), terrain.endless());
@@ -201,7 +201,7 @@ class GroundSide {
     const Aabb& box() const { return box_; }
 
     // Do two triangles share an edge?
-    bool adjoin(const TrianglePush& p, const TrianglePush& q) const
+    bool adjoin(const TriangleContact& p, const TriangleContact& q) const
     {
         int same = 0;
         for (const Vec3 v : p.corners_b)
@@ -273,7 +273,7 @@ class GroundSide {
             PlacedFacet& f = cell.facets[upper];
             f = {{}, nullptr, nullptr, &terrain_, {bare.facets[upper], false}, true};
             cell.boxes[upper] = box_of(bare.facets[upper].v);
-            cell.there[upper] = bare_ground_facet(bare.facets[upper], f.f);
+            cell.there[upper] = bare_terrain_facet(bare.facets[upper], f.f);
             f.f.index = 2 * number + (upper ? 1 : 0);
         }
         return cell;
@@ -285,7 +285,7 @@ class GroundSide {
         const int facets = 2 * (x_.count() - 1) * (z_.count() - 1);
         for (const int k : {0, 2}) {
             MeshFacet pair[2];
-            if (!ground_walls(terrain_, of.place.facet, k, pair)) continue;
+            if (!terrain_walls(terrain_, of.place.facet, k, pair)) continue;
             for (int n = 0; n < 2; ++n) {
                 PlacedFacet w{pair[n], nullptr, nullptr, &terrain_, {of.place.facet, true}};
                 w.f.index = facets + 4 * of.f.index + k + n;
@@ -317,14 +317,14 @@ void mesh_mesh_contacts(const Surface& a, const Pose& A, const Surface& b, const
     to_world(B, sink, before);
 }
 
-void mesh_ground_contacts(const Surface& a, const Pose& A, const HeightfieldData& ground, const Pose& B,
-                          ContactSink& sink)
+void mesh_terrain_contacts(const Surface& a, const Pose& A, const HeightfieldData& field, const Pose& B,
+                           ContactSink& sink)
 {
     if (a.mesh.triangle_count() == 0) return;
     const Pose P = inverse_times(B, A);
     const Aabb box = box_in(P, a.tree.box());
-    const Terrain terrain(ground);
-    GroundSide side(terrain, box);
+    const Terrain terrain(field);
+    TerrainSide side(terrain, box);
     if (side.empty()) return;
     const Real slack = 64 * kEpsilon * reach_of(box);
     if (terrain.holed() && terrain.under_slab(P.p, side.lowest(), slack)) return;

@@ -16,7 +16,7 @@ namespace epode {
 void mesh_mesh_contacts(const Surface& a, const Pose& A, const Surface& b, const Pose& B, ContactSink& sink);
 
 // side1 is the mesh's triangle.
-void mesh_ground_contacts(const Surface& a, const Pose& A, const HeightfieldData& ground, const Pose& B,
-                          ContactSink& sink);
+void mesh_terrain_contacts(const Surface& a, const Pose& A, const HeightfieldData& field, const Pose& B,
+                           ContactSink& sink);
 
 }  // namespace epode

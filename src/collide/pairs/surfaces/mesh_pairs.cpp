@@ -22,7 +22,7 @@ void consult(const Trimesh& mesh, const Surface& surface, const Aabb& box, NearT
     const MeshFunctions functions(mesh, sink, false);
     near.gather(surface, box);
     near.put_in_order();
-    functions.tell({near.near().begin(), std::size_t(near.near().count())});
+    functions.report({near.near().begin(), std::size_t(near.near().count())});
     near.filter([&](int t) { return functions.wants(t); });
 }
 
@@ -51,7 +51,7 @@ void collide_mesh(const Shape& a, const Pose& A, const Trimesh& b, const Pose& B
     NearTriangles near;
     const Aabb box = box_around(a, local, slack);
     near.find(surface, box, probe_of(a, local, slack), sink.kept());
-    if (b.asks()) consult(b, surface, box, near, sink);
+    if (b.has_callbacks()) consult(b, surface, box, near, sink);
     sink.number_merged(nullptr, b.merged);
     const int before = sink.count();
     mesh_contacts(a, local, surface, near, sink);
@@ -140,7 +140,7 @@ void trimesh_heightfield(const Trimesh& a, const Pose& A, const Heightfield& b, 
     const TrimeshData* mesh = a.mesh();
     const HeightfieldData* field = b.field();
     sink.number_merged(a.merged, nullptr);
-    if (mesh && field) mesh_ground_contacts({mesh->mesh, mesh->tree}, A, *field, B, sink);
+    if (mesh && field) mesh_terrain_contacts({mesh->mesh, mesh->tree}, A, *field, B, sink);
 }
 
 }  // namespace epode

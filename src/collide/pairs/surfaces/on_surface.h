@@ -41,8 +41,8 @@ inline constexpr bool kByView<AnySolid> = true;
 
 // One facet of a surface, as the pair of that surface calls it: round_on(core, facet, meeting) for spheres
 // and capsules, solid_on(facet, meeting) for what is known by the view in the meeting.
-template <typename Shape, typename Facet, typename Meeting>
-void meet_facet(const Shape& a, const Pose& A, const Facet& f, Meeting& m)
+template <typename Shape, typename Facet, typename Pair>
+void meet_facet(const Shape& a, const Pose& A, const Facet& f, Pair& m)
 {
     if constexpr (kRound<Shape>)
         round_on(core_of(a, A), f, m);

@@ -47,12 +47,12 @@ struct PastEdges {
     // Of all of s beyond one of them.
     Real least() const
     {
-        Real most = 0;
+        Real largest = 0;
         for (int k = 0; k < 3; ++k) {
             const Real low = a[k] < b[k] ? a[k] : b[k];
-            most = low > most ? low : most;
+            largest = low > largest ? low : largest;
         }
-        return most;
+        return largest;
     }
 };
 

@@ -8,7 +8,7 @@
 
 namespace epode {
 
-bool bare_ground_facet(const Facet& facet, MeshFacet& f)
+bool bare_terrain_facet(const Facet& facet, MeshFacet& f)
 {
     f.n = lie_of(facet.v, kEpsilon).n;
     if (f.n == Vec3{}) return false;
@@ -17,7 +17,7 @@ bool bare_ground_facet(const Facet& facet, MeshFacet& f)
     return true;
 }
 
-void find_ground_rims(const Terrain& terrain, const GroundPlace& place, MeshFacet& f)
+void find_terrain_rims(const Terrain& terrain, const TerrainPlace& place, MeshFacet& f)
 {
     const float tilt = lie_of(f.v, kEpsilon).tilt;
     for (int k = 0; k < 3; ++k) {
@@ -40,7 +40,7 @@ void find_ground_rims(const Terrain& terrain, const GroundPlace& place, MeshFace
     }
 }
 
-bool ground_walls(const Terrain& terrain, const Facet& facet, int k, MeshFacet (&walls)[2])
+bool terrain_walls(const Terrain& terrain, const Facet& facet, int k, MeshFacet (&walls)[2])
 {
     Triangle wall[2];
     if (!terrain.hole_beyond(facet, k) || !terrain.wall_below(facet, k, wall)) return false;
@@ -68,7 +68,7 @@ bool ground_walls(const Terrain& terrain, const Facet& facet, int k, MeshFacet (
     return true;
 }
 
-bool ground_crests_at_corner(const Terrain& terrain, const GroundPlace& place, int corner, Vec3 n)
+bool terrain_crests_at_corner(const Terrain& terrain, const TerrainPlace& place, int corner, Vec3 n)
 {
     if (place.wall || (terrain.holed() && terrain.thickness() > 0 && n.y < 0)) return false;
     return terrain.falls_around(place.facet, corner, n, kLevel);

@@ -13,20 +13,20 @@
 namespace epode {
 
 // The facet in the grid that a triangle of the ground is, or that it is a wall of.
-struct GroundPlace {
+struct TerrainPlace {
     Facet facet{};
     bool wall = false;
 };
 
 // Corners, normal and plane only; false for one without area.
-bool bare_ground_facet(const Facet& facet, MeshFacet& f);
+bool bare_terrain_facet(const Facet& facet, MeshFacet& f);
 // The rest.
-void find_ground_rims(const Terrain& terrain, const GroundPlace& place, MeshFacet& f);
+void find_terrain_rims(const Terrain& terrain, const TerrainPlace& place, MeshFacet& f);
 
 // The wall under side k of a facet, with all that belongs to it; false when there is none.
-bool ground_walls(const Terrain& terrain, const Facet& facet, int k, MeshFacet (&walls)[2]);
+bool terrain_walls(const Terrain& terrain, const Facet& facet, int k, MeshFacet (&walls)[2]);
 
 // As crest_at_corner() of meshes.
-bool ground_crests_at_corner(const Terrain& terrain, const GroundPlace& place, int corner, Vec3 n);
+bool terrain_crests_at_corner(const Terrain& terrain, const TerrainPlace& place, int corner, Vec3 n);
 
 }  // namespace epode

@@ -16,7 +16,7 @@ namespace epode {
 namespace {
 
 // False when the contacts are already all there are.
-bool over(const RoundSolid& s, const PastEdges& past, const MeshFacet& f, MeshMeeting& m)
+bool over(const RoundSolid& s, const PastEdges& past, const MeshFacet& f, MeshPair& m)
 {
     const CutPart part = past.part_over(m.slack);
     if (part.t.empty()) return true;
@@ -24,7 +24,7 @@ bool over(const RoundSolid& s, const PastEdges& past, const MeshFacet& f, MeshMe
     const Real at_p = f.height(p), at_q = f.height(q);
     if (at_p < -m.slack && at_q < -m.slack) return true;  // under it, not through it
     const bool pierces = at_p < -m.slack || at_q < -m.slack;
-    if (pierces && f.has_crest() && crest_pushes(f, m)) return false;
+    if (pierces && f.has_crest() && add_crest_if_least(f, m)) return false;
     const auto add = [&](Vec3 x, Real height, bool cut) {
         const bool through = height < -m.slack;
         const Real depth = s.r - height;
@@ -37,16 +37,16 @@ bool over(const RoundSolid& s, const PastEdges& past, const MeshFacet& f, MeshMe
 }
 
 // A border that is hardly below the round: the surface goes on, for all we know (kLip).
-bool over_lip(const RoundSolid& s, const MeshFacet& f, Vec3 p, Vec3 q, MeshMeeting& m)
+bool over_lip(const RoundSolid& s, const MeshFacet& f, Vec3 p, Vec3 q, MeshPair& m)
 {
     const Real height = f.height(p);
     if (!(s.r - height < kLip * s.r)) return false;
-    const Real side2 = length2(p - q) - height * height, room = s.r * s.r - side2;
-    if (room > height * height) m.out.add(q, f.n, std::sqrt(room) - height, f.index);
+    const Real side2 = length2(p - q) - height * height, rise2 = s.r * s.r - side2;
+    if (rise2 > height * height) m.out.add(q, f.n, std::sqrt(rise2) - height, f.index);
     return true;
 }
 
-void beside(const RoundSolid& s, const MeshFacet& f, int edge, Vec3 p, Vec3 q, MeshMeeting& m)
+void round_at_crest(const RoundSolid& s, const MeshFacet& f, int edge, Vec3 p, Vec3 q, MeshPair& m)
 {
     Vec3 n = p - q;
     const Real reach = s.r + m.slack, distance2 = length2(n);
@@ -65,7 +65,7 @@ void beside(const RoundSolid& s, const MeshFacet& f, int edge, Vec3 p, Vec3 q, M
 }
 
 // A ball over a triangle.
-void over_inside(Vec3 centre, Real radius, Vec3 n, Real height, int triangle, MeshMeeting& m)
+void over_inside(Vec3 centre, Real radius, Vec3 n, Real height, int triangle, MeshPair& m)
 {
     const ContactPoint point{centre - (m.as_ode ? height : radius) * n, n,
                              radius > height ? radius - height : 0, -1, triangle};
@@ -74,7 +74,7 @@ void over_inside(Vec3 centre, Real radius, Vec3 n, Real height, int triangle, Me
 
 }  // namespace
 
-void round_on(const RoundSolid& s, const MeshFacet& f, MeshMeeting& m)
+void round_on(const RoundSolid& s, const MeshFacet& f, MeshPair& m)
 {
     const Real at_a = f.height(s.a), at_b = f.height(s.b);
     const Real top = s.r + m.slack;
@@ -87,11 +87,11 @@ void round_on(const RoundSolid& s, const MeshFacet& f, MeshMeeting& m)
     for (int k = 0; k < 3; ++k) {
         if (!f.sharp[k] && !f.sharp[(k + 1) % 3]) continue;
         if (past.a[k] < inside && past.b[k] < inside) continue;
-        meet_edge(s, f.v[k], f.edge(k), [&](Vec3 p, Vec3 q) { beside(s, f, k, p, q, m); });
+        meet_edge(s, f.v[k], f.edge(k), [&](Vec3 p, Vec3 q) { round_at_crest(s, f, k, p, q, m); });
     }
 }
 
-void ball_on(Vec3 centre, Real radius, int triangle, MeshMeeting& m)
+void ball_on(Vec3 centre, Real radius, int triangle, MeshPair& m)
 {
     const TriangleMesh& mesh = m.mesh;
     const Vec3 n = mesh.normal(triangle);
@@ -115,7 +115,7 @@ void ball_on(Vec3 centre, Real radius, int triangle, MeshMeeting& m)
         const Vec3 q = v[k] + closest_on_segment(v[k], v[k == 2 ? 0 : k + 1], centre) * e[k];
         if (length2(centre - q) > top * top) continue;
         if (f.index < 0) f = facet_of(mesh, triangle);
-        beside({centre, centre, radius}, f, k, centre, q, m);
+        round_at_crest({centre, centre, radius}, f, k, centre, q, m);
     }
 }
 

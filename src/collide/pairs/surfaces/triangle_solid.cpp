@@ -10,7 +10,7 @@
 #include "collide/pairs/across_edges.h"
 #include "collide/pairs/polyhedra/box_axes.h"
 #include "collide/pairs/polyhedra/least_axes.h"
-#include "collide/pairs/surfaces/mesh_ground.h"
+#include "collide/pairs/surfaces/facet_contacts.h"
 #include "geometry/epa.h"
 #include "geometry/gjk.h"
 #include "geometry/polyhedron.h"
@@ -20,11 +20,11 @@ namespace epode {
 
 namespace {
 
-constexpr Real kThere =
+constexpr Real kOwnShare =
     Real(0.5);  // less of the own depth against a neighbour that rises: it is that which is touched
 constexpr Real kShallow = Real(5e-4);   // of the size: no less than the depth of whatever a search would find
 constexpr std::size_t kManyEdges = 16;  // of a polyhedron: more are searched by expansion
-constexpr Real kSure = Real(0.999);     // less than this of a bound is no matter of rounding
+constexpr Real kSafeFraction = Real(0.999);  // less than this of a bound is no matter of rounding
 constexpr Real kAlongCrest = Real(0.2);  // a normal that leans along a crest by less is made upright to it
 
 // The least overlap among the directions that have been tried.
@@ -41,12 +41,11 @@ struct Way {
 // The search for the direction of least overlap that is allowed.
 class LeastWay : public Way {
   public:
-    LeastWay(const MeshFacet& facet, const MeshMeeting& meeting)
-        : f_(facet), m_(meeting), reach_(meeting.solid)
+    LeastWay(const MeshFacet& facet, const MeshPair& pair) : f_(facet), m_(pair), reach_(pair.solid)
     {
-        if (meeting.solid.kind != SolidKind::kPolyhedron) return;
-        const Polyhedron& solid = *static_cast<const Polyhedron*>(meeting.solid.shape);
-        ball_centre_ = meeting.solid.pose.to_world(solid.inner()), ball_radius_ = solid.inner_radius();
+        if (pair.solid.kind != SolidKind::kPolyhedron) return;
+        const Polyhedron& solid = *static_cast<const Polyhedron*>(pair.solid.shape);
+        ball_centre_ = pair.solid.pose.to_world(solid.inner()), ball_radius_ = solid.inner_radius();
     }
 
     // False: the two do not touch.
@@ -72,7 +71,7 @@ class LeastWay : public Way {
     {
         for (int k = 0; k < 3; ++k)
             if (f_.rim[k] == Rim::kHollow &&
-                !rim_on(k, RimArc(*reach_.cylinder(), m_.solid.pose, f_, k), kThere * own_))
+                !rim_on(k, RimArc(*reach_.cylinder(), m_.solid.pose, f_, k), kOwnShare * own_))
                 return false;
         return decide();
     }
@@ -88,7 +87,7 @@ class LeastWay : public Way {
     bool decide()
     {
         if (on_crest && kFaceFirst * depth > blocked) on_crest = false, normal = f_.n, depth = own_;
-        if (!on_crest && hollow < kThere * own_) return false;  // it touches the neighbour, not this one
+        if (!on_crest && hollow < kOwnShare * own_) return false;  // it touches the neighbour, not this one
         return true;
     }
 
@@ -117,9 +116,10 @@ class LeastWay : public Way {
             if (!normalize(e) || std::fabs(dot(n, e)) > kAlongCrest) continue;
             Vec3 upright = n - dot(n, e) * e;
             if (!normalize(upright)) continue;
-            const Crest beside = crest_at_edge(f_, edge, upright);
+            const Crest upright_crest = crest_at_edge(f_, edge, upright);
             const Real across = overlap_along(upright);
-            if (beside.stands && across < kFaceFirst * depth) return judge(upright, across, beside, edge);
+            if (upright_crest.stands && across < kFaceFirst * depth)
+                return judge(upright, across, upright_crest, edge);
         }
         judge(n, d, crest, shows.at);
     }
@@ -144,27 +144,28 @@ class LeastWay : public Way {
 
     // Whether what is known to be in a polyhedron, a ball and its lowest point, shows already that neither
     // sense of an axis is worth anything.
-    bool surely_more(Vec3 a, Real size2, Real least, Real most) const
+    bool surely_more(Vec3 a, Real size2, Real least, Real largest) const
     {
-        const Real worth = kFaceFirst * depth, spare = kSure * (ball_radius_ - worth);
+        const Real worth = kFaceFirst * depth, spare = kSafeFraction * (ball_radius_ - worth);
         const Real middle = dot(a, ball_centre_), low = dot(a, lowest_);
         const auto more = [&](Real of_middle, Real of_low) {
             const bool by_ball =
                 spare > 0 && (of_middle >= 0 || of_middle * of_middle <= spare * spare * size2);
-            return by_ball || (of_low > 0 && kSure * kSure * of_low * of_low >= worth * worth * size2);
+            return by_ball ||
+                   (of_low > 0 && kSafeFraction * kSafeFraction * of_low * of_low >= worth * worth * size2);
         };
-        return more(most - middle, most - low) && more(middle - least, low - least);
+        return more(largest - middle, largest - low) && more(middle - least, low - least);
     }
 
     // Whether the overlap of a polyhedron along the axis is by more than rounding, and more than it is worth,
     // or less than parts the two: 1, -1, else 0.
-    int clearly(Vec3 a, Real size2, Real least, Real most) const
+    int clearly(Vec3 a, Real size2, Real least, Real largest) const
     {
         if (!m_.hull) return 0;
         Real low, high;
         reach_.roughly_along(a, low, high);
         const Real hair = m_.slack * (std::fabs(a.x) + std::fabs(a.y) + std::fabs(a.z));
-        const Real d = std::min(most - low, high - least), worth = kFaceFirst * depth;
+        const Real d = std::min(largest - low, high - least), worth = kFaceFirst * depth;
         const Real more = d + hair, less = d - hair;
         if (more < 0 && more * more > m_.slack * m_.slack * size2) return -1;
         return less > 0 && less * less >= worth * worth * size2 ? 1 : 0;
@@ -174,16 +175,16 @@ class LeastWay : public Way {
     // before their length is needed.
     bool offer(Vec3 a, Real size2 = 1)
     {
-        Real least = kInf, most = -kInf;
+        Real least = kInf, largest = -kInf;
         for (const Vec3 v : f_.v) {
             const Real at = dot(a, v);
-            least = at < least ? at : least, most = at > most ? at : most;
+            least = at < least ? at : least, largest = at > largest ? at : largest;
         }
-        if (ball_radius_ > 0 && surely_more(a, size2, least, most)) return true;
-        if (const int clear = clearly(a, size2, least, most)) return clear > 0;
+        if (ball_radius_ > 0 && surely_more(a, size2, least, largest)) return true;
+        if (const int clear = clearly(a, size2, least, largest)) return clear > 0;
         const Real low = reach_.low_along(a);
         const Real high = reach_.symmetric() ? 2 * dot(a, m_.solid.pose.p) - low : -reach_.low_along(-a);
-        const Real up = most - low, down = high - least, d = up <= down ? up : down;
+        const Real up = largest - low, down = high - least, d = up <= down ? up : down;
         if (d < 0 && d * d > m_.slack * m_.slack * size2) return false;
         const Real worth = kFaceFirst * depth;
         if (d > 0 && d * d >= worth * worth * size2) return true;
@@ -268,13 +269,14 @@ class LeastWay : public Way {
     unsigned worth_a_look(Vec3 edge) const
     {
         const AcrossEdges across(edge, f_);
-        const auto [most, least] = across.reach(f_, lowest_);
+        const auto [largest, least] = across.reach(f_, lowest_);
         const Quad middle = across.along(lowest_ - ball_centre_);
-        const Real enough = depth > 0 ? kFaceFirst * depth / kSure : Real(0), spare = enough - ball_radius_;
+        const Real enough = depth > 0 ? kFaceFirst * depth / kSafeFraction : Real(0),
+                   spare = enough - ball_radius_;
         const auto more = [&](const Quad& by_point, const Quad& by_ball) {
             return across.beyond(by_point, enough) | across.beyond(by_ball, spare);
         };
-        return 7u & ~(more(most, most + middle) & more(quad(0) - least, quad(0) - least - middle));
+        return 7u & ~(more(largest, largest + middle) & more(quad(0) - least, quad(0) - least - middle));
     }
     bool many_edges() const { return m_.solid.edges.size() > kManyEdges; }
 
@@ -333,7 +335,7 @@ class LeastWay : public Way {
     }
 
     const MeshFacet& f_;
-    const MeshMeeting& m_;
+    const MeshPair& m_;
     const SolidReach reach_;
     Real tie_ = -1;              // of heights of corners; negative: not known yet
     Vec3 ball_centre_, lowest_;  // the lowest point of the solid, along the triangle's normal
@@ -345,7 +347,7 @@ class LeastWay : public Way {
 };
 
 // A crest of the surface pushes into the solid.
-void press_crest(const MeshFacet& f, Vec3 normal, Real depth, MeshMeeting& m)
+void add_crest_contacts(const MeshFacet& f, Vec3 normal, Real depth, MeshPair& m)
 {
     dContactGeom found[4];
     ContactSink sink(found, sizeof(dContactGeom), 4, false);
@@ -355,33 +357,33 @@ void press_crest(const MeshFacet& f, Vec3 normal, Real depth, MeshMeeting& m)
 }
 
 // The rest of the search is only for what has contacts, and most of it for what is not seen to touch.
-void press_if_met(const MeshFacet& f, LeastWay& least, MeshMeeting& m)
+void add_contacts_if_met(const MeshFacet& f, LeastWay& least, MeshPair& m)
 {
-    FaceGround ground(f, m);
-    ground.hold();
-    press_out(m.solid, m.hull, f, ground);
-    if (ground.held() == 0 || !least.try_hollows()) return;
-    if (!least.on_crest && ground.met(m.solid.pose.p)) return ground.deliver();
+    FacetContacts contacts(f, m);
+    contacts.hold();
+    collect_facet_contacts(m.solid, m.hull, f, contacts);
+    if (contacts.held() == 0 || !least.try_hollows()) return;
+    if (!least.on_crest && contacts.met(m.solid.pose.p)) return contacts.deliver();
     if (!least.search_all()) return;
     if (least.on_crest)
-        press_crest(f, least.normal, least.depth, m);
+        add_crest_contacts(f, least.normal, least.depth, m);
     else
-        ground.deliver();
+        contacts.deliver();
 }
 
-void meet_side(const MeshFacet& f, MeshMeeting& m)
+void meet_side(const MeshFacet& f, MeshPair& m)
 {
     LeastWay least(f, m);
     if (!least.search()) return;
-    if (least.on_crest) return press_crest(f, least.normal, least.depth, m);
-    if (least.quick()) return press_if_met(f, least, m);
-    FaceGround ground(f, m);
-    press_out(m.solid, m.hull, f, ground);
+    if (least.on_crest) return add_crest_contacts(f, least.normal, least.depth, m);
+    if (least.quick()) return add_contacts_if_met(f, least, m);
+    FacetContacts contacts(f, m);
+    collect_facet_contacts(m.solid, m.hull, f, contacts);
 }
 
 }  // namespace
 
-void solid_on(const MeshFacet& f, MeshMeeting& m)
+void solid_on(const MeshFacet& f, MeshPair& m)
 {
     if (f.height(m.solid.pose.p) >= -m.slack)
         meet_side(f, m);
@@ -389,11 +391,11 @@ void solid_on(const MeshFacet& f, MeshMeeting& m)
         meet_side(turned(f), m);
 }
 
-bool crest_pushes(const MeshFacet& f, MeshMeeting& m)
+bool add_crest_if_least(const MeshFacet& f, MeshPair& m)
 {
     LeastWay least(f, m);
     if (!least.search() || !least.on_crest) return false;
-    press_crest(f, least.normal, least.depth, m);
+    add_crest_contacts(f, least.normal, least.depth, m);
     return true;
 }
 

@@ -5,7 +5,7 @@
 // and their stretches of the line that the planes share overlap (Moller 1997).
 #include "collide/pairs/surfaces/triangle_triangle.h"
 
-#include "collide/pairs/surfaces/mesh_patch.h"
+#include "collide/pairs/surfaces/triangle_part.h"
 #include "geometry/closest.h"
 
 namespace epode {
@@ -71,7 +71,7 @@ class Crossing {
         return true;
     }
 
-    void meet(TrianglePush& out)
+    void meet(TriangleContact& out)
     {
         offer_face(a_, b_, 1, 1), offer_face(b_, a_, -1, 1);
         if (!b_.one_sided()) offer_face(a_, b_, 1, -1);
@@ -82,7 +82,7 @@ class Crossing {
         out.normal = out.allowed ? normal_ : blocked_normal_;
         out.depth = out.allowed ? depth_ : blocked_;
         if (out.allowed && face_)
-            press(out);
+            collect(out);
         else if (out.depth < kInf)
             out.add(middle_, out.depth);
     }
@@ -90,19 +90,19 @@ class Crossing {
   private:
     // The part of `t` over `face`, and how deep it is on the side that is wrong when `side` is right.
     struct Sunk {
-        TrianglePart patch;
+        TrianglePart part;
         Real depth = 0;
         int at = 0;  // the deepest corner
         Sunk(const MeshFacet& t, const MeshFacet& face, Real side, Real slack)
         {
-            for (const Vec3 v : t.v) patch.add(v, false);
-            cut_to_prism(patch, Prism(face), true, slack);
-            Real most = -kInf;
-            for (int i = 0; i < patch.count; ++i) {
-                const Real d = -side * face.height(patch.points[i]);
-                if (d > most) most = d, at = i;
+            for (const Vec3 v : t.v) part.add(v, false);
+            cut_to_prism(part, Prism(face), true, slack);
+            Real deepest = -kInf;
+            for (int i = 0; i < part.count; ++i) {
+                const Real d = -side * face.height(part.points[i]);
+                if (d > deepest) deepest = d, at = i;
             }
-            depth = most > 0 ? most : 0;
+            depth = deepest > 0 ? deepest : 0;
         }
     };
 
@@ -122,7 +122,7 @@ class Crossing {
         const int other = corner == on[0] ? on[1] : on[0];
         for (const int edge : {corner, other})
             if (shows_edge(f, edge, n)) return f.rim[edge] == Rim::kBorder || falls(f, edge, n);
-        if (p.ground) return ground_crests_at_corner(*p.ground, p.place, corner, n);
+        if (p.terrain) return terrain_crests_at_corner(*p.terrain, p.place, corner, n);
         return crest_at_corner(*p.mesh, facet_of(*p.mesh, f.index), corner, transposed_times(p.pose->R, n))
             .stands;
     }
@@ -141,15 +141,15 @@ class Crossing {
     void offer_face(const PlacedFacet& t, const PlacedFacet& face, Real sense, Real side)
     {
         const Sunk sunk(t.f, face.f, side, slack_);
-        if (sunk.patch.count == 0) return;
+        if (sunk.part.count == 0) return;
         const Vec3 outward = side * face.f.n;
-        if (side > 0 && sunk.depth < weighed_ && ends(t, sunk.patch.points[sunk.at], -outward)) {
+        if (side > 0 && sunk.depth < weighed_ && ends(t, sunk.part.points[sunk.at], -outward)) {
             weighed_ = sunk.depth, normal_ = sense * outward, depth_ = sunk.depth;
             sunken_ = &t, face_ = &face;
             return;
         }
         if (sunk.depth < blocked_) blocked_ = sunk.depth, blocked_normal_ = sense * outward;
-        if (side > 0 && sunk.depth < fringe_ && !flat_at(t.f, sunk.patch.points[sunk.at]))
+        if (side > 0 && sunk.depth < fringe_ && !flat_at(t.f, sunk.part.points[sunk.at]))
             fringe_ = sunk.depth;
     }
 
@@ -181,13 +181,13 @@ class Crossing {
         }
     }
 
-    void press(TrianglePush& out) const
+    void collect(TriangleContact& out) const
     {
         const Sunk sunk(sunken_->f, face_->f, 1, slack_);
-        for (int i = 0; i < sunk.patch.count; ++i) {
-            const Vec3 p = sunk.patch.points[i];
+        for (int i = 0; i < sunk.part.count; ++i) {
+            const Vec3 p = sunk.part.points[i];
             const Real depth = -face_->f.height(p);
-            if (!sunk.patch.seam[i] && depth >= -touch_) out.add(p, depth > 0 ? depth : 0);
+            if (!sunk.part.seam[i] && depth >= -touch_) out.add(p, depth > 0 ? depth : 0);
         }
     }
 
@@ -222,7 +222,7 @@ PlacedFacet placed(const TriangleMesh& mesh, int triangle, const Pose& pose, con
     return p;
 }
 
-Real TrianglePush::overlap_along(Vec3 n) const
+Real TriangleContact::overlap_along(Vec3 n) const
 {
     Real top = -kInf, low = kInf;
     for (const Vec3 v : corners_b) top = dot(n, v) > top ? dot(n, v) : top;
@@ -230,11 +230,11 @@ Real TrianglePush::overlap_along(Vec3 n) const
     return top - low;
 }
 
-bool triangle_triangle(const PlacedFacet& a, PlacedFacet& b, Tolerance tolerance, TrianglePush& out)
+bool triangle_triangle(const PlacedFacet& a, PlacedFacet& b, Tolerance tolerance, TriangleContact& out)
 {
     Crossing crossing(a, b, tolerance);
     if (!crossing.crosses()) return false;
-    if (b.bare) find_ground_rims(*b.ground, b.place, b.f), b.bare = false;
+    if (b.bare) find_terrain_rims(*b.terrain, b.place, b.f), b.bare = false;
     out.a = a.f.index, out.b = b.f.index;
     for (int k = 0; k < 3; ++k) out.corners_a[k] = a.f.v[k], out.corners_b[k] = b.f.v[k];
     crossing.meet(out);

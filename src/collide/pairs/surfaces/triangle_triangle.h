@@ -18,10 +18,10 @@ struct PlacedFacet {
     MeshFacet f;
     const TriangleMesh* mesh;
     const Pose* pose;  // of the mesh
-    const Terrain* ground = nullptr;
-    GroundPlace place{};  // in the ground
-    bool bare = false;    // its rims have not been looked for
-    bool one_sided() const { return ground != nullptr; }
+    const Terrain* terrain = nullptr;
+    TerrainPlace place{};  // in the ground
+    bool bare = false;     // its rims have not been looked for
+    bool one_sided() const { return terrain != nullptr; }
 };
 struct PlacedCorners {
     Vec3 v[3];
@@ -30,19 +30,19 @@ PlacedCorners placed_corners(const TriangleMesh& mesh, int triangle, const Pose&
 PlacedFacet placed(const TriangleMesh& mesh, int triangle, const Pose& pose, const PlacedCorners& corners);
 
 // What one pair of triangles says: move a by depth * normal.
-struct TrianglePush {
-    static constexpr int kMost = 6;  // corners of a triangle cut by a triangle's prism, seams left out
-    int a = -1, b = -1;              // the triangles
+struct TriangleContact {
+    static constexpr int kMax = 6;  // corners of a triangle cut by a triangle's prism, seams left out
+    int a = -1, b = -1;             // the triangles
     Vec3 corners_a[3], corners_b[3];
     Vec3 normal;  // from b into a
     Real depth = 0;
     bool allowed = false;  // by both meshes; if not, the least way out, one point
     int count = 0;
-    Vec3 points[kMost];
-    Real depths[kMost];
+    Vec3 points[kMax];
+    Real depths[kMax];
     void add(Vec3 point, Real how_deep)
     {
-        if (count < kMost) points[count] = point, depths[count++] = how_deep;
+        if (count < kMax) points[count] = point, depths[count++] = how_deep;
     }
     Real overlap_along(Vec3 n) const;  // of the two triangles
 };
@@ -54,6 +54,6 @@ struct Tolerance {
 
 // False when the two do not cross. A facet of the ground as b may be bare (terrain_facet.h): its rims are
 // looked for when they are needed.
-bool triangle_triangle(const PlacedFacet& a, PlacedFacet& b, Tolerance tolerance, TrianglePush& out);
+bool triangle_triangle(const PlacedFacet& a, PlacedFacet& b, Tolerance tolerance, TriangleContact& out);
 
 }  // namespace epode

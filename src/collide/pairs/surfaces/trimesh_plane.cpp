@@ -22,7 +22,7 @@ constexpr int kFewDirections = 32;  // to choose four from
 constexpr int kFewVertices = 128;   // are gone through one by one, without the tree
 
 // The plane in the mesh's frame, and the way back.
-struct Meeting {
+struct MeshPlanePair {
     const TrimeshData& data;
     const Pose& pose;
     Vec3 normal;  // in the world
@@ -104,10 +104,10 @@ class Extremes {
         for (int g = 0; g < groups_; ++g) {
             Group& some = some_[g];
             const Quad along = load_quad(some.x) * x + load_quad(some.y) * y + load_quad(some.z) * z;
-            for (unsigned far = bits(load_quad(some.most) <= along); far != 0; far &= far - 1) {
+            for (unsigned far = bits(load_quad(some.largest) <= along); far != 0; far &= far - 1) {
                 const int i = std::countr_zero(far);
-                if (lane(along, i) == some.most[i] && half_edge > some.half_edge[i]) continue;
-                some.most[i] = lane(along, i), some.half_edge[i] = half_edge;
+                if (lane(along, i) == some.largest[i] && half_edge > some.half_edge[i]) continue;
+                some.largest[i] = lane(along, i), some.half_edge[i] = half_edge;
             }
         }
     }
@@ -125,7 +125,7 @@ class Extremes {
   private:
     static constexpr int kWide = 4;
     struct Group {
-        Real x[kWide], y[kWide], z[kWide], most[kWide];
+        Real x[kWide], y[kWide], z[kWide], largest[kWide];
         int half_edge[kWide];
     };
     void set(int i, Vec3 direction)
@@ -133,7 +133,7 @@ class Extremes {
         Group& some = some_[i / kWide];
         const int k = i % kWide;
         some.x[k] = direction.x, some.y[k] = direction.y, some.z[k] = direction.z;
-        some.most[k] = -kInf, some.half_edge[k] = -1;
+        some.largest[k] = -kInf, some.half_edge[k] = -1;
     }
 
     union {
@@ -142,11 +142,11 @@ class Extremes {
     int count_, groups_;
 };
 
-void choose(const Meeting& m, ContactSink& sink)
+void choose(const MeshPlanePair& m, ContactSink& sink)
 {
-    const bool few = sink.room() <= 4;
-    const int room = sink.room() < kMostDirections ? sink.room() : kMostDirections;
-    Extremes extremes(m.n, few ? kFewDirections : room);
+    const bool few = sink.capacity() <= 4;
+    const int capacity = sink.capacity() < kMostDirections ? sink.capacity() : kMostDirections;
+    Extremes extremes(m.n, few ? kFewDirections : capacity);
     m.each([&](int half_edge, Vec3 vertex) {
         extremes.offer(vertex, half_edge);
         return true;
@@ -168,16 +168,16 @@ void trimesh_plane(const Trimesh& a, const Pose& A, const Plane& b, const Pose&,
 {
     const TrimeshData* data = a.mesh();
     if (!data) return;
-    const Meeting m{*data, A, b.normal, transposed_times(A.R, b.normal), b.d - dot(b.normal, A.p)};
+    const MeshPlanePair m{*data, A, b.normal, transposed_times(A.R, b.normal), b.d - dot(b.normal, A.p)};
     int count = 0;
     BestContacts in_order(sink, [](const dContactGeom& x, const dContactGeom& y) {
         return x.side1 != y.side1 ? x.side1 < y.side1 : x.side2 < y.side2;
     });
     m.each([&](int half_edge, Vec3) {
-        if (++count <= sink.room()) in_order.add(m.contact(half_edge));
-        return count <= sink.room();
+        if (++count <= sink.capacity()) in_order.add(m.contact(half_edge));
+        return count <= sink.capacity();
     });
-    if (count > sink.room() && !sink.unimportant()) {
+    if (count > sink.capacity() && !sink.unimportant()) {
         sink.clear();
         choose(m, sink);
     } else {

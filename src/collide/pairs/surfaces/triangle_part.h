@@ -33,6 +33,6 @@ struct Prism {
 };
 
 // Cuts by the prism. `seams`: false makes all cuts count.
-void cut_to_prism(TrianglePart& patch, const Prism& prism, bool seams, Real slack);
+void cut_to_prism(TrianglePart& part, const Prism& prism, bool seams, Real slack);
 
 }  // namespace epode

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See harvest.h. When the room is full, every manifold is thinned to four points at once; should that not
-// help, as on a surface of needles, the manifolds that are least deep go.
-#include "collide/pairs/harvest.h"
+// See contact_collector.h. When the collector is full, every manifold is reduced to four points at once. If that
+// is not enough, as on a surface of needles, the shallowest manifolds are dropped.
+#include "collide/pairs/contact_collector.h"
 
 namespace epode {
 
@@ -14,7 +14,7 @@ constexpr Real kLikeNormal = Real(0.998);  // cosine of 3.6 degrees
 
 }  // namespace
 
-void Harvest::add(const ContactPoint& point)
+void ContactCollector::add(const ContactPoint& point)
 {
     for (int k = 0; k < count_; ++k) {
         ContactPoint& p = points_[k];
@@ -29,13 +29,13 @@ void Harvest::add(const ContactPoint& point)
     add_apart(point);
 }
 
-void Harvest::add_apart(const ContactPoint& point)
+void ContactCollector::add_apart(const ContactPoint& point)
 {
-    if (count_ == kRoom) make_room();
+    if (count_ == kCapacity) thin_out();
     points_[count_++] = point;
 }
 
-void Harvest::sort_out()
+void ContactCollector::sort_out()
 {
     // Insertion by depth; stable.
     for (int k = 1; k < count_; ++k) {
@@ -66,7 +66,7 @@ void Harvest::sort_out()
     starts_[manifolds_] = count_;
 }
 
-int Harvest::thinned(int manifold, int quota, ContactPoint* out) const
+int ContactCollector::thinned(int manifold, int quota, ContactPoint* out) const
 {
     dContactGeom kept[kPerManifold];
     ContactSink choice(kept, sizeof(dContactGeom), quota < kPerManifold ? quota : kPerManifold, false);
@@ -77,11 +77,11 @@ int Harvest::thinned(int manifold, int quota, ContactPoint* out) const
     return choice.count();
 }
 
-void Harvest::make_room()
+void ContactCollector::thin_out()
 {
     sort_out();
     int kept = 0;
-    for (int m = 0; m < manifolds_ && kept + kPerManifold <= kRoom - kRoom / 4; ++m) {
+    for (int m = 0; m < manifolds_ && kept + kPerManifold <= kCapacity - kCapacity / 4; ++m) {
         ContactPoint best[kPerManifold];
         const int n = thinned(m, kPerManifold, best);
         for (int k = 0; k < n; ++k) points_[kept++] = best[k];  // never beyond what has been read
@@ -89,12 +89,12 @@ void Harvest::make_room()
     count_ = kept;
 }
 
-void Harvest::deliver(ContactSink& sink)
+void ContactCollector::deliver(ContactSink& sink)
 {
     sort_out();
     for (int m = 0; m < manifolds_ && !sink.full(); ++m) {
         // An equal share each; what earlier ones left over goes to the later.
-        const int left = sink.room() - sink.count(), waiting = manifolds_ - m;
+        const int left = sink.capacity() - sink.count(), waiting = manifolds_ - m;
         const int quota = left > waiting ? left / waiting : 1;
         const int first = starts_[m], count = starts_[m + 1] - first;
         if (count <= quota && count <= kPerManifold) {

@@ -11,10 +11,10 @@
 
 namespace epode {
 
-class Harvest {
+class ContactCollector {
   public:
     // Positions closer than `same` with like normals are one contact, numbered as the sink says.
-    Harvest(Real same, const ContactSink& sink) : same2_(same * same), sink_(sink) {}
+    ContactCollector(Real same, const ContactSink& sink) : same2_(same * same), sink_(sink) {}
 
     void add(const ContactPoint& point);
     void add(Vec3 position, Vec3 normal, Real depth, int side2 = -1)
@@ -27,18 +27,18 @@ class Harvest {
     void deliver(ContactSink& sink);
 
   private:
-    static constexpr int kRoom = 64;
+    static constexpr int kCapacity = 64;
     static constexpr int kPerManifold = 4;
 
     void sort_out();  // by manifold, the deepest manifold first; starts_ gets their first places
     int thinned(int manifold, int quota, ContactPoint* out) const;
-    void make_room();
+    void thin_out();
 
     union {
-        ContactPoint points_[kRoom];  // in a union: left unwritten until added
+        ContactPoint points_[kCapacity];  // in a union: left unwritten until added
     };
     int count_ = 0;
-    int starts_[kRoom + 1];
+    int starts_[kCapacity + 1];
     int manifolds_ = 0;
     Real same2_;
     const ContactSink& sink_;

@@ -37,7 +37,7 @@ struct FieldPlanes {
 };
 
 // Along the three ways, each inward.
-struct FieldWays {
+struct FieldExtents {
     Quad along[3];
 };
 
@@ -50,13 +50,13 @@ class FieldFrame {
     Real per_z() const { return per_z_; }
     // Facets with A and with D in turn.
     EPODE_LANEWISE static Quad side() { return quad(1, -1, 1, -1); }
-    EPODE_LANEWISE FieldWays inward(const Quad3& d) const
+    EPODE_LANEWISE FieldExtents inward(const Quad3& d) const
     {
         const Quad x = side() * d.x, z = side() * d.z;
         return {{x, z, quad(-per_x_) * x - quad(per_z_) * z}};
     }
     // Which of the farthest places inward are over all walls.
-    EPODE_LANEWISE unsigned over(const FieldWays& reach) const
+    EPODE_LANEWISE unsigned over(const FieldExtents& reach) const
     {
         return bits(quad(walls_[0]) <= reach.along[0]) & bits(quad(walls_[1]) <= reach.along[1]) &
                bits(quad(walls_[2]) <= reach.along[2]);
@@ -69,40 +69,40 @@ class FieldFrame {
 // Edges from a lowest corner, or what stands for them, rising as told (at least 0).
 class CornerReach {
   public:
-    EPODE_LANEWISE CornerReach(const FieldWays& corner, const Quad& depth) : corner_(corner), depth_(depth)
+    EPODE_LANEWISE CornerReach(const FieldExtents& corner, const Quad& depth) : corner_(corner), depth_(depth)
     {
-        for (int w = 0; w < 3; ++w) sum_[w] = most_[w] = quad(0);
+        for (int w = 0; w < 3; ++w) sum_[w] = largest_[w] = quad(0);
     }
-    EPODE_LANEWISE void edge(const FieldWays& edge, const Quad& rise)
+    EPODE_LANEWISE void edge(const FieldExtents& edge, const Quad& rise)
     {
         // An edge that hardly rises is bounded by its length; what it adds to the other bound is nothing.
         const Quad far = depth_ / larger(rise, quad(Real(1e-30))), share = smaller(far, quad(1));
         for (int w = 0; w < 3; ++w) {
             const Quad along = larger(edge.along[w], quad(0));
             sum_[w] = sum_[w] + along * share;
-            most_[w] = larger(along * far, most_[w]);
+            largest_[w] = larger(along * far, largest_[w]);
         }
     }
-    EPODE_LANEWISE FieldWays reach() const
+    EPODE_LANEWISE FieldExtents reach() const
     {
-        FieldWays all;
-        for (int w = 0; w < 3; ++w) all.along[w] = corner_.along[w] + smaller(most_[w], sum_[w]);
+        FieldExtents all;
+        for (int w = 0; w < 3; ++w) all.along[w] = corner_.along[w] + smaller(largest_[w], sum_[w]);
         return all;
     }
 
   private:
-    FieldWays corner_;
-    Quad depth_, sum_[3], most_[3];
+    FieldExtents corner_;
+    Quad depth_, sum_[3], largest_[3];
 };
 
 // met(planes): which of the facets may be met, a bit for each. Of polyhedra nothing is known.
 template <typename Shape>
-class Underpart;
+class SubPlaneExtent;
 
 template <>
-class Underpart<Box> {
+class SubPlaneExtent<Box> {
   public:
-    Underpart(const Box& box, const Pose& pose, const FieldFrame& frame) : frame_(frame), middle_(pose.p)
+    SubPlaneExtent(const Box& box, const Pose& pose, const FieldFrame& frame) : frame_(frame), middle_(pose.p)
     {
         const Real half[3] = {box.half.x, box.half.y, box.half.z};
         for (int i = 0; i < 3; ++i) arm_[i] = half[i] * pose.R.column(i);
@@ -133,9 +133,9 @@ class Underpart<Box> {
 };
 
 template <>
-class Underpart<Cylinder> {
+class SubPlaneExtent<Cylinder> {
   public:
-    Underpart(const Cylinder& cylinder, const Pose& pose, const FieldFrame& frame)
+    SubPlaneExtent(const Cylinder& cylinder, const Pose& pose, const FieldFrame& frame)
         : frame_(frame),
           radius_(cylinder.radius),
           middle_(pose.p),
@@ -166,9 +166,9 @@ class Underpart<Cylinder> {
         part.edge(frame_.inward((r + r) * up), if_less(least, size, drop + drop, quad(0)));
         // Half the chord at the top of the part.
         const Quad width = square_root(high * (r + r - high));
-        const FieldWays beside = frame_.inward(cross_axis(up));
-        FieldWays reach = part.reach();
-        for (int w = 0; w < 3; ++w) reach.along[w] = reach.along[w] + width * magnitude(beside.along[w]);
+        const FieldExtents sideways = frame_.inward(cross_axis(up));
+        FieldExtents reach = part.reach();
+        for (int w = 0; w < 3; ++w) reach.along[w] = reach.along[w] + width * magnitude(sideways.along[w]);
         return sinking & frame_.over(reach);
     }
 
@@ -212,13 +212,13 @@ class RoundUnder {
         // The feet of the middles where these are above.
         const Quad per = above / size2;
         const Quad left = more * more - above * per, width = square_root(larger(left, quad(0)));
-        FieldWays reach = frame_.inward(from - per * m);
+        FieldExtents reach = frame_.inward(from - per * m);
         if constexpr (kMoved) {
             const Quad part =
                 smaller((square_root(limit2) - low) / larger(rise + rise, quad(Real(1e-30))), quad(1));
             const Quad up = part + part, higher = if_less(quad(0), low, low + up * rise, quad(0));
             const Quad3 to = from + up * half;
-            const FieldWays end = frame_.inward(to - (higher / size2) * m);
+            const FieldExtents end = frame_.inward(to - (higher / size2) * m);
             for (int w = 0; w < 3; ++w) reach.along[w] = larger(end.along[w], reach.along[w]);
         }
         for (int w = 0; w < 2; ++w) reach.along[w] = reach.along[w] + width;
@@ -233,17 +233,17 @@ class RoundUnder {
 };
 
 template <>
-class Underpart<Sphere> : public RoundUnder<false> {
+class SubPlaneExtent<Sphere> : public RoundUnder<false> {
   public:
-    Underpart(const Sphere& sphere, const Pose& pose, const FieldFrame& frame)
+    SubPlaneExtent(const Sphere& sphere, const Pose& pose, const FieldFrame& frame)
         : RoundUnder(pose.p, {}, sphere.radius, frame)
     {}
 };
 
 template <>
-class Underpart<Capsule> : public RoundUnder<true> {
+class SubPlaneExtent<Capsule> : public RoundUnder<true> {
   public:
-    Underpart(const Capsule& capsule, const Pose& pose, const FieldFrame& frame)
+    SubPlaneExtent(const Capsule& capsule, const Pose& pose, const FieldFrame& frame)
         : RoundUnder(pose.p, capsule.half_length * pose.R.column(2), capsule.radius, frame)
     {}
 };

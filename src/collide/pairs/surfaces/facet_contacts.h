@@ -13,7 +13,7 @@
 // that are above.
 #pragma once
 
-#include "collide/pairs/surfaces/mesh_patch.h"
+#include "collide/pairs/surfaces/triangle_part.h"
 
 namespace epode {
 
@@ -22,15 +22,15 @@ struct PrismPlace {
     Real height, beyond[3];
 };
 
-class FaceGround {
+class FacetContacts {
   public:
-    FaceGround(const MeshFacet& facet, MeshMeeting& m)
+    FacetContacts(const MeshFacet& facet, MeshPair& m)
         : f_(facet), prism_(facet), up_(facet.n), slack_(m.slack), out_(m.out), index_(facet.index)
     {
         for (int k = 0; k < 3; ++k) ends_[k] = !m.seam(facet, k);
     }
     // About `up`; behind the edge `shared`, if it is none of -1, the patch goes on.
-    FaceGround(const Triangle& face, Vec3 up, int shared, Real slack, Harvest& out)
+    FacetContacts(const Triangle& face, Vec3 up, int shared, Real slack, ContactCollector& out)
         : f_(face), prism_(face, up), up_(up), slack_(slack), out_(out), index_(-1)
     {
         for (int k = 0; k < 3; ++k) ends_[k] = k != shared;
@@ -52,15 +52,15 @@ class FaceGround {
         return a.beyond[0] <= slack_ && a.beyond[1] <= slack_ && a.beyond[2] <= slack_;
     }
 
-    void press(const Polygon& face);
-    void press(Vec3 p)
+    void add(const Polygon& face);
+    void add(Vec3 p)
     {
         if (low(f_.height(p)) && within(place(p))) give(p);
     }
-    void press_edge(Vec3 p, const PrismPlace& at_p, Vec3 q, const PrismPlace& at_q);
+    void add_edge(Vec3 p, const PrismPlace& at_p, Vec3 q, const PrismPlace& at_q);
     void give(Vec3 p)
     {
-        if (held_ >= 0 && held_ < kMostHeld)
+        if (held_ >= 0 && held_ < kMaxHeld)
             holds_[held_++] = p;
         else
             put(p);
@@ -86,8 +86,8 @@ class FaceGround {
     Real slack() const { return slack_; }
 
   private:
-    static constexpr int kMostHeld = 64;  // a cylinder has less
-    void press_corners(const Polygon& face);
+    static constexpr int kMaxHeld = 64;  // a cylinder has less
+    void add_corners(const Polygon& face);
     void put(Vec3 p)
     {
         const Real depth = -f_.height(p);
@@ -99,15 +99,16 @@ class FaceGround {
     Vec3 up_;
     bool ends_[3];
     Real slack_;
-    Harvest& out_;
+    ContactCollector& out_;
     int index_;
     int held_ = -1;
     union {
-        Vec3 holds_[kMostHeld];  // in a union: left unwritten until held
+        Vec3 holds_[kMaxHeld];  // in a union: left unwritten until held
     };
 };
 
 // A box, cylinder or polyhedron; of this `hull`, if there is one.
-void press_out(const ConvexView& solid, PlacedHull* hull, const Triangle& face, FaceGround& ground);
+void collect_facet_contacts(const ConvexView& solid, PlacedHull* hull, const Triangle& face,
+                            FacetContacts& contacts);
 
 }  // namespace epode

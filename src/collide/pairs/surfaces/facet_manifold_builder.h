@@ -20,11 +20,11 @@ namespace epode {
 inline constexpr Real kFaceLean = Real(0.17);  // faces that look down by more than 10 degrees carry contacts
 inline constexpr Real kFlat = kSingle ? Real(1e-4) : Real(1e-6);  // lean of a rim that has no lowest point
 
-template <typename Ground>
-class Press {
+template <typename Contacts>
+class FacetManifoldBuilder {
   public:
-    Press(const ConvexView& solid, PlacedHull* hull, const Triangle& facet, Ground& ground)
-        : s_(solid), hull_(hull), f_(facet), to_(ground)
+    FacetManifoldBuilder(const ConvexView& solid, PlacedHull* hull, const Triangle& facet, Contacts& contacts)
+        : s_(solid), hull_(hull), f_(facet), to_(contacts)
     {}
 
     void all()
@@ -35,7 +35,7 @@ class Press {
             const Vec3 axis = s_.pose.R.column(i);
             face(dot(axis, f_.n) > 0 ? -axis : axis);
         }
-        if (!s_.faces.empty()) to_.press(s_.support(-f_.n));
+        if (!s_.faces.empty()) to_.add(s_.support(-f_.n));
         if (s_.kind == SolidKind::kCylinder) round();
         if (s_.kind == SolidKind::kCurved) curved();
     }
@@ -68,7 +68,7 @@ class Press {
         if (!(-dot(hull_->axis(i), f_.n) >= kFaceLean)) return;
         Polygon polygon;
         hull_->polygon(i, polygon);
-        to_.press(polygon);
+        to_.add(polygon);
     }
 
     void face(Vec3 outward)
@@ -80,7 +80,7 @@ class Press {
     {
         Polygon polygon;
         s_.feature(direction, polygon);
-        to_.press(polygon);
+        to_.add(polygon);
     }
 
     void round()
@@ -89,7 +89,7 @@ class Press {
         const Vec3 aside = dot(axis, f_.n) * axis - f_.n;
         if (length2(aside) > kFaceLean * kFaceLean) feature(aside);
         // The lowest of the true rim, not of its polygon; the support of a flat end is its middle.
-        if (length2(aside) > kFlat * kFlat) to_.press(s_.support(-f_.n));
+        if (length2(aside) > kFlat * kFlat) to_.add(s_.support(-f_.n));
         const Real half = static_cast<const Cylinder*>(s_.shape)->half_length,
                    drop = s_.rim_radius * length(aside);
         for (const Vec3 end : {axis, -axis}) {
@@ -102,7 +102,7 @@ class Press {
     void curved()
     {
         feature(-f_.n);
-        to_.press(s_.support(-f_.n));
+        to_.add(s_.support(-f_.n));
     }
 
     // Where the true rim passes over the facet's edges: on a ridge, these are the deepest points.
@@ -117,21 +117,21 @@ class Press {
             const Real aside2 = r * r - way * way / steep2;
             const Vec3 foot = centre + way / steep2 * within;
             const Vec3 along = std::sqrt(aside2 > 0 ? aside2 / steep2 : Real(0)) * cross(axis, within);
-            to_.press(foot + along);
-            to_.press(foot - along);
+            to_.add(foot + along);
+            to_.add(foot - along);
         }
     }
 
     const ConvexView& s_;
     PlacedHull* const hull_;
     const Triangle& f_;
-    Ground& to_;
+    Contacts& to_;
 };
 
-template <typename Ground>
-void press_solid(const ConvexView& solid, PlacedHull* hull, const Triangle& facet, Ground ground)
+template <typename Contacts>
+void build_facet_manifold(const ConvexView& solid, PlacedHull* hull, const Triangle& facet, Contacts contacts)
 {
-    Press<std::remove_reference_t<Ground>>(solid, hull, facet, ground).all();
+    FacetManifoldBuilder<std::remove_reference_t<Contacts>>(solid, hull, facet, contacts).all();
 }
 
 }  // namespace epode

@@ -2,34 +2,34 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Sutherland and Hodgman's cutting (1974) as in geometry/clip.h, with the mark of each corner carried along.
-#include "collide/pairs/surfaces/mesh_patch.h"
+#include "collide/pairs/surfaces/triangle_part.h"
 
 namespace epode {
 
 namespace {
 
 // Keeps the part with normal . x <= limit + slack.
-void cut(TrianglePart& patch, Vec3 normal, Real limit, Real slack, bool seam)
+void cut(TrianglePart& part, Vec3 normal, Real limit, Real slack, bool seam)
 {
     Real distance[TrianglePart::kMax];
     bool all = true;
-    for (int i = 0; i < patch.count; ++i) {
-        distance[i] = dot(normal, patch.points[i]) - limit;
+    for (int i = 0; i < part.count; ++i) {
+        distance[i] = dot(normal, part.points[i]) - limit;
         all = all && distance[i] <= slack;
     }
     if (all) return;
     TrianglePart kept;
-    for (int i = 0; i < patch.count; ++i) {
+    for (int i = 0; i < part.count; ++i) {
         const bool in = distance[i] <= slack;
-        if (in) kept.add(patch.points[i], patch.seam[i]);
-        const int j = i + 1 < patch.count ? i + 1 : 0;
-        if (in == (distance[j] <= slack) || (patch.count == 2 && i == 1)) continue;
+        if (in) kept.add(part.points[i], part.seam[i]);
+        const int j = i + 1 < part.count ? i + 1 : 0;
+        if (in == (distance[j] <= slack) || (part.count == 2 && i == 1)) continue;
         if ((in ? distance[i] : distance[j]) >= 0) continue;  // the kept end lies on the plane already
         const Real t = distance[i] / (distance[i] - distance[j]);
-        kept.add(patch.points[i] + t * (patch.points[j] - patch.points[i]), seam);
+        kept.add(part.points[i] + t * (part.points[j] - part.points[i]), seam);
     }
-    patch.count = 0;
-    for (int i = 0; i < kept.count; ++i) patch.add(kept.points[i], kept.seam[i]);
+    part.count = 0;
+    for (int i = 0; i < kept.count; ++i) part.add(kept.points[i], kept.seam[i]);
 }
 
 }  // namespace
@@ -47,10 +47,10 @@ Prism::Prism(const MeshFacet& f) : Prism(f, f.n)
     for (int k = 0; k < 3; ++k) seam[k] = f.rim[k] == Rim::kSeam;
 }
 
-void cut_to_prism(TrianglePart& patch, const Prism& prism, bool seams, Real slack)
+void cut_to_prism(TrianglePart& part, const Prism& prism, bool seams, Real slack)
 {
-    for (int k = 0; k < 3 && patch.count > 0; ++k)
-        cut(patch, prism.out[k], prism.limit[k], slack, seams && prism.seam[k]);
+    for (int k = 0; k < 3 && part.count > 0; ++k)
+        cut(part, prism.out[k], prism.limit[k], slack, seams && prism.seam[k]);
 }
 
 }  // namespace epode

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See mesh_ground.h. A box has its corners by signs, and so their places, four at a time.
-#include "collide/pairs/surfaces/mesh_ground.h"
+// See facet_contacts.h. A box has its corners by signs, and so their places, four at a time.
+#include "collide/pairs/surfaces/facet_contacts.h"
 
 #include <bit>
 
-#include "collide/pairs/surfaces/press.h"
+#include "collide/pairs/surfaces/facet_manifold_builder.h"
 #include "simd/quad.h"
 
 namespace epode {
 
-void FaceGround::press_edge(Vec3 p, const PrismPlace& a, Vec3 q, const PrismPlace& b)
+void FacetContacts::add_edge(Vec3 p, const PrismPlace& a, Vec3 q, const PrismPlace& b)
 {
     for (int k = 0; k < 3; ++k) {
         const Real at_p = a.beyond[k], at_q = b.beyond[k];
@@ -27,7 +27,7 @@ void FaceGround::press_edge(Vec3 p, const PrismPlace& a, Vec3 q, const PrismPlac
     }
 }
 
-bool FaceGround::met(Vec3 centre) const
+bool FacetContacts::met(Vec3 centre) const
 {
     const PrismPlace middle = place(centre);
     for (int i = 0; i < held_; ++i) {
@@ -43,7 +43,7 @@ bool FaceGround::met(Vec3 centre) const
 }
 
 // Corners of the triangle, brought down onto the face.
-void FaceGround::press_corners(const Polygon& face)
+void FacetContacts::add_corners(const Polygon& face)
 {
     const Real fall = -dot(up_, face.normal);
     if (!(fall > 0)) return;
@@ -59,7 +59,7 @@ void FaceGround::press_corners(const Polygon& face)
     }
 }
 
-void FaceGround::press(const Polygon& face)
+void FacetContacts::add(const Polygon& face)
 {
     Real height[Polygon::kMax];
     Real least = kInf;
@@ -78,21 +78,21 @@ void FaceGround::press(const Polygon& face)
         if (i == 0) first = here;
         for (int k = 0; k < 3; ++k) crossed[k] = crossed[k] || here.beyond[k] > 0;
         if (low_i && within(here)) give(face.points[i]);
-        if (i > 0 && was_known && (low_i || low_j)) press_edge(face.points[j], last, face.points[i], here);
+        if (i > 0 && was_known && (low_i || low_j)) add_edge(face.points[j], last, face.points[i], here);
         last = here;
     }
     const int end = face.count - 1;
     if (face.count > 2 && (low(height[0]) || low(height[end])))
-        press_edge(face.points[end], last, face.points[0], first);
-    if (face.count > 2 && crossed[0] + crossed[1] + crossed[2] > 1) press_corners(face);
+        add_edge(face.points[end], last, face.points[0], first);
+    if (face.count > 2 && crossed[0] + crossed[1] + crossed[2] > 1) add_corners(face);
 }
 
 namespace {
 
 // Corner v of a box is c + sum of +-A_i, plus where bit i of v is set; sets of corners are masks of 8 bits.
-class BoxPress {
+class BoxManifoldBuilder {
   public:
-    BoxPress(const Box& box, const Pose& pose, const Triangle& f, FaceGround& to)
+    BoxManifoldBuilder(const Box& box, const Pose& pose, const Triangle& f, FacetContacts& to)
         : half_(box.half), pose_(pose), f_(f), to_(to), middle_(to.place(pose.p))
     {
         for (int i = 0; i < 3; ++i) {
@@ -131,10 +131,10 @@ class BoxPress {
     unsigned place(Real (&at)[8], Real middle, Real x, Real y, Real z) const
     {
         const Quad side = quad(middle - x, middle + x, middle - x, middle + x) + quad(-y, -y, y, y);
-        const Quad minus = side - quad(z), plus = side + quad(z), most = quad(to_.slack());
+        const Quad minus = side - quad(z), plus = side + quad(z), farthest = quad(to_.slack());
         store_quad(at, minus);
         store_quad(at + 4, plus);
-        return bits(minus <= most) | bits(plus <= most) << 4;
+        return bits(minus <= farthest) | bits(plus <= farthest) << 4;
     }
 
     // The edges along axis i of faces that look down: from a corner v without bit i to the one with it.
@@ -167,9 +167,9 @@ class BoxPress {
 
     bool crosses(int wall) const
     {
-        Real most = middle_.beyond[wall];
-        for (int i = 0; i < 3; ++i) most += std::fabs(step_[i].beyond[wall]);
-        return most > 0;
+        Real farthest = middle_.beyond[wall];
+        for (int i = 0; i < 3; ++i) farthest += std::fabs(step_[i].beyond[wall]);
+        return farthest > 0;
     }
 
     // Those over the box, brought down onto the face by which the way down leaves it.
@@ -201,7 +201,7 @@ class BoxPress {
     Vec3 half_;
     const Pose& pose_;
     const Triangle& f_;
-    FaceGround& to_;
+    FacetContacts& to_;
     PrismPlace middle_, step_[3];
     Vec3 arm_[3];
     Real lean_[3];
@@ -213,12 +213,13 @@ class BoxPress {
 
 }  // namespace
 
-void press_out(const ConvexView& solid, PlacedHull* hull, const Triangle& face, FaceGround& ground)
+void collect_facet_contacts(const ConvexView& solid, PlacedHull* hull, const Triangle& face,
+                            FacetContacts& contacts)
 {
     if (solid.kind == SolidKind::kBox)
-        BoxPress(*static_cast<const Box*>(solid.shape), solid.pose, face, ground).all();
+        BoxManifoldBuilder(*static_cast<const Box*>(solid.shape), solid.pose, face, contacts).all();
     else
-        press_solid<FaceGround&>(solid, hull, face, ground);
+        build_facet_manifold<FacetContacts&>(solid, hull, face, contacts);
 }
 
 }  // namespace epode
