@@ -28,7 +28,7 @@ bool Broadphase::reserve(int slots)
 {
     const int old = proxies_.size();
     if (slots <= old) return true;
-    // Work lists hold each slot at most once: with this room their pushes cannot fail.
+    // Work lists hold each slot at most once: with this capacity no append can fail.
     if (!escaped_.reserve(slots) || !fresh_.reserve(slots) || !unbounded_.reserve(slots) ||
         !notes_.resize(slots) || !proxies_.resize(slots))
         return false;

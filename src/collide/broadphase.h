@@ -200,7 +200,7 @@ class Broadphase {
     Array<int> notes_;  // range by range; kEnd where a range is not full
     static constexpr int kNoteRange = 256;
     Array<SlotPair> pairs_;
-    // What is found at once, in as many parts as may be looked for beside each other.
+    // New pairs, in as many parts as may be collected in parallel.
     static constexpr int kParts = 16;
     Found parts_[kParts];
     Array<NodePair> subtrees_;

@@ -41,24 +41,23 @@ void collide(Geom& a, Geom& b, ContactArray& out);
 // The same if they were at A and B.
 void collide_at(Geom& a, const Pose& A, Geom& b, const Pose& B, ContactArray& out);
 
-// Has the program put a function of its own, or none, in place of ours?
+// Whether the program has replaced our function by one of its own or by none.
 bool overridden(const Geom& a, const Geom& b);
 
-// Has the program put a function of its own in place of ours anywhere against rays? What a ray means is its
-// own business then.
+// Whether the program has replaced any of our functions for rays. The program then decides what a ray means.
 bool rays_overridden();
 
-// May functions of the program be called when the two, neither of them a space, are collided? Of what a
-// transform holds this is not asked: yes.
+// Whether colliding the two, neither of them a space, may call functions of the program. What a transform
+// holds is not examined: yes.
 bool may_call_program(Geom& a, Geom& b);
 
-// Another number after every change of the shape that the library is told of; and may it change without a
-// word, as heights do that are the program's?
+// A number that changes with every reported change of the shape; and whether the shape may change without a
+// report, as heights do that belong to the program.
 std::uint32_t changes_of(const Geom& geom);
 bool changes_unseen(const Geom& geom);
 
-// The same of one geom, whatever it meets, but for functions that the program has put in place of ours; and
-// whether it has done so for any two classes since the last close.
+// The same for one geom, whatever it collides with, except functions that replace ours; and whether the
+// program has replaced the function of any two classes since the last close.
 bool may_call_program(Geom& geom);
 bool any_overridden();
 

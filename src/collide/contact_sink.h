@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Where pair functions put their contacts: the client's array of dContactGeom, walked with the client's
-// stride, never beyond the client's room. A pair function is pure, (shape a, pose A, shape b, pose B, sink);
-// who the geoms are is told by the dispatcher (collide/pairs/collide.cpp).
+// Where pair functions put their contacts: the client's array of dContactGeom, with the client's stride and
+// never beyond its capacity. A pair function is pure, (shape a, pose A, shape b, pose B, sink); the
+// dispatcher names the geoms (collide/pairs/collide.cpp).
 //   normal: unit, world, from b into a: moving a by depth * normal separates the two.
 //   depth:  >= 0 along that normal; touching counts (but see margin).
 #pragma once
@@ -38,7 +38,7 @@ class ContactSink {
     bool full() const { return count_ >= capacity_; }
     bool unimportant() const { return unimportant_; }  // the caller takes any contacts that fit
 
-    // The geoms of the pair: contacts name them, and functions of the program are told of them.
+    // The geoms of the pair: contacts name them, and functions of the program receive them.
     void name(dGeomID first, dGeomID second) { geoms_[0] = first, geoms_[1] = second; }
     dGeomID first_geom() const { return geoms_[0]; }
     dGeomID second_geom() const { return geoms_[1]; }
@@ -66,11 +66,11 @@ class ContactSink {
     void reach(Real margin) { margin_ = margin; }
     Real margin() const { return margin_; }
 
-    // A program reads them, which knows ODE's; else they make up a manifold of ours.
+    // Whether the program reads the contacts and expects those of ODE; else they are a manifold of ours.
     void report_to_program(bool yes) { to_program_ = yes; }
     bool to_program() const { return to_program_; }
 
-    // False when there was no room.
+    // False if the sink was full.
     bool add(const ContactPoint& point)
     {
         if (full()) return false;
@@ -87,8 +87,8 @@ class ContactSink {
     void clear() { count_ = 0; }
     void keep_first(int count) { count_ = count; }  // of those that there are
 
-    // A manifold of one normal: keeps the best `min(4, room)` points when there are more, those within the
-    // margin only if fewer touch: the deepest, then the one farthest from it, then those that span the
+    // A manifold of one normal: keeps the best `min(4, capacity)` points when there are more, those within
+    // the margin only if fewer touch: the deepest, then the one farthest from it, then those that span the
     // largest area; ties by index. Implemented in contact_sink.cpp.
     void add_manifold(std::span<const ContactPoint> points);
 

@@ -97,7 +97,7 @@ struct Geom : Numbered {
     std::uint64_t shape_hash = 0;              // see describe.h
     std::uint32_t hashed_changes = ~0u;        // changes_of() then
     alignas(32) Real own_rotation[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-    Real own_position[4] = {};  // beside the shape, which follows
+    Real own_position[4] = {};  // stored with the shape, which follows
 };
 
 template <>

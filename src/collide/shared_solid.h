@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Polyhedra that geoms have in common. A heap of a thousand rocks is made of a few shapes, and who makes each
-// geom of the same points means the same solid; one of each stays in the cache, a thousand do not. Programs
-// do not see it: a geom that is given other points leaves the solid to the others.
+// Polyhedra that geoms share. A pile of a thousand rocks has a few shapes, and geoms made of the same points
+// share one solid: one of each stays in the processor's cache, a thousand do not. Programs do not see the
+// sharing: a geom that gets other points leaves the solid to the others.
 #pragma once
 
 #include "geometry/polyhedron.h"

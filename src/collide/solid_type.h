@@ -30,7 +30,7 @@ struct SolidType {
     Real (*core_reach)(const Geom& geom, Vec3 direction) = core_reach_by_view;
     CoreSize (*core_size)(const Geom& geom) = core_size_by_view;
     // It is curved: what touches is no point of the body, as corners are, but wherever its surface comes
-    // nearest; and triangles of meshes push it from their fronts only.
+    // nearest; and triangles of meshes touch it with their fronts only.
     bool round = true;
 };
 

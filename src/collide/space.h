@@ -80,7 +80,7 @@ inline Space* outermost_space(const Geom& geom)
     return space;
 }
 
-// Neither being collided nor being destroyed.
+// Whether the space is neither being collided nor being destroyed.
 inline bool accepts_geoms(const Space& space) { return space.locks == 0 && !space.dying; }
 
 Space* space_from(dSpaceID id);  // null unless it is a live space
@@ -96,11 +96,11 @@ bool nesting_fits(const Space& space, const Space& inner);  // functions that wa
 
 // ---- boxes ----
 void enqueue(Space& space, Geom& geom);  // the member has moved
-// Many members have moved: any worker may tell of one that is a member of the space and stands alone (false
-// if it does not), without listing it; then the space has to be told.
+// After many members have moved, any worker may mark a member that stands alone (false if it does not)
+// without listing it. note_geoms_marked() must follow.
 inline bool mark_geom(Geom& geom, const Space& space);
 void note_geoms_marked(Space& space);
-void note_geoms_listed(Space& space);  // the same, if each of them has been put into the queue
+void note_geoms_listed(Space& space);  // the same, if each of them is in the queue
 // Is no member, at any depth, waiting for the next cleaning?
 inline bool is_clean(const Space& space) { return !space.unlisted && space.queue.empty(); }
 // Something that decides about pairs of the geom has changed, and is not its place or shape.
@@ -112,19 +112,19 @@ inline bool stands_alone(const Geom& geom)
     const int number = geom.type->number;
     return !is_space(geom) && number != dGeomTransformClass && !is_user_class(number);
 }
-// Where members will be for a while, told of them on any worker; the way holds the box.
+// The swept box of each member, from any worker; it contains the box.
 struct WayFinder {
     const void* data;
     Aabb (*way)(const void* data, const Geom& geom, const Aabb& box);
 };
-// The same as clean(), but that a locked space is not cleaned, and then the ways of all members.
+// The same as clean(), except that a locked space is not cleaned; then sets the swept boxes of all members.
 void clean(Space& space, const WayFinder& finder, const Tasks& tasks);
 Aabb space_aabb(Geom& space);  // a GeomType's function
 
 // ---- collision ----
 bool can_pair(Geom& a, Geom& b);  // all that decides but enabling, boxes and bits
 bool may_meet(Geom& a, Geom& b);  // and bits
-// Which boxes of two members must overlap: their own, or those of the ways that are expected of them.
+// Which boxes of two members must overlap: their own or their swept boxes.
 enum class PairsOf { kBoxes, kSweptBoxes };
 // visit(a, b) for the pairs first ... last - 1 of the broadphase's list that are there and may meet.
 template <typename Visit>

@@ -114,7 +114,7 @@ class Candidates {
     bool complete_ = false;
 };
 
-// Enabled members against one geom; `report` is told (geom, member).
+// Calls report(geom, candidate) for the enabled candidates of one geom.
 template <typename Report>
 void report_candidates(Space& space, Geom& geom, const Aabb& box, const Report& report)
 {
@@ -134,7 +134,7 @@ void space_with_geom(Space& space, Geom& geom, const Report& report)
     report_candidates(space, geom, box, report);
 }
 
-// Every pair across: the space with fewer members is walked, the other one is asked.
+// Every pair across: walks the space with fewer members and queries the other one.
 template <typename Report>
 void space_with_space(Space& walked, Space& asked, const Report& report)
 {

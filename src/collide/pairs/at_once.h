@@ -2,10 +2,10 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Pairs whose own work is a few dozen instructions (PAIR_AT_ONCE in collide/pairs/pairs.inc) would spend most
-// of their time on the way: poses copied, a sink handed along, one call more. For these the way from two
-// geoms to the client's array is a function of its own, made where the pair function is and of one piece with
-// it; what of the poses it does not need is not read. The pair function itself stays as pure as the others,
-// for geoms in transforms and for queries.
+// of their time in dispatch: copying poses, passing a sink, one more call. For these pairs one function goes
+// from two geoms to the client's array. It is compiled together with the pair function and reads only what it
+// needs of the poses. The pair function itself is pure,
+// for geoms in transforms and queries.
 #pragma once
 
 #include "collide/collide.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Of any number of contacts those that come first in an order, as many as the sink has room for: a heap in
-// the client's own array, the last of the kept on top, sorted at the end. No memory, n log(room) steps.
-//   before(a, b)  a strict order of dContactGeom that tells all of them apart.
+// Keeps the first contacts in an order, as many as the sink can hold. The client's array is the heap, with
+// the last of the kept contacts on top; it is sorted at the end. No memory, n log(capacity) steps.
+//   before(a, b)  a strict total order of dContactGeom.
 #pragma once
 
 #include <utility>

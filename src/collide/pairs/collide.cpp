@@ -55,7 +55,7 @@ void direct(Geom& a, Geom& b, ContactArray& out)
     direct_pair<thunk<function, First, Second>>(a, b, out);
 }
 
-// Classes of ours that have nothing to tell each other, such as two planes.
+// Classes of ours that never make contacts, such as two planes.
 void collide_nothing(Geom&, Geom&, ContactArray&) {}
 
 // Solids keep what is near them of a mesh; of two meshes, a ray or a plane nothing is kept.
@@ -242,7 +242,7 @@ Collider collider_of(int i, int j)
     return table().entries[i][j].get();
 }
 
-// A geom where it is taken to be, and whom its contacts shall name.
+// A geom, the pose at which it is collided, and the geom that its contacts must name.
 struct Placed {
     Geom* geom;
     Pose pose;
@@ -334,7 +334,7 @@ void run_user(dColliderFn* function, const Placed& a, const Placed& b, ContactAr
     name_outer(a, b, out, found);
 }
 
-// Is there a function of the program that has a say in the contacts?
+// Whether the geom has functions of the program that decide about its contacts.
 bool has_callbacks(Geom& geom)
 {
     const TrimeshGeom* mesh = as_trimesh(geom);
@@ -386,8 +386,8 @@ void collide_candidates(void* data, dGeomID o1, dGeomID o2)
 {
     const int before = out.count;
     direct(b, a, out);
-    // What has just been written is written anew and not read where it can be told: the processor waits for
-    // two stores that are read as one.
+    // g1 and g2 are known, so they are written again and not read and swapped: the processor stalls when two
+    // recent stores are read as one.
     for (int i = before; i < out.count; ++i) {
         turn(*out.at(i));
         out.at(i)->g1 = to_handle(&a), out.at(i)->g2 = to_handle(&b);

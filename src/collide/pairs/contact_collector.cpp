@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See contact_collector.h. When the collector is full, every manifold is reduced to four points at once. If that
-// is not enough, as on a surface of needles, the shallowest manifolds are dropped.
+// See contact_collector.h. When the collector is full, every manifold is reduced to four points at once. If
+// that is not enough, as on a surface of needles, the shallowest manifolds are dropped.
 #include "collide/pairs/contact_collector.h"
 
 namespace epode {
@@ -45,7 +45,7 @@ void ContactCollector::sort_out()
         for (; at > 0 && points_[at - 1].depth < p.depth; --at) points_[at] = points_[at - 1];
         points_[at] = p;
     }
-    // The deepest point that is left founds a manifold and collects its like, order kept.
+    // The deepest point that is left starts a manifold; points with similar normals join it in order.
     manifolds_ = 0;
     for (int first = 0; first < count_;) {
         starts_[manifolds_++] = first;
@@ -93,7 +93,7 @@ void ContactCollector::deliver(ContactSink& sink)
 {
     sort_out();
     for (int m = 0; m < manifolds_ && !sink.full(); ++m) {
-        // An equal share each; what earlier ones left over goes to the later.
+        // Each manifold gets an equal share; later manifolds get what earlier ones did not use.
         const int left = sink.capacity() - sink.count(), waiting = manifolds_ - m;
         const int quota = left > waiting ? left / waiting : 1;
         const int first = starts_[m], count = starts_[m + 1] - first;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Contacts with a surface of many facets, gathered one by one and then thinned: a bounded number, no
-// allocation. Contacts whose normals differ by little form a manifold; of each at most four points stay,
-// chosen as for any manifold (contact_sink.h), and the client's room is shared among the manifolds, the
-// deepest first. All ties are broken by the order of arrival.
+// Contact reduction: collects the contacts with a surface of many facets one by one and then reduces them.
+// Their number is bounded and nothing is allocated. Contacts with similar normals form a manifold. Each
+// manifold keeps at most four points, chosen as for any manifold (contact_sink.h), and the manifolds share
+// the client's capacity, the deepest first. All ties are broken by the order of arrival.
 #pragma once
 
 #include "collide/contact_sink.h"
@@ -13,7 +13,7 @@ namespace epode {
 
 class ContactCollector {
   public:
-    // Positions closer than `same` with like normals are one contact, numbered as the sink says.
+    // Positions closer than `same` with equal normals are one contact; the sink decides its sides.
     ContactCollector(Real same, const ContactSink& sink) : same2_(same * same), sink_(sink) {}
 
     void add(const ContactPoint& point);
@@ -21,7 +21,7 @@ class ContactCollector {
     {
         add({position, normal, depth, -1, side2});
     }
-    // Never one with another.
+    // Never merges the contact with another.
     void add_apart(const ContactPoint& point);
     bool empty() const { return count_ == 0; }
     void deliver(ContactSink& sink);
@@ -30,7 +30,7 @@ class ContactCollector {
     static constexpr int kCapacity = 64;
     static constexpr int kPerManifold = 4;
 
-    void sort_out();  // by manifold, the deepest manifold first; starts_ gets their first places
+    void sort_out();  // by manifold, the deepest manifold first; fills starts_
     int thinned(int manifold, int quota, ContactPoint* out) const;
     void thin_out();
 

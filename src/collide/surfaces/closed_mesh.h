@@ -3,10 +3,10 @@
 //
 // Meshes that enclose a solid. Closed is one in which every triangle that has an area meets another one over
 // each of its edges, wound so that both look to the same side, and that looks outward on the whole (its
-// volume is positive). Whether a point is inside is told by the nearest point of the surface: with the pseudo
+// volume is positive). The nearest point of the surface decides whether a point is inside: with the pseudo
 // normal there, that of a triangle, the sum of two at an edge, at a corner the sum weighted by the angles of
 // the triangles that meet there (Baerentzen and Aanaes 2005). Rejected: counting what a ray crosses, which
-// must not go through an edge, and the winding number, which asks every triangle.
+// must not go through an edge, and the winding number, which needs every triangle.
 #pragma once
 
 #include "bvh/mesh_tree.h"

@@ -34,7 +34,7 @@ struct GridStep {
 constexpr GridStep kAcross[2][3] = {{{-1, 1}, {1, 1}, {1, -1}}, {{2, 0}, {0, 0}, {0, 2}}};
 constexpr GridStep kCorner[2][3] = {{{0, 0}, {0, 1}, {1, 0}}, {{1, 1}, {1, 0}, {0, 1}}};
 constexpr GridStep kAround[6] = {{1, 0}, {0, 1}, {-1, 1}, {-1, 0}, {0, -1}, {1, -1}};
-// The two cells beside each of these spokes, from the sample's own cell; of a diagonal twice the same.
+// The two cells adjacent to each of these spokes, from the sample's own cell; of a diagonal twice the same.
 constexpr GridStep kAdjacent[6][2] = {{{0, 0}, {0, -1}},   {{0, 0}, {-1, 0}},   {{-1, 0}, {-1, 0}},
                                       {{-1, 0}, {-1, -1}}, {{0, -1}, {-1, -1}}, {{0, -1}, {0, -1}}};
 

@@ -5,7 +5,7 @@
 //   x_i = -width/2 + i width/(nx-1),  z_j = -depth/2 + j depth/(nz-1),  y_ij = scale sample_ij + offset
 // or, wrapped, the same rectangle repeated without end (the last column and row stand for the first).
 // Cell (i, j) has the corners A(i,j) B(i+1,j) C(i,j+1) D(i+1,j+1) and two facets, A C B and D B C.
-// Cells may be missing: holes. Ground with holes is a slab, `thickness` deep below each facet, and has
+// Cells may be missing: holes. Terrain with holes is a slab, `thickness` deep below each facet, and has
 // upright walls at the holes; without holes it is solid to any depth. Many geoms may share one data object
 // and none owns it; each remembers its serial, so that a destroyed one is recognised. Reading is free of side
 // effects: fields may be collided on several threads.
@@ -39,7 +39,7 @@ struct HeightfieldData : Numbered {
     Real lowest = 0, highest = 0;  // for the bounding box; `lowest` includes the thickness
     Array<unsigned char> holes;    // of each cell, i + j (nx - 1); empty when there are none
     int hole_count = 0;
-    std::uint32_t changes = 0;  // of heights and holes, that it is told of
+    std::uint32_t changes = 0;  // reported changes of heights and holes
 
     Real sample(int i, int j) const;  // inside the rectangle
     Real height(int i, int j) const { return scale * sample(i, j) + offset; }
@@ -118,8 +118,8 @@ class Terrain {
     bool wall_below(const Facet& facet, int k, Triangle (&wall)[2]) const;
 
     // Is what the facet shows along n (unit, upwards) a place where the surface stays below the plane across
-    // n? Only there can a solid that touches the facet be pushed along n: at flat and hollow edges n must be
-    // that of a face.
+    // n? Only there can a solid that touches the facet have a contact along n: at flat and hollow edges n
+    // must be that of a face.
     bool crests(const Facet& facet, Vec3 n) const;
 
     // Does the surface fall away behind an edge of the facet?
@@ -130,7 +130,7 @@ class Terrain {
 
     // The cell under a point; false: the point is beyond the field.
     bool cell_under(Vec3 p, int& i, int& j) const;
-    // Of a field that has holes: is the point below the slab? `lowest`: of the ground near, for a point over
+    // Of a field that has holes: is the point below the slab? `lowest`: of the terrain near, for a point over
     // a hole.
     bool under_slab(Vec3 p, Real lowest, Real slack) const;
 

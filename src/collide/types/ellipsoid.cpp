@@ -5,7 +5,7 @@
 //   support   along n: x_i = r_i^2 n_i / sqrt(sum (r_k n_k)^2)
 //   nearest   to a point p, x with p - x normal to the surface there: x_i = r_i^2 p_i / (r_i^2 + t), t the
 //             root of F(t) = sum (r_i p_i / (r_i^2 + t))^2 - 1, which falls for t > -min r_i^2. Where F has
-//             none, p lies on the plane across the shortest axis, and x beside it.
+//             none, p lies on the plane across the shortest axis, and x is off it.
 //   mass      m = density 4 pi r_x r_y r_z / 3, I_x = m (r_y^2 + r_z^2) / 5 and so on
 #include "base/float_environment.h"
 #include "collide/describe.h"

@@ -18,7 +18,7 @@ bool has_cell(const HeightfieldData& d, int i, int j)
     return i >= 0 && j >= 0 && i < d.nx - 1 && j < d.nz - 1;
 }
 
-// In whole numbers: a field by a callback may have more cells than an array has room for.
+// In whole numbers: a field by a callback may have more cells than an array can hold.
 bool countable(const HeightfieldData& d)
 {
     return std::int64_t(d.nx - 1) * (d.nz - 1) <= std::numeric_limits<int>::max();

@@ -3,8 +3,9 @@
 //
 // Box against box: the manifold of geometry/box_box.h. A program gets all of its up to eight points, as from
 // ODE: four of the eight corners of two squares turned by 45 degrees carry a box less far. A manifold of ours
-// is thinned to the four that hold a box best. Boxes whose balls are apart, as many are whose bounding boxes
-// overlap by a corner, are told by a few products: the sum of the radii is at most sqrt(2 (ra^2 + rb^2)).
+// is reduced to the four that hold a box best. A few products find boxes whose bounding balls are apart, as
+// those of many boxes are whose bounding boxes overlap by a corner: the sum of the radii is at most
+// sqrt(2 (ra^2 + rb^2)).
 #include "geometry/box_box.h"
 #include "collide/pairs/at_once.h"
 #include "geometry/best_four.h"

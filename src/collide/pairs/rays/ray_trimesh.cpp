@@ -51,8 +51,8 @@ class Caster {
     void each(Found&& found) const
     {
         Real reach = length_;
-        // A corner of each triangle, before it is known which of them are hit: their others lie beside these
-        // as a rule, and all twelve are more than can be asked for at once.
+        // One corner of each triangle, before it is known which of them are hit. The other corners are
+        // usually in adjacent memory, and all twelve are more than can be prefetched at once.
         const auto see = [&](const MeshPacket& packet) {
             for (const MeshCorners& corners : packet.corners) mesh_.prefetch_vertex(corners.at[0]);
         };
@@ -163,7 +163,7 @@ void hits_put_to_the_program(const Caster& caster, const MeshFunctions& function
     }
 }
 
-// Beside the box along an axis, by more than rounding, and not towards it.
+// Whether the ray starts outside the box along an axis, by more than rounding, and does not approach it.
 bool runs_away(const Aabb& box, Vec3 origin, Vec3 direction)
 {
     for (int k = 0; k < 3; ++k) {

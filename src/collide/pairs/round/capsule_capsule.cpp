@@ -37,8 +37,9 @@ Vec3 way_out(Vec3 u, Vec3 v)
     return n;
 }
 
-// Axes that cross between their ends: the normal is across both. The way from one closest point to the other
-// says the same only while it is long beside its rounding, and a capsule's length makes much of a small lean.
+// Axes that cross between their ends: the normal is perpendicular to both. The vector between the closest
+// points has the same direction only while it is long compared with its rounding, and over a capsule's length
+// a small lean has a large effect.
 bool crossed(Vec3 p, Real rp, Vec3 q, Real rq, Vec3 across, ContactPoint& out)
 {
     const Real apart = dot(across, p - q), distance = std::fabs(apart);

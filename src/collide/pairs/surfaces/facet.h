@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// One facet of a height field against one solid, in the field's frame (y up). The ground is solid down to any
-// depth: under each facet stands an endless column. Contacts go to the harvest, all facets' together. A
+// One facet of a height field against one solid, in the field's frame (y up). The terrain is solid to any
+// depth: an endless column stands under each facet. One collector receives the contacts of all facets. A
 // contact normal that is not the facet's own must crest there (Terrain::crests): the surface lies below it on
-// all sides. At flat and hollow edges none does, so a solid that slides over them meets no bumps.
-// Where cells are missing, their walls push, too (hole_walls.h).
+// all sides. Flat and concave edges have no such normal, so a solid that slides over them meets no bumps.
+// The walls of missing cells give contacts, too (hole_walls.h).
 #pragma once
 
 #include "collide/pairs/contact_collector.h"
@@ -17,8 +17,8 @@
 
 namespace epode {
 
-// Level directions in which columns are parted from a solid that is not round: across the cells' diagonals,
-// and along its edges. They are the same for all facets, so what the solid has of them is reckoned once.
+// Horizontal separating axes between columns and a solid that is not round: across the cells' diagonals and
+// along their edges. They are the same for all facets, so the solid's extents along them are computed once.
 class Sides {
   public:
     Sides(const Terrain& terrain, const ConvexView& solid, Real slack);
@@ -45,6 +45,7 @@ class Sides {
     int count_ = 0;
 };
 
+// One solid and one height field while its facets are visited.
 struct TerrainPair {
     const Terrain& terrain;
     const ConvexView& solid;
@@ -61,10 +62,10 @@ inline constexpr Real kSteepest = Real(1e-3);  // least upward part of a contact
 // A sphere or capsule.
 void round_on(const RoundSolid& core, const Facet& facet, TerrainPair& pair);
 
-// A box, a cylinder or a polyhedron, by the view in `meeting`.
+// A box, a cylinder or a polyhedron, by the view in `pair`.
 void solid_on(const Facet& facet, TerrainPair& pair);
 
-// Whether walls under the facet's edges, rather than its face, push: tells meeting.walls.
+// Records in pair.walls whether walls under the facet's edges give the contacts, and not its face.
 void weigh_round(const RoundSolid& core, const Facet& facet, TerrainPair& pair);
 void weigh_solid(const Facet& facet, TerrainPair& pair);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See facet_contacts.h. A box has its corners by signs, and so their places, four at a time.
+// See facet_contacts.h. The corners of a box differ in signs only: their places are computed four by four.
 #include "collide/pairs/surfaces/facet_contacts.h"
 
 #include <bit>

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What becomes of a solid that is pushed out along a facet's own normal n: of every face of it that looks at
-// the facet the corners of its common part with the facet's prism, each a contact of its own depth. The prism
-// stands along n, of a height field along the vertical. Such a corner is
+// The contacts of a solid with a facet along the facet's own normal n. Every face of the solid that faces the
+// facet is intersected with the facet's prism; each corner of the intersection is a contact with its own
+// depth. The prism stands along n, for a height field along the vertical. Such a corner is
 //   a corner of the face          in the prism
 //   on an edge of the face        where it goes through a wall of the prism
 //   over a corner of the triangle in the face
-// Where a wall stands on a seam the patch goes on in the neighbour: what it cuts is no contact. Heights and
-// distances from the walls are linear, so each is reckoned once for every corner, and what is above the facet
-// is done with. Cutting the face wall by wall (Sutherland and Hodgman 1974) makes the same points and many
-// that are above.
+// Where a wall stands on a seam the manifold continues in the neighbour: a point on that wall is no contact.
+// Heights and distances from the walls are linear, so each is computed once for every corner, and a corner
+// above the facet needs nothing more. Clipping the face wall by wall (Sutherland and Hodgman 1974) makes the
+// same points and many that are above.
 #pragma once
 
 #include "collide/pairs/surfaces/triangle_part.h"
@@ -29,7 +29,7 @@ class FacetContacts {
     {
         for (int k = 0; k < 3; ++k) ends_[k] = !m.seam(facet, k);
     }
-    // About `up`; behind the edge `shared`, if it is none of -1, the patch goes on.
+    // The prism stands along `up`; behind the edge `shared`, unless it is -1, the manifold continues.
     FacetContacts(const Triangle& face, Vec3 up, int shared, Real slack, ContactCollector& out)
         : f_(face), prism_(face, up), up_(up), slack_(slack), out_(out), index_(-1)
     {
@@ -66,17 +66,17 @@ class FacetContacts {
             put(p);
     }
 
-    // From now on contacts are held back until deliver(), as far as there is room.
+    // Holds contacts back until deliver(), up to kMaxHeld of them.
     void hold() { held_ = 0; }
     int held() const { return held_; }
-    // Whether one of them shows that the triangle is met: the way to it from the solid's middle, which is
-    // above, goes through.
+    // Whether one of them proves that the solid touches the triangle: the segment to it from the solid's
+    // middle, which is above, goes through the triangle.
     bool met(Vec3 middle) const;
     void deliver()
     {
         for (int i = 0; i < held_; ++i) put(holds_[i]);
     }
-    // A corner of the triangle is where two walls meet; the later of them has the word.
+    // A corner of the triangle is where two walls meet; the later of them decides.
     bool corner_counts(int corner) const { return ends_at(corner == 1 ? 1 : 2); }
 
     bool ends_at(int edge) const { return ends_[edge]; }
@@ -107,7 +107,7 @@ class FacetContacts {
     };
 };
 
-// A box, cylinder or polyhedron; of this `hull`, if there is one.
+// Adds the contacts of a box, cylinder or polyhedron to `contacts`; `hull`: the placed polyhedron, or null.
 void collect_facet_contacts(const ConvexView& solid, PlacedHull* hull, const Triangle& face,
                             FacetContacts& contacts);
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The manifold of a box, cylinder or polyhedron that is pushed out along a facet's own normal: its faces that
-// look at the facet, its true rims' lowest points, and where the rims pass over edges at which the patch may
-// end. What becomes of a piece of the solid is the ground's to say:
-//   ground.press(polygon)   cuts by the facet's prism and keeps what is deep; of a point the same
-//   ground.ends_at(edge)    may a contact patch end there?
-//   ground.wall(edge)        the outward normal of the prism there, and ground.before(edge, point) the way to
-//   it ground.low(height)       may what is so high above the facet be a contact?
+// The manifold of a box, cylinder or polyhedron along a facet's own normal: the faces that look at the facet,
+// the lowest points of curved rims, and the points where rims pass over edges at which the manifold may end.
+// The receiver `contacts` decides about each piece of the solid:
+//   contacts.add(polygon)           clips by the facet's prism and keeps what is deep; the same for a point
+//   contacts.ends_at(edge)          whether a manifold may end there
+//   contacts.wall(edge)             the outward normal of the prism there
+//   contacts.before(edge, point)    the distance of a point from that wall
+//   contacts.low(height)            whether a point at this height above the facet may be a contact
 #pragma once
 
 #include <type_traits>
@@ -41,7 +42,7 @@ class FacetManifoldBuilder {
     }
 
   private:
-    // Most faces look up, or have no corner so low as to touch: they are not asked what they show.
+    // Most faces look up or have no corner low enough to touch: their polygons are not computed.
     void polyhedron_faces()
     {
         const Polyhedron& solid = *static_cast<const Polyhedron*>(s_.shape);

@@ -3,9 +3,9 @@
 //
 // A round core s of radius r against a facet:
 //   over the facet        ends of the part of s whose foot lies in the facet, depth r - height
-//   beside an edge        nearest points p, q of s and the edge, along p - q
+//   at an edge            nearest points p, q of s and the edge, along p - q
 //   core under the facet  ends of the part of s in the column, depth r + distance
-// At holes walls are facets of their own, and their upright edges edges.
+// At holes the walls are facets, too, and their upright edges are edges.
 #include "collide/pairs/surfaces/facet.h"
 #include "collide/pairs/surfaces/round_edges.h"
 
@@ -35,7 +35,7 @@ void push_ends(const RoundSolid& s, const Triangle& f, bool over, Stretch part, 
     }
 }
 
-// `column`: the way to the face from behind it; `under`: does the face push what is there?
+// `column`: the direction to the face from behind it; `under`: whether what is behind the face has contacts.
 void over_and_under(const RoundSolid& s, const Triangle& f, const PastEdges& past, Vec3 column, bool under,
                     TerrainPair& m)
 {
@@ -76,7 +76,7 @@ void on_walls(const RoundSolid& s, const Facet& f, TerrainPair& m)
         if (!m.terrain.hole_beyond(f, k) || !m.terrain.wall_below(f, k, wall)) continue;
         for (const Triangle& t : wall)
             over_and_under(s, t, PastEdges(s, t), t.n, m.walls->gives_contacts(f, k), m);
-        // Either end of the edge may be a corner of the ground; k + 1 of edge 2 and k of edge 0 are one.
+        // Either end of the edge may be a corner of the terrain; k + 1 of edge 2 and k of edge 0 are one.
         const int step = f.upper ? 1 : -1;
         const Vec3 along = k == 0 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
         for (const Real side : {Real(-1), Real(1)}) {

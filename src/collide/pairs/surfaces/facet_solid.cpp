@@ -4,7 +4,7 @@
 // A box, cylinder or polyhedron against a facet: of all directions that can part the solid and the facet's
 // column, and that are upward, the one of least overlap; then the manifold along it. Along the facet's
 // normal: the lower faces of the solid cut by the column, each point with its own depth below the facet.
-// Along another, the facet's edge or corner is what pushes: the manifold of two convex solids. Rejected: each
+// Along another, the facet's edge or corner makes contact: the manifold of two convex solids. Rejected: each
 // column as a solid of its own with GJK/EPA; it meets the walls between columns, which do not exist.
 #include "collide/pairs/across_edges.h"
 #include "collide/pairs/polyhedra/box_axes.h"
@@ -193,7 +193,7 @@ class LeastRise {
         return true;
     }
 
-    // As offer() of each, the parting ones first.
+    // The same as offer() of each, the separating axes first.
     bool hull_faces(PlacedHull& hull)
     {
         Real upward[PlacedHull::kMostFaces];
@@ -294,7 +294,7 @@ class LeastRise {
     Real elsewhere_ = kInf;
 };
 
-// The part of the solid that is behind a face of the ground, in the column that stands on it along `up`: a
+// The part of the solid that is behind a face of the terrain, in the column that stands on it along `up`: a
 // facet, or one of the two triangles of a hole's wall, which go on beyond the edge that they share.
 void add_face_contacts(const Triangle& face, Vec3 up, int shared, TerrainPair& m)
 {
@@ -315,7 +315,7 @@ void add_wall_contacts(const Facet& f, TerrainPair& m)
     }
 }
 
-// A crest of the surface pushes into the solid.
+// A crest of the surface penetrates the solid.
 void add_crest_contacts(const Facet& f, Vec3 normal, Real depth, TerrainPair& m)
 {
     dContactGeom found[4];

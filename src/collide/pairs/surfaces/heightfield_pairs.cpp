@@ -98,7 +98,7 @@ class Samples {
     };
 };
 
-// What the samples under the solid look like together.
+// The lowest and the highest sample under the solid.
 struct HeightRange {
     Real lowest = kInf, highest = -kInf;
     void take(Real y)

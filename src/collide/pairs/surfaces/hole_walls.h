@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Holes of a height field under one solid. Ground beside a hole is a slab with an upright wall, which stands
-// in a plane w . x = c, w being one of +-x, +-z of the field and pointing into the hole. A solid that is in
-// the slab and reaches into the hole goes out by the lesser way, up over a facet or along w: when w is less
-// for a facet at the rim, all facets behind that plane (w . v <= c) leave the solid to the wall. So nothing
-// that slides down a shaft is lifted by the column of ground beside it. Rejected: a wall as one more normal
-// of each facet. Facets of the second row know of no wall.
+// Holes of a height field under one solid. The terrain at a hole is a slab with an upright wall in a plane
+// w . x = c, where w is one of +-x, +-z of the field and points into the hole. A solid that is in the slab
+// and reaches into the hole leaves by the smaller overlap, up over a facet or along w. If w is smaller for a
+// facet at the rim, all facets behind that plane (w . v <= c) leave the solid to the wall, so the adjacent
+// column does not lift a solid that slides down a shaft. Rejected: the wall as one more normal of each facet,
+// because facets of the second row have no wall.
 #pragma once
 
 #include "collide/surfaces/heightfield.h"
@@ -18,7 +18,7 @@ class HoleWalls {
     // `in_hole`: the solid's middle is over a hole.
     HoleWalls(Vec3 middle, bool in_hole) : level_(in_hole ? middle.y : kInf) {}
 
-    // Is the middle in the hole, lower than all of the facet? Then only walls can push.
+    // Whether the middle is in the hole, lower than all of the facet. Then only walls give contacts.
     bool sunk(const Facet& f) const { return level_ < f.v[0].y && level_ < f.v[1].y && level_ < f.v[2].y; }
 
     void push(const Facet& f, int k)
@@ -44,7 +44,7 @@ class HoleWalls {
     static int way(const Facet& f, int k) { return (k == 0 ? 0 : 2) + (f.upper ? 0 : 1); }
 
     Real level_;
-    Real limit_[4] = {-kInf, -kInf, -kInf, -kInf};  // of the planes whose walls push
+    Real limit_[4] = {-kInf, -kInf, -kInf, -kInf};  // of the planes whose walls give contacts
 };
 
 }  // namespace epode

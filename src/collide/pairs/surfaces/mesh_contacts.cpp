@@ -100,8 +100,7 @@ int triangle_under(const Surface& surface, const NearTriangles& near, Vec3 p, Re
     return *near.near().begin();
 }
 
-// A ball's contact with the plane as ODE tells it: the place is on the mesh, and where several triangles meet
-// there, each of them has one.
+// A ball's contact with the plane as ODE reports it: on the mesh, one for each triangle that meets there.
 void report_each(const Surface& surface, const NearTriangles& near, Real slack, ContactSink& sink)
 {
     dContactGeom& c = *sink.at(sink.count() - 1);

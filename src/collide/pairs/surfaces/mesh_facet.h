@@ -6,8 +6,8 @@
 //   crest    m, where the surface stays below the plane across m at what the triangle shows along m: at an
 //            edge with w pointing into the neighbour, m . w <= 0; at a corner, for all edges that leave it.
 //            So m lies in the Voronoi region of the edge or corner.
-// At flat and hollow edges there is no crest, hence a solid that slides over them meets no bumps.
-// Seams are edges so flat that a contact patch goes on beyond them: they end no manifold.
+// Flat and concave edges have no crest, so a solid that slides over them meets no bumps.
+// Seams are edges so flat that a manifold continues beyond them: they end no manifold.
 #pragma once
 
 #include "collide/pairs/contact_collector.h"
@@ -34,12 +34,12 @@ MeshFacet facet_of(const TriangleMesh& mesh, int triangle);
 // The same triangle from its back.
 MeshFacet turned(const MeshFacet& facet);
 
-// One solid and one mesh, while its triangles are gone through.
+// One solid and one mesh while its triangles are visited.
 struct MeshPair {
     const TriangleMesh& mesh;
     const ConvexView& solid;  // in the mesh's frame
     Real slack;               // slack_of(solid)
-    bool two_sided;           // else only the fronts of triangles push
+    bool two_sided;           // else only the fronts of triangles have contacts
     bool whole;               // no triangle is left out; else seams are kept, their neighbours may be missing
     bool as_ode;              // of a ball: its place on the mesh, and a contact for each triangle under it
     ContactCollector& out;
@@ -70,10 +70,10 @@ void round_on(const RoundSolid& core, const MeshFacet& facet, MeshPair& pair);
 // A sphere, as round_on(); of the triangle only what is needed is looked up.
 void ball_on(Vec3 centre, Real radius, int triangle, MeshPair& pair);
 
-// Any other solid, by the view in `meeting`.
+// Any other solid, by the view in `pair`.
 void solid_on(const MeshFacet& facet, MeshPair& pair);
 
-// Whether the shortest way out is over a crest of the triangle; then the contacts are those.
+// Whether the least overlap is at a crest of the triangle; if it is, adds the contacts there.
 bool add_crest_if_least(const MeshFacet& facet, MeshPair& pair);
 
 }  // namespace epode

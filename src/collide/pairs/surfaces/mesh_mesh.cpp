@@ -34,7 +34,7 @@ bool adjoin(const TriangleMesh& mesh, int t, int u)
     return t == u || mesh.neighbour(t, 0) == u || mesh.neighbour(t, 1) == u || mesh.neighbour(t, 2) == u;
 }
 
-// What pairs of triangles say: a list without bound that rarely needs memory.
+// The contacts of pairs of triangles: an unbounded list that rarely needs memory.
 class TriangleContactList {
   public:
     TriangleContactList() {}
@@ -70,8 +70,8 @@ class TriangleContactList {
     int count_ = 0;
 };
 
-// Where two solids meet edge to edge, pairs of triangles beside those edges cross, too, and see only longer
-// ways out. A push is needless when a shorter one nearby, in another direction, parts its triangles as well.
+// Where two solids meet edge to edge, pairs of adjacent triangles cross, too, with larger overlaps only. A
+// contact is needless if a shallower one nearby, in another direction, separates its triangles as well.
 template <typename Other>
 bool needless(const TriangleContact& contact, const TriangleContact* shorter, int count, const Surface& a,
               const Other& b)
@@ -98,7 +98,7 @@ void collect(TriangleContactList& contacts, const Surface& a, const Other& b, Co
         for (int k = 0; k < p.count; ++k) collector.add({p.points[k], p.normal, p.depths[k], p.a, p.b});
     }
     if (!collector.empty()) return;
-    for (const TriangleContact& p : contacts)  // the least that nobody allows
+    for (const TriangleContact& p : contacts)  // the least, although neither mesh allows it
         if (!p.allowed) return collector.add({p.points[0], p.normal, p.depths[0], p.a, p.b});
 }
 
@@ -136,7 +136,7 @@ void meet(const Surface& a, const Pose& P, Other& b, ContactSink& sink)
     const Real slack = 64 * kEpsilon * std::max(reach_of(whole), reach_of(a.tree.box()));
     const Tolerance tolerance{slack, std::max(slack, kMeshTouch * length(whole.hi - whole.lo))};
     TriangleContactList contacts;
-    // In any order: what they say is sorted.
+    // In any order: the contacts are sorted.
     a.tree.query(a.mesh, box_in(back, b.box()), [&](int t) {
         const PlacedCorners corners = placed_corners(a.mesh, t, P);
         const Aabb box = box_of(corners.v);
@@ -159,7 +159,7 @@ struct Samples {
     int count() const { return to - from + 1; }
 };
 
-// Those under [lo, hi] and one more to each side; at most kMost. Empty when there are none.
+// Those under [lo, hi] and one more to each side; at most kMax. Empty when there are none.
 Samples samples_under(Real lo, Real hi, Real origin, Real cell, int cells, bool endless)
 {
     constexpr Real kMax = 256, kFar = 1e9;
@@ -173,10 +173,10 @@ Samples samples_under(Real lo, Real hi, Real origin, Real cell, int cells, bool 
     return {int(from), int(to)};
 }
 
-// The ground near a box: a window of the grid, the facets of which are numbered row by row.
+// The terrain near a box: a window of the grid, the facets of which are numbered row by row.
 class TerrainSide {
   public:
-    // `near`: a box in the ground's frame.
+    // `near`: a box in the terrain's frame.
     TerrainSide(const Terrain& terrain, const Aabb& near) : terrain_(terrain)
     {
         const Vec3 o = terrain.low_corner(), cell = terrain.cell();

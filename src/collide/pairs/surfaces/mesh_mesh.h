@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Two meshes, and a mesh on a height field. The triangles of the first that lie in the second's box are asked
-// about one by one (triangle_triangle.h), in the second's tree or in the grid of the field (terrain_facet.h).
-// Of a field 256 by 256 cells are looked at, the middle ones. Nothing is allocated unless more than 40 pairs
-// of triangles cross.
+// Two meshes, and a mesh on a height field. The triangles of the first that lie in the second's box are
+// tested one by one (triangle_triangle.h), against the second's tree or the grid of the field
+// (terrain_facet.h). Of a field at most 256 by 256 cells are tested, the middle ones. Nothing is allocated
+// unless more than 40 pairs of triangles cross.
 #pragma once
 
 #include "collide/pairs/surfaces/mesh_contacts.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The pairs of geoms in which one is a mesh (but for rays and planes), and the say that functions of the
-// program have in them: with spheres, boxes, capsules and cylinders the one is told all triangles near, once,
-// the other is asked about each. What it refuses is left out.
+// The pairs of geoms in which one is a mesh (except rays and planes), and the calls of the program's
+// functions: with spheres, boxes, capsules and cylinders the array callback receives all near triangles once,
+// and the triangle callback is called for each of them. Triangles that it refuses are left out.
 #include <algorithm>
 
 #include "collide/pairs/solid_pairs.h"
@@ -86,7 +86,7 @@ void make_one(ContactSink& sink, int before, Vec3 normal)
     sink.keep_first(before + 1);
 }
 
-// As the program has wished by dGeomLowLevelControl.
+// As the program has requested by dGeomLowLevelControl.
 void merge(const Trimesh& mesh, int before, ContactSink& sink)
 {
     Vec3 normal;

@@ -39,8 +39,8 @@ inline constexpr bool kByView<Convex> = true;
 template <>
 inline constexpr bool kByView<AnySolid> = true;
 
-// One facet of a surface, as the pair of that surface calls it: round_on(core, facet, meeting) for spheres
-// and capsules, solid_on(facet, meeting) for what is known by the view in the meeting.
+// One facet of a surface, for the pair of that surface: round_on(core, facet, pair) for spheres and capsules,
+// solid_on(facet, pair) for solids that the view in `pair` describes.
 template <typename Shape, typename Facet, typename Pair>
 void meet_facet(const Shape& a, const Pose& A, const Facet& f, Pair& m)
 {

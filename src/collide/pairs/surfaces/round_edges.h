@@ -29,7 +29,7 @@ struct PastEdges {
         }
     }
 
-    // The part whose foot is in the triangle, or beside it by the slack.
+    // The part whose foot is in the triangle or outside it by at most the slack.
     CutPart part_over(Real slack) const
     {
         CutPart part;

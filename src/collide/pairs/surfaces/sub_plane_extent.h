@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The part of a solid that is under the plane of a facet of a height field, and how far it reaches. A solid
-// that lies on the ground is near many facets and under few; where the part under a facet's plane does not
-// reach into the facet's column, solid and ground have nothing in common there, and the facet needs no search
-// for directions. A lane is a facet, four of them two cells: v its corner at the right angle, `slope` its
-// rise along x and z; heights over it are upright ones. The part is looked at along three ways, inward from
-// the column's walls: x and z, and the diagonal x / dx + z / dz.
+// Sub-plane extent: how far the part of a solid that is under the plane of a height field's facet reaches. A
+// solid that lies on terrain is near many facets and under the planes of few. If the part under a facet's
+// plane does not reach into the facet's column, the solid does not touch the terrain there, and the facet
+// needs no search for directions. A lane is a facet, four lanes are two cells: v is its corner at the right
+// angle, `slope` its rise along x and z; heights over it are vertical. The extent is measured along three
+// directions, inward from the column's walls: x and z, and the diagonal x / dx + z / dz.
 // Bounds, not the true extents: a box's part is its lowest corner p and t_i times the edges a_i there, with
 // 0 <= t_i <= 1 and sum t_i (rise of a_i) <= depth of p; a cylinder's the same of its axis and of its discs,
 // seen as rectangles; of a ball the smaller ball about the circle in which it cuts the plane. All is in an
@@ -36,7 +36,7 @@ struct FieldPlanes {
     EPODE_LANEWISE Quad3 normal() const { return {quad(0) - slope_x, quad(1), quad(0) - slope_z}; }
 };
 
-// Along the three ways, each inward.
+// Along the three directions, each inward.
 struct FieldExtents {
     Quad along[3];
 };
@@ -66,7 +66,7 @@ class FieldFrame {
     Real per_x_, per_z_, walls_[3];
 };
 
-// Edges from a lowest corner, or what stands for them, rising as told (at least 0).
+// Edges from a lowest corner, or what stands for them, with their rises (at least 0).
 class CornerReach {
   public:
     EPODE_LANEWISE CornerReach(const FieldExtents& corner, const Quad& depth) : corner_(corner), depth_(depth)
@@ -95,7 +95,7 @@ class CornerReach {
     Quad depth_, sum_[3], largest_[3];
 };
 
-// met(planes): which of the facets may be met, a bit for each. Of polyhedra nothing is known.
+// met(planes): which of the facets the solid may touch, a bit for each. Nothing is known of polyhedra.
 template <typename Shape>
 class SubPlaneExtent;
 

@@ -52,8 +52,7 @@ bool terrain_walls(const Terrain& terrain, const Facet& facet, int k, MeshFacet 
         static_cast<Triangle&>(w) = wall[n];
         for (int edge = 0; edge < 3; ++edge)
             w.rim[edge] = Rim::kSeam, w.beyond[edge] = w.n, w.sharp[edge] = false;
-        // The upright side: what stands beside this end of the rim, in the row of the ground and in the
-        // hole's.
+        // The upright side: the cells at this end of the rim, in the terrain's row and in the hole's.
         const Vec3 aside = n == 0 ? -along : along;
         const int i = facet.i + int(aside.x), j = facet.j + int(aside.z);
         if (!terrain.has(i, j) || !terrain.has(i + 1, j + 1))
@@ -64,7 +63,7 @@ bool terrain_walls(const Terrain& terrain, const Facet& facet, int k, MeshFacet 
             w.rim[0] = Rim::kHollow, w.beyond[0] = -aside;
     }
     walls[0].rim[2] = Rim::kConvex, walls[0].beyond[2] = lie_of(facet.v, kEpsilon).n;
-    walls[1].rim[2] = Rim::kFlat;  // the slab's bottom pushes nothing
+    walls[1].rim[2] = Rim::kFlat;  // the slab's bottom makes no contacts
     return true;
 }
 

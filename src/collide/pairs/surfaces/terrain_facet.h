@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Facets of a height field as a mesh meets them: with the kinds of their edges, as if the ground were a mesh,
-// found from the samples around when they are asked for. Walls at holes are facets, too: convex rims above,
-// plain bottoms below, seams where they go on. Rejected: a mesh of the ground near, with its tree, made for
-// every call: a hundred times the work, and memory.
+// Facets of a height field for a pair with a mesh. They have the kinds of their edges, as if the terrain were
+// a mesh, computed from the surrounding samples on request. Walls at holes are facets, too: convex rims
+// above, plain bottoms below, seams where they continue. Rejected: a mesh of the terrain nearby with its
+// tree, built for every call: a hundred times the work, and memory.
 #pragma once
 
 #include "collide/pairs/surfaces/mesh_facet.h"
@@ -12,7 +12,7 @@
 
 namespace epode {
 
-// The facet in the grid that a triangle of the ground is, or that it is a wall of.
+// The facet of the grid that a triangle of the terrain is, or whose wall it is.
 struct TerrainPlace {
     Facet facet{};
     bool wall = false;

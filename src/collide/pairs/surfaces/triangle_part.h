@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The part of a polygon over a triangle of a mesh. Its corners know whether a seam has made them: such are no
-// corners of the contact patch, which goes on in the neighbour.
+// The part of a polygon over a triangle of a mesh. Each corner records whether a seam has made it: such a
+// corner is no corner of the manifold, which continues in the neighbour.
 #pragma once
 
 #include "collide/pairs/surfaces/mesh_facet.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A round core s of radius r against a triangle of a mesh, of which only the front pushes:
+// A round core s of radius r against a triangle of a mesh, of which only the front has contacts:
 //   over the triangle   ends of the part of s whose foot lies in it, depth r - height; where s pierces it,
 //                       the end that is through, if no crest is nearer (triangle_solid.cpp)
-//   beside a crest      nearest points p, q of s and the edge, along p - q
-// Of a ball that a program asks about the place is told as ODE does, on the mesh, and where its foot is on an
-// edge or a corner, each triangle that lies there in one plane has a contact.
+//   at a crest          nearest points p, q of s and the edge, along p - q
+// For a ball whose contacts the program reads, the place is on the mesh as in ODE, and where its foot is on
+// an edge or a corner, each triangle that lies there in one plane has a contact.
 // Ends that a seam has cut are left to the neighbour.
 #include "collide/pairs/surfaces/mesh_facet.h"
 #include "collide/pairs/surfaces/round_edges.h"

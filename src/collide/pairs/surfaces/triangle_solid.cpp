@@ -4,7 +4,7 @@
 // A box, cylinder or polyhedron against a triangle of a mesh: of all directions that can part the two the one
 // of least overlap (Gottschalk, Lin, Manocha 1996), among those that the mesh allows (mesh_facet.h), then the
 // manifold along it. Along the triangle's own normal: the faces of the solid that look at it, cut by its
-// prism, each point with its own depth. Along another, a crest pushes: the manifold of two convex solids. The
+// prism, each point with its own depth. Along another, a crest: the manifold of two convex solids. The
 // own normal points to the side on which the solid's middle is. A box or polyhedron in the back of a triangle
 // is pushed out backwards, a cylinder is not pushed, as in ODE.
 #include "collide/pairs/across_edges.h"
@@ -237,7 +237,7 @@ class LeastWay : public Way {
             if (!offer_edge(s.pose.R * edge)) return false;
         return true;
     }
-    // As offer() of each, the parting ones first.
+    // The same as offer() of each, the separating axes first.
     bool hull_faces(PlacedHull& hull)
     {
         Real up[PlacedHull::kMostFaces], down[PlacedHull::kMostFaces];
@@ -346,7 +346,7 @@ class LeastWay : public Way {
     Way before_;       // what was known then
 };
 
-// A crest of the surface pushes into the solid.
+// A crest of the surface penetrates the solid.
 void add_crest_contacts(const MeshFacet& f, Vec3 normal, Real depth, MeshPair& m)
 {
     dContactGeom found[4];

@@ -137,7 +137,7 @@ class Crossing {
         return shows.corners == 2 && shows.at == edge;
     }
 
-    // `t` pushed to the front (side 1) or back of `face`; `sense`: 1 if t is a's, the normal points into a.
+    // `t` moved to the front (side 1) or back of `face`; `sense`: 1 if t is a's, the normal points into a.
     void offer_face(const PlacedFacet& t, const PlacedFacet& face, Real sense, Real side)
     {
         const Sunk sunk(t.f, face.f, side, slack_);
@@ -199,7 +199,7 @@ class Crossing {
     Real weighed_ = kInf, depth_ = 0, blocked_ = kInf, fringe_ = kInf;
     Vec3 normal_, blocked_normal_;
     const PlacedFacet* sunken_ = nullptr;
-    const PlacedFacet* face_ = nullptr;  // null: an edge pushes an edge
+    const PlacedFacet* face_ = nullptr;  // null: an edge against an edge
 };
 
 }  // namespace

@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A triangle of one mesh against one of another, both surfaces of something. Only triangles that cross are
-// met. The normal is the least way out of the directions normal to one of the two or across an edge of each,
-// of those that both meshes allow: what each triangle shows along it must be its face, or a crest where its
-// mesh ends (mesh_facet.h). So the wall of a box that stands on a cut-up floor is pushed up by the floor and
-// never aside by the edge of some triangle of it. Manifold: what of one triangle lies behind the other.
+// A triangle of one mesh against one of another, both surfaces of solids. Only triangles that cross have
+// contacts. The normal is the direction of least overlap among the normals of the two and the cross products
+// of their edges, of those that both meshes allow: what each triangle shows along it must be its face, or a
+// crest where its mesh ends (mesh_facet.h). So a floor of many triangles moves the wall of a box that stands
+// on it up, and the edge of one of them never moves it aside. Manifold: the part of one triangle that lies
+// behind the other.
 #pragma once
 
 #include "collide/pairs/surfaces/terrain_facet.h"
 
 namespace epode {
 
-// A facet in the frame that the contacts are wanted in, and what its corners are asked of: its mesh, which
-// has another frame, or the ground, which has this one and never pushes from its back.
+// A facet in the frame of the contacts, and the source of its corners: its mesh, which has another frame, or
+// the terrain, which has this frame and no contacts at its back.
 struct PlacedFacet {
     MeshFacet f;
     const TriangleMesh* mesh;
     const Pose* pose;  // of the mesh
     const Terrain* terrain = nullptr;
-    TerrainPlace place{};  // in the ground
+    TerrainPlace place{};  // in the terrain
     bool bare = false;     // its rims have not been looked for
     bool one_sided() const { return terrain != nullptr; }
 };
@@ -29,7 +30,7 @@ struct PlacedCorners {
 PlacedCorners placed_corners(const TriangleMesh& mesh, int triangle, const Pose& pose);
 PlacedFacet placed(const TriangleMesh& mesh, int triangle, const Pose& pose, const PlacedCorners& corners);
 
-// What one pair of triangles says: move a by depth * normal.
+// The contact of one pair of triangles: moving a by depth * normal separates the two.
 struct TriangleContact {
     static constexpr int kMax = 6;  // corners of a triangle cut by a triangle's prism, seams left out
     int a = -1, b = -1;             // the triangles
@@ -52,8 +53,8 @@ struct Tolerance {
     Real touch;  // what is apart by less touches: what rests must not come and go
 };
 
-// False when the two do not cross. A facet of the ground as b may be bare (terrain_facet.h): its rims are
-// looked for when they are needed.
+// False when the two do not cross. A facet of the terrain as b may be bare (terrain_facet.h): its rims are
+// computed when they are needed.
 bool triangle_triangle(const PlacedFacet& a, PlacedFacet& b, Tolerance tolerance, TriangleContact& out);
 
 }  // namespace epode

@@ -2,9 +2,9 @@
 // Copyright (c) 2026 The Epode authors
 //
 // A mesh against a plane: every vertex on or below it is a contact, once, named after its first triangle, in
-// the order of the triangles. When there are more than the client has room for, what carries the mesh is
-// kept: the deepest vertex and those that reach farthest in directions spread evenly over the plane, and with
-// room for four or less the best manifold among these (contact_sink.h).
+// the order of the triangles. If there are more than the client's capacity, those that support the mesh are
+// kept: the deepest vertex and the farthest ones in directions spread evenly over the plane; with a capacity
+// of four or less, the best manifold among these (contact_sink.h).
 #include <algorithm>
 #include <bit>
 
