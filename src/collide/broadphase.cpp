@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Three stages, each run only when asked for: true boxes (update), tree (update_tree), pairs (find_pairs).
+// Three stages, each run on request only: true boxes (update), tree (update_tree), pairs (find_pairs).
 // When memory runs out a stage reports it and leaves its work list as it was, so that a later call can
 // succeed.
 #include "collide/broadphase.h"
@@ -205,7 +205,7 @@ bool Broadphase::find_pairs(const Tasks& tasks)
     return true;
 }
 
-// Pairs of slots that have gone or will be asked again.
+// Pairs of slots that have been removed or will be queried again.
 void Broadphase::drop_stale_pairs()
 {
     auto stale = [&](int slot) {

@@ -2,13 +2,13 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Which members of a space may touch. Members are slots 0, 1, ... in order of joining; each has its true box
-// and a fat one round it that goes into a tree. As long as the true box stays inside the fat one, nothing
-// happens: the list of pairs with overlapping fat boxes stays as it is from call to call, and a settled scene
-// pays only for the walk over it. A member that leaves its fat box gets a new one (larger by 4 times its last
-// shift, within 2-10 % of its size) and is asked for its pairs again; these are sorted and merged into the
-// list. The list is ordered by (newer slot, older slot), both descending, whatever the history of motion: the
-// order of callbacks depends on nothing but the order of joining. Boxes without bounds, and those that are
-// not ordered, lie in a short list that is tested against everything. Rejected: hash grids (rebuilt each
+// and a fat one around it, which is in a tree. As long as the true box stays inside the fat one, the list of
+// pairs with overlapping fat boxes does not change from call to call, and a settled scene pays only for the
+// walk over it. A member that leaves its fat box gets a new one (larger by 4 times its last shift, within
+// 2-10 % of its size), and its pairs are queried again, sorted and merged into the list. The list is ordered
+// by (newer slot, older slot), both descending, whatever the history of motion: the order of callbacks
+// depends on the order of joining only. Boxes without bounds, and those that are not ordered, are in a short
+// list that is tested against everything. Rejected: hash grids (rebuilt each
 // step, poor with mixed sizes) and a sort along an axis (clusters on floors).
 #pragma once
 
@@ -45,7 +45,7 @@ class Broadphase {
         if (note_way(slot, way)) (void)escaped_.push(slot);
     }
 
-    // What a walk over many slots at once, by several workers, tells of them.
+    // What a parallel walk over many slots records.
     class Notes {
       public:
         // As Broadphase::update(), and no more of a slot that is absent now.
@@ -73,7 +73,7 @@ class Broadphase {
         int* out_;
         int gone_ = -1;
     };
-    // f(slot, notes) for the slots 0 ... count - 1, on all workers; it may tell about that slot only.
+    // f(slot, notes) for the slots 0 ... count - 1, on all workers; it may record about that slot only.
     template <typename F>
     void note_all(const Tasks& tasks, int count, F&& f);
     void remove(int slot);

@@ -62,7 +62,7 @@ class ContactSink {
     NearLeaves* kept() const { return kept_; }
 
     // Of two polyhedra that touch, or one and a plane: corners apart by no more than this are contacts too,
-    // their depth negative, where fewer than four touch. Other shapes know nothing of it.
+    // their depth negative, where fewer than four touch. Other shapes ignore it.
     void reach(Real margin) { margin_ = margin; }
     Real margin() const { return margin_; }
 

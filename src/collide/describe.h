@@ -2,8 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 //
 // A geom as a table of dWorldExportDIF: flags and filter bits where they are not the default, then what its
-// type says. Its pose is left out, as in ODE: it is that of the body, or an offset that the format has no
-// field for. And what tells its shape from others: a fingerprint of what its type says, the class included.
+// type adds. Its pose is left out, as in ODE: it is that of the body, or an offset that the format has no
+// field for. And a fingerprint that distinguishes its shape from others, the class included.
 #pragma once
 
 #include "base/dif_writer.h"

@@ -4,7 +4,7 @@
 // A geom: a shape with a pose, a bounding box, filter bits and a place in at most one space. Its type is a
 // table of functions (GeomType), so that classes made at run time are no different from built-in ones.
 //   pose      own arrays; or the body's arrays, shared; or, on a body with an offset, own arrays that are
-//             composed (pose = body * offset) when somebody asks for them after the body has moved.
+//             composed (pose = body * offset) on first use after the body has moved.
 //   body      known as an opaque id, two pointers to its pose and the head of its list of geoms: this folder
 //             knows nothing of dynamics (step/link introduces the two).
 //   moving    marks the geom and queues it, and each space above it, for the next cleaning; what does not
@@ -39,8 +39,8 @@ struct GeomType {
     void (*farewell)(Geom& geom) = nullptr;                // the first thing when it is destroyed; null: none
     bool (*may_touch)(Geom& geom, Geom& other) = nullptr;  // a last look before a pair is reported; null: yes
     int (*control)(Geom& geom, int control_class, int code, void* data, int* size) = nullptr;  // null: none
-    void (*describe)(const Geom& geom, DifWriter& out) = nullptr;  // in dWorldExportDIF; null: nothing to say
-    // What tells its shape from others and `describe` does not say; null: nothing.
+    void (*describe)(const Geom& geom, DifWriter& out) = nullptr;  // in dWorldExportDIF; null: writes nothing
+    // What distinguishes its shape and `describe` does not write; null: nothing.
     void (*fingerprint)(const Geom& geom, ContentHash& hash) = nullptr;
     const SolidType* solid = nullptr;                    // convex solids (collide/solid_type.h); null: none
     Real (*half_thickness)(const Geom& geom) = nullptr;  // of what may be continuous; null: it may not

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What a solid keeps in itself of the mesh that it was collided with last (bvh/near_leaves.h): programs that
-// call dCollide have no pair to keep it in. Contacts are the same bits with it and without. It comes with the
-// first mesh that the geom meets, and goes with the geom. Several threads may collide one geom at once: who
-// finds it taken, or no memory for it, asks the mesh's tree as if there were none.
+// The cached leaves of the mesh that a solid was last collided with (bvh/near_leaves.h), stored in the solid:
+// programs that call dCollide have no pair to store them in. Contacts have the same bits with and without
+// them. They are created with the first mesh that the geom collides with and removed with the geom. Several
+// threads may collide one geom at once: a thread that finds the leaves in use, or has no memory for them,
+// queries the mesh's tree without them.
 #pragma once
 
 #include "base/pool.h"

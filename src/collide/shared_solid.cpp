@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// All solids that geoms have stand in a list, those that were asked for last in front; only so many of them
-// are compared, so that making geoms of ever new points stays cheap. Geoms may be made by several threads: a
-// lock guards the list and the counts. A solid is never written while it has users.
+// All solids of geoms are in a list, the most recently requested in front. Only the first few are compared,
+// so creating geoms of new points is always cheap. Several threads may create geoms: a lock guards the list
+// and the counts. A solid is never written while it has users.
 #include "collide/shared_solid.h"
 
 #include <algorithm>

@@ -21,7 +21,7 @@ class SharedSolid {
     }
     ~SharedSolid();
 
-    // Takes what is in `made`, unless a solid with the same bits is among those that were asked for last.
+    // Takes what is in `made`, unless a solid with the same bits is among the most recently requested.
     // False when memory is exhausted.
     [[nodiscard]] bool take(Polyhedron& made);
 

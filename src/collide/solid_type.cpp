@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What the view of a solid tells of it. With h the support function of the whole, radius included, the box is
-// [-h(-e_i), h(e_i)] along each axis of the world, and half the least of h(n) + h(-n) over some directions n
-// bounds the radius of the largest ball inside.
+// What follows from the view of a solid. With h the support function of the whole, radius included, the box
+// is [-h(-e_i), h(e_i)] along each axis of the world, and half the least of h(n) + h(-n) over some directions
+// n bounds the radius of the largest ball inside.
 #include "collide/solid_type.h"
 
 #include <algorithm>

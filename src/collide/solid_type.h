@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What a class of convex solids says of its geoms, and all that the rest of the library needs of them: pairs
-// with every other class, queries, separation tests, continuous collision and drawing follow from the view
-// (geometry/convex_view.h), that is from a support function. A view is a core and a radius around it. The
-// other functions are answered by the view, too; a class replaces those for which it knows something faster.
+// What a class of convex solids provides for its geoms, and all that the rest of the library needs of them:
+// pairs with every other class, queries, separation tests, continuous collision and drawing follow from the
+// view (geometry/convex_view.h), that is from a support function. A view is a core and a radius around it.
+// The other functions have a default by the view; a class replaces those that it can compute faster.
 #pragma once
 
 #include "collide/geom.h"

@@ -5,10 +5,10 @@
 // quadtree) are this one structure: they promise the same pairs and differ only in what their users may
 // expect of speed, and the broadphase serves each of them; levels, centres and axis orders are kept and
 // answered, nothing more.
-//   members   slots in order of joining. A slot is not used twice until compact() closes the gaps, so that
-//             work lists may name slots.
+//   geoms     the members, by slots in order of joining. A slot is not used twice until compact() closes the
+//             gaps, so that work lists may name slots.
 //   locks     count the collisions in progress. A locked space refuses every change of its members, and is
-//             not cleaned: whoever looks sees it as it was when the outermost collision began.
+//             not cleaned: it looks as it was when the outermost collision began.
 #pragma once
 
 #include "base/prefetch.h"
@@ -106,7 +106,7 @@ inline bool is_clean(const Space& space) { return !space.unlisted && space.queue
 // Something that decides about pairs of the geom has changed, and is not its place or shape.
 void note_rules_changed(Geom& geom);
 void clean(Space& space);  // gives every queued member its box, at all depths
-// A geom whose box and pairs are its own affair: no space or transform, and not of a class of the program.
+// Whether box and pairs depend on the geom only: no space or transform, and not of a class of the program.
 inline bool stands_alone(const Geom& geom)
 {
     const int number = geom.type->number;

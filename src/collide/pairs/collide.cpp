@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The dispatcher. Convex solids meet each other, planes, rays, meshes and height fields by their views
-// (solid_pairs.h); pairs.inc replaces that where there is something better. Pair functions are pure; a thunk
-// made from each line of pairs.inc takes shapes out of geoms. What a transform holds is never moved: its pose
-// is handed along (only functions of the program, which read the pose from the geom, see it placed for the
-// time of the call). A pair served in the other order: normals are negated, g1 with g2 and side1 with side2
-// exchanged.
+// The dispatcher. Convex solids collide with each other, planes, rays, meshes and height fields by their
+// views (solid_pairs.h); pairs.inc replaces that where a special function is better. Pair functions are pure;
+// a thunk made from each line of pairs.inc takes the shapes out of the geoms. The geom in a transform is
+// never moved: its pose is an argument (only functions of the program, which read the pose from the geom, see
+// it placed during the call). If a function serves a pair in the other order, normals are negated and g1 with
+// g2, side1 with side2 exchanged.
 #include "collide/collide.h"
 
 #include <algorithm>
@@ -86,7 +86,7 @@ struct Collider {
     dColliderFn* user = nullptr;
     bool reversed = false;
     bool disabled = false;            // by the program
-    bool settled = true;              // false: a user class has not been asked yet
+    bool settled = true;              // false: a user class has not been queried yet
     DirectFunction direct = nullptr;  // null unless the pair function is all: nothing to open or to override
 };
 
@@ -154,7 +154,7 @@ struct ColliderTable {
     PairFunction built_in_[kGeomClasses][kGeomClasses] = {};
 };
 
-// Spaces and transforms are opened, whatever they meet: user classes are not asked about them.
+// Spaces and transforms are always opened: user classes are not queried about them.
 bool is_opened(int number)
 {
     return number == dGeomTransformClass || (number >= dFirstSpaceClass && number <= dLastSpaceClass);
@@ -224,8 +224,8 @@ dColliderFn* offer(int i, int j)
     return description->collider(j);
 }
 
-// The collider of the two classes; a user class is asked once and the answer, also "none", remembered. Of two
-// user classes the one registered first is asked first, so that the answer does not depend on the first call.
+// The collider of the two classes. A user class is queried once, and its answer is kept, also "none". Of two
+// user classes the one registered first is queried first, so the answer does not depend on the first call.
 Collider collider_of(int i, int j)
 {
     const Collider known = table().entries[i][j].get();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Pair functions of any class of convex solids (collide/solid_type.h), by its view: what a class has without
-// a line in pairs.inc. The geom is the solid's; which side of the pair it is the names say.
+// Pair functions of any class of convex solids (collide/solid_type.h), by its view: a class has them without
+// a line in pairs.inc. The geom is the solid's; the names say which side of the pair it is.
 #pragma once
 
 #include "collide/collide.h"

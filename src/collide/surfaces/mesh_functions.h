@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The program's functions of a mesh, asked during a collision. Which geom meets the mesh is known by the
-// sink: pair functions see shapes only. The dispatcher holds both geoms and the data while they run
-// (MeshHold).
-//   wants      may the triangle touch the other geom?
-//   told       all triangles near the other geom, before any of them is asked about
-//   ray_hits   does a ray's hit at the point (1-u-v) v0 + u v1 + v v2 count?
-// The fourth, which numbers contacts that have become one, is known by the sink (ContactSink::merged).
+// The program's callbacks of a mesh, called during a collision. The sink knows the other geom: pair functions
+// see shapes only. The dispatcher holds both geoms and the data while the callbacks run (MeshHold).
+//   wants            whether the triangle may touch the other geom
+//   array_callback   receives all triangles near the other geom, before `wants` is called for any of them
+//   ray_hits         whether a ray's hit at the point (1-u-v) v0 + u v1 + v v2 counts
+// The sink calls the fourth, which numbers merged contacts (ContactSink::merged).
 #pragma once
 
 #include <span>

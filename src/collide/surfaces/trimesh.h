@@ -35,7 +35,7 @@ struct TrimeshData : Numbered {
     TrimeshData(const TrimeshData&) = delete;
     TrimeshData& operator=(const TrimeshData&) = delete;
 
-    bool in_use() const;  // a collision, or a space that is being gone through, relies on it
+    bool in_use() const;  // a collision or a walk over a space relies on it
     void notify_geoms();  // that the mesh has changed
 
     TriangleMesh mesh;
@@ -45,7 +45,7 @@ struct TrimeshData : Numbered {
     MeshSource source;
     const void* face_normals = nullptr;  // the program's
     void* given_flags = nullptr;         // the program's
-    Array<unsigned char> use_flags;      // our own, when they have been asked for
+    Array<unsigned char> use_flags;      // our own, on request
     TrimeshGeom* geoms = nullptr;
     SpinLock geoms_lock;  // geoms of several threads may share the data
     std::atomic<int> users{0};
@@ -57,7 +57,7 @@ struct HandleOf<TrimeshData> {
     static constexpr Tag kTag = Tag::kTrimeshData;
 };
 
-// The shape of a mesh geom, and the program's functions that have a say in its contacts.
+// The shape of a mesh geom and the program's callbacks that decide about its contacts.
 struct Trimesh {
     TrimeshData* data = nullptr;
     dTriCallback* wants = nullptr;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Convex polyhedron: the hull of the client's points (geometry/polyhedron.h), copied; ODE keeps pointers, and
-// so a program that frees them early is safe here. The original, too, meets other solids with all points,
-// whatever the polygons say: these and the planes must make sense by themselves and are then passed over.
+// Convex polyhedron: the hull of the client's points (geometry/polyhedron.h), copied. ODE keeps pointers;
+// here a program may free the points early. ODE, too, collides all points whatever the polygons contain:
+// polygons and planes must be valid by themselves and are then ignored.
 #include "base/float_environment.h"
 #include "collide/describe.h"
 #include "collide/solid_type.h"

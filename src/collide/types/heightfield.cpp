@@ -39,7 +39,7 @@ Aabb aabb(Geom& geom)
 
 void describe_heightfield(const Geom&, DifWriter& out) { out.text("type", "heightfield"); }
 
-// Of heights that the program keeps, what they are now; of those that it is asked for, none.
+// Includes heights that the program stores, as they are now; not those of a callback.
 void fingerprint(const Geom& geom, ContentHash& hash)
 {
     const HeightfieldData* d = static_cast<const HeightfieldGeom&>(geom).shape.field();

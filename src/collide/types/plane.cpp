@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Plane: the half-space normal . x <= d, in the world; it has no pose. Its bounding box is endless, but for a
-// plane across a world axis, which bounds one side.
+// Plane: the half-space normal . x <= d, in the world; it has no pose. Its bounding box is endless, except
+// that a plane across a world axis bounds one side.
 #include "collide/types/registry.h"
 
 #include "base/float_environment.h"

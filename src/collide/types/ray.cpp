@@ -20,8 +20,8 @@ Aabb aabb(Geom& geom)
     return {min(a, b), max(a, b)};
 }
 
-// Boxes that the segment passes by hold nothing that it meets, so spaces need not report them. The slack is
-// half of that with which trees are asked, so that they never turn away what this lets through.
+// A box that the segment does not cross contains nothing that it hits, so spaces need not report the geom.
+// The slack is half of the slack of tree queries, so trees never reject what this accepts.
 bool may_touch(Geom& geom, Geom& other)
 {
     if (rays_overridden()) return true;

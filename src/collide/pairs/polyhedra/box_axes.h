@@ -3,8 +3,8 @@
 //
 // The 12 axes of a box and a triangle besides the triangle's normal (Gottschalk, Lin, Manocha 1996), in the
 // box's own frame: across its faces, and across one of its edges and one of the triangle's, along which two
-// of the triangle's corners are one. Most say nothing: four at a time are looked at side by side, and few are
-// offered one by one. Through support functions, as for polyhedra, it takes ten times as long. All is in an
+// of the triangle's corners are one. Most axes decide nothing: they are tested four at a time in lanes, and
+// few are offered one by one. Support functions, as for polyhedra, take ten times as long. All is in an
 // unnamed namespace for the reason given in simd/vectors.h.
 #pragma once
 
@@ -19,7 +19,7 @@ namespace {
 struct AxisOverlaps {
     Quad up, down, size2, rise;
 };
-// What a look at four tells: does one of them part the two, and which are worth more than a look?
+// The result of look() at four axes: which of them separate the two, and which must be offered.
 struct AxisVerdict {
     unsigned separating, wanted;  // a bit for each
 };
@@ -48,8 +48,8 @@ class BoxAxes {
         faces_ = {largest + half, half - least, quad(1), rows[1]};
     }
 
-    // False when look() says that one of the axes parts the two, or offer(up, down, size2, axis) that it
-    // does: offered is, in order, what look() wants. axis() tells the axis, in the world.
+    // False if look() finds a separating axis or offer(up, down, size2, axis) returns false. The axes that
+    // look() wants are offered in order. axis() returns the axis in the world.
     template <typename Look, typename Offer>
     bool each(const Look& look, const Offer& offer)
     {

@@ -74,7 +74,7 @@ class SolidReach {
                least * least > worth * worth * ((own + H) * (own + H) * length2(e) + (S - s) * (S - s));
     }
     Vec3 lowest_along(Vec3 n) const { return solid_.support(-n); }
-    // Of a polyhedron its extent along n, of any length, but for rounding, at a quarter of the cost.
+    // The extent of a polyhedron along n, of any length, up to rounding, at a quarter of the cost.
     void roughly_along(Vec3 n, Real& low, Real& high) const
     {
         const Real middle = dot(n, solid_.pose.p);

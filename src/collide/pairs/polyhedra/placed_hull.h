@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A polyhedron at its pose that meets facet after facet of a surface. What is the same for all of them is
-// computed once, when it is first asked for, with the bits of the view's own functions:
+// A polyhedron at its pose against many facets of a surface. What is the same for all facets is computed
+// once, on first use, with the same bits as the view's own functions:
 //   axes      the unit normal a of each face and the solid's extent along it, low <= a . x <= high, four
 //             faces side by side
 //   polygons  of each face what the solid shows along its normal
@@ -51,7 +51,7 @@ class PlacedHull {
     const ConvexView& view_;
     int count_ = 0, corners_ = 0;
     bool known_ = false;
-    int first_[kMostFaces], sides_[kMostFaces];  // of the corners; no sides: not asked for yet
+    int first_[kMostFaces], sides_[kMostFaces];  // of the corners; no sides: not computed yet
     union {
         FourFaces faces_[kMostGroups];  // in unions: left unwritten until found
     };

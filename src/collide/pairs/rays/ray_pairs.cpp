@@ -81,8 +81,8 @@ void cut_tube(const Line& line, Real r, Interval& in)
     in.cut(base + lower, outward(lower), base + upper, outward(upper));
 }
 
-// A ball: from the point of the line nearest to its centre both ends are as far, but for rounding. `room` is
-// negative where the line passes.
+// The chord of a line in a ball: both ends are equally far from the line's point nearest to the centre.
+// half2, the square of half the chord, is negative if the line misses the ball.
 struct Chord {
     Real base, shift, half2;
     Vec3 nearest;  // from the centre

@@ -7,9 +7,9 @@
 // have one sign inside, and exactly opposite ones on either side of a shared edge. A ray that goes exactly
 // through an edge belongs to the triangle to the left of it, the edge being taken to run towards larger x,
 // then larger y: so no ray slips through a closed seam, and none hits a flat one twice. All hits are
-// reported, the nearest first, as far as the room goes. FirstContact: any one; ClosestHit: the nearest. Where
-// the program has a say, hits are put to it from the nearest on, until enough are accepted. Normals are those
-// of the triangles' fronts, from whichever side the ray comes.
+// reported, the nearest first, up to the sink's capacity. FirstContact: any one; ClosestHit: the nearest. A
+// callback of the program receives the hits from the nearest on, until it has accepted enough. Normals are
+// those of the triangles' fronts, from whichever side the ray comes.
 #include "collide/pairs/best_contacts.h"
 #include "collide/pairs/surfaces/on_surface.h"
 #include "collide/surfaces/mesh_functions.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The rule for two balls, to which capsules come down: normal along the line of the centres, the contact in
-// the middle of the overlap. Where the centres are the same but for rounding, `fallback()` says the normal;
-// it is not asked otherwise.
+// The rule for two balls, to which capsules reduce: the normal is along the line of the centres, the contact
+// in the middle of the overlap. If the centres are equal up to rounding, `fallback()` returns the normal; it
+// is not called otherwise.
 #pragma once
 
 #include "collide/contact_sink.h"

@@ -43,7 +43,7 @@ bool two_sided(const Shape&)
 }
 bool two_sided(const AnySolid& a) { return !a.round; }
 
-// Whether a neighbour of the triangle that is near leans: asked before all that are near are looked at.
+// Whether a near neighbour of the triangle leans: tested before all near triangles are.
 bool ends_plane(const TriangleMesh& mesh, int t, const Aabb& box)
 {
     const Vec3 own = mesh.normal(t);
@@ -55,7 +55,7 @@ bool ends_plane(const TriangleMesh& mesh, int t, const Aabb& box)
     return false;
 }
 
-// The plane that the triangles make up, if they do, and if it goes on past the box.
+// The plane of all near triangles, if they have a common one that extends past the box.
 bool one_plane(const Surface& surface, NearTriangles& near, const Aabb& box, Real slack, Plane& out)
 {
     const TriangleMesh& mesh = surface.mesh;

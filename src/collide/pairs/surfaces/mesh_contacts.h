@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A solid against a mesh, everything in the mesh's frame. The triangles that the solid may touch are visited in
-// the order of their numbers (mesh_facet.h), and their contacts are reduced together (contact_collector.h). If
-// all triangles whose boxes overlap the solid's lie in one plane that extends past the solid, the plane's pair
-// function answers: a flat mesh, however finely divided, is exactly a plane.
+// A solid against a mesh, everything in the mesh's frame. The triangles that the solid may touch are visited
+// in the order of their numbers (mesh_facet.h), and their contacts are reduced together
+// (contact_collector.h). If all triangles whose boxes overlap the solid's lie in one plane that extends past
+// the solid, the plane's pair function answers: a flat mesh, however finely divided, is exactly a plane.
 #pragma once
 
 #include <algorithm>
@@ -59,8 +59,8 @@ class TriangleList {
     int count_ = 0, capacity_ = kFew;
 };
 
-// The triangles near a solid: those that it may touch, in order, and when they are asked for all whose boxes
-// meet its own.
+// The triangles near a solid: those that it may touch, in order, and on request all whose boxes overlap its
+// own.
 class NearTriangles {
   public:
     // Without memory those that fit.
@@ -72,7 +72,7 @@ class NearTriangles {
     void gather(const Surface& surface, const Aabb& box);
     void put_in_order() { near_.sort(); }
 
-    // Keeps those for which keep(triangle) holds, which is asked once for each. They are gathered, and in
+    // Keeps those for which keep(triangle) holds; it is called once for each. They must be gathered and in
     // order.
     template <typename Keep>
     void filter(Keep&& keep)
@@ -124,8 +124,8 @@ inline SolidProbe probe_of(const AnySolid& a, const Pose& A, Real slack)
     return {ProbeKind::kBox, A.to_world(box.lo + half), A.R, half, 0, slack};
 }
 
-// Contacts within this part of the size count as touching: of a solid that rests on many triangles some
-// points hover by what the solver leaves over, and must not come and go.
+// Contacts within this part of the size count as touching. Some points of a solid that rests on many
+// triangles hover by the solver's residual error, and their contacts must persist.
 inline constexpr Real kMeshTouch = Real(1e-7);
 
 // What counts as nothing where the solid is: rounding of coordinates, and of what rests.

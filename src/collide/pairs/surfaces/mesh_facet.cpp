@@ -75,7 +75,7 @@ MeshFacet turned(const MeshFacet& f)
         const Rim rim = f.rim[2 - k];
         t.beyond[k] = -f.beyond[2 - k];
         t.rim[k] = rim == Rim::kConvex ? Rim::kHollow : rim == Rim::kHollow ? Rim::kConvex : rim;
-        t.sharp[k] = true;  // not known: the walk around the corner tells
+        t.sharp[k] = true;  // not known: the walk around the corner decides
     }
     return t;
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What solids against meshes and against height fields have in common: the box to ask the surface with, the
-// pair function for a surface that is one plane, round solids as a core and a radius, the way of contacts
-// into the world. Overloads and not functions in ConvexView: which shape it is, is known when this is
-// compiled.
+// What solids against meshes and against height fields have in common: the box of the surface query, the pair
+// function for a surface that is one plane, round solids as a core and a radius, and the transformation of
+// contacts into the world. Overloads and not functions in ConvexView: the shape is known at compile time.
 #pragma once
 
 #include "collide/any_solid.h"

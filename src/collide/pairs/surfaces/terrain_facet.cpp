@@ -21,7 +21,7 @@ void find_terrain_rims(const Terrain& terrain, const TerrainPlace& place, MeshFa
 {
     const float tilt = lie_of(f.v, kEpsilon).tilt;
     for (int k = 0; k < 3; ++k) {
-        f.sharp[k] = true;  // the look around the corner tells
+        f.sharp[k] = true;  // the walk around the corner decides
         f.rim[k] = Rim::kBorder;
         f.beyond[k] = -f.n;
         const Terrain::Neighbour next = terrain.neighbour(place.facet, k);

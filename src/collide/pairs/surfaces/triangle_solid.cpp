@@ -66,7 +66,7 @@ class LeastWay : public Way {
 
     // Whether what touches may still be found apart: the rest of the directions has not been tried.
     bool quick() const { return quick_; }
-    // Of these the hollow edges, which tell that the solid is on a neighbour.
+    // Tries the concave edges among these, which show whether the solid is on a neighbour.
     bool try_hollows()
     {
         for (int k = 0; k < 3; ++k)
@@ -124,7 +124,7 @@ class LeastWay : public Way {
         judge(n, d, crest, shows.at);
     }
 
-    // Whether n leans along a side by clearly more than is put upright: no root is taken to tell.
+    // Whether n leans along a side by clearly more than kAlongCrest; computed without a square root.
     static bool runs_along(Vec3 n, Vec3 side)
     {
         const Real along = dot(n, side);

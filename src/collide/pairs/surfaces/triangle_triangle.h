@@ -50,7 +50,7 @@ struct TriangleContact {
 
 struct Tolerance {
     Real slack;  // rounding of coordinates
-    Real touch;  // what is apart by less touches: what rests must not come and go
+    Real touch;  // a smaller distance counts as touching: contacts of resting meshes must persist
 };
 
 // False when the two do not cross. A facet of the terrain as b may be bare (terrain_facet.h): its rims are

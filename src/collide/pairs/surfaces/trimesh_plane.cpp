@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kMostDirections = 64;
 constexpr int kFewDirections = 32;  // to choose four from
-constexpr int kFewVertices = 128;   // are gone through one by one, without the tree
+constexpr int kFewVertices = 128;   // are tested one by one, without the tree
 
 // The plane in the mesh's frame, and the way back.
 struct MeshPlanePair {
