@@ -8,7 +8,7 @@
 #include "collide/surfaces/closed_mesh.h"
 #include "collide/types/registry.h"
 #include "collide/user_class.h"
-#include "query/thing.h"
+#include "query/query_shape.h"
 
 namespace epode {
 namespace {
@@ -43,7 +43,7 @@ void nearest_triangle(const ConvexView& a, int side_a, const TriangleSet& b, Rea
     }
 }
 
-Separation solid_solid(const Thing& a, const Thing& b, Real limit)
+Separation solid_solid(const QueryShape& a, const QueryShape& b, Real limit)
 {
     Capsule memory_a, memory_b;
     const Real apart = kEndless * length(a.pose.p - b.pose.p);
@@ -52,7 +52,7 @@ Separation solid_solid(const Thing& a, const Thing& b, Real limit)
                       solid_view(b, ball_a.centre, ball_a.reach, memory_b), limit);
 }
 
-Separation solid_plane(const Thing& a, const Thing& b)
+Separation solid_plane(const QueryShape& a, const QueryShape& b)
 {
     const Plane& plane = b.as<Plane>();
     Capsule memory;
@@ -69,7 +69,7 @@ Separation solid_plane(const Thing& a, const Thing& b)
 }
 
 // The middle of a solid in a mesh that is solid, too: minus the way out.
-bool in_mesh(const Thing& a, const Thing& b, Separation& out)
+bool in_mesh(const QueryShape& a, const QueryShape& b, Separation& out)
 {
     const Trimesh& mesh = b.as<Trimesh>();
     if (a.number() == dRayClass || !mesh.is_solid()) return false;
@@ -83,11 +83,11 @@ bool in_mesh(const Thing& a, const Thing& b, Separation& out)
     return true;
 }
 
-Separation solid_surface(const Thing& a, const Thing& b, Real limit)
+Separation solid_surface(const QueryShape& a, const QueryShape& b, Real limit)
 {
     Separation best;
-    if (sort_of(b) == Sort::kMesh && in_mesh(a, b, best)) return best;
-    if (sort_of(b) == Sort::kField && in_ground(a, b, best)) return best;
+    if (kind_of(b) == QueryKind::kMesh && in_mesh(a, b, best)) return best;
+    if (kind_of(b) == QueryKind::kField && in_terrain(a, b, best)) return best;
     const TriangleSet surface = triangles_of(b);
     const BoundingBall ball = ball_about(surface, b.pose);
     Capsule memory;
@@ -98,7 +98,7 @@ Separation solid_surface(const Thing& a, const Thing& b, Real limit)
 }
 
 // Of a field without end one period counts where its height axis is the plane's, else there is no least.
-Separation surface_plane(const Thing& a, const Thing& b)
+Separation surface_plane(const QueryShape& a, const QueryShape& b)
 {
     const TriangleSet surface = triangles_of(a);
     const Plane& plane = b.as<Plane>();
@@ -134,7 +134,7 @@ Separation plane_plane(const Plane& a, const Plane& b)
 }
 
 // The triangles of `a` one after the other, the one whose box is nearest first.
-Separation surface_surface(const Thing& a, const Thing& b, Real limit)
+Separation surface_surface(const QueryShape& a, const QueryShape& b, Real limit)
 {
     const TriangleSet sa = triangles_of(a), sb = triangles_of(b);
     if (sa.endless() && sb.endless()) return {};
@@ -166,18 +166,19 @@ Separation surface_surface(const Thing& a, const Thing& b, Real limit)
 }
 
 // For a whose sort is not behind b's.
-Separation in_order(const Thing& a, const Thing& b, Real limit)
+Separation in_order(const QueryShape& a, const QueryShape& b, Real limit)
 {
-    const Sort x = sort_of(a), y = sort_of(b);
-    if (x == Sort::kNone || y == Sort::kNone) return {};
-    if (x == Sort::kSolid) {
-        if (y == Sort::kSolid) return solid_solid(a, b, limit);
-        return y == Sort::kPlane ? solid_plane(a, b) : solid_surface(a, b, limit);
+    const QueryKind x = kind_of(a), y = kind_of(b);
+    if (x == QueryKind::kNone || y == QueryKind::kNone) return {};
+    if (x == QueryKind::kSolid) {
+        if (y == QueryKind::kSolid) return solid_solid(a, b, limit);
+        return y == QueryKind::kPlane ? solid_plane(a, b) : solid_surface(a, b, limit);
     }
-    if (x == Sort::kPlane)
-        return y == Sort::kPlane ? plane_plane(a.as<Plane>(), b.as<Plane>()) : surface_plane(b, a).turned();
-    Separation ground;
-    if (x == Sort::kMesh && y == Sort::kField && in_ground(a, b, ground)) return ground;
+    if (x == QueryKind::kPlane)
+        return y == QueryKind::kPlane ? plane_plane(a.as<Plane>(), b.as<Plane>())
+                                      : surface_plane(b, a).turned();
+    Separation terrain;
+    if (x == QueryKind::kMesh && y == QueryKind::kField && in_terrain(a, b, terrain)) return terrain;
     return surface_surface(a, b, limit);
 }
 
@@ -185,16 +186,16 @@ Separation in_order(const Thing& a, const Thing& b, Real limit)
 
 GeomSeparation separation(Geom& a, Geom& b, Real limit)
 {
-    const Thing ta = thing_of(a), tb = thing_of(b);
-    const Sort x = sort_of(ta), y = sort_of(tb);
+    const QueryShape ta = query_shape_of(a), tb = query_shape_of(b);
+    const QueryKind x = kind_of(ta), y = kind_of(tb);
     // One order for both, so that exchanging the two changes no bit.
     const bool turn = x != y ? x > y : ta.geom && tb.geom && ta.geom->serial > tb.geom->serial;
     const Separation s = turn ? in_order(tb, ta, limit).turned() : in_order(ta, tb, limit);
     GeomSeparation out;
     static_cast<Separation&>(out) = s;
     if (s.distance <= limit && s.distance < kInf) out.a = ta.named, out.b = tb.named;
-    if (x == Sort::kField) out.side_a = -1;
-    if (y == Sort::kField) out.side_b = -1;
+    if (x == QueryKind::kField) out.side_a = -1;
+    if (y == QueryKind::kField) out.side_b = -1;
     return out;
 }
 

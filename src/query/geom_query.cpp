@@ -9,8 +9,8 @@
 #include "base/float_environment.h"
 #include "collide/types/registry.h"
 #include "ode/ext.h"
+#include "query/candidates.h"
 #include "query/distance.h"
-#include "query/members.h"
 #include "query/triangle_set.h"
 
 namespace epode {
@@ -40,9 +40,9 @@ GeomSeparation least(const Array<Geom*>& first, const Array<Geom*>& second, bool
     for (Geom* a : first)
         for (Geom* b : second) {
             if (a == b || (by_bits && !agree(*a, *b))) continue;
-            const Real most = best.a ? best.distance : limit;
-            if (box_gap(*a, *b) > std::max(most, Real(0))) continue;
-            const GeomSeparation s = separation(*a, *b, most);
+            const Real max_distance = best.a ? best.distance : limit;
+            if (box_gap(*a, *b) > std::max(max_distance, Real(0))) continue;
+            const GeomSeparation s = separation(*a, *b, max_distance);
             if (s.a && (!best.a || s.distance < best.distance)) best = s;
         }
     return best;
@@ -76,10 +76,10 @@ extern "C" int dGeomGetDistance(dGeomID o1, dGeomID o2, dReal max_distance, dQue
     for (Geom* g : {a, b})
         if (is_space(*g)) clean(static_cast<Space&>(*g));
     Array<Geom*> first, second;
-    const bool room =
+    const bool complete =
         leaves_of(*a, {b->category, b->collide}, first) && leaves_of(*b, {a->category, a->collide}, second);
-    EPODE_USER_SAY(room, kOutOfMemory, 0);
-    const MembersLock lock_a(space_of(*a), first), lock_b(space_of(*b), second);
+    EPODE_USER_SAY(complete, kOutOfMemory, 0);
+    const CandidateLock lock_a(space_of(*a), first), lock_b(space_of(*b), second);
     const GeomSeparation found = least(first, second, is_space(*a) || is_space(*b), max_distance);
     if (!found.a) return 0;
     put(found, *result);
@@ -99,7 +99,7 @@ extern "C" int dSpaceOverlap(dSpaceID id, dGeomID o, const dQueryFilter* given, 
     Array<Geom*> near;
     clean(*space);
     EPODE_USER_SAY(collect_near(*space, filter, box_of(*geom), near), kOutOfMemory, 0);
-    const MembersLock lock(space, near);
+    const CandidateLock lock(space, near);
     int count = 0;
     for (Geom* m : near) {
         if (!can_pair(*geom, *m) || !overlapping(*geom, *m) || !filter.keeps(to_handle(m))) continue;

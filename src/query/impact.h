@@ -19,12 +19,12 @@
 #pragma once
 
 #include "query/motion.h"
-#include "query/thing.h"
+#include "query/query_shape.h"
 
 namespace epode {
 
 struct Mover {
-    Thing thing;  // its pose is that at the beginning
+    QueryShape shape;  // its pose is that at the beginning
     Motion motion;
 };
 
@@ -34,9 +34,9 @@ struct ImpactRule {
 };
 
 // 0 ... most; kInf: they do not meet by then. `a` is a solid or a mesh, and neither is a ray.
-Real time_of_impact(const Mover& a, const Mover& b, const ImpactRule& rule, Real most);
+Real time_of_impact(const Mover& a, const Mover& b, const ImpactRule& rule, Real max_time);
 
 // Radius of a ball inside, of a mesh half of what it is thick; never 0. Of what has no other side: kInf.
-Real half_thickness(const Thing& thing);
+Real half_thickness(const QueryShape& shape);
 
 }  // namespace epode

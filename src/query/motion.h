@@ -37,7 +37,7 @@ struct Motion {
     }
     bool moves() const { return !(shift == Vec3{}) || !(turn == Vec3{}); }
     // How far a point goes at most that is so far from the centre.
-    Real most(Real arm) const
+    Real max_travel(Real arm) const
     {
         const Real angle = length(turn);
         return length(shift) + (angle > 0 ? angle * arm : Real(0));

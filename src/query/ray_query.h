@@ -13,25 +13,25 @@
 
 #include "collide/collide.h"
 #include "collide/types/registry.h"
-#include "query/members.h"
+#include "query/candidates.h"
 
 namespace epode {
 
-struct RayQuestion {
+struct RayQuery {
     Vec3 origin, direction;  // unit
     Real length = 0;
     QueryFilter filter;
 };
 
 struct RayAnswer {
-    const Geom* member = nullptr;  // of the space: where the hit stands in the order; null: nothing was hit
-    dContactGeom contact;          // depth: distance; g2: what was hit; side2: its triangle
+    const Geom* candidate = nullptr;  // of the space: gives the hit's place in the order; null: no hit
+    dContactGeom contact;             // depth: distance; g2: what was hit; side2: its triangle
 };
 
-inline bool comes_before(const RayAnswer& a, const RayAnswer& b)
+inline bool precedes(const RayAnswer& a, const RayAnswer& b)
 {
     if (a.contact.depth != b.contact.depth) return a.contact.depth < b.contact.depth;
-    return a.member != b.member && is_newer(*a.member, *b.member);
+    return a.candidate != b.candidate && is_newer(*a.candidate, *b.candidate);
 }
 
 // A ray geom that no space and no pool knows. What functions of the program may do to it is undone.
@@ -39,7 +39,7 @@ class RayProbe : public ShapeGeom<Ray> {
   public:
     RayProbe();
     ~RayProbe();
-    void aim(const RayQuestion& question, Real length);
+    void aim(const RayQuery& query, Real length);
 
   private:
     GeomHold hold_{*this};
@@ -51,23 +51,23 @@ class RayCaster {
     // the way.
     RayCaster(Space& space, bool ready) : space_(space), ready_(ready) {}
 
-    RayAnswer closest(const RayQuestion& question);
+    RayAnswer closest(const RayQuery& query);
 
     // All geoms that are hit, nearest first. False when memory is exhausted.
-    [[nodiscard]] bool all(const RayQuestion& question, Array<RayAnswer>& out);
+    [[nodiscard]] bool all(const RayQuery& query, Array<RayAnswer>& out);
 
     // Is there a geom for which a function of the program would be called?
-    bool asks_program_of_any();
+    bool needs_program();
 
   private:
     template <typename Found>
-    void walk(Space& space, const RayQuestion& question, Real& reach, Found&& found);
+    void walk(Space& space, const RayQuery& query, Real& reach, Found&& found);
     template <typename Found>
-    void ask_waiting(const RayQuestion& question, const Real& reach, Found&& found);
-    bool hit(const RayQuestion& question, Geom& geom, Real length, RayAnswer& out);
+    void ask_waiting(const RayQuery& query, const Real& reach, Found&& found);
+    bool hit(const RayQuery& query, Geom& geom, Real length, RayAnswer& out);
 
     PairFunction direct(const Geom& geom);
-    void aim(const RayQuestion& question);
+    void aim(const RayQuery& query);
 
     Space& space_;
     bool ready_;

@@ -7,7 +7,7 @@
 #include "base/float_environment.h"
 #include "collide/types/registry.h"
 #include "ode/ext.h"
-#include "query/members.h"
+#include "query/candidates.h"
 #include "query/sweep.h"
 #include "query/triangle_set.h"
 
@@ -101,7 +101,7 @@ extern "C" int dSpaceCast(dSpaceID id, dGeomID o, const dVector3 motion, const d
     clean(*space);
     Array<Geom*> near;
     EPODE_USER_SAY(collect_near(*space, filter, swept(box_of(*solid), way), near), kOutOfMemory, 0);
-    const MembersLock lock(space, near);
+    const CandidateLock lock(space, near);
     const SweepHit found = nearest(*solid, way, near, filter);
     put(found, *hit);
     return found.distance < kInf;

@@ -13,9 +13,9 @@
 
 namespace epode {
 
-enum class Sort { kSolid, kPlane, kMesh, kField, kNone };
+enum class QueryKind { kSolid, kPlane, kMesh, kField, kNone };
 
-struct Thing {
+struct QueryShape {
     Geom* geom = nullptr;  // never a transform
     Pose pose;
     Geom* named = nullptr;
@@ -28,29 +28,29 @@ struct Thing {
     }
 };
 
-Thing thing_of(Geom& geom);  // null geom: a transform that holds nothing
-Sort sort_of(const Thing& thing);
+QueryShape query_shape_of(Geom& geom);  // null geom: a transform that holds nothing
+QueryKind kind_of(const QueryShape& shape);
 
 struct BoundingBall {
     Vec3 centre;
     Real reach;
 };
 
-// Of a ray no more than `most` of it.
-BoundingBall ball_about(const Thing& solid, Real most);
+// Of a ray no more than `max_length` of it.
+BoundingBall ball_about(const QueryShape& solid, Real max_length);
 BoundingBall ball_about(const TriangleSet& surface, const Pose& pose);
 
 // Two rays, and rays over endless fields, are looked at for so many times what lies between them at most.
 inline constexpr Real kEndless = kSingle ? Real(1e3) : Real(1e5);
 
 // `centre`, `reach`: a ball about what it is measured against; `memory` must stay.
-ConvexView solid_view(const Thing& solid, Vec3 centre, Real reach, Capsule& memory);
+ConvexView solid_view(const QueryShape& solid, Vec3 centre, Real reach, Capsule& memory);
 ConvexView in_frame(const Pose& frame, const ConvexView& view);
 
 // Of a mesh or a height field.
-TriangleSet triangles_of(const Thing& thing);
+TriangleSet triangles_of(const QueryShape& shape);
 
 // Where the pair functions find a solid or a mesh in the ground of a height field; in the world.
-bool in_ground(const Thing& thing, const Thing& field, Separation& out);
+bool in_terrain(const QueryShape& shape, const QueryShape& field, Separation& out);
 
 }  // namespace epode

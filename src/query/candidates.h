@@ -21,12 +21,12 @@ bool make_ready(Space& space, int rays);
 
 // visit(geom) for every member at any depth that is no space, until it answers false.
 template <typename Visit>
-bool each_member(Space& space, Visit&& visit)
+bool each_candidate(Space& space, Visit&& visit)
 {
     for (int slot = space.members.size(); slot-- > 0;) {
         Geom* m = space.members[slot];
         if (!m) continue;
-        if (is_space(*m) ? !each_member(static_cast<Space&>(*m), visit) : !visit(*m)) return false;
+        if (is_space(*m) ? !each_candidate(static_cast<Space&>(*m), visit) : !visit(*m)) return false;
     }
     return true;
 }
@@ -39,17 +39,20 @@ bool each_member(Space& space, Visit&& visit)
 
 // Locks the spaces from those of members up to an outer one, so that the members stay what and where they are
 // while functions of the program may be called. Null: nothing is to be locked.
-class MembersLock {
+class CandidateLock {
   public:
-    MembersLock(Space* outer, const Array<Geom*>& members) : outer_(outer), members_(members) { add(1); }
-    MembersLock(const MembersLock&) = delete;
-    MembersLock& operator=(const MembersLock&) = delete;
-    ~MembersLock() { add(-1); }
+    CandidateLock(Space* outer, const Array<Geom*>& candidates) : outer_(outer), candidates_(candidates)
+    {
+        add(1);
+    }
+    CandidateLock(const CandidateLock&) = delete;
+    CandidateLock& operator=(const CandidateLock&) = delete;
+    ~CandidateLock() { add(-1); }
 
   private:
     void add(int count) const;
     Space* outer_;
-    const Array<Geom*>& members_;
+    const Array<Geom*>& candidates_;
 };
 
 }  // namespace epode
