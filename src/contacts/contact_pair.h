@@ -50,12 +50,12 @@ struct ContactPair {
     int old = -1;         // place in the list of the step before, -1: none, -2: not needed any more
     int first = 0;        // place of its manifolds
     union {
-        std::uint32_t parting = 0;  // of solids: a direction that has parted them, packed
-                                    // (contacts/pair_parting.h)
-        int leaves;                 // of a solid and a mesh: place of what they keep of it
+        std::uint32_t separating_axis = 0;  // of solids: a direction that has parted them, packed
+                                            // (contacts/pair_separation.h)
+        int leaves;                         // of a solid and a mesh: place of what they keep of it
     };
     std::uint8_t count = 0;  // of them
-    std::uint8_t most = 1;
+    std::uint8_t max_manifolds = 1;
     bool wanted : 1 = true;    // by the filter
     bool asked : 1 = false;    // functions of the program tell its contacts
     bool touched : 1 = false;  // in the step before

@@ -111,8 +111,8 @@ class ContactWorld {
     [[nodiscard]] bool load_pair(const World& world, const SpaceGeoms& geoms, StateStream& stream,
                                  std::uint32_t& used, Loaded& out);
     void put_to_rest(const Loaded& loaded, Space& in);
-    [[nodiscard]] bool expect_all(Space& in, const Foresight& soon, const Tasks& tasks);
-    [[nodiscard]] bool expect_few(const World& world, Space& in, const Foresight& soon);
+    [[nodiscard]] bool expect_all(Space& in, const SpeculativeMotion& soon, const Tasks& tasks);
+    [[nodiscard]] bool expect_few(const World& world, Space& in, const SpeculativeMotion& soon);
     [[nodiscard]] bool bring(Geom& geom);
     [[nodiscard]] bool choose_pairs(const World& world, const Tasks& tasks);
     [[nodiscard]] bool choose_range(const World& world, int range, RecordFinder& finder);

@@ -39,7 +39,7 @@ inline bool on_mesh(const GeomPair& pair)
     return meets(*pair.a, *pair.b) || meets(*pair.b, *pair.a);
 }
 
-inline int most_manifolds(const GeomPair& pair)
+inline int max_manifolds(const GeomPair& pair)
 {
     return is_surface(*pair.a) || is_surface(*pair.b) ? kSurfaceManifolds : 1;
 }
@@ -56,9 +56,9 @@ inline bool touches(const CachedManifold& kept, const ManifoldPoint& point)
     return point.normal_impulse > 0 || point.separation <= kept.layer;
 }
 
-inline bool touches(std::span<const CachedManifold> patches)
+inline bool touches(std::span<const CachedManifold> manifolds)
 {
-    for (const CachedManifold& kept : patches)
+    for (const CachedManifold& kept : manifolds)
         for (int i = 0; i < kept.manifold.count; ++i)
             if (touches(kept, kept.manifold.points[i])) return true;
     return false;

@@ -12,7 +12,7 @@
 
 #include <cstdint>
 
-#include "contacts/foresight.h"
+#include "contacts/speculative_motion.h"
 
 namespace epode {
 
@@ -20,16 +20,16 @@ namespace epode {
 std::uint32_t pack_direction(Vec3 n);
 Vec3 unpack_direction(std::uint32_t code);
 
-class Parting {
+class PairSeparation {
   public:
     // Of two solids (collide/solid_type.h).
-    Parting(const Geom& g1, const Geom& g2);
+    PairSeparation(const Geom& g1, const Geom& g2);
 
     // A direction that parts them where they are taken to be, in the world; zero: none has been found.
     Vec3 find(const Pose& pose1, const Pose& pose2, Vec3 guess) const;
     Real gap(const Pose& pose1, const Pose& pose2, Vec3 n) const;
     // Whether they are apart along n at the end of the step too, `gap` being the present one.
-    bool lasts(const Pose& pose1, const Pose& pose2, Vec3 n, Real gap, const Foresight& soon,
+    bool lasts(const Pose& pose1, const Pose& pose2, Vec3 n, Real gap, const SpeculativeMotion& soon,
                const Body* body1, const Body* body2) const;
     // What may be rounding, of a gap.
     Real hair() const { return hair_; }

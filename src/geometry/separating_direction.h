@@ -14,6 +14,6 @@ namespace epode {
 
 // From b to a, of length 1, more than `hair` apart; zero when none has been found, which proves nothing.
 // `guess`: where to begin.
-Vec3 parting_direction(const ConvexView& a, const ConvexView& b, Vec3 guess, Real hair);
+Vec3 separating_direction(const ConvexView& a, const ConvexView& b, Vec3 guess, Real hair);
 
 }  // namespace epode
