@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What queries of spaces have in common: which members they look at, and in which order they report them.
-// Members of nested spaces count as members, at the place of the space that holds them; order is that of
-// dSpaceCollide, newer before older, and so depends on the order of joining alone, never on the shape of a
-// tree. Bits and enabling of a nested space hold for what is in it.
+// What all queries of spaces share: which geoms are candidates, and in which order they are reported. The
+// geoms of nested spaces are candidates, at the position of the space that holds them. The order is that of
+// dSpaceCollide, newer before older: it depends on the order of insertion only, never on the shape of a tree.
+// Bits and the enabled flag of a nested space apply to all geoms in it.
 #pragma once
 
 #include "collide/space.h"
@@ -12,14 +12,14 @@
 
 namespace epode {
 
-// Did a join later? Both are members, at any depth, of one space.
+// True if `a` was inserted later. Both must be in one space, at any depth.
 bool is_newer(const Geom& a, const Geom& b);
 
-// Brings the boxes and the tree of a space and of all in it up to date, and the poses of all members, so that
-// several threads may cast so many rays. False: memory is exhausted; it may be asked, but not by the tree.
+// Updates the boxes and trees of a space and of all nested spaces, and the poses of all geoms in them, so
+// that several threads can cast this many rays. False: out of memory; rays still work, but without the tree.
 bool make_ready(Space& space, int rays);
 
-// visit(geom) for every member at any depth that is no space, until it answers false.
+// Calls visit(geom) for every geom at any depth that is not a space, until visit returns false.
 template <typename Visit>
 bool each_candidate(Space& space, Visit&& visit)
 {
@@ -31,14 +31,14 @@ bool each_candidate(Space& space, Visit&& visit)
     return true;
 }
 
-// All that the filter admits in a space, or of that what may meet a box: no spaces, newest first. The
-// caller has cleaned the space, and with it what is in it: here no function of the program is called. False:
-// memory is exhausted.
+// Collects the geoms that the filter admits, or those of them that may overlap a box: no spaces, newest
+// first. The caller has cleaned the space, which includes nested spaces, so no callback runs here. False: out
+// of memory.
 [[nodiscard]] bool collect_seen(Space& space, const QueryFilter& filter, Array<Geom*>& out);
 [[nodiscard]] bool collect_near(Space& space, const QueryFilter& filter, const Aabb& box, Array<Geom*>& out);
 
-// Locks the spaces from those of members up to an outer one, so that the members stay what and where they are
-// while functions of the program may be called. Null: nothing is to be locked.
+// Locks every space from those of the candidates up to an outer one, so that callbacks of the program cannot
+// change the candidates. Null: locks nothing.
 class CandidateLock {
   public:
     CandidateLock(Space* outer, const Array<Geom*>& candidates) : outer_(outer), candidates_(candidates)

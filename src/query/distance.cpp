@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See distance.h. Surfaces are asked in their own frame, two of them in that of the second.
+// See distance.h. A surface is queried in its own frame, two surfaces in the frame of the second.
 #include "query/distance.h"
 
 #include "collide/collide.h"
@@ -20,7 +20,7 @@ void to_world(const Pose& frame, Separation& s)
     s.normal = frame.R * s.normal;
 }
 
-// The triangle of `b` nearest to `a`, if it comes before `best`; everything in the surface's frame.
+// Sets `best` to the triangle of `b` nearest to `a`, if that is nearer. All in the surface's frame.
 void nearest_triangle(const ConvexView& a, int side_a, const TriangleSet& b, Real limit, Separation& best)
 {
     const Aabb around = box_around(a);
@@ -57,7 +57,7 @@ Separation solid_plane(const QueryShape& a, const QueryShape& b)
     const Plane& plane = b.as<Plane>();
     Capsule memory;
     if (a.number() != dRayClass) return separation(solid_view(a, {}, 0, memory), plane);
-    // A ray is lowest at one of its ends, however long it is.
+    // One of its ends is the lowest point of a ray, however long it is.
     const Vec3 along = a.pose.R.column(2);
     const Real reach = a.as<Ray>().length;
     Separation s;
@@ -68,7 +68,7 @@ Separation solid_plane(const QueryShape& a, const QueryShape& b)
     return s;
 }
 
-// The middle of a solid in a mesh that is solid, too: minus the way out.
+// If the middle of the solid is inside a closed mesh: minus the shortest way out.
 bool in_mesh(const QueryShape& a, const QueryShape& b, Separation& out)
 {
     const Trimesh& mesh = b.as<Trimesh>();
@@ -97,7 +97,8 @@ Separation solid_surface(const QueryShape& a, const QueryShape& b, Real limit)
     return best;
 }
 
-// Of a field without end one period counts where its height axis is the plane's, else there is no least.
+// Of an endless field one period counts if its height axis is the plane's normal; otherwise the distance is
+// unbounded below.
 Separation surface_plane(const QueryShape& a, const QueryShape& b)
 {
     const TriangleSet surface = triangles_of(a);
@@ -133,7 +134,7 @@ Separation plane_plane(const Plane& a, const Plane& b)
     return s;
 }
 
-// The triangles of `a` one after the other, the one whose box is nearest first.
+// The triangles of `a` one by one, beginning with the one whose box is nearest.
 Separation surface_surface(const QueryShape& a, const QueryShape& b, Real limit)
 {
     const TriangleSet sa = triangles_of(a), sb = triangles_of(b);
@@ -165,7 +166,7 @@ Separation surface_surface(const QueryShape& a, const QueryShape& b, Real limit)
     return best;
 }
 
-// For a whose sort is not behind b's.
+// The kind of `a` must not come after that of `b`.
 Separation in_order(const QueryShape& a, const QueryShape& b, Real limit)
 {
     const QueryKind x = kind_of(a), y = kind_of(b);
@@ -188,7 +189,7 @@ GeomSeparation separation(Geom& a, Geom& b, Real limit)
 {
     const QueryShape ta = query_shape_of(a), tb = query_shape_of(b);
     const QueryKind x = kind_of(ta), y = kind_of(tb);
-    // One order for both, so that exchanging the two changes no bit.
+    // One canonical order, so that swapping the two changes no bit.
     const bool turn = x != y ? x > y : ta.geom && tb.geom && ta.geom->serial > tb.geom->serial;
     const Separation s = turn ? in_order(tb, ta, limit).turned() : in_order(ta, tb, limit);
     GeomSeparation out;

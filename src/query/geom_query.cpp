@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Which geoms overlap another one, and how far two are from each other: the functions of the interface. Of
-// spaces the leaves are taken in order of joining and pairs whose boxes are farther apart than the best left
-// out.
+// Overlap and distance of geoms: the API functions. The leaves of spaces are taken in order of insertion;
+// pairs whose boxes are farther apart than the best distance so far are skipped.
 #include <algorithm>
 
 #include "base/float_environment.h"
@@ -25,7 +24,8 @@ bool leaves_of(Geom& geom, const QueryFilter& filter, Array<Geom*>& out)
 
 bool agree(const Geom& a, const Geom& b) { return QueryFilter{a.category, a.collide}.admits(b); }
 
-// No more than their distance. Infinite boxes are left alone, and height fields, whose ground goes on below.
+// A lower bound of the distance. 0 for infinite boxes and for height fields, which are solid without end
+// below.
 Real box_gap(Geom& a, Geom& b)
 {
     if (a.type->number == dHeightfieldClass || b.type->number == dHeightfieldClass) return 0;
@@ -33,7 +33,7 @@ Real box_gap(Geom& a, Geom& b)
     return bounded(x) && bounded(y) ? gap_between(x, y) : 0;
 }
 
-// Of leaves of two things; bits are looked at where one of them is a space.
+// The least separation of two lists of leaves. `by_bits`: test bits, because one of the two is a space.
 GeomSeparation least(const Array<Geom*>& first, const Array<Geom*>& second, bool by_bits, Real limit)
 {
     GeomSeparation best;

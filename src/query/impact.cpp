@@ -12,12 +12,12 @@ namespace {
 constexpr int kAdvances = 500;
 constexpr int kPieces = 256;
 
-// A convex solid on its way; `arm`: how far its core reaches from the centre of turning.
+// A convex solid in motion. `arm`: how far its core reaches from the centre of rotation.
 struct Traveller {
     ConvexView view;  // at the beginning
     Motion motion;
     Real arm;
-    Vec3 middle;  // a ball about it, in its frame
+    Vec3 middle;  // of a ball around it, in its frame
     Real reach;
 
     ConvexView at(Real t) const
@@ -45,7 +45,7 @@ Traveller traveller(const Triangle& t, const Pose& pose, const Motion& motion)
     return out;
 }
 
-// How fast a point comes along a direction at most, from t on.
+// The largest speed of a point along a direction, from t on.
 Real approach(const Motion& m, Real arm, Vec3 along, Real t)
 {
     if (t >= m.until || !m.moves()) return 0;
@@ -65,7 +65,7 @@ struct Impact {
     Vec3 normal;
 };
 
-// Two convex things, one of which may be a half-space.
+// Two convex shapes; the second may be a half-space.
 template <typename Other>
 class Encounter {
   public:
@@ -92,7 +92,7 @@ class Encounter {
     }
 
   private:
-    // The first time when they are so deep in each other, to the tolerance.
+    // The first time at which they overlap by `depth`, within the tolerance.
     Impact reach(Real depth, Real tolerance) const
     {
         Real t = 0;
@@ -109,7 +109,7 @@ class Encounter {
             t += (clearance - tolerance / 2) / closing;
             if (!(t <= max_time_)) return {};
         }
-        return {t, normal};  // so slow that it may stop here
+        return {t, normal};  // so slow that it can stop here
     }
 
     const Traveller& a_;
@@ -132,7 +132,7 @@ Impact meet(const Traveller& a, const Plane& b, const ImpactRule& rule, Real max
     return Encounter(a, still, 0, other_at, max_time).find(rule);
 }
 
-// The way of a traveller as a surface sees it, in pieces: boxes in the surface's frame.
+// The path of a traveller in the surface's frame, as boxes around its pieces.
 class SweptPath {
   public:
     SweptPath(const Traveller& a, const Mover& surface) : a_(a), surface_(surface)
@@ -174,7 +174,7 @@ class SweptPath {
     int pieces_;
 };
 
-// `one_sided`: what comes from behind a triangle passes.
+// `one_sided`: a traveller that comes from behind a triangle passes.
 Real meet_surface(const Traveller& a, const Mover& surface, bool one_sided, const ImpactRule& rule,
                   Real max_time)
 {
@@ -182,7 +182,7 @@ Real meet_surface(const Traveller& a, const Mover& surface, bool one_sided, cons
     const SweptPath way(a, surface);
     Real best = kInf;
     if (!(a.reach > 0) || !(way.length_of_way() < kMaxMagnitude)) return best;
-    // What goes so far over ground without end is not held.
+    // A traveller that crosses this much of an endless field is not stopped.
     if (set.endless() && way.length_of_way() > kEndless * a.reach) return best;
     const Pose& pose = surface.shape.pose;
     for (int i = 0; i < way.pieces() && way.begin(i) < std::min(best, max_time); ++i) {
@@ -197,7 +197,7 @@ Real meet_surface(const Traveller& a, const Mover& surface, bool one_sided, cons
     return best;
 }
 
-// Are these pushed out of meshes forwards only?
+// True if contacts push the solid out of the surface to its front side only.
 bool one_sided(const QueryShape& solid, const QueryShape& surface)
 {
     if (kind_of(surface) == QueryKind::kField) return true;
@@ -221,7 +221,7 @@ Real solid_meets(const Mover& a, const Mover& b, const ImpactRule& rule, Real ma
     }
 }
 
-// The vertices of a mesh, for which a plane is all the same.
+// Against a plane, a mesh is the same as its vertices.
 Vec3 cloud_support(const void* shape, Vec3 direction)
 {
     const TriangleMesh& mesh = *static_cast<const TriangleMesh*>(shape);

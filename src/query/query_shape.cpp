@@ -11,7 +11,7 @@
 namespace epode {
 namespace {
 
-// A ray is a segment no longer than it takes to reach a ball about everything else.
+// The ray as a segment, cut to the length that reaches the ball around the other geom.
 ConvexView segment_view(const Ray& ray, const Pose& pose, Vec3 centre, Real reach, Capsule& segment)
 {
     Pose middle;
@@ -27,7 +27,6 @@ ConvexView segment_view(const Ray& ray, const Pose& pose, Vec3 centre, Real reac
 
 }  // namespace
 
-// What a transform holds, at its place; null geom: it holds nothing.
 QueryShape query_shape_of(Geom& geom)
 {
     QueryShape t = {&geom, pose_of(geom), &geom};
@@ -54,14 +53,12 @@ QueryKind kind_of(const QueryShape& t)
     return QueryKind::kNone;
 }
 
-// `centre`, `reach`: a ball about what it is measured against; `memory` must stay.
 ConvexView solid_view(const QueryShape& t, Vec3 centre, Real reach, Capsule& memory)
 {
     return is_solid(*t.geom) ? solid_view(*t.geom, t.pose)
                              : segment_view(t.as<Ray>(), t.pose, centre, reach, memory);
 }
 
-// Of a ray it is left to the caller what is near enough to count.
 BoundingBall ball_about(const QueryShape& t, Real max_length)
 {
     if (t.number() == dRayClass) return {t.pose.p, std::clamp(t.as<Ray>().length, Real(0), max_length)};
@@ -89,7 +86,6 @@ ConvexView in_frame(const Pose& frame, const ConvexView& v)
     return out;
 }
 
-// Where the pair functions find the solid or the mesh in the ground; in the world.
 bool in_terrain(const QueryShape& a, const QueryShape& field, Separation& out)
 {
     constexpr int kCapacity = 32;

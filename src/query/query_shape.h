@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A geom as questions of distance see it: what it is when transforms have been opened, where, and of which of
-// the sorts that are treated alike. Rays are solids, segments no longer than it takes to reach whatever they
-// are measured against.
+// A geom as distance queries see it: the geom inside all transforms, its pose, and its kind; geoms of one
+// kind are treated alike. Rays count as solids: segments cut to the length that reaches the other geom.
 #pragma once
 
 #include "collide/geom.h"
@@ -18,7 +17,7 @@ enum class QueryKind { kSolid, kPlane, kMesh, kField, kNone };
 struct QueryShape {
     Geom* geom = nullptr;  // never a transform
     Pose pose;
-    Geom* named = nullptr;
+    Geom* named = nullptr;  // the geom that results name
 
     int number() const { return geom->type->number; }
     template <typename Shape>
@@ -28,7 +27,7 @@ struct QueryShape {
     }
 };
 
-QueryShape query_shape_of(Geom& geom);  // null geom: a transform that holds nothing
+QueryShape query_shape_of(Geom& geom);  // null geom: an empty transform
 QueryKind kind_of(const QueryShape& shape);
 
 struct BoundingBall {
@@ -36,21 +35,22 @@ struct BoundingBall {
     Real reach;
 };
 
-// Of a ray no more than `max_length` of it.
+// A ball around the solid; a ray is cut to `max_length`.
 BoundingBall ball_about(const QueryShape& solid, Real max_length);
 BoundingBall ball_about(const TriangleSet& surface, const Pose& pose);
 
-// Two rays, and rays over endless fields, are looked at for so many times what lies between them at most.
+// Limit for rays against rays and against endless fields, as a multiple of the distance between the two.
 inline constexpr Real kEndless = kSingle ? Real(1e3) : Real(1e5);
 
-// `centre`, `reach`: a ball about what it is measured against; `memory` must stay.
+// `centre`, `reach`: a ball around the other geom. The view points into `memory`.
 ConvexView solid_view(const QueryShape& solid, Vec3 centre, Real reach, Capsule& memory);
 ConvexView in_frame(const Pose& frame, const ConvexView& view);
 
-// Of a mesh or a height field.
+// The triangles of a mesh or a height field.
 TriangleSet triangles_of(const QueryShape& shape);
 
-// Where the pair functions find a solid or a mesh in the ground of a height field; in the world.
+// True if the pair functions find a solid or a mesh below the surface of a height field. `out` is in world
+// coordinates.
 bool in_terrain(const QueryShape& shape, const QueryShape& field, Separation& out);
 
 }  // namespace epode

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The walk down the trees, what waits for its end, and the functions of the interface.
+// The walk down the trees, the geoms that wait for its end, and the API functions.
 #include "query/ray_query.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace epode {
 namespace {
 
-// Above a distance by so little that nothing lies between them.
+// Slightly more than the distance: no hit can lie between the two.
 Real just_beyond(Real distance)
 {
     return distance + 4 * kEpsilon * distance + (kSingle ? Real(1e-36) : Real(1e-300));
@@ -46,7 +46,7 @@ bool RayCaster::needs_program()
 
 static_assert(kGeomClasses <= 32, "asked_ has a bit for each class");
 
-// Of solids and planes, which have no functions of the program.
+// For solids and planes, which never call the program.
 PairFunction RayCaster::direct(const Geom& geom)
 {
     const int number = geom.type->number;
@@ -68,12 +68,12 @@ bool RayCaster::hit(const RayQuery& query, Geom& geom, Real length, RayAnswer& o
     return one.count > 0;
 }
 
-// found(answer) for every member that is hit at no more than `reach`, which it may shorten; what must wait is
-// put aside.
+// Calls found(answer) for every geom that is hit within `reach`, which found() may shorten. Collects the
+// geoms that must wait.
 template <typename Found>
 void RayCaster::walk(Space& space, const RayQuery& query, Real& reach, Found&& found)
 {
-    if (!ready_) clean(space);  // but not one that is being collided
+    if (!ready_) clean(space);  // does nothing while the space is being collided
     const bool calls_back = query.filter.callback != nullptr;
     const auto visit = [&](int slot) {
         Geom& m = *space.members.data()[slot];
@@ -99,8 +99,8 @@ void RayCaster::walk(Space& space, const RayQuery& query, Real& reach, Found&& f
         return reach;
     };
     const bool by_tree = ready_ ? space.broadphase.ready() : space.broadphase.prepare(1);
-    if (!ready_) ++space.locks;  // to clean what is in it may call functions of the program
-    // Of most geoms a ray wants the first lines only, which seldom are in the cache.
+    if (!ready_) ++space.locks;  // cleaning nested spaces may call functions of the program
+    // A ray reads only the first cache lines of most geoms, and they are seldom in the cache.
     const auto prefetch_candidate = [&](int slot) {
         const Geom* m = space.members.data()[slot];
         prefetch<1>(&m->type), prefetch<1>(m->own_rotation), prefetch<1>(m->own_position);
@@ -191,7 +191,7 @@ bool usable_ray(const dReal* origin, const dReal* direction, dReal length)
     return usable(origin, 3) && usable(direction, 3) && (usable(length) || length == kInf) && length >= 0;
 }
 
-// The direction is not zero.
+// False if the direction is zero.
 bool query_of(const dReal* origin, const dReal* direction, dReal length, const QueryFilter& filter,
               RayQuery& out)
 {

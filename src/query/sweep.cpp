@@ -12,9 +12,9 @@ namespace epode {
 namespace {
 
 constexpr int kAdvances = 200;
-constexpr Real kLevel = kSingle ? Real(1e-5) : Real(1e-10);  // slope below which a way does not approach
+constexpr Real kLevel = kSingle ? Real(1e-5) : Real(1e-10);  // slope below which a path does not approach
 
-// Within this the solids touch.
+// Solids within this distance touch.
 Real touch_of(const ConvexView& a) { return (kSingle ? Real(1e-4) : Real(1e-8)) * (a.size + a.radius); }
 
 SweepHit met(Real distance, const Separation& s)
@@ -27,7 +27,7 @@ SweepHit met(Real distance, const Separation& s)
     return hit;
 }
 
-// separation_at(t, limit): of the solid, moved by t, from something convex.
+// separation_at(t, limit): separation of the solid, moved by t, from a convex shape.
 template <typename SeparationAt>
 SweepHit advance(const Way& way, Real limit, Real touch, const SeparationAt& separation_at)
 {
@@ -66,7 +66,7 @@ SweepHit sweep_plane(const ConvexView& a, const Way& way, const Plane& b, Real l
                    [&](Real t, Real) { return separation(moved(a, t * way.along), b); });
 }
 
-// Everything in the frame of the triangles.
+// All in the frame of the triangles.
 SweepHit sweep_triangles(const ConvexView& a, const Way& way, const TriangleSet& b, Real limit)
 {
     SweepHit best;
@@ -120,7 +120,7 @@ SweepHit sweep(Geom& solid, const Way& way, Geom& other, Real limit)
     const QueryShape a = query_shape_of(solid), b = query_shape_of(other);
     const QueryKind kind = kind_of(b);
     if (kind == QueryKind::kNone) return {};
-    // A ray geom that moves, or is met, is as long as it takes to reach the other along the way.
+    // A ray geom is cut to the length that reaches the other geom along the path.
     Capsule memory_a, memory_b;
     const Real far = kEndless * (length(a.pose.p - b.pose.p) + way.length);
     const BoundingBall ball_a = ball_about(a, far);

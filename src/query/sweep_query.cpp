@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Shape casts against geoms and spaces: the functions of the interface. Of a space those members are tried
-// whose boxes the moving box meets before the best so far; the newer of equals wins, as all are tried that
-// may be equal.
+// Shape casts against geoms and spaces: the API functions. In a space, the candidates are the geoms whose
+// boxes the moving box reaches before the best hit so far. Every geom that may give an equal hit is tried,
+// and the newer one wins.
 #include "base/float_environment.h"
 #include "collide/types/registry.h"
 #include "ode/ext.h"
@@ -20,7 +20,7 @@ Aabb swept(const Aabb& box, const Way& way)
     return {min(box.lo, box.lo + last), max(box.hi, box.hi + last)};
 }
 
-// May the moving box meet the other one within `limit`?
+// True if the moving box may reach the other one within `limit`.
 bool boxes_may_meet(const Aabb& box, const Way& way, const Aabb& other, Real limit)
 {
     if (!bounded(box) || !bounded(other)) return true;
