@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Contacts that a world manages, in states of the world. Kept are pairs that touch, with the anchors and
-// impulses of their manifolds, in the order of the space; of all others the direction that has parted them
+// World-managed contacts in states of the world. Kept are pairs that touch, with the anchors and
+// impulses of their manifolds, in the order of the space; of all others their separating axis
 // (where it is known, what is hardly apart is never collided), what a filter has said and what the program
 // may still ask about the last step. Left out is what the next step finds again:
 //   where points are     of a pair that sleeps: made of the anchors and of the poses, which are those of its

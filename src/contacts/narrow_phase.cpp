@@ -80,7 +80,7 @@ class PairUpdate {
         if (size_ < 0) size_ = size_of(g1_, g2_);
         return size_;
     }
-    // What the program has asked for; else it is small beside the smaller geom, too.
+    // What the program has asked for; else it is small compared with the smaller geom, too.
     Real layer() const
     {
         return settings_.layer_fits ? std::min(settings_.layer, kLayerShare * size()) : settings_.layer;
@@ -248,7 +248,7 @@ class PairUpdate {
     }
 
     // Polyhedra touch at corners and where edges cross, and all of these nearby can be told at once. Round
-    // solids gain little by it: half a millimetre of depth in the mean of a heap of all kinds. Functions of
+    // solids gain little by it: half a millimetre of depth in the mean of a pile of all kinds. Functions of
     // the program may mean anything.
     bool knows_corners() const
     {

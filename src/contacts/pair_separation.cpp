@@ -18,7 +18,7 @@ constexpr Real kLargestTurn = Real(0.5);
 Real core_reach(const Geom& geom, Vec3 d) { return geom.type->solid->core_reach(geom, d); }
 CoreSize core_size(const Geom& geom) { return geom.type->solid->core_size(geom); }
 
-// What a geom may do in a step.
+// How far a geom may turn in a step.
 struct StepRotation {
     Vec3 spin;            // angle of the step
     Real angle;           // its size

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A direction that parts two convex geoms. Most pairs of a pile are near and do not touch: to see that along
+// A direction that separates two convex geoms. Most pairs of a pile are near and do not touch: to see that along
 // a direction that is known from the step before takes two support points, a tenth of what their collision
 // takes, and what it answers is the same. With n from g2 to g1, of length 1, and h the support functions,
 //   gap(n) = n . (p1 - p2) - h1(-n) - h2(n)
@@ -25,7 +25,7 @@ class PairSeparation {
     // Of two solids (collide/solid_type.h).
     PairSeparation(const Geom& g1, const Geom& g2);
 
-    // A direction that parts them where they are taken to be, in the world; zero: none has been found.
+    // A direction that separates them at these poses, in the world; zero: none has been found.
     Vec3 find(const Pose& pose1, const Pose& pose2, Vec3 guess) const;
     Real gap(const Pose& pose1, const Pose& pose2, Vec3 n) const;
     // Whether they are apart along n at the end of the step too, `gap` being the present one.

@@ -44,7 +44,7 @@ bool RestingPairs::put_one(const PairList& from, const ContactPair& pair)
     if (pair.on_mesh) own.leaves = place_in(list_.leaves, 1, free_leaves_);
     const bool linked = own.first >= 0 && !(pair.on_mesh && own.leaves < 0) &&
                         (links_.size() > at || links_.resize(at + 1)) && link(at);
-    if (!linked) return false;  // its places are lost, as where lists of free ones have no room
+    if (!linked) return false;  // its places are lost, as where lists of free ones are full
     own.id1 = pair.id1;
     std::copy(kept.begin(), kept.end(), list_.manifolds.data() + own.first);
     if (pair.on_mesh) list_.leaves.data()[own.leaves] = from.leaves.data()[pair.leaves];

@@ -69,7 +69,7 @@ class RestingPairs {
     int head_count_ = 0;  // that are not free
     int count_ = 0;       // pairs that are there
     // Places that nobody has: of pairs, of leaves, and of so many manifolds side by side. Where these lists
-    // have no room, places are lost until all pairs have been taken.
+    // are full, places are lost until all pairs have been taken.
     Array<int> free_pairs_, free_leaves_, free_manifolds_[kSurfaceManifolds + 1];
 };
 

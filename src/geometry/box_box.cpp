@@ -5,7 +5,7 @@
 // With C = A^T B and p = A^T (b - a), the overlap along a unit axis L is  r_a(L) + r_b(L) - |p . L|, where
 // r(L) is the box's half extent along L. For L = a_i x b_j every projection is a product of entries of C, and
 // |L|^2 = 1 - C_ij^2. The three axes of one kind (faces of a, faces of b, edges of b with one edge of a) lie
-// in lanes; which edges can be better than the faces is told without a root.
+// in lanes; which edges can be better than the faces is decided without a root.
 #include "geometry/box_box.h"
 
 #include <algorithm>
