@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A direction that separates two convex geoms. Most pairs of a pile are near and do not touch: to see that along
-// a direction that is known from the step before takes two support points, a tenth of what their collision
+// A direction that separates two convex geoms. Most pairs of a pile are near and do not touch: to see that
+// along a direction that is known from the step before takes two support points, a tenth of what their collision
 // takes, and what it answers is the same. With n from g2 to g1, of length 1, and h the support functions,
 //   gap(n) = n . (p1 - p2) - h1(-n) - h2(n)
 // is a lower bound of their distance, whatever n is. After a step that only turns and moves them it is at
