@@ -8,18 +8,18 @@ bool ActiveGeoms::gather(const World& world, const Space& space, std::uint64_t s
 {
     clear();
     if (listed_.size() < space.geoms.size() && !listed_.resize(space.geoms.size())) return false;
-    bool room = true;
+    bool complete = true;
     world.bodies.for_each_active([&](const Body& body) {
         for_each_geom_from(body.first_geom, [&](const Geom& geom) {
-            if (geom.space == &space) room = add(geom.slot) && room;
+            if (geom.space == &space) complete = add(geom.slot) && complete;
         });
     });
     for (std::uint64_t i = since; i < space.disturbances.count(); ++i) {
         const auto& [id, serial] = space.disturbances[i];
         const Geom* geom = from_handle<Geom>(id);
-        if (geom && geom->serial == serial && geom->space == &space) room = add(geom->slot) && room;
+        if (geom && geom->serial == serial && geom->space == &space) complete = add(geom->slot) && complete;
     }
-    return room;
+    return complete;
 }
 
 bool ActiveGeoms::add(int slot)

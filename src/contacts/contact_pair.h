@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What the world remembers of two geoms from step to step. A pair is one line of the cache: most pairs are
-// only near, and large worlds have more of them than the cache has room. Those that touch have manifolds
-// beside: the manifold that came of the last collision, its points fixed in both geoms; between surfaces
-// (meshes, height fields) and others up to three, of different normals. A solid and a mesh keep beside which
-// part of the mesh is near (bvh/near_leaves.h).
+// What the world remembers of two geoms from step to step. A pair fills one cache line: most pairs are only
+// near, and large worlds have more of them than the cache holds. Pairs that touch also have manifolds: those
+// of the last collision, with their points fixed in both geoms; between surfaces (meshes, height fields) and
+// other geoms up to three, of different normals. A solid and a mesh also keep which part of the mesh is near
+// (bvh/near_leaves.h).
 #pragma once
 
 #include "base/config.h"
@@ -27,7 +27,7 @@ struct ContactAnchors {
     Float3 second(int i) const { return {a2[0][i], a2[1][i], a2[2][i]}; }
 };
 
-// What the last collision has told of a manifold.
+// What the last collision has found of a manifold.
 struct ManifoldFinding {
     std::uint32_t changes;  // of both geoms' shapes, then
     Float3 offset;          // of g2 in g1's frame, then
@@ -50,14 +50,14 @@ struct ContactPair {
     int old = -1;         // place in the list of the step before, -1: none, -2: not needed any more
     int first = 0;        // place of its manifolds
     union {
-        std::uint32_t parting = 0;  // of solids: a direction that has parted them, packed
-                                    // (contacts/pair_parting.h)
-        int leaves;                 // of a solid and a mesh: place of what they keep of it
+        std::uint32_t separating_axis = 0;  // of solids: a direction that has separated them, packed
+                                            // (contacts/pair_separation.h)
+        int leaves;                         // of a solid and a mesh: place of what they keep of it
     };
     std::uint8_t count = 0;  // of them
-    std::uint8_t most = 1;
+    std::uint8_t max_manifolds = 1;
     bool wanted : 1 = true;    // by the filter
-    bool asked : 1 = false;    // functions of the program tell its contacts
+    bool asked : 1 = false;    // functions of the program report its contacts
     bool touched : 1 = false;  // in the step before
     bool on_mesh : 1 = false;  // a solid and a mesh
     bool tied : 1 = false;     // by a joint that is no contact

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Contacts that a world manages, in states of the world. Kept are pairs that touch, with the anchors and
-// impulses of their manifolds, in the order of the space; of all others the direction that has parted them
+// World-managed contacts in states of the world. Kept are pairs that touch, with the anchors and
+// impulses of their manifolds, in the order of the space; of all others their separating axis
 // (where it is known, what is hardly apart is never collided), what a filter has said and what the program
 // may still ask about the last step. Left out is what the next step finds again:
 //   where points are     of a pair that sleeps: made of the anchors and of the poses, which are those of its
@@ -21,7 +21,7 @@
 namespace epode {
 namespace {
 
-enum PairBit : std::uint32_t { kManifolds = 3, kWanted = 4, kTouched = 8, kRests = 16, kParting = 32 };
+enum PairBit : std::uint32_t { kManifolds = 3, kWanted = 4, kTouched = 8, kRests = 16, kSeparatingAxis = 32 };
 enum ManifoldBit : std::uint32_t {
     kPoints = 7,
     kChanged = 8,
@@ -212,18 +212,18 @@ bool ContactWorld::list_for_state(const World& world, const SpaceGeoms& geoms)
 {
     listed_.clear(), manifold_bits_.clear();
     const Real layer = contact_layer(world);
-    bool room = true;
+    bool complete = true;
     const auto list = [&](const ContactPair& pair, std::span<const CachedManifold> manifolds, bool rests) {
         const Geom *g1 = from_handle<Geom>(pair.id1), *g2 = from_handle<Geom>(pair.id2);
         if (!g1 || !g2 || !body_of(*g1)) return;
-        const bool parted = !pair.on_mesh && pair.parting;
-        if (manifolds.empty() && !parted && !pair.touched && pair.wanted && !filter) return;
+        const bool separated = !pair.on_mesh && pair.separating_axis;
+        if (manifolds.empty() && !separated && !pair.touched && pair.wanted && !filter) return;
         const int n1 = geoms.find(*g1), n2 = geoms.find(*g2);
         if (n1 < 0 || n2 < 0) return;
-        room = room && listed_.push({&pair, manifolds.data(), n1, n2, manifold_bits_.size(), rests});
+        complete = complete && listed_.push({&pair, manifolds.data(), n1, n2, manifold_bits_.size(), rests});
         const PairNow now(*g1, *g2);
         for (const CachedManifold& kept : manifolds)
-            room = room && manifold_bits_.push(std::uint8_t(bits_of(pair, now, layer, kept)));
+            complete = complete && manifold_bits_.push(std::uint8_t(bits_of(pair, now, layer, kept)));
     };
     for (int i = 0; i < last_.pairs.size(); ++i) {
         constexpr int kAhead = 8;
@@ -231,15 +231,15 @@ bool ContactWorld::list_for_state(const World& world, const SpaceGeoms& geoms)
         if (i + kAhead < last_.pairs.size()) fetch_pair(last_.pairs[i + kAhead]);
         list(pair, last_.of(pair), false);
     }
-    if (resting_.empty()) return room;
+    if (resting_.empty()) return complete;
     resting_.for_each([&](const ContactPair& pair, std::span<const CachedManifold> manifolds) {
         list(pair, manifolds, true);
     });
-    if (room)
+    if (complete)
         std::sort(listed_.begin(), listed_.end(), [](const Listed& a, const Listed& b) {
             return in_order(slots_of(*a.pair), slots_of(*b.pair));
         });
-    return room;
+    return complete;
 }
 
 bool ContactWorld::save(const World& world, const SpaceGeoms& geoms, StateStream& stream)
@@ -266,9 +266,9 @@ void ContactWorld::save_pair(const Listed& l, StateStream& stream) const
     if (pair.wanted) own |= kWanted;
     if (pair.touched) own |= kTouched;
     if (l.rests) own |= kRests;
-    if (!pair.on_mesh && pair.parting) own |= kParting;
+    if (!pair.on_mesh && pair.separating_axis) own |= kSeparatingAxis;
     (void)stream.word(own);
-    if (own & kParting) (void)stream.word(pair.parting);
+    if (own & kSeparatingAxis) (void)stream.word(pair.separating_axis);
     for (int i = 0; i < pair.count; ++i) {
         const std::uint32_t bits = stream.word(manifold_bits_.data()[l.first_bits + i]);
         if (std::byte* to = stream.block(size_of(bits))) move_numbers(l.manifolds[i], bits, Writing{to});
@@ -298,7 +298,7 @@ bool ContactWorld::load(const World& world, const SpaceGeoms& geoms, StateStream
         return true;
     PairList& list = fresh_;
     list.clear();
-    list.ties = world.ties;
+    list.connections = world.ties;
     if (!list.pairs.reserve(int(pairs)) || !list.manifolds.extend(int(manifolds)) ||
         !out.rests.reserve(int(pairs)) || !out.ended.reserve(int(ended)))
         return false;
@@ -332,14 +332,15 @@ bool ContactWorld::load_pair(const World& world, const SpaceGeoms& geoms, StateS
     if (!stream.demand(meet, "a contact of geoms that do not meet")) return true;
     ContactPair pair{
         to_handle(&g1), to_handle(&g2), g1.serial, g2.serial, nullptr, nullptr, -1, int(used), {}};
-    pair.most = std::uint8_t(most_manifolds({&g1, &g2}));
+    pair.max_manifolds = std::uint8_t(max_manifolds({&g1, &g2}));
     pair.count = std::uint8_t(bits & kManifolds);
     pair.wanted = bits & kWanted, pair.touched = bits & kTouched;
     PairList& list = fresh_;
-    if (!stream.demand(pair.count <= pair.most && used + pair.count <= std::uint32_t(list.manifolds.size()),
-                       "a contact with too many manifolds"))
+    if (!stream.demand(
+            pair.count <= pair.max_manifolds && used + pair.count <= std::uint32_t(list.manifolds.size()),
+            "a contact with too many manifolds"))
         return true;
-    if (bits & kParting) pair.parting = stream.word(0);
+    if (bits & kSeparatingAxis) pair.separating_axis = stream.word(0);
     if ((pair.on_mesh = on_mesh({&g1, &g2}))) {
         pair.leaves = list.leaves.size();
         if (!list.leaves.push(NearLeaves{})) return false;
@@ -387,12 +388,12 @@ void ContactWorld::put_to_rest(const Loaded& loaded, Space& in)
     }
     in.keeper = this;
     int next = 0;
-    const bool room = resting_.put(last_, [&](const ContactPair& pair) {
+    const bool complete = resting_.put(last_, [&](const ContactPair& pair) {
         if (!loaded.rests[next++]) return false;
         from_handle<Geom>(pair.id1)->at_rest = from_handle<Geom>(pair.id2)->at_rest = true;
         return true;
     });
-    if (!room) unfinished_ = true;
+    if (!complete) unfinished_ = true;
 }
 
 void ContactWorld::mark_disturbed(const SpaceGeoms& geoms, std::span<std::uint8_t> by_number) const

@@ -84,7 +84,7 @@ bool ContactWorld::update(const World& world, Space& in, Real h, const Tasks& ta
     disturbances_ = in.disturbances.count();
     few_active_ = leaves_at_rest(in, {world.bodies.active_count(), world.bodies.count()});
     unfinished_ = true;
-    const Foresight soon{h, world.gravity};
+    const SpeculativeMotion soon{h, world.gravity};
     if (few_active_ ? !expect_few(world, in, soon) : !expect_all(in, soon, tasks)) return false;
     const DeepLock lock(in);
     fresh_.clear();
@@ -97,14 +97,14 @@ bool ContactWorld::update(const World& world, Space& in, Real h, const Tasks& ta
     return true;
 }
 
-bool ContactWorld::expect_all(Space& in, const Foresight& soon, const Tasks& tasks)
+bool ContactWorld::expect_all(Space& in, const SpeculativeMotion& soon, const Tasks& tasks)
 {
     expect_motion(in, soon, tasks);
     return resting_.empty() || resting_.take_all(last_);
 }
 
 // What is active brings its pairs back from rest.
-bool ContactWorld::expect_few(const World& world, Space& in, const Foresight& soon)
+bool ContactWorld::expect_few(const World& world, Space& in, const SpeculativeMotion& soon)
 {
     in.keeper = this;
     if (!active_.gather(world, in, seen_disturbances_)) return false;
@@ -125,17 +125,17 @@ bool ContactWorld::bring(Geom& geom)
 
 bool ContactWorld::bring_pairs(const Body& body, Array<Body*>& reached)
 {
-    bool room = true;
+    bool complete = true;
     for_each_geom_from(body.first_geom, [&](Geom& geom) {
         const int first = last_.pairs.size();
-        if (!room || geom.space != live_space()) return;
-        room = bring(geom);
+        if (!complete || geom.space != live_space()) return;
+        complete = bring(geom);
         for (int i = first; i < last_.pairs.size(); ++i) {
             const ContactPair& pair = last_.pairs[i];
-            if (pair.count > 0) room = reach(pair.id1, reached) && reach(pair.id2, reached) && room;
+            if (pair.count > 0) complete = reach(pair.id1, reached) && reach(pair.id2, reached) && complete;
         }
     });
-    return room;
+    return complete;
 }
 
 // In the space's order among the others: all is as if they had been looked at, too.
@@ -145,7 +145,7 @@ bool ContactWorld::list_brought(const World& world)
     for (; brought_ < last_.pairs.size(); ++brought_) {
         const ContactPair& old = last_.pairs[brought_];
         const int manifold = fresh_.manifolds.size(), leaf = fresh_.leaves.size();
-        if (!fresh_.manifolds.extend(old.most) || !fresh_.leaves.extend(old.on_mesh)) return false;
+        if (!fresh_.manifolds.extend(old.max_manifolds) || !fresh_.leaves.extend(old.on_mesh)) return false;
         const GeomPair geoms{from_handle<Geom>(old.id1), from_handle<Geom>(old.id2), brought_};
         ContactPair pair = pair_of(world, geoms, manifold, leaf);
         (void)leaves_of(pair);
@@ -194,7 +194,7 @@ bool ContactWorld::choose_range(const World& world, int range, RecordFinder& fin
         // What sleeps will be looked at when one of them wakes up.
         if (pair.old < 0 && !awake(body_of(*pair.a)) && !awake(body_of(*pair.b))) continue;
         *to++ = pair;
-        ++sum.pairs, sum.manifolds += most_manifolds(pair), sum.leaves += on_mesh(pair);
+        ++sum.pairs, sum.manifolds += max_manifolds(pair), sum.leaves += on_mesh(pair);
     }
     return true;
 }
@@ -202,7 +202,7 @@ bool ContactWorld::choose_range(const World& world, int range, RecordFinder& fin
 // Room for all manifolds that there may be, and for what accept() will keep.
 bool ContactWorld::list_pairs(const World& world, const Tasks& tasks)
 {
-    fresh_.ties = world.ties;
+    fresh_.connections = world.ties;
     PairRange total;
     for (PairRange& range : ranges_) {
         const PairRange own = range;
@@ -219,7 +219,7 @@ bool ContactWorld::list_pairs(const World& world, const Tasks& tasks)
             ContactPair& pair = fresh_.pairs.data()[at.pairs++];
             pair = pair_of(world, *from, at.manifolds, at.leaves);
             at.leaves += pair.on_mesh;
-            at.manifolds += pair.most;
+            at.manifolds += pair.max_manifolds;
         }
     });
     return true;
@@ -231,16 +231,16 @@ ContactPair ContactWorld::pair_of(const World& world, const GeomPair& from, int 
     Geom &a = *from.a, &b = *from.b;
     ContactPair pair{to_handle(&a), to_handle(&b), a.serial, b.serial, body_of(a),
                      body_of(b),    from.old,      manifold, {}};
-    pair.most = std::uint8_t(most_manifolds(from));
+    pair.max_manifolds = std::uint8_t(max_manifolds(from));
     const ContactPair* old = from.old < 0 ? nullptr : last_.pairs.data() + from.old;
     pair.wanted = !old || old->wanted;
     const bool as_before =
-        old && last_.ties == world.ties && old->body1 == pair.body1 && old->body2 == pair.body2;
+        old && last_.connections == world.ties && old->body1 == pair.body1 && old->body2 == pair.body2;
     pair.tied = as_before ? old->tied : tied(*pair.body1, pair.body2);
     if ((pair.on_mesh = on_mesh(from)))
         pair.leaves = leaf;
     else
-        pair.parting = old ? old->parting : 0;
+        pair.separating_axis = old ? old->separating_axis : 0;
     pair.asked = may_call_program(a, b);
     return pair;
 }
@@ -309,7 +309,7 @@ void ContactWorld::collide_pairs(const World& world, Real h, const Tasks& tasks)
             if (i + kAhead < end)
                 prefetch_poses(pairs[i + kAhead]), prefetch<6>(last_.of(pairs[i + kAhead].old).data());
             if (!pairs[i].asked) update_one(pairs[i], place, settings);
-            place = pairs[i].asked ? pairs[i].first + pairs[i].most : place + pairs[i].count;
+            place = pairs[i].asked ? pairs[i].first + pairs[i].max_manifolds : place + pairs[i].count;
         }
     });
 }
@@ -359,12 +359,12 @@ void ContactWorld::accept(Real h, const Tasks& tasks)
 void ContactWorld::lay_to_rest()
 {
     const auto is_idle = [](const Body* body) { return !body || !is_active(*body); };
-    const bool room = resting_.put(last_, [&](const ContactPair& pair) {
+    const bool complete = resting_.put(last_, [&](const ContactPair& pair) {
         if (!is_idle(pair.body1) || !is_idle(pair.body2)) return false;
         from_handle<Geom>(pair.id1)->at_rest = from_handle<Geom>(pair.id2)->at_rest = true;
         return true;
     });
-    if (!room) unfinished_ = true;  // so that the next update looks everywhere
+    if (!complete) unfinished_ = true;  // so that the next update looks everywhere
 }
 
 void ContactWorld::forget()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The contacts that a world manages. Every step makes a new list of pairs from the one before: pairs of the
+// World-managed contacts. Every step makes a new list of pairs from the one before: pairs of the
 // space in its order, each with its manifolds brought up to date; then the new list takes the place of the
 // old. A step that cannot be finished just drops the new one, so it leaves no trace. Manifolds move from list
 // to list, which costs less than looking for them in holes, and neighbours in space stay neighbours in
@@ -111,8 +111,8 @@ class ContactWorld {
     [[nodiscard]] bool load_pair(const World& world, const SpaceGeoms& geoms, StateStream& stream,
                                  std::uint32_t& used, Loaded& out);
     void put_to_rest(const Loaded& loaded, Space& in);
-    [[nodiscard]] bool expect_all(Space& in, const Foresight& soon, const Tasks& tasks);
-    [[nodiscard]] bool expect_few(const World& world, Space& in, const Foresight& soon);
+    [[nodiscard]] bool expect_all(Space& in, const SpeculativeMotion& soon, const Tasks& tasks);
+    [[nodiscard]] bool expect_few(const World& world, Space& in, const SpeculativeMotion& soon);
     [[nodiscard]] bool bring(Geom& geom);
     [[nodiscard]] bool choose_pairs(const World& world, const Tasks& tasks);
     [[nodiscard]] bool choose_range(const World& world, int range, RecordFinder& finder);

@@ -22,9 +22,9 @@ template <typename Score>
 int best_of(int count, Score&& score)
 {
     int best = 0;
-    Real most = score(0);
+    Real largest = score(0);
     for (int i = 1; i < count; ++i)
-        if (const Real s = score(i); s > most) most = s, best = i;
+        if (const Real s = score(i); s > largest) largest = s, best = i;
     return best;
 }
 
@@ -118,7 +118,7 @@ int ManifoldMaker::part_for(Vec3 normal)
 {
     const auto agreement = [&](int i) { return dot(widen(parts_[std::size_t(i)].manifold.normal), normal); };
     const int nearest = used_ ? best_of(used_, agreement) : -1;
-    if (nearest >= 0 && (agreement(nearest) > kPatchCosine || used_ == int(parts_.size()))) return nearest;
+    if (nearest >= 0 && (agreement(nearest) > kManifoldCosine || used_ == int(parts_.size()))) return nearest;
     parts_[std::size_t(used_)].manifold.normal = narrow(normal);
     return used_++;
 }
@@ -126,7 +126,7 @@ int ManifoldMaker::part_for(Vec3 normal)
 void ManifoldMaker::add(const dContactGeom& contact)
 {
     const int part = part_for(load(contact.normal));
-    if (counts_[part] < kMost) chosen_[part][counts_[part]++] = &contact;
+    if (counts_[part] < kMaxPoints) chosen_[part][counts_[part]++] = &contact;
 }
 
 void ManifoldMaker::finish()

@@ -25,13 +25,13 @@ class ManifoldMaker {
     const dContactGeom& source(int part, int point) const { return *chosen_[part][point]; }
 
   private:
-    static constexpr int kMost = 16;
+    static constexpr int kMaxPoints = 16;
 
     int part_for(Vec3 normal);
     void keep_four(int part);
 
     std::span<CachedManifold> parts_;
-    const dContactGeom* chosen_[kSurfaceManifolds][kMost];
+    const dContactGeom* chosen_[kSurfaceManifolds][kMaxPoints];
     int counts_[kSurfaceManifolds] = {};
     int used_ = 0;
 };

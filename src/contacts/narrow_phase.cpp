@@ -9,7 +9,7 @@
 #include "collide/solid_type.h"
 #include "contacts/manifold_points.h"
 #include "contacts/material.h"
-#include "contacts/pair_parting.h"
+#include "contacts/pair_separation.h"
 
 namespace epode {
 namespace {
@@ -54,7 +54,7 @@ class PairUpdate {
         : pair_(pair),
           g1_(*from_handle<Geom>(pair.id1)),
           g2_(*from_handle<Geom>(pair.id2)),
-          parts_(into, pair.most),
+          parts_(into, pair.max_manifolds),
           settings_(settings),
           leaves_(leaves),
           pose1_(pose_of(g1_)),
@@ -66,7 +66,7 @@ class PairUpdate {
     void run(std::span<const CachedManifold> old)
     {
         pair_.count = 0;
-        if (old.empty() && stays_apart()) return;
+        if (old.empty() && remains_separated()) return;
         offset_ = transposed_times(pose1_.R, pose2_.p - pose1_.p);
         turn_ = transpose(pose1_.R) * pose2_.R;
         if (!old.empty() && hardly_moved(old) && reuse(old)) return;
@@ -80,30 +80,30 @@ class PairUpdate {
         if (size_ < 0) size_ = size_of(g1_, g2_);
         return size_;
     }
-    // What the program has asked for; else it is small beside the smaller geom, too.
+    // What the program has asked for; else it is small compared with the smaller geom, too.
     Real layer() const
     {
         return settings_.layer_fits ? std::min(settings_.layer, kLayerShare * size()) : settings_.layer;
     }
-    bool can_be_parted() const { return settings_.foresees && is_solid(g1_) && is_solid(g2_); }
+    bool can_be_separated() const { return settings_.foresees && is_solid(g1_) && is_solid(g2_); }
 
     // Now and at the end of the step, along the direction of the step before or another one.
-    bool stays_apart()
+    bool remains_separated()
     {
-        if (!can_be_parted()) return false;
-        if (!pair_.parting && !find_parting(pose1_, pose2_)) return false;
-        const Parting parting(g1_, g2_);
-        const Vec3 n = unpack_direction(pair_.parting);
-        const Real gap = parting.gap(pose1_, pose2_, n);
-        apart_ = gap > parting.hair();
-        return apart_ && parting.lasts(pose1_, pose2_, n, gap, settings_.soon, pair_.body1, pair_.body2);
+        if (!can_be_separated()) return false;
+        if (!pair_.separating_axis && !find_separating_axis(pose1_, pose2_)) return false;
+        const PairSeparation separation(g1_, g2_);
+        const Vec3 n = unpack_direction(pair_.separating_axis);
+        const Real gap = separation.gap(pose1_, pose2_, n);
+        apart_ = gap > separation.hair();
+        return apart_ && separation.lasts(pose1_, pose2_, n, gap, settings_.soon, pair_.body1, pair_.body2);
     }
 
-    bool find_parting(const Pose& A, const Pose& B)
+    bool find_separating_axis(const Pose& A, const Pose& B)
     {
-        const Vec3 guess = pair_.parting ? unpack_direction(pair_.parting) : A.p - B.p;
-        pair_.parting = pack_direction(Parting(g1_, g2_).find(A, B, guess));
-        return pair_.parting != 0;
+        const Vec3 guess = pair_.separating_axis ? unpack_direction(pair_.separating_axis) : A.p - B.p;
+        pair_.separating_axis = pack_direction(PairSeparation(g1_, g2_).find(A, B, guess));
+        return pair_.separating_axis != 0;
     }
 
     std::uint32_t changes() const { return changes_of(g1_) + changes_of(g2_); }
@@ -114,23 +114,25 @@ class PairUpdate {
     {
         const ManifoldFinding& was = old[0].found;
         if (was.changes != changes() || may_have_changed()) return false;
-        const bool full = knows_corners() || (pair_.most == 1 && old[0].manifold.count == kManifoldPoints);
+        const bool full =
+            knows_corners() || (pair_.max_manifolds == 1 && old[0].manifold.count == kManifoldPoints);
         const Real size = this->size();
-        const Real most = full ? kReuse * size : kReuseLayer * layer();
+        const Real max_motion = full ? kReuse * size : kReuseLayer * layer();
         const Mat3 turn = {widen(was.turn[0]), widen(was.turn[1]), widen(was.turn[2])};
         // |R - R'| in the sense of Frobenius is 2 sqrt(2) sin(angle / 2).
         Real turned2 = 0;
         for (int k = 0; k < 3; ++k) turned2 += length2(turn_.row(k) - turn.row(k));
         turned2 /= 2;
         // Of g2's place; of the solid's where the other is a landscape, whose place may be far away.
-        const bool first = pair_.most > 1 && is_solid(g1_);
+        const bool first = pair_.max_manifolds > 1 && is_solid(g1_);
         const Vec3 then = widen(was.offset),
                    way = offset_ - (first ? turn_ * transposed_times(turn, then) : then);
         const Real way2 = length2(way), reach2 = largest_reach2(first ? was.anchors.a1 : was.anchors.a2);
         // Mostly by far, and (a + b)^2 <= 2 (a^2 + b^2) needs no roots, for each of which the next would
         // wait.
-        if (2 * (way2 + turned2 * std::max(size * size, reach2)) < Real(0.99) * most * most) return true;
-        return std::sqrt(way2) + std::sqrt(turned2) * std::max(size, std::sqrt(reach2)) <= most;
+        if (2 * (way2 + turned2 * std::max(size * size, reach2)) < Real(0.99) * max_motion * max_motion)
+            return true;
+        return std::sqrt(way2) + std::sqrt(turned2) * std::max(size, std::sqrt(reach2)) <= max_motion;
     }
 
     // False: they have come apart.
@@ -160,17 +162,17 @@ class PairUpdate {
     void collide(std::span<const CachedManifold> old)
     {
         dContactGeom found[kSurfacePoints];
-        ContactArray out{found, int(sizeof(dContactGeom)), pair_.most > 1 ? kSurfacePoints : kSolidPoints,
-                         false};
+        ContactArray out{found, int(sizeof(dContactGeom)),
+                         pair_.max_manifolds > 1 ? kSurfacePoints : kSolidPoints, false};
         out.kept = leaves_;
         out.margin = margin();
         const Aabb &box1 = box_of(g1_), &box2 = box_of(g2_);
         if (!apart_ && overlap(box1, box2)) epode::collide(g1_, g2_, out);
         if (out.count > 0) return take(out, pose1_, pose2_, old);
-        const Foresight& soon = settings_.soon;
+        const SpeculativeMotion& soon = settings_.soon;
         if (!draws_near() || !overlap(soon.box(pair_.body1, box1), soon.box(pair_.body2, box2))) return;
         const Pose soon1 = soon.pose(pair_.body1, pose1_), soon2 = soon.pose(pair_.body2, pose2_);
-        if (can_be_parted() && find_parting(soon1, soon2)) return;
+        if (can_be_separated() && find_separating_axis(soon1, soon2)) return;
         collide_at(g1_, soon1, g2_, soon2, out);
         take(out, soon1, soon2, {});
         if (one_stands() && (is_round(g1_) || is_round(g2_)))
@@ -198,7 +200,7 @@ class PairUpdate {
     // are fixed.)
     void look_back(CachedManifold& part, const Pose& soon1) const
     {
-        const Foresight& soon = settings_.soon;
+        const SpeculativeMotion& soon = settings_.soon;
         const Vec3 way1 = soon.h * soon.velocity(pair_.body1), way2 = soon.h * soon.velocity(pair_.body2);
         // Until then the point goes along with the one that moves, see solve/substeps/manifold_kernels.inc.
         const Vec3 behind = moves(pair_.body1) ? Vec3{} : way1 - way2;
@@ -246,11 +248,12 @@ class PairUpdate {
     }
 
     // Polyhedra touch at corners and where edges cross, and all of these nearby can be told at once. Round
-    // solids gain little by it: half a millimetre of depth in the mean of a heap of all kinds. Functions of
+    // solids gain little by it: half a millimetre of depth in the mean of a pile of all kinds. Functions of
     // the program may mean anything.
     bool knows_corners() const
     {
-        return settings_.foresees && pair_.most == 1 && !pair_.asked && !is_round(g1_) && !is_round(g2_);
+        return settings_.foresees && pair_.max_manifolds == 1 && !pair_.asked && !is_round(g1_) &&
+               !is_round(g2_);
     }
 
     // Corners that do not touch yet are contacts, too: those that will before the two are collided again; and

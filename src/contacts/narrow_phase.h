@@ -2,25 +2,25 @@
 // Copyright (c) 2026 The Epode authors
 //
 // From a pair to its manifolds. Two geoms that have hardly moved against each other since they were collided
-// keep the points they had, fixed in both bodies, and only the gaps are measured anew: a tenth of the cost,
+// keep the points they had, fixed in both bodies, and only the gaps are measured again: a tenth of the cost,
 // and points of a settled pile do not wander. How much is hardly: 2 % of the smaller one's size for a
 // manifold that misses nothing, as do four points under a face, and those of two polyhedra, which are found
 // with a margin of as much; a quarter of the surface layer for all others. What is collided again finds its
-// impulses by place. What did not touch is first parted, if it can be (contacts/pair_parting.h).
+// impulses by place. Pairs that did not touch get a separation test first (contacts/pair_separation.h).
 #pragma once
 
 #include <span>
 
 #include "bvh/near_leaves.h"
 #include "contacts/contact_pair.h"
-#include "contacts/foresight.h"
+#include "contacts/speculative_motion.h"
 
 namespace epode {
 
 struct NarrowSettings {
     Real layer;       // allowed depth, m
     bool layer_fits;  // is made smaller for small geoms: nobody has chosen it
-    Foresight soon;
+    SpeculativeMotion soon;
     bool foresees;  // what does not touch yet is looked at where it will be
 };
 

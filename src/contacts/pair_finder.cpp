@@ -12,7 +12,7 @@ namespace {
 
 struct Collection {
     Array<GeomPair>& pairs;
-    const Foresight& soon;
+    const SpeculativeMotion& soon;
     const Tasks& tasks;
     bool complete = true;
 };
@@ -30,7 +30,7 @@ void collect(void* data, dGeomID o1, dGeomID o2)
 Aabb way_of(const void* soon, const Geom& geom, const Aabb& box)
 {
     const Body* body = from_handle<Body>(geom.body.id);
-    return body->disabled ? box : merge(box, static_cast<const Foresight*>(soon)->box(body, box));
+    return body->disabled ? box : merge(box, static_cast<const SpeculativeMotion*>(soon)->box(body, box));
 }
 
 // Where no member has to be opened or asked about, all workers go through the pairs.
@@ -68,12 +68,12 @@ void collect_inside(Space& space, Collection& into)
 
 }  // namespace
 
-void expect_motion(Space& space, const Foresight& soon, const Tasks& tasks)
+void expect_motion(Space& space, const SpeculativeMotion& soon, const Tasks& tasks)
 {
     clean(space, {&soon, way_of}, tasks);
 }
 
-bool find_geom_pairs(Space& space, const Foresight& soon, const Tasks& tasks, Array<GeomPair>& out)
+bool find_geom_pairs(Space& space, const SpeculativeMotion& soon, const Tasks& tasks, Array<GeomPair>& out)
 {
     out.clear();
     Collection into{out, soon, tasks};
@@ -81,7 +81,7 @@ bool find_geom_pairs(Space& space, const Foresight& soon, const Tasks& tasks, Ar
     return into.complete;
 }
 
-void expect_motion(Space& space, const Foresight& soon, const ActiveGeoms& active)
+void expect_motion(Space& space, const SpeculativeMotion& soon, const ActiveGeoms& active)
 {
     clean(space);
     Broadphase& boxes = space.broadphase;
@@ -96,23 +96,24 @@ bool find_geom_pairs(Space& space, const ActiveGeoms& active, Array<SlotPair>& n
     out.clear();
     near.clear();
     Broadphase& boxes = space.broadphase;
-    bool room = true;
+    bool complete = true;
     const auto meet = [&](int a, int b) {
         Geom &first = *space.geoms[a], &second = *space.geoms[b];
-        if (first.enabled && second.enabled && may_meet(first, second)) room = near.push({a, b}) && room;
+        if (first.enabled && second.enabled && may_meet(first, second))
+            complete = near.push({a, b}) && complete;
     };
     for (const int slot : active.slots()) {
         if (!boxes.present(slot)) continue;
         const bool found = boxes.query_way(slot, [&](int other) {
             if (other < slot || !active.has(other)) meet(std::max(slot, other), std::min(slot, other));
         });
-        room = found && room;
+        complete = found && complete;
     }
     std::sort(near.begin(), near.end(), in_order);
-    room = room && out.extend(near.size());
-    for (int i = 0; room && i < near.size(); ++i)
+    complete = complete && out.extend(near.size());
+    for (int i = 0; complete && i < near.size(); ++i)
         out[i] = {space.geoms[near[i].newer], space.geoms[near[i].older]};
-    return room;
+    return complete;
 }
 
 void DeepLock::count(Space& space, int by)

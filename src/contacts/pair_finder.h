@@ -10,7 +10,7 @@
 #include "collide/space.h"
 #include "contacts/active_geoms.h"
 #include "contacts/contact_pair.h"
-#include "contacts/foresight.h"
+#include "contacts/speculative_motion.h"
 
 namespace epode {
 
@@ -22,16 +22,16 @@ inline constexpr int kPairRange = 512;
 
 // Boxes of what has moved, unless the space is locked, and room in the broad phase for the whole way of what
 // moves. `soon`: where bodies will be when pairs are looked for again.
-void expect_motion(Space& space, const Foresight& soon, const Tasks& tasks);
+void expect_motion(Space& space, const SpeculativeMotion& soon, const Tasks& tasks);
 
 // Then all pairs of geoms that are no spaces, spaces in it opened. Ranges of kPairRange pairs may end early.
 // False: out of memory.
-[[nodiscard]] bool find_geom_pairs(Space& space, const Foresight& soon, const Tasks& tasks,
+[[nodiscard]] bool find_geom_pairs(Space& space, const SpeculativeMotion& soon, const Tasks& tasks,
                                    Array<GeomPair>& out);
 
 // Both for the active members of a space that holds none but geoms that stand alone: as if all had been
 // looked at, and only their pairs been kept. `near` is scratch.
-void expect_motion(Space& space, const Foresight& soon, const ActiveGeoms& active);
+void expect_motion(Space& space, const SpeculativeMotion& soon, const ActiveGeoms& active);
 [[nodiscard]] bool find_geom_pairs(Space& space, const ActiveGeoms& active, Array<SlotPair>& near,
                                    Array<GeomPair>& out);
 

@@ -17,7 +17,7 @@ struct PairList {
     Array<ContactPair> pairs;
     Array<CachedManifold> manifolds;  // those of a pair lie together; there are gaps
     Array<NearLeaves> leaves;
-    std::uint64_t ties = 0;  // of the world, when `tied` was right
+    std::uint64_t connections = 0;  // of the world, when `tied` was right
 
     std::span<const CachedManifold> of(const ContactPair& pair) const
     {
@@ -77,7 +77,7 @@ struct PairList {
         pairs.swap(other.pairs);
         manifolds.swap(other.manifolds);
         leaves.swap(other.leaves);
-        std::swap(ties, other.ties);
+        std::swap(connections, other.connections);
     }
 };
 

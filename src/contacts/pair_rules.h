@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What is asked of pairs of geoms and their patches again and again.
+// Common queries about pairs of geoms and their manifolds.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace epode {
 
-// Allowed depth of contacts that the world manages, m.
+// Allowed depth of world-managed contacts, m.
 inline Real contact_layer(const World& world)
 {
     return world.contact_layer > 0 ? world.contact_layer : Real(2e-4);
@@ -23,7 +23,7 @@ inline Body* body_of(const Geom& geom) { return from_handle<Body>(geom.body.id);
 
 inline bool awake(const Body* body) { return body && !body->disabled; }
 
-// Rays measure, they do not push.
+// Rays measure; they exert no force.
 inline bool can_push(const Geom& geom) { return geom.type->number != dRayClass; }
 
 inline bool is_surface(const Geom& geom)
@@ -39,7 +39,7 @@ inline bool on_mesh(const GeomPair& pair)
     return meets(*pair.a, *pair.b) || meets(*pair.b, *pair.a);
 }
 
-inline int most_manifolds(const GeomPair& pair)
+inline int max_manifolds(const GeomPair& pair)
 {
     return is_surface(*pair.a) || is_surface(*pair.b) ? kSurfaceManifolds : 1;
 }
@@ -56,9 +56,9 @@ inline bool touches(const CachedManifold& kept, const ManifoldPoint& point)
     return point.normal_impulse > 0 || point.separation <= kept.layer;
 }
 
-inline bool touches(std::span<const CachedManifold> patches)
+inline bool touches(std::span<const CachedManifold> manifolds)
 {
-    for (const CachedManifold& kept : patches)
+    for (const CachedManifold& kept : manifolds)
         for (int i = 0; i < kept.manifold.count; ++i)
             if (touches(kept, kept.manifold.points[i])) return true;
     return false;

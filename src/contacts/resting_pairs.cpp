@@ -44,7 +44,7 @@ bool RestingPairs::put_one(const PairList& from, const ContactPair& pair)
     if (pair.on_mesh) own.leaves = place_in(list_.leaves, 1, free_leaves_);
     const bool linked = own.first >= 0 && !(pair.on_mesh && own.leaves < 0) &&
                         (links_.size() > at || links_.resize(at + 1)) && link(at);
-    if (!linked) return false;  // its places are lost, as where lists of free ones have no room
+    if (!linked) return false;  // its places are lost, as where lists of free ones are full
     own.id1 = pair.id1;
     std::copy(kept.begin(), kept.end(), list_.manifolds.data() + own.first);
     if (pair.on_mesh) list_.leaves.data()[own.leaves] = from.leaves.data()[pair.leaves];
@@ -53,7 +53,7 @@ bool RestingPairs::put_one(const PairList& from, const ContactPair& pair)
 }
 
 // For the heads of one pair's two lists: the table is at most half full. Those of empty lists go.
-bool RestingPairs::make_room()
+bool RestingPairs::reserve_heads()
 {
     if (2 * (head_count_ + 2) <= heads_.size()) return true;
     int used = 0;
@@ -77,7 +77,7 @@ RestingPairs::Head& RestingPairs::place_of(std::uint64_t serial)
 
 bool RestingPairs::link(int pair)
 {
-    if (!make_room()) return false;
+    if (!reserve_heads()) return false;
     ContactPair& p = list_.pairs.data()[pair];
     p.body1 = p.body2 = nullptr;
     p.old = -1;

@@ -48,7 +48,7 @@ class RestingPairs {
 
     static bool is_there(const ContactPair& pair) { return pair.id1 != nullptr; }
     [[nodiscard]] bool put_one(const PairList& from, const ContactPair& pair);
-    [[nodiscard]] bool make_room();
+    [[nodiscard]] bool reserve_heads();
     Head& place_of(std::uint64_t serial);  // its head, or where that would be
     int side_of(int pair, std::uint64_t serial) const
     {
@@ -69,7 +69,7 @@ class RestingPairs {
     int head_count_ = 0;  // that are not free
     int count_ = 0;       // pairs that are there
     // Places that nobody has: of pairs, of leaves, and of so many manifolds side by side. Where these lists
-    // have no room, places are lost until all pairs have been taken.
+    // are full, places are lost until all pairs have been taken.
     Array<int> free_pairs_, free_leaves_, free_manifolds_[kSurfaceManifolds + 1];
 };
 
@@ -89,14 +89,14 @@ bool RestingPairs::put(PairList& from, Rests&& rests)
         return true;
     }
     int left = 0;
-    bool room = true;
+    bool complete = true;
     for (const ContactPair& pair : from.pairs) {
-        const bool moves = room && rests(pair);
-        room = room && (!moves || put_one(from, pair));
-        if (!moves || !room) from.pairs.data()[left++] = pair;
+        const bool moves = complete && rests(pair);
+        complete = complete && (!moves || put_one(from, pair));
+        if (!moves || !complete) from.pairs.data()[left++] = pair;
     }
     from.pairs.truncate(left);
-    return room;
+    return complete;
 }
 
 }  // namespace epode

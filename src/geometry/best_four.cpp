@@ -21,9 +21,9 @@ struct Scores {
 
     Real best() const
     {
-        Quad most = of[0];
-        for (int i = 1; i < kQuads; ++i) most = larger(of[i], most);
-        return largest_lane(most);
+        Quad largest = of[0];
+        for (int i = 1; i < kQuads; ++i) largest = larger(of[i], largest);
+        return largest_lane(largest);
     }
     // The first that is not less.
     int first_from(Real least) const
@@ -70,8 +70,8 @@ int choose(const ManifoldPoints& p, Vec3 normal, int wanted, int* chosen)
         other.of[i] = quad(0) - scores.of[i];
     }
     const auto add = [&](const Scores<kQuads>& side) {
-        const Real most = side.best(), near = most * (1 - kTie);
-        if (most > thin && count < wanted) chosen[count++] = side.first_from(near > thin ? near : thin);
+        const Real largest = side.best(), near = largest * (1 - kTie);
+        if (largest > thin && count < wanted) chosen[count++] = side.first_from(near > thin ? near : thin);
     };
     add(scores), add(other);
     return count;

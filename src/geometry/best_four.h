@@ -28,7 +28,7 @@ struct ManifoldPoints {
 };
 
 inline constexpr int kBestFour = 4;
-inline constexpr Real kPatchCosine = Real(0.996);  // of normals within 5 degrees, which make one patch
+inline constexpr Real kManifoldCosine = Real(0.996);  // of normals within 5 degrees, which make one manifold
 
 // Indices of the at most `wanted` (1 to 4) best of the points, of which there are some; the number of them.
 // Points apart, of negative depth, only where fewer than that touch.

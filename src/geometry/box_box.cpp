@@ -5,7 +5,7 @@
 // With C = A^T B and p = A^T (b - a), the overlap along a unit axis L is  r_a(L) + r_b(L) - |p . L|, where
 // r(L) is the box's half extent along L. For L = a_i x b_j every projection is a product of entries of C, and
 // |L|^2 = 1 - C_ij^2. The three axes of one kind (faces of a, faces of b, edges of b with one edge of a) lie
-// in lanes; which edges can be better than the faces is told without a root.
+// in lanes; which edges can be better than the faces is decided without a root.
 #include "geometry/box_box.h"
 
 #include <algorithm>
@@ -63,7 +63,7 @@ struct Axes {
     bool search_faces(Search& s);
     bool search_edges(Search& s) const;
     template <int i>
-    bool search_edges_of(const Quad& room2, Search& s) const;
+    bool search_edges_of(const Quad& slack2, Search& s) const;
     void offer_faces(const Quad& overlap, const Quad& along, int code, Real margin, Search& s) const;
     bool offer_edges(int i, unsigned those, const Quad& overlap, const Quad& along, Search& s) const;
 };
@@ -139,7 +139,7 @@ bool Axes::offer_edges(int i, unsigned those, const Quad& overlap, const Quad& a
 EPODE_LANEWISE Quad turned(const Quad& a) { return quad(lane(a, 1), lane(a, 2), lane(a, 0), lane(a, 0)); }
 
 template <int i>
-EPODE_LANEWISE bool Axes::search_edges_of(const Quad& room2, Search& s) const
+EPODE_LANEWISE bool Axes::search_edges_of(const Quad& slack2, Search& s) const
 {
     constexpr int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
     const Quad along = quad(lane(pa, i2)) * row[i1] - quad(lane(pa, i1)) * row[i2];
@@ -147,16 +147,16 @@ EPODE_LANEWISE bool Axes::search_edges_of(const Quad& room2, Search& s) const
     const Quad m1 = turned(row_size[i]), m2 = turned(m1), hb1 = turned(hb), hb2 = turned(hb1);
     const Quad overlap = ra + (hb1 * m2 + hb2 * m1) - magnitude(along);
     const Quad over = larger(overlap, quad(0)), sine2 = quad(1) - row[i] * row[i];
-    const unsigned those = bits((overlap < quad(0)) | (over * over < room2 * sine2)) & kThree;
+    const unsigned those = bits((overlap < quad(0)) | (over * over < slack2 * sine2)) & kThree;
     return !those || offer_edges(i, those, overlap, along, s);
 }
 
 EPODE_LANEWISE bool Axes::search_edges(Search& s) const
 {
     // An edge wins by  overlap / |L| * handicap + margin < score: here squared, and a little too often.
-    const Real room = (s.score - kFaceMargin * size + 8 * kEpsilon * s.score) * (1 / kEdgeHandicap);
-    const Quad room2 = quad(room > 0 ? room * room * Real(1.000001) : Real(0));
-    return search_edges_of<0>(room2, s) && search_edges_of<1>(room2, s) && search_edges_of<2>(room2, s);
+    const Real slack = (s.score - kFaceMargin * size + 8 * kEpsilon * s.score) * (1 / kEdgeHandicap);
+    const Quad slack2 = quad(slack > 0 ? slack * slack * Real(1.000001) : Real(0));
+    return search_edges_of<0>(slack2, s) && search_edges_of<1>(slack2, s) && search_edges_of<2>(slack2, s);
 }
 
 // Everything as seen from the reference box: where the other box's axes point, row by row, and where its
@@ -230,7 +230,7 @@ EPODE_LANEWISE void face_points(const Reference& face, const Incident& other, Re
 }
 
 struct Wanted {
-    int room;
+    int capacity;
     Real margin;
 };
 
@@ -258,18 +258,18 @@ bool others_reach_farther(const ManifoldPoints& points, const int* chosen)
             outside[i] = std::max(outside[i], away);
         }
     }
-    const Real most = *std::max_element(outside, outside + points.count);
-    return most * most > kReach * kReach * span2;
+    const Real farthest = *std::max_element(outside, outside + points.count);
+    return farthest * farthest > kReach * kReach * span2;
 }
 
 // Which of the points to keep: all that there is room for, but only the best four where the others reach
 // hardly farther, as when one of two flush faces is turned by a hair.
-[[gnu::noinline]] int keep_best(ManifoldPoints& points, Vec3 normal, int room, int* chosen)
+[[gnu::noinline]] int keep_best(ManifoldPoints& points, Vec3 normal, int capacity, int* chosen)
 {
     const int all = points.count;
-    int kept = best_four(points, normal, room < kBestFour ? room : kBestFour, chosen);
-    if (room <= kBestFour || kept < kBestFour || !others_reach_farther(points, chosen)) return kept;
-    for (int i = 0; i < all && kept < room; ++i)
+    int kept = best_four(points, normal, capacity < kBestFour ? capacity : kBestFour, chosen);
+    if (capacity <= kBestFour || kept < kBestFour || !others_reach_farther(points, chosen)) return kept;
+    for (int i = 0; i < all && kept < capacity; ++i)
         if (std::find(chosen, chosen + kept, i) == chosen + kept) chosen[kept++] = i;
     return kept;
 }
@@ -277,13 +277,13 @@ bool others_reach_farther(const ManifoldPoints& points, const int* chosen)
 void face_manifold(const Reference& face, const Incident& other, Real slack, const Pose& world, Wanted wanted,
                    BoxBox& out)
 {
-    const int room = wanted.room;
+    const int capacity = wanted.capacity;
     ManifoldPoints points;
     face_points(face, other, slack, wanted.margin, points);
     int chosen[BoxBox::kMax] = {0, 1, 2, 3, 4, 5, 6, 7};
     out.count = points.count;
-    if (points.count > kBestFour || points.count > room)
-        out.count = keep_best(points, {0, 0, face.inward}, room, chosen);
+    if (points.count > kBestFour || points.count > capacity)
+        out.count = keep_best(points, {0, 0, face.inward}, capacity, chosen);
     const Real* at[3];
     at[kNext[face.k]] = points.x, at[kLast[face.k]] = points.y, at[face.k] = points.z;
     for (int n = 0; n < out.count; ++n) {
@@ -343,7 +343,7 @@ void prefer_face(const Search& face, const Pose& A, const Pose& B, Real margin, 
 {
     const Vec3 n = normal_of(face, A, B);
     const Real cosine = dot(n, normal);
-    if (cosine > kPatchCosine && face.score + margin * cosine < s.score + margin * kEdgeHandicap)
+    if (cosine > kManifoldCosine && face.score + margin * cosine < s.score + margin * kEdgeHandicap)
         s = face, normal = n;
 }
 
@@ -356,7 +356,7 @@ bool boxes_touch(const Box& a, const Pose& A, const Box& b, const Pose& B)
     return axes.search_faces(s) && axes.search_edges(s);
 }
 
-bool box_box_manifold(const Box& a, const Pose& A, const Box& b, const Pose& B, BoxBox& out, int room,
+bool box_box_manifold(const Box& a, const Pose& A, const Box& b, const Pose& B, BoxBox& out, int capacity,
                       Real margin)
 {
     Axes axes(a, A, b, B);
@@ -382,7 +382,7 @@ bool box_box_manifold(const Box& a, const Pose& A, const Box& b, const Pose& B, 
             set_incident(other, axes.row, axes.pa, axes.hb);
         else
             set_incident(other, axes.column, quad(0) - axes.pb, axes.ha);
-        face_manifold(face, other, 32 * kEpsilon * axes.size, world, {room, margin}, out);
+        face_manifold(face, other, 32 * kEpsilon * axes.size, world, {capacity, margin}, out);
     } else {
         const int i = (s.code - 7) / 3, j = (s.code - 7) % 3;
         edge_point(a, A, b, B, i, j, out);

@@ -37,10 +37,10 @@ struct BoxBox {
 
 bool boxes_touch(const Box& a, const Pose& A, const Box& b, const Pose& B);
 
-// The manifold; false when the boxes are apart. Of more than `room` points the best are kept: the best four
-// (geometry/best_four.h), then others as they come. Corners over a face and apart from it by no more than
-// `margin` count where fewer than `room` touch.
+// The manifold; false when the boxes are apart. Of more than `capacity` points the best are kept: the best
+// four (geometry/best_four.h), then others as they come. Corners over a face and apart from it by no more
+// than `margin` count where fewer than `capacity` touch.
 bool box_box_manifold(const Box& a, const Pose& A, const Box& b, const Pose& B, BoxBox& out,
-                      int room = BoxBox::kMax, Real margin = 0);
+                      int capacity = BoxBox::kMax, Real margin = 0);
 
 }  // namespace epode

@@ -23,7 +23,7 @@ class DotLanes {
 
     [[nodiscard]] bool take(std::span<const Vec3> vectors)
     {
-        if (!make_room(int(vectors.size()), 3)) return false;
+        if (!reserve(int(vectors.size()), 3)) return false;
         for (int k = 0; k < 3; ++k) fill(k, [&](std::size_t i) { return vectors[i][k]; });
         return true;
     }
@@ -31,7 +31,7 @@ class DotLanes {
     template <typename Plane>
     [[nodiscard]] bool take_planes(std::span<const Plane> planes)
     {
-        if (!make_room(int(planes.size()), 4)) return false;
+        if (!reserve(int(planes.size()), 4)) return false;
         for (int k = 0; k < 3; ++k) fill(k, [&](std::size_t i) { return planes[i].normal[k]; });
         fill(3, [&](std::size_t i) { return planes[i].offset; });
         return true;
@@ -45,7 +45,7 @@ class DotLanes {
     const Real* group(int i) const { return numbers_.data() + i * rows_ * kWide; }
 
   private:
-    bool make_room(int count, int rows)
+    bool reserve(int count, int rows)
     {
         count_ = count, rows_ = rows;
         return numbers_.resize(groups() * rows * kWide);
@@ -76,11 +76,11 @@ EPODE_LANEWISE Quad dots(const Real* group, const QuadVec& d)
 }
 EPODE_LANEWISE Quad offsets(const Real* group) { return load_quad(group + 3 * DotLanes::kWide); }
 
-// Which of values[0 ... 4 groups), at most 16 groups, are as large as `most`, without a branch that depends
+// Which of values[0 ... 4 groups), at most 16 groups, are as large as `bound`, without a branch that depends
 // on them.
-EPODE_LANEWISE std::uint64_t as_large(const Real* values, int groups, Real most)
+EPODE_LANEWISE std::uint64_t as_large(const Real* values, int groups, Real bound)
 {
-    const Quad m = quad(most);
+    const Quad m = quad(bound);
     std::uint64_t there = 0;
     for (const Real* end = values + groups * DotLanes::kWide; end != values;)
         there = there << DotLanes::kWide | bits(m <= load_quad(end -= DotLanes::kWide));
@@ -88,13 +88,13 @@ EPODE_LANEWISE std::uint64_t as_large(const Real* values, int groups, Real most)
 }
 
 // The first of them, of any number of groups; 0 if there is none.
-EPODE_LANEWISE int first_as_large(const Real* values, int groups, Real most)
+EPODE_LANEWISE int first_as_large(const Real* values, int groups, Real bound)
 {
     constexpr int kAtOnce = 16;
     for (int begin = 0; begin < groups; begin += kAtOnce) {
         const int some = groups - begin < kAtOnce ? groups - begin : kAtOnce;
         const Real* const from = values + begin * DotLanes::kWide;
-        if (const std::uint64_t there = as_large(from, some, most))
+        if (const std::uint64_t there = as_large(from, some, bound))
             return begin * DotLanes::kWide + std::countr_zero(there);
     }
     return 0;

@@ -38,7 +38,7 @@ class Polytope {
         return k;
     }
     const Face& face(int i) const { return faces_[i]; }
-    bool room() const { return vertex_count_ < kVertices; }
+    bool has_capacity() const { return vertex_count_ < kVertices; }
     Vec3 sample(Vec3 n);
     bool grow(Vec3 p, int from);
 
@@ -184,7 +184,7 @@ void expand(const ConvexView& a, const ConvexView& b, Real tolerance, Real enoug
 {
     Polytope polytope(a, b, best);
     if (!polytope.start(b.pose.p - a.pose.p)) return;
-    while (polytope.room() && best.depth >= enough) {
+    while (polytope.has_capacity() && best.depth >= enough) {
         const int k = polytope.nearest();
         if (k < 0) return;
         const Face f = polytope.face(k);

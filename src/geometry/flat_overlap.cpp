@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Two boxes or polyhedra: see flat_overlap.h. All is reckoned in a's frame, of b only what is needed there.
+// Two boxes or polyhedra: see flat_overlap.h. All is computed in a's frame, of b only what is needed there.
 // The arcs of the edges p (between faces of a, turned round) and q (of b) cross when the normals of q's faces
 // lie on either side of p's plane, those of p's on either side of q's, and the crossing is on the same half
 // of the sphere: with l, r the normals to the left and right,

@@ -56,29 +56,29 @@ FlatSolid::FlatSolid(const ConvexView& v)
 
 FaceGaps::FaceGaps(const FlatSolid& s, Vec3 p) : s_(s), p_(p)
 {
-    if (s.polyhedron() && s.faces.size() <= kRoom) {
-        reckon_all();
+    if (s.polyhedron() && s.faces.size() <= kCapacity) {
+        compute_all();
         return;
     }
-    Real most = -kInf;
+    Real largest = -kInf;
     for (std::size_t i = 0; i < s.faces.size(); ++i) {
-        const Real g = reckon(i);
-        if (i < kRoom) gap_[i] = g;
-        if (g > most) most = g, widest = i;
+        const Real g = compute(i);
+        if (i < kCapacity) gap_[i] = g;
+        if (g > largest) largest = g, widest = i;
     }
 }
 
-void FaceGaps::reckon_all()
+void FaceGaps::compute_all()
 {
     const DotLanes& faces = s_.polyhedron()->face_lanes();
     const QuadVec p = quad_vec(p_);
-    Quad most = quad(-kInf);
+    Quad largest = quad(-kInf);
     for (int g = 0; g < faces.groups(); ++g) {
         const Quad some = dots(faces.group(g), p) - offsets(faces.group(g));
         store_quad(gap_ + g * DotLanes::kWide, some);
-        most = larger(some, most);
+        largest = larger(some, largest);
     }
-    widest = std::size_t(first_as_large(gap_, faces.groups(), largest_lane(most)));
+    widest = std::size_t(first_as_large(gap_, faces.groups(), largest_lane(largest)));
 }
 
 RoundCore::RoundCore(const ConvexView& v)

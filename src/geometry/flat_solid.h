@@ -66,7 +66,7 @@ class FlatSolid {
 class FaceGaps {
   public:
     FaceGaps(const FlatSolid& s, Vec3 p);
-    Real operator[](std::size_t i) const { return i < kRoom ? gap_[i] : reckon(i); }
+    Real operator[](std::size_t i) const { return i < kCapacity ? gap_[i] : compute(i); }
 
     // use(face, its gap), in their order, of all faces but the widest along which the overlap with a ball of
     // radius r about the point and its like may be less than the number that `depth` is, or by then has
@@ -78,7 +78,7 @@ class FaceGaps {
             if (i != widest && r - (*this)[i] + handicap < depth) use(s_.faces[i], (*this)[i]);
         };
         const std::size_t count = s_.faces.size();
-        if (count > kRoom) {
+        if (count > kCapacity) {
             for (std::size_t i = 0; i < count; ++i) look(i);
             return;
         }
@@ -92,13 +92,13 @@ class FaceGaps {
     std::size_t widest = 0;
 
   private:
-    static constexpr std::size_t kRoom = 256;
-    void reckon_all();
-    Real reckon(std::size_t i) const { return dot(s_.faces[i].normal, p_) - s_.faces[i].offset; }
+    static constexpr std::size_t kCapacity = 256;
+    void compute_all();
+    Real compute(std::size_t i) const { return dot(s_.faces[i].normal, p_) - s_.faces[i].offset; }
 
     const FlatSolid& s_;
     Vec3 p_;
-    Real gap_[kRoom];  // left unwritten beyond the last face
+    Real gap_[kCapacity];  // left unwritten beyond the last face
 };
 
 struct RoundCore {

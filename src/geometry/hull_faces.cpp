@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// From facets to faces. The largest facets come first, since their planes are told best: each takes in its
+// From facets to faces. The largest facets come first, since their planes are known best: each takes in its
 // neighbours, and theirs, as long as all corners lie within `flat` of its own plane; no plane drifts. A
 // corner of the solid is where three faces meet; other points of an outline are left out. Where that leaves
 // less than a triangle, or an outline that is not one loop (rounded edges as thin as `flat` do it), the face

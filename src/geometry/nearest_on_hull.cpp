@@ -30,14 +30,14 @@ bool nearest_on_hull(const Polyhedron& solid, Vec3 p, Real limit, NearestOnHull&
     const std::span<const PolyhedronFace> faces = solid.faces();
     const auto gap = [&](const PolyhedronFace& f) { return dot(f.normal, p) - f.offset; };
     const PolyhedronFace* widest = nullptr;
-    Real most = -kInf;
+    Real largest_gap = -kInf;
     for (const PolyhedronFace& f : faces) {
         const Real g = gap(f);
-        if (g > most) most = g, widest = &f;
+        if (g > largest_gap) largest_gap = g, widest = &f;
         if (g > limit) return false;
     }
-    out = {p - most * widest->normal, widest->normal, most, true};
-    if (!(most > 0) || projects_into(solid, *widest, p)) return true;
+    out = {p - largest_gap * widest->normal, widest->normal, largest_gap, true};
+    if (!(largest_gap > 0) || projects_into(solid, *widest, p)) return true;
     Real least = kInf;
     Vec3 nearest;
     for (const PolyhedronEdge& e : solid.seams()) {
@@ -51,7 +51,7 @@ bool nearest_on_hull(const Polyhedron& solid, Vec3 p, Real limit, NearestOnHull&
     if (distance > limit) return false;
     const Real hair = 16 * kEpsilon * (solid.size() + length(p));
     Vec3 n = p - nearest;
-    if (distance <= most + hair || !normalize(n)) return true;  // at the rim of the face
+    if (distance <= largest_gap + hair || !normalize(n)) return true;  // at the rim of the face
     out = {nearest, n, distance, false};
     return true;
 }

@@ -19,7 +19,7 @@ namespace {
 constexpr Real kFlat = kSingle ? Real(1e-5) : Real(1e-6);
 constexpr Real kInFace = Real(1e-4);    // a vertex this near to a face's plane belongs to its feature
 constexpr Real kParallel = Real(1e-6);  // sine
-constexpr int kMost = 1 << 24;          // points
+constexpr int kMaxPoints = 1 << 24;     // points
 constexpr int kCorners = 32;            // of a feature; of more, so many evenly chosen ones
 constexpr int kFew = 32;                // vertices that are all tried
 constexpr const char* kAllInOnePlane = "all points lie in a plane";
@@ -60,15 +60,15 @@ bool outline_of(std::span<const Vec3> points, Vec3 n, Real slack, Array<int>& ch
 
 }  // namespace
 
-const char* Polyhedron::build(const Real* points, unsigned count, int most_vertices, bool plates)
+const char* Polyhedron::build(const Real* points, unsigned count, int max_vertices, bool plates)
 {
-    if (count < 3 || count > unsigned(kMost)) return "too few or too many points";
+    if (count < 3 || count > unsigned(kMaxPoints)) return "too few or too many points";
     if (!usable(points, int(3 * count))) return "point is not a usable number";
     Array<Vec3> all;
     if (!all.resize(int(count))) return "out of memory";
     for (int i = 0; i < int(count); ++i) all[i] = load(points + 3 * i);
     Polyhedron made;
-    const char* refusal = made.take_hull(all.span(), most_vertices);
+    const char* refusal = made.take_hull(all.span(), max_vertices);
     if (refusal == kAllInOnePlane && plates) refusal = made.take_plate(all.span());
     if (refusal) return refusal;
     if (!made.take_edges() || !made.take_seams() || !made.take_neighbours() || !made.take_lanes())
@@ -89,10 +89,10 @@ void Polyhedron::swap(Polyhedron& other)
     std::swap(inner_, other.inner_), std::swap(inner_radius_, other.inner_radius_);
 }
 
-const char* Polyhedron::take_hull(std::span<const Vec3> points, int most_vertices)
+const char* Polyhedron::take_hull(std::span<const Vec3> points, int max_vertices)
 {
     Hull hull;
-    switch (convex_hull(points, kFlat, most_vertices, hull)) {
+    switch (convex_hull(points, kFlat, max_vertices, hull)) {
         case HullFault::kPoint:
             return "all points are one";
         case HullFault::kLine:
@@ -258,12 +258,12 @@ bool Polyhedron::take_lanes()
 int Polyhedron::climb(Vec3 direction) const
 {
     int best = start_[(direction.x > 0 ? 1 : 0) | (direction.y > 0 ? 2 : 0) | (direction.z > 0 ? 4 : 0)];
-    Real most = dot(direction, vertices_[best]);
+    Real largest = dot(direction, vertices_[best]);
     for (int at = -1; at != best;) {
         at = best;
         for (int k = first_[at]; k < first_[at + 1]; ++k) {
             const Real along = dot(direction, vertices_[neighbours_[k]]);
-            if (along > most) most = along, best = neighbours_[k];
+            if (along > largest) largest = along, best = neighbours_[k];
         }
     }
     return best;
@@ -273,9 +273,10 @@ Real Polyhedron::reach(Vec3 direction) const
 {
     if (!first_.empty()) return dot(direction, vertices_[climb(direction)]);
     const QuadVec d = quad_vec(direction);
-    Quad most = quad(-kInf);
-    for (int g = 0; g < vertex_lanes_.groups(); ++g) most = larger(dots(vertex_lanes_.group(g), d), most);
-    return largest_lane(most);
+    Quad largest = quad(-kInf);
+    for (int g = 0; g < vertex_lanes_.groups(); ++g)
+        largest = larger(dots(vertex_lanes_.group(g), d), largest);
+    return largest_lane(largest);
 }
 
 void Polyhedron::extent(Vec3 direction, Real& low, Real& high) const
@@ -286,12 +287,12 @@ void Polyhedron::extent(Vec3 direction, Real& low, Real& high) const
         return;
     }
     const QuadVec d = quad_vec(direction);
-    Quad least = quad(kInf), most = quad(-kInf);
+    Quad least = quad(kInf), largest = quad(-kInf);
     for (int g = 0; g < vertex_lanes_.groups(); ++g) {
         const Quad along = dots(vertex_lanes_.group(g), d);
-        least = smaller(along, least), most = larger(along, most);
+        least = smaller(along, least), largest = larger(along, largest);
     }
-    low = -largest_lane(quad(0) - least), high = largest_lane(most);
+    low = -largest_lane(quad(0) - least), high = largest_lane(largest);
 }
 
 int Polyhedron::farthest(Vec3 direction) const
@@ -300,13 +301,13 @@ int Polyhedron::farthest(Vec3 direction) const
     const QuadVec d = quad_vec(direction);
     const int groups = std::min(vertex_lanes_.groups(), kFew / DotLanes::kWide);
     Real along[kFew];
-    Quad most = quad(-kInf);
+    Quad largest = quad(-kInf);
     for (int g = 0; g < groups; ++g) {
         const Quad some = dots(vertex_lanes_.group(g), d);
         store_quad(along + g * DotLanes::kWide, some);
-        most = larger(some, most);
+        largest = larger(some, largest);
     }
-    const std::uint64_t best = as_large(along, groups, largest_lane(most));
+    const std::uint64_t best = as_large(along, groups, largest_lane(largest));
     return best ? std::countr_zero(best) : 0;
 }
 
@@ -315,13 +316,14 @@ void Polyhedron::feature(Vec3 direction, Polygon& out) const
     const int highest = farthest(direction);
     const Vec3 top = vertices_[highest];
     const Face *shown = nullptr, *second = nullptr, *third = nullptr;
-    Real most = -kInf, more = -kInf, much = -kInf;
+    Real largest = -kInf, second_largest = -kInf, third_largest = -kInf;
     const auto consider = [&](const Face& f) {
         const Real along = dot(f.normal, direction);
-        if (along <= much || f.offset - dot(f.normal, top) >= kInFace * size_) return;
-        much = along, third = &f;
-        if (much > more) std::swap(much, more), std::swap(third, second);
-        if (more > most) std::swap(more, most), std::swap(second, shown);
+        if (along <= third_largest || f.offset - dot(f.normal, top) >= kInFace * size_) return;
+        third_largest = along, third = &f;
+        if (third_largest > second_largest)
+            std::swap(third_largest, second_largest), std::swap(third, second);
+        if (second_largest > largest) std::swap(second_largest, largest), std::swap(second, shown);
     };
     if (faces_.size() <= kNamedFaces || first_.empty()) {
         const QuadVec at = quad_vec(top);
@@ -337,9 +339,10 @@ void Polyhedron::feature(Vec3 direction, Polygon& out) const
         for (int k = first_[highest]; k < first_[highest + 1]; ++k) consider(faces_[around_[k]]);
     if (!shown) return out.add(top);
     const Real size = length(direction);
-    if (second && lean_alike(size - most, size - more, size))
-        return third && lean_alike(size - most, size - much, size) ? out.add(top)
-                                                                   : add_shared(*shown, *second, top, out);
+    if (second && lean_alike(size - largest, size - second_largest, size))
+        return third && lean_alike(size - largest, size - third_largest, size)
+                   ? out.add(top)
+                   : add_shared(*shown, *second, top, out);
     const int count = shown->count, kept = std::min(count, kCorners);
     const auto corner = [&](int k) { return vertices_[corners_[shown->first + k]]; };
     for (int k = 0; k < kept; ++k) out.add(corner(kept == count ? k : int(std::int64_t(k) * count / kept)));

@@ -28,7 +28,7 @@ class Polyhedron {
 
     // The hull of the points, with at most so many vertices; `plates`: points in one plane make a plate
     // without thickness. Null when built; else the reason, and *this is as before.
-    const char* build(const Real* points, unsigned count, int most_vertices, bool plates);
+    const char* build(const Real* points, unsigned count, int max_vertices, bool plates);
 
     void swap(Polyhedron& other);
 
@@ -56,7 +56,7 @@ class Polyhedron {
   private:
     int farthest(Vec3 direction) const;
     int climb(Vec3 direction) const;
-    const char* take_hull(std::span<const Vec3> points, int most_vertices);
+    const char* take_hull(std::span<const Vec3> points, int max_vertices);
     const char* take_plate(std::span<const Vec3> points);
     bool take_vertices(std::span<const Vec3> points, std::span<const int> chosen);
     bool take_face(std::span<const int> corners, Vec3 fallback);

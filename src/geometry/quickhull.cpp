@@ -48,7 +48,7 @@ class Builder {
 
     std::span<const Vec3> points_;
     HullMesh& mesh_;
-    Array<Waiting> heap_;
+    Array<Waiting> queue_;
     Array<int> next_;    // of a point: the next one above the same facet
     Array<int> starts_;  // of a point on the rim: the new facet whose edge begins there
     Array<int> visible_, rim_, fan_, orphans_, free_;
@@ -116,10 +116,10 @@ HullFault Builder::start(Real flat)
     // The farthest from the first and the farthest from that, so that a needle is seen as one.
     const auto farthest = [&](int from) {
         int best = from;
-        double most = 0;
+        double highest = 0;
         for (int i = 0; i < count; ++i) {
             const double d = between(mesh_.points[from], mesh_.points[i]).length();
-            if (d > most) most = d, best = i;
+            if (d > highest) highest = d, best = i;
         }
         return best;
     };
@@ -172,24 +172,24 @@ int Builder::make_facet(int a, int b, int c)
 bool Builder::hand_over(int point)
 {
     int best = -1;
-    double most = 0;
+    double highest = 0;
     for (const int f : fan_) {
         const double h = mesh_.height(f, point);
-        if (h > most) most = h, best = f;
+        if (h > highest) highest = h, best = f;
     }
     if (best < 0) return true;
-    for (bool rising = most <= kThin; rising;) {
+    for (bool rising = highest <= kThin; rising;) {
         rising = false;
         for (const int f : mesh_.facets[best].neighbour)
-            if (f >= 0 && mesh_.height(f, point) > most)
-                most = mesh_.height(f, point), best = f, rising = true;
+            if (f >= 0 && mesh_.height(f, point) > highest)
+                highest = mesh_.height(f, point), best = f, rising = true;
     }
-    if (most <= kThin) return true;
+    if (highest <= kThin) return true;
     HullFacet& f = mesh_.facets[best];
     next_[point] = f.above;
     f.above = point;
-    if (most <= f.height) return true;
-    f.height = most, f.farthest = point;
+    if (highest <= f.height) return true;
+    f.height = highest, f.farthest = point;
     return f.fresh || announce(best);
 }
 
@@ -198,8 +198,8 @@ bool Builder::announce(int facet)
     HullFacet& f = mesh_.facets[facet];
     f.fresh = false;
     if (f.farthest < 0) return true;
-    if (!heap_.push({f.height, facet, f.age})) return false;
-    std::push_heap(heap_.begin(), heap_.end(), later);
+    if (!queue_.push({f.height, facet, f.age})) return false;
+    std::push_heap(queue_.begin(), queue_.end(), later);
     return true;
 }
 
@@ -250,10 +250,10 @@ bool Builder::raise_fan(int eye)
 int Builder::grow()
 {
     for (;;) {
-        if (heap_.empty()) return 0;
-        const Waiting first = heap_[0];
-        std::pop_heap(heap_.begin(), heap_.end(), later);
-        heap_.pop();
+        if (queue_.empty()) return 0;
+        const Waiting first = queue_[0];
+        std::pop_heap(queue_.begin(), queue_.end(), later);
+        queue_.pop();
         const HullFacet& f = mesh_.facets[first.facet];
         if (f.gone || f.age != first.age || f.height != first.height) continue;
         const int eye = f.farthest;
@@ -279,14 +279,14 @@ int Builder::grow()
 
 }  // namespace
 
-HullFault convex_hull(std::span<const Vec3> points, Real flat, int most, Hull& out)
+HullFault convex_hull(std::span<const Vec3> points, Real flat, int max_vertices, Hull& out)
 {
     HullMesh mesh;
     Builder builder(points, mesh);
     const HullFault fault = builder.start(flat);
     if (fault != HullFault::kNone) return fault;
     int grown = 1;
-    while (builder.vertices() < most && grown == 1) grown = builder.grow();
+    while (builder.vertices() < max_vertices && grown == 1) grown = builder.grow();
     return grown < 0 || !gather_faces(mesh, double(flat) * double(kHullGrid), out) ? HullFault::kMemory
                                                                                    : HullFault::kNone;
 }

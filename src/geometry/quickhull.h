@@ -29,9 +29,10 @@ struct Hull {
 };
 
 // The hull of at least one point, usable numbers. Points within `flat` of the extent (the largest side of
-// their bounding box) of one plane are refused as kPlane. `most`: grow to this many vertices and stop there,
+// their bounding box) of one plane are refused as kPlane. `max_vertices`: grow to this many vertices and stop
+// there,
 // with the farthest points taken first; at least 4. Every point lies within 2 * flat of the extent of every
-// face's plane, but for those that `most` left out.
-HullFault convex_hull(std::span<const Vec3> points, Real flat, int most, Hull& out);
+// face's plane, but for those that `max_vertices` left out.
+HullFault convex_hull(std::span<const Vec3> points, Real flat, int max_vertices, Hull& out);
 
 }  // namespace epode

@@ -4,7 +4,7 @@
 // The part of a parallelogram over a rectangle, |x| <= half_x and |y| <= half_y; z goes along. Its corners
 // are at most eight of twelve: where each side of the parallelogram enters the rectangle (or begins inside),
 // where it leaves (Liang and Barsky 1984), and corners of the rectangle over the parallelogram. All twelve
-// are reckoned side by side, without a branch; cutting side after side (Sutherland and Hodgman,
+// are computed side by side, without a branch; cutting side after side (Sutherland and Hodgman,
 // geometry/clip.h) is as exact, and four times as long a way.
 #pragma once
 
@@ -20,7 +20,7 @@ struct Parallelogram {
 struct CutPoints {
     static constexpr int kMax = 12;
     union {
-        alignas(16) Real at[3][kMax];  // x, y, z; in a union: left unwritten until reckoned
+        alignas(16) Real at[3][kMax];  // x, y, z; in a union: left unwritten until computed
     };
     unsigned there = 0;       // a bit for each
     bool may_repeat = false;  // corners of the one lie on sides of the other: two of the points may be one

@@ -3,7 +3,7 @@
 //
 // The root of a rising function between two ends of opposite sign: false position in the Illinois form
 // (Dowell and Jarratt 1971), with a bisection whenever a step has not halved the bracket. Slopes here have
-// kinks, beside which plain false position creeps. At most about two evaluations per bit; near a smooth root
+// kinks, near which plain false position creeps. At most about two evaluations per bit; near a smooth root
 // six to ten in all.
 #pragma once
 

@@ -41,7 +41,7 @@ Real longest_edge(const Triangle& triangle);
 inline Shows shown_within(const Triangle& t, Vec3 direction, Real tie)  // a tie is a height
 {
     const Real along[3] = {0, dot(direction, t.v[1] - t.v[0]), dot(direction, t.v[2] - t.v[0])};
-    const Real most = std::max(std::max(along[0], along[1]), along[2]), least = most - tie;
+    const Real largest = std::max(std::max(along[0], along[1]), along[2]), least = largest - tie;
     const unsigned is_top =
         (along[0] >= least ? 1u : 0u) | (along[1] >= least ? 2u : 0u) | (along[2] >= least ? 4u : 0u);
     // Of none, if that can be, to all: of two tops the edge begins at the one after the third corner.

@@ -103,11 +103,11 @@ bool TriangleMesh::build(Array<Vec3>& vertices, Array<MeshCorners>& triangles, R
     made.vertices_.swap(vertices);
     made.triangles_.swap(triangles);
     const int count = made.triangles_.size();
-    const bool room = made.weld() && made.link_edges() && made.across_.resize(3 * count) &&
-                      made.first_.resize(made.vertices_.size()) && made.normals_.resize(count) &&
-                      made.tilt_.resize(count) && made.crests_.resize(count) && made.rims_.resize(count) &&
-                      made.sharp_.resize(made.vertices_.size());
-    if (!room) {
+    const bool complete = made.weld() && made.link_edges() && made.across_.resize(3 * count) &&
+                          made.first_.resize(made.vertices_.size()) && made.normals_.resize(count) &&
+                          made.tilt_.resize(count) && made.crests_.resize(count) &&
+                          made.rims_.resize(count) && made.sharp_.resize(made.vertices_.size());
+    if (!complete) {
         made.vertices_.swap(vertices);
         made.triangles_.swap(triangles);
         return false;

@@ -14,7 +14,7 @@
 //   degenerate triangles, whose least altitude is no more than 4 grains of their largest coordinate, keep
 //             their numbers and have no normal; neighbours are sought beyond them, over their longest other
 //             edge.
-//   seams     edges so flat (kSeam) that a contact patch goes on beyond them.
+//   seams     edges so flat (kSeam) that a manifold goes on beyond them.
 // Winding that differs from one triangle to the next is borne: a neighbour is seen as if wound as the one
 // that asks.
 #pragma once
@@ -51,7 +51,7 @@ struct MeshCorners {
 class TriangleMesh {
   public:
     static constexpr Real kFlatSine = Real(1e-3);
-    static constexpr Real kSeam = kSingle ? Real(1e-4) : Real(1e-5);  // sine below which a patch goes on
+    static constexpr Real kSeam = kSingle ? Real(1e-4) : Real(1e-5);  // sine below which a manifold goes on
     static constexpr int kMostTriangles = 1 << 27;
 
     // Takes the arrays over; corners are in range, coordinates usable. False when memory is exhausted: then

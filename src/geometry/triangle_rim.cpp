@@ -78,14 +78,14 @@ Place turn_between(const Arc& arc, Place p, Real at_p, Place q, Real at_q)
 Real floor_between(Sample a, Sample b)
 {
     const Real meet = (b.g - a.g - b.slope * kStep) / (a.slope - b.slope);
-    const Real most = a.g > b.g ? a.g : b.g;
-    return a.g + a.slope * meet - (most > 0 ? Real(0.1) * most : Real(0));
+    const Real largest = a.g > b.g ? a.g : b.g;
+    return a.g + a.slope * meet - (largest > 0 ? Real(0.1) * largest : Real(0));
 }
 
 // Whether g stays above `worth` on the quarter from a to b: the tangents at both are bounds from below, as
 // g cos + g' sin, for g + g'' >= 0; where they meet they are (a.g b.g + a.slope b.slope) / |(b.g - a.slope,
 // a.g + b.slope)|.
-bool stays_above(Sample a, Sample b, Real worth)
+bool remains_above(Sample a, Sample b, Real worth)
 {
     const Real x = b.g - a.slope, y = a.g + b.slope;
     if (!(worth >= 0 && a.g >= worth && b.g >= worth)) return false;
@@ -126,7 +126,7 @@ int rim_minima(const RimArc& edge, Real worth, RimMinimum* out)
         if (i % kQuarter == 0) {
             const Sample &from = at_quarter[i / kQuarter], &to = at_quarter[i / kQuarter + 1];
             a = from;
-            if (stays_above(from, to, worth)) {
+            if (remains_above(from, to, worth)) {
                 i += kQuarter - 1;
                 continue;
             }

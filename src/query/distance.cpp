@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See distance.h. Surfaces are asked in their own frame, two of them in that of the second.
+// See distance.h. A surface is queried in its own frame, two surfaces in the frame of the second.
 #include "query/distance.h"
 
 #include "collide/collide.h"
 #include "collide/surfaces/closed_mesh.h"
 #include "collide/types/registry.h"
 #include "collide/user_class.h"
-#include "query/thing.h"
+#include "query/query_shape.h"
 
 namespace epode {
 namespace {
@@ -20,7 +20,7 @@ void to_world(const Pose& frame, Separation& s)
     s.normal = frame.R * s.normal;
 }
 
-// The triangle of `b` nearest to `a`, if it comes before `best`; everything in the surface's frame.
+// Sets `best` to the triangle of `b` nearest to `a`, if that is nearer. All in the surface's frame.
 void nearest_triangle(const ConvexView& a, int side_a, const TriangleSet& b, Real limit, Separation& best)
 {
     const Aabb around = box_around(a);
@@ -43,7 +43,7 @@ void nearest_triangle(const ConvexView& a, int side_a, const TriangleSet& b, Rea
     }
 }
 
-Separation solid_solid(const Thing& a, const Thing& b, Real limit)
+Separation solid_solid(const QueryShape& a, const QueryShape& b, Real limit)
 {
     Capsule memory_a, memory_b;
     const Real apart = kEndless * length(a.pose.p - b.pose.p);
@@ -52,12 +52,12 @@ Separation solid_solid(const Thing& a, const Thing& b, Real limit)
                       solid_view(b, ball_a.centre, ball_a.reach, memory_b), limit);
 }
 
-Separation solid_plane(const Thing& a, const Thing& b)
+Separation solid_plane(const QueryShape& a, const QueryShape& b)
 {
     const Plane& plane = b.as<Plane>();
     Capsule memory;
     if (a.number() != dRayClass) return separation(solid_view(a, {}, 0, memory), plane);
-    // A ray is lowest at one of its ends, however long it is.
+    // One of its ends is the lowest point of a ray, however long it is.
     const Vec3 along = a.pose.R.column(2);
     const Real reach = a.as<Ray>().length;
     Separation s;
@@ -68,8 +68,8 @@ Separation solid_plane(const Thing& a, const Thing& b)
     return s;
 }
 
-// The middle of a solid in a mesh that is solid, too: minus the way out.
-bool in_mesh(const Thing& a, const Thing& b, Separation& out)
+// If the middle of the solid is inside a closed mesh: minus the shortest way out.
+bool in_mesh(const QueryShape& a, const QueryShape& b, Separation& out)
 {
     const Trimesh& mesh = b.as<Trimesh>();
     if (a.number() == dRayClass || !mesh.is_solid()) return false;
@@ -83,11 +83,11 @@ bool in_mesh(const Thing& a, const Thing& b, Separation& out)
     return true;
 }
 
-Separation solid_surface(const Thing& a, const Thing& b, Real limit)
+Separation solid_surface(const QueryShape& a, const QueryShape& b, Real limit)
 {
     Separation best;
-    if (sort_of(b) == Sort::kMesh && in_mesh(a, b, best)) return best;
-    if (sort_of(b) == Sort::kField && in_ground(a, b, best)) return best;
+    if (kind_of(b) == QueryKind::kMesh && in_mesh(a, b, best)) return best;
+    if (kind_of(b) == QueryKind::kField && in_terrain(a, b, best)) return best;
     const TriangleSet surface = triangles_of(b);
     const BoundingBall ball = ball_about(surface, b.pose);
     Capsule memory;
@@ -97,8 +97,9 @@ Separation solid_surface(const Thing& a, const Thing& b, Real limit)
     return best;
 }
 
-// Of a field without end one period counts where its height axis is the plane's, else there is no least.
-Separation surface_plane(const Thing& a, const Thing& b)
+// Of an endless field one period counts if its height axis is the plane's normal; otherwise the distance is
+// unbounded below.
+Separation surface_plane(const QueryShape& a, const QueryShape& b)
 {
     const TriangleSet surface = triangles_of(a);
     const Plane& plane = b.as<Plane>();
@@ -133,8 +134,8 @@ Separation plane_plane(const Plane& a, const Plane& b)
     return s;
 }
 
-// The triangles of `a` one after the other, the one whose box is nearest first.
-Separation surface_surface(const Thing& a, const Thing& b, Real limit)
+// The triangles of `a` one by one, beginning with the one whose box is nearest.
+Separation surface_surface(const QueryShape& a, const QueryShape& b, Real limit)
 {
     const TriangleSet sa = triangles_of(a), sb = triangles_of(b);
     if (sa.endless() && sb.endless()) return {};
@@ -165,19 +166,20 @@ Separation surface_surface(const Thing& a, const Thing& b, Real limit)
     return best;
 }
 
-// For a whose sort is not behind b's.
-Separation in_order(const Thing& a, const Thing& b, Real limit)
+// The kind of `a` must not come after that of `b`.
+Separation in_order(const QueryShape& a, const QueryShape& b, Real limit)
 {
-    const Sort x = sort_of(a), y = sort_of(b);
-    if (x == Sort::kNone || y == Sort::kNone) return {};
-    if (x == Sort::kSolid) {
-        if (y == Sort::kSolid) return solid_solid(a, b, limit);
-        return y == Sort::kPlane ? solid_plane(a, b) : solid_surface(a, b, limit);
+    const QueryKind x = kind_of(a), y = kind_of(b);
+    if (x == QueryKind::kNone || y == QueryKind::kNone) return {};
+    if (x == QueryKind::kSolid) {
+        if (y == QueryKind::kSolid) return solid_solid(a, b, limit);
+        return y == QueryKind::kPlane ? solid_plane(a, b) : solid_surface(a, b, limit);
     }
-    if (x == Sort::kPlane)
-        return y == Sort::kPlane ? plane_plane(a.as<Plane>(), b.as<Plane>()) : surface_plane(b, a).turned();
-    Separation ground;
-    if (x == Sort::kMesh && y == Sort::kField && in_ground(a, b, ground)) return ground;
+    if (x == QueryKind::kPlane)
+        return y == QueryKind::kPlane ? plane_plane(a.as<Plane>(), b.as<Plane>())
+                                      : surface_plane(b, a).turned();
+    Separation terrain;
+    if (x == QueryKind::kMesh && y == QueryKind::kField && in_terrain(a, b, terrain)) return terrain;
     return surface_surface(a, b, limit);
 }
 
@@ -185,16 +187,16 @@ Separation in_order(const Thing& a, const Thing& b, Real limit)
 
 GeomSeparation separation(Geom& a, Geom& b, Real limit)
 {
-    const Thing ta = thing_of(a), tb = thing_of(b);
-    const Sort x = sort_of(ta), y = sort_of(tb);
-    // One order for both, so that exchanging the two changes no bit.
+    const QueryShape ta = query_shape_of(a), tb = query_shape_of(b);
+    const QueryKind x = kind_of(ta), y = kind_of(tb);
+    // One canonical order, so that swapping the two changes no bit.
     const bool turn = x != y ? x > y : ta.geom && tb.geom && ta.geom->serial > tb.geom->serial;
     const Separation s = turn ? in_order(tb, ta, limit).turned() : in_order(ta, tb, limit);
     GeomSeparation out;
     static_cast<Separation&>(out) = s;
     if (s.distance <= limit && s.distance < kInf) out.a = ta.named, out.b = tb.named;
-    if (x == Sort::kField) out.side_a = -1;
-    if (y == Sort::kField) out.side_b = -1;
+    if (x == QueryKind::kField) out.side_a = -1;
+    if (y == QueryKind::kField) out.side_b = -1;
     return out;
 }
 

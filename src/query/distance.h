@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Signed distance of any two geoms. Four sorts of things meet: solids (rays among them, as segments), the
-// half-spaces of planes, and surfaces, which are meshes and height fields.
+// Signed distance of any two geoms. There are four kinds: solids (including rays, as segments), the
+// half-spaces of planes, meshes and height fields; the last two are surfaces.
 //   solid, solid      separation.h
-//   with a plane      the farthest point against its normal, of a surface the lowest vertex
-//   with a surface    the least over its triangles, each taken as a flat solid: so within a surface, minus
-//                     the depth of the deepest triangle. Triangles are asked of the tree in boxes that grow
-//                     until the best is nearer than what has not been looked at.
-//   with a field      the ground under it is solid: where dCollide has contacts, minus the deepest of these
-//   two planes        finite only when they look at each other; else they overlap without end
-//   spaces            the least over their members
-// Rejected for surfaces: a walk of two trees at once, node against node; the trees of meshes have no boxes to
-// measure distances by, and growing boxes visit less than twice of what they must.
+//   with a plane      the farthest point against its normal; of a surface, the lowest vertex
+//   with a surface    the least over its triangles, each taken as a flat solid. Inside a surface this is
+//                     minus the depth of the deepest triangle. Triangles come from the tree in boxes that
+//                     grow until the best is nearer than everything not yet examined.
+//   with a field      the volume below it is solid: where dCollide has contacts, minus the largest depth
+//   two planes        finite only when they face each other; otherwise they overlap without end
+//   spaces            the least over their candidates
+// Rejected for surfaces: walking two trees at once, node against node. The trees of meshes have no boxes to
+// measure distances by, and growing boxes visit less than twice the necessary nodes.
 #pragma once
 
 #include "collide/geom.h"

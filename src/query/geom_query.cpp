@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Which geoms overlap another one, and how far two are from each other: the functions of the interface. Of
-// spaces the leaves are taken in order of joining and pairs whose boxes are farther apart than the best left
-// out.
+// Overlap and distance of geoms: the API functions. The leaves of spaces are taken in order of insertion;
+// pairs whose boxes are farther apart than the best distance so far are skipped.
 #include <algorithm>
 
 #include "base/float_environment.h"
 #include "collide/types/registry.h"
 #include "ode/ext.h"
+#include "query/candidates.h"
 #include "query/distance.h"
-#include "query/members.h"
 #include "query/triangle_set.h"
 
 namespace epode {
@@ -25,7 +24,8 @@ bool leaves_of(Geom& geom, const QueryFilter& filter, Array<Geom*>& out)
 
 bool agree(const Geom& a, const Geom& b) { return QueryFilter{a.category, a.collide}.admits(b); }
 
-// No more than their distance. Infinite boxes are left alone, and height fields, whose ground goes on below.
+// A lower bound of the distance. 0 for infinite boxes and for height fields, which are solid without end
+// below.
 Real box_gap(Geom& a, Geom& b)
 {
     if (a.type->number == dHeightfieldClass || b.type->number == dHeightfieldClass) return 0;
@@ -33,16 +33,16 @@ Real box_gap(Geom& a, Geom& b)
     return bounded(x) && bounded(y) ? gap_between(x, y) : 0;
 }
 
-// Of leaves of two things; bits are looked at where one of them is a space.
+// The least separation of two lists of leaves. `by_bits`: test bits, because one of the two is a space.
 GeomSeparation least(const Array<Geom*>& first, const Array<Geom*>& second, bool by_bits, Real limit)
 {
     GeomSeparation best;
     for (Geom* a : first)
         for (Geom* b : second) {
             if (a == b || (by_bits && !agree(*a, *b))) continue;
-            const Real most = best.a ? best.distance : limit;
-            if (box_gap(*a, *b) > std::max(most, Real(0))) continue;
-            const GeomSeparation s = separation(*a, *b, most);
+            const Real max_distance = best.a ? best.distance : limit;
+            if (box_gap(*a, *b) > std::max(max_distance, Real(0))) continue;
+            const GeomSeparation s = separation(*a, *b, max_distance);
             if (s.a && (!best.a || s.distance < best.distance)) best = s;
         }
     return best;
@@ -76,10 +76,10 @@ extern "C" int dGeomGetDistance(dGeomID o1, dGeomID o2, dReal max_distance, dQue
     for (Geom* g : {a, b})
         if (is_space(*g)) clean(static_cast<Space&>(*g));
     Array<Geom*> first, second;
-    const bool room =
+    const bool complete =
         leaves_of(*a, {b->category, b->collide}, first) && leaves_of(*b, {a->category, a->collide}, second);
-    EPODE_USER_SAY(room, kOutOfMemory, 0);
-    const MembersLock lock_a(space_of(*a), first), lock_b(space_of(*b), second);
+    EPODE_USER_SAY(complete, kOutOfMemory, 0);
+    const CandidateLock lock_a(space_of(*a), first), lock_b(space_of(*b), second);
     const GeomSeparation found = least(first, second, is_space(*a) || is_space(*b), max_distance);
     if (!found.a) return 0;
     put(found, *result);
@@ -99,7 +99,7 @@ extern "C" int dSpaceOverlap(dSpaceID id, dGeomID o, const dQueryFilter* given, 
     Array<Geom*> near;
     clean(*space);
     EPODE_USER_SAY(collect_near(*space, filter, box_of(*geom), near), kOutOfMemory, 0);
-    const MembersLock lock(space, near);
+    const CandidateLock lock(space, near);
     int count = 0;
     for (Geom* m : near) {
         if (!can_pair(*geom, *m) || !overlapping(*geom, *m) || !filter.keeps(to_handle(m))) continue;

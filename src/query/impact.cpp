@@ -12,12 +12,12 @@ namespace {
 constexpr int kAdvances = 500;
 constexpr int kPieces = 256;
 
-// A convex solid on its way; `arm`: how far its core reaches from the centre of turning.
+// A convex solid in motion. `arm`: how far its core reaches from the centre of rotation.
 struct Traveller {
     ConvexView view;  // at the beginning
     Motion motion;
     Real arm;
-    Vec3 middle;  // a ball about it, in its frame
+    Vec3 middle;  // of a ball around it, in its frame
     Real reach;
 
     ConvexView at(Real t) const
@@ -45,7 +45,7 @@ Traveller traveller(const Triangle& t, const Pose& pose, const Motion& motion)
     return out;
 }
 
-// How fast a point comes along a direction at most, from t on.
+// The largest speed of a point along a direction, from t on.
 Real approach(const Motion& m, Real arm, Vec3 along, Real t)
 {
     if (t >= m.until || !m.moves()) return 0;
@@ -60,25 +60,26 @@ Separation distance_of(const ConvexView& a, const ConvexView& b, Real limit)
 }
 Separation distance_of(const ConvexView& a, const Plane& b, Real) { return separation(a, b); }
 
-struct Meeting {
+struct Impact {
     Real time = kInf;
     Vec3 normal;
 };
 
-// Two convex things, one of which may be a half-space.
+// Two convex shapes; the second may be a half-space.
 template <typename Other>
 class Encounter {
   public:
-    Encounter(const Traveller& a, const Motion& b, Real arm_b, const Other& other_at, Real most)
-        : a_(a), b_(b), arm_b_(arm_b), other_at_(other_at), most_(most)
+    Encounter(const Traveller& a, const Motion& b, Real arm_b, const Other& other_at, Real max_time)
+        : a_(a), b_(b), arm_b_(arm_b), other_at_(other_at), max_time_(max_time)
     {
         const bool together = a.motion.until == b.until;
         const Real straight =
             together ? length(a.motion.shift - b.shift) : length(a.motion.shift) + length(b.shift);
-        way_ = straight + (a.motion.most(a.arm) - length(a.motion.shift)) + (b.most(arm_b) - length(b.shift));
+        way_ = straight + (a.motion.max_travel(a.arm) - length(a.motion.shift)) +
+               (b.max_travel(arm_b) - length(b.shift));
     }
 
-    Meeting find(const ImpactRule& rule) const
+    Impact find(const ImpactRule& rule) const
     {
         const Separation begin = distance_of(a_.at(0), other_at_(0), way_ + rule.hair);
         if (!(begin.distance < kInf)) return {};
@@ -91,8 +92,8 @@ class Encounter {
     }
 
   private:
-    // The first time when they are so deep in each other, to the tolerance.
-    Meeting reach(Real depth, Real tolerance) const
+    // The first time at which they overlap by `depth`, within the tolerance.
+    Impact reach(Real depth, Real tolerance) const
     {
         Real t = 0;
         Vec3 normal;
@@ -100,41 +101,41 @@ class Encounter {
             const Separation s = distance_of(a_.at(t), other_at_(t), way_ * (1 - t) + tolerance);
             if (!(s.distance < kInf)) return {};
             normal = s.normal;
-            const Real room = s.distance + depth;
-            if (room <= tolerance) return {t, normal};
+            const Real clearance = s.distance + depth;
+            if (clearance <= tolerance) return {t, normal};
             const Real closing =
                 approach(a_.motion, a_.arm, -s.normal, t) + approach(b_, arm_b_, s.normal, t);
             if (!(closing > 0)) return {};
-            t += (room - tolerance / 2) / closing;
-            if (!(t <= most_)) return {};
+            t += (clearance - tolerance / 2) / closing;
+            if (!(t <= max_time_)) return {};
         }
-        return {t, normal};  // so slow that it may stop here
+        return {t, normal};  // so slow that it can stop here
     }
 
     const Traveller& a_;
     const Motion& b_;
     Real arm_b_;
     const Other& other_at_;
-    Real most_, way_;
+    Real max_time_, way_;
 };
 
-Meeting meet(const Traveller& a, const Traveller& b, const ImpactRule& rule, Real most)
+Impact meet(const Traveller& a, const Traveller& b, const ImpactRule& rule, Real max_time)
 {
     const auto other_at = [&](Real t) { return b.at(t); };
-    return Encounter(a, b.motion, b.arm, other_at, most).find(rule);
+    return Encounter(a, b.motion, b.arm, other_at, max_time).find(rule);
 }
 
-Meeting meet(const Traveller& a, const Plane& b, const ImpactRule& rule, Real most)
+Impact meet(const Traveller& a, const Plane& b, const ImpactRule& rule, Real max_time)
 {
     const Motion still;
     const auto other_at = [&](Real) -> const Plane& { return b; };
-    return Encounter(a, still, 0, other_at, most).find(rule);
+    return Encounter(a, still, 0, other_at, max_time).find(rule);
 }
 
-// The way of a traveller as a surface sees it, in pieces: boxes in the surface's frame.
-class WayPast {
+// The path of a traveller in the surface's frame, as boxes around its pieces.
+class SweptPath {
   public:
-    WayPast(const Traveller& a, const Mover& surface) : a_(a), surface_(surface)
+    SweptPath(const Traveller& a, const Mover& surface) : a_(a), surface_(surface)
     {
         const Motion &m = a.motion, &b = surface.motion;
         const Real spin_a = length(m.turn), spin_b = length(b.turn);
@@ -165,7 +166,7 @@ class WayPast {
     }
 
   private:
-    Vec3 place(Real t) const { return surface_.motion.at(t, surface_.thing.pose).to_local(a_.middle_at(t)); }
+    Vec3 place(Real t) const { return surface_.motion.at(t, surface_.shape.pose).to_local(a_.middle_at(t)); }
 
     const Traveller& a_;
     const Mover& surface_;
@@ -173,20 +174,21 @@ class WayPast {
     int pieces_;
 };
 
-// `one_sided`: what comes from behind a triangle passes.
-Real meet_surface(const Traveller& a, const Mover& surface, bool one_sided, const ImpactRule& rule, Real most)
+// `one_sided`: a traveller that comes from behind a triangle passes.
+Real meet_surface(const Traveller& a, const Mover& surface, bool one_sided, const ImpactRule& rule,
+                  Real max_time)
 {
-    const TriangleSet set = triangles_of(surface.thing);
-    const WayPast way(a, surface);
+    const TriangleSet set = triangles_of(surface.shape);
+    const SweptPath way(a, surface);
     Real best = kInf;
     if (!(a.reach > 0) || !(way.length_of_way() < kMaxMagnitude)) return best;
-    // What goes so far over ground without end is not held.
+    // A traveller that crosses this much of an endless field is not stopped.
     if (set.endless() && way.length_of_way() > kEndless * a.reach) return best;
-    const Pose& pose = surface.thing.pose;
-    for (int i = 0; i < way.pieces() && way.begin(i) < std::min(best, most); ++i) {
+    const Pose& pose = surface.shape.pose;
+    for (int i = 0; i < way.pieces() && way.begin(i) < std::min(best, max_time); ++i) {
         set.query(way.box(i), [&](const Triangle& t, int) {
             const Traveller other = traveller(t, pose, surface.motion);
-            const Meeting m = meet(a, other, rule, std::min(best, most));
+            const Impact m = meet(a, other, rule, std::min(best, max_time));
             if (!(m.time < best)) return;
             const Vec3 front = surface.motion.at(m.time, pose).R * t.n;
             if (!one_sided || dot(m.normal, front) > Real(-1e-3)) best = m.time;
@@ -195,31 +197,31 @@ Real meet_surface(const Traveller& a, const Mover& surface, bool one_sided, cons
     return best;
 }
 
-// Are these pushed out of meshes forwards only?
-bool one_sided(const Thing& solid, const Thing& surface)
+// True if contacts push the solid out of the surface to its front side only.
+bool one_sided(const QueryShape& solid, const QueryShape& surface)
 {
-    if (sort_of(surface) == Sort::kField) return true;
+    if (kind_of(surface) == QueryKind::kField) return true;
     return is_solid(*solid.geom) && solid.geom->type->solid->round;
 }
 
-Real solid_meets(const Mover& a, const Mover& b, const ImpactRule& rule, Real most)
+Real solid_meets(const Mover& a, const Mover& b, const ImpactRule& rule, Real max_time)
 {
     Capsule unused;
-    const Traveller solid = traveller(solid_view(a.thing, {}, 0, unused), a.motion);
-    switch (sort_of(b.thing)) {
-        case Sort::kSolid:
-            return meet(solid, traveller(solid_view(b.thing, {}, 0, unused), b.motion), rule, most).time;
-        case Sort::kPlane:
-            return meet(solid, b.thing.as<Plane>(), rule, most).time;
-        case Sort::kMesh:
-        case Sort::kField:
-            return meet_surface(solid, b, one_sided(a.thing, b.thing), rule, most);
+    const Traveller solid = traveller(solid_view(a.shape, {}, 0, unused), a.motion);
+    switch (kind_of(b.shape)) {
+        case QueryKind::kSolid:
+            return meet(solid, traveller(solid_view(b.shape, {}, 0, unused), b.motion), rule, max_time).time;
+        case QueryKind::kPlane:
+            return meet(solid, b.shape.as<Plane>(), rule, max_time).time;
+        case QueryKind::kMesh:
+        case QueryKind::kField:
+            return meet_surface(solid, b, one_sided(a.shape, b.shape), rule, max_time);
         default:
             return kInf;
     }
 }
 
-// The vertices of a mesh, for which a plane is all the same.
+// Against a plane, a mesh is the same as its vertices.
 Vec3 cloud_support(const void* shape, Vec3 direction)
 {
     const TriangleMesh& mesh = *static_cast<const TriangleMesh*>(shape);
@@ -229,57 +231,57 @@ Vec3 cloud_support(const void* shape, Vec3 direction)
     return best;
 }
 
-Real mesh_meets_plane(const Mover& a, const Plane& plane, const ImpactRule& rule, Real most)
+Real mesh_meets_plane(const Mover& a, const Plane& plane, const ImpactRule& rule, Real max_time)
 {
-    const TrimeshData& data = *a.thing.as<Trimesh>().mesh();
+    const TrimeshData& data = *a.shape.as<Trimesh>().mesh();
     if (data.mesh.vertex_count() == 0) return kInf;
     ConvexView cloud;
     cloud.shape = &data.mesh;
     cloud.local_support = cloud_support;
-    cloud.pose = a.thing.pose;
+    cloud.pose = a.shape.pose;
     const Aabb& box = data.tree.box();
     cloud.size = length(max(abs(box.lo), abs(box.hi)));
-    return meet(traveller(cloud, a.motion), plane, rule, most).time;
+    return meet(traveller(cloud, a.motion), plane, rule, max_time).time;
 }
 
-Real mesh_meets_surface(const Mover& a, const Mover& b, const ImpactRule& rule, Real most)
+Real mesh_meets_surface(const Mover& a, const Mover& b, const ImpactRule& rule, Real max_time)
 {
-    const TriangleSet set = triangles_of(a.thing);
-    const bool field = sort_of(b.thing) == Sort::kField;
+    const TriangleSet set = triangles_of(a.shape);
+    const bool field = kind_of(b.shape) == QueryKind::kField;
     Real best = kInf;
     for (int t = 0; t < set.count(); ++t) {
         Triangle triangle;
         if (!set.triangle(t, triangle)) continue;
-        const Traveller flat = traveller(triangle, a.thing.pose, a.motion);
-        best = std::min(best, meet_surface(flat, b, field, rule, std::min(best, most)));
+        const Traveller flat = traveller(triangle, a.shape.pose, a.motion);
+        best = std::min(best, meet_surface(flat, b, field, rule, std::min(best, max_time)));
     }
     return best;
 }
 
 }  // namespace
 
-Real time_of_impact(const Mover& a, const Mover& b, const ImpactRule& rule, Real most)
+Real time_of_impact(const Mover& a, const Mover& b, const ImpactRule& rule, Real max_time)
 {
-    const Sort x = sort_of(a.thing), y = sort_of(b.thing);
-    if (x == Sort::kSolid) return solid_meets(a, b, rule, most);
-    if (x != Sort::kMesh) return kInf;
+    const QueryKind x = kind_of(a.shape), y = kind_of(b.shape);
+    if (x == QueryKind::kSolid) return solid_meets(a, b, rule, max_time);
+    if (x != QueryKind::kMesh) return kInf;
     switch (y) {
-        case Sort::kSolid:
-            return solid_meets(b, a, rule, most);
-        case Sort::kPlane:
-            return mesh_meets_plane(a, b.thing.as<Plane>(), rule, most);
-        case Sort::kMesh:
-        case Sort::kField:
-            return mesh_meets_surface(a, b, rule, most);
+        case QueryKind::kSolid:
+            return solid_meets(b, a, rule, max_time);
+        case QueryKind::kPlane:
+            return mesh_meets_plane(a, b.shape.as<Plane>(), rule, max_time);
+        case QueryKind::kMesh:
+        case QueryKind::kField:
+            return mesh_meets_surface(a, b, rule, max_time);
         default:
             return kInf;
     }
 }
 
-Real half_thickness(const Thing& thing)
+Real half_thickness(const QueryShape& shape)
 {
-    const auto half = thing.geom->type->half_thickness;
-    return half ? half(*thing.geom) : kInf;
+    const auto half = shape.geom->type->half_thickness;
+    return half ? half(*shape.geom) : kInf;
 }
 
 }  // namespace epode

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The motion of a rigid body over one step, as far as it can be known from where it begins and ends: its
-// centre goes straight, c(t) = c + t d, and it turns about one axis, R(t) = exp(t [w]x) R, 0 <= t <= 1, by
+// The motion of a rigid body over one step, as far as its first and last pose determine it: its
+// centre moves straight, c(t) = c + t d, and it turns about one axis, R(t) = exp(t [w]x) R, 0 <= t <= 1, by
 // less than half a turn. A motion may end early (`until`): then the body stands still from there. A point
 // at r from the centre strays by |w|^2 r / 8 at most from the straight line between its two ends.
 #pragma once
@@ -27,7 +27,7 @@ struct Motion {
     Vec3 shift, turn;  // over the whole step
     Real until = 1;
 
-    // Where something that begins at `start` is at time t.
+    // The pose at time t of an object that begins at `start`.
     Pose at(Real t, const Pose& start) const
     {
         const Real s = std::min(t, until);
@@ -36,8 +36,8 @@ struct Motion {
         return {centre + s * shift + R * (start.p - centre), R * start.R};
     }
     bool moves() const { return !(shift == Vec3{}) || !(turn == Vec3{}); }
-    // How far a point goes at most that is so far from the centre.
-    Real most(Real arm) const
+    // The longest path of a point at this distance from the centre.
+    Real max_travel(Real arm) const
     {
         const Real angle = length(turn);
         return length(shift) + (angle > 0 ? angle * arm : Real(0));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Reads filters, and calls the program's function with its own floating-point modes.
+// Reads filters and calls the program's callback in the caller's floating-point modes.
 #include "query/query_filter.h"
 
 #include "base/float_environment.h"
@@ -12,7 +12,7 @@ namespace epode {
 template <>
 inline constexpr std::size_t kSmallestSize<dQueryFilter> = offsetof(dQueryFilter, skip_body);
 
-// Of a body no more is looked at here than whether its handle is alive.
+// Only checks that the body's handle is alive.
 struct AnyBody : Tagged {};
 template <>
 struct HandleOf<AnyBody> {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Which geoms a query finds: dQueryFilter (ode/queries.h) in whole. Bits and the body to skip are looked at
-// before a geom's shape; the program's callback is asked last, for what has been met, so that it is called
-// seldom. Who has a callback asks all candidates in order of joining, not in that of a tree, so that what the
-// program hears depends on its calls alone.
+// Which geoms a query finds, as dQueryFilter (ode/queries.h) defines. Bits and the body to skip are tested
+// before a geom's shape. The program's callback runs last, for geoms that were hit, so that it is called
+// seldom. With a callback, all candidates are tested in order of insertion, not in tree order: the calls that
+// the program receives depend only on its own calls.
 #pragma once
 
 #include "collide/geom.h"
@@ -24,12 +24,12 @@ struct QueryFilter {
         return agree && !(skip_body && geom.body.id == skip_body);
     }
 
-    // `named`: what the result would name. Calls the program.
+    // `named`: the geom that the result would name. Calls the program's callback.
     bool keeps(dGeomID named) const;
 };
 
-// What the program has given into `filter`, which stays as it is for null. False: refused, in the name of the
-// C function `caller`.
+// Reads the program's filter into `filter`, which keeps its values for null. False: refused, with an error in
+// the name of the C function `caller`.
 [[nodiscard]] bool read_filter(const dQueryFilter* given, const char* caller, QueryFilter& filter);
 
 }  // namespace epode

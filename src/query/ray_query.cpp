@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The walk down the trees, what waits for its end, and the functions of the interface.
+// The walk down the trees, the geoms that wait for its end, and the API functions.
 #include "query/ray_query.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace epode {
 namespace {
 
-// Above a distance by so little that nothing lies between them.
+// Slightly more than the distance: no hit can lie between the two.
 Real just_beyond(Real distance)
 {
     return distance + 4 * kEpsilon * distance + (kSingle ? Real(1e-36) : Real(1e-300));
@@ -31,22 +31,22 @@ RayProbe::~RayProbe()
     unlink_body(*this);
 }
 
-void RayProbe::aim(const RayQuestion& question, Real length)
+void RayProbe::aim(const RayQuery& query, Real length)
 {
     shape.length = length;
-    store(own_position, question.origin);
-    for (int i = 0; i < 3; ++i) own_rotation[4 * i + 2] = question.direction[i];
+    store(own_position, query.origin);
+    for (int i = 0; i < 3; ++i) own_rotation[4 * i + 2] = query.direction[i];
     box_stale = true;
 }
 
-bool RayCaster::asks_program_of_any()
+bool RayCaster::needs_program()
 {
-    return !each_member(space_, [&](Geom& m) { return direct(m) || !may_call_program(probe_, m); });
+    return !each_candidate(space_, [&](Geom& m) { return direct(m) || !may_call_program(probe_, m); });
 }
 
 static_assert(kGeomClasses <= 32, "asked_ has a bit for each class");
 
-// Of solids and planes, which have no functions of the program.
+// For solids and planes, which never call the program.
 PairFunction RayCaster::direct(const Geom& geom)
 {
     const int number = geom.type->number;
@@ -58,28 +58,28 @@ PairFunction RayCaster::direct(const Geom& geom)
     return direct_[number];
 }
 
-bool RayCaster::hit(const RayQuestion& question, Geom& geom, Real length, RayAnswer& out)
+bool RayCaster::hit(const RayQuery& query, Geom& geom, Real length, RayAnswer& out)
 {
-    probe_.aim(question, length);
+    probe_.aim(query, length);
     if (geom.type->may_touch && !geom.type->may_touch(geom, probe_)) return false;
     ContactArray one{&out.contact, int(sizeof(dContactGeom)), 1, false};
     collide(probe_, geom, one);
-    out.member = &geom;
+    out.candidate = &geom;
     return one.count > 0;
 }
 
-// found(answer) for every member that is hit at no more than `reach`, which it may shorten; what must wait is
-// put aside.
+// Calls found(answer) for every geom that is hit within `reach`, which found() may shorten. Collects the
+// geoms that must wait.
 template <typename Found>
-void RayCaster::walk(Space& space, const RayQuestion& question, Real& reach, Found&& found)
+void RayCaster::walk(Space& space, const RayQuery& query, Real& reach, Found&& found)
 {
-    if (!ready_) clean(space);  // but not one that is being collided
-    const bool calls_back = question.filter.callback != nullptr;
+    if (!ready_) clean(space);  // does nothing while the space is being collided
+    const bool calls_back = query.filter.callback != nullptr;
     const auto visit = [&](int slot) {
         Geom& m = *space.geoms.data()[slot];
-        if (!m.enabled || !question.filter.admits(m)) return reach;
+        if (!m.enabled || !query.filter.admits(m)) return reach;
         if (is_space(m)) {
-            walk(static_cast<Space&>(m), question, reach, found);
+            walk(static_cast<Space&>(m), query, reach, found);
             return reach;
         }
         RayAnswer answer;
@@ -88,25 +88,25 @@ void RayCaster::walk(Space& space, const RayQuestion& question, Real& reach, Fou
             ContactSink sink(&answer.contact, int(sizeof(dContactGeom)), 1, false);
             pair(probe_, pose_, m, pose_of(m), sink);
             if (sink.count() == 0) return reach;
-            answer.member = &m;
+            answer.candidate = &m;
             answer.contact.g2 = to_handle(&m);
             found(answer);
             return reach;
         }
         const bool waits = calls_back || m.type->number == dHeightfieldClass || may_call_program(probe_, m);
         if (waits && waiting_.push(&m)) return reach;
-        if (hit(question, m, reach, answer)) found(answer);
+        if (hit(query, m, reach, answer)) found(answer);
         return reach;
     };
     const bool by_tree = ready_ ? space.broadphase.ready() : space.broadphase.prepare(1);
-    if (!ready_) ++space.locks;  // to clean what is in it may call functions of the program
-    // Of most geoms a ray wants the first lines only, which seldom are in the cache.
-    const auto prefetch_member = [&](int slot) {
+    if (!ready_) ++space.locks;  // cleaning nested spaces may call functions of the program
+    // A ray reads only the first cache lines of most geoms, and they are seldom in the cache.
+    const auto prefetch_candidate = [&](int slot) {
         const Geom* m = space.geoms.data()[slot];
         prefetch<1>(&m->type), prefetch<1>(m->own_rotation), prefetch<1>(m->own_position);
     };
     if (by_tree) {
-        space.broadphase.cast(question.origin, question.direction, reach, visit, prefetch_member);
+        space.broadphase.cast(query.origin, query.direction, reach, visit, prefetch_candidate);
     } else {
         for (int slot = space.geoms.size(); slot-- > 0;)
             if (space.geoms.data()[slot] && space.broadphase.present(slot)) visit(slot);
@@ -115,56 +115,56 @@ void RayCaster::walk(Space& space, const RayQuestion& question, Real& reach, Fou
 }
 
 template <typename Found>
-void RayCaster::ask_waiting(const RayQuestion& question, const Real& reach, Found&& found)
+void RayCaster::ask_waiting(const RayQuery& query, const Real& reach, Found&& found)
 {
     std::sort(waiting_.begin(), waiting_.end(), [](Geom* a, Geom* b) { return is_newer(*a, *b); });
-    const MembersLock lock(ready_ ? nullptr : &space_, waiting_);
+    const CandidateLock lock(ready_ ? nullptr : &space_, waiting_);
     const Real until = reach;
     for (Geom* m : waiting_) {
         RayAnswer answer;
         const Aabb& box = box_of(*m);
         const bool near =
-            !bounded(box) || TreeRay(question.origin, question.direction, box).enters(box, until) < kInf;
-        if (near && hit(question, *m, reach, answer)) found(answer);
+            !bounded(box) || TreeRay(query.origin, query.direction, box).enters(box, until) < kInf;
+        if (near && hit(query, *m, reach, answer)) found(answer);
     }
 }
 
-void RayCaster::aim(const RayQuestion& question)
+void RayCaster::aim(const RayQuery& query)
 {
-    const Vec3 d = question.direction;
+    const Vec3 d = query.direction;
     waiting_.clear();
-    pose_.p = question.origin;
+    pose_.p = query.origin;
     pose_.R = {{0, 0, d.x}, {0, 0, d.y}, {0, 0, d.z}};
 }
 
-RayAnswer RayCaster::closest(const RayQuestion& question)
+RayAnswer RayCaster::closest(const RayQuery& query)
 {
     RayAnswer best;
-    Real reach = question.length;
-    aim(question);
+    Real reach = query.length;
+    aim(query);
     const auto found = [&](const RayAnswer& answer) {
-        if (best.member && !comes_before(answer, best)) return;
-        if (!question.filter.keeps(answer.contact.g2)) return;
+        if (best.candidate && !precedes(answer, best)) return;
+        if (!query.filter.keeps(answer.contact.g2)) return;
         best = answer;
         reach = std::min(reach, just_beyond(answer.contact.depth));
     };
-    walk(space_, question, reach, found);
-    ask_waiting(question, reach, found);
+    walk(space_, query, reach, found);
+    ask_waiting(query, reach, found);
     return best;
 }
 
-bool RayCaster::all(const RayQuestion& question, Array<RayAnswer>& out)
+bool RayCaster::all(const RayQuery& query, Array<RayAnswer>& out)
 {
-    Real reach = question.length;
-    bool room = true;
-    aim(question);
+    Real reach = query.length;
+    bool complete = true;
+    aim(query);
     const auto found = [&](const RayAnswer& answer) {
-        if (question.filter.keeps(answer.contact.g2)) room = out.push(answer) && room;
+        if (query.filter.keeps(answer.contact.g2)) complete = out.push(answer) && complete;
     };
-    walk(space_, question, reach, found);
-    ask_waiting(question, reach, found);
-    std::sort(out.begin(), out.end(), comes_before);
-    return room;
+    walk(space_, query, reach, found);
+    ask_waiting(query, reach, found);
+    std::sort(out.begin(), out.end(), precedes);
+    return complete;
 }
 
 }  // namespace epode
@@ -177,7 +177,7 @@ void put(const RayAnswer& answer, dQueryHit& out)
 {
     out = dQueryHit{};
     out.side = -1;
-    if (!answer.member) return;
+    if (!answer.candidate) return;
     const dContactGeom& c = answer.contact;
     out.geom = c.g2;
     store(out.pos, load(c.pos));
@@ -191,9 +191,9 @@ bool usable_ray(const dReal* origin, const dReal* direction, dReal length)
     return usable(origin, 3) && usable(direction, 3) && (usable(length) || length == kInf) && length >= 0;
 }
 
-// The direction is not zero.
-bool question_of(const dReal* origin, const dReal* direction, dReal length, const QueryFilter& filter,
-                 RayQuestion& out)
+// False if the direction is zero.
+bool query_of(const dReal* origin, const dReal* direction, dReal length, const QueryFilter& filter,
+              RayQuery& out)
 {
     out = {load(origin), load(direction), std::min(length, kMaxMagnitude), filter};
     return normalize(out.direction);
@@ -209,12 +209,12 @@ extern "C" int dSpaceRayClosest(dSpaceID id, const dVector3 origin, const dVecto
     EPODE_USER(origin && direction && hit && usable_ray(origin, direction, length), 0);
     QueryFilter filter;
     if (!read_filter(given, __func__, filter)) return 0;
-    RayQuestion question;
-    EPODE_USER(question_of(origin, direction, length, filter, question), 0);
+    RayQuery query;
+    EPODE_USER(query_of(origin, direction, length, filter, query), 0);
     RayCaster caster(*space, false);
-    const RayAnswer answer = caster.closest(question);
+    const RayAnswer answer = caster.closest(query);
     put(answer, *hit);
-    return answer.member != nullptr;
+    return answer.candidate != nullptr;
 }
 
 extern "C" int dSpaceRayAll(dSpaceID id, const dVector3 origin, const dVector3 direction, dReal length,
@@ -226,11 +226,11 @@ extern "C" int dSpaceRayAll(dSpaceID id, const dVector3 origin, const dVector3 d
     EPODE_USER(capacity >= 0 && (hits || capacity == 0), 0);
     QueryFilter filter;
     if (!read_filter(given, __func__, filter)) return 0;
-    RayQuestion question;
-    EPODE_USER(question_of(origin, direction, length, filter, question), 0);
+    RayQuery query;
+    EPODE_USER(query_of(origin, direction, length, filter, query), 0);
     RayCaster caster(*space, false);
     Array<RayAnswer> answers;
-    EPODE_USER_SAY(caster.all(question, answers), kOutOfMemory, 0);
+    EPODE_USER_SAY(caster.all(query, answers), kOutOfMemory, 0);
     for (int i = 0; i < std::min(capacity, answers.size()); ++i) put(answers[i], hits[i]);
     return answers.size();
 }
@@ -243,15 +243,15 @@ extern "C" int dSpaceRayBatch(dSpaceID id, int count, const dReal* origins, cons
     EPODE_USER(count >= 0 && threads >= 0, 0);
     EPODE_USER(count == 0 || (origins && directions && lengths && hits), 0);
     for (std::size_t i = 0; i < std::size_t(count); ++i) {
-        RayQuestion question;
+        RayQuery query;
         EPODE_USER(usable_ray(origins + 3 * i, directions + 3 * i, lengths[i]), 0);
-        EPODE_USER(question_of(origins + 3 * i, directions + 3 * i, lengths[i], {}, question), 0);
+        EPODE_USER(query_of(origins + 3 * i, directions + 3 * i, lengths[i], {}, query), 0);
     }
     QueryFilter filter;
     if (!read_filter(given, __func__, filter)) return 0;
     constexpr int kParcel = 64;
     (void)make_ready(*space, count);
-    const bool alone = filter.callback || RayCaster(*space, true).asks_program_of_any();
+    const bool alone = filter.callback || RayCaster(*space, true).needs_program();
     const SpaceLock lock(*space);
     const Tasks tasks(alone ? 1 : threads == 0 ? processor_count() : threads);
     std::atomic<int> met{0};
@@ -260,11 +260,11 @@ extern "C" int dSpaceRayBatch(dSpaceID id, int count, const dReal* origins, cons
         int here = 0;
         const std::size_t first = std::size_t(parcel) * kParcel;
         for (std::size_t i = first; i < std::min(first + kParcel, std::size_t(count)); ++i) {
-            RayQuestion question;
-            (void)question_of(origins + 3 * i, directions + 3 * i, lengths[i], filter, question);
-            const RayAnswer answer = caster.closest(question);
+            RayQuery query;
+            (void)query_of(origins + 3 * i, directions + 3 * i, lengths[i], filter, query);
+            const RayAnswer answer = caster.closest(query);
             put(answer, hits[i]);
-            here += answer.member != nullptr;
+            here += answer.candidate != nullptr;
         }
         met.fetch_add(here, std::memory_order_relaxed);
     });

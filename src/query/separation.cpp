@@ -39,11 +39,11 @@ Separation separation(const ConvexView& a, const ConvexView& b, Real limit)
 {
     const Real radii = a.radius + b.radius;
     // A little more, so that what lies at the limit is not left out by rounding.
-    const Real most = limit + radii > 0 ? (1 + 64 * kEpsilon) * (limit + radii) : Real(0);
-    const Distance d = gjk_distance(a, b, most);
+    const Real max_distance = limit + radii > 0 ? (1 + 64 * kEpsilon) * (limit + radii) : Real(0);
+    const Distance d = gjk_distance(a, b, max_distance);
     const Vec3 n = d.on_a - d.on_b;
     if (!(d.distance > 0)) return overlapping(a, b);
-    if (d.distance > most || !(length2(n) > 0)) return {};  // farther, found out early
+    if (d.distance > max_distance || !(length2(n) > 0)) return {};  // farther, found out early
     const Separation s = inflated(a, b, d.distance, d.on_a, n / length(n));
     return s.distance <= limit ? s : Separation{};
 }

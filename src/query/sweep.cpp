@@ -6,15 +6,15 @@
 
 #include <algorithm>
 
-#include "query/thing.h"
+#include "query/query_shape.h"
 
 namespace epode {
 namespace {
 
 constexpr int kAdvances = 200;
-constexpr Real kLevel = kSingle ? Real(1e-5) : Real(1e-10);  // slope below which a way does not approach
+constexpr Real kLevel = kSingle ? Real(1e-5) : Real(1e-10);  // slope below which a path does not approach
 
-// Within this the solids touch.
+// Solids within this distance touch.
 Real touch_of(const ConvexView& a) { return (kSingle ? Real(1e-4) : Real(1e-8)) * (a.size + a.radius); }
 
 SweepHit met(Real distance, const Separation& s)
@@ -27,7 +27,7 @@ SweepHit met(Real distance, const Separation& s)
     return hit;
 }
 
-// separation_at(t, limit): of the solid, moved by t, from something convex.
+// separation_at(t, limit): separation of the solid, moved by t, from a convex shape.
 template <typename SeparationAt>
 SweepHit advance(const Way& way, Real limit, Real touch, const SeparationAt& separation_at)
 {
@@ -55,8 +55,9 @@ ConvexView moved(const ConvexView& v, Vec3 by)
 
 SweepHit sweep_solid(const ConvexView& a, const Way& way, const ConvexView& b, Real limit)
 {
-    return advance(way, limit, touch_of(a),
-                   [&](Real t, Real most) { return separation(moved(a, t * way.along), b, most); });
+    return advance(way, limit, touch_of(a), [&](Real t, Real max_distance) {
+        return separation(moved(a, t * way.along), b, max_distance);
+    });
 }
 
 SweepHit sweep_plane(const ConvexView& a, const Way& way, const Plane& b, Real limit)
@@ -65,7 +66,7 @@ SweepHit sweep_plane(const ConvexView& a, const Way& way, const Plane& b, Real l
                    [&](Real t, Real) { return separation(moved(a, t * way.along), b); });
 }
 
-// Everything in the frame of the triangles.
+// All in the frame of the triangles.
 SweepHit sweep_triangles(const ConvexView& a, const Way& way, const TriangleSet& b, Real limit)
 {
     SweepHit best;
@@ -79,8 +80,8 @@ SweepHit sweep_triangles(const ConvexView& a, const Way& way, const TriangleSet&
         const Aabb swept = {around.lo + min(first, last), around.hi + max(first, last)};
         b.query(swept, [&](const Triangle& t, int side) {
             const ConvexView view = view_of(t);
-            const Real most = best.distance < limit ? best.distance : limit;
-            SweepHit hit = advance(way, most, touch_of(a), [&](Real at, Real reach) {
+            const Real max_distance = best.distance < limit ? best.distance : limit;
+            SweepHit hit = advance(way, max_distance, touch_of(a), [&](Real at, Real reach) {
                 return separation(moved(a, at * way.along), view, reach);
             });
             hit.side = side;
@@ -91,7 +92,7 @@ SweepHit sweep_triangles(const ConvexView& a, const Way& way, const TriangleSet&
     return best;
 }
 
-SweepHit sweep_surface(const ConvexView& a, const Way& way, const Thing& surface, Real limit)
+SweepHit sweep_surface(const ConvexView& a, const Way& way, const QueryShape& surface, Real limit)
 {
     const Way local = {transposed_times(surface.pose.R, way.along), way.length};
     SweepHit hit = sweep_triangles(in_frame(surface.pose, a), local, triangles_of(surface), limit);
@@ -100,10 +101,11 @@ SweepHit sweep_surface(const ConvexView& a, const Way& way, const Thing& surface
     return hit;
 }
 
-SweepHit sweep_field(const ConvexView& a, const Thing& solid, const Way& way, const Thing& field, Real limit)
+SweepHit sweep_field(const ConvexView& a, const QueryShape& solid, const Way& way, const QueryShape& field,
+                     Real limit)
 {
-    Separation ground;
-    if (in_ground(solid, field, ground) && ground.distance < -touch_of(a)) return met(0, ground);
+    Separation terrain;
+    if (in_terrain(solid, field, terrain) && terrain.distance < -touch_of(a)) return met(0, terrain);
     SweepHit hit = sweep_surface(a, way, field, limit);
     hit.side = -1;
     return hit;
@@ -111,28 +113,28 @@ SweepHit sweep_field(const ConvexView& a, const Thing& solid, const Way& way, co
 
 }  // namespace
 
-bool is_solid(Geom& geom) { return sort_of(thing_of(geom)) == Sort::kSolid; }
+bool is_solid(Geom& geom) { return kind_of(query_shape_of(geom)) == QueryKind::kSolid; }
 
 SweepHit sweep(Geom& solid, const Way& way, Geom& other, Real limit)
 {
-    const Thing a = thing_of(solid), b = thing_of(other);
-    const Sort sort = sort_of(b);
-    if (sort == Sort::kNone) return {};
-    // A ray geom that moves, or is met, is as long as it takes to reach the other along the way.
+    const QueryShape a = query_shape_of(solid), b = query_shape_of(other);
+    const QueryKind kind = kind_of(b);
+    if (kind == QueryKind::kNone) return {};
+    // A ray geom is cut to the length that reaches the other geom along the path.
     Capsule memory_a, memory_b;
     const Real far = kEndless * (length(a.pose.p - b.pose.p) + way.length);
     const BoundingBall ball_a = ball_about(a, far);
     BoundingBall ball_b = {a.pose.p, far};
-    if (sort == Sort::kSolid) ball_b = ball_about(b, far);
-    if (sort == Sort::kMesh || sort == Sort::kField) ball_b = ball_about(triangles_of(b), b.pose);
+    if (kind == QueryKind::kSolid) ball_b = ball_about(b, far);
+    if (kind == QueryKind::kMesh || kind == QueryKind::kField) ball_b = ball_about(triangles_of(b), b.pose);
     const ConvexView view = solid_view(a, ball_b.centre, ball_b.reach + way.length, memory_a);
     SweepHit hit;
-    if (sort == Sort::kSolid)
+    if (kind == QueryKind::kSolid)
         hit =
             sweep_solid(view, way, solid_view(b, ball_a.centre, ball_a.reach + way.length, memory_b), limit);
-    else if (sort == Sort::kPlane)
+    else if (kind == QueryKind::kPlane)
         hit = sweep_plane(view, way, b.as<Plane>(), limit);
-    else if (sort == Sort::kField)
+    else if (kind == QueryKind::kField)
         hit = sweep_field(view, a, way, b, limit);
     else
         hit = sweep_surface(view, way, b, limit);

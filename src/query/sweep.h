@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Shape casts: a convex solid moves along a straight way without turning; when does it first meet another
-// geom? Against a convex solid by conservative advancement (Mirtich 1996): at distance d with normal n it may
-// move d / (-n . u) along u before the plane across n between the two is reached, and no less; where u does
-// not approach along n, convex solids never meet. So the solid never passes what it meets, however thin.
-// Against a surface each triangle that lies on the way is such a solid, the way taken piece by piece so that
-// little is looked at; a height field is ground where the solid begins.
-//   at the beginning  what overlaps is met at once, at distance 0; what only touches is met if the way leads
-//                     into it, so that a solid may slide along what it lies on.
+// Shape casts: a convex solid moves along a straight path without rotation; when does it first hit another
+// geom? Against a convex solid by conservative advancement (Mirtich 1996): at distance d with normal n it can
+// move d / (-n . u) along u before it reaches the plane across n between the two. If u does not approach
+// along n, the two convex solids never meet. So the solid never passes through anything, however thin. On a
+// surface every triangle on the path is such a solid; the path is taken in pieces so that few triangles are
+// examined. A height field is solid below its surface at the start of the path.
+//   at the start  an overlapping geom is hit at once, at distance 0. A touching geom is hit only if the path
+//                 leads into it, so that a solid can slide along what it rests on.
 // The alternative, GJK against the swept solid (ray casting on the difference; van den Bergen 2004), saves
 // iterations but ends with a normal that depends on them.
 #pragma once

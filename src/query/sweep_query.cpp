@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Shape casts against geoms and spaces: the functions of the interface. Of a space those members are tried
-// whose boxes the moving box meets before the best so far; the newer of equals wins, as all are tried that
-// may be equal.
+// Shape casts against geoms and spaces: the API functions. In a space, the candidates are the geoms whose
+// boxes the moving box reaches before the best hit so far. Every geom that may give an equal hit is tried,
+// and the newer one wins.
 #include "base/float_environment.h"
 #include "collide/types/registry.h"
 #include "ode/ext.h"
-#include "query/members.h"
+#include "query/candidates.h"
 #include "query/sweep.h"
 #include "query/triangle_set.h"
 
@@ -20,7 +20,7 @@ Aabb swept(const Aabb& box, const Way& way)
     return {min(box.lo, box.lo + last), max(box.hi, box.hi + last)};
 }
 
-// May the moving box meet the other one within `limit`?
+// True if the moving box may reach the other one within `limit`.
 bool boxes_may_meet(const Aabb& box, const Way& way, const Aabb& other, Real limit)
 {
     if (!bounded(box) || !bounded(other)) return true;
@@ -101,7 +101,7 @@ extern "C" int dSpaceCast(dSpaceID id, dGeomID o, const dVector3 motion, const d
     clean(*space);
     Array<Geom*> near;
     EPODE_USER_SAY(collect_near(*space, filter, swept(box_of(*solid), way), near), kOutOfMemory, 0);
-    const MembersLock lock(space, near);
+    const CandidateLock lock(space, near);
     const SweepHit found = nearest(*solid, way, near, filter);
     put(found, *hit);
     return found.distance < kInf;

@@ -70,9 +70,9 @@ void TriangleSet::cells_under(const Aabb& box, int* first, int* last) const
     for (int a = 0; a < 2; ++a) {
         const int axis = 2 * a;
         const Real least = endless() ? -kMostCells : 0;
-        const Real most = endless() ? kMostCells : Real(counts[a] - 1);
-        first[a] = int(std::clamp(std::floor((box.lo[axis] - o[axis]) / cell[axis]), least, most));
-        last[a] = int(std::clamp(std::floor((box.hi[axis] - o[axis]) / cell[axis]), least, most));
+        const Real highest = endless() ? kMostCells : Real(counts[a] - 1);
+        first[a] = int(std::clamp(std::floor((box.lo[axis] - o[axis]) / cell[axis]), least, highest));
+        last[a] = int(std::clamp(std::floor((box.hi[axis] - o[axis]) / cell[axis]), least, highest));
     }
 }
 

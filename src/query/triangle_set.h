@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A mesh or a height field as a set of numbered triangles in its own frame, for questions of distance: all of
-// them, and those whose boxes meet a box. A field's cell (i, j) has the triangles 2 (i + j nx) and the one
-// after it; of a field without end the numbers are those of the period. Where a field has holes, its count is
-// followed by the walls at them, four of two triangles for each cell; what is not there has no area.
+// A mesh or a height field as a set of numbered triangles in its own frame, for distance queries: all of
+// them, and those whose boxes overlap a box. Cell (i, j) of a field has the triangles 2 (i + j nx) and the
+// next one; in an endless field the numbers are those of the period. If a field has holes, the walls at the
+// holes follow after its triangles, four walls of two triangles for each cell; a wall that is absent has no
+// area.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +20,7 @@ inline Aabb box_around(const Triangle& t)
     return {min(t.v[0], min(t.v[1], t.v[2])), max(t.v[0], max(t.v[1], t.v[2]))};
 }
 
-// Of solids with their radius.
+// The box of a solid includes its radius.
 inline Aabb box_around(const ConvexView& v)
 {
     const Vec3 r{v.radius, v.radius, v.radius};
@@ -47,13 +48,13 @@ class TriangleSet {
 
     bool endless() const { return field_ && field_->wrap; }
     const Aabb& box() const { return box_; }
-    const Aabb& period() const { return period_; }  // the box, of a field without end that of the period
-    int count() const { return count_; }            // of a field without end: of its period
+    const Aabb& period() const { return period_; }  // the box; for an endless field, that of one period
+    int count() const { return count_; }            // for an endless field: those of one period
 
     // False for one without area.
     bool triangle(int t, Triangle& out) const;
 
-    // visit(triangle, number) for all with area whose boxes meet `box`.
+    // Calls visit(triangle, number) for all triangles with area whose boxes overlap `box`.
     template <typename Visit>
     void query(const Aabb& box, Visit&& visit) const
     {

@@ -11,7 +11,7 @@
 #include <functional>
 
 #include "collide/collide.h"
-#include "query/members.h"
+#include "query/candidates.h"
 #include "step/link.h"
 #include "step/step.h"
 #include "tasks/tasks.h"
@@ -27,7 +27,7 @@ const ContactWorld* managed_contacts(const World& world)
 
 bool calls_program_inside(Space& space)
 {
-    return !each_member(space, [](Geom& g) { return !may_call_program(g); });
+    return !each_candidate(space, [](Geom& g) { return !may_call_program(g); });
 }
 
 // visit(space) for the outermost spaces that the bodies' geoms are in; repeats itself.

@@ -11,7 +11,7 @@
 #include "collide/collide.h"
 #include "collide/types/registry.h"
 #include "ode/shapes.h"
-#include "query/members.h"
+#include "query/candidates.h"
 #include "query/triangle_set.h"
 #include "step/link.h"
 
@@ -35,10 +35,10 @@ bool each_geom(const Body& body, F&& f)
 
 Real arm_of(const Aabb& box, Vec3 centre) { return length(max(abs(box.lo - centre), abs(box.hi - centre))); }
 
-bool is_moving_shape(const Thing& thing)
+bool is_moving_shape(const QueryShape& shape)
 {
-    const Sort sort = sort_of(thing);
-    return (sort == Sort::kSolid && thing.number() != dRayClass) || sort == Sort::kMesh;
+    const QueryKind sort = kind_of(shape);
+    return (sort == QueryKind::kSolid && shape.number() != dRayClass) || sort == QueryKind::kMesh;
 }
 
 // What joints and managed contacts say of two bodies, the second null for what does not move.
@@ -109,7 +109,7 @@ Continuous::State Continuous::state_of(std::size_t i) const
     if (!usable(body.pos, 3)) return s;
     s.motion = motion_between(before.p, undo_.orientation_before(i), body.position(), body.orientation());
     each_geom(body, [&](Geom& g) {
-        s.most = std::max(s.most, s.motion.most(arm_of(box_of(g), body.position())));
+        s.most = std::max(s.most, s.motion.max_travel(arm_of(box_of(g), body.position())));
         s.flagged = s.flagged || (g.continuous == dContinuousOn && !body.kinematic());
         return true;
     });
@@ -121,8 +121,8 @@ Real Continuous::gate(const Body& body) const
 {
     Real least = kInf;
     each_geom(body, [&](Geom& g) {
-        const Thing thing = g.continuous == dContinuousOn ? thing_of(g) : Thing{};
-        if (is_moving_shape(thing)) least = std::min(least, half_thickness(thing));
+        const QueryShape shape = g.continuous == dContinuousOn ? query_shape_of(g) : QueryShape{};
+        if (is_moving_shape(shape)) least = std::min(least, half_thickness(shape));
         return true;
     });
     return kShare / 4 * least;
@@ -181,7 +181,7 @@ bool Continuous::list_items()
             if (!states_[i].active) continue;
             each_geom(*undo_.bodies()[i], [&](Geom& g) {
                 Space* root = outermost_space(g);
-                if (!g.enabled || !root || !is_moving_shape(thing_of(g))) return true;
+                if (!g.enabled || !root || !is_moving_shape(query_shape_of(g))) return true;
                 if (pass == 1) items_[std::size_t(count)] = {&g, root, int(i), way_of(g, &states_[i])};
                 ++count;
                 return true;
@@ -214,13 +214,13 @@ int Continuous::index_of(const Geom& geom) const
 
 Mover Continuous::mover(Geom& geom, int body) const
 {
-    Mover m{thing_of(geom), {}};
-    if (body < 0 || !m.thing.geom) return m;
+    Mover m{query_shape_of(geom), {}};
+    if (body < 0 || !m.shape.geom) return m;
     const auto i = std::size_t(body);
     if (!states_[i].motion.moves()) return m;
     m.motion = states_[i].motion;
     m.motion.until = states_[std::size_t(states_[i].group)].until;
-    m.thing.pose = undo_.pose_before(i) * inverse_times(undo_.bodies()[i]->pose(), m.thing.pose);
+    m.shape.pose = undo_.pose_before(i) * inverse_times(undo_.bodies()[i]->pose(), m.shape.pose);
     return m;
 }
 
@@ -237,9 +237,9 @@ bool Continuous::rule_for(const Mover& a, const Mover& b, const Body& body, cons
 {
     const Bond bond = bond_between(body, other);
     if (bond.other && other) return false;
-    const Real own = half_thickness(a.thing), fall = 2 * length(world_.gravity) * h_ * h_;
-    const Real of_both = kShare * (own + half_thickness(b.thing));
-    const Real rounding = 64 * kEpsilon * (length(a.motion.centre) + a.motion.most(own) + own);
+    const Real own = half_thickness(a.shape), fall = 2 * length(world_.gravity) * h_ * h_;
+    const Real of_both = kShare * (own + half_thickness(b.shape));
+    const Real rounding = 64 * kEpsilon * (length(a.motion.centre) + a.motion.max_travel(own) + own);
     rule.allowed = std::max(kShare * own, std::min(fall, of_both));
     rule.hair = std::max(kHair * rule.allowed, rounding);
     rule.held = bond.contact;
@@ -249,7 +249,7 @@ bool Continuous::rule_for(const Mover& a, const Mover& b, const Body& body, cons
 void Continuous::meet(const Item& a, Geom& other, int other_body)
 {
     const Mover moving = mover(*a.geom, a.body), met = mover(other, other_body);
-    if (!met.thing.geom || met.thing.number() == dRayClass || sort_of(met.thing) == Sort::kNone) return;
+    if (!met.shape.geom || met.shape.number() == dRayClass || kind_of(met.shape) == QueryKind::kNone) return;
     ImpactRule rule;
     if (!rule_for(moving, met, *body_of(*a.geom), body_of(other), rule)) return;
     const auto group_of = [&](int body) { return states_[std::size_t(states_[std::size_t(body)].group)]; };
@@ -280,7 +280,7 @@ bool Continuous::meet_others(const Item& item)
     lists_.near.clear();
     if (!collect_near(*item.root, {geom.category, geom.collide}, grown(item.way, others_most_), lists_.near))
         return false;
-    const MembersLock lock(item.root, lists_.near);
+    const CandidateLock lock(item.root, lists_.near);
     for (Geom* other : lists_.near) {
         const int body = index_of(*other);
         const State* state = body >= 0 ? &states_[std::size_t(body)] : nullptr;

@@ -69,7 +69,7 @@ class NarrowPhase : public testing::Test {
         ContactPair pair;
         pair.id1 = cube, pair.id2 = ground;
         pair.body1 = from_handle<Body>(dGeomGetBody(cube)), pair.body2 = nullptr;
-        pair.most = data ? kSurfaceManifolds : 1;
+        pair.max_manifolds = data ? kSurfaceManifolds : 1;
         return pair;
     }
     // Where they are, on a ground that is no mesh.

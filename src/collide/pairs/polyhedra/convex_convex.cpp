@@ -305,7 +305,7 @@ bool proven(const Pair& pair, const Manifold& m)
 bool will_be_less(const Overlap& face, const Overlap& least, Real margin)
 {
     const Real cosine = dot(face.normal, least.normal);
-    return margin > 0 && cosine > kPatchCosine && face.depth < least.depth + margin * (1 - cosine);
+    return margin > 0 && cosine > kManifoldCosine && face.depth < least.depth + margin * (1 - cosine);
 }
 
 // Contacts along a face's normal are the rule, and often prove by themselves that they are right: they are

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Order and readiness of members.
-#include "query/members.h"
+#include "query/candidates.h"
 
 #include <algorithm>
 
@@ -59,22 +59,23 @@ bool collect_near(Space& space, const QueryFilter& filter, const Aabb& box, Arra
     Array<int> slots;
     slots.swap(space.scratch);
     slots.clear();
-    bool room = true;
-    room = space.broadphase.query(box, [&](int slot) { room = slots.push(slot) && room; }) && room;
+    bool complete = true;
+    complete =
+        space.broadphase.query(box, [&](int slot) { complete = slots.push(slot) && complete; }) && complete;
     std::sort(slots.begin(), slots.end(), [](int a, int b) { return a > b; });
-    for (int i = 0; i < slots.size() && room; ++i) {
+    for (int i = 0; i < slots.size() && complete; ++i) {
         Geom* m = space.geoms[slots[i]];
         if (!m->enabled || !filter.admits(*m)) continue;
-        room = is_space(*m) ? collect_near(static_cast<Space&>(*m), filter, box, out) : out.push(m);
+        complete = is_space(*m) ? collect_near(static_cast<Space&>(*m), filter, box, out) : out.push(m);
     }
     slots.swap(space.scratch);
-    return room;
+    return complete;
 }
 
-void MembersLock::add(int count) const
+void CandidateLock::add(int count) const
 {
     if (!outer_) return;
-    for (const Geom* m : members_)
+    for (const Geom* m : candidates_)
         for (Space* s = m->space; s; s = s == outer_ ? nullptr : s->space) s->locks += count;
 }
 

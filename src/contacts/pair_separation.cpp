@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
-#include "contacts/pair_parting.h"
+#include "contacts/pair_separation.h"
 
 #include <cmath>
 
 #include "collide/solid_type.h"
-#include "geometry/parting.h"
+#include "geometry/separating_direction.h"
 
 namespace epode {
 namespace {
@@ -18,21 +18,21 @@ constexpr Real kLargestTurn = Real(0.5);
 Real core_reach(const Geom& geom, Vec3 d) { return geom.type->solid->core_reach(geom, d); }
 CoreSize core_size(const Geom& geom) { return geom.type->solid->core_size(geom); }
 
-// What a geom may do in a step.
-struct Coming {
-    Vec3 spin;              // angle of the step
-    Real angle;             // its size
-    Real lever, aside = 0;  // of the farthest point and of the geom's place from the body's centre
+// How far a geom may turn in a step.
+struct StepRotation {
+    Vec3 spin;            // angle of the step
+    Real angle;           // its size
+    Real arm, aside = 0;  // of the farthest point and of the geom's place from the body's centre
 
-    Coming(const Pose& pose, Real size, const Foresight& soon, const Body* body)
+    StepRotation(const Pose& pose, Real size, const SpeculativeMotion& soon, const Body* body)
     {
         if (body) spin = soon.h * body->angular_velocity(), aside = length(pose.p - body->position());
         angle = length(spin);
-        lever = size + aside;
+        arm = size + aside;
     }
-    Real most() const { return angle * lever; }
+    Real max_shift() const { return angle * arm; }
     // What reach_turned() may be wrong by.
-    Real rest() const { return angle * angle * lever + angle * aside; }
+    Real rest() const { return angle * angle * arm + angle * aside; }
 };
 
 // Along n after the turn.
@@ -71,7 +71,7 @@ Vec3 unpack_direction(std::uint32_t code)
     return (1 / length(n)) * n;
 }
 
-Parting::Parting(const Geom& g1, const Geom& g2) : g1_(g1), g2_(g2)
+PairSeparation::PairSeparation(const Geom& g1, const Geom& g2) : g1_(g1), g2_(g2)
 {
     const CoreSize one = core_size(g1), two = core_size(g2);
     size1_ = one.farthest, size2_ = two.farthest;
@@ -79,23 +79,23 @@ Parting::Parting(const Geom& g1, const Geom& g2) : g1_(g1), g2_(g2)
     hair_ = kHair * (size1_ + size2_ + rounding_);
 }
 
-Vec3 Parting::find(const Pose& pose1, const Pose& pose2, Vec3 guess) const
+Vec3 PairSeparation::find(const Pose& pose1, const Pose& pose2, Vec3 guess) const
 {
-    return parting_direction(solid_view(g1_, pose1), solid_view(g2_, pose2), guess, hair_);
+    return separating_direction(solid_view(g1_, pose1), solid_view(g2_, pose2), guess, hair_);
 }
 
-Real Parting::gap(const Pose& pose1, const Pose& pose2, Vec3 n) const
+Real PairSeparation::gap(const Pose& pose1, const Pose& pose2, Vec3 n) const
 {
     return dot(n, pose1.p - pose2.p) - core_reach(g1_, transposed_times(pose1.R, -n)) -
            core_reach(g2_, transposed_times(pose2.R, n)) - rounding_;
 }
 
-bool Parting::lasts(const Pose& pose1, const Pose& pose2, Vec3 n, Real gap, const Foresight& soon,
-                    const Body* body1, const Body* body2) const
+bool PairSeparation::lasts(const Pose& pose1, const Pose& pose2, Vec3 n, Real gap,
+                           const SpeculativeMotion& soon, const Body* body1, const Body* body2) const
 {
-    const Coming one(pose1, size1_, soon, body1), two(pose2, size2_, soon, body2);
+    const StepRotation one(pose1, size1_, soon, body1), two(pose2, size2_, soon, body2);
     const Real moved = soon.h * dot(n, soon.velocity(body1) - soon.velocity(body2));
-    if (gap + moved - one.most() - two.most() > hair_) return true;
+    if (gap + moved - one.max_shift() - two.max_shift() > hair_) return true;
     if (one.angle > kLargestTurn || two.angle > kLargestTurn) return false;
     const Real apart = dot(n, pose1.p - pose2.p) + moved - rounding_ - one.rest() - two.rest();
     return apart - reach_turned(g1_, pose1.R, -n, one.spin) - reach_turned(g2_, pose2.R, n, two.spin) > hair_;

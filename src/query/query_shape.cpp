@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See thing.h.
-#include "query/thing.h"
+// See query_shape.h.
+#include "query/query_shape.h"
 
 #include "collide/collide.h"
 #include "collide/pairs/pairs.h"
@@ -11,13 +11,13 @@
 namespace epode {
 namespace {
 
-// A ray is a segment no longer than it takes to reach a ball about everything else.
+// The ray as a segment, cut to the length that reaches the ball around the other geom.
 ConvexView segment_view(const Ray& ray, const Pose& pose, Vec3 centre, Real reach, Capsule& segment)
 {
     Pose middle;
     Vec3 along = pose.R.column(2), p, q;
-    const Real most = length(centre - pose.p) + reach;
-    const Real long_enough = std::clamp(ray.length, Real(0), most > 0 ? most : Real(0));
+    const Real max_length = length(centre - pose.p) + reach;
+    const Real long_enough = std::clamp(ray.length, Real(0), max_length > 0 ? max_length : Real(0));
     plane_space(along, p, q);
     middle.R = transpose(Mat3{p, q, along});
     middle.p = pose.p + Real(0.5) * long_enough * along;
@@ -27,10 +27,9 @@ ConvexView segment_view(const Ray& ray, const Pose& pose, Vec3 centre, Real reac
 
 }  // namespace
 
-// What a transform holds, at its place; null geom: it holds nothing.
-Thing thing_of(Geom& geom)
+QueryShape query_shape_of(Geom& geom)
 {
-    Thing t = {&geom, pose_of(geom), &geom};
+    QueryShape t = {&geom, pose_of(geom), &geom};
     while (t.geom) {
         const TransformGeom* transform = as_transform(*t.geom);
         if (!transform) break;
@@ -43,28 +42,26 @@ Thing thing_of(Geom& geom)
     return t;
 }
 
-Sort sort_of(const Thing& t)
+QueryKind kind_of(const QueryShape& t)
 {
-    if (!t.geom) return Sort::kNone;
-    if (is_solid(*t.geom)) return Sort::kSolid;
-    if (t.number() == dRayClass) return Sort::kSolid;
-    if (t.number() == dPlaneClass) return Sort::kPlane;
-    if (t.number() == dTriMeshClass && t.as<Trimesh>().mesh()) return Sort::kMesh;
-    if (t.number() == dHeightfieldClass && t.as<Heightfield>().field()) return Sort::kField;
-    return Sort::kNone;
+    if (!t.geom) return QueryKind::kNone;
+    if (is_solid(*t.geom)) return QueryKind::kSolid;
+    if (t.number() == dRayClass) return QueryKind::kSolid;
+    if (t.number() == dPlaneClass) return QueryKind::kPlane;
+    if (t.number() == dTriMeshClass && t.as<Trimesh>().mesh()) return QueryKind::kMesh;
+    if (t.number() == dHeightfieldClass && t.as<Heightfield>().field()) return QueryKind::kField;
+    return QueryKind::kNone;
 }
 
-// `centre`, `reach`: a ball about what it is measured against; `memory` must stay.
-ConvexView solid_view(const Thing& t, Vec3 centre, Real reach, Capsule& memory)
+ConvexView solid_view(const QueryShape& t, Vec3 centre, Real reach, Capsule& memory)
 {
     return is_solid(*t.geom) ? solid_view(*t.geom, t.pose)
                              : segment_view(t.as<Ray>(), t.pose, centre, reach, memory);
 }
 
-// Of a ray it is left to the caller what is near enough to count.
-BoundingBall ball_about(const Thing& t, Real most)
+BoundingBall ball_about(const QueryShape& t, Real max_length)
 {
-    if (t.number() == dRayClass) return {t.pose.p, std::clamp(t.as<Ray>().length, Real(0), most)};
+    if (t.number() == dRayClass) return {t.pose.p, std::clamp(t.as<Ray>().length, Real(0), max_length)};
     Capsule unused;
     const ConvexView v = solid_view(t, {}, 0, unused);
     return {v.pose.p, v.size + v.radius};
@@ -76,7 +73,7 @@ BoundingBall ball_about(const TriangleSet& s, const Pose& pose)
     return {pose.to_world(s.period().lo + half), (s.endless() ? kEndless : Real(1)) * length(half)};
 }
 
-TriangleSet triangles_of(const Thing& t)
+TriangleSet triangles_of(const QueryShape& t)
 {
     return t.number() == dTriMeshClass ? TriangleSet(*t.as<Trimesh>().mesh())
                                        : TriangleSet(*t.as<Heightfield>().field());
@@ -89,12 +86,11 @@ ConvexView in_frame(const Pose& frame, const ConvexView& v)
     return out;
 }
 
-// Where the pair functions find the solid or the mesh in the ground; in the world.
-bool in_ground(const Thing& a, const Thing& field, Separation& out)
+bool in_terrain(const QueryShape& a, const QueryShape& field, Separation& out)
 {
-    constexpr int kRoom = 32;
-    dContactGeom contacts[kRoom];
-    ContactSink sink(contacts, sizeof(dContactGeom), kRoom, false);
+    constexpr int kCapacity = 32;
+    dContactGeom contacts[kCapacity];
+    ContactSink sink(contacts, sizeof(dContactGeom), kCapacity, false);
     sink.name(to_handle(a.geom), to_handle(field.geom));
     const PairFunction pair = built_in_pair(a.number(), dHeightfieldClass);
     if (pair && a.number() != dRayClass) pair(*a.geom, a.pose, *field.geom, field.pose, sink);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
-#include "geometry/parting.h"
+#include "geometry/separating_direction.h"
 
 #include <cmath>
 
@@ -57,21 +57,21 @@ Nearest with_newest(const Nearest& was, Vec3 c)
 
 }  // namespace
 
-Vec3 parting_direction(const ConvexView& a, const ConvexView& b, Vec3 guess, Real hair)
+Vec3 separating_direction(const ConvexView& a, const ConvexView& b, Vec3 guess, Real hair)
 {
     const auto farthest = [&](Vec3 d) { return a.support(-d) - b.support(d); };
     const Real touching = a.radius + b.radius + hair;
     Nearest nearest;
     Vec3 best;
-    Real most = touching;
+    Real largest_gap = touching;
     nearest.add(farthest(guess));
-    if (normalize(guess) && dot(guess, nearest.point) > most) return guess;
+    if (normalize(guess) && dot(guess, nearest.point) > largest_gap) return guess;
     for (int i = 0; i < kIterations; ++i) {
         const Real distance = std::sqrt(nearest.distance2);  // of the cores, or more
         if (!(distance > touching)) break;
         const Vec3 n = (1 / distance) * nearest.point, c = farthest(n);
         const Real gap = dot(n, c);
-        if (gap > most) most = gap, best = n;
+        if (gap > largest_gap) largest_gap = gap, best = n;
         if (gap - touching >= kGoodEnough * (distance - touching)) break;
         const Nearest next = with_newest(nearest, c);
         if (!(next.distance2 < nearest.distance2)) break;

@@ -3,7 +3,7 @@
 //
 // Directions that part two geoms: what is found parts them, what is said to last holds where the bodies will
 // be, and what is worth finding is found.
-#include "contacts/pair_parting.h"
+#include "contacts/pair_separation.h"
 
 #include <gtest/gtest.h>
 #include <ode/ext.h>
@@ -36,9 +36,9 @@ TEST(PackedDirection, comes_back_almost_as_it_was)
 }
 
 // One of each kind that is known, on bodies of their own, the hull on an offset.
-class PairParting : public testing::Test {
+class PairSeparationOf : public testing::Test {
   protected:
-    PairParting()
+    PairSeparationOf()
     {
         dInitODE();
         world = dWorldCreate();
@@ -56,7 +56,7 @@ class PairParting : public testing::Test {
                   dCreateConvexHull(nullptr, points.data(), 20, 0)})
                 if (geom) add(geom);
     }
-    ~PairParting() override
+    ~PairSeparationOf() override
     {
         for (const dGeomID geom : geoms) dGeomDestroy(geom);
         dWorldDestroy(world);
@@ -90,10 +90,10 @@ class PairParting : public testing::Test {
 
     dWorldID world;
     std::vector<dGeomID> geoms;
-    const Foresight soon{kH, {0, 0, Real(-9.81)}};
+    const SpeculativeMotion soon{kH, {0, 0, Real(-9.81)}};
 };
 
-TEST_F(PairParting, parts_what_is_apart_and_lasts_as_long_as_it_says)
+TEST_F(PairSeparationOf, parts_what_is_apart_and_lasts_as_long_as_it_says)
 {
     RandomNumbers random(9);
     int apart = 0, found = 0, missed = 0, lasted = 0, met = 0;
@@ -104,8 +104,8 @@ TEST_F(PairParting, parts_what_is_apart_and_lasts_as_long_as_it_says)
                 throw_about(geoms[j], random, Real(0.9) * random.vec());
                 Geom &a = live(geoms[i]), &b = live(geoms[j]);
                 const Pose A = pose_of(a), B = pose_of(b);
-                const Parting parting(a, b);
-                const Vec3 n = parting.find(A, B, A.p - B.p);
+                const PairSeparation separation(a, b);
+                const Vec3 n = separation.find(A, B, A.p - B.p);
                 const bool touches = touch(a, A, b, B);
                 dQueryDistance told = {};
                 ASSERT_EQ(dGeomGetDistance(geoms[i], geoms[j], dInfinity, &told), 1);
@@ -117,10 +117,10 @@ TEST_F(PairParting, parts_what_is_apart_and_lasts_as_long_as_it_says)
                 }
                 ++found;
                 EXPECT_FALSE(touches) << i << " " << j;
-                const Real gap = parting.gap(A, B, n);
-                EXPECT_GT(gap, parting.hair());
+                const Real gap = separation.gap(A, B, n);
+                EXPECT_GT(gap, separation.hair());
                 EXPECT_LE(double(gap), distance + 1e-5);
-                const bool lasts = parting.lasts(A, B, n, gap, soon, body_of(geoms[i]), body_of(geoms[j]));
+                const bool lasts = separation.lasts(A, B, n, gap, soon, body_of(geoms[i]), body_of(geoms[j]));
                 const bool will =
                     touch(a, soon.pose(body_of(geoms[i]), A), b, soon.pose(body_of(geoms[j]), B));
                 EXPECT_FALSE(lasts && will) << i << " " << j;

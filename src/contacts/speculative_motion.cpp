@@ -3,21 +3,21 @@
 //
 // A point of the geom strays from where its translation takes it by at most the angle times its distance from
 // the body's centre, and no point is farther from there than the middle of the box and half its diagonal.
-#include "contacts/foresight.h"
+#include "contacts/speculative_motion.h"
 
 #include "dynamics/integrate.h"
 #include "math/rotation.h"
 
 namespace epode {
 
-Vec3 Foresight::velocity(const Body* body) const
+Vec3 SpeculativeMotion::velocity(const Body* body) const
 {
     if (!body) return {};
     const bool falls = body->gravity && !body->kinematic() && !body->disabled;
     return falls ? body->velocity() + h * gravity : body->velocity();
 }
 
-Pose Foresight::pose(const Body* body, const Pose& now) const
+Pose SpeculativeMotion::pose(const Body* body, const Pose& now) const
 {
     if (!body) return now;
     Quat q = turned(*body, {}, body->angular_velocity(), h);  // all orientations are turned alike
@@ -27,7 +27,7 @@ Pose Foresight::pose(const Body* body, const Pose& now) const
     return {x + h * velocity(body) + turn * (now.p - x), turn * now.R};
 }
 
-Aabb Foresight::box(const Body* body, const Aabb& now) const
+Aabb SpeculativeMotion::box(const Body* body, const Aabb& now) const
 {
     if (!body) return now;
     const Vec3 way = h * velocity(body), middle = Real(0.5) * (now.lo + now.hi);

@@ -3,7 +3,7 @@
 //
 // Where bodies will be: at the place that a step without contacts leads to, and inside the box that is kept
 // free for it.
-#include "contacts/foresight.h"
+#include "contacts/speculative_motion.h"
 
 #include <gtest/gtest.h>
 #include <ode/ode.h>
@@ -18,9 +18,9 @@ namespace {
 
 constexpr Real kH = Real(1) / 60;
 
-class ForesightOf : public testing::Test {
+class SpeculativeMotionOf : public testing::Test {
   protected:
-    ForesightOf()
+    SpeculativeMotionOf()
     {
         dInitODE();
         world = dWorldCreate();
@@ -29,7 +29,7 @@ class ForesightOf : public testing::Test {
         geom = dCreateBox(nullptr, Real(0.3), Real(0.8), Real(1.7));
         dGeomSetBody(geom, id);
     }
-    ~ForesightOf() override
+    ~SpeculativeMotionOf() override
     {
         dGeomDestroy(geom);
         dWorldDestroy(world);
@@ -41,10 +41,10 @@ class ForesightOf : public testing::Test {
     dWorldID world;
     dBodyID id;
     dGeomID geom;
-    const Foresight soon{kH, {0, Real(0.5), Real(-9.81)}};
+    const SpeculativeMotion soon{kH, {0, Real(0.5), Real(-9.81)}};
 };
 
-TEST_F(ForesightOf, a_free_body_is_where_the_step_takes_it)
+TEST_F(SpeculativeMotionOf, a_free_body_is_where_the_step_takes_it)
 {
     dBodySetLinearVel(id, 3, -2, 1);
     dBodySetAngularVel(id, 0, 0, 4);  // about an axis of inertia
@@ -57,7 +57,7 @@ TEST_F(ForesightOf, a_free_body_is_where_the_step_takes_it)
     EXPECT_LT(length(soon.velocity(nullptr)), Real(1e-9));
 }
 
-TEST_F(ForesightOf, only_what_gravity_moves_falls)
+TEST_F(SpeculativeMotionOf, only_what_gravity_moves_falls)
 {
     const Vec3 fallen = kH * soon.gravity;
     EXPECT_LT(length(soon.velocity(body()) - fallen), Real(1e-9));
@@ -71,7 +71,7 @@ TEST_F(ForesightOf, only_what_gravity_moves_falls)
     EXPECT_EQ(length(soon.velocity(body())), 0);
 }
 
-TEST_F(ForesightOf, the_box_holds_the_geom_after_any_motion)
+TEST_F(SpeculativeMotionOf, the_box_holds_the_geom_after_any_motion)
 {
     RandomNumbers random(7);
     Real most = 0;

@@ -10,7 +10,7 @@
 
 namespace epode {
 
-struct Foresight {
+struct SpeculativeMotion {
     Real h;        // s
     Vec3 gravity;  // m/s^2
 
