@@ -29,18 +29,19 @@ void for_each_joint(const Body& body, F&& f)
 template <typename Visit>
 [[nodiscard]] bool activate_reached(World& world, Visit&& visit)
 {
-    bool room = true;
-    while (room && !world.reached.empty()) {
+    bool has_memory = true;
+    while (has_memory && !world.reached.empty()) {
         Body& body = *world.reached.back();
         world.reached.pop();
         if (is_active(body)) continue;
         activate(body);
         for_each_joint(body, [&](Joint& joint, Body* other) {
-            if (other && !is_active(*other) && acting(joint)) room = world.reached.push(other) && room;
+            if (other && !is_active(*other) && acting(joint))
+                has_memory = world.reached.push(other) && has_memory;
         });
-        room = visit(body) && room;
+        has_memory = visit(body) && has_memory;
     }
-    return room;
+    return has_memory;
 }
 
 }  // namespace epode

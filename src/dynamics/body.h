@@ -46,7 +46,7 @@ struct DampingRule {
 
 // What a body has to do with the solver of its island in hybrid steps (step/hybrid).
 struct HybridState {
-    std::uint8_t wish = 0;  // of dStepper; 0: none
+    std::uint8_t requested = 0;  // of dStepper; 0: none
     bool was_exact = false;
     std::uint8_t factorisations = 0;  // of the last exact step; 0: unknown
 };
@@ -57,8 +57,8 @@ struct Body : Numbered {
 
     // ---- all that walks over the world's bodies look at: one line of the cache, with the tag ----
     World* world;
-    int place = -1;      // in the world's roster
-    bool tells = false;  // there is a function that wants to know when it has `moved`
+    int place = -1;                   // in the world's roster
+    bool has_moved_callback = false;  // there is a function that wants to know when it has `moved`
     bool gravity = true;
     bool gyroscopic = true;
     bool finite_rotation = false;

@@ -28,7 +28,7 @@ struct World : Tagged {
     Array<Body*> reached;           // that are to become active, during a step
     std::uint64_t bodies_made = 0;  // gives each body its serial
     // Another number when a joint that is no contact has come to bodies, or left them.
-    std::uint64_t ties = 0;
+    std::uint64_t connections_version = 0;
     int driven_joints = 0;  // that have JointDrives
 
     Vec3 gravity;

@@ -24,7 +24,7 @@ class WorldBatch {
     struct Step {
         const Solver* solver;  // null: hybrid
         Real h;
-        int small_steps;  // of solvers that have them
+        int substeps;  // of solvers that have them
     };
 
     // The worlds are different and in no step; they are marked as stepping until the end of the batch, so
@@ -33,7 +33,7 @@ class WorldBatch {
     ~WorldBatch();
 
     // Looks for what the worlds share. False: out of memory, nothing has been stepped.
-    [[nodiscard]] bool plan(int threads);
+    [[nodiscard]] bool prepare(int threads);
     // Returns how many worlds have made all steps. `made` may be null.
     int run(const Step& step, int steps, int* made);
 

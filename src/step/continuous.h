@@ -39,7 +39,7 @@ class Continuous {
     {}
 
     // False: out of memory; some bodies are then where they must be taken back from.
-    [[nodiscard]] bool hold_back();
+    [[nodiscard]] bool stop_at_impacts();
 
     // Have the geoms of all bodies been marked as moved?
     bool marked() const { return marked_; }
@@ -48,11 +48,11 @@ class Continuous {
 
   private:
     struct State {
-        Motion motion;  // `until` is that of the group
-        Real most;      // how far a point of its geoms has moved at most
-        int group;      // the body that stands for it; of that one:
-        Real until;     //   when it stops
-        int carrier;    //   what carries it on from there; -1: nothing
+        Motion motion;      // `until` is that of the group
+        Real max_distance;  // how far a point of its geoms has moved at most
+        int group;          // the body that stands for it; of that one:
+        Real until;         //   when it stops
+        int carrier;        //   what carries it on from there; -1: nothing
         bool flagged, active;
     };
     struct Item {
@@ -89,7 +89,7 @@ class Continuous {
     Real h_;
     std::span<State> states_;
     std::span<Item> items_;
-    Real others_most_ = 0;  // State::most of all that are not active
+    Real others_max_distance_ = 0;  // State::max_distance of all that are not active
     bool marked_ = false;
 };
 

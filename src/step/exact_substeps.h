@@ -17,7 +17,7 @@ class ExactSubsteps {
         : world_(world), island_(island), undo_(undo), hs_(h / Real(n)), n_(n), arena_(arena)
     {}
 
-    Real small_step() const { return hs_; }
+    Real substep() const { return hs_; }
 
     // Before anything is assembled: what the substeps begin from and return to. False: out of memory.
     bool begin();

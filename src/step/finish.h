@@ -21,8 +21,8 @@ struct Space;
 class Finish {
   public:
     // `managed`: the space whose contacts the world manages, or null.
-    Finish(const Continuous& continuous, Space* managed, const Tasks& tasks)
-        : continuous_(continuous), managed_(managed), alone_(tasks.workers() == 1)
+    Finish(const Continuous& continuous, Space* contact_space, const Tasks& tasks)
+        : continuous_(continuous), contact_space_(contact_space), alone_(tasks.workers() == 1)
     {}
 
     // `bodies`: of all islands; `early`: nothing will ask for their ways. False: out of memory.
@@ -33,17 +33,17 @@ class Finish {
     // The step is made.
     void rest();
     // There has been no step: geoms may stay marked.
-    void take_back() { tell_space(); }
+    void take_back() { report_marked(); }
 
   private:
     bool mark_geoms(Body& body) const;
     bool moves_geoms(const Body& body) const;
     void one(Body& body) const;
-    void tell_space() const;
+    void report_marked() const;
     [[nodiscard]] bool list_marked() const;
 
     const Continuous& continuous_;
-    Space* const managed_;
+    Space* const contact_space_;
     const bool alone_;
     bool early_ = false;
     std::span<Body* const> bodies_;

@@ -82,7 +82,7 @@ Structure structure_of(const World& world, const Island& island)
 }
 
 struct History {
-    int wish = 0;  // the most exact
+    int requested = 0;  // the most exact
     int factorisations = 0;
     bool exact = false;
 };
@@ -91,8 +91,8 @@ History history_of(const Island& island)
 {
     History h;
     for (const Body* body : island.bodies) {
-        const int wish = body->hybrid.wish;
-        if (wish && (!h.wish || wish < h.wish)) h.wish = wish;
+        const int requested = body->hybrid.requested;
+        if (requested && (!h.requested || requested < h.requested)) h.requested = requested;
         h.exact = h.exact || body->hybrid.was_exact;
         h.factorisations = std::max<int>(h.factorisations, body->hybrid.factorisations);
     }
@@ -164,7 +164,7 @@ int hybrid_iterations(const World& world, const Solver& solver)
 const Solver& choose_solver(const World& world, const Island& island, Real h)
 {
     const History history = history_of(island);
-    if (const Solver* wished = solver_named(history.wish)) return *wished;
+    if (const Solver* requested = solver_named(history.requested)) return *requested;
     if (const Solver* wanted = solver_named(world.hybrid_stepper)) return *wanted;
     const Structure structure = structure_of(world, island);
     return swings_too_fast(structure, world, h) ? kNetwork : by_model(structure, history, world, h);

@@ -41,7 +41,7 @@ class Workers {
     Tasks of_islands, of_an_island;
 
     // False: the implementation refused; the world is as it was.
-    bool hire(World& world)
+    bool start(World& world)
     {
         if (!world.threading) {
             of_islands = of_an_island = Tasks(number_for(world));
@@ -54,15 +54,15 @@ class Workers {
         return ready;
     }
 
-    void dismiss() { posting_.close(); }
+    void stop() { posting_.close(); }
 
   private:
     // Of the threads that the world asked for, those that ODE's own limit leaves.
     static int number_for(const World& world)
     {
         const int wanted = world.step_threads > 0 ? world.step_threads : processor_count();
-        const unsigned most = world.islands_max_threads;
-        return most == 0 ? wanted : int(std::min(unsigned(wanted), most));
+        const unsigned max_threads = world.islands_max_threads;
+        return max_threads == 0 ? wanted : int(std::min(unsigned(wanted), max_threads));
     }
 
     Posting posting_;
@@ -83,7 +83,7 @@ class WorldStep {
           workers_(workers),
           undo_(context.undo),
           continuous_(context.world, undo_, state.continuous, memory().arena(0), context.h),
-          finish_(continuous_, state.managed.live_space(), workers.of_islands)
+          finish_(continuous_, state.world_contacts.live_space(), workers.of_islands)
     {}
 
     std::span<const Island> islands() const { return islands_; }
@@ -95,7 +95,8 @@ class WorldStep {
         Arena& arena = memory().arena(0);
         updates_contacts_ = context_.manages_contacts && !is_settled();
         const ActiveBodies active{world.bodies.active_count(), world.bodies.count()};
-        if (updates_contacts_ && !state_.managed.leaves_at_rest(*state_.managed.live_space(), active))
+        if (updates_contacts_ &&
+            !state_.world_contacts.leaves_at_rest(*state_.world_contacts.live_space(), active))
             activate_all(world);
         if (!undo_.save_idleness(arena) || !find_contacts() || !find_islands(arena) ||
             !undo_.save_islands(islands_, arena))
@@ -114,20 +115,20 @@ class WorldStep {
     {
         const Tasks alone(1);
         for (std::size_t i = 0; i < groups_.size(); ++i)
-            if (large(groups_[i])) step_one(int(i), workers_.of_an_island, 0);
+            if (is_large(groups_[i])) step_one(int(i), workers_.of_an_island, 0);
         workers_.of_islands.for_each(cut_parcels(), [&](int p, int worker) {
             const auto parcel = std::size_t(p);
             for (int i = parcels_[parcel]; i < parcels_[parcel + 1]; ++i)
-                if (!large(groups_[std::size_t(i)])) step_one(i, alone, worker);
+                if (!is_large(groups_[std::size_t(i)])) step_one(i, alone, worker);
         });
         return !out_of_memory_.load();
     }
 
     // Who was too fast. False: out of memory.
-    bool hold_back()
+    bool stop_at_impacts()
     {
         if (finish_.is_early()) return true;
-        if (!continuous_.hold_back()) return false;
+        if (!continuous_.stop_at_impacts()) return false;
         if (!context_.world.report_wanted) return true;
         for (std::size_t i = 0; i < islands_.size(); ++i)
             report_stopped(context_.world, islands_[i], continuous_, state_.reports[int(i)]);
@@ -141,20 +142,21 @@ class WorldStep {
     }
 
     // Later steps need not look at what sleeps.
-    void let_rest() const
+    void deactivate_sleeping() const
     {
         const auto& bodies = context_.world.bodies;
         const ActiveBodies left{bodies.active_count() - int(asleep_.size()), bodies.count()};
-        if (context_.manages_contacts && !state_.managed.leaves_at_rest(*state_.managed.live_space(), left))
+        if (context_.manages_contacts &&
+            !state_.world_contacts.leaves_at_rest(*state_.world_contacts.live_space(), left))
             return;
         for (Body* body : asleep_) deactivate(*body);
-        if (updates_contacts_) state_.managed.lay_to_rest();
+        if (updates_contacts_) state_.world_contacts.lay_to_rest();
     }
 
     void accept_contacts() const
     {
-        if (updates_contacts_) return state_.managed.accept(context_.h, workers_.of_islands);
-        if (context_.manages_contacts) state_.managed.accept_settled(context_.h);
+        if (updates_contacts_) return state_.world_contacts.accept(context_.h, workers_.of_islands);
+        if (context_.manages_contacts) state_.world_contacts.accept_settled(context_.h);
     }
 
     void finish() { finish_.rest(); }
@@ -175,14 +177,14 @@ class WorldStep {
     bool is_settled() const
     {
         return context_.world.bodies.active_count() == 0 &&
-               state_.managed.is_settled(*state_.managed.live_space());
+               state_.world_contacts.is_settled(*state_.world_contacts.live_space());
     }
 
     bool find_contacts()
     {
-        ContactWorld& managed = state_.managed;
+        ContactWorld& contacts = state_.world_contacts;
         return !updates_contacts_ ||
-               managed.update(context_.world, *managed.live_space(), context_.h, workers_.of_islands);
+               contacts.update(context_.world, *contacts.live_space(), context_.h, workers_.of_islands);
     }
 
     // What rests becomes active where something active holds to it, and is looked at then.
@@ -192,7 +194,7 @@ class WorldStep {
         std::span<ManifoldEdge> manifolds;
         Islands found;
         do {
-            if (updates_contacts_ && !state_.managed.touching(workers_.of_islands, arena, manifolds))
+            if (updates_contacts_ && !state_.world_contacts.touching(workers_.of_islands, arena, manifolds))
                 return false;
             if (!epode::find_islands(world, context_.h, manifolds, arena, found)) return false;
             if (world.reached.empty()) break;
@@ -206,10 +208,10 @@ class WorldStep {
     {
         World& world = context_.world;
         if (!updates_contacts_) return epode::activate_reached(world, [](Body&) { return true; });
-        ContactWorld& managed = state_.managed;
+        ContactWorld& contacts = state_.world_contacts;
         return epode::activate_reached(
-                   world, [&](Body& body) { return managed.bring_pairs(body, world.reached); }) &&
-               managed.list_brought(world);
+                   world, [&](Body& body) { return contacts.bring_pairs(body, world.reached); }) &&
+               contacts.list_brought(world);
     }
 
     bool choose_solvers(Arena& arena)
@@ -262,8 +264,9 @@ class WorldStep {
         for (std::size_t i = 0; i < islands_.size(); ++i) {
             const int joints = int(islands_[i].joints.size()), w = weight(islands_[i]);
             const Solver& solver = solver_of(i);
-            const int most = solver.contact_manifolds ? kGroupOfManifolds : kGroup;
-            const bool joins = count > 0 && may_join(i) && groups_[std::size_t(count - 1)].weight + w <= most;
+            const int max_weight = solver.contact_manifolds ? kGroupOfManifolds : kGroup;
+            const bool joins =
+                count > 0 && may_join(i) && groups_[std::size_t(count - 1)].weight + w <= max_weight;
             if (!joins) groups_[std::size_t(count++)] = {&solver, int(i), 0, 0, 0, contacts};
             Group& group = groups_[std::size_t(count - 1)];
             ++group.count, group.joints += joints, group.weight += w;
@@ -279,7 +282,7 @@ class WorldStep {
                int(islands_[island].manifolds.size()) >= kLargeManifolds;
     }
 
-    bool large(const Group& group) const
+    bool is_large(const Group& group) const
     {
         if (workers_.of_an_island.workers() <= 1) return false;
         return (group.solver->inner_tasks && group.joints >= kLarge) ||
@@ -299,7 +302,7 @@ class WorldStep {
     {
         int count = 0, load = kParcel;
         for (std::size_t i = 0; i < groups_.size(); ++i) {
-            if (large(groups_[i])) continue;
+            if (is_large(groups_[i])) continue;
             if (load >= kParcel) parcels_[std::size_t(count++)] = int(i), load = 0;
             load += groups_[i].weight;
         }
@@ -390,7 +393,7 @@ class Stepping {
 bool step_in(World& world, StepState& state, const Solver* solver, Real h, int iterations)
 {
     Workers workers;
-    if (!workers.hire(world)) return false;
+    if (!workers.start(world)) return false;
     ++world.step_count;
     StepUndo undo(world);
     const StepContext context{.world = world,
@@ -400,22 +403,22 @@ bool step_in(World& world, StepState& state, const Solver* solver, Real h, int i
                               .contacts = state.contacts,
                               .symbolic_cache = state.symbolic_cache,
                               .undo = undo,
-                              .manages_contacts = state.managed.live_space() != nullptr,
+                              .manages_contacts = state.world_contacts.live_space() != nullptr,
                               .factorisations = {}};
     WorldStep step(context, !solver, state, workers);
-    const bool made = step.prepare() && step.run() && step.hold_back();
+    const bool made = step.prepare() && step.run() && step.stop_at_impacts();
     if (made) {
         state.contacts.end();
         step.accept_contacts();
         break_joints(world, h);
         step.remember_choices();
-        step.let_rest();
+        step.deactivate_sleeping();
         step.finish();
         if (world.report_wanted) world.report = sum_of(state.reports.span());
     } else {
         step.take_back();
     }
-    workers.dismiss();
+    workers.stop();
     world.report_made = made && world.report_wanted;
     return made;
 }

@@ -19,7 +19,7 @@ struct StepState {
     ContactCache contacts;
     SymbolicCache symbolic_cache;
     ContinuousLists continuous;
-    ContactWorld managed;              // contacts that the world finds by itself
+    ContactWorld world_contacts;       // contacts that the world finds by itself
     Array<dIslandStepReport> reports;  // of the last step's islands, when they were wanted
 };
 

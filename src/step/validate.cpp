@@ -151,8 +151,8 @@ const char* fault_of(const World& world)
         if (const char* found = fault_of(joint)) return found;
     if (!world.step_state) return nullptr;
     if (const char* found = world.step_state->contacts.fault()) return found;
-    if (const char* found = world.step_state->managed.fault()) return found;
-    const Space* space = world.step_state->managed.live_space();
+    if (const char* found = world.step_state->world_contacts.fault()) return found;
+    const Space* space = world.step_state->world_contacts.live_space();
     return space ? fault_of(*space) : nullptr;
 }
 
