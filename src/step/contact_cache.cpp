@@ -186,8 +186,8 @@ int ContactCache::buckets_for(int pairs)
 
 bool ContactCache::begin(int tickets, int writers)
 {
-    // With room to spare, the contacts of a settled pile still come and go; and as much as its partner, with
-    // which it changes places after every step.
+    // A quarter is spare, since the number of contacts of a settled pile still varies; and each store has at
+    // least the capacity of the other, because the two swap after every step.
     const auto capacity_for = [](int wanted, int mine, int partner) {
         return std::max(partner, wanted > mine ? wanted + wanted / 4 : mine);
     };
@@ -195,7 +195,7 @@ bool ContactCache::begin(int tickets, int writers)
     const int runs = capacity_for(writers, fresh_.runs.capacity(), old_.runs.capacity());
     fresh_.runs.clear();
     fresh_.step = ++steps_;
-    // Sizes only grow: which of the pairs and points count, the runs say.
+    // Sizes only grow: the runs say which pairs and points are valid.
     return fresh_.pairs.reserve(points) && fresh_.points.reserve(points) && fresh_.runs.reserve(runs) &&
            buckets_.reserve(buckets_for(points)) &&
            fresh_.pairs.resize(std::max(tickets, fresh_.pairs.size())) &&

@@ -53,7 +53,7 @@ class ContactCache {
         int first, count;                // of the points
         int next;                        // pair in the same bucket, -1 at the end
         unsigned step;                   // that noted it: what lies beyond a run is older
-        bool twin;                       // beside one of the same bodies
+        bool twin;                       // another pair has the same bodies
     };
     struct Point {
         Float3 place;     // lever arm from body 1, in its frame
@@ -85,8 +85,8 @@ class ContactCache {
         Vec3 place, normal;
     };
     struct Places;
-    // Of points of one manifold, from body 1 in its frame: where they are, and the square of how far from
-    // there they may have been.
+    // Lever arms of the points of one manifold, in the frame of body 1, and the square of the distance within
+    // which an old point is accepted as the same.
     struct ContactArms {
         Real x[kManifoldPoints], y[kManifoldPoints], z[kManifoldPoints], within2[kManifoldPoints];
         Vec3 place(int i) const { return {x[i], y[i], z[i]}; }

@@ -41,7 +41,7 @@ bool is_moving_shape(const Thing& thing)
     return (sort == Sort::kSolid && thing.number() != dRayClass) || sort == Sort::kMesh;
 }
 
-// What joints and managed contacts say of two bodies, the second null for what does not move.
+// What joints and world-managed contacts say of two bodies; the second is null for what does not move.
 struct Bond {
     bool contact = false, other = false;
 };
@@ -116,7 +116,7 @@ Continuous::State Continuous::state_of(std::size_t i) const
     return s;
 }
 
-// How far the body may go, or others may come to it, without being looked at.
+// How far the body and others may move towards each other without being swept.
 Real Continuous::gate(const Body& body) const
 {
     Real least = kInf;

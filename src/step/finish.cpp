@@ -76,7 +76,7 @@ void Finish::rest()
     }
 }
 
-// At once; false: they have to wait.
+// False: they must wait for rest().
 bool Finish::mark_geoms(Body& body) const
 {
     if (contact_space_) return mark_members(body, *contact_space_);
@@ -96,7 +96,7 @@ void Finish::one(Body& body) const
     empty(body);
 }
 
-// Which members have been marked: if they are few it is told, else it looks at all.
+// Reports the marked members to the space: as a list if they are few, else the space checks all.
 void Finish::report_marked() const
 {
     if (!contact_space_ || !early_ || bodies_.empty()) return;

@@ -34,7 +34,7 @@ void contain(std::span<Body* const> bodies, std::span<Joint* const> joints)
     }
 }
 
-constexpr int kManyIterations = 1000;  // of a program that wants an answer, not speed
+constexpr int kManyIterations = 1000;  // from here on no more for settling islands
 
 void clear_impulses(ContactManifold& manifold)
 {
@@ -62,7 +62,7 @@ class IslandStep {
         work_.members = members;
     }
 
-    // False: out of memory, or an answer that is not a number and whose part of the work is not known.
+    // False: out of memory, or a solution that is not finite in an island without parts.
     bool solve(const Tasks& tasks, std::span<dIslandStepReport> reports)
     {
         if (has_exact_substeps() && !exact_substeps_.begin()) return false;
@@ -92,7 +92,7 @@ class IslandStep {
         std::fill(settings.part_residuals.begin(), settings.part_residuals.end(), Real(0));
         settings.tasks = tasks;
         settings.symbolic_cache = &context_.symbolic_cache;
-        if (projects()) settings.refine_above = 1e-9;  // the projection corrects what positions would feel
+        if (projects()) settings.refine_above = 1e-9;  // the projection corrects smaller errors of position
         load_warm_start(world_.warm_starting * context_.solver.warm_share);
         SolveReport solved;
         bool sane = context_.solver.solve(work_.system, settings, arena_, solved);
@@ -117,7 +117,7 @@ class IslandStep {
         if (!has_exact_substeps()) write_back(work_, tasks);
         remember_contacts();
         if (!context_.solver.contact_manifolds) store_manifold_impulses(work_);
-        if (context_.solver.substeps) return;  // poses are where the inner steps have put them
+        if (context_.solver.substeps) return;  // the substeps have moved the poses
         if (!has_exact_substeps()) {
             advance();
             if (projects()) projected_ = project_poses(world_, work_, tasks, context_.symbolic_cache, arena_);
@@ -164,8 +164,8 @@ class IslandStep {
         }
     }
 
-    // What is not a number in one part leaves the others alone: this one keeps its velocities, and its
-    // constraints exert nothing.
+    // A part whose solution is not finite must not affect the others: its bodies keep their velocities, and
+    // its constraints exert nothing.
     void contain_part(int part, std::span<dIslandStepReport> reports)
     {
         RowSystem& system = work_.system;
@@ -184,14 +184,14 @@ class IslandStep {
              slice(system.contact_manifolds, from.contact_manifolds, to.contact_manifolds))
             clear_impulses(*manifold);
         if (context_.solver.substeps) {
-            // The inner steps have moved the bodies.
+            // The substeps have moved the bodies.
             const auto bodies = slice(work_.island.bodies, from.bodies, to.bodies);
             context_.undo.restore_poses(bodies);
             for (Body* body : bodies) advance_pose(*body, context_.h);
         }
         if (!reports.empty()) reports[std::size_t(part)].contained = true;
     }
-    // Points of manifolds first, then contacts that are rows.
+    // Tickets in the contact cache: points of manifolds first, then contacts that are rows.
     int ticket_of_point(int point) const { return place_.first_contact + point; }
     int ticket_of_block(std::size_t block) const
     {
@@ -246,8 +246,8 @@ class IslandStep {
         return work_.system.joint_contacts.points.subspan(std::size_t(m.first), std::size_t(m.count));
     }
 
-    // Directions and bodies of a contact that is rows: the normal comes first, the linear parts of the others
-    // are tangents, or zero.
+    // Directions and bodies of a contact that is rows: the first row has the normal; the linear parts of the
+    // others are tangents or zero.
     JointManifold manifold_of(const RowBlock& block) const
     {
         const Row* rows = &work_.system.rows[std::size_t(block.first)];

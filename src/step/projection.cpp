@@ -45,12 +45,12 @@ constexpr Real kLargestTurn = 1;                     // rad, of one Newton step
 constexpr std::size_t kFewRows = 64;
 constexpr int kMaxHalvings = 5;
 
-// A row of the projection beside its Row in the system.
+// What a row of the projection needs besides its Row in the system.
 struct Hold {
     int source;    // row of the step
     Real error;    // J dx = error
     Real per_arm;  // 1/l
-    bool follows;  // the motion, as the pose does not tell its error
+    bool follows;  // the motion, as the pose does not determine its error
 };
 
 bool is_spring(const Row& row, const RowBlock& block, const RowSystem& system)
@@ -165,7 +165,7 @@ class Projection {
         return !is_spring(row, block, work_.system);
     }
 
-    // The longest lever of the block's rows, but not less than its bodies' radius of gyration.
+    // The longest lever arm of the block's rows, but not less than its bodies' radius of gyration.
     Real longest_arm(const RowBlock& block) const
     {
         Real longest = 0;
@@ -269,7 +269,7 @@ class Projection {
             }
     }
 
-    // Of the step, so that nothing turns further than kLargestTurn; 0: it is not a number.
+    // The share of the step with which no body turns further than kLargestTurn; 0: the step is not finite.
     Real first_share() const
     {
         Real largest = 0;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The pipeline: islands, of which some fall asleep, every island from forces to poses, then the callbacks.
-// Islands know nothing of each other, so they are the pieces of parallel work: large ones one after another
-// with all workers on each, if the solver can use them, and then the others at once, in parcels of about
-// equal weight. Callbacks come last, body by body in island order on the caller's thread: a program sees the
-// same order on any number of workers.
+// The pipeline of a step: contacts of the world, islands (some fall asleep), every island from forces to
+// poses, continuous collision, callbacks. Islands are independent, so they are the units of parallel work:
+// large ones first, one after another with all workers on each if the solver can use them; then the others
+// concurrently, in parcels of about equal weight. Callbacks come last, body by body in island order on the
+// caller's thread, so that a program sees the same order on any number of workers.
 #include "step/step.h"
 
 #include <algorithm>
@@ -28,19 +28,19 @@
 namespace epode {
 namespace {
 
-constexpr int kLarge = 256;           // joints of an island that is worth all workers
-constexpr int kLargeManifolds = 256;  // or manifolds
-// Joints, manifolds and bodies of islands that are solved together: the more, the fewer lanes stay empty; but
-// sweeps over manifolds hold more of each, and go over them more often.
+constexpr int kLarge = 256;           // joints of an island that all workers solve together
+constexpr int kLargeManifolds = 256;  // the same in manifolds
+// Limits of weight() for islands that are solved together. More of them leave fewer SIMD lanes empty; sweeps
+// over manifolds read more memory for each and read it more often, so that their limit is lower.
 constexpr int kGroup = 1024, kGroupOfManifolds = 512;
-constexpr int kParcel = 128;  // of a parcel of groups
+constexpr int kParcel = 128;  // least weight of a parcel but the last
 
-// Who does the parts of a step: threads of our own, or calls of the implementation that the world was given.
+// The threads of a step: the library's own, or those of the threading implementation that the world has.
 class Workers {
   public:
     Tasks of_islands, of_an_island;
 
-    // False: the implementation refused; the world is as it was.
+    // False: the threading implementation refused; the world is unchanged.
     bool start(World& world)
     {
         if (!world.threading) {
@@ -57,7 +57,7 @@ class Workers {
     void stop() { posting_.close(); }
 
   private:
-    // Of the threads that the world asked for, those that ODE's own limit leaves.
+    // The number that the world requests, at most dWorldSetStepIslandsProcessingMaxThreadCount's.
     static int number_for(const World& world)
     {
         const int wanted = world.step_threads > 0 ? world.step_threads : processor_count();
@@ -75,7 +75,7 @@ int weight(const Island& island)
 
 class WorldStep {
   public:
-    // `hybrid`: each island has the solver of its own, and not the context's.
+    // `hybrid`: each island has its own solver instead of the context's.
     WorldStep(const StepContext& context, bool hybrid, StepState& state, const Workers& workers)
         : context_(context),
           hybrid_(hybrid),
@@ -124,7 +124,7 @@ class WorldStep {
         return !out_of_memory_.load();
     }
 
-    // Who was too fast. False: out of memory.
+    // Continuous collision. False: out of memory.
     bool stop_at_impacts()
     {
         if (finish_.is_early()) return true;
@@ -141,7 +141,7 @@ class WorldStep {
             remember_choice(islands_[i], *solvers_[i], factorisations_[i]);
     }
 
-    // Later steps need not look at what sleeps.
+    // Takes sleeping bodies out of the active ones, so that later steps skip them.
     void deactivate_sleeping() const
     {
         const auto& bodies = context_.world.bodies;
@@ -161,7 +161,7 @@ class WorldStep {
 
     void finish() { finish_.rest(); }
 
-    // As if there had been no step: the count of steps too, which is the random order's seed.
+    // Restores the state before the step, with the count of steps: it seeds random orders.
     void take_back()
     {
         context_.contacts.take_back();
@@ -173,7 +173,7 @@ class WorldStep {
     }
 
   private:
-    // Everybody sleeps, and the contacts are known.
+    // All bodies sleep, and their contacts are up to date.
     bool is_settled() const
     {
         return context_.world.bodies.active_count() == 0 &&
@@ -187,7 +187,7 @@ class WorldStep {
                contacts.update(context_.world, *contacts.live_space(), context_.h, workers_.of_islands);
     }
 
-    // What rests becomes active where something active holds to it, and is looked at then.
+    // Activates inactive bodies that an active one touches or holds by a joint; then finds the islands again.
     bool find_islands(Arena& arena)
     {
         World& world = context_.world;
@@ -229,7 +229,7 @@ class WorldStep {
         return hybrid_ ? *solvers_[island] : context_.solver;
     }
 
-    // Islands that lie side by side and are solved together, by one solver.
+    // Consecutive islands that one solver solves together.
     struct Group {
         const Solver* solver;
         int first, count;
@@ -237,18 +237,18 @@ class WorldStep {
         int first_contact;
     };
 
-    // May islands be solved beside one another? If the solver knows of parts; but not where manifolds become
-    // rows, behind those of all joints.
+    // Can the solver take several islands at once? It must support parts (SystemPart), and manifolds must not
+    // become rows, because those are appended after the rows of all joints.
     bool makes_groups(const Solver& solver) const
     {
         return solver.contact_manifolds || (solver.joint_manifolds && !context_.manages_contacts);
     }
 
-    // What only manifolds hold together moves in another way in small steps, and joints that are one block
-    // are one island's.
+    // Can island i join the group of island i - 1? In substeps an island without joints is solved in another
+    // way than one with joints, and kNetwork factorises the joints of one island at a time.
     bool may_join(std::size_t i) const
     {
-        // All workers sweep over a large one together, and over others each by itself.
+        // All workers sweep over a large island together; each of the others has one worker.
         if (has_many_manifolds(i) || has_many_manifolds(i - 1)) return false;
         if (islands_[i].settles() != islands_[i - 1].settles()) return false;
         const Solver& solver = solver_of(i);
@@ -257,7 +257,7 @@ class WorldStep {
         return !solver.contact_manifolds || (joints == before && !(joints && &solver == &kNetwork));
     }
 
-    // Small islands that follow each other make groups, if they may. Returns the number of joints.
+    // Joins consecutive small islands to groups where may_join() allows it. Returns the number of joints.
     int make_groups()
     {
         int count = 0, contacts = 0;
@@ -345,7 +345,7 @@ class WorldStep {
     const Workers& workers_;
     std::span<Island> islands_;
     bool updates_contacts_ = false;
-    std::span<Body*> asleep_;           // active ones of no island
+    std::span<Body*> asleep_;           // active bodies that have fallen asleep
     std::span<const Solver*> solvers_;  // of a hybrid step, by island
     std::span<int> factorisations_;     // likewise
     std::span<Group> groups_;
@@ -374,9 +374,9 @@ StepState* step_state(World& world)
 
 namespace {
 
-// Calls that would pull the step's feet away are refused from its beginning to its end, since functions of
-// the program come in all along: those that give memory, those of threads, callbacks. A batch marks its
-// worlds itself, for longer.
+// Marks the world as stepping. The program's functions run during a step (memory, threading, callbacks), so
+// calls that would change what the step works on are refused until it ends. A batch marks its worlds itself,
+// for longer.
 class Stepping {
   public:
     explicit Stepping(World& world) : world_(world), before_(world.stepping) { mark_stepping(world_, true); }
@@ -389,7 +389,7 @@ class Stepping {
     const bool before_;
 };
 
-// The step, with the world's working memory taken for it; `solver` null: hybrid.
+// The step, when the world's working memory has been reserved for it; `solver` null: hybrid.
 bool step_in(World& world, StepState& state, const Solver* solver, Real h, int iterations)
 {
     Workers workers;
