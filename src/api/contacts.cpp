@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Contacts that the world manages, as C functions.
+// The C functions of world-managed contacts.
 #include "ode/contacts.h"
 
 #include "collide/types/registry.h"

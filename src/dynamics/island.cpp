@@ -253,7 +253,7 @@ class Search {
     std::size_t body_count_ = 0, joint_count_ = 0, manifold_count_ = 0, island_count_ = 0;
 };
 
-// True: it has fallen asleep.
+// True: it has fallen asleep. False: it may settle.
 bool sleep_or_settle(Island& island, Real h)
 {
     Readiness found;

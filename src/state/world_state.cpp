@@ -16,7 +16,7 @@ namespace {
 
 enum GeomBit : std::uint8_t { kEnabled = 1, kDisturbed = 2, kPose = 4 };
 
-// Of no body: it stays where the program has put it.
+// A geom without a body stays where the program has placed it.
 bool has_own_pose(const Geom& geom) { return geom.type->placeable && !geom.body.id && !is_space(geom); }
 
 struct Counts {
