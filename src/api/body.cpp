@@ -296,7 +296,7 @@ dJointID dBodyGetJoint(dBodyID b, int index)
 void dBodySetMovedCallback(dBodyID b, void (*callback)(dBodyID))
 {
     BODY_OR();
-    body->moved = callback, body->tells = callback != nullptr;
+    body->moved = callback, body->has_moved_callback = callback != nullptr;
 }
 
 }  // extern "C"

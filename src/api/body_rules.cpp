@@ -44,7 +44,7 @@ extern "C" {
 
 BODY_NUMBER(int, AutoDisableSteps, sleep.steps, true)
 BODY_NUMBER(dReal, AutoDisableTime, sleep.time, usable_or_infinite(value))
-BODY_NUMBER(int, HybridStepper, hybrid.wish, is_stepper(value))
+BODY_NUMBER(int, HybridStepper, hybrid.requested, is_stepper(value))
 BODY_NUMBER(dReal, LinearDamping, damping.linear_scale, usable(value))
 BODY_NUMBER(dReal, AngularDamping, damping.angular_scale, usable(value))
 BODY_NUMBER(dReal, MaxAngularSpeed, max_angular_speed, value >= 0)

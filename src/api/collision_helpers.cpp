@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Functions on plain numbers that ODE exports beside its geoms, and the low-level control that only meshes
+// ODE's collision functions on plain numbers instead of geoms, and the low-level control that only meshes
 // have.
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Contacts that the world manages, as C functions.
+// The C functions of world-managed contacts.
 #include "ode/contacts.h"
 
 #include "collide/types/registry.h"
@@ -29,9 +29,9 @@ bool usable_material(const dMaterial& m)
            m.bounce_speed >= 0 && usable_or_infinite(m.bounce_speed) && usable(m.surface_velocity, 3);
 }
 
-const ContactWorld* managed(const World& world)
+const ContactWorld* world_contacts(const World& world)
 {
-    return world.step_state ? &world.step_state->managed : nullptr;
+    return world.step_state ? &world.step_state->world_contacts : nullptr;
 }
 
 }  // namespace
@@ -45,15 +45,15 @@ void dWorldSetContactSpace(dWorldID w, dSpaceID s)
     EPODE_USER_SAY(!s || space_from(s), "argument not a space");
     StepState* state = step_state(*world);
     EPODE_USER_SAY(state, "out of memory");
-    if (state->managed.space == s) return;
-    state->managed.forget();
-    state->managed.space = s;
+    if (state->world_contacts.space == s) return;
+    state->world_contacts.forget();
+    state->world_contacts.space = s;
 }
 
 dSpaceID dWorldGetContactSpace(dWorldID w)
 {
     WORLD_OR(nullptr);
-    const ContactWorld* contacts = managed(*world);
+    const ContactWorld* contacts = world_contacts(*world);
     return contacts && contacts->live_space() ? contacts->space : nullptr;
 }
 
@@ -63,8 +63,8 @@ void dWorldSetContactFilter(dWorldID w, dContactFilter* filter, void* data)
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step");
     StepState* state = step_state(*world);
     EPODE_USER_SAY(state, "out of memory");
-    state->managed.filter = filter;
-    state->managed.filter_data = data;
+    state->world_contacts.filter = filter;
+    state->world_contacts.filter_data = data;
 }
 
 int dGeomSetMaterial(dGeomID g, const dMaterial* material)
@@ -99,7 +99,7 @@ int dWorldGetContactEvents(dWorldID w, dContactEvent* events, int capacity)
 {
     WORLD_OR(0);
     EPODE_USER(capacity >= 0 && (events || capacity == 0), 0);
-    const ContactWorld* contacts = managed(*world);
+    const ContactWorld* contacts = world_contacts(*world);
     return contacts ? contacts->events(events, capacity) : 0;
 }
 
@@ -107,7 +107,7 @@ int dWorldGetContacts(dWorldID w, dWorldContact* out, int capacity)
 {
     WORLD_OR(0);
     EPODE_USER(capacity >= 0 && (out || capacity == 0), 0);
-    const ContactWorld* contacts = managed(*world);
+    const ContactWorld* contacts = world_contacts(*world);
     return contacts ? contacts->contacts(out, capacity) : 0;
 }
 

@@ -19,7 +19,7 @@ constexpr const char* kBadDirection = "bad direction number";
 
 MassProperties properties_of(const dMass& m) { return {m.mass, load(m.c), symmetric_part(load_mat(m.I))}; }
 
-bool check_and_tell(const MassProperties& p)
+bool check_and_report(const MassProperties& p)
 {
     static constexpr const char* kTexts[] = {"", "mass must be > 0", "inertia must be positive definite",
                                              "center of mass inconsistent with mass parameters"};
@@ -40,7 +40,7 @@ void put(dMass* m, const MassProperties& p)
 void put_and_check(dMass* m, const MassProperties& p)
 {
     put(m, p);
-    check_and_tell(p);
+    check_and_report(p);
 }
 
 bool is_direction(int direction) { return direction >= 1 && direction <= 3; }
@@ -54,7 +54,7 @@ extern "C" int dMassCheck(const dMass* m)
 {
     const FloatEnvironment floats;
     EPODE_USER(m, 0);
-    return check_and_tell(properties_of(*m));
+    return check_and_report(properties_of(*m));
 }
 
 extern "C" void dMassSetZero(dMass* m)

@@ -50,9 +50,9 @@ std::uint32_t fold(std::uint32_t r, std::uint32_t n)
 
 Real draw_in(Real range) { return (dRandReal() * 2 - 1) * range; }
 
-const char* skip_digits(const char* s, int most)
+const char* skip_digits(const char* s, int max_digits)
 {
-    for (int i = 0; i < most && *s >= '0' && *s <= '9'; ++i) ++s;
+    for (int i = 0; i < max_digits && *s >= '0' && *s <= '9'; ++i) ++s;
     return s;
 }
 

@@ -27,13 +27,13 @@ bool same(const Array<int>& a, const int* model, int size)
 
 bool check_array()
 {
-    constexpr int kMost = 300;
-    int model[kMost], size = 0;
+    constexpr int kMaxSize = 300;
+    int model[kMaxSize], size = 0;
     Array<int> array;
     CounterRandom random(1);
     for (int turn = 0; turn < 4000; ++turn) {
         const int value = random.below(1000), what = random.below(8);
-        if (what < 4 && size < kMost) {
+        if (what < 4 && size < kMaxSize) {
             if (!array.push(value)) return false;
             model[size++] = value;
         } else if (what < 6 && size > 0) {
@@ -44,7 +44,7 @@ bool check_array()
             array.pop();
             --size;
         } else if (value < 50) {
-            const int wanted = random.below(kMost);
+            const int wanted = random.below(kMaxSize);
             if (!array.resize(wanted)) return false;
             for (; size < wanted; ++size) model[size] = 0;
             size = wanted;

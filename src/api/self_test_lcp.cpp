@@ -214,7 +214,7 @@ double worst_of(int count, Residual&& residual)
     return worst;
 }
 
-bool tell(const char* what, int count, double worst, double limit)
+bool report(const char* what, int count, double worst, double limit)
 {
     std::printf("%d %s: worst residual %.1e, %s\n", count, what, worst, worst <= limit ? "passed" : "FAILED");
     return worst <= limit;
@@ -226,8 +226,8 @@ extern "C" int dTestSolveLCP(void)
 {
     std::printf("dTestSolveLCP()\n");
     const bool dense =
-        tell("dense problems", kDenseProblems, worst_of(kDenseProblems, dense_residual), kDenseLimit);
+        report("dense problems", kDenseProblems, worst_of(kDenseProblems, dense_residual), kDenseLimit);
     const bool bodies =
-        tell("systems of bodies", kBodyProblems, worst_of(kBodyProblems, body_residual), kBodyLimit);
+        report("systems of bodies", kBodyProblems, worst_of(kBodyProblems, body_residual), kBodyLimit);
     return dense && bodies;
 }

@@ -17,7 +17,7 @@ using namespace epode;
 
 namespace {
 
-constexpr std::size_t kMostBytes = INT_MAX;  // lists count in ints
+constexpr std::size_t kMaxBytes = INT_MAX;  // lists count in ints
 
 std::span<const std::byte> bytes(const void* data, std::size_t size)
 {
@@ -29,7 +29,7 @@ bool is_unlocked(const World& world)
 {
     for (const Body& body : world.bodies)
         if (in_locked_space(body)) return false;
-    const Space* space = world.step_state ? world.step_state->managed.live_space() : nullptr;
+    const Space* space = world.step_state ? world.step_state->world_contacts.live_space() : nullptr;
     return !space || space->locks == 0;
 }
 
@@ -60,7 +60,7 @@ int dWorldGetState(dWorldID w, void* buffer, size_t size)
     WorldState state(*world);
     std::size_t needed = 0;
     EPODE_USER_SAY(state.prepare() && state.measure(needed), kOutOfMemory, 0);
-    EPODE_USER_SAY(needed <= size && needed <= kMostBytes,
+    EPODE_USER_SAY(needed <= size && needed <= kMaxBytes,
                    "the buffer is smaller than dWorldGetStateSize() says", 0);
     state.write(static_cast<std::byte*>(buffer));
     return 1;
@@ -90,7 +90,7 @@ size_t dWorldGetStateDelta(dWorldID w, const void* base, size_t base_size, void*
     const char* const wrong = state.check(static_cast<const std::byte*>(base), base_size);
     EPODE_USER_SAY(!wrong, wrong, 0);
     Array<std::uint32_t> whole, delta;
-    const bool written = size <= kMostBytes && whole.resize(int(size / 4));
+    const bool written = size <= kMaxBytes && whole.resize(int(size / 4));
     EPODE_USER_SAY(written, kOutOfMemory, 0);
     state.write(reinterpret_cast<std::byte*>(whole.data()));
     EPODE_USER_SAY(write_delta(bytes(base, base_size), bytes(whole.data(), size), delta), kOutOfMemory, 0);

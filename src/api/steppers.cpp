@@ -14,7 +14,7 @@ using namespace epode;
 
 namespace {
 
-constexpr int kMostThreads = 64;
+constexpr int kMaxThreads = 64;
 
 }  // namespace
 
@@ -35,7 +35,7 @@ int dWorldsStep(const dWorldID* worlds, int count, dReal stepsize, int stepper, 
     EPODE_USER(is_stepper(stepper) && usable(stepsize) && stepsize > 0 && steps >= 1, 0);
     const Solver* const solver = solver_named(stepper);
     EPODE_USER(!solver || !solver->substeps || (iterations >= 1 && iterations <= kMaxSubsteps), 0);
-    EPODE_USER(count >= 0 && (worlds || count == 0) && threads >= 0 && threads <= kMostThreads, 0);
+    EPODE_USER(count >= 0 && (worlds || count == 0) && threads >= 0 && threads <= kMaxThreads, 0);
     for (int i = 0; i < count; ++i) {
         const World* world = from_handle<World>(worlds[i]);
         EPODE_USER(world, 0);
@@ -47,7 +47,7 @@ int dWorldsStep(const dWorldID* worlds, int count, dReal stepsize, int stepper, 
         EPODE_USER_SAY(!world.stepping, "a world twice", 0);
         EPODE_USER_SAY(batch.add(world), kOutOfMemory, 0);
     }
-    EPODE_USER_SAY(batch.plan(threads), kOutOfMemory, 0);
+    EPODE_USER_SAY(batch.prepare(threads), kOutOfMemory, 0);
     const int whole = batch.run({solver, stepsize, iterations}, steps, steps_made);
     EPODE_USER_SAY(whole == count, kOutOfMemory, whole);
     return whole;

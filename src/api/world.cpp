@@ -30,7 +30,7 @@ using namespace epode;
 namespace {
 
 // Beyond these a step would not come back for hours: a number that slipped, not one that somebody wants.
-constexpr int kMostIterations = 100000;
+constexpr int kMaxIterations = 100000;
 
 // Thresholds are kept squared.
 Real square(Real x) { return x * x; }
@@ -114,7 +114,7 @@ void dWorldSetStepThreadingImplementation(dWorldID w, const dThreadingFunctionsI
 }
 
 WORLD_NUMBER(int, StepThreads, step_threads, value >= 0 && value <= 64)
-WORLD_NUMBER(int, QuickStepNumIterations, quick_iterations, value <= kMostIterations)
+WORLD_NUMBER(int, QuickStepNumIterations, quick_iterations, value <= kMaxIterations)
 WORLD_NUMBER(dReal, QuickStepW, quick_w, usable(value))
 WORLD_NUMBER(dReal, ContactMaxCorrectingVel, contact_max_vel, usable_or_infinite(value))
 WORLD_NUMBER(dReal, ContactSurfaceLayer, contact_layer, usable(value))

@@ -45,13 +45,13 @@ inline constexpr bool kAsserts = true;
     ((condition) ? (void)0 : ::epode::assertion_failed(#condition, __FILE__, __LINE__))
 #endif
 
-#define EPODE_USER_SAY(condition, text, ...)             \
-    do {                                                 \
-        if (!(condition) && kChecked) [[unlikely]] {     \
-            static std::atomic<bool> epode_told{false};  \
-            ::epode::refuse(text, __func__, epode_told); \
-            return __VA_ARGS__;                          \
-        }                                                \
+#define EPODE_USER_SAY(condition, text, ...)                 \
+    do {                                                     \
+        if (!(condition) && kChecked) [[unlikely]] {         \
+            static std::atomic<bool> epode_reported{false};  \
+            ::epode::refuse(text, __func__, epode_reported); \
+            return __VA_ARGS__;                              \
+        }                                                    \
     } while (false)
 
 #define EPODE_USER(condition, ...) EPODE_USER_SAY(condition, "Bad argument(s)" __VA_OPT__(, ) __VA_ARGS__)

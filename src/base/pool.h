@@ -6,7 +6,7 @@
 // pool per type and process, because handles of destroyed worlds must be recognised too. A spin lock guards
 // the free list, since worlds may be built on several threads; it is held for a few instructions only. Chunks
 // are kept after the last dCloseODE, for handles that outlive it, and freed when the library is unloaded.
-// Chunks from a memory handler of the program are the exception: the program may take its heap away, so the
+// Chunks from a memory handler of the program are the exception: the program may withdraw its memory, so the
 // last dCloseODE frees them if the pool holds no object.
 #pragma once
 

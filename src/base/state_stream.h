@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What a world keeps from step to step on its way into bytes and back (ode/state.h). Each part of the engine
-// visits its own numbers, in one function for both directions, so that writing and reading cannot disagree:
+// Converts the state of a world to bytes and back (ode/state.h). Each part of the engine visits its own
+// numbers, in one function for both directions, so that writing and reading cannot disagree:
 //   kMeasure  counts the bytes that kWrite would write
-//   kWrite    puts them into a buffer that has been measured
-//   kCheck    reads and judges, and stores nothing
-//   kRead     reads, judges and stores
-// A value that is no object of its own is handed in and comes back: the present one when a state is saved,
-// the saved one when it is loaded. All sizes are multiples of four bytes. Numbers are written as they lie in
-// memory, little endian. The first thing that is wrong is remembered, in words; what is read after it is 0.
+//   kWrite    writes them to a buffer of the measured size
+//   kCheck    reads and checks, and stores nothing
+//   kRead     reads, checks and stores
+// A function that takes a value returns the value to use: the same one when a state is saved, the saved one
+// when it is loaded. All sizes are multiples of four bytes. Numbers have the layout of memory, little endian.
+// The first fault is kept, in words; values read after it are 0.
 #pragma once
 
 #include <bit>
@@ -30,7 +30,7 @@ class StateStream {
     enum class Mode { kMeasure, kWrite, kCheck, kRead };
 
     StateStream() = default;  // measures
-    // Writes from here on; there is enough room.
+    // Writes to `to`, whose capacity must be the measured size.
     explicit StateStream(std::byte* to) : mode_(Mode::kWrite), at_(to) {}
     StateStream(Mode mode, const std::byte* from, std::size_t size)
         : mode_(mode), at_(const_cast<std::byte*>(from)), size_(size)
@@ -39,15 +39,15 @@ class StateStream {
     bool measures() const { return mode_ == Mode::kMeasure; }
     bool saves() const { return mode_ <= Mode::kWrite; }
     bool stores() const { return mode_ == Mode::kRead; }
-    // From now on what is checked is stored, too: in objects that nobody uses yet.
+    // With kRead after kCheck: stores what follows, in objects that nobody uses yet.
     void set_mode(Mode mode) { mode_ = mode; }
     Mode mode() const { return mode_; }
 
     bool failed() const { return text_[0] != 0; }
     const char* text() const { return text_; }
-    // Of the first thing that is wrong.
+    // Only the first fault is kept.
     [[gnu::format(printf, 2, 3), gnu::cold]] void fail(const char* format, ...);
-    // False, and this is what is wrong, unless the condition holds.
+    // Fails with the text unless the condition holds, which it returns.
     bool demand(bool condition, const char* text)
     {
         if (!condition) [[unlikely]]
@@ -61,14 +61,14 @@ class StateStream {
 
     std::uint32_t word(std::uint32_t value) { return whole(value); }
     std::uint64_t long_word(std::uint64_t value) { return whole(value); }
-    // Below `end`.
+    // Must be less than `end`.
     std::uint32_t index(std::uint32_t value, std::uint32_t end, const char* text)
     {
         value = word(value);
         return saves() || demand(value < end, text) ? value : 0;
     }
 
-    // Finite numbers; `infinite`: or infinite. What flies away may be farther than a program may put it.
+    // Finite, or with `infinite` any but NaN. Bodies may fly farther than a program may place them.
     void reals(Real* values, int count, bool infinite = false)
     {
         bytes(values, sizeof(Real) * std::size_t(count), [&](const std::byte* from) {
@@ -81,7 +81,7 @@ class StateStream {
             return good;
         });
     }
-    // What a solver starts from and contacts are found by: any bits, since steps contain what comes of them.
+    // Starting values of solvers and keys of contacts: any bits, since steps contain bad results.
     void guesses(Real* values, int count)
     {
         bytes(values, sizeof(Real) * std::size_t(count), [](const std::byte*) { return true; });
@@ -91,8 +91,8 @@ class StateStream {
         bytes(values, sizeof(float) * std::size_t(count), [](const std::byte*) { return true; });
     }
 
-    // A run of bytes, filled up to a multiple of four: to be written or read at the caller's pace. Null when
-    // there are not enough of them, or while they are only measured.
+    // A run of bytes, padded to a multiple of four, which the caller writes or reads directly. Null if too
+    // few bytes are left, or while measuring.
     std::byte* block(std::size_t count)
     {
         const std::size_t whole = (count + 3) / 4 * 4;
@@ -113,11 +113,11 @@ class StateStream {
     struct Number {
         Real* value;
         Real usual;
-        bool infinite = false;  // may be
+        bool infinite = false;  // is allowed
         Real least = -kInf;
     };
-    // Numbers of which most are what they are in most objects, at most 16, and 16 bits more, which come back:
-    // only unusual numbers take space.
+    // At most 16 numbers that have their usual value in most objects, and 16 bits, which are returned as
+    // saved: only unusual numbers take space.
     std::uint32_t unusual(std::initializer_list<Number> numbers, std::uint32_t bits = 0);
 
   private:

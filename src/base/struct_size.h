@@ -30,7 +30,7 @@ constexpr bool accepts_size(unsigned size)
     return size >= kSmallestSize<T> && size <= sizeof(T) && size % alignof(T) == 0;
 }
 
-// What a refused size is told.
+// The text that reports a refused size.
 template <typename T>
 class SizeRefusal {
   public:

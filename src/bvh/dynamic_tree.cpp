@@ -50,14 +50,14 @@ void DynamicTree::give_node(int node)
 
 int DynamicTree::insert(const Aabb& box, int item)
 {
-    const int leaf = insert_beside(root_ < 0 ? -1 : find_sibling(box), box, item);
+    const int leaf = insert_as_sibling(root_ < 0 ? -1 : find_sibling(box), box, item);
     if (leaf >= 0) changed(leaf);
     return leaf;
 }
 
 int DynamicTree::insert_loose(const Aabb& box, int item)
 {
-    const int leaf = insert_beside(root_, box, item);
+    const int leaf = insert_as_sibling(root_, box, item);
     if (leaf >= 0) sound_ = false, loose_ = true;
     return leaf;
 }
@@ -69,7 +69,7 @@ void DynamicTree::set_box(int leaf, const Aabb& box)
 }
 
 // Without a sibling the leaf becomes the root of an empty tree.
-int DynamicTree::insert_beside(int sibling, const Aabb& box, int item)
+int DynamicTree::insert_as_sibling(int sibling, const Aabb& box, int item)
 {
     const int leaf = take_node();
     if (leaf < 0) return -1;

@@ -243,7 +243,7 @@ class DynamicTree {
     bool refit();
     Real refit(int top);
     int depth_of(int node) const;
-    int insert_beside(int sibling, const Aabb& box, int item);
+    int insert_as_sibling(int sibling, const Aabb& box, int item);
     int find_sibling(const Aabb& box);
     // Leaves `first` ... of order_, and the inner nodes that hold them: count - 1 of inner_.
     struct Branch {

@@ -298,7 +298,7 @@ bool ContactWorld::load(const World& world, const SpaceGeoms& geoms, StateStream
         return true;
     PairList& list = fresh_;
     list.clear();
-    list.connections = world.ties;
+    list.connections = world.connections_version;
     if (!list.pairs.reserve(int(pairs)) || !list.manifolds.extend(int(manifolds)) ||
         !out.rests.reserve(int(pairs)) || !out.ended.reserve(int(ended)))
         return false;

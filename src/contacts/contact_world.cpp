@@ -202,7 +202,7 @@ bool ContactWorld::choose_range(const World& world, int range, RecordFinder& fin
 // Room for all manifolds that there may be, and for what accept() will keep.
 bool ContactWorld::list_pairs(const World& world, const Tasks& tasks)
 {
-    fresh_.connections = world.ties;
+    fresh_.connections = world.connections_version;
     PairRange total;
     for (PairRange& range : ranges_) {
         const PairRange own = range;
@@ -234,8 +234,8 @@ ContactPair ContactWorld::pair_of(const World& world, const GeomPair& from, int 
     pair.max_manifolds = std::uint8_t(max_manifolds(from));
     const ContactPair* old = from.old < 0 ? nullptr : last_.pairs.data() + from.old;
     pair.wanted = !old || old->wanted;
-    const bool as_before =
-        old && last_.connections == world.ties && old->body1 == pair.body1 && old->body2 == pair.body2;
+    const bool as_before = old && last_.connections == world.connections_version &&
+                           old->body1 == pair.body1 && old->body2 == pair.body2;
     pair.tied = as_before ? old->tied : tied(*pair.body1, pair.body2);
     if ((pair.on_mesh = on_mesh(from)))
         pair.leaves = leaf;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Which bodies and joints a step looks at. A body is active from the moment it wakes until the end of the
-// step in which it is found asleep; a joint until a step finds that none of its bodies is. What is not active
-// costs a step nothing: it is reached only through what is active, and then becomes active itself.
+// The bodies and joints that a step visits. A body is active from the moment it wakes until the end of the
+// step in which it falls asleep; a joint, until a step finds that none of its bodies is active. Inactive
+// bodies and joints cost a step nothing: a step reaches them only through active ones, and then activates
+// them.
 #pragma once
 
 #include "dynamics/world.h"
@@ -25,22 +26,23 @@ void for_each_joint(const Body& body, F&& f)
 }
 
 // Makes active the bodies in world.reached, which it empties, and all that acting joints connect with them.
-// visit(body) for each of them may add others to world.reached; both answer false when memory is exhausted.
+// visit(body) for each of them may add others to world.reached. Both return false when memory is exhausted.
 template <typename Visit>
 [[nodiscard]] bool activate_reached(World& world, Visit&& visit)
 {
-    bool room = true;
-    while (room && !world.reached.empty()) {
+    bool has_memory = true;
+    while (has_memory && !world.reached.empty()) {
         Body& body = *world.reached.back();
         world.reached.pop();
         if (is_active(body)) continue;
         activate(body);
         for_each_joint(body, [&](Joint& joint, Body* other) {
-            if (other && !is_active(*other) && acting(joint)) room = world.reached.push(other) && room;
+            if (other && !is_active(*other) && acting(joint))
+                has_memory = world.reached.push(other) && has_memory;
         });
-        room = visit(body) && room;
+        has_memory = visit(body) && has_memory;
     }
-    return room;
+    return has_memory;
 }
 
 }  // namespace epode

@@ -44,9 +44,9 @@ struct DampingRule {
     Real angular_threshold2 = Real(0.01) * Real(0.01);
 };
 
-// What a body has to do with the solver of its island in hybrid steps (step/hybrid).
+// What a body contributes to the choice of its island's solver in hybrid steps (step/hybrid).
 struct HybridState {
-    std::uint8_t wish = 0;  // of dStepper; 0: none
+    std::uint8_t requested = 0;  // stepper (dStepper); 0: none
     bool was_exact = false;
     std::uint8_t factorisations = 0;  // of the last exact step; 0: unknown
 };
@@ -57,18 +57,18 @@ struct Body : Numbered {
 
     // ---- all that walks over the world's bodies look at: one line of the cache, with the tag ----
     World* world;
-    int place = -1;      // in the world's roster
-    bool tells = false;  // there is a function that wants to know when it has `moved`
+    int place = -1;                   // in the world's roster
+    bool has_moved_callback = false;  // `moved` is to be called after a step
     bool gravity = true;
     bool gyroscopic = true;
     bool finite_rotation = false;
     JointNode* joints = nullptr;        // most recently attached first
-    ManifoldEdge* manifolds = nullptr;  // contacts that the world manages, during a step
+    ManifoldEdge* manifolds = nullptr;  // world-managed contacts, during a step
     dxGeom* first_geom = nullptr;       // list of geoms; only step/link.cpp looks inside
     int island_index = -1;              // place in its island during a step, else below 0
     bool disabled = false;
     bool auto_disable = false;
-    bool had_manifolds = false;  // by a contact that the world manages, in the last step
+    bool had_manifolds = false;  // by world-managed contacts, in the last step
     bool driven = false;         // kinematic: forces do not move it
 
     // ---- visible through the ABI ----

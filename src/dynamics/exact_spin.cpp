@@ -30,7 +30,7 @@
 namespace epode {
 namespace {
 
-constexpr int kMostNewton = 16;
+constexpr int kMaxNewtonSteps = 16;
 constexpr Real kLargestHalfTurn2 =
     1;  // square of h |W| / 2 above which nothing is scaled: tan has a pole ahead
 
@@ -59,7 +59,7 @@ bool solve_middle(const Sym3& I, const Sym3& inv_I, Vec3 l, Real h, bool scaled,
     W = inv_I * l;
     const Real half = h / 2, small2 = length2(l) * (16 * kEpsilon * kEpsilon);
     Real before = kInf;
-    for (int i = 0; i < kMostNewton; ++i) {
+    for (int i = 0; i < kMaxNewtonSteps; ++i) {
         Real s = 1, slope = 0;
         if (scaled) tangent_scale(half * half * length2(W), s, slope);
         const Vec3 IW = I * W, turn = cross(W, IW);

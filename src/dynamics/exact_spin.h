@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The accurate way to turn a body (dWorldSetExactRotation), beside ODE's in integrate.h. The state is the
-// angular momentum; `Body::spin_excess` is what of it the stored angular velocity does not show.
+// Accurate integration of rotation (dWorldSetExactRotation); ODE's own is in integrate.h. The state is the
+// angular momentum; `Body::spin_excess` is the part of it that the stored angular velocity does not show.
 #pragma once
 
 #include "dynamics/body.h"

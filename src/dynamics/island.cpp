@@ -253,8 +253,8 @@ class Search {
     std::size_t body_count_ = 0, joint_count_ = 0, manifold_count_ = 0, island_count_ = 0;
 };
 
-// True: it has fallen asleep.
-bool comes_to_rest(Island& island, Real h)
+// True: it has fallen asleep. False: it may settle.
+bool sleep_or_settle(Island& island, Real h)
 {
     Readiness found;
     if (fall_asleep(island, h, found)) return true;
@@ -282,7 +282,7 @@ bool find_islands(World& world, Real h, std::span<ManifoldEdge> manifolds, Arena
     for (std::size_t i = 0; i < bonds.bodies(); ++i)
         if (bonds.reach(i) == Reach::kAwake) {
             Island& island = search.grow_from(i, bonds, stack);
-            if (world.watches_bodies && comes_to_rest(island, h)) search.drop_last();
+            if (world.watches_bodies && sleep_or_settle(island, h)) search.drop_last();
         }
     std::size_t asleep = 0;
     for (std::size_t i = 0; i < bonds.bodies(); ++i)

@@ -46,7 +46,7 @@ void leave(JointNode& node, bool contact)
 
 void note_tie(Joint& joint)
 {
-    if (joint.world && joint.attached() && !is_contact(joint)) ++joint.world->ties;
+    if (joint.world && joint.attached() && !is_contact(joint)) ++joint.world->connections_version;
 }
 
 }  // namespace

@@ -12,9 +12,9 @@ namespace epode {
 JointDrives* take_drives(LastingJoint& joint)
 {
     if (joint.drives) return joint.drives;
-    void* const room = allocate(sizeof(JointDrives));
-    if (!room) return nullptr;
-    joint.drives = new (room) JointDrives;
+    void* const memory = allocate(sizeof(JointDrives));
+    if (!memory) return nullptr;
+    joint.drives = new (memory) JointDrives;
     joint.driven = true;
     if (joint.world) ++joint.world->driven_joints;
     return joint.drives;

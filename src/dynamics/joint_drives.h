@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What a joint keeps beyond its type: drives, turns, limits at which it breaks. Few joints have it. All of it
-// is state or structure of the joint except what is marked as belonging to the step under way.
+// What a joint of any type may have in addition: drives, counted turns, breaking limits. Few joints have
+// them. All of it is state or structure of the joint, except what is marked as belonging to the current step.
 #pragma once
 
 #include "dynamics/joint.h"
@@ -16,20 +16,20 @@ struct AxisDrive {
     bool continuous = false;  // the position counts turns
     Real reference = 0;       // of a continuous axis: the position when the last step began
     Real force = 0;           // of the drive, the mean over the last step
-    // Of the step under way:
-    RowDrive servo, rotor;    // that rows point to
+    // Of the current step:
+    RowDrive servo, rotor;    // which rows point to
     Real rate = 0;            // at the pose of the rows
     Real start_rate = 0;      // when the step began
     int servo_row = -1;       // in the joint's block; -1: none
-    bool with_rotor = false;  // that row is the rotor's too
+    bool with_rotor = false;  // that row includes the rotor
 };
 
-// What a joint may carry before it lets go.
+// The load at which a joint breaks.
 struct BreakLimits {
     Real force = kInf, torque = kInf;
     bool broken = false;
-    std::uint64_t step = 0;  // of the world in which it broke
-    Vec3 linear, angular;    // impulse, and about the anchor, so far in the current step
+    std::uint64_t step = 0;  // the world's step count when it broke
+    Vec3 linear, angular;    // impulse, and angular about the anchor, so far in the current step
 
     bool any() const { return force < kInf || torque < kInf; }
 };
@@ -39,14 +39,14 @@ struct JointDrives {
     BreakLimits limits;
 };
 
-// Of a joint that is `driven`.
+// For joints with `driven` set.
 inline JointDrives& drives_of(Joint& joint) { return *static_cast<LastingJoint&>(joint).drives; }
 inline const JointDrives& drives_of(const Joint& joint)
 {
     return *static_cast<const LastingJoint&>(joint).drives;
 }
 
-// The joint's, made if it has none; `joint.driven` then, for good. Null: out of memory.
+// The joint's drives, created if it has none; `joint.driven` is set then and stays set. Null: out of memory.
 JointDrives* take_drives(LastingJoint& joint);
 
 }  // namespace epode

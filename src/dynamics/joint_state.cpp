@@ -13,7 +13,7 @@ static_assert(kMaxBlockRows <= int(kRows));
 constexpr std::uint32_t kDriven = 1, kContinuous = 2;  // of an axis
 constexpr std::uint32_t kBroken = 1;                   // of the limits
 
-int most_rows(const Joint& joint)
+int max_rows(const Joint& joint)
 {
     if (is_contact(joint)) return 0;
     return joint.type->max_rows + (joint.driven ? kMaxDriveRows : 0);
@@ -56,7 +56,7 @@ std::uint8_t state_bits(const Joint& joint)
 void state(Joint& joint, std::uint8_t bits, StateStream& stream)
 {
     const int rows = int(bits & kRows);
-    if (!stream.demand(rows <= most_rows(joint), "a joint of the state has more impulses than rows")) return;
+    if (!stream.demand(rows <= max_rows(joint), "a joint of the state has more impulses than rows")) return;
     if (stream.stores()) {
         joint.impulse_rows = std::uint8_t(rows);
         joint.disabled = bits & kDisabled;

@@ -10,12 +10,12 @@ namespace {
 
 constexpr Real kPatience = 10;               // s
 constexpr Real kCalmShare = Real(0.9);       // of the bodies,
-constexpr Real kCalm = 30, kCalmSpin = 100;  // whose speeds are at most so many times their thresholds,
-constexpr Real kFastest = 100;               // while nobody exceeds this
+constexpr Real kCalm = 30, kCalmSpin = 100;  // whose speeds are at most this many times their thresholds,
+constexpr Real kFastest = 100;               // while no body exceeds this
 constexpr Real kDepthTime = Real(0.1);   // s; the depth that contacts may keep is as long at the threshold
 constexpr Real kReadyShare = Real(0.7);  // of bodies that are ready to sleep: the others are stragglers,
-constexpr Real kMost = 50, kMostSpin = 200;  // up to such speeds: what is faster moves for a reason
-constexpr Real kBrakeTime = Real(0.1);       // s
+constexpr Real kMaxExcess = 50, kMaxSpinExcess = 200;  // thresholds: faster bodies are not braked
+constexpr Real kBrakeTime = Real(0.1);                 // s
 
 // Speeds over thresholds, squared.
 struct Excess {
@@ -68,7 +68,7 @@ Real depth_of(const Island& island)
 void brake(Body& body, Real h)
 {
     const Excess excess = excess_of(body);
-    if (is_under(excess, 1, 1) || !is_under(excess, kMost, kMostSpin)) return;
+    if (is_under(excess, 1, 1) || !is_under(excess, kMaxExcess, kMaxSpinExcess)) return;
     const Real k = kBrakeTime / (kBrakeTime + h);
     store(body.lvel, k * body.velocity());
     store(body.avel, k * body.angular_velocity());

@@ -115,8 +115,8 @@ bool fall_asleep(const Island& island, Real h, Readiness& found)
         }
         found.ready += ready;
     }
-    const bool most = Real(found.ready) >= kCrowd * Real(found.bodies);
-    if (!found.watched || !(found.ready == found.bodies || (most && nearly_still))) return false;
+    const bool nearly_all = Real(found.ready) >= kCrowd * Real(found.bodies);
+    if (!found.watched || !(found.ready == found.bodies || (nearly_all && nearly_still))) return false;
     for (Body* body : island.bodies)
         if (!body->disabled) put_to_sleep(*body);
     return true;

@@ -27,8 +27,8 @@ struct World : Tagged {
     Roster<Joint, 2> joints;
     Array<Body*> reached;           // that are to become active, during a step
     std::uint64_t bodies_made = 0;  // gives each body its serial
-    // Another number when a joint that is no contact has come to bodies, or left them.
-    std::uint64_t ties = 0;
+    // Changes whenever a joint that is no contact is attached or detached.
+    std::uint64_t connections_version = 0;
     int driven_joints = 0;  // that have JointDrives
 
     Vec3 gravity;
@@ -46,7 +46,7 @@ struct World : Tagged {
     int exact_substeps = 1;          // of dWorldStep
     int projection_iterations = 0;   // of positions after dWorldStep; 0: none
     Real projection_tolerance = kSingle ? Real(1e-3) : Real(1e-4);
-    int hybrid_stepper = 0;            // of dStepper, for islands whose bodies wish nothing; 0: by the model
+    int hybrid_stepper = 0;            // of islands without requests (dStepper); 0: by the model
     int hybrid_substeps = 4;           // where hybrid steps have them
     unsigned islands_max_threads = 0;  // 0: unlimited
     int step_threads = 1;              // 0: one per processor; not looked at while `threading` is set
@@ -55,7 +55,7 @@ struct World : Tagged {
 
     // Seeds of new bodies.
     bool auto_disable = false;
-    bool watches_bodies = false;  // some have had `auto_disable`: else nobody need look
+    bool watches_bodies = false;  // a body has had `auto_disable`; else none is checked
     SleepRule sleep;
     DampingRule damping;
     Real max_angular_speed = kInf;

@@ -9,8 +9,8 @@
 //   friction  w' = 0,   |lambda| <= F
 //
 // each implicit in the rate w' after the step or substep (RowDrive), alongside the row of stop and motor.
-// Without a limit, servo and rotor are one row, the sum of both. A servo without k and d is a given force:
-// with a rotor it joins its row, alone it is a row whose bounds are equal.
+// Without a limit, servo and rotor are one row, the sum of both. A servo without k and d is a constant force:
+// with a rotor it is part of the rotor's row; without one it is a row with equal bounds.
 #include "joints/drive_rows.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@
 namespace epode {
 namespace {
 
-// Angle + 2 pi n that is nearest to `to`.
+// The angle + 2 pi n that is nearest to `to`.
 Real nearest_turn(Real angle, Real to)
 {
     constexpr Real kTurn = 2 * kPi;
@@ -33,7 +33,7 @@ Real position(const JointAxis& at, const AxisDrive& axis)
     return at.turns && axis.continuous ? nearest_turn(at.value, axis.reference) : at.value;
 }
 
-// From the position to the target; of angles that do not count turns the shorter way.
+// From the position to the target; the shorter direction for angles that do not count turns.
 Real error(const JointAxis& at, const AxisDrive& axis, Real value)
 {
     const Real e = axis.drive.target - value;

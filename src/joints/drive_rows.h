@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Joint coordinates in general, and the rows of a joint with those of its drives.
+// Positions of joint axes, and the rows of a joint including those of its drives.
 #pragma once
 
 #include "dynamics/joint_drives.h"
@@ -10,13 +10,13 @@
 
 namespace epode {
 
-// How many axes the joint has now; 0 for types without any.
+// The number of axes that the joint has now; 0 for types without axes.
 inline int axis_count(const Joint& joint) { return joint.type->axes ? joint.type->axes(joint) : 0; }
 
-// Of an attached joint: the position in the sense of the client, turns counted where the axis is continuous.
+// For an attached joint: the position as the program reads it, with turns counted if the axis is continuous.
 Real axis_position(const Joint& joint, int axis);
 
-// What the drives have exerted, when the step has been solved.
+// Stores the forces of the drives after the step has been solved.
 void store_drive_forces(Joint& joint, const RowBlock& block, const RowSystem& system);
 
 void emit_drives(Joint& joint, RowWriter& out);

@@ -12,10 +12,10 @@
 namespace epode {
 namespace {
 
-constexpr int kWindow = 4;     // words that are looked for
-constexpr int kPatience = 16;  // words that may differ before they are
+constexpr int kWindow = 4;     // words that must agree to find a place
+constexpr int kPatience = 16;  // differing words before a place is searched for
 
-// Behind the header.
+// Follows the header.
 struct Frame {
     std::uint64_t base_checksum;
     std::uint64_t words;  // of the state
@@ -43,7 +43,7 @@ class Words {
     std::span<const std::byte> bytes_;
 };
 
-// How many words follow that are alike.
+// The number of equal words from here on.
 int alike(const Words& a, int i, const Words& b, int j)
 {
     int count = 0;
@@ -51,12 +51,12 @@ int alike(const Words& a, int i, const Words& b, int j)
     return count;
 }
 
-// The first place of each window of the base, made when it is first asked for.
+// The first place of each window of the base; the table is built at the first search.
 class Places {
   public:
     explicit Places(const Words& base) : base_(base) {}
 
-    // -1: nowhere behind `from`, -2: out of memory.
+    // -1: nowhere from `from` on, -2: out of memory.
     int find(const Words& in, int at, int from)
     {
         if (!in.has_window(at)) return -1;
@@ -99,7 +99,7 @@ class Writer {
 
     bool run()
     {
-        int at = 0, from = 0;  // what both have up to here has been written
+        int at = 0, from = 0;  // both are encoded up to here
         while (at < state_.count()) {
             const int same = alike(base_, from, state_, at);
             if (!begin_run(from, same)) return false;
@@ -163,7 +163,7 @@ StateHeader header_of(std::span<const std::byte> state)
     return header;
 }
 
-// False: it is none.
+// False: it is not a valid difference.
 bool join(const Words& base, const Words& delta, Array<std::uint32_t>& out)
 {
     const auto size = std::uint32_t(out.size());

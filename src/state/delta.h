@@ -3,10 +3,10 @@
 //
 // A state as a difference from another one, word by word (four bytes): runs of
 //   from, same, own   then `own` words        copy `same` words of the base from word `from`, then take these
-// where each run begins in the base behind the end of the one before. Parts keep their order in a state and
-// seldom move, so a run mostly goes on where the last one ended, less what has changed; where something has
-// come or gone the place is found again by a table of the base's words, four at a time. A difference and its
-// base together are never shorter than what they make up, so reading takes no more memory than was given.
+// where each run begins in the base after the end of the previous one. Parts of a state keep their order and
+// seldom move, so a run usually continues where the last one ended, after the changed words. Where words were
+// inserted or removed, a hash table of all windows of four words of the base finds the place again. A
+// difference and its base together are never shorter than the state, so reading allocates at most their size.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ namespace epode {
 [[nodiscard]] bool write_delta(std::span<const std::byte> base, std::span<const std::byte> state,
                                Array<std::uint32_t>& out);
 
-// Null: `out` is the state; else what is wrong. `base` and `delta` are any bytes.
+// Null: `out` is the state; else what is wrong. `base` and `delta` may be any bytes.
 const char* read_delta(std::span<const std::byte> base, std::span<const std::byte> delta,
                        Array<std::uint32_t>& out, char* text, std::size_t text_size);
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What every state begins with, and what is checked before anything else is believed: who wrote it, how long
-// it is, and whether its bytes are still what they were. Both kinds, whole states and differences between two
-// (state/delta.h), are multiples of four bytes. The format belongs to the version: a change of what parts of
-// the engine write makes it another one.
+// The header of every state, checked before anything else is read: format, size, and a checksum of its bytes.
+// Sizes of both kinds, whole states and differences between two (state/delta.h), are multiples of four bytes.
+// The version must change whenever a part of the engine writes something else.
 #pragma once
 
 #include <cstddef>
@@ -24,15 +23,15 @@ struct StateHeader {
     std::uint8_t real_size = sizeof(Real);
     std::uint8_t kind = kWhole;
     std::uint64_t size = 0;      // bytes, with the header
-    std::uint64_t checksum = 0;  // of all bytes behind this number
+    std::uint64_t checksum = 0;  // of all bytes after this field
 };
 static_assert(sizeof(StateHeader) == 24);
 
-// Fills in size and checksum of a state that has been written behind the header's place.
+// Writes the header of a state whose other bytes have been written.
 void seal(void* state, std::size_t size, StateHeader::Kind kind);
 
-// Null: sound, and `header` is its header; else, in words, the first thing that is wrong. Bytes behind its
-// end are not looked at.
+// Null: valid, and `header` is its header; else the first fault, in words. Bytes after the state's end are
+// ignored.
 const char* read_header(const void* state, std::size_t size, StateHeader::Kind kind, StateHeader& header,
                         char* text, std::size_t text_size);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::uint64_t kNobody = ~0ull, kStranger = ~1ull;
 
-// Of a body of the world; of others it is only known that they are there.
+// The number of a body of this world; bodies of other worlds have none.
 std::uint64_t number_of(const Body* body, const World& world)
 {
     if (!body) return kNobody;
@@ -79,7 +79,7 @@ bool Structure::measure(const World& world, const BodyTable& bodies, const Space
     return true;
 }
 
-// Joints are walked from the newest on.
+// The joints' marks begin with the newest joint.
 const char* Structure::difference(const std::uint8_t* marks, char* text, std::size_t size) const
 {
     int at = 0;

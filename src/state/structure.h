@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What a state does not say and a world must have before it can take one: how many bodies, joints and geoms
-// there are, in order of creation, the masses of the bodies and what hangs on them, type and bodies of each
-// joint, class, shape, place on its body and body of each geom. One hash for all, and one byte for each
-// object, so that the first that is another one can be named. Geoms are those of the space whose contacts the
-// world manages, and those of its bodies.
+// What a state does not contain, and a world must have to accept it: the bodies, joints and geoms in order of
+// creation, with mass and geoms of each body, type and bodies of each joint, and class, shape, offset and
+// body of each geom. One hash covers all, and one byte marks each object, so that an error can name the first
+// one that differs. Geoms are those of the space of the world-managed contacts, and those of the bodies.
 #pragma once
 
 #include "contacts/space_geoms.h"
@@ -22,10 +21,10 @@ class Structure {
     int joints() const { return joints_; }
     int geoms() const { return marks_.size() - bodies_ - joints_; }
     std::uint64_t hash() const { return hash_; }
-    // One byte each: of the bodies, the joints, the geoms.
+    // One byte for each body, then each joint, then each geom.
     std::span<const std::uint8_t> marks() const { return marks_.span(); }
 
-    // The words for the first of as many marks that is another one.
+    // Describes the first of as many marks that differs.
     const char* difference(const std::uint8_t* marks, char* text, std::size_t size) const;
 
   private:

@@ -16,7 +16,7 @@ namespace {
 
 enum GeomBit : std::uint8_t { kEnabled = 1, kDisturbed = 2, kPose = 4 };
 
-// Of no body: it stays where the program has put it.
+// A geom without a body stays where the program has placed it.
 bool has_own_pose(const Geom& geom) { return geom.type->placeable && !geom.body.id && !is_space(geom); }
 
 struct Counts {
@@ -29,7 +29,7 @@ struct Counts {
 bool WorldState::prepare()
 {
     kept_ = step_state(world_);
-    if (!kept_ || !bodies_.gather(world_) || !geoms_.gather(kept_->managed.live_space())) return false;
+    if (!kept_ || !bodies_.gather(world_) || !geoms_.gather(kept_->world_contacts.live_space())) return false;
     if (!disturbed_.resize(geoms_.count())) return false;
     return structure_.measure(world_, bodies_, geoms_);
 }
@@ -38,7 +38,7 @@ bool WorldState::measure(std::size_t& size)
 {
     if (!body_bits_.resize(bodies_.count())) return false;
     for (int i = 0; i < bodies_.count(); ++i) body_bits_[i] = state_bits(bodies_[i]);
-    kept_->managed.mark_disturbed(geoms_, disturbed_.span());
+    kept_->world_contacts.mark_disturbed(geoms_, disturbed_.span());
     StateStream counter;
     if (!save(counter)) return false;
     size = sizeof(StateHeader) + counter.size();
@@ -64,7 +64,7 @@ bool WorldState::save(StateStream& stream)
     put(structure_.marks().data(), structure_.marks().size());
     visit(stream);
     kept_->contacts.save(bodies_, stream);
-    return kept_->managed.save(world_, geoms_, stream);
+    return kept_->world_contacts.save(world_, geoms_, stream);
 }
 
 void WorldState::visit(StateStream& stream)
@@ -185,10 +185,10 @@ const char* WorldState::set(const std::byte* from, std::size_t size)
     StateStream stream(StateStream::Mode::kCheck, from + begin, length);
     visit(stream);
     ContactCache::Loaded cached;
-    ContactWorld::Loaded managed;
+    ContactWorld::Loaded loaded;
     stream.set_mode(StateStream::Mode::kRead);  // into memory of its own
     if (!stream.failed() && !ContactCache::load(bodies_, stream, cached)) return kOutOfMemory;
-    if (!stream.failed() && !kept_->managed.load(world_, geoms_, stream, managed)) return kOutOfMemory;
+    if (!stream.failed() && !kept_->world_contacts.load(world_, geoms_, stream, loaded)) return kOutOfMemory;
     if (!stream.failed()) stream.demand(stream.size() == 0, "the state has bytes too many");
     if (stream.failed()) {
         std::snprintf(text_, sizeof text_, "%s", stream.text());
@@ -197,7 +197,7 @@ const char* WorldState::set(const std::byte* from, std::size_t size)
     StateStream values(StateStream::Mode::kRead, from + begin, length);
     visit(values);
     kept_->contacts.accept(cached);
-    kept_->managed.accept(managed, world_, geoms_, disturbed_.span());
+    kept_->world_contacts.accept(loaded, world_, geoms_, disturbed_.span());
     world_.report_made = false;
     return nullptr;
 }

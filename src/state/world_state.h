@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The state of a world as bytes (ode/state.h): all that a step changes and later steps read. This file knows
-// the order of the parts, and each part writes and reads its own:
+// The state of a world as bytes (ode/state.h): everything that a step changes and later steps read. This file
+// defines the order of the parts; each part writes and reads its own:
 //   header, structure                 state/state_header, state/structure
-//   count of steps                    the seed of random orders
+//   count of steps                    seeds random orders
 //   bodies, joints                    dynamics/body_state, dynamics/joint_state
 //   geoms of the contact space        enabled; poses of those without a body
 //   impulses of contact joints        step/contact_cache_state
-//   contacts that the world manages   contacts/contact_state
-// What step/undo takes back is what has to be here; plans of factors and working memory are caches.
+//   world-managed contacts            contacts/contact_state
+// Everything that step/undo restores must be here; symbolic factors and working memory are caches.
 #pragma once
 
 #include "base/state_stream.h"
@@ -22,17 +22,17 @@ class WorldState {
   public:
     explicit WorldState(World& world) : world_(world) {}
 
-    // What the world is made of; before all else. False: out of memory.
+    // Finds the world's structure; must be called first. False: out of memory.
     [[nodiscard]] bool prepare();
 
-    // How long the state is.
+    // The state's size in bytes.
     [[nodiscard]] bool measure(std::size_t& size);  // false: out of memory
-    // Into as many bytes.
+    // `to` has that many bytes.
     void write(std::byte* to);
 
-    // Null: done; else what is wrong, and nothing has changed.
+    // Null: done; else what is wrong, with nothing changed.
     const char* set(const std::byte* from, std::size_t size);
-    // The same of its header and structure alone.
+    // Checks the header and the structure alone.
     const char* check(const std::byte* from, std::size_t size);
 
   private:

@@ -34,7 +34,7 @@ bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Ar
 
 inline constexpr int kLinesOfBody = 8;  // of the cache: all that a step reads of one
 
-// One body alone; small steps do the same to eight of them (solve/substeps/body_kernels.inc).
+// For one body; substeps do the same for eight bodies at once (solve/substeps/body_kernels.inc).
 void load_inertia(const Body& body, SolverBody& out);  // the inverse only
 void load_velocity(const Body& body, SolverBody& out);
 // The present velocity with h M^-1 (accumulated + gyroscopic) on top; behind the inertia.

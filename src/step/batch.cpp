@@ -19,10 +19,10 @@
 namespace epode {
 namespace {
 
-const ContactWorld* managed_contacts(const World& world)
+const ContactWorld* world_contacts(const World& world)
 {
-    const bool manages = world.step_state && world.step_state->managed.live_space();
-    return manages ? &world.step_state->managed : nullptr;
+    const bool manages = world.step_state && world.step_state->world_contacts.live_space();
+    return manages ? &world.step_state->world_contacts : nullptr;
 }
 
 bool calls_program_inside(Space& space)
@@ -48,7 +48,7 @@ template <typename Visit>
 void for_shares(World& world, Visit&& visit)
 {
     if (world.memory && world.memory->shared()) visit(world.memory);
-    if (const ContactWorld* contacts = managed_contacts(world)) {
+    if (const ContactWorld* contacts = world_contacts(world)) {
         Space* const space = contacts->live_space();
         Space* const outermost = outermost_space(*space);
         visit(outermost ? outermost : space);
@@ -59,7 +59,7 @@ void for_shares(World& world, Visit&& visit)
 // Of the body itself, and of geoms in transforms: those are marked wherever the transform is.
 bool calls_program(const Body& body)
 {
-    bool calls = body.tells;
+    bool calls = body.has_moved_callback;
     for_each_geom(body, [&](Geom& geom) { calls = calls || geom.holders; });
     return calls;
 }
@@ -69,7 +69,7 @@ bool calls_program(World& world)
     if (world.threading) return true;
     for (Body& body : world.bodies)
         if (calls_program(body)) return true;
-    const ContactWorld* contacts = managed_contacts(world);
+    const ContactWorld* contacts = world_contacts(world);
     if (!contacts && !any_continuous()) return false;
     if (any_overridden() || (contacts && contacts->filter)) return true;
     if (contacts && calls_program_inside(*contacts->live_space())) return true;
@@ -105,7 +105,7 @@ void WorldBatch::survey(Entry& entry)
     });
 }
 
-bool WorldBatch::plan(int threads)
+bool WorldBatch::prepare(int threads)
 {
     threads_ = threads > 0 ? threads : processor_count();
     Tasks(threads_).for_each(entries_.size(), [this](int i, int) { survey(entries_.data()[i]); });
@@ -118,9 +118,9 @@ bool WorldBatch::plan(int threads)
 
 bool WorldBatch::collect_shares()
 {
-    int room = 0;
-    for (const Entry& entry : entries_) room += entry.share_count;
-    if (!shares_.reserve(room)) return false;
+    int capacity = 0;
+    for (const Entry& entry : entries_) capacity += entry.share_count;
+    if (!shares_.reserve(capacity)) return false;
     bool complete = true;
     for (int i = 0; i < entries_.size(); ++i) {
         const Entry& entry = entries_[i];
@@ -186,7 +186,7 @@ int WorldBatch::make_steps(int entry, const Step& step, int steps) const
     const auto make = [&] {
         if (!step.solver) return step_world_hybrid(world, step.h);
         return step_world(world, *step.solver, step.h,
-                          step.solver->substeps ? step.small_steps : world.quick_iterations);
+                          step.solver->substeps ? step.substeps : world.quick_iterations);
     };
     int done = 0;
     while (done < steps && make()) ++done;

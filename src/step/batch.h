@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Steps of many worlds in one call. A world is a piece of work, stepped on one thread as if it were alone:
-// worlds share nothing that a step changes, but for what the program lets them share. Two sorts are looked
-// for before:
-//   - worlds that hold the same working memory, or bodies with geoms in the same outermost space: they make
+// Steps many worlds in one call. Each world is stepped on one thread as if it were alone: worlds share
+// nothing that a step changes, except what the program lets them share. Two cases are detected first:
+//   - worlds with the same working memory, or with bodies whose geoms are in the same outermost space, form
 //     one piece, stepped in the order of the array;
-//   - worlds in whose steps functions of the program are called, which expects them on its own thread: they,
-//     and all that share with them, are stepped there when the others are done, in the order of the array.
-// So what a world gets depends on those it shares with and on their order, and on nothing else. Stepping all
-// islands of all worlds from one queue would balance better where worlds differ a lot in size, and would have
-// to split a step at its middle: collision and finishing touch the space and stay with their world.
+//   - worlds whose steps call functions of the program, which expects them on its own thread: these worlds,
+//     and all that share with them, are stepped there after the others, in the order of the array.
+// So the result of a world depends only on the worlds that it shares with and on their order. Rejected: one
+// queue of all islands of all worlds. It would balance better where worlds differ a lot in size, but would
+// split every step in the middle: collision and finishing touch the space and stay with their world.
 #pragma once
 
 #include "base/array.h"
@@ -24,7 +23,7 @@ class WorldBatch {
     struct Step {
         const Solver* solver;  // null: hybrid
         Real h;
-        int small_steps;  // of solvers that have them
+        int substeps;  // of solvers with substeps
     };
 
     // The worlds are different and in no step; they are marked as stepping until the end of the batch, so
@@ -32,9 +31,9 @@ class WorldBatch {
     [[nodiscard]] bool add(World& world);
     ~WorldBatch();
 
-    // Looks for what the worlds share. False: out of memory, nothing has been stepped.
-    [[nodiscard]] bool plan(int threads);
-    // Returns how many worlds have made all steps. `made` may be null.
+    // Finds what the worlds share. False: out of memory; nothing has been stepped.
+    [[nodiscard]] bool prepare(int threads);
+    // Returns how many worlds have completed all steps. `made` may be null.
     int run(const Step& step, int steps, int* made);
 
   private:

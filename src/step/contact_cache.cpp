@@ -58,11 +58,11 @@ struct ContactCache::Places {
     unsigned free;
 
     // Mostly there is one within reach, and no more to compare.
-    int nearest(const Levers& levers, int i) const  // -1: none
+    int nearest(const ContactArms& arms, int i) const  // -1: none
     {
-        const Quad dx = x - quad(levers.x[i]), dy = y - quad(levers.y[i]), dz = z - quad(levers.z[i]);
+        const Quad dx = x - quad(arms.x[i]), dy = y - quad(arms.y[i]), dz = z - quad(arms.z[i]);
         const Quad distance2 = dx * dx + dy * dy + dz * dz;
-        const unsigned near = bits(distance2 <= quad(levers.within2[i])) & free;
+        const unsigned near = bits(distance2 <= quad(arms.within2[i])) & free;
         if ((near & (near - 1)) == 0) return near ? std::countr_zero(near) : -1;
         int best = -1;
         for (unsigned left = near; left != 0; left &= left - 1) {
@@ -84,7 +84,7 @@ ContactCache::Places ContactCache::places_of(const Pair& pair) const
             quad_of(pair.count, [&](int k) { return Real(at[k].place.z); }), free};
 }
 
-ContactCache::Levers ContactCache::levers_of(const Body& body1, std::span<const JointManifoldPoint> points)
+ContactCache::ContactArms ContactCache::arms_of(const Body& body1, std::span<const JointManifoldPoint> points)
 {
     const int count = int(points.size());
     const Quad x = quad_of(count, [&](int i) { return points[std::size_t(i)].r1.x; }),
@@ -94,10 +94,10 @@ ContactCache::Levers ContactCache::levers_of(const Body& body1, std::span<const 
     const auto along = [&](Vec3 axis) { return quad(axis.x) * x + quad(axis.y) * y + quad(axis.z) * z; };
     const Quad u = along(R.column(0)), v = along(R.column(1)), w = along(R.column(2));
     const Quad within2 = quad(kReach * kReach) * (u * u + v * v + w * w + quad(kReach * kReach));
-    Levers levers;
-    store_quad(levers.x, u), store_quad(levers.y, v), store_quad(levers.z, w);
-    store_quad(levers.within2, within2);
-    return levers;
+    ContactArms arms;
+    store_quad(arms.x, u), store_quad(arms.y, v), store_quad(arms.z, w);
+    store_quad(arms.within2, within2);
+    return arms;
 }
 
 ContactCache::Found ContactCache::find(const Wanted& wanted, Real within2)
@@ -124,11 +124,11 @@ void ContactCache::note(Run& run, const Wanted& wanted, int ticket, int points)
     ++run.count;
 }
 
-void ContactCache::note_points(int ticket, int count, const Levers& levers)
+void ContactCache::note_points(int ticket, int count, const ContactArms& arms)
 {
     for (int i = 0; i < count; ++i) {
         Point& fresh = fresh_.points.data()[ticket + i];
-        fresh.place = narrow(levers.place(i)), fresh.friction = {0, 0, 0};
+        fresh.place = narrow(arms.place(i)), fresh.friction = {0, 0, 0};
         fresh.normal_impulse = 0, fresh.used = false;
     }
 }
@@ -141,21 +141,21 @@ void ContactCache::load(int writer, int ticket, const Body& body1, const Body* b
     const std::uint64_t serial1 = body1.serial, serial2 = body2 ? body2->serial : 0;
     Wanted wanted{serial1, serial2, {}, manifold.n};
     note(run, wanted, ticket, int(points.size()));
-    const Levers levers = levers_of(body1, points);
-    note_points(ticket, int(points.size()), levers);
+    const ContactArms arms = arms_of(body1, points);
+    note_points(ticket, int(points.size()), arms);
     if (!(share > 0) || buckets_.empty()) return;
     const int guess = is_guess(run.guess, wanted) ? run.guess : -1;
     Places places{};
     if (guess >= 0) places = places_of(old_.pairs[guess]);
     for (int i = 0; i < int(points.size()); ++i) {
-        const int nearest = places.nearest(levers, i);
-        Found old{nullptr, guess, levers.within2[i]};
+        const int nearest = places.nearest(arms, i);
+        Found old{nullptr, guess, arms.within2[i]};
         if (nearest >= 0) {
             old.point = &old_.points[old_.pairs[guess].first + nearest];
             places.free &= ~(1u << nearest);
         } else {
-            wanted.place = levers.place(i);
-            old = find(wanted, levers.within2[i]);
+            wanted.place = arms.place(i);
+            old = find(wanted, arms.within2[i]);
         }
         if (!old.point) continue;
         old.point->used = true;
@@ -186,16 +186,16 @@ int ContactCache::buckets_for(int pairs)
 
 bool ContactCache::begin(int tickets, int writers)
 {
-    // With room to spare, the contacts of a settled pile still come and go; and as much as its partner, with
-    // which it changes places after every step.
-    const auto room = [](int wanted, int mine, int partner) {
+    // A quarter is spare, since the number of contacts of a settled pile still varies; and each store has at
+    // least the capacity of the other, because the two swap after every step.
+    const auto capacity_for = [](int wanted, int mine, int partner) {
         return std::max(partner, wanted > mine ? wanted + wanted / 4 : mine);
     };
-    const int points = room(tickets, fresh_.points.capacity(), old_.points.capacity());
-    const int runs = room(writers, fresh_.runs.capacity(), old_.runs.capacity());
+    const int points = capacity_for(tickets, fresh_.points.capacity(), old_.points.capacity());
+    const int runs = capacity_for(writers, fresh_.runs.capacity(), old_.runs.capacity());
     fresh_.runs.clear();
     fresh_.step = ++steps_;
-    // Sizes only grow: which of the pairs and points count, the runs say.
+    // Sizes only grow: the runs say which pairs and points are valid.
     return fresh_.pairs.reserve(points) && fresh_.points.reserve(points) && fresh_.runs.reserve(runs) &&
            buckets_.reserve(buckets_for(points)) &&
            fresh_.pairs.resize(std::max(tickets, fresh_.pairs.size())) &&

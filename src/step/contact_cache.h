@@ -53,7 +53,7 @@ class ContactCache {
         int first, count;                // of the points
         int next;                        // pair in the same bucket, -1 at the end
         unsigned step;                   // that noted it: what lies beyond a run is older
-        bool twin;                       // beside one of the same bodies
+        bool twin;                       // another pair has the same bodies
     };
     struct Point {
         Float3 place;     // lever arm from body 1, in its frame
@@ -85,18 +85,18 @@ class ContactCache {
         Vec3 place, normal;
     };
     struct Places;
-    // Of points of one manifold, from body 1 in its frame: where they are, and the square of how far from
-    // there they may have been.
-    struct Levers {
+    // Lever arms of the points of one manifold, in the frame of body 1, and the square of the distance within
+    // which an old point is accepted as the same.
+    struct ContactArms {
         Real x[kManifoldPoints], y[kManifoldPoints], z[kManifoldPoints], within2[kManifoldPoints];
         Vec3 place(int i) const { return {x[i], y[i], z[i]}; }
     };
-    static Levers levers_of(const Body& body1, std::span<const JointManifoldPoint> points);
+    static ContactArms arms_of(const Body& body1, std::span<const JointManifoldPoint> points);
     void note(Run& run, const Wanted& wanted, int ticket, int points);
     bool is_guess(int guess, const Wanted& wanted) const;
     bool fits(const Pair& pair, const Wanted& wanted) const;
     Places places_of(const Pair& pair) const;
-    void note_points(int ticket, int count, const Levers& levers);
+    void note_points(int ticket, int count, const ContactArms& arms);
     void look_into(int pair, const Wanted& wanted, Found& best);
     Found find(const Wanted& wanted, Real within2);
     static int buckets_for(int pairs);

@@ -41,7 +41,7 @@ bool is_moving_shape(const QueryShape& shape)
     return (sort == QueryKind::kSolid && shape.number() != dRayClass) || sort == QueryKind::kMesh;
 }
 
-// What joints and managed contacts say of two bodies, the second null for what does not move.
+// What joints and world-managed contacts say of two bodies; the second is null for what does not move.
 struct Bond {
     bool contact = false, other = false;
 };
@@ -60,7 +60,7 @@ Bond bond_between(const Body& a, const Body* b)
 
 }  // namespace
 
-bool Continuous::hold_back()
+bool Continuous::stop_at_impacts()
 {
     if (!any_continuous() || undo_.bodies().empty()) return true;
     if (!look_at_bodies()) return !arena_.failed();
@@ -68,10 +68,10 @@ bool Continuous::hold_back()
     join_groups();
     if (!list_items()) return false;
     for (const Item& item : items_) item.geom->users.fetch_add(1, std::memory_order_relaxed);
-    const bool room = meet_all();
+    const bool has_memory = meet_all();
     for (const Item& item : items_) item.geom->users.fetch_sub(1, std::memory_order_relaxed);
-    if (room) place_bodies();
-    return room;
+    if (has_memory) place_bodies();
+    return has_memory;
 }
 
 bool Continuous::meet_all()
@@ -109,14 +109,14 @@ Continuous::State Continuous::state_of(std::size_t i) const
     if (!usable(body.pos, 3)) return s;
     s.motion = motion_between(before.p, undo_.orientation_before(i), body.position(), body.orientation());
     each_geom(body, [&](Geom& g) {
-        s.most = std::max(s.most, s.motion.max_travel(arm_of(box_of(g), body.position())));
+        s.max_distance = std::max(s.max_distance, s.motion.max_travel(arm_of(box_of(g), body.position())));
         s.flagged = s.flagged || (g.continuous == dContinuousOn && !body.kinematic());
         return true;
     });
     return s;
 }
 
-// How far the body may go, or others may come to it, without being looked at.
+// How far the body and others may move towards each other without being swept.
 Real Continuous::gate(const Body& body) const
 {
     Real least = kInf;
@@ -132,13 +132,13 @@ bool Continuous::choose_active()
 {
     Real others = 0;
     for (const State& s : states_)
-        if (!s.flagged) others = std::max(others, s.most);
+        if (!s.flagged) others = std::max(others, s.max_distance);
     bool any = false;
     for (std::size_t i = 0; i < states_.size(); ++i) {
         State& s = states_[i];
-        s.active = s.flagged && s.most + others > gate(*undo_.bodies()[i]);
+        s.active = s.flagged && s.max_distance + others > gate(*undo_.bodies()[i]);
         any = any || s.active;
-        if (!s.active) others_most_ = std::max(others_most_, s.most);
+        if (!s.active) others_max_distance_ = std::max(others_max_distance_, s.max_distance);
     }
     return any;
 }
@@ -278,7 +278,8 @@ bool Continuous::meet_others(const Item& item)
     Geom& geom = *item.geom;
     clean(*item.root);
     lists_.near.clear();
-    if (!collect_near(*item.root, {geom.category, geom.collide}, grown(item.way, others_most_), lists_.near))
+    if (!collect_near(*item.root, {geom.category, geom.collide}, grown(item.way, others_max_distance_),
+                      lists_.near))
         return false;
     const CandidateLock lock(item.root, lists_.near);
     for (Geom* other : lists_.near) {

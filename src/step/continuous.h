@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Continuous collision: after a step has put all bodies where their velocities lead, those that carry a geom
-// with dContinuousOn and have moved by more than a small share of its thickness are looked at along their
-// whole way. Who would go too deep into something (query/impact.h) stands still from the time at which it
-// meets it; velocities stay, and the next collision finds the contact.
-//   groups    what joints other than contacts hold together stops together, or the joints would open
-//   carried   what meets a moving body that is not stopped, be it slow or kinematic, is carried on by it
-//             for the rest of the step, or it would be run over
-//   each other  of two that are looked at both stop. Who meets a body that has been stopped for another
-//             reason is tried again: up to kRounds times, in the order of the islands
-// All on the caller's thread, so that the threads of the step are no matter. Nothing is looked at while no
-// geom anywhere has dContinuousOn. Rejected: to let the rest of the step be made again from the moment of
-// impact, as if it were a step of its own: contacts belong to the program.
+// Continuous collision: after a step has moved all bodies, the motion of those that have a geom with
+// dContinuousOn and have moved by more than a small share of its thickness is swept. A body that would
+// penetrate something too deeply (query/impact.h) stops at the time of impact; it keeps its velocities, and
+// the next collision finds the contact.
+//   groups      bodies that joints other than contacts connect stop together, or the joints would open
+//   carried     a body that meets a moving one that does not stop, slow or kinematic, is carried on by it for
+//               the rest of the step, or it would be run over
+//   each other  of two swept bodies both stop. A body that meets one that has stopped for another reason is
+//               swept again: up to kRounds times, in the order of the islands
+// All of this runs on the caller's thread, so that results do not depend on the number of threads, and none
+// of it while no geom has dContinuousOn. Rejected: repeating the rest of the step from the time of impact, as
+// a step of its own: contacts belong to the program.
 #pragma once
 
 #include "base/array.h"
@@ -23,7 +23,7 @@
 
 namespace epode {
 
-// Lists that stay from step to step.
+// Lists that keep their memory from step to step.
 struct ContinuousLists {
     Array<Geom*> near;
     struct Pair {
@@ -38,8 +38,8 @@ class Continuous {
         : world_(world), undo_(undo), lists_(lists), arena_(arena), h_(h)
     {}
 
-    // False: out of memory; some bodies are then where they must be taken back from.
-    [[nodiscard]] bool hold_back();
+    // False: out of memory; the caller must then restore the poses of all bodies.
+    [[nodiscard]] bool stop_at_impacts();
 
     // Have the geoms of all bodies been marked as moved?
     bool marked() const { return marked_; }
@@ -48,11 +48,11 @@ class Continuous {
 
   private:
     struct State {
-        Motion motion;  // `until` is that of the group
-        Real most;      // how far a point of its geoms has moved at most
-        int group;      // the body that stands for it; of that one:
-        Real until;     //   when it stops
-        int carrier;    //   what carries it on from there; -1: nothing
+        Motion motion;      // `until` is that of the group
+        Real max_distance;  // upper bound of the distance that a point of its geoms has moved
+        int group;          // the body that stands for it; of that one:
+        Real until;         //   when it stops
+        int carrier;        //   what carries it on from there; -1: nothing
         bool flagged, active;
     };
     struct Item {
@@ -89,7 +89,7 @@ class Continuous {
     Real h_;
     std::span<State> states_;
     std::span<Item> items_;
-    Real others_most_ = 0;  // State::most of all that are not active
+    Real others_max_distance_ = 0;  // largest max_distance of the bodies that are not active
     bool marked_ = false;
 };
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Every substep assembles the island anew: joints say where they are, which stops act, and how they rebound
-// at that moment, as if the program had made the step itself. Forces are those of the beginning, held. ERP
-// and CFM of h become those of h/n that stand for the same spring and damper (solve/common/substep_rows.h).
-// Contacts are not sought again. Their separation follows the motion, error <- error - hs J v, and one that
-// has opened may close exactly but not further; a rebound is due in the first substep. They act at one point
-// of both bodies, half way between where the two have carried it, so that angular momentum is kept.
-// A joint's feedback is the mean of its forces over the substeps, the impulse of the step over h; so is what
-// its drives report.
+// Every substep assembles the island again: joints evaluate their errors, the stops that act and their
+// rebound at that moment, as if the program had made the step itself. Forces of the beginning are held
+// constant. ERP and CFM of h become those of h/n for the same spring and damper
+// (solve/common/substep_rows.h). Contacts are not searched again. Their separation follows the motion,
+// error <- error - hs J v; one that has opened may close but not penetrate; rebound acts in the first
+// substep. They act at one point of both bodies, half way between where the two have carried it, so that angular momentum
+// is conserved. A joint's feedback is the mean of its forces over the substeps, which is the impulse of the
+// step over h; so is what its drives report.
 #include "step/exact_substeps.h"
 
 #include <algorithm>

@@ -17,14 +17,15 @@ class ExactSubsteps {
         : world_(world), island_(island), undo_(undo), hs_(h / Real(n)), n_(n), arena_(arena)
     {}
 
-    Real small_step() const { return hs_; }
+    Real substep() const { return hs_; }
 
-    // Before anything is assembled: what the substeps begin from and return to. False: out of memory.
+    // Before anything is assembled: saves what undo() restores. False: out of memory.
     bool begin();
-    // Numbers of a small step into an island that has been assembled with small_step().
+    // Converts the numbers of an island that has been assembled with substep() to those of a substep.
     void map(RowSystem& system) const;
-    // `first` has been solved: it is carried out, then n - 1 more follow it. Its contacts end as the last
-    // substep leaves them. False: an answer that is not a number, or out of memory; then undo() it.
+    // `first` has been solved: moves the bodies by it, then makes the other n - 1 substeps. Its contacts get
+    // the impulses of the last substep. False: a solution that is not finite, or out of memory; undo() must
+    // follow.
     bool run(IslandWork& first, const SolverSettings& settings, SolveReport& report,
              ProjectionReport& projected);
     void undo();

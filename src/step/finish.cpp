@@ -19,7 +19,7 @@ constexpr std::size_t kMany = 8;  // a part of 1 / kMany
 // What one() reads and writes of a body.
 void prefetch_body(const Body& body) { prefetch<1>(&body), prefetch<3>(body.lvel); }
 
-void tell_program(Body& body)
+void call_moved_callback(Body& body)
 {
     const CallerFloatEnvironment program;
     body.moved(to_handle(&body));
@@ -54,7 +54,7 @@ void Finish::at_once(std::span<Body* const> piece, const Tasks& tasks)
             if (i + 2 * kAhead < end) prefetch_body(*piece[std::size_t(i + 2 * kAhead)]);
             if (i + kAhead < end) prefetch_geoms(*piece[std::size_t(i + kAhead)]);
             Body& body = *piece[std::size_t(i)];
-            if (body.tells || !mark_geoms(body)) {
+            if (body.has_moved_callback || !mark_geoms(body)) {
                 any_left_.store(true, std::memory_order_relaxed);
                 continue;
             }
@@ -66,7 +66,7 @@ void Finish::at_once(std::span<Body* const> piece, const Tasks& tasks)
 
 void Finish::rest()
 {
-    tell_space();
+    report_marked();
     if (!any_left_) return;
     const auto is_left = [&](std::size_t i) { return i < bodies_.size() && !(early_ && done_[i]); };
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -76,10 +76,10 @@ void Finish::rest()
     }
 }
 
-// At once; false: they have to wait.
+// False: they must wait for rest().
 bool Finish::mark_geoms(Body& body) const
 {
-    if (managed_) return mark_members(body, *managed_);
+    if (contact_space_) return mark_members(body, *contact_space_);
     if (alone_) body_moved(body);
     return alone_;
 }
@@ -92,22 +92,22 @@ bool Finish::moves_geoms(const Body& body) const
 void Finish::one(Body& body) const
 {
     if (moves_geoms(body)) body_moved(body);
-    if (body.tells) tell_program(body);
+    if (body.has_moved_callback) call_moved_callback(body);
     empty(body);
 }
 
-// Which members have been marked: if they are few it is told, else it looks at all.
-void Finish::tell_space() const
+// Reports the marked members to the space: as a list if they are few, else the space checks all.
+void Finish::report_marked() const
 {
-    if (!managed_ || !early_ || bodies_.empty()) return;
-    const bool few = kMany * bodies_.size() <= std::size_t(managed_->count);
-    few&& list_marked() ? note_geoms_listed(*managed_) : note_geoms_marked(*managed_);
+    if (!contact_space_ || !early_ || bodies_.empty()) return;
+    const bool few = kMany * bodies_.size() <= std::size_t(contact_space_->count);
+    few&& list_marked() ? note_geoms_listed(*contact_space_) : note_geoms_marked(*contact_space_);
 }
 
 bool Finish::list_marked() const
 {
     return std::all_of(bodies_.begin(), bodies_.end(),
-                       [&](const Body* body) { return list_members(*body, *managed_); });
+                       [&](const Body* body) { return list_members(*body, *contact_space_); });
 }
 
 }  // namespace epode

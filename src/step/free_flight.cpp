@@ -8,7 +8,7 @@
 namespace epode {
 namespace {
 
-// v_i = v + i hs g after substep i, so that the mean is v + (n + 1)/2 hs g.
+// After substep i the velocity is v + i hs g, so its mean is v + (n + 1)/2 hs g.
 void turn_exactly_over_step(const World& world, Body& body, Vec3 kicked, Real h, int substeps)
 {
     const Vec3 fall = weight_field(world, body);
@@ -30,7 +30,7 @@ void turn_by_substeps(const World& world, Body& body, Vec3 kicked, Real h, int s
         w += turned_by(gyroscopic_torque(body, w, hs), hs);
         store(body.lvel, v), store(body.avel, w);
         advance_pose(body, hs);
-        w = body.angular_velocity();  // at most the body's limit
+        w = body.angular_velocity();  // limited by the body's maximum
     }
 }
 

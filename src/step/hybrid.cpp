@@ -2,12 +2,12 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The rules of the model, in their order:
-//   nothing but free motion       small steps: what flies shall not change its ways when it lands
-//   contacts only                 small steps; exact if cheap, for unequal masses and stacks that topple
-//   what hangs and swings fast    small steps with exact joints
-//   joints only                   exact: linear, and nothing is iterated
-//   joints and contacts           exact if cheap, else small steps with exact joints
-// Quick is for those who ask for it: small steps of equal cost are closer.
+//   nothing but free motion       substeps: a flying body keeps its solver when it lands
+//   contacts only                 substeps; exact if cheap, for unequal masses and stacks that would topple
+//   loads that swing fast         substeps with exact joints
+//   joints only                   exact: one linear system, no iteration
+//   joints and contacts           exact if cheap, else substeps with exact joints
+// Quick is used on request only: substeps of equal cost are more accurate.
 #include "step/hybrid.h"
 
 #include <algorithm>
@@ -16,23 +16,23 @@
 namespace epode {
 namespace {
 
-constexpr double kBudget = 200;              // microseconds that an exact step may cost
-constexpr double kLinearBudget = 2000;       // without contacts, and of stacks without loops
-constexpr double kStay = 2;                  // times the budget for those who were exact
-constexpr double kUnequal = 20;              // ratio of masses
-constexpr double kSmall = 1e-3;              // fall in a substep over the radius of gyration, of small bodies
+constexpr double kBudget = 200;              // microseconds: limit of an exact step
+constexpr double kLinearBudget = 2000;       // the same without contacts, and for stacks without loops
+constexpr double kStay = 2;                  // times the budget for islands that were exact
+constexpr double kUnequal = 20;              // ratio of masses from which substeps converge badly
+constexpr double kSmall = 1e-3;              // largest fall in a substep over the radius of gyration
 constexpr double kTall = 0.4;                // the same times (height / radius)^2, of tall stacks
-constexpr int kGuess = 8, kGuessJoints = 2;  // factorisations, of those who remember none
+constexpr int kGuess = 8, kGuessJoints = 2;  // factorisations, where bodies remember none
 
 struct Structure {
-    int bodies = 0;  // that move
+    int bodies = 0;  // that can move
     int joints = 0, contacts = 0;
-    int pairs = 0;  // of bodies that move
+    int pairs = 0;  // of bodies that can move, connected
     double lightest = 0, heaviest = 0, mass = 0;
-    double arm = 0;             // the least m r
+    double arm = 0;             // the least m r, with r the radius of gyration
     double radius = 0;          // the least radius of gyration
-    double deep = 0, high = 0;  // the extent of the centres along gravity, times it
-    bool hung = false;          // a joint holds on to what does not move
+    double deep = 0, high = 0;  // extremes of g . x of the centres
+    bool hung = false;          // a joint connects a body with something that cannot move
 
     double rows() const { return 5.0 * joints + 3.0 * contacts; }
     double loops() const { return std::max(0, pairs - bodies + 1); }
@@ -70,7 +70,7 @@ Structure structure_of(const World& world, const Island& island)
         const bool contact = joint->type->number == dJointTypeContact;
         ++(contact ? s.contacts : s.joints);
         s.hung = s.hung || (!contact && !(can_move(a) && can_move(b)));
-        // Contacts of two bodies mostly follow each other.
+        // Contacts of the same two bodies are usually consecutive.
         if (can_move(a) && can_move(b) && !(a == last1 && b == last2)) ++s.pairs;
         last1 = a, last2 = b;
     }
@@ -82,7 +82,7 @@ Structure structure_of(const World& world, const Island& island)
 }
 
 struct History {
-    int wish = 0;  // the most exact
+    int requested = 0;  // the most exact stepper that a body requests
     int factorisations = 0;
     bool exact = false;
 };
@@ -91,8 +91,8 @@ History history_of(const Island& island)
 {
     History h;
     for (const Body* body : island.bodies) {
-        const int wish = body->hybrid.wish;
-        if (wish && (!h.wish || wish < h.wish)) h.wish = wish;
+        const int requested = body->hybrid.requested;
+        if (requested && (!h.requested || requested < h.requested)) h.requested = requested;
         h.exact = h.exact || body->hybrid.was_exact;
         h.factorisations = std::max<int>(h.factorisations, body->hybrid.factorisations);
     }
@@ -106,16 +106,17 @@ double exact_cost(const Structure& s, const History& history)
     return once * (history.factorisations > 0 ? history.factorisations : guess);
 }
 
-// Is the step too long to follow how the forces of joints turn that others hang on? What stands presses on
-// its joints, and the exact solver is right for that.
+// Is the step too long for the forces of joints that carry a hanging load, whose directions change as it
+// swings? Joints that carry a standing load do not swing; the exact solver is right for them.
 bool swings_too_fast(const Structure& s, const World& world, Real h)
 {
     return s.hung && s.mass * double(length(world.gravity) * h * h) > s.arm;
 }
 
-// Does a sweep in a substep not hold the stack up? By Froude's law times go by the root of lengths, so small
-// bodies topple as fast as large ones do in longer steps; and errors travel a link a sweep, so that what a
-// tower of n needs grows as n^2. Cubes of 1 m fall from 16 on (0.57 for kTall), of 0.5 m from 14 on (0.84).
+// Would the stack topple with one sweep per substep? By Froude's law times scale as the root of lengths, so
+// small bodies topple as large ones do in longer steps; and errors travel one link per sweep, so the sweeps
+// that a tower of n needs grow as n^2. Towers of cubes of 1 m fall from 16 on (0.57 for kTall), those of
+// 0.5 m from 14 on (0.84).
 bool topples(const Structure& s, const World& world, Real h)
 {
     if (s.pairs == 0) return false;
@@ -164,7 +165,7 @@ int hybrid_iterations(const World& world, const Solver& solver)
 const Solver& choose_solver(const World& world, const Island& island, Real h)
 {
     const History history = history_of(island);
-    if (const Solver* wished = solver_named(history.wish)) return *wished;
+    if (const Solver* requested = solver_named(history.requested)) return *requested;
     if (const Solver* wanted = solver_named(world.hybrid_stepper)) return *wanted;
     const Structure structure = structure_of(world, island);
     return swings_too_fast(structure, world, h) ? kNetwork : by_model(structure, history, world, h);
@@ -176,7 +177,7 @@ void remember_choice(const Island& island, const Solver& solver, int factorisati
     for (Body* body : island.bodies) {
         body->hybrid.was_exact = exact;
         if (exact) body->hybrid.factorisations = std::uint8_t(std::clamp(factorisations, 0, 255));
-        if (solver.substeps) body->spin_excess = {};  // small steps turn in their own way
+        if (solver.substeps) body->spin_excess = {};  // substeps integrate the rotation without it
     }
 }
 

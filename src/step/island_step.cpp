@@ -34,9 +34,9 @@ void contain(std::span<Body* const> bodies, std::span<Joint* const> joints)
     }
 }
 
-constexpr int kManyIterations = 1000;  // of a program that wants an answer, not speed
+constexpr int kManyIterations = 1000;  // from here on no more for settling islands
 
-void silence_manifold(ContactManifold& manifold)
+void clear_impulses(ContactManifold& manifold)
 {
     manifold.rolling_impulse = {};
     for (ManifoldPoint& point : manifold.points) point.normal_impulse = 0, point.friction_impulse = {};
@@ -56,21 +56,21 @@ class IslandStep {
           place_(place),
           arena_(arena),
           exact_(&context.solver == &kDirect),
-          small_(world_, work_.island, context.undo, context.h, world_.exact_substeps, arena)
+          exact_substeps_(world_, work_.island, context.undo, context.h, world_.exact_substeps, arena)
     {
         work_.island = joined(members);
         work_.members = members;
     }
 
-    // False: out of memory, or an answer that is not a number and whose part of the work is not known.
+    // False: out of memory, or a solution that is not finite in an island without parts.
     bool solve(const Tasks& tasks, std::span<dIslandStepReport> reports)
     {
-        if (divides() && !small_.begin()) return false;
-        const Real h = divides() ? small_.small_step() : context_.h;
+        if (has_exact_substeps() && !exact_substeps_.begin()) return false;
+        const Real h = has_exact_substeps() ? exact_substeps_.substep() : context_.h;
         if (!assemble(world_, h, context_.solver, tasks, arena_, work_, &context_.undo)) return false;
         work_.system.cone = world_.friction_cone && context_.solver.cones;
         work_.system.manifold_friction = world_.manifold_friction && context_.solver.cones;
-        if (divides()) small_.map(work_.system);
+        if (has_exact_substeps()) exact_substeps_.map(work_.system);
         for (std::size_t i = 0; i < reports.size(); ++i) report_errors(work_, int(i), reports[i]);
         if (projects()) {
             add_tension(work_, work_.system.bodies, arena_);
@@ -92,16 +92,16 @@ class IslandStep {
         std::fill(settings.part_residuals.begin(), settings.part_residuals.end(), Real(0));
         settings.tasks = tasks;
         settings.symbolic_cache = &context_.symbolic_cache;
-        if (projects()) settings.refine_above = 1e-9;  // the projection corrects what positions would feel
+        if (projects()) settings.refine_above = 1e-9;  // the projection corrects smaller errors of position
         load_warm_start(world_.warm_starting * context_.solver.warm_share);
         SolveReport solved;
         bool sane = context_.solver.solve(work_.system, settings, arena_, solved);
         if (!context_.factorisations.empty())
             context_.factorisations[std::size_t(place_.first_island)] = solved.factorisations;
-        if (sane && !divided()) sane = sound(work_.system, 0, tasks);
-        if (sane && divides()) sane = small_.run(work_, settings, solved, projected_);
+        if (sane && !has_parts()) sane = sound(work_.system, 0, tasks);
+        if (sane && has_exact_substeps()) sane = exact_substeps_.run(work_, settings, solved, projected_);
         for (std::size_t i = 0; i < reports.size(); ++i) {
-            if (divided()) solved.residual = settings.part_residuals[i];
+            if (has_parts()) solved.residual = settings.part_residuals[i];
             report_solution(solved, reports[i]);
         }
         return sane;
@@ -110,15 +110,15 @@ class IslandStep {
     void accept(const Tasks& tasks, std::span<dIslandStepReport> reports)
     {
         for (int part = 0; part < work_.system.worlds(); ++part)
-            if (divided() && !sound(work_.system, part))
-                silence(part, reports);
+            if (has_parts() && !sound(work_.system, part))
+                contain_part(part, reports);
             else if (context_.solver.substeps && is_free(part))
                 fly_freely(part);
-        if (!divides()) write_back(work_, tasks);
+        if (!has_exact_substeps()) write_back(work_, tasks);
         remember_contacts();
         if (!context_.solver.contact_manifolds) store_manifold_impulses(work_);
-        if (context_.solver.substeps) return;  // poses are where the inner steps have put them
-        if (!divides()) {
+        if (context_.solver.substeps) return;  // the substeps have moved the poses
+        if (!has_exact_substeps()) {
             advance();
             if (projects()) projected_ = project_poses(world_, work_, tasks, context_.symbolic_cache, arena_);
         }
@@ -128,9 +128,9 @@ class IslandStep {
 
     void refuse(std::span<dIslandStepReport> reports)
     {
-        divides() ? small_.undo() : context_.undo.restore_poses(work_.island.bodies);
+        has_exact_substeps() ? exact_substeps_.undo() : context_.undo.restore_poses(work_.island.bodies);
         contain(work_.island.bodies, work_.joints);
-        for (ManifoldEdge* edge : work_.island.manifolds) silence_manifold(*edge->manifold);
+        for (ManifoldEdge* edge : work_.island.manifolds) clear_impulses(*edge->manifold);
         advance();
         for (dIslandStepReport& report : reports) report.contained = true;
     }
@@ -142,8 +142,8 @@ class IslandStep {
         return work_.island.settles() && n < kManyIterations ? n * factor : n;
     }
     bool projects() const { return exact_ && world_.projection_iterations > 0; }
-    bool divides() const { return exact_ && world_.exact_substeps > 1; }
-    bool divided() const { return !work_.system.parts.empty(); }
+    bool has_exact_substeps() const { return exact_ && world_.exact_substeps > 1; }
+    bool has_parts() const { return !work_.system.parts.empty(); }
 
     bool is_free(int part) const
     {
@@ -164,9 +164,9 @@ class IslandStep {
         }
     }
 
-    // What is not a number in one part leaves the others alone: this one keeps its velocities, and its
-    // constraints exert nothing.
-    void silence(int part, std::span<dIslandStepReport> reports)
+    // A part whose solution is not finite must not affect the others: its bodies keep their velocities, and
+    // its constraints exert nothing.
+    void contain_part(int part, std::span<dIslandStepReport> reports)
     {
         RowSystem& system = work_.system;
         const SystemPart from = system.begin_of(part), to = system.end_of(part);
@@ -182,16 +182,16 @@ class IslandStep {
                 for (Real& p : point.p) p = 0;
         for (ContactManifold* manifold :
              slice(system.contact_manifolds, from.contact_manifolds, to.contact_manifolds))
-            silence_manifold(*manifold);
+            clear_impulses(*manifold);
         if (context_.solver.substeps) {
-            // The inner steps have moved the bodies.
+            // The substeps have moved the bodies.
             const auto bodies = slice(work_.island.bodies, from.bodies, to.bodies);
             context_.undo.restore_poses(bodies);
             for (Body* body : bodies) advance_pose(*body, context_.h);
         }
         if (!reports.empty()) reports[std::size_t(part)].contained = true;
     }
-    // Points of manifolds first, then contacts that are rows.
+    // Tickets in the contact cache: points of manifolds first, then contacts that are rows.
     int ticket_of_point(int point) const { return place_.first_contact + point; }
     int ticket_of_block(std::size_t block) const
     {
@@ -246,8 +246,8 @@ class IslandStep {
         return work_.system.joint_contacts.points.subspan(std::size_t(m.first), std::size_t(m.count));
     }
 
-    // Directions and bodies of a contact that is rows: the normal comes first, the linear parts of the others
-    // are tangents, or zero.
+    // Directions and bodies of a contact that is rows: the first row has the normal; the linear parts of the
+    // others are tangents or zero.
     JointManifold manifold_of(const RowBlock& block) const
     {
         const Row* rows = &work_.system.rows[std::size_t(block.first)];
@@ -273,7 +273,7 @@ class IslandStep {
     Arena& arena_;
     IslandWork work_;
     const bool exact_;
-    ExactSubsteps small_;
+    ExactSubsteps exact_substeps_;
     ProjectionReport projected_;
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// One island from forces to poses, or several at once: small ones fill each other's lanes. It reads and
-// writes its own bodies, joints and contacts only, so islands may be stepped in any order and at the same
-// time.
+// Steps one island from forces to poses, or several small ones at once, which together fill the SIMD lanes. A
+// call reads and writes its own bodies, joints and contacts only, so islands may be stepped in any order and
+// concurrently.
 #pragma once
 
 #include "dynamics/island.h"
@@ -22,26 +22,26 @@ struct StepContext {
     ContactCache& contacts;
     SymbolicCache& symbolic_cache;
     StepUndo& undo;
-    bool manages_contacts;          // the world does
+    bool manages_contacts;          // the world has world-managed contacts
     std::span<int> factorisations;  // by island, if wanted
 };
 
 struct IslandPlace {
-    int index;          // of the work: part of the seed
-    int first_contact;  // its room in the contact cache: one entry per joint
-    int first_island;   // of the islands
+    int index;          // of the group: part of the random seed
+    int first_contact;  // its first ticket in the contact cache: one per joint
+    int first_island;   // index of the group's first island
 };
 
-// Velocities, impulses, feedback and poses of the islands, which lie side by side in the arrays of all bodies
-// and joints; more than one only if the solver knows of parts. An island whose answer is not a number is
-// contained: it keeps its velocities, its constraints exert nothing, and the others never notice. False: out
-// of memory; the island's bodies are in no state to be seen then.
+// Computes velocities, impulses, feedback and poses of the islands, which are consecutive in the arrays of
+// all bodies and joints; more than one only if the solver supports parts. An island whose solution is not
+// finite is contained: it keeps its velocities, its constraints exert nothing, and other islands are
+// unaffected. False: out of memory; the bodies are then half stepped, and the caller must restore them.
 // `reports`: one for each island, or none.
 [[nodiscard]] bool step_islands(const StepContext& context, std::span<const Island> islands,
                                 IslandPlace place, const Tasks& tasks, Arena& arena,
                                 std::span<dIslandStepReport> reports);
 
-// Islands that lie side by side, as one.
+// Consecutive islands as one.
 Island joined(std::span<const Island> islands);
 
 }  // namespace epode

@@ -41,11 +41,11 @@ bool mark_members(Body& body, const Space& space)
 
 bool list_members(const Body& body, Space& space)
 {
-    bool room = true;
+    bool has_memory = true;
     for_each_geom(body, [&](const Geom& geom) {
-        if (geom.space == &space && geom.queued) room = space.queue.push(geom.slot) && room;
+        if (geom.space == &space && geom.queued) has_memory = space.queue.push(geom.slot) && has_memory;
     });
-    return room;
+    return has_memory;
 }
 
 void release_geoms(Body& body)

@@ -13,7 +13,7 @@ namespace epode {
 void place_manifolds(const Tasks& tasks, const Island& island);
 int manifold_row_count(const Island& island);
 int manifold_point_count(const Island& island);
-// Appends rows and blocks behind the first `rows` and `blocks` of work.system, which have room.
+// Appends rows and blocks after the first `rows` and `blocks` of work.system, whose capacity suffices.
 void emit_manifolds(const StepInfo& info, IslandWork& work, int& rows, int& blocks);
 // Numbers must hold the rows' own by now.
 void load_manifold_impulses(IslandWork& work, Real share);

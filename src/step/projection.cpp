@@ -43,14 +43,14 @@ constexpr Real kSpringShare = Real(1e-3);            // of the inverse_mass, abo
 constexpr double kSoftness = kSingle ? 1e-6 : 1e-9;  // of the inverse_mass, for redundant rows
 constexpr Real kLargestTurn = 1;                     // rad, of one Newton step
 constexpr std::size_t kFewRows = 64;
-constexpr int kMostHalvings = 5;
+constexpr int kMaxHalvings = 5;
 
-// A row of the projection beside its Row in the system.
+// What a row of the projection needs besides its Row in the system.
 struct Hold {
-    int source;      // row of the step
-    Real error;      // J dx = error
-    Real per_lever;  // 1/l
-    bool follows;    // the motion, as the pose does not tell its error
+    int source;    // row of the step
+    Real error;    // J dx = error
+    Real per_arm;  // 1/l
+    bool follows;  // the motion, as the pose does not determine its error
 };
 
 bool is_spring(const Row& row, const RowBlock& block, const RowSystem& system)
@@ -128,21 +128,21 @@ class Projection {
             RowWriter out(now, info_);
             if (!block.contact) emit_joint(*work_.joints[k], out);
             const int first = rows;
-            const Real per_lever = 1 / lever(block);
+            const Real per_arm = 1 / longest_arm(block);
             for (int i = 0; i < block.count; ++i) {
                 const Row& row = work_.system.rows[std::size_t(block.first + i)];
                 if (!holds_position(row, block)) continue;
                 const bool follows = i >= out.count() || now[i].error == row.error;
                 const bool turns = row.lin1 == Vec3{} && row.lin2 == Vec3{};
                 Hold& hold = holds_[std::size_t(rows)];
-                hold = {block.first + i, 0, turns ? Real(1) : per_lever, follows};
+                hold = {block.first + i, 0, turns ? Real(1) : per_arm, follows};
                 hold.error = follows ? row.error - motion(row, block) : now[i].error;
                 one_sided_ |= row.lo == 0 || row.hi == 0;
                 if (row.kind == RowKind::kNormal) {
-                    hold.error -= world_.projection_tolerance / 2 / per_lever;
+                    hold.error -= world_.projection_tolerance / 2 / per_arm;
                     const Real share = std::min(row.erp, Real(1));
                     // The tolerance is one of the depth, not of the share that this step removes.
-                    if (hold.error > 0 && share > 0) hold.error *= share, hold.per_lever /= share;
+                    if (hold.error > 0 && share > 0) hold.error *= share, hold.per_arm /= share;
                     if (!(share > 0)) hold.error = std::min(hold.error, Real(0));
                 }
                 system_.rows[std::size_t(rows++)] = i < out.count() ? now[i] : row;
@@ -165,16 +165,16 @@ class Projection {
         return !is_spring(row, block, work_.system);
     }
 
-    // The longest lever of the block's rows, but not less than its bodies' radius of gyration.
-    Real lever(const RowBlock& block) const
+    // The longest lever arm of the block's rows, but not less than its bodies' radius of gyration.
+    Real longest_arm(const RowBlock& block) const
     {
         Real longest = 0;
         for (int k = 0; k < 2; ++k) {
             const int at = k == 0 ? block.body1 : block.body2;
             if (at < 0 || body(std::size_t(at)).kinematic()) continue;
             const Body& b = body(std::size_t(at));
-            const Real most = std::max(b.inertia.xx, std::max(b.inertia.yy, b.inertia.zz));
-            longest = std::max(longest, std::sqrt(most * b.inv_mass));
+            const Real largest = std::max(b.inertia.xx, std::max(b.inertia.yy, b.inertia.zz));
+            longest = std::max(longest, std::sqrt(largest * b.inv_mass));
             for (int i = block.first; i < block.first + block.count; ++i) {
                 const Row& row = work_.system.rows[std::size_t(i)];
                 if (!(row.lin1 == Vec3{})) longest = std::max(longest, length(k == 0 ? row.ang1 : row.ang2));
@@ -202,7 +202,7 @@ class Projection {
             const Row& row = step_row(hold);
             Real e = hold.error;
             e = row.lo == 0 ? std::max(e, Real(0)) : row.hi == 0 ? std::max(-e, Real(0)) : std::fabs(e);
-            e *= hold.per_lever;
+            e *= hold.per_arm;
             worst_ = std::max(worst_, e);
             merit_ += e * e;
         }
@@ -219,7 +219,7 @@ class Projection {
         Real share = first_share();
         if (!(share > 0)) return false;  // no pose has moved: 0 * NaN would move them
         std::copy(holds_.begin(), holds_.end(), before_.begin());
-        for (int k = 0; k <= kMostHalvings; ++k, share /= 2) {
+        for (int k = 0; k <= kMaxHalvings; ++k, share /= 2) {
             move(share);
             if (merit_ < merit) return true;
         }
@@ -269,16 +269,16 @@ class Projection {
             }
     }
 
-    // Of the step, so that nothing turns further than kLargestTurn; 0: it is not a number.
+    // The share of the step with which no body turns further than kLargestTurn; 0: the step is not finite.
     Real first_share() const
     {
-        Real most = 0;
+        Real largest = 0;
         for (const SolverBody& s : system_.bodies) {
             const Real turn = length(s.w), way = length(s.v);
             if (!usable(turn) || !usable(way)) return 0;
-            most = std::max(most, turn);
+            largest = std::max(largest, turn);
         }
-        return most > kLargestTurn ? kLargestTurn / most : 1;
+        return largest > kLargestTurn ? kLargestTurn / largest : 1;
     }
 
     // Poses and errors after that share of the step.

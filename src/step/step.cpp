@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The pipeline: islands, of which some fall asleep, every island from forces to poses, then the callbacks.
-// Islands know nothing of each other, so they are the pieces of parallel work: large ones one after another
-// with all workers on each, if the solver can use them, and then the others at once, in parcels of about
-// equal weight. Callbacks come last, body by body in island order on the caller's thread: a program sees the
-// same order on any number of workers.
+// The pipeline of a step: contacts of the world, islands (some fall asleep), every island from forces to
+// poses, continuous collision, callbacks. Islands are independent, so they are the units of parallel work:
+// large ones first, one after another with all workers on each if the solver can use them; then the others
+// concurrently, in parcels of about equal weight. Callbacks come last, body by body in island order on the
+// caller's thread, so that a program sees the same order on any number of workers.
 #include "step/step.h"
 
 #include <algorithm>
@@ -28,20 +28,20 @@
 namespace epode {
 namespace {
 
-constexpr int kLarge = 256;           // joints of an island that is worth all workers
-constexpr int kLargeManifolds = 256;  // or manifolds
-// Joints, manifolds and bodies of islands that are solved together: the more, the fewer lanes stay empty; but
-// sweeps over manifolds hold more of each, and go over them more often.
+constexpr int kLarge = 256;           // joints of an island that all workers solve together
+constexpr int kLargeManifolds = 256;  // the same in manifolds
+// Limits of weight() for islands that are solved together. More of them leave fewer SIMD lanes empty; sweeps
+// over manifolds read more memory for each and read it more often, so that their limit is lower.
 constexpr int kGroup = 1024, kGroupOfManifolds = 512;
-constexpr int kParcel = 128;  // of a parcel of groups
+constexpr int kParcel = 128;  // least weight of a parcel but the last
 
-// Who does the parts of a step: threads of our own, or calls of the implementation that the world was given.
+// The threads of a step: the library's own, or those of the threading implementation that the world has.
 class Workers {
   public:
     Tasks of_islands, of_an_island;
 
-    // False: the implementation refused; the world is as it was.
-    bool hire(World& world)
+    // False: the threading implementation refused; the world is unchanged.
+    bool start(World& world)
     {
         if (!world.threading) {
             of_islands = of_an_island = Tasks(number_for(world));
@@ -54,15 +54,15 @@ class Workers {
         return ready;
     }
 
-    void dismiss() { posting_.close(); }
+    void stop() { posting_.close(); }
 
   private:
-    // Of the threads that the world asked for, those that ODE's own limit leaves.
+    // The number that the world requests, at most dWorldSetStepIslandsProcessingMaxThreadCount's.
     static int number_for(const World& world)
     {
         const int wanted = world.step_threads > 0 ? world.step_threads : processor_count();
-        const unsigned most = world.islands_max_threads;
-        return most == 0 ? wanted : int(std::min(unsigned(wanted), most));
+        const unsigned max_threads = world.islands_max_threads;
+        return max_threads == 0 ? wanted : int(std::min(unsigned(wanted), max_threads));
     }
 
     Posting posting_;
@@ -75,7 +75,7 @@ int weight(const Island& island)
 
 class WorldStep {
   public:
-    // `hybrid`: each island has the solver of its own, and not the context's.
+    // `hybrid`: each island has its own solver instead of the context's.
     WorldStep(const StepContext& context, bool hybrid, StepState& state, const Workers& workers)
         : context_(context),
           hybrid_(hybrid),
@@ -83,7 +83,7 @@ class WorldStep {
           workers_(workers),
           undo_(context.undo),
           continuous_(context.world, undo_, state.continuous, memory().arena(0), context.h),
-          finish_(continuous_, state.managed.live_space(), workers.of_islands)
+          finish_(continuous_, state.world_contacts.live_space(), workers.of_islands)
     {}
 
     std::span<const Island> islands() const { return islands_; }
@@ -95,7 +95,8 @@ class WorldStep {
         Arena& arena = memory().arena(0);
         updates_contacts_ = context_.manages_contacts && !is_settled();
         const ActiveBodies active{world.bodies.active_count(), world.bodies.count()};
-        if (updates_contacts_ && !state_.managed.leaves_at_rest(*state_.managed.live_space(), active))
+        if (updates_contacts_ &&
+            !state_.world_contacts.leaves_at_rest(*state_.world_contacts.live_space(), active))
             activate_all(world);
         if (!undo_.save_idleness(arena) || !find_contacts() || !find_islands(arena) ||
             !undo_.save_islands(islands_, arena))
@@ -114,20 +115,20 @@ class WorldStep {
     {
         const Tasks alone(1);
         for (std::size_t i = 0; i < groups_.size(); ++i)
-            if (large(groups_[i])) step_one(int(i), workers_.of_an_island, 0);
+            if (is_large(groups_[i])) step_one(int(i), workers_.of_an_island, 0);
         workers_.of_islands.for_each(cut_parcels(), [&](int p, int worker) {
             const auto parcel = std::size_t(p);
             for (int i = parcels_[parcel]; i < parcels_[parcel + 1]; ++i)
-                if (!large(groups_[std::size_t(i)])) step_one(i, alone, worker);
+                if (!is_large(groups_[std::size_t(i)])) step_one(i, alone, worker);
         });
         return !out_of_memory_.load();
     }
 
-    // Who was too fast. False: out of memory.
-    bool hold_back()
+    // Continuous collision. False: out of memory.
+    bool stop_at_impacts()
     {
         if (finish_.is_early()) return true;
-        if (!continuous_.hold_back()) return false;
+        if (!continuous_.stop_at_impacts()) return false;
         if (!context_.world.report_wanted) return true;
         for (std::size_t i = 0; i < islands_.size(); ++i)
             report_stopped(context_.world, islands_[i], continuous_, state_.reports[int(i)]);
@@ -140,26 +141,27 @@ class WorldStep {
             remember_choice(islands_[i], *solvers_[i], factorisations_[i]);
     }
 
-    // Later steps need not look at what sleeps.
-    void let_rest() const
+    // Takes sleeping bodies out of the active ones, so that later steps skip them.
+    void deactivate_sleeping() const
     {
         const auto& bodies = context_.world.bodies;
         const ActiveBodies left{bodies.active_count() - int(asleep_.size()), bodies.count()};
-        if (context_.manages_contacts && !state_.managed.leaves_at_rest(*state_.managed.live_space(), left))
+        if (context_.manages_contacts &&
+            !state_.world_contacts.leaves_at_rest(*state_.world_contacts.live_space(), left))
             return;
         for (Body* body : asleep_) deactivate(*body);
-        if (updates_contacts_) state_.managed.lay_to_rest();
+        if (updates_contacts_) state_.world_contacts.lay_to_rest();
     }
 
     void accept_contacts() const
     {
-        if (updates_contacts_) return state_.managed.accept(context_.h, workers_.of_islands);
-        if (context_.manages_contacts) state_.managed.accept_settled(context_.h);
+        if (updates_contacts_) return state_.world_contacts.accept(context_.h, workers_.of_islands);
+        if (context_.manages_contacts) state_.world_contacts.accept_settled(context_.h);
     }
 
     void finish() { finish_.rest(); }
 
-    // As if there had been no step: the count of steps too, which is the random order's seed.
+    // Restores the state before the step, with the count of steps: it seeds random orders.
     void take_back()
     {
         context_.contacts.take_back();
@@ -171,28 +173,28 @@ class WorldStep {
     }
 
   private:
-    // Everybody sleeps, and the contacts are known.
+    // All bodies sleep, and their contacts are up to date.
     bool is_settled() const
     {
         return context_.world.bodies.active_count() == 0 &&
-               state_.managed.is_settled(*state_.managed.live_space());
+               state_.world_contacts.is_settled(*state_.world_contacts.live_space());
     }
 
     bool find_contacts()
     {
-        ContactWorld& managed = state_.managed;
+        ContactWorld& contacts = state_.world_contacts;
         return !updates_contacts_ ||
-               managed.update(context_.world, *managed.live_space(), context_.h, workers_.of_islands);
+               contacts.update(context_.world, *contacts.live_space(), context_.h, workers_.of_islands);
     }
 
-    // What rests becomes active where something active holds to it, and is looked at then.
+    // Activates inactive bodies that an active one touches or holds by a joint; then finds the islands again.
     bool find_islands(Arena& arena)
     {
         World& world = context_.world;
         std::span<ManifoldEdge> manifolds;
         Islands found;
         do {
-            if (updates_contacts_ && !state_.managed.touching(workers_.of_islands, arena, manifolds))
+            if (updates_contacts_ && !state_.world_contacts.touching(workers_.of_islands, arena, manifolds))
                 return false;
             if (!epode::find_islands(world, context_.h, manifolds, arena, found)) return false;
             if (world.reached.empty()) break;
@@ -206,10 +208,10 @@ class WorldStep {
     {
         World& world = context_.world;
         if (!updates_contacts_) return epode::activate_reached(world, [](Body&) { return true; });
-        ContactWorld& managed = state_.managed;
+        ContactWorld& contacts = state_.world_contacts;
         return epode::activate_reached(
-                   world, [&](Body& body) { return managed.bring_pairs(body, world.reached); }) &&
-               managed.list_brought(world);
+                   world, [&](Body& body) { return contacts.bring_pairs(body, world.reached); }) &&
+               contacts.list_brought(world);
     }
 
     bool choose_solvers(Arena& arena)
@@ -227,7 +229,7 @@ class WorldStep {
         return hybrid_ ? *solvers_[island] : context_.solver;
     }
 
-    // Islands that lie side by side and are solved together, by one solver.
+    // Consecutive islands that one solver solves together.
     struct Group {
         const Solver* solver;
         int first, count;
@@ -235,18 +237,18 @@ class WorldStep {
         int first_contact;
     };
 
-    // May islands be solved beside one another? If the solver knows of parts; but not where manifolds become
-    // rows, behind those of all joints.
+    // Can the solver take several islands at once? It must support parts (SystemPart), and manifolds must not
+    // become rows, because those are appended after the rows of all joints.
     bool makes_groups(const Solver& solver) const
     {
         return solver.contact_manifolds || (solver.joint_manifolds && !context_.manages_contacts);
     }
 
-    // What only manifolds hold together moves in another way in small steps, and joints that are one block
-    // are one island's.
+    // Can island i join the group of island i - 1? In substeps an island without joints is solved in another
+    // way than one with joints, and kNetwork factorises the joints of one island at a time.
     bool may_join(std::size_t i) const
     {
-        // All workers sweep over a large one together, and over others each by itself.
+        // All workers sweep over a large island together; each of the others has one worker.
         if (has_many_manifolds(i) || has_many_manifolds(i - 1)) return false;
         if (islands_[i].settles() != islands_[i - 1].settles()) return false;
         const Solver& solver = solver_of(i);
@@ -255,15 +257,16 @@ class WorldStep {
         return !solver.contact_manifolds || (joints == before && !(joints && &solver == &kNetwork));
     }
 
-    // Small islands that follow each other make groups, if they may. Returns the number of joints.
+    // Joins consecutive small islands to groups where may_join() allows it. Returns the number of joints.
     int make_groups()
     {
         int count = 0, contacts = 0;
         for (std::size_t i = 0; i < islands_.size(); ++i) {
             const int joints = int(islands_[i].joints.size()), w = weight(islands_[i]);
             const Solver& solver = solver_of(i);
-            const int most = solver.contact_manifolds ? kGroupOfManifolds : kGroup;
-            const bool joins = count > 0 && may_join(i) && groups_[std::size_t(count - 1)].weight + w <= most;
+            const int max_weight = solver.contact_manifolds ? kGroupOfManifolds : kGroup;
+            const bool joins =
+                count > 0 && may_join(i) && groups_[std::size_t(count - 1)].weight + w <= max_weight;
             if (!joins) groups_[std::size_t(count++)] = {&solver, int(i), 0, 0, 0, contacts};
             Group& group = groups_[std::size_t(count - 1)];
             ++group.count, group.joints += joints, group.weight += w;
@@ -279,7 +282,7 @@ class WorldStep {
                int(islands_[island].manifolds.size()) >= kLargeManifolds;
     }
 
-    bool large(const Group& group) const
+    bool is_large(const Group& group) const
     {
         if (workers_.of_an_island.workers() <= 1) return false;
         return (group.solver->inner_tasks && group.joints >= kLarge) ||
@@ -299,7 +302,7 @@ class WorldStep {
     {
         int count = 0, load = kParcel;
         for (std::size_t i = 0; i < groups_.size(); ++i) {
-            if (large(groups_[i])) continue;
+            if (is_large(groups_[i])) continue;
             if (load >= kParcel) parcels_[std::size_t(count++)] = int(i), load = 0;
             load += groups_[i].weight;
         }
@@ -342,7 +345,7 @@ class WorldStep {
     const Workers& workers_;
     std::span<Island> islands_;
     bool updates_contacts_ = false;
-    std::span<Body*> asleep_;           // active ones of no island
+    std::span<Body*> asleep_;           // active bodies that have fallen asleep
     std::span<const Solver*> solvers_;  // of a hybrid step, by island
     std::span<int> factorisations_;     // likewise
     std::span<Group> groups_;
@@ -371,9 +374,9 @@ StepState* step_state(World& world)
 
 namespace {
 
-// Calls that would pull the step's feet away are refused from its beginning to its end, since functions of
-// the program come in all along: those that give memory, those of threads, callbacks. A batch marks its
-// worlds itself, for longer.
+// Marks the world as stepping. The program's functions run during a step (memory, threading, callbacks), so
+// calls that would change what the step works on are refused until it ends. A batch marks its worlds itself,
+// for longer.
 class Stepping {
   public:
     explicit Stepping(World& world) : world_(world), before_(world.stepping) { mark_stepping(world_, true); }
@@ -386,11 +389,11 @@ class Stepping {
     const bool before_;
 };
 
-// The step, with the world's working memory taken for it; `solver` null: hybrid.
+// The step, when the world's working memory has been reserved for it; `solver` null: hybrid.
 bool step_in(World& world, StepState& state, const Solver* solver, Real h, int iterations)
 {
     Workers workers;
-    if (!workers.hire(world)) return false;
+    if (!workers.start(world)) return false;
     ++world.step_count;
     StepUndo undo(world);
     const StepContext context{.world = world,
@@ -400,22 +403,22 @@ bool step_in(World& world, StepState& state, const Solver* solver, Real h, int i
                               .contacts = state.contacts,
                               .symbolic_cache = state.symbolic_cache,
                               .undo = undo,
-                              .manages_contacts = state.managed.live_space() != nullptr,
+                              .manages_contacts = state.world_contacts.live_space() != nullptr,
                               .factorisations = {}};
     WorldStep step(context, !solver, state, workers);
-    const bool made = step.prepare() && step.run() && step.hold_back();
+    const bool made = step.prepare() && step.run() && step.stop_at_impacts();
     if (made) {
         state.contacts.end();
         step.accept_contacts();
         break_joints(world, h);
         step.remember_choices();
-        step.let_rest();
+        step.deactivate_sleeping();
         step.finish();
         if (world.report_wanted) world.report = sum_of(state.reports.span());
     } else {
         step.take_back();
     }
-    workers.dismiss();
+    workers.stop();
     world.report_made = made && world.report_wanted;
     return made;
 }

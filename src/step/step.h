@@ -14,34 +14,34 @@
 
 namespace epode {
 
-// What survives from one step to the next.
+// What a world keeps from one step to the next.
 struct StepState {
     ContactCache contacts;
     SymbolicCache symbolic_cache;
     ContinuousLists continuous;
-    ContactWorld managed;              // contacts that the world finds by itself
+    ContactWorld world_contacts;       // world-managed contacts
     Array<dIslandStepReport> reports;  // of the last step's islands, when they were wanted
 };
 
-// In its own step, or its working memory in that of another world.
+// Is the world stepping, or another world that shares its working memory?
 inline bool in_step(const World& world) { return world.stepping || (world.memory && world.memory->in_use()); }
 
-// The world's working memory, made now if it has none; null when memory is exhausted.
+// The world's working memory, created if it has none; null when memory is exhausted.
 StepMemory* working_memory(World& world);
 
-// Gives back what the world's next step can make anew.
+// Frees what the world's next step can rebuild.
 void free_working_memory(World& world);
 
-// True when the step was made. False: memory was exhausted or another step is using it; the world is as if
-// there had been no step, but for the feedback of joints and the report.
+// False: memory is exhausted, or another step uses the working memory; the world is then unchanged except for
+// the feedback of joints and the report.
 bool step_world(World& world, const Solver& solver, Real h, int iterations);
 
 inline constexpr int kMaxSubsteps = 10000;
 
-// The same with a solver for each island (step/hybrid).
+// The same, with a solver chosen for each island (step/hybrid).
 bool step_world_hybrid(World& world, Real h);
 
-// What the world keeps from step to step, made now if there is none; null when memory is exhausted.
+// The world's StepState, created if it has none; null when memory is exhausted.
 StepState* step_state(World& world);
 
 // Of the last step; empty when no report was made.

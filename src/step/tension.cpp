@@ -58,9 +58,9 @@ void raise(SolverBody& body, const Sym3& S)
 {
     if (!(body.inv_mass > 0)) return;
     Sym3 I = body.inertia;
-    const Real s = (S.xx + S.yy + S.zz) / 2, most = std::max(I.xx, std::max(I.yy, I.zz));
-    if (!(s > most) || !usable(s)) return;
-    const Real k = 1 - most / s;
+    const Real s = (S.xx + S.yy + S.zz) / 2, largest = std::max(I.xx, std::max(I.yy, I.zz));
+    if (!(s > largest) || !usable(s)) return;
+    const Real k = 1 - largest / s;
     I.xx += k * S.xx, I.yy += k * S.yy, I.zz += k * S.zz;
     I.xy += k * S.xy, I.xz += k * S.xz, I.yz += k * S.yz;
     Mat3 inverse;

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What a step that runs out of memory goes back to, so that it has never happened: the next one gives the
-// bits that this one would have given. Kept are poses, velocities and forces of the bodies that are stepped,
-// who sleeps, how long idle bodies have been idle, and the impulses that joints start from; that is a copy
-// of 300 bytes per body. To find out beforehand whether memory will do is not possible, since the fill of a
-// factor is known only when it is planned, and islands are finished one by one. The contact cache takes care
-// of itself.
+// Restores the world when a step runs out of memory, so that the next step gives the bits that this one would
+// have given. Saved are poses, velocities and forces of the bodies that are stepped, which bodies sleep, how
+// long idle bodies have been idle, and the impulses that joints start from: 300 bytes per body. Whether
+// memory will suffice cannot be known before: the fill-in of a factor is known only after its symbolic
+// factorisation, and islands are finished one by one. The contact cache has its own undo.
 #pragma once
 
 #include "dynamics/island.h"
@@ -19,10 +18,10 @@ class StepUndo {
 
     // Before the search for islands, which finds the idle ones. False: out of memory.
     [[nodiscard]] bool save_idleness(Arena& arena);
-    // After the search for islands: impulses of their joints, and room for their bodies; those that sleep
-    // although an awake one reaches them wake up here.
+    // After the search for islands: saves the impulses of their joints and reserves memory for their bodies.
+    // Sleeping bodies that an awake one reaches wake up here.
     [[nodiscard]] bool save_islands(std::span<const Island> islands, Arena& arena);
-    // Body i of bodies(), when its island is begun: by then it is needed anyway, by a worker of its own.
+    // Saves body i of bodies() when its island begins, on the worker that is about to read it anyway.
     void save(std::size_t i);
     // All that has been saved.
     void restore() const;

@@ -46,7 +46,7 @@ const char* fault_of_numbers(const Body& body)
     return nullptr;
 }
 
-// The body's list of joints, both ways, and the first of it that is no contact.
+// The body's list of joints, in both directions, and its first joint that is no contact.
 const char* fault_of_joints(const Body& body)
 {
     const JointNode* before = nullptr;
@@ -94,7 +94,7 @@ const char* fault_of(const Joint& joint)
     return joint.body2() && !joint.body1() ? "joint: attached to a second body alone" : nullptr;
 }
 
-// Where nothing waits for the next cleaning, the broadphase has the boxes of all that stand alone.
+// If the geom does not wait for the next cleaning and stands alone, the broadphase must have its box.
 const char* fault_of_member(const Space& space, const Geom& geom, int slot)
 {
     if (geom.space != &space) return "space: a member is in another one";
@@ -151,12 +151,12 @@ const char* fault_of(const World& world)
         if (const char* found = fault_of(joint)) return found;
     if (!world.step_state) return nullptr;
     if (const char* found = world.step_state->contacts.fault()) return found;
-    if (const char* found = world.step_state->managed.fault()) return found;
-    const Space* space = world.step_state->managed.live_space();
+    if (const char* found = world.step_state->world_contacts.fault()) return found;
+    const Space* space = world.step_state->world_contacts.live_space();
     return space ? fault_of(*space) : nullptr;
 }
 
-// Active bodies have been numbered, in island_index.
+// Active bodies have their number in island_index.
 const char* fault_of(const World& world, const Islands& islands, Arena& arena)
 {
     const Arena::Scope scope(arena);
@@ -181,7 +181,7 @@ const char* fault_of(const World& world, const Islands& islands, Arena& arena)
     }
     for (const Body* body : islands.asleep)
         if (!claims(body, ++number)) return "islands: a body falls asleep and is in an island";
-    // What falls asleep in this step is in none of them, and active for the last time.
+    // Bodies that fall asleep in this step are in no island; they are still active until the step ends.
     bool complete = true;
     world.bodies.for_each_active([&](const Body& body) {
         const auto i = std::size_t(body.island_index);

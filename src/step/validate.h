@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What must hold between two calls, whatever a program has done: lists that agree in both directions, finite
-// numbers, unit quaternions, boxes that are true, pairs in order. Each part looks at itself (`fault()`); here
-// is what lies between parts. Tests ask after every call, debug builds after every step; no argument of a
-// program is judged here, those are refused at the border (base/check.h).
+// Invariants between two calls of the program: lists that agree in both directions, finite numbers, unit
+// quaternions, correct boxes, pairs in order. Each component checks itself (`fault()`); this file checks what
+// several components share. Tests check after every call, debug builds after every step. The program's
+// arguments are checked elsewhere, at the public functions (base/check.h).
 #pragma once
 
 #include "collide/space.h"
@@ -12,10 +12,10 @@
 
 namespace epode {
 
-// What is broken, in words; null: nothing. The space's members included, at all depths.
+// The first broken invariant, in words; null: none. A space includes its members at all depths.
 const char* fault_of(const World& world);
 const char* fault_of(const Space& space);
-// Of the islands as a partition of the active bodies, during a step.
+// During a step: are the islands a partition of the active bodies?
 const char* fault_of(const World& world, const Islands& islands, Arena& arena);
 
 }  // namespace epode

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Solves a problem whose rows are all equalities to a few digits, as one step of Newton's method on positions
-// needs. The next step measures its error anew, so refining each to rounding would be wasted.
+// needs. The next step measures its error again, so refining each to rounding would be wasted.
 #pragma once
 
 #include "base/arena.h"

@@ -38,7 +38,7 @@ class JointNetwork {
 
     // As in JointSet, after `analyse`.
     bool pack(const RowSystem& system, Arena& arena);
-    // Rows are evaluated anew by the joints.
+    // The joints evaluate their rows again.
     bool follow(const RowSystem&, const Substep&, std::span<const Velocity>, Arena&) { return true; }
     void load_substep(const RowSystem& system, const Substep& step, std::span<Velocity> bodies);
     void apply_impulses(std::span<Velocity> bodies) const;

@@ -93,7 +93,7 @@ void set_tangent_numbers(RowSystem& system, const RowBlock& block, const Substep
 {
     RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
     const Row* rows = &system.rows[std::size_t(block.first)];
-    numbers[0].c = numbers[0].C = 0;  // set anew in every pass
+    numbers[0].c = numbers[0].C = 0;  // set again in every pass
     for (int k = 1; k < block.count; ++k) {
         numbers[k].c = std::min(rows[k].speed, rows[k].cap);
         numbers[k].C = rows[k].cfm / step.hs;

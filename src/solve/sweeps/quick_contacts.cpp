@@ -59,10 +59,10 @@ bool all_parts_stand(const RowSystem& system, const JointManifoldList& list)
     for (int part = 0; part < system.worlds(); ++part) {
         const auto from = list.manifolds.begin() + system.begin_of(part).joint_manifolds;
         const auto to = list.manifolds.begin() + system.end_of(part).joint_manifolds;
-        const auto on_ground = [&](const JointManifold& m) {
+        const auto on_static = [&](const JointManifold& m) {
             return stands(system, m.body1) || stands(system, m.body2);
         };
-        if (from != to && std::none_of(from, to, on_ground)) return false;
+        if (from != to && std::none_of(from, to, on_static)) return false;
     }
     return true;
 }
