@@ -27,5 +27,5 @@ compile "${@}" -O1 -c src/joints/tether_rope.cpp -o tether_rope.o &
 compile "${@}" -O1 -c src/joints/registry.cpp -o registry.o
 wait $!
 compile "${@}" -O0 tests/physics/tether_rope_joint_test.cpp tests/contract/joint_contract.cpp tests/contract/joint_geometry.cpp \
-  tether_rope.o registry.o $(tr ';' '\n' < "$objects" | grep -v joints/registry.cpp) -lgtest -lgtest_main -pthread -o judge
+  tether_rope.o registry.o $(tr ';' '\n' < "$objects" | grep -v -e joints/registry.cpp -e cmake_pch) -lgtest -lgtest_main -pthread -o judge
 ./judge --gtest_brief=1 --gtest_filter='*TetherRope*'
