@@ -37,7 +37,7 @@ ENFORCED = ("src/api", "src/base", "src/bvh", "src/collide", "src/dynamics", "sr
 LONG_ENTRIES = tuple(f"include/ode/{name}.h" for name in ("step_options", "collision", "queries", "shapes", "steppers"))
 MAX_ENTRY = 8
 # Subjects after this commit keep to 72 characters.
-SUBJECTS_AFTER = "1dc5d181ae838758b04abf29ae9f8974a61bada4"
+SUBJECTS_AFTER = "bbac8e805f0feb477e6fcbbff972bed7d0f9b042"
 MAX_SUBJECT = 72
 
 
