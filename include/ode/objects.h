@@ -3,6 +3,7 @@
 //
 // Dynamics: worlds, rigid bodies, joints of all types, and the functions that move them in time. What belongs
 // to one type of joint is in objects_joints.h, which this file includes: programs written for ODE know one.
+// Both are long, because ODE's programs include them by name and every entry documents itself.
 //
 // A step of size h solves for the joint forces lambda (N, N m) of each island of connected bodies
 //     (J M^-1 J^T + CFM/h) lambda = rhs,   lo <= lambda <= hi,   J v+ = ERP/h * error - CFM lambda,

@@ -133,7 +133,7 @@ dReal dJointGetAxisPosition(dJointID j, int axis)
 dReal dJointGetAxisRate(dJointID j, int axis)
 {
     AXIS_OR(0);
-    return joint->attached() ? rate_along(*joint, joint->type->axis(*joint, axis).J) : 0;
+    return joint->attached() ? axis_rate(*joint, axis) : 0;
 }
 
 int dJointSetAxisContinuous(dJointID j, int axis, int mode)

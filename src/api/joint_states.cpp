@@ -6,7 +6,6 @@
 #include "base/float_environment.h"
 #include "dynamics/world.h"
 #include "joints/drive_rows.h"
-#include "joints/parts.h"
 #include "ode/ode.h"
 #include "ode/state.h"
 
@@ -20,9 +19,6 @@ bool all_live(const dJointID* joints, int count)
         if (!from_handle<Joint>(joints[i])) return false;
     return true;
 }
-
-Real position(const Joint& joint, int axis) { return axis_position(joint, axis); }
-Real rate_of(const Joint& joint, int axis) { return rate_along(joint, joint.type->axis(joint, axis).J); }
 
 void fill(const Joint& joint, Real (*get)(const Joint&, int), dReal* row, int stride)
 {
@@ -39,8 +35,8 @@ extern "C" int dJointsGetStates(const dJointID* joints, int count, dReal* value,
     for (int i = 0; i < count; ++i) {
         const Joint& joint = *from_handle<Joint>(joints[i]);
         const std::ptrdiff_t at = std::ptrdiff_t(stride) * i;
-        if (value) fill(joint, position, value + at, stride);
-        if (rate) fill(joint, rate_of, rate + at, stride);
+        if (value) fill(joint, axis_position, value + at, stride);
+        if (rate) fill(joint, axis_rate, rate + at, stride);
     }
     return 1;
 }

@@ -115,6 +115,8 @@ Real axis_position(const Joint& joint, int i)
     return position(at, drives_of(joint).axis[i]);
 }
 
+Real axis_rate(const Joint& joint, int i) { return rate_along(joint, joint.type->axis(joint, i).J); }
+
 void emit_drives(Joint& joint, RowWriter& out)
 {
     const int axes = axis_count(joint);

@@ -15,6 +15,7 @@ inline int axis_count(const Joint& joint) { return joint.type->axes ? joint.type
 
 // For an attached joint: the position as the program reads it, with turns counted if the axis is continuous.
 Real axis_position(const Joint& joint, int axis);
+Real axis_rate(const Joint& joint, int axis);
 
 // Stores the forces of the drives after the step has been solved.
 void store_drive_forces(Joint& joint, const RowBlock& block, const RowSystem& system);

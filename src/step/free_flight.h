@@ -11,7 +11,8 @@
 //  - dWorldSetExactRotation turns a free body exactly over the whole step (dynamics/exact_spin.h).
 //
 // Rejected: the kick for constrained bodies. Their contacts would carry n times the load in the first substep
-// and none in the others.
+// and none in the others. The substeps have moved a free body too, in the lanes of its group, and that motion
+// is replaced; only bodies that a program pushes or that turn exactly pay for it.
 #pragma once
 
 #include "dynamics/world.h"

@@ -102,6 +102,7 @@ TEST_P(FreeInSubsteps, turns_exactly_when_asked_to)
     const double energy = kinetic_energy(body);
     const V3 momentum = spin_momentum(body);
     for (int i = 0; i < 3600; ++i) step(1.0 / 60);
+    // In floats each of 3,600 steps rounds.
     EXPECT_NEAR(kinetic_energy(body) / energy, 1, tol(1e-11, 1e-3));
     EXPECT_LT(length(spin_momentum(body) - momentum) / length(momentum), tol(1e-11, 2e-3));
     EXPECT_NEAR(position(body).x, 60, tol(1e-10, 1e-2));

@@ -300,7 +300,7 @@ class TerrainSide {
     Aabb box_{{kInf, kInf, kInf}, {-kInf, -kInf, -kInf}};
     Real lowest_ = kInf;
     bool holes_ = false;
-    static constexpr int kFewCells = 12;
+    static constexpr int kFewCells = 12;  // few, since a program's thread may have a stack of 64 KiB
     std::uint64_t known_ = 0;
     union {
         Cell cells_[kFewCells];  // in a union: left unwritten until found
