@@ -266,6 +266,12 @@ inline void set_point(const Contact& contact, const StepInfo& info, Vec3 n, Join
 
 }  // namespace
 
+ContactPlace place_of_contact(const Joint& joint)
+{
+    const Contact& contact = static_cast<const Contact&>(joint);
+    return {contact.pos, contact.outward(), contact.depth};
+}
+
 void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, JointManifoldList& out)
 {
     constexpr int kLines = 3;  // of a contact without special surface

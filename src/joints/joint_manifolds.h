@@ -15,4 +15,11 @@ namespace epode {
 // its manifolds are cut to their number.
 void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, JointManifoldList& out);
 
+// Where a contact joint acts.
+struct ContactPlace {
+    Vec3 position, normal;  // into body 1
+    Real depth;
+};
+ContactPlace place_of_contact(const Joint& joint);
+
 }  // namespace epode

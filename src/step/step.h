@@ -14,13 +14,29 @@
 
 namespace epode {
 
+// Looks at steps from above (diagnose/), and changes nothing that they compute.
+struct StepObserver {
+    void (*begin)(StepObserver&, World&, Real h);
+    void (*end)(StepObserver&, World&, Real h, bool made);  // false: the step has been undone
+    void (*destroy)(StepObserver&);
+};
+
 // What a world keeps from one step to the next.
 struct StepState {
+    StepState() = default;
+    StepState(const StepState&) = delete;
+    StepState& operator=(const StepState&) = delete;
+    ~StepState()
+    {
+        if (observer) observer->destroy(*observer);
+    }
+
     ContactCache contacts;
     SymbolicCache symbolic_cache;
     ContinuousLists continuous;
     ContactWorld world_contacts;       // world-managed contacts
     Array<dIslandStepReport> reports;  // of the last step's islands, when they were wanted
+    StepObserver* observer = nullptr;
 };
 
 // Is the world stepping, or another world that shares its working memory?

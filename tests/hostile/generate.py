@@ -48,7 +48,7 @@ KIND_OF_TYPE = {
     "const dGeomClass*": "GeomClass", "dWorldStepReport*": "WorldReport",
     "dIslandStepReport*": "IslandReport", "dStopwatch*": "Stopwatch", "FILE*": "File",
     "const char*": "Text", "dQueryHit*": "QueryHits", "dQueryDistance*": "QueryHits", "void*": "Data", "dJointID*": "JointList", "dJointFeedback*": "Feedback", "dGeomID*": "QueryHits",
-    "dContactEvent*": "QueryHits", "dWorldContact*": "QueryHits", "dMaterial*": "Material",
+    "dContactEvent*": "QueryHits", "dDiagnosis*": "QueryHits", "dWorldContact*": "QueryHits", "dMaterial*": "Material",
     "const dMaterial*": "Material", "dDrive*": "DriveRoom", "const dDrive*": "Drive", "const dQueryFilter*": "QueryFilter", "dContactFilter*": "ContactFilter",
     "const unsigned char*": "Bytes", "const short*": "Shorts", "const float*": "Floats",
     "const double*": "Doubles",

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Joints that cannot hold together leave an error that no step removes: the solvers share it out. Only joints
+// that close a loop (or connect two bodies twice) can contradict each other: those of a component of the graph
+// of bodies and joints that has a cycle, what does not move being one node. The error is that of the rows that
+// lock, at the pose that the step has left; soft rows keep theirs by intention. Sweeps that have not converged
+// leave errors in joints that fit together: then it is no more than a note.
+#include "diagnose/cause.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "joints/drive_rows.h"
+#include "rows/row_writer.h"
+
+namespace epode {
+namespace {
+
+constexpr Real kOpen = Real(1e-3), kTorn = Real(1e-2);  // m, rad
+constexpr Real kStays = Real(0.97);                     // of the error, after a step; ERP removes more
+constexpr double kSolved = 1e-6;                        // residual of the step
+constexpr int kPatience = 10;                           // steps
+
+Real locked_error(Joint& joint, const StepInfo& info)
+{
+    Row rows[kMaxBlockRows];
+    RowWriter out(rows, info);
+    joint.type->emit(joint, out);
+    Real worst = 0;
+    for (int i = 0; i < out.count(); ++i)
+        if (rows[i].kind == RowKind::kLock && !rows[i].soft && rows[i].erp >= Real(0.05))
+            worst = std::max(worst, std::fabs(rows[i].error));
+    return worst;
+}
+
+bool takes_part(const StepFacts& facts, const Joint& joint)
+{
+    for (const JointNode& node : joint.node)
+        if (node.body && !StepFacts::of(facts.before, *node.body)) return false;
+    return acting(joint) && !is_contact(joint);
+}
+
+// Node of the graph: 0 is what does not move.
+int node_of(const Body* body) { return body && !body->kinematic() ? body->place + 1 : 0; }
+
+int root_of(std::span<GraphNode> nodes, int i)
+{
+    while (nodes[std::size_t(i)].parent != i)
+        i = nodes[std::size_t(i)].parent = nodes[std::size_t(nodes[std::size_t(i)].parent)].parent;
+    return i;
+}
+
+void mark_loops(const StepFacts& facts, std::span<GraphNode> nodes)
+{
+    for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = {int(i), false};
+    for (const Joint& joint : facts.world.joints) {
+        if (!takes_part(facts, joint)) continue;
+        const int a = root_of(nodes, node_of(joint.body1())), b = root_of(nodes, node_of(joint.body2()));
+        GraphNode& kept = nodes[std::size_t(std::min(a, b))];
+        kept.loop = kept.loop || nodes[std::size_t(std::max(a, b))].loop || a == b;
+        nodes[std::size_t(std::max(a, b))].parent = std::min(a, b);
+    }
+}
+
+}  // namespace
+
+const char* const k_text_of_contradiction =
+    "joints that close a loop ask for what no pose can give, and stay open; check anchors, axes and the pose "
+    "in "
+    "which they were attached, leave one out, or give one CFM";
+
+void find_contradiction(const StepFacts& facts)
+{
+    StepInfo info;
+    info.h = facts.h, info.fps = 1 / facts.h, info.erp = facts.world.erp, info.cfm = facts.world.cfm;
+    info.inner = true;  // joints keep what they have decided
+    const bool solved = facts.report.residual < kSolved;
+    mark_loops(facts, facts.graph);
+    for (Joint& joint : facts.world.joints) {
+        if (joint.place < 0 || std::size_t(joint.place) >= facts.joint_errors.size()) continue;
+        JointError& known = facts.joint_errors[std::size_t(joint.place)];
+        const bool loops = takes_part(facts, joint) &&
+                           facts.graph[std::size_t(root_of(facts.graph, node_of(joint.body1())))].loop;
+        const Real error = loops ? locked_error(joint, info) : 0;
+        const bool stays = known.id == to_handle(&joint) && error > kOpen && error > kStays * known.error;
+        known = {to_handle(&joint), error, stays ? known.steps + 1 : 0};
+        if (known.steps < kPatience) continue;
+        facts.findings.add({.kind = dDiagnosisContradiction,
+                            .severity = !solved         ? dSeverityNote
+                                        : error > kTorn ? dSeverityError
+                                                        : dSeverityWarning,
+                            .body = to_handle(joint.body1()),
+                            .other = joint.body2() ? to_handle(joint.body2()) : nullptr,
+                            .joint = to_handle(&joint),
+                            .figure = double(error),
+                            .threshold = double(kOpen)});
+    }
+}
+
+}  // namespace epode

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A cause as a sentence.
+#pragma once
+
+#include <cstddef>
+
+#include "ode/diagnosis.h"
+
+namespace epode {
+
+// Null: no such kind.
+const char* text_of(int kind);
+
+// As snprintf: the length of the whole text.
+int write_text(const dDiagnosis& cause, char* text, std::size_t size);
+
+}  // namespace epode

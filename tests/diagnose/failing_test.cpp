@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Scenes made to fail in one way each: that cause must be ranked first and name the body or joint to blame.
+#include <gtest/gtest.h>
+#include <ode/ext.h>
+#include <ode/ode.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace {
+
+class Failing : public testing::Test {
+  protected:
+    Failing()
+    {
+        dInitODE2(0);
+        world = dWorldCreate();
+        space = dSimpleSpaceCreate(nullptr);
+        dWorldSetGravity(world, 0, 0, -9.81);
+        dWorldSetDiagnosisMode(world, 1);
+    }
+    ~Failing() override
+    {
+        dJointGroupEmpty(contacts);
+        dJointGroupDestroy(contacts);
+        dWorldDestroy(world);
+        dSpaceDestroy(space);
+        dCloseODE();
+    }
+
+    dBodyID box(double x, double y, double z, double side, double density = 1000)
+    {
+        return box(x, y, z, side, side, side, density);
+    }
+    dBodyID box(double x, double y, double z, double a, double b, double c, double density)
+    {
+        dBodyID body = dBodyCreate(world);
+        dMass mass;
+        dMassSetBox(&mass, dReal(density), dReal(a), dReal(b), dReal(c));
+        dBodySetMass(body, &mass);
+        dBodySetPosition(body, dReal(x), dReal(y), dReal(z));
+        dGeomSetBody(dCreateBox(space, dReal(a), dReal(b), dReal(c)), body);
+        return body;
+    }
+    dJointID ball(dBodyID a, dBodyID b, double x, double y, double z)
+    {
+        dJointID joint = dJointCreateBall(world, nullptr);
+        dJointAttach(joint, a, b);
+        dJointSetBallAnchor(joint, dReal(x), dReal(y), dReal(z));
+        return joint;
+    }
+    void floor() { dCreatePlane(space, 0, 0, 1, 0); }
+
+    static void near(void* data, dGeomID a, dGeomID b)
+    {
+        auto& self = *static_cast<Failing*>(data);
+        dContact contact[8] = {};
+        const int n = dCollide(a, b, 8, &contact[0].geom, sizeof(dContact));
+        for (int i = 0; i < n; ++i) {
+            contact[i].surface.mu = 1;
+            dJointAttach(dJointCreateContact(self.world, self.contacts, &contact[i]), dGeomGetBody(a),
+                         dGeomGetBody(b));
+        }
+    }
+    void run(int steps, double h, bool exact = false, const std::function<void()>& before = {})
+    {
+        for (int i = 0; i < steps; ++i) {
+            if (before) before();
+            dSpaceCollide(space, this, near);
+            exact ? dWorldStep(world, dReal(h)) : dWorldQuickStep(world, dReal(h));
+            dJointGroupEmpty(contacts);
+        }
+    }
+    std::vector<dDiagnosis> causes() const
+    {
+        std::vector<dDiagnosis> all(64);
+        all.resize(size_t(dWorldDiagnose(world, all.data(), 64)));
+        return all;
+    }
+    static std::string text(const dDiagnosis& cause)
+    {
+        char line[512];
+        dDiagnosisText(&cause, line, sizeof line);
+        return line;
+    }
+    void expect_first(dDiagnosisKind kind, dBodyID body = nullptr)
+    {
+        const auto all = causes();
+        ASSERT_FALSE(all.empty()) << "nothing was found";
+        std::string list;
+        for (const dDiagnosis& cause : all) list += text(cause) + "\n";
+        EXPECT_EQ(all[0].kind, kind) << list;
+        EXPECT_GE(all[0].severity, dSeverityWarning) << list;
+        EXPECT_GT(all[0].figure, all[0].threshold) << list;
+        if (body) { EXPECT_TRUE(all[0].body == body || all[0].other == body) << list; }
+    }
+
+    dWorldID world;
+    dSpaceID space;
+    dJointGroupID contacts = dJointGroupCreate(0);
+};
+
+TEST_F(Failing, input_a_velocity_of_a_million)
+{
+    dBodyID body = box(0, 0, 5, 1);
+    box(5, 0, 5, 1);
+    run(3, 0.01);
+    dBodySetLinearVel(body, 1e7, 0, 0);
+    run(3, 0.01);
+    expect_first(dDiagnosisInput, body);
+    EXPECT_EQ(causes()[0].first_step, 4);
+}
+
+TEST_F(Failing, input_a_force_in_the_wrong_unit)
+{
+    dBodyID body = box(0, 0, 5, 0.1);
+    run(5, 0.01, true, [&] { dBodyAddForce(body, 0, 9.81e9, 0); });
+    expect_first(dDiagnosisInput, body);
+}
+
+TEST_F(Failing, inertia_of_a_metre_on_a_geom_of_five_centimetres)
+{
+    floor();
+    dBodyID body = dBodyCreate(world);  // 1 kg, unit inertia
+    dGeomSetBody(dCreateBox(space, dReal(0.05), dReal(0.05), dReal(0.05)), body);
+    dBodySetPosition(body, 0, 0, dReal(0.1));
+    run(50, 0.01);
+    expect_first(dDiagnosisInertia, body);
+}
+
+TEST_F(Failing, inertia_that_breaks_the_triangle_inequality)
+{
+    dBodyID body = box(0, 0, 5, 1);
+    dMass mass;
+    dMassSetParameters(&mass, 1, 0, 0, 0, dReal(0.1), dReal(0.1), dReal(0.5), 0, 0, 0);
+    dBodySetMass(body, &mass);
+    dBodySetAngularVel(body, 1, 2, 3);
+    run(50, 0.01);
+    const auto all = causes();
+    ASSERT_FALSE(all.empty());
+    EXPECT_EQ(all[0].kind, dDiagnosisInertia);
+}
+
+TEST_F(Failing, overlap_of_two_boxes_put_into_each_other)
+{
+    dBodyID a = box(0, 0, 5, 1);
+    box(0.1, 0, 5.2, 1);
+    run(20, 0.01);
+    expect_first(dDiagnosisOverlap, a);
+}
+
+TEST_F(Failing, overlap_of_a_box_under_the_floor_exact)
+{
+    floor();
+    dBodyID a = box(0, 0, -0.3, 1);
+    box(4, 0, 0.5, 1);
+    run(20, 0.01, true);
+    expect_first(dDiagnosisOverlap, a);
+}
+
+TEST_F(Failing, contradiction_of_two_balls_a_metre_apart)
+{
+    dBodyID a = box(0, 0, 0, 0.2), b = box(1, 0, 0, 0.2);
+    ball(a, nullptr, 0, 0, 0);
+    ball(b, nullptr, 1, 0, 0);
+    ball(a, b, 0.5, 0, 0);
+    dBodySetPosition(b, dReal(1.3), 0, 0);  // the anchors no longer fit
+    dJointSetBallAnchor(ball(b, nullptr, 1.3, 0, 0), dReal(1.3), 0, 0);
+    run(100, 0.01, true);
+    expect_first(dDiagnosisContradiction);
+}
+
+TEST_F(Failing, contradiction_of_two_sliders_across)
+{
+    dBodyID a = box(0, 0, 0, 0.2);
+    dJointID joint = dJointCreateFixed(world, nullptr);
+    dJointAttach(joint, a, nullptr);
+    dJointSetFixed(joint);
+    dBodySetPosition(a, dReal(0.4), 0, 0);
+    dJointID hinge = dJointCreateHinge(world, nullptr);
+    dJointAttach(hinge, a, nullptr);
+    dJointSetHingeAnchor(hinge, dReal(0.4), 0, 0);
+    dJointSetHingeAxis(hinge, 0, 0, 1);
+    run(100, 0.01, true);
+    expect_first(dDiagnosisContradiction, a);
+}
+
+TEST_F(Failing, stiff_spring_of_the_program)
+{
+    dBodyID body = box(0, 0, 5, 0.1);  // 1 kg
+    run(60, 0.01, false,
+        [&] { dBodyAddForce(body, 0, 0, dReal(-60000 * (dBodyGetPosition(body)[2] - 5.01))); });
+    const auto all = causes();
+    ASSERT_FALSE(all.empty());
+    EXPECT_EQ(all[0].kind, dDiagnosisStiffSpring) << text(all[0]);
+}
+
+TEST_F(Failing, stiff_damper_of_the_program)
+{
+    dBodyID body = box(0, 0, 5, 0.1);
+    dBodySetLinearVel(body, 1, 0, 0);
+    run(12, 0.01, true, [&] { dBodyAddForce(body, -250 * dBodyGetLinearVel(body)[0], 0, 0); });
+    expect_first(dDiagnosisStiffSpring, body);
+}
+
+TEST_F(Failing, step_too_long_for_a_spinning_rod)
+{
+    dBodyID body = box(0, 0, 5, 0.02, 0.02, 0.4, 2000);
+    dBodySetAngularVel(body, 5, 400, 5);
+    run(30, 0.01);
+    expect_first(dDiagnosisStepTooLong, body);
+}
+
+TEST_F(Failing, step_too_long_at_ten_hertz)
+{
+    dBodyID body = box(0, 0, 0, 0.5, 0.1, 0.3, 800);
+    dWorldSetGravity(world, 0, 0, 0);
+    dBodySetAngularVel(body, 10, 10, 1);
+    run(30, 0.1, true);
+    expect_first(dDiagnosisStepTooLong, body);
+}
+
+TEST_F(Failing, mass_ratio_of_a_chain_with_a_wrecking_ball)
+{
+    dBodyID last = nullptr, heavy = nullptr;
+    for (int i = 0; i < 10; ++i) {
+        dBodyID link = box(i + 0.5, 0, 10, 0.9, 0.1, 0.1, 100);  // 0.9 kg
+        ball(link, last, i, 0, 10);
+        last = link;
+    }
+    heavy = box(10.5, 0, 10, 1, 2000);
+    ball(heavy, last, 10, 0, 10);
+    run(300, 0.01);
+    expect_first(dDiagnosisMassRatio);
+}
+
+TEST_F(Failing, mass_ratio_of_a_tonne_on_a_light_box)
+{
+    floor();
+    box(0, 0, 0.05, 0.1, 100);
+    box(0, 0, 0.65, 1.0, 8000);
+    run(100, 0.01);
+    expect_first(dDiagnosisMassRatio);
+}
+
+TEST_F(Failing, tunnelling_of_a_bullet_through_a_plate)
+{
+    dGeomSetPosition(dCreateBox(space, dReal(0.02), 4, 4), 5, 0, 5);
+    dBodyID bullet = box(0, 0, 5, 0.05);
+    dBodySetLinearVel(bullet, 300, 0, 0);
+    run(3, 0.01);
+    expect_first(dDiagnosisTunnelling, bullet);
+    EXPECT_TRUE(causes()[0].geom);
+}
+
+TEST_F(Failing, tunnelling_of_a_falling_ball_through_a_moving_board)
+{
+    dBodyID board = box(0, 0, 2, 2, 2, 0.02, 500);
+    dBodySetGravityMode(board, 0);
+    dBodyID body = box(0.3, 0.2, 2.31, 0.1);
+    dBodySetLinearVel(body, 0, 0, -40);
+    run(2, 0.02, true);
+    expect_first(dDiagnosisTunnelling, body);
+    EXPECT_EQ(causes()[0].other, board);
+}
+
+TEST_F(Failing, impact_of_a_shell_on_the_floor)
+{
+    floor();
+    dBodyID body = box(0, 0, 1.0, 0.1);
+    dBodySetLinearVel(body, 0, 0, -98);
+    run(5, 0.01);
+    expect_first(dDiagnosisImpact, body);
+}
+
+TEST_F(Failing, diagnosis_can_be_read_in_parts_and_forgets_when_switched_off)
+{
+    dBodySetLinearVel(box(0, 0, 5, 1), 1e7, 0, 0);
+    dBodySetLinearVel(box(0, 0, 9, 1), 1e6, 0, 0);
+    run(1, 0.01);
+    EXPECT_EQ(dWorldDiagnose(world, nullptr, 0), 2);
+    dDiagnosis one;
+    EXPECT_EQ(dWorldDiagnose(world, &one, 1), 2);
+    EXPECT_EQ(one.figure, 1e7);
+    dWorldSetDiagnosisMode(world, 0);
+    EXPECT_EQ(dWorldGetDiagnosisMode(world), 0);
+    EXPECT_EQ(dWorldDiagnose(world, &one, 1), 0);
+    dWorldSetDiagnosisMode(world, 1);
+    EXPECT_EQ(dWorldDiagnose(world, &one, 1), 0);
+}
+
+}  // namespace
