@@ -63,6 +63,8 @@ void add_plan_options(CLI::App& command, RunOptions& options)
 void add_run_options(CLI::App& command, RunOptions& options)
 {
     add_plan_options(command, options);
+    command.add_flag("--diagnose", options.diagnose,
+                     "why it went wrong: the first three causes, with remedies");
     command.add_option("--picture", options.picture, "PNG file of the last state");
     command.add_option("--trace", options.trace, "CSV file, one line per step");
     command

@@ -30,6 +30,7 @@ struct RunOptions {
     std::uint32_t seed = 1;
     bool json = false;
     bool quiet = false;
+    bool diagnose = false;  // report why the run went wrong
     std::string picture;
     std::string trace;
     std::vector<std::string> records;  // their endings decide the formats

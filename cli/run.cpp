@@ -76,6 +76,15 @@ int say_interrupted(const RunOptions& options, const scenes::RunRecord& record, 
     return interruption_code();
 }
 
+// The likeliest causes of what went wrong; next to an object of JSON they go to standard error.
+void put_diagnosis(const scenes::Scene& scene, bool json)
+{
+    constexpr size_t kLines = 3;
+    const std::vector<std::string> lines = scenes::diagnosis(scene.world(), kLines);
+    if (lines.empty() && !json) say("diagnosis: nothing found\n");
+    for (const std::string& line : lines) json ? warn("{}", line) : say("diagnosis: {}\n", line);
+}
+
 int carry_out(const RunOptions& options, const scenes::Recipe& recipe, const RunPlan& plan)
 {
     scenes::Runtime runtime;
@@ -83,6 +92,9 @@ int carry_out(const RunOptions& options, const scenes::Recipe& recipe, const Run
     scenes::Scene scene(recipe, plan.seed);
     std::string problem;
     if (!set_up(scene, plan, problem)) return refuse(problem);
+
+    if (options.diagnose && !scenes::set_diagnosis(scene.world(), true))
+        return refuse("this library does not diagnose steps, so --diagnose is not to be had");
 
     const Interruptible files_are_made_whole;
     Trace trace;
@@ -112,6 +124,7 @@ int carry_out(const RunOptions& options, const scenes::Recipe& recipe, const Run
 
     const auto fields = describe(scene, plan, record, outcome);
     put(options.json ? as_json(fields) : as_table(fields));
+    if (options.diagnose) put_diagnosis(scene, options.json);
     if (record.not_finite > 0) warn("{} bodies are not finite", record.not_finite);
     if (outcome.step_failed) warn("the library reports that the step failed");
     if (!(drawn && traced && filmed && recorded && record.not_finite == 0 && !outcome.step_failed))

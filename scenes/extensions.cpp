@@ -7,6 +7,7 @@
 
 #include <dlfcn.h>
 
+#include <algorithm>
 #include <fstream>
 
 namespace epode::scenes {
@@ -18,6 +19,13 @@ struct RawStepReport {
     int islands, bodies, joints, rows;
     double residual;
     int iterations, fallbacks, contained_islands;
+};
+
+struct RawDiagnosis {
+    int kind, severity;
+    void* objects[4];
+    double figure, threshold;
+    int first_step, steps;
 };
 
 struct RawMaterial {
@@ -49,6 +57,8 @@ using SetSpace = void (*)(dWorldID, dSpaceID);
 using GetMaterial = int (*)(dGeomID, RawMaterial*);
 using SetMaterial = int (*)(dGeomID, const RawMaterial*);
 using GetContacts = int (*)(dWorldID, RawContact*, int);
+using Diagnose = int (*)(dWorldID, RawDiagnosis*, int);
+using DiagnosisText = int (*)(const RawDiagnosis*, char*, int);
 using GetReport = int (*)(dWorldID, RawStepReport*);
 
 StepFast fast_function()
@@ -226,6 +236,31 @@ std::optional<StepReport> step_report(dWorldID world)
     report.fallbacks = raw.fallbacks;
     report.contained_islands = raw.contained_islands;
     return report;
+}
+
+bool set_diagnosis(dWorldID world, bool on)
+{
+    static const SetMode function = find<SetMode>("dWorldSetDiagnosisMode");
+    if (!function) return false;
+    function(world, on ? 1 : 0);
+    return true;
+}
+
+std::vector<std::string> diagnosis(dWorldID world, std::size_t max_lines)
+{
+    static const Diagnose diagnose = find<Diagnose>("dWorldDiagnose");
+    static const DiagnosisText describe = find<DiagnosisText>("dDiagnosisText");
+    if (!diagnose || !describe) return {};
+    std::vector<RawDiagnosis> causes(max_lines);
+    const int found = diagnose(world, causes.data(), int(max_lines));
+    causes.resize(std::min(max_lines, std::size_t(found)));
+    std::vector<std::string> lines;
+    for (const RawDiagnosis& cause : causes) {
+        char text[512];
+        describe(&cause, text, sizeof text);
+        lines.emplace_back(text);
+    }
+    return lines;
 }
 
 bool set_warm_starting(dWorldID world, double factor)

@@ -54,6 +54,11 @@ std::vector<dReal> triangles_of(dGeomID geom);
 bool request_step_report(dWorldID world, bool on);
 std::optional<StepReport> step_report(dWorldID world);
 
+// Whether steps look for what makes simulations fail. False where the library cannot.
+bool set_diagnosis(dWorldID world, bool on);
+// What they have found, a line each, the most severe first, at most so many.
+std::vector<std::string> diagnosis(dWorldID world, std::size_t max_lines);
+
 // How much of the last step's forces a step starts from, 0 ... 1. False where the library always starts cold.
 bool set_warm_starting(dWorldID world, double factor);
 

@@ -38,24 +38,24 @@ typedef enum {
 
 /** How sure it is that this is harmful. */
 typedef enum {
-    dSeverityNote = 1, /**< worth knowing if something looks wrong */
-    dSeverityWarning,  /**< likely to be seen */
-    dSeverityError     /**< the simulation is wrong */
+    dSeverityNote,    /**< worth knowing if something looks wrong */
+    dSeverityWarning, /**< likely to be seen */
+    dSeverityError    /**< the simulation is wrong */
 } dSeverity;
 
 /** One cause. Elements of arrays, such as this, have no struct_size. Objects may have been destroyed since;
     those that the cause does not concern are 0. */
 typedef struct dDiagnosis {
-    dDiagnosisKind kind; /**< which cause */
-    dSeverity severity;  /**< how harmful */
-    dBodyID body;        /**< the body to blame */
-    dBodyID other;       /**< the other one */
-    dJointID joint;      /**< the joint to blame */
-    dGeomID geom;        /**< the geom that was met */
-    double figure;       /**< worst value, see dDiagnosisKind */
-    double threshold;    /**< what it should stay below */
-    int first_step;      /**< step in which it was seen first, 1: the first one since the mode is on */
-    int steps;           /**< in how many steps it was seen */
+    int kind;         /**< which cause: one of dDiagnosisKind */
+    int severity;     /**< how harmful: one of dSeverity */
+    dBodyID body;     /**< the body to blame */
+    dBodyID other;    /**< the other one */
+    dJointID joint;   /**< the joint to blame */
+    dGeomID geom;     /**< the geom that was met */
+    double figure;    /**< worst value, see dDiagnosisKind */
+    double threshold; /**< what it should stay below */
+    int first_step;   /**< step in which it was seen first, 1: the first one since the mode is on */
+    int steps;        /**< in how many steps it was seen */
 } dDiagnosis;
 
 /** - dWorldSetDiagnosisMode: Switch the diagnosis of steps on (mode 1) or off (0, the default), which forgets

@@ -41,7 +41,8 @@ struct dIslandStepReportExt : public dIslandStepReport {
     dIslandStepReportExt() : dIslandStepReport() { struct_size = sizeof(dIslandStepReport); }
 };
 
-/** A world with the additions of ode/step_options.h, ode/report.h, ode/contacts.h and ode/steppers.h. */
+/** A world with the additions of ode/step_options.h, ode/report.h, ode/contacts.h, ode/diagnosis.h and
+    ode/steppers.h. */
 class dWorldExt : public dWorld {
   public:
     /** dWorldSetStepThreads, dWorldSetStepWarmStarting. */
@@ -90,6 +91,14 @@ class dWorldExt : public dWorld {
     int getIslandStepReport(int island, dIslandStepReport* report) const
     {
         return dWorldGetIslandStepReport(get_id(), island, report);
+    }
+
+    /** What goes wrong, and why: dWorldSetDiagnosisMode, dWorldDiagnose. */
+    void setDiagnosisMode(int mode) { dWorldSetDiagnosisMode(get_id(), mode); }
+    int getDiagnosisMode() const { return dWorldGetDiagnosisMode(get_id()); }
+    int diagnose(dDiagnosis* causes, int capacity) const
+    {
+        return dWorldDiagnose(get_id(), causes, capacity);
     }
 
     /** World-managed contacts: dWorldSetContactSpace, dWorldSetContactFilter, dWorldGetContactEvents,

@@ -41,7 +41,7 @@ int dDiagnosisText(const dDiagnosis* cause, char* text, int size)
 {
     const FloatEnvironment floats;
     EPODE_USER(cause && text && size >= 0, 0);
-    EPODE_USER_SAY(text_of(int(cause->kind)), "a kind that is no dDiagnosisKind", 0);
+    EPODE_USER_SAY(text_of(cause->kind), "a kind that is no dDiagnosisKind", 0);
     EPODE_USER_SAY(cause->severity >= dSeverityNote && cause->severity <= dSeverityError,
                    "a severity that is no dSeverity", 0);
     return write_text(*cause, text, std::size_t(size));

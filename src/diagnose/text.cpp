@@ -22,7 +22,7 @@ const char* text_of(int kind)
 
 int write_text(const dDiagnosis& cause, char* text, std::size_t size)
 {
-    constexpr const char* kSeverity[] = {"", "note", "warning", "error"};
+    constexpr const char* kSeverity[] = {"note", "warning", "error"};
     return std::snprintf(text, size, "%s: %s (%.3g, should stay below %.3g; first in step %d, in %d steps)",
                          kSeverity[cause.severity], text_of(cause.kind), cause.figure, cause.threshold,
                          cause.first_step, cause.steps);

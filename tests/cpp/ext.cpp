@@ -23,6 +23,7 @@ Numbers read_world(dWorldID w)
     n.push_back(dWorldGetHybridStepper(w));
     n.push_back(dWorldGetHybridSubsteps(w));
     n.push_back(dWorldGetStepReportMode(w));
+    n.push_back(dWorldGetDiagnosisMode(w));
     n.push_back(dWorldGetContactSpace(w) != 0);
     return n;
 }
@@ -47,6 +48,7 @@ void test_world_options()
     WORLD_SET(HybridStepper, dStepperExact);
     WORLD_SET(HybridSubsteps, 7);
     WORLD_SET(StepReportMode, 1);
+    WORLD_SET(DiagnosisMode, 1);
 }
 
 int reject_all(void* data, dGeomID, dGeomID)
@@ -104,6 +106,13 @@ void test_contacts()
     world.setContactFilter(reject_all, &asked);
     world.stepHybrid(REAL(0.01));
     judge("dWorldExt::setContactFilter", asked == 1 && world.getContacts(points, 4) == 0, Numbers());
+    world.setDiagnosisMode(1);
+    ground.body.addForce(0, 0, REAL(1e12));
+    world.stepHybrid(REAL(0.01));
+    dDiagnosis cause;
+    const int causes = world.diagnose(&cause, 1);
+    judge("dWorldExt::diagnose", causes == 1 && cause.kind == dDiagnosisInput,
+          Numbers(1, REAL(cause.threshold)));
 }
 
 void test_joints()
