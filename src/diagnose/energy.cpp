@@ -8,7 +8,7 @@
 #include "diagnose/cause.h"
 
 #include "joints/limit_motor.h"
-#include "rows/row_writer.h"
+#include "joints/parts.h"
 
 namespace epode {
 namespace {
@@ -18,10 +18,8 @@ constexpr double kMost = 1e9;
 
 bool adds_energy(Joint& joint)
 {
-    if (joint.type->softness && joint.type->softness(joint)) {
-        Real value = 0;
-        if (joint.type->get_param && joint.type->get_param(joint, dParamERP, value)) return true;
-    }
+    const OwnSoftness* const own = joint.type->softness ? joint.type->softness(joint) : nullptr;
+    if (own && (own->chosen || own->spring.acts)) return true;
     if (is_contact(joint))
         return joint.mode & (dContactMotion1 | dContactMotion2 | dContactMotionN | dContactSoftERP);
     const int axes = joint.type->axes ? joint.type->axes(joint) : 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Bodies that did not touch in the step before are in each other deeper than their motion brings them in a
+// Bodies that the program has made or moved since the step before are in each other deeper than their motion brings them in a
 // step, and deeper than half of the thinner one's half thickness: they were put there.
 #include "diagnose/cause.h"
 
@@ -12,9 +12,11 @@ namespace {
 
 constexpr Real kDeep = Real(0.5);
 
-bool is_new(const StepFacts& facts, const Body* body)
+bool was_placed(const StepFacts& facts, const Body* body)
 {
-    return body && !body->kinematic() && !StepFacts::of(facts.after_last, *body);
+    const BodyBefore* now = body && !body->kinematic() ? StepFacts::of(facts.before, *body) : nullptr;
+    const BodyBefore* end = now ? StepFacts::of(facts.after_last, *body) : nullptr;
+    return now && (!end || !(end->x == now->x));
 }
 
 }  // namespace
@@ -26,7 +28,7 @@ const char* const k_text_of_overlap =
 void find_overlap(const StepFacts& facts)
 {
     for (const Touch& touch : facts.touches) {
-        if (!is_new(facts, touch.a) && !is_new(facts, touch.b)) continue;
+        if (!was_placed(facts, touch.a) && !was_placed(facts, touch.b)) continue;
         Real half = extent_of(*touch.a).half_thickness;
         if (touch.b) half = std::min(half, extent_of(*touch.b).half_thickness);
         const Real moved = std::max(approach_of(facts, touch), Real(0)) * facts.h;

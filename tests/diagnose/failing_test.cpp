@@ -61,6 +61,8 @@ class Failing : public testing::Test {
         const int n = dCollide(a, b, 8, &contact[0].geom, sizeof(dContact));
         for (int i = 0; i < n; ++i) {
             contact[i].surface.mu = 1;
+            if (self.bounce > 0) contact[i].surface.mode = dContactBounce;
+            contact[i].surface.bounce = dReal(self.bounce);
             dJointAttach(dJointCreateContact(self.world, self.contacts, &contact[i]), dGeomGetBody(a),
                          dGeomGetBody(b));
         }
@@ -98,6 +100,7 @@ class Failing : public testing::Test {
         if (body) { EXPECT_TRUE(all[0].body == body || all[0].other == body) << list; }
     }
 
+    double bounce = 0;
     dWorldID world;
     dSpaceID space;
     dJointGroupID contacts = dJointGroupCreate(0);
@@ -159,6 +162,17 @@ TEST_F(Failing, overlap_of_a_box_under_the_floor_exact)
     box(4, 0, 0.5, 1);
     run(20, 0.01, true);
     expect_first(dDiagnosisOverlap, a);
+}
+
+TEST_F(Failing, overlap_of_a_box_that_the_program_moved)
+{
+    box(0, 0, 5, 1);
+    dBodyID b = box(3, 0, 5, 1);
+    run(10, 0.01);
+    const dReal* z = dBodyGetPosition(b);
+    dBodySetPosition(b, dReal(0.6), 0, z[2]);
+    run(10, 0.01);
+    expect_first(dDiagnosisOverlap, b);
 }
 
 TEST_F(Failing, contradiction_of_two_balls_a_metre_apart)
@@ -274,6 +288,35 @@ TEST_F(Failing, impact_of_a_shell_on_the_floor)
     dBodySetLinearVel(body, 0, 0, -98);
     run(5, 0.01);
     expect_first(dDiagnosisImpact, body);
+}
+
+TEST_F(Failing, impact_of_two_shells_that_the_world_manages)
+{
+    dWorldSetContactSpace(world, space);
+    dWorldSetGravity(world, 0, 0, 0);
+    dBodyID a = box(0, 0, 0, 0.1), b = box(1.05, 0, 0, 0.1);
+    dBodySetLinearVel(a, 50, 0, 0), dBodySetLinearVel(b, -50, 0, 0);
+    for (int i = 0; i < 3; ++i) dWorldStepHybrid(world, dReal(0.01));
+    expect_first(dDiagnosisImpact, a);
+}
+
+TEST_F(Failing, energy_of_a_joint_that_the_program_tore_open)
+{
+    dBodyID body = box(0, 0, 5, 0.2);
+    ball(body, nullptr, 0, 0, 5);
+    run(10, 0.01, true);
+    dBodySetPosition(body, dReal(0.8), 0, 5);
+    run(10, 0.01, true);
+    expect_first(dDiagnosisEnergy, body);
+}
+
+TEST_F(Failing, energy_of_a_ball_that_bounces_higher_each_time)
+{
+    bounce = 1.5;
+    floor();
+    dBodyID body = box(0, 0, 3, 0.4);
+    run(200, 0.01);
+    expect_first(dDiagnosisEnergy, body);
 }
 
 TEST_F(Failing, diagnosis_can_be_read_in_parts_and_forgets_when_switched_off)
