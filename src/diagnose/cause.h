@@ -40,6 +40,12 @@ struct GraphNode {
     bool loop;
 };
 
+// What a body hangs on: its heaviest neighbour, and whether it has another one.
+struct Neighbours {
+    const Body *heaviest = nullptr, *first = nullptr;
+    bool any = false, two = false;
+};
+
 struct StepFacts {
     World& world;
     Real h;
@@ -48,6 +54,7 @@ struct StepFacts {
     std::span<const Touch> touches;
     std::span<JointError> joint_errors;  // by Joint::place
     std::span<GraphNode> graph;
+    std::span<Neighbours> neighbours;  // by Body::place
     const dWorldStepReport& report;
     Findings& findings;
 

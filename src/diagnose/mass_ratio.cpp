@@ -13,20 +13,19 @@ namespace {
 constexpr Real kRatio = 100;
 constexpr double kUnsolved = 1e-3, kTorn = 1e-2;
 
-// What a body hangs on: its heaviest neighbour, and whether it has another one.
-struct Neighbours {
-    const Body* heaviest = nullptr;
-    const Body* first = nullptr;
-    bool any = false, two = false;
+void add(Neighbours& n, const Body* other)
+{
+    if (other && other->kinematic()) other = nullptr;
+    if (n.any && other != n.first) n.two = true;
+    if (!n.any) n.first = other, n.any = true;
+    if (other && (!n.heaviest || other->mass.mass > n.heaviest->mass.mass)) n.heaviest = other;
+}
 
-    void add(const Body* other)
-    {
-        if (other && other->kinematic()) other = nullptr;
-        if (any && other != first) two = true;
-        if (!any) first = other, any = true;
-        if (other && (!heaviest || other->mass.mass > heaviest->mass.mass)) heaviest = other;
-    }
-};
+void join(const StepFacts& facts, const Body* a, const Body* b)
+{
+    if (a) add(facts.neighbours[std::size_t(a->place)], b);
+    if (b) add(facts.neighbours[std::size_t(b->place)], a);
+}
 
 }  // namespace
 
@@ -36,12 +35,12 @@ const char* const k_text_of_mass_ratio =
 
 void find_mass_ratio(const StepFacts& facts)
 {
+    for (Neighbours& one : facts.neighbours) one = {};
+    for (const Joint& joint : facts.world.joints)
+        if (acting(joint) && !is_contact(joint)) join(facts, joint.body1(), joint.body2());
+    for (const Touch& touch : facts.touches) join(facts, touch.a, touch.b);
     facts.for_each_body([&](Body& body, const BodyBefore&) {
-        Neighbours all;
-        for (const JointNode* n = body.joints; n; n = n->next)
-            if (acting(*n->joint)) all.add(n->joint->node[n == &n->joint->node[0] ? 1 : 0].body);
-        for (const Touch& t : facts.touches)
-            if (t.a == &body || t.b == &body) all.add(t.a == &body ? t.b : t.a);
+        const Neighbours& all = facts.neighbours[std::size_t(body.place)];
         const Real ratio = all.two && all.heaviest ? all.heaviest->mass.mass / body.mass.mass : 0;
         if (!(ratio > kRatio)) return;
         const bool unsolved = facts.report.residual > kUnsolved;

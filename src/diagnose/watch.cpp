@@ -27,6 +27,7 @@ struct Watch : StepObserver {
     Array<dWorldContact> managed;
     Array<JointError> joint_errors;
     Array<GraphNode> graph;
+    Array<Neighbours> neighbours;
     dWorldStepReport report{};
     dWorldStepReport programs_report{};
     bool programs_wanted = false, programs_made = false;
@@ -89,7 +90,8 @@ void look(Watch& watch, World& world, Real h)
     watch.findings.begin_step();
     watch.touches.clear();
     if (!add_joint_contacts(world, watch.touches) || !add_world_contacts(world, watch)) return;
-    if (!watch.joint_errors.resize(world.joints.places()) || !watch.graph.resize(world.bodies.places() + 1))
+    if (!watch.joint_errors.resize(world.joints.places()) || !watch.graph.resize(world.bodies.places() + 1) ||
+        !watch.neighbours.resize(world.bodies.places()))
         return;
     const StepFacts facts{world,
                           h,
@@ -99,6 +101,7 @@ void look(Watch& watch, World& world, Real h)
                           watch.touches.span(),
                           watch.joint_errors.span(),
                           watch.graph.span(),
+                          watch.neighbours.span(),
                           watch.report,
                           watch.findings};
 #define CAUSE(name) find_##name(facts);
