@@ -175,7 +175,7 @@ TEST_F(Failing, overlap_of_a_box_that_the_program_moved)
     expect_first(dDiagnosisOverlap, b);
 }
 
-TEST_F(Failing, contradiction_of_two_balls_a_metre_apart)
+TEST_F(Failing, contradiction_of_two_anchors_for_one_body)
 {
     dBodyID a = box(0, 0, 0, 0.2), b = box(1, 0, 0, 0.2);
     ball(a, nullptr, 0, 0, 0);
@@ -187,7 +187,7 @@ TEST_F(Failing, contradiction_of_two_balls_a_metre_apart)
     expect_first(dDiagnosisContradiction);
 }
 
-TEST_F(Failing, contradiction_of_two_sliders_across)
+TEST_F(Failing, contradiction_of_a_fixed_joint_and_a_hinge)
 {
     dBodyID a = box(0, 0, 0, 0.2);
     dJointID joint = dJointCreateFixed(world, nullptr);
