@@ -9,6 +9,7 @@
 #define _ODE_EXT_H_
 
 #include <ode/contacts.h>
+#include <ode/couplings.h>
 #include <ode/drives.h>
 #include <ode/queries.h>
 #include <ode/report.h>
