@@ -284,7 +284,8 @@ typedef enum {
     dJointTypePiston,
     dJointTypeDBall,
     dJointTypeDHinge,
-    dJointTypeTransmission
+    dJointTypeTransmission,
+    dJointTypeCoupling
 } dJointType;
 
 // clang-format off

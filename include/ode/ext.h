@@ -10,6 +10,7 @@
 
 #include <ode/contacts.h>
 #include <ode/diagnosis.h>
+#include <ode/couplings.h>
 #include <ode/drives.h>
 #include <ode/queries.h>
 #include <ode/report.h>

@@ -173,6 +173,38 @@ class dJointExt : public Type {
     int isBroken() const { return dJointIsBroken(this->id()); }
 };
 
+/** A relation between joints (ode/couplings.h), made by its constructor, in the group or (0) alone, and
+    destroyed with the object. */
+class dCouplingJoint {
+  public:
+    dCouplingJoint(dWorldID world, dJointGroupID group = 0) : id_(dJointCreateCoupling(world, group)) {}
+    ~dCouplingJoint()
+    {
+        if (id_) dJointDestroy(id_);
+    }
+    dCouplingJoint(const dCouplingJoint&) = delete;
+    dCouplingJoint& operator=(const dCouplingJoint&) = delete;
+    dJointID id() const { return id_; }
+    operator dJointID() const { return id_; }
+
+    /** Its places for axes: dJointSetCouplingAxis and what reads them. */
+    int setAxis(int i, dJointID joint, int axis, dReal factor)
+    {
+        return dJointSetCouplingAxis(id_, i, joint, axis, factor);
+    }
+    dJointID getJoint(int i) const { return dJointGetCouplingJoint(id_, i); }
+    int getAxis(int i) const { return dJointGetCouplingAxis(id_, i); }
+    dReal getFactor(int i) const { return dJointGetCouplingFactor(id_, i); }
+
+    /** dJointSetCouplingParam, dJointGetCouplingParam, dJointGetCouplingForce. */
+    void setParam(int parameter, dReal value) { dJointSetCouplingParam(id_, parameter, value); }
+    dReal getParam(int parameter) const { return dJointGetCouplingParam(id_, parameter); }
+    dReal getForce() const { return dJointGetCouplingForce(id_); }
+
+  private:
+    dJointID id_;
+};
+
 /** A geom of class Shape, one of ode/odecpp_collision.h, with the additions of ode/contacts.h, ode/shapes.h
     and ode/queries.h. It is made by create() of that class. */
 template <class Shape>

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/struct_size.h"
+#include "dynamics/coupling.h"
 #include "dynamics/world.h"
 #include "joints/drive_rows.h"
 #include "joints/limit_motor.h"
@@ -23,6 +24,8 @@ using namespace epode;
 namespace {
 
 bool stepping(const Joint& joint) { return joint.world && joint.world->stepping; }
+
+bool has_coordinates(const Joint& joint) { return joint.attached() || is_coupling(joint); }
 
 bool has_axis(const Joint& joint, int axis) { return axis >= 0 && axis < axis_count(joint); }
 
@@ -102,6 +105,10 @@ int get_spring(const Spring& spring, Real* stiffness, Real* damping)
 
 void wake_bodies(Joint& joint)
 {
+    if (is_coupling(joint))
+        for_each_body(coupling_of(joint), [](Body& body) {
+            if (body.disabled) wake(body);
+        });
     for (const JointNode& node : joint.node)
         if (node.body && node.body->disabled) wake(*node.body);
 }
@@ -127,13 +134,13 @@ int dJointGetNumAxes(dJointID j)
 dReal dJointGetAxisPosition(dJointID j, int axis)
 {
     AXIS_OR(0);
-    return joint->attached() ? axis_position(*joint, axis) : 0;
+    return has_coordinates(*joint) ? axis_position(*joint, axis) : 0;
 }
 
 dReal dJointGetAxisRate(dJointID j, int axis)
 {
     AXIS_OR(0);
-    return joint->attached() ? axis_rate(*joint, axis) : 0;
+    return has_coordinates(*joint) ? axis_rate(*joint, axis) : 0;
 }
 
 int dJointSetAxisContinuous(dJointID j, int axis, int mode)

@@ -5,6 +5,7 @@
 // stand in that type's file.
 #include "base/pool.h"
 #include "base/prefetch.h"
+#include "dynamics/coupling.h"
 #include "dynamics/joint_drives.h"
 #include "dynamics/joint_group.h"
 #include "dynamics/world.h"
@@ -78,6 +79,7 @@ void dJointAttach(dJointID j, dBodyID b1, dBodyID b2)
     Body* const b = from_handle<Body>(b2);
     EPODE_USER((a || !b1) && (b || !b2));
     EPODE_USER_SAY(!stepping(*joint), "Invalid operation during a step");
+    EPODE_USER_SAY(!is_coupling(*joint), "a coupling has no bodies of its own");
     EPODE_USER_SAY(!a || a != b, "can't have body1==body2");
     EPODE_USER_SAY((!a || a->world == joint->world) && (!b || b->world == joint->world),
                    "joint and bodies must be in same world");

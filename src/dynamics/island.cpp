@@ -16,6 +16,7 @@
 
 #include "base/prefetch.h"
 #include "dynamics/active.h"
+#include "dynamics/coupling.h"
 #include "dynamics/settle.h"
 
 namespace epode {
@@ -37,13 +38,14 @@ enum class Reach : std::uint8_t { kNobody, kAwake, kAsleep, kReached, kTaken };
 // What is active, as arrays; bodies and bonds are newest first.
 class Bonds {
   public:
-    Bonds(int bodies, int joints, Arena& arena)
+    // `more`: bonds of couplings in addition to those of their joints.
+    Bonds(int bodies, int joints, int more, Arena& arena)
         : bodies_(arena.take<Body*>(bodies)),
           reach_(arena.take<Reach>(bodies)),
           newest_(arena.take<int>(bodies)),
           manifolds_(arena.take<ManifoldEdge*>(bodies)),
           joints_(arena.take<Joint*>(joints)),
-          bonds_(arena.take<Bond>(joints))
+          bonds_(arena.take<Bond>(joints + more))
     {}
 
     // Below these places; world.reached gets the bodies behind what is active. False: out of memory.
@@ -115,9 +117,40 @@ class Bonds {
             open_ = nullptr;
             look_at_bodies();
         }
-        if (!active_) joint.world->joints.deactivate(joint);
+        if (!active_) {
+            if (is_coupling(joint)) return tie(coupling_of(joint));
+            joint.world->joints.deactivate(joint);
+        }
         if (!acting_ || joint.disabled) return;
         if (!open_ || open_->plain != joint.plain) open_bond(joint);
+        put(joint);
+    }
+
+    // A coupling is a chain of bonds through its bodies, of which the first has the joint.
+    void tie(CouplingJoint& coupling)
+    {
+        open_ = nullptr;
+        bool active = false;
+        for_each_body(coupling, [&](const Body& body) { active = active || is_active(body); });
+        if (!active) return coupling.world->joints.deactivate(coupling);
+        if (!acts(coupling)) return;
+        int last = kUnknown;
+        for_each_body(coupling, [&](Body& body) {
+            const int number = number_of(body);
+            if (number == kUnknown || number == last) return;
+            if (last != kUnknown || !open_) {
+                number1_ = number, number2_ = last == kUnknown ? kWorld : last;
+                const bool first = !open_;
+                open_bond(coupling);
+                if (first) put(coupling);
+            }
+            last = number;
+        });
+        open_ = nullptr;
+    }
+
+    void put(Joint& joint)
+    {
         joints_[std::size_t(joint_count_++)] = &joint;
         ++open_->count;
         open_->feedback = open_->feedback || joint.feedback;
@@ -268,12 +301,13 @@ bool find_islands(World& world, Real h, std::span<ManifoldEdge> manifolds, Arena
 {
     // Bodies and joints that the program creates while it is asked for memory are behind these: the next
     // step's.
+    activate_couplings(world);
     const int bodies = world.bodies.active_count(), body_places = world.bodies.places();
     const int joints = world.joints.active_count(), joint_places = world.joints.places();
     Search search(bodies, joints, manifolds.size(), arena);
     found.asleep = arena.take<Body*>(bodies);
     Arena::Scope scope(arena);
-    Bonds bonds(bodies, joints, arena);
+    Bonds bonds(bodies, joints, kMaxBodyTerms * world.couplings.size(), arena);
     const auto stack = arena.take<int>(bodies);
     if (arena.failed() || !bonds.gather(world, body_places, joint_places) || !bonds.reach_through(manifolds))
         return false;

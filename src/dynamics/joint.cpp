@@ -5,6 +5,7 @@
 // a thousand contacts on one body come and go at constant cost.
 #include "dynamics/joint.h"
 
+#include "dynamics/coupling.h"
 #include "dynamics/joint_group.h"
 #include "dynamics/world.h"
 
@@ -87,6 +88,7 @@ void unlink_from_world(Joint& joint)
 {
     if (!joint.world) return;
     if (joint.driven) --joint.world->driven_joints;
+    if (joint.coupled || is_coupling(joint)) leave_couplings(joint);
     joint.world->joints.leave(joint);
     joint.world = nullptr;
 }

@@ -72,6 +72,7 @@ struct Joint : Tagged {
     bool disabled : 1 = false;
     bool grouped : 1 = false;  // a group destroys it
     bool driven : 1 = false;   // a LastingJoint with JointDrives
+    bool coupled : 1 = false;  // has been a member of a coupling (dynamics/coupling.h)
     bool plain : 1 =
         false;  // a contact that is a normal with two tangents or with none (rows/joint_manifold.h)
     std::uint8_t impulse_rows = 0;  // of a LastingJoint

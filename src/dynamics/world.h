@@ -17,6 +17,7 @@
 
 namespace epode {
 
+struct CouplingJoint;
 struct StepState;
 
 struct World : Tagged {
@@ -30,6 +31,7 @@ struct World : Tagged {
     // Changes whenever a joint that is no contact is attached or detached.
     std::uint64_t connections_version = 0;
     int driven_joints = 0;  // that have JointDrives
+    Array<CouplingJoint*> couplings;
 
     Vec3 gravity;
     Real erp = Real(0.2);

@@ -13,6 +13,7 @@ void add_load(Joint& joint, const RowBlock& block, const RowSystem& system)
     for (int i = block.first; i < block.first + block.count; ++i) {
         const Row& row = system.rows[std::size_t(i)];
         const Real p = system.numbers[std::size_t(i)].p;
+        if (block.term_count > 0) limits.linear.x += p;  // the force along the coupling
         limits.linear += p * row.lin1;
         limits.angular += p * (row.ang1 - cross(block.arms.r1, row.lin1));
     }

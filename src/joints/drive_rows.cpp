@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "joints/coupling.h"
 #include "joints/parts.h"
 
 namespace epode {
@@ -42,11 +43,22 @@ Real error(const JointAxis& at, const AxisDrive& axis, Real value)
 
 bool is_zero(const Jacobian& J) { return J.lin1 == Vec3{} && J.ang1 == Vec3{}; }
 
+Real wide_rate(std::span<const BodyTerm> terms, const BodyMotion* motion)
+{
+    Real sum = 0;
+    for (const BodyTerm& term : terms) {
+        sum += dot(term.lin, motion->v) + dot(term.ang, motion->w);
+        ++motion;
+    }
+    return sum;
+}
+
 Real rate(const Joint& joint, const RowWriter& out, const Jacobian& J)
 {
-    const JointMotion* m = out.motion();
+    const BodyMotion* m = out.motion();
+    if (is_coupling(joint)) return m ? wide_rate(out.terms(), m) : coupling_rate(coupling_of(joint));
     if (!m) return rate_along(joint, J);
-    return dot(J.lin1, m->v1) + dot(J.ang1, m->w1) + dot(J.lin2, m->v2) + dot(J.ang2, m->w2);
+    return dot(J.lin1, m[0].v) + dot(J.ang1, m[0].w) + dot(J.lin2, m[1].v) + dot(J.ang2, m[1].w);
 }
 
 Row& soft_row(RowWriter& out, const Jacobian& J, const RowDrive& drive, Real error, Real limit)
@@ -97,7 +109,7 @@ void emit_axis(Joint& joint, int i, AxisDrive& axis, RowWriter& out)
     const Real value = position(at, axis);
     axis.servo_row = -1, axis.with_rotor = false;
     if (!out.info().inner) axis.reference = value;
-    if (!axis.driven || is_zero(at.J)) return;
+    if (!axis.driven || (is_zero(at.J) && out.terms().empty())) return;
     out.ask_again();
     axis.rate = rate(joint, out, at.J);
     if (!out.info().inner) axis.start_rate = axis.rate;
@@ -115,7 +127,11 @@ Real axis_position(const Joint& joint, int i)
     return position(at, drives_of(joint).axis[i]);
 }
 
-Real axis_rate(const Joint& joint, int i) { return rate_along(joint, joint.type->axis(joint, i).J); }
+Real axis_rate(const Joint& joint, int i)
+{
+    if (is_coupling(joint)) return coupling_rate(coupling_of(joint));
+    return rate_along(joint, joint.type->axis(joint, i).J);
+}
 
 void emit_drives(Joint& joint, RowWriter& out)
 {
@@ -131,8 +147,7 @@ void store_drive_forces(Joint& joint, const RowBlock& block, const RowSystem& sy
         const auto at = std::size_t(block.first + axis.servo_row);
         Real p = system.numbers[at].p;
         if (axis.with_rotor) {
-            const SolverBody* b = block.body2 < 0 ? nullptr : &system.bodies[std::size_t(block.body2)];
-            const Real now = row_velocity(system.rows[at], system.bodies[std::size_t(block.body1)], b);
+            const Real now = row_velocity(system, block, system.rows[at], system.bodies);
             p -= axis.drive.armature * (axis.start_rate - now);
         }
         axis.force = p / system.h;

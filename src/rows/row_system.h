@@ -65,6 +65,15 @@ struct RowBlock {
     ContactArms arms;
     RowForm form = RowForm::kFree;  // of a joint's rows
     bool followed = false;          // by a solver with substeps that keeps the rows up to date itself
+    // Of a coupling: the one Jacobian of all its rows, over more than two bodies, in place of theirs and of
+    // body1 and body2. Its rows are called wide.
+    int first_term = 0, term_count = 0;
+};
+
+// The part of a wide row's Jacobian that belongs to one body of the island.
+struct WideTerm {
+    int body;
+    Vec3 lin, ang;
 };
 
 // Islands that are solved together, because each alone would leave most lanes empty, are parts of one system
@@ -82,6 +91,7 @@ struct RowSystem {
     std::span<Row> rows;
     std::span<RowNumbers> numbers;     // parallel to rows
     std::span<RowBlock> blocks;        // in joint order, covering rows without gaps
+    std::span<WideTerm> terms;         // of the blocks of couplings
     JointManifoldList joint_contacts;  // for solvers that take them, else empty; not among the rows
     std::span<ContactManifold* const> contact_manifolds;  // likewise
     std::span<const SystemPart> parts;                    // none: all is one
@@ -97,6 +107,11 @@ struct RowSystem {
                 int(contact_manifolds.size())};
     }
 };
+
+inline std::span<WideTerm> terms_of(const RowSystem& system, const RowBlock& block)
+{
+    return system.terms.subspan(std::size_t(block.first_term), std::size_t(block.term_count));
+}
 
 // How a solver with substeps drives the model between its solves. Implemented by step/, which knows joints.
 struct Substeps {
@@ -140,6 +155,48 @@ inline Real inverse_effective_mass(const Row& r, const SolverBody& a, const Solv
 {
     Real s = a.inv_mass * length2(r.lin1) + dot(r.ang1, a.inv_inertia * r.ang1);
     if (b) s += b->inv_mass * length2(r.lin2) + dot(r.ang2, b->inv_inertia * r.ang2);
+    return s;
+}
+
+// The same for a row of a block, which may be wide, among these bodies of the system.
+inline Real row_velocity(const RowSystem& system, const RowBlock& block, const Row& r,
+                         std::span<const SolverBody> bodies)
+{
+    if (block.term_count == 0)
+        return row_velocity(r, bodies[std::size_t(block.body1)],
+                            block.body2 < 0 ? nullptr : &bodies[std::size_t(block.body2)]);
+    Real s = 0;
+    for (const WideTerm& term : terms_of(system, block)) {
+        const SolverBody& body = bodies[std::size_t(term.body)];
+        s += dot(term.lin, body.v) + dot(term.ang, body.w);
+    }
+    return s;
+}
+
+inline void apply_impulse(const RowSystem& system, const RowBlock& block, const Row& r, Real dp,
+                          std::span<SolverBody> bodies)
+{
+    if (block.term_count == 0)
+        return apply_impulse(r, dp, bodies[std::size_t(block.body1)],
+                             block.body2 < 0 ? nullptr : &bodies[std::size_t(block.body2)]);
+    for (const WideTerm& term : terms_of(system, block)) {
+        SolverBody& body = bodies[std::size_t(term.body)];
+        body.v += (body.inv_mass * dp) * term.lin;
+        body.w += dp * (body.inv_inertia * term.ang);
+    }
+}
+
+inline Real inverse_effective_mass(const RowSystem& system, const RowBlock& block, const Row& r,
+                                   std::span<const SolverBody> bodies)
+{
+    if (block.term_count == 0)
+        return inverse_effective_mass(r, bodies[std::size_t(block.body1)],
+                                      block.body2 < 0 ? nullptr : &bodies[std::size_t(block.body2)]);
+    Real s = 0;
+    for (const WideTerm& term : terms_of(system, block)) {
+        const SolverBody& body = bodies[std::size_t(term.body)];
+        s += body.inv_mass * length2(term.lin) + dot(term.ang, body.inv_inertia * term.ang);
+    }
     return s;
 }
 

@@ -6,6 +6,8 @@
 // that works against its own stop).
 #pragma once
 
+#include <span>
+
 #include "base/check.h"
 #include "rows/row.h"
 
@@ -21,10 +23,21 @@ struct StepInfo {
     bool inner = false;           // a pose within a step that has begun: the number of rows must not change
 };
 
-// Of a joint's bodies; zero for the world.
-struct JointMotion {
-    Vec3 v1, w1, v2, w2;
+// Of a joint's bodies, zero for the world; of a coupling's, in the order of its terms.
+struct BodyMotion {
+    Vec3 v, w;
 };
+
+struct Body;
+
+// The part of a coupling's Jacobian that belongs to one body.
+struct BodyTerm {
+    Body* body;
+    Vec3 lin, ang;
+};
+
+// Of a coupling: two per axis.
+inline constexpr int kMaxBodyTerms = 16;
 
 class RowWriter {
   public:
@@ -70,8 +83,17 @@ class RowWriter {
     void ask_again() { form_ = RowForm::kFree; }
 
     // Velocities at an inner pose, where the bodies still have those of the beginning of the step; else null.
-    const JointMotion* motion() const { return motion_; }
-    void set_motion(const JointMotion& motion) { motion_ = &motion; }
+    const BodyMotion* motion() const { return motion_; }
+    void set_motion(const BodyMotion* motion) { motion_ = motion; }
+
+    // All rows, written and to come, have this Jacobian, over any number of bodies, instead of their own. The
+    // terms belong to the joint.
+    void couple(std::span<const BodyTerm> terms)
+    {
+        EPODE_ASSERT(count_ == 0 && terms.size() <= kMaxBodyTerms);
+        terms_ = terms;
+    }
+    std::span<const BodyTerm> terms() const { return terms_; }
 
     // Force and torque (about its centre) on the body at node 0 or 1 during this step.
     void apply(int node, Vec3 force, Vec3 torque)
@@ -93,7 +115,8 @@ class RowWriter {
     Vec3 force_[2], torque_[2];
     ContactArms arms_;
     RowForm form_ = RowForm::kFree;
-    const JointMotion* motion_ = nullptr;
+    const BodyMotion* motion_ = nullptr;
+    std::span<const BodyTerm> terms_;
 };
 
 }  // namespace epode

@@ -6,6 +6,7 @@
 
 #include "base/content_hash.h"
 #include "collide/describe.h"
+#include "dynamics/coupling.h"
 #include "step/link.h"
 
 namespace epode {
@@ -41,6 +42,12 @@ std::uint64_t hash_of(const Joint& joint, const World& world)
     ContentHash hash;
     hash.add(std::uint64_t(joint.type->number) << 2 | joint.driven << 1 | joint.reverse);
     for (int i = 0; i < 2; ++i) hash.add(number_of(joint.node[i].body, world));
+    if (is_coupling(joint))
+        for_each_member(coupling_of(joint), [&](const CoupledAxis& member) {
+            for (const JointNode& node : member.joint->node) hash.add(number_of(node.body, world));
+            hash.add(std::uint64_t(member.joint->type->number) << 8 | std::uint64_t(member.axis));
+            hash.add(&member.factor, 1);
+        });
     return hash.value();
 }
 

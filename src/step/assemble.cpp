@@ -72,6 +72,7 @@ void emit_rows(const StepInfo& info, std::span<Joint*> joints, bool begins, Isla
                int& blocks)
 {
     constexpr std::size_t kAhead = 4;
+    int terms = 0;
     for (std::size_t i = 0; i < joints.size(); ++i) {
         if (i + 2 * kAhead < joints.size()) prefetch<6>(joints[i + 2 * kAhead]);
         if (i + kAhead < joints.size())
@@ -84,15 +85,20 @@ void emit_rows(const StepInfo& info, std::span<Joint*> joints, bool begins, Isla
         if (out.applied()) add_applied(out, *joint);
         if (out.count() == 0) continue;
         const Body* b2 = joint->body2();
+        const Body* b1 = out.terms().empty() ? joint->body1() : out.terms().front().body;
         work.joints[std::size_t(blocks)] = joint;
         RowBlock& block = work.system.blocks[std::size_t(blocks)];
         block.first = rows, block.count = out.count();
-        block.body1 = joint->body1()->island_index, block.body2 = b2 ? b2->island_index : -1;
+        block.body1 = b1->island_index, block.body2 = b2 ? b2->island_index : -1;
         block.contact = joint->type->number == dJointTypeContact;
         block.arms = out.arms(), block.form = out.form(), block.followed = false;
+        block.first_term = terms, block.term_count = int(out.terms().size());
+        if (block.term_count > 0) place_terms(out.terms(), work.system, block);
+        terms += block.term_count;
         rows += out.count();
         ++blocks;
     }
+    work.system.terms = work.system.terms.first(std::size_t(terms));
 }
 
 // Where each member ends, and its own world. False: out of memory.
@@ -120,6 +126,13 @@ bool mark_parts(Arena& arena, IslandWork& work)
 }
 
 }  // namespace
+
+void place_terms(std::span<const BodyTerm> from, const RowSystem& system, const RowBlock& block)
+{
+    const std::span<WideTerm> to = terms_of(system, block);
+    for (std::size_t i = 0; i < to.size(); ++i)
+        to[i] = {from[i].body->island_index, from[i].lin, from[i].ang};
+}
 
 StepInfo step_info(const World& world, Real h)
 {
@@ -192,6 +205,7 @@ bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Ar
     const int driven = std::min(joint_count, world.driven_joints);
     work.system.rows = arena.take<Row>(joint_count * kMaxJointRows + driven * kMaxDriveRows +
                                        (as_rows ? manifold_row_count(island) : 0));
+    work.system.terms = arena.take<WideTerm>(kMaxBodyTerms * std::min(joint_count, world.couplings.size()));
     const auto manifolds = arena.take<ContactManifold*>(as_rows ? 0 : int(island.manifolds.size()));
     if (arena.failed()) {
         work.joints = work.contacts = {};  // nothing was written there

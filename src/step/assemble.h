@@ -32,6 +32,9 @@ StepInfo step_info(const World& world, Real h);
 bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Arena& arena, IslandWork& work,
               StepUndo* undo);
 
+// The terms of a coupling's block at the present poses.
+void place_terms(std::span<const BodyTerm> from, const RowSystem& system, const RowBlock& block);
+
 inline constexpr int kLinesOfBody = 8;  // of the cache: all that a step reads of one
 
 // For one body; substeps do the same for eight bodies at once (solve/substeps/body_kernels.inc).

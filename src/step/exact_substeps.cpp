@@ -13,6 +13,7 @@
 
 #include <algorithm>
 
+#include "dynamics/coupling.h"
 #include "dynamics/exact_spin.h"
 #include "dynamics/integrate.h"
 #include "dynamics/joint_drives.h"
@@ -133,12 +134,10 @@ void ExactSubsteps::map(RowSystem& system) const
 {
     const Substep step{hs_, n_};
     for (const RowBlock& block : system.blocks) {
-        const SolverBody& a = system.bodies[std::size_t(block.body1)];
-        const SolverBody* b = block.body2 < 0 ? nullptr : &system.bodies[std::size_t(block.body2)];
         for (int i = block.first; i < block.first + block.count; ++i) {
             const Row& row = system.rows[std::size_t(i)];
-            system.numbers[std::size_t(i)] =
-                numbers_of(row, step, inverse_effective_mass(row, a, b), block.first);
+            const Real inverse_mass = inverse_effective_mass(system, block, row, system.bodies);
+            system.numbers[std::size_t(i)] = numbers_of(row, step, inverse_mass, block.first);
         }
     }
 }
@@ -205,6 +204,7 @@ void ExactSubsteps::add_feedback(const IslandWork& work)
         while (island_.joints[at] != joint) ++at;
         Feedback& sum = feedback_[at];
         for (int i = 0; joint->driven && i < kMaxAxes; ++i) sum.drive[i] += drives_of(*joint).axis[i].force;
+        if (is_coupling(*joint)) sum.coupling += coupling_of(*joint).force;
         if (!joint->feedback) continue;
         const dJointFeedback& now = *joint->feedback;
         sum.f1 += load(now.f1), sum.t1 += load(now.t1);
@@ -220,6 +220,7 @@ void ExactSubsteps::store_feedback() const
         Joint& joint = *island_.joints[k];
         for (int i = 0; joint.driven && i < kMaxAxes; ++i)
             drives_of(joint).axis[i].force = sum.drive[i] / Real(n_);
+        if (is_coupling(joint)) coupling_of(joint).force = sum.coupling / Real(n_);
         if (!sum.any) continue;
         dJointFeedback& out = *joint.feedback;
         store(out.f1, sum.f1 / Real(n_)), store(out.t1, sum.t1 / Real(n_));

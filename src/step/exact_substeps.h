@@ -38,6 +38,7 @@ class ExactSubsteps {
         Vec3 f1, t1, f2, t2;
         bool any;
         Real drive[kMaxAxes];
+        Real coupling;
     };
 
     bool next(IslandWork& first, const SolverSettings& settings, SolveReport& report, IslandWork& work);

@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The rules of the model, in their order:
+//   couplings                     exact: sweeps leave a mimic joint behind
 //   nothing but free motion       substeps: a flying body keeps its solver when it lands
 //   contacts only                 substeps; exact if cheap, for unequal masses and stacks that would topple
 //   loads that swing fast         substeps with exact joints
@@ -12,6 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
+
+#include "dynamics/coupling.h"
 
 namespace epode {
 namespace {
@@ -32,6 +35,7 @@ struct Structure {
     double arm = 0;             // the least m r, with r the radius of gyration
     double radius = 0;          // the least radius of gyration
     double deep = 0, high = 0;  // extremes of g . x of the centres
+    bool coupled = false;       // there are couplings
     bool hung = false;          // a joint connects a body with something that cannot move
 
     double rows() const { return 5.0 * joints + 3.0 * contacts; }
@@ -66,6 +70,8 @@ Structure structure_of(const World& world, const Island& island)
     add_bodies(world, island, s);
     const Body *last1 = nullptr, *last2 = nullptr;
     for (const Joint* joint : island.joints) {
+        s.coupled = s.coupled || is_coupling(*joint);
+        if (is_coupling(*joint)) continue;
         const Body *a = joint->body1(), *b = joint->body2();
         const bool contact = joint->type->number == dJointTypeContact;
         ++(contact ? s.contacts : s.joints);
@@ -168,6 +174,7 @@ const Solver& choose_solver(const World& world, const Island& island, Real h)
     if (const Solver* requested = solver_named(history.requested)) return *requested;
     if (const Solver* wanted = solver_named(world.hybrid_stepper)) return *wanted;
     const Structure structure = structure_of(world, island);
+    if (structure.coupled) return kDirect;
     return swings_too_fast(structure, world, h) ? kNetwork : by_model(structure, history, world, h);
 }
 

@@ -56,9 +56,7 @@ struct Hold {
 bool is_spring(const Row& row, const RowBlock& block, const RowSystem& system)
 {
     if (row.drive) return true;
-    const SolverBody& a = system.bodies[std::size_t(block.body1)];
-    const SolverBody* b = block.body2 < 0 ? nullptr : &system.bodies[std::size_t(block.body2)];
-    return row.cfm / system.h > kSpringShare * inverse_effective_mass(row, a, b);
+    return row.cfm / system.h > kSpringShare * inverse_effective_mass(system, block, row, system.bodies);
 }
 
 struct PoseBefore {
@@ -91,8 +89,10 @@ class Projection {
         from_ = arena_.take<int>(blocks);
         system_.bodies = arena_.take<SolverBody>(bodies);
         poses_ = arena_.take<PoseBefore>(bodies);
+        system_.terms = arena_.take<WideTerm>(int(work_.system.terms.size()));
         system_.h = 1;
         if (arena_.failed()) return false;
+        std::copy(work_.system.terms.begin(), work_.system.terms.end(), system_.terms.begin());
         choose_rows();
         return !system_.rows.empty();
     }
@@ -114,10 +114,6 @@ class Projection {
     const SolverBody& step_body(int i) const { return work_.system.bodies[std::size_t(i)]; }
     const Row& step_row(const Hold& hold) const { return work_.system.rows[std::size_t(hold.source)]; }
     Body& body(std::size_t i) const { return *work_.island.bodies[i]; }
-    const SolverBody* second(const RowBlock& block) const
-    {
-        return block.body2 < 0 ? nullptr : &system_.bodies[std::size_t(block.body2)];
-    }
 
     void choose_rows()
     {
@@ -149,8 +145,9 @@ class Projection {
             }
             if (rows == first) continue;
             from_[std::size_t(blocks)] = int(k);
-            system_.blocks[std::size_t(blocks++)] = {first,       rows - first,  block.body1,
-                                                     block.body2, block.contact, block.arms};
+            RowBlock& to = system_.blocks[std::size_t(blocks++)];
+            to = {first, rows - first, block.body1, block.body2, block.contact, block.arms};
+            to.first_term = block.first_term, to.term_count = block.term_count;
         }
         system_.rows = system_.rows.first(std::size_t(rows));
         system_.numbers = system_.numbers.first(std::size_t(rows));
@@ -186,6 +183,14 @@ class Projection {
     // J times the step's displacement.
     Real motion(const Row& row, const RowBlock& block) const
     {
+        if (block.term_count > 0) {
+            Real rate = 0;
+            for (const WideTerm& term : terms_of(work_.system, block)) {
+                const Body& b = body(std::size_t(term.body));
+                rate += dot(term.lin, b.velocity()) + dot(term.ang, b.angular_velocity());
+            }
+            return work_.system.h * rate;
+        }
         const Body& a = body(std::size_t(block.body1));
         Real s = dot(row.lin1, a.velocity()) + dot(row.ang1, a.angular_velocity());
         if (block.body2 >= 0) {
@@ -262,8 +267,7 @@ class Projection {
                 RowNumbers& n = system_.numbers[std::size_t(i)];
                 n = {};
                 n.c = holds_[std::size_t(i)].error;
-                n.C = Real(kSoftness) *
-                      inverse_effective_mass(row, system_.bodies[std::size_t(block.body1)], second(block));
+                n.C = Real(kSoftness) * inverse_effective_mass(system_, block, row, system_.bodies);
                 if (bounds.lo == 0) n.lo = 0;
                 if (bounds.hi == 0) n.hi = 0;
             }
@@ -302,14 +306,14 @@ class Projection {
         Row now[kMaxBlockRows];
         RowWriter out(now, info_);
         if (!block.contact) emit_joint(*work_.joints[std::size_t(from_[k])], out);
+        if (block.term_count > 0) place_terms(out.terms(), system_, block);
         const int base = work_.system.blocks[std::size_t(from_[k])].first;
         for (int i = block.first; i < block.first + block.count; ++i) {
             Hold& hold = holds_[std::size_t(i)];
             Row& row = system_.rows[std::size_t(i)];
             if (hold.follows) {
                 hold.error =
-                    before_[std::size_t(i)].error -
-                    share * row_velocity(row, system_.bodies[std::size_t(block.body1)], second(block));
+                    before_[std::size_t(i)].error - share * row_velocity(system_, block, row, system_.bodies);
             } else if (const int at = hold.source - base; at < out.count()) {
                 hold.error = now[at].error;
                 static_cast<Jacobian&>(row) = now[at];

@@ -9,6 +9,7 @@
 
 #include "dynamics/integrate.h"
 #include "joints/drive_rows.h"
+#include "step/assemble.h"
 #include "tasks/prefetched.h"
 
 namespace epode {
@@ -50,12 +51,13 @@ void load_pose(const Body& body, const SolverBody& solver, SolverPose& pose)
     pose.unused1 = pose.unused2 = 0;
 }
 
-JointMotion motion_of(const RowBlock& block, const Velocity* bodies)
+void find_motion(const RowSystem& system, const RowBlock& block, const Velocity* bodies, BodyMotion* out)
 {
-    const Velocity& a = bodies[block.body1];
-    if (block.body2 < 0) return {a.v, a.w, {}, {}};
-    const Velocity& b = bodies[block.body2];
-    return {a.v, a.w, b.v, b.w};
+    const auto at = [&](int body) {
+        return body < 0 ? BodyMotion{} : BodyMotion{bodies[body].v, bodies[body].w};
+    };
+    out[0] = at(block.body1), out[1] = at(block.body2);
+    for (const WideTerm& term : terms_of(system, block)) *out++ = at(term.body);
 }
 
 SubstepModel& model_of(void* p) { return *static_cast<SubstepModel*>(p); }
@@ -169,9 +171,10 @@ void SubstepModel::refresh(void* p, RowSystem& system, const Velocity* bodies)
         settled = true;
         RowWriter out(rows, model.info_);
         Joint& joint = *model.work_.joints[k];
-        JointMotion motion;
-        if (joint.driven) out.set_motion(motion = motion_of(block, bodies));
+        BodyMotion motion[kMaxBodyTerms];
+        if (joint.driven) find_motion(system, block, bodies, motion), out.set_motion(motion);
         emit_joint(joint, out);
+        if (block.term_count > 0) place_terms(out.terms(), system, block);
         EPODE_ASSERT(out.count() == block.count);  // of every joint type: see StepInfo::inner
         block.arms = out.arms();
         for (int i = 0; i < block.count && i < out.count(); ++i) {

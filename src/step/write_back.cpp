@@ -8,6 +8,7 @@
 #include <atomic>
 
 #include "joints/breaking.h"
+#include "joints/coupling.h"
 #include "joints/drive_rows.h"
 #include "tasks/prefetched.h"
 
@@ -44,6 +45,14 @@ void keep_impulses(Joint& joint, const RowBlock& block, const RowSystem& system)
 {
     for (int i = 0; i < block.count; ++i) impulses(joint)[i] = system.numbers[std::size_t(block.first + i)].p;
     joint.impulse_rows = std::uint8_t(block.count);
+}
+
+// f(coupling, block)
+template <typename F>
+void for_each_coupling(const IslandWork& work, F&& f)
+{
+    for (std::size_t k = 0; k < work.joints.size(); ++k)
+        if (work.system.blocks[k].term_count > 0) f(coupling_of(*work.joints[k]), work.system.blocks[k]);
 }
 
 bool is_sound(const SolverBody& b)
@@ -95,6 +104,10 @@ void write_back(const IslandWork& work, const Tasks& tasks)
         store(work.island.bodies[i]->lvel, work.system.bodies[i].v);
         store(work.island.bodies[i]->avel, work.system.bodies[i].w);
     });
+    const bool coupled = !work.system.terms.empty();
+    if (coupled)
+        for_each_coupling(
+            work, [](CouplingJoint& coupling, const RowBlock&) { clear_feedback_of_members(coupling); });
     for (std::size_t k = 0; k < work.joints.size(); ++k) {
         Joint& joint = *work.joints[k];
         const RowBlock& block = work.system.blocks[k];
@@ -102,6 +115,13 @@ void write_back(const IslandWork& work, const Tasks& tasks)
         if (joint.driven) store_drive_forces(joint, block, work.system), add_load(joint, block, work.system);
         if (joint.feedback) write_feedback(joint, block, work.system);
     }
+    if (coupled)
+        for_each_coupling(work, [&](CouplingJoint& coupling, const RowBlock& block) {
+            coupling.force = 0;
+            for (int i = block.first; i < block.first + block.count; ++i)
+                coupling.force += work.system.numbers[std::size_t(i)].p / work.system.h;
+            add_feedback_of_members(coupling);
+        });
     if (!work.contact_feedback) return;
     const JointManifoldList& list = work.system.joint_contacts;
     for (const JointManifold& m : list.manifolds)

@@ -10,6 +10,7 @@
 
 #include "../unit/joints/row_lines.h"
 #include "ode/contact.h"
+#include "ode/couplings.h"
 #include "ode/objects.h"
 
 namespace epode::test {

@@ -122,7 +122,7 @@ MAY_BE_NULL = [
     r"dGeomTransformSetGeom:obj", r"dCreateHeightfield:data", r"dGeomHeightfieldSetHeightfieldData:d",
     r"\w+:(data|pUserData)", r"dJointSetFeedback:feedback", r"dSet\w+Handler:fn", r"dSetColliderOverride:fn",
     r"dBodySetMovedCallback:callback", r"dHashSpaceGetLevels:(min|max)level", r"dGeomLowLevelControl:dataValue",
-    r"dJointSetDrive:drive", r"dWorldGetBrokenJoints:joints", r"dWorldSetContactSpace:space", r"dWorldSetContactFilter:filter", r"dGeomSetMaterial:material", r"dSpace\w+:filter",
+    r"dJointSetDrive:drive", r"dJointSetCouplingAxis:joint", r"dWorldGetBrokenJoints:joints", r"dWorldSetContactSpace:space", r"dWorldSetContactFilter:filter", r"dGeomSetMaterial:material", r"dSpace\w+:filter",
     r"d(Realloc|Free):ptr", r"dJointGet(Universal|PU)Angles:angle[12]",
     r"dJointSetHinge2Axes:axis[12]",
     r"dWorldSetStepThreadingImplementation:(functions_info|threading_impl)",

@@ -180,9 +180,11 @@ void Scene::build_joints()
     int k = 0;
     for (CreateJoint create : joint_makers()) {
         const dJointID inner = create(world, nullptr), outer = create(world, nullptr);
-        dJointAttach(inner, body(k % 7), body(k % 7 + 1));
-        // Hinge-2 and transmission refuse a single body and stay loose.
-        const bool takes_one = create != dJointCreateTransmission && create != dJointCreateHinge2;
+        // A coupling has no bodies; hinge-2 and transmission refuse a single body and stay loose.
+        const bool takes_bodies = create != dJointCreateCoupling;
+        if (takes_bodies) dJointAttach(inner, body(k % 7), body(k % 7 + 1));
+        const bool takes_one =
+            takes_bodies && create != dJointCreateTransmission && create != dJointCreateHinge2;
         if (k % 3 == 0 && takes_one) dJointAttach(outer, body(k % 7), nullptr);
         if (k % 3 == 1 && takes_one) dJointAttach(outer, nullptr, body(k % 7));
         add(Kind::kJoint, inner);
@@ -204,6 +206,8 @@ void Scene::build_joints()
     dJointSetSliderParam(joint(dJointTypeSlider), dParamFMax, 1);
     dJointSetTransmissionMode(joint(dJointTypeTransmission, 1), dTransmissionChainDrive);
     dJointSetAMotorNumAxes(joint(dJointTypeAMotor), 3);
+    dJointSetCouplingAxis(joint(dJointTypeCoupling), 0, hinge, 0, 1);
+    dJointSetCouplingAxis(joint(dJointTypeCoupling), 1, joint(dJointTypeSlider), 0, -2);
     dJointSetLMotorNumAxes(joint(dJointTypeLMotor), 3);
 }
 

@@ -13,12 +13,6 @@ namespace epode {
 namespace {
 
 template <typename B>
-B* second(std::span<B> bodies, const RowBlock& block)
-{
-    return block.body2 >= 0 ? &bodies[std::size_t(block.body2)] : nullptr;
-}
-
-template <typename B>
 B* second(std::span<B> bodies, const ManifoldFriction& f)
 {
     return std::size_t(f.body2) < bodies.size() ? &bodies[std::size_t(f.body2)] : nullptr;
@@ -95,18 +89,15 @@ class Wanted {
         return block.contact && block.count == 3 && rows[1].lin1 != Vec3{} && rows[2].lin1 != Vec3{};
     }
 
-    const SolverBody& one(const RowBlock& block) const { return bodies_[std::size_t(block.body1)]; }
-    const SolverBody* two(const RowBlock& block) const { return second(bodies_, block); }
-
     Real inverse_mass(const RowBlock& block, std::size_t k) const
     {
-        return inverse_effective_mass(system_.rows[k], one(block), two(block)) + system_.numbers[k].C;
+        return inverse_effective_mass(system_, block, system_.rows[k], bodies_) + system_.numbers[k].C;
     }
 
     Real violation(const RowBlock& block, std::size_t k) const
     {
         const RowNumbers& n = system_.numbers[k];
-        return row_velocity(system_.rows[k], one(block), two(block)) + n.C * n.p - n.c;
+        return row_velocity(system_, block, system_.rows[k], bodies_) + n.C * n.p - n.c;
     }
 
     Real friction_residual(const RowBlock& block) const
@@ -170,13 +161,10 @@ Real natural_residual(const RowSystem& system, std::span<const SolverBody> v_sta
         const int own = own_rows(system, block);
         for (int i = block.first; i < block.first + block.count; ++i) {
             const auto k = std::size_t(i);
-            const SolverBody& a = v_star[std::size_t(block.body1)];
-            const SolverBody* b = second(v_star, block);
-            const Real c = system.numbers[k].c;
-            scale = std::max({scale, std::fabs(c), std::fabs(c - row_velocity(system.rows[k], a, b))});
+            const Real c = system.numbers[k].c, now = row_velocity(system, block, system.rows[k], v_star);
+            scale = std::max({scale, std::fabs(c), std::fabs(c - now)});
             if (i < block.first + own)
-                apply_impulse(system.rows[k], system.numbers[k].p, bodies[std::size_t(block.body1)],
-                              second(std::span(bodies), block));
+                apply_impulse(system, block, system.rows[k], system.numbers[k].p, bodies);
         }
     }
 

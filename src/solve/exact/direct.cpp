@@ -104,6 +104,7 @@ class DirectSolve {
             return true;
         }
         if (give_up_early_) return false;
+        if (!problem_.wide_rows().empty()) return persist(report);
         report.fallback = true;
         if (!interior_ready_) interior_ready_ = interior_.prepare(problem_, packed_.max_places(), arena);
         if (!interior_ready_) return false;
@@ -112,6 +113,20 @@ class DirectSolve {
         interior_.solve(problem_, packed_, state_.v, kInteriorTolerance, report.iterations);
         packed_.unpack(state_);
         keep_better_of_polish(report);
+        return true;
+    }
+
+    // With couplings, whose rows the interior point does not know: one flip at a time if need be. What this
+    // leaves is the fallback's.
+    bool persist(SolveReport& report)
+    {
+        const int rounds = kQuickRounds + problem_.row_count();
+        packed_.take_impulses(begun_);
+        if (!active_.solve(problem_, packed_, state_.v, {rounds, true}, report.iterations))
+            packed_.take_impulses(begun_);
+        packed_.unpack(state_);
+        for (std::size_t i = 0; i < state_.p.size(); ++i)
+            state_.p[i] = std::min(std::max(state_.p[i], state_.lo[i]), state_.hi[i]);
         return true;
     }
 
@@ -166,6 +181,7 @@ bool solve_direct(RowSystem& whole, const SolverSettings& settings, Arena& arena
     Arena::Scope scope(arena);
     RowSystem system = whole;
     if (!cut_blocks(system, arena)) return false;
+    if (!system.terms.empty()) return solve_large(system, settings, false, arena, report);
     switch (solve_small(system, settings, arena, report)) {
         case SmallResult::kSolved:
             return true;

@@ -22,7 +22,7 @@ Real size(Vec3 a)
     return b.x + b.y + b.z;
 }
 
-bool is_joint(const RowBlock& block) { return !block.contact && block.count > 0; }
+bool is_joint(const RowBlock& block) { return !block.contact && block.count > 0 && block.term_count == 0; }
 
 const SolverBody* moving(const RowSystem& system, int body)
 {
@@ -123,10 +123,14 @@ bool JointLanes::pack(const RowSystem& system, Arena& arena)
     }
     const auto last = blocks.subspan(reals);
     std::reverse(last.begin(), last.end());
-    return floats_.pack(system, blocks.first(floats), arena) && reals_.pack(system, last, arena);
+    return floats_.pack(system, blocks.first(floats), arena) && reals_.pack(system, last, arena) &&
+           wide_.pack(system, arena);
 }
 
-void JointLanes::load(const RowSystem& system) { floats_.load(system), reals_.load(system); }
+void JointLanes::load(const RowSystem& system)
+{
+    floats_.load(system), reals_.load(system), wide_.load(system);
+}
 
 bool JointLanes::follow(const RowSystem& system, const Substep& step, std::span<const Velocity> bodies,
                         Arena& arena)
@@ -137,38 +141,40 @@ bool JointLanes::follow(const RowSystem& system, const Substep& step, std::span<
 void JointLanes::load_substep(const RowSystem& system, const Substep& step, std::span<Velocity> bodies)
 {
     floats_.load_substep(system, step, bodies), reals_.load_substep(system, step, bodies);
+    wide_.load_substep(system, step, bodies);
 }
 
 void JointLanes::apply_impulses(std::span<Velocity> bodies) const
 {
-    floats_.apply_impulses(bodies), reals_.apply_impulses(bodies);
+    floats_.apply_impulses(bodies), reals_.apply_impulses(bodies), wide_.apply_impulses(bodies);
 }
 
 void JointLanes::sweep(std::span<Velocity> bodies, const JointSweep& how)
 {
-    floats_.sweep(bodies, how), reals_.sweep(bodies, how);
+    floats_.sweep(bodies, how), reals_.sweep(bodies, how), wide_.sweep(bodies, how);
 }
 
 void JointLanes::store_impulses(std::span<RowNumbers> numbers) const
 {
-    floats_.store_impulses(numbers), reals_.store_impulses(numbers);
+    floats_.store_impulses(numbers), reals_.store_impulses(numbers), wide_.store_impulses(numbers);
 }
 
-void JointLanes::sum_impulses() { floats_.sum_impulses(), reals_.sum_impulses(); }
+void JointLanes::sum_impulses() { floats_.sum_impulses(), reals_.sum_impulses(), wide_.sum_impulses(); }
 
 void JointLanes::store_sums(std::span<RowNumbers> numbers) const
 {
-    floats_.store_sums(numbers), reals_.store_sums(numbers);
+    floats_.store_sums(numbers), reals_.store_sums(numbers), wide_.store_sums(numbers);
 }
 
 void JointLanes::describe(std::span<RowNumbers> numbers, std::span<Row> rows) const
 {
-    floats_.describe(numbers, rows), reals_.describe(numbers, rows);
+    floats_.describe(numbers, rows), reals_.describe(numbers, rows), wide_.describe(numbers);
 }
 
 void JointLanes::apply_restitution(const RowSystem& system, std::span<Velocity> bodies)
 {
     floats_.apply_restitution(system, bodies), reals_.apply_restitution(system, bodies);
+    wide_.apply_restitution(system, bodies);
 }
 
 }  // namespace epode

@@ -18,6 +18,7 @@
 #pragma once
 
 #include "solve/joints/joint_set.h"
+#include "solve/joints/wide_rows.h"
 
 namespace epode {
 
@@ -42,7 +43,7 @@ class JointLanes {
     void describe(std::span<RowNumbers> numbers, std::span<Row> rows) const;
     void apply_restitution(const RowSystem& system, std::span<Velocity> bodies);
 
-    bool in_floats() const { return reals_.empty(); }  // all of them
+    bool in_floats() const { return reals_.empty() && wide_.empty(); }  // all of them
     // Sweeps velocities in floats.
     void sweep(std::span<FloatVelocity> bodies, const JointSweep& how) { floats_.sweep(bodies, how); }
 
@@ -52,6 +53,7 @@ class JointLanes {
     int sweeps_;
     JointSet reals_;
     FloatJointSet floats_;
+    WideRows wide_;  // of couplings, visited last
 };
 
 }  // namespace epode

@@ -36,6 +36,7 @@ bool moves(const RowSystem& system, int body)
 bool JointNetwork::analyse(const RowSystem& system, SymbolicCache* symbolic_cache, Arena& arena)
 {
     worth_ = false;
+    if (!system.terms.empty()) return true;  // couplings are visited by sweeps
     if (!list_joints(system, arena)) return false;
     if (joints_.empty()) return true;
     if (!list_couplings(system, arena)) return false;

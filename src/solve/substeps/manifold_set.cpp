@@ -6,6 +6,7 @@
 #include "solve/substeps/manifold_set.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/check.h"
 #include "base/prefetch.h"
@@ -392,6 +393,44 @@ void ManifoldSet::apply_restitution(std::span<Velocity> bodies)
     for (const ManifoldBatch& batch : batches_)
         for (int lane = 0; lane < batch.lanes; ++lane) any = any || batch.restitution[lane] > 0;
     if (any) perform({Visit::kLoad, Visit::kRestitution, Visit::kTake}, 1, view(bodies));
+}
+
+// With u the approach before the forces of a substep, d = hs a what they add to it and s the separation, a
+// substep is u <- u + d, s <- s - hs u, which conserves
+//
+//   E = u^2/2 + d u/2 + a s
+//
+// The departure w from s = 0 that has the same energy, and so leads back to where the body came from, is
+// w = d/2 + sqrt((u + d/2)^2 + 2 a s).
+void ManifoldSet::expect_impacts(const RowSystem& system, std::span<const Velocity> force_velocity)
+{
+    const auto forced = [&](int body, Vec3 n, Vec3 r) {
+        if (body < 0) return Real(0);
+        const Velocity& f = force_velocity[std::size_t(body)];
+        return dot(n, f.v) + dot(cross(r, n), f.w);
+    };
+    for (std::size_t b = 0; b < batches_.size(); ++b)
+        for (int lane = 0; lane < batches_[b].lanes; ++lane) {
+            const int index = chosen_[b * kBroadLanes + std::size_t(lane)];
+            if (index < 0 || !(batches_[b].restitution[lane] > 0)) continue;
+            const ContactManifold& m = *system.contact_manifolds[std::size_t(index)];
+            for (int i = 0; i < m.count; ++i) {
+                const ManifoldPoint& point = m.points[i];
+                BroadLanes& velocity = initial_velocity_of(batches_[b], i);
+                const Vec3 n = widen(m.normal);
+                const Real u = -Real(velocity[lane]), s = Real(point.separation);
+                const Real d = forced(m.body2, n, widen(point.r2)) - forced(m.body1, n, widen(point.r1));
+                if (!(u > 0) || !(s > 0) || !(d > 0)) continue;
+                const Real middle = u + d / 2;
+                velocity[lane] = -float(d / 2 + std::sqrt(middle * middle + 2 * s * d / hs_));
+            }
+        }
+}
+
+BroadLanes& ManifoldSet::initial_velocity_of(ManifoldBatch& batch, int point)
+{
+    return batch.friction ? batch.friction->points[point].initial_velocity
+                          : points_[std::size_t(batch.first + point)].initial_velocity;
 }
 
 void ManifoldSet::apply_impulses(std::span<Velocity> bodies) const { add(bodies, impulse_velocity_); }

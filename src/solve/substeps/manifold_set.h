@@ -34,6 +34,10 @@ class ManifoldSet {
     void correct(std::span<Velocity> bodies);
     void relax(std::span<Velocity> bodies);
     void apply_restitution(std::span<Velocity> bodies);
+    // For bodies that only manifolds hold: the approach from which points rebound is that of the place where
+    // they will meet, after what forces add on the way there (`force_velocity`, of one substep). Without it a
+    // body that starts a step at the height s rebounds without the energy m g s.
+    void expect_impacts(const RowSystem& system, std::span<const Velocity> force_velocity);
     // n substeps for bodies that only manifolds hold, with three visits to a body in each: first forces
     // (`force_velocity`) and impulses; after its contacts are corrected, motion (velocities summed in
     // `mean`); after they are relaxed, that change.
@@ -62,6 +66,7 @@ class ManifoldSet {
     void fill_batch(const RowSystem& system, const Substep& step, const ManifoldSprings& springs,
                     std::size_t batch);
     void choose_lane(const RowSystem& system, std::size_t batch, int lane, ManifoldSources& from);
+    BroadLanes& initial_velocity_of(ManifoldBatch& batch, int point);
     ManifoldBodies view(std::span<Velocity> bodies);
     // One pass over all bodies, or over all batches colour by colour.
     enum class Visit { kLoad, kAccelerate, kMove, kTake, kApplyImpulses, kCorrect, kRelax, kRestitution };

@@ -34,6 +34,7 @@ class ManifoldSteps {
             const Velocity &now = velocities_[i], then = force_velocity_[i];
             force_velocity_[i] = {share * (then.v - now.v), 0, share * (then.w - now.w), 0};
         });
+        manifolds_.expect_impacts(system_, force_velocity_);
         return true;
     }
 

@@ -16,9 +16,32 @@ DoubleDouble six_product(const double* x, const double* y)
     return sum;
 }
 
+// f(body, six numbers of J) for each body of the row.
+template <typename F>
+void for_each_six(const ExactRow& row, F&& f)
+{
+    for (const WideTerm6& term : row.terms()) f(term.body, term.J);
+    if (row.wide_count > 0) return;
+    f(row.a, row.J);
+    if (row.b >= 0) f(row.b, row.J + 6);
+}
+
+// J_i J_j^T of which one is wide
+DoubleDouble wide_product(const ExactRow& i, const ExactRow& j)
+{
+    DoubleDouble sum{};
+    for_each_six(i, [&](int a, const double* x) {
+        for_each_six(j, [&](int b, const double* y) {
+            if (a == b) sum = sum + six_product(x, y);
+        });
+    });
+    return sum;
+}
+
 // J_i J_j^T
 DoubleDouble product(const ExactRow& i, const ExactRow& j)
 {
+    if (i.wide_count > 0 || j.wide_count > 0) return wide_product(i, j);
     DoubleDouble sum{};
     if (i.a == j.a) sum = sum + six_product(i.J, j.J);
     if (i.a == j.b) sum = sum + six_product(i.J, j.J + 6);

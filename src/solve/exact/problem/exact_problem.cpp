@@ -29,9 +29,22 @@ void add_outer(double* block, double s, const double* x, const double* y)
 bool ExactProblem::build(const RowSystem& system, Arena& arena)
 {
     rows_ = arena.take<ExactRow>(int(system.rows.size()));
-    if (arena.failed() || !number_bodies(system, arena)) return false;
+    if (arena.failed() || !number_bodies(system, arena) || !take_wide(system, arena)) return false;
     fill_rows(system);
     return true;
+}
+
+bool ExactProblem::take_wide(const RowSystem& system, Arena& arena)
+{
+    int rows = 0;
+    for (const RowBlock& block : system.blocks)
+        if (block.term_count > 0) rows += block.count;
+    wide_rows_ = arena.take<int>(rows);
+    // The rows of a block each have their own: blocks may have been cut.
+    int terms = 0;
+    for (const RowBlock& block : system.blocks) terms += block.count * block.term_count;
+    wide_terms_ = arena.take<WideTerm6>(terms);
+    return !arena.failed();
 }
 
 bool ExactProblem::number_bodies(const RowSystem& system, Arena& arena)
@@ -98,17 +111,25 @@ bool ExactProblem::build_factor(const RowSystem& system, SymbolicCache* symbolic
                                 Arena& arena)
 {
     const int blocks = int(system.blocks.size());
-    auto pairs = arena.take<BodyPair>(blocks);
+    int more = 0;
+    for (const int wide : wide_rows_) more += row(wide).wide_count * (row(wide).wide_count - 1) / 2;
+    auto pairs = arena.take<BodyPair>(blocks + more);
     pairs_ = arena.take<PairBlocks>(blocks);
     if (arena.failed()) return false;
     for (int k = 0; k < blocks; ++k) {
         const RowBlock& block = system.blocks[std::size_t(k)];
         int a = dynamic_[std::size_t(block.body1)];
         int b = block.body2 >= 0 ? dynamic_[std::size_t(block.body2)] : -1;
+        // Packs of rows of one body go to its block, whichever of them is first.
+        if (block.term_count > 0) a = b = row(block.first).a;
         if (a < 0) a = b;
         if (b < 0) b = a;
         pairs[std::size_t(k)] = {a, b};
     }
+    std::size_t next = std::size_t(blocks);
+    for (const int wide : wide_rows_)
+        for (const WideTerm6& a : row(wide).terms())
+            for (const WideTerm6* b = row(wide).wide; b != &a; ++b) pairs[next++] = {a.body, b->body};
     if (!symbolic_.take(int(roots_.size()), pairs, symbolic_cache, arena) ||
         !H_.prepare(symbolic_.symbolic(), tasks, arena))
         return false;
@@ -124,13 +145,21 @@ bool ExactProblem::build_factor(const RowSystem& system, SymbolicCache* symbolic
 void ExactProblem::fill_rows(const RowSystem& system)
 {
     scale_ = 0;
+    wide_rows_ = wide_rows_.first(0);
     for (std::size_t k = 0; k < system.blocks.size(); ++k) {
         const RowBlock& block = system.blocks[k];
         for (int i = block.first; i < block.first + block.count; ++i) {
             const auto at = std::size_t(i);
             ExactRow& row = rows_[at];
             row.pair = int(k);
-            fill_row(system.rows[at], system.numbers[at], block, system, row);
+            row.wide_count = 0;
+            if (block.term_count == 0) {
+                fill_row(system.rows[at], system.numbers[at], block, system, row);
+                continue;
+            }
+            wide_rows_ = {wide_rows_.data(), wide_rows_.size() + 1};
+            wide_rows_.back() = i;
+            fill_wide_row(system.numbers[at], block, system, row);
         }
     }
     if (!(scale_ > 0)) scale_ = 1;
@@ -176,6 +205,36 @@ void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock&
     out.weight_min = 1e-11 * out.d;
 }
 
+// With an empty J on a body of its own, for what only looks at pairs of bodies.
+void ExactProblem::fill_wide_row(const RowNumbers& n, const RowBlock& block, const RowSystem& system,
+                                 ExactRow& out)
+{
+    double sum = 0, motion = 0, inverse_mass = 0;
+    std::fill(out.J, out.J + 12, 0.0);
+    out.c = n.c, out.C = n.C, out.a = 0, out.b = -1;
+    out.wide = wide_terms_.data();
+    for (const WideTerm& term : terms_of(system, block)) {
+        const SolverBody& s = system.bodies[std::size_t(term.body)];
+        const int index = dynamic_[std::size_t(term.body)];
+        const double along = dot(term.lin, s.v), about = dot(term.ang, s.w);
+        if (index < 0) {
+            out.c -= along + about;
+            continue;
+        }
+        sum += along + about;
+        motion += std::fabs(along) + std::fabs(about);
+        WideTerm6& to = wide_terms_[std::size_t(out.wide_count++)];
+        to.body = out.a = index;
+        put(term.lin, to.J), put(term.ang, to.J + 3);
+        to_root(roots_[std::size_t(index)], to.J);
+        inverse_mass += six_dot(to.J, to.J);
+    }
+    wide_terms_ = wide_terms_.subspan(std::size_t(out.wide_count));
+    scale_ = std::max({scale_, std::fabs(out.c - sum), 1e-3 * motion});
+    out.d = inverse_mass + out.C;
+    out.weight_min = 1e-11 * out.d;
+}
+
 bool ExactProblem::soften()
 {
     bool any = false;
@@ -198,12 +257,30 @@ void ExactProblem::begin_factor()
     ++factorisations_;
 }
 
+// H += weight J^T J
+void ExactProblem::add_wide(WideJacobian row, double weight)
+{
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        const WideTerm6& a = row[i];
+        add_outer(H_.diagonal(a.body), weight, a.J, a.J);
+        for (const WideTerm6& b : row.first(i)) {
+            bool transposed = false;
+            double* const block = H_.between(a.body, b.body, transposed);
+            transposed ? add_outer(block, weight, b.J, a.J) : add_outer(block, weight, a.J, b.J);
+        }
+    }
+}
+
 int ExactProblem::factor(std::span<const double> D)
 {
     begin_factor();
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         if (!(D[i] > 0)) continue;
         const ExactRow& row = rows_[i];
+        if (row.wide_count > 0) {
+            add_wide(row.terms(), D[i]);
+            continue;
+        }
         const PairBlocks& s = pairs_[std::size_t(row.pair)];
         const double* Ja = row.J;
         const double* Jb = row.J + 6;
@@ -217,10 +294,12 @@ int ExactProblem::factor(std::span<const double> D)
 }
 
 int ExactProblem::factor(std::span<const RowGroup> groups, std::span<const double> D,
-                         const RowKernels& kernels)
+                         const RowKernels& kernels, std::span<const double> wide_weights)
 {
     begin_factor();
     kernels.assemble(groups.data(), int(groups.size()), D.data(), pairs_.data());
+    for (std::size_t k = 0; k < wide_rows_.size(); ++k)
+        if (wide_weights[k] > 0) add_wide(row(wide_rows_[k]).terms(), wide_weights[k]);
     return H_.factor();
 }
 
@@ -250,6 +329,12 @@ void ExactProblem::sum_impulses(std::span<const double> p, std::span<const doubl
         const ExactRow& row = rows_[i];
         if (p[i] == 0) continue;
         const DoubleDouble impulse{p[i], low.empty() ? 0 : low[i]};
+        for (const WideTerm6& term : row.terms())
+            for (int k = 0; k < 6; ++k) {
+                DoubleDouble& sum = sums[std::size_t(6 * term.body + k)];
+                sum = sum + impulse * term.J[k];
+            }
+        if (row.wide_count > 0) continue;
         for (int k = 0; k < 12; ++k) {
             const int body = k < 6 ? row.a : row.b;
             if (body < 0) break;
@@ -277,7 +362,9 @@ void ExactProblem::defect(std::span<const double> p, std::span<const double> low
         if (!(free[i] > 0)) continue;
         const ExactRow& row = rows_[i];
         DoubleDouble sum = DoubleDouble{p[i], low[i]} * -row.C + row.c;
-        for (int k = 0; k < (row.b < 0 ? 6 : 12); ++k)
+        for (const WideTerm6& term : row.terms())
+            for (int k = 0; k < 6; ++k) sum = sum - sums[std::size_t(6 * term.body + k)] * term.J[k];
+        for (int k = 0; row.wide_count == 0 && k < (row.b < 0 ? 6 : 12); ++k)
             sum = sum - sums[std::size_t(6 * (k < 6 ? row.a : row.b) + k % 6)] * row.J[k];
         r[i] = sum;
     }

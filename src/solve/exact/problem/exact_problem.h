@@ -26,6 +26,7 @@
 #include "solve/exact/factor/block_cholesky.h"
 #include "solve/exact/factor/symbolic_cache.h"
 #include "solve/exact/problem/row_kernels.h"
+#include "solve/exact/problem/wide_row.h"
 
 namespace epode {
 
@@ -35,6 +36,10 @@ struct ExactRow {
     double weight_min;  // smallest compliance that the factor sees, so that C = 0 has a finite weight
     int a, b;           // dynamic bodies; b = -1: only one
     int pair;           // index of the pair of bodies, for H
+    int wide_count;     // of a wide row, whose J is 0: terms instead of it
+    const WideTerm6* wide;
+
+    WideJacobian terms() const { return {wide, std::size_t(wide_count)}; }
 };
 
 // The box problem of one phase and its present iterate.
@@ -72,7 +77,11 @@ class ExactProblem {
 
     // Computes and factors H with one weight per row; the second with one per place of the packed rows.
     int factor(std::span<const double> D);
-    int factor(std::span<const RowGroup> groups, std::span<const double> D, const RowKernels& kernels);
+    // or, of wide rows, one per row.
+    int factor(std::span<const RowGroup> groups, std::span<const double> D, const RowKernels& kernels,
+               std::span<const double> wide_weights);
+    // Rows of couplings, in their order among all rows.
+    std::span<const int> wide_rows() const { return wide_rows_; }
     int factorisations() const { return factorisations_; }
     void solve(std::span<double> x) { H_.solve(x); }
 
@@ -115,6 +124,9 @@ class ExactProblem {
     };
 
     void begin_factor();
+    void add_wide(WideJacobian row, double weight);
+    bool take_wide(const RowSystem& system, Arena& arena);
+    void fill_wide_row(const RowNumbers& n, const RowBlock& block, const RowSystem& system, ExactRow& out);
     bool number_bodies(const RowSystem& system, Arena& arena);
     void fill_rows(const RowSystem& system);
     static BodyRoot root_of(const SolverBody& body);
@@ -132,6 +144,8 @@ class ExactProblem {
     std::span<PairBlocks> pairs_;  // one per block of rows
     SymbolicLease symbolic_;
     BlockCholesky H_;
+    std::span<int> wide_rows_;
+    std::span<WideTerm6> wide_terms_;  // of the system's terms, those of dynamic bodies
     double scale_ = 1;
     int factorisations_ = 0;
 };
@@ -148,12 +162,14 @@ inline double six_dot(const double* x, const double* y)
 
 inline double ExactProblem::jv(const ExactRow& row, const double* v)
 {
+    if (row.wide_count > 0) return wide_product(row.terms(), v);
     const double s = six_dot(row.J, v + 6 * row.a);
     return row.b < 0 ? s : s + six_dot(row.J + 6, v + 6 * row.b);
 }
 
 inline void ExactProblem::add_jt(const ExactRow& row, double s, double* x)
 {
+    if (row.wide_count > 0) return add_wide_transposed(row.terms(), s, x);
     const auto six = [s](const double* J, double* y) {
         const auto* a = reinterpret_cast<const DoubleLane*>(J);
         auto* b = reinterpret_cast<DoubleLane*>(y);

@@ -37,6 +37,9 @@ bool PackedRows::prepare(const ExactProblem& problem, Arena& arena)
     numbers_ = arena.take<double>(8 * kPack * packs);
     tags_ = arena.take<BoxState::Tag>(kPack * packs);
     places_ = arena.take<int>(kPack * packs);
+    const int wide = int(problem.wide_rows().size());
+    all_wide_ = arena.take<WidePlace>(wide);
+    wide_weights_ = arena.take<double>(wide);
     return !arena.failed();
 }
 
@@ -48,6 +51,7 @@ void PackedRows::pack(const ExactProblem& problem, const BoxState& state)
     for (std::size_t k = 0; k < 8; ++k) *columns_of[k] = numbers_.subspan(k * capacity, capacity);
     tag = tags_, row_ = places_, groups = all_groups_;
     group_count_ = place_count_ = J_used_ = 0;
+    wide_ = all_wide_.first(0);
     for (int i = 0; i < problem.row_count(); ++i) {
         const ExactRow& row = problem.row(i);
         if (state.tag[std::size_t(i)] != BoxState::kFixed)
@@ -78,6 +82,17 @@ void PackedRows::put(const ExactProblem& problem, const BoxState& state, int i)
     lo[at] = state.lo[from], hi[at] = state.hi[from], p[at] = state.p[from];
     tag[at] = state.tag[from];
     row_[at] = i;
+    if (row.wide_count == 0) return;
+    const std::span<const int> order = problem.wide_rows();
+    wide_ = all_wide_.first(wide_.size() + 1);
+    wide_.back() = {at, std::size_t(std::find(order.begin(), order.end(), i) - order.begin()), &row};
+}
+
+void PackedRows::factor(ExactProblem& problem, std::span<const double> D)
+{
+    std::fill(wide_weights_.begin(), wide_weights_.end(), 0.0);
+    for (const WidePlace& wide : wide_) wide_weights_[wide.order] = D[wide.place];
+    problem.factor(groups, D, *kernels_, wide_weights_);
 }
 
 void PackedRows::begin_group(const ExactRow& row)

@@ -29,21 +29,20 @@ class PackedRows {
     void products(std::span<const double> v, std::span<double> out) const
     {
         kernels_->products(groups.data(), int(groups.size()), v.data(), out.data());
+        for (const WidePlace& wide : wide_) out[wide.place] = wide_product(wide.row->terms(), v.data());
     }
     // x += J^T s
     void add_transposed(std::span<const double> s, std::span<double> x) const
     {
         kernels_->add_transposed(groups.data(), int(groups.size()), s.data(), x.data());
+        for (const WidePlace& wide : wide_) add_wide_transposed(wide.row->terms(), s[wide.place], x.data());
     }
     // r = M (v* - v) + J^T p of the fixed rows
     void momentum_change(const ExactProblem& problem, std::span<const double> v, std::span<double> r) const;
     // v = v* + M^-1 J^T p; `momentum` is scratch
     void velocities(const ExactProblem& problem, std::span<double> momentum, std::span<double> v) const;
     // Factors H = M + J^T D J.
-    void factor(ExactProblem& problem, std::span<const double> D) const
-    {
-        problem.factor(groups, D, *kernels_);
-    }
+    void factor(ExactProblem& problem, std::span<const double> D);
 
     const RowKernels& kernels() const { return *kernels_; }
 
@@ -56,7 +55,15 @@ class PackedRows {
     void put(const ExactProblem& problem, const BoxState& state, int row);
     void fill_up();
 
+    // A row of a coupling. Its pack has an empty Jacobian, so kernels pass it by.
+    struct WidePlace {
+        std::size_t place, order;  // among the problem's wide rows
+        const ExactRow* row;
+    };
+
     const RowKernels* kernels_;
+    std::span<WidePlace> all_wide_, wide_;
+    std::span<double> wide_weights_;
     std::span<RowGroup> all_groups_;
     std::span<double> J_, fixed_;  // of the packs; J^T p of fixed rows
     std::span<double> numbers_;
