@@ -372,6 +372,7 @@ void ContactWorld::accept(Loaded& loaded, const World& world, const SpaceGeoms& 
     Space* const in = live_space();
     if (!in) return;
     if (loaded.any_rests) put_to_rest(loaded, *in);
+    if (settled_) clean(*in);  // as the step that found it settled has left the space
     edition_ = in->edition;
     seen_disturbances_ = in->disturbances.count();
     for (int i = 0; i < geoms.count(); ++i)

@@ -2,8 +2,10 @@
 // Copyright (c) 2026 The Epode authors
 #include "state/world_state.h"
 
+#include <algorithm>
 #include <cstdio>
 
+#include "base/structure_edition.h"
 #include "contacts/contact_state.h"
 #include "dynamics/active.h"
 #include "dynamics/body_state.h"
@@ -26,12 +28,23 @@ struct Counts {
 
 }  // namespace
 
-bool WorldState::prepare()
+bool WorldState::prepare(Joints which)
 {
     kept_ = step_state(world_);
-    if (!kept_ || !bodies_.gather(world_) || !geoms_.gather(kept_->world_contacts.live_space())) return false;
-    if (!disturbed_.resize(geoms_.count())) return false;
-    return structure_.measure(world_, bodies_, geoms_);
+    const std::uint64_t edition = structure_edition();
+    if (edition_ != edition) {
+        edition_ = 0;
+        if (!kept_ || !bodies_.gather(world_) || !geoms_.gather(kept_->world_contacts.live_space()) ||
+            !structure_.measure(world_, bodies_, geoms_))
+            return false;
+        edition_ = edition;
+    }
+    joints_.clear();
+    if (!disturbed_.resize(geoms_.count()) || !joints_.reserve(world_.joints.count())) return false;
+    std::fill(disturbed_.begin(), disturbed_.end(), std::uint8_t(0));
+    for (Joint& joint : world_.joints)
+        if (which == Joints::kAll || !is_contact(joint)) (void)joints_.push(&joint);
+    return structure_.measure_joints(joints_.span(), bodies_);
 }
 
 bool WorldState::measure(std::size_t& size)
@@ -98,13 +111,12 @@ void WorldState::visit_bodies(StateStream& stream, std::byte* bits)
 
 void WorldState::visit_joints(StateStream& stream, std::byte* bits)
 {
-    int i = 0;
-    for (Joint& joint : world_.joints) {
+    for (int i = 0; i < joints_.size(); ++i) {
+        Joint& joint = *joints_.data()[i];
         if (stream.failed()) return;
         const std::uint8_t own = stream.saves() ? state_bits(joint) : std::uint8_t(bits[i]);
         if (stream.saves() && bits) bits[i] = std::byte(own);
         state(joint, own, stream);
-        ++i;
     }
 }
 

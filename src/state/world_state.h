@@ -22,8 +22,11 @@ class WorldState {
   public:
     explicit WorldState(World& world) : world_(world) {}
 
-    // Finds the world's structure; must be called first. False: out of memory.
-    [[nodiscard]] bool prepare();
+    enum class Joints { kAll, kLasting };  // kLasting: without contact joints
+
+    // Finds the world's structure; must be called first. What it has found the last time is used again where
+    // no structure has changed since. False: out of memory.
+    [[nodiscard]] bool prepare(Joints which = Joints::kAll);
 
     // The state's size in bytes.
     [[nodiscard]] bool measure(std::size_t& size);  // false: out of memory
@@ -48,6 +51,8 @@ class WorldState {
     BodyTable bodies_;
     SpaceGeoms geoms_;
     Structure structure_;
+    std::uint64_t edition_ = 0;  // of the structure that bodies_ and geoms_ show
+    Array<Joint*> joints_;       // the newest first
     Array<std::uint16_t> body_bits_;
     Array<std::uint8_t> disturbed_;  // geoms
     char text_[200] = {};

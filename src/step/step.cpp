@@ -435,6 +435,7 @@ bool step_with(World& world, const Solver* solver, Real h, int iterations)
     const bool done = step_in(world, *state, solver, h, iterations);
     memory->end();
     EPODE_ASSERT(!was_whole || !fault_of(world));
+    if (done && state->stepped) state->stepped(world);
     return done;
 }
 

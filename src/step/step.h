@@ -14,13 +14,26 @@
 
 namespace epode {
 
+struct WorldArchive;  // state/world_archive.h
+
 // What a world keeps from one step to the next.
 struct StepState {
+    StepState() = default;
+    StepState(const StepState&) = delete;
+    StepState& operator=(const StepState&) = delete;
+    ~StepState()
+    {
+        if (archive) free_archive(archive);
+    }
+
     ContactCache contacts;
     SymbolicCache symbolic_cache;
     ContinuousLists continuous;
     ContactWorld world_contacts;       // world-managed contacts
     Array<dIslandStepReport> reports;  // of the last step's islands, when they were wanted
+    WorldArchive* archive = nullptr;   // of states; null: none yet
+    void (*free_archive)(WorldArchive*) = nullptr;
+    void (*stepped)(World&) = nullptr;  // to be called after each step; null: nobody wants to know
 };
 
 // Is the world stepping, or another world that shares its working memory?
