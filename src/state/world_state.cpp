@@ -209,7 +209,7 @@ const char* WorldState::set(const std::byte* from, std::size_t size)
     StateStream values(StateStream::Mode::kRead, from + begin, length);
     visit(values);
     kept_->contacts.accept(cached);
-    kept_->world_contacts.accept(loaded, world_, geoms_, disturbed_.span());
+    kept_->world_contacts.accept(loaded, geoms_, disturbed_.span());
     world_.report_made = false;
     return nullptr;
 }
