@@ -146,11 +146,11 @@ void orientation(Body& body, std::uint16_t bits, StateStream& stream)
     Orientation o{};
     std::memcpy(o.q, body.q, sizeof o.q), std::memcpy(o.R, body.R, sizeof o.R);
     const StateStream::Mode mode = stream.mode();
-    if (!stream.saves()) stream.set_mode(StateStream::Mode::kRead);
+    stream.set_mode(StateStream::Mode::kRead);
     stream.reals(o.q, 4);
     for (int row = 0; (bits & kMatrix) && row < 3; ++row) stream.reals(o.R + 4 * row, 3);
     stream.set_mode(mode);
-    if (stream.saves() || stream.failed() || !is_sound(o, bits, stream) || !stream.stores()) return;
+    if (stream.failed() || !is_sound(o, bits, stream) || !stream.stores()) return;
     if (!(bits & kMatrix)) store_mat(o.R, to_matrix(load_quat(o.q)));
     std::memcpy(body.q, o.q, sizeof o.q), std::memcpy(body.R, o.R, sizeof o.R);
 }
@@ -158,6 +158,11 @@ void orientation(Body& body, std::uint16_t bits, StateStream& stream)
 // True: it becomes another one.
 bool pose(Body& body, std::uint16_t bits, StateStream& stream)
 {
+    if (stream.saves()) {
+        stream.reals(body.pos, 3), stream.reals(body.q, 4);
+        for (int row = 0; (bits & kMatrix) && row < 3; ++row) stream.reals(body.R + 4 * row, 3);
+        return false;
+    }
     Real position[4];
     Orientation o;
     std::memcpy(position, body.pos, sizeof position);

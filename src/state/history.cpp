@@ -130,7 +130,7 @@ bool History::capture()
         if (!next.bytes) return false;
         next.capacity = capacity;
     }
-    state_.write(next.bytes);
+    state_.write(next.bytes, Seal::kUnsealed);
     next.size = size;
     if (!take_topology(next)) return false;
     ++newest_, ++count_;
@@ -166,7 +166,8 @@ const char* History::roll_back(int frames)
         return obstacle;
     arrangement.apply(now, *target.topology, 0);
     const char* wrong = kOutOfMemory;
-    if (state_.prepare(WorldState::Joints::kLasting)) wrong = state_.set(target.bytes, target.size);
+    if (state_.prepare(WorldState::Joints::kLasting))
+        wrong = state_.set(target.bytes, target.size, Seal::kUnsealed);
     if (wrong) {
         arrangement.apply(*target.topology, now, newest_);
         return wrong;

@@ -58,12 +58,12 @@ bool WorldState::measure(std::size_t& size)
     return true;
 }
 
-void WorldState::write(std::byte* to)
+void WorldState::write(std::byte* to, Seal with)
 {
     StateStream stream(to + sizeof(StateHeader));
     (void)save(stream);  // has the memory of measure()
-    seal(to, sizeof(StateHeader) + std::size_t(stream.at() - (to + sizeof(StateHeader))),
-         StateHeader::kWhole);
+    seal(to, sizeof(StateHeader) + std::size_t(stream.at() - (to + sizeof(StateHeader))), StateHeader::kWhole,
+         with);
 }
 
 bool WorldState::save(StateStream& stream)
@@ -158,10 +158,10 @@ void WorldState::take_geom(Geom& geom, std::uint8_t bits, StateStream& stream)
     mark_moved(geom);
 }
 
-const char* WorldState::check(const std::byte* from, std::size_t size)
+const char* WorldState::check(const std::byte* from, std::size_t size, Seal with)
 {
     StateHeader header;
-    if (const char* wrong = read_header(from, size, StateHeader::kWhole, header, text_, sizeof text_))
+    if (const char* wrong = read_header(from, size, StateHeader::kWhole, header, text_, sizeof text_, with))
         return wrong;
     const auto length = std::size_t(header.size);
     Counts counts;
@@ -187,9 +187,9 @@ const char* WorldState::check(const std::byte* from, std::size_t size)
                                  text_, sizeof text_);
 }
 
-const char* WorldState::set(const std::byte* from, std::size_t size)
+const char* WorldState::set(const std::byte* from, std::size_t size, Seal with)
 {
-    if (const char* wrong = check(from, size)) return wrong;
+    if (const char* wrong = check(from, size, with)) return wrong;
     StateHeader header;
     std::memcpy(&header, from, sizeof header);
     const std::size_t begin = sizeof header + sizeof(Counts) + (structure_.marks().size() + 3) / 4 * 4;

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "base/state_stream.h"
+#include "state/state_header.h"
 #include "state/structure.h"
 #include "step/step.h"
 
@@ -31,12 +32,12 @@ class WorldState {
     // The state's size in bytes.
     [[nodiscard]] bool measure(std::size_t& size);  // false: out of memory
     // `to` has that many bytes.
-    void write(std::byte* to);
+    void write(std::byte* to, Seal with = Seal::kSealed);
 
     // Null: done; else what is wrong, with nothing changed.
-    const char* set(const std::byte* from, std::size_t size);
+    const char* set(const std::byte* from, std::size_t size, Seal with = Seal::kSealed);
     // Checks the header and the structure alone.
-    const char* check(const std::byte* from, std::size_t size);
+    const char* check(const std::byte* from, std::size_t size, Seal with = Seal::kSealed);
 
   private:
     void visit(StateStream& stream);  // all but the contacts
