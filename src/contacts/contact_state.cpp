@@ -291,6 +291,10 @@ void ContactWorld::accept(Loaded& loaded, const SpaceGeoms& geoms, std::span<con
     few_active_ = loaded.few_active, unfinished_ = loaded.unfinished, settled_ = loaded.settled;
     Space* const in = live_space();
     if (!in) return;
+    // What was at rest until now is not, unless the state says so.
+    if (!in->keeper || in->keeper == this)
+        for (Geom* geom : in->geoms)
+            if (geom) geom->at_rest = false;
     if (loaded.any_rests) put_to_rest(loaded, *in);
     if (settled_) clean(*in);  // as the step that found it settled has left the space
     edition_ = in->edition;

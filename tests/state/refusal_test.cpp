@@ -184,6 +184,9 @@ TEST(HostileStates, are_refused_or_taken_without_harm)
                 std::vector<dWorldContact> contacts(64);
                 (void)dWorldGetContacts(scene.world, contacts.data(), 64);
                 ASSERT_TRUE(scene.load(good)) << Messages::last();
+                scene.step();
+                ASSERT_EQ(difference(scene.save(), next), "") << "after mutation " << i;
+                ASSERT_TRUE(scene.load(good)) << Messages::last();
             } else {
                 ++refused;
                 ASSERT_EQ(Messages::count(), heard + 1);
