@@ -9,6 +9,7 @@
 //   leaves of meshes     a list of what the tree would answer
 // What rests lies apart afterwards as before, and what has been disturbed since the last step is so again.
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "collide/collide.h"
@@ -130,6 +131,9 @@ void load_manifold(const ContactPair& pair, Real layer, StateStream& stream, Cac
     const std::byte* const numbers = stream.block(size_of(bits));
     if (!numbers) return;
     move_numbers(kept, bits, Reading{numbers});
+    const Vec3 n = widen(kept.found.normal);
+    if (!stream.demand(std::fabs(dot(n, n) - 1) < Real(1e-3), "a normal of the state is not of unit length"))
+        return;
     fill_anchors(kept.found.anchors, count);
     const Geom &g1 = *from_handle<Geom>(pair.id1), &g2 = *from_handle<Geom>(pair.id2);
     kept.found.changes = changes_of(g1, g2) - (bits & kChanged ? 1 : 0);

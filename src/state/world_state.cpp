@@ -71,7 +71,7 @@ bool WorldState::save(StateStream& stream)
     const Counts counts{structure_.hash(), std::uint32_t(structure_.bodies()),
                         std::uint32_t(structure_.joints()), std::uint32_t(structure_.geoms()), 0};
     const auto put = [&](const void* from, std::size_t size) {
-        if (std::byte* to = stream.block(size)) std::memcpy(to, from, size);
+        if (std::byte* to = stream.block(size); to && size > 0) std::memcpy(to, from, size);
     };
     put(&counts, sizeof counts);
     put(structure_.marks().data(), structure_.marks().size());
