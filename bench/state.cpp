@@ -37,6 +37,10 @@ struct Library {
     decltype(dWorldGetState)* save = named<decltype(dWorldGetState)>("dWorldGetState");
     decltype(dWorldSetState)* load = named<decltype(dWorldSetState)>("dWorldSetState");
     decltype(dWorldGetStateDelta)* delta = named<decltype(dWorldGetStateDelta)>("dWorldGetStateDelta");
+    decltype(dWorldSetHistory)* history = named<decltype(dWorldSetHistory)>("dWorldSetHistory");
+    decltype(dWorldRollBack)* roll_back = named<decltype(dWorldRollBack)>("dWorldRollBack");
+    decltype(dWorldGetHistorySize)* history_size =
+        named<decltype(dWorldGetHistorySize)>("dWorldGetHistorySize");
     decltype(dBodiesGetStates)* get = named<decltype(dBodiesGetStates)>("dBodiesGetStates");
     decltype(dBodiesSetStates)* set = named<decltype(dBodiesSetStates)>("dBodiesSetStates");
 
@@ -114,6 +118,30 @@ class Medians {
     int rounds_;
 };
 
+// A frame costs what a step with history takes longer; steps of both kinds alternate in blocks.
+void bench_history(Heap& heap, const Library& library, const StateOptions& options)
+{
+    if (!library.history || !library.roll_back || !library.history_size) return;
+    constexpr int kFrames = 60, kRuns = 5;
+    double plain = 0, kept = 0;
+    for (int run = 0; run < kRuns; ++run) {
+        Medians us(options.rounds);
+        library.history(heap.world, 0);
+        plain += us.of([&] { heap.step(); }) / kRuns;
+        library.history(heap.world, kFrames);
+        for (int i = 0; i < 2 * kFrames; ++i) heap.step();
+        kept += us.of([&] { heap.step(); }) / kRuns;
+    }
+    const auto bytes = double(library.history_size(heap.world));
+    Medians once(1);
+    const double back = once.of([&] { library.roll_back(heap.world, 8); });
+    fmt::print(
+        "us: step {:.0f}, with a history {:.0f}: a frame takes {:.1f} % of a step and {:.0f} bytes; "
+        "8 steps taken back {:.1f}\n",
+        plain, kept, 100 * (kept - plain) / plain, bytes / (kFrames + 1), back);
+    library.history(heap.world, 0);
+}
+
 }  // namespace
 
 int bench_state(const StateOptions& options)
@@ -155,6 +183,7 @@ int bench_state(const StateOptions& options)
     std::vector<dReal> rows(std::size_t(13 * count));
     const double get = us.of([&] { library.get(heap.boxes.data(), count, fields, rows.data(), 0); });
     const double set = us.of([&] { library.set(heap.boxes.data(), count, fields, rows.data(), 0); });
+    bench_history(heap, library, options);
     fmt::print("us: poses and velocities of all read {:.1f}, set {:.1f}\n", get, set);
     return 0;
 }

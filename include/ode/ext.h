@@ -9,8 +9,8 @@
 #define _ODE_EXT_H_
 
 #include <ode/contacts.h>
-#include <ode/diagnosis.h>
 #include <ode/couplings.h>
+#include <ode/diagnosis.h>
 #include <ode/drives.h>
 #include <ode/queries.h>
 #include <ode/report.h>

@@ -41,8 +41,8 @@ struct dIslandStepReportExt : public dIslandStepReport {
     dIslandStepReportExt() : dIslandStepReport() { struct_size = sizeof(dIslandStepReport); }
 };
 
-/** A world with the additions of ode/step_options.h, ode/report.h, ode/contacts.h, ode/diagnosis.h and
-    ode/steppers.h. */
+/** A world with the additions of ode/step_options.h, ode/report.h, ode/contacts.h, ode/diagnosis.h,
+    ode/steppers.h and ode/state.h. */
 class dWorldExt : public dWorld {
   public:
     /** dWorldSetStepThreads, dWorldSetStepWarmStarting. */
@@ -117,6 +117,14 @@ class dWorldExt : public dWorld {
     {
         return dWorldGetContacts(get_id(), contacts, capacity);
     }
+
+    /** Steps that can be taken back: dWorldSetHistory, dWorldRollBack, dWorldGetHistoryFrames,
+        dWorldGetHistorySize. */
+    int setHistory(int frames) { return dWorldSetHistory(get_id(), frames); }
+    int getHistory() const { return dWorldGetHistory(get_id()); }
+    int rollBack(int frames) { return dWorldRollBack(get_id(), frames); }
+    int getHistoryFrames() const { return dWorldGetHistoryFrames(get_id()); }
+    size_t getHistorySize() const { return dWorldGetHistorySize(get_id()); }
 };
 
 /** A body with the additions of ode/steppers.h. */

@@ -61,6 +61,30 @@ ODE_API size_t dWorldGetStateDelta(dWorldID world, const void* base, size_t base
 ODE_API int dWorldSetStateDelta(dWorldID world, const void* base, size_t base_size, const void* delta,
                                 size_t delta_size);
 
+/** Keep the states after the last steps inside the world, so that steps can be taken back.
+    - dWorldSetHistory: Keep the state now and after each of the coming steps, so that the last `frames` steps
+      can be taken back; 0, the default: none. What was kept before is dropped. What the program destroys
+      meanwhile is refused from then on, as always, but its memory is kept until no state has it. Returns 1.
+      Refused: a number outside 0 ... 100000.
+    - dWorldGetHistory: Returns that number. [ours] */
+ODE_API int dWorldSetHistory(dWorldID world, int frames);
+ODE_API int dWorldGetHistory(dWorldID world);
+
+/** Take back the last `frames` steps, and all that the program has done since: the world goes on with the same
+    bits as after that step. What has been destroyed since comes back under its handle, with data pointer, mass
+    and attachments; what has been created since is destroyed, contact objects of ODE's way too. Returns 1.
+    Refused, with nothing changed: more than dWorldGetHistoryFrames, a call during a step; by name, what cannot
+    come back: another shape of a geom, drives that are new, destroyed spaces, transforms and geoms of a class
+    of the program. [ours] */
+ODE_API int dWorldRollBack(dWorldID world, int frames);
+
+/** What the history has.
+    - dWorldGetHistoryFrames: Returns how many steps can be taken back now. A step without memory for its state
+      sends a message, and the history begins again: then 0.
+    - dWorldGetHistorySize: Returns the bytes that the states take, without objects that may come back. [ours] */
+ODE_API int dWorldGetHistoryFrames(dWorldID world);
+ODE_API size_t dWorldGetHistorySize(dWorldID world);
+
 /** The parts of a body's state that arrays hold, in this order, added up; as many numbers of each as the text
     says. */
 typedef enum {

@@ -7,6 +7,7 @@
 #include "base/float_environment.h"
 #include "math/rotation.h"
 #include "ode/ode.h"
+#include "state/world_archive.h"
 #include "step/link.h"
 
 using namespace epode;
@@ -41,6 +42,7 @@ void dBodyDestroy(dBodyID b)
 {
     BODY_OR();
     EPODE_USER_SAY(!body->world->stepping, "Invalid operation during a step");
+    if (keep_for_history(*body)) return;
     release_geoms(*body);
     destroy_body(*body);
 }

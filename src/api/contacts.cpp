@@ -4,6 +4,7 @@
 // The C functions of world-managed contacts.
 #include "ode/contacts.h"
 
+#include "base/structure_edition.h"
 #include "collide/types/registry.h"
 #include "contacts/material.h"
 #include "dynamics/world.h"
@@ -48,6 +49,7 @@ void dWorldSetContactSpace(dWorldID w, dSpaceID s)
     if (state->world_contacts.space == s) return;
     state->world_contacts.forget();
     state->world_contacts.space = s;
+    note_structure_changed();
 }
 
 dSpaceID dWorldGetContactSpace(dWorldID w)

@@ -5,6 +5,7 @@
 #include "base/float_environment.h"
 #include "collide/surfaces/height_function.h"
 #include "collide/types/registry.h"
+#include "state/world_archive.h"
 
 using namespace epode;
 
@@ -15,7 +16,7 @@ void dGeomDestroy(dGeomID id)
     EPODE_GEOM(geom, id);
     EPODE_OUTSIDE_HEIGHT_FUNCTION();
     EPODE_USER_SAY(may_destroy(*geom), EPODE_LOCKED_TEXT);
-    destroy_geom(*geom);
+    if (!keep_for_history(*geom)) destroy_geom(*geom);
 }
 
 void dGeomSetData(dGeomID id, void* data)

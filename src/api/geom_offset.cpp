@@ -2,6 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The pose of a geom in its body's frame, (p_o, R_o): the geom is at p_b + R_b p_o, turned by R_b R_o.
+#include "base/structure_edition.h"
 #include "collide/types/registry.h"
 #include "step/link.h"
 
@@ -18,12 +19,14 @@ Pose body_pose(const Geom& geom) { return load_pose(geom.body.position, geom.bod
 void set_offset_position(Geom& geom, Vec3 p)
 {
     store(geom.offset->position, p);
+    note_structure_changed();
     mark_moved(geom);
 }
 
 void set_offset_rotation(Geom& geom, const Mat3& R)
 {
     store_mat(geom.offset->rotation, R);
+    note_structure_changed();
     mark_moved(geom);
 }
 

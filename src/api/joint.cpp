@@ -3,6 +3,8 @@
 //
 // What can be done with any joint: attach, enable, ask, group, and find by bodies. Functions of one type
 // stand in that type's file.
+#include <algorithm>
+
 #include "base/pool.h"
 #include "base/prefetch.h"
 #include "dynamics/coupling.h"
@@ -10,6 +12,7 @@
 #include "dynamics/joint_group.h"
 #include "dynamics/world.h"
 #include "ode/ode.h"
+#include "state/world_archive.h"
 
 using namespace epode;
 
@@ -25,6 +28,19 @@ bool stepping(const JointGroup& group)
     for_each_prefetched<1>(group.joints.span(),
                            [&](std::size_t, const Joint& joint) { any = any || stepping(joint); });
     return any;
+}
+
+// Those that last may be kept by a history.
+void destroy_joints(JointGroup& group)
+{
+    const auto is_kept = [&](Joint* joint) {
+        return !is_contact(*joint) && keep_for_history(*joint, to_handle(&group));
+    };
+    if (any_history()) {
+        const auto end = std::remove_if(group.joints.begin(), group.joints.end(), is_kept);
+        group.joints.truncate(int(end - group.joints.begin()));
+    }
+    empty_group(group);
 }
 
 // A null or live handle.
@@ -47,7 +63,7 @@ void dJointDestroy(dJointID j)
     JOINT_OR();
     EPODE_USER_SAY(!stepping(*joint), "Invalid operation during a step");
     // The group owns it; clients of ODE call this on grouped joints without harm.
-    if (!joint->grouped) destroy_joint(*joint);
+    if (!joint->grouped && !keep_for_history(*joint, nullptr)) destroy_joint(*joint);
 }
 
 dJointGroupID dJointGroupCreate(int)
@@ -61,7 +77,7 @@ void dJointGroupDestroy(dJointGroupID g)
 {
     GROUP_OR();
     EPODE_USER_SAY(!stepping(*group), "Invalid operation during a step");
-    empty_group(*group);
+    destroy_joints(*group);
     Pool<JointGroup>::destroy(group);
 }
 
@@ -69,7 +85,7 @@ void dJointGroupEmpty(dJointGroupID g)
 {
     GROUP_OR();
     EPODE_USER_SAY(!stepping(*group), "Invalid operation during a step");
-    empty_group(*group);
+    destroy_joints(*group);
 }
 
 void dJointAttach(dJointID j, dBodyID b1, dBodyID b2)

@@ -5,12 +5,13 @@
 #include "ode/state.h"
 
 #include <climits>
+#include <cstdio>
 
 #include "base/check.h"
 #include "base/float_environment.h"
 #include "state/delta.h"
 #include "state/state_header.h"
-#include "state/world_state.h"
+#include "state/world_archive.h"
 #include "step/link.h"
 
 using namespace epode;
@@ -33,6 +34,13 @@ bool is_unlocked(const World& world)
     return !space || space->locks == 0;
 }
 
+constexpr int kMaxHistory = 100000;  // frames
+
+History* history_of(const World& world)
+{
+    return world.step_state && world.step_state->archive ? &world.step_state->archive->history : nullptr;
+}
+
 }  // namespace
 
 #define WORLD_OR(result)                        \
@@ -40,13 +48,19 @@ bool is_unlocked(const World& world)
     EPODE_USER(world, result);                  \
     EPODE_USER_SAY(!in_step(*world), "Invalid operation during a step", result)
 
+// The lists of the world that a state is saved with.
+#define STATE_OR(result)                              \
+    WorldArchive* const archive = archive_of(*world); \
+    EPODE_USER_SAY(archive, kOutOfMemory, result);    \
+    WorldState& state = archive->state
+
 extern "C" {
 
 size_t dWorldGetStateSize(dWorldID w)
 {
     const FloatEnvironment floats;
     WORLD_OR(0);
-    WorldState state(*world);
+    STATE_OR(0);
     std::size_t size = 0;
     EPODE_USER_SAY(state.prepare() && state.measure(size), kOutOfMemory, 0);
     return size;
@@ -57,7 +71,7 @@ int dWorldGetState(dWorldID w, void* buffer, size_t size)
     const FloatEnvironment floats;
     WORLD_OR(0);
     EPODE_USER(buffer, 0);
-    WorldState state(*world);
+    STATE_OR(0);
     std::size_t needed = 0;
     EPODE_USER_SAY(state.prepare() && state.measure(needed), kOutOfMemory, 0);
     EPODE_USER_SAY(needed <= size && needed <= kMaxBytes,
@@ -72,7 +86,7 @@ int dWorldSetState(dWorldID w, const void* buffer, size_t size)
     WORLD_OR(0);
     EPODE_USER(buffer, 0);
     EPODE_USER_SAY(is_unlocked(*world), "Invalid operation for locked space", 0);
-    WorldState state(*world);
+    STATE_OR(0);
     EPODE_USER_SAY(state.prepare(), kOutOfMemory, 0);
     const char* const wrong = state.set(static_cast<const std::byte*>(buffer), size);
     EPODE_USER_SAY(!wrong, wrong, 0);
@@ -84,7 +98,7 @@ size_t dWorldGetStateDelta(dWorldID w, const void* base, size_t base_size, void*
     const FloatEnvironment floats;
     WORLD_OR(0);
     EPODE_USER(base && (out || capacity == 0), 0);
-    WorldState state(*world);
+    STATE_OR(0);
     std::size_t size = 0;
     EPODE_USER_SAY(state.prepare() && state.measure(size), kOutOfMemory, 0);
     const char* const wrong = state.check(static_cast<const std::byte*>(base), base_size);
@@ -110,9 +124,59 @@ int dWorldSetStateDelta(dWorldID w, const void* base, size_t base_size, const vo
     const char* wrong =
         read_delta(bytes(base, base_size), bytes(delta, delta_size), whole, text, sizeof text);
     EPODE_USER_SAY(!wrong, wrong, 0);
-    WorldState state(*world);
+    STATE_OR(0);
     EPODE_USER_SAY(state.prepare(), kOutOfMemory, 0);
     wrong = state.set(reinterpret_cast<const std::byte*>(whole.data()), 4 * std::size_t(whole.size()));
+    EPODE_USER_SAY(!wrong, wrong, 0);
+    return 1;
+}
+
+// ---- history ----
+
+int dWorldSetHistory(dWorldID w, int frames)
+{
+    const FloatEnvironment floats;
+    WORLD_OR(0);
+    EPODE_USER(frames >= 0 && frames <= kMaxHistory, 0);
+    if (frames == 0 && (!world->step_state || !world->step_state->archive)) return 1;
+    WorldArchive* const archive = archive_of(*world);
+    EPODE_USER_SAY(archive && archive->history.set_frames(frames), kOutOfMemory, 0);
+    return 1;
+}
+
+int dWorldGetHistory(dWorldID w)
+{
+    WORLD_OR(0);
+    const History* history = history_of(*world);
+    return history ? history->frames() : 0;
+}
+
+int dWorldGetHistoryFrames(dWorldID w)
+{
+    WORLD_OR(0);
+    const History* history = history_of(*world);
+    return history ? history->available() : 0;
+}
+
+size_t dWorldGetHistorySize(dWorldID w)
+{
+    WORLD_OR(0);
+    const History* history = history_of(*world);
+    return history ? history->bytes() : 0;
+}
+
+int dWorldRollBack(dWorldID w, int frames)
+{
+    const FloatEnvironment floats;
+    WORLD_OR(0);
+    History* const history = history_of(*world);
+    EPODE_USER_SAY(history && history->has_frames(), "the world has no history: dWorldSetHistory", 0);
+    char text[120];
+    std::snprintf(text, sizeof text, "cannot take back %d steps: the history has 0 to %d", frames,
+                  history->available());
+    EPODE_USER_SAY(frames >= 0 && frames <= history->available(), text, 0);
+    EPODE_USER_SAY(is_unlocked(*world), "Invalid operation for locked space", 0);
+    const char* const wrong = history->roll_back(frames);
     EPODE_USER_SAY(!wrong, wrong, 0);
     return 1;
 }

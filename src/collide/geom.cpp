@@ -9,6 +9,7 @@
 #include <new>
 
 #include "base/memory.h"
+#include "base/structure_edition.h"
 #include "collide/geom_leaves.h"
 #include "collide/space.h"
 #include "collide/transform.h"
@@ -34,6 +35,8 @@ Geom::Geom(const GeomType& geom_type)
 {
     serial = g_serial.fetch_add(1, std::memory_order_relaxed) + 1;
 }
+
+std::uint64_t newest_geom_serial() { return g_serial.load(std::memory_order_relaxed); }
 
 bool in_locked_space(const Geom& geom) { return geom.space && geom.space->locks > 0; }
 
@@ -71,6 +74,7 @@ void mark_moved(Geom& geom)
 void mark_changed(Geom& geom)
 {
     ++geom.changes;
+    note_structure_changed();
     for (TransformGeom* holder = geom.holders; holder; holder = holder->next_holder) mark_changed(*holder);
     mark_moved(geom);
 }
@@ -86,6 +90,7 @@ bool any_continuous() { return g_continuous.load(std::memory_order_relaxed) > 0;
 
 void link_body(Geom& geom, const BodyLink& link)
 {
+    note_structure_changed();
     geom.body = link;
     geom.position = link.position;
     geom.rotation = link.rotation;
@@ -98,6 +103,7 @@ void link_body(Geom& geom, const BodyLink& link)
 void unlink_body(Geom& geom)
 {
     if (!geom.body.id) return;
+    note_structure_changed();
     const Pose pose = pose_of(geom);
     drop_offset(geom);
     if (geom.body_next) geom.body_next->body_prev = geom.body_prev;
@@ -118,6 +124,7 @@ bool ensure_offset(Geom& geom)
     void* memory = allocate(sizeof(GeomOffset));
     if (!memory) return false;
     geom.offset = new (memory) GeomOffset;
+    note_structure_changed();
     geom.pose_stale = true;
     use_own_pose(geom);
     return true;
@@ -126,6 +133,7 @@ bool ensure_offset(Geom& geom)
 void drop_offset(Geom& geom)
 {
     if (!geom.offset) return;
+    note_structure_changed();
     release(geom.offset, sizeof(GeomOffset));
     geom.offset = nullptr;
     geom.pose_stale = false;
@@ -143,6 +151,7 @@ void destroy_geom(Geom& geom)
 {
     if (geom.dying) return;
     geom.dying = true;
+    note_structure_changed();
     // Whatever the program does to the geom in its function is undone below.
     if (geom.type->farewell) geom.type->farewell(geom);
     if (is_space(geom)) empty_space(static_cast<Space&>(geom));

@@ -94,6 +94,7 @@ struct Geom : Numbered {
     Geom* body_prev = nullptr;
     std::atomic<int> users{0};                 // calls into the program in progress that rely on this geom
     std::atomic<GeomLeaves*> leaves{nullptr};  // of the mesh met last, see geom_leaves.h
+    void* recorder = nullptr;                  // the history that has it last recorded (state/history.h)
     std::uint64_t shape_hash = 0;              // see describe.h
     std::uint32_t hashed_changes = ~0u;        // changes_of() then
     alignas(32) Real own_rotation[12] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
@@ -176,6 +177,9 @@ void unlink_body(Geom& geom);    // the geom keeps its pose in the world
 bool ensure_offset(Geom& geom);  // identity if new; false when memory is exhausted
 void drop_offset(Geom& geom);    // back to the body's pose
 void drop_material(Geom& geom);
+
+// All geoms that have been created so far have this serial or a lower one.
+std::uint64_t newest_geom_serial();
 
 // Destroys the geom and for a space in cleanup mode its members. The caller has checked the locks.
 void destroy_geom(Geom& geom);

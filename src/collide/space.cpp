@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "base/prefetch.h"
+#include "base/structure_edition.h"
 
 namespace epode {
 namespace {
@@ -29,6 +30,7 @@ bool compact(Space& space)
             space.geoms[geom->slot] = geom;
         }
     space.geoms.truncate(kept);
+    note_structure_changed();
     return true;
 }
 
@@ -111,6 +113,7 @@ bool add_geom(Space& space, Geom& geom)
     if (!reserve_slots(space)) return false;
     geom.space = &space;
     geom.slot = space.geoms.size();
+    note_structure_changed();
     geom.queued = false;
     (void)space.geoms.push(&geom);
     ++space.count;
@@ -122,6 +125,7 @@ bool add_geom(Space& space, Geom& geom)
 void remove_geom(Space& space, Geom& geom)
 {
     space.geoms[geom.slot] = nullptr;
+    note_structure_changed();
     space.broadphase.remove(geom.slot);
     note_disturbed(space, geom);
     geom.at_rest = false;

@@ -5,11 +5,11 @@
 // impulses of their manifolds, in the order of the space; of all others their separating axis
 // (where it is known, what is hardly apart is never collided), what a filter has said and what the program
 // may still ask about the last step. Left out is what the next step finds again:
-//   where points are     of a pair that sleeps: made of the anchors and of the poses, which are those of its
-//                        last step. Of others it is kept: the program may put them to sleep before the next
+//   where points are     and the normal: anchors and poses tell (place_again() in contacts/narrow_phase.h)
 //   leaves of meshes     a list of what the tree would answer
 // What rests lies apart afterwards as before, and what has been disturbed since the last step is so again.
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "collide/collide.h"
@@ -22,14 +22,7 @@ namespace epode {
 namespace {
 
 enum PairBit : std::uint32_t { kManifolds = 3, kWanted = 4, kTouched = 8, kRests = 16, kSeparatingAxis = 32 };
-enum ManifoldBit : std::uint32_t {
-    kPoints = 7,
-    kChanged = 8,
-    kRoll = 16,
-    kLayer = 32,
-    kPlaced = 64,
-    kDrift = 128
-};
+enum ManifoldBit : std::uint32_t { kPoints = 7, kChanged = 8, kRoll = 16, kLayer = 32 };
 enum ListBit : std::uint32_t { kFewActive = 1, kUnfinished = 2, kSettled = 4 };
 constexpr std::size_t kPairBytes = 12, kManifoldBytes = 64, kEventBytes = 12;  // at least
 constexpr std::uint32_t kNoGeom = ~0u;
@@ -65,8 +58,8 @@ void move_points(Kept& kept, std::uint32_t bits, Move& move)
 {
     static_assert(offsetof(ManifoldFinding, anchors) - offsetof(ManifoldFinding, offset) ==
                   15 * sizeof(float));
-    static_assert(offsetof(ManifoldPoint, r2) - offsetof(ManifoldPoint, r1) == 4 * sizeof(float));
-    static_assert(sizeof(ManifoldPoint) == 11 * sizeof(float));
+    static_assert(offsetof(ManifoldPoint, friction_impulse) - offsetof(ManifoldPoint, normal_impulse) ==
+                  sizeof(float));
     auto& found = kept.found;
     auto& points = kept.manifold.points;
     move.template operator()<15>(&found.offset.x);
@@ -76,15 +69,9 @@ void move_points(Kept& kept, std::uint32_t bits, Move& move)
     move.template operator()<count>(found.anchors.separation);
     if (bits & kRoll) move.template operator()<3>(&kept.manifold.rolling_impulse.x);
     if (bits & kLayer) move.template operator()<1>(&kept.layer);
-    if (!(bits & kPlaced)) {
-        for (int i = 0; i < count; ++i)
-            move.template operator()<1>(&points[i].separation),
-                move.template operator()<4>(&points[i].normal_impulse);
-        return;
-    }
-    move.template operator()<3>(&kept.manifold.normal.x);
-    for (int i = 0; i < count; ++i) move.template operator()<11>(&points[i].r1.x);
-    if (bits & kDrift) move.template operator()<3>(&kept.manifold.surface_velocity.x);
+    for (int i = 0; i < count; ++i)
+        move.template operator()<1>(&points[i].separation),
+            move.template operator()<4>(&points[i].normal_impulse);
 }
 
 template <typename Kept, typename Move>
@@ -105,74 +92,18 @@ void move_numbers(Kept& kept, std::uint32_t bits, Move&& move)
 // Bytes of these.
 std::size_t size_of(std::uint32_t bits)
 {
-    const std::size_t points = bits & kPoints, of_point = 7 + (bits & kPlaced ? 11 : 5);
-    std::size_t numbers = 15 + of_point * points;
+    std::size_t numbers = 15 + 12 * std::size_t(bits & kPoints);
     if (bits & kRoll) numbers += 3;
     if (bits & kLayer) numbers += 1;
-    if (bits & kPlaced) numbers += 3;
-    if (bits & kDrift) numbers += 3;
     return numbers * sizeof(float);
 }
 
-// Normal, places and coefficients of the manifold as its anchors lie now; gaps and impulses stay.
-void place(const ContactPair& pair, Real layer, CachedManifold& kept)
-{
-    Geom &g1 = *from_handle<Geom>(pair.id1), &g2 = *from_handle<Geom>(pair.id2);
-    const Body *body1 = body_of(g1), *body2 = body_of(g2);
-    float separation[kManifoldPoints];
-    for (int i = 0; i < kManifoldPoints; ++i) separation[i] = kept.manifold.points[i].separation;
-    kept.origin = body1->position();
-    const Vec3 x2 = body2 ? body2->position() : Vec3{};
-    (void)place_points(pose_of(g1), pose_of(g2), kept.origin, body2 ? &x2 : nullptr, layer, kept,
-                       kept.manifold);
-    combine_materials(g1, g2, kept.manifold);
-    for (int i = 0; i < kManifoldPoints; ++i) kept.manifold.points[i].separation = separation[i];
-}
-
-// Places have been loaded with the manifold.
-void take_places(const ContactPair& pair, CachedManifold& kept)
-{
-    const Geom &g1 = *from_handle<Geom>(pair.id1), &g2 = *from_handle<Geom>(pair.id2);
-    const Float3 drift = kept.manifold.surface_velocity;
-    kept.origin = body_of(g1)->position();
-    combine_materials(g1, g2, kept.manifold);
-    kept.manifold.surface_velocity = drift;
-}
-
-// Of a pair that sleeps: does all lie where place() would put it?
-bool lies_as_placed(const ContactPair& pair, Real layer, const CachedManifold& kept)
-{
-    CachedManifold again = kept;
-    place(pair, layer, again);
-    bool same =
-        std::memcmp(&again.manifold.normal, &kept.manifold.normal, sizeof(Float3)) == 0 &&
-        std::memcmp(&again.manifold.surface_velocity, &kept.manifold.surface_velocity, sizeof(Float3)) == 0;
-    for (int i = 0; i < kept.manifold.count; ++i) {
-        const ManifoldPoint &a = again.manifold.points[i], &b = kept.manifold.points[i];
-        same = same && std::memcmp(&a.r1, &b.r1, sizeof a.r1) == 0 &&
-               std::memcmp(&a.r2, &b.r2, sizeof a.r2) == 0;
-    }
-    return same;
-}
-
-// What the manifolds of a pair have in common.
-struct PairNow {
-    PairNow(const Geom& g1, const Geom& g2)
-        : changes(changes_of(g1, g2)), sleeps(!awake(body_of(g1)) && !awake(body_of(g2)))
-    {}
-    std::uint32_t changes;
-    bool sleeps;
-};
-
-std::uint32_t bits_of(const ContactPair& pair, const PairNow& now, Real layer, const CachedManifold& kept)
+std::uint32_t bits_of(std::uint32_t changes, Real layer, const CachedManifold& kept)
 {
     std::uint32_t bits = std::uint32_t(kept.manifold.count);
-    if (kept.found.changes != now.changes) bits |= kChanged;
+    if (kept.found.changes != changes) bits |= kChanged;
     if (!is_zero(kept.manifold.rolling_impulse)) bits |= kRoll;
     if (kept.layer != float(layer)) bits |= kLayer;
-    if (now.sleeps && lies_as_placed(pair, layer, kept)) return bits;
-    bits |= kPlaced;
-    if (!is_zero(kept.manifold.surface_velocity)) bits |= kDrift;
     return bits;
 }
 
@@ -200,6 +131,9 @@ void load_manifold(const ContactPair& pair, Real layer, StateStream& stream, Cac
     const std::byte* const numbers = stream.block(size_of(bits));
     if (!numbers) return;
     move_numbers(kept, bits, Reading{numbers});
+    const Vec3 n = widen(kept.found.normal);
+    if (!stream.demand(std::fabs(dot(n, n) - 1) < Real(1e-3), "a normal of the state is not of unit length"))
+        return;
     fill_anchors(kept.found.anchors, count);
     const Geom &g1 = *from_handle<Geom>(pair.id1), &g2 = *from_handle<Geom>(pair.id2);
     kept.found.changes = changes_of(g1, g2) - (bits & kChanged ? 1 : 0);
@@ -221,9 +155,9 @@ bool ContactWorld::list_for_state(const World& world, const SpaceGeoms& geoms)
         const int n1 = geoms.find(*g1), n2 = geoms.find(*g2);
         if (n1 < 0 || n2 < 0) return;
         complete = complete && listed_.push({&pair, manifolds.data(), n1, n2, manifold_bits_.size(), rests});
-        const PairNow now(*g1, *g2);
+        const std::uint32_t changes = manifolds.empty() ? 0 : changes_of(*g1, *g2);
         for (const CachedManifold& kept : manifolds)
-            complete = complete && manifold_bits_.push(std::uint8_t(bits_of(pair, now, layer, kept)));
+            complete = complete && manifold_bits_.push(std::uint8_t(bits_of(changes, layer, kept)));
     };
     for (int i = 0; i < last_.pairs.size(); ++i) {
         constexpr int kAhead = 8;
@@ -352,18 +286,8 @@ bool ContactWorld::load_pair(const World& world, const SpaceGeoms& geoms, StateS
     return true;
 }
 
-void ContactWorld::accept(Loaded& loaded, const World& world, const SpaceGeoms& geoms,
-                          std::span<const std::uint8_t> disturbed)
+void ContactWorld::accept(Loaded& loaded, const SpaceGeoms& geoms, std::span<const std::uint8_t> disturbed)
 {
-    const Real layer = contact_layer(world);
-    for (const ContactPair& pair : fresh_.pairs)
-        for (int i = 0; i < pair.count; ++i) {
-            CachedManifold& kept = fresh_.manifolds.data()[pair.first + i];
-            if (is_zero(kept.manifold.normal))
-                place(pair, layer, kept);
-            else
-                take_places(pair, kept);
-        }
     last_.swap(fresh_);
     resting_.clear();
     ended_.swap(loaded.ended);
@@ -371,7 +295,12 @@ void ContactWorld::accept(Loaded& loaded, const World& world, const SpaceGeoms& 
     few_active_ = loaded.few_active, unfinished_ = loaded.unfinished, settled_ = loaded.settled;
     Space* const in = live_space();
     if (!in) return;
+    // What was at rest until now is not, unless the state says so.
+    if (!in->keeper || in->keeper == this)
+        for (Geom* geom : in->geoms)
+            if (geom) geom->at_rest = false;
     if (loaded.any_rests) put_to_rest(loaded, *in);
+    if (settled_) clean(*in);  // as the step that found it settled has left the space
     edition_ = in->edition;
     seen_disturbances_ = in->disturbances.count();
     for (int i = 0; i < geoms.count(); ++i)

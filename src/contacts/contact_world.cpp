@@ -271,7 +271,9 @@ void ContactWorld::keep_manifolds(ContactPair& pair, int place)
     pair.first = place;
     pair.touched = touches(old);
     pair.count = std::uint8_t(old.size());
-    std::copy(old.begin(), old.end(), fresh_.manifolds.data() + place);
+    CachedManifold* const to = fresh_.manifolds.data() + place;
+    std::copy(old.begin(), old.end(), to);
+    for (std::size_t i = 0; i < old.size(); ++i) place_again(pair, to[i]);
 }
 
 // What the pair kept in the step before, or nothing yet.
@@ -419,9 +421,14 @@ int ContactWorld::contacts(dWorldContact* out, int capacity) const
         store(to.friction_force, per_h * widen(point.friction_impulse));
     };
     for_each_pair([&](const ContactPair& pair, std::span<const CachedManifold> manifolds) {
-        for (const CachedManifold& kept : manifolds)
-            for (int i = 0; i < kept.manifold.count; ++i)
-                if (touches(kept, kept.manifold.points[i])) add(pair, kept, kept.manifold.points[i]);
+        for (const CachedManifold& kept : manifolds) {
+            CachedManifold placed;
+            const bool unplaced = is_unplaced(kept);
+            if (unplaced) placed = kept, place_again(pair, placed);
+            const CachedManifold& now = unplaced ? placed : kept;
+            for (int i = 0; i < now.manifold.count; ++i)
+                if (touches(now, now.manifold.points[i])) add(pair, now, now.manifold.points[i]);
+        }
     });
     return count;
 }

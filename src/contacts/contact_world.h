@@ -80,8 +80,7 @@ class ContactWorld {
     [[nodiscard]] bool load(const World& world, const SpaceGeoms& geoms, StateStream& stream, Loaded& out);
     // All geoms have been told that they have moved, if they have.
     // `disturbed`: as mark_disturbed() has found when the state was saved.
-    void accept(Loaded& loaded, const World& world, const SpaceGeoms& geoms,
-                std::span<const std::uint8_t> disturbed);
+    void accept(Loaded& loaded, const SpaceGeoms& geoms, std::span<const std::uint8_t> disturbed);
     // 1 for those geoms at rest to which something has happened since the last step.
     void mark_disturbed(const SpaceGeoms& geoms, std::span<std::uint8_t> by_number) const;
     // What is broken between two steps, in words; null: nothing.

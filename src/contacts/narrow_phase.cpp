@@ -9,6 +9,7 @@
 #include "collide/solid_type.h"
 #include "contacts/manifold_points.h"
 #include "contacts/material.h"
+#include "contacts/pair_rules.h"
 #include "contacts/pair_separation.h"
 
 namespace epode {
@@ -305,6 +306,22 @@ void update_pair(ContactPair& pair, std::span<const CachedManifold> old, const N
                  CachedManifold* into, NearLeaves* leaves)
 {
     PairUpdate(pair, settings, into, leaves).run(old);
+}
+
+void place_again(const ContactPair& pair, CachedManifold& kept)
+{
+    Geom *g1 = from_handle<Geom>(pair.id1), *g2 = from_handle<Geom>(pair.id2);
+    const Body* const body1 = g1 ? body_of(*g1) : nullptr;
+    if (!body1 || !g2) return;
+    const Body* const body2 = body_of(*g2);
+    float separation[kManifoldPoints];
+    for (int i = 0; i < kManifoldPoints; ++i) separation[i] = kept.manifold.points[i].separation;
+    kept.origin = body1->position();
+    const Vec3 x2 = body2 ? body2->position() : Vec3{};
+    (void)place_points(pose_of(*g1), pose_of(*g2), kept.origin, body2 ? &x2 : nullptr, 0, kept,
+                       kept.manifold);
+    combine_materials(*g1, *g2, kept.manifold);
+    for (int i = 0; i < kManifoldPoints; ++i) kept.manifold.points[i].separation = separation[i];
 }
 
 }  // namespace epode

@@ -30,4 +30,15 @@ struct NarrowSettings {
 void update_pair(ContactPair& pair, std::span<const CachedManifold> old, const NarrowSettings& settings,
                  CachedManifold* into, NearLeaves* leaves);
 
+// Normal, arms and coefficients of a manifold between two whose bodies have not moved since, or were put to
+// sleep by the program: as its anchors lie now; gaps, layer and impulses stay. So nothing of it has to be in
+// states of the world.
+void place_again(const ContactPair& pair, CachedManifold& kept);
+// Loaded from a state, and not placed since.
+inline bool is_unplaced(const CachedManifold& kept)
+{
+    const Float3 n = kept.manifold.normal;
+    return n.x == 0 && n.y == 0 && n.z == 0;
+}
+
 }  // namespace epode

@@ -60,7 +60,7 @@ struct PairList {
             for (int i = 0; i < manifold.count; ++i)
                 if (!(manifold.points[i].normal_impulse >= 0)) return "contacts: a normal impulse pulls";
             const Vec3 n = widen(manifold.normal);
-            if (manifold.count > 0 && !(std::abs(dot(n, n) - 1) < Real(1e-3)))
+            if (manifold.count > 0 && dot(n, n) != 0 && !(std::abs(dot(n, n) - 1) < Real(1e-3)))
                 return "contacts: a normal is not of unit length";
         }
         return nullptr;

@@ -7,6 +7,7 @@
 
 #include "base/content_hash.h"
 #include "base/pool.h"
+#include "base/structure_edition.h"
 #include "dynamics/active.h"
 #include "dynamics/joint.h"
 #include "dynamics/world.h"
@@ -62,6 +63,7 @@ Body* create_body(World& world)
         return nullptr;
     }
     body->serial = ++world.bodies_made;
+    note_structure_changed();
     return body;
 }
 
@@ -69,6 +71,7 @@ void destroy_body(Body& body)
 {
     while (body.joints) detach(*body.joints->joint);
     body.world->bodies.leave(body);
+    note_structure_changed();
     Pool<Body>::destroy(&body);
 }
 
@@ -87,7 +90,8 @@ bool set_mass(Body& body, const dMass& mass)
     if (!invert(full(inertia), inverse)) return false;
     if (body.driven) activate(body);  // another rule for its contacts
     body.mass = mass;
-    body.mass_hash = hash_of(mass);
+    if (const std::uint64_t hash = hash_of(mass); hash != body.mass_hash)
+        body.mass_hash = hash, note_structure_changed();
     body.inertia = inertia;
     body.driven = false;
     body.inv_mass = 1 / mass.mass;

@@ -67,14 +67,30 @@ bool has_been_watched(const Body& body)
 
 void vector(Vec3& v, StateStream& stream) { stream.reals(&v.x, 3); }
 
-void window(Stillness& w, StateStream& stream)
+enum WatchBit : std::uint32_t {
+    kSamplesReady = 1,
+    kShortStill = 2,
+    kLongStill = 4,
+    kShortHere = 8,
+    kLongHere = 16,
+};
+
+// Does the window begin with the body's pose? So it does from falling asleep on.
+bool begins_here(const Body& body, const Stillness& w)
 {
-    vector(w.position, stream);
-    stream.reals(&w.orientation.w, 4);
-    stream.reals(&w.time, 1);
+    return std::memcmp(&w.position.x, body.pos, sizeof w.position) == 0 &&
+           std::memcmp(&w.orientation.w, body.q, sizeof w.orientation) == 0;
 }
 
-enum WatchBit : std::uint32_t { kSamplesReady = 1, kShortStill = 2, kLongStill = 4 };
+void window(const Body& body, Stillness& w, bool here, StateStream& stream)
+{
+    if (!here) {
+        vector(w.position, stream);
+        stream.reals(&w.orientation.w, 4);
+    } else if (stream.stores()) {
+        w.position = body.position(), w.orientation = body.orientation();
+    }
+}
 
 // With one sample the ring holds nothing that is read before it is written.
 void samples(Body& body, StateStream& stream)
@@ -93,19 +109,24 @@ void samples(Body& body, StateStream& stream)
 
 void watch_state(Body& body, StateStream& stream)
 {
-    const std::uint32_t bits =
-        stream.word((body.samples_ready ? kSamplesReady : 0u) | (body.short_window.still ? kShortStill : 0u) |
-                    (body.long_window.still ? kLongStill : 0u));
+    Stillness &brief = body.short_window, &lasting = body.long_window;
+    const std::uint32_t own = (body.samples_ready ? kSamplesReady : 0u) | (brief.still ? kShortStill : 0u) |
+                              (lasting.still ? kLongStill : 0u) |
+                              (begins_here(body, brief) ? kShortHere : 0u) |
+                              (begins_here(body, lasting) ? kLongHere : 0u);
+    const std::uint32_t bits = stream.unusual({{&body.idle_time_left, body.sleep.time, true},
+                                               {&body.settling_time, 0},
+                                               {&brief.time, 0},
+                                               {&lasting.time, 0}},
+                                              own);
     const auto steps = int(stream.word(std::uint32_t(body.idle_steps_left)));
-    stream.reals(&body.idle_time_left, 1, true);
-    stream.reals(&body.settling_time, 1);
-    window(body.short_window, stream);
-    window(body.long_window, stream);
+    window(body, brief, bits & kShortHere, stream);
+    window(body, lasting, bits & kLongHere, stream);
     samples(body, stream);
     if (!stream.stores()) return;
     body.idle_steps_left = steps;
     body.samples_ready = bits & kSamplesReady;
-    body.short_window.still = bits & kShortStill, body.long_window.still = bits & kLongStill;
+    brief.still = bits & kShortStill, lasting.still = bits & kLongStill;
 }
 
 // Of a body that no step has watched.
@@ -146,11 +167,11 @@ void orientation(Body& body, std::uint16_t bits, StateStream& stream)
     Orientation o{};
     std::memcpy(o.q, body.q, sizeof o.q), std::memcpy(o.R, body.R, sizeof o.R);
     const StateStream::Mode mode = stream.mode();
-    if (!stream.saves()) stream.set_mode(StateStream::Mode::kRead);
+    stream.set_mode(StateStream::Mode::kRead);
     stream.reals(o.q, 4);
     for (int row = 0; (bits & kMatrix) && row < 3; ++row) stream.reals(o.R + 4 * row, 3);
     stream.set_mode(mode);
-    if (stream.saves() || stream.failed() || !is_sound(o, bits, stream) || !stream.stores()) return;
+    if (stream.failed() || !is_sound(o, bits, stream) || !stream.stores()) return;
     if (!(bits & kMatrix)) store_mat(o.R, to_matrix(load_quat(o.q)));
     std::memcpy(body.q, o.q, sizeof o.q), std::memcpy(body.R, o.R, sizeof o.R);
 }
@@ -158,6 +179,11 @@ void orientation(Body& body, std::uint16_t bits, StateStream& stream)
 // True: it becomes another one.
 bool pose(Body& body, std::uint16_t bits, StateStream& stream)
 {
+    if (stream.saves()) {
+        stream.reals(body.pos, 3), stream.reals(body.q, 4);
+        for (int row = 0; (bits & kMatrix) && row < 3; ++row) stream.reals(body.R + 4 * row, 3);
+        return false;
+    }
     Real position[4];
     Orientation o;
     std::memcpy(position, body.pos, sizeof position);

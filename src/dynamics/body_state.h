@@ -3,7 +3,7 @@
 //
 // What a step changes in a body, and the program's own switches, as part of a world's state: a word of bits
 // and the numbers that these announce. A body in motion takes pose and velocities, 13 numbers; one that
-// sleeps its pose alone; what watches whether it rests (auto-disable) 18 numbers more. The rotation matrix is
+// sleeps its pose alone; what watches whether it rests (auto-disable) up to 18 numbers more. The rotation matrix is
 // left out where it is that of the quaternion, as steps leave it. Mass, rules of damping and sleep, callbacks
 // and user data are none of the state.
 #pragma once

@@ -5,6 +5,7 @@
 // a thousand contacts on one body come and go at constant cost.
 #include "dynamics/joint.h"
 
+#include "base/structure_edition.h"
 #include "dynamics/coupling.h"
 #include "dynamics/joint_group.h"
 #include "dynamics/world.h"
@@ -47,7 +48,9 @@ void leave(JointNode& node, bool contact)
 
 void note_tie(Joint& joint)
 {
-    if (joint.world && joint.attached() && !is_contact(joint)) ++joint.world->connections_version;
+    if (!joint.world || !joint.attached() || is_contact(joint)) return;
+    ++joint.world->connections_version;
+    note_structure_changed();
 }
 
 }  // namespace
@@ -70,7 +73,9 @@ void attach(Joint& joint, Body* a, Body* b)
     enter(joint.node[1], b);
     if (joint.world) joint.world->joints.activate(joint);
     note_tie(joint);
-    if (a) joint.type->attached(joint);
+    if (!a) return;
+    if (!is_contact(joint)) ++static_cast<LastingJoint&>(joint).attachments;
+    joint.type->attached(joint);
 }
 
 bool link_into_world(Joint& joint, JointGroup* group)
@@ -81,6 +86,7 @@ bool link_into_world(Joint& joint, JointGroup* group)
         return false;
     }
     joint.grouped = group != nullptr;
+    if (!is_contact(joint)) note_structure_changed();
     return true;
 }
 
@@ -89,6 +95,7 @@ void unlink_from_world(Joint& joint)
     if (!joint.world) return;
     if (joint.driven) --joint.world->driven_joints;
     if (joint.coupled || is_coupling(joint)) leave_couplings(joint);
+    if (!is_contact(joint)) note_structure_changed();
     joint.world->joints.leave(joint);
     joint.world = nullptr;
 }

@@ -43,6 +43,7 @@ struct JointType {
     int number;        // dJointType
     const char* name;  // as in the C names: "Ball", "Hinge2"
     int max_rows;
+    unsigned size;  // of the struct, in bytes
     bool needs_two_bodies;
     // Writes the rows of this step; may note limit states in the joint. Called once a step and, by steppers
     // with inner steps, again at inner poses.
@@ -97,6 +98,7 @@ struct LastingJoint : Joint {
     ~LastingJoint();
     Real impulse[kMaxBlockRows];    // of the last step, for warm starting: the first `impulse_rows`
     JointDrives* drives = nullptr;  // of a joint that is `driven`
+    unsigned attachments = 0;       // how often its type has taken anchors from new bodies
 };
 
 template <>

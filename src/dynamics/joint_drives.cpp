@@ -5,6 +5,7 @@
 #include <new>
 
 #include "base/memory.h"
+#include "base/structure_edition.h"
 #include "dynamics/world.h"
 
 namespace epode {
@@ -16,6 +17,7 @@ JointDrives* take_drives(LastingJoint& joint)
     if (!memory) return nullptr;
     joint.drives = new (memory) JointDrives;
     joint.driven = true;
+    note_structure_changed();
     if (joint.world) ++joint.world->driven_joints;
     return joint.drives;
 }

@@ -95,6 +95,9 @@ void put_to_sleep(Body& body)
     store(body.lvel, {});
     store(body.avel, {});
     body.spin_excess = {};
+    // Where it lies it has come to rest, whatever it did before.
+    for (Stillness* window : {&body.short_window, &body.long_window})
+        *window = {body.position(), body.orientation(), 0, window->still};
 }
 
 }  // namespace

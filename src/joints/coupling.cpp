@@ -5,6 +5,7 @@
 // the members' axes (dq_i/dt = J_i v) its Jacobian is sum a_i J_i, spread over the bodies of all members:
 // RowWriter::couple, rows/row_system.h. Everything else about an axis, stops, springs, drives, is that of
 // other joints.
+#include "base/structure_edition.h"
 #include "dynamics/coupling.h"
 
 #include <algorithm>
@@ -200,6 +201,7 @@ int dJointSetCouplingAxis(dJointID id, int i, dJointID joint_id, int axis, dReal
     *place = joint_id ? CoupledAxis{joint, axis, factor} : CoupledAxis{};
     coupling.impulse_rows = 0;
     ++coupling.world->connections_version;
+    note_structure_changed();
     wake_bodies(coupling);
     return 1;
 }

@@ -75,6 +75,7 @@ constexpr JointType describe_joint(const char* name)
     type.number = JointTypeOf<T>::kNumber;
     type.name = name;
     type.max_rows = T::kMaxRows;
+    type.size = sizeof(T);
     type.needs_two_bodies = requires { T::kNeedsTwoBodies; };
     type.emit = [](Joint& j, RowWriter& out) { static_cast<T&>(j).emit(out); };
     type.attached = [](Joint& j) {

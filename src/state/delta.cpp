@@ -12,7 +12,7 @@
 namespace epode {
 namespace {
 
-constexpr int kWindow = 4;     // words that must agree to find a place
+constexpr int kWindow = 8;     // words that must agree to find a place: few, and equal objects are confused
 constexpr int kPatience = 16;  // differing words before a place is searched for
 
 // Follows the header.
@@ -35,8 +35,8 @@ class Words {
     bool has_window(int i) const { return i + kWindow <= count(); }
     std::size_t hash(int i) const
     {
-        return hash_of(std::uint64_t((*this)[i]) << 32 | (*this)[i + 1],
-                       std::uint64_t((*this)[i + 2]) << 32 | (*this)[i + 3]);
+        const auto pair = [&](int k) { return std::uint64_t((*this)[i + k]) << 32 | (*this)[i + k + 1]; };
+        return hash_of(pair(0) ^ std::rotl(pair(4), 21), pair(2) ^ std::rotl(pair(6), 42));
     }
 
   private:

@@ -5,7 +5,7 @@
 //   from, same, own   then `own` words        copy `same` words of the base from word `from`, then take these
 // where each run begins in the base after the end of the previous one. Parts of a state keep their order and
 // seldom move, so a run usually continues where the last one ended, after the changed words. Where words were
-// inserted or removed, a hash table of all windows of four words of the base finds the place again. A
+// inserted or removed, a hash table of all windows of eight words of the base finds the place again. A
 // difference and its base together are never shorter than the state, so reading allocates at most their size.
 #pragma once
 

@@ -15,7 +15,7 @@ namespace epode {
 
 struct StateHeader {
     static constexpr std::uint32_t kMagic = 0x74736e65;  // "enst"
-    static constexpr std::uint16_t kVersion = 1;
+    static constexpr std::uint16_t kVersion = 2;
     enum Kind : std::uint8_t { kWhole = 1, kDelta = 2 };
 
     std::uint32_t magic = kMagic;
@@ -27,12 +27,15 @@ struct StateHeader {
 };
 static_assert(sizeof(StateHeader) == 24);
 
+// kUnsealed: without a checksum, for bytes that never leave the library.
+enum class Seal : std::uint8_t { kSealed, kUnsealed };
+
 // Writes the header of a state whose other bytes have been written.
-void seal(void* state, std::size_t size, StateHeader::Kind kind);
+void seal(void* state, std::size_t size, StateHeader::Kind kind, Seal with = Seal::kSealed);
 
 // Null: valid, and `header` is its header; else the first fault, in words. Bytes after the state's end are
 // ignored.
 const char* read_header(const void* state, std::size_t size, StateHeader::Kind kind, StateHeader& header,
-                        char* text, std::size_t text_size);
+                        char* text, std::size_t text_size, Seal with = Seal::kSealed);
 
 }  // namespace epode

@@ -37,14 +37,17 @@ std::uint64_t hash_of(const Body& body)
     return hash.value();
 }
 
-std::uint64_t hash_of(const Joint& joint, const World& world)
+std::uint64_t hash_of(const Joint& joint, const BodyTable& bodies)
 {
     ContentHash hash;
     hash.add(std::uint64_t(joint.type->number) << 2 | joint.driven << 1 | joint.reverse);
-    for (int i = 0; i < 2; ++i) hash.add(number_of(joint.node[i].body, world));
+    for (int i = 0; i < 2; ++i) {
+        const Body* body = joint.node[i].body;
+        hash.add(body ? std::uint64_t(bodies.find(body->serial)) : kNobody);
+    }
     if (is_coupling(joint))
         for_each_member(coupling_of(joint), [&](const CoupledAxis& member) {
-            for (const JointNode& node : member.joint->node) hash.add(number_of(node.body, world));
+            for (const JointNode& node : member.joint->node) hash.add(node.body ? std::uint64_t(bodies.find(node.body->serial)) : kNobody);
             hash.add(std::uint64_t(member.joint->type->number) << 8 | std::uint64_t(member.axis));
             hash.add(&member.factor, 1);
         });
@@ -72,17 +75,27 @@ void Structure::add(std::uint64_t own)
 bool Structure::measure(const World& world, const BodyTable& bodies, const SpaceGeoms& geoms)
 {
     constexpr int kAhead = 8;
-    bodies_ = bodies.count(), joints_ = world.joints.count();
+    bodies_ = bodies.count(), geoms_ = geoms.count();
     hash_ = 0;
     marks_.clear();
-    if (!marks_.reserve(bodies_ + joints_ + geoms.count())) return false;
+    if (!marks_.reserve(bodies_ + geoms_)) return false;
     for (int i = 0; i < bodies_; ++i) {
         if (i + kAhead < bodies_)
             prefetch<1>(&bodies[i + kAhead].mass_hash), prefetch<1>(bodies[i + kAhead].first_geom);
         add(hash_of(bodies[i]));
     }
-    for (const Joint& joint : world.joints) add(hash_of(joint, world));
-    for (int i = 0; i < geoms.count(); ++i) add(hash_of(geoms[i], world));
+    for (int i = 0; i < geoms_; ++i) add(hash_of(geoms[i], world));
+    lasting_hash_ = hash_;
+    return true;
+}
+
+bool Structure::measure_joints(std::span<Joint* const> joints, const BodyTable& bodies)
+{
+    joints_ = int(joints.size());
+    hash_ = lasting_hash_;
+    marks_.truncate(bodies_ + geoms_);
+    if (!marks_.reserve(bodies_ + geoms_ + joints_)) return false;
+    for (const Joint* joint : joints) add(hash_of(*joint, bodies));
     return true;
 }
 
@@ -96,15 +109,15 @@ const char* Structure::difference(const std::uint8_t* marks, char* text, std::si
     else if (at < bodies_)
         std::snprintf(text, size, "body %d (of %d, in order of creation) had another mass or other geoms", at,
                       bodies_);
-    else if (at < bodies_ + joints_)
+    else if (at < bodies_ + geoms_)
+        std::snprintf(text, size,
+                      "geom %d (of %d, in order of creation) had another class, shape, offset or body",
+                      at - bodies_, geoms_);
+    else
         std::snprintf(text, size,
                       "joint %d (of %d, in order of creation) had another type, other bodies, or drives that "
                       "the other lacks",
-                      bodies_ + joints_ - 1 - at, joints_);
-    else
-        std::snprintf(text, size,
-                      "geom %d (of %d, in order of creation) had another class, shape, offset or body",
-                      at - bodies_ - joints_, geoms());
+                      marks_.size() - 1 - at, joints_);
     return text;
 }
 

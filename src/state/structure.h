@@ -5,6 +5,8 @@
 // creation, with mass and geoms of each body, type and bodies of each joint, and class, shape, offset and
 // body of each geom. One hash covers all, and one byte marks each object, so that an error can name the first
 // one that differs. Geoms are those of the space of the world-managed contacts, and those of the bodies.
+// Bodies and geoms are measured again only when some structure has changed (base/structure_edition.h); joints,
+// among them the contact joints of the last step, every time.
 #pragma once
 
 #include "contacts/space_geoms.h"
@@ -16,12 +18,14 @@ class Structure {
   public:
     // False: out of memory. `bodies` and `geoms` have been gathered.
     [[nodiscard]] bool measure(const World& world, const BodyTable& bodies, const SpaceGeoms& geoms);
+    // After measure(), as often as joints may have changed; the newest first.
+    [[nodiscard]] bool measure_joints(std::span<Joint* const> joints, const BodyTable& bodies);
 
     int bodies() const { return bodies_; }
     int joints() const { return joints_; }
-    int geoms() const { return marks_.size() - bodies_ - joints_; }
+    int geoms() const { return geoms_; }
     std::uint64_t hash() const { return hash_; }
-    // One byte for each body, then each joint, then each geom.
+    // One byte for each body, then each geom, then each joint.
     std::span<const std::uint8_t> marks() const { return marks_.span(); }
 
     // Describes the first of as many marks that differs.
@@ -30,8 +34,8 @@ class Structure {
   private:
     void add(std::uint64_t own);
 
-    int bodies_ = 0, joints_ = 0;
-    std::uint64_t hash_ = 0;
+    int bodies_ = 0, joints_ = 0, geoms_ = 0;
+    std::uint64_t hash_ = 0, lasting_hash_ = 0;  // of all; of bodies and geoms
     Array<std::uint8_t> marks_;
 };
 

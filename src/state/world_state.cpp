@@ -2,8 +2,10 @@
 // Copyright (c) 2026 The Epode authors
 #include "state/world_state.h"
 
+#include <algorithm>
 #include <cstdio>
 
+#include "base/structure_edition.h"
 #include "contacts/contact_state.h"
 #include "dynamics/active.h"
 #include "dynamics/body_state.h"
@@ -26,12 +28,23 @@ struct Counts {
 
 }  // namespace
 
-bool WorldState::prepare()
+bool WorldState::prepare(Joints which)
 {
     kept_ = step_state(world_);
-    if (!kept_ || !bodies_.gather(world_) || !geoms_.gather(kept_->world_contacts.live_space())) return false;
-    if (!disturbed_.resize(geoms_.count())) return false;
-    return structure_.measure(world_, bodies_, geoms_);
+    const std::uint64_t edition = structure_edition();
+    if (edition_ != edition) {
+        edition_ = 0;
+        if (!kept_ || !bodies_.gather(world_) || !geoms_.gather(kept_->world_contacts.live_space()) ||
+            !structure_.measure(world_, bodies_, geoms_))
+            return false;
+        edition_ = edition;
+    }
+    joints_.clear();
+    if (!disturbed_.resize(geoms_.count()) || !joints_.reserve(world_.joints.count())) return false;
+    std::fill(disturbed_.begin(), disturbed_.end(), std::uint8_t(0));
+    for (Joint& joint : world_.joints)
+        if (which == Joints::kAll || !is_contact(joint)) (void)joints_.push(&joint);
+    return structure_.measure_joints(joints_.span(), bodies_);
 }
 
 bool WorldState::measure(std::size_t& size)
@@ -45,12 +58,12 @@ bool WorldState::measure(std::size_t& size)
     return true;
 }
 
-void WorldState::write(std::byte* to)
+void WorldState::write(std::byte* to, Seal with)
 {
     StateStream stream(to + sizeof(StateHeader));
     (void)save(stream);  // has the memory of measure()
-    seal(to, sizeof(StateHeader) + std::size_t(stream.at() - (to + sizeof(StateHeader))),
-         StateHeader::kWhole);
+    seal(to, sizeof(StateHeader) + std::size_t(stream.at() - (to + sizeof(StateHeader))), StateHeader::kWhole,
+         with);
 }
 
 bool WorldState::save(StateStream& stream)
@@ -58,7 +71,7 @@ bool WorldState::save(StateStream& stream)
     const Counts counts{structure_.hash(), std::uint32_t(structure_.bodies()),
                         std::uint32_t(structure_.joints()), std::uint32_t(structure_.geoms()), 0};
     const auto put = [&](const void* from, std::size_t size) {
-        if (std::byte* to = stream.block(size)) std::memcpy(to, from, size);
+        if (std::byte* to = stream.block(size); to && size > 0) std::memcpy(to, from, size);
     };
     put(&counts, sizeof counts);
     put(structure_.marks().data(), structure_.marks().size());
@@ -98,13 +111,12 @@ void WorldState::visit_bodies(StateStream& stream, std::byte* bits)
 
 void WorldState::visit_joints(StateStream& stream, std::byte* bits)
 {
-    int i = 0;
-    for (Joint& joint : world_.joints) {
+    for (int i = 0; i < joints_.size(); ++i) {
+        Joint& joint = *joints_.data()[i];
         if (stream.failed()) return;
         const std::uint8_t own = stream.saves() ? state_bits(joint) : std::uint8_t(bits[i]);
         if (stream.saves() && bits) bits[i] = std::byte(own);
         state(joint, own, stream);
-        ++i;
     }
 }
 
@@ -146,10 +158,10 @@ void WorldState::take_geom(Geom& geom, std::uint8_t bits, StateStream& stream)
     mark_moved(geom);
 }
 
-const char* WorldState::check(const std::byte* from, std::size_t size)
+const char* WorldState::check(const std::byte* from, std::size_t size, Seal with)
 {
     StateHeader header;
-    if (const char* wrong = read_header(from, size, StateHeader::kWhole, header, text_, sizeof text_))
+    if (const char* wrong = read_header(from, size, StateHeader::kWhole, header, text_, sizeof text_, with))
         return wrong;
     const auto length = std::size_t(header.size);
     Counts counts;
@@ -175,9 +187,9 @@ const char* WorldState::check(const std::byte* from, std::size_t size)
                                  text_, sizeof text_);
 }
 
-const char* WorldState::set(const std::byte* from, std::size_t size)
+const char* WorldState::set(const std::byte* from, std::size_t size, Seal with)
 {
-    if (const char* wrong = check(from, size)) return wrong;
+    if (const char* wrong = check(from, size, with)) return wrong;
     StateHeader header;
     std::memcpy(&header, from, sizeof header);
     const std::size_t begin = sizeof header + sizeof(Counts) + (structure_.marks().size() + 3) / 4 * 4;
@@ -197,7 +209,7 @@ const char* WorldState::set(const std::byte* from, std::size_t size)
     StateStream values(StateStream::Mode::kRead, from + begin, length);
     visit(values);
     kept_->contacts.accept(cached);
-    kept_->world_contacts.accept(loaded, world_, geoms_, disturbed_.span());
+    kept_->world_contacts.accept(loaded, geoms_, disturbed_.span());
     world_.report_made = false;
     return nullptr;
 }

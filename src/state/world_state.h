@@ -13,6 +13,7 @@
 #pragma once
 
 #include "base/state_stream.h"
+#include "state/state_header.h"
 #include "state/structure.h"
 #include "step/step.h"
 
@@ -22,18 +23,21 @@ class WorldState {
   public:
     explicit WorldState(World& world) : world_(world) {}
 
-    // Finds the world's structure; must be called first. False: out of memory.
-    [[nodiscard]] bool prepare();
+    enum class Joints { kAll, kLasting };  // kLasting: without contact joints
+
+    // Finds the world's structure; must be called first. What it has found the last time is used again where
+    // no structure has changed since. False: out of memory.
+    [[nodiscard]] bool prepare(Joints which = Joints::kAll);
 
     // The state's size in bytes.
     [[nodiscard]] bool measure(std::size_t& size);  // false: out of memory
     // `to` has that many bytes.
-    void write(std::byte* to);
+    void write(std::byte* to, Seal with = Seal::kSealed);
 
     // Null: done; else what is wrong, with nothing changed.
-    const char* set(const std::byte* from, std::size_t size);
+    const char* set(const std::byte* from, std::size_t size, Seal with = Seal::kSealed);
     // Checks the header and the structure alone.
-    const char* check(const std::byte* from, std::size_t size);
+    const char* check(const std::byte* from, std::size_t size, Seal with = Seal::kSealed);
 
   private:
     void visit(StateStream& stream);  // all but the contacts
@@ -48,6 +52,8 @@ class WorldState {
     BodyTable bodies_;
     SpaceGeoms geoms_;
     Structure structure_;
+    std::uint64_t edition_ = 0;  // of the structure that bodies_ and geoms_ show
+    Array<Joint*> joints_;       // the newest first
     Array<std::uint16_t> body_bits_;
     Array<std::uint8_t> disturbed_;  // geoms
     char text_[200] = {};

@@ -438,6 +438,7 @@ bool step_with(World& world, const Solver* solver, Real h, int iterations)
     memory->end();
     if (observer) observer->end(*observer, world, h, done);
     EPODE_ASSERT(!was_whole || !fault_of(world));
+    if (done && state->stepped) state->stepped(world);
     return done;
 }
 

@@ -20,6 +20,7 @@ struct StepObserver {
     void (*end)(StepObserver&, World&, Real h, bool made);  // false: the step has been undone
     void (*destroy)(StepObserver&);
 };
+struct WorldArchive;  // state/world_archive.h
 
 // What a world keeps from one step to the next.
 struct StepState {
@@ -29,6 +30,7 @@ struct StepState {
     ~StepState()
     {
         if (observer) observer->destroy(*observer);
+        if (archive) free_archive(archive);
     }
 
     ContactCache contacts;
@@ -37,6 +39,9 @@ struct StepState {
     ContactWorld world_contacts;       // world-managed contacts
     Array<dIslandStepReport> reports;  // of the last step's islands, when they were wanted
     StepObserver* observer = nullptr;
+    WorldArchive* archive = nullptr;   // of states; null: none yet
+    void (*free_archive)(WorldArchive*) = nullptr;
+    void (*stepped)(World&) = nullptr;  // to be called after each step; null: nobody wants to know
 };
 
 // Is the world stepping, or another world that shares its working memory?

@@ -115,6 +115,19 @@ void test_contacts()
           Numbers(1, REAL(cause.threshold)));
 }
 
+void test_history()
+{
+    Ground ground;
+    dWorldExt& world = ground.world;
+    judge("dWorldExt::setHistory", world.setHistory(3) == 1, Numbers());
+    judge("dWorldExt::getHistory", world.getHistory() == 3, Numbers());
+    const dReal z = ground.body.getPosition()[2];
+    world.step(REAL(0.01)), world.step(REAL(0.01));
+    judge("dWorldExt::getHistoryFrames", world.getHistoryFrames() == 2, Numbers());
+    judge("dWorldExt::getHistorySize", world.getHistorySize() == dWorldGetHistorySize(world), Numbers());
+    judge("dWorldExt::rollBack", world.rollBack(2) == 1 && ground.body.getPosition()[2] == z, Numbers());
+}
+
 void test_joints()
 {
     dWorldExt world;
@@ -271,6 +284,7 @@ int main()
     dInitODE();
     test_world_options();
     test_contacts();
+    test_history();
     test_joints();
     test_body_and_geoms();
     test_queries();

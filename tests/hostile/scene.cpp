@@ -302,6 +302,8 @@ void Scene::build_foreign()
     const dBodyID body = dBodyCreate(other);
     const dJointID ball = dJointCreateBall(other, nullptr);
     dJointAttach(ball, body, nullptr);
+    (void)dWorldSetHistory(other, 2);  // its steps can be taken back
+    (void)dWorldStep(other, dReal(0.01));
     add(Kind::kWorld, other);
     add(Kind::kBody, body);
     add(Kind::kJoint, ball);

@@ -10,6 +10,7 @@
 #include "base/check.h"
 #include "base/float_environment.h"
 #include "base/memory.h"
+#include "base/structure_edition.h"
 #include "collide/surfaces/height_function.h"
 
 namespace epode {
@@ -64,6 +65,7 @@ void HeightfieldData::drop_holes()
     holes.reset();
     hole_count = 0;
     ++changes;
+    note_structure_changed();
 }
 
 // What is no number (a callback may return it, or the client's array come to hold it) counts as 0.
