@@ -5,11 +5,11 @@
 // the members' axes (dq_i/dt = J_i v) its Jacobian is sum a_i J_i, spread over the bodies of all members:
 // RowWriter::couple, rows/row_system.h. Everything else about an axis, stops, springs, drives, is that of
 // other joints.
-#include "base/structure_edition.h"
 #include "dynamics/coupling.h"
 
 #include <algorithm>
 
+#include "base/structure_edition.h"
 #include "joints/access.h"
 #include "joints/coupling.h"
 #include "joints/drive_rows.h"

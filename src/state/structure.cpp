@@ -47,7 +47,8 @@ std::uint64_t hash_of(const Joint& joint, const BodyTable& bodies)
     }
     if (is_coupling(joint))
         for_each_member(coupling_of(joint), [&](const CoupledAxis& member) {
-            for (const JointNode& node : member.joint->node) hash.add(node.body ? std::uint64_t(bodies.find(node.body->serial)) : kNobody);
+            for (const JointNode& node : member.joint->node)
+                hash.add(node.body ? std::uint64_t(bodies.find(node.body->serial)) : kNobody);
             hash.add(std::uint64_t(member.joint->type->number) << 8 | std::uint64_t(member.axis));
             hash.add(&member.factor, 1);
         });

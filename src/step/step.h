@@ -39,7 +39,7 @@ struct StepState {
     ContactWorld world_contacts;       // world-managed contacts
     Array<dIslandStepReport> reports;  // of the last step's islands, when they were wanted
     StepObserver* observer = nullptr;
-    WorldArchive* archive = nullptr;   // of states; null: none yet
+    WorldArchive* archive = nullptr;  // of states; null: none yet
     void (*free_archive)(WorldArchive*) = nullptr;
     void (*stepped)(World&) = nullptr;  // to be called after each step; null: nobody wants to know
 };
