@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+"""Rigid bodies with exact joints and hard contacts.
+
+>>> import epode
+>>> with epode.World(gravity=(0, 0, -9.81)) as world:
+...     ground = world.plane()
+...     ball = world.body(mass=1, position=(0, 0, 2), shape=epode.Sphere(0.2))
+...     for _ in range(200):
+...         world.step(0.01)
+...     print(round(float(ball.position[2]), 2))
+0.2
+
+Lengths are in m, masses in kg, angles in rad; quaternions are w x y z. ``epode.c`` has the whole C API.
+"""
+from . import c
+from .body import Body
+from .errors import BusyError, DeadHandleError, EpodeWarning, RefusedError
+from .geom import Geom
+from .joint import Drive, Joint
+from .shapes import (Box, Capsule, Cone, Convex, Cylinder, Ellipsoid, HeightField, Material, Mesh, Plane, Sphere,
+                     TaperedCapsule)
+from .world import World, step_worlds
+
+__version__ = "0.1.0"
+__all__ = ["Body", "Box", "BusyError", "Capsule", "Cone", "Convex", "Cylinder", "DeadHandleError", "Drive",
+           "Ellipsoid", "EpodeWarning", "Geom", "HeightField", "Joint", "Material", "Mesh", "Plane", "RefusedError",
+           "Sphere", "TaperedCapsule", "World", "c", "step_worlds"]

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+"""Geoms: shapes that are somewhere."""
+from . import c
+from ._handle import Object, reads_and_sets, vector
+from .shapes import Material
+
+
+class Geom(Object):
+    """A shape in a world, made by ``World.geom`` or with a body; ``shape`` is what it was made from."""
+
+    __slots__ = ("shape", "body", "_key")
+
+    def __init__(self, world, handle, shape, body):
+        self.world, self._live, self.shape, self.body, self._key = world, handle, shape, body, handle.id
+
+    position = vector(c.dGeomGetPosition, c.dGeomSetPosition, "In the world, m. Setting it moves the body, if there is one.")
+    rotation = reads_and_sets(c.dGeomGetRotation, c.dGeomSetRotation, "3 x 3: the geom's coordinates to the world's.")
+    quaternion = reads_and_sets(c.dGeomGetQuaternion, c.dGeomSetQuaternion, "w x y z.")
+    category = reads_and_sets(c.dGeomGetCategoryBits, c.dGeomSetCategoryBits, "Bits of what the geom is.")
+    collides_with = reads_and_sets(c.dGeomGetCollideBits, c.dGeomSetCollideBits, "Bits of what it collides with.")
+
+    @property
+    def offset(self):
+        """Where the geom sits on its body, in the body's frame, m."""
+        return c.dGeomGetOffsetPosition(self._handle)
+
+    @offset.setter
+    def offset(self, value):
+        c.dGeomSetOffsetPosition(self._handle, *value)
+
+    @property
+    def aabb(self):
+        """The bounding box: [[min x, max x], [min y, max y], [min z, max z]]."""
+        return c.dGeomGetAABB(self._handle).reshape(3, 2)
+
+    @property
+    def enabled(self):
+        """Whether the geom is seen by collision."""
+        return bool(c.dGeomIsEnabled(self._handle))
+
+    @enabled.setter
+    def enabled(self, value):
+        (c.dGeomEnable if value else c.dGeomDisable)(self._handle)
+
+    @property
+    def continuous(self):
+        """Whether a fast geom stops at what it would have passed."""
+        return c.dGeomGetContinuous(self._handle) == c.dContinuousOn
+
+    @continuous.setter
+    def continuous(self, value):
+        c.dGeomSetContinuous(self._handle, c.dContinuousOn if value else c.dContinuousOff)
+
+    @property
+    def material(self):
+        """A copy of the surface; assign it to change it."""
+        material = c.dMaterial()
+        c.dGeomGetMaterial(self._handle, material)
+        return Material._from_c(material)
+
+    @material.setter
+    def material(self, value):
+        c.dGeomSetMaterial(self._handle, None if value is None else value._to_c())
+
+    def distance(self, other):
+        """The signed distance to another geom, m (below 0: minus the depth); None where there is none."""
+        result = c.dQueryDistance()
+        found = c.dGeomGetDistance(self._handle, other._handle, float("inf"), result)
+        return result.distance if found else None
+
+    def collide(self, other, limit=8):
+        """The contacts with another geom, as a list of ``c.dContactGeom``."""
+        return c.dCollide(self._handle, other._handle, limit)
+
+    def triangles(self, segments=24):
+        """The surface of a convex solid to draw: an array of (n, 3 corners, 3), in the geom's frame."""
+        return c.dGeomGetTriangles(self._handle, segments)
+
+    def destroy(self):
+        """Take the geom away."""
+        c.dGeomDestroy(self._handle)
+        self._dead()
+        if self.body is not None and self in self.body.geoms:
+            self.body.geoms.remove(self)
+
+    def _dead(self):
+        self._live = None
+        self.world._geoms.pop(self._key, None)

@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+"""Joints of all types, through one class: what a type does not have raises AttributeError with what it has."""
+import dataclasses
+
+from . import c
+from ._handle import Object
+
+TYPES = {"ball": "Ball", "hinge": "Hinge", "slider": "Slider", "universal": "Universal", "hinge2": "Hinge2",
+         "fixed": "Fixed", "amotor": "AMotor", "lmotor": "LMotor", "plane2d": "Plane2D", "pr": "PR", "pu": "PU",
+         "piston": "Piston", "dball": "DBall", "dhinge": "DHinge", "transmission": "Transmission"}
+_PARAMETERS = {"lo_stop": "LoStop", "hi_stop": "HiStop", "velocity": "Vel", "max_force": "FMax",
+               "fudge_factor": "FudgeFactor", "bounce": "Bounce", "cfm": "CFM", "stop_erp": "StopERP",
+               "stop_cfm": "StopCFM", "suspension_erp": "SuspensionERP", "suspension_cfm": "SuspensionCFM", "erp": "ERP"}
+
+
+@dataclasses.dataclass
+class Drive:
+    """A drive on an axis: force + stiffness (target - q) + damping (target_velocity - w), at most force_limit, beside
+    the inertia of a rotor (armature) and dry friction. Implicit in the step; 0 is not there."""
+    stiffness: float = 0.0
+    damping: float = 0.0
+    armature: float = 0.0
+    friction: float = 0.0
+    target: float = 0.0
+    target_velocity: float = 0.0
+    force: float = 0.0
+    force_limit: float = 0.0
+
+
+class Joint(Object):
+    """A joint between two bodies, or a body and the world, made by ``World.joint``."""
+
+    __slots__ = ("type", "body1", "body2")
+
+    def __init__(self, world, handle, kind, body1, body2):
+        self.world, self._live, self.type, self.body1, self.body2 = world, handle, kind, body1, body2
+
+    def _function(self, verb, name):
+        function = getattr(c, f"dJoint{verb}{TYPES[self.type]}{name}", None)
+        if function is None:
+            raise AttributeError(f"a joint of type {self.type} has no {name.lower()} to {verb.lower()}")
+        return function
+
+    def parameter(self, name, axis=0):
+        """A parameter of an axis: lo_stop, hi_stop, velocity, max_force, bounce, cfm, stop_erp, ..."""
+        return self._function("Get", "Param")(self._handle, _number(name, axis))
+
+    def set_parameter(self, name, value, axis=0):
+        """Set a parameter that ``parameter`` returns."""
+        self._function("Set", "Param")(self._handle, _number(name, axis), value)
+
+    @property
+    def stops(self):
+        """Lowest and highest position of the first axis, m or rad; infinite: none."""
+        return self.parameter("lo_stop"), self.parameter("hi_stop")
+
+    @stops.setter
+    def stops(self, value):
+        low, high = value
+        # The new range is never empty on the way, which would turn the stops off.
+        self.set_parameter("lo_stop", -float("inf"))
+        self.set_parameter("hi_stop", high)
+        self.set_parameter("lo_stop", low)
+
+    def motor(self, velocity, max_force, axis=0):
+        """Drive an axis at a velocity, m/s or rad/s, with at most that force, N or N m; max_force 0: no motor."""
+        self.set_parameter("velocity", velocity, axis)
+        self.set_parameter("max_force", max_force, axis)
+
+    @property
+    def axes(self):
+        """How many coordinates the joint has."""
+        return c.dJointGetNumAxes(self._handle)
+
+    def position(self, axis=0):
+        """The coordinate of an axis, m or rad."""
+        return c.dJointGetAxisPosition(self._handle, axis)
+
+    def rate(self, axis=0):
+        """The derivative of ``position``, m/s or rad/s."""
+        return c.dJointGetAxisRate(self._handle, axis)
+
+    def drive(self, axis=0):
+        """The Drive of an axis, or None."""
+        raw = c.dDrive()
+        if not c.dJointGetDrive(self._handle, axis, raw):
+            return None
+        return Drive(**{f.name: getattr(raw, f.name) for f in dataclasses.fields(Drive)})
+
+    def set_drive(self, drive=None, axis=0, **fields):
+        """Put a Drive on an axis (or its fields by name); None takes it away."""
+        if drive is None and not fields:
+            c.dJointSetDrive(self._handle, axis, None)
+            return
+        drive = dataclasses.replace(drive, **fields) if drive is not None else Drive(**fields)
+        raw = c.dDrive()
+        for field in dataclasses.fields(Drive):
+            setattr(raw, field.name, getattr(drive, field.name))
+        c.dJointSetDrive(self._handle, axis, raw)
+
+    def drive_force(self, axis=0):
+        """What the drive has exerted, the mean over the last step, N or N m."""
+        return c.dJointGetDriveForce(self._handle, axis)
+
+    def add_force(self, *forces):
+        """Add a force or torque along each axis for the next step."""
+        name = {"hinge": "Torque", "slider": "Force", "universal": "Torques", "hinge2": "Torques", "amotor": "Torques",
+                "piston": "Force", "pr": "Torque"}.get(self.type)
+        if name is None:
+            raise AttributeError(f"a joint of type {self.type} takes no force")
+        getattr(c, f"dJointAdd{TYPES[self.type]}{name}")(self._handle, *forces)
+
+    @property
+    def enabled(self):
+        """Whether the joint acts."""
+        return bool(c.dJointIsEnabled(self._handle))
+
+    @enabled.setter
+    def enabled(self, value):
+        (c.dJointEnable if value else c.dJointDisable)(self._handle)
+
+    @property
+    def broken(self):
+        """Whether the joint has broken (``break_limits``)."""
+        return bool(c.dJointIsBroken(self._handle))
+
+    @property
+    def break_limits(self):
+        """The force, N, and torque, N m, above which the joint breaks."""
+        return c.dJointGetBreakLimits(self._handle)[1:]
+
+    @break_limits.setter
+    def break_limits(self, value):
+        c.dJointSetBreakLimits(self._handle, *value)
+
+    @property
+    def feedback(self):
+        """What the joint did in the last step, a ``c.dJointFeedback`` with f1, t1, f2 and t2; the first use switches it
+        on, for the next step."""
+        feedback = c.dJointGetFeedback(self._handle)
+        if feedback is None:
+            feedback = c.dJointFeedback()
+            c.dJointSetFeedback(self._handle, feedback)
+        return feedback
+
+    def fix(self):
+        """Let a fixed joint hold its bodies as they are now."""
+        c.dJointSetFixed(self._handle)
+
+    def destroy(self):
+        """Take the joint away."""
+        handle = self._handle
+        c.dJointDestroy(handle)
+        self._live = None
+        self.world._joints.pop(handle, None)
+
+
+def _number(name, axis):
+    if name not in _PARAMETERS:
+        raise ValueError(f"no parameter is called {name!r}: {', '.join(_PARAMETERS)}")
+    if axis not in (0, 1, 2):
+        raise ValueError(f"axis {axis}: 0, 1 or 2 expected")
+    return getattr(c, "dParam" + _PARAMETERS[name]) + axis * c.dParamGroup
+
+
+def _place(name, suffix):
+    def get(self):
+        return self._function("Get", suffix)(self._handle)
+
+    def put(self, value):
+        function = self._function("Set", suffix)
+        if self.type == "hinge2" and suffix.startswith("Axis"):
+            c.dJointSetHinge2Axes(self._handle, *((value, None) if suffix == "Axis1" else (None, value)))
+        else:
+            function(self._handle, *value)
+    kind = "A point" if name.startswith("anchor") else "A direction"
+    return property(get, put, doc=f"{kind} of the joint, in the world's frame, if its type has it.")
+
+
+for _name in ("anchor", "anchor1", "anchor2", "axis", "axis1", "axis2", "axis3"):
+    setattr(Joint, _name, _place(_name, _name.capitalize()))

@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+"""Shapes: descriptions from which a world makes geoms and masses. Lengths in m."""
+import dataclasses
+
+import numpy as np
+
+from . import c
+
+INF = float("inf")
+
+
+class Shape:
+    """A description of a shape."""
+
+    def _create(self, space):
+        raise NotImplementedError
+
+    def _mass(self, mass, density, geom):
+        """The c.dMass of the shape, of that total mass or density."""
+        raise TypeError(f"{type(self).__name__} has no mass of its own: give the body mass and inertia")
+
+
+def _solid(create, total, dense, fields, axial=False):
+    """The methods of a solid whose C functions take its fields in order."""
+    def make(self, space):
+        return create(space, *(getattr(self, f) for f in fields))
+
+    def weigh(self, mass, density, geom):
+        m = c.dMass()
+        values = [getattr(self, f) for f in fields]
+        axis = [3] if axial else []
+        (total if mass is not None else dense)(m, mass if mass is not None else density, *axis, *values)
+        return m
+    return make, weigh
+
+
+@dataclasses.dataclass
+class Sphere(Shape):
+    """A ball."""
+    radius: float
+    _create, _mass = _solid(c.dCreateSphere, c.dMassSetSphereTotal, c.dMassSetSphere, ["radius"])
+
+
+@dataclasses.dataclass
+class Box(Shape):
+    """A box with full side lengths x, y and z."""
+    x: float
+    y: float
+    z: float
+    _create, _mass = _solid(c.dCreateBox, c.dMassSetBoxTotal, c.dMassSetBox, ["x", "y", "z"])
+
+
+@dataclasses.dataclass
+class Capsule(Shape):
+    """A cylinder along z with round caps; length is without them."""
+    radius: float
+    length: float
+    _create, _mass = _solid(c.dCreateCapsule, c.dMassSetCapsuleTotal, c.dMassSetCapsule, ["radius", "length"], True)
+
+
+@dataclasses.dataclass
+class Cylinder(Shape):
+    """A cylinder along z."""
+    radius: float
+    length: float
+    _create, _mass = _solid(c.dCreateCylinder, c.dMassSetCylinderTotal, c.dMassSetCylinder, ["radius", "length"], True)
+
+
+@dataclasses.dataclass
+class Cone(Shape):
+    """A cone along z with its apex up; the origin is the centre of mass."""
+    radius: float
+    length: float
+    _create, _mass = _solid(c.dCreateCone, c.dMassSetConeTotal, c.dMassSetCone, ["radius", "length"], True)
+
+
+@dataclasses.dataclass
+class TaperedCapsule(Shape):
+    """The hull of two balls along z, radius2 above radius1; the origin is the centre of mass."""
+    radius1: float
+    radius2: float
+    length: float
+    _create, _mass = _solid(c.dCreateTaperedCapsule, c.dMassSetTaperedCapsuleTotal, c.dMassSetTaperedCapsule,
+                            ["radius1", "radius2", "length"], True)
+
+
+@dataclasses.dataclass
+class Ellipsoid(Shape):
+    """An ellipsoid with half lengths x, y and z."""
+    x: float
+    y: float
+    z: float
+    _create, _mass = _solid(c.dCreateEllipsoid, c.dMassSetEllipsoidTotal, c.dMassSetEllipsoid, ["x", "y", "z"])
+
+
+@dataclasses.dataclass
+class Plane(Shape):
+    """The half space below normal . p = distance; it never moves."""
+    normal: tuple = (0, 0, 1)
+    distance: float = 0.0
+
+    def _create(self, space):
+        return c.dCreatePlane(space, *self.normal, self.distance)
+
+
+@dataclasses.dataclass(eq=False)
+class Convex(Shape):
+    """The convex hull of points, an (n, 3) array."""
+    points: np.ndarray
+    max_vertices: int = 0
+
+    def _create(self, space):
+        return c.dCreateConvexHull(space, self.points, self.max_vertices)
+
+    def _mass(self, mass, density, geom):
+        m = c.dMass()
+        (c.dMassSetConvex if mass is None else c.dMassSetConvexTotal)(m, density if mass is None else mass, geom)
+        return m
+
+
+@dataclasses.dataclass(eq=False)
+class Mesh(Shape):
+    """Triangles: vertices, an (n, 3) array, and indices into it, an (m, 3) array, counter-clockwise from outside.
+    Contiguous float64 and uint32 arrays are not copied. solid: a closed mesh that is full."""
+    vertices: np.ndarray
+    triangles: np.ndarray
+    solid: bool = False
+    _data: object = dataclasses.field(default=None, repr=False)
+
+    def _create(self, space):
+        if self._data is None:
+            data = c.dGeomTriMeshDataCreate()
+            c.dGeomTriMeshDataBuildDouble(data, self.vertices, self.triangles)
+            self._data = data
+        geom = c.dCreateTriMesh(space, self._data)
+        if self.solid:
+            try:
+                c.dGeomTriMeshSetSolid(geom, 1)
+            except Exception:
+                c.dGeomDestroy(geom)
+                raise
+        return geom
+
+    def _mass(self, mass, density, geom):
+        m = c.dMass()
+        (c.dMassSetTrimesh if mass is None else c.dMassSetTrimeshTotal)(m, density if mass is None else mass, geom)
+        return m
+
+
+@dataclasses.dataclass(eq=False)
+class HeightField(Shape):
+    """Ground from heights[j, i] over a rectangle of width (x) by depth (y), its middle at the origin, z up."""
+    heights: np.ndarray
+    width: float
+    depth: float
+    thickness: float = 1.0
+
+    def _create(self, space):
+        data = c.dGeomHeightfieldDataCreate()
+        # The C API's field has y up and its second side along z: turned by 90 degrees about x, z becomes -y.
+        flipped = np.ascontiguousarray(np.asarray(self.heights, float)[::-1])
+        try:
+            c.dGeomHeightfieldDataBuildDouble(data, flipped, self.width, self.depth, thickness=self.thickness)
+            geom = c.dCreateHeightfield(space, data, 1)
+        except Exception:
+            c.dGeomHeightfieldDataDestroy(data)
+            raise
+        h = 0.5 ** 0.5
+        c.dGeomSetQuaternion(geom, (h, h, 0, 0))
+        self._data = data
+        return geom
+
+
+@dataclasses.dataclass
+class Material:
+    """The surface of a geom. friction: Coulomb's coefficient; bounce: restitution, 0 to 1; compliance: m/N."""
+    friction: float = 0.6
+    bounce: float = 0.0
+    bounce_speed: float = 1.0
+    surface_velocity: tuple = (0.0, 0.0, 0.0)
+    rolling_friction: float = 0.0
+    compliance: float = 0.0
+    damping_time: float = 0.0
+
+    def _to_c(self):
+        material = c.dMaterial()
+        for field in dataclasses.fields(self):
+            setattr(material, field.name, getattr(self, field.name))
+        return material
+
+    @classmethod
+    def _from_c(cls, material):
+        values = {f.name: getattr(material, f.name) for f in dataclasses.fields(cls)}
+        values["surface_velocity"] = tuple(float(v) for v in values["surface_velocity"])
+        return cls(**values)

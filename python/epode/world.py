@@ -1,0 +1,286 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+"""Worlds."""
+import numpy as np
+
+from . import c
+from ._handle import Object, flag, reads_and_sets
+from .body import Bodies, Body
+from .errors import RefusedError
+from .geom import Geom
+from .joint import TYPES, Joint
+from .shapes import Plane
+
+_STEPS = {"exact": c.dWorldStep, "quick": c.dWorldQuickStep, "hybrid": c.dWorldStepHybrid}
+_STEPPERS = {"hybrid": c.dStepperHybrid, "exact": c.dStepperExact, "substeps": c.dStepperSubsteps,
+             "substeps_exact_joints": c.dStepperSubstepsExactJoints, "quick": c.dStepperQuick}
+_SPACES = {"hash": c.dHashSpaceCreate, "simple": c.dSimpleSpaceCreate}
+
+
+class World(Object):
+    """A world of bodies, joints and geoms, which finds its contacts by itself.
+
+    gravity: m/s^2. contacts: whether steps find and solve contacts; False leaves them to ``collide``. threads: of a
+    step, 0 for one on each processor. At the end of a ``with`` block the world is destroyed; so it is when nothing
+    refers to it, or to anything in it, any more."""
+
+    __slots__ = ("_bodies", "_joints", "_geoms", "_space", "_body_list", "bodies", "_group")
+
+    def __init__(self, *, gravity=(0, 0, -9.81), contacts=True, threads=1, space="hash"):
+        self._live = None
+        if space not in _SPACES:
+            raise ValueError(f"no space is called {space!r}: {', '.join(_SPACES)}")
+        self._live = c.dWorldCreate()
+        self.world = None
+        self._bodies, self._joints, self._geoms, self._body_list = {}, {}, {}, None
+        self._space = _SPACES[space](None)
+        self._group = c.dJointGroupCreate(0)
+        self.bodies = Bodies(self)
+        self.gravity = gravity
+        if contacts:
+            c.dWorldSetContactSpace(self._live, self._space)
+        if threads != 1:
+            self.threads = threads
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.destroy()
+
+    def __del__(self):
+        if getattr(self, "_live", None) is not None:
+            try:
+                self.destroy()
+            except Exception:  # at the interpreter's end, or busy in a step of another thread
+                pass
+
+    def destroy(self):
+        """Destroy the world and all that is in it. A second time does nothing."""
+        if self._live is None:
+            return
+        c.dJointGroupDestroy(self._group)
+        c.dWorldDestroy(self._live)
+        c.dSpaceDestroy(self._space)
+        self._live = None
+        for objects in (self._bodies, self._joints, self._geoms):
+            for one in objects.values():
+                one._live = None
+            objects.clear()
+
+    @property
+    def gravity(self):
+        """m/s^2."""
+        return c.dWorldGetGravity(self._handle)
+
+    @gravity.setter
+    def gravity(self, value):
+        c.dWorldSetGravity(self._handle, *value)
+
+    erp = reads_and_sets(c.dWorldGetERP, c.dWorldSetERP, "Share of a joint's error that is corrected in a step.")
+    cfm = reads_and_sets(c.dWorldGetCFM, c.dWorldSetCFM, "Softness of joints.")
+    threads = reads_and_sets(c.dWorldGetStepThreads, c.dWorldSetStepThreads, "Largest number of threads of a step; 0: all.")
+    quick_iterations = reads_and_sets(c.dWorldGetQuickStepNumIterations, c.dWorldSetQuickStepNumIterations, "Of quick steps.")
+    hybrid_substeps = reads_and_sets(c.dWorldGetHybridSubsteps, c.dWorldSetHybridSubsteps, "Substeps of a hybrid step.")
+    exact_substeps = reads_and_sets(c.dWorldGetExactSubsteps, c.dWorldSetExactSubsteps, "Substeps of an exact step.")
+    exact_rotation = flag(c.dWorldGetExactRotation, c.dWorldSetExactRotation, "Rotate free bodies exactly.")
+    auto_disable = flag(c.dWorldGetAutoDisableFlag, c.dWorldSetAutoDisableFlag, "Whether new bodies may fall asleep.")
+    reports = flag(c.dWorldGetStepReportMode, c.dWorldSetStepReportMode, "Whether steps are reported (``report``).")
+
+    # ---- what is in it ----
+
+    def body(self, *, mass=None, density=None, position=None, rotation=None, quaternion=None, velocity=None,
+             angular_velocity=None, shape=None, material=None, kinematic=False, inertia=None):
+        """A new body. With a shape it has a geom, and its inertia; mass, kg, or density, kg/m^3 (1000 if neither is
+        given), tells how heavy it is."""
+        body = Body(self, c.dBodyCreate(self._handle))
+        self._bodies[body._live] = body
+        self._body_list = None
+        try:
+            geom = self.geom(shape, body=body, material=material) if shape is not None else None
+            if mass is not None or density is not None or shape is not None:
+                self._set_mass(body, geom, mass, density, inertia)
+            for name, value in (("position", position), ("rotation", rotation), ("quaternion", quaternion),
+                                ("velocity", velocity), ("angular_velocity", angular_velocity)):
+                if value is not None:
+                    setattr(body, name, value)
+            if kinematic:
+                body.kinematic = True
+        except BaseException:
+            body.destroy()
+            raise
+        return body
+
+    @staticmethod
+    def _set_mass(body, geom, mass, density, inertia):
+        if geom is None or inertia is not None:
+            m = c.dMass()
+            i = np.asarray(np.eye(3) if inertia is None else inertia, float)
+            c.dMassSetParameters(m, 1.0 if mass is None else mass, 0, 0, 0, i[0, 0], i[1, 1], i[2, 2], i[0, 1], i[0, 2], i[1, 2])
+        else:
+            m = geom.shape._mass(mass, 1000.0 if density is None else density, geom._handle)
+            centre = [float(v) for v in m.c[:3]]
+            if any(centre):
+                c.dGeomSetOffsetPosition(geom._handle, *(-v for v in centre))
+                c.dMassTranslate(m, *(-v for v in centre))
+        c.dBodySetMass(body._handle, m)
+
+    def geom(self, shape, *, body=None, position=None, rotation=None, quaternion=None, offset=None, material=None):
+        """A new geom of a shape: on a body, or fixed in the world at a position."""
+        self._handle
+        if body is not None and body.world is not self:
+            raise RefusedError("the body is in another world")
+        geom = Geom(self, shape._create(self._space), shape, body)
+        self._geoms[geom._key] = geom
+        try:
+            if body is not None:
+                c.dGeomSetBody(geom._live, body._handle)
+                body.geoms.append(geom)
+            for name, value in (("position", position), ("rotation", rotation), ("quaternion", quaternion),
+                                ("offset", offset), ("material", material)):
+                if value is not None:
+                    setattr(geom, name, value)
+        except BaseException:
+            geom.destroy()
+            raise
+        return geom
+
+    def plane(self, normal=(0, 0, 1), distance=0.0, **settings):
+        """Ground: everything below normal . p = distance."""
+        return self.geom(Plane(tuple(normal), distance), **settings)
+
+    def joint(self, type, body1, body2=None, **settings):
+        """A new joint of a type (ball, hinge, slider, universal, hinge2, fixed, amotor, lmotor, plane2d, pr, pu, piston,
+        dball, dhinge, transmission) between two bodies, or a body and the world. settings: anchor, axis, axis1, axis2,
+        stops and whatever else a Joint has."""
+        if type not in TYPES:
+            raise ValueError(f"no joint is called {type!r}: {', '.join(TYPES)}")
+        bodies = (body1, body2)
+        if any(b is not None and b.world is not self for b in bodies):
+            raise RefusedError("a body is in another world")
+        handles = [None if b is None else b._handle for b in bodies]
+        joint = Joint(self, getattr(c, f"dJointCreate{TYPES[type]}")(self._handle, None), type, body1, body2)
+        self._joints[joint._live] = joint
+        try:
+            c.dJointAttach(joint._live, *handles)
+            if type == "fixed":
+                joint.fix()
+            for name, value in settings.items():
+                if not hasattr(Joint, name):
+                    raise TypeError(f"joints have no {name}")
+                setattr(joint, name, value)
+        except BaseException:
+            joint.destroy()
+            raise
+        return joint
+
+    def _forget_body(self, handle):
+        self._bodies.pop(handle, None)
+        self._body_list = None
+
+    @property
+    def joints(self):
+        """The joints, from the oldest on."""
+        return list(self._joints.values())
+
+    @property
+    def geoms(self):
+        """The geoms, from the oldest on."""
+        return list(self._geoms.values())
+
+    # ---- steps ----
+
+    def step(self, h, *, stepper="exact", steps=1):
+        """Advance by steps steps of h seconds: ``exact``, ``quick`` or ``hybrid``. Other threads of Python run meanwhile;
+        they may use other worlds."""
+        take = _STEPS.get(stepper)
+        if take is None:
+            raise ValueError(f"no stepper is called {stepper!r}: {', '.join(_STEPS)}")
+        handle = self._handle
+        for _ in range(steps):
+            take(handle, h)
+
+    def collide(self, near):
+        """Call near(geom1, geom2) for pairs of geoms whose boxes touch. The first exception is raised at the end."""
+        geoms = self._geoms
+        c.dSpaceCollide(self._space_handle, lambda a, b: near(geoms[a.id], geoms[b.id]))
+
+    @property
+    def _space_handle(self):
+        self._handle
+        return self._space
+
+    def on_pair(self, function):
+        """Ask function(geom1, geom2) whether two geoms that come near each other may touch; None: all may."""
+        geoms = self._geoms
+        c.dWorldSetContactFilter(self._handle, None if function is None else lambda a, b: function(geoms[a.id], geoms[b.id]))
+
+    # ---- what a step did ----
+
+    @property
+    def contacts(self):
+        """Points of contact of the last step: a structured array with g1, g2 (``geom_of`` knows them), pos, normal,
+        depth, normal_force and friction_force."""
+        return c.dWorldGetContacts(self._handle)
+
+    @property
+    def events(self):
+        """Pairs of the last step: a structured array with kind (0 begin, 1 persist, 2 end), g1 and g2."""
+        return c.dWorldGetContactEvents(self._handle)
+
+    def geom_of(self, key):
+        """The Geom that a structured array names; None where there is none."""
+        return self._geoms.get(int(key))
+
+    def report(self):
+        """A ``c.dWorldStepReport`` of the last step, or None; set ``reports`` first."""
+        report = c.dWorldStepReport()
+        return report if c.dWorldGetStepReport(self._handle, report) else None
+
+    # ---- queries ----
+
+    def rays(self, origins, directions, lengths=float("inf"), *, filter=None, threads=1):
+        """Cast many rays: (n, 3) arrays of origins and directions, and lengths. Returns a structured array with geom (0:
+        nothing), pos, normal, distance and side. filter: a ``c.dQueryFilter``."""
+        origins, directions = np.broadcast_arrays(np.atleast_2d(np.asarray(origins, float)),
+                                                  np.atleast_2d(np.asarray(directions, float)))
+        lengths = np.broadcast_to(np.asarray(lengths, float), origins.shape[:1])
+        return c.dSpaceRayBatch(self._space_handle, origins, directions, lengths, filter, threads)
+
+    def ray(self, origin, direction, length=float("inf"), *, filter=None):
+        """The first hit of a ray: (geom, pos, normal, distance), or None."""
+        hit = c.dQueryHit()
+        if not c.dSpaceRayClosest(self._space_handle, origin, direction, length, filter, hit):
+            return None
+        return self.geom_of(hit.geom.id), hit.pos[:3], hit.normal[:3], hit.distance
+
+    def overlaps(self, geom, *, filter=None):
+        """The geoms that a geom touches or overlaps."""
+        found = c.dSpaceOverlap(self._space_handle, geom._handle, filter)
+        return [self._geoms[one.id] for one in found if one.id in self._geoms]
+
+    # ---- states ----
+
+    def save(self):
+        """The state, as bytes: a world of the same structure goes on from it with the same bits."""
+        return c.dWorldGetState(self._handle)
+
+    def load(self, state):
+        """Give the world a state that ``save`` has returned."""
+        c.dWorldSetState(self._handle, bytes(state))
+
+    def save_changes(self, base):
+        """What has changed since the state base, as bytes; what sleeps costs next to nothing."""
+        return c.dWorldGetStateDelta(self._handle, bytes(base))
+
+    def load_changes(self, base, changes):
+        """Give the world the state that base and changes make up."""
+        c.dWorldSetStateDelta(self._handle, bytes(base), bytes(changes))
+
+
+def step_worlds(worlds, h, *, stepper="hybrid", steps=1, substeps=4, threads=0):
+    """Advance many worlds at once, each on a thread of its own; the bits are those of each world alone. stepper: hybrid,
+    exact, quick, substeps or substeps_exact_joints. Returns how many steps each has made."""
+    if stepper not in _STEPPERS:
+        raise ValueError(f"no stepper is called {stepper!r}: {', '.join(_STEPPERS)}")
+    return c.dWorldsStep([w._handle for w in worlds], h, _STEPPERS[stepper], substeps, steps, threads)

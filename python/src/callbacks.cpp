@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Python functions that the library calls. The first exception is kept and raised when the outermost call ends; until
+// then no other function of Python is called: pairs then touch, queries find, heights are 0.
+#include <map>
+
+#include "filter.h"
+
+namespace {
+
+template <typename F>
+void guarded(F f)
+{
+    nb::gil_scoped_acquire lock;
+    if (exception_waits()) return;
+    try {
+        f();
+    } catch (nb::python_error& e) {
+        e.restore();
+        keep_exception();
+    } catch (const std::exception& e) {
+        PyErr_SetString(PyExc_TypeError, e.what());
+        keep_exception();
+    }
+}
+
+void on_near(void* data, dGeomID o1, dGeomID o2)
+{
+    guarded([&] { nb::borrow(static_cast<PyObject*>(data))(wrapped(o1), wrapped(o2)); });
+}
+
+int on_pair(void* data, dGeomID o1, dGeomID o2)
+{
+    int keep_it = 1;
+    guarded([&] {
+        keep_it =
+            nb::cast<bool>(nb::bool_(nb::borrow(static_cast<PyObject*>(data))(wrapped(o1), wrapped(o2))));
+    });
+    return keep_it;
+}
+
+int on_query(void* data, dGeomID geom)
+{
+    int keep_it = 1;
+    guarded([&] {
+        keep_it = nb::cast<bool>(nb::bool_(nb::borrow(static_cast<PyObject*>(data))(wrapped(geom))));
+    });
+    return keep_it;
+}
+
+dReal on_height(void* data, int x, int z)
+{
+    dReal height = 0;
+    guarded([&] { height = nb::cast<double>(nb::borrow(static_cast<PyObject*>(data))(x, z)); });
+    return height;
+}
+
+// Places of kept objects.
+enum { kMoved, kContactFilter, kHeights, kFeedback, kMeshVertices, kMeshIndices };
+
+void on_moved(dBodyID body)
+{
+    guarded([&] {
+        nb::object function = kept(body, kMoved);
+        if (!function.is_none()) function(wrapped(body));
+    });
+}
+
+void collide(const SpaceHandle* space, nb::object callback)
+{
+    Call call;
+    call.uses(space_of(space));
+    dSpaceCollide(space_of(space), callback.ptr(), on_near);
+    call.done();
+}
+
+void collide_two(const GeomHandle* o1, const GeomHandle* o2, nb::object callback)
+{
+    Call call;
+    call.uses(get(o1));
+    call.uses(get(o2));
+    dSpaceCollide2(get(o1), get(o2), callback.ptr(), on_near);
+    call.done();
+}
+
+void set_moved_callback(const BodyHandle* body, nb::object callback)
+{
+    Call call;
+    call.uses(get(body));
+    dBodySetMovedCallback(get(body), callback.is_none() ? nullptr : on_moved);
+    call.done();
+    keep(get(body), kMoved, callback);
+}
+
+void set_contact_filter(const WorldHandle* world, nb::object filter)
+{
+    Call call;
+    call.uses(get(world));
+    dWorldSetContactFilter(get(world), filter.is_none() ? nullptr : on_pair, filter.ptr());
+    call.done();
+    keep(get(world), kContactFilter, filter);
+}
+
+void build_callback(const HeightsHandle* data, nb::object callback, double width, double depth,
+                    int width_samples, int depth_samples, double scale, double offset, double thickness,
+                    bool wrap)
+{
+    Call call;
+    dGeomHeightfieldDataBuildCallback(get(data), callback.ptr(), on_height, width, depth, width_samples,
+                                      depth_samples, scale, offset, thickness, wrap);
+    call.done();
+    keep(get(data), kHeights, callback);
+}
+
+void set_feedback(const JointHandle* joint, nb::object feedback)
+{
+    Call call;
+    call.uses(get(joint));
+    dJointSetFeedback(get(joint), feedback.is_none() ? nullptr : nb::cast<dJointFeedback*>(feedback));
+    call.done();
+    keep(get(joint), kFeedback, feedback);
+}
+
+nb::object get_feedback(const JointHandle* joint)
+{
+    Call call;
+    call.uses(get(joint));
+    dJointFeedback* feedback = dJointGetFeedback(get(joint));
+    call.done();
+    return feedback ? kept(get(joint), kFeedback) : nb::none();
+}
+
+// The data point to the arrays, which are kept until the data get others.
+void build_mesh(const MeshHandle* data, nb::object vertices, nb::object indices, bool simple)
+{
+    auto points = array_in<double>(vertices, "vertices");
+    auto corners = array_in<unsigned>(indices, "indices");
+    size_t width = simple ? 4 : 3;
+    if (points.size % width || (points.shape.size() == 2 && points.shape[1] != width) ||
+        points.size > (1u << 30) || corners.size > (1u << 30))
+        throw nb::value_error(simple ? "vertices: an array of n rows of 4 numbers expected"
+                                     : "vertices: an array of n rows of 3 numbers expected");
+    Call call;
+    if (simple)
+        dGeomTriMeshDataBuildSimple(get(data), points.data, int(points.size / 4), corners.data,
+                                    int(corners.size));
+    else
+        dGeomTriMeshDataBuildDouble(get(data), points.data, 3 * sizeof(double), int(points.size / 3),
+                                    corners.data, int(corners.size), 3 * sizeof(unsigned));
+    call.done();
+    keep(get(data), kMeshVertices, points.owner);
+    keep(get(data), kMeshIndices, corners.owner);
+}
+
+}  // namespace
+
+Filter::Filter() { dQueryFilterInit(&filter, sizeof filter); }
+
+const dQueryFilter* filter_of(const Filter* filter)
+{
+    if (!filter) return nullptr;
+    auto& raw = const_cast<dQueryFilter&>(filter->filter);
+    bool given = filter->callback.is_valid() && !filter->callback.is_none();
+    raw.callback = given ? on_query : nullptr;
+    raw.data = given ? filter->callback.ptr() : nullptr;
+    return &raw;
+}
+
+void bind_callbacks(nb::module_& m)
+{
+    nb::class_<Filter>(m, "dQueryFilter")
+        .def(nb::init<>())
+        .def_prop_rw(
+            "category_bits", [](Filter& f) { return f.filter.category_bits; },
+            [](Filter& f, unsigned long v) { f.filter.category_bits = v; })
+        .def_prop_rw(
+            "collide_bits", [](Filter& f) { return f.filter.collide_bits; },
+            [](Filter& f, unsigned long v) { f.filter.collide_bits = v; })
+        .def_prop_rw(
+            "skip_body", [](Filter& f) { return wrapped(f.filter.skip_body); },
+            [](Filter& f, const BodyHandle* body) { f.filter.skip_body = get(body); },
+            nb::for_setter(nb::arg("body").none()))
+        .def_prop_rw(
+            "callback", [](Filter& f) { return f.callback.is_valid() ? f.callback : nb::none(); },
+            [](Filter& f, nb::object callback) { f.callback = callback; },
+            nb::for_setter(nb::arg("callback").none()));
+    m.def(
+        "dQueryFilterInit", [](Filter& f) { f = Filter(); }, "filter"_a);
+    m.def("dSpaceCollide", collide, "space"_a.none(), "callback"_a);
+    m.def("dSpaceCollide2", collide_two, "o1"_a.none(), "o2"_a.none(), "callback"_a);
+    m.def("dBodySetMovedCallback", set_moved_callback, "body"_a.none(), "callback"_a.none());
+    m.def("dWorldSetContactFilter", set_contact_filter, "world"_a.none(), "filter"_a.none());
+    m.def("dGeomHeightfieldDataBuildCallback", build_callback, "d"_a.none(), "callback"_a, "width"_a,
+          "depth"_a, "widthSamples"_a, "depthSamples"_a, "scale"_a, "offset"_a, "thickness"_a, "bWrap"_a);
+    m.def("dJointSetFeedback", set_feedback, "joint"_a.none(), "feedback"_a.none());
+    m.def("dJointGetFeedback", get_feedback, "joint"_a.none());
+    m.def(
+        "dGeomTriMeshDataBuildDouble",
+        [](const MeshHandle* d, nb::object v, nb::object i) { build_mesh(d, v, i, false); }, "g"_a.none(),
+        "vertices"_a, "indices"_a);
+    m.def(
+        "dGeomTriMeshDataBuildSimple",
+        [](const MeshHandle* d, nb::object v, nb::object i) { build_mesh(d, v, i, true); }, "g"_a.none(),
+        "vertices"_a, "indices"_a);
+}

@@ -1,0 +1,483 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Functions with arrays: what a program would count and allocate in C comes back as a new array. Arrays of structures
+// are structured arrays of numpy; geoms in them are their id.
+#include <nanobind/stl/vector.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "filter.h"
+
+namespace {
+
+nb::object dtype_of(std::vector<std::tuple<const char*, const char*, size_t>> fields, size_t size)
+{
+    nb::list names, formats, offsets;
+    for (auto& [name, format, offset] : fields) {
+        names.append(name);
+        formats.append(format);
+        offsets.append(offset);
+    }
+    nb::dict spec;
+    spec["names"] = names;
+    spec["formats"] = formats;
+    spec["offsets"] = offsets;
+    spec["itemsize"] = size;
+    return nb::module_::import_("numpy").attr("dtype")(spec);
+}
+
+#define FIELD(struct_, name, format)           \
+    {                                          \
+#name, format, offsetof(struct_, name) \
+    }
+nb::object contact_type()
+{
+    using C = dWorldContact;
+    return dtype_of({FIELD(C, g1, "u8"), FIELD(C, g2, "u8"), FIELD(C, pos, "3f8"), FIELD(C, normal, "3f8"),
+                     FIELD(C, depth, "f8"), FIELD(C, normal_force, "f8"), FIELD(C, friction_force, "3f8")},
+                    sizeof(C));
+}
+nb::object event_type()
+{
+    using E = dContactEvent;
+    return dtype_of({FIELD(E, kind, "i4"), FIELD(E, g1, "u8"), FIELD(E, g2, "u8")}, sizeof(E));
+}
+nb::object hit_type()
+{
+    using H = dQueryHit;
+    return dtype_of({FIELD(H, geom, "u8"), FIELD(H, pos, "3f8"), FIELD(H, normal, "3f8"),
+                     FIELD(H, distance, "f8"), FIELD(H, side, "i4")},
+                    sizeof(H));
+}
+
+// Asks for the number, then for the elements.
+template <typename T, typename F>
+nb::object records(nb::object dtype, F ask)
+{
+    int count = ask(static_cast<T*>(nullptr), 0);
+    void* data;
+    nb::object array = empty_records(dtype, size_t(std::max(count, 0)), &data);
+    if (count > 0) ask(static_cast<T*>(data), count);
+    return array;
+}
+template <typename T, typename F>
+std::vector<T> listed(F ask)
+{
+    std::vector<T> result(size_t(std::max(ask(static_cast<T*>(nullptr), 0), 0)));
+    if (!result.empty()) ask(result.data(), int(result.size()));
+    return result;
+}
+template <typename T>
+nb::list wrapped_all(const std::vector<T>& handles)
+{
+    nb::list result;
+    for (T handle : handles) result.append(wrapped(handle));
+    return result;
+}
+
+int width_of(unsigned fields)
+{
+    static const int widths[] = {3, 4, 3, 3, 3, 3, 1};
+    int width = 0;
+    for (int i = 0; i < 7; ++i)
+        if (fields >> i & 1) width += widths[i];
+    return width;
+}
+
+template <typename P>
+void use_all(Call& call, const HandleList<P>& list)
+{
+    for (P one : list.v) call.uses(one);
+}
+
+nb::object get_states(const BodyList& bodies, unsigned fields)
+{
+    dReal* data;
+    int width = width_of(fields);
+    nb::object result = real_array(bodies.v.size(), size_t(std::max(width, 1)), &data);
+    Call call;
+    use_all(call, bodies);
+    dBodiesGetStates(bodies.v.data(), int(bodies.v.size()), fields, data, 0);
+    call.done();
+    return result;
+}
+
+void set_states(const BodyList& bodies, unsigned fields, nb::object from)
+{
+    auto rows = array_in<double>(from, "states");
+    if (rows.size != bodies.v.size() * size_t(width_of(fields))) {
+        std::string text = std::to_string(bodies.v.size()) + " rows of " + std::to_string(width_of(fields)) +
+                           " numbers expected, not " + std::to_string(rows.size) + " numbers";
+        throw nb::value_error(text.c_str());
+    }
+    Call call;
+    use_all(call, bodies);
+    dBodiesSetStates(bodies.v.data(), int(bodies.v.size()), fields, rows.data, 0);
+    call.done();
+}
+
+nb::object joint_states(const JointList& joints, int stride)
+{
+    if (stride < 1 || stride > 3) throw nb::value_error("stride: 1, 2 or 3 axes expected");
+    dReal *value, *rate;
+    nb::object values = real_array(joints.v.size(), size_t(stride), &value),
+               rates = real_array(joints.v.size(), size_t(stride), &rate);
+    Call call;
+    use_all(call, joints);
+    dJointsGetStates(joints.v.data(), int(joints.v.size()), value, rate, stride);
+    call.done();
+    return nb::make_tuple(values, rates);
+}
+
+nb::bytes get_state(const WorldHandle* world)
+{
+    Call call;
+    call.uses(get(world));
+    std::string bytes(dWorldGetStateSize(get(world)), '\0');
+    dWorldGetState(get(world), bytes.data(), bytes.size());
+    call.done();
+    return nb::bytes(bytes.data(), bytes.size());
+}
+
+void set_state(const WorldHandle* world, nb::bytes state)
+{
+    Call call;
+    call.uses(get(world));
+    dWorldSetState(get(world), state.c_str(), state.size());
+    call.done();
+}
+
+nb::bytes get_delta(const WorldHandle* world, nb::bytes base)
+{
+    Call call;
+    call.uses(get(world));
+    std::string bytes(dWorldGetStateDelta(get(world), base.c_str(), base.size(), nullptr, 0), '\0');
+    if (!bytes.empty())
+        dWorldGetStateDelta(get(world), base.c_str(), base.size(), bytes.data(), bytes.size());
+    call.done();
+    return nb::bytes(bytes.data(), bytes.size());
+}
+
+void set_delta(const WorldHandle* world, nb::bytes base, nb::bytes delta)
+{
+    Call call;
+    call.uses(get(world));
+    dWorldSetStateDelta(get(world), base.c_str(), base.size(), delta.c_str(), delta.size());
+    call.done();
+}
+
+nb::object step_worlds(const std::vector<WorldHandle*>& worlds, double stepsize, int stepper, int iterations,
+                       int steps, int threads)
+{
+    std::vector<dWorldID> ids;
+    for (const WorldHandle* world : worlds) ids.push_back(get(world));
+    std::vector<int> made(ids.size() + 1);
+    Call call;
+    for (dWorldID world : ids) call.uses(world);
+    {
+        Released released(ids.data(), ids.size());
+        dWorldsStep(ids.data(), int(ids.size()), stepsize, stepper, iterations, steps, threads, made.data());
+    }
+    call.done();
+    made.pop_back();
+    return nb::cast(made);
+}
+
+nb::object ray_all(const SpaceHandle* space, nb::object origin, nb::object direction, double length,
+                   const Filter* filter)
+{
+    auto from = numbers<3>(origin, "origin"), to = numbers<3>(direction, "direction");
+    dReal o[4] = {from.v[0], from.v[1], from.v[2]}, d[4] = {to.v[0], to.v[1], to.v[2]};
+    Call call;
+    call.uses(space_of(space));
+    nb::object result = records<dQueryHit>(hit_type(), [&](dQueryHit* hits, int n) {
+        return dSpaceRayAll(space_of(space), o, d, length, filter_of(filter), hits, n);
+    });
+    call.done();
+    return result;
+}
+
+nb::object ray_batch(const SpaceHandle* space, nb::object origins, nb::object directions, nb::object lengths,
+                     const Filter* filter, int threads)
+{
+    auto o = array_in<double>(origins, "origins"), d = array_in<double>(directions, "directions"),
+         l = array_in<double>(lengths, "lengths");
+    size_t count = o.size / 3;
+    if (o.size % 3 || d.size != o.size || l.size != count || count > (1u << 30))
+        throw nb::value_error("origins and directions of n rows of 3 numbers and n lengths expected");
+    void* data;
+    nb::object result = empty_records(hit_type(), count, &data);
+    const dQueryFilter* found = filter_of(filter);
+    Call call;
+    call.uses(space_of(space));
+    // With the interpreter's lock: no other thread can change the space meanwhile.
+    dSpaceRayBatch(space_of(space), int(count), o.data, d.data, l.data, found, static_cast<dQueryHit*>(data),
+                   threads);
+    call.done();
+    return result;
+}
+
+nb::list overlap(const SpaceHandle* space, const GeomHandle* geom, const Filter* filter)
+{
+    Call call;
+    call.uses(space_of(space));
+    auto found = listed<dGeomID>([&](dGeomID* geoms, int n) {
+        return dSpaceOverlap(space_of(space), get(geom), filter_of(filter), geoms, n);
+    });
+    call.done();
+    return wrapped_all(found);
+}
+
+nb::list collide(const GeomHandle* o1, const GeomHandle* o2, int flags)
+{
+    std::vector<dContactGeom> contacts(size_t(std::max(flags & 0xffff, 1)));
+    Call call;
+    call.uses(get(o1));
+    call.uses(get(o2));
+    int count = dCollide(get(o1), get(o2), flags, contacts.data(), sizeof(dContactGeom));
+    call.done();
+    nb::list result;
+    for (int i = 0; i < count; ++i) result.append(nb::cast(contacts[size_t(i)]));
+    return result;
+}
+
+void check_faces(const Array<const double>& planes, const Array<const double>& points,
+                 const Array<const unsigned>& polygons)
+{
+    size_t at = 0;
+    for (size_t i = 0; i < planes.size / 4; ++i)
+        at = at < polygons.size ? at + 1 + polygons.data[at] : polygons.size + 1;
+    if (planes.size % 4 || points.size % 3 || at != polygons.size)
+        throw nb::value_error(
+            "planes of 4 numbers, points of 3, and for each plane a count and as many corners expected");
+}
+
+nb::object create_convex(const SpaceHandle* space, nb::object planes, nb::object points, nb::object polygons)
+{
+    auto n = array_in<double>(planes, "planes"), p = array_in<double>(points, "points");
+    auto f = array_in<unsigned>(polygons, "polygons");
+    check_faces(n, p, f);
+    Call call;
+    call.uses(space_of(space));
+    dGeomID geom =
+        dCreateConvex(space_of(space), n.data, unsigned(n.size / 4), p.data, unsigned(p.size / 3), f.data);
+    call.done();
+    return wrapped(geom);
+}
+
+void set_convex(const GeomHandle* convex, nb::object planes, nb::object points, nb::object polygons)
+{
+    auto n = array_in<double>(planes, "planes"), p = array_in<double>(points, "points");
+    auto f = array_in<unsigned>(polygons, "polygons");
+    check_faces(n, p, f);
+    Call call;
+    call.uses(get(convex));
+    dGeomSetConvex(get(convex), n.data, unsigned(n.size / 4), p.data, unsigned(p.size / 3), f.data);
+    call.done();
+}
+
+nb::object create_hull(const SpaceHandle* space, nb::object points, unsigned max_vertices)
+{
+    auto p = array_in<double>(points, "points");
+    Call call;
+    call.uses(space_of(space));
+    dGeomID geom = dCreateConvexHull(space_of(space), p.data, unsigned(p.size / 3), max_vertices);
+    call.done();
+    return wrapped(geom);
+}
+
+void set_hull(const GeomHandle* convex, nb::object points, unsigned max_vertices)
+{
+    auto p = array_in<double>(points, "points");
+    Call call;
+    call.uses(get(convex));
+    dGeomSetConvexHull(get(convex), p.data, unsigned(p.size / 3), max_vertices);
+    call.done();
+}
+
+template <auto F, int Width>
+nb::object convex_array(const GeomHandle* geom)
+{
+    Call call;
+    call.uses(get(geom));
+    int count = std::max(F(get(geom), nullptr, 0), 0);
+    dReal* data;
+    nb::object result = real_array(size_t(count), Width, &data);
+    if (count) F(get(geom), data, count);
+    call.done();
+    return result;
+}
+
+nb::object triangles(const GeomHandle* geom, int segments)
+{
+    Call call;
+    call.uses(get(geom));
+    int count = std::max(dGeomGetTriangles(get(geom), segments, nullptr, 0), 0);
+    dReal* data;
+    nb::object result = real_array(size_t(count), 9, &data);
+    if (count) dGeomGetTriangles(get(geom), segments, data, count);
+    call.done();
+    return result.attr("reshape")(nb::make_tuple(count, 3, 3));
+}
+
+template <auto Build, typename T>
+void build_heights(const HeightsHandle* d, nb::object heights, double width, double depth, double scale,
+                   double offset, double thickness, bool wrap)
+{
+    auto h = array_in<T>(heights, "heights");
+    if (h.shape.size() != 2 || h.size > (1u << 30))
+        throw nb::value_error("heights: an array of two dimensions expected, [j, i] with i along the width");
+    Call call;
+    Build(get(d), h.data, 1, width, depth, int(h.shape[1]), int(h.shape[0]), scale, offset, thickness, wrap);
+    call.done();
+}
+
+void set_holes(const HeightsHandle* d, nb::object holes)
+{
+    auto h = array_in<unsigned char>(holes, "holes");
+    if (h.shape.size() != 2)
+        throw nb::value_error("holes: an array of two dimensions expected, [j, i] with i along the width");
+    Call call;
+    dGeomHeightfieldDataSetHoles(get(d), h.data, int(h.shape[1]), int(h.shape[0]));
+    call.done();
+}
+
+nb::object create_mesh(const SpaceHandle* space, const MeshHandle* data)
+{
+    Call call;
+    call.uses(space_of(space));
+    dGeomID geom = dCreateTriMesh(space_of(space), get(data), nullptr, nullptr, nullptr);
+    call.done();
+    return wrapped(geom);
+}
+
+nb::object triangle(const GeomHandle* geom, int index)
+{
+    dVector3 v[3] = {};
+    Call call;
+    call.uses(get(geom));
+    dGeomTriMeshGetTriangle(get(geom), index, &v[0], &v[1], &v[2]);
+    call.done();
+    return nb::make_tuple(array_of(v[0], 3), array_of(v[1], 3), array_of(v[2], 3));
+}
+
+nb::list connecting(const BodyHandle* body1, const BodyHandle* body2)
+{
+    Call call;
+    call.uses(get(body1));
+    std::vector<dJointID> found(size_t(get(body1) ? std::max(dBodyGetNumJoints(get(body1)), 0) : 0) + 1);
+    int count = dConnectingJointList(get(body1), get(body2), found.data());
+    call.done();
+    found.resize(size_t(count));
+    return wrapped_all(found);
+}
+
+void hinge2_axes(const JointHandle* joint, nb::object axis1, nb::object axis2)
+{
+    Numbers<4> a{}, b{};
+    if (!axis1.is_none()) read_numbers(axis1, a.v, 3, "axis1");
+    if (!axis2.is_none()) read_numbers(axis2, b.v, 3, "axis2");
+    Call call;
+    call.uses(get(joint));
+    dJointSetHinge2Axes(get(joint), axis1.is_none() ? nullptr : a.v, axis2.is_none() ? nullptr : b.v);
+    call.done();
+}
+
+template <typename P>
+void bind_list(nb::module_& m, const char* name)
+{
+    using L = HandleList<P>;
+    nb::class_<L>(m, name)
+        .def("__init__",
+             [](L* self, const std::vector<Handle<P>*>& handles) {
+                 new (self) L;
+                 for (const Handle<P>* handle : handles) self->v.push_back(get(handle));
+             })
+        .def("__len__", [](const L& list) { return list.v.size(); })
+        .def("__getitem__", [](const L& list, size_t i) {
+            if (i >= list.v.size()) throw nb::index_error();
+            return wrapped(list.v[i]);
+        });
+}
+
+template <typename P, auto F>
+HandleList<P> of_world(const WorldHandle* world)
+{
+    Call call;
+    call.uses(get(world));
+    HandleList<P> result{listed<P>([&](P* out, int n) { return F(get(world), out, n); })};
+    call.done();
+    return result;
+}
+
+template <typename T, auto F, nb::object (*Type)()>
+nb::object records_of_world(const WorldHandle* world)
+{
+    Call call;
+    call.uses(get(world));
+    nb::object result = records<T>(Type(), [&](T* out, int n) { return F(get(world), out, n); });
+    call.done();
+    return result;
+}
+
+}  // namespace
+
+void bind_written(nb::module_& m)
+{
+    bind_list<dBodyID>(m, "BodyList");
+    bind_list<dJointID>(m, "JointList");
+    m.def("dWorldGetBodies", of_world<dBodyID, dWorldGetBodies>, "world"_a.none());
+    m.def("dWorldGetJoints", of_world<dJointID, dWorldGetJoints>, "world"_a.none());
+    m.def("dWorldGetBrokenJoints", of_world<dJointID, dWorldGetBrokenJoints>, "world"_a.none());
+    m.def("dBodiesGetStates", get_states, "bodies"_a, "fields"_a);
+    m.def("dBodiesSetStates", set_states, "bodies"_a, "fields"_a, "states"_a);
+    m.def("dJointsGetStates", joint_states, "joints"_a, "stride"_a = 1);
+    m.def("dWorldGetState", get_state, "world"_a.none());
+    m.def("dWorldSetState", set_state, "world"_a.none(), "state"_a);
+    m.def("dWorldGetStateDelta", get_delta, "world"_a.none(), "base"_a);
+    m.def("dWorldSetStateDelta", set_delta, "world"_a.none(), "base"_a, "delta"_a);
+    m.def("dWorldsStep", step_worlds, "worlds"_a, "stepsize"_a, "stepper"_a = int(dStepperHybrid),
+          "iterations"_a = 4, "steps"_a = 1, "threads"_a = 0);
+    m.def("dWorldGetContacts", records_of_world<dWorldContact, dWorldGetContacts, contact_type>,
+          "world"_a.none());
+    m.def("dWorldGetContactEvents", records_of_world<dContactEvent, dWorldGetContactEvents, event_type>,
+          "world"_a.none());
+    m.def("dSpaceRayAll", ray_all, "space"_a.none(), "origin"_a, "direction"_a, "length"_a,
+          "filter"_a.none() = nb::none());
+    m.def("dSpaceRayBatch", ray_batch, "space"_a.none(), "origins"_a, "directions"_a, "lengths"_a,
+          "filter"_a.none() = nb::none(), "threads"_a = 0);
+    m.def("dSpaceOverlap", overlap, "space"_a.none(), "geom"_a.none(), "filter"_a.none() = nb::none());
+    m.def("dCollide", collide, "o1"_a.none(), "o2"_a.none(), "flags"_a = 8);
+    m.def("dCreateConvex", create_convex, "space"_a.none(), "planes"_a, "points"_a, "polygons"_a);
+    m.def("dGeomSetConvex", set_convex, "convex"_a.none(), "planes"_a, "points"_a, "polygons"_a);
+    m.def("dCreateConvexHull", create_hull, "space"_a.none(), "points"_a, "maxvertices"_a = 0);
+    m.def("dGeomSetConvexHull", set_hull, "convex"_a.none(), "points"_a, "maxvertices"_a = 0);
+    m.def("dGeomConvexGetPoints", convex_array<dGeomConvexGetPoints, 3>, "convex"_a.none());
+    m.def("dGeomConvexGetPlanes", convex_array<dGeomConvexGetPlanes, 4>, "convex"_a.none());
+    m.def(
+        "dGeomConvexGetPolygons",
+        [](const GeomHandle* geom) {
+            Call call;
+            auto result = listed<unsigned>(
+                [&](unsigned* out, int n) { return dGeomConvexGetPolygons(get(geom), out, n); });
+            call.done();
+            return result;
+        },
+        "convex"_a.none());
+    m.def("dGeomGetTriangles", triangles, "geom"_a.none(), "segments"_a = 24);
+#define HEIGHTS(name, type)                                                                        \
+    m.def("dGeomHeightfieldDataBuild" #name, build_heights<dGeomHeightfieldDataBuild##name, type>, \
+          "d"_a.none(), "heights"_a, "width"_a, "depth"_a, "scale"_a = 1.0, "offset"_a = 0.0,      \
+          "thickness"_a = 0.0, "bWrap"_a = false)
+    HEIGHTS(Byte, unsigned char);
+    HEIGHTS(Short, short);
+    HEIGHTS(Single, float);
+    HEIGHTS(Double, double);
+    m.def("dGeomHeightfieldDataSetHoles", set_holes, "d"_a.none(), "holes"_a);
+    m.def("dCreateTriMesh", create_mesh, "space"_a.none(), "data"_a.none());
+    m.def("dGeomTriMeshGetTriangle", triangle, "g"_a.none(), "index"_a);
+    m.def("dConnectingJointList", connecting, "body1"_a.none(), "body2"_a.none());
+    m.def("dJointSetHinge2Axes", hinge2_axes, "joint"_a.none(), "axis1"_a.none(), "axis2"_a.none());
+}

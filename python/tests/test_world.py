@@ -1,0 +1,299 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+"""Worlds, bodies, joints and geoms as a user of Python meets them."""
+import gc
+import math
+import subprocess
+import sys
+import threading
+
+import numpy as np
+import pytest
+
+import epode
+
+
+@pytest.fixture
+def world():
+    with epode.World() as w:
+        yield w
+
+
+def test_a_ball_comes_to_rest_on_a_plane(world):
+    ground = world.plane()
+    ball = world.body(mass=1, position=(0, 0, 1), shape=epode.Sphere(0.2))
+    for _ in range(200):
+        world.step(0.01)
+    assert ball.position[2] == pytest.approx(0.2, abs=1e-3)
+    contacts = world.contacts
+    assert contacts["normal_force"].sum() == pytest.approx(9.81, rel=1e-6) or not ball.enabled
+    assert {world.geom_of(k) for k in contacts[["g1", "g2"]][0]} == {ground, ball.geoms[0]}
+
+
+def test_free_fall_is_that_of_the_integrator(world):
+    body = world.body(mass=2, position=(0, 0, 100))
+    world.step(0.01, steps=100)
+    assert body.position[2] == pytest.approx(100 - 9.81 * 0.01 ** 2 * 100 * 101 / 2, abs=1e-9)
+
+
+def test_a_pendulum_has_the_period_of_its_length(world):
+    bob = world.body(mass=1, inertia=np.eye(3) * 1e-9, position=(math.sin(0.02), 0, -math.cos(0.02)))
+    world.joint("hinge", bob, anchor=(0, 0, 0), axis=(0, 1, 0))
+    before, crossings = bob.position[0], []
+    for i in range(4500):
+        world.step(0.001)
+        at = bob.position[0]
+        if before * at < 0:
+            crossings.append(i)
+        before = at
+    half = (crossings[-1] - crossings[0]) / (len(crossings) - 1) * 0.001
+    assert 2 * half == pytest.approx(2 * math.pi / math.sqrt(9.81), rel=0.01)
+
+
+@pytest.mark.parametrize("kind", sorted(set(epode.joint.TYPES)))
+def test_every_joint_type_can_be_made_and_stepped(world, kind):
+    a, b = world.body(mass=1, position=(0, 0, 1)), world.body(mass=1, position=(1, 0, 1))
+    joint = world.joint(kind, a, b)
+    world.step(0.01)
+    assert joint.type == kind and joint in a.joints
+    joint.destroy()
+    assert not joint.alive and world.joints == []
+
+
+def test_a_motor_turns_and_a_stop_holds(world):
+    body = world.body(mass=1, shape=epode.Box(1, 1, 1))
+    hinge = world.joint("hinge", body, axis=(0, 0, 1), stops=(-1, 1))
+    hinge.motor(2.0, 100.0)
+    world.step(0.01, steps=20)
+    assert hinge.rate() == pytest.approx(2, rel=1e-3)
+    world.step(0.01, steps=100)
+    assert hinge.position() == pytest.approx(1, abs=0.02)
+    assert hinge.stops == (-1, 1)
+
+
+def test_a_drive_holds_its_target(world):
+    body = world.body(mass=1, shape=epode.Box(1, 1, 1))
+    hinge = world.joint("hinge", body, axis=(0, 0, 1))
+    hinge.set_drive(stiffness=1000, damping=100, target=0.5)
+    world.step(0.01, steps=300)
+    assert hinge.position() == pytest.approx(0.5, abs=1e-3)
+    assert hinge.drive().stiffness == 1000
+    hinge.set_drive()
+    assert hinge.drive() is None
+
+
+def test_states_of_all_bodies_are_arrays(world):
+    for i in range(5):
+        world.body(mass=1, position=(i, 0, 0))
+    assert world.bodies.position.shape == (5, 3)
+    np.testing.assert_array_equal(world.bodies.position[:, 0], range(5))
+    world.bodies.velocity = (1, 2, 3)
+    world.bodies.position += 1
+    np.testing.assert_array_equal([b.velocity for b in world.bodies], [[1, 2, 3]] * 5)
+    assert world.bodies.get("position", "quaternion").shape == (5, 7)
+    world.bodies[2].destroy()
+    assert len(world.bodies) == 4
+    with pytest.raises(ValueError):
+        world.bodies.position = np.zeros((3, 3))
+    with pytest.raises(epode.RefusedError):
+        world.bodies.position = np.nan
+
+
+def test_saved_states_go_on_with_the_same_bits(world):
+    world.plane()
+    for i in range(4):
+        world.body(density=500, position=(0.1 * i, 0, 0.6 * i + 0.5), shape=epode.Box(0.5, 0.5, 0.5))
+    world.step(0.01, steps=30)
+    state = world.save()
+    world.step(0.01, steps=50)
+    first, later = world.bodies.get("position", "quaternion"), world.save()
+    changes = world.save_changes(state)
+    world.load(state)
+    world.step(0.01, steps=50)
+    np.testing.assert_array_equal(first, world.bodies.get("position", "quaternion"))
+    world.load_changes(state, changes)
+    assert world.save() == later
+    with pytest.raises(epode.RefusedError, match="state"):
+        world.load(b"nonsense")
+
+
+def test_rays_come_back_as_arrays(world):
+    world.plane()
+    ball = world.geom(epode.Sphere(1), position=(0, 0, 3))
+    hits = world.rays([(0, 0, 10), (5, 0, 10), (0, 0, 10)], [(0, 0, -1), (0, 0, -1), (0, 0, 1)])
+    assert [world.geom_of(g) for g in hits["geom"]][0] is ball and hits["geom"][2] == 0
+    np.testing.assert_allclose(hits["distance"][:2], [6, 10])
+    geom, pos, normal, distance = world.ray((0, 0, 10), (0, 0, -1))
+    assert geom is ball and distance == 6 and tuple(normal) == (0, 0, 1)
+
+
+def test_events_begin_and_end(world):
+    world.plane()
+    ball = world.body(mass=1, position=(0, 0, 0.21), shape=epode.Sphere(0.2))
+    kinds = []
+    for i in range(30):
+        if i == 20:
+            ball.position = (0, 0, 5)
+        world.step(0.01)
+        kinds += list(world.events["kind"])
+    assert kinds[0] == epode.c.dContactBegin and kinds[-1] == epode.c.dContactEnd
+
+
+def test_near_callback_and_its_exception(world):
+    a, b = (world.geom(epode.Sphere(1), position=(x, 0, 0)) for x in (0, 1))
+    seen = []
+    world.collide(lambda *pair: seen.append(set(pair)))
+    assert seen == [{a, b}]
+
+    def fails(*_):
+        raise KeyError("mine")
+    with pytest.raises(KeyError, match="mine"):
+        world.collide(fails)
+    assert len(a.collide(b)) == 1 and a.distance(b) == pytest.approx(-1)
+
+
+def test_an_exception_in_a_step_is_raised_after_it(world):
+    body = world.body(mass=1)
+    body.on_move(lambda b: 1 / 0)
+    with pytest.raises(ZeroDivisionError):
+        world.step(0.01)
+    assert body.velocity[2] == pytest.approx(-0.0981)
+    body.on_move(None)
+    world.step(0.01)
+
+
+def test_a_filter_decides_who_touches(world):
+    world.plane()
+    ball = world.body(mass=1, position=(0, 0, 0.5), shape=epode.Sphere(0.2))
+    world.on_pair(lambda a, b: False)
+    world.step(0.01, steps=100)
+    assert ball.position[2] < 0
+
+
+def test_meshes_and_height_fields_hold_what_falls(world):
+    vertices = np.array([(-5, -5, 0), (5, -5, 0), (5, 5, 0), (-5, 5, 0)], float)
+    world.geom(epode.Mesh(vertices, np.array([(0, 1, 2), (0, 2, 3)], np.uint32)))
+    # Height rises with y: heights[j, i] with j along y.
+    heights = np.add.outer(np.linspace(0, 1, 11), np.zeros(11))
+    world.geom(epode.HeightField(heights, 10, 10), position=(20, 0, 0))
+    hits = world.rays([(20, -4, 9), (20, 4, 9), (0, 0, 9)], (0, 0, -1))
+    np.testing.assert_allclose(hits["pos"][:, 2], [0.1, 0.9, 0], atol=1e-9)
+
+
+def test_hulls_have_their_mass_about_their_centre(world):
+    body = world.body(density=1, shape=epode.Convex([(x, y, z) for x in (1, 3) for y in (0, 1) for z in (0, 1)]))
+    assert body.mass == pytest.approx(2)
+    np.testing.assert_allclose(body.geoms[0].offset, (-2, -0.5, -0.5))
+
+
+def test_materials(world):
+    plane = world.plane(material=epode.Material(friction=0))
+    ball = world.body(mass=1, position=(0, 0, 1), shape=epode.Sphere(0.2), material=epode.Material(bounce=1))
+    world.step(0.01, steps=60)
+    assert ball.velocity[2] > 0 and plane.material.friction == 0
+    with pytest.raises(epode.RefusedError):
+        plane.material = epode.Material(bounce=7)
+
+
+def test_destroyed_objects_raise():
+    world = epode.World()
+    ground = world.plane()
+    body = world.body(shape=epode.Sphere(1), mass=1)
+    geom, joint = body.geoms[0], world.joint("ball", body)
+    body.destroy()
+    for call in (lambda: body.position, lambda: geom.position, body.destroy):
+        with pytest.raises(epode.DeadHandleError):
+            call()
+    world.step(0.01)
+    world.destroy()
+    for call in (lambda: world.step(0.1), lambda: joint.position(), lambda: ground.aabb, lambda: world.bodies.position, world.plane):
+        with pytest.raises(epode.DeadHandleError):
+            call()
+    world.destroy()
+
+
+def test_objects_keep_their_world_and_garbage_goes_in_any_order():
+    body = epode.World().body(mass=1)
+    gc.collect()
+    assert body.position[0] == 0
+    for _ in range(20):
+        world = epode.World()
+        objects = [world, world.body(mass=1, shape=epode.Sphere(1)), world.plane()]
+        objects.append(world.joint("ball", objects[1]))
+        del world
+        while objects:
+            objects.pop(len(objects) // 2)
+        gc.collect()
+
+
+def test_objects_of_another_world_are_refused(world):
+    with epode.World() as other:
+        with pytest.raises(epode.RefusedError):
+            world.joint("ball", other.body())
+        with pytest.raises(epode.RefusedError):
+            world.geom(epode.Sphere(1), body=other.body())
+
+
+def test_refusals_have_the_text_of_the_library(world):
+    with pytest.raises(epode.RefusedError, match="dWorldStep"):
+        world.step(-1)
+    with pytest.raises(epode.RefusedError, match="dWorldSetGravity"):
+        world.gravity = (0, float("nan"), 0)
+    with pytest.raises(ValueError, match="stepper"):
+        world.step(0.1, stepper="fast")
+    count = len(world.bodies)
+    with pytest.raises(epode.RefusedError):
+        world.body(mass=-1, shape=epode.Sphere(1))
+    assert len(world.bodies) == count
+
+
+def test_a_world_in_a_step_is_busy_for_other_threads():
+    with epode.World() as world:
+        world.plane()
+        for i in range(600):
+            world.body(mass=1, position=(i % 9 * 0.9, i // 9 % 9 * 0.9, 0.5 + i // 81), shape=epode.Box(1, 1, 1))
+        seen, done = [], threading.Event()
+
+        def run():
+            try:
+                world.step(0.01, stepper="quick", steps=40)
+            finally:
+                done.set()
+        thread = threading.Thread(target=run)
+        thread.start()
+        while not done.is_set():
+            try:
+                world.gravity
+            except epode.BusyError as e:
+                seen.append(e)
+        thread.join()
+        assert seen
+
+
+def test_garbage_that_is_a_world_goes_while_another_thread_steps():
+    code = ("import epode, gc, threading\ngc.set_threshold(1)\nw = epode.World()\nw.plane()\n"
+            "for i in range(200): w.body(mass=1, position=(0, 0, i), shape=epode.Box(1, 1, 1))\n"
+            "t = threading.Thread(target=lambda: w.step(0.01, stepper='quick', steps=100))\nt.start()\n"
+            "while t.is_alive():\n    other = epode.World()\n    cycle = [other]\n    cycle.append(cycle)\n    del other, cycle\n"
+            "    try: w.gravity\n    except epode.BusyError: pass\n")
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=60).returncode == 0
+
+
+def test_many_worlds_in_one_call():
+    worlds = [epode.World() for _ in range(8)]
+    bodies = [w.body(mass=1) for w in worlds]
+    assert epode.step_worlds(worlds, 0.01, stepper="exact", steps=10) == [10] * 8
+    assert {float(b.velocity[2]) for b in bodies} == {bodies[0].velocity[2]}
+    with pytest.raises(epode.RefusedError):
+        epode.step_worlds(worlds[:1] * 2, 0.01)
+
+
+def test_the_interpreter_ends_with_worlds_alive():
+    code = ("import epode\nw = epode.World()\nb = w.body(mass=1, shape=epode.Sphere(1))\nb.on_move(print)\n"
+            "import builtins\nbuiltins.kept = (w, b)\nw.on_pair(lambda a, b: True)\nw.step(0.01)")
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=60).returncode == 0
+
+
+def test_the_docstring_of_the_package_runs():
+    import doctest
+    assert doctest.testmod(epode).failed == 0

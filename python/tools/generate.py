@@ -1,0 +1,259 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+"""generate.py ENGINE CC OUTPUT PARTS: writes the binding of every public C function and structure as C++, with the text
+of the headers as docstrings, and coverage.json, which says of each function how it is reached or why it is not.
+
+A parameter's type tells what it becomes: a handle, a number, fixed numbers of reals that are read, or (not const)
+written and returned; a structure is passed as an object. Whatever needs more is in rules.py."""
+import glob
+import json
+import os
+import re
+import subprocess
+import sys
+
+import rules
+
+HANDLES = {"dWorldID": "World", "dBodyID": "Body", "dJointID": "Joint", "dJointGroupID": "Group",
+           "dHeightfieldDataID": "Heights", "dTriMeshDataID": "Mesh", "dGeomID": "Geom", "dSpaceID": "Space"}
+SCALARS = {"dReal": "double", "double": "double", "int": "int", "unsigned": "unsigned", "unsigned int": "unsigned",
+           "unsigned long": "unsigned long", "size_t": "size_t", "dsizeint": "size_t", "dJointType": "int"}
+FIXED = {"dVector3": 3, "dVector4": 4, "dQuaternion": 4, "dMatrix3": 12, "dMatrix4": 16, "dReal[4]": 4, "dReal[6]": 6}
+RETURNED = [(r"Rotation", "matrix_of(r)"), (r"Quaternion", "array_of(r, 4)"), (r"LastTransform", "array_of(r, 16)"),
+            (r"", "array_of(r, 3)")]
+HIDDEN = r"(collision_trimesh|odemath_legacy|odecpp\w*)\.h$"
+
+
+def preprocessed(include, cc):
+    headers = sorted(glob.glob(os.path.join(include, "ode", "*.h")))
+    text = "".join(f'#include "{h}"\n' for h in headers if not re.search(HIDDEN, h))
+    command = [cc, "-E", "-P", "-x", "c", "-DODE_API=EPODE_EXPORTED", "-I" + include, "-"]
+    out = subprocess.run(command, input=text, capture_output=True, text=True, check=True).stdout
+    return " ".join(re.sub(r"__attribute__\s*\(\(.*?\)\)", "", out).split())
+
+
+def split(parameters):
+    parts, depth, part = [], 0, ""
+    for c in parameters + ",":
+        if c == "," and depth == 0:
+            parts.append(part.strip())
+            part = ""
+            continue
+        depth += (c == "(") - (c == ")")
+        part += c
+    return [p for p in parts if p not in ("", "void", "...")]
+
+
+def type_and_name(parameter, index):
+    callback = re.fullmatch(r"(\w+) ?\( ?\* ?(\w+)\) ?\((.*)\)", parameter)
+    if callback:
+        return "callback", callback[2]
+    whole = re.fullmatch(r"(.*?[ *])(\w+)((?:\[\d*\])?)", parameter)
+    bare = parameter.replace("const ", "").strip()
+    if not whole or bare in SCALARS or bare in HANDLES:
+        return parameter, f"arg{index}"
+    return whole[1].strip().replace(" *", "*") + whole[3], whole[2]
+
+
+def functions(text):
+    for m in re.finditer(r"EPODE_EXPORTED ([^;{]*?)(\bd[A-Z]\w*) ?\(([^;]*)\);", text):
+        yield (m[1].replace("EPODE_EXPORTED", "").strip(), m[2],
+               [type_and_name(p, i) for i, p in enumerate(split(m[3]))])
+
+
+FIELD = re.compile(r"^(const )?(\w+(?: \w+)*?) ?(\*?) ?(\w+)((?:\[\d+\])?)$")
+
+
+def structures(text):
+    """{name: [(type, field)]} of structures whose fields are numbers, vectors, structures and handles."""
+    found = {}
+    for m in re.finditer(r"struct (?P<tag>d\w+ )?\{(?P<body>[^{}]*)\} ?(?P<name>d\w+)?;", text):
+        fields = [FIELD.match(f.strip()) for f in m["body"].split(";") if f.strip()]
+        name = m["name"] or (m["tag"] or "").strip()
+        if name and all(f and not f[3] for f in fields):
+            found[name] = [(f[2], f[4] + f[5] if f[5] and f[2] not in FIXED else f[4]) for f in fields]
+    return found
+
+
+def texts(engine):
+    """{function: its entry in the manual}."""
+    sys.path.insert(0, os.path.join(engine, "tools"))
+    import header_docs
+    found = {}
+    for path in sorted(glob.glob(os.path.join(engine, "include", "ode", "*.h"))):
+        with open(path, encoding="utf-8") as f:
+            for run in header_docs.runs(f.read()):
+                for function in run.functions:
+                    found.setdefault(function.name, run.text_of(function.name))
+    return found
+
+
+class Parameter:
+    """How one C parameter is taken from Python (signature, before the call), passed, and handed back."""
+
+    def __init__(self, ctype, name, function, structs):
+        self.name, self.taken, self.before, self.passed, self.out, self.uses = name, None, "", name, None, False
+        const, base = ctype.startswith("const "), ctype.removeprefix("const ").strip()
+        in_and_out = re.fullmatch(rules.READ_AND_WRITTEN, function)
+        if base in HANDLES:
+            kind = HANDLES[base]
+            self.taken, self.uses = f"const {kind}Handle* {name}", True
+            self.passed = f"space_of({name})" if kind == "Space" else f"get({name})"
+            self.arg = f'"{name}"_a.none()'
+        elif base in SCALARS:
+            self.taken, self.arg = f"{SCALARS[base]} {name}", f'"{name}"_a'
+            if base == "dJointType":
+                self.passed = f"dJointType({name})"
+        elif base in FIXED and (const or in_and_out):
+            self.taken, self.arg = f"nb::object {name}", f'"{name}"_a'
+            self.before = f'auto {name}_v = numbers<{FIXED[base]}>({name}, "{name}");'
+            self.passed = f"{name}_v.v"
+            self.out = written(base, f"{name}_v.v") if in_and_out else None
+        elif base in FIXED:
+            self.before = f"dReal {name}[{FIXED[base]}] = {{}};"
+            self.out = written(base, name)
+        elif ctype in ("dReal*", "int*"):
+            self.before, self.passed, self.out = f"{ctype[:-1]} {name} = 0;", f"&{name}", f"nb::cast({name})"
+        elif ctype == "const char*":
+            self.taken, self.passed, self.arg = f"const std::string& {name}", f"{name}.c_str()", f'"{name}"_a'
+        elif base.endswith("*") and base[:-1] in structs | {"dQueryFilter": 0}:
+            bound = "Filter" if base == "dQueryFilter*" else base[:-1]
+            self.taken = f"{bound}* {name}"
+            self.arg = f'"{name}"_a.none()'
+            self.passed = f"filter_of({name})" if bound == "Filter" else name
+        else:
+            raise KeyError(f"{ctype} {name}")
+
+
+def written(base, v):
+    if base == "dMatrix3":
+        return f"matrix_of({v})"
+    return f"array_of({v}, {FIXED[base]})" if base != "dVector3" else f"array_of({v}, 3)"
+
+
+def result_of(ctype, name, structs):
+    if ctype == "const dReal*":
+        return next(code for pattern, code in RETURNED if re.search(pattern, name))
+    if ctype in HANDLES:
+        return "wrapped(r)"
+    if ctype in SCALARS:
+        return "nb::cast(int(r))" if ctype == "dJointType" else "nb::cast(r)"
+    if ctype == "const char*":
+        return "nb::cast(std::string(r ? r : \"\"))"
+    raise KeyError(f"returns {ctype}")
+
+
+def binding(result, name, typed, structs, doc):
+    taken = [Parameter(t, n, name, structs) for t, n in typed]
+    lines = [p.before for p in taken if p.before] + ["Call call;"]
+    lines += [f"call.uses({p.passed});" for p in taken if p.uses]
+    call = f"{name}({', '.join(p.passed for p in taken)})"
+    outs = [p.out for p in taken if p.out]
+    kept = "" if result == "void" else "auto r = "
+    if re.fullmatch(rules.STEPS, name):
+        lines.append(f"int r; {{ Released released({taken[0].passed}); r = {call}; }}")
+    else:
+        lines.append(f"{kept}{call};")
+    lines.append("call.done();")
+    results = ([] if result == "void" else [result_of(result, name, structs)]) + outs
+    if len(results) == 1:
+        lines.append(f"return nb::object({results[0]});")
+    elif results:
+        lines.append(f"return nb::object(nb::make_tuple({', '.join(results)}));")
+    else:
+        lines.append("return nb::object(nb::none());")
+    arguments = "".join(", " + p.arg for p in taken if p.taken)
+    taken_here = ", ".join(p.taken for p in taken if p.taken)
+    body = "\n        ".join(lines)
+    return f'    m.def("{name}", []({taken_here}) -> nb::object {{\n        {body}\n    }}{arguments}, {quoted(doc)});'
+
+
+def quoted(text):
+    return json.dumps(text, ensure_ascii=True)
+
+
+def field_code(struct, ctype, field, structs):
+    get, args = f"[](const {struct}& s)", f'"{field}"'
+    if ctype in FIXED:
+        n = FIXED[ctype]
+        out = "matrix_of" if ctype == "dMatrix3" else "array_of"
+        shown = f"{out}(s.{field})" if ctype == "dMatrix3" else f"{out}(s.{field}, {n})"
+        return (f'.def_prop_rw({args}, {get} {{ return {shown}; }}, []({struct}& s, nb::object v) '
+                f'{{ auto n = numbers<{n}>(v, {args}); std::copy_n(n.v, {n}, s.{field}); }})')
+    if ctype in HANDLES:
+        return f'.def_prop_ro({args}, {get} {{ return wrapped(s.{field}); }})'
+    if ctype in structs:
+        return f".def_rw({args}, &{struct}::{field})"
+    if ctype in SCALARS or ctype == "float":
+        return f".def_rw({args}, &{struct}::{field})"
+    if re.fullmatch(r"d\w+Kind", ctype):
+        return f'.def_prop_ro({args}, {get} {{ return int(s.{field}); }})'
+    raise KeyError(f"{ctype} {field}")
+
+
+def structure_code(name, fields, structs):
+    init = "*s = {};"
+    if fields[0][1] == "struct_size":
+        init += f" s->struct_size = sizeof({name});"
+        if f"{name}Init" in structs["#names"]:
+            init = f"{name}Init(s, sizeof({name}));"
+    members = "\n        ".join(field_code(name, t, f, structs) for t, f in fields if f != "struct_size")
+    return (f'    nb::class_<{name}>(m, "{name}")\n'
+            f'        .def("__init__", []({name}* s) {{ {init} }})\n        {members};')
+
+
+def enumerators(text):
+    names = []
+    for m in re.finditer(r"enum(?: \w+)? ?\{([^{}]*)\}", text):
+        names += [re.match(r"\w+", e.strip())[0] for e in m[1].split(",") if e.strip()]
+    return [n for n in dict.fromkeys(names) if n.startswith("d")]
+
+
+HEAD = '// Written by python/tools/generate.py from the public headers.\n#include "calls.h"\n#include "filter.h"\n\n#include <algorithm>\n\n'
+
+
+def main():
+    engine, cc, output, parts = sys.argv[1], sys.argv[2], sys.argv[3], int(sys.argv[4])
+    text = preprocessed(os.path.join(engine, "include"), cc)
+    every = list({name: (r, name, typed) for r, name, typed in functions(text)}.values())
+    docs, all_structs = texts(engine), structures(text)
+    all_structs["#names"] = {name for _, name, _ in every}
+    structs, codes, coverage = {"#names": all_structs["#names"]}, [], {}
+    bound_structs = []
+    for name, fields in all_structs.items():
+        if name == "#names" or name.startswith(("dWorldStepReserve", "dWorldStepMemory", "dThreadingF", "dThreaded", "dGeomClass", "dStopwatch")):
+            continue
+        try:
+            bound_structs.append(structure_code(name, fields, all_structs))
+            structs[name] = fields
+        except KeyError as e:
+            print(f"structure {name} left out: {e}")
+    for result, name, typed in every:
+        if any(re.fullmatch(p, name) for p in rules.WRITTEN):
+            coverage[name] = "written"
+            continue
+        reason = next((why for p, why in rules.LEFT_OUT.items() if re.fullmatch(p, name)), None)
+        if reason:
+            coverage[name] = "left out: " + reason
+            continue
+        try:
+            codes.append(binding(result, name, typed, structs, docs.get(name, "")))
+            coverage[name] = "generated"
+        except KeyError as e:
+            coverage[name] = f"unknown: {e.args[0]}: see python/tools/rules.py"
+    per = -(-len(codes) // parts)
+    for i in range(parts):
+        with open(os.path.join(output, f"functions_{i}.cpp"), "w", encoding="ascii") as f:
+            f.write(HEAD + f"void bind_functions_{i}(nb::module_& m)\n{{\n" + "\n".join(codes[i * per:(i + 1) * per]) + "\n}\n")
+    with open(os.path.join(output, "structures.cpp"), "w", encoding="ascii") as f:
+        f.write(HEAD + "".join(f"void bind_functions_{i}(nb::module_& m);\n" for i in range(parts)))
+        f.write("void bind_functions(nb::module_& m)\n{\n" + "".join(f"    bind_functions_{i}(m);\n" for i in range(parts)) + "}\n\n")
+        f.write("void bind_structures(nb::module_& m)\n{\n" + "\n".join(bound_structs) + "\n")
+        f.write("".join(f'    m.attr("{n}") = long({n});\n' for n in enumerators(text)) + "}\n")
+    with open(os.path.join(output, "coverage.json"), "w", encoding="ascii") as f:
+        json.dump({"functions": coverage, "docs": {n: docs.get(n, "") for n in coverage if coverage[n] == "written"}}, f)
+
+
+if __name__ == "__main__":
+    main()
