@@ -9,6 +9,7 @@ from ._handle import Object
 TYPES = {"ball": "Ball", "hinge": "Hinge", "slider": "Slider", "universal": "Universal", "hinge2": "Hinge2",
          "fixed": "Fixed", "amotor": "AMotor", "lmotor": "LMotor", "plane2d": "Plane2D", "pr": "PR", "pu": "PU",
          "piston": "Piston", "dball": "DBall", "dhinge": "DHinge", "transmission": "Transmission"}
+_NAMES = TYPES | {"coupling": "Coupling"}  # made by World.couple
 _PARAMETERS = {"lo_stop": "LoStop", "hi_stop": "HiStop", "velocity": "Vel", "max_force": "FMax",
                "fudge_factor": "FudgeFactor", "bounce": "Bounce", "cfm": "CFM", "stop_erp": "StopERP",
                "stop_cfm": "StopCFM", "suspension_erp": "SuspensionERP", "suspension_cfm": "SuspensionCFM", "erp": "ERP"}
@@ -37,7 +38,7 @@ class Joint(Object):
         self.world, self._live, self.type, self.body1, self.body2 = world, handle, kind, body1, body2
 
     def _function(self, verb, name):
-        function = getattr(c, f"dJoint{verb}{TYPES[self.type]}{name}", None)
+        function = getattr(c, f"dJoint{verb}{_NAMES[self.type]}{name}", None)
         if function is None:
             raise AttributeError(f"a joint of type {self.type} has no {name.lower()} to {verb.lower()}")
         return function

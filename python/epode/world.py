@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
 """Worlds."""
+import typing
+
 import numpy as np
 
 from . import c
@@ -15,6 +17,21 @@ _STEPS = {"exact": c.dWorldStep, "quick": c.dWorldQuickStep, "hybrid": c.dWorldS
 _STEPPERS = {"hybrid": c.dStepperHybrid, "exact": c.dStepperExact, "substeps": c.dStepperSubsteps,
              "substeps_exact_joints": c.dStepperSubstepsExactJoints, "quick": c.dStepperQuick}
 _SPACES = {"hash": c.dHashSpaceCreate, "simple": c.dSimpleSpaceCreate}
+
+
+class Cause(typing.NamedTuple):
+    """What makes a world misbehave, see ``c.dDiagnosis``. body, other, joint, geom: handles of ``epode.c``, or None."""
+    kind: int
+    severity: int
+    body: object
+    other: object
+    joint: object
+    geom: object
+    figure: float
+    threshold: float
+    first_step: int
+    steps: int
+    text: str
 
 
 class World(Object):
@@ -86,6 +103,7 @@ class World(Object):
     exact_rotation = flag(c.dWorldGetExactRotation, c.dWorldSetExactRotation, "Rotate free bodies exactly.")
     auto_disable = flag(c.dWorldGetAutoDisableFlag, c.dWorldSetAutoDisableFlag, "Whether new bodies may fall asleep.")
     reports = flag(c.dWorldGetStepReportMode, c.dWorldSetStepReportMode, "Whether steps are reported (``report``).")
+    diagnosing = flag(c.dWorldGetDiagnosisMode, c.dWorldSetDiagnosisMode, "Whether steps look for causes of failure (``diagnose``).")
 
     # ---- what is in it ----
 
@@ -153,7 +171,7 @@ class World(Object):
         """A new joint of a type (ball, hinge, slider, universal, hinge2, fixed, amotor, lmotor, plane2d, pr, pu, piston,
         dball, dhinge, transmission) between two bodies, or a body and the world. settings: anchor, axis, axis1, axis2,
         stops and whatever else a Joint has."""
-        if type not in TYPES:
+        if type not in TYPES:  # couplings have World.couple
             raise ValueError(f"no joint is called {type!r}: {', '.join(TYPES)}")
         bodies = (body1, body2)
         if any(b is not None and b.world is not self for b in bodies):
@@ -169,6 +187,20 @@ class World(Object):
                 if not hasattr(Joint, name):
                     raise TypeError(f"joints have no {name}")
                 setattr(joint, name, value)
+        except BaseException:
+            joint.destroy()
+            raise
+        return joint
+
+    def couple(self, *members, stops=(0.0, 0.0)):
+        """A new joint that holds the sum of factor * position over its members within stops: mimic joints, gears,
+        differentials. members: (joint, factor) or (joint, factor, axis), at most eight."""
+        joint = Joint(self, c.dJointCreateCoupling(self._handle, None), "coupling", None, None)
+        self._joints[joint._live] = joint
+        try:
+            for place, (member, factor, *axis) in enumerate(members):
+                c.dJointSetCouplingAxis(joint._live, place, member._handle, axis[0] if axis else 0, factor)
+            joint.stops = stops
         except BaseException:
             joint.destroy()
             raise
@@ -236,6 +268,10 @@ class World(Object):
         """A ``c.dWorldStepReport`` of the last step, or None; set ``reports`` first."""
         report = c.dWorldStepReport()
         return report if c.dWorldGetStepReport(self._handle, report) else None
+
+    def diagnose(self):
+        """Why the world misbehaves: the causes seen since ``diagnosing`` was set, the worst first, each a ``Cause``."""
+        return [Cause(*fields) for fields in c.dWorldDiagnose(self._handle)]
 
     # ---- queries ----
 

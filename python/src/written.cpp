@@ -6,6 +6,7 @@
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
+#include <string>
 #include <tuple>
 
 #include "filter.h"
@@ -422,6 +423,26 @@ nb::object records_of_world(const WorldHandle* world)
     return result;
 }
 
+// Tuples in the order of the members of dDiagnosis, then the text.
+nb::list diagnose(const WorldHandle* world)
+{
+    Call call;
+    call.uses(get(world));
+    auto causes =
+        listed<dDiagnosis>([&](dDiagnosis* out, int n) { return dWorldDiagnose(get(world), out, n); });
+    nb::list result;
+    for (const dDiagnosis& d : causes) {
+        char none;
+        std::string text(size_t(std::max(dDiagnosisText(&d, &none, 0), 0)) + 1, '\0');
+        dDiagnosisText(&d, text.data(), int(text.size()));
+        text.pop_back();
+        result.append(nb::make_tuple(d.kind, d.severity, wrapped(d.body), wrapped(d.other), wrapped(d.joint),
+                                     wrapped(d.geom), d.figure, d.threshold, d.first_step, d.steps, text));
+    }
+    call.done();
+    return result;
+}
+
 }  // namespace
 
 void bind_written(nb::module_& m)
@@ -444,6 +465,7 @@ void bind_written(nb::module_& m)
           "world"_a.none());
     m.def("dWorldGetContactEvents", records_of_world<dContactEvent, dWorldGetContactEvents, event_type>,
           "world"_a.none());
+    m.def("dWorldDiagnose", diagnose, "world"_a.none());
     m.def("dSpaceRayAll", ray_all, "space"_a.none(), "origin"_a, "direction"_a, "length"_a,
           "filter"_a.none() = nb::none());
     m.def("dSpaceRayBatch", ray_batch, "space"_a.none(), "origins"_a, "directions"_a, "lengths"_a,

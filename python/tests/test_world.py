@@ -288,6 +288,33 @@ def test_many_worlds_in_one_call():
         epode.step_worlds(worlds[:1] * 2, 0.01)
 
 
+def test_coupled_axes_turn_together():
+    world = epode.World()
+    left, right = (world.joint("hinge", world.body(mass=1, position=(x, 0, 0)), anchor=(x, 0, 0), axis=(0, 0, 1)) for x in (0, 1))
+    gear = world.couple((left, 1.0), (right, -2.0))
+    left.body1.angular_velocity = (0, 0, 3)
+    world.step(0.01, steps=100)
+    assert abs(left.position() - 2 * right.position()) < 1e-9 and right.position() > 0.1
+    assert gear.stops == (0, 0)
+    left.destroy()
+    assert not gear.enabled
+    with pytest.raises(epode.RefusedError):
+        world.couple((right, float("nan")))
+
+
+def test_a_diagnosis_names_the_body_that_was_thrown():
+    world = epode.World()
+    world.diagnosing = True
+    world.body(mass=1)
+    thrown = world.body(mass=1)
+    world.step(0.01)
+    assert world.diagnose() == []
+    thrown.velocity = (1e9, 0, 0)
+    world.step(0.01)
+    cause = world.diagnose()[0]
+    assert cause.kind == epode.c.dDiagnosisInput and cause.body == thrown._handle and cause.text
+
+
 def test_the_interpreter_ends_with_worlds_alive():
     code = ("import epode\nw = epode.World()\nb = w.body(mass=1, shape=epode.Sphere(1))\nb.on_move(print)\n"
             "import builtins\nbuiltins.kept = (w, b)\nw.on_pair(lambda a, b: True)\nw.step(0.01)")

@@ -6,7 +6,7 @@ out and why. The first pattern that matches a name counts."""
 # Bound by hand in src/written.cpp or src/callbacks.cpp, where sizes of arrays or callbacks need care.
 WRITTEN = r"""
 dWorldsStep dBodies[GS]etStates dJointsGetStates dWorldGet(Bodies|Joints) dWorld[GS]etState(Delta)?
-dWorldGet(Contacts|ContactEvents|BrokenJoints) dSpaceRay(All|Batch) dSpaceOverlap dCollide dConnectingJointList
+dWorldDiagnose dWorldGet(Contacts|ContactEvents|BrokenJoints) dSpaceRay(All|Batch) dSpaceOverlap dCollide dConnectingJointList
 dCreateConvex(Hull)? dGeomSetConvex(Hull)? dGeomConvexGet(Points|Planes|Polygons) dGeomGetTriangles
 dGeomHeightfieldDataBuild\w+ dGeomHeightfieldDataSetHoles dGeomTriMeshDataBuild(Double|Simple) dCreateTriMesh
 dGeomTriMeshGetTriangle dJoint[GS]etFeedback
@@ -32,6 +32,7 @@ LEFT_OUT = {
     r"d(World|Body|Joint|Geom)[GS]etData": _DATA,
     r"dGeomGetClassData|dCreateGeom(Class)?|dSetColliderOverride":
         "classes of the program's own: colliders in Python would hold the interpreter in every step",
+    r"dDiagnosisText": "the last element of what dWorldDiagnose returns",
     r"d(Timer|Stopwatch)\w+": "timers: Python's own are better",
     r"dWorldExportDIF": "writes to a C FILE",
     r"dGeomLowLevelControl": "no geom class has a control of this kind that a property does not have",
