@@ -192,7 +192,9 @@ class dCouplingJoint {
     }
     dCouplingJoint(const dCouplingJoint&) = delete;
     dCouplingJoint& operator=(const dCouplingJoint&) = delete;
+    /** The joint's handle, for the C functions. */
     dJointID id() const { return id_; }
+    /** The same, where a C function wants it. */
     operator dJointID() const { return id_; }
 
     /** Its places for axes: dJointSetCouplingAxis and what reads them. */

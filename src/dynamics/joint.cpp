@@ -94,8 +94,10 @@ void unlink_from_world(Joint& joint)
 {
     if (!joint.world) return;
     if (joint.driven) --joint.world->driven_joints;
-    if (joint.coupled || is_coupling(joint)) leave_couplings(joint);
-    if (!is_contact(joint)) note_structure_changed();
+    if (!is_contact(joint)) {
+        if (joint.coupled || is_coupling(joint)) leave_couplings(joint);
+        note_structure_changed();
+    }
     joint.world->joints.leave(joint);
     joint.world = nullptr;
 }

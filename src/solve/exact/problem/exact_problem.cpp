@@ -142,32 +142,9 @@ bool ExactProblem::build_factor(const RowSystem& system, SymbolicCache* symbolic
     return true;
 }
 
-void ExactProblem::fill_rows(const RowSystem& system)
-{
-    scale_ = 0;
-    wide_rows_ = wide_rows_.first(0);
-    for (std::size_t k = 0; k < system.blocks.size(); ++k) {
-        const RowBlock& block = system.blocks[k];
-        for (int i = block.first; i < block.first + block.count; ++i) {
-            const auto at = std::size_t(i);
-            ExactRow& row = rows_[at];
-            row.pair = int(k);
-            row.wide_count = 0;
-            if (block.term_count == 0) {
-                fill_row(system.rows[at], system.numbers[at], block, system, row);
-                continue;
-            }
-            wide_rows_ = {wide_rows_.data(), wide_rows_.size() + 1};
-            wide_rows_.back() = i;
-            fill_wide_row(system.numbers[at], block, system, row);
-        }
-    }
-    if (!(scale_ > 0)) scale_ = 1;
-}
-
 // Also raises the scale to max(|c - J v*|, |J| |v*| / 1000).
-void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock& block,
-                            const RowSystem& system, ExactRow& out)
+inline void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock& block,
+                                   const RowSystem& system, ExactRow& out)
 {
     double* half = out.J;
     int* body = &out.a;
@@ -206,9 +183,11 @@ void ExactProblem::fill_row(const Row& row, const RowNumbers& n, const RowBlock&
 }
 
 // With an empty J on a body of its own, for what only looks at pairs of bodies.
-void ExactProblem::fill_wide_row(const RowNumbers& n, const RowBlock& block, const RowSystem& system,
+void ExactProblem::fill_wide_row(int i, const RowNumbers& n, const RowBlock& block, const RowSystem& system,
                                  ExactRow& out)
 {
+    wide_rows_ = {wide_rows_.data(), wide_rows_.size() + 1};
+    wide_rows_.back() = i;
     double sum = 0, motion = 0, inverse_mass = 0;
     std::fill(out.J, out.J + 12, 0.0);
     out.c = n.c, out.C = n.C, out.a = 0, out.b = -1;
@@ -255,6 +234,27 @@ void ExactProblem::begin_factor()
         for (int i = 0; i < 6; ++i) h[7 * i] = 1;
     }
     ++factorisations_;
+}
+
+void ExactProblem::fill_rows(const RowSystem& system)
+{
+    scale_ = 0;
+    wide_rows_ = wide_rows_.first(0);
+    for (std::size_t k = 0; k < system.blocks.size(); ++k) {
+        const RowBlock& block = system.blocks[k];
+        const bool wide = block.term_count > 0;
+        for (int i = block.first; i < block.first + block.count; ++i) {
+            ExactRow& row = rows_[std::size_t(i)];
+            row.pair = int(k);
+            row.wide_count = 0;
+            const RowNumbers& numbers = system.numbers[std::size_t(i)];
+            if (!wide)
+                fill_row(system.rows[std::size_t(i)], numbers, block, system, row);
+            else
+                fill_wide_row(i, numbers, block, system, row);
+        }
+    }
+    if (!(scale_ > 0)) scale_ = 1;
 }
 
 // H += weight J^T J

@@ -126,7 +126,8 @@ class ExactProblem {
     void begin_factor();
     void add_wide(WideJacobian row, double weight);
     bool take_wide(const RowSystem& system, Arena& arena);
-    void fill_wide_row(const RowNumbers& n, const RowBlock& block, const RowSystem& system, ExactRow& out);
+    void fill_wide_row(int i, const RowNumbers& n, const RowBlock& block, const RowSystem& system,
+                       ExactRow& out);
     bool number_bodies(const RowSystem& system, Arena& arena);
     void fill_rows(const RowSystem& system);
     static BodyRoot root_of(const SolverBody& body);
