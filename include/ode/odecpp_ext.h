@@ -190,8 +190,6 @@ class dCouplingJoint {
     {
         if (id_) dJointDestroy(id_);
     }
-    dCouplingJoint(const dCouplingJoint&) = delete;
-    dCouplingJoint& operator=(const dCouplingJoint&) = delete;
     /** The joint's handle, for the C functions. */
     dJointID id() const { return id_; }
     /** The same, where a C function wants it. */
@@ -212,6 +210,9 @@ class dCouplingJoint {
     dReal getForce() const { return dJointGetCouplingForce(id_); }
 
   private:
+    dCouplingJoint(const dCouplingJoint&);
+    void operator=(const dCouplingJoint&);
+
     dJointID id_;
 };
 

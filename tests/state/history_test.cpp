@@ -3,8 +3,10 @@
 //
 // Worlds that take steps back (dWorldRollBack), with bodies, geoms and joints created and destroyed in
 // between. EPODE_HISTORY_OPERATIONS in the environment: how many operations in place of 100,000.
+#include <cmath>
 #include <cstdlib>
 #include <deque>
+#include <string>
 
 #include "../effort.h"
 #include "scene.h"
@@ -40,6 +42,57 @@ class History : public testing::Test {
     dWorldID world = dWorldCreate();
     dSpaceID space = dHashSpaceCreate(nullptr);
 };
+
+// Two wheels on axles that a coupling makes turn as 1 to 2.
+class CoupledHistory : public History {
+  protected:
+    CoupledHistory()
+    {
+        for (int i = 0; i < 2; ++i) {
+            const dBodyID wheel = dBodyCreate(world);
+            dBodySetPosition(wheel, 3 * i, 0, 5);
+            axle[i] = dJointCreateHinge(world, nullptr);
+            dJointAttach(axle[i], wheel, nullptr);
+            dJointSetHingeAnchor(axle[i], 3 * i, 0, 5), dJointSetHingeAxis(axle[i], 0, 1, 0);
+        }
+        dBodySetAngularVel(dJointGetBody(axle[0], 0), 0, 2, 0);
+        dJointSetCouplingAxis(coupling, 0, axle[0], 0, 1);
+        dJointSetCouplingAxis(coupling, 1, axle[1], 0, -2);
+        dWorldSetHistory(world, 20);
+    }
+    dReal error() const { return dJointGetHingeAngle(axle[0]) - 2 * dJointGetHingeAngle(axle[1]); }
+    dJointID axle[2], coupling = dJointCreateCoupling(world, nullptr);
+};
+
+TEST_F(CoupledHistory, goes_on_with_the_same_bits_while_the_structure_stands)
+{
+    steps(10);
+    const Bytes middle = state_of(world);
+    steps(10);
+    const Bytes end = state_of(world);
+    EXPECT_GT(std::abs(dJointGetHingeAngle(axle[0])), dReal(0.1));
+    EXPECT_NEAR(error(), 0, 1e-5);
+    ASSERT_EQ(dWorldRollBack(world, 10), 1) << Messages::last();
+    EXPECT_EQ(difference(state_of(world), middle), "");
+    steps(10);
+    EXPECT_EQ(difference(state_of(world), end), "");
+}
+
+TEST_F(CoupledHistory, refuses_to_take_back_what_has_been_created_or_destroyed)
+{
+    steps(5);
+    const dBodyID more = add_ball(9, 9);
+    steps(2);
+    const Bytes now = state_of(world);
+    EXPECT_EQ(dWorldRollBack(world, 4), 0);
+    EXPECT_NE(std::string(Messages::last()).find("couplings"), std::string::npos) << Messages::last();
+    EXPECT_EQ(difference(state_of(world), now), "");
+    EXPECT_EQ(dWorldRollBack(world, 1), 1) << Messages::last();
+    dBodyDestroy(more), dJointDestroy(coupling);
+    EXPECT_EQ(dWorldRollBack(world, 0), 0);
+    steps(2);
+    EXPECT_EQ(dWorldRollBack(world, 1), 1) << Messages::last();
+}
 
 TEST_F(History, takes_steps_back_and_goes_on_with_the_same_bits)
 {
