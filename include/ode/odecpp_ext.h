@@ -185,6 +185,7 @@ class dJointExt : public Type {
     destroyed with the object. */
 class dCouplingJoint {
   public:
+    /** dJointCreateCoupling. */
     dCouplingJoint(dWorldID world, dJointGroupID group = 0) : id_(dJointCreateCoupling(world, group)) {}
     ~dCouplingJoint()
     {
