@@ -201,6 +201,7 @@ int dJointSetCouplingAxis(dJointID id, int i, dJointID joint_id, int axis, dReal
     *place = joint_id ? CoupledAxis{joint, axis, factor} : CoupledAxis{};
     coupling.impulse_rows = 0;
     ++coupling.world->connections_version;
+    ++coupling.attachments;  // its own part has changed
     note_structure_changed();
     wake_bodies(coupling);
     return 1;

@@ -69,9 +69,21 @@ void free_geom(const Topology::GeomRecord& r)
 // A coupling names joints by address, in a list of the world that is not recorded.
 bool has_coupling(const Topology& topology)
 {
-    for (const Topology::JointRecord& r : topology.joints)
-        if (is_coupling(*r.joint.object)) return true;
-    return false;
+    return std::any_of(topology.joints.begin(), topology.joints.end(),
+                       [](const Topology::JointRecord& r) { return is_coupling(*r.joint.object); });
+}
+
+// The same bodies and lasting joints, and these attached as they were.
+bool same_joints(const Topology& from, const Topology& to)
+{
+    const Topology::JointRecord* next = to.joints.begin();
+    for (const Topology::JointRecord& r : from.joints) {
+        if (is_contact(*r.joint.object)) continue;
+        if (next == to.joints.end() || next->joint.object != r.joint.object) return false;
+        if (next++->attachments != r.attachments) return false;
+    }
+    return next == to.joints.end() &&
+           same(from.bodies, to.bodies, [](const Topology::BodyRecord& r) { return r.body.object; });
 }
 
 // Still to be removed: it is alive and recorded as part of the present.
@@ -87,8 +99,8 @@ Arrangement::~Arrangement()
 const char* Arrangement::prepare(const Topology& from, const Topology& to, char* text, std::size_t size)
 {
     if (const char* obstacle = find_obstacle(to, text, size)) return obstacle;
-    if (has_coupling(from) || has_coupling(to))
-        return "objects were created, destroyed or attached since, in a world with couplings";
+    if ((has_coupling(from) || has_coupling(to)) && !same_joints(from, to))
+        return "bodies or joints were created, destroyed or attached since, in a world with couplings";
     for (const Topology::GeomRecord& r : from.geoms)
         if (is_newcomer(r, to) && r.geom.object->users.load(std::memory_order_relaxed) > 0)
             return "Invalid operation during a collision";

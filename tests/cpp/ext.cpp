@@ -168,6 +168,29 @@ void test_joints()
     judge("dJointExt::getSpring", ball.getSpring(&a, &b) == 1 && b == 4, Numbers(1, b));
 }
 
+void test_coupling()
+{
+    dWorld world;
+    dBody left(world), right(world);
+    dHingeJoint first(world), second(world);
+    first.attach(left, 0), second.attach(right, 0);
+    dCouplingJoint gear(world);
+    judge("dCouplingJoint::setAxis", gear.setAxis(0, first, 0, 1) == 1 && gear.setAxis(1, second, 0, -2) == 1,
+          Numbers());
+    judge("dCouplingJoint::id", dJointGetType(gear.id()) == dJointTypeCoupling, Numbers());
+    judge("dCouplingJoint::getJoint", gear.getJoint(1) == second.id() && gear.getJoint(2) == 0, Numbers());
+    judge("dCouplingJoint::getAxis", gear.getAxis(1) == 0, Numbers());
+    judge("dCouplingJoint::getFactor", gear.getFactor(1) == -2, Numbers(1, gear.getFactor(1)));
+    gear.setParam(dParamHiStop, dReal(0.5));
+    judge("dCouplingJoint::setParam", dJointGetCouplingParam(gear, dParamHiStop) == dReal(0.5), Numbers());
+    judge("dCouplingJoint::getParam", gear.getParam(dParamHiStop) == dReal(0.5), Numbers());
+    gear.setParam(dParamHiStop, 0);
+    left.addTorque(1, 0, 0);
+    world.step(dReal(0.01));
+    judge("dCouplingJoint::getForce", gear.getForce() == dJointGetCouplingForce(gear) && gear.getForce() != 0,
+          Numbers(1, gear.getForce()));
+}
+
 void test_body_and_geoms()
 {
     Ground ground;
@@ -286,6 +309,7 @@ int main()
     test_contacts();
     test_history();
     test_joints();
+    test_coupling();
     test_body_and_geoms();
     test_queries();
     test_hull();

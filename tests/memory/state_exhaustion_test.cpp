@@ -108,7 +108,7 @@ TEST_P(StateExhaustion, each_allocation_may_fail_and_nothing_changes)
                 if (!failed) break;
                 ++tried;
             }
-    EXPECT_GT(tried, 30);
+    EXPECT_GT(tried, 8);  // few: what a call allocates is kept for the next one
 }
 
 // What a step that fails takes back is all that a state holds.

@@ -89,7 +89,7 @@ TEST_F(CoupledHistory, refuses_to_take_back_what_has_been_created_or_destroyed)
     EXPECT_EQ(difference(state_of(world), now), "");
     EXPECT_EQ(dWorldRollBack(world, 1), 1) << Messages::last();
     dBodyDestroy(more), dJointDestroy(coupling);
-    EXPECT_EQ(dWorldRollBack(world, 0), 0);
+    EXPECT_EQ(dWorldRollBack(world, 0), 0);  // the coupling stays lost
     steps(2);
     EXPECT_EQ(dWorldRollBack(world, 1), 1) << Messages::last();
 }
@@ -234,13 +234,13 @@ TEST_F(History, names_what_cannot_come_back_and_changes_nothing)
     const dSpaceID inner = dSimpleSpaceCreate(space);
     steps(1);
     dSpaceDestroy(inner);
-    EXPECT_EQ(dWorldRollBack(world, 0), 0);
+    EXPECT_EQ(dWorldRollBack(world, 0), 0);  // the coupling stays lost
     EXPECT_NE(Messages::last().find("destroyed"), std::string::npos) << Messages::last();
     EXPECT_EQ(dWorldRollBack(world, 6), 0);
     EXPECT_NE(Messages::last().find("cannot take back 6 steps"), std::string::npos) << Messages::last();
     EXPECT_EQ(dWorldSetHistory(world, -1), 0);
     EXPECT_EQ(dWorldSetHistory(world, 0), 1);
-    EXPECT_EQ(dWorldRollBack(world, 0), 0);
+    EXPECT_EQ(dWorldRollBack(world, 0), 0);  // the coupling stays lost
     EXPECT_NE(Messages::last().find("no history"), std::string::npos) << Messages::last();
 }
 

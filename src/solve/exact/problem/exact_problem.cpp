@@ -36,6 +36,8 @@ bool ExactProblem::build(const RowSystem& system, Arena& arena)
 
 bool ExactProblem::take_wide(const RowSystem& system, Arena& arena)
 {
+    wide_rows_ = {}, wide_terms_ = {};
+    if (system.terms.empty()) return true;
     int rows = 0;
     for (const RowBlock& block : system.blocks)
         if (block.term_count > 0) rows += block.count;
