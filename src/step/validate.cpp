@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "dynamics/active.h"
+#include "dynamics/coupling.h"
 #include "step/link.h"
 #include "step/step.h"
 
@@ -175,9 +176,17 @@ const char* fault_of(const World& world, const Islands& islands, Arena& arena)
         ++number;
         for (const Body* body : island.bodies)
             if (!claims(body, number)) return "islands: a body is in two of them, or not active";
-        for (const Joint* joint : island.joints)
-            if (!holds(joint->body1(), number) || (joint->body2() && !holds(joint->body2(), number)))
+        for (const Joint* joint : island.joints) {
+            if (is_coupling(*joint)) {
+                bool inside = true;
+                for_each_body(coupling_of(*joint), [&](const Body& body) {
+                    inside = inside && (body.kinematic() || holds(&body, number));
+                });
+                if (!inside) return "islands: a coupling leads out of its island";
+            } else if (!holds(joint->body1(), number) || (joint->body2() && !holds(joint->body2(), number))) {
                 return "islands: a joint leads out of its island";
+            }
+        }
     }
     for (const Body* body : islands.asleep)
         if (!claims(body, ++number)) return "islands: a body falls asleep and is in an island";
