@@ -66,9 +66,8 @@ void mark_loops(const StepFacts& facts, std::span<GraphNode> nodes)
 }  // namespace
 
 const char* const k_text_of_contradiction =
-    "joints that close a loop ask for what no pose can give, and stay open; check anchors, axes and the pose "
-    "in "
-    "which they were attached, leave one out, or give one CFM";
+    "joints that close a loop ask for what no pose can give, and stay open; check anchors, axes and the "
+    "pose in which they were attached, leave one out, or give one CFM";
 
 void find_contradiction(const StepFacts& facts)
 {

@@ -26,9 +26,8 @@ bool is_continuous(const Body* body)
 }  // namespace
 
 const char* const k_text_of_impact =
-    "the bodies meet so fast that a step carries one through its thickness; use "
-    "dGeomSetContinuous(), a "
-    "shorter step or thicker geoms";
+    "the bodies meet so fast that a step carries one through its thickness; use dGeomSetContinuous(), "
+    "a shorter step or thicker geoms";
 
 void find_impact(const StepFacts& facts)
 {

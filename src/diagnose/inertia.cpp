@@ -25,8 +25,7 @@ bool is_physical(const Sym3& I)
 
 const char* const k_text_of_inertia =
     "the body's inertia is not that of a real body, or not of the size of its geoms: it rotates far too "
-    "easily "
-    "or hardly at all; set the mass with dMassSetBox() and its sisters for the shape it has";
+    "easily or hardly at all; set the mass with dMassSetBox() and its sisters for the shape it has";
 
 void find_inertia(const StepFacts& facts)
 {

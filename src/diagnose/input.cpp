@@ -14,8 +14,7 @@ constexpr Real kHuge = 1e4, kAbsurd = 1e6;  // m/s or rad/s
 
 const char* const k_text_of_input =
     "the program set a huge velocity or force; look where it is computed (a division by a small number, "
-    "wrong "
-    "units, a mass of 0.001)";
+    "wrong units, a mass of 0.001)";
 
 void find_input(const StepFacts& facts)
 {

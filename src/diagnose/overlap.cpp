@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Bodies that the program has made or moved since the step before are in each other deeper than their motion brings them in a
-// step, and deeper than half of the thinner one's half thickness: they were put there.
+// Bodies that the program has made or moved since the step before are in each other deeper than their motion
+// brings them in a step, and deeper than half of the thinner one's half thickness: they were put there.
 #include "diagnose/cause.h"
 
 #include <algorithm>

@@ -31,9 +31,8 @@ Real stiffness(Vec3 f, Vec3 before, Vec3 dx, Vec3 dv, Real inv_mass, Real h)
 }  // namespace
 
 const char* const k_text_of_stiff_spring =
-    "the program's force on the body reverses from step to step: a spring or damper too stiff for this step; "
-    "use "
-    "a drive (dJointSetDrive) or a joint's ERP and CFM, which are implicit, or a shorter step";
+    "the program's force on the body reverses from step to step: a spring or damper too stiff for this "
+    "step; use a drive (dJointSetDrive) or a joint's ERP and CFM, which are implicit, or a shorter step";
 
 void find_stiff_spring(const StepFacts& facts)
 {

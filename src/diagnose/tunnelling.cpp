@@ -36,9 +36,8 @@ RayAnswer cast(RayCaster& caster, const Geom& geom, Vec3 from, Vec3 to)
 }  // namespace
 
 const char* const k_text_of_tunnelling =
-    "the body passed through a geom within one step; use dGeomSetContinuous() on its geom, a shorter step or "
-    "a "
-    "thicker obstacle";
+    "the body passed through a geom within one step; use dGeomSetContinuous() on its geom, a shorter step "
+    "or a thicker obstacle";
 
 void find_tunnelling(const StepFacts& facts)
 {
