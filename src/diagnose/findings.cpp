@@ -49,9 +49,19 @@ void Findings::add(const Finding& seen)
         if (one.figure > known.figure) known.figure = one.figure, known.threshold = one.threshold;
         return;
     }
-    if (count_ == kCapacity) return;
-    seen_[count_] = step_;
-    all_[count_++] = one;
+    const int at = count_ < kCapacity ? count_++ : place_for(one);
+    if (at < 0) return;
+    seen_[at] = step_;
+    all_[at] = one;
+}
+
+// Of a full list: the place of the last in rank, if the new one precedes it; else -1.
+int Findings::place_for(const dDiagnosis& one) const
+{
+    int last = 0;
+    for (int i = 1; i < count_; ++i)
+        if (precedes(all_[last], all_[i])) last = i;
+    return precedes(one, all_[last]) ? last : -1;
 }
 
 int Findings::ranked(dDiagnosis* out, int capacity) const

@@ -31,7 +31,9 @@ class Findings {
     int ranked(dDiagnosis* out, int capacity) const;
 
   private:
-    static constexpr int kCapacity = 64;
+    int place_for(const dDiagnosis& one) const;
+
+    static constexpr int kCapacity = 64;  // of more, the first in rank are kept
     dDiagnosis all_[kCapacity];
     int seen_[kCapacity];  // in which step last
     int count_ = 0, step_ = 0;

@@ -319,6 +319,23 @@ TEST_F(Failing, energy_of_a_ball_that_bounces_higher_each_time)
     expect_first(dDiagnosisEnergy, body);
 }
 
+// More bodies than a diagnosis has places carry loads that are too heavy for them, before one is thrown.
+TEST_F(Failing, the_worst_cause_is_kept_when_there_are_too_many)
+{
+    for (int i = 0; i < 80; ++i) {
+        dBodyID post = box(10.0 * i, 0, 0, 0.1, 100);
+        ball(post, nullptr, 10.0 * i, 0, 0);
+        ball(post, box(10.0 * i, 0, 1, 0.8), 10.0 * i, 0, 0.5);
+    }
+    run(5, 0.01, true);
+    ASSERT_EQ(dWorldDiagnose(world, nullptr, 0), 64);
+    dBodyID thrown = box(0, 99, 5, 1);
+    dBodySetLinearVel(thrown, 1e7, 0, 0);
+    run(1, 0.01, true);
+    expect_first(dDiagnosisInput, thrown);
+    EXPECT_EQ(dWorldDiagnose(world, nullptr, 0), 64);
+}
+
 TEST_F(Failing, diagnosis_can_be_read_in_parts_and_forgets_when_switched_off)
 {
     dBodySetLinearVel(box(0, 0, 5, 1), 1e7, 0, 0);
