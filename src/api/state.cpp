@@ -36,11 +36,6 @@ bool is_unlocked(const World& world)
 
 constexpr int kMaxHistory = 100000;  // frames
 
-History* history_of(const World& world)
-{
-    return world.step_state && world.step_state->archive ? &world.step_state->archive->history : nullptr;
-}
-
 }  // namespace
 
 #define WORLD_OR(result)                        \
@@ -138,7 +133,7 @@ int dWorldSetHistory(dWorldID w, int frames)
     const FloatEnvironment floats;
     WORLD_OR(0);
     EPODE_USER(frames >= 0 && frames <= kMaxHistory, 0);
-    if (frames == 0 && (!world->step_state || !world->step_state->archive)) return 1;
+    if (frames == 0 && !history_of(*world)) return 1;
     WorldArchive* const archive = archive_of(*world);
     EPODE_USER_SAY(archive && archive->history.set_frames(frames), kOutOfMemory, 0);
     return 1;

@@ -133,24 +133,24 @@ bool set_diagnosis(World& world, bool on)
     if (!on && !world.step_state) return true;
     StepState* const state = step_state(world);
     if (!state) return false;
-    if (on == (state->observer != nullptr)) return true;
+    if (on == (state->watch != nullptr)) return true;
     if (!on) {
-        state->observer->destroy(*state->observer);
-        state->observer = nullptr;
+        state->watch->destroy(*state->watch);
+        state->watch = nullptr;
         return true;
     }
     void* const memory = allocate(sizeof(Watch));
     if (!memory) return false;
     Watch* const watch = new (memory) Watch;
     watch->begin = begin, watch->end = end, watch->destroy = destroy;
-    state->observer = watch;
+    state->watch = watch;
     return true;
 }
 
 const Findings* findings_of(const World& world)
 {
-    StepObserver* const observer = world.step_state ? world.step_state->observer : nullptr;
-    return observer ? &watch_of(*observer).findings : nullptr;
+    StepObserver* const watch = world.step_state ? world.step_state->watch : nullptr;
+    return watch ? &watch_of(*watch).findings : nullptr;
 }
 
 Extent extent_of(const Body& body)

@@ -49,12 +49,10 @@ int History::worlds() { return g_worlds.load(std::memory_order_relaxed); }
 bool History::set_frames(int frames)
 {
     clear();
-    world_.step_state->stepped = nullptr;
     if (frames == 0) return true;
     if (!ring_.resize(frames + 1)) return false;
     frames_ = frames;
     g_worlds.fetch_add(1, std::memory_order_relaxed);
-    world_.step_state->stepped = [](World& world) { world.step_state->archive->history.step_made(); };
     if (capture()) return true;
     clear();
     return false;

@@ -9,7 +9,7 @@
 
 namespace epode {
 
-struct WorldArchive {
+struct WorldArchive : StepObserver {
     explicit WorldArchive(World& world) : state(world), history(world, state) {}
     WorldState state;
     History history;
@@ -17,6 +17,9 @@ struct WorldArchive {
 
 // Made if there is none yet; null: out of memory.
 WorldArchive* archive_of(World& world);
+
+// Null: there is none.
+History* history_of(const World& world);
 
 // Has any world of the process a history?
 bool any_history();

@@ -432,13 +432,13 @@ bool step_with(World& world, const Solver* solver, Real h, int iterations)
     StepState* state = step_state(world);
     StepMemory* memory = working_memory(world);
     if (!state || !memory || !memory->begin()) return false;
-    StepObserver* const observer = state->observer;
-    if (observer) observer->begin(*observer, world, h);
+    for (StepObserver* o : state->observers())
+        if (o && o->begin) o->begin(*o, world, h);
     const bool done = step_in(world, *state, solver, h, iterations);
     memory->end();
-    if (observer) observer->end(*observer, world, h, done);
+    for (StepObserver* o : state->observers())
+        if (o && o->end) o->end(*o, world, h, done);
     EPODE_ASSERT(!was_whole || !fault_of(world));
-    if (done && state->stepped) state->stepped(world);
     return done;
 }
 

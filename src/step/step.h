@@ -4,6 +4,8 @@
 // One step of a world, the only place that sees all parts.
 #pragma once
 
+#include <array>
+
 #include "base/array.h"
 #include "contacts/contact_world.h"
 #include "dynamics/world.h"
@@ -14,13 +16,12 @@
 
 namespace epode {
 
-// Looks at steps from above (diagnose/), and changes nothing that they compute.
+// Looks at steps from above, and changes nothing that they compute.
 struct StepObserver {
-    void (*begin)(StepObserver&, World&, Real h);
-    void (*end)(StepObserver&, World&, Real h, bool made);  // false: the step has been undone
-    void (*destroy)(StepObserver&);
+    void (*begin)(StepObserver&, World&, Real h) = nullptr;           // null: is not told
+    void (*end)(StepObserver&, World&, Real h, bool made) = nullptr;  // likewise; false: it has been undone
+    void (*destroy)(StepObserver&) = nullptr;
 };
-struct WorldArchive;  // state/world_archive.h
 
 // What a world keeps from one step to the next.
 struct StepState {
@@ -29,8 +30,8 @@ struct StepState {
     StepState& operator=(const StepState&) = delete;
     ~StepState()
     {
-        if (observer) observer->destroy(*observer);
-        if (archive) free_archive(archive);
+        for (StepObserver* observer : observers())
+            if (observer) observer->destroy(*observer);
     }
 
     ContactCache contacts;
@@ -38,10 +39,9 @@ struct StepState {
     ContinuousLists continuous;
     ContactWorld world_contacts;       // world-managed contacts
     Array<dIslandStepReport> reports;  // of the last step's islands, when they were wanted
-    StepObserver* observer = nullptr;
-    WorldArchive* archive = nullptr;  // of states; null: none yet
-    void (*free_archive)(WorldArchive*) = nullptr;
-    void (*stepped)(World&) = nullptr;  // to be called after each step; null: nobody wants to know
+    StepObserver* watch = nullptr;     // diagnose/watch.h; null: the world is not diagnosed
+    StepObserver* archive = nullptr;   // of states, state/world_archive.h; null: none yet
+    std::array<StepObserver*, 2> observers() const { return {watch, archive}; }
 };
 
 // Is the world stepping, or another world that shares its working memory?
