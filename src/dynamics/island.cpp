@@ -299,9 +299,9 @@ bool sleep_or_settle(Island& island, Real h)
 
 bool find_islands(World& world, Real h, std::span<ManifoldEdge> manifolds, Arena& arena, Islands& found)
 {
+    activate_couplings(world);
     // Bodies and joints that the program creates while it is asked for memory are behind these: the next
     // step's.
-    activate_couplings(world);
     const int bodies = world.bodies.active_count(), body_places = world.bodies.places();
     const int joints = world.joints.active_count(), joint_places = world.joints.places();
     Search search(bodies, joints, manifolds.size(), arena);

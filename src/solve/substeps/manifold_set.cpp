@@ -411,8 +411,9 @@ void ManifoldSet::expect_impacts(const RowSystem& system, std::span<const Veloci
     };
     for (std::size_t b = 0; b < batches_.size(); ++b)
         for (int lane = 0; lane < batches_[b].lanes; ++lane) {
+            if (!(batches_[b].restitution[lane] > 0)) continue;
             const int index = chosen_[b * kBroadLanes + std::size_t(lane)];
-            if (index < 0 || !(batches_[b].restitution[lane] > 0)) continue;
+            if (index < 0) continue;
             const ContactManifold& m = *system.contact_manifolds[std::size_t(index)];
             for (int i = 0; i < m.count; ++i) {
                 const ManifoldPoint& point = m.points[i];
