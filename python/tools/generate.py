@@ -10,9 +10,11 @@ import glob
 import json
 import os
 import re
-import subprocess
 import sys
 
+sys.path.insert(0, os.path.join(sys.argv[1], "tools"))
+import c_functions
+import header_docs
 import rules
 
 HANDLES = {"dWorldID": "World", "dBodyID": "Body", "dJointID": "Joint", "dJointGroupID": "Group",
@@ -22,27 +24,6 @@ SCALARS = {"dReal": "double", "double": "double", "int": "int", "unsigned": "uns
 FIXED = {"dVector3": 3, "dVector4": 4, "dQuaternion": 4, "dMatrix3": 12, "dMatrix4": 16, "dReal[4]": 4, "dReal[6]": 6}
 RETURNED = [(r"Rotation", "matrix_of(r)"), (r"Quaternion", "array_of(r, 4)"), (r"LastTransform", "array_of(r, 16)"),
             (r"", "array_of(r, 3)")]
-HIDDEN = r"(collision_trimesh|odemath_legacy|odecpp\w*)\.h$"
-
-
-def preprocessed(include, cc):
-    headers = sorted(glob.glob(os.path.join(include, "ode", "*.h")))
-    text = "".join(f'#include "{h}"\n' for h in headers if not re.search(HIDDEN, h))
-    command = [cc, "-E", "-P", "-x", "c", "-DODE_API=EPODE_EXPORTED", "-I" + include, "-"]
-    out = subprocess.run(command, input=text, capture_output=True, text=True, check=True).stdout
-    return " ".join(re.sub(r"__attribute__\s*\(\(.*?\)\)", "", out).split())
-
-
-def split(parameters):
-    parts, depth, part = [], 0, ""
-    for c in parameters + ",":
-        if c == "," and depth == 0:
-            parts.append(part.strip())
-            part = ""
-            continue
-        depth += (c == "(") - (c == ")")
-        part += c
-    return [p for p in parts if p not in ("", "void", "...")]
 
 
 def type_and_name(parameter, index):
@@ -59,7 +40,7 @@ def type_and_name(parameter, index):
 def functions(text):
     for m in re.finditer(r"EPODE_EXPORTED ([^;{]*?)(\bd[A-Z]\w*) ?\(([^;]*)\);", text):
         yield (m[1].replace("EPODE_EXPORTED", "").strip(), m[2],
-               [type_and_name(p, i) for i, p in enumerate(split(m[3]))])
+               [type_and_name(p, i) for i, p in enumerate(c_functions.split(m[3]))])
 
 
 FIELD = re.compile(r"^(const )?(\w+(?: \w+)*?) ?(\*?) ?(\w+)((?:\[\d+\])?)$")
@@ -78,8 +59,6 @@ def structures(text):
 
 def texts(engine):
     """{function: its entry in the manual}."""
-    sys.path.insert(0, os.path.join(engine, "tools"))
-    import header_docs
     found = {}
     for path in sorted(glob.glob(os.path.join(engine, "include", "ode", "*.h"))):
         with open(path, encoding="utf-8") as f:
@@ -215,7 +194,7 @@ HEAD = '// Written by python/tools/generate.py from the public headers.\n#includ
 
 def main():
     engine, cc, output, parts = sys.argv[1], sys.argv[2], sys.argv[3], int(sys.argv[4])
-    text = preprocessed(os.path.join(engine, "include"), cc)
+    text = c_functions.preprocessed(os.path.join(engine, "include"), cc)
     every = list({name: (r, name, typed) for r, name, typed in functions(text)}.values())
     docs, all_structs = texts(engine), structures(text)
     all_structs["#names"] = {name for _, name, _ in every}

@@ -14,17 +14,15 @@
 # - a pointer that may be null, an argument that is not read, a number that may be NaN: the lists below;
 # - an object that a call makes and no scene holds: kMakers in aftermath.cpp.
 # A function that is not understood is left out, and the test hostile_covers_exports names it, with the reason.
-import glob
 import os
 import re
-import subprocess
 import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tools"))
+import c_functions
 
 # Never called, and why.
 EXCUSED = {name: "ends the program, as documented" for name in ("dError", "dDebug")}
-
-# Headers that others include for their programs, and those of C++, which export nothing.
-INCLUDED_BY_OTHERS = r"(collision_trimesh|odemath_legacy|odecpp\w*)\.h$"
 
 KIND_OF_TYPE = {
     "dWorldID": "World", "const dWorldID*": "WorldList", "const dBodyID*": "BodyList",
@@ -159,27 +157,6 @@ def matches(patterns, name):
     return any(re.fullmatch(p, name) for p in patterns)
 
 
-def preprocessed(include, cc):
-    headers = sorted(glob.glob(os.path.join(include, "ode", "*.h")))
-    text = "".join(f'#include "{h}"\n' for h in headers if not re.search(INCLUDED_BY_OTHERS, h))
-    command = [cc, "-E", "-P", "-x", "c", "-DODE_API=EPODE_EXPORTED", "-I" + include, "-"]
-    out = subprocess.run(command, input=text, capture_output=True, text=True, check=True).stdout
-    return " ".join(re.sub(r"__attribute__\s*\(\(.*?\)\)", "", out).split())
-
-
-def split(parameters):
-    parts, depth, part = [], 0, ""
-    for c in parameters:
-        depth += (c == "(") - (c == ")")
-        if c == "," and depth == 0:
-            parts.append(part.strip())
-            part = ""
-        else:
-            part += c
-    parts.append(part.strip())
-    return [p for p in parts if p not in ("", "void", "...")]
-
-
 def type_and_name(parameter, index):
     callback = re.fullmatch(r"(\w+) ?\( ?\* ?(\w+)\) ?\((.*)\)", parameter)
     if callback:
@@ -210,7 +187,7 @@ def unknown(name, typed):
 
 def declarations(text):
     for m in re.finditer(r"EPODE_EXPORTED ([^;{]*?)(\bd[A-Z]\w*) ?\(([^;]*)\);", text):
-        yield m[1].strip(), m[2], split(m[3])
+        yield m[1].strip(), m[2], c_functions.split(m[3])
 
 
 def reading(name, kinds):
@@ -249,7 +226,7 @@ def entry(index, result, name, typed):
 def main():
     include, cc, output = sys.argv[1:4]
     lines, table, absent, joints = [], [], [], []
-    for result, name, parameters in declarations(preprocessed(include, cc)):
+    for result, name, parameters in declarations(c_functions.preprocessed(include, cc)):
         typed = [type_and_name(p, i) for i, p in enumerate(parameters)]
         if name.startswith("dJointCreate") and [kind for kind, _ in typed] == ["dWorldID", "dJointGroupID"]:
             joints.append(name)
