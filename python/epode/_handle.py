@@ -46,3 +46,8 @@ def vector(get, put, doc):
 def flag(get, put, doc):
     """A property that is true or false."""
     return property(lambda self: bool(get(self._handle)), lambda self, value: put(self._handle, int(bool(value))), doc=doc)
+
+
+def switch(get, on, off, doc):
+    """A property that is true or false, and has a function for each."""
+    return property(lambda self: bool(get(self._handle)), lambda self, value: (on if value else off)(self._handle), doc=doc)

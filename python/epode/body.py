@@ -4,7 +4,7 @@
 import numpy as np
 
 from . import c
-from ._handle import Object, flag, reads, reads_and_sets, vector
+from ._handle import Object, flag, reads, reads_and_sets, switch, vector
 
 
 class Body(Object):
@@ -71,23 +71,10 @@ class Body(Object):
     def mass_properties(self, value):
         c.dBodySetMass(self._handle, value)
 
-    @property
-    def enabled(self):
-        """Whether steps move the body; false while it sleeps."""
-        return bool(c.dBodyIsEnabled(self._handle))
-
-    @enabled.setter
-    def enabled(self, value):
-        (c.dBodyEnable if value else c.dBodyDisable)(self._handle)
-
-    @property
-    def kinematic(self):
-        """Whether the body moves as its velocity says, and nothing else moves it."""
-        return bool(c.dBodyIsKinematic(self._handle))
-
-    @kinematic.setter
-    def kinematic(self, value):
-        (c.dBodySetKinematic if value else c.dBodySetDynamic)(self._handle)
+    enabled = switch(c.dBodyIsEnabled, c.dBodyEnable, c.dBodyDisable,
+                     "Whether steps move the body; false while it sleeps.")
+    kinematic = switch(c.dBodyIsKinematic, c.dBodySetKinematic, c.dBodySetDynamic,
+                       "Whether the body moves as its velocity says, and nothing else moves it.")
 
     @property
     def joints(self):

@@ -4,7 +4,7 @@
 import dataclasses
 
 from . import c
-from ._handle import Object
+from ._handle import Object, switch
 
 TYPES = {"ball": "Ball", "hinge": "Hinge", "slider": "Slider", "universal": "Universal", "hinge2": "Hinge2",
          "fixed": "Fixed", "amotor": "AMotor", "lmotor": "LMotor", "plane2d": "Plane2D", "pr": "PR", "pu": "PU",
@@ -112,14 +112,7 @@ class Joint(Object):
             raise AttributeError(f"a joint of type {self.type} takes no force")
         getattr(c, f"dJointAdd{TYPES[self.type]}{name}")(self._handle, *forces)
 
-    @property
-    def enabled(self):
-        """Whether the joint acts."""
-        return bool(c.dJointIsEnabled(self._handle))
-
-    @enabled.setter
-    def enabled(self, value):
-        (c.dJointEnable if value else c.dJointDisable)(self._handle)
+    enabled = switch(c.dJointIsEnabled, c.dJointEnable, c.dJointDisable, "Whether the joint acts.")
 
     @property
     def broken(self):

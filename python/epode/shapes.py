@@ -21,17 +21,21 @@ class Shape:
         raise TypeError(f"{type(self).__name__} has no mass of its own: give the body mass and inertia")
 
 
+def _weighed(total, dense, mass, density, *parts):
+    """A c.dMass by one of two C functions: of that total mass or, if it is None, density."""
+    m = c.dMass()
+    (dense if mass is None else total)(m, density if mass is None else mass, *parts)
+    return m
+
+
 def _solid(create, total, dense, fields, axial=False):
     """The methods of a solid whose C functions take its fields in order."""
     def make(self, space):
         return create(space, *(getattr(self, f) for f in fields))
 
     def weigh(self, mass, density, geom):
-        m = c.dMass()
-        values = [getattr(self, f) for f in fields]
         axis = [3] if axial else []
-        (total if mass is not None else dense)(m, mass if mass is not None else density, *axis, *values)
-        return m
+        return _weighed(total, dense, mass, density, *axis, *(getattr(self, f) for f in fields))
     return make, weigh
 
 
@@ -114,9 +118,7 @@ class Convex(Shape):
         return c.dCreateConvexHull(space, self.points, self.max_vertices)
 
     def _mass(self, mass, density, geom):
-        m = c.dMass()
-        (c.dMassSetConvex if mass is None else c.dMassSetConvexTotal)(m, density if mass is None else mass, geom)
-        return m
+        return _weighed(c.dMassSetConvexTotal, c.dMassSetConvex, mass, density, geom)
 
 
 @dataclasses.dataclass(eq=False)
@@ -143,9 +145,7 @@ class Mesh(Shape):
         return geom
 
     def _mass(self, mass, density, geom):
-        m = c.dMass()
-        (c.dMassSetTrimesh if mass is None else c.dMassSetTrimeshTotal)(m, density if mass is None else mass, geom)
-        return m
+        return _weighed(c.dMassSetTrimeshTotal, c.dMassSetTrimesh, mass, density, geom)
 
 
 @dataclasses.dataclass(eq=False)
@@ -168,7 +168,6 @@ class HeightField(Shape):
             raise
         h = 0.5 ** 0.5
         c.dGeomSetQuaternion(geom, (h, h, 0, 0))
-        self._data = data
         return geom
 
 

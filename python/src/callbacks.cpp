@@ -134,8 +134,8 @@ nb::object get_feedback(const JointHandle* joint)
 // The data point to the arrays, which are kept until the data get others.
 void build_mesh(const MeshHandle* data, nb::object vertices, nb::object indices, bool simple)
 {
-    auto points = array_in<double>(vertices, "vertices");
-    auto corners = array_in<unsigned>(indices, "indices");
+    auto points = array_in<double>(vertices);
+    auto corners = array_in<unsigned>(indices);
     size_t width = simple ? 4 : 3;
     if (points.size % width || (points.shape.size() == 2 && points.shape[1] != width) ||
         points.size > (1u << 30) || corners.size > (1u << 30))

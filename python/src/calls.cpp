@@ -127,42 +127,20 @@ void read_numbers(nb::handle from, dReal* to, int size, const char* what)
 }
 
 namespace {
+
+// As numpy calls it.
 template <typename T>
-const char* name_of();
-template <>
-const char* name_of<double>()
+const char* name_of()
 {
-    return "float64";
+    if constexpr (std::is_floating_point_v<T>) return sizeof(T) == 8 ? "float64" : "float32";
+    else if constexpr (std::is_unsigned_v<T>) return sizeof(T) == 4 ? "uint32" : "uint8";
+    else return "int16";
 }
-template <>
-const char* name_of<float>()
-{
-    return "float32";
-}
-template <>
-const char* name_of<unsigned>()
-{
-    return "uint32";
-}
-template <>
-const char* name_of<int>()
-{
-    return "int32";
-}
-template <>
-const char* name_of<short>()
-{
-    return "int16";
-}
-template <>
-const char* name_of<unsigned char>()
-{
-    return "uint8";
-}
+
 }  // namespace
 
 template <typename T>
-Array<const T> array_in(nb::handle from, const char*)
+Array<const T> array_in(nb::handle from)
 {
     nb::object array = nb::module_::import_("numpy").attr("ascontiguousarray")(from, name_of<T>());
     auto view = nb::cast<nb::ndarray<const T, nb::c_contig, nb::device::cpu>>(array);
@@ -170,12 +148,11 @@ Array<const T> array_in(nb::handle from, const char*)
     for (size_t i = 0; i < view.ndim(); ++i) result.shape.push_back(view.shape(i));
     return result;
 }
-template Array<const double> array_in<double>(nb::handle, const char*);
-template Array<const float> array_in<float>(nb::handle, const char*);
-template Array<const unsigned> array_in<unsigned>(nb::handle, const char*);
-template Array<const int> array_in<int>(nb::handle, const char*);
-template Array<const short> array_in<short>(nb::handle, const char*);
-template Array<const unsigned char> array_in<unsigned char>(nb::handle, const char*);
+template Array<const double> array_in<double>(nb::handle);
+template Array<const float> array_in<float>(nb::handle);
+template Array<const unsigned> array_in<unsigned>(nb::handle);
+template Array<const short> array_in<short>(nb::handle);
+template Array<const unsigned char> array_in<unsigned char>(nb::handle);
 
 nb::object real_array(size_t rows, size_t columns, dReal** data)
 {

@@ -79,7 +79,7 @@ struct Array {
     std::vector<size_t> shape;
 };
 template <typename T>
-Array<const T> array_in(nb::handle from, const char* what);
+Array<const T> array_in(nb::handle from);
 
 // New arrays.
 nb::object array_of(const dReal* v, int count);

@@ -107,7 +107,7 @@ nb::object get_states(const BodyList& bodies, unsigned fields)
 
 void set_states(const BodyList& bodies, unsigned fields, nb::object from)
 {
-    auto rows = array_in<double>(from, "states");
+    auto rows = array_in<double>(from);
     if (rows.size != bodies.v.size() * size_t(width_of(fields))) {
         std::string text = std::to_string(bodies.v.size()) + " rows of " + std::to_string(width_of(fields)) +
                            " numbers expected, not " + std::to_string(rows.size) + " numbers";
@@ -203,8 +203,8 @@ nb::object ray_all(const SpaceHandle* space, nb::object origin, nb::object direc
 nb::object ray_batch(const SpaceHandle* space, nb::object origins, nb::object directions, nb::object lengths,
                      const Filter* filter, int threads)
 {
-    auto o = array_in<double>(origins, "origins"), d = array_in<double>(directions, "directions"),
-         l = array_in<double>(lengths, "lengths");
+    auto o = array_in<double>(origins), d = array_in<double>(directions),
+         l = array_in<double>(lengths);
     size_t count = o.size / 3;
     if (o.size % 3 || d.size != o.size || l.size != count || count > (1u << 30))
         throw nb::value_error("origins and directions of n rows of 3 numbers and n lengths expected");
@@ -257,8 +257,8 @@ void check_faces(const Array<const double>& planes, const Array<const double>& p
 
 nb::object create_convex(const SpaceHandle* space, nb::object planes, nb::object points, nb::object polygons)
 {
-    auto n = array_in<double>(planes, "planes"), p = array_in<double>(points, "points");
-    auto f = array_in<unsigned>(polygons, "polygons");
+    auto n = array_in<double>(planes), p = array_in<double>(points);
+    auto f = array_in<unsigned>(polygons);
     check_faces(n, p, f);
     Call call;
     call.uses(space_of(space));
@@ -270,8 +270,8 @@ nb::object create_convex(const SpaceHandle* space, nb::object planes, nb::object
 
 void set_convex(const GeomHandle* convex, nb::object planes, nb::object points, nb::object polygons)
 {
-    auto n = array_in<double>(planes, "planes"), p = array_in<double>(points, "points");
-    auto f = array_in<unsigned>(polygons, "polygons");
+    auto n = array_in<double>(planes), p = array_in<double>(points);
+    auto f = array_in<unsigned>(polygons);
     check_faces(n, p, f);
     Call call;
     call.uses(get(convex));
@@ -281,7 +281,7 @@ void set_convex(const GeomHandle* convex, nb::object planes, nb::object points, 
 
 nb::object create_hull(const SpaceHandle* space, nb::object points, unsigned max_vertices)
 {
-    auto p = array_in<double>(points, "points");
+    auto p = array_in<double>(points);
     Call call;
     call.uses(space_of(space));
     dGeomID geom = dCreateConvexHull(space_of(space), p.data, unsigned(p.size / 3), max_vertices);
@@ -291,7 +291,7 @@ nb::object create_hull(const SpaceHandle* space, nb::object points, unsigned max
 
 void set_hull(const GeomHandle* convex, nb::object points, unsigned max_vertices)
 {
-    auto p = array_in<double>(points, "points");
+    auto p = array_in<double>(points);
     Call call;
     call.uses(get(convex));
     dGeomSetConvexHull(get(convex), p.data, unsigned(p.size / 3), max_vertices);
@@ -327,7 +327,7 @@ template <auto Build, typename T>
 void build_heights(const HeightsHandle* d, nb::object heights, double width, double depth, double scale,
                    double offset, double thickness, bool wrap)
 {
-    auto h = array_in<T>(heights, "heights");
+    auto h = array_in<T>(heights);
     if (h.shape.size() != 2 || h.size > (1u << 30))
         throw nb::value_error("heights: an array of two dimensions expected, [j, i] with i along the width");
     Call call;
@@ -337,7 +337,7 @@ void build_heights(const HeightsHandle* d, nb::object heights, double width, dou
 
 void set_holes(const HeightsHandle* d, nb::object holes)
 {
-    auto h = array_in<unsigned char>(holes, "holes");
+    auto h = array_in<unsigned char>(holes);
     if (h.shape.size() != 2)
         throw nb::value_error("holes: an array of two dimensions expected, [j, i] with i along the width");
     Call call;
