@@ -43,7 +43,7 @@ class History : public testing::Test {
     dSpaceID space = dHashSpaceCreate(nullptr);
 };
 
-// Two wheels on axles that a coupling makes turn as 1 to 2.
+// Two wheels on axles that a coupling makes turn alike, one of them set in motion.
 class CoupledHistory : public History {
   protected:
     CoupledHistory()
@@ -55,12 +55,12 @@ class CoupledHistory : public History {
             dJointAttach(axle[i], wheel, nullptr);
             dJointSetHingeAnchor(axle[i], 3 * i, 0, 5), dJointSetHingeAxis(axle[i], 0, 1, 0);
         }
-        dBodySetAngularVel(dJointGetBody(axle[0], 0), 0, 2, 0);
+        dBodySetAngularVel(dJointGetBody(axle[0], 0), 0, 4, 0);
         dJointSetCouplingAxis(coupling, 0, axle[0], 0, 1);
-        dJointSetCouplingAxis(coupling, 1, axle[1], 0, -2);
+        dJointSetCouplingAxis(coupling, 1, axle[1], 0, -1);
         dWorldSetHistory(world, 20);
     }
-    dReal error() const { return dJointGetHingeAngle(axle[0]) - 2 * dJointGetHingeAngle(axle[1]); }
+    dReal error() const { return dJointGetHingeAngle(axle[0]) - dJointGetHingeAngle(axle[1]); }
     dJointID axle[2], coupling = dJointCreateCoupling(world, nullptr);
 };
 
@@ -71,7 +71,7 @@ TEST_F(CoupledHistory, goes_on_with_the_same_bits_while_the_structure_stands)
     steps(10);
     const Bytes end = state_of(world);
     EXPECT_GT(std::abs(dJointGetHingeAngle(axle[0])), dReal(0.1));
-    EXPECT_NEAR(error(), 0, 1e-4);
+    EXPECT_NEAR(error(), 0, sizeof(dReal) == 8 ? 1e-9 : 1e-5);
     ASSERT_EQ(dWorldRollBack(world, 10), 1) << Messages::last();
     EXPECT_EQ(difference(state_of(world), middle), "");
     steps(10);
@@ -432,20 +432,7 @@ class Player {
     void step()
     {
         if (!managed_) dSpaceCollide(space_, this, near);
-        switch (stepper_) {
-            case Stepper::kExact:
-                dWorldStep(world, kH);
-                break;
-            case Stepper::kQuick:
-                dWorldQuickStep(world, kH);
-                break;
-            case Stepper::kSmallSteps:
-                dWorldStepFast1(world, kH, 3);
-                break;
-            case Stepper::kHybrid:
-                dWorldStepHybrid(world, kH);
-                break;
-        }
+        step_with(stepper_, world, kH, 3);
         dJointGroupEmpty(contacts_);
     }
 

@@ -214,23 +214,28 @@ void Scene::add_joints()
     join(dJointCreateNull(world, nullptr), a(16), -1, [](dJointID) {});
 }
 
+void step_with(Stepper stepper, dWorldID world, dReal h, int small_steps)
+{
+    switch (stepper) {
+        case Stepper::kExact:
+            dWorldStep(world, h);
+            break;
+        case Stepper::kQuick:
+            dWorldQuickStep(world, h);
+            break;
+        case Stepper::kSmallSteps:
+            dWorldStepFast1(world, h, small_steps);
+            break;
+        case Stepper::kHybrid:
+            dWorldStepHybrid(world, h);
+            break;
+    }
+}
+
 void Scene::step()
 {
     if (!setting.managed) dSpaceCollide(space, this, touch);
-    switch (setting.stepper) {
-        case Stepper::kExact:
-            dWorldStep(world, kH);
-            break;
-        case Stepper::kQuick:
-            dWorldQuickStep(world, kH);
-            break;
-        case Stepper::kSmallSteps:
-            dWorldStepFast1(world, kH, 4);
-            break;
-        case Stepper::kHybrid:
-            dWorldStepHybrid(world, kH);
-            break;
-    }
+    step_with(setting.stepper, world, kH, 4);
     dJointGroupEmpty(contacts);
 }
 

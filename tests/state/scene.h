@@ -21,6 +21,7 @@ enum class Stepper { kExact, kQuick, kSmallSteps, kHybrid };
 inline constexpr Stepper kSteppers[] = {Stepper::kExact, Stepper::kQuick, Stepper::kSmallSteps,
                                         Stepper::kHybrid};
 const char* name_of(Stepper stepper);
+void step_with(Stepper stepper, dWorldID world, dReal h, int small_steps);
 
 struct Setting {
     Stepper stepper = Stepper::kExact;
