@@ -3,7 +3,7 @@
 # Copyright (c) 2026 The Epode authors
 """Checks the links of every Markdown file of the tree: a linked file exists, and a linked heading is in it. Links to other
 sites are not followed, and neither are links into the generated reference (reference/NAME.rst), whose chapters must exist.
-A file that is named in `code`, such as `step/undo` or `bench/charts`, exists too, with any ending; so documents follow when
+A file that is named in `code`, such as `step/common/undo` or `bench/charts`, exists too, with any ending; so documents follow when
 files are renamed. Notes of the past (docs/notes) may name what is gone.
 
 check_links.py [FILE...]    exit code 1 if a link is broken"""
@@ -20,7 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 INLINE = re.compile(r"\[(?:[^\[\]]|\[[^\]]*\])*\]\(([^)\s]+)(?:\s+\"[^\"]*\")?\)")
 NAMED = re.compile(r"^\[[^\]]+\]:\s*(\S+)", re.M)
 FOLDERS = {one.name for one in [*ROOT.iterdir(), *(ROOT / "src").iterdir()] if one.is_dir()} - {"build", "out", "node_modules"}
-EXAMPLES = {"src/joints/rope.cpp"}  # of a recipe: what a reader adds
+EXAMPLES = {"src/joints/types/rope.cpp"}  # of a recipe: what a reader adds
 PLACE = re.compile(r"`([\w.-]+(?:/[\w.-]+)+)(?: [^`]*)?`")
 CODE = re.compile(r"^```.*?^```$|`[^`\n]+`", re.S | re.M)
 

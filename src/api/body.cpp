@@ -8,7 +8,7 @@
 #include "math/rotation.h"
 #include "ode/ode.h"
 #include "state/world_archive.h"
-#include "step/link.h"
+#include "step/common/link.h"
 
 using namespace epode;
 

@@ -7,7 +7,7 @@
 #include "base/float_environment.h"
 #include "dynamics/world.h"
 #include "ode/state.h"
-#include "step/link.h"
+#include "step/common/link.h"
 
 using namespace epode;
 

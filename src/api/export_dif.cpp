@@ -9,7 +9,7 @@
 #include "ode/export-dif.h"
 
 #include "base/check.h"
-#include "base/dif_writer.h"
+#include "base/streams/dif_writer.h"
 #include "collide/describe.h"
 #include "dynamics/world.h"
 #include "step/step.h"

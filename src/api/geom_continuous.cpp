@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Which geoms steps look at on their whole way (step/continuous.h).
+// Which geoms steps look at on their whole way (step/common/continuous.h).
 #include "collide/types/registry.h"
 #include "ode/ext.h"
 

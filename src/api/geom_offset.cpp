@@ -4,7 +4,7 @@
 // The pose of a geom in its body's frame, (p_o, R_o): the geom is at p_b + R_b p_o, turned by R_b R_o.
 #include "base/structure_edition.h"
 #include "collide/types/registry.h"
-#include "step/link.h"
+#include "step/common/link.h"
 
 using namespace epode;
 

@@ -5,7 +5,7 @@
 #include "base/float_environment.h"
 #include "collide/types/registry.h"
 #include "math/rotation.h"
-#include "step/link.h"
+#include "step/common/link.h"
 
 using namespace epode;
 

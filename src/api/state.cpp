@@ -12,7 +12,7 @@
 #include "state/delta.h"
 #include "state/state_header.h"
 #include "state/world_archive.h"
-#include "step/link.h"
+#include "step/common/link.h"
 
 using namespace epode;
 

@@ -11,8 +11,8 @@
 #include "dynamics/world.h"
 #include "ode/ext.h"
 #include "ode/ode.h"
+#include "step/common/link.h"
 #include "step/hybrid.h"
-#include "step/link.h"
 #include "step/step.h"
 #include "tasks/threading.h"
 

@@ -3,7 +3,7 @@
 //
 // The three channels of ODE: error, debug and message, each with a replaceable handler. The library itself
 // never stops its host: it reports and continues. Only a client's own call of dError or dDebug ends the
-// program, as the guide documents (api/runtime.cpp).
+// program, as the guide documents (api/system/runtime.cpp).
 #pragma once
 
 #include <cstdarg>

@@ -6,7 +6,7 @@
 // field for. And a fingerprint that distinguishes its shape from others, the class included.
 #pragma once
 
-#include "base/dif_writer.h"
+#include "base/streams/dif_writer.h"
 #include "collide/geom.h"
 
 namespace epode {

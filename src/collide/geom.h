@@ -6,7 +6,7 @@
 //   pose      own arrays; or the body's arrays, shared; or, on a body with an offset, own arrays that are
 //             composed (pose = body * offset) on first use after the body has moved.
 //   body      known as an opaque id, two pointers to its pose and the head of its list of geoms: this folder
-//             knows nothing of dynamics (step/link introduces the two).
+//             knows nothing of dynamics (step/common/link introduces the two).
 //   moving    marks the geom and queues it, and each space above it, for the next cleaning; what does not
 //             move costs nothing then.
 #pragma once

@@ -6,7 +6,7 @@
 // sharing: a geom that gets other points leaves the solid to the others.
 #pragma once
 
-#include "geometry/polyhedron.h"
+#include "geometry/hulls/polyhedron.h"
 
 namespace epode {
 

@@ -14,7 +14,7 @@
 
 #include "base/arena.h"
 #include "base/array.h"
-#include "base/state_stream.h"
+#include "base/streams/state_stream.h"
 #include "collide/space.h"
 #include "contacts/active_geoms.h"
 #include "contacts/contact_pair.h"

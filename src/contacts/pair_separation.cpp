@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "collide/solid_type.h"
-#include "geometry/separating_direction.h"
+#include "geometry/overlap/separating_direction.h"
 
 namespace epode {
 namespace {

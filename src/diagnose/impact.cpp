@@ -9,7 +9,7 @@
 
 #include "collide/geom.h"
 #include "ode/shapes.h"
-#include "step/link.h"
+#include "step/common/link.h"
 
 namespace epode {
 namespace {

@@ -12,7 +12,7 @@
 #include "ode/shapes.h"
 #include "query/query_shape.h"
 #include "query/ray_query.h"
-#include "step/link.h"
+#include "step/common/link.h"
 
 namespace epode {
 namespace {

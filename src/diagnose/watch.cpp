@@ -15,7 +15,7 @@
 #include "query/candidates.h"
 #include "query/impact.h"
 #include "query/triangle_set.h"
-#include "step/link.h"
+#include "step/common/link.h"
 
 namespace epode {
 namespace {

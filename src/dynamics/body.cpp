@@ -5,8 +5,8 @@
 // are zero for a kinematic body and the inverses of the stored mass otherwise.
 #include "dynamics/body.h"
 
-#include "base/content_hash.h"
 #include "base/pool.h"
+#include "base/streams/content_hash.h"
 #include "base/structure_edition.h"
 #include "dynamics/active.h"
 #include "dynamics/joint.h"

@@ -64,7 +64,7 @@ struct Body : Numbered {
     bool finite_rotation = false;
     JointNode* joints = nullptr;        // most recently attached first
     ManifoldEdge* manifolds = nullptr;  // world-managed contacts, during a step
-    dxGeom* first_geom = nullptr;       // list of geoms; only step/link.cpp looks inside
+    dxGeom* first_geom = nullptr;       // list of geoms; only step/common/link.cpp looks inside
     int island_index = -1;              // place in its island during a step, else below 0
     bool disabled = false;
     bool auto_disable = false;
@@ -127,7 +127,7 @@ struct HandleOf<Body> {
 };
 
 Body* create_body(World& world);
-void destroy_body(Body& body);  // its joints are detached; geoms are the caller's business (step/link)
+void destroy_body(Body& body);  // its joints are detached; geoms are the caller's business (step/common/link)
 
 void set_orientation(Body& body, Quat unit);   // writes q and R
 bool set_mass(Body& body, const dMass& mass);  // false: not positive definite or off-centre, nothing changed

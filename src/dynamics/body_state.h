@@ -8,7 +8,7 @@
 // and user data are none of the state.
 #pragma once
 
-#include "base/state_stream.h"
+#include "base/streams/state_stream.h"
 #include "dynamics/world.h"
 
 namespace epode {

@@ -6,7 +6,7 @@
 // (JointType::state). Anchors and axes do not belong to it.
 #pragma once
 
-#include "base/state_stream.h"
+#include "base/streams/state_stream.h"
 #include "dynamics/world.h"
 
 namespace epode {

@@ -37,7 +37,7 @@ struct Ray {
 };
 
 class Polyhedron;
-// Owned by the geom, which is as old as its pairs (geometry/polyhedron.h).
+// Owned by the geom, which is as old as its pairs (geometry/hulls/polyhedron.h).
 struct Convex {
     const Polyhedron* solid = nullptr;
 };

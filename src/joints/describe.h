@@ -5,7 +5,7 @@
 // `axis1` in that of the body at node 0, `anchor2` and `axis2` in that of the other one or of the world.
 #pragma once
 
-#include "base/dif_writer.h"
+#include "base/streams/dif_writer.h"
 #include "joints/limit_motor.h"
 #include "joints/parts.h"
 

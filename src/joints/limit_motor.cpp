@@ -4,7 +4,7 @@
 // See limit_motor.h. Stops are limits of position: they act from the first step that begins beyond them.
 #include "joints/limit_motor.h"
 
-#include "base/state_stream.h"
+#include "base/streams/state_stream.h"
 #include "dynamics/world.h"
 #include "joints/parts.h"
 

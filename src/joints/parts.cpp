@@ -5,7 +5,7 @@
 // is then exact to rounding at every angle. Orientation error: twice the vector part of the error quaternion.
 #include "joints/parts.h"
 
-#include "base/state_stream.h"
+#include "base/streams/state_stream.h"
 #include "dynamics/world.h"
 #include "math/rotation.h"
 #include "math/trig.h"

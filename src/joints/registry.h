@@ -8,7 +8,7 @@
 #pragma once
 
 #include "base/pool.h"
-#include "base/state_stream.h"
+#include "base/streams/state_stream.h"
 #include "dynamics/joint.h"
 #include "dynamics/joint_group.h"
 #include "dynamics/world.h"

@@ -4,8 +4,8 @@
 // See separation.h.
 #include "query/separation.h"
 
-#include "geometry/epa.h"
-#include "geometry/gjk.h"
+#include "geometry/overlap/epa.h"
+#include "geometry/overlap/gjk.h"
 
 namespace epode {
 namespace {

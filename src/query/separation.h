@@ -3,7 +3,7 @@
 //
 // Signed distance of two convex solids, and where it is attained. With C = { x - y : x in a, y in b }:
 // outside C the distance of the origin from C (GJK), inside it minus the least depth (least_overlap in
-// geometry/epa.h), radii subtracted from either. n points from b into a, and on_a - on_b = distance * n.
+// geometry/overlap/epa.h), radii subtracted from either. n points from b into a, and on_a - on_b = distance * n.
 //   apart        the closest points, moved along n by the radii
 //   overlapping  n is the way of least depth; the points are those that are closest when a has been moved
 //                along n until a little gap has opened, moved back. (The support points along n alone would

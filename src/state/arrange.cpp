@@ -14,7 +14,7 @@
 #include "collide/describe.h"
 #include "collide/space.h"
 #include "dynamics/coupling.h"
-#include "step/link.h"
+#include "step/common/link.h"
 
 namespace epode {
 namespace {

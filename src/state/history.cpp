@@ -9,7 +9,7 @@
 #include "collide/geom_leaves.h"
 #include "collide/space.h"
 #include "state/world_archive.h"
-#include "step/link.h"
+#include "step/common/link.h"
 
 namespace epode {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstring>
 
-#include "base/checksum.h"
+#include "base/streams/checksum.h"
 
 namespace epode {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <cstdio>
 
-#include "base/content_hash.h"
+#include "base/streams/content_hash.h"
 #include "collide/describe.h"
 #include "dynamics/coupling.h"
-#include "step/link.h"
+#include "step/common/link.h"
 
 namespace epode {
 namespace {

@@ -8,7 +8,7 @@
 #include "base/structure_edition.h"
 #include "collide/describe.h"
 #include "collide/space.h"
-#include "step/link.h"
+#include "step/common/link.h"
 #include "step/step.h"
 
 namespace epode {

@@ -11,7 +11,7 @@
 #include "dynamics/body_state.h"
 #include "dynamics/joint_state.h"
 #include "state/state_header.h"
-#include "step/link.h"
+#include "step/common/link.h"
 
 namespace epode {
 namespace {

@@ -7,12 +7,12 @@
 //   count of steps                    seeds random orders
 //   bodies, joints                    dynamics/body_state, dynamics/joint_state
 //   geoms of the contact space        enabled; poses of those without a body
-//   impulses of contact joints        step/contact_cache_state
+//   impulses of contact joints        step/common/contact_cache_state
 //   world-managed contacts            contacts/contact_state
-// Everything that step/undo restores must be here; symbolic factors and working memory are caches.
+// Everything that step/common/undo restores must be here; symbolic factors and working memory are caches.
 #pragma once
 
-#include "base/state_stream.h"
+#include "base/streams/state_stream.h"
 #include "state/state_header.h"
 #include "state/structure.h"
 #include "step/step.h"

@@ -12,7 +12,7 @@
 
 #include "collide/collide.h"
 #include "query/candidates.h"
-#include "step/link.h"
+#include "step/common/link.h"
 #include "step/step.h"
 #include "tasks/tasks.h"
 

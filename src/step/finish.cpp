@@ -7,7 +7,7 @@
 #include "base/float_environment.h"
 #include "collide/space.h"
 #include "dynamics/integrate.h"
-#include "step/link.h"
+#include "step/common/link.h"
 #include "tasks/prefetched.h"
 
 namespace epode {

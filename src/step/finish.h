@@ -5,13 +5,13 @@
 // and clears its accumulators. For most bodies the worker that has them in its cache does this as soon as
 // their islands are solved. Left to the end, in the order of the islands on the caller's thread, are bodies
 // with a callback, those whose geoms share lists with others, and all bodies if continuous collision needs
-// their motion when all have moved (step/continuous).
+// their motion when all have moved (step/common/continuous).
 #pragma once
 
 #include <atomic>
 
 #include "base/arena.h"
-#include "step/continuous.h"
+#include "step/common/continuous.h"
 #include "tasks/tasks.h"
 
 namespace epode {

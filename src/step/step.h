@@ -11,8 +11,8 @@
 #include "dynamics/world.h"
 #include "solve/exact/factor/symbolic_cache.h"
 #include "solve/solver.h"
-#include "step/contact_cache.h"
-#include "step/continuous.h"
+#include "step/common/contact_cache.h"
+#include "step/common/continuous.h"
 
 namespace epode {
 

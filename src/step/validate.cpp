@@ -7,7 +7,7 @@
 
 #include "dynamics/active.h"
 #include "dynamics/coupling.h"
-#include "step/link.h"
+#include "step/common/link.h"
 #include "step/step.h"
 
 namespace epode {

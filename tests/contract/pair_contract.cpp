@@ -21,7 +21,7 @@
 
 #include "../effort.h"
 #include "collide/pairs/pairs.h"
-#include "geometry/polyhedron.h"
+#include "geometry/hulls/polyhedron.h"
 
 using namespace epode;
 

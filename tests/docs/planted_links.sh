@@ -27,8 +27,8 @@ for link in 'missing.md' 'other.md#third-part' '#no-heading'; do
   grep -qF "$link" "$work/out" || { cat "$work/out"; echo "not named: $link"; exit 1; }
 done
 
-printf '# Page\n\nSee `step/undo` and `src/step/no_such_file`.\n' > "$work/bad.md"
+printf '# Page\n\nSee `step/common/undo` and `src/step/no_such_file`.\n' > "$work/bad.md"
 if "$@" "$work/bad.md" > "$work/out"; then echo "not found: src/step/no_such_file"; exit 1; fi
 grep -qF 'src/step/no_such_file' "$work/out"
-if grep -qF 'step/undo' "$work/out"; then echo "a file that exists is refused"; exit 1; fi
+if grep -qF 'step/common/undo' "$work/out"; then echo "a file that exists is refused"; exit 1; fi
 echo "planted links are found"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Convex polyhedron: the hull of the client's points (geometry/polyhedron.h), copied. ODE keeps pointers;
+// Convex polyhedron: the hull of the client's points (geometry/hulls/polyhedron.h), copied. ODE keeps pointers;
 // here a program may free the points early. ODE, too, collides all points whatever the polygons contain:
 // polygons and planes must be valid by themselves and are then ignored.
 #include "base/float_environment.h"

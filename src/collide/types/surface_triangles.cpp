@@ -10,7 +10,7 @@
 #include "base/float_environment.h"
 #include "collide/solid_type.h"
 #include "collide/types/registry.h"
-#include "geometry/polyhedron.h"
+#include "geometry/hulls/polyhedron.h"
 #include "math/trig.h"
 #include "ode/ext.h"
 

@@ -4,7 +4,7 @@
 // The depth of two boxes beside brute force over all 15 axes: moved apart along the normal by a little less
 // than the depth they still overlap, by a little more they do not, whichever axis was chosen. An edge's depth
 // is the least translation; a face's is within the handicap that keeps edges from winning by a hair.
-#include "geometry/box_box.h"
+#include "geometry/overlap/box_box.h"
 
 #include <gtest/gtest.h>
 

@@ -9,10 +9,10 @@
 #include <random>
 
 #include "collide/pairs/pairs.h"
-#include "geometry/box_box.h"
 #include "geometry/closest.h"
-#include "geometry/epa.h"
-#include "geometry/gjk.h"
+#include "geometry/overlap/box_box.h"
+#include "geometry/overlap/epa.h"
+#include "geometry/overlap/gjk.h"
 
 using namespace epode;
 

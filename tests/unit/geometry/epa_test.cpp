@@ -3,7 +3,7 @@
 //
 // The polytope alone, unpolished, on round solids, where nearly coplanar faces are the rule: the depth it
 // stops at is within its tolerance of the least h(n) that a search over directions finds.
-#include "geometry/epa.h"
+#include "geometry/overlap/epa.h"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "../math/random_numbers.h"
-#include "geometry/flat_solid.h"
-#include "geometry/polyhedron.h"
+#include "geometry/hulls/flat_solid.h"
+#include "geometry/hulls/polyhedron.h"
 
 namespace epode {
 namespace {

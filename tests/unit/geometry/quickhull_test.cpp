@@ -12,8 +12,8 @@
 #include <random>
 #include <vector>
 
-#include "geometry/polyhedron.h"
-#include "geometry/quickhull.h"
+#include "geometry/hulls/polyhedron.h"
+#include "geometry/hulls/quickhull.h"
 
 using namespace epode;
 

@@ -11,7 +11,7 @@
 #include "dynamics/integrate.h"
 #include "dynamics/world.h"
 #include "ode/ode.h"
-#include "step/substeps.h"
+#include "step/island/substeps.h"
 #include "systems.h"
 
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Box against box: the manifold of geometry/box_box.h. A program gets all of its up to eight points, as from
+// Box against box: the manifold of geometry/overlap/box_box.h. A program gets all of its up to eight points, as from
 // ODE: four of the eight corners of two squares turned by 45 degrees carry a box less far. A manifold of ours
 // is reduced to the four that hold a box best. A few products find boxes whose bounding balls are apart, as
 // those of many boxes are whose bounding boxes overlap by a corner: the sum of the radii is at most
 // sqrt(2 (ra^2 + rb^2)).
-#include "geometry/box_box.h"
+#include "geometry/overlap/box_box.h"
 #include "collide/pairs/at_once.h"
 #include "geometry/best_four.h"
 

@@ -13,9 +13,9 @@
 #include "collide/pairs/pairs.h"
 #include "geometry/best_four.h"
 #include "geometry/closest.h"
-#include "geometry/epa.h"
-#include "geometry/flat_overlap.h"
-#include "geometry/gjk.h"
+#include "geometry/overlap/epa.h"
+#include "geometry/overlap/flat_overlap.h"
+#include "geometry/overlap/gjk.h"
 
 namespace epode {
 

@@ -2,12 +2,12 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Convex polyhedra against the convex solids: the general answer (convex_convex.cpp), with the polyhedron's
-// own face normals where a face is what touches (geometry/flat_overlap.h). Against a ball: its centre's
+// own face normals where a face is what touches (geometry/overlap/flat_overlap.h). Against a ball: its centre's
 // nearest point; the contact is the ball's deepest point under a face, as for any manifold of a face, and
 // halfway between the two surfaces at an edge or corner. Against a plane: the vertices below it, each with
 // its own depth, of which the best four are kept; also when all are below.
 #include "collide/pairs/pairs.h"
-#include "geometry/nearest_on_hull.h"
+#include "geometry/hulls/nearest_on_hull.h"
 
 namespace epode {
 

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Cylinder against box and cylinder: the general convex answer; true rims and side lines come from the views,
-// and the normals are exact (geometry/flat_overlap.h).
+// and the normals are exact (geometry/overlap/flat_overlap.h).
 #include "collide/pairs/pairs.h"
 
 namespace epode {

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "geometry/polyhedron.h"
+#include "geometry/hulls/polyhedron.h"
 #include "geometry/triangle.h"
 
 namespace epode {

@@ -9,7 +9,7 @@
 // Of the first kMostFaces faces; of the others nothing is kept.
 #pragma once
 
-#include "geometry/polyhedron.h"
+#include "geometry/hulls/polyhedron.h"
 #include "geometry/triangle.h"
 #include "simd/quad.h"
 

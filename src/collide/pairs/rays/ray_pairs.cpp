@@ -7,7 +7,7 @@
 // depth 0 with the outward normal. Contact: position the hit, depth t, one contact at most.
 #include "collide/pairs/at_once.h"
 #include "geometry/closest.h"
-#include "geometry/polyhedron.h"
+#include "geometry/hulls/polyhedron.h"
 
 namespace epode {
 

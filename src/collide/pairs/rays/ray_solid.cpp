@@ -7,11 +7,11 @@
 // on the same again: Newton's method, quadratic where the surface is smooth. (Van den Bergen 2004 mixes this
 // with the simplex of GJK; apart, both stay what they are.) A ray that starts inside leaves where the
 // reversed ray, from beyond the solid, enters. The normal at the hit x is the fixed point of looking at x + g
-// n from outside, as in geometry/curved_overlap.h.
+// n from outside, as in geometry/overlap/curved_overlap.h.
 #include "collide/pairs/pairs.h"
 #include "collide/pairs/solid_pairs.h"
 #include "collide/solid_type.h"
-#include "geometry/gjk.h"
+#include "geometry/overlap/gjk.h"
 
 namespace epode {
 namespace {

@@ -6,7 +6,7 @@
 // bracketed root of the slope; exact where GJK would crawl round the rim. Axis inside: the general answer,
 // polished to rounding.
 #include "collide/pairs/pairs.h"
-#include "geometry/epa.h"
+#include "geometry/overlap/epa.h"
 #include "geometry/root.h"
 
 namespace epode {

@@ -11,8 +11,8 @@
 #include "collide/pairs/polyhedra/least_axes.h"
 #include "collide/pairs/surfaces/facet.h"
 #include "collide/pairs/surfaces/facet_contacts.h"
-#include "geometry/epa.h"
-#include "geometry/polyhedron.h"
+#include "geometry/hulls/polyhedron.h"
+#include "geometry/overlap/epa.h"
 #include "geometry/triangle_rim.h"
 
 namespace epode {

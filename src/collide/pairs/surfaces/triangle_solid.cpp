@@ -11,9 +11,9 @@
 #include "collide/pairs/polyhedra/box_axes.h"
 #include "collide/pairs/polyhedra/least_axes.h"
 #include "collide/pairs/surfaces/facet_contacts.h"
-#include "geometry/epa.h"
-#include "geometry/gjk.h"
-#include "geometry/polyhedron.h"
+#include "geometry/hulls/polyhedron.h"
+#include "geometry/overlap/epa.h"
+#include "geometry/overlap/gjk.h"
 #include "geometry/triangle_rim.h"
 
 namespace epode {

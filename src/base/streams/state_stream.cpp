@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "base/streams/state_stream.h"
+
+#include <cstdarg>
+#include <cstdio>
+
+namespace epode {
+
+void StateStream::fail(const char* format, ...)
+{
+    if (failed()) return;
+    va_list arguments;
+    va_start(arguments, format);
+    std::vsnprintf(text_, sizeof text_, format, arguments);
+    va_end(arguments);
+}
+
+void StateStream::number(const Number& n)
+{
+    const auto judge = [&](const std::byte* from) {
+        Real x;
+        std::memcpy(&x, from, sizeof x);
+        return (n.infinite ? usable_or_infinite(x) : usable(x)) && x >= n.least;
+    };
+    bytes(n.value, sizeof(Real), judge);
+}
+
+std::uint32_t StateStream::unusual(std::initializer_list<Number> numbers, std::uint32_t bits)
+{
+    std::uint32_t mask = bits << 16, bit = 1;
+    if (saves())
+        for (const Number& n : numbers) {
+            if (std::memcmp(n.value, &n.usual, sizeof(Real)) != 0) mask |= bit;
+            bit <<= 1;
+        }
+    mask = word(mask);
+    bit = 1;
+    for (const Number& n : numbers) {
+        if (mask & bit)
+            number(n);
+        else if (stores() && !failed())
+            *n.value = n.usual;
+        bit <<= 1;
+    }
+    return mask >> 16;
+}
+
+}  // namespace epode

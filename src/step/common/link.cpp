@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Placing a geom with an offset (p_o, R_o) at (p, R): its body gets R R_o^T and p - R_body p_o.
+#include "step/common/link.h"
+
+#include "collide/space.h"
+#include "math/rotation.h"
+
+namespace epode {
+namespace {
+
+Geom* first_geom(const Body& body) { return from_handle<Geom>(body.first_geom); }
+
+Vec3 offset_position(const Geom& geom) { return geom.offset ? load(geom.offset->position) : Vec3{}; }
+
+}  // namespace
+
+void attach_geom(Geom& geom, Body* body)
+{
+    if (body_of(geom) != body) {
+        unlink_body(geom);
+        if (body) link_body(geom, {to_handle(body), body->pos, body->R, &body->first_geom});
+    }
+    mark_moved(geom);
+}
+
+Body* body_of(const Geom& geom) { return from_handle<Body>(geom.body.id); }
+
+void body_moved(Body& body)
+{
+    for_each_geom(body, [](Geom& geom) { mark_moved(geom); });
+}
+
+bool mark_members(Body& body, const Space& space)
+{
+    bool all = true;
+    for_each_geom(body, [&](Geom& geom) { all = mark_geom(geom, space) && all; });
+    return all;
+}
+
+bool list_members(const Body& body, Space& space)
+{
+    bool has_memory = true;
+    for_each_geom(body, [&](const Geom& geom) {
+        if (geom.space == &space && geom.queued) has_memory = space.queue.push(geom.slot) && has_memory;
+    });
+    return has_memory;
+}
+
+void release_geoms(Body& body)
+{
+    while (Geom* geom = first_geom(body)) {
+        unlink_body(*geom);
+        mark_moved(*geom);
+    }
+}
+
+bool in_locked_space(const Body& body)
+{
+    for (const Geom* geom = first_geom(body); geom; geom = geom->body_next)
+        if (in_locked_space(*geom)) return true;
+    return false;
+}
+
+void set_geom_position(Geom& geom, Vec3 position)
+{
+    if (Body* body = body_of(geom)) {
+        store(body->pos, position - body->rotation() * offset_position(geom));
+        body_moved(*body);
+    } else {
+        store(geom.own_position, position);
+        mark_moved(geom);
+    }
+}
+
+bool set_geom_rotation(Geom& geom, const Mat3& R)
+{
+    Body* body = body_of(geom);
+    if (!body) {
+        store_mat(geom.own_rotation, R);
+        mark_moved(geom);
+        return true;
+    }
+    Mat3 target = geom.offset ? R * transpose(load_mat(geom.offset->rotation)) : R;
+    if (!orthonormalize(target)) return false;
+    const Vec3 position = pose_of(geom).p;
+    Quat q = to_quat(target);
+    normalize(q);
+    store_quat(body->q, q);
+    store_mat(body->R, target);
+    set_geom_position(geom, position);
+    return true;
+}
+
+bool set_geom_pose(Geom& geom, const Pose& pose)
+{
+    if (geom.body.id) {
+        if (!set_geom_rotation(geom, pose.R)) return false;
+        set_geom_position(geom, pose.p);
+        return true;
+    }
+    store(geom.own_position, pose.p);
+    store_mat(geom.own_rotation, pose.R);
+    mark_moved(geom);
+    return true;
+}
+
+// Without an offset the body takes q itself: through the matrix it might come back as -q.
+bool set_geom_orientation(Geom& geom, Quat q)
+{
+    Body* body = body_of(geom);
+    if (!body || geom.offset) return set_geom_rotation(geom, to_matrix(q));
+    set_orientation(*body, q);
+    body_moved(*body);
+    return true;
+}
+
+}  // namespace epode

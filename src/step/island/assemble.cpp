@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Joints are asked once for their rows; room for six rows each, and more for drives, is taken from the arena,
+// and what is written stays contiguous. Contacts become manifolds, without rows, where the solver takes them.
+// Forces of joints (a motor against its stop) must be in the accumulators before v* is formed, so rows come
+// first.
+#include "step/island/assemble.h"
+
+#include <algorithm>
+
+#include "dynamics/exact_spin.h"
+#include "dynamics/integrate.h"
+#include "joints/breaking.h"
+#include "joints/drive_rows.h"
+#include "joints/joint_manifolds.h"
+#include "rows/policy.h"
+#include "step/island/manifold_rows.h"
+#include "tasks/prefetched.h"
+
+namespace epode {
+namespace {
+
+// A tensor of the body's frame in the world's; that of a sphere or cube is the same in all.
+Sym3 in_world(const Body& body, const Sym3& s)
+{
+    const bool isotropic = s.xx == s.yy && s.yy == s.zz && s.xy == 0 && s.xz == 0 && s.yz == 0;
+    return isotropic ? s : rotate(body.rotation(), s);
+}
+
+void load_mass(const Body& body, SolverBody& out)
+{
+    out.mass = body.kinematic() ? 0 : body.mass.mass;
+    out.inertia = body.kinematic() ? Sym3{} : in_world(body, body.inertia);
+}
+
+void add_gravity(Body& body, Vec3 g)
+{
+    if (body.gravity) store(body.facc, load(body.facc) + body.mass.mass * g);
+}
+
+void add_applied(const RowWriter& out, Joint& joint)
+{
+    for (int k = 0; k < 2; ++k)
+        if (Body* body = joint.node[k].body) {
+            store(body->facc, load(body->facc) + out.force(k));
+            store(body->tacc, load(body->tacc) + out.torque(k));
+        }
+}
+
+// Contacts that can be manifolds, and the others, each in the island's order.
+bool sort_joints(const Island& island, bool manifolds, Arena& arena, IslandWork& work)
+{
+    const std::span<Joint*> joints = island.joints;
+    const std::size_t contacts = manifolds ? std::size_t(island.plain_contacts) : 0;
+    work.contact_feedback = manifolds && island.feedback;
+    work.contacts = joints, work.joints = {};
+    if (contacts == joints.size()) return true;
+    const auto sorted = arena.take<Joint*>(int(joints.size()));
+    if (arena.failed()) return false;
+    work.contacts = sorted.first(contacts), work.joints = sorted.subspan(contacts);
+    std::size_t contact = 0, other = 0;
+    for_each_prefetched<1>(std::span<Joint* const>(joints), [&](std::size_t, Joint& joint) {
+        (manifolds && joint.plain ? work.contacts[contact++] : work.joints[other++]) = &joint;
+    });
+    return true;
+}
+
+// Emits all joints of the island; returns the number of rows and of joints that have any.
+// `begins`: the step does.
+void emit_rows(const StepInfo& info, std::span<Joint*> joints, bool begins, IslandWork& work, int& rows,
+               int& blocks)
+{
+    constexpr std::size_t kAhead = 4;
+    int terms = 0;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        if (i + 2 * kAhead < joints.size()) prefetch<6>(joints[i + 2 * kAhead]);
+        if (i + kAhead < joints.size())
+            for (const JointNode& node : joints[i + kAhead]->node)
+                if (node.body) prefetch<4>(node.body->pos);
+        Joint* const joint = joints[i];
+        if (joint->driven && begins) forget_load(*joint);
+        RowWriter out(&work.system.rows[std::size_t(rows)], info);
+        emit_joint(*joint, out);
+        if (out.applied()) add_applied(out, *joint);
+        if (out.count() == 0) continue;
+        const Body* b2 = joint->body2();
+        const Body* b1 = out.terms().empty() ? joint->body1() : out.terms().front().body;
+        work.joints[std::size_t(blocks)] = joint;
+        RowBlock& block = work.system.blocks[std::size_t(blocks)];
+        block.first = rows, block.count = out.count();
+        block.body1 = b1->island_index, block.body2 = b2 ? b2->island_index : -1;
+        block.contact = joint->type->number == dJointTypeContact;
+        block.arms = out.arms(), block.form = out.form(), block.followed = false;
+        block.first_term = terms, block.term_count = int(out.terms().size());
+        if (block.term_count > 0) place_terms(out.terms(), work.system, block);
+        terms += block.term_count;
+        rows += out.count();
+        ++blocks;
+    }
+    work.system.terms = work.system.terms.first(std::size_t(terms));
+}
+
+// Where each member ends, and its own world. False: out of memory.
+bool mark_parts(Arena& arena, IslandWork& work)
+{
+    if (work.members.size() < 2) return true;
+    RowSystem& system = work.system;
+    auto parts = arena.take<SystemPart>(int(work.members.size()));
+    if (arena.failed()) return false;
+    SystemPart end;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const int world = -1 - int(i);
+        end.bodies += int(work.members[i].bodies.size());
+        if (!system.contact_manifolds.empty()) end.contact_manifolds += int(work.members[i].manifolds.size());
+        const auto take = [&](auto& items, int& at) {
+            for (; std::size_t(at) < items.size() && items[std::size_t(at)].body1 < end.bodies; ++at)
+                if (int& body2 = items[std::size_t(at)].body2; body2 < 0) body2 = world;
+        };
+        take(system.blocks, end.blocks);
+        take(system.joint_contacts.manifolds, end.joint_manifolds);
+        parts[i] = end;
+    }
+    system.parts = parts;
+    return true;
+}
+
+}  // namespace
+
+void place_terms(std::span<const BodyTerm> from, const RowSystem& system, const RowBlock& block)
+{
+    const std::span<WideTerm> to = terms_of(system, block);
+    for (std::size_t i = 0; i < to.size(); ++i)
+        to[i] = {from[i].body->island_index, from[i].lin, from[i].ang};
+}
+
+StepInfo step_info(const World& world, Real h)
+{
+    StepInfo info;
+    info.h = h;
+    info.fps = 1 / h;
+    info.erp = world.erp;
+    info.cfm = world.cfm;
+    info.contact_layer = world.contact_layer;
+    info.contact_max_vel = world.contact_max_vel;
+    return info;
+}
+
+void load_inertia(const Body& body, SolverBody& out)
+{
+    out.inv_mass = body.inv_mass;
+    out.inv_inertia = in_world(body, body.inv_inertia);
+}
+
+void load_velocity(const Body& body, SolverBody& out)
+{
+    out.v = body.velocity();
+    out.w = body.angular_velocity();
+}
+
+void load_pushed(const Body& body, Real h, SolverBody& out)
+{
+    const Vec3 w = body.angular_velocity();
+    const Vec3 torque = load(body.tacc) + gyroscopic_torque(body, w, h);
+    out.v = body.velocity() + (h * out.inv_mass) * load(body.facc);
+    out.w = w + h * (out.inv_inertia * torque);
+}
+
+void load_pushed_exactly(Body& body, Real h, SolverBody& out)
+{
+    out.v = body.velocity() + (h * out.inv_mass) * load(body.facc);
+    out.w = kicked_spin(body, load(body.tacc), body.angular_velocity(), h);
+}
+
+namespace {
+
+void load_body(const World& world, Real h, const Solver& solver, Body& body, SolverBody& out)
+{
+    load_inertia(body, out);
+    if (solver.needs_inertia) load_mass(body, out);
+    if (!solver.substeps)
+        return world.exact_rotation ? load_pushed_exactly(body, h, out) : load_pushed(body, h, out);
+    load_velocity(body, out);
+    if (world.exact_rotation) body.spin_excess = {};  // it turns bodies in its own way
+}
+
+}  // namespace
+
+bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Arena& arena, IslandWork& work,
+              StepUndo* undo)
+{
+    const Island& island = work.island;
+    const bool forces_known = island.joints.empty();
+    const std::size_t first = undo ? undo->first_of(island.bodies) : 0;
+    work.system.h = h;
+    if (!sort_joints(island, solver.joint_manifolds, arena, work)) return false;
+    const std::span<Joint*> joints = work.joints;
+    const int joint_count = int(joints.size()), contact_count = int(work.contacts.size());
+    const bool as_rows = !solver.contact_manifolds;
+    const int points = as_rows ? manifold_point_count(island) : 0;
+    work.system.bodies = arena.take<SolverBody>(int(island.bodies.size()));
+    work.system.joint_contacts.manifolds = arena.take<JointManifold>(contact_count);
+    work.system.joint_contacts.points = arena.take<JointManifoldPoint>(contact_count);
+    work.system.blocks = arena.take<RowBlock>(joint_count + points);
+    const int driven = std::min(joint_count, world.driven_joints);
+    work.system.rows = arena.take<Row>(joint_count * kMaxJointRows + driven * kMaxDriveRows +
+                                       (as_rows ? manifold_row_count(island) : 0));
+    work.system.terms = arena.take<WideTerm>(kMaxBodyTerms * std::min(joint_count, world.couplings.size()));
+    const auto manifolds = arena.take<ContactManifold*>(as_rows ? 0 : int(island.manifolds.size()));
+    if (arena.failed()) {
+        work.joints = work.contacts = {};  // nothing was written there
+        return false;
+    }
+
+    const std::span<Body* const> bodies = island.bodies;
+    for_each_prefetched<kLinesOfBody>(tasks, bodies, [&](std::size_t i, Body& body) {
+        if (undo) undo->save(first + i);
+        body.island_index = int(i);
+        add_gravity(body, world.gravity);
+        if (forces_known) load_body(world, h, solver, body, work.system.bodies[i]);
+    });
+    int rows = 0, blocks = 0;
+    StepInfo info = step_info(world, h);
+    if (solver.settling_factor > 1) info.contact_layer = std::max(info.contact_layer, island.kept_depth);
+    write_manifolds(work.contacts, info, work.system.joint_contacts);
+    emit_rows(info, joints, undo != nullptr, work, rows, blocks);
+    work.joints = work.joints.first(std::size_t(blocks));
+    place_manifolds(tasks, island);
+    if (as_rows) emit_manifolds(info, work, rows, blocks);
+    for (std::size_t i = 0; i < manifolds.size(); ++i) manifolds[i] = island.manifolds[i]->manifold;
+    work.system.contact_manifolds = manifolds;
+    work.system.blocks = work.system.blocks.first(std::size_t(blocks));
+    work.system.rows = work.system.rows.first(std::size_t(rows));
+    work.system.numbers = arena.take<RowNumbers>(rows);
+    if (arena.failed() || !mark_parts(arena, work)) return false;
+
+    if (!forces_known)
+        for_each_prefetched<kLinesOfBody>(tasks, bodies, [&](std::size_t i, Body& body) {
+            load_body(world, h, solver, body, work.system.bodies[i]);
+        });
+    for (const RowBlock& block : work.system.blocks)
+        for (int i = block.first; i < block.first + block.count; ++i)
+            work.system.numbers[std::size_t(i)] =
+                ode_baumgarte(work.system.rows[std::size_t(i)], h, info.fps, block.first);
+    for (std::size_t i = 0; driven > 0 && i < work.system.rows.size(); ++i)
+        if (work.system.rows[i].drive) take_drive(work.system.rows[i], h, work.system.numbers[i]);
+    return true;
+}
+
+}  // namespace epode

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Every substep assembles the island again: joints evaluate their errors, the stops that act and their
+// rebound at that moment, as if the program had made the step itself. Forces of the beginning are held
+// constant. ERP and CFM of h become those of h/n for the same spring and damper
+// (solve/common/substep_rows.h). Contacts are not searched again. Their separation follows the motion,
+// error <- error - hs J v; one that has opened may close but not penetrate; rebound acts in the first
+// substep. They act at one point of both bodies, half way between where the two have carried it, so that angular momentum
+// is conserved. A joint's feedback is the mean of its forces over the substeps, which is the impulse of the
+// step over h; so is what its drives report.
+#include "step/island/exact_substeps.h"
+
+#include <algorithm>
+
+#include "dynamics/coupling.h"
+#include "dynamics/exact_spin.h"
+#include "dynamics/integrate.h"
+#include "dynamics/joint_drives.h"
+#include "rows/policy.h"
+#include "solve/common/substep_rows.h"
+#include "step/island/substeps.h"
+#include "step/island/tension.h"
+#include "step/island/write_back.h"
+
+namespace epode {
+namespace {
+
+RowNumbers numbers_of(const Row& row, const Substep& step, Real inverse_mass, int block_first)
+{
+    RowNumbers n = ode_baumgarte(row, step.hs, block_first);
+    if (row.drive) return take_drive(row, step.hs, n), n;
+    const RowAim aim = map_row(row, step, inverse_mass);
+    n.C = aim.C;
+    n.c = wanted_velocity(row, aim.rate);
+    if (row.kind == RowKind::kNormal && row.error < 0) n.c = row.error / step.hs;
+    return n;
+}
+
+// Both lists have the contacts in the same order.
+template <typename Use>
+void for_each_contact(RowSystem& a, RowSystem& b, const Use& use)
+{
+    std::size_t j = 0;
+    for (RowBlock& block : a.blocks) {
+        if (!block.contact) continue;
+        while (j < b.blocks.size() && !b.blocks[j].contact) ++j;
+        if (j == b.blocks.size()) return;
+        use(block, b.blocks[j++]);
+    }
+}
+
+// The contacts of `first`, brought to the present poses, take the place of those that `work` has assembled.
+void carry_contacts(IslandWork& first, IslandWork& work)
+{
+    for_each_contact(first.system, work.system, [&](RowBlock& from, RowBlock& to) {
+        const auto rows = first.system.rows.subspan(std::size_t(from.first), std::size_t(from.count));
+        gather_contact(work.island, from, rows);
+        to.arms = from.arms;
+        std::copy(rows.begin(), rows.end(), work.system.rows.begin() + to.first);
+    });
+}
+
+void load_warm_start(IslandWork& first, IslandWork& work)
+{
+    for (std::size_t k = 0; k < work.joints.size(); ++k) {
+        const Joint& joint = *work.joints[k];
+        const RowBlock& block = work.system.blocks[k];
+        if (block.contact || joint.impulse_rows != block.count) continue;
+        for (int i = 0; i < block.count; ++i)
+            work.system.numbers[std::size_t(block.first + i)].p = impulses(joint)[i];
+    }
+    for_each_contact(first.system, work.system, [&](const RowBlock& from, const RowBlock& to) {
+        for (int i = 0; i < to.count; ++i)
+            work.system.numbers[std::size_t(to.first + i)].p =
+                first.system.numbers[std::size_t(from.first + i)].p;
+    });
+}
+
+// How far the contacts are after the substep that `work` has solved, and what they carry.
+void follow_contacts(IslandWork& first, IslandWork& work)
+{
+    for_each_contact(first.system, work.system, [&](const RowBlock& to, const RowBlock& from) {
+        const SolverBody& a = work.system.bodies[std::size_t(from.body1)];
+        const SolverBody* b = from.body2 < 0 ? nullptr : &work.system.bodies[std::size_t(from.body2)];
+        Row& normal = first.system.rows[std::size_t(to.first)];
+        normal.error -= work.system.h * row_velocity(work.system.rows[std::size_t(from.first)], a, b);
+        normal.has_restitution = false;
+        for (int i = 0; i < from.count; ++i)
+            first.system.numbers[std::size_t(to.first + i)].p =
+                work.system.numbers[std::size_t(from.first + i)].p;
+    });
+}
+
+void add(SolveReport& sum, const SolveReport& one)
+{
+    sum.method = std::max(sum.method, one.method);
+    sum.residual = std::max(sum.residual, one.residual);
+    sum.iterations += one.iterations;
+    sum.factorisations += one.factorisations;
+    sum.fallback |= one.fallback;
+}
+
+}  // namespace
+
+bool ExactSubsteps::begin()
+{
+    before_ = arena_.take<Before>(int(island_.bodies.size()));
+    feedback_ = arena_.take<Feedback>(int(island_.joints.size()));
+    if (arena_.failed()) {
+        before_ = {};  // nothing was written there: there is nothing to undo
+        return false;
+    }
+    for (std::size_t i = 0; i < before_.size(); ++i) {
+        const Body& b = *island_.bodies[i];
+        before_[i] = {b.velocity(), b.angular_velocity(), b.spin_excess, load(b.facc), load(b.tacc)};
+    }
+    for (Feedback& f : feedback_) f = {};
+    return true;
+}
+
+void ExactSubsteps::undo()
+{
+    undo_.restore_poses(island_.bodies);
+    for (std::size_t i = 0; i < before_.size(); ++i) {
+        Body& b = *island_.bodies[i];
+        store(b.lvel, before_[i].v);
+        store(b.avel, before_[i].w);
+        b.spin_excess = before_[i].excess;
+    }
+}
+
+void ExactSubsteps::map(RowSystem& system) const
+{
+    const Substep step{hs_, n_};
+    for (const RowBlock& block : system.blocks) {
+        for (int i = block.first; i < block.first + block.count; ++i) {
+            const Row& row = system.rows[std::size_t(i)];
+            const Real inverse_mass = inverse_effective_mass(system, block, row, system.bodies);
+            system.numbers[std::size_t(i)] = numbers_of(row, step, inverse_mass, block.first);
+        }
+    }
+}
+
+bool ExactSubsteps::run(IslandWork& first, const SolverSettings& settings, SolveReport& report,
+                        ProjectionReport& projected)
+{
+    follow_contacts(first, first);
+    carry_out(first);
+    for (int i = 1; i < n_; ++i) {
+        Arena::Scope scope(arena_);
+        IslandWork work;
+        if (!next(first, settings, report, work)) return false;
+        follow_contacts(first, work);
+        carry_out(work);
+        if (i == n_ - 1 && world_.projection_iterations > 0)
+            projected = project_poses(world_, work, settings.tasks, *settings.symbolic_cache, arena_);
+    }
+    store_feedback();
+    return true;
+}
+
+bool ExactSubsteps::next(IslandWork& first, const SolverSettings& settings, SolveReport& report,
+                         IslandWork& work)
+{
+    load_forces();
+    work.island = island_;
+    if (!assemble(world_, hs_, kDirect, Tasks(1), arena_, work, nullptr)) return false;
+    carry_contacts(first, work);
+    map(work.system);
+    if (world_.projection_iterations > 0) {
+        add_tension(work, work.system.bodies, arena_);
+        leave_depth_to_projection(work.system);
+    }
+    load_warm_start(first, work);
+    SolveReport one;
+    if (!kDirect.solve(work.system, settings, arena_, one) || !sound(work.system, 0)) return false;
+    add(report, one);
+    return true;
+}
+
+// Assembling adds gravity and the joints' own forces to what the program has applied.
+void ExactSubsteps::load_forces()
+{
+    for (std::size_t i = 0; i < before_.size(); ++i) {
+        store(island_.bodies[i]->facc, before_[i].force);
+        store(island_.bodies[i]->tacc, before_[i].torque);
+    }
+}
+
+void ExactSubsteps::carry_out(const IslandWork& work)
+{
+    write_back(work, Tasks(1));
+    add_feedback(work);
+    const bool free = work.system.rows.empty();
+    for (Body* body : island_.bodies)
+        world_.exact_rotation ? advance_pose_exactly(*body, hs_, free) : advance_pose(*body, hs_);
+}
+
+void ExactSubsteps::add_feedback(const IslandWork& work)
+{
+    std::size_t at = 0;
+    for (const Joint* joint : work.joints) {
+        while (island_.joints[at] != joint) ++at;
+        Feedback& sum = feedback_[at];
+        for (int i = 0; joint->driven && i < kMaxAxes; ++i) sum.drive[i] += drives_of(*joint).axis[i].force;
+        if (is_coupling(*joint)) sum.coupling += coupling_of(*joint).force;
+        if (!joint->feedback) continue;
+        const dJointFeedback& now = *joint->feedback;
+        sum.f1 += load(now.f1), sum.t1 += load(now.t1);
+        if (joint->body2()) sum.f2 += load(now.f2), sum.t2 += load(now.t2);
+        sum.any = true;
+    }
+}
+
+void ExactSubsteps::store_feedback() const
+{
+    for (std::size_t k = 0; k < feedback_.size(); ++k) {
+        const Feedback& sum = feedback_[k];
+        Joint& joint = *island_.joints[k];
+        for (int i = 0; joint.driven && i < kMaxAxes; ++i)
+            drives_of(joint).axis[i].force = sum.drive[i] / Real(n_);
+        if (is_coupling(joint)) coupling_of(joint).force = sum.coupling / Real(n_);
+        if (!sum.any) continue;
+        dJointFeedback& out = *joint.feedback;
+        store(out.f1, sum.f1 / Real(n_)), store(out.t1, sum.t1 / Real(n_));
+        if (!joint.body2()) continue;
+        store(out.f2, sum.f2 / Real(n_)), store(out.t2, sum.t2 / Real(n_));
+    }
+}
+
+}  // namespace epode

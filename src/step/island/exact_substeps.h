@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A step of h as n exact steps of h/n with the contacts of its beginning (dWorldSetExactSubsteps).
+#pragma once
+
+#include "solve/solver.h"
+#include "step/common/undo.h"
+#include "step/island/assemble.h"
+#include "step/island/projection.h"
+
+namespace epode {
+
+class ExactSubsteps {
+  public:
+    ExactSubsteps(World& world, const Island& island, const StepUndo& undo, Real h, int n, Arena& arena)
+        : world_(world), island_(island), undo_(undo), hs_(h / Real(n)), n_(n), arena_(arena)
+    {}
+
+    Real substep() const { return hs_; }
+
+    // Before anything is assembled: saves what undo() restores. False: out of memory.
+    bool begin();
+    // Converts the numbers of an island that has been assembled with substep() to those of a substep.
+    void map(RowSystem& system) const;
+    // `first` has been solved: moves the bodies by it, then makes the other n - 1 substeps. Its contacts get
+    // the impulses of the last substep. False: a solution that is not finite, or out of memory; undo() must
+    // follow.
+    bool run(IslandWork& first, const SolverSettings& settings, SolveReport& report,
+             ProjectionReport& projected);
+    void undo();
+
+  private:
+    struct Before {
+        Vec3 v, w, excess, force, torque;
+    };
+    struct Feedback {
+        Vec3 f1, t1, f2, t2;
+        bool any;
+        Real drive[kMaxAxes];
+        Real coupling;
+    };
+
+    bool next(IslandWork& first, const SolverSettings& settings, SolveReport& report, IslandWork& work);
+    void load_forces();
+    void carry_out(const IslandWork& work);
+    void add_feedback(const IslandWork& work);
+    void store_feedback() const;
+
+    World& world_;
+    const Island& island_;
+    const StepUndo& undo_;
+    const Real hs_;
+    const int n_;
+    Arena& arena_;
+    std::span<Before> before_;
+    std::span<Feedback> feedback_;  // parallel to the island's joints
+};
+
+}  // namespace epode

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "step/island/island_step.h"
+
+#include <algorithm>
+
+#include "dynamics/exact_spin.h"
+#include "dynamics/integrate.h"
+#include "joints/breaking.h"
+#include "step/island/assemble.h"
+#include "step/island/exact_substeps.h"
+#include "step/island/free_flight.h"
+#include "step/island/manifold_rows.h"
+#include "step/island/report.h"
+#include "step/island/substeps.h"
+#include "step/island/tension.h"
+#include "step/island/write_back.h"
+
+namespace epode {
+namespace {
+
+void contain(std::span<Body* const> bodies, std::span<Joint* const> joints)
+{
+    for (Joint* joint : joints) {
+        joint->impulse_rows = 0;
+        if (joint->driven) forget_load(*joint);
+    }
+    for (Body* body : bodies) {
+        body->spin_excess = {};
+        if (!usable(body->lvel, 3) || !usable(body->avel, 3)) {
+            store(body->lvel, {});
+            store(body->avel, {});
+        }
+    }
+}
+
+constexpr int kManyIterations = 1000;  // from here on no more for settling islands
+
+void clear_impulses(ContactManifold& manifold)
+{
+    manifold.rolling_impulse = {};
+    for (ManifoldPoint& point : manifold.points) point.normal_impulse = 0, point.friction_impulse = {};
+}
+
+template <typename T>
+std::span<T> slice(std::span<T> all, int from, int to)
+{
+    return all.subspan(std::size_t(from), std::size_t(to - from));
+}
+
+class IslandStep {
+  public:
+    IslandStep(const StepContext& context, std::span<const Island> members, IslandPlace place, Arena& arena)
+        : context_(context),
+          world_(context.world),
+          place_(place),
+          arena_(arena),
+          exact_(&context.solver == &kDirect),
+          exact_substeps_(world_, work_.island, context.undo, context.h, world_.exact_substeps, arena)
+    {
+        work_.island = joined(members);
+        work_.members = members;
+    }
+
+    // False: out of memory, or a solution that is not finite in an island without parts.
+    bool solve(const Tasks& tasks, std::span<dIslandStepReport> reports)
+    {
+        if (has_exact_substeps() && !exact_substeps_.begin()) return false;
+        const Real h = has_exact_substeps() ? exact_substeps_.substep() : context_.h;
+        if (!assemble(world_, h, context_.solver, tasks, arena_, work_, &context_.undo)) return false;
+        work_.system.cone = world_.friction_cone && context_.solver.cones;
+        work_.system.manifold_friction = world_.manifold_friction && context_.solver.cones;
+        if (has_exact_substeps()) exact_substeps_.map(work_.system);
+        for (std::size_t i = 0; i < reports.size(); ++i) report_errors(work_, int(i), reports[i]);
+        if (projects()) {
+            add_tension(work_, work_.system.bodies, arena_);
+            leave_depth_to_projection(work_.system);
+        }
+        SubstepModel model(work_, step_info(world_, context_.h), tasks);
+        const Substeps callbacks = model.callbacks();
+        const bool inner = context_.solver.substeps;
+        if (inner && !model.prepare(arena_)) return false;
+        SolverSettings settings;
+        settings.iterations = iterations();
+        settings.w = world_.quick_w;
+        settings.seed = world_.step_count * 0x9e3779b97f4a7c15u + std::uint64_t(place_.index);
+        settings.substeps = inner ? &callbacks : nullptr;
+        settings.want_residual = !reports.empty();
+        settings.contact_manifolds = context_.manages_contacts;
+        settings.part_residuals = arena_.take<Real>(int(reports.size()));
+        if (arena_.failed()) return false;
+        std::fill(settings.part_residuals.begin(), settings.part_residuals.end(), Real(0));
+        settings.tasks = tasks;
+        settings.symbolic_cache = &context_.symbolic_cache;
+        if (projects()) settings.refine_above = 1e-9;  // the projection corrects smaller errors of position
+        load_warm_start(world_.warm_starting * context_.solver.warm_share);
+        SolveReport solved;
+        bool sane = context_.solver.solve(work_.system, settings, arena_, solved);
+        if (!context_.factorisations.empty())
+            context_.factorisations[std::size_t(place_.first_island)] = solved.factorisations;
+        if (sane && !has_parts()) sane = sound(work_.system, 0, tasks);
+        if (sane && has_exact_substeps()) sane = exact_substeps_.run(work_, settings, solved, projected_);
+        for (std::size_t i = 0; i < reports.size(); ++i) {
+            if (has_parts()) solved.residual = settings.part_residuals[i];
+            report_solution(solved, reports[i]);
+        }
+        return sane;
+    }
+
+    void accept(const Tasks& tasks, std::span<dIslandStepReport> reports)
+    {
+        for (int part = 0; part < work_.system.worlds(); ++part)
+            if (has_parts() && !sound(work_.system, part))
+                contain_part(part, reports);
+            else if (context_.solver.substeps && is_free(part))
+                fly_freely(part);
+        if (!has_exact_substeps()) write_back(work_, tasks);
+        remember_contacts();
+        if (!context_.solver.contact_manifolds) store_manifold_impulses(work_);
+        if (context_.solver.substeps) return;  // the substeps have moved the poses
+        if (!has_exact_substeps()) {
+            advance();
+            if (projects()) projected_ = project_poses(world_, work_, tasks, context_.symbolic_cache, arena_);
+        }
+        for (dIslandStepReport& report : reports)
+            if (projects()) report_projection(projected_, report);
+    }
+
+    void refuse(std::span<dIslandStepReport> reports)
+    {
+        has_exact_substeps() ? exact_substeps_.undo() : context_.undo.restore_poses(work_.island.bodies);
+        contain(work_.island.bodies, work_.joints);
+        for (ManifoldEdge* edge : work_.island.manifolds) clear_impulses(*edge->manifold);
+        advance();
+        for (dIslandStepReport& report : reports) report.contained = true;
+    }
+
+  private:
+    int iterations() const
+    {
+        const int n = context_.iterations, factor = context_.solver.settling_factor;
+        return work_.island.settles() && n < kManyIterations ? n * factor : n;
+    }
+    bool projects() const { return exact_ && world_.projection_iterations > 0; }
+    bool has_exact_substeps() const { return exact_ && world_.exact_substeps > 1; }
+    bool has_parts() const { return !work_.system.parts.empty(); }
+
+    bool is_free(int part) const
+    {
+        const SystemPart from = work_.system.begin_of(part), to = work_.system.end_of(part);
+        return from.blocks == to.blocks && from.joint_manifolds == to.joint_manifolds &&
+               from.contact_manifolds == to.contact_manifolds;
+    }
+
+    void fly_freely(int part)
+    {
+        const SystemPart from = work_.system.begin_of(part), to = work_.system.end_of(part);
+        for (int i = from.bodies; i < to.bodies; ++i) {
+            Body& body = *work_.island.bodies[std::size_t(i)];
+            if (!flies_by_itself(world_, body)) continue;
+            context_.undo.restore_poses(slice(work_.island.bodies, i, i + 1));
+            fly(world_, body, context_.h, std::max(1, iterations()));
+            load_velocity(body, work_.system.bodies[std::size_t(i)]);
+        }
+    }
+
+    // A part whose solution is not finite must not affect the others: its bodies keep their velocities, and
+    // its constraints exert nothing.
+    void contain_part(int part, std::span<dIslandStepReport> reports)
+    {
+        RowSystem& system = work_.system;
+        const SystemPart from = system.begin_of(part), to = system.end_of(part);
+        contain(slice(work_.island.bodies, from.bodies, to.bodies), {});
+        for (auto i = std::size_t(from.bodies); i < std::size_t(to.bodies); ++i)
+            load_velocity(*work_.island.bodies[i], system.bodies[i]);
+        for (const RowBlock& block : slice(system.blocks, from.blocks, to.blocks))
+            for (int i = block.first; i < block.first + block.count; ++i)
+                system.numbers[std::size_t(i)].p = 0;
+        for (const JointManifold& m :
+             slice(system.joint_contacts.manifolds, from.joint_manifolds, to.joint_manifolds))
+            for (JointManifoldPoint& point : points_of(m))
+                for (Real& p : point.p) p = 0;
+        for (ContactManifold* manifold :
+             slice(system.contact_manifolds, from.contact_manifolds, to.contact_manifolds))
+            clear_impulses(*manifold);
+        if (context_.solver.substeps) {
+            // The substeps have moved the bodies.
+            const auto bodies = slice(work_.island.bodies, from.bodies, to.bodies);
+            context_.undo.restore_poses(bodies);
+            for (Body* body : bodies) advance_pose(*body, context_.h);
+        }
+        if (!reports.empty()) reports[std::size_t(part)].contained = true;
+    }
+    // Tickets in the contact cache: points of manifolds first, then contacts that are rows.
+    int ticket_of_point(int point) const { return place_.first_contact + point; }
+    int ticket_of_block(std::size_t block) const
+    {
+        return place_.first_contact + int(work_.contacts.size() + block);
+    }
+
+    // Every solver may start from the impulses of the last step.
+    void load_warm_start(Real share)
+    {
+        RowSystem& system = work_.system;
+        if (!context_.solver.contact_manifolds) load_manifold_impulses(work_, share);
+        for (const JointManifold& m : system.joint_contacts.manifolds)
+            load_contact(ticket_of_point(m.first), m, points_of(m), share);
+        for (std::size_t k = 0; k < work_.joints.size(); ++k) {
+            const Joint& joint = *work_.joints[k];
+            const RowBlock& block = system.blocks[k];
+            RowNumbers* numbers = &system.numbers[std::size_t(block.first)];
+            if (block.contact) {
+                JointManifoldPoint point{block.arms.r1, 0, 0, 0, {}};
+                load_contact(ticket_of_block(k), manifold_of(block), {&point, 1}, share);
+                for (int i = 0; i < std::min(block.count, 3); ++i) numbers[i].p = point.p[i];
+            } else if (joint.impulse_rows == block.count) {
+                for (int i = 0; i < block.count; ++i) numbers[i].p = share * impulses(joint)[i];
+            }
+        }
+    }
+
+    void load_contact(int ticket, const JointManifold& m, std::span<JointManifoldPoint> points, Real share)
+    {
+        const auto& bodies = work_.island.bodies;
+        const Body* body2 = m.body2 >= 0 ? bodies[std::size_t(m.body2)] : nullptr;
+        context_.contacts.load(place_.index, ticket, *bodies[std::size_t(m.body1)], body2, m, points, share);
+    }
+
+    void remember_contacts()
+    {
+        const RowSystem& system = work_.system;
+        for (const JointManifold& m : system.joint_contacts.manifolds)
+            context_.contacts.remember(ticket_of_point(m.first), m, points_of(m));
+        for (std::size_t k = 0; k < work_.joints.size(); ++k) {
+            const RowBlock& block = system.blocks[k];
+            if (!block.contact) continue;
+            JointManifoldPoint point{};
+            for (int i = 0; i < std::min(block.count, 3); ++i)
+                point.p[i] = system.numbers[std::size_t(block.first + i)].p;
+            context_.contacts.remember(ticket_of_block(k), manifold_of(block), {&point, 1});
+        }
+    }
+
+    std::span<JointManifoldPoint> points_of(const JointManifold& m) const
+    {
+        return work_.system.joint_contacts.points.subspan(std::size_t(m.first), std::size_t(m.count));
+    }
+
+    // Directions and bodies of a contact that is rows: the first row has the normal; the linear parts of the
+    // others are tangents or zero.
+    JointManifold manifold_of(const RowBlock& block) const
+    {
+        const Row* rows = &work_.system.rows[std::size_t(block.first)];
+        JointManifold m{};
+        m.n = rows[0].lin1;
+        if (block.count > 1) m.t1 = rows[1].lin1;
+        if (block.count > 2) m.t2 = rows[2].lin1;
+        m.body1 = block.body1, m.body2 = block.body2;
+        return m;
+    }
+
+    void advance()
+    {
+        const bool free = work_.system.rows.empty() && work_.contacts.empty();
+        for (Body* body : work_.island.bodies)
+            world_.exact_rotation ? advance_pose_exactly(*body, context_.h, free)
+                                  : advance_pose(*body, context_.h);
+    }
+
+    const StepContext& context_;
+    World& world_;
+    IslandPlace place_;
+    Arena& arena_;
+    IslandWork work_;
+    const bool exact_;
+    ExactSubsteps exact_substeps_;
+    ProjectionReport projected_;
+};
+
+}  // namespace
+
+Island joined(std::span<const Island> islands)
+{
+    const auto all = [&](auto Island::*items) {
+        const auto &first = islands.front().*items, &last = islands.back().*items;
+        return std::span(first.data(), last.data() + last.size());
+    };
+    Island sum{all(&Island::bodies), all(&Island::joints), all(&Island::manifolds)};
+    for (const Island& island : islands) {
+        sum.plain_contacts += island.plain_contacts;
+        sum.feedback = sum.feedback || island.feedback;
+        sum.impulses = sum.impulses || island.impulses;
+        sum.kept_depth = std::max(sum.kept_depth, island.kept_depth);
+    }
+    return sum;
+}
+
+bool step_islands(const StepContext& context, std::span<const Island> islands, IslandPlace place,
+                  const Tasks& tasks, Arena& arena, std::span<dIslandStepReport> reports)
+{
+    Arena::Scope scope(arena);
+    for (std::size_t i = 0; i < reports.size(); ++i) begin_report(context.world, islands[i], reports[i]);
+    IslandStep step(context, islands, place, arena);
+    const bool solved = step.solve(tasks, reports);
+    if (arena.failed()) return false;
+    solved ? step.accept(tasks, reports) : step.refuse(reports);
+    for (std::size_t i = 0; i < reports.size(); ++i) end_report(context.world, islands[i], reports[i]);
+    return !arena.failed();
+}
+
+}  // namespace epode

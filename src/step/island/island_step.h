@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Steps one island from forces to poses, or several small ones at once, which together fill the SIMD lanes. A
+// call reads and writes its own bodies, joints and contacts only, so islands may be stepped in any order and
+// concurrently.
+#pragma once
+
+#include "dynamics/island.h"
+#include "dynamics/world.h"
+#include "solve/solver.h"
+#include "step/common/contact_cache.h"
+#include "step/common/undo.h"
+
+namespace epode {
+
+struct StepContext {
+    World& world;
+    const Solver& solver;
+    Real h;
+    int iterations;
+    ContactCache& contacts;
+    SymbolicCache& symbolic_cache;
+    StepUndo& undo;
+    bool manages_contacts;          // the world has world-managed contacts
+    std::span<int> factorisations;  // by island, if wanted
+};
+
+struct IslandPlace {
+    int index;          // of the group: part of the random seed
+    int first_contact;  // its first ticket in the contact cache: one per joint
+    int first_island;   // index of the group's first island
+};
+
+// Computes velocities, impulses, feedback and poses of the islands, which are consecutive in the arrays of
+// all bodies and joints; more than one only if the solver supports parts. An island whose solution is not
+// finite is contained: it keeps its velocities, its constraints exert nothing, and other islands are
+// unaffected. False: out of memory; the bodies are then half stepped, and the caller must restore them.
+// `reports`: one for each island, or none.
+[[nodiscard]] bool step_islands(const StepContext& context, std::span<const Island> islands,
+                                IslandPlace place, const Tasks& tasks, Arena& arena,
+                                std::span<dIslandStepReport> reports);
+
+// Consecutive islands as one.
+Island joined(std::span<const Island> islands);
+
+}  // namespace epode

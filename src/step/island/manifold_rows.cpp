@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "step/island/manifold_rows.h"
+
+#include <algorithm>
+
+#include "tasks/prefetched.h"
+
+namespace epode {
+namespace {
+
+constexpr int kPointRows = 3, kRollingRows = 3;
+
+int rows_of_point(const ContactManifold& manifold)
+{
+    return kPointRows + (manifold.rolling_friction > 0 ? kRollingRows : 0);
+}
+
+Row& point_row(RowWriter& out, Vec3 d, RowKind kind)
+{
+    const ContactArms& arms = out.arms();
+    Row& row = out.row({d, cross(arms.r1, d), -d, -cross(arms.r2, d)}, 0, kind);
+    row.lo = 0;
+    return row;
+}
+
+Real approach_of(const Row& row, const Island& island, const ContactManifold& manifold)
+{
+    const auto velocity = [&](int index, Vec3 lin, Vec3 ang) {
+        if (index < 0) return Real(0);
+        const Body& body = *island.bodies[std::size_t(index)];
+        return dot(lin, body.velocity()) + dot(ang, body.angular_velocity());
+    };
+    return -(velocity(manifold.body1, row.lin1, row.ang1) + velocity(manifold.body2, row.lin2, row.ang2));
+}
+
+// The spring and damper of ERP = h k / (h k + d) and CFM = 1 / (h k + d).
+void soften(Row& normal, const ContactManifold& manifold, Real separation, Real h)
+{
+    const Real rest = h + Real(manifold.damping_time);
+    normal.erp = h / rest, normal.cfm = Real(manifold.compliance) / rest;
+    normal.soft = true;
+    normal.error = -separation;
+}
+
+void write_rolling(RowWriter& out, const ContactManifold& manifold)
+{
+    const Vec3 n = widen(manifold.normal);
+    Vec3 axes[3] = {{}, {}, n};
+    plane_space(n, axes[0], axes[1]);
+    for (const Vec3& a : axes) {
+        Row& row = out.row({{}, a, {}, -a}, 0, RowKind::kFriction);
+        row.hi = Real(manifold.rolling_friction), row.lo = -row.hi;
+        row.parent = 0;
+    }
+}
+
+// An open contact may close, but no further.
+void write_point(RowWriter& out, const Island& island, const ContactManifold& manifold,
+                 const ManifoldPoint& point)
+{
+    out.contact_at(widen(point.r1), widen(point.r2));
+    const Vec3 n = widen(manifold.normal);
+    Row& normal = point_row(out, n, RowKind::kNormal);
+    const Real separation = point.separation;
+    if (manifold.compliance > 0) {
+        soften(normal, manifold, separation, out.info().h);
+    } else {
+        normal.error = std::max(-separation, Real(0));
+        normal.speed = separation > 0 ? -separation * out.info().fps : 0;
+        normal.cap = out.info().contact_max_vel;
+    }
+    const Real approach = approach_of(normal, island, manifold);
+    if (manifold.restitution > 0 && approach > manifold.restitution_threshold &&
+        approach > separation * out.info().fps) {
+        normal.has_restitution = true;
+        normal.restitution_velocity = Real(manifold.restitution) * approach;
+    }
+    Vec3 t[2];
+    plane_space(n, t[0], t[1]);
+    for (const Vec3& d : t) {
+        Row& row = point_row(out, d, RowKind::kFriction);
+        row.speed = dot(widen(manifold.surface_velocity), d);
+        row.hi = Real(manifold.mu);
+        row.lo = -row.hi;
+        row.parent = 0;
+    }
+    if (manifold.rolling_friction > 0) write_rolling(out, manifold);
+}
+
+// f(manifold, point, block) for each point and its block, in order.
+template <typename Visit>
+void for_points(const IslandWork& work, Visit&& visit)
+{
+    std::size_t block = work.joints.size();
+    for (ManifoldEdge* edge : work.island.manifolds)
+        for (int i = 0; i < edge->manifold->count; ++i)
+            visit(*edge->manifold, edge->manifold->points[i], work.system.blocks[block++]);
+}
+
+}  // namespace
+
+void place_manifolds(const Tasks& tasks, const Island& island)
+{
+    tasks.each_of(int(island.manifolds.size()), kObjectRange, [&](std::size_t i) {
+        const ManifoldEdge& edge = *island.manifolds[i];
+        edge.manifold->body1 = edge.body[0]->island_index;
+        edge.manifold->body2 = edge.body[1] ? edge.body[1]->island_index : -1;
+    });
+}
+
+int manifold_point_count(const Island& island)
+{
+    int points = 0;
+    for (const ManifoldEdge* edge : island.manifolds) points += edge->manifold->count;
+    return points;
+}
+
+int manifold_row_count(const Island& island)
+{
+    int rows = 0;
+    for (const ManifoldEdge* edge : island.manifolds)
+        rows += edge->manifold->count * rows_of_point(*edge->manifold);
+    return rows;
+}
+
+void emit_manifolds(const StepInfo& info, IslandWork& work, int& rows, int& blocks)
+{
+    for (ManifoldEdge* edge : work.island.manifolds) {
+        const ContactManifold& manifold = *edge->manifold;
+        for (int i = 0; i < manifold.count; ++i) {
+            RowWriter out(&work.system.rows[std::size_t(rows)], info);
+            write_point(out, work.island, manifold, manifold.points[i]);
+            work.system.blocks[std::size_t(blocks++)] = {rows, out.count(), manifold.body1, manifold.body2,
+                                                         true, out.arms(),  out.form()};
+            rows += out.count();
+        }
+    }
+}
+
+// The couple of a manifold is shared by its points.
+void load_manifold_impulses(IslandWork& work, Real share)
+{
+    for_points(work, [&](const ContactManifold& manifold, const ManifoldPoint& point, const RowBlock& block) {
+        for (int k = 0; k < block.count; ++k) {
+            const auto at = std::size_t(block.first + k);
+            const Row& row = work.system.rows[at];
+            const Real sliding = dot(widen(point.friction_impulse), row.lin1);
+            const Real couple = dot(widen(manifold.rolling_impulse), row.ang1) / Real(manifold.count);
+            const Real p = k == 0 ? Real(point.normal_impulse) : k < kPointRows ? sliding : couple;
+            work.system.numbers[at].p = share * p;
+        }
+    });
+}
+
+void store_manifold_impulses(const IslandWork& work)
+{
+    for (ManifoldEdge* edge : work.island.manifolds) edge->manifold->rolling_impulse = {};
+    for_points(work, [&](ContactManifold& manifold, ManifoldPoint& point, const RowBlock& block) {
+        Vec3 friction, couple = widen(manifold.rolling_impulse);
+        for (int k = 1; k < block.count; ++k) {
+            const auto at = std::size_t(block.first + k);
+            const Row& row = work.system.rows[at];
+            const Real p = work.system.numbers[at].p;
+            if (k < kPointRows)
+                friction += p * row.lin1;
+            else
+                couple += p * row.ang1;
+        }
+        point.normal_impulse = float(work.system.numbers[std::size_t(block.first)].p);
+        point.friction_impulse = narrow(friction);
+        manifold.rolling_impulse = narrow(couple);
+    });
+}
+
+}  // namespace epode

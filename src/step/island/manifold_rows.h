@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Manifolds for solvers that want rows: what contact joints with the same coefficients would write. Friction
+// is bounded in two directions then, since rows know no discs.
+#pragma once
+
+#include "step/island/assemble.h"
+
+namespace epode {
+
+// Gives the manifolds of the island their bodies' places.
+void place_manifolds(const Tasks& tasks, const Island& island);
+int manifold_row_count(const Island& island);
+int manifold_point_count(const Island& island);
+// Appends rows and blocks after the first `rows` and `blocks` of work.system, whose capacity suffices.
+void emit_manifolds(const StepInfo& info, IslandWork& work, int& rows, int& blocks);
+// Numbers must hold the rows' own by now.
+void load_manifold_impulses(IslandWork& work, Real share);
+void store_manifold_impulses(const IslandWork& work);
+
+}  // namespace epode

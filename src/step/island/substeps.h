@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The model that a solver with inner steps drives: the bodies and joints of one island.
+#pragma once
+
+#include "base/arena.h"
+#include "rows/row_system.h"
+#include "solve/substeps/body_kernels.h"
+#include "step/island/assemble.h"
+#include "tasks/tasks.h"
+
+namespace epode {
+
+class SubstepModel {
+  public:
+    // `info` is that of the whole step.
+    SubstepModel(IslandWork& work, const StepInfo& info, const Tasks& tasks)
+        : work_(work), info_(info), tasks_(tasks)
+    {
+        info_.inner = true;  // joints keep the rows that they wrote at the beginning of the step
+    }
+
+    // Before the first call: bodies into lanes, and the system's poses. False: out of memory.
+    bool prepare(Arena& arena);
+    Substeps callbacks();
+
+  private:
+    std::span<Body* const> island_bodies() const { return work_.island.bodies; }
+    template <typename F>
+    void in_groups(F&& f) const;
+    void load_body(std::size_t i, const Body& body, const SolverBody& solver);
+    void turn_finitely(std::size_t group, const Velocity* bodies, Real h);
+
+    static void apply_forces(void* model, Velocity* bodies, Real h);
+    static void advance(void* model, RowSystem& system, Velocity* bodies, Real h);
+    static void settle(void* model, RowSystem& system);
+    static void refresh(void* model, RowSystem& system, const Velocity* bodies);
+    static void gather_contacts(void* model, RowSystem& system);
+
+    IslandWork& work_;
+    StepInfo info_;
+    Tasks tasks_;
+    const BodyKernels& kernels_ = *body_kernels().back();
+    std::span<BodyLanes> lanes_;
+};
+
+// Lets a contact of two bodies act at one point of their present poses again: its arms are those of earlier
+// ones, and half way between their ends lies the point that both bodies share.
+void gather_contact(const Island& island, RowBlock& block, std::span<Row> rows);
+
+}  // namespace epode
