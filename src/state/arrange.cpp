@@ -127,14 +127,13 @@ const char* Arrangement::find_obstacle(const Topology& to, char* text, std::size
                        to.joints.size());
     }
     for (const Topology::GeomRecord& r : to.geoms) {
-        const int number = r.geom.object->type ? r.geom.object->type->number : -1;
         if (!can_come(r.geom))
             return say(
                 "a geom of class %d has been destroyed that cannot be kept: a space, a transform, a geom "
                 "of a class of the program, or a member of a destroyed space",
-                number, 0);
+                r.number, 0);
         if (shape_hash(*r.geom.object) != r.shape)
-            return say("a geom of class %d has another shape now", number, 0);
+            return say("a geom of class %d has another shape now", r.number, 0);
     }
     for (const Topology::SpaceRecord& r : to.spaces)
         if (!r.space.lives()) return "a space with geoms of the world has been destroyed";

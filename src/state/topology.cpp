@@ -59,7 +59,12 @@ bool Topology::record_joint(Joint& joint)
 
 bool Topology::record_geom(Geom& geom)
 {
-    GeomRecord r{Named<Geom>(geom), shape_hash(geom), geom.body.id != nullptr, geom.offset != nullptr, {}};
+    GeomRecord r{.geom = Named<Geom>(geom),
+                 .shape = shape_hash(geom),
+                 .number = geom.type->number,
+                 .on_body = geom.body.id != nullptr,
+                 .has_offset = geom.offset != nullptr,
+                 .offset = {}};
     if (geom.offset) {
         r.offset = *geom.offset;
     } else if (!r.on_body) {

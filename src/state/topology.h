@@ -65,6 +65,7 @@ struct Topology {
     struct GeomRecord {
         Named<Geom> geom;
         std::uint64_t shape;
+        int number;  // of its class: when it may be told the geom may be gone
         bool on_body, has_offset;
         GeomOffset offset;  // of a geom without a body: where it is
     };

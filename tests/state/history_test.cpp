@@ -234,14 +234,27 @@ TEST_F(History, names_what_cannot_come_back_and_changes_nothing)
     const dSpaceID inner = dSimpleSpaceCreate(space);
     steps(1);
     dSpaceDestroy(inner);
-    EXPECT_EQ(dWorldRollBack(world, 0), 0);  // the coupling stays lost
+    EXPECT_EQ(dWorldRollBack(world, 0), 0);
     EXPECT_NE(Messages::last().find("destroyed"), std::string::npos) << Messages::last();
     EXPECT_EQ(dWorldRollBack(world, 6), 0);
     EXPECT_NE(Messages::last().find("cannot take back 6 steps"), std::string::npos) << Messages::last();
     EXPECT_EQ(dWorldSetHistory(world, -1), 0);
     EXPECT_EQ(dWorldSetHistory(world, 0), 1);
-    EXPECT_EQ(dWorldRollBack(world, 0), 0);  // the coupling stays lost
+    EXPECT_EQ(dWorldRollBack(world, 0), 0);
     EXPECT_NE(Messages::last().find("no history"), std::string::npos) << Messages::last();
+}
+
+TEST_F(History, tells_the_class_of_a_geom_that_went_with_its_space)
+{
+    const dSpaceID inside = dSimpleSpaceCreate(nullptr);
+    const dBodyID body = dBodyCreate(world);
+    dGeomSetBody(dCreateCylinder(inside, 1, 2), body);
+    dWorldSetHistory(world, 3);
+    steps(1);
+    dSpaceDestroy(inside);
+    EXPECT_EQ(dWorldRollBack(world, 1), 0);
+    const std::string cylinder = "a geom of class " + std::to_string(dCylinderClass) + " has been destroyed";
+    EXPECT_NE(Messages::last().find(cylinder), std::string::npos) << Messages::last();
 }
 
 TEST_F(History, outlived_by_spaces_and_worlds_in_any_order)
