@@ -29,7 +29,7 @@ MAY_INCLUDE = {
 MAY_INCLUDE["state"] = MAY_INCLUDE["step"] | {"step"}
 MAY_INCLUDE["diagnose"] = MAY_INCLUDE["step"] | {"step"}
 MAY_INCLUDE["api"] = MAY_INCLUDE["state"] | {"state", "diagnose"}
-OUTSIDE = ["viewer", "view", "drawstuff", "demos", "scenes", "record", "cli", "bench", "tests/parity", "tests/clients", "tests/physics",
+OUTSIDE = ["viewer", "view", "drawstuff", "demos", "scenes", "record", "robots", "cli", "bench", "tests/parity", "tests/clients", "tests/physics",
            "tests/cli", "tests/viewer", "tests/view", "tests/drawstuff", "tests/record", "tests/abi"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.M)
 

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Robots from URDF and MJCF files: models, worlds made of them, coordinates, drives. Link with libepode_robots and
+// the library in double or single precision that it was built on. docs/guide/robots.md says more.
+#ifndef _EPODE_ROBOTS_H_
+#define _EPODE_ROBOTS_H_
+
+#include <ode/ode.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** @chapter robot_models Models of robots
+
+    A model is what a file says, as data; robots in worlds are made of it, as many as wanted. Link 0 of a
+    model is the world; a link has a smaller number than those that hang on it. Links that are fixed to
+    others are merged with them. Positions are the coordinates of all joints in their order: one of a hinge
+    (rad) or slider (m), the four of a quaternion of a ball, and seven, position and quaternion, of a free
+    joint.
+
+    Arguments:
+    - model: a model that dRobotModelLoad or dRobotModelLoadText has returned.
+    - capacity: how many elements the array has, 0 or more; 0 to ask for the number alone, the array may then
+      be null.
+    - name: of a link, joint, actuator or start pose, as in the file.
+
+    Refused: a model that is 0; null pointers; numbers that are not finite; a negative capacity; what each
+    function names. Nothing changes then, and the answer is 0. */
+
+/** A model; its address is its handle. */
+typedef struct dxRobotModel* dRobotModelID;
+
+/** How a file is read. Start from dRobotOptionsInit. */
+typedef struct dRobotOptions {
+    unsigned struct_size;    /**< sizeof(dRobotOptions), set by the caller or dRobotOptionsInit */
+    int strict;              /**< 1: what is approximated or ignored is an error */
+    int keep_fixed;          /**< 1: links that are fixed to others stay links */
+    int fixed_base;          /**< 1: the root link of a URDF is fixed to the world */
+    int repair;              /**< 1: inertias that no body can have are mended */
+    int inertia_from_shapes; /**< 1: moving links without an inertial get that of their shapes, 1000 kg/m^3 */
+    int meshes_as_triangles; /**< 1: meshes collide as triangles, 0: as their convex hulls */
+    dReal missing_mass; /**< mass of other moving links without an inertial, kg; 0: such a link is an error */
+    const char* roots;  /**< more folders that may be read, a colon between two; NULL: none */
+} dRobotOptions;
+
+/** Fills *options with zeros, and writes struct_size, which is sizeof(dRobotOptions), to it. Returns 1.
+    Refused: another struct_size. [ours] */
+ODE_API int dRobotOptionsInit(dRobotOptions* options, unsigned struct_size);
+
+/** Files are read in the folder of path, its parent, its ROS package, the folders of options->roots and
+    packages that package:// finds there, in ROS_PACKAGE_PATH, AMENT_PREFIX_PATH or upwards. options may be
+    NULL: as dRobotOptionsInit leaves them. The root element says whether it is URDF or MJCF. A model with
+    errors is returned too, for its report; a message tells the first. Destroy it with dRobotModelDestroy.
+    - dRobotModelLoad: Read the robot file path.
+    - dRobotModelLoadText: Read the size bytes of text as if they were the file path. [ours] */
+ODE_API dRobotModelID dRobotModelLoad(const char* path, const dRobotOptions* options);
+ODE_API dRobotModelID dRobotModelLoadText(const char* path, const char* text, dsizeint size,
+                                          const dRobotOptions* options);
+
+/** Destroys the model. Robots that were made of it stay. [ours] */
+ODE_API void dRobotModelDestroy(dRobotModelID model);
+
+/** What a line of a report is about. */
+typedef enum {
+    dRobotChanged,      /**< read as something else with the same motion */
+    dRobotApproximated, /**< read as something with nearly the same motion */
+    dRobotIgnored,      /**< left out */
+    dRobotError         /**< wrong: no robot is made of the model */
+} dRobotNote;
+
+/** A line of a model's report. The texts live as long as the model. */
+typedef struct dRobotReportLine {
+    int note;         /**< a dRobotNote */
+    int line;         /**< in the file, 0 where unknown */
+    const char* file; /**< its path */
+    const char* text; /**< what happened */
+} dRobotReportLine;
+
+/** - dRobotModelGetReport: Copies up to capacity lines of the report to lines. Returns how many there are.
+    - dRobotModelHasErrors: Returns 1 if the report has an error, else 0. [ours] */
+ODE_API int dRobotModelGetReport(dRobotModelID model, dRobotReportLine* lines, int capacity);
+ODE_API int dRobotModelHasErrors(dRobotModelID model);
+
+/** A link. The name lives as long as the model. */
+typedef struct dRobotLink {
+    const char* name;
+    int parent;       /**< its number, -1 of link 0 */
+    int joints;       /**< between it and its parent */
+    int shapes;       /**< that touch */
+    dReal mass;       /**< kg */
+    dVector3 centre;  /**< of mass, in the link's frame, m */
+    dMatrix3 inertia; /**< about the centre, in the link's axes, kg m^2 */
+} dRobotLink;
+
+/** What a joint of a model leaves free. */
+typedef enum {
+    dRobotHinge, /**< an angle about the axis */
+    dRobotSlide, /**< a distance along the axis */
+    dRobotBall,  /**< a turn about the anchor */
+    dRobotFree   /**< everything */
+} dRobotJointKind;
+
+/** A joint between a link and its parent. The name lives as long as the model. */
+typedef struct dRobotJoint {
+    const char* name;
+    int kind;           /**< a dRobotJointKind */
+    int link;           /**< the link that it moves */
+    int position;       /**< number of its first coordinate among all */
+    dVector3 anchor;    /**< in the link's frame, m */
+    dVector3 axis;      /**< in the link's frame, of unit length */
+    dReal low, high;    /**< limits of its coordinate, minus and plus dInfinity for none */
+    dReal max_force;    /**< N or N m, dInfinity for none */
+    dReal max_velocity; /**< m/s or rad/s, dInfinity for none */
+} dRobotJoint;
+
+/** - dRobotModelGetLinks: Copies up to capacity links to links. Returns how many there are.
+    - dRobotModelGetJoints: Copies up to capacity joints to joints. Returns how many there are.
+    - dRobotModelGetNumPositions: Returns how many coordinates the joints have.
+    - dRobotModelGetNumActuators: Returns how many actuators the model has.
+    - dRobotModelGetNumStarts: Returns how many named start poses the model has. [ours] */
+ODE_API int dRobotModelGetLinks(dRobotModelID model, dRobotLink* links, int capacity);
+ODE_API int dRobotModelGetJoints(dRobotModelID model, dRobotJoint* joints, int capacity);
+ODE_API int dRobotModelGetNumPositions(dRobotModelID model);
+ODE_API int dRobotModelGetNumActuators(dRobotModelID model);
+ODE_API int dRobotModelGetNumStarts(dRobotModelID model);
+
+/** - dRobotModelFindLink: Returns the number of the link of that name; merged links and sites are those that
+      they are part of. -1 if there is none.
+    - dRobotModelFindJoint: Returns the number of the joint of that name, or -1.
+    - dRobotModelFindActuator: Returns the number of the actuator of that name, or -1. [ours] */
+ODE_API int dRobotModelFindLink(dRobotModelID model, const char* name);
+ODE_API int dRobotModelFindJoint(dRobotModelID model, const char* name);
+ODE_API int dRobotModelFindActuator(dRobotModelID model, const char* name);
+
+/** - dRobotModelGetReference: Copies up to capacity coordinates of the pose in which the file describes the
+      robot to positions. Returns how many there are.
+    - dRobotModelGetStart: Copies up to capacity coordinates of the start pose of that number to positions.
+      Returns how many there are. Refused: a number outside 0 ... dRobotModelGetNumStarts - 1. [ours] */
+ODE_API int dRobotModelGetReference(dRobotModelID model, dReal* positions, int capacity);
+ODE_API int dRobotModelGetStart(dRobotModelID model, int number, dReal* positions, int capacity);
+
+/** Writes the pose of up to capacity links in the model's world to poses, 7 reals each: position, m, and
+    quaternion. positions: count coordinates. Returns how many links there are. Refused: a count other than
+    dRobotModelGetNumPositions. [ours] */
+ODE_API int dRobotModelGetPoses(dRobotModelID model, const dReal* positions, int count, dReal* poses,
+                                int capacity);
+
+/** @chapter robots Robots in worlds
+
+    A robot is the bodies, joints and geoms that a model became in a world. The program may use all of them
+    with ODE's functions; it must not destroy them one by one. Destroy a robot before its world and space.
+
+    Arguments:
+    - robot: a robot that dRobotCreate has returned.
+    - model: a model.
+    - count: how many elements the array has.
+    - joint: number of a joint of the model.
+    - link: number of a link of the model.
+
+    Refused: a robot or model that is 0; null pointers; numbers that are not finite; what each function
+    names. Nothing changes then, and the answer is 0. */
+
+/** A robot; its address is its handle. */
+typedef struct dxRobot* dRobotID;
+
+/** - dRobotCreate: Makes a robot of the model in the world, with its geoms in the space. position and q place
+      the model's world in the world; either may be NULL: none. It begins at the reference position. A
+      message names what is not yet built: couplings, tendons. Refused: a model with errors.
+    - dRobotDestroy: Destroys the robot's bodies, joints and geoms. [ours] */
+ODE_API dRobotID dRobotCreate(dWorldID world, dSpaceID space, dRobotModelID model, const dReal* position,
+                              const dReal* q);
+ODE_API void dRobotDestroy(dRobotID robot);
+
+/** - dRobotGetBody: Returns the body of a link, 0 of link 0 where it has none. Refused: no such link.
+    - dRobotGetJoint: Returns ODE's joint of a joint of the model, whose axis 0 it is; 0 of a free joint.
+      Refused: no such joint. [ours] */
+ODE_API dBodyID dRobotGetBody(dRobotID robot, int link);
+ODE_API dJointID dRobotGetJoint(dRobotID robot, int joint);
+
+/** - dRobotSetPositions: Moves all bodies to where the count coordinates of positions put them, at rest.
+      Returns 1. Refused: a count other than dRobotModelGetNumPositions.
+    - dRobotGetPositions: Copies up to capacity coordinates to positions (0 to ask for the number alone, the
+      array may then be null). Returns how many there are. Refused: a negative capacity. [ours] */
+ODE_API int dRobotSetPositions(dRobotID robot, const dReal* positions, int count);
+ODE_API int dRobotGetPositions(dRobotID robot, dReal* positions, int capacity);
+
+/** - dRobotSetControl: Sets the control of an actuator, by its number in the model, clamped to its range.
+      Returns 1. Refused: no such actuator.
+    - dRobotSetTarget: Lets a hinge or slider be pulled to the target, m or rad, by a spring of stiffness and
+      a damper of damping, at most the joint's max_force, next to the model's own springs and dampers;
+      both 0: no longer. Returns 1. Refused: negative numbers; no such joint; a ball or free joint. [ours] */
+ODE_API int dRobotSetControl(dRobotID robot, int actuator, dReal control);
+ODE_API int dRobotSetTarget(dRobotID robot, int joint, dReal target, dReal stiffness, dReal damping);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The C functions of epode/robots.h. Each checks its arguments, sends one message for what it refuses, and lets
+// nothing that is thrown pass.
+#include "epode/robots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <new>
+
+#include "robots/build.h"
+#include "robots/load.h"
+
+using epode::robots::Pose;
+using epode::robots::RobotModel;
+
+struct dxRobotModel {
+    RobotModel model;
+    std::shared_ptr<const epode::robots::Prepared> prepared;  // made for the first robot
+};
+
+struct dxRobot {
+    std::unique_ptr<epode::robots::Robot> robot;
+};
+
+namespace {
+
+// False after a message: what was refused and what would be accepted.
+bool check(bool good, const char* function, const char* wanted)
+{
+    if (!good) dMessage(d_ERR_UNKNOWN, "%s: refused; wanted: %s", function, wanted);
+    return good;
+}
+
+#define CHECK(good, wanted)                            \
+    do {                                               \
+        if (!check(good, __func__, wanted)) return {}; \
+    } while (false)
+
+template <class Action>
+auto guarded(const char* function, Action&& action) -> decltype(action())
+{
+    try {
+        return action();
+    } catch (const std::bad_alloc&) {
+        dMessage(d_ERR_UNKNOWN, "%s: out of memory", function);
+    } catch (const std::exception& error) {
+        dMessage(d_ERR_UNKNOWN, "%s: %s", function, error.what());
+    }
+    return {};
+}
+
+bool are_finite(const dReal* values, int count)
+{
+    return std::all_of(values, values + count, [](dReal value) { return std::isfinite(value); });
+}
+
+std::vector<std::string> folders_of(const char* roots)
+{
+    std::vector<std::string> out;
+    std::string text = roots ? roots : "";
+    while (!text.empty()) {
+        const size_t colon = text.find(':');
+        if (colon != 0) out.push_back(text.substr(0, colon));
+        text = colon == std::string::npos ? "" : text.substr(colon + 1);
+    }
+    return out;
+}
+
+epode::robots::LoadOptions options_of(const dRobotOptions* options)
+{
+    epode::robots::LoadOptions out;
+    if (!options) return out;
+    out.roots = folders_of(options->roots);
+    out.strict = options->strict, out.keep_fixed = options->keep_fixed, out.fixed_base = options->fixed_base;
+    out.repair = options->repair, out.inertia_from_shapes = options->inertia_from_shapes;
+    out.meshes_as_triangles = options->meshes_as_triangles, out.missing_mass = double(options->missing_mass);
+    return out;
+}
+
+bool are_good(const dRobotOptions* options)
+{
+    return !options || (options->struct_size == sizeof(dRobotOptions) &&
+                        std::isfinite(options->missing_mass) && options->missing_mass >= 0);
+}
+
+dRobotModelID keep(RobotModel model)
+{
+    const auto its = std::find_if(model.report.begin(), model.report.end(),
+                                  [](const auto& line) { return line.note == epode::robots::Note::kError; });
+    if (its != model.report.end())
+        dMessage(d_ERR_UNKNOWN, "robot %s:%d: %s", its->file.c_str(), its->line, its->text.c_str());
+    return new dxRobotModel{std::move(model), nullptr};
+}
+
+void copy(epode::robots::Vec v, dVector3 out)
+{
+    out[0] = dReal(v.x), out[1] = dReal(v.y), out[2] = dReal(v.z), out[3] = 0;
+}
+
+dReal real_of(double value)
+{
+    return std::isinf(value) ? dReal(value > 0 ? dInfinity : -dInfinity) : dReal(value);
+}
+
+dRobotLink link_of(const epode::robots::Link& link)
+{
+    dRobotLink out{};
+    out.name = link.name.c_str(), out.parent = link.parent, out.joints = int(link.joints.size());
+    out.shapes = int(link.shapes.size()), out.mass = dReal(link.mass);
+    copy(link.centre, out.centre);
+    for (size_t i = 0; i < 3; ++i)
+        for (size_t k = 0; k < 3; ++k) out.inertia[4 * i + k] = dReal(link.inertia[i][k]);
+    return out;
+}
+
+dRobotJoint joint_of(const epode::robots::Joint& joint)
+{
+    dRobotJoint out{};
+    out.name = joint.name.c_str(), out.kind = int(joint.kind), out.link = joint.link,
+    out.position = joint.position;
+    copy(joint.anchor, out.anchor), copy(joint.axis, out.axis);
+    out.low = real_of(joint.low), out.high = real_of(joint.high);
+    out.max_force = real_of(joint.max_force), out.max_velocity = real_of(joint.max_velocity);
+    return out;
+}
+
+int copy_positions(const std::vector<double>& from, dReal* to, int capacity)
+{
+    for (int i = 0; i < std::min(capacity, int(from.size())); ++i) to[i] = dReal(from[size_t(i)]);
+    return int(from.size());
+}
+
+std::vector<double> doubles_of(const dReal* values, int count) { return {values, values + count}; }
+
+constexpr const char* kArray = "a model, a capacity of 0 or more, and an array unless it is 0";
+
+}  // namespace
+
+int dRobotOptionsInit(dRobotOptions* options, unsigned struct_size)
+{
+    CHECK(options && struct_size == sizeof(dRobotOptions), "a structure and its size, sizeof(dRobotOptions)");
+    *options = dRobotOptions{};
+    options->struct_size = struct_size;
+    return 1;
+}
+
+dRobotModelID dRobotModelLoad(const char* path, const dRobotOptions* options)
+{
+    CHECK(path && are_good(options), "a path, and NULL or options with their size and a mass of 0 or more");
+    return guarded(__func__, [&] { return keep(epode::robots::load_robot(path, options_of(options))); });
+}
+
+dRobotModelID dRobotModelLoadText(const char* path, const char* text, dsizeint size,
+                                  const dRobotOptions* options)
+{
+    CHECK(path && text && are_good(options), "a path, a text, and NULL or options with their size");
+    return guarded(__func__, [&] {
+        return keep(epode::robots::load_robot_text(path, std::string(text, size), options_of(options)));
+    });
+}
+
+void dRobotModelDestroy(dRobotModelID model)
+{
+    if (check(model, __func__, "a model")) delete model;
+}
+
+int dRobotModelGetReport(dRobotModelID model, dRobotReportLine* lines, int capacity)
+{
+    CHECK(model && capacity >= 0 && (lines || capacity == 0), kArray);
+    const auto& report = model->model.report;
+    for (int i = 0; i < std::min(capacity, int(report.size())); ++i) {
+        const auto& from = report[size_t(i)];
+        lines[i] = {int(from.note), from.line, from.file.c_str(), from.text.c_str()};
+    }
+    return int(report.size());
+}
+
+int dRobotModelHasErrors(dRobotModelID model)
+{
+    CHECK(model, "a model");
+    return model->model.has_errors();
+}
+
+int dRobotModelGetLinks(dRobotModelID model, dRobotLink* links, int capacity)
+{
+    CHECK(model && capacity >= 0 && (links || capacity == 0), kArray);
+    const auto& all = model->model.links;
+    for (int i = 0; i < std::min(capacity, int(all.size())); ++i) links[i] = link_of(all[size_t(i)]);
+    return int(all.size());
+}
+
+int dRobotModelGetJoints(dRobotModelID model, dRobotJoint* joints, int capacity)
+{
+    CHECK(model && capacity >= 0 && (joints || capacity == 0), kArray);
+    const auto& all = model->model.joints;
+    for (int i = 0; i < std::min(capacity, int(all.size())); ++i) joints[i] = joint_of(all[size_t(i)]);
+    return int(all.size());
+}
+
+int dRobotModelGetNumPositions(dRobotModelID model)
+{
+    CHECK(model, "a model");
+    return model->model.coordinates;
+}
+
+int dRobotModelGetNumActuators(dRobotModelID model)
+{
+    CHECK(model, "a model");
+    return int(model->model.actuators.size());
+}
+
+int dRobotModelGetNumStarts(dRobotModelID model)
+{
+    CHECK(model, "a model");
+    return int(model->model.starts.size());
+}
+
+int dRobotModelFindLink(dRobotModelID model, const char* name)
+{
+    CHECK(model && name, "a model and a name");
+    return guarded(__func__, [&] { return model->model.link_named(name); });
+}
+
+int dRobotModelFindJoint(dRobotModelID model, const char* name)
+{
+    CHECK(model && name, "a model and a name");
+    return guarded(__func__, [&] { return model->model.joint_named(name); });
+}
+
+int dRobotModelFindActuator(dRobotModelID model, const char* name)
+{
+    CHECK(model && name, "a model and a name");
+    const auto& all = model->model.actuators;
+    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& a) { return a.name == name; });
+    return found == all.end() ? -1 : int(found - all.begin());
+}
+
+int dRobotModelGetReference(dRobotModelID model, dReal* positions, int capacity)
+{
+    CHECK(model && capacity >= 0 && (positions || capacity == 0), kArray);
+    return guarded(__func__, [&] {
+        return copy_positions(epode::robots::reference_positions(model->model), positions, capacity);
+    });
+}
+
+int dRobotModelGetStart(dRobotModelID model, int number, dReal* positions, int capacity)
+{
+    CHECK(model && capacity >= 0 && (positions || capacity == 0), kArray);
+    CHECK(number >= 0 && number < int(model->model.starts.size()), "the number of a start pose");
+    return copy_positions(model->model.starts[size_t(number)].positions, positions, capacity);
+}
+
+int dRobotModelGetPoses(dRobotModelID model, const dReal* positions, int count, dReal* poses, int capacity)
+{
+    CHECK(model && capacity >= 0 && (poses || capacity == 0), kArray);
+    CHECK(count == model->model.coordinates && (positions || count == 0) && are_finite(positions, count),
+          "as many finite positions as dRobotModelGetNumPositions");
+    return guarded(__func__, [&] {
+        const auto all = epode::robots::forward_kinematics(model->model, doubles_of(positions, count));
+        for (int i = 0; i < std::min(capacity, int(all.size())); ++i) {
+            const Pose& p = all[size_t(i)];
+            const double values[7] = {p.p.x, p.p.y, p.p.z, p.q.w, p.q.x, p.q.y, p.q.z};
+            for (int k = 0; k < 7; ++k) poses[7 * i + k] = dReal(values[k]);
+        }
+        return int(all.size());
+    });
+}
+
+dRobotID dRobotCreate(dWorldID world, dSpaceID space, dRobotModelID model, const dReal* position,
+                      const dReal* q)
+{
+    CHECK(world && model, "a world and a model");
+    CHECK(!model->model.has_errors(), "a model without errors; dRobotModelGetReport has them");
+    CHECK((!position || are_finite(position, 3)) && (!q || are_finite(q, 4)), "a finite pose");
+    return guarded(__func__, [&] {
+        if (!model->prepared) {
+            model->prepared = std::make_shared<const epode::robots::Prepared>(model->model);
+            for (const std::string& text : epode::robots::Robot::not_built(model->model))
+                dMessage(d_ERR_UNKNOWN, "robot %s: %s", model->model.name.c_str(), text.c_str());
+        }
+        Pose pose;
+        if (position) pose.p = {double(position[0]), double(position[1]), double(position[2])};
+        if (q) pose.q = epode::robots::normalised({double(q[0]), double(q[1]), double(q[2]), double(q[3])});
+        auto out = std::make_unique<dxRobot>();
+        out->robot = std::make_unique<epode::robots::Robot>(model->prepared, world, space, pose,
+                                                            std::vector<double>());
+        return out.release();
+    });
+}
+
+void dRobotDestroy(dRobotID robot)
+{
+    if (check(robot, __func__, "a robot")) delete robot;
+}
+
+dBodyID dRobotGetBody(dRobotID robot, int link)
+{
+    CHECK(robot && link >= 0 && link < int(robot->robot->model().links.size()),
+          "a robot and the number of a link");
+    return robot->robot->body(link);
+}
+
+dJointID dRobotGetJoint(dRobotID robot, int joint)
+{
+    CHECK(robot && joint >= 0 && joint < int(robot->robot->model().joints.size()),
+          "a robot and the number of a joint");
+    return robot->robot->joint(joint);
+}
+
+int dRobotSetPositions(dRobotID robot, const dReal* positions, int count)
+{
+    CHECK(robot && count == robot->robot->model().coordinates && (positions || count == 0) &&
+              are_finite(positions, count),
+          "a robot, and as many finite positions as dRobotModelGetNumPositions");
+    return guarded(__func__, [&] {
+        robot->robot->set_positions(doubles_of(positions, count));
+        return 1;
+    });
+}
+
+int dRobotGetPositions(dRobotID robot, dReal* positions, int capacity)
+{
+    CHECK(robot && capacity >= 0 && (positions || capacity == 0),
+          "a robot, a capacity of 0 or more, and an array unless it is 0");
+    return guarded(__func__, [&] { return copy_positions(robot->robot->positions(), positions, capacity); });
+}
+
+int dRobotSetControl(dRobotID robot, int actuator, dReal control)
+{
+    CHECK(robot && actuator >= 0 && actuator < int(robot->robot->model().actuators.size()) &&
+              std::isfinite(control),
+          "a robot, the number of an actuator and a finite control");
+    robot->robot->set_control(actuator, double(control));
+    return 1;
+}
+
+int dRobotSetTarget(dRobotID robot, int joint, dReal target, dReal stiffness, dReal damping)
+{
+    CHECK(robot && joint >= 0 && joint < int(robot->robot->model().joints.size()) &&
+              robot->robot->model().joints[size_t(joint)].is_scalar(),
+          "a robot and the number of a hinge or slider");
+    CHECK(std::isfinite(target) && std::isfinite(stiffness) && std::isfinite(damping) && stiffness >= 0 &&
+              damping >= 0,
+          "finite numbers, and stiffness and damping of 0 or more");
+    robot->robot->set_servo(joint, {double(stiffness), double(damping), double(target)});
+    return 1;
+}

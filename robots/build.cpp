@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See build.h. Two bodies never touch if a joint connects them, so pairs that are not to touch are connected by a motor
+// without axes: it has no rows, and every stepper and collision callback knows it.
+#include "robots/build.h"
+
+#include <ode/ext.h>
+
+#include <algorithm>
+
+#include "robots/inertia.h"
+
+namespace epode::robots {
+
+namespace {
+
+// Of a body between two joints, as a share of the link that it serves: motion differs by that much.
+constexpr double kSmallShare = 1e-5;
+constexpr double kSmallRadius =
+    0.01;  // m, about which a small body's mass is spread, if its link has no inertia
+constexpr double kPi = 3.14159265358979323846;
+
+void set_pose(dBodyID body, const Pose& pose)
+{
+    const dQuaternion q = {dReal(pose.q.w), dReal(pose.q.x), dReal(pose.q.y), dReal(pose.q.z)};
+    dBodySetPosition(body, dReal(pose.p.x), dReal(pose.p.y), dReal(pose.p.z));
+    dBodySetQuaternion(body, q);
+}
+
+Pose pose_of(dBodyID body)
+{
+    const dReal *p = dBodyGetPosition(body), *q = dBodyGetQuaternion(body);
+    return {{double(p[0]), double(p[1]), double(p[2])},
+            {double(q[0]), double(q[1]), double(q[2]), double(q[3])}};
+}
+
+void set_mass(dBodyID body, double mass, const Matrix& i)
+{
+    dMass its;
+    dMassSetParameters(&its, dReal(mass), 0, 0, 0, dReal(i[0][0]), dReal(i[1][1]), dReal(i[2][2]),
+                       dReal(i[0][1]), dReal(i[0][2]), dReal(i[1][2]));
+    dBodySetMass(body, &its);
+}
+
+Pose at_centre(const Pose& link, Vec centre) { return link * Pose{centre, {}}; }
+
+// Mass that hangs on a link, itself included.
+std::vector<double> carried_masses(const RobotModel& model)
+{
+    std::vector<double> out(model.links.size());
+    for (size_t i = model.links.size(); i-- > 1;) {
+        out[i] += model.links[i].mass;
+        out[size_t(model.links[i].parent)] += out[i];
+    }
+    return out;
+}
+
+}  // namespace
+
+Robot::Robot(std::shared_ptr<const Prepared> prepared, dWorldID world, dSpaceID space, const Pose& placement,
+             const std::vector<double>& positions)
+    : prepared_(std::move(prepared)),
+      placement_(placement),
+      controls_(model().actuators.size(), 0),
+      servos_(model().joints.size())
+{
+    reference_ = forward_kinematics(model(), reference_positions(model()));
+    for (Pose& pose : reference_) pose = placement_ * pose;
+    make_bodies(world);
+    make_joints(world);
+    for (const Closure& closure : model().closures) make_closure(world, closure);
+    for (const auto& pair : model().excluded) exclude(world, pair[0], pair[1]);
+    for (const auto& pair : prepared_->overlapping()) exclude(world, pair[0], pair[1]);
+    for (size_t i = 0; i < model().links.size(); ++i) make_shapes(space, int(i));
+    for (size_t i = 0; i < model().joints.size(); ++i) set_drive(int(i));
+    if (!positions.empty()) set_positions(positions);
+}
+
+Robot::~Robot()
+{
+    for (dGeomID geom : geoms_) dGeomDestroy(geom);
+    for (dJointID joint : all_joints_) dJointDestroy(joint);
+    for (dBodyID body : all_bodies_) dBodyDestroy(body);
+}
+
+void Robot::place(dBodyID body, const Pose& link_pose, Vec centre) const
+{
+    set_pose(body, at_centre(link_pose, centre));
+}
+
+// The world's link gets a body that stands still where its shapes may have to be kept from touching others.
+void Robot::make_bodies(dWorldID world)
+{
+    const std::vector<double> carried = carried_masses(model());
+    bodies_.assign(model().links.size(), nullptr);
+    for (size_t i = 0; i < model().links.size(); ++i) {
+        const Link& link = model().links[i];
+        if (i == 0 && (model().touches_itself || link.shapes.empty())) continue;
+        const dBodyID body = dBodyCreate(world);
+        if (!body) continue;
+        bodies_[i] = body;
+        all_bodies_.push_back(body);
+        if (i == 0) {
+            dBodySetKinematic(body);
+        } else if (link.mass > 0) {
+            set_mass(body, link.mass,
+                     fault_of(link.inertia).empty() ? link.inertia : mended(link.inertia, link.mass));
+        } else {
+            const double mass = std::max(1e-9, kSmallShare * carried[i]),
+                         moment = mass * kSmallRadius * kSmallRadius;
+            set_mass(body, mass, {{{moment, 0, 0}, {0, moment, 0}, {0, 0, moment}}});
+        }
+        place(body, reference_[i], link.centre);
+    }
+}
+
+dBodyID Robot::make_small_body(dWorldID world, int number)
+{
+    const Link& link = model().links[size_t(number)];
+    const dBodyID body = dBodyCreate(world);
+    if (!body) return nullptr;
+    const double mass = kSmallShare * std::max(link.mass, 1e-3);
+    const double mean = (link.inertia[0][0] + link.inertia[1][1] + link.inertia[2][2]) / 3;
+    const double moment = std::max(kSmallShare * mean, mass * kSmallRadius * kSmallRadius);
+    set_mass(body, mass, {{{moment, 0, 0}, {0, moment, 0}, {0, 0, moment}}});
+    place(body, reference_[size_t(number)], link.centre);
+    all_bodies_.push_back(body);
+    return body;
+}
+
+void Robot::make_joints(dWorldID world)
+{
+    joints_.assign(model().joints.size(), nullptr);
+    for (size_t i = 1; i < model().links.size(); ++i) {
+        const Link& link = model().links[i];
+        dBodyID parent = bodies_[size_t(link.parent)];
+        if (link.joints.empty()) {
+            const dJointID fixed = dJointCreateFixed(world, nullptr);
+            if (!fixed) continue;
+            dJointAttach(fixed, bodies_[i], parent);
+            dJointSetFixed(fixed);
+            all_joints_.push_back(fixed);
+        }
+        for (size_t k = 0; k < link.joints.size(); ++k) {
+            const bool is_last = k + 1 == link.joints.size();
+            const dBodyID child = is_last ? bodies_[i] : make_small_body(world, int(i));
+            if (!is_last) small_.push_back({child, int(i), k + 1});
+            const size_t number = size_t(link.joints[k]);
+            joints_[number] = make_joint(world, model().joints[number], child, parent, reference_[i]);
+            if (joints_[number]) all_joints_.push_back(joints_[number]);
+            parent = child;
+        }
+        if (link.joints.size() > 1) exclude(world, link.parent, int(i));
+    }
+}
+
+dJointID Robot::make_joint(dWorldID world, const Joint& joint, dBodyID child, dBodyID parent,
+                           const Pose& frame)
+{
+    const Vec anchor = frame * joint.anchor, axis = rotate(frame.q, joint.axis);
+    dJointID its = nullptr;
+    switch (joint.kind) {
+        case JointKind::kHinge:
+            if (!(its = dJointCreateHinge(world, nullptr))) return nullptr;
+            dJointAttach(its, child, parent);
+            dJointSetHingeAnchor(its, dReal(anchor.x), dReal(anchor.y), dReal(anchor.z));
+            dJointSetHingeAxis(its, dReal(axis.x), dReal(axis.y), dReal(axis.z));
+            break;
+        case JointKind::kSlide:
+            if (!(its = dJointCreateSlider(world, nullptr))) return nullptr;
+            dJointAttach(its, child, parent);
+            dJointSetSliderAxis(its, dReal(axis.x), dReal(axis.y), dReal(axis.z));
+            break;
+        case JointKind::kBall:
+            if (!(its = dJointCreateBall(world, nullptr))) return nullptr;
+            dJointAttach(its, child, parent);
+            dJointSetBallAnchor(its, dReal(anchor.x), dReal(anchor.y), dReal(anchor.z));
+            break;
+        case JointKind::kFree:
+            return nullptr;
+    }
+    if (joint.is_scalar()) set_limits(joint, its);
+    return its;
+}
+
+// ODE's hinge has stops within half a turn; wider ones are those of a joint that turns freely.
+void Robot::set_limits(const Joint& joint, dJointID its) const
+{
+    if (!joint.limited) return;
+    const double low = joint.low - joint.reference, high = joint.high - joint.reference;
+    if (joint.kind == JointKind::kSlide) {
+        dJointSetSliderParam(its, dParamHiStop, dReal(high));
+        dJointSetSliderParam(its, dParamLoStop, dReal(low));
+    } else {
+        if (low > -kPi) dJointSetHingeParam(its, dParamLoStop, dReal(low));
+        if (high < kPi) dJointSetHingeParam(its, dParamHiStop, dReal(high));
+    }
+}
+
+// The loop is closed where its ends meet: body 2 is moved there while the joint takes its measure.
+void Robot::make_closure(dWorldID world, const Closure& closure)
+{
+    const dBodyID one = body(closure.link1), two = body(closure.link2);
+    const dBodyID moved = two ? two : one;
+    if (!moved || one == two) return;
+    const Pose end1 = reference_[size_t(closure.link1)] * closure.pose1;
+    const Pose end2 = reference_[size_t(closure.link2)] * closure.pose2;
+    Pose onto = two ? end1 * inverse(end2) : end2 * inverse(end1);
+    if (!closure.weld) onto = {two ? end1.p - end2.p : end2.p - end1.p, {}};
+    const Vec anchor = two ? end1.p : end2.p;
+    const dJointID joint =
+        closure.weld ? dJointCreateFixed(world, nullptr) : dJointCreateBall(world, nullptr);
+    if (!joint) return;
+    all_joints_.push_back(joint);
+    const Pose before = pose_of(moved);
+    set_pose(moved, onto * before);
+    dJointAttach(joint, one ? one : two, one ? two : nullptr);
+    if (closure.weld)
+        dJointSetFixed(joint);
+    else
+        dJointSetBallAnchor(joint, dReal(anchor.x), dReal(anchor.y), dReal(anchor.z));
+    set_pose(moved, before);
+}
+
+void Robot::exclude(dWorldID world, int link1, int link2)
+{
+    const dBodyID one = body(link1), two = body(link2);
+    if (!one || !two || one == two || dAreConnected(one, two)) return;
+    const dJointID motor = dJointCreateAMotor(world, nullptr);
+    if (!motor) return;
+    dJointAttach(motor, one, two);
+    all_joints_.push_back(motor);
+}
+
+dGeomID Robot::make_geom(dSpaceID space, const Shape& shape)
+{
+    const dReal x = dReal(shape.size.x), y = dReal(shape.size.y), z = dReal(shape.size.z);
+    switch (shape.kind) {
+        case ShapeKind::kSphere:
+            return dCreateSphere(space, x);
+        case ShapeKind::kBox:
+            return dCreateBox(space, 2 * x, 2 * y, 2 * z);
+        case ShapeKind::kCapsule:
+            return dCreateCapsule(space, x, 2 * y);
+        case ShapeKind::kCylinder:
+            return dCreateCylinder(space, x, 2 * y);
+        case ShapeKind::kEllipsoid:
+            return dCreateEllipsoid(space, x, y, z);
+        case ShapeKind::kPlane:
+            return nullptr;  // placed where its link stands: make_shapes
+        case ShapeKind::kHull: {
+            const Hull& hull = *prepared_->hull(shape.mesh);
+            if (hull.polygons.empty()) return nullptr;
+            return dCreateConvex(space, hull.planes.data(), unsigned(hull.planes.size() / 4),
+                                 hull.points.data(), unsigned(hull.points.size() / 3), hull.polygons.data());
+        }
+        case ShapeKind::kTriangles:
+            if (!prepared_->triangles(shape.mesh)) return nullptr;
+            return dCreateTriMesh(space, prepared_->triangles(shape.mesh), nullptr, nullptr, nullptr);
+    }
+    return nullptr;
+}
+
+void Robot::make_shapes(dSpaceID space, int number)
+{
+    const Link& link = model().links[size_t(number)];
+    const dBodyID its = body(number);
+    for (const Shape& shape : link.shapes) {
+        const Pose at = reference_[size_t(number)] * shape.pose;
+        dGeomID geom = nullptr;
+        if (shape.kind == ShapeKind::kPlane && !its) {
+            const Vec n = rotate(at.q, {0, 0, 1});
+            geom = dCreatePlane(space, dReal(n.x), dReal(n.y), dReal(n.z), dReal(dot(n, at.p)));
+        } else {
+            geom = make_geom(space, shape);
+        }
+        if (!geom) continue;
+        geoms_.push_back(geom);
+        if (its) dGeomSetBody(geom, its);
+        const Pose offset = its ? Pose{-link.centre, {}} * shape.pose : at;
+        const dQuaternion q = {dReal(offset.q.w), dReal(offset.q.x), dReal(offset.q.y), dReal(offset.q.z)};
+        if (its) {
+            dGeomSetOffsetPosition(geom, dReal(offset.p.x), dReal(offset.p.y), dReal(offset.p.z));
+            dGeomSetOffsetQuaternion(geom, q);
+        } else if (shape.kind != ShapeKind::kPlane) {
+            dGeomSetPosition(geom, dReal(offset.p.x), dReal(offset.p.y), dReal(offset.p.z));
+            dGeomSetQuaternion(geom, q);
+        }
+        dGeomSetCategoryBits(geom, shape.category);
+        dGeomSetCollideBits(geom, shape.collide);
+        dMaterial material;
+        dMaterialInit(&material, sizeof material);
+        material.friction = dReal(shape.friction), material.rolling_friction = dReal(shape.rolling_friction);
+        if (model().largest_friction) material.friction_rule = dCombineMaximum;
+        dGeomSetMaterial(geom, &material);
+    }
+}
+
+std::vector<std::string> Robot::not_built(const RobotModel& model)
+{
+    std::vector<std::string> out;
+    const auto line = [](const std::string& what, int at) {
+        return what + (at > 0 ? " (line " + std::to_string(at) + ")" : "") + " is not yet built";
+    };
+    for (const Coupling& coupling : model.couplings)
+        out.push_back(line("the coupling '" + coupling.name + "'", coupling.line));
+    for (const Tendon& tendon : model.tendons)
+        out.push_back(line("the tendon '" + tendon.name + "'", tendon.line));
+    for (const Actuator& actuator : model.actuators)
+        if (actuator.joint < 0)
+            out.push_back(line("the actuator '" + actuator.name + "' of a tendon", actuator.line));
+    for (const Joint& joint : model.joints) {
+        const bool is_driven =
+            joint.limited || joint.stiffness > 0 || joint.damping > 0 || joint.friction > 0;
+        if (joint.kind == JointKind::kBall && is_driven)
+            out.push_back(line("limit or drive of the ball joint '" + joint.name + "'", joint.line));
+        const bool is_wide = joint.limited && joint.kind == JointKind::kHinge &&
+                             (joint.low - joint.reference <= -kPi || joint.high - joint.reference >= kPi);
+        if (is_wide) out.push_back(line("a limit of '" + joint.name + "' beyond half a turn", joint.line));
+    }
+    return out;
+}
+
+}  // namespace epode::robots

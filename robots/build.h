@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// From a model to bodies, joints and geoms in a world, as often as wanted: what costs time (hulls of meshes, pairs that
+// overlap) is prepared once. A body's origin is its link's centre of mass, its axes are the link's. Bodies are made
+// at the joints' reference position, where ODE's joints measure 0, and then moved to the start; a coordinate is ODE's
+// position plus the reference. Where several joints act between two links, small bodies stand between them.
+#pragma once
+
+#include <ode/ode.h>
+
+#include <memory>
+
+#include "robots/model.h"
+
+namespace epode::robots {
+
+// A hull's arrays as dCreateConvex wants them.
+struct Hull {
+    std::vector<dReal> planes, points;
+    std::vector<unsigned> polygons;
+};
+
+// A model made ready for worlds. Robots share it, and it lives as long as they do.
+class Prepared {
+  public:
+    explicit Prepared(RobotModel model);
+    ~Prepared();
+    Prepared(const Prepared&) = delete;
+    Prepared& operator=(const Prepared&) = delete;
+
+    const RobotModel& model() const { return model_; }
+    const Hull* hull(int mesh) const { return &hulls_[size_t(mesh)]; }
+    dTriMeshDataID triangles(int mesh) const { return triangles_[size_t(mesh)]; }
+    const std::vector<std::array<int, 2>>& overlapping() const { return overlapping_; }
+
+  private:
+    void make_hull(const Mesh& mesh, Hull& hull);
+    void make_triangles(size_t number);
+    void find_overlapping();
+
+    RobotModel model_;
+    std::vector<Hull> hulls_;
+    std::vector<dTriMeshDataID> triangles_;
+    std::vector<std::vector<dReal>> corners_;
+    std::vector<std::vector<dTriIndex>> indices_;
+    std::vector<std::array<int, 2>> overlapping_;
+};
+
+// A position drive that a program has put on a joint.
+struct Servo {
+    double stiffness = 0, damping = 0, target = 0;
+};
+
+class Robot {
+  public:
+    // Positions may be empty: the reference position. The pose is that of the world's frame of the model.
+    Robot(std::shared_ptr<const Prepared> prepared, dWorldID world, dSpaceID space, const Pose& placement,
+          const std::vector<double>& positions);
+    ~Robot();
+    Robot(const Robot&) = delete;
+    Robot& operator=(const Robot&) = delete;
+
+    const RobotModel& model() const { return prepared_->model(); }
+    // 0 of a world link that has no body.
+    dBodyID body(int link) const { return bodies_[size_t(link)]; }
+    // 0 of a free joint.
+    dJointID joint(int number) const { return joints_[size_t(number)]; }
+    const std::vector<dBodyID>& all_bodies() const { return all_bodies_; }
+    const std::vector<dGeomID>& geoms() const { return geoms_; }
+    const std::vector<dJointID>& all_joints() const { return all_joints_; }
+    // The model's parts that this builder does not make, a sentence each.
+    static std::vector<std::string> not_built(const RobotModel& model);
+
+    // At rest, with all bodies where the coordinates put them.
+    void set_positions(const std::vector<double>& positions);
+    std::vector<double> positions() const;
+    void set_control(int actuator, double value);
+    double control(int actuator) const { return controls_[size_t(actuator)]; }
+    void set_servo(int joint, const Servo& servo);
+
+  private:
+    void make_bodies(dWorldID world);
+    void make_shapes(dSpaceID space, int link);
+    dGeomID make_geom(dSpaceID space, const Shape& shape);
+    void make_joints(dWorldID world);
+    dJointID make_joint(dWorldID world, const Joint& joint, dBodyID child, dBodyID parent, const Pose& frame);
+    dBodyID make_small_body(dWorldID world, int link);
+    void make_closure(dWorldID world, const Closure& closure);
+    void exclude(dWorldID world, int link1, int link2);
+    void set_drive(int joint);
+    void set_limits(const Joint& joint, dJointID its) const;
+    void place(dBodyID body, const Pose& link_pose, Vec centre) const;
+
+    std::shared_ptr<const Prepared> prepared_;
+    Pose placement_;
+    std::vector<Pose> reference_;  // of links, in the world
+    std::vector<dBodyID> bodies_, all_bodies_;
+    std::vector<dJointID> joints_, all_joints_;
+    std::vector<dGeomID> geoms_;
+    struct Small {
+        dBodyID body;
+        int link;
+        size_t joints_before;
+    };
+    std::vector<Small> small_;
+    std::vector<double> controls_;
+    std::vector<Servo> servos_;
+};
+
+}  // namespace epode::robots

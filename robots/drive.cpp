@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The moving side of a built robot: coordinates, and one drive on each axis for all that acts there. With ODE's position
+// p = q - r, the passive spring and damper (k0, q0, d0), a program's servo (ks, qs, ds) and actuators with gear g,
+// gain G, bias b0, bp, bv at a control u,
+//     force = k0 (q0 - q) - d0 w + ks (qs - q) - ds w + sum g (G u + b0 - bp g q - bv g w)
+//           = k (t - p) - d w,   k = k0 + ks + sum g^2 bp,   d = d0 + ds + sum g^2 bv,
+//     k t = k0 (q0 - r) + ks (qs - r) + sum g (G u + b0 - bp g r);
+// where k is 0 that sum is the drive's force.
+#include <ode/ext.h>
+
+#include <algorithm>
+
+#include "robots/build.h"
+
+namespace epode::robots {
+
+namespace {
+
+Pose pose_of(dBodyID body)
+{
+    const dReal *p = dBodyGetPosition(body), *q = dBodyGetQuaternion(body);
+    return {{double(p[0]), double(p[1]), double(p[2])},
+            {double(q[0]), double(q[1]), double(q[2]), double(q[3])}};
+}
+
+void stop_at(dBodyID body, const Pose& pose)
+{
+    const dQuaternion q = {dReal(pose.q.w), dReal(pose.q.x), dReal(pose.q.y), dReal(pose.q.z)};
+    dBodySetPosition(body, dReal(pose.p.x), dReal(pose.p.y), dReal(pose.p.z));
+    dBodySetQuaternion(body, q);
+    if (dBodyIsKinematic(body)) return;
+    dBodySetLinearVel(body, 0, 0, 0);
+    dBodySetAngularVel(body, 0, 0, 0);
+}
+
+// A motor's force is clamped here, once; a servo's by the drive's own limit.
+double clamped_force(const Actuator& actuator, double control)
+{
+    const double force = actuator.gain * control + actuator.bias;
+    const bool is_motor = actuator.bias_position == 0 && actuator.bias_velocity == 0;
+    return is_motor ? std::clamp(force, actuator.force_low, actuator.force_high) : force;
+}
+
+}  // namespace
+
+// Small bodies stand where the joints before them have taken their link.
+void Robot::set_positions(const std::vector<double>& positions)
+{
+    if (positions.size() != size_t(model().coordinates)) return;
+    const std::vector<Pose> poses = forward_kinematics(model(), positions);
+    for (size_t i = 1; i < poses.size(); ++i)
+        if (bodies_[i]) stop_at(bodies_[i], placement_ * poses[i] * Pose{model().links[i].centre, {}});
+    for (const Small& small : small_) {
+        const Link& link = model().links[size_t(small.link)];
+        std::vector<double> partial = positions;
+        const std::vector<double> reference = reference_positions(model());
+        for (size_t k = small.joints_before; k < link.joints.size(); ++k) {
+            const Joint& joint = model().joints[size_t(link.joints[k])];
+            std::copy_n(&reference[size_t(joint.position)], joint.coordinates(),
+                        &partial[size_t(joint.position)]);
+        }
+        const Pose pose = forward_kinematics(model(), partial)[size_t(small.link)];
+        stop_at(small.body, placement_ * pose * Pose{link.centre, {}});
+    }
+}
+
+std::vector<double> Robot::positions() const
+{
+    std::vector<double> q(size_t(model().coordinates), 0);
+    const auto link_pose = [&](int link) {
+        const dBodyID its = body(link);
+        if (!its) return placement_ * Pose{};
+        return pose_of(its) * Pose{-model().links[size_t(link)].centre, {}};
+    };
+    for (size_t i = 0; i < model().joints.size(); ++i) {
+        const Joint& joint = model().joints[i];
+        double* its = &q[size_t(joint.position)];
+        if (joint.is_scalar()) {
+            if (joints_[i]) its[0] = double(dJointGetAxisPosition(joints_[i], 0)) + joint.reference;
+        } else if (joint.kind == JointKind::kFree) {
+            const Pose pose = inverse(placement_) * link_pose(joint.link);
+            const double values[7] = {pose.p.x, pose.p.y, pose.p.z, pose.q.w, pose.q.x, pose.q.y, pose.q.z};
+            std::copy_n(values, 7, its);
+        } else {
+            const Link& link = model().links[size_t(joint.link)];
+            const Quat turn = conjugate((link_pose(link.parent) * link.pose).q) * link_pose(joint.link).q;
+            its[0] = turn.w, its[1] = turn.x, its[2] = turn.y, its[3] = turn.z;
+        }
+    }
+    return q;
+}
+
+void Robot::set_control(int actuator, double value)
+{
+    const Actuator& its = model().actuators[size_t(actuator)];
+    controls_[size_t(actuator)] = std::clamp(value, its.low, its.high);
+    if (its.joint >= 0) set_drive(its.joint);
+}
+
+void Robot::set_servo(int joint, const Servo& servo)
+{
+    servos_[size_t(joint)] = servo;
+    set_drive(joint);
+}
+
+void Robot::set_drive(int number)
+{
+    const Joint& joint = model().joints[size_t(number)];
+    const dJointID its = joints_[size_t(number)];
+    if (!its || !joint.is_scalar()) return;
+    const Servo& servo = servos_[size_t(number)];
+    const double r = joint.reference;
+    double k = joint.stiffness + servo.stiffness, d = joint.damping + servo.damping;
+    double sum = joint.stiffness * (joint.spring_reference - r) + servo.stiffness * (servo.target - r);
+    double limit = servo.stiffness > 0 || servo.damping > 0 ? joint.max_force : kInfinity;
+    for (size_t i = 0; i < model().actuators.size(); ++i) {
+        const Actuator& a = model().actuators[i];
+        if (a.joint != number) continue;
+        const double g = a.gear;
+        k += g * g * a.bias_position, d += g * g * a.bias_velocity;
+        sum += g * (clamped_force(a, controls_[i]) - a.bias_position * g * r);
+        const bool is_servo = a.bias_position != 0 || a.bias_velocity != 0;
+        if (is_servo) limit = std::min(limit, std::fabs(g) * std::max(-a.force_low, a.force_high));
+    }
+    dDrive drive;
+    dDriveInit(&drive, sizeof drive);
+    drive.stiffness = dReal(std::max(0.0, k)), drive.damping = dReal(std::max(0.0, d));
+    drive.armature = dReal(joint.armature), drive.friction = dReal(joint.friction);
+    drive.target = dReal(k > 0 ? sum / k : 0), drive.force = dReal(k > 0 ? 0 : sum);
+    if (limit > 0 && limit < kInfinity) drive.force_limit = dReal(limit);
+    const bool acts = k > 0 || d > 0 || sum != 0 || joint.armature > 0 || joint.friction > 0;
+    if (acts || dJointGetDrive(its, 0, &drive)) dJointSetDrive(its, 0, acts ? &drive : nullptr);
+}
+
+}  // namespace epode::robots

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See files.h.
+#include "robots/files.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+namespace epode::robots {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kMaxAncestors = 8;
+
+// "" for what cannot be a path.
+std::string canonical(const std::string& path)
+{
+    if (path.empty() || path.size() > 4096 || path.find('\0') != std::string::npos) return {};
+    std::error_code error;
+    const fs::path whole = fs::weakly_canonical(fs::absolute(path, error), error);
+    return error ? std::string() : whole.string();
+}
+
+bool is_file(const std::string& path)
+{
+    std::error_code error;
+    return !path.empty() && fs::is_regular_file(path, error);
+}
+
+bool is_inside(const std::string& path, const std::string& root)
+{
+    if (root == "/") return true;
+    return path.size() > root.size() && path.compare(0, root.size(), root) == 0 && path[root.size()] == '/';
+}
+
+// Folders of ROS's environment.
+std::vector<std::string> environment_paths()
+{
+    std::vector<std::string> out;
+    for (const char* name : {"ROS_PACKAGE_PATH", "AMENT_PREFIX_PATH"}) {
+        const char* value = std::getenv(name);
+        std::string text = value ? value : "";
+        while (!text.empty()) {
+            const size_t colon = text.find(':');
+            const std::string one = text.substr(0, colon);
+            if (!one.empty()) out.push_back(one), out.push_back(one + "/share");
+            text = colon == std::string::npos ? "" : text.substr(colon + 1);
+        }
+    }
+    return out;
+}
+
+}  // namespace
+
+std::string folder_of(const std::string& path) { return fs::path(path).parent_path().string(); }
+
+std::string ending_of(const std::string& path)
+{
+    std::string ending = fs::path(path).extension().string();
+    if (!ending.empty()) ending.erase(0, 1);
+    for (char& c : ending)
+        if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+    return ending;
+}
+
+Files::Files(const std::string& path, std::vector<std::string> roots) : named_(std::move(roots))
+{
+    for (const std::string& root : named_) roots_.push_back(canonical(root));
+    const std::string folder = folder_of(canonical(path));
+    roots_.push_back(folder);
+    const std::string parent = folder_of(folder);
+    if (parent != "/") roots_.push_back(parent);
+    std::error_code error;
+    std::string ancestor = folder;
+    for (int i = 0; i < kMaxAncestors && ancestor.size() > 1; ++i, ancestor = folder_of(ancestor))
+        if (fs::exists(ancestor + "/package.xml", error)) roots_.push_back(ancestor);
+    roots_.erase(std::remove(roots_.begin(), roots_.end(), std::string()), roots_.end());
+}
+
+bool Files::is_allowed(const std::string& path) const
+{
+    return std::any_of(roots_.begin(), roots_.end(),
+                       [&](const std::string& root) { return is_inside(path, root); });
+}
+
+// `rest` is PACKAGE/PATH. The package's folder becomes a root: named ones first, then ROS's, then upwards.
+std::string Files::find_package(const std::string& rest, const std::string& folder, std::string& tried)
+{
+    const size_t slash = rest.find('/');
+    const std::string package = rest.substr(0, slash);
+    if (slash == std::string::npos || package.empty() || package == "." || package == "..") return {};
+    std::vector<std::string> places;
+    for (const std::string& root : named_) places.push_back(root);
+    for (const std::string& root : environment_paths()) places.push_back(root);
+    std::string ancestor = folder;
+    for (int i = 0; i < kMaxAncestors && ancestor.size() > 1; ++i, ancestor = folder_of(ancestor))
+        places.push_back(ancestor);
+    for (const std::string& place : places) {
+        const bool is_it = fs::path(place).filename() == package;
+        for (const std::string& root : {is_it ? place : std::string(), place + "/" + package}) {
+            if (root.empty()) continue;
+            const std::string whole = canonical(root + rest.substr(slash)), its_root = canonical(root);
+            if (is_file(whole) && is_inside(whole, its_root)) {
+                roots_.push_back(its_root);
+                return whole;
+            }
+            tried += (tried.empty() ? "" : ", ") + root + rest.substr(slash);
+        }
+    }
+    return {};
+}
+
+std::string Files::resolve(const std::string& reference, const std::string& folder, std::string& problem)
+{
+    std::string tried, path = reference;
+    for (const char* scheme : {"package://", "model://"}) {
+        if (!path.starts_with(scheme)) continue;
+        const size_t begin = path.find_first_not_of('/', std::string(scheme).size());
+        path = begin == std::string::npos ? "" : find_package(path.substr(begin), folder, tried);
+        if (path.empty()) problem = "'" + reference + "' is not to be found; tried: " + tried;
+        return path;
+    }
+    if (path.starts_with("file://")) path = path.substr(7);
+    std::vector<std::string> places{path.starts_with("/") ? path : folder + "/" + path};
+    if (!path.starts_with("/"))
+        for (const std::string& root : named_) places.push_back(root + "/" + path);
+    for (const std::string& place : places) {
+        const std::string whole = canonical(place);
+        if (is_file(whole) && is_allowed(whole)) return whole;
+        if (is_file(whole)) tried += " (outside the folders that may be read)";
+        tried = place + (tried.empty() ? "" : "; ") + tried;
+    }
+    problem = "'" + reference + "' is not to be found; tried: " + tried;
+    return {};
+}
+
+std::optional<std::string> Files::read(const std::string& path, std::string& problem)
+{
+    const std::string whole = canonical(path);
+    if (!is_file(whole)) {
+        problem = "'" + path + "' is no file";
+        return std::nullopt;
+    }
+    if (!is_allowed(whole)) {
+        problem = "'" + path + "' is outside the folders that may be read";
+        return std::nullopt;
+    }
+    std::error_code error;
+    const auto size = fs::file_size(whole, error);
+    if (error || size > kMaxFile || total_ + size > kMaxTotal) {
+        problem = "'" + path + "' has " + std::to_string(size) +
+                  " bytes; a file may have 256 MB, all together 1 GB";
+        return std::nullopt;
+    }
+    std::ifstream file(whole, std::ios::binary);
+    std::string text(size_t(size), '\0');
+    if (!file.read(text.data(), std::streamsize(size))) {
+        problem = "'" + path + "' cannot be read";
+        return std::nullopt;
+    }
+    total_ += size_t(size);
+    return text;
+}
+
+}  // namespace epode::robots

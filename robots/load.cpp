@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See load.h. After a reader: fixed links are merged, then masses are judged.
+#include "robots/load.h"
+
+#include "robots/inertia.h"
+#include "robots/reading.h"
+#include "robots/weld.h"
+
+namespace epode::robots {
+
+namespace {
+
+constexpr double kWater = 1000;  // kg/m^3
+
+void add(RobotModel& model, Note note, int line, const std::string& text)
+{
+    model.report.push_back({note, model.path, line, text});
+}
+
+// A tree whose root is free but weighs nothing stands in the world: arms whose base has no inertial.
+void fix_weightless_base(RobotModel& model)
+{
+    for (size_t i = 1; i < model.links.size(); ++i) {
+        Link& link = model.links[i];
+        const bool is_free = link.joints.size() == 1 && link.parent == 0 &&
+                             model.joints[size_t(link.joints[0])].kind == JointKind::kFree;
+        double fixed_mass = 0;  // of the links that merge with it
+        std::vector<bool> is_part(model.links.size());
+        is_part[i] = true;
+        for (size_t k = i; k < model.links.size(); ++k) {
+            const Link& part = model.links[k];
+            is_part[k] =
+                is_part[k] || (part.parent >= 0 && is_part[size_t(part.parent)] && part.joints.empty());
+            if (is_part[k]) fixed_mass += part.mass;
+        }
+        if (!is_free || fixed_mass > 0) continue;
+        const int gone = link.joints[0];
+        link.joints.clear();
+        model.joints.erase(model.joints.begin() + gone);
+        for (Link& other : model.links)
+            for (int& joint : other.joints) joint -= joint > gone;
+        for (Coupling& coupling : model.couplings)
+            for (Coupling::Term& term : coupling.terms) term.joint -= term.joint > gone;
+        for (Actuator& actuator : model.actuators) actuator.joint -= actuator.joint > gone;
+        number_coordinates(model);
+        add(model, Note::kChanged, link.line,
+            "the root link '" + link.name + "' has no mass: it is fixed to the world");
+    }
+}
+
+bool give_mass(RobotModel& model, Link& link, const LoadOptions& options)
+{
+    Inertia sum;
+    if (options.inertia_from_shapes)
+        for (const Shape& shape : link.shapes) {
+            const Inertia one = inertia_of(shape, model.meshes);
+            sum = sum_of(sum, with_mass(one, one.mass * kWater));
+        }
+    if (!(sum.mass > 0) && options.missing_mass > 0) {
+        Shape ball;
+        ball.size = {0.05, 0, 0};
+        sum = with_mass(inertia_of(ball, model.meshes), options.missing_mass);
+    }
+    link.mass = sum.mass, link.centre = sum.centre, link.inertia = sum.tensor;
+    return sum.mass > 0;
+}
+
+// Whether something with a mass moves with each link, itself not counted.
+std::vector<bool> carries_mass(const RobotModel& model)
+{
+    std::vector<bool> out(model.links.size());
+    for (size_t i = model.links.size(); i-- > 1;) {
+        const Link& link = model.links[i];
+        if (link.mass > 0 || out[i]) out[size_t(link.parent)] = true;
+    }
+    return out;
+}
+
+void judge_masses(RobotModel& model, const LoadOptions& options)
+{
+    const std::vector<bool> carries = carries_mass(model);
+    for (size_t i = 1; i < model.links.size(); ++i) {
+        Link& link = model.links[i];
+        if (link.joints.empty()) continue;
+        if (!(link.mass > 0)) {
+            if (give_mass(model, link, options)) {
+                add(model, Note::kApproximated, link.line,
+                    "the moving link '" + link.name + "' has no inertial: it was given " +
+                        std::to_string(link.mass) + " kg");
+            } else if (!carries[i]) {
+                add(model, Note::kError, link.line,
+                    "the moving link '" + link.name +
+                        "' has no mass; give it an <inertial>, or load with the inertia "
+                        "from its shapes or with a mass for such links");
+            } else {
+                add(model, options.strict ? Note::kError : Note::kApproximated, link.line,
+                    "the moving link '" + link.name + "' has no mass: a small body carries what hangs on it");
+            }
+            continue;
+        }
+        const std::string fault = fault_of(link.inertia);
+        if (fault.empty()) continue;
+        if (!options.repair) {
+            add(model, Note::kError, link.line,
+                "the inertia of link '" + link.name + "' " + fault + "; correct it, or load with repair");
+            continue;
+        }
+        link.inertia = mended(link.inertia, link.mass);
+        add(model, Note::kApproximated, link.line,
+            "the inertia of link '" + link.name + "' " + fault + ": mended");
+    }
+}
+
+void finish(RobotModel& model, const LoadOptions& options)
+{
+    if (model.has_errors()) return;
+    fix_weightless_base(model);
+    if (!options.keep_fixed) merge_fixed_links(model);
+    judge_masses(model, options);
+}
+
+}  // namespace
+
+RobotModel load_robot_text(const std::string& path, const std::string& text, const LoadOptions& options)
+{
+    RobotModel model;
+    model.path = path;
+    Files files(path, options.roots);
+    Reading reading(model, options, files);
+    std::string problem;
+    const auto document = parse_xml(path, text, problem);
+    if (!document) {
+        add(model, Note::kError, 0, problem);
+        return model;
+    }
+    const Element root{document->tree.document_element(), document.get()};
+    model.format = root.name() == "robot" ? "URDF" : root.name() == "mujoco" ? "MJCF" : "";
+    if (model.format == "URDF")
+        read_urdf(root, reading);
+    else if (model.format == "MJCF")
+        read_mjcf(root, reading);
+    else
+        reading.error(root, "the root element is <" + root.name().substr(0, 40) +
+                                ">; <robot> (URDF) and <mujoco> (MJCF) are read");
+    finish(model, options);
+    return model;
+}
+
+RobotModel load_robot(const std::string& path, const LoadOptions& options)
+{
+    Files files(path, options.roots);
+    std::string problem;
+    const auto text = files.read(path, problem);
+    if (text) return load_robot_text(path, *text, options);
+    RobotModel model;
+    model.path = path;
+    add(model, Note::kError, 0, problem);
+    return model;
+}
+
+}  // namespace epode::robots

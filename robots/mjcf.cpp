@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The document: see mjcf.h.
+#include "robots/mjcf.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace epode::robots {
+
+namespace {
+
+constexpr size_t kMaxIncludeDepth = 64, kMaxIncludes = 2000;
+constexpr double kDegree = 3.14159265358979323846 / 180;
+
+std::string joined(const std::string& folder, const std::string& path)
+{
+    return folder.empty() || path.starts_with("/") ? path : folder + "/" + path;
+}
+
+}  // namespace
+
+bool Mjcf::list(const Attributes& attributes, const char* name, size_t least, size_t largest,
+                std::vector<double>& out)
+{
+    return reading_.numbers(attributes.element(), attributes.text(name), name, least, largest, out);
+}
+
+bool Mjcf::number(const Attributes& attributes, const char* name, double& out)
+{
+    std::vector<double> values;
+    if (!list(attributes, name, 1, 1, values)) return false;
+    out = values[0];
+    return true;
+}
+
+bool Mjcf::vec(const Attributes& attributes, const char* name, Vec& out)
+{
+    std::vector<double> values;
+    if (!list(attributes, name, 3, 3, values)) return false;
+    out = {values[0], values[1], values[2]};
+    return true;
+}
+
+bool Mjcf::is_limited(const Attributes& attributes, const char* flag, const char* range) const
+{
+    const std::string text = attributes.text(flag);
+    return text == "true" || (text != "false" && compiler_.autolimits && attributes.has(range));
+}
+
+double Mjcf::angle(double value) const { return compiler_.degrees ? value * kDegree : value; }
+
+std::vector<Element> Mjcf::expand(const Element& element)
+{
+    std::vector<Element> out;
+    for (const Element& child : element.children()) {
+        if (child.name() == "include")
+            include(child, out);
+        else
+            out.push_back(child);
+    }
+    return out;
+}
+
+void Mjcf::include(const Element& element, std::vector<Element>& out)
+{
+    std::string problem;
+    std::string path = reading_.files.resolve(element.text("file"), folder_of(root_.file()), problem);
+    if (path.empty()) path = reading_.files.resolve(element.text("file"), folder_of(element.file()), problem);
+    if (path.empty()) return reading_.error(element, "include " + problem);
+    if (std::find(including_.begin(), including_.end(), path) != including_.end())
+        return reading_.error(element, "'" + path + "' includes itself");
+    if (including_.size() >= kMaxIncludeDepth || ++includes_ > kMaxIncludes)
+        return reading_.error(element, "includes are deeper than 64 or more than 2000");
+    auto& document = documents_[path];
+    if (!document) {
+        const auto text = reading_.files.read(path, problem);
+        if (text) document = parse_xml(path, *text, problem);
+        if (!document) return reading_.error(element, "include '" + path + "': " + problem);
+    }
+    including_.push_back(path);
+    for (const Element& child : expand({document->tree.document_element(), document.get()}))
+        out.push_back(child);
+    including_.pop_back();
+}
+
+void Mjcf::read_compiler(const Element& element)
+{
+    Compiler& c = compiler_;
+    const auto flag = [&](const char* name, bool& value) {
+        if (element.has(name)) value = element.text(name) == "true";
+    };
+    const auto word = [&](const char* name, std::string& value) {
+        if (element.has(name)) value = element.text(name);
+    };
+    if (element.has("angle")) c.degrees = element.text("angle") != "radian";
+    flag("autolimits", c.autolimits), flag("balanceinertia", c.balance), flag("strippath", c.strip_path);
+    word("inertiafromgeom", c.from_geoms), word("eulerseq", c.euler), word("meshdir", c.mesh_dir);
+    word("assetdir", c.asset_dir);
+    std::vector<double> groups;
+    if (reading_.numbers(element, element.text("inertiagrouprange"), "inertiagrouprange", 2, 2, groups)) {
+        c.low_group = int(std::clamp(groups[0], 0.0, 1e6)),
+        c.high_group = int(std::clamp(groups[1], 0.0, 1e6));
+    }
+    reading_.number(element, "settotalmass", c.total_mass),
+        reading_.number(element, "boundmass", c.bound_mass);
+    reading_.number(element, "boundinertia", c.bound_inertia);
+    const bool is_euler = c.euler.size() == 3 && c.euler.find_first_not_of("xyzXYZ") == std::string::npos;
+    if (!is_euler) reading_.error(element, "eulerseq is three letters of xyz or XYZ"), c.euler = "xyz";
+    if (element.text("coordinate") == "global")
+        reading_.error(element, "global coordinates were given up in MuJoCo 2.3.4");
+}
+
+void Mjcf::read_option(const Element& element)
+{
+    reading_.vec(element, "gravity", model_.gravity);
+    double value = 0;
+    for (const char* name : {"density", "viscosity"})
+        if (reading_.number(element, name, value) && value > 0)
+            reading_.note(Note::kIgnored, element, std::string("the medium's ") + name);
+    for (const Element& flag : element.children("flag")) {
+        if (flag.text("gravity") == "disable") model_.gravity = {};
+        if (flag.text("contact") == "disable")
+            reading_.note(Note::kIgnored, flag, "contacts are switched off");
+    }
+}
+
+void Mjcf::read_assets(const Element& section)
+{
+    for (const Element& element : expand(section)) {
+        if (element.name() == "hfield" || element.name() == "skin" || element.name() == "model")
+            reading_.note(Note::kIgnored, element, "asset <" + element.name() + ">");
+        if (element.name() != "mesh") continue;
+        const Attributes attributes = defaults_.of(element, "", reading_);
+        Asset asset;
+        asset.element = element;
+        asset.file = element.text("file");
+        if (compiler_.strip_path) asset.file = std::filesystem::path(asset.file).filename().string();
+        asset.file =
+            joined(compiler_.mesh_dir.empty() ? compiler_.asset_dir : compiler_.mesh_dir, asset.file);
+        vec(attributes, "scale", asset.scale), vec(attributes, "refpos", asset.refpos);
+        std::vector<double> q;
+        if (list(attributes, "refquat", 4, 4, q)) asset.refquat = normalised({q[0], q[1], q[2], q[3]});
+        std::string name = element.text("name");
+        if (name.empty()) name = std::filesystem::path(asset.file).stem().string();
+        assets_[name] = asset;
+    }
+}
+
+void Mjcf::set_total_mass()
+{
+    double sum = 0;
+    for (const Link& link : model_.links) sum += link.mass;
+    if (!(compiler_.total_mass > 0) || !(sum > 0)) return;
+    for (Link& link : model_.links) {
+        link.mass *= compiler_.total_mass / sum;
+        for (auto& row : link.inertia)
+            for (double& value : row) value *= compiler_.total_mass / sum;
+    }
+}
+
+void Mjcf::read()
+{
+    static const std::set<std::string> quiet{"statistic", "visual", "size", "custom"};
+    model_.name = root_.text("model");
+    model_.largest_friction = true;
+    Link world;
+    world.name = "world";
+    model_.links.push_back(world);
+    including_.push_back(root_.file());
+    const std::vector<Element> sections = expand(root_);
+    const auto each = [&](const char* name, auto&& action) {
+        for (const Element& section : sections)
+            if (section.name() == name) action(section);
+    };
+    each("compiler", [&](const Element& e) { read_compiler(e); });
+    each("option", [&](const Element& e) { read_option(e); });
+    each("default", [&](const Element& e) { defaults_.read(e, reading_); });
+    each("asset", [&](const Element& e) { read_assets(e); });
+    each("worldbody", [&](const Element& e) { read_bodies(e, {}); });
+    set_total_mass();
+    number_coordinates(model_);
+    if (model_.has_errors()) return;
+    each("contact", [&](const Element& e) { read_contacts(e); });
+    each("equality", [&](const Element& e) { read_equalities(e); });
+    each("tendon", [&](const Element& e) { read_tendons(e); });
+    each("actuator", [&](const Element& e) { read_actuators(e); });
+    each("sensor", [&](const Element& e) { read_sensors(e); });
+    each("keyframe", [&](const Element& e) { read_keys(e); });
+    static const std::set<std::string> read_ones{"compiler",  "option",  "default",  "asset",
+                                                 "worldbody", "contact", "equality", "actuator",
+                                                 "tendon",    "sensor",  "keyframe"};
+    for (const Element& section : sections)
+        if (!read_ones.count(section.name()) && !quiet.count(section.name()))
+            reading_.note(Note::kIgnored, section, "<" + section.name() + ">");
+}
+
+void read_mjcf(const Element& mujoco, Reading& reading) { Mjcf(mujoco, reading).read(); }
+
+}  // namespace epode::robots

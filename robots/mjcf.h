@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The reader of MJCF, in three files: the document (compiler, assets, includes), the tree of bodies, and what acts on it
+// (actuators, equalities, tendons, contacts, keys). Sections may stand in any order and be divided over files, so
+// they are collected first and read in the order in which they need each other.
+#pragma once
+
+#include "robots/inertia.h"
+#include "robots/mjcf_defaults.h"
+
+namespace epode::robots {
+
+class Mjcf {
+  public:
+    Mjcf(const Element& root, Reading& reading) : root_(root), reading_(reading), model_(reading.model) {}
+    void read();
+
+  private:
+    struct Compiler {
+        bool degrees = true, autolimits = true, balance = false, strip_path = false;
+        std::string from_geoms = "auto", euler = "xyz", mesh_dir, asset_dir;
+        int low_group = 0, high_group = 5;
+        double total_mass = -1, bound_mass = 0, bound_inertia = 0;
+    };
+    // What a body hands down, and a frame on the way.
+    struct Scope {
+        int link = 0;
+        Pose pose;
+        std::string childclass;
+        int depth = 0;
+    };
+    struct Asset {
+        Element element;
+        std::string file, path_folder;
+        Vec scale{1, 1, 1}, refpos;
+        Quat refquat;
+        int mesh = -1;
+        bool tried = false;
+    };
+
+    // Children with the files that they include in place.
+    std::vector<Element> expand(const Element& element);
+    void include(const Element& element, std::vector<Element>& out);
+    void read_compiler(const Element& element);
+    void read_option(const Element& element);
+    void read_assets(const Element& section);
+    void set_total_mass();
+
+    // mjcf_bodies.cpp
+    void read_bodies(const Element& body, const Scope& scope);
+    void read_own(const std::vector<Element>& children, const Scope& scope, Inertia& of_geoms,
+                  Inertia* inertial);
+    void read_children(const std::vector<Element>& children, const Scope& scope);
+    void read_inertial(const Attributes& attributes, const Pose& frame, Inertia& out);
+    void read_joint(const Attributes& attributes, const Scope& scope);
+    void read_free_joint(const Element& element, const Scope& scope);
+    void read_geom(const Attributes& attributes, const Scope& scope, Inertia& of_geoms);
+    bool read_size(const Attributes& attributes, const std::string& type, Shape& shape);
+    void add_mass(const Attributes& attributes, const Shape& shape, Inertia& of_geoms);
+    void finish_link(Link& link, const Inertia& of_geoms, const Inertia* inertial);
+    Pose pose_of(const Attributes& attributes);
+    Quat turn_of_euler(Vec angles) const;
+    int mesh_named(const std::string& name, const Element& where);
+    bool has_no_place(const Element& element);
+
+    // mjcf_actions.cpp
+    void read_actuators(const Element& section);
+    void read_actuator(const Attributes& attributes);
+    bool find_target(const Attributes& attributes, Actuator& actuator);
+    void read_gains(const Attributes& attributes, Actuator& actuator);
+    void read_equalities(const Element& section);
+    void read_closure(const Attributes& attributes, bool weld);
+    void read_joint_equality(const Attributes& attributes);
+    void read_tendons(const Element& section);
+    void read_contacts(const Element& section);
+    void read_keys(const Element& section);
+    void read_sensors(const Element& section);
+
+    bool list(const Attributes& attributes, const char* name, size_t least, size_t largest,
+              std::vector<double>& out);
+    bool number(const Attributes& attributes, const char* name, double& out);
+    bool vec(const Attributes& attributes, const char* name, Vec& out);
+    // A limit is on if said so, or if there is a range and the compiler decides.
+    bool is_limited(const Attributes& attributes, const char* flag, const char* range) const;
+    double angle(double value) const;
+
+    Element root_;
+    Reading& reading_;
+    RobotModel& model_;
+    Compiler compiler_;
+    Defaults defaults_;
+    std::map<std::string, Asset> assets_;
+    std::map<std::string, std::unique_ptr<Document>> documents_;
+    std::vector<std::string> including_;
+    size_t includes_ = 0;
+};
+
+}  // namespace epode::robots

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Actuators, equalities, tendons, contacts, keys and sensors: see mjcf.h.
+#include "robots/mjcf.h"
+
+namespace epode::robots {
+
+namespace {
+
+int index_of(const std::vector<Tendon>& tendons, const std::string& name)
+{
+    for (size_t i = 0; i < tendons.size(); ++i)
+        if (tendons[i].name == name) return int(i);
+    return -1;
+}
+
+const Frame* frame_named(const RobotModel& model, const std::string& name)
+{
+    for (const Frame& frame : model.frames)
+        if (frame.name == name) return &frame;
+    return nullptr;
+}
+
+}  // namespace
+
+bool Mjcf::find_target(const Attributes& a, Actuator& actuator)
+{
+    std::string joint = a.element().text("joint");
+    if (joint.empty()) joint = a.element().text("jointinparent");
+    const std::string tendon = a.element().text("tendon");
+    if (joint.empty() && tendon.empty()) {
+        reading_.note(Note::kIgnored, a.element(),
+                      "actuator '" + actuator.name + "' acts on neither joint nor tendon");
+        return false;
+    }
+    actuator.joint = joint.empty() ? -1 : model_.joint_named(joint);
+    actuator.tendon = tendon.empty() ? -1 : index_of(model_.tendons, tendon);
+    if (!joint.empty() && actuator.joint < 0) {
+        reading_.error(a.element(), "there is no joint '" + joint + "'");
+        return false;
+    }
+    if (!tendon.empty() && actuator.tendon < 0) {
+        reading_.note(Note::kIgnored, a.element(),
+                      "actuator '" + actuator.name + "' of the tendon '" + tendon + "', which is not read");
+        return false;
+    }
+    if (actuator.joint >= 0 && !model_.joints[size_t(actuator.joint)].is_scalar()) {
+        reading_.note(Note::kIgnored, a.element(),
+                      "actuator '" + actuator.name + "' of a ball or free joint");
+        return false;
+    }
+    return true;
+}
+
+void Mjcf::read_gains(const Attributes& a, Actuator& actuator)
+{
+    double kp = 1, kv = 0;
+    std::vector<double> values;
+    if (actuator.kind == "position") {
+        number(a, "kp", kp), number(a, "kv", kv);
+        actuator.gain = actuator.bias_position = kp, actuator.bias_velocity = kv;
+        if (a.has("dampratio"))
+            reading_.note(Note::kIgnored, a.element(), "dampratio of actuator '" + actuator.name + "'");
+    } else if (actuator.kind == "velocity") {
+        kv = 1;
+        number(a, "kv", kv);
+        actuator.gain = actuator.bias_velocity = kv;
+    } else if (actuator.kind == "general") {
+        if (list(a, "gainprm", 1, 10, values)) actuator.gain = values[0];
+        const bool is_affine = a.text("biastype") == "affine";
+        if (list(a, "biasprm", 1, 10, values) && is_affine) {
+            values.resize(3, 0);
+            actuator.bias = values[0], actuator.bias_position = -values[1],
+            actuator.bias_velocity = -values[2];
+        }
+        for (const char* kind : {"gaintype", "biastype"}) {
+            const std::string text = a.text(kind);
+            if (!text.empty() && text != "fixed" && text != "none" && text != "affine")
+                reading_.note(Note::kIgnored, a.element(), std::string(kind) + " " + text);
+        }
+        if (a.text("gaintype") == "affine")
+            reading_.note(Note::kApproximated, a.element(), "affine gain as a constant one");
+    }
+    const std::string dynamics = a.text("dyntype");
+    if ((!dynamics.empty() && dynamics != "none") || a.has("timeconst"))
+        reading_.note(Note::kApproximated, a.element(),
+                      "actuator '" + actuator.name + "' acts without its filter");
+}
+
+void Mjcf::read_actuator(const Attributes& a)
+{
+    Actuator actuator;
+    actuator.name = a.element().text("name"), actuator.kind = a.element().name(),
+    actuator.line = a.element().line();
+    const std::string& kind = actuator.kind;
+    if (kind != "motor" && kind != "position" && kind != "velocity" && kind != "general")
+        return reading_.note(Note::kIgnored, a.element(), "an actuator <" + kind + ">");
+    if (!find_target(a, actuator)) return;
+    std::vector<double> values;
+    if (list(a, "gear", 1, 6, values)) actuator.gear = values[0];
+    if (list(a, "ctrlrange", 2, 2, values) && is_limited(a, "ctrllimited", "ctrlrange"))
+        actuator.low = values[0], actuator.high = values[1];
+    if (list(a, "forcerange", 2, 2, values) && is_limited(a, "forcelimited", "forcerange"))
+        actuator.force_low = values[0], actuator.force_high = values[1];
+    read_gains(a, actuator);
+    if (actuator.low > actuator.high || actuator.force_low > actuator.force_high)
+        return reading_.error(a.element(),
+                              "actuator '" + actuator.name + "' has a range that ends before it begins");
+    double inherit = 0;
+    if (number(a, "inheritrange", inherit) && inherit > 0 && actuator.joint >= 0) {
+        const Joint& joint = model_.joints[size_t(actuator.joint)];
+        const double middle = (joint.low + joint.high) / 2, half = (joint.high - joint.low) / 2;
+        if (joint.limited) actuator.low = middle - inherit * half, actuator.high = middle + inherit * half;
+    }
+    model_.actuators.push_back(actuator);
+}
+
+void Mjcf::read_actuators(const Element& section)
+{
+    for (const Element& element : expand(section)) read_actuator(defaults_.of(element, "", reading_));
+}
+
+// The anchor is a point of body 1; what body 2 has there at the reference position stays there.
+void Mjcf::read_closure(const Attributes& a, bool weld)
+{
+    const Element& element = a.element();
+    Closure closure;
+    closure.weld = weld, closure.name = element.text("name"), closure.line = element.line();
+    if (element.has("site1")) {
+        const Frame *one = frame_named(model_, element.text("site1")),
+                    *two = frame_named(model_, element.text("site2"));
+        if (!one || !two) return reading_.error(element, "an equality of sites that are not there");
+        closure.link1 = one->link, closure.pose1 = one->pose, closure.link2 = two->link,
+        closure.pose2 = two->pose;
+        return model_.closures.push_back(closure);
+    }
+    closure.link1 = model_.link_named(element.text("body1"));
+    closure.link2 = element.has("body2") ? model_.link_named(element.text("body2")) : 0;
+    if (closure.link1 < 0 || closure.link2 < 0)
+        return reading_.error(element, "an equality of the bodies '" + element.text("body1") + "' and '" +
+                                           element.text("body2") + "'; one is not there");
+    const std::vector<Pose> poses = forward_kinematics(model_, reference_positions(model_));
+    const Pose &one = poses[size_t(closure.link1)], &two = poses[size_t(closure.link2)];
+    std::vector<double> relative;
+    const bool is_given = weld && list(a, "relpose", 7, 7, relative) &&
+                          (relative[3] != 0 || relative[4] != 0 || relative[5] != 0 || relative[6] != 0);
+    if (!weld) {
+        vec(a, "anchor", closure.pose1.p);
+        closure.pose2 = inverse(two) * (one * closure.pose1);
+    } else if (is_given) {
+        closure.pose1 = {{relative[0], relative[1], relative[2]},
+                         normalised({relative[3], relative[4], relative[5], relative[6]})};
+    } else {
+        closure.pose1 = inverse(one) * two;
+    }
+    model_.closures.push_back(closure);
+}
+
+// q1 - r1 = c0 + c1 (q2 - r2) + c2 (q2 - r2)^2 + ..., with the references r.
+void Mjcf::read_joint_equality(const Attributes& a)
+{
+    const Element& element = a.element();
+    const int follower = model_.joint_named(element.text("joint1"));
+    const int leader = element.has("joint2") ? model_.joint_named(element.text("joint2")) : -1;
+    const auto is_axis = [&](int joint) { return joint >= 0 && model_.joints[size_t(joint)].is_scalar(); };
+    if (!is_axis(follower) || (element.has("joint2") && !is_axis(leader)))
+        return reading_.error(element, "an equality of the joints '" + element.text("joint1") + "' and '" +
+                                           element.text("joint2") + "'; one is no hinge or slider");
+    std::vector<double> c{0, 1};
+    list(a, "polycoef", 1, 5, c);
+    c.resize(5, 0);
+    Coupling coupling;
+    coupling.name = element.text("name"), coupling.line = element.line();
+    coupling.terms = {{follower, 1}};
+    coupling.offset = c[0] + model_.joints[size_t(follower)].reference;
+    if (leader >= 0) {
+        coupling.terms.push_back({leader, -c[1]});
+        coupling.offset -= c[1] * model_.joints[size_t(leader)].reference;
+        if (c[2] != 0 || c[3] != 0 || c[4] != 0) {
+            coupling.polynomial.assign(c.begin() + 2, c.end());
+            reading_.note(Note::kApproximated, element, "an equality of joints that is no straight line");
+        }
+    }
+    model_.couplings.push_back(coupling);
+}
+
+void Mjcf::read_equalities(const Element& section)
+{
+    for (const Element& element : expand(section)) {
+        const Attributes a = defaults_.of(element, "", reading_);
+        const std::string kind = element.name();
+        if (a.text("active") == "false")
+            reading_.note(Note::kIgnored, element, "an equality that is not active");
+        else if (kind == "connect" || kind == "weld")
+            read_closure(a, kind == "weld");
+        else if (kind == "joint")
+            read_joint_equality(a);
+        else
+            reading_.note(Note::kIgnored, element, "an equality of kind <" + kind + ">");
+    }
+}
+
+void Mjcf::read_tendons(const Element& section)
+{
+    for (const Element& element : expand(section)) {
+        const Attributes a = defaults_.of(element, "", reading_);
+        if (element.name() != "fixed") {
+            reading_.note(Note::kIgnored, element, "a tendon of kind <" + element.name() + ">");
+            continue;
+        }
+        Tendon tendon;
+        tendon.name = element.text("name"), tendon.line = element.line();
+        for (const Element& joint : element.children("joint")) {
+            Coupling::Term term{model_.joint_named(joint.text("joint")), 0};
+            reading_.number(joint, "coef", term.factor);
+            if (term.joint < 0 || !model_.joints[size_t(term.joint)].is_scalar())
+                reading_.error(joint, "the tendon '" + tendon.name + "' names '" + joint.text("joint") +
+                                          "', which is no hinge or slider");
+            else
+                tendon.terms.push_back(term);
+        }
+        std::vector<double> range;
+        if (list(a, "range", 2, 2, range) && is_limited(a, "limited", "range"))
+            tendon.low = range[0], tendon.high = range[1];
+        number(a, "stiffness", tendon.stiffness), number(a, "damping", tendon.damping);
+        model_.tendons.push_back(tendon);
+    }
+}
+
+void Mjcf::read_contacts(const Element& section)
+{
+    for (const Element& element : expand(section)) {
+        if (element.name() == "pair") {
+            reading_.note_once(Note::kApproximated, element,
+                               "pairs of geoms have the friction of their geoms");
+            continue;
+        }
+        if (element.name() != "exclude") continue;
+        const int one = model_.link_named(element.text("body1")),
+                  two = model_.link_named(element.text("body2"));
+        if (one < 0 || two < 0)
+            reading_.error(element, "an exclusion of the bodies '" + element.text("body1") + "' and '" +
+                                        element.text("body2") + "'; one is not there");
+        else
+            model_.excluded.push_back({one, two});
+    }
+}
+
+void Mjcf::read_keys(const Element& section)
+{
+    for (const Element& element : expand(section)) {
+        Start start;
+        start.name = element.text("name");
+        const size_t count = size_t(model_.coordinates);
+        if (!element.has("qpos"))
+            start.positions = reference_positions(model_);
+        else if (!reading_.numbers(element, element.text("qpos"), "qpos", count, count, start.positions))
+            continue;
+        parse_numbers(element.text("ctrl"), start.controls);
+        model_.starts.push_back(start);
+    }
+}
+
+void Mjcf::read_sensors(const Element& section)
+{
+    for (const Element& element : expand(section)) {
+        Sensor sensor;
+        sensor.name = element.text("name"), sensor.kind = element.name(), sensor.line = element.line();
+        for (const char* object : {"joint", "site", "body", "objname", "actuator", "tendon", "geom"})
+            if (element.has(object)) sensor.object = element.text(object);
+        model_.sensors.push_back(sensor);
+        reading_.note_once(Note::kIgnored, element,
+                           "sensors of kind <" + sensor.kind + "> are listed, not computed");
+    }
+}
+
+}  // namespace epode::robots

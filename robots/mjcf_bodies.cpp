@@ -1,0 +1,323 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The tree of bodies: see mjcf.h. A body's own joints, geoms and sites are read before the bodies in it, whatever
+// their order in the file, since coordinates are counted in that order. <frame> moves what is in it.
+#include <algorithm>
+
+#include "robots/meshes.h"
+#include "robots/mjcf.h"
+
+namespace epode::robots {
+
+namespace {
+
+constexpr double kWater = 1000;  // kg/m^3
+constexpr int kMaxDepth = 400;
+
+}  // namespace
+
+Quat Mjcf::turn_of_euler(Vec angles) const
+{
+    Quat q;
+    for (int i = 0; i < 3; ++i) {
+        const char axis = compiler_.euler[size_t(i)];
+        const bool is_fixed = axis >= 'X' && axis <= 'Z';
+        Vec direction;
+        direction[is_fixed ? axis - 'X' : axis - 'x'] = 1;
+        const Quat one = turn(direction, angle(angles[i]));
+        q = is_fixed ? one * q : q * one;
+    }
+    return q;
+}
+
+Pose Mjcf::pose_of(const Attributes& attributes)
+{
+    Pose pose;
+    std::vector<double> v;
+    Vec three;
+    vec(attributes, "pos", pose.p);
+    if (list(attributes, "quat", 4, 4, v)) pose.q = normalised({v[0], v[1], v[2], v[3]});
+    if (list(attributes, "axisangle", 4, 4, v)) pose.q = turn({v[0], v[1], v[2]}, angle(v[3]));
+    if (vec(attributes, "euler", three)) pose.q = turn_of_euler(three);
+    if (vec(attributes, "zaxis", three)) pose.q = turn_of_z(three);
+    if (list(attributes, "xyaxes", 6, 6, v)) {
+        Vec x{v[0], v[1], v[2]}, y{v[3], v[4], v[5]};
+        if (length(x) > 0) x = (1 / length(x)) * x;
+        y = y - dot(x, y) * x;
+        if (length(y) > 0) y = (1 / length(y)) * y;
+        const Vec z = cross(x, y);
+        pose.q = turn_of({{{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}}});
+    }
+    return pose;
+}
+
+// Bodies that others must build first: what is in them is not read.
+bool Mjcf::has_no_place(const Element& element)
+{
+    static const std::set<std::string> none{"composite", "flexcomp", "plugin", "replicate", "attach"};
+    if (!none.count(element.name())) return false;
+    reading_.note(element.name() == "plugin" ? Note::kIgnored : Note::kError, element,
+                  "<" + element.name() + "> in a body is not read");
+    return true;
+}
+
+void Mjcf::read_bodies(const Element& body, const Scope& scope)
+{
+    const std::vector<Element> children = expand(body);
+    Inertia of_geoms, inertial{-1, {}, {}};
+    read_own(children, scope, of_geoms, &inertial);
+    Link& link = model_.links[size_t(scope.link)];
+    if (scope.link > 0) finish_link(link, of_geoms, inertial.mass >= 0 ? &inertial : nullptr);
+    read_children(children, scope);
+}
+
+void Mjcf::read_own(const std::vector<Element>& children, const Scope& scope, Inertia& of_geoms,
+                    Inertia* inertial)
+{
+    for (const Element& child : children) {
+        const std::string name = child.name();
+        if (name == "frame") {
+            Scope inner = scope;
+            inner.pose = scope.pose * pose_of({child, nullptr});
+            if (child.has("childclass")) inner.childclass = child.text("childclass");
+            if (++inner.depth < kMaxDepth) read_own(expand(child), inner, of_geoms, inertial);
+            continue;
+        }
+        if (name == "body" || name == "light" || name == "camera" || has_no_place(child)) continue;
+        const Attributes attributes = defaults_.of(child, scope.childclass, reading_);
+        if (name == "inertial") {
+            read_inertial(attributes, scope.pose, *inertial);
+        } else if (name == "joint" && scope.link > 0) {
+            read_joint(attributes, scope);
+        } else if (name == "freejoint" && scope.link > 0) {
+            read_free_joint(child, scope);
+        } else if (name == "geom") {
+            read_geom(attributes, scope, of_geoms);
+        } else if (name == "site") {
+            model_.frames.push_back({child.text("name"), scope.link, scope.pose * pose_of(attributes)});
+        } else {
+            reading_.note(Note::kIgnored, child, "<" + name + "> in a body");
+        }
+    }
+}
+
+void Mjcf::read_children(const std::vector<Element>& children, const Scope& scope)
+{
+    for (const Element& child : children) {
+        if (child.name() != "body" && child.name() != "frame") continue;
+        if (scope.depth >= kMaxDepth) return reading_.error(child, "bodies are nested deeper than 400");
+        Scope inner = scope;
+        ++inner.depth;
+        if (child.has("childclass")) inner.childclass = child.text("childclass");
+        const Pose pose = scope.pose * pose_of({child, nullptr});
+        if (child.name() == "frame") {
+            inner.pose = pose;
+            read_children(expand(child), inner);
+            continue;
+        }
+        Link link;
+        link.name = child.text("name"), link.parent = scope.link, link.pose = pose, link.line = child.line();
+        inner.link = int(model_.links.size());
+        inner.pose = {};
+        model_.links.push_back(link);
+        if (child.text("mocap") == "true")
+            reading_.note(Note::kApproximated, child, "the mocap body '" + link.name + "' stands still");
+        if (child.has("gravcomp") && child.text("gravcomp") != "0")
+            reading_.note(Note::kIgnored, child, "gravcomp of the body '" + link.name + "'");
+        read_bodies(child, inner);
+    }
+}
+
+void Mjcf::read_inertial(const Attributes& attributes, const Pose& frame, Inertia& out)
+{
+    const Pose pose = frame * pose_of(attributes);
+    Matrix tensor{};
+    Vec d;
+    std::vector<double> f;
+    out.mass = 0;
+    number(attributes, "mass", out.mass);
+    if (vec(attributes, "diaginertia", d)) tensor = {{{d.x, 0, 0}, {0, d.y, 0}, {0, 0, d.z}}};
+    if (list(attributes, "fullinertia", 6, 6, f))
+        tensor = {{{f[0], f[3], f[4]}, {f[3], f[1], f[5]}, {f[4], f[5], f[2]}}};
+    out.centre = pose.p, out.tensor = rotated(tensor, pose.q);
+    if (out.mass < 0) reading_.error(attributes.element(), "a negative mass"), out.mass = 0;
+}
+
+void Mjcf::read_free_joint(const Element& element, const Scope& scope)
+{
+    Joint joint;
+    joint.kind = JointKind::kFree, joint.name = element.text("name");
+    joint.link = scope.link, joint.line = element.line();
+    Link& link = model_.links[size_t(scope.link)];
+    if (link.parent != 0 || !link.joints.empty())
+        return reading_.error(element, "a free joint is the only one of a body of the world");
+    link.joints.push_back(int(model_.joints.size()));
+    model_.joints.push_back(joint);
+}
+
+void Mjcf::read_joint(const Attributes& a, const Scope& scope)
+{
+    const std::string type = a.text("type");
+    if (type == "free") return read_free_joint(a.element(), scope);
+    Joint joint;
+    joint.name = a.element().text("name"), joint.link = scope.link, joint.line = a.element().line();
+    joint.kind = type == "slide" ? JointKind::kSlide : type == "ball" ? JointKind::kBall : JointKind::kHinge;
+    if (!type.empty() && type != "slide" && type != "ball" && type != "hinge")
+        return reading_.error(a.element(), "joint type '" + type + "'; there are hinge, slide, ball, free");
+    Vec axis{0, 0, 1}, anchor;
+    vec(a, "axis", axis), vec(a, "pos", anchor);
+    if (!(length(axis) > 1e-12)) return reading_.error(a.element(), "a joint whose axis has no length");
+    joint.axis = rotate(scope.pose.q, (1 / length(axis)) * axis), joint.anchor = scope.pose * anchor;
+    const bool turns = joint.kind != JointKind::kSlide;
+    const auto in_rad = [&](double value) { return turns ? angle(value) : value; };
+    std::vector<double> values;
+    joint.limited = is_limited(a, "limited", "range");
+    if (list(a, "range", 2, 2, values) && joint.limited)
+        joint.low = in_rad(values[0]), joint.high = in_rad(values[1]);
+    if (joint.limited && joint.kind != JointKind::kBall && !(joint.low <= joint.high))
+        return reading_.error(a.element(),
+                              "joint '" + joint.name + "' has a range that ends before it begins");
+    if (number(a, "ref", joint.reference)) joint.reference = in_rad(joint.reference);
+    if (number(a, "springref", joint.spring_reference))
+        joint.spring_reference = in_rad(joint.spring_reference);
+    if (list(a, "stiffness", 1, 8, values)) joint.stiffness = std::max(0.0, values[0]);
+    if (list(a, "damping", 1, 8, values)) joint.damping = std::max(0.0, values[0]);
+    number(a, "armature", joint.armature), number(a, "frictionloss", joint.friction);
+    joint.armature = std::max(0.0, joint.armature), joint.friction = std::max(0.0, joint.friction);
+    if (list(a, "actuatorfrcrange", 2, 2, values) && a.text("actuatorfrclimited") != "false")
+        joint.max_force = std::max(std::fabs(values[0]), std::fabs(values[1]));
+    for (const char* soft : {"solreflimit", "solimplimit", "solreffriction", "margin"})
+        if (a.has(soft)) reading_.note_once(Note::kApproximated, a.element(), std::string("joint ") + soft);
+    model_.links[size_t(scope.link)].joints.push_back(int(model_.joints.size()));
+    model_.joints.push_back(joint);
+}
+
+int Mjcf::mesh_named(const std::string& name, const Element& where)
+{
+    const auto it = assets_.find(name);
+    if (it == assets_.end()) {
+        reading_.error(where, "there is no mesh '" + name + "'");
+        return -1;
+    }
+    Asset& asset = it->second;
+    if (asset.tried) return asset.mesh;
+    asset.tried = true;
+    if (asset.element.text("file").empty()) {
+        reading_.note(Note::kError, asset.element,
+                      "the mesh '" + name + "' has no file: vertices and built-in shapes are not read");
+        return -1;
+    }
+    asset.mesh = reading_.mesh(asset.element, asset.file, folder_of(root_.file()), asset.scale, Note::kError);
+    if (asset.mesh < 0) return -1;
+    const bool is_moved = length(asset.refpos) > 0 || asset.refquat.w != 1;
+    if (is_moved)
+        for (Vec& v : model_.meshes[size_t(asset.mesh)].vertices)
+            v = rotate(conjugate(asset.refquat), v - asset.refpos);
+    return asset.mesh;
+}
+
+// Kind and size, and the pose that fromto means.
+bool Mjcf::read_size(const Attributes& a, const std::string& type, Shape& shape)
+{
+    static const std::map<std::string, ShapeKind> kinds{
+        {"sphere", ShapeKind::kSphere},     {"capsule", ShapeKind::kCapsule},
+        {"cylinder", ShapeKind::kCylinder}, {"ellipsoid", ShapeKind::kEllipsoid},
+        {"box", ShapeKind::kBox},           {"plane", ShapeKind::kPlane}};
+    if (type == "mesh" || (a.has("mesh") && type != "sdf")) {
+        shape.kind = reading_.options.meshes_as_triangles ? ShapeKind::kTriangles : ShapeKind::kHull;
+        if (type != "mesh")
+            reading_.note(Note::kApproximated, a.element(), "a " + type + " fitted to a mesh is the mesh");
+        shape.mesh = mesh_named(a.text("mesh"), a.element());
+        return shape.mesh >= 0;
+    }
+    const auto kind = kinds.find(type);
+    if (kind == kinds.end()) {
+        reading_.note(Note::kIgnored, a.element(), "a geom of type " + type);
+        return false;
+    }
+    shape.kind = kind->second;
+    std::vector<double> size, ends;
+    list(a, "size", 1, 3, size);
+    const size_t given = size.size();
+    size.resize(3, 0);
+    shape.size = {size[0], size[1], size[2]};
+    const bool is_round = shape.kind == ShapeKind::kCapsule || shape.kind == ShapeKind::kCylinder;
+    if (list(a, "fromto", 6, 6, ends)) {
+        const Vec from{ends[0], ends[1], ends[2]}, to{ends[3], ends[4], ends[5]};
+        shape.pose = {0.5 * (from + to), turn_of_z(from - to)};
+        const double half = length(to - from) / 2;
+        shape.size = is_round ? Vec{size[0], half, 0} : Vec{size[0], given > 1 ? size[1] : size[0], half};
+    }
+    const int needed = shape.kind == ShapeKind::kSphere  ? 1
+                       : is_round                        ? 2
+                       : shape.kind == ShapeKind::kPlane ? 0
+                                                         : 3;
+    for (int i = 0; i < needed; ++i)
+        if (!(shape.size[i] > 0)) {
+            reading_.error(a.element(), "a " + type + " whose size is not positive");
+            return false;
+        }
+    return true;
+}
+
+void Mjcf::read_geom(const Attributes& a, const Scope& scope, Inertia& of_geoms)
+{
+    Shape shape;
+    shape.name = a.element().text("name");
+    shape.pose = pose_of(a);
+    const std::string type = a.has("type") ? a.text("type") : "sphere";
+    if (!read_size(a, type, shape)) return;
+    shape.pose = scope.pose * shape.pose;
+    std::vector<double> values;
+    if (list(a, "friction", 1, 3, values)) {
+        shape.friction = std::max(0.0, values[0]);
+        if (values.size() > 2) shape.rolling_friction = std::max(0.0, values[2]);
+    }
+    double contype = 1, conaffinity = 1, condim = 3;
+    number(a, "contype", contype), number(a, "conaffinity", conaffinity), number(a, "condim", condim);
+    if (condim < 6) shape.rolling_friction = 0;
+    if (condim == 1) shape.friction = 0;
+    shape.category = std::uint32_t(std::clamp(contype, 0.0, 4294967295.0));
+    shape.collide = std::uint32_t(std::clamp(conaffinity, 0.0, 4294967295.0));
+    if (list(a, "rgba", 4, 4, values))
+        for (size_t i = 0; i < 4; ++i) shape.color[i] = float(values[i]);
+    for (const char* soft : {"solref", "solimp", "margin", "gap", "priority", "fluidshape"})
+        if (a.has(soft)) reading_.note_once(Note::kApproximated, a.element(), std::string("geom ") + soft);
+    add_mass(a, shape, of_geoms);
+    Link& link = model_.links[size_t(scope.link)];
+    (shape.category || shape.collide ? link.shapes : link.visuals).push_back(shape);
+}
+
+void Mjcf::add_mass(const Attributes& a, const Shape& shape, Inertia& of_geoms)
+{
+    double group = 0, mass = -1, density = kWater;
+    number(a, "group", group);
+    if (group < compiler_.low_group || group > compiler_.high_group) return;
+    const Inertia one = inertia_of(shape, model_.meshes);
+    number(a, "density", density);
+    if (!number(a, "mass", mass)) mass = density * one.mass;
+    if (mass > 0 && one.mass > 0) of_geoms = sum_of(of_geoms, with_mass(one, mass));
+}
+
+void Mjcf::finish_link(Link& link, const Inertia& of_geoms, const Inertia* inertial)
+{
+    const bool by_geoms = compiler_.from_geoms == "true" || (compiler_.from_geoms == "auto" && !inertial);
+    const Inertia none, &its = by_geoms ? of_geoms : inertial ? *inertial : none;
+    link.mass = its.mass, link.centre = its.centre, link.inertia = its.tensor;
+    link.has_inertial = its.mass > 0;
+    link.mass = std::max(link.mass, compiler_.bound_mass);
+    if (compiler_.balance && !fault_of(link.inertia).empty() && link.mass > 0) {
+        const auto m = principal_moments(link.inertia);
+        const double mean = (m[0] + m[1] + m[2]) / 3;
+        link.inertia = {{{mean, 0, 0}, {0, mean, 0}, {0, 0, mean}}};
+        reading_.model.report.push_back(
+            {Note::kChanged, root_.file(), link.line, "inertia of '" + link.name + "' balanced"});
+    }
+    if (compiler_.bound_inertia > 0 && principal_moments(link.inertia)[0] < compiler_.bound_inertia) {
+        const double rise = compiler_.bound_inertia - principal_moments(link.inertia)[0];
+        link.inertia = link.inertia + Matrix{{{rise, 0, 0}, {0, rise, 0}, {0, 0, rise}}};
+    }
+}
+
+}  // namespace epode::robots

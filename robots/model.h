@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A robot as plain data, between files and worlds. Readers make it, the builder makes worlds of it.
+// The links are a tree in which a parent has a smaller number than its children; link 0 is the world. A link's pose
+// is given in its parent's frame at the reference position of its joints, all of which act between the two in the
+// order of the list. A joint's anchor and axis are given in the link's frame: with the coordinate q, link pose
+//     X = X_parent * pose * J_1(q_1) * J_2(q_2) ...,    J(q) = T(anchor) R(axis, q - reference) T(-anchor)
+// for a hinge, T((q - reference) axis) for a slider. A ball's q is a quaternion in place of R; a free joint's is
+// X itself: position, then quaternion. Units are SI.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "robots/geometry.h"
+
+namespace epode::robots {
+
+constexpr double kInfinity = HUGE_VAL;
+
+enum class ShapeKind { kSphere, kBox, kCapsule, kCylinder, kEllipsoid, kPlane, kHull, kTriangles };
+const char* name_of(ShapeKind kind);
+
+struct Mesh {
+    std::string path;
+    std::vector<Vec> vertices;  // scaled
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+struct Shape {
+    std::string name;
+    ShapeKind kind = ShapeKind::kSphere;
+    Pose pose;      // in the link's frame
+    Vec size;       // sphere: radius; box, ellipsoid: half sizes; capsule, cylinder: radius, half length
+    int mesh = -1;  // of hulls and triangles
+    double friction = 1, rolling_friction = 0;
+    std::uint32_t category = 1, collide = 1;
+    float color[4] = {0.7f, 0.7f, 0.7f, 1};
+};
+
+struct Link {
+    std::string name;
+    int parent = -1;
+    Pose pose;
+    std::vector<int> joints;  // none: fixed to the parent
+    double mass = 0;          // kg
+    Vec centre;               // of mass
+    Matrix inertia{};         // about the centre, in the link's axes
+    bool has_inertial = false;
+    std::vector<Shape> shapes;   // what touches
+    std::vector<Shape> visuals;  // what is only looked at
+    int line = 0;
+};
+
+enum class JointKind { kHinge, kSlide, kBall, kFree };
+const char* name_of(JointKind kind);
+
+struct Joint {
+    std::string name;
+    JointKind kind = JointKind::kHinge;
+    int link = 0;
+    Vec axis{0, 0, 1}, anchor;
+    double reference = 0;
+    bool limited = false;
+    double low = -kInfinity, high = kInfinity;
+    double max_force = kInfinity, max_velocity = kInfinity;
+    double stiffness = 0, spring_reference = 0, damping = 0, armature = 0, friction = 0;
+    int position = 0;  // where its coordinates begin among all
+    int line = 0;
+    int coordinates() const { return kind == JointKind::kFree ? 7 : kind == JointKind::kBall ? 4 : 1; }
+    bool is_scalar() const { return kind == JointKind::kHinge || kind == JointKind::kSlide; }
+};
+
+// sum of factor_i q_i = offset, the polynomial's higher terms apart.
+struct Coupling {
+    struct Term {
+        int joint = -1;
+        double factor = 0;
+    };
+    std::string name;
+    std::vector<Term> terms;
+    double offset = 0;
+    std::vector<double> polynomial;  // of MJCF's joint equality beyond the linear term; empty: linear
+    int line = 0;
+};
+
+// A loop: a point (connect) or a frame (weld) of one link stays on that of another.
+struct Closure {
+    std::string name;
+    bool weld = false;
+    int link1 = 0, link2 = 0;
+    Pose pose1, pose2;
+    int line = 0;
+};
+
+// A weighted sum of coordinates, for actuators and limits.
+struct Tendon {
+    std::string name;
+    std::vector<Coupling::Term> terms;
+    double low = -kInfinity, high = kInfinity;
+    double stiffness = 0, damping = 0;
+    int line = 0;
+};
+
+// force = gear clamp(gain control + bias0 - bias_position gear q - bias_velocity gear w), clamped to the range of
+// forces: a motor has gain alone, a position servo gain = bias_position, a velocity servo gain = bias_velocity.
+struct Actuator {
+    std::string name, kind;
+    int joint = -1, tendon = -1;
+    double gear = 1, gain = 1, bias = 0, bias_position = 0, bias_velocity = 0;
+    double low = -kInfinity, high = kInfinity;              // of the control
+    double force_low = -kInfinity, force_high = kInfinity;  // of the force before the gear
+    int line = 0;
+};
+
+struct Sensor {
+    std::string name, kind, object;
+    int line = 0;
+};
+
+// A named frame: a merged link, a site.
+struct Frame {
+    std::string name;
+    int link = 0;
+    Pose pose;
+};
+
+struct Start {
+    std::string name;
+    std::vector<double> positions;  // as many as the model has coordinates
+    std::vector<double> controls;
+};
+
+enum class Note { kChanged, kApproximated, kIgnored, kError };
+const char* name_of(Note note);
+
+struct ReportLine {
+    Note note = Note::kChanged;
+    std::string file;
+    int line = 0;
+    std::string text;
+};
+
+struct RobotModel {
+    std::string name, format, path;
+    std::vector<Link> links;
+    std::vector<Joint> joints;
+    std::vector<Coupling> couplings;
+    std::vector<Closure> closures;
+    std::vector<Tendon> tendons;
+    std::vector<Actuator> actuators;
+    std::vector<Sensor> sensors;
+    std::vector<Frame> frames;
+    std::vector<std::array<int, 2>> excluded;  // pairs of links that do not touch
+    std::vector<Start> starts;
+    std::vector<Mesh> meshes;
+    std::vector<ReportLine> report;
+    Vec gravity{0, 0, -9.81};
+    bool touches_itself = true;     // false: what overlaps at the reference position does not touch
+    bool largest_friction = false;  // of a pair, as MuJoCo has it; else the geometric mean
+    int coordinates = 0;
+
+    // -1 where there is none of that name. A frame counts with its link.
+    int link_named(const std::string& wanted) const;
+    int joint_named(const std::string& wanted) const;
+    bool has_errors() const;
+};
+
+// Coordinates of all joints at the reference position; then, link by link, poses in the world.
+std::vector<double> reference_positions(const RobotModel& model);
+std::vector<Pose> forward_kinematics(const RobotModel& model, const std::vector<double>& positions);
+// Numbers the coordinates, after joints were added or removed.
+void number_coordinates(RobotModel& model);
+
+}  // namespace epode::robots

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What is made once for all worlds of a model: see build.h.
+#include <ode/ext.h>
+
+#include <map>
+#include <set>
+
+#include "robots/build.h"
+
+namespace epode::robots {
+
+namespace {
+
+constexpr unsigned kMaxHullVertices = 256;
+
+std::vector<dReal> reals_of(const std::vector<Vec>& points)
+{
+    std::vector<dReal> out;
+    for (Vec p : points) out.insert(out.end(), {dReal(p.x), dReal(p.y), dReal(p.z)});
+    return out;
+}
+
+}  // namespace
+
+Prepared::Prepared(RobotModel model)
+    : model_(std::move(model)),
+      hulls_(model_.meshes.size()),
+      triangles_(model_.meshes.size(), nullptr),
+      corners_(model_.meshes.size()),
+      indices_(model_.meshes.size())
+{
+    std::set<int> touched;
+    for (const Link& link : model_.links)
+        for (const Shape& shape : link.shapes) {
+            if (shape.mesh < 0 || !touched.insert(shape.mesh).second) continue;
+            if (shape.kind == ShapeKind::kHull)
+                make_hull(model_.meshes[size_t(shape.mesh)], hulls_[size_t(shape.mesh)]);
+            else
+                make_triangles(size_t(shape.mesh));
+        }
+    if (!model_.touches_itself) find_overlapping();
+}
+
+Prepared::~Prepared()
+{
+    for (dTriMeshDataID data : triangles_)
+        if (data) dGeomTriMeshDataDestroy(data);
+}
+
+// Plates and lines have no hull: their arrays stay empty.
+void Prepared::make_hull(const Mesh& mesh, Hull& hull)
+{
+    const std::vector<dReal> points = reals_of(mesh.vertices);
+    if (mesh.vertices.size() < 4) return;
+    const dGeomID geom =
+        dCreateConvexHull(nullptr, points.data(), unsigned(mesh.vertices.size()), kMaxHullVertices);
+    if (!geom) return;
+    hull.points.resize(3 * size_t(dGeomConvexGetPoints(geom, nullptr, 0)));
+    hull.planes.resize(4 * size_t(dGeomConvexGetPlanes(geom, nullptr, 0)));
+    hull.polygons.resize(size_t(dGeomConvexGetPolygons(geom, nullptr, 0)));
+    dGeomConvexGetPoints(geom, hull.points.data(), int(hull.points.size() / 3));
+    dGeomConvexGetPlanes(geom, hull.planes.data(), int(hull.planes.size() / 4));
+    dGeomConvexGetPolygons(geom, hull.polygons.data(), int(hull.polygons.size()));
+    dGeomDestroy(geom);
+}
+
+void Prepared::make_triangles(size_t number)
+{
+    const Mesh& mesh = model_.meshes[number];
+    corners_[number] = reals_of(mesh.vertices);
+    for (const auto& t : mesh.triangles)
+        for (std::uint32_t corner : t) indices_[number].push_back(dTriIndex(corner));
+    triangles_[number] = dGeomTriMeshDataCreate();
+    if (!triangles_[number]) return;
+    constexpr int kReal = int(sizeof(dReal));
+    const auto build = kReal == 8 ? &dGeomTriMeshDataBuildDouble : &dGeomTriMeshDataBuildSingle;
+    build(triangles_[number], corners_[number].data(), 3 * kReal, int(mesh.vertices.size()),
+          indices_[number].data(), int(indices_[number].size()), int(3 * sizeof(dTriIndex)));
+}
+
+// Links of one robot that overlap at its reference position: neighbours of neighbours, covers, collars. They would
+// hold each other fast, and files of URDF do not name them.
+void Prepared::find_overlapping()
+{
+    const dWorldID world = dWorldCreate();
+    const dSpaceID space = dSimpleSpaceCreate(nullptr);
+    if (world && space) {
+        const std::shared_ptr<const Prepared> borrowed(this, [](const Prepared*) {});
+        const Robot robot(borrowed, world, space, {}, {});
+        std::map<dBodyID, int> link_of;
+        for (size_t i = 0; i < model_.links.size(); ++i)
+            if (robot.body(int(i))) link_of[robot.body(int(i))] = int(i);
+        std::set<std::array<int, 2>> found;
+        const auto& geoms = robot.geoms();
+        for (size_t i = 0; i < geoms.size(); ++i)
+            for (size_t k = 0; k < i; ++k) {
+                const dBodyID a = dGeomGetBody(geoms[k]), b = dGeomGetBody(geoms[i]);
+                dContactGeom contact;
+                if (!a || !b || a == b || dAreConnected(a, b)) continue;
+                if (dCollide(geoms[k], geoms[i], 1, &contact, sizeof contact) > 0)
+                    found.insert({link_of[a], link_of[b]});
+            }
+        overlapping_.assign(found.begin(), found.end());
+    }
+    if (space) dSpaceDestroy(space);
+    if (world) dWorldDestroy(world);
+}
+
+}  // namespace epode::robots

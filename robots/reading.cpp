@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See reading.h.
+#include "robots/reading.h"
+
+#include "robots/meshes.h"
+
+namespace epode::robots {
+
+namespace {
+
+constexpr size_t kMaxReport = 10'000;
+constexpr size_t kMaxShown = 60;  // of a broken value
+
+std::string shown(const std::string& text)
+{
+    return "'" + text.substr(0, kMaxShown) + (text.size() > kMaxShown ? "..." : "") + "'";
+}
+
+}  // namespace
+
+void Reading::note(Note kind, const Element& where, const std::string& text)
+{
+    const bool loses = kind == Note::kApproximated || kind == Note::kIgnored;
+    if (options.strict && loses) kind = Note::kError;
+    if (model.report.size() < kMaxReport || kind == Note::kError)
+        model.report.push_back({kind, where.file(), where.line(), text});
+}
+
+void Reading::note_once(Note kind, const Element& where, const std::string& text)
+{
+    if (noted_.insert(text).second) note(kind, where, text);
+}
+
+bool Reading::numbers(const Element& element, const std::string& text, const char* attribute, size_t least,
+                      size_t largest, std::vector<double>& out)
+{
+    if (text.empty()) return false;
+    if (parse_numbers(text, out) && out.size() >= least && out.size() <= largest) return true;
+    const std::string count =
+        least == largest ? std::to_string(least) : std::to_string(least) + " to " + std::to_string(largest);
+    error(element, element.name() + " " + attribute + " = " + shown(text) + ", wanted " + count +
+                       (largest == 1 ? " finite number" : " finite numbers"));
+    return false;
+}
+
+bool Reading::number(const Element& element, const char* attribute, double& out)
+{
+    std::vector<double> values;
+    if (!numbers(element, element.text(attribute), attribute, 1, 1, values)) return false;
+    out = values[0];
+    return true;
+}
+
+bool Reading::vec(const Element& element, const char* attribute, Vec& out)
+{
+    std::vector<double> values;
+    if (!numbers(element, element.text(attribute), attribute, 3, 3, values)) return false;
+    out = {values[0], values[1], values[2]};
+    return true;
+}
+
+int Reading::mesh(const Element& where, const std::string& reference, const std::string& folder, Vec scale,
+                  Note missing)
+{
+    std::string problem;
+    const std::string path = files.resolve(reference, folder, problem);
+    if (path.empty()) {
+        note(missing, where, "mesh " + problem);
+        return -1;
+    }
+    const auto [it, is_new] = meshes_.try_emplace({path, {scale.x, scale.y, scale.z}}, -1);
+    if (!is_new) return it->second;
+    Mesh mesh;
+    const auto bytes = files.read(path, problem);
+    if (!bytes || !read_mesh(path, *bytes, mesh, problem)) {
+        note(missing, where, "mesh " + problem);
+        return -1;
+    }
+    scale_mesh(mesh, scale);
+    it->second = int(model.meshes.size());
+    model.meshes.push_back(std::move(mesh));
+    return it->second;
+}
+
+}  // namespace epode::robots

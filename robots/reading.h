@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What the readers of all formats share: the report, attributes with checks, meshes that are read once.
+#pragma once
+
+#include <map>
+#include <set>
+
+#include "robots/files.h"
+#include "robots/load.h"
+#include "robots/xml.h"
+
+namespace epode::robots {
+
+class Reading {
+  public:
+    Reading(RobotModel& its_model, const LoadOptions& its_options, Files& its_files)
+        : model(its_model), options(its_options), files(its_files)
+    {}
+
+    void note(Note kind, const Element& where, const std::string& text);
+    // The first of each text alone: what hundreds of elements of a file have.
+    void note_once(Note kind, const Element& where, const std::string& text);
+    void error(const Element& where, const std::string& text) { note(Note::kError, where, text); }
+
+    // An attribute's numbers. False where it is missing; false and an error where it is broken or of another count.
+    bool numbers(const Element& element, const std::string& text, const char* attribute, size_t least,
+                 size_t largest, std::vector<double>& out);
+    bool number(const Element& element, const char* attribute, double& out);
+    bool vec(const Element& element, const char* attribute, Vec& out);
+
+    // The mesh of a file at a scale: -1 and a line of the report where there is none. What only looks is not read.
+    int mesh(const Element& where, const std::string& reference, const std::string& folder, Vec scale,
+             Note missing);
+
+    RobotModel& model;
+    const LoadOptions& options;
+    Files& files;
+
+  private:
+    std::map<std::pair<std::string, std::array<double, 3>>, int> meshes_;
+    std::set<std::string> noted_;
+};
+
+void read_urdf(const Element& robot, Reading& reading);
+void read_mjcf(const Element& mujoco, Reading& reading);
+
+}  // namespace epode::robots

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See weld.h. One pass in the order of the tree: `into` is the link that an old one becomes part of, `where` its
+// pose there. What is fixed to the world becomes part of link 0, which has shapes and no mass.
+#include "robots/weld.h"
+#include "robots/inertia.h"
+
+namespace epode::robots {
+
+namespace {
+
+struct Place {
+    int link = 0;
+    Pose pose;
+};
+
+void merge(const Link& from, const Pose& pose, Link& into)
+{
+    for (Shape shape : from.shapes) shape.pose = pose * shape.pose, into.shapes.push_back(shape);
+    for (Shape visual : from.visuals) visual.pose = pose * visual.pose, into.visuals.push_back(visual);
+    if (into.parent < 0) return;
+    const Inertia sum =
+        sum_of({into.mass, into.centre, into.inertia}, moved({from.mass, from.centre, from.inertia}, pose));
+    into.mass = sum.mass, into.centre = sum.centre, into.inertia = sum.tensor;
+    into.has_inertial = into.has_inertial || from.has_inertial;
+}
+
+}  // namespace
+
+void merge_fixed_links(RobotModel& model)
+{
+    std::vector<Link> kept;
+    std::vector<Place> place(model.links.size());
+    for (size_t i = 0; i < model.links.size(); ++i) {
+        Link& link = model.links[i];
+        const Place parent = link.parent < 0 ? Place{} : place[size_t(link.parent)];
+        const Pose pose = parent.pose * link.pose;
+        if (i > 0 && link.joints.empty()) {
+            place[i] = {parent.link, pose};
+            merge(link, pose, kept[size_t(parent.link)]);
+            model.frames.push_back({link.name, int(i), {}});
+            continue;
+        }
+        place[i] = {int(kept.size()), {}};
+        if (i > 0) link.parent = parent.link, link.pose = pose;
+        kept.push_back(std::move(link));
+    }
+    model.links = std::move(kept);
+    for (Frame& frame : model.frames) {
+        const Place& its = place[size_t(frame.link)];
+        frame.pose = its.pose * frame.pose, frame.link = its.link;
+    }
+    for (Joint& joint : model.joints) joint.link = place[size_t(joint.link)].link;
+    for (Closure& closure : model.closures) {
+        const Place &a = place[size_t(closure.link1)], &b = place[size_t(closure.link2)];
+        closure.pose1 = a.pose * closure.pose1, closure.link1 = a.link;
+        closure.pose2 = b.pose * closure.pose2, closure.link2 = b.link;
+    }
+    for (auto& pair : model.excluded)
+        for (int& link : pair) link = place[size_t(link)].link;
+}
+
+}  // namespace epode::robots

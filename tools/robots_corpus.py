@@ -1,0 +1,294 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+"""Judges the robot reader over the installed packages; scripts/robots-corpus calls it and says what it does. The library is used through
+its C API, as any program would. A file agrees if masses, centres and inertias are within 1e-6 relative (centres: 1e-6 m) and poses within
+1e-6 m and 1e-6 in each number of the rotation."""
+import argparse
+import collections
+import ctypes
+import pathlib
+import re
+import site
+import sys
+
+import numpy as np
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+POSES = 20
+TOLERANCE = 1e-6
+NOTES = ("changed", "approximated", "ignored", "error")
+MARK = "<!-- corpus: written by scripts/robots-corpus --write -->"
+
+
+class Options(ctypes.Structure):
+    _fields_ = [("struct_size", ctypes.c_uint)] + [(name, ctypes.c_int) for name in (
+        "strict", "keep_fixed", "fixed_base", "repair", "inertia_from_shapes", "meshes_as_triangles")] + [
+            ("missing_mass", ctypes.c_double), ("roots", ctypes.c_char_p)]
+
+
+class Line(ctypes.Structure):
+    _fields_ = [("note", ctypes.c_int), ("line", ctypes.c_int), ("file", ctypes.c_char_p), ("text", ctypes.c_char_p)]
+
+
+class Link(ctypes.Structure):
+    _fields_ = [("name", ctypes.c_char_p), ("parent", ctypes.c_int), ("joints", ctypes.c_int), ("shapes", ctypes.c_int),
+                ("mass", ctypes.c_double), ("centre", ctypes.c_double * 4), ("inertia", ctypes.c_double * 12)]
+
+
+class Joint(ctypes.Structure):
+    _fields_ = [("name", ctypes.c_char_p), ("kind", ctypes.c_int), ("link", ctypes.c_int), ("position", ctypes.c_int),
+                ("anchor", ctypes.c_double * 4), ("axis", ctypes.c_double * 4), ("low", ctypes.c_double), ("high", ctypes.c_double),
+                ("max_force", ctypes.c_double), ("max_velocity", ctypes.c_double)]
+
+
+class Model:
+    """A loaded model."""
+
+    def __init__(self, library, path, root, **options):
+        its = Options(roots=str(root).encode(), **options)
+        its.struct_size = ctypes.sizeof(Options)
+        self.library = library
+        self.handle = library.dRobotModelLoad(str(path).encode(), ctypes.byref(its))
+        self.report = [(NOTES[x.note], x.line, x.text.decode(errors="replace")) for x in self.array("Report", Line)]
+        self.errors = [text for note, _, text in self.report if note == "error"]
+
+    def array(self, what, kind):
+        get = getattr(self.library, f"dRobotModelGet{what}")
+        count = get(self.handle, None, 0)
+        out = (kind * max(1, count))()
+        get(self.handle, out, count)
+        return out[:count]
+
+    def links(self):
+        return self.array("Links", Link)
+
+    def joints(self):
+        return self.array("Joints", Joint)
+
+    def poses(self, q):
+        count = self.library.dRobotModelGetLinks(self.handle, None, 0)
+        out = np.zeros(7 * count)
+        pointer = ctypes.POINTER(ctypes.c_double)
+        q = np.ascontiguousarray(q, dtype=float)
+        self.library.dRobotModelGetPoses(self.handle, q.ctypes.data_as(pointer), len(q), out.ctypes.data_as(pointer), count)
+        return out.reshape(count, 7)
+
+    def positions(self):
+        return self.library.dRobotModelGetNumPositions(self.handle)
+
+    def close(self):
+        self.library.dRobotModelDestroy(self.handle)
+
+
+def load_library(path):
+    library = ctypes.CDLL(path)
+    library.dRobotModelLoad.restype = ctypes.c_void_p
+    pointer = ctypes.POINTER(ctypes.c_double)
+    library.dRobotModelLoad.argtypes = [ctypes.c_char_p, ctypes.c_void_p]
+    for what in ("Report", "Links", "Joints"):
+        getattr(library, f"dRobotModelGet{what}").argtypes = [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int]
+    library.dRobotModelGetNumPositions.argtypes = [ctypes.c_void_p]
+    library.dRobotModelGetPoses.argtypes = [ctypes.c_void_p, pointer, ctypes.c_int, pointer, ctypes.c_int]
+    library.dRobotModelDestroy.argtypes = [ctypes.c_void_p]
+    return library
+
+
+def matrix(q):
+    w, x, y, z = q / np.linalg.norm(q)
+    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
+
+
+def inertia_of(link):
+    return np.array(link.inertia).reshape(3, 4)[:, :3]
+
+
+class Differences:
+    """What differs most, in units of its tolerance."""
+
+    def __init__(self):
+        self.worst, self.what = 0.0, ""
+
+    def add(self, value, what):
+        if not value <= self.worst:
+            self.worst, self.what = value, what
+
+    def masses(self, name, mine, mass, centre, inertia):
+        self.add(abs(mine.mass - mass) / max(mass, 1e-9), f"mass of {name}: {mine.mass:.9g}, {mass:.9g}")
+        if mass < 1e-9:
+            return
+        self.add(np.abs(np.array(mine.centre)[:3] - centre).max(), f"centre of {name}: {np.array(mine.centre)[:3]}, {centre}")
+        size = max(np.abs(inertia).max(), 1e-12)
+        self.add(np.abs(inertia_of(mine) - inertia).max() / size, f"inertia of {name}: {inertia_of(mine).tolist()}, {inertia.tolist()}")
+
+    def pose(self, name, mine, position, rotation):
+        self.add(np.abs(mine[:3] - position).max(), f"position of {name}: {mine[:3]}, {position}")
+        self.add(np.abs(matrix(mine[3:]) - rotation).max(), f"rotation of {name}")
+
+
+def judge_mjcf(library, path, root, random):
+    import mujoco
+    model = mujoco.MjModel.from_xml_path(str(path))
+    data = mujoco.MjData(model)
+    mine = Model(library, path, root, keep_fixed=1, repair=1)
+    found = Differences()
+    links = mine.links()
+    if mine.errors or len(links) != model.nbody or mine.positions() != model.nq:
+        found.add(np.inf, (mine.errors + [f"{len(links)} links, {model.nbody} bodies; {mine.positions()} positions, {model.nq}"])[0])
+        mine.close()
+        return found
+    for i, link in enumerate(links[1:], 1):
+        turn = matrix(model.body_iquat[i])
+        found.masses(link.name.decode(), link, model.body_mass[i], model.body_ipos[i], turn @ np.diag(model.body_inertia[i]) @ turn.T)
+    for _ in range(POSES):
+        data.qpos[:] = random.normal(size=model.nq)
+        for joint in range(model.njnt):
+            at, kind = model.jnt_qposadr[joint], model.jnt_type[joint]
+            quaternion = {0: at + 3, 1: at}.get(int(kind))
+            if quaternion is not None:
+                data.qpos[quaternion:quaternion + 4] /= np.linalg.norm(data.qpos[quaternion:quaternion + 4])
+        mujoco.mj_kinematics(model, data)
+        poses = mine.poses(data.qpos)
+        for i, link in enumerate(links):
+            found.pose(link.name.decode(), poses[i], data.xpos[i], data.xmat[i].reshape(3, 3))
+    mine.close()
+    return found
+
+
+def pinocchio_positions(model, joints, q):
+    """Pinocchio's coordinates of ours."""
+    import pinocchio
+    out = pinocchio.neutral(model)
+    for joint in joints:
+        its = model.joints[model.getJointId(joint.name.decode())]
+        at, value = its.idx_q, q[joint.position:joint.position + 7]
+        if its.nq == 7:
+            out[at:at + 3], out[at + 3:at + 7] = value[:3], np.roll(value[3:], -1)
+        elif its.nq == 2:
+            out[at:at + 2] = np.cos(value[0]), np.sin(value[0])
+        else:
+            out[at] = value[0]
+    return out
+
+
+def judge_urdf(library, path, root, random):
+    import pinocchio
+    model = pinocchio.buildModelFromUrdf(str(path))
+    data = model.createData()
+    found = Differences()
+    merged = Model(library, path, root, fixed_base=1, repair=1, missing_mass=1e-12)
+    whole = Model(library, path, root, fixed_base=1, repair=1, missing_mass=1e-12, keep_fixed=1)
+    if merged.errors or whole.errors or any("/turn" in j.name.decode() for j in merged.joints()):
+        found.add(np.inf, (merged.errors + whole.errors + ["planar joints"])[0])
+        return found
+    mended = [text for _, _, text in merged.report if "mended" in text]
+    links = merged.links()
+    for joint in merged.joints():
+        name = joint.name.decode()
+        its = model.inertias[model.getJointId(name)]
+        if not any(f"'{links[joint.link].name.decode()}'" in text for text in mended):
+            found.masses(name, links[joint.link], its.mass, its.lever, its.inertia)
+    names = [link.name.decode() for link in whole.links()]
+    for _ in range(POSES):
+        q = random.uniform(-3, 3, size=whole.positions())
+        for joint in whole.joints():
+            if joint.kind == 3:
+                q[joint.position + 3:joint.position + 7] /= np.linalg.norm(q[joint.position + 3:joint.position + 7])
+        pinocchio.framesForwardKinematics(model, data, pinocchio_positions(model, whole.joints(), q))
+        poses = whole.poses(q)
+        for i, name in enumerate(names):
+            if not model.existBodyName(name):
+                continue
+            its = data.oMf[model.getBodyId(name)]
+            found.pose(name, poses[i], its.translation, its.rotation)
+    merged.close()
+    whole.close()
+    return found
+
+
+def corpus(fast):
+    """(package, root, file)."""
+    packages = pathlib.Path(site.getsitepackages()[0])
+    sources = [("gymnasium", packages / "gymnasium/envs/mujoco/assets"),
+               ("gymnasium-robotics", packages / "gymnasium_robotics"),
+               ("example-robot-data", packages / "cmeel.prefix/share/example-robot-data/robots"),
+               ("jvrc-description", packages / "jvrc_description"), ("upkie-description", packages / "upkie_description"),
+               ("robot-properties-fingers", packages / "robot_properties_fingers")]
+    if not fast:
+        sources.append(("metaworld", packages / "metaworld"))
+    for package, root in sources:
+        for path in sorted(root.rglob("*")):
+            if path.suffix not in (".urdf", ".xml") or not path.is_file():
+                continue
+            text = path.read_text(errors="replace")
+            if re.search(r"<robot[\s>]", text[:4000]) and path.suffix == ".urdf":
+                yield package, root, path, "URDF"
+            elif re.search(r"<mujoco[\s>]", text[:4000]) and "<worldbody" in text:
+                yield package, root, path, "MJCF"
+
+
+def kind_of(text):
+    """A reason without its names and numbers."""
+    return re.sub(r"\d[\d.e+-]*", "N", re.sub(r"'[^']*'", "X", text.split("; tried")[0]))[:90]
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--library", required=True)
+    parser.add_argument("--write", action="store_true")
+    parser.add_argument("--fast", action="store_true")
+    parser.add_argument("--only", default="")
+    arguments = parser.parse_args()
+    library = load_library(arguments.library)
+    handler = ctypes.CFUNCTYPE(None, ctypes.c_int, ctypes.c_char_p, ctypes.c_void_p)(lambda *_: None)
+    ctypes.CDLL(str(pathlib.Path(arguments.library).parent / "libode.so.8")).dSetMessageHandler(handler)
+    counts, reasons, notes, differing = {}, collections.defaultdict(list), collections.Counter(), []
+    for package, root, path, kind in corpus(arguments.fast):
+        if arguments.only not in str(path):
+            continue
+        random = np.random.default_rng(1)
+        row = counts.setdefault((package, kind), collections.Counter())
+        try:
+            found = (judge_mjcf if kind == "MJCF" else judge_urdf)(library, path, root, random)
+        except Exception as problem:  # the judge refuses the file: it is not a complete model
+            row["no judge"] += 1
+            print(f"{path}: the judge refuses: {str(problem).splitlines()[0][:150]}")
+            continue
+        mine = Model(library, path, root)
+        row["files"] += 1
+        if mine.errors:
+            row["refused"] += 1
+            reasons[kind_of(mine.errors[0])].append(path.name)
+            print(f"{path}: refused: {mine.errors[0]}")
+        else:
+            loses = {kind_of(text) for note, _, text in mine.report if note in ("approximated", "ignored")}
+            row["loaded" if not loses else "approximated"] += 1
+            notes.update(loses)
+        mine.close()
+        if found.worst <= TOLERANCE:
+            row["agrees"] += 1
+        else:
+            differing.append((path.name, found.what))
+            print(f"{path}: differs by {found.worst:.3g}: {found.what}")
+    lines = ["| package | format | files | loaded whole | with notes | refused | agrees with the judge | judge refuses |",
+             "|---|---|---|---|---|---|---|---|"]
+    for (package, kind), row in counts.items():
+        lines.append(f"| {package} | {kind} | {row['files']} | {row['loaded']} | {row['approximated']} | {row['refused']} | "
+                     f"{row['agrees']} | {row['no judge']} |")
+    lines += ["", "Refused, by reason:", ""]
+    lines += [f"- {reason}: {len(names)} ({', '.join(sorted(set(names))[:4])}{' ...' if len(set(names)) > 4 else ''})"
+              for reason, names in sorted(reasons.items(), key=lambda x: -len(x[1]))] or ["- none"]
+    lines += ["", "Notes, by how many files have them:", ""]
+    lines += [f"- {text}: {count}" for text, count in notes.most_common(25)]
+    lines += ["", "Differs from the judge:", ""]
+    lines += [f"- {name}: {what[:160]}" for name, what in differing[:40]] or ["- none"]
+    print("\n".join(lines))
+    if arguments.write:
+        page = ROOT / "docs/robots.md"
+        page.write_text(page.read_text().split(MARK)[0] + MARK + "\n" + "\n".join(lines) + "\n")
+
+
+if __name__ == "__main__":
+    sys.exit(main())
