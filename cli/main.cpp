@@ -12,6 +12,7 @@
 #include "cli/console.h"
 #include "cli/numbers.h"
 #include "cli/replay.h"
+#include "cli/robot.h"
 #include "cli/run.h"
 #include "cli/suggest.h"
 #include "cli/view.h"
@@ -35,7 +36,7 @@ std::string with_ending(const std::string& path, const std::string& ending)
 void add_plan_options(CLI::App& command, RunOptions& options)
 {
     const CLI::Validator positive = number_within(1e-9, 1e9);
-    command.add_option("scene", options.scene, "one of `epode list`")->required();
+    command.add_option("scene", options.scene, "one of `epode list`, or a robot (.urdf, .xml)")->required();
     command.add_option("--stepper", options.stepper,
                        "exact, quick, fast or hybrid; default: as the guide recommends, which is exact for "
                        "mechanisms and, for scenes of many bodies as in games, fast with --managed");
@@ -217,6 +218,9 @@ int carry_out(int argc, char** argv)
     inspect->add_flag("--hashes", replaying.hashes, "number and hash of every state, a line each");
     epode::view::ViewOptions viewing;
     epode::cli::add_view_options(*view, viewing);
+    epode::cli::RobotOptions robot_options;
+    CLI::App* robot = app.add_subcommand("robot", "says what is in a robot's file and what is wrong with it");
+    epode::cli::add_robot_options(*robot, robot_options);
     CaptureOptions capturing;
     add_capture_options(*capture, capturing);
     for (CLI::App* command : {replay, diff, convert, inspect}) add_common_options(*command, replaying);
@@ -226,6 +230,10 @@ int carry_out(int argc, char** argv)
     } catch (const CLI::ParseError& error) {
         return print_usage(app, error, argc, argv);
     }
+    if (robot->parsed()) return epode::cli::check_robot(robot_options);
+    std::string problem;
+    const std::string& what = view->parsed() ? viewing.what : options.scene;
+    if (!epode::cli::offer_robot(what, problem)) return epode::cli::complain(what, problem);
     if (list->parsed()) return epode::cli::list_scenes();
     if (view->parsed()) return epode::cli::view(viewing);
     if (replay->parsed()) return epode::cli::replay(replaying);

@@ -13,7 +13,9 @@ namespace epode::cli {
 void add_view_options(CLI::App& command, view::ViewOptions& options)
 {
     const CLI::Validator side = whole_number_within(64, 4096);
-    command.add_option("what", options.what, "one of `epode list`, or a recording (.epr)")->required();
+    command
+        .add_option("what", options.what, "one of `epode list`, a recording (.epr) or a robot (.urdf, .xml)")
+        ->required();
     command.add_option("--stepper", options.stepper,
                        "exact, quick, fast or hybrid; default: the scene's own");
     command.add_option("--dt", options.dt, "step size in seconds; default: the scene's own")

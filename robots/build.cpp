@@ -72,7 +72,8 @@ Robot::Robot(std::shared_ptr<const Prepared> prepared, dWorldID world, dSpaceID 
     for (const Closure& closure : model().closures) make_closure(world, closure);
     for (const auto& pair : model().excluded) exclude(world, pair[0], pair[1]);
     for (const auto& pair : prepared_->overlapping()) exclude(world, pair[0], pair[1]);
-    for (size_t i = 0; i < model().links.size(); ++i) make_shapes(space, int(i));
+    for (size_t i = 0; i < model().links.size(); ++i)
+        for (const Shape& shape : model().links[i].shapes) make_shape(space, int(i), shape);
     for (size_t i = 0; i < model().joints.size(); ++i) set_drive(int(i));
     if (!positions.empty()) set_positions(positions);
 }
@@ -262,39 +263,56 @@ dGeomID Robot::make_geom(dSpaceID space, const Shape& shape)
     return nullptr;
 }
 
-void Robot::make_shapes(dSpaceID space, int number)
+void Robot::make_shape(dSpaceID space, int number, const Shape& shape)
 {
     const Link& link = model().links[size_t(number)];
     const dBodyID its = body(number);
-    for (const Shape& shape : link.shapes) {
-        const Pose at = reference_[size_t(number)] * shape.pose;
-        dGeomID geom = nullptr;
-        if (shape.kind == ShapeKind::kPlane && !its) {
-            const Vec n = rotate(at.q, {0, 0, 1});
-            geom = dCreatePlane(space, dReal(n.x), dReal(n.y), dReal(n.z), dReal(dot(n, at.p)));
-        } else {
-            geom = make_geom(space, shape);
-        }
-        if (!geom) continue;
-        geoms_.push_back(geom);
-        if (its) dGeomSetBody(geom, its);
-        const Pose offset = its ? Pose{-link.centre, {}} * shape.pose : at;
-        const dQuaternion q = {dReal(offset.q.w), dReal(offset.q.x), dReal(offset.q.y), dReal(offset.q.z)};
-        if (its) {
-            dGeomSetOffsetPosition(geom, dReal(offset.p.x), dReal(offset.p.y), dReal(offset.p.z));
-            dGeomSetOffsetQuaternion(geom, q);
-        } else if (shape.kind != ShapeKind::kPlane) {
-            dGeomSetPosition(geom, dReal(offset.p.x), dReal(offset.p.y), dReal(offset.p.z));
-            dGeomSetQuaternion(geom, q);
-        }
-        dGeomSetCategoryBits(geom, shape.category);
-        dGeomSetCollideBits(geom, shape.collide);
-        dMaterial material;
-        dMaterialInit(&material, sizeof material);
-        material.friction = dReal(shape.friction), material.rolling_friction = dReal(shape.rolling_friction);
-        if (model().largest_friction) material.friction_rule = dCombineMaximum;
-        dGeomSetMaterial(geom, &material);
+    const Pose at = reference_[size_t(number)] * shape.pose;
+    const bool is_plane = shape.kind == ShapeKind::kPlane;
+    dGeomID geom = nullptr;
+    if (is_plane && !its) {
+        const Vec n = rotate(at.q, {0, 0, 1});
+        geom = dCreatePlane(space, dReal(n.x), dReal(n.y), dReal(n.z), dReal(dot(n, at.p)));
+    } else {
+        geom = make_geom(space, shape);
     }
+    if (!geom) return;
+    geoms_.push_back(geom);
+    const Pose offset = its ? Pose{-link.centre, {}} * shape.pose : at;
+    const dQuaternion q = {dReal(offset.q.w), dReal(offset.q.x), dReal(offset.q.y), dReal(offset.q.z)};
+    if (its) {
+        dGeomSetBody(geom, its);
+        dGeomSetOffsetPosition(geom, dReal(offset.p.x), dReal(offset.p.y), dReal(offset.p.z));
+        dGeomSetOffsetQuaternion(geom, q);
+    } else if (!is_plane) {
+        dGeomSetPosition(geom, dReal(offset.p.x), dReal(offset.p.y), dReal(offset.p.z));
+        dGeomSetQuaternion(geom, q);
+    }
+    dGeomSetCategoryBits(geom, shape.category);
+    dGeomSetCollideBits(geom, shape.collide);
+    dMaterial material;
+    dMaterialInit(&material, sizeof material);
+    material.friction = dReal(shape.friction), material.rolling_friction = dReal(shape.rolling_friction);
+    if (model().largest_friction) material.friction_rule = dCombineMaximum;
+    dGeomSetMaterial(geom, &material);
+}
+
+void Robot::add_looks(dSpaceID space)
+{
+    for (size_t i = 0; i < model().links.size(); ++i) {
+        if (!model().links[i].shapes.empty()) continue;
+        for (Shape look : model().links[i].visuals) {
+            look.category = look.collide = 0;
+            make_shape(space, int(i), look);
+        }
+    }
+}
+
+void Robot::release()
+{
+    geoms_.clear();
+    all_joints_.clear();
+    all_bodies_.clear();
 }
 
 std::vector<std::string> Robot::not_built(const RobotModel& model)

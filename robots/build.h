@@ -72,6 +72,11 @@ class Robot {
     // The model's parts that this builder does not make, a sentence each.
     static std::vector<std::string> not_built(const RobotModel& model);
 
+    // Adds what links without shapes look like, as geoms that touch nothing.
+    void add_looks(dSpaceID space);
+    // Forgets bodies, joints and geoms: their world and space have been or will be destroyed with all in them.
+    void release();
+
     // At rest, with all bodies where the coordinates put them.
     void set_positions(const std::vector<double>& positions);
     std::vector<double> positions() const;
@@ -81,7 +86,7 @@ class Robot {
 
   private:
     void make_bodies(dWorldID world);
-    void make_shapes(dSpaceID space, int link);
+    void make_shape(dSpaceID space, int link, const Shape& shape);
     dGeomID make_geom(dSpaceID space, const Shape& shape);
     void make_joints(dWorldID world);
     dJointID make_joint(dWorldID world, const Joint& joint, dBodyID child, dBodyID parent, const Pose& frame);

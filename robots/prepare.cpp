@@ -33,7 +33,7 @@ Prepared::Prepared(RobotModel model)
 {
     std::set<int> touched;
     for (const Link& link : model_.links)
-        for (const Shape& shape : link.shapes) {
+        for (const Shape& shape : link.shapes.empty() ? link.visuals : link.shapes) {
             if (shape.mesh < 0 || !touched.insert(shape.mesh).second) continue;
             if (shape.kind == ShapeKind::kHull)
                 make_hull(model_.meshes[size_t(shape.mesh)], hulls_[size_t(shape.mesh)]);

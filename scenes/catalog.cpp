@@ -22,8 +22,23 @@ const std::vector<const Recipe*>& all_recipes()
     return recipes;
 }
 
+namespace {
+
+std::vector<const Recipe*>& added_recipes()
+{
+    static std::vector<const Recipe*> recipes;
+    return recipes;
+}
+
+}  // namespace
+
+void add_recipe(const Recipe& recipe) { added_recipes().push_back(&recipe); }
+
 const Recipe* find_recipe(const std::string& name)
 {
+    for (const Recipe* recipe : added_recipes()) {
+        if (name == recipe->name) return recipe;
+    }
     for (const Recipe* recipe : all_recipes()) {
         if (name == recipe->name) return recipe;
     }

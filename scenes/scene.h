@@ -171,6 +171,8 @@ class Scene {
 
 // Every recipe of scenes.inc, in that order.
 const std::vector<const Recipe*>& all_recipes();
+// One more that find_recipe knows, of the program's own: a robot from a file. It must outlive all its scenes.
+void add_recipe(const Recipe& recipe);
 // Null when there is no scene of that name.
 const Recipe* find_recipe(const std::string& name);
 // All names, a space before each: for messages.
