@@ -19,7 +19,6 @@ namespace {
 constexpr double kSmallShare = 1e-5;
 constexpr double kSmallRadius =
     0.01;  // m, about which a small body's mass is spread, if its link has no inertia
-constexpr double kPi = 3.14159265358979323846;
 
 void set_pose(dBodyID body, const Pose& pose)
 {
@@ -74,7 +73,9 @@ Robot::Robot(std::shared_ptr<const Prepared> prepared, dWorldID world, dSpaceID 
     for (const auto& pair : prepared_->overlapping()) exclude(world, pair[0], pair[1]);
     for (size_t i = 0; i < model().links.size(); ++i)
         for (const Shape& shape : model().links[i].shapes) make_shape(space, int(i), shape);
-    for (size_t i = 0; i < model().joints.size(); ++i) set_drive(int(i));
+    make_couplings(world);
+    for (size_t i = 0; i < model().joints.size(); ++i) set_joint_drive(int(i));
+    for (size_t i = 0; i < model().tendons.size(); ++i) set_tendon_drive(int(i));
     if (!positions.empty()) set_positions(positions);
 }
 
@@ -185,7 +186,7 @@ dJointID Robot::make_joint(dWorldID world, const Joint& joint, dBodyID child, dB
     return its;
 }
 
-// ODE's hinge has stops within half a turn; wider ones are those of a joint that turns freely.
+// ODE's hinge has stops within half a turn; wider ones are those of a coupling, which counts turns.
 void Robot::set_limits(const Joint& joint, dJointID its) const
 {
     if (!joint.limited) return;
@@ -194,8 +195,9 @@ void Robot::set_limits(const Joint& joint, dJointID its) const
         dJointSetSliderParam(its, dParamHiStop, dReal(high));
         dJointSetSliderParam(its, dParamLoStop, dReal(low));
     } else {
-        if (low > -kPi) dJointSetHingeParam(its, dParamLoStop, dReal(low));
-        if (high < kPi) dJointSetHingeParam(its, dParamHiStop, dReal(high));
+        if (turns_far(joint)) return;
+        dJointSetHingeParam(its, dParamLoStop, dReal(low));
+        dJointSetHingeParam(its, dParamHiStop, dReal(high));
     }
 }
 
@@ -313,31 +315,6 @@ void Robot::release()
     geoms_.clear();
     all_joints_.clear();
     all_bodies_.clear();
-}
-
-std::vector<std::string> Robot::not_built(const RobotModel& model)
-{
-    std::vector<std::string> out;
-    const auto line = [](const std::string& what, int at) {
-        return what + (at > 0 ? " (line " + std::to_string(at) + ")" : "") + " is not yet built";
-    };
-    for (const Coupling& coupling : model.couplings)
-        out.push_back(line("the coupling '" + coupling.name + "'", coupling.line));
-    for (const Tendon& tendon : model.tendons)
-        out.push_back(line("the tendon '" + tendon.name + "'", tendon.line));
-    for (const Actuator& actuator : model.actuators)
-        if (actuator.joint < 0)
-            out.push_back(line("the actuator '" + actuator.name + "' of a tendon", actuator.line));
-    for (const Joint& joint : model.joints) {
-        const bool is_driven =
-            joint.limited || joint.stiffness > 0 || joint.damping > 0 || joint.friction > 0;
-        if (joint.kind == JointKind::kBall && is_driven)
-            out.push_back(line("limit or drive of the ball joint '" + joint.name + "'", joint.line));
-        const bool is_wide = joint.limited && joint.kind == JointKind::kHinge &&
-                             (joint.low - joint.reference <= -kPi || joint.high - joint.reference >= kPi);
-        if (is_wide) out.push_back(line("a limit of '" + joint.name + "' beyond half a turn", joint.line));
-    }
-    return out;
 }
 
 }  // namespace epode::robots

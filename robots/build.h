@@ -47,6 +47,9 @@ class Prepared {
     std::vector<std::array<int, 2>> overlapping_;
 };
 
+// Whether a hinge may turn by half a turn or more from its reference.
+bool turns_far(const Joint& joint);
+
 // A position drive that a program has put on a joint.
 struct Servo {
     double stiffness = 0, damping = 0, target = 0;
@@ -92,8 +95,17 @@ class Robot {
     dJointID make_joint(dWorldID world, const Joint& joint, dBodyID child, dBodyID parent, const Pose& frame);
     dBodyID make_small_body(dWorldID world, int link);
     void make_closure(dWorldID world, const Closure& closure);
+    dJointID make_coupling(dWorldID world, const std::vector<Coupling::Term>& terms, double low, double high);
+    void make_couplings(dWorldID world);
     void exclude(dWorldID world, int link1, int link2);
-    void set_drive(int joint);
+    // What acts on a coordinate or on a tendon's sum.
+    struct Passive {
+        dJointID id;
+        double reference, stiffness, rest, damping, armature, friction;
+    };
+    void set_drive(const Passive& passive, const Servo& servo, double limit, int joint, int tendon);
+    void set_joint_drive(int joint);
+    void set_tendon_drive(int tendon);
     void set_limits(const Joint& joint, dJointID its) const;
     void place(dBodyID body, const Pose& link_pose, Vec centre) const;
 
@@ -101,7 +113,7 @@ class Robot {
     Pose placement_;
     std::vector<Pose> reference_;  // of links, in the world
     std::vector<dBodyID> bodies_, all_bodies_;
-    std::vector<dJointID> joints_, all_joints_;
+    std::vector<dJointID> joints_, tendons_, all_joints_;
     std::vector<dGeomID> geoms_;
     struct Small {
         dBodyID body;

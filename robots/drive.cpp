@@ -96,28 +96,46 @@ void Robot::set_control(int actuator, double value)
 {
     const Actuator& its = model().actuators[size_t(actuator)];
     controls_[size_t(actuator)] = std::clamp(value, its.low, its.high);
-    if (its.joint >= 0) set_drive(its.joint);
+    its.joint >= 0 ? set_joint_drive(its.joint) : set_tendon_drive(its.tendon);
 }
 
 void Robot::set_servo(int joint, const Servo& servo)
 {
     servos_[size_t(joint)] = servo;
-    set_drive(joint);
+    set_joint_drive(joint);
 }
 
-void Robot::set_drive(int number)
+void Robot::set_joint_drive(int number)
 {
     const Joint& joint = model().joints[size_t(number)];
-    const dJointID its = joints_[size_t(number)];
-    if (!its || !joint.is_scalar()) return;
     const Servo& servo = servos_[size_t(number)];
-    const double r = joint.reference;
-    double k = joint.stiffness + servo.stiffness, d = joint.damping + servo.damping;
-    double sum = joint.stiffness * (joint.spring_reference - r) + servo.stiffness * (servo.target - r);
-    double limit = servo.stiffness > 0 || servo.damping > 0 ? joint.max_force : kInfinity;
+    if (!joint.is_scalar()) return;
+    const double limit = servo.stiffness > 0 || servo.damping > 0 ? joint.max_force : kInfinity;
+    set_drive({joints_[size_t(number)], joint.reference, joint.stiffness, joint.spring_reference,
+               joint.damping, joint.armature, joint.friction},
+              servo, limit, number, -1);
+}
+
+// A tendon's spring rests at the reference position.
+void Robot::set_tendon_drive(int number)
+{
+    const Tendon& tendon = model().tendons[size_t(number)];
+    double r = 0;
+    for (const Coupling::Term& term : tendon.terms)
+        r += term.factor * model().joints[size_t(term.joint)].reference;
+    set_drive({tendons_[size_t(number)], r, tendon.stiffness, r, tendon.damping, 0, 0}, {}, kInfinity, -1,
+              number);
+}
+
+void Robot::set_drive(const Passive& passive, const Servo& servo, double limit, int joint, int tendon)
+{
+    if (!passive.id) return;
+    const double r = passive.reference;
+    double k = passive.stiffness + servo.stiffness, d = passive.damping + servo.damping;
+    double sum = passive.stiffness * (passive.rest - r) + servo.stiffness * (servo.target - r);
     for (size_t i = 0; i < model().actuators.size(); ++i) {
         const Actuator& a = model().actuators[i];
-        if (a.joint != number) continue;
+        if (joint >= 0 ? a.joint != joint : a.tendon != tendon) continue;
         const double g = a.gear;
         k += g * g * a.bias_position, d += g * g * a.bias_velocity;
         sum += g * (clamped_force(a, controls_[i]) - a.bias_position * g * r);
@@ -126,12 +144,13 @@ void Robot::set_drive(int number)
     }
     dDrive drive;
     dDriveInit(&drive, sizeof drive);
+    const bool acts = k > 0 || d > 0 || sum != 0 || passive.armature > 0 || passive.friction > 0;
+    if (!acts && !dJointGetDrive(passive.id, 0, &drive)) return;
     drive.stiffness = dReal(std::max(0.0, k)), drive.damping = dReal(std::max(0.0, d));
-    drive.armature = dReal(joint.armature), drive.friction = dReal(joint.friction);
+    drive.armature = dReal(passive.armature), drive.friction = dReal(passive.friction);
     drive.target = dReal(k > 0 ? sum / k : 0), drive.force = dReal(k > 0 ? 0 : sum);
     if (limit > 0 && limit < kInfinity) drive.force_limit = dReal(limit);
-    const bool acts = k > 0 || d > 0 || sum != 0 || joint.armature > 0 || joint.friction > 0;
-    if (acts || dJointGetDrive(its, 0, &drive)) dJointSetDrive(its, 0, acts ? &drive : nullptr);
+    dJointSetDrive(passive.id, 0, acts ? &drive : nullptr);
 }
 
 }  // namespace epode::robots

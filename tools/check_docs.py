@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
-"""Every public function of include/ode and include/drawstuff says what it does, names its arguments and says where its definition comes
+"""Every public function of include/ode, include/drawstuff and include/epode says what it does, names its arguments and says where its definition comes
 from (header_docs.py has the convention). Fails on
 
   a function without a comment, or whose comment says nothing in words;
@@ -23,7 +23,7 @@ import sys
 import header_docs
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-HEADERS = sorted(header for folder in ("ode", "drawstuff") for header in (ROOT / "include" / folder).glob("*.h"))
+HEADERS = sorted(header for folder in ("ode", "drawstuff", "epode") for header in (ROOT / "include" / folder).glob("*.h"))
 # Classes, not functions: every member calls the C function of its name, and tests/cpp/members.py counts them; and
 # names of C++ that call C functions.
 WITHOUT_FUNCTIONS = ("odecpp", "doubles")
@@ -44,7 +44,7 @@ WORDS = set("""
     quality r radius range ratio ray rel requirements reserve resources room s scale seconds side size slip
     solid solution source space sphere start stats step stepper steps t text the threads threshold time tolerance
     angle backlash box by category contacts cooperative Data directions events geoms gravity lengths most origin other
-    report result skip torque transform triangle type u v value vector vel vertices w way width world x y z
+    report model robot links joints poses actuator link result skip torque transform triangle type u v value vector vel vertices w way width world x y z
 """.split())
 # What points to another place of a page.
 PLACES = re.compile(r"""

@@ -9,7 +9,7 @@ function. A body without dWorldCreate finds a frame around itself: the library i
 `space` is empty, and `body` is a sphere of 1 kg and radius 0.5 m, its centre 2 m above the origin; all is destroyed after it.
 
 What a block prints is what its comments `/* prints: ... */` (in C++ also `// prints: ...`) say, in order, word by word;
-it prints nothing else, and nothing to stderr. Bad and deprecated calls are found by -Werror.
+it prints nothing else, and nothing to stderr. Blocks with <epode/robots.h> are left out where libepode_robots is not built. Bad and deprecated calls are found by -Werror.
 
 doc_samples.py --library DIR --name ode [--cc CC --cxx CXX -D...] [--show] [FILE...]"""
 import argparse
@@ -90,8 +90,13 @@ def linked(count, folder, options):
                                   f"atoi(a[1]) : -1) {{\n{cases}    default: return 99;\n    }}\n}}\n")
     objects = [str(one) for one in folder.glob("sample*.o")]
     subprocess.run([options.cc, "-c", str(folder / "run.c"), "-o", str(folder / "run.o")], check=True)
+    robots = ["-Wl,--as-needed", "-lepode_robots"] if has_robots(options) else []
     subprocess.run([options.cxx, str(folder / "run.o"), *objects, "-o", str(folder / "run"), f"-L{options.library}",
-                    f"-l{options.name}", f"-Wl,-rpath,{options.library}", "-lpthread", "-lm"], check=True)
+                    *robots, f"-l{options.name}", f"-Wl,-rpath,{options.library}", "-lpthread", "-lm"], check=True)
+
+
+def has_robots(options):
+    return (pathlib.Path(options.library) / "libepode_robots.so").exists()
 
 
 def judged(sample, number, folder, show):
@@ -118,7 +123,7 @@ def main():
     parser.add_argument("files", nargs="*", type=pathlib.Path)
     options = parser.parse_args()
     files = [one.resolve() for one in options.files] or [ROOT / "README.md", *sorted((ROOT / "docs/guide").rglob("*.md"))]
-    samples = [sample for path in files for sample in samples_of(path)]
+    samples = [sample for path in files for sample in samples_of(path) if "<epode/" not in sample.text or has_robots(options)]
     with tempfile.TemporaryDirectory() as name, concurrent.futures.ThreadPoolExecutor(2) as pool:
         folder = pathlib.Path(name)
         said = list(pool.map(lambda pair: compiled(pair[1], pair[0], folder, options), enumerate(samples)))

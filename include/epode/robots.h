@@ -167,15 +167,15 @@ typedef struct dxRobot* dRobotID;
 
 /** - dRobotCreate: Makes a robot of the model in the world, with its geoms in the space. position and q place
       the model's world in the world; either may be NULL: none. It begins at the reference position. A
-      message names what is not yet built: couplings, tendons. Refused: a model with errors.
+      message names what is not built. Refused: a model with errors.
     - dRobotDestroy: Destroys the robot's bodies, joints and geoms. [ours] */
 ODE_API dRobotID dRobotCreate(dWorldID world, dSpaceID space, dRobotModelID model, const dReal* position,
                               const dReal* q);
 ODE_API void dRobotDestroy(dRobotID robot);
 
 /** - dRobotGetBody: Returns the body of a link, 0 of link 0 where it has none. Refused: no such link.
-    - dRobotGetJoint: Returns ODE's joint of a joint of the model, whose axis 0 it is; 0 of a free joint.
-      Refused: no such joint. [ours] */
+    - dRobotGetJoint: Returns ODE's joint of a joint of the model, whose axis 0 it is; 0 of a free joint, and
+      0 with a message of a number that no joint has. [ours] */
 ODE_API dBodyID dRobotGetBody(dRobotID robot, int link);
 ODE_API dJointID dRobotGetJoint(dRobotID robot, int joint);
 
@@ -190,7 +190,8 @@ ODE_API int dRobotGetPositions(dRobotID robot, dReal* positions, int capacity);
       Returns 1. Refused: no such actuator.
     - dRobotSetTarget: Lets a hinge or slider be pulled to the target, m or rad, by a spring of stiffness and
       a damper of damping, at most the joint's max_force, next to the model's own springs and dampers;
-      both 0: no longer. Returns 1. Refused: negative numbers; no such joint; a ball or free joint. [ours] */
+      both 0: no longer. Returns 1, or 0 when refused: negative numbers; a number that no hinge or slider
+      has. [ours] */
 ODE_API int dRobotSetControl(dRobotID robot, int actuator, dReal control);
 ODE_API int dRobotSetTarget(dRobotID robot, int joint, dReal target, dReal stiffness, dReal damping);
 

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Files that are broken or mean harm: each is refused with its line and a reason, nothing outside the roots is read,
+// and no mutation of a good file crashes. EPODE_ROBOT_MUTATIONS: how many of each file (scripts/nightly: 100,000 in all).
+#include <epode/robots.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "robots/build.h"
+#include "robots/load.h"
+
+namespace {
+
+using namespace epode::robots;
+
+const std::string kModels = EPODE_MODELS;
+
+std::string errors_of(const RobotModel& model)
+{
+    std::string out;
+    for (const ReportLine& line : model.report)
+        if (line.note == Note::kError) out += std::to_string(line.line) + ": " + line.text + "\n";
+    return out;
+}
+
+void expect_error(const std::string& text, const std::string& wanted, const LoadOptions& options = {})
+{
+    const std::string errors = errors_of(load_robot_text(kModels + "/text.xml", text, options));
+    EXPECT_NE(errors.find(wanted), std::string::npos) << "wanted '" << wanted << "', got: " << errors;
+}
+
+std::string urdf(const std::string& inside) { return "<robot name='r'>\n" + inside + "</robot>"; }
+const std::string kMass =
+    "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1' ixy='0' ixz='0' iyz='0'/></inertial>";
+std::string link(const std::string& name, const std::string& inside = kMass)
+{
+    return "<link name='" + name + "'>" + inside + "</link>\n";
+}
+std::string joint(const std::string& name, const std::string& parent, const std::string& child,
+                  const std::string& more = "")
+{
+    return "<joint name='" + name + "' type='continuous'><parent link='" + parent + "'/><child link='" +
+           child + "'/>" + more + "</joint>\n";
+}
+
+TEST(HostileFiles, BrokenXmlIsRefusedWithItsLine)
+{
+    expect_error("<robot>\n<link", "at line 2");
+    expect_error("", "No document element");
+    expect_error("<other/>", "the root element is <other>");
+}
+
+TEST(HostileFiles, EntitiesAreRefused)
+{
+    expect_error("<!DOCTYPE r [<!ENTITY a 'aaaa'><!ENTITY b '&a;&a;'>]><robot/>", "entities of its own");
+}
+
+TEST(HostileFiles, TreesThatAreNoneAreRefused)
+{
+    expect_error(urdf(link("a") + link("a")), "3: a second link 'a'");
+    expect_error(urdf(link("a") + link("b")), "2 links that are nobody's child");
+    expect_error(urdf(link("a") + joint("j", "a", "c")),
+                 "3: joint 'j' names the link 'c', which is not there");
+    expect_error(urdf(link("a") + link("b") + link("c") + joint("j", "b", "c") + joint("k", "c", "b")),
+                 "no joint connects to the root 'a'");
+    expect_error(urdf(link("a") + link("b") + joint("j", "a", "b") + joint("k", "a", "b")),
+                 "child of two joints");
+    expect_error(urdf(""), "0 links");
+}
+
+TEST(HostileFiles, NumbersThatAreNoneAreRefused)
+{
+    expect_error(urdf(link("a") + link("b") + joint("j", "a", "b", "<axis xyz='0 0 nan'/>")),
+                 "4: axis xyz = '0 0 nan', wanted 3 finite numbers");
+    expect_error(urdf(link("a") + link("b") + joint("j", "a", "b", "<axis xyz='0 0'/>")), "wanted 3");
+    expect_error(urdf(link("a") + link("b") + joint("j", "a", "b", "<axis xyz='0 0 0'/>")),
+                 "an axis of no length");
+    expect_error(urdf(link("a") + link("b") + joint("j", "a", "b", "<dynamics damping='-1'/>")),
+                 "negative damping");
+    expect_error(urdf(link("a") + link("b") + joint("j", "a", "b", "<mimic joint='nobody'/>")),
+                 "mimics 'nobody'");
+}
+
+TEST(HostileFiles, InertiasThatNoBodyHasAreNamedAndMended)
+{
+    const std::string bad =
+        "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='5' ixy='0' ixz='0' iyz='0'/></inertial>";
+    const std::string text = urdf(link("a") + link("b", bad) + joint("j", "a", "b"));
+    expect_error(text, "3: the inertia of link 'b' has a moment larger than the sum of the others");
+    LoadOptions repair;
+    repair.repair = true;
+    EXPECT_EQ(errors_of(load_robot_text("x.urdf", text, repair)), "");
+}
+
+TEST(HostileFiles, AMovingLinkWithoutMassHasTwoWaysOut)
+{
+    const std::string text =
+        urdf(link("a") + link("b", "<collision><geometry><sphere radius='0.1'/></geometry></collision>") +
+             joint("j", "a", "b"));
+    expect_error(text, "the moving link 'b' has no mass");
+    LoadOptions options;
+    options.inertia_from_shapes = true;
+    EXPECT_EQ(errors_of(load_robot_text("x.urdf", text, options)), "");
+    options = {};
+    options.missing_mass = 0.2;
+    EXPECT_EQ(errors_of(load_robot_text("x.urdf", text, options)), "");
+}
+
+TEST(HostileFiles, AMissingMeshNamesThePlaces)
+{
+    const std::string shape =
+        "<collision><geometry><mesh filename='package://nowhere/a.stl'/></geometry></collision>";
+    expect_error(urdf(link("a", kMass + shape)), kModels + "/nowhere/a.stl");
+}
+
+// A secret two folders above the robot is neither a mesh nor an include.
+TEST(HostileFiles, NothingOutsideTheRootsIsRead)
+{
+    namespace fs = std::filesystem;
+    const fs::path top =
+        fs::temp_directory_path() / ("epode_roots_" + std::to_string(std::random_device()()));
+    fs::create_directories(top / "a/b");
+    std::ofstream(top / "secret.xml") << "<mujocoinclude><worldbody/></mujocoinclude>";
+    const std::string include = "<mujoco><include file='../../secret.xml'/><worldbody/></mujoco>";
+    const std::string path = (top / "a/b/r.xml").string();
+    const std::string outside = "outside the folders that may be read";
+    EXPECT_NE(errors_of(load_robot_text(path, include)).find(outside), std::string::npos);
+    fs::create_symlink(top / "secret.xml", top / "a/b/link.xml");
+    EXPECT_NE(errors_of(load_robot_text(path, "<mujoco><include file='link.xml'/><worldbody/></mujoco>"))
+                  .find(outside),
+              std::string::npos);
+    LoadOptions options;
+    options.roots = {top.string()};
+    EXPECT_EQ(errors_of(load_robot_text(path, include, options)), "");
+    fs::remove_all(top);
+}
+
+TEST(HostileFiles, IncludesInCirclesAreRefused)
+{
+    namespace fs = std::filesystem;
+    const fs::path top =
+        fs::temp_directory_path() / ("epode_circle_" + std::to_string(std::random_device()()));
+    fs::create_directories(top);
+    std::ofstream(top / "a.xml") << "<mujoco><include file='b.xml'/></mujoco>";
+    std::ofstream(top / "b.xml") << "<mujocoinclude><include file='a.xml'/></mujocoinclude>";
+    EXPECT_NE(errors_of(load_robot((top / "a.xml").string())).find("includes itself"), std::string::npos);
+    fs::remove_all(top);
+}
+
+TEST(HostileFiles, DepthIsLimited)
+{
+    std::string text = "<mujoco><worldbody>";
+    for (int i = 0; i < 100'000; ++i) text += "<body>";
+    expect_error(text + "</worldbody></mujoco>", "");
+    std::string closed = "<mujoco><worldbody>";
+    for (int i = 0; i < 600; ++i) closed += "<body>";
+    for (int i = 0; i < 600; ++i) closed += "</body>";
+    expect_error(closed + "</worldbody></mujoco>", "deeper than");
+}
+
+int mutations()
+{
+    const char* given = std::getenv("EPODE_ROBOT_MUTATIONS");
+    return given ? std::max(1, std::atoi(given)) : 400;
+}
+
+std::string contents_of(const std::string& path)
+{
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// Bytes changed, pieces cut out, copied and put elsewhere, numbers made absurd.
+std::string mutated(std::string text, std::mt19937& random)
+{
+    static const char* const absurd[] = {"1e308",  "-1e308",       "nan", "inf", "0",  "-1",
+                                         "1e-320", "999999999999", "\"",  "<",   "--", ""};
+    const auto below = [&](size_t n) { return n ? random() % n : 0; };
+    for (size_t i = 0, count = 1 + below(4); i < count && !text.empty(); ++i) {
+        const size_t at = below(text.size()), size = 1 + below(std::min<size_t>(200, text.size() - at));
+        switch (below(5)) {
+            case 0:
+                text[at] = char(random());
+                break;
+            case 1:
+                text.erase(at, size);
+                break;
+            case 2:
+                text.insert(below(text.size()), text.substr(at, size));
+                break;
+            case 3:
+                text.replace(at, std::min<size_t>(size, 4), absurd[below(std::size(absurd))]);
+                break;
+            default: {
+                const size_t digit = text.find_first_of("0123456789", at);
+                if (digit != std::string::npos) text.replace(digit, 1, absurd[below(std::size(absurd))]);
+            }
+        }
+    }
+    return text;
+}
+
+void ignore_message(int, const char*, va_list) {}
+
+TEST(HostileFiles, MutatedRobotsDoNotCrash)
+{
+    dInitODE2(0);
+    dSetMessageHandler(&ignore_message);
+    dSetErrorHandler(&ignore_message);
+    dSetDebugHandler(&ignore_message);
+    for (const char* name : {"arm.urdf", "walker.xml", "fourbar.xml"}) {
+        const std::string path = kModels + "/" + name, text = contents_of(path);
+        ASSERT_FALSE(text.empty());
+        std::mt19937 random(7);
+        int good = 0;
+        for (int i = 0; i < mutations(); ++i) {
+            const std::string changed = mutated(text, random);
+            RobotModel model = load_robot_text(path, changed);
+            if (model.has_errors()) continue;
+            ++good;
+            const dWorldID world = dWorldCreate();
+            const dSpaceID space = dHashSpaceCreate(nullptr);
+            {
+                const auto prepared = std::make_shared<const Prepared>(std::move(model));
+                const Robot robot(prepared, world, space, {}, {});
+                for (int step = 0; step < 2; ++step) dWorldStep(world, dReal(0.01));
+            }
+            dSpaceDestroy(space);
+            dWorldDestroy(world);
+        }
+        EXPECT_GT(good, 0) << name;
+    }
+    dSetMessageHandler(nullptr);
+    dSetErrorHandler(nullptr);
+    dSetDebugHandler(nullptr);
+    dCloseODE();
+}
+
+// A robot that names a mesh of its own: the mesh's bytes are mutated.
+TEST(HostileFiles, MutatedMeshesDoNotCrash)
+{
+    namespace fs = std::filesystem;
+    const fs::path top =
+        fs::temp_directory_path() / ("epode_meshes_" + std::to_string(std::random_device()()));
+    fs::create_directories(top);
+    const std::string collada =
+        R"(<COLLADA><asset><unit meter="0.01"/><up_axis>Y_UP</up_axis></asset><library_geometries>
+<geometry id="g"><mesh><source id="s"><float_array id="f" count="12">0 0 0 1 0 0 0 1 0 0 0 1</float_array></source>
+<vertices id="v"><input semantic="POSITION" source="#s"/></vertices><polylist count="4"><input semantic="VERTEX" source="#v"
+offset="0"/><vcount>3 3 3 3</vcount><p>0 2 1 0 1 3 1 2 3 0 3 2</p></polylist></mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="z"><node><translate>1 2 3</translate><instance_geometry url="#g"/></node></visual_scene>
+</library_visual_scenes></COLLADA>)";
+    std::string binary(84, '\0');
+    binary[80] = 4;
+    for (int i = 0; i < 50; ++i) binary += std::string("\0\0\x80\x3f", 4);
+    const std::pair<std::string, std::string> meshes[] = {
+        {"m.stl", contents_of(kModels + "/meshes/cube.stl")},
+        {"m.obj", contents_of(kModels + "/meshes/cube.obj")},
+        {"m.dae", collada},
+        {"m.stl", binary}};
+    for (const auto& [name, bytes] : meshes) {
+        const std::string robot = urdf(
+            link("a", kMass + "<collision><geometry><mesh filename='" + name + "'/></geometry></collision>"));
+        std::mt19937 random(11);
+        for (int i = 0; i < mutations(); ++i) {
+            std::ofstream(top / name, std::ios::binary) << (i == 0 ? bytes : mutated(bytes, random));
+            const RobotModel model = load_robot_text((top / "r.urdf").string(), robot);
+            if (i == 0 && name != "m.stl") { EXPECT_EQ(errors_of(model), "") << name; }
+        }
+    }
+    fs::remove_all(top);
+}
+
+}  // namespace

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What readers make of files whose masses and poses are known in closed form.
+#include <gtest/gtest.h>
+
+#include "robots/geometry.h"
+#include "robots/load.h"
+
+namespace {
+
+using namespace epode::robots;
+
+const std::string kModels = EPODE_MODELS;
+constexpr double kPi = 3.14159265358979323846;
+
+std::string report_of(const RobotModel& model)
+{
+    std::string out;
+    for (const ReportLine& line : model.report)
+        out += std::string(name_of(line.note)) + " " + std::to_string(line.line) + ": " + line.text + "\n";
+    return out;
+}
+
+const Link& link_of(const RobotModel& model, const std::string& name)
+{
+    const int number = model.link_named(name);
+    EXPECT_GE(number, 0) << name;
+    return model.links[size_t(std::max(0, number))];
+}
+
+TEST(Urdf, WeldsFixedLinksAndAddsTheirMasses)
+{
+    const RobotModel model = load_robot(kModels + "/arm.urdf");
+    ASSERT_FALSE(model.has_errors()) << report_of(model);
+    // Pedestal and world, upper, fore with tool, two fingers.
+    ASSERT_EQ(model.links.size(), 5u);
+    EXPECT_EQ(model.link_named("tool"), model.link_named("fore"));
+    const Link& fore = link_of(model, "fore");
+    EXPECT_NEAR(fore.mass, 1.5, 1e-12);
+    EXPECT_NEAR(fore.centre.x, (1 * 0.2 + 0.5 * 0.4) / 1.5, 1e-12);
+    // fore's own tensor is turned by a quarter: its 0.004 is along x. Then Steiner: 1 * 0.5 / 1.5 * 0.2^2.
+    EXPECT_NEAR(fore.inertia[0][0], 0.004 + 0.001, 1e-12);
+    EXPECT_NEAR(fore.inertia[1][1], 0.02 + 0.001 + 0.04 / 3, 1e-12);
+}
+
+TEST(Urdf, ReadsLimitsDynamicsMimicAndTransmission)
+{
+    const RobotModel model = load_robot(kModels + "/arm.urdf");
+    ASSERT_EQ(model.joints.size(), 4u) << report_of(model);
+    const Joint& shoulder = model.joints[0];
+    EXPECT_TRUE(shoulder.limited);
+    EXPECT_EQ(shoulder.low, -2);
+    EXPECT_EQ(shoulder.max_force, 100);
+    EXPECT_EQ(shoulder.damping, 0.5);
+    EXPECT_EQ(shoulder.friction, 0.2);
+    EXPECT_FALSE(model.joints[1].limited);
+    ASSERT_EQ(model.couplings.size(), 1u);
+    EXPECT_EQ(model.couplings[0].terms[1].factor, 1);
+    ASSERT_EQ(model.actuators.size(), 1u);
+    EXPECT_EQ(model.actuators[0].name, "elbow");
+}
+
+TEST(Urdf, ReportsWhatItLeavesOutWithItsLine)
+{
+    const RobotModel model = load_robot(kModels + "/arm.urdf");
+    EXPECT_NE(report_of(model).find("ignored 40: <gazebo>"), std::string::npos) << report_of(model);
+    EXPECT_NE(report_of(model).find("'pedestal' has no mass: it is fixed to the world"), std::string::npos);
+    LoadOptions strict;
+    strict.strict = true;
+    EXPECT_TRUE(load_robot(kModels + "/arm.urdf", strict).has_errors());
+}
+
+TEST(Urdf, ForwardKinematicsIsThatOfATwoLinkArm)
+{
+    const RobotModel model = load_robot(kModels + "/arm.urdf");
+    std::vector<double> q = reference_positions(model);
+    q[0] = 0.3, q[1] = -0.7;
+    const Pose fore = forward_kinematics(model, q)[size_t(model.link_named("fore"))];
+    const Vec tip = fore * Vec{0.4, 0, 0};
+    // About y a positive angle turns x down.
+    EXPECT_NEAR(tip.x, 0.6 * std::cos(0.3) + 0.4 * std::cos(-0.4), 1e-12);
+    EXPECT_NEAR(tip.z, 0.5 - 0.6 * std::sin(0.3) - 0.4 * std::sin(-0.4), 1e-12);
+}
+
+TEST(Urdf, ScalesMeshes)
+{
+    const RobotModel model = load_robot(kModels + "/arm.urdf");
+    ASSERT_EQ(model.meshes.size(), 1u) << report_of(model);
+    EXPECT_EQ(model.meshes[0].vertices.size(), 8u);
+    EXPECT_EQ(model.meshes[0].triangles.size(), 12u);
+    EXPECT_NEAR(std::fabs(model.meshes[0].vertices[0].y), 0.05, 1e-12);
+}
+
+TEST(Mjcf, ClassesHandDownAndElementsOverride)
+{
+    const RobotModel model = load_robot(kModels + "/walker.xml");
+    ASSERT_FALSE(model.has_errors()) << report_of(model);
+    const Joint& hip = model.joints[size_t(model.joint_named("hip"))];
+    EXPECT_EQ(hip.damping, 0.4);
+    EXPECT_EQ(hip.armature, 0.02);
+    EXPECT_NEAR(hip.spring_reference, 5 * kPi / 180, 1e-15);
+    EXPECT_NEAR(hip.low, -kPi / 3, 1e-15);
+    EXPECT_TRUE(hip.limited);
+    EXPECT_EQ(hip.axis.y, 1);
+    const Joint& lift = model.joints[size_t(model.joint_named("lift"))];
+    EXPECT_EQ(lift.damping, 0.1);
+    EXPECT_EQ(lift.stiffness, 0);
+    EXPECT_EQ(link_of(model, "ball").shapes[0].friction, 0.9);
+}
+
+TEST(Mjcf, MassesComeFromGeoms)
+{
+    const RobotModel model = load_robot(kModels + "/walker.xml");
+    const Link& thigh = link_of(model, "thigh");
+    const double r = 0.04, l = 0.4, shaft = kPi * r * r * l * 1000, ball = 4 * kPi / 3 * r * r * r * 1000;
+    EXPECT_NEAR(thigh.mass, shaft + ball, 1e-9);
+    EXPECT_NEAR(thigh.centre.z, 0.2, 1e-12);
+    EXPECT_NEAR(thigh.inertia[2][2], shaft * r * r / 2 + 0.4 * ball * r * r, 1e-9);
+    const Link& foot = link_of(model, "foot");
+    EXPECT_NEAR(foot.mass, 2000 * 0.001, 1e-9);
+    EXPECT_NEAR(foot.inertia[0][0], foot.mass * 0.01 / 6, 1e-9);
+    EXPECT_NEAR(link_of(model, "tail").inertia[1][2], 0.0003, 1e-15);
+    EXPECT_NEAR(link_of(model, "trunk").mass, 4, 1e-12);
+}
+
+TEST(Mjcf, ReadsActuatorsTendonsEqualitiesAndKeys)
+{
+    const RobotModel model = load_robot(kModels + "/walker.xml");
+    EXPECT_EQ(model.coordinates, 15);
+    ASSERT_EQ(model.actuators.size(), 3u);
+    EXPECT_EQ(model.actuators[0].gear, 20);
+    EXPECT_EQ(model.actuators[0].high, 1);
+    EXPECT_EQ(model.actuators[1].bias_position, 1000);
+    EXPECT_EQ(model.actuators[1].bias_velocity, 10);
+    ASSERT_EQ(model.tendons.size(), 1u);
+    EXPECT_EQ(model.actuators[2].tendon, 0);
+    ASSERT_EQ(model.couplings.size(), 1u);
+    EXPECT_EQ(model.couplings[0].offset, 0.1);
+    EXPECT_EQ(model.couplings[0].terms[1].factor, -2);
+    ASSERT_EQ(model.starts.size(), 1u);
+    EXPECT_EQ(model.starts[0].positions.size(), 15u);
+    EXPECT_EQ(model.excluded.size(), 1u);
+    EXPECT_EQ(model.gravity.z, -10);
+}
+
+// The joint's value at the pose of the file is its reference.
+TEST(Mjcf, ReferenceIsTheCoordinateOfThePoseInTheFile)
+{
+    const RobotModel model = load_robot(kModels + "/walker.xml");
+    const std::vector<double> q = reference_positions(model);
+    EXPECT_NEAR(q[1], 10 * kPi / 180, 1e-15);
+    const Pose trunk = forward_kinematics(model, q)[size_t(model.link_named("trunk"))];
+    EXPECT_NEAR(trunk.p.z, 0.5, 1e-12);
+    EXPECT_NEAR(trunk.q.w, 1, 1e-12);
+    const Pose thigh = forward_kinematics(model, q)[size_t(model.link_named("thigh"))];
+    const Vec down = rotate(thigh.q, {0, 0, 1});
+    EXPECT_NEAR(down.x, 1, 1e-12);
+}
+
+TEST(Geometry, TurnsAndMatricesAgree)
+{
+    const Quat q = turn_of_rpy({0.3, -0.5, 1.2});
+    const Quat again = turn_of(matrix_of(q));
+    EXPECT_NEAR(std::fabs(q.w * again.w + q.x * again.x + q.y * again.y + q.z * again.z), 1, 1e-12);
+    const Vec x = rotate(turn_of_rpy({0, 0, kPi / 2}), {1, 0, 0});
+    EXPECT_NEAR(x.y, 1, 1e-12);
+    const Vec z = rotate(turn_of_z({0.3, -0.2, -0.9}), {0, 0, 1});
+    EXPECT_NEAR(cross(z, {0.3, -0.2, -0.9}).x, 0, 1e-12);
+    EXPECT_LT(z.z, 0);
+}
+
+TEST(Geometry, PrincipalMomentsAreThoseBeforeTheTurn)
+{
+    const Matrix turned = rotated({{{3, 0, 0}, {0, 1, 0}, {0, 0, 2}}}, turn_of_rpy({0.3, -0.5, 1.2}));
+    const auto m = principal_moments(turned);
+    EXPECT_NEAR(m[0], 1, 1e-12);
+    EXPECT_NEAR(m[1], 2, 1e-12);
+    EXPECT_NEAR(m[2], 3, 1e-12);
+}
+
+}  // namespace
