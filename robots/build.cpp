@@ -189,6 +189,7 @@ dJointID Robot::make_joint(dWorldID world, const Joint& joint, dBodyID child, dB
 // ODE's hinge has stops within half a turn; wider ones are those of a coupling, which counts turns.
 void Robot::set_limits(const Joint& joint, dJointID its) const
 {
+    if (!joint.limited && joint.kind == JointKind::kHinge) dJointSetAxisContinuous(its, 0, 1);
     if (!joint.limited) return;
     const double low = joint.low - joint.reference, high = joint.high - joint.reference;
     if (joint.kind == JointKind::kSlide) {

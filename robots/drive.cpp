@@ -52,6 +52,11 @@ void Robot::set_positions(const std::vector<double>& positions)
     const std::vector<Pose> poses = forward_kinematics(model(), positions);
     for (size_t i = 1; i < poses.size(); ++i)
         if (bodies_[i]) stop_at(bodies_[i], placement_ * poses[i] * Pose{model().links[i].centre, {}});
+    for (size_t i = 0; i < joints_.size(); ++i)  // turns count from here
+        if (joints_[i] && dJointGetAxisContinuous(joints_[i], 0)) {
+            dJointSetAxisContinuous(joints_[i], 0, 0);
+            dJointSetAxisContinuous(joints_[i], 0, 1);
+        }
     for (const Small& small : small_) {
         const Link& link = model().links[size_t(small.link)];
         std::vector<double> partial = positions;

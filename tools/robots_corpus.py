@@ -208,6 +208,84 @@ def judge_urdf(library, path, root, random):
     return found
 
 
+class Motion:
+    """Joints of a robot in our world and in MuJoCo's, without contacts and limits, under constant controls."""
+
+    SECONDS, STEP = 1.0, 1e-4
+
+    def __init__(self, library, ode):
+        self.library, self.ode = library, ode
+        for name in ("dWorldCreate", "dRobotGetJoint", "dRobotCreate"):
+            getattr(ode if name[:6] == "dWorld" else library, name).restype = ctypes.c_void_p
+        number, handle = ctypes.c_double, ctypes.c_void_p
+        ode.dWorldSetGravity.argtypes = [handle, number, number, number]
+        ode.dWorldStep.argtypes = [handle, number]
+        ode.dWorldDestroy.argtypes = [handle]
+        ode.dJointGetType.argtypes = [handle]
+        for name in ("dJointSetHingeParam", "dJointSetSliderParam"):
+            getattr(ode, name).argtypes = [handle, ctypes.c_int, number]
+        library.dRobotCreate.argtypes = [handle] * 5
+        library.dRobotGetJoint.argtypes = [handle, ctypes.c_int]
+        library.dRobotSetControl.argtypes = [handle, ctypes.c_int, number]
+        library.dRobotModelGetNumActuators.argtypes = [handle]
+        library.dRobotGetPositions.argtypes = [handle, handle, ctypes.c_int]
+        library.dRobotDestroy.argtypes = [handle]
+
+    def ours(self, path, root, gravity, controls):
+        model = Model(self.library, path, root)
+        world = self.ode.dWorldCreate()
+        self.ode.dWorldSetGravity(world, *gravity)
+        robot = self.library.dRobotCreate(world, None, model.handle, None, None)
+        for i in range(len(model.joints())):
+            joint = self.library.dRobotGetJoint(robot, i)
+            kind = joint and self.ode.dJointGetType(joint)
+            set_parameter = {2: self.ode.dJointSetHingeParam, 3: self.ode.dJointSetSliderParam}.get(kind)
+            if set_parameter:
+                set_parameter(joint, 0, -np.inf)
+                set_parameter(joint, 1, np.inf)
+        for i, control in enumerate(controls):
+            self.library.dRobotSetControl(robot, i, control)
+        for _ in range(round(self.SECONDS / self.STEP)):
+            self.ode.dWorldStep(world, self.STEP)
+        out = np.zeros(model.positions())
+        self.library.dRobotGetPositions(robot, out.ctypes.data, len(out))
+        self.library.dRobotDestroy(robot)
+        self.ode.dWorldDestroy(world)
+        model.close()
+        return out
+
+    def judge(self, path, root):
+        """The largest difference of a hinge, slider or position, and which."""
+        import mujoco
+        model = mujoco.MjModel.from_xml_path(str(path))
+        model.opt.timestep, model.opt.density, model.opt.viscosity = self.STEP, 0, 0
+        model.opt.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
+        model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT) | int(mujoco.mjtDisableBit.mjDSBL_LIMIT)
+        data = mujoco.MjData(model)
+        low, high = np.clip(model.actuator_ctrlrange.T, -1, 1)
+        controls = np.random.default_rng(3).uniform(0.2 * low, 0.2 * high)
+        data.ctrl[:] = controls
+        for _ in range(round(self.SECONDS / self.STEP)):
+            mujoco.mj_step(model, data)
+        mine = self.ours(path, root, model.opt.gravity, controls)
+        difference = np.abs(mine - data.qpos)
+        for joint in range(model.njnt):  # of quaternions either sign
+            at, kind = model.jnt_qposadr[joint], int(model.jnt_type[joint])
+            if kind == 3:  # a hinge that had stops does not count turns
+                turns = round((mine[at] - data.qpos[at]) / (2 * np.pi))
+                difference[at] = abs(mine[at] - data.qpos[at] - 2 * np.pi * turns)
+            for q in [at + 3] if kind == 0 else [at] if kind == 1 else []:
+                difference[q:q + 4] = min(np.abs(mine[q:q + 4] - data.qpos[q:q + 4]).max(), np.abs(mine[q:q + 4] + data.qpos[q:q + 4]).max())
+        return difference.max()
+
+
+def motions(library, ode):
+    root = pathlib.Path(site.getsitepackages()[0]) / "gymnasium/envs/mujoco/assets"
+    judge = Motion(library, ode)
+    for path in sorted(root.glob("*.xml")):
+        print(f"{path.name}: {judge.judge(path, root):.3g} rad or m after {Motion.SECONDS} s")
+
+
 def corpus(fast):
     """(package, root, file)."""
     packages = pathlib.Path(site.getsitepackages()[0])
@@ -240,10 +318,14 @@ def main():
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--fast", action="store_true")
     parser.add_argument("--only", default="")
+    parser.add_argument("--motion", action="store_true", help="one second of gymnasium's robots compared with MuJoCo's")
     arguments = parser.parse_args()
     library = load_library(arguments.library)
     handler = ctypes.CFUNCTYPE(None, ctypes.c_int, ctypes.c_char_p, ctypes.c_void_p)(lambda *_: None)
-    ctypes.CDLL(str(pathlib.Path(arguments.library).parent / "libode.so.8")).dSetMessageHandler(handler)
+    ode = ctypes.CDLL(str(pathlib.Path(arguments.library).parent / "libode.so.8"))
+    ode.dSetMessageHandler(handler)
+    if arguments.motion:
+        return motions(library, ode)
     counts, reasons, notes, differing = {}, collections.defaultdict(list), collections.Counter(), []
     for package, root, path, kind in corpus(arguments.fast):
         if arguments.only not in str(path):
