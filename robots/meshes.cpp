@@ -152,6 +152,45 @@ bool read_obj(const std::string& text, Mesh& mesh)
     return true;
 }
 
+// The mean place of the surface.
+Vec middle_of(const Mesh& mesh)
+{
+    Vec sum;
+    double area = 0;
+    for (const auto& t : mesh.triangles) {
+        const Vec a = mesh.vertices[t[0]], b = mesh.vertices[t[1]], c = mesh.vertices[t[2]];
+        const double its = length(cross(b - a, c - a)) / 2;
+        sum = sum + (its / 3) * (a + b + c);
+        area += its;
+    }
+    return area > 0 ? (1 / area) * sum : mesh.vertices[0];
+}
+
+struct Moments {
+    double volume = 0;
+    Vec first;
+    Matrix second{};
+};
+
+Moments moments_about(const Mesh& mesh, Vec inner)
+{
+    Moments out;
+    for (const auto& t : mesh.triangles) {
+        const Vec r[3] = {mesh.vertices[t[0]] - inner, mesh.vertices[t[1]] - inner,
+                          mesh.vertices[t[2]] - inner};
+        const Vec s = r[0] + r[1] + r[2];
+        double v = dot(r[0], cross(r[1], r[2])) / 6;
+        if (mesh.counts_folds) v = std::fabs(v);
+        out.volume += v;
+        out.first = out.first + (v / 4) * s;
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                out.second[size_t(i)][size_t(j)] +=
+                    v / 20 * (r[0][i] * r[0][j] + r[1][i] * r[1][j] + r[2][i] * r[2][j] + s[i] * s[j]);
+    }
+    return out;
+}
+
 }  // namespace
 
 bool read_mesh(const std::string& path, const std::string& bytes, Mesh& mesh, std::string& problem)
@@ -183,42 +222,22 @@ void scale_mesh(Mesh& mesh, Vec factors)
     if (factors.x * factors.y * factors.z < 0)
         for (auto& t : mesh.triangles) std::swap(t[1], t[2]);
 }
-
+// Twice: about the middle of the surface for the centre of mass, and about that for mass and inertia.
 bool solid_of(const Mesh& mesh, Solid& solid)
 {
     if (mesh.vertices.empty()) return false;
-    Vec inner;
-    for (Vec v : mesh.vertices) inner = inner + v;
-    inner = (1.0 / double(mesh.vertices.size())) * inner;
-    double volume = 0;
-    Vec first;
-    Matrix second{};
-    for (const auto& t : mesh.triangles) {
-        const Vec r[3] = {mesh.vertices[t[0]] - inner, mesh.vertices[t[1]] - inner,
-                          mesh.vertices[t[2]] - inner};
-        const Vec s = r[0] + r[1] + r[2];
-        const double v = dot(r[0], cross(r[1], r[2])) / 6;
-        volume += v;
-        first = first + (v / 4) * s;
-        for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j)
-                second[size_t(i)][size_t(j)] +=
-                    v / 20 * (r[0][i] * r[0][j] + r[1][i] * r[1][j] + r[2][i] * r[2][j] + s[i] * s[j]);
-    }
-    if (volume < 0) {  // inside out
-        volume = -volume, first = -first;
-        for (auto& row : second)
-            for (double& value : row) value = -value;
-    }
-    if (!(volume > 0) || !std::isfinite(volume)) return false;
-    const Vec c = (1 / volume) * first;
-    const double trace = second[0][0] + second[1][1] + second[2][2];
+    const Vec middle = middle_of(mesh);
+    const Moments rough = moments_about(mesh, middle);
+    if (rough.volume == 0 || !std::isfinite(rough.volume)) return false;
+    solid.centre = middle + (1 / rough.volume) * rough.first;
+    const Moments fine = moments_about(mesh, solid.centre);
+    const double sign = fine.volume < 0 ? -1 : 1;  // inside out
+    const Matrix& m = fine.second;
+    const double trace = m[0][0] + m[1][1] + m[2][2];
     for (size_t i = 0; i < 3; ++i)
-        for (size_t j = 0; j < 3; ++j) solid.inertia[i][j] = (i == j ? trace : 0) - second[i][j];
-    solid.inertia = solid.inertia + point_inertia(-volume, c);
-    solid.volume = volume;
-    solid.centre = inner + c;
-    return is_finite(solid.inertia);
+        for (size_t j = 0; j < 3; ++j) solid.inertia[i][j] = sign * ((i == j ? trace : 0) - m[i][j]);
+    solid.volume = sign * fine.volume;
+    return solid.volume > 0 && is_finite(solid.inertia);
 }
 
 }  // namespace epode::robots

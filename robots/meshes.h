@@ -13,7 +13,8 @@ bool read_mesh(const std::string& path, const std::string& bytes, Mesh& mesh, st
 // Factors of an odd number of mirrors turn the triangles round.
 void scale_mesh(Mesh& mesh, Vec factors);
 
-// What the triangles enclose, at density 1: about its centre. False where that is nothing.
+// What the triangles enclose, at density 1: about its centre. Where the mesh counts folds, as MuJoCo does unless it is
+// told otherwise, each pyramid from the middle of the surface counts as positive: for convex meshes it is the same. False where that is nothing.
 struct Solid {
     double volume = 0;
     Vec centre;

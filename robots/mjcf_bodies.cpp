@@ -210,6 +210,8 @@ int Mjcf::mesh_named(const std::string& name, const Element& where)
     }
     asset.mesh = reading_.mesh(asset.element, asset.file, folder_of(root_.file()), asset.scale, Note::kError);
     if (asset.mesh < 0) return -1;
+    const std::string inertia = asset.element.text("inertia");
+    model_.meshes[size_t(asset.mesh)].counts_folds = inertia.empty() || inertia == "legacy";
     const bool is_moved = length(asset.refpos) > 0 || asset.refquat.w != 1;
     if (is_moved)
         for (Vec& v : model_.meshes[size_t(asset.mesh)].vertices)

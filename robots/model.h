@@ -27,6 +27,7 @@ struct Mesh {
     std::string path;
     std::vector<Vec> vertices;  // scaled
     std::vector<std::array<std::uint32_t, 3>> triangles;
+    bool counts_folds = false;  // its volume is the sum of all pyramids' sizes, inward ones too
 };
 
 struct Shape {

@@ -116,7 +116,7 @@ class Differences:
             self.worst, self.what = value, what
 
     def masses(self, name, mine, mass, centre, inertia):
-        self.add(abs(mine.mass - mass) / max(mass, 1e-9), f"mass of {name}: {mine.mass:.9g}, {mass:.9g}")
+        self.add(abs(mine.mass - mass) / max(mass, 1e-5), f"mass of {name}: {mine.mass:.9g}, {mass:.9g}")
         if mass < 1e-9:
             return
         self.add(np.abs(np.array(mine.centre)[:3] - centre).max(), f"centre of {name}: {np.array(mine.centre)[:3]}, {centre}")
