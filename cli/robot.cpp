@@ -12,6 +12,7 @@
 #include "cli/console.h"
 #include "cli/plan.h"
 #include "scenes/build.h"
+#include "scenes/extensions.h"
 
 #ifdef EPODE_HAVE_ROBOTS
 #include "robots/build.h"
@@ -199,6 +200,10 @@ bool offer_robot(const std::string& what, std::string& problem)
 {
     const bool is_robot = what.ends_with(".urdf") || what.ends_with(".xml") || what.ends_with(".mjcf");
     if (!is_robot) return true;
+    if (!scenes::has_managed_contacts()) {
+        problem = scenes::loaded_library() + " has no drives, hulls and couplings, of which robots are made";
+        return false;
+    }
     RobotModel model = robots::load_robot(what);
     for (const robots::ReportLine& line : model.report)
         if (line.note == robots::Note::kError)

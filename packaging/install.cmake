@@ -5,6 +5,7 @@
 #   include/ode/*.h   lib/libode.so.8 and libode_single.so.8 with their links, or libode.a and libode_single.a
 #   lib/pkgconfig/ode.pc, ode-single.pc
 #   lib/cmake/ode     bin/ode-config, bin/epode    share/epode/replay.html     share/doc/epode
+#   include/epode/robots.h   lib/libepode_robots.so, where pugixml is there
 #   include/drawstuff/*.h   lib/libdrawstuff.a   lib/pkgconfig/drawstuff.pc, where drawstuff is built (ODE::drawstuff in lib/cmake/ode)
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -78,6 +79,13 @@ if(TARGET epode)
   endif()
   # The replay page's template is there when record/page/build has made it; without it `epode --html` says so.
   install(FILES ${PROJECT_SOURCE_DIR}/build/page/replay.html DESTINATION share/epode OPTIONAL)
+endif()
+
+# libepode_robots and its header: link with -lepode_robots.
+if(TARGET epode_robots)
+  set_target_properties(epode_robots PROPERTIES INSTALL_RPATH "$ORIGIN")
+  install(FILES ${PROJECT_SOURCE_DIR}/include/epode/robots.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/epode)
+  install(TARGETS epode_robots LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endif()
 
 if(TARGET drawstuff)

@@ -5,13 +5,13 @@
 // smaller root of t^2 + 2 t theta - 1 = 0 with theta = (a_qq - a_pp) / (2 a_pq).
 #include "robots/geometry.h"
 
-#include <ode/rotation.h>
-
 #include <algorithm>
 
 namespace epode::robots {
 
 namespace {
+
+constexpr double kTurn = 6.283185307179586476925;
 
 // Makes the element (p, q) of a zero.
 void jacobi_rotate(Matrix& a, size_t p, size_t q)
@@ -27,6 +27,22 @@ void jacobi_rotate(Matrix& a, size_t p, size_t q)
     for (size_t k = 0; k < 3; ++k) {
         const double pk = a[p][k], qk = a[q][k];
         a[p][k] = c * pk - s * qk, a[q][k] = s * pk + c * qk;
+    }
+}
+
+// By the series of an eighth of the angle, doubled three times: s' = 2 s c, c' = 1 - 2 s^2.
+void sine_and_cosine(double angle, double& s, double& c)
+{
+    const double x = std::remainder(angle, kTurn) / 8, x2 = x * x;
+    double term = x;
+    s = 0, c = 1;
+    for (int k = 2; k <= 16; k += 2) {
+        s += term;
+        term *= -x2 / (k * (k + 1));
+    }
+    for (int i = 0; i < 3; ++i) {
+        const double half = s, cosine = i == 0 ? std::sqrt(1 - half * half) : c;
+        s = 2 * half * cosine, c = 1 - 2 * half * half;
     }
 }
 
@@ -47,11 +63,11 @@ Vec rotate(Quat q, Vec v)
 
 Quat turn(Vec axis, double angle)
 {
-    dQuaternion q;
     const double n = length(axis);
     if (!(n > 0) || !std::isfinite(n) || !std::isfinite(angle)) return {};
-    dQFromAxisAndAngle(q, dReal(axis.x / n), dReal(axis.y / n), dReal(axis.z / n), dReal(angle));
-    return normalised({double(q[0]), double(q[1]), double(q[2]), double(q[3])});
+    double s, c;
+    sine_and_cosine(angle / 2, s, c);
+    return normalised({c, s * axis.x / n, s * axis.y / n, s * axis.z / n});
 }
 
 Quat turn_of_rpy(Vec rpy) { return turn({0, 0, 1}, rpy.z) * turn({0, 1, 0}, rpy.y) * turn({1, 0, 0}, rpy.x); }

@@ -2,8 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Vectors, turns and poses of a robot's tree, in double precision whatever the library's. A pose (p, q) takes a
-// point x of its frame to q x q* + p. Turns come from ODE's own trigonometry (dQFromAxisAndAngle), so a model has
-// the same bits on every machine.
+// point x of its frame to q x q* + p. Sines are series of our own, so a model has the same bits on every machine.
 #pragma once
 
 #include <array>

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+#
+# robot_test.sh PROGRAM MODELS: robots' files on the command line.
+set -uo pipefail
+program=$1
+models=$2
+source "$(dirname "$0")/harness.sh"
+
+expect 0 robot check "$models/arm.urdf"
+has out "^URDF 'arm': 4 links, 4 joints, 4 coordinates"
+has out "arm.urdf:40: ignored: <gazebo> in <robot>"
+expect 1 robot check --strict "$models/arm.urdf"
+has out "arm.urdf:40: error: <gazebo>"
+expect 0 robot check --json "$models/walker.xml"
+has out '"format": "MJCF"'
+[[ $(number coordinates) == 15 ]] || fail "a walker has 15 coordinates"
+expect 1 robot check "$models/none.urdf"
+has out "none.urdf' is no file"
+expect 1 run "$models/meshes/none.urdf"
+expect 0 run "$models/arm.urdf" --steps 20 --json --quiet
+expect 0 record "$models/fourbar.xml" --steps 20 --quiet -o "$work/fourbar.epr"
+expect 0 inspect "$work/fourbar.epr"
+# The demo stands up: its trunk comes to the height of its legs.
+expect 0 run "$models/../../../demos/robots/quadruped.xml" --seconds 3 --quiet --trace "$work/trace.csv"
+height=$(tail -n 1 "$work/trace.csv" | cut -d, -f11)
+holds "$height > 0.325 && $height < 0.34"
+expect 2 robot
+expect 2 robot check
+finish
