@@ -11,6 +11,7 @@
 #include <new>
 
 #include "robots/build.h"
+#include "robots/kinematics.h"
 #include "robots/load.h"
 
 using epode::robots::Pose;
@@ -135,6 +136,15 @@ int copy_positions(const std::vector<double>& from, dReal* to, int capacity)
 
 std::vector<double> doubles_of(const dReal* values, int count) { return {values, values + count}; }
 
+bool can_compute(dRobotModelID model, const dReal* positions)
+{
+    if (!model || model->model.has_errors()) return false;
+    const int count = model->model.coordinates;
+    return count == 0 || (positions && are_finite(positions, count));
+}
+
+constexpr const char* kPositions =
+    "a model without errors, its finite positions, a capacity of 0 or more, and an array unless it is 0";
 constexpr const char* kArray = "a model, a capacity of 0 or more, and an array unless it is 0";
 
 }  // namespace
@@ -266,6 +276,54 @@ int dRobotModelGetPoses(dRobotModelID model, const dReal* positions, int count, 
             for (int k = 0; k < 7; ++k) poses[7 * i + k] = dReal(values[k]);
         }
         return int(all.size());
+    });
+}
+
+int dRobotModelGetNumVelocities(dRobotModelID model)
+{
+    CHECK(model, "a model");
+    return epode::robots::number_of_velocities(model->model);
+}
+
+int dRobotModelGetJacobian(dRobotModelID model, const dReal* positions, int link, const dReal* point,
+                           dReal* jacobian, int capacity)
+{
+    CHECK(can_compute(model, positions) && capacity >= 0 && (jacobian || capacity == 0), kPositions);
+    CHECK(link >= 0 && link < int(model->model.links.size()) && (!point || are_finite(point, 3)),
+          "the number of a link and a finite point");
+    return guarded(__func__, [&] {
+        epode::robots::Vec place;
+        for (int i = 0; point && i < 3; ++i) place[i] = double(point[i]);
+        const auto q = doubles_of(positions, model->model.coordinates);
+        return copy_positions(epode::robots::jacobian(model->model, q, link, place), jacobian, capacity);
+    });
+}
+
+int dRobotModelGetMassMatrix(dRobotModelID model, const dReal* positions, dReal* matrix, int capacity)
+{
+    CHECK(can_compute(model, positions) && capacity >= 0 && (matrix || capacity == 0), kPositions);
+    return guarded(__func__, [&] {
+        const auto q = doubles_of(positions, model->model.coordinates);
+        return copy_positions(epode::robots::mass_matrix(model->model, q), matrix, capacity);
+    });
+}
+
+int dRobotModelGetInverseDynamics(dRobotModelID model, const dReal* positions, const dReal* velocities,
+                                  const dReal* accelerations, dReal* forces, int capacity)
+{
+    CHECK(can_compute(model, positions) && capacity >= 0 && (forces || capacity == 0), kPositions);
+    const int count = epode::robots::number_of_velocities(model->model);
+    CHECK((!velocities || are_finite(velocities, count)) &&
+              (!accelerations || are_finite(accelerations, count)),
+          "finite velocities and accelerations, or NULL");
+    return guarded(__func__, [&] {
+        const std::vector<double> zeros(size_t(count), 0);
+        const auto q = doubles_of(positions, model->model.coordinates);
+        return copy_positions(
+            epode::robots::inverse_dynamics(
+                model->model, q, velocities ? doubles_of(velocities, count) : zeros,
+                accelerations ? doubles_of(accelerations, count) : zeros, model->model.gravity),
+            forces, capacity);
     });
 }
 

@@ -105,17 +105,19 @@ std::vector<double> reference_positions(const RobotModel& model)
     return q;
 }
 
+Pose moved_by(const Joint& joint, const Pose& pose, const std::vector<double>& positions)
+{
+    const Pose motion = motion_of(joint, &positions[size_t(joint.position)]);
+    return joint.kind == JointKind::kFree ? motion : pose * motion;
+}
+
 std::vector<Pose> forward_kinematics(const RobotModel& model, const std::vector<double>& positions)
 {
     std::vector<Pose> poses(model.links.size());
     for (size_t i = 1; i < model.links.size(); ++i) {
         const Link& link = model.links[i];
         Pose pose = poses[size_t(link.parent)] * link.pose;
-        for (int number : link.joints) {
-            const Joint& joint = model.joints[size_t(number)];
-            const Pose motion = motion_of(joint, &positions[size_t(joint.position)]);
-            pose = joint.kind == JointKind::kFree ? motion : pose * motion;
-        }
+        for (int number : link.joints) pose = moved_by(model.joints[size_t(number)], pose, positions);
         pose.q = normalised(pose.q);
         poses[i] = pose;
     }

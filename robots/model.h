@@ -172,6 +172,8 @@ struct RobotModel {
 // Coordinates of all joints at the reference position; then, link by link, poses in the world.
 std::vector<double> reference_positions(const RobotModel& model);
 std::vector<Pose> forward_kinematics(const RobotModel& model, const std::vector<double>& positions);
+// Where a joint takes its link from a pose.
+Pose moved_by(const Joint& joint, const Pose& pose, const std::vector<double>& positions);
 // Numbers the coordinates, after joints were added or removed.
 void number_coordinates(RobotModel& model);
 

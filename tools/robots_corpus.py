@@ -77,6 +77,16 @@ class Model:
     def positions(self):
         return self.library.dRobotModelGetNumPositions(self.handle)
 
+    def numbers(self, function, q, *more):
+        """What a function writes to an array at its end."""
+        pointer, its = ctypes.c_void_p, getattr(self.library, f"dRobotModelGet{function}")
+        q = np.ascontiguousarray(q, dtype=float)
+        arguments = [pointer(self.handle), pointer(q.ctypes.data)] + [
+            pointer(one.ctypes.data) if isinstance(one, np.ndarray) else pointer(None) if one is None else ctypes.c_int(one) for one in more]
+        out = np.zeros(its(*arguments, pointer(None), 0))
+        its(*arguments, pointer(out.ctypes.data), len(out))
+        return out
+
     def close(self):
         self.library.dRobotModelDestroy(self.handle)
 
@@ -123,14 +133,28 @@ class Differences:
         size = max(np.abs(inertia).max(), 1e-12)
         self.add(np.abs(inertia_of(mine) - inertia).max() / size, f"inertia of {name}: {inertia_of(mine).tolist()}, {inertia.tolist()}")
 
+    def numbers(self, name, mine, theirs):
+        self.add(np.abs(mine - theirs).max(initial=0) / max(1e-3, np.abs(theirs).max(initial=0)), f"{name}: {mine}, {theirs}")
+
     def pose(self, name, mine, position, rotation):
         self.add(np.abs(mine[:3] - position).max(), f"position of {name}: {mine[:3]}, {position}")
         self.add(np.abs(matrix(mine[3:]) - rotation).max(), f"rotation of {name}")
 
 
+class Refusal(Exception):
+    """The judge does not read the file: it is not a complete model."""
+
+
+def by_judge(action):
+    try:
+        return action()
+    except Exception as problem:
+        raise Refusal(str(problem).splitlines()[0][:150]) from problem
+
+
 def judge_mjcf(library, path, root, random):
     import mujoco
-    model = mujoco.MjModel.from_xml_path(str(path))
+    model = by_judge(lambda: mujoco.MjModel.from_xml_path(str(path)))
     data = mujoco.MjData(model)
     mine = Model(library, path, root, keep_fixed=1, repair=1)
     found = Differences()
@@ -149,7 +173,15 @@ def judge_mjcf(library, path, root, random):
             quaternion = {0: at + 3, 1: at}.get(int(kind))
             if quaternion is not None:
                 data.qpos[quaternion:quaternion + 4] /= np.linalg.norm(data.qpos[quaternion:quaternion + 4])
-        mujoco.mj_kinematics(model, data)
+        data.qvel[:] = random.normal(size=model.nv)
+        mujoco.mj_forward(model, data)
+        full, linear, angular = np.zeros((model.nv, model.nv)), np.zeros((3, model.nv)), np.zeros((3, model.nv))
+        for i, unit in enumerate(np.eye(model.nv)):
+            mujoco.mj_mulM(model, data, full[i], unit)
+        mujoco.mj_jacBody(model, data, linear, angular, model.nbody - 1)
+        found.numbers("mass matrix", mine.numbers("MassMatrix", data.qpos), full.ravel())
+        found.numbers("bias forces", mine.numbers("InverseDynamics", data.qpos, np.array(data.qvel), None), data.qfrc_bias)
+        found.numbers("Jacobian", mine.numbers("Jacobian", data.qpos, model.nbody - 1, None), np.vstack([linear, angular]).ravel())
         poses = mine.poses(data.qpos)
         for i, link in enumerate(links):
             found.pose(link.name.decode(), poses[i], data.xpos[i], data.xmat[i].reshape(3, 3))
@@ -175,7 +207,7 @@ def pinocchio_positions(model, joints, q):
 
 def judge_urdf(library, path, root, random):
     import pinocchio
-    model = pinocchio.buildModelFromUrdf(str(path))
+    model = by_judge(lambda: pinocchio.buildModelFromUrdf(str(path)))
     data = model.createData()
     found = Differences()
     merged = Model(library, path, root, fixed_base=1, repair=1, missing_mass=1e-12)
@@ -190,6 +222,19 @@ def judge_urdf(library, path, root, random):
         its = model.inertias[model.getJointId(name)]
         if not any(f"'{links[joint.link].name.decode()}'" in text for text in mended):
             found.masses(name, links[joint.link], its.mass, its.lever, its.inertia)
+    joints = merged.joints()
+    if all(joint.kind < 2 for joint in joints) and not mended:
+        order = [model.joints[model.getJointId(joint.name.decode())].idx_v for joint in joints]
+        for _ in range(POSES):
+            q, v, a = random.normal(size=(3, len(joints)))
+            theirs = pinocchio_positions(model, joints, q)
+            full = pinocchio.crba(model, data, theirs)
+            full = np.triu(full) + np.triu(full, 1).T
+            found.numbers("mass matrix", merged.numbers("MassMatrix", q), full[np.ix_(order, order)].ravel())
+            velocity, acceleration = np.zeros(model.nv), np.zeros(model.nv)
+            velocity[order], acceleration[order] = v, a
+            forces = pinocchio.rnea(model, data, theirs, velocity, acceleration)[order]
+            found.numbers("inverse dynamics", merged.numbers("InverseDynamics", q, v.copy(), a.copy()), forces)
     names = [link.name.decode() for link in whole.links()]
     for _ in range(POSES):
         q = random.uniform(-3, 3, size=whole.positions())
@@ -334,9 +379,9 @@ def main():
         row = counts.setdefault((package, kind), collections.Counter())
         try:
             found = (judge_mjcf if kind == "MJCF" else judge_urdf)(library, path, root, random)
-        except Exception as problem:  # the judge refuses the file: it is not a complete model
+        except Refusal as problem:
             row["no judge"] += 1
-            print(f"{path}: the judge refuses: {str(problem).splitlines()[0][:150]}")
+            print(f"{path}: the judge refuses: {problem}")
             continue
         mine = Model(library, path, root)
         row["files"] += 1

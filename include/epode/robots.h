@@ -147,6 +147,44 @@ ODE_API int dRobotModelGetStart(dRobotModelID model, int number, dReal* position
 ODE_API int dRobotModelGetPoses(dRobotModelID model, const dReal* positions, int count, dReal* poses,
                                 int capacity);
 
+/** @chapter robot_dynamics Kinematics and dynamics of a model
+
+    What a controller computes of a model, without a world. Couplings and loops do not count. Velocities are
+    one of a hinge (rad/s) or slider (m/s), three of a ball, its angular velocity in the link's axes, and six
+    of a free joint: the velocity of the link's origin in the world's axes, then the angular velocity in the
+    link's.
+
+    Arguments:
+    - model: a model.
+    - positions: as many coordinates as dRobotModelGetNumPositions.
+    - capacity: how many elements the array has, 0 or more; 0 to ask for the number alone, the array may then
+      be null.
+
+    Refused: a model that is 0 or has errors; null pointers; numbers that are not finite; a negative
+    capacity; what each function names. Nothing changes then, and the answer is 0. */
+
+/** Returns how many velocities the joints of the model have. [ours] */
+ODE_API int dRobotModelGetNumVelocities(dRobotModelID model);
+
+/** Writes the Jacobian of a point of a link (in its frame, m; NULL: its origin) to jacobian: six rows, linear
+    then angular, in the world's axes, each of as many reals as there are velocities. At most capacity reals
+    are written. Returns how many there are. Refused: no such link. [ours] */
+ODE_API int dRobotModelGetJacobian(dRobotModelID model, const dReal* positions, int link, const dReal* point,
+                                   dReal* jacobian, int capacity);
+
+/** Writes the mass matrix to matrix, row by row, rotor inertias on its diagonal. At most capacity reals are
+    written. Returns how many there are: the square of the number of velocities. [ours] */
+ODE_API int dRobotModelGetMassMatrix(dRobotModelID model, const dReal* positions, dReal* matrix,
+                                     int capacity);
+
+/** Writes to forces what gives the accelerations at these velocities, against the file's gravity: a force, N
+    or N m, for each velocity. Springs, dampers and friction are not in it. velocities and accelerations may
+    be NULL: zeros; both NULL: gravity compensation. At most capacity reals are written. Returns how many
+    there are. [ours] */
+ODE_API int dRobotModelGetInverseDynamics(dRobotModelID model, const dReal* positions,
+                                          const dReal* velocities, const dReal* accelerations, dReal* forces,
+                                          int capacity);
+
 /** @chapter robots Robots in worlds
 
     A robot is the bodies, joints and geoms that a model became in a world. The program may use all of them

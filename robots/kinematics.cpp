@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See kinematics.h. A twist (w, v) has v at the world's origin; a velocity's direction is a twist S, of a hinge
+// (a, p x a), of a slider (0, a). Down the tree
+//     V = V_parent + S q',    A = A_parent + S q'' + V x (S q'),    (w, v) x (a, b) = (w x a, w x b + v x a),
+// where a free joint's linear part does not turn and adds nothing to the last term. A link's centre c then has
+// the acceleration  A_v + A_w x c + w x (v + w x c), and Newton's and Euler's laws give the wrench that goes up the tree.
+// (Featherstone, Rigid Body Dynamics Algorithms, 2008, chapter 5.)
+#include "robots/kinematics.h"
+
+namespace epode::robots {
+
+namespace {
+
+struct Twist {
+    Vec w, v;
+};
+
+Twist operator+(Twist a, Twist b) { return {a.w + b.w, a.v + b.v}; }
+Twist operator*(double s, Twist a) { return {s * a.w, s * a.v}; }
+Twist cross(Twist a, Twist b) { return {cross(a.w, b.w), cross(a.w, b.v) + cross(a.v, b.w)}; }
+
+Vec apply(const Matrix& m, Vec v)
+{
+    return {m[0][0] * v.x + m[0][1] * v.y + m[0][2] * v.z, m[1][0] * v.x + m[1][1] * v.y + m[1][2] * v.z,
+            m[2][0] * v.x + m[2][1] * v.y + m[2][2] * v.z};
+}
+
+// About an axis through a point.
+Twist about(Vec axis, Vec point) { return {axis, cross(point, axis)}; }
+
+// Of every velocity the direction at these positions, joint by joint; and the links' poses.
+struct Directions {
+    std::vector<Pose> poses;
+    std::vector<Twist> twists;
+    std::vector<int> first;  // velocity of each joint
+};
+
+// A joint's axis stands where the joints up to it have taken it: their later ones at the reference.
+Pose pose_after(const RobotModel& model, const Link& link, size_t joints, const std::vector<Pose>& poses,
+                const std::vector<double>& positions)
+{
+    Pose pose = poses[size_t(link.parent)] * link.pose;
+    for (size_t k = 0; k < joints; ++k)
+        pose = moved_by(model.joints[size_t(link.joints[k])], pose, positions);
+    return pose;
+}
+
+Directions directions(const RobotModel& model, const std::vector<double>& positions)
+{
+    Directions out;
+    out.poses = forward_kinematics(model, positions);
+    int count = 0;
+    for (const Joint& joint : model.joints) {
+        out.first.push_back(count);
+        count += velocities_of(joint);
+    }
+    out.twists.resize(size_t(count));
+    for (const Link& link : model.links)
+        for (size_t k = 0; k < link.joints.size(); ++k) {
+            const size_t number = size_t(link.joints[k]);
+            const Joint& joint = model.joints[number];
+            const Pose& whole = out.poses[size_t(joint.link)];
+            const Pose here =
+                joint.kind == JointKind::kFree ? whole : pose_after(model, link, k + 1, out.poses, positions);
+            Twist* its = &out.twists[size_t(out.first[number])];
+            if (joint.kind == JointKind::kHinge)
+                *its = about(rotate(here.q, joint.axis), here * joint.anchor);
+            if (joint.kind == JointKind::kSlide) *its = {{}, rotate(here.q, joint.axis)};
+            if (joint.is_scalar()) continue;
+            const bool is_free = joint.kind == JointKind::kFree;
+            const Vec centre = is_free ? whole.p : here * joint.anchor;
+            for (int i = 0; i < 3; ++i) {
+                Vec e;
+                e[i] = 1;
+                if (is_free) its[i] = {{}, e};
+                its[is_free ? 3 + i : i] = about(rotate(whole.q, e), centre);
+            }
+        }
+    return out;
+}
+
+}  // namespace
+
+int velocities_of(const Joint& joint)
+{
+    return joint.kind == JointKind::kFree ? 6 : joint.kind == JointKind::kBall ? 3 : 1;
+}
+
+int number_of_velocities(const RobotModel& model)
+{
+    int count = 0;
+    for (const Joint& joint : model.joints) count += velocities_of(joint);
+    return count;
+}
+
+std::vector<double> jacobian(const RobotModel& model, const std::vector<double>& positions, int link,
+                             Vec point)
+{
+    const Directions all = directions(model, positions);
+    const size_t n = all.twists.size();
+    std::vector<double> out(6 * n, 0);
+    const Vec place = all.poses[size_t(link)] * point;
+    for (; link > 0; link = model.links[size_t(link)].parent)
+        for (int joint : model.links[size_t(link)].joints)
+            for (int i = 0; i < velocities_of(model.joints[size_t(joint)]); ++i) {
+                const size_t column = size_t(all.first[size_t(joint)] + i);
+                const Twist& s = all.twists[column];
+                const Vec linear = s.v + cross(s.w, place);
+                for (int row = 0; row < 3; ++row) {
+                    out[size_t(row) * n + column] = linear[row];
+                    out[size_t(row + 3) * n + column] = s.w[row];
+                }
+            }
+    return out;
+}
+
+std::vector<double> inverse_dynamics(const RobotModel& model, const std::vector<double>& positions,
+                                     const std::vector<double>& velocities,
+                                     const std::vector<double>& accelerations, Vec gravity)
+{
+    const Directions all = directions(model, positions);
+    const size_t count = model.links.size();
+    std::vector<Twist> velocity(count), acceleration(count),
+        wrench(count);  // of a wrench: torque at the origin, force
+    for (size_t i = 1; i < count; ++i) {
+        const Link& link = model.links[i];
+        Twist v = velocity[size_t(link.parent)], a = acceleration[size_t(link.parent)];
+        for (int number : link.joints) {
+            const Joint& joint = model.joints[size_t(number)];
+            Twist turning;
+            for (int k = 0; k < velocities_of(joint); ++k) {
+                const size_t d = size_t(all.first[size_t(number)] + k);
+                v = v + velocities[d] * all.twists[d];
+                a = a + accelerations[d] * all.twists[d];
+                if (joint.kind != JointKind::kFree || k >= 3)
+                    turning = turning + velocities[d] * all.twists[d];
+            }
+            a = a + cross(v, turning);
+        }
+        velocity[i] = v, acceleration[i] = a;
+        const Vec c = all.poses[i] * link.centre;
+        const Vec of_centre = a.v + cross(a.w, c) + cross(v.w, v.v + cross(v.w, c)) - gravity;
+        const Matrix tensor = rotated(link.inertia, all.poses[i].q);
+        const Vec force = link.mass * of_centre;
+        wrench[i] = {apply(tensor, a.w) + cross(v.w, apply(tensor, v.w)) + cross(c, force), force};
+    }
+    std::vector<double> out(all.twists.size(), 0);
+    for (size_t i = count; i-- > 1;) {
+        const Link& link = model.links[i];
+        for (int number : link.joints)
+            for (int k = 0; k < velocities_of(model.joints[size_t(number)]); ++k) {
+                const size_t d = size_t(all.first[size_t(number)] + k);
+                out[d] = dot(all.twists[d].w, wrench[i].w) + dot(all.twists[d].v, wrench[i].v) +
+                         model.joints[size_t(number)].armature * accelerations[d];
+            }
+        wrench[size_t(link.parent)] = wrench[size_t(link.parent)] + wrench[i];
+    }
+    return out;
+}
+
+// A column is what a unit acceleration takes, at rest and without gravity.
+std::vector<double> mass_matrix(const RobotModel& model, const std::vector<double>& positions)
+{
+    const size_t n = size_t(number_of_velocities(model));
+    std::vector<double> out(n * n), unit(n, 0);
+    const std::vector<double> rest(n, 0);
+    for (size_t j = 0; j < n; ++j) {
+        unit[j] = 1;
+        const std::vector<double> column = inverse_dynamics(model, positions, rest, unit, {});
+        for (size_t i = 0; i < n; ++i) out[i * n + j] = column[i];
+        unit[j] = 0;
+    }
+    return out;
+}
+
+}  // namespace epode::robots

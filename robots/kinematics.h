@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Jacobians, mass matrix and inverse dynamics of a model's tree, without a world. Couplings and loops do not count.
+// Velocities: one of a hinge or slider; three of a ball, its angular velocity in the link's axes; six of a free joint,
+// the velocity of the link's origin in the world's axes, then the angular velocity in the link's.
+#pragma once
+
+#include "robots/model.h"
+
+namespace epode::robots {
+
+int velocities_of(const Joint& joint);
+int number_of_velocities(const RobotModel& model);
+
+// Six rows, linear then angular, of as many numbers as there are velocities, in the world's axes: of the point of a link,
+// given in the link's frame.
+std::vector<double> jacobian(const RobotModel& model, const std::vector<double>& positions, int link,
+                             Vec point);
+
+// The forces along the velocities' directions that give the accelerations, against gravity, with rotor inertias, without
+// springs, dampers and friction.
+std::vector<double> inverse_dynamics(const RobotModel& model, const std::vector<double>& positions,
+                                     const std::vector<double>& velocities,
+                                     const std::vector<double>& accelerations, Vec gravity);
+// Square, row by row; rotor inertias on its diagonal.
+std::vector<double> mass_matrix(const RobotModel& model, const std::vector<double>& positions);
+
+}  // namespace epode::robots
