@@ -1,62 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The C functions of epode/robots.h. Each checks its arguments, sends one message for what it refuses, and lets
-// nothing that is thrown pass.
+// The C functions of models and robots: see api.h.
 #include "epode/robots.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <new>
 
-#include "robots/build.h"
+#include "robots/api.h"
 #include "robots/kinematics.h"
 #include "robots/load.h"
 
-using epode::robots::Pose;
-using epode::robots::RobotModel;
-
-struct dxRobotModel {
-    RobotModel model;
-    std::shared_ptr<const epode::robots::Prepared> prepared;  // made for the first robot
-};
-
-struct dxRobot {
-    std::unique_ptr<epode::robots::Robot> robot;
-};
+using namespace epode::robots;
 
 namespace {
-
-// False after a message: what was refused and what would be accepted.
-bool check(bool good, const char* function, const char* wanted)
-{
-    if (!good) dMessage(d_ERR_UNKNOWN, "%s: refused; wanted: %s", function, wanted);
-    return good;
-}
-
-#define CHECK(good, wanted)                            \
-    do {                                               \
-        if (!check(good, __func__, wanted)) return {}; \
-    } while (false)
-
-template <class Action>
-auto guarded(const char* function, Action&& action) -> decltype(action())
-{
-    try {
-        return action();
-    } catch (const std::bad_alloc&) {
-        dMessage(d_ERR_UNKNOWN, "%s: out of memory", function);
-    } catch (const std::exception& error) {
-        dMessage(d_ERR_UNKNOWN, "%s: %s", function, error.what());
-    }
-    return {};
-}
-
-bool are_finite(const dReal* values, int count)
-{
-    return std::all_of(values, values + count, [](dReal value) { return std::isfinite(value); });
-}
 
 std::vector<std::string> folders_of(const char* roots)
 {
@@ -126,21 +82,6 @@ dRobotJoint joint_of(const epode::robots::Joint& joint)
     out.low = real_of(joint.low), out.high = real_of(joint.high);
     out.max_force = real_of(joint.max_force), out.max_velocity = real_of(joint.max_velocity);
     return out;
-}
-
-int copy_positions(const std::vector<double>& from, dReal* to, int capacity)
-{
-    for (int i = 0; i < std::min(capacity, int(from.size())); ++i) to[i] = dReal(from[size_t(i)]);
-    return int(from.size());
-}
-
-std::vector<double> doubles_of(const dReal* values, int count) { return {values, values + count}; }
-
-bool can_compute(dRobotModelID model, const dReal* positions)
-{
-    if (!model || model->model.has_errors()) return false;
-    const int count = model->model.coordinates;
-    return count == 0 || (positions && are_finite(positions, count));
 }
 
 constexpr const char* kPositions =

@@ -70,6 +70,19 @@ Quat turn(Vec axis, double angle)
     return normalised({c, s * axis.x / n, s * axis.y / n, s * axis.z / n});
 }
 
+// Halved until asin's series is short: cos(a/2) = sqrt((1 + cos a) / 2), sin(a/2) = sin a / (2 cos(a/2)).
+double angle_of(Quat q)
+{
+    double c = std::fabs(q.w), s = length({q.x, q.y, q.z});
+    double scale = 2;
+    for (int i = 0; i < 6; ++i) {
+        c = std::sqrt((1 + c) / 2);
+        s /= 2 * c, scale *= 2;
+    }
+    const double x2 = s * s;
+    return scale * s * (1 + x2 * (1.0 / 6 + x2 * (3.0 / 40 + x2 * (15.0 / 336 + x2 * 105.0 / 3456))));
+}
+
 Quat turn_of_rpy(Vec rpy) { return turn({0, 0, 1}, rpy.z) * turn({0, 1, 0}, rpy.y) * turn({1, 0, 0}, rpy.x); }
 
 // With u the unit direction, q = (1 + u_z, z x u) normalised; opposite to z it is half a turn about x.

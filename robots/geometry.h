@@ -46,6 +46,8 @@ Quat normalised(Quat q);
 Vec rotate(Quat q, Vec v);
 // The axis need not be of unit length; one of no length gives no turn.
 Quat turn(Vec axis, double angle);
+// The angle of a turn, 0 ... pi.
+double angle_of(Quat q);
 // Fixed axes x, y, z in that order: URDF's rpy.
 Quat turn_of_rpy(Vec rpy);
 // The shortest turn that takes z to the direction.

@@ -95,6 +95,39 @@ int number_of_velocities(const RobotModel& model)
     return count;
 }
 
+std::vector<double> moved_positions(const RobotModel& model, const std::vector<double>& positions,
+                                    const std::vector<double>& velocities)
+{
+    std::vector<double> out = positions;
+    const double* its = velocities.data();
+    for (const Joint& joint : model.joints) {
+        double* q = &out[size_t(joint.position)];
+        for (int i = 0; i < (joint.is_scalar() ? 1 : joint.kind == JointKind::kFree ? 3 : 0); ++i)
+            *q++ += *its++;
+        if (joint.is_scalar()) continue;
+        const Vec w{its[0], its[1], its[2]};
+        const Quat turned = normalised(normalised({q[0], q[1], q[2], q[3]}) * turn(w, length(w)));
+        q[0] = turned.w, q[1] = turned.x, q[2] = turned.y, q[3] = turned.z, its += 3;
+    }
+    return out;
+}
+
+std::vector<double> difference(const RobotModel& model, const std::vector<double>& from,
+                               const std::vector<double>& to)
+{
+    std::vector<double> out;
+    for (const Joint& joint : model.joints) {
+        const double *a = &from[size_t(joint.position)], *b = &to[size_t(joint.position)];
+        const int lengths = joint.is_scalar() ? 1 : joint.kind == JointKind::kFree ? 3 : 0;
+        for (int i = 0; i < lengths; ++i) out.push_back(*b++ - *a++);
+        if (joint.is_scalar()) continue;
+        const Quat e = conjugate(normalised({a[0], a[1], a[2], a[3]})) * normalised({b[0], b[1], b[2], b[3]});
+        const double side = e.w < 0 ? -2 : 2;
+        out.insert(out.end(), {side * e.x, side * e.y, side * e.z});
+    }
+    return out;
+}
+
 std::vector<double> jacobian(const RobotModel& model, const std::vector<double>& positions, int link,
                              Vec point)
 {

@@ -13,6 +13,13 @@ namespace epode::robots {
 int velocities_of(const Joint& joint);
 int number_of_velocities(const RobotModel& model);
 
+// Positions after a unit of time at these velocities, and a velocity that leads from one position to another: of a ball
+// and a free joint the chord 2 sin(angle / 2) in place of the angle.
+std::vector<double> moved_positions(const RobotModel& model, const std::vector<double>& positions,
+                                    const std::vector<double>& velocities);
+std::vector<double> difference(const RobotModel& model, const std::vector<double>& from,
+                               const std::vector<double>& to);
+
 // Six rows, linear then angular, of as many numbers as there are velocities, in the world's axes: of the point of a link,
 // given in the link's frame.
 std::vector<double> jacobian(const RobotModel& model, const std::vector<double>& positions, int link,

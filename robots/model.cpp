@@ -68,6 +68,14 @@ int RobotModel::link_named(const std::string& wanted) const
     return frame < 0 ? -1 : frames[size_t(frame)].link;
 }
 
+bool RobotModel::frame_named(const std::string& wanted, Frame& frame) const
+{
+    const int link = index_of(links, wanted), other = index_of(frames, wanted);
+    if (link < 0 && other < 0) return false;
+    frame = link >= 0 ? Frame{wanted, link, {}} : frames[size_t(other)];
+    return true;
+}
+
 int RobotModel::joint_named(const std::string& wanted) const { return index_of(joints, wanted); }
 
 bool RobotModel::has_errors() const

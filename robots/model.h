@@ -165,6 +165,8 @@ struct RobotModel {
 
     // -1 where there is none of that name. A frame counts with its link.
     int link_named(const std::string& wanted) const;
+    // The frame of that name in its link, a link's own too; false where there is none.
+    bool frame_named(const std::string& wanted, Frame& frame) const;
     int joint_named(const std::string& wanted) const;
     bool has_errors() const;
 };

@@ -38,7 +38,7 @@ def guide_names():
 WORDS = set("""
     a adr ap axis back bits block bodies body bounce bound buffer callback capsule center channel clip collide color comp
     contact convex count cylinder data depth description dir direction distance down end enable enabled err error
-    factor file flags force friction from function functions geom g group handle head hit hits hole i id index info instance
+    factor file flags force frame friction from function functions geom g group handle head hit hits hole i id index info instance
     iterations joint k l left length level lines list m mass material mesh message mode moment motion mu n name normal
     num number offset on out over p pair parameter parts plane planes point points polygons position prefix problem
     quality r radius range ratio ray rel requirements reserve resources room s scale seconds side size slip

@@ -185,6 +185,58 @@ ODE_API int dRobotModelGetInverseDynamics(dRobotModelID model, const dReal* posi
                                           const dReal* velocities, const dReal* accelerations, dReal* forces,
                                           int capacity);
 
+/** Returns the number of the link of that name, or of the link that the merged link or site of that name is
+    part of, and writes where it stands in that link's frame to frame: 7 reals, position and quaternion.
+    Returns -1 if there is none; frame stays then. [ours] */
+ODE_API int dRobotModelFindFrame(dRobotModelID model, const char* name, dReal* frame);
+
+/** Where inverse kinematics is to bring a frame. Start from dRobotTargetInit. */
+typedef struct dRobotTarget {
+    int link;
+    dVector3 point;           /**< the frame's origin in the link's frame, m; 0 */
+    dQuaternion point_q;      /**< its turn there; none */
+    dVector3 position;        /**< where the origin is to be, in the model's world, m */
+    dQuaternion q;            /**< how the frame is to be turned; not at all */
+    dReal position_weight;    /**< factor of an error of 1 m, 0: any position; 1 */
+    dReal orientation_weight; /**< factor of an error of 1 rad, 0: any orientation; 1 */
+} dRobotTarget;
+
+/** How inverse kinematics searches. Start from dRobotInverseOptionsInit. */
+typedef struct dRobotInverseOptions {
+    unsigned struct_size;
+    int max_iterations; /**< of a start; 100 */
+    int max_starts;     /**< the first from the given positions, then farther and farther from them; 32 */
+    dReal tolerance;    /**< weighted error of a target that is reached; 1e-10, in floats 1e-5 */
+    const dReal*
+        weights; /**< of each velocity: 0: it stays, 2: it moves rather than one of 1; NULL: 1 each */
+    const dReal* posture; /**< positions to be near where the targets leave a choice; NULL: none */
+} dRobotInverseOptions;
+
+/** What inverse kinematics found. Set struct_size before. */
+typedef struct dRobotInverseResult {
+    unsigned struct_size;
+    int is_reached; /**< 1: all targets within the tolerance */
+    int starts;
+    int iterations;          /**< of all starts */
+    dReal residual;          /**< root of the sum of the squares of all weighted errors */
+    dReal position_error;    /**< the largest, m */
+    dReal orientation_error; /**< the largest, rad */
+} dRobotInverseResult;
+
+/** - dRobotTargetInit: Fills *target with the defaults for that link. Returns 1.
+    - dRobotInverseOptionsInit: Fills *options with the defaults. Returns 1. Refused: a struct_size other than
+      sizeof(dRobotInverseOptions). [ours] */
+ODE_API int dRobotTargetInit(dRobotTarget* target, int link);
+ODE_API int dRobotInverseOptionsInit(dRobotInverseOptions* options, unsigned struct_size);
+
+/** Replaces positions by those, within the limits of the joints, at which count targets are reached, or by the
+    nearest that it found. Damped least squares; the same arguments give the same bits. options may be NULL:
+    the defaults; result may be NULL. Returns 1 if the targets are reached, 2 if not, and 0 when refused:
+    targets without a link, weights that are negative, structures of another size. [ours] */
+ODE_API int dRobotModelGetInverse(dRobotModelID model, const dRobotTarget* targets, int count,
+                                  const dRobotInverseOptions* options, dReal* positions,
+                                  dRobotInverseResult* result);
+
 /** @chapter robots Robots in worlds
 
     A robot is the bodies, joints and geoms that a model became in a world. The program may use all of them

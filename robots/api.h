@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What the C functions of robots share. Each checks its arguments, sends one message for what it refuses, and lets
+// nothing that is thrown pass.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "epode/robots.h"
+#include "robots/build.h"
+
+struct dxRobotModel {
+    epode::robots::RobotModel model;
+    std::shared_ptr<const epode::robots::Prepared> prepared;  // made for the first robot
+};
+
+struct dxRobot {
+    std::unique_ptr<epode::robots::Robot> robot;
+};
+
+namespace epode::robots {
+
+// False after a message: what was refused and what would be accepted.
+inline bool check(bool good, const char* function, const char* wanted)
+{
+    if (!good) dMessage(d_ERR_UNKNOWN, "%s: refused; wanted: %s", function, wanted);
+    return good;
+}
+
+#define CHECK(good, wanted)                                           \
+    do {                                                              \
+        if (!epode::robots::check(good, __func__, wanted)) return {}; \
+    } while (false)
+
+template <class Action>
+auto guarded(const char* function, Action&& action) -> decltype(action())
+{
+    try {
+        return action();
+    } catch (const std::bad_alloc&) {
+        dMessage(d_ERR_UNKNOWN, "%s: out of memory", function);
+    } catch (const std::exception& error) {
+        dMessage(d_ERR_UNKNOWN, "%s: %s", function, error.what());
+    }
+    return {};
+}
+
+inline bool are_finite(const dReal* values, int count)
+{
+    return std::all_of(values, values + count, [](dReal value) { return std::isfinite(value); });
+}
+
+inline int copy_positions(const std::vector<double>& from, dReal* to, int capacity)
+{
+    for (int i = 0; i < std::min(capacity, int(from.size())); ++i) to[i] = dReal(from[size_t(i)]);
+    return int(from.size());
+}
+
+inline std::vector<double> doubles_of(const dReal* values, int count) { return {values, values + count}; }
+
+inline bool can_compute(dRobotModelID model, const dReal* positions)
+{
+    if (!model || model->model.has_errors()) return false;
+    const int count = model->model.coordinates;
+    return count == 0 || (positions && are_finite(positions, count));
+}
+
+}  // namespace epode::robots
