@@ -3,6 +3,7 @@
 #include "joints/breaking.h"
 
 #include "dynamics/world.h"
+#include "rows/wrench.h"
 
 namespace epode {
 
@@ -10,13 +11,10 @@ void add_load(Joint& joint, const RowBlock& block, const RowSystem& system)
 {
     BreakLimits& limits = drives_of(joint).limits;
     if (!limits.any()) return;
-    for (int i = block.first; i < block.first + block.count; ++i) {
-        const Row& row = system.rows[std::size_t(i)];
-        const Real p = system.numbers[std::size_t(i)].p;
-        if (block.term_count > 0) limits.linear.x += p;  // the force along the coupling
-        limits.linear += p * row.lin1;
-        limits.angular += p * (row.ang1 - cross(block.arms.r1, row.lin1));
-    }
+    for (int i = block.first; block.term_count > 0 && i < block.first + block.count; ++i)
+        limits.linear.x += system.numbers[std::size_t(i)].p;  // the force along the coupling
+    const BlockWrench load = wrench_of(system, block, 1);
+    limits.linear += load.f1, limits.angular += load.couple;
 }
 
 void break_joints(World& world, Real h)

@@ -42,6 +42,7 @@ struct alignas(4 * sizeof(Real)) SolverPose {
 };
 static_assert(sizeof(SolverPose) == 16 * sizeof(Real));
 
+struct BlockWrench;       // rows/wrench.h
 struct Velocity;          // solve/common/velocities.h
 struct ManifoldFriction;  // solve/common/manifold_friction.h
 
@@ -68,6 +69,7 @@ struct RowBlock {
     // Of a coupling: the one Jacobian of all its rows, over more than two bodies, in place of theirs and of
     // body1 and body2. Its rows are called wide.
     int first_term = 0, term_count = 0;
+    int wrench = -1;  // in RowSystem::wrenches; -1: only the impulses of its rows are wanted
 };
 
 // The part of a wide row's Jacobian that belongs to one body of the island.
@@ -96,7 +98,8 @@ struct RowSystem {
     std::span<ContactManifold* const> contact_manifolds;  // likewise
     std::span<const SystemPart> parts;                    // none: all is one
     std::span<const ManifoldFriction> frictions;  // of the solution: one friction for several points each
-    std::span<SolverPose> poses;  // with substeps and blocks: of the bodies, then of the worlds
+    std::span<SolverPose> poses;      // with substeps and blocks: of the bodies, then of the worlds
+    std::span<BlockWrench> wrenches;  // with substeps: what blocks have exerted, a sum over the substeps
 
     int worlds() const { return parts.empty() ? 1 : int(parts.size()); }
     SystemPart begin_of(int part) const { return part > 0 ? parts[std::size_t(part - 1)] : SystemPart{}; }

@@ -22,6 +22,7 @@
 // used.
 #include <algorithm>
 
+#include "rows/wrench.h"
 #include "solve/common/residual.h"
 #include "solve/joints/joint_lanes.h"
 #include "solve/solver.h"
@@ -57,12 +58,15 @@ class SubstepSolver {
         if (!manifolds_.prepare(system_, step_, settings.tasks, arena)) return false;
         if (settings.want_residual) {
             before_ = arena.take<SolverBody>(int(system_.bodies.size()));
-            described_ = arena.take<RowNumbers>(int(system_.numbers.size()));
             lo_ = arena.take<Real>(int(system_.numbers.size()));
             hi_ = arena.take<Real>(int(system_.numbers.size()));
+        }
+        if (settings.want_residual || !system_.wrenches.empty()) {
+            described_ = arena.take<RowNumbers>(int(system_.numbers.size()));
             rows_ = arena.take<Row>(int(system_.rows.size()));
             if (arena.failed()) return false;
             std::copy(system_.numbers.begin(), system_.numbers.end(), described_.begin());
+            std::copy(system_.rows.begin(), system_.rows.end(), rows_.begin());
         }
         for (RowNumbers& n : system_.numbers) n.p = 0;  // from here on the sum
         return !arena.failed();
@@ -80,6 +84,7 @@ class SubstepSolver {
         joints_.store_sums(system_.numbers);
         store_velocities(velocities_, system_);
         model_.settle(model_.model, system_);
+        add_wrenches(system_.rows, system_.numbers, true);
         model_.gather_contacts(model_.model, system_);
         apply_contacts_restitution();
         if (!manifolds_.empty()) apply_manifolds_restitution();
@@ -124,6 +129,22 @@ class SubstepSolver {
         if (last) joints_.apply_restitution(system_, velocities_);
         joints_.sum_impulses();
         contacts_.add_impulses(system_.numbers);
+        if (system_.wrenches.empty()) return;
+        joints_.describe(described_, rows_);
+        add_wrenches(rows_, described_, false);
+    }
+
+    // Rows of joints in every substep; those of contacts once, with their sums: their arms do not change.
+    // Rows that are followed have a pose of their own in `rows`, the others that of the system.
+    void add_wrenches(std::span<const Row> rows, std::span<const RowNumbers> numbers, bool contacts)
+    {
+        for (const RowBlock& block : system_.blocks) {
+            if (block.wrench < 0 || block.contact != contacts) continue;
+            BlockWrench& sum = system_.wrenches[std::size_t(block.wrench)];
+            for (int i = block.first; i < block.first + block.count; ++i)
+                sum.add(block, i, block.followed ? rows[std::size_t(i)] : system_.rows[std::size_t(i)],
+                        numbers[std::size_t(i)].p);
+        }
     }
 
     // Contacts in their order, those against static bodies last, so that they have the last word.
@@ -142,6 +163,8 @@ class SubstepSolver {
                 if (!(missing > 0) || !(d > 0)) continue;
                 apply_impulse(row, missing / d, a, b);
                 n.p += missing / d;
+                if (block.wrench >= 0)
+                    system_.wrenches[std::size_t(block.wrench)].add(block, block.first, row, missing / d);
             }
     }
 

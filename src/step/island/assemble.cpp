@@ -11,10 +11,12 @@
 
 #include "dynamics/exact_spin.h"
 #include "dynamics/integrate.h"
+#include "dynamics/joint_drives.h"
 #include "joints/breaking.h"
 #include "joints/drive_rows.h"
 #include "joints/joint_manifolds.h"
 #include "rows/policy.h"
+#include "rows/wrench.h"
 #include "step/island/manifold_rows.h"
 #include "tasks/prefetched.h"
 
@@ -93,12 +95,28 @@ void emit_rows(const StepInfo& info, std::span<Joint*> joints, bool begins, Isla
         block.contact = joint->type->number == dJointTypeContact;
         block.arms = out.arms(), block.form = out.form(), block.followed = false;
         block.first_term = terms, block.term_count = int(out.terms().size());
+        block.wrench = -1;
         if (block.term_count > 0) place_terms(out.terms(), work.system, block);
         terms += block.term_count;
         rows += out.count();
         ++blocks;
     }
     work.system.terms = work.system.terms.first(std::size_t(terms));
+}
+
+// Of joints whose force or torque somebody wants. False: out of memory.
+bool place_wrenches(Arena& arena, IslandWork& work)
+{
+    int count = 0;
+    for (std::size_t k = 0; k < work.joints.size(); ++k) {
+        const Joint& joint = *work.joints[k];
+        if (joint.feedback || (joint.driven && drives_of(joint).limits.any()))
+            work.system.blocks[k].wrench = count++;
+    }
+    work.system.wrenches = arena.take<BlockWrench>(count);
+    if (arena.failed()) return false;
+    for (BlockWrench& wrench : work.system.wrenches) wrench = {};
+    return true;
 }
 
 // Where each member ends, and its own world. False: out of memory.
@@ -233,6 +251,7 @@ bool assemble(World& world, Real h, const Solver& solver, const Tasks& tasks, Ar
     work.system.rows = work.system.rows.first(std::size_t(rows));
     work.system.numbers = arena.take<RowNumbers>(rows);
     if (arena.failed() || !mark_parts(arena, work)) return false;
+    if (solver.substeps && !place_wrenches(arena, work)) return false;
 
     if (!forces_known)
         for_each_prefetched<kLinesOfBody>(tasks, bodies, [&](std::size_t i, Body& body) {

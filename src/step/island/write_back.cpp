@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Feedback is J^T lambda with lambda = p / h, a force; that of body 2 is left alone when there is none, as
+// Feedback is the sum of J^T p over h, the mean force of the step; that of body 2 is left alone when there is none, as
 // ODE does.
 #include "step/island/write_back.h"
 
@@ -10,6 +10,7 @@
 #include "joints/breaking.h"
 #include "joints/coupling.h"
 #include "joints/drive_rows.h"
+#include "rows/wrench.h"
 #include "tasks/prefetched.h"
 
 namespace epode {
@@ -17,18 +18,12 @@ namespace {
 
 void write_feedback(const Joint& joint, const RowBlock& block, const RowSystem& system)
 {
-    Vec3 f1, t1, f2, t2;
-    for (int i = block.first; i < block.first + block.count; ++i) {
-        const Row& row = system.rows[std::size_t(i)];
-        const Real lambda = system.numbers[std::size_t(i)].p / system.h;
-        f1 += lambda * row.lin1, t1 += lambda * row.ang1;
-        f2 += lambda * row.lin2, t2 += lambda * row.ang2;
-    }
-    store(joint.feedback->f1, f1);
-    store(joint.feedback->t1, t1);
+    const BlockWrench mean = wrench_of(system, block, 1 / system.h);
+    store(joint.feedback->f1, mean.f1);
+    store(joint.feedback->t1, mean.t1);
     if (!joint.body2()) return;
-    store(joint.feedback->f2, f2);
-    store(joint.feedback->t2, t2);
+    store(joint.feedback->f2, mean.f2);
+    store(joint.feedback->t2, mean.t2);
 }
 
 void write_feedback(const Joint& joint, const JointManifold& m, const JointManifoldPoint& point, Real h)
