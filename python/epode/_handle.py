@@ -1,53 +1,89 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
 """What bodies, joints, geoms and worlds share: an object holds a handle until it, or its world, is destroyed."""
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Generic, Never, Self, TypeVar, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
 from .errors import DeadHandleError
+
+if TYPE_CHECKING:
+    from .world import World
+
+FloatArray = NDArray[np.float64]
+T = TypeVar("T")
+S = TypeVar("S", contravariant=True)
 
 
 class Object:
     """An object of the engine. After ``destroy`` every call raises DeadHandleError."""
 
     __slots__ = ("_live", "world", "__weakref__")
+    _live: Any
+    world: World
 
     @property
-    def _handle(self):
+    def _handle(self) -> Any:
         handle = self._live
         if handle is None:
             raise DeadHandleError(f"this {type(self).__name__} has been destroyed")
         return handle
 
     @property
-    def alive(self):
+    def alive(self) -> bool:
         """False after the object, or its world, has been destroyed."""
         return self._live is not None
 
-    def __repr__(self):
+    def __repr__(self) -> str:
         return f"<epode.{type(self).__name__}{'' if self.alive else ', destroyed'}>"
 
 
-def reads(function, doc):
+if TYPE_CHECKING:
+    class Value(Generic[T, S]):
+        """A property that is read as T and set from S."""
+
+        def __init__(self, fget: Callable[[Any], T], fset: Callable[[Any, S], Any] | None = None, *, doc: str) -> None: ...
+        @overload
+        def __get__(self, instance: None, owner: type) -> Self: ...
+        @overload
+        def __get__(self, instance: object, owner: type) -> T: ...
+        def __get__(self, instance: object | None, owner: type) -> Self | T: ...
+        def __set__(self, instance: object, value: S) -> None: ...
+else:
+    class Value(property):
+        """A property."""
+
+        def __class_getitem__(cls, _):
+            return cls
+
+
+def reads(function: Callable[[Any], T], doc: str) -> Value[T, Never]:
     """A property that a C function returns."""
-    return property(lambda self: function(self._handle), doc=doc)
+    return Value(lambda self: function(self._handle), doc=doc)
 
 
-def reads_and_sets(get, put, doc):
+def reads_and_sets(get: Callable[[Any], T], put: Callable[[Any, S], Any], doc: str) -> Value[T, S]:
     """A property of one value."""
-    return property(lambda self: get(self._handle), lambda self, value: put(self._handle, value), doc=doc)
+    return Value(lambda self: get(self._handle), lambda self, value: put(self._handle, value), doc=doc)
 
 
-def vector(get, put, doc):
+def vector(get: Callable[[Any], FloatArray], put: Callable[[Any, float, float, float], Any], doc: str) -> Value[FloatArray, ArrayLike]:
     """A property of three numbers, which C takes one by one."""
-    def assign(self, value):
+    def assign(self: Any, value: Any) -> None:
         x, y, z = value
         put(self._handle, x, y, z)
-    return property(lambda self: get(self._handle), assign, doc=doc)
+    return Value(lambda self: get(self._handle), assign, doc=doc)
 
 
-def flag(get, put, doc):
+def flag(get: Callable[[Any], int], put: Callable[[Any, int], Any], doc: str) -> Value[bool, object]:
     """A property that is true or false."""
-    return property(lambda self: bool(get(self._handle)), lambda self, value: put(self._handle, int(bool(value))), doc=doc)
+    return Value(lambda self: bool(get(self._handle)), lambda self, value: put(self._handle, int(bool(value))), doc=doc)
 
 
-def switch(get, on, off, doc):
+def switch(get: Callable[[Any], int], on: Callable[[Any], Any], off: Callable[[Any], Any], doc: str) -> Value[bool, object]:
     """A property that is true or false, and has a function for each."""
-    return property(lambda self: bool(get(self._handle)), lambda self, value: (on if value else off)(self._handle), doc=doc)
+    return Value(lambda self: bool(get(self._handle)), lambda self, value: (on if value else off)(self._handle), doc=doc)

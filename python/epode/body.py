@@ -1,18 +1,32 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
 """Rigid bodies, and arrays of the states of many."""
+from __future__ import annotations
+
+import weakref
+from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from . import c
-from ._handle import Object, flag, reads, reads_and_sets, switch, vector
+from ._handle import FloatArray, Object, Value, flag, reads, reads_and_sets, switch, vector
+
+if TYPE_CHECKING:
+    from .geom import Geom
+    from .joint import Joint
+    from .shapes import Shape
+    from .world import World
 
 
 class Body(Object):
     """A rigid body, made by ``World.body``. Vectors are in the world's frame and are copies."""
 
     __slots__ = ("geoms",)
+    geoms: list[Geom]
 
-    def __init__(self, world, handle):
+    def __init__(self, world: World, handle: c.dBodyID) -> None:
         self.world, self._live, self.geoms = world, handle, []
 
     position = vector(c.dBodyGetPosition, c.dBodySetPosition, "Of the centre of mass, m.")
@@ -30,45 +44,45 @@ class Body(Object):
     joint_count = reads(c.dBodyGetNumJoints, "How many joints are attached.")
 
     @property
-    def quaternion_xyzw(self):
+    def quaternion_xyzw(self) -> FloatArray:
         """The quaternion with the real part last, as scipy, glTF and ROS have it."""
         return np.roll(self.quaternion, -1)
 
     @quaternion_xyzw.setter
-    def quaternion_xyzw(self, value):
+    def quaternion_xyzw(self, value: ArrayLike) -> None:
         self.quaternion = np.roll(np.asarray(value, float), 1)
 
     @property
-    def mass(self):
+    def mass(self) -> float:
         """The mass, kg. Setting it scales the inertia."""
         return self.mass_properties.mass
 
     @mass.setter
-    def mass(self, value):
+    def mass(self, value: float) -> None:
         m = self.mass_properties
         c.dMassAdjust(m, value)
         c.dBodySetMass(self._handle, m)
 
     @property
-    def inertia(self):
+    def inertia(self) -> FloatArray:
         """3 x 3, about the centre of mass, in the body's frame, kg m^2."""
         return self.mass_properties.I
 
     @inertia.setter
-    def inertia(self, value):
+    def inertia(self, value: ArrayLike) -> None:
         m = self.mass_properties
         m.I = value
         c.dBodySetMass(self._handle, m)
 
     @property
-    def mass_properties(self):
+    def mass_properties(self) -> c.dMass:
         """A copy of the body's ``c.dMass``."""
         m = c.dMass()
         c.dBodyGetMass(self._handle, m)
         return m
 
     @mass_properties.setter
-    def mass_properties(self, value):
+    def mass_properties(self, value: c.dMass) -> None:
         c.dBodySetMass(self._handle, value)
 
     enabled = switch(c.dBodyIsEnabled, c.dBodyEnable, c.dBodyDisable,
@@ -77,45 +91,54 @@ class Body(Object):
                        "Whether the body moves as its velocity says, and nothing else moves it.")
 
     @property
-    def joints(self):
+    def joints(self) -> list[Joint]:
         """The joints attached that Python knows."""
         handles = (c.dBodyGetJoint(self._handle, i) for i in range(self.joint_count))
         known = self.world._joints
-        return [known[h] for h in handles if h in known]
+        return [known[h] for h in handles if h is not None and h in known]
 
-    def add_force(self, force, *, at=None, relative=False):
+    def add_force(self, force: ArrayLike, *, at: ArrayLike | None = None, relative: bool = False) -> None:
         """Add a force, N, for the next step, at the centre or at a point of the world; relative: in the body's frame."""
+        fx, fy, fz = np.asarray(force, float)
         if at is not None:
-            (c.dBodyAddRelForceAtPos if relative else c.dBodyAddForceAtPos)(self._handle, *force, *at)
+            x, y, z = np.asarray(at, float)
+            (c.dBodyAddRelForceAtPos if relative else c.dBodyAddForceAtPos)(self._handle, fx, fy, fz, x, y, z)
         else:
-            (c.dBodyAddRelForce if relative else c.dBodyAddForce)(self._handle, *force)
+            (c.dBodyAddRelForce if relative else c.dBodyAddForce)(self._handle, fx, fy, fz)
 
-    def add_torque(self, torque, *, relative=False):
+    def add_torque(self, torque: ArrayLike, *, relative: bool = False) -> None:
         """Add a torque, N m, for the next step; relative: in the body's frame."""
-        (c.dBodyAddRelTorque if relative else c.dBodyAddTorque)(self._handle, *torque)
+        (c.dBodyAddRelTorque if relative else c.dBodyAddTorque)(self._handle, *np.asarray(torque, float))
 
-    def to_world(self, point):
+    def to_world(self, point: ArrayLike) -> FloatArray:
         """Where a point of the body is in the world."""
-        return c.dBodyGetRelPointPos(self._handle, *point)
+        return c.dBodyGetRelPointPos(self._handle, *np.asarray(point, float))
 
-    def to_body(self, point):
+    def to_body(self, point: ArrayLike) -> FloatArray:
         """Which point of the body is at a point of the world."""
-        return c.dBodyGetPosRelPoint(self._handle, *point)
+        return c.dBodyGetPosRelPoint(self._handle, *np.asarray(point, float))
 
-    def velocity_at(self, point):
+    def velocity_at(self, point: ArrayLike) -> FloatArray:
         """The velocity of the body at a point of the world, m/s."""
-        return c.dBodyGetPointVel(self._handle, *point)
+        return c.dBodyGetPointVel(self._handle, *np.asarray(point, float))
 
-    def add(self, shape, **settings):
+    def add(self, shape: Shape, **settings: Any) -> Geom:
         """Put a shape on the body, as ``World.geom`` does."""
         return self.world.geom(shape, body=self, **settings)
 
-    def on_move(self, function):
+    def on_move(self, function: Callable[[Body], Any] | None) -> None:
         """Call function(body) after each step that moved the body; None: no more."""
-        wrapped = None if function is None else (lambda _handle: function(self))
-        c.dBodySetMovedCallback(self._handle, wrapped)
+        if function is None:
+            c.dBodySetMovedCallback(self._handle, None)
+            return
+        called, body = function, weakref.ref(self)  # what the engine keeps must not keep the world
 
-    def destroy(self):
+        def moved(_: c.dBodyID) -> None:
+            if (me := body()) is not None:
+                called(me)
+        c.dBodySetMovedCallback(self._handle, moved)
+
+    def destroy(self) -> None:
         """Destroy the body and its geoms; joints stay and hold nothing there."""
         handle = self._handle
         c.dBodyDestroy(handle)
@@ -130,57 +153,66 @@ _COLUMNS = {"position": (c.dStatePosition, 3), "quaternion": (c.dStateQuaternion
             "force": (c.dStateForce, 3), "torque": (c.dStateTorque, 3), "enabled": (c.dStateEnabled, 1)}
 
 
+def _column(name: str) -> Value[FloatArray, ArrayLike]:
+    def get(self: Bodies) -> FloatArray:
+        return self.get(name)
+
+    def put(self: Bodies, value: ArrayLike) -> None:
+        self.set(np.broadcast_to(np.asarray(value, float), (len(self), _COLUMNS[name][1])), name)
+    return Value(get, put, doc=f"The {name.replace('_', ' ')} of each body, as an array.")
+
+
 class Bodies:
     """All bodies of a world, from the oldest on. Its properties are arrays with a row for each body, read and set by
     one C call: ``world.bodies.position`` is a new (n, 3) array."""
 
     __slots__ = ("_world",)
 
-    def __init__(self, world):
+    def __init__(self, world: World) -> None:
         self._world = world
 
-    def __len__(self):
+    position = _column("position")
+    quaternion = _column("quaternion")
+    velocity = _column("velocity")
+    angular_velocity = _column("angular_velocity")
+    force = _column("force")
+    torque = _column("torque")
+
+    @property
+    def enabled(self) -> NDArray[np.bool_]:
+        """Whether each body is moved by steps, as an array."""
+        return self.get("enabled")[:, 0].astype(bool)
+
+    @enabled.setter
+    def enabled(self, value: ArrayLike) -> None:
+        self.set(np.broadcast_to(np.asarray(value, float), len(self)), "enabled")
+
+    def __len__(self) -> int:
         return len(self._list())
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[Body]:
         known = self._world._bodies
         handles = self._list()
         return (known[handles[i]] for i in range(len(handles)))
 
-    def __getitem__(self, index):
+    def __getitem__(self, index: int) -> Body:
         return list(self)[index]
 
-    def _list(self):
+    def _list(self) -> c.BodyList:
         world = self._world
         if world._body_list is None:
             world._body_list = c.dWorldGetBodies(world._handle)
         return world._body_list
 
-    def get(self, *names):
+    def get(self, *names: str) -> FloatArray:
         """One array with the named parts side by side, in the order of ``position``, ``quaternion``, ``velocity``,
         ``angular_velocity``, ``force``, ``torque``, ``enabled``."""
         return c.dBodiesGetStates(self._list(), self._fields(names))
 
-    def set(self, states, *names):
+    def set(self, states: ArrayLike, *names: str) -> None:
         """Set the named parts of all bodies from an array as ``get`` returns it."""
         c.dBodiesSetStates(self._list(), self._fields(names), states)
 
-    def _fields(self, names):
+    def _fields(self, names: tuple[str, ...]) -> int:
         self._world._handle
         return sum(_COLUMNS[name][0] for name in set(names))
-
-
-def _column(name):
-    def get(self):
-        rows = self.get(name)
-        return rows[:, 0].astype(bool) if name == "enabled" else rows
-
-    def put(self, value):
-        shape = (len(self), _COLUMNS[name][1])
-        value = np.asarray(value, float)
-        self.set(np.broadcast_to(value.reshape(-1, 1) if name == "enabled" and value.ndim else value, shape), name)
-    return property(get, put, doc=f"The {name.replace('_', ' ')} of each body, as an array.")
-
-
-for _name in _COLUMNS:
-    setattr(Bodies, _name, _column(_name))

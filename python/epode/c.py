@@ -16,7 +16,8 @@ from ._c import *  # noqa: F401,F403
 _c._set_exceptions(_errors.RefusedError, _errors.DeadHandleError, _errors.BusyError, _errors.EpodeWarning)
 
 
-def coverage():
+def coverage() -> dict[str, str]:
     """{function of the headers: "generated", "written" or "left out: why"}."""
     text = _resources.files("epode").joinpath("coverage.json").read_text()
-    return _json.loads(text)["functions"]
+    functions: dict[str, str] = _json.loads(text)["functions"]
+    return functions

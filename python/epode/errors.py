@@ -6,7 +6,7 @@
 class RefusedError(ValueError):
     """The library refused a call; nothing has changed. ``number`` is ODE's error number."""
 
-    number = 0
+    number: int = 0
 
 
 class DeadHandleError(RefusedError):

@@ -1,9 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
 """Geoms: shapes that are somewhere."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike
+
 from . import c
-from ._handle import Object, reads_and_sets, vector
-from .shapes import Material
+from ._handle import FloatArray, Object, reads_and_sets, vector
+from .shapes import Material, Shape
+
+if TYPE_CHECKING:
+    from .body import Body
+    from .world import World
 
 
 class Geom(Object):
@@ -11,7 +22,7 @@ class Geom(Object):
 
     __slots__ = ("shape", "body", "_key")
 
-    def __init__(self, world, handle, shape, body):
+    def __init__(self, world: World, handle: c.dGeomID, shape: Shape, body: Body | None) -> None:
         self.world, self._live, self.shape, self.body, self._key = world, handle, shape, body, handle.id
 
     position = vector(c.dGeomGetPosition, c.dGeomSetPosition, "In the world, m. Setting it moves the body, if there is one.")
@@ -21,69 +32,70 @@ class Geom(Object):
     collides_with = reads_and_sets(c.dGeomGetCollideBits, c.dGeomSetCollideBits, "Bits of what it collides with.")
 
     @property
-    def offset(self):
+    def offset(self) -> FloatArray:
         """Where the geom sits on its body, in the body's frame, m."""
         return c.dGeomGetOffsetPosition(self._handle)
 
     @offset.setter
-    def offset(self, value):
-        c.dGeomSetOffsetPosition(self._handle, *value)
+    def offset(self, value: ArrayLike) -> None:
+        c.dGeomSetOffsetPosition(self._handle, *np.asarray(value, float))
 
     @property
-    def aabb(self):
+    def aabb(self) -> FloatArray:
         """The bounding box: [[min x, max x], [min y, max y], [min z, max z]]."""
         return c.dGeomGetAABB(self._handle).reshape(3, 2)
 
     @property
-    def enabled(self):
+    def enabled(self) -> bool:
         """Whether the geom is seen by collision."""
         return bool(c.dGeomIsEnabled(self._handle))
 
     @enabled.setter
-    def enabled(self, value):
+    def enabled(self, value: object) -> None:
         (c.dGeomEnable if value else c.dGeomDisable)(self._handle)
 
     @property
-    def continuous(self):
+    def continuous(self) -> bool:
         """Whether a fast geom stops at what it would have passed."""
         return c.dGeomGetContinuous(self._handle) == c.dContinuousOn
 
     @continuous.setter
-    def continuous(self, value):
+    def continuous(self, value: object) -> None:
         c.dGeomSetContinuous(self._handle, c.dContinuousOn if value else c.dContinuousOff)
 
     @property
-    def material(self):
+    def material(self) -> Material:
         """A copy of the surface; assign it to change it."""
         material = c.dMaterial()
         c.dGeomGetMaterial(self._handle, material)
         return Material._from_c(material)
 
     @material.setter
-    def material(self, value):
+    def material(self, value: Material | None) -> None:
         c.dGeomSetMaterial(self._handle, None if value is None else value._to_c())
 
-    def distance(self, other):
+    def distance(self, other: Geom) -> float | None:
         """The signed distance to another geom, m (below 0: minus the depth); None where there is none."""
         result = c.dQueryDistance()
         found = c.dGeomGetDistance(self._handle, other._handle, float("inf"), result)
         return result.distance if found else None
 
-    def collide(self, other, limit=8):
+    def collide(self, other: Geom, limit: int = 8) -> list[c.dContactGeom]:
         """The contacts with another geom, as a list of ``c.dContactGeom``."""
         return c.dCollide(self._handle, other._handle, limit)
 
-    def triangles(self, segments=24):
+    def triangles(self, segments: int = 24) -> FloatArray:
         """The surface of a convex solid to draw: an array of (n, 3 corners, 3), in the geom's frame."""
         return c.dGeomGetTriangles(self._handle, segments)
 
-    def destroy(self):
+    def destroy(self) -> None:
         """Take the geom away."""
         c.dGeomDestroy(self._handle)
         self._dead()
         if self.body is not None and self in self.body.geoms:
             self.body.geoms.remove(self)
 
-    def _dead(self):
+    def _dead(self) -> None:
         self._live = None
         self.world._geoms.pop(self._key, None)
+        self.world._changed = True

@@ -1,10 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
 """Joints of all types, through one class: what a type does not have raises AttributeError with what it has."""
+from __future__ import annotations
+
 import dataclasses
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike
 
 from . import c
-from ._handle import Object, switch
+from ._handle import FloatArray, Object, Value, switch
+
+if TYPE_CHECKING:
+    from .body import Body
+    from .world import World
 
 TYPES = {"ball": "Ball", "hinge": "Hinge", "slider": "Slider", "universal": "Universal", "hinge2": "Hinge2",
          "fixed": "Fixed", "amotor": "AMotor", "lmotor": "LMotor", "plane2d": "Plane2D", "pr": "PR", "pu": "PU",
@@ -29,67 +39,88 @@ class Drive:
     force_limit: float = 0.0
 
 
+def _place(name: str) -> Value[FloatArray, ArrayLike]:
+    suffix = name.capitalize()
+
+    def get(self: Joint) -> FloatArray:
+        place: FloatArray = self._function("Get", suffix)(self._handle)
+        return place
+
+    def put(self: Joint, value: ArrayLike) -> None:
+        function = self._function("Set", suffix)
+        if self.type == "hinge2" and suffix.startswith("Axis"):
+            c.dJointSetHinge2Axes(self._handle, *((value, None) if suffix == "Axis1" else (None, value)))
+        else:
+            function(self._handle, *np.asarray(value, float))
+    kind = "A point" if name.startswith("anchor") else "A direction"
+    return Value(get, put, doc=f"{kind} of the joint, in the world's frame, if its type has it.")
+
+
 class Joint(Object):
     """A joint between two bodies, or a body and the world, made by ``World.joint``."""
 
     __slots__ = ("type", "body1", "body2")
 
-    def __init__(self, world, handle, kind, body1, body2):
+    def __init__(self, world: World, handle: c.dJointID, kind: str, body1: Body | None, body2: Body | None) -> None:
         self.world, self._live, self.type, self.body1, self.body2 = world, handle, kind, body1, body2
 
-    def _function(self, verb, name):
+    anchor, anchor1, anchor2 = _place("anchor"), _place("anchor1"), _place("anchor2")
+    axis, axis1, axis2, axis3 = _place("axis"), _place("axis1"), _place("axis2"), _place("axis3")
+
+    def _function(self, verb: str, name: str) -> Any:
         function = getattr(c, f"dJoint{verb}{_NAMES[self.type]}{name}", None)
         if function is None:
             raise AttributeError(f"a joint of type {self.type} has no {name.lower()} to {verb.lower()}")
         return function
 
-    def parameter(self, name, axis=0):
+    def parameter(self, name: str, axis: int = 0) -> float:
         """A parameter of an axis: lo_stop, hi_stop, velocity, max_force, bounce, cfm, stop_erp, ..."""
-        return self._function("Get", "Param")(self._handle, _number(name, axis))
+        value: float = self._function("Get", "Param")(self._handle, _number(name, axis))
+        return value
 
-    def set_parameter(self, name, value, axis=0):
+    def set_parameter(self, name: str, value: float, axis: int = 0) -> None:
         """Set a parameter that ``parameter`` returns."""
         self._function("Set", "Param")(self._handle, _number(name, axis), value)
 
     @property
-    def stops(self):
+    def stops(self) -> tuple[float, float]:
         """Lowest and highest position of the first axis, m or rad; infinite: none."""
         return self.parameter("lo_stop"), self.parameter("hi_stop")
 
     @stops.setter
-    def stops(self, value):
+    def stops(self, value: tuple[float, float]) -> None:
         low, high = value
         # The new range is never empty on the way, which would turn the stops off.
         self.set_parameter("lo_stop", -float("inf"))
         self.set_parameter("hi_stop", high)
         self.set_parameter("lo_stop", low)
 
-    def motor(self, velocity, max_force, axis=0):
+    def motor(self, velocity: float, max_force: float, axis: int = 0) -> None:
         """Drive an axis at a velocity, m/s or rad/s, with at most that force, N or N m; max_force 0: no motor."""
         self.set_parameter("velocity", velocity, axis)
         self.set_parameter("max_force", max_force, axis)
 
     @property
-    def axes(self):
+    def axes(self) -> int:
         """How many coordinates the joint has."""
         return c.dJointGetNumAxes(self._handle)
 
-    def position(self, axis=0):
+    def position(self, axis: int = 0) -> float:
         """The coordinate of an axis, m or rad."""
         return c.dJointGetAxisPosition(self._handle, axis)
 
-    def rate(self, axis=0):
+    def rate(self, axis: int = 0) -> float:
         """The derivative of ``position``, m/s or rad/s."""
         return c.dJointGetAxisRate(self._handle, axis)
 
-    def drive(self, axis=0):
+    def drive(self, axis: int = 0) -> Drive | None:
         """The Drive of an axis, or None."""
         raw = c.dDrive()
         if not c.dJointGetDrive(self._handle, axis, raw):
             return None
         return Drive(**{f.name: getattr(raw, f.name) for f in dataclasses.fields(Drive)})
 
-    def set_drive(self, drive=None, axis=0, **fields):
+    def set_drive(self, drive: Drive | None = None, axis: int = 0, **fields: float) -> None:
         """Put a Drive on an axis (or its fields by name); None takes it away."""
         if drive is None and not fields:
             c.dJointSetDrive(self._handle, axis, None)
@@ -100,11 +131,11 @@ class Joint(Object):
             setattr(raw, field.name, getattr(drive, field.name))
         c.dJointSetDrive(self._handle, axis, raw)
 
-    def drive_force(self, axis=0):
+    def drive_force(self, axis: int = 0) -> float:
         """What the drive has exerted, the mean over the last step, N or N m."""
         return c.dJointGetDriveForce(self._handle, axis)
 
-    def add_force(self, *forces):
+    def add_force(self, *forces: float) -> None:
         """Add a force or torque along each axis for the next step."""
         name = {"hinge": "Torque", "slider": "Force", "universal": "Torques", "hinge2": "Torques", "amotor": "Torques",
                 "piston": "Force", "pr": "Torque"}.get(self.type)
@@ -115,21 +146,21 @@ class Joint(Object):
     enabled = switch(c.dJointIsEnabled, c.dJointEnable, c.dJointDisable, "Whether the joint acts.")
 
     @property
-    def broken(self):
+    def broken(self) -> bool:
         """Whether the joint has broken (``break_limits``)."""
         return bool(c.dJointIsBroken(self._handle))
 
     @property
-    def break_limits(self):
+    def break_limits(self) -> tuple[float, float]:
         """The force, N, and torque, N m, above which the joint breaks."""
         return c.dJointGetBreakLimits(self._handle)[1:]
 
     @break_limits.setter
-    def break_limits(self, value):
+    def break_limits(self, value: tuple[float, float]) -> None:
         c.dJointSetBreakLimits(self._handle, *value)
 
     @property
-    def feedback(self):
+    def feedback(self) -> c.dJointFeedback:
         """What the joint did in the last step, a ``c.dJointFeedback`` with f1, t1, f2 and t2; the first use switches it
         on, for the next step."""
         feedback = c.dJointGetFeedback(self._handle)
@@ -138,39 +169,23 @@ class Joint(Object):
             c.dJointSetFeedback(self._handle, feedback)
         return feedback
 
-    def fix(self):
+    def fix(self) -> None:
         """Let a fixed joint hold its bodies as they are now."""
         c.dJointSetFixed(self._handle)
 
-    def destroy(self):
+    def destroy(self) -> None:
         """Take the joint away."""
         handle = self._handle
         c.dJointDestroy(handle)
         self._live = None
         self.world._joints.pop(handle, None)
+        self.world._changed = True
 
 
-def _number(name, axis):
+def _number(name: str, axis: int) -> int:
     if name not in _PARAMETERS:
         raise ValueError(f"no parameter is called {name!r}: {', '.join(_PARAMETERS)}")
     if axis not in (0, 1, 2):
         raise ValueError(f"axis {axis}: 0, 1 or 2 expected")
-    return getattr(c, "dParam" + _PARAMETERS[name]) + axis * c.dParamGroup
-
-
-def _place(name, suffix):
-    def get(self):
-        return self._function("Get", suffix)(self._handle)
-
-    def put(self, value):
-        function = self._function("Set", suffix)
-        if self.type == "hinge2" and suffix.startswith("Axis"):
-            c.dJointSetHinge2Axes(self._handle, *((value, None) if suffix == "Axis1" else (None, value)))
-        else:
-            function(self._handle, *value)
-    kind = "A point" if name.startswith("anchor") else "A direction"
-    return property(get, put, doc=f"{kind} of the joint, in the world's frame, if its type has it.")
-
-
-for _name in ("anchor", "anchor1", "anchor2", "axis", "axis1", "axis2", "axis3"):
-    setattr(Joint, _name, _place(_name, _name.capitalize()))
+    first: int = getattr(c, "dParam" + _PARAMETERS[name])
+    return first + axis * c.dParamGroup

@@ -1,39 +1,55 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
 """Shapes: descriptions from which a world makes geoms and masses. Lengths in m."""
+from __future__ import annotations
+
 import dataclasses
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from . import c
 
-INF = float("inf")
+
+class _Data:
+    """Triangles or heights of the library, which geoms of several worlds may share: destroyed when neither their shape nor a
+    geom of it is left."""
+
+    __slots__ = ("handle", "_destroy", "__weakref__")
+
+    def __init__(self, handle: Any, destroy: Callable[[Any], Any]) -> None:
+        self.handle, self._destroy = handle, destroy
+
+    def __del__(self) -> None:
+        self._destroy(self.handle)
 
 
 class Shape:
     """A description of a shape."""
 
-    def _create(self, space):
+    def _create(self, space: c.dSpaceID) -> c.dGeomID:
         raise NotImplementedError
 
-    def _mass(self, mass, density, geom):
+    def _mass(self, mass: float | None, density: float, geom: c.dGeomID) -> c.dMass:
         """The c.dMass of the shape, of that total mass or density."""
         raise TypeError(f"{type(self).__name__} has no mass of its own: give the body mass and inertia")
 
 
-def _weighed(total, dense, mass, density, *parts):
+def _weighed(total: Callable[..., Any], dense: Callable[..., Any], mass: float | None, density: float, *parts: Any) -> c.dMass:
     """A c.dMass by one of two C functions: of that total mass or, if it is None, density."""
     m = c.dMass()
     (dense if mass is None else total)(m, density if mass is None else mass, *parts)
     return m
 
 
-def _solid(create, total, dense, fields, axial=False):
+def _solid(create: Callable[..., c.dGeomID], total: Callable[..., Any], dense: Callable[..., Any], fields: list[str], axial: bool = False) -> Any:
     """The methods of a solid whose C functions take its fields in order."""
-    def make(self, space):
+    def make(self: Shape, space: c.dSpaceID) -> c.dGeomID:
         return create(space, *(getattr(self, f) for f in fields))
 
-    def weigh(self, mass, density, geom):
+    def weigh(self: Shape, mass: float | None, density: float, geom: c.dGeomID) -> c.dMass:
         axis = [3] if axial else []
         return _weighed(total, dense, mass, density, *axis, *(getattr(self, f) for f in fields))
     return make, weigh
@@ -101,23 +117,23 @@ class Ellipsoid(Shape):
 @dataclasses.dataclass
 class Plane(Shape):
     """The half space below normal . p = distance; it never moves."""
-    normal: tuple = (0, 0, 1)
+    normal: tuple[float, float, float] = (0, 0, 1)
     distance: float = 0.0
 
-    def _create(self, space):
+    def _create(self, space: c.dSpaceID) -> c.dGeomID:
         return c.dCreatePlane(space, *self.normal, self.distance)
 
 
 @dataclasses.dataclass(eq=False)
 class Convex(Shape):
     """The convex hull of points, an (n, 3) array."""
-    points: np.ndarray
+    points: ArrayLike
     max_vertices: int = 0
 
-    def _create(self, space):
+    def _create(self, space: c.dSpaceID) -> c.dGeomID:
         return c.dCreateConvexHull(space, self.points, self.max_vertices)
 
-    def _mass(self, mass, density, geom):
+    def _mass(self, mass: float | None, density: float, geom: c.dGeomID) -> c.dMass:
         return _weighed(c.dMassSetConvexTotal, c.dMassSetConvex, mass, density, geom)
 
 
@@ -125,17 +141,17 @@ class Convex(Shape):
 class Mesh(Shape):
     """Triangles: vertices, an (n, 3) array, and indices into it, an (m, 3) array, counter-clockwise from outside.
     Contiguous float64 and uint32 arrays are not copied. solid: a closed mesh that is full."""
-    vertices: np.ndarray
-    triangles: np.ndarray
+    vertices: ArrayLike
+    triangles: ArrayLike
     solid: bool = False
-    _data: object = dataclasses.field(default=None, repr=False)
+    _data: _Data | None = dataclasses.field(default=None, init=False, repr=False)
 
-    def _create(self, space):
+    def _create(self, space: c.dSpaceID) -> c.dGeomID:
         if self._data is None:
-            data = c.dGeomTriMeshDataCreate()
-            c.dGeomTriMeshDataBuildDouble(data, self.vertices, self.triangles)
+            data = _Data(c.dGeomTriMeshDataCreate(), c.dGeomTriMeshDataDestroy)
+            c.dGeomTriMeshDataBuildDouble(data.handle, self.vertices, self.triangles)
             self._data = data
-        geom = c.dCreateTriMesh(space, self._data)
+        geom = c.dCreateTriMesh(space, self._data.handle)
         if self.solid:
             try:
                 c.dGeomTriMeshSetSolid(geom, 1)
@@ -144,28 +160,27 @@ class Mesh(Shape):
                 raise
         return geom
 
-    def _mass(self, mass, density, geom):
+    def _mass(self, mass: float | None, density: float, geom: c.dGeomID) -> c.dMass:
         return _weighed(c.dMassSetTrimeshTotal, c.dMassSetTrimesh, mass, density, geom)
 
 
 @dataclasses.dataclass(eq=False)
 class HeightField(Shape):
     """Ground from heights[j, i] over a rectangle of width (x) by depth (y), its middle at the origin, z up."""
-    heights: np.ndarray
+    heights: ArrayLike
     width: float
     depth: float
     thickness: float = 1.0
+    _data: _Data | None = dataclasses.field(default=None, init=False, repr=False)
 
-    def _create(self, space):
-        data = c.dGeomHeightfieldDataCreate()
-        # The C API's field has y up and its second side along z: turned by 90 degrees about x, z becomes -y.
-        flipped = np.ascontiguousarray(np.asarray(self.heights, float)[::-1])
-        try:
-            c.dGeomHeightfieldDataBuildDouble(data, flipped, self.width, self.depth, thickness=self.thickness)
-            geom = c.dCreateHeightfield(space, data, 1)
-        except Exception:
-            c.dGeomHeightfieldDataDestroy(data)
-            raise
+    def _create(self, space: c.dSpaceID) -> c.dGeomID:
+        if self._data is None:
+            data = _Data(c.dGeomHeightfieldDataCreate(), c.dGeomHeightfieldDataDestroy)
+            # The C API's field has y up and its second side along z: turned by 90 degrees about x, z becomes -y.
+            flipped = np.ascontiguousarray(np.asarray(self.heights, float)[::-1])
+            c.dGeomHeightfieldDataBuildDouble(data.handle, flipped, self.width, self.depth, thickness=self.thickness)
+            self._data = data
+        geom = c.dCreateHeightfield(space, self._data.handle, 1)
         h = 0.5 ** 0.5
         c.dGeomSetQuaternion(geom, (h, h, 0, 0))
         return geom
@@ -177,19 +192,19 @@ class Material:
     friction: float = 0.6
     bounce: float = 0.0
     bounce_speed: float = 1.0
-    surface_velocity: tuple = (0.0, 0.0, 0.0)
+    surface_velocity: tuple[float, float, float] = (0.0, 0.0, 0.0)
     rolling_friction: float = 0.0
     compliance: float = 0.0
     damping_time: float = 0.0
 
-    def _to_c(self):
+    def _to_c(self) -> c.dMaterial:
         material = c.dMaterial()
         for field in dataclasses.fields(self):
             setattr(material, field.name, getattr(self, field.name))
         return material
 
     @classmethod
-    def _from_c(cls, material):
+    def _from_c(cls, material: c.dMaterial) -> Material:
         values = {f.name: getattr(material, f.name) for f in dataclasses.fields(cls)}
         values["surface_velocity"] = tuple(float(v) for v in values["surface_velocity"])
         return cls(**values)

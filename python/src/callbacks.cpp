@@ -6,6 +6,7 @@
 #include <map>
 
 #include "filter.h"
+#include "written_texts.h"
 
 namespace {
 
@@ -59,6 +60,22 @@ dReal on_height(void* data, int x, int z)
 // Places of kept objects.
 enum { kMoved, kContactFilter, kHeights, kFeedback, kMeshVertices, kMeshIndices };
 
+// The library knows its dead.
+bool is_dead_joint(const void* owner, int place)
+{
+    if (place != kFeedback) return false;
+    Call probe;
+    dJointGetType(static_cast<dJointID>(const_cast<void*>(owner)));
+    return !probe.silent();
+}
+
+dWorldID world_of(dJointID joint)
+{
+    dBodyID body = dJointGetBody(joint, 0);
+    if (!body) body = dJointGetBody(joint, 1);
+    return body ? dBodyGetWorld(body) : nullptr;
+}
+
 void on_moved(dBodyID body)
 {
     guarded([&] {
@@ -90,7 +107,7 @@ void set_moved_callback(const BodyHandle* body, nb::object callback)
     call.uses(get(body));
     dBodySetMovedCallback(get(body), callback.is_none() ? nullptr : on_moved);
     call.done();
-    keep(get(body), kMoved, callback);
+    keep(get(body), kMoved, callback, dBodyGetWorld(get(body)));
 }
 
 void set_contact_filter(const WorldHandle* world, nb::object filter)
@@ -99,7 +116,7 @@ void set_contact_filter(const WorldHandle* world, nb::object filter)
     call.uses(get(world));
     dWorldSetContactFilter(get(world), filter.is_none() ? nullptr : on_pair, filter.ptr());
     call.done();
-    keep(get(world), kContactFilter, filter);
+    keep(get(world), kContactFilter, filter, get(world));
 }
 
 void build_callback(const HeightsHandle* data, nb::object callback, double width, double depth,
@@ -119,7 +136,7 @@ void set_feedback(const JointHandle* joint, nb::object feedback)
     call.uses(get(joint));
     dJointSetFeedback(get(joint), feedback.is_none() ? nullptr : nb::cast<dJointFeedback*>(feedback));
     call.done();
-    keep(get(joint), kFeedback, feedback);
+    keep(get(joint), kFeedback, feedback, world_of(get(joint)));
 }
 
 nb::object get_feedback(const JointHandle* joint)
@@ -155,6 +172,8 @@ void build_mesh(const MeshHandle* data, nb::object vertices, nb::object indices,
 
 }  // namespace
 
+void forget_joints() { forget_dead(is_dead_joint); }
+
 Filter::Filter() { dQueryFilterInit(&filter, sizeof filter); }
 
 const dQueryFilter* filter_of(const Filter* filter)
@@ -186,21 +205,24 @@ void bind_callbacks(nb::module_& m)
             [](Filter& f, nb::object callback) { f.callback = callback; },
             nb::for_setter(nb::arg("callback").none()));
     m.def(
-        "dQueryFilterInit", [](Filter& f) { f = Filter(); }, "filter"_a);
-    m.def("dSpaceCollide", collide, "space"_a.none(), "callback"_a);
-    m.def("dSpaceCollide2", collide_two, "o1"_a.none(), "o2"_a.none(), "callback"_a);
-    m.def("dBodySetMovedCallback", set_moved_callback, "body"_a.none(), "callback"_a.none());
-    m.def("dWorldSetContactFilter", set_contact_filter, "world"_a.none(), "filter"_a.none());
+        "dQueryFilterInit", [](Filter& f) { f = Filter(); }, "filter"_a, TEXT(dQueryFilterInit));
+    m.def("dSpaceCollide", collide, "space"_a.none(), "callback"_a, TEXT(dSpaceCollide));
+    m.def("dSpaceCollide2", collide_two, "o1"_a.none(), "o2"_a.none(), "callback"_a, TEXT(dSpaceCollide2));
+    m.def("dBodySetMovedCallback", set_moved_callback, "body"_a.none(), "callback"_a.none(),
+          TEXT(dBodySetMovedCallback));
+    m.def("dWorldSetContactFilter", set_contact_filter, "world"_a.none(), "filter"_a.none(),
+          TEXT(dWorldSetContactFilter));
     m.def("dGeomHeightfieldDataBuildCallback", build_callback, "d"_a.none(), "callback"_a, "width"_a,
-          "depth"_a, "widthSamples"_a, "depthSamples"_a, "scale"_a, "offset"_a, "thickness"_a, "bWrap"_a);
-    m.def("dJointSetFeedback", set_feedback, "joint"_a.none(), "feedback"_a.none());
-    m.def("dJointGetFeedback", get_feedback, "joint"_a.none());
+          "depth"_a, "widthSamples"_a, "depthSamples"_a, "scale"_a, "offset"_a, "thickness"_a, "bWrap"_a,
+          TEXT(dGeomHeightfieldDataBuildCallback));
+    m.def("dJointSetFeedback", set_feedback, "joint"_a.none(), "feedback"_a.none(), TEXT(dJointSetFeedback));
+    m.def("dJointGetFeedback", get_feedback, "joint"_a.none(), TEXT(dJointGetFeedback));
     m.def(
         "dGeomTriMeshDataBuildDouble",
         [](const MeshHandle* d, nb::object v, nb::object i) { build_mesh(d, v, i, false); }, "g"_a.none(),
-        "vertices"_a, "indices"_a);
+        "vertices"_a, "indices"_a, TEXT(dGeomTriMeshDataBuildDouble));
     m.def(
         "dGeomTriMeshDataBuildSimple",
         [](const MeshHandle* d, nb::object v, nb::object i) { build_mesh(d, v, i, true); }, "g"_a.none(),
-        "vertices"_a, "indices"_a);
+        "vertices"_a, "indices"_a, TEXT(dGeomTriMeshDataBuildSimple));
 }

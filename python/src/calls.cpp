@@ -14,24 +14,16 @@
 #include <map>
 #include <mutex>
 #include <thread>
+#include <utility>
 
 namespace {
 
-struct Said {
-    bool refused;
-    int number;
-    std::string text;
-};
-
-struct Frame {
-    Frame* outer;
-    std::vector<Said> said;
-};
-thread_local Frame* frame = nullptr;
+thread_local Call* innermost = nullptr;
 thread_local PyObject* waiting = nullptr;  // an exception of a callback
 
 std::mutex mutex;
 std::vector<Said> helpers_said;
+std::atomic<bool> helpers_spoke{false};
 struct Busy {
     dWorldID world;
     std::thread::id thread;
@@ -45,12 +37,7 @@ void collect(bool refused, int number, const char* format, va_list arguments)
 {
     char text[2000];
     vsnprintf(text, sizeof text, format, arguments);
-    if (frame) {
-        frame->said.push_back({refused, number, text});
-        return;
-    }
-    std::lock_guard lock(mutex);
-    helpers_said.push_back({refused, number, text});
+    Call::say({refused, number, text});
 }
 
 void on_refusal(int number, const char* format, va_list arguments)
@@ -107,8 +94,27 @@ nb::object wrapped(dGeomID geom)
     return dGeomIsSpace(geom) ? wrapped(reinterpret_cast<dSpaceID>(geom)) : nb::cast(GeomHandle{geom});
 }
 
+namespace {
+
+// Tuples and lists of floats, the common case, without a detour through numpy.
+bool read_sequence(nb::handle from, dReal* to, Py_ssize_t size)
+{
+    bool tuple = PyTuple_CheckExact(from.ptr());
+    if (!tuple && !PyList_CheckExact(from.ptr())) return false;
+    if ((tuple ? PyTuple_Size(from.ptr()) : PyList_Size(from.ptr())) != size) return false;
+    for (Py_ssize_t i = 0; i < size; ++i) {
+        PyObject* one = tuple ? PyTuple_GetItem(from.ptr(), i) : PyList_GetItem(from.ptr(), i);
+        if (!PyFloat_Check(one)) return false;
+        to[i] = PyFloat_AsDouble(one);
+    }
+    return true;
+}
+
+}  // namespace
+
 void read_numbers(nb::handle from, dReal* to, int size, const char* what)
 {
+    if (read_sequence(from, to, size)) return;
     // A vector of three may have its padding; a 3 x 3 matrix comes with or without.
     nb::object flat = nb::module_::import_("numpy").attr("asarray")(from, "float64");
     size_t count = nb::cast<size_t>(flat.attr("size"));
@@ -132,9 +138,12 @@ namespace {
 template <typename T>
 const char* name_of()
 {
-    if constexpr (std::is_floating_point_v<T>) return sizeof(T) == 8 ? "float64" : "float32";
-    else if constexpr (std::is_unsigned_v<T>) return sizeof(T) == 4 ? "uint32" : "uint8";
-    else return "int16";
+    if constexpr (std::is_floating_point_v<T>)
+        return sizeof(T) == 8 ? "float64" : "float32";
+    else if constexpr (std::is_unsigned_v<T>)
+        return sizeof(T) == 4 ? "uint32" : "uint8";
+    else
+        return "int16";
 }
 
 }  // namespace
@@ -188,12 +197,17 @@ nb::object empty_records(nb::handle dtype, size_t count, void** data)
     return array;
 }
 
-Call::Call() { frame = new Frame{frame, {}}; }
-Call::~Call()
+Call::Call() : outer_(innermost) { innermost = this; }
+Call::~Call() { innermost = outer_; }
+void Call::say(Said said)
 {
-    Frame* mine = frame;
-    frame = mine->outer;
-    delete mine;
+    if (innermost) {
+        innermost->said_.push_back(std::move(said));
+        return;
+    }
+    std::lock_guard lock(mutex);
+    helpers_said.push_back(std::move(said));
+    helpers_spoke.store(true, std::memory_order_release);
 }
 
 void Call::uses(dWorldID world)
@@ -224,13 +238,13 @@ void Call::uses(dGeomID geom)
 
 void Call::done()
 {
-    std::vector<Said> said = std::move(frame->said);
-    {
+    std::vector<Said> said = std::move(said_);
+    if (helpers_spoke.exchange(false, std::memory_order_acquire)) {
         std::lock_guard lock(mutex);
         said.insert(said.end(), helpers_said.begin(), helpers_said.end());
         helpers_said.clear();
     }
-    if (waiting && !frame->outer) {
+    if (waiting && !outer_) {
         PyObject* error = waiting;
         waiting = nullptr;
         PyErr_SetObject(reinterpret_cast<PyObject*>(Py_TYPE(error)), error);
@@ -243,11 +257,11 @@ void Call::done()
     }
 }
 
-Released::Released(const dWorldID* worlds, size_t count) : worlds_(worlds, worlds + count)
+Released::Released(const dWorldID* worlds, size_t count) : worlds_(worlds), count_(count)
 {
     {
         std::lock_guard lock(mutex);
-        for (dWorldID world : worlds_) busy.push_back({world, std::this_thread::get_id()});
+        for (size_t i = 0; i < count; ++i) busy.push_back({worlds[i], std::this_thread::get_id()});
         busy_count.store(int(busy.size()), std::memory_order_release);
     }
     state_ = PyEval_SaveThread();
@@ -256,9 +270,9 @@ Released::~Released()
 {
     PyEval_RestoreThread(state_);
     std::lock_guard lock(mutex);
-    for (dWorldID world : worlds_) {
+    for (size_t i = 0; i < count_; ++i) {
         auto it = std::find_if(busy.begin(), busy.end(), [&](const Busy& one) {
-            return one.world == world && one.thread == std::this_thread::get_id();
+            return one.world == worlds_[i] && one.thread == std::this_thread::get_id();
         });
         busy.erase(it);
     }
@@ -281,19 +295,57 @@ void keep_exception()
 bool exception_waits() { return waiting; }
 
 namespace {
-using Kept = std::map<std::pair<const void*, int>, nb::object>;
-Kept& all_kept()
+struct Kept {
+    nb::object object;
+    dWorldID world;
+};
+using AllKept = std::map<std::pair<const void*, int>, Kept>;
+AllKept& all_kept()
 {
-    static Kept* objects = new Kept;  // outlives the interpreter: the library may still point into it
+    static AllKept* objects = new AllKept;  // outlives the interpreter: the library may still point into it
     return *objects;
 }
+
+// What is let go is released at the end: it may call back.
+template <typename Gone>
+void let_go(const Gone& gone)
+{
+    std::vector<nb::object> released;
+    AllKept& all = all_kept();
+    for (auto it = all.begin(); it != all.end();) {
+        if (!gone(it->first.first, it->first.second, it->second.world)) {
+            ++it;
+            continue;
+        }
+        released.push_back(std::move(it->second.object));
+        it = all.erase(it);
+    }
+}
+
+// A world with a history may bring its objects back.
+bool returns(dWorldID world) { return world && dWorldGetHistory(world) > 0; }
 }  // namespace
 
-void keep(const void* owner, int place, nb::object object) { all_kept()[{owner, place}] = std::move(object); }
+void keep(const void* owner, int place, nb::object object, dWorldID world)
+{
+    Kept before = std::exchange(all_kept()[{owner, place}], {std::move(object), world});
+}
 nb::object kept(const void* owner, int place)
 {
     auto it = all_kept().find({owner, place});
-    return it == all_kept().end() ? nb::none() : it->second;
+    return it == all_kept().end() ? nb::none() : it->second.object;
+}
+void forget(const void* owner)
+{
+    let_go([&](const void* one, int, dWorldID world) { return one == owner && !returns(world); });
+}
+void forget_dead(bool (*dead)(const void* owner, int place))
+{
+    let_go([&](const void* one, int place, dWorldID world) { return !returns(world) && dead(one, place); });
+}
+void forget_world(dWorldID gone)
+{
+    let_go([&](const void*, int, dWorldID world) { return world == gone; });
 }
 
 void install_handlers()

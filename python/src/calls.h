@@ -87,11 +87,19 @@ nb::object matrix_of(const dReal* v);  // 3 x 3, from rows of four
 nb::object real_array(size_t rows, size_t columns, dReal** data);
 nb::object empty_records(nb::handle dtype, size_t count, void** data);  // structured, dtype from module.cpp
 
+// A message of the library.
+struct Said {
+    bool refused;
+    int number;
+    std::string text;
+};
+
 // One call: collects messages, refuses worlds that are busy elsewhere, throws in done().
 class Call {
   public:
     Call();
     ~Call();
+    static void say(Said said);  // to the innermost call of this thread, or to the next one that ends
     Call(const Call&) = delete;
     Call& operator=(const Call&) = delete;
     void uses(dWorldID world);
@@ -102,18 +110,23 @@ class Call {
     template <typename P>
     void uses(P)
     {}
+    bool silent() const { return said_.empty(); }
     void done();  // throws what was refused, or an exception of a callback
+
+  private:
+    Call* outer_;
+    std::vector<Said> said_;
 };
 
 // The worlds of a step, marked busy, and the interpreter's lock released, while this lives.
 class Released {
   public:
-    explicit Released(dWorldID world) : Released(&world, 1) {}
-    Released(const dWorldID* worlds, size_t count);
+    Released(const dWorldID* worlds, size_t count);  // the array outlives this
     ~Released();
 
   private:
-    std::vector<dWorldID> worlds_;
+    const dWorldID* worlds_;
+    size_t count_;
     PyThreadState* state_;
 };
 
@@ -122,8 +135,13 @@ void keep_exception();
 bool exception_waits();
 
 // Objects that the library points to: kept under the object that points to them, until another one takes the place.
-void keep(const void* owner, int place, nb::object object);
+// They are let go when the owner is destroyed, or with its world, if its history may bring the owner back.
+void keep(const void* owner, int place, nb::object object, dWorldID world = nullptr);
 nb::object kept(const void* owner, int place);
+void forget(const void* owner);
+void forget_world(dWorldID gone);
+void forget_dead(bool (*dead)(const void* owner, int place));
+void forget_joints();  // those of a group are gone
 
 void install_handlers();
 void set_exceptions(nb::object refused, nb::object dead, nb::object busy, nb::object warning);

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "filter.h"
+#include "written_texts.h"
 
 namespace {
 
@@ -203,8 +204,7 @@ nb::object ray_all(const SpaceHandle* space, nb::object origin, nb::object direc
 nb::object ray_batch(const SpaceHandle* space, nb::object origins, nb::object directions, nb::object lengths,
                      const Filter* filter, int threads)
 {
-    auto o = array_in<double>(origins), d = array_in<double>(directions),
-         l = array_in<double>(lengths);
+    auto o = array_in<double>(origins), d = array_in<double>(directions), l = array_in<double>(lengths);
     size_t count = o.size / 3;
     if (o.size % 3 || d.size != o.size || l.size != count || count > (1u << 30))
         throw nb::value_error("origins and directions of n rows of 3 numbers and n lengths expected");
@@ -449,35 +449,43 @@ void bind_written(nb::module_& m)
 {
     bind_list<dBodyID>(m, "BodyList");
     bind_list<dJointID>(m, "JointList");
-    m.def("dWorldGetBodies", of_world<dBodyID, dWorldGetBodies>, "world"_a.none());
-    m.def("dWorldGetJoints", of_world<dJointID, dWorldGetJoints>, "world"_a.none());
-    m.def("dWorldGetBrokenJoints", of_world<dJointID, dWorldGetBrokenJoints>, "world"_a.none());
-    m.def("dBodiesGetStates", get_states, "bodies"_a, "fields"_a);
-    m.def("dBodiesSetStates", set_states, "bodies"_a, "fields"_a, "states"_a);
-    m.def("dJointsGetStates", joint_states, "joints"_a, "stride"_a = 1);
-    m.def("dWorldGetState", get_state, "world"_a.none());
-    m.def("dWorldSetState", set_state, "world"_a.none(), "state"_a);
-    m.def("dWorldGetStateDelta", get_delta, "world"_a.none(), "base"_a);
-    m.def("dWorldSetStateDelta", set_delta, "world"_a.none(), "base"_a, "delta"_a);
+    m.def("dWorldGetBodies", of_world<dBodyID, dWorldGetBodies>, "world"_a.none(), TEXT(dWorldGetBodies));
+    m.def("dWorldGetJoints", of_world<dJointID, dWorldGetJoints>, "world"_a.none(), TEXT(dWorldGetJoints));
+    m.def("dWorldGetBrokenJoints", of_world<dJointID, dWorldGetBrokenJoints>, "world"_a.none(),
+          TEXT(dWorldGetBrokenJoints));
+    m.def("dBodiesGetStates", get_states, "bodies"_a, "fields"_a, TEXT(dBodiesGetStates));
+    m.def("dBodiesSetStates", set_states, "bodies"_a, "fields"_a, "states"_a, TEXT(dBodiesSetStates));
+    m.def("dJointsGetStates", joint_states, "joints"_a, "stride"_a = 1, TEXT(dJointsGetStates));
+    m.def("dWorldGetState", get_state, "world"_a.none(), TEXT(dWorldGetState));
+    m.def("dWorldSetState", set_state, "world"_a.none(), "state"_a, TEXT(dWorldSetState));
+    m.def("dWorldGetStateDelta", get_delta, "world"_a.none(), "base"_a, TEXT(dWorldGetStateDelta));
+    m.def("dWorldSetStateDelta", set_delta, "world"_a.none(), "base"_a, "delta"_a, TEXT(dWorldSetStateDelta));
     m.def("dWorldsStep", step_worlds, "worlds"_a, "stepsize"_a, "stepper"_a = int(dStepperHybrid),
-          "iterations"_a = 4, "steps"_a = 1, "threads"_a = 0);
+          "iterations"_a = 4, "steps"_a = 1, "threads"_a = 0, TEXT(dWorldsStep));
     m.def("dWorldGetContacts", records_of_world<dWorldContact, dWorldGetContacts, contact_type>,
-          "world"_a.none());
+          "world"_a.none(), TEXT(dWorldGetContacts));
     m.def("dWorldGetContactEvents", records_of_world<dContactEvent, dWorldGetContactEvents, event_type>,
-          "world"_a.none());
-    m.def("dWorldDiagnose", diagnose, "world"_a.none());
+          "world"_a.none(), TEXT(dWorldGetContactEvents));
+    m.def("dWorldDiagnose", diagnose, "world"_a.none(), TEXT(dWorldDiagnose));
     m.def("dSpaceRayAll", ray_all, "space"_a.none(), "origin"_a, "direction"_a, "length"_a,
-          "filter"_a.none() = nb::none());
+          "filter"_a.none() = nb::none(), TEXT(dSpaceRayAll));
     m.def("dSpaceRayBatch", ray_batch, "space"_a.none(), "origins"_a, "directions"_a, "lengths"_a,
-          "filter"_a.none() = nb::none(), "threads"_a = 0);
-    m.def("dSpaceOverlap", overlap, "space"_a.none(), "geom"_a.none(), "filter"_a.none() = nb::none());
-    m.def("dCollide", collide, "o1"_a.none(), "o2"_a.none(), "flags"_a = 8);
-    m.def("dCreateConvex", create_convex, "space"_a.none(), "planes"_a, "points"_a, "polygons"_a);
-    m.def("dGeomSetConvex", set_convex, "convex"_a.none(), "planes"_a, "points"_a, "polygons"_a);
-    m.def("dCreateConvexHull", create_hull, "space"_a.none(), "points"_a, "maxvertices"_a = 0);
-    m.def("dGeomSetConvexHull", set_hull, "convex"_a.none(), "points"_a, "maxvertices"_a = 0);
-    m.def("dGeomConvexGetPoints", convex_array<dGeomConvexGetPoints, 3>, "convex"_a.none());
-    m.def("dGeomConvexGetPlanes", convex_array<dGeomConvexGetPlanes, 4>, "convex"_a.none());
+          "filter"_a.none() = nb::none(), "threads"_a = 0, TEXT(dSpaceRayBatch));
+    m.def("dSpaceOverlap", overlap, "space"_a.none(), "geom"_a.none(), "filter"_a.none() = nb::none(),
+          TEXT(dSpaceOverlap));
+    m.def("dCollide", collide, "o1"_a.none(), "o2"_a.none(), "flags"_a = 8, TEXT(dCollide));
+    m.def("dCreateConvex", create_convex, "space"_a.none(), "planes"_a, "points"_a, "polygons"_a,
+          TEXT(dCreateConvex));
+    m.def("dGeomSetConvex", set_convex, "convex"_a.none(), "planes"_a, "points"_a, "polygons"_a,
+          TEXT(dGeomSetConvex));
+    m.def("dCreateConvexHull", create_hull, "space"_a.none(), "points"_a, "maxvertices"_a = 0,
+          TEXT(dCreateConvexHull));
+    m.def("dGeomSetConvexHull", set_hull, "convex"_a.none(), "points"_a, "maxvertices"_a = 0,
+          TEXT(dGeomSetConvexHull));
+    m.def("dGeomConvexGetPoints", convex_array<dGeomConvexGetPoints, 3>, "convex"_a.none(),
+          TEXT(dGeomConvexGetPoints));
+    m.def("dGeomConvexGetPlanes", convex_array<dGeomConvexGetPlanes, 4>, "convex"_a.none(),
+          TEXT(dGeomConvexGetPlanes));
     m.def(
         "dGeomConvexGetPolygons",
         [](const GeomHandle* geom) {
@@ -487,19 +495,21 @@ void bind_written(nb::module_& m)
             call.done();
             return result;
         },
-        "convex"_a.none());
-    m.def("dGeomGetTriangles", triangles, "geom"_a.none(), "segments"_a = 24);
+        "convex"_a.none(), TEXT(dGeomConvexGetPolygons));
+    m.def("dGeomGetTriangles", triangles, "geom"_a.none(), "segments"_a = 24, TEXT(dGeomGetTriangles));
 #define HEIGHTS(name, type)                                                                        \
     m.def("dGeomHeightfieldDataBuild" #name, build_heights<dGeomHeightfieldDataBuild##name, type>, \
           "d"_a.none(), "heights"_a, "width"_a, "depth"_a, "scale"_a = 1.0, "offset"_a = 0.0,      \
-          "thickness"_a = 0.0, "bWrap"_a = false)
+          "thickness"_a = 0.0, "bWrap"_a = false, TEXT(dGeomHeightfieldDataBuild##name))
     HEIGHTS(Byte, unsigned char);
     HEIGHTS(Short, short);
     HEIGHTS(Single, float);
     HEIGHTS(Double, double);
-    m.def("dGeomHeightfieldDataSetHoles", set_holes, "d"_a.none(), "holes"_a);
-    m.def("dCreateTriMesh", create_mesh, "space"_a.none(), "data"_a.none());
-    m.def("dGeomTriMeshGetTriangle", triangle, "g"_a.none(), "index"_a);
-    m.def("dConnectingJointList", connecting, "body1"_a.none(), "body2"_a.none());
-    m.def("dJointSetHinge2Axes", hinge2_axes, "joint"_a.none(), "axis1"_a.none(), "axis2"_a.none());
+    m.def("dGeomHeightfieldDataSetHoles", set_holes, "d"_a.none(), "holes"_a,
+          TEXT(dGeomHeightfieldDataSetHoles));
+    m.def("dCreateTriMesh", create_mesh, "space"_a.none(), "data"_a.none(), TEXT(dCreateTriMesh));
+    m.def("dGeomTriMeshGetTriangle", triangle, "g"_a.none(), "index"_a, TEXT(dGeomTriMeshGetTriangle));
+    m.def("dConnectingJointList", connecting, "body1"_a.none(), "body2"_a.none(), TEXT(dConnectingJointList));
+    m.def("dJointSetHinge2Axes", hinge2_axes, "joint"_a.none(), "axis1"_a.none(), "axis2"_a.none(),
+          TEXT(dJointSetHinge2Axes));
 }

@@ -6,6 +6,7 @@ import math
 import subprocess
 import sys
 import threading
+import weakref
 
 import numpy as np
 import pytest
@@ -115,6 +116,50 @@ def test_saved_states_go_on_with_the_same_bits(world):
     assert world.save() == later
     with pytest.raises(epode.RefusedError, match="state"):
         world.load(b"nonsense")
+
+
+def test_steps_can_be_taken_back_with_what_was_made_and_destroyed(world):
+    world.plane()
+    ball = world.body(mass=1, position=(0, 0, 3), shape=epode.Sphere(0.2))
+    geom = ball.geoms[0]
+    world.history = 8
+    world.step(0.01, steps=20)
+    before = ball.position
+    shot = world.body(mass=1, shape=epode.Sphere(0.1))
+    world.step(0.01)
+    ball.destroy()
+    world.step(0.01, steps=2)
+    assert world.history_steps == 8 and shot.alive and not ball.alive
+    world.roll_back(3)
+    assert ball.alive and geom.alive and ball.geoms == [geom] and not shot.alive and list(world.bodies) == [ball]
+    np.testing.assert_array_equal(ball.position, before)
+    world.step(0.01)
+    with pytest.raises(epode.RefusedError, match="cannot take back"):
+        world.roll_back(99)
+    assert ball.alive
+
+
+def test_nothing_is_kept_of_what_is_gone():
+    """Callbacks, meshes and height fields go with the last object that has them."""
+    class Token:
+        pass
+    token = Token()
+    watch = weakref.ref(token)
+    world = epode.World()
+    vertices = np.array([(-5, -5, 0), (5, -5, 0), (5, 5, 0)], float)
+    mesh = epode.Mesh(vertices, np.array([(0, 1, 2)], np.uint32))
+    field = epode.HeightField(np.zeros((3, 3)), 1, 1)
+    for _ in range(2):
+        world.geom(mesh)
+        world.geom(field)
+    data = weakref.ref(mesh._data), weakref.ref(field._data)
+    body = world.body(mass=1)
+    body.on_move(lambda _, t=token: t)
+    world.on_pair(lambda a, b, t=token: True)
+    world.step(0.01)
+    del world, body, mesh, field, token
+    gc.collect()
+    assert watch() is None and data[0]() is None and data[1]() is None
 
 
 def test_rays_come_back_as_arrays(world):

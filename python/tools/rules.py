@@ -3,15 +3,86 @@
 """What generate.py cannot tell from a declaration: which functions are written by hand and where, and which are left
 out and why. The first pattern that matches a name counts."""
 
-# Bound by hand in src/written.cpp or src/callbacks.cpp, where sizes of arrays or callbacks need care.
-WRITTEN = r"""
-dWorldsStep dBodies[GS]etStates dJointsGetStates dWorldGet(Bodies|Joints) dWorld[GS]etState(Delta)?
-dWorldDiagnose dWorldGet(Contacts|ContactEvents|BrokenJoints) dSpaceRay(All|Batch) dSpaceOverlap dCollide dConnectingJointList
-dCreateConvex(Hull)? dGeomSetConvex(Hull)? dGeomConvexGet(Points|Planes|Polygons) dGeomGetTriangles
-dGeomHeightfieldDataBuild\w+ dGeomHeightfieldDataSetHoles dGeomTriMeshDataBuild(Double|Simple) dCreateTriMesh
-dGeomTriMeshGetTriangle dJoint[GS]etFeedback
-dSpaceCollide2? dBodySetMovedCallback dWorldSetContactFilter dQueryFilterInit dJointSetHinge2Axes
-""".split()
+# Bound by hand in src/written.cpp or src/callbacks.cpp, where sizes of arrays or callbacks need care: the signature, which
+# the stub and the docstring have. FloatArray is NDArray[float64]; structured arrays are NDArray[Any].
+_OF_WORLD = "(world: dWorldID | None) -> NDArray[Any]"
+_HEIGHTS = ("(d: dHeightfieldDataID | None, heights: ArrayLike, width: float, depth: float, scale: float = 1.0, "
+            "offset: float = 0.0, thickness: float = 0.0, bWrap: bool = False) -> None")
+_MESH = "(g: dTriMeshDataID | None, vertices: ArrayLike, indices: ArrayLike) -> None"
+_NEAR = "Callable[[dGeomID, dGeomID], Any]"
+WRITTEN = {
+    "dWorldsStep": "(worlds: Sequence[dWorldID], stepsize: float, stepper: int = ..., iterations: int = 4, steps: int = 1, "
+                   "threads: int = 0) -> list[int]",
+    "dBodiesGetStates": "(bodies: BodyList, fields: int) -> FloatArray",
+    "dBodiesSetStates": "(bodies: BodyList, fields: int, states: ArrayLike) -> None",
+    "dJointsGetStates": "(joints: JointList, stride: int = 1) -> tuple[FloatArray, FloatArray]",
+    "dWorldGetBodies": "(world: dWorldID | None) -> BodyList",
+    "dWorldGetJoints": "(world: dWorldID | None) -> JointList",
+    "dWorldGetBrokenJoints": "(world: dWorldID | None) -> JointList",
+    "dWorldGetState": "(world: dWorldID | None) -> bytes",
+    "dWorldSetState": "(world: dWorldID | None, state: bytes) -> None",
+    "dWorldGetStateDelta": "(world: dWorldID | None, base: bytes) -> bytes",
+    "dWorldSetStateDelta": "(world: dWorldID | None, base: bytes, delta: bytes) -> None",
+    "dWorldDiagnose": "(world: dWorldID | None) -> list[tuple[Any, ...]]",
+    "dWorldGetContacts": _OF_WORLD,
+    "dWorldGetContactEvents": _OF_WORLD,
+    "dSpaceRayAll": "(space: dSpaceID | None, origin: ArrayLike, direction: ArrayLike, length: float, "
+                    "filter: dQueryFilter | None = None) -> NDArray[Any]",
+    "dSpaceRayBatch": "(space: dSpaceID | None, origins: ArrayLike, directions: ArrayLike, lengths: ArrayLike, "
+                      "filter: dQueryFilter | None = None, threads: int = 0) -> NDArray[Any]",
+    "dSpaceOverlap": "(space: dSpaceID | None, geom: dGeomID | None, filter: dQueryFilter | None = None) -> list[dGeomID]",
+    "dCollide": "(o1: dGeomID | None, o2: dGeomID | None, flags: int = 8) -> list[dContactGeom]",
+    "dConnectingJointList": "(body1: dBodyID | None, body2: dBodyID | None) -> list[dJointID]",
+    "dCreateConvex": "(space: dSpaceID | None, planes: ArrayLike, points: ArrayLike, polygons: ArrayLike) -> dGeomID",
+    "dGeomSetConvex": "(convex: dGeomID | None, planes: ArrayLike, points: ArrayLike, polygons: ArrayLike) -> None",
+    "dCreateConvexHull": "(space: dSpaceID | None, points: ArrayLike, maxvertices: int = 0) -> dGeomID",
+    "dGeomSetConvexHull": "(convex: dGeomID | None, points: ArrayLike, maxvertices: int = 0) -> None",
+    "dGeomConvexGetPoints": "(convex: dGeomID | None) -> FloatArray",
+    "dGeomConvexGetPlanes": "(convex: dGeomID | None) -> FloatArray",
+    "dGeomConvexGetPolygons": "(convex: dGeomID | None) -> list[int]",
+    "dGeomGetTriangles": "(geom: dGeomID | None, segments: int = 24) -> FloatArray",
+    "dGeomHeightfieldDataBuildByte": _HEIGHTS,
+    "dGeomHeightfieldDataBuildShort": _HEIGHTS,
+    "dGeomHeightfieldDataBuildSingle": _HEIGHTS,
+    "dGeomHeightfieldDataBuildDouble": _HEIGHTS,
+    "dGeomHeightfieldDataBuildCallback":
+        "(d: dHeightfieldDataID | None, callback: Callable[[int, int], float], width: float, depth: float, "
+        "widthSamples: int, depthSamples: int, scale: float, offset: float, thickness: float, bWrap: bool) -> None",
+    "dGeomHeightfieldDataSetHoles": "(d: dHeightfieldDataID | None, holes: ArrayLike) -> None",
+    "dGeomTriMeshDataBuildDouble": _MESH,
+    "dGeomTriMeshDataBuildSimple": _MESH,
+    "dCreateTriMesh": "(space: dSpaceID | None, data: dTriMeshDataID | None) -> dGeomID",
+    "dGeomTriMeshGetTriangle": "(g: dGeomID | None, index: int) -> tuple[FloatArray, FloatArray, FloatArray]",
+    "dJointSetFeedback": "(joint: dJointID | None, feedback: dJointFeedback | None) -> None",
+    "dJointGetFeedback": "(joint: dJointID | None) -> dJointFeedback | None",
+    "dSpaceCollide": f"(space: dSpaceID | None, callback: {_NEAR}) -> None",
+    "dSpaceCollide2": f"(o1: dGeomID | None, o2: dGeomID | None, callback: {_NEAR}) -> None",
+    "dBodySetMovedCallback": "(body: dBodyID | None, callback: Callable[[dBodyID], Any] | None) -> None",
+    "dWorldSetContactFilter": "(world: dWorldID | None, filter: Callable[[dGeomID, dGeomID], bool] | None) -> None",
+    "dQueryFilterInit": "(filter: dQueryFilter) -> None",
+    "dJointSetHinge2Axes": "(joint: dJointID | None, axis1: ArrayLike | None, axis2: ArrayLike | None) -> None",
+}
+WRITTEN_CLASSES = """class BodyList:
+    def __init__(self, handles: Sequence[dBodyID]) -> None: ...
+    def __len__(self) -> int: ...
+    def __getitem__(self, index: int) -> dBodyID: ...
+
+
+class JointList:
+    def __init__(self, handles: Sequence[dJointID]) -> None: ...
+    def __len__(self) -> int: ...
+    def __getitem__(self, index: int) -> dJointID: ...
+
+
+class dQueryFilter:
+    category_bits: int
+    collide_bits: int
+    skip_body: dBodyID | None
+    callback: Callable[[dGeomID], bool] | None
+    def __init__(self) -> None: ...
+
+
+def _set_exceptions(refused: type, dead: type, busy: type, warning: type) -> None: ..."""
 
 # Left out: pattern -> reason.
 _NUMPY = "dense linear algebra on raw arrays: numpy has it"
@@ -49,3 +120,10 @@ READ_AND_WRITTEN = r"d(Safe)?Normalize[34]|dOrthogonalizeR"
 
 # Functions that run for long: the interpreter's lock is released, and the world is busy for other threads.
 STEPS = r"dWorld(Step|QuickStep|StepFast1|StepHybrid)"
+
+# Code after a call, of its first argument: objects are gone, and what was kept for them (callbacks, arrays) is let go.
+AFTER = {
+    r"d(Body|Joint|GeomTriMeshData|GeomHeightfieldData)Destroy": "forget({});",
+    r"dJointGroup(Destroy|Empty)": "forget_joints();",
+    r"dWorldDestroy": "forget_world({});",
+}
