@@ -12,6 +12,7 @@
 #include <ode/couplings.h>
 #include <ode/diagnosis.h>
 #include <ode/drives.h>
+#include <ode/events.h>
 #include <ode/queries.h>
 #include <ode/report.h>
 #include <ode/shapes.h>

@@ -32,6 +32,11 @@ struct dDriveExt : public dDrive {
     dDriveExt() { dDriveInit(this, sizeof(dDrive)); }
 };
 
+/** Event settings with all defaults: dEventSettingsInit. */
+struct dEventSettingsExt : public dEventSettings {
+    dEventSettingsExt() { dEventSettingsInit(this, sizeof(dEventSettings)); }
+};
+
 /** A report that knows its size; all else is 0 at first. */
 struct dWorldStepReportExt : public dWorldStepReport {
     dWorldStepReportExt() : dWorldStepReport() { struct_size = sizeof(dWorldStepReport); }
@@ -117,6 +122,18 @@ class dWorldExt : public dWorld {
     {
         return dWorldGetContacts(get_id(), contacts, capacity);
     }
+
+    /** What happened in the last step: dWorldSetEventSettings, dWorldGetEvents, dWorldGetLostEvents. */
+    int setEventSettings(const dEventSettings* settings)
+    {
+        return dWorldSetEventSettings(get_id(), settings);
+    }
+    int getEventSettings(dEventSettings* settings) const
+    {
+        return dWorldGetEventSettings(get_id(), settings);
+    }
+    int getEvents(dEvent* events, int capacity) const { return dWorldGetEvents(get_id(), events, capacity); }
+    int getLostEvents() const { return dWorldGetLostEvents(get_id()); }
 
     /** Steps that can be taken back: dWorldSetHistory, dWorldRollBack, dWorldGetHistoryFrames,
         dWorldGetHistorySize. */
@@ -232,6 +249,10 @@ class dGeomExt : public Shape {
     /** dGeomSetContinuous, dGeomGetContinuous. */
     void setContinuous(int mode) { dGeomSetContinuous(geom(), mode); }
     int getContinuous() const { return dGeomGetContinuous(geom()); }
+
+    /** dGeomSetSensor, dGeomGetSensor. */
+    void setSensor(int mode) { dGeomSetSensor(geom(), mode); }
+    int getSensor() const { return dGeomGetSensor(geom()); }
 
     /** dGeomGetDistance, dGeomCast. */
     int getDistance(dGeomID other, dReal max_distance, dQueryDistance* result) const

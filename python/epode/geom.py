@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import c
-from ._handle import FloatArray, Object, reads_and_sets, vector
+from ._handle import FloatArray, Object, flag, reads_and_sets, vector
 from .shapes import Material, Shape
 
 if TYPE_CHECKING:
@@ -30,6 +30,8 @@ class Geom(Object):
     quaternion = reads_and_sets(c.dGeomGetQuaternion, c.dGeomSetQuaternion, "w x y z.")
     category = reads_and_sets(c.dGeomGetCategoryBits, c.dGeomSetCategoryBits, "Bits of what the geom is.")
     collides_with = reads_and_sets(c.dGeomGetCollideBits, c.dGeomSetCollideBits, "Bits of what it collides with.")
+
+    sensor = flag(c.dGeomGetSensor, c.dGeomSetSensor, "Whether it reports what overlaps it (``World.events``) and exerts no force.")
 
     @property
     def offset(self) -> FloatArray:

@@ -312,9 +312,26 @@ class World(Object):
         return c.dWorldGetContacts(self._handle)
 
     @property
-    def events(self) -> NDArray[typing.Any]:
+    def contact_events(self) -> NDArray[typing.Any]:
         """Pairs of the last step: a structured array with kind (0 begin, 1 persist, 2 end), g1 and g2."""
         return c.dWorldGetContactEvents(self._handle)
+
+    def list_events(self, **settings: float) -> None:
+        """List ``events`` from the next step on. settings: the fields of ``c.dEventSettings``, such as kinds and
+        min_approach_speed."""
+        given = c.dEventSettings()
+        for name, value in settings.items():
+            if not hasattr(given, name):
+                raise TypeError(f"event settings have no {name}")
+            setattr(given, name, value)
+        c.dWorldSetEventSettings(self._handle, given)
+
+    @property
+    def events(self) -> NDArray[typing.Any]:
+        """What happened in the last step, if ``list_events`` was called before it: a structured array with kind
+        (``c.dEventContactBegin``, ...), g1 and g2 (``geom_of`` knows them), joint, pos, normal, approach_speed, impulse
+        and gone."""
+        return c.dWorldGetEvents(self._handle)
 
     def geom_of(self, key: int) -> Geom | None:
         """The Geom that a structured array names; None where there is none."""

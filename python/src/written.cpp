@@ -46,6 +46,14 @@ nb::object event_type()
     using E = dContactEvent;
     return dtype_of({FIELD(E, kind, "i4"), FIELD(E, g1, "u8"), FIELD(E, g2, "u8")}, sizeof(E));
 }
+nb::object step_event_type()
+{
+    using E = dEvent;
+    return dtype_of({FIELD(E, kind, "i4"), FIELD(E, gone, "i4"), FIELD(E, g1, "u8"), FIELD(E, g2, "u8"),
+                     FIELD(E, joint, "u8"), FIELD(E, pos, "3f8"), FIELD(E, normal, "3f8"),
+                     FIELD(E, approach_speed, "f8"), FIELD(E, impulse, "f8")},
+                    sizeof(E));
+}
 nb::object hit_type()
 {
     using H = dQueryHit;
@@ -466,6 +474,8 @@ void bind_written(nb::module_& m)
           "world"_a.none(), TEXT(dWorldGetContacts));
     m.def("dWorldGetContactEvents", records_of_world<dContactEvent, dWorldGetContactEvents, event_type>,
           "world"_a.none(), TEXT(dWorldGetContactEvents));
+    m.def("dWorldGetEvents", records_of_world<dEvent, dWorldGetEvents, step_event_type>, "world"_a.none(),
+          TEXT(dWorldGetEvents));
     m.def("dWorldDiagnose", diagnose, "world"_a.none(), TEXT(dWorldDiagnose));
     m.def("dSpaceRayAll", ray_all, "space"_a.none(), "origin"_a, "direction"_a, "length"_a,
           "filter"_a.none() = nb::none(), TEXT(dSpaceRayAll));

@@ -180,8 +180,33 @@ def test_events_begin_and_end(world):
         if i == 20:
             ball.position = (0, 0, 5)
         world.step(0.01)
-        kinds += list(world.events["kind"])
+        kinds += list(world.contact_events["kind"])
     assert kinds[0] == epode.c.dContactBegin and kinds[-1] == epode.c.dContactEnd
+
+
+def test_events_tell_how_hard_and_who_is_in_a_sensor(world):
+    floor = world.plane()
+    gate = world.geom(epode.Box(2, 2, 0.1), position=(0, 0, 1))
+    gate.sensor = True
+    ball = world.body(mass=2, position=(0, 0, 1.5), shape=epode.Sphere(0.2))
+    world.step(0.01)
+    assert len(world.events) == 0
+    world.list_events(min_approach_speed=1)
+    seen = []
+    for _ in range(100):
+        before = ball.velocity[2]
+        world.step(0.01)
+        for event in world.events:
+            seen.append(int(event["kind"]))
+            if event["kind"] == epode.c.dEventContactBegin:
+                assert world.geom_of(event["g1"]) is ball.geoms[0] and world.geom_of(event["g2"]) is floor
+                assert event["approach_speed"] == pytest.approx(-before) and event["normal"][2] == pytest.approx(1)
+                assert event["impulse"] == pytest.approx(2 * (ball.velocity[2] - before + 0.0981), rel=1e-5)
+            else:
+                assert world.geom_of(event["g1"]) is gate
+    assert seen == [epode.c.dEventSensorBegin, epode.c.dEventSensorEnd, epode.c.dEventContactBegin] and gate.sensor
+    with pytest.raises(TypeError):
+        world.list_events(loudness=1)
 
 
 def test_near_callback_and_its_exception(world):

@@ -26,6 +26,7 @@ WRITTEN = {
     "dWorldDiagnose": "(world: dWorldID | None) -> list[tuple[Any, ...]]",
     "dWorldGetContacts": _OF_WORLD,
     "dWorldGetContactEvents": _OF_WORLD,
+    "dWorldGetEvents": _OF_WORLD,
     "dSpaceRayAll": "(space: dSpaceID | None, origin: ArrayLike, direction: ArrayLike, length: float, "
                     "filter: dQueryFilter | None = None) -> NDArray[Any]",
     "dSpaceRayBatch": "(space: dSpaceID | None, origins: ArrayLike, directions: ArrayLike, lengths: ArrayLike, "

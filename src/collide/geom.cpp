@@ -21,6 +21,7 @@ namespace {
 
 std::atomic<std::uint64_t> g_serial{0};
 std::atomic<int> g_continuous{0};  // geoms with dContinuousOn
+std::atomic<int> g_sensors{0};
 
 void use_own_pose(Geom& geom)
 {
@@ -85,6 +86,17 @@ void set_continuous(Geom& geom, int mode)
     if (change) g_continuous.fetch_add(change, std::memory_order_relaxed);
     geom.continuous = std::uint8_t(mode);
 }
+
+void set_sensor(Geom& geom, bool on)
+{
+    if (geom.sensor == on) return;
+    geom.sensor = on;
+    g_sensors.fetch_add(on ? 1 : -1, std::memory_order_relaxed);
+    note_rules_changed(geom);
+    note_structure_changed();
+}
+
+bool any_sensor() { return g_sensors.load(std::memory_order_relaxed) > 0; }
 
 bool any_continuous() { return g_continuous.load(std::memory_order_relaxed) > 0; }
 
@@ -156,6 +168,7 @@ void destroy_geom(Geom& geom)
     if (geom.type->farewell) geom.type->farewell(geom);
     if (is_space(geom)) empty_space(static_cast<Space&>(geom));
     set_continuous(geom, dContinuousOff);
+    set_sensor(geom, false);
     while (geom.holders) set_transform_geom(*geom.holders, nullptr);
     if (geom.space) remove_geom(*geom.space, geom);
     unlink_body(geom);

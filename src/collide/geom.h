@@ -75,6 +75,7 @@ struct Geom : Numbered {
     bool pose_stale = false;      // only with an offset
     std::uint8_t continuous = 0;  // a dContinuous... value; set_continuous() writes it
     bool dying = false;         // being destroyed: its class's function, or those of its members, are running
+    bool sensor = false;        // reports what overlaps it and exerts no force; set_sensor() writes it
     bool at_rest = false;       // who keeps pairs of its space wants to know when something happens to it
     int slot = -1;              // place among the members of its space
     std::uint32_t changes = 0;  // of the shape, see mark_changed()
@@ -170,6 +171,10 @@ void mark_changed(Geom& geom);
 // Whether steps look at the geom's whole way, and whether there is any geom of which they do.
 void set_continuous(Geom& geom, int mode);
 bool any_continuous();
+
+// The same of sensors, of which steps report what overlaps them.
+void set_sensor(Geom& geom, bool on);
+bool any_sensor();
 
 // ---- body and offset; `link.first_geom` gets the geom in front ----
 void link_body(Geom& geom, const BodyLink& link);

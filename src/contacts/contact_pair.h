@@ -43,11 +43,13 @@ struct CachedManifold {
     ContactManifold manifold;  // has points
 };
 
+inline constexpr int kTakenOver = -2;
+
 struct ContactPair {
     dGeomID id1, id2;  // id1's geom has a body
     std::uint64_t serial1, serial2;
     Body *body1, *body2;  // live during a step only; body2 may be null
-    int old = -1;         // place in the list of the step before, -1: none, -2: not needed any more
+    int old = -1;         // place in the list of the step before, -1: none, kTakenOver: by the next one
     int first = 0;        // place of its manifolds
     union {
         std::uint32_t separating_axis = 0;  // of solids: a direction that has separated them, packed

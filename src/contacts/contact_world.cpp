@@ -34,7 +34,8 @@ bool may_push(const World& world, const GeomPair& pair)
     if (!can_push(*pair.a) || !can_push(*pair.b)) return false;
     const Body *a = body_of(*pair.a), *b = body_of(*pair.b);
     const bool moves = (a && !a->kinematic()) || (b && !b->kinematic());
-    return moves && (!a || a->world == &world) && (!b || b->world == &world);
+    return moves && !pair.a->sensor && !pair.b->sensor && (!a || a->world == &world) &&
+           (!b || b->world == &world);
 }
 
 // False: out of memory.
@@ -346,11 +347,12 @@ void ContactWorld::accept(Real h, const Tasks& tasks)
 {
     // A pair of the last step that this one has taken over is marked; what is left and touched has ended.
     tasks.each_of(fresh_.pairs.size(), kPairRange, [&](std::size_t i) {
-        if (const int old = fresh_.pairs.data()[i].old; old >= 0) last_.pairs.data()[old].old = -2;
+        if (const int old = fresh_.pairs.data()[i].old; old >= 0) last_.pairs.data()[old].old = kTakenOver;
     });
     ended_.clear();
     for (const ContactPair& pair : last_.pairs)
-        if (pair.old != -2 && touches(last_.of(pair))) (void)ended_.push({dContactEnd, pair.id1, pair.id2});
+        if (pair.old != kTakenOver && touches(last_.of(pair)))
+            (void)ended_.push({dContactEnd, pair.id1, pair.id2});
     last_.swap(fresh_);
     h_ = h;
     settled_ = all_asleep_;

@@ -18,6 +18,7 @@
 #include "collide/space.h"
 #include "contacts/active_geoms.h"
 #include "contacts/contact_pair.h"
+#include "contacts/event_list.h"
 #include "contacts/narrow_phase.h"
 #include "contacts/pair_finder.h"
 #include "contacts/pair_list.h"
@@ -67,6 +68,10 @@ class ContactWorld {
     [[nodiscard]] bool touching(const Tasks& tasks, Arena& arena, std::span<ManifoldEdge>& out);
     // The step is done: what it found is what the next one starts from. `h`: its length.
     void accept(Real h, const Tasks& tasks);
+    // For events, if they are wanted (contact_events.cpp): before the solution, how fast points approach (false:
+    // out of memory); after accept(), what has happened to the pairs of the step.
+    [[nodiscard]] bool measure_approach(const Tasks& tasks);
+    void report(EventList& out) const;
     // What is between bodies that are not active now lies apart until one of the geoms is looked at again.
     void lay_to_rest();
     void forget();
@@ -94,6 +99,12 @@ class ContactWorld {
     struct PairRange {
         int pairs = 0, manifolds = 0, leaves = 0;
     };
+
+    // How fast the points of a manifold approached before the step, m/s.
+    struct PointSpeeds {
+        Real at[kManifoldPoints];
+    };
+    dEvent impact_of(const ContactPair& pair) const;
 
     // A pair that a state has, and its geoms there.
     struct Listed {
@@ -140,7 +151,8 @@ class ContactWorld {
     Array<int> table_;
     Array<Listed> listed_;  // when a state has been measured, until it is written
     Array<std::uint8_t> manifold_bits_;
-    Array<dContactEvent> ended_;  // of the last step
+    Array<dContactEvent> ended_;   // of the last step
+    Array<PointSpeeds> approach_;  // of the manifolds of this step, where events are wanted
     Real h_ = 0;
     bool unfinished_ = false;                                 // an update that nobody has accepted yet
     bool few_active_ = false;                                 // so it was in the last update

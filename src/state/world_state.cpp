@@ -210,6 +210,7 @@ const char* WorldState::set(const std::byte* from, std::size_t size, Seal with)
     visit(values);
     kept_->contacts.accept(cached);
     kept_->world_contacts.accept(loaded, geoms_, disturbed_.span());
+    kept_->events.restart(world_, kept_->world_contacts.live_space());
     world_.report_made = false;
     return nullptr;
 }

@@ -102,6 +102,9 @@ class WorldStep {
             !undo_.save_islands(islands_, arena))
             return false;
         if (hybrid_ && !choose_solvers(arena)) return false;
+        if (updates_contacts_ && state_.events.list().wants_contacts() &&
+            !state_.world_contacts.measure_approach(workers_.of_islands))
+            return false;
         groups_ = arena.take<Group>(int(islands_.size()));
         parcels_ = arena.take<int>(int(islands_.size()) + 1);
         if (arena.failed() || !prepare_reports() || !memory().provide(workers_.of_islands.workers()) ||
@@ -157,6 +160,12 @@ class WorldStep {
     {
         if (updates_contacts_) return state_.world_contacts.accept(context_.h, workers_.of_islands);
         if (context_.manages_contacts) state_.world_contacts.accept_settled(context_.h);
+    }
+
+    // Before sleeping bodies' pairs are laid to rest.
+    void list_events() const
+    {
+        state_.events.begin_step(context_.world, updates_contacts_ ? &state_.world_contacts : nullptr);
     }
 
     void finish() { finish_.rest(); }
@@ -412,8 +421,10 @@ bool step_in(World& world, StepState& state, const Solver* solver, Real h, int i
         step.accept_contacts();
         break_joints(world, h);
         step.remember_choices();
+        if (state.events.list().wants_any()) step.list_events();
         step.deactivate_sleeping();
         step.finish();
+        if (state.events.list().wants_any()) state.events.end_step(world, state.world_contacts.live_space());
         if (world.report_wanted) world.report = sum_of(state.reports.span());
     } else {
         step.take_back();

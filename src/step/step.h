@@ -13,6 +13,7 @@
 #include "solve/solver.h"
 #include "step/common/contact_cache.h"
 #include "step/common/continuous.h"
+#include "step/world_events.h"
 
 namespace epode {
 
@@ -37,7 +38,8 @@ struct StepState {
     ContactCache contacts;
     SymbolicCache symbolic_cache;
     ContinuousLists continuous;
-    ContactWorld world_contacts;       // world-managed contacts
+    ContactWorld world_contacts;  // world-managed contacts
+    WorldEvents events;
     Array<dIslandStepReport> reports;  // of the last step's islands, when they were wanted
     StepObserver* watch = nullptr;     // diagnose/watch.h; null: the world is not diagnosed
     StepObserver* archive = nullptr;   // of states, state/world_archive.h; null: none yet

@@ -85,6 +85,11 @@ void test_contacts()
     world.setContactSpace(ground.space);
     judge("dWorldExt::setContactSpace", dWorldGetContactSpace(world) == ground.space.id(), Numbers());
     judge("dWorldExt::getContactSpace", world.getContactSpace() == ground.space.id(), Numbers());
+    dEventSettingsExt settings;
+    settings.min_impulse = 0;
+    judge("dWorldExt::setEventSettings", world.setEventSettings(&settings) == 1, Numbers());
+    dEventSettings current = settings;
+    judge("dWorldExt::getEventSettings", world.getEventSettings(&current) == 1, Numbers());
     world.setStepReportMode(1);
     judge("dWorldExt::stepHybrid", world.stepHybrid(REAL(0.01)) == 1,
           Numbers(1, ground.body.getPosition()[2]));
@@ -94,6 +99,10 @@ void test_contacts()
           Numbers(1, points[0].depth));
     judge("dWorldExt::getContactEvents",
           world.getContactEvents(events, 4) == 1 && events[0].kind == dContactBegin, Numbers());
+    dEvent listed[4];
+    judge("dWorldExt::getEvents", world.getEvents(listed, 4) == 1 && listed[0].kind == dEventContactBegin,
+          Numbers(1, listed[0].impulse));
+    judge("dWorldExt::getLostEvents", world.getLostEvents() == 0, Numbers());
     dWorldStepReportExt whole;
     dIslandStepReportExt one;
     judge("dWorldExt::getStepReport", world.getStepReport(&whole) == 1 && whole.islands == 1,
@@ -203,6 +212,10 @@ void test_body_and_geoms()
     judge("dGeomExt::setMaterial", ground.ball.setMaterial(ice) == 1, Numbers());
     judge("dGeomExt::getMaterial", ground.ball.getMaterial(&read) == 1 && read.friction == ice.friction,
           Numbers(1, read.bounce_speed));
+    ground.ball.setSensor(1);
+    judge("dGeomExt::setSensor", dGeomGetSensor(ground.ball) == 1, Numbers());
+    judge("dGeomExt::getSensor", ground.ball.getSensor() == 1, Numbers());
+    ground.ball.setSensor(0);
     ground.ball.setContinuous(dContinuousOn);
     judge("dGeomExt::setContinuous", dGeomGetContinuous(ground.ball) == dContinuousOn, Numbers());
     judge("dGeomExt::getContinuous", ground.ball.getContinuous() == dContinuousOn, Numbers());

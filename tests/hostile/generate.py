@@ -46,7 +46,7 @@ KIND_OF_TYPE = {
     "const dGeomClass*": "GeomClass", "dWorldStepReport*": "WorldReport",
     "dIslandStepReport*": "IslandReport", "dStopwatch*": "Stopwatch", "FILE*": "File",
     "const char*": "Text", "dQueryHit*": "QueryHits", "dQueryDistance*": "QueryHits", "void*": "Data", "dJointID*": "JointList", "dJointFeedback*": "Feedback", "dGeomID*": "QueryHits",
-    "dContactEvent*": "QueryHits", "dDiagnosis*": "QueryHits", "const dDiagnosis*": "QueryHits", "dWorldContact*": "QueryHits", "dMaterial*": "Material",
+    "dContactEvent*": "QueryHits", "dDiagnosis*": "QueryHits", "const dDiagnosis*": "QueryHits", "dWorldContact*": "QueryHits", "dEvent*": "QueryHits", "const dEventSettings*": "EventSettings", "dEventSettings*": "EventSettingsRoom", "dMaterial*": "Material",
     "const dMaterial*": "Material", "dDrive*": "DriveRoom", "const dDrive*": "Drive", "const dQueryFilter*": "QueryFilter", "dContactFilter*": "ContactFilter",
     "const unsigned char*": "Bytes", "const short*": "Shorts", "const float*": "Floats",
     "const double*": "Doubles",
@@ -66,7 +66,7 @@ MATRIX = (r"d(SetZero|SetValue|Dot|Multiply\d|FactorCholesky|SolveCholesky|Inver
 KIND_OF_PARAMETER = [
     (r"dPrintMatrix:fmt", "Format"),
     (r"dThreadingAllocateThreadPool:thread_count", "ThreadCount"),
-    (r"d(Material|QueryFilter|Drive)Init:(material|filter|drive)", "QueryHits"),
+    (r"d(Material|QueryFilter|Drive|EventSettings)Init:(material|filter|drive|settings)", "QueryHits"),
     (r"dDiagnosisText:text", "QueryHits"),
     (r"\w+:struct_size", "StructSize"),
     (r"dWorldsStep:(count|steps)", "Length"),
@@ -134,7 +134,7 @@ MAY_BE_NULL = [
     r"dWorldsStep:(worlds|steps_made)",
     r"d(Bodies|Joints)[GS]etStates:(bodies|joints|out|in|value|rate)", r"dWorldGet(Bodies|Joints):(bodies|joints)",
     r"dWorldGetStateDelta:out",
-    r"dGeomHeightfieldDataSetHoles:holes", r"dWorldDiagnose:causes", r"dWorldGetContacts:contacts", r"dWorldGetContactEvents:events", r"dSpaceRayAll:hits", r"dSpaceOverlap:geoms", r"dSpaceRayBatch:(origins|directions|lengths|hits)",
+    r"dGeomHeightfieldDataSetHoles:holes", r"dWorldDiagnose:causes", r"dWorldGetEvents:events", r"dWorldSetEventSettings:settings", r"dWorldGetContacts:contacts", r"dWorldGetContactEvents:events", r"dSpaceRayAll:hits", r"dSpaceOverlap:geoms", r"dSpaceRayBatch:(origins|directions|lengths|hits)",
     # With no elements there is nothing to point to.
     r"d(SetZero|SetValue|Dot|ScaleVector|VectorScale|FactorLDLT):(a|b|d|A)",
     r"dCooperatively\w+:(A|L|b|d|dataVector|scaleVector)",

@@ -73,6 +73,8 @@ enum class Kind {
     kQueryFilter,
     kDrive,
     kDriveRoom,
+    kEventSettings,
+    kEventSettingsRoom,
     kGeomClass,
     kWorldReport,
     kIslandReport,

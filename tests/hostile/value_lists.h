@@ -70,6 +70,7 @@ constexpr Integer kSkips[] = {{sizeof(dContactGeom), "sizeof(dContactGeom)"},
 constexpr Integer kStructSizes[] = {{sizeof(dQueryFilter), "sizeof(dQueryFilter)"},
                                     {sizeof(dMaterial), "sizeof(dMaterial)"},
                                     {sizeof(dDrive), "sizeof(dDrive)"},
+                                    {sizeof(dEventSettings), "sizeof(dEventSettings)"},
                                     {sizeof(dQueryFilter) - 1, "sizeof(dQueryFilter)-1"},
                                     {0, "0"},
                                     {4, "4"},
@@ -241,6 +242,30 @@ inline const std::vector<Item<dDrive>>& drives()
         {drive_with([](dDrive& d) { d.force = kNaN; }), Trait::kNaN, "force NaN"},
         {drive_with([](dDrive& d) { d.force_limit = -1; }), Trait::kStrange, "limit -1"},
         {drive_with([](dDrive& d) { d.force_limit = kNaN; }), Trait::kNaN, "limit NaN"}};
+    return list;
+}
+
+inline const std::vector<Item<dEventSettings>>& event_settings()
+{
+    static const auto with = [](auto change) {
+        dEventSettings s{sizeof(dEventSettings), 63, 64, 0, 0};
+        change(s);
+        return s;
+    };
+    static const std::vector<Item<dEventSettings>> list = {
+        {with([](auto&) {}), Trait::kFine, "all kinds"},
+        {with([](auto& s) { s.kinds = 24; }), Trait::kFine, "sensors"},
+        {with([](auto& s) { s.capacity = 1, s.min_impulse = 1; }), Trait::kFine, "one"},
+        {with([](auto& s) { s.kinds = 0; }), Trait::kStrange, "no kinds"},
+        {with([](auto& s) { s.kinds = ~0u; }), Trait::kBad, "unknown kinds"},
+        {with([](auto& s) { s.struct_size = 0; }), Trait::kBad, "struct_size 0"},
+        {with([](auto& s) { s.capacity = 0; }), Trait::kBad, "capacity 0"},
+        {with([](auto& s) { s.capacity = INT_MAX; }), Trait::kBad, "capacity INT_MAX"},
+        {with([](auto& s) { s.capacity = INT_MIN; }), Trait::kBad, "capacity INT_MIN"},
+        {with([](auto& s) { s.min_impulse = kLarge; }), Trait::kStrange, "large impulse"},
+        {with([](auto& s) { s.min_impulse = kNaN; }), Trait::kNaN, "impulse NaN"},
+        {with([](auto& s) { s.min_approach_speed = -1; }), Trait::kBad, "speed -1"},
+        {with([](auto& s) { s.min_approach_speed = kNaN; }), Trait::kNaN, "speed NaN"}};
     return list;
 }
 

@@ -177,6 +177,10 @@ int Values::count(Kind kind)
             return int(drives().size()) + 1;
         case Kind::kDriveRoom:
             return int(reports<dDrive>().size()) + 1;
+        case Kind::kEventSettings:
+            return int(event_settings().size()) + 1;
+        case Kind::kEventSettingsRoom:
+            return int(reports<dEventSettings>().size()) + 1;
         case Kind::kContact:
             return int(hostile::contacts().size()) + 1;
         case Kind::kGeomClass:
@@ -367,6 +371,10 @@ Value Values::memory(Kind kind, int index, int position)
             return item(drives());
         case Kind::kDriveRoom:
             return item(reports<dDrive>());
+        case Kind::kEventSettings:
+            return item(event_settings());
+        case Kind::kEventSettingsRoom:
+            return item(reports<dEventSettings>());
         case Kind::kContact:
             return item(hostile::contacts());
         case Kind::kGeomClass:

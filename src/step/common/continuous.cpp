@@ -227,7 +227,8 @@ Mover Continuous::mover(Geom& geom, int body) const
 // Has what does not depend on their motion nothing against it?
 bool Continuous::stops(const Geom& a, const Geom& b) const
 {
-    if (&a == &b || of_one_body(a, b) || b.continuous == dContinuousIgnored) return false;
+    if (&a == &b || of_one_body(a, b) || a.sensor || b.sensor || b.continuous == dContinuousIgnored)
+        return false;
     return a.continuous != dContinuousIgnored && !overridden(a, b);
 }
 

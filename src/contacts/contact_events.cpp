@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Contact events with their physics. Of a pair with points i, normals n_i and normal impulses p_i of the whole
+// step,
+//   impulse          sum p_i                              along the normals, so the sum of their lengths
+//   pos, normal      sum p_i x_i / sum p_i, and the direction of sum p_i n_i; if nothing was exerted, the means
+//   approach_speed   max(0, max_i -n_i . u_i),   u_i = v1 + w1 x r1 - v2 - w2 x r2   before the step
+// The velocities are gone when the impulses are known, so the speeds are measured between the search for
+// islands and the solution, and only for worlds that list events.
+#include <algorithm>
+
+#include "contacts/contact_world.h"
+#include "contacts/pair_rules.h"
+
+namespace epode {
+namespace {
+
+Vec3 velocity_at(const Body* body, Float3 arm)
+{
+    return body ? body->velocity() + cross(body->angular_velocity(), widen(arm)) : Vec3{};
+}
+
+}  // namespace
+
+bool ContactWorld::measure_approach(const Tasks& tasks)
+{
+    approach_.clear();
+    if (!approach_.extend(fresh_.manifolds.size())) return false;
+    tasks.each_of(fresh_.pairs.size(), kPairRange, [&](std::size_t p) {
+        const ContactPair& pair = fresh_.pairs.data()[p];
+        for (int m = pair.first; m < pair.first + pair.count; ++m) {
+            const ContactManifold& manifold = fresh_.manifolds.data()[m].manifold;
+            for (int i = 0; i < manifold.count; ++i) {
+                const ManifoldPoint& point = manifold.points[i];
+                const Vec3 u = velocity_at(pair.body1, point.r1) - velocity_at(pair.body2, point.r2);
+                approach_.data()[m].at[i] = -dot(widen(manifold.normal), u);
+            }
+        }
+    });
+    return true;
+}
+
+dEvent ContactWorld::impact_of(const ContactPair& pair) const
+{
+    Real weight = 0, impulse = 0, approach = 0;
+    Vec3 place, normal, mean_place, mean_normal;
+    for (int m = pair.first; m < pair.first + pair.count; ++m) {
+        const CachedManifold& kept = last_.manifolds.data()[m];
+        const Vec3 n = widen(kept.manifold.normal);
+        for (int i = 0; i < kept.manifold.count; ++i) {
+            const ManifoldPoint& point = kept.manifold.points[i];
+            if (!touches(kept, point)) continue;
+            const Vec3 x = kept.origin + widen(point.r1);
+            const Real p = Real(point.normal_impulse);
+            ++weight, impulse += p;
+            place += p * x, normal += p * n, mean_place += x, mean_normal += n;
+            approach = std::max(approach, approach_.data()[m].at[i]);
+        }
+    }
+    dEvent event{};
+    if (weight == 0) return event;
+    Vec3 direction = impulse > 0 ? normal : mean_normal;
+    if (!normalize(direction)) direction = widen(last_.manifolds.data()[pair.first].manifold.normal);
+    store(event.pos, impulse > 0 ? place / impulse : mean_place / weight);
+    store(event.normal, direction);
+    event.approach_speed = approach, event.impulse = impulse;
+    return event;
+}
+
+// Just after accept(): what has not been taken over is still in the other list. Begins and ends come before
+// what persists (event_list.h).
+void ContactWorld::report(EventList& out) const
+{
+    const dEventSettings& settings = out.settings();
+    const auto add = [&](const ContactPair& pair, dEventKind kind) {
+        dEvent event = kind == dEventContactEnd ? dEvent{} : impact_of(pair);
+        const bool counts =
+            event.impulse >= settings.min_impulse && event.approach_speed >= settings.min_approach_speed;
+        if (!counts && kind != dEventContactEnd) return;
+        event.kind = kind, event.g1 = pair.id1, event.g2 = pair.id2;
+        out.add({event, pair.serial1, pair.serial2});
+    };
+    if (out.wants(dEventContactEnd))
+        for (const ContactPair& pair : fresh_.pairs)
+            if (pair.old != kTakenOver && touches(fresh_.of(pair))) add(pair, dEventContactEnd);
+    for (const bool persisting : {false, true}) {
+        if (persisting && !out.wants(dEventContactPersist)) continue;
+        for (const ContactPair& pair : last_.pairs) {
+            if (pair.count == 0 && !pair.touched) continue;
+            const bool now = touches(last_.of(pair));
+            if ((now && pair.touched) != persisting || (!now && !pair.touched)) continue;
+            const dEventKind kind = persisting ? dEventContactPersist
+                                    : now      ? dEventContactBegin
+                                               : dEventContactEnd;
+            if (out.wants(kind) && (awake(pair.body1) || awake(pair.body2))) add(pair, kind);
+        }
+    }
+}
+
+}  // namespace epode

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "step/sensors.h"
+
+#include <algorithm>
+
+#include "base/structure_edition.h"
+#include "query/candidates.h"
+#include "query/distance.h"
+#include "step/common/link.h"
+
+namespace epode {
+namespace {
+
+bool is_of(const World& world, const Geom& geom)
+{
+    const Body* body = body_of(geom);
+    return !body || body->world == &world;
+}
+
+// Is the geom something that the sensor reports, if the two overlap?
+bool may_report(const World& world, Geom& sensor, Geom& other)
+{
+    const bool moves = sensor.body.id || other.body.id;
+    return moves && !other.sensor && other.type->number != dRayClass && is_of(world, other) &&
+           can_pair(sensor, other);
+}
+
+}  // namespace
+
+bool Sensors::update(const World& world, Space* space, EventList& out)
+{
+    if (!find(world, space)) return false;
+    report_changes(out);
+    overlaps_.swap(found_);
+    return true;
+}
+
+bool Sensors::restart(const World& world, Space* space)
+{
+    edition_ = ~0ull;
+    const bool found = find(world, space);
+    if (found) overlaps_.swap(found_);
+    return found;
+}
+
+bool Sensors::find(const World& world, Space* space)
+{
+    found_.clear();
+    if (!space || !any_sensor()) {
+        space_ = nullptr;
+        return true;
+    }
+    clean(*space);
+    const std::uint64_t structure = structure_edition();
+    const bool as_before = space == space_ && structure == structure_;
+    if (as_before && edition_ == space->edition && space->helped == 0) {
+        if (!found_.resize(overlaps_.size())) return false;
+        std::copy(overlaps_.begin(), overlaps_.end(), found_.data());
+        return true;
+    }
+    space_ = nullptr;  // until all has been found
+    if (!as_before && !list_sensors(*space)) return false;
+    for (Geom* sensor : sensors_)
+        if (is_of(world, *sensor) && !look_around(world, *space, *sensor)) return false;
+    std::sort(found_.begin(), found_.end(), [](const Overlap& a, const Overlap& b) { return a.before(b); });
+    space_ = space, structure_ = structure, edition_ = space->edition;
+    return true;
+}
+
+bool Sensors::list_sensors(Space& space)
+{
+    sensors_.clear();
+    return each_candidate(space, [&](Geom& geom) { return !geom.sensor || sensors_.push(&geom); });
+}
+
+bool Sensors::look_around(const World& world, Space& space, Geom& sensor)
+{
+    if (!sensor.enabled) return true;
+    const QueryFilter filter{sensor.category, sensor.collide};
+    near_.clear();
+    if (!collect_near(space, filter, box_of(sensor), near_)) return false;
+    const GeomHold hold(sensor);
+    const CandidateLock lock(&space, near_);
+    for (Geom* other : near_) {
+        if (other == &sensor || !may_report(world, sensor, *other) || !overlapping(sensor, *other)) continue;
+        if (!found_.push({sensor.serial, other->serial, to_handle(&sensor), to_handle(other)})) return false;
+    }
+    return true;
+}
+
+void Sensors::report_changes(EventList& out) const
+{
+    const auto add = [&](const Overlap& overlap, dEventKind kind) {
+        if (!out.wants(kind)) return;
+        dEvent event{};
+        event.kind = kind, event.g1 = overlap.sensor, event.g2 = overlap.other;
+        out.add({event, overlap.sensor_serial, overlap.other_serial});
+    };
+    const Overlap *was = overlaps_.begin(), *now = found_.begin();
+    while (was != overlaps_.end() || now != found_.end()) {
+        if (now == found_.end() || (was != overlaps_.end() && was->before(*now)))
+            add(*was++, dEventSensorEnd);
+        else if (was == overlaps_.end() || now->before(*was))
+            add(*now++, dEventSensorBegin);
+        else
+            ++was, ++now;
+    }
+}
+
+}  // namespace epode
