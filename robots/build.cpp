@@ -16,7 +16,7 @@ namespace epode::robots {
 namespace {
 
 // Of a body between two joints, as a share of the link that it serves: motion differs by that much.
-constexpr double kSmallShare = 1e-5;
+constexpr double kSmallShare = 1e-6;
 constexpr double kSmallRadius =
     0.01;  // m, about which a small body's mass is spread, if its link has no inertia
 

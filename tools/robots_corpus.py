@@ -6,7 +6,6 @@ its C API, as any program would. A file agrees if masses, centres and inertias a
 1e-6 m and 1e-6 in each number of the rotation."""
 import argparse
 import collections
-import ctypes
 import pathlib
 import re
 import site
@@ -14,94 +13,13 @@ import sys
 
 import numpy as np
 
+import robots_motion
+from robots_library import Model, load_library, silence
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 POSES = 20
 TOLERANCE = 1e-6
-NOTES = ("changed", "approximated", "ignored", "error")
 MARK = "<!-- corpus: written by scripts/robots-corpus --write -->"
-
-
-class Options(ctypes.Structure):
-    _fields_ = [("struct_size", ctypes.c_uint)] + [(name, ctypes.c_int) for name in (
-        "strict", "keep_fixed", "fixed_base", "repair", "inertia_from_shapes", "meshes_as_triangles")] + [
-            ("missing_mass", ctypes.c_double), ("roots", ctypes.c_char_p)]
-
-
-class Line(ctypes.Structure):
-    _fields_ = [("note", ctypes.c_int), ("line", ctypes.c_int), ("file", ctypes.c_char_p), ("text", ctypes.c_char_p)]
-
-
-class Link(ctypes.Structure):
-    _fields_ = [("name", ctypes.c_char_p), ("parent", ctypes.c_int), ("joints", ctypes.c_int), ("shapes", ctypes.c_int),
-                ("mass", ctypes.c_double), ("centre", ctypes.c_double * 4), ("inertia", ctypes.c_double * 12)]
-
-
-class Joint(ctypes.Structure):
-    _fields_ = [("name", ctypes.c_char_p), ("kind", ctypes.c_int), ("link", ctypes.c_int), ("position", ctypes.c_int),
-                ("anchor", ctypes.c_double * 4), ("axis", ctypes.c_double * 4), ("low", ctypes.c_double), ("high", ctypes.c_double),
-                ("max_force", ctypes.c_double), ("max_velocity", ctypes.c_double)]
-
-
-class Model:
-    """A loaded model."""
-
-    def __init__(self, library, path, root, **options):
-        its = Options(roots=str(root).encode(), **options)
-        its.struct_size = ctypes.sizeof(Options)
-        self.library = library
-        self.handle = library.dRobotModelLoad(str(path).encode(), ctypes.byref(its))
-        self.report = [(NOTES[x.note], x.line, x.text.decode(errors="replace")) for x in self.array("Report", Line)]
-        self.errors = [text for note, _, text in self.report if note == "error"]
-
-    def array(self, what, kind):
-        get = getattr(self.library, f"dRobotModelGet{what}")
-        count = get(self.handle, None, 0)
-        out = (kind * max(1, count))()
-        get(self.handle, out, count)
-        return out[:count]
-
-    def links(self):
-        return self.array("Links", Link)
-
-    def joints(self):
-        return self.array("Joints", Joint)
-
-    def poses(self, q):
-        count = self.library.dRobotModelGetLinks(self.handle, None, 0)
-        out = np.zeros(7 * count)
-        pointer = ctypes.POINTER(ctypes.c_double)
-        q = np.ascontiguousarray(q, dtype=float)
-        self.library.dRobotModelGetPoses(self.handle, q.ctypes.data_as(pointer), len(q), out.ctypes.data_as(pointer), count)
-        return out.reshape(count, 7)
-
-    def positions(self):
-        return self.library.dRobotModelGetNumPositions(self.handle)
-
-    def numbers(self, function, q, *more):
-        """What a function writes to an array at its end."""
-        pointer, its = ctypes.c_void_p, getattr(self.library, f"dRobotModelGet{function}")
-        q = np.ascontiguousarray(q, dtype=float)
-        arguments = [pointer(self.handle), pointer(q.ctypes.data)] + [
-            pointer(one.ctypes.data) if isinstance(one, np.ndarray) else pointer(None) if one is None else ctypes.c_int(one) for one in more]
-        out = np.zeros(its(*arguments, pointer(None), 0))
-        its(*arguments, pointer(out.ctypes.data), len(out))
-        return out
-
-    def close(self):
-        self.library.dRobotModelDestroy(self.handle)
-
-
-def load_library(path):
-    library = ctypes.CDLL(path)
-    library.dRobotModelLoad.restype = ctypes.c_void_p
-    pointer = ctypes.POINTER(ctypes.c_double)
-    library.dRobotModelLoad.argtypes = [ctypes.c_char_p, ctypes.c_void_p]
-    for what in ("Report", "Links", "Joints"):
-        getattr(library, f"dRobotModelGet{what}").argtypes = [ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int]
-    library.dRobotModelGetNumPositions.argtypes = [ctypes.c_void_p]
-    library.dRobotModelGetPoses.argtypes = [ctypes.c_void_p, pointer, ctypes.c_int, pointer, ctypes.c_int]
-    library.dRobotModelDestroy.argtypes = [ctypes.c_void_p]
-    return library
 
 
 def matrix(q):
@@ -253,84 +171,6 @@ def judge_urdf(library, path, root, random):
     return found
 
 
-class Motion:
-    """Joints of a robot in our world and in MuJoCo's, without contacts and limits, under constant controls."""
-
-    SECONDS, STEP = 1.0, 1e-4
-
-    def __init__(self, library, ode):
-        self.library, self.ode = library, ode
-        for name in ("dWorldCreate", "dRobotGetJoint", "dRobotCreate"):
-            getattr(ode if name[:6] == "dWorld" else library, name).restype = ctypes.c_void_p
-        number, handle = ctypes.c_double, ctypes.c_void_p
-        ode.dWorldSetGravity.argtypes = [handle, number, number, number]
-        ode.dWorldStep.argtypes = [handle, number]
-        ode.dWorldDestroy.argtypes = [handle]
-        ode.dJointGetType.argtypes = [handle]
-        for name in ("dJointSetHingeParam", "dJointSetSliderParam"):
-            getattr(ode, name).argtypes = [handle, ctypes.c_int, number]
-        library.dRobotCreate.argtypes = [handle] * 5
-        library.dRobotGetJoint.argtypes = [handle, ctypes.c_int]
-        library.dRobotSetControl.argtypes = [handle, ctypes.c_int, number]
-        library.dRobotModelGetNumActuators.argtypes = [handle]
-        library.dRobotGetPositions.argtypes = [handle, handle, ctypes.c_int]
-        library.dRobotDestroy.argtypes = [handle]
-
-    def ours(self, path, root, gravity, controls):
-        model = Model(self.library, path, root)
-        world = self.ode.dWorldCreate()
-        self.ode.dWorldSetGravity(world, *gravity)
-        robot = self.library.dRobotCreate(world, None, model.handle, None, None)
-        for i in range(len(model.joints())):
-            joint = self.library.dRobotGetJoint(robot, i)
-            kind = joint and self.ode.dJointGetType(joint)
-            set_parameter = {2: self.ode.dJointSetHingeParam, 3: self.ode.dJointSetSliderParam}.get(kind)
-            if set_parameter:
-                set_parameter(joint, 0, -np.inf)
-                set_parameter(joint, 1, np.inf)
-        for i, control in enumerate(controls):
-            self.library.dRobotSetControl(robot, i, control)
-        for _ in range(round(self.SECONDS / self.STEP)):
-            self.ode.dWorldStep(world, self.STEP)
-        out = np.zeros(model.positions())
-        self.library.dRobotGetPositions(robot, out.ctypes.data, len(out))
-        self.library.dRobotDestroy(robot)
-        self.ode.dWorldDestroy(world)
-        model.close()
-        return out
-
-    def judge(self, path, root):
-        """The largest difference of a hinge, slider or position, and which."""
-        import mujoco
-        model = mujoco.MjModel.from_xml_path(str(path))
-        model.opt.timestep, model.opt.density, model.opt.viscosity = self.STEP, 0, 0
-        model.opt.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
-        model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT) | int(mujoco.mjtDisableBit.mjDSBL_LIMIT)
-        data = mujoco.MjData(model)
-        low, high = np.clip(model.actuator_ctrlrange.T, -1, 1)
-        controls = np.random.default_rng(3).uniform(0.2 * low, 0.2 * high)
-        data.ctrl[:] = controls
-        for _ in range(round(self.SECONDS / self.STEP)):
-            mujoco.mj_step(model, data)
-        mine = self.ours(path, root, model.opt.gravity, controls)
-        difference = np.abs(mine - data.qpos)
-        for joint in range(model.njnt):  # of quaternions either sign
-            at, kind = model.jnt_qposadr[joint], int(model.jnt_type[joint])
-            if kind == 3:  # a hinge that had stops does not count turns
-                turns = round((mine[at] - data.qpos[at]) / (2 * np.pi))
-                difference[at] = abs(mine[at] - data.qpos[at] - 2 * np.pi * turns)
-            for q in [at + 3] if kind == 0 else [at] if kind == 1 else []:
-                difference[q:q + 4] = min(np.abs(mine[q:q + 4] - data.qpos[q:q + 4]).max(), np.abs(mine[q:q + 4] + data.qpos[q:q + 4]).max())
-        return difference.max()
-
-
-def motions(library, ode):
-    root = pathlib.Path(site.getsitepackages()[0]) / "gymnasium/envs/mujoco/assets"
-    judge = Motion(library, ode)
-    for path in sorted(root.glob("*.xml")):
-        print(f"{path.name}: {judge.judge(path, root):.3g} rad or m after {Motion.SECONDS} s")
-
-
 def corpus(fast):
     """(package, root, file)."""
     packages = pathlib.Path(site.getsitepackages()[0])
@@ -365,12 +205,10 @@ def main():
     parser.add_argument("--only", default="")
     parser.add_argument("--motion", action="store_true", help="one second of gymnasium's robots compared with MuJoCo's")
     arguments = parser.parse_args()
-    library = load_library(arguments.library)
-    handler = ctypes.CFUNCTYPE(None, ctypes.c_int, ctypes.c_char_p, ctypes.c_void_p)(lambda *_: None)
-    ode = ctypes.CDLL(str(pathlib.Path(arguments.library).parent / "libode.so.8"))
-    ode.dSetMessageHandler(handler)
     if arguments.motion:
-        return motions(library, ode)
+        return robots_motion.table(arguments.library)
+    library = load_library(arguments.library)
+    keep = silence(arguments.library)
     counts, reasons, notes, differing = {}, collections.defaultdict(list), collections.Counter(), []
     for package, root, path, kind in corpus(arguments.fast):
         if arguments.only not in str(path):
