@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "robots/meshes.h"
+#include "robots/meshes/solid.h"
 
 namespace epode::robots {
 

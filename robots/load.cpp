@@ -5,7 +5,7 @@
 #include "robots/load.h"
 
 #include "robots/inertia.h"
-#include "robots/reading.h"
+#include "robots/read/reading.h"
 #include "robots/weld.h"
 
 namespace epode::robots {

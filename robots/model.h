@@ -25,6 +25,7 @@ const char* name_of(ShapeKind kind);
 
 struct Mesh {
     std::string path;
+    Vec scale{1, 1, 1};
     std::vector<Vec> vertices;  // scaled
     std::vector<std::array<std::uint32_t, 3>> triangles;
     bool counts_folds = false;  // its volume is the sum of all pyramids' sizes, inward ones too

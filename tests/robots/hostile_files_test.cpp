@@ -11,6 +11,7 @@
 #include <fstream>
 #include <random>
 
+#include "glb_files.h"
 #include "robots/build.h"
 #include "robots/load.h"
 
@@ -262,6 +263,7 @@ offset="0"/><vcount>3 3 3 3</vcount><p>0 2 1 0 1 3 1 2 3 0 3 2</p></polylist></m
         {"m.stl", contents_of(kModels + "/meshes/cube.stl")},
         {"m.obj", contents_of(kModels + "/meshes/cube.obj")},
         {"m.dae", collada},
+        {"m.glb", tetrahedron_glb()},
         {"m.stl", binary}};
     for (const auto& [name, bytes] : meshes) {
         const std::string robot = urdf(

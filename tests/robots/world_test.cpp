@@ -193,7 +193,7 @@ TEST_F(RobotTest, ExcludedAndOverlappingLinksDoNotTouch)
     EXPECT_FALSE(dAreConnected(trunk, ball));
 }
 
-TEST_F(RobotTest, AWalkerRestsOnItsFloorWithWorldManagedContacts)
+TEST_F(RobotTest, AWalkerRestsOnItsFloor)
 {
     load("walker.xml");
     dWorldSetContactSpace(world, space);

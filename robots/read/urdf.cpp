@@ -8,7 +8,7 @@
 #include <map>
 #include <set>
 
-#include "robots/reading.h"
+#include "robots/read/reading.h"
 
 namespace epode::robots {
 

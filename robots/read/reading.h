@@ -6,10 +6,11 @@
 
 #include <map>
 #include <set>
+#include <tuple>
 
-#include "robots/files.h"
+#include "robots/files/files.h"
+#include "robots/files/xml.h"
 #include "robots/load.h"
-#include "robots/xml.h"
 
 namespace epode::robots {
 
@@ -30,16 +31,15 @@ class Reading {
     bool number(const Element& element, const char* attribute, double& out);
     bool vec(const Element& element, const char* attribute, Vec& out);
 
-    // The mesh of a file at a scale: -1 and a line of the report where there is none. What only looks is not read.
     int mesh(const Element& where, const std::string& reference, const std::string& folder, Vec scale,
-             Note missing);
+             Note missing, bool counts_folds = false);
 
     RobotModel& model;
     const LoadOptions& options;
     Files& files;
 
   private:
-    std::map<std::pair<std::string, std::array<double, 3>>, int> meshes_;
+    std::map<std::tuple<std::string, std::array<double, 3>, bool>, int> meshes_;
     std::set<std::string> noted_;
 };
 

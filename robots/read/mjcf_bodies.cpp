@@ -5,8 +5,7 @@
 // their order in the file, since coordinates are counted in that order. <frame> moves what is in it.
 #include <algorithm>
 
-#include "robots/meshes.h"
-#include "robots/mjcf.h"
+#include "robots/read/mjcf.h"
 
 namespace epode::robots {
 
@@ -193,30 +192,24 @@ void Mjcf::read_joint(const Attributes& a, const Scope& scope)
     model_.joints.push_back(joint);
 }
 
-int Mjcf::mesh_named(const std::string& name, const Element& where)
+// Null and an error of a name that no mesh has, and of one that cannot be read.
+Mjcf::Asset* Mjcf::mesh_named(const std::string& name, const Element& where)
 {
     const auto it = assets_.find(name);
-    if (it == assets_.end()) {
-        reading_.error(where, "there is no mesh '" + name + "'");
-        return -1;
-    }
+    if (it == assets_.end()) return reading_.error(where, "there is no mesh '" + name + "'"), nullptr;
     Asset& asset = it->second;
-    if (asset.tried) return asset.mesh;
+    if (asset.tried) return asset.mesh < 0 ? nullptr : &asset;
     asset.tried = true;
     if (asset.element.text("file").empty()) {
-        reading_.note(Note::kError, asset.element,
-                      "the mesh '" + name + "' has no file: vertices and built-in shapes are not read");
-        return -1;
+        reading_.error(asset.element,
+                       "the mesh '" + name + "' has no file: vertices and built-in shapes are not read");
+        return nullptr;
     }
-    asset.mesh = reading_.mesh(asset.element, asset.file, folder_of(root_.file()), asset.scale, Note::kError);
-    if (asset.mesh < 0) return -1;
     const std::string inertia = asset.element.text("inertia");
-    model_.meshes[size_t(asset.mesh)].counts_folds = inertia.empty() || inertia == "legacy";
-    const bool is_moved = length(asset.refpos) > 0 || asset.refquat.w != 1;
-    if (is_moved)
-        for (Vec& v : model_.meshes[size_t(asset.mesh)].vertices)
-            v = rotate(conjugate(asset.refquat), v - asset.refpos);
-    return asset.mesh;
+    const bool counts_folds = inertia.empty() || inertia == "legacy";
+    asset.mesh = reading_.mesh(asset.element, asset.file, folder_of(root_.file()), asset.scale, Note::kError,
+                               counts_folds);
+    return asset.mesh < 0 ? nullptr : &asset;
 }
 
 // Kind and size, and the pose that fromto means.
@@ -230,8 +223,10 @@ bool Mjcf::read_size(const Attributes& a, const std::string& type, Shape& shape)
         shape.kind = reading_.options.meshes_as_triangles ? ShapeKind::kTriangles : ShapeKind::kHull;
         if (type != "mesh")
             reading_.note(Note::kApproximated, a.element(), "a " + type + " fitted to a mesh is the mesh");
-        shape.mesh = mesh_named(a.text("mesh"), a.element());
-        return shape.mesh >= 0;
+        const Asset* asset = mesh_named(a.text("mesh"), a.element());
+        if (!asset) return false;
+        shape.mesh = asset->mesh, shape.pose = shape.pose * inverse(asset->reference);
+        return true;
     }
     const auto kind = kinds.find(type);
     if (kind == kinds.end()) {

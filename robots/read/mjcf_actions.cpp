@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Actuators, equalities, tendons, contacts, keys and sensors: see mjcf.h.
-#include "robots/mjcf.h"
+#include "robots/read/mjcf.h"
 
 namespace epode::robots {
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include "robots/inertia.h"
-#include "robots/mjcf_defaults.h"
+#include "robots/read/mjcf_defaults.h"
 
 namespace epode::robots {
 
@@ -33,8 +33,8 @@ class Mjcf {
     struct Asset {
         Element element;
         std::string file, path_folder;
-        Vec scale{1, 1, 1}, refpos;
-        Quat refquat;
+        Vec scale{1, 1, 1};
+        Pose reference;  // what of the file is the mesh's frame
         int mesh = -1;
         bool tried = false;
     };
@@ -61,7 +61,7 @@ class Mjcf {
     void finish_link(Link& link, const Inertia& of_geoms, const Inertia* inertial);
     Pose pose_of(const Attributes& attributes);
     Quat turn_of_euler(Vec angles) const;
-    int mesh_named(const std::string& name, const Element& where);
+    Asset* mesh_named(const std::string& name, const Element& where);
     bool has_no_place(const Element& element);
 
     // mjcf_actions.cpp

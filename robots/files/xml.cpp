@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // See xml.h.
-#include "robots/xml.h"
+#include "robots/files/xml.h"
 
 #include <algorithm>
 #include <charconv>

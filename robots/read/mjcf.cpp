@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The document: see mjcf.h.
-#include "robots/mjcf.h"
+#include "robots/read/mjcf.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -139,9 +139,9 @@ void Mjcf::read_assets(const Element& section)
         if (compiler_.strip_path) asset.file = std::filesystem::path(asset.file).filename().string();
         asset.file =
             joined(compiler_.mesh_dir.empty() ? compiler_.asset_dir : compiler_.mesh_dir, asset.file);
-        vec(attributes, "scale", asset.scale), vec(attributes, "refpos", asset.refpos);
+        vec(attributes, "scale", asset.scale), vec(attributes, "refpos", asset.reference.p);
         std::vector<double> q;
-        if (list(attributes, "refquat", 4, 4, q)) asset.refquat = normalised({q[0], q[1], q[2], q[3]});
+        if (list(attributes, "refquat", 4, 4, q)) asset.reference.q = normalised({q[0], q[1], q[2], q[3]});
         std::string name = element.text("name");
         if (name.empty()) name = std::filesystem::path(asset.file).stem().string();
         assets_[name] = asset;

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // See mjcf_defaults.h.
-#include "robots/mjcf_defaults.h"
+#include "robots/read/mjcf_defaults.h"
 
 namespace epode::robots {
 

@@ -2,9 +2,9 @@
 // Copyright (c) 2026 The Epode authors
 //
 // See reading.h.
-#include "robots/reading.h"
+#include "robots/read/reading.h"
 
-#include "robots/meshes.h"
+#include "robots/meshes/meshes.h"
 
 namespace epode::robots {
 
@@ -62,15 +62,15 @@ bool Reading::vec(const Element& element, const char* attribute, Vec& out)
 }
 
 int Reading::mesh(const Element& where, const std::string& reference, const std::string& folder, Vec scale,
-                  Note missing)
+                  Note missing, bool counts_folds)
 {
     std::string problem;
     const std::string path = files.resolve(reference, folder, problem);
-    if (path.empty()) {
+    if (path.empty() || !is_mesh_path(path, problem)) {
         note(missing, where, "mesh " + problem);
         return -1;
     }
-    const auto [it, is_new] = meshes_.try_emplace({path, {scale.x, scale.y, scale.z}}, -1);
+    const auto [it, is_new] = meshes_.try_emplace({path, {scale.x, scale.y, scale.z}, counts_folds}, -1);
     if (!is_new) return it->second;
     Mesh mesh;
     const auto bytes = files.read(path, problem);
@@ -79,6 +79,7 @@ int Reading::mesh(const Element& where, const std::string& reference, const std:
         return -1;
     }
     scale_mesh(mesh, scale);
+    mesh.counts_folds = counts_folds;
     it->second = int(model.meshes.size());
     model.meshes.push_back(std::move(mesh));
     return it->second;

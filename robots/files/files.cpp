@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // See files.h.
-#include "robots/files.h"
+#include "robots/files/files.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -5,7 +5,7 @@
 // attributes first, then those of its class. Actuators share one set, whatever their element is called.
 #pragma once
 
-#include "robots/reading.h"
+#include "robots/read/reading.h"
 
 namespace epode::robots {
 

@@ -1,38 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See collada.h. A node's transform is the product of its matrix, translate, rotate and scale elements in their order.
-#include "robots/collada.h"
-
+// COLLADA (DAE): the geometry of its scenes, in metres and z up. A node's transform is the product of its matrix, translate, rotate and scale elements in their order.
 #include <map>
 
-#include "robots/xml.h"
+#include "robots/files/xml.h"
+#include "robots/meshes/formats.h"
+#include "robots/meshes/scene.h"
 
 namespace epode::robots {
 
 namespace {
 
-constexpr size_t kMaxInstances = 100'000, kMaxTriangles = 20'000'000;
 constexpr double kDegree = 3.14159265358979323846 / 180;
-
-// x -> linear x + shift.
-struct Affine {
-    Matrix linear{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    Vec shift;
-};
-
-Vec apply(const Matrix& m, Vec v)
-{
-    return {m[0][0] * v.x + m[0][1] * v.y + m[0][2] * v.z, m[1][0] * v.x + m[1][1] * v.y + m[1][2] * v.z,
-            m[2][0] * v.x + m[2][1] * v.y + m[2][2] * v.z};
-}
-
-using epode::robots::operator*;
-
-Affine operator*(const Affine& a, const Affine& b)
-{
-    return {a.linear * b.linear, apply(a.linear, b.shift) + a.shift};
-}
 
 std::vector<double> numbers_of(const Element& element)
 {
@@ -87,7 +67,7 @@ class Collada {
         const double unit =
             parse_numbers(asset.child("unit").text("meter"), meter) && meter.size() == 1 ? meter[0] : 1;
         const std::string up = asset.child("up_axis").node.text().get();
-        if (up == "Y_UP") out.linear = {{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}};
+        if (up == "Y_UP") out.linear = kZUpOfYUp;
         if (up == "X_UP") out.linear = {{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}};
         for (auto& row : out.linear)
             for (double& value : row) value *= unit;
@@ -109,9 +89,7 @@ class Collada {
         for (const Element& child : node.children()) here = here * transform_of(child);
         for (const Element& child : node.children()) {
             if (child.name() == "node" && !read_node(child, here)) return false;
-            if (child.name() == "instance_geometry" &&
-                !read_geometry(find("library_geometries", child.text("url")).child("mesh"), here))
-                return false;
+            if (child.name() == "instance_geometry" && !add_geometry(child.text("url"), here)) return false;
         }
         return true;
     }
@@ -128,64 +106,81 @@ class Collada {
         return {};
     }
 
-    bool read_geometry(const Element& mesh, const Affine& here)
+    // Read once, however often it is instanced: a small file must not cost much time.
+    bool add_geometry(const std::string& url, const Affine& here)
+    {
+        const auto [it, is_new] = parts_.try_emplace(url);
+        if (is_new && !read_geometry(find("library_geometries", url).child("mesh"), it->second)) return false;
+        return add_part(it->second, here, mesh_);
+    }
+
+    bool read_geometry(const Element& mesh, Part& part) const
     {
         const std::vector<double> floats = positions(mesh);
-        const size_t base = mesh_.vertices.size(), count = floats.size() / 3;
-        for (size_t i = 0; i < count; ++i) {
-            const Vec v =
-                apply(here.linear, {floats[3 * i], floats[3 * i + 1], floats[3 * i + 2]}) + here.shift;
-            if (!is_finite(v)) return false;
-            mesh_.vertices.push_back(v);
-        }
+        for (size_t i = 0; i + 3 <= floats.size(); i += 3)
+            part.vertices.push_back({floats[i], floats[i + 1], floats[i + 2]});
         for (const Element& list : mesh.children()) {
             const std::string kind = list.name();
-            if ((kind == "triangles" || kind == "polylist" || kind == "polygons") &&
-                !read_faces(list, base, count))
-                return false;
+            const bool has_faces = kind == "triangles" || kind == "polylist" || kind == "polygons";
+            if (has_faces && !read_faces(list, part)) return false;
         }
         return true;
     }
 
-    // The p element has, for each corner, an index for each input; that of VERTEX counts.
-    bool read_faces(const Element& list, size_t base, size_t count)
-    {
+    // Of a corner's indices, one for each input, that of VERTEX counts.
+    struct Layout {
         size_t stride = 1, offset = 0;
+    };
+    static bool read_layout(const Element& list, Layout& layout)
+    {
         for (const Element& input : list.children("input")) {
             std::vector<double> n;
             if (!parse_numbers(input.text("offset"), n) || n.size() != 1 || !(n[0] >= 0 && n[0] < 64))
                 return false;
-            stride = std::max(stride, size_t(n[0]) + 1);
-            if (input.text("semantic") == "VERTEX") offset = size_t(n[0]);
+            layout.stride = std::max(layout.stride, size_t(n[0]) + 1);
+            if (input.text("semantic") == "VERTEX") layout.offset = size_t(n[0]);
         }
+        return true;
+    }
+
+    // The faces of a p element: three corners each, as many as vcount says, or all.
+    static bool read_faces(const Element& list, Part& part)
+    {
+        Layout layout;
+        if (!read_layout(list, layout)) return false;
+        const std::string kind = list.name();
         const std::vector<double> sizes = numbers_of(list.child("vcount"));
         for (const Element& p : list.children("p")) {
             const std::vector<double> indices = numbers_of(p);
-            const size_t corners = indices.size() / stride;
-            const bool one_face = list.name() == "polygons";
+            const size_t corners = indices.size() / layout.stride;
             size_t corner = 0;
             for (size_t face = 0; corner < corners; ++face) {
-                double size = one_face ? double(corners) : 3;
-                if (list.name() == "polylist") size = face < sizes.size() ? sizes[face] : 0;
+                double size = kind == "polygons" ? double(corners) : 3;
+                if (kind == "polylist") size = face < sizes.size() ? sizes[face] : 0;
                 if (!(size >= 1 && size <= double(corners - corner))) return false;
-                std::vector<std::uint32_t> fan;
-                for (size_t i = 0; i < size_t(size); ++i) {
-                    const double index = indices[(corner + i) * stride + offset];
-                    if (!(index >= 0 && index < double(count))) return false;
-                    fan.push_back(std::uint32_t(base + size_t(index)));
-                }
-                for (size_t i = 2; i < fan.size(); ++i)
-                    mesh_.triangles.push_back({fan[0], fan[i - 1], fan[i]});
-                if (mesh_.triangles.size() > kMaxTriangles) return false;
+                if (!add_face(&indices[corner * layout.stride], size_t(size), layout, part)) return false;
                 corner += size_t(size);
             }
         }
         return true;
     }
 
+    static bool add_face(const double* indices, size_t size, const Layout& layout, Part& part)
+    {
+        std::vector<std::uint32_t> fan;
+        for (size_t i = 0; i < size; ++i) {
+            const double index = indices[i * layout.stride + layout.offset];
+            if (!(index >= 0 && index < double(part.vertices.size()))) return false;
+            fan.push_back(std::uint32_t(index));
+        }
+        for (size_t i = 2; i < fan.size(); ++i) part.triangles.push_back({fan[0], fan[i - 1], fan[i]});
+        return part.triangles.size() <= kMaxTriangles;
+    }
+
     Element root_;
     Mesh& mesh_;
     std::map<std::string, Element> by_id_;
+    std::map<std::string, Part> parts_;
     size_t instances_ = 0;
 };
 
