@@ -19,7 +19,7 @@ void add(RobotModel& model, Note note, int line, const std::string& text)
     model.report.push_back({note, model.path, line, text});
 }
 
-// A tree whose root is free but weighs nothing stands in the world: arms whose base has no inertial.
+// A URDF whose root weighs nothing stands in the world: arms whose base has no inertial.
 void fix_weightless_base(RobotModel& model)
 {
     for (size_t i = 1; i < model.links.size(); ++i) {
@@ -116,7 +116,7 @@ void judge_masses(RobotModel& model, const LoadOptions& options)
 void finish(RobotModel& model, const LoadOptions& options)
 {
     if (model.has_errors()) return;
-    fix_weightless_base(model);
+    if (model.format == "URDF") fix_weightless_base(model);
     if (!options.keep_fixed) merge_fixed_links(model);
     judge_masses(model, options);
 }

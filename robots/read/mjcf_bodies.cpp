@@ -255,6 +255,7 @@ bool Mjcf::read_size(const Attributes& a, const std::string& type, Shape& shape)
             reading_.error(a.element(), "a " + type + " whose size is not positive");
             return false;
         }
+    for (int i = needed; i < 3 && shape.kind != ShapeKind::kPlane; ++i) shape.size[i] = 0;
     return true;
 }
 

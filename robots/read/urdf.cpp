@@ -122,32 +122,29 @@ void Urdf::read()
     read_transmissions();
 }
 
-// Parents first, in the order of the file; no recursion, since the depth is the file's.
+// A link, then all that hangs on it, branch by branch in the order of the file; no recursion, since the depth is the
+// file's.
 void Urdf::add_tree(const std::string& root)
 {
     Link world;
     world.name = "world";
     model_.links.push_back(world);
-    std::vector<std::pair<std::string, int>> open;
-    if (root == "world") {
-        add_link(links_[root], -1);
-        open.push_back({root, 0});
-    } else {
-        const int base = add_link(links_[root], 0);
-        open.push_back({root, base});
-        if (!reading_.options.fixed_base) add_joint(JointKind::kFree, root, {}, base, links_[root]);
-    }
+    const bool is_world = root == "world";
+    const int base = add_link(links_[root], is_world ? -1 : 0);
+    if (!is_world && !reading_.options.fixed_base) add_joint(JointKind::kFree, root, {}, base, links_[root]);
+    std::vector<std::pair<const Edge*, int>> open;  // and the parent's number
+    const auto add_branches = [&](const std::string& name, int number) {
+        const std::vector<const Edge*>& edges = children_[name];
+        for (size_t i = edges.size(); i-- > 0;) open.push_back({edges[i], number});
+    };
+    add_branches(root, base);
     while (!open.empty()) {
-        const auto [name, number] = open.back();
+        const auto [edge, parent] = open.back();
         open.pop_back();
-        std::vector<std::pair<std::string, int>> found;
-        for (const Edge* edge : children_[name]) {
-            const int link = add_link(links_[edge->child], number);
-            model_.links[size_t(link)].pose = origin_of(edge->element);
-            read_joint(*edge, link);
-            found.push_back({edge->child, link});
-        }
-        open.insert(open.end(), found.rbegin(), found.rend());
+        const int link = add_link(links_[edge->child], parent);
+        model_.links[size_t(link)].pose = origin_of(edge->element);
+        read_joint(*edge, link);
+        add_branches(edge->child, link);
     }
     number_coordinates(model_);
 }

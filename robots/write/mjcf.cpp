@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// The writer of MJCF. Angles are radians, inertias are written and never taken from geoms, limits say whether they are
+// on, so that no default of the format decides anything. A coupling  f1 q1 + f2 q2 = o  becomes
+//     q1 - r1 = c0 + c1 (q2 - r2),    c1 = -f2/f1,    c0 = o/f1 - r1 + c1 r2.
+// A loop is said by the bodies and a point of the first where that means the same, else by two sites.
+#include <cmath>
+#include <map>
+
+#include "robots/write/text.h"
+#include "robots/write/write.h"
+
+namespace epode::robots {
+
+namespace {
+
+using Node = pugi::xml_node;
+
+const char* type_of(ShapeKind kind)
+{
+    return kind == ShapeKind::kHull || kind == ShapeKind::kTriangles ? "mesh" : name_of(kind);
+}
+
+const char* yes(bool value) { return value ? "true" : "false"; }
+
+std::string range_of(double low, double high) { return list_text({low, high}); }
+
+bool is_near(const Pose& a, const Pose& b)
+{
+    return length(a.p - b.p) < 1e-9 && std::fabs(1 - std::fabs((conjugate(a.q) * b.q).w)) < 1e-12;
+}
+
+class MjcfWriter {
+  public:
+    MjcfWriter(const RobotModel& model, const std::string& folder) : model_(model), folder_(folder) {}
+    WrittenRobot write();
+
+  private:
+    void name_all();
+    void write_meshes();
+    void write_bodies();
+    void write_pose(Node node, const Pose& pose);
+    void write_inertial(Node body, const Link& link);
+    void write_joint(Node body, size_t number);
+    void write_geom(Node body, const Shape& shape, bool touches);
+    void write_size(Node geom, const Shape& shape);
+    void write_closures();
+    std::string site_at(int link, const Pose& pose);
+    void write_couplings();
+    void write_tendons();
+    void write_actuators();
+    void write_gains(Node actuator, const Actuator& from, const std::string& kind);
+    void write_contacts_and_keys();
+    void note_losses();
+    Node section(const char* name);
+
+    const RobotModel& model_;
+    std::string folder_;
+    pugi::xml_document document_;
+    Node root_;
+    std::vector<std::string> links_, joints_, tendons_;
+    std::vector<Node> bodies_;
+    Names sites_, geoms_;
+    std::vector<std::string> frames_;  // names of the model's, as written
+    Losses losses_;
+};
+
+Node MjcfWriter::section(const char* name)
+{
+    const Node found = root_.child(name);
+    return found ? found : root_.append_child(name);
+}
+
+void MjcfWriter::name_all()
+{
+    Names links, joints, tendons;
+    for (size_t i = 0; i < model_.links.size(); ++i)
+        links_.push_back(links.unique(i ? model_.links[i].name : "world", "body", i));
+    for (size_t i = 0; i < model_.joints.size(); ++i)
+        joints_.push_back(joints.unique(model_.joints[i].name, "joint", i));
+    for (size_t i = 0; i < model_.tendons.size(); ++i)
+        tendons_.push_back(tendons.unique(model_.tendons[i].name, "tendon", i));
+}
+
+void MjcfWriter::write_meshes()
+{
+    for (size_t i = 0; i < model_.meshes.size(); ++i) {
+        const Mesh& mesh = model_.meshes[i];
+        Node asset = section("asset").append_child("mesh");
+        set(asset, "name", "mesh" + std::to_string(i));
+        set(asset, "file", path_from(folder_, mesh.path));
+        set(asset, "scale", text_of(mesh.scale));
+        set(asset, "inertia", mesh.counts_folds ? "legacy" : "convex");
+    }
+}
+
+void MjcfWriter::write_pose(Node node, const Pose& pose)
+{
+    if (is_identity(pose)) return;
+    set(node, "pos", text_of(pose.p)), set(node, "quat", text_of(pose.q));
+}
+
+void MjcfWriter::write_inertial(Node body, const Link& link)
+{
+    if (!link.has_inertial && link.mass <= 0) return;
+    const Matrix& i = link.inertia;
+    Node inertial = body.append_child("inertial");
+    set(inertial, "pos", text_of(link.centre)), set(inertial, "mass", link.mass);
+    set(inertial, "fullinertia", list_text({i[0][0], i[1][1], i[2][2], i[0][1], i[0][2], i[1][2]}));
+}
+
+void MjcfWriter::write_joint(Node body, size_t number)
+{
+    const Joint& joint = model_.joints[number];
+    Node its = body.append_child(joint.kind == JointKind::kFree ? "freejoint" : "joint");
+    set(its, "name", joints_[number]);
+    if (joint.kind == JointKind::kFree) return;
+    set(its, "type", name_of(joint.kind));
+    set(its, "pos", text_of(joint.anchor)), set(its, "axis", text_of(joint.axis));
+    set(its, "limited", yes(joint.limited));
+    if (joint.limited) set(its, "range", range_of(joint.low, joint.high));
+    const std::pair<const char*, double> numbers[] = {
+        {"ref", joint.reference},   {"springref", joint.spring_reference}, {"stiffness", joint.stiffness},
+        {"damping", joint.damping}, {"armature", joint.armature},          {"frictionloss", joint.friction}};
+    for (const auto& [name, value] : numbers)
+        if (value != 0) set(its, name, value);
+    if (std::isfinite(joint.max_force)) {
+        set(its, "actuatorfrcrange", range_of(-joint.max_force, joint.max_force));
+        set(its, "actuatorfrclimited", "true");
+    }
+    if (std::isfinite(joint.max_velocity)) losses_.add("limits of velocities are not in MJCF");
+}
+
+void MjcfWriter::write_size(Node geom, const Shape& shape)
+{
+    const Vec s = shape.size;
+    switch (shape.kind) {
+        case ShapeKind::kSphere:
+            return set(geom, "size", s.x);
+        case ShapeKind::kCapsule:
+        case ShapeKind::kCylinder:
+            return set(geom, "size", list_text({s.x, s.y}));
+        case ShapeKind::kBox:
+        case ShapeKind::kEllipsoid:
+            return set(geom, "size", text_of(s));
+        case ShapeKind::kPlane:  // drawn size, and the spacing of its grid
+            return set(geom, "size", list_text({s.x, s.y, s.z > 0 ? s.z : 1}));
+        case ShapeKind::kTriangles:
+            losses_.add("meshes touch as their convex hulls in MJCF, not as triangles");
+            [[fallthrough]];
+        case ShapeKind::kHull:
+            return set(geom, "mesh", "mesh" + std::to_string(shape.mesh));
+    }
+}
+
+void MjcfWriter::write_geom(Node body, const Shape& shape, bool touches)
+{
+    Node geom = body.append_child("geom");
+    if (!shape.name.empty()) set(geom, "name", geoms_.unique(shape.name, "geom", 0));
+    set(geom, "type", type_of(shape.kind));
+    write_size(geom, shape);
+    write_pose(geom, shape.pose);
+    set(geom, "rgba", color_text(shape.color));
+    set(geom, "contype", touches ? double(shape.category) : 0),
+        set(geom, "conaffinity", touches ? double(shape.collide) : 0);
+    if (!touches) return;
+    set(geom, "condim", shape.rolling_friction > 0 ? 6 : shape.friction > 0 ? 3 : 1);
+    set(geom, "friction", list_text({shape.friction, 0.005, shape.rolling_friction}));
+}
+
+void MjcfWriter::write_bodies()
+{
+    bodies_.resize(model_.links.size());
+    bodies_[0] = root_.append_child("worldbody");
+    for (size_t i = 0; i < model_.links.size(); ++i) {
+        const Link& link = model_.links[i];
+        if (i > 0) {
+            bodies_[i] = bodies_[size_t(link.parent)].append_child("body");
+            set(bodies_[i], "name", links_[i]);
+            write_pose(bodies_[i], link.pose);
+            write_inertial(bodies_[i], link);
+        }
+        for (int joint : link.joints) write_joint(bodies_[i], size_t(joint));
+        for (const Shape& shape : link.shapes) write_geom(bodies_[i], shape, true);
+        for (const Shape& shape : link.visuals) write_geom(bodies_[i], shape, false);
+    }
+    for (size_t i = 0; i < model_.frames.size(); ++i) {
+        const Frame& frame = model_.frames[i];
+        Node site = bodies_[size_t(frame.link)].append_child("site");
+        frames_.push_back(frame.name.empty() ? "" : sites_.unique(frame.name, "site", i));
+        if (!frames_[i].empty()) set(site, "name", frames_[i]);
+        write_pose(site, frame.pose);
+    }
+}
+
+// A frame of the model that is there, or a site made for it.
+std::string MjcfWriter::site_at(int link, const Pose& pose)
+{
+    for (size_t i = 0; i < frames_.size(); ++i)
+        if (model_.frames[i].link == link && !frames_[i].empty() && is_near(model_.frames[i].pose, pose))
+            return frames_[i];
+    Node site = bodies_[size_t(link)].append_child("site");
+    const std::string name = sites_.unique("", "loop", 1);
+    set(site, "name", name);
+    write_pose(site, pose);
+    return name;
+}
+
+void MjcfWriter::write_closures()
+{
+    const std::vector<Pose> poses = forward_kinematics(model_, reference_positions(model_));
+    for (const Closure& closure : model_.closures) {
+        Node its = section("equality").append_child(closure.weld ? "weld" : "connect");
+        if (!closure.name.empty()) set(its, "name", closure.name);
+        const Pose &one = poses[size_t(closure.link1)], &two = poses[size_t(closure.link2)];
+        const Pose meant = closure.weld ? Pose{} : inverse(two) * (one * closure.pose1);
+        if (!is_near(meant, closure.pose2)) {
+            set(its, "site1", site_at(closure.link1, closure.pose1)),
+                set(its, "site2", site_at(closure.link2, closure.pose2));
+            continue;
+        }
+        set(its, "body1", links_[size_t(closure.link1)]), set(its, "body2", links_[size_t(closure.link2)]);
+        if (closure.weld)
+            set(its, "relpose", text_of(closure.pose1.p) + " " + text_of(closure.pose1.q));
+        else
+            set(its, "anchor", text_of(closure.pose1.p));
+    }
+}
+
+void MjcfWriter::write_couplings()
+{
+    for (const Coupling& coupling : model_.couplings) {
+        const auto& terms = coupling.terms;
+        if (terms.empty() || terms.size() > 2 || terms[0].factor == 0) {
+            losses_.add("the coupling '" + coupling.name + "' of more than two joints");
+            continue;
+        }
+        const double f1 = terms[0].factor, r1 = model_.joints[size_t(terms[0].joint)].reference;
+        std::vector<double> c{coupling.offset / f1 - r1, 0};
+        Node its = section("equality").append_child("joint");
+        if (!coupling.name.empty()) set(its, "name", coupling.name);
+        set(its, "joint1", joints_[size_t(terms[0].joint)]);
+        if (terms.size() == 2) {
+            set(its, "joint2", joints_[size_t(terms[1].joint)]);
+            c[1] = -terms[1].factor / f1;
+            c[0] += c[1] * model_.joints[size_t(terms[1].joint)].reference;
+            c.insert(c.end(), coupling.polynomial.begin(), coupling.polynomial.end());
+        }
+        c.resize(5, 0);
+        set(its, "polycoef", list_text(c));
+    }
+}
+
+void MjcfWriter::write_tendons()
+{
+    for (size_t i = 0; i < model_.tendons.size(); ++i) {
+        const Tendon& tendon = model_.tendons[i];
+        Node its = section("tendon").append_child("fixed");
+        const bool is_limited = std::isfinite(tendon.low) || std::isfinite(tendon.high);
+        set(its, "name", tendons_[i]), set(its, "limited", yes(is_limited));
+        if (is_limited) set(its, "range", range_of(tendon.low, tendon.high));
+        if (tendon.stiffness != 0) set(its, "stiffness", tendon.stiffness);
+        if (tendon.damping != 0) set(its, "damping", tendon.damping);
+        for (const Coupling::Term& term : tendon.terms) {
+            Node joint = its.append_child("joint");
+            set(joint, "joint", joints_[size_t(term.joint)]), set(joint, "coef", term.factor);
+        }
+    }
+}
+
+// What the short kinds do not say is a general one.
+std::string kind_of(const Actuator& a)
+{
+    const bool is_plain = a.bias == 0;
+    if (a.kind == "position" && is_plain && a.gain == a.bias_position) return a.kind;
+    if (a.kind == "velocity" && is_plain && a.gain == a.bias_velocity && a.bias_position == 0) return a.kind;
+    const bool is_motor =
+        a.kind == "motor" && is_plain && a.gain == 1 && a.bias_position == 0 && a.bias_velocity == 0;
+    return is_motor ? a.kind : "general";
+}
+
+void MjcfWriter::write_gains(Node actuator, const Actuator& from, const std::string& kind)
+{
+    if (kind == "position") set(actuator, "kp", from.gain);
+    if (kind == "position" || kind == "velocity") set(actuator, "kv", from.bias_velocity);
+    if (kind != "general") return;
+    set(actuator, "gainprm", from.gain), set(actuator, "biastype", "affine");
+    set(actuator, "biasprm", list_text({from.bias, -from.bias_position, -from.bias_velocity}));
+}
+
+void MjcfWriter::write_actuators()
+{
+    for (const Actuator& actuator : model_.actuators) {
+        const std::string kind = kind_of(actuator);
+        Node its = section("actuator").append_child(kind.c_str());
+        if (!actuator.name.empty()) set(its, "name", actuator.name);
+        if (actuator.joint >= 0) set(its, "joint", joints_[size_t(actuator.joint)]);
+        if (actuator.joint < 0) set(its, "tendon", tendons_[size_t(actuator.tendon)]);
+        set(its, "gear", actuator.gear);
+        const bool clamps_control = std::isfinite(actuator.low),
+                   clamps_force = std::isfinite(actuator.force_low);
+        set(its, "ctrllimited", yes(clamps_control)), set(its, "forcelimited", yes(clamps_force));
+        if (clamps_control) set(its, "ctrlrange", range_of(actuator.low, actuator.high));
+        if (clamps_force) set(its, "forcerange", range_of(actuator.force_low, actuator.force_high));
+        write_gains(its, actuator, kind);
+    }
+}
+
+void MjcfWriter::write_contacts_and_keys()
+{
+    for (const auto& pair : model_.excluded) {
+        Node its = section("contact").append_child("exclude");
+        set(its, "body1", links_[size_t(pair[0])]), set(its, "body2", links_[size_t(pair[1])]);
+    }
+    for (const Start& start : model_.starts) {
+        Node its = section("keyframe").append_child("key");
+        if (!start.name.empty()) set(its, "name", start.name);
+        set(its, "qpos", list_text(start.positions));
+        if (!start.controls.empty()) set(its, "ctrl", list_text(start.controls));
+    }
+}
+
+void MjcfWriter::note_losses()
+{
+    if (!model_.sensors.empty()) losses_.add("sensors are not written");
+    if (!model_.touches_itself) losses_.add("in MJCF links that overlap at the reference position touch");
+    if (!model_.largest_friction)
+        losses_.add("MJCF takes the larger friction of a pair, not the geometric mean");
+}
+
+WrittenRobot MjcfWriter::write()
+{
+    name_all();
+    root_ = document_.append_child("mujoco");
+    if (!model_.name.empty()) set(root_, "model", model_.name);
+    Node compiler = root_.append_child("compiler");
+    set(compiler, "angle", "radian"), set(compiler, "autolimits", "false"),
+        set(compiler, "inertiafromgeom", "false");
+    set(root_.append_child("option"), "gravity", text_of(model_.gravity));
+    write_meshes();
+    write_bodies();
+    write_closures();
+    write_couplings();
+    write_tendons();
+    write_actuators();
+    write_contacts_and_keys();
+    note_losses();
+    return {text_of(document_), losses_.all};
+}
+
+}  // namespace
+
+WrittenRobot write_mjcf(const RobotModel& model, const std::string& folder)
+{
+    return MjcfWriter(model, folder).write();
+}
+
+}  // namespace epode::robots

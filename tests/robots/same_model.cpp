@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// See same_model.h.
+#include "same_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epode::robots {
+
+namespace {
+
+constexpr double kTolerance = 1e-9, kUnlimited = 1e9;
+
+class Comparison {
+  public:
+    void same(const std::string& what, double a, double b)
+    {
+        const bool are_none = (a >= kUnlimited && b >= kUnlimited) || (a <= -kUnlimited && b <= -kUnlimited);
+        if (are_none || std::fabs(a - b) <= kTolerance * std::max({1.0, std::fabs(a), std::fabs(b)})) return;
+        found.push_back(what + ": " + std::to_string(a) + ", " + std::to_string(b));
+    }
+    void same(const std::string& what, const std::string& a, const std::string& b)
+    {
+        if (a != b) found.push_back(what + ": '" + a + "', '" + b + "'");
+    }
+    void same(const std::string& what, Vec a, Vec b)
+    {
+        for (int i = 0; i < 3; ++i) same(what, a[i], b[i]);
+    }
+    void same(const std::string& what, const Pose& a, const Pose& b)
+    {
+        same(what + " position", a.p, b.p);
+        const Quat turn = conjugate(a.q) * b.q;
+        same(what + " rotation", Vec{turn.x, turn.y, turn.z}, Vec{});
+    }
+    // Lists of another length have no elements to compare.
+    template <class List, class Action>
+    void each(const std::string& what, const List& a, const List& b, Action&& action)
+    {
+        same("number of " + what, double(a.size()), double(b.size()));
+        for (size_t i = 0; a.size() == b.size() && i < a.size(); ++i)
+            action(what + " " + std::to_string(i), a[i], b[i]);
+    }
+    std::vector<std::string> found;
+};
+
+bool is_mesh(const Shape& shape) { return shape.mesh >= 0; }
+
+class Models : Comparison {
+  public:
+    Models(const RobotModel& a, const RobotModel& b) : a_(a), b_(b) {}
+    std::vector<std::string> compare()
+    {
+        each("links", a_.links, b_.links,
+             [&](const std::string& what, const Link& a, const Link& b) { link(what, a, b); });
+        each("joints", a_.joints, b_.joints,
+             [&](const std::string& what, const Joint& a, const Joint& b) { joint(what, a, b); });
+        each("frames", named(a_.frames), named(b_.frames),
+             [&](const std::string& what, const Frame& a, const Frame& b) {
+                 same(what, a.name, b.name), same(what, a.link, b.link), same(what, a.pose, b.pose);
+             });
+        relations();
+        actuators();
+        same("gravity", a_.gravity, b_.gravity);
+        return found;
+    }
+
+  private:
+    static std::vector<Frame> named(std::vector<Frame> frames)
+    {
+        std::erase_if(frames, [](const Frame& frame) { return frame.name.empty(); });
+        std::stable_sort(frames.begin(), frames.end(),
+                         [](const Frame& x, const Frame& y) { return x.name < y.name; });
+        return frames;
+    }
+
+    void link(const std::string& what, const Link& a, const Link& b)
+    {
+        same(what + " parent", a.parent, b.parent), same(what + " mass", a.mass, b.mass);
+        same(what + " pose", a.pose, b.pose);
+        if (!a.name.empty()) same(what, a.name, b.name);
+        if (a.mass > 0) same(what + " centre", a.centre, b.centre);
+        for (size_t i = 0; i < 3 && a.mass > 0; ++i)
+            for (size_t k = 0; k < 3; ++k) {
+                const double size = std::max(1e-12, a.inertia[0][0] + a.inertia[1][1] + a.inertia[2][2]);
+                same(what + " inertia", a.inertia[i][k] / size, b.inertia[i][k] / size);
+            }
+        each(what + " shapes", a.shapes, b.shapes,
+             [&](const std::string& its, const Shape& x, const Shape& y) {
+                 shape(its, x, y);
+                 same(its + " friction", x.friction, y.friction),
+                     same(its + " rolling friction", x.rolling_friction, y.rolling_friction);
+                 same(its + " category", x.category, y.category),
+                     same(its + " collide", x.collide, y.collide);
+             });
+        each(what + " visuals", a.visuals, b.visuals,
+             [&](const std::string& its, const Shape& x, const Shape& y) {
+                 shape(its, x, y);
+                 for (int i = 0; i < 4; ++i) same(its + " color", double(x.color[i]), double(y.color[i]));
+             });
+    }
+
+    void shape(const std::string& what, const Shape& a, const Shape& b)
+    {
+        same(what + " kind", name_of(a.kind), name_of(b.kind));
+        same(what + " pose", a.pose, b.pose);
+        if (a.kind != ShapeKind::kPlane && !is_mesh(a)) same(what + " size", a.size, b.size);
+        if (!is_mesh(a) || !is_mesh(b)) return;
+        const Mesh &one = a_.meshes[size_t(a.mesh)], &two = b_.meshes[size_t(b.mesh)];
+        same(what + " mesh", one.path, two.path), same(what + " scale", one.scale, two.scale);
+    }
+
+    void joint(const std::string& what, const Joint& a, const Joint& b)
+    {
+        if (!a.name.empty()) same(what, a.name, b.name);
+        same(what + " kind", name_of(a.kind), name_of(b.kind)), same(what + " link", a.link, b.link);
+        if (a.kind == JointKind::kFree) return;
+        same(what + " axis", a.axis, b.axis), same(what + " anchor", a.anchor, b.anchor);
+        same(what + " reference", a.reference, b.reference), same(what + " limited", a.limited, b.limited);
+        same(what + " low", a.low, b.low), same(what + " high", a.high, b.high);
+        same(what + " max force", a.max_force, b.max_force),
+            same(what + " max velocity", a.max_velocity, b.max_velocity);
+        same(what + " stiffness", a.stiffness, b.stiffness),
+            same(what + " rest", a.spring_reference, b.spring_reference);
+        same(what + " damping", a.damping, b.damping), same(what + " armature", a.armature, b.armature);
+        same(what + " friction", a.friction, b.friction);
+    }
+
+    // URDF has no order of them.
+    static std::vector<Coupling> by_follower(std::vector<Coupling> couplings)
+    {
+        std::stable_sort(couplings.begin(), couplings.end(), [](const Coupling& x, const Coupling& y) {
+            return x.terms[0].joint < y.terms[0].joint;
+        });
+        return couplings;
+    }
+
+    void terms(const std::string& what, const std::vector<Coupling::Term>& a,
+               const std::vector<Coupling::Term>& b)
+    {
+        each(what + " terms", a, b,
+             [&](const std::string& its, const Coupling::Term& x, const Coupling::Term& y) {
+                 same(its, x.joint, y.joint), same(its + " factor", x.factor, y.factor);
+             });
+    }
+
+    void relations()
+    {
+        each("couplings", by_follower(a_.couplings), by_follower(b_.couplings),
+             [&](const std::string& what, const Coupling& a, const Coupling& b) {
+                 terms(what, a.terms, b.terms), same(what + " offset", a.offset, b.offset);
+                 each(what + " polynomial", a.polynomial, b.polynomial,
+                      [&](const std::string& its, double x, double y) { same(its, x, y); });
+             });
+        each("closures", a_.closures, b_.closures,
+             [&](const std::string& what, const Closure& a, const Closure& b) {
+                 same(what + " weld", a.weld, b.weld), same(what + " link", a.link1, b.link1),
+                     same(what + " link", a.link2, b.link2);
+                 same(what + " pose", a.pose1, b.pose1), same(what + " pose", a.pose2, b.pose2);
+             });
+        each("tendons", a_.tendons, b_.tendons,
+             [&](const std::string& what, const Tendon& a, const Tendon& b) {
+                 terms(what, a.terms, b.terms), same(what + " low", a.low, b.low),
+                     same(what + " high", a.high, b.high);
+                 same(what + " stiffness", a.stiffness, b.stiffness),
+                     same(what + " damping", a.damping, b.damping);
+             });
+        each("excluded", a_.excluded, b_.excluded,
+             [&](const std::string& what, const auto& a, const auto& b) {
+                 same(what, a[0], b[0]), same(what, a[1], b[1]);
+             });
+        each("starts", a_.starts, b_.starts, [&](const std::string& what, const Start& a, const Start& b) {
+            same(what, a.name, b.name);
+            each(what, a.positions, b.positions,
+                 [&](const std::string& its, double x, double y) { same(its, x, y); });
+            each(what, a.controls, b.controls,
+                 [&](const std::string& its, double x, double y) { same(its, x, y); });
+        });
+    }
+
+    void actuators()
+    {
+        each("actuators", a_.actuators, b_.actuators,
+             [&](const std::string& what, const Actuator& a, const Actuator& b) {
+                 if (!a.name.empty()) same(what, a.name, b.name);
+                 same(what + " joint", a.joint, b.joint), same(what + " tendon", a.tendon, b.tendon);
+                 same(what + " gear", a.gear, b.gear), same(what + " gain", a.gain, b.gain),
+                     same(what + " bias", a.bias, b.bias);
+                 same(what + " bias of position", a.bias_position, b.bias_position);
+                 same(what + " bias of velocity", a.bias_velocity, b.bias_velocity);
+                 same(what + " low", a.low, b.low), same(what + " high", a.high, b.high);
+                 same(what + " force", a.force_low, b.force_low),
+                     same(what + " force", a.force_high, b.force_high);
+             });
+    }
+
+    const RobotModel &a_, &b_;
+};
+
+}  // namespace
+
+std::vector<std::string> differences(const RobotModel& a, const RobotModel& b)
+{
+    return Models(a, b).compare();
+}
+
+}  // namespace epode::robots

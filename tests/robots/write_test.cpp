@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// What is written reads back as the same model, or moves as it does where the format has other words for it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "robots/kinematics.h"
+#include "robots/load.h"
+#include "robots/write/write.h"
+#include "same_model.h"
+
+namespace {
+
+using namespace epode::robots;
+
+const std::string kModels = EPODE_MODELS;
+
+RobotModel read_again(const WrittenRobot& written, const std::string& ending, const LoadOptions& options = {})
+{
+    RobotModel model = load_robot_text(kModels + "/written." + ending, written.text, options);
+    EXPECT_FALSE(model.has_errors()) << written.text;
+    for (const ReportLine& line : model.report)
+        if (line.note == Note::kError) ADD_FAILURE() << line.text;
+    return model;
+}
+
+std::string joined(const std::vector<std::string>& lines)
+{
+    std::string out;
+    for (const std::string& line : lines) out += line + "\n";
+    return out;
+}
+
+void expect_round_trip(const std::string& name, const LoadOptions& options)
+{
+    const RobotModel model = load_robot(kModels + "/" + name, options);
+    const bool is_urdf = model.format == "URDF";
+    const WrittenRobot written = is_urdf ? write_urdf(model, kModels) : write_mjcf(model, kModels);
+    const RobotModel again = read_again(written, is_urdf ? "urdf" : "xml", options);
+    EXPECT_EQ(joined(differences(model, again)), "") << name << "\n" << written.text;
+}
+
+TEST(Write, OwnFormatGivesTheSameModel)
+{
+    LoadOptions whole;
+    whole.keep_fixed = true;
+    for (const char* name : {"arm.urdf", "walker.xml", "fourbar.xml"}) {
+        expect_round_trip(name, {});
+        expect_round_trip(name, whole);
+    }
+}
+
+// A joint of one model, by its name in the other; coordinates there count from the reference.
+std::vector<double> positions_for(const RobotModel& from, const std::vector<double>& q, const RobotModel& to,
+                                  bool from_reference)
+{
+    std::vector<double> out = reference_positions(to);
+    for (const Joint& joint : from.joints) {
+        const int its = to.joint_named(joint.name);
+        if (its < 0 || !joint.is_scalar()) continue;
+        const double shift = from_reference ? joint.reference : 0;
+        out[size_t(to.joints[size_t(its)].position)] = q[size_t(joint.position)] - shift;
+    }
+    return out;
+}
+
+// Where the centres of mass of all links are.
+void expect_same_centres(const RobotModel& a, const std::vector<double>& q, const RobotModel& b,
+                         const std::vector<double>& p)
+{
+    const std::vector<Pose> one = forward_kinematics(a, q), two = forward_kinematics(b, p);
+    for (size_t i = 1; i < a.links.size(); ++i) {
+        const int number = b.link_named(a.links[i].name);
+        ASSERT_GE(number, 0) << a.links[i].name;
+        const Vec x = one[i] * a.links[i].centre, y = two[size_t(number)] * b.links[size_t(number)].centre;
+        EXPECT_LT(length(x - y), 1e-12) << a.links[i].name;
+        EXPECT_NEAR(a.links[i].mass, b.links[size_t(number)].mass, 1e-12);
+    }
+}
+
+std::vector<double> some_positions(const RobotModel& model)
+{
+    std::vector<double> q = reference_positions(model);
+    for (const Joint& joint : model.joints)
+        if (joint.is_scalar()) q[size_t(joint.position)] = 0.3 + 0.2 * joint.position;
+    return q;
+}
+
+TEST(Write, AnArmIsTheSameInMjcf)
+{
+    const RobotModel model = load_robot(kModels + "/arm.urdf");
+    const WrittenRobot written = write_mjcf(model, kModels);
+    const RobotModel again = read_again(written, "xml");
+    const std::vector<double> q = some_positions(model);
+    expect_same_centres(model, q, again, positions_for(model, q, again, false));
+    ASSERT_EQ(again.couplings.size(), 1u);
+    EXPECT_EQ(again.couplings[0].terms[1].factor, 1);
+    EXPECT_EQ(again.actuators.size(), 1u);
+    EXPECT_NE(joined(written.lost).find("links that overlap"), std::string::npos) << joined(written.lost);
+}
+
+// Anchors beside the link's origin, references, two joints on a link, a ball: urdf.cpp's head says what becomes of them.
+TEST(Write, AWalkerMovesTheSameInUrdf)
+{
+    const RobotModel model = load_robot(kModels + "/walker.xml");
+    const WrittenRobot written = write_urdf(model, kModels);
+    const RobotModel again = read_again(written, "urdf");
+    const std::vector<double> q = some_positions(model);
+    expect_same_centres(model, q, again, positions_for(model, q, again, true));
+    EXPECT_NE(joined(written.lost).find("armatures and springs"), std::string::npos) << joined(written.lost);
+    EXPECT_NE(joined(written.lost).find("pairs that do not touch"), std::string::npos);
+}
+
+TEST(Write, UprightAxesKeepTheirRotation)
+{
+    RobotModel model = load_robot(kModels + "/arm.urdf");
+    for (double pitch : {1.5707963267948966, -1.5707963267948966, 1.5707963})
+        for (double roll : {0.0, 0.4, -2.0}) {
+            model.links[1].pose.q = turn_of_rpy({roll, pitch, 0.7});
+            const RobotModel again = read_again(write_urdf(model, kModels), "urdf");
+            EXPECT_EQ(joined(differences(model, again)), "");
+        }
+}
+
+TEST(Write, FilesAreSavedByTheirEnding)
+{
+    const RobotModel model = load_robot(kModels + "/fourbar.xml");
+    const std::string path = testing::TempDir() + "/epode_saved.xml";
+    std::vector<std::string> lost;
+    std::string problem;
+    ASSERT_TRUE(save_robot(model, path, lost, problem)) << problem;
+    EXPECT_EQ(joined(differences(model, load_robot(path))), "");
+    EXPECT_FALSE(save_robot(model, testing::TempDir() + "/a.txt", lost, problem));
+    EXPECT_NE(problem.find(".urdf, .xml and .mjcf"), std::string::npos);
+    EXPECT_FALSE(save_robot(model, "/nowhere/a.urdf", lost, problem));
+    EXPECT_FALSE(save_robot(load_robot("/nowhere/a.urdf"), path, lost, problem));
+}
+
+}  // namespace
