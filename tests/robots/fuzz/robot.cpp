@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A reader of robots on any text, in the folder of the tests' models, so that meshes and includes are found. What it
+// accepts keeps the promises of model.h.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+#include "robots/load.h"
+
+using namespace epode::robots;
+
+namespace {
+
+#define CHECK(good)                               \
+    do {                                          \
+        if (good) break;                          \
+        std::fprintf(stderr, "not: %s\n", #good); \
+        std::abort();                             \
+    } while (false)
+
+void check_links(const RobotModel& model)
+{
+    for (size_t i = 0; i < model.links.size(); ++i) {
+        const Link& link = model.links[i];
+        CHECK(i == 0 ? link.parent == -1 : link.parent >= 0 && link.parent < int(i));
+        CHECK(is_finite(link.centre) && is_finite(link.inertia) && std::isfinite(link.mass));
+        for (int joint : link.joints) CHECK(joint >= 0 && joint < int(model.joints.size()));
+        for (const Shape& shape : link.shapes) CHECK(shape.mesh < int(model.meshes.size()));
+    }
+}
+
+void check_indices(const RobotModel& model)
+{
+    const int links = int(model.links.size()), joints = int(model.joints.size());
+    for (const Joint& joint : model.joints) CHECK(joint.link > 0 && joint.link < links);
+    for (const Coupling& coupling : model.couplings)
+        for (const Coupling::Term& term : coupling.terms) CHECK(term.joint >= 0 && term.joint < joints);
+    for (const Actuator& actuator : model.actuators)
+        CHECK(actuator.joint < joints && actuator.tendon < int(model.tendons.size()) &&
+              (actuator.joint >= 0 || actuator.tendon >= 0));
+    for (const auto& pair : model.excluded)
+        for (int link : pair) CHECK(link >= 0 && link < links);
+    for (const Frame& frame : model.frames) CHECK(frame.link >= 0 && frame.link < links);
+    for (const Start& start : model.starts) CHECK(int(start.positions.size()) == model.coordinates);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    LoadOptions options;
+    options.repair = options.inertia_from_shapes = true, options.missing_mass = 1;
+    const std::string text(reinterpret_cast<const char*>(data), size);
+    const RobotModel model = load_robot_text(EPODE_MODELS "/fuzz." EPODE_ENDING, text, options);
+    if (model.has_errors()) return 0;
+    check_links(model);
+    check_indices(model);
+    CHECK(forward_kinematics(model, reference_positions(model)).size() == model.links.size());
+    return 0;
+}
