@@ -101,7 +101,7 @@ TEST(Write, AnArmIsTheSameInMjcf)
     EXPECT_NE(joined(written.lost).find("links that overlap"), std::string::npos) << joined(written.lost);
 }
 
-// Anchors beside the link's origin, references, two joints on a link, a ball: urdf.cpp's head says what becomes of them.
+// Anchors outside of the link's origin, references, two joints on a link, a ball: urdf.cpp's head says what becomes of them.
 TEST(Write, AWalkerMovesTheSameInUrdf)
 {
     const RobotModel model = load_robot(kModels + "/walker.xml");
