@@ -8,6 +8,7 @@
 #include "bench/accuracy.h"
 #include "bench/asleep.h"
 #include "bench/exact_table.h"
+#include "bench/mechanisms.h"
 #include "bench/mesh_rays.h"
 #include "bench/pairs.h"
 #include "bench/pile.h"
@@ -132,6 +133,23 @@ CLI::App* add_worlds(CLI::App& app, epode::bench::WorldsOptions& options)
         ->check(CLI::Range(1, 10'000));
     command->add_option("--stepper", options.stepper, "exact, quick or fast (default fast)")
         ->check(CLI::IsMember({"exact", "quick", "fast"}));
+    return command;
+}
+
+CLI::App* add_mechanisms(CLI::App& app, epode::bench::MechanismOptions& options)
+{
+    CLI::App* command = app.add_subcommand("mechanisms", "a step of many robots, as bench/robots runs it");
+    command->add_option("--model", options.model, "ant, half-cheetah, humanoid, free-body, box or chain");
+    command->add_option("--stepper", options.stepper, "exact, quick or fast (default exact)")
+        ->check(CLI::IsMember({"exact", "quick", "fast"}));
+    command->add_option("--worlds", options.worlds, "default 64")->check(CLI::Range(1, 100'000));
+    command->add_option("--threads", options.threads, "default 1")->check(CLI::Range(1, 64));
+    command->add_option("--settle", options.settle, "steps before the first that is timed (default 50)")
+        ->check(CLI::Range(0, 1'000'000));
+    command->add_option("--steps", options.steps, "of each world in a round (default 500)")
+        ->check(CLI::Range(1, 1'000'000));
+    command->add_option("--rounds", options.rounds, "the quickest counts (default 3)")
+        ->check(CLI::Range(1, 10'000));
     return command;
 }
 
@@ -271,6 +289,8 @@ int main(int argc, char** argv)
     CLI::App* space_table = app.add_subcommand("space-table", "what programs ask of each kind of space");
     epode::bench::WorldsOptions worlds;
     CLI::App* worlds_command = add_worlds(app, worlds);
+    epode::bench::MechanismOptions mechanisms;
+    CLI::App* mechanisms_command = add_mechanisms(app, mechanisms);
     epode::bench::StateOptions state;
     CLI::App* state_command = add_state(app, state);
     epode::bench::AsleepOptions asleep;
@@ -318,6 +338,7 @@ int main(int argc, char** argv)
     if (*spaces_command) return epode::bench::bench_spaces(spaces);
     if (*space_table) return epode::bench::bench_space_table();
     if (*worlds_command) return epode::bench::bench_worlds(worlds);
+    if (*mechanisms_command) return epode::bench::bench_mechanisms(mechanisms);
     if (*state_command) return epode::bench::bench_state(state);
     if (*asleep_command) return epode::bench::bench_asleep(asleep);
     if (*make_pile) return epode::bench::print_pile(pile.count, pile.side, pile.rows, pile.seed);
