@@ -5,6 +5,7 @@
 #include "solve/exact/small/small_island.h"
 
 #include "solve/common/residual.h"
+#include "solve/exact/small/condensed.h"
 #include "solve/exact/small/few_bodies.h"
 #include "solve/exact/small/small_island.inc"
 
@@ -69,6 +70,10 @@ SmallResult solve_small(RowSystem& system, const SolverSettings& settings, Arena
 {
     std::size_t dynamic = 0;
     for (const SolverBody& body : system.bodies) dynamic += body.inv_mass > 0;
+    if (const SmallResult result =
+            condensed_kernels().back()->solve(system, settings.refine_above, arena, report);
+        result != SmallResult::kNotSolved)
+        return result;
     if (system.blocks.size() > kMaxBlocks) return SmallResult::kNotSolved;
     if (system.rows.size() <= 6 * dynamic) {
         const SmallResult result = solve_with(Method::kNewton, system, settings, arena, report);
