@@ -129,6 +129,9 @@ enum class PairsOf { kBoxes, kSweptBoxes };
 // visit(a, b) for the pairs first ... last - 1 of the broadphase's list that are there and may meet.
 template <typename Visit>
 void visit_pairs(Space& space, PairsOf of, std::size_t first, std::size_t last, Visit&& visit);
+// Of so few members that many of them have left their places in the tree, all pairs are tried sooner than new
+// places found. Those that move slowly stay for long where they are put, so that is tried from time to time.
+bool try_all_pairs(Space& space);
 void collide_space(Space& space, void* data, dNearCallback* callback, PairsOf of = PairsOf::kBoxes);
 void collide_across(Geom& first, Geom& second, void* data, dNearCallback* callback);
 

@@ -47,17 +47,6 @@ void report_all_pairs(Space& space, const Report& report, PairsOf of)
     }
 }
 
-// Of so few members that many of them have left their places in the tree, all pairs are tried sooner than new
-// places found. Those that move slowly stay for long where they are put, so that is tried from time to time.
-bool try_all_pairs(Space& space)
-{
-    constexpr int kFew = 32, kInARow = 32;
-    const int count = space.geoms.size();
-    const bool yes = count <= kFew && 4 * space.broadphase.waiting() > count && space.tried < kInARow;
-    space.tried = yes ? space.tried + 1 : 0;
-    return yes;
-}
-
 // visit(slot) for the members whose boxes meet the geom's; of a ray, for those of them that it meets itself
 // (GeomType::may_touch) and few more. False when memory is exhausted.
 template <typename Visit>
@@ -149,6 +138,15 @@ void space_with_space(Space& walked, Space& asked, const Report& report)
 }
 
 }  // namespace
+
+bool try_all_pairs(Space& space)
+{
+    constexpr int kFew = 32, kInARow = 32;
+    const int count = space.geoms.size();
+    const bool yes = count <= kFew && 4 * space.broadphase.waiting() > count && space.tried < kInARow;
+    space.tried = yes ? space.tried + 1 : 0;
+    return yes;
+}
 
 bool can_pair(Geom& a, Geom& b)
 {

@@ -51,8 +51,30 @@ bool collect_lone(Space& space, const Tasks& tasks, Array<GeomPair>& out)
     return true;
 }
 
+// In the order of the broad phase's list.
+bool collect_few(const Space& space, Array<GeomPair>& out)
+{
+    const Broadphase& boxes = space.broadphase;
+    for (int i = space.geoms.size(); i-- > 0;) {
+        Geom* const a = space.geoms[i];
+        if (!a || !a->enabled || !boxes.present(i)) continue;
+        const Aabb way = boxes.way(i);
+        for (int j = i; j-- > 0;) {
+            if (!overlap(way, boxes.way(j))) continue;
+            Geom* const b = space.geoms[j];
+            if (!b || !b->enabled || !boxes.present(j) || !may_meet(*a, *b)) continue;
+            if (!out.push({a, b})) return false;
+        }
+    }
+    return true;
+}
+
 void collect_inside(Space& space, Collection& into)
 {
+    if (space.helped == 0 && into.pairs.empty() && try_all_pairs(space)) {
+        into.complete = collect_few(space, into.pairs);
+        return;
+    }
     if (space.helped == 0 && into.pairs.empty() && space.broadphase.find_pairs(into.tasks)) {
         into.complete = collect_lone(space, into.tasks, into.pairs);
         return;
