@@ -128,6 +128,8 @@ TEST(Condensed, LoopsAreRefused)
     expect_refused(held);
 }
 
+TEST(Condensed, BallJointsAloneAreLeftToTheFasterMethods) { expect_refused(tree(1, 5, 0)); }
+
 TEST(Condensed, BodiesWithoutJointsAreRefused)
 {
     Problem p;
@@ -162,6 +164,7 @@ TEST(Condensed, JointsOfTheSameBodiesAreOne)
         drive[std::size_t(k)].speed = Real(k), drive[std::size_t(k)].cfm = Real(1e-8);
     }
     p.block(1, 0, false, drive);
+    p.contact(1, -1, {1, 0, Real(-.5)}, {0, 0, 1}, 0, 1, Real(1e-8));
     SolveReport report;
     ASSERT_EQ(solve(p, report), SmallResult::kSolved);
     const Vec3 turn = p.bodies[0].w - p.bodies[1].w;

@@ -25,12 +25,15 @@ bool BoxPivoting::prepare(int n, Arena& arena)
     n_ = n;
     stride_ = std::size_t(n + 3) & ~std::size_t(3);
     sweeps_left_ = 8 * n + 16;
-    const int padded = int(stride_);
-    G_ = arena.take_zeroed<double>(padded * padded);
-    for (std::span<double>* vector : {&lo_, &hi_, &p_, &x_, &low_, &high_, &sign_, &column_, &rate_})
-        *vector = arena.take_zeroed<double>(padded);
+    const auto rows = arena.take_zeroed<double>(int(stride_ * (stride_ + 9)));
     state_ = arena.take_zeroed<State>(n);
     if (arena.failed()) return false;
+    G_ = rows.first(stride_ * stride_);
+    std::size_t next = G_.size();
+    for (std::span<double>* vector : {&lo_, &hi_, &p_, &x_, &low_, &high_, &sign_, &column_, &rate_}) {
+        *vector = rows.subspan(next, stride_);
+        next += stride_;
+    }
     std::fill(low_.begin(), low_.end(), -HUGE_VAL);
     std::fill(high_.begin(), high_.end(), HUGE_VAL);
     std::fill(sign_.begin(), sign_.end(), 1.0);
