@@ -114,6 +114,46 @@ TEST_P(Cone, bears_friction_without_limit_and_none)
     }
 }
 
+// Boxes let go on a slope, mu = 0.5 = tan 26.57 degrees, at 1/60 s. Corners that pull against each other would
+// use up a part of their limits: they must stick at 26 degrees, and slide with g (sin - mu cos) at 27.
+struct Slid {
+    double farthest = 0, slowest = 1e9, fastest = 0;
+};
+
+Slid slide(Stepper stepper, double degrees, double yaw, int boxes)
+{
+    constexpr double kStep = 1.0 / 60, kSeconds = 4;
+    ConeSim sim(stepper);
+    const double slope = degrees * kPi / 180, down = kG * std::sin(slope);
+    sim.gravity(down * std::cos(yaw), down * std::sin(yaw), -kG * std::cos(slope));
+    sim.surface.mu = real(0.5);
+    sim.ground();
+    for (int i = 0; i < boxes; ++i) sim.box({5.0 * i, 0, 0.5}, {1, 1, 1}, 1000);
+    sim.steps(int(kSeconds / kStep), kStep);
+    Slid out;
+    for (int i = 0; i < boxes; ++i) {
+        const dBodyID box = sim.bodies[std::size_t(i)];
+        out.farthest = std::max(out.farthest, length(position(box) - V3{5.0 * i, 0, 0.5}));
+        out.slowest = std::min(out.slowest, length(velocity(box)));
+        out.fastest = std::max(out.fastest, length(velocity(box)));
+    }
+    return out;
+}
+
+TEST_P(Cone, sticks_and_slides_at_the_angle_of_friction)
+{
+    const bool sweeps = GetParam() == Stepper::kQuick;
+    const double slope = 27 * kPi / 180, speed = 4 * kG * (std::sin(slope) - 0.5 * std::cos(slope));
+    for (const int boxes : {1, 16})
+        for (const double yaw : {0.0, 0.6}) {
+            EXPECT_LT(slide(GetParam(), 26, yaw, boxes).farthest, sweeps ? tol(1e-4, 5e-3) : 5e-3)
+                << boxes << ' ' << yaw;
+            const Slid at27 = slide(GetParam(), 27, yaw, boxes);
+            EXPECT_NEAR(at27.slowest, speed, 0.02 * speed) << boxes << ' ' << yaw;
+            EXPECT_NEAR(at27.fastest, speed, 0.02 * speed) << boxes << ' ' << yaw;
+        }
+}
+
 INSTANTIATE_TEST_SUITE_P(Sweeping, Cone, testing::Values(Stepper::kQuick, Stepper::kFast), case_name);
 
 TEST(ConeOfTheExactStepper, is_the_pyramid_that_it_was)
