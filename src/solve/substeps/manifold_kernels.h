@@ -60,9 +60,6 @@ struct ManifoldKernels {
                   FloatMotion* motions);
     // Writes to along1 and along2 each point's part of the sum of batch.friction (contact_friction.inc).
     void (*share_friction)(const ManifoldBatch& batch, BroadLanes* along1, BroadLanes* along2);
-    // Restitution: points that approached fast enough and carried an impulse get their separating velocity.
-    void (*apply_restitution)(const ManifoldBatch* batches, int first, int last, ManifoldLanes* points,
-                              FloatMotion* motions);
     // For the bodies first ... last - 1: velocities to floats, and the changes of sweeps back.
     void (*load_velocities)(const ManifoldBodies& bodies, int first, int last);
     void (*take_changes)(const ManifoldBodies& bodies, int first, int last);

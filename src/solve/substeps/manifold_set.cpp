@@ -138,6 +138,7 @@ void ManifoldSet::sort(std::span<ContactManifold* const> manifolds, std::span<co
     for (std::size_t i = 0; i < manifolds.size(); ++i) {
         ++starts[key(i) + 1];
         any_special_ = any_special_ || manifolds[i]->special();
+        any_elastic_ = any_elastic_ || manifolds[i]->restitution > 0;
     }
     for (std::size_t k = 1; k < starts.size(); ++k) starts[k] += starts[k - 1];
     for (std::size_t i = 0; i < manifolds.size(); ++i) order_[std::size_t(starts[key(i)]++)] = int(i);
@@ -316,8 +317,6 @@ void ManifoldSet::visit(Visit what, const ManifoldBodies& bodies, int first, int
             return kernels_->correct(batches, first, last, points, motions, sweep_);
         case Visit::kRelax:
             return kernels_->relax(batches, first, last, points, motions);
-        case Visit::kRestitution:
-            return kernels_->apply_restitution(batches, first, last, points, motions);
     }
 }
 
@@ -387,14 +386,6 @@ void ManifoldSet::run_substeps(int n, std::span<Velocity> bodies, std::span<cons
     perform({Visit::kAccelerate, Visit::kCorrect, Visit::kMove, Visit::kRelax, Visit::kTake}, n, of);
 }
 
-void ManifoldSet::apply_restitution(std::span<Velocity> bodies)
-{
-    bool any = false;
-    for (const ManifoldBatch& batch : batches_)
-        for (int lane = 0; lane < batch.lanes; ++lane) any = any || batch.restitution[lane] > 0;
-    if (any) perform({Visit::kLoad, Visit::kRestitution, Visit::kTake}, 1, view(bodies));
-}
-
 // With u the approach before the forces of a substep, d = hs a what they add to it and s the separation, a
 // substep is u <- u + d, s <- s - hs u, which conserves
 //
@@ -409,7 +400,7 @@ void ManifoldSet::expect_impacts(const RowSystem& system, std::span<const Veloci
         const Velocity& f = force_velocity[std::size_t(body)];
         return dot(n, f.v) + dot(cross(r, n), f.w);
     };
-    for (std::size_t b = 0; b < batches_.size(); ++b)
+    for (std::size_t b = 0; any_elastic_ && b < batches_.size(); ++b)
         for (int lane = 0; lane < batches_[b].lanes; ++lane) {
             if (!(batches_[b].restitution[lane] > 0)) continue;
             const int index = chosen_[b * kBroadLanes + std::size_t(lane)];
@@ -428,10 +419,31 @@ void ManifoldSet::expect_impacts(const RowSystem& system, std::span<const Veloci
         }
 }
 
-BroadLanes& ManifoldSet::initial_velocity_of(ManifoldBatch& batch, int point)
+BroadLanes& ManifoldSet::initial_velocity_of(const ManifoldBatch& batch, int point) const
 {
     return batch.friction ? batch.friction->points[point].initial_velocity
                           : points_[std::size_t(batch.first + point)].initial_velocity;
+}
+
+bool ManifoldSet::find_rebounds(std::span<ContactManifold* const> manifolds, Arena& arena,
+                                std::span<float>& rebounds) const
+{
+    if (!any_elastic_) return true;
+    rebounds = arena.take_zeroed<float>(int(manifolds.size()) * kManifoldPoints);
+    if (arena.failed()) return false;
+    for (std::size_t b = 0; b < batches_.size(); ++b)
+        for (int lane = 0; lane < batches_[b].lanes; ++lane) {
+            const int index = chosen_[b * kBroadLanes + std::size_t(lane)];
+            if (index < 0 || !(manifolds[std::size_t(index)]->restitution > 0)) continue;
+            const ContactManifold& m = *manifolds[std::size_t(index)];
+            for (int i = 0; i < m.count; ++i) {
+                const float approach = -initial_velocity_of(batches_[b], i)[lane];
+                const bool bounces = m.points[i].normal_impulse > 0 && approach > m.restitution_threshold;
+                if (bounces || approach < 0)
+                    rebounds[std::size_t(index * kManifoldPoints + i)] = m.restitution * approach;
+            }
+        }
+    return true;
 }
 
 void ManifoldSet::apply_impulses(std::span<Velocity> bodies) const { add(bodies, impulse_velocity_); }

@@ -29,11 +29,11 @@ class ManifoldSet {
     // the bodies, in parallel if there are many.
     bool prepare(const RowSystem& system, const Substep& step, const Tasks& tasks, Arena& arena);
     bool empty() const { return batches_.empty(); }
+    bool may_rebound() const { return any_elastic_; }
 
     // Sweeps over the velocities in floats; their changes are added to the doubles.
     void correct(std::span<Velocity> bodies);
     void relax(std::span<Velocity> bodies);
-    void apply_restitution(std::span<Velocity> bodies);
     // For bodies that only manifolds hold: the approach from which points rebound is that of the place where
     // they will meet, after what forces add on the way there (`force_velocity`, of one substep). Without it a
     // body that starts a step at the height s rebounds without the energy m g s.
@@ -48,6 +48,11 @@ class ManifoldSet {
     void apply_impulses(std::span<Velocity> bodies) const;
     void follow_motion(std::span<const Velocity> bodies);  // the bodies move for hs
     void store_impulses(std::span<ContactManifold* const> manifolds) const;
+    // After that: the restitution times the approach of each point of each manifold, if it approached fast
+    // enough and carried an impulse, or separated; else 0. Empty if nothing has restitution. False: out of
+    // memory.
+    bool find_rebounds(std::span<ContactManifold* const> manifolds, Arena& arena,
+                       std::span<float>& rebounds) const;
 
   private:
     void colour(std::span<ContactManifold* const> manifolds, std::span<const SolverBody> bodies,
@@ -66,10 +71,10 @@ class ManifoldSet {
     void fill_batch(const RowSystem& system, const Substep& step, const ManifoldSprings& springs,
                     std::size_t batch);
     void choose_lane(const RowSystem& system, std::size_t batch, int lane, ManifoldSources& from);
-    BroadLanes& initial_velocity_of(ManifoldBatch& batch, int point);
+    BroadLanes& initial_velocity_of(const ManifoldBatch& batch, int point) const;
     ManifoldBodies view(std::span<Velocity> bodies);
     // One pass over all bodies, or over all batches colour by colour.
-    enum class Visit { kLoad, kAccelerate, kMove, kTake, kApplyImpulses, kCorrect, kRelax, kRestitution };
+    enum class Visit { kLoad, kAccelerate, kMove, kTake, kApplyImpulses, kCorrect, kRelax };
     static bool is_of_bodies(Visit visit) { return visit < Visit::kApplyImpulses; }
     // Bodies or batches that are independent of each other.
     struct Stage {
@@ -94,7 +99,7 @@ class ManifoldSet {
     std::span<int> first_of_colour_;  // batch; one more at the end
     std::span<Stage> stages_;         // of a round
     int colours_ = 0;
-    bool any_special_ = false;
+    bool any_special_ = false, any_elastic_ = false;
     bool manifold_friction_ = false;  // one friction per manifold
     Tasks tasks_;
     Real hs_ = 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "solve/substeps/manifold_set.h"
+#include "solve/substeps/restitution.h"
 
 namespace epode {
 namespace {
@@ -38,15 +39,18 @@ class ManifoldSteps {
         return true;
     }
 
-    void run()
+    // False: out of memory.
+    bool run(Arena& arena)
     {
         manifolds_.run_substeps(step_.n, velocities_, force_velocity_, mean_);
         move();
-        manifolds_.apply_restitution(velocities_);
         each_body([&](std::size_t i) {
             system_.bodies[i].v = velocities_[i].v, system_.bodies[i].w = velocities_[i].w;
         });
         manifolds_.store_impulses(system_.contact_manifolds);
+        std::span<float> rebounds;
+        if (!manifolds_.find_rebounds(system_.contact_manifolds, arena, rebounds)) return false;
+        return rebounds.empty() || Restitution(system_, rebounds).apply({}, arena);
     }
 
   private:
@@ -81,9 +85,7 @@ bool solve_manifolds(RowSystem& system, const SolverSettings& settings, Arena& a
 {
     Arena::Scope scope(arena);
     ManifoldSteps steps(system, *settings.substeps, std::max(1, settings.iterations), settings.tasks);
-    if (!steps.prepare(arena)) return false;
-    steps.run();
-    return true;
+    return steps.prepare(arena) && steps.run(arena);
 }
 
 }  // namespace epode

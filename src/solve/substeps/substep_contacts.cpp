@@ -6,6 +6,7 @@
 #include "solve/substeps/substep_contacts.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "simd/registers.h"
 
@@ -196,6 +197,51 @@ void SubstepContacts::add_impulses(std::span<RowNumbers> numbers)
     set_.store_impulses(rows_.list().points);
     rows_.for_each_impulse([&](int row, Real p) { numbers[std::size_t(row)].p += p; });
     for (const PackedRow& row : others_.rows()) numbers[std::size_t(row.source)].p += row.p;
+}
+
+bool SubstepContacts::may_rebound(const RowSystem& system) const
+{
+    return std::any_of(system.blocks.begin(), system.blocks.end(), [&](const RowBlock& block) {
+        return block.contact && system.rows[std::size_t(block.first)].has_restitution;
+    });
+}
+
+bool SubstepContacts::expect_rebounds(const RowSystem& system, std::span<const Velocity> now,
+                                      std::span<const Velocity> by_forces, Arena& arena)
+{
+    falls_ = arena.take<Fall>(int(system.blocks.size()));
+    if (arena.failed()) return false;
+    std::size_t count = 0;
+    for (const RowBlock& block : system.blocks) {
+        const Row& row = system.rows[std::size_t(block.first)];
+        if (!block.contact || !row.has_restitution) continue;
+        const auto approach = [&](std::span<const Velocity> of) {
+            const Velocity &a = of[std::size_t(block.body1)],
+                           &b = of[std::size_t(second_slot(system, block.body2))];
+            return -(dot(row.lin1, a.v) + dot(row.ang1, a.w) + dot(row.lin2, b.v) + dot(row.ang2, b.w));
+        };
+        falls_[count++] = {block.first, approach(now), approach(by_forces)};
+    }
+    falls_ = falls_.first(count);
+    return true;
+}
+
+void SubstepContacts::correct_rebounds(RowSystem& system)
+{
+    const auto correct = [&](int index, Real error) {
+        const auto fall = std::lower_bound(falls_.begin(), falls_.end(), index,
+                                           [](const Fall& f, int row) { return f.row < row; });
+        if (fall == falls_.end() || fall->row != index || !(fall->d > 0) || !(fall->u > 0)) return;
+        Row& row = system.rows[std::size_t(index)];
+        const Real out = row.error - error, middle = fall->u + fall->d / 2;
+        const Real left = middle * middle - 2 * out * fall->d / hs_;
+        const Real w = fall->d / 2 + std::sqrt(std::max(left, Real(0)));
+        row.restitution_velocity = row.speed + (row.restitution_velocity - row.speed) * (w / fall->u);
+    };
+    if (falls_.empty()) return;
+    for_each_lane([&](int row, std::size_t point, int lane) { correct(row, aims_[point].error[lane]); });
+    for (std::size_t i = 0; i < other_aims_.size(); ++i)
+        correct(others_.rows()[std::size_t(others_.blocks()[i].first)].source, other_aims_[i].error);
 }
 
 void SubstepContacts::describe(std::span<RowNumbers> numbers)

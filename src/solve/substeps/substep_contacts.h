@@ -33,6 +33,18 @@ class SubstepContacts {
     void sweep(std::span<Velocity> bodies, bool relax);
     void follow_motion(std::span<const Velocity> bodies);  // error -= hs J v
     void add_impulses(std::span<RowNumbers> numbers);      // numbers.p += p
+    // Restitution velocities are those of the energy at the beginning of the step. A body approaches with u,
+    // moves out of a contact by s while it touches, and a substep of forces adds d = hs a to u: what leads
+    // back to where it came from is
+    //
+    //   w = d/2 + sqrt((u + d/2)^2 - 2 a s)        (ManifoldSet::expect_impacts)
+    //
+    // expect_rebounds, before the first substep, with the velocities now and what forces add to them in one;
+    // false: out of memory. correct_rebounds, after the last, writes the rows.
+    bool may_rebound(const RowSystem& system) const;
+    bool expect_rebounds(const RowSystem& system, std::span<const Velocity> now,
+                         std::span<const Velocity> by_forces, Arena& arena);
+    void correct_rebounds(RowSystem& system);
     // The problem that the last correcting sweep worked on, into c, C and p: for the residual.
     void describe(std::span<RowNumbers> numbers);
     std::span<ManifoldFriction> manifold_frictions(Arena& arena) const
@@ -41,6 +53,11 @@ class SubstepContacts {
     }
 
   private:
+    struct Fall {
+        int row;
+        Real u, d;
+    };
+
     void aim(const RowSystem& system, const Substep& step);
 
     // Calls f(row of the normal, point of the set, its lane).
@@ -52,6 +69,7 @@ class SubstepContacts {
     RowSweep others_;
     std::span<NormalAim<Lanes>> aims_;       // per point of the set
     std::span<NormalAim<Real>> other_aims_;  // per block of the others
+    std::span<Fall> falls_;                  // of rows that may rebound, by row
     Real hs_ = 0;
     CounterRandom random_{0};
 };

@@ -9,7 +9,7 @@
 //   x += hs v
 //   solve joints, then contacts, without it   relax: removes the velocity that the correction added
 //
-// After the last substep, restitution is applied to what approached fast and carried load. Errors of joints
+// After the last substep, what approached fast and carried load rebounds (solve/substeps/restitution.h). Errors of joints
 // are measured at every pose, so mass ratios that would need hundreds of sweeps settle in ten substeps; on
 // regular stacks there is no gain. The impulse of a step is the sum over its substeps; the next step starts
 // from its n-th part. The reported residual is that of the last substep after its correcting solve, because
@@ -29,6 +29,7 @@
 #include "solve/substeps/joint_network.h"
 #include "solve/substeps/manifold_set.h"
 #include "solve/substeps/manifold_steps.h"
+#include "solve/substeps/restitution.h"
 #include "solve/substeps/substep_contacts.h"
 
 namespace epode {
@@ -61,13 +62,8 @@ class SubstepSolver {
             lo_ = arena.take<Real>(int(system_.numbers.size()));
             hi_ = arena.take<Real>(int(system_.numbers.size()));
         }
-        if (settings.want_residual || !system_.wrenches.empty()) {
-            described_ = arena.take<RowNumbers>(int(system_.numbers.size()));
-            rows_ = arena.take<Row>(int(system_.rows.size()));
-            if (arena.failed()) return false;
-            std::copy(system_.numbers.begin(), system_.numbers.end(), described_.begin());
-            std::copy(system_.rows.begin(), system_.rows.end(), rows_.begin());
-        }
+        if ((settings.want_residual || !system_.wrenches.empty()) && !take_scratch(arena)) return false;
+        if (!expect_rebounds(arena)) return false;
         for (RowNumbers& n : system_.numbers) n.p = 0;  // from here on the sum
         return !arena.failed();
     }
@@ -86,12 +82,53 @@ class SubstepSolver {
         model_.settle(model_.model, system_);
         add_wrenches(system_.rows, system_.numbers, true);
         model_.gather_contacts(model_.model, system_);
-        apply_contacts_restitution();
-        if (!manifolds_.empty()) apply_manifolds_restitution();
-        return true;
+        manifolds_.store_impulses(system_.contact_manifolds);
+        return rebound(arena);
     }
 
   private:
+    // Rows and numbers for joints to describe themselves in.
+    bool take_scratch(Arena& arena)
+    {
+        described_ = arena.take<RowNumbers>(int(system_.numbers.size()));
+        rows_ = arena.take<Row>(int(system_.rows.size()));
+        if (arena.failed()) return false;
+        std::copy(system_.numbers.begin(), system_.numbers.end(), described_.begin());
+        std::copy(system_.rows.begin(), system_.rows.end(), rows_.begin());
+        return true;
+    }
+
+    bool expect_rebounds(Arena& arena)
+    {
+        const bool rows = contacts_.may_rebound(system_);
+        if (!rows && !manifolds_.may_rebound()) return true;
+        const auto by_forces = arena.take<Velocity>(int(velocities_.size()));
+        if (arena.failed()) return false;
+        std::copy(velocities_.begin(), velocities_.end(), by_forces.begin());
+        model_.apply_forces(model_.model, by_forces.data(), step_.hs);
+        for (std::size_t i = 0; i < by_forces.size(); ++i)
+            by_forces[i].v -= velocities_[i].v, by_forces[i].w -= velocities_[i].w;
+        for (int part = 0; part < system_.worlds(); ++part)
+            if (hangs(part))
+                for (int i = system_.begin_of(part).bodies; i < system_.end_of(part).bodies; ++i)
+                    by_forces[std::size_t(i)] = {};
+        manifolds_.expect_impacts(system_, by_forces);
+        return !rows || contacts_.expect_rebounds(system_, velocities_, by_forces, arena);
+    }
+
+    // Do its joints hold it, so that forces do not tell how it falls?
+    bool hangs(int part) const
+    {
+        const auto fixed = [&](int body) {
+            return body < 0 || !(system_.bodies[std::size_t(body)].inv_mass > 0);
+        };
+        const auto first = system_.blocks.begin() + system_.begin_of(part).blocks;
+        const auto last = system_.blocks.begin() + system_.end_of(part).blocks;
+        return std::any_of(first, last, [&](const RowBlock& block) {
+            return !block.contact && (block.term_count > 0 || fixed(block.body1) || fixed(block.body2));
+        });
+    }
+
     void correct(bool moved, bool last)
     {
         if (moved) model_.refresh(model_.model, system_, velocities_.data());
@@ -147,33 +184,16 @@ class SubstepSolver {
         }
     }
 
-    // Contacts in their order, those against static bodies last, so that they have the last word.
-    void apply_contacts_restitution()
+    bool rebound(Arena& arena)
     {
-        for (const bool against_static : {false, true})
-            for (const RowBlock& block : system_.blocks) {
-                const Row& row = system_.rows[std::size_t(block.first)];
-                RowNumbers& n = system_.numbers[std::size_t(block.first)];
-                if (!block.contact || !row.has_restitution || !(n.p > 0)) continue;
-                SolverBody& a = system_.bodies[std::size_t(block.body1)];
-                SolverBody* b = block.body2 >= 0 ? &system_.bodies[std::size_t(block.body2)] : nullptr;
-                if (against_static != (!b || !(a.inv_mass > 0) || !(b->inv_mass > 0))) continue;
-                const Real missing = row.restitution_velocity - row_velocity(row, a, b);
-                const Real d = inverse_effective_mass(row, a, b);
-                if (!(missing > 0) || !(d > 0)) continue;
-                apply_impulse(row, missing / d, a, b);
-                n.p += missing / d;
-                if (block.wrench >= 0)
-                    system_.wrenches[std::size_t(block.wrench)].add(block, block.first, row, missing / d);
-            }
-    }
-
-    void apply_manifolds_restitution()
-    {
-        load_velocities(system_, velocities_);
-        manifolds_.apply_restitution(velocities_);
-        store_velocities(velocities_, system_);
-        manifolds_.store_impulses(system_.contact_manifolds);
+        std::span<float> rebounds;
+        if (!manifolds_.find_rebounds(system_.contact_manifolds, arena, rebounds)) return false;
+        contacts_.correct_rebounds(system_);
+        Restitution restitution(system_, rebounds);
+        if (!restitution.any()) return true;
+        if (rows_.empty() && !take_scratch(arena)) return false;
+        joints_.describe(described_, rows_);
+        return restitution.apply(rows_, arena);
     }
 
     bool measure(const SolverSettings& settings, Arena& arena, SolveReport& report)

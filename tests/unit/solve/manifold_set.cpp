@@ -103,7 +103,6 @@ Answer solve(const ManifoldKernels& kernels, Contacts c, int steps, bool whole)
         set.follow_motion(out.velocities);
         set.relax(out.velocities);
     }
-    set.apply_restitution(out.velocities);
     set.store_impulses(island.pointers);
     out.manifolds = c.manifolds;
     return out;
@@ -151,7 +150,6 @@ Answer run_substeps(std::uint64_t seed, int workers)
     load_velocities(island.system, answer.velocities);
     std::vector<Velocity> mean(300);
     set.run_substeps(5, answer.velocities, force_velocity, mean);
-    set.apply_restitution(answer.velocities);
     set.store_impulses(island.pointers);
     answer.manifolds = c.manifolds;
     return answer;
