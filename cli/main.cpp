@@ -219,7 +219,7 @@ int carry_out(int argc, char** argv)
     epode::view::ViewOptions viewing;
     epode::cli::add_view_options(*view, viewing);
     epode::cli::RobotOptions robot_options;
-    CLI::App* robot = app.add_subcommand("robot", "says what is in a robot's file and what is wrong with it");
+    CLI::App* robot = app.add_subcommand("robot", "says what is in a robot's file and what is wrong with it; converts it");
     epode::cli::add_robot_options(*robot, robot_options);
     CaptureOptions capturing;
     add_capture_options(*capture, capturing);
@@ -230,7 +230,7 @@ int carry_out(int argc, char** argv)
     } catch (const CLI::ParseError& error) {
         return print_usage(app, error, argc, argv);
     }
-    if (robot->parsed()) return epode::cli::check_robot(robot_options);
+    if (robot->parsed()) return epode::cli::run_robot(robot_options);
     std::string problem;
     const std::string& what = view->parsed() ? viewing.what : options.scene;
     if (!epode::cli::offer_robot(what, problem)) return epode::cli::complain(what, problem);

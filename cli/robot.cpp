@@ -17,6 +17,7 @@
 #ifdef EPODE_HAVE_ROBOTS
 #include "robots/build.h"
 #include "robots/load.h"
+#include "robots/write/write.h"
 #endif
 
 namespace epode::cli {
@@ -26,11 +27,14 @@ void add_robot_options(CLI::App& command, RobotOptions& options)
     command.require_subcommand(1);
     CLI::App* check =
         command.add_subcommand("check", "links, joints, and every element that is not read as it is");
-    check->add_option("file", options.file, "URDF or MJCF")->required();
-    check
-        ->add_option("--root", options.roots,
-                     "one more folder that may be read; packages are looked for there")
-        ->allow_extra_args(false);
+    CLI::App* convert = command.add_subcommand("convert", "writes URDF (.urdf) or MJCF (.xml)");
+    for (CLI::App* its : {check, convert}) {
+        its->add_option("file", options.file, "URDF, MJCF or SDF")->required();
+        its->add_option("--root", options.roots,
+                        "one more folder that may be read; packages are looked for there")
+            ->allow_extra_args(false);
+    }
+    convert->add_option("to", options.to, "file to write")->required();
     check->add_flag("--strict", options.strict, "what is approximated or ignored is an error");
     check->add_flag("--json", options.json, "as one JSON object");
 }
@@ -176,7 +180,21 @@ void build_offered(scenes::Scene& scene)
     robot->release();  // the scene destroys its world with all in it
 }
 
-}  // namespace
+// Links stay as the file has them: nothing is merged.
+int convert_robot(const RobotOptions& options)
+{
+    robots::LoadOptions load;
+    load.roots = options.roots, load.keep_fixed = true;
+    const RobotModel model = robots::load_robot(options.file, load);
+    for (const robots::ReportLine& line : model.report)
+        if (line.note != robots::Note::kChanged)
+            warn("{}:{}: {}: {}", line.file, line.line, robots::name_of(line.note), line.text);
+    std::vector<std::string> lost;
+    std::string problem;
+    if (!robots::save_robot(model, options.to, lost, problem)) return complain(options.file, problem);
+    for (const std::string& text : lost) say("{}: {}\n", options.to, text);
+    return kFine;
+}
 
 int check_robot(const RobotOptions& options)
 {
@@ -194,6 +212,13 @@ int check_robot(const RobotOptions& options)
         for (const std::string& text : not_built) say("{}: {}\n", options.file, text);
     }
     return model.has_errors() ? kProblem : kFine;
+}
+
+}  // namespace
+
+int run_robot(const RobotOptions& options)
+{
+    return options.to.empty() ? check_robot(options) : convert_robot(options);
 }
 
 bool offer_robot(const std::string& what, std::string& problem)
@@ -222,7 +247,7 @@ bool offer_robot(const std::string& what, std::string& problem)
 
 #else
 
-int check_robot(const RobotOptions&)
+int run_robot(const RobotOptions&)
 {
     return refuse("this build has no robots: it wants pugixml (Debian: libpugixml-dev), then cmake again");
 }

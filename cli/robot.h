@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Robots from files: `epode robot check FILE`, and scenes with the robot of a file for run, record and view.
+// Robots from files: `epode robot check FILE`, `epode robot convert FILE TO`, and scenes with the robot of a file for run, record and view.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -12,15 +12,16 @@
 namespace epode::cli {
 
 struct RobotOptions {
-    std::string file;
+    std::string file, to;  // `to` of convert alone
     std::vector<std::string> roots;
     bool strict = false;
     bool json = false;
 };
 
 void add_robot_options(CLI::App& command, RobotOptions& options);
-// Prints links, joints and the report. Exit code 1 for a file with errors.
-int check_robot(const RobotOptions& options);
+// check prints links, joints and the report; convert writes the other file and prints what that cannot say. Exit code 1
+// for a file with errors.
+int run_robot(const RobotOptions& options);
 // Makes a scene of what ends in .urdf, .xml or .mjcf, under that name. False: the file has errors. Anything else is
 // left alone.
 bool offer_robot(const std::string& what, std::string& problem);

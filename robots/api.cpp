@@ -9,6 +9,7 @@
 #include "robots/api.h"
 #include "robots/kinematics.h"
 #include "robots/load.h"
+#include "robots/write/write.h"
 
 using namespace epode::robots;
 
@@ -110,6 +111,21 @@ dRobotModelID dRobotModelLoadText(const char* path, const char* text, dsizeint s
     CHECK(path && text && are_good(options), "a path, a text, and NULL or options with their size");
     return guarded(__func__, [&] {
         return keep(epode::robots::load_robot_text(path, std::string(text, size), options_of(options)));
+    });
+}
+
+int dRobotModelSave(dRobotModelID model, const char* path)
+{
+    CHECK(model && path, "a model and a path");
+    return guarded(__func__, [&] {
+        std::vector<std::string> lost;
+        std::string problem;
+        if (!epode::robots::save_robot(model->model, path, lost, problem)) {
+            dMessage(d_ERR_UNKNOWN, "dRobotModelSave: refused: %s", problem.c_str());
+            return 0;
+        }
+        for (const std::string& text : lost) dMessage(d_ERR_UNKNOWN, "robot %s: %s", path, text.c_str());
+        return 1;
     });
 }
 

@@ -59,6 +59,11 @@ ODE_API dRobotModelID dRobotModelLoad(const char* path, const dRobotOptions* opt
 ODE_API dRobotModelID dRobotModelLoadText(const char* path, const char* text, dsizeint size,
                                           const dRobotOptions* options);
 
+/** Writes the model to the file path: as URDF if it ends in .urdf, as MJCF if in .xml or .mjcf. Paths of meshes
+    count from its folder. A message names each thing that the format cannot say. Returns 1, or 0 when
+    refused: a model with errors, another ending, a file that cannot be written. [ours] */
+ODE_API int dRobotModelSave(dRobotModelID model, const char* path);
+
 /** Destroys the model. Robots that were made of it stay. [ours] */
 ODE_API void dRobotModelDestroy(dRobotModelID model);
 

@@ -18,6 +18,15 @@ has out '"format": "MJCF"'
 [[ $(number coordinates) == 15 ]] || fail "a walker has 15 coordinates"
 expect 1 robot check "$models/none.urdf"
 has out "none.urdf' is no file"
+expect 0 robot convert "$models/walker.xml" "$work/walker.urdf"
+has out "walker.urdf: armatures and springs of joints are not in URDF"
+expect 0 robot check "$work/walker.urdf" --root "$models"
+has out "^URDF 'walker'"
+expect 0 robot convert "$models/fourbar.xml" "$work/fourbar.xml"
+expect 0 run "$work/fourbar.xml" --steps 20 --quiet
+expect 1 robot convert "$models/arm.urdf" "$work/arm.txt"
+has err "robots are written to .urdf, .xml and .mjcf"
+expect 1 robot convert "$models/none.urdf" "$work/none.xml"
 expect 1 run "$models/meshes/none.urdf"
 expect 0 run "$models/arm.urdf" --steps 20 --json --quiet
 expect 0 record "$models/fourbar.xml" --steps 20 --quiet -o "$work/fourbar.epr"
