@@ -36,7 +36,7 @@ std::string with_ending(const std::string& path, const std::string& ending)
 void add_plan_options(CLI::App& command, RunOptions& options)
 {
     const CLI::Validator positive = number_within(1e-9, 1e9);
-    command.add_option("scene", options.scene, "one of `epode list`, or a robot (.urdf, .xml)")->required();
+    command.add_option("scene", options.scene, "one of `epode list`, or a robot (.urdf, .xml, .sdf)")->required();
     command.add_option("--stepper", options.stepper,
                        "exact, quick, fast or hybrid; default: as the guide recommends, which is exact for "
                        "mechanisms and, for scenes of many bodies as in games, fast with --managed");

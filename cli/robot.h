@@ -22,7 +22,7 @@ void add_robot_options(CLI::App& command, RobotOptions& options);
 // check prints links, joints and the report; convert writes the other file and prints what that cannot say. Exit code 1
 // for a file with errors.
 int run_robot(const RobotOptions& options);
-// Makes a scene of what ends in .urdf, .xml or .mjcf, under that name. False: the file has errors. Anything else is
+// Makes a scene of what ends in .urdf, .xml, .mjcf or .sdf, under that name. False: the file has errors. Anything else is
 // left alone.
 bool offer_robot(const std::string& what, std::string& problem);
 

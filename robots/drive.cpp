@@ -53,7 +53,8 @@ void Robot::set_positions(const std::vector<double>& positions)
     for (size_t i = 1; i < poses.size(); ++i)
         if (bodies_[i]) stop_at(bodies_[i], placement_ * poses[i] * Pose{model().links[i].centre, {}});
     for (size_t i = 0; i < joints_.size(); ++i)  // turns count from here
-        if (joints_[i] && dJointGetAxisContinuous(joints_[i], 0)) {
+        if (joints_[i] && model().joints[i].kind == JointKind::kHinge &&
+            dJointGetAxisContinuous(joints_[i], 0)) {
             dJointSetAxisContinuous(joints_[i], 0, 0);
             dJointSetAxisContinuous(joints_[i], 0, 1);
         }

@@ -136,14 +136,17 @@ RobotModel load_robot_text(const std::string& path, const std::string& text, con
         return model;
     }
     const Element root{document->tree.document_element(), document.get()};
-    model.format = root.name() == "robot" ? "URDF" : root.name() == "mujoco" ? "MJCF" : "";
+    const std::map<std::string, std::string> formats{{"robot", "URDF"}, {"mujoco", "MJCF"}, {"sdf", "SDF"}};
+    if (const auto found = formats.find(root.name()); found != formats.end()) model.format = found->second;
     if (model.format == "URDF")
         read_urdf(root, reading);
     else if (model.format == "MJCF")
         read_mjcf(root, reading);
+    else if (model.format == "SDF")
+        read_sdf(root, text, reading);
     else
         reading.error(root, "the root element is <" + root.name().substr(0, 40) +
-                                ">; <robot> (URDF) and <mujoco> (MJCF) are read");
+                                ">; <robot> (URDF), <mujoco> (MJCF) and <sdf> are read");
     finish(model, options);
     return model;
 }

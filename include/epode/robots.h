@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Robots from URDF and MJCF files: models, worlds made of them, coordinates, drives. Link with libepode_robots and
+// Robots from URDF, MJCF and SDF files: models, worlds made of them, coordinates, drives. Link with libepode_robots and
 // the library in double or single precision that it was built on. docs/guide/robots.md says more.
 #ifndef _EPODE_ROBOTS_H_
 #define _EPODE_ROBOTS_H_
@@ -51,7 +51,7 @@ ODE_API int dRobotOptionsInit(dRobotOptions* options, unsigned struct_size);
 
 /** Files are read in the folder of path, its parent, its ROS package, the folders of options->roots and
     packages that package:// finds there, in ROS_PACKAGE_PATH, AMENT_PREFIX_PATH or upwards. options may be
-    NULL: as dRobotOptionsInit leaves them. The root element says whether it is URDF or MJCF. A model with
+    NULL: as dRobotOptionsInit leaves them. The root element says whether it is URDF, MJCF or SDF. A model with
     errors is returned too, for its report; a message tells the first. Destroy it with dRobotModelDestroy.
     - dRobotModelLoad: Read the robot file path.
     - dRobotModelLoadText: Read the size bytes of text as if they were the file path. [ours] */

@@ -207,8 +207,8 @@ Mjcf::Asset* Mjcf::mesh_named(const std::string& name, const Element& where)
     }
     const std::string inertia = asset.element.text("inertia");
     const bool counts_folds = inertia.empty() || inertia == "legacy";
-    asset.mesh = reading_.mesh(asset.element, asset.file, folder_of(root_.file()), asset.scale, Note::kError,
-                               counts_folds);
+    asset.mesh = reading_.mesh({Note::kError, asset.element.file(), asset.element.line()},
+                               {asset.file, folder_of(root_.file()), asset.scale, counts_folds});
     return asset.mesh < 0 ? nullptr : &asset;
 }
 

@@ -20,12 +20,12 @@ std::string shown(const std::string& text)
 
 }  // namespace
 
-void Reading::note(Note kind, const Element& where, const std::string& text)
+void Reading::note(Note kind, const std::string& file, int line, const std::string& text)
 {
     const bool loses = kind == Note::kApproximated || kind == Note::kIgnored;
     if (options.strict && loses) kind = Note::kError;
     if (model.report.size() < kMaxReport || kind == Note::kError)
-        model.report.push_back({kind, where.file(), where.line(), text});
+        model.report.push_back({kind, file, line, text});
 }
 
 void Reading::note_once(Note kind, const Element& where, const std::string& text)
@@ -61,25 +61,20 @@ bool Reading::vec(const Element& element, const char* attribute, Vec& out)
     return true;
 }
 
-int Reading::mesh(const Element& where, const std::string& reference, const std::string& folder, Vec scale,
-                  Note missing, bool counts_folds)
+int Reading::mesh(const Place& where, const MeshFile& wanted)
 {
     std::string problem;
-    const std::string path = files.resolve(reference, folder, problem);
-    if (path.empty() || !is_mesh_path(path, problem)) {
-        note(missing, where, "mesh " + problem);
-        return -1;
-    }
-    const auto [it, is_new] = meshes_.try_emplace({path, {scale.x, scale.y, scale.z}, counts_folds}, -1);
+    const auto miss = [&] { return note(where.missing, where.file, where.line, "mesh " + problem), -1; };
+    const std::string path = files.resolve(wanted.reference, wanted.folder, problem);
+    if (path.empty() || !is_mesh_path(path, problem)) return miss();
+    const Vec s = wanted.scale;
+    const auto [it, is_new] = meshes_.try_emplace({path, {s.x, s.y, s.z}, wanted.counts_folds}, -1);
     if (!is_new) return it->second;
     Mesh mesh;
     const auto bytes = files.read(path, problem);
-    if (!bytes || !read_mesh(path, *bytes, mesh, problem)) {
-        note(missing, where, "mesh " + problem);
-        return -1;
-    }
-    scale_mesh(mesh, scale);
-    mesh.counts_folds = counts_folds;
+    if (!bytes || !read_mesh(path, *bytes, mesh, problem)) return miss();
+    scale_mesh(mesh, s);
+    mesh.counts_folds = wanted.counts_folds;
     it->second = int(model.meshes.size());
     model.meshes.push_back(std::move(mesh));
     return it->second;

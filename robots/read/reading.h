@@ -14,13 +14,30 @@
 
 namespace epode::robots {
 
+// Where a mesh is wanted, and what a missing one is.
+struct Place {
+    Note missing = Note::kError;
+    std::string file;
+    int line = 0;
+};
+
+struct MeshFile {
+    std::string reference, folder;
+    Vec scale{1, 1, 1};
+    bool counts_folds = false;
+};
+
 class Reading {
   public:
     Reading(RobotModel& its_model, const LoadOptions& its_options, Files& its_files)
         : model(its_model), options(its_options), files(its_files)
     {}
 
-    void note(Note kind, const Element& where, const std::string& text);
+    void note(Note kind, const Element& where, const std::string& text)
+    {
+        note(kind, where.file(), where.line(), text);
+    }
+    void note(Note kind, const std::string& file, int line, const std::string& text);
     // The first of each text alone: what hundreds of elements of a file have.
     void note_once(Note kind, const Element& where, const std::string& text);
     void error(const Element& where, const std::string& text) { note(Note::kError, where, text); }
@@ -31,8 +48,7 @@ class Reading {
     bool number(const Element& element, const char* attribute, double& out);
     bool vec(const Element& element, const char* attribute, Vec& out);
 
-    int mesh(const Element& where, const std::string& reference, const std::string& folder, Vec scale,
-             Note missing, bool counts_folds = false);
+    int mesh(const Place& where, const MeshFile& file);
 
     RobotModel& model;
     const LoadOptions& options;
@@ -45,5 +61,7 @@ class Reading {
 
 void read_urdf(const Element& robot, Reading& reading);
 void read_mjcf(const Element& mujoco, Reading& reading);
+// libsdformat reads the text again.
+void read_sdf(const Element& sdf, const std::string& text, Reading& reading);
 
 }  // namespace epode::robots

@@ -234,8 +234,8 @@ bool Urdf::read_shape(const Element& element, bool is_visual, Shape& shape)
         Vec scale{1, 1, 1};
         reading_.vec(it, "scale", scale);
         shape.kind = reading_.options.meshes_as_triangles ? ShapeKind::kTriangles : ShapeKind::kHull;
-        shape.mesh =
-            reading_.mesh(it, it.text("filename"), folder_, scale, is_visual ? Note::kIgnored : Note::kError);
+        shape.mesh = reading_.mesh({is_visual ? Note::kIgnored : Note::kError, it.file(), it.line()},
+                                   {it.text("filename"), folder_, scale, false});
         return shape.mesh >= 0;
     } else {
         reading_.note(Note::kIgnored, it, "a shape <" + kind + ">");

@@ -22,6 +22,8 @@ expect 0 robot convert "$models/walker.xml" "$work/walker.urdf"
 has out "walker.urdf: armatures and springs of joints are not in URDF"
 expect 0 robot check "$work/walker.urdf" --root "$models"
 has out "^URDF 'walker'"
+expect 0 run "$models/walker.xml" --steps 20 --json --quiet
+[[ $(number messages) == 0 ]] || fail "a walker with a ball is built without messages"
 expect 0 robot convert "$models/fourbar.xml" "$work/fourbar.xml"
 expect 0 run "$work/fourbar.xml" --steps 20 --quiet
 expect 1 robot convert "$models/arm.urdf" "$work/arm.txt"

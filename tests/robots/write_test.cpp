@@ -52,6 +52,10 @@ TEST(Write, OwnFormatGivesTheSameModel)
     }
 }
 
+#ifdef EPODE_HAVE_SDF
+TEST(Write, AnSdfIsTheSameInMjcf) { expect_round_trip("geared.sdf", {}); }
+#endif
+
 // A joint of one model, by its name in the other; coordinates there count from the reference.
 std::vector<double> positions_for(const RobotModel& from, const std::vector<double>& q, const RobotModel& to,
                                   bool from_reference)
