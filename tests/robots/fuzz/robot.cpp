@@ -2,12 +2,13 @@
 // Copyright (c) 2026 The Epode authors
 //
 // A reader of robots on any text, in the folder of the tests' models, so that meshes and includes are found. What it
-// accepts keeps the promises of model.h.
+// accepts keeps the promises of model.h, and is written in both formats and read again.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 
 #include "robots/load.h"
+#include "robots/write/write.h"
 
 using namespace epode::robots;
 
@@ -58,5 +59,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     check_links(model);
     check_indices(model);
     CHECK(forward_kinematics(model, reference_positions(model)).size() == model.links.size());
+    for (const WrittenRobot& written : {write_urdf(model, EPODE_MODELS), write_mjcf(model, EPODE_MODELS)})
+        (void)load_robot_text(EPODE_MODELS "/written.xml", written.text, options);
     return 0;
 }
