@@ -10,6 +10,7 @@
 
 #include <ode/contacts.h>
 #include <ode/couplings.h>
+#include <ode/defaults.h>
 #include <ode/diagnosis.h>
 #include <ode/drives.h>
 #include <ode/events.h>

@@ -46,10 +46,13 @@ struct dIslandStepReportExt : public dIslandStepReport {
     dIslandStepReportExt() : dIslandStepReport() { struct_size = sizeof(dIslandStepReport); }
 };
 
-/** A world with the additions of ode/step_options.h, ode/report.h, ode/contacts.h, ode/diagnosis.h,
-    ode/steppers.h and ode/state.h. */
+/** A world with the additions of ode/step_options.h, ode/report.h, ode/contacts.h, ode/defaults.h,
+    ode/diagnosis.h, ode/steppers.h and ode/state.h. */
 class dWorldExt : public dWorld {
   public:
+    /** All parameters in one call: dWorldUseDefaults. */
+    int useDefaults(int preset) { return dWorldUseDefaults(get_id(), preset); }
+
     /** dWorldSetStepThreads, dWorldSetStepWarmStarting. */
     void setStepThreads(int threads) { dWorldSetStepThreads(get_id(), threads); }
     int getStepThreads() const { return dWorldGetStepThreads(get_id()); }

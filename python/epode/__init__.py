@@ -20,9 +20,9 @@ from .geom import Geom
 from .joint import Drive, Joint
 from .shapes import (Box, Capsule, Cone, Convex, Cylinder, Ellipsoid, HeightField, Material, Mesh, Plane, Sphere,
                      TaperedCapsule)
-from .world import Cause, World, step_worlds
+from .world import Cause, World, defaults_text, step_worlds
 
 __version__ = "0.1.0"
 __all__ = ["Body", "Box", "BusyError", "Capsule", "Cause", "Cone", "Convex", "Cylinder", "DeadHandleError", "Drive",
            "Ellipsoid", "EpodeWarning", "Geom", "HeightField", "Joint", "Material", "Mesh", "Plane", "RefusedError",
-           "Sphere", "TaperedCapsule", "World", "c", "step_worlds"]
+           "Sphere", "TaperedCapsule", "World", "c", "defaults_text", "step_worlds"]

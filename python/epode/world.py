@@ -24,6 +24,7 @@ Contacts = NDArray[typing.Any]
 _STEPS: dict[str, Callable[[c.dWorldID, float], int]] = {"exact": c.dWorldStep, "quick": c.dWorldQuickStep, "hybrid": c.dWorldStepHybrid}
 _STEPPERS = {"hybrid": c.dStepperHybrid, "exact": c.dStepperExact, "substeps": c.dStepperSubsteps,
              "substeps_exact_joints": c.dStepperSubstepsExactJoints, "quick": c.dStepperQuick}
+_DEFAULTS = {"ode": c.dDefaultsOde, "game": c.dDefaultsGame, "robot": c.dDefaultsRobot}
 _SPACES: dict[str, Callable[[None], c.dSpaceID]] = {"hash": c.dHashSpaceCreate, "simple": c.dSimpleSpaceCreate}
 
 
@@ -75,22 +76,26 @@ class World(Object):
     """A world of bodies, joints and geoms, which finds its contacts by itself.
 
     gravity: m/s^2. contacts: whether steps find and solve contacts; False leaves them to ``collide``. threads: of a
-    step, 0 for one on each processor. At the end of a ``with`` block the world is destroyed; so it is when nothing
-    refers to it, or to anything in it, any more."""
+    step, 0 for one on each processor. defaults: "game" or "robot", see ``use_defaults``. At the end of a ``with`` block
+    the world is destroyed; so it is when nothing refers to it, or to anything in it, any more."""
 
-    __slots__ = ("_bodies", "_joints", "_geoms", "_space", "_body_list", "bodies", "_group", "_past", "_changed")
+    __slots__ = ("_bodies", "_joints", "_geoms", "_space", "_body_list", "bodies", "_group", "_past", "_changed", "stepper")
     _bodies: dict[c.dBodyID, Body]
     _joints: dict[c.dJointID, Joint]
     _geoms: dict[int, Geom]
     _space: c.dSpaceID
     _body_list: c.BodyList | None
     _past: collections.deque[_Structure] | None  # after the steps that can be taken back
+    stepper: str  # of step()
     _changed: bool  # something was made or destroyed since
 
-    def __init__(self, *, gravity: ArrayLike = (0, 0, -9.81), contacts: bool = True, threads: int = 1, space: str = "hash") -> None:
+    def __init__(self, *, gravity: ArrayLike = (0, 0, -9.81), contacts: bool = True, threads: int | None = None,
+                 space: str = "hash", defaults: str = "ode") -> None:
         self._live = None
         if space not in _SPACES:
             raise ValueError(f"no space is called {space!r}: {', '.join(_SPACES)}")
+        if defaults not in _DEFAULTS:
+            raise ValueError(f"no defaults are called {defaults!r}: {', '.join(_DEFAULTS)}")
         self._live = c.dWorldCreate()
         self._bodies, self._joints, self._geoms, self._body_list, self._past, self._changed = {}, {}, {}, None, None, False
         self._space = _SPACES[space](None)
@@ -99,7 +104,10 @@ class World(Object):
         self.gravity = gravity
         if contacts:
             c.dWorldSetContactSpace(self._live, self._space)
-        if threads != 1:
+        self.stepper = "exact"
+        if defaults != "ode":
+            self.use_defaults(defaults)
+        if threads is not None:
             self.threads = threads
 
     def __enter__(self) -> typing.Self:
@@ -137,6 +145,14 @@ class World(Object):
     @gravity.setter
     def gravity(self, value: ArrayLike) -> None:
         c.dWorldSetGravity(self._handle, *np.asarray(value, float))
+
+    def use_defaults(self, preset: str) -> None:
+        """Give all parameters of steps the values for a purpose: "game", "robot", or "ode" (those of a new world), and
+        take the stepper that goes with them. Bodies made later are concerned. ``defaults_text`` lists the values."""
+        if preset not in _DEFAULTS:
+            raise ValueError(f"no defaults are called {preset!r}: {', '.join(_DEFAULTS)}")
+        c.dWorldUseDefaults(self._handle, _DEFAULTS[preset])
+        self.stepper = "exact" if preset == "ode" else "hybrid"
 
     erp = reads_and_sets(c.dWorldGetERP, c.dWorldSetERP, "Share of a joint's error that is corrected in a step.")
     cfm = reads_and_sets(c.dWorldGetCFM, c.dWorldSetCFM, "Softness of joints.")
@@ -269,9 +285,11 @@ class World(Object):
 
     # ---- steps ----
 
-    def step(self, h: float, *, stepper: str = "exact", steps: int = 1) -> None:
-        """Advance by steps steps of h seconds: ``exact``, ``quick`` or ``hybrid``. Other threads of Python run meanwhile;
+    def step(self, h: float, *, stepper: str | None = None, steps: int = 1) -> None:
+        """Advance by steps steps of h seconds: ``exact``, ``quick`` or ``hybrid``; None: as ``self.stepper`` says, which
+        is "exact" until ``use_defaults`` or the program sets it. Other threads of Python run meanwhile;
         they may use other worlds."""
+        stepper = self.stepper if stepper is None else stepper
         take = _STEPS.get(stepper)
         if take is None:
             raise ValueError(f"no stepper is called {stepper!r}: {', '.join(_STEPS)}")
@@ -422,6 +440,13 @@ class World(Object):
     def load_changes(self, base: bytes, changes: bytes) -> None:
         """Give the world the state that base and changes make up."""
         c.dWorldSetStateDelta(self._handle, bytes(base), bytes(changes))
+
+
+def defaults_text(preset: str) -> str:
+    """What ``World.use_defaults`` sets for a preset, as calls in C with a reason each."""
+    if preset not in _DEFAULTS:
+        raise ValueError(f"no defaults are called {preset!r}: {', '.join(_DEFAULTS)}")
+    return c.dDefaultsText(_DEFAULTS[preset])
 
 
 def step_worlds(worlds: Sequence[World], h: float, *, stepper: str = "hybrid", steps: int = 1, substeps: int = 4,

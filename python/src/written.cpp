@@ -451,6 +451,16 @@ nb::list diagnose(const WorldHandle* world)
     return result;
 }
 
+std::string defaults_text(int preset)
+{
+    Call call;
+    std::string text(size_t(std::max(dDefaultsText(preset, nullptr, 0), 0)) + 1, '\0');
+    call.done();
+    dDefaultsText(preset, text.data(), int(text.size()));
+    text.pop_back();
+    return text;
+}
+
 }  // namespace
 
 void bind_written(nb::module_& m)
@@ -477,6 +487,7 @@ void bind_written(nb::module_& m)
     m.def("dWorldGetEvents", records_of_world<dEvent, dWorldGetEvents, step_event_type>, "world"_a.none(),
           TEXT(dWorldGetEvents));
     m.def("dWorldDiagnose", diagnose, "world"_a.none(), TEXT(dWorldDiagnose));
+    m.def("dDefaultsText", defaults_text, "preset"_a, TEXT(dDefaultsText));
     m.def("dSpaceRayAll", ray_all, "space"_a.none(), "origin"_a, "direction"_a, "length"_a,
           "filter"_a.none() = nb::none(), TEXT(dSpaceRayAll));
     m.def("dSpaceRayBatch", ray_batch, "space"_a.none(), "origins"_a, "directions"_a, "lengths"_a,

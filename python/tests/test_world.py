@@ -394,3 +394,37 @@ def test_the_interpreter_ends_with_worlds_alive():
 def test_the_docstring_of_the_package_runs():
     import doctest
     assert doctest.testmod(epode).failed == 0
+
+
+# ---- defaults ----
+
+def test_a_game_of_defaults_has_a_tower_that_sleeps():
+    with epode.World(defaults="game") as world:
+        world.plane()
+        tower = [world.body(density=100, position=(0, 0, 0.5 + i), shape=epode.Box(1, 1, 1)) for i in range(20)]
+        world.step(1 / 60, steps=300)
+        assert tower[-1].position[2] == pytest.approx(19.5, abs=0.05) and not tower[-1].enabled
+
+
+def test_defaults_can_be_given_back(world):
+    before = world.erp, world.auto_disable, world.exact_rotation, world.threads
+    world.use_defaults("robot")
+    assert world.exact_rotation and world.stepper == "hybrid"
+    world.use_defaults("ode")
+    assert (world.erp, world.auto_disable, world.exact_rotation, world.threads) == before and world.stepper == "exact"
+
+
+def test_threads_given_to_a_world_beat_its_defaults():
+    assert epode.World(defaults="game", threads=2).threads == 2 and epode.World(defaults="game").threads == 0
+
+
+def test_the_text_of_defaults_lists_calls():
+    lines = epode.defaults_text("game").splitlines()
+    assert len(lines) > 20 and all(line.startswith("dWorldSet") for line in lines)
+    assert any("dWorldSetAutoDisableFlag(world, 1);" in line for line in lines)
+
+
+def test_unknown_defaults_are_refused(world):
+    for act in (lambda: epode.World(defaults="film"), lambda: world.use_defaults("film"), lambda: epode.defaults_text("film")):
+        with pytest.raises(ValueError, match="ode, game, robot"):
+            act()

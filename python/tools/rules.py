@@ -24,6 +24,7 @@ WRITTEN = {
     "dWorldGetStateDelta": "(world: dWorldID | None, base: bytes) -> bytes",
     "dWorldSetStateDelta": "(world: dWorldID | None, base: bytes, delta: bytes) -> None",
     "dWorldDiagnose": "(world: dWorldID | None) -> list[tuple[Any, ...]]",
+    "dDefaultsText": "(preset: int) -> str",
     "dWorldGetContacts": _OF_WORLD,
     "dWorldGetContactEvents": _OF_WORLD,
     "dWorldGetEvents": _OF_WORLD,

@@ -49,6 +49,10 @@ void test_world_options()
     WORLD_SET(HybridSubsteps, 7);
     WORLD_SET(StepReportMode, 1);
     WORLD_SET(DiagnosisMode, 1);
+    judge(
+        "dWorldExt::useDefaults",
+        a.useDefaults(dDefaultsGame) == dWorldUseDefaults(b, dDefaultsGame) && read_world(a) == read_world(b),
+        read_world(a));
 }
 
 int reject_all(void* data, dGeomID, dGeomID)

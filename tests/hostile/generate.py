@@ -67,7 +67,7 @@ KIND_OF_PARAMETER = [
     (r"dPrintMatrix:fmt", "Format"),
     (r"dThreadingAllocateThreadPool:thread_count", "ThreadCount"),
     (r"d(Material|QueryFilter|Drive|EventSettings)Init:(material|filter|drive|settings)", "QueryHits"),
-    (r"dDiagnosisText:text", "QueryHits"),
+    (r"d(Diagnosis|Defaults)Text:text", "QueryHits"),
     (r"\w+:struct_size", "StructSize"),
     (r"dWorldsStep:(count|steps)", "Length"),
     (r"dWorldsStep:threads", "ThreadCount"),
@@ -134,7 +134,7 @@ MAY_BE_NULL = [
     r"dWorldsStep:(worlds|steps_made)",
     r"d(Bodies|Joints)[GS]etStates:(bodies|joints|out|in|value|rate)", r"dWorldGet(Bodies|Joints):(bodies|joints)",
     r"dWorldGetStateDelta:out",
-    r"dGeomHeightfieldDataSetHoles:holes", r"dWorldDiagnose:causes", r"dWorldGetEvents:events", r"dWorldSetEventSettings:settings", r"dWorldGetContacts:contacts", r"dWorldGetContactEvents:events", r"dSpaceRayAll:hits", r"dSpaceOverlap:geoms", r"dSpaceRayBatch:(origins|directions|lengths|hits)",
+    r"dGeomHeightfieldDataSetHoles:holes", r"dWorldDiagnose:causes", r"dDefaultsText:text", r"dWorldGetEvents:events", r"dWorldSetEventSettings:settings", r"dWorldGetContacts:contacts", r"dWorldGetContactEvents:events", r"dSpaceRayAll:hits", r"dSpaceOverlap:geoms", r"dSpaceRayBatch:(origins|directions|lengths|hits)",
     # With no elements there is nothing to point to.
     r"d(SetZero|SetValue|Dot|ScaleVector|VectorScale|FactorLDLT):(a|b|d|A)",
     r"dCooperatively\w+:(A|L|b|d|dataVector|scaleVector)",
