@@ -53,6 +53,10 @@ class dWorldExt : public dWorld {
     /** All parameters in one call: dWorldUseDefaults. */
     int useDefaults(int preset) { return dWorldUseDefaults(get_id(), preset); }
 
+    /** Whose results steps have: dWorldSetBehaviour. */
+    void setBehaviour(int version) { dWorldSetBehaviour(get_id(), version); }
+    int getBehaviour() const { return dWorldGetBehaviour(get_id()); }
+
     /** dWorldSetStepThreads, dWorldSetStepWarmStarting. */
     void setStepThreads(int threads) { dWorldSetStepThreads(get_id(), threads); }
     int getStepThreads() const { return dWorldGetStepThreads(get_id()); }

@@ -161,6 +161,7 @@ class World(Object):
     hybrid_substeps = reads_and_sets(c.dWorldGetHybridSubsteps, c.dWorldSetHybridSubsteps, "Substeps of a hybrid step.")
     exact_substeps = reads_and_sets(c.dWorldGetExactSubsteps, c.dWorldSetExactSubsteps, "Substeps of an exact step.")
     exact_rotation = flag(c.dWorldGetExactRotation, c.dWorldSetExactRotation, "Rotate free bodies exactly.")
+    behaviour = reads_and_sets(c.dWorldGetBehaviour, c.dWorldSetBehaviour, "A ``c.dBehaviour``: whose results steps have.")
     auto_disable = flag(c.dWorldGetAutoDisableFlag, c.dWorldSetAutoDisableFlag, "Whether new bodies may fall asleep.")
     reports = flag(c.dWorldGetStepReportMode, c.dWorldSetStepReportMode, "Whether steps are reported (``report``).")
     diagnosing = flag(c.dWorldGetDiagnosisMode, c.dWorldSetDiagnosisMode, "Whether steps look for causes of failure (``diagnose``).")

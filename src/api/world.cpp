@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "api/behaviour.h"
 #include "base/pool.h"
 #include "base/struct_size.h"
 #include "dynamics/world.h"
@@ -46,8 +47,9 @@ extern "C" {
 
 dWorldID dWorldCreate()
 {
-    const World* world = Pool<World>::create();
+    World* const world = Pool<World>::create();
     EPODE_USER_SAY(world, kOutOfMemory, nullptr);
+    world->behaviour = behaviour_of_new_worlds();
     return to_handle(world);
 }
 

@@ -7,9 +7,10 @@
 // taken in the body's frame, where I is at hand.
 // Orientation: q += h/2 (0, w) q and renormalised ("infinitesimal", ODE's default), or in finite mode the
 // exact turn q <- (cos a, w h/2 sinc a) q, a = |w| h/2; with a finite axis only the part of w along it is
-// turned exactly, the rest infinitesimally. (ODE advances that rest by h/2 only, a slip that we do not keep.)
+// turned exactly, the rest infinitesimally. (ODE advances that rest by h/2 only, which worlds with its behaviour do.)
 #include "dynamics/integrate.h"
 
+#include "dynamics/world.h"
 #include "math/trig.h"
 
 namespace epode {
@@ -36,7 +37,8 @@ Quat turned(const Body& body, Quat q, Vec3 w, Real h)
     if (!body.finite_rotation) return turn_infinitesimally(q, w, h);
     if (body.finite_axis == Vec3{}) return turn_exactly(q, w, h);
     const Vec3 along = dot(body.finite_axis, w) * body.finite_axis;
-    return turn_infinitesimally(turn_exactly(q, along, h), w - along, h);
+    const Real rest = body.world->acts_as_ode() ? h * Real(0.5) : h;
+    return turn_infinitesimally(turn_exactly(q, along, h), w - along, rest);
 }
 
 Vec3 gyroscopic_torque(const Body& body, Vec3 w, Real h)

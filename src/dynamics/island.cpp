@@ -88,6 +88,13 @@ class Bonds {
                 }
     }
 
+    // Each body for itself (World::acts_as_ode); those that an awake one reaches wake up again.
+    void put_idle_to_sleep(Real h)
+    {
+        for (std::size_t i = 0; i < bodies(); ++i)
+            if (reach_[i] == Reach::kAwake && fall_asleep_alone(*bodies_[i], h)) reach_[i] = Reach::kAsleep;
+    }
+
     std::size_t bodies() const { return std::size_t(body_count_); }
     Body& body(std::size_t place) const { return *bodies_[place]; }
     Reach& reach(std::size_t place) { return reach_[place]; }
@@ -313,10 +320,12 @@ bool find_islands(World& world, Real h, std::span<ManifoldEdge> manifolds, Arena
         return false;
     if (!world.reached.empty()) return true;
     bonds.link(manifolds);
+    const bool alone = world.watches_bodies && world.acts_as_ode();
+    if (alone) bonds.put_idle_to_sleep(h);
     for (std::size_t i = 0; i < bonds.bodies(); ++i)
         if (bonds.reach(i) == Reach::kAwake) {
             Island& island = search.grow_from(i, bonds, stack);
-            if (world.watches_bodies && sleep_or_settle(island, h)) search.drop_last();
+            if (world.watches_bodies && !alone && sleep_or_settle(island, h)) search.drop_last();
         }
     std::size_t asleep = 0;
     for (std::size_t i = 0; i < bonds.bodies(); ++i)

@@ -125,4 +125,11 @@ bool fall_asleep(const Island& island, Real h, Readiness& found)
     return true;
 }
 
+bool fall_asleep_alone(Body& body, Real h)
+{
+    if (!is_watched(body) || !count_step(body, is_slow(body), h)) return false;
+    put_to_sleep(body);
+    return true;
+}
+
 }  // namespace epode

@@ -34,4 +34,7 @@ struct Readiness {
 // been put to sleep, and the island is none of this step's.
 bool fall_asleep(const Island& island, Real h, Readiness& found);
 
+// The same of one awake body, by ODE's rule alone and whatever its neighbours do: a world with ODE's behaviour.
+bool fall_asleep_alone(Body& body, Real h);
+
 }  // namespace epode

@@ -11,6 +11,7 @@
 #include "base/step_memory.h"
 #include "dynamics/body.h"
 #include "dynamics/joint.h"
+#include "ode/defaults.h"
 #include "ode/report.h"
 #include "ode/steppers.h"
 #include "ode/threading.h"
@@ -54,6 +55,9 @@ struct World : Tagged {
     int step_threads = 1;              // 0: one per processor; not looked at while `threading` is set
     dThreadingImplementationID threading = nullptr;
     dThreadingFunctionsInfo threading_functions{};
+
+    int behaviour = dBehaviour1;  // a dBehaviour
+    bool acts_as_ode() const { return behaviour < dBehaviour1; }
 
     // Seeds of new bodies.
     bool auto_disable = false;

@@ -6,8 +6,8 @@
 // are compiled to AVX2 instructions, so that their arithmetic can be tested on any machine.
 #include "simd/machine.h"
 
-#include <cstdlib>
 #include <cstring>
+#include "base/environment.h"
 
 #include "base/messages.h"
 
@@ -31,16 +31,6 @@ std::size_t runnable_kernels()
 #endif
 #else
     return 1;
-#endif
-}
-
-// A program with other rights than its caller's (set-user-ID) ignores the caller's environment.
-const char* environment_value(const char* name)
-{
-#if defined(__linux__)
-    return secure_getenv(name);
-#else
-    return std::getenv(name);
 #endif
 }
 

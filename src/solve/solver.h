@@ -47,6 +47,7 @@ struct Solver {
     bool joint_manifolds = false;    // takes RowSystem::joint_contacts and parts; others are given rows only
     bool cones = false;              // knows RowSystem::cone and manifold_friction
     bool contact_manifolds = false;  // solves RowSystem::contact_manifolds, and parts; others want rows
+    bool draws = false;              // from ProcessRandom: islands are solved in order, on one thread
     Real warm_share =
         1;  // of the last step's impulses that it starts from when the world asks for warm starting
     int settling_factor =

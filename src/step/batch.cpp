@@ -64,9 +64,10 @@ bool calls_program(const Body& body)
     return calls;
 }
 
+// Worlds that draw from the process's generator take turns as well, in the order of the array.
 bool calls_program(World& world)
 {
-    if (world.threading) return true;
+    if (world.threading || world.acts_as_ode()) return true;
     for (Body& body : world.bodies)
         if (calls_program(body)) return true;
     const ContactWorld* contacts = world_contacts(world);

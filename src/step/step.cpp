@@ -13,6 +13,7 @@
 #include <new>
 
 #include "base/float_environment.h"
+#include "base/random.h"
 #include "dynamics/active.h"
 #include "dynamics/island.h"
 #include "joints/breaking.h"
@@ -41,8 +42,9 @@ class Workers {
     Tasks of_islands, of_an_island;
 
     // False: the threading implementation refused; the world is unchanged.
-    bool start(World& world)
+    bool start(World& world, const Solver* solver)
     {
+        if (solver && solver->draws) return true;  // on the caller's thread
         if (!world.threading) {
             of_islands = of_an_island = Tasks(number_for(world));
             return true;
@@ -398,12 +400,19 @@ class Stepping {
     const bool before_;
 };
 
+// What dWorldQuickStep means in this world.
+const Solver* solver_in(const World& world, const Solver* solver)
+{
+    return solver == &kQuick && world.acts_as_ode() ? &kShuffled : solver;
+}
+
 // The step, when the world's working memory has been reserved for it; `solver` null: hybrid.
 bool step_in(World& world, StepState& state, const Solver* solver, Real h, int iterations)
 {
     Workers workers;
-    if (!workers.start(world)) return false;
+    if (!workers.start(world, solver)) return false;
     ++world.step_count;
+    const std::uint32_t random = ProcessRandom::state();
     StepUndo undo(world);
     const StepContext context{.world = world,
                               .solver = solver ? *solver : kDirect,
@@ -428,6 +437,7 @@ bool step_in(World& world, StepState& state, const Solver* solver, Real h, int i
         if (world.report_wanted) world.report = sum_of(state.reports.span());
     } else {
         step.take_back();
+        if (context.solver.draws) ProcessRandom::set_state(random);
     }
     workers.stop();
     world.report_made = made && world.report_wanted;
@@ -445,7 +455,7 @@ bool step_with(World& world, const Solver* solver, Real h, int iterations)
     if (!state || !memory || !memory->begin()) return false;
     for (StepObserver* o : state->observers())
         if (o && o->begin) o->begin(*o, world, h);
-    const bool done = step_in(world, *state, solver, h, iterations);
+    const bool done = step_in(world, *state, solver_in(world, solver), h, iterations);
     memory->end();
     for (StepObserver* o : state->observers())
         if (o && o->end) o->end(*o, world, h, done);

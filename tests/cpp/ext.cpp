@@ -25,6 +25,7 @@ Numbers read_world(dWorldID w)
     n.push_back(dWorldGetStepReportMode(w));
     n.push_back(dWorldGetDiagnosisMode(w));
     n.push_back(dWorldGetContactSpace(w) != 0);
+    n.push_back(dWorldGetBehaviour(w));
     return n;
 }
 

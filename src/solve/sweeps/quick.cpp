@@ -8,8 +8,8 @@
 // with friction limits that follow their parent's present impulse. Joints come first, in alternating
 // directions, which carries an impulse through a chain both ways. Then come contacts, each normal before its
 // tangents, in a new random order in every sweep: any fixed order tilts a stack slightly to the same side,
-// and a stack at rest trembles twice as much. ODE shuffles every eight sweeps, from the process-wide dRand;
-// here the numbers are a function of the step and the island. Over-relaxation carries impulses far but leaves
+// and a stack at rest trembles twice as much. The numbers are a function of the step and the island. (What ODE
+// does instead: solve/sweeps/shuffled.) Over-relaxation carries impulses far but leaves
 // errors in the rows visited last. The second half of the sweeps over contacts therefore uses W = 1, which
 // lets them settle (a third less trembling of 1,000 boxes).
 #include <algorithm>

@@ -32,6 +32,16 @@ void apply(const PackedRow& row, const PackedBlock& block, Real dp, Velocity& a,
     b.w += dp * row.turn2;
 }
 
+void visit_row(PackedRow& row, const PackedRow* rows, const PackedBlock& block, Velocity& a, Velocity& b)
+{
+    Real lo, hi;
+    limits(row, rows, lo, hi);
+    const Real q =
+        clip(row.impulse_scale * row.p + row.effective_mass * (row.c - row_velocity(row, a, b)), lo, hi);
+    apply(row, block, q - row.p, a, b);
+    row.p = q;
+}
+
 void pack_row(const Row& row, const RowNumbers& n, const SolverBody& a, const SolverBody* b, Real w,
               PackedRow& out)
 {
@@ -98,18 +108,18 @@ void RowSweep::sweep(std::span<Velocity> bodies, bool backwards)
     for (std::size_t i = 0; i < n; ++i) {
         const PackedBlock& block = blocks_[backwards ? n - 1 - i : i];
         Velocity a = bodies[std::size_t(block.body1)], b = bodies[std::size_t(block.body2)];
-        for (int k = block.first; k < block.first + block.count; ++k) {
-            PackedRow& row = rows_[std::size_t(k)];
-            Real lo, hi;
-            limits(row, rows_.data(), lo, hi);
-            const Real q = clip(
-                row.impulse_scale * row.p + row.effective_mass * (row.c - row_velocity(row, a, b)), lo, hi);
-            apply(row, block, q - row.p, a, b);
-            row.p = q;
-        }
+        for (int k = block.first; k < block.first + block.count; ++k)
+            visit_row(rows_[std::size_t(k)], rows_.data(), block, a, b);
         bodies[std::size_t(block.body1)] = a;
         bodies[std::size_t(block.body2)] = b;
     }
+}
+
+void RowSweep::visit(std::span<Velocity> bodies, int block, int row)
+{
+    const PackedBlock& of = blocks_[std::size_t(block)];
+    visit_row(rows_[std::size_t(row)], rows_.data(), of, bodies[std::size_t(of.body1)],
+              bodies[std::size_t(of.body2)]);
 }
 
 void RowSweep::store_impulses(std::span<RowNumbers> numbers) const

@@ -36,6 +36,7 @@ class RowSweep {
 
     void apply_impulses(std::span<Velocity> bodies) const;  // v += M^-1 J^T p
     void sweep(std::span<Velocity> bodies, bool backwards);
+    void visit(std::span<Velocity> bodies, int block, int row);
     void store_impulses(std::span<RowNumbers> numbers) const;
 
     std::span<PackedRow> rows() { return rows_; }
