@@ -18,18 +18,6 @@ using namespace epode;
 
 namespace {
 
-bool usable_rule(int rule) { return rule >= dCombineDefault && rule <= dCombineMaximum; }
-
-bool usable_material(const dMaterial& m)
-{
-    if (!usable_rule(m.friction_rule) || !usable_rule(m.bounce_rule) || !usable_rule(m.rolling_friction_rule))
-        return false;
-    for (const Real x : {m.rolling_friction, m.compliance, m.damping_time})
-        if (!(x >= 0) || !usable(x)) return false;
-    return m.friction >= 0 && usable_or_infinite(m.friction) && m.bounce >= 0 && m.bounce <= 1 &&
-           m.bounce_speed >= 0 && usable_or_infinite(m.bounce_speed) && usable(m.surface_velocity, 3);
-}
-
 const ContactWorld* world_contacts(const World& world)
 {
     return world.step_state ? &world.step_state->world_contacts : nullptr;

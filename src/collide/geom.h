@@ -24,6 +24,7 @@ namespace epode {
 
 class ContentHash;
 class DifWriter;
+class ShapeStream;
 struct Geom;
 struct GeomLeaves;
 struct SolidType;
@@ -44,6 +45,9 @@ struct GeomType {
     void (*fingerprint)(const Geom& geom, ContentHash& hash) = nullptr;
     const SolidType* solid = nullptr;                    // convex solids (collide/solid_type.h); null: none
     Real (*half_thickness)(const Geom& geom) = nullptr;  // of what may be continuous; null: it may not
+    Geom* (*create)(const GeomType& type) = nullptr;     // in no space; null when memory is exhausted
+    // Its shape, in clones and files of worlds (collide/shape_stream.h); null: it cannot be copied.
+    void (*structure)(Geom& geom, ShapeStream& stream) = nullptr;
 };
 
 // Where the body keeps what its geoms need; all null when there is none.

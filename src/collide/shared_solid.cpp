@@ -56,7 +56,7 @@ bool same(const Polyhedron& a, const Polyhedron& b)
 }  // namespace
 
 struct SharedSolid::Entry {
-    Polyhedron solid;
+    Polyhedron solid;  // the first, see of()
     std::size_t fingerprint = 0;
     int users = 1;
     Entry *next = nullptr, *prev = nullptr;
@@ -132,6 +132,16 @@ SharedSolid::~SharedSolid()
 }
 
 const Polyhedron* SharedSolid::get() const { return entry_ ? &entry_->solid : nullptr; }
+
+SharedSolid SharedSolid::of(const Polyhedron& shared)
+{
+    static_assert(offsetof(Entry, solid) == 0);
+    SharedSolid another;
+    another.entry_ = reinterpret_cast<Entry*>(const_cast<Polyhedron*>(&shared));
+    std::lock_guard guard(cache().lock);
+    ++another.entry_->users;
+    return another;
+}
 
 void SharedSolid::swap(SharedSolid& other) noexcept { std::swap(entry_, other.entry_); }
 

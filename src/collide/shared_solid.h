@@ -25,7 +25,8 @@ class SharedSolid {
     // False when memory is exhausted.
     [[nodiscard]] bool take(Polyhedron& made);
 
-    const Polyhedron* get() const;  // null: none
+    const Polyhedron* get() const;                    // null: none
+    static SharedSolid of(const Polyhedron& shared);  // another hold of what get() has returned
 
   private:
     struct Entry;

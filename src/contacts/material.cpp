@@ -10,6 +10,8 @@
 namespace epode {
 namespace {
 
+bool usable_rule(int rule) { return rule >= dCombineDefault && rule <= dCombineMaximum; }
+
 // A float, and times a zero still zero.
 constexpr Real kMostFriction = Real(1e6);
 constexpr Real kHardest = Real(1e-9), kMostRolling = Real(1e6), kSoftest = Real(1e9), kSlowest = Real(1e6);
@@ -77,6 +79,16 @@ void take_defaults(ContactManifold& manifold)
 }
 
 }  // namespace
+
+bool usable_material(const dMaterial& m)
+{
+    if (!usable_rule(m.friction_rule) || !usable_rule(m.bounce_rule) || !usable_rule(m.rolling_friction_rule))
+        return false;
+    for (const Real x : {m.rolling_friction, m.compliance, m.damping_time})
+        if (!(x >= 0) || !usable(x)) return false;
+    return m.friction >= 0 && usable_or_infinite(m.friction) && m.bounce >= 0 && m.bounce <= 1 &&
+           m.bounce_speed >= 0 && usable_or_infinite(m.bounce_speed) && usable(m.surface_velocity, 3);
+}
 
 bool set_material(Geom& geom, const dMaterial* material)
 {

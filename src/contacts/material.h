@@ -27,6 +27,9 @@ inline const dMaterial& material_of(const Geom& geom)
     return geom.material ? *geom.material : kDefaultMaterial;
 }
 
+// What the interface takes.
+bool usable_material(const dMaterial& material);
+
 // False: out of memory. null: the default again.
 bool set_material(Geom& geom, const dMaterial* material);
 

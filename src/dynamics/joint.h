@@ -17,6 +17,7 @@ namespace epode {
 class DifWriter;
 class RowWriter;
 class StateStream;
+class StructureStream;
 struct StepInfo;
 struct JointGroup;
 struct LimitMotor;
@@ -58,6 +59,10 @@ struct JointType {
     const char* dif_name;                            // in dWorldExportDIF
     void (*describe)(const Joint&, DifWriter& out);  // its fields there
     void (*state)(Joint&, StateStream&);  // in states of the world (dynamics/joint_state.h); null: none
+    // What it is made of besides that, in clones and files (base/streams/structure_stream.h): anchors, axes, modes.
+    void (*structure)(Joint&, StructureStream&);
+    // A new joint, neither linked nor attached, as the stream has it. Null: no memory, or the stream fails.
+    Joint* (*make)(World&, StructureStream&);
     void (*destroy)(Joint&);
 };
 

@@ -62,6 +62,7 @@ class TriangleMesh {
     Vec3* vertices() { return vertices_.data(); }
     void refresh();
 
+    Real grain() const { return grain_; }
     int vertex_count() const { return vertices_.size(); }
     int triangle_count() const { return triangles_.size(); }
     Vec3 vertex(int i) const { return vertices_.data()[i]; }

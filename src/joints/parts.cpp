@@ -6,6 +6,7 @@
 #include "joints/parts.h"
 
 #include "base/streams/state_stream.h"
+#include "base/streams/structure_stream.h"
 #include "dynamics/world.h"
 #include "math/rotation.h"
 #include "math/trig.h"
@@ -20,6 +21,19 @@ void AnchorPair::set(const Joint& j, Vec3 world_point)
 void AxisPair::set(const Joint& j, Vec3 unit)
 {
     for (int i = 0; i < 2; ++i) local[i] = direction_to_local(j.node[i].body, unit);
+}
+
+void AnchorPair::structure(StructureStream& stream) { stream.vector(local[0]), stream.vector(local[1]); }
+
+void AxisPair::structure(StructureStream& stream) { stream.vector(local[0]), stream.vector(local[1]); }
+
+void structure_of_axes(StructureStream& stream, int& count, int (&frame)[3], Vec3 (&axis)[3])
+{
+    stream.number(count, 0, 4, "a motor with more than three axes");
+    for (int i = 0; i < 3; ++i) {
+        stream.number(frame[i], 0, 3, "an axis of a motor in an unknown frame");
+        stream.vector(axis[i]);
+    }
 }
 
 void Spring::take(RowWriter& out, Row* rows, int count) const

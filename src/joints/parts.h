@@ -38,6 +38,7 @@ struct AnchorPair {
     Vec3 world(const Joint& j, int node) const { return point_to_world(j.node[node].body, local[node]); }
     Vec3 of_user(const Joint& j, int user_index) const { return world(j, node_of(j, user_index)); }
     void reattach(const Joint& j) { set(j, of_user(j, 0)); }
+    void structure(StructureStream& stream);
 };
 
 // A direction fixed in both bodies.
@@ -46,7 +47,12 @@ struct AxisPair {
     void set(const Joint& j, Vec3 unit);
     Vec3 world(const Joint& j, int node) const { return direction_to_world(j.node[node].body, local[node]); }
     void reattach(const Joint& j) { set(j, world(j, 0)); }
+    void structure(StructureStream& stream);
 };
+
+// Of a motor: how many axes there are, the frames in which they are fixed (0 world, 1 and 2 the bodies), and
+// the axes there.
+void structure_of_axes(StructureStream& stream, int& count, int (&frame)[3], Vec3 (&axis)[3]);
 
 // A spring and damper in physical units, in the place of ERP and CFM.
 struct Spring {

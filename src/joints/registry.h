@@ -9,6 +9,7 @@
 
 #include "base/pool.h"
 #include "base/streams/state_stream.h"
+#include "base/streams/structure_stream.h"
 #include "dynamics/joint.h"
 #include "dynamics/joint_group.h"
 #include "dynamics/world.h"
@@ -38,7 +39,8 @@ const JointType* joint_type(int number);
 // Real), get_param(int, Real&), state(StateStream&) of what it keeps from step to step and of its settings
 // that are numbers of motors and softness, kNeedsTwoBodies, axes() and axis_at(int), which give the type
 // coordinates and drives, LimitMotor* stops_of(int axis) and OwnSoftness* own_softness(), which may be springs
-// in physical units, and destroy() where not all objects of the type are of one pool.
+// in physical units, and, where not all objects of the type are of one pool, destroy() and static Joint*
+// make(World&, StructureStream&).
 template <typename T>
 consteval bool is_joint_type()
 {
@@ -56,6 +58,9 @@ consteval bool is_joint_type()
             t.describe(out);
         },
         "a joint type tells what it is made of: kDifName and void describe(DifWriter&) const");
+    static_assert(
+        requires(T & t, StructureStream & stream) { t.structure(stream); },
+        "a joint type visits its anchors, axes and modes: void structure(StructureStream&)");
     static_assert(
         !requires(T & t, Real v) { t.set_param(0, v); } ||
             requires(const T& t, Real& v) { t.get_param(0, v); },
@@ -108,6 +113,16 @@ constexpr JointType describe_joint(const char* name)
     type.describe = [](const Joint& j, DifWriter& out) { static_cast<const T&>(j).describe(out); };
     if constexpr (requires(T & t, StateStream & stream) { t.state(stream); })
         type.state = [](Joint& j, StateStream& stream) { static_cast<T&>(j).state(stream); };
+    type.structure = [](Joint& j, StructureStream& stream) { static_cast<T&>(j).structure(stream); };
+    type.make = [](World& world, StructureStream& stream) -> Joint* {
+        if constexpr (requires { T::make(world, stream); }) {
+            return T::make(world, stream);
+        } else {
+            T* joint = Pool<T>::create(JointTypeOf<T>::get(), world);
+            if (joint) joint->structure(stream);
+            return joint;
+        }
+    };
     type.destroy = [](Joint& j) {
         if constexpr (requires(T & t) { t.destroy(); })
             static_cast<T&>(j).destroy();

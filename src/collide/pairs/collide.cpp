@@ -432,7 +432,7 @@ bool may_call_program(Geom& geom)
 {
     if (is_user_class(geom.type->number) || as_transform(geom) || has_callbacks(geom)) return true;
     const HeightfieldData* field = field_of(geom);
-    return field && field->source == HeightfieldData::Source::kCallback;
+    return field && (field->source == HeightfieldData::Source::kCallback || field->sampled);
 }
 
 bool may_call_program(Geom& a, Geom& b)
@@ -450,7 +450,7 @@ std::uint32_t changes_of(const Geom& geom)
 bool changes_unseen(const Geom& geom)
 {
     const HeightfieldData* field = field_of(geom);
-    return field && !field->copy;
+    return field && (!field->copy || field->foreign);
 }
 
 void collide(Geom& a, Geom& b, ContactArray& out) { collide_two(a, b, out); }

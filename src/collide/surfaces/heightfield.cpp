@@ -57,6 +57,7 @@ void HeightfieldData::drop_samples()
     copy_size = 0;
     samples = nullptr;
     source = Source::kNone;
+    sampled = foreign = false;
     drop_holes();
 }
 

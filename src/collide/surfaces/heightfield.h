@@ -28,6 +28,9 @@ struct HeightfieldData : Numbered {
 
     Source source = Source::kNone;  // kNone: not built yet, collides with nothing
     bool wrap = false;
+    // In a file that has been loaded, heights were those of a function, or of an array of the program that
+    // may change at any time. They are treated as if they still were, since steps then have the same bits.
+    bool sampled = false, foreign = false;
     const void* samples = nullptr;  // the client's or the copy
     void* copy = nullptr;
     std::size_t copy_size = 0;

@@ -11,6 +11,7 @@
 #include <atomic>
 
 #include "base/pool.h"
+#include "base/streams/structure_stream.h"
 #include "bvh/mesh_tree.h"
 #include "collide/geom.h"
 
@@ -50,6 +51,10 @@ struct TrimeshData : Numbered {
     SpinLock geoms_lock;  // geoms of several threads may share the data
     std::atomic<int> users{0};
 };
+
+// The mesh in files, where the program's arrays are left out. Null: loading has failed. (types/trimesh_data)
+TrimeshData* structure(TrimeshData* data, StructureStream& stream);
+void destroy(TrimeshData* data);
 
 template <>
 struct HandleOf<TrimeshData> {

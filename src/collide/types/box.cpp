@@ -62,7 +62,9 @@ const GeomType kBoxType = {.number = dBoxClass,
                            .destroy = destroy_pooled<ShapeGeom<Box>>,
                            .describe = describe_box,
                            .solid = &kSolid,
-                           .half_thickness = half_thickness};
+                           .half_thickness = half_thickness,
+                           .create = create_pooled<ShapeGeom<Box>>,
+                           .structure = structure_of_sizes<Box>};
 
 }  // namespace epode
 

@@ -51,7 +51,9 @@ const GeomType kCapsuleType = {.number = dCapsuleClass,
                                .destroy = destroy_pooled<ShapeGeom<Capsule>>,
                                .describe = describe_capsule,
                                .solid = &kSolid,
-                               .half_thickness = half_thickness};
+                               .half_thickness = half_thickness,
+                               .create = create_pooled<ShapeGeom<Capsule>>,
+                               .structure = structure_of_sizes<Capsule>};
 
 }  // namespace epode
 

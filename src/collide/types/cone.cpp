@@ -127,7 +127,9 @@ const GeomType kConeType = {.number = dConeClass,
                             .destroy = destroy_pooled<ShapeGeom<Cone>>,
                             .describe = describe_cone,
                             .solid = &kSolid,
-                            .half_thickness = half_thickness};
+                            .half_thickness = half_thickness,
+                            .create = create_pooled<ShapeGeom<Cone>>,
+                            .structure = structure_of_sizes<Cone>};
 
 }  // namespace epode
 

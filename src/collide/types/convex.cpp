@@ -100,6 +100,33 @@ void fingerprint(const Geom& geom, ContentHash& hash)
     for (const Vec3 v : solid.vertices()) hash.add({v.x, v.y, v.z});
 }
 
+const Polyhedron* visit_solid(ConvexGeom& geom, StructureStream& stream)
+{
+    if (stream.saves()) {
+        Polyhedron& solid = const_cast<Polyhedron&>(*geom.shape.solid);
+        solid.structure(stream);  // writes nothing to it
+        return &solid;
+    }
+    Polyhedron loaded;
+    SharedSolid solid;
+    loaded.structure(stream);
+    if (stream.failed() || !stream.demand(solid.take(loaded), kOutOfMemory)) return nullptr;
+    geom.take(solid);
+    return geom.shape.solid;
+}
+
+void structure(Geom& geom, ShapeStream& stream)
+{
+    ConvexGeom& convex = static_cast<ConvexGeom&>(geom);
+    const Polyhedron* const solid = stream.shared<const Polyhedron>(
+        convex.shape.solid, nullptr,
+        [&](const Polyhedron*, StructureStream& s) { return visit_solid(convex, s); });
+    if (stream.saves() || !stream.demand(solid, "a convex geom in it has no points")) return;
+    if (convex.shape.solid == solid) return;
+    SharedSolid same = SharedSolid::of(*solid);
+    convex.take(same);
+}
+
 constexpr SolidType kSolid = {
     .view = view_of_shape<Convex>, .core_reach = core_reach, .core_size = core_size, .round = false};
 
@@ -111,7 +138,9 @@ const GeomType kConvexType = {.number = dConvexClass,
                               .describe = describe_convex,
                               .fingerprint = fingerprint,
                               .solid = &kSolid,
-                              .half_thickness = half_thickness};
+                              .half_thickness = half_thickness,
+                              .create = create_pooled<ConvexGeom>,
+                              .structure = structure};
 
 }  // namespace epode
 

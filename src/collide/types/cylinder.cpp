@@ -68,7 +68,9 @@ const GeomType kCylinderType = {.number = dCylinderClass,
                                 .destroy = destroy_pooled<ShapeGeom<Cylinder>>,
                                 .describe = describe_cylinder,
                                 .solid = &kSolid,
-                                .half_thickness = half_thickness};
+                                .half_thickness = half_thickness,
+                                .create = create_pooled<ShapeGeom<Cylinder>>,
+                                .structure = structure_of_sizes<Cylinder>};
 
 }  // namespace epode
 

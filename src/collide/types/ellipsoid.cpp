@@ -110,7 +110,9 @@ const GeomType kEllipsoidType = {.number = dEllipsoidClass,
                                  .destroy = destroy_pooled<ShapeGeom<Ellipsoid>>,
                                  .describe = describe_ellipsoid,
                                  .solid = &kSolid,
-                                 .half_thickness = half_thickness};
+                                 .half_thickness = half_thickness,
+                                 .create = create_pooled<ShapeGeom<Ellipsoid>>,
+                                 .structure = structure_of_sizes<Ellipsoid>};
 
 }  // namespace epode
 

@@ -39,7 +39,7 @@ Aabb aabb(Geom& geom)
 
 void describe_heightfield(const Geom&, DifWriter& out) { out.text("type", "heightfield"); }
 
-// Includes heights that the program stores, as they are now; not those of a callback.
+// Includes heights that the program stores, as they are now; not those of a callback, which a file has.
 void fingerprint(const Geom& geom, ContentHash& hash)
 {
     const HeightfieldData* d = static_cast<const HeightfieldGeom&>(geom).shape.field();
@@ -47,10 +47,92 @@ void fingerprint(const Geom& geom, ContentHash& hash)
     hash.add({d->width, d->depth, d->scale, d->offset, d->thickness});
     for (const int number : {d->nx, d->nz, int(d->wrap)}) hash.add(std::uint64_t(number));
     for (const unsigned char hole : d->holes) hash.add(std::uint64_t(hole));
-    if (d->source == HeightfieldData::Source::kCallback) return;
+    if (d->source == HeightfieldData::Source::kCallback || d->sampled) return;
     for (int j = 0; j < d->nz; ++j)
         for (int i = 0; i < d->nx; ++i) hash.add(d->sample(i, j));
 }
+
+// ---- files ----
+
+constexpr const char* kNoField = "a height field in it has a size or height that it cannot have";
+constexpr std::int64_t kMaxSamples = std::int64_t(1) << 27;
+
+void layout_in_file(HeightfieldData& d, StructureStream& stream)
+{
+    stream.sizes(&d.width, 1), stream.sizes(&d.depth, 1), stream.sizes(&d.thickness, 1);
+    stream.real(d.scale), stream.real(d.offset);
+    stream.real(d.lowest, StructureStream::kInfinite), stream.real(d.highest, StructureStream::kInfinite);
+    stream.number(d.nx), stream.number(d.nz);
+    bool sampled = d.sampled || d.source == HeightfieldData::Source::kCallback;
+    bool foreign = d.foreign || !d.copy;
+    stream.flag(d.wrap), stream.flag(sampled), stream.flag(foreign);
+    if (stream.loads()) d.sampled = sampled, d.foreign = foreign;
+}
+
+bool is_sound(const HeightfieldData& d)
+{
+    return d.width > 0 && d.depth > 0 && d.nx >= 2 && d.nz >= 2 && std::int64_t(d.nx) * d.nz <= kMaxSamples &&
+           usable(d.scale) && usable(d.offset) && usable_or_infinite(d.lowest) &&
+           usable_or_infinite(d.highest);
+}
+
+// As numbers of the library's precision, whatever they come from: a copy of their own.
+void load_samples(HeightfieldData& d, StructureStream& stream)
+{
+    const int samples = stream.count(0, sizeof(Real), "heights of a field");
+    if (!stream.demand(samples == d.nx * d.nz, kNoField)) return;
+    Real* const block = static_cast<Real*>(allocate(sizeof(Real) * std::size_t(samples)));
+    if (!stream.demand(block, kOutOfMemory)) return;
+    d.copy = block, d.copy_size = sizeof(Real) * std::size_t(samples), d.samples = block;
+    d.source = kSingle ? HeightfieldData::Source::kFloats : HeightfieldData::Source::kDoubles;
+    stream.reals(block, samples);
+    for (int k = 0; k < samples; ++k)
+        if (!stream.demand(usable(block[k]) && usable(block[k] * d.scale + d.offset), kNoField)) return;
+}
+
+void holes_in_file(HeightfieldData& d, StructureStream& stream)
+{
+    const int cells = stream.count(d.hole_count > 0 ? d.holes.size() : 0, 1, "cells of a field");
+    if (stream.loads()) {
+        const bool fits = cells == 0 || cells == (d.nx - 1) * (d.nz - 1);
+        if (!stream.demand(fits, kNoField) || !stream.demand(d.holes.resize(cells), kOutOfMemory)) return;
+    }
+    stream.bytes(d.holes.data(), std::size_t(cells));
+    if (stream.saves()) return;
+    for (unsigned char& hole : d.holes) hole = hole != 0, d.hole_count += hole;
+}
+
+void field_in_file(HeightfieldData& d, StructureStream& stream)
+{
+    bool built = d.source != HeightfieldData::Source::kNone;
+    stream.flag(built);
+    if (!built) return;
+    layout_in_file(d, stream);
+    if (stream.failed() || !stream.demand(is_sound(d), kNoField)) return;
+    if (stream.loads()) {
+        load_samples(d, stream);
+    } else {
+        (void)stream.count(d.nx * d.nz, sizeof(Real), "");
+        for (int j = 0; j < d.nz && !stream.failed(); ++j)
+            for (int i = 0; i < d.nx; ++i) {
+                Real height = d.sample(i, j);
+                stream.real(height);
+            }
+    }
+    if (!stream.failed()) holes_in_file(d, stream);
+}
+
+HeightfieldData* visit_field(HeightfieldData* data, StructureStream& stream)
+{
+    HeightfieldData* const d = data ? data : Pool<HeightfieldData>::create();
+    if (!stream.demand(d, kOutOfMemory)) return nullptr;
+    field_in_file(*d, stream);
+    if (stream.saves() || !stream.failed()) return d;
+    Pool<HeightfieldData>::destroy(d);
+    return nullptr;
+}
+
+void structure(Geom& geom, ShapeStream& stream);
 
 constexpr GeomType heightfield_type(bool placeable)
 {
@@ -59,10 +141,23 @@ constexpr GeomType heightfield_type(bool placeable)
             .aabb = aabb,
             .destroy = destroy_pooled<HeightfieldGeom>,
             .describe = describe_heightfield,
-            .fingerprint = fingerprint};
+            .fingerprint = fingerprint,
+            .create = create_pooled<HeightfieldGeom>,
+            .structure = structure};
 }
 
 const GeomType kFixedHeightfieldType = heightfield_type(false);
+
+void structure(Geom& geom, ShapeStream& stream)
+{
+    Heightfield& shape = static_cast<HeightfieldGeom&>(geom).shape;
+    bool placeable = geom.type->placeable;
+    stream.flag(placeable);
+    if (!placeable) geom.type = &kFixedHeightfieldType;
+    HeightfieldData* const data = stream.shared<HeightfieldData>(const_cast<HeightfieldData*>(shape.living()),
+                                                                 Pool<HeightfieldData>::destroy, visit_field);
+    if (stream.loads()) shape = {data, data ? data->serial : 0};
+}
 
 // ---- building ----
 

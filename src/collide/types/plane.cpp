@@ -37,10 +37,22 @@ bool legal(Real a, Real b, Real c, Real d)
     return usable(a) && usable(b) && usable(c) && usable(d) && usable(normalized(a, b, c, d).d);
 }
 
+void structure(Geom& geom, ShapeStream& stream)
+{
+    Plane& plane = static_cast<ShapeGeom<Plane>&>(geom).shape;
+    stream.vector(plane.normal), stream.real(plane.d);
+    stream.demand(stream.saves() || (usable(plane.d) && std::fabs(length2(plane.normal) - 1) < Real(1e-3)),
+                  "a plane in it has no unit normal");
+}
+
 }  // namespace
 
-const GeomType kPlaneType = {
-    .number = dPlaneClass, .placeable = false, .aabb = aabb, .destroy = destroy_pooled<ShapeGeom<Plane>>};
+const GeomType kPlaneType = {.number = dPlaneClass,
+                             .placeable = false,
+                             .aabb = aabb,
+                             .destroy = destroy_pooled<ShapeGeom<Plane>>,
+                             .create = create_pooled<ShapeGeom<Plane>>,
+                             .structure = structure};
 
 }  // namespace epode
 

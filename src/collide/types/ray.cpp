@@ -34,6 +34,14 @@ bool may_touch(Geom& geom, Geom& other)
 
 Real bearable(Real length) { return std::clamp(length, -kMaxMagnitude, kMaxMagnitude); }
 
+void structure(Geom& geom, ShapeStream& stream)
+{
+    Ray& ray = static_cast<ShapeGeom<Ray>&>(geom).shape;
+    stream.real(ray.length);
+    stream.flag(ray.first_contact), stream.flag(ray.backface_cull), stream.flag(ray.closest_hit);
+    if (stream.loads()) ray.length = bearable(ray.length);
+}
+
 void describe_ray(const Geom& geom, DifWriter& out)
 {
     out.text("type", "ray");
@@ -46,7 +54,9 @@ const GeomType kRayType = {.number = dRayClass,
                            .aabb = aabb,
                            .destroy = destroy_pooled<ShapeGeom<Ray>>,
                            .may_touch = may_touch,
-                           .describe = describe_ray};
+                           .describe = describe_ray,
+                           .create = create_pooled<ShapeGeom<Ray>>,
+                           .structure = structure};
 
 }  // namespace epode
 

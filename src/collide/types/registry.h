@@ -9,6 +9,7 @@
 #include "base/check.h"
 #include "base/pool.h"
 #include "collide/geom.h"
+#include "collide/shape_stream.h"
 #include "collide/shared_solid.h"
 #include "collide/space.h"
 #include "collide/surfaces/heightfield.h"
@@ -74,6 +75,12 @@ template <typename Object>
 void destroy_pooled(Geom* geom)
 {
     Pool<Object>::destroy(static_cast<Object*>(geom));
+}
+
+template <typename Object>
+Geom* create_pooled(const GeomType& type)
+{
+    return Pool<Object>::create(type);
 }
 
 // A new geom in `space` (or none); null, after a refusal on behalf of the C function `caller`, when memory is

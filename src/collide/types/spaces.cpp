@@ -8,9 +8,21 @@
 namespace epode {
 namespace {
 
+void structure(Geom& geom, ShapeStream& stream)
+{
+    Space& space = static_cast<Space&>(geom);
+    stream.flag(space.cleanup);
+    stream.number(space.sublevel), stream.number(space.min_level), stream.number(space.max_level);
+}
+
 constexpr GeomType space_type(int number)
 {
-    return {.number = number, .placeable = false, .aabb = space_aabb, .destroy = destroy_pooled<Space>};
+    return {.number = number,
+            .placeable = false,
+            .aabb = space_aabb,
+            .destroy = destroy_pooled<Space>,
+            .create = create_pooled<Space>,
+            .structure = structure};
 }
 
 constexpr const char* kTooDeep = "spaces are nested too deeply";

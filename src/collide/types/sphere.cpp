@@ -42,7 +42,9 @@ const GeomType kSphereType = {.number = dSphereClass,
                               .destroy = destroy_pooled<ShapeGeom<Sphere>>,
                               .describe = describe_sphere,
                               .solid = &kSolid,
-                              .half_thickness = half_thickness};
+                              .half_thickness = half_thickness,
+                              .create = create_pooled<ShapeGeom<Sphere>>,
+                              .structure = structure_of_sizes<Sphere>};
 
 }  // namespace epode
 

@@ -142,6 +142,14 @@ TaperedCapsule made(Real r1, Real r2, Real length)
     return {r1, r2, length, m.volume > 0 ? -size * m.first / m.volume : -length / 2};
 }
 
+// What follows from the three sizes is computed again, with the same bits.
+void structure(Geom& geom, ShapeStream& stream)
+{
+    TaperedCapsule& c = static_cast<ShapeGeom<TaperedCapsule>&>(geom).shape;
+    stream.sizes(&c.r1, 1), stream.sizes(&c.r2, 1), stream.sizes(&c.length, 1);
+    if (stream.loads()) c = made(c.r1, c.r2, c.length);
+}
+
 MassProperties solid_tapered_capsule(Real mass, int axis, const Moments& m)
 {
     const Real per = mass / m.volume, along = per * m.fourth / 2;
@@ -174,7 +182,9 @@ const GeomType kTaperedCapsuleType = {.number = dTaperedCapsuleClass,
                                       .destroy = destroy_pooled<ShapeGeom<TaperedCapsule>>,
                                       .describe = describe_tapered_capsule,
                                       .solid = &kSolid,
-                                      .half_thickness = half_thickness};
+                                      .half_thickness = half_thickness,
+                                      .create = create_pooled<ShapeGeom<TaperedCapsule>>,
+                                      .structure = structure};
 
 }  // namespace epode
 

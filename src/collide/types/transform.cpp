@@ -89,6 +89,18 @@ void fingerprint(const Geom& geom, ContentHash& hash)
     if (Geom* inner = static_cast<const TransformGeom&>(geom).inner) hash.add(shape_hash(*inner));
 }
 
+void structure(Geom& geom, ShapeStream& stream)
+{
+    TransformGeom& transform = static_cast<TransformGeom&>(geom);
+    Geom* inner = transform.inner;
+    stream.geom(inner);
+    stream.number(transform.cleanup), stream.number(transform.info);
+    if (stream.saves() || !inner || stream.failed()) return;
+    const bool fits = inner->type->placeable && !inner->space && line_below(*inner) < kMostNested;
+    if (stream.demand(fits, "a geom transform in it holds a geom that it cannot hold"))
+        set_transform_geom(transform, inner);
+}
+
 // Whether `geom` goes when `transform` lets go what it holds.
 bool dies_with(const Geom& geom, const TransformGeom& transform)
 {
@@ -113,7 +125,9 @@ const GeomType kTransformType = {.number = dGeomTransformClass,
                                  .zero_sized = zero_sized,
                                  .destroy = destroy,
                                  .describe = describe_transform,
-                                 .fingerprint = fingerprint};
+                                 .fingerprint = fingerprint,
+                                 .create = create_pooled<TransformGeom>,
+                                 .structure = structure};
 
 TransformGeom* as_transform(Geom& geom)
 {

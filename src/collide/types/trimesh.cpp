@@ -54,6 +54,24 @@ void fingerprint(const Geom& geom, ContentHash& hash)
         for (const int corner : mesh.corners(t).at) hash.add(std::uint64_t(corner));
 }
 
+void structure(Geom& geom, ShapeStream& stream)
+{
+    TrimeshGeom& mesh = static_cast<TrimeshGeom&>(geom);
+    Trimesh& shape = mesh.shape;
+    TrimeshData* const data =
+        stream.shared<TrimeshData>(shape.data, epode::destroy,
+                                   [](TrimeshData* d, StructureStream& s) { return epode::structure(d, s); });
+    if (stream.loads()) mesh.use(data);
+    stream.pointer(shape.wants), stream.pointer(shape.array_callback);
+    stream.pointer(shape.ray_hits), stream.pointer(shape.merged);
+    stream.number(shape.merging, int(dGeomColliderMergeContactsValue__Default),
+                  int(dGeomColliderMergeContactsValue_Full) + 1,
+                  "contacts of a mesh are merged in an unknown way");
+    stream.flag(shape.solid);
+    stream.reals(mesh.last_transform, 16);
+    for (bool& coherent : mesh.coherent) stream.flag(coherent);
+}
+
 // The solid that the triangles enclose, where the geom is. False when they enclose nothing that can be told
 // from rounding.
 bool enclosed(TrimeshGeom& geom, Real density, MassProperties& out)
@@ -106,7 +124,9 @@ const GeomType kTrimeshType = {.number = dTriMeshClass,
                                .control = control_trimesh,
                                .describe = describe_trimesh,
                                .fingerprint = fingerprint,
-                               .half_thickness = half_thickness};
+                               .half_thickness = half_thickness,
+                               .create = create_pooled<TrimeshGeom>,
+                               .structure = structure};
 
 }  // namespace epode
 

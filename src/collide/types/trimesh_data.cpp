@@ -172,6 +172,50 @@ void* flags_of(TrimeshData& d)
     return d.given_flags ? d.given_flags : d.use_flags.empty() ? nullptr : d.use_flags.data();
 }
 
+// Vertices that have been moved by dGeomTriMeshDataUpdate lie in a tree of the old ones; here in a new one.
+void load(TrimeshData& d, StructureStream& stream)
+{
+    bool flagged = false;
+    Real grain = 0;
+    Array<Vec3> vertices;
+    Array<MeshCorners> triangles;
+    stream.flag(flagged), stream.real(grain);
+    const int vertex_count = stream.count(0, sizeof(Vec3), "vertices of a mesh");
+    const int count = stream.count(0, sizeof(MeshCorners), "triangles of a mesh");
+    if (!stream.demand(vertices.resize(vertex_count) && triangles.resize(count), kOutOfMemory)) return;
+    for (Vec3& v : vertices) stream.vector(v);
+    stream.bytes(triangles.data(), sizeof(MeshCorners) * std::size_t(count));
+    bool good = vertex_count > 0 && count > 0 && count <= TriangleMesh::kMostTriangles && grain > 0 &&
+                grain < Real(1e-3);
+    for (const Vec3 v : vertices) good = good && usable(v.x) && usable(v.y) && usable(v.z);
+    for (const MeshCorners& t : triangles)
+        for (const int corner : t.at) good = good && corner >= 0 && corner < vertex_count;
+    if (stream.failed() || !stream.demand(good, "a mesh in it has a corner that is no vertex")) return;
+    const bool built = d.mesh.build(vertices, triangles, grain) && d.tree.build(d.mesh) &&
+                       (!flagged || d.use_flags.resize(count));
+    if (!stream.demand(built, kOutOfMemory)) return;
+    d.built = true;
+    d.closed = is_closed(d.mesh);
+    if (flagged) make_use_flags(d.mesh, d.use_flags.data());
+}
+
+void save(const TrimeshData& d, StructureStream& stream)
+{
+    bool flagged = !d.use_flags.empty();
+    Real grain = d.mesh.grain();
+    stream.flag(flagged), stream.real(grain);
+    (void)stream.count(d.mesh.vertex_count(), sizeof(Vec3), "");
+    (void)stream.count(d.mesh.triangle_count(), sizeof(MeshCorners), "");
+    for (int i = 0; i < d.mesh.vertex_count(); ++i) {
+        Vec3 v = d.mesh.vertex(i);
+        stream.vector(v);
+    }
+    for (int t = 0; t < d.mesh.triangle_count(); ++t) {
+        MeshCorners corners = d.mesh.corners(t);
+        stream.bytes(&corners, sizeof corners);
+    }
+}
+
 int preprocess(TrimeshData& d, unsigned requests)
 {
     if (!d.built || !(requests & 1u << dTRIDATAPREPROCESS_BUILD_CONCAVE_EDGES)) return 1;
@@ -181,6 +225,21 @@ int preprocess(TrimeshData& d, unsigned requests)
 }
 
 }  // namespace
+
+TrimeshData* structure(TrimeshData* data, StructureStream& stream)
+{
+    TrimeshData* const d = data ? data : Pool<TrimeshData>::create();
+    if (!stream.demand(d, kOutOfMemory)) return nullptr;
+    bool built = d->built;
+    stream.flag(built);
+    if (built) stream.saves() ? save(*d, stream) : load(*d, stream);
+    if (stream.saves() || !stream.failed()) return d;
+    destroy(d);
+    return nullptr;
+}
+
+void destroy(TrimeshData* data) { Pool<TrimeshData>::destroy(data); }
+
 }  // namespace epode
 
 using namespace epode;

@@ -71,11 +71,17 @@ const char* Polyhedron::build(const Real* points, unsigned count, int max_vertic
     const char* refusal = made.take_hull(all.span(), max_vertices);
     if (refusal == kAllInOnePlane && plates) refusal = made.take_plate(all.span());
     if (refusal) return refusal;
-    if (!made.take_edges() || !made.take_seams() || !made.take_neighbours() || !made.take_lanes())
-        return "out of memory";
-    made.take_inner();
+    if (!made.take_all()) return "out of memory";
     swap(made);
     return nullptr;
+}
+
+// What follows from vertices and faces.
+bool Polyhedron::take_all()
+{
+    if (!take_edges() || !take_seams() || !take_neighbours() || !take_lanes()) return false;
+    take_inner();
+    return true;
 }
 
 void Polyhedron::swap(Polyhedron& other)

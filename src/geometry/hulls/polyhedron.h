@@ -15,6 +15,7 @@
 #pragma once
 
 #include "base/array.h"
+#include "base/streams/structure_stream.h"
 #include "geometry/convex_view.h"
 #include "geometry/dot_lanes.h"
 #include "geometry/inertia.h"
@@ -31,6 +32,8 @@ class Polyhedron {
     const char* build(const Real* points, unsigned count, int max_vertices, bool plates);
 
     void swap(Polyhedron& other);
+    // Of what is loaded, faces are checked to be flat polygons that close (Euler: V - E + F = 2).
+    void structure(StructureStream& stream);
 
     Vec3 centre() const { return centre_; }
     Real size() const { return size_; }  // farthest vertex from the centre
@@ -66,6 +69,8 @@ class Polyhedron {
     void take_inner();
     bool take_neighbours();
     bool take_lanes();
+    bool take_all();
+    bool load_faces(StructureStream& stream);
 
     Array<Vec3> vertices_;
     Array<Face> faces_;

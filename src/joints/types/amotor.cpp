@@ -69,6 +69,12 @@ struct AMotor : LastingJoint {
         for (LimitMotor& m : motor) m.state(*world, stream);
         stream.unusual({{&angle[0], 0}, {&angle[1], 0}, {&angle[2], 0}});
     }
+    void structure(StructureStream& stream)
+    {
+        stream.number(mode, int(dAMotorUser), dAMotorEuler + 1, "an angular motor of an unknown mode");
+        structure_of_axes(stream, count, rel, axis_local);
+        stream.vector(reference1), stream.vector(reference2);
+    }
     void describe(DifWriter& out) const;
 };
 

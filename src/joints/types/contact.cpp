@@ -59,6 +59,8 @@ struct Contact : Joint {
     void write_rolling(RowWriter& out, Vec3 t1, Vec3 t2, Vec3 n) const;
     void tangents(Vec3 n, Vec3& t1, Vec3& t2) const;
     void bound(Row& row, Real coefficient, int approximation) const;
+    void structure(StructureStream& stream);
+    static Joint* make(World& world, StructureStream& stream);
     void describe(DifWriter& out) const;
 };
 
@@ -93,6 +95,33 @@ void Contact::destroy()
 {
     special() ? Pool<SpecialContact>::destroy(static_cast<SpecialContact*>(this))
               : Pool<Contact>::destroy(this);
+}
+
+namespace {
+
+// What a contact joint is made of; mode and mu of `c.surface` first.
+void structure_of_contact(dContact& c, StructureStream& stream)
+{
+    dSurfaceParameters& s = c.surface;
+    stream.number(s.mode, 0, 1 << 16, "a contact joint of an unknown mode");
+    stream.real(s.mu, StructureStream::kInfinite);
+    stream.reals(c.geom.pos, 3), stream.reals(c.geom.normal, 3), stream.real(c.geom.depth);
+    if (!Contact::is_special(s.mode)) return;
+    // What the mode does not name may be anything.
+    stream.bytes(&s.mu2, sizeof(dSurfaceParameters) - offsetof(dSurfaceParameters, mu2));
+    stream.bytes(c.fdir1, 3 * sizeof(Real));
+}
+
+}  // namespace
+
+void Contact::structure(StructureStream& stream)
+{
+    dContact c{};
+    if (special()) c.surface = surface(), std::copy_n(fdir1(), 3, c.fdir1);
+    c.surface.mode = mode, c.surface.mu = mu;
+    store(c.geom.pos, pos), store(c.geom.normal, normal);
+    c.geom.depth = depth;
+    structure_of_contact(c, stream);
 }
 
 void Contact::describe(DifWriter& out) const
@@ -337,6 +366,18 @@ bool usable_contact(const dContact& c)
 }
 
 }  // namespace
+
+Joint* Contact::make(World& world, StructureStream& stream)
+{
+    dContact c{};
+    structure_of_contact(c, stream);
+    if (!stream.demand(usable_contact(c), "a contact joint with a number that it cannot have"))
+        return nullptr;
+    const JointType& type = kContactType;
+    if (is_special(c.surface.mode)) return Pool<SpecialContact>::create(type, world, c);
+    return Pool<Contact>::create(type, world, c);
+}
+
 }  // namespace epode
 
 using namespace epode;

@@ -87,6 +87,7 @@ struct Coupling : CouplingJoint {
     }
 
     void state(StateStream& stream) { stops.state(*world, stream); }
+    void structure(StructureStream& stream) { stream.real(force); }  // members: state/world_structure
     void describe(DifWriter& out) const
     {
         for (int i = 0; i < kMaxCoupledAxes; ++i)

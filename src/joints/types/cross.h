@@ -8,6 +8,7 @@
 // between two planes: exact to rounding all around. Universal and PU joints have it in common.
 #pragma once
 
+#include "base/streams/structure_stream.h"
 #include "joints/describe.h"
 
 namespace epode {
@@ -35,6 +36,10 @@ struct Cross {
         for (int i = 0; i < 2; ++i) epode::describe(out, "qrel", zero[i], i + 1);
     }
     void lock_right_angle(const Joint& j, RowWriter& out) const;
+    void structure(StructureStream& stream)
+    {
+        for (int i = 0; i < 2; ++i) stream.vector(local[i]), stream.quaternion(zero[i]);
+    }
 
   private:
     Quat orientation(const Joint& j, int i) const;

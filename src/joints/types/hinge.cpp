@@ -59,6 +59,10 @@ struct Hinge : LastingJoint {
     bool set_param(int param, Real value) { return motor.set(param, value); }
     bool get_param(int param, Real& value) const { return motor.get(param, value); }
     void state(StateStream& stream) { motor.state(*world, stream); }
+    void structure(StructureStream& stream)
+    {
+        anchor.structure(stream), axis.structure(stream), stream.quaternion(zero);
+    }
     void describe(DifWriter& out) const;
 };
 

@@ -57,6 +57,13 @@ struct Hinge2 : LastingJoint {
         for (LimitMotor& m : motor) m.state(*world, stream);
         suspension.state(*world, stream);
     }
+    void structure(StructureStream& stream)
+    {
+        anchor.structure(stream);
+        for (int i = 0; i < 2; ++i)
+            for (Vec3* v : {&axis_local[i], &across[i], &beyond[i]}) stream.vector(*v);
+        stream.real(s0), stream.real(c0);
+    }
     void describe(DifWriter& out) const;
 };
 

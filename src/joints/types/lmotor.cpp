@@ -61,6 +61,7 @@ struct LMotor : LastingJoint {
     {
         for (LimitMotor& m : motor) m.state(*world, stream);
     }
+    void structure(StructureStream& stream) { structure_of_axes(stream, count, rel, axis_local); }
     void describe(DifWriter& out) const;
 };
 

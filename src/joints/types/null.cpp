@@ -11,6 +11,7 @@ struct Null : LastingJoint {
     static constexpr const char* kDifName = "null_joint";
     Null(const JointType& t, World& w) : LastingJoint(t, w) {}
     void emit(RowWriter&) const {}
+    void structure(StructureStream&) {}
     void describe(DifWriter&) const {}
 };
 

@@ -56,6 +56,10 @@ struct Piston : LastingJoint {
     {
         for (LimitMotor& m : motor) m.state(*world, stream);
     }
+    void structure(StructureStream& stream)
+    {
+        anchor.structure(stream), axis.structure(stream), stream.quaternion(zero);
+    }
     void describe(DifWriter& out) const;
 };
 

@@ -32,6 +32,7 @@ struct Plane2D : LastingJoint {
     {
         for (LimitMotor* m : {&motor_x, &motor_y, &motor_angle}) m->state(*world, stream);
     }
+    void structure(StructureStream&) {}
     void describe(DifWriter& out) const;
 };
 

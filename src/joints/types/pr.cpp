@@ -67,6 +67,11 @@ struct PR : LastingJoint {
     {
         for (LimitMotor& m : motor) m.state(*world, stream);
     }
+    void structure(StructureStream& stream)
+    {
+        anchor.structure(stream), axis.structure(stream);
+        stream.vector(slide_local), stream.quaternion(zero);
+    }
     void describe(DifWriter& out) const;
 };
 

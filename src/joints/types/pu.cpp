@@ -78,6 +78,10 @@ struct PU : LastingJoint {
     {
         for (LimitMotor& m : motor) m.state(*world, stream);
     }
+    void structure(StructureStream& stream)
+    {
+        anchor.structure(stream), arms.structure(stream), stream.vector(slide_local);
+    }
     void describe(DifWriter& out) const;
 };
 

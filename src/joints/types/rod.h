@@ -9,6 +9,7 @@
 // numbers are then those of the frames to come.
 #pragma once
 
+#include "base/streams/structure_stream.h"
 #include "joints/describe.h"
 
 namespace epode {
@@ -30,6 +31,7 @@ struct Rod {
         epode::describe(out, softness);
     }
     void lock(const Joint& j, RowWriter& out) const;
+    void structure(StructureStream& stream) { end.structure(stream), stream.real(length); }
 };
 
 }  // namespace epode

@@ -55,6 +55,10 @@ struct Slider : LastingJoint {
     bool set_param(int param, Real value) { return motor.set(param, value); }
     bool get_param(int param, Real& value) const { return motor.get(param, value); }
     void state(StateStream& stream) { motor.state(*world, stream); }
+    void structure(StructureStream& stream)
+    {
+        stream.vector(axis_local), stream.vector(offset), stream.quaternion(zero);
+    }
     void describe(DifWriter& out) const;
 };
 

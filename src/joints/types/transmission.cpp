@@ -54,6 +54,12 @@ struct Transmission : LastingJoint {
     bool set_param(int param, Real value) { return softness.set(param, value); }
     bool get_param(int param, Real& value) const { return softness.get(param, value); }
     void state(StateStream& stream);
+    void structure(StructureStream& stream)
+    {
+        stream.number(mode, int(dTransmissionParallelAxes), dTransmissionChainDrive + 1,
+                      "a transmission of an unknown mode");
+        anchor.structure(stream);
+    }
     void describe(DifWriter& out) const;
 
   private:

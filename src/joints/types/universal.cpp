@@ -52,6 +52,7 @@ struct Universal : LastingJoint {
     {
         for (LimitMotor& m : motor) m.state(*world, stream);
     }
+    void structure(StructureStream& stream) { anchor.structure(stream), arms.structure(stream); }
     void describe(DifWriter& out) const;
 };
 

@@ -21,6 +21,8 @@ struct NAME : LastingJoint {
     void bodies_changed() { anchor.reattach(*this); }
     bool set_param(int param, Real value) { return softness.set(param, value); }
     bool get_param(int param, Real& value) const { return softness.get(param, value); }
+    void state(StateStream& stream) { softness.state(*world, stream); }    // what steps and programs change
+    void structure(StructureStream& stream) { anchor.structure(stream); }  // the rest, in clones and files
     void describe(DifWriter& out) const { epode::describe(out, anchor); }
 };
 
