@@ -20,5 +20,6 @@
 #include <ode/state.h>
 #include <ode/step_options.h>
 #include <ode/steppers.h>
+#include <ode/world_file.h>
 
 #endif

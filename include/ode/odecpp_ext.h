@@ -47,7 +47,7 @@ struct dIslandStepReportExt : public dIslandStepReport {
 };
 
 /** A world with the additions of ode/step_options.h, ode/report.h, ode/contacts.h, ode/defaults.h,
-    ode/diagnosis.h, ode/steppers.h and ode/state.h. */
+    ode/diagnosis.h, ode/steppers.h, ode/state.h and ode/world_file.h. */
 class dWorldExt : public dWorld {
   public:
     /** All parameters in one call: dWorldUseDefaults. */
@@ -111,6 +111,18 @@ class dWorldExt : public dWorld {
     int diagnose(dDiagnosis* causes, int capacity) const
     {
         return dWorldDiagnose(get_id(), causes, capacity);
+    }
+
+    /** Copies: dWorldClone, dWorldCountHandles, dWorldSave, dWorldSaveToBuffer. */
+    dWorldID clone(dSpaceID* space, dHandlePair* table, int capacity) const
+    {
+        return dWorldClone(get_id(), space, table, capacity);
+    }
+    int countHandles(dSpaceID space) const { return dWorldCountHandles(get_id(), space); }
+    int save(dSpaceID space, const char* path) const { return dWorldSave(get_id(), space, path); }
+    size_t saveToBuffer(dSpaceID space, void* buffer, size_t capacity) const
+    {
+        return dWorldSaveToBuffer(get_id(), space, buffer, capacity);
     }
 
     /** World-managed contacts: dWorldSetContactSpace, dWorldSetContactFilter, dWorldGetContactEvents,

@@ -105,6 +105,7 @@ LEFT_OUT = {
     r"d(World|Body|Joint|Geom)[GS]etData": _DATA,
     r"dGeomGetClassData|dCreateGeom(Class)?|dSetColliderOverride":
         "classes of the program's own: colliders in Python would hold the interpreter in every step",
+    r"dWorld(Clone|CountHandles|Save|Load)\w*": "copies of worlds are not bound yet",
     r"dDiagnosisText": "the last element of what dWorldDiagnose returns",
     r"d(Timer|Stopwatch)\w+": "timers: Python's own are better",
     r"dWorldExportDIF": "writes to a C FILE",

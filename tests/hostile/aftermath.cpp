@@ -3,6 +3,7 @@
 #include "aftermath.h"
 
 #include <cstring>
+#include <vector>
 
 namespace hostile {
 namespace {
@@ -24,6 +25,23 @@ void free_memory(const Function& f, const Value* arguments, const Result& result
     }
 }
 
+// A clone, its space, and geoms of its bodies that are in none.
+void destroy_clone(void* made, const void* space_pointer)
+{
+    const auto world = static_cast<dWorldID>(made);
+    const dSpaceID space =
+        space_pointer ? *static_cast<const dSpaceID*>(space_pointer) : dWorldGetContactSpace(world);
+    std::vector<dGeomID> loose;
+    std::vector<dBodyID> bodies(std::size_t(dWorldGetBodies(world, nullptr, 0)));
+    dWorldGetBodies(world, bodies.data(), int(bodies.size()));
+    for (const dBodyID body : bodies)
+        for (dGeomID geom = dBodyGetFirstGeom(body); geom; geom = dBodyGetNextGeom(geom))
+            if (!dGeomGetSpace(geom)) loose.push_back(geom);
+    dWorldDestroy(world);
+    for (const dGeomID geom : loose) dGeomDestroy(geom);
+    if (space) dSpaceDestroy(space);
+}
+
 // Which function takes back what those whose names contain `part` make.
 struct Maker {
     const char* part;
@@ -43,6 +61,7 @@ constexpr Maker kMakers[] = {
     {"CooperativeCreate", with<dCooperativeDestroy, dCooperativeID>},
     {"ResourceRequirementsC", with<dResourceRequirementsDestroy, dResourceRequirementsID>},
     {"ResourceContainerAcquire", with<dResourceContainerDestroy, dResourceContainerID>},
+    {"WorldLoad", with<dWorldDestroy, dWorldID>},
     {"WorldCreate", with<dWorldDestroy, dWorldID>},
     {"JointGroupCreate", with<dJointGroupDestroy, dJointGroupID>},
     {"SpaceCreate", with<dSpaceDestroy, dSpaceID>},
@@ -79,6 +98,8 @@ void give_back(const Function& f, const Value* arguments, const Result& result)
 {
     free_memory(f, arguments, result);
     if (!result.pointer) return;
+    if (contains(f.name, "WorldClone"))
+        return destroy_clone(const_cast<void*>(result.pointer), arguments[1].pointer);
     for (const Maker& maker : kMakers)
         if (contains(f.name, maker.part)) return maker.take_back(const_cast<void*>(result.pointer));
 }

@@ -646,6 +646,19 @@ inline const std::vector<Item<int>>& pointed_ints()
     return list;
 }
 
+// Of files. Nothing may be written over a device.
+inline const std::vector<Item<const char*>>& paths(const char* good)
+{
+    static const std::string long_path(5000, '/');
+    static std::vector<Item<const char*>> all = {{good, Trait::kFine, "a file"},
+                                                 {"/dev/null", Trait::kStrange, "/dev/null"},
+                                                 {"/nowhere/at/all", Trait::kStrange, "/nowhere"},
+                                                 {"", Trait::kStrange, "\"\""},
+                                                 {long_path.c_str(), Trait::kStrange, "5000 /"}};
+    all[0].value = good;
+    return all;
+}
+
 inline const std::vector<Item<const char*>>& texts(bool formats)
 {
     static const std::string long_text(5000, 'x');

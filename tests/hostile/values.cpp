@@ -97,6 +97,30 @@ void* state_of(dWorldID world, Kind kind)
     return delta.data();
 }
 
+// A world of one body, as bytes and as a file to be loaded, and the name of one to be saved.
+struct WorldFile {
+    std::array<unsigned char, kStateRoom> bytes{};
+    const char* const loaded = "hostile_loaded.epw";
+    const char* const saved = "hostile_saved.epw";
+    WorldFile()
+    {
+        const dWorldID world = dWorldCreate();
+        dBodyCreate(world);
+        (void)dWorldSaveToBuffer(world, nullptr, bytes.data(), bytes.size());
+        (void)dWorldSave(world, nullptr, loaded);
+        dWorldDestroy(world);
+    }
+    ~WorldFile() { std::remove(loaded), std::remove(saved); }
+    WorldFile(const WorldFile&) = delete;
+    WorldFile& operator=(const WorldFile&) = delete;
+};
+
+WorldFile& world_file()
+{
+    static WorldFile file;
+    return file;
+}
+
 constexpr std::size_t kMostContacts = 65536;
 constexpr int kWrongHandles = 15, kHandleLists = 3;
 
@@ -194,6 +218,9 @@ int Values::count(Kind kind)
             return kHandleLists + 1;
         case Kind::kText:
             return int(texts(false).size()) + 1;
+        case Kind::kSavePath:
+        case Kind::kLoadPath:
+            return int(paths("").size()) + 1;
         case Kind::kFormat:
             return int(texts(true).size()) + 1;
         case Kind::kIndices:
@@ -219,6 +246,8 @@ int Values::count(Kind kind)
         case Kind::kState:
         case Kind::kStateDelta:
         case Kind::kStateRoom:
+        case Kind::kWorldFile:
+        case Kind::kSpacePointer:
         case Kind::kBlock:
         case Kind::kJointList:
         case Kind::kFeedback:
@@ -414,8 +443,13 @@ Value Values::memory(Kind kind, int index, int position)
         case Kind::kFaces:
             return item(faces());
         case Kind::kText:
+        case Kind::kSavePath:
+        case Kind::kLoadPath:
         case Kind::kFormat: {
-            const auto& chosen = texts(kind == Kind::kFormat)[std::size_t(index)];
+            const auto& list = kind == Kind::kSavePath   ? paths(world_file().saved)
+                               : kind == Kind::kLoadPath ? paths(world_file().loaded)
+                                                         : texts(kind == Kind::kFormat);
+            const auto& chosen = list[std::size_t(index)];
             v.pointer = const_cast<char*>(chosen.value);
             v.trait = chosen.trait;
             v.text = chosen.text;
@@ -459,6 +493,14 @@ Value Values::memory(Kind kind, int index, int position)
             return v;
         case Kind::kData:
             v.pointer = g_letters;
+            return v;
+        case Kind::kSpacePointer:
+            static void* space;
+            space = scene_.live[std::size_t(Kind::kSpace)][0];
+            v.pointer = &space;
+            return v;
+        case Kind::kWorldFile:
+            v.pointer = world_file().bytes.data();
             return v;
         case Kind::kState:
         case Kind::kStateDelta:

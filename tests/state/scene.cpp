@@ -22,7 +22,7 @@ void hear(int, const char* format, va_list arguments)
 
 void touch(void* data, dGeomID a, dGeomID b)
 {
-    auto& scene = *static_cast<Scene*>(data);
+    const auto& scene = *static_cast<const Running*>(data);
     if (dGeomIsSpace(a) || dGeomIsSpace(b)) return;
     const dBodyID body1 = dGeomGetBody(a), body2 = dGeomGetBody(b);
     if (body1 && body2 && dAreConnectedExcluding(body1, body2, dJointTypeContact)) return;
@@ -232,14 +232,16 @@ void step_with(Stepper stepper, dWorldID world, dReal h, int small_steps)
     }
 }
 
-void Scene::step()
+void Scene::step() { running().step(); }
+
+void Running::step() const
 {
-    if (!setting.managed) dSpaceCollide(space, this, touch);
-    step_with(setting.stepper, world, kH, 4);
+    if (!managed) dSpaceCollide(space, const_cast<Running*>(this), touch);
+    step_with(stepper, world, kH, 4);
     dJointGroupEmpty(contacts);
 }
 
-Bytes Scene::save() const
+Bytes state_of(dWorldID world)
 {
     Bytes state(dWorldGetStateSize(world));
     EXPECT_EQ(dWorldGetState(world, state.data(), state.size()), 1) << Messages::last();

@@ -35,6 +35,18 @@ struct Setting {
 
 using Bytes = std::vector<unsigned char>;
 
+// What it takes to step a world, a copy of a scene's too.
+struct Running {
+    dWorldID world;
+    dSpaceID space;
+    dJointGroupID contacts;
+    Stepper stepper;
+    bool managed;
+    void step() const;  // contact joints are gone afterwards
+};
+
+Bytes state_of(dWorldID world);
+
 class Scene {
   public:
     explicit Scene(const Setting& setting);
@@ -48,7 +60,8 @@ class Scene {
         for (int i = 0; i < count; ++i) step();
     }
 
-    Bytes save() const;
+    Running running() const { return {world, space, contacts, setting.stepper, setting.managed}; }
+    Bytes save() const { return state_of(world); }
     bool load(const Bytes& state) const { return dWorldSetState(world, state.data(), state.size()) == 1; }
 
     int asleep() const;

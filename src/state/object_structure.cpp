@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "state/object_structure.h"
+
+#include "base/check.h"
+#include "collide/space.h"
+#include "collide/transform.h"
+#include "contacts/material.h"
+#include "ode/shapes.h"
+#include "step/hybrid.h"
+#include "step/step.h"
+
+namespace epode {
+namespace {
+
+constexpr auto kInfinite = StructureStream::kInfinite;
+
+void sleep_rule(SleepRule& rule, StructureStream& stream)
+{
+    stream.real(rule.linear_threshold2, kInfinite, 0), stream.real(rule.angular_threshold2, kInfinite, 0);
+    stream.number(rule.steps), stream.real(rule.time, kInfinite);
+    stream.number(rule.samples, 0, (1 << 20) + 1, "a body in it averages over too many samples");
+}
+
+void damping_rule(DampingRule& rule, StructureStream& stream)
+{
+    stream.real(rule.linear_scale), stream.real(rule.angular_scale);
+    stream.real(rule.linear_threshold2, kInfinite, 0), stream.real(rule.angular_threshold2, kInfinite, 0);
+}
+
+constexpr const char* kStepper = "an unknown stepper";
+
+void solver_settings(World& w, StructureStream& stream)
+{
+    stream.number(w.quick_iterations, std::numeric_limits<int>::min(), 100001, "too many iterations");
+    stream.real(w.quick_w), stream.real(w.warm_starting, StructureStream::kFinite, 0);
+    for (bool* on : {&w.friction_cone, &w.manifold_friction, &w.exact_rotation, &w.report_wanted})
+        stream.flag(*on);
+    stream.number(w.auto_enable_depth);
+    stream.number(w.exact_substeps, 1, 1001, "too many substeps");
+    stream.number(w.projection_iterations, 0, 101, "too many iterations of the projection");
+    stream.real(w.projection_tolerance, StructureStream::kFinite, 0);
+    stream.number(w.hybrid_stepper), stream.demand(is_stepper(w.hybrid_stepper), kStepper);
+    stream.number(w.hybrid_substeps, 1, kMaxSubsteps + 1, "too many substeps");
+    stream.number(w.islands_max_threads), stream.number(w.step_threads, 0, 65, "too many threads");
+}
+
+// Rings of velocities, so that no body needs more memory than it has bytes.
+void samples(Body& body, StructureStream& stream)
+{
+    int count = body.sleep.samples;
+    if (stream.loads() && std::size_t(count) * sizeof(Vec3) > stream.left() && count > 1)
+        return stream.fail("a body in it averages over %d samples that are not there", count);
+    if (stream.loads() && !stream.demand(set_sleep_samples(body, count), kOutOfMemory)) return;
+    for (int i = 0; count > 1 && i < count; ++i)
+        stream.vector(body.sample_v[i]), stream.vector(body.sample_w[i]);
+}
+
+void material(Geom& geom, StructureStream& stream)
+{
+    bool has = geom.material != nullptr;
+    stream.flag(has);
+    if (!has || stream.failed()) return;
+    dMaterial m = material_of(geom);
+    stream.real(m.friction, kInfinite), stream.real(m.bounce), stream.real(m.bounce_speed, kInfinite);
+    stream.reals(m.surface_velocity, 3);
+    for (Real* number : {&m.rolling_friction, &m.compliance, &m.damping_time}) stream.real(*number);
+    for (int* rule : {&m.friction_rule, &m.bounce_rule, &m.rolling_friction_rule}) stream.number(*rule);
+    if (stream.saves() || stream.failed()) return;
+    if (stream.demand(usable_material(m), "a material in it has a number that it cannot have"))
+        stream.demand(set_material(geom, &m), kOutOfMemory);
+}
+
+}  // namespace
+
+void structure_of_settings(World& w, StructureStream& stream)
+{
+    stream.vector(w.gravity);
+    stream.real(w.erp), stream.real(w.cfm, StructureStream::kFinite, 0);
+    stream.real(w.contact_max_vel, kInfinite), stream.real(w.contact_layer);
+    solver_settings(w, stream);
+    stream.flag(w.auto_disable);
+    sleep_rule(w.sleep, stream), damping_rule(w.damping, stream);
+    stream.real(w.max_angular_speed, kInfinite, 0);
+    stream.pointer(w.data);
+}
+
+void structure_of_body(Body& body, StructureStream& stream)
+{
+    dMass mass = body.mass;
+    stream.real(mass.mass), stream.reals(mass.c, 3), stream.reals(mass.I, 12);
+    damping_rule(body.damping, stream), sleep_rule(body.sleep, stream);
+    samples(body, stream);
+    stream.real(body.max_angular_speed, kInfinite, 0);
+    stream.number(body.hybrid.requested), stream.demand(is_stepper(body.hybrid.requested), kStepper);
+    stream.pointer(body.data);
+    if (stream.saves() || stream.failed()) return;
+    stream.demand(set_mass(body, mass), "a mass in it is no rigid body's");
+}
+
+void structure_of_pose(Real* position, Real* rotation, StructureStream& stream)
+{
+    stream.reals(position, 3);
+    for (int row = 0; row < 3; ++row) stream.reals(rotation + 4 * row, 3);
+}
+
+void structure_of_geom(Geom& geom, StructureStream& stream)
+{
+    std::uint8_t continuous = geom.continuous;
+    std::uint64_t category = geom.category, collide = geom.collide;
+    bool posed = geom.type->placeable && !geom.body.id && !is_space(geom);
+    stream.flag(geom.enabled);
+    stream.number(continuous, std::uint8_t(0), std::uint8_t(dContinuousIgnored + 1),
+                  "a geom of an unknown mode");
+    stream.number(category), stream.number(collide);
+    stream.flag(posed);
+    if (posed) structure_of_pose(geom.own_position, geom.own_rotation, stream);
+    material(geom, stream);
+    stream.pointer(geom.data);
+    if (stream.saves()) return;
+    geom.category = static_cast<unsigned long>(category), geom.collide = static_cast<unsigned long>(collide);
+    const bool may_be = continuous != dContinuousOn || geom.type->half_thickness || as_transform(geom);
+    if (stream.demand(may_be && (!continuous || !is_space(geom)), "a geom that cannot be continuous is"))
+        set_continuous(geom, continuous);
+}
+
+}  // namespace epode

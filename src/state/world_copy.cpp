@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "state/world_copy.h"
+
+#include <cstdio>
+
+#include "base/check.h"
+#include "base/streams/checksum.h"
+#include "state/world_archive.h"
+#include "state/world_file.h"
+#include "state/world_structure.h"
+
+namespace epode {
+namespace {
+
+using Use = StructureStream::Use;
+using Text = std::span<char>;
+
+const char* put(Text text, const char* wrong)
+{
+    std::snprintf(text.data(), text.size(), "%s", wrong);
+    return text.data();
+}
+
+const char* append_state(World& world, Array<std::byte>& out, Seal with)
+{
+    WorldArchive* const archive = archive_of(world);
+    std::size_t size = 0;
+    if (!archive || !archive->state.prepare() || !archive->state.measure(size)) return kOutOfMemory;
+    const std::size_t end = std::size_t(out.size()) + size;
+    if (end > std::size_t(std::numeric_limits<int>::max() / 2)) return "the world is too large for one file";
+    const int begin = out.size();
+    if (!out.reserve(int(end))) return kOutOfMemory;
+    (void)out.extend(int(size));
+    archive->state.write(out.data() + begin, with);
+    return nullptr;
+}
+
+// Builds a world and gives it its state.
+const char* build(std::span<const std::byte> structure, std::span<const std::byte> state, Use use, Seal with,
+                  WorldCopy& out, HandleTable table, Text text)
+{
+    ShapeStream stream(structure, use);
+    WorldStructure made(stream);
+    World* const world = made.load();
+    if (!world) return put(text, stream.text());
+    const char* wrong = nullptr;
+    WorldState states(*world);
+    if (stream.left() >= 8)
+        wrong = "it has more bytes than a world";
+    else if (!states.prepare())
+        wrong = kOutOfMemory;
+    else
+        wrong = states.set(state.data(), state.size(), with);
+    if (wrong) {
+        wrong = put(text, wrong);  // before its memory goes
+        made.discard();
+        return wrong;
+    }
+    table.write(made, 1);
+    out = {world, made.space()};
+    return nullptr;
+}
+
+}  // namespace
+
+void HandleTable::write(const WorldStructure& from, int column) const
+{
+    int row = 0;
+    const auto put_all = [&](const auto& objects) {
+        for (const auto* object : objects) {
+            if (row >= capacity) return;
+            void*& place = column == 0 ? pairs[row].original : pairs[row].copy;
+            place = to_handle(object);
+            ++row;
+        }
+    };
+    put_all(std::span<World* const>(&from.world(), 1));
+    put_all(from.bodies()), put_all(from.joints()), put_all(from.geoms());
+}
+
+const char* clone_world(World& world, Space* space, WorldCopy& out, HandleTable table, char* text,
+                        std::size_t text_size)
+{
+    Array<std::byte> bytes;
+    ShapeStream stream(bytes, Use::kClone);
+    WorldStructure original(world, space, stream);
+    if (original.gather()) original.save();
+    if (stream.failed()) return put({text, text_size}, stream.text());
+    const std::size_t end = std::size_t(bytes.size());
+    if (const char* wrong = append_state(world, bytes, Seal::kUnsealed)) return wrong;
+    const std::span<const std::byte> all = bytes.span();
+    const char* const wrong =
+        build(all.first(end), all.subspan(end), Use::kClone, Seal::kUnsealed, out, table, {text, text_size});
+    if (!wrong) table.write(original, 0);
+    return wrong;
+}
+
+const char* save_world(World& world, Space* space, Array<std::byte>& out, char* text, std::size_t text_size)
+{
+    if (!out.resize(sizeof(WorldFileHeader))) return kOutOfMemory;
+    ShapeStream stream(out, Use::kFile);
+    WorldStructure original(world, space, stream);
+    if (original.gather()) original.save();
+    if (stream.failed()) return put({text, text_size}, stream.text());
+    const int padding = -out.size() & 7;
+    if (!out.resize(out.size() + padding)) return kOutOfMemory;
+    const std::size_t structure = std::size_t(out.size());
+    if (const char* wrong = append_state(world, out, Seal::kSealed)) return wrong;
+    seal_file(out.span(), structure);
+    return nullptr;
+}
+
+const char* load_world(std::span<const std::byte> file, WorldCopy& out, char* text, std::size_t text_size)
+{
+    WorldFileHeader header;
+    if (const char* wrong = read_file_header(file, header, text, text_size)) return wrong;
+    const std::span<const std::byte> structure = file.subspan(sizeof header, header.structure_size);
+    const std::span<const std::byte> state =
+        file.subspan(sizeof header + structure.size(), header.state_size);
+    return build(structure, state, Use::kFile, Seal::kSealed, out, {}, {text, text_size});
+}
+
+int count_handles(World& world, Space* space, char* text, std::size_t text_size)
+{
+    Array<std::byte> bytes;
+    ShapeStream stream(bytes, Use::kClone);
+    WorldStructure original(world, space, stream);
+    if (!original.gather()) return put({text, text_size}, stream.text()), 0;
+    return 1 + int(original.bodies().size() + original.joints().size() + original.geoms().size());
+}
+
+}  // namespace epode

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Files that are no worlds, and clones and files without memory: refused, with nothing left behind.
+#include <cstdlib>
+
+#include "../effort.h"
+#include "checksum.h"
+#include "copy_scene.h"
+
+namespace epode::states {
+namespace {
+
+constexpr std::size_t kHeader = 32;
+
+void seal(Bytes& file)
+{
+    std::uint64_t structure;
+    std::memcpy(&structure, &file[8], 8);
+    const std::uint64_t content = file.size() - kHeader;
+    structure = std::min(structure, content);
+    const std::uint64_t state = content - structure, sum = checksum(&file[kHeader], content);
+    std::memcpy(&file[8], &structure, 8), std::memcpy(&file[16], &state, 8), std::memcpy(&file[24], &sum, 8);
+}
+
+dWorldID load(const Bytes& file, dSpaceID* space = nullptr)
+{
+    return dWorldLoadFromBuffer(file.data(), file.size(), space);
+}
+
+void expect_refused(const Bytes& file, const char* text)
+{
+    const int heard = Messages::count();
+    EXPECT_EQ(load(file), nullptr) << text;
+    EXPECT_EQ(Messages::count(), heard + 1);
+    EXPECT_NE(Messages::last().find(text), std::string::npos) << Messages::last();
+}
+
+TEST(WorldFileRefusals, name_the_first_thing_wrong)
+{
+    const Messages messages;
+    RichScene scene({.piles = 1});
+    const Bytes file = file_of(scene.world, scene.space);
+    Bytes other = file;
+    other[0] ^= 1;
+    expect_refused(other, "these bytes are no world");
+    other = file, other[4] = 9;
+    expect_refused(other, "a world of version 9; this library reads versions up to 1");
+    other = file, other[6] = sizeof(dReal) == 8 ? 4 : 8;
+    expect_refused(other, "a world with numbers of");
+    other = file, other[file.size() / 2] ^= 4;
+    expect_refused(other, "checksum");
+    other.resize(file.size() - 8);
+    expect_refused(other, "of which");
+    other.resize(10);
+    expect_refused(other, "10 bytes are no world");
+    other = file, other[kHeader] = other[kHeader + 7] = 0xff, other[kHeader + 6] = 0xff, seal(other);
+    expect_refused(other, "not finite");
+    dSpaceID space = reinterpret_cast<dSpaceID>(scene.grounds[0]);
+    EXPECT_EQ(dWorldClone(scene.world, &space, nullptr, 0), nullptr);
+    EXPECT_NE(Messages::last().find("not a space"), std::string::npos) << Messages::last();
+    const dSpaceID elsewhere = dSimpleSpaceCreate(nullptr);
+    space = elsewhere;
+    EXPECT_EQ(dWorldClone(scene.world, &space, nullptr, 0), nullptr);
+    EXPECT_EQ(space, elsewhere);
+    EXPECT_NE(Messages::last().find("contact space"), std::string::npos) << Messages::last();
+    dSpaceDestroy(elsewhere);
+}
+
+void try_in_step(dBodyID body)
+{
+    const dWorldID world = dBodyGetWorld(body);
+    EXPECT_EQ(dWorldClone(world, nullptr, nullptr, 0), nullptr);
+    EXPECT_EQ(dWorldCountHandles(world, nullptr), 0);
+    EXPECT_EQ(dWorldSaveToBuffer(world, nullptr, nullptr, 0), 0u);
+    EXPECT_EQ(dWorldSave(world, nullptr, "never"), 0);
+    EXPECT_NE(Messages::last().find("during a step"), std::string::npos);
+}
+
+TEST(WorldFileRefusals, during_a_step)
+{
+    const Messages messages;
+    Scene scene({.piles = 1});
+    dBodySetMovedCallback(scene.bodies[0], try_in_step);
+    scene.step();
+    EXPECT_EQ(Messages::count(), 4);
+}
+
+void destroy(dWorldID world, dSpaceID space)
+{
+    const Running running{world, space, dJointGroupCreate(0), Stepper::kSmallSteps, true};
+    for (int i = 0; i < 2; ++i) running.step();
+    dJointGroupDestroy(running.contacts);
+    dWorldDestroy(world);
+    if (space) dSpaceDestroy(space);
+}
+
+void mutate(Bytes& file, std::mt19937& random)
+{
+    const auto place = [&] { return kHeader + random() % (file.size() - kHeader); };
+    switch (random() % 5) {
+        case 0:
+            file[place()] ^= static_cast<unsigned char>(1u << random() % 8);
+            break;
+        case 1:
+            file[place()] = static_cast<unsigned char>(random());
+            break;
+        case 2: {
+            const std::uint32_t words[] = {
+                0, ~0u, 1, 0x7fffffff, 0x80000000, 0x7ff00000, std::uint32_t(random())};
+            std::memcpy(&file[std::min(place(), file.size() - 4)], &words[random() % 7], 4);
+            break;
+        }
+        case 3:
+            file.resize(file.size() - 8 * (random() % 4));
+            break;
+        default: {
+            const std::size_t from = place(), to = place();
+            std::memmove(&file[to], &file[from], std::min(file.size() - std::max(from, to), std::size_t(24)));
+        }
+    }
+}
+
+int mutations()
+{
+    const char* wanted = std::getenv("EPODE_STATE_MUTATIONS");
+    return wanted ? std::atoi(wanted) / 4 : tests::effort(1500);
+}
+
+// Changed bytes under a right checksum: somebody wants to do harm.
+TEST(HostileWorldFiles, are_refused_or_taken_without_harm)
+{
+    const Messages messages;
+    std::mt19937 random(11);
+    RichScene scene({.stepper = Stepper::kSmallSteps, .piles = 2});
+    scene.steps(20);
+    const Bytes good = file_of(scene.world, scene.space);
+    int taken = 0, refused = 0;
+    for (int i = 0; i < mutations(); ++i) {
+        Bytes file = good;
+        mutate(file, random);
+        seal(file);
+        dSpaceID space = nullptr;
+        const int heard = Messages::count();
+        if (const dWorldID world = load(file, &space)) {
+            destroy(world, space);
+            ++taken;
+        } else {
+            ++refused;
+            ASSERT_EQ(Messages::count(), heard + 1);
+        }
+    }
+    EXPECT_GT(taken, mutations() / 20);
+    EXPECT_GT(refused, mutations() / 20);
+    EXPECT_TRUE(file_of(scene.world, scene.space) == good);
+}
+
+// Of memory: what is allowed, what is in use.
+long g_left = -1, g_live = 0;
+
+void* alloc(dsizeint size)
+{
+    if (g_left == 0) return nullptr;
+    if (g_left > 0) --g_left;
+    ++g_live;
+    return std::malloc(size);
+}
+
+void* grow(void* block, dsizeint, dsizeint size)
+{
+    if (g_left == 0) return nullptr;
+    if (g_left > 0) --g_left;
+    return std::realloc(block, size);
+}
+
+void give(void* block, dsizeint)
+{
+    if (block) --g_live;
+    std::free(block);
+}
+
+// Calls it with more and more allocations that succeed, until it does. Pools keep the memory of their
+// objects, so what is in use is compared with what was when the same objects had been there before.
+template <typename Make>
+void expect_clean_failures(const RichScene& scene, Make&& make)
+{
+    const Bytes before = file_of(scene.world, scene.space);
+    ASSERT_TRUE(make());  // pools are filled now
+    int failures = 0;
+    for (long allowed = 0; allowed < 4000; ++allowed) {
+        const long live = g_live;
+        g_left = allowed;
+        const bool made = make();
+        g_left = -1;
+        if (made) break;
+        ++failures;
+        ASSERT_NE(Messages::last().find("out of memory"), std::string::npos) << Messages::last();
+        ASSERT_EQ(g_live, live) << "after " << allowed << " allocations";
+    }
+    EXPECT_GT(failures, 10);
+    EXPECT_TRUE(file_of(scene.world, scene.space) == before);
+}
+
+TEST(CopiesWithoutMemory, leave_nothing_behind)
+{
+    dSetAllocHandler(&alloc), dSetReallocHandler(&grow), dSetFreeHandler(&give);
+    {
+        const Messages messages;
+        RichScene scene({.stepper = Stepper::kSmallSteps, .piles = 1});
+        scene.steps(10);
+        const Bytes file = file_of(scene.world, scene.space);
+        expect_clean_failures(scene, [&] {
+            std::vector<dHandlePair> table(400);
+            dSpaceID space = scene.space;
+            const dWorldID world = dWorldClone(scene.world, &space, table.data(), 400);
+            if (!world) return false;
+            const Copy whole(scene, world, space, false);
+            return true;
+        });
+        expect_clean_failures(scene, [&] {
+            dSpaceID space = nullptr;
+            const dWorldID world = load(file, &space);
+            if (!world) return false;
+            const Copy whole(scene, world, space, true);
+            return true;
+        });
+        expect_clean_failures(
+            scene, [&] { return dWorldSaveToBuffer(scene.world, scene.space, nullptr, 0) == file.size(); });
+    }
+    dSetAllocHandler(nullptr), dSetReallocHandler(nullptr), dSetFreeHandler(nullptr);
+}
+
+}  // namespace
+}  // namespace epode::states

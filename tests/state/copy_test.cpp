@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A clone and what is loaded from a file go on with the bits of the original, on every stepper, and describe
+// themselves in the same words.
+#include <cstdio>
+#include <fstream>
+
+#include "copy_scene.h"
+
+namespace epode::states {
+namespace {
+
+struct Case {
+    Setting setting;
+    bool file;
+};
+
+class Copies : public testing::TestWithParam<Case> {};
+
+TEST_P(Copies, go_on_with_the_same_bits)
+{
+    const Messages messages;
+    RichScene scene(GetParam().setting);
+    for (const int before : {0, 40, 60}) {
+        scene.steps(before);
+        const Copy copy = GetParam().file ? Copy::loaded(scene) : Copy::cloned(scene);
+        ASSERT_TRUE(copy.running.world);
+        EXPECT_EQ(text_of(copy.running.world), text_of(scene.world));
+        ASSERT_EQ(difference(state_of(copy.running.world), scene.save()), "") << "after " << before;
+        const Bytes start = scene.save();
+        for (int i = 0; i < 40; ++i) {
+            scene.step(), copy.running.step();
+            ASSERT_EQ(difference(state_of(copy.running.world), scene.save()), "") << before << ", step " << i;
+        }
+        ASSERT_TRUE(scene.load(start)) << Messages::last();
+    }
+    EXPECT_EQ(Messages::count(), 0) << Messages::last();
+}
+
+std::vector<Case> cases()
+{
+    std::vector<Case> all;
+    for (const Stepper stepper : kSteppers)
+        for (const bool managed : {true, false})
+            for (const bool file : {true, false})
+                all.push_back({{.stepper = stepper, .managed = managed, .piles = 4}, file});
+    all.push_back({{.stepper = Stepper::kQuick, .exact_rotation = true, .piles = 2, .threads = 3}, true});
+    return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Settings, Copies, testing::ValuesIn(cases()), [](const auto& one) {
+    const Case& c = one.param;
+    return std::string(name_of(c.setting.stepper)) + (c.setting.managed ? "_managed" : "_joints") +
+           (c.file ? "_file" : "_clone") + (c.setting.threads > 1 ? "_threads" : "");
+});
+
+// A copy of a copy is the same file: nothing gets lost on the way.
+TEST(Files, of_copies_have_the_same_bytes)
+{
+    const Messages messages;
+    RichScene scene({.stepper = Stepper::kSmallSteps});
+    scene.steps(30);
+    const Bytes file = file_of(scene.world, scene.space);
+    const Copy loaded = Copy::loaded(scene), clone = Copy::cloned(scene);
+    EXPECT_EQ(difference(file_of(loaded.running.world, loaded.running.space), file), "");
+    EXPECT_EQ(difference(file_of(clone.running.world, clone.running.space), file), "");
+    EXPECT_EQ(Messages::count(), 0) << Messages::last();
+}
+
+TEST(Clones, have_a_table_of_handles_and_share_meshes_and_user_data)
+{
+    RichScene scene({.piles = 1});
+    int mine = 0;
+    dBodySetData(scene.bodies[2], &mine);
+    std::vector<dHandlePair> table(std::size_t(dWorldCountHandles(scene.world, scene.space)));
+    dSpaceID space = scene.space;
+    const dWorldID clone = dWorldClone(scene.world, &space, table.data(), int(table.size()));
+    ASSERT_EQ(table[0].original, scene.world);
+    ASSERT_EQ(table[0].copy, clone);
+    const auto copy_of = [&](void* original) -> void* {
+        for (const dHandlePair& pair : table)
+            if (pair.original == original) return pair.copy;
+        return nullptr;
+    };
+    const auto body = static_cast<dBodyID>(copy_of(scene.bodies[2]));
+    ASSERT_TRUE(body);
+    EXPECT_EQ(dBodyGetWorld(body), clone);
+    EXPECT_EQ(dBodyGetData(body), &mine);
+    EXPECT_EQ(copy_of(dBodyGetFirstGeom(scene.bodies[2])), dBodyGetFirstGeom(body));
+    for (const dJointID joint : scene.joints) EXPECT_TRUE(copy_of(joint));
+    EXPECT_EQ(dGeomTriMeshGetData(static_cast<dGeomID>(copy_of(scene.grounds[2]))),
+              dGeomTriMeshGetData(scene.grounds[2]));
+    EXPECT_EQ(copy_of(scene.space), space);
+    EXPECT_EQ(dWorldGetContactSpace(clone), space);
+    dWorldDestroy(clone), dSpaceDestroy(space);
+    scene.steps(2);
+}
+
+TEST(Files, are_written_whole_and_read_again)
+{
+    const Messages messages;
+    RichScene scene({.stepper = Stepper::kQuick, .piles = 1});
+    const std::string path = testing::TempDir() + "epode_world_file_test.epw";
+    ASSERT_EQ(dWorldSave(scene.world, scene.space, path.c_str()), 1) << Messages::last();
+    ASSERT_EQ(dWorldSave(scene.world, 0, path.c_str()), 1) << "over the old one";
+    dSpaceID space = nullptr;
+    const dWorldID world = dWorldLoad(path.c_str(), &space);
+    ASSERT_TRUE(world) << Messages::last();
+    EXPECT_EQ(difference(state_of(world), scene.save()), "");
+    EXPECT_EQ(dWorldGetContactSpace(world), space);
+    dWorldDestroy(world), dSpaceDestroy(space);
+    EXPECT_EQ(Messages::count(), 0) << Messages::last();
+    EXPECT_EQ(dWorldSave(scene.world, 0, "/nowhere/at/all"), 0);
+    EXPECT_NE(Messages::last().find("No such file"), std::string::npos) << Messages::last();
+    EXPECT_EQ(dWorldLoad("/nowhere/at/all", nullptr), nullptr);
+    EXPECT_EQ(dWorldLoad("/dev/zero", nullptr), nullptr);
+    EXPECT_NE(Messages::last().find("regular file"), std::string::npos) << Messages::last();
+    std::remove(path.c_str());
+}
+
+}  // namespace
+}  // namespace epode::states
