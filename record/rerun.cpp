@@ -29,14 +29,18 @@ constexpr int kMostSteps = 10000, kMostSweeps = 10000000, kMostSamples = 10000;
 // would else be paid in every step that follows.
 constexpr std::int64_t kMeanSweeps = 100000;
 
+// Of all bodies together: 48 bytes each.
+constexpr std::int64_t kMostSamplesTogether = 1000000;
+
 struct Bound {
     const char* name;
     int least, most;  // of the call's last argument
 };
+constexpr const char* kBodySamples = "dBodySetAutoDisableAverageSamplesCount";
 constexpr Bound kBounds[] = {
     {"dWorldSetQuickStepNumIterations", INT_MIN, kMostSweeps},
     {"dWorldSetAutoDisableAverageSamplesCount", 0, kMostSamples},
-    {"dBodySetAutoDisableAverageSamplesCount", 0, kMostSamples},
+    {kBodySamples, 0, kMostSamples},
 };
 
 void* find(const std::string& name) { return dlsym(RTLD_DEFAULT, name.c_str()); }
@@ -290,6 +294,12 @@ bool Rerun::destroy(const std::string& name, const std::vector<Argument>& argume
     return true;
 }
 
+bool Rerun::take_samples(int count)
+{
+    samples_ += count;
+    return samples_ <= kMostSamplesTogether || refuse("all calls together ask for absurdly many samples");
+}
+
 bool Rerun::call(const std::string& name, const std::vector<Argument>& arguments)
 {
     for (const char* step_name : kSteps) {
@@ -298,10 +308,13 @@ bool Rerun::call(const std::string& name, const std::vector<Argument>& arguments
     const auto player = players().find(name);
     if (player != players().end()) {
         if (is_absurd(name, arguments)) return refuse("a call of " + name + " asks for absurdly much");
+        const bool chosen = name == kBodySamples && !arguments.empty();
+        if (chosen && !take_samples(arguments.back().integer)) return false;
         const Played played = player->second(*this, arguments);
         if (played == Played::kUnknown) return refuse("the library here has no " + name);
         return played == Played::kYes || refuse("a call of " + name + " with other arguments than it has");
     }
+    if (name == "dBodyCreate" && !take_samples(dWorldGetAutoDisableAverageSamplesCount(world_))) return false;
     if (arguments.empty()) return refuse("the program calls " + name + ", which a recording cannot do again");
     return make(name, arguments) || destroy(name, arguments) || refuse("the recording calls " + name);
 }

@@ -53,6 +53,7 @@ class Rerun {
     bool make(const std::string& name, const std::vector<Argument>& arguments);
     bool destroy(const std::string& name, const std::vector<Argument>& arguments);
     bool step(const std::string& name, const std::vector<Argument>& arguments);
+    bool take_samples(int count);  // of a body's velocities; false: they are too many
     int parts_of_exact_steps() const;
     void set_iterations();
     void make_contact(const std::vector<Argument>& arguments);
@@ -76,7 +77,7 @@ class Rerun {
     size_t taken_ = 0;                          // bodies that have one, or died before
     std::vector<dSurfaceParameters> surfaces_;  // of the contacts made since the last step
     size_t step_ = 0;                           // the state that comes next
-    std::int64_t sweeps_ = 0;                   // asked for so far
+    std::int64_t sweeps_ = 0, samples_ = 0;     // asked for so far
     double time_ = 0, dt_ = 0, ms_ = 0;
     std::unique_ptr<Recorder> recorder_;
     std::unique_ptr<FoundContacts> found_;

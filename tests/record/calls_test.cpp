@@ -231,6 +231,21 @@ TEST(Calls, that_ask_for_absurdly_much_are_refused)
     EXPECT_EQ(many(dStepperSubsteps, 20, 10), "");
 }
 
+// Bodies times the samples of each: a few bytes would else ask for gigabytes.
+TEST(Calls, that_ask_for_absurdly_many_samples_together_are_refused)
+{
+    Recording recording = ball();
+    CallTape tape;
+    tape.add("dWorldSetAutoDisableAverageSamplesCount", {Argument::world(), Argument::of(10000)});
+    for (int i = 0; i < 200; ++i) tape.add("dBodyCreate", {Argument::world()});
+    recording.calls_made.resize(1);
+    recording.calls_made[0].block = tape.take();
+    Recording now;
+    Rerun rerun(recording, {});
+    EXPECT_FALSE(rerun.run(now, [](size_t) { return true; }));
+    EXPECT_NE(rerun.problem().find("absurdly many samples"), std::string::npos) << rerun.problem();
+}
+
 // Sweeps of each step times steps.
 TEST(Calls, that_ask_for_absurdly_much_together_are_refused)
 {
