@@ -16,6 +16,7 @@
 #include "cli/run.h"
 #include "cli/suggest.h"
 #include "cli/view.h"
+#include "cli/world_file.h"
 #include "scenes/extensions.h"
 
 namespace {
@@ -36,7 +37,10 @@ std::string with_ending(const std::string& path, const std::string& ending)
 void add_plan_options(CLI::App& command, RunOptions& options)
 {
     const CLI::Validator positive = number_within(1e-9, 1e9);
-    command.add_option("scene", options.scene, "one of `epode list`, or a robot (.urdf, .xml, .sdf)")->required();
+    command
+        .add_option("scene", options.scene,
+                    "one of `epode list`, or a robot (.urdf, .xml, .sdf); for run also a world (.epw)")
+        ->required();
     command.add_option("--stepper", options.stepper,
                        "exact, quick, fast or hybrid; default: as the guide recommends, which is exact for "
                        "mechanisms and, for scenes of many bodies as in games, fast with --managed");
@@ -203,8 +207,15 @@ int carry_out(int argc, char** argv)
     CLI::App* convert = app.add_subcommand("convert", "writes a recording in another format");
     CLI::App* inspect = app.add_subcommand("inspect", "says what is in a recording");
     CLI::App* capture = app.add_subcommand("capture", "runs any ODE program and records its worlds");
+    CLI::App* save = app.add_subcommand("save", "runs a scene and saves its world to a file");
+    CLI::App* info = app.add_subcommand("info", "says what is in a file of a world");
     RunOptions options;
+    std::string world_file;
     add_run_options(*run, options);
+    add_plan_options(*save, options);
+    save->add_option("file", world_file, "file to write (.epw)")->required();
+    info->add_option("file", world_file, "file of a world (.epw)")->required();
+    info->add_flag("--json", options.json, "as one JSON object");
     add_record_options(*record, options);
     ReplayOptions replaying;
     for (CLI::App* command : {run, record}) add_fps(*command, options.fps);
@@ -241,7 +252,10 @@ int carry_out(int argc, char** argv)
     if (convert->parsed()) return epode::cli::convert(replaying);
     if (inspect->parsed()) return epode::cli::inspect(replaying);
     if (capture->parsed()) return epode::cli::capture(capturing);
-    return epode::cli::run(options);
+    if (save->parsed()) return epode::cli::save_scene(options, world_file);
+    if (info->parsed()) return epode::cli::describe_world_file(world_file, options.json);
+    return epode::cli::is_world_file(options.scene) ? epode::cli::run_world_file(options)
+                                                    : epode::cli::run(options);
 }
 
 // What is thrown is a bug or the lack of memory; either is a problem and no crash.

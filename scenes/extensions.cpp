@@ -281,6 +281,45 @@ bool set_step_projection(dWorldID world, int iterations)
 
 const char* loaded_library_kind() { return has_managed_contacts() ? "Epode" : "ODE"; }
 
+bool has_world_files() { return find<void*>("dWorldSave") != nullptr; }
+
+bool save_world(dWorldID world, dSpaceID space, const std::string& path)
+{
+    using Save = int (*)(dWorldID, dSpaceID, const char*);
+    static const Save save = find<Save>("dWorldSave");
+    return save && save(world, space, path.c_str()) == 1;
+}
+
+dWorldID load_world(const std::string& path, dSpaceID& space)
+{
+    using Load = dWorldID (*)(const char*, dSpaceID*);
+    static const Load load = find<Load>("dWorldLoad");
+    return load ? load(path.c_str(), &space) : nullptr;
+}
+
+dSpaceID contact_space(dWorldID world)
+{
+    using GetSpace = dSpaceID (*)(dWorldID);
+    static const GetSpace get = find<GetSpace>("dWorldGetContactSpace");
+    return get ? get(world) : nullptr;
+}
+
+std::vector<dBodyID> bodies_of(dWorldID world)
+{
+    using GetBodies = int (*)(dWorldID, dBodyID*, int);
+    static const GetBodies get = find<GetBodies>("dWorldGetBodies");
+    std::vector<dBodyID> bodies(get ? std::size_t(get(world, nullptr, 0)) : 0);
+    if (get) get(world, bodies.data(), int(bodies.size()));
+    return bodies;
+}
+
+int joint_count(dWorldID world)
+{
+    using GetJoints = int (*)(dWorldID, dJointID*, int);
+    static const GetJoints get = find<GetJoints>("dWorldGetJoints");
+    return get ? get(world, nullptr, 0) : 0;
+}
+
 std::string loaded_library()
 {
     std::ifstream maps("/proc/self/maps");

@@ -73,6 +73,14 @@ bool set_exact_substeps(dWorldID world, int parts);
 bool has_step_threads();
 bool set_step_threads(dWorldID world, int threads);
 
+// Worlds in files (ode/world_file.h). False or null after a message of the library.
+bool has_world_files();
+bool save_world(dWorldID world, dSpaceID space, const std::string& path);
+dWorldID load_world(const std::string& path, dSpaceID& space);
+dSpaceID contact_space(dWorldID world);  // null: none
+std::vector<dBodyID> bodies_of(dWorldID world);
+int joint_count(dWorldID world);
+
 // The file of the libode that this process runs on, "statically linked" when there is none.
 std::string loaded_library();
 // Whose it is: "Epode", or "ODE" for the original.

@@ -52,6 +52,24 @@ expect 2 replay a.epr --iterations nan
 # More pictures than anybody waits for.
 expect 2 run pendulum --dt 1e6 --steps 10 --video "$work/long.mp4"
 
+# A scene is kept in a file, which is described and goes on.
+expect 0 save wall "$work/wall.epw" --steps 20
+has out 'wall.epw: wall after'
+expect 0 info "$work/wall.epw" --json
+has out '"managed": true'
+expect 0 run "$work/wall.epw" --steps 10 --json
+has out '"nans": 0,'
+has out '"messages": 0'
+expect 0 save pendulum "$work/pendulum.epw" --steps 5 --quiet
+expect 0 run "$work/pendulum.epw" --stepper exact --steps 5
+expect 2 save wall "$work/wall.txt" --steps 1
+has err 'does not end with .epw'
+expect 1 info "$work/list"
+has err 'no world'
+expect 1 run "$work/none.epw"
+has err 'cannot be loaded'
+expect 2 run "$work/wall.epw" --picture "$work/x.png"
+
 # A mistyped word gets the nearest that there is, in whatever verb.
 meant() { grep -qF "Did you mean '$1'?" "$work/err" || fail "'$1' is not suggested: $(cat "$work/err")"; }
 expect 2 rnu wall
