@@ -129,6 +129,23 @@ void test_contacts()
           Numbers(1, REAL(cause.threshold)));
 }
 
+void test_copies()
+{
+    Ground ground;
+    dWorldExt& world = ground.world;
+    const int rows = world.countHandles(0);
+    dHandlePair table[8];
+    dSpaceID space = ground.space;
+    const dWorldID clone = world.clone(&space, table, 8);
+    judge("dWorldExt::countHandles", rows == dWorldCountHandles(world, 0), Numbers());
+    judge("dWorldExt::clone", clone && table[0].copy == clone && table[0].original == world.id(), Numbers());
+    const size_t size = world.saveToBuffer(ground.space, 0, 0);
+    judge("dWorldExt::saveToBuffer", size == dWorldSaveToBuffer(world, ground.space, 0, 0), Numbers());
+    judge("dWorldExt::save", world.save(ground.space, "/nowhere/at/all") == 0, Numbers());
+    dWorldDestroy(clone);
+    dSpaceDestroy(space);
+}
+
 void test_history()
 {
     Ground ground;
@@ -325,6 +342,7 @@ int main()
     dInitODE();
     test_world_options();
     test_contacts();
+    test_copies();
     test_history();
     test_joints();
     test_coupling();
