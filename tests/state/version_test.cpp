@@ -21,7 +21,7 @@ struct Version {
 #ifdef dIDEDOUBLE
 constexpr Version kVersions[] = {{"version_1_double.epw", 16270054166845171774u}};
 #else
-constexpr Version kVersions[] = {{"version_1_single.epw", 0}};
+constexpr Version kVersions[] = {{"version_1_single.epw", 12678236174857237698u}};
 #endif
 
 std::uint64_t checksum_of_motion(dWorldID world)
