@@ -23,11 +23,21 @@ void break_joints(World& world, Real h)
     world.joints.for_each_active([&](Joint& joint) {
         if (!joint.driven || joint.disabled) return;
         BreakLimits& limits = drives_of(joint).limits;
-        if (!(length(limits.linear) > limits.force * h) && !(length(limits.angular) > limits.torque * h))
-            return;
+        const bool held =
+            !(length(limits.linear) > limits.force * h) && !(length(limits.angular) > limits.torque * h);
+        forget_load(joint);
+        if (held) return;
         limits.broken = true, limits.step = world.step_count;
         joint.disabled = true;
         joint.impulse_rows = 0;
+    });
+}
+
+void forget_loads(World& world)
+{
+    if (world.driven_joints == 0) return;
+    world.joints.for_each_active([](Joint& joint) {
+        if (joint.driven) forget_load(joint);
     });
 }
 

@@ -438,6 +438,7 @@ bool step_in(World& world, StepState& state, const Solver* solver, Real h, int i
     } else {
         step.take_back();
         if (context.solver.draws) ProcessRandom::set_state(random);
+        forget_loads(world);
     }
     workers.stop();
     world.report_made = made && world.report_wanted;

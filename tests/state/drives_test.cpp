@@ -126,6 +126,20 @@ TEST_P(DriveStates, bring_settings_back)
 INSTANTIATE_TEST_SUITE_P(Steppers, DriveStates, testing::ValuesIn(kSteppers),
                          [](const auto& each) { return name_of(each.param); });
 
+// The load of the blow does not outlive the step, although the next one has nothing that moves.
+TEST(DriveLoads, of_a_step_taken_back_break_nothing)
+{
+    Arm arm;
+    arm.steps(60, Stepper::kExact);
+    const Bytes before = arm.save();
+    arm.steps(1, Stepper::kExact);
+    ASSERT_FALSE(dJointIsEnabled(arm.ball));
+    ASSERT_TRUE(arm.restore(before));
+    for (const dBodyID body : {arm.links[0], arm.links[1], arm.links[2], arm.load}) dBodyDisable(body);
+    arm.steps(1, Stepper::kExact);
+    EXPECT_TRUE(dJointIsEnabled(arm.ball));
+}
+
 TEST(DriveStructure, of_a_world_without_drives_are_another_structure)
 {
     const Messages messages;
