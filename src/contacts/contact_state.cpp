@@ -25,9 +25,15 @@ enum PairBit : std::uint32_t { kManifolds = 3, kWanted = 4, kTouched = 8, kRests
 enum ManifoldBit : std::uint32_t { kPoints = 7, kChanged = 8, kRoll = 16, kLayer = 32 };
 enum ListBit : std::uint32_t { kFewActive = 1, kUnfinished = 2, kSettled = 4 };
 constexpr std::size_t kPairBytes = 12, kManifoldBytes = 64, kEventBytes = 12;  // at least
-constexpr std::uint32_t kNoGeom = ~0u;
 
 std::uint32_t changes_of(const Geom& a, const Geom& b) { return epode::changes_of(a) + epode::changes_of(b); }
+
+// -1: it is gone, or in none of these spaces.
+int number_of(dGeomID id, const SpaceGeoms& geoms)
+{
+    const Geom* geom = from_handle<Geom>(id);
+    return geom ? geoms.find(*geom) : -1;
+}
 
 bool is_zero(Float3 v) { return v.x == 0 && v.y == 0 && v.z == 0; }
 
@@ -185,7 +191,10 @@ bool ContactWorld::save(const World& world, const SpaceGeoms& geoms, StateStream
     (void)stream.word((few_active_ ? kFewActive : 0u) | (unfinished_ || lost ? kUnfinished : 0u) |
                       (settled ? kSettled : 0u));
     stream.reals(&h_, 1);
-    for (const int count : {listed_.size(), manifold_bits_.size(), ended_.size()})
+    const auto ended = int(std::count_if(ended_.begin(), ended_.end(), [&](const dContactEvent& event) {
+        return number_of(event.g1, geoms) >= 0 && number_of(event.g2, geoms) >= 0;
+    }));
+    for (const int count : {listed_.size(), manifold_bits_.size(), ended})
         (void)stream.word(std::uint32_t(count));
     for (const Listed& l : listed_) save_pair(l, stream);
     for (const dContactEvent& event : ended_) save_ended(event, geoms, stream);
@@ -209,14 +218,13 @@ void ContactWorld::save_pair(const Listed& l, StateStream& stream) const
     }
 }
 
+// What has ended because a geom was destroyed cannot be named in another world: it is left out.
 void ContactWorld::save_ended(const dContactEvent& event, const SpaceGeoms& geoms, StateStream& stream)
 {
-    const auto number = [&](dGeomID id) {
-        const Geom* geom = from_handle<Geom>(id);
-        return geom ? std::uint32_t(geoms.find(*geom)) : kNoGeom;
-    };
+    const int n1 = number_of(event.g1, geoms), n2 = number_of(event.g2, geoms);
+    if (n1 < 0 || n2 < 0) return;
     (void)stream.word(std::uint32_t(event.kind));
-    (void)stream.word(number(event.g1)), (void)stream.word(number(event.g2));
+    (void)stream.word(std::uint32_t(n1)), (void)stream.word(std::uint32_t(n2));
 }
 
 bool ContactWorld::load(const World& world, const SpaceGeoms& geoms, StateStream& stream, Loaded& out)
@@ -240,8 +248,8 @@ bool ContactWorld::load(const World& world, const SpaceGeoms& geoms, StateStream
     for (std::uint32_t i = 0; i < pairs && !stream.failed(); ++i)
         if (!load_pair(world, geoms, stream, used, out)) return false;
     const auto geom = [&] {
-        const std::uint32_t number = stream.word(0);
-        return number < std::uint32_t(geoms.count()) ? to_handle(&geoms[int(number)]) : nullptr;
+        const std::uint32_t number = stream.index(0, std::uint32_t(geoms.count()), "an event of no geom");
+        return stream.failed() ? nullptr : to_handle(&geoms[int(number)]);
     };
     for (std::uint32_t i = 0; i < ended && !stream.failed(); ++i) {
         const std::uint32_t kind = stream.index(0, dContactEnd + 1, "an event of no kind");
@@ -286,7 +294,7 @@ bool ContactWorld::load_pair(const World& world, const SpaceGeoms& geoms, StateS
     return true;
 }
 
-void ContactWorld::accept(Loaded& loaded, const SpaceGeoms& geoms, std::span<const std::uint8_t> disturbed)
+void ContactWorld::accept(Loaded& loaded, const SpaceGeoms& geoms, std::span<const std::uint8_t> rest)
 {
     last_.swap(fresh_);
     resting_.clear();
@@ -295,16 +303,19 @@ void ContactWorld::accept(Loaded& loaded, const SpaceGeoms& geoms, std::span<con
     few_active_ = loaded.few_active, unfinished_ = loaded.unfinished, settled_ = loaded.settled;
     Space* const in = live_space();
     if (!in) return;
-    // What was at rest until now is not, unless the state says so.
+    // A geom may be at rest although none of its pairs is listed.
     if (!in->keeper || in->keeper == this)
-        for (Geom* geom : in->geoms)
-            if (geom) geom->at_rest = false;
+        for (int i = 0; i < geoms.count(); ++i) {
+            if (geoms[i].space != in) continue;
+            geoms[i].at_rest = rest[std::size_t(i)] & kGeomAtRest;
+            if (geoms[i].at_rest) in->keeper = this;
+        }
     if (loaded.any_rests) put_to_rest(loaded, *in);
     if (settled_) clean(*in);  // as the step that found it settled has left the space
     edition_ = in->edition;
     seen_disturbances_ = in->disturbances.count();
     for (int i = 0; i < geoms.count(); ++i)
-        if (disturbed[std::size_t(i)] && geoms[i].space == in) in->disturbances.note(geoms[i]);
+        if (rest[std::size_t(i)] & kGeomDisturbed && geoms[i].space == in) in->disturbances.note(geoms[i]);
 }
 
 // Where another world keeps pairs of the space at rest, or memory is exhausted, the next step looks
@@ -325,15 +336,20 @@ void ContactWorld::put_to_rest(const Loaded& loaded, Space& in)
     if (!complete) unfinished_ = true;
 }
 
-void ContactWorld::mark_disturbed(const SpaceGeoms& geoms, std::span<std::uint8_t> by_number) const
+void ContactWorld::mark_rest(const SpaceGeoms& geoms, std::span<std::uint8_t> by_number) const
 {
     const Space* in = live_space();
-    if (!in || !in->disturbances.knows_since(seen_disturbances_)) return;
+    if (!in) return;
+    if (!in->keeper || in->keeper == this)
+        for (int i = 0; i < geoms.count(); ++i)
+            if (geoms[i].at_rest && geoms[i].space == in) by_number[std::size_t(i)] |= kGeomAtRest;
+    if (!in->disturbances.knows_since(seen_disturbances_)) return;
     for (std::uint64_t i = seen_disturbances_; i < in->disturbances.count(); ++i) {
         const auto& [id, serial] = in->disturbances[i];
         const Geom* geom = from_handle<Geom>(id);
         if (!geom || geom->serial != serial) continue;
-        if (const int number = geoms.find(*geom); number >= 0) by_number[std::size_t(number)] = 1;
+        if (const int number = geoms.find(*geom); number >= 0)
+            by_number[std::size_t(number)] |= kGeomDisturbed;
     }
 }
 

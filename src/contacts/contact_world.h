@@ -30,6 +30,9 @@
 
 namespace epode {
 
+// In states: the geom has pairs at rest; something has happened to it since the last step.
+enum GeomRest : std::uint8_t { kGeomDisturbed = 2, kGeomAtRest = 8 };
+
 struct ActiveBodies {
     int count, all;
 };
@@ -84,10 +87,10 @@ class ContactWorld {
     [[nodiscard]] bool save(const World& world, const SpaceGeoms& geoms, StateStream& stream);
     [[nodiscard]] bool load(const World& world, const SpaceGeoms& geoms, StateStream& stream, Loaded& out);
     // All geoms have been told that they have moved, if they have.
-    // `disturbed`: as mark_disturbed() has found when the state was saved.
-    void accept(Loaded& loaded, const SpaceGeoms& geoms, std::span<const std::uint8_t> disturbed);
-    // 1 for those geoms at rest to which something has happened since the last step.
-    void mark_disturbed(const SpaceGeoms& geoms, std::span<std::uint8_t> by_number) const;
+    // `rest`: as mark_rest() has found when the state was saved.
+    void accept(Loaded& loaded, const SpaceGeoms& geoms, std::span<const std::uint8_t> rest);
+    // GeomRest of each geom, as bits.
+    void mark_rest(const SpaceGeoms& geoms, std::span<std::uint8_t> by_number) const;
     // What is broken between two steps, in words; null: nothing.
     const char* fault() const;
 

@@ -15,7 +15,7 @@ namespace epode {
 
 struct StateHeader {
     static constexpr std::uint32_t kMagic = 0x74736e65;  // "enst"
-    static constexpr std::uint16_t kVersion = 2;
+    static constexpr std::uint16_t kVersion = 3;
     enum Kind : std::uint8_t { kWhole = 1, kDelta = 2 };
 
     std::uint32_t magic = kMagic;

@@ -16,7 +16,8 @@
 namespace epode {
 namespace {
 
-enum GeomBit : std::uint8_t { kEnabled = 1, kDisturbed = 2, kPose = 4 };
+enum GeomBit : std::uint8_t { kEnabled = 1, kPose = 4, kRest = kGeomDisturbed | kGeomAtRest };
+static_assert((kRest & (kEnabled | kPose)) == 0);
 
 // A geom without a body stays where the program has placed it.
 bool has_own_pose(const Geom& geom) { return geom.type->placeable && !geom.body.id && !is_space(geom); }
@@ -40,8 +41,8 @@ bool WorldState::prepare(Joints which)
         edition_ = edition;
     }
     joints_.clear();
-    if (!disturbed_.resize(geoms_.count()) || !joints_.reserve(world_.joints.count())) return false;
-    std::fill(disturbed_.begin(), disturbed_.end(), std::uint8_t(0));
+    if (!rest_.resize(geoms_.count()) || !joints_.reserve(world_.joints.count())) return false;
+    std::fill(rest_.begin(), rest_.end(), std::uint8_t(0));
     for (Joint& joint : world_.joints)
         if (which == Joints::kAll || !is_contact(joint)) (void)joints_.push(&joint);
     return structure_.measure_joints(joints_.span(), bodies_);
@@ -51,7 +52,7 @@ bool WorldState::measure(std::size_t& size)
 {
     if (!body_bits_.resize(bodies_.count())) return false;
     for (int i = 0; i < bodies_.count(); ++i) body_bits_[i] = state_bits(bodies_[i]);
-    kept_->world_contacts.mark_disturbed(geoms_, disturbed_.span());
+    kept_->world_contacts.mark_rest(geoms_, rest_.span());
     StateStream counter;
     if (!save(counter)) return false;
     size = sizeof(StateHeader) + counter.size();
@@ -125,11 +126,11 @@ void WorldState::visit_geoms(StateStream& stream, std::byte* bits)
     for (int i = 0; i < geoms_.count() && !stream.failed(); ++i) {
         Geom& geom = geoms_[i];
         unsigned present = geom.enabled ? unsigned(kEnabled) : 0u;
-        if (disturbed_.data()[i]) present |= kDisturbed;
+        present |= rest_.data()[i];
         if (has_own_pose(geom)) present |= kPose;
         const std::uint8_t own = stream.saves() ? std::uint8_t(present) : std::uint8_t(bits[i]);
         if (stream.saves() && bits) bits[i] = std::byte(own);
-        if (!stream.saves()) disturbed_.data()[i] = own & kDisturbed ? 1 : 0;
+        if (!stream.saves()) rest_.data()[i] = own & kRest;
         take_geom(geom, own, stream);
     }
 }
@@ -209,7 +210,7 @@ const char* WorldState::set(const std::byte* from, std::size_t size, Seal with)
     StateStream values(StateStream::Mode::kRead, from + begin, length);
     visit(values);
     kept_->contacts.accept(cached);
-    kept_->world_contacts.accept(loaded, geoms_, disturbed_.span());
+    kept_->world_contacts.accept(loaded, geoms_, rest_.span());
     kept_->events.restart(world_, kept_->world_contacts.live_space());
     world_.report_made = false;
     return nullptr;

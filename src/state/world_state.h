@@ -55,7 +55,7 @@ class WorldState {
     std::uint64_t edition_ = 0;  // of the structure that bodies_ and geoms_ show
     Array<Joint*> joints_;       // the newest first
     Array<std::uint16_t> body_bits_;
-    Array<std::uint8_t> disturbed_;  // geoms
+    Array<std::uint8_t> rest_;  // of geoms: GeomRest
     char text_[200] = {};
 };
 

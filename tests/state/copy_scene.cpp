@@ -141,6 +141,12 @@ void RichScene::add_drives()
     dJointSetDrive(one, 0, &drive);
     dJointSetBreakLimits(three, 4000, 4000);
     dJointSetCouplingAxis(both, 0, one, 0, 1), dJointSetCouplingAxis(both, 1, two, 0, dReal(-0.5));
+    dJointSetCouplingParam(both, dParamLoStop, dReal(-0.01));
+    dJointSetStopSpring(both, 0, 900, 20);
+    dJointSetHingeParam(one, dParamHiStop, dReal(0.2)), dJointSetStopSpring(one, 0, 300, 5);
+    dJointSetSpring(three, 5000, 40);
+    drive.target = 0, drive.force = dReal(0.5), drive.force_limit = 6;
+    dJointSetDrive(both, 0, &drive), dJointSetAxisContinuous(two, 0, 1);
     for (const dJointID joint : {one, two, both, three}) joints.push_back(joint);
 }
 

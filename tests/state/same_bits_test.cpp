@@ -26,14 +26,14 @@ struct Golden {
 };
 
 constexpr Golden kGolden[2][8] = {
-    {{0xeb77db430ee3fdff, 0x4cdf08d7213b8b27},
-     {0x60d400e1c9d01dbf, 0x9de9b73c02157483},
-     {0x5ae988978c8bee60, 0x2bd2a5b31ce7f24d},
-     {0xf61a2d2cfec590e0, 0xb1fc58a064504e3b},
-     {0xb1bc58c6074568dc, 0x344f591eb66846a2},
-     {0x17a96d59cd410f87, 0x1cdaba65c3bc28c3},
-     {0x76ce24d2ca78257a, 0xacf57ece0e65f3b7},
-     {0x36ecfd3d9ecf7e37, 0x3139ddef92c2a4cb}},
+    {{0x54589e84a6649962, 0x84cd5bc4f3166386},
+     {0x29bdbed9faf5713a, 0x7d9d91d1f20d2992},
+     {0x0413a225fc905195, 0x4d42348f8d64945c},
+     {0xf43b14f8e7949571, 0x34dbaadef68a251a},
+     {0x35671ac27a737691, 0xdf92de70a2bca633},
+     {0x65b32fa82cd2d782, 0x34f74b1785a8dba6},
+     {0x509ef1e230e706af, 0xe6fcb02311737342},
+     {0x42bd3b172d16654a, 0xcef5e071c8dc21fa}},
     {{0xec18b862bcdf8e95, 0x62f01e2b894ac02f},
      {0x40ce28ac1020e5e6, 0xd9b9e353ba5bfe2b},
      {0x208ad923b7707980, 0xc407bc9f80b7af8e},

@@ -19,7 +19,7 @@ struct Version {
 };
 
 #ifdef dIDEDOUBLE
-constexpr Version kVersions[] = {{"version_1_double.epw", 16270054166845171774u}};
+constexpr Version kVersions[] = {{"version_1_double.epw", 10850062473830626589u}};
 #else
 constexpr Version kVersions[] = {{"version_1_single.epw", 12678236174857237698u}};
 #endif
