@@ -230,7 +230,8 @@ int carry_out(int argc, char** argv)
     epode::view::ViewOptions viewing;
     epode::cli::add_view_options(*view, viewing);
     epode::cli::RobotOptions robot_options;
-    CLI::App* robot = app.add_subcommand("robot", "says what is in a robot's file and what is wrong with it; converts it");
+    CLI::App* robot =
+        app.add_subcommand("robot", "says what is in a robot's file and what is wrong with it; converts it");
     epode::cli::add_robot_options(*robot, robot_options);
     CaptureOptions capturing;
     add_capture_options(*capture, capturing);

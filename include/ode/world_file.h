@@ -24,10 +24,10 @@ extern "C" {
       that are in no space of these are copied, too, and are in no space then.
     - path: the name of a file.
 
-    Not in a copy: joint feedback, moved callbacks, threading implementations, the history and the diagnosis,
-    which are off. Joints of groups belong to no group in it. A clone has the user data and the functions of
-    the original (of meshes, height fields and the contact filter); a file has none of them, and keeps the
-    heights that a function returns.
+    Not in a copy: joint feedback, moved callbacks, threading implementations, the history, the diagnosis
+    and the list of events, which are off. Joints of groups belong to no group in it. A clone has the user data
+    and the functions of the original (of meshes, height fields and the contact filter); a file has none of
+    them, and keeps the heights that a function returns.
 
     Refused: a world that is 0 or destroyed; null pointers; what each function names. Nothing is created or
     changed then, and the answer is 0. */

@@ -79,6 +79,8 @@ void structure_of_settings(World& w, StructureStream& stream)
     stream.real(w.erp), stream.real(w.cfm, StructureStream::kFinite, 0);
     stream.real(w.contact_max_vel, kInfinite), stream.real(w.contact_layer);
     solver_settings(w, stream);
+    stream.number(w.behaviour);
+    stream.demand(w.behaviour == dBehaviour016 || w.behaviour == dBehaviour1, "an unknown behaviour");
     stream.flag(w.auto_disable);
     sleep_rule(w.sleep, stream), damping_rule(w.damping, stream);
     stream.real(w.max_angular_speed, kInfinite, 0);
@@ -108,8 +110,8 @@ void structure_of_geom(Geom& geom, StructureStream& stream)
 {
     std::uint8_t continuous = geom.continuous;
     std::uint64_t category = geom.category, collide = geom.collide;
-    bool posed = geom.type->placeable && !geom.body.id && !is_space(geom);
-    stream.flag(geom.enabled);
+    bool posed = geom.type->placeable && !geom.body.id && !is_space(geom), sensor = geom.sensor;
+    stream.flag(geom.enabled), stream.flag(sensor);
     stream.number(continuous, std::uint8_t(0), std::uint8_t(dContinuousIgnored + 1),
                   "a geom of an unknown mode");
     stream.number(category), stream.number(collide);
@@ -122,6 +124,7 @@ void structure_of_geom(Geom& geom, StructureStream& stream)
     const bool may_be = continuous != dContinuousOn || geom.type->half_thickness || as_transform(geom);
     if (stream.demand(may_be && (!continuous || !is_space(geom)), "a geom that cannot be continuous is"))
         set_continuous(geom, continuous);
+    if (stream.demand(!sensor || !is_space(geom), "a space in it is a sensor")) set_sensor(geom, sensor);
 }
 
 }  // namespace epode

@@ -93,6 +93,8 @@ void RichScene::add_solids()
     dGeomSetCategoryBits(dBodyGetFirstGeom(bodies.back()), 6);
     dGeomSetCollideBits(dBodyGetFirstGeom(bodies.back()), 0xffff);
     dGeomSetBody(dCreateBox(space, r, 1, r), bodies.back());
+    sensor = dCreateSphere(space, 1);
+    dGeomSetPosition(sensor, -7, 12, 1), dGeomSetSensor(sensor, 1);
     dGeomRaySet(dCreateRay(space, 5), -9, 12, 4, 0, 0, -1);
 }
 

@@ -15,6 +15,8 @@ class RichScene : public Scene {
     explicit RichScene(const Setting& setting);
     ~RichScene();
 
+    dGeomID sensor = nullptr;
+
   private:
     void add_solid(dGeomID geom, int i);
     void add_solids();

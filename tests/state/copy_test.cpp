@@ -91,10 +91,19 @@ TEST(Clones, have_a_table_of_handles_and_share_meshes_and_user_data)
     for (const dJointID joint : scene.joints) EXPECT_TRUE(copy_of(joint));
     EXPECT_EQ(dGeomTriMeshGetData(static_cast<dGeomID>(copy_of(scene.grounds[2]))),
               dGeomTriMeshGetData(scene.grounds[2]));
+    EXPECT_EQ(dGeomGetSensor(static_cast<dGeomID>(copy_of(scene.sensor))), 1);
     EXPECT_EQ(copy_of(scene.space), space);
     EXPECT_EQ(dWorldGetContactSpace(clone), space);
     dWorldDestroy(clone), dSpaceDestroy(space);
     scene.steps(2);
+}
+
+TEST(Clones, have_the_behaviour_of_the_original)
+{
+    RichScene scene({.stepper = Stepper::kQuick, .piles = 1});
+    dWorldSetBehaviour(scene.world, dBehaviour016);
+    EXPECT_EQ(dWorldGetBehaviour(Copy::cloned(scene).running.world), dBehaviour016);
+    EXPECT_EQ(dWorldGetBehaviour(Copy::loaded(scene).running.world), dBehaviour016);
 }
 
 TEST(Files, are_written_whole_and_read_again)
