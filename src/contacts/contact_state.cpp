@@ -13,6 +13,7 @@
 #include <cstring>
 
 #include "collide/collide.h"
+#include "contacts/contact_format.h"
 #include "contacts/contact_state.h"
 #include "contacts/manifold_points.h"
 #include "contacts/material.h"
@@ -21,100 +22,12 @@
 namespace epode {
 namespace {
 
-enum PairBit : std::uint32_t { kManifolds = 3, kWanted = 4, kTouched = 8, kRests = 16, kSeparatingAxis = 32 };
-enum ManifoldBit : std::uint32_t { kPoints = 7, kChanged = 8, kRoll = 16, kLayer = 32 };
-enum ListBit : std::uint32_t { kFewActive = 1, kUnfinished = 2, kSettled = 4 };
-constexpr std::size_t kPairBytes = 12, kManifoldBytes = 64, kEventBytes = 12;  // at least
-
-std::uint32_t changes_of(const Geom& a, const Geom& b) { return epode::changes_of(a) + epode::changes_of(b); }
-
 // -1: it is gone, or in none of these spaces.
 int number_of(dGeomID id, const SpaceGeoms& geoms)
 {
     const Geom* geom = from_handle<Geom>(id);
     return geom ? geoms.find(*geom) : -1;
 }
-
-bool is_zero(Float3 v) { return v.x == 0 && v.y == 0 && v.z == 0; }
-
-// Where numbers go to, or come from, one after the other.
-struct Writing {
-    std::byte* at;
-    template <int n>
-    void operator()(const float* numbers)
-    {
-        std::memcpy(at, numbers, n * sizeof(float));
-        at += n * sizeof(float);
-    }
-};
-struct Reading {
-    const std::byte* at;
-    template <int n>
-    void operator()(float* numbers)
-    {
-        std::memcpy(numbers, at, n * sizeof(float));
-        at += n * sizeof(float);
-    }
-};
-
-// All numbers of a manifold of so many points; of a constant number, since most of them are copied a few at
-// once.
-template <int count, typename Kept, typename Move>
-void move_points(Kept& kept, std::uint32_t bits, Move& move)
-{
-    static_assert(offsetof(ManifoldFinding, anchors) - offsetof(ManifoldFinding, offset) ==
-                  15 * sizeof(float));
-    static_assert(offsetof(ManifoldPoint, friction_impulse) - offsetof(ManifoldPoint, normal_impulse) ==
-                  sizeof(float));
-    auto& found = kept.found;
-    auto& points = kept.manifold.points;
-    move.template operator()<15>(&found.offset.x);
-    for (int k = 0; k < 3; ++k)
-        move.template operator()<count>(found.anchors.a1[k]),
-            move.template operator()<count>(found.anchors.a2[k]);
-    move.template operator()<count>(found.anchors.separation);
-    if (bits & kRoll) move.template operator()<3>(&kept.manifold.rolling_impulse.x);
-    if (bits & kLayer) move.template operator()<1>(&kept.layer);
-    for (int i = 0; i < count; ++i)
-        move.template operator()<1>(&points[i].separation),
-            move.template operator()<4>(&points[i].normal_impulse);
-}
-
-template <typename Kept, typename Move>
-void move_numbers(Kept& kept, std::uint32_t bits, Move&& move)
-{
-    switch (bits & kPoints) {
-        case 1:
-            return move_points<1>(kept, bits, move);
-        case 2:
-            return move_points<2>(kept, bits, move);
-        case 3:
-            return move_points<3>(kept, bits, move);
-        default:
-            return move_points<4>(kept, bits, move);
-    }
-}
-
-// Bytes of these.
-std::size_t size_of(std::uint32_t bits)
-{
-    std::size_t numbers = 15 + 12 * std::size_t(bits & kPoints);
-    if (bits & kRoll) numbers += 3;
-    if (bits & kLayer) numbers += 1;
-    return numbers * sizeof(float);
-}
-
-std::uint32_t bits_of(std::uint32_t changes, Real layer, const CachedManifold& kept)
-{
-    std::uint32_t bits = std::uint32_t(kept.manifold.count);
-    if (kept.found.changes != changes) bits |= kChanged;
-    if (!is_zero(kept.manifold.rolling_impulse)) bits |= kRoll;
-    if (kept.layer != float(layer)) bits |= kLayer;
-    return bits;
-}
-
-// Will be looked at soon.
-void fetch_pair(const ContactPair& pair) { prefetch<3>(pair.id1), prefetch<3>(pair.id2); }
 
 // Columns behind the last point repeat it.
 void fill_anchors(ContactAnchors& anchors, int count)
@@ -126,51 +39,69 @@ void fill_anchors(ContactAnchors& anchors, int count)
     }
 }
 
-void load_manifold(const ContactPair& pair, Real layer, StateStream& stream, CachedManifold& kept)
+// `changes`: of both geoms, now.
+void load_manifold(std::uint32_t bits, std::uint32_t changes, Real layer, StateStream& stream,
+                   CachedManifold& kept)
 {
-    const std::uint32_t bits = stream.word(0);
     const int count = int(bits & kPoints);
     if (!stream.demand(count >= 1 && count <= kManifoldPoints, "a contact with too many points")) return;
+    const std::byte* const numbers = stream.block(size_of_manifold(bits));
+    if (!numbers) return;
     kept.layer = float(layer);
     ContactManifold& manifold = kept.manifold;
     manifold.count = count, manifold.normal = manifold.surface_velocity = manifold.rolling_impulse = {};
-    const std::byte* const numbers = stream.block(size_of(bits));
-    if (!numbers) return;
-    move_numbers(kept, bits, Reading{numbers});
+    for (int i = 0; (bits & kIdle) && i < count; ++i)
+        manifold.points[i].normal_impulse = 0, manifold.points[i].friction_impulse = {};
+    Reading reading{numbers};
+    move_numbers(kept, bits, reading);
     const Vec3 n = widen(kept.found.normal);
     if (!stream.demand(std::fabs(dot(n, n) - 1) < Real(1e-3), "a normal of the state is not of unit length"))
         return;
     fill_anchors(kept.found.anchors, count);
-    const Geom &g1 = *from_handle<Geom>(pair.id1), &g2 = *from_handle<Geom>(pair.id2);
-    kept.found.changes = changes_of(g1, g2) - (bits & kChanged ? 1 : 0);
+    kept.found.changes = changes - (bits & kChanged ? 1 : 0);
 }
 
 }  // namespace
 
+// What the pairs of a geom want to know of it, found once for all of them.
+bool ContactWorld::describe_geoms(const World& world, const SpaceGeoms& geoms)
+{
+    if (!described_.resize(geoms.count())) return false;
+    for (int i = 0; i < geoms.count(); ++i) {
+        const Geom& geom = geoms[i];
+        const Body* const body = body_of(geom);
+        const bool meets = can_push(geom) && !is_space(geom) && (!body || body->world == &world);
+        described_.data()[i] = {
+            body,          changes_of(geom), meets, is_surface(geom), geom.type->number == dTriMeshClass,
+            is_solid(geom)};
+    }
+    return true;
+}
+
 // With the bits of their manifolds.
 bool ContactWorld::list_for_state(const World& world, const SpaceGeoms& geoms)
 {
-    listed_.clear(), manifold_bits_.clear();
-    const Real layer = contact_layer(world);
+    listed_.clear();
+    listed_bytes_ = 0, listed_manifolds_ = 0;
+    if (!describe_geoms(world, geoms)) return false;
+    const auto layer = float(contact_layer(world));
+    const bool narrow = geoms.count() <= kNarrowGeoms;
     bool complete = true;
     const auto list = [&](const ContactPair& pair, std::span<const CachedManifold> manifolds, bool rests) {
-        const Geom *g1 = from_handle<Geom>(pair.id1), *g2 = from_handle<Geom>(pair.id2);
-        if (!g1 || !g2 || !body_of(*g1)) return;
         const bool separated = !pair.on_mesh && pair.separating_axis;
         if (manifolds.empty() && !separated && !pair.touched && pair.wanted && !filter) return;
-        const int n1 = geoms.find(*g1), n2 = geoms.find(*g2);
-        if (n1 < 0 || n2 < 0) return;
-        complete = complete && listed_.push({&pair, manifolds.data(), n1, n2, manifold_bits_.size(), rests});
-        const std::uint32_t changes = manifolds.empty() ? 0 : changes_of(*g1, *g2);
+        const int n1 = geoms.find(pair.serial1), n2 = geoms.find(pair.serial2);
+        if (n1 < 0 || n2 < 0 || !described_.data()[n1].body) return;
+        std::uint32_t bits = pair.count | (pair.wanted ? kWanted : 0u) | (pair.touched ? kTouched : 0u) |
+                             (rests ? kRests : 0u) | (separated ? kSeparatingAxis : 0u);
+        const std::uint32_t changes = described_.data()[n1].changes + described_.data()[n2].changes;
+        int shift = kFirstManifold;
         for (const CachedManifold& kept : manifolds)
-            complete = complete && manifold_bits_.push(std::uint8_t(bits_of(changes, layer, kept)));
+            bits |= bits_of(changes, layer, kept) << shift, shift += kManifoldBits;
+        listed_bytes_ += size_of_pair(bits, narrow), listed_manifolds_ += pair.count;
+        complete = complete && listed_.push({&pair, manifolds.data(), n1, n2, bits});
     };
-    for (int i = 0; i < last_.pairs.size(); ++i) {
-        constexpr int kAhead = 8;
-        const ContactPair& pair = last_.pairs[i];
-        if (i + kAhead < last_.pairs.size()) fetch_pair(last_.pairs[i + kAhead]);
-        list(pair, last_.of(pair), false);
-    }
+    for (const ContactPair& pair : last_.pairs) list(pair, last_.of(pair), false);
     if (resting_.empty()) return complete;
     resting_.for_each([&](const ContactPair& pair, std::span<const CachedManifold> manifolds) {
         list(pair, manifolds, true);
@@ -194,27 +125,30 @@ bool ContactWorld::save(const World& world, const SpaceGeoms& geoms, StateStream
     const auto ended = int(std::count_if(ended_.begin(), ended_.end(), [&](const dContactEvent& event) {
         return number_of(event.g1, geoms) >= 0 && number_of(event.g2, geoms) >= 0;
     }));
-    for (const int count : {listed_.size(), manifold_bits_.size(), ended})
+    for (const int count : {listed_.size(), listed_manifolds_, ended})
         (void)stream.word(std::uint32_t(count));
-    for (const Listed& l : listed_) save_pair(l, stream);
+    if (std::byte* const to = stream.block(listed_bytes_)) save_pairs(to, geoms.count() <= kNarrowGeoms);
     for (const dContactEvent& event : ended_) save_ended(event, geoms, stream);
     return true;
 }
 
-void ContactWorld::save_pair(const Listed& l, StateStream& stream) const
+void ContactWorld::save_pairs(std::byte* to, bool narrow) const
 {
-    const ContactPair& pair = *l.pair;
-    (void)stream.word(std::uint32_t(l.number1)), (void)stream.word(std::uint32_t(l.number2));
-    std::uint32_t own = pair.count;
-    if (pair.wanted) own |= kWanted;
-    if (pair.touched) own |= kTouched;
-    if (l.rests) own |= kRests;
-    if (!pair.on_mesh && pair.separating_axis) own |= kSeparatingAxis;
-    (void)stream.word(own);
-    if (own & kSeparatingAxis) (void)stream.word(pair.separating_axis);
-    for (int i = 0; i < pair.count; ++i) {
-        const std::uint32_t bits = stream.word(manifold_bits_.data()[l.first_bits + i]);
-        if (std::byte* to = stream.block(size_of(bits))) move_numbers(l.manifolds[i], bits, Writing{to});
+    Writing writing{to};
+    const auto word = [&](std::uint32_t value) {
+        std::memcpy(writing.at, &value, sizeof value);
+        writing.at += sizeof value;
+    };
+    for (const Listed& l : listed_) {
+        const auto n1 = std::uint32_t(l.number1), n2 = std::uint32_t(l.number2);
+        if (narrow)
+            word(n1 | n2 << 16);
+        else
+            word(n1), word(n2);
+        word(l.bits);
+        if (l.bits & kSeparatingAxis) word(l.pair->separating_axis);
+        for (int i = 0; i < int(l.bits & kManifolds); ++i)
+            move_numbers(l.manifolds[i], bits_of_manifold(l.bits, i), writing);
     }
 }
 
@@ -238,6 +172,7 @@ bool ContactWorld::load(const World& world, const SpaceGeoms& geoms, StateStream
             pairs <= left / kPairBytes && manifolds <= left / kManifoldBytes && ended <= left / kEventBytes,
             "the state ends too early"))
         return true;
+    if (!describe_geoms(world, geoms)) return false;
     PairList& list = fresh_;
     list.clear();
     list.connections = world.connections_version;
@@ -264,17 +199,21 @@ bool ContactWorld::load_pair(const World& world, const SpaceGeoms& geoms, StateS
                              std::uint32_t& used, Loaded& out)
 {
     const auto count = std::uint32_t(geoms.count());
-    const std::uint32_t n1 = stream.index(0, count, "a contact of no geom"),
-                        n2 = stream.index(0, count, "a contact of no geom"), bits = stream.word(0);
-    if (stream.failed()) return true;
-    Geom &g1 = geoms[int(n1)], &g2 = geoms[int(n2)];
-    const Body *body1 = body_of(g1), *body2 = body_of(g2);
-    const bool meet = n1 != n2 && can_push(g1) && can_push(g2) && !is_space(g1) && !is_space(g2) && body1 &&
-                      body1->world == &world && (!body2 || body2->world == &world) && body1 != body2;
-    if (!stream.demand(meet, "a contact of geoms that do not meet")) return true;
+    std::uint32_t n1 = stream.word(0), n2 = n1 >> 16;
+    if (geoms.count() <= kNarrowGeoms)
+        n1 &= 0xffff;
+    else
+        n2 = stream.word(0);
+    const std::uint32_t bits = stream.word(0);
+    if (stream.failed() || !stream.demand(n1 < count && n2 < count, "a contact of no geom")) return true;
+    const Described &a = described_.data()[n1], &b = described_.data()[n2];
+    if (!stream.demand(n1 != n2 && a.meets && b.meets && a.body && a.body != b.body,
+                       "a contact of geoms that do not meet"))
+        return true;
+    const Geom &g1 = geoms[int(n1)], &g2 = geoms[int(n2)];
     ContactPair pair{
         to_handle(&g1), to_handle(&g2), g1.serial, g2.serial, nullptr, nullptr, -1, int(used), {}};
-    pair.max_manifolds = std::uint8_t(max_manifolds({&g1, &g2}));
+    pair.max_manifolds = std::uint8_t(a.is_surface || b.is_surface ? kSurfaceManifolds : 1);
     pair.count = std::uint8_t(bits & kManifolds);
     pair.wanted = bits & kWanted, pair.touched = bits & kTouched;
     PairList& list = fresh_;
@@ -283,12 +222,13 @@ bool ContactWorld::load_pair(const World& world, const SpaceGeoms& geoms, StateS
             "a contact with too many manifolds"))
         return true;
     if (bits & kSeparatingAxis) pair.separating_axis = stream.word(0);
-    if ((pair.on_mesh = on_mesh({&g1, &g2}))) {
+    if ((pair.on_mesh = (a.is_mesh && b.is_solid) || (b.is_mesh && a.is_solid))) {
         pair.leaves = list.leaves.size();
         if (!list.leaves.push(NearLeaves{})) return false;
     }
     for (int i = 0; i < pair.count && !stream.failed(); ++i)
-        load_manifold(pair, contact_layer(world), stream, list.manifolds[int(used++)]);
+        load_manifold(bits_of_manifold(bits, i), a.changes + b.changes, contact_layer(world), stream,
+                      list.manifolds.data()[int(used++)]);
     out.any_rests = out.any_rests || bits & kRests;
     (void)list.pairs.push(pair), (void)out.rests.push(bits & kRests ? 1 : 0);
     return true;

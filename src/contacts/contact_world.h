@@ -109,17 +109,23 @@ class ContactWorld {
     };
     dEvent impact_of(const ContactPair& pair) const;
 
-    // A pair that a state has, and its geoms there.
+    // A pair that a state has, its geoms there, and its bits.
     struct Listed {
         const ContactPair* pair;
         const CachedManifold* manifolds;
         int number1, number2;
-        int first_bits;  // of its manifolds
-        bool rests;
+        std::uint32_t bits;
+    };
+    // A geom, for its pairs in a state.
+    struct Described {
+        const Body* body;
+        std::uint32_t changes;
+        bool meets, is_surface, is_mesh, is_solid;
     };
 
+    [[nodiscard]] bool describe_geoms(const World& world, const SpaceGeoms& geoms);
     [[nodiscard]] bool list_for_state(const World& world, const SpaceGeoms& geoms);
-    void save_pair(const Listed& l, StateStream& stream) const;
+    void save_pairs(std::byte* to, bool narrow) const;
     static void save_ended(const dContactEvent& event, const SpaceGeoms& geoms, StateStream& stream);
     [[nodiscard]] bool load_pair(const World& world, const SpaceGeoms& geoms, StateStream& stream,
                                  std::uint32_t& used, Loaded& out);
@@ -152,8 +158,11 @@ class ContactWorld {
     Array<GeomPair> found_;
     Array<PairRange> ranges_;
     Array<int> table_;
-    Array<Listed> listed_;  // when a state has been measured, until it is written
-    Array<std::uint8_t> manifold_bits_;
+    // When a state has been measured, until it is written.
+    Array<Listed> listed_;
+    std::size_t listed_bytes_ = 0;
+    int listed_manifolds_ = 0;
+    Array<Described> described_;
     Array<dContactEvent> ended_;   // of the last step
     Array<PointSpeeds> approach_;  // of the manifolds of this step, where events are wanted
     Real h_ = 0;

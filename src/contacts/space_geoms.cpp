@@ -8,13 +8,12 @@ namespace epode {
 
 bool SpaceGeoms::gather(Space* space)
 {
-    root_ = space;
-    geoms_.clear(), deeper_.clear(), by_slot_.clear();
+    geoms_.clear(), entries_.clear(), table_.clear();
     if (!space) return true;
-    if (!by_slot_.resize(space->geoms.size()) || !geoms_.reserve(space->count) || !add(*space)) return false;
-    std::sort(deeper_.begin(), deeper_.end(),
+    if (!geoms_.reserve(space->count) || !entries_.reserve(space->count) || !add(*space)) return false;
+    std::sort(entries_.begin(), entries_.end(),
               [](const Entry& a, const Entry& b) { return a.serial < b.serial; });
-    return true;
+    return make_table();
 }
 
 bool SpaceGeoms::add(Space& space)
@@ -25,22 +24,31 @@ bool SpaceGeoms::add(Space& space)
         if (slot + kAhead < count) prefetch<1>(space.geoms.data()[slot + kAhead]);
         Geom* geom = space.geoms.data()[slot];
         if (!geom) continue;
-        if (&space == root_)
-            by_slot_.data()[slot] = geoms_.size();
-        else if (!deeper_.push({geom->serial, geoms_.size()}))
+        if (!entries_.push({geom->serial, geoms_.size()}) || !geoms_.push(geom) ||
+            (is_space(*geom) && !add(static_cast<Space&>(*geom))))
             return false;
-        if (!geoms_.push(geom) || (is_space(*geom) && !add(static_cast<Space&>(*geom)))) return false;
     }
     return true;
 }
 
-int SpaceGeoms::find(const Geom& geom) const
+bool SpaceGeoms::make_table()
 {
-    if (geom.space == root_) return root_ ? by_slot_.data()[geom.slot] : -1;
-    const Entry* at =
-        std::lower_bound(deeper_.begin(), deeper_.end(), geom.serial,
-                         [](const Entry& e, std::uint64_t serial) { return e.serial < serial; });
-    return at != deeper_.end() && at->serial == geom.serial ? at->number : -1;
+    constexpr std::uint64_t kWidest = 8;  // places for a geom
+    if (entries_.empty()) return true;
+    first_ = entries_[0].serial;
+    const std::uint64_t places = entries_.back().serial - first_ + 1;
+    if (places > kWidest * std::uint64_t(entries_.size())) return true;
+    if (!table_.resize(int(places))) return false;
+    std::fill(table_.begin(), table_.end(), -1);
+    for (const Entry& e : entries_) table_[int(e.serial - first_)] = e.number;
+    return true;
+}
+
+int SpaceGeoms::search(std::uint64_t serial) const
+{
+    const Entry* at = std::lower_bound(entries_.begin(), entries_.end(), serial,
+                                       [](const Entry& e, std::uint64_t one) { return e.serial < one; });
+    return at != entries_.end() && at->serial == serial ? at->number : -1;
 }
 
 }  // namespace epode

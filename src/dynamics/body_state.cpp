@@ -171,7 +171,7 @@ void orientation(Body& body, std::uint16_t bits, StateStream& stream)
     stream.reals(o.q, 4);
     for (int row = 0; (bits & kMatrix) && row < 3; ++row) stream.reals(o.R + 4 * row, 3);
     stream.set_mode(mode);
-    if (stream.failed() || !is_sound(o, bits, stream) || !stream.stores()) return;
+    if (stream.failed() || (!stream.is_checked() && !is_sound(o, bits, stream)) || !stream.stores()) return;
     if (!(bits & kMatrix)) store_mat(o.R, to_matrix(load_quat(o.q)));
     std::memcpy(body.q, o.q, sizeof o.q), std::memcpy(body.R, o.R, sizeof o.R);
 }

@@ -2,6 +2,8 @@
 // Copyright (c) 2026 The Epode authors
 #include "dynamics/joint_state.h"
 
+#include <cmath>
+
 #include "dynamics/joint_drives.h"
 
 namespace epode {
@@ -12,6 +14,7 @@ static_assert(kMaxBlockRows <= int(kRows));
 
 constexpr std::uint32_t kDriven = 1, kContinuous = 2;  // of an axis
 constexpr std::uint32_t kBroken = 1;                   // of the limits
+constexpr std::uint32_t kLimits = 1 << kMaxAxes;       // of the drives: bits of axes, and this one
 
 int max_rows(const Joint& joint)
 {
@@ -45,6 +48,35 @@ void state(BreakLimits& limits, StateStream& stream)
     if (stream.stores()) limits.broken = bits & kBroken, limits.step = step;
 }
 
+bool is_used(const AxisDrive& axis)
+{
+    if (axis.driven || axis.continuous) return true;
+    const dDrive& d = axis.drive;
+    for (const Real x : {d.stiffness, d.damping, d.armature, d.friction, d.target, d.target_velocity, d.force,
+                         d.force_limit, axis.reference, axis.force})
+        if (x != 0 || std::signbit(x)) return true;
+    return false;
+}
+
+bool is_used(const BreakLimits& limits) { return limits.any() || limits.broken || limits.step != 0; }
+
+// Only what is used takes space: few joints have all of it.
+void state(JointDrives& drives, StateStream& stream)
+{
+    std::uint32_t used = is_used(drives.limits) ? kLimits : 0;
+    for (int i = 0; i < kMaxAxes; ++i) used |= std::uint32_t(is_used(drives.axis[i])) << i;
+    const std::uint32_t bits = stream.word(used);
+    for (int i = 0; i < kMaxAxes; ++i)
+        if (bits >> i & 1)
+            state(drives.axis[i], stream);
+        else if (stream.stores() && used >> i & 1)
+            drives.axis[i] = {};
+    if (bits & kLimits)
+        state(drives.limits, stream);
+    else if (stream.stores() && used & kLimits)
+        drives.limits = {};
+}
+
 }  // namespace
 
 std::uint8_t state_bits(const Joint& joint)
@@ -66,8 +98,7 @@ void state(Joint& joint, std::uint8_t bits, StateStream& stream)
     if (rows > 0) stream.guesses(impulses(joint), rows);
     if (joint.type->state) joint.type->state(joint, stream);
     if (!joint.driven) return;
-    for (AxisDrive& axis : drives_of(joint).axis) state(axis, stream);
-    state(drives_of(joint).limits, stream);
+    state(drives_of(joint), stream);
 }
 
 }  // namespace epode

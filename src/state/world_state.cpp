@@ -207,7 +207,7 @@ const char* WorldState::set(const std::byte* from, std::size_t size, Seal with)
         std::snprintf(text_, sizeof text_, "%s", stream.text());
         return text_;
     }
-    StateStream values(StateStream::Mode::kRead, from + begin, length);
+    StateStream values(StateStream::Mode::kRead, from + begin, length, true);
     visit(values);
     kept_->contacts.accept(cached);
     kept_->world_contacts.accept(loaded, geoms_, rest_.span());

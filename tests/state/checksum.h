@@ -5,9 +5,9 @@
 // s' = rotate(s ^ w, 29) m.
 #pragma once
 
+#include <cstdint>
 #include <cstring>
-
-#include "scene.h"
+#include <vector>
 
 namespace epode::states {
 
@@ -17,7 +17,7 @@ inline std::uint64_t checksum(const unsigned char* at, std::size_t count)
     const auto next = [](std::uint64_t s, std::uint64_t w) { return ((s ^ w) << 29 | (s ^ w) >> 35) * m; };
     std::uint64_t sums[8];
     for (unsigned i = 0; i < 8; ++i) sums[i] = m + i;
-    Bytes padded(at, at + count);
+    std::vector<unsigned char> padded(at, at + count);
     padded.resize(count / 64 * 64 + 64);
     for (std::size_t i = 0; i < padded.size(); i += 8) {
         std::uint64_t word;

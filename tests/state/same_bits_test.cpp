@@ -26,14 +26,14 @@ struct Golden {
 };
 
 constexpr Golden kGolden[2][8] = {
-    {{0x54589e84a6649962, 0x84cd5bc4f3166386},
-     {0x29bdbed9faf5713a, 0x7d9d91d1f20d2992},
-     {0x0413a225fc905195, 0x4d42348f8d64945c},
-     {0xf43b14f8e7949571, 0x34dbaadef68a251a},
-     {0x35671ac27a737691, 0xdf92de70a2bca633},
+    {{0x548e04cc554656ff, 0xc0a74135c3ddab91},
+     {0xfbcf709b030713a7, 0xe56360b27ffdf6a2},
+     {0xd54b7c62e94da055, 0x9aeaa0f02c07469b},
+     {0xe6de8f7e49e0f0a1, 0x4227b35a2427335c},
+     {0x67f5ea6a860aa940, 0xb5a9262d68bb8680},
      {0x65b32fa82cd2d782, 0x34f74b1785a8dba6},
      {0x509ef1e230e706af, 0xe6fcb02311737342},
-     {0x42bd3b172d16654a, 0xcef5e071c8dc21fa}},
+     {0xe32a5a1f25f5aaaa, 0x99eed8c134f4f045}},
     {{0xec18b862bcdf8e95, 0x62f01e2b894ac02f},
      {0x40ce28ac1020e5e6, 0xd9b9e353ba5bfe2b},
      {0x208ad923b7707980, 0xc407bc9f80b7af8e},

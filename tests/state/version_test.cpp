@@ -19,7 +19,7 @@ struct Version {
 };
 
 #ifdef dIDEDOUBLE
-constexpr Version kVersions[] = {{"version_1_double.epw", 10850062473830626589u}};
+constexpr Version kVersions[] = {{"version_1_double.epw", 7071872548749154777u}};
 #else
 constexpr Version kVersions[] = {{"version_1_single.epw", 12678236174857237698u}};
 #endif

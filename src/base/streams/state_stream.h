@@ -32,13 +32,15 @@ class StateStream {
     StateStream() = default;  // measures
     // Writes to `to`, whose capacity must be the measured size.
     explicit StateStream(std::byte* to) : mode_(Mode::kWrite), at_(to) {}
-    StateStream(Mode mode, const std::byte* from, std::size_t size)
-        : mode_(mode), at_(const_cast<std::byte*>(from)), size_(size)
+    // `checked`: the same bytes have been read with kCheck, for the same objects.
+    StateStream(Mode mode, const std::byte* from, std::size_t size, bool checked = false)
+        : mode_(mode), checked_(checked), at_(const_cast<std::byte*>(from)), size_(size)
     {}
 
     bool measures() const { return mode_ == Mode::kMeasure; }
     bool saves() const { return mode_ <= Mode::kWrite; }
     bool stores() const { return mode_ == Mode::kRead; }
+    bool is_checked() const { return checked_; }
     // With kRead after kCheck: stores what follows, in objects that nobody uses yet.
     void set_mode(Mode mode) { mode_ = mode; }
     Mode mode() const { return mode_; }
@@ -125,11 +127,14 @@ class StateStream {
     template <typename T>
     T whole(T value)
     {
-        bytes(&value, sizeof value, [&](const std::byte* from) {
-            std::memcpy(&value, from, sizeof value);
-            return true;
-        });
-        return !saves() && failed() ? T(0) : value;
+        if (saves()) {
+            bytes(&value, sizeof value, [](const std::byte*) { return true; });
+            return value;
+        }
+        if (!take(sizeof value)) return T(0);
+        std::memcpy(&value, at_, sizeof value);
+        at_ += sizeof value, size_ -= sizeof value;
+        return value;
     }
     template <typename Judge>
     void bytes(void* values, std::size_t count, Judge&& judge)
@@ -144,7 +149,7 @@ class StateStream {
                 return;
             default:
                 if (!take(count)) return;
-                if (!judge(at_)) return bad_number();
+                if (!checked_ && !judge(at_)) return bad_number();
                 if (mode_ == Mode::kRead) std::memcpy(values, at_, count);
                 at_ += count, size_ -= count;
         }
@@ -159,6 +164,7 @@ class StateStream {
     [[gnu::cold]] void bad_number() { fail("a number of the state is not finite, or one that it cannot be"); }
 
     Mode mode_ = Mode::kMeasure;
+    bool checked_ = false;
     std::byte* at_ = nullptr;
     std::size_t size_ = 0;
     char text_[160] = {};
