@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// dWorldSetState on any bytes, in a world of each kind: refused, or the world steps on.
+#include "meter.h"
+#include "world.h"
+
+namespace {
+
+using namespace epode::fuzz;
+
+World make_ready(bool managed)
+{
+    be_silent(), meter_library();
+    const World w = make_world(managed);
+    for (int i = 0; i < 120; ++i) {
+        w.step();
+        if (i % 40 > 1) continue;
+        Bytes state(dWorldGetStateSize(w.world));
+        dWorldGetState(w.world, state.data(), state.size());
+        keep_seed(managed ? "managed" : "joints", i, state);
+    }
+    return w;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    static const bool ready = (dInitODE2(0), true);
+    (void)ready;
+    static const World worlds[] = {make_ready(true), make_ready(false)};
+    constexpr std::size_t kHeader = 24;
+    Bytes state(data, data + size / 4 * 4);
+    if (state.size() > kHeader) {
+        put(state, 8, std::uint64_t(state.size()));
+        put(state, 16, epode::states::checksum(&state[kHeader], state.size() - kHeader));
+    }
+    for (const World& w : worlds) {
+        const auto set = [&] {
+            const Meter meter(size);
+            return dWorldSetState(w.world, state.data(), state.size());
+        };
+        if (set()) w.step();
+    }
+    return 0;
+}

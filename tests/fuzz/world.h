@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// A small world with much of what states and files have: a pile on a plane and a mesh, most of it at rest, a
+// hinge with a drive, a slider with a motor, a coupling. With contacts of its own, or in ODE's way.
+#pragma once
+
+#include "seal.h"
+
+namespace epode::fuzz {
+
+struct World {
+    dWorldID world;
+    dSpaceID space;
+    dJointGroupID contacts;
+    bool managed;
+
+    void step() const
+    {
+        if (!managed) dSpaceCollide(space, const_cast<World*>(this), touch);
+        managed ? dWorldStepFast1(world, dReal(0.01), 4) : dWorldQuickStep(world, dReal(0.01));
+        dJointGroupEmpty(contacts);
+    }
+
+  private:
+    static void touch(void* data, dGeomID a, dGeomID b)
+    {
+        const World& w = *static_cast<World*>(data);
+        dContact contact[2] = {};
+        for (int i = 0, n = dCollide(a, b, 2, &contact[0].geom, sizeof contact[0]); i < n; ++i) {
+            contact[i].surface.mu = 1;
+            dJointAttach(dJointCreateContact(w.world, w.contacts, &contact[i]), dGeomGetBody(a),
+                         dGeomGetBody(b));
+        }
+    }
+};
+
+inline dGeomID make_mesh(dSpaceID space)
+{
+    static const float corners[4][3] = {{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}};
+    static const dTriIndex faces[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    const dTriMeshDataID mesh = dGeomTriMeshDataCreate();
+    dGeomTriMeshDataBuildSingle(mesh, corners, sizeof corners[0], 4, faces, 6, sizeof faces[0]);
+    return dCreateTriMesh(space, mesh, nullptr, nullptr, nullptr);
+}
+
+inline void add_joints(dWorldID world, const dBodyID (&body)[5])
+{
+    const dJointID hinge = dJointCreateHinge(world, nullptr), slider = dJointCreateSlider(world, nullptr),
+                   coupling = dJointCreateCoupling(world, nullptr);
+    dJointAttach(hinge, body[3], body[2]), dJointAttach(slider, body[4], nullptr);
+    dDrive drive;
+    dDriveInit(&drive, sizeof drive);
+    drive.stiffness = 50, drive.damping = 2;
+    dJointSetDrive(hinge, 0, &drive), dJointSetBreakLimits(hinge, 900, 900);
+    dJointSetSliderParam(slider, dParamVel, 1), dJointSetSliderParam(slider, dParamFMax, 20);
+    dJointSetCouplingAxis(coupling, 0, hinge, 0, 1),
+        dJointSetCouplingAxis(coupling, 1, slider, 0, dReal(0.1));
+}
+
+inline World make_world(bool managed)
+{
+    const World w{dWorldCreate(), dHashSpaceCreate(nullptr), dJointGroupCreate(0), managed};
+    dWorldSetGravity(w.world, 0, 0, -10), dWorldSetAutoDisableFlag(w.world, 1);
+    if (managed) dWorldSetContactSpace(w.world, w.space);
+    dCreatePlane(w.space, 0, 0, 1, 0), make_mesh(w.space);
+    dBodyID body[5];
+    for (int i = 0; i < 5; ++i) {
+        body[i] = dBodyCreate(w.world);
+        dBodySetPosition(body[i], i / 3, 0, dReal(0.45) + dReal(0.95) * (i % 3));
+        dGeomSetBody(i % 2 ? dCreateSphere(w.space, dReal(0.5)) : dCreateBox(w.space, 1, 1, 1), body[i]);
+    }
+    add_joints(w.world, body);
+    return w;
+}
+
+}  // namespace epode::fuzz

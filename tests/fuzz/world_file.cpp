@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// dWorldLoadFromBuffer on any bytes: refused, or a world that steps and is destroyed.
+#include <algorithm>
+#include <set>
+
+#include "meter.h"
+#include "world.h"
+
+namespace {
+
+using namespace epode::fuzz;
+
+bool make_seeds()
+{
+    dInitODE2(0), be_silent(), meter_library();
+    for (const bool managed : {true, false}) {
+        const World w = make_world(managed);
+        for (int i = 0; i < 40; ++i) w.step();
+        Bytes file(dWorldSaveToBuffer(w.world, w.space, nullptr, 0));
+        dWorldSaveToBuffer(w.world, w.space, file.data(), file.size());
+        keep_seed(managed ? "managed" : "joints", 0, file);
+        dWorldDestroy(w.world), dSpaceDestroy(w.space), dJointGroupDestroy(w.contacts);
+    }
+    return true;
+}
+
+// Meshes that files bring are the program's.
+void destroy(dWorldID world, dSpaceID space)
+{
+    std::set<dTriMeshDataID> meshes;
+    std::set<dHeightfieldDataID> fields;
+    for (int i = 0; space && i < dSpaceGetNumGeoms(space); ++i) {
+        const dGeomID geom = dSpaceGetGeom(space, i);
+        if (dGeomGetClass(geom) == dTriMeshClass) meshes.insert(dGeomTriMeshGetData(geom));
+        if (dGeomGetClass(geom) == dHeightfieldClass) fields.insert(dGeomHeightfieldGetHeightfieldData(geom));
+    }
+    std::vector<dBodyID> bodies(std::size_t(dWorldGetBodies(world, nullptr, 0)));
+    dWorldGetBodies(world, bodies.data(), int(bodies.size()));
+    for (const dBodyID body : bodies)
+        while (const dGeomID geom = dBodyGetFirstGeom(body)) dGeomDestroy(geom);
+    dWorldDestroy(world);
+    if (space) dSpaceDestroy(space);
+    for (const dTriMeshDataID mesh : meshes)
+        if (mesh) dGeomTriMeshDataDestroy(mesh);
+    for (const dHeightfieldDataID field : fields) dGeomHeightfieldDataDestroy(field);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+    static const bool ready = make_seeds();
+    (void)ready;
+    constexpr std::size_t kHeader = 32;
+    Bytes file(data, data + size);
+    if (size > kHeader) {
+        std::uint64_t structure;
+        std::memcpy(&structure, &file[8], 8);
+        structure = std::min<std::uint64_t>(structure, size - kHeader);
+        put(file, 8, structure), put(file, 16, std::uint64_t(size - kHeader - structure));
+        put(file, 24, epode::states::checksum(&file[kHeader], size - kHeader));
+    }
+    dSpaceID space = nullptr;
+    const auto load = [&] {
+        const Meter meter(size);
+        return dWorldLoadFromBuffer(file.data(), file.size(), &space);
+    };
+    const dWorldID world = load();
+    if (!world) return 0;
+    dWorldStepFast1(world, dReal(0.01), 4);
+    destroy(world, space);
+    return 0;
+}
