@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "cli/capture.h"
+#include "cli/command.h"
 #include "cli/console.h"
 #include "cli/numbers.h"
 #include "cli/replay.h"
@@ -274,10 +275,10 @@ int guarded(int argc, char** argv)
 
 }  // namespace
 
-int main(int argc, char** argv)
+int epode::cli::run_command(int argc, char** argv)
 {
     // `epode view` writes its status as it goes and ends with its reader.
     const bool viewing = argc > 1 && std::string(argv[1]) == "view";
-    epode::cli::open_console(!viewing);
-    return epode::cli::finish_console(guarded(argc, argv));
+    open_console(!viewing);
+    return finish_console(guarded(argc, argv));
 }

@@ -4,9 +4,10 @@
 // See found_contacts.h.
 #include "record/found_contacts.h"
 
-#include <dlfcn.h>
 
 #include <algorithm>
+
+#include "record/lookup.h"
 
 namespace epode::record {
 
@@ -56,7 +57,7 @@ dGeomID FoundContacts::create_surface(const Shape& shape)
     for (const auto& vertex : shape.vertices)
         kept.vertices.insert(kept.vertices.end(), vertex.begin(), vertex.end());
     if (shape.kind == ShapeKind::kConvex) {
-        static const auto hull = reinterpret_cast<CreateHull>(dlsym(RTLD_DEFAULT, "dCreateConvexHull"));
+        static const auto hull = reinterpret_cast<CreateHull>(library_function("dCreateConvexHull"));
         const std::vector<dReal> points(kept.vertices.begin(), kept.vertices.end());
         dGeomID geom = hull ? hull(space_, points.data(), unsigned(shape.vertices.size()), 0) : nullptr;
         if (geom) return geom;

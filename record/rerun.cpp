@@ -6,7 +6,6 @@
 // things that live no more are passed over, as the library did when they were recorded.
 #include "record/rerun.h"
 
-#include <dlfcn.h>
 #include <ode/ext.h>
 
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include <deque>
 
 #include "record/figures.h"
+#include "record/lookup.h"
 
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"
 
@@ -43,7 +43,7 @@ constexpr Bound kBounds[] = {
     {kBodySamples, 0, kMostSamples},
 };
 
-void* find(const std::string& name) { return dlsym(RTLD_DEFAULT, name.c_str()); }
+void* find(const std::string& name) { return library_function(name.c_str()); }
 
 // Arguments of one call, made into what the function takes.
 class Decoder {

@@ -6,11 +6,12 @@
 // own -y from above give the heights. Cells with a corner that no ray met (holes) are left out.
 #include "record/surfaces.h"
 
-#include <dlfcn.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+
+#include "record/lookup.h"
 
 namespace epode::record {
 
@@ -124,9 +125,9 @@ Shape mesh_surface(dGeomID mesh)
 
 Shape convex_surface(dGeomID convex)
 {
-    static const auto get_points = reinterpret_cast<GetPoints>(dlsym(RTLD_DEFAULT, "dGeomConvexGetPoints"));
+    static const auto get_points = reinterpret_cast<GetPoints>(library_function("dGeomConvexGetPoints"));
     static const auto get_polygons =
-        reinterpret_cast<GetPolygons>(dlsym(RTLD_DEFAULT, "dGeomConvexGetPolygons"));
+        reinterpret_cast<GetPolygons>(library_function("dGeomConvexGetPolygons"));
     Shape shape;
     shape.kind = ShapeKind::kConvex;
     if (!get_points || !get_polygons) return shape;
@@ -147,7 +148,7 @@ Shape convex_surface(dGeomID convex)
 Shape solid_surface(dGeomID solid)
 {
     constexpr int kSegments = 32;
-    static const auto get = reinterpret_cast<GetTriangles>(dlsym(RTLD_DEFAULT, "dGeomGetTriangles"));
+    static const auto get = reinterpret_cast<GetTriangles>(library_function("dGeomGetTriangles"));
     Shape shape;
     if (!get || dGeomIsSpace(solid) || dGeomGetClass(solid) < dGeomNumClasses) return shape;
     std::vector<dReal> reals(9 * size_t(std::max(0, get(solid, kSegments, nullptr, 0))));

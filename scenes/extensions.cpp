@@ -5,10 +5,11 @@
 // struct_size guards the layout: the library takes and fills as many fields as it says.
 #include "scenes/extensions.h"
 
-#include <dlfcn.h>
 
 #include <algorithm>
 #include <fstream>
+
+#include "record/lookup.h"
 
 namespace epode::scenes {
 
@@ -46,7 +47,7 @@ struct RawContact {
 template <class Function>
 Function find(const char* name)
 {
-    return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
+    return reinterpret_cast<Function>(record::library_function(name));
 }
 
 using StepFast = int (*)(dWorldID, dReal, int);

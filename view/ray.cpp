@@ -5,10 +5,10 @@
 // ray is brought into the geom's frame, where the triangles stay.
 #include "view/ray.h"
 
-#include <dlfcn.h>
 
 #include <cmath>
 
+#include "record/lookup.h"
 #include "record/tessellate.h"
 
 namespace epode::view {
@@ -75,7 +75,7 @@ double to_triangle(Vec origin, Vec direction, Vec a, Vec b, Vec c)
 
 std::optional<Met> closest_geom(dSpaceID space, Vec origin, Vec direction)
 {
-    static const auto closest = reinterpret_cast<RayClosest>(dlsym(RTLD_DEFAULT, "dSpaceRayClosest"));
+    static const auto closest = reinterpret_cast<RayClosest>(record::library_function("dSpaceRayClosest"));
     if (!closest) return by_ray_geom(space, origin, direction);
     const dVector3 from = {dReal(origin.x), dReal(origin.y), dReal(origin.z)};
     const dVector3 along = {dReal(direction.x), dReal(direction.y), dReal(direction.z)};
