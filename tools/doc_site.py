@@ -15,6 +15,7 @@ import sys
 import xml.etree.ElementTree as ElementTree
 
 import check_docs
+import doc_python
 import header_docs
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -40,10 +41,11 @@ def copy_pages():
             continue
         place = SOURCE / page.relative_to(DOCS)
         place.parent.mkdir(parents=True, exist_ok=True)
-        place.write_text(plain_links(page.read_text(encoding="utf-8"), page), encoding="utf-8")
+        place.write_text(plain_links(doc_python.with_recipes(page.read_text(encoding="utf-8")), page), encoding="utf-8")
     for folder in DOCS.rglob("images"):
         shutil.copytree(folder, SOURCE / folder.relative_to(DOCS))
     shutil.copytree(DOCS / "site" / "_static", SOURCE / "_static")
+    (SOURCE / "python" / "reference.md").write_text(doc_python.page(), encoding="utf-8")
 
 
 def mend_xml():

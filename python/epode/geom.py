@@ -100,4 +100,4 @@ class Geom(Object):
     def _dead(self) -> None:
         self._live = None
         self.world._geoms.pop(self._key, None)
-        self.world._changed = True
+        self.world._edition += 1

@@ -179,7 +179,7 @@ class Joint(Object):
         c.dJointDestroy(handle)
         self._live = None
         self.world._joints.pop(handle, None)
-        self.world._changed = True
+        self.world._edition += 1
 
 
 def _number(name: str, axis: int) -> int:

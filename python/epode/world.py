@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import collections
+import os
+import time
 import typing
 import weakref
 from collections.abc import Callable, Sequence
@@ -18,6 +20,7 @@ from .body import Bodies, Body
 from .errors import RefusedError
 from .geom import Geom
 from .joint import TYPES, Joint
+from .recording import Recording
 from .shapes import Material, Plane, Shape
 
 Contacts = NDArray[typing.Any]
@@ -46,9 +49,10 @@ class Cause(typing.NamedTuple):
 class _Structure:
     """The objects of a world and their handles after a step."""
 
-    __slots__ = ("handles", "riders")
+    __slots__ = ("edition", "handles", "riders")
 
     def __init__(self, world: World) -> None:
+        self.edition = world._edition
         self.handles: list[tuple[Body | Joint | Geom, typing.Any]] = [
             (one, one._live) for group in (world._bodies, world._joints, world._geoms) for one in group.values()]
         self.riders = [list(body.geoms) for body in world._bodies.values()]
@@ -60,6 +64,7 @@ class _Structure:
                 one._live = None
             group.clear()
         world._body_list = None
+        self.edition = world._edition = world._edition + 1
         for one, handle in self.handles:
             one._live = handle
             if isinstance(one, Body):
@@ -79,7 +84,7 @@ class World(Object):
     step, 0 for one on each processor. defaults: "game" or "robot", see ``use_defaults``. At the end of a ``with`` block
     the world is destroyed; so it is when nothing refers to it, or to anything in it, any more."""
 
-    __slots__ = ("_bodies", "_joints", "_geoms", "_space", "_body_list", "bodies", "_group", "_past", "_changed", "stepper")
+    __slots__ = ("_bodies", "_joints", "_geoms", "_space", "_body_list", "bodies", "_group", "_past", "_edition", "_recording", "stepper")
     _bodies: dict[c.dBodyID, Body]
     _joints: dict[c.dJointID, Joint]
     _geoms: dict[int, Geom]
@@ -87,7 +92,8 @@ class World(Object):
     _body_list: c.BodyList | None
     _past: collections.deque[_Structure] | None  # after the steps that can be taken back
     stepper: str  # of step()
-    _changed: bool  # something was made or destroyed since
+    _edition: int  # grows when something is made or destroyed
+    _recording: Recording | None
 
     def __init__(self, *, gravity: ArrayLike = (0, 0, -9.81), contacts: bool = True, threads: int | None = None,
                  space: str = "hash", defaults: str = "ode") -> None:
@@ -97,7 +103,8 @@ class World(Object):
         if defaults not in _DEFAULTS:
             raise ValueError(f"no defaults are called {defaults!r}: {', '.join(_DEFAULTS)}")
         self._live = c.dWorldCreate()
-        self._bodies, self._joints, self._geoms, self._body_list, self._past, self._changed = {}, {}, {}, None, None, False
+        self._bodies, self._joints, self._geoms, self._body_list, self._past, self._recording = {}, {}, {}, None, None, None
+        self._edition = 0
         self._space = _SPACES[space](None)
         self._group = c.dJointGroupCreate(0)
         self.bodies = Bodies(self)
@@ -176,7 +183,8 @@ class World(Object):
         given), tells how heavy it is."""
         body = Body(self, c.dBodyCreate(self._handle))
         self._bodies[body._live] = body
-        self._body_list, self._changed = None, True
+        self._body_list = None
+        self._edition += 1
         try:
             geom = self.geom(shape, body=body, material=material) if shape is not None else None
             if mass is not None or density is not None or shape is not None:
@@ -213,7 +221,8 @@ class World(Object):
         if body is not None and body.world is not self:
             raise RefusedError("the body is in another world")
         geom = Geom(self, shape._create(self._space), shape, body)
-        self._geoms[geom._key], self._changed = geom, True
+        self._geoms[geom._key] = geom
+        self._edition += 1
         try:
             if body is not None:
                 c.dGeomSetBody(geom._live, body._handle)
@@ -242,7 +251,8 @@ class World(Object):
             raise RefusedError("a body is in another world")
         handles = [None if b is None else b._handle for b in bodies]
         joint = Joint(self, getattr(c, f"dJointCreate{TYPES[type]}")(self._handle, None), type, body1, body2)
-        self._joints[joint._live], self._changed = joint, True
+        self._joints[joint._live] = joint
+        self._edition += 1
         try:
             c.dJointAttach(joint._live, *handles)
             if type == "fixed":
@@ -260,7 +270,8 @@ class World(Object):
         """A new joint that holds the sum of factor * position over its members within stops: mimic joints, gears,
         differentials. members: (joint, factor) or (joint, factor, axis), at most eight."""
         joint = Joint(self, c.dJointCreateCoupling(self._handle, None), "coupling", None, None)
-        self._joints[joint._live], self._changed = joint, True
+        self._joints[joint._live] = joint
+        self._edition += 1
         try:
             for place, (member, factor, *axis) in enumerate(members):
                 c.dJointSetCouplingAxis(joint._live, place, member._handle, axis[0] if axis else 0, factor)
@@ -272,7 +283,8 @@ class World(Object):
 
     def _forget_body(self, handle: c.dBodyID) -> None:
         self._bodies.pop(handle, None)
-        self._body_list, self._changed = None, True
+        self._body_list = None
+        self._edition += 1
 
     @property
     def joints(self) -> list[Joint]:
@@ -296,7 +308,12 @@ class World(Object):
             raise ValueError(f"no stepper is called {stepper!r}: {', '.join(_STEPS)}")
         handle = self._handle
         for _ in range(steps):
-            take(handle, h)
+            if self._recording is None:
+                take(handle, h)
+            else:
+                begin = time.perf_counter()
+                take(handle, h)
+                self._recording._take(h, 1000 * (time.perf_counter() - begin))
             if self._past is not None:
                 self._remember(1)
 
@@ -321,6 +338,24 @@ class World(Object):
             me = world()
             return me is None or called(me._geoms[a.id], me._geoms[b.id])
         c.dWorldSetContactFilter(self._handle, touch)
+
+    # ---- to look at ----
+
+    def record(self, title: str = "") -> Recording:
+        """Begin to record: the state now, and from now on one after each ``step``, until the recording's ``stop`` or the end of
+        its ``with`` block. A recording that was being made stops."""
+        self._handle
+        if self._recording is not None:
+            self._recording.stop()
+        recording = Recording(self, title)
+        self._recording = recording
+        return recording
+
+    def picture(self, path: str | os.PathLike[str] | None = None, *, width: int = 1280, height: int = 720,
+                eye: ArrayLike | None = None, target: ArrayLike | None = None) -> bytes:
+        """The world now as a PNG file, as ``Recording.picture`` draws it. Returns its bytes, and writes them to path."""
+        self._handle
+        return Recording(self).picture(path, width=width, height=height, eye=eye, target=target)
 
     # ---- what a step did ----
 
@@ -410,7 +445,6 @@ class World(Object):
     def history(self, steps: int) -> None:
         c.dWorldSetHistory(self._handle, steps)
         self._past = collections.deque([_Structure(self)], steps + 1) if steps else None
-        self._changed = False
 
     @property
     def history_steps(self) -> int:
@@ -426,13 +460,12 @@ class World(Object):
         for _ in range(steps):
             past.pop()
         past[-1].restore(self)
-        self._changed = False
 
     def _remember(self, steps: int) -> None:
         """Note what there is after some steps of a world that has a history."""
         assert self._past is not None
-        self._past.extend([_Structure(self) if self._changed else self._past[-1]] * steps)
-        self._changed = False
+        last = self._past[-1]
+        self._past.extend([last if last.edition == self._edition else _Structure(self)] * steps)
 
     def save_changes(self, base: bytes) -> bytes:
         """What has changed since the state base, as bytes; what sleeps costs next to nothing."""

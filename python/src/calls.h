@@ -150,3 +150,4 @@ void bind_structures(nb::module_& m);
 void bind_functions(nb::module_& m);
 void bind_written(nb::module_& m);
 void bind_callbacks(nb::module_& m);
+void bind_command(nb::module_& m);

@@ -3,7 +3,7 @@
 //
 // epode._c: ODE's C API as it is. Handles are objects of the type that C gives them; what a function writes is what
 // it returns; structures are classes that are passed and written to.
-#include "calls.h"
+#include "recording.h"
 
 namespace {
 
@@ -43,4 +43,6 @@ NB_MODULE(_c, m)
     bind_functions(m);
     bind_written(m);
     bind_callbacks(m);
+    bind_recording(m);
+    bind_command(m);
 }

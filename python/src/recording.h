@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Recordings of worlds that Python steps: everything they hold is in memory, and is written when asked for.
+#pragma once
+
+#include "calls.h"
+#include "record/recorder.h"
+#include "record/recording.h"
+
+struct WorldRecording {
+    WorldRecording() : recorder(recording) {}
+    epode::record::Recording recording;
+    epode::record::Recorder recorder;  // holds a reference to the recording
+};
+
+// A state as pixels, three bytes each, rows from the top: from the eye towards the target, or from where all can be seen
+// (none). Throws what went wrong.
+nb::bytes picture_of(const epode::record::Recording& recording, size_t state, int width, int height,
+                     nb::object eye, nb::object target);
+
+void bind_recording(nb::module_& m);

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+"""Every recipe runs, and does what it says."""
+import importlib.util
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+RECIPES = Path(__file__).parent.parent / "recipes"
+
+
+def recipe(name):
+    spec = importlib.util.spec_from_file_location(name, RECIPES / f"{name}.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def test_pendulum():
+    # 1.6493 s for small swings of a capsule; this one swings by some 4 degrees.
+    assert recipe("pendulum").main() == pytest.approx(1.6493, rel=2e-3)
+
+
+def test_buggy():
+    x, y, z = recipe("buggy").main().position
+    assert x > 8 and y > 3 and 0.2 < z < 0.8
+
+
+def test_ragdoll():
+    recording = recipe("ragdoll").main()
+    assert len(recording) == 701
+    assert recording.bodies(-1)[0, 2] < -0.6  # the chest has gone down
+    assert np.isfinite(recording.bodies(-1)).all()
+
+
+def test_pile():
+    seen = recipe("pile").main()
+    assert seen["begin"] > 100 and seen["begin"] > seen["end"] > 0
+
+
+def test_fourbar():
+    # Two triangles on the diagonals where crank and coupler are in line: a + b and b - a.
+    a, b, c, d = 0.3, math.hypot(1, 0.5), 0.8, 1.0
+
+    def angle(diagonal):
+        return math.degrees(math.acos((c * c + d * d - diagonal * diagonal) / (2 * c * d)))
+    assert recipe("fourbar").main() == pytest.approx(angle(a + b) - angle(b - a), abs=0.1)
+
+
+def test_servo():
+    assert recipe("servo").main() < 0.005
+
+
+def test_terrain():
+    world = recipe("terrain").main()
+    positions = world.bodies.position
+    assert len(positions) == 49 and np.abs(positions[:, :2]).max() < 10 and positions[:, 2].min() > -1
+    assert positions[:, 2].mean() < 0.9  # the land is 1.35 m high in the mean
+
+
+def test_rays():
+    assert 0.4 < recipe("rays").main(50_000) < 0.95
+
+
+def test_rollback():
+    assert recipe("rollback").main()
+
+
+def test_many_worlds():
+    assert recipe("many_worlds").main() > 150
+
+
+def test_every_recipe_is_tested_and_on_the_page():
+    page = (RECIPES.parent.parent / "docs" / "python" / "recipes.md").read_text()
+    for path in RECIPES.glob("*.py"):
+        assert f"test_{path.stem}" in globals() and f"({'../' * 2}python/recipes/{path.name})" in page

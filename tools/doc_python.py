@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+"""The reference of the Python package for the site, from its sources: every public class, method, property and function with its
+signature and docstring. The functions of epode.c are those of the C reference; their signatures are in the package's stub."""
+import ast
+import pathlib
+import re
+
+PACKAGE = pathlib.Path(__file__).resolve().parent.parent / "python" / "epode"
+RECIPES = PACKAGE.parent / "recipes"
+# Module: its part of the page. Names that epode/__init__.py lists are shown as epode.NAME.
+MODULES = {"world": "Worlds", "body": "Bodies", "geom": "Geoms", "shapes": "Shapes and materials", "joint": "Joints and drives",
+           "recording": "Recordings", "plot": "Plots: epode.plot", "robot": "Robots: epode.robot", "errors": "Errors"}
+
+
+def is_public(name):
+    return not name.startswith("_")
+
+
+def signature(function, skip_self):
+    arguments = ast.unparse(function.args)
+    if skip_self:
+        arguments = re.sub(r"^(self|cls)(, )?", "", arguments)
+    returned = f" -> {ast.unparse(function.returns)}" if function.returns else ""
+    return f"{function.name}({arguments}){returned}"
+
+
+def entry(title, text):
+    said = "\n".join(line.strip() for line in (text or "").strip().splitlines())
+    return f"`{title}`\n: {said.replace(chr(10), chr(10) + '  ') or '-'}\n\n"
+
+
+def documented_value(node):
+    """NAME = something(..., "text") in a class: a property; its text is the last string."""
+    if not (isinstance(node, ast.Assign) and isinstance(node.value, ast.Call) and isinstance(node.targets[0], ast.Name)):
+        return None
+    texts = [a.value for a in [*node.value.args, *(k.value for k in node.value.keywords)] if isinstance(a, ast.Constant) and isinstance(a.value, str)]
+    return (node.targets[0].id, texts[-1]) if texts and is_public(node.targets[0].id) else None
+
+
+def members(cls):
+    """(title, text) of each member, setters left out."""
+    for node in cls.body:
+        if isinstance(node, ast.FunctionDef) and (is_public(node.name) or node.name == "__init__" and ast.get_docstring(node)):
+            marks = [ast.unparse(d) for d in node.decorator_list]
+            if any(m.endswith((".setter", "overload")) for m in marks):
+                continue
+            returned = f": {ast.unparse(node.returns)}" if node.returns else ""
+            yield (node.name + returned if "property" in marks else signature(node, "staticmethod" not in marks)), ast.get_docstring(node)
+        elif isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name) and is_public(node.target.id) and node.value is not None:
+            yield ast.unparse(node), ""
+        elif found := documented_value(node):
+            yield found
+
+
+def module_part(name, title):
+    tree = ast.parse((PACKAGE / f"{name}.py").read_text(encoding="utf-8"))
+    exported = re.findall(r'"(\w+)"', re.search(r"__all__ = \[(.*?)\]", (PACKAGE / "__init__.py").read_text(encoding="utf-8"), re.S)[1])
+    part = f"## {title}\n\n{ast.get_docstring(tree)}\n\n"
+    for node in tree.body:
+        prefix = "epode." if getattr(node, "name", None) in exported else f"epode.{name}."
+        if isinstance(node, ast.ClassDef) and is_public(node.name):
+            bases = f"({', '.join(ast.unparse(b) for b in node.bases)})" if node.bases else ""
+            part += f"### {prefix}{node.name}{bases}\n\n{ast.get_docstring(node) or ''}\n\n"
+            part += "".join(entry(*member) for member in members(node))
+        elif isinstance(node, ast.FunctionDef) and is_public(node.name):
+            part += entry(prefix + signature(node, False), ast.get_docstring(node))
+    return part
+
+
+def page():
+    """The page python/reference.md."""
+    text = ("# The Python package\n\nMade from the package's sources, which have the same texts as `help()`. `epode.c` has "
+            "[every C function](../reference/index.rst) by its name: handles are objects, and what a function writes through a pointer is what "
+            "it returns; `help(epode.c.dWorldStep)` shows its signature in Python. `epode.ode` has PyODE's names.\n\n")
+    text += "".join(module_part(name, title) for name, title in MODULES.items() if (PACKAGE / f"{name}.py").exists())
+    return re.sub(r"``([^`]+)``", r"`\1`", text)
+
+
+def with_recipes(text):
+    """A page with the program of each recipe after the line that links to it."""
+    def shown(match):
+        code = (RECIPES / match[1]).read_text(encoding="utf-8")
+        return f"{match[0]}\n\n```python\n{code.split(chr(10), 2)[2]}```\n"
+    return re.sub(r"^.*\]\(\.\./\.\./python/recipes/(\w+\.py)\).*$", shown, text, flags=re.M)
