@@ -4,7 +4,13 @@
 # The engine and what is around it from EPODE_BUILT, a build of the release preset (or of asan, which draws no pictures and has no
 # command), as the targets that CMakeLists.txt links: their objects are position independent, so nothing is compiled twice.
 function(built target folder)
-  file(GLOB_RECURSE objects ${EPODE_BUILT}/${folder}/CMakeFiles/${target}.dir/*.o)
+  # Those that the build names: the folders may hold others, of files that were moved.
+  file(STRINGS ${EPODE_BUILT}/build.ninja statements REGEX "^build (${folder}/)?CMakeFiles/${target}[.]dir/[^ :]*[.]o:")
+  set(objects)
+  foreach(statement IN LISTS statements)
+    string(REGEX REPLACE "^build ([^ :]*):.*" "${EPODE_BUILT}/\\1" object "${statement}")
+    list(APPEND objects ${object})
+  endforeach()
   if(NOT objects)
     message(STATUS "EPODE_BUILT: ${EPODE_BUILT} has no objects of ${target}")
     return()
@@ -22,7 +28,7 @@ endfunction()
 find_package(Threads REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(EPODE_AROUND IMPORTED_TARGET epoxy fmt)
-built(ode_objects . Threads::Threads)
+built(ode_objects src Threads::Threads)
 add_library(ode INTERFACE)
 target_link_libraries(ode INTERFACE ode_objects)
 target_include_directories(ode INTERFACE ${engine}/include)

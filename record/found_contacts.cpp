@@ -4,7 +4,6 @@
 // See found_contacts.h.
 #include "record/found_contacts.h"
 
-
 #include <algorithm>
 
 #include "record/lookup.h"

@@ -6,7 +6,6 @@
 // own -y from above give the heights. Cells with a corner that no ray met (holes) are left out.
 #include "record/surfaces.h"
 
-
 #include <algorithm>
 #include <cmath>
 #include <map>

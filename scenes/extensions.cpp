@@ -5,7 +5,6 @@
 // struct_size guards the layout: the library takes and fills as many fields as it says.
 #include "scenes/extensions.h"
 
-
 #include <algorithm>
 #include <fstream>
 

@@ -5,7 +5,6 @@
 // ray is brought into the geom's frame, where the triangles stay.
 #include "view/ray.h"
 
-
 #include <cmath>
 
 #include "record/lookup.h"

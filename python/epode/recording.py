@@ -177,7 +177,7 @@ class Recording:
 
     def _repr_html_(self) -> str:
         page = html.escape(self.html(), quote=True)
-        return f'<iframe srcdoc="{page}" style="width: 100%; height: 480px; border: 0" allowfullscreen></iframe>'
+        return f'<iframe srcdoc="{page}" style="width: 100%; height: 640px; border: 0" allowfullscreen></iframe>'
 
     def picture(self, path: str | os.PathLike[str] | None = None, *, state: int = -1, width: int = 1280, height: int = 720,
                 eye: ArrayLike | None = None, target: ArrayLike | None = None) -> bytes:

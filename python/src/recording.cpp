@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See recording.h. Energies are those of the bodies: kinetic sum of (m v.v + w.I w) / 2, potential -m g.x.
+// See recording.h.
 #include "recording.h"
 
 #include <nanobind/stl/pair.h>
@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "record/csv.h"
+#include "record/figures.h"
 #include "record/glb.h"
 #include "record/page.h"
 #include "record/reader.h"
@@ -28,21 +29,6 @@ using epode::record::StepFigures;
 {
     PyErr_SetString(PyExc_OSError, problem.c_str());
     throw nb::python_error();
-}
-
-double dot(const dReal* a, const dReal* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-void add_energy(dBodyID body, const dReal* gravity, StepFigures& figures)
-{
-    dMass mass;
-    dBodyGetMass(body, &mass);
-    dVector3 w;
-    dBodyVectorFromWorld(body, dBodyGetAngularVel(body)[0], dBodyGetAngularVel(body)[1],
-                         dBodyGetAngularVel(body)[2], w);
-    const dReal* v = dBodyGetLinearVel(body);
-    figures.kinetic += mass.mass * dot(v, v) / 2;
-    for (int i = 0; i < 3; ++i) figures.kinetic += w[i] * dot(mass.I + 4 * i, w) / 2;
-    figures.potential -= mass.mass * dot(gravity, dBodyGetPosition(body));
 }
 
 std::vector<ContactSeen> contacts_of(dWorldID world)
@@ -73,9 +59,7 @@ void take_state(WorldRecording& self, const WorldHandle* world, double time, dou
     figures.time = time;
     figures.dt = dt;
     figures.ms = milliseconds;
-    dVector3 gravity;
-    dWorldGetGravity(get(world), gravity);
-    for (dBodyID body : self.recorder.bodies()) add_energy(body, gravity, figures);
+    epode::record::measure(get(world), self.recorder.bodies(), self.recorder.joints(), figures);
     self.recorder.step(figures, contacts_of(get(world)), true);
     call.done();
 }
