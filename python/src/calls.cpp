@@ -165,7 +165,7 @@ template Array<const unsigned char> array_in<unsigned char>(nb::handle);
 
 nb::object real_array(size_t rows, size_t columns, dReal** data)
 {
-    dReal* memory = new dReal[rows * std::max<size_t>(columns, 1) + 1]();
+    dReal* memory = new dReal[rows * std::max<size_t>(columns, 1) + 1];
     nb::capsule owner(memory, [](void* p) noexcept { delete[] static_cast<dReal*>(p); });
     *data = memory;
     size_t shape[2] = {rows, columns};

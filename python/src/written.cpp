@@ -134,6 +134,8 @@ nb::object joint_states(const JointList& joints, int stride)
     dReal *value, *rate;
     nb::object values = real_array(joints.v.size(), size_t(stride), &value),
                rates = real_array(joints.v.size(), size_t(stride), &rate);
+    std::fill_n(value, joints.v.size() * size_t(stride), 0);
+    std::fill_n(rate, joints.v.size() * size_t(stride), 0);
     Call call;
     use_all(call, joints);
     dJointsGetStates(joints.v.data(), int(joints.v.size()), value, rate, stride);
