@@ -14,7 +14,8 @@ void add_view_options(CLI::App& command, view::ViewOptions& options)
 {
     const CLI::Validator side = whole_number_within(64, 4096);
     command
-        .add_option("what", options.what, "one of `epode list`, a recording (.epr) or a robot (.urdf, .xml, .sdf)")
+        .add_option("what", options.what,
+                    "one of `epode list`, a recording (.epr) or a robot (.urdf, .xml, .sdf)")
         ->required();
     command.add_option("--stepper", options.stepper,
                        "exact, quick, fast or hybrid; default: the scene's own");

@@ -491,6 +491,8 @@ def step_worlds(worlds: Sequence[World], h: float, *, stepper: str = "hybrid", s
         raise ValueError(f"no stepper is called {stepper!r}: {', '.join(_STEPPERS)}")
     made = c.dWorldsStep([w._handle for w in worlds], h, _STEPPERS[stepper], substeps, steps, threads)
     for world, count in zip(worlds, made):
+        if world._recording is not None:
+            world._recording._take(h * count, 0.0)
         if world._past is not None:
             world._remember(count)
     return made

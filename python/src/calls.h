@@ -83,8 +83,8 @@ Array<const T> array_in(nb::handle from);
 
 // New arrays.
 nb::object array_of(const dReal* v, int count);
-nb::object matrix_of(const dReal* v);  // 3 x 3, from rows of four
-nb::object real_array(size_t rows, size_t columns, dReal** data);  // to be filled
+nb::object matrix_of(const dReal* v);                                   // 3 x 3, from rows of four
+nb::object real_array(size_t rows, size_t columns, dReal** data);       // to be filled
 nb::object empty_records(nb::handle dtype, size_t count, void** data);  // structured, dtype from module.cpp
 
 // A message of the library.
