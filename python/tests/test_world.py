@@ -428,3 +428,36 @@ def test_unknown_defaults_are_refused(world):
     for act in (lambda: epode.World(defaults="film"), lambda: world.use_defaults("film"), lambda: epode.defaults_text("film")):
         with pytest.raises(ValueError, match="ode, game, robot"):
             act()
+
+
+def test_a_thousand_steps_of_life_leave_no_memory():
+    def pages():
+        with open("/proc/self/statm") as f:
+            return int(f.read().split()[1])
+    vertices, corners = np.random.rand(300, 3), np.random.randint(0, 300, (500, 3)).astype(np.uint32)
+
+    def live():
+        world = epode.World()
+        world.geom(epode.Mesh(vertices, corners))
+        world.geom(epode.HeightField(np.random.rand(30, 30), 5, 5))
+        bodies = [world.body(mass=1, position=(0, 0, i), shape=epode.Sphere(0.3)) for i in range(5)]
+        bodies[0].on_move(lambda body: None)
+        world.on_pair(lambda a, b: True)
+        world.joint("hinge", bodies[0], bodies[1], axis=(0, 0, 1)).feedback
+        world.history = 4
+        with world.record():
+            world.step(0.01, steps=3)
+        world.load(world.save())
+        bodies[3].destroy()
+        world.step(0.01)
+        world.roll_back(1)
+        with pytest.raises(ValueError):
+            bodies[0].position = (math.nan, 0, 0)
+    for _ in range(50):
+        live()
+    gc.collect()
+    before = pages()
+    for _ in range(200):
+        live()
+    gc.collect()
+    assert pages() - before < 512  # 2 MB; meshes alone would be 4 MB
