@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Free bodies in steppers with substeps. Substeps lose two properties of free motion, which are restored
-// here:
+// Free bodies in steppers with substeps. Substeps lose properties of free motion, which are restored here:
 //
 //  - The program's forces often depend on the pose (springs, the gravity of planets). Held constant over n
 //    substeps they move a body by (n + 1)/(2n) h^2 a instead of h^2 a, and the scheme is not symplectic any
 //    more: orbits gain energy. Here they act as one kick at the beginning, as in semi-implicit Euler. The
 //    world's gravity is uniform and is still divided over the substeps.
 //  - dWorldSetExactRotation turns a free body exactly over the whole step (dynamics/exact_spin.h).
+//  - Substeps of islands with manifolds only take the gyroscopic torque of the beginning for the whole step.
 //
 // Rejected: the kick for constrained bodies. Their contacts would carry n times the load in the first substep
 // and none in the others. The substeps have moved a free body too, in the lanes of its group, and that motion
@@ -30,11 +30,19 @@ inline Vec3 force_on(const World& world, const Body& body)
     return load(body.facc) - body.mass.mass * weight_field(world, body);
 }
 
+inline bool tumbles(const Body& body)
+{
+    const Sym3& s = body.inertia;
+    const bool even = s.xx == s.yy && s.yy == s.zz && s.xy == 0 && s.xz == 0 && s.yz == 0;
+    return body.gyroscopic && !even && !(body.angular_velocity() == Vec3{});
+}
+
 // Must this unconstrained body's motion by substeps be replaced?
-inline bool flies_by_itself(const World& world, const Body& body)
+inline bool flies_by_itself(const World& world, const Body& body, bool manages_contacts)
 {
     if (body.kinematic()) return false;
-    return world.exact_rotation || !(load(body.tacc) == Vec3{}) || !(force_on(world, body) == Vec3{});
+    return world.exact_rotation || (manages_contacts && tumbles(body)) || !(load(body.tacc) == Vec3{}) ||
+           !(force_on(world, body) == Vec3{});
 }
 
 // Integrates pose and velocities from the beginning of the step to its end.

@@ -157,7 +157,7 @@ class IslandStep {
         const SystemPart from = work_.system.begin_of(part), to = work_.system.end_of(part);
         for (int i = from.bodies; i < to.bodies; ++i) {
             Body& body = *work_.island.bodies[std::size_t(i)];
-            if (!flies_by_itself(world_, body)) continue;
+            if (!flies_by_itself(world_, body, context_.manages_contacts)) continue;
             context_.undo.restore_poses(slice(work_.island.bodies, i, i + 1));
             fly(world_, body, context_.h, std::max(1, iterations()));
             load_velocity(body, work_.system.bodies[std::size_t(i)]);
