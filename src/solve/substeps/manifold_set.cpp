@@ -35,11 +35,24 @@ ManifoldSprings springs_of(const Substep& step)
 {
     ManifoldSprings out;
     for (const bool fixed : {false, true}) {
-        const RowAim aim = default_contact(step, 1, fixed, kDampingRatio);
+        const RowAim aim = default_contact(step, 1, fixed, kContactFrequency, kDampingRatio);
         out.bias_rate[fixed] = float(aim.rate),
         out.mass_scale[fixed] = float(1 / (1 + aim.C));  // 1 - C/(1 + C)
     }
     return out;
+}
+
+// Springs of small bodies.
+void stiffen(const ManifoldSources& from, const Substep& step, ManifoldBatch& batch)
+{
+    for (int lane = 0; lane < batch.lanes; ++lane) {
+        const SolverBody &a = *from.body1[lane], &b = *from.body2[lane];
+        const Real frequency = contact_frequency(a, &b);
+        if (!(frequency > kContactFrequency)) continue;
+        const bool fixed = !(a.inv_mass > 0) || !(b.inv_mass > 0);
+        const RowAim aim = default_contact(step, 1, fixed, frequency, kDampingRatio);
+        batch.bias_rate[lane] = float(aim.rate), batch.mass_scale[lane] = float(1 / (1 + aim.C));
+    }
 }
 
 // Stores the normal impulse of a point, and friction as a vector.
@@ -259,6 +272,7 @@ void ManifoldSet::fill_batch(const RowSystem& system, const Substep& step, const
     ManifoldSources from;
     for (int lane = 0; lane < batch.lanes; ++lane) choose_lane(system, b, lane, from);
     kernels_->gather(batch, points, from, springs);
+    if (frequency_limit(step) > kContactFrequency) stiffen(from, step, batch);
     if (batch.extra)
         for (int lane = 0; lane < batch.lanes; ++lane) fill_extra(*from.manifolds[lane], *batch.extra, lane);
     kernels_->prepare(batch, points, motions_.data(), float(1) / float(step.n));
