@@ -11,6 +11,7 @@
 #include "dynamics/joint_drives.h"
 #include "dynamics/joint_group.h"
 #include "dynamics/world.h"
+#include "joints/breaking.h"
 #include "ode/ode.h"
 #include "state/world_archive.h"
 
@@ -122,7 +123,9 @@ void dJointEnable(dJointID j)
 {
     JOINT_OR();
     joint->disabled = false;
-    if (joint->driven) drives_of(*joint).limits.broken = false;
+    if (!joint->driven) return;
+    drives_of(*joint).limits.broken = false;
+    forget_load(*joint);
 }
 
 void dJointDisable(dJointID j)

@@ -45,7 +45,9 @@ void state(BreakLimits& limits, StateStream& stream)
     const std::uint32_t bits = stream.unusual(
         {{&limits.force, kInf, true, 0}, {&limits.torque, kInf, true, 0}}, limits.broken ? kBroken : 0);
     const std::uint64_t step = stream.long_word(limits.step);
-    if (stream.stores()) limits.broken = bits & kBroken, limits.step = step;
+    if (!stream.stores()) return;
+    limits.broken = bits & kBroken, limits.step = step;
+    limits.linear = limits.angular = {};
 }
 
 bool is_used(const AxisDrive& axis)

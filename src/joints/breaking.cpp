@@ -25,8 +25,7 @@ void break_joints(World& world, Real h)
         BreakLimits& limits = drives_of(joint).limits;
         const bool held =
             !(length(limits.linear) > limits.force * h) && !(length(limits.angular) > limits.torque * h);
-        forget_load(joint);
-        if (held) return;
+        if (held) return forget_load(joint);
         limits.broken = true, limits.step = world.step_count;
         joint.disabled = true;
         joint.impulse_rows = 0;

@@ -21,7 +21,8 @@ inline void forget_load(Joint& joint)
 }
 void add_load(Joint& joint, const RowBlock& block, const RowSystem& system);
 
-// At the end of a step of size h. No load outlives its step: the joint's island may not be in the next one.
+// At the end of a step of size h. No load outlives its step, for the joint's island may not be in the next one,
+// but that of a joint that broke: events tell it.
 void break_joints(World& world, Real h);
 // Of a step that is taken back.
 void forget_loads(World& world);

@@ -50,6 +50,7 @@ void test_world_options()
     WORLD_SET(HybridSubsteps, 7);
     WORLD_SET(StepReportMode, 1);
     WORLD_SET(DiagnosisMode, 1);
+    WORLD_SET(Behaviour, dBehaviour016);
     judge(
         "dWorldExt::useDefaults",
         a.useDefaults(dDefaultsGame) == dWorldUseDefaults(b, dDefaultsGame) && read_world(a) == read_world(b),

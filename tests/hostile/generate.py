@@ -71,6 +71,7 @@ KIND_OF_PARAMETER = [
     (r"\w+:struct_size", "StructSize"),
     (r"dWorldsStep:(count|steps)", "Length"),
     (r"dWorldsStep:threads", "ThreadCount"),
+    (r"dWorldSetBehaviour:version", "Behaviour"),
     (r"dWorldsStep:steps_made", "QueryHits"),
     (r"d(Bodies|Joints)[GS]etStates:(count|stride)", "Length"),
     (r"d(Bodies|Joints)[GS]etStates:(out|in|value|rate)", "QueryHits"),

@@ -49,6 +49,7 @@ enum class Kind {
     kTriangleStride,
     kCornerCount,
     kThreadCount,
+    kBehaviour,
     kFaceCount,
     kPointCount,
     kVector3,

@@ -76,6 +76,8 @@ constexpr Integer kStructSizes[] = {{sizeof(dQueryFilter), "sizeof(dQueryFilter)
                                     {4, "4"},
                                     {-1, "-1"},
                                     {INT_MAX, "INT_MAX"}};
+constexpr Integer kBehaviours[] = {
+    {dBehaviour1, "1"}, {dBehaviour016, "0.16"}, {0, "0"}, {-1, "-1"}, {INT_MAX, "INT_MAX"}};
 constexpr Integer kThreadCounts[] = {{1, "1"},   {2, "2"},       {0, "0"},
                                      {-1, "-1"}, {1025, "1025"}, {INT_MAX, "INT_MAX"}};
 constexpr Integer kFaceCounts[] = {

@@ -161,6 +161,8 @@ int Values::count(Kind kind)
             return int(std::size(kStructSizes));
         case Kind::kThreadCount:
             return int(std::size(kThreadCounts));
+        case Kind::kBehaviour:
+            return int(std::size(kBehaviours));
         case Kind::kFaceCount:
             return int(std::size(kFaceCounts));
         case Kind::kPointCount:
@@ -330,6 +332,8 @@ Value Values::get(Kind kind, int index, int position)
             return from_integers(kStructSizes, index);
         case Kind::kThreadCount:
             return from_integers(kThreadCounts, index);
+        case Kind::kBehaviour:
+            return from_integers(kBehaviours, index);
         case Kind::kVertexStride:
             return from_integers(kVertexStrides, index);
         case Kind::kVertexCount:

@@ -143,6 +143,25 @@ DIFFERENCE(D43, samples, "another number of samples of automatic sleep is anothe
     return true;
 }
 
+DIFFERENCE(P2, slider, "a slow body keeps its speed while what is joined to it moves")
+{
+    const World world;
+    const dBodyID slow = world.body(), fast = world.body(1, 0, 0);
+    const dJointID slider = dJointCreateSlider(world.id, nullptr);
+    attached(slider, slow, fast);
+    dJointSetSliderAxis(slider, 1, 0, 0);
+    for (const dBodyID b : {slow, fast}) {
+        dBodySetAutoDisableFlag(b, 1);
+        dBodySetAutoDisableSteps(b, 2);
+        dBodySetAutoDisableTime(b, 0);
+    }
+    dBodySetLinearVel(slow, 0.005, 0, 0);
+    dBodySetLinearVel(fast, 1, 0, 0);
+    world.step(20);
+    note("speed", dBodyGetLinearVel(slow)[0]);
+    return near(dBodyGetLinearVel(slow)[0], 0.005, 1e-9);
+}
+
 DIFFERENCE(E1, nan, "a position that is no number is refused")
 {
     const World world;
