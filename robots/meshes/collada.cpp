@@ -67,7 +67,7 @@ class Collada {
         const double unit =
             parse_numbers(asset.child("unit").text("meter"), meter) && meter.size() == 1 ? meter[0] : 1;
         const std::string up = asset.child("up_axis").node.text().get();
-        if (up == "Y_UP") out.linear = kZUpOfYUp;
+        if (up == "Y_UP") out.linear = {{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}};
         if (up == "X_UP") out.linear = {{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}};
         for (auto& row : out.linear)
             for (double& value : row) value *= unit;

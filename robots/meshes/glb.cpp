@@ -3,9 +3,10 @@
 //
 // GLB, the binary form of glTF 2.0: "glTF", version 2, length, then chunks (length, type, bytes): JSON, and BIN, the one
 // buffer. Nodes have a matrix (by columns) or T R S; a mesh's primitives have positions and, mostly, indices, as views
-// of the buffer. Metres and y up by the standard, so all becomes z up, as Drake does. Materials, skins, animations
-// and looks are left out; buffers of other files and compressed primitives are refused. The JSON is nlohmann's; glTF
-// libraries would decode its pictures too, which nobody needs here.
+// of the buffer. Axes stay those of the file: glTF says that y points up, but the GLB meshes of robots have the axes
+// of their links, as the meshes of collisions next to them show. Materials, skins and animations are left out; buffers
+// of other files and compressed primitives are refused. The JSON is nlohmann's; glTF libraries would decode pictures
+// too, which nobody needs here.
 #include <cstring>
 #include <map>
 
@@ -117,7 +118,7 @@ class Glb {
                 return false;
             }
         const Json& scene = element(field(root_, "scenes"), size_t(whole(root_, "scene", 0)));
-        return read_nodes(field(scene, "nodes"), {kZUpOfYUp, {}}, 0);
+        return read_nodes(field(scene, "nodes"), {}, 0);
     }
 
   private:

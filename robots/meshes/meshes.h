@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Triangles from files: STL (binary and text), OBJ (corners and faces), DAE and GLB (geometry of the scene, in metres, z up), MSH.
+// Triangles from files: STL (binary and text), OBJ (corners and faces), DAE (geometry of the scene, in metres, z up), GLB (the same, the axes of the file), MSH.
 #pragma once
 
 #include "robots/model.h"

@@ -24,9 +24,6 @@ inline Vec operator*(const Matrix& m, Vec v)
 inline Vec operator*(const Affine& a, Vec v) { return a.linear * v + a.shift; }
 inline Affine operator*(const Affine& a, const Affine& b) { return {a.linear * b.linear, a * b.shift}; }
 
-// Takes scenes whose y axis points up to z up.
-constexpr Matrix kZUpOfYUp{{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}};
-
 struct Part {
     std::vector<Vec> vertices;
     std::vector<std::array<std::uint32_t, 3>> triangles;

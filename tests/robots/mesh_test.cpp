@@ -47,9 +47,9 @@ double signed_volume(const Mesh& mesh)
     return sum;
 }
 
-TEST(Glb, IsReadWithZUp)
+TEST(Glb, IsReadWithItsOwnAxes)
 {
-    expect_tetrahedron(mesh_of("a.glb", tetrahedron_glb()), 1.0 / 6, {0.25, -0.25, 0.25});
+    expect_tetrahedron(mesh_of("a.glb", tetrahedron_glb()), 1.0 / 6, {0.25, 0.25, 0.25});
 }
 
 TEST(Glb, NodesTurnScaleAndMove)
@@ -58,10 +58,10 @@ TEST(Glb, NodesTurnScaleAndMove)
     const std::string turned =
         R"({"children":[1],"translation":[1,2,3]},{"mesh":0,"scale":[2,2,2],"rotation":[0,)" +
         std::to_string(h) + ",0," + std::to_string(h) + "]}";
-    // Scaled: centre (1/2, 1/2, 1/2). A quarter turn about y: (z, y, -x). Moved, then (x, y, z) -> (x, -z, y).
-    expect_tetrahedron(mesh_of("a.glb", tetrahedron_glb(turned)), 8.0 / 6, {1.5, -2.5, 2.5});
+    // Scaled: centre (1/2, 1/2, 1/2). A quarter turn about y: (z, y, -x). Moved.
+    expect_tetrahedron(mesh_of("a.glb", tetrahedron_glb(turned)), 8.0 / 6, {1.5, 2.5, 2.5});
     const std::string matrix = R"({"mesh":0,"matrix":[0,1,0,0, -1,0,0,0, 0,0,1,0, 5,0,0,1]})";
-    expect_tetrahedron(mesh_of("a.glb", tetrahedron_glb(matrix)), 1.0 / 6, {4.75, -0.25, 0.25});
+    expect_tetrahedron(mesh_of("a.glb", tetrahedron_glb(matrix)), 1.0 / 6, {4.75, 0.25, 0.25});
 }
 
 TEST(Glb, MirrorsTurnTrianglesRound)
