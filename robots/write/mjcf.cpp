@@ -43,6 +43,7 @@ class MjcfWriter {
     void write_pose(Node node, const Pose& pose);
     void write_inertial(Node body, const Link& link);
     void write_joint(Node body, size_t number);
+    void write_passive(Node node, const Joint& joint);
     void write_geom(Node body, const Shape& shape, bool touches);
     void write_size(Node geom, const Shape& shape);
     void write_closures();
@@ -110,24 +111,35 @@ void MjcfWriter::write_inertial(Node body, const Link& link)
     set(inertial, "fullinertia", list_text({i[0][0], i[1][1], i[2][2], i[0][1], i[0][2], i[1][2]}));
 }
 
+// A <freejoint> where nothing else is to be said.
 void MjcfWriter::write_joint(Node body, size_t number)
 {
     const Joint& joint = model_.joints[number];
-    Node its = body.append_child(joint.kind == JointKind::kFree ? "freejoint" : "joint");
+    const bool is_free = joint.kind == JointKind::kFree;
+    const bool is_bare =
+        is_free && joint.armature == 0 && joint.damping == 0 && joint.friction == 0 && joint.stiffness == 0;
+    Node its = body.append_child(is_bare ? "freejoint" : "joint");
     set(its, "name", joints_[number]);
-    if (joint.kind == JointKind::kFree) return;
+    if (is_bare) return;
     set(its, "type", name_of(joint.kind));
-    set(its, "pos", text_of(joint.anchor)), set(its, "axis", text_of(joint.axis));
-    set(its, "limited", yes(joint.limited));
-    if (joint.limited) set(its, "range", range_of(joint.low, joint.high));
+    if (!is_free) {
+        set(its, "pos", text_of(joint.anchor)), set(its, "axis", text_of(joint.axis));
+        set(its, "limited", yes(joint.limited));
+        if (joint.limited) set(its, "range", range_of(joint.low, joint.high));
+    }
+    write_passive(its, joint);
+}
+
+void MjcfWriter::write_passive(Node node, const Joint& joint)
+{
     const std::pair<const char*, double> numbers[] = {
         {"ref", joint.reference},   {"springref", joint.spring_reference}, {"stiffness", joint.stiffness},
         {"damping", joint.damping}, {"armature", joint.armature},          {"frictionloss", joint.friction}};
     for (const auto& [name, value] : numbers)
-        if (value != 0) set(its, name, value);
+        if (value != 0) set(node, name, value);
     if (std::isfinite(joint.max_force)) {
-        set(its, "actuatorfrcrange", range_of(-joint.max_force, joint.max_force));
-        set(its, "actuatorfrclimited", "true");
+        set(node, "actuatorfrcrange", range_of(-joint.max_force, joint.max_force));
+        set(node, "actuatorfrclimited", "true");
     }
     if (std::isfinite(joint.max_velocity)) losses_.add("limits of velocities are not in MJCF");
 }

@@ -109,6 +109,18 @@ TEST(Mjcf, ClassesHandDownAndElementsOverride)
     EXPECT_EQ(link_of(model, "ball").shapes[0].friction, 0.9);
 }
 
+// A <joint type="free"> has its class's armature, a <freejoint> has none.
+TEST(Mjcf, FreeJointsHaveAnArmatureWhereTheirClassSaysSo)
+{
+    const std::string head = "<mujoco><default><joint armature='0.1'/></default><worldbody><body>",
+                      foot = "<geom size='0.1'/></body></worldbody></mujoco>";
+    const RobotModel model = load_robot_text("x.xml", head + "<joint type='free'/>" + foot);
+    ASSERT_FALSE(model.has_errors()) << report_of(model);
+    EXPECT_EQ(model.joints[0].armature, 0.1);
+    EXPECT_NE(report_of(model).find("approximated 1: armature"), std::string::npos) << report_of(model);
+    EXPECT_EQ(load_robot_text("x.xml", head + "<freejoint/>" + foot).joints[0].armature, 0);
+}
+
 TEST(Mjcf, MassesComeFromGeoms)
 {
     const RobotModel model = load_robot(kModels + "/walker.xml");

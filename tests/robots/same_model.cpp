@@ -116,16 +116,16 @@ class Models : Comparison {
     {
         if (!a.name.empty()) same(what, a.name, b.name);
         same(what + " kind", name_of(a.kind), name_of(b.kind)), same(what + " link", a.link, b.link);
+        same(what + " stiffness", a.stiffness, b.stiffness);
+        same(what + " damping", a.damping, b.damping), same(what + " armature", a.armature, b.armature);
+        same(what + " friction", a.friction, b.friction);
         if (a.kind == JointKind::kFree) return;
         same(what + " axis", a.axis, b.axis), same(what + " anchor", a.anchor, b.anchor);
         same(what + " reference", a.reference, b.reference), same(what + " limited", a.limited, b.limited);
         same(what + " low", a.low, b.low), same(what + " high", a.high, b.high);
         same(what + " max force", a.max_force, b.max_force),
             same(what + " max velocity", a.max_velocity, b.max_velocity);
-        same(what + " stiffness", a.stiffness, b.stiffness),
-            same(what + " rest", a.spring_reference, b.spring_reference);
-        same(what + " damping", a.damping, b.damping), same(what + " armature", a.armature, b.armature);
-        same(what + " friction", a.friction, b.friction);
+        same(what + " rest", a.spring_reference, b.spring_reference);
     }
 
     // URDF has no order of them.
