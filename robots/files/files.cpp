@@ -88,14 +88,26 @@ bool Files::is_allowed(const std::string& path) const
                        [&](const std::string& root) { return is_inside(path, root); });
 }
 
-// `rest` is PACKAGE/PATH. The package's folder becomes a root: named ones first, then ROS's, then upwards.
+// The file of a package in that folder, "" if it has none.
+std::string Files::in_package(const std::string& root, const std::string& inner, std::string& tried) const
+{
+    const std::string whole = canonical(root + inner);
+    if (is_file(whole) && is_inside(whole, canonical(root))) return whole;
+    tried += (tried.empty() ? "" : ", ") + root + inner;
+    return {};
+}
+
+// `rest` is PACKAGE/PATH. The package's folder becomes a root: named ones first, then ROS's, then upwards. A name that
+// begins with a dot is none: hidden folders on the way up are nobody's package.
 std::string Files::find_package(const std::string& rest, const std::string& folder, std::string& tried)
 {
     const size_t slash = rest.find('/');
     const std::string package = rest.substr(0, slash);
-    if (slash == std::string::npos || package.empty() || package == "." || package == "..") return {};
-    std::vector<std::string> places;
-    for (const std::string& root : named_) places.push_back(root);
+    if (slash == std::string::npos || package.empty() || package[0] == '.') return {};
+    const std::string inner = rest.substr(slash);
+    if (const auto known = packages_.find(package); known != packages_.end())
+        if (const std::string whole = in_package(known->second, inner, tried); !whole.empty()) return whole;
+    std::vector<std::string> places = named_;
     for (const std::string& root : environment_paths()) places.push_back(root);
     std::string ancestor = folder;
     for (int i = 0; i < kMaxAncestors && ancestor.size() > 1; ++i, ancestor = folder_of(ancestor))
@@ -103,13 +115,11 @@ std::string Files::find_package(const std::string& rest, const std::string& fold
     for (const std::string& place : places) {
         const bool is_it = fs::path(place).filename() == package;
         for (const std::string& root : {is_it ? place : std::string(), place + "/" + package}) {
-            if (root.empty()) continue;
-            const std::string whole = canonical(root + rest.substr(slash)), its_root = canonical(root);
-            if (is_file(whole) && is_inside(whole, its_root)) {
-                roots_.push_back(its_root);
-                return whole;
-            }
-            tried += (tried.empty() ? "" : ", ") + root + rest.substr(slash);
+            const std::string whole = root.empty() ? "" : in_package(root, inner, tried);
+            if (whole.empty()) continue;
+            packages_[package] = root;
+            roots_.push_back(canonical(root));
+            return whole;
         }
     }
     return {};

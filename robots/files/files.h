@@ -6,6 +6,7 @@
 // and folders that the caller names. Paths are compared after links and ".." are resolved.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,8 +29,10 @@ class Files {
   private:
     bool is_allowed(const std::string& path) const;
     std::string find_package(const std::string& rest, const std::string& folder, std::string& tried);
+    std::string in_package(const std::string& root, const std::string& inner, std::string& tried) const;
 
     std::vector<std::string> named_, roots_;
+    std::map<std::string, std::string> packages_;  // found before, with their folders
     size_t total_ = 0;
 };
 
