@@ -19,35 +19,44 @@ void add(RobotModel& model, Note note, int line, const std::string& text)
     model.report.push_back({note, model.path, line, text});
 }
 
+// Of a link and of those that merge with it.
+double mass_with_fixed(const RobotModel& model, size_t number)
+{
+    std::vector<bool> is_part(model.links.size());
+    double sum = 0;
+    is_part[number] = true;
+    for (size_t i = number; i < model.links.size(); ++i) {
+        const Link& link = model.links[i];
+        if (link.parent >= 0 && is_part[size_t(link.parent)] && link.joints.empty()) is_part[i] = true;
+        if (is_part[i]) sum += link.mass;
+    }
+    return sum;
+}
+
+void remove_joint(RobotModel& model, int gone)
+{
+    model.joints.erase(model.joints.begin() + gone);
+    for (Link& link : model.links) {
+        std::erase(link.joints, gone);
+        for (int& joint : link.joints) joint -= joint > gone;
+    }
+    for (Coupling& coupling : model.couplings)
+        for (Coupling::Term& term : coupling.terms) term.joint -= term.joint > gone;
+    for (Actuator& actuator : model.actuators) actuator.joint -= actuator.joint > gone;
+    number_coordinates(model);
+}
+
 // A URDF whose root weighs nothing stands in the world: arms whose base has no inertial.
 void fix_weightless_base(RobotModel& model)
 {
-    for (size_t i = 1; i < model.links.size(); ++i) {
-        Link& link = model.links[i];
-        const bool is_free = link.joints.size() == 1 && link.parent == 0 &&
-                             model.joints[size_t(link.joints[0])].kind == JointKind::kFree;
-        double fixed_mass = 0;  // of the links that merge with it
-        std::vector<bool> is_part(model.links.size());
-        is_part[i] = true;
-        for (size_t k = i; k < model.links.size(); ++k) {
-            const Link& part = model.links[k];
-            is_part[k] =
-                is_part[k] || (part.parent >= 0 && is_part[size_t(part.parent)] && part.joints.empty());
-            if (is_part[k]) fixed_mass += part.mass;
-        }
-        if (!is_free || fixed_mass > 0) continue;
-        const int gone = link.joints[0];
-        link.joints.clear();
-        model.joints.erase(model.joints.begin() + gone);
-        for (Link& other : model.links)
-            for (int& joint : other.joints) joint -= joint > gone;
-        for (Coupling& coupling : model.couplings)
-            for (Coupling::Term& term : coupling.terms) term.joint -= term.joint > gone;
-        for (Actuator& actuator : model.actuators) actuator.joint -= actuator.joint > gone;
-        number_coordinates(model);
-        add(model, Note::kChanged, link.line,
-            "the root link '" + link.name + "' has no mass: it is fixed to the world");
-    }
+    if (model.links.size() < 2) return;
+    const Link& base = model.links[1];
+    const bool is_free = base.joints.size() == 1 && base.parent == 0 &&
+                         model.joints[size_t(base.joints[0])].kind == JointKind::kFree;
+    if (!is_free || mass_with_fixed(model, 1) > 0) return;
+    add(model, Note::kChanged, base.line,
+        "the root link '" + base.name + "' has no mass: it is fixed to the world");
+    remove_joint(model, base.joints[0]);
 }
 
 bool give_mass(RobotModel& model, Link& link, const LoadOptions& options)
@@ -78,38 +87,44 @@ std::vector<bool> carries_mass(const RobotModel& model)
     return out;
 }
 
+// Of a moving link without one.
+void judge_missing_mass(RobotModel& model, Link& link, bool carries, const LoadOptions& options)
+{
+    const std::string its = "the moving link '" + link.name + "' has no ";
+    if (give_mass(model, link, options))  // asked for, so not even strict minds
+        add(model, Note::kApproximated, link.line,
+            its + "inertial: it was given " + std::to_string(link.mass) + " kg");
+    else if (carries)
+        add(model, options.strict ? Note::kError : Note::kApproximated, link.line,
+            its + "mass: a small body carries what hangs on it");
+    else
+        add(model, Note::kError, link.line,
+            its +
+                "mass; give it an <inertial>, or load with the inertia from its shapes or with a mass for "
+                "such links");
+}
+
+void judge_inertia(RobotModel& model, Link& link, const LoadOptions& options)
+{
+    const std::string fault = fault_of(link.inertia),
+                      its = "the inertia of link '" + link.name + "' " + fault;
+    if (fault.empty()) return;
+    if (!options.repair)
+        return add(model, Note::kError, link.line, its + "; correct it, or load with repair");
+    link.inertia = mended(link.inertia, link.mass);
+    add(model, Note::kApproximated, link.line, its + ": mended");
+}
+
 void judge_masses(RobotModel& model, const LoadOptions& options)
 {
     const std::vector<bool> carries = carries_mass(model);
     for (size_t i = 1; i < model.links.size(); ++i) {
         Link& link = model.links[i];
         if (link.joints.empty()) continue;
-        if (!(link.mass > 0)) {
-            if (give_mass(model, link, options)) {
-                add(model, Note::kApproximated, link.line,
-                    "the moving link '" + link.name + "' has no inertial: it was given " +
-                        std::to_string(link.mass) + " kg");
-            } else if (!carries[i]) {
-                add(model, Note::kError, link.line,
-                    "the moving link '" + link.name +
-                        "' has no mass; give it an <inertial>, or load with the inertia "
-                        "from its shapes or with a mass for such links");
-            } else {
-                add(model, options.strict ? Note::kError : Note::kApproximated, link.line,
-                    "the moving link '" + link.name + "' has no mass: a small body carries what hangs on it");
-            }
-            continue;
-        }
-        const std::string fault = fault_of(link.inertia);
-        if (fault.empty()) continue;
-        if (!options.repair) {
-            add(model, Note::kError, link.line,
-                "the inertia of link '" + link.name + "' " + fault + "; correct it, or load with repair");
-            continue;
-        }
-        link.inertia = mended(link.inertia, link.mass);
-        add(model, Note::kApproximated, link.line,
-            "the inertia of link '" + link.name + "' " + fault + ": mended");
+        if (link.mass > 0)
+            judge_inertia(model, link, options);
+        else
+            judge_missing_mass(model, link, carries[i], options);
     }
 }
 

@@ -4,6 +4,7 @@
 // What is made once for all worlds of a model: see build.h.
 #include <ode/ext.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -20,6 +21,22 @@ std::vector<dReal> reals_of(const std::vector<Vec>& points)
     std::vector<dReal> out;
     for (Vec p : points) out.insert(out.end(), {dReal(p.x), dReal(p.y), dReal(p.z)});
     return out;
+}
+
+struct Overlaps {
+    std::map<dBodyID, int> link_of;
+    std::set<std::array<int, 2>> found;  // links, the lower number first
+};
+
+void note_overlap(void* data, dGeomID one, dGeomID two)
+{
+    Overlaps& overlaps = *static_cast<Overlaps*>(data);
+    const dBodyID a = dGeomGetBody(one), b = dGeomGetBody(two);
+    dContactGeom contact;
+    if (!a || !b || a == b || dAreConnected(a, b)) return;
+    if (dCollide(one, two, 1, &contact, sizeof contact) == 0) return;
+    const auto [low, high] = std::minmax(overlaps.link_of[a], overlaps.link_of[b]);
+    overlaps.found.insert({low, high});
 }
 
 }  // namespace
@@ -85,24 +102,15 @@ void Prepared::make_triangles(size_t number)
 void Prepared::find_overlapping()
 {
     const dWorldID world = dWorldCreate();
-    const dSpaceID space = dSimpleSpaceCreate(nullptr);
+    const dSpaceID space = dHashSpaceCreate(nullptr);
     if (world && space) {
         const std::shared_ptr<const Prepared> borrowed(this, [](const Prepared*) {});
         const Robot robot(borrowed, world, space, {}, {});
-        std::map<dBodyID, int> link_of;
+        Overlaps overlaps;
         for (size_t i = 0; i < model_.links.size(); ++i)
-            if (robot.body(int(i))) link_of[robot.body(int(i))] = int(i);
-        std::set<std::array<int, 2>> found;
-        const auto& geoms = robot.geoms();
-        for (size_t i = 0; i < geoms.size(); ++i)
-            for (size_t k = 0; k < i; ++k) {
-                const dBodyID a = dGeomGetBody(geoms[k]), b = dGeomGetBody(geoms[i]);
-                dContactGeom contact;
-                if (!a || !b || a == b || dAreConnected(a, b)) continue;
-                if (dCollide(geoms[k], geoms[i], 1, &contact, sizeof contact) > 0)
-                    found.insert({link_of[a], link_of[b]});
-            }
-        overlapping_.assign(found.begin(), found.end());
+            if (robot.body(int(i))) overlaps.link_of[robot.body(int(i))] = int(i);
+        dSpaceCollide(space, &overlaps, &note_overlap);
+        overlapping_.assign(overlaps.found.begin(), overlaps.found.end());
     }
     if (space) dSpaceDestroy(space);
     if (world) dWorldDestroy(world);

@@ -59,6 +59,8 @@ class Mjcf {
     void read_passive(const Attributes& attributes, Joint& joint);
     void read_geom(const Attributes& attributes, const Scope& scope, Inertia& of_geoms);
     bool read_size(const Attributes& attributes, const std::string& type, Shape& shape);
+    bool read_mesh(const Attributes& attributes, const std::string& type, Shape& shape);
+    bool has_good_size(const Attributes& attributes, const std::string& type, Shape& shape);
     void add_mass(const Attributes& attributes, const Shape& shape, Inertia& of_geoms);
     void finish_link(Link& link, const Inertia& of_geoms, const Inertia* inertial);
     Pose pose_of(const Attributes& attributes);
@@ -72,7 +74,10 @@ class Mjcf {
     bool find_target(const Attributes& attributes, Actuator& actuator);
     void read_gains(const Attributes& attributes, Actuator& actuator);
     void read_equalities(const Element& section);
+    void read_general_gains(const Attributes& attributes, Actuator& actuator);
     void read_closure(const Attributes& attributes, bool weld);
+    bool join_sites(const Element& element, Closure& closure);
+    bool join_bodies(const Attributes& attributes, Closure& closure);
     void read_joint_equality(const Attributes& attributes);
     void read_tendons(const Element& section);
     void read_contacts(const Element& section);

@@ -55,37 +55,38 @@ bool Mjcf::find_target(const Attributes& a, Actuator& actuator)
 
 void Mjcf::read_gains(const Attributes& a, Actuator& actuator)
 {
-    double kp = 1, kv = 0;
-    std::vector<double> values;
-    if (actuator.kind == "position") {
+    double kp = 1, kv = actuator.kind == "velocity" ? 1 : 0;
+    if (actuator.kind == "general") {
+        read_general_gains(a, actuator);
+    } else if (actuator.kind != "motor") {
         number(a, "kp", kp), number(a, "kv", kv);
-        actuator.gain = actuator.bias_position = kp, actuator.bias_velocity = kv;
-        if (a.has("dampratio"))
+        const bool is_servo = actuator.kind == "position";
+        actuator.bias_position = is_servo ? kp : 0, actuator.bias_velocity = kv;
+        actuator.gain = is_servo ? kp : kv;
+        if (is_servo && a.has("dampratio"))
             reading_.note(Note::kIgnored, a.element(), "dampratio of actuator '" + actuator.name + "'");
-    } else if (actuator.kind == "velocity") {
-        kv = 1;
-        number(a, "kv", kv);
-        actuator.gain = actuator.bias_velocity = kv;
-    } else if (actuator.kind == "general") {
-        if (list(a, "gainprm", 1, 10, values)) actuator.gain = values[0];
-        const bool is_affine = a.text("biastype") == "affine";
-        if (list(a, "biasprm", 1, 10, values) && is_affine) {
-            values.resize(3, 0);
-            actuator.bias = values[0], actuator.bias_position = -values[1],
-            actuator.bias_velocity = -values[2];
-        }
-        for (const char* kind : {"gaintype", "biastype"}) {
-            const std::string text = a.text(kind);
-            if (!text.empty() && text != "fixed" && text != "none" && text != "affine")
-                reading_.note(Note::kIgnored, a.element(), std::string(kind) + " " + text);
-        }
-        if (a.text("gaintype") == "affine")
-            reading_.note(Note::kApproximated, a.element(), "affine gain as a constant one");
     }
     const std::string dynamics = a.text("dyntype");
     if ((!dynamics.empty() && dynamics != "none") || a.has("timeconst"))
         reading_.note(Note::kApproximated, a.element(),
                       "actuator '" + actuator.name + "' acts without its filter");
+}
+
+void Mjcf::read_general_gains(const Attributes& a, Actuator& actuator)
+{
+    std::vector<double> values;
+    if (list(a, "gainprm", 1, 10, values)) actuator.gain = values[0];
+    if (list(a, "biasprm", 1, 10, values) && a.text("biastype") == "affine") {
+        values.resize(3, 0);
+        actuator.bias = values[0], actuator.bias_position = -values[1], actuator.bias_velocity = -values[2];
+    }
+    for (const char* kind : {"gaintype", "biastype"}) {
+        const std::string text = a.text(kind);
+        if (!text.empty() && text != "fixed" && text != "none" && text != "affine")
+            reading_.note(Note::kIgnored, a.element(), std::string(kind) + " " + text);
+    }
+    if (a.text("gaintype") == "affine")
+        reading_.note(Note::kApproximated, a.element(), "affine gain as a constant one");
 }
 
 void Mjcf::read_actuator(const Attributes& a)
@@ -121,40 +122,47 @@ void Mjcf::read_actuators(const Element& section)
     for (const Element& element : expand(section)) read_actuator(defaults_.of(element, "", reading_));
 }
 
-// The anchor is a point of body 1; what body 2 has there at the reference position stays there.
 void Mjcf::read_closure(const Attributes& a, bool weld)
 {
     const Element& element = a.element();
     Closure closure;
     closure.weld = weld, closure.name = element.text("name"), closure.line = element.line();
-    if (element.has("site1")) {
-        const Frame *one = frame_named(model_, element.text("site1")),
-                    *two = frame_named(model_, element.text("site2"));
-        if (!one || !two) return reading_.error(element, "an equality of sites that are not there");
-        closure.link1 = one->link, closure.pose1 = one->pose, closure.link2 = two->link,
-        closure.pose2 = two->pose;
-        return model_.closures.push_back(closure);
-    }
+    if (element.has("site1") ? join_sites(element, closure) : join_bodies(a, closure))
+        model_.closures.push_back(closure);
+}
+
+bool Mjcf::join_sites(const Element& element, Closure& closure)
+{
+    const Frame *one = frame_named(model_, element.text("site1")),
+                *two = frame_named(model_, element.text("site2"));
+    if (!one || !two) return reading_.error(element, "an equality of sites that are not there"), false;
+    closure.link1 = one->link, closure.pose1 = one->pose;
+    closure.link2 = two->link, closure.pose2 = two->pose;
+    return true;
+}
+
+// The anchor is a point of body 1; what body 2 has there at the reference position stays there.
+bool Mjcf::join_bodies(const Attributes& a, Closure& closure)
+{
+    const Element& element = a.element();
     closure.link1 = model_.link_named(element.text("body1"));
     closure.link2 = element.has("body2") ? model_.link_named(element.text("body2")) : 0;
     if (closure.link1 < 0 || closure.link2 < 0)
         return reading_.error(element, "an equality of the bodies '" + element.text("body1") + "' and '" +
-                                           element.text("body2") + "'; one is not there");
+                                           element.text("body2") + "'; one is not there"),
+               false;
     const std::vector<Pose> poses = forward_kinematics(model_, reference_positions(model_));
     const Pose &one = poses[size_t(closure.link1)], &two = poses[size_t(closure.link2)];
-    std::vector<double> relative;
-    const bool is_given = weld && list(a, "relpose", 7, 7, relative) &&
-                          (relative[3] != 0 || relative[4] != 0 || relative[5] != 0 || relative[6] != 0);
-    if (!weld) {
+    std::vector<double> p;
+    if (!closure.weld) {
         vec(a, "anchor", closure.pose1.p);
         closure.pose2 = inverse(two) * (one * closure.pose1);
-    } else if (is_given) {
-        closure.pose1 = {{relative[0], relative[1], relative[2]},
-                         normalised({relative[3], relative[4], relative[5], relative[6]})};
+    } else if (list(a, "relpose", 7, 7, p) && (p[3] != 0 || p[4] != 0 || p[5] != 0 || p[6] != 0)) {
+        closure.pose1 = {{p[0], p[1], p[2]}, normalised({p[3], p[4], p[5], p[6]})};
     } else {
         closure.pose1 = inverse(one) * two;
     }
-    model_.closures.push_back(closure);
+    return true;
 }
 
 // q1 - r1 = c0 + c1 (q2 - r2) + c2 (q2 - r2)^2 + ..., with the references r.

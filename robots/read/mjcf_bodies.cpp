@@ -14,6 +14,8 @@ namespace {
 constexpr double kWater = 1000;  // kg/m^3
 constexpr int kMaxDepth = 400;
 
+bool is_round(ShapeKind kind) { return kind == ShapeKind::kCapsule || kind == ShapeKind::kCylinder; }
+
 JointKind kind_of(const std::string& type)
 {
     return type == "slide" ? JointKind::kSlide : type == "ball" ? JointKind::kBall : JointKind::kHinge;
@@ -111,6 +113,7 @@ void Mjcf::read_children(const std::vector<Element>& children, const Scope& scop
     for (const Element& child : children) {
         if (child.name() != "body" && child.name() != "frame") continue;
         if (scope.depth >= kMaxDepth) return reading_.error(child, "bodies are nested deeper than 400");
+        if (model_.links.size() > kMaxLinks) return reading_.error(child, Reading::too_many_links());
         Scope inner = scope;
         ++inner.depth;
         if (child.has("childclass")) inner.childclass = child.text("childclass");
@@ -236,50 +239,53 @@ Mjcf::Asset* Mjcf::mesh_named(const std::string& name, const Element& where)
     return asset.mesh < 0 ? nullptr : &asset;
 }
 
-// Kind and size, and the pose that fromto means.
+// Kind and size, and the pose that fromto means. False: nothing to add; the report has why.
 bool Mjcf::read_size(const Attributes& a, const std::string& type, Shape& shape)
 {
     static const std::map<std::string, ShapeKind> kinds{
         {"sphere", ShapeKind::kSphere},     {"capsule", ShapeKind::kCapsule},
         {"cylinder", ShapeKind::kCylinder}, {"ellipsoid", ShapeKind::kEllipsoid},
         {"box", ShapeKind::kBox},           {"plane", ShapeKind::kPlane}};
-    if (type == "mesh" || (a.has("mesh") && type != "sdf")) {
-        shape.kind = reading_.options.meshes_as_triangles ? ShapeKind::kTriangles : ShapeKind::kHull;
-        if (type != "mesh")
-            reading_.note(Note::kApproximated, a.element(), "a " + type + " fitted to a mesh is the mesh");
-        const Asset* asset = mesh_named(a.text("mesh"), a.element());
-        if (!asset) return false;
-        shape.mesh = asset->mesh, shape.pose = shape.pose * inverse(asset->reference);
-        return true;
-    }
+    if (type == "mesh" || (a.has("mesh") && type != "sdf")) return read_mesh(a, type, shape);
     const auto kind = kinds.find(type);
-    if (kind == kinds.end()) {
-        reading_.note(Note::kIgnored, a.element(), "a geom of type " + type);
-        return false;
-    }
+    if (kind == kinds.end())
+        return reading_.note(Note::kIgnored, a.element(), "a geom of type " + type), false;
     shape.kind = kind->second;
     std::vector<double> size, ends;
     list(a, "size", 1, 3, size);
-    const size_t given = size.size();
+    const double second = size.size() > 1 ? size[1] : size.empty() ? 0 : size[0];
     size.resize(3, 0);
     shape.size = {size[0], size[1], size[2]};
-    const bool is_round = shape.kind == ShapeKind::kCapsule || shape.kind == ShapeKind::kCylinder;
     if (list(a, "fromto", 6, 6, ends)) {
         const Vec from{ends[0], ends[1], ends[2]}, to{ends[3], ends[4], ends[5]};
-        shape.pose = {0.5 * (from + to), turn_of_z(from - to)};
         const double half = length(to - from) / 2;
-        shape.size = is_round ? Vec{size[0], half, 0} : Vec{size[0], given > 1 ? size[1] : size[0], half};
+        shape.pose = {0.5 * (from + to), turn_of_z(from - to)};
+        shape.size = is_round(shape.kind) ? Vec{size[0], half, 0} : Vec{size[0], second, half};
     }
-    const int needed = shape.kind == ShapeKind::kSphere  ? 1
-                       : is_round                        ? 2
-                       : shape.kind == ShapeKind::kPlane ? 0
-                                                         : 3;
-    for (int i = 0; i < needed; ++i)
-        if (!(shape.size[i] > 0)) {
-            reading_.error(a.element(), "a " + type + " whose size is not positive");
-            return false;
-        }
-    for (int i = needed; i < 3 && shape.kind != ShapeKind::kPlane; ++i) shape.size[i] = 0;
+    return has_good_size(a, type, shape);
+}
+
+bool Mjcf::read_mesh(const Attributes& a, const std::string& type, Shape& shape)
+{
+    shape.kind = reading_.options.meshes_as_triangles ? ShapeKind::kTriangles : ShapeKind::kHull;
+    if (type != "mesh")
+        reading_.note(Note::kApproximated, a.element(), "a " + type + " fitted to a mesh is the mesh");
+    const Asset* asset = mesh_named(a.text("mesh"), a.element());
+    if (!asset) return false;
+    shape.mesh = asset->mesh, shape.pose = shape.pose * inverse(asset->reference);
+    return true;
+}
+
+// What a shape does not use is 0.
+bool Mjcf::has_good_size(const Attributes& a, const std::string& type, Shape& shape)
+{
+    if (shape.kind == ShapeKind::kPlane) return true;
+    const int needed = shape.kind == ShapeKind::kSphere ? 1 : is_round(shape.kind) ? 2 : 3;
+    for (int i = 0; i < 3; ++i) {
+        if (i >= needed) shape.size[i] = 0;
+        if (i < needed && !(shape.size[i] > 0))
+            return reading_.error(a.element(), "a " + type + " whose size is not positive"), false;
+    }
     return true;
 }
 

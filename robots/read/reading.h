@@ -27,6 +27,9 @@ struct MeshFile {
     bool counts_folds = false;
 };
 
+// Of a robot: more makes worlds that nobody steps.
+constexpr size_t kMaxLinks = 10'000;
+
 class Reading {
   public:
     Reading(RobotModel& its_model, const LoadOptions& its_options, Files& its_files)
@@ -49,6 +52,8 @@ class Reading {
     bool vec(const Element& element, const char* attribute, Vec& out);
 
     int mesh(const Place& where, const MeshFile& file);
+
+    static std::string too_many_links() { return "more than " + std::to_string(kMaxLinks) + " links"; }
 
     RobotModel& model;
     const LoadOptions& options;

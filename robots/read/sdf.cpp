@@ -59,7 +59,12 @@ class Sdf {
                  int depth);
     void collect_joints(const sdf::Model& model, const std::string& scope);
     void collect_frames(const sdf::Model& model, const std::string& scope);
+    void choose_tree();
+    bool has_ends(const Edge& edge) const;
     void add_trees();
+    void add_all_on(const std::string& root);
+    void close_loops();
+    void add_frames();
     void add_link(const std::string& name, int parent);
     void add_branches(const std::string& name, std::vector<const Edge*>& open);
     void read_inertial(const sdf::Link& from, Link& link);
@@ -83,7 +88,7 @@ class Sdf {
     RobotModel& model_;
     std::string folder_;
     std::map<std::string, Source> links_;
-    std::vector<std::string> order_;  // of links
+    std::vector<std::string> order_, roots_;  // of links
     std::vector<Edge> edges_;
     std::map<std::string, std::vector<const Edge*>> children_;
     std::set<const Edge*> in_tree_;
@@ -268,30 +273,44 @@ void Sdf::add_branches(const std::string& name, std::vector<const Edge*>& open)
     open.insert(open.end(), edges.rbegin(), edges.rend());
 }
 
-// Links without a parent are free, unless their model is static; then what hangs on them, branch by branch.
-void Sdf::add_trees()
+// The first joint of a child, but of one that stands still.
+void Sdf::choose_tree()
 {
     std::set<std::string> has_parent;
     for (const Edge& edge : edges_) {
-        if (edge.joint->Type() == sdf::JointType::GEARBOX) continue;
-        if (!links_.count(edge.child) || (edge.parent != "world" && !links_.count(edge.parent))) continue;
+        if (edge.joint->Type() == sdf::JointType::GEARBOX || !has_ends(edge)) continue;
         if (links_[edge.child].is_static || !has_parent.insert(edge.child).second) continue;
         children_[edge.parent].push_back(&edge), in_tree_.insert(&edge);
     }
+    for (const std::string& name : order_)
+        if (!has_parent.count(name)) roots_.push_back(name);
+}
+
+bool Sdf::has_ends(const Edge& edge) const
+{
+    return links_.count(edge.child) && (edge.parent == "world" || links_.count(edge.parent));
+}
+
+// All that hangs on a link, branch by branch.
+void Sdf::add_all_on(const std::string& root)
+{
     std::vector<const Edge*> open;
-    const auto finish = [&] {
-        while (!open.empty()) {
-            const Edge& edge = *open.back();
-            open.pop_back();
-            add_link(edge.child, edge.parent == "world" ? 0 : links_[edge.parent].number);
-            read_joint(edge);
-            add_branches(edge.child, open);
-        }
-    };
-    add_branches("world", open);
-    finish();
-    for (const std::string& name : order_) {
-        if (has_parent.count(name)) continue;
+    add_branches(root, open);
+    while (!open.empty()) {
+        const Edge& edge = *open.back();
+        open.pop_back();
+        add_link(edge.child, edge.parent == "world" ? 0 : links_[edge.parent].number);
+        read_joint(edge);
+        add_branches(edge.child, open);
+    }
+}
+
+// Links without a parent are free, unless their model is static.
+void Sdf::add_trees()
+{
+    choose_tree();
+    add_all_on("world");
+    for (const std::string& name : roots_) {
         add_link(name, 0);
         if (!links_[name].is_static && !reading_.options.fixed_base) {
             Joint joint;
@@ -299,8 +318,7 @@ void Sdf::add_trees()
             model_.links.back().joints.push_back(int(model_.joints.size()));
             model_.joints.push_back(joint);
         }
-        add_branches(name, open);
-        finish();
+        add_all_on(name);
     }
     for (const std::string& name : order_)
         if (links_[name].number < 0)
@@ -474,16 +492,27 @@ void Sdf::read(const sdf::Root& root)
                 collect(model, place, model.Name() + "::", false, 0);
         }
     }
+    if (links_.size() > kMaxLinks) note(Note::kError, 0, Reading::too_many_links());
+    if (model_.has_errors()) return;
     add_trees();
     number_coordinates(model_);
     if (model_.has_errors()) return;
+    close_loops();
+    add_frames();
+}
+
+void Sdf::close_loops()
+{
     for (const Edge& edge : edges_) {
         if (edge.joint->Type() == sdf::JointType::GEARBOX)
             read_gearbox(edge);
-        else if (!in_tree_.count(&edge) && links_.count(edge.child) &&
-                 (edge.parent == "world" || links_.count(edge.parent)))
+        else if (!in_tree_.count(&edge) && has_ends(edge))
             close_loop(edge);
     }
+}
+
+void Sdf::add_frames()
+{
     for (const auto& [frame, scope] : frames_) {
         std::string body;
         Frame out;

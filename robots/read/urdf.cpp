@@ -34,7 +34,11 @@ class Urdf {
     void read_inertial(const Element& element, Link& link);
     bool read_shape(const Element& element, bool is_visual, Shape& shape);
     void read_color(const Element& material, Shape& shape);
+    bool read_mesh(const Element& it, Note missing, Shape& shape);
+    bool read_solid(const Element& it, Note broken, Shape& shape);
     void read_joint(const Edge& edge, int link);
+    void add_planar(const Edge& edge, Vec normal, int link);
+    void add_axis(const Edge& edge, Vec axis, int link);
     void add_joint(JointKind kind, const std::string& name, Vec axis, int link, const Element& element);
     void read_limits(const Element& element, Joint& joint);
     void read_mimics();
@@ -79,6 +83,7 @@ bool Urdf::collect()
         if (!links_.emplace(name, link).second) reading_.error(link, "a second link '" + name + "'");
         order_.push_back(name);
     }
+    if (links_.size() > kMaxLinks) reading_.error(robot_, Reading::too_many_links());
     std::set<std::string> names, children;
     for (const Element& joint : robot_.children("joint")) {
         Edge edge{joint, joint.text("name"), joint.text("type"), joint.child("parent").text("link"),
@@ -205,8 +210,8 @@ void Urdf::read_color(const Element& material, Shape& shape)
 // False: nothing to add; the report has why.
 bool Urdf::read_shape(const Element& element, bool is_visual, Shape& shape)
 {
-    const Element geometry = element.child("geometry");
-    const std::vector<Element> all = geometry.children();
+    const std::vector<Element> all = element.child("geometry").children();
+    const Note broken = is_visual ? Note::kIgnored : Note::kError;
     shape.name = element.text("name");
     shape.pose = origin_of(element);
     if (is_visual) read_color(element.child("material"), shape);
@@ -215,40 +220,41 @@ bool Urdf::read_shape(const Element& element, bool is_visual, Shape& shape)
                                     " shapes in its geometry; one is wanted");
         return false;
     }
-    const Element& it = all[0];
-    const std::string kind = it.name();
-    Vec size;
+    return all[0].name() == "mesh" ? read_mesh(all[0], broken, shape) : read_solid(all[0], broken, shape);
+}
+
+bool Urdf::read_mesh(const Element& it, Note missing, Shape& shape)
+{
+    Vec scale{1, 1, 1};
+    reading_.vec(it, "scale", scale);
+    shape.kind = reading_.options.meshes_as_triangles ? ShapeKind::kTriangles : ShapeKind::kHull;
+    shape.mesh = reading_.mesh({missing, it.file(), it.line()}, {it.text("filename"), folder_, scale, false});
+    return shape.mesh >= 0;
+}
+
+// A capsule may have no length: it is a ball.
+bool Urdf::read_solid(const Element& it, Note broken, Shape& shape)
+{
+    static const std::map<std::string, ShapeKind> kinds{{"box", ShapeKind::kBox},
+                                                        {"sphere", ShapeKind::kSphere},
+                                                        {"cylinder", ShapeKind::kCylinder},
+                                                        {"capsule", ShapeKind::kCapsule}};
+    const auto kind = kinds.find(it.name());
+    if (kind == kinds.end()) return reading_.note(Note::kIgnored, it, "a shape <" + it.name() + ">"), false;
+    shape.kind = kind->second;
     double radius = 0, high = 0;
-    if (kind == "box") {
-        shape.kind = ShapeKind::kBox;
+    Vec size;
+    reading_.number(it, "radius", radius), reading_.number(it, "length", high),
         reading_.vec(it, "size", size);
-        shape.size = 0.5 * size;
-    } else if (kind == "sphere") {
-        reading_.number(it, "radius", radius);
-        shape.size = {radius, 0, 0};
-    } else if (kind == "cylinder" || kind == "capsule") {
-        shape.kind = kind == "cylinder" ? ShapeKind::kCylinder : ShapeKind::kCapsule;
-        reading_.number(it, "radius", radius), reading_.number(it, "length", high);
-        shape.size = {radius, high / 2, 0};
-    } else if (kind == "mesh") {
-        Vec scale{1, 1, 1};
-        reading_.vec(it, "scale", scale);
-        shape.kind = reading_.options.meshes_as_triangles ? ShapeKind::kTriangles : ShapeKind::kHull;
-        shape.mesh = reading_.mesh({is_visual ? Note::kIgnored : Note::kError, it.file(), it.line()},
-                                   {it.text("filename"), folder_, scale, false});
-        return shape.mesh >= 0;
-    } else {
-        reading_.note(Note::kIgnored, it, "a shape <" + kind + ">");
-        return false;
-    }
-    const bool is_long =
-        kind == "box" ? shape.size.z > 0 && shape.size.y > 0 : kind != "cylinder" || high > 0;
-    if (!(shape.size.x > 0) || !is_long || high < 0) {
-        reading_.note(is_visual ? Note::kIgnored : Note::kError, it,
-                      "a " + kind + " without a positive size");
-        return false;
-    }
-    return true;
+    shape.size = shape.kind == ShapeKind::kBox ? 0.5 * size : Vec{radius, high / 2, 0};
+    if (shape.kind == ShapeKind::kSphere) shape.size.y = 0;
+    const Vec s = shape.size;
+    const bool is_long = shape.kind == ShapeKind::kBox        ? s.y > 0 && s.z > 0
+                         : shape.kind == ShapeKind::kCylinder ? s.y > 0
+                                                              : s.y >= 0;
+    if (s.x > 0 && is_long) return true;
+    reading_.note(broken, it, "a " + it.name() + " without a positive size");
+    return false;
 }
 
 void Urdf::add_joint(JointKind kind, const std::string& name, Vec axis, int link, const Element& element)
@@ -292,24 +298,30 @@ void Urdf::read_joint(const Edge& edge, int link)
     if (kind == "fixed") return;
     if (kind == "floating") return add_joint(JointKind::kFree, edge.name, axis, link, element);
     if (!(size > 1e-9)) return reading_.error(element, "joint '" + edge.name + "' has an axis of no length");
-    axis = (1 / size) * axis;
-    if (kind == "planar") {
-        const Quat frame = turn_of_z(axis);
-        add_joint(JointKind::kSlide, edge.name + "/x", rotate(frame, {1, 0, 0}), link, element);
-        add_joint(JointKind::kSlide, edge.name + "/y", rotate(frame, {0, 1, 0}), link, element);
-        add_joint(JointKind::kHinge, edge.name + "/turn", axis, link, element);
-        reading_.note(Note::kChanged, element, "planar joint '" + edge.name + "' as two sliders and a hinge");
-        return;
-    }
-    const bool turns = kind == "revolute" || kind == "continuous";
-    if (!turns && kind != "prismatic")
-        return reading_.error(element,
-                              "joint '" + edge.name + "' has the type '" + kind +
+    kind == "planar" ? add_planar(edge, (1 / size) * axis, link) : add_axis(edge, (1 / size) * axis, link);
+}
+
+void Urdf::add_planar(const Edge& edge, Vec normal, int link)
+{
+    const Quat frame = turn_of_z(normal);
+    add_joint(JointKind::kSlide, edge.name + "/x", rotate(frame, {1, 0, 0}), link, edge.element);
+    add_joint(JointKind::kSlide, edge.name + "/y", rotate(frame, {0, 1, 0}), link, edge.element);
+    add_joint(JointKind::kHinge, edge.name + "/turn", normal, link, edge.element);
+    reading_.note(Note::kChanged, edge.element,
+                  "planar joint '" + edge.name + "' as two sliders and a hinge");
+}
+
+void Urdf::add_axis(const Edge& edge, Vec axis, int link)
+{
+    const bool turns = edge.kind == "revolute" || edge.kind == "continuous";
+    if (!turns && edge.kind != "prismatic")
+        return reading_.error(edge.element,
+                              "joint '" + edge.name + "' has the type '" + edge.kind +
                                   "'; there are revolute, continuous, prismatic, fixed, floating, planar");
-    add_joint(turns ? JointKind::kHinge : JointKind::kSlide, edge.name, axis, link, element);
+    add_joint(turns ? JointKind::kHinge : JointKind::kSlide, edge.name, axis, link, edge.element);
     Joint& joint = model_.joints.back();
-    joint.limited = kind != "continuous";
-    read_limits(element, joint);
+    joint.limited = edge.kind != "continuous";
+    read_limits(edge.element, joint);
 }
 
 void Urdf::read_mimics()
