@@ -144,6 +144,8 @@ CLI::App* add_mechanisms(CLI::App& app, epode::bench::MechanismOptions& options)
         ->check(CLI::IsMember({"exact", "quick", "fast"}));
     command->add_option("--worlds", options.worlds, "default 64")->check(CLI::Range(1, 100'000));
     command->add_option("--threads", options.threads, "default 1")->check(CLI::Range(1, 64));
+    command->add_option("--projection", options.projection, "Newton steps on positions (default 0)")
+        ->check(CLI::Range(0, 100));
     command->add_option("--settle", options.settle, "steps before the first that is timed (default 50)")
         ->check(CLI::Range(0, 1'000'000));
     command->add_option("--steps", options.steps, "of each world in a round (default 500)")

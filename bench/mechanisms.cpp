@@ -277,6 +277,8 @@ class Run {
         for (int i = 0; i < options.worlds; ++i) {
             mechanisms_.push_back(build(model, i));
             worlds_.push_back(mechanisms_.back().world);
+            if (options.projection > 0)
+                EPODE_FIND(dWorldSetStepProjection)(worlds_.back(), options.projection);
         }
     }
     ~Run()

@@ -14,9 +14,10 @@ struct MechanismOptions {
     std::string stepper = "exact";
     int worlds = 64;
     int threads = 1;
-    int settle = 50;  // steps before the first that is timed
-    int steps = 500;  // of each world, that are timed
-    int rounds = 3;   // they are timed in; the quickest counts
+    int projection = 0;  // Newton steps on positions after a step
+    int settle = 50;     // steps before the first that is timed
+    int steps = 500;     // of each world, that are timed
+    int rounds = 3;      // they are timed in; the quickest counts
 };
 
 int bench_mechanisms(const MechanismOptions& options);

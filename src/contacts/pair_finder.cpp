@@ -51,6 +51,8 @@ bool collect_lone(Space& space, const Tasks& tasks, Array<GeomPair>& out)
     return true;
 }
 
+bool bits_meet(const Geom& a, const Geom& b) { return (a.category & b.collide) || (b.category & a.collide); }
+
 // In the order of the broad phase's list.
 bool collect_few(const Space& space, Array<GeomPair>& out)
 {
@@ -60,9 +62,9 @@ bool collect_few(const Space& space, Array<GeomPair>& out)
         if (!a || !a->enabled || !boxes.present(i)) continue;
         const Aabb way = boxes.way(i);
         for (int j = i; j-- > 0;) {
-            if (!overlap(way, boxes.way(j))) continue;
             Geom* const b = space.geoms[j];
-            if (!b || !b->enabled || !boxes.present(j) || !may_meet(*a, *b)) continue;
+            if (!b || !bits_meet(*a, *b) || !boxes.present(j) || !overlap(way, boxes.way(j))) continue;
+            if (!b->enabled || !may_meet(*a, *b)) continue;
             if (!out.push({a, b})) return false;
         }
     }

@@ -23,6 +23,7 @@ void break_joints(World& world, Real h)
     world.joints.for_each_active([&](Joint& joint) {
         if (!joint.driven || joint.disabled) return;
         BreakLimits& limits = drives_of(joint).limits;
+        if (!limits.any()) return;
         const bool held =
             !(length(limits.linear) > limits.force * h) && !(length(limits.angular) > limits.torque * h);
         if (held) return forget_load(joint);

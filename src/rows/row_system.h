@@ -65,6 +65,7 @@ struct RowBlock {
     bool contact = false;  // rows of one contact point with these arms: normal, tangents, then rolling rows
     ContactArms arms;
     RowForm form = RowForm::kFree;  // of a joint's rows
+    bool point = false;             // its rows at this pose have the form kPoint, whatever `form` is
     bool followed = false;          // by a solver with substeps that keeps the rows up to date itself
     // Of a coupling: the one Jacobian of all its rows, over more than two bodies, in place of theirs and of
     // body1 and body2. Its rows are called wide.

@@ -78,9 +78,10 @@ class RowWriter {
         arms_ = {r1, r2};
         form_ = form;
     }
-    RowForm form() const { return form_; }
     // Rows that ask for more than a pose can tell have no form: the joint is asked for them in every substep.
-    void ask_again() { form_ = RowForm::kFree; }
+    RowForm form() const { return asks_again_ ? RowForm::kFree : form_; }
+    void ask_again() { asks_again_ = true; }
+    bool holds_point() const { return form_ == RowForm::kPoint; }
 
     // Velocities at an inner pose, where the bodies still have those of the beginning of the step; else null.
     const BodyMotion* motion() const { return motion_; }
@@ -115,6 +116,7 @@ class RowWriter {
     Vec3 force_[2], torque_[2];
     ContactArms arms_;
     RowForm form_ = RowForm::kFree;
+    bool asks_again_ = false;
     const BodyMotion* motion_ = nullptr;
     std::span<const BodyTerm> terms_;
 };

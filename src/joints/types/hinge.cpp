@@ -25,9 +25,12 @@ struct Hinge : LastingJoint {
 
     Real sign() const { return reverse ? Real(-1) : Real(1); }
     Vec3 axis_world() const { return axis.world(*this, 0); }
+    // A step asks twice at one pose, for the stops and for the drive.
     Real angle() const
     {
-        return hinge_angle(orientation_of(body1()), orientation_of(body2()), zero, axis.local[0]);
+        const Reading now{orientation_of(body1()), orientation_of(body2()), zero, axis.local[0]};
+        if (!(now == read_)) read_ = now, angle_ = hinge_angle(now.q1, now.q2, now.zero, now.axis);
+        return angle_;
     }
     Real rate() const { return dot(axis_world(), relative_angular_velocity(*this)); }
     void set_zero() { zero = relative_orientation(*this); }
@@ -64,6 +67,20 @@ struct Hinge : LastingJoint {
         anchor.structure(stream), axis.structure(stream), stream.quaternion(zero);
     }
     void describe(DifWriter& out) const;
+
+  private:
+    // What an angle follows from.
+    struct Reading {
+        Quat q1, q2, zero;
+        Vec3 axis;
+        bool operator==(const Reading& o) const
+        {
+            const auto same = [](Quat a, Quat b) { return a.w == b.w && a.vec() == b.vec(); };
+            return same(q1, o.q1) && same(q2, o.q2) && same(zero, o.zero) && axis == o.axis;
+        }
+    };
+    mutable Reading read_{};
+    mutable Real angle_ = 0;  // as read there
 };
 
 JOINT_DEFINE(Hinge);

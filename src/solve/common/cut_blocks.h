@@ -24,6 +24,7 @@ void for_each_piece(const RowBlock& block, F&& f)
     for (int from = 0; from < block.count; from += kPieceRows) {
         RowBlock piece = block;
         piece.first = block.first + from, piece.count = std::min(kPieceRows, block.count - from);
+        piece.point = block.point && from == 0;
         f(piece);
     }
 }
