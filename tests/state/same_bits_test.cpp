@@ -26,22 +26,22 @@ struct Golden {
 };
 
 constexpr Golden kGolden[2][8] = {
-    {{0x548e04cc554656ff, 0xc0a74135c3ddab91},
+    {{0xd98243acf4b3d4a6, 0xef75b8b512267fa8},
      {0xfbcf709b030713a7, 0xe56360b27ffdf6a2},
-     {0xd54b7c62e94da055, 0x9aeaa0f02c07469b},
-     {0xe6de8f7e49e0f0a1, 0x4227b35a2427335c},
-     {0x67f5ea6a860aa940, 0xb5a9262d68bb8680},
+     {0xa5f489917b7af5af, 0x7b042bfc3baf4a55},
+     {0x9ddab1337c824688, 0x6897307b43320330},
+     {0xe667050a487d5399, 0x9f8f0c87f5f9343a},
      {0x65b32fa82cd2d782, 0x34f74b1785a8dba6},
      {0x509ef1e230e706af, 0xe6fcb02311737342},
-     {0xe32a5a1f25f5aaaa, 0x99eed8c134f4f045}},
-    {{0xec18b862bcdf8e95, 0x62f01e2b894ac02f},
-     {0x40ce28ac1020e5e6, 0xd9b9e353ba5bfe2b},
-     {0x208ad923b7707980, 0xc407bc9f80b7af8e},
-     {0xea40b4d6a0751ddb, 0x7e74c3d8de8eea85},
-     {0x02ccf209e8c8db5c, 0x4d83af37ee0b9591},
-     {0x4f96f02b050dc679, 0xba7d4b7e31321f53},
-     {0x4b7d68f42f214443, 0xf51c3878c6d50fc2},
-     {0xd32313e7dca9d0ab, 0x4f6957e117039117}},
+     {0xe3a5899575a1ffa0, 0x48aef7fcf6b90de0}},
+    {{0x1fba6016a9fc344d, 0x66a0fbe54834251d},
+     {0xec296d43939069d4, 0xd3c2efa8a0dd9422},
+     {0x163480238bc6da46, 0x0e7b526c318d9c1e},
+     {0x4bed81bdf71f2e36, 0x908b95e31d9c1082},
+     {0xcbe5fdf5fc24d5ec, 0x675ead46a323770e},
+     {0xf307d0afafecd43c, 0x885249f72e38e176},
+     {0xf0ced5220c807466, 0xc19bd33e1057808b},
+     {0x3e8ef9fefe3791ef, 0xfa6eb1471c8a8987}},
 };
 
 class SameBits : public testing::TestWithParam<int> {};

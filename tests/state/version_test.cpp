@@ -19,9 +19,9 @@ struct Version {
 };
 
 #ifdef dIDEDOUBLE
-constexpr Version kVersions[] = {{"version_1_double.epw", 7071872548749154777u}};
+constexpr Version kVersions[] = {{"version_1_double.epw", 16219834461081234855u}};
 #else
-constexpr Version kVersions[] = {{"version_1_single.epw", 12678236174857237698u}};
+constexpr Version kVersions[] = {{"version_1_single.epw", 9384463220980488835u}};
 #endif
 
 std::uint64_t checksum_of_motion(dWorldID world)
