@@ -25,6 +25,9 @@ class _Data:
     def __del__(self) -> None:
         self._destroy(self.handle)
 
+    def __reduce__(self) -> tuple[type[None], tuple[()]]:
+        return type(None), ()  # a pickle has the arrays, and makes data of its own
+
 
 class Shape:
     """A description of a shape."""
@@ -32,9 +35,17 @@ class Shape:
     def _create(self, space: c.dSpaceID) -> c.dGeomID:
         raise NotImplementedError
 
+    def _adopt(self, geom: c.dGeomID) -> None:
+        """The library has made a geom of the shape."""
+
     def _mass(self, mass: float | None, density: float, geom: c.dGeomID) -> c.dMass:
         """The c.dMass of the shape, of that total mass or density."""
         raise TypeError(f"{type(self).__name__} has no mass of its own: give the body mass and inertia")
+
+
+def _adopted(data: _Data | None, handle: Any, destroy: Callable[[Any], Any]) -> _Data:
+    """Data that a loaded world has brought along, unless they are known."""
+    return data if data is not None and data.handle == handle else _Data(handle, destroy)
 
 
 def _weighed(total: Callable[..., Any], dense: Callable[..., Any], mass: float | None, density: float, *parts: Any) -> c.dMass:
@@ -160,6 +171,9 @@ class Mesh(Shape):
                 raise
         return geom
 
+    def _adopt(self, geom: c.dGeomID) -> None:
+        self._data = _adopted(self._data, c.dGeomTriMeshGetData(geom), c.dGeomTriMeshDataDestroy)
+
     def _mass(self, mass: float | None, density: float, geom: c.dGeomID) -> c.dMass:
         return _weighed(c.dMassSetTrimeshTotal, c.dMassSetTrimesh, mass, density, geom)
 
@@ -184,6 +198,9 @@ class HeightField(Shape):
         h = 0.5 ** 0.5
         c.dGeomSetQuaternion(geom, (h, h, 0, 0))
         return geom
+
+    def _adopt(self, geom: c.dGeomID) -> None:
+        self._data = _adopted(self._data, c.dGeomHeightfieldGetHeightfieldData(geom), c.dGeomHeightfieldDataDestroy)
 
 
 @dataclasses.dataclass

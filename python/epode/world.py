@@ -77,6 +77,31 @@ class _Structure:
             body.geoms = list(riders)
 
 
+class _Description:
+    """What Python knows of a world beside the library: types of joints, shapes, and who belongs to whom, by number."""
+
+    def __init__(self, world: World) -> None:
+        number = {body: i for i, body in enumerate(world._bodies.values())}
+
+        def place(body: Body | None) -> int | None:
+            return None if body is None else number.get(body)
+        self.stepper = world.stepper
+        self.joints = [(joint.type, place(joint.body1), place(joint.body2)) for joint in world._joints.values()]
+        self.geoms = [(geom.shape, place(geom.body)) for geom in world._geoms.values()]
+
+
+def _unpickled(file: bytes, description: _Description, numbers: list[int]) -> World:
+    """The world that ``World.__reduce__`` has written."""
+    handle, space = c.dWorldLoadFromBuffer(file)
+    assert space is not None
+    world = World._around(handle, space)
+    geoms = [c.dSpaceGetGeom(space, i) for i in numbers]
+    bodies, joints = c.dWorldGetBodies(handle), c.dWorldGetJoints(handle)
+    world._adopt(description, [bodies[i] for i in range(len(bodies))], [joints[i] for i in range(len(joints))],
+                 [geom for geom in geoms if geom is not None])
+    return world
+
+
 class World(Object):
     """A world of bodies, joints and geoms, which finds its contacts by itself.
 
@@ -433,6 +458,61 @@ class World(Object):
     def load(self, state: bytes) -> None:
         """Give the world a state that ``save`` has returned."""
         c.dWorldSetState(self._handle, bytes(state))
+
+    def save_file(self, path: str | os.PathLike[str]) -> None:
+        """Write the whole world to a file, which the command runs: ``python -m epode run FILE``."""
+        c.dWorldSave(self._handle, self._space, os.fspath(path))
+
+    # ---- copies ----
+
+    def clone(self) -> World:
+        """A copy that goes on with the same bits: bodies, joints and geoms in the same order, the same shapes, settings and
+        state; without callbacks of bodies, history and recording."""
+        handle, space, counterparts = c.dWorldClone(self._handle, self._space)
+        assert space is not None
+        copy = World._around(handle, space)
+        copy._adopt(self, [counterparts[h] for h in self._bodies], [counterparts[h] for h in self._joints],
+                    [counterparts[geom._live] for geom in self._geoms.values()])
+        return copy
+
+    __copy__ = clone
+
+    def __deepcopy__(self, memo: dict[int, typing.Any]) -> World:
+        return self.clone()
+
+    def __reduce__(self) -> tuple[typing.Any, ...]:
+        """Pickles hold the world's file and what Python knows beside it."""
+        numbers = [self._geom_number(geom) for geom in self._geoms.values()]
+        return _unpickled, (c.dWorldSaveToBuffer(self._handle, self._space), _Description(self), numbers)
+
+    def _geom_number(self, geom: Geom) -> int:
+        return next(i for i in range(c.dSpaceGetNumGeoms(self._space)) if c.dSpaceGetGeom(self._space, i) == geom._live)
+
+    @classmethod
+    def _around(cls, handle: c.dWorldID, space: c.dSpaceID) -> World:
+        """A world of the library, without objects of Python yet."""
+        world = cls.__new__(cls)
+        world._live, world._space, world._group = handle, space, c.dJointGroupCreate(0)
+        world._bodies, world._joints, world._geoms, world._body_list, world._past, world._recording = {}, {}, {}, None, None, None
+        world._edition, world.bodies, world.stepper = 0, Bodies(world), "exact"
+        return world
+
+    def _adopt(self, like: World | _Description, bodies: list[c.dBodyID], joints: list[c.dJointID], geoms: list[c.dGeomID]) -> None:
+        """Make objects for handles like those of another world."""
+        was = like if isinstance(like, _Description) else _Description(like)
+        self.stepper = was.stepper
+        for body in bodies:
+            self._bodies[body] = Body(self, body)
+        mine = list(self._bodies.values())
+        for joint, (kind, *ends) in zip(joints, was.joints):
+            body1, body2 = (None if end is None else mine[end] for end in ends)
+            self._joints[joint] = Joint(self, joint, kind, body1, body2)
+        for handle, (shape, number) in zip(geoms, was.geoms):
+            geom = Geom(self, handle, shape, None if number is None else mine[number])
+            shape._adopt(handle)
+            self._geoms[geom._key] = geom
+            if geom.body is not None:
+                geom.body.geoms.append(geom)
 
     # ---- steps that can be taken back ----
 

@@ -161,6 +161,65 @@ void set_state(const WorldHandle* world, nb::bytes state)
     call.done();
 }
 
+// Handles of the original and their counterparts: bodies, then joints, then geoms and spaces (ode/world_file.h).
+nb::dict counterparts(dWorldID world, const std::vector<dHandlePair>& table)
+{
+    const size_t bodies = size_t(dWorldGetBodies(world, nullptr, 0)),
+                 joints = size_t(dWorldGetJoints(world, nullptr, 0));
+    nb::dict result;
+    for (size_t i = 1; i < table.size(); ++i) {
+        void *from = table[i].original, *to = table[i].copy;
+        if (i <= bodies)
+            result[wrapped(static_cast<dBodyID>(from))] = wrapped(static_cast<dBodyID>(to));
+        else if (i <= bodies + joints)
+            result[wrapped(static_cast<dJointID>(from))] = wrapped(static_cast<dJointID>(to));
+        else
+            result[wrapped(static_cast<dGeomID>(from))] = wrapped(static_cast<dGeomID>(to));
+    }
+    return result;
+}
+
+nb::object clone_world(const WorldHandle* world, const SpaceHandle* space)
+{
+    Call call;
+    call.uses(get(world));
+    std::vector<dHandlePair> table(size_t(std::max(dWorldCountHandles(get(world), space_of(space)), 0)));
+    dSpaceID copied = space_of(space);
+    dWorldID clone = dWorldClone(get(world), &copied, table.data(), int(table.size()));
+    call.done();
+    dWorldSetContactFilter(clone, nullptr, nullptr);  // a Python function is the original's
+    return nb::make_tuple(wrapped(clone), wrapped(copied), counterparts(get(world), table));
+}
+
+nb::bytes save_to_buffer(const WorldHandle* world, const SpaceHandle* space)
+{
+    Call call;
+    call.uses(get(world));
+    std::string bytes(dWorldSaveToBuffer(get(world), space_of(space), nullptr, 0), '\0');
+    if (!bytes.empty()) dWorldSaveToBuffer(get(world), space_of(space), bytes.data(), bytes.size());
+    call.done();
+    return nb::bytes(bytes.data(), bytes.size());
+}
+
+nb::object save_world(const WorldHandle* world, const SpaceHandle* space, const std::string& path)
+{
+    Call call;
+    call.uses(get(world));
+    int saved = dWorldSave(get(world), space_of(space), path.c_str());
+    call.done();
+    return nb::cast(saved);
+}
+
+template <typename Load>
+nb::object loaded(Load load)
+{
+    Call call;
+    dSpaceID space = nullptr;
+    dWorldID world = load(&space);
+    call.done();
+    return nb::make_tuple(wrapped(world), wrapped(space));
+}
+
 nb::bytes get_delta(const WorldHandle* world, nb::bytes base)
 {
     Call call;
@@ -480,6 +539,23 @@ void bind_written(nb::module_& m)
     m.def("dWorldSetState", set_state, "world"_a.none(), "state"_a, TEXT(dWorldSetState));
     m.def("dWorldGetStateDelta", get_delta, "world"_a.none(), "base"_a, TEXT(dWorldGetStateDelta));
     m.def("dWorldSetStateDelta", set_delta, "world"_a.none(), "base"_a, "delta"_a, TEXT(dWorldSetStateDelta));
+    m.def("dWorldClone", clone_world, "world"_a.none(), "space"_a.none() = nb::none(), TEXT(dWorldClone));
+    m.def("dWorldSave", save_world, "world"_a.none(), "space"_a.none(), "path"_a, TEXT(dWorldSave));
+    m.def("dWorldSaveToBuffer", save_to_buffer, "world"_a.none(), "space"_a.none() = nb::none(),
+          TEXT(dWorldSaveToBuffer));
+    m.def(
+        "dWorldLoad",
+        [](const std::string& path) {
+            return loaded([&](dSpaceID* space) { return dWorldLoad(path.c_str(), space); });
+        },
+        "path"_a, TEXT(dWorldLoad));
+    m.def(
+        "dWorldLoadFromBuffer",
+        [](nb::bytes buffer) {
+            return loaded(
+                [&](dSpaceID* space) { return dWorldLoadFromBuffer(buffer.c_str(), buffer.size(), space); });
+        },
+        "buffer"_a, TEXT(dWorldLoadFromBuffer));
     m.def("dWorldsStep", step_worlds, "worlds"_a, "stepsize"_a, "stepper"_a = int(dStepperHybrid),
           "iterations"_a = 4, "steps"_a = 1, "threads"_a = 0, TEXT(dWorldsStep));
     m.def("dWorldGetContacts", records_of_world<dWorldContact, dWorldGetContacts, contact_type>,
