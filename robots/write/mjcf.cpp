@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "robots/files/files.h"
 #include "robots/write/text.h"
 #include "robots/write/write.h"
 
@@ -93,6 +94,9 @@ void MjcfWriter::write_meshes()
         set(asset, "file", path_from(folder_, mesh.path));
         set(asset, "scale", text_of(mesh.scale));
         set(asset, "inertia", mesh.counts_folds ? "legacy" : "convex");
+        const std::string ending = ending_of(mesh.path);
+        if (ending == "dae" || ending == "glb")
+            losses_.add("MuJoCo itself reads no ." + ending + " meshes: turn them into .obj and name those");
     }
 }
 
@@ -108,7 +112,12 @@ void MjcfWriter::write_inertial(Node body, const Link& link)
     const Matrix& i = link.inertia;
     Node inertial = body.append_child("inertial");
     set(inertial, "pos", text_of(link.centre)), set(inertial, "mass", link.mass);
-    set(inertial, "fullinertia", list_text({i[0][0], i[1][1], i[2][2], i[0][1], i[0][2], i[1][2]}));
+    // MuJoCo takes zeros, which bodies that do not move may have, in this form alone.
+    const bool is_diagonal = i[0][1] == 0 && i[0][2] == 0 && i[1][2] == 0;
+    if (is_diagonal)
+        set(inertial, "diaginertia", list_text({i[0][0], i[1][1], i[2][2]}));
+    else
+        set(inertial, "fullinertia", list_text({i[0][0], i[1][1], i[2][2], i[0][1], i[0][2], i[1][2]}));
 }
 
 // A <freejoint> where nothing else is to be said.
@@ -126,6 +135,8 @@ void MjcfWriter::write_joint(Node body, size_t number)
         set(its, "pos", text_of(joint.anchor)), set(its, "axis", text_of(joint.axis));
         set(its, "limited", yes(joint.limited));
         if (joint.limited) set(its, "range", range_of(joint.low, joint.high));
+        if (joint.limited && joint.low == joint.high)
+            losses_.add("MuJoCo itself wants a range with a width: joint '" + joint.name + "'");
     }
     write_passive(its, joint);
 }
