@@ -46,6 +46,11 @@ struct dIslandStepReportExt : public dIslandStepReport {
     dIslandStepReportExt() : dIslandStepReport() { struct_size = sizeof(dIslandStepReport); }
 };
 
+/** An energy ledger that knows its size; all else is 0 at first. */
+struct dEnergyLedgerExt : public dEnergyLedger {
+    dEnergyLedgerExt() : dEnergyLedger() { struct_size = sizeof(dEnergyLedger); }
+};
+
 /** A world with the additions of ode/step_options.h, ode/report.h, ode/contacts.h, ode/defaults.h,
     ode/diagnosis.h, ode/steppers.h, ode/state.h and ode/world_file.h. */
 class dWorldExt : public dWorld {
@@ -103,6 +108,16 @@ class dWorldExt : public dWorld {
     int getIslandStepReport(int island, dIslandStepReport* report) const
     {
         return dWorldGetIslandStepReport(get_id(), island, report);
+    }
+
+    /** Where the energy of a step goes: dWorldSetEnergyLedgerMode, dWorldGetEnergyLedger,
+        dWorldGetIslandEnergyLedger. */
+    int setEnergyLedgerMode(int mode) { return dWorldSetEnergyLedgerMode(get_id(), mode); }
+    int getEnergyLedgerMode() const { return dWorldGetEnergyLedgerMode(get_id()); }
+    int getEnergyLedger(dEnergyLedger* ledger) const { return dWorldGetEnergyLedger(get_id(), ledger); }
+    int getIslandEnergyLedger(int island, dEnergyLedger* ledger) const
+    {
+        return dWorldGetIslandEnergyLedger(get_id(), island, ledger);
     }
 
     /** What goes wrong, and why: dWorldSetDiagnosisMode, dWorldDiagnose. */

@@ -98,6 +98,62 @@ ODE_API int dWorldGetStepReport(dWorldID world, dWorldStepReport* report);
     does. Refused: another index. [ours] */
 ODE_API int dWorldGetIslandStepReport(dWorldID world, int island, dIslandStepReport* report);
 
+/** @chapter ledger Energy ledger
+
+    A world with an energy ledger splits what each step does to its energy into shares:
+
+        kinetic_after - kinetic_before = gravity + forces + drives + friction + impacts + joints + damping
+                                       + correction + integration
+        potential_after - potential_before = -gravity
+
+    to rounding. docs/guide/energy.md says what each share means and what it is for.
+
+    Arguments:
+    - world: the world.
+    - mode: 1: steps keep the ledger; 0, the default: not, at no cost.
+    - ledger: where to copy it, with struct_size set, as for reports.
+    - island: as for dWorldGetIslandStepReport.
+
+    Refused: a world that is 0 or destroyed; null pointers; [dWorldSet] other modes, no memory;
+    [dWorldGet] a struct_size that is smaller than the structure's first field or larger than this
+    library's structure; another island. Nothing changes then, and the answer is 0. */
+
+/** What the last step did to the energy of a world or an island, J. Bodies that sleep and kinematic ones have
+    none. Shares are above 0 where they add kinetic energy. */
+typedef struct dEnergyLedger {
+    unsigned struct_size;    /**< sizeof(dEnergyLedger), set by the caller */
+    int islands;             /**< islands of the last step; 1 in that of an island */
+    dBodyID body;            /**< a body of the island; it may have been destroyed since the step. World: 0 */
+    double kinetic_before;   /**< kinetic energy at the step's beginning */
+    double kinetic_after;    /**< at its end, after damping */
+    double potential_before; /**< -sum m g.x over the bodies that gravity acts on, at the step's beginning */
+    double potential_after;  /**< the same at its end */
+    double gravity;          /**< work of gravity along the path */
+    double forces;           /**< work of the program's forces and torques */
+    double drives; /**< of drives, motors, springs, all that is soft, moving surfaces and kinematic bodies */
+    double friction;    /**< of friction in contacts and axes */
+    double impacts;     /**< of normal forces of contacts and stops: what restitution leaves of an impact */
+    double joints;      /**< of rigid joints: 0 but for errors of first order in the step, and for what a
+                             joint takes when it seizes bodies in relative motion */
+    double damping;     /**< of dBodySetLinearDamping and its like */
+    double correction;  /**< of the correction of positions: penetrations and joint errors */
+    double integration; /**< what none of these explains: the error of the integration, of first order in
+                             the step, and rounding */
+} dEnergyLedger;
+
+/** - dWorldSetEnergyLedgerMode: Let steps keep an account of energy. Returns 1.
+    - dWorldGetEnergyLedgerMode: 1 if steps keep one, else 0. [ours] */
+ODE_API int dWorldSetEnergyLedgerMode(dWorldID world, int mode);
+ODE_API int dWorldGetEnergyLedgerMode(dWorldID world);
+
+/** - dWorldGetEnergyLedger: Copy the ledger of the world's last step to *ledger.
+    - dWorldGetIslandEnergyLedger: Copy that of one island to *ledger, 0 <= island <
+      dEnergyLedger::islands.
+
+    Both return 1; 0 while the mode is off and before the first step since it was switched on. [ours] */
+ODE_API int dWorldGetEnergyLedger(dWorldID world, dEnergyLedger* ledger);
+ODE_API int dWorldGetIslandEnergyLedger(dWorldID world, int island, dEnergyLedger* ledger);
+
 #ifdef __cplusplus
 }
 #endif

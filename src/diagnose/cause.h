@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What one kind of cause is: a function that looks at a step, and one sentence. A cause sees the bodies at
-// the beginning of the step and of the one before, what touches, the step's report, and the world as the step
+// the beginning of the step and of the one before, what touches, the step's report and energy ledger, and the world as the step
 // has left it. It changes nothing.
 #pragma once
 
@@ -56,6 +56,7 @@ struct StepFacts {
     std::span<GraphNode> graph;
     std::span<Neighbours> neighbours;  // by Body::place
     const dWorldStepReport& report;
+    const dEnergyLedger& ledger;
     Findings& findings;
 
     // Null: it had none.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Causes need the step's report, so it is made although the program has not asked for it; what the program
-// sees of reports stays what it would be. Without memory for a step's notes that step is not diagnosed.
+// Causes need the step's report and energy ledger, so they are made although the program has not asked for
+// them; what the program sees of both stays what it would be. Without memory for a step's notes that step is not diagnosed.
 #include "diagnose/watch.h"
 
 #include <new>
@@ -16,6 +16,7 @@
 #include "query/impact.h"
 #include "query/triangle_set.h"
 #include "step/common/link.h"
+#include "step/island/energy_ledger.h"
 
 namespace epode {
 namespace {
@@ -31,6 +32,8 @@ struct Watch : StepObserver {
     dWorldStepReport report{};
     dWorldStepReport programs_report{};
     bool programs_wanted = false, programs_made = false;
+    dEnergyLedger ledger{};
+    bool programs_ledger = false;
 };
 
 Watch& watch_of(StepObserver& observer) { return static_cast<Watch&>(observer); }
@@ -58,6 +61,7 @@ void begin(StepObserver& observer, World& world, Real)
     watch.programs_wanted = std::exchange(world.report_wanted, true);
     watch.programs_made = world.report_made;
     watch.programs_report = world.report;
+    watch.programs_ledger = std::exchange(world.step_state->ledger_wanted, true);
 }
 
 bool add_joint_contacts(const World& world, Array<Touch>& touches)
@@ -103,6 +107,7 @@ void look(Watch& watch, World& world, Real h)
                           watch.graph.span(),
                           watch.neighbours.span(),
                           watch.report,
+                          watch.ledger,
                           watch.findings};
 #define CAUSE(name) find_##name(facts);
 #include "diagnose/causes.inc"
@@ -115,6 +120,9 @@ void end(StepObserver& observer, World& world, Real h, bool made)
     watch.report = world.report;
     world.report_wanted = watch.programs_wanted;
     if (!world.report_wanted) world.report = watch.programs_report, world.report_made = watch.programs_made;
+    StepState& state = *world.step_state;
+    watch.ledger = sum_of(state.ledgers.span());
+    state.ledger_wanted = watch.programs_ledger;
     if (made) look(watch, world, h);
     if (!note_bodies(world, watch.after)) watch.after.clear();
 }

@@ -76,9 +76,8 @@ void advance_pose(Body& body, Real h)
 void damp(Body& body)
 {
     const DampingRule& rule = body.damping;
-    if (rule.linear_scale != 0 && length2(body.velocity()) > rule.linear_threshold2)
-        store(body.lvel, (1 - rule.linear_scale) * body.velocity());
-    if (rule.angular_scale != 0 && length2(body.angular_velocity()) > rule.angular_threshold2) {
+    if (damps_motion(body)) store(body.lvel, (1 - rule.linear_scale) * body.velocity());
+    if (damps_spin(body)) {
         store(body.avel, (1 - rule.angular_scale) * body.angular_velocity());
         body.spin_excess *= 1 - rule.angular_scale;
     }

@@ -21,6 +21,14 @@ Quat turned(const Body& body, Quat q, Vec3 w, Real h);
 void advance_pose(Body& body, Real h);
 
 // Velocity damping after a step, as ODE applies it (independent of h).
+inline bool damps_motion(const Body& b)
+{
+    return b.damping.linear_scale != 0 && length2(b.velocity()) > b.damping.linear_threshold2;
+}
+inline bool damps_spin(const Body& b)
+{
+    return b.damping.angular_scale != 0 && length2(b.angular_velocity()) > b.damping.angular_threshold2;
+}
 void damp(Body& body);
 
 }  // namespace epode

@@ -15,6 +15,9 @@ namespace epode {
 // its manifolds are cut to their number.
 void write_manifolds(std::span<Joint* const> contacts, const StepInfo& info, JointManifoldList& out);
 
+// The row along its normal, but for the Jacobian; at the pose and velocities that its bodies have.
+Row normal_of_contact(const Joint& joint, const StepInfo& info);
+
 // Where a contact joint acts.
 struct ContactPlace {
     Vec3 position, normal;  // into body 1

@@ -21,10 +21,11 @@ struct SolverSettings {
     Real w = Real(1.3);      // over-relaxation
     std::uint64_t seed = 0;  // a function of world, step and island: for shuffles
     const Substeps* substeps = nullptr;
-    bool want_residual = false;      // costs an evaluation
-    std::span<Real> part_residuals;  // also of each part of a system of several
-    bool contact_manifolds = false;  // the world manages contacts: islands may come with contact manifolds
-    Tasks tasks;                     // for solvers with inner_tasks
+    bool want_residual = false;        // costs an evaluation
+    std::span<Real> part_residuals;    // also of each part of a system of several
+    bool contact_manifolds = false;    // the world manages contacts: islands may come with contact manifolds
+    Tasks tasks;                       // for solvers with inner_tasks
+    std::span<Velocity> substep_ends;  // with substeps, if wanted: gets the sum of the velocities after each
     // Exact solver: the natural residual above which it refines the answer with more digits; it always
     // reaches 1e-9.
     double refine_above = 1e-10;

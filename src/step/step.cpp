@@ -21,6 +21,7 @@
 #include "step/common/undo.h"
 #include "step/finish.h"
 #include "step/hybrid.h"
+#include "step/island/energy_ledger.h"
 #include "step/island/island_step.h"
 #include "step/island/report.h"
 #include "step/validate.h"
@@ -134,9 +135,14 @@ class WorldStep {
     {
         if (finish_.is_early()) return true;
         if (!continuous_.stop_at_impacts()) return false;
-        if (!context_.world.report_wanted) return true;
-        for (std::size_t i = 0; i < islands_.size(); ++i)
-            report_stopped(context_.world, islands_[i], continuous_, state_.reports[int(i)]);
+        for (int i = 0; i < state_.reports.size(); ++i)
+            report_stopped(context_.world, islands_[std::size_t(i)], continuous_, state_.reports[i]);
+        for (int i = 0; i < state_.ledgers.size(); ++i) {
+            const Island& island = islands_[std::size_t(i)];
+            const auto stopped = [&](const Body* body) { return continuous_.stopped(*body); };
+            if (std::any_of(island.bodies.begin(), island.bodies.end(), stopped))
+                add_stop(context_.world, island, state_.ledgers[i]);
+        }
         return true;
     }
 
@@ -302,8 +308,10 @@ class WorldStep {
 
     bool prepare_reports()
     {
-        state_.reports.clear();
-        return !context_.world.report_wanted || state_.reports.resize(int(islands_.size()));
+        state_.reports.clear(), state_.ledgers.clear();
+        const int count = int(islands_.size());
+        return (!context_.world.report_wanted || state_.reports.resize(count)) &&
+               (!state_.ledger_wanted || state_.ledgers.resize(count));
     }
 
     StepMemory& memory() const { return *context_.world.memory; }
@@ -326,10 +334,11 @@ class WorldStep {
         if (out_of_memory_.load(std::memory_order_relaxed)) return;
         const Group& group = groups_[std::size_t(i)];
         const auto first = std::size_t(group.first), count = std::size_t(group.count);
-        std::span<dIslandStepReport> reports;
-        if (context_.world.report_wanted) reports = state_.reports.span().subspan(first, count);
+        IslandRecords records;
+        if (context_.world.report_wanted) records.reports = state_.reports.span().subspan(first, count);
+        if (state_.ledger_wanted) records.ledgers = state_.ledgers.span().subspan(first, count);
         if (!step_islands(context_for(group), islands_.subspan(first, count),
-                          {i, group.first_contact, group.first}, tasks, memory().arena(worker), reports))
+                          {i, group.first_contact, group.first}, tasks, memory().arena(worker), records))
             return out_of_memory_.store(true);
         const Island done = joined(islands_.subspan(first, count));
         finish_.at_once(done.bodies, tasks);
@@ -442,6 +451,7 @@ bool step_in(World& world, StepState& state, const Solver* solver, Real h, int i
     }
     workers.stop();
     world.report_made = made && world.report_wanted;
+    state.ledger_made = made && state.ledger_wanted;
     return made;
 }
 

@@ -41,8 +41,10 @@ struct StepState {
     ContactWorld world_contacts;  // world-managed contacts
     WorldEvents events;
     Array<dIslandStepReport> reports;  // of the last step's islands, when they were wanted
-    StepObserver* watch = nullptr;     // diagnose/watch.h; null: the world is not diagnosed
-    StepObserver* archive = nullptr;   // of states, state/world_archive.h; null: none yet
+    Array<dEnergyLedger> ledgers;      // likewise
+    bool ledger_wanted = false, ledger_made = false;
+    StepObserver* watch = nullptr;    // diagnose/watch.h; null: the world is not diagnosed
+    StepObserver* archive = nullptr;  // of states, state/world_archive.h; null: none yet
     std::array<StepObserver*, 2> observers() const { return {watch, archive}; }
 };
 

@@ -23,6 +23,7 @@ Numbers read_world(dWorldID w)
     n.push_back(dWorldGetHybridStepper(w));
     n.push_back(dWorldGetHybridSubsteps(w));
     n.push_back(dWorldGetStepReportMode(w));
+    n.push_back(dWorldGetEnergyLedgerMode(w));
     n.push_back(dWorldGetDiagnosisMode(w));
     n.push_back(dWorldGetContactSpace(w) != 0);
     n.push_back(dWorldGetBehaviour(w));
@@ -49,6 +50,7 @@ void test_world_options()
     WORLD_SET(HybridStepper, dStepperExact);
     WORLD_SET(HybridSubsteps, 7);
     WORLD_SET(StepReportMode, 1);
+    WORLD_SET(EnergyLedgerMode, 1);
     WORLD_SET(DiagnosisMode, 1);
     WORLD_SET(Behaviour, dBehaviour016);
     judge(
@@ -97,6 +99,7 @@ void test_contacts()
     dEventSettings current = settings;
     judge("dWorldExt::getEventSettings", world.getEventSettings(&current) == 1, Numbers());
     world.setStepReportMode(1);
+    world.setEnergyLedgerMode(1);
     judge("dWorldExt::stepHybrid", world.stepHybrid(REAL(0.01)) == 1,
           Numbers(1, ground.body.getPosition()[2]));
     dWorldContact points[4];
@@ -115,6 +118,11 @@ void test_contacts()
           Numbers(1, whole.bodies));
     judge("dWorldExt::getIslandStepReport", world.getIslandStepReport(0, &one) == 1 && one.bodies == 1,
           Numbers(1, one.rows));
+    dEnergyLedgerExt account, part;
+    judge("dWorldExt::getEnergyLedger", world.getEnergyLedger(&account) == 1 && account.islands == 1,
+          Numbers(1, account.gravity));
+    judge("dWorldExt::getIslandEnergyLedger",
+          world.getIslandEnergyLedger(0, &part) == 1 && part.gravity == account.gravity, Numbers());
     int asked = 0;
     world.setContactSpace(0);
     world.setContactSpace(ground.space);

@@ -310,6 +310,23 @@ TEST_F(Failing, energy_of_a_joint_that_the_program_tore_open)
     expect_first(dDiagnosisEnergy, body);
 }
 
+// The ledger knows what the motor does, so it hides nothing.
+TEST_F(Failing, energy_of_a_joint_that_is_closed_in_one_step_while_a_motor_runs)
+{
+    dWorldSetERP(world, dReal(0.8));
+    dBodyID wheel = box(5, 0, 3, 0.5), bob = box(0, 0, 3, 0.4);
+    dJointID hinge = dJointCreateHinge(world, nullptr);
+    dJointAttach(hinge, wheel, nullptr);
+    dJointSetHingeAnchor(hinge, 5, 0, 3), dJointSetHingeAxis(hinge, 0, 1, 0);
+    dJointSetHingeParam(hinge, dParamVel, 20), dJointSetHingeParam(hinge, dParamFMax, 1000);
+    ball(bob, nullptr, 0, 0, 4);
+    run(50, 0.01, true);
+    EXPECT_TRUE(causes().empty()) << text(causes()[0]);
+    dBodySetPosition(bob, dReal(0.6), 0, 3);
+    run(1, 0.01, true);
+    expect_first(dDiagnosisEnergy, bob);
+}
+
 TEST_F(Failing, energy_of_a_ball_that_bounces_higher_each_time)
 {
     bounce = 1.5;

@@ -44,7 +44,7 @@ KIND_OF_TYPE = {
     "dReal*": "RealPointer", "int*": "IntPointer", "const int*": "Indices", "dReal**": "Rows",
     "dMass*": "Mass", "const dMass*": "Mass", "const dContact*": "Contact", "dContactGeom*": "Contacts",
     "const dGeomClass*": "GeomClass", "dWorldStepReport*": "WorldReport",
-    "dIslandStepReport*": "IslandReport", "dStopwatch*": "Stopwatch", "FILE*": "File",
+    "dIslandStepReport*": "IslandReport", "dEnergyLedger*": "Ledger", "dStopwatch*": "Stopwatch", "FILE*": "File",
     "const char*": "Text", "dQueryHit*": "QueryHits", "dHandlePair*": "QueryHits", "dSpaceID*": "QueryHits", "dQueryDistance*": "QueryHits", "void*": "Data", "dJointID*": "JointList", "dJointFeedback*": "Feedback", "dGeomID*": "QueryHits",
     "dContactEvent*": "QueryHits", "dDiagnosis*": "QueryHits", "const dDiagnosis*": "QueryHits", "dWorldContact*": "QueryHits", "dEvent*": "QueryHits", "const dEventSettings*": "EventSettings", "dEventSettings*": "EventSettingsRoom", "dMaterial*": "Material",
     "const dMaterial*": "Material", "dDrive*": "DriveRoom", "const dDrive*": "Drive", "const dQueryFilter*": "QueryFilter", "dContactFilter*": "ContactFilter",

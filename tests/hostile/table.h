@@ -79,6 +79,7 @@ enum class Kind {
     kGeomClass,
     kWorldReport,
     kIslandReport,
+    kLedger,
     kThreadingFunctions,
     kReserveInfo,
     kMemoryFunctions,

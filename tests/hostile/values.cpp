@@ -214,6 +214,8 @@ int Values::count(Kind kind)
         case Kind::kWorldReport:
         case Kind::kIslandReport:
             return int(reports<dWorldStepReport>().size()) + 1;
+        case Kind::kLedger:
+            return int(reports<dEnergyLedger>().size()) + 1;
         case Kind::kWorldList:
         case Kind::kBodyList:
         case Kind::kJointHandles:
@@ -422,6 +424,8 @@ Value Values::memory(Kind kind, int index, int position)
             return item(memory_functions());
         case Kind::kIslandReport:
             return item(reports<dIslandStepReport>());
+        case Kind::kLedger:
+            return item(reports<dEnergyLedger>());
         case Kind::kIndices:
             return item(indices());
         case Kind::kIntPointer:

@@ -97,6 +97,7 @@ void set_up(dWorldID world, const Setting& setting)
     dWorldSetStepProjection(world, 2);
     dWorldSetExactRotation(world, 1);
     dWorldSetStepReportMode(world, 1);
+    dWorldSetEnergyLedgerMode(world, 1);
 }
 
 std::string name_of(const testing::TestParamInfo<Setting>& info)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Events ask for no memory in warm steps.
+// Events and energy ledgers ask for no memory in warm steps.
 #include "heap.h"
 #include "ode/ext.h"
 
@@ -50,6 +50,7 @@ TEST(Warm, events_ask_for_no_memory)
     const Library library;
     const Balls balls;
     ASSERT_TRUE(balls.set(63));
+    ASSERT_EQ(dWorldSetEnergyLedgerMode(balls.world, 1), 1);
     for (int i = 0; i < 400; ++i) dWorldQuickStep(balls.world, dReal(0.01));
     Heap::count();
     int events = 0;

@@ -295,6 +295,16 @@ inline void set_point(const Contact& contact, const StepInfo& info, Vec3 n, Join
 
 }  // namespace
 
+Row normal_of_contact(const Joint& joint, const StepInfo& info)
+{
+    const Contact& contact = static_cast<const Contact&>(joint);
+    Row row;
+    row.erp = info.erp, row.cfm = info.cfm;
+    row.kind = RowKind::kNormal;
+    contact.aim_normal(row, info, contact.outward());
+    return row;
+}
+
 ContactPlace place_of_contact(const Joint& joint)
 {
     const Contact& contact = static_cast<const Contact&>(joint);

@@ -389,15 +389,23 @@ void ManifoldSet::relax(std::span<Velocity> bodies)
 }
 
 void ManifoldSet::run_substeps(int n, std::span<Velocity> bodies, std::span<const Velocity> force_velocity,
-                               std::span<Velocity> mean)
+                               std::span<Velocity> mean, std::span<Velocity> ends)
 {
     if (empty()) {
-        for (int i = 0; i < n; ++i) add(bodies, force_velocity), add(mean, bodies.first(mean.size()));
+        for (int i = 0; i < n; ++i) {
+            add(bodies, force_velocity), add(mean, bodies.first(mean.size()));
+            add(ends, bodies.first(ends.size()));
+        }
         return;
     }
     ManifoldBodies of = view(bodies);
     of.force_velocity = force_velocity.data(), of.mean = mean.data();
-    perform({Visit::kAccelerate, Visit::kCorrect, Visit::kMove, Visit::kRelax, Visit::kTake}, n, of);
+    const int pieces = ends.empty() ? 1 : n;
+    for (int i = 0; i < pieces; ++i) {
+        perform({Visit::kAccelerate, Visit::kCorrect, Visit::kMove, Visit::kRelax, Visit::kTake}, n / pieces,
+                of);
+        add(ends, bodies.first(ends.size()));
+    }
 }
 
 // With u the approach before the forces of a substep, d = hs a what they add to it and s the separation, a

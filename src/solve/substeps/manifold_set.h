@@ -40,9 +40,9 @@ class ManifoldSet {
     void expect_impacts(const RowSystem& system, std::span<const Velocity> force_velocity);
     // n substeps for bodies that only manifolds hold, with three visits to a body in each: first forces
     // (`force_velocity`) and impulses; after its contacts are corrected, motion (velocities summed in
-    // `mean`); after they are relaxed, that change.
+    // `mean`); after they are relaxed, that change. `ends`, unless empty, gets the sum of the velocities then.
     void run_substeps(int n, std::span<Velocity> bodies, std::span<const Velocity> force_velocity,
-                      std::span<Velocity> mean);
+                      std::span<Velocity> mean, std::span<Velocity> ends);
     // v += M^-1 J^T p with the impulses at the end of the last substep: the sum of all changes since its
     // beginning, body by body, so it needs no visit to the contacts.
     void apply_impulses(std::span<Velocity> bodies) const;

@@ -12,8 +12,12 @@ namespace {
 
 class ManifoldSteps {
   public:
-    ManifoldSteps(RowSystem& system, const Substeps& model, int n, const Tasks& tasks)
-        : system_(system), model_(model), step_{system.h / Real(n), n}, tasks_(tasks)
+    ManifoldSteps(RowSystem& system, const SolverSettings& settings, int n)
+        : system_(system),
+          model_(*settings.substeps),
+          step_{system.h / Real(n), n},
+          tasks_(settings.tasks),
+          ends_(settings.substep_ends)
     {}
 
     bool prepare(Arena& arena)
@@ -42,7 +46,7 @@ class ManifoldSteps {
     // False: out of memory.
     bool run(Arena& arena)
     {
-        manifolds_.run_substeps(step_.n, velocities_, force_velocity_, mean_);
+        manifolds_.run_substeps(step_.n, velocities_, force_velocity_, mean_, ends_);
         move();
         each_body([&](std::size_t i) {
             system_.bodies[i].v = velocities_[i].v, system_.bodies[i].w = velocities_[i].w;
@@ -77,6 +81,7 @@ class ManifoldSteps {
     std::span<Velocity> velocities_;
     std::span<Velocity> force_velocity_;  // by forces, in one substep
     std::span<Velocity> mean_;            // times n
+    const std::span<Velocity> ends_;
 };
 
 }  // namespace
@@ -84,7 +89,7 @@ class ManifoldSteps {
 bool solve_manifolds(RowSystem& system, const SolverSettings& settings, Arena& arena)
 {
     Arena::Scope scope(arena);
-    ManifoldSteps steps(system, *settings.substeps, std::max(1, settings.iterations), settings.tasks);
+    ManifoldSteps steps(system, settings, std::max(1, settings.iterations));
     return steps.prepare(arena) && steps.run(arena);
 }
 

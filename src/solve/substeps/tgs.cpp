@@ -51,6 +51,7 @@ class SubstepSolver {
             n.p *= share;
             if (n.parent < 0) n.lo *= share, n.hi *= share;
         }
+        ends_ = settings.substep_ends;
         velocities_ = take_velocities(system_, arena);
         if (velocities_.empty() || !joints_.pack(system_, arena)) return false;
         load_velocities(system_, velocities_);
@@ -163,6 +164,7 @@ class SubstepSolver {
         contacts_.sweep(velocities_, true);
         manifolds_.relax(velocities_);
         if (Joints::kHasBothEnds) joints_.sweep(velocities_, {1, true});
+        add(ends_, velocities_.first(ends_.size()));
         if (last) joints_.apply_restitution(system_, velocities_);
         joints_.sum_impulses();
         contacts_.add_impulses(system_.numbers);
@@ -223,6 +225,7 @@ class SubstepSolver {
     SubstepContacts contacts_;
     ManifoldSet manifolds_;
     std::span<Velocity> velocities_;
+    std::span<Velocity> ends_;      // only when they are wanted
     std::span<SolverBody> before_;  // only when the residual is wanted
     std::span<RowNumbers> described_;
     std::span<Row> rows_;

@@ -145,16 +145,20 @@ void ExactSubsteps::map(RowSystem& system) const
 bool ExactSubsteps::run(IslandWork& first, const SolverSettings& settings, SolveReport& report,
                         ProjectionReport& projected)
 {
+    add_to_ledger(first);
     follow_contacts(first, first);
     carry_out(first);
     for (int i = 1; i < n_; ++i) {
         Arena::Scope scope(arena_);
         IslandWork work;
         if (!next(first, settings, report, work)) return false;
+        add_to_ledger(work);
         follow_contacts(first, work);
         carry_out(work);
-        if (i == n_ - 1 && world_.projection_iterations > 0)
-            projected = project_poses(world_, work, settings.tasks, *settings.symbolic_cache, arena_);
+        if (i < n_ - 1 || world_.projection_iterations <= 0) continue;
+        if (ledger_.wanted()) ledger_.begin_correction();
+        projected = project_poses(world_, work, settings.tasks, *settings.symbolic_cache, arena_);
+        if (ledger_.wanted()) ledger_.end_correction();
     }
     store_feedback();
     return true;
@@ -186,6 +190,13 @@ void ExactSubsteps::load_forces()
         store(island_.bodies[i]->facc, before_[i].force);
         store(island_.bodies[i]->tacc, before_[i].torque);
     }
+}
+
+void ExactSubsteps::add_to_ledger(const IslandWork& work)
+{
+    if (!ledger_.wanted()) return;
+    ledger_.load_motion();
+    ledger_.add_solution(work, 0, hs_, false);
 }
 
 void ExactSubsteps::carry_out(const IslandWork& work)

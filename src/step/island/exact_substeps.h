@@ -7,14 +7,16 @@
 #include "solve/solver.h"
 #include "step/common/undo.h"
 #include "step/island/assemble.h"
+#include "step/island/energy_ledger.h"
 #include "step/island/projection.h"
 
 namespace epode {
 
 class ExactSubsteps {
   public:
-    ExactSubsteps(World& world, const Island& island, const StepUndo& undo, Real h, int n, Arena& arena)
-        : world_(world), island_(island), undo_(undo), hs_(h / Real(n)), n_(n), arena_(arena)
+    ExactSubsteps(World& world, const Island& island, const StepUndo& undo, Real h, int n,
+                  EnergyLedger& ledger, Arena& arena)
+        : world_(world), island_(island), undo_(undo), hs_(h / Real(n)), n_(n), ledger_(ledger), arena_(arena)
     {}
 
     Real substep() const { return hs_; }
@@ -43,6 +45,7 @@ class ExactSubsteps {
 
     bool next(IslandWork& first, const SolverSettings& settings, SolveReport& report, IslandWork& work);
     void load_forces();
+    void add_to_ledger(const IslandWork& work);  // before contacts follow the motion and change
     void carry_out(const IslandWork& work);
     void add_feedback(const IslandWork& work);
     void store_feedback() const;
@@ -52,6 +55,7 @@ class ExactSubsteps {
     const StepUndo& undo_;
     const Real hs_;
     const int n_;
+    EnergyLedger& ledger_;
     Arena& arena_;
     std::span<Before> before_;
     std::span<Feedback> feedback_;  // parallel to the island's joints

@@ -8,6 +8,7 @@
 #include "dynamics/integrate.h"
 #include "joints/breaking.h"
 #include "step/island/assemble.h"
+#include "step/island/energy_ledger.h"
 #include "step/island/exact_substeps.h"
 #include "step/island/free_flight.h"
 #include "step/island/manifold_rows.h"
@@ -50,13 +51,16 @@ std::span<T> slice(std::span<T> all, int from, int to)
 
 class IslandStep {
   public:
-    IslandStep(const StepContext& context, std::span<const Island> members, IslandPlace place, Arena& arena)
+    IslandStep(const StepContext& context, std::span<const Island> members, IslandPlace place,
+               std::span<dEnergyLedger> ledgers, Arena& arena)
         : context_(context),
           world_(context.world),
           place_(place),
           arena_(arena),
           exact_(&context.solver == &kDirect),
-          exact_substeps_(world_, work_.island, context.undo, context.h, world_.exact_substeps, arena)
+          ledger_(world_, members, ledgers),
+          exact_substeps_(world_, work_.island, context.undo, context.h, world_.exact_substeps, ledger_,
+                          arena)
     {
         work_.island = joined(members);
         work_.members = members;
@@ -66,6 +70,7 @@ class IslandStep {
     bool solve(const Tasks& tasks, std::span<dIslandStepReport> reports)
     {
         if (has_exact_substeps() && !exact_substeps_.begin()) return false;
+        if (ledger_.wanted() && !begin_ledger()) return false;
         const Real h = has_exact_substeps() ? exact_substeps_.substep() : context_.h;
         if (!assemble(world_, h, context_.solver, tasks, arena_, work_, &context_.undo)) return false;
         work_.system.cone = world_.friction_cone && context_.solver.cones;
@@ -91,6 +96,7 @@ class IslandStep {
         if (arena_.failed()) return false;
         std::fill(settings.part_residuals.begin(), settings.part_residuals.end(), Real(0));
         settings.tasks = tasks;
+        settings.substep_ends = substep_ends_;
         settings.symbolic_cache = &context_.symbolic_cache;
         if (projects()) settings.refine_above = 1e-9;  // the projection corrects smaller errors of position
         load_warm_start(world_.warm_starting * context_.solver.warm_share);
@@ -114,13 +120,16 @@ class IslandStep {
                 contain_part(part, reports);
             else if (context_.solver.substeps && is_free(part))
                 fly_freely(part);
-        if (!has_exact_substeps()) write_back(work_, tasks);
+        if (!has_exact_substeps()) {
+            if (ledger_.wanted()) add_to_ledger();
+            write_back(work_, tasks);
+        }
         remember_contacts();
         if (!context_.solver.contact_manifolds) store_manifold_impulses(work_);
         if (context_.solver.substeps) return;  // the substeps have moved the poses
         if (!has_exact_substeps()) {
             advance();
-            if (projects()) projected_ = project_poses(world_, work_, tasks, context_.symbolic_cache, arena_);
+            if (projects()) project(tasks);
         }
         for (dIslandStepReport& report : reports)
             if (projects()) report_projection(projected_, report);
@@ -130,12 +139,45 @@ class IslandStep {
     {
         has_exact_substeps() ? exact_substeps_.undo() : context_.undo.restore_poses(work_.island.bodies);
         contain(work_.island.bodies, work_.joints);
+        if (ledger_.wanted()) ledger_.forget();
         for (ManifoldEdge* edge : work_.island.manifolds) clear_impulses(*edge->manifold);
         advance();
         for (dIslandStepReport& report : reports) report.contained = true;
     }
 
+    void end_ledger()
+    {
+        if (ledger_.wanted()) ledger_.end();
+    }
+
   private:
+    // False: out of memory.
+    bool begin_ledger()
+    {
+        if (context_.solver.substeps)
+            substep_ends_ = arena_.take_zeroed<Velocity>(int(work_.island.bodies.size()));
+        return ledger_.begin(arena_) && !arena_.failed();
+    }
+
+    void add_to_ledger()
+    {
+        const bool relaxed = context_.solver.substeps;
+        for (int part = 0; part < work_.system.worlds(); ++part) {
+            if (has_parts() && !sound(work_.system, part)) continue;
+            ledger_.add_solution(work_, part, context_.h, relaxed);
+            const int substeps = std::max(1, iterations());
+            if (relaxed && !is_free(part))
+                ledger_.add_relaxed_corrections(part, substep_ends_, context_.h / Real(substeps));
+        }
+    }
+
+    void project(const Tasks& tasks)
+    {
+        if (ledger_.wanted()) ledger_.begin_correction();
+        projected_ = project_poses(world_, work_, tasks, context_.symbolic_cache, arena_);
+        if (ledger_.wanted()) ledger_.end_correction();
+    }
+
     int iterations() const
     {
         const int n = context_.iterations, factor = context_.solver.settling_factor;
@@ -273,6 +315,8 @@ class IslandStep {
     Arena& arena_;
     IslandWork work_;
     const bool exact_;
+    EnergyLedger ledger_;
+    std::span<Velocity> substep_ends_;  // if there is a ledger
     ExactSubsteps exact_substeps_;
     ProjectionReport projected_;
 };
@@ -296,14 +340,16 @@ Island joined(std::span<const Island> islands)
 }
 
 bool step_islands(const StepContext& context, std::span<const Island> islands, IslandPlace place,
-                  const Tasks& tasks, Arena& arena, std::span<dIslandStepReport> reports)
+                  const Tasks& tasks, Arena& arena, const IslandRecords& records)
 {
     Arena::Scope scope(arena);
+    const std::span<dIslandStepReport> reports = records.reports;
     for (std::size_t i = 0; i < reports.size(); ++i) begin_report(context.world, islands[i], reports[i]);
-    IslandStep step(context, islands, place, arena);
+    IslandStep step(context, islands, place, records.ledgers, arena);
     const bool solved = step.solve(tasks, reports);
     if (arena.failed()) return false;
     solved ? step.accept(tasks, reports) : step.refuse(reports);
+    step.end_ledger();
     for (std::size_t i = 0; i < reports.size(); ++i) end_report(context.world, islands[i], reports[i]);
     return !arena.failed();
 }

@@ -32,14 +32,19 @@ struct IslandPlace {
     int first_island;   // index of the group's first island
 };
 
+// What is wanted: one for each island, or none.
+struct IslandRecords {
+    std::span<dIslandStepReport> reports;
+    std::span<dEnergyLedger> ledgers;
+};
+
 // Computes velocities, impulses, feedback and poses of the islands, which are consecutive in the arrays of
 // all bodies and joints; more than one only if the solver supports parts. An island whose solution is not
 // finite is contained: it keeps its velocities, its constraints exert nothing, and other islands are
 // unaffected. False: out of memory; the bodies are then half stepped, and the caller must restore them.
-// `reports`: one for each island, or none.
 [[nodiscard]] bool step_islands(const StepContext& context, std::span<const Island> islands,
                                 IslandPlace place, const Tasks& tasks, Arena& arena,
-                                std::span<dIslandStepReport> reports);
+                                const IslandRecords& records);
 
 // Consecutive islands as one.
 Island joined(std::span<const Island> islands);

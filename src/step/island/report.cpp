@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "step/island/energy_ledger.h"
+
 namespace epode {
 namespace {
 
@@ -16,11 +18,9 @@ double energy(const World& world, const Island& island)
 {
     double sum = 0;
     for (const Body* body : island.bodies) {
-        if (body->kinematic()) continue;
-        const Vec3 v = body->velocity(), w = transposed_times(body->rotation(), body->angular_velocity());
-        const double m = body->mass.mass;
-        sum += 0.5 * (m * double(length2(v)) + double(dot(w, body->inertia * w)));
-        if (body->gravity) sum -= m * double(dot(world.gravity, body->position()));
+        const BodyEnergy now = energy_of(world, *body);
+        sum += now.kinetic;
+        sum += now.potential;
     }
     return sum;
 }

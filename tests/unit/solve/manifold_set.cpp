@@ -149,7 +149,7 @@ Answer run_substeps(std::uint64_t seed, int workers)
     answer.velocities.resize(301);
     load_velocities(island.system, answer.velocities);
     std::vector<Velocity> mean(300);
-    set.run_substeps(5, answer.velocities, force_velocity, mean);
+    set.run_substeps(5, answer.velocities, force_velocity, mean, {});
     set.store_impulses(island.pointers);
     answer.manifolds = c.manifolds;
     return answer;
@@ -185,7 +185,7 @@ TEST(ManifoldSet, substeps_in_one_run_are_those_of_single_calls)
             ASSERT_TRUE(set.prepare(system, {system.h / 4, 4}, Tasks(1), arena));
             v[whole].resize(bodies + 1), mean[whole].resize(bodies);
             load_velocities(system, v[whole]);
-            if (whole) set.run_substeps(4, v[whole], force_velocity, mean[whole]);
+            if (whole) set.run_substeps(4, v[whole], force_velocity, mean[whole], {});
             for (int i = 0; !whole && i < 4; ++i) {
                 add(v[whole], force_velocity);
                 set.apply_impulses(v[whole]);
