@@ -343,6 +343,25 @@ int dRobotGetPositions(dRobotID robot, dReal* positions, int capacity)
     return guarded(__func__, [&] { return copy_positions(robot->robot->positions(), positions, capacity); });
 }
 
+int dRobotSetVelocities(dRobotID robot, const dReal* velocities, int count)
+{
+    CHECK(robot && count == number_of_velocities(robot->robot->model()) && (velocities || count == 0) &&
+              are_finite(velocities, count),
+          "a robot, and as many finite velocities as dRobotModelGetNumVelocities");
+    return guarded(__func__, [&] {
+        robot->robot->set_velocities(doubles_of(velocities, count));
+        return 1;
+    });
+}
+
+int dRobotGetVelocities(dRobotID robot, dReal* velocities, int capacity)
+{
+    CHECK(robot && capacity >= 0 && (velocities || capacity == 0),
+          "a robot, a capacity of 0 or more, and an array unless it is 0");
+    return guarded(__func__,
+                   [&] { return copy_positions(robot->robot->velocities(), velocities, capacity); });
+}
+
 int dRobotSetControl(dRobotID robot, int actuator, dReal control)
 {
     CHECK(robot && actuator >= 0 && actuator < int(robot->robot->model().actuators.size()) &&

@@ -83,6 +83,9 @@ class Robot {
     // At rest, with all bodies where the coordinates put them.
     void set_positions(const std::vector<double>& positions);
     std::vector<double> positions() const;
+    // As kinematics.h has them; setting them leaves the positions.
+    void set_velocities(const std::vector<double>& velocities);
+    std::vector<double> velocities() const;
     void set_control(int actuator, double value);
     double control(int actuator) const { return controls_[size_t(actuator)]; }
     void set_servo(int joint, const Servo& servo);
@@ -107,6 +110,15 @@ class Robot {
     void set_joint_drive(int joint);
     void set_tendon_drive(int tendon);
     void set_limits(const Joint& joint, dJointID its) const;
+    struct Small {
+        dBodyID body;
+        int link;
+        size_t joints_before;
+    };
+    std::vector<double> held(const Small& small, std::vector<double> positions) const;
+    // Of a link's body or a small one, given the link's pose and what the joints up to it do.
+    void set_velocity(dBodyID body, int link, const std::vector<double>& positions,
+                      const std::vector<double>& velocities) const;
     void place(dBodyID body, const Pose& link_pose, Vec centre) const;
 
     std::shared_ptr<const Prepared> prepared_;
@@ -115,11 +127,6 @@ class Robot {
     std::vector<dBodyID> bodies_, all_bodies_;
     std::vector<dJointID> joints_, tendons_, all_joints_;
     std::vector<dGeomID> geoms_;
-    struct Small {
-        dBodyID body;
-        int link;
-        size_t joints_before;
-    };
     std::vector<Small> small_;
     std::vector<double> controls_;
     std::vector<Servo> servos_;

@@ -13,6 +13,7 @@
 #include <algorithm>
 
 #include "robots/build.h"
+#include "robots/kinematics.h"
 
 namespace epode::robots {
 
@@ -45,7 +46,19 @@ double clamped_force(const Actuator& actuator, double control)
 
 }  // namespace
 
-// Small bodies stand where the joints before them have taken their link.
+// Small bodies stand where the joints before them have taken their link: the later ones are at the reference.
+std::vector<double> Robot::held(const Small& small, std::vector<double> positions) const
+{
+    const Link& link = model().links[size_t(small.link)];
+    const std::vector<double> reference = reference_positions(model());
+    for (size_t k = small.joints_before; k < link.joints.size(); ++k) {
+        const Joint& joint = model().joints[size_t(link.joints[k])];
+        std::copy_n(&reference[size_t(joint.position)], joint.coordinates(),
+                    &positions[size_t(joint.position)]);
+    }
+    return positions;
+}
+
 void Robot::set_positions(const std::vector<double>& positions)
 {
     if (positions.size() != size_t(model().coordinates)) return;
@@ -59,16 +72,8 @@ void Robot::set_positions(const std::vector<double>& positions)
             dJointSetAxisContinuous(joints_[i], 0, 1);
         }
     for (const Small& small : small_) {
-        const Link& link = model().links[size_t(small.link)];
-        std::vector<double> partial = positions;
-        const std::vector<double> reference = reference_positions(model());
-        for (size_t k = small.joints_before; k < link.joints.size(); ++k) {
-            const Joint& joint = model().joints[size_t(link.joints[k])];
-            std::copy_n(&reference[size_t(joint.position)], joint.coordinates(),
-                        &partial[size_t(joint.position)]);
-        }
-        const Pose pose = forward_kinematics(model(), partial)[size_t(small.link)];
-        stop_at(small.body, placement_ * pose * Pose{link.centre, {}});
+        const Pose pose = forward_kinematics(model(), held(small, positions))[size_t(small.link)];
+        stop_at(small.body, placement_ * pose * Pose{model().links[size_t(small.link)].centre, {}});
     }
 }
 
@@ -96,6 +101,66 @@ std::vector<double> Robot::positions() const
         }
     }
     return q;
+}
+
+void Robot::set_velocity(dBodyID its, int number, const std::vector<double>& positions,
+                         const std::vector<double>& velocities) const
+{
+    const Link& link = model().links[size_t(number)];
+    const LinkVelocity v = link_velocities(model(), positions, velocities)[size_t(number)];
+    const Quat turn = forward_kinematics(model(), positions)[size_t(number)].q;
+    const Vec w = rotate(placement_.q, v.angular);
+    const Vec c = rotate(placement_.q, v.linear + cross(v.angular, rotate(turn, link.centre)));
+    dBodySetLinearVel(its, dReal(c.x), dReal(c.y), dReal(c.z));
+    dBodySetAngularVel(its, dReal(w.x), dReal(w.y), dReal(w.z));
+}
+
+// A small body moves as its link would if the joints after it stood still.
+void Robot::set_velocities(const std::vector<double>& velocities)
+{
+    if (velocities.size() != size_t(number_of_velocities(model()))) return;
+    const std::vector<double> q = positions();
+    for (size_t i = 1; i < bodies_.size(); ++i)
+        if (bodies_[i]) set_velocity(bodies_[i], int(i), q, velocities);
+    for (const Small& small : small_) {
+        const Link& link = model().links[size_t(small.link)];
+        std::vector<double> partial = velocities;
+        for (size_t k = small.joints_before; k < link.joints.size(); ++k) {
+            size_t first = 0;
+            for (int j = 0; j < link.joints[k]; ++j)
+                first += size_t(velocities_of(model().joints[size_t(j)]));
+            std::fill_n(&partial[first], velocities_of(model().joints[size_t(link.joints[k])]), 0.0);
+        }
+        set_velocity(small.body, small.link, held(small, q), partial);
+    }
+}
+
+std::vector<double> Robot::velocities() const
+{
+    std::vector<double> out;
+    const auto add = [&](Vec v) { out.insert(out.end(), {v.x, v.y, v.z}); };
+    for (size_t i = 0; i < model().joints.size(); ++i) {
+        const Joint& joint = model().joints[i];
+        if (joint.is_scalar()) {
+            out.push_back(joints_[i] ? double(dJointGetAxisRate(joints_[i], 0)) : 0);
+            continue;
+        }
+        const Link& link = model().links[size_t(joint.link)];
+        const dBodyID its = body(joint.link), parent = body(link.parent);
+        const dReal *v = dBodyGetLinearVel(its), *w = dBodyGetAngularVel(its);
+        Vec angular{double(w[0]), double(w[1]), double(w[2])};
+        const Pose at = pose_of(its);
+        if (joint.kind == JointKind::kFree) {
+            const Vec linear =
+                Vec{double(v[0]), double(v[1]), double(v[2])} - cross(angular, rotate(at.q, link.centre));
+            add(rotate(conjugate(placement_.q), linear));
+        } else if (parent) {
+            const dReal* u = dBodyGetAngularVel(parent);
+            angular = angular - Vec{double(u[0]), double(u[1]), double(u[2])};
+        }
+        add(rotate(conjugate(at.q), angular));
+    }
+    return out;
 }
 
 void Robot::set_control(int actuator, double value)

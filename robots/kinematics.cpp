@@ -128,6 +128,24 @@ std::vector<double> difference(const RobotModel& model, const std::vector<double
     return out;
 }
 
+std::vector<LinkVelocity> link_velocities(const RobotModel& model, const std::vector<double>& positions,
+                                          const std::vector<double>& velocities)
+{
+    const Directions all = directions(model, positions);
+    std::vector<Twist> twists(model.links.size());
+    std::vector<LinkVelocity> out(model.links.size());
+    for (size_t i = 1; i < model.links.size(); ++i) {
+        twists[i] = twists[size_t(model.links[i].parent)];
+        for (int joint : model.links[i].joints)
+            for (int k = 0; k < velocities_of(model.joints[size_t(joint)]); ++k) {
+                const size_t d = size_t(all.first[size_t(joint)] + k);
+                twists[i] = twists[i] + velocities[d] * all.twists[d];
+            }
+        out[i] = {twists[i].w, twists[i].v + cross(twists[i].w, all.poses[i].p)};
+    }
+    return out;
+}
+
 std::vector<double> jacobian(const RobotModel& model, const std::vector<double>& positions, int link,
                              Vec point)
 {

@@ -20,6 +20,13 @@ std::vector<double> moved_positions(const RobotModel& model, const std::vector<d
 std::vector<double> difference(const RobotModel& model, const std::vector<double>& from,
                                const std::vector<double>& to);
 
+// Of a link: its angular velocity and that of its origin, in the world's axes.
+struct LinkVelocity {
+    Vec angular, linear;
+};
+std::vector<LinkVelocity> link_velocities(const RobotModel& model, const std::vector<double>& positions,
+                                          const std::vector<double>& velocities);
+
 // Six rows, linear then angular, of as many numbers as there are velocities, in the world's axes: of the point of a link,
 // given in the link's frame.
 std::vector<double> jacobian(const RobotModel& model, const std::vector<double>& positions, int link,

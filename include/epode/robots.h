@@ -281,6 +281,13 @@ ODE_API dJointID dRobotGetJoint(dRobotID robot, int joint);
 ODE_API int dRobotSetPositions(dRobotID robot, const dReal* positions, int count);
 ODE_API int dRobotGetPositions(dRobotID robot, dReal* positions, int capacity);
 
+/** - dRobotSetVelocities: Gives all bodies the velocities that the count velocities of the joints make, where
+      they are. Returns 1. Refused: a count other than dRobotModelGetNumVelocities.
+    - dRobotGetVelocities: Copies up to capacity velocities to velocities (0 to ask for the number alone, the
+      array may then be null). Returns how many there are. Refused: a negative capacity. [ours] */
+ODE_API int dRobotSetVelocities(dRobotID robot, const dReal* velocities, int count);
+ODE_API int dRobotGetVelocities(dRobotID robot, dReal* velocities, int capacity);
+
 /** - dRobotSetControl: Sets the control of an actuator, by its number in the model, clamped to its range.
       Returns 1. Refused: no such actuator.
     - dRobotSetTarget: Lets a hinge or slider be pulled to the target, m or rad, by a spring of stiffness and

@@ -108,6 +108,29 @@ TEST_F(RobotTest, PositionsOfEveryKindOfJointComeBack)
     expect_round_trip(*this, model, robot, q);
 }
 
+// They come back, and a short step moves the coordinates by them.
+TEST_F(RobotTest, VelocitiesOfEveryKindOfJointComeBackAndMoveThem)
+{
+    load("walker.xml");
+    dWorldSetGravity(world, 0, 0, 0);
+    std::vector<dReal> q(size_t(dRobotModelGetNumPositions(model)));
+    dRobotModelGetStart(model, 0, q.data(), int(q.size()));
+    ASSERT_EQ(dRobotSetPositions(robot, q.data(), int(q.size())), 1);
+    std::vector<dReal> v(size_t(dRobotModelGetNumVelocities(model)));
+    for (size_t i = 0; i < v.size(); ++i) v[i] = dReal(0.3) - dReal(0.1) * dReal(i % 5);
+    v[3] = 2 * v[2];  // as the file couples them
+    ASSERT_EQ(dRobotSetVelocities(robot, v.data(), int(v.size())), 1);
+    std::vector<dReal> back(v.size());
+    ASSERT_EQ(dRobotGetVelocities(robot, back.data(), int(back.size())), int(v.size()));
+    for (size_t i = 0; i < v.size(); ++i) EXPECT_NEAR(back[i], v[i], kExact) << i;
+    if (sizeof(dReal) == 4) return;
+    const dReal h = dReal(1e-6);
+    step(1, h);
+    const std::vector<dReal> after = positions();
+    for (size_t i : {0, 1, 2, 3}) EXPECT_NEAR((after[i] - q[i]) / h, v[i], 1e-2) << i;
+    for (size_t i : {8, 9, 10}) EXPECT_NEAR((after[i] - q[i]) / h, v[i - 1], 1e-6) << i;
+}
+
 // alpha = m g l / (I + m l^2 + armature), from the horizontal.
 TEST_F(RobotTest, APendulumFallsAsItsFileSays)
 {
