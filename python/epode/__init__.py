@@ -13,12 +13,13 @@
 
 Lengths are in m, masses in kg, angles in rad; quaternions are w x y z. ``epode.c`` has the whole C API.
 """
-from . import c
+from . import c, robot
 from .body import Body
 from .errors import BusyError, DeadHandleError, EpodeWarning, RefusedError
 from .geom import Geom
 from .joint import Drive, Joint
 from .recording import Recording
+from .robot import load
 from .shapes import (Box, Capsule, Cone, Convex, Cylinder, Ellipsoid, HeightField, Material, Mesh, Plane, Sphere,
                      TaperedCapsule)
 from .world import Cause, World, defaults_text, step_worlds
@@ -26,4 +27,4 @@ from .world import Cause, World, defaults_text, step_worlds
 __version__ = "0.1.0"
 __all__ = ["Body", "Box", "BusyError", "Capsule", "Cause", "Cone", "Convex", "Cylinder", "DeadHandleError", "Drive",
            "Ellipsoid", "EpodeWarning", "Geom", "HeightField", "Joint", "Material", "Mesh", "Plane", "Recording", "RefusedError",
-           "Sphere", "TaperedCapsule", "World", "c", "defaults_text", "step_worlds"]
+           "Sphere", "TaperedCapsule", "World", "c", "defaults_text", "load", "robot", "step_worlds"]

@@ -23,6 +23,9 @@ from .joint import TYPES, Joint
 from .recording import Recording
 from .shapes import Material, Plane, Shape
 
+if typing.TYPE_CHECKING:
+    from .robot import Robot
+
 Contacts = NDArray[typing.Any]
 _STEPS: dict[str, Callable[[c.dWorldID, float], int]] = {"exact": c.dWorldStep, "quick": c.dWorldQuickStep, "hybrid": c.dWorldStepHybrid}
 _STEPPERS = {"hybrid": c.dStepperHybrid, "exact": c.dStepperExact, "substeps": c.dStepperSubsteps,
@@ -109,7 +112,7 @@ class World(Object):
     step, 0 for one on each processor. defaults: "game" or "robot", see ``use_defaults``. At the end of a ``with`` block
     the world is destroyed; so it is when nothing refers to it, or to anything in it, any more."""
 
-    __slots__ = ("_bodies", "_joints", "_geoms", "_space", "_body_list", "bodies", "_group", "_past", "_edition", "_recording", "stepper")
+    __slots__ = ("_bodies", "_joints", "_geoms", "_space", "_body_list", "bodies", "_group", "_past", "_edition", "_recording", "stepper", "_robots")
     _bodies: dict[c.dBodyID, Body]
     _joints: dict[c.dJointID, Joint]
     _geoms: dict[int, Geom]
@@ -119,6 +122,7 @@ class World(Object):
     stepper: str  # of step()
     _edition: int  # grows when something is made or destroyed
     _recording: Recording | None
+    _robots: list[Robot]
 
     def __init__(self, *, gravity: ArrayLike = (0, 0, -9.81), contacts: bool = True, threads: int | None = None,
                  space: str = "hash", defaults: str = "ode") -> None:
@@ -130,6 +134,7 @@ class World(Object):
         self._live = c.dWorldCreate()
         self._bodies, self._joints, self._geoms, self._body_list, self._past, self._recording = {}, {}, {}, None, None, None
         self._edition = 0
+        self._robots = []
         self._space = _SPACES[space](None)
         self._group = c.dJointGroupCreate(0)
         self.bodies = Bodies(self)
@@ -168,6 +173,9 @@ class World(Object):
             for one in objects.values():
                 one._live = None
             objects.clear()
+        for robot in self._robots:
+            robot._dead()
+        self._robots.clear()
 
     @property
     def gravity(self) -> FloatArray:

@@ -151,3 +151,4 @@ void bind_functions(nb::module_& m);
 void bind_written(nb::module_& m);
 void bind_callbacks(nb::module_& m);
 void bind_command(nb::module_& m);
+void bind_robots(nb::module_& m);

@@ -45,4 +45,5 @@ NB_MODULE(_c, m)
     bind_callbacks(m);
     bind_recording(m);
     bind_command(m);
+    bind_robots(m);
 }

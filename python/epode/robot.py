@@ -1,0 +1,471 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+"""Robots from URDF and MJCF files: models, robots in worlds, kinematics and dynamics as arrays.
+
+>>> import epode
+>>> model = epode.robot.from_text("<mujoco><worldbody><body name='rod'><joint name='hinge' axis='0 1 0'/>"
+...                               "<geom type='capsule' size='0.02' fromto='0 0 0 1 0 0'/></body></worldbody></mujoco>")
+>>> model.joint_names, round(float(model.gravity_forces([0.0])[0]), 3)
+(['hinge'], -6.328)
+>>> robot = model.build()
+>>> robot.target("hinge", 0.5, stiffness=1000, damping=100)
+>>> robot.world.step(0.01, steps=300)
+>>> round(float(robot.positions[0]), 2)
+0.51
+
+Positions and velocities are arrays with the coordinates of all joints in their order, as ``epode/robots.h`` has them: a
+number of a hinge or slider, a quaternion (w x y z) and three of a ball, seven and six of a free joint.
+"""
+from __future__ import annotations
+
+import os
+import typing
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _c, c
+from ._handle import FloatArray
+from .body import Body
+from .errors import DeadHandleError, RefusedError
+from .geom import Geom
+from .joint import Joint
+from .shapes import Shape
+from .world import World
+
+if typing.TYPE_CHECKING:
+    from ._c import _Robot, _RobotModel
+
+_TYPES = {c.dJointTypeHinge: "hinge", c.dJointTypeSlider: "slider", c.dJointTypeBall: "ball", c.dJointTypeFixed: "fixed",
+          c.dJointTypeAMotor: "amotor", c.dJointTypeCoupling: "coupling"}
+
+
+Path = str | os.PathLike[str]
+
+
+class FileShape(Shape):
+    """A shape that a robot's file describes."""
+
+
+class Note(typing.NamedTuple):
+    """A line of a report. kind: changed (something else with the same motion), approximated, ignored or error."""
+    kind: str
+    file: str
+    line: int
+    text: str
+
+
+class Link(typing.NamedTuple):
+    """A link; number 0 is the world. centre, m, and inertia, kg m^2, about it, are in the link's frame."""
+    name: str
+    parent: int
+    mass: float
+    centre: FloatArray
+    inertia: FloatArray
+    joints: list[int]
+    shapes: int
+
+
+class ModelJoint(typing.NamedTuple):
+    """A joint between a link and its parent; position and velocity: number of its first one among all."""
+    name: str
+    kind: str
+    link: int
+    position: int
+    velocity: int
+    anchor: FloatArray
+    axis: FloatArray
+    low: float
+    high: float
+    max_force: float
+    max_velocity: float
+
+
+class Actuator(typing.NamedTuple):
+    """What a control acts on; joint -1: a tendon. low and high clamp the control."""
+    name: str
+    kind: str
+    joint: int
+    low: float
+    high: float
+
+
+class Target(typing.NamedTuple):
+    """Where a frame is to be brought: its point (in the frame, m) to position, m, and the frame to quaternion, in the
+    model's world; None: anywhere, any way."""
+    frame: str
+    position: ArrayLike | None = None
+    quaternion: ArrayLike | None = None
+    point: ArrayLike = (0.0, 0.0, 0.0)
+    position_weight: float = 1.0
+    orientation_weight: float = 1.0
+
+
+class Solution(typing.NamedTuple):
+    """What inverse kinematics found; errors in m and rad are the largest of all targets."""
+    positions: FloatArray
+    reached: bool
+    position_error: float
+    orientation_error: float
+    residual: float
+    iterations: int
+    starts: int
+
+
+class Options(typing.TypedDict, total=False):
+    """What ``load`` may be given besides the file."""
+    strict: bool
+    keep_fixed: bool
+    fixed_base: bool
+    repair: bool
+    inertia_from_shapes: bool
+    meshes_as_triangles: bool
+    missing_mass: float
+    roots: Sequence[Path]
+
+
+def _read(path: Path, text: str | None, options: Options) -> _RobotModel:
+    if not hasattr(_c, "_RobotModel"):
+        raise RefusedError("this build has no robots: it wants pugixml (Debian: libpugixml-dev)")
+    unknown = set(options) - set(Options.__annotations__)
+    if unknown:
+        raise TypeError(f"no option is called {', '.join(sorted(unknown))}: {', '.join(Options.__annotations__)}")
+    missing_mass, roots = options.get("missing_mass", 0.0), [os.fspath(root) for root in options.get("roots", ())]
+    return _c._RobotModel(os.fspath(path), text, {**options, "missing_mass": missing_mass, "roots": roots})
+
+
+def check(path: Path, **options: typing.Unpack[Options]) -> list[Note]:
+    """The report of a file, a list of ``Note``, whether it has errors or not. Options as for ``load``."""
+    return [Note(*line) for line in _read(path, None, options).report]
+
+
+def load(path: Path, **options: typing.Unpack[Options]) -> Model:
+    """Read a URDF or MJCF file. What makes it unusable raises RefusedError; the rest is in the model's ``report``.
+
+    strict: what is approximated or ignored is an error. keep_fixed: links that are fixed to others stay links. fixed_base:
+    the root of a URDF is fixed to the world. repair: inertias that no body can have are mended. inertia_from_shapes: links
+    without an inertial get that of their shapes. meshes_as_triangles: not as their convex hulls. missing_mass: of other
+    moving links without an inertial, kg. roots: more folders that may be read."""
+    return Model(_read(path, None, options))
+
+
+def from_text(text: str, path: Path = "robot.xml", **options: typing.Unpack[Options]) -> Model:
+    """Read a text as if it were the file path. Options as for ``load``."""
+    return Model(_read(path, text, options))
+
+
+class Model:
+    """What a file says, as data. Frames are links, and merged links and sites, by name."""
+
+    def __init__(self, model: _RobotModel) -> None:
+        self._model = model
+        self.report = [Note(*line) for line in model.report]
+        errors = [note for note in self.report if note.kind == "error"]
+        if errors:
+            more = f" (and {len(errors) - 1} more: epode.robot.check)" if len(errors) > 1 else ""
+            raise RefusedError(f"{errors[0].file}:{errors[0].line}: {errors[0].text}{more}")
+        self.name, self.format = model.name, model.format
+        self.links = [Link(*row) for row in model.links]
+        self.joints = [ModelJoint(*row) for row in model.joints]
+        self.actuators = [Actuator(*row) for row in model.actuators]
+        self.starts = model.starts
+
+    def __repr__(self) -> str:
+        return f"<epode.robot.Model {self.name!r}: {len(self.links) - 1} links, {len(self.joints)} joints>"
+
+    @property
+    def link_names(self) -> list[str]:
+        """Of all links, from the world on."""
+        return [link.name for link in self.links]
+
+    @property
+    def joint_names(self) -> list[str]:
+        """Of all joints."""
+        return [joint.name for joint in self.joints]
+
+    @property
+    def actuator_names(self) -> list[str]:
+        """Of all actuators."""
+        return [actuator.name for actuator in self.actuators]
+
+    @property
+    def frame_names(self) -> list[str]:
+        """What ``pose``, ``jacobian`` and ``ik`` know: links, merged links and sites."""
+        return self._model.frame_names
+
+    @property
+    def gravity(self) -> FloatArray:
+        """The file's, m/s^2."""
+        return self._model.gravity
+
+    @property
+    def position_count(self) -> int:
+        """How many coordinates the joints have."""
+        return self._model.position_count
+
+    @property
+    def velocity_count(self) -> int:
+        """How many velocities the joints have."""
+        return self._model.velocity_count
+
+    @property
+    def reference(self) -> FloatArray:
+        """The positions in which the file describes the robot."""
+        return self._model.reference
+
+    @property
+    def low(self) -> FloatArray:
+        """The lowest position of each coordinate; minus infinity where there is no limit."""
+        return self._limits("low", -np.inf)
+
+    @property
+    def high(self) -> FloatArray:
+        """The highest position of each coordinate."""
+        return self._limits("high", np.inf)
+
+    def _limits(self, name: str, none: float) -> FloatArray:
+        out = np.full(self.position_count, none)
+        for joint in self.joints:
+            if joint.kind in ("hinge", "slide"):
+                out[joint.position] = getattr(joint, name)
+        return out
+
+    def _frame(self, name: str) -> tuple[int, FloatArray]:
+        found = self._model.frame(name)
+        if found is None:
+            raise KeyError(f"no link or frame is called {name!r}")
+        return found
+
+    # ---- kinematics and dynamics ----
+
+    def fk(self, positions: ArrayLike) -> FloatArray:
+        """Forward kinematics: the poses of all links, an (n, 7) array of position and quaternion each."""
+        return self._model.poses(positions)
+
+    def pose(self, frame: str, positions: ArrayLike) -> tuple[FloatArray, FloatArray]:
+        """The position and the quaternion of a frame, by name."""
+        link, local = self._frame(frame)
+        pose = self.fk(positions)[link]
+        return _moved(pose, local[:3]), _product(pose[3:], local[3:])
+
+    def jacobian(self, frame: str, positions: ArrayLike, point: ArrayLike = (0, 0, 0)) -> FloatArray:
+        """6 x velocity_count: what the velocities make of a point of a frame, linear then angular, in the world's axes."""
+        link, local = self._frame(frame)
+        return self._model.jacobian(positions, link, _moved(local, point))
+
+    def mass_matrix(self, positions: ArrayLike) -> FloatArray:
+        """velocity_count x velocity_count, rotor inertias on its diagonal."""
+        return self._model.mass_matrix(positions)
+
+    def inverse_dynamics(self, positions: ArrayLike, velocities: ArrayLike | None = None,
+                         accelerations: ArrayLike | None = None) -> FloatArray:
+        """The forces that give the accelerations, against gravity, without springs, dampers and friction; None: zeros."""
+        zeros = np.zeros(self.velocity_count)
+        return self._model.inverse_dynamics(positions, zeros if velocities is None else velocities,
+                                            zeros if accelerations is None else accelerations)
+
+    def gravity_forces(self, positions: ArrayLike) -> FloatArray:
+        """Gravity compensation: the forces that hold the robot still."""
+        return self.inverse_dynamics(positions)
+
+    def ik(self, target: str | Iterable[Target], position: ArrayLike | None = None, quaternion: ArrayLike | None = None, *,
+           guess: ArrayLike | None = None, weights: ArrayLike | None = None, posture: ArrayLike | None = None,
+           point: ArrayLike = (0, 0, 0), tolerance: float = 1e-10, max_starts: int = 32,
+           max_iterations: int = 100) -> Solution:
+        """Inverse kinematics: positions, within the limits, at which a frame is at a position, at a quaternion, or both;
+        or at which all of a list of ``Target`` are met. Returns a ``Solution``: the nearest one if ``reached`` is False.
+
+        guess: where the search begins; without it at the reference. weights: of velocities, 0: it stays, 2: it moves rather
+        than one of 1. posture: positions to be near where the targets leave a choice."""
+        targets = [Target(target, position, quaternion, point)] if isinstance(target, str) else list(target)
+        answer = self._model.inverse(self.reference if guess is None else guess, [self._goal(t) for t in targets], weights,
+                                     posture, max_iterations, max_starts, tolerance)
+        return Solution(*answer)
+
+    def _goal(self, target: Target) -> tuple[int, FloatArray, FloatArray, float, float]:
+        link, local = self._frame(target.frame)
+        frame = np.concatenate([_moved(local, target.point), local[3:]])
+        pose = np.concatenate([np.zeros(3) if target.position is None else np.asarray(target.position, float),
+                               [1.0, 0, 0, 0] if target.quaternion is None else np.asarray(target.quaternion, float)])
+        return (link, frame, pose, 0.0 if target.position is None else float(target.position_weight),
+                0.0 if target.quaternion is None else float(target.orientation_weight))
+
+    # ---- worlds ----
+
+    def build(self, world: World | None = None, *, position: ArrayLike = (0, 0, 0), quaternion: ArrayLike = (1, 0, 0, 0),
+              start: str | ArrayLike | None = None) -> Robot:
+        """A robot in a world; without one in a new world with the file's gravity. position and quaternion place the model's
+        world in it. start: positions, or the name of a start pose of the file; without it, the first, or the reference."""
+        if world is None:
+            world = World(gravity=self.gravity)
+        robot = Robot(self, world, np.concatenate([np.asarray(position, float), np.asarray(quaternion, float)]))
+        if start is None:
+            start = next(iter(self.starts.values()), None)
+        elif isinstance(start, str):
+            start = self.starts[start]
+        if start is not None:
+            robot.positions = start
+        return robot
+
+
+class Robot:
+    """A robot in a world, made by ``Model.build``. Its bodies, joints and geoms are the world's like all others; destroy
+    them all at once."""
+
+    def __init__(self, model: Model, world: World, pose: FloatArray) -> None:
+        self.model, self.world = model, world
+        self._robot: _Robot | None = model._model.build(world._handle, world._space_handle, pose)
+        world._robots.append(self)
+        self._add_all(self._robot)
+
+    def _add_all(self, robot: _Robot) -> None:
+        world = self.world
+        self._bodies = {h: Body(world, h) for h in robot.bodies}
+        world._bodies.update(self._bodies)
+        world._body_list = None
+        world._edition += 1
+        self._joints = {}
+        for handle in robot.joints:
+            ends = [self._bodies.get(c.dJointGetBody(handle, i)) for i in (0, 1)]
+            self._joints[handle] = Joint(world, handle, _TYPES[c.dJointGetType(handle)], *ends)
+        world._joints.update(self._joints)
+        self._geoms = []
+        for handle in robot.geoms:
+            body = self._bodies.get(c.dGeomGetBody(handle))
+            geom = Geom(world, handle, FileShape(), body)
+            if body is not None:
+                body.geoms.append(geom)
+            world._geoms[geom._key] = geom
+            self._geoms.append(geom)
+
+    @property
+    def _live(self) -> _Robot:
+        if self._robot is None or not self.alive:
+            raise DeadHandleError("this Robot, or a part of it, has been destroyed")
+        return self._robot
+
+    @property
+    def alive(self) -> bool:
+        """False after the robot, a part of it, or its world, has been destroyed."""
+        return self._robot is not None and all(b.alive for b in self._bodies.values()) and all(
+            j.alive for j in self._joints.values())
+
+    def __repr__(self) -> str:
+        return f"<epode.robot.Robot {self.model.name!r}{'' if self.alive else ', destroyed'}>"
+
+    @property
+    def bodies(self) -> list[Body]:
+        """Of all links, and small ones between several joints of one."""
+        return list(self._bodies.values())
+
+    @property
+    def geoms(self) -> list[Geom]:
+        """All geoms."""
+        return list(self._geoms)
+
+    def body(self, link: str) -> Body | None:
+        """The Body of a link, merged link or site, by name; None of the world's."""
+        handle = self._live.body(self.model._frame(link)[0])
+        return None if handle is None else self._bodies[handle]
+
+    def joint(self, name: str) -> Joint | None:
+        """The Joint of a joint of the model, by name; None of a free one."""
+        handle = self._live.joint(self._joint_number(name))
+        return None if handle is None else self._joints[handle]
+
+    def _joint_number(self, name: str | int) -> int:
+        return _number(name, self.model.joint_names, "joint")
+
+    @property
+    def positions(self) -> FloatArray:
+        """The coordinates of all joints. Setting them moves all bodies there, at rest."""
+        return self._live.positions()
+
+    @positions.setter
+    def positions(self, value: ArrayLike) -> None:
+        self._live.set_positions(value)
+
+    @property
+    def velocities(self) -> FloatArray:
+        """The velocities of all joints."""
+        return self._live.velocities()
+
+    @velocities.setter
+    def velocities(self, value: ArrayLike) -> None:
+        self._live.set_velocities(value)
+
+    @property
+    def controls(self) -> FloatArray:
+        """The controls of all actuators; setting them clamps each to its range."""
+        return np.array([self._live.control(i) for i in range(len(self.model.actuators))])
+
+    @controls.setter
+    def controls(self, values: ArrayLike) -> None:
+        wanted = np.asarray(values, float)
+        if wanted.shape != (len(self.model.actuators),):
+            raise ValueError(f"{len(self.model.actuators)} controls expected, not {wanted.size}")
+        for i, value in enumerate(wanted):
+            self._live.set_control(i, float(value))
+
+    def control(self, actuator: str | int, value: float) -> None:
+        """Set the control of an actuator, by name or number."""
+        self._live.set_control(_number(actuator, self.model.actuator_names, "actuator"), float(value))
+
+    def target(self, joint: str | int, target: float, *, stiffness: float, damping: float) -> None:
+        """Pull a hinge or slider, by name or number, to a target, m or rad, by a spring and damper, at most with the
+        joint's max_force; both 0: no longer."""
+        self._live.set_target(self._joint_number(joint), float(target), float(stiffness), float(damping))
+
+    def pose(self, frame: str) -> tuple[FloatArray, FloatArray]:
+        """The position and the quaternion, in the world, of a link, merged link or site, by name."""
+        link, local = self.model._frame(frame)
+        body = self._live.body(link)
+        if body is None:
+            raise KeyError(f"{frame!r} is fixed in the world: Model.pose knows where")
+        turn = c.dBodyGetQuaternion(body)
+        origin = c.dBodyGetRelPointPos(body, *(-self.model.links[link].centre))
+        return _moved(np.concatenate([origin, turn]), local[:3]), _product(turn, local[3:])
+
+    def destroy(self) -> None:
+        """Destroy the robot's bodies, joints and geoms."""
+        self._live
+        for joint in self._joints.values():
+            if joint.alive:
+                joint.destroy()
+        for body in self._bodies.values():
+            if body.alive:
+                body.destroy()
+        for geom in self._geoms:
+            if geom.alive:
+                geom.destroy()
+        self.world._edition += 1
+        if self.world._past is None:  # else a step taken back brings geoms back, which point to the model's arrays
+            self._dead()
+            self.world._robots.remove(self)
+
+    def _dead(self) -> None:
+        if self._robot is not None:
+            self._robot.release()
+        self._robot = None
+
+
+def _number(name: str | int, names: list[str], what: str) -> int:
+    if isinstance(name, str):
+        if name not in names:
+            raise KeyError(f"no {what} is called {name!r}: {', '.join(names)}")
+        return names.index(name)
+    return int(name)
+
+
+def _product(a: FloatArray, b: FloatArray) -> FloatArray:
+    """Of two quaternions."""
+    w, v, x, u = a[0], a[1:], b[0], b[1:]
+    return np.concatenate([[w * x - v @ u], w * u + x * v + np.cross(v, u)])
+
+
+def _moved(pose: FloatArray, point: ArrayLike) -> FloatArray:
+    """Where a point of a frame is whose pose, position and quaternion, is given."""
+    v, p = pose[4:7], np.asarray(point, float)
+    t = 2 * np.cross(v, p)
+    return np.asarray(p + pose[3] * t + np.cross(v, t) + pose[:3], float)

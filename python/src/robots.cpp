@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Models of robots and robots in worlds, under the classes of epode.robot. A model is read once and shared by its robots,
+// which keep the arrays that their geoms point to. A robot whose world is gone is released: it then owns nothing.
+#include "calls.h"
+
+#ifdef EPODE_HAVE_ROBOTS
+
+#include <nanobind/stl/vector.h>
+
+#include <cmath>
+
+#include "robots/build.h"
+#include "robots/inverse.h"
+#include "robots/kinematics.h"
+#include "robots/load.h"
+
+using namespace epode::robots;
+
+namespace {
+
+using Numbers1 = std::vector<double>;
+
+struct Model {
+    RobotModel model;
+    std::shared_ptr<const Prepared> prepared;  // made for the first robot
+};
+
+nb::object row(const Numbers1& values) { return array_of(values.data(), int(values.size())); }
+nb::object row(Vec v) { return row(Numbers1{v.x, v.y, v.z}); }
+nb::object row(const Pose& p) { return row(Numbers1{p.p.x, p.p.y, p.p.z, p.q.w, p.q.x, p.q.y, p.q.z}); }
+
+nb::object table(const Numbers1& values, size_t rows, size_t columns)
+{
+    dReal* data;
+    nb::object out = real_array(rows, columns, &data);
+    std::copy(values.begin(), values.end(), data);
+    return out;
+}
+
+// Finite numbers, as many as wanted.
+Numbers1 read(nb::handle from, size_t count, const char* what)
+{
+    const auto array = array_in<double>(from);
+    Numbers1 out(array.data, array.data + array.size);
+    for (double value : out)
+        if (!std::isfinite(value)) throw nb::value_error((std::string(what) + " must be finite").c_str());
+    if (out.size() == count) return out;
+    const std::string text = std::string(what) + ": " + std::to_string(count) + " numbers expected, not " +
+                             std::to_string(out.size());
+    throw nb::value_error(text.c_str());
+}
+
+Numbers1 read_or_nothing(nb::handle from, size_t count, const char* what)
+{
+    return from.is_none() ? Numbers1() : read(from, count, what);
+}
+
+Pose read_pose(nb::handle from)
+{
+    const Numbers1 v = read(from, 7, "pose");
+    return {{v[0], v[1], v[2]}, normalised({v[3], v[4], v[5], v[6]})};
+}
+
+size_t speeds(const RobotModel& model) { return size_t(number_of_velocities(model)); }
+
+Numbers1 read_positions(const Model& m, nb::handle from)
+{
+    return read(from, size_t(m.model.coordinates), "positions");
+}
+
+int link_in(const Model& m, int link)
+{
+    if (link < 0 || link >= int(m.model.links.size())) throw nb::index_error("no such link");
+    return link;
+}
+
+Model* load(const std::string& path, nb::object text, nb::dict options)
+{
+    LoadOptions its;
+    const auto flag = [&](const char* name, bool& value) {
+        if (options.contains(name)) value = nb::cast<bool>(options[name]);
+    };
+    flag("strict", its.strict), flag("keep_fixed", its.keep_fixed), flag("fixed_base", its.fixed_base);
+    flag("repair", its.repair), flag("inertia_from_shapes", its.inertia_from_shapes);
+    flag("meshes_as_triangles", its.meshes_as_triangles);
+    its.missing_mass = nb::cast<double>(options["missing_mass"]);
+    its.roots = nb::cast<std::vector<std::string>>(options["roots"]);
+    if (!(its.missing_mass >= 0) || !std::isfinite(its.missing_mass))
+        throw nb::value_error("missing_mass must be 0 kg or more");
+    return new Model{
+        text.is_none() ? load_robot(path, its) : load_robot_text(path, nb::cast<std::string>(text), its),
+        nullptr};
+}
+
+nb::list report(const Model& m)
+{
+    nb::list out;
+    for (const ReportLine& line : m.model.report)
+        out.append(nb::make_tuple(name_of(line.note), line.file, line.line, line.text));
+    return out;
+}
+
+nb::list links(const Model& m)
+{
+    nb::list out;
+    for (const Link& link : m.model.links) {
+        Numbers1 inertia;
+        for (const auto& its : link.inertia) inertia.insert(inertia.end(), its.begin(), its.end());
+        out.append(nb::make_tuple(link.name, link.parent, link.mass, row(link.centre), table(inertia, 3, 3),
+                                  link.joints, link.shapes.size()));
+    }
+    return out;
+}
+
+nb::list joints(const Model& m)
+{
+    nb::list out;
+    int velocity = 0;
+    for (const Joint& joint : m.model.joints) {
+        out.append(nb::make_tuple(joint.name, name_of(joint.kind), joint.link, joint.position, velocity,
+                                  row(joint.anchor), row(joint.axis), joint.low, joint.high, joint.max_force,
+                                  joint.max_velocity));
+        velocity += velocities_of(joint);
+    }
+    return out;
+}
+
+nb::list actuators(const Model& m)
+{
+    nb::list out;
+    for (const Actuator& a : m.model.actuators)
+        out.append(nb::make_tuple(a.name, a.kind, a.joint, a.low, a.high));
+    return out;
+}
+
+nb::dict starts(const Model& m)
+{
+    nb::dict out;
+    for (const Start& start : m.model.starts) out[start.name.c_str()] = row(start.positions);
+    return out;
+}
+
+// (link, pose in it), or None.
+nb::object frame(const Model& m, const std::string& name)
+{
+    Frame its;
+    if (!m.model.frame_named(name, its)) return nb::none();
+    return nb::make_tuple(its.link, row(its.pose));
+}
+
+nb::list frame_names(const Model& m)
+{
+    nb::list out;
+    for (const Link& link : m.model.links) out.append(link.name);
+    for (const Frame& its : m.model.frames) out.append(its.name);
+    return out;
+}
+
+nb::object poses(const Model& m, nb::object positions)
+{
+    Numbers1 out;
+    for (const Pose& p : forward_kinematics(m.model, read_positions(m, positions)))
+        out.insert(out.end(), {p.p.x, p.p.y, p.p.z, p.q.w, p.q.x, p.q.y, p.q.z});
+    return table(out, out.size() / 7, 7);
+}
+
+nb::object get_jacobian(const Model& m, nb::object positions, int link, nb::object point)
+{
+    const Numbers1 p = read(point, 3, "point");
+    return table(jacobian(m.model, read_positions(m, positions), link_in(m, link), {p[0], p[1], p[2]}), 6,
+                 speeds(m.model));
+}
+
+nb::object get_mass_matrix(const Model& m, nb::object positions)
+{
+    return table(mass_matrix(m.model, read_positions(m, positions)), speeds(m.model), speeds(m.model));
+}
+
+nb::object get_inverse_dynamics(const Model& m, nb::object positions, nb::object velocities,
+                                nb::object accelerations)
+{
+    const size_t n = speeds(m.model);
+    return row(inverse_dynamics(m.model, read_positions(m, positions), read(velocities, n, "velocities"),
+                                read(accelerations, n, "accelerations"), m.model.gravity));
+}
+
+// goals: (link, frame in it, pose, position weight, orientation weight) each.
+nb::object get_inverse(const Model& m, nb::object guess, nb::list goals, nb::object weights,
+                       nb::object posture, int max_iterations, int max_starts, double tolerance)
+{
+    std::vector<Goal> wanted;
+    for (nb::handle its : goals) {
+        const Goal goal{link_in(m, nb::cast<int>(its[0])), read_pose(its[1]), read_pose(its[2]),
+                        nb::cast<double>(its[3]), nb::cast<double>(its[4])};
+        if (!(goal.position_weight >= 0) || !(goal.orientation_weight >= 0))
+            throw nb::value_error("weights of targets must be 0 or more");
+        wanted.push_back(goal);
+    }
+    InverseSettings settings{max_iterations, max_starts, tolerance,
+                             read_or_nothing(weights, speeds(m.model), "weights"),
+                             read_or_nothing(posture, size_t(m.model.coordinates), "posture")};
+    for (double weight : settings.weights)
+        if (weight < 0 || weight > 1e6) throw nb::value_error("weights must be from 0 to 1e6");
+    if (max_iterations < 1 || max_starts < 1 || !(tolerance >= 0))
+        throw nb::value_error("at least one iteration and start, and a tolerance of 0 or more are expected");
+    const InverseAnswer a = solve_inverse(m.model, read_positions(m, guess), wanted, settings);
+    return nb::make_tuple(row(a.positions), a.is_reached, a.position_error, a.orientation_error, a.residual,
+                          a.iterations, a.starts);
+}
+
+void must_be_built(const Model& m)
+{
+    if (m.model.has_errors()) throw nb::value_error("the model has errors: see its report");
+}
+
+Robot* build(Model& m, const WorldHandle& world, const SpaceHandle& space, nb::object pose)
+{
+    must_be_built(m);
+    const Pose placement = read_pose(pose);
+    Call call;
+    call.uses(world.p);
+    if (!m.prepared) m.prepared = std::make_shared<const Prepared>(m.model);
+    auto robot = std::make_unique<Robot>(m.prepared, world.p, space_of(&space), placement, Numbers1());
+    call.done();
+    return robot.release();
+}
+
+template <typename P>
+nb::list handles(const std::vector<P>& all)
+{
+    nb::list out;
+    for (P one : all) out.append(wrapped(one));
+    return out;
+}
+
+void set_positions(Robot& robot, nb::object from)
+{
+    Call call;
+    call.uses(robot.body(int(robot.model().links.size()) - 1));
+    robot.set_positions(read(from, size_t(robot.model().coordinates), "positions"));
+    call.done();
+}
+
+void set_velocities(Robot& robot, nb::object from)
+{
+    Call call;
+    call.uses(robot.body(int(robot.model().links.size()) - 1));
+    robot.set_velocities(read(from, speeds(robot.model()), "velocities"));
+    call.done();
+}
+
+void set_control(Robot& robot, int actuator, double value)
+{
+    if (actuator < 0 || actuator >= int(robot.model().actuators.size()))
+        throw nb::index_error("no such actuator");
+    if (!std::isfinite(value)) throw nb::value_error("a control must be finite");
+    Call call;
+    robot.set_control(actuator, value);
+    call.done();
+}
+
+void set_target(Robot& robot, int joint, double target, double stiffness, double damping)
+{
+    if (joint < 0 || joint >= int(robot.model().joints.size()) ||
+        !robot.model().joints[size_t(joint)].is_scalar())
+        throw nb::index_error("no hinge or slider has this number");
+    if (!std::isfinite(target) || !std::isfinite(stiffness) || !std::isfinite(damping) || stiffness < 0 ||
+        damping < 0)
+        throw nb::value_error("a finite target, and stiffness and damping of 0 or more are expected");
+    Call call;
+    robot.set_servo(joint, {stiffness, damping, target});
+    call.done();
+}
+
+}  // namespace
+
+void bind_robots(nb::module_& m)
+{
+    nb::class_<Model>(m, "_RobotModel")
+        .def(nb::new_([](const std::string& path, nb::object text, nb::dict options) {
+                 return load(path, text, options);
+             }),
+             "path"_a, "text"_a.none(), "options"_a)
+        .def_prop_ro("name", [](const Model& s) { return s.model.name; })
+        .def_prop_ro("format", [](const Model& s) { return s.model.format; })
+        .def_prop_ro("gravity", [](const Model& s) { return row(s.model.gravity); })
+        .def_prop_ro("position_count", [](const Model& s) { return s.model.coordinates; })
+        .def_prop_ro("velocity_count", [](const Model& s) { return speeds(s.model); })
+        .def_prop_ro("reference", [](const Model& s) { return row(reference_positions(s.model)); })
+        .def_prop_ro("not_built", [](const Model& s) { return Robot::not_built(s.model); })
+        .def_prop_ro("report", report)
+        .def_prop_ro("links", links)
+        .def_prop_ro("joints", joints)
+        .def_prop_ro("actuators", actuators)
+        .def_prop_ro("starts", starts)
+        .def_prop_ro("frame_names", frame_names)
+        .def("frame", frame)
+        .def("poses", poses)
+        .def("jacobian", get_jacobian)
+        .def("mass_matrix", get_mass_matrix)
+        .def("inverse_dynamics", get_inverse_dynamics)
+        .def("inverse", get_inverse, "guess"_a, "goals"_a, "weights"_a.none(), "posture"_a.none(),
+             "max_iterations"_a, "max_starts"_a, "tolerance"_a)
+        .def("build", build);
+    nb::class_<Robot>(m, "_Robot")
+        .def_prop_ro("bodies", [](const Robot& s) { return handles(s.all_bodies()); })
+        .def_prop_ro("joints", [](const Robot& s) { return handles(s.all_joints()); })
+        .def_prop_ro("geoms", [](const Robot& s) { return handles(s.geoms()); })
+        .def("body", [](const Robot& s, int link) { return wrapped(s.body(link)); })
+        .def("joint", [](const Robot& s, int joint) { return wrapped(s.joint(joint)); })
+        .def("release", &Robot::release)
+        .def("positions", [](const Robot& s) { return row(s.positions()); })
+        .def("velocities", [](const Robot& s) { return row(s.velocities()); })
+        .def("set_positions", set_positions)
+        .def("set_velocities", set_velocities)
+        .def("control", &Robot::control)
+        .def("set_control", set_control)
+        .def("set_target", set_target);
+}
+
+#else
+
+void bind_robots(nb::module_&) {}
+
+#endif

@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Copyright (c) 2026 The Epode authors
+"""Robots from files as a user of Python meets them."""
+import gc
+import pathlib
+
+import numpy as np
+import pytest
+
+import epode
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+DEMOS, MODELS = ROOT / "demos/robots", ROOT / "tests/robots/models"
+
+
+@pytest.fixture(scope="module")
+def arm():
+    return epode.load(DEMOS / "arm.urdf")
+
+
+@pytest.fixture(scope="module")
+def walker():
+    return epode.load(MODELS / "walker.xml")
+
+
+def test_a_model_tells_what_is_in_it(arm):
+    assert arm.format == "URDF" and arm.name == "arm"
+    assert arm.joint_names == [f"axis_{i}" for i in range(1, 8)]
+    assert "hand" in arm.link_names and "pen" not in arm.link_names and "pen" in arm.frame_names
+    assert arm.position_count == arm.velocity_count == 7
+    assert arm.links[arm.joints[0].link].mass == pytest.approx(3)
+    assert arm.low[0] == -2.9 and arm.high[6] == 3
+    assert [a.kind for a in arm.actuators] == ["motor"] * 7
+
+
+def test_a_report_is_a_list(walker):
+    assert {note.kind for note in walker.report} <= {"changed", "approximated", "ignored"}
+    notes = epode.robot.check(MODELS / "walker.xml", strict=True)
+    assert any(note.kind == "error" for note in notes)
+    assert all(note.line > 0 and note.file.endswith(".xml") for note in notes if note.kind == "error")
+    with pytest.raises(epode.RefusedError):
+        epode.load(MODELS / "walker.xml", strict=True)
+    with pytest.raises(epode.RefusedError, match="nowhere"):
+        epode.load("nowhere.urdf")
+    with pytest.raises(TypeError):
+        epode.load(DEMOS / "arm.urdf", colour="red")
+
+
+def test_a_jacobian_is_the_derivative_of_the_pose(arm):
+    q, point, step = np.linspace(-0.5, 0.7, 7), (0.1, 0.02, -0.03), 1e-6
+    jacobian = arm.jacobian("pen", q, point)
+    for i in range(7):
+        d = np.zeros(7)
+        d[i] = step
+        ends = []
+        for at in (q + d, q - d):
+            place, turn = arm.pose("pen", at)
+            ends.append(epode.robot._moved(np.concatenate([place, turn]), point))
+        assert jacobian[:3, i] == pytest.approx((ends[0] - ends[1]) / (2 * step), abs=1e-8)
+
+
+def test_mass_matrix_and_inverse_dynamics_agree(arm):
+    rng = np.random.default_rng(1)
+    q, v, a = rng.normal(size=(3, 7)) * 0.5
+    m = arm.mass_matrix(q)
+    assert m == pytest.approx(m.T) and np.linalg.eigvalsh(m)[0] > 0
+    assert arm.inverse_dynamics(q, v, a) == pytest.approx(m @ a + arm.inverse_dynamics(q, v), abs=1e-9)
+    assert arm.inverse_dynamics(q) == pytest.approx(arm.gravity_forces(q))
+
+
+def test_inverse_kinematics_finds_what_forward_kinematics_reaches(arm):
+    rng = np.random.default_rng(2)
+    for _ in range(20):
+        place, turn = arm.pose("pen", rng.uniform(arm.low, arm.high))
+        found = arm.ik("pen", place, turn)
+        assert found.reached and found.residual < 1e-9
+        assert np.all(found.positions >= arm.low) and np.all(found.positions <= arm.high)
+        assert arm.pose("pen", found.positions)[0] == pytest.approx(place, abs=1e-9)
+    far = arm.ik("pen", (3, 0, 0))
+    assert not far.reached and far.position_error > 1
+    both = arm.ik([epode.robot.Target("pen", (0.4, 0.1, 0.5)), epode.robot.Target("hand", quaternion=(0, 1, 0, 0))],
+                  weights=[1, 1, 0, 1, 1, 1, 1])
+    assert both.reached and both.positions[2] == 0
+
+
+def test_motors_with_the_gravity_forces_hold_an_arm(arm):
+    robot = arm.build(start=[0.3, 0.6, 0.1, 0.9, -0.2, 0.4, 0])
+    before = robot.positions
+    robot.controls = arm.gravity_forces(before)
+    robot.world.step(0.002, steps=500)
+    assert robot.positions == pytest.approx(before, abs=1e-5)
+    place, turn = robot.pose("pen")
+    expected = arm.pose("pen", robot.positions)
+    assert place == pytest.approx(expected[0], abs=1e-9) and abs(turn @ expected[1]) == pytest.approx(1)
+
+
+def test_positions_and_velocities_of_every_kind_of_joint_come_back(walker):
+    with epode.World(gravity=(0, 0, 0)) as world:
+        robot = walker.build(world, position=(0, 0, 2), start="up")
+        assert robot.positions == pytest.approx(walker.starts["up"])
+        robot.velocities = np.linspace(-1, 1, walker.velocity_count)
+        assert robot.velocities == pytest.approx(np.linspace(-1, 1, walker.velocity_count))
+        assert robot.body("foot") is robot.body("foot") and robot.body("knee_site") is robot.body("thigh")
+        assert robot.joint("hip").type == "hinge" and robot.joint("ball") is None
+        assert len(world.bodies) == len(robot.bodies) == len(world.bodies.position)
+        assert {world.geom_of(g._key) for g in robot.geoms} == set(robot.geoms)
+        robot.control("hip_motor", 5)
+        assert robot.controls[0] == 1
+
+
+def test_a_robot_goes_with_its_world_and_leaves_nothing_when_destroyed(walker):
+    world = epode.World()
+    first, second = walker.build(world), walker.build(world, position=(5, 0, 0))
+    first.destroy()
+    assert not first.alive and len(world.bodies) == len(second.bodies)
+    with pytest.raises(epode.DeadHandleError):
+        first.positions
+    world.step(0.01, steps=10)
+    world.destroy()
+    assert not second.alive
+    with pytest.raises(epode.DeadHandleError):
+        second.positions = walker.reference
+    del first, second
+    gc.collect()
+    mesh = epode.load(MODELS / "arm.urdf", meshes_as_triangles=True).build()  # the world keeps the robot's arrays
+    world = mesh.world
+    del mesh
+    gc.collect()
+    world.step(0.01, steps=10)
+
+
+def test_history_takes_robots_back(walker):
+    world = epode.World()
+    world.history = 10
+    robot = walker.build(world)
+    world.step(0.01, steps=3)
+    robot.destroy()
+    world.step(0.01, steps=2)
+    world.roll_back(3)
+    assert robot.alive and len(world.bodies) == len(robot.bodies)
+    later = walker.build(world)
+    world.step(0.01)
+    world.roll_back(1)
+    assert not later.alive
+    with pytest.raises(epode.DeadHandleError):
+        later.positions
+    assert robot.positions[2] == robot.positions[2]
+
+
+def test_many_worlds_of_one_model_have_the_same_bits(walker):
+    robots = [walker.build() for _ in range(20)]
+    epode.step_worlds([r.world for r in robots], 0.002, stepper="exact", steps=20)
+    assert len({r.positions.tobytes() for r in robots}) == 1
+
+
+def test_bad_arguments_are_named(arm):
+    robot = arm.build()
+    for call in (lambda: arm.fk([1, 2]), lambda: arm.fk([np.nan] * 7), lambda: setattr(robot, "positions", [0] * 6),
+                 lambda: setattr(robot, "controls", [0]), lambda: arm.ik("pen", (0, 0, 0), max_starts=0),
+                 lambda: arm.ik("pen", (0, 0, 0), weights=[-1] * 7), lambda: robot.target("axis_1", 0, stiffness=-1, damping=0)):
+        with pytest.raises(ValueError):
+            call()
+    for call in (lambda: arm.pose("nobody", arm.reference), lambda: robot.control("nobody", 1), lambda: robot.joint("nobody")):
+        with pytest.raises(KeyError, match="nobody"):
+            call()
+
+
+def test_the_examples_in_the_texts_hold():
+    import doctest
+    assert doctest.testmod(epode.robot).failed == 0
