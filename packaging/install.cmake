@@ -81,10 +81,11 @@ if(TARGET epode)
   install(FILES ${PROJECT_SOURCE_DIR}/build/page/replay.html DESTINATION share/epode OPTIONAL)
 endif()
 
-# libepode_robots and its header: link with -lepode_robots.
+# libepode_robots and its headers: link with -lepode_robots.
 if(TARGET epode_robots)
   set_target_properties(epode_robots PROPERTIES INSTALL_RPATH "$ORIGIN")
-  install(FILES ${PROJECT_SOURCE_DIR}/include/epode/robots.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/epode)
+  install(FILES ${PROJECT_SOURCE_DIR}/include/epode/robots.h ${PROJECT_SOURCE_DIR}/include/epode/robot_sensors.h
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/epode)
   install(TARGETS epode_robots LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endif()
 

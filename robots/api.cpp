@@ -302,6 +302,7 @@ dRobotID dRobotCreate(dWorldID world, dSpaceID space, dRobotModelID model, const
         auto out = std::make_unique<dxRobot>();
         out->robot = std::make_unique<epode::robots::Robot>(model->prepared, world, space, pose,
                                                             std::vector<double>());
+        out->sensors = std::make_unique<Sensors>(*out->robot, world);
         return out.release();
     });
 }
@@ -332,6 +333,7 @@ int dRobotSetPositions(dRobotID robot, const dReal* positions, int count)
           "a robot, and as many finite positions as dRobotModelGetNumPositions");
     return guarded(__func__, [&] {
         robot->robot->set_positions(doubles_of(positions, count));
+        robot->sensors->begin();
         return 1;
     });
 }
@@ -350,6 +352,7 @@ int dRobotSetVelocities(dRobotID robot, const dReal* velocities, int count)
           "a robot, and as many finite velocities as dRobotModelGetNumVelocities");
     return guarded(__func__, [&] {
         robot->robot->set_velocities(doubles_of(velocities, count));
+        robot->sensors->begin();
         return 1;
     });
 }

@@ -11,6 +11,7 @@
 
 #include "epode/robots.h"
 #include "robots/build.h"
+#include "robots/sensors.h"
 
 struct dxRobotModel {
     epode::robots::RobotModel model;
@@ -19,6 +20,7 @@ struct dxRobotModel {
 
 struct dxRobot {
     std::unique_ptr<epode::robots::Robot> robot;
+    std::unique_ptr<epode::robots::Sensors> sensors;
 };
 
 namespace epode::robots {

@@ -134,6 +134,7 @@ dBodyID Robot::make_small_body(dWorldID world, int number)
 void Robot::make_joints(dWorldID world)
 {
     joints_.assign(model().joints.size(), nullptr);
+    holders_.assign(model().links.size(), nullptr);
     for (size_t i = 1; i < model().links.size(); ++i) {
         const Link& link = model().links[i];
         dBodyID parent = bodies_[size_t(link.parent)];
@@ -142,6 +143,7 @@ void Robot::make_joints(dWorldID world)
             if (!fixed) continue;
             dJointAttach(fixed, bodies_[i], parent);
             dJointSetFixed(fixed);
+            holders_[i] = fixed;
             all_joints_.push_back(fixed);
         }
         for (size_t k = 0; k < link.joints.size(); ++k) {
@@ -151,6 +153,7 @@ void Robot::make_joints(dWorldID world)
             const size_t number = size_t(link.joints[k]);
             joints_[number] = make_joint(world, model().joints[number], child, parent, reference_[i]);
             if (joints_[number]) all_joints_.push_back(joints_[number]);
+            holders_[i] = joints_[number];
             parent = child;
         }
         if (link.joints.size() > 1) exclude(world, link.parent, int(i));
@@ -281,6 +284,7 @@ void Robot::make_shape(dSpaceID space, int number, const Shape& shape)
     }
     if (!geom) return;
     geoms_.push_back(geom);
+    colors_.push_back({shape.color[0], shape.color[1], shape.color[2]});
     const Pose offset = its ? Pose{-link.centre, {}} * shape.pose : at;
     const dQuaternion q = {dReal(offset.q.w), dReal(offset.q.x), dReal(offset.q.y), dReal(offset.q.z)};
     if (its) {

@@ -72,6 +72,12 @@ class Robot {
     const std::vector<dBodyID>& all_bodies() const { return all_bodies_; }
     const std::vector<dGeomID>& geoms() const { return geoms_; }
     const std::vector<dJointID>& all_joints() const { return all_joints_; }
+    // Red, green and blue of a geom, by its place among geoms().
+    const float* color(size_t geom) const { return colors_[geom].data(); }
+    // What holds a link to its parent: the last of its joints; 0 of a free link.
+    dJointID holder(int link) const { return holders_[size_t(link)]; }
+    // Where the model's world is.
+    const Pose& placement() const { return placement_; }
     // The model's parts that this builder does not make, a sentence each.
     static std::vector<std::string> not_built(const RobotModel& model);
 
@@ -125,8 +131,9 @@ class Robot {
     Pose placement_;
     std::vector<Pose> reference_;  // of links, in the world
     std::vector<dBodyID> bodies_, all_bodies_;
-    std::vector<dJointID> joints_, tendons_, all_joints_;
+    std::vector<dJointID> joints_, tendons_, all_joints_, holders_;
     std::vector<dGeomID> geoms_;
+    std::vector<std::array<float, 3>> colors_;
     std::vector<Small> small_;
     std::vector<double> controls_;
     std::vector<Servo> servos_;

@@ -3,6 +3,7 @@
 //
 // Actuators, equalities, tendons, contacts, keys and sensors: see mjcf.h.
 #include "robots/read/mjcf.h"
+#include "robots/sensors.h"
 
 namespace epode::robots {
 
@@ -278,8 +279,11 @@ void Mjcf::read_sensors(const Element& section)
         for (const char* object : {"joint", "site", "body", "objname", "actuator", "tendon", "geom"})
             if (element.has(object)) sensor.object = element.text(object);
         model_.sensors.push_back(sensor);
-        reading_.note_once(Note::kIgnored, element,
-                           "sensors of kind <" + sensor.kind + "> are listed, not computed");
+        if (values_of(sensor.kind) == 0)
+            reading_.note_once(Note::kIgnored, element,
+                               "sensors of kind <" + sensor.kind + "> are listed, not computed");
+        if (sensor.kind == "touch")
+            reading_.note_once(Note::kApproximated, element, "a touch sensor feels its whole link");
     }
 }
 

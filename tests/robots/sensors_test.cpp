@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Sensors against closed forms: gravity, turning, free fall, weights, planes and a ball before a camera.
+#include <epode/robot_sensors.h>
+#include <gtest/gtest.h>
+#include <ode/ext.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace {
+
+constexpr bool kIsDouble = sizeof(dReal) == 8;
+constexpr double kExact = kIsDouble ? 1e-9 : 1e-3, kFine = kIsDouble ? 1e-6 : 2e-2, kG = 9.81;
+const dReal kStep = dReal(0.005);
+
+class RobotSensors : public testing::Test {
+  protected:
+    RobotSensors()
+    {
+        dInitODE2(0);
+        world = dWorldCreate();
+        space = dHashSpaceCreate(nullptr);
+        dWorldSetGravity(world, 0, 0, dReal(-kG));
+        dWorldSetContactSpace(world, space);
+    }
+    ~RobotSensors() override
+    {
+        dSetMessageHandler(nullptr);
+        if (robot) dRobotDestroy(robot);
+        if (model) dRobotModelDestroy(model);
+        dSpaceDestroy(space);
+        dWorldDestroy(world);
+        dCloseODE();
+    }
+    void load(const std::string& text, bool keep_fixed = false)
+    {
+        dRobotOptions options;
+        dRobotOptionsInit(&options, sizeof options);
+        options.keep_fixed = keep_fixed;
+        model = dRobotModelLoadText("robot.xml", text.data(), text.size(), &options);
+        ASSERT_EQ(dRobotModelHasErrors(model), 0);
+        robot = dRobotCreate(world, space, model, nullptr, nullptr);
+        ASSERT_NE(robot, nullptr);
+    }
+    void step(int count)
+    {
+        for (int i = 0; i < count; ++i) {
+            dWorldStep(world, kStep);
+            ASSERT_EQ(dRobotUpdateSensors(robot, kStep), 1);
+        }
+    }
+    std::vector<dReal> read(const char* name, int count)
+    {
+        std::vector<dRobotSensor> all(size_t(dRobotModelGetSensors(model, nullptr, 0)));
+        dRobotModelGetSensors(model, all.data(), int(all.size()));
+        for (size_t i = 0; i < all.size(); ++i)
+            if (all[i].name == std::string(name)) {
+                std::vector<dReal> values(size_t(count), dReal(NAN));
+                EXPECT_EQ(dRobotReadSensor(robot, int(i), space, values.data(), count), count) << name;
+                EXPECT_EQ(all[i].values, count) << name;
+                return values;
+            }
+        ADD_FAILURE() << name;
+        return std::vector<dReal>(size_t(count));
+    }
+    dWorldID world;
+    dSpaceID space;
+    dRobotModelID model = nullptr;
+    dRobotID robot = nullptr;
+};
+
+void expect_vec(const dReal* v, double x, double y, double z, double tolerance)
+{
+    EXPECT_NEAR(v[0], x, tolerance);
+    EXPECT_NEAR(v[1], y, tolerance);
+    EXPECT_NEAR(v[2], z, tolerance);
+}
+
+const char* kBox = R"(<mujoco><worldbody><body name="box" pos="0 0 1"><freejoint/>
+    <geom type="box" size="0.1 0.1 0.1" mass="2"/></body></worldbody></mujoco>)";
+
+TEST_F(RobotSensors, AnAccelerometerAtRestReadsGravityUpwards)
+{
+    load(kBox);
+    dCreatePlane(space, 0, 0, 1, dReal(0.9));
+    step(200);
+    dVector3 f, w;
+    ASSERT_EQ(dRobotGetImu(robot, 1, nullptr, f, w), 1);
+    expect_vec(f, 0, 0, kG, kFine);
+    expect_vec(w, 0, 0, 0, kFine);
+    // On its side: half a right angle about x.
+    const dReal frame[7] = {dReal(0.1), 0, 0, std::sqrt(dReal(0.5)), std::sqrt(dReal(0.5)), 0, 0};
+    ASSERT_EQ(dRobotGetImu(robot, 1, frame, f, nullptr), 1);
+    expect_vec(f, 0, kG, 0, kFine);
+    ASSERT_EQ(dRobotGetImu(robot, 0, nullptr, f, nullptr), 1);
+    expect_vec(f, 0, 0, kG, kExact);
+}
+
+TEST_F(RobotSensors, AnAccelerometerInFreeFallReadsNothing)
+{
+    load(kBox);
+    step(50);
+    dVector3 f;
+    ASSERT_EQ(dRobotGetImu(robot, 1, nullptr, f, nullptr), 1);
+    expect_vec(f, 0, 0, 0, kExact);
+}
+
+TEST_F(RobotSensors, AnImuOnATurntableReadsCentripetalAcceleration)
+{
+    load(R"(<mujoco><worldbody><body name="table"><joint name="turn" axis="0 0 1"/>
+        <geom type="cylinder" size="0.5 0.02" mass="3"/><site name="imu" pos="0.4 0 0.02"/></body></worldbody>
+        <sensor><accelerometer name="a" site="imu"/><gyro name="w" site="imu"/>
+        <framelinvel name="v" objtype="site" objname="imu"/><jointvel name="rate" joint="turn"/></sensor></mujoco>)");
+    const dReal rate = 3;
+    ASSERT_EQ(dRobotSetVelocities(robot, &rate, 1), 1);
+    step(100);
+    expect_vec(read("a", 3).data(), -9 * 0.4, 0, kG, kFine);
+    expect_vec(read("w", 3).data(), 0, 0, 3, kExact);
+    EXPECT_NEAR(read("rate", 1)[0], 3, kExact);
+    const std::vector<dReal> v = read("v", 3);
+    EXPECT_NEAR(std::hypot(v[0], v[1]), 1.2, kExact);
+}
+
+TEST_F(RobotSensors, AForceSensorBearsWhatHangsOnIt)
+{
+    load(
+        R"(<robot name="arm"><link name="world"/><link name="rod"><inertial><origin xyz="0.3 0 -0.2"/><mass value="2"/>
+        <inertia ixx="0.1" iyy="0.1" izz="0.1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+        <joint name="weld" type="fixed"><parent link="world"/><child link="rod"/></joint></robot>)",
+        true);
+    const int link = dRobotModelFindLink(model, "rod");
+    dVector3 f, t;
+    ASSERT_EQ(dRobotSetForceSensor(robot, link, 1), 1);
+    step(10);
+    ASSERT_EQ(dRobotGetForceTorque(robot, link, nullptr, f, t), 1);
+    expect_vec(f, 0, 0, -2 * kG, kFine);
+    expect_vec(t, 0, 0.3 * 2 * kG, 0, kFine);  // (0.3, 0, -0.2) x (0, 0, -2 g)
+    const dReal frame[7] = {dReal(0.3), 0, 0, std::sqrt(dReal(0.5)), 0, std::sqrt(dReal(0.5)), 0};
+    ASSERT_EQ(dRobotGetForceTorque(robot, link, frame, f, t), 1);
+    expect_vec(f, 2 * kG, 0, 0, kFine);  // its x axis points down
+    expect_vec(t, 0, 0, 0, kFine);
+}
+
+// Two weights in a row: the upper joint bears both; the drive holds the lower one out.
+TEST_F(RobotSensors, NamedSensorsOfAChainReadItsWeights)
+{
+    load(
+        R"(<mujoco><worldbody><body name="upper" pos="0 0 2"><joint name="swing" axis="0 1 0"/><site name="top"/>
+        <inertial pos="0 0 -0.5" mass="3" diaginertia="0.1 0.1 0.1"/>
+        <body name="lower" pos="0 0 -1"><joint name="lift" type="slide" axis="0 0 1"/><site name="middle"/>
+        <inertial pos="0 0 -0.2" mass="1" diaginertia="0.1 0.1 0.1"/></body></body></worldbody>
+        <actuator><position name="servo" joint="lift" kp="1e5" kv="1e3"/></actuator>
+        <sensor><force name="both" site="top"/><torque name="none" site="top"/><force name="one" site="middle"/>
+        <actuatorfrc name="servo" actuator="servo"/><jointpos name="lift" joint="lift"/><framepos name="where" objtype="body" objname="lower"/></sensor></mujoco>)");
+    step(400);
+    expect_vec(read("both", 3).data(), 0, 0, -4 * kG, 1e-3);
+    expect_vec(read("none", 3).data(), 0, 0, 0, 1e-3);
+    expect_vec(read("one", 3).data(), 0, 0, -1 * kG, 1e-3);
+    EXPECT_NEAR(read("servo", 1)[0], kG, 1e-3);
+    EXPECT_NEAR(read("lift", 1)[0], -kG / 1e5, 1e-5);
+    EXPECT_NEAR(read("where", 3)[2], 1 - kG / 1e5, 1e-4);
+    dReal forces[2];
+    ASSERT_EQ(dRobotGetDriveForces(robot, forces, 2), 2);
+    EXPECT_EQ(forces[0], 0);
+    EXPECT_NEAR(forces[1], kG, 1e-3);
+}
+
+TEST_F(RobotSensors, TouchOfARestingBoxIsItsWeight)
+{
+    load(R"(<mujoco><worldbody><body name="box" pos="0.5 0 0.1"><freejoint/><site name="skin"/>
+        <geom type="box" size="0.1 0.1 0.1" mass="2"/></body><geom type="plane" size="1 1 1"/></worldbody>
+        <sensor><touch name="skin" site="skin"/></sensor></mujoco>)");
+    step(200);
+    dRobotTouch touch{};
+    touch.struct_size = sizeof touch;
+    ASSERT_EQ(dRobotGetTouch(robot, 1, &touch), 1);
+    EXPECT_NEAR(touch.normal_force, 2 * kG, 1e-3);
+    expect_vec(touch.force, 0, 0, 2 * kG, 1e-3);
+    expect_vec(touch.centre, 0.5, 0, 0, 1e-3);
+    EXPECT_GE(touch.points, 3);
+    EXPECT_NEAR(read("skin", 1)[0], 2 * kG, 1e-3);
+    ASSERT_EQ(dRobotGetTouch(robot, 0, &touch), 1);  // the floor is the robot's world
+    expect_vec(touch.force, 0, 0, -2 * kG, 1e-3);
+}
+
+TEST_F(RobotSensors, ALidarInARoomMeasuresItsWalls)
+{
+    load(kBox);
+    dCreatePlane(space, 1, 0, 0, -2), dCreatePlane(space, -1, 0, 0, -3), dCreatePlane(space, 0, 0, 1, 0);
+    const int count = 90;
+    std::vector<dReal> directions, ranges(count);
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2 * M_PI * i / count;
+        directions.insert(directions.end(), {dReal(std::cos(angle)), dReal(std::sin(angle)), 0});
+    }
+    const dReal frame[7] = {0, 0, dReal(0.2), 1, 0, 0, 0};
+    const int found =
+        dRobotCastRays(robot, 1, frame, space, count, directions.data(), 8, ranges.data(), nullptr);
+    int expected = 0;
+    for (int i = 0; i < count; ++i) {
+        const double c = std::cos(2 * M_PI * i / count), wall = c > 0 ? 3 / c : 2 / -c;
+        expected += wall <= 8;
+        if (wall > 8) {
+            EXPECT_EQ(ranges[size_t(i)], dReal(dInfinity)) << i;
+        } else {
+            EXPECT_NEAR(ranges[size_t(i)], wall, kFine) << i;
+        }
+    }
+    EXPECT_EQ(found, expected);
+}
+
+// A ball of 0.5 m, 4 m before the camera, covers a disc of tan = 0.5 / sqrt(16 - 0.25) around the middle.
+TEST_F(RobotSensors, ACameraSeesABallBeforeAWall)
+{
+    load(kBox);
+    const dGeomID ball = dCreateSphere(space, dReal(0.5)), wall = dCreatePlane(space, -1, 0, 0, -6);
+    dGeomSetPosition(ball, 4, 0, 1);
+    dRobotCamera camera;
+    dRobotCameraInit(&camera, sizeof camera);
+    camera.width = 160, camera.height = 120;
+    const size_t pixels = 160 * 120;
+    std::vector<dReal> depth(pixels);
+    std::vector<dGeomID> geoms(pixels);
+    std::vector<unsigned char> color(3 * pixels);
+    // -z along the world's x, y up.
+    const dReal frame[7] = {0, 0, 0, dReal(0.5), dReal(0.5), dReal(-0.5), dReal(-0.5)};
+    EXPECT_EQ(dRobotTakePicture(robot, 1, frame, space, &camera, depth.data(), geoms.data(), color.data()),
+              int(pixels));
+    const double per_pixel = 2 * std::tan(0.4) / 120, slope = 0.5 / std::sqrt(16 - 0.25);
+    int seen = 0;
+    for (size_t i = 0; i < pixels; ++i) {
+        seen += geoms[i] == ball;
+        if (geoms[i] != wall) continue;
+        EXPECT_NEAR(depth[i], 6, kFine);
+    }
+    const double area = M_PI * slope * slope / (per_pixel * per_pixel);
+    EXPECT_NEAR(seen, area, 0.02 * area);
+    const size_t middle = 60 * 160 + 80;
+    EXPECT_EQ(geoms[middle], ball);
+    EXPECT_NEAR(depth[middle], 3.5, 1e-3);  // half a pixel off
+    EXPECT_NE(color[3 * middle], color[0]);
+    camera.threads = 4;
+    std::vector<dReal> again(pixels);
+    dRobotTakePicture(robot, 1, frame, space, &camera, again.data(), nullptr, nullptr);
+    EXPECT_EQ(depth, again);
+}
+
+TEST_F(RobotSensors, SayWhatTheyRefuse)
+{
+    load(kBox);
+    static int refused;
+    refused = 0;
+    dSetMessageHandler([](int, const char*, va_list) { ++refused; });
+    dVector3 v;
+    dRobotTouch touch{};
+    dRobotCamera camera;
+    dReal range;
+    const dReal nowhere[3] = {0, 0, 0}, frame[7] = {0, 0, 0, 0, 0, 0, 0};
+    EXPECT_EQ(dRobotGetImu(robot, 1, nullptr, v, v), 0);  // before any step
+    EXPECT_EQ(dRobotGetImu(robot, 7, nullptr, v, v), 0);
+    EXPECT_EQ(dRobotGetImu(robot, 1, frame, v, v), 0);
+    EXPECT_EQ(dRobotUpdateSensors(robot, 0), 0);
+    EXPECT_EQ(dRobotGetForceTorque(robot, 1, nullptr, v, v), 0);
+    EXPECT_EQ(dRobotSetForceSensor(robot, 1, 1), 0);  // free
+    EXPECT_EQ(dRobotGetTouch(robot, 1, &touch), 0);
+    EXPECT_EQ(dRobotCastRays(robot, 1, nullptr, space, 1, nowhere, 1, &range, nullptr), 0);
+    EXPECT_EQ(dRobotCastRays(robot, 1, nullptr, nullptr, 0, nullptr, 1, nullptr, nullptr), 0);
+    dRobotCameraInit(&camera, sizeof camera);
+    camera.field = 4;
+    EXPECT_EQ(dRobotTakePicture(robot, 1, nullptr, space, &camera, nullptr, nullptr, nullptr), 0);
+    EXPECT_EQ(dRobotReadSensor(robot, 0, space, v, 3), 0);
+    EXPECT_EQ(refused, 11);
+}
+
+}  // namespace
