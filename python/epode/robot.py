@@ -23,7 +23,7 @@ import typing
 from collections.abc import Iterable, Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _c, c
 from ._handle import FloatArray
@@ -89,6 +89,31 @@ class Actuator(typing.NamedTuple):
     joint: int
     low: float
     high: float
+
+
+class Sensor(typing.NamedTuple):
+    """A sensor that a file names: ``Robot.sensor`` reads values numbers of it; 0: it is not computed."""
+    name: str
+    kind: str
+    object: str
+    values: int
+
+
+class Touch(typing.NamedTuple):
+    """What touches a link: points of contact, the sum of their normal forces, N, the force on the link, N, and the centre
+    of pressure, m, in the world."""
+    points: int
+    normal_force: float
+    force: FloatArray
+    centre: FloatArray
+
+
+class Picture(typing.NamedTuple):
+    """What a camera sees, row by row from the top: red, green and blue, depth along the view axis, m, infinite where there
+    is nothing, and geoms (``World.geom_of`` knows them; 0: nothing)."""
+    color: NDArray[np.uint8]
+    depth: FloatArray
+    geoms: NDArray[np.uint64]
 
 
 class Target(typing.NamedTuple):
@@ -169,6 +194,7 @@ class Model:
         self.links = [Link(*row) for row in model.links]
         self.joints = [ModelJoint(*row) for row in model.joints]
         self.actuators = [Actuator(*row) for row in model.actuators]
+        self.sensors = [Sensor(*row) for row in model.sensors]
         self.starts = model.starts
 
     def __repr__(self) -> str:
@@ -327,17 +353,20 @@ class Robot:
         world._edition += 1
         self._joints = {}
         for handle in robot.joints:
-            ends = [self._bodies.get(c.dJointGetBody(handle, i)) for i in (0, 1)]
+            ends = [self._body_of(c.dJointGetBody(handle, i)) for i in (0, 1)]
             self._joints[handle] = Joint(world, handle, _TYPES[c.dJointGetType(handle)], *ends)
         world._joints.update(self._joints)
         self._geoms = []
-        for handle in robot.geoms:
-            body = self._bodies.get(c.dGeomGetBody(handle))
-            geom = Geom(world, handle, FileShape(), body)
+        for shape in robot.geoms:
+            body = self._body_of(c.dGeomGetBody(shape))
+            geom = Geom(world, shape, FileShape(), body)
             if body is not None:
                 body.geoms.append(geom)
             world._geoms[geom._key] = geom
             self._geoms.append(geom)
+
+    def _body_of(self, handle: c.dBodyID | None) -> Body | None:
+        return None if handle is None else self._bodies.get(handle)
 
     @property
     def _live(self) -> _Robot:
@@ -426,6 +455,61 @@ class Robot:
         turn = c.dBodyGetQuaternion(body)
         origin = c.dBodyGetRelPointPos(body, *(-self.model.links[link].centre))
         return _moved(np.concatenate([origin, turn]), local[:3]), _product(turn, local[3:])
+
+    # ---- sensors ----
+
+    def _at(self, frame: str, pose: ArrayLike | None) -> tuple[int, FloatArray]:
+        """The link of a frame, and the pose in it of a sensor that has a pose in the frame."""
+        link, local = self.model._frame(frame)
+        if pose is None:
+            return link, local
+        its = np.asarray(pose, float)
+        return link, np.concatenate([_moved(local, its[:3]), _product(local[3:], its[3:])])
+
+    def update_sensors(self, h: float) -> None:
+        """Note how all bodies move, for ``imu``: call it after every step, with its size."""
+        self._live.update_sensors(h)
+
+    @property
+    def drive_forces(self) -> FloatArray:
+        """What springs, dampers and actuators have exerted in the last step: a number, N or N m, for each velocity."""
+        return self._live.drive_forces()
+
+    def imu(self, frame: str, pose: ArrayLike | None = None) -> tuple[FloatArray, FloatArray]:
+        """The specific force, m/s^2 (at rest 9.81 upwards), and the angular velocity, rad/s, at a frame, in its axes. pose:
+        the sensor's in the frame, position and quaternion."""
+        return self._live.imu(*self._at(frame, pose))
+
+    def watch_force(self, link: str, on: bool = True) -> None:
+        """Let steps write down what the joint between a link and its parent bears, for ``force_torque``."""
+        if not self._live.watch_force(self.model._frame(link)[0], on):
+            raise RefusedError(f"no joint holds {link!r}")
+
+    def force_torque(self, frame: str, pose: ArrayLike | None = None) -> tuple[FloatArray, FloatArray]:
+        """The force, N, and torque, N m, that a frame's link exerts on its parent, in the frame's axes and about it."""
+        return self._live.force_torque(*self._at(frame, pose))
+
+    def touch(self, link: str) -> Touch:
+        """What touches a link: the contacts that the world has found in the last step."""
+        return Touch(*self._live.touch(self.model._frame(link)[0]))
+
+    def rays(self, frame: str, directions: ArrayLike, max_distance: float = np.inf, pose: ArrayLike | None = None) -> FloatArray:
+        """Distances from a frame along directions in its axes, (n, 3), to what is not its link; infinite: nothing."""
+        return self._live.rays(*self._at(frame, pose), self.world._space_handle, directions, max_distance)
+
+    def picture(self, frame: str, width: int = 320, height: int = 240, *, field: float = 0.8, max_distance: float = 100.0,
+                threads: int = 1, pose: ArrayLike | None = None) -> Picture:
+        """A ``Picture`` by a camera that looks along a frame's -z axis, x to the right, y up; field: of view, from the
+        lowest to the highest row, rad. It needs no display; the frame's link is not seen."""
+        color, depth, geoms = self._live.picture(*self._at(frame, pose), self.world._space_handle, width, height, field,
+                                                 max_distance, threads)
+        return Picture(np.frombuffer(color, np.uint8).reshape(height, width, 3), depth,
+                       np.frombuffer(geoms, np.uint64).reshape(height, width))
+
+    def sensor(self, sensor: str | int) -> FloatArray:
+        """Read a sensor that the file names, by name or number."""
+        number = _number(sensor, [s.name for s in self.model.sensors], "sensor")
+        return self._live.read_sensor(number, self.world._space_handle)
 
     def destroy(self) -> None:
         """Destroy the robot's bodies, joints and geoms."""

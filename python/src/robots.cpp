@@ -15,23 +15,32 @@
 #include "robots/inverse.h"
 #include "robots/kinematics.h"
 #include "robots/load.h"
+#include "robots/sensors.h"
 
 using namespace epode::robots;
 
 namespace {
 
-using Numbers1 = std::vector<double>;
+using Reals = std::vector<double>;
 
 struct Model {
     RobotModel model;
     std::shared_ptr<const Prepared> prepared;  // made for the first robot
 };
 
-nb::object row(const Numbers1& values) { return array_of(values.data(), int(values.size())); }
-nb::object row(Vec v) { return row(Numbers1{v.x, v.y, v.z}); }
-nb::object row(const Pose& p) { return row(Numbers1{p.p.x, p.p.y, p.p.z, p.q.w, p.q.x, p.q.y, p.q.z}); }
+// A robot in a world and its sensors.
+struct Built {
+    std::unique_ptr<Robot> robot;
+    std::unique_ptr<Sensors> sensors;
+    const RobotModel& model() const { return robot->model(); }
+    void release() { sensors->release(), robot->release(); }
+};
 
-nb::object table(const Numbers1& values, size_t rows, size_t columns)
+nb::object row(const Reals& values) { return array_of(values.data(), int(values.size())); }
+nb::object row(Vec v) { return row(Reals{v.x, v.y, v.z}); }
+nb::object row(const Pose& p) { return row(Reals{p.p.x, p.p.y, p.p.z, p.q.w, p.q.x, p.q.y, p.q.z}); }
+
+nb::object table(const Reals& values, size_t rows, size_t columns)
 {
     dReal* data;
     nb::object out = real_array(rows, columns, &data);
@@ -40,10 +49,10 @@ nb::object table(const Numbers1& values, size_t rows, size_t columns)
 }
 
 // Finite numbers, as many as wanted.
-Numbers1 read(nb::handle from, size_t count, const char* what)
+Reals read(nb::handle from, size_t count, const char* what)
 {
     const auto array = array_in<double>(from);
-    Numbers1 out(array.data, array.data + array.size);
+    Reals out(array.data, array.data + array.size);
     for (double value : out)
         if (!std::isfinite(value)) throw nb::value_error((std::string(what) + " must be finite").c_str());
     if (out.size() == count) return out;
@@ -52,20 +61,20 @@ Numbers1 read(nb::handle from, size_t count, const char* what)
     throw nb::value_error(text.c_str());
 }
 
-Numbers1 read_or_nothing(nb::handle from, size_t count, const char* what)
+Reals read_or_nothing(nb::handle from, size_t count, const char* what)
 {
-    return from.is_none() ? Numbers1() : read(from, count, what);
+    return from.is_none() ? Reals() : read(from, count, what);
 }
 
 Pose read_pose(nb::handle from)
 {
-    const Numbers1 v = read(from, 7, "pose");
+    const Reals v = read(from, 7, "pose");
     return {{v[0], v[1], v[2]}, normalised({v[3], v[4], v[5], v[6]})};
 }
 
 size_t speeds(const RobotModel& model) { return size_t(number_of_velocities(model)); }
 
-Numbers1 read_positions(const Model& m, nb::handle from)
+Reals read_positions(const Model& m, nb::handle from)
 {
     return read(from, size_t(m.model.coordinates), "positions");
 }
@@ -106,7 +115,7 @@ nb::list links(const Model& m)
 {
     nb::list out;
     for (const Link& link : m.model.links) {
-        Numbers1 inertia;
+        Reals inertia;
         for (const auto& its : link.inertia) inertia.insert(inertia.end(), its.begin(), its.end());
         out.append(nb::make_tuple(link.name, link.parent, link.mass, row(link.centre), table(inertia, 3, 3),
                                   link.joints, link.shapes.size()));
@@ -160,7 +169,7 @@ nb::list frame_names(const Model& m)
 
 nb::object poses(const Model& m, nb::object positions)
 {
-    Numbers1 out;
+    Reals out;
     for (const Pose& p : forward_kinematics(m.model, read_positions(m, positions)))
         out.insert(out.end(), {p.p.x, p.p.y, p.p.z, p.q.w, p.q.x, p.q.y, p.q.z});
     return table(out, out.size() / 7, 7);
@@ -168,7 +177,7 @@ nb::object poses(const Model& m, nb::object positions)
 
 nb::object get_jacobian(const Model& m, nb::object positions, int link, nb::object point)
 {
-    const Numbers1 p = read(point, 3, "point");
+    const Reals p = read(point, 3, "point");
     return table(jacobian(m.model, read_positions(m, positions), link_in(m, link), {p[0], p[1], p[2]}), 6,
                  speeds(m.model));
 }
@@ -215,16 +224,18 @@ void must_be_built(const Model& m)
     if (m.model.has_errors()) throw nb::value_error("the model has errors: see its report");
 }
 
-Robot* build(Model& m, const WorldHandle& world, const SpaceHandle& space, nb::object pose)
+Built* build(Model& m, const WorldHandle& world, const SpaceHandle& space, nb::object pose)
 {
     must_be_built(m);
     const Pose placement = read_pose(pose);
     Call call;
     call.uses(world.p);
     if (!m.prepared) m.prepared = std::make_shared<const Prepared>(m.model);
-    auto robot = std::make_unique<Robot>(m.prepared, world.p, space_of(&space), placement, Numbers1());
+    auto built = std::make_unique<Built>();
+    built->robot = std::make_unique<Robot>(m.prepared, world.p, space_of(&space), placement, Reals());
+    built->sensors = std::make_unique<Sensors>(*built->robot, world.p);
     call.done();
-    return robot.release();
+    return built.release();
 }
 
 template <typename P>
@@ -235,33 +246,35 @@ nb::list handles(const std::vector<P>& all)
     return out;
 }
 
-void set_positions(Robot& robot, nb::object from)
+void set_positions(Built& robot, nb::object from)
 {
     Call call;
-    call.uses(robot.body(int(robot.model().links.size()) - 1));
-    robot.set_positions(read(from, size_t(robot.model().coordinates), "positions"));
+    call.uses(robot.robot->body(int(robot.model().links.size()) - 1));
+    robot.robot->set_positions(read(from, size_t(robot.model().coordinates), "positions"));
+    robot.sensors->begin();
     call.done();
 }
 
-void set_velocities(Robot& robot, nb::object from)
+void set_velocities(Built& robot, nb::object from)
 {
     Call call;
-    call.uses(robot.body(int(robot.model().links.size()) - 1));
-    robot.set_velocities(read(from, speeds(robot.model()), "velocities"));
+    call.uses(robot.robot->body(int(robot.model().links.size()) - 1));
+    robot.robot->set_velocities(read(from, speeds(robot.model()), "velocities"));
+    robot.sensors->begin();
     call.done();
 }
 
-void set_control(Robot& robot, int actuator, double value)
+void set_control(Built& robot, int actuator, double value)
 {
     if (actuator < 0 || actuator >= int(robot.model().actuators.size()))
         throw nb::index_error("no such actuator");
     if (!std::isfinite(value)) throw nb::value_error("a control must be finite");
     Call call;
-    robot.set_control(actuator, value);
+    robot.robot->set_control(actuator, value);
     call.done();
 }
 
-void set_target(Robot& robot, int joint, double target, double stiffness, double damping)
+void set_target(Built& robot, int joint, double target, double stiffness, double damping)
 {
     if (joint < 0 || joint >= int(robot.model().joints.size()) ||
         !robot.model().joints[size_t(joint)].is_scalar())
@@ -270,8 +283,100 @@ void set_target(Robot& robot, int joint, double target, double stiffness, double
         damping < 0)
         throw nb::value_error("a finite target, and stiffness and damping of 0 or more are expected");
     Call call;
-    robot.set_servo(joint, {stiffness, damping, target});
+    robot.robot->set_servo(joint, {stiffness, damping, target});
     call.done();
+}
+
+int link_of(const Built& robot, int link)
+{
+    if (link < 0 || link >= int(robot.model().links.size())) throw nb::index_error("no such link");
+    return link;
+}
+
+void update(Built& robot, double stepsize)
+{
+    if (!(stepsize > 0) || !std::isfinite(stepsize)) throw nb::value_error("a step size must be positive");
+    robot.sensors->update(stepsize);
+}
+
+nb::object imu(const Built& robot, int link, nb::object frame)
+{
+    Vec force, rate;
+    if (!robot.sensors->imu(link_of(robot, link), read_pose(frame), force, rate))
+        throw nb::value_error("call update_sensors after every step");
+    return nb::make_tuple(row(force), row(rate));
+}
+
+nb::object force_torque(const Built& robot, int link, nb::object frame)
+{
+    Vec force, torque;
+    if (!robot.sensors->force_torque(link_of(robot, link), read_pose(frame), force, torque))
+        throw nb::value_error("watch_force of this link first");
+    return nb::make_tuple(row(force), row(torque));
+}
+
+nb::object touch(const Built& robot, int link)
+{
+    const Touch its = robot.sensors->touch(link_of(robot, link));
+    return nb::make_tuple(its.points, its.normal_force, row(its.force), row(its.centre));
+}
+
+nb::object rays(const Built& robot, int link, nb::object frame, const SpaceHandle& space,
+                nb::object directions, double max_distance)
+{
+    const auto array = array_in<double>(directions);
+    std::vector<Vec> ways;
+    for (size_t i = 0; i + 2 < array.size; i += 3)
+        ways.push_back({array.data[i], array.data[i + 1], array.data[i + 2]});
+    if (array.size % 3 != 0 || !(max_distance >= 0))
+        throw nb::value_error("rows of 3 numbers and a distance of 0 or more are expected");
+    std::vector<dQueryHit> hits;
+    Call call;
+    robot.sensors->cast(link_of(robot, link), read_pose(frame), space_of(&space), ways, max_distance, 1,
+                        hits);
+    call.done();
+    Reals out;
+    for (const dQueryHit& hit : hits) out.push_back(hit.geom ? hit.distance : HUGE_VAL);
+    return row(out);
+}
+
+// (color as bytes, depth, geoms as bytes of 64 bits each)
+nb::object picture(const Built& robot, int link, nb::object frame, const SpaceHandle& space, int width,
+                   int height, double field, double max_distance, int threads)
+{
+    if (width < 1 || height < 1 || width > 8192 || height > 8192 || !(field > 0) || !(field < 3.14159) ||
+        !(max_distance > 0) || threads < 0)
+        throw nb::value_error(
+            "sides of 1 to 8192 pixels, a field between 0 and pi and a positive distance are expected");
+    const size_t count = size_t(width) * size_t(height);
+    std::vector<unsigned char> color(3 * count);
+    std::vector<dGeomID> geoms(count);
+    dReal* depth;
+    nb::object depths = real_array(size_t(height), size_t(width), &depth);
+    const View view{width, height, threads, field, max_distance};
+    Call call;
+    robot.sensors->take_picture(link_of(robot, link), read_pose(frame), space_of(&space), view,
+                                {depth, geoms.data(), color.data()});
+    call.done();
+    return nb::make_tuple(nb::bytes(color.data(), color.size()), depths,
+                          nb::bytes(geoms.data(), geoms.size() * sizeof(dGeomID)));
+}
+
+nb::list sensors(const Model& m)
+{
+    nb::list out;
+    for (const Sensor& its : m.model.sensors)
+        out.append(nb::make_tuple(its.name, its.kind, its.object, values_of(its.kind)));
+    return out;
+}
+
+nb::object read_sensor(const Built& robot, int number, const SpaceHandle& space)
+{
+    if (number < 0 || number >= int(robot.model().sensors.size())) throw nb::index_error("no such sensor");
+    std::string problem;
+    const Reals values = robot.sensors->read(number, space_of(&space), problem);
+    if (values.empty()) throw nb::value_error(("cannot be read; wanted: " + problem).c_str());
+    return row(values);
 }
 
 }  // namespace
@@ -295,6 +400,7 @@ void bind_robots(nb::module_& m)
         .def_prop_ro("joints", joints)
         .def_prop_ro("actuators", actuators)
         .def_prop_ro("starts", starts)
+        .def_prop_ro("sensors", sensors)
         .def_prop_ro("frame_names", frame_names)
         .def("frame", frame)
         .def("poses", poses)
@@ -304,20 +410,30 @@ void bind_robots(nb::module_& m)
         .def("inverse", get_inverse, "guess"_a, "goals"_a, "weights"_a.none(), "posture"_a.none(),
              "max_iterations"_a, "max_starts"_a, "tolerance"_a)
         .def("build", build);
-    nb::class_<Robot>(m, "_Robot")
-        .def_prop_ro("bodies", [](const Robot& s) { return handles(s.all_bodies()); })
-        .def_prop_ro("joints", [](const Robot& s) { return handles(s.all_joints()); })
-        .def_prop_ro("geoms", [](const Robot& s) { return handles(s.geoms()); })
-        .def("body", [](const Robot& s, int link) { return wrapped(s.body(link)); })
-        .def("joint", [](const Robot& s, int joint) { return wrapped(s.joint(joint)); })
-        .def("release", &Robot::release)
-        .def("positions", [](const Robot& s) { return row(s.positions()); })
-        .def("velocities", [](const Robot& s) { return row(s.velocities()); })
+    nb::class_<Built>(m, "_Robot")
+        .def_prop_ro("bodies", [](const Built& s) { return handles(s.robot->all_bodies()); })
+        .def_prop_ro("joints", [](const Built& s) { return handles(s.robot->all_joints()); })
+        .def_prop_ro("geoms", [](const Built& s) { return handles(s.robot->geoms()); })
+        .def("body", [](const Built& s, int link) { return wrapped(s.robot->body(link)); })
+        .def("joint", [](const Built& s, int joint) { return wrapped(s.robot->joint(joint)); })
+        .def("release", &Built::release)
+        .def("positions", [](const Built& s) { return row(s.robot->positions()); })
+        .def("velocities", [](const Built& s) { return row(s.robot->velocities()); })
         .def("set_positions", set_positions)
         .def("set_velocities", set_velocities)
-        .def("control", &Robot::control)
+        .def("control", [](const Built& s, int actuator) { return s.robot->control(actuator); })
         .def("set_control", set_control)
-        .def("set_target", set_target);
+        .def("set_target", set_target)
+        .def("update_sensors", update)
+        .def("drive_forces", [](const Built& s) { return row(s.sensors->drive_forces()); })
+        .def("imu", imu)
+        .def("watch_force",
+             [](Built& s, int link, bool on) { return s.sensors->watch_force(link_of(s, link), on); })
+        .def("force_torque", force_torque)
+        .def("touch", touch)
+        .def("rays", rays)
+        .def("picture", picture)
+        .def("read_sensor", read_sensor);
 }
 
 #else
