@@ -147,20 +147,22 @@ bool has_window()
 
 void begin() { dsSetViewpoint(plan->eye, plan->look); }
 
+double step_size() { return 1.0 / 60 / plan->steps_a_frame; }
+
 void step_world()
 {
-    if (plan->every_step) plan->every_step(static_cast<double>(steps) * kStep);
-    dSpaceCollide(space, nullptr, touch);
-    dWorldStep(world, kStep);
+    if (plan->every_step) plan->every_step(static_cast<double>(steps) * step_size());
+    if (!plan->managed) dSpaceCollide(space, nullptr, touch);
+    dWorldStep(world, step_size());
     dJointGroupEmpty(contacts);
     ++steps;
 }
 
 void frame(int paused)
 {
-    for (int i = 0; i < 2 && !paused; ++i) step_world();
+    for (int i = 0; i < plan->steps_a_frame && !paused; ++i) step_world();
     for (const dGeomID geom : drawn) draw_one(geom);
-    if (judged || static_cast<double>(steps) * kStep < plan->seconds - 0.5 * kStep) return;
+    if (judged || static_cast<double>(steps) * step_size() < plan->seconds - 0.5 * step_size()) return;
     judged = true;
     plan->judge();
     std::fprintf(stderr, failed ? "the demo does not do what it claims\n" : "all claims hold\n");
@@ -242,6 +244,7 @@ int run(int argc, char** argv, const Plan& what)
     contacts = dJointGroupCreate(0);
     dWorldSetGravity(world, 0, 0, -9.81);
     dCreatePlane(space, 0, 0, 1, 0);
+    if (plan->managed) dWorldSetContactSpace(world, space);
     plan->build();
     dsFunctions functions = {DS_VERSION, begin, frame, plan->key, end, nullptr};
     dsSimulationLoop(argc, argv, 800, 500, &functions);

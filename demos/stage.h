@@ -4,7 +4,7 @@
 // What all demos share, so that each can be about its one thing: a world with a floor and gravity (0, 0,
 // -9.81), bodies with shapes in one call, contacts, drawing, and a verdict. A demo claims what its physics
 // must do; the first claim that does not hold is told, and the program ends with exit code 1. In a window it
-// goes on after its verdict. A frame is two steps of 1/120 s.
+// goes on after its verdict.
 #pragma once
 
 #include <drawstuff/drawstuff.h>
@@ -12,7 +12,7 @@
 
 namespace demo {
 
-constexpr double kStep = 1.0 / 120;
+constexpr double kStep = 1.0 / 120;  // unless a plan has other steps
 
 struct Plan {
     float eye[3], look[3];  // dsSetViewpoint
@@ -22,6 +22,8 @@ struct Plan {
     void (*every_step)(double t) = nullptr;  // before each step of the world
     void (*key)(int key) = nullptr;
     void (*surface)(dGeomID a, dGeomID b, dContact* contact) = nullptr;  // of a contact that is not made yet
+    int steps_a_frame = 2;                                               // of 1/60 s
+    bool managed = false;  // contacts are the world's, by the materials of its geoms
 };
 
 extern dWorldID world;
