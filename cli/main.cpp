@@ -231,9 +231,9 @@ int carry_out(int argc, char** argv)
     epode::view::ViewOptions viewing;
     epode::cli::add_view_options(*view, viewing);
     epode::cli::RobotOptions robot_options;
-    CLI::App* robot =
-        app.add_subcommand("robot", "says what is in a robot's file and what is wrong with it; converts it");
-    epode::cli::add_robot_options(*robot, robot_options);
+    CLI::App* robot = app.add_subcommand(
+        "robot", "says what is in a robot's file and what is wrong with it; converts it; shows it");
+    epode::cli::add_robot_options(*robot, robot_options, viewing);
     CaptureOptions capturing;
     add_capture_options(*capture, capturing);
     for (CLI::App* command : {replay, diff, convert, inspect}) add_common_options(*command, replaying);
@@ -243,12 +243,14 @@ int carry_out(int argc, char** argv)
     } catch (const CLI::ParseError& error) {
         return print_usage(app, error, argc, argv);
     }
-    if (robot->parsed()) return epode::cli::run_robot(robot_options);
+    if (robot->parsed() && !robot_options.is_viewed) return epode::cli::run_robot(robot_options);
     std::string problem;
-    const std::string& what = view->parsed() ? viewing.what : options.scene;
-    if (!epode::cli::offer_robot(what, problem)) return epode::cli::complain(what, problem);
+    const bool shows = view->parsed() || robot_options.is_viewed;
+    const std::string& what = shows ? viewing.what : options.scene;
+    if (!epode::cli::offer_robot(what, robot_options.is_viewed, problem))
+        return epode::cli::complain(what, problem);
     if (list->parsed()) return epode::cli::list_scenes();
-    if (view->parsed()) return epode::cli::view(viewing);
+    if (shows) return epode::cli::view(viewing);
     if (replay->parsed()) return epode::cli::replay(replaying);
     if (diff->parsed()) return epode::cli::diff(replaying);
     if (convert->parsed()) return epode::cli::convert(replaying);
@@ -278,7 +280,9 @@ int guarded(int argc, char** argv)
 int epode::cli::run_command(int argc, char** argv)
 {
     // `epode view` writes its status as it goes and ends with its reader.
-    const bool viewing = argc > 1 && std::string(argv[1]) == "view";
+    const bool viewing =
+        argc > 1 && (std::string(argv[1]) == "view" ||
+                     (argc > 2 && std::string(argv[1]) == "robot" && std::string(argv[2]) == "view"));
     open_console(!viewing);
     return finish_console(guarded(argc, argv));
 }

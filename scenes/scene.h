@@ -60,6 +60,15 @@ struct JointRecord {
     double reference[3];  // origin of body 2 (or of the world) seen from body 1 when the joint was made
 };
 
+// What whoever watches may turn while the scene runs: an axis, a control.
+struct Dial {
+    std::string name;
+    const char* unit;
+    double low, high;
+    std::function<double()> value;
+    std::function<void(double)> turn;
+};
+
 // Where a picture is best taken from; not set: the viewer frames the shapes itself.
 struct View {
     bool set = false;
@@ -139,6 +148,7 @@ class Scene {
     int precise_parts() const { return parts_; }  // 0: as ODE does
     std::vector<dBodyID> tracked;
     View view;
+    std::vector<Dial> dials;
 
   private:
     static void near_callback(void* scene, dGeomID geom1, dGeomID geom2);

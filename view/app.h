@@ -64,6 +64,7 @@ class App {
     void timeline();
     void solver_panel();
     void drawing_panel();
+    void dials_panel();
     void body_panel();
     void note();
     // plots.cpp

@@ -64,6 +64,7 @@ void App::panels()
         ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove;
     if (ImGui::Begin("Panels", nullptr, flags)) {
         run_panel();
+        dials_panel();
         solver_panel();
         drawing_panel();
         body_panel();
@@ -130,6 +131,22 @@ void App::run_panel()
     }
     if (live && live->failed())
         ImGui::TextColored({1, 0.4f, 0.3f, 1}, "the step failed, or numbers are not finite");
+}
+
+// Ctrl-click on a slider types a number.
+void App::dials_panel()
+{
+    Live* live = session_->live();
+    if (!live || live->scene().dials.empty()) return;
+    if (!ImGui::CollapsingHeader("Axes and controls", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    for (const scenes::Dial& dial : live->scene().dials) {
+        auto value = float(dial.value());
+        const std::string format = std::string("%.3f ") + dial.unit;
+        ImGui::SetNextItemWidth(0.5f * panel_width(ImGui::GetIO().DisplaySize.x));
+        if (ImGui::SliderFloat(dial.name.c_str(), &value, float(dial.low), float(dial.high), format.c_str(),
+                               ImGuiSliderFlags_AlwaysClamp))
+            dial.turn(double(value));
+    }
 }
 
 void App::solver_panel()

@@ -37,6 +37,15 @@ expect 0 inspect "$work/fourbar.epr"
 expect 0 run "$models/../../../demos/robots/quadruped.xml" --seconds 3 --quiet --trace "$work/trace.csv"
 height=$(tail -n 1 "$work/trace.csv" | cut -d, -f11)
 holds "$height > 0.325 && $height < 0.34"
+# A slider is dragged, and its axis follows.
+expect 1 robot view "$models/none.urdf" --headless --frames 1
+if "$program" view wall --headless --frames 1 > /dev/null 2>&1; then
+  printf '%s\n' "frames 2" "picture $work/before.png" "move 88 215" "frames 2" "down left" "frames 2" "move 128 215" "frames 2" \
+    "up left" "frames 60" "picture $work/after.png" > "$work/keys"
+  expect 0 robot view "$models/../../../demos/robots/arm.urdf" --headless --script "$work/keys"
+  cmp -s "$work/before.png" "$work/after.png" && fail "the picture is the same"
+fi
+expect 2 robot view
 expect 2 robot
 expect 2 robot check
 finish
