@@ -11,6 +11,7 @@ using namespace epode::robots;
 namespace {
 
 constexpr dReal kTolerance = sizeof(dReal) == 8 ? dReal(1e-10) : dReal(1e-5);
+constexpr int kMaxTries = 1000;
 
 Pose pose_of(const dReal* p, const dReal* q)
 {
@@ -39,8 +40,9 @@ bool is_good(const RobotModel& model, const dRobotInverseOptions& options)
                              std::all_of(options.weights, options.weights + velocities,
                                          [](dReal weight) { return weight >= 0 && weight <= 1e6; }));
     return options.struct_size == sizeof(dRobotInverseOptions) && options.max_iterations > 0 &&
-           options.max_starts > 0 && std::isfinite(options.tolerance) && options.tolerance >= 0 &&
-           weights_are_good && (!options.posture || are_finite(options.posture, model.coordinates));
+           options.max_iterations <= kMaxTries && options.max_starts > 0 && options.max_starts <= kMaxTries &&
+           std::isfinite(options.tolerance) && options.tolerance >= 0 && weights_are_good &&
+           (!options.posture || are_finite(options.posture, model.coordinates));
 }
 
 Goal goal_of(const dRobotTarget& target)
@@ -100,8 +102,9 @@ int dRobotModelGetInverse(dRobotModelID model, const dRobotTarget* targets, int 
           "targets with the number of a link, finite numbers, quaternions that are not 0 and weights of 0 or "
           "more");
     CHECK(!options || is_good(model->model, *options),
-          "NULL, or options with their size, at least one iteration and start, finite positions, a tolerance "
-          "of 0 or more and weights from 0 to 1e6");
+          "NULL, or options with their size, 1 ... 1000 iterations and starts, finite positions, a tolerance "
+          "of "
+          "0 or more and weights from 0 to 1e6");
     CHECK(!result || result->struct_size == sizeof(dRobotInverseResult), "NULL, or a result with its size");
     return guarded(__func__, [&] {
         dRobotInverseOptions its;

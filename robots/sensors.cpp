@@ -46,6 +46,20 @@ const float* color_of_stranger(const dQueryHit& hit)
     return squares % 2 == 0 ? light : dark;
 }
 
+void write_pixel(size_t place, const dQueryHit& hit, double stretch, Vec towards_eye,
+                 const std::map<dGeomID, const float*>& colors, const Pixels& pixels)
+{
+    if (pixels.depth) pixels.depth[place] = hit.geom ? dReal(double(hit.distance) / stretch) : dInfinity;
+    if (pixels.geoms) pixels.geoms[place] = hit.geom;
+    if (!pixels.color) return;
+    Shade shown{{206, 220, 236}};
+    const auto own = colors.find(hit.geom);
+    if (hit.geom)
+        shown = shade(own == colors.end() ? color_of_stranger(hit) : own->second, vec_of(hit.normal),
+                      towards_eye);
+    std::copy_n(shown.rgb, 3, pixels.color + 3 * place);
+}
+
 }  // namespace
 
 Sensors::Sensors(const Robot& robot, dWorldID world)
@@ -203,35 +217,33 @@ int Sensors::cast(int link, const Pose& frame, dSpaceID space, const std::vector
                           hits.data(), threads);
 }
 
+// Block by block of rows, so that large pictures take no memory of their own.
 int Sensors::take_picture(int link, const Pose& frame, dSpaceID space, const View& view,
                           const Pixels& pixels) const
 {
-    const Quat half = turn({1, 0, 0}, view.field / 2);
-    const Vec edge = rotate(half, {0, 0, -1});
-    const double slope = edge.y / -edge.z, pixel = 2 * slope / view.height;
+    constexpr int kBlock = 1 << 16;
+    std::map<dGeomID, const float*> colors;
+    for (size_t i = 0; i < robot_.geoms().size(); ++i) colors[robot_.geoms()[i]] = robot_.color(i);
+    const Vec edge = rotate(turn({1, 0, 0}, view.field / 2), {0, 0, -1});
+    const double pixel = 2 * edge.y / -edge.z / view.height;
+    const Quat back = (link_pose(link) * frame).q;
+    const int rows = std::max(1, kBlock / view.width);
     std::vector<Vec> directions;
-    for (int row = 0; row < view.height; ++row)
+    std::vector<dQueryHit> hits;
+    int seen = 0;
+    for (int row = 0; row < view.height; ++row) {
         for (int column = 0; column < view.width; ++column)
             directions.push_back(
                 {(column + 0.5 - 0.5 * view.width) * pixel, (0.5 * view.height - row - 0.5) * pixel, -1});
-    std::map<dGeomID, const float*> colors;
-    for (size_t i = 0; i < robot_.geoms().size(); ++i) colors[robot_.geoms()[i]] = robot_.color(i);
-    const Quat back = (link_pose(link) * frame).q;
-    std::vector<dQueryHit> hits;
-    const int seen = cast(link, frame, space, directions, view.max_distance, view.threads, hits);
-    for (size_t i = 0; i < hits.size(); ++i) {
-        const dQueryHit& hit = hits[i];
-        const double stretch = length(directions[i]);
-        if (pixels.depth) pixels.depth[i] = hit.geom ? dReal(double(hit.distance) / stretch) : dInfinity;
-        if (pixels.geoms) pixels.geoms[i] = hit.geom;
-        if (!pixels.color) continue;
-        Shade shown{{206, 220, 236}};
-        if (hit.geom) {
-            const auto own = colors.find(hit.geom);
-            shown = shade(own == colors.end() ? color_of_stranger(hit) : own->second, vec_of(hit.normal),
-                          rotate(back, (-1 / stretch) * directions[i]));
+        if ((row + 1) % rows != 0 && row + 1 < view.height) continue;
+        const size_t first = size_t(row + 1) * size_t(view.width) - directions.size();
+        seen += cast(link, frame, space, directions, view.max_distance, view.threads, hits);
+        for (size_t i = 0; i < hits.size(); ++i) {
+            const double stretch = length(directions[i]);
+            const Vec towards_eye = rotate(back, (-1 / stretch) * directions[i]);
+            write_pixel(first + i, hits[i], stretch, towards_eye, colors, pixels);
         }
-        std::copy_n(shown.rgb, 3, pixels.color + 3 * i);
+        directions.clear();
     }
     return seen;
 }

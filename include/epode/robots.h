@@ -209,8 +209,8 @@ typedef struct dRobotTarget {
 /** How inverse kinematics searches. Start from dRobotInverseOptionsInit. */
 typedef struct dRobotInverseOptions {
     unsigned struct_size;
-    int max_iterations; /**< of a start; 100 */
-    int max_starts;     /**< the first from the given positions, then farther and farther from them; 32 */
+    int max_iterations; /**< of a start, 1 ... 1000; 100 */
+    int max_starts;     /**< from the given positions, then farther and farther away, 1 ... 1000; 32 */
     dReal tolerance;    /**< weighted error of a target that is reached; 1e-10, in floats 1e-5 */
     const dReal*
         weights; /**< of each velocity: 0: it stays, 2: it moves rather than one of 1; NULL: 1 each */

@@ -212,8 +212,9 @@ nb::object get_inverse(const Model& m, nb::object guess, nb::list goals, nb::obj
                              read_or_nothing(posture, size_t(m.model.coordinates), "posture")};
     for (double weight : settings.weights)
         if (weight < 0 || weight > 1e6) throw nb::value_error("weights must be from 0 to 1e6");
-    if (max_iterations < 1 || max_starts < 1 || !(tolerance >= 0))
-        throw nb::value_error("at least one iteration and start, and a tolerance of 0 or more are expected");
+    if (max_iterations < 1 || max_iterations > 1000 || max_starts < 1 || max_starts > 1000 ||
+        !(tolerance >= 0))
+        throw nb::value_error("1 to 1000 iterations and starts, and a tolerance of 0 or more are expected");
     const InverseAnswer a = solve_inverse(m.model, read_positions(m, guess), wanted, settings);
     return nb::make_tuple(row(a.positions), a.is_reached, a.position_error, a.orientation_error, a.residual,
                           a.iterations, a.starts);

@@ -194,13 +194,15 @@ TEST_F(RobotInverse, SaysWhatItRefuses)
     EXPECT_EQ(solve(q), 0);
     target.q[0] = 1, options.max_starts = 0;
     EXPECT_EQ(solve(q), 0);
+    options.max_starts = 1001;
+    EXPECT_EQ(solve(q), 0);
     options.max_starts = 1, result.struct_size = 3;
     EXPECT_EQ(solve(q), 0);
     result.struct_size = sizeof result, q[0] = dReal(NAN);
     EXPECT_EQ(solve(q), 0);
     dReal frame[7];
     EXPECT_EQ(dRobotModelFindFrame(model, nullptr, frame), 0);
-    EXPECT_EQ(refused, 6);
+    EXPECT_EQ(refused, 7);
     EXPECT_EQ(dRobotModelFindFrame(model, "nobody", frame), -1);
     dSetMessageHandler(nullptr);
 }

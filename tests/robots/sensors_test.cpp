@@ -242,6 +242,13 @@ TEST_F(RobotSensors, ACameraSeesABallBeforeAWall)
     EXPECT_EQ(geoms[middle], ball);
     EXPECT_NEAR(depth[middle], 3.5, 1e-3);  // half a pixel off
     EXPECT_NE(color[3 * middle], color[0]);
+    // A larger picture is taken in blocks of rows.
+    camera.width = 400, camera.height = 300;
+    std::vector<dReal> large(400 * 300);
+    dRobotTakePicture(robot, 1, frame, space, &camera, large.data(), nullptr, nullptr);
+    EXPECT_NEAR(large[150 * 400 + 200], 3.5, 1e-3);
+    EXPECT_NEAR(large[299 * 400 + 399], 6, kFine);
+    camera.width = 160, camera.height = 120;
     camera.threads = 4;
     std::vector<dReal> again(pixels);
     dRobotTakePicture(robot, 1, frame, space, &camera, again.data(), nullptr, nullptr);
