@@ -13,6 +13,8 @@
 
 namespace demo {
 
+constexpr bool kIsDouble = sizeof(dReal) == 8;  // the library's precision, which decides what can be claimed
+
 struct Robot {
     dRobotModelID model = nullptr;
     dRobotID robot = nullptr;
