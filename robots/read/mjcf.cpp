@@ -160,9 +160,25 @@ void Mjcf::set_total_mass()
     }
 }
 
+// All sections of one name, wherever they stand.
+void Mjcf::read_sections(const std::vector<Element>& sections, const char* name,
+                         void (Mjcf::*action)(const Element&))
+{
+    for (const Element& section : sections)
+        if (section.name() == name) (this->*action)(section);
+}
+
+void Mjcf::note_other_sections(const std::vector<Element>& sections)
+{
+    static const std::set<std::string> known{"compiler", "option",   "default", "asset",     "worldbody",
+                                             "contact",  "equality", "tendon",  "actuator",  "keyframe",
+                                             "sensor",   "visual",   "size",    "statistic", "custom"};
+    for (const Element& section : sections)
+        if (!known.count(section.name())) reading_.note(Note::kIgnored, section, "<" + section.name() + ">");
+}
+
 void Mjcf::read()
 {
-    static const std::set<std::string> quiet{"statistic", "visual", "size", "custom"};
     model_.name = root_.text("model");
     model_.largest_friction = true;
     Link world;
@@ -170,30 +186,21 @@ void Mjcf::read()
     model_.links.push_back(world);
     including_.push_back(root_.file());
     const std::vector<Element> sections = expand(root_);
-    const auto each = [&](const char* name, auto&& action) {
-        for (const Element& section : sections)
-            if (section.name() == name) action(section);
-    };
-    each("compiler", [&](const Element& e) { read_compiler(e); });
-    each("option", [&](const Element& e) { read_option(e); });
-    each("default", [&](const Element& e) { defaults_.read(e, reading_); });
-    each("asset", [&](const Element& e) { read_assets(e); });
-    each("worldbody", [&](const Element& e) { read_bodies(e, {}); });
+    read_sections(sections, "compiler", &Mjcf::read_compiler);
+    read_sections(sections, "option", &Mjcf::read_option);
+    read_sections(sections, "default", &Mjcf::read_defaults);
+    read_sections(sections, "asset", &Mjcf::read_assets);
+    read_sections(sections, "worldbody", &Mjcf::read_world);
     set_total_mass();
     number_coordinates(model_);
     if (model_.has_errors()) return;
-    each("contact", [&](const Element& e) { read_contacts(e); });
-    each("equality", [&](const Element& e) { read_equalities(e); });
-    each("tendon", [&](const Element& e) { read_tendons(e); });
-    each("actuator", [&](const Element& e) { read_actuators(e); });
-    each("sensor", [&](const Element& e) { read_sensors(e); });
-    each("keyframe", [&](const Element& e) { read_keys(e); });
-    static const std::set<std::string> read_ones{"compiler",  "option",  "default",  "asset",
-                                                 "worldbody", "contact", "equality", "actuator",
-                                                 "tendon",    "sensor",  "keyframe"};
-    for (const Element& section : sections)
-        if (!read_ones.count(section.name()) && !quiet.count(section.name()))
-            reading_.note(Note::kIgnored, section, "<" + section.name() + ">");
+    read_sections(sections, "contact", &Mjcf::read_contacts);
+    read_sections(sections, "equality", &Mjcf::read_equalities);
+    read_sections(sections, "tendon", &Mjcf::read_tendons);
+    read_sections(sections, "actuator", &Mjcf::read_actuators);
+    read_sections(sections, "sensor", &Mjcf::read_sensors);
+    read_sections(sections, "keyframe", &Mjcf::read_keys);
+    note_other_sections(sections);
 }
 
 void read_mjcf(const Element& mujoco, Reading& reading) { Mjcf(mujoco, reading).read(); }

@@ -46,6 +46,11 @@ class Mjcf {
     void read_option(const Element& element);
     void read_assets(const Element& section);
     void set_total_mass();
+    void read_defaults(const Element& section) { defaults_.read(section, reading_); }
+    void read_world(const Element& section) { read_bodies(section, {}); }
+    void read_sections(const std::vector<Element>& sections, const char* name,
+                       void (Mjcf::*action)(const Element&));
+    void note_other_sections(const std::vector<Element>& sections);
 
     // mjcf_bodies.cpp
     void read_bodies(const Element& body, const Scope& scope);
