@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Memory that a reader may take: at most 16 times its input, and a constant for what is there once (pools of
-// objects, an empty world). What takes more traps, which libFuzzer reports as a crash.
+// What a reader may take. Memory: at most 16 times its input, and a constant for what is there once (pools of
+// objects, an empty world). Time: a second of the processor, whatever else the machine does. What takes more
+// traps, which libFuzzer reports as a crash.
 #pragma once
 
 #include <ode/ode.h>
+#include <time.h>
 
 #include <cstddef>
 #include <cstdlib>
@@ -16,9 +18,15 @@ class Meter {
   public:
     static constexpr std::size_t kTimes = 16, kOnce = 1 << 20;
 
+    static constexpr double kSeconds = 1;
+
     // While it lives, memory is limited by so many bytes of input.
-    explicit Meter(std::size_t input) { limit_ = live_ + long(kTimes * input + kOnce); }
-    ~Meter() { limit_ = kNone; }
+    explicit Meter(std::size_t input) : began_(seconds()) { limit_ = live_ + long(kTimes * input + kOnce); }
+    ~Meter()
+    {
+        limit_ = kNone;
+        if (seconds() - began_ > kSeconds) __builtin_trap();
+    }
     Meter(const Meter&) = delete;
     Meter& operator=(const Meter&) = delete;
 
@@ -30,6 +38,14 @@ class Meter {
     static void gave(std::size_t bytes) { live_ -= long(bytes); }
 
   private:
+    static double seconds()
+    {
+        timespec now;
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+        return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+    }
+
+    const double began_;
     static constexpr long kNone = 1L << 62;
     static inline long live_ = 0, limit_ = kNone;
 };

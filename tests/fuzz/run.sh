@@ -3,8 +3,8 @@
 # Copyright (c) 2026 The Epode authors
 #
 # run.sh SECONDS: builds the targets by clang with sanitizers and runs each for so long, from valid inputs that it writes itself and
-# with random numbers of one seed. An input that crashes, takes longer than a second or more memory than meter.h allows is left in
-# out/fuzz/TARGET, and the exit code is 1.
+# with random numbers of one seed. An input that crashes, takes more time or memory than meter.h allows is left in out/fuzz/TARGET,
+# and the exit code is 1.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 seconds=$1
@@ -16,7 +16,7 @@ failed=0
 for target in state world_file recording; do
   mkdir -p out/fuzz/$target/corpus out/fuzz/$target/seeds
   EPODE_FUZZ_SEEDS=out/fuzz/$target/seeds build/fuzz/bin/fuzz_$target -runs=0 > /dev/null 2>&1
-  nice build/fuzz/bin/fuzz_$target -max_total_time="$seconds" -seed=1 -timeout=1 -rss_limit_mb=1024 -max_len=65536 -print_final_stats=1 \
+  nice build/fuzz/bin/fuzz_$target -max_total_time="$seconds" -seed=1 -timeout=60 -rss_limit_mb=1024 -max_len=65536 -print_final_stats=1 \
     -artifact_prefix=out/fuzz/$target/ out/fuzz/$target/corpus out/fuzz/$target/seeds > out/fuzz/$target.log 2>&1 || failed=1
   grep -E 'number_of_executed_units|ERROR|SUMMARY' out/fuzz/$target.log || true
 done
