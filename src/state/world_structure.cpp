@@ -6,6 +6,7 @@
 #include "state/world_structure.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/check.h"
 #include "base/structure_edition.h"
@@ -87,13 +88,17 @@ void WorldStructure::visit_bodies()
 {
     const int count = stream_.count(bodies_.size(), kBodyBytes, "bodies");
     if (stream_.loads() && !stream_.demand(bodies_.reserve(count), kOutOfMemory)) return;
-    for (int i = 0; i < count && !stream_.failed(); ++i) {
-        if (stream_.loads()) {
-            Body* const body = create_body(*world_);
-            if (!stream_.demand(body && bodies_.push(body), kOutOfMemory)) return;
-        }
-        structure_of_body(*bodies_[i], stream_);
-    }
+    for (int i = 0; i < count && !stream_.failed(); ++i)
+        if (stream_.saves() || load_body()) structure_of_body(*bodies_[i], stream_);
+}
+
+// Without the memory that new bodies of this world have for averages: each of the file brings its own.
+bool WorldStructure::load_body()
+{
+    const int samples = std::exchange(world_->sleep.samples, 1);
+    Body* const body = create_body(*world_);
+    world_->sleep.samples = samples;
+    return stream_.demand(body && bodies_.push(body), kOutOfMemory);
 }
 
 void WorldStructure::visit_joints()

@@ -51,6 +51,7 @@ class WorldStructure {
   private:
     void visit();
     void visit_bodies();
+    bool load_body();
     void visit_joints();
     Joint* load_joint(int number);
     void visit_switches(Joint& joint);

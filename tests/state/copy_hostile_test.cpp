@@ -156,13 +156,13 @@ TEST(HostileWorldFiles, are_refused_or_taken_without_harm)
 }
 
 // Of memory: what is allowed, what is in use.
-long g_left = -1, g_live = 0;
+long g_left = -1, g_live = 0, g_taken = 0;
 
 void* alloc(dsizeint size)
 {
     if (g_left == 0) return nullptr;
     if (g_left > 0) --g_left;
-    ++g_live;
+    ++g_live, g_taken += long(size);
     return std::malloc(size);
 }
 
@@ -199,6 +199,24 @@ void expect_clean_failures(const RichScene& scene, Make&& make)
     }
     EXPECT_GT(failures, 10);
     EXPECT_TRUE(file_of(scene.world, scene.space) == before);
+}
+
+// A world whose new bodies would average over a million steps: the bodies that it has do not.
+TEST(CopiesWithoutMemory, take_none_for_averages_that_no_body_has)
+{
+    const Messages messages;
+    Scene scene({.piles = 1});
+    dWorldSetAutoDisableAverageSamplesCount(scene.world, 1000000);
+    const Bytes file = file_of(scene.world, scene.space);
+    dSetAllocHandler(&alloc), dSetReallocHandler(&grow), dSetFreeHandler(&give);
+    g_taken = 0;
+    dSpaceID space = nullptr;
+    const dWorldID world = load(file, &space);
+    ASSERT_TRUE(world) << Messages::last();
+    EXPECT_LT(g_taken, 2000000);
+    EXPECT_EQ(dWorldGetAutoDisableAverageSamplesCount(world), 1000000);
+    Copy(scene, world, space, true);
+    dSetAllocHandler(nullptr), dSetReallocHandler(nullptr), dSetFreeHandler(nullptr);
 }
 
 TEST(CopiesWithoutMemory, leave_nothing_behind)

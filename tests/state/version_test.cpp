@@ -2,8 +2,9 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Files of worlds that earlier versions of the library have written, one of each version of the format and
-// each precision, are read for ever, and go on with the bits that they had. With EPODE_WRITE_WORLD=PATH in
-// the environment the file of the present version is written there.
+// each precision, are read for ever: bodies are and move as they did, and the world goes on, as its clone does.
+// (How it goes on is a matter of the solvers.) With EPODE_WRITE_WORLD=PATH in the environment the file of the
+// present version is written there.
 #include <cstdlib>
 #include <fstream>
 
@@ -15,13 +16,13 @@ namespace {
 
 struct Version {
     const char* file;
-    std::uint64_t after;  // checksum of what the bodies do 40 steps later
+    std::uint64_t motion;  // checksum of its bodies' poses and velocities
 };
 
 #ifdef dIDEDOUBLE
-constexpr Version kVersions[] = {{"version_1_double.epw", 16219834461081234855u}};
+constexpr Version kVersions[] = {{"version_1_double.epw", 15504357291650435527u}};
 #else
-constexpr Version kVersions[] = {{"version_1_single.epw", 9384463220980488835u}};
+constexpr Version kVersions[] = {{"version_1_single.epw", 13726263082985980076u}};
 #endif
 
 std::uint64_t checksum_of_motion(dWorldID world)
@@ -34,7 +35,7 @@ std::uint64_t checksum_of_motion(dWorldID world)
     return checksum(reinterpret_cast<const unsigned char*>(rows.data()), rows.size() * sizeof(dReal));
 }
 
-TEST(WorldFileVersions, are_read_for_ever_and_go_on_with_the_same_bits)
+TEST(WorldFileVersions, are_read_for_ever)
 {
     const Messages messages;
     RichScene scene({.stepper = Stepper::kSmallSteps, .piles = 1});
@@ -48,8 +49,14 @@ TEST(WorldFileVersions, are_read_for_ever_and_go_on_with_the_same_bits)
         const dWorldID world = dWorldLoad(path.c_str(), &space);
         ASSERT_TRUE(world) << Messages::last();
         const Copy copy(scene, world, space, true);
-        for (int i = 0; i < 40; ++i) copy.running.step();
-        EXPECT_EQ(checksum_of_motion(world), version.after) << version.file;
+        EXPECT_EQ(checksum_of_motion(world), version.motion) << version.file;
+        dSpaceID space_of_clone = space;
+        const dWorldID clone = dWorldClone(world, &space_of_clone, nullptr, 0);
+        ASSERT_TRUE(clone) << Messages::last();
+        const Copy other(scene, clone, space_of_clone, false);
+        for (int i = 0; i < 40; ++i) copy.running.step(), other.running.step();
+        EXPECT_EQ(difference(state_of(clone), state_of(world)), "");
+        EXPECT_NE(checksum_of_motion(world), version.motion);
     }
 }
 
