@@ -28,7 +28,6 @@ struct Parameter {
 };
 
 constexpr double kNoLimit = HUGE_VAL;
-constexpr double kCfm = kSingle ? 1e-5 : 1e-10;
 constexpr double kTolerance = kSingle ? 1e-3 : 1e-4;
 
 #define PARAMETER(Type, Name, ode, game, robot, reason)                                               \
@@ -52,7 +51,7 @@ constexpr Parameter kParameters[] = {
     PARAMETER(int,      QuickStepNumIterations,  20,          20,             20,            "sweeps of dWorldQuickStep"),
     PARAMETER(dReal,    QuickStepW,              1.3,         1.3,            1.3,           "its over-relaxation"),
     PARAMETER(dReal,    ERP,                     0.2,         0.2,            0.2,           "share of an error that a step removes"),
-    PARAMETER(dReal,    CFM,                     kCfm,        kCfm,           kCfm,          "softness: hard, and solvable where joints are redundant"),
+    PARAMETER(dReal,    CFM,                     kDefaultCfm, kDefaultCfm,    kDefaultCfm,   "softness: hard, and solvable where joints are redundant"),
     PARAMETER(dReal,    ContactMaxCorrectingVel, kNoLimit,    1,              1,             "m/s; bodies that overlap are not thrown apart"),
     PARAMETER(dReal,    ContactSurfaceLayer,     0,           0.001,          0,             "m of overlap that contacts keep, so that they stay"),
     PARAMETER(int,      AutoDisableFlag,         0,           1,              0,             "1: bodies at rest fall asleep"),

@@ -21,6 +21,9 @@ namespace epode {
 struct CouplingJoint;
 struct StepState;
 
+// Softness that only keeps redundant joints solvable.
+inline constexpr Real kDefaultCfm = kSingle ? Real(1e-5) : Real(1e-10);
+
 struct World : Tagged {
     World();
     ~World();
@@ -36,7 +39,7 @@ struct World : Tagged {
 
     Vec3 gravity;
     Real erp = Real(0.2);
-    Real cfm = kSingle ? Real(1e-5) : Real(1e-10);
+    Real cfm = kDefaultCfm;
     Real contact_max_vel = kInf;
     Real contact_layer = 0;
     int quick_iterations = 20;

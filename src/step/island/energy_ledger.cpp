@@ -57,7 +57,10 @@ Real correction_in(const Row& row, Real c, bool relaxed)
 }
 
 // Compliance beyond what only keeps the problem well-posed; `d`: the row's inverse effective mass.
-bool is_soft(const Row& row, Real d, Real h) { return row.drive || row.cfm > kSoftShare * d * h; }
+bool is_soft(const Row& row, Real d, Real h)
+{
+    return row.drive || row.cfm > std::max(kDefaultCfm, kSoftShare * d * h);
+}
 
 void add_normal(bool soft, const RowWork& work, dEnergyLedger& to)
 {
