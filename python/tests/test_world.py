@@ -391,6 +391,23 @@ def test_the_interpreter_ends_with_worlds_alive():
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, timeout=60).returncode == 0
 
 
+def test_a_forked_process_goes_on_with_its_copy():
+    code = ("import epode, os\nw = epode.World(threads=2)\nw.plane()\n"
+            "for i in range(50): w.body(mass=1, position=(0, 0, 1 + i), shape=epode.Sphere(0.3))\n"
+            "w.step(0.01, stepper='quick', steps=5)\nchild = os.fork()\nw.step(0.01, stepper='quick', steps=5)\n"
+            "if child == 0: os._exit(0)\nassert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0")
+    assert subprocess.run([sys.executable, "-W", "ignore", "-c", code], capture_output=True, timeout=60).returncode == 0
+
+
+def test_a_second_interpreter_is_refused():
+    code = ("import epode\nimport _xxsubinterpreters as interpreters\none = interpreters.create()\n"
+            "try: interpreters.run_string(one, 'import epode')\nexcept Exception as error: print(error)")
+    result = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    if "No module named '_xx" in result.stderr:
+        pytest.skip("this Python calls them otherwise")
+    assert result.returncode == 0 and "ImportError" in result.stdout
+
+
 def test_the_docstring_of_the_package_runs():
     import doctest
     assert doctest.testmod(epode).failed == 0
