@@ -56,11 +56,11 @@ ODE_API int dRobotGetForceTorque(dRobotID robot, int link, const dReal* frame, d
 
 /** What touches a link. */
 typedef struct dRobotTouch {
-    unsigned struct_size;
-    int points;         /**< of contact that bear something */
-    dReal normal_force; /**< sum of all normal forces, N */
-    dVector3 force;     /**< on the link, friction included, in the world's axes, N */
-    dVector3 centre;    /**< of pressure, in the world, m */
+    unsigned struct_size; /**< sizeof(dRobotTouch), set by the caller */
+    int points;           /**< of contact that bear something */
+    dReal normal_force;   /**< sum of all normal forces, N */
+    dVector3 force;       /**< on the link, friction included, in the world's axes, N */
+    dVector3 centre;      /**< of pressure, in the world, m */
 } dRobotTouch;
 
 /** Sums the contacts of a link in the last step: those that the world manages (dWorldSetContactSpace). Set
@@ -76,11 +76,12 @@ ODE_API int dRobotCastRays(dRobotID robot, int link, const dReal* frame, dSpaceI
 
 /** A pinhole camera. It looks along its -z axis, x to the right, y up. Start from dRobotCameraInit. */
 typedef struct dRobotCamera {
-    unsigned struct_size;
-    int width, height;  /**< pixels, 1 ... 8192; 320, 240 */
-    dReal field;        /**< of view, from the lowest to the highest row, rad; 0.8 */
-    dReal max_distance; /**< what is farther is not seen, m; 100 */
-    int threads;        /**< that work on it, 0: one for each processor; 1 */
+    unsigned struct_size; /**< sizeof(dRobotCamera), set by the caller */
+    int width;            /**< pixels of a row, 1 ... 8192; 320 */
+    int height;           /**< rows, 1 ... 8192; 240 */
+    dReal field;          /**< of view, from the lowest to the highest row, rad; 0.8 */
+    dReal max_distance;   /**< what is farther is not seen, m; 100 */
+    int threads;          /**< that work on it, 0: one for each processor; 1 */
 } dRobotCamera;
 
 /** Fills *camera with the defaults. Returns 1. Refused: a struct_size other than sizeof(dRobotCamera). [ours] */
@@ -95,7 +96,7 @@ ODE_API int dRobotTakePicture(dRobotID robot, int link, const dReal* frame, dSpa
 
 /** A sensor that a file names. The texts live as long as the model. */
 typedef struct dRobotSensor {
-    const char* name;
+    const char* name;   /**< as in the file */
     const char* kind;   /**< as in the file: accelerometer, gyro, force, torque, touch ... */
     const char* object; /**< on what it sits */
     int values;         /**< that dRobotReadSensor reads, 0: it is not computed */

@@ -90,7 +90,7 @@ ODE_API int dRobotModelHasErrors(dRobotModelID model);
 
 /** A link. The name lives as long as the model. */
 typedef struct dRobotLink {
-    const char* name;
+    const char* name; /**< as in the file */
     int parent;       /**< its number, -1 of link 0 */
     int joints;       /**< between it and its parent */
     int shapes;       /**< that touch */
@@ -109,13 +109,14 @@ typedef enum {
 
 /** A joint between a link and its parent. The name lives as long as the model. */
 typedef struct dRobotJoint {
-    const char* name;
+    const char* name;   /**< as in the file */
     int kind;           /**< a dRobotJointKind */
     int link;           /**< the link that it moves */
     int position;       /**< number of its first coordinate among all */
     dVector3 anchor;    /**< in the link's frame, m */
     dVector3 axis;      /**< in the link's frame, of unit length */
-    dReal low, high;    /**< limits of its coordinate, minus and plus dInfinity for none */
+    dReal low;          /**< lower limit of its coordinate, -dInfinity for none */
+    dReal high;         /**< upper limit, dInfinity for none */
     dReal max_force;    /**< N or N m, dInfinity for none */
     dReal max_velocity; /**< m/s or rad/s, dInfinity for none */
 } dRobotJoint;
@@ -197,7 +198,7 @@ ODE_API int dRobotModelFindFrame(dRobotModelID model, const char* name, dReal* f
 
 /** Where inverse kinematics is to bring a frame. Start from dRobotTargetInit. */
 typedef struct dRobotTarget {
-    int link;
+    int link;                 /**< that the frame belongs to */
     dVector3 point;           /**< the frame's origin in the link's frame, m; 0 */
     dQuaternion point_q;      /**< its turn there; none */
     dVector3 position;        /**< where the origin is to be, in the model's world, m */
@@ -208,20 +209,19 @@ typedef struct dRobotTarget {
 
 /** How inverse kinematics searches. Start from dRobotInverseOptionsInit. */
 typedef struct dRobotInverseOptions {
-    unsigned struct_size;
-    int max_iterations; /**< of a start, 1 ... 1000; 100 */
-    int max_starts;     /**< from the given positions, then farther and farther away, 1 ... 1000; 32 */
-    dReal tolerance;    /**< weighted error of a target that is reached; 1e-10, in floats 1e-5 */
-    const dReal*
-        weights; /**< of each velocity: 0: it stays, 2: it moves rather than one of 1; NULL: 1 each */
+    unsigned struct_size; /**< sizeof(dRobotInverseOptions), which dRobotInverseOptionsInit sets */
+    int max_iterations;   /**< of a start, 1 ... 1000; 100 */
+    int max_starts;       /**< from the given positions, then farther and farther away, 1 ... 1000; 32 */
+    dReal tolerance;      /**< weighted error of a target that is reached; 1e-10, in floats 1e-5 */
+    const dReal* weights; /**< of each velocity: 0: it stays, 2: rather than one of 1; NULL: 1 each */
     const dReal* posture; /**< positions to be near where the targets leave a choice; NULL: none */
 } dRobotInverseOptions;
 
 /** What inverse kinematics found. Set struct_size before. */
 typedef struct dRobotInverseResult {
-    unsigned struct_size;
-    int is_reached; /**< 1: all targets within the tolerance */
-    int starts;
+    unsigned struct_size;    /**< sizeof(dRobotInverseResult), set by the caller */
+    int is_reached;          /**< 1: all targets within the tolerance */
+    int starts;              /**< that were made */
     int iterations;          /**< of all starts */
     dReal residual;          /**< root of the sum of the squares of all weighted errors */
     dReal position_error;    /**< the largest, m */

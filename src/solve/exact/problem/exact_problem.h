@@ -30,7 +30,8 @@
 
 namespace epode {
 
-struct ExactRow {
+// Aligned, since clang loads J as lanes of 16 bytes whatever DoubleLane says of its alignment.
+struct alignas(16) ExactRow {
     double J[12];       // of body a, then of body b
     double c, C, d;     // d = J J^T + C
     double weight_min;  // smallest compliance that the factor sees, so that C = 0 has a finite weight
