@@ -25,7 +25,7 @@ struct RawDiagnosis {
     int kind, severity;
     void* objects[4];
     double figure, threshold;
-    int first_step, steps;
+    int first_step, steps, call;
 };
 
 struct RawMaterial {

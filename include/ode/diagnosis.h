@@ -24,12 +24,14 @@ extern "C" {
 
 /** Causes of failure. `figure` and `threshold` of a dDiagnosis are in the unit that is named here. */
 typedef enum {
-    dDiagnosisInput,   /**< the program set a huge velocity or force: m/s that it set or adds in a step */
-    dDiagnosisInertia, /**< inertia not physical, or far from the shapes': its radius over theirs */
-    dDiagnosisOverlap, /**< geoms started in each other: depth over the thinner one's half thickness */
+    dDiagnosisInput,         /**< the program set a huge velocity or force: m/s that it set or adds in a step;
+                            or a call was refused: refusals before a step */
+    dDiagnosisInertia,       /**< inertia far from the shapes': its radius over theirs; or not that of a body:
+                            largest moment over the sum of the others */
+    dDiagnosisOverlap,       /**< geoms started in each other: depth over the thinner one's half thickness */
     dDiagnosisContradiction, /**< joints that cannot hold together: error that stays, m or rad */
     dDiagnosisStiffSpring,   /**< the program's force overshoots in each step: h^2 k/m; 4 is unstable */
-    dDiagnosisStepTooLong,   /**< the body rotates too far in a step: rad */
+    dDiagnosisStepTooLong,   /**< the body rotates, or would swing under its load, too far in a step: rad */
     dDiagnosisMassRatio,     /**< a light body carries heavy ones: mass over mass */
     dDiagnosisTunnelling,    /**< a body has passed through a geom: distance over its half thickness */
     dDiagnosisImpact,        /**< contact so fast that it is found too late: travel over half thickness */
@@ -56,6 +58,7 @@ typedef struct dDiagnosis {
     double threshold; /**< what it should stay below */
     int first_step;   /**< step in which it was seen first, 1: the first one since the mode is on */
     int steps;        /**< in how many steps it was seen */
+    int call;         /**< the function that was refused, a number for dDiagnosisText; 0: none was */
 } dDiagnosis;
 
 /** - dWorldSetDiagnosisMode: Switch the diagnosis of steps on (mode 1) or off (0, the default), which forgets
@@ -71,8 +74,8 @@ ODE_API int dWorldGetDiagnosisMode(dWorldID world);
 ODE_API int dWorldDiagnose(dWorldID world, dDiagnosis* causes, int capacity);
 
 /** Writes to text, which has size bytes, what the cause means and how to cure it: one line that ends with a
-    zero byte, cut off where it does not fit. Returns the length of the whole line. Refused: a kind or severity
-    that is none. [ours] */
+    zero byte, cut off where it does not fit. Returns the length of the whole line. Refused: a kind, severity or
+    call that is none. [ours] */
 ODE_API int dDiagnosisText(const dDiagnosis* cause, char* text, int size);
 
 #ifdef __cplusplus

@@ -79,7 +79,7 @@ void dBodySetPosition(dBodyID b, dReal x, dReal y, dReal z)
 void dBodySetRotation(dBodyID b, const dMatrix3 R)
 {
     BODY_OR();
-    EPODE_USER(R && usable(R, 3) && usable(R + 4, 3) && usable(R + 8, 3));
+    EPODE_USER(R && fits(*body, usable(R, 3) && usable(R + 4, 3) && usable(R + 8, 3)));
     Mat3 clean = load_mat(R);
     EPODE_USER(orthonormalize(clean));
     EPODE_USER_SAY(!in_locked_space(*body), "Invalid operation for locked space");
@@ -93,7 +93,7 @@ void dBodySetRotation(dBodyID b, const dMatrix3 R)
 void dBodySetQuaternion(dBodyID b, const dQuaternion q)
 {
     BODY_OR();
-    EPODE_USER(q && usable(q, 4));
+    EPODE_USER(q && fits(*body, usable(q, 4)));
     Quat unit = load_quat(q);
     EPODE_USER(normalize(unit));
     EPODE_USER_SAY(!in_locked_space(*body), "Invalid operation for locked space");

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "base/check.h"
+#include "base/refusals.h"
 #include "dynamics/world.h"
 
 // The body behind the handle `b`, or the call is refused with the given result.
@@ -13,4 +14,16 @@
     epode::Body* const body = epode::from_handle<epode::Body>(b); \
     EPODE_USER(body != nullptr __VA_OPT__(, ) __VA_ARGS__)
 
-#define USABLE3(x, y, z) EPODE_USER(epode::usable(x) && epode::usable(y) && epode::usable(z))
+namespace epode {
+
+// A condition on an argument for this body: if the call is refused, the diagnosis of its world names both.
+inline bool fits(const Body& body, bool condition)
+{
+    if (!condition) concern({0, body.world, to_handle(&body), nullptr});
+    return condition;
+}
+
+}  // namespace epode
+
+#define USABLE3(x, y, z) \
+    EPODE_USER(epode::fits(*body, epode::usable(x) && epode::usable(y) && epode::usable(z)))

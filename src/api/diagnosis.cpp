@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "base/float_environment.h"
+#include "base/refusals.h"
 #include "diagnose/text.h"
 #include "diagnose/watch.h"
 
@@ -44,6 +45,7 @@ int dDiagnosisText(const dDiagnosis* cause, char* text, int size)
     EPODE_USER_SAY(text_of(cause->kind), "a kind that is no dDiagnosisKind", 0);
     EPODE_USER_SAY(cause->severity >= dSeverityNote && cause->severity <= dSeverityError,
                    "a severity that is no dSeverity", 0);
+    EPODE_USER_SAY(cause->call == 0 || name_of_call(cause->call), "a call that is none", 0);
     return write_text(*cause, text, std::size_t(size));
 }
 

@@ -9,6 +9,7 @@
 #include <cstdlib>
 
 #include "base/messages.h"
+#include "base/refusals.h"
 
 namespace epode {
 namespace {
@@ -25,6 +26,7 @@ namespace {
 
 void refuse(const char* text, const char* function, std::atomic<bool>& reported)
 {
+    if (text != kOutOfMemory) remember_refusal(function);
     // With a handler, every refusal is delivered. Without one, stderr gets one message per call site.
     if (!handler(Channel::kDebug) && reported.exchange(true)) return;
     report(d_ERR_UASSERT, "%s in %s()", text, function);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "base/array.h"
+#include "base/refusals.h"
 #include "diagnose/findings.h"
 #include "dynamics/world.h"
 
@@ -55,6 +56,9 @@ struct StepFacts {
     std::span<JointError> joint_errors;  // by Joint::place
     std::span<GraphNode> graph;
     std::span<Neighbours> neighbours;  // by Body::place
+    std::span<Real> swings;            // likewise, working memory
+    std::span<const dIslandStepReport> islands;
+    std::span<const Refusal> refusals;  // since the step before
     const dWorldStepReport& report;
     const dEnergyLedger& ledger;
     Findings& findings;
@@ -80,6 +84,9 @@ struct Extent {
     Real half_thickness = kInf, reach = 0;
 };
 Extent extent_of(const Body& body);
+
+// Is the joint in a component of bodies and joints that has a loop? For causes after that of contradiction.
+bool closes_loop(const StepFacts& facts, const Joint& joint);
 
 // Speed with which the two sides of a contact approach each other at the beginning of the step.
 Real approach_of(const StepFacts& facts, const Touch& touch);

@@ -5,7 +5,8 @@
 // that close a loop (or connect two bodies twice) can contradict each other: those of a component of the graph
 // of bodies and joints that has a cycle, what does not move being one node. The error is that of the rows that
 // lock, at the pose that the step has left; soft rows keep theirs by intention. Sweeps that have not converged
-// leave errors in joints that fit together: then it is no more than a note.
+// leave errors in joints that fit together: then it is no more than a note. So does fast motion: a lever r that
+// rotates at w leaves its circle by r (h w)^2 / 2 in each step, of which the next ones remove the share ERP.
 #include "diagnose/cause.h"
 
 #include <algorithm>
@@ -21,17 +22,35 @@ constexpr Real kOpen = Real(1e-3), kTorn = Real(1e-2);  // m, rad
 constexpr Real kStays = Real(0.97);                     // of the error, after a step; ERP removes more
 constexpr double kSolved = 1e-6;                        // residual of the step
 constexpr int kPatience = 10;                           // steps
+constexpr Real kMotion = 2;                             // times the error that motion explains
 
-Real locked_error(Joint& joint, const StepInfo& info)
+constexpr Real kLeastErp = Real(0.05);
+
+struct LockedError {
+    Real worst = 0;      // m or rad
+    Real by_motion = 0;  // what fast rotation explains
+};
+
+Real drift_of(const Body* body, Vec3 lever, Real h)
+{
+    return body ? length(lever) * length2(body->angular_velocity()) * h * h / 2 : 0;
+}
+
+LockedError locked_error(Joint& joint, const StepInfo& info)
 {
     Row rows[kMaxBlockRows];
     RowWriter out(rows, info);
     joint.type->emit(joint, out);
-    Real worst = 0;
-    for (int i = 0; i < out.count(); ++i)
-        if (rows[i].kind == RowKind::kLock && !rows[i].soft && rows[i].erp >= Real(0.05))
-            worst = std::max(worst, std::fabs(rows[i].error));
-    return worst;
+    LockedError error;
+    for (int i = 0; i < out.count(); ++i) {
+        const Row& row = rows[i];
+        if (row.kind != RowKind::kLock || row.soft || row.erp < kLeastErp) continue;
+        error.worst = std::max(error.worst, std::fabs(row.error));
+        const Real drift =
+            drift_of(joint.body1(), row.ang1, info.h) + drift_of(joint.body2(), row.ang2, info.h);
+        error.by_motion = std::max(error.by_motion, drift / row.erp);
+    }
+    return error;
 }
 
 bool takes_part(const StepFacts& facts, const Joint& joint)
@@ -65,6 +84,12 @@ void mark_loops(const StepFacts& facts, std::span<GraphNode> nodes)
 
 }  // namespace
 
+bool closes_loop(const StepFacts& facts, const Joint& joint)
+{
+    return takes_part(facts, joint) &&
+           facts.graph[std::size_t(root_of(facts.graph, node_of(joint.body1())))].loop;
+}
+
 const char* const k_text_of_contradiction =
     "joints that close a loop ask for what no pose can give, and stay open; check anchors, axes and the "
     "pose in which they were attached, leave one out, or give one CFM";
@@ -79,16 +104,16 @@ void find_contradiction(const StepFacts& facts)
     for (Joint& joint : facts.world.joints) {
         if (joint.place < 0 || std::size_t(joint.place) >= facts.joint_errors.size()) continue;
         JointError& known = facts.joint_errors[std::size_t(joint.place)];
-        const bool loops = takes_part(facts, joint) &&
-                           facts.graph[std::size_t(root_of(facts.graph, node_of(joint.body1())))].loop;
-        const Real error = loops ? locked_error(joint, info) : 0;
+        const bool loops = closes_loop(facts, joint);
+        const LockedError locked = loops ? locked_error(joint, info) : LockedError{};
+        const Real error = locked.worst;
         const bool stays = known.id == to_handle(&joint) && error > kOpen && error > kStays * known.error;
         known = {to_handle(&joint), error, stays ? known.steps + 1 : 0};
         if (known.steps < kPatience) continue;
         facts.findings.add({.kind = dDiagnosisContradiction,
-                            .severity = !solved         ? dSeverityNote
-                                        : error > kTorn ? dSeverityError
-                                                        : dSeverityWarning,
+                            .severity = !solved || error < kMotion * locked.by_motion ? dSeverityNote
+                                        : error > kTorn                               ? dSeverityError
+                                                                                      : dSeverityWarning,
                             .body = to_handle(joint.body1()),
                             .other = joint.body2() ? to_handle(joint.body2()) : nullptr,
                             .joint = to_handle(&joint),

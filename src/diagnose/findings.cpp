@@ -13,7 +13,7 @@ namespace {
 
 bool is_same(const dDiagnosis& a, const dDiagnosis& b)
 {
-    return a.kind == b.kind && a.body == b.body && a.joint == b.joint;
+    return a.kind == b.kind && a.body == b.body && a.joint == b.joint && a.call == b.call;
 }
 
 bool precedes(const dDiagnosis& a, const dDiagnosis& b)
@@ -38,8 +38,8 @@ void insert_sorted(dDiagnosis* all, int count)
 
 void Findings::add(const Finding& seen)
 {
-    const dDiagnosis one{seen.kind, seen.severity, seen.body,      seen.other, seen.joint,
-                         seen.geom, seen.figure,   seen.threshold, step_,      1};
+    const dDiagnosis one{seen.kind,   seen.severity,  seen.body, seen.other, seen.joint, seen.geom,
+                         seen.figure, seen.threshold, step_,     1,          seen.call};
     for (int i = 0; i < count_; ++i) {
         dDiagnosis& known = all_[i];
         if (!is_same(known, one)) continue;

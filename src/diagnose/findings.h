@@ -18,6 +18,7 @@ struct Finding {
     dJointID joint = nullptr;
     dGeomID geom = nullptr;
     double figure = 0, threshold = 0;
+    int call = 0;
 };
 
 class Findings {

@@ -1,31 +1,49 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A real body has I1 + I2 >= I3 for its principal moments: tr(I)/2 - I is positive semidefinite. And its radius
+// A real body has I1 + I2 >= I3 for its principal moments, so that none is larger than tr(I)/2. And its radius
 // of gyration, k = sqrt(tr(I) / 2m), lies within its shapes: what reaches R has 0.05 R < k < R.
 #include "diagnose/cause.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "diagnose/text.h"
+
 namespace epode {
 namespace {
 
 constexpr Real kLargest = 2, kSmallest = Real(0.05);
+constexpr Real kSlack = Real(1e-4);  // of a flat body, whose moments are rounded
+constexpr Real kTiny = Real(1e-6);
+constexpr int kMaxIterations = 60;
 
-bool is_physical(const Sym3& I)
+// The largest root of det(x 1 - I) by Newton's method, which comes down to it from the trace without overshooting.
+Real largest_moment(const Sym3& I)
 {
-    const Real t = (I.xx + I.yy + I.zz) / 2, slack = Real(1e-5) * t;
-    const Real a = t - I.xx + slack, b = t - I.yy + slack, c = t - I.zz + slack;
-    const Mat3 S = {{a, -I.xy, -I.xz}, {-I.xy, b, -I.yz}, {-I.xz, -I.yz, c}};
-    return a >= 0 && a * b - I.xy * I.xy >= 0 && dot(S.row0, cross(S.row1, S.row2)) >= 0;
+    const Real t = I.xx + I.yy + I.zz;
+    const Real s = I.xx * I.yy + I.yy * I.zz + I.zz * I.xx - I.xy * I.xy - I.yz * I.yz - I.xz * I.xz;
+    const Real d = determinant(full(I));
+    Real x = t;
+    for (int i = 0; i < kMaxIterations; ++i) {
+        const Real slope = (3 * x - 2 * t) * x + s;
+        const Real step = slope > 0 ? (((x - t) * x + s) * x - d) / slope : 0;
+        if (!(step > kTiny * t)) break;
+        x -= step;
+    }
+    return x;
 }
 
 }  // namespace
 
 const char* const k_text_of_inertia =
-    "the body's inertia is not that of a real body, or not of the size of its geoms: it rotates far too "
-    "easily or hardly at all; set the mass with dMassSetBox() and its sisters for the shape it has";
+    "the body's inertia is not of the size of its geoms: it rotates far too easily or hardly at all; set the "
+    "mass with dMassSetBox() and its sisters for the shape it has";
+
+const char* const k_text_of_unphysical_inertia =
+    "the body's inertia is not that of any real body: its largest moment is larger than the sum of the other "
+    "two, so it tumbles as nothing does; check the order and units of the numbers, or set the mass with "
+    "dMassSetBox() and its sisters";
 
 void find_inertia(const StepFacts& facts)
 {
@@ -35,7 +53,11 @@ void find_inertia(const StepFacts& facts)
         const Real k = std::sqrt((I.xx + I.yy + I.zz) / (2 * body.mass.mass));
         Finding one{.kind = dDiagnosisInertia, .severity = dSeverityWarning, .body = to_handle(&body)};
         one.threshold = double(kLargest), one.figure = reach > 0 ? double(k / reach) : 0;
-        if (!is_physical(I)) return facts.findings.add(one);
+        const Real largest = largest_moment(I), others = I.xx + I.yy + I.zz - largest;
+        if (largest > (1 + kSlack) * others) {
+            one.threshold = kUnphysical, one.figure = double(largest / std::max(others, kTiny * largest));
+            return facts.findings.add(one);
+        }
         if (reach > 0 && k < kSmallest * reach)
             one.figure = double(reach / k), one.threshold = double(1 / kSmallest);
         if (one.figure > one.threshold) facts.findings.add(one);

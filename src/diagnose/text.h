@@ -13,6 +13,10 @@ namespace epode {
 // Null: no such kind.
 const char* text_of(int kind);
 
+extern const char* const k_text_of_refusal;             // after the name of a function
+extern const char* const k_text_of_unphysical_inertia;  // instead of that of the kind
+inline constexpr double kUnphysical = 1;                // threshold of such an inertia
+
 // As snprintf: the length of the whole text.
 int write_text(const dDiagnosis& cause, char* text, std::size_t size);
 

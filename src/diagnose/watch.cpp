@@ -5,6 +5,7 @@
 // them; what the program sees of both stays what it would be. Without memory for a step's notes that step is not diagnosed.
 #include "diagnose/watch.h"
 
+#include <algorithm>
 #include <new>
 #include <utility>
 
@@ -29,6 +30,8 @@ struct Watch : StepObserver {
     Array<JointError> joint_errors;
     Array<GraphNode> graph;
     Array<Neighbours> neighbours;
+    Array<Real> swings;
+    std::uint64_t refusals = refusal_count();  // that have been looked at
     dWorldStepReport report{};
     dWorldStepReport programs_report{};
     bool programs_wanted = false, programs_made = false;
@@ -89,14 +92,28 @@ bool add_world_contacts(const World& world, Watch& watch)
     return true;
 }
 
+// Those that concern the world, or nothing that is in one.
+std::span<const Refusal> new_refusals(Watch& watch, const World& world, std::span<Refusal> out)
+{
+    const std::uint64_t end = refusal_count();
+    std::size_t count = 0;
+    for (std::uint64_t i = std::max(watch.refusals + out.size(), end) - out.size(); i < end; ++i) {
+        const Refusal one = refusal(i);
+        if (!one.world || one.world == &world) out[count++] = one;
+    }
+    watch.refusals = end;
+    return out.first(count);
+}
+
 void look(Watch& watch, World& world, Real h)
 {
     watch.findings.begin_step();
     watch.touches.clear();
     if (!add_joint_contacts(world, watch.touches) || !add_world_contacts(world, watch)) return;
     if (!watch.joint_errors.resize(world.joints.places()) || !watch.graph.resize(world.bodies.places() + 1) ||
-        !watch.neighbours.resize(world.bodies.places()))
+        !watch.neighbours.resize(world.bodies.places()) || !watch.swings.resize(world.bodies.places()))
         return;
+    Refusal refusals[kRefusalsKept];
     const StepFacts facts{world,
                           h,
                           watch.before.span(),
@@ -106,6 +123,9 @@ void look(Watch& watch, World& world, Real h)
                           watch.joint_errors.span(),
                           watch.graph.span(),
                           watch.neighbours.span(),
+                          watch.swings.span(),
+                          world.step_state->reports.span(),
+                          new_refusals(watch, world, refusals),
                           watch.report,
                           watch.ledger,
                           watch.findings};
@@ -131,6 +151,7 @@ void destroy(StepObserver& observer)
 {
     Watch& watch = watch_of(observer);
     watch.~Watch();
+    watch_refusals(false);
     release(&watch, sizeof watch);
 }
 
@@ -149,6 +170,7 @@ bool set_diagnosis(World& world, bool on)
     }
     void* const memory = allocate(sizeof(Watch));
     if (!memory) return false;
+    watch_refusals(true);
     Watch* const watch = new (memory) Watch;
     watch->begin = begin, watch->end = end, watch->destroy = destroy;
     state->watch = watch;

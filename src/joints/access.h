@@ -29,7 +29,8 @@ template <typename T>
 T* joint_for_point(dJointID id, Vec3 point, Vec3 more, const char* caller = __builtin_FUNCTION())
 {
     T* joint = checked<T>(id, caller);
-    return joint && demand(usable(point) && usable(more), caller) && joint->attached() ? joint : nullptr;
+    return joint && demand(usable(point) && usable(more), caller, *joint) && joint->attached() ? joint
+                                                                                               : nullptr;
 }
 
 template <typename T>
@@ -44,7 +45,7 @@ template <typename T>
 T* joint_for_axis(dJointID id, Vec3& axis, Vec3 more, const char* caller = __builtin_FUNCTION())
 {
     T* joint = checked<T>(id, caller);
-    const bool good = joint && demand(usable(axis) && usable(more) && normalize(axis), caller);
+    const bool good = joint && demand(usable(axis) && usable(more) && normalize(axis), caller, *joint);
     return good && joint->attached() ? joint : nullptr;
 }
 
@@ -67,7 +68,7 @@ template <typename T>
 T* joint_for_number(dJointID id, Real value, const char* caller = __builtin_FUNCTION())
 {
     T* joint = checked<T>(id, caller);
-    return joint && demand(usable(value), caller) ? joint : nullptr;
+    return joint && demand(usable(value), caller, *joint) ? joint : nullptr;
 }
 
 // Unknown parameters are ignored in silence and read as zero.
@@ -75,7 +76,7 @@ template <typename T>
 void set_joint_param(dJointID id, int param, Real value, const char* caller = __builtin_FUNCTION())
 {
     T* joint = checked<T>(id, caller);
-    if (joint && demand(usable_param(param, value), caller)) joint->set_param(param, value);
+    if (joint && demand(usable_param(param, value), caller, *joint)) joint->set_param(param, value);
 }
 
 template <typename T>

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "base/pool.h"
+#include "base/refusals.h"
 #include "base/streams/state_stream.h"
 #include "base/streams/structure_stream.h"
 #include "dynamics/joint.h"
@@ -140,6 +141,13 @@ inline bool demand(bool condition, const char* caller)
     if (!kChecked || condition) return true;
     refuse_for(caller, "Bad argument(s)");
     return false;
+}
+
+// Of an argument for this joint: the diagnosis of its world names both.
+inline bool demand(bool condition, const char* caller, const Joint& joint)
+{
+    if (!condition) concern({0, joint.world, nullptr, to_handle(&joint)});
+    return demand(condition, caller);
 }
 
 // The new joint, or null: bad handles, or memory is exhausted.
