@@ -99,6 +99,14 @@ void Outputs::step(const scenes::Quality& quality)
     if (recorder_) recorder_->state(quality, dt_);
 }
 
+void Outputs::diagnosis(const std::vector<scenes::Cause>& causes)
+{
+    record::Info info;
+    for (size_t i = 0; i < causes.size(); ++i)
+        info[fmt::format("{}{}", record::kDiagnosisKey, i + 1)] = causes[i].text;
+    if (!info.empty()) fan_.info(info);
+}
+
 bool Outputs::close()
 {
     for (auto& [path, writer] : files_) {

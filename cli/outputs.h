@@ -8,6 +8,7 @@
 
 #include "cli/plan.h"
 #include "record/writer.h"
+#include "scenes/causes.h"
 #include "view/scene_recorder.h"
 
 namespace epode::cli {
@@ -17,6 +18,8 @@ class Outputs {
     // False when a file cannot be written; problem() names it. Nothing was asked for: nothing is recorded.
     bool open(const RunOptions& options, const RunPlan& plan, scenes::Scene& scene);
     void step(const scenes::Quality& quality);
+    // What is known about why it went as it did; nothing is added of no causes.
+    void diagnosis(const std::vector<scenes::Cause>& causes);
     bool close();
     const std::string& problem() const { return problem_; }
 

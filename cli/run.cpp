@@ -19,6 +19,7 @@
 #include "cli/report.h"
 #include "cli/trace.h"
 #include "cli/video.h"
+#include "scenes/causes.h"
 #include "scenes/extensions.h"
 #include "scenes/measure.h"
 #include "scenes/messages.h"
@@ -77,12 +78,11 @@ int say_interrupted(const RunOptions& options, const scenes::RunRecord& record, 
 }
 
 // The likeliest causes of what went wrong; next to an object of JSON they go to standard error.
-void put_diagnosis(const scenes::Scene& scene, bool json)
+void put_diagnosis(const std::vector<scenes::Cause>& causes, bool json)
 {
-    constexpr size_t kLines = 3;
-    const std::vector<std::string> lines = scenes::diagnosis(scene.world(), kLines);
-    if (lines.empty() && !json) say("diagnosis: nothing found\n");
-    for (const std::string& line : lines) json ? warn("{}", line) : say("diagnosis: {}\n", line);
+    if (causes.empty() && !json) say("diagnosis: nothing found\n");
+    for (const scenes::Cause& cause : causes)
+        json ? warn("{}", cause.text) : say("diagnosis: {}\n", cause.text);
 }
 
 int carry_out(const RunOptions& options, const scenes::Recipe& recipe, const RunPlan& plan)
@@ -115,6 +115,9 @@ int carry_out(const RunOptions& options, const scenes::Recipe& recipe, const Run
     outcome.messages = messages.count();
     outcome.library = scenes::loaded_library();
 
+    constexpr size_t kCauses = 3;
+    const std::vector<scenes::Cause> causes = scenes::causes_of(scene, kCauses);
+    outputs.diagnosis(causes);
     const bool drawn = write_picture(scene, options.picture);
     const bool traced = trace.close();
     if (!traced) fail("write the trace", options.trace, trace.problem());
@@ -124,7 +127,7 @@ int carry_out(const RunOptions& options, const scenes::Recipe& recipe, const Run
 
     const auto fields = describe(scene, plan, record, outcome);
     put(options.json ? as_json(fields) : as_table(fields));
-    if (options.diagnose) put_diagnosis(scene, options.json);
+    if (options.diagnose) put_diagnosis(causes, options.json);
     if (record.not_finite > 0) warn("{} bodies are not finite", record.not_finite);
     if (outcome.step_failed) warn("the library reports that the step failed");
     if (!(drawn && traced && filmed && recorded && record.not_finite == 0 && !outcome.step_failed))

@@ -28,6 +28,8 @@ void add_view_options(CLI::App& command, view::ViewOptions& options)
     command.add_option("--seed", options.seed, "of the scenes that are poured at random (default 1)");
     command.add_option("--width", options.width, "of the window, pixels")->check(side);
     command.add_option("--height", options.height, "of the window, pixels")->check(side);
+    command.add_flag("--diagnose", options.diagnose,
+                     "look for what makes the simulation fail (a panel shows it)");
     command.add_flag("--paused", options.paused, "begin paused");
     command.add_flag("--status", options.status, "a line on standard output whenever the state changes");
     command.add_flag("--headless", options.headless, "no window; so it is where there is no display");

@@ -60,6 +60,7 @@ class PageBuilder {
         json_.key("about").object();
         for (const auto& [key, value] : recording_.about) json_.key(key.c_str()).value(value);
         json_.end_object();
+        diagnosis();
         json_.key("bodies").value(recording_.bodies.size());
         json_.key("palette").array();
         for (std::uint32_t i = 0; i < kColors; ++i) json_.values(color(i));
@@ -76,6 +77,17 @@ class PageBuilder {
     }
 
   private:
+    void diagnosis()
+    {
+        json_.key("diagnosis").array();
+        for (size_t i = 1;; ++i) {
+            const std::string text = recording_.about_value(kDiagnosisKey + std::to_string(i));
+            if (text.empty()) break;
+            json_.value(text);
+        }
+        json_.end_array();
+    }
+
     // A key of the head with [offset, number of values]; `fill` writes them.
     template <class Fill>
     void array(const char* name, size_t bytes_each, Fill fill)

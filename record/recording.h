@@ -33,6 +33,13 @@ constexpr const char* kPrecision = sizeof(dReal) == 8 ? "double" : "single";
 
 // How the recording came about: "scene", "stepper", "dt", "seed", "iterations", "library", "precision" ...
 using Info = std::map<std::string, std::string>;
+// Of a file with several, the later ones add to the first, which is where a run's settings are.
+inline void add(const Info& more, Info& to)
+{
+    for (const auto& [key, value] : more) to[key] = value;
+}
+// With the number from 1 on: causes of failure, from likely to less likely ones.
+constexpr const char* kDiagnosisKey = "diagnosis ";
 
 enum class ShapeKind : std::uint32_t {
     kUnknown,      // a class that this recorder does not know; it has no looks
@@ -175,7 +182,7 @@ class Recording : public Sink {
     // "" where there is none of that name.
     std::string about_value(const std::string& key) const;
 
-    void info(const Info& info) override { about = info; }
+    void info(const Info& info) override { add(info, about); }
     void shape(const Shape& shape) override { shapes.push_back(shape); }
     void body(const Body& body) override;
     void geom(const Geom& geom) override;

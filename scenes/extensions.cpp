@@ -246,21 +246,21 @@ bool set_diagnosis(dWorldID world, bool on)
     return true;
 }
 
-std::vector<std::string> diagnosis(dWorldID world, std::size_t max_lines)
+std::vector<Accusation> diagnosis(dWorldID world, std::size_t max_count)
 {
     static const Diagnose diagnose = find<Diagnose>("dWorldDiagnose");
     static const DiagnosisText describe = find<DiagnosisText>("dDiagnosisText");
     if (!diagnose || !describe) return {};
-    std::vector<RawDiagnosis> causes(max_lines);
-    const int found = diagnose(world, causes.data(), int(max_lines));
-    causes.resize(std::min(max_lines, std::size_t(found)));
-    std::vector<std::string> lines;
+    std::vector<RawDiagnosis> causes(max_count);
+    const int found = diagnose(world, causes.data(), int(max_count));
+    causes.resize(std::min(max_count, std::size_t(found)));
+    std::vector<Accusation> list;
     for (const RawDiagnosis& cause : causes) {
         char text[512];
         describe(&cause, text, sizeof text);
-        lines.emplace_back(text);
+        list.push_back({cause.severity, dBodyID(cause.objects[0]), dBodyID(cause.objects[1]), text});
     }
-    return lines;
+    return list;
 }
 
 bool set_warm_starting(dWorldID world, double factor)

@@ -56,8 +56,13 @@ std::optional<StepReport> step_report(dWorldID world);
 
 // Whether steps look for what makes simulations fail. False where the library cannot.
 bool set_diagnosis(dWorldID world, bool on);
-// What they have found, a line each, the most severe first, at most so many.
-std::vector<std::string> diagnosis(dWorldID world, std::size_t max_lines);
+// What they have found, the most severe first, at most so many.
+struct Accusation {
+    int severity;  // 0: a note, 1: a warning, 2: an error
+    dBodyID body, other;
+    std::string text;
+};
+std::vector<Accusation> diagnosis(dWorldID world, std::size_t max_count);
 
 // How much of the last step's forces a step starts from, 0 ... 1. False where the library always starts cold.
 bool set_warm_starting(dWorldID world, double factor);

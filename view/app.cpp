@@ -42,6 +42,7 @@ std::unique_ptr<Session> open_scene(const scenes::Recipe& recipe, const ViewOpti
     live.dt = options.dt > 0 ? options.dt : recipe.dt;
     live.iterations = options.iterations;
     live.threads = options.threads;
+    live.diagnose = options.diagnose;
     live.seed = options.seed;
     return std::make_unique<Live>(recipe, live);
 }

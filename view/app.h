@@ -66,6 +66,9 @@ class App {
     void drawing_panel();
     void dials_panel();
     void body_panel();
+    // diagnosis.cpp
+    void diagnosis_panel();
+    void pick_body(std::int32_t body);
     void note();
     // plots.cpp
     void plots_panel();

@@ -81,6 +81,12 @@ void Live::build()
 
 void Live::restart() { build(); }
 
+std::vector<scenes::Cause> Live::causes() const
+{
+    constexpr size_t kMax = 8;
+    return scenes::causes_of(*scene_, kMax);
+}
+
 void Live::sample()
 {
     const scenes::Quality quality = scenes::measure(*scene_);
@@ -101,6 +107,7 @@ bool Live::step()
     forget_shots_aside();
     scene_->set_iterations(options.iterations);
     scenes::set_step_threads(scene_->world(), options.threads);
+    scenes::set_diagnosis(scene_->world(), options.diagnose);
     pull();
     failed_ = !scene_->step(options.stepper, options.dt);
     sample();
@@ -120,6 +127,7 @@ bool Live::seek(size_t number)
     }
     scene_->set_time(then.step->time);
     dRandSetSeed(stage_->at(number).random);
+    scenes::set_diagnosis(scene_->world(), false);  // a jump looks like overlaps and forces from nowhere
     failed_ = false;
     now_ = number;
     return true;

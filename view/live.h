@@ -13,6 +13,7 @@
 // I_min), so the spring stays stable wherever it is hooked in.
 #pragma once
 
+#include "scenes/causes.h"
 #include "view/scene_recorder.h"
 #include "view/session.h"
 
@@ -23,6 +24,7 @@ struct LiveOptions {
     double dt = 0.01;
     int iterations = 0;  // 0: the stepper's own
     int threads = 1;
+    bool diagnose = false;  // look for causes of failure
     std::uint32_t seed = 1;
     size_t memory = size_t(256) << 20;  // bytes of states that are kept
 };
@@ -42,6 +44,8 @@ class Live : public Session {
     LiveOptions options;
     const scenes::Scene& scene() const { return *scene_; }
     bool failed() const { return failed_; }
+    // What the steps since it was wanted, or since the last jump in time, have shown.
+    std::vector<scenes::Cause> causes() const;
 
     // Hooks the spring into the body at a point of the world; then the point is pulled to where it is told,
     // in every step, until released.

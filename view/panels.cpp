@@ -68,6 +68,7 @@ void App::panels()
         solver_panel();
         drawing_panel();
         body_panel();
+        diagnosis_panel();
         plots_panel();
     }
     ImGui::End();

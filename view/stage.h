@@ -72,7 +72,7 @@ class Stage : public record::Sink {
     const std::vector<record::Geom>& geoms() const { return geoms_; }
     const std::vector<record::Joint>& joints() const { return joints_; }
 
-    void info(const record::Info& info) override { about_ = info; }
+    void info(const record::Info& info) override { record::add(info, about_); }
     void calls(const record::CallBlock&) override {}  // not to be seen
     void shape(const record::Shape& shape) override { shapes_.push_back(shape); }
     void body(const record::Body& body) override;

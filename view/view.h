@@ -18,6 +18,7 @@ struct ViewOptions {
     std::uint32_t seed = 1;
     int width = 1280, height = 800;
     bool paused = false;
+    bool diagnose = false;  // a scene looks for causes of failure
     bool headless = false;
     bool status = false;  // a line to standard output whenever summary() has changed
     int frames = 0;       // then it ends; 0: when the window is closed, without a window at once

@@ -70,6 +70,21 @@ expect 1 run "$work/none.epw"
 has err 'cannot be loaded'
 expect 2 run "$work/wall.epw" --picture "$work/x.png"
 
+# Why a run went wrong: a line each, with the body to blame; in the recording, too, and nothing where all is well.
+expect 0 run wall --steps 20 --diagnose --quiet
+has out '^diagnosis: nothing found$'
+expect 0 run tops --steps 60 --dt 0.1 --diagnose --quiet --record "$work/tops.epr"
+has out '^diagnosis: (warning|error): .*rotates.* \[body [0-9]+\]$'
+[[ $(grep -c '^diagnosis: ' "$work/out") -le 3 ]] || fail "more than three causes: $(cat "$work/out")"
+expect 0 inspect "$work/tops.epr"
+has out 'diagnosis 1.*rotates'
+expect 0 replay "$work/tops.epr" --quiet
+expect 0 run tops --steps 60 --dt 0.1 --diagnose --quiet --json
+has err '(warning|error): .*rotates'
+lacks out 'rotates'
+expect 0 run tops --steps 60 --dt 0.1 --quiet
+lacks out 'diagnosis'
+
 # A mistyped word gets the nearest that there is, in whatever verb.
 meant() { grep -qF "Did you mean '$1'?" "$work/err" || fail "'$1' is not suggested: $(cat "$work/err")"; }
 expect 2 rnu wall

@@ -32,6 +32,18 @@ std::vector<Value> values(const PageData& data, const json& place)
     return out;
 }
 
+TEST(PageData, lists_the_causes_of_failure_that_were_added_at_the_end)
+{
+    Recording recording = sample_recording();
+    const size_t settings = recording.about.size();
+    recording.info({{"diagnosis 1", "error: it broke [body 1]"}, {"diagnosis 2", "note: it creaked"}});
+    EXPECT_EQ(recording.about.size(), settings + 2);
+    const json head = json::parse(make_page_data(recording, 1000).head, nullptr, false);
+    ASSERT_EQ(head["diagnosis"].size(), 2u);
+    EXPECT_EQ(head["diagnosis"][0], "error: it broke [body 1]");
+    EXPECT_EQ(head["diagnosis"][1], "note: it creaked");
+}
+
 TEST(PageData, has_bodies_where_the_recording_has_them)
 {
     const Recording recording = sample_recording();
@@ -39,6 +51,7 @@ TEST(PageData, has_bodies_where_the_recording_has_them)
     const json head = json::parse(data.head, nullptr, false);
     ASSERT_FALSE(head.is_discarded());
     EXPECT_EQ(head["about"]["strange"], "a \"quoted\"\nline");
+    EXPECT_TRUE(head["diagnosis"].is_array() && head["diagnosis"].empty());
     const auto numbers = values<std::int32_t>(data, head["carriers"]["numbers"]);
     const auto frames = values<float>(data, head["carriers"]["frames"]);
     const auto positions = values<std::uint16_t>(data, head["carriers"]["positions"]);

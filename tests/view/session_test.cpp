@@ -77,6 +77,26 @@ class ViewSession : public testing::Test {
     scenes::Runtime runtime_;
 };
 
+TEST_F(ViewSession, looks_for_causes_of_failure_when_asked_and_forgets_them_in_a_jump)
+{
+    const scenes::Recipe& recipe = *scenes::find_recipe("tops");
+    LiveOptions options = options_of(recipe);
+    options.dt = 0.1;  // tops rotate too far in that
+    Live live(recipe, options);
+    steps(live, 5);
+    EXPECT_TRUE(live.causes().empty());
+    live.options.diagnose = true;
+    steps(live, 5);
+    ASSERT_FALSE(live.causes().empty());
+    EXPECT_GE(live.causes()[0].severity, 1);
+    EXPECT_GE(live.causes()[0].body, 0);
+    EXPECT_NE(live.causes()[0].text.find("rotates"), std::string::npos) << live.causes()[0].text;
+    EXPECT_TRUE(live.seek(6));
+    EXPECT_TRUE(live.causes().empty());
+    steps(live, 1);
+    EXPECT_FALSE(live.causes().empty());
+}
+
 TEST_F(ViewSession, steps_and_goes_back_to_the_same_bits)
 {
     for (const char* name : {"ragdolls", "wall", "buggy"}) {

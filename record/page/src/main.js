@@ -163,6 +163,31 @@ function describe(recording) {
     element('facts').textContent = facts.join(' · ');
 }
 
+// Causes of failure, as epode run --diagnose found them: a severity, a sentence, and at the end "[body 3]". A click
+// chooses that body.
+function list_diagnosis(player) {
+    const list = element('diagnosis');
+    for (const text of player.recording.diagnosis ?? []) {
+        const item = document.createElement('li');
+        item.textContent = text;
+        item.classList.add(text.split(':')[0]);
+        const number = Number(/\[body (\d+)/.exec(text)?.[1] ?? -1);
+        const carrier = carrier_of(player.recording, number);
+        if (carrier >= 0) {
+            item.classList.add('of-body');
+            item.addEventListener('click', () => player.choose(carrier));
+        }
+        list.append(item);
+    }
+    list.hidden = list.children.length === 0;
+}
+
+function carrier_of(recording, body) {
+    const {count, numbers} = recording.carriers;
+    for (let i = 0; body >= 0 && i < count; ++i) if (numbers[4 * i] === body) return i;
+    return -1;
+}
+
 function wire_controls(player) {
     const timeline = element('timeline');
     timeline.min = String(player.start);
@@ -261,6 +286,7 @@ try {
     describe(recording);
     const player = new Player(recording);
     wire_controls(player);
+    list_diagnosis(player);
     wire_view(player);
     begin_following(player, player.stage.frame_all());
     window.epode = player;
