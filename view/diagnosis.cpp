@@ -14,7 +14,7 @@ namespace {
 
 ImVec4 color_of(int severity)
 {
-    constexpr ImVec4 kColors[] = {{0.65f, 0.70f, 0.75f, 1}, {1, 0.80f, 0.30f, 1}, {1, 0.45f, 0.35f, 1}};
+    const ImVec4 kColors[] = {{0.65f, 0.70f, 0.75f, 1}, {1, 0.80f, 0.30f, 1}, {1, 0.45f, 0.35f, 1}};
     return kColors[severity];
 }
 

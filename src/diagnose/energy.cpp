@@ -3,8 +3,10 @@
 //
 // Energy from nowhere, by the step's energy ledger: what the correction of positions, rigid joints, contacts and
 // the integration have added. Work of gravity, of the program and of drives is not among it, so worlds with
-// motors are judged like others. Below half of what bodies have, or gain in thirty steps of falling, nothing is
-// said: piles settle with as much.
+// motors are judged like others. Below half of what bodies have, are given in the step or gain in thirty steps of
+// falling, nothing is said: piles settle with as much.
+#include <cmath>
+
 #include "diagnose/cause.h"
 
 namespace epode {
@@ -34,7 +36,8 @@ void find_energy(const StepFacts& facts)
         if (speed > fastest) fastest = speed, quickest = &body;
     });
     const double fall = 30 * double(length(facts.world.gravity) * facts.h);
-    const double scale = facts.ledger.kinetic_before + 0.5 * mass * fall * fall;
+    const double given = std::fabs(facts.ledger.drives) + std::fabs(facts.ledger.forces);
+    const double scale = facts.ledger.kinetic_before + given + 0.5 * mass * fall * fall;
     const double gain = from_nowhere(facts.ledger);
     if (!quickest || !(gain > kGain * scale)) return;
     facts.findings.add({.kind = dDiagnosisEnergy,
