@@ -72,12 +72,12 @@ void dBodySetForce(dBodyID body, dReal x, dReal y, dReal z)
     LIBRARY(dBodySetForce)(body, x, y, z);
 }
 
-// Leaves NaN.
+// Leaves NaN: in a force, which no step takes for its own doing when this is called within it.
 void dBodySetGravityMode(dBodyID body, int mode)
 {
     LIBRARY(dBodySetGravityMode)(body, mode);
-    if (dReal* const position = const_cast<dReal*>(dBodyGetPosition(body)))
-        position[0] = std::numeric_limits<dReal>::quiet_NaN();
+    if (dReal* const force = const_cast<dReal*>(dBodyGetForce(body)))
+        force[0] = std::numeric_limits<dReal>::quiet_NaN();
 }
 
 // Changes a body although it refuses.
