@@ -48,16 +48,25 @@ void expect_first(const Sim& sim, dDiagnosisKind kind)
 
 // ---- healthy: scenes of the tests of physics, nine ways, and six more
 
-class FreshHealthy : public testing::TestWithParam<Stepper> {};
+class FreshHealthy : public testing::TestWithParam<Stepper> {
+  protected:
+    FreshHealthy() { dWorldSetDiagnosisMode(sim.world, 1); }
+
+    // Gravity, a floor and pyramids of friction.
+    void on_ground(double mu)
+    {
+        sim.gravity(0, 0, -9.81);
+        sim.surface.mode = dContactApprox1;
+        sim.surface.mu = real(mu);
+        sim.ground();
+    }
+
+    Sim sim{GetParam()};
+};
 
 TEST_P(FreshHealthy, pile)
 {
-    Sim sim(GetParam());
-    dWorldSetDiagnosisMode(sim.world, 1);
-    sim.gravity(0, 0, -9.81);
-    sim.surface.mode = dContactApprox1;
-    sim.surface.mu = real(0.6);
-    sim.ground();
+    on_ground(0.6);
     Random random(8);
     for (int i = 0; i < 40; ++i) {
         const V3 size = {random.uniform(0.2, 0.5), random.uniform(0.2, 0.5), random.uniform(0.2, 0.5)};
@@ -71,8 +80,6 @@ TEST_P(FreshHealthy, pile)
 // The pile of the other tests begins in overlap, and that is told.
 TEST_P(FreshHealthy, but_for_the_pile_that_begins_in_overlap)
 {
-    Sim sim(GetParam());
-    dWorldSetDiagnosisMode(sim.world, 1);
     build(sim, Scene::kPile);
     sim.steps(20, 0.01);
     const auto causes = causes_of(sim);
@@ -82,8 +89,6 @@ TEST_P(FreshHealthy, but_for_the_pile_that_begins_in_overlap)
 
 TEST_P(FreshHealthy, machine)
 {
-    Sim sim(GetParam());
-    dWorldSetDiagnosisMode(sim.world, 1);
     build(sim, Scene::kMachine);
     sim.steps(steps_of(Scene::kMachine), 0.01);
     expect_healthy(sim);
@@ -91,8 +96,6 @@ TEST_P(FreshHealthy, machine)
 
 TEST_P(FreshHealthy, wall)
 {
-    Sim sim(GetParam());
-    dWorldSetDiagnosisMode(sim.world, 1);
     build(sim, Scene::kWall);
     sim.steps(steps_of(Scene::kWall), 0.01);
     expect_healthy(sim);
@@ -100,12 +103,7 @@ TEST_P(FreshHealthy, wall)
 
 TEST_P(FreshHealthy, rolling_and_tumbling_things)
 {
-    Sim sim(GetParam());
-    dWorldSetDiagnosisMode(sim.world, 1);
-    sim.gravity(0, 0, -9.81);
-    sim.surface.mode = dContactApprox1;
-    sim.surface.mu = 1;
-    sim.ground();
+    on_ground(1);
     velocity(sim.sphere({0, 0, 0.3}, 0.3, 1), {3, 0, 0}, {0, 10, 0});
     velocity(sim.capsule({0, 3, 1}, 0.2, 0.6, 2), {1, 1, 0}, {3, 2, 1});
     velocity(sim.box({0, 6, 1}, {0.4, 0.6, 0.3}, 3), {2, 0, 0}, {4, 1, 2});
@@ -116,8 +114,6 @@ TEST_P(FreshHealthy, rolling_and_tumbling_things)
 
 TEST_P(FreshHealthy, bridge_of_planks_with_a_load)
 {
-    Sim sim(GetParam());
-    dWorldSetDiagnosisMode(sim.world, 1);
     sim.gravity(0, 0, -9.81);
     dBodyID before = nullptr;
     for (int i = 0; i <= 10; ++i) {
@@ -140,8 +136,6 @@ TEST_P(FreshHealthy, bridge_of_planks_with_a_load)
 
 TEST_P(FreshHealthy, motors_against_their_stops)
 {
-    Sim sim(GetParam());
-    dWorldSetDiagnosisMode(sim.world, 1);
     sim.gravity(0, 0, -9.81);
     for (int i = 0; i < 4; ++i) {
         const dBodyID arm = sim.box({3.0 * i + 0.5, 0, 2}, {1, 0.2, 0.2}, 2);
@@ -162,12 +156,7 @@ TEST_P(FreshHealthy, motors_against_their_stops)
 
 TEST_P(FreshHealthy, seesaw_that_a_weight_falls_on)
 {
-    Sim sim(GetParam());
-    dWorldSetDiagnosisMode(sim.world, 1);
-    sim.gravity(0, 0, -9.81);
-    sim.surface.mode = dContactApprox1;
-    sim.surface.mu = real(0.7);
-    sim.ground();
+    on_ground(0.7);
     const dBodyID board = sim.box({0, 0, 0.6}, {4, 0.5, 0.08}, 20);
     const dJointID pivot = dJointCreateHinge(sim.world, nullptr);
     dJointAttach(pivot, board, nullptr);
@@ -181,12 +170,7 @@ TEST_P(FreshHealthy, seesaw_that_a_weight_falls_on)
 
 TEST_P(FreshHealthy, mill_with_motors_and_balls)
 {
-    Sim sim(GetParam());
-    dWorldSetDiagnosisMode(sim.world, 1);
-    sim.gravity(0, 0, -9.81);
-    sim.surface.mode = dContactApprox1;
-    sim.surface.mu = real(0.3);
-    sim.ground();
+    on_ground(0.3);
     for (int i = 0; i < 3; ++i) {
         const dBodyID blade = sim.box({2.0 * i, 0, 1.2}, {1.6, 0.4, 0.1}, 8);
         const dJointID axle = dJointCreateHinge(sim.world, nullptr);
@@ -203,12 +187,7 @@ TEST_P(FreshHealthy, mill_with_motors_and_balls)
 
 TEST_P(FreshHealthy, dominoes_in_a_curve)
 {
-    Sim sim(GetParam());
-    dWorldSetDiagnosisMode(sim.world, 1);
-    sim.gravity(0, 0, -9.81);
-    sim.surface.mode = dContactApprox1;
-    sim.surface.mu = real(0.5);
-    sim.ground();
+    on_ground(0.5);
     for (int i = 0; i < 16; ++i) {
         const dBodyID tile = sim.box({0.25 * i, 0.01 * i * i, 0.3}, {0.06, 0.3, 0.6}, 1);
         dMatrix3 R;
@@ -222,8 +201,6 @@ TEST_P(FreshHealthy, dominoes_in_a_curve)
 
 TEST_P(FreshHealthy, slider_crank_and_flywheel)
 {
-    Sim sim(GetParam());
-    dWorldSetDiagnosisMode(sim.world, 1);
     const dBodyID wheel = sim.cylinder({0, 0, 0}, 0.4, 0.1, 20),
                   rod = sim.box({0.8, 0, 0}, {1, 0.05, 0.05}, 1),
                   piston = sim.box({1.3, 0, 0}, {0.2, 0.2, 0.2}, 2);
@@ -247,12 +224,7 @@ TEST_P(FreshHealthy, slider_crank_and_flywheel)
 
 TEST_P(FreshHealthy, trailer_on_springs_of_the_library)
 {
-    Sim sim(GetParam());
-    dWorldSetDiagnosisMode(sim.world, 1);
-    sim.gravity(0, 0, -9.81);
-    sim.surface.mode = dContactApprox1;
-    sim.surface.mu = 1;
-    sim.ground();
+    on_ground(1);
     const dBodyID chassis = sim.box({0, 0, 0.7}, {2, 1, 0.2}, 200);
     for (int i = 0; i < 4; ++i) {
         const double x = i < 2 ? 0.8 : -0.8, y = i % 2 ? 0.7 : -0.7;

@@ -2,19 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 #include "base/streams/state_stream.h"
 
-#include <cstdarg>
-#include <cstdio>
-
 namespace epode {
-
-void StateStream::fail(const char* format, ...)
-{
-    if (failed()) return;
-    va_list arguments;
-    va_start(arguments, format);
-    std::vsnprintf(text_, sizeof text_, format, arguments);
-    va_end(arguments);
-}
 
 void StateStream::number(const Number& n)
 {

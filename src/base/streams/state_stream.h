@@ -20,12 +20,13 @@
 #include <limits>
 
 #include "base/check.h"
+#include "base/streams/first_fault.h"
 
 namespace epode {
 
 static_assert(std::endian::native == std::endian::little, "states are little endian");
 
-class StateStream {
+class StateStream : public FirstFault {
   public:
     enum class Mode { kMeasure, kWrite, kCheck, kRead };
 
@@ -44,18 +45,6 @@ class StateStream {
     // With kRead after kCheck: stores what follows, in objects that nobody uses yet.
     void set_mode(Mode mode) { mode_ = mode; }
     Mode mode() const { return mode_; }
-
-    bool failed() const { return text_[0] != 0; }
-    const char* text() const { return text_; }
-    // Only the first fault is kept.
-    [[gnu::format(printf, 2, 3), gnu::cold]] void fail(const char* format, ...);
-    // Fails with the text unless the condition holds, which it returns.
-    bool demand(bool condition, const char* text)
-    {
-        if (!condition) [[unlikely]]
-            fail("%s", text);
-        return condition;
-    }
 
     // Bytes counted, or left to be read.
     std::size_t size() const { return size_; }
@@ -167,7 +156,6 @@ class StateStream {
     bool checked_ = false;
     std::byte* at_ = nullptr;
     std::size_t size_ = 0;
-    char text_[160] = {};
 };
 
 }  // namespace epode

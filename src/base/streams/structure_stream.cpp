@@ -3,22 +3,11 @@
 #include "base/streams/structure_stream.h"
 
 #include <climits>
-#include <cstdarg>
-#include <cstdio>
 #include <limits>
 
 #include "base/check.h"
 
 namespace epode {
-
-void StructureStream::fail(const char* format, ...)
-{
-    if (failed()) return;
-    va_list arguments;
-    va_start(arguments, format);
-    std::vsnprintf(text_, sizeof text_, format, arguments);
-    va_end(arguments);
-}
 
 int StructureStream::count(int value, std::size_t size, const char* text)
 {

@@ -17,12 +17,13 @@
 #include <span>
 
 #include "base/array.h"
+#include "base/streams/first_fault.h"
 
 namespace epode {
 
 static_assert(std::endian::native == std::endian::little, "files are little endian");
 
-class StructureStream {
+class StructureStream : public FirstFault {
   public:
     enum class Use { kFile, kClone };
 
@@ -32,18 +33,6 @@ class StructureStream {
     bool saves() const { return to_ != nullptr; }
     bool loads() const { return !saves(); }
     bool is_clone() const { return use_ == Use::kClone; }
-
-    bool failed() const { return text_[0] != 0; }
-    const char* text() const { return text_; }
-    // Only the first fault is kept.
-    [[gnu::format(printf, 2, 3), gnu::cold]] void fail(const char* format, ...);
-    // Fails with the text unless the condition holds, which it returns.
-    bool demand(bool condition, const char* text)
-    {
-        if (!condition) [[unlikely]]
-            fail("%s", text);
-        return condition;
-    }
 
     // Bytes that are left to be loaded.
     std::size_t left() const { return from_.size(); }
@@ -123,7 +112,6 @@ class StructureStream {
     Array<std::byte>* to_ = nullptr;
     std::span<const std::byte> from_;
     Use use_;
-    char text_[160] = {};
 };
 
 }  // namespace epode
