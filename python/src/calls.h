@@ -149,6 +149,7 @@ void set_exceptions(nb::object refused, nb::object dead, nb::object busy, nb::ob
 void bind_structures(nb::module_& m);
 void bind_functions(nb::module_& m);
 void bind_written(nb::module_& m);
+void bind_shapes(nb::module_& m);
 void bind_callbacks(nb::module_& m);
 void bind_command(nb::module_& m);
 void bind_robots(nb::module_& m);

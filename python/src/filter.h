@@ -4,6 +4,9 @@
 // What a query finds, and structured arrays as numpy has them.
 #pragma once
 
+#include <algorithm>
+#include <vector>
+
 #include "calls.h"
 
 // A dQueryFilter whose callback is a Python function.
@@ -13,6 +16,15 @@ struct Filter {
     nb::object callback;
 };
 const dQueryFilter* filter_of(const Filter* filter);
+
+// All that ask(out, capacity) has to tell; it returns how many there are.
+template <typename T, typename F>
+std::vector<T> listed(F ask)
+{
+    std::vector<T> result(size_t(std::max(ask(static_cast<T*>(nullptr), 0), 0)));
+    if (!result.empty()) ask(result.data(), int(result.size()));
+    return result;
+}
 
 template <typename P>
 struct HandleList {

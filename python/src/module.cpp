@@ -42,6 +42,7 @@ NB_MODULE(_c, m)
     bind_structures(m);
     bind_functions(m);
     bind_written(m);
+    bind_shapes(m);
     bind_callbacks(m);
     bind_recording(m);
     bind_command(m);

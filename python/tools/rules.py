@@ -3,7 +3,7 @@
 """What generate.py cannot tell from a declaration: which functions are written by hand and where, and which are left
 out and why. The first pattern that matches a name counts."""
 
-# Bound by hand in src/written.cpp or src/callbacks.cpp, where sizes of arrays or callbacks need care: the signature, which
+# Bound by hand in src/written.cpp, src/shapes.cpp or src/callbacks.cpp, where sizes of arrays or callbacks need care: the signature, which
 # the stub and the docstring have. FloatArray is NDArray[float64]; structured arrays are NDArray[Any].
 _OF_WORLD = "(world: dWorldID | None) -> NDArray[Any]"
 _HEIGHTS = ("(d: dHeightfieldDataID | None, heights: ArrayLike, width: float, depth: float, scale: float = 1.0, "
