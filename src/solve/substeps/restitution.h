@@ -9,12 +9,12 @@
 // c is the velocity of the rebound, e times the approach, where a contact approached fast and carried load. Others
 // that touch may keep approaching as they do now; and those that separated when the step began, with s, may
 // approach with e s (Moreau's law: without it impacts create energy). For the equality rows of joints, which
-// pull too, c is their target. The substeps have brought what touches to a common velocity, so with the rebounding contacts
-// alone, one after the other, a ball that hits a row of four would lose half of its energy: the three behind
-// the first must go with it.
+// pull too, c is their target. The substeps have brought what touches to a common velocity, so with the
+// rebounding contacts alone, one after the other, a ball that hits a row of four would lose half of its energy:
+// the three behind the first must go with it.
 //
-// Gauss-Seidel in doubles, island by island, until nothing changes any more; rows whose bodies have not changed
-// are not visited again, so that far away from what rebounds there is nothing to do.
+// Gauss-Seidel, island by island, until nothing changes any more; rows whose bodies have not changed are not
+// visited again, so that far away from what rebounds there is nothing to do.
 #pragma once
 
 #include <span>
