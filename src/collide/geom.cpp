@@ -60,10 +60,24 @@ void refresh_box(Geom& geom)
     new (&geom.box) Aabb(geom.type->aabb(geom));
 }
 
+// Whether it is queued or not: that depends on who has looked at the space before, and states do not tell.
+void note_moved(const Geom& geom)
+{
+    if (geom.space) note_disturbed(*geom.space, geom);
+    for (const TransformGeom* holder = geom.holders; holder; holder = holder->next_holder)
+        note_moved(*holder);
+}
+
 void mark_moved(Geom& geom)
 {
+    mark_stepped(geom);
+    note_moved(geom);
+}
+
+void mark_stepped(Geom& geom)
+{
     geom.pose_stale = geom.offset != nullptr;
-    for (TransformGeom* holder = geom.holders; holder; holder = holder->next_holder) mark_moved(*holder);
+    for (TransformGeom* holder = geom.holders; holder; holder = holder->next_holder) mark_stepped(*holder);
     // A queued member implies that everything above it is queued and stale already.
     for (Geom* g = &geom;; g = g->space) {
         g->box_stale = true;

@@ -170,6 +170,7 @@ inline const Aabb& box_of(Geom& geom)
 // The pose has changed; the shape, which is counted: what somebody knows of its contacts is not true any
 // more.
 void mark_moved(Geom& geom);
+void mark_stepped(Geom& geom);  // moved by a step, which disturbs nothing at rest
 void mark_changed(Geom& geom);
 
 // Whether steps look at the geom's whole way, and whether there is any geom of which they do.

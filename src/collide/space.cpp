@@ -58,11 +58,6 @@ int height(const Space& space)
 
 bool zero_sized(const Geom& geom) { return geom.type->zero_sized && geom.type->zero_sized(geom); }
 
-void note_disturbed(Space& space, const Geom& geom)
-{
-    if (geom.at_rest) space.disturbances.note(geom);
-}
-
 // Puts into the queue all who are marked so.
 void list_queued(Space& space)
 {
@@ -178,11 +173,15 @@ bool nesting_fits(const Space& space, const Space& inner)
     return above + height(inner) <= kMostNested;
 }
 
+void note_disturbed(Space& space, const Geom& geom)
+{
+    if (geom.at_rest) space.disturbances.note(geom);
+}
+
 void enqueue(Space& space, Geom& geom)
 {
     // Room was made when the member joined; only a move during the cleaning itself may need more.
     geom.queued = space.queue.push(geom.slot);
-    note_disturbed(space, geom);
     ++space.edition;
 }
 

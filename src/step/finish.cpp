@@ -80,7 +80,7 @@ void Finish::rest()
 bool Finish::mark_geoms(Body& body) const
 {
     if (contact_space_) return mark_members(body, *contact_space_);
-    if (alone_) body_moved(body);
+    if (alone_) body_stepped(body);
     return alone_;
 }
 
@@ -91,7 +91,7 @@ bool Finish::moves_geoms(const Body& body) const
 
 void Finish::one(Body& body) const
 {
-    if (moves_geoms(body)) body_moved(body);
+    if (moves_geoms(body)) body_stepped(body);
     if (body.has_moved_callback) call_moved_callback(body);
     empty(body);
 }

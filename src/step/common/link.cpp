@@ -32,6 +32,11 @@ void body_moved(Body& body)
     for_each_geom(body, [](Geom& geom) { mark_moved(geom); });
 }
 
+void body_stepped(Body& body)
+{
+    for_each_geom(body, [](Geom& geom) { mark_stepped(geom); });
+}
+
 bool mark_members(Body& body, const Space& space)
 {
     bool all = true;

@@ -27,7 +27,9 @@ void for_each_geom(const Body& body, Visit&& visit)
 // The body's pose has changed: its geoms are marked. Costs a few instructions per geom. Not to be called from
 // several threads at once for bodies whose geoms share a space.
 void body_moved(Body& body);
-// The same by any worker, for a body whose geoms are all members of the space, in their own right; false if
+// The same by a step.
+void body_stepped(Body& body);
+// And by any worker, for a body whose geoms are all members of the space, in their own right; false if
 // they are not. When all bodies have been told of, note_geoms_marked() must follow.
 bool mark_members(Body& body, const Space& space);
 // Lists the members among its geoms that have been marked; note_geoms_marked() need not follow then. False:
