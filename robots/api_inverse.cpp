@@ -3,6 +3,7 @@
 //
 // The C functions of frames and inverse kinematics: see api.h.
 #include "robots/api.h"
+#include "robots/body_poses.h"
 #include "robots/inverse.h"
 #include "robots/kinematics.h"
 
@@ -13,11 +14,7 @@ namespace {
 constexpr dReal kTolerance = sizeof(dReal) == 8 ? dReal(1e-10) : dReal(1e-5);
 constexpr int kMaxTries = 1000;
 
-Pose pose_of(const dReal* p, const dReal* q)
-{
-    return {{double(p[0]), double(p[1]), double(p[2])},
-            normalised({double(q[0]), double(q[1]), double(q[2]), double(q[3])})};
-}
+Pose pose_of(const dReal* p, const dReal* q) { return {vec_of(p), normalised(quat_of(q))}; }
 
 bool is_turn(const dReal* q)
 {

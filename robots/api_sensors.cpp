@@ -5,6 +5,7 @@
 #include "epode/robot_sensors.h"
 
 #include "robots/api.h"
+#include "robots/body_poses.h"
 #include "robots/kinematics.h"
 
 using namespace epode::robots;
@@ -31,8 +32,7 @@ bool is_sensor(dRobotID robot, int link, const dReal* frame)
 Pose pose_of(const dReal* frame)
 {
     if (!frame) return {};
-    const auto v = doubles_of(frame, 7);
-    return {{v[0], v[1], v[2]}, normalised({v[3], v[4], v[5], v[6]})};
+    return {vec_of(frame), normalised(quat_of(frame + 3))};
 }
 
 void write(Vec v, dReal* out)

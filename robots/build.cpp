@@ -9,6 +9,7 @@
 
 #include <algorithm>
 
+#include "robots/body_poses.h"
 #include "robots/inertia.h"
 
 namespace epode::robots {
@@ -19,20 +20,6 @@ namespace {
 constexpr double kSmallShare = 1e-6;
 constexpr double kSmallRadius =
     0.01;  // m, about which a small body's mass is spread, if its link has no inertia
-
-void set_pose(dBodyID body, const Pose& pose)
-{
-    const dQuaternion q = {dReal(pose.q.w), dReal(pose.q.x), dReal(pose.q.y), dReal(pose.q.z)};
-    dBodySetPosition(body, dReal(pose.p.x), dReal(pose.p.y), dReal(pose.p.z));
-    dBodySetQuaternion(body, q);
-}
-
-Pose pose_of(dBodyID body)
-{
-    const dReal *p = dBodyGetPosition(body), *q = dBodyGetQuaternion(body);
-    return {{double(p[0]), double(p[1]), double(p[2])},
-            {double(q[0]), double(q[1]), double(q[2]), double(q[3])}};
-}
 
 void set_mass(dBodyID body, double mass, const Matrix& i)
 {

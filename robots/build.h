@@ -11,6 +11,7 @@
 
 #include <memory>
 
+#include "robots/kinematics.h"
 #include "robots/model.h"
 
 namespace epode::robots {
@@ -123,8 +124,12 @@ class Robot {
     };
     std::vector<double> held(const Small& small, std::vector<double> positions) const;
     // Of a link's body or a small one, given the link's pose and what the joints up to it do.
-    void set_velocity(dBodyID body, int link, const std::vector<double>& positions,
-                      const std::vector<double>& velocities) const;
+    struct Motion {  // of all links
+        std::vector<Pose> poses;
+        std::vector<LinkVelocity> velocities;
+    };
+    Motion motion_of(const std::vector<double>& positions, const std::vector<double>& velocities) const;
+    void set_velocity(dBodyID body, int link, const Motion& motion) const;
     void place(dBodyID body, const Pose& link_pose, Vec centre) const;
 
     std::shared_ptr<const Prepared> prepared_;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 
+#include "robots/body_poses.h"
 #include "robots/build.h"
 #include "robots/kinematics.h"
 
@@ -19,18 +20,9 @@ namespace epode::robots {
 
 namespace {
 
-Pose pose_of(dBodyID body)
-{
-    const dReal *p = dBodyGetPosition(body), *q = dBodyGetQuaternion(body);
-    return {{double(p[0]), double(p[1]), double(p[2])},
-            {double(q[0]), double(q[1]), double(q[2]), double(q[3])}};
-}
-
 void stop_at(dBodyID body, const Pose& pose)
 {
-    const dQuaternion q = {dReal(pose.q.w), dReal(pose.q.x), dReal(pose.q.y), dReal(pose.q.z)};
-    dBodySetPosition(body, dReal(pose.p.x), dReal(pose.p.y), dReal(pose.p.z));
-    dBodySetQuaternion(body, q);
+    set_pose(body, pose);
     if (dBodyIsKinematic(body)) return;
     dBodySetLinearVel(body, 0, 0, 0);
     dBodySetAngularVel(body, 0, 0, 0);
@@ -103,12 +95,17 @@ std::vector<double> Robot::positions() const
     return q;
 }
 
-void Robot::set_velocity(dBodyID its, int number, const std::vector<double>& positions,
-                         const std::vector<double>& velocities) const
+Robot::Motion Robot::motion_of(const std::vector<double>& positions,
+                               const std::vector<double>& velocities) const
+{
+    return {forward_kinematics(model(), positions), link_velocities(model(), positions, velocities)};
+}
+
+void Robot::set_velocity(dBodyID its, int number, const Motion& motion) const
 {
     const Link& link = model().links[size_t(number)];
-    const LinkVelocity v = link_velocities(model(), positions, velocities)[size_t(number)];
-    const Quat turn = forward_kinematics(model(), positions)[size_t(number)].q;
+    const LinkVelocity v = motion.velocities[size_t(number)];
+    const Quat turn = motion.poses[size_t(number)].q;
     const Vec w = rotate(placement_.q, v.angular);
     const Vec c = rotate(placement_.q, v.linear + cross(v.angular, rotate(turn, link.centre)));
     dBodySetLinearVel(its, dReal(c.x), dReal(c.y), dReal(c.z));
@@ -120,8 +117,9 @@ void Robot::set_velocities(const std::vector<double>& velocities)
 {
     if (velocities.size() != size_t(number_of_velocities(model()))) return;
     const std::vector<double> q = positions();
+    const Motion motion = motion_of(q, velocities);
     for (size_t i = 1; i < bodies_.size(); ++i)
-        if (bodies_[i]) set_velocity(bodies_[i], int(i), q, velocities);
+        if (bodies_[i]) set_velocity(bodies_[i], int(i), motion);
     for (const Small& small : small_) {
         const Link& link = model().links[size_t(small.link)];
         std::vector<double> partial = velocities;
@@ -131,7 +129,7 @@ void Robot::set_velocities(const std::vector<double>& velocities)
                 first += size_t(velocities_of(model().joints[size_t(j)]));
             std::fill_n(&partial[first], velocities_of(model().joints[size_t(link.joints[k])]), 0.0);
         }
-        set_velocity(small.body, small.link, held(small, q), partial);
+        set_velocity(small.body, small.link, motion_of(held(small, q), partial));
     }
 }
 
@@ -147,16 +145,13 @@ std::vector<double> Robot::velocities() const
         }
         const Link& link = model().links[size_t(joint.link)];
         const dBodyID its = body(joint.link), parent = body(link.parent);
-        const dReal *v = dBodyGetLinearVel(its), *w = dBodyGetAngularVel(its);
-        Vec angular{double(w[0]), double(w[1]), double(w[2])};
+        Vec angular = vec_of(dBodyGetAngularVel(its));
         const Pose at = pose_of(its);
         if (joint.kind == JointKind::kFree) {
-            const Vec linear =
-                Vec{double(v[0]), double(v[1]), double(v[2])} - cross(angular, rotate(at.q, link.centre));
+            const Vec linear = vec_of(dBodyGetLinearVel(its)) - cross(angular, rotate(at.q, link.centre));
             add(rotate(conjugate(placement_.q), linear));
         } else if (parent) {
-            const dReal* u = dBodyGetAngularVel(parent);
-            angular = angular - Vec{double(u[0]), double(u[1]), double(u[2])};
+            angular = angular - vec_of(dBodyGetAngularVel(parent));
         }
         add(rotate(conjugate(at.q), angular));
     }

@@ -10,14 +10,12 @@
 
 #include <algorithm>
 
+#include "robots/body_poses.h"
 #include "robots/kinematics.h"
 
 namespace epode::robots {
 
 namespace {
-
-Vec vec_of(const dReal* v) { return {double(v[0]), double(v[1]), double(v[2])}; }
-Quat quat_of(const dReal* q) { return {double(q[0]), double(q[1]), double(q[2]), double(q[3])}; }
 
 // Sky, light from above and from behind the eye, and a colour for each class of what is no robot.
 struct Shade {
@@ -89,7 +87,7 @@ Pose Sensors::link_pose(int link) const
 {
     const dBodyID body = robot_.body(link);
     if (!body) return robot_.placement();
-    const Pose centre{vec_of(dBodyGetPosition(body)), quat_of(dBodyGetQuaternion(body))};
+    const Pose centre = pose_of(body);
     return centre * Pose{-robot_.model().links[size_t(link)].centre, {}};
 }
 

@@ -96,7 +96,7 @@ bool nesting_fits(const Space& space, const Space& inner);  // functions that wa
 
 // ---- boxes ----
 void enqueue(Space& space, Geom& geom);  // the member has moved
-// Something has happened to the member: if it rests, who keeps its pairs at rest hears of it.
+// Something has happened to the member: if it rests, the next step looks at its pairs again.
 void note_disturbed(Space& space, const Geom& geom);
 // After many members have moved, any worker may mark a member that stands alone (false if it does not)
 // without listing it. note_geoms_marked() must follow.

@@ -178,7 +178,7 @@ void EnergyLedger::load_motion()
     for (std::size_t i = 0; i < motion_.size(); ++i) {
         motion_[i].inv_mass = bodies_[i]->inv_mass;
         load_velocity(*bodies_[i], motion_[i]);
-    };
+    }
 }
 
 void EnergyLedger::add_solution(const IslandWork& work, int part, Real h, bool relaxed)

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Vectors and poses of models, from and to the numbers and bodies of a world.
+#pragma once
+
+#include <ode/ode.h>
+
+#include "robots/geometry.h"
+
+namespace epode::robots {
+
+inline Vec vec_of(const dReal* v) { return {double(v[0]), double(v[1]), double(v[2])}; }
+inline Quat quat_of(const dReal* q) { return {double(q[0]), double(q[1]), double(q[2]), double(q[3])}; }
+
+inline Pose pose_of(dBodyID body)
+{
+    return {vec_of(dBodyGetPosition(body)), quat_of(dBodyGetQuaternion(body))};
+}
+
+inline void set_pose(dBodyID body, const Pose& pose)
+{
+    const dQuaternion q = {dReal(pose.q.w), dReal(pose.q.x), dReal(pose.q.y), dReal(pose.q.z)};
+    dBodySetPosition(body, dReal(pose.p.x), dReal(pose.p.y), dReal(pose.p.z));
+    dBodySetQuaternion(body, q);
+}
+
+}  // namespace epode::robots
