@@ -73,6 +73,7 @@ struct FactLayout {
     int rate, speed;                // c = rate * error + speed
     int keeps;                      // 1: relaxing sweeps aim at c too, else at speed
     int made;                       // orientations of both bodies when the matrix was made; zero: never
+    int slack;  // how far they may be from these before it is recomputed: 1 - cos of half the angle
     int size;
 
     EPODE_LANEWISE constexpr FactLayout(RowForm form, int rows)
@@ -86,7 +87,8 @@ struct FactLayout {
           speed(rate + rows),
           keeps(speed + rows),
           made(keeps + rows),
-          size(made + 8)
+          slack(made + 8),
+          size(slack + 1)
     {}
     EPODE_LANEWISE explicit constexpr FactLayout(const JointBatch& b) : FactLayout(b.form, b.rows) {}
 };
