@@ -109,6 +109,26 @@ TEST_P(LongArms, of_a_double_pendulum)
     }
 }
 
+// The wheel of a hinge-2 with its centre far from the anchor.
+TEST_P(LongArms, of_a_wheel)
+{
+    const Case& c = GetParam();
+    Bobs bobs(Stepper::kFast, 0, c.radius, false, true);
+    const dBodyID bob = bobs.sim.body({kArm, 0, 0}, 1, 0.4 * c.radius * c.radius),
+                  axle = bobs.sim.body({0, 0, 0});
+    dBodySetKinematic(axle);
+    const dJointID wheel = dJointCreateHinge2(bobs.sim.world, nullptr);
+    dJointAttach(wheel, axle, bob);
+    dJointSetHinge2Anchor(wheel, 0, 0, 0);
+    const dVector3 up = {0, 0, 1}, across = {0, 1, 0};
+    dJointSetHinge2Axes(wheel, up, across);
+    dJointSetHinge2Param(wheel, dParamSuspensionERP, real(0.8));
+    dJointSetHinge2Param(wheel, dParamSuspensionCFM, real(1e-9));
+    bobs.bobs.push_back(bob);
+    swing(bobs, c, 0.01);
+    EXPECT_NEAR(length(vec(dBodyGetPosition(bob))), kArm, 0.005);
+}
+
 // Enough joints for lanes of floats.
 TEST_P(LongArms, of_many_pendulums)
 {

@@ -28,11 +28,11 @@ struct Golden {
 constexpr Golden kGolden[2][8] = {
     {{0xd98243acf4b3d4a6, 0xef75b8b512267fa8},
      {0xfbcf709b030713a7, 0xe56360b27ffdf6a2},
-     {0xfe669422622779de, 0x5c7476055c819009},
+     {0xc0583c03a8e89826, 0x88d0cf1932967910},
      {0x9ddab1337c824688, 0x6897307b43320330},
      {0xe667050a487d5399, 0x9f8f0c87f5f9343a},
      {0x65b32fa82cd2d782, 0x34f74b1785a8dba6},
-     {0x3e851a55e2eb5e26, 0x0ff55dec842d360b},
+     {0xe4fbbf10f05e8be5, 0x4cde880d4e93d626},
      {0xe3a5899575a1ffa0, 0x48aef7fcf6b90de0}},
     {{0x1fba6016a9fc344d, 0x66a0fbe54834251d},
      {0xec296d43939069d4, 0xd3c2efa8a0dd9422},
