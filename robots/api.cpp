@@ -40,8 +40,8 @@ epode::robots::LoadOptions options_of(const dRobotOptions* options)
 
 bool are_good(const dRobotOptions* options)
 {
-    return !options || (options->struct_size == sizeof(dRobotOptions) &&
-                        std::isfinite(options->missing_mass) && options->missing_mass >= 0);
+    return !options || (options->struct_size == sizeof(dRobotOptions) && is_usable(options->missing_mass) &&
+                        options->missing_mass >= 0);
 }
 
 dRobotModelID keep(RobotModel model)
@@ -50,7 +50,8 @@ dRobotModelID keep(RobotModel model)
                                   [](const auto& line) { return line.note == epode::robots::Note::kError; });
     if (its != model.report.end())
         dMessage(d_ERR_UNKNOWN, "robot %s:%d: %s", its->file.c_str(), its->line, its->text.c_str());
-    return new dxRobotModel{std::move(model), nullptr};
+    auto out = std::make_unique<dxRobotModel>(dxRobotModel{std::move(model), nullptr});
+    return Handles<dxRobotModel>::all().add(std::move(out));
 }
 
 void copy(epode::robots::Vec v, dVector3 out)
@@ -116,6 +117,7 @@ dRobotModelID dRobotModelLoadText(const char* path, const char* text, dsizeint s
 
 int dRobotModelSave(dRobotModelID model, const char* path)
 {
+    model = alive(model);
     CHECK(model && path, "a model and a path");
     return guarded(__func__, [&] {
         std::vector<std::string> lost;
@@ -131,11 +133,12 @@ int dRobotModelSave(dRobotModelID model, const char* path)
 
 void dRobotModelDestroy(dRobotModelID model)
 {
-    if (check(model, __func__, "a model")) delete model;
+    check(Handles<dxRobotModel>::all().remove(model), __func__, "a model");
 }
 
 int dRobotModelGetReport(dRobotModelID model, dRobotReportLine* lines, int capacity)
 {
+    model = alive(model);
     CHECK(model && capacity >= 0 && (lines || capacity == 0), kArray);
     const auto& report = model->model.report;
     for (int i = 0; i < std::min(capacity, int(report.size())); ++i) {
@@ -147,12 +150,14 @@ int dRobotModelGetReport(dRobotModelID model, dRobotReportLine* lines, int capac
 
 int dRobotModelHasErrors(dRobotModelID model)
 {
+    model = alive(model);
     CHECK(model, "a model");
     return model->model.has_errors();
 }
 
 int dRobotModelGetLinks(dRobotModelID model, dRobotLink* links, int capacity)
 {
+    model = alive(model);
     CHECK(model && capacity >= 0 && (links || capacity == 0), kArray);
     const auto& all = model->model.links;
     for (int i = 0; i < std::min(capacity, int(all.size())); ++i) links[i] = link_of(all[size_t(i)]);
@@ -161,6 +166,7 @@ int dRobotModelGetLinks(dRobotModelID model, dRobotLink* links, int capacity)
 
 int dRobotModelGetJoints(dRobotModelID model, dRobotJoint* joints, int capacity)
 {
+    model = alive(model);
     CHECK(model && capacity >= 0 && (joints || capacity == 0), kArray);
     const auto& all = model->model.joints;
     for (int i = 0; i < std::min(capacity, int(all.size())); ++i) joints[i] = joint_of(all[size_t(i)]);
@@ -169,36 +175,42 @@ int dRobotModelGetJoints(dRobotModelID model, dRobotJoint* joints, int capacity)
 
 int dRobotModelGetNumPositions(dRobotModelID model)
 {
+    model = alive(model);
     CHECK(model, "a model");
     return model->model.coordinates;
 }
 
 int dRobotModelGetNumActuators(dRobotModelID model)
 {
+    model = alive(model);
     CHECK(model, "a model");
     return int(model->model.actuators.size());
 }
 
 int dRobotModelGetNumStarts(dRobotModelID model)
 {
+    model = alive(model);
     CHECK(model, "a model");
     return int(model->model.starts.size());
 }
 
 int dRobotModelFindLink(dRobotModelID model, const char* name)
 {
+    model = alive(model);
     CHECK(model && name, "a model and a name");
     return guarded(__func__, [&] { return model->model.link_named(name); });
 }
 
 int dRobotModelFindJoint(dRobotModelID model, const char* name)
 {
+    model = alive(model);
     CHECK(model && name, "a model and a name");
     return guarded(__func__, [&] { return model->model.joint_named(name); });
 }
 
 int dRobotModelFindActuator(dRobotModelID model, const char* name)
 {
+    model = alive(model);
     CHECK(model && name, "a model and a name");
     const auto& all = model->model.actuators;
     const auto found = std::find_if(all.begin(), all.end(), [&](const auto& a) { return a.name == name; });
@@ -207,6 +219,7 @@ int dRobotModelFindActuator(dRobotModelID model, const char* name)
 
 int dRobotModelGetReference(dRobotModelID model, dReal* positions, int capacity)
 {
+    model = alive(model);
     CHECK(model && capacity >= 0 && (positions || capacity == 0), kArray);
     return guarded(__func__, [&] {
         return copy_positions(epode::robots::reference_positions(model->model), positions, capacity);
@@ -215,6 +228,7 @@ int dRobotModelGetReference(dRobotModelID model, dReal* positions, int capacity)
 
 int dRobotModelGetStart(dRobotModelID model, int number, dReal* positions, int capacity)
 {
+    model = alive(model);
     CHECK(model && capacity >= 0 && (positions || capacity == 0), kArray);
     CHECK(number >= 0 && number < int(model->model.starts.size()), "the number of a start pose");
     return copy_positions(model->model.starts[size_t(number)].positions, positions, capacity);
@@ -222,8 +236,9 @@ int dRobotModelGetStart(dRobotModelID model, int number, dReal* positions, int c
 
 int dRobotModelGetPoses(dRobotModelID model, const dReal* positions, int count, dReal* poses, int capacity)
 {
+    model = alive(model);
     CHECK(model && capacity >= 0 && (poses || capacity == 0), kArray);
-    CHECK(count == model->model.coordinates && (positions || count == 0) && are_finite(positions, count),
+    CHECK(count == model->model.coordinates && (positions || count == 0) && are_usable(positions, count),
           "as many finite positions as dRobotModelGetNumPositions");
     return guarded(__func__, [&] {
         const auto all = epode::robots::forward_kinematics(model->model, doubles_of(positions, count));
@@ -238,6 +253,7 @@ int dRobotModelGetPoses(dRobotModelID model, const dReal* positions, int count, 
 
 int dRobotModelGetNumVelocities(dRobotModelID model)
 {
+    model = alive(model);
     CHECK(model, "a model");
     return epode::robots::number_of_velocities(model->model);
 }
@@ -245,8 +261,9 @@ int dRobotModelGetNumVelocities(dRobotModelID model)
 int dRobotModelGetJacobian(dRobotModelID model, const dReal* positions, int link, const dReal* point,
                            dReal* jacobian, int capacity)
 {
+    model = alive(model);
     CHECK(can_compute(model, positions) && capacity >= 0 && (jacobian || capacity == 0), kPositions);
-    CHECK(link >= 0 && link < int(model->model.links.size()) && (!point || are_finite(point, 3)),
+    CHECK(link >= 0 && link < int(model->model.links.size()) && (!point || are_usable(point, 3)),
           "the number of a link and a finite point");
     return guarded(__func__, [&] {
         epode::robots::Vec place;
@@ -258,6 +275,7 @@ int dRobotModelGetJacobian(dRobotModelID model, const dReal* positions, int link
 
 int dRobotModelGetMassMatrix(dRobotModelID model, const dReal* positions, dReal* matrix, int capacity)
 {
+    model = alive(model);
     CHECK(can_compute(model, positions) && capacity >= 0 && (matrix || capacity == 0), kPositions);
     return guarded(__func__, [&] {
         const auto q = doubles_of(positions, model->model.coordinates);
@@ -268,10 +286,11 @@ int dRobotModelGetMassMatrix(dRobotModelID model, const dReal* positions, dReal*
 int dRobotModelGetInverseDynamics(dRobotModelID model, const dReal* positions, const dReal* velocities,
                                   const dReal* accelerations, dReal* forces, int capacity)
 {
+    model = alive(model);
     CHECK(can_compute(model, positions) && capacity >= 0 && (forces || capacity == 0), kPositions);
     const int count = epode::robots::number_of_velocities(model->model);
-    CHECK((!velocities || are_finite(velocities, count)) &&
-              (!accelerations || are_finite(accelerations, count)),
+    CHECK((!velocities || are_usable(velocities, count)) &&
+              (!accelerations || are_usable(accelerations, count)),
           "finite velocities and accelerations, or NULL");
     return guarded(__func__, [&] {
         const std::vector<double> zeros(size_t(count), 0);
@@ -287,9 +306,11 @@ int dRobotModelGetInverseDynamics(dRobotModelID model, const dReal* positions, c
 dRobotID dRobotCreate(dWorldID world, dSpaceID space, dRobotModelID model, const dReal* position,
                       const dReal* q)
 {
-    CHECK(world && model, "a world and a model");
+    model = alive(model);
+    CHECK(model, "a model");
     CHECK(!model->model.has_errors(), "a model without errors; dRobotModelGetReport has them");
-    CHECK((!position || are_finite(position, 3)) && (!q || are_finite(q, 4)), "a finite pose");
+    CHECK((!position || are_usable(position, 3)) && (!q || are_usable(q, 4)), "a finite pose");
+    CHECK(is_world(world) && (!space || is_space(space)), "a world, and a space or NULL");
     return guarded(__func__, [&] {
         if (!model->prepared) {
             model->prepared = std::make_shared<const epode::robots::Prepared>(model->model);
@@ -303,17 +324,15 @@ dRobotID dRobotCreate(dWorldID world, dSpaceID space, dRobotModelID model, const
         out->robot = std::make_unique<epode::robots::Robot>(model->prepared, world, space, pose,
                                                             std::vector<double>());
         out->sensors = std::make_unique<Sensors>(*out->robot, world);
-        return out.release();
+        return Handles<dxRobot>::all().add(std::move(out));
     });
 }
 
-void dRobotDestroy(dRobotID robot)
-{
-    if (check(robot, __func__, "a robot")) delete robot;
-}
+void dRobotDestroy(dRobotID robot) { check(Handles<dxRobot>::all().remove(robot), __func__, "a robot"); }
 
 dBodyID dRobotGetBody(dRobotID robot, int link)
 {
+    robot = alive(robot);
     CHECK(robot && link >= 0 && link < int(robot->robot->model().links.size()),
           "a robot and the number of a link");
     return robot->robot->body(link);
@@ -321,6 +340,7 @@ dBodyID dRobotGetBody(dRobotID robot, int link)
 
 dJointID dRobotGetJoint(dRobotID robot, int joint)
 {
+    robot = alive(robot);
     CHECK(robot && joint >= 0 && joint < int(robot->robot->model().joints.size()),
           "a robot and the number of a joint");
     return robot->robot->joint(joint);
@@ -328,8 +348,9 @@ dJointID dRobotGetJoint(dRobotID robot, int joint)
 
 int dRobotSetPositions(dRobotID robot, const dReal* positions, int count)
 {
+    robot = alive(robot);
     CHECK(robot && count == robot->robot->model().coordinates && (positions || count == 0) &&
-              are_finite(positions, count),
+              are_usable(positions, count),
           "a robot, and as many finite positions as dRobotModelGetNumPositions");
     return guarded(__func__, [&] {
         robot->robot->set_positions(doubles_of(positions, count));
@@ -340,6 +361,7 @@ int dRobotSetPositions(dRobotID robot, const dReal* positions, int count)
 
 int dRobotGetPositions(dRobotID robot, dReal* positions, int capacity)
 {
+    robot = alive(robot);
     CHECK(robot && capacity >= 0 && (positions || capacity == 0),
           "a robot, a capacity of 0 or more, and an array unless it is 0");
     return guarded(__func__, [&] { return copy_positions(robot->robot->positions(), positions, capacity); });
@@ -347,8 +369,9 @@ int dRobotGetPositions(dRobotID robot, dReal* positions, int capacity)
 
 int dRobotSetVelocities(dRobotID robot, const dReal* velocities, int count)
 {
+    robot = alive(robot);
     CHECK(robot && count == number_of_velocities(robot->robot->model()) && (velocities || count == 0) &&
-              are_finite(velocities, count),
+              are_usable(velocities, count),
           "a robot, and as many finite velocities as dRobotModelGetNumVelocities");
     return guarded(__func__, [&] {
         robot->robot->set_velocities(doubles_of(velocities, count));
@@ -359,6 +382,7 @@ int dRobotSetVelocities(dRobotID robot, const dReal* velocities, int count)
 
 int dRobotGetVelocities(dRobotID robot, dReal* velocities, int capacity)
 {
+    robot = alive(robot);
     CHECK(robot && capacity >= 0 && (velocities || capacity == 0),
           "a robot, a capacity of 0 or more, and an array unless it is 0");
     return guarded(__func__,
@@ -367,8 +391,9 @@ int dRobotGetVelocities(dRobotID robot, dReal* velocities, int capacity)
 
 int dRobotSetControl(dRobotID robot, int actuator, dReal control)
 {
+    robot = alive(robot);
     CHECK(robot && actuator >= 0 && actuator < int(robot->robot->model().actuators.size()) &&
-              std::isfinite(control),
+              is_usable(control),
           "a robot, the number of an actuator and a finite control");
     robot->robot->set_control(actuator, double(control));
     return 1;
@@ -376,11 +401,11 @@ int dRobotSetControl(dRobotID robot, int actuator, dReal control)
 
 int dRobotSetTarget(dRobotID robot, int joint, dReal target, dReal stiffness, dReal damping)
 {
+    robot = alive(robot);
     CHECK(robot && joint >= 0 && joint < int(robot->robot->model().joints.size()) &&
               robot->robot->model().joints[size_t(joint)].is_scalar(),
           "a robot and the number of a hinge or slider");
-    CHECK(std::isfinite(target) && std::isfinite(stiffness) && std::isfinite(damping) && stiffness >= 0 &&
-              damping >= 0,
+    CHECK(is_usable(target) && is_usable(stiffness) && is_usable(damping) && stiffness >= 0 && damping >= 0,
           "finite numbers, and stiffness and damping of 0 or more");
     robot->robot->set_servo(joint, {double(stiffness), double(damping), double(target)});
     return 1;

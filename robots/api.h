@@ -11,6 +11,7 @@
 
 #include "epode/robots.h"
 #include "robots/build.h"
+#include "robots/handles.h"
 #include "robots/sensors.h"
 
 struct dxRobotModel {
@@ -24,6 +25,10 @@ struct dxRobot {
 };
 
 namespace epode::robots {
+
+// What a handle names, or null: then it is null, was destroyed, or is something else's.
+inline dxRobotModel* alive(dRobotModelID model) { return Handles<dxRobotModel>::all().find(model); }
+inline dxRobot* alive(dRobotID robot) { return Handles<dxRobot>::all().find(robot); }
 
 // False after a message: what was refused and what would be accepted.
 inline bool check(bool good, const char* function, const char* wanted)
@@ -50,10 +55,19 @@ auto guarded(const char* function, Action&& action) -> decltype(action())
     return {};
 }
 
-inline bool are_finite(const dReal* values, int count)
+// Products of two such numbers are still numbers that libode takes.
+constexpr dReal kMaxMagnitude = sizeof(dReal) == 8 ? dReal(1e30) : dReal(1e9);
+
+inline bool is_usable(dReal value) { return value >= -kMaxMagnitude && value <= kMaxMagnitude; }
+
+inline bool are_usable(const dReal* values, int count)
 {
-    return std::all_of(values, values + count, [](dReal value) { return std::isfinite(value); });
+    return std::all_of(values, values + count, is_usable);
 }
+
+// Only libode knows its handles. What is null or none is refused, with a message of libode if it is not null.
+inline bool is_world(dWorldID world) { return world && dWorldGetQuickStepNumIterations(world) > 0; }
+inline bool is_space(dSpaceID space) { return space && dGeomIsSpace(reinterpret_cast<dGeomID>(space)); }
 
 inline int copy_positions(const std::vector<double>& from, dReal* to, int capacity)
 {
@@ -67,7 +81,7 @@ inline bool can_compute(dRobotModelID model, const dReal* positions)
 {
     if (!model || model->model.has_errors()) return false;
     const int count = model->model.coordinates;
-    return count == 0 || (positions && are_finite(positions, count));
+    return count == 0 || (positions && are_usable(positions, count));
 }
 
 }  // namespace epode::robots

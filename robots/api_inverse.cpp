@@ -18,28 +18,28 @@ Pose pose_of(const dReal* p, const dReal* q) { return {vec_of(p), normalised(qua
 
 bool is_turn(const dReal* q)
 {
-    return are_finite(q, 4) && q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] > 0;
+    return are_usable(q, 4) && q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] > 0;
 }
 
 bool is_good(const RobotModel& model, const dRobotTarget& target)
 {
     const dReal weights[2] = {target.position_weight, target.orientation_weight};
-    return target.link >= 0 && target.link < int(model.links.size()) && are_finite(target.point, 3) &&
-           are_finite(target.position, 3) && is_turn(target.point_q) && is_turn(target.q) &&
-           are_finite(weights, 2) && weights[0] >= 0 && weights[1] >= 0;
+    return target.link >= 0 && target.link < int(model.links.size()) && are_usable(target.point, 3) &&
+           are_usable(target.position, 3) && is_turn(target.point_q) && is_turn(target.q) &&
+           are_usable(weights, 2) && weights[0] >= 0 && weights[1] >= 0;
 }
 
 bool is_good(const RobotModel& model, const dRobotInverseOptions& options)
 {
     const int velocities = number_of_velocities(model);
     const bool weights_are_good =
-        !options.weights || (are_finite(options.weights, velocities) &&
+        !options.weights || (are_usable(options.weights, velocities) &&
                              std::all_of(options.weights, options.weights + velocities,
                                          [](dReal weight) { return weight >= 0 && weight <= 1e6; }));
     return options.struct_size == sizeof(dRobotInverseOptions) && options.max_iterations > 0 &&
            options.max_iterations <= kMaxTries && options.max_starts > 0 && options.max_starts <= kMaxTries &&
-           std::isfinite(options.tolerance) && options.tolerance >= 0 && weights_are_good &&
-           (!options.posture || are_finite(options.posture, model.coordinates));
+           is_usable(options.tolerance) && options.tolerance >= 0 && weights_are_good &&
+           (!options.posture || are_usable(options.posture, model.coordinates));
 }
 
 Goal goal_of(const dRobotTarget& target)
@@ -62,6 +62,7 @@ InverseSettings settings_of(const RobotModel& model, const dRobotInverseOptions&
 
 int dRobotModelFindFrame(dRobotModelID model, const char* name, dReal* frame)
 {
+    model = alive(model);
     CHECK(model && name && frame, "a model, a name and an array of 7 reals");
     return guarded(__func__, [&] {
         Frame its;
@@ -92,6 +93,7 @@ int dRobotInverseOptionsInit(dRobotInverseOptions* options, unsigned struct_size
 int dRobotModelGetInverse(dRobotModelID model, const dRobotTarget* targets, int count,
                           const dRobotInverseOptions* options, dReal* positions, dRobotInverseResult* result)
 {
+    model = alive(model);
     CHECK(can_compute(model, positions), "a model without errors and its finite positions");
     CHECK(count >= 0 && (targets || count == 0) &&
               std::all_of(targets, targets + count,

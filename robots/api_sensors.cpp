@@ -26,7 +26,7 @@ bool is_sensor(dRobotID robot, int link, const dReal* frame)
     if (!has_link(robot, link)) return false;
     if (!frame) return true;
     const dReal* q = frame + 3;
-    return are_finite(frame, 7) && q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] > 0;
+    return are_usable(frame, 7) && q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] > 0;
 }
 
 Pose pose_of(const dReal* frame)
@@ -40,20 +40,25 @@ void write(Vec v, dReal* out)
     for (int i = 0; out && i < 3; ++i) out[i] = dReal(v[i]);
 }
 
+bool is_distance(dReal distance)
+{
+    return distance >= 0 && (is_usable(distance) || distance == dReal(dInfinity));
+}
+
 bool is_good(const dRobotCamera& camera)
 {
     const bool sides =
         camera.width > 0 && camera.height > 0 && camera.width <= kMaxPixels && camera.height <= kMaxPixels;
     return camera.struct_size == sizeof(dRobotCamera) && sides && camera.threads >= 0 && camera.field > 0 &&
-           double(camera.field) < kHalfTurn && camera.max_distance > 0;
+           double(camera.field) < kHalfTurn && camera.max_distance > 0 && is_distance(camera.max_distance);
 }
 
 // None of length 0.
 bool are_directions(const dReal* directions, int count)
 {
     for (int i = 0; i < count; ++i) {
-        const dReal* d = directions + 3 * i;
-        if (!are_finite(d, 3) || (d[0] == 0 && d[1] == 0 && d[2] == 0)) return false;
+        const dReal* d = directions + 3 * size_t(i);
+        if (!are_usable(d, 3) || (d[0] == 0 && d[1] == 0 && d[2] == 0)) return false;
     }
     return true;
 }
@@ -62,7 +67,9 @@ bool are_directions(const dReal* directions, int count)
 
 int dRobotUpdateSensors(dRobotID robot, dReal stepsize)
 {
-    CHECK(robot && std::isfinite(stepsize) && stepsize > 0, "a robot and a positive step size");
+    robot = alive(robot);
+    CHECK(robot && is_usable(stepsize) && stepsize > 0 && is_usable(1 / stepsize),
+          "a robot and a positive step size");
     return guarded(__func__, [&] {
         robot->sensors->update(double(stepsize));
         return 1;
@@ -71,6 +78,7 @@ int dRobotUpdateSensors(dRobotID robot, dReal stepsize)
 
 int dRobotGetDriveForces(dRobotID robot, dReal* forces, int capacity)
 {
+    robot = alive(robot);
     CHECK(robot && capacity >= 0 && (forces || capacity == 0),
           "a robot, a capacity of 0 or more, and an array unless it is 0");
     return guarded(__func__,
@@ -79,6 +87,7 @@ int dRobotGetDriveForces(dRobotID robot, dReal* forces, int capacity)
 
 int dRobotGetImu(dRobotID robot, int link, const dReal* frame, dReal* specific_force, dReal* angular_velocity)
 {
+    robot = alive(robot);
     CHECK(is_sensor(robot, link, frame), kSensor);
     Vec force, rate;
     CHECK(robot->sensors->imu(link, pose_of(frame), force, rate),
@@ -89,6 +98,7 @@ int dRobotGetImu(dRobotID robot, int link, const dReal* frame, dReal* specific_f
 
 int dRobotSetForceSensor(dRobotID robot, int link, int mode)
 {
+    robot = alive(robot);
     CHECK(has_link(robot, link) && (mode == 0 || mode == 1), "a robot, the number of a link, and 0 or 1");
     return guarded(__func__, [&] {
         return int(check(robot->sensors->watch_force(link, mode == 1), "dRobotSetForceSensor",
@@ -98,6 +108,7 @@ int dRobotSetForceSensor(dRobotID robot, int link, int mode)
 
 int dRobotGetForceTorque(dRobotID robot, int link, const dReal* frame, dReal* force, dReal* torque)
 {
+    robot = alive(robot);
     CHECK(is_sensor(robot, link, frame), kSensor);
     Vec f, t;
     CHECK(robot->sensors->force_torque(link, pose_of(frame), f, t), "a link with dRobotSetForceSensor");
@@ -107,6 +118,7 @@ int dRobotGetForceTorque(dRobotID robot, int link, const dReal* frame, dReal* fo
 
 int dRobotGetTouch(dRobotID robot, int link, dRobotTouch* touch)
 {
+    robot = alive(robot);
     CHECK(has_link(robot, link) && touch && touch->struct_size == sizeof(dRobotTouch),
           "a robot, the number of a link, and a structure with its size");
     return guarded(__func__, [&] {
@@ -120,15 +132,15 @@ int dRobotGetTouch(dRobotID robot, int link, dRobotTouch* touch)
 int dRobotCastRays(dRobotID robot, int link, const dReal* frame, dSpaceID space, int count,
                    const dReal* directions, dReal max_distance, dReal* ranges, dGeomID* geoms)
 {
+    robot = alive(robot);
     CHECK(is_sensor(robot, link, frame), kSensor);
-    CHECK(space && count >= 0 && max_distance >= 0, "a space, and a count and a distance of 0 or more");
+    CHECK(is_space(space) && count >= 0 && is_distance(max_distance),
+          "a space, and a count and a distance of 0 or more");
     CHECK(count == 0 || (directions && ranges && are_directions(directions, count)),
           "finite directions that are not 0, and an array of ranges");
     return guarded(__func__, [&] {
         std::vector<Vec> ways;
-        for (int i = 0; i < count; ++i)
-            ways.push_back(
-                {double(directions[3 * i]), double(directions[3 * i + 1]), double(directions[3 * i + 2])});
+        for (int i = 0; i < count; ++i) ways.push_back(vec_of(directions + 3 * size_t(i)));
         std::vector<dQueryHit> hits;
         const int found =
             robot->sensors->cast(link, pose_of(frame), space, ways, double(max_distance), 1, hits);
@@ -151,8 +163,9 @@ int dRobotCameraInit(dRobotCamera* camera, unsigned struct_size)
 int dRobotTakePicture(dRobotID robot, int link, const dReal* frame, dSpaceID space,
                       const dRobotCamera* camera, dReal* depth, dGeomID* geoms, unsigned char* color)
 {
+    robot = alive(robot);
     CHECK(is_sensor(robot, link, frame), kSensor);
-    CHECK(space && camera && is_good(*camera),
+    CHECK(is_space(space) && camera && is_good(*camera),
           "a space, and a camera with its size, sides of 1 ... 8192 pixels, a field between 0 and pi, a "
           "positive distance and 0 or more threads");
     return guarded(__func__, [&] {
@@ -164,6 +177,7 @@ int dRobotTakePicture(dRobotID robot, int link, const dReal* frame, dSpaceID spa
 
 int dRobotModelGetSensors(dRobotModelID model, dRobotSensor* sensors, int capacity)
 {
+    model = alive(model);
     CHECK(model && capacity >= 0 && (sensors || capacity == 0),
           "a model, a capacity of 0 or more, and an array unless it is 0");
     const auto& all = model->model.sensors;
@@ -176,9 +190,11 @@ int dRobotModelGetSensors(dRobotModelID model, dRobotSensor* sensors, int capaci
 
 int dRobotReadSensor(dRobotID robot, int sensor, dSpaceID space, dReal* values, int capacity)
 {
+    robot = alive(robot);
     CHECK(robot && sensor >= 0 && sensor < int(robot->robot->model().sensors.size()) && capacity >= 0 &&
               (values || capacity == 0),
           "a robot, the number of a sensor, a capacity of 0 or more, and an array unless it is 0");
+    CHECK(!space || is_space(space), "a space or NULL");
     return guarded(__func__, [&] {
         std::string problem;
         const std::vector<double> all = robot->sensors->read(sensor, space, problem);

@@ -10,8 +10,12 @@
 
 namespace epode::robots {
 
-inline Vec vec_of(const dReal* v) { return {double(v[0]), double(v[1]), double(v[2])}; }
-inline Quat quat_of(const dReal* q) { return {double(q[0]), double(q[1]), double(q[2]), double(q[3])}; }
+// Null, which destroyed bodies give, is 0 and no turn.
+inline Vec vec_of(const dReal* v) { return v ? Vec{double(v[0]), double(v[1]), double(v[2])} : Vec{}; }
+inline Quat quat_of(const dReal* q)
+{
+    return q ? Quat{double(q[0]), double(q[1]), double(q[2]), double(q[3])} : Quat{};
+}
 
 inline Pose pose_of(dBodyID body)
 {

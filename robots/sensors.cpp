@@ -78,7 +78,7 @@ Sensors::~Sensors()
 
 Vec Sensors::gravity() const
 {
-    dVector3 g;
+    dVector3 g = {0, 0, 0, 0};
     dWorldGetGravity(world_, g);
     return vec_of(g);
 }

@@ -27,9 +27,9 @@ extern "C" {
     - capacity: how many elements the array has, 0 or more; 0 to ask for the number alone, the array may then
       be null.
 
-    Refused: a robot or model that is 0; a link that there is not; null pointers; numbers that are not finite;
-    a quaternion that is 0; a negative capacity; what each function names. Nothing changes then, and the answer
-    is 0. */
+    Refused: a robot or model that is 0 or destroyed; a link that there is not; null pointers; numbers that are
+    not finite or beyond 1e30 (1e9 in floats); a quaternion that is 0; a negative capacity; what each function
+    names. Nothing changes then, and the answer is 0. */
 
 /** Notes how all bodies of the robot move, so that dRobotGetImu knows their accelerations: call it after every
     step, with its size, s. Returns 1. Refused: a stepsize that is not positive. [ours] */

@@ -26,10 +26,10 @@ extern "C" {
       be null.
     - name: of a link, joint, actuator or start pose, as in the file.
 
-    Refused: a model that is 0; null pointers; numbers that are not finite; a negative capacity; what each
-    function names. Nothing changes then, and the answer is 0. */
+    Refused: a model that is 0 or destroyed; null pointers; numbers that are not finite or beyond 1e30 (1e9 in
+    floats); a negative capacity; what each function names. Nothing changes then, and the answer is 0. */
 
-/** A model; its address is its handle. */
+/** A model. Its handle is never that of another one. */
 typedef struct dxRobotModel* dRobotModelID;
 
 /** How a file is read. Start from dRobotOptionsInit. */
@@ -166,8 +166,9 @@ ODE_API int dRobotModelGetPoses(dRobotModelID model, const dReal* positions, int
     - capacity: how many elements the array has, 0 or more; 0 to ask for the number alone, the array may then
       be null.
 
-    Refused: a model that is 0 or has errors; null pointers; numbers that are not finite; a negative
-    capacity; what each function names. Nothing changes then, and the answer is 0. */
+    Refused: a model that is 0, destroyed or has errors; null pointers; numbers that are not finite or beyond
+    1e30 (1e9 in floats); a negative capacity; what each function names. Nothing changes then, and the answer
+    is 0. */
 
 /** Returns how many velocities the joints of the model have. [ours] */
 ODE_API int dRobotModelGetNumVelocities(dRobotModelID model);
@@ -254,15 +255,15 @@ ODE_API int dRobotModelGetInverse(dRobotModelID model, const dRobotTarget* targe
     - joint: number of a joint of the model.
     - link: number of a link of the model.
 
-    Refused: a robot or model that is 0; null pointers; numbers that are not finite; what each function
-    names. Nothing changes then, and the answer is 0. */
+    Refused: a robot or model that is 0 or destroyed; null pointers; numbers that are not finite or beyond 1e30
+    (1e9 in floats); what each function names. Nothing changes then, and the answer is 0. */
 
-/** A robot; its address is its handle. */
+/** A robot. Its handle is never that of another one. */
 typedef struct dxRobot* dRobotID;
 
-/** - dRobotCreate: Makes a robot of the model in the world, with its geoms in the space. position and q place
-      the model's world in the world; either may be NULL: none. It begins at the reference position. A
-      message names what is not built. Refused: a model with errors.
+/** - dRobotCreate: Makes a robot of the model in the world, with its geoms in the space (NULL: in none).
+      position and q place the model's world in the world; either may be NULL: none. It begins at the
+      reference position. A message names what is not built. Refused: a model with errors.
     - dRobotDestroy: Destroys the robot's bodies, joints and geoms. [ours] */
 ODE_API dRobotID dRobotCreate(dWorldID world, dSpaceID space, dRobotModelID model, const dReal* position,
                               const dReal* q);

@@ -2,14 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
 #
-# covered.sh LIBRARY HOSTILE_CALLS
-# Every function that the library exports is called with hostile values, or excused with a reason.
+# covered.sh LIBRARY HOSTILE_CALLS [PATTERN]
+# Every function that the library exports (and whose name fits the pattern) is called with hostile values, or excused with a reason.
 set -eu
 export LC_ALL=C
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-nm -D --defined-only "$1" | awk '$(NF - 1) ~ /^[TWi]$/ {print $NF}' | sort -u > "$work/exported"
+nm -D --defined-only "$1" | awk '$(NF - 1) ~ /^[TWi]$/ {print $NF}' | grep -E "${3:-.}" | sort -u > "$work/exported"
 "$2" --list > "$work/list"
 grep -E '^[^ ]+ (called|excused)' "$work/list" | cut -d ' ' -f 1 | sort -u > "$work/known"
 

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+#include "table.h"
+
+namespace hostile {
+namespace {
+
+template <auto function, typename Type = decltype(function)>
+struct Call;
+
+template <auto function, typename Answer, typename... Arguments>
+struct Call<function, Answer (*)(Arguments...)> {
+    static constexpr std::size_t kCount = sizeof...(Arguments);
+
+    static Result of(const Value* values) { return with(values, std::index_sequence_for<Arguments...>()); }
+
+  private:
+    template <std::size_t... i>
+    static Result with(const Value* values, std::index_sequence<i...>)
+    {
+        if constexpr (std::is_void_v<Answer>)
+            return function(values[i].as<Arguments>()...), Result{};
+        else
+            return result_of(function(values[i].as<Arguments>()...));
+    }
+};
+
+template <Role... roles>
+constexpr Role kRoles[] = {roles...};
+
+template <auto function, Role... roles>
+constexpr RobotFunction entry(const char* name, unsigned struct_size = 0)
+{
+    static_assert(sizeof...(roles) == Call<function>::kCount, "a role for each argument");
+    return {name, Call<function>::of, kRoles<roles...>, struct_size};
+}
+
+using enum Role;
+#define FUNCTION(name, ...) entry<name, __VA_ARGS__>(#name)
+#define FILLS(type, name, ...) entry<name, __VA_ARGS__>(#name, unsigned(sizeof(type)))
+
+constexpr RobotFunction kAll[] = {
+    FILLS(dRobotOptions, dRobotOptionsInit, kRoomForFew, kStructSize),
+    FUNCTION(dRobotModelLoad, kLoadPath, kOptions),
+    FUNCTION(dRobotModelLoadText, kLoadPath, kText, kTextSize, kOptions),
+    FUNCTION(dRobotModelSave, kModel, kSavePath),
+    FUNCTION(dRobotModelDestroy, kModel),
+    FUNCTION(dRobotModelGetReport, kModel, kRoom, kCapacity),
+    FUNCTION(dRobotModelHasErrors, kModel),
+    FUNCTION(dRobotModelGetLinks, kModel, kRoom, kCapacity),
+    FUNCTION(dRobotModelGetJoints, kModel, kRoom, kCapacity),
+    FUNCTION(dRobotModelGetNumPositions, kModel),
+    FUNCTION(dRobotModelGetNumActuators, kModel),
+    FUNCTION(dRobotModelGetNumStarts, kModel),
+    FUNCTION(dRobotModelFindLink, kModel, kName),
+    FUNCTION(dRobotModelFindJoint, kModel, kName),
+    FUNCTION(dRobotModelFindActuator, kModel, kName),
+    FUNCTION(dRobotModelGetReference, kModel, kRoom, kCapacity),
+    FUNCTION(dRobotModelGetStart, kModel, kNumber, kRoom, kCapacity),
+    FUNCTION(dRobotModelGetPoses, kModel, kPositions, kPositionCount, kRoom, kCapacity),
+    FUNCTION(dRobotModelGetNumVelocities, kModel),
+    FUNCTION(dRobotModelGetJacobian, kModel, kPositions, kNumber, kPointOrNone, kRoom, kCapacity),
+    FUNCTION(dRobotModelGetMassMatrix, kModel, kPositions, kRoom, kCapacity),
+    FUNCTION(dRobotModelGetInverseDynamics, kModel, kPositions, kVelocitiesOrNone, kVelocitiesOrNone, kRoom,
+             kCapacity),
+    FUNCTION(dRobotModelFindFrame, kModel, kName, kRoomForFew),
+    FUNCTION(dRobotTargetInit, kRoomForFew, kAnyNumber),
+    FILLS(dRobotInverseOptions, dRobotInverseOptionsInit, kRoomForFew, kStructSize),
+    FUNCTION(dRobotModelGetInverse, kModel, kTargets, kTargetCount, kInverseOptions, kPositionRoom, kResult),
+    FUNCTION(dRobotCreate, kWorld, kSpaceOrNone, kModel, kPointOrNone, kTurnOrNone),
+    FUNCTION(dRobotDestroy, kRobot),
+    FUNCTION(dRobotGetBody, kRobot, kNumber),
+    FUNCTION(dRobotGetJoint, kRobot, kNumber),
+    FUNCTION(dRobotSetPositions, kRobot, kPositions, kPositionCount),
+    FUNCTION(dRobotGetPositions, kRobot, kRoom, kCapacity),
+    FUNCTION(dRobotSetVelocities, kRobot, kVelocities, kVelocityCount),
+    FUNCTION(dRobotGetVelocities, kRobot, kRoom, kCapacity),
+    FUNCTION(dRobotSetControl, kRobot, kNumber, kReal),
+    FUNCTION(dRobotSetTarget, kRobot, kNumber, kReal, kNotNegative, kNotNegative),
+    FUNCTION(dRobotUpdateSensors, kRobot, kPositive),
+    FUNCTION(dRobotGetDriveForces, kRobot, kRoom, kCapacity),
+    FUNCTION(dRobotGetImu, kRobot, kNumber, kFrameOrNone, kRoomOrNone, kRoomOrNone),
+    FUNCTION(dRobotSetForceSensor, kRobot, kNumber, kMode),
+    FUNCTION(dRobotGetForceTorque, kRobot, kNumber, kFrameOrNone, kRoomOrNone, kRoomOrNone),
+    FUNCTION(dRobotGetTouch, kRobot, kNumber, kTouch),
+    FUNCTION(dRobotCastRays, kRobot, kNumber, kFrameOrNone, kSpace, kRayCount, kDirections, kDistance,
+             kRangeRoom, kRoomOrNone),
+    FILLS(dRobotCamera, dRobotCameraInit, kRoomForFew, kStructSize),
+    FUNCTION(dRobotTakePicture, kRobot, kNumber, kFrameOrNone, kSpace, kCamera, kRoomOrNone, kRoomOrNone,
+             kRoomOrNone),
+    FUNCTION(dRobotModelGetSensors, kModel, kRoom, kCapacity),
+    FUNCTION(dRobotReadSensor, kRobot, kNumber, kSpaceOrNone, kRoom, kCapacity),
+};
+
+}  // namespace
+
+std::span<const RobotFunction> robot_functions() { return kAll; }
+
+}  // namespace hostile

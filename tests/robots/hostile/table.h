@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Copyright (c) 2026 The Epode authors
+//
+// Every function of epode/robots.h and epode/robot_sensors.h, with what its arguments are for. The test robots_hostile_covers_exports
+// fails by name where one is missing.
+#pragma once
+
+#include <epode/robot_sensors.h>
+
+#include <span>
+#include <utility>
+
+#include "../../hostile/table.h"
+
+namespace hostile {
+
+enum class Role {
+    kModel,
+    kRobot,
+    kWorld,
+    kSpace,
+    kSpaceOrNone,
+    kNumber,     // of a part of a model
+    kAnyNumber,  // that the function does not look up
+    kMode,
+    kPositionCount,
+    kVelocityCount,
+    kCapacity,
+    kRayCount,
+    kTargetCount,
+    kStructSize,
+    kReal,
+    kPositive,
+    kNotNegative,
+    kDistance,
+    kPositions,
+    kVelocities,
+    kVelocitiesOrNone,
+    kPointOrNone,
+    kTurnOrNone,
+    kFrameOrNone,
+    kDirections,
+    kName,
+    kLoadPath,
+    kSavePath,
+    kText,
+    kTextSize,
+    kOptions,
+    kTargets,
+    kInverseOptions,
+    kResult,
+    kCamera,
+    kTouch,
+    kRoom,        // as many elements as the capacity says
+    kRoomOrNone,  // for a few reals, or as many as there are rays or pixels
+    kRoomForFew,
+    kRangeRoom,
+    kPositionRoom,
+};
+
+struct RobotFunction {
+    const char* name;
+    Result (*call)(const Value* arguments);
+    std::span<const Role> roles;
+    unsigned struct_size;  // of what it fills
+};
+
+inline constexpr int kMaxArguments = 9;
+
+std::span<const RobotFunction> robot_functions();
+
+}  // namespace hostile
