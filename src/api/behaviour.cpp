@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // Behaviour versions of worlds (ode/defaults.h). A number is kept for good: what it means is decided where the
-// difference is (World::acts_as_ode), and golden hashes freeze it (tests/physics/behaviour_test.cpp).
+// difference is (World::acts_as_ode), and golden hashes freeze it (tests/physics/bits/behaviour_test.cpp).
 #include "api/behaviour.h"
 
 #include <cstring>

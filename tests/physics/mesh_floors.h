@@ -48,7 +48,7 @@ inline const char* name_of(Floor f)
         case Floor::kMesh:
             return "mesh";
         case Floor::kRidge:
-            return "beside a ridge";
+            return "next to a ridge";
         case Floor::kTwoMeshes:
             return "two meshes";
         default:

@@ -20,19 +20,19 @@ class Library : public testing::Environment {
 };
 [[maybe_unused]] testing::Environment* const kLibrary = testing::AddGlobalTestEnvironment(new Library);
 
-struct Heard {
+struct Received {
     std::mutex lock;
     int count = 0;
     char last[256] = "";
 };
-Heard heard;
+Received received;
 
-void hear(int number, const char* format, va_list arguments)
+void receive(int number, const char* format, va_list arguments)
 {
-    const std::lock_guard guard(heard.lock);
-    ++heard.count;
-    const int used = std::snprintf(heard.last, sizeof heard.last, "%d: ", number);
-    std::vsnprintf(heard.last + used, sizeof heard.last - std::size_t(used), format, arguments);
+    const std::lock_guard guard(received.lock);
+    ++received.count;
+    const int used = std::snprintf(received.last, sizeof received.last, "%d: ", number);
+    std::vsnprintf(received.last + used, sizeof received.last - std::size_t(used), format, arguments);
 }
 
 dMass mass_of(dBodyID body)
@@ -140,20 +140,20 @@ int Sim::advance(double h)
         case Stepper::kQuick:
             return dWorldQuickStep(world, real(h));
         case Stepper::kFast:
-            return dWorldStepFast1(world, real(h), small_steps);
+            return dWorldStepFast1(world, real(h), substeps);
     }
     return 0;
 }
 
 void Sim::near(void* self, dGeomID a, dGeomID b)
 {
-    constexpr int kMost = 8;
+    constexpr int kCapacity = 8;
     Sim& sim = *static_cast<Sim*>(self);
     dBodyID first = dGeomGetBody(a), second = dGeomGetBody(b);
     if (!first && !second) return;
     if (first && second && dAreConnectedExcluding(first, second, dJointTypeContact)) return;
-    dContact contact[kMost];
-    const int count = dCollide(a, b, kMost, &contact[0].geom, sizeof(dContact));
+    dContact contact[kCapacity];
+    const int count = dCollide(a, b, kCapacity, &contact[0].geom, sizeof(dContact));
     for (int i = 0; i < count; ++i) {
         contact[i].surface = sim.surface;
         dJointAttach(dJointCreateContact(sim.world, sim.contacts, &contact[i]), first, second);
@@ -287,9 +287,9 @@ bool finite_state(const Sim& sim)
 Messages::Messages()
 {
     clear();
-    dSetMessageHandler(&hear);
-    dSetDebugHandler(&hear);
-    dSetErrorHandler(&hear);
+    dSetMessageHandler(&receive);
+    dSetDebugHandler(&receive);
+    dSetErrorHandler(&receive);
 }
 
 Messages::~Messages()
@@ -301,21 +301,21 @@ Messages::~Messages()
 
 int Messages::count() const
 {
-    const std::lock_guard guard(heard.lock);
-    return heard.count;
+    const std::lock_guard guard(received.lock);
+    return received.count;
 }
 
 std::string Messages::last() const
 {
-    const std::lock_guard guard(heard.lock);
-    return heard.last;
+    const std::lock_guard guard(received.lock);
+    return received.last;
 }
 
 void Messages::clear()
 {
-    const std::lock_guard guard(heard.lock);
-    heard.count = 0;
-    heard.last[0] = 0;
+    const std::lock_guard guard(received.lock);
+    received.count = 0;
+    received.last[0] = 0;
 }
 
 }  // namespace epode::physics

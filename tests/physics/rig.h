@@ -80,7 +80,7 @@ class Sim {
     dWorldStepReport report() const;
 
     Stepper stepper;
-    int small_steps = 10;  // of dWorldStepFast1
+    int substeps = 10;  // of dWorldStepFast1
     dWorldID world;
     dSpaceID space;
     dJointGroupID contacts;

@@ -20,12 +20,12 @@ for bad in tether "Two Words" Ball TetherRope; do
 done
 tools/check_layers.py
 tools/check_docs.py | tail -1 | grep -q ' 0 faults' || { tools/check_docs.py; exit 1; }
-! command -v clang-format-14 > /dev/null || clang-format-14 --dry-run --Werror src/joints/types/tether_rope.cpp tests/physics/tether_rope_joint_test.cpp include/ode/*.h
+! command -v clang-format-14 > /dev/null || clang-format-14 --dry-run --Werror src/joints/types/tether_rope.cpp tests/physics/joints/tether_rope_joint_test.cpp include/ode/*.h
 
 compile() { "$@" -std=c++20 -Wall -Wextra -Werror -ffp-contract=off -Iinclude -Isrc; }
 compile "${@}" -O1 -c src/joints/types/tether_rope.cpp -o tether_rope.o &
 compile "${@}" -O1 -c src/joints/registry.cpp -o registry.o
 wait $!
-compile "${@}" -O0 tests/physics/tether_rope_joint_test.cpp tests/contract/joint_contract.cpp tests/contract/joint_geometry.cpp \
+compile "${@}" -O0 tests/physics/joints/tether_rope_joint_test.cpp tests/contract/joint_contract.cpp tests/contract/joint_geometry.cpp \
   tether_rope.o registry.o $(tr ';' '\n' < "$objects" | grep -v -e joints/registry.cpp -e cmake_pch) -lgtest -lgtest_main -pthread -o judge
 ./judge --gtest_brief=1 --gtest_filter='*TetherRope*'
