@@ -167,18 +167,18 @@ FILE* g_file;
 
 TEST(ExportDif, refuses_bad_arguments_and_a_world_in_a_step)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     TwoBodies two;
     dWorldExportDIF(nullptr, stdout, "x");
     dWorldExportDIF(two.world, nullptr, "x");
-    EXPECT_EQ(heard.take(),
+    EXPECT_EQ(messages.take(),
               "2: Bad argument(s) in dWorldExportDIF()|2: Bad argument(s) in dWorldExportDIF()");
     g_world = two.world;
     g_file = std::tmpfile();
     ASSERT_TRUE(g_file);
     dBodySetMovedCallback(two.a, [](dBodyID) { dWorldExportDIF(g_world, g_file, ""); });
     EXPECT_EQ(dWorldStep(two.world, dReal(0.01)), 1);
-    EXPECT_EQ(heard.take(), "2: Invalid operation during a step in dWorldExportDIF()");
+    EXPECT_EQ(messages.take(), "2: Invalid operation during a step in dWorldExportDIF()");
     EXPECT_EQ(std::ftell(g_file), 0);
     std::fclose(g_file);
 }

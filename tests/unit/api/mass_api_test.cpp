@@ -29,7 +29,7 @@ void expect_diagonal(const dMass& m, double mass, double xx, double yy, double z
 
 TEST(MassApi, shapes_have_their_closed_forms)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     const double pi = 3.14159265358979323846;
     dMass m;
     dMassSetSphere(&m, 3, 2);
@@ -51,12 +51,12 @@ TEST(MassApi, shapes_have_their_closed_forms)
     dMass same;
     dMassSetCappedCylinderTotal(&same, 2, 1, 1, 3);
     EXPECT_EQ(std::memcmp(&m, &same, sizeof m), 0);
-    EXPECT_EQ(heard.take(), "");
+    EXPECT_EQ(messages.take(), "");
 }
 
 TEST(MassApi, parameters_translation_rotation_and_sum)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     dMass m;
     dMassSetParameters(&m, 2, 0, 0, 0, 3, 4, 5, dReal(0.1), dReal(0.2), dReal(0.3));
     const dReal I[12] = {3,          dReal(0.1), dReal(0.2), 0,          dReal(0.1), 4,
@@ -89,27 +89,27 @@ TEST(MassApi, parameters_translation_rotation_and_sum)
     EXPECT_EQ(sum.mass, 4);
     EXPECT_NEAR(sum.c[0], 0, kTolerance);
     EXPECT_NEAR(sum.I[5], 4 * 0.4 + 9 + 3, 20 * kTolerance);
-    EXPECT_EQ(heard.take(), "");
+    EXPECT_EQ(messages.take(), "");
 }
 
 TEST(MassApi, numbers_of_no_body_are_stored_and_commented_upon)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     dMass m;
     dMassSetSphere(&m, -1, 1);
     EXPECT_LT(m.mass, 0);
-    EXPECT_EQ(heard.take(), "2: mass must be > 0 in dMassCheck()");
+    EXPECT_EQ(messages.take(), "2: mass must be > 0 in dMassCheck()");
     dMassSetBoxTotal(&m, 1, 1, 0, 0);
-    EXPECT_EQ(heard.take(), "2: inertia must be positive definite in dMassCheck()");
+    EXPECT_EQ(messages.take(), "2: inertia must be positive definite in dMassCheck()");
     dMassSetParameters(&m, 1, 1, 0, 0, 1, 1, 1, 0, 0, 0);
-    EXPECT_EQ(heard.take(), "2: center of mass inconsistent with mass parameters in dMassCheck()");
+    EXPECT_EQ(messages.take(), "2: center of mass inconsistent with mass parameters in dMassCheck()");
     EXPECT_EQ(dMassCheck(&m), 0);
-    EXPECT_NE(heard.take(), "");
+    EXPECT_NE(messages.take(), "");
 }
 
 TEST(MassApi, bad_arguments_are_refused_once_and_change_nothing)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     dMatrix3 bad_rotation = {kNan};
     const std::vector<std::pair<std::string, std::function<void(dMass*)>>> calls = {
         {"dMassSetSphere", [](dMass* m) { dMassSetSphere(m, kNan, 1); }},
@@ -133,35 +133,35 @@ TEST(MassApi, bad_arguments_are_refused_once_and_change_nothing)
         dMassSetBox(&m, 1, 1, 2, 3);
         const dMass before = m;
         call(&m);
-        EXPECT_EQ(heard.take(), "2: Bad argument(s) in " + name + "()");
+        EXPECT_EQ(messages.take(), "2: Bad argument(s) in " + name + "()");
         EXPECT_EQ(std::memcmp(&m, &before, sizeof m), 0) << name;
         call(nullptr);
-        EXPECT_EQ(heard.take(), "2: Bad argument(s) in " + name + "()") << "null";
+        EXPECT_EQ(messages.take(), "2: Bad argument(s) in " + name + "()") << "null";
     }
     dMass zero;
     dMassSetZero(&zero);
     dMassAdjust(&zero, 1);
-    EXPECT_EQ(heard.take(), "2: Bad argument(s) in dMassAdjust()") << "nothing to scale";
+    EXPECT_EQ(messages.take(), "2: Bad argument(s) in dMassAdjust()") << "nothing to scale";
     EXPECT_EQ(dMassCheck(nullptr), 0);
-    EXPECT_EQ(heard.take(), "2: Bad argument(s) in dMassCheck()");
+    EXPECT_EQ(messages.take(), "2: Bad argument(s) in dMassCheck()");
     dMassSetZero(nullptr);
-    EXPECT_EQ(heard.take(), "2: Bad argument(s) in dMassSetZero()");
+    EXPECT_EQ(messages.take(), "2: Bad argument(s) in dMassSetZero()");
 }
 
 TEST(MassApi, directions_are_one_to_three)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     for (int direction : {-1, 0, 4, 1000}) {
         dMass m;
         dMassSetZero(&m);
         dMassSetCapsule(&m, 1, direction, 1, 1);
-        EXPECT_EQ(heard.take(), "2: bad direction number in dMassSetCapsule()");
+        EXPECT_EQ(messages.take(), "2: bad direction number in dMassSetCapsule()");
         dMassSetCapsuleTotal(&m, 1, direction, 1, 1);
-        EXPECT_EQ(heard.take(), "2: bad direction number in dMassSetCapsuleTotal()");
+        EXPECT_EQ(messages.take(), "2: bad direction number in dMassSetCapsuleTotal()");
         dMassSetCylinder(&m, 1, direction, 1, 1);
-        EXPECT_EQ(heard.take(), "2: bad direction number in dMassSetCylinder()");
+        EXPECT_EQ(messages.take(), "2: bad direction number in dMassSetCylinder()");
         dMassSetCylinderTotal(&m, 1, direction, 1, 1);
-        EXPECT_EQ(heard.take(), "2: bad direction number in dMassSetCylinderTotal()");
+        EXPECT_EQ(messages.take(), "2: bad direction number in dMassSetCylinderTotal()");
         EXPECT_EQ(m.mass, 0);
     }
 }

@@ -110,7 +110,7 @@ TEST(MatrixApi, ldlt_family_with_reciprocal_pivots)
 
 TEST(MatrixApi, bad_arguments_are_refused_once)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     dReal a[16] = {4, 0, 0, 0, 0, 4}, d[4] = {1, 1, 1, 1};
     dReal* rows[2] = {a, a + 4};
     const int good[2] = {0, 1}, wild[2] = {0, 5};
@@ -142,7 +142,7 @@ TEST(MatrixApi, bad_arguments_are_refused_once)
     };
     for (const auto& [name, call] : calls) {
         call();
-        EXPECT_EQ(heard.take(), "2: Bad argument(s) in " + name + "()");
+        EXPECT_EQ(messages.take(), "2: Bad argument(s) in " + name + "()");
         EXPECT_EQ(a[0], 4) << name;
         EXPECT_EQ(a[5], 4) << name;
         EXPECT_EQ(d[0], 1) << name;
@@ -151,7 +151,7 @@ TEST(MatrixApi, bad_arguments_are_refused_once)
 
 TEST(MatrixApi, exhausted_memory_is_an_answer_and_not_a_crash)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     constexpr int n = 200;  // beyond the stack buffers
     std::vector<dReal> A(n * n), inverse(n * n, 3);
     for (int i = 0; i < n; ++i) A[std::size_t(i * n + i)] = 2;
@@ -159,7 +159,7 @@ TEST(MatrixApi, exhausted_memory_is_an_answer_and_not_a_crash)
     EXPECT_EQ(dInvertPDMatrix(A.data(), inverse.data(), n), 0);
     EXPECT_EQ(dIsPositiveDefinite(A.data(), n), 0);
     dSetAllocHandler(nullptr);
-    EXPECT_EQ(heard.take(),
+    EXPECT_EQ(messages.take(),
               "2: out of memory in dInvertPDMatrix()|2: out of memory in dIsPositiveDefinite()");
     EXPECT_EQ(inverse[0], 3);
     EXPECT_EQ(dInvertPDMatrix(A.data(), inverse.data(), n), 1);

@@ -17,8 +17,8 @@ class MessageRecorder {
     MessageRecorder()
     {
         texts().clear();
-        dSetDebugHandler(&hear);
-        dSetMessageHandler(&hear);
+        dSetDebugHandler(&receive);
+        dSetMessageHandler(&receive);
     }
     MessageRecorder(const MessageRecorder&) = delete;
     MessageRecorder& operator=(const MessageRecorder&) = delete;
@@ -44,7 +44,7 @@ class MessageRecorder {
         return all;
     }
 
-    static void hear(int number, const char* format, va_list arguments)
+    static void receive(int number, const char* format, va_list arguments)
     {
         char text[512];
         std::vsnprintf(text, sizeof text, format, arguments);

@@ -97,7 +97,7 @@ TEST(RotationApi, quaternion_of_half_turns)
 
 TEST(VectorApi, normalising_is_safe_at_both_ends_of_the_range)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     for (dReal size : {std::numeric_limits<dReal>::min(), dReal(1), std::numeric_limits<dReal>::max() / 8}) {
         dVector3 v = {3 * size, 0, 4 * size, 7};
         dNormalize3(v);
@@ -106,12 +106,12 @@ TEST(VectorApi, normalising_is_safe_at_both_ends_of_the_range)
         EXPECT_EQ(dSafeNormalize4(u), 1);
         expect_numbers(u, {0, -0.6, 0, 0.8});
     }
-    EXPECT_EQ(heard.take(), "");
+    EXPECT_EQ(messages.take(), "");
 }
 
 TEST(VectorApi, what_has_no_direction_is_left_alone)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     for (dReal bad : {dReal(0), kNan, kInfinite})
         for (int where = 0; where < 4; ++where) {
             dVector4 v = {};
@@ -119,14 +119,14 @@ TEST(VectorApi, what_has_no_direction_is_left_alone)
             const dVector4 before = {v[0], v[1], v[2], v[3]};
             if (where < 3) {
                 EXPECT_EQ(dSafeNormalize3(v), 0);
-                EXPECT_EQ(heard.take(), "");
+                EXPECT_EQ(messages.take(), "");
                 dNormalize3(v);
-                EXPECT_EQ(heard.take(), "2: Bad argument(s) in dNormalize3()");
+                EXPECT_EQ(messages.take(), "2: Bad argument(s) in dNormalize3()");
             }
             EXPECT_EQ(dSafeNormalize4(v), 0);
-            EXPECT_EQ(heard.take(), "");
+            EXPECT_EQ(messages.take(), "");
             dNormalize4(v);
-            EXPECT_EQ(heard.take(), "2: Bad argument(s) in dNormalize4()");
+            EXPECT_EQ(messages.take(), "2: Bad argument(s) in dNormalize4()");
             for (int i = 0; i < 4; ++i)
                 EXPECT_TRUE(v[i] == before[i] || (std::isnan(v[i]) && i == where)) << where;
         }
@@ -144,7 +144,7 @@ TEST(VectorApi, orthogonalize_repairs_a_drifted_matrix_completely)
 
 TEST(RotationApi, bad_arguments_are_refused_once_and_change_nothing)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     const std::vector<std::pair<std::string, std::function<void(dReal*)>>> calls = {
         {"dRFromAxisAndAngle", [](dReal* out) { dRFromAxisAndAngle(out, 1, 0, kNan, 1); }},
         {"dRFromAxisAndAngle", [](dReal* out) { dRFromAxisAndAngle(out, 1, 0, 0, kInfinite); }},
@@ -164,25 +164,25 @@ TEST(RotationApi, bad_arguments_are_refused_once_and_change_nothing)
     for (const auto& [name, call] : calls) {
         dMatrix3 out = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
         call(out);
-        EXPECT_EQ(heard.take(), "2: Bad argument(s) in " + name + "()");
+        EXPECT_EQ(messages.take(), "2: Bad argument(s) in " + name + "()");
         for (int i = 0; i < 12; ++i) EXPECT_EQ(out[i], i + 1) << name;
         call(nullptr);
-        EXPECT_EQ(heard.take(), "2: Bad argument(s) in " + name + "()") << "null";
+        EXPECT_EQ(messages.take(), "2: Bad argument(s) in " + name + "()") << "null";
     }
     dMatrix3 R = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
     dRFrom2Axes(R, 1, 2, 3, 2, 4, 6);
-    EXPECT_EQ(heard.take(), "2: zero length vector in dRFrom2Axes()");
+    EXPECT_EQ(messages.take(), "2: zero length vector in dRFrom2Axes()");
     for (int i = 0; i < 12; ++i) EXPECT_EQ(R[i], i + 1);
     const dVector3 zero = {};
     dVector3 p = {9, 9, 9}, q = {9, 9, 9};
     dPlaneSpace(zero, p, q);
-    EXPECT_EQ(heard.take(), "2: Bad argument(s) in dPlaneSpace()");
+    EXPECT_EQ(messages.take(), "2: Bad argument(s) in dPlaneSpace()");
     EXPECT_EQ(p[0], 9);
     dRSetIdentity(nullptr);
     dQSetIdentity(nullptr);
     EXPECT_EQ(dOrthogonalizeR(nullptr), 0);
     EXPECT_EQ(dSafeNormalize3(nullptr), 0);
-    EXPECT_EQ(heard.take(),
+    EXPECT_EQ(messages.take(),
               "2: Bad argument(s) in dRSetIdentity()|2: Bad argument(s) in dQSetIdentity()|"
               "2: Bad argument(s) in dOrthogonalizeR()|2: Bad argument(s) in dSafeNormalize3()");
 }

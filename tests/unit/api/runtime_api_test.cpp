@@ -19,7 +19,7 @@ namespace {
 
 TEST(Init, counts_and_refuses_an_unbalanced_close)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     EXPECT_EQ(dInitODE2(0), 1);
     dInitODE();
     EXPECT_EQ(dAllocateODEDataForThread(~0u), 1);
@@ -27,24 +27,24 @@ TEST(Init, counts_and_refuses_an_unbalanced_close)
     dCloseODE();
     EXPECT_EQ(dAllocateODEDataForThread(0), 1) << "still open once";
     dCloseODE();
-    EXPECT_EQ(heard.take(), "");
+    EXPECT_EQ(messages.take(), "");
     dCloseODE();
-    EXPECT_EQ(heard.take(),
+    EXPECT_EQ(messages.take(),
               "2: dCloseODE must not be called without dInitODE2 or if dInitODE2 fails in dCloseODE()");
     EXPECT_EQ(dAllocateODEDataForThread(0), 0);
-    EXPECT_EQ(heard.take(), "2: Call dInitODE2 first in dAllocateODEDataForThread()");
+    EXPECT_EQ(messages.take(), "2: Call dInitODE2 first in dAllocateODEDataForThread()");
     dCleanupODEAllDataForThread();
     EXPECT_EQ(
-        heard.take(),
+        messages.take(),
         "2: Call dInitODE2 first or delay dCloseODE until all threads exit in dCleanupODEAllDataForThread()");
     EXPECT_EQ(dInitODE2(dInitFlagManualThreadCleanup), 1) << "may be opened again";
     dCloseODE();
-    EXPECT_EQ(heard.take(), "");
+    EXPECT_EQ(messages.take(), "");
 }
 
 TEST(Configuration, is_found_word_by_word)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     const std::string all = dGetConfiguration();
     EXPECT_EQ(dCheckConfiguration("ODE"), 1);
     EXPECT_EQ(dCheckConfiguration("ODE_double_precision"), sizeof(dReal) == 8);
@@ -58,9 +58,9 @@ TEST(Configuration, is_found_word_by_word)
         EXPECT_EQ(dCheckConfiguration(no), 0) << "'" << no << "'";
     for (const char* no_word : {"", " ", "ODE ", " ODE", "ODE ODE"})
         EXPECT_EQ(dCheckConfiguration(no_word), 1) << "'" << no_word << "', as ODE answers";
-    EXPECT_EQ(heard.take(), "");
+    EXPECT_EQ(messages.take(), "");
     EXPECT_EQ(dCheckConfiguration(nullptr), 0);
-    EXPECT_EQ(heard.take(), "2: Bad argument(s) in dCheckConfiguration()");
+    EXPECT_EQ(messages.take(), "2: Bad argument(s) in dCheckConfiguration()");
 }
 
 int g_live_blocks = 0;
@@ -214,10 +214,11 @@ TEST(MiscApi, matrices_are_printed_row_by_row)
 {
     const dReal A[8] = {1, 2, 3, 0, 5, 6, 7, 0};
     EXPECT_EQ(written([&](FILE* f) { dPrintMatrix(A, 2, 3, "<%g>", f); }), "<1><2><3>\n<5><6><7>\n");
-    MessageRecorder heard;
+    MessageRecorder messages;
     dPrintMatrix(nullptr, 1, 1, "%g", stdout);
     dMakeRandomVector(nullptr, 1, 1);
-    EXPECT_EQ(heard.take(), "2: Bad argument(s) in dPrintMatrix()|2: Bad argument(s) in dMakeRandomVector()");
+    EXPECT_EQ(messages.take(),
+              "2: Bad argument(s) in dPrintMatrix()|2: Bad argument(s) in dMakeRandomVector()");
 }
 
 void wait_a_little() { std::this_thread::sleep_for(std::chrono::milliseconds(5)); }
@@ -261,12 +262,12 @@ TEST(TimerApi, a_report_lists_the_slots_and_the_total)
 
 TEST(TimerApi, refuses_null)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     dStopwatchReset(nullptr);
     EXPECT_EQ(dStopwatchTime(nullptr), 0);
     dTimerNow(nullptr);
     dTimerReport(nullptr, 0);
-    EXPECT_EQ(heard.take(),
+    EXPECT_EQ(messages.take(),
               "2: Bad argument(s) in dStopwatchReset()|2: Bad argument(s) in dStopwatchTime()|"
               "2: Bad argument(s) in dTimerNow()|2: Bad argument(s) in dTimerReport()");
 }
@@ -288,13 +289,13 @@ TEST(SelfTestApi, passes_leaves_the_sequence_of_dRand_alone_and_gives_its_memory
     const int solved = dTestSolveLCP();
     dTestDataStructures();
     std::fflush(stdout);
-    const std::string told = testing::internal::GetCapturedStdout();
+    const std::string printed = testing::internal::GetCapturedStdout();
     EXPECT_EQ(g_live_blocks, before);
     dSetAllocHandler(nullptr);
     dSetFreeHandler(nullptr);
     EXPECT_EQ(solved, 1);
-    EXPECT_EQ(times(told, "passed"), 6) << told;
-    EXPECT_EQ(times(told, "FAILED"), 0) << told;
+    EXPECT_EQ(times(printed, "passed"), 6) << printed;
+    EXPECT_EQ(times(printed, "FAILED"), 0) << printed;
     EXPECT_EQ(dRandGetSeed(), 5ul);
 }
 
@@ -305,10 +306,10 @@ TEST(SelfTestApi, says_no_when_there_is_no_memory)
     const int solved = dTestSolveLCP();
     dTestDataStructures();
     std::fflush(stdout);
-    const std::string told = testing::internal::GetCapturedStdout();
+    const std::string printed = testing::internal::GetCapturedStdout();
     dSetAllocHandler(nullptr);
     EXPECT_EQ(solved, 0);
-    EXPECT_EQ(times(told, "FAILED"), 6) << told;
+    EXPECT_EQ(times(printed, "FAILED"), 6) << printed;
 }
 
 }  // namespace

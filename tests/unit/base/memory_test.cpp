@@ -189,16 +189,16 @@ TEST(Arena, nothing_is_taken_for_no_or_negative_counts)
     EXPECT_FALSE(arena.failed());
 }
 
-struct Thing : Tagged {
-    explicit Thing(int v) : Tagged(Tag::kBody), value(v) {}
+struct Item : Tagged {
+    explicit Item(int v) : Tagged(Tag::kBody), value(v) {}
     int value;
 };
 
 }  // namespace
 
 template <>
-struct HandleOf<Thing> {
-    using Id = struct dxThing*;
+struct HandleOf<Item> {
+    using Id = struct dxItem*;
     static constexpr Tag kTag = Tag::kBody;
 };
 
@@ -207,76 +207,76 @@ namespace {
 TEST(Pool, objects_are_aligned_distinct_and_recognised_as_dead_afterwards)
 {
     Books books;
-    Thing* all[200];
+    Item* all[200];
     for (int i = 0; i < 200; ++i) {
-        all[i] = Pool<Thing>::create(i);
+        all[i] = Pool<Item>::create(i);
         ASSERT_NE(all[i], nullptr);
         EXPECT_EQ(reinterpret_cast<std::uintptr_t>(all[i]) % kCacheLine, 0u);
     }
     for (int i = 0; i < 200; ++i) EXPECT_EQ(all[i]->value, i);
-    Pool<Thing>::destroy(all[10]);
+    Pool<Item>::destroy(all[10]);
     EXPECT_EQ(all[10]->tag, Tag::kDead);
     EXPECT_EQ(all[11]->tag, Tag::kBody);
-    EXPECT_EQ(Pool<Thing>::create(5), all[10]) << "the slot given last is taken first";
-    Pool<Thing>::slots().trim();
+    EXPECT_EQ(Pool<Item>::create(5), all[10]) << "the slot given last is taken first";
+    Pool<Item>::slots().trim();
     EXPECT_EQ(all[3]->value, 3) << "trim leaves a pool alone while an object lives";
-    for (Thing* t : all) Pool<Thing>::destroy(t);
-    EXPECT_EQ(Pool<Thing>::slots().live(), 0u);
-    Pool<Thing>::slots().trim();
+    for (Item* t : all) Pool<Item>::destroy(t);
+    EXPECT_EQ(Pool<Item>::slots().live(), 0u);
+    Pool<Item>::slots().trim();
     EXPECT_TRUE(Books::open().empty());
     EXPECT_EQ(Books::mismatches(), 0);
 }
 
-HandleOf<Thing>::Id handle_of(const Thing* thing) { return to_handle(thing); }
+HandleOf<Item>::Id handle_of(const Item* item) { return to_handle(item); }
 
 TEST(Pool, a_stale_handle_is_recognised_until_its_slot_has_had_64_more_objects)
 {
-    Thing* thing = Pool<Thing>::create(0);
-    const auto stale = handle_of(thing);
-    EXPECT_EQ(from_handle<Thing>(stale), thing);
+    Item* item = Pool<Item>::create(0);
+    const auto stale = handle_of(item);
+    EXPECT_EQ(from_handle<Item>(stale), item);
     for (int k = 1; k < 64; ++k) {
-        Pool<Thing>::destroy(thing);
-        EXPECT_EQ(from_handle<Thing>(stale), nullptr);
-        ASSERT_EQ(Pool<Thing>::create(k), thing) << "the same slot";
-        EXPECT_EQ(from_handle<Thing>(stale), nullptr) << "object " << k;
-        EXPECT_EQ(from_handle<Thing>(handle_of(thing)), thing);
+        Pool<Item>::destroy(item);
+        EXPECT_EQ(from_handle<Item>(stale), nullptr);
+        ASSERT_EQ(Pool<Item>::create(k), item) << "the same slot";
+        EXPECT_EQ(from_handle<Item>(stale), nullptr) << "object " << k;
+        EXPECT_EQ(from_handle<Item>(handle_of(item)), item);
     }
-    Pool<Thing>::destroy(thing);
-    EXPECT_EQ(from_handle<Thing>(nullptr), nullptr);
+    Pool<Item>::destroy(item);
+    EXPECT_EQ(from_handle<Item>(nullptr), nullptr);
     EXPECT_EQ(handle_of(nullptr), nullptr);
 }
 
 TEST(Pool, what_the_program_s_handlers_gave_goes_with_the_last_close_and_the_rest_stays)
 {
-    Pool<Thing>::slots().trim();
-    Thing* ours = Pool<Thing>::create(1);
+    Pool<Item>::slots().trim();
+    Item* ours = Pool<Item>::create(1);
     Books books;
     Books::allowed() = 10;
-    Thing* others[70];
-    for (Thing*& t : others) t = Pool<Thing>::create(2);
+    Item* others[70];
+    for (Item*& t : others) t = Pool<Item>::create(2);
     EXPECT_FALSE(Books::open().empty());
     SlotPool::trim_all(false);
     EXPECT_FALSE(Books::open().empty()) << "objects live";
-    for (Thing* t : others) Pool<Thing>::destroy(t);
-    Pool<Thing>::destroy(ours);
+    for (Item* t : others) Pool<Item>::destroy(t);
+    Pool<Item>::destroy(ours);
     SlotPool::trim_all(false);
     EXPECT_TRUE(Books::open().empty());
     EXPECT_EQ(ours->tag, Tag::kDead) << "still readable";
-    EXPECT_EQ(Pool<Thing>::create(3), ours);
-    Pool<Thing>::destroy(ours);
+    EXPECT_EQ(Pool<Item>::create(3), ours);
+    Pool<Item>::destroy(ours);
 }
 
 TEST(Pool, answers_null_when_memory_is_exhausted_and_recovers)
 {
-    Pool<Thing>::slots().trim();  // no slot is left that the tests before have had
+    Pool<Item>::slots().trim();  // no slot is left that the tests before have had
     Books books;
     Books::allowed() = 0;
-    EXPECT_EQ(Pool<Thing>::create(1), nullptr);
+    EXPECT_EQ(Pool<Item>::create(1), nullptr);
     Books::allowed() = 10;
-    Thing* t = Pool<Thing>::create(1);
+    Item* t = Pool<Item>::create(1);
     ASSERT_NE(t, nullptr);
-    Pool<Thing>::destroy(t);
-    Pool<Thing>::slots().trim();
+    Pool<Item>::destroy(t);
+    Pool<Item>::slots().trim();
 }
 
 }  // namespace

@@ -15,14 +15,14 @@
 namespace epode {
 namespace {
 
-int g_heard = 0;
+int g_received = 0;
 std::string g_text;
 
-void hear(int number, const char* format, va_list arguments)
+void receive(int number, const char* format, va_list arguments)
 {
     char text[200];
     std::vsnprintf(text, sizeof text, format, arguments);
-    ++g_heard;
+    ++g_received;
     g_text = std::to_string(number) + ": " + text;
 }
 
@@ -36,12 +36,12 @@ void say_hello(const char* name) { EPODE_USER_SAY(name, "no name to greet"); }
 
 TEST(Refusal, reaches_the_debug_handler_every_time)
 {
-    g_heard = 0;
-    set_handler(Channel::kDebug, &hear);
+    g_received = 0;
+    set_handler(Channel::kDebug, &receive);
     EXPECT_EQ(half_of(3), -1);
     EXPECT_EQ(half_of(5), -1);
     EXPECT_EQ(half_of(6), 3);
-    EXPECT_EQ(g_heard, 2);
+    EXPECT_EQ(g_received, 2);
     EXPECT_EQ(g_text, "2: Bad argument(s) in half_of()");
     say_hello(nullptr);
     EXPECT_EQ(g_text, "2: no name to greet in say_hello()");

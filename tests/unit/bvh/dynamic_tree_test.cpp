@@ -90,7 +90,7 @@ TEST(DynamicTree, loose_insertion_and_rebuild_give_the_same_answers)
     }
 }
 
-// In small steps, with leaps and newcomers between: refitted mostly, built anew when that has become bad.
+// Boxes move by little, with leaps and newcomers between: mostly refitted, built again when the tree has become bad.
 TEST(DynamicTree, boxes_that_move_together_are_found_after_settling)
 {
     RandomNumbers random(4);

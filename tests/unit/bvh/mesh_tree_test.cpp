@@ -78,11 +78,11 @@ int compare(const MeshTree& tree, const TriangleMesh& mesh, Vec3 o, Vec3 d, Real
 }
 
 // The same of all rays, of which every other one is aimed at a triangle.
-int compare(const MeshTree& tree, const TriangleMesh& mesh, RandomNumbers& random, Real spread, int asks)
+int compare(const MeshTree& tree, const TriangleMesh& mesh, RandomNumbers& random, Real spread, int queries)
 {
     int hit_count = 0;
     const int rays = std::clamp(60000 / mesh.triangle_count(), 1, 20);
-    for (int i = 0; i < asks; ++i) {
+    for (int i = 0; i < queries; ++i) {
         const Vec3 c = spread * random.vec(), e = abs(random.vec()) * (spread * random.in(0, Real(0.3)));
         const Aabb box{c - e, c + e};
         EXPECT_EQ(sorted(ask(tree, mesh, box)), ask(mesh, box));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What a solid keeps of a mesh's tree from question to question: the answers are those of the tree, leaf by
+// What a solid keeps of a mesh's tree from query to query: the answers are those of the tree, leaf by
 // leaf and in its order, wherever the solid goes and whatever becomes of the mesh.
 #include "bvh/near_leaves.h"
 

@@ -13,7 +13,10 @@ namespace {
 
 constexpr int kStride = sizeof(dContactGeom);
 
-int collide(dGeomID a, dGeomID b, dContactGeom* c, int room = 4) { return dCollide(a, b, room, c, kStride); }
+int collide(dGeomID a, dGeomID b, dContactGeom* c, int capacity = 4)
+{
+    return dCollide(a, b, capacity, c, kStride);
+}
 
 TEST(Collide, names_the_geoms_in_the_callers_order_and_turns_the_normal)
 {
@@ -40,26 +43,26 @@ TEST(Collide, names_the_geoms_in_the_callers_order_and_turns_the_normal)
 
 TEST(Collide, refuses_bad_arguments_and_writes_nothing)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     dGeomID a = dCreateSphere(nullptr, 1), b = dCreateSphere(nullptr, 1);
     dContactGeom c[2];
     std::memset(c, 0x55, sizeof c);
     const dContactGeom untouched = c[0];
     EXPECT_EQ(dCollide(a, b, 0, c, kStride), 0);
-    EXPECT_EQ(heard.take(), "2: no contacts requested in dCollide()");
+    EXPECT_EQ(messages.take(), "2: no contacts requested in dCollide()");
     EXPECT_EQ(dCollide(a, b, 1, c, kStride - 1), 0);
-    EXPECT_EQ(heard.take(), "2: Bad argument(s) in dCollide()");
+    EXPECT_EQ(messages.take(), "2: Bad argument(s) in dCollide()");
     EXPECT_EQ(dCollide(nullptr, b, 1, c, kStride), 0);
     EXPECT_EQ(dCollide(a, nullptr, 1, c, kStride), 0);
     EXPECT_EQ(dCollide(a, b, 1, nullptr, kStride), 0);
     dGeomDestroy(b);
     EXPECT_EQ(dCollide(a, b, 1, c, kStride), 0) << "a destroyed geom";
-    heard.take();
+    messages.take();
     EXPECT_EQ(std::memcmp(&c[0], &untouched, sizeof untouched), 0);
     dGeomDestroy(a);
 }
 
-TEST(Collide, honours_the_stride_and_the_room)
+TEST(Collide, honours_the_stride_and_the_capacity)
 {
     dGeomID box = dCreateBox(nullptr, 1, 1, 1), plane = dCreatePlane(nullptr, 0, 0, 1, 0);
     dGeomSetPosition(box, 0, 0, dReal(0.4));
@@ -155,14 +158,14 @@ TEST_F(Override, of_a_class_with_itself_gets_its_arguments_in_order)
 
 // ---- user classes ----
 
-struct Questions {
-    int asked = 0, vetoes = 0, destroyed = 0;
+struct Calls {
+    int colliders = 0, vetoes = 0, destroyed = 0;
     bool veto = false;
-} g_questions;
+} g_calls;
 
 dColliderFn* answer(int number)
 {
-    ++g_questions.asked;
+    ++g_calls.colliders;
     return number == dSphereClass ? two_contacts : nullptr;
 }
 void unit_box(dGeomID g, dReal aabb[6])
@@ -172,18 +175,18 @@ void unit_box(dGeomID g, dReal aabb[6])
 }
 int veto(dGeomID, dGeomID, dReal[6])
 {
-    ++g_questions.vetoes;
-    return !g_questions.veto;
+    ++g_calls.vetoes;
+    return !g_calls.veto;
 }
 void count_end(dGeomID g)
 {
     EXPECT_EQ(*static_cast<int*>(dGeomGetClassData(g)), 42);
-    ++g_questions.destroyed;
+    ++g_calls.destroyed;
 }
 
 class UserClass : public Initialized {
   protected:
-    UserClass() { g_questions = {}; }
+    UserClass() { g_calls = {}; }
     dGeomClass description{sizeof(int), answer, unit_box, veto, count_end};
 };
 
@@ -203,53 +206,53 @@ TEST_F(UserClass, collides_and_lives_through_the_programs_functions)
     ASSERT_EQ(collide(sphere, user, c), 2);
     EXPECT_EQ(c[0].g1, sphere);
     EXPECT_EQ(c[0].normal[0], -1);
-    EXPECT_EQ(g_questions.asked, 1) << "the answer is remembered for both orders";
+    EXPECT_EQ(g_calls.colliders, 1) << "the answer is remembered for both orders";
     EXPECT_EQ(collide(user, box, c), 0);
     EXPECT_EQ(collide(box, user, c), 0);
-    EXPECT_EQ(g_questions.asked, 2);
+    EXPECT_EQ(g_calls.colliders, 2);
 
     dSpaceID space = dHashSpaceCreate(nullptr);
     dSpaceAdd(space, user);
     dSpaceAdd(space, sphere);
     EXPECT_EQ(pairs_in(space).size(), 1u);
-    EXPECT_EQ(g_questions.vetoes, 1);
-    g_questions.veto = true;
+    EXPECT_EQ(g_calls.vetoes, 1);
+    g_calls.veto = true;
     EXPECT_EQ(pairs_in(space).size(), 0u);
-    g_questions.veto = false;
+    g_calls.veto = false;
     dGeomSetPosition(user, 5, 0, 0);
     EXPECT_EQ(pairs_in(space).size(), 0u);
     dSpaceDestroy(space);
-    EXPECT_EQ(g_questions.destroyed, 1);
+    EXPECT_EQ(g_calls.destroyed, 1);
     dGeomDestroy(box);
 }
 
 TEST_F(UserClass, registration_is_checked_and_ends_with_the_last_close)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     dGeomClass bad = description;
     bad.collider = nullptr;
     EXPECT_EQ(dCreateGeomClass(&bad), -1);
-    EXPECT_EQ(heard.take(), "2: bad geom class in dCreateGeomClass()");
+    EXPECT_EQ(messages.take(), "2: bad geom class in dCreateGeomClass()");
     for (int i = 0; i < dMaxUserClasses; ++i) EXPECT_EQ(dCreateGeomClass(&description), dFirstUserClass + i);
     EXPECT_EQ(dCreateGeomClass(&description), -1);
-    EXPECT_NE(heard.take(), "");
+    EXPECT_NE(messages.take(), "");
     EXPECT_EQ(dCreateGeom(dSphereClass), nullptr);
-    EXPECT_EQ(heard.take(), "2: not a custom class in dCreateGeom()");
+    EXPECT_EQ(messages.take(), "2: not a custom class in dCreateGeom()");
     dGeomID sphere = dCreateSphere(nullptr, 1), user = dCreateGeom(dFirstUserClass);
     *static_cast<int*>(dGeomGetClassData(user)) = 42;
     EXPECT_EQ(dGeomGetClassData(sphere), nullptr);
-    EXPECT_EQ(heard.take(), "2: not a custom class in dGeomGetClassData()");
+    EXPECT_EQ(messages.take(), "2: not a custom class in dGeomGetClassData()");
     dCloseODE();
     dInitODE2(0);
     EXPECT_EQ(dCreateGeom(dFirstUserClass), nullptr);
-    heard.take();
+    messages.take();
     // The number is taken by another class; the geom of the forgotten one must not reach its collider.
     EXPECT_EQ(dCreateGeomClass(&description), dFirstUserClass);
     dContactGeom c[4];
     EXPECT_EQ(collide(user, sphere, c), 0);
     dGeomDestroy(user);
-    EXPECT_EQ(g_questions.destroyed, 1);
-    EXPECT_EQ(heard.take(), "");
+    EXPECT_EQ(g_calls.destroyed, 1);
+    EXPECT_EQ(messages.take(), "");
     dGeomDestroy(sphere);
 }
 
@@ -280,7 +283,7 @@ TEST_F(UserClass, inside_a_transform_sees_itself_placed)
     EXPECT_EQ(box[2], 1);
     EXPECT_EQ(box[3], 3);
     dGeomDestroy(t);
-    EXPECT_EQ(g_questions.destroyed, 1);
+    EXPECT_EQ(g_calls.destroyed, 1);
     dGeomDestroy(sphere);
 }
 
@@ -327,21 +330,21 @@ TEST(GeomTransform, box_follows_what_it_holds)
 
 TEST(GeomTransform, refuses_what_it_cannot_hold)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     dSpaceID space = dHashSpaceCreate(nullptr);
     dGeomID t = dCreateGeomTransform(nullptr), u = dCreateGeomTransform(nullptr),
             inside = dCreateSphere(space, 1);
     dGeomTransformSetGeom(t, inside);
-    EXPECT_EQ(heard.take(),
+    EXPECT_EQ(messages.take(),
               "2: GeomTransform encapsulated object must not be in a space in dGeomTransformSetGeom()");
     dGeomTransformSetGeom(t, t);
-    EXPECT_NE(heard.take(), "");
+    EXPECT_NE(messages.take(), "");
     dGeomTransformSetGeom(t, u);
-    EXPECT_EQ(heard.take(), "");
+    EXPECT_EQ(messages.take(), "");
     dGeomTransformSetGeom(u, t);
-    EXPECT_NE(heard.take(), "") << "a circle";
+    EXPECT_NE(messages.take(), "") << "a circle";
     dSpaceAdd(space, u);
-    EXPECT_NE(heard.take(), "") << "held by a transform";
+    EXPECT_NE(messages.take(), "") << "held by a transform";
     dGeomDestroy(t);
     EXPECT_EQ(dGeomTransformGetGeom(u), nullptr);
     dGeomDestroy(u);
@@ -350,7 +353,7 @@ TEST(GeomTransform, refuses_what_it_cannot_hold)
 
 TEST(GeomTransform, nested_composes_poses_and_cleanup)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     dGeomID outer = dCreateGeomTransform(nullptr), inner = dCreateGeomTransform(nullptr);
     dGeomID sphere = dCreateSphere(nullptr, 1), probe = dCreateSphere(nullptr, 1);
     dGeomSetPosition(outer, 1, 0, 0), dGeomSetPosition(inner, 0, 1, 0), dGeomSetPosition(sphere, 0, 0, 1);
@@ -365,9 +368,9 @@ TEST(GeomTransform, nested_composes_poses_and_cleanup)
     ASSERT_EQ(collide(outer, probe, c, 1), 1);
     EXPECT_EQ(c[0].g1, outer);
     dGeomDestroy(outer);
-    EXPECT_EQ(heard.take(), "");
+    EXPECT_EQ(messages.take(), "");
     (void)dGeomSphereGetRadius(sphere);
-    EXPECT_NE(heard.take(), "") << "cleaned up two levels down";
+    EXPECT_NE(messages.take(), "") << "cleaned up two levels down";
     dGeomDestroy(probe);
 }
 

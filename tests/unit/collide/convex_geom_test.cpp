@@ -132,7 +132,7 @@ TEST(ConvexGeom, TakesAnotherShapeAtOnce)
 // points that stand out.
 TEST(ConvexGeom, IsTheHullOfItsPointsWhateverTheFaces)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     Arrays few = box_arrays(1, 1, 1), inward = few, more = few;
     few.planes.resize(4);
     for (std::size_t f = 0; f < 6; ++f)
@@ -143,7 +143,7 @@ TEST(ConvexGeom, IsTheHullOfItsPointsWhateverTheFaces)
     dGeomSetPosition(ball, 0, 0, dReal(1.5));
     for (const Arrays* arrays : {&few, &inward, &more}) {
         const dGeomID convex = arrays->create();
-        ASSERT_NE(convex, nullptr) << heard.take();
+        ASSERT_NE(convex, nullptr) << messages.take();
         const Touch touch(ball, convex);
         ASSERT_EQ(touch.count, 1);
         EXPECT_EQ(dGeomConvexGetPlanes(convex, nullptr, 0), arrays == &more ? 9 : 6);
@@ -153,7 +153,7 @@ TEST(ConvexGeom, IsTheHullOfItsPointsWhateverTheFaces)
         }
         dGeomDestroy(convex);
     }
-    EXPECT_EQ(heard.take(), "");
+    EXPECT_EQ(messages.take(), "");
     dGeomDestroy(ball);
 }
 
@@ -177,10 +177,10 @@ TEST(ConvexGeom, PointsInAPlaneMakeAPlateWithTwoSides)
         ASSERT_EQ(hit.count, 1);
         EXPECT_NEAR(hit.contacts[0].depth, 2, kTight);
     }
-    MessageRecorder heard;
+    MessageRecorder messages;
     dMass m;
     dMassSetConvex(&m, 1, convex);
-    EXPECT_EQ(heard.take(), "2: convex has no volume in dMassSetConvex()");
+    EXPECT_EQ(messages.take(), "2: convex has no volume in dMassSetConvex()");
     for (const dGeomID g : {convex, ball, ray}) dGeomDestroy(g);
 }
 
@@ -230,21 +230,21 @@ TEST(ConvexHull, OfACloudGivesBackACubeThatBothFunctionsTake)
 
 TEST(ConvexHull, RefusesWhatHasNoInside)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     std::vector<dReal> points = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, dReal(0.3), dReal(0.4), 0};
     EXPECT_EQ(dCreateConvexHull(nullptr, points.data(), 5, 0), nullptr);
-    EXPECT_EQ(heard.take(), "2: all points lie in a plane in dCreateConvexHull()");
+    EXPECT_EQ(messages.take(), "2: all points lie in a plane in dCreateConvexHull()");
     points[14] = 1;
     const dGeomID good = dCreateConvexHull(nullptr, points.data(), 5, 0);
     ASSERT_NE(good, nullptr);
     EXPECT_EQ(dCreateConvexHull(nullptr, points.data(), 2, 0), nullptr);
-    EXPECT_EQ(heard.take(), "2: too few or too many points in dCreateConvexHull()");
+    EXPECT_EQ(messages.take(), "2: too few or too many points in dCreateConvexHull()");
     EXPECT_EQ(dCreateConvexHull(nullptr, points.data(), 5, 3), nullptr);
     EXPECT_EQ(dCreateConvexHull(nullptr, nullptr, 5, 0), nullptr);
     dGeomSetConvexHull(good, nullptr, 5, 0);
     points[7] = std::numeric_limits<dReal>::infinity();
     dGeomSetConvexHull(good, points.data(), 5, 0);
-    EXPECT_EQ(heard.take(),
+    EXPECT_EQ(messages.take(),
               "2: Bad argument(s) in dCreateConvexHull()|2: Bad argument(s) in dCreateConvexHull()|"
               "2: Bad argument(s) in dGeomSetConvexHull()|"
               "2: point is not a usable number in dGeomSetConvexHull()");
@@ -254,7 +254,7 @@ TEST(ConvexHull, RefusesWhatHasNoInside)
     dMass m;
     dMassSetConvex(nullptr, 1, good);
     dMassSetConvexTotal(&m, std::numeric_limits<dReal>::quiet_NaN(), good);
-    EXPECT_EQ(heard.take(),
+    EXPECT_EQ(messages.take(),
               "2: Bad argument(s) in dGeomConvexGetPoints()|"
               "2: argument not a convex shape in dGeomConvexGetPlanes()|"
               "2: Bad argument(s) in dGeomConvexGetPolygons()|"
@@ -265,7 +265,7 @@ TEST(ConvexHull, RefusesWhatHasNoInside)
 
 TEST(ConvexGeom, RefusesWhatIsNoSolid)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     const Arrays good = box_arrays(1, 1, 1);
     const dGeomID convex = good.create();
     const dReal nan = std::numeric_limits<dReal>::quiet_NaN();
@@ -275,7 +275,7 @@ TEST(ConvexGeom, RefusesWhatIsNoSolid)
         dReal box[6];
         dGeomGetAABB(convex, box);
         EXPECT_EQ(box[1], 1);
-        const std::string said = heard.take();
+        const std::string said = messages.take();
         EXPECT_NE(said.find("in dCreateConvex()"), std::string::npos) << said;
         EXPECT_NE(said.find("in dGeomSetConvex()"), std::string::npos) << said;
         return said;
@@ -298,7 +298,7 @@ TEST(ConvexGeom, RefusesWhatIsNoSolid)
     const auto pointers = [&](const dReal* planes, const dReal* points, const unsigned* polygons,
                               unsigned faces, unsigned corners) {
         EXPECT_EQ(dCreateConvex(nullptr, planes, faces, points, corners, polygons), nullptr);
-        EXPECT_NE(heard.take(), "");
+        EXPECT_NE(messages.take(), "");
     };
     pointers(nullptr, good.points.data(), good.polygons.data(), 6, 8);
     pointers(good.planes.data(), nullptr, good.polygons.data(), 6, 8);
@@ -308,16 +308,16 @@ TEST(ConvexGeom, RefusesWhatIsNoSolid)
     pointers(good.planes.data(), good.points.data(), good.polygons.data(), 6, ~0u);  // a negative number
     pointers(good.planes.data(), good.points.data(), good.polygons.data(), ~5u, 8);
     dGeomSetConvex(nullptr, good.planes.data(), 6, good.points.data(), 8, good.polygons.data());
-    EXPECT_NE(heard.take(), "");
+    EXPECT_NE(messages.take(), "");
     const dGeomID ball = dCreateSphere(nullptr, 1);
     good.give(ball);
-    EXPECT_EQ(heard.take(), "2: argument not a convex shape in dGeomSetConvex()");
+    EXPECT_EQ(messages.take(), "2: argument not a convex shape in dGeomSetConvex()");
     dGeomDestroy(ball), dGeomDestroy(convex);
 }
 
 TEST(ConvexGeom, KeepsItsShapeWhileItsSpaceCollides)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     const dSpaceID space = dHashSpaceCreate(nullptr);
     struct Both {
         dGeomID convex;
@@ -328,7 +328,7 @@ TEST(ConvexGeom, KeepsItsShapeWhileItsSpaceCollides)
         const Both& b = *static_cast<Both*>(data);
         b.arrays.give(b.convex);
     });
-    EXPECT_NE(heard.take().find("in dGeomSetConvex()"), std::string::npos);
+    EXPECT_NE(messages.take().find("in dGeomSetConvex()"), std::string::npos);
     dSpaceDestroy(space);
 }
 

@@ -16,7 +16,7 @@
 namespace epode {
 namespace {
 
-constexpr int kMost = 12;
+constexpr int kCapacity = 12;
 constexpr int kKinds = 4;
 
 dGeomID make_solid(int kind)
@@ -28,7 +28,7 @@ dGeomID make_solid(int kind)
 }
 
 struct Contacts {
-    dContactGeom at[kMost];
+    dContactGeom at[kCapacity];
     int count = 0;
 };
 
@@ -36,7 +36,7 @@ Contacts collide(dGeomID solid, dGeomID mesh, bool mesh_first = false)
 {
     Contacts c;
     c.count =
-        dCollide(mesh_first ? mesh : solid, mesh_first ? solid : mesh, kMost, c.at, sizeof(dContactGeom));
+        dCollide(mesh_first ? mesh : solid, mesh_first ? solid : mesh, kCapacity, c.at, sizeof(dContactGeom));
     return c;
 }
 
@@ -140,7 +140,7 @@ TEST_F(GeomLeavesTest, contacts_do_not_depend_on_the_way_there)
             contacts = gathered = 0;
             travel(kind, step, 400,
                    [&](dGeomID solid, int i) { expect_as_fresh(solid, kind, ground.geom, i % 3 == 0); });
-            // Who goes in small steps has use of it; of leaps nobody has.
+            // It is of use to what moves by little, and to nothing that leaps.
             const bool leaps = step > 1;
             EXPECT_GT(contacts, leaps ? 0 : 100);
             if (!leaps) { EXPECT_GT(gathered, 200); }

@@ -60,8 +60,8 @@ void spoil(Soup& s, Real cell, RandomNumbers& dice)
         const Real half[3] = {(x(a, 0) + x(b, 0)) / 2, (x(a, 1) + x(b, 1)) / 2, (x(a, 2) + x(b, 2)) / 2};
         const dTriIndex middle = s.vertex(half[0], half[1], half[2]);
         s.triangle(a, copy, c), s.triangle(a, middle, b);
-        const dTriIndex beside = s.vertex(half[0], half[1], half[2] + cell * 8 * kEpsilon * dice.in(0, 1));
-        s.triangle(a, beside, copy);
+        const dTriIndex near_it = s.vertex(half[0], half[1], half[2] + cell * 8 * kEpsilon * dice.in(0, 1));
+        s.triangle(a, near_it, copy);
     }
 }
 
@@ -109,12 +109,12 @@ dGeomID make(int kind, Real size)
 // How many contacts there are; all of them must be usable.
 int check(dGeomID solid, const MeshOf& mesh)
 {
-    constexpr int kRoom = 16;
-    dContactGeom found[kRoom + 1];
-    found[kRoom].depth = -77;
-    const int n = dCollide(solid, mesh.geom, kRoom, found, sizeof(dContactGeom));
-    EXPECT_LE(n, kRoom);
-    EXPECT_EQ(found[kRoom].depth, -77);
+    constexpr int kCapacity = 16;
+    dContactGeom found[kCapacity + 1];
+    found[kCapacity].depth = -77;
+    const int n = dCollide(solid, mesh.geom, kCapacity, found, sizeof(dContactGeom));
+    EXPECT_LE(n, kCapacity);
+    EXPECT_EQ(found[kCapacity].depth, -77);
     for (int i = 0; i < n; ++i) {
         const dContactGeom& c = found[i];
         for (int k = 0; k < 3; ++k) EXPECT_TRUE(std::isfinite(c.pos[k]) && std::isfinite(c.normal[k]));

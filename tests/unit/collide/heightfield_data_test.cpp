@@ -122,11 +122,11 @@ TEST_F(HeightfieldData, boxes_follow_pose_wrap_and_scale)
 TEST_F(HeightfieldData, refuses_what_is_no_field_and_keeps_what_it_had)
 {
     dGeomHeightfieldDataBuildDouble(data, cone, 1, 4, 4, 3, 3, 1, 0, 1, 0);
-    MessageRecorder heard;
+    MessageRecorder messages;
     const auto build = [&](dHeightfieldDataID d, const double* h, Real w, Real l, int nx, int nz,
                            Real scale) {
         dGeomHeightfieldDataBuildDouble(d, h, 1, w, l, nx, nz, scale, 0, 1, 0);
-        return heard.take();
+        return messages.take();
     };
     const std::string bad = "2: Bad argument(s) in dGeomHeightfieldDataBuildDouble()";
     EXPECT_EQ(build(data, nullptr, 4, 4, 3, 3, 1), bad);
@@ -141,14 +141,14 @@ TEST_F(HeightfieldData, refuses_what_is_no_field_and_keeps_what_it_had)
         EXPECT_NE(build(data, cone, 4, 4, 3, 3, 1), "") << broken;
     }
     dGeomHeightfieldDataSetBounds(data, std::numeric_limits<Real>::quiet_NaN(), 1);
-    EXPECT_EQ(heard.take(), "2: Bad argument(s) in dGeomHeightfieldDataSetBounds()");
+    EXPECT_EQ(messages.take(), "2: Bad argument(s) in dGeomHeightfieldDataSetBounds()");
     dGeomHeightfieldDataBuildCallback(data, nullptr, nullptr, 4, 4, 3, 3, 1, 0, 1, 0);
-    EXPECT_EQ(heard.take(), "2: Bad argument(s) in dGeomHeightfieldDataBuildCallback()");
+    EXPECT_EQ(messages.take(), "2: Bad argument(s) in dGeomHeightfieldDataBuildCallback()");
     EXPECT_NEAR(height_at(0, 0), 1, 1e-6) << "the old field is still there";
     expect_box(geom, {-2, 2, -1, 1, -2, 2});
     const dGeomID ball = dCreateSphere(nullptr, 1);
     dGeomHeightfieldSetHeightfieldData(ball, data);
-    EXPECT_EQ(heard.take(), "2: argument not a heightfield in dGeomHeightfieldSetHeightfieldData()");
+    EXPECT_EQ(messages.take(), "2: argument not a heightfield in dGeomHeightfieldSetHeightfieldData()");
     dGeomDestroy(ball);
 }
 
@@ -167,9 +167,9 @@ TEST_F(HeightfieldData, collides_with_nothing_without_data)
     dGeomHeightfieldSetHeightfieldData(geom, next);
     EXPECT_NEAR(height_at(0, 0), 1, 1e-6);
     dGeomHeightfieldDataDestroy(next);
-    MessageRecorder heard;
+    MessageRecorder messages;
     dGeomHeightfieldDataDestroy(next);
-    EXPECT_EQ(heard.take(), "2: Bad argument(s) in dGeomHeightfieldDataDestroy()");
+    EXPECT_EQ(messages.take(), "2: Bad argument(s) in dGeomHeightfieldDataDestroy()");
 }
 
 TEST_F(HeightfieldData, fixed_fields_have_no_pose)
@@ -177,9 +177,9 @@ TEST_F(HeightfieldData, fixed_fields_have_no_pose)
     dGeomHeightfieldDataBuildDouble(data, cone, 1, 4, 4, 3, 3, 1, 0, 1, 0);
     const dGeomID fixed = dCreateHeightfield(nullptr, data, 0);
     EXPECT_EQ(dGeomGetClass(fixed), dHeightfieldClass);
-    MessageRecorder heard;
+    MessageRecorder messages;
     dGeomSetPosition(fixed, 1, 2, 3);
-    EXPECT_EQ(heard.take(), "2: geom must be placeable in dGeomSetPosition()");
+    EXPECT_EQ(messages.take(), "2: geom must be placeable in dGeomSetPosition()");
     expect_box(fixed, {-2, 2, -1, 1, -2, 2});
     dGeomDestroy(fixed);
 }
@@ -209,14 +209,14 @@ TEST_F(HeightfieldData, lives_in_spaces_and_on_bodies)
 
 TEST(Spaces, refuse_hints_that_mean_nothing)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     EXPECT_EQ(dSweepAndPruneSpaceCreate(nullptr, 0x3f), nullptr);
-    EXPECT_EQ(heard.take(), "2: Bad argument(s) in dSweepAndPruneSpaceCreate()");
+    EXPECT_EQ(messages.take(), "2: Bad argument(s) in dSweepAndPruneSpaceCreate()");
     const dVector3 centre = {0, 0, 0}, extents = {5, 5, std::numeric_limits<Real>::quiet_NaN()};
     EXPECT_EQ(dQuadTreeSpaceCreate(nullptr, centre, extents, 3), nullptr);
     EXPECT_EQ(dQuadTreeSpaceCreate(nullptr, centre, nullptr, 3), nullptr);
     EXPECT_EQ(dQuadTreeSpaceCreate(nullptr, centre, centre, -1), nullptr);
-    EXPECT_NE(heard.take(), "");
+    EXPECT_NE(messages.take(), "");
     for (const int order :
          {dSAP_AXES_XYZ, dSAP_AXES_XZY, dSAP_AXES_YXZ, dSAP_AXES_YZX, dSAP_AXES_ZXY, dSAP_AXES_ZYX}) {
         const dSpaceID space = dSweepAndPruneSpaceCreate(nullptr, order);
@@ -227,7 +227,7 @@ TEST(Spaces, refuse_hints_that_mean_nothing)
     const dSpaceID tree = dQuadTreeSpaceCreate(nullptr, centre, centre, 0);
     EXPECT_EQ(dSpaceGetClass(tree), dQuadTreeSpaceClass);
     dSpaceDestroy(tree);
-    EXPECT_EQ(heard.take(), "");
+    EXPECT_EQ(messages.take(), "");
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Holes in height fields: what is set is told back, nothing touches inside, rims and walls push as the
+// Holes in height fields: what is set is read back, nothing touches inside, rims and walls push as the
 // nearest of all triangles of the slab says, what has fallen in is not lifted, what does not reach a hole
 // does not know of it.
 #include <cstring>
@@ -57,7 +57,7 @@ struct Shapes {
     }
 };
 
-TEST(HeightfieldHoles, are_told_back_and_go_when_the_field_is_built_again)
+TEST(HeightfieldHoles, are_read_back_and_removed_when_the_field_is_built_again)
 {
     const Ground ground(5, 4, 4, 3, flat);
     EXPECT_EQ(dGeomHeightfieldDataGetHole(ground.data, 1, 2), 0);
@@ -82,9 +82,9 @@ TEST(HeightfieldHoles, refuses_cells_that_are_none)
     dGeomHeightfieldDataSetHole(ground.data, 2, 2, 1);
     const unsigned char holes[12] = {};
     const dHeightfieldDataID empty = dGeomHeightfieldDataCreate();
-    MessageRecorder heard;
+    MessageRecorder messages;
     const auto refused = [&](const char* name) {
-        EXPECT_EQ(heard.take(), std::string("2: Bad argument(s) in ") + name + "()");
+        EXPECT_EQ(messages.take(), std::string("2: Bad argument(s) in ") + name + "()");
         EXPECT_EQ(dGeomHeightfieldDataGetHole(ground.data, 2, 2), 1);
     };
     for (const auto& [columns, rows] :
@@ -290,7 +290,7 @@ TEST(HeightfieldHoles, walls_push_level_and_nothing_lifts)
             const Real aside = dGeomGetClass(g) == dTriMeshClass ? Real(0.7) : Real(1e-5);
             for (const Found& c : f)
                 EXPECT_LT(length(c.normal - Vec3{-1, 0, 0}), aside) << dGeomGetClass(g) << " trial " << trial;
-            // Under the ground beside it, below the walls: nothing.
+            // Under the ground around it, below the walls: nothing.
             place(g, {dice.in(2, 4), dice.in(-6, Real(-1.5)), dice.in(-1, 1)}, R);
             EXPECT_TRUE(contacts(g, ground.geom).empty()) << dGeomGetClass(g);
         }

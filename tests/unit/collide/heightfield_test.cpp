@@ -144,8 +144,8 @@ TEST(Heightfield, a_valley_holds_a_ball_from_both_sides)
     const Ground ground(5, 5, 8, 8, [](int i, int) { return std::fabs(Real(i) - 2) * 2; });
     const dGeomID ball = dCreateSphere(nullptr, 1);
     place(ball, {0, std::sqrt(Real(2)) - Real(0.01), Real(0.3)});
-    for (const int room : {2, 4, 64}) {
-        const std::vector<Found> f = contacts(ball, ground.geom, room);
+    for (const int capacity : {2, 4, 64}) {
+        const std::vector<Found> f = contacts(ball, ground.geom, capacity);
         ASSERT_EQ(f.size(), 2u);
         EXPECT_NEAR(f[0].normal.x + f[1].normal.x, 0, kTight);
         for (const Found& c : f) {
@@ -218,9 +218,10 @@ TEST(Heightfield, what_has_sunk_in_is_found_and_pushed_out)
                 const std::vector<Found> f = contacts(g, ground.geom);
                 left = deepest(f);
                 if (left < Real(1e-4)) break;
-                const Found* most = &f[0];
-                for (const Found& c : f) most = c.depth > most->depth ? &c : most;
-                const Vec3 p = load(dGeomGetPosition(g)) + (most->depth + Real(1e-5)) * most->normal;
+                const Found* deepest_one = &f[0];
+                for (const Found& c : f) deepest_one = c.depth > deepest_one->depth ? &c : deepest_one;
+                const Vec3 p =
+                    load(dGeomGetPosition(g)) + (deepest_one->depth + Real(1e-5)) * deepest_one->normal;
                 place(g, p, load_mat(dGeomGetRotation(g)));
             }
             EXPECT_LT(left, Real(1e-4)) << dGeomGetClass(g) << ' ' << trial;
@@ -268,8 +269,8 @@ TEST(Heightfield, serves_both_orders_and_small_rooms_without_allocating)
             EXPECT_TRUE(ahead[k].pos == back[k].pos && ahead[k].depth == back[k].depth);
             EXPECT_EQ(ahead[k].normal, -back[k].normal);
         }
-        for (int room = 1; room < 6; ++room)
-            EXPECT_NEAR(deepest(contacts(g, ground.geom, room)), deepest(ahead), 1e-12);
+        for (int capacity = 1; capacity < 6; ++capacity)
+            EXPECT_NEAR(deepest(contacts(g, ground.geom, capacity)), deepest(ahead), 1e-12);
         dContactGeom few[8];
         const std::size_t before = allocation_count();
         dCollide(g, ground.geom, 8, few, sizeof(dContactGeom));
@@ -331,16 +332,16 @@ void drop_boxes(unsigned seed)
         place(box, {Real(k % 3) * 4 - 4, 2, Real(k / 3) * 4 - 4}, to_matrix(dice.rotation()));
         boxes.push_back(box);
     }
-    Real sunk_most = -kInf;
+    Real sunk_largest = -kInf;
     dSpaceAdd(space, ground.geom);
     for (int step = 0; step < 800; ++step) {
         dSpaceCollide(space, &where, contact_joints);
         dWorldStep(where.first, Real(0.01));
         dJointGroupEmpty(where.second);
         if (step % 50 == 0)
-            for (const dGeomID box : boxes) sunk_most = std::fmax(sunk_most, sunk(ground, box));
+            for (const dGeomID box : boxes) sunk_largest = std::fmax(sunk_largest, sunk(ground, box));
     }
-    EXPECT_LT(sunk_most, Real(0.1)) << "the impact, 2 m down at 0.01 s, and no deeper";
+    EXPECT_LT(sunk_largest, Real(0.1)) << "the impact, 2 m down at 0.01 s, and no deeper";
     for (const dGeomID box : boxes) {
         EXPECT_LT(length(load(dBodyGetLinearVel(dGeomGetBody(box)))), 1e-3) << "seed " << seed;
         EXPECT_LT(sunk(ground, box), Real(0.01));

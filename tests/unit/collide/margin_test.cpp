@@ -81,7 +81,7 @@ class Margin : public testing::TestWithParam<Kind> {
         const dReal* R = dGeomGetRotation(upper);
         Real down = 0;
         for (int k = 0; k < 3; ++k) down += std::fabs(R[8 + k]) * kUpper[k];
-        // Each draw is a statement of its own: compilers differ in the order in which arguments are reckoned.
+        // Each draw is a statement of its own: compilers differ in the order in which arguments are evaluated.
         const Real z = (on_plane() ? Real(0) : kLower.z) + down - between(Real(0.001), Real(0.02));
         const Real y = between(Real(-0.8), Real(0.8)), x = between(Real(-0.8), Real(0.8));
         dGeomSetPosition(upper, x, y, z);
@@ -91,15 +91,15 @@ class Margin : public testing::TestWithParam<Kind> {
     {
         if (geom == lower && on_plane()) return p.z;
         const dReal *x = dGeomGetPosition(geom), *R = dGeomGetRotation(geom);
-        Real most = -kInf, outside = 0;
+        Real largest = -kInf, outside = 0;
         for (int k = 0; k < 3; ++k) {
             Real along = 0;
             for (int i = 0; i < 3; ++i) along += R[4 * i + k] * (p[i] - x[i]);
             const Real d = std::fabs(along) - half[k];
-            most = std::max(most, d);
+            largest = std::max(largest, d);
             if (d > 0) outside += d * d;
         }
-        return most > 0 ? std::sqrt(outside) : most;
+        return largest > 0 ? std::sqrt(outside) : largest;
     }
 
     std::mt19937_64 engine{7};
@@ -108,7 +108,7 @@ class Margin : public testing::TestWithParam<Kind> {
 
 // Each lies on one of the two, and its gap away on the other. Where the normal is that of two edges, which is
 // nearly a face's, corners are off by as much as it leans.
-TEST_P(Margin, corners_over_a_face_are_told_with_their_gap)
+TEST_P(Margin, corners_over_a_face_are_reported_with_their_gap)
 {
     int near = 0;
     for (int i = 0; i < 500; ++i) {

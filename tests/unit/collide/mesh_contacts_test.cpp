@@ -82,9 +82,9 @@ TYPED_TEST(MeshContacts, push_out_what_has_sunk_in)
         const Mat3 R = to_matrix(dice.rotation());
         Pose pose{{dice.in(2, 8), dice.in(2, 8), 0}, R};
         pose.p.z = Real(0.6) - lowest(s, R) * dice.in(Real(0.5), 1);
-        int pushes = 0;
+        int corrections = 0;
         Real left = kInf;
-        for (; pushes < 60; ++pushes) {
+        for (; corrections < 60; ++corrections) {
             const std::vector<Hit> found = hits(s, pose, mesh);
             left = found.empty() ? 0 : deepest(found)->depth;
             if (left < Real(1e-4)) break;

@@ -11,13 +11,13 @@ namespace {
 
 constexpr Real kTight = kSingle ? Real(1e-4) : Real(1e-9);
 
-std::vector<Hit> crossings(const Mesh& a, const Pose& A, const Mesh& b, const Pose& B, int room = 32)
+std::vector<Hit> crossings(const Mesh& a, const Pose& A, const Mesh& b, const Pose& B, int capacity = 32)
 {
     dContactGeom raw[33];
-    raw[room].depth = -77;
-    ContactSink sink(raw, sizeof(dContactGeom), room, false);
+    raw[capacity].depth = -77;
+    ContactSink sink(raw, sizeof(dContactGeom), capacity, false);
     mesh_mesh_contacts({a.mesh, a.tree}, A, {b.mesh, b.tree}, B, sink);
-    EXPECT_EQ(raw[room].depth, -77);
+    EXPECT_EQ(raw[capacity].depth, -77);
     std::vector<Hit> out;
     for (int k = 0; k < sink.count(); ++k) {
         const dContactGeom& c = raw[k];
@@ -31,7 +31,7 @@ std::vector<Hit> crossings(const Mesh& a, const Pose& A, const Mesh& b, const Po
     return out;
 }
 
-Real rough(RandomNumbers& dice, Real most) { return dice.in(0, most); }
+Real rough(RandomNumbers& dice, Real height) { return dice.in(0, height); }
 
 TEST(MeshMesh, a_box_stands_on_its_corners_wherever_on_a_floor)
 {
@@ -95,7 +95,7 @@ TEST(MeshMesh, boxes_agree_with_boxes)
     EXPECT_GT(met, 50);
     EXPECT_EQ(missed, 0);
     EXPECT_LE(wrong, met / 16) << "of " << met
-                               << ": some triangle beside crossing edges sees a longer way out";
+                               << ": some triangle next to crossing edges sees a longer way out";
 }
 
 TEST(MeshMesh, spikes_and_rough_ground_push_boxes_up)
@@ -112,11 +112,11 @@ TEST(MeshMesh, spikes_and_rough_ground_push_boxes_up)
         // Down until it is a little in.
         while (least_gap(b, pose, floor) > Real(0.1)) pose.p.z -= Real(0.1);
         while (least_gap(b, pose, floor) > Real(-0.02)) pose.p.z -= Real(0.01);
-        for (int push = 0; push < 40; ++push) {
+        for (int k = 0; k < 40; ++k) {
             const std::vector<Hit> found = crossings(box, pose, floor, {});
-            met += push == 0 && !found.empty() ? 1 : 0;
+            met += k == 0 && !found.empty() ? 1 : 0;
             if (found.empty() || deepest(found)->depth < Real(1e-4)) break;
-            for (const Hit& h : found) EXPECT_GT(h.normal.z, -0.2) << push;
+            for (const Hit& h : found) EXPECT_GT(h.normal.z, -0.2) << k;
             pose.p += (deepest(found)->depth + Real(1e-5)) * deepest(found)->normal;
         }
         EXPECT_GT(least_gap(b, pose, floor), Real(-5e-3));

@@ -112,17 +112,17 @@ struct Hit {
 };
 
 template <typename Shape>
-std::vector<Hit> hits(const Shape& s, const Pose& pose, const Mesh& m, int room = 32)
+std::vector<Hit> hits(const Shape& s, const Pose& pose, const Mesh& m, int capacity = 32)
 {
     dContactGeom raw[33];
     for (dContactGeom& c : raw) c.depth = -77;
-    ContactSink sink(raw, sizeof(dContactGeom), room, false);
+    ContactSink sink(raw, sizeof(dContactGeom), capacity, false);
     const Surface surface{m.mesh, m.tree};
     const ConvexView view = view_of(s, pose);
     NearTriangles near;
     near.find(surface, box_around(s, pose, slack_of(view)), probe_of(s, pose, slack_of(view)));
     mesh_contacts(s, pose, surface, near, sink);
-    EXPECT_EQ(raw[room].depth, -77) << "wrote beyond its room";
+    EXPECT_EQ(raw[capacity].depth, -77) << "wrote beyond its capacity";
     std::vector<Hit> out;
     for (int k = 0; k < sink.count(); ++k) {
         const dContactGeom& c = raw[k];
@@ -137,9 +137,9 @@ std::vector<Hit> hits(const Shape& s, const Pose& pose, const Mesh& m, int room 
 
 inline const Hit* deepest(const std::vector<Hit>& all)
 {
-    const Hit* most = nullptr;
-    for (const Hit& h : all) most = !most || h.depth > most->depth ? &h : most;
-    return most;
+    const Hit* found = nullptr;
+    for (const Hit& h : all) found = !found || h.depth > found->depth ? &h : found;
+    return found;
 }
 
 // A grid of nx x ny cells of unit size, its lower left corner at the origin, each split along a diagonal.

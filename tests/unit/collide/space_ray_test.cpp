@@ -14,8 +14,8 @@
 namespace epode {
 namespace {
 
-// Does the segment come within `room` of the box?
-bool meets(dGeomID ray, dGeomID other, double room)
+// Does the segment come within `margin` of the box?
+bool meets(dGeomID ray, dGeomID other, double margin)
 {
     dVector3 start, way;
     dReal box[6];
@@ -23,8 +23,8 @@ bool meets(dGeomID ray, dGeomID other, double room)
     dGeomGetAABB(other, box);
     double near = 0, far = double(dGeomRayGetLength(ray));
     for (int i = 0; i < 3; ++i) {
-        const double a = (double(box[2 * i]) - room - double(start[i])) / double(way[i]);
-        const double b = (double(box[2 * i + 1]) + room - double(start[i])) / double(way[i]);
+        const double a = (double(box[2 * i]) - margin - double(start[i])) / double(way[i]);
+        const double b = (double(box[2 * i + 1]) + margin - double(start[i])) / double(way[i]);
         near = std::max(near, std::min(a, b)), far = std::min(far, std::max(a, b));
     }
     return near <= far;
@@ -58,13 +58,13 @@ class SpaceRays : public testing::TestWithParam<int> {
                     random.in(-1, 1), random.in(-1, 1));
     }
     // Everything that the ray meets, once, newest first, and nothing that it misses by a hair.
-    void expect_right(dGeomID ray, const PairList& told)
+    void expect_right(dGeomID ray, const PairList& reported)
     {
         std::vector<dGeomID> wanted;
         for (const dGeomID m : members_of(space))
             if (m != ray && dGeomIsEnabled(m) && meets(ray, m, -1e-4)) wanted.push_back(m);
         std::vector<dGeomID> got;
-        for (const auto& [a, b] : told) {
+        for (const auto& [a, b] : reported) {
             if (a != ray && b != ray) continue;
             const dGeomID other = a == ray ? b : a;
             EXPECT_TRUE(meets(ray, other, 1e-4));

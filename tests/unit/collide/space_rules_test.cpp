@@ -20,49 +20,49 @@ Box6 box_of(dGeomID g)
 
 TEST(Space, refuses_wrong_membership_in_odes_words)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     dSpaceID a = dSimpleSpaceCreate(nullptr), b = dHashSpaceCreate(nullptr);
     dGeomID g = dCreateSphere(a, 1);
     dSpaceAdd(b, g);
-    EXPECT_EQ(heard.take(), "2: geom is already in a space in dSpaceAdd()");
+    EXPECT_EQ(messages.take(), "2: geom is already in a space in dSpaceAdd()");
     EXPECT_EQ(dGeomGetSpace(g), a);
     dSpaceRemove(b, g);
-    EXPECT_EQ(heard.take(), "2: object is not in this space in dSpaceRemove()");
+    EXPECT_EQ(messages.take(), "2: object is not in this space in dSpaceRemove()");
     EXPECT_EQ(dSpaceGetGeom(a, 1), nullptr);
-    EXPECT_EQ(heard.take(), "2: index out of range in dSpaceGetGeom()");
+    EXPECT_EQ(messages.take(), "2: index out of range in dSpaceGetGeom()");
     EXPECT_EQ(dSpaceGetNumGeoms(reinterpret_cast<dSpaceID>(g)), 0);
-    EXPECT_EQ(heard.take(), "2: argument not a space in dSpaceGetNumGeoms()");
+    EXPECT_EQ(messages.take(), "2: argument not a space in dSpaceGetNumGeoms()");
     EXPECT_EQ(dSpaceQuery(a, g), 1);
     EXPECT_EQ(dSpaceQuery(b, g), 0);
-    EXPECT_EQ(heard.take(), "");
+    EXPECT_EQ(messages.take(), "");
     dSpaceDestroy(a);
     dSpaceDestroy(b);
 }
 
 TEST(Space, cannot_be_put_inside_itself_at_any_depth)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     dSpaceID outer = dSimpleSpaceCreate(nullptr), inner = dHashSpaceCreate(outer);
     dSpaceAdd(outer, as_geom(outer));
-    EXPECT_NE(heard.take(), "");
+    EXPECT_NE(messages.take(), "");
     dSpaceAdd(inner, as_geom(outer));
-    EXPECT_NE(heard.take(), "");
+    EXPECT_NE(messages.take(), "");
     EXPECT_EQ(dGeomGetSpace(as_geom(outer)), nullptr);
     dSpaceDestroy(outer);
 }
 
 TEST(Space, levels_are_kept_and_checked)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     dSpaceID hash = dHashSpaceCreate(nullptr), simple = dSimpleSpaceCreate(nullptr);
     int lo = 0, hi = 0;
     dHashSpaceGetLevels(hash, &lo, &hi);
     EXPECT_EQ(lo, -3);
     EXPECT_EQ(hi, 10);
     dHashSpaceSetLevels(hash, 2, 1);
-    EXPECT_EQ(heard.take(), "2: must have minlevel <= maxlevel in dHashSpaceSetLevels()");
+    EXPECT_EQ(messages.take(), "2: must have minlevel <= maxlevel in dHashSpaceSetLevels()");
     dHashSpaceSetLevels(simple, 1, 2);
-    EXPECT_EQ(heard.take(), "2: argument must be a hash space in dHashSpaceSetLevels()");
+    EXPECT_EQ(messages.take(), "2: argument must be a hash space in dHashSpaceSetLevels()");
     dHashSpaceSetLevels(hash, -5, 5);
     dHashSpaceGetLevels(hash, &lo, nullptr);
     dHashSpaceGetLevels(hash, nullptr, &hi);
@@ -74,7 +74,7 @@ TEST(Space, levels_are_kept_and_checked)
 
 TEST(Space, cleanup_destroys_members_and_letting_go_keeps_them)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     dSpaceID space = dHashSpaceCreate(nullptr);
     EXPECT_EQ(dSpaceGetCleanup(space), 1);
     dGeomID g = dCreateSphere(space, 1);
@@ -82,16 +82,16 @@ TEST(Space, cleanup_destroys_members_and_letting_go_keeps_them)
     dSpaceDestroy(space);
     EXPECT_EQ(dGeomGetSpace(g), nullptr);
     EXPECT_EQ(dGeomSphereGetRadius(g), 1);
-    EXPECT_EQ(heard.take(), "");
+    EXPECT_EQ(messages.take(), "");
     dSpaceID second = dHashSpaceCreate(nullptr);
     dSpaceAdd(second, g);
     dSpaceDestroy(second);
     (void)dGeomSphereGetRadius(g);
-    EXPECT_NE(heard.take(), "") << "the geom should be gone";
+    EXPECT_NE(messages.take(), "") << "the geom should be gone";
 }
 
 struct LockProbe {
-    MessageRecorder* heard;
+    MessageRecorder* messages;
     dSpaceID space;
     dGeomID member;
     dBodyID body;
@@ -107,7 +107,7 @@ void try_everything(void* data, dGeomID, dGeomID)
     int refused = 0;
     const auto expect_refused = [&](const char* name) {
         ++refused;
-        EXPECT_EQ(p.heard->take(), std::string("2: Invalid operation for locked space in ") + name + "()");
+        EXPECT_EQ(p.messages->take(), std::string("2: Invalid operation for locked space in ") + name + "()");
     };
     dGeomID loner = dCreateSphere(nullptr, 1);
     dSpaceAdd(p.space, loner), expect_refused("dSpaceAdd");
@@ -136,14 +136,14 @@ void try_everything(void* data, dGeomID, dGeomID)
     dContactGeom contact;
     (void)dCollide(p.member, dSpaceGetGeom(p.space, 0), 1, &contact, sizeof contact);
     EXPECT_EQ(pairs_in(p.space), brute_force(p.space));
-    EXPECT_EQ(p.heard->take(), "");
+    EXPECT_EQ(p.messages->take(), "");
 }
 
 TEST(Space, refuses_changes_while_it_is_collided_and_takes_them_afterwards)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     dWorldID world = dWorldCreate();
-    LockProbe probe{&heard, dHashSpaceCreate(nullptr), nullptr, dBodyCreate(world)};
+    LockProbe probe{&messages, dHashSpaceCreate(nullptr), nullptr, dBodyCreate(world)};
     probe.member = dCreateSphere(probe.space, 1);
     dGeomSetBody(probe.member, probe.body);
     (void)dCreateSphere(probe.space, 1);
@@ -160,7 +160,7 @@ TEST(Space, refuses_changes_while_it_is_collided_and_takes_them_afterwards)
     dGeomSetPosition(probe.member, 9, 9, 9);
     dGeomSetCategoryBits(probe.member, 3);
     EXPECT_EQ(dBodyGetPosition(probe.body)[0], 9);
-    EXPECT_EQ(heard.take(), "");
+    EXPECT_EQ(messages.take(), "");
     dGeomDestroy(outside);
     dSpaceDestroy(probe.space);
     dWorldDestroy(world);
@@ -168,13 +168,13 @@ TEST(Space, refuses_changes_while_it_is_collided_and_takes_them_afterwards)
 
 TEST(Space, destruction_is_refused_while_a_space_inside_is_locked)
 {
-    MessageRecorder heard;
+    MessageRecorder messages;
     dSpaceID outer = dSimpleSpaceCreate(nullptr), inner = dHashSpaceCreate(outer);
     (void)dCreateSphere(inner, 1);
     (void)dCreateSphere(inner, 1);
     dSpaceCollide(inner, outer,
                   [](void* data, dGeomID, dGeomID) { dSpaceDestroy(static_cast<dSpaceID>(data)); });
-    EXPECT_EQ(heard.take(), "2: Invalid operation for locked space in dSpaceDestroy()");
+    EXPECT_EQ(messages.take(), "2: Invalid operation for locked space in dSpaceDestroy()");
     EXPECT_EQ(dSpaceGetNumGeoms(inner), 2);
     dSpaceDestroy(outer);
 }

@@ -81,13 +81,13 @@ struct Ground {
     }
 };
 
-inline std::vector<Found> contacts(dGeomID a, dGeomID b, int room = 64)
+inline std::vector<Found> contacts(dGeomID a, dGeomID b, int capacity = 64)
 {
-    std::vector<dContactGeom> raw(std::size_t(room) + 1);
+    std::vector<dContactGeom> raw(std::size_t(capacity) + 1);
     raw.back().depth = -77;
-    const int n = dCollide(a, b, room, raw.data(), sizeof(dContactGeom));
-    EXPECT_LE(n, room);
-    EXPECT_EQ(raw.back().depth, -77) << "wrote beyond its room";
+    const int n = dCollide(a, b, capacity, raw.data(), sizeof(dContactGeom));
+    EXPECT_LE(n, capacity);
+    EXPECT_EQ(raw.back().depth, -77) << "wrote beyond its capacity";
     std::vector<Found> out;
     for (int k = 0; k < n; ++k) {
         const dContactGeom& c = raw[std::size_t(k)];
@@ -102,9 +102,9 @@ inline std::vector<Found> contacts(dGeomID a, dGeomID b, int room = 64)
 
 inline Real deepest(const std::vector<Found>& all)
 {
-    Real most = -1;
-    for (const Found& f : all) most = f.depth > most ? f.depth : most;
-    return most;
+    Real largest = -1;
+    for (const Found& f : all) largest = f.depth > largest ? f.depth : largest;
+    return largest;
 }
 
 inline void place(dGeomID g, Vec3 p, const Mat3& R = Mat3::identity())
@@ -152,14 +152,14 @@ inline Vec3 farthest(dGeomID g, Vec3 direction)
 // How far the lowest of many surface points of the solid is under the ground; negative: above.
 inline Real sunk(const Ground& ground, dGeomID g)
 {
-    Real most = -kInf;
+    Real largest = -kInf;
     RandomNumbers dice(99);
     for (int k = 0; k < 4000; ++k) {
         const Vec3 p = farthest(g, dice.direction());
         const Real under = ground.surface(p.x, p.z) - p.y;
-        most = under > most ? under : most;
+        largest = under > largest ? under : largest;
     }
-    return most;
+    return largest;
 }
 
 }  // namespace epode::test

@@ -46,10 +46,11 @@ struct MeshScene : testing::Test {
         data = make_data(figure);
         dGeomTriMeshSetData(mesh, data);
     }
-    std::vector<dContactGeom> hits(int room = 64, unsigned flags = 0)
+    std::vector<dContactGeom> hits(int capacity = 64, unsigned flags = 0)
     {
-        std::vector<dContactGeom> all(static_cast<std::size_t>(room));
-        const int count = dCollide(ray, mesh, int(unsigned(room) | flags), all.data(), sizeof(dContactGeom));
+        std::vector<dContactGeom> all(static_cast<std::size_t>(capacity));
+        const int count =
+            dCollide(ray, mesh, int(unsigned(capacity) | flags), all.data(), sizeof(dContactGeom));
         all.resize(std::size_t(count));
         return all;
     }
@@ -268,7 +269,7 @@ TEST_F(MeshScene, functions_of_the_program_cannot_give_up_what_the_collision_nee
     EXPECT_EQ(hits().size(), 2u);
 }
 
-TEST_F(MeshScene, a_mesh_inside_a_transform_is_met_and_told_where_it_stands)
+TEST_F(MeshScene, a_mesh_inside_a_transform_is_hit_and_reported_where_it_stands)
 {
     take(cube());
     const dGeomID inner = dCreateTriMesh(nullptr, data, nullptr, nullptr, ask_ray),
@@ -323,10 +324,10 @@ TEST_F(MeshScene, of_many_vertices_below_a_plane_those_are_kept_that_carry)
     ASSERT_EQ(four, 4);
     for (int i = 0; i < 4; ++i)
         EXPECT_EQ(std::fabs(c[i].pos[0]) + std::fabs(c[i].pos[1]), 20) << i;  // its corners
-    for (const int room : {1, 2, 3, 8, 64, 400}) {
-        const int count = dCollide(mesh, plane, room, c, sizeof(c[0]));
-        EXPECT_GE(count, std::min(room, 4));
-        EXPECT_LE(count, room);
+    for (const int capacity : {1, 2, 3, 8, 64, 400}) {
+        const int count = dCollide(mesh, plane, capacity, c, sizeof(c[0]));
+        EXPECT_GE(count, std::min(capacity, 4));
+        EXPECT_LE(count, capacity);
         for (int i = 0; i < count; ++i)
             for (int j = 0; j < i; ++j) EXPECT_NE(load(c[i].pos), load(c[j].pos));
     }

@@ -293,7 +293,7 @@ TEST_F(TrimeshTest, what_the_program_sets_is_given_back)
     EXPECT_EQ(dGeomTriMeshIsTCEnabled(geom, dBoxClass), 1);
 }
 
-TEST_F(TrimeshTest, triangles_and_points_are_told_in_the_world)
+TEST_F(TrimeshTest, triangles_and_points_are_returned_in_world_coordinates)
 {
     build(Arrays(cube()), 4);
     dMatrix3 R;
@@ -370,10 +370,10 @@ TEST_F(TrimeshTest, a_plane_meets_small_and_large_meshes_alike)
     std::vector<dContactGeom> found[2];
     for (std::vector<dContactGeom>& contacts : found) {
         build(Arrays(figure), 4);
-        for (const int room : {1, 4, 8, 20, 100}) {
+        for (const int capacity : {1, 4, 8, 20, 100}) {
             const std::size_t before = contacts.size();
-            contacts.resize(before + std::size_t(room));
-            const int count = dCollide(geom, plane, room, &contacts[before], sizeof(dContactGeom));
+            contacts.resize(before + std::size_t(capacity));
+            const int count = dCollide(geom, plane, capacity, &contacts[before], sizeof(dContactGeom));
             EXPECT_GT(count, 0);
             contacts.resize(before + std::size_t(count));
         }

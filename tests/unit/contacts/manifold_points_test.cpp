@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Points fixed in two geoms and placed again, four at a time, beside the formulas one by one.
+// Points fixed in two geoms and placed again, four at a time, compared with the formulas one by one.
 #include "contacts/manifold_points.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 class ManifoldPoints : public testing::Test {
   protected:
-    Vec3 vector(Real most) { return most * random.vec(); }
+    Vec3 vector(Real size) { return size * random.vec(); }
     Pose pose() { return {vector(10), to_matrix(random.rotation())}; }
     // Points around `middle`, all in one manifold.
     void find(int count, Vec3 middle, Vec3 normal)
@@ -51,16 +51,16 @@ TEST_F(ManifoldPoints, are_fixed_in_both_frames_and_missing_ones_repeat_the_last
         ASSERT_EQ(maker.count(0), count);
         ContactAnchors anchors;
         fix_points(maker, 0, A, B, anchors);
-        Real most = 0;
+        Real largest = 0;
         for (int i = 0; i < kManifoldPoints; ++i) {
             const dContactGeom& c = contacts[std::min(i, count - 1)];
             const Vec3 p = load(c.pos);
             expect_equal(anchors.first(i), narrow(A.to_local(p)));
             expect_equal(anchors.second(i), narrow(B.to_local(p)));
             EXPECT_EQ(anchors.separation[i], float(-c.depth));
-            most = std::max(most, length2(widen(anchors.second(i))));
+            largest = std::max(largest, length2(widen(anchors.second(i))));
         }
-        EXPECT_NEAR(largest_reach2(anchors.a2), most, 1e-6 * most);
+        EXPECT_NEAR(largest_reach2(anchors.a2), largest, 1e-6 * largest);
     }
 }
 

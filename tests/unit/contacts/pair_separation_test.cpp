@@ -107,9 +107,9 @@ TEST_F(PairSeparationOf, parts_what_is_apart_and_lasts_as_long_as_it_says)
                 const PairSeparation separation(a, b);
                 const Vec3 n = separation.find(A, B, A.p - B.p);
                 const bool touches = touch(a, A, b, B);
-                dQueryDistance told = {};
-                ASSERT_EQ(dGeomGetDistance(geoms[i], geoms[j], dInfinity, &told), 1);
-                const double distance = double(told.distance);
+                dQueryDistance answer = {};
+                ASSERT_EQ(dGeomGetDistance(geoms[i], geoms[j], dInfinity, &answer), 1);
+                const double distance = double(answer.distance);
                 apart += !touches;
                 if (n == Vec3{}) {
                     missed += distance > 0.02;

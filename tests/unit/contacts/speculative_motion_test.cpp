@@ -74,7 +74,7 @@ TEST_F(SpeculativeMotionOf, only_what_gravity_moves_falls)
 TEST_F(SpeculativeMotionOf, the_box_holds_the_geom_after_any_motion)
 {
     RandomNumbers random(7);
-    Real most = 0;
+    Real largest = 0;
     for (int i = 0; i < 2000; ++i) {
         const Vec3 v = Real(20) * random.vec(), w = Real(30) * random.vec(), offset = random.vec(),
                    x = Real(5) * random.vec();
@@ -92,9 +92,9 @@ TEST_F(SpeculativeMotionOf, the_box_holds_the_geom_after_any_motion)
             EXPECT_TRUE(overlap(kept, Aabb{at, at})) << i;
         }
         const Aabb moved{now.lo + kH * soon.velocity(body()), now.hi + kH * soon.velocity(body())};
-        most = std::max(most, moved.lo.x - kept.lo.x);
+        largest = std::max(largest, moved.lo.x - kept.lo.x);
     }
-    EXPECT_LT(most, kH * 30 * std::sqrt(Real(3)) * Real(3.7));  // and not much more
+    EXPECT_LT(largest, kH * 30 * std::sqrt(Real(3)) * Real(3.7));  // and not much more
 }
 
 }  // namespace

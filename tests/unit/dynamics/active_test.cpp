@@ -86,7 +86,7 @@ TEST_F(Chains, that_the_program_puts_to_sleep_leave_at_once)
     EXPECT_EQ(active_joints(), kChains / 2 * kLinks);
 }
 
-// Half of a chain that is told to sleep is woken by the other half in the same step.
+// Half of a chain that is put to sleep is woken by the other half in the same step.
 TEST_F(Chains, stay_where_an_awake_body_reaches_them)
 {
     dWorldSetGravity(id_, 0, 0, dReal(-9.81));
@@ -119,8 +119,8 @@ TEST_F(Chains, are_reached_through_joints_that_come_and_go)
     EXPECT_EQ(active_bodies(), 0);
 }
 
-// Also with contacts that the world manages: once all sleep, nobody is looked at, whatever lies there.
-TEST(ActiveBodies, are_none_when_all_sleep_on_managed_contacts)
+// Also with world-managed contacts: once all sleep, nobody is looked at, whatever lies there.
+TEST(ActiveBodies, are_none_when_all_sleep_on_contacts_of_the_world)
 {
     const dWorldID id = dWorldCreate();
     const dSpaceID space = dHashSpaceCreate(nullptr);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The depth of two boxes beside brute force over all 15 axes: moved apart along the normal by a little less
+// The depth of two boxes against brute force over all 15 axes: moved apart along the normal by a little less
 // than the depth they still overlap, by a little more they do not, whichever axis was chosen. An edge's depth
 // is the least translation; a face's is within the handicap that keeps edges from winning by a hair.
 #include "geometry/overlap/box_box.h"

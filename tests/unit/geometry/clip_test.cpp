@@ -104,19 +104,19 @@ TEST(ContactSink, KeepsFourWellSpreadPoints)
     EXPECT_GT(std::fabs(area(p)), Real(1.9)) << "an inscribed square has area 2";
 }
 
-TEST(ContactSink, TheDeepestSurvivesAnyRoom)
+TEST(ContactSink, TheDeepestSurvivesAnyCapacity)
 {
-    for (int room = 1; room <= 6; ++room)
+    for (int capacity = 1; capacity <= 6; ++capacity)
         for (int deepest = 0; deepest < 6; ++deepest) {
             std::vector<ContactPoint> points = ring(6);
             points[std::size_t(deepest)].depth = Real(0.2);
             dContactGeom contacts[7] = {};
-            contacts[room].depth = -5;
-            ContactSink sink(contacts, int(sizeof(dContactGeom)), room, false);
+            contacts[capacity].depth = -5;
+            ContactSink sink(contacts, int(sizeof(dContactGeom)), capacity, false);
             sink.add_manifold(points);
-            EXPECT_LE(sink.count(), room);
+            EXPECT_LE(sink.count(), capacity);
             EXPECT_EQ(contacts[0].depth, Real(0.2));
-            EXPECT_EQ(contacts[room].depth, Real(-5));
+            EXPECT_EQ(contacts[capacity].depth, Real(-5));
         }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// A polyhedron's farthest vertices, few of them in lanes and many by climbing, beside all of them one by one:
+// A polyhedron's farthest vertices, few of them in lanes and many by climbing, against all of them one by one:
 // the same vertex, the first of equals, and the same bits.
 #include <gtest/gtest.h>
 
@@ -28,19 +28,19 @@ Polyhedron ball_of(int points, RandomNumbers& random)
 
 void compare_with_all(const Polyhedron& solid, Vec3 d)
 {
-    Real least = kInf, most = -kInf;
+    Real least = kInf, largest = -kInf;
     Vec3 first;
     for (const Vec3 v : solid.vertices()) {
         const Real along = dot(d, v);
-        if (along > most) most = along, first = v;
+        if (along > largest) largest = along, first = v;
         if (along < least) least = along;
     }
     EXPECT_TRUE(solid.support(d) == first);
-    EXPECT_EQ(solid.reach(d), most);
+    EXPECT_EQ(solid.reach(d), largest);
     Real low, high;
     solid.extent(d, low, high);
     EXPECT_EQ(low, least);
-    EXPECT_EQ(high, most);
+    EXPECT_EQ(high, largest);
 }
 
 TEST(HullLanes, find_what_a_loop_over_all_vertices_finds)

@@ -132,7 +132,7 @@ TEST(Inertia, uniting_with_nothing_changes_nothing)
     EXPECT_FALSE(usable(united(p, with_mass(p, -2)))) << "zero mass with a moment has no centre";
 }
 
-TEST(Inertia, faults_are_told_apart)
+TEST(Inertia, faults_have_their_own_messages)
 {
     EXPECT_EQ(mass_fault(solid_sphere(1, 1)), MassFault::kNone);
     EXPECT_EQ(mass_fault(translated(solid_box(1, {1, 2, 3}), {5, -6, 7})), MassFault::kNone);

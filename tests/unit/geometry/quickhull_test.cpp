@@ -53,10 +53,10 @@ std::vector<Real> flat_list(const std::vector<Vec3>& points)
     return out;
 }
 
-Polyhedron solid_of(const std::vector<Vec3>& points, int most = kAll)
+Polyhedron solid_of(const std::vector<Vec3>& points, int max_vertices = kAll)
 {
     Polyhedron solid;
-    const char* refusal = solid.build(flat_list(points).data(), unsigned(points.size()), most, false);
+    const char* refusal = solid.build(flat_list(points).data(), unsigned(points.size()), max_vertices, false);
     EXPECT_EQ(refusal, nullptr) << refusal;
     return solid;
 }
@@ -64,10 +64,10 @@ Polyhedron solid_of(const std::vector<Vec3>& points, int most = kAll)
 // How far a point stands out of the farthest plane, as a share of the extent.
 Real standing_out(const Polyhedron& solid, const std::vector<Vec3>& points)
 {
-    Real most = 0;
+    Real largest = 0;
     for (const PolyhedronFace& f : solid.faces())
-        for (const Vec3 p : points) most = std::max(most, dot(f.normal, p - solid.centre()) - f.offset);
-    return most / extent_of(points);
+        for (const Vec3 p : points) largest = std::max(largest, dot(f.normal, p - solid.centre()) - f.offset);
+    return largest / extent_of(points);
 }
 
 void expect_closed(const Polyhedron& solid)
@@ -224,9 +224,9 @@ TEST(Quickhull, WithALimitTakesWhatStandsOutFarthest)
     std::vector<Vec3> points;
     for (int k = 0; k < 3000; ++k) points.push_back(dice.direction());
     Real before = 0;
-    for (const int most : {4, 8, 32, 128}) {
-        const Polyhedron solid = solid_of(points, most);
-        EXPECT_EQ(int(solid.vertices().size()), most);
+    for (const int max_vertices : {4, 8, 32, 128}) {
+        const Polyhedron solid = solid_of(points, max_vertices);
+        EXPECT_EQ(int(solid.vertices().size()), max_vertices);
         expect_closed(solid);
         EXPECT_GT(solid.mass().mass, before);
         before = solid.mass().mass;
@@ -274,9 +274,9 @@ TEST(Quickhull, TheFarthestVertexIsFoundByClimbing)
         const Polyhedron solid = solid_of(points);
         for (int i = 0; i < 300; ++i) {
             const Vec3 d = dice.direction();
-            Real most = -kInf;
-            for (const Vec3 v : solid.vertices()) most = std::max(most, dot(d, v));
-            EXPECT_NEAR(dot(d, solid.support(d)), most, 4 * kEpsilon);
+            Real largest = -kInf;
+            for (const Vec3 v : solid.vertices()) largest = std::max(largest, dot(d, v));
+            EXPECT_NEAR(dot(d, solid.support(d)), largest, 4 * kEpsilon);
         }
     }
 }

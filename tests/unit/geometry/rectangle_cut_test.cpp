@@ -38,17 +38,17 @@ Vec3 point(const CutPoints& cut, int i) { return {cut.at[0][i], cut.at[1][i], cu
 // How far the points reach along a direction.
 Real reach(const Polygon& p, Vec3 d)
 {
-    Real most = -kInf;
-    for (int i = 0; i < p.count; ++i) most = std::max(most, dot(d, p.points[i]));
-    return most;
+    Real largest = -kInf;
+    for (int i = 0; i < p.count; ++i) largest = std::max(largest, dot(d, p.points[i]));
+    return largest;
 }
 
 Real reach(const CutPoints& cut, Vec3 d)
 {
-    Real most = -kInf;
+    Real largest = -kInf;
     for (int i = 0; i < CutPoints::kMax; ++i)
-        if (cut.there >> i & 1) most = std::max(most, dot(d, point(cut, i)));
-    return most;
+        if (cut.there >> i & 1) largest = std::max(largest, dot(d, point(cut, i)));
+    return largest;
 }
 
 void expect_same_part(const Parallelogram& f, Real half_x, Real half_y, Real tolerance)

@@ -45,9 +45,9 @@ TEST(Triangle, view_gives_the_farthest_corner_and_the_side_that_is_seen)
         const Triangle t = some(dice);
         const ConvexView view = view_of(t);
         const Vec3 d = dice.direction();
-        Real most = -kInf;
-        for (const Vec3 v : t.v) most = std::fmax(most, dot(d, v));
-        EXPECT_NEAR(dot(d, view.support(d)), most, kTight);
+        Real largest = -kInf;
+        for (const Vec3 v : t.v) largest = std::fmax(largest, dot(d, v));
+        EXPECT_NEAR(dot(d, view.support(d)), largest, kTight);
         Polygon face;
         view.feature(d, face);
         ASSERT_EQ(face.count, 3);

@@ -115,7 +115,7 @@ TEST(JointAxes, sliding_axes_count_the_turning_of_the_pair)
 }
 
 // The bodies turn about both axes at once; the frame of axis 1 is body 1's, that of axis 2 is body 2's.
-TEST(JointAxes, crossed_axes_are_told_apart)
+TEST(JointAxes, crossed_axes_are_distinguished)
 {
     for (const Attach how : {Attach::kBoth, Attach::kFirst, Attach::kSecond}) {
         AxisRig rig;

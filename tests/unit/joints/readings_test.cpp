@@ -161,7 +161,7 @@ TEST_F(Readings, slider_reversed_negates_and_delta_moves_the_zero)
     EXPECT_EQ(dJointGetSliderPosition(j), Real(-0.5));
 }
 
-TEST_F(Readings, fixed_takes_the_pose_only_when_told)
+TEST_F(Readings, fixed_takes_the_pose_only_on_request)
 {
     const dJointID j = dJointCreateFixed(rig.id(), nullptr);
     Rig::join(j, b);

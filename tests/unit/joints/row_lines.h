@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Rows as vectors of twelve numbers, random poses, and the two questions asked of every joint wherever it
-// stands: do its rows make momentum, and is J the derivative of the error?
+// Rows as vectors of twelve numbers, random poses, and what must hold for every joint at any pose:
+// its rows make no momentum, and J is the derivative of the error.
 //   d(error)/dt = -S J v with ones on the diagonal of S: each row's error falls at the rate its own J
 //   measures, up to motions that other rows of the joint forbid.
 #pragma once

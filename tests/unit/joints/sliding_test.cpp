@@ -72,7 +72,7 @@ struct Sliding : testing::Test {
     }
 };
 
-TEST_F(Sliding, parted_anchors_keep_jacobian_and_momentum_exact)
+TEST_F(Sliding, separated_anchors_keep_jacobian_and_momentum_exact)
 {
     for (int trial = 0; trial < 10; ++trial) {
         scatter();
@@ -84,7 +84,7 @@ TEST_F(Sliding, parted_anchors_keep_jacobian_and_momentum_exact)
     }
 }
 
-TEST_F(Sliding, motors_make_no_momentum_with_parted_anchors)
+TEST_F(Sliding, motors_make_no_momentum_with_separated_anchors)
 {
     scatter();
     const Vec3 s = dice.unit(), n = perpendicular(s), m = perpendicular(n);

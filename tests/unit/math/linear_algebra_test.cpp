@@ -221,7 +221,7 @@ TEST(Ldlt, indefinite_matrices_factor_too_when_no_pivot_vanishes)
     EXPECT_EQ(reciprocal[0], kInf);
 }
 
-TEST(Scratch, takes_the_heap_only_for_large_sizes)
+TEST(Scratch, allocates_only_for_large_sizes)
 {
     const std::size_t before = allocation_count();
     {

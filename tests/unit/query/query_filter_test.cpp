@@ -245,14 +245,14 @@ TEST(QueryFilter, of_casts_and_overlaps_rejects_what_its_callback_rejects)
 TEST(QueryFilter, callbacks_are_called_newest_first_however_the_tree_has_grown)
 {
     dInitODE();
-    std::vector<int> heard[6];
+    std::vector<int> asked[6];
     for (int shuffle = 0; shuffle < 6; ++shuffle) {
         const dSpaceID space = dHashSpaceCreate(nullptr);
         RandomNumbers dice{std::uint64_t(shuffle)};
         std::vector<dGeomID> spheres;
         for (int i = 0; i < 60; ++i) {
             spheres.push_back(dCreateSphere(space, 1));
-            dGeomSetData(spheres.back(), &heard[shuffle]);
+            dGeomSetData(spheres.back(), &asked[shuffle]);
         }
         for (int move = 0; move < 20 * shuffle; ++move) {
             dGeomSetPosition(spheres[std::size_t(dice.below(60))], dice.in(-9, 9), dice.in(-9, 9),
@@ -272,12 +272,12 @@ TEST(QueryFilter, callbacks_are_called_newest_first_however_the_tree_has_grown)
         dQueryHit hit;
         EXPECT_EQ(dSpaceRayClosest(space, from, down, 200, &filter, &hit), 1);
         EXPECT_EQ(hit.geom, spheres[17]);  // highest at 17 * 7 % 60 = 59, which is also 1 mod 4
-        EXPECT_TRUE(std::is_sorted(heard[shuffle].rbegin(), heard[shuffle].rend()));
-        EXPECT_EQ(heard[shuffle], heard[0]);
+        EXPECT_TRUE(std::is_sorted(asked[shuffle].rbegin(), asked[shuffle].rend()));
+        EXPECT_EQ(asked[shuffle], asked[0]);
         dSpaceDestroy(space);
     }
-    EXPECT_GT(heard[0].size(), 3u);
-    EXPECT_LT(heard[0].size(), 60u);  // those that are farther than one that was kept are not asked about
+    EXPECT_GT(asked[0].size(), 3u);
+    EXPECT_LT(asked[0].size(), 60u);  // those that are farther than one that was kept are not asked about
     dCloseODE();
 }
 

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // What the tests of queries share: a space with every class of geom in it, twice nested, some of them
-// disabled, of no size or with bits of their own, made in an order that a key chooses; and all leaves in the
+// disabled, of zero size or with bits of their own, made in an order that a key chooses; and all leaves in the
 // order in which they are to be reported, newest first, by a walk over dSpaceGetGeom.
 #pragma once
 

@@ -15,15 +15,15 @@ using namespace epode::test;
 
 namespace {
 
-struct Question {
+struct RandomRay {
     dVector3 origin, direction;
     dReal length;
     unsigned long category = ~0ul, collide = ~0ul;
 };
 
-Question random_question(RandomNumbers& dice)
+RandomRay random_ray(RandomNumbers& dice)
 {
-    Question q{};
+    RandomRay q{};
     const Vec3 o = Real(9) * dice.vec();
     Vec3 d = dice.below(3) == 0 ? Vec3{0, 0, -1} : Real(4) * dice.vec() - o;
     if (!(length(d) > 0)) d = {1, 0, 0};
@@ -35,7 +35,7 @@ Question random_question(RandomNumbers& dice)
 }
 
 // All hits by a ray geom against each leaf, sorted by distance, the newer first.
-std::vector<dQueryHit> by_collide(const QueryScene& scene, const Question& q)
+std::vector<dQueryHit> by_collide(const QueryScene& scene, const RandomRay& q)
 {
     std::vector<dQueryHit> out;
     const dGeomID ray = dCreateRay(nullptr, q.length);
@@ -99,13 +99,13 @@ dColliderFn* collider_of_rays(int other) { return other == dRayClass ? hit_in_fr
 
 }  // namespace
 
-TEST(RayQuery, finds_what_dCollide_finds_in_scenes_of_all_classes)
+TEST(RandomRay, finds_what_dCollide_finds_in_scenes_of_all_classes)
 {
     int hits = 0;
     for (std::uint64_t key = 1; key <= 12; ++key) {
         QueryScene scene(key, key % 3 == 0 ? 300 : 25);
         for (int i = 0; i < 100; ++i) {
-            const Question q = random_question(scene.dice());
+            const RandomRay q = random_ray(scene.dice());
             const dQueryFilter filter = bits(q.category, q.collide);
             const std::vector<dQueryHit> wanted = by_collide(scene, q);
             std::vector<dQueryHit> got(wanted.size() + 5);
@@ -126,7 +126,7 @@ TEST(RayQuery, finds_what_dCollide_finds_in_scenes_of_all_classes)
     EXPECT_GT(hits, 1500);
 }
 
-TEST(RayQuery, room_takes_the_nearest_and_the_number_is_that_of_all)
+TEST(RandomRay, room_takes_the_nearest_and_the_number_is_that_of_all)
 {
     QueryScene scene(5, 200, 3);
     const dVector3 from = {-20, 0, 0}, along = {1, 0, 0};
@@ -141,7 +141,7 @@ TEST(RayQuery, room_takes_the_nearest_and_the_number_is_that_of_all)
     EXPECT_EQ(dSpaceRayAll(scene.space, from, along, 40, nullptr, nullptr, 0), count);
 }
 
-TEST(RayQuery, the_newer_of_equals_comes_first_however_the_tree_has_grown)
+TEST(RandomRay, the_newer_of_equals_comes_first_however_the_tree_has_grown)
 {
     dInitODE();
     for (int shuffle = 0; shuffle < 6; ++shuffle) {
@@ -168,13 +168,13 @@ TEST(RayQuery, the_newer_of_equals_comes_first_however_the_tree_has_grown)
     dCloseODE();
 }
 
-TEST(RayQuery, a_batch_has_the_bits_of_single_rays_on_any_number_of_threads)
+TEST(RandomRay, a_batch_has_the_bits_of_single_rays_on_any_number_of_threads)
 {
     QueryScene scene(9, 400);
     constexpr int kCount = 1000;
     std::vector<dReal> origins, directions, lengths;
     for (int i = 0; i < kCount; ++i) {
-        const Question q = random_question(scene.dice());
+        const RandomRay q = random_ray(scene.dice());
         for (int k = 0; k < 3; ++k) origins.push_back(q.origin[k]), directions.push_back(q.direction[k]);
         lengths.push_back(q.length);
     }
@@ -194,7 +194,7 @@ TEST(RayQuery, a_batch_has_the_bits_of_single_rays_on_any_number_of_threads)
     }
 }
 
-TEST(RayQuery, functions_of_the_program_are_asked_once_and_cannot_spoil_the_ray)
+TEST(RandomRay, functions_of_the_program_are_asked_once_and_cannot_spoil_the_ray)
 {
     QueryScene scene(3, 30);
     dGeomClass description{};
@@ -222,7 +222,7 @@ TEST(RayQuery, functions_of_the_program_are_asked_once_and_cannot_spoil_the_ray)
     EXPECT_LE(count_threads_calls, 201);
 }
 
-TEST(RayQuery, may_be_asked_from_inside_a_collision)
+TEST(RandomRay, may_be_asked_from_inside_a_collision)
 {
     QueryScene scene(4, 60, 2);
     dQueryHit before;
@@ -244,7 +244,7 @@ TEST(RayQuery, may_be_asked_from_inside_a_collision)
     EXPECT_GT(inside.asked, 0);
 }
 
-TEST(RayQuery, refuses_what_makes_no_sense_and_writes_nothing)
+TEST(RandomRay, refuses_what_makes_no_sense_and_writes_nothing)
 {
     QueryScene scene(1, 20);
     MessageRecorder recorder;

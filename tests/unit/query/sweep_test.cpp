@@ -113,7 +113,7 @@ TEST(SpaceCast, every_class_is_met_where_the_distance_vanishes)
                 };
                 const dGeomID a = made(i), b = made(j);
                 scene.place(a, 8), scene.place(b, 1);
-                // A field is met at its surface, from above: beside it there is no wall to its ground.
+                // A field is met at its surface, from above: around it there is no wall to its ground.
                 const bool field = dGeomGetClass(b) == dHeightfieldClass;
                 if (field) {
                     const dQuaternion upright = {1, 0, 0, 0};

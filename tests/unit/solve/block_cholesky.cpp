@@ -204,7 +204,7 @@ std::vector<BodyPair> grid(int side, int depth)
     return pairs;
 }
 
-// Two long chains, a wall, a heap, and a chain beside the heap, all too large for one thread.
+// Two long chains, a wall, a pile, and a chain next to the pile, all too large for one thread.
 std::vector<std::pair<std::vector<BodyPair>, int>> large_graphs()
 {
     std::vector<BodyPair> chain, comb, loose = grid(9, 4);

@@ -20,7 +20,7 @@ using namespace epode_test;
 
 constexpr int kBodies = 21;  // two full groups and one that is not
 
-// A world of bodies of every kind that small steps treat differently.
+// A world of bodies of every kind that substeps treat differently.
 class Fleet {
   public:
     explicit Fleet(std::uint64_t seed) : world_(dWorldCreate())

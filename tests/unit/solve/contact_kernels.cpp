@@ -256,7 +256,7 @@ TEST(ContactKernels, ManifoldFrictionSettlesOnItsBall)
         }
 }
 
-// What the points are told adds up to the force and the couple of the whole.
+// What the points report adds up to the force and the couple of the whole.
 TEST(ContactKernels, PartsOfAManifoldFrictionAddUp)
 {
     for (const ContactKernels* kernels : contact_kernels()) {

@@ -335,7 +335,7 @@ class TurnedPairs {
     JointSetOf<L> set_;
 };
 
-// Its matrix is made anew when a body has turned by more than 0.1 rad. One that is kept leaves a part of the
+// Its matrix is recomputed when a body has turned by more than 0.1 rad. One that is kept leaves a part of the
 // error, and that part of it in the next visit.
 template <typename L>
 void expect_matrices_kept_for_small_turns()
@@ -350,7 +350,7 @@ void expect_matrices_kept_for_small_turns()
     EXPECT_LT(kept.error_after(20), rounding);
 }
 
-// Whichever joints are beside it.
+// Whichever joints share its group of lanes.
 template <typename L>
 void expect_matrices_made_by_lane()
 {
@@ -371,7 +371,7 @@ TEST(JointSet, matrices_are_kept_for_small_turns)
     expect_matrices_kept_for_small_turns<FloatLanes>();
 }
 
-TEST(JointSet, matrices_are_made_anew_joint_by_joint)
+TEST(JointSet, matrices_are_recomputed_joint_by_joint)
 {
     expect_matrices_made_by_lane<Lanes>();
     expect_matrices_made_by_lane<FloatLanes>();

@@ -49,7 +49,7 @@ class OneJoint {
 
   private:
     const Row& row(std::size_t i) const { return p_.rows[order_[i]]; }
-    const RowNumbers& asks(std::size_t i) const { return p_.numbers[order_[i]]; }
+    const RowNumbers& numbers(std::size_t i) const { return p_.numbers[order_[i]]; }
     std::size_t rows() const { return order_.size(); }
     std::size_t free() const { return order_.size() - std::size_t(bounded_); }
 
@@ -96,9 +96,9 @@ class OneJoint {
         std::vector<Real> whole;
         fill_matrix();
         for (std::size_t i = 0; i < n; ++i) {
-            A_[i][i] += asks(i).C;
+            A_[i][i] += numbers(i).C;
             whole.push_back(A_[i][i]);
-            const Real p = whole[i] > 0 ? asks(i).p : 0;
+            const Real p = whole[i] > 0 ? numbers(i).p : 0;
             impulses_.push_back(i < free() ? p : clip(p, i));
         }
         for (std::size_t k = 0; k < free(); ++k) pivot(k, whole[k]);
@@ -130,8 +130,8 @@ class OneJoint {
 
     Real clip(Real x, std::size_t i) const
     {
-        x = x > asks(i).hi ? asks(i).hi : x;
-        return x < asks(i).lo ? asks(i).lo : x;
+        x = x > numbers(i).hi ? numbers(i).hi : x;
+        return x < numbers(i).lo ? numbers(i).lo : x;
     }
 
     Real velocity(std::size_t i) const
@@ -171,7 +171,7 @@ class OneJoint {
         const std::size_t n = rows(), f = free();
         std::vector<Real> x, rest(n), q(n), dp(n);
         for (std::size_t i = 0; i < n; ++i)
-            x.push_back(w * (asks(i).c - velocity(i) - asks(i).C * impulses_[i]));
+            x.push_back(w * (numbers(i).c - velocity(i) - numbers(i).C * impulses_[i]));
         for (std::size_t j = f; j < n; ++j) {
             rest[j] = x[j];
             for (std::size_t k = 0; k < f; ++k) rest[j] -= A_[j][k] * x[k];

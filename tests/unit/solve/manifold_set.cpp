@@ -136,7 +136,7 @@ TEST(ManifoldKernels, of_all_machines_make_the_same_bits)
     }
 }
 
-// Small steps of random contacts.
+// Substeps of random contacts.
 Answer run_substeps(std::uint64_t seed, int workers)
 {
     const std::vector<Velocity> force_velocity(300, {{0, 0, Real(-0.02)}, 0, {}, 0});

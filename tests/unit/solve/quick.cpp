@@ -256,8 +256,8 @@ TEST(Quick, SameSeedSameBitsOtherSeedOtherOrder)
 }
 
 // A body that touches nothing and is heavy enough has all sweeps made in Reals. These take manifolds in
-// another order, so it is the distance from the answer that is compared.
-TEST(Quick, HeapsInFloatsAreAsNearTheAnswerAsInReals)
+// another order, which is why distances from the answer are compared.
+TEST(Quick, PilesInFloatsAreAsNearTheAnswerAsInReals)
 {
     for (const bool sideways : {true, false}) {
         Problem floats = box_grid(4, 4, 3, Real(.5), sideways, Real(1e-3)), reals = floats;

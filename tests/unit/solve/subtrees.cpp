@@ -78,7 +78,7 @@ TEST(Subtrees, AChainEatenFromBothEndsIsTwoHalves)
 
 TEST(Subtrees, ABalancedTreeGivesWorkForMany)
 {
-    const int n = 1023;  // heap order backwards: children before parents
+    const int n = 1023;  // the heap order backwards: children before parents
     std::vector<int> parent;
     for (int s = 0; s < n; ++s) parent.push_back(s == n - 1 ? -1 : n - 1 - (n - 1 - s - 1) / 2);
     const Cut cut(parent, std::vector<double>(n, 20));

@@ -137,7 +137,7 @@ struct RandomKind {
     bool kinematic = false;  // the first body is moved by nothing
 };
 
-// Each draw is a statement of its own: compilers differ in the order in which arguments are reckoned.
+// Each draw is a statement of its own: compilers differ in the order in which arguments are evaluated.
 inline Problem random_problem(std::uint64_t seed, const RandomKind& kind)
 {
     Dice dice(seed);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// StepFast1's solver on a model of bodies without rotation, whose rows are measured anew at every pose,
+// StepFast1's solver on a model of bodies without rotation, whose rows are measured again at every pose,
 // against closed forms: the spring-damper that ERP and CFM stand for, rest, rebound, and the sums of
 // impulses.
 #include <gtest/gtest.h>

@@ -639,7 +639,7 @@ TEST(Tasks, a_forked_child_does_the_work_of_the_threads_that_it_lacks)
     std::atomic<bool> over{false};
     Implementation impl(3);
     const dCallWaitID wait = impl.f->alloc_call_wait(impl.id);
-    // Forks shall meet locks of the library that are held. Those of the program and of the sanitizer's heap
+    // Forks must meet locks of the library that are held. Those of the program and of the sanitizer's allocator
     // no child could release: what is busy takes none and asks for no memory.
     std::atomic<int> busy_threads{0};
     const dCallWaitID busy_wait = impl.f->alloc_call_wait(impl.id);
