@@ -96,11 +96,11 @@ def line(contestant, first):
     if not contestant.runs:
         return f'  {contestant.label:14} {contestant.trouble}'
     s = contestant.summary()
-    told = '-' if not first.runs else '' if contestant is first else f'{ratio(contestant, first):.2f}'
+    shown = '-' if not first.runs else '' if contestant is first else f'{ratio(contestant, first):.2f}'
     stages = [f'{s[key]:9.4f}' if key in s else ' ' * 9 for key in ('ms_collide', 'ms_solve')]
     cells = [form.format(s[key]) if s.get(key) else '' for key, _, form in COLUMNS]
     note = ('' if s['repeats'] else '  differs from run to run') + ('  NOT FINITE' if s.get('not_finite') else '')
-    return (f'  {contestant.label:14} {s["ms"]:10.4f} {stages[0]} {stages[1]} {told:>7}'
+    return (f'  {contestant.label:14} {s["ms"]:10.4f} {stages[0]} {stages[1]} {shown:>7}'
             + ''.join(f' {cell:>9}' for cell in cells) + note)
 
 

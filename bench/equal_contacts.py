@@ -79,10 +79,10 @@ def spaces(options, folders):
         same = len({line[3] for line in words}) == 1
         ours, other = (min(float(line[2]) for line in words[k::2]) for k in (0, 1))
         cells[tuple(words[0][:2])] = f'{ours / other:.2f}' if same else 'differ'
-    questions = list(dict.fromkeys(question for _, question in cells))
-    lines = ['| | ' + ' | '.join(q.replace('-', ' ') for q in questions) + ' |', '|---|' + '---|' * len(questions)]
+    columns = list(dict.fromkeys(column for _, column in cells))
+    lines = ['| | ' + ' | '.join(q.replace('-', ' ') for q in columns) + ' |', '|---|' + '---|' * len(columns)]
     for space in dict.fromkeys(space for space, _ in cells):
-        lines.append(f'| {space} | ' + ' | '.join(cells[space, question] for question in questions) + ' |')
+        lines.append(f'| {space} | ' + ' | '.join(cells[space, column] for column in columns) + ' |')
     return lines
 
 

@@ -5,25 +5,25 @@
 // runs it on two of them in turn.
 #include <CLI/CLI.hpp>
 
-#include "bench/accuracy.h"
-#include "bench/asleep.h"
-#include "bench/exact_table.h"
-#include "bench/mechanisms.h"
-#include "bench/mesh_rays.h"
-#include "bench/pairs.h"
-#include "bench/pile.h"
-#include "bench/scene_bench.h"
-#include "bench/scene_run.h"
-#include "bench/space_table.h"
-#include "bench/spaces.h"
-#include "bench/state.h"
-#include "bench/terrain.h"
-#include "bench/worlds.h"
+#include "bench/collision/mesh_rays.h"
+#include "bench/collision/pairs.h"
+#include "bench/collision/space_table.h"
+#include "bench/collision/spaces.h"
+#include "bench/collision/terrain.h"
+#include "bench/problems/exact_table.h"
+#include "bench/problems/mechanisms.h"
+#include "bench/problems/pile.h"
+#include "bench/runs/asleep.h"
+#include "bench/runs/scene_bench.h"
+#include "bench/runs/scene_run.h"
+#include "bench/runs/state.h"
+#include "bench/runs/worlds.h"
+#include "bench/truth/accuracy.h"
 #include "scenes/extensions.h"
 
 namespace {
 
-// Subcommands beside the names of scenes.
+// Subcommands besides the names of scenes.
 CLI::App* add_exact_table(CLI::App& app, epode::bench::TableOptions& options)
 {
     CLI::App* command = app.add_subcommand("exact-table", "dWorldStep on the problems of bench/exact");
@@ -157,7 +157,7 @@ CLI::App* add_mechanisms(CLI::App& app, epode::bench::MechanismOptions& options)
 
 CLI::App* add_state(CLI::App& app, epode::bench::StateOptions& options)
 {
-    CLI::App* command = app.add_subcommand("state", "states of a heap of boxes: bytes, saving and restoring");
+    CLI::App* command = app.add_subcommand("state", "states of a pile of boxes: bytes, saving and restoring");
     command->add_option("--boxes", options.boxes, "of the heap (default 1000)")
         ->check(CLI::Range(1, 1'000'000));
     command->add_option("--steps", options.steps, "before the first is timed (default 300)")
@@ -270,7 +270,7 @@ int main(int argc, char** argv)
     app.add_option("--repeat", options.repeat, "runs, each from a fresh start (default 3)")
         ->check(CLI::Range(1, 10'000));
     app.add_option("--iterations", options.iterations,
-                   "sweeps of quick (default 20), small steps of fast (default 4)")
+                   "sweeps of quick (default 20), substeps of fast (default 4)")
         ->check(CLI::Range(1, 1'000'000));
     app.add_option("--seed", options.seed, "of scenes that are poured at random (default 1)");
     app.add_flag("--json", options.json, "print JSON");

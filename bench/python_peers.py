@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
-"""Epode's package beside MuJoCo's bindings, in the same minutes: python_peers.py, in an environment that has both (pip install mujoco).
+"""Epode's package and MuJoCo's bindings, in the same minutes: python_peers.py, in an environment that has both (pip install mujoco).
 Time is that of the process's CPU, the least of some rounds in turn, since the machine may be busy: import (beyond numpy's), all poses
 and velocities of 1,000 bodies read, a step of one body, 100,000 rays, and the speed of two threads with two worlds."""
 import subprocess

@@ -21,12 +21,12 @@ def scenes(options):
 def processor():
     """The processor's name as a folder's, with family and model where /proc/cpuinfo has them: virtual machines shorten the name
     until two generations share it."""
-    told = {}
+    fields = {}
     if os.path.exists('/proc/cpuinfo'):
         for line in open('/proc/cpuinfo'):
             key, _, value = line.partition(':')
-            told.setdefault(key.strip(), value.strip())
-    words = [told.get('model name') or platform.processor() or platform.machine(), told.get('cpu family', ''), told.get('model', '')]
+            fields.setdefault(key.strip(), value.strip())
+    words = [fields.get('model name') or platform.processor() or platform.machine(), fields.get('cpu family', ''), fields.get('model', '')]
     return re.sub(r'[^a-z0-9]+', '-', ' '.join(words).lower()).strip('-')
 
 
@@ -36,8 +36,8 @@ def commit():
 
     # What this very run has saved is no change of what it measures.
     changed = git('status', '--porcelain', '--untracked-files=no', '--', '.', ':!bench/results', ':!docs')
-    told = git('describe', '--always')
-    return (told + '-dirty' if changed else told) or 'unknown'
+    described = git('describe', '--always')
+    return (described + '-dirty' if changed else described) or 'unknown'
 
 
 def load(name, folder=None):

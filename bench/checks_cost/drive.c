@@ -3,7 +3,7 @@
  *
  * drive SHAPE STEPPER STEPS: 1,000 bodies as a program drives them. Each step: collision by callback,
  * contacts as joints, a force on every body, pose and velocity of every body read as for drawing, the world's
- * step. SHAPE: boxes (in 250 towers of four) or spheres (beside each other). What is counted is one_step().
+ * step. SHAPE: boxes (in 250 towers of four) or spheres (next to each other). What is counted is one_step().
  */
 #include <ode/ode.h>
 #include <stdio.h>

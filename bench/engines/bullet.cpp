@@ -185,7 +185,7 @@ btTransform BulletEngine::local(int body, Vec anchor, Turn frame) const
     return bodies_[size_t(body)]->getWorldTransform().inverse() * to_bullet(anchor, frame);
 }
 
-// Frames of Bullet's hinge have it about z; those of its hinge-2 are told by the world's axes.
+// Frames of Bullet's hinge have it about z; those of its hinge-2 are given by the world's axes.
 void BulletEngine::make_joint(const JointData& joint)
 {
     btRigidBody &body1 = *bodies_[size_t(joint.body1)], &body2 = *bodies_[size_t(joint.body2)];

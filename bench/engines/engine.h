@@ -3,7 +3,7 @@
 //
 // What a benchmark asks of an engine. An engine is made from a scene's data and keeps it in its own form; a
 // new one is one file with an EngineEntry and one line in engines.inc. Two ways to use one library are two
-// engines: ODE's callback with contact joints is one, contacts that the world manages would be another on the
+// engines: ODE's callback with contact joints is one, world-managed contacts are another on the
 // same OdeScene.
 #pragma once
 

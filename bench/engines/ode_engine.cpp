@@ -3,8 +3,8 @@
 //
 // ODE's way: a near callback that asks dCollide and makes contact joints, a step, the joints thrown away.
 // Runs on whichever libode.so.8 the loader finds. Friction scales with the normal force (dContactApprox1), as
-// real friction does; pairs that a joint connects are left out, which costs a program with joints the
-// question.
+// real friction does; pairs that a joint connects are left out, which a program with joints has
+// to check.
 #include <algorithm>
 
 #include "bench/engines/ode_scene.h"

@@ -14,11 +14,11 @@ namespace epode::bench {
 
 namespace {
 
-dSpaceID make_space(const std::string& kind, double room)
+dSpaceID make_space(const std::string& kind, double cube_side)
 {
     if (kind == "sap") return dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);
     if (kind != "quadtree") return dHashSpaceCreate(nullptr);
-    const double half = room > 0 ? room / 2 : 200;
+    const double half = cube_side > 0 ? cube_side / 2 : 200;
     const dVector3 centre = {0, 0, 0, 0}, extents = {dReal(half), dReal(half), dReal(half), 0};
     return dQuadTreeSpaceCreate(nullptr, centre, extents, 7);
 }
@@ -56,7 +56,7 @@ OdeScene::OdeScene(const SceneData& data, const EngineOptions& options)
     : data_(data),
       options_(options),
       world_(dWorldCreate()),
-      space_(make_space(options.space, data.room)),
+      space_(make_space(options.space, data.cube_side)),
       hulls_(data.shapes.size()),
       meshes_(data.shapes.size()),
       driven_(driven_bodies(data))

@@ -281,15 +281,15 @@ double Problem::energy() const
 
 double Problem::gap() const
 {
-    double most = 0;
+    double largest = 0;
     for (dJointID j : hinges) {
         dVector3 a, b;
         dJointGetHingeAnchor(j, a);
         dJointGetHingeAnchor2(j, b);
         const double x = double(a[0] - b[0]), y = double(a[1] - b[1]), z = double(a[2] - b[2]);
-        most = std::max(most, std::sqrt(x * x + y * y + z * z));
+        largest = std::max(largest, std::sqrt(x * x + y * y + z * z));
     }
-    return most;
+    return largest;
 }
 
 std::unique_ptr<Problem> make_problem(const std::string& name, int size)

@@ -120,8 +120,8 @@ class Engine:
 
 
 def version():
-    told = lib.b3GetVersion()
-    return f'Box3D {told.major}.{told.minor}.{told.revision} (robox3d wheel)'
+    number = lib.b3GetVersion()
+    return f'Box3D {number.major}.{number.minor}.{number.revision} (robox3d wheel)'
 
 
 common.play(Engine, version())

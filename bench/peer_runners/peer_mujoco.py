@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Copyright (c) 2026 The Epode authors
-"""MuJoCo, native, in doubles, with its own solver and softness: made for robots rather than heaps, and its contacts are
+"""MuJoCo, native, in doubles, with its own solver and softness: made for robots rather than piles, and its contacts are
 soft on purpose. Joints between free bodies are equality constraints; a hinge is two of them on its axis, its stops are
 left out."""
 import common

@@ -43,7 +43,7 @@ BodyState driven(const BodyData& body, double time, double dt)
 Vec flown(const SceneData& scene, const BodyData& body, double time)
 {
     const Vec there = body.pos + time * body.linear;
-    const double half = scene.room / 2;
+    const double half = scene.cube_side / 2;
     return {folded(there.x, half), folded(there.y, half), folded(there.z, half)};
 }
 

@@ -112,8 +112,8 @@ std::string to_json(const SceneData& s)
     return fmt::format(
         "{{\"name\":\"{}\",\"size\":{},\"task\":\"{}\",\"steps\":{},\"dt\":{:.17g},\"gravity\":{},"
         "\"friction\":{},"
-        "\"room\":{},\n\"shapes\":{},\n\"bodies\":{},\n\"joints\":{},\n\"rays\":{}}}\n",
-        s.name, s.size, name_of(s.task), s.steps, s.dt, text(s.gravity), text(s.friction), text(s.room),
+        "\"cube_side\":{},\n\"shapes\":{},\n\"bodies\":{},\n\"joints\":{},\n\"rays\":{}}}\n",
+        s.name, s.size, name_of(s.task), s.steps, s.dt, text(s.gravity), text(s.friction), text(s.cube_side),
         text(s.shapes), text(s.bodies), text(s.joints), text(s.rays));
 }
 

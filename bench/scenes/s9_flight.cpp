@@ -14,12 +14,12 @@ namespace {
 
 void build(SceneData& scene, int count)
 {
-    constexpr double kRoomOfEach = 50;  // m3
+    constexpr double kVolumeOfEach = 50;  // m3
     const int cube = add_shape(scene, box({1, 1, 1}));
     Lcg random(10);
     scene.task = Task::kBroadPhase;
-    scene.room = std::cbrt(kRoomOfEach * count);
-    const double half = scene.room / 2;
+    scene.cube_side = std::cbrt(kVolumeOfEach * count);
+    const double half = scene.cube_side / 2;
     for (int n = 0; n < count; ++n) {
         const double x = random.uniform(-half, half), y = random.uniform(-half, half);
         const int body = add_body(scene, cube, {x, y, random.uniform(-half, half)}, random.any_turn());

@@ -92,8 +92,8 @@ struct SceneData {
     std::vector<RayData> rays;
     std::optional<Terrain> terrain;  // also a shape, of a body of its own
     double lost_below = -2;          // a body whose centre is lower has fallen through
-    double link = 1;                 // joint errors are told in this length, m
-    double room = 0;                 // broad phase: bodies fly in a cube of this side around the origin
+    double link = 1;                 // joint errors are measured in this length, m
+    double cube_side = 0;            // broad phase: bodies fly in a cube of this side around the origin
 };
 
 }  // namespace epode::bench
