@@ -23,7 +23,7 @@ record::Info about(const scenes::Scene& scene, const RunPlan& plan)
             {"steps", fmt::format("{}", plan.steps)},
             {"iterations", fmt::format("{}", plan.iterations)},
             {"seed", fmt::format("{}", plan.seed)},
-            {"contacts", plan.managed ? "managed" : "joints"},
+            {"contacts", plan.world_contacts ? "managed" : "joints"},
             {"precision", record::kPrecision},
             {"library", scenes::loaded_library()},
             {"library_kind", scenes::loaded_library_kind()},
@@ -48,7 +48,7 @@ bool options_from(const record::Recording& recording, RunOptions& options, std::
     problem = other_precision(recording);
     if (!problem.empty()) return false;
     options.stepper = recording.about_value("stepper");
-    options.managed = recording.about_value("contacts") == "managed";  // files from before say nothing
+    options.world_contacts = recording.about_value("contacts") == "managed";  // files from before say nothing
     options.dt = std::strtod(recording.about_value("dt").c_str(), nullptr);
     const long iterations = std::strtol(recording.about_value("iterations").c_str(), nullptr, 10);
     options.iterations = int(iterations);

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "cli/plan.h"
-#include "record/recording.h"
+#include "record/file/recording.h"
 
 namespace epode::cli {
 

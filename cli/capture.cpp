@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The recorder's library lies in ../lib beside this program, in the build tree and where it is installed
+// The recorder's library is in ../lib next to this program, in the build tree and where it is installed
 // (../lib/TRIPLET too). Whatever was preloaded before stays. The program runs as a child, so that somebody is
 // left to say what was recorded, or that nothing was, and to make whole what a signal has cut off.
 #include "cli/capture.h"
@@ -21,8 +21,8 @@
 #include "cli/console.h"
 #include "cli/paths.h"
 #include "cli/plan.h"
-#include "record/file_end.h"
-#include "record/file_names.h"
+#include "record/file/file_end.h"
+#include "record/file/file_names.h"
 
 extern char** environ;
 
@@ -133,7 +133,7 @@ int capture(const CaptureOptions& options)
         return refuse(no_such_stepper(options.stepper));
     if (!can_write(options.output, problem)) return complain(options.output, problem);
     std::string library = find_library();
-    if (library.empty()) return refuse(fmt::format("there is no {} beside this program", kLibrary));
+    if (library.empty()) return refuse(fmt::format("there is no {} next to this program", kLibrary));
     if (const char* before = std::getenv("LD_PRELOAD"); before && *before) library.append(":").append(before);
     const std::string output = fs::absolute(options.output).string();
     setenv("LD_PRELOAD", library.c_str(), 1);

@@ -11,8 +11,8 @@
 
 #include "cli/console.h"
 #include "cli/plan.h"
-#include "record/compare.h"
-#include "record/hash.h"
+#include "record/file/hash.h"
+#include "record/rerun/compare.h"
 
 namespace epode::cli {
 

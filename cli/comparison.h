@@ -6,7 +6,7 @@
 #pragma once
 
 #include "cli/fields.h"
-#include "record/recording.h"
+#include "record/file/recording.h"
 
 namespace epode::cli {
 

@@ -4,10 +4,10 @@
 // See export.h.
 #include "cli/export.h"
 
-#include "record/csv.h"
-#include "record/glb.h"
-#include "record/page.h"
-#include "record/writer.h"
+#include "record/file/writer.h"
+#include "record/output/csv.h"
+#include "record/output/glb.h"
+#include "record/output/page.h"
 
 namespace epode::cli {
 

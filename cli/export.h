@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "record/recording.h"
+#include "record/file/recording.h"
 
 namespace epode::cli {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// posix_spawnp rather than popen: no shell reads the file's name, and a missing ffmpeg is told from a failing
+// posix_spawnp rather than popen: no shell reads the file's name, and a missing ffmpeg is not taken for a failing
 // one. An encoder that dies closes the pipe; the write then fails instead of ending this program, which
 // ignores SIGPIPE. The encoder is in a process group of its own, so that Ctrl+C does not end it before the
 // film does.

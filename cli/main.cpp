@@ -44,9 +44,9 @@ void add_plan_options(CLI::App& command, RunOptions& options)
         ->required();
     command.add_option("--stepper", options.stepper,
                        "exact, quick, fast or hybrid; default: as the guide recommends, which is exact for "
-                       "mechanisms and, for scenes of many bodies as in games, fast with --managed");
-    command.add_flag("--managed", options.managed,
-                     "contacts that the world manages instead of contact joints from a callback; without "
+                       "mechanisms and, for scenes of many bodies as in games, fast with --world-contacts");
+    command.add_flag("--world-contacts", options.world_contacts,
+                     "world-managed contacts instead of contact joints from a callback; without "
                      "--stepper that is the default for scenes of many bodies");
     command.add_option("--threads", options.threads, "threads of a step (default 1), with the same results")
         ->check(whole_number_within(1, epode::cli::kMaxThreads));
@@ -108,7 +108,7 @@ void add_replay_options(CLI::App& command, ReplayOptions& options)
         ->check(whole_number_within(1, epode::cli::kMaxIterations));
     command
         .add_option("--contacts", options.contacts,
-                    "of a captured program: recorded, or found anew (default with another stepper)")
+                    "of a captured program: recorded, or found again (default with another stepper)")
         ->check(CLI::IsMember({"recorded", "found"}));
     command.add_option("-o,--output", options.output,
                        "of a captured program: recording (.epr) of the new run");

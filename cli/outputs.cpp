@@ -40,9 +40,9 @@ void Outputs::Fan::joint(const record::Joint& joint)
     for (record::Sink* sink : sinks) sink->joint(joint);
 }
 
-void Outputs::Fan::gone(record::Thing thing, std::uint32_t number)
+void Outputs::Fan::gone(record::ObjectKind kind, std::uint32_t number)
 {
-    for (record::Sink* sink : sinks) sink->gone(thing, number);
+    for (record::Sink* sink : sinks) sink->gone(kind, number);
 }
 
 void Outputs::Fan::moved(std::uint32_t geom, std::int32_t body, const record::Pose& pose)

@@ -7,9 +7,9 @@
 #include <memory>
 
 #include "cli/plan.h"
-#include "record/writer.h"
+#include "record/file/writer.h"
 #include "scenes/causes.h"
-#include "view/scene_recorder.h"
+#include "view/session/scene_recorder.h"
 
 namespace epode::cli {
 
@@ -33,7 +33,7 @@ class Outputs {
         void body(const record::Body& body) override;
         void geom(const record::Geom& geom) override;
         void joint(const record::Joint& joint) override;
-        void gone(record::Thing thing, std::uint32_t number) override;
+        void gone(record::ObjectKind kind, std::uint32_t number) override;
         void moved(std::uint32_t geom, std::int32_t body, const record::Pose& pose) override;
         void calls(const record::CallBlock& block) override;
         void step(const record::Step& step) override;

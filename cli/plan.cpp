@@ -24,15 +24,15 @@ bool choose_stepper(const RunOptions& options, const scenes::Recipe& recipe, Run
 {
     const scenes::Setting setting = scenes::recommended(recipe);
     plan.stepper = setting.stepper;
-    plan.recommended = options.stepper.empty() && !options.managed;
-    plan.managed = options.managed || (options.stepper.empty() && setting.managed);
+    plan.recommended = options.stepper.empty() && !options.world_contacts;
+    plan.world_contacts = options.world_contacts || (options.stepper.empty() && setting.world_contacts);
     if (!options.stepper.empty() && !scenes::stepper_named(options.stepper, plan.stepper)) {
         problem = no_such_stepper(options.stepper);
     } else if (!scenes::available(plan.stepper)) {
         problem = fmt::format("{} has no '{}' stepper. Steppers it has: exact quick",
                               scenes::loaded_library(), scenes::name_of(plan.stepper));
-    } else if (plan.managed && !scenes::has_managed_contacts()) {
-        problem = scenes::loaded_library() + " has no contacts that the world manages (--managed)";
+    } else if (plan.world_contacts && !scenes::has_world_contacts()) {
+        problem = scenes::loaded_library() + " has no world-managed contacts (--world-contacts)";
     } else if (plan.threads > 1 && !scenes::has_step_threads()) {
         problem = scenes::loaded_library() + " steps on one thread only (--threads)";
     }
@@ -70,7 +70,7 @@ bool set_up(scenes::Scene& scene, const RunPlan& plan, std::string& problem)
 {
     scene.set_iterations(plan.iterations);
     if (plan.threads > 1) scenes::set_step_threads(scene.world(), plan.threads);
-    return !plan.managed || scene.manage_contacts(problem);
+    return !plan.world_contacts || scene.manage_contacts(problem);
 }
 
 bool settle(const RunOptions& options, const scenes::Recipe& recipe, RunPlan& plan, std::string& problem)
@@ -94,10 +94,9 @@ bool settle(const RunOptions& options, const scenes::Recipe& recipe, RunPlan& pl
     }
     plan.seed = options.seed;
     plan.iterations = options.iterations;
-    const bool small_steps =
-        plan.stepper == scenes::Stepper::kFast || plan.stepper == scenes::Stepper::kHybrid;
-    if (small_steps && options.iterations > kMaxSmallSteps) {
-        problem = fmt::format("{} small steps are more than {}", options.iterations, kMaxSmallSteps);
+    const bool substeps = plan.stepper == scenes::Stepper::kFast || plan.stepper == scenes::Stepper::kHybrid;
+    if (substeps && options.iterations > kMaxSubsteps) {
+        problem = fmt::format("{} substeps are more than {}", options.iterations, kMaxSubsteps);
         return false;
     }
     return true;

@@ -12,7 +12,7 @@
 
 namespace epode::cli {
 
-constexpr int kMaxIterations = 100'000, kMaxSmallSteps = 10'000;  // what the library takes
+constexpr int kMaxIterations = 100'000, kMaxSubsteps = 10'000;  // what the library takes
 constexpr int kMaxThreads = 256;
 
 enum ExitCode { kFine = 0, kProblem = 1, kUsage = 2 };
@@ -20,8 +20,8 @@ enum ExitCode { kFine = 0, kProblem = 1, kUsage = 2 };
 struct RunOptions {
     std::string scene;
     std::string stepper;  // empty: as recommended for the scene
-    bool managed =
-        false;  // contacts that the world manages; also where that is recommended and no stepper named
+    // Not of contact joints; also where that is recommended and no stepper named.
+    bool world_contacts = false;
     int threads = 1;
     double dt = 0;       // 0: the scene's own
     int steps = 0;       // 0: by seconds
@@ -40,7 +40,7 @@ struct RunOptions {
 
 struct RunPlan {
     scenes::Stepper stepper = scenes::Stepper::kQuick;
-    bool managed = false;
+    bool world_contacts = false;
     bool recommended = false;  // nobody said otherwise
     int threads = 1;
     double dt = 0;

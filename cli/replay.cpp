@@ -19,10 +19,10 @@
 #include "cli/plan.h"
 #include "cli/progress.h"
 #include "cli/rerun.h"
-#include "record/hash.h"
-#include "record/reader.h"
+#include "record/file/hash.h"
+#include "record/file/reader.h"
 #include "scenes/messages.h"
-#include "view/scene_recorder.h"
+#include "view/session/scene_recorder.h"
 
 namespace epode::cli {
 

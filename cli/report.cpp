@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// What each figure means is said beside it, since it depends on the scene: energy is conserved only where
+// What each figure means is said next to it, since it depends on the scene: energy is conserved only where
 // there is no friction, motor or impact, momentum only where nothing outside acts. Elsewhere the same figures
 // tell how much went, not how wrong it is.
 #include "cli/report.h"
@@ -56,9 +56,10 @@ std::string describe_stepper(const Scene& scene, const RunPlan& plan)
     if (plan.iterations > 0) text += fmt::format(", {} iterations", plan.iterations);
     if (plan.stepper == scenes::Stepper::kExact && scene.precise_parts() > 0)
         text += fmt::format(", {} parts a step, exact rotation", scene.precise_parts());
-    text += plan.managed ? ", world-managed contacts" : ", contact joints";
+    text += plan.world_contacts ? ", world-managed contacts" : ", contact joints";
     if (plan.threads > 1) text += fmt::format(", {} threads", plan.threads);
-    if (plan.recommended) text += plan.managed ? " (the default for games)" : " (this scene's default)";
+    if (plan.recommended)
+        text += plan.world_contacts ? " (the default for games)" : " (this scene's default)";
     return text;
 }
 
@@ -69,7 +70,7 @@ void describe_setting(const Scene& scene, const RunPlan& plan, const RunRecord& 
                fmt::format("{} - {}", scene.recipe().name, scene.recipe().description));
     out.string("stepper", scenes::name_of(plan.stepper), "stepper", describe_stepper(scene, plan));
     out.raw("stepper_is_default", plan.recommended ? "true" : "false");
-    out.raw("managed_contacts", plan.managed ? "true" : "false");
+    out.raw("world_contacts", plan.world_contacts ? "true" : "false");
     out.number("threads", plan.threads);
     out.number("exact_parts", scene.precise_parts());
     out.number("iterations", plan.iterations);

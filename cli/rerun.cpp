@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// See rerun.h. The recorded stepper gets the recorded contacts, another one contacts found anew, unless
+// See rerun.h. The recorded stepper gets the recorded contacts, another one contacts found again, unless
 // --contacts says otherwise. A recording that another library made is another run: only distances then.
 #include "cli/rerun.h"
 
@@ -13,8 +13,8 @@
 #include "cli/interrupt.h"
 #include "cli/plan.h"
 #include "cli/progress.h"
-#include "record/rerun.h"
-#include "record/writer.h"
+#include "record/file/writer.h"
+#include "record/rerun/rerun.h"
 #include "scenes/extensions.h"
 #include "scenes/scene.h"
 
@@ -69,7 +69,7 @@ int rerun(const ReplayOptions& options, const record::Recording& was)
     out.string(
         "stepper", other && !options.stepper.empty() ? options.stepper : recorded, "stepper",
         options.stepper.empty() ? recorded : fmt::format("{}, recorded with {}", options.stepper, recorded));
-    out.string("contacts", find ? "found" : "recorded", "contacts", find ? "found anew" : "as recorded");
+    out.string("contacts", find ? "found" : "recorded", "contacts", find ? "found again" : "as recorded");
     const bool other_library = was.about_value("library") != scenes::loaded_library();
     return compare(was, now, other || find || other_library, out, options.json);
 }

@@ -209,7 +209,7 @@ bool offer_robot(const std::string& what, bool posed, std::string& problem)
     const bool is_robot = what.ends_with(".urdf") || what.ends_with(".xml") || what.ends_with(".mjcf") ||
                           what.ends_with(".sdf");
     if (!is_robot) return true;
-    if (!scenes::has_managed_contacts()) {
+    if (!scenes::has_world_contacts()) {
         problem = scenes::loaded_library() + " has no drives, hulls and couplings, of which robots are made";
         return false;
     }

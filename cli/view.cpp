@@ -32,7 +32,7 @@ void add_view_options(CLI::App& command, view::ViewOptions& options)
                      "look for what makes the simulation fail (a panel shows it)");
     command.add_flag("--paused", options.paused, "begin paused");
     command.add_flag("--status", options.status, "a line on standard output whenever the state changes");
-    command.add_flag("--headless", options.headless, "no window; so it is where there is no display");
+    command.add_flag("--headless", options.headless, "no window, as where there is no display");
     command.add_option("--frames", options.frames, "end after so many frames of 1/60 s")
         ->check(whole_number_within(1, 10'000'000));
     command.add_option("--picture", options.picture, "PNG file of the last frame, panels and all");

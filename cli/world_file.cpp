@@ -66,9 +66,9 @@ void put_counts(FieldList& fields, const std::string& path, const LoadedWorld& l
     fields.number("sleeping", sleeping);
     fields.number("joints", joints, "joints", fmt::format("{}", joints));
     fields.number("geoms", geoms, "geoms", fmt::format("{}", geoms));
-    const bool managed = scenes::contact_space(loaded.world()) != nullptr;
-    fields.raw("managed", managed ? "true" : "false", "contacts",
-               managed ? "managed by the world" : "of the program");
+    const bool world_contacts = scenes::contact_space(loaded.world()) != nullptr;
+    fields.raw("world_contacts", world_contacts ? "true" : "false", "contacts",
+               world_contacts ? "managed by the world" : "of the program");
 }
 
 struct Motion {

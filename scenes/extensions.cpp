@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <fstream>
 
-#include "record/lookup.h"
+#include "record/watch/lookup.h"
 
 namespace epode::scenes {
 
@@ -139,7 +139,7 @@ int step_hybrid(dWorldID world, dReal dt, int substeps)
     return function(world, dt);
 }
 
-bool has_managed_contacts() { return find<SetSpace>("dWorldSetContactSpace") != nullptr; }
+bool has_world_contacts() { return find<SetSpace>("dWorldSetContactSpace") != nullptr; }
 
 void set_contact_space(dWorldID world, dSpaceID space)
 {
@@ -162,16 +162,16 @@ void set_material(dGeomID geom, const dSurfaceParameters& surface)
     set(geom, &material);
 }
 
-std::vector<ManagedContact> managed_contacts(dWorldID world)
+std::vector<WorldContact> world_contacts(dWorldID world)
 {
     static const GetContacts function = find<GetContacts>("dWorldGetContacts");
     if (!function) return {};
     std::vector<RawContact> raw(size_t(function(world, nullptr, 0)));
     function(world, raw.data(), int(raw.size()));
-    std::vector<ManagedContact> contacts;
+    std::vector<WorldContact> contacts;
     contacts.reserve(raw.size());
     for (const RawContact& from : raw) {
-        ManagedContact& to = contacts.emplace_back();
+        WorldContact& to = contacts.emplace_back();
         to.geom1 = from.g1;
         to.geom2 = from.g2;
         to.depth = double(from.depth);
@@ -279,7 +279,7 @@ bool set_step_projection(dWorldID world, int iterations)
     return true;
 }
 
-const char* loaded_library_kind() { return has_managed_contacts() ? "Epode" : "ODE"; }
+const char* loaded_library_kind() { return has_world_contacts() ? "Epode" : "ODE"; }
 
 bool has_world_files() { return find<void*>("dWorldSave") != nullptr; }
 

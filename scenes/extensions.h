@@ -28,19 +28,19 @@ bool has_step_hybrid();
 // dWorldStepHybrid; 0 where the library has none.
 int step_hybrid(dWorldID world, dReal dt, int substeps);
 
-// Contacts that the world manages (ode/contacts.h).
-struct ManagedContact {
+// World-managed contacts (ode/contacts.h).
+struct WorldContact {
     dGeomID geom1, geom2;
     double pos[3], normal[3];  // the normal points into geom1
     double depth;              // at the step's beginning; below 0: still apart then
     double normal_force;       // along the normal, N
     double friction_force[3];  // on geom1, N
 };
-bool has_managed_contacts();
+bool has_world_contacts();
 void set_contact_space(dWorldID world, dSpaceID space);
 // Friction and bounce of contact joints with that surface, as a material.
 void set_material(dGeomID geom, const dSurfaceParameters& surface);
-std::vector<ManagedContact> managed_contacts(dWorldID world);
+std::vector<WorldContact> world_contacts(dWorldID world);
 
 // Shapes beyond ODE's, with the mass of water; 0 where the library has none.
 dGeomID create_cone(dSpaceID space, double radius, double length, dMass& mass);

@@ -68,7 +68,7 @@ bool available(Stepper stepper)
 
 Setting recommended(const Recipe& recipe)
 {
-    const bool game = recipe.stepper == Stepper::kQuick && has_managed_contacts() && has_step_fast();
+    const bool game = recipe.stepper == Stepper::kQuick && has_world_contacts() && has_step_fast();
     return game ? Setting{Stepper::kFast, true} : Setting{recipe.stepper, false};
 }
 
@@ -179,13 +179,14 @@ int Scene::advance(Stepper stepper, double dt)
 
 bool Scene::manage_contacts(std::string& problem)
 {
-    if (!has_managed_contacts()) problem = loaded_library() + " has no contacts that the world manages";
+    if (!has_world_contacts()) problem = loaded_library() + " has no world-managed contacts";
     if (contact_copies != 1 || on_contact)
-        problem = std::string("the scene '") + recipe_.name +
-                  "' makes contacts of its own, which the world would not: it cannot be run with --managed";
+        problem =
+            std::string("the scene '") + recipe_.name +
+            "' makes contacts of its own, which the world would not: it cannot be run with --world-contacts";
     if (!problem.empty()) return false;
     set_contact_space(world_, space_);
-    managed_ = true;
+    world_contacts_ = true;
     return true;
 }
 
@@ -199,10 +200,10 @@ void Scene::set_materials()
     for (; materials_ < geoms_.size(); ++materials_) set_material(geoms_[materials_], surface);
 }
 
-void Scene::read_managed_contacts()
+void Scene::read_world_contacts()
 {
     contacts_.clear();
-    for (const ManagedContact& from : managed_contacts(world_)) {
+    for (const WorldContact& from : world_contacts(world_)) {
         ContactRecord& to = contacts_.emplace_back();
         to.geom1 = from.geom1;
         to.geom2 = from.geom2;
@@ -220,15 +221,15 @@ bool Scene::step(Stepper stepper, double dt)
     for (auto& hook : hooks_) hook(time_, dt);
     contacts_.clear();
     feedback_.clear();
-    if (managed_) set_materials();
+    if (world_contacts_) set_materials();
 
     const auto start = Clock::now();
-    if (!managed_) dSpaceCollide(space_, this, &near_callback);
+    if (!world_contacts_) dSpaceCollide(space_, this, &near_callback);
     const auto collided = Clock::now();
     const int ok = advance(stepper, dt);
     const auto stepped = Clock::now();
-    if (managed_) {
-        read_managed_contacts();
+    if (world_contacts_) {
+        read_world_contacts();
     } else {
         read_forces();
         dJointGroupEmpty(contact_group_);

@@ -39,11 +39,11 @@ struct Recipe {
 };
 
 // How a scene is stepped where nobody says otherwise: as the guide recommends (docs/guide/steppers.md).
-// Mechanisms exactly; many bodies in contact, as in games, in substeps with contacts that the world manages,
+// Mechanisms exactly; many bodies in contact, as in games, in substeps with world-managed contacts,
 // or where the library has none of that, in ODE's way.
 struct Setting {
     Stepper stepper;
-    bool managed;
+    bool world_contacts;
 };
 Setting recommended(const Recipe& recipe);
 
@@ -123,7 +123,7 @@ class Scene {
     // The world finds its contacts itself (ode/contacts.h) from now on, with materials in place of `surface`.
     // False, and why: the library cannot, or the scene makes contacts that the world would not.
     bool manage_contacts(std::string& problem);
-    bool manages_contacts() const { return managed_; }
+    bool manages_contacts() const { return world_contacts_; }
     // Whether contact records tell the forces of the step; it costs a little time.
     void want_forces(bool wanted) { want_forces_ = wanted; }
     // False when the library reports that the step failed.
@@ -157,7 +157,7 @@ class Scene {
     int advance(Stepper stepper, double dt);
     void read_forces();
     void set_materials();
-    void read_managed_contacts();
+    void read_world_contacts();
 
     const Recipe& recipe_;
     std::uint32_t seed_;
@@ -166,7 +166,7 @@ class Scene {
     dJointGroupID contact_group_;
     double time_ = 0;
     int iterations_ = 0;
-    bool managed_ = false;
+    bool world_contacts_ = false;
     int parts_ = 0;
     size_t materials_ = 0;  // geoms that have theirs
     std::vector<dBodyID> bodies_;

@@ -37,7 +37,7 @@ const std::vector<ActionRow>& actions()
         {Action::kShadows, "Show", "Shadows", {"ctrl+s"}},
         {Action::kFrame, "Look", "Look at everything", {"a"}},
         {Action::kFollow, "Look", "Follow the picked body", {"t"}},
-        {Action::kPush, "Body", "Push the picked body away", {"s"}},
+        {Action::kShove, "Body", "Push the picked body away", {"s"}},
         {Action::kShoot, "Body", "Shoot a ball from the eye", {"e"}},
         {Action::kLetGo, "Body", "Pick nothing", {"d"}},
         {Action::kPanels, "Window", "Panels", {"tab"}},

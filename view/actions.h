@@ -39,7 +39,7 @@ enum class Action {
     kHelp,
     kFrame,
     kFollow,
-    kPush,
+    kShove,
     kShoot,
     kLetGo
 };

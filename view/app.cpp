@@ -11,7 +11,7 @@
 #include <cstdio>
 
 #include "view/overlays.h"
-#include "view/playback.h"
+#include "view/session/playback.h"
 
 namespace epode::view {
 
@@ -227,7 +227,7 @@ void App::act(Action action)
                 orbit_.aim(followed_);
             }
             break;
-        case Action::kPush:
+        case Action::kShove:
             push();
             break;
         case Action::kShoot:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The viewer without its window: it is told keys, the mouse and the time by Dear ImGui's input, changes the
+// The viewer without its window: it receives keys, the mouse and the time by Dear ImGui's input, changes the
 // session and its own switches, and lays out the panels. Whoever shows it (window.cpp, offscreen.cpp) draws
 // picture() and then ImGui's draw data over it.
 #pragma once
@@ -11,8 +11,8 @@
 
 #include "view/actions.h"
 #include "view/drawing.h"
-#include "view/live.h"
 #include "view/orbit.h"
+#include "view/session/live.h"
 #include "view/view.h"
 
 namespace epode::view {

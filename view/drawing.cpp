@@ -9,9 +9,9 @@
 #include <cmath>
 #include <limits>
 
-#include "view/islands.h"
-#include "view/live.h"
 #include "view/overlays.h"
+#include "view/session/islands.h"
+#include "view/session/live.h"
 
 namespace epode::view {
 

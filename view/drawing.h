@@ -6,8 +6,8 @@
 
 #include <map>
 
-#include "record/tessellate.h"
-#include "view/session.h"
+#include "record/output/tessellate.h"
+#include "view/session/session.h"
 #include "viewer/picture.h"
 
 namespace epode::view {

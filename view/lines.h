@@ -4,7 +4,7 @@
 // Lines of a picture: what is thin in it.
 #pragma once
 
-#include "view/session.h"
+#include "view/session/session.h"
 #include "viewer/picture.h"
 
 namespace epode::view {

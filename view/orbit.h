@@ -4,12 +4,12 @@
 // A camera that turns about a point: azimuth and elevation in radians, distance in metres. Dragging turns,
 // shifts in the picture's plane, or comes closer; the point under a pixel is a ray. A view is composed as a
 // picture of kAspect; it appears whole, as large as possible and centred, in the part of the window that
-// nothing covers, and the rest of the window shows what is beside it.
+// nothing covers, and the rest of the window shows what is around it.
 #pragma once
 
 #include <vector>
 
-#include "view/stage.h"
+#include "view/session/stage.h"
 #include "viewer/picture.h"
 
 namespace epode::view {

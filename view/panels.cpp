@@ -167,7 +167,7 @@ void App::solver_panel()
     }
     ImGui::PushItemWidth(150);
     if (live->options.stepper != scenes::Stepper::kExact)
-        ImGui::SliderInt(live->options.stepper == scenes::Stepper::kQuick ? "iterations" : "small steps",
+        ImGui::SliderInt(live->options.stepper == scenes::Stepper::kQuick ? "iterations" : "substeps",
                          &live->options.iterations, 0, 200, live->options.iterations ? "%d" : "its own");
     if (scenes::has_step_threads()) ImGui::SliderInt("threads", &live->options.threads, 1, 16);
     float ms = float(1e3 * live->options.dt);

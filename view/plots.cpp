@@ -33,11 +33,11 @@ void plot(const char* name, const char* format, const Stage& stage, size_t now, 
     ImGui::TextUnformatted(last);
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
     // A value that does not change stays in the middle, whatever its last bits do.
-    const float room = std::max(*high - *low, 1e-6f * std::max(std::abs(*high), 1e-9f));
+    const float range = std::max(*high - *low, 1e-6f * std::max(std::abs(*high), 1e-9f));
     ImGui::PushID(name);
     ImGui::SetNextItemWidth(-1);
-    ImGui::PlotLines("", values.data(), int(values.size()), 0, nullptr, *low - 0.05f * room,
-                     *high + 0.05f * room, {0, 34});
+    ImGui::PlotLines("", values.data(), int(values.size()), 0, nullptr, *low - 0.05f * range,
+                     *high + 0.05f * range, {0, 34});
     ImGui::PopID();
 }
 

@@ -26,7 +26,7 @@ bool has_display()
     return (x11 && *x11) || (wayland && *wayland);
 }
 
-int tell(ViewResult result, const std::string& problem)
+int report(ViewResult result, const std::string& problem)
 {
     std::fprintf(stderr, "epode view: %s\n", problem.c_str());
     return result;
@@ -61,7 +61,7 @@ struct Show {
     std::string status;
 };
 
-void tell_status(Show& show)
+void print_status(Show& show)
 {
     std::string now = show.app.summary();
     if (!show.options.status || now == show.status) return;
@@ -102,7 +102,7 @@ bool run(Show& show, std::string& error)
         ImGui::NewFrame();
         show.app.frame(show.screen.seconds(), show.screen.width(), show.screen.height());
         ImGui::Render();
-        tell_status(show);
+        print_status(show);
         if ((!show.windowless || !file.empty()) && !draw(show, file, error)) return false;
         if (final_picture && !draw(show, show.options.picture, error)) return false;
         show.screen.end_frame();
@@ -116,22 +116,22 @@ int view(const ViewOptions& options)
 {
     const bool windowless = options.headless || !has_display();
     if (windowless && options.frames == 0 && options.script.empty())
-        return tell(kWrongUse,
-                    "there is no display; without one say --frames N --picture FILE, or --script FILE");
+        return report(kWrongUse,
+                      "there is no display; without one say --frames N --picture FILE, or --script FILE");
     std::string problem;
     Script script;
-    if (!options.script.empty() && !script.load(options.script, problem)) return tell(kWrongUse, problem);
+    if (!options.script.empty() && !script.load(options.script, problem)) return report(kWrongUse, problem);
     const scenes::Runtime runtime;
     App app(options, windowless);
     const Panels panels;
-    if (!app.open(problem)) return tell(kWrongUse, problem);
+    if (!app.open(problem)) return report(kWrongUse, problem);
     const std::unique_ptr<Screen> screen = windowless ? make_offscreen() : make_window();
     viewer::Renderer renderer;
     if (!screen->open(options.width, options.height, "epode view: " + options.what, problem) ||
         !renderer.open(problem))
-        return tell(kTrouble, problem);
+        return report(kTrouble, problem);
     Show show{app, *screen, renderer, script, options, windowless, 0, {}};
-    return run(show, problem) ? kShown : tell(kTrouble, problem);
+    return run(show, problem) ? kShown : report(kTrouble, problem);
 }
 
 }  // namespace epode::view

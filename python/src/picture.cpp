@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "record/animation.h"
-#include "record/tessellate.h"
+#include "record/output/animation.h"
+#include "record/output/tessellate.h"
 #include "viewer/headless.h"
 #include "viewer/picture.h"
 #include "viewer/renderer.h"

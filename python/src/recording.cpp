@@ -10,12 +10,12 @@
 
 #include <algorithm>
 
-#include "record/csv.h"
-#include "record/figures.h"
-#include "record/glb.h"
-#include "record/page.h"
-#include "record/reader.h"
-#include "record/writer.h"
+#include "record/file/reader.h"
+#include "record/file/writer.h"
+#include "record/output/csv.h"
+#include "record/output/glb.h"
+#include "record/output/page.h"
+#include "record/watch/figures.h"
 
 namespace {
 

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "calls.h"
-#include "record/recorder.h"
-#include "record/recording.h"
+#include "record/file/recording.h"
+#include "record/watch/recorder.h"
 
 struct WorldRecording {
     WorldRecording() : recorder(recording) {}

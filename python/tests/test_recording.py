@@ -139,4 +139,4 @@ def test_the_command_steps_with_the_package_s_own_library(tmp_path):
     said = command("--version").stdout
     assert "Epode" in said and "libode.so" not in said
     # What only this library has is found.
-    assert command("run", "pile", "--steps", "20", "--managed", "--stepper", "hybrid").returncode == 0
+    assert command("run", "pile", "--steps", "20", "--world-contacts", "--stepper", "hybrid").returncode == 0

@@ -3,7 +3,7 @@
 //
 // Moved callbacks, which the library calls in the middle of a step. One that only reads (a program that keeps
 // the places of its bodies) changes nothing that a step computes, so the run can be made again without it.
-// One that changes something does it at a moment that no recorded call has, so what it does is told as beyond
+// One that changes something does it at a moment that no recorded call has, so what it does is reported as beyond
 // recordings (change(), real.h). Hence the library calls us, and we call the program's function, knowing that
 // we do. The alternative, to refuse all programs with such callbacks, was there before.
 #include <ode/ode.h>

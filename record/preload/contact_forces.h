@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "record/recorder.h"
+#include "record/watch/recorder.h"
 
 namespace epode::record {
 

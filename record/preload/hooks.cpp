@@ -18,7 +18,7 @@
 #include <cstring>
 #include <string>
 
-#include "record/calls.h"
+#include "record/file/calls.h"
 #include "record/preload/real.h"
 
 #pragma GCC diagnostic ignored "-Wdeprecated-declarations"
@@ -80,7 +80,7 @@ bool other_step(dWorldID world, StepMade& made, int& ok)
         if (!fast) return false;
         ok = fast(world, made.dt, kFastSteps);
         made.name = "dWorldStepFast1";
-        made.small_steps = kFastSteps;
+        made.substeps = kFastSteps;
         return true;
     }
     static const char* const name = std::strcmp(wanted, "exact") == 0    ? "dWorldStep"
@@ -91,7 +91,7 @@ bool other_step(dWorldID world, StepMade& made, int& ok)
     if (!step) return false;
     ok = step(world, made.dt);
     made.name = name;
-    made.small_steps = -1;
+    made.substeps = -1;
     return true;
 }
 
@@ -99,13 +99,13 @@ template <class Real>
 int watched_step(dWorldID world, StepMade made, Real real)
 {
     const Outermost outermost;
-    tell(&Observer::before_step, world);
+    notify(&Observer::before_step, world);
     const auto start = std::chrono::steady_clock::now();
     int ok = 0;
     if (!other_step(world, made, ok)) ok = real();
     const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
     made.ms = spent.count();
-    tell(&Observer::after_step, world, static_cast<const StepMade*>(&made));
+    notify(&Observer::after_step, world, static_cast<const StepMade*>(&made));
     return ok;
 }
 
@@ -123,20 +123,20 @@ bool other_steps(const dWorldID* worlds, int count, dReal dt, int steps, int* ma
 
 dGeomID made(dGeomID geom)
 {
-    if (geom) tell(&Observer::geom_made, geom);
+    if (geom) notify(&Observer::geom_made, geom);
     return geom;
 }
 
 }  // namespace
 
-#define EPODE_JOINT(Type)                                                                  \
-    dJointID dJointCreate##Type(dWorldID world, dJointGroupID group)                       \
-    {                                                                                      \
-        EPODE_REAL(dJointCreate##Type);                                                    \
-        change("dJointCreate" #Type " in a moved callback");                               \
-        dJointID joint = real(world, group);                                               \
-        if (joint) tell(&Observer::joint_made, world, joint, group, "dJointCreate" #Type); \
-        return joint;                                                                      \
+#define EPODE_JOINT(Type)                                                                    \
+    dJointID dJointCreate##Type(dWorldID world, dJointGroupID group)                         \
+    {                                                                                        \
+        EPODE_REAL(dJointCreate##Type);                                                      \
+        change("dJointCreate" #Type " in a moved callback");                                 \
+        dJointID joint = real(world, group);                                                 \
+        if (joint) notify(&Observer::joint_made, world, joint, group, "dJointCreate" #Type); \
+        return joint;                                                                        \
     }
 
 extern "C" {
@@ -168,12 +168,12 @@ int dWorldsStep(const dWorldID* worlds, int count, dReal dt, int stepper, int it
         return real(worlds, count, dt, stepper, iterations, steps, threads, made);
     if (other_steps(worlds, count, dt, steps, made)) return count;
     const Outermost outermost;
-    for (int i = 0; i < count; ++i) tell(&Observer::before_step, worlds[i]);
+    for (int i = 0; i < count; ++i) notify(&Observer::before_step, worlds[i]);
     const auto start = std::chrono::steady_clock::now();
     const int ok = real(worlds, count, dt, stepper, iterations, steps, threads, made);
     const std::chrono::duration<double, std::milli> spent = std::chrono::steady_clock::now() - start;
     const StepMade step{"dWorldsStep", dt, -1, stepper, iterations, steps, spent.count() / count};
-    for (int i = 0; i < count; ++i) tell(&Observer::after_step, worlds[i], &step);
+    for (int i = 0; i < count; ++i) notify(&Observer::after_step, worlds[i], &step);
     return ok;
 }
 
@@ -186,7 +186,7 @@ int dWorldStepHybrid(dWorldID world, dReal dt)
 void dWorldDestroy(dWorldID world)
 {
     EPODE_REAL_VOID(dWorldDestroy);
-    tell(&Observer::world_gone, world);
+    notify(&Observer::world_gone, world);
     real(world);
 }
 
@@ -195,7 +195,7 @@ dBodyID dBodyCreate(dWorldID world)
     EPODE_REAL(dBodyCreate);
     change("dBodyCreate in a moved callback");
     dBodyID body = real(world);
-    if (body) tell(&Observer::body_made, world, body);
+    if (body) notify(&Observer::body_made, world, body);
     return body;
 }
 
@@ -203,7 +203,7 @@ void dBodyDestroy(dBodyID body)
 {
     EPODE_REAL_VOID(dBodyDestroy);
     change("dBodyDestroy in a moved callback");
-    tell(&Observer::body_gone, body);
+    notify(&Observer::body_gone, body);
     real(body);
 }
 
@@ -229,7 +229,7 @@ dJointID dJointCreateContact(dWorldID world, dJointGroupID group, const dContact
     EPODE_REAL(dJointCreateContact);
     change("dJointCreateContact in a moved callback");
     dJointID joint = real(world, group, contact);
-    if (joint) tell(&Observer::contact_made, world, joint, group, contact);
+    if (joint) notify(&Observer::contact_made, world, joint, group, contact);
     return joint;
 }
 
@@ -237,7 +237,7 @@ void dJointDestroy(dJointID joint)
 {
     EPODE_REAL_VOID(dJointDestroy);
     change("dJointDestroy in a moved callback");
-    tell(&Observer::joint_gone, joint);
+    notify(&Observer::joint_gone, joint);
     real(joint);
 }
 
@@ -245,7 +245,7 @@ void dJointGroupEmpty(dJointGroupID group)
 {
     EPODE_REAL_VOID(dJointGroupEmpty);
     change("dJointGroupEmpty in a moved callback");
-    tell(&Observer::group_emptied, group);
+    notify(&Observer::group_emptied, group);
     real(group);
 }
 
@@ -253,7 +253,7 @@ void dJointGroupDestroy(dJointGroupID group)
 {
     EPODE_REAL_VOID(dJointGroupDestroy);
     change("dJointGroupDestroy in a moved callback");
-    tell(&Observer::group_emptied, group);
+    notify(&Observer::group_emptied, group);
     real(group);
 }
 
@@ -294,10 +294,11 @@ dGeomID dCreateConvex(dSpaceID space, const dReal* planes, unsigned int plane_co
     return made(real(space, planes, plane_count, points, point_count, polygons));
 }
 
-dGeomID dCreateConvexHull(dSpaceID space, const dReal* points, unsigned int point_count, unsigned int most)
+dGeomID dCreateConvexHull(dSpaceID space, const dReal* points, unsigned int point_count,
+                          unsigned int max_vertices)
 {
     EPODE_REAL(dCreateConvexHull);
-    return made(real(space, points, point_count, most));
+    return made(real(space, points, point_count, max_vertices));
 }
 
 dGeomID dCreateTriMesh(dSpaceID space, dTriMeshDataID data, dTriCallback* callback, dTriArrayCallback* arrays,
@@ -323,21 +324,21 @@ dGeomID dCreateGeomTransform(dSpaceID space)
 void dGeomTransformSetGeom(dGeomID transform, dGeomID geom)
 {
     EPODE_REAL_VOID(dGeomTransformSetGeom);
-    if (geom) tell(&Observer::geom_gone, geom);
+    if (geom) notify(&Observer::geom_gone, geom);
     real(transform, geom);
 }
 
 void dGeomDestroy(dGeomID geom)
 {
     EPODE_REAL_VOID(dGeomDestroy);
-    tell(&Observer::geom_gone, geom);
+    notify(&Observer::geom_gone, geom);
     real(geom);
 }
 
 void dSpaceDestroy(dSpaceID space)
 {
     EPODE_REAL_VOID(dSpaceDestroy);
-    tell(&Observer::geom_gone, reinterpret_cast<dGeomID>(space));
+    notify(&Observer::geom_gone, reinterpret_cast<dGeomID>(space));
     real(space);
 }
 

@@ -4,7 +4,7 @@
 // Watches every world of a program and writes one recording each: the file that EPODE_RECORD names, then the
 // same with -2, -3 ... before the ending. New things wait until the next step, when the program has set them
 // up. Static geoms belong to no world and are in every recording. All calls come under one lock; calls that
-// the observer's own questions cause (a ray made to sample a height field) are not for it. Forces of contacts
+// the observer's own queries cause (a ray made to sample a height field) are not for it. Forces of contacts
 // are asked for by a feedback of our own where the program has none, for the time of the step.
 #include "record/preload/observer.h"
 
@@ -20,12 +20,12 @@
 #include <mutex>
 #include <string>
 
-#include "record/figures.h"
-#include "record/file_names.h"
+#include "record/file/file_names.h"
+#include "record/file/writer.h"
 #include "record/preload/contact_forces.h"
 #include "record/preload/tape.h"
-#include "record/recorder.h"
-#include "record/writer.h"
+#include "record/watch/figures.h"
+#include "record/watch/recorder.h"
 
 namespace epode::record {
 
@@ -149,7 +149,7 @@ void flush(dWorldID world, Watch& watch)
     for (dBodyID body : watch.new_bodies) watch.recorder.add(body);
     std::vector<dGeomID> of_others;
     for (dGeomID geom : watch.new_geoms) {
-        if (dGeomGetClass(geom) == dRayClass) continue;  // a question, not a thing
+        if (dGeomGetClass(geom) == dRayClass) continue;  // a query, not an object
         dBodyID body = dGeomGetBody(geom);
         if (!body || dBodyGetWorld(body) == world) {
             watch.recorder.add(geom);
@@ -322,7 +322,7 @@ void after_step(dWorldID world, const StepMade* made)
         if (std::strcmp(made->name, "dWorldsStep") == 0) {
             watch.tape.stepped_many(double(made->dt), made->stepper, made->iterations, made->steps);
         } else {
-            watch.tape.stepped(made->name, double(made->dt), made->small_steps);
+            watch.tape.stepped(made->name, double(made->dt), made->substeps);
         }
         sample(world, watch, watch.contacts.take(), dt, made->ms);
     });

@@ -3,7 +3,7 @@
 //
 // Between the two halves of the recorder for any program. The hooks (hooks.cpp, setters.cpp) are preloaded
 // and know no library; the observer (observer.cpp) is loaded by the first hook, when the program's own libode
-// is there, and is told what happens. One file of both would have to bring a libode along, and might bring
+// is there, and is notified of what happens. One file of both would have to bring a libode along, and might bring
 // another one than the program's.
 #pragma once
 
@@ -26,7 +26,7 @@ struct Given {
 struct StepMade {
     const char* name;
     dReal dt;
-    int small_steps;                             // of dWorldStepFast1; -1: it has none
+    int substeps;                                // of dWorldStepFast1; -1: it has none
     int stepper = 0, iterations = 0, steps = 1;  // of dWorldsStep
     double ms = 0;
 };

@@ -3,7 +3,7 @@
 //
 // What all hooks have in common: the library's own function of a name, and the observer. A call that the
 // library makes itself, while it serves one of the program's, is not the program's: only the outermost is
-// told.
+// reported.
 #pragma once
 
 #include "record/preload/observer.h"
@@ -22,7 +22,7 @@ Function find(const char* name)
 const Observer* observer();
 
 template <class... Arguments, class... Given>
-void tell(void (*Observer::*what)(Arguments...), Given... given)
+void notify(void (*Observer::*what)(Arguments...), Given... given)
 {
     if (const Observer* listening = observer()) (listening->*what)(given...);
 }
@@ -30,10 +30,10 @@ void tell(void (*Observer::*what)(Arguments...), Given... given)
 // Whether this thread is in a moved callback of the program's, and so in the middle of a step
 // (callbacks.cpp).
 bool in_callback();
-// What is changed there cannot be done again between steps: the recording is told the name of it.
+// What is changed there cannot be done again between steps: the recording receives its name.
 inline void change(const char* in_a_callback)
 {
-    if (in_callback()) tell(&Observer::called, in_a_callback, static_cast<const Given*>(nullptr), 0);
+    if (in_callback()) notify(&Observer::called, in_a_callback, static_cast<const Given*>(nullptr), 0);
 }
 
 class Outermost {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// Hooks of the calls that change what a step computes from (record/calls.inc), and of two that a recording
+// Hooks of the calls that change what a step computes from (record/file/calls.inc), and of two that a recording
 // can only say to have been there. A geom that is put elsewhere takes its body along: told as what the body
 // got.
 #include "record/preload/real.h"
@@ -25,7 +25,7 @@ template <class... Arguments>
 void called(const char* name, int count, Arguments... arguments)
 {
     const Given all[] = {given(arguments, count)...};
-    tell(&Observer::called, name, static_cast<const Given*>(all), int(sizeof...(arguments)));
+    notify(&Observer::called, name, static_cast<const Given*>(all), int(sizeof...(arguments)));
 }
 
 // Where the body is now, after it was moved by its geom.
@@ -56,7 +56,7 @@ void body_was_turned(dGeomID geom, const char* name, const dReal* turn, int coun
     body_was_moved(geom);
 }
 
-void beyond(const char* name) { tell(&Observer::called, name, static_cast<const Given*>(nullptr), 0); }
+void beyond(const char* name) { notify(&Observer::called, name, static_cast<const Given*>(nullptr), 0); }
 
 }  // namespace
 
@@ -73,7 +73,7 @@ void beyond(const char* name) { tell(&Observer::called, name, static_cast<const 
 
 extern "C" {
 
-#include "record/calls.inc"
+#include "record/file/calls.inc"
 
 void dGeomSetPosition(dGeomID geom, dReal x, dReal y, dReal z)
 {

@@ -82,10 +82,10 @@ void WorldTape::called(const char* name, const Given* given, int count)
     tape_.add(name, arguments);
 }
 
-void WorldTape::stepped(const char* name, double dt, int small_steps)
+void WorldTape::stepped(const char* name, double dt, int substeps)
 {
     std::vector<Argument> arguments{Argument::world(), Argument::of(dt)};
-    if (small_steps >= 0) arguments.push_back(Argument::of(small_steps));
+    if (substeps >= 0) arguments.push_back(Argument::of(substeps));
     tape_.add(name, arguments);
 }
 

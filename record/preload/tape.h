@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// The calls that concern one world, with numbers for handles, as record/calls.h wants them. Numbers of
+// The calls that concern one world, with numbers for handles, as record/file/calls.h wants them. Numbers of
 // handles that died stay in the maps until the address comes back: a call on a dead thing, which the library
 // refuses, is kept as that.
 #pragma once
 
 #include <map>
 
-#include "record/calls.h"
+#include "record/file/calls.h"
 #include "record/preload/observer.h"
 
 namespace epode::record {
@@ -23,8 +23,8 @@ class WorldTape {
     // A group that no joint of this world was ever in says nothing.
     void group_emptied(dJointGroupID group);
     void called(const char* name, const Given* given, int count);
-    // Steps of this size; small steps for those that have them, else -1.
-    void stepped(const char* name, double dt, int small_steps);
+    // Steps of this size; substeps for those that have them, else -1.
+    void stepped(const char* name, double dt, int substeps);
     void stepped_many(double dt, int stepper, int iterations, int steps);
 
     bool knows(dJointID joint) const { return joints_.contains(joint); }

@@ -56,7 +56,7 @@ expect 2 run pendulum --dt 1e6 --steps 10 --video "$work/long.mp4"
 expect 0 save wall "$work/wall.epw" --steps 20
 has out 'wall.epw: wall after'
 expect 0 info "$work/wall.epw" --json
-has out '"managed": true'
+has out '"world_contacts": true'
 expect 0 run "$work/wall.epw" --steps 10 --json
 has out '"nans": 0,'
 has out '"messages": 0'
@@ -158,40 +158,40 @@ for stepper in quick fast hybrid; do
     lacks out 'should stay 0'
 done
 
-# The steppers, and the guide's choice for games: substeps with contacts that the world manages. Naming a stepper gives ODE's way.
+# The steppers, and the guide's choice for games: substeps with world-managed contacts. Naming a stepper gives ODE's way.
 expect 0 run wall --steps 10
 has out '^stepper +fast, world-managed contacts \(the default for games\)'
 expect 0 run wall --steps 10 --json
-has out '"managed_contacts": true,'
+has out '"world_contacts": true,'
 has out '"stepper_is_default": true,'
 by_default=$(number energy_end)
-expect 0 run wall --steps 10 --stepper fast --managed --threads 3 --json
+expect 0 run wall --steps 10 --stepper fast --world-contacts --threads 3 --json
 has out '"stepper_is_default": false,'
 holds "$(number threads) == 3"
 [[ $by_default == "$(number energy_end)" ]] || fail 'three threads give another result than one'
 expect 0 run wall --steps 10 --stepper fast --json
-has out '"managed_contacts": false,'
-[[ $by_default != "$(number energy_end)" ]] || fail 'managed contacts make no difference'
+has out '"world_contacts": false,'
+[[ $by_default != "$(number energy_end)" ]] || fail 'world-managed contacts make no difference'
 for stepper in exact quick fast hybrid; do
-    for managed in '' --managed; do
+    for contacts in '' --world-contacts; do
         # shellcheck disable=SC2086
-        expect 0 run wall --steps 60 --stepper $stepper $managed --json --quiet
+        expect 0 run wall --steps 60 --stepper $stepper $contacts --json --quiet
         has out "\"stepper\": \"$stepper\""
         holds "$(number nans) == 0 && $(number contacts_max) > 100 && $(number penetration) < 0.05"
     done
 done
-expect 2 run table --managed
+expect 2 run table --world-contacts
 has err "'table' makes contacts of its own"
 if [[ -e /usr/lib/x86_64-linux-gnu/libode.so.8 && -e $(dirname "$program")/../lib/libode.so.8 ]]; then
     LD_LIBRARY_PATH=/usr/lib/x86_64-linux-gnu expect 0 run wall --steps 10
     has out '^stepper +quick, contact joints'
-    for wrong in '--managed' '--threads 2' '--stepper hybrid' '--stepper fast'; do
+    for wrong in '--world-contacts' '--threads 2' '--stepper hybrid' '--stepper fast'; do
         # shellcheck disable=SC2086
         LD_LIBRARY_PATH=/usr/lib/x86_64-linux-gnu expect 2 run wall --steps 10 $wrong
     done
 fi
 
-# Penetration at rest is told apart from that at impact: a ball at 20 m/s is up to 0.1 m deep in what it meets, bricks that lie are not.
+# Penetration at rest and at impact are two figures: a ball at 20 m/s is up to 0.1 m deep in what it meets, bricks that lie are not.
 expect 0 run wall --steps 10 --stepper quick --json
 holds "$(number penetration_at_impact) < 0.01"
 expect 0 run boxes-1000 --steps 70 --stepper quick --json

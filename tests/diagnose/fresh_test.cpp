@@ -77,7 +77,7 @@ TEST_P(FreshHealthy, pile)
     expect_healthy(sim);
 }
 
-// The pile of the other tests begins in overlap, and that is told.
+// The pile of the other tests begins in overlap, and that is reported.
 TEST_P(FreshHealthy, but_for_the_pile_that_begins_in_overlap)
 {
     build(sim, Scene::kPile);
@@ -101,7 +101,7 @@ TEST_P(FreshHealthy, wall)
     expect_healthy(sim);
 }
 
-TEST_P(FreshHealthy, rolling_and_tumbling_things)
+TEST_P(FreshHealthy, rolling_and_tumbling_bodies)
 {
     on_ground(1);
     velocity(sim.sphere({0, 0, 0.3}, 0.3, 1), {3, 0, 0}, {0, 10, 0});

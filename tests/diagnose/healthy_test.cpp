@@ -51,7 +51,7 @@ TEST_P(Healthy, as_recommended_with_the_same_bits)
         Scene scene(*GetParam());
         std::string problem;
         const Setting setting = recommended(*GetParam());
-        if (setting.managed) scene.manage_contacts(problem);
+        if (setting.world_contacts) scene.manage_contacts(problem);
         dWorldSetDiagnosisMode(scene.world(), diagnosed);
         step(scene, setting.stepper);
         if (diagnosed) expect_no_accusation(scene);

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The reader of recordings on any bytes, whose chunks get the right checksums.
-#include "record/recording.h"
+#include "record/file/recording.h"
 
 #include <malloc.h>
 
@@ -10,8 +10,8 @@
 
 #include "../record/sample.h"
 #include "meter.h"
-#include "record/format.h"
-#include "record/reader.h"
+#include "record/file/format.h"
+#include "record/file/reader.h"
 #include "seal.h"
 
 void* operator new(std::size_t size)

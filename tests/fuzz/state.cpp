@@ -9,16 +9,16 @@ namespace {
 
 using namespace epode::fuzz;
 
-World make_ready(bool managed)
+World make_ready(bool world_contacts)
 {
     be_silent(), meter_library();
-    const World w = make_world(managed);
+    const World w = make_world(world_contacts);
     for (int i = 0; i < 120; ++i) {
         w.step();
         if (i % 40 > 1) continue;
         Bytes state(dWorldGetStateSize(w.world));
         dWorldGetState(w.world, state.data(), state.size());
-        keep_seed(managed ? "managed" : "joints", i, state);
+        keep_seed(world_contacts ? "managed" : "joints", i, state);
     }
     return w;
 }

@@ -13,12 +13,12 @@ struct World {
     dWorldID world;
     dSpaceID space;
     dJointGroupID contacts;
-    bool managed;
+    bool world_contacts;
 
     void step() const
     {
-        if (!managed) dSpaceCollide(space, const_cast<World*>(this), touch);
-        managed ? dWorldStepFast1(world, dReal(0.01), 4) : dWorldQuickStep(world, dReal(0.01));
+        if (!world_contacts) dSpaceCollide(space, const_cast<World*>(this), touch);
+        world_contacts ? dWorldStepFast1(world, dReal(0.01), 4) : dWorldQuickStep(world, dReal(0.01));
         dJointGroupEmpty(contacts);
     }
 
@@ -58,11 +58,11 @@ inline void add_joints(dWorldID world, const dBodyID (&body)[5])
         dJointSetCouplingAxis(coupling, 1, slider, 0, dReal(0.1));
 }
 
-inline World make_world(bool managed)
+inline World make_world(bool world_contacts)
 {
-    const World w{dWorldCreate(), dHashSpaceCreate(nullptr), dJointGroupCreate(0), managed};
+    const World w{dWorldCreate(), dHashSpaceCreate(nullptr), dJointGroupCreate(0), world_contacts};
     dWorldSetGravity(w.world, 0, 0, -10), dWorldSetAutoDisableFlag(w.world, 1);
-    if (managed) dWorldSetContactSpace(w.world, w.space);
+    if (world_contacts) dWorldSetContactSpace(w.world, w.space);
     dCreatePlane(w.space, 0, 0, 1, 0), make_mesh(w.space);
     dBodyID body[5];
     for (int i = 0; i < 5; ++i) {

@@ -15,12 +15,12 @@ using namespace epode::fuzz;
 bool make_seeds()
 {
     dInitODE2(0), be_silent(), meter_library();
-    for (const bool managed : {true, false}) {
-        const World w = make_world(managed);
+    for (const bool world_contacts : {true, false}) {
+        const World w = make_world(world_contacts);
         for (int i = 0; i < 40; ++i) w.step();
         Bytes file(dWorldSaveToBuffer(w.world, w.space, nullptr, 0));
         dWorldSaveToBuffer(w.world, w.space, file.data(), file.size());
-        keep_seed(managed ? "managed" : "joints", 0, file);
+        keep_seed(world_contacts ? "managed" : "joints", 0, file);
         dWorldDestroy(w.world), dSpaceDestroy(w.space), dJointGroupDestroy(w.contacts);
     }
     return true;

@@ -9,10 +9,10 @@
 #include <cstdarg>
 #include <random>
 
-#include "record/calls.h"
-#include "record/reader.h"
-#include "record/rerun.h"
-#include "record/writer.h"
+#include "record/file/calls.h"
+#include "record/file/reader.h"
+#include "record/file/writer.h"
+#include "record/rerun/rerun.h"
 
 namespace epode::record {
 namespace {

@@ -7,21 +7,21 @@
 
 #include <cmath>
 
-#include "record/animation.h"
-#include "record/bytes.h"
-#include "record/file_end.h"
-#include "record/format.h"
-#include "record/glb.h"
-#include "record/hash.h"
-#include "record/page_data.h"
-#include "record/reader.h"
-#include "record/writer.h"
+#include "record/file/bytes.h"
+#include "record/file/file_end.h"
+#include "record/file/format.h"
+#include "record/file/hash.h"
+#include "record/file/reader.h"
+#include "record/file/writer.h"
+#include "record/output/animation.h"
+#include "record/output/glb.h"
+#include "record/output/page_data.h"
 #include "sample.h"
 
 namespace epode::record {
 namespace {
 
-// Uses whatever it is told, the way an honest listener would: by index.
+// Uses whatever it receives, the way an honest listener would: by index.
 class Listener : public Recording {
   public:
     void geom(const Geom& geom) override
@@ -116,7 +116,7 @@ TEST(Recordings, with_a_flipped_bit_anywhere_are_refused)
 }
 
 // Wrong values behind a right checksum: made on purpose, or by another program. They may be read or refused,
-// not believed: the listener indexes with what it is told, and so does whoever makes a page of it.
+// not believed: the listener indexes with what it receives, and so does whoever makes a page of it.
 TEST(Recordings, with_a_wrong_value_and_a_right_checksum_do_no_harm)
 {
     const auto bytes = bytes_of(sample_recording());
@@ -179,7 +179,7 @@ TEST(Recordings, that_break_off_anywhere_can_be_completed)
     const Recording original = sample_recording();
     const auto bytes = bytes_of(original);
     const std::string path = scratch("cut.epr");
-    std::uint64_t most = 0;
+    std::uint64_t largest = 0;
     for (size_t size = kFileHead; size <= bytes.size(); size += 13) {
         std::FILE* file = std::fopen(path.c_str(), "wb");
         std::fwrite(bytes.data(), 1, size, file);
@@ -193,11 +193,11 @@ TEST(Recordings, that_break_off_anywhere_can_be_completed)
         const ReadResult result = read_file(path, got);
         EXPECT_TRUE(result.whole()) << size << ": " << result.problem;
         EXPECT_EQ(got.steps.size(), end.states);
-        EXPECT_GE(end.states, most);
-        most = end.states;
+        EXPECT_GE(end.states, largest);
+        largest = end.states;
         EXPECT_TRUE(got.about.empty() || end.about == original.about);
     }
-    EXPECT_EQ(most, original.steps.size());
+    EXPECT_EQ(largest, original.steps.size());
 }
 
 TEST(Recordings, that_are_no_files_have_no_end)
@@ -210,12 +210,12 @@ TEST(Recordings, that_are_no_files_have_no_end)
 }
 
 // Bodies that come and go at once, at as many moments: poses would be their product.
-TEST(Recordings, of_things_that_are_hardly_there_make_no_animation)
+TEST(Recordings, of_bodies_that_are_hardly_there_make_no_animation)
 {
     Recording recording;
     for (std::uint32_t i = 0; i < 20000; ++i) {
         recording.body({1, false});
-        recording.gone(Thing::kBody, i);
+        recording.gone(ObjectKind::kBody, i);
         Step step;
         step.time = 0.1 * i;
         recording.step(step);

@@ -10,10 +10,10 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "record/animation.h"
-#include "record/bytes.h"
-#include "record/glb.h"
-#include "record/recorder.h"
+#include "record/file/bytes.h"
+#include "record/output/animation.h"
+#include "record/output/glb.h"
+#include "record/watch/recorder.h"
 #include "sample.h"
 
 namespace epode::record {

@@ -10,9 +10,9 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "record/bytes.h"
-#include "record/csv.h"
-#include "record/page_data.h"
+#include "record/file/bytes.h"
+#include "record/output/csv.h"
+#include "record/output/page_data.h"
 #include "sample.h"
 
 namespace epode::record {

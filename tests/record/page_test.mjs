@@ -188,7 +188,7 @@ const after_click = await chosen_now();
 check(after_click.list === String(seen_body.body), `a click in the picture chooses ${after_click.name} in the list`);
 const marked = await look('view');
 check(after_click.marked > 0 && marked.hash !== unmarked.hash, 'it is marked in the picture');
-check((await chosen_now()).where.startsWith(`${after_click.name} at `), `its place is told: ${(await chosen_now()).where}`);
+check((await chosen_now()).where.startsWith(`${after_click.name} at `), `its place is shown: ${(await chosen_now()).where}`);
 await page.locator('#body').focus();
 await page.keyboard.press('ArrowDown');
 const by_list = await chosen_now();
@@ -233,13 +233,13 @@ if (floors > 0) {
 
 // Pictures that follow one another too slowly become coarser, and no coarser than the last level; quick ones stay as they are.
 const levels = await page.evaluate(() => {
-    const {pace, stage} = window.epode, told = (interval, count) => {
-        for (let i = 0; i < count; ++i) pace.tell(interval);
+    const {pace, stage} = window.epode, level_after = (interval, count) => {
+        for (let i = 0; i < count; ++i) pace.add(interval);
         return pace.level;
     };
     pace.level = 0;
     pace.start_again();
-    const found = [told(16, 60), told(80, 6), told(300, 6), told(300, 60)];
+    const found = [level_after(16, 60), level_after(80, 6), level_after(300, 6), level_after(300, 60)];
     const side = level => {
         window.epode.use_level(level);
         stage.draw();

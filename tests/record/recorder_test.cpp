@@ -9,11 +9,11 @@
 
 #include <cmath>
 
-#include "record/compare.h"
-#include "record/hash.h"
-#include "record/joints.h"
-#include "record/recorder.h"
-#include "record/shapes.h"
+#include "record/file/hash.h"
+#include "record/rerun/compare.h"
+#include "record/watch/joints.h"
+#include "record/watch/recorder.h"
+#include "record/watch/shapes.h"
 
 namespace epode::record {
 namespace {
@@ -49,7 +49,7 @@ class RecorderTest : public ::testing::Test {
     Recorder recorder{got};
 };
 
-TEST_F(RecorderTest, tells_states_as_the_library_does)
+TEST_F(RecorderTest, reports_states_as_the_library_does)
 {
     dBodyID a = body_at(1, 2, 3), b = body_at(4, 5, 6);
     dBodySetAngularVel(a, 1, 2, 3);
@@ -115,7 +115,7 @@ TEST_F(RecorderTest, gives_equal_shapes_one_number)
     EXPECT_EQ(got.geoms.at(0).shape, got.geoms.at(1).shape);
 }
 
-TEST_F(RecorderTest, joints_are_told_in_their_bodies_frames)
+TEST_F(RecorderTest, joints_are_recorded_in_their_bodies_frames)
 {
     dBodyID a = body_at(0, 0, 1), b = body_at(0, 0, 3);
     dMatrix3 turn;
@@ -146,7 +146,7 @@ TEST_F(RecorderTest, joints_are_told_in_their_bodies_frames)
     EXPECT_EQ(got.joint_lives.at(0).died, 1u);
 }
 
-TEST_F(RecorderTest, every_joint_type_can_be_told)
+TEST_F(RecorderTest, every_joint_type_can_be_recorded)
 {
     dBodyID a = body_at(0, 0, 1), b = body_at(0, 0, 3);
     recorder.add(a);
@@ -162,13 +162,13 @@ TEST_F(RecorderTest, every_joint_type_can_be_told)
         const bool alone = dJointGetType(joint) == dJointTypePlane2D;
         dJointAttach(joint, a, alone ? nullptr : b);
         recorder.add(joint);
-        const Joint& told = got.joints.back();
-        EXPECT_EQ(told.type, std::uint32_t(dJointGetType(joint)));
+        const Joint& joint_seen = got.joints.back();
+        EXPECT_EQ(joint_seen.type, std::uint32_t(dJointGetType(joint)));
         for (size_t i = 0; i < 2; ++i) {
-            for (double value : told.anchor[i]) EXPECT_TRUE(std::isfinite(value)) << told.type;
-            for (double value : told.axis[i]) EXPECT_TRUE(std::isfinite(value)) << told.type;
+            for (double value : joint_seen.anchor[i]) EXPECT_TRUE(std::isfinite(value)) << joint_seen.type;
+            for (double value : joint_seen.axis[i]) EXPECT_TRUE(std::isfinite(value)) << joint_seen.type;
         }
-        EXPECT_NEAR(joint_gap(joint), 0, kTiny) << told.type;
+        EXPECT_NEAR(joint_gap(joint), 0, kTiny) << joint_seen.type;
     }
 }
 

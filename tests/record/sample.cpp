@@ -11,8 +11,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "record/hash.h"
-#include "record/writer.h"
+#include "record/file/hash.h"
+#include "record/file/writer.h"
 
 namespace epode::record {
 
@@ -89,9 +89,9 @@ Recording sample_recording()
     recording.geom({3, 2, {}});
     recording.geom({4, 2, {{1, 0, 0}, {1, 0, 0, 0}}});
     add_state(recording, 3, true);
-    recording.gone(Thing::kJoint, 0);
-    recording.gone(Thing::kGeom, 1);
-    recording.gone(Thing::kBody, 0);
+    recording.gone(ObjectKind::kJoint, 0);
+    recording.gone(ObjectKind::kGeom, 1);
+    recording.gone(ObjectKind::kBody, 0);
     add_state(recording, 2, false);
     return recording;
 }

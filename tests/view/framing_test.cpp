@@ -95,7 +95,7 @@ class ViewFraming : public testing::Test {
     scenes::Runtime runtime_;
 };
 
-TEST_F(ViewFraming, every_scene_is_beside_the_panels)
+TEST_F(ViewFraming, every_scene_is_next_to_the_panels)
 {
     for (const scenes::Recipe* recipe : scenes::all_recipes()) {
         SCOPED_TRACE(recipe->name);
@@ -125,13 +125,13 @@ TEST_F(ViewFraming, takes_the_whole_window_without_panels_and_looks_at_everythin
     const Size size{800, 600};
     for (Action view : {Action::kFrame, Action::kPause}) {
         frame(app, size);
-        const Extent beside = extent(app, size);
+        const Extent framed = extent(app, size);
         app.act(Action::kPanels);
         frame(app, size);
         EXPECT_EQ(covered(), 0);
         expect_framed(app, size);
         const Extent whole = extent(app, size);
-        EXPECT_GT(whole.high[0] - whole.low[0], 1.5f * (beside.high[0] - beside.low[0]));
+        EXPECT_GT(whole.high[0] - whole.low[0], 1.5f * (framed.high[0] - framed.low[0]));
         app.act(Action::kPanels);
         app.act(view);
     }

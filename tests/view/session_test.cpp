@@ -9,12 +9,12 @@
 #include <fstream>
 #include <limits>
 
-#include "record/hash.h"
-#include "record/writer.h"
+#include "record/file/hash.h"
+#include "record/file/writer.h"
 #include "scenes/extensions.h"
-#include "view/islands.h"
-#include "view/live.h"
-#include "view/playback.h"
+#include "view/session/islands.h"
+#include "view/session/live.h"
+#include "view/session/playback.h"
 
 namespace epode::view {
 namespace {
@@ -69,10 +69,10 @@ class ViewSession : public testing::Test {
     }
     static double apart(const std::vector<record::BodyState>& a, const std::vector<record::BodyState>& b)
     {
-        double most = 0;
+        double largest = 0;
         for (size_t i = 0; i < a.size(); ++i)
-            most = std::max(most, scenes::length(vec(a[i].pose.pos) - vec(b[i].pose.pos)));
-        return most;
+            largest = std::max(largest, scenes::length(vec(a[i].pose.pos) - vec(b[i].pose.pos)));
+        return largest;
     }
     scenes::Runtime runtime_;
 };
@@ -440,29 +440,29 @@ TEST_F(ViewPlayback, has_the_limits_of_joints)
     record::Recorder recorder(writer);
     for (dBodyID b : live->scene().bodies()) recorder.add(b);
     for (const auto& joint : live->scene().joints()) recorder.add(joint.joint);
-    std::vector<std::vector<record::Limit>> told;
+    std::vector<std::vector<record::Limit>> recorded;
     for (int i = 0; i < 4; ++i) {
         if (i == 2) dJointSetHingeParam(live->scene().joints().back().joint, dParamHiStop, 0.5);
         steps(*live, 1);
         recorder.step({}, {}, false);
-        told.push_back(live->state().step.limits);
+        recorded.push_back(live->state().step.limits);
     }
     ASSERT_TRUE(writer.close());
     std::string problem;
     auto playback = Playback::open(path_, problem);
     ASSERT_TRUE(playback) << problem;
-    for (size_t i = 0; i < told.size(); ++i) {
+    for (size_t i = 0; i < recorded.size(); ++i) {
         ASSERT_TRUE(playback->seek(i));
         const auto& limits = playback->state().step.limits;
-        ASSERT_EQ(limits.size(), told[i].size());
+        ASSERT_EQ(limits.size(), recorded[i].size());
         for (size_t k = 0; k < limits.size(); ++k) {
-            EXPECT_EQ(limits[k].stop, told[i][k].stop);
-            EXPECT_EQ(limits[k].value, told[i][k].value);
+            EXPECT_EQ(limits[k].stop, recorded[i][k].stop);
+            EXPECT_EQ(limits[k].value, recorded[i][k].value);
         }
     }
-    EXPECT_FALSE(told[1].back().stop == told[2].back().stop) << "the last joint is no hinge";
-    const std::uint32_t joint = told[3].back().stop.joint;
-    EXPECT_EQ(playback->limits(joint).back().value, told[3].back().value);
+    EXPECT_FALSE(recorded[1].back().stop == recorded[2].back().stop) << "the last joint is no hinge";
+    const std::uint32_t joint = recorded[3].back().stop.joint;
+    EXPECT_EQ(playback->limits(joint).back().value, recorded[3].back().value);
 }
 
 TEST_F(ViewPlayback, refuses_what_is_no_recording)

@@ -114,7 +114,7 @@ class Player {
     keep_pace(now, interval) {
         const rested = now - this.moved > Math.max(kRest, 2 * interval);
         if (this.dirty) {
-            if (rested) this.pace.start_again(); else this.pace.tell(interval);
+            if (rested) this.pace.start_again(); else this.pace.add(interval);
             this.moved = now;
         }
         this.use_level(rested && !this.dirty ? 0 : this.pace.level);
@@ -198,8 +198,8 @@ function wire_controls(player) {
     element('back').addEventListener('click', () => player.step(-1));
     element('forward').addEventListener('click', () => player.step(1));
     element('speed').addEventListener('change', event => { player.speed = Number(event.target.value); });
-    const show = (id, thing) => element(id).addEventListener('change', event => {
-        thing.visible = event.target.checked;
+    const show = (id, lines) => element(id).addEventListener('change', event => {
+        lines.visible = event.target.checked;
         player.dirty = true;
     });
     show('contacts', player.stage.contact_lines);

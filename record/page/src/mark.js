@@ -20,8 +20,8 @@ export function instances_of(recording, meshes) {
 }
 
 export class Mark {
-    // `lines` is a LineSegments with room for kRoom boxes.
-    static kRoom = 64;
+    // `lines` is a LineSegments for up to kCapacity boxes.
+    static kCapacity = 64;
     constructor(instances, lines) {
         Object.assign(this, {instances, lines, carrier: -1, colors: []});
         lines.geometry.setDrawRange(0, 0);
@@ -52,7 +52,7 @@ export class Mark {
     update() {
         const out = this.lines.geometry.attributes.position, matrix = new Matrix4();
         let at = 0;
-        for (const [mesh, i] of this.marked().slice(0, Mark.kRoom)) {
+        for (const [mesh, i] of this.marked().slice(0, Mark.kCapacity)) {
             mesh.geometry.boundingBox ?? mesh.geometry.computeBoundingBox();
             mesh.getMatrixAt(i, matrix);
             const {min, max} = mesh.geometry.boundingBox;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Copyright (c) 2026 The Epode authors
 //
-// How solids are lit: a sun, a sky that is brighter above than below, and some light from everywhere, all diffuse. Light is reckoned at
+// How solids are lit: a sun, a sky that is brighter above than below, and some light from everywhere, all diffuse. Light is computed at
 // the corners, once with the sun and once in its shadow, and already as the screen's sRGB; a pixel only mixes the two by its shadow and
 // adds haze. On flat faces that is exact. Three's MeshLambertMaterial, which does all of it a pixel, took 1.5 times as long where a
 // processor draws.

@@ -24,7 +24,7 @@ export class Pace {
     start_again() { this.intervals = []; }
 
     // The time from one picture to the next while playing. True: the level has changed.
-    tell(interval) {
+    add(interval) {
         this.intervals.push(interval);
         if (this.intervals.length < kSettle + kCounted) return false;
         const typical = this.intervals.splice(0).slice(kSettle).sort((a, b) => a - b)[kCounted >> 1];

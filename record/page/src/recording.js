@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // The recording inside the page: a JSON head that says what is where, and one block of little-endian numbers.
-// record/page.cpp writes both.
+// record/output/page.cpp writes both.
 
 function bytes_of(base64) {
     const text = atob(base64);

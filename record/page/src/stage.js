@@ -24,9 +24,9 @@ function geometry_of(solid) {
     return geometry;
 }
 
-function lines(color, room) {
+function lines(color, capacity) {
     const geometry = new BufferGeometry();
-    geometry.setAttribute('position', new BufferAttribute(new Float32Array(6 * room), 3));
+    geometry.setAttribute('position', new BufferAttribute(new Float32Array(6 * capacity), 3));
     const made = new LineSegments(geometry, new LineBasicMaterial({color, depthTest: false, transparent: true}));
     made.frustumCulled = false;
     made.renderOrder = 1;
@@ -104,13 +104,13 @@ export class Stage {
 
     make_lines() {
         const {contacts, joints} = this.recording;
-        let most = 1;
+        let largest = 1;
         for (let i = 0; i + 1 < contacts.starts.length; ++i)
-            most = Math.max(most, contacts.starts[i + 1] - contacts.starts[i]);
-        this.contact_lines = lines(0xd0021b, most);
+            largest = Math.max(largest, contacts.starts[i + 1] - contacts.starts[i]);
+        this.contact_lines = lines(0xd0021b, largest);
         this.contact_lines.visible = false;
         this.joint_lines = lines(0x2b2d42, 2 * Math.max(1, joints.count));
-        const mark_lines = lines(0x111111, 12 * Mark.kRoom);
+        const mark_lines = lines(0x111111, 12 * Mark.kCapacity);
         this.scene.add(this.contact_lines, this.joint_lines, mark_lines);
         this.mark = new Mark(instances_of(this.recording, this.meshes), mark_lines);
         this.ground = new Ground(this.recording, this.meshes);
