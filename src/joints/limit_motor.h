@@ -75,4 +75,15 @@ Motor& motor_of(Motor (&pair)[2], int& param)
     return pair[1];
 }
 
+// The rule of joints with three such axes: the group of a parameter is the number of its axis.
+inline bool in_three_groups(int param) { return param >= 0 && param < 3 * dParamGroup; }
+inline bool set_by_group(LimitMotor (&three)[3], int param, Real value)
+{
+    return in_three_groups(param) && three[param / dParamGroup].set(param % dParamGroup, value);
+}
+inline bool get_by_group(const LimitMotor (&three)[3], int param, Real& value)
+{
+    return in_three_groups(param) && three[param / dParamGroup].get(param % dParamGroup, value);
+}
+
 }  // namespace epode

@@ -14,17 +14,22 @@ namespace epode {
 void factor_ldlt(Real* A, Real* d, int n, int stride)
 {
     for (int i = 0; i < n; ++i) {
-        // Row i of L D by forward substitution, then of L; D_i is what their product leaves of a_ii.
+        // Row i of L D by forward substitution, then of L.
         Real* row = row_of(A, i, stride);
         solve_unit_lower(A, row, i, stride);
-        Real pivot = row[i];
-        for (int j = 0; j < i; ++j) {
-            const Real scaled = row[j] * d[j];
-            pivot -= row[j] * scaled;
-            row[j] = scaled;
-        }
-        d[i] = 1 / pivot;
+        scale_ldlt_row(row, d, i);
     }
+}
+
+void scale_ldlt_row(Real* row, Real* d, int i)
+{
+    Real pivot = row[i];
+    for (int j = 0; j < i; ++j) {
+        const Real scaled = row[j] * d[j];
+        pivot -= row[j] * scaled;
+        row[j] = scaled;
+    }
+    d[i] = 1 / pivot;
 }
 
 void solve_unit_lower(const Real* L, Real* b, int n, int stride)

@@ -14,6 +14,8 @@
 namespace epode {
 
 void factor_ldlt(Real* A, Real* d, int n, int stride);
+// Its last part for one row: `row` has row i of L D and then that of L; d[i] is what their product leaves of a_ii.
+void scale_ldlt_row(Real* row, Real* d, int i);
 
 // b := L^-1 b, b := L^-T b, and b := A^-1 b.
 void solve_unit_lower(const Real* L, Real* b, int n, int stride);

@@ -48,15 +48,8 @@ struct LMotor : LastingJoint {
         const Vec3 x2 = body2() ? body2()->position() : Vec3{};
         return {sliding_jacobian(*this, a), dot(a, body1()->position() - x2)};
     }
-    static bool in_groups(int param) { return param >= 0 && param < 3 * dParamGroup; }
-    bool set_param(int param, Real value)
-    {
-        return in_groups(param) && motor[param / dParamGroup].set(param % dParamGroup, value);
-    }
-    bool get_param(int param, Real& value) const
-    {
-        return in_groups(param) && motor[param / dParamGroup].get(param % dParamGroup, value);
-    }
+    bool set_param(int param, Real value) { return set_by_group(motor, param, value); }
+    bool get_param(int param, Real& value) const { return get_by_group(motor, param, value); }
     void state(StateStream& stream)
     {
         for (LimitMotor& m : motor) m.state(*world, stream);

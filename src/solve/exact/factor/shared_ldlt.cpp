@@ -50,18 +50,6 @@ void substitute(const Real* A, Real* row, int stride, int from, int to)
     for (int j = from; j < to; ++j) row[j] -= dot(row_of(A, j, stride), row, j);
 }
 
-// Row i of L from that of L D, and D_i.
-void scale_row(Real* row, Real* d, int i)
-{
-    Real pivot = row[i];
-    for (int j = 0; j < i; ++j) {
-        const Real scaled = row[j] * d[j];
-        pivot -= row[j] * scaled;
-        row[j] = scaled;
-    }
-    d[i] = 1 / pivot;
-}
-
 }  // namespace
 
 void factor_ldlt(Real* A, Real* d, int n, int stride, const Tasks& tasks)
@@ -78,7 +66,7 @@ void factor_ldlt(Real* A, Real* d, int n, int stride, const Tasks& tasks)
         }
         for (int i = first; i < end; ++i) {
             substitute(A, row_of(A, i, stride), stride, first, i);
-            scale_row(row_of(A, i, stride), d, i);
+            scale_ldlt_row(row_of(A, i, stride), d, i);
             rows.reach(i + 1);
         }
     });
