@@ -278,18 +278,14 @@ ODE_API void dGeomSphereSetRadius(dGeomID sphere, dReal radius);
 ODE_API dReal dGeomSphereGetRadius(dGeomID sphere);
 ODE_API dReal dGeomSpherePointDepth(dGeomID sphere, dReal x, dReal y, dReal z);
 
-/** The solid is the hull of the points, in the geom's frame. The arrays are read once and copied. What lies
-    in one plane is one face; points that are all in one plane make a plate. Contacts are up to four, as of
-    the other solids. Planes and polygons must be numbers and indices of points; the faces are found from the
-    points, so that missing or inverted ones do no harm. Refused: no plane; fewer than 3 points; points that
-    are all in a line.
+/** The solid is the hull of the points, in the geom's frame; the arrays are copied. Faces are found from the
+    points, so that missing or inverted ones do no harm. Refused: no plane; fewer than 3 points; all points in
+    a line (points of a plane make a plate); planes and polygons that are not numbers and indices of points.
     - points: pointcount points, 3 reals each, m.
-    - polygons: for each of the planecount faces the number of its corners and then their indices into the
-      points, counter-clockwise seen from outside.
-    - planes: for each face its unit outward normal n and the distance n . p of the face's points p, 4 reals.
+    - polygons: for each of the planecount faces its number of corners and their indices, counter-clockwise.
+    - planes: for each face its unit outward normal n and n . p of its points p, 4 reals.
     - dCreateConvex: A new convex polyhedron in the space, or (0) in none.
-    - dGeomSetConvex: Give the geom convex another polyhedron. A program that has changed its arrays calls
-      this again. [0.16] */
+    - dGeomSetConvex: Give the geom convex another polyhedron, or the same arrays with other numbers. [0.16] */
 ODE_API dGeomID dCreateConvex(dSpaceID space, const dReal* planes, unsigned int planecount,
                               const dReal* points, unsigned int pointcount, const unsigned int* polygons);
 ODE_API void dGeomSetConvex(dGeomID convex, const dReal* planes, unsigned int planecount, const dReal* points,

@@ -83,8 +83,8 @@ typedef struct dDrive {
 ODE_API int dDriveInit(dDrive* drive, unsigned struct_size);
 
 /** - dJointSetDrive: Put a drive on an axis, in place of the one it has; drive NULL takes it away. It acts
-      beside the axis's stops and the motor of dParamVel and dParamFMax, in every stepper, in each substep
-      anew, until changed. An angle's target is taken modulo a turn, the shorter way, unless the axis counts
+      together with the axis's stops and the motor of dParamVel and dParamFMax, in every stepper and in each
+      substep, until changed. An angle's target is taken modulo a turn, the shorter way, unless the axis counts
       turns (dJointSetAxisContinuous). A change wakes the joint's bodies. Returns 1, or 0 when refused
       (numbers that are negative or not finite, a structure of a wrong size) or out of memory.
     - dJointGetDrive: Write to *drive, whose size the caller has set, what dJointSetDrive has set, or zeros.

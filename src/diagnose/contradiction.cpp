@@ -5,7 +5,7 @@
 // that close a loop (or connect two bodies twice) can contradict each other: those of a component of the graph
 // of bodies and joints that has a cycle, what does not move being one node. The error is that of the rows that
 // lock, at the pose that the step has left; soft rows keep theirs by intention. Sweeps that have not converged
-// leave errors in joints that fit together: then it is no more than a note. So does fast motion: a lever r that
+// leave errors in joints that fit together: then it is no more than a note. So does fast motion: an arm r that
 // rotates at w leaves its circle by r (h w)^2 / 2 in each step, of which the next ones remove the share ERP.
 #include "diagnose/cause.h"
 
@@ -19,7 +19,7 @@ namespace epode {
 namespace {
 
 constexpr Real kOpen = Real(1e-3), kTorn = Real(1e-2);  // m, rad
-constexpr Real kStays = Real(0.97);                     // of the error, after a step; ERP removes more
+constexpr Real kPersists = Real(0.97);                  // of the error, after a step; ERP removes more
 constexpr double kSolved = 1e-6;                        // residual of the step
 constexpr int kPatience = 10;                           // steps
 constexpr Real kMotion = 2;                             // times the error that motion explains
@@ -31,9 +31,9 @@ struct LockedError {
     Real by_motion = 0;  // what fast rotation explains
 };
 
-Real drift_of(const Body* body, Vec3 lever, Real h)
+Real drift_of(const Body* body, Vec3 arm, Real h)
 {
-    return body ? length(lever) * length2(body->angular_velocity()) * h * h / 2 : 0;
+    return body ? length(arm) * length2(body->angular_velocity()) * h * h / 2 : 0;
 }
 
 LockedError locked_error(Joint& joint, const StepInfo& info)
@@ -107,8 +107,9 @@ void find_contradiction(const StepFacts& facts)
         const bool loops = closes_loop(facts, joint);
         const LockedError locked = loops ? locked_error(joint, info) : LockedError{};
         const Real error = locked.worst;
-        const bool stays = known.id == to_handle(&joint) && error > kOpen && error > kStays * known.error;
-        known = {to_handle(&joint), error, stays ? known.steps + 1 : 0};
+        const bool persists =
+            known.id == to_handle(&joint) && error > kOpen && error > kPersists * known.error;
+        known = {to_handle(&joint), error, persists ? known.steps + 1 : 0};
         if (known.steps < kPatience) continue;
         facts.findings.add({.kind = dDiagnosisContradiction,
                             .severity = !solved || error < kMotion * locked.by_motion ? dSeverityNote

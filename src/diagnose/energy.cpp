@@ -13,7 +13,7 @@ namespace epode {
 namespace {
 
 constexpr double kGain = 0.5;
-constexpr double kMost = 1e9;
+constexpr double kMaxFigure = 1e9;
 
 double from_nowhere(const dEnergyLedger& l)
 {
@@ -43,7 +43,7 @@ void find_energy(const StepFacts& facts)
     facts.findings.add({.kind = dDiagnosisEnergy,
                         .severity = dSeverityWarning,
                         .body = to_handle(quickest),
-                        .figure = scale * kMost > gain ? gain / scale : kMost,
+                        .figure = scale * kMaxFigure > gain ? gain / scale : kMaxFigure,
                         .threshold = kGain});
 }
 

@@ -2,7 +2,7 @@
 // Copyright (c) 2026 The Epode authors
 //
 // A step resolves a rotation, or a swing, of less than about a radian: h |w| for bodies whose inertia is not
-// the same about all axes; and h sqrt(F r / I) for a body that carries the force F on the lever r through its
+// the same about all axes; and h sqrt(F r / I) for a body that carries the force F on the arm r through its
 // joints, which swings about the load's line like a pendulum (the whip: step/island/tension has the derivation).
 // A step that holds the directions of forces fixed lets it swing through its rest position ever farther. Of this
 // only a joint that has come open is proof, above three radians; substeps turn the forces along, and the
@@ -31,16 +31,16 @@ void add_load(const StepFacts& facts, const StepInfo& info, Joint& joint)
     joint.type->emit(joint, out);
     if (joint.impulse_rows != out.count()) return;
     Vec3 P;
-    Real lever[2] = {0, 0};
+    Real arm[2] = {0, 0};
     for (int i = 0; i < out.count(); ++i) {
         if (rows[i].lin1 == Vec3{}) continue;
         P += impulses(joint)[i] * rows[i].lin1;
-        lever[0] = std::max(lever[0], length(rows[i].ang1));
-        lever[1] = std::max(lever[1], length(rows[i].ang2));
+        arm[0] = std::max(arm[0], length(rows[i].ang1));
+        arm[1] = std::max(arm[1], length(rows[i].ang2));
     }
     for (int k = 0; k < 2; ++k)
         if (const Body* body = joint.node[k].body)
-            facts.swings[std::size_t(body->place)] += facts.h * length(P) * lever[k];
+            facts.swings[std::size_t(body->place)] += facts.h * length(P) * arm[k];
 }
 
 bool has_substeps(const StepFacts& facts)

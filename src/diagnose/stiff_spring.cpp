@@ -41,11 +41,11 @@ void find_stiff_spring(const StepFacts& facts)
         if (!last) return;
         const Sym3& I = body.inv_inertia;
         const Real inv_inertia = std::min(I.xx, std::min(I.yy, I.zz));
-        const Real push =
+        const Real stretch =
             stiffness(b.force, last->force, b.x - last->x, b.v - last->v, body.inv_mass, facts.h);
         const Real twist =
             stiffness(b.torque, last->torque, facts.h * b.w, b.w - last->w, inv_inertia, facts.h);
-        const Real figure = std::max(push, twist);
+        const Real figure = std::max(stretch, twist);
         if (!(figure > kStiff)) return;
         facts.findings.add({.kind = dDiagnosisStiffSpring,
                             .severity = figure > kUnstable ? dSeverityError : dSeverityWarning,

@@ -26,7 +26,7 @@ struct Watch : StepObserver {
     Findings findings;
     Array<BodyBefore> before, last, after;
     Array<Touch> touches;
-    Array<dWorldContact> managed;
+    Array<dWorldContact> of_world;
     Array<JointError> joint_errors;
     Array<GraphNode> graph;
     Array<Neighbours> neighbours;
@@ -81,9 +81,9 @@ bool add_world_contacts(const World& world, Watch& watch)
 {
     const ContactWorld& contacts = world.step_state->world_contacts;
     if (!contacts.live_space()) return true;
-    if (!watch.managed.resize(contacts.contacts(nullptr, 0))) return false;
-    (void)contacts.contacts(watch.managed.data(), watch.managed.size());
-    for (const dWorldContact& c : watch.managed.span()) {
+    if (!watch.of_world.resize(contacts.contacts(nullptr, 0))) return false;
+    (void)contacts.contacts(watch.of_world.data(), watch.of_world.size());
+    for (const dWorldContact& c : watch.of_world.span()) {
         const Geom *g1 = from_handle<Geom>(c.g1), *g2 = from_handle<Geom>(c.g2);
         if (!g1 || !g2 || !body_of(*g1)) continue;
         if (!watch.touches.push({body_of(*g1), body_of(*g2), load(c.pos), load(c.normal), c.depth}))

@@ -110,7 +110,7 @@ void emit_axis(Joint& joint, int i, AxisDrive& axis, RowWriter& out)
     axis.servo_row = -1, axis.with_rotor = false;
     if (!out.info().inner) axis.reference = value;
     if (!axis.driven || (is_zero(at.J) && out.terms().empty())) return;
-    out.ask_again();
+    out.emit_every_substep();
     axis.rate = rate(joint, out, at.J);
     if (!out.info().inner) axis.start_rate = axis.rate;
     emit_servo(out, axis, at, error(at, axis, value));

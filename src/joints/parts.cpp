@@ -39,7 +39,7 @@ void structure_of_axes(StructureStream& stream, int& count, int (&frame)[3], Vec
 void Spring::take(RowWriter& out, Row* rows, int count) const
 {
     for (Row* row = rows; row < rows + count; ++row) row->drive = &drive, row->soft = true;
-    out.ask_again();
+    out.emit_every_substep();
 }
 
 OwnSoftness::OwnSoftness(const World& world) : erp(world.erp), cfm(world.cfm) {}

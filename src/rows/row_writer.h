@@ -78,9 +78,9 @@ class RowWriter {
         arms_ = {r1, r2};
         form_ = form;
     }
-    // Rows that ask for more than a pose can tell have no form: the joint is asked for them in every substep.
-    RowForm form() const { return asks_again_ ? RowForm::kFree : form_; }
-    void ask_again() { asks_again_ = true; }
+    // Rows that need more than a pose have no form: the joint is asked for them in every substep.
+    RowForm form() const { return every_substep_ ? RowForm::kFree : form_; }
+    void emit_every_substep() { every_substep_ = true; }
     bool holds_point() const { return form_ == RowForm::kPoint; }
 
     // Velocities at an inner pose, where the bodies still have those of the beginning of the step; else null.
@@ -116,7 +116,7 @@ class RowWriter {
     Vec3 force_[2], torque_[2];
     ContactArms arms_;
     RowForm form_ = RowForm::kFree;
-    bool asks_again_ = false;
+    bool every_substep_ = false;
     const BodyMotion* motion_ = nullptr;
     std::span<const BodyTerm> terms_;
 };
